@@ -1,0 +1,58 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+
+#ifndef CGAL_INDEXED_MESH_2_H
+#define CGAL_INDEXED_MESH_2_H
+
+#include <CGAL/Quadtree_mesh_2/Index.h>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+
+/// A triangle mesh in flat arrays: what `Quality_mesher_2` makes, before it becomes a CGAL triangulation,
+/// matrices or a file.
+///
+/// The first `number_of_input_vertices` vertices are the vertices of the input, in their order and with their
+/// coordinates bit for bit, whether a triangle uses them or not (a vertex outside the domain is kept, so that
+/// indices stay what they were). Triangles are counterclockwise. Side `k` of a triangle is the one opposite its vertex `k`.
+/// \tparam Point point type with members `x()` and `y()`.
+template <class Point>
+class Indexed_mesh_2 {
+public:
+  using Point_2 = Point;
+  using Vertex_index = Quadtree_mesh_2::Vertex_index;
+  using Triangle_index = Quadtree_mesh_2::Triangle_index;
+  using Segment_index = Quadtree_mesh_2::Segment_index;
+
+  /// A piece of an input segment that is an edge of the mesh.
+  struct Constrained_edge {
+    std::array<Vertex_index, 2> vertices;
+    Segment_index segment; ///< the input segment it is part of (the first one where segments overlap)
+  };
+
+  std::size_t number_of_input_vertices = 0;
+  std::vector<Point_2> points;
+  std::vector<std::array<Vertex_index, 3>> triangles;
+  /// `neighbors[t][k]`: the triangle across side `k` of `t`; invalid on the border of the domain.
+  std::vector<std::array<Triangle_index, 3>> neighbors;
+  /// Every mesh edge that lies on an input segment, once.
+  std::vector<Constrained_edge> constrained_edges;
+  /// Per triangle, the position in `Pslg_2::regions` of its region, -1 where none; empty if the input has no regions.
+  std::vector<int> region_of_triangle;
+  /// Per vertex, the input segment in whose interior a Steiner vertex lies; invalid for all others.
+  std::vector<Segment_index> segment_of_vertex;
+
+  const Point_2& point(Vertex_index v) const { return points[std::size_t(v)]; }
+  std::size_t number_of_vertices() const { return points.size(); }
+  std::size_t number_of_triangles() const { return triangles.size(); }
+};
+
+} // namespace CGAL
+
+#endif // CGAL_INDEXED_MESH_2_H

@@ -1,0 +1,80 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+
+#ifndef CGAL_QUADTREE_MESH_2_INDEX_H
+#define CGAL_QUADTREE_MESH_2_INDEX_H
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <ostream>
+
+namespace CGAL {
+namespace Quadtree_mesh_2 {
+
+/// A 32-bit index that cannot be mistaken for an index of another kind.
+///
+/// Converts explicitly from and to integers; compares and orders as the integer does. The default-constructed
+/// index is invalid (`is_valid()` is `false`).
+/// \tparam Tag distinguishes the kinds of indices.
+template <class Tag>
+class Index {
+public:
+  using size_type = std::uint32_t;
+
+  constexpr Index() = default;
+  constexpr explicit Index(std::size_t i) : value_(static_cast<size_type>(i)) {}
+
+  constexpr size_type value() const { return value_; }
+  constexpr explicit operator std::size_t() const { return value_; }
+  constexpr bool is_valid() const { return value_ != invalid_; }
+
+  Index& operator++() {
+    ++value_;
+    return *this;
+  }
+
+  friend constexpr bool operator==(Index a, Index b) { return a.value_ == b.value_; }
+  friend constexpr bool operator!=(Index a, Index b) { return a.value_ != b.value_; }
+  friend constexpr bool operator<(Index a, Index b) { return a.value_ < b.value_; }
+  friend std::ostream& operator<<(std::ostream& out, Index i) { return out << i.value_; }
+
+private:
+  static constexpr size_type invalid_ = 0xffffffffu;
+  size_type value_ = invalid_;
+};
+
+struct Vertex_tag {};
+struct Segment_tag {};
+struct Triangle_tag {};
+struct Node_tag {};
+struct Leaf_tag {};
+struct Point_tag {};
+
+/// Vertex of a `Pslg_2` or an `Indexed_mesh_2`.
+using Vertex_index = Index<Vertex_tag>;
+/// Segment of a `Pslg_2`.
+using Segment_index = Index<Segment_tag>;
+/// Triangle of an `Indexed_mesh_2`.
+using Triangle_index = Index<Triangle_tag>;
+/// Node (square) of a quadtree or of a quadtree framework.
+using Node_index = Index<Node_tag>;
+/// Leaf of a quadtree.
+using Leaf_index = Index<Leaf_tag>;
+/// Input point, in the order in which the points were given.
+using Point_index = Index<Point_tag>;
+
+} // namespace Quadtree_mesh_2
+} // namespace CGAL
+
+template <class Tag>
+struct std::hash<CGAL::Quadtree_mesh_2::Index<Tag>> {
+  std::size_t operator()(CGAL::Quadtree_mesh_2::Index<Tag> i) const noexcept {
+    return std::hash<std::uint32_t>()(i.value());
+  }
+};
+
+#endif // CGAL_QUADTREE_MESH_2_INDEX_H

@@ -1,0 +1,44 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+
+#ifndef CGAL_QUALITY_MESH_OPTIONS_2_H
+#define CGAL_QUALITY_MESH_OPTIONS_2_H
+
+#include <cstddef>
+#include <functional>
+
+namespace CGAL {
+
+/// What `Quality_mesher_2` shall reach. Every field has its default; set fields directly or by chained calls:
+/// `Quality_mesh_options_2().min_angle(25).max_area(0.1)`.
+struct Quality_mesh_options_2 {
+  /// Whether Steiner vertices that are not needed are removed at the end.
+  enum class Coarsening { none, guarded_removal };
+
+  /// Least angle in degrees of every triangle that no acute input corner forces below it, in [0, 30].
+  /// Up to 20.7 it is reached on every input; above, what is left is reported.
+  double min_angle_in_degrees = 20.7;
+  /// Longest edge, in the units of the input; 0 means no bound.
+  double max_edge_length = 0;
+  /// Largest area of a triangle, in squared units of the input; 0 means no bound.
+  double max_triangle_area = 0;
+  Coarsening coarsening = Coarsening::guarded_removal;
+  /// Refinement stops, with what is left reported, when the mesh has this many vertices; 0 means no bound but memory's.
+  std::size_t vertex_budget = 0;
+  /// Called now and then with the share of work done, in [0, 1]; returning false stops with the mesh so far.
+  std::function<bool(double)> callback;
+
+  Quality_mesh_options_2& min_angle(double degrees) { return min_angle_in_degrees = degrees, *this; }
+  Quality_mesh_options_2& max_edge(double length) { return max_edge_length = length, *this; }
+  Quality_mesh_options_2& max_area(double area) { return max_triangle_area = area, *this; }
+  Quality_mesh_options_2& coarsen(Coarsening c) { return coarsening = c, *this; }
+  Quality_mesh_options_2& max_vertices(std::size_t n) { return vertex_budget = n, *this; }
+  Quality_mesh_options_2& progress(std::function<bool(double)> f) { return callback = std::move(f), *this; }
+};
+
+} // namespace CGAL
+
+#endif // CGAL_QUALITY_MESH_OPTIONS_2_H
