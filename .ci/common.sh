@@ -1,0 +1,63 @@
+# shellcheck shell=bash
+# What examples/quickstart.sh and test/run.sh share: installing Debian packages and building. Sourced, not run.
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+
+# Everything that quality_mesh needs to be built.
+# shellcheck disable=SC2034
+build_packages=(g++ make cmake libcgal-dev libboost-dev libboost-program-options-dev libboost-iostreams-dev
+  nlohmann-json3-dev libtbb-dev libeigen3-dev)
+
+say() { printf '== %s\n' "$*"; }
+
+fail() {
+  printf 'error: %s\n' "$*" >&2
+  exit 2
+}
+
+is_installed() { [[ $(dpkg-query -W -f '${db:Status-Status}' "$1" 2>/dev/null) == installed ]]; }
+
+# Installs those of the named packages that are missing; does nothing, and asks for no rights, if none is.
+install_packages() {
+  if ! command -v apt-get >/dev/null; then
+    say "not a Debian system: expecting the equivalents of $*"
+    return
+  fi
+  local missing=() package
+  for package in "$@"; do
+    is_installed "$package" || missing+=("$package")
+  done
+  [[ ${#missing[@]} -gt 0 ]] || return 0
+
+  local as_root=()
+  if [[ $(id -u) -ne 0 ]]; then
+    command -v sudo >/dev/null || fail "please install as root: apt-get install ${missing[*]}"
+    as_root=(sudo)
+  fi
+  say "installing ${missing[*]}"
+  "${as_root[@]}" apt-get -qq update
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
+    apt-get -qq install --yes --no-install-recommends "${missing[@]}" >/dev/null
+}
+
+# Compilers of this code take about a gigabyte each, so the number of cores alone does not decide.
+build_jobs() {
+  local cores gigabytes
+  cores=$(nproc)
+  gigabytes=$(awk '/^MemAvailable/ { print int($2 / 1.5e6) }' /proc/meminfo)
+  ((gigabytes >= 1)) || gigabytes=1
+  echo $((cores < gigabytes ? cores : gigabytes))
+}
+
+# configure_and_build FOLDER TARGET [CMAKE_ARGUMENT]...
+configure_and_build() {
+  local folder=$1 target=$2
+  shift 2
+  say "building $target in $folder"
+  cmake -S "$root" -B "$folder" -Wno-dev "$@" >"$folder.log" 2>&1 || {
+    cat "$folder.log" >&2
+    fail "cmake could not configure $folder"
+  }
+  rm -f "$folder.log"
+  cmake --build "$folder" --target "$target" --parallel "$(build_jobs)"
+}
