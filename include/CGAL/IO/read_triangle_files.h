@@ -1,0 +1,312 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+
+#ifndef CGAL_IO_READ_TRIANGLE_FILES_H
+#define CGAL_IO_READ_TRIANGLE_FILES_H
+
+#include <CGAL/Pslg_2.h>
+#include <CGAL/Quadtree_mesh_2/internal/Line_scanner.h>
+#include <CGAL/Quadtree_mesh_2/internal/Number_text.h>
+#include <CGAL/Quadtree_mesh_2/internal/read_whole_file.h>
+#include <CGAL/Quality_mesh_report_2.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <fstream>
+#include <istream>
+#include <limits>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+// Readers for the files of Jonathan Shewchuk's Triangle: .poly, .node and .ele
+// (https://www.cs.cmu.edu/~quake/triangle.html). One pass over the text in memory. Stricter than Triangle,
+// which takes what it cannot read for zero: anything doubtful is an error that tells file and line.
+
+namespace CGAL {
+namespace Quadtree_mesh_2 {
+namespace internal {
+
+/// Reads the sections of Triangle's files, one after the other, from a scanner into a graph.
+template <class Point>
+class Triangle_parser {
+public:
+  Triangle_parser(Line_scanner& scanner, Pslg_2<Point>& pslg) : scanner_(scanner), pslg_(pslg) {}
+
+  /// The number that the file gives to its first vertex: 0 or 1.
+  std::size_t first_index() const { return first_index_; }
+  void set_first_index(std::size_t i) { first_index_ = i; }
+
+  /// <# of vertices> <dimension (2)> <# of attributes> <# of markers (0 or 1)>, then
+  /// <vertex #> <x> <y> [attributes] [marker]
+  void read_vertices() {
+    scanner_.next_line({"the number of vertices"});
+    const std::size_t n = read_count("the number of vertices", index_limit);
+    const std::size_t dimension = optional_count("the dimension", 2);
+    if (dimension != 2) scanner_.fail("the dimension is " + std::to_string(dimension) + " instead of 2");
+    const std::size_t attributes = optional_count("the number of attributes", 0);
+    const bool has_markers = read_has_markers();
+    scanner_.skip_more_columns({"a column behind the header"});
+    const std::size_t believable = (std::min)(n, scanner_.remaining() / shortest_vertex + 1);
+    pslg_.vertices.reserve(believable);
+    pslg_.number_of_vertex_attributes = attributes;
+    if (attributes > 0)
+      pslg_.vertex_attributes.reserve((std::min)(scanner_.remaining() / 2, believable * attributes));
+    if (has_markers) pslg_.vertex_markers.reserve(believable);
+    for (std::size_t i = 0; i < n; ++i) read_vertex(i, attributes, has_markers);
+  }
+
+  /// <# of segments> <# of markers (0 or 1)>, then <segment #> <endpoint> <endpoint> [marker]
+  void read_segments() {
+    scanner_.next_line({"the number of segments"});
+    const std::size_t n = read_count("the number of segments", index_limit);
+    const bool has_markers = read_has_markers();
+    scanner_.skip_more_columns({"a column behind the header"});
+    const std::size_t believable = (std::min)(n, scanner_.remaining() / shortest_segment + 1);
+    pslg_.segments.reserve(believable);
+    if (has_markers) pslg_.segment_markers.reserve(believable);
+    for (std::size_t i = 0; i < n; ++i) {
+      scanner_.next_line({"segment", i});
+      scanner_.template read<std::int64_t>({"the number of segment", i}); // Triangle ignores it, too
+      const Vertex_index a = read_vertex_index({"an end of segment", i});
+      const Vertex_index b = read_vertex_index({"an end of segment", i});
+      pslg_.segments.push_back({a, b});
+      if (has_markers)
+        pslg_.segment_markers.push_back(scanner_.template read<int>({"the marker of segment", i}));
+      scanner_.skip_more_columns({"a column behind segment", i});
+    }
+  }
+
+  /// <# of holes>, then <hole #> <x> <y>
+  void read_holes() {
+    scanner_.next_line({"the number of holes"});
+    const std::size_t n = read_count("the number of holes", index_limit);
+    scanner_.skip_more_columns({"a column behind the header"});
+    for (std::size_t i = 0; i < n; ++i) {
+      scanner_.next_line({"hole", i});
+      scanner_.template read<std::int64_t>({"the number of hole", i});
+      pslg_.holes.push_back(read_point({"x of hole", i}, {"y of hole", i}));
+      scanner_.skip_more_columns({"a column behind hole", i});
+    }
+  }
+
+  /// Optional: <# of regions>, then <region #> <x> <y> <attribute> [maximum area]
+  void read_regions() {
+    if (!scanner_.try_next_line()) return;
+    const std::size_t n = read_count("the number of regions", index_limit);
+    scanner_.skip_more_columns({"a column behind the header"});
+    for (std::size_t i = 0; i < n; ++i) {
+      scanner_.next_line({"region", i});
+      scanner_.template read<std::int64_t>({"the number of region", i});
+      const Point point = read_point({"x of region", i}, {"y of region", i});
+      const double attribute = scanner_.template read<double>({"the attribute of region", i});
+      double max_area = 0;
+      if (scanner_.has_more_columns())
+        max_area = scanner_.template read<double>({"the maximum area of region", i});
+      // Triangle writes -1 for none.
+      pslg_.regions.push_back({point, attribute, (std::max)(max_area, 0.)});
+      scanner_.skip_more_columns({"a column behind region", i});
+    }
+  }
+
+  /// <# of triangles> <nodes per triangle> <# of attributes>, then <triangle #> <node> <node> <node> ...
+  /// [attributes]
+  void read_triangles(std::size_t number_of_vertices, std::vector<std::array<Vertex_index, 3>>& triangles) {
+    scanner_.next_line({"the number of triangles"});
+    const std::size_t n = read_count("the number of triangles", index_limit);
+    const std::size_t nodes = optional_count("the number of nodes per triangle", 3);
+    if (nodes != 3) scanner_.fail("triangles have " + std::to_string(nodes) + " nodes instead of 3");
+    scanner_.skip_more_columns({"a column behind the header"});
+    triangles.reserve((std::min)(n, scanner_.remaining() / shortest_triangle + 1));
+    for (std::size_t i = 0; i < n; ++i) {
+      scanner_.next_line({"triangle", i});
+      scanner_.template read<std::int64_t>({"the number of triangle", i});
+      std::array<Vertex_index, 3> t;
+      for (Vertex_index& v : t) v = read_vertex_index({"a node of triangle", i}, number_of_vertices);
+      triangles.push_back(t);
+      scanner_.skip_more_columns({"an attribute of triangle", i});
+    }
+  }
+
+  void read_end() {
+    if (scanner_.try_next_line()) scanner_.fail("nothing more is expected");
+  }
+
+private:
+  using Coordinate = Coordinate_t<Point>;
+  /// Words are read as words, all else as doubles.
+  using Number = std::conditional_t<std::is_integral_v<Coordinate>, Coordinate, double>;
+
+  // Shortest lines, "0 0 0": at most so many records as these can follow, whatever a header claims.
+  static constexpr std::size_t shortest_vertex = 6;
+  static constexpr std::size_t shortest_segment = 6;
+  static constexpr std::size_t shortest_triangle = 8;
+  static constexpr std::size_t index_limit = (std::numeric_limits<Vertex_index::size_type>::max)() - 1;
+
+  std::size_t read_count(const char* what, std::size_t limit) {
+    const std::int64_t count = scanner_.template read<std::int64_t>({what});
+    if (count < 0) scanner_.fail(std::string(what) + " is negative");
+    if (static_cast<std::uint64_t>(count) > limit)
+      scanner_.fail(std::string(what) + ", " + std::to_string(count) + ", is more than indices can name");
+    return static_cast<std::size_t>(count);
+  }
+
+  std::size_t optional_count(const char* what, std::size_t fallback) {
+    return scanner_.has_more_columns() ? read_count(what, index_limit) : fallback;
+  }
+
+  bool read_has_markers() {
+    const std::size_t markers = optional_count("the number of markers", 0);
+    if (markers > 1)
+      scanner_.fail("the number of markers is " + std::to_string(markers) + " instead of 0 or 1");
+    return markers == 1;
+  }
+
+  void read_vertex(std::size_t i, std::size_t attributes, bool has_markers) {
+    scanner_.next_line({"vertex", i});
+    const std::int64_t number = scanner_.template read<std::int64_t>({"the number of vertex", i});
+    if (i == 0) {
+      if (number != 0 && number != 1)
+        scanner_.fail("the first vertex has the number " + std::to_string(number) + " instead of 0 or 1");
+      first_index_ = static_cast<std::size_t>(number);
+    }
+    if (number != static_cast<std::int64_t>(first_index_ + i))
+      scanner_.fail("vertex " + std::to_string(number) + " stands where vertex " +
+                    std::to_string(first_index_ + i) + " is expected");
+    pslg_.vertices.push_back(
+        read_point({"x of vertex", first_index_ + i}, {"y of vertex", first_index_ + i}));
+    for (std::size_t k = 0; k < attributes; ++k)
+      pslg_.vertex_attributes.push_back(
+          scanner_.template read<double>({"an attribute of vertex", first_index_ + i}));
+    if (has_markers)
+      pslg_.vertex_markers.push_back(scanner_.template read<int>({"the marker of vertex", first_index_ + i}));
+    scanner_.skip_more_columns({"a column behind vertex", first_index_ + i});
+  }
+
+  Point read_point(Column_name x_name, Column_name y_name) {
+    const Number x = scanner_.template read<Number>(x_name);
+    const Number y = scanner_.template read<Number>(y_name);
+    if constexpr (std::is_constructible_v<Point, Number, Number>)
+      return Point(x, y);
+    else
+      return Point{x, y};
+  }
+
+  Vertex_index read_vertex_index(Column_name column) {
+    return read_vertex_index(column, pslg_.vertices.size());
+  }
+
+  Vertex_index read_vertex_index(Column_name column, std::size_t number_of_vertices) {
+    const std::int64_t number = scanner_.template read<std::int64_t>(column);
+    const std::int64_t first = static_cast<std::int64_t>(first_index_);
+    if (number < first || number - first >= static_cast<std::int64_t>(number_of_vertices))
+      scanner_.fail(column.to_string() + ": there is no vertex " + std::to_string(number) +
+                    (number_of_vertices == 0 ? std::string(", there are no vertices at all")
+                                             : ", the vertices are " + std::to_string(first_index_) + " to " +
+                                                   std::to_string(first_index_ + number_of_vertices - 1)));
+    return Vertex_index(static_cast<std::size_t>(number - first));
+  }
+
+  Line_scanner& scanner_;
+  Pslg_2<Point>& pslg_;
+  std::size_t first_index_ = 0;
+};
+
+/// The .node file that belongs to a .poly file, or nothing if there is none. Either may be compressed (.gz).
+inline std::string find_node_file(std::string file_name) {
+  const auto drop_ending = [&file_name](const std::string& ending) {
+    const bool has_ending = file_name.size() >= ending.size() &&
+                            file_name.compare(file_name.size() - ending.size(), ending.size(), ending) == 0;
+    if (has_ending) file_name.resize(file_name.size() - ending.size());
+    return has_ending;
+  };
+  const bool is_packed = drop_ending(".gz");
+  drop_ending(".poly");
+  const std::string plain = file_name + ".node", packed = plain + ".gz";
+  for (const std::string& name : {is_packed ? packed : plain, is_packed ? plain : packed})
+    if (std::ifstream(name).good()) return name;
+  return std::string();
+}
+
+/// Reads the vertices of a .node file; returns the number of its first vertex.
+template <class Point>
+std::size_t parse_triangle_node(const std::string& text, const std::string& name, Pslg_2<Point>& pslg) {
+  Line_scanner scanner(text, name);
+  Triangle_parser<Point> parser(scanner, pslg);
+  parser.read_vertices();
+  parser.read_end();
+  return parser.first_index();
+}
+
+/// \param node_name where the vertices are if `text` has none; may be empty.
+template <class Point>
+Pslg_2<Point> parse_triangle_poly(const std::string& text, const std::string& name,
+                                  const std::string& node_name) {
+  Pslg_2<Point> pslg;
+  Line_scanner scanner(text, name);
+  Triangle_parser<Point> parser(scanner, pslg);
+  parser.read_vertices();
+  if (pslg.vertices.empty()) {
+    if (node_name.empty()) scanner.fail("no vertices here, and no .node file beside it that has them");
+    pslg.number_of_vertex_attributes = 0;
+    parser.set_first_index(parse_triangle_node(read_whole_file(node_name), node_name, pslg));
+  }
+  parser.read_segments();
+  parser.read_holes();
+  parser.read_regions();
+  parser.read_end();
+  return pslg;
+}
+
+} // namespace internal
+} // namespace Quadtree_mesh_2
+
+namespace IO {
+
+/// Reads a planar straight-line graph from a `.poly` file of Triangle, or from one compressed by gzip (which
+/// needs Boost.Iostreams: `CGAL_LINKED_WITH_BOOST_IOSTREAMS`).
+///
+/// Vertices may be numbered from 0 or from 1 and become 0-based. If the file has 0 vertices they are taken
+/// from the
+/// `.node` file of the same stem. A comment reaches from `#` to the end of its line. Regions have an
+/// attribute and, if one more column is there, a largest area. Coordinates are the doubles nearest to the
+/// decimals, or words if the coordinates of `Point` are integers. Segments are not checked beyond their
+/// indices, see `check_pslg_structure()` and `repair_pslg_2()`. Linear time: about 0.1 us a number. \throws
+/// Pslg_error_2 with file, line and culprit if the file is missing, truncated or malformed; `pslg` is then as
+/// it was.
+template <class Point>
+void read_triangle_poly(const std::string& file_name, Pslg_2<Point>& pslg) {
+  namespace internal = Quadtree_mesh_2::internal;
+  pslg = internal::parse_triangle_poly<Point>(internal::read_whole_file(file_name), file_name,
+                                              internal::find_node_file(file_name));
+}
+
+/// The same from a stream, whose text has to have the vertices in it.
+/// \throws Pslg_error_2 as above, with `name` for the name of the file.
+template <class Point>
+void read_triangle_poly(std::istream& in, Pslg_2<Point>& pslg, const std::string& name = "input") {
+  namespace internal = Quadtree_mesh_2::internal;
+  const std::string text = internal::unpack_gzip(internal::read_whole_stream(in, name), name);
+  pslg = internal::parse_triangle_poly<Point>(text, name, std::string());
+}
+
+/// Reads vertices with their attributes and markers from a `.node` file: a graph without segments.
+/// \throws Pslg_error_2 as `read_triangle_poly()` does; `pslg` is then as it was.
+template <class Point>
+void read_triangle_node(const std::string& file_name, Pslg_2<Point>& pslg) {
+  namespace internal = Quadtree_mesh_2::internal;
+  Pslg_2<Point> result;
+  internal::parse_triangle_node(internal::read_whole_file(file_name), file_name, result);
+  pslg = std::move(result);
+}
+
+} // namespace IO
+} // namespace CGAL
+
+#endif // CGAL_IO_READ_TRIANGLE_FILES_H

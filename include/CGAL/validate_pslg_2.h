@@ -1,0 +1,194 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+
+#ifndef CGAL_VALIDATE_PSLG_2_H
+#define CGAL_VALIDATE_PSLG_2_H
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Pslg_2.h>
+#include <CGAL/Quadtree_mesh_2/internal/Number_text.h>
+#include <CGAL/Quality_mesh_report_2.h>
+#include <CGAL/number_utils.h>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <type_traits>
+
+// Is a Pslg_2 one that can be meshed at all? O(n) time, no further memory, no constructions: the only
+// geometric question, whether all vertices lie on a line, is answered exactly. Whether segments cross or
+// overlap is another question, for find_pslg_defects_2.h.
+
+namespace CGAL {
+namespace Quadtree_mesh_2 {
+namespace internal {
+
+template <class Number>
+bool is_finite_coordinate(const Number& x) {
+  if constexpr (std::is_floating_point_v<Number>)
+    return std::isfinite(x);
+  else if constexpr (std::is_integral_v<Number>)
+    return true;
+  else
+    return CGAL::is_finite(x);
+}
+
+template <class Point>
+bool is_finite_point(const Point& p) {
+  return is_finite_coordinate(p.x()) && is_finite_coordinate(p.y());
+}
+
+/// Do the words `a - b` and `c - d`, multiplied, equal `e - f` times `g - h`? Differences of 64-bit words
+/// need 65 bits and their products 130, one more than there are; so signs and magnitudes are compared apart.
+template <class Word>
+bool are_equal_products(Word a, Word b, Word c, Word d, Word e, Word f, Word g, Word h) {
+  static_assert(sizeof(Word) <= 8, "products of wider words do not fit 128 bits");
+  __extension__ typedef unsigned __int128 Product;
+  const auto distance = [](Word s, Word t) {
+    return s < t ? std::uint64_t(t) - std::uint64_t(s) : std::uint64_t(s) - std::uint64_t(t);
+  };
+  const Product left = Product(distance(a, b)) * distance(c, d);
+  const Product right = Product(distance(e, f)) * distance(g, h);
+  if (left != right) return false;
+  return left == 0 || ((a < b) != (c < d)) == ((e < f) != (g < h));
+}
+
+/// Are three points on a line? Exact for words, for doubles whatever the kernel, and for kernels with exact
+/// predicates.
+template <class Point>
+bool are_collinear(const Point& p, const Point& q, const Point& r) {
+  using Coordinate = Coordinate_t<Point>;
+  if constexpr (std::is_integral_v<Coordinate>) {
+    return are_equal_products<Coordinate>(q.x(), p.x(), r.y(), p.y(), q.y(), p.y(), r.x(), p.x());
+  } else if constexpr (std::is_floating_point_v<Coordinate>) {
+    using Exact_point = Exact_predicates_inexact_constructions_kernel::Point_2;
+    return CGAL::orientation(Exact_point(p.x(), p.y()), Exact_point(q.x(), q.y()),
+                             Exact_point(r.x(), r.y())) == COLLINEAR;
+  } else {
+    return CGAL::orientation(p, q, r) == COLLINEAR;
+  }
+}
+
+template <class Point>
+bool are_same_point(const Point& p, const Point& q) {
+  return p.x() == q.x() && p.y() == q.y();
+}
+
+template <class Point>
+std::string vertex_text(const Pslg_2<Point>& pslg, std::size_t v) {
+  return "vertex " + std::to_string(v) + ' ' + coordinates_text(pslg.vertices[v]);
+}
+
+/// "segment 3 from vertex 0 (0, 0) to vertex 1 (1, 0)"
+template <class Point>
+std::string segment_text(const Pslg_2<Point>& pslg, std::size_t s) {
+  return "segment " + std::to_string(s) + " from " + vertex_text(pslg, std::size_t(pslg.segments[s][0])) +
+         " to " + vertex_text(pslg, std::size_t(pslg.segments[s][1]));
+}
+
+inline void check_length(std::size_t length, std::size_t expected, const char* array) {
+  if (length != expected)
+    throw Pslg_error_2(std::string(array) + " has " + std::to_string(length) + " entries instead of " +
+                       std::to_string(expected));
+}
+
+template <class Point>
+void check_pslg_lengths(const Pslg_2<Point>& pslg) {
+  const std::size_t n = pslg.vertices.size();
+  const std::size_t limit = (std::numeric_limits<Vertex_index::size_type>::max)(); // itself the invalid index
+  if (n >= limit || pslg.segments.size() >= limit)
+    throw Pslg_error_2("more vertices or segments than 32-bit indices can name");
+  if (!pslg.vertex_markers.empty()) check_length(pslg.vertex_markers.size(), n, "vertex_markers");
+  if (!pslg.segment_markers.empty())
+    check_length(pslg.segment_markers.size(), pslg.segments.size(), "segment_markers");
+  // By division, as the product of a wild number of attributes may overflow.
+  const std::size_t k = pslg.number_of_vertex_attributes;
+  if (n == 0 || k == 0)
+    check_length(pslg.vertex_attributes.size(), 0, "vertex_attributes");
+  else if (pslg.vertex_attributes.size() % k != 0 || pslg.vertex_attributes.size() / k != n)
+    throw Pslg_error_2("vertex_attributes has " + std::to_string(pslg.vertex_attributes.size()) +
+                       " entries instead of " + std::to_string(k) + " for each of " + std::to_string(n) +
+                       " vertices");
+}
+
+template <class Point>
+void check_pslg_coordinates(const Pslg_2<Point>& pslg) {
+  const auto check = [](const char* kind, std::size_t i, const Point& p) {
+    if (!is_finite_point(p))
+      throw Pslg_error_2(kind + (' ' + std::to_string(i)) + ' ' + coordinates_text(p) + " is not finite");
+  };
+  for (std::size_t v = 0; v < pslg.vertices.size(); ++v) check("vertex", v, pslg.vertices[v]);
+  for (std::size_t h = 0; h < pslg.holes.size(); ++h) check("hole", h, pslg.holes[h]);
+  for (std::size_t r = 0; r < pslg.regions.size(); ++r) {
+    check("region", r, pslg.regions[r].point);
+    if (!std::isfinite(pslg.regions[r].attribute) || !std::isfinite(pslg.regions[r].max_area))
+      throw Pslg_error_2("region " + std::to_string(r) + ' ' + coordinates_text(pslg.regions[r].point) +
+                         " has an attribute or an area bound that is not finite");
+  }
+}
+
+template <class Point>
+void check_pslg_indices(const Pslg_2<Point>& pslg) {
+  for (std::size_t s = 0; s < pslg.segments.size(); ++s)
+    for (const Vertex_index v : pslg.segments[s])
+      if (std::size_t(v) >= pslg.vertices.size())
+        throw Pslg_error_2("segment " + std::to_string(s) + " ends at vertex " + std::to_string(v.value()) +
+                           ", but the vertices are 0 to " + std::to_string(pslg.vertices.size() - 1));
+}
+
+/// Throws unless three vertices span a triangle.
+template <class Point>
+void check_pslg_extent(const Pslg_2<Point>& pslg) {
+  const std::size_t n = pslg.vertices.size();
+  if (n == 0) throw Pslg_error_2("there are no vertices");
+  std::size_t other = 1;
+  while (other < n && are_same_point(pslg.vertices[other], pslg.vertices[0])) ++other;
+  if (other >= n) {
+    if (n == 1) throw Pslg_error_2("there is only one vertex, " + vertex_text(pslg, 0));
+    throw Pslg_error_2("all " + std::to_string(n) + " vertices are one point, " +
+                       coordinates_text(pslg.vertices[0]));
+  }
+  for (std::size_t v = other + 1; v < n; ++v)
+    if (!are_collinear(pslg.vertices[0], pslg.vertices[other], pslg.vertices[v])) return;
+  throw Pslg_error_2("all " + std::to_string(n) + " vertices lie on the line through " +
+                     vertex_text(pslg, 0) + " and " + vertex_text(pslg, other));
+}
+
+} // namespace internal
+} // namespace Quadtree_mesh_2
+
+/// Checks what every user of a `Pslg_2` relies on: the arrays fit together, all coordinates are finite,
+/// segments end at vertices that exist, and the vertices do not all lie on a line.
+///
+/// Segments of length zero and vertices at the same place pass, see `validate_pslg_2()`; so do segments that
+/// cross, see `find_pslg_defects_2()`. O(n) time, no memory.
+/// \throws Pslg_error_2 whose message names the first culprit by its 0-based index and its coordinates.
+template <class Point>
+void check_pslg_structure(const Pslg_2<Point>& pslg) {
+  namespace internal = Quadtree_mesh_2::internal;
+  internal::check_pslg_lengths(pslg);
+  internal::check_pslg_indices(pslg);
+  internal::check_pslg_coordinates(pslg);
+  internal::check_pslg_extent(pslg);
+}
+
+/// The strict form of `check_pslg_structure()`: also no segment may have length zero, be it that both its
+/// ends are one vertex or two vertices at the same place. O(n) time, no memory. \throws Pslg_error_2 whose
+/// message names the first culprit by its 0-based index and its coordinates.
+template <class Point>
+void validate_pslg_2(const Pslg_2<Point>& pslg) {
+  namespace internal = Quadtree_mesh_2::internal;
+  check_pslg_structure(pslg);
+  for (std::size_t s = 0; s < pslg.segments.size(); ++s)
+    if (internal::are_same_point(pslg.point(pslg.segments[s][0]), pslg.point(pslg.segments[s][1])))
+      throw Pslg_error_2(internal::segment_text(pslg, s) + " has length zero");
+}
+
+} // namespace CGAL
+
+#endif // CGAL_VALIDATE_PSLG_2_H
