@@ -44,7 +44,7 @@ fi
 install_packages "${packages[@]}"
 
 folder=$root/build
-arguments=(-DCMAKE_BUILD_TYPE=Release -DQUADTREE_MESH_2_WARNINGS_AS_ERRORS=$strict)
+arguments=(-DCMAKE_BUILD_TYPE=Release -DQUADTREE_MESH_2_WARNINGS_AS_ERRORS="$strict")
 if [[ -n $compiler ]]; then
   folder+=-$(basename "$compiler")
   arguments+=(-DCMAKE_CXX_COMPILER="$compiler")
