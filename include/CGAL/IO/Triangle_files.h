@@ -10,5 +10,6 @@
 // The files of Jonathan Shewchuk's Triangle: .poly, .node and .ele.
 
 #include <CGAL/IO/read_triangle_files.h>
+#include <CGAL/IO/write_triangle_files.h>
 
 #endif // CGAL_IO_TRIANGLE_FILES_H

@@ -270,7 +270,7 @@ Pslg_2<Point> parse_triangle_poly(const std::string& text, const std::string& na
 namespace IO {
 
 /// Reads a planar straight-line graph from a `.poly` file of Triangle, or from one compressed by gzip (which
-/// needs Boost.Iostreams: `CGAL_LINKED_WITH_BOOST_IOSTREAMS`).
+/// needs a program linked with Boost.Iostreams).
 ///
 /// Vertices may be numbered from 0 or from 1 and become 0-based. If the file has 0 vertices they are taken
 /// from the

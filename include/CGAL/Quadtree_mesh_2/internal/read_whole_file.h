@@ -9,7 +9,14 @@
 
 #include <CGAL/Quality_mesh_report_2.h>
 
-#ifdef CGAL_LINKED_WITH_BOOST_IOSTREAMS
+// gzip needs the compiled part of Boost.Iostreams, so it is there only for programs that link it: through
+// CGAL's target (the first macro) or through Boost's own.
+#if defined(CGAL_LINKED_WITH_BOOST_IOSTREAMS) || defined(BOOST_IOSTREAMS_DYN_LINK) ||                        \
+    defined(BOOST_IOSTREAMS_STATIC_LINK)
+#define CGAL_QUADTREE_MESH_2_HAS_GZIP 1
+#endif
+
+#ifdef CGAL_QUADTREE_MESH_2_HAS_GZIP
 #include <boost/iostreams/copy.hpp>
 #include <boost/iostreams/device/array.hpp>
 #include <boost/iostreams/device/back_inserter.hpp>
@@ -47,7 +54,7 @@ inline std::string read_whole_stream(std::istream& in, const std::string& name) 
 /// \throws Pslg_error_2 if the packed data are damaged, or if the program was built without Boost.Iostreams.
 inline std::string unpack_gzip(std::string text, const std::string& name) {
   if (text.compare(0, 2, "\x1f\x8b") != 0) return text;
-#ifdef CGAL_LINKED_WITH_BOOST_IOSTREAMS
+#ifdef CGAL_QUADTREE_MESH_2_HAS_GZIP
   namespace io = boost::iostreams;
   std::string unpacked;
   try {

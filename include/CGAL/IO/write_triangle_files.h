@@ -1,0 +1,234 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+
+#ifndef CGAL_IO_WRITE_TRIANGLE_FILES_H
+#define CGAL_IO_WRITE_TRIANGLE_FILES_H
+
+#include <CGAL/Indexed_mesh_2.h>
+#include <CGAL/Pslg_2.h>
+#include <CGAL/Quadtree_mesh_2/internal/Number_text.h>
+#include <CGAL/Quadtree_mesh_2/internal/Replaced_files.h>
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+// Writers for the files of Jonathan Shewchuk's Triangle: .poly, .node and .ele
+// (https://www.cs.cmu.edu/~quake/triangle.html). All numbers are counted from 0. Coordinates are written with
+// the fewest digits that give the same bits back. Each file is made in memory, in linear time, and appears
+// under its name only when it is complete.
+
+namespace CGAL {
+namespace Quadtree_mesh_2 {
+namespace internal {
+
+/// Lines of numbers, gathered in memory.
+class Line_writer {
+public:
+  template <class Number>
+  Line_writer& operator<<(const Number& value) {
+    if (!is_line_begin_) text_ += ' ';
+    is_line_begin_ = false;
+    append_number(text_, value);
+    return *this;
+  }
+  template <class Tag>
+  Line_writer& operator<<(Index<Tag> i) {
+    return *this << i.value();
+  }
+  template <class Point>
+  Line_writer& write_point(const Point& p) {
+    return *this << p.x() << p.y();
+  }
+  void end_line() {
+    text_ += '\n';
+    is_line_begin_ = true;
+  }
+  void reserve(std::size_t size) { text_.reserve(size); }
+  const std::string& text() const { return text_; }
+
+private:
+  std::string text_;
+  bool is_line_begin_ = true;
+};
+
+/// The vertices as a .node file and a .poly file have them.
+template <class Point>
+void write_vertices(Line_writer& out, const Pslg_2<Point>& pslg) {
+  const std::size_t k = pslg.number_of_vertex_attributes;
+  const bool has_markers = !pslg.vertex_markers.empty();
+  (out << pslg.vertices.size() << 2 << k << int(has_markers)).end_line();
+  for (std::size_t v = 0; v < pslg.vertices.size(); ++v) {
+    (out << v).write_point(pslg.vertices[v]);
+    for (std::size_t i = 0; i < k; ++i) out << pslg.vertex_attributes[v * k + i];
+    if (has_markers) out << pslg.vertex_markers[v];
+    out.end_line();
+  }
+}
+
+template <class Point>
+void write_holes_and_regions(Line_writer& out, const Pslg_2<Point>& pslg) {
+  (out << pslg.holes.size()).end_line();
+  for (std::size_t h = 0; h < pslg.holes.size(); ++h) (out << h).write_point(pslg.holes[h]).end_line();
+  if (pslg.regions.empty()) return; // the section is optional
+  (out << pslg.regions.size()).end_line();
+  for (std::size_t r = 0; r < pslg.regions.size(); ++r) {
+    const auto& region = pslg.regions[r];
+    // Without the last column Triangle would take the attribute for the area; -1 means no bound.
+    (out << r).write_point(region.point) << region.attribute << (region.max_area > 0 ? region.max_area : -1.);
+    out.end_line();
+  }
+}
+
+/// Triangle's rule: a vertex keeps its marker; one that has none takes that of a segment it lies on; one
+/// that still has none and lies on the border of the domain gets 1.
+template <class Point>
+std::vector<int> mesh_vertex_markers(const Indexed_mesh_2<Point>& mesh, const Pslg_2<Point>& pslg) {
+  std::vector<int> markers = pslg.vertex_markers;
+  markers.resize(mesh.points.size(), 0);
+  const auto offer = [&markers](Vertex_index v, int marker) {
+    if (markers[std::size_t(v)] == 0) markers[std::size_t(v)] = marker;
+  };
+  if (!pslg.segment_markers.empty())
+    for (const auto& edge : mesh.constrained_edges)
+      for (const Vertex_index v : edge.vertices) offer(v, pslg.segment_markers[std::size_t(edge.segment)]);
+  for (std::size_t t = 0; t < mesh.neighbors.size(); ++t)
+    for (std::size_t k = 0; k < 3; ++k)
+      if (!mesh.neighbors[t][k].is_valid()) {
+        offer(mesh.triangles[t][(k + 1) % 3], 1);
+        offer(mesh.triangles[t][(k + 2) % 3], 1);
+      }
+  return markers;
+}
+
+template <class Point>
+Line_writer mesh_node_text(const Indexed_mesh_2<Point>& mesh, const Pslg_2<Point>& pslg) {
+  const std::vector<int> markers = mesh_vertex_markers(mesh, pslg);
+  Line_writer out;
+  out.reserve(48 * mesh.points.size() + 32);
+  (out << mesh.points.size() << 2 << 0 << 1).end_line();
+  for (std::size_t v = 0; v < mesh.points.size(); ++v)
+    ((out << v).write_point(mesh.points[v]) << markers[v]).end_line();
+  return out;
+}
+
+template <class Point>
+Line_writer mesh_ele_text(const Indexed_mesh_2<Point>& mesh, const Pslg_2<Point>& pslg) {
+  const bool has_regions = !pslg.regions.empty() && !mesh.region_of_triangle.empty();
+  Line_writer out;
+  out.reserve(32 * mesh.triangles.size() + 32);
+  (out << mesh.triangles.size() << 3 << int(has_regions)).end_line();
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const auto& triangle = mesh.triangles[t];
+    out << t << triangle[0] << triangle[1] << triangle[2];
+    if (has_regions) {
+      const int region = mesh.region_of_triangle[t];
+      out << (region < 0 ? 0. : pslg.regions[static_cast<std::size_t>(region)].attribute);
+    }
+    out.end_line();
+  }
+  return out;
+}
+
+template <class Point>
+Line_writer mesh_poly_text(const Indexed_mesh_2<Point>& mesh, const Pslg_2<Point>& pslg) {
+  const bool has_markers = !pslg.segment_markers.empty();
+  Line_writer out;
+  (out << 0 << 2 << 0 << 1).end_line();
+  (out << mesh.constrained_edges.size() << int(has_markers)).end_line();
+  for (std::size_t e = 0; e < mesh.constrained_edges.size(); ++e) {
+    const auto& edge = mesh.constrained_edges[e];
+    out << e << edge.vertices[0] << edge.vertices[1];
+    if (has_markers) out << pslg.segment_markers[std::size_t(edge.segment)];
+    out.end_line();
+  }
+  write_holes_and_regions(out, pslg);
+  return out;
+}
+
+} // namespace internal
+} // namespace Quadtree_mesh_2
+
+namespace IO {
+
+/// Writes the vertices of a graph, with their attributes and markers, to a `.node` file.
+/// \pre `check_pslg_structure(pslg)` passes, as for all functions here.
+/// \throws std::system_error that names the file if it cannot be written; an older file of that name is then
+/// as it was. This holds for all functions here.
+template <class Point>
+void write_triangle_node(const std::string& file_name, const Pslg_2<Point>& pslg) {
+  Quadtree_mesh_2::internal::Line_writer out;
+  Quadtree_mesh_2::internal::write_vertices(out, pslg);
+  Quadtree_mesh_2::internal::replace_file(file_name, out.text());
+}
+
+/// Writes a whole graph, vertices and all, to a `.poly` file. `read_triangle_poly()` gives the same graph
+/// back, bit for bit.
+template <class Point>
+void write_triangle_poly(const std::string& file_name, const Pslg_2<Point>& pslg) {
+  namespace internal = Quadtree_mesh_2::internal;
+  internal::Line_writer out;
+  internal::write_vertices(out, pslg);
+  const bool has_markers = !pslg.segment_markers.empty();
+  (out << pslg.segments.size() << int(has_markers)).end_line();
+  for (std::size_t s = 0; s < pslg.segments.size(); ++s) {
+    out << s << pslg.segments[s][0] << pslg.segments[s][1];
+    if (has_markers) out << pslg.segment_markers[s];
+    out.end_line();
+  }
+  internal::write_holes_and_regions(out, pslg);
+  internal::replace_file(file_name, out.text());
+}
+
+/// Writes all vertices of a mesh, in their order and used or not, to a `.node` file with markers.
+///
+/// The marker is the one the vertex has in `pslg`, else the first that is not 0 among the input segments it
+/// lies on, else 1 on the border of the domain and 0 inside. \pre `mesh` is a mesh of `pslg`, as for all
+/// functions here.
+template <class Point>
+void write_triangle_node(const std::string& file_name, const Indexed_mesh_2<Point>& mesh,
+                         const Pslg_2<Point>& pslg) {
+  namespace internal = Quadtree_mesh_2::internal;
+  internal::replace_file(file_name, internal::mesh_node_text(mesh, pslg).text());
+}
+
+/// Writes the triangles of a mesh to an `.ele` file, with the attributes of their regions (0 where there is
+/// no region) if `pslg` has regions.
+template <class Point>
+void write_triangle_ele(const std::string& file_name, const Indexed_mesh_2<Point>& mesh,
+                        const Pslg_2<Point>& pslg) {
+  namespace internal = Quadtree_mesh_2::internal;
+  internal::replace_file(file_name, internal::mesh_ele_text(mesh, pslg).text());
+}
+
+/// Writes the constrained edges of a mesh, with the markers of the segments they are part of if `pslg` has
+/// them, and its holes and regions to a `.poly` file without vertices, which belongs to the `.node` file of
+/// the same stem.
+template <class Point>
+void write_triangle_poly(const std::string& file_name, const Indexed_mesh_2<Point>& mesh,
+                         const Pslg_2<Point>& pslg) {
+  namespace internal = Quadtree_mesh_2::internal;
+  internal::replace_file(file_name, internal::mesh_poly_text(mesh, pslg).text());
+}
+
+/// Writes `stem.node`, `stem.ele` and `stem.poly`: what the three functions above write, and if one file
+/// cannot be written, none is.
+template <class Point>
+void write_triangle_files(const Indexed_mesh_2<Point>& mesh, const Pslg_2<Point>& pslg,
+                          const std::string& stem) {
+  namespace internal = Quadtree_mesh_2::internal;
+  internal::Replaced_files files;
+  files.add(stem + ".node", internal::mesh_node_text(mesh, pslg).text());
+  files.add(stem + ".ele", internal::mesh_ele_text(mesh, pslg).text());
+  files.add(stem + ".poly", internal::mesh_poly_text(mesh, pslg).text());
+  files.commit();
+}
+
+} // namespace IO
+} // namespace CGAL
+
+#endif // CGAL_IO_WRITE_TRIANGLE_FILES_H
