@@ -1,0 +1,62 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+
+#ifndef CGAL_QUADTREE_MESH_2_GRID_POINT_2_H
+#define CGAL_QUADTREE_MESH_2_GRID_POINT_2_H
+
+#include <ostream>
+#include <type_traits>
+
+namespace CGAL {
+namespace Quadtree_mesh_2 {
+
+/// A point of the integer grid on which quadtrees live.
+/// \tparam Word_ unsigned integer type.
+template <class Word_>
+struct Grid_point_2 {
+  static_assert(std::is_unsigned<Word_>::value, "grid coordinates are unsigned integers");
+  using Word = Word_;
+
+  Word x = 0;
+  Word y = 0;
+
+  friend constexpr bool operator==(const Grid_point_2& a, const Grid_point_2& b) {
+    return a.x == b.x && a.y == b.y;
+  }
+  friend constexpr bool operator!=(const Grid_point_2& a, const Grid_point_2& b) { return !(a == b); }
+  friend std::ostream& operator<<(std::ostream& out, const Grid_point_2& p) {
+    return out << p.x << ' ' << p.y;
+  }
+};
+
+/// A square of a quadtree: its lower left corner in grid units and its level.
+///
+/// The root has level 0; a square of level `l` has side `2^(depth - l)` grid units, where `depth` is that of
+/// the traits, and corners at multiples of its side. It is half open: it contains its lower and left sides
+/// only. \tparam Word_ unsigned integer type.
+template <class Word_>
+struct Quadtree_square_2 {
+  using Word = Word_;
+
+  Word x = 0;
+  Word y = 0;
+  int level = 0;
+
+  friend constexpr bool operator==(const Quadtree_square_2& a, const Quadtree_square_2& b) {
+    return a.x == b.x && a.y == b.y && a.level == b.level;
+  }
+  friend constexpr bool operator!=(const Quadtree_square_2& a, const Quadtree_square_2& b) {
+    return !(a == b);
+  }
+  friend std::ostream& operator<<(std::ostream& out, const Quadtree_square_2& s) {
+    return out << s.x << ' ' << s.y << " level " << s.level;
+  }
+};
+
+} // namespace Quadtree_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_QUADTREE_MESH_2_GRID_POINT_2_H
