@@ -1,0 +1,76 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+
+/// \ingroup PkgQuadtreeMesh2Concepts
+/// \cgalConcept
+///
+/// The concept `QuadtreeTraits_2` describes what quadtrees need to know of points: a grid of integers, the
+/// map of points to it, and the map of the corners of squares back to points.
+///
+/// The root of all quadtrees is the square \f$ [0, 2^B) \times [0, 2^B) \f$ of grid units, \f$ B \f$ being
+/// `depth`. A square of level \f$ l \f$ has side \f$ 2^{B-l} \f$ and corners at multiples of its side. All
+/// decisions of quadtrees are made on grid coordinates, in integers, hence exactly.
+///
+/// \cgalHasModelsBegin
+/// \cgalHasModels{CGAL::Filtered_quadtree_traits_2<Kernel>}
+/// \cgalHasModels{CGAL::Fixed_point_quadtree_traits_2<Word>}
+/// \cgalHasModelsEnd
+///
+/// \sa `CGAL::Quadtree_framework<Traits>`
+/// \sa `CGAL::Balanced_quadtree<Traits>`
+class QuadtreeTraits_2 {
+public:
+  /// \name Types
+  /// @{
+
+  /// The type of input points; copyable and equality comparable.
+  typedef unspecified_type Point_2;
+
+  /// The type of grid coordinates, `std::uint32_t` or `std::uint64_t`.
+  typedef unspecified_type Word;
+
+  /// The logarithm \f$ B \f$ of the root's side; less than the number of bits of `Word`, so that upper
+  /// corners are representable.
+  static constexpr int depth = unspecified;
+
+  /// `CGAL::Quadtree_mesh_2::Grid_point_2<Word>`, with members `x` and `y`.
+  typedef unspecified_type Grid_point;
+
+  /// The map between points and the grid; default constructible and copyable. It provides
+  ///
+  /// - `bool is_in_root(const Point_2& p) const`, whether `p` lies in the root square;
+  /// - `Grid_point grid_point(const Point_2& p) const`, the lower left corner of the unit square of the grid
+  /// that
+  ///   contains `p`, computed without rounding, provided that `p` lies in the root square;
+  /// - `Point_2 point(const Grid_point& g) const`, the point at the crossing of two grid lines, coordinates
+  ///   \f$ 2^B \f$ included. It is exact whenever `Point_2` can represent it.
+  typedef unspecified_type Grid_2;
+
+  /// A function object that makes the grid of a set of points, by
+  /// `Grid_2 operator()(const PointRange& points) const`, where `PointRange` is a range with value type
+  /// `Point_2`.
+  ///
+  /// All points lie in the root of the result. If the grid is not fixed by the points' type, they lie in the
+  /// middle half of the root, the root's side is a power of two and its origin is a multiple of a power of
+  /// two.
+  ///
+  /// A point that cannot be mapped makes it throw `CGAL::Quadtree_mesh_2::Point_error`, which names the
+  /// point. Distinct points may be mapped to the same grid point; quadtrees notice it and throw.
+  typedef unspecified_type Construct_grid_2;
+
+  /// The arithmetic of the mesher on these points. Quadtrees do not use it; an incomplete type suffices.
+  typedef unspecified_type Meshing_geometry_2;
+
+  /// @}
+
+  /// \name Operations
+  /// @{
+
+  /// Returns the function object that makes grids.
+  Construct_grid_2 construct_grid_2_object() const;
+
+  /// @}
+};

@@ -1,0 +1,121 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+
+#ifndef CGAL_FILTERED_QUADTREE_TRAITS_2_H
+#define CGAL_FILTERED_QUADTREE_TRAITS_2_H
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Quadtree_mesh_2/Grid_point_2.h>
+#include <CGAL/Quadtree_mesh_2/Point_error.h>
+#include <CGAL/Quadtree_mesh_2/internal/double_grid.h>
+#include <CGAL/Quadtree_mesh_2/internal/meshing_geometry_fwd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+
+namespace CGAL {
+
+/// Quadtrees of points of a CGAL kernel over `double`.
+///
+/// The grid has \f$ 2^{62} \f$ units to a side. Its unit is a power of two; the smallest root is taken that
+/// holds the points in its middle half. Every point is mapped to the grid square that contains it, without
+/// rounding. A grid point is mapped to the nearest double, which is exact for all corners of squares not
+/// smaller than the spacing of doubles at the largest coordinate.
+///
+/// Distinct points are told apart unless they differ by less than \f$ 2^{-62} \f$ of the root's side, which
+/// for doubles is possible near 0 only; such points are an error that names them. \tparam Kernel a CGAL
+/// kernel whose `FT` is `double`. \cgalModels{QuadtreeTraits_2}
+template <class Kernel = Exact_predicates_inexact_constructions_kernel>
+class Filtered_quadtree_traits_2 {
+  static_assert(std::is_same<typename Kernel::FT, double>::value, "the kernel must be over double");
+
+public:
+  using Point_2 = typename Kernel::Point_2;
+  using Word = std::uint64_t;
+  static constexpr int depth = 62;
+  using Grid_point = Quadtree_mesh_2::Grid_point_2<Word>;
+  using Meshing_geometry_2 = Quadtree_mesh_2::internal::Double_geometry_2<Kernel>;
+
+  /// The map between points and the grid. The default is the grid of no points.
+  class Grid_2 {
+  public:
+    Grid_2() = default;
+
+    /// Returns whether `p` lies in the root square; not for coordinates that are not numbers.
+    bool is_in_root(const Point_2& p) const { return x_.contains(p.x()) && y_.contains(p.y()); }
+
+    /// Returns the lower left corner of the unit square that contains `p`.
+    /// \pre `is_in_root(p)`
+    Grid_point grid_point(const Point_2& p) const { return {x_.to_grid(p.x()), y_.to_grid(p.y())}; }
+
+    /// Returns the point at `g`, each coordinate rounded to the nearest double.
+    /// \pre coordinates of `g` are at most \f$ 2^{62} \f$
+    Point_2 point(const Grid_point& g) const { return Point_2(x_.to_double(g.x), y_.to_double(g.y)); }
+
+  private:
+    friend class Filtered_quadtree_traits_2;
+    using Axis = Quadtree_mesh_2::internal::Double_axis;
+
+    Grid_2(const Axis& x, const Axis& y) : x_(x), y_(y) {}
+
+    Axis x_;
+    Axis y_;
+  };
+
+  /// Makes the grid of a range of points.
+  class Construct_grid_2 {
+  public:
+    /// \tparam PointRange a range with value type `Point_2`.
+    /// \throws Quadtree_mesh_2::Point_error for a coordinate that is not finite or not below \f$ 2^{1000}
+    /// \f$.
+    template <class PointRange>
+    Grid_2 operator()(const PointRange& points) const {
+      using Quadtree_mesh_2::internal::Double_axis;
+      using Quadtree_mesh_2::internal::Root_side;
+      Interval x, y;
+      std::size_t i = 0;
+      for (const Point_2& p : points) {
+        check(p, Quadtree_mesh_2::Point_index(i));
+        x.extend(p.x(), i == 0);
+        y.extend(p.y(), i == 0);
+        ++i;
+      }
+      const Root_side root(std::max(x.extent(), y.extent()), std::max(x.magnitude(), y.magnitude()));
+      return Grid_2(Double_axis(root, x.low), Double_axis(root, y.low));
+    }
+
+  private:
+    struct Interval {
+      double low = 0;
+      double high = 0;
+
+      void extend(double v, bool is_first) {
+        low = is_first ? v : std::min(low, v);
+        high = is_first ? v : std::max(high, v);
+      }
+      // The difference may have been rounded down; the next double never is too small.
+      double extent() const { return high > low ? std::nextafter(high - low, high - low + 1) : 0; }
+      double magnitude() const { return std::max(std::fabs(low), std::fabs(high)); }
+    };
+
+    static void check(const Point_2& p, Quadtree_mesh_2::Point_index i) {
+      using Quadtree_mesh_2::Point_error;
+      const double magnitude = std::max(std::fabs(p.x()), std::fabs(p.y()));
+      if (!std::isfinite(p.x()) || !std::isfinite(p.y())) throw Point_error(Point_error::Kind::NOT_FINITE, i);
+      if (magnitude >= Quadtree_mesh_2::internal::greatest_coordinate())
+        throw Point_error(Point_error::Kind::OUT_OF_RANGE, i);
+    }
+  };
+
+  Construct_grid_2 construct_grid_2_object() const { return {}; }
+};
+
+} // namespace CGAL
+
+#endif // CGAL_FILTERED_QUADTREE_TRAITS_2_H

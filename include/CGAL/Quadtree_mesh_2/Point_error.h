@@ -1,0 +1,68 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+
+#ifndef CGAL_QUADTREE_MESH_2_POINT_ERROR_H
+#define CGAL_QUADTREE_MESH_2_POINT_ERROR_H
+
+#include <CGAL/Quadtree_mesh_2/Index.h>
+
+#include <stdexcept>
+#include <string>
+
+namespace CGAL {
+namespace Quadtree_mesh_2 {
+
+/// Thrown for input points from which no quadtree can be made; names the points.
+class Point_error : public std::invalid_argument {
+public:
+  /// What is wrong with the point.
+  enum class Kind {
+    /// A coordinate is not a number or infinite.
+    NOT_FINITE,
+    /// A coordinate exceeds what the traits can represent.
+    OUT_OF_RANGE,
+    /// Two distinct points fall on the same grid point: the words of the traits are too short.
+    INDISTINGUISHABLE
+  };
+
+  Point_error(Kind kind, Point_index point)
+      : Point_error(kind, point, Point_index(), "point " + std::to_string(point.value()) + message(kind)) {}
+  Point_error(Kind kind, Point_index point, Point_index other)
+      : Point_error(kind, point, other,
+                    "points " + std::to_string(point.value()) + " and " + std::to_string(other.value()) +
+                        message(kind)) {}
+
+  Kind kind() const { return kind_; }
+  /// The point at fault, counted from 0 in the order of the input.
+  Point_index point() const { return point_; }
+  /// The second of two indistinguishable points; otherwise invalid.
+  Point_index other() const { return other_; }
+
+private:
+  Point_error(Kind kind, Point_index point, Point_index other, const std::string& what)
+      : std::invalid_argument(what), kind_(kind), point_(point), other_(other) {}
+
+  static const char* message(Kind kind) {
+    switch (kind) {
+    case Kind::NOT_FINITE:
+      return " has a coordinate that is not a finite number";
+    case Kind::OUT_OF_RANGE:
+      return " has a coordinate that is too large for the grid";
+    case Kind::INDISTINGUISHABLE:
+      break;
+    }
+    return " are distinct but fall on the same grid point";
+  }
+
+  Kind kind_;
+  Point_index point_;
+  Point_index other_;
+};
+
+} // namespace Quadtree_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_QUADTREE_MESH_2_POINT_ERROR_H
