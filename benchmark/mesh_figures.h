@@ -1,0 +1,57 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+
+#ifndef QUADTREE_MESH_2_BENCHMARK_MESH_FIGURES_H
+#define QUADTREE_MESH_2_BENCHMARK_MESH_FIGURES_H
+
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+/// What two meshers are compared by. The same code makes these figures for both.
+struct Mesh_figures {
+  double seconds = 0; ///< processor seconds from points and segments in memory to a mesh in memory
+  std::size_t vertices = 0;
+  std::size_t triangles = 0;
+  std::size_t below_bound = 0; ///< triangles with an angle below the bound, whatever the reason
+  double min_angle = 180;      ///< degrees
+  double max_angle = 0;
+};
+
+/// Gathers the figures of a mesh, triangle by triangle.
+class Mesh_figures_builder {
+public:
+  Mesh_figures_builder(Mesh_figures& figures, double min_angle_in_degrees)
+      // The bound is met by a triangle that rounding shows a hair below it.
+      : figures_(figures), bound_(min_angle_in_degrees - 1e-9) {}
+
+  template <class Point>
+  void add_triangle(const Point& a, const Point& b, const Point& c) {
+    const std::array<double, 3> angles = {angle(a, b, c), angle(b, c, a), angle(c, a, b)};
+    const auto [least, largest] = std::minmax_element(angles.begin(), angles.end());
+    ++figures_.triangles;
+    if (*least < bound_) ++figures_.below_bound;
+    figures_.min_angle = (std::min)(figures_.min_angle, *least);
+    figures_.max_angle = (std::max)(figures_.max_angle, *largest);
+  }
+
+private:
+  /// The angle at `a`, in degrees.
+  template <class Point>
+  static double angle(const Point& a, const Point& b, const Point& c) {
+    const double bx = CGAL::to_double(b.x() - a.x()), by = CGAL::to_double(b.y() - a.y());
+    const double cx = CGAL::to_double(c.x() - a.x()), cy = CGAL::to_double(c.y() - a.y());
+    return std::atan2(std::abs(bx * cy - by * cx), bx * cx + by * cy) * 180 / CGAL_PI;
+  }
+
+  Mesh_figures& figures_;
+  double bound_;
+};
+
+#endif // QUADTREE_MESH_2_BENCHMARK_MESH_FIGURES_H
