@@ -17,10 +17,14 @@ namespace CGAL {
 
 /// A planar straight-line graph: vertices, segments between them, and points that mark holes and regions.
 ///
-/// A plain container in structure-of-arrays form; all indices are 0-based. A consistent `Pslg_2` has
-/// `vertex_markers` either empty or as long as `vertices`, `vertex_attributes` of length
-/// `number_of_vertex_attributes * vertices.size()`, and `segment_markers` either empty or as long as `segments`.
-/// \tparam Point point type with members `x()` and `y()`, a CGAL kernel's `Point_2` or `Fixed_point_2<Word>`.
+/// A plain container in structure-of-arrays form; all indices are 0-based. What its arrays have to fulfil is
+/// said beside each and checked by `check_pslg_structure()`. It need not be planar: `find_pslg_defects()`
+/// lists where it is not, and `repair_pslg_2()` makes it so. `IO::read_triangle_poly()` reads one from a
+/// file.
+///
+/// By the rule of Triangle and Mesh_2, what segments separate from infinity is the domain, except the
+/// components with a hole's point in them. \tparam Point point type with members `x()` and `y()`, a CGAL
+/// kernel's `Point_2` or `Fixed_point_2<Word>`.
 template <class Point>
 class Pslg_2 {
 public:
@@ -36,22 +40,30 @@ public:
     double max_area = 0;
   };
 
+  /// Finite; not all on a line. Vertices at the same place count as one.
   std::vector<Point_2> vertices;
+  /// What the user calls each vertex, 0 for nothing; empty, or one for each vertex.
   std::vector<int> vertex_markers;
   std::size_t number_of_vertex_attributes = 0;
+  /// The attributes of vertex 0, then those of vertex 1, and so on.
   std::vector<double> vertex_attributes;
 
+  /// Pairs of vertices that exist.
   std::vector<Segment> segments;
+  /// What the user calls each segment, 0 for nothing; empty, or one for each segment.
   std::vector<int> segment_markers;
 
   /// One point inside each hole.
   std::vector<Point_2> holes;
+  /// At most one should lie in each component of the domain.
   std::vector<Region> regions;
 
+  /// Appends a vertex. Markers and attributes, if there are any, are for the caller to append.
   Vertex_index add_vertex(const Point_2& p) {
     vertices.push_back(p);
     return Vertex_index(vertices.size() - 1);
   }
+  /// Appends a segment. Markers, if there are any, are for the caller to append.
   Segment_index add_segment(Vertex_index a, Vertex_index b) {
     segments.push_back({a, b});
     return Segment_index(segments.size() - 1);

@@ -22,7 +22,7 @@
 
 // Is a Pslg_2 one that can be meshed at all? O(n) time, no further memory, no constructions: the only
 // geometric question, whether all vertices lie on a line, is answered exactly. Whether segments cross or
-// overlap is another question, for find_pslg_defects_2.h.
+// overlap is another question, for find_pslg_defects.h.
 
 namespace CGAL {
 namespace Quadtree_mesh_2 {
@@ -166,7 +166,7 @@ void check_pslg_extent(const Pslg_2<Point>& pslg) {
 /// segments end at vertices that exist, and the vertices do not all lie on a line.
 ///
 /// Segments of length zero and vertices at the same place pass, see `validate_pslg_2()`; so do segments that
-/// cross, see `find_pslg_defects_2()`. O(n) time, no memory.
+/// cross, see `find_pslg_defects()`. O(n) time, no memory.
 /// \throws Pslg_error_2 whose message names the first culprit by its 0-based index and its coordinates.
 template <class Point>
 void check_pslg_structure(const Pslg_2<Point>& pslg) {

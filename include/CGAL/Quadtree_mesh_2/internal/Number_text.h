@@ -9,6 +9,7 @@
 
 #include <CGAL/number_utils.h>
 
+#include <array>
 #include <charconv>
 #include <string>
 #include <type_traits>
@@ -39,13 +40,18 @@ void append_number(std::string& out, const Number& value) {
 }
 
 /// "(x, y)"
+template <class Number>
+std::string place_text(const std::array<Number, 2>& p) {
+  std::string text = "(";
+  append_number(text, p[0]);
+  text += ", ";
+  append_number(text, p[1]);
+  return text += ')';
+}
+
 template <class Point>
 std::string coordinates_text(const Point& p) {
-  std::string text = "(";
-  append_number(text, p.x());
-  text += ", ";
-  append_number(text, p.y());
-  return text += ')';
+  return place_text(std::array<Coordinate_t<Point>, 2>{p.x(), p.y()});
 }
 
 } // namespace internal

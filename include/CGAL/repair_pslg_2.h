@@ -1,0 +1,256 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+
+#ifndef CGAL_REPAIR_PSLG_2_H
+#define CGAL_REPAIR_PSLG_2_H
+
+#include <CGAL/Pslg_2.h>
+#include <CGAL/Quadtree_mesh_2/internal/arrange_pslg_2.h>
+#include <CGAL/Quality_mesh_report_2.h>
+#include <CGAL/validate_pslg_2.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+// Makes a planar straight-line graph of one that is nearly so: vertices at one place merge, segments are cut
+// at the vertices on them, what covers another segment goes, and crossings are cut on request. One
+// constrained Delaunay triangulation with exact predicates, expected O(n log n) time where segments do not
+// cross. All but crossings is exact and moves nothing. A crossing is rounded to doubles and its segments bend
+// there by as little as that; as the result consists of edges of one triangulation, it has no crossing
+// however they were rounded.
+
+namespace CGAL {
+
+/// What `repair_pslg_2()` does where segments cross and no vertex is.
+enum class Pslg_crossing_rule_2 {
+  THROW, ///< a `Pslg_error_2` names both segments and the place: crossings are often mistakes in the data
+  SPLIT  ///< a new vertex cuts both
+};
+
+struct Pslg_repair_options_2 {
+  Pslg_crossing_rule_2 crossings = Pslg_crossing_rule_2::THROW;
+};
+
+/// What `repair_pslg_2()` did.
+struct Pslg_repair_report_2 {
+  /// Per input vertex, its index in the result.
+  std::vector<Quadtree_mesh_2::Vertex_index> vertex_map;
+  /// Per segment of the result, the first input segment that it is a piece of.
+  std::vector<Quadtree_mesh_2::Segment_index> segment_origin;
+
+  std::size_t merged_vertices = 0;      ///< input vertices at the place of an earlier one
+  std::size_t zero_length_segments = 0; ///< input segments whose ends are one place
+  std::size_t overlapping_segments = 0; ///< input segments that share a piece, or all, with an earlier one
+  std::size_t split_segments = 0;       ///< input segments with a vertex or a crossing inside
+  std::size_t crossings = 0;            ///< new vertices where segments crossed: the last ones of the result
+
+  bool is_unchanged() const {
+    return merged_vertices + zero_length_segments + overlapping_segments + split_segments + crossings == 0;
+  }
+};
+
+namespace Quadtree_mesh_2 {
+namespace internal {
+
+/// Builds the repaired graph from the arrangement of the faulty one.
+template <class Point>
+class Pslg_repairer_2 {
+public:
+  Pslg_repairer_2(const Pslg_2<Point>& pslg, const Arranged_pslg_2& arranged, Pslg_repair_report_2& report)
+      : pslg_(pslg), arranged_(arranged), report_(report) {}
+
+  Pslg_2<Point> run() {
+    merge_vertices();
+    add_crossings();
+    add_segments();
+    result_.holes = pslg_.holes;
+    result_.regions = pslg_.regions;
+    return std::move(result_);
+  }
+
+private:
+  /// The first vertex of a place stays; it gets the first marker there that is not 0.
+  void merge_vertices() {
+    const std::size_t n = pslg_.vertices.size(), k = pslg_.number_of_vertex_attributes;
+    result_.number_of_vertex_attributes = k;
+    new_index_.resize(n + arranged_.crossings.size());
+    for (std::size_t v = 0; v < n; ++v) {
+      const std::size_t first(arranged_.first_at_place[v]);
+      if (first == v) {
+        new_index_[v] = result_.add_vertex(pslg_.vertices[v]);
+        if (!pslg_.vertex_markers.empty()) result_.vertex_markers.push_back(pslg_.vertex_markers[v]);
+        for (std::size_t i = 0; i < k; ++i)
+          result_.vertex_attributes.push_back(pslg_.vertex_attributes[v * k + i]);
+      } else {
+        ++report_.merged_vertices;
+        new_index_[v] = new_index_[first];
+        if (!pslg_.vertex_markers.empty()) offer_vertex_marker(new_index_[v], pslg_.vertex_markers[v]);
+      }
+      report_.vertex_map.push_back(new_index_[v]);
+    }
+  }
+
+  void add_crossings() {
+    for (std::size_t c = 0; c < arranged_.crossings.size(); ++c) {
+      const std::array<double, 2>& p = arranged_.crossings[c];
+      new_index_[pslg_.vertices.size() + c] = result_.add_vertex(Point(p[0], p[1]));
+    }
+    report_.crossings = arranged_.crossings.size();
+    result_.vertex_attributes.resize(result_.vertices.size() * result_.number_of_vertex_attributes);
+    if (!pslg_.vertex_markers.empty()) result_.vertex_markers.resize(result_.vertices.size(), 0);
+    describe_crossings();
+  }
+
+  /// The attributes of a crossing are interpolated along the first segment through it; its marker is the
+  /// first marker of a segment through it that is not 0.
+  void describe_crossings() {
+    std::vector<bool> is_described(arranged_.crossings.size(), false);
+    for (std::size_t s = 0; s < arranged_.chains.size(); ++s)
+      for (const Vertex_index v : arranged_.chains[s]) {
+        if (std::size_t(v) < pslg_.vertices.size()) continue;
+        if (!pslg_.vertex_markers.empty() && !pslg_.segment_markers.empty())
+          offer_vertex_marker(new_index_[std::size_t(v)], pslg_.segment_markers[s]);
+        const std::size_t c = std::size_t(v) - pslg_.vertices.size();
+        if (!is_described[c]) interpolate(Segment_index(s), new_index_[std::size_t(v)]);
+        is_described[c] = true;
+      }
+  }
+
+  void interpolate(Segment_index s, Vertex_index new_vertex) {
+    const std::size_t k = pslg_.number_of_vertex_attributes;
+    if (k == 0) return;
+    const std::size_t a(pslg_.segments[std::size_t(s)][0]), b(pslg_.segments[std::size_t(s)][1]);
+    const auto distance = [](const Point& p, const Point& q) {
+      return std::hypot(p.x() - q.x(), p.y() - q.y());
+    };
+    const Point& place = result_.point(new_vertex);
+    const double from_a = distance(pslg_.vertices[a], place), from_b = distance(pslg_.vertices[b], place);
+    const double ratio = from_a / (from_a + from_b);
+    for (std::size_t i = 0; i < k; ++i)
+      result_.vertex_attributes[std::size_t(new_vertex) * k + i] =
+          (1 - ratio) * pslg_.vertex_attributes[a * k + i] + ratio * pslg_.vertex_attributes[b * k + i];
+  }
+
+  /// A piece belongs to the first segment that covers it, and has the first marker of those that do that is
+  /// not 0.
+  void add_segments() {
+    std::unordered_map<std::uint64_t, Segment_index> pieces;
+    pieces.reserve(pslg_.segments.size());
+    for (std::size_t s = 0; s < arranged_.chains.size(); ++s) {
+      const std::vector<Vertex_index>& chain = arranged_.chains[s];
+      if (chain.empty()) ++report_.zero_length_segments;
+      if (chain.size() > 2) ++report_.split_segments;
+      bool does_overlap = false;
+      for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
+        const Vertex_index a = new_index_[std::size_t(chain[i])], b = new_index_[std::size_t(chain[i + 1])];
+        const auto [piece, is_new] =
+            pieces.emplace(unordered_pair_key(a, b), Segment_index(result_.segments.size()));
+        if (is_new)
+          add_piece(a, b, Segment_index(s));
+        else
+          does_overlap |= cover_again(piece->second, Segment_index(s));
+      }
+      if (does_overlap) ++report_.overlapping_segments;
+    }
+  }
+
+  void add_piece(Vertex_index a, Vertex_index b, Segment_index origin) {
+    result_.add_segment(a, b);
+    report_.segment_origin.push_back(origin);
+    if (!pslg_.segment_markers.empty())
+      result_.segment_markers.push_back(pslg_.segment_markers[std::size_t(origin)]);
+  }
+
+  /// Returns whether the piece was another segment's: one bent by rounding may come over the same piece
+  /// twice.
+  bool cover_again(Segment_index piece, Segment_index origin) {
+    if (!result_.segment_markers.empty() && result_.segment_markers[std::size_t(piece)] == 0)
+      result_.segment_markers[std::size_t(piece)] = pslg_.segment_markers[std::size_t(origin)];
+    return report_.segment_origin[std::size_t(piece)] != origin;
+  }
+
+  void offer_vertex_marker(Vertex_index v, int marker) {
+    int& own = result_.vertex_markers[std::size_t(v)];
+    if (own == 0) own = marker;
+  }
+
+  const Pslg_2<Point>& pslg_;
+  const Arranged_pslg_2& arranged_;
+  Pslg_repair_report_2& report_;
+  Pslg_2<Point> result_;
+  std::vector<Vertex_index> new_index_; ///< of input vertices, then of crossings
+};
+
+template <class Point>
+[[noreturn]] void throw_crossing(const Pslg_2<Point>& pslg, Segment_index s) {
+  const std::optional<Segment_index> crossed = find_crossed_segment(pslg, s);
+  if (!crossed) throw Pslg_error_2(segment_text(pslg, std::size_t(s)) + " crosses another one");
+  const std::array<double, 2> p = crossing_of_segments(pslg, *crossed, s);
+  throw Pslg_error_2(segment_text(pslg, std::size_t(*crossed)) + " and " +
+                     segment_text(pslg, std::size_t(s)) + " cross at " + place_text(p));
+}
+
+template <class Triangulation, class Point>
+Pslg_2<Point> repair_pslg_with(const Pslg_2<Point>& pslg, Pslg_repair_report_2& report) {
+  Pslg_arranger_2<Triangulation> arranger(pslg);
+  if (const std::optional<Segment_index> crossing = arranger.insert_segments(pslg))
+    throw_crossing(pslg, *crossing);
+  const Arranged_pslg_2 arranged = arranger.result();
+  return Pslg_repairer_2<Point>(pslg, arranged, report).run();
+}
+
+} // namespace internal
+} // namespace Quadtree_mesh_2
+
+/// Repairs a graph: duplicate vertices are merged, segments of length zero or covered by others removed,
+/// segments cut at the vertices on them and, on request, where they cross.
+///
+/// Vertices keep their order and their bits, crossings come last; vertices without segments stay. The pieces
+/// of a segment follow each other in its direction, in the order of the segments. Holes and regions are
+/// copied. Markers and attributes:
+/// - a place has the attributes of its first vertex and the first marker there that is not 0;
+/// - a piece has the first marker that is not 0 of the segments that cover it;
+/// - a crossing has attributes interpolated along the first segment through it and, if vertices have markers
+/// at all, the first
+///   marker of a segment through it that is not 0.
+///
+/// Expected O(n log n) time, and O(c) more for c crossings that are split.
+/// \tparam Point has floating-point coordinates.
+/// \throws Pslg_error_2 if `check_pslg_structure()` does; if segments cross and `options` do not ask for a
+/// split, with both segments and the place in the message. `report` is then as it was.
+template <class Point>
+Pslg_2<Point> repair_pslg_2(const Pslg_2<Point>& pslg, const Pslg_repair_options_2& options,
+                            Pslg_repair_report_2& report) {
+  namespace internal = Quadtree_mesh_2::internal;
+  check_pslg_structure(pslg);
+  Pslg_repair_report_2 new_report;
+  Pslg_2<Point> result =
+      options.crossings == Pslg_crossing_rule_2::SPLIT
+          ? internal::repair_pslg_with<internal::Rounding_triangulation_2>(pslg, new_report)
+          : internal::repair_pslg_with<internal::Crossing_free_triangulation_2>(pslg, new_report);
+  report = std::move(new_report);
+  return result;
+}
+
+/// The same for callers who do not ask what was done.
+template <class Point>
+Pslg_2<Point> repair_pslg_2(const Pslg_2<Point>& pslg,
+                            const Pslg_repair_options_2& options = Pslg_repair_options_2()) {
+  Pslg_repair_report_2 report;
+  return repair_pslg_2(pslg, options, report);
+}
+
+} // namespace CGAL
+
+#endif // CGAL_REPAIR_PSLG_2_H
