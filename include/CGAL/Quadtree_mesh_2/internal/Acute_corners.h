@@ -1,0 +1,204 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+//
+// The acute corners of the input: which legs meet in them, at which radii the legs are cut, and which
+// triangles they excuse.
+//
+// A sector is the part of the domain between two consecutive input edges (its legs) at an input vertex (its
+// apex). Sectors below 60 degrees that share legs form a corner. A sector below `lopped_factor` times the
+// bound is lopped: no free point enters it within its lock radius. All legs of a corner with a lopped sector
+// are cut at the same radii, the shells, so that a lopped sector is a stack of isosceles trapezoids on one
+// isosceles triangle at the apex; the apex angle is never split.
+//
+// A triangle below the bound is exempt if all its vertices lie on the two legs of a lopped sector of angle
+// phi and its least angle is at least 0.9 phi; nothing else is. With consecutive shells r < R <= 1.9 r the
+// least angle of a trapezoid's triangles is atan(sin(phi) / (R/r - cos(phi))), which is at least min(0.9
+// phi, 20.7 degrees).
+//
+// Data and queries only; `rings.h` finds the corners and cuts the legs. O(log degree) per query.
+
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_ACUTE_CORNERS_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_ACUTE_CORNERS_H
+
+#include <CGAL/Quadtree_mesh_2/internal/Input_edges.h>
+#include <CGAL/Quadtree_mesh_2/internal/Kernel_mesh.h>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Quadtree_mesh_2 {
+namespace internal {
+
+/// Sectors below this multiple of the bound are lopped (numerically established: above it refinement ends
+/// without).
+constexpr double lopped_factor = 1.6;
+/// An exempt triangle keeps this share of its sector's angle.
+constexpr double exempt_share = 0.9;
+
+using Leg_id = std::int32_t;
+using Sector_id = std::int32_t;
+using Corner_id = std::int32_t;
+
+/// A vertex at a shell's radius on a leg. Far ends of legs may stand in for a ring vertex that would come
+/// close to them.
+struct Shell_vertex {
+  double radius;
+  Vertex_id vertex;
+};
+
+struct Leg {
+  Corner_id corner;
+  Edge_id edge;
+  Vertex_id apex, far;
+  double length;
+  Sector_id before = -1, after = -1; ///< lopped sectors clockwise and counterclockwise of it
+  std::vector<Shell_vertex> shells;  ///< by increasing radius
+};
+
+struct Sector {
+  Leg_id right, left; ///< counterclockwise from right to left
+  double angle;
+  double exempt_sin2;     ///< squared sine of 0.9 times the angle
+  double lock_radius = 0; ///< the chord between the shells of this radius is locked; 0: none is
+};
+
+struct Corner {
+  Vertex_id apex;
+  double radius = 0;
+  std::vector<Leg_id> legs;
+  std::vector<Sector_id> sectors; ///< the lopped ones
+  double least_angle = 0;
+};
+
+template <class Geometry>
+class Acute_corners {
+public:
+  using Mesh = Kernel_mesh<Geometry>;
+
+  std::vector<Leg> legs;
+  std::vector<Sector> sectors;
+  std::vector<Corner> corners;
+  /// Per input edge, the leg it is seen from its end a, from its end b; -1 where the corner has no lopped
+  /// sector.
+  std::vector<std::array<Leg_id, 2>> legs_of_edge;
+  /// Per input vertex: a domain sector below 60 degrees lies at it.
+  std::vector<char> is_acute;
+
+  Leg& leg(Leg_id l) { return legs[std::size_t(l)]; }
+  const Leg& leg(Leg_id l) const { return legs[std::size_t(l)]; }
+  Sector& sector(Sector_id s) { return sectors[std::size_t(s)]; }
+  const Sector& sector(Sector_id s) const { return sectors[std::size_t(s)]; }
+  Corner& corner(Corner_id c) { return corners[std::size_t(c)]; }
+
+  void prepare(const Input_edges& edges, std::size_t number_of_input_vertices) {
+    edges_ = &edges;
+    legs_of_edge.assign(edges.size(), {-1, -1});
+    is_acute.assign(number_of_input_vertices, 0);
+    on_leg_.assign(number_of_input_vertices, 0);
+  }
+
+  Leg_id add_leg(Leg leg) {
+    const Leg_id l = static_cast<Leg_id>(legs.size());
+    legs_of_edge[std::size_t(leg.edge)][(*edges_)[leg.edge].a == leg.apex ? 0 : 1] = l;
+    on_leg_[std::size_t(leg.apex)] = on_leg_[std::size_t(leg.far)] = 1;
+    legs.push_back(std::move(leg));
+    return l;
+  }
+
+  /// Whether v lies on a leg of some corner with a lopped sector: only then can its triangles be exempt.
+  bool is_on_leg(const Mesh& mesh, Vertex_id v) const {
+    const Edge_id e = mesh.edge_of[std::size_t(v)];
+    if (e == free_vertex) return false;
+    if (e == input_vertex) return on_leg_[std::size_t(v)] != 0;
+    return legs_of_edge[std::size_t(e)][0] >= 0 || legs_of_edge[std::size_t(e)][1] >= 0;
+  }
+
+  /// The leg with the given apex that carries v; -1 if none does.
+  Leg_id leg_at(const Mesh& mesh, Vertex_id apex, Vertex_id v) const {
+    const Edge_id ev = mesh.edge_of[std::size_t(v)];
+    const Edge_id e = ev == input_vertex ? edges_->between(apex, v) : ev;
+    if (e < 0) return -1;
+    const Input_edge& edge = (*edges_)[e];
+    return edge.a == apex   ? legs_of_edge[std::size_t(e)][0]
+           : edge.b == apex ? legs_of_edge[std::size_t(e)][1]
+                            : -1;
+  }
+
+  /// The lopped sector whose two legs carry a, b and c (the apex lies on both); -1 if there is none.
+  Sector_id sector_of(const Mesh& mesh, Vertex_id a, Vertex_id b, Vertex_id c) const {
+    if (legs.empty() || !is_on_leg(mesh, a) || !is_on_leg(mesh, b) || !is_on_leg(mesh, c)) return -1;
+    const Vertex_id v[3] = {a, b, c};
+    for (int k = 0; k < 3; ++k) {
+      const Vertex_id x = v[next_slot[k]], y = v[previous_slot[k]];
+      const Edge_id e = mesh.edge_of[std::size_t(v[k])];
+      if (e == input_vertex) {
+        const Sector_id s = common_sector(leg_at(mesh, v[k], x), leg_at(mesh, v[k], y));
+        if (s >= 0) return s;
+        continue;
+      }
+      for (const Leg_id l : legs_of_edge[std::size_t(e)]) {
+        const Sector_id s = l < 0 ? -1 : sector_with(mesh, l, x, y);
+        if (s >= 0) return s;
+      }
+    }
+    return -1;
+  }
+
+  /// The lopped sector that the locked chord x-y cuts; -1 if there is none.
+  Sector_id sector_of_chord(const Mesh& mesh, Vertex_id x, Vertex_id y) const {
+    for (int pass = 0; pass < 2; ++pass, std::swap(x, y)) {
+      const Edge_id e = mesh.edge_of[std::size_t(x)];
+      if (e >= 0) {
+        for (const Leg_id l : legs_of_edge[std::size_t(e)]) {
+          const Sector_id s = l < 0 ? -1 : common_sector(l, leg_at(mesh, leg(l).apex, y));
+          if (s >= 0) return s;
+        }
+      } else if (e == input_vertex) {
+        for (const auto* i = edges_->begin(x); i != edges_->end(x); ++i) {
+          const Leg_id l = leg_at(mesh, i->neighbor, x);
+          const Sector_id s = l < 0 ? -1 : common_sector(l, leg_at(mesh, i->neighbor, y));
+          if (s >= 0) return s;
+        }
+      }
+    }
+    return -1;
+  }
+
+  /// Whether a triangle below the bound is excused by its corner.
+  bool is_exempt(const Mesh& mesh, Vertex_id a, Vertex_id b, Vertex_id c, const Shape& shape) const {
+    const Sector_id s = sector_of(mesh, a, b, c);
+    return s >= 0 && !shape.is_below(sector(s).exempt_sin2);
+  }
+
+private:
+  const Input_edges* edges_ = nullptr;
+  std::vector<char> on_leg_; // per input vertex: an apex or the far end of a leg
+
+  Sector_id common_sector(Leg_id l, Leg_id m) const {
+    if (l < 0 || m < 0 || l == m) return -1;
+    const Leg &p = leg(l), &q = leg(m);
+    if (p.after >= 0 && p.after == q.before) return p.after;
+    if (p.before >= 0 && p.before == q.after) return p.before;
+    return -1;
+  }
+
+  /// The lopped sector next to leg l whose legs carry x and y too.
+  Sector_id sector_with(const Mesh& mesh, Leg_id l, Vertex_id x, Vertex_id y) const {
+    const Vertex_id apex = leg(l).apex;
+    const Leg_id lx = x == apex ? l : leg_at(mesh, apex, x), ly = y == apex ? l : leg_at(mesh, apex, y);
+    if (lx < 0 || ly < 0) return -1;
+    if (lx == l) return common_sector(l, ly);
+    return ly == l || ly == lx ? common_sector(l, lx) : -1;
+  }
+};
+
+} // namespace internal
+} // namespace Quadtree_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_ACUTE_CORNERS_H

@@ -1,0 +1,184 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_INPUT_DOMAIN_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_INPUT_DOMAIN_H
+
+#include <CGAL/Quadtree_mesh_2/Index.h>
+#include <CGAL/Quadtree_mesh_2/internal/Indexed_cdt.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Quadtree_mesh_2 {
+namespace internal {
+
+/// The domain of a planar straight-line graph, by a constrained Delaunay triangulation of the graph alone:
+/// all that is not connected to infinity, minus the components of the hole points.
+///
+/// The segments become *pieces*: edges between input vertices with none between, each once however many segments overlap
+/// there, and with what lies on either side. O(n log n) in practice.
+template <class Kernel>
+class Input_domain {
+public:
+  using Point = typename Kernel::Point_2;
+
+  struct Piece {
+    std::array<std::uint32_t, 2> ends; ///< places, in the direction of `segment`
+    Segment_index segment;             ///< the first input segment that covers it
+    bool is_domain_left = false;       ///< seen from `ends[0]` towards `ends[1]`
+    bool is_domain_right = false;
+
+    bool is_in_domain() const { return is_domain_left || is_domain_right; }
+  };
+
+  /// \param segments pairs of positions in `points`, all in range.
+  template <class Segments>
+  Input_domain(const std::vector<Point>& points, const Segments& segments, const std::vector<Point>& holes)
+      : cdt_(points, all_indices(points.size())), is_touched_(points.size(), 0) {
+    for (const auto& s : segments) cdt_.count_segment(s[0].value(), s[1].value());
+    for (const auto& s : segments) cdt_.insert_segment(s[0].value(), s[1].value());
+    if (cdt_.has_crossings()) return;
+    if (cdt_.cdt().dimension() == 2) {
+      mark_domain(holes);
+      measure();
+    }
+    for (std::size_t s = 0; s < segments.size(); ++s)
+      add_pieces(Segment_index(s), segments[s][0].value(), segments[s][1].value());
+  }
+
+  /// Whether two segments cross in the interior of both: then this is no planar straight-line graph and nothing
+  /// else here has a meaning.
+  bool has_crossings() const { return cdt_.has_crossings(); }
+  /// Pieces of one segment are in its order, from its first vertex to its last; segments in their order.
+  const std::vector<Piece>& pieces() const { return pieces_; }
+  /// All pairs (piece, segment that covers it).
+  const std::vector<std::pair<std::uint32_t, Segment_index>>& covers() const { return covers_; }
+  /// The first input vertex with the coordinates of vertex `i`.
+  std::uint32_t place(std::uint32_t i) const { return cdt_.place(i); }
+  /// Whether the closed domain contains the vertex.
+  bool is_touched(std::uint32_t i) const { return is_touched_[place(i)] != 0; }
+  double area() const { return area_; }
+  /// Vertices minus edges plus triangles of the domain.
+  std::ptrdiff_t euler_characteristic() const { return euler_; }
+
+private:
+  static constexpr std::uint32_t none_ = 0xffffffffu;
+  struct Face_info {
+    bool is_in_domain = true;
+    std::array<std::uint32_t, 3> piece{none_, none_, none_};
+  };
+  using Triangulation = Indexed_cdt<Kernel, Face_info>;
+  using Face_handle = typename Triangulation::Face_handle;
+  using Cdt = typename Triangulation::Cdt;
+
+  static std::vector<std::uint32_t> all_indices(std::size_t n) {
+    std::vector<std::uint32_t> result(n);
+    std::iota(result.begin(), result.end(), 0u);
+    return result;
+  }
+
+  void mark_domain(const std::vector<Point>& holes) {
+    exclude(cdt_.cdt().infinite_face());
+    Face_handle hint;
+    for (const Point& p : holes) {
+      hint = cdt_.cdt().locate(p, hint);
+      if (hint != Face_handle() && hint->info().is_in_domain) exclude(hint);
+    }
+  }
+
+  void exclude(Face_handle first) {
+    first->info().is_in_domain = false;
+    std::vector<Face_handle> stack{first};
+    while (!stack.empty()) {
+      const Face_handle f = stack.back();
+      stack.pop_back();
+      for (int i = 0; i < 3; ++i) {
+        const Face_handle g = f->neighbor(i);
+        if (f->is_constrained(i) || !g->info().is_in_domain) continue;
+        g->info().is_in_domain = false;
+        stack.push_back(g);
+      }
+    }
+  }
+
+  void measure() {
+    std::ptrdiff_t faces = 0, sides = 0, vertices = 0;
+    long double sum = 0; // a sum of many small terms of one sign
+    for (Face_handle f : cdt_.cdt().finite_face_handles()) {
+      if (!f->info().is_in_domain) continue;
+      ++faces;
+      sum += CGAL::to_double(cdt_.cdt().triangle(f).area());
+      for (int i = 0; i < 3; ++i) {
+        sides += f->neighbor(i)->info().is_in_domain ? 1 : 2; // an edge on the border has one side only
+        char& touched = is_touched_[f->vertex(i)->info()];
+        vertices += touched == 0;
+        touched = 1;
+      }
+    }
+    area_ = static_cast<double>(sum);
+    euler_ = vertices - sides / 2 + faces;
+  }
+
+  struct Step {
+    Face_handle face;
+    int side;
+    bool is_left_of_segment; // the face, seen along the segment from its first vertex to its second
+  };
+
+  void add_pieces(Segment_index segment, std::uint32_t a, std::uint32_t b) {
+    const bool is_reversed = cdt_.is_reversed(a, b);
+    steps_.clear();
+    cdt_.walk_segment(a, b, [&](Face_handle f, int i, bool is_left_of_walk) {
+      steps_.push_back({f, i, is_left_of_walk != is_reversed});
+    });
+    if (is_reversed) std::reverse(steps_.begin(), steps_.end());
+    for (const Step& step : steps_) {
+      std::uint32_t& piece = step.face->info().piece[std::size_t(step.side)];
+      if (piece == none_) add_piece(segment, step);
+      covers_.emplace_back(piece, segment);
+    }
+  }
+
+  void add_piece(Segment_index segment, const Step& step) {
+    const Face_handle f = step.face, g = f->neighbor(step.side);
+    const auto number = static_cast<std::uint32_t>(pieces_.size());
+    f->info().piece[std::size_t(step.side)] = number;
+    Piece piece;
+    piece.ends = {f->vertex(Cdt::ccw(step.side))->info(), f->vertex(Cdt::cw(step.side))->info()};
+    piece.segment = segment;
+    if (cdt_.cdt().dimension() == 2) {
+      g->info().piece[std::size_t(cdt_.cdt().mirror_index(f, step.side))] = number;
+      piece.is_domain_left = f->info().is_in_domain;
+      piece.is_domain_right = g->info().is_in_domain;
+    }
+    if (!step.is_left_of_segment) {
+      std::swap(piece.ends[0], piece.ends[1]);
+      std::swap(piece.is_domain_left, piece.is_domain_right);
+    }
+    pieces_.push_back(piece);
+  }
+
+  Triangulation cdt_;
+  std::vector<Piece> pieces_;
+  std::vector<std::pair<std::uint32_t, Segment_index>> covers_;
+  std::vector<Step> steps_;
+  std::vector<char> is_touched_;
+  double area_ = 0;
+  std::ptrdiff_t euler_ = 0;
+};
+
+} // namespace internal
+} // namespace Quadtree_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_INPUT_DOMAIN_H

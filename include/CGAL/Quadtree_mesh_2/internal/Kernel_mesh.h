@@ -1,0 +1,299 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+//
+// The triangulation the mesher works in: one array of triangles with neighbours and constraint bits, one of
+// points.
+//
+// Side k of a triangle is opposite its vertex k. What lies across a side is one word: the neighbour, the slot
+// of the common side there, and whether the side is constrained; so a flip touches two triangles and four
+// links, and no search for "which side of the neighbour am I" is ever needed. Dead triangles are kept in a
+// free list. All operations take O(1), or O(degree) for stars.
+
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_KERNEL_MESH_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_KERNEL_MESH_H
+
+#include <CGAL/Quadtree_mesh_2/internal/meshing_geometry.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Quadtree_mesh_2 {
+namespace internal {
+
+/// Handles inside the kernel; -1 is none.
+using Vertex_id = std::int32_t;
+using Triangle_id = std::int32_t;
+using Edge_id = std::int32_t;
+
+constexpr int next_slot[3] = {1, 2, 0};
+constexpr int previous_slot[3] = {2, 0, 1};
+
+/// One side of one triangle, with the constraint bit of the edge; the border when there is no triangle.
+class Side {
+public:
+  Side() = default;
+  Side(Triangle_id t, int slot, bool is_constrained = false)
+      : code_((t << 3) | (slot << 1) | (is_constrained ? 1 : 0)) {}
+  static Side border() { return Side(); }
+
+  bool is_border() const { return code_ < 0; }
+  /// The border counts as constrained: nothing walks or flips across it.
+  bool is_constrained() const { return (code_ & 1) != 0; }
+  Triangle_id triangle() const { return code_ >> 3; }
+  int slot() const { return (code_ >> 1) & 3; }
+  void constrain() { code_ |= 1; }
+  void release() { code_ &= ~1; }
+
+private:
+  std::int32_t code_ = -1;
+};
+
+/// What the vertex is: given, free to move, or on an input edge (then the edge's number).
+constexpr Edge_id input_vertex = -2;
+constexpr Edge_id free_vertex = -1;
+
+template <class Geometry>
+class Kernel_mesh {
+public:
+  using Point = typename Geometry::Point;
+
+  struct Triangle {
+    Vertex_id v[3];
+    Side side[3];
+  };
+
+  std::vector<Triangle> triangles;
+  std::vector<Point> points;
+  /// Some triangle at the vertex; -1 where there is none (removed, or outside the domain).
+  std::vector<Triangle_id> triangle_of;
+  /// `input_vertex`, `free_vertex`, or the input edge on which the vertex lies.
+  std::vector<Edge_id> edge_of;
+
+  bool is_alive(Triangle_id t) const { return triangle(t).v[0] >= 0; }
+  const Triangle& triangle(Triangle_id t) const { return triangles[std::size_t(t)]; }
+  Triangle& triangle(Triangle_id t) { return triangles[std::size_t(t)]; }
+  const Point& point(Vertex_id v) const { return points[std::size_t(v)]; }
+  Triangle_id incident_triangle(Vertex_id v) const { return triangle_of[std::size_t(v)]; }
+  bool is_used(Vertex_id v) const { return incident_triangle(v) >= 0; }
+  std::size_t number_of_vertices() const { return points.size(); }
+
+  Side across(Side s) const { return triangle(s.triangle()).side[s.slot()]; }
+  Vertex_id opposite(Side s) const { return triangle(s.triangle()).v[s.slot()]; }
+  /// The ends of a side; the triangle lies to the left of source -> target.
+  Vertex_id source(Side s) const { return triangle(s.triangle()).v[next_slot[s.slot()]]; }
+  Vertex_id target(Side s) const { return triangle(s.triangle()).v[previous_slot[s.slot()]]; }
+
+  static int slot_of(const Triangle& t, Vertex_id v) { return t.v[0] == v ? 0 : t.v[1] == v ? 1 : 2; }
+
+  Vertex_id add_vertex(Point p, Edge_id edge) {
+    points.push_back(p);
+    edge_of.push_back(edge);
+    triangle_of.push_back(-1);
+    return static_cast<Vertex_id>(points.size()) - 1;
+  }
+
+  Triangle_id new_triangle() {
+    if (free_.empty()) {
+      triangles.emplace_back();
+      return static_cast<Triangle_id>(triangles.size()) - 1;
+    }
+    const Triangle_id t = free_.back();
+    free_.pop_back();
+    return t;
+  }
+
+  void kill(Triangle_id t) {
+    triangle(t).v[0] = -1;
+    free_.push_back(t);
+  }
+
+  std::size_t number_of_triangles() const { return triangles.size() - free_.size(); }
+
+  /// Makes `other` (a side with its bit, or the border) what lies across side `slot` of t, and the converse.
+  void link(Triangle_id t, int slot, Side other) {
+    triangle(t).side[slot] = other;
+    if (!other.is_border())
+      triangle(other.triangle()).side[other.slot()] = Side(t, slot, other.is_constrained());
+  }
+
+  /// Sets or clears the constraint bit of the edge, on both sides of it.
+  void constrain(Side s) {
+    const Side o = across(s);
+    if (o.is_border()) return;
+    triangle(s.triangle()).side[s.slot()].constrain();
+    triangle(o.triangle()).side[o.slot()].constrain();
+  }
+  void release(Side s) {
+    const Side o = across(s);
+    if (o.is_border()) return;
+    triangle(s.triangle()).side[s.slot()].release();
+    triangle(o.triangle()).side[o.slot()].release();
+  }
+
+  Shape shape(Vertex_id a, Vertex_id b, Vertex_id c) const { return shape(point(a), point(b), point(c)); }
+  Shape shape(const Triangle& t) const { return shape(t.v[0], t.v[1], t.v[2]); }
+  static Shape shape(const Point& a, const Point& b, const Point& c) {
+    const Vector u = Geometry::difference(b, a), v = Geometry::difference(c, b),
+                 w = Geometry::difference(a, c);
+    return {{squared_length(v), squared_length(w), squared_length(u)}, cross(u, v)};
+  }
+
+  int orientation(Vertex_id a, Vertex_id b, Vertex_id c) const {
+    return Geometry::orientation(point(a), point(b), point(c));
+  }
+
+  /// Exchanges the diagonal of the quadrilateral at side k of t. Afterwards t = (a, b, d), its neighbour u =
+  /// (a, d, c).
+  void flip(Triangle_id t, int k) {
+    Triangle& I = triangle(t);
+    const Side o = I.side[k];
+    const Triangle_id u = o.triangle();
+    const int l = o.slot();
+    Triangle& J = triangle(u);
+    const Vertex_id a = I.v[k], b = I.v[next_slot[k]], c = I.v[previous_slot[k]], d = J.v[l];
+    const Side ca = I.side[next_slot[k]], ab = I.side[previous_slot[k]];
+    const Side bd = J.side[next_slot[l]], dc = J.side[previous_slot[l]];
+    I.v[0] = a, I.v[1] = b, I.v[2] = d;
+    J.v[0] = a, J.v[1] = d, J.v[2] = c;
+    link(t, 0, bd), link(t, 2, ab), link(u, 0, dc), link(u, 1, ca);
+    I.side[1] = Side(u, 2), J.side[2] = Side(t, 1);
+    triangle_of[std::size_t(a)] = triangle_of[std::size_t(b)] = triangle_of[std::size_t(d)] = t;
+    triangle_of[std::size_t(c)] = u;
+  }
+
+  /// Whether the free side k of t has to be flipped: the apex across lies certainly inside t's circle.
+  /// Ties and near-ties are left as they are, so that flipping ends whatever the rounding.
+  bool is_certainly_not_Delaunay(Triangle_id t, int k) const {
+    const Triangle& r = triangle(t);
+    const Point d = point(opposite(r.side[k]));
+    return In_circle(Geometry::difference(point(r.v[k]), d),
+                     Geometry::difference(point(r.v[next_slot[k]]), d),
+                     Geometry::difference(point(r.v[previous_slot[k]]), d))
+        .is_certainly_inside();
+  }
+
+  /// Puts vertex v inside triangle t and restores the Delaunay property around it.
+  void insert_in_triangle(Triangle_id t, Vertex_id v) {
+    const Triangle old = triangle(t);
+    const Triangle_id part[3] = {t, new_triangle(), new_triangle()};
+    for (int k = 0; k < 3; ++k) {
+      Triangle& n = triangle(part[k]);
+      n.v[0] = v, n.v[1] = old.v[next_slot[k]], n.v[2] = old.v[previous_slot[k]];
+      n.side[1] = Side(part[next_slot[k]], 2), n.side[2] = Side(part[previous_slot[k]], 1);
+      triangle_of[std::size_t(n.v[1])] = part[k];
+    }
+    for (int k = 0; k < 3; ++k) {
+      link(part[k], 0, old.side[k]);
+      star_.push_back(part[k]);
+    }
+    triangle_of[std::size_t(v)] = t;
+    legalize_star();
+  }
+
+  /// Puts vertex v on side k of t, whose two halves inherit the constraint bit, and restores the Delaunay
+  /// property.
+  void insert_on_side(Triangle_id t, int k, Vertex_id v) {
+    const Side o = triangle(t).side[k];
+    const bool bit = o.is_constrained();
+    const Triangle A = triangle(t);
+    const Vertex_id a = A.v[k], b = A.v[next_slot[k]], c = A.v[previous_slot[k]];
+    const Triangle_id t2 = new_triangle();
+    set(t, v, a, b), set(t2, v, c, a);
+    link(t, 0, A.side[previous_slot[k]]), link(t2, 0, A.side[next_slot[k]]);
+    triangle(t).side[2] = Side(t2, 1), triangle(t2).side[1] = Side(t, 2);
+    triangle(t).side[1] = triangle(t2).side[2] = Side::border();
+    if (!o.is_border()) insert_on_far_side(o, v, t, t2, bit);
+    triangle_of[std::size_t(v)] = triangle_of[std::size_t(a)] = triangle_of[std::size_t(b)] = t;
+    triangle_of[std::size_t(c)] = t2;
+    star_.push_back(t), star_.push_back(t2);
+    legalize_star();
+  }
+
+  /// Calls `f(t, slot of v in t)` for every triangle at v, counterclockwise; for a vertex on the border the
+  /// fan is completed clockwise from where the walk began. (An input vertex where parts of the domain merely
+  /// touch has several fans; one is visited.)
+  template <class Function>
+  void for_each_triangle_at(Vertex_id v, Function f) const {
+    const Triangle_id start = incident_triangle(v);
+    Triangle_id t = start;
+    do {
+      const int i = slot_of(triangle(t), v);
+      f(t, i);
+      const Side o = triangle(t).side[next_slot[i]];
+      if (o.is_border()) {
+        for_each_triangle_clockwise(v, start, f);
+        return;
+      }
+      t = o.triangle();
+    } while (t != start);
+  }
+
+  /// The side a-b, seen from either triangle, in the fan of a that is stored; the border if it is not there.
+  Side find_side(Vertex_id a, Vertex_id b) const {
+    Side found = Side::border();
+    for_each_triangle_at(a, [&](Triangle_id t, int i) {
+      const Triangle& r = triangle(t);
+      if (r.v[next_slot[i]] == b)
+        found = Side(t, previous_slot[i]);
+      else if (r.v[previous_slot[i]] == b && found.is_border())
+        found = Side(t, next_slot[i]);
+    });
+    return found;
+  }
+
+private:
+  std::vector<Triangle_id> free_;
+  std::vector<Triangle_id> star_;
+
+  void set(Triangle_id t, Vertex_id a, Vertex_id b, Vertex_id c) {
+    Triangle& r = triangle(t);
+    r.v[0] = a, r.v[1] = b, r.v[2] = c;
+  }
+
+  void insert_on_far_side(Side o, Vertex_id v, Triangle_id t, Triangle_id t2, bool bit) {
+    const Triangle_id u = o.triangle(), u2 = new_triangle();
+    const int l = o.slot();
+    const Triangle B = triangle(u);
+    const Vertex_id d = B.v[l], c = B.v[next_slot[l]], b = B.v[previous_slot[l]];
+    set(u, v, b, d), set(u2, v, d, c);
+    link(u, 0, B.side[next_slot[l]]), link(u2, 0, B.side[previous_slot[l]]);
+    triangle(u).side[1] = Side(u2, 2), triangle(u2).side[2] = Side(u, 1);
+    triangle(t).side[1] = Side(u, 2, bit), triangle(u).side[2] = Side(t, 1, bit);
+    triangle(t2).side[2] = Side(u2, 1, bit), triangle(u2).side[1] = Side(t2, 2, bit);
+    triangle_of[std::size_t(d)] = u;
+    star_.push_back(u), star_.push_back(u2);
+  }
+
+  /// Flips until the sides opposite the new vertex, at slot 0 of every triangle on the stack, are Delaunay.
+  void legalize_star() {
+    while (!star_.empty()) {
+      const Triangle_id t = star_.back();
+      star_.pop_back();
+      const Side o = triangle(t).side[0];
+      if (o.is_constrained() || !is_certainly_not_Delaunay(t, 0)) continue;
+      flip(t, 0);
+      star_.push_back(t), star_.push_back(o.triangle());
+    }
+  }
+
+  template <class Function>
+  void for_each_triangle_clockwise(Vertex_id v, Triangle_id start, Function& f) const {
+    for (Triangle_id t = start;;) {
+      const Side o = triangle(t).side[previous_slot[slot_of(triangle(t), v)]];
+      if (o.is_border()) return;
+      t = o.triangle();
+      f(t, slot_of(triangle(t), v));
+    }
+  }
+};
+
+} // namespace internal
+} // namespace Quadtree_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_KERNEL_MESH_H

@@ -1,0 +1,245 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+//
+// The stages of the mesher, one after the other; nothing flows back (doc/guarantees.md).
+//
+//   shuffle order of the vertices (section 2 of the paper)
+//   -> constrained Delaunay triangulation of the input, restricted to the domain
+//   -> acute corners found, their legs cut, lopped sectors locked (section 6)
+//   -> refinement on demand -> guarded removal -> exact constrained Delaunay flips
+//   -> flat arrays in the user's coordinates and vertex order
+
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_MESH_PIPELINE_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_MESH_PIPELINE_H
+
+#include <CGAL/Indexed_mesh_2.h>
+#include <CGAL/Pslg_2.h>
+#include <CGAL/Quadtree_mesh_2/Grid_point_2.h>
+#include <CGAL/Quadtree_mesh_2/internal/Refiner.h>
+#include <CGAL/Quadtree_mesh_2/internal/Remover.h>
+#include <CGAL/Quadtree_mesh_2/internal/coordinate_map.h>
+#include <CGAL/Quadtree_mesh_2/internal/domain.h>
+#include <CGAL/Quadtree_mesh_2/internal/find_corners.h>
+#include <CGAL/Quadtree_mesh_2/internal/kernel_mesh_to_indexed_mesh.h>
+#include <CGAL/Quadtree_mesh_2/internal/morton.h>
+#include <CGAL/Quality_mesh_options_2.h>
+#include <CGAL/Quality_mesh_report_2.h>
+#include <CGAL/validate_pslg_2.h>
+
+#include <cmath>
+#include <cstddef>
+#include <ctime>
+#include <sstream>
+#include <vector>
+
+namespace CGAL {
+namespace Quadtree_mesh_2 {
+namespace internal {
+
+/// Adds the CPU time from its construction to its destruction to a number of seconds.
+class Phase_timer {
+public:
+  explicit Phase_timer(double& seconds) : seconds_(seconds), start_(std::clock()) {}
+  ~Phase_timer() { seconds_ += static_cast<double>(std::clock() - start_) / CLOCKS_PER_SEC; }
+  Phase_timer(const Phase_timer&) = delete;
+  Phase_timer& operator=(const Phase_timer&) = delete;
+
+private:
+  double& seconds_;
+  std::clock_t start_;
+};
+
+template <class Traits>
+class Mesh_pipeline {
+public:
+  using Geometry = typename Traits::Meshing_geometry_2;
+  using Point_2 = typename Traits::Point_2;
+  using Pslg = Pslg_2<Point_2>;
+
+  Mesh_pipeline(const Pslg& pslg, const Quality_mesh_options_2& options, const Traits& traits,
+                Quality_mesh_report_2& report)
+      : pslg_(pslg), options_(options), traits_(traits), report_(report), map_(pslg.vertices) {}
+
+  Indexed_mesh_2<Point_2> run() {
+    if (!map_.is_in_range())
+      throw Pslg_error_2("the coordinates span more than 2^61: too much for 64-bit fixed point");
+    report_.input_vertices = pslg_.number_of_vertices();
+    report_.input_segments = pslg_.number_of_segments();
+    sort_vertices();
+    make_first_mesh();
+    Splitter<Geometry> splitter(state_);
+    Refiner<Geometry> refiner(state_, splitter);
+    refine(refiner, splitter);
+    if (options_.coarsening == Quality_mesh_options_2::Coarsening::guarded_removal) coarsen();
+    finish(refiner);
+    return convert();
+  }
+
+private:
+  static constexpr double degree = 3.14159265358979323846 / 180;
+  static constexpr double guaranteed_angle = 20.7; // degrees
+
+  const Pslg& pslg_;
+  const Quality_mesh_options_2& options_;
+  const Traits& traits_;
+  Quality_mesh_report_2& report_;
+  Coordinate_map<Traits, Geometry> map_;
+  Meshing_state<Geometry> state_;
+  std::vector<std::uint32_t> order_; // kernel vertex -> input vertex
+  std::vector<Vertex_id>
+      kernel_vertex_; // input vertex -> kernel vertex, duplicates to the one that stands for them
+
+  /// Whether the user wants to go on; `share` of the work is done.
+  bool shall_go_on(double share) {
+    if (!report_.is_cancelled && options_.callback && !options_.callback(share)) report_.is_cancelled = true;
+    return !report_.is_cancelled;
+  }
+
+  void sort_vertices() {
+    Phase_timer timer(report_.seconds.quadtree);
+    const auto grid = traits_.construct_grid_2_object()(pslg_.vertices);
+    std::vector<Grid_point_2<typename Traits::Word>> grid_points;
+    grid_points.reserve(pslg_.number_of_vertices());
+    for (const Point_2& p : pslg_.vertices) grid_points.push_back(grid.grid_point(p));
+    order_ = shuffle_order(grid_points);
+  }
+
+  void make_first_mesh() {
+    Phase_timer timer(report_.seconds.first_mesh);
+    const std::size_t n = pslg_.number_of_vertices();
+    std::vector<typename Geometry::Point> points;
+    points.reserve(n);
+    for (const std::uint32_t i : order_) points.push_back(map_.to_kernel(pslg_.vertices[i]));
+    First_triangulation<Geometry> first(state_.mesh, points);
+
+    kernel_vertex_.resize(n);
+    for (std::size_t i = 0; i < n; ++i) {
+      kernel_vertex_[order_[i]] = first.representatives()[i];
+      if (first.representatives()[i] != static_cast<Vertex_id>(i)) ++report_.merged_vertices;
+    }
+    for (std::size_t s = 0; s < pslg_.segments.size(); ++s) insert_segment(first, s);
+    report_.vertices_on_segments = first.number_of_vertices_on_segments();
+    state_.edges = Input_edges(first.edges(), n);
+
+    std::vector<typename Geometry::Point> holes;
+    for (const Point_2& p : pslg_.holes) holes.push_back(map_.to_kernel(p));
+    keep_domain(state_.mesh, holes, First_triangulation<Geometry>::number_of_auxiliary_vertices);
+    if (state_.mesh.triangles.empty())
+      throw Pslg_error_2(pslg_.segments.empty() ? "there are no segments, so there is no domain to mesh"
+                         : pslg_.holes.empty()
+                             ? "the segments enclose no domain: every face is connected to infinity"
+                             : "no domain is left: what the segments enclose, holes take away");
+    const double area_scale = map_.length_to_kernel(1.0);
+    state_.bounds =
+        Bounds(options_.min_angle_in_degrees * degree, options_.max_triangle_area * area_scale * area_scale,
+               map_.length_to_kernel(options_.max_edge_length));
+    Corner_finder<Geometry>(state_).run();
+  }
+
+  void insert_segment(First_triangulation<Geometry>& first, std::size_t s) {
+    const auto& [a, b] = pslg_.segments[s];
+    try {
+      first.insert_segment(kernel_vertex_[std::size_t(a)], kernel_vertex_[std::size_t(b)],
+                           static_cast<std::int32_t>(s));
+    } catch (const Crossing& crossing) {
+      throw Pslg_error_2(describe(first, crossing));
+    }
+  }
+
+  std::string describe(const First_triangulation<Geometry>& first, const Crossing& crossing) const {
+    std::ostringstream text;
+    text << "segment " << crossing.segment << " (" << name_of_ends(crossing.segment) << ") crosses segment ";
+    for (const Input_edge& e : first.edges()) {
+      if ((e.a != crossing.a || e.b != crossing.b) && (e.a != crossing.b || e.b != crossing.a)) continue;
+      text << e.segment << " (" << name_of_ends(e.segment) << ')';
+      break;
+    }
+    return text.str();
+  }
+
+  std::string name_of_ends(std::int32_t segment) const {
+    std::ostringstream text;
+    text.precision(17);
+    const auto& ends = pslg_.segments[std::size_t(segment)];
+    const Point_2 &p = pslg_.point(ends[0]), &q = pslg_.point(ends[1]);
+    text << "vertices " << ends[0] << " at " << p.x() << ' ' << p.y() << " and " << ends[1] << " at " << q.x()
+         << ' ' << q.y();
+    return text.str();
+  }
+
+  std::size_t vertex_budget() const {
+    if (options_.vertex_budget > 0) return options_.vertex_budget;
+    // what 32-bit handles allow; above the guaranteed angle, where refinement might not end, a multiple of
+    // the input
+    constexpr std::size_t largest = 100000000;
+    return options_.min_angle_in_degrees <= guaranteed_angle || options_.max_edge_length > 0 ||
+                   options_.max_triangle_area > 0
+               ? largest
+               : std::min(largest, 50 * pslg_.number_of_vertices() + 100000);
+  }
+
+  void refine(Refiner<Geometry>& refiner, Splitter<Geometry>& splitter) {
+    Phase_timer timer(report_.seconds.refine);
+    splitter.cut_rings();
+    refiner.push_all();
+    run(refiner);
+    splitter.unlock_all();
+    state_.legalize();
+  }
+
+  void run(Refiner<Geometry>& refiner) {
+    ++report_.rounds;
+    const std::size_t n = pslg_.number_of_vertices();
+    const auto end = refiner.run(vertex_budget(), [this, n] {
+      const double made = static_cast<double>(state_.mesh.number_of_vertices() - n) + 1;
+      return shall_go_on(0.2 + 0.6 * made / (made + 3 * static_cast<double>(n)));
+    });
+    if (end == Refinement_end::out_of_budget) report_.is_budget_exhausted = true;
+  }
+
+  void coarsen() {
+    Phase_timer timer(report_.seconds.coarsen);
+    if (report_.is_cancelled) return;
+    Remover<Geometry>(state_, static_cast<Vertex_id>(pslg_.number_of_vertices())).run([this] {
+      return shall_go_on(0.85);
+    });
+  }
+
+  /// Makes the mesh exactly constrained Delaunay. Such flips never lower the least angle of a pair; should
+  /// one take apart an exempt triangle all the same, what it leaves is refined again.
+  void finish(Refiner<Geometry>& refiner) {
+    Phase_timer timer(report_.seconds.refine);
+    constexpr int most_rounds = 5;
+    for (int round = 0; round < most_rounds; ++round) {
+      state_.make_Delaunay_exactly();
+      if (!has_bad_on_worklist() || report_.is_cancelled || report_.is_budget_exhausted) return;
+      run(refiner);
+    }
+    state_.make_Delaunay_exactly();
+  }
+
+  bool has_bad_on_worklist() {
+    std::vector<Triangle_id> bad;
+    while (!state_.worklist.is_empty()) {
+      const Triangle_id t = state_.worklist.pop();
+      if (state_.mesh.is_alive(t) && state_.is_bad(t)) bad.push_back(t);
+    }
+    for (const Triangle_id t : bad) state_.worklist.push(t);
+    return !bad.empty();
+  }
+
+  Indexed_mesh_2<Point_2> convert() {
+    Phase_timer timer(report_.seconds.convert);
+    Kernel_mesh_converter<Traits> converter(state_, pslg_, map_, order_, report_);
+    return converter.run();
+  }
+};
+
+} // namespace internal
+} // namespace Quadtree_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_MESH_PIPELINE_H

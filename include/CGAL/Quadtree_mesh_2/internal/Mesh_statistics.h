@@ -1,0 +1,182 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_MESH_STATISTICS_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_MESH_STATISTICS_H
+
+#include <CGAL/Quadtree_mesh_2/internal/Mesh_checker.h>
+
+#include <CGAL/number_utils.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+
+namespace CGAL {
+namespace Quadtree_mesh_2 {
+namespace internal {
+
+/// Angles, lengths and areas of a checked mesh, and the triangles that miss a bound.
+///
+/// Below the angle bound, a triangle is *exempt* in an acute wedge only: two input segments meet at an input vertex, an
+/// end of both, at an angle phi < 60 degrees, all three vertices of the triangle lie on these two segments, and its
+/// least angle is at least 0.9 phi. Linear, but for the exempt triangles' searches among the segments at their apex.
+class Mesh_statistics {
+public:
+  using Point = Mesh_checker::Point;
+
+  Mesh_statistics(const Mesh_checker::Mesh& mesh, const Mesh_checker::Pslg& pslg, const Mesh_checker& checker,
+                  const Mesh_quality_options_2& options, Mesh_quality_2& quality)
+      : mesh_(mesh), pslg_(pslg), checker_(checker), options_(options), quality_(quality) {}
+
+  void compute() {
+    quality_.triangles = mesh_.triangles.size();
+    measure_edges();
+    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) measure_triangle(t);
+  }
+
+private:
+  static constexpr double degree_ = CGAL_PI / 180;
+  static constexpr double tolerance_ = 1e-7; // degrees, for all comparisons of angles with bounds
+
+  void measure_edges() {
+    const auto& opposites = checker_.opposites();
+    for (std::uint32_t h = 0; h < opposites.size(); ++h) {
+      if (opposites[h] != Half_edges::none && opposites[h] < h) continue;
+      const double length = distance(checker_.half_edges().origin(h), checker_.half_edges().target(h));
+      ++quality_.edges;
+      quality_.border_edges += opposites[h] == Half_edges::none;
+      quality_.total_length += length;
+      quality_.shortest_edge = std::min(quality_.shortest_edge, length);
+      quality_.longest_edge = std::max(quality_.longest_edge, length);
+    }
+  }
+
+  double distance(std::uint32_t v, std::uint32_t w) const {
+    const Point &p = mesh_.points[v], &q = mesh_.points[w];
+    return std::sqrt((q.x() - p.x()) * (q.x() - p.x()) + (q.y() - p.y()) * (q.y() - p.y()));
+  }
+
+  void measure_triangle(std::uint32_t t) {
+    std::array<double, 3> squared_side;
+    double least = 180, twice_area = 0;
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      const Point &p = corner(t, k), &q = corner(t, (k + 1) % 3), &r = corner(t, (k + 2) % 3);
+      const double ux = q.x() - p.x(), uy = q.y() - p.y(), wx = r.x() - p.x(), wy = r.y() - p.y();
+      const double cross = ux * wy - uy * wx;
+      const double angle = std::atan2(std::abs(cross), ux * wx + uy * wy) / degree_;
+      squared_side[(k + 2) % 3] = ux * ux + uy * uy;
+      twice_area = std::max(twice_area, cross);
+      least = std::min(least, angle);
+      quality_.max_angle = std::max(quality_.max_angle, angle);
+      if (!is_input_angle(t, k)) quality_.min_new_angle = std::min(quality_.min_new_angle, angle);
+      ++quality_.angle_histogram[std::min<std::size_t>(17, std::size_t(angle / 10))];
+    }
+    quality_.min_angle = std::min(quality_.min_angle, least);
+    quality_.area += twice_area / 2;
+    quality_.largest_area = std::max(quality_.largest_area, twice_area / 2);
+    compare_with_bounds(t, squared_side, twice_area, least);
+  }
+
+  const Point& corner(std::uint32_t t, std::uint32_t k) const { return mesh_.point(mesh_.triangles[t][k]); }
+
+  bool is_input_angle(std::uint32_t t, std::uint32_t k) const {
+    const std::uint32_t h = 3 * t;
+    return std::size_t(mesh_.triangles[t][k]) < pslg_.vertices.size() && checker_.constrained()[h + (k + 1) % 3] != 0 &&
+           checker_.constrained()[h + (k + 2) % 3] != 0;
+  }
+
+  void compare_with_bounds(std::uint32_t t, std::array<double, 3> squared_side, double twice_area, double least) {
+    using Bound = Mesh_quality_2::Bound;
+    std::sort(squared_side.begin(), squared_side.end());
+    if (options_.max_edge_length > 0 && squared_side[2] > CGAL::square(options_.max_edge_length * (1 + 1e-12)))
+      add_unmet(t, Bound::edge_length, least);
+    if (options_.max_triangle_area > 0 && twice_area / 2 > options_.max_triangle_area * (1 + 1e-12))
+      add_unmet(t, Bound::area, least);
+    // The least angle is opposite the shortest side: twice_area = b c sin(angle), with b and c the longer sides.
+    const auto is_below = [&](double degrees) {
+      return twice_area * twice_area < CGAL::square(std::sin(degrees * degree_)) * squared_side[1] * squared_side[2];
+    };
+    const double bound = std::min(options_.min_angle_in_degrees, 90.) - tolerance_;
+    if (bound <= 0 || !is_below(bound)) return;
+    if (is_exempt(t, is_below)) ++quality_.exempt_triangles;
+    else add_unmet(t, Bound::angle, least);
+  }
+
+  void add_unmet(std::uint32_t t, Mesh_quality_2::Bound bound, double least) {
+    const Point &p = corner(t, 0), &q = corner(t, 1), &r = corner(t, 2);
+    const std::array<double, 2> centroid{(p.x() + q.x() + r.x()) / 3, (p.y() + q.y() + r.y()) / 3};
+    quality_.unmet_triangles.push_back({Triangle_index(t), bound, centroid, least});
+  }
+
+  // --- wedges ---
+
+  /// The range of (vertex, segment) pairs of one vertex.
+  auto segments_through(std::uint32_t v) const {
+    const auto& all = checker_.segments_through();
+    const auto first = std::lower_bound(all.begin(), all.end(), std::make_pair(v, 0u));
+    return std::make_pair(first, std::lower_bound(first, all.end(), std::make_pair(v + 1, 0u)));
+  }
+  bool is_through(std::uint32_t v, std::uint32_t segment) const {
+    const auto& all = checker_.segments_through();
+    return std::binary_search(all.begin(), all.end(), std::make_pair(v, segment));
+  }
+
+  template <class IsBelow>
+  bool is_exempt(std::uint32_t t, IsBelow is_below) const {
+    std::array<std::uint32_t, 3> v{mesh_.triangles[t][0].value(), mesh_.triangles[t][1].value(), mesh_.triangles[t][2].value()};
+    const auto number = [&](std::uint32_t w) {
+      const auto range = segments_through(w);
+      return range.second - range.first;
+    };
+    std::sort(v.begin(), v.end(), [&](std::uint32_t a, std::uint32_t b) { return number(a) < number(b); });
+    const auto range = segments_through(v[0]);
+    for (auto s = range.first; s != range.second; ++s)
+      for (std::size_t end : {0u, 1u})
+        if (is_in_wedge(v, s->second, end, is_below)) return true;
+    return false;
+  }
+
+  /// Whether `v`, on segment `s` with its first vertex, is in a wedge of `s` and another segment at end `end` of `s`.
+  template <class IsBelow>
+  bool is_in_wedge(const std::array<std::uint32_t, 3>& v, std::uint32_t s, std::size_t end, IsBelow is_below) const {
+    const Point& apex = pslg_.point(pslg_.segments[s][end]);
+    for (std::size_t k : {1u, 2u}) { // a vertex of the triangle that is not on s has to be on the other segment
+      if (is_through(v[k], s)) continue;
+      const auto range = segments_through(v[k]);
+      for (auto other = range.first; other != range.second; ++other) {
+        const std::uint32_t s2 = other->second;
+        const std::size_t end2 = pslg_.point(pslg_.segments[s2][0]) == apex ? 0 : 1;
+        if (pslg_.point(pslg_.segments[s2][end2]) != apex) continue;
+        if (!is_through(v[3 - k], s) && !is_through(v[3 - k], s2)) continue;
+        const double phi = wedge(pslg_.point(pslg_.segments[s][1 - end]), apex, pslg_.point(pslg_.segments[s2][1 - end2]));
+        if (phi < 60 && !is_below(0.9 * phi - tolerance_)) return true;
+      }
+      return false;
+    }
+    return false;
+  }
+
+  static double wedge(const Point& a, const Point& apex, const Point& b) {
+    const double ux = a.x() - apex.x(), uy = a.y() - apex.y(), wx = b.x() - apex.x(), wy = b.y() - apex.y();
+    return std::atan2(std::abs(ux * wy - uy * wx), ux * wx + uy * wy) / degree_;
+  }
+
+  const Mesh_checker::Mesh& mesh_;
+  const Mesh_checker::Pslg& pslg_;
+  const Mesh_checker& checker_;
+  const Mesh_quality_options_2& options_;
+  Mesh_quality_2& quality_;
+};
+
+} // namespace internal
+} // namespace Quadtree_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_MESH_STATISTICS_H

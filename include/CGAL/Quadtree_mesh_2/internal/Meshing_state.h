@@ -1,0 +1,180 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+//
+// What all stages of the mesher share: the mesh, the input edges, the acute corners, the bounds, and the
+// worklist of bad triangles.
+
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_MESHING_STATE_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_MESHING_STATE_H
+
+#include <CGAL/Quadtree_mesh_2/internal/Acute_corners.h>
+#include <CGAL/Quadtree_mesh_2/internal/Input_edges.h>
+#include <CGAL/Quadtree_mesh_2/internal/Kernel_mesh.h>
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Quadtree_mesh_2 {
+namespace internal {
+
+/// What every triangle shall satisfy, in squared quantities.
+struct Bounds {
+  double angle = 0; ///< radians
+  /// Squared sine of the bound, raised a little so that rounding cannot pass the user's bound.
+  double sin2 = 0;
+  double area2 = std::numeric_limits<double>::infinity();          ///< twice the largest area
+  double squared_length = std::numeric_limits<double>::infinity(); ///< of the longest edge
+
+  Bounds() = default;
+  Bounds(double radians, double max_area, double max_length) : angle(radians) {
+    constexpr double margin = 2e-9;
+    sin2 = std::sin(angle) * std::sin(angle) * (1 + margin);
+    if (max_area > 0) area2 = 2 * max_area * (1 - margin);
+    if (max_length > 0) squared_length = max_length * max_length * (1 - margin);
+  }
+
+  bool is_sharp(const Shape& s) const { return s.is_below(sin2); }
+  bool is_large(const Shape& s) const { return s.area2 > area2 || s.longest() > squared_length; }
+  bool is_met_by(const Shape& s) const { return !is_sharp(s) && !is_large(s); }
+};
+
+/// Triangles that may be bad, last in first out; each stands in it at most once. Whether one is bad is
+/// decided when it is taken out, so that entries need not be withdrawn when flips cure a triangle.
+class Worklist {
+public:
+  bool is_empty() const { return stack_.empty(); }
+
+  void push(Triangle_id t) {
+    if (is_queued_.size() <= std::size_t(t)) is_queued_.resize(std::size_t(t) + std::size_t(t) / 2 + 64, 0);
+    if (is_queued_[std::size_t(t)] != 0) return;
+    is_queued_[std::size_t(t)] = 1;
+    stack_.push_back(t);
+  }
+
+  Triangle_id pop() {
+    const Triangle_id t = stack_.back();
+    stack_.pop_back();
+    is_queued_[std::size_t(t)] = 0;
+    return t;
+  }
+
+private:
+  std::vector<Triangle_id> stack_;
+  std::vector<char> is_queued_;
+};
+
+template <class Geometry>
+struct Meshing_state {
+  using Mesh = Kernel_mesh<Geometry>;
+  using Point = typename Geometry::Point;
+
+  Mesh mesh;
+  Input_edges edges;
+  Acute_corners<Geometry> corners;
+  Bounds bounds;
+  Worklist worklist;
+
+  bool is_exempt(Vertex_id a, Vertex_id b, Vertex_id c, const Shape& s) const {
+    return corners.is_exempt(mesh, a, b, c, s);
+  }
+
+  /// Whether t misses a bound that no acute corner excuses.
+  bool is_bad(Triangle_id t) const {
+    const auto& r = mesh.triangle(t);
+    const Shape s = mesh.shape(r);
+    return bounds.is_large(s) || (bounds.is_sharp(s) && !is_exempt(r.v[0], r.v[1], r.v[2], s));
+  }
+
+  void push_if_suspect(Triangle_id t) {
+    if (!bounds.is_met_by(mesh.shape(mesh.triangle(t)))) worklist.push(t);
+  }
+
+  void push_suspects_around(Vertex_id v) {
+    mesh.for_each_triangle_at(v, [this](Triangle_id t, int) { push_if_suspect(t); });
+  }
+
+  /// The side between x and y that are neighbours in the mesh. An input vertex may have several fans, of
+  /// which the mesh knows one: then the side is searched from the other end, and only if both are such,
+  /// everywhere.
+  Side side_between(Vertex_id x, Vertex_id y) const {
+    if (mesh.edge_of[std::size_t(x)] == input_vertex) std::swap(x, y);
+    Side s = mesh.find_side(x, y);
+    if (s.is_border() && mesh.edge_of[std::size_t(x)] == input_vertex) s = mesh.find_side(y, x);
+    if (s.is_border() && mesh.edge_of[std::size_t(x)] == input_vertex) s = find_side_everywhere(x, y);
+    return s;
+  }
+
+  /// Flips free sides that are certainly not Delaunay, starting from those of `doubtful_sides`; triangles
+  /// that come out of it suspect go to the worklist.
+  void legalize() {
+    while (!doubtful_sides.empty()) {
+      const Side s = doubtful_sides.back();
+      doubtful_sides.pop_back();
+      const Triangle_id t = s.triangle();
+      if (!mesh.is_alive(t)) continue;
+      const Side o = mesh.across(s);
+      if (o.is_constrained() || !mesh.is_certainly_not_Delaunay(t, s.slot())) continue;
+      mesh.flip(t, s.slot());
+      for (const Triangle_id n : {t, o.triangle()}) {
+        for (int k = 0; k < 3; ++k) doubtful_sides.push_back(Side(n, k));
+        push_if_suspect(n);
+      }
+    }
+  }
+
+  /// Flips until the mesh is constrained Delaunay, decided exactly. Cocircular vertices may be joined either
+  /// way. Ends: each flip lowers the lifted surface.
+  void make_Delaunay_exactly() {
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+      for (int k = 0; k < 3; ++k) {
+        const Triangle_id t = static_cast<Triangle_id>(i);
+        if (!mesh.is_alive(t)) break;
+        const Side o = mesh.triangle(t).side[k];
+        if (!o.is_constrained() && t < o.triangle()) doubtful_sides.push_back(Side(t, k));
+        flip_exactly();
+      }
+  }
+
+  std::vector<Side> doubtful_sides;
+
+private:
+  void flip_exactly() {
+    while (!doubtful_sides.empty()) {
+      const Side s = doubtful_sides.back();
+      doubtful_sides.pop_back();
+      const Triangle_id t = s.triangle();
+      const auto& r = mesh.triangle(t);
+      const Side o = r.side[s.slot()];
+      if (o.is_constrained() || !Geometry::is_in_circle(mesh.point(r.v[0]), mesh.point(r.v[1]),
+                                                        mesh.point(r.v[2]), mesh.point(mesh.opposite(o))))
+        continue;
+      mesh.flip(t, s.slot());
+      for (const Triangle_id n : {t, o.triangle()}) {
+        for (const int k : {0, n == t ? 2 : 1}) doubtful_sides.push_back(Side(n, k));
+        push_if_suspect(n);
+      }
+    }
+  }
+
+  Side find_side_everywhere(Vertex_id x, Vertex_id y) const {
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+      for (int k = 0; k < 3; ++k) {
+        const Side s(static_cast<Triangle_id>(i), k);
+        if (mesh.is_alive(s.triangle()) && mesh.source(s) == x && mesh.target(s) == y) return s;
+        if (mesh.is_alive(s.triangle()) && mesh.source(s) == y && mesh.target(s) == x) return s;
+      }
+    return Side::border();
+  }
+};
+
+} // namespace internal
+} // namespace Quadtree_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_MESHING_STATE_H

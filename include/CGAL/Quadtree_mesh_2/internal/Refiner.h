@@ -1,0 +1,204 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+//
+// Refinement on demand: one worklist of bad triangles, one new vertex at a time.
+//
+// For each bad triangle
+//   a. one of its Steiner vertices is relocated so that its whole star meets the bound, if that is possible;
+//   b. else one vertex is inserted: the quadtree corner next to the triangle's off-centre (Uengoer,
+//   "Off-centers", 2004), of cells
+//      with the side the power of two in (s/8, s/4], s the shortest edge; or, if a constrained edge is in the
+//      way or would be seen from there under more than 120 degrees, a vertex on that edge (Splitter.h).
+// Flips restore the Delaunay property locally, and what they make bad joins the list. The list is empty at
+// the end: that is the proof of the bound, triangle by triangle. Termination is that of off-centre refinement
+// with dyadic shells and locked corners; it is established numerically for bounds up to 20.7 degrees, and
+// enforced by a budget above.
+
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_REFINER_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_REFINER_H
+
+#include <CGAL/Quadtree_mesh_2/internal/Meshing_state.h>
+#include <CGAL/Quadtree_mesh_2/internal/Relocator.h>
+#include <CGAL/Quadtree_mesh_2/internal/Splitter.h>
+#include <CGAL/Quadtree_mesh_2/internal/walk.h>
+
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Quadtree_mesh_2 {
+namespace internal {
+
+enum class Refinement_end { done, cancelled, out_of_budget };
+
+template <class Geometry>
+class Refiner {
+public:
+  using Point = typename Geometry::Point;
+
+  Refiner(Meshing_state<Geometry>& state, Splitter<Geometry>& splitter)
+      : state_(state), mesh_(state.mesh), splitter_(splitter), relocator_(state),
+        apex_height_(off_center_share * 0.5 / std::tan(state.bounds.angle / 2)) {}
+
+  void push_all() {
+    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
+      if (mesh_.is_alive(static_cast<Triangle_id>(t))) state_.push_if_suspect(static_cast<Triangle_id>(t));
+  }
+
+  /// Works the list off. `shall_go_on()` is asked every 4096 steps; at most `budget` vertices are in the mesh
+  /// afterwards.
+  template <class Continue>
+  Refinement_end run(std::size_t budget, Continue&& shall_go_on) {
+    for (std::size_t step = 1; !state_.worklist.is_empty(); ++step) {
+      if ((step & 4095u) == 0 && !shall_go_on()) return Refinement_end::cancelled;
+      const Triangle_id t = state_.worklist.pop();
+      if (!mesh_.is_alive(t) || !state_.is_bad(t)) continue;
+      if (mesh_.number_of_vertices() >= budget) return Refinement_end::out_of_budget;
+      if (relocate_a_vertex_of(t)) continue;
+      refine(t);
+    }
+    return Refinement_end::done;
+  }
+
+  /// Relocation moves no vertex with a smaller number: those of an earlier, finished run.
+  std::size_t number_of_steps() const { return steps_; }
+
+private:
+  /// The off-centre sees the shortest edge under an angle a little wider than the bound.
+  static constexpr double off_center_share = 0.95;
+  static constexpr double cosine2_of_encroachment = 0.25; // 120 degrees
+  /// A triangle slot for which this many vertices were inserted gets vertices that stay: so relocation cannot
+  /// cycle.
+  static constexpr unsigned char patience = 3;
+
+  Meshing_state<Geometry>& state_;
+  Kernel_mesh<Geometry>& mesh_;
+  Splitter<Geometry>& splitter_;
+  Relocator<Geometry> relocator_;
+  double apex_height_; // of the off-centre's triangle over a unit edge
+  std::vector<unsigned char> trials_;
+  std::vector<char> is_settled_;
+  std::size_t steps_ = 0;
+
+  bool relocate_a_vertex_of(Triangle_id t) {
+    const auto r = mesh_.triangle(t);
+    if (!state_.bounds.is_sharp(mesh_.shape(r))) return false; // too large: a new vertex is needed anyway
+    for (const Vertex_id v : r.v) {
+      if (mesh_.edge_of[std::size_t(v)] == input_vertex || is_settled(v)) continue;
+      if (relocator_.relocate(v)) return true;
+    }
+    return false;
+  }
+
+  bool is_settled(Vertex_id v) const {
+    return std::size_t(v) < is_settled_.size() && is_settled_[std::size_t(v)] != 0;
+  }
+
+  /// Inserts one vertex for the bad triangle t, and puts t back on the list if it is bad still.
+  void refine(Triangle_id t) {
+    ++steps_;
+    const std::size_t vertices_before = mesh_.number_of_vertices();
+    const bool is_changed = splitter_.open_lock_around(t) || insert_vertex_for(t);
+    settle_new_vertices(t, vertices_before);
+    if (is_changed && mesh_.is_alive(t)) state_.push_if_suspect(t);
+  }
+
+  void settle_new_vertices(Triangle_id t, std::size_t vertices_before) {
+    if (trials_.size() <= std::size_t(t)) trials_.resize(mesh_.triangles.size() * 3 / 2 + 64, 0);
+    unsigned char& trials = trials_[std::size_t(t)];
+    if (trials < patience) ++trials;
+    if (trials < patience) return;
+    if (is_settled_.size() < mesh_.number_of_vertices())
+      is_settled_.resize(mesh_.number_of_vertices() * 3 / 2 + 64, 0);
+    for (std::size_t v = vertices_before; v < mesh_.number_of_vertices(); ++v) is_settled_[v] = 1;
+  }
+
+  /// \returns false if nothing could be inserted: the triangle is as small as coordinates allow.
+  bool insert_vertex_for(Triangle_id t) {
+    const auto r = mesh_.triangle(t);
+    const Shape s = mesh_.shape(r);
+    const int k = s.slot_of_shortest();
+    const Point q = place_for(r, s, k);
+    const Walk_end end = walk_in_sight(mesh_, t, q);
+    if (end.is_blocked()) return splitter_.split(end.triangle, end.blocked_slot, &q);
+    const Side encroached = most_encroached_side(end.triangle, q);
+    if (!encroached.is_border()) return splitter_.split(encroached.triangle(), encroached.slot(), &q);
+    return insert(end.triangle, q);
+  }
+
+  /// The quadtree corner next to the off-centre of a triangle with an angle below the bound; of a triangle
+  /// that is only too large, the one next to its circumcentre.
+  Point place_for(const typename Kernel_mesh<Geometry>::Triangle& r, const Shape& s, int k) const {
+    const Point& a = mesh_.point(r.v[next_slot[k]]);
+    const Point& b = mesh_.point(r.v[previous_slot[k]]);
+    const Point& c = mesh_.point(r.v[k]);
+    const Vector ab = Geometry::difference(b, a), ac = Geometry::difference(c, a), middle = 0.5 * ab;
+    const double lb = squared_length(ab), lc = squared_length(ac), f = 0.5 / s.area2;
+    Vector center = {f * (ac.y * lb - ab.y * lc), f * (ab.x * lc - ac.x * lb)};
+    if (state_.bounds.is_sharp(s)) {
+      const Vector off_center = middle + apex_height_ * Vector{-ab.y, ab.x};
+      if (squared_length(off_center - middle) < squared_length(center - middle)) center = off_center;
+    }
+    const Point q = Geometry::translate(a, center);
+    const Point corner =
+        Geometry::nearest_corner(q, std::exp2(std::floor(std::log2(0.25 * std::sqrt(s.l[k])))));
+    return In_circle(Geometry::difference(a, corner), Geometry::difference(b, corner),
+                     Geometry::difference(c, corner))
+                   .is_certainly_inside()
+               ? corner
+               : q;
+  }
+
+  /// The constrained side, of t or of a triangle next to it, that q sees under the widest angle above 120
+  /// degrees; else the border.
+  Side most_encroached_side(Triangle_id t, const Point& q) const {
+    Side best = Side::border();
+    double widest = cosine2_of_encroachment;
+    const auto look = [&](Side s) {
+      const Vector x = Geometry::difference(mesh_.point(mesh_.source(s)), q);
+      const Vector y = Geometry::difference(mesh_.point(mesh_.target(s)), q);
+      const double d = dot(x, y);
+      if (d >= 0) return;
+      const double cosine2 = d * d / (squared_length(x) * squared_length(y));
+      if (cosine2 > widest) widest = cosine2, best = s;
+    };
+    for (int k = 0; k < 3; ++k) {
+      const Side o = mesh_.triangle(t).side[k];
+      if (o.is_constrained()) {
+        look(Side(t, k));
+        continue;
+      }
+      for (const int j : {next_slot[o.slot()], previous_slot[o.slot()]})
+        if (mesh_.triangle(o.triangle()).side[j].is_constrained()) look(Side(o.triangle(), j));
+    }
+    return best;
+  }
+
+  bool insert(Triangle_id t, const Point& q) {
+    const auto& r = mesh_.triangle(t);
+    int on_slot = -1, number_on = 0;
+    for (int k = 0; k < 3; ++k) {
+      const Vector x = Geometry::difference(mesh_.point(r.v[next_slot[k]]), q);
+      const Vector y = Geometry::difference(mesh_.point(r.v[previous_slot[k]]), q);
+      if (cross(x, y) <= 1e-10 * squared_length(x - y)) on_slot = k, ++number_on;
+    }
+    if (number_on > 1 || (on_slot >= 0 && r.side[on_slot].is_constrained())) return false; // no room
+    const Vertex_id v = mesh_.add_vertex(q, free_vertex);
+    if (on_slot >= 0)
+      mesh_.insert_on_side(t, on_slot, v);
+    else
+      mesh_.insert_in_triangle(t, v);
+    state_.push_suspects_around(v);
+    return true;
+  }
+};
+
+} // namespace internal
+} // namespace Quadtree_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_REFINER_H

@@ -1,0 +1,260 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+//
+// Guarded vertex removal: takes out Steiner vertices whose star can be triangulated without them within the
+// bounds.
+//
+// The star of a free vertex is one polygon, that of a vertex on an edge one or two, closed by the merged
+// subsegment. A polygon is triangulated by dynamic programming over its sub-polygons (Klincsek, 1980, for
+// max-min angle) restricted to feasible ones: bit j of `reach[i]` says that the sub-polygon i..j can be
+// triangulated within the bounds; O(k^3) for k vertices, far less in practice as most stars have no feasible
+// ear. Every triangle made is checked, so the bounds are kept unconditionally.
+//
+// Two passes in order of creation, the second over vertices whose star has changed.
+
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_REMOVER_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_REMOVER_H
+
+#include <CGAL/Quadtree_mesh_2/internal/Meshing_state.h>
+#include <CGAL/Quadtree_mesh_2/internal/Star.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Quadtree_mesh_2 {
+namespace internal {
+
+template <class Geometry>
+class Remover {
+public:
+  Remover(Meshing_state<Geometry>& state, Vertex_id number_of_input_vertices)
+      : state_(state), mesh_(state.mesh), first_steiner_(number_of_input_vertices) {}
+
+  /// Removes what can be removed. \returns the number of vertices removed.
+  template <class Continue>
+  std::size_t run(Continue&& shall_go_on) {
+    constexpr int passes = 2;
+    is_dirty_.assign(mesh_.number_of_vertices(), 1);
+    std::size_t removed = 0;
+    for (int pass = 0; pass < passes; ++pass)
+      for (Vertex_id v = first_steiner_; v < static_cast<Vertex_id>(mesh_.number_of_vertices()); ++v) {
+        if ((v & 4095) == 0 && !shall_go_on()) return removed;
+        if (is_dirty_[std::size_t(v)] == 0 || !mesh_.is_used(v)) continue;
+        is_dirty_[std::size_t(v)] = 0;
+        if (try_to_remove(v)) ++removed;
+      }
+    return removed;
+  }
+
+private:
+  static constexpr int max_polygon = 13;
+
+  /// A polygon of the star, counterclockwise, and the triangles it is cut into.
+  struct Polygon {
+    int size = 0;
+    Vertex_id v[Star::max_size + 2];
+  };
+
+  Meshing_state<Geometry>& state_;
+  Kernel_mesh<Geometry>& mesh_;
+  Vertex_id first_steiner_;
+  std::vector<char> is_dirty_;
+  Star star_;
+  // the new triangles, and the subsegment a-b that the removed vertex split
+  Vertex_id made_[Star::max_size + 2][3];
+  int number_made_ = 0;
+  Vertex_id merged_a_ = -1, merged_b_ = -1;
+  // the dynamic programme
+  double quality_[max_polygon][max_polygon];
+  std::int8_t middle_[max_polygon][max_polygon];
+
+  bool try_to_remove(Vertex_id v) {
+    if (!star_.collect(mesh_, v)) return false;
+    number_made_ = 0;
+    merged_a_ = merged_b_ = -1;
+    if (mesh_.edge_of[std::size_t(v)] == free_vertex) {
+      if (!star_.is_closed || !triangulate(polygon(0, star_.size - 1))) return false;
+    } else if (star_.is_closed) {
+      if (!triangulate_both_sides()) return false;
+    } else {
+      merged_a_ = star_.link[0], merged_b_ = star_.link[star_.size];
+      if (!triangulate(polygon(0, star_.size))) return false;
+    }
+    replace(v);
+    return true;
+  }
+
+  /// The polygon of the link vertices first..last, indices modulo the size of a closed star.
+  Polygon polygon(int first, int last) const {
+    Polygon p;
+    for (int i = first; i <= last; ++i) p.v[p.size++] = star_.link[star_.is_closed ? i % star_.size : i];
+    return p;
+  }
+
+  bool triangulate_both_sides() {
+    int a = -1, b = -1;
+    for (int i = 0; i < star_.size; ++i) {
+      const Side c = star_.corner[i];
+      if (!mesh_.triangle(c.triangle()).side[previous_slot[c.slot()]].is_constrained()) continue;
+      if (b >= 0) return false; // more than its own edge meets here
+      (a < 0 ? a : b) = i;
+    }
+    if (b < 0 || b - a < 2 || a + star_.size - b < 2) return false;
+    merged_a_ = star_.link[a], merged_b_ = star_.link[b];
+    return triangulate(polygon(a, b)) && triangulate(polygon(b, a + star_.size));
+  }
+
+  /// Appends a triangulation of the polygon within the bounds to `made_`, if there is one.
+  bool triangulate(const Polygon& p) {
+    const int n = p.size;
+    if (n < 3 || n > max_polygon) return false;
+    bool is_near_corner = false;
+    for (int i = 0; i < n && !is_near_corner; ++i) is_near_corner = state_.corners.is_on_leg(mesh_, p.v[i]);
+    if (!fill_table(p, is_near_corner)) return false;
+    const int first = number_made_;
+    emit(p, 0, n - 1);
+    return !is_near_corner || is_locally_Delaunay(p, first);
+  }
+
+  /// Fills the table; whether the whole polygon is feasible.
+  bool fill_table(const Polygon& p, bool is_near_corner) {
+    const int n = p.size;
+    Vector q[max_polygon];
+    double l2[max_polygon][max_polygon];
+    std::uint32_t forward[max_polygon],
+        backward[max_polygon]; // bit j of forward[i], bit i of backward[j]: i..j is feasible
+    for (int i = 0; i < n; ++i) {
+      q[i] = Geometry::difference(mesh_.point(p.v[i]), mesh_.point(p.v[0]));
+      forward[i] = i + 1 < n ? 1u << (i + 1) : 0;
+      backward[i] = i > 0 ? 1u << (i - 1) : 0;
+      if (i + 1 < n) quality_[i][i + 1] = 2;
+      for (int j = 0; j < i; ++j) l2[j][i] = squared_length(q[i] - q[j]);
+    }
+    for (int length = 2; length < n; ++length) {
+      bool is_any = false;
+      for (int i = 0; i + length < n; ++i) {
+        const int j = i + length;
+        double best = 0;
+        int best_middle = -1;
+        for (std::uint32_t middles = forward[i] & backward[j]; middles != 0; middles &= middles - 1) {
+          const int m = lowest_bit(middles);
+          const Shape s{{l2[m][j], l2[i][j], l2[i][m]}, cross(q[m] - q[i], q[j] - q[i])};
+          double w = weight(s, p.v[i], p.v[m], p.v[j], is_near_corner);
+          w = std::min(w, std::min(quality_[i][m], quality_[m][j]));
+          if (w > best) best = w, best_middle = m;
+        }
+        if (best_middle < 0) continue;
+        forward[i] |= 1u << j, backward[j] |= 1u << i;
+        quality_[i][j] = best, middle_[i][j] = static_cast<std::int8_t>(best_middle);
+        is_any = true;
+      }
+      if (!is_any && length == 2) return false; // not even an ear
+    }
+    return (forward[0] >> (n - 1) & 1u) != 0;
+  }
+
+  static int lowest_bit(std::uint32_t bits) {
+    int i = 0;
+    while ((bits >> i & 1u) == 0) ++i;
+    return i;
+  }
+
+  /// The squared sine of the least angle; exempt triangles count as good, others that miss a bound as
+  /// infeasible (0).
+  double weight(const Shape& s, Vertex_id a, Vertex_id b, Vertex_id c, bool is_near_corner) const {
+    if (s.area2 <= 0 || state_.bounds.is_large(s)) return 0;
+    if (!state_.bounds.is_sharp(s)) return s.sin2_of_least_angle();
+    return is_near_corner && state_.is_exempt(a, b, c, s) ? 1.5 : 0;
+  }
+
+  void emit(const Polygon& p, int i, int j) {
+    if (j - i < 2) return;
+    const int m = middle_[i][j];
+    Vertex_id* t = made_[number_made_++];
+    t[0] = p.v[i], t[1] = p.v[m], t[2] = p.v[j];
+    emit(p, i, m), emit(p, m, j);
+  }
+
+  /// Near a corner the new triangles must be Delaunay, among themselves and with what is around: the last
+  /// flips would otherwise take an exempt triangle apart.
+  bool is_locally_Delaunay(const Polygon& p, int first) const {
+    for (int i = first; i < number_made_; ++i)
+      for (int k = 0; k < 3; ++k) {
+        const Vertex_id a = made_[i][next_slot[k]], b = made_[i][previous_slot[k]];
+        const Vertex_id d = apex_across(p, first, a, b);
+        if (d >= 0 && Geometry::is_in_circle(mesh_.point(made_[i][0]), mesh_.point(made_[i][1]),
+                                             mesh_.point(made_[i][2]), mesh_.point(d)))
+          return false;
+      }
+    return true;
+  }
+
+  /// The vertex opposite the edge a-b on its right: of a new triangle, or of the mesh beyond the star; -1
+  /// behind a constraint.
+  Vertex_id apex_across(const Polygon&, int first, Vertex_id a, Vertex_id b) const {
+    for (int i = first; i < number_made_; ++i)
+      for (int k = 0; k < 3; ++k)
+        if (made_[i][next_slot[k]] == b && made_[i][previous_slot[k]] == a) return made_[i][k];
+    for (int i = 0; i < star_.size; ++i) {
+      const Vertex_id to = star_.link[i + 1 < star_.number_of_link_vertices() ? i + 1 : 0];
+      if (star_.link[i] != a || to != b) continue;
+      const Side o = mesh_.across(star_.corner[i]);
+      return o.is_constrained() ? -1 : mesh_.opposite(o);
+    }
+    return -1;
+  }
+
+  struct Open_side {
+    Vertex_id a, b;
+    Side side;
+  };
+
+  /// Puts the new triangles in place of the star.
+  void replace(Vertex_id v) {
+    Side beyond[Star::max_size];
+    for (int i = 0; i < star_.size; ++i) beyond[i] = mesh_.across(star_.corner[i]);
+    for (int i = number_made_; i < star_.size; ++i) mesh_.kill(star_.corner[i].triangle());
+    for (int i = 0; i < number_made_; ++i) {
+      const Triangle_id t = star_.corner[i].triangle();
+      for (int k = 0; k < 3; ++k) {
+        mesh_.triangle(t).v[k] = made_[i][k];
+        mesh_.triangle_of[std::size_t(made_[i][k])] = t;
+      }
+    }
+    Open_side open[3 * Star::max_size];
+    int number_open = 0;
+    for (int i = 0; i < number_made_; ++i)
+      for (int k = 0; k < 3; ++k) connect(Side(star_.corner[i].triangle(), k), beyond, open, number_open);
+    mesh_.triangle_of[std::size_t(v)] = -1;
+    for (int i = 0; i < star_.number_of_link_vertices(); ++i) is_dirty_[std::size_t(star_.link[i])] = 1;
+  }
+
+  /// Links a side of a new triangle to the mesh beyond the star, to a new triangle made before, or leaves it
+  /// open for a later one.
+  void connect(Side s, const Side* beyond, Open_side* open, int& number_open) {
+    const Vertex_id a = mesh_.source(s), b = mesh_.target(s);
+    for (int j = 0; j < star_.size; ++j)
+      if (star_.link[j] == a && star_.link[j + 1 < star_.number_of_link_vertices() ? j + 1 : 0] == b)
+        return mesh_.link(s.triangle(), s.slot(), beyond[j]);
+    for (int j = 0; j < number_open; ++j)
+      if (open[j].a == b && open[j].b == a) {
+        const bool is_merged = (a == merged_a_ && b == merged_b_) || (a == merged_b_ && b == merged_a_);
+        mesh_.link(s.triangle(), s.slot(), Side(open[j].side.triangle(), open[j].side.slot(), is_merged));
+        open[j] = open[--number_open];
+        return;
+      }
+    mesh_.triangle(s.triangle()).side[s.slot()] = Side::border();
+    open[number_open++] = {a, b, s};
+  }
+};
+
+} // namespace internal
+} // namespace Quadtree_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_REMOVER_H

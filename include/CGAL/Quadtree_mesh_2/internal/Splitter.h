@@ -1,0 +1,330 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+//
+// Splits constrained edges, and keeps the rings around acute corners while it does.
+//
+// - A subsegment away from corners is split where the caller wants, within its middle 30 percent.
+// - A leg of an acute vertex without a ring is split at dyadic distances from it (Ruppert's concentric
+// shells).
+// - Within a ring the interval between two shells is halved, on all legs of the corner at once (matched
+// shells).
+// - The chord that locks a lopped sector is never split: when something comes too close to it, the lock moves
+// down to the
+//   next shell (a new one at 0.6 of the radius where there is none), and what was behind it becomes ordinary
+//   domain.
+//
+// A split costs O(degree), times the number of legs within a ring.
+
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_SPLITTER_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_SPLITTER_H
+
+#include <CGAL/Quadtree_mesh_2/internal/Meshing_state.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Quadtree_mesh_2 {
+namespace internal {
+
+template <class Geometry>
+class Splitter {
+public:
+  using Point = typename Geometry::Point;
+
+  explicit Splitter(Meshing_state<Geometry>& state)
+      : state_(state), mesh_(state.mesh), corners_(state.corners) {}
+
+  /// Cuts the legs of all corners at their radius and locks the lopped sectors.
+  void cut_rings() {
+    for (std::size_t c = 0; c < corners_.corners.size(); ++c) {
+      Corner& corner = corners_.corner(static_cast<Corner_id>(c));
+      for (const Leg_id l : corner.legs) cut_ring_on_leg(l, corner.radius, ring_tolerance(corner));
+    }
+    for (std::size_t s = 0; s < corners_.sectors.size(); ++s) lock_at_ring(static_cast<Sector_id>(s));
+  }
+
+  /// Unlocks all lopped sectors: removal may then treat shell vertices as any others.
+  void unlock_all() {
+    for (Sector& s : corners_.sectors) {
+      if (s.lock_radius > 0) release_chord(s);
+      s.lock_radius = 0;
+    }
+  }
+
+  /// Splits the constrained edge at side k of t, near `want` where nothing else is prescribed.
+  /// \returns false if it cannot be split: it is as short as coordinates allow.
+  bool split(Triangle_id t, int k, const Point* want) {
+    const Side side(t, k);
+    const Vertex_id x = mesh_.source(side), y = mesh_.target(side);
+    const Edge_id e = state_.edges.carrying(mesh_, x, y);
+    if (e < 0) {
+      const Sector_id s = corners_.sector_of_chord(mesh_, x, y);
+      return s >= 0 && lower_lock(s);
+    }
+    for (const Leg_id l : corners_.legs_of_edge[std::size_t(e)])
+      if (l >= 0 && is_within_ring(l, x, y)) return halve_interval(l, x, y);
+    return split_subsegment(side, e, want);
+  }
+
+  /// Makes a bad triangle within a locked sector ordinary domain (or, if it touches the apex, halves its
+  /// leg). \returns false if t is not within a lock, or nothing can be done.
+  bool open_lock_around(Triangle_id t) {
+    const auto r = mesh_.triangle(t);
+    const Sector_id s = corners_.sector_of(mesh_, r.v[0], r.v[1], r.v[2]);
+    if (s < 0 || corners_.sector(s).lock_radius == 0) return false;
+    double low = corners_.sector(s).lock_radius, high = 0;
+    for (const Vertex_id v : r.v) {
+      const double radius = shell_radius(s, v);
+      if (radius < 0 || radius > corners_.sector(s).lock_radius) return false;
+      low = std::min(low, radius), high = std::max(high, radius);
+    }
+    if (low == 0) return insert_shell(corners_.leg(corners_.sector(s).right).corner, shell_below(s, high));
+    return move_lock(s, low);
+  }
+
+private:
+  /// New shells next to the apex lie at this share of the innermost radius: their ratio, 1.67, leaves room
+  /// for ring vertices that are not quite matched (Acute_corners.h).
+  static constexpr double innermost_share = 0.6;
+  /// A far end or another ring's vertex within this share of the chord stands in for the ring vertex.
+  static constexpr double chord_share_to_merge = 0.4;
+
+  Meshing_state<Geometry>& state_;
+  Kernel_mesh<Geometry>& mesh_;
+  Acute_corners<Geometry>& corners_;
+
+  double distance(Vertex_id a, Vertex_id b) const {
+    return std::sqrt(squared_length(Geometry::difference(mesh_.point(a), mesh_.point(b))));
+  }
+
+  Point point_on_leg(const Leg& leg, double radius) const {
+    return Geometry::translate(mesh_.point(leg.apex),
+                               (radius / leg.length) *
+                                   Geometry::difference(mesh_.point(leg.far), mesh_.point(leg.apex)));
+  }
+
+  static double ring_tolerance(const Corner& c) {
+    return chord_share_to_merge * 2 * std::sin(c.least_angle / 2) * c.radius;
+  }
+
+  // ---- shells
+
+  void cut_ring_on_leg(Leg_id l, double radius, double tolerance) {
+    Leg& leg = corners_.leg(l);
+    if (leg.length <= radius + tolerance) {
+      leg.shells.push_back({radius, leg.far});
+      return;
+    }
+    const auto& at = corners_.legs_of_edge[std::size_t(leg.edge)];
+    const Leg_id opposite = at[0] == l ? at[1] : at[0];
+    Vertex_id beyond = leg.far;
+    if (opposite >= 0 && !corners_.leg(opposite).shells.empty()) {
+      const Shell_vertex ring = corners_.leg(opposite).shells.back();
+      beyond = ring.vertex == leg.apex ? leg.far : ring.vertex;
+      if (ring.vertex != leg.apex && std::fabs(leg.length - ring.radius - radius) <= tolerance) {
+        leg.shells.push_back({radius, ring.vertex});
+        return;
+      }
+    }
+    const Vertex_id v = insert_between(leg.apex, beyond, leg.edge, point_on_leg(leg, radius));
+    if (v >= 0) leg.shells.push_back({radius, v});
+  }
+
+  /// The alive shell vertices around a radius on a leg; the apex below the first, none (-1) above the last.
+  struct Interval {
+    Shell_vertex below, above;
+  };
+  Interval interval_around(const Leg& leg, double radius) const {
+    Interval i{{0, leg.apex}, {0, -1}};
+    for (const Shell_vertex& s : leg.shells) {
+      if (!mesh_.is_used(s.vertex)) continue;
+      if (s.radius > radius) {
+        i.above = s;
+        break;
+      }
+      i.below = s;
+    }
+    return i;
+  }
+
+  /// Cuts every leg of the corner at a radius within the ring, where it is not cut there yet.
+  bool insert_shell(Corner_id c, double radius) {
+    bool is_changed = false;
+    for (const Leg_id l : corners_.corner(c).legs) {
+      Leg& leg = corners_.leg(l);
+      const Interval i = interval_around(leg, radius);
+      if (i.above.vertex < 0 || i.below.radius >= radius * (1 - 1e-9) ||
+          i.above.radius <= radius * (1 + 1e-9))
+        continue;
+      const Vertex_id v = insert_between(i.below.vertex, i.above.vertex, leg.edge, point_on_leg(leg, radius));
+      if (v < 0) continue;
+      const auto place = std::find_if(leg.shells.begin(), leg.shells.end(),
+                                      [&](const Shell_vertex& s) { return s.radius > radius; });
+      leg.shells.insert(place, {radius, v});
+      is_changed = true;
+    }
+    return is_changed;
+  }
+
+  bool is_within_ring(Leg_id l, Vertex_id x, Vertex_id y) const {
+    return radius_on_leg(corners_.leg(l), x) >= 0 && radius_on_leg(corners_.leg(l), y) >= 0;
+  }
+
+  /// The radius of a leg's shell vertex, 0 for the apex, -1 for other vertices.
+  static double radius_on_leg(const Leg& leg, Vertex_id v) {
+    if (v == leg.apex) return 0;
+    for (const Shell_vertex& s : leg.shells)
+      if (s.vertex == v) return s.radius;
+    return -1;
+  }
+
+  double shell_radius(Sector_id s, Vertex_id v) const {
+    const Sector& sector = corners_.sector(s);
+    return std::max(radius_on_leg(corners_.leg(sector.right), v),
+                    radius_on_leg(corners_.leg(sector.left), v));
+  }
+
+  bool halve_interval(Leg_id l, Vertex_id x, Vertex_id y) {
+    const Leg& leg = corners_.leg(l);
+    const double p = radius_on_leg(leg, x), q = radius_on_leg(leg, y);
+    const double low = std::min(p, q), high = std::max(p, q);
+    return insert_shell(leg.corner, low == 0 ? innermost_share * high : (low + high) / 2);
+  }
+
+  // ---- locks
+
+  /// The largest radius below `radius` at which both legs have a shell vertex; 0 if there is none.
+  double shell_below_on_both(const Sector& s, double radius) const {
+    double best = 0;
+    for (const Shell_vertex& v : corners_.leg(s.right).shells)
+      if (v.radius < radius * (1 - 1e-9) && mesh_.is_used(v.vertex) && vertex_at(s.left, v.radius) >= 0)
+        best = std::max(best, v.radius);
+    return best;
+  }
+
+  Vertex_id vertex_at(Leg_id l, double radius) const {
+    for (const Shell_vertex& v : corners_.leg(l).shells)
+      if (std::fabs(v.radius - radius) <= 1e-9 * radius && mesh_.is_used(v.vertex)) return v.vertex;
+    return -1;
+  }
+
+  double shell_below(Sector_id s, double radius) const {
+    const double below = shell_below_on_both(corners_.sector(s), radius);
+    return below > 0 ? below : innermost_share * radius;
+  }
+
+  void lock_at_ring(Sector_id s) {
+    Sector& sector = corners_.sector(s);
+    lock(sector, corners_.corner(corners_.leg(sector.right).corner).radius);
+  }
+
+  /// Locks the chord at a shell's radius, if it is an edge of the mesh; otherwise the sector stays ordinary
+  /// domain.
+  void lock(Sector& s, double radius) {
+    s.lock_radius = 0;
+    const Vertex_id a = vertex_at(s.right, radius), b = vertex_at(s.left, radius);
+    if (a < 0 || b < 0 || a == b) return;
+    const Side chord = state_.side_between(a, b);
+    if (chord.is_border()) return;
+    mesh_.constrain(chord);
+    s.lock_radius = radius;
+  }
+
+  void release_chord(const Sector& s) {
+    const Vertex_id a = vertex_at(s.right, s.lock_radius), b = vertex_at(s.left, s.lock_radius);
+    if (a < 0 || b < 0 || state_.edges.carrying(mesh_, a, b) >= 0)
+      return; // a chord that is an input edge stays
+    const Side chord = state_.side_between(a, b);
+    if (chord.is_border()) return;
+    mesh_.release(chord);
+    const Side o = mesh_.across(chord);
+    state_.doubtful_sides.push_back(chord);
+    for (const Triangle_id t : {chord.triangle(), o.triangle()})
+      if (t >= 0 && !o.is_border()) state_.push_if_suspect(t);
+  }
+
+  /// Moves the lock of a sector down by one shell, making one where there is none.
+  bool lower_lock(Sector_id s) {
+    const double radius = corners_.sector(s).lock_radius;
+    if (radius <= 0) return false;
+    const double below = shell_below(s, radius);
+    insert_shell(corners_.leg(corners_.sector(s).right).corner, below);
+    return move_lock(s, below);
+  }
+
+  bool move_lock(Sector_id s, double radius) {
+    Sector& sector = corners_.sector(s);
+    if (vertex_at(sector.right, radius) < 0 || vertex_at(sector.left, radius) < 0) return false;
+    release_chord(sector);
+    lock(sector, radius);
+    state_.legalize();
+    return true;
+  }
+
+  // ---- single points
+
+  Vertex_id insert_between(Vertex_id x, Vertex_id y, Edge_id e, Point p) {
+    const Side s = state_.side_between(x, y);
+    return s.is_border() ? -1 : insert(s, e, p);
+  }
+
+  /// Puts p on the side; -1 if p is not strictly between its ends as seen from the apexes of its triangles.
+  Vertex_id insert(Side s, Edge_id e, Point p) {
+    if (!is_valid_split(s, p)) return -1;
+    const Side o = mesh_.across(s);
+    if (!o.is_border() && !is_valid_split(o, p)) return -1;
+    const Vertex_id v = mesh_.add_vertex(p, e);
+    mesh_.insert_on_side(s.triangle(), s.slot(), v);
+    state_.push_suspects_around(v);
+    return v;
+  }
+
+  /// A rounded point may lie beside its edge: both parts of the triangle must keep their orientation.
+  bool is_valid_split(Side s, const Point& p) const {
+    const Point& apex = mesh_.point(mesh_.opposite(s));
+    return Geometry::orientation(apex, mesh_.point(mesh_.source(s)), p) > 0 &&
+           Geometry::orientation(apex, p, mesh_.point(mesh_.target(s))) > 0;
+  }
+
+  bool split_subsegment(Side s, Edge_id e, const Point* want) {
+    const Vertex_id x = mesh_.source(s), y = mesh_.target(s);
+    const Point a = mesh_.point(x);
+    const Vector d = Geometry::difference(mesh_.point(y), a);
+    const double share = share_of_split(x, y, e, d, want);
+    for (const double f : {share, 0.5, 0.4, 0.6, 0.45, 0.55})
+      if (insert(s, e, Geometry::translate(a, f * d)) >= 0) return true;
+    return false;
+  }
+
+  bool is_acute_apex(Vertex_id v) const {
+    return mesh_.edge_of[std::size_t(v)] == input_vertex && corners_.is_acute[std::size_t(v)] != 0;
+  }
+  bool is_leg_without_ring(Edge_id e, int end) const {
+    const Vertex_id apex = end == 0 ? state_.edges[e].a : state_.edges[e].b;
+    return corners_.is_acute[std::size_t(apex)] != 0 &&
+           corners_.legs_of_edge[std::size_t(e)][std::size_t(end)] < 0;
+  }
+
+  double share_of_split(Vertex_id x, Vertex_id y, Edge_id e, Vector d, const Point* want) const {
+    if (is_acute_apex(x) || is_acute_apex(y)) {
+      const double length = std::sqrt(squared_length(d));
+      const double dyadic = std::exp2(std::floor(std::log2(length * 2 / 3))) / length; // in (1/3, 2/3]
+      return is_acute_apex(x) ? dyadic : 1 - dyadic;
+    }
+    if (want == nullptr || is_leg_without_ring(e, 0) || is_leg_without_ring(e, 1)) return 0.5;
+    const double f = dot(Geometry::difference(*want, mesh_.point(x)), d) / squared_length(d);
+    return std::min(0.65, std::max(0.35, f));
+  }
+};
+
+} // namespace internal
+} // namespace Quadtree_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_SPLITTER_H

@@ -1,0 +1,92 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+//
+// The user's points to the meshing kernel's and back, without loss.
+
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_COORDINATE_MAP_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_COORDINATE_MAP_H
+
+#include <CGAL/Quadtree_mesh_2/internal/meshing_geometry.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace CGAL {
+namespace Quadtree_mesh_2 {
+namespace internal {
+
+template <class Traits, class Geometry>
+class Coordinate_map;
+
+/// Over doubles: the input is scaled by a power of two so that its extent is about 1. Then products of four
+/// differences neither overflow nor underflow down to features of 2^-250 of the extent. Exact but for
+/// subnormal numbers.
+template <class Traits, class Kernel>
+class Coordinate_map<Traits, Double_geometry_2<Kernel>> {
+public:
+  using Point_2 = typename Traits::Point_2;
+  using Point = typename Double_geometry_2<Kernel>::Point;
+
+  template <class PointRange>
+  explicit Coordinate_map(const PointRange& points) {
+    double low_x = points[0].x(), high_x = low_x, low_y = points[0].y(), high_y = low_y;
+    for (const Point_2& p : points) {
+      low_x = std::min(low_x, p.x()), high_x = std::max(high_x, p.x());
+      low_y = std::min(low_y, p.y()), high_y = std::max(high_y, p.y());
+    }
+    const double extent = std::max(high_x - low_x, high_y - low_y);
+    exponent_ = std::isfinite(extent) && extent > 0 ? std::ilogb(extent) : 0;
+  }
+
+  Point to_kernel(const Point_2& p) const {
+    return {std::ldexp(p.x(), -exponent_), std::ldexp(p.y(), -exponent_)};
+  }
+  Point_2 to_user(const Point& p) const {
+    return Point_2(std::ldexp(p.x, exponent_), std::ldexp(p.y, exponent_));
+  }
+  double length_to_kernel(double length) const { return std::ldexp(length, -exponent_); }
+  bool is_in_range() const { return true; }
+
+private:
+  int exponent_ = 0;
+};
+
+/// Over words: the same integers, signed.
+template <class Traits, class Word>
+class Coordinate_map<Traits, Integer_geometry_2<Word>> {
+public:
+  using Point_2 = typename Traits::Point_2;
+  using Point = typename Integer_geometry_2<Word>::Point;
+
+  template <class PointRange>
+  explicit Coordinate_map(const PointRange& points) {
+    Word low_x = points[0].x(), high_x = low_x, low_y = points[0].y(), high_y = low_y;
+    for (const Point_2& p : points) {
+      low_x = std::min(low_x, p.x()), high_x = std::max(high_x, p.x());
+      low_y = std::min(low_y, p.y()), high_y = std::max(high_y, p.y());
+    }
+    // differences with the auxiliary vertices of the first triangulation, three extents apart, must fit
+    // signed words
+    constexpr std::uint64_t largest_extent = std::uint64_t(1) << 61;
+    is_in_range_ = high_x - low_x <= largest_extent && high_y - low_y <= largest_extent &&
+                   std::uint64_t(high_x) < 2 * largest_extent && std::uint64_t(high_y) < 2 * largest_extent;
+  }
+
+  Point to_kernel(const Point_2& p) const { return {std::int64_t(p.x()), std::int64_t(p.y())}; }
+  Point_2 to_user(const Point& p) const { return Point_2{Word(p.x), Word(p.y)}; }
+  double length_to_kernel(double length) const { return length; }
+  bool is_in_range() const { return is_in_range_; }
+
+private:
+  bool is_in_range_ = true;
+};
+
+} // namespace internal
+} // namespace Quadtree_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_COORDINATE_MAP_H

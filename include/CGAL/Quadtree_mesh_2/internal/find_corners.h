@@ -1,0 +1,255 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+//
+// Finds the acute corners of the domain and the radii of their rings (first part of the paper's section 6:
+// "cut off acute angles ... at a distance proportional to the vertex's nearest neighbour, so that cut-off
+// triangles do not contain other parts of the input, two such triangles on the same edge match up, and the
+// new cutting edges are not unnecessarily short").
+//
+// The radius is as large as that allows: the shortest leg (half of it where the other end has a ring too), or
+// 0.6 of the distance to what intrudes into the corner's sectors. Intruders are found in the constrained
+// Delaunay triangulation, from the apex outwards in sight of it, so nothing is scanned and nothing behind a
+// constraint counts. O(n + triangles of the lopped sectors within the ring).
+
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_FIND_CORNERS_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_FIND_CORNERS_H
+
+#include <CGAL/Quadtree_mesh_2/internal/Meshing_state.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Quadtree_mesh_2 {
+namespace internal {
+
+template <class Geometry>
+class Corner_finder {
+public:
+  explicit Corner_finder(Meshing_state<Geometry>& state)
+      : state_(state), mesh_(state.mesh), corners_(state.corners) {}
+
+  /// Fills in `state.corners`; the mesh is the domain's first triangulation, without Steiner points.
+  void run() {
+    corners_.prepare(state_.edges, mesh_.number_of_vertices());
+    collect_sectors();
+    for (std::size_t i = 0; i < acute_.size();) {
+      std::size_t j = i;
+      while (j < acute_.size() && acute_[j].apex == acute_[i].apex) ++j;
+      link_sectors(i, j);
+      i = j;
+    }
+    for (Corner& c : corners_.corners) set_radius(c);
+  }
+
+private:
+  /// A domain sector below 60 degrees: between two edges, counterclockwise; `first` is its clockwise-most
+  /// triangle.
+  struct Acute_sector {
+    Vertex_id apex;
+    Edge_id right, left;
+    double angle;
+    Triangle_id first;
+  };
+
+  Meshing_state<Geometry>& state_;
+  Kernel_mesh<Geometry>& mesh_;
+  Acute_corners<Geometry>& corners_;
+  std::vector<Acute_sector> acute_;
+  std::vector<std::vector<Triangle_id>>
+      first_triangles_; // per corner: where the sectors of all its legs begin
+  std::vector<Triangle_id> stack_, visited_;
+
+  Vector direction(Vertex_id from, Vertex_id to) const {
+    return Geometry::difference(mesh_.point(to), mesh_.point(from));
+  }
+  double distance(Vertex_id a, Vertex_id b) const { return std::sqrt(squared_length(direction(a, b))); }
+
+  void collect_sectors() {
+    for (std::size_t i = 0; i < mesh_.triangles.size(); ++i)
+      for (int k = 0; k < 3; ++k)
+        if (mesh_.triangles[i].side[previous_slot[k]].is_constrained())
+          add_sector(static_cast<Triangle_id>(i), k);
+    std::stable_sort(acute_.begin(), acute_.end(),
+                     [](const Acute_sector& a, const Acute_sector& b) { return a.apex < b.apex; });
+  }
+
+  /// The sector whose clockwise-most triangle is t, at its vertex k, if it is acute.
+  void add_sector(Triangle_id first, int k) {
+    const Vertex_id apex = mesh_.triangle(first).v[k], right = mesh_.triangle(first).v[next_slot[k]];
+    const Vector d = direction(apex, right);
+    Triangle_id t = first;
+    int i = k;
+    while (!mesh_.triangle(t).side[next_slot[i]].is_constrained()) {
+      // an acute sector's triangles all begin acute: give up early
+      if (!is_below_60(d, direction(apex, mesh_.triangle(t).v[previous_slot[i]]))) return;
+      t = mesh_.triangle(t).side[next_slot[i]].triangle();
+      i = Kernel_mesh<Geometry>::slot_of(mesh_.triangle(t), apex);
+    }
+    const Vertex_id left = mesh_.triangle(t).v[previous_slot[i]];
+    const Vector e = direction(apex, left);
+    if (left == right || !is_below_60(d, e) || mesh_.orientation(apex, right, left) <= 0) return;
+    acute_.push_back({apex, state_.edges.between(apex, right), state_.edges.between(apex, left),
+                      std::atan2(cross(d, e), dot(d, e)), first});
+    corners_.is_acute[std::size_t(apex)] = 1;
+  }
+
+  static bool is_below_60(Vector d, Vector e) {
+    const double c = dot(d, e);
+    return c > 0 && c * c > 0.25 * squared_length(d) * squared_length(e);
+  }
+
+  bool is_lopped(const Acute_sector& s) const { return s.angle < lopped_factor * state_.bounds.angle; }
+
+  /// Joins the sectors [i, j), all at one vertex, to corners: maximal runs that share legs. Only a corner
+  /// with a lopped sector is kept.
+  void link_sectors(std::size_t i, std::size_t j) {
+    std::vector<char> is_taken(j - i, 0);
+    for (std::size_t s = i; s < j; ++s) {
+      if (is_taken[s - i] != 0) continue;
+      std::size_t first = s; // go clockwise to the run's first sector, or once around
+      for (std::size_t p = sector_with_left(i, j, acute_[s].right); p < j && p != s;) {
+        first = p;
+        p = sector_with_left(i, j, acute_[p].right);
+      }
+      std::vector<std::size_t> run;
+      for (std::size_t p = first; p < j && is_taken[p - i] == 0;
+           p = sector_with_right(i, j, acute_[p].left)) {
+        is_taken[p - i] = 1;
+        run.push_back(p);
+      }
+      add_corner(run);
+    }
+  }
+
+  std::size_t sector_with_left(std::size_t i, std::size_t j, Edge_id e) const {
+    for (; i < j; ++i)
+      if (acute_[i].left == e) return i;
+    return j;
+  }
+  std::size_t sector_with_right(std::size_t i, std::size_t j, Edge_id e) const {
+    for (; i < j; ++i)
+      if (acute_[i].right == e) return i;
+    return j;
+  }
+
+  void add_corner(const std::vector<std::size_t>& run) {
+    if (std::none_of(run.begin(), run.end(), [this](std::size_t s) { return is_lopped(acute_[s]); })) return;
+    Corner corner;
+    corner.apex = acute_[run.front()].apex;
+    corner.least_angle = acute_[run.front()].angle;
+    const Corner_id id = static_cast<Corner_id>(corners_.corners.size());
+    const auto add_leg = [&](Edge_id e) {
+      const Vertex_id far = state_.edges.other_end(e, corner.apex);
+      corner.legs.push_back(
+          corners_.add_leg({id, e, corner.apex, far, distance(corner.apex, far), -1, -1, {}}));
+    };
+    first_triangles_.emplace_back();
+    add_leg(acute_[run.front()].right);
+    for (const std::size_t s : run) {
+      const bool closes = s == run.back() && run.size() > 1 && acute_[s].left == acute_[run.front()].right;
+      const Leg_id right = corner.legs.back();
+      if (!closes) add_leg(acute_[s].left);
+      const Leg_id left = closes ? corner.legs.front() : corner.legs.back();
+      corner.least_angle = std::min(corner.least_angle, acute_[s].angle);
+      first_triangles_.back().push_back(acute_[s].first);
+      if (is_lopped(acute_[s])) corner.sectors.push_back(add_lopped_sector(right, left, acute_[s].angle));
+    }
+    corners_.corners.push_back(std::move(corner));
+  }
+
+  Sector_id add_lopped_sector(Leg_id right, Leg_id left, double angle) {
+    const Sector_id id = static_cast<Sector_id>(corners_.sectors.size());
+    const double sine = std::sin(exempt_share * angle);
+    corners_.sectors.push_back({right, left, angle, sine * sine * (1 + 2e-9), 0});
+    corners_.leg(right).after = id;
+    corners_.leg(left).before = id;
+    return id;
+  }
+
+  void set_radius(Corner& corner) {
+    double r = corners_.leg(corner.legs.front()).length;
+    for (const Leg_id l : corner.legs) {
+      const Leg& leg = corners_.leg(l);
+      const auto& at = corners_.legs_of_edge[std::size_t(leg.edge)];
+      const bool has_ring_at_far_end = at[0] >= 0 && at[1] >= 0;
+      r = std::min(r, has_ring_at_far_end ? leg.length / 2 : leg.length);
+    }
+    for (const Triangle_id t : first_triangles_[std::size_t(&corner - corners_.corners.data())])
+      r = radius_clear_of_intruders(corner.apex, t, r);
+    corner.radius = r;
+  }
+
+  /// The radius reduced to 0.6 of the distance to what is nearer than it in the sector that begins with
+  /// triangle t.
+  double radius_clear_of_intruders(Vertex_id apex, Triangle_id first, double r) {
+    visited_.clear();
+    stack_.assign(1, first);
+    const Vertex_id right =
+        mesh_.triangle(first).v[next_slot[Kernel_mesh<Geometry>::slot_of(mesh_.triangle(first), apex)]];
+    const Vertex_id left = left_end(apex, first);
+    while (!stack_.empty()) {
+      const Triangle_id t = stack_.back();
+      stack_.pop_back();
+      if (std::find(visited_.begin(), visited_.end(), t) != visited_.end()) continue;
+      visited_.push_back(t);
+      const auto& q = mesh_.triangle(t);
+      for (int k = 0; k < 3; ++k) {
+        if (q.v[k] != apex && q.v[k] != right && q.v[k] != left)
+          r = clear_of_vertex(apex, right, left, q.v[k], r);
+        const Vertex_id a = q.v[next_slot[k]], b = q.v[previous_slot[k]];
+        if (a == apex || b == apex) {
+          if (!q.side[k].is_constrained()) stack_.push_back(q.side[k].triangle());
+          continue;
+        }
+        const double d = distance_to_segment(apex, a, b);
+        if (d >= r * (1 - 1e-9)) continue;
+        if (!q.side[k].is_constrained())
+          stack_.push_back(q.side[k].triangle());
+        else if (a != right && a != left && b != right && b != left)
+          r = 0.6 * d;
+      }
+    }
+    return r;
+  }
+
+  Vertex_id left_end(Vertex_id apex, Triangle_id t) const {
+    for (;;) {
+      const auto& r = mesh_.triangle(t);
+      const int i = Kernel_mesh<Geometry>::slot_of(r, apex);
+      if (r.side[next_slot[i]].is_constrained()) return r.v[previous_slot[i]];
+      t = r.side[next_slot[i]].triangle();
+    }
+  }
+
+  /// A vertex intrudes if it lies within r, or so near the chord between the legs that it sees it under more
+  /// than 105 degrees.
+  double clear_of_vertex(Vertex_id apex, Vertex_id right, Vertex_id left, Vertex_id v, double r) const {
+    const double d = distance(apex, v);
+    if (0.6 * d >= r) return r;
+    if (d < r * (1 - 1e-9)) return 0.6 * d;
+    const Vector p = direction(apex, v), a = direction(apex, right), b = direction(apex, left);
+    const Vector pa = (r / std::sqrt(squared_length(a))) * a - p,
+                 pb = (r / std::sqrt(squared_length(b))) * b - p;
+    const double c = dot(pa, pb);
+    constexpr double cosine2 = 0.067; // of 105 degrees, squared
+    return c < 0 && c * c > cosine2 * squared_length(pa) * squared_length(pb) ? 0.6 * d : r;
+  }
+
+  double distance_to_segment(Vertex_id p, Vertex_id a, Vertex_id b) const {
+    const Vector ab = direction(a, b), ap = direction(a, p);
+    const double f = std::min(1.0, std::max(0.0, dot(ap, ab) / squared_length(ab)));
+    return std::sqrt(squared_length(ap - f * ab));
+  }
+};
+
+} // namespace internal
+} // namespace Quadtree_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_FIND_CORNERS_H

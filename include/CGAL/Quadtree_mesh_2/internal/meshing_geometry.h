@@ -1,0 +1,172 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+//
+// The arithmetic of the meshing kernel, over double and over integer coordinates.
+//
+// A geometry gives points, their differences as vectors of doubles, an exact orientation, an exact in-circle
+// test, and the corners of the quadtree's cells. Everything that is certain (which side, inside which circle)
+// is decided on the points; everything that is only better or worse (angles, places of new points) on vectors
+// of doubles, whose components are correct to half a unit in the last place.
+
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_MESHING_GEOMETRY_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_MESHING_GEOMETRY_H
+
+#include <CGAL/Quadtree_mesh_2/internal/meshing_geometry_fwd.h>
+#include <CGAL/enum.h>
+
+#include <boost/multiprecision/cpp_int.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace CGAL {
+namespace Quadtree_mesh_2 {
+namespace internal {
+
+/// A difference of two points.
+struct Vector {
+  double x = 0, y = 0;
+
+  friend Vector operator+(Vector a, Vector b) { return {a.x + b.x, a.y + b.y}; }
+  friend Vector operator-(Vector a, Vector b) { return {a.x - b.x, a.y - b.y}; }
+  friend Vector operator*(double s, Vector a) { return {s * a.x, s * a.y}; }
+};
+
+inline double dot(Vector a, Vector b) { return a.x * b.x + a.y * b.y; }
+inline double cross(Vector a, Vector b) { return a.x * b.y - a.y * b.x; }
+inline double squared_length(Vector a) { return dot(a, a); }
+
+/// Squared side lengths of a triangle (`l[k]` opposite vertex k) and its doubled signed area.
+struct Shape {
+  double l[3];
+  double area2;
+
+  double shortest() const { return std::min(l[0], std::min(l[1], l[2])); }
+  double longest() const { return std::max(l[0], std::max(l[1], l[2])); }
+
+  /// Slot of the vertex opposite the shortest side.
+  int slot_of_shortest() const { return l[0] <= l[1] && l[0] <= l[2] ? 0 : l[1] <= l[2] ? 1 : 2; }
+
+  /// Whether the least angle's squared sine is below `sin2`: area2^2 < sin2 * (product of the two longer
+  /// squared sides).
+  bool is_below(double sin2) const { return area2 * area2 * shortest() < sin2 * (l[0] * l[1] * l[2]); }
+
+  /// The squared sine of the least angle.
+  double sin2_of_least_angle() const { return area2 * area2 * shortest() / (l[0] * l[1] * l[2]); }
+};
+
+/// The in-circle determinant of a, b, c (counterclockwise) given relative to the query, and the sum of the
+/// magnitudes it is made of.
+struct In_circle {
+  double determinant;
+  double permanent;
+
+  In_circle(Vector a, Vector b, Vector c) {
+    const double al = squared_length(a), bl = squared_length(b), cl = squared_length(c);
+    const double p1 = b.x * c.y, p2 = c.x * b.y, p3 = c.x * a.y, p4 = a.x * c.y, p5 = a.x * b.y,
+                 p6 = b.x * a.y;
+    determinant = al * (p1 - p2) + bl * (p3 - p4) + cl * (p5 - p6);
+    permanent = al * (std::fabs(p1) + std::fabs(p2)) + bl * (std::fabs(p3) + std::fabs(p4)) +
+                cl * (std::fabs(p5) + std::fabs(p6));
+  }
+
+  /// Shewchuk's bound for differences rounded once is (10 + 96 eps) eps < 1.2e-15.
+  static constexpr double error_bound = 1.2e-15;
+  bool is_certainly_inside() const { return determinant > error_bound * permanent; }
+  bool is_certain() const { return std::fabs(determinant) > error_bound * permanent && permanent > 1e-280; }
+};
+
+/// Points with double coordinates, predicates decided by the filtered kernel `Kernel`.
+template <class Kernel>
+struct Double_geometry_2 {
+  using Coordinate = double;
+  struct Point {
+    double x = 0, y = 0;
+    friend bool operator==(Point a, Point b) { return a.x == b.x && a.y == b.y; }
+  };
+
+  static Vector difference(Point p, Point q) { return {p.x - q.x, p.y - q.y}; }
+  static Point translate(Point p, Vector v) { return {p.x + v.x, p.y + v.y}; }
+
+  /// Sign of the turn a, b, c; exact. The filter is Shewchuk's ccwerrboundA; products that underflow go to
+  /// the kernel.
+  static int orientation(Point a, Point b, Point c) {
+    const double l = (b.x - a.x) * (c.y - a.y), r = (b.y - a.y) * (c.x - a.x);
+    const double d = l - r, magnitude = std::fabs(l) + std::fabs(r);
+    if (std::fabs(d) > 3.4e-16 * magnitude && magnitude > 1e-280) return d > 0 ? 1 : -1;
+    return static_cast<int>(
+        typename Kernel::Orientation_2()(kernel_point(a), kernel_point(b), kernel_point(c)));
+  }
+
+  /// Whether d lies strictly inside the circle through a, b, c (counterclockwise); exact.
+  static bool is_in_circle(Point a, Point b, Point c, Point d) {
+    const In_circle test(difference(a, d), difference(b, d), difference(c, d));
+    if (test.is_certain()) return test.determinant > 0;
+    return typename Kernel::Side_of_oriented_circle_2()(kernel_point(a), kernel_point(b), kernel_point(c),
+                                                        kernel_point(d)) == ON_POSITIVE_SIDE;
+  }
+
+  /// The corner, next to p, of the quadtree's cells with the given side, a power of two.
+  static Point nearest_corner(Point p, double side) {
+    return {side * std::floor(p.x / side + 0.5), side * std::floor(p.y / side + 0.5)};
+  }
+
+private:
+  static typename Kernel::Point_2 kernel_point(Point p) { return typename Kernel::Point_2(p.x, p.y); }
+};
+
+/// Points with integer coordinates below 2^62 (2^31 for 32-bit words); all predicates in integers.
+template <class Word>
+struct Integer_geometry_2 {
+  using Coordinate = std::int64_t;
+  struct Point {
+    std::int64_t x = 0, y = 0;
+    friend bool operator==(Point a, Point b) { return a.x == b.x && a.y == b.y; }
+  };
+
+  static Vector difference(Point p, Point q) {
+    return {static_cast<double>(p.x - q.x), static_cast<double>(p.y - q.y)};
+  }
+  static Point translate(Point p, Vector v) { return {p.x + std::llround(v.x), p.y + std::llround(v.y)}; }
+
+  static int orientation(Point a, Point b, Point c) {
+    const Wide d = Wide(b.x - a.x) * (c.y - a.y) - Wide(b.y - a.y) * (c.x - a.x);
+    return d > 0 ? 1 : d < 0 ? -1 : 0;
+  }
+
+  static bool is_in_circle(Point a, Point b, Point c, Point d) {
+    const In_circle test(difference(a, d), difference(b, d), difference(c, d));
+    if (test.is_certain()) return test.determinant > 0;
+    return exact_in_circle(a, b, c, d) > 0;
+  }
+
+  static Point nearest_corner(Point p, double side) {
+    const std::int64_t h = side < 1 ? 1 : static_cast<std::int64_t>(side);
+    return {round_to_multiple(p.x, h), round_to_multiple(p.y, h)};
+  }
+
+private:
+  __extension__ using Wide = __int128;
+  using Widest = boost::multiprecision::int512_t;
+
+  /// The nearest multiple of h, a power of two.
+  static std::int64_t round_to_multiple(std::int64_t x, std::int64_t h) { return (x + h / 2) & ~(h - 1); }
+
+  static int exact_in_circle(Point a, Point b, Point c, Point d) {
+    const Widest ax = a.x - d.x, ay = a.y - d.y, bx = b.x - d.x, by = b.y - d.y, cx = c.x - d.x,
+                 cy = c.y - d.y;
+    const Widest al = ax * ax + ay * ay, bl = bx * bx + by * by, cl = cx * cx + cy * cy;
+    const Widest determinant = al * (bx * cy - cx * by) + bl * (cx * ay - ax * cy) + cl * (ax * by - bx * ay);
+    return determinant > 0 ? 1 : determinant < 0 ? -1 : 0;
+  }
+};
+
+} // namespace internal
+} // namespace Quadtree_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_MESHING_GEOMETRY_H
