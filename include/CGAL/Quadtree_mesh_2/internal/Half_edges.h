@@ -20,8 +20,9 @@ namespace internal {
 
 /// The directed edges of a triangle soup, by the vertex they leave.
 ///
-/// Half-edge `3 t + k` is side `k` of triangle `t`, directed so that `t` is on its left. Construction is linear; it assumes
-/// indices in range and nothing else, so that it can serve to find what is wrong with a mesh.
+/// Half-edge `3 t + k` is side `k` of triangle `t`, directed so that `t` is on its left. Construction is
+/// linear; it assumes indices in range and nothing else, so that it can serve to find what is wrong with a
+/// mesh.
 class Half_edges {
 public:
   static constexpr std::uint32_t none = 0xffffffffu;
@@ -33,8 +34,7 @@ public:
       for (Vertex_index v : t) ++first_[std::size_t(v) + 1];
     for (std::size_t v = 0; v < number_of_vertices; ++v) first_[v + 1] += first_[v];
     std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
-    for (std::uint32_t h = 0; h < out_.size(); ++h)
-      out_[next[origin(h)]++] = {h, target(h), apex(h)};
+    for (std::uint32_t h = 0; h < out_.size(); ++h) out_[next[origin(h)]++] = {h, target(h), apex(h)};
   }
 
   std::uint32_t origin(std::uint32_t h) const { return vertex(h, 1); }

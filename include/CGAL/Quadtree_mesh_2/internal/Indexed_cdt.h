@@ -26,39 +26,42 @@ namespace internal {
 
 /// A CGAL constrained Delaunay triangulation of indexed points and segments.
 ///
-/// Points go in along a space-filling curve: O(n log n) in practice. Points at one place share a vertex, whose `info()` is
-/// the least of their indices (their *place*). Segments may overlap and pass through vertices; if they cross,
-/// `has_crossings()` is `true` and the triangulation has vertices of its own.
+/// Points go in along a space-filling curve: O(n log n) in practice. Points at one place share a vertex,
+/// whose `info()` is the least of their indices (their *place*). Segments may overlap and pass through
+/// vertices; if they cross, `has_crossings()` is `true` and the triangulation has vertices of its own.
 template <class Kernel, class FaceInfo>
 class Indexed_cdt {
 public:
   using Point = typename Kernel::Point_2;
   using Vertex_base = Triangulation_vertex_base_with_info_2<std::uint32_t, Kernel>;
-  using Face_base = Triangulation_face_base_with_info_2<FaceInfo, Kernel, Constrained_triangulation_face_base_2<Kernel>>;
+  using Face_base =
+      Triangulation_face_base_with_info_2<FaceInfo, Kernel, Constrained_triangulation_face_base_2<Kernel>>;
   using Tds = Triangulation_data_structure_2<Vertex_base, Face_base>;
   using Cdt = Constrained_Delaunay_triangulation_2<Kernel, Tds, Exact_predicates_tag>;
   using Vertex_handle = typename Cdt::Vertex_handle;
   using Face_handle = typename Cdt::Face_handle;
 
   /// \param points all points; \param chosen the indices of those that become vertices.
-  Indexed_cdt(const std::vector<Point>& points, std::vector<std::uint32_t> chosen)
+  Indexed_cdt(const std::vector<Point>& points,
+              std::vector<std::size_t> chosen) // CGAL's sort takes no other index type
       : handles_(points.size()), degrees_(points.size(), 0) {
     using Map = typename Pointer_property_map<Point>::const_type;
     using Sort_traits = Spatial_sort_traits_adapter_2<Kernel, Map>;
     spatial_sort(chosen.begin(), chosen.end(), Sort_traits(make_property_map(points)));
     Face_handle hint;
-    for (std::uint32_t i : chosen) {
+    for (std::size_t i : chosen) {
       const auto before = cdt_.number_of_vertices();
       const Vertex_handle v = cdt_.insert(points[i], hint);
-      v->info() = cdt_.number_of_vertices() > before ? i : std::min(i, v->info());
+      const auto index = static_cast<std::uint32_t>(i);
+      v->info() = cdt_.number_of_vertices() > before ? index : std::min(index, v->info());
       handles_[i] = v;
       hint = v->face();
     }
     distinct_ = cdt_.number_of_vertices();
   }
 
-  /// Announces the segment, so that insert_segment() can start at the end with fewer segments: CGAL looks at all
-  /// neighbours of the vertex it starts from, which makes a fan of n segments cost O(n^2) from its hub.
+  /// Announces the segment, so that insert_segment() can start at the end with fewer segments: CGAL looks at
+  /// all neighbours of the vertex it starts from, which makes a fan of n segments cost O(n^2) from its hub.
   void count_segment(std::uint32_t a, std::uint32_t b) {
     ++degrees_[place(a)];
     ++degrees_[place(b)];
@@ -68,8 +71,8 @@ public:
     if (handles_[a] != handles_[b]) cdt_.insert_constraint(handles_[a], handles_[b]);
   }
 
-  /// Calls `visit(f, i, forward)` for the edges along the segment, in the order from `b` to `a` if `is_reversed(a, b)`;
-  /// `forward` is `true` where face `f` is on the left of the edge directed as the walk.
+  /// Calls `visit(f, i, forward)` for the edges along the segment, in the order from `b` to `a` if
+  /// `is_reversed(a, b)`; `forward` is `true` where face `f` is on the left of the edge directed as the walk.
   /// \return `false` if the walk gets stuck, which only segments that cross can cause.
   template <class Visitor>
   bool walk_segment(std::uint32_t a, std::uint32_t b, Visitor visit) const {

@@ -25,8 +25,8 @@ namespace internal {
 /// The domain of a planar straight-line graph, by a constrained Delaunay triangulation of the graph alone:
 /// all that is not connected to infinity, minus the components of the hole points.
 ///
-/// The segments become *pieces*: edges between input vertices with none between, each once however many segments overlap
-/// there, and with what lies on either side. O(n log n) in practice.
+/// The segments become *pieces*: edges between input vertices with none between, each once however many
+/// segments overlap there, and with what lies on either side. O(n log n) in practice.
 template <class Kernel>
 class Input_domain {
 public:
@@ -56,8 +56,8 @@ public:
       add_pieces(Segment_index(s), segments[s][0].value(), segments[s][1].value());
   }
 
-  /// Whether two segments cross in the interior of both: then this is no planar straight-line graph and nothing
-  /// else here has a meaning.
+  /// Whether two segments cross in the interior of both: then this is no planar straight-line graph and
+  /// nothing else here has a meaning.
   bool has_crossings() const { return cdt_.has_crossings(); }
   /// Pieces of one segment are in its order, from its first vertex to its last; segments in their order.
   const std::vector<Piece>& pieces() const { return pieces_; }
@@ -81,9 +81,9 @@ private:
   using Face_handle = typename Triangulation::Face_handle;
   using Cdt = typename Triangulation::Cdt;
 
-  static std::vector<std::uint32_t> all_indices(std::size_t n) {
-    std::vector<std::uint32_t> result(n);
-    std::iota(result.begin(), result.end(), 0u);
+  static std::vector<std::size_t> all_indices(std::size_t n) {
+    std::vector<std::size_t> result(n);
+    std::iota(result.begin(), result.end(), std::size_t(0));
     return result;
   }
 

@@ -31,9 +31,9 @@ namespace internal {
 
 /// Checks a mesh of double points against its input and writes what is wrong into a `Mesh_quality_2`.
 ///
-/// Why nothing more is needed for "covers the domain exactly": where all triangles are counterclockwise, how often a
-/// point is covered is the winding number of the mesh's border around it, and the border is checked edge by edge
-/// to be the domain's. The area and the Euler characteristic are checked on top of that.
+/// Why nothing more is needed for "covers the domain exactly": where all triangles are counterclockwise, how
+/// often a point is covered is the winding number of the mesh's border around it, and the border is checked
+/// edge by edge to be the domain's. The area and the Euler characteristic are checked on top of that.
 class Mesh_checker {
 public:
   using Kernel = Exact_predicates_inexact_constructions_kernel;
@@ -41,7 +41,8 @@ public:
   using Mesh = Indexed_mesh_2<Point>;
   using Pslg = Pslg_2<Point>;
 
-  Mesh_checker(const Mesh& mesh, const Pslg& pslg, const Mesh_quality_options_2& options, Mesh_quality_2& quality)
+  Mesh_checker(const Mesh& mesh, const Pslg& pslg, const Mesh_quality_options_2& options,
+               Mesh_quality_2& quality)
       : mesh_(mesh), pslg_(pslg), options_(options), quality_(quality) {}
 
   /// \return `false` if the arrays do not fit together, which leaves nothing more to say.
@@ -50,11 +51,13 @@ public:
     const std::size_t errors = quality_.number_of_errors;
     for (std::size_t s = 0; s < pslg_.segments.size(); ++s)
       for (Vertex_index v : pslg_.segments[s])
-        if (std::size_t(v) >= pslg_.vertices.size()) error("input segment ", s, " ends at vertex ", v, ", which does not exist");
+        if (std::size_t(v) >= pslg_.vertices.size())
+          error("input segment ", s, " ends at vertex ", v, ", which does not exist");
     for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
       const auto& vertices = mesh_.triangles[t];
       for (Vertex_index v : vertices)
-        if (std::size_t(v) >= mesh_.points.size()) error("triangle ", t, " has vertex ", v, ", which does not exist");
+        if (std::size_t(v) >= mesh_.points.size())
+          error("triangle ", t, " has vertex ", v, ", which does not exist");
       if (vertices[0] == vertices[1] || vertices[1] == vertices[2] || vertices[2] == vertices[0])
         error("triangle ", t, " has vertex ", vertices[vertices[0] == vertices[1] ? 0 : 2], " twice");
     }
@@ -80,7 +83,9 @@ public:
   /// Per half-edge, whether it lies on an input segment.
   const std::vector<char>& constrained() const { return is_constrained_; }
   /// All pairs (vertex, input segment through it), with the domain on a side of it there; sorted.
-  const std::vector<std::pair<std::uint32_t, std::uint32_t>>& segments_through() const { return segments_through_; }
+  const std::vector<std::pair<std::uint32_t, std::uint32_t>>& segments_through() const {
+    return segments_through_;
+  }
 
 private:
   using Domain = Input_domain<Kernel>;
@@ -100,15 +105,16 @@ private:
 
   void check_sizes() {
     const std::size_t n = pslg_.vertices.size();
-    if (mesh_.points.size() < n) error("the mesh has ", mesh_.points.size(), " vertices, fewer than the input's ", n);
+    if (mesh_.points.size() < n)
+      error("the mesh has ", mesh_.points.size(), " vertices, fewer than the input's ", n);
     if (!has_all_arrays()) return;
     if (mesh_.number_of_input_vertices != n)
       error("number_of_input_vertices is ", mesh_.number_of_input_vertices, ", the input has ", n);
     if (mesh_.neighbors.size() != mesh_.triangles.size())
       error("there are ", mesh_.neighbors.size(), " neighbors for ", mesh_.triangles.size(), " triangles");
     if (mesh_.segment_of_vertex.size() != mesh_.points.size())
-      error("there are ", mesh_.segment_of_vertex.size(), " entries of segment_of_vertex for ", mesh_.points.size(),
-            " vertices");
+      error("there are ", mesh_.segment_of_vertex.size(), " entries of segment_of_vertex for ",
+            mesh_.points.size(), " vertices");
     const std::size_t regions = pslg_.regions.empty() ? 0 : mesh_.triangles.size();
     if (mesh_.region_of_triangle.size() != regions)
       error("there are ", mesh_.region_of_triangle.size(), " entries of region_of_triangle, not ", regions);
@@ -119,7 +125,8 @@ private:
   void check_input_vertices() {
     for (std::size_t v = 0; v < pslg_.vertices.size(); ++v) {
       const Point &p = pslg_.vertices[v], &q = mesh_.points[v];
-      if (!same_bits(p.x(), q.x()) || !same_bits(p.y(), q.y())) error("input vertex ", v, " moved from (", p, ") to (", q, ")");
+      if (!same_bits(p.x(), q.x()) || !same_bits(p.y(), q.y()))
+        error("input vertex ", v, " moved from (", p, ") to (", q, ")");
     }
   }
 
@@ -127,9 +134,11 @@ private:
     const std::vector<Point>& p = mesh_.points;
     for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
       const auto& v = mesh_.triangles[t];
-      const Orientation turn = CGAL::orientation(p[std::size_t(v[0])], p[std::size_t(v[1])], p[std::size_t(v[2])]);
+      const Orientation turn =
+          CGAL::orientation(p[std::size_t(v[0])], p[std::size_t(v[1])], p[std::size_t(v[2])]);
       if (turn != LEFT_TURN)
-        error("triangle ", t, " (", v[0], " ", v[1], " ", v[2], ") is ", turn == COLLINEAR ? "flat" : "clockwise");
+        error("triangle ", t, " (", v[0], " ", v[1], " ", v[2], ") is ",
+              turn == COLLINEAR ? "flat" : "clockwise");
     }
   }
 
@@ -140,7 +149,8 @@ private:
     const bool has_neighbors = has_all_arrays() && mesh_.neighbors.size() == mesh_.triangles.size();
     for (std::uint32_t h = 0; h < n; ++h) {
       const std::uint32_t a = half_edges_.origin(h), b = half_edges_.target(h);
-      if (half_edges_.find(a, b).count > 1) error("triangle ", h / 3, " and another one both have the directed edge ", a, " ", b);
+      if (half_edges_.find(a, b).count > 1)
+        error("triangle ", h / 3, " and another one both have the directed edge ", a, " ", b);
       opposites_[h] = half_edges_.find(b, a).half_edge;
       if (has_neighbors) check_neighbor(h);
     }
@@ -154,18 +164,23 @@ private:
             found == none_ ? "none" : std::to_string(found / 3));
   }
   template <class Index>
-  static std::string name(Index i) { return i.is_valid() ? std::to_string(i.value()) : "none"; }
+  static std::string name(Index i) {
+    return i.is_valid() ? std::to_string(i.value()) : "none";
+  }
 
   void check_places() {
     std::vector<std::uint32_t> used;
     for (std::uint32_t v = 0; v < mesh_.points.size(); ++v)
-      if (half_edges_.is_used(v)) used.push_back(v);
-      else if (v >= pslg_.vertices.size()) error("vertex ", v, " is neither an input vertex nor used by a triangle");
+      if (half_edges_.is_used(v))
+        used.push_back(v);
+      else if (v >= pslg_.vertices.size())
+        error("vertex ", v, " is neither an input vertex nor used by a triangle");
     quality_.vertices = used.size();
     const auto less = [&](std::uint32_t v, std::uint32_t w) { return mesh_.points[v] < mesh_.points[w]; };
     std::sort(used.begin(), used.end(), less);
     for (std::size_t i = 1; i < used.size(); ++i)
-      if (!less(used[i - 1], used[i])) error("vertices ", used[i - 1], " and ", used[i], " are used and at one place");
+      if (!less(used[i - 1], used[i]))
+        error("vertices ", used[i - 1], " and ", used[i], " are used and at one place");
   }
 
   // --- the input: vertices, segments, domain ---
@@ -204,7 +219,8 @@ private:
       if (half_edges_.is_used(v)) representative_[domain.place(v)] = v;
     for (std::uint32_t v = 0; v < n; ++v) {
       if (domain.place(v) != v || representative_[v] != none_) continue;
-      if (!has_domain() || domain.is_touched(v)) error("input vertex ", v, " is in the domain, but not in the mesh");
+      if (!has_domain() || domain.is_touched(v))
+        error("input vertex ", v, " is in the domain, but not in the mesh");
     }
   }
 
@@ -215,7 +231,8 @@ private:
     bool is_explained;
   };
   struct Line {
-    Line(const Point& p, const Point& q) : x(p.x()), y(p.y()), dx(q.x() - x), dy(q.y() - y), length(std::hypot(dx, dy)) {}
+    Line(const Point& p, const Point& q)
+        : x(p.x()), y(p.y()), dx(q.x() - x), dy(q.y() - y), length(std::hypot(dx, dy)) {}
     double along(const Point& p) const { return ((p.x() - x) * dx + (p.y() - y) * dy) / length; }
     double off(const Point& p) const { return std::abs((p.x() - x) * dy - (p.y() - y) * dx) / length; }
     double x, y, dx, dy, length;
@@ -230,7 +247,8 @@ private:
     if (!has_all_arrays()) return;
     for (std::size_t e = 0; e < mesh_.constrained_edges.size(); ++e) {
       const auto& edge = mesh_.constrained_edges[e];
-      const std::size_t a = std::size_t(edge.vertices[0]), b = std::size_t(edge.vertices[1]), s = std::size_t(edge.segment);
+      const std::size_t a = std::size_t(edge.vertices[0]), b = std::size_t(edge.vertices[1]),
+                        s = std::size_t(edge.segment);
       if (a >= mesh_.points.size() || b >= mesh_.points.size() || s >= pslg_.segments.size()) {
         error("constrained edge ", e, " has an index that does not exist");
         continue;
@@ -239,7 +257,8 @@ private:
       const Point &p = mesh_.points[a], &q = mesh_.points[b];
       if (!half_edges_.is_edge(std::uint32_t(a), std::uint32_t(b))) {
         error("constrained edge ", e, " (", a, " ", b, ") is not an edge of the mesh");
-      } else if (!(line.off(p) <= epsilon_ && line.off(q) <= epsilon_)) { // not > : a segment of length zero gives NaN
+      } else if (!(line.off(p) <= epsilon_ &&
+                   line.off(q) <= epsilon_)) { // not > : a segment of length zero gives NaN
         error("constrained edge ", e, " (", a, " ", b, ") is not on input segment ", s);
       } else {
         Span span{std::uint32_t(s), line.along(p), {std::uint32_t(a), std::uint32_t(b)}, false};
@@ -272,7 +291,8 @@ private:
       for (std::uint32_t i = starts[cover.first]; i < starts[cover.first + 1]; ++i)
         segments_through_.emplace_back(flat[i], cover.second.value());
     std::sort(segments_through_.begin(), segments_through_.end());
-    segments_through_.erase(std::unique(segments_through_.begin(), segments_through_.end()), segments_through_.end());
+    segments_through_.erase(std::unique(segments_through_.begin(), segments_through_.end()),
+                            segments_through_.end());
   }
 
   /// \param[in,out] next_span spans before it belong to earlier pieces.
@@ -286,9 +306,11 @@ private:
     }
     if (!follow_geometry(piece.segment, a, b, chain)) {
       chain.clear();
-      error("input segment ", piece.segment, " is not a chain of mesh edges between vertices ", a, " and ", b);
+      error("input segment ", piece.segment, " is not a chain of mesh edges between vertices ", a, " and ",
+            b);
     } else if (has_all_arrays()) {
-      error("not all edges of input segment ", piece.segment, " between vertices ", a, " and ", b, " are constrained edges of it");
+      error("not all edges of input segment ", piece.segment, " between vertices ", a, " and ", b,
+            " are constrained edges of it");
     }
   }
 
@@ -300,7 +322,8 @@ private:
     while (is_ours(i) && spans_[i].ends[0] != a) ++i;
     const std::size_t first = i;
     chain.push_back(a);
-    while (chain.back() != b && is_ours(i) && spans_[i].ends[0] == chain.back()) chain.push_back(spans_[i++].ends[1]);
+    while (chain.back() != b && is_ours(i) && spans_[i].ends[0] == chain.back())
+      chain.push_back(spans_[i++].ends[1]);
     if (chain.back() != b) return false;
     for (std::size_t k = first; k < i; ++k) spans_[k].is_explained = true;
     next = i;
@@ -308,7 +331,8 @@ private:
   }
 
   /// Always to the nearest neighbour ahead that is on the segment.
-  bool follow_geometry(Segment_index segment, std::uint32_t a, std::uint32_t b, std::vector<std::uint32_t>& chain) const {
+  bool follow_geometry(Segment_index segment, std::uint32_t a, std::uint32_t b,
+                       std::vector<std::uint32_t>& chain) const {
     const Line line = line_of(segment);
     const double goal = line.along(mesh_.points[b]);
     double position = line.along(mesh_.points[a]);
@@ -318,7 +342,8 @@ private:
       double best_position = std::numeric_limits<double>::infinity();
       half_edges_.for_each_neighbor(chain.back(), [&](std::uint32_t v) {
         const double t = line.along(mesh_.points[v]);
-        if (t > position && t < best_position && (v == b || t < goal) && line.off(mesh_.points[v]) <= epsilon_)
+        if (t > position && t < best_position && (v == b || t < goal) &&
+            line.off(mesh_.points[v]) <= epsilon_)
           best = v, best_position = t;
       });
       if (best == none_) return false;
@@ -337,15 +362,19 @@ private:
     if (piece.is_domain_right != (right != none_)) side_error(piece, b, a, right);
   }
   void side_error(const Piece& piece, std::uint32_t a, std::uint32_t b, std::uint32_t half_edge) {
-    if (half_edge == none_) error("no triangle on the left of edge ", a, " ", b, " of input segment ", piece.segment, ", where the domain is");
-    else error("triangle ", half_edge / 3, " on the left of edge ", a, " ", b, " of input segment ", piece.segment, " is outside the domain");
+    if (half_edge == none_)
+      error("no triangle on the left of edge ", a, " ", b, " of input segment ", piece.segment,
+            ", where the domain is");
+    else
+      error("triangle ", half_edge / 3, " on the left of edge ", a, " ", b, " of input segment ",
+            piece.segment, " is outside the domain");
   }
 
   void check_unexplained_constrained_edges() {
     for (std::size_t i = 0; i < spans_.size(); ++i)
       if (!spans_[i].is_explained)
-        error("constrained edge ", spans_[i].ends[0], " ", spans_[i].ends[1], " is listed twice, or input segment ",
-              spans_[i].segment, " is not the first one along it");
+        error("constrained edge ", spans_[i].ends[0], " ", spans_[i].ends[1],
+              " is listed twice, or input segment ", spans_[i].segment, " is not the first one along it");
   }
 
   void check_border() {
@@ -369,14 +398,16 @@ private:
     const auto sides = static_cast<std::ptrdiff_t>(opposites_.size());
     const std::ptrdiff_t euler = std::ptrdiff_t(quality_.vertices) - (sides + border) / 2 + sides / 3;
     if (euler != domain.euler_characteristic())
-      error("the Euler characteristic of the mesh is ", euler, ", that of the domain ", domain.euler_characteristic());
+      error("the Euler characteristic of the mesh is ", euler, ", that of the domain ",
+            domain.euler_characteristic());
   }
 
   // --- the remaining arrays ---
 
   void check_segments_of_vertices() {
     if (mesh_.segment_of_vertex.size() != mesh_.points.size()) return;
-    for (std::size_t v = 0; v < mesh_.points.size() && segment_of_vertex_.size() == mesh_.points.size(); ++v) {
+    for (std::size_t v = 0; v < mesh_.points.size() && segment_of_vertex_.size() == mesh_.points.size();
+         ++v) {
       const Segment_index stored = mesh_.segment_of_vertex[v];
       if (stored.value() != segment_of_vertex_[v])
         error("segment_of_vertex of vertex ", v, " is ", name(stored), ", not ",
@@ -388,12 +419,13 @@ private:
     const std::vector<int>& region = mesh_.region_of_triangle;
     if (region.size() != mesh_.triangles.size()) return;
     for (std::size_t t = 0; t < region.size(); ++t)
-      if (region[t] < -1 || region[t] >= int(pslg_.regions.size())) error("triangle ", t, " is in region ", region[t], ", which does not exist");
+      if (region[t] < -1 || region[t] >= int(pslg_.regions.size()))
+        error("triangle ", t, " is in region ", region[t], ", which does not exist");
     for (std::uint32_t h = 0; h < opposites_.size(); ++h) {
       const std::uint32_t other = opposites_[h];
       if (other != none_ && h < other && is_constrained_[h] == 0 && region[h / 3] != region[other / 3])
-        error("no input segment separates triangles ", h / 3, " and ", other / 3, " of regions ", region[h / 3], " and ",
-              region[other / 3]);
+        error("no input segment separates triangles ", h / 3, " and ", other / 3, " of regions ",
+              region[h / 3], " and ", region[other / 3]);
     }
   }
 

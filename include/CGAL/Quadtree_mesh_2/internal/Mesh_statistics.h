@@ -24,9 +24,10 @@ namespace internal {
 
 /// Angles, lengths and areas of a checked mesh, and the triangles that miss a bound.
 ///
-/// Below the angle bound, a triangle is *exempt* in an acute wedge only: two input segments meet at an input vertex, an
-/// end of both, at an angle phi < 60 degrees, all three vertices of the triangle lie on these two segments, and its
-/// least angle is at least 0.9 phi. Linear, but for the exempt triangles' searches among the segments at their apex.
+/// Below the angle bound, a triangle is *exempt* in an acute wedge only: two input segments meet at an input
+/// vertex, an end of both, at an angle phi < 60 degrees, all three vertices of the triangle lie on these two
+/// segments, and its least angle is at least 0.9 phi. Linear, but for the exempt triangles' searches among
+/// the segments at their apex.
 class Mesh_statistics {
 public:
   using Point = Mesh_checker::Point;
@@ -88,25 +89,31 @@ private:
 
   bool is_input_angle(std::uint32_t t, std::uint32_t k) const {
     const std::uint32_t h = 3 * t;
-    return std::size_t(mesh_.triangles[t][k]) < pslg_.vertices.size() && checker_.constrained()[h + (k + 1) % 3] != 0 &&
-           checker_.constrained()[h + (k + 2) % 3] != 0;
+    return std::size_t(mesh_.triangles[t][k]) < pslg_.vertices.size() &&
+           checker_.constrained()[h + (k + 1) % 3] != 0 && checker_.constrained()[h + (k + 2) % 3] != 0;
   }
 
-  void compare_with_bounds(std::uint32_t t, std::array<double, 3> squared_side, double twice_area, double least) {
+  void compare_with_bounds(std::uint32_t t, std::array<double, 3> squared_side, double twice_area,
+                           double least) {
     using Bound = Mesh_quality_2::Bound;
     std::sort(squared_side.begin(), squared_side.end());
-    if (options_.max_edge_length > 0 && squared_side[2] > CGAL::square(options_.max_edge_length * (1 + 1e-12)))
+    if (options_.max_edge_length > 0 &&
+        squared_side[2] > CGAL::square(options_.max_edge_length * (1 + 1e-12)))
       add_unmet(t, Bound::edge_length, least);
     if (options_.max_triangle_area > 0 && twice_area / 2 > options_.max_triangle_area * (1 + 1e-12))
       add_unmet(t, Bound::area, least);
-    // The least angle is opposite the shortest side: twice_area = b c sin(angle), with b and c the longer sides.
+    // The least angle is opposite the shortest side: twice_area = b c sin(angle), with b and c the longer
+    // sides.
     const auto is_below = [&](double degrees) {
-      return twice_area * twice_area < CGAL::square(std::sin(degrees * degree_)) * squared_side[1] * squared_side[2];
+      return twice_area * twice_area <
+             CGAL::square(std::sin(degrees * degree_)) * squared_side[1] * squared_side[2];
     };
     const double bound = std::min(options_.min_angle_in_degrees, 90.) - tolerance_;
     if (bound <= 0 || !is_below(bound)) return;
-    if (is_exempt(t, is_below)) ++quality_.exempt_triangles;
-    else add_unmet(t, Bound::angle, least);
+    if (is_exempt(t, is_below))
+      ++quality_.exempt_triangles;
+    else
+      add_unmet(t, Bound::angle, least);
   }
 
   void add_unmet(std::uint32_t t, Mesh_quality_2::Bound bound, double least) {
@@ -130,7 +137,8 @@ private:
 
   template <class IsBelow>
   bool is_exempt(std::uint32_t t, IsBelow is_below) const {
-    std::array<std::uint32_t, 3> v{mesh_.triangles[t][0].value(), mesh_.triangles[t][1].value(), mesh_.triangles[t][2].value()};
+    std::array<std::uint32_t, 3> v{mesh_.triangles[t][0].value(), mesh_.triangles[t][1].value(),
+                                   mesh_.triangles[t][2].value()};
     const auto number = [&](std::uint32_t w) {
       const auto range = segments_through(w);
       return range.second - range.first;
@@ -143,11 +151,14 @@ private:
     return false;
   }
 
-  /// Whether `v`, on segment `s` with its first vertex, is in a wedge of `s` and another segment at end `end` of `s`.
+  /// Whether `v`, on segment `s` with its first vertex, is in a wedge of `s` and another segment at end `end`
+  /// of `s`.
   template <class IsBelow>
-  bool is_in_wedge(const std::array<std::uint32_t, 3>& v, std::uint32_t s, std::size_t end, IsBelow is_below) const {
+  bool is_in_wedge(const std::array<std::uint32_t, 3>& v, std::uint32_t s, std::size_t end,
+                   IsBelow is_below) const {
     const Point& apex = pslg_.point(pslg_.segments[s][end]);
-    for (std::size_t k : {1u, 2u}) { // a vertex of the triangle that is not on s has to be on the other segment
+    for (std::size_t k :
+         {1u, 2u}) { // a vertex of the triangle that is not on s has to be on the other segment
       if (is_through(v[k], s)) continue;
       const auto range = segments_through(v[k]);
       for (auto other = range.first; other != range.second; ++other) {
@@ -155,7 +166,8 @@ private:
         const std::size_t end2 = pslg_.point(pslg_.segments[s2][0]) == apex ? 0 : 1;
         if (pslg_.point(pslg_.segments[s2][end2]) != apex) continue;
         if (!is_through(v[3 - k], s) && !is_through(v[3 - k], s2)) continue;
-        const double phi = wedge(pslg_.point(pslg_.segments[s][1 - end]), apex, pslg_.point(pslg_.segments[s2][1 - end2]));
+        const double phi =
+            wedge(pslg_.point(pslg_.segments[s][1 - end]), apex, pslg_.point(pslg_.segments[s2][1 - end2]));
         if (phi < 60 && !is_below(0.9 * phi - tolerance_)) return true;
       }
       return false;

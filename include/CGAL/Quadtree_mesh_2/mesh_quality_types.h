@@ -1,0 +1,101 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+
+#ifndef CGAL_QUADTREE_MESH_2_MESH_QUALITY_TYPES_H
+#define CGAL_QUADTREE_MESH_2_MESH_QUALITY_TYPES_H
+
+#include <CGAL/Quadtree_mesh_2/Index.h>
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+
+/// What `mesh_quality_2()` checks and against which bounds.
+struct Mesh_quality_options_2 {
+  /// What the mesh has to cover.
+  enum class Domain {
+    enclosed_by_segments, ///< everything not connected to infinity, minus the components of the hole points
+    any ///< not checked (meshes of points); every input vertex and segment has to be in the mesh
+  };
+  /// Which arrays of the mesh are checked.
+  enum class Arrays {
+    all,
+    points_and_triangles ///< for meshes read from files that store no more; segments are followed by geometry
+  };
+
+  /// Least angle in degrees; 0 means no bound.
+  double min_angle_in_degrees = 0;
+  /// Longest edge; 0 means no bound.
+  double max_edge_length = 0;
+  /// Largest area of a triangle; 0 means no bound.
+  double max_triangle_area = 0;
+  /// How far from its input segment a vertex may be, relative to the diagonal of the input's bounding box.
+  double tolerance_on_edge = 1e-10;
+  /// How far the mesh's area may be from the domain's, relative to the latter.
+  double tolerance_of_area = 1e-7;
+  /// At most this many errors are written out; all are counted.
+  std::size_t max_errors = 20;
+  Domain domain = Domain::enclosed_by_segments;
+  Arrays arrays = Arrays::all;
+
+  Mesh_quality_options_2& min_angle(double degrees) { return min_angle_in_degrees = degrees, *this; }
+  Mesh_quality_options_2& max_edge(double length) { return max_edge_length = length, *this; }
+  Mesh_quality_options_2& max_area(double area) { return max_triangle_area = area, *this; }
+  Mesh_quality_options_2& check_domain(Domain d) { return domain = d, *this; }
+  Mesh_quality_options_2& check_arrays(Arrays a) { return arrays = a, *this; }
+};
+
+/// What `mesh_quality_2()` found: the errors that make a mesh invalid, and the statistics of its triangles.
+///
+/// A mesh that is invalid because its arrays do not fit together (first errors) has no statistics.
+struct Mesh_quality_2 {
+  enum class Bound { angle, edge_length, area };
+
+  /// A triangle that misses a bound. For the angle, only where no wedge of two input segments excuses it.
+  struct Unmet_triangle {
+    Quadtree_mesh_2::Triangle_index triangle;
+    Bound bound;
+    std::array<double, 2> centroid;
+    double least_angle; ///< degrees
+  };
+
+  /// One line per error, the first `Mesh_quality_options_2::max_errors` of them.
+  std::vector<std::string> errors;
+  std::size_t number_of_errors = 0;
+
+  std::size_t vertices = 0; ///< those that a triangle uses
+  std::size_t edges = 0;
+  std::size_t border_edges = 0;
+  std::size_t triangles = 0;
+  double area = 0;
+  double domain_area =
+      0; ///< by a constrained Delaunay triangulation of the input; 0 where the domain is not checked
+  double shortest_edge = std::numeric_limits<double>::infinity();
+  double longest_edge = 0;
+  double largest_area = 0;
+  double total_length = 0;
+  double min_angle = 180; ///< degrees, as all angles here
+  double max_angle = 0;
+  /// Least angle that is not between two pieces of input segments at an input vertex.
+  double min_new_angle = 180;
+  /// `angle_histogram[i]` angles are in [10 i, 10 (i + 1)) degrees.
+  std::array<std::size_t, 18> angle_histogram{};
+  /// Triangles below the angle bound that a wedge of two input segments excuses.
+  std::size_t exempt_triangles = 0;
+  std::vector<Unmet_triangle> unmet_triangles;
+
+  bool is_valid() const { return number_of_errors == 0; }
+  /// Whether every triangle keeps every bound or is exempt from it.
+  bool is_met() const { return unmet_triangles.empty(); }
+};
+
+} // namespace CGAL
+
+#endif // CGAL_QUADTREE_MESH_2_MESH_QUALITY_TYPES_H

@@ -1,0 +1,148 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+
+#ifndef CGAL_MESH_QUALITY_2_H
+#define CGAL_MESH_QUALITY_2_H
+
+/// \file
+/// Checks a mesh against its input, and its angles, lengths and areas, with code that shares nothing with the
+/// mesher.
+///
+/// The input's domain comes from a plain constrained Delaunay triangulation of the input; orientations are
+/// exact; a mesh covers the domain exactly if its triangles are counterclockwise and its border is the
+/// domain's, edge by edge. O(n log n + k) for n input and k mesh vertices in practice, about a second for
+/// 10^6 triangles.
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Indexed_mesh_2.h>
+#include <CGAL/Pslg_2.h>
+#include <CGAL/Quadtree_mesh_2/internal/Mesh_checker.h>
+#include <CGAL/Quadtree_mesh_2/internal/Mesh_statistics.h>
+#include <CGAL/Quadtree_mesh_2/mesh_quality_types.h>
+
+#include <CGAL/number_utils.h>
+
+#include <cstddef>
+#include <ostream>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace CGAL {
+
+namespace Quadtree_mesh_2 {
+namespace internal {
+
+using Double_point = Exact_predicates_inexact_constructions_kernel::Point_2;
+
+template <class Number>
+double to_nearest_double(const Number& x) {
+  if constexpr (std::is_arithmetic_v<Number>)
+    return static_cast<double>(x);
+  else
+    return CGAL::to_double(x);
+}
+
+template <class Point>
+std::vector<Double_point> to_double_points(const std::vector<Point>& points) {
+  std::vector<Double_point> result;
+  result.reserve(points.size());
+  for (const Point& p : points) result.emplace_back(to_nearest_double(p.x()), to_nearest_double(p.y()));
+  return result;
+}
+
+} // namespace internal
+} // namespace Quadtree_mesh_2
+
+/// The mesh with its coordinates converted to double.
+///
+/// Exact for coordinates that doubles represent, so for integers up to 2^53. Others are rounded to nearest:
+/// integer words up to 2^62 move by up to 2^8 units, and points closer than that may come to lie at one place
+/// or on the other side of an edge. A mesh that is valid in its own coordinates can then fail the check of
+/// the rounded ones. \tparam Point `x()` and `y()` are arithmetic or have a `CGAL::to_double()`.
+template <class Point>
+Indexed_mesh_2<Quadtree_mesh_2::internal::Double_point>
+convert_to_double_points(const Indexed_mesh_2<Point>& mesh) {
+  Indexed_mesh_2<Quadtree_mesh_2::internal::Double_point> result;
+  result.number_of_input_vertices = mesh.number_of_input_vertices;
+  result.points = Quadtree_mesh_2::internal::to_double_points(mesh.points);
+  result.triangles = mesh.triangles;
+  result.neighbors = mesh.neighbors;
+  for (const auto& e : mesh.constrained_edges) result.constrained_edges.push_back({e.vertices, e.segment});
+  result.region_of_triangle = mesh.region_of_triangle;
+  result.segment_of_vertex = mesh.segment_of_vertex;
+  return result;
+}
+
+/// The graph with its coordinates converted to double, with the same proviso.
+template <class Point>
+Pslg_2<Quadtree_mesh_2::internal::Double_point> convert_to_double_points(const Pslg_2<Point>& pslg) {
+  Pslg_2<Quadtree_mesh_2::internal::Double_point> result;
+  result.vertices = Quadtree_mesh_2::internal::to_double_points(pslg.vertices);
+  result.vertex_markers = pslg.vertex_markers;
+  result.number_of_vertex_attributes = pslg.number_of_vertex_attributes;
+  result.vertex_attributes = pslg.vertex_attributes;
+  result.segments = pslg.segments;
+  result.segment_markers = pslg.segment_markers;
+  result.holes = Quadtree_mesh_2::internal::to_double_points(pslg.holes);
+  for (const auto& r : pslg.regions)
+    result.regions.push_back({{Quadtree_mesh_2::internal::to_nearest_double(r.point.x()),
+                               Quadtree_mesh_2::internal::to_nearest_double(r.point.y())},
+                              r.attribute,
+                              r.max_area});
+  return result;
+}
+
+/// Checks `mesh` against `pslg`, and its triangles against the bounds in `options`.
+///
+/// Never throws for what it is given: a mesh or an input that makes no sense has errors. The input may have
+/// duplicate vertices (the mesh may use any one of them), vertices on segments and segments that overlap; it
+/// may not have segments that cross. Checked are: indices; exact orientation of the triangles; every edge in
+/// at most two triangles, in opposite directions; the neighbors; no two used vertices at one place; input
+/// vertices bit for bit at their index; no unused Steiner vertices; the domain covered exactly; every input
+/// segment with the domain on a side a chain of edges; the constrained edges, the segments of the vertices
+/// and the regions.
+///
+/// Points other than CGAL points over double are converted by `convert_to_double_points()` first.
+template <class Point>
+Mesh_quality_2 mesh_quality_2(const Indexed_mesh_2<Point>& mesh, const Pslg_2<Point>& pslg,
+                              const Mesh_quality_options_2& options = {}) {
+  if constexpr (!std::is_same_v<Point, Quadtree_mesh_2::internal::Double_point>) {
+    return mesh_quality_2(convert_to_double_points(mesh), convert_to_double_points(pslg), options);
+  } else {
+    Mesh_quality_2 quality;
+    Quadtree_mesh_2::internal::Mesh_checker checker(mesh, pslg, options, quality);
+    if (!checker.check_arrays()) return quality;
+    checker.check();
+    Quadtree_mesh_2::internal::Mesh_statistics(mesh, pslg, checker, options, quality).compute();
+    return quality;
+  }
+}
+
+/// Writes errors and statistics as a table for people.
+inline std::ostream& operator<<(std::ostream& out, const Mesh_quality_2& q) {
+  out << (q.is_valid() ? "valid mesh" : "invalid mesh") << '\n';
+  for (const std::string& e : q.errors) out << "  error: " << e << '\n';
+  if (q.number_of_errors > q.errors.size())
+    out << "  and " << q.number_of_errors - q.errors.size() << " more errors\n";
+  out << "  vertices           " << q.vertices << '\n'
+      << "  triangles          " << q.triangles << '\n'
+      << "  edges              " << q.edges << ", " << q.border_edges << " on the border\n"
+      << "  area               " << q.area << '\n'
+      << "  edge lengths       " << q.shortest_edge << " .. " << q.longest_edge << ", in all "
+      << q.total_length << '\n'
+      << "  angles             " << q.min_angle << " .. " << q.max_angle << '\n'
+      << "  least new angle    " << q.min_new_angle << '\n'
+      << "  exempt triangles   " << q.exempt_triangles << '\n'
+      << "  unmet triangles    " << q.unmet_triangles.size() << '\n';
+  for (std::size_t i = 0; i < q.angle_histogram.size(); ++i)
+    out << "  [" << 10 * i << ", " << 10 * (i + 1) << ")  " << q.angle_histogram[i] << '\n';
+  return out;
+}
+
+} // namespace CGAL
+
+#endif // CGAL_MESH_QUALITY_2_H
