@@ -10,11 +10,13 @@
 // Bound:    O(k), top-down, one round per level.
 // Source:   Bern, Eppstein, Teng, section 3: the cross pointers of a square follow from those of its parent.
 //
-// Layout.   A family is a split square and its four children. Families are numbered level by level, in shuffle order within
-//           a level; node 0 is the root and nodes 4 f + 1 to 4 f + 4 are the children of family f. So nodes are in the same
-//           order, siblings follow each other, and most of what is known of a node is kept once, with its family.
-//           In a balanced tree the eight neighbours of a split square are squares of the same size (or outside the
-//           root). Only these are stored; the neighbours of leaves follow from those of their parents.
+// Layout.   A family is a split square and its four children. Families are numbered level by level, in
+// shuffle order within
+//           a level; node 0 is the root and nodes 4 f + 1 to 4 f + 4 are the children of family f. So nodes
+//           are in the same order, siblings follow each other, and most of what is known of a node is kept
+//           once, with its family. In a balanced tree the eight neighbours of a split square are squares of
+//           the same size (or outside the root). Only these are stored; the neighbours of leaves follow from
+//           those of their parents.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_LINKED_SQUARES_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_LINKED_SQUARES_H
@@ -36,8 +38,8 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-/// How to step from a child to a neighbour: in which direction the parent has to step first, if at all, and which
-/// child of the square reached there is the neighbour.
+/// How to step from a child to a neighbour: in which direction the parent has to step first, if at all, and
+/// which child of the square reached there is the neighbour.
 struct Sibling_step {
   bool leaves_parent = false;
   Direction parent_step = Direction::EAST;
@@ -45,8 +47,8 @@ struct Sibling_step {
 };
 
 /// The steps from each child in each direction. Child 2 i + j has x offset i and y offset j.
-inline std::array<std::array<Sibling_step, 8>, 4> make_sibling_steps() {
-  std::array<std::array<Sibling_step, 8>, 4> steps;
+constexpr std::array<std::array<Sibling_step, 8>, 4> make_sibling_steps() {
+  std::array<std::array<Sibling_step, 8>, 4> steps{};
   for (int q = 0; q < 4; ++q)
     for (Direction d : all_directions()) {
       const int x = q / 2 + step_x(d), y = q % 2 + step_y(d);
@@ -100,9 +102,7 @@ public:
     return v.value() == 0 ? Node_index() : Node_index(node_[family_of(v)]);
   }
 
-  int level(Node_index v) const {
-    return v.value() == 0 ? 0 : family_level_[family_of(v)] + 1;
-  }
+  int level(Node_index v) const { return v.value() == 0 ? 0 : family_level_[family_of(v)] + 1; }
   /// The lower left corner in grid units.
   Grid_point corner(Node_index v) const {
     if (v.value() == 0) return {0, 0};
@@ -113,7 +113,8 @@ public:
             static_cast<Word>(corner_[f].y + ((q & 1) << shift))};
   }
 
-  /// The square of the same size across a side or corner, or the leaf that contains it; invalid outside the root.
+  /// The square of the same size across a side or corner, or the leaf that contains it; invalid outside the
+  /// root.
   Node_index neighbor(Node_index v, Direction d) const {
     if (v.value() == 0) return Node_index();
     const std::uint32_t f = family_of(v);
@@ -138,7 +139,9 @@ private:
 
   static std::uint32_t family_of(Node_index v) { return (v.value() - 1) / 4; }
   static int member_of(Node_index v) { return static_cast<int>((v.value() - 1) % 4); }
-  static Node_index member(std::uint32_t f, int q) { return Node_index(4 * std::size_t(f) + 1 + std::size_t(q)); }
+  static Node_index member(std::uint32_t f, int q) {
+    return Node_index(4 * std::size_t(f) + 1 + std::size_t(q));
+  }
 
   /// Appends the families of the split squares of the next level.
   void append_level(const std::vector<Grid_point>& squares) {
@@ -199,7 +202,7 @@ private:
     }
   }
 
-  inline static const std::array<std::array<Sibling_step, 8>, 4> steps_ = make_sibling_steps();
+  static constexpr std::array<std::array<Sibling_step, 8>, 4> steps_ = make_sibling_steps();
 
   int depth_ = 0;
 

@@ -22,8 +22,9 @@ namespace internal {
 
 /// Takes squares of one level in any order and gives them back in shuffle order, each once.
 ///
-/// Where the squares are so dense in the level that a bit for each square of the level costs no more than the squares
-/// themselves, they are marked; otherwise they are sorted. Both take time linear in the number of insertions.
+/// Where the squares are so dense in the level that a bit for each square of the level costs no more than the
+/// squares themselves, they are marked; otherwise they are sorted. Both take time linear in the number of
+/// insertions.
 template <class Word>
 class Square_collector {
 public:
@@ -32,8 +33,7 @@ public:
   /// \param level the level, at most 62.
   /// \param expected about how many squares will be inserted.
   Square_collector(int level, std::size_t expected) : level_(level) {
-    if (2 * level <= bit_width(expected) + 6)
-      marks_.assign(((std::size_t(1) << (2 * level)) + 63) / 64, 0);
+    if (2 * level <= bit_width(expected) + 6) marks_.assign(((std::size_t(1) << (2 * level)) + 63) / 64, 0);
   }
 
   void insert(const Square& s) {

@@ -6,14 +6,19 @@
 
 // The squares that a quadtree has to split.
 //
-// Computes: from a framework, the squares with more than m points, level by level; and their closure under balance: the
-//           split squares of the smallest quadtree in which leaves that share a side or a corner differ by at most a
-//           factor of two.
-// Bound:    O(k) for k split squares, in one round per level; the deepest levels of very deep trees are sorted, not
+// Computes: from a framework, the squares with more than m points, level by level; and their closure under
+// balance: the
+//           split squares of the smallest quadtree in which leaves that share a side or a corner differ by at
+//           most a factor of two.
+// Bound:    O(k) for k split squares, in one round per level; the deepest levels of very deep trees are
+// sorted, not
 //           marked, which takes O(k) too for words of constant length.
-// Source:   Bern, Eppstein, Teng, section 3: a square forces the squares adjacent to it and its parent. Only split
-//           squares are kept here: if a square is split, its eight neighbours exist, hence their parents are split.
-// Deviates: the paper's Theorem 2 splits all squares once more and so pays a factor of up to four; the closure, deepest
+// Source:   Bern, Eppstein, Teng, section 3: a square forces the squares adjacent to it and its parent. Only
+// split
+//           squares are kept here: if a square is split, its eight neighbours exist, hence their parents are
+//           split.
+// Deviates: the paper's Theorem 2 splits all squares once more and so pays a factor of up to four; the
+// closure, deepest
 //           level first, adds nothing that balance does not force.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_SPLIT_SQUARES_H
@@ -30,8 +35,8 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-/// The split squares of a quadtree, for each level in shuffle order. A square is given by its lower left corner in units
-/// of its side.
+/// The split squares of a quadtree, for each level in shuffle order. A square is given by its lower left
+/// corner in units of its side.
 template <class Word>
 using Split_squares = std::vector<std::vector<Grid_point_2<Word>>>;
 
@@ -68,7 +73,8 @@ inline std::vector<unsigned> forced_directions() {
   return forced;
 }
 
-/// Calls `on_parent(parent, siblings)` for each parent of the squares of a level, with the bit set of its split children.
+/// Calls `on_parent(parent, siblings)` for each parent of the squares of a level, with the bit set of its
+/// split children.
 template <class Word, class On_parent>
 void for_each_parent(const std::vector<Grid_point_2<Word>>& squares, On_parent on_parent) {
   for (std::size_t i = 0; i < squares.size();) {

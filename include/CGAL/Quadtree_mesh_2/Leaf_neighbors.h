@@ -1,0 +1,47 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+
+#ifndef CGAL_QUADTREE_MESH_2_LEAF_NEIGHBORS_H
+#define CGAL_QUADTREE_MESH_2_LEAF_NEIGHBORS_H
+
+#include <CGAL/Quadtree_mesh_2/Index.h>
+
+#include <array>
+#include <cstddef>
+
+namespace CGAL {
+namespace Quadtree_mesh_2 {
+
+/// The leaves around a leaf of a balanced quadtree, counterclockwise from the east; a range that needs no
+/// memory.
+class Leaf_neighbors {
+public:
+  using value_type = Leaf_index;
+  using const_iterator = const Leaf_index*;
+
+  const_iterator begin() const { return leaves_.data(); }
+  const_iterator end() const { return leaves_.data() + size_; }
+  std::size_t size() const { return size_; }
+  Leaf_index operator[](std::size_t i) const { return leaves_[i]; }
+
+  /// Appends a leaf unless it is the last one: a large leaf is met in several consecutive directions.
+  void append(Leaf_index l) {
+    if (size_ == 0 || leaves_[size_ - 1] != l) leaves_[size_++] = l;
+  }
+  /// Removes the last leaf if it is the first one, too.
+  void close() {
+    if (size_ > 1 && leaves_[size_ - 1] == leaves_[0]) --size_;
+  }
+
+private:
+  std::array<Leaf_index, 13> leaves_{}; // two for each side, one for each corner, and one to close
+  std::size_t size_ = 0;
+};
+
+} // namespace Quadtree_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_QUADTREE_MESH_2_LEAF_NEIGHBORS_H
