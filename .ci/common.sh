@@ -37,7 +37,7 @@ install_packages() {
   say "installing ${missing[*]}"
   "${as_root[@]}" apt-get -qq update
   "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
-    apt-get -qq install --yes --no-install-recommends "${missing[@]}" >/dev/null
+    apt-get -qq -o Dpkg::Use-Pty=0 install --yes --no-install-recommends "${missing[@]}" >/dev/null
 }
 
 # Compilers of this code take about a gigabyte each, so the number of cores alone does not decide.
