@@ -30,7 +30,8 @@ namespace in_child_internal {
 /// Calls `f` and sends its result through the pipe; never returns.
 template <class F>
 [[noreturn]] void run_and_exit(F& f, int pipe_end, unsigned limit_seconds) {
-  // By the wall clock: a limit of processor time would make Linux read its processor clock in steps of milliseconds.
+  // By the wall clock: a limit of processor time would make Linux read its processor clock in steps of
+  // milliseconds.
   alarm(limit_seconds);
   try {
     const auto result = f();
@@ -44,8 +45,8 @@ template <class F>
 
 } // namespace in_child_internal
 
-/// Runs `f` in a forked child: its memory is its own, so that the peak tells of `f` alone, and a method that does not
-/// end is stopped after `limit_seconds`.
+/// Runs `f` in a forked child: its memory is its own, so that the peak tells of `f` alone, and a method that
+/// does not end is stopped after `limit_seconds`.
 template <class F>
 auto in_child(F f, unsigned limit_seconds) {
   using Result = decltype(f());

@@ -24,11 +24,12 @@
 #include <utility>
 #include <vector>
 
-/// Meshes a graph with CGAL's Mesh_2, used as its manual says: points and segments inserted as ranges, hole points as
-/// seeds, `Delaunay_mesher_2` with the size criteria. Mesh_2 bounds angles by B = sin^2(angle), edges by their length,
-/// and has no bound of areas.
+/// Meshes a graph with CGAL's Mesh_2, used as its manual says: points and segments inserted as ranges, hole
+/// points as seeds, `Delaunay_mesher_2` with the size criteria. Mesh_2 bounds angles by B = sin^2(angle),
+/// edges by their length, and has no bound of areas.
 template <class Point>
-Mesh_figures mesh_by_Mesh_2(const CGAL::Pslg_2<Point>& pslg, double min_angle_in_degrees, double max_edge_length) {
+Mesh_figures mesh_by_Mesh_2(const CGAL::Pslg_2<Point>& pslg, double min_angle_in_degrees,
+                            double max_edge_length) {
   using Kernel = typename CGAL::Kernel_traits<Point>::Kernel;
   using Tds = CGAL::Triangulation_data_structure_2<CGAL::Delaunay_mesh_vertex_base_2<Kernel>,
                                                    CGAL::Delaunay_mesh_face_base_2<Kernel>>;
@@ -52,7 +53,8 @@ Mesh_figures mesh_by_Mesh_2(const CGAL::Pslg_2<Point>& pslg, double min_angle_in
   figures.vertices = cdt.number_of_vertices();
   Mesh_figures_builder builder(figures, min_angle_in_degrees);
   for (auto f = cdt.finite_faces_begin(); f != cdt.finite_faces_end(); ++f)
-    if (f->is_in_domain()) builder.add_triangle(f->vertex(0)->point(), f->vertex(1)->point(), f->vertex(2)->point());
+    if (f->is_in_domain())
+      builder.add_triangle(f->vertex(0)->point(), f->vertex(1)->point(), f->vertex(2)->point());
   return figures;
 }
 

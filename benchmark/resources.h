@@ -24,7 +24,8 @@ inline double wall_seconds() {
   return double(t.tv_sec) + 1e-9 * double(t.tv_nsec);
 }
 
-/// The most memory a process has held, in megabytes (2^20 bytes), from its `rusage`; Linux counts kilobytes there.
+/// The most memory a process has held, in megabytes (2^20 bytes), from its `rusage`; Linux counts kilobytes
+/// there.
 inline double peak_memory_mb(const rusage& usage) { return double(usage.ru_maxrss) / 1024; }
 
 /// The same for this process.

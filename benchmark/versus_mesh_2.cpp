@@ -4,9 +4,9 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 
-// Our mesher and CGAL Mesh_2 on the same inputs and the same bound, alternately, so that both meet the same state of the
-// machine. Every run is a process of its own: its memory is what one mesher needs, and a mesher that does not end is
-// stopped. Prints a Markdown table; --json FILE writes the same figures for programs.
+// Our mesher and CGAL Mesh_2 on the same inputs and the same bound, alternately, so that both meet the same
+// state of the machine. Every run is a process of its own: its memory is what one mesher needs, and a mesher
+// that does not end is stopped. Prints a Markdown table; --json FILE writes the same figures for programs.
 
 #include "in_child.h"
 #include "mesh_2_peer.h"
@@ -76,7 +76,8 @@ Mesh_figures mesh_by_ours(const Pslg& pslg, double min_angle) {
   figures.seconds = cpu_seconds() - start;
   figures.vertices = mesher.report().vertices;
   Mesh_figures_builder builder(figures, min_angle);
-  for (const auto& t : mesh.triangles) builder.add_triangle(mesh.point(t[0]), mesh.point(t[1]), mesh.point(t[2]));
+  for (const auto& t : mesh.triangles)
+    builder.add_triangle(mesh.point(t[0]), mesh.point(t[1]), mesh.point(t[2]));
   return figures;
 }
 
@@ -149,8 +150,10 @@ void print_cells(const Outcome& outcome) {
 }
 
 void print_header(const Settings& settings) {
-  std::printf("Bound %g degrees, medians of %d runs, processor seconds in memory to in memory, \"below\": triangles below the "
-              "bound for whatever\nreason, peak memory of the process in MB; first our mesher, then CGAL Mesh_2 %s.\n\n",
+  std::printf("Bound %g degrees, medians of %d runs, processor seconds in memory to in memory, \"below\": "
+              "triangles below the "
+              "bound for whatever\nreason, peak memory of the process in MB; first our mesher, then CGAL "
+              "Mesh_2 %s.\n\n",
               settings.min_angle, settings.repetitions, CGAL_VERSION_STR);
   std::printf("| input | vertices | triangles | s | least angle | below | MB "
               "| Mesh_2: triangles | s | least angle | below | MB | triangles, ratio | time, ratio |\n");
@@ -162,7 +165,8 @@ void print_row(const Row& row) {
   print_cells(row.ours);
   print_cells(row.mesh_2);
   if (row.ours.figures && row.mesh_2.figures)
-    std::printf(" %.3f | %.3f |\n", double(row.ours.figures->triangles) / double(row.mesh_2.figures->triangles),
+    std::printf(" %.3f | %.3f |\n",
+                double(row.ours.figures->triangles) / double(row.mesh_2.figures->triangles),
                 row.ours.figures->seconds / row.mesh_2.figures->seconds);
   else
     std::printf(" - | - |\n");
@@ -172,9 +176,12 @@ void print_row(const Row& row) {
 nlohmann::ordered_json to_json(const Outcome& outcome) {
   if (!outcome.figures) return nullptr;
   const Mesh_figures& figures = *outcome.figures;
-  return {{"vertices", figures.vertices},   {"triangles", figures.triangles},
-          {"min_angle", figures.min_angle}, {"max_angle", figures.max_angle},
-          {"below_bound", figures.below_bound}, {"cpu_seconds", figures.seconds},
+  return {{"vertices", figures.vertices},
+          {"triangles", figures.triangles},
+          {"min_angle", figures.min_angle},
+          {"max_angle", figures.max_angle},
+          {"below_bound", figures.below_bound},
+          {"cpu_seconds", figures.seconds},
           {"peak_memory_mb", outcome.peak_memory_mb}};
 }
 
@@ -194,14 +201,16 @@ void write_json(const std::vector<Row>& rows, const Settings& settings) {
 
 bool is_input(const std::filesystem::path& path) {
   const std::string name = path.filename().string();
-  return path.extension() == ".poly" || (name.size() > 8 && name.compare(name.size() - 8, 8, ".poly.gz") == 0);
+  return path.extension() == ".poly" ||
+         (name.size() > 8 && name.compare(name.size() - 8, 8, ".poly.gz") == 0);
 }
 
 /// The inputs of the examples and of the tests.
 std::vector<std::string> default_inputs() {
   std::vector<std::string> inputs;
   for (const char* folder : {"/examples/data", "/test/data"})
-    for (const auto& entry : std::filesystem::directory_iterator(std::string(QUADTREE_MESH_SOURCE_DIR) + folder))
+    for (const auto& entry :
+         std::filesystem::directory_iterator(std::string(QUADTREE_MESH_SOURCE_DIR) + folder))
       if (is_input(entry.path())) inputs.push_back(entry.path().string());
   std::sort(inputs.begin(), inputs.end());
   return inputs;
@@ -214,7 +223,7 @@ std::optional<Settings> parse(int argc, char** argv) {
   visible.add_options()("help,h", "print this")                                                           //
       ("min-angle", po::value(&settings.min_angle)->default_value(20.7, "20.7"), "the bound, in degrees") //
       ("repetitions", po::value(&settings.repetitions)->default_value(5), "runs of each mesher")          //
-      ("limit", po::value(&settings.limit_seconds)->default_value(120), "seconds for one run")    //
+      ("limit", po::value(&settings.limit_seconds)->default_value(120), "seconds for one run")            //
       ("json", po::value(&settings.json_file), "write the figures to this file, too");
   po::options_description all = visible;
   all.add_options()("input", po::value(&settings.inputs));

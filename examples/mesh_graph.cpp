@@ -9,8 +9,9 @@ int main() {
   using Point_2 = CGAL::Exact_predicates_inexact_constructions_kernel::Point_2;
   CGAL::Pslg_2<Point_2> graph;
   for (double radius : {5., 1.}) {
-    const auto a = graph.add_vertex(Point_2(-radius, -radius)), b = graph.add_vertex(Point_2(radius, -radius)),
-               c = graph.add_vertex(Point_2(radius, radius)), d = graph.add_vertex(Point_2(-radius, radius));
+    const auto a = graph.add_vertex(Point_2(-radius, -radius)),
+               b = graph.add_vertex(Point_2(radius, -radius)), c = graph.add_vertex(Point_2(radius, radius)),
+               d = graph.add_vertex(Point_2(-radius, radius));
     graph.add_segment(a, b), graph.add_segment(b, c), graph.add_segment(c, d), graph.add_segment(d, a);
   }
   graph.holes.push_back(Point_2(0, 0));

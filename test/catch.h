@@ -17,8 +17,9 @@ using Catch::Approx;
 
 #include <cstdlib>
 
-/// Whether sweeps shall run in full size (`test/run.sh --full`); without it they stay small enough for every commit.
-/// Test cases with no small size carry the tag `[.slow]`, which hides them unless the run is a full one.
+/// Whether sweeps shall run in full size (`test/run.sh --full`); without it they stay small enough for every
+/// commit. Test cases with no small size carry the tag `[.slow]`, which hides them unless the run is a full
+/// one.
 inline bool is_full_run() { return std::getenv("QUADTREE_MESH_FULL_TESTS") != nullptr; }
 
 #endif // QUADTREE_MESH_2_TEST_CATCH_H
