@@ -134,12 +134,14 @@ inline Mesh mesh_from_cdt(const Cdt& cdt, const Pslg& pslg) {
       const auto across = number.find(entry.first->neighbor(k));
       if (across != number.end())
         mesh.neighbors[entry.second][std::size_t(k)] = Triangle_index(across->second);
-      if (!entry.first->is_constrained(k)) continue;
-      const std::size_t a = index(entry.first->vertex(Cdt::ccw(k))),
-                        b = index(entry.first->vertex(Cdt::cw(k)));
-      if (is_edge.insert({std::minmax(a, b), true}).second)
-        adjacent[a].push_back(b), adjacent[b].push_back(a);
     }
+  const std::size_t used = mesh.points.size(); // Mesh_2 can split segments outside the domain too
+  for (auto e : cdt.constrained_edges()) {
+    const std::size_t a = index(e.first->vertex(Cdt::ccw(e.second))),
+                      b = index(e.first->vertex(Cdt::cw(e.second)));
+    adjacent[a].push_back(b), adjacent[b].push_back(a);
+    is_edge[std::minmax(a, b)] = number.count(e.first) != 0 || number.count(e.first->neighbor(e.second)) != 0;
+  }
   mesh.segment_of_vertex.resize(mesh.points.size());
   for (std::size_t s = 0; s < pslg.segments.size(); ++s) {
     const std::size_t a = at[pslg.point(pslg.segments[s][0])], b = at[pslg.point(pslg.segments[s][1])];
@@ -153,6 +155,8 @@ inline Mesh mesh_from_cdt(const Cdt& cdt, const Pslg& pslg) {
           mesh.segment_of_vertex[v] = Segment_index(s);
     }
   }
+  mesh.points.resize(used);
+  mesh.segment_of_vertex.resize(used);
   return mesh;
 }
 
