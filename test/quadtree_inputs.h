@@ -1,0 +1,162 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+
+// Point sets on which quadtrees are compared with brute force, for all models of QuadtreeTraits_2.
+
+#ifndef QUADTREE_MESH_2_TEST_QUADTREE_INPUTS_H
+#define QUADTREE_MESH_2_TEST_QUADTREE_INPUTS_H
+
+#include <CGAL/Filtered_quadtree_traits_2.h>
+#include <CGAL/Fixed_point_quadtree_traits_2.h>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace quadtree_test {
+
+using Filtered_traits = CGAL::Filtered_quadtree_traits_2<>;
+using Fixed_32_traits = CGAL::Fixed_point_quadtree_traits_2<std::uint32_t>;
+using Fixed_64_traits = CGAL::Fixed_point_quadtree_traits_2<std::uint64_t>;
+
+/// A point with coordinates below 2^62, before it is converted to a traits' point.
+struct Raw_point {
+  std::uint64_t x, y;
+};
+
+struct Input {
+  std::string name;
+  std::vector<Raw_point> points;
+};
+
+/// Converts a raw point. Coarser types drop bits; points that become equal are duplicates then.
+inline Fixed_64_traits::Point_2 make_point(const Fixed_64_traits&, Raw_point p) { return {p.x, p.y}; }
+inline Fixed_32_traits::Point_2 make_point(const Fixed_32_traits&, Raw_point p) {
+  return {static_cast<std::uint32_t>(p.x >> 31), static_cast<std::uint32_t>(p.y >> 31)};
+}
+inline Filtered_traits::Point_2 make_point(const Filtered_traits&, Raw_point p) {
+  // The root's side is up to four times the extent, so two bits less than the grid has; one more for
+  // roundings.
+  const auto coordinate = [](std::uint64_t v) { return std::ldexp(static_cast<double>(v >> 3), -30) - 1000; };
+  return {coordinate(p.x), coordinate(p.y)};
+}
+
+template <class Traits>
+std::vector<typename Traits::Point_2> make_points(const Input& input) {
+  std::vector<typename Traits::Point_2> points;
+  for (const Raw_point& p : input.points) points.push_back(make_point(Traits(), p));
+  return points;
+}
+
+inline Input uniform(std::size_t n, unsigned seed) {
+  std::mt19937_64 random(seed);
+  Input input{"uniform", {}};
+  for (std::size_t i = 0; i < n; ++i) input.points.push_back({random() >> 2, random() >> 2});
+  return input;
+}
+
+inline Input clusters(unsigned seed) {
+  std::mt19937_64 random(seed);
+  Input input{"clusters", {}};
+  for (int c = 0; c < 6; ++c) {
+    const Raw_point center{random() >> 3, random() >> 3};
+    for (int i = 0; i < 12; ++i)
+      input.points.push_back({center.x + (random() >> (3 + 9 * c)), center.y + (random() >> (3 + 9 * c))});
+  }
+  return input;
+}
+
+/// Points that wind around the center of the root, each at half the distance of the one before.
+inline Input spiral() {
+  const std::uint64_t center = std::uint64_t(1) << 61;
+  Input input{"spiral", {}};
+  for (int i = 60; i >= 0; --i) {
+    const std::uint64_t r = std::uint64_t(1) << i;
+    const int turn = i % 4;
+    input.points.push_back({turn % 2 == 0 ? center
+                            : turn == 1   ? center + r
+                                          : center - r,
+                            turn % 2 == 1 ? center
+                            : turn == 0   ? center + r
+                                          : center - r});
+  }
+  return input;
+}
+
+/// Points that approach a corner of the root; the depth is that of the grid.
+inline Input geometric_sequence() {
+  Input input{"geometric sequence", {{0, 0}}};
+  for (int i = 0; i < 62; ++i) input.points.push_back({std::uint64_t(1) << i, (std::uint64_t(1) << i) / 3});
+  return input;
+}
+
+/// Points either side of the root's middle lines: small squares beside squares of every size.
+inline Input straddling() {
+  const std::uint64_t middle = std::uint64_t(1) << 61, small = std::uint64_t(1) << 34;
+  return {"straddling",
+          {{middle - small, middle - small},
+           {middle + small, middle + small},
+           {middle + 9 * small, small},
+           {middle - 9 * small, small}}};
+}
+
+inline Input lattice(std::uint64_t spacing) {
+  Input input{"lattice", {}};
+  for (std::uint64_t i = 0; i < 9; ++i)
+    for (std::uint64_t j = 0; j < 9; ++j) input.points.push_back({i * spacing, j * spacing});
+  return input;
+}
+
+inline Input collinear(std::uint64_t dx, std::uint64_t dy) {
+  Input input{"collinear", {}};
+  for (std::uint64_t i = 0; i < 60; ++i)
+    input.points.push_back({i * dx + 12345, i * dy + (dy == 0 ? 54321 : 0)});
+  return input;
+}
+
+inline Input cocircular() {
+  Input input{"cocircular", {}};
+  for (int i = 0; i < 72; ++i) {
+    const double angle = i * 0.0872664625997164788;
+    const auto coordinate = [](double c) { return static_cast<std::uint64_t>(std::ldexp(2 + c, 59)); };
+    input.points.push_back({coordinate(std::cos(angle)), coordinate(std::sin(angle))});
+  }
+  return input;
+}
+
+inline Input duplicates(unsigned seed) {
+  std::mt19937_64 random(seed);
+  Input input{"duplicates", {}};
+  for (int i = 0; i < 100; ++i) input.points.push_back({random() % 8 << 40, random() % 8 << 40});
+  return input;
+}
+
+inline std::vector<Input> all_inputs() {
+  const std::uint64_t large = std::uint64_t(1) << 56;
+  return {{"none", {}},
+          {"one", {{large, 3 * large}}},
+          {"equal", {{large, large}, {large, large}, {large, large}}},
+          {"two", {{large, large}, {large + 7 * (large >> 20), large}}},
+          uniform(5, 1),
+          uniform(150, 2),
+          clusters(3),
+          spiral(),
+          geometric_sequence(),
+          straddling(),
+          lattice(large),
+          lattice((std::uint64_t(1) << 41) + 987654321),
+          collinear(large, 0),
+          collinear(large / 3, large / 5),
+          cocircular(),
+          duplicates(4)};
+}
+
+} // namespace quadtree_test
+
+#endif // QUADTREE_MESH_2_TEST_QUADTREE_INPUTS_H
