@@ -138,7 +138,9 @@ void check_pslg_indices(const Pslg_2<Point>& pslg) {
     for (const Vertex_index v : pslg.segments[s])
       if (std::size_t(v) >= pslg.vertices.size())
         throw Pslg_error_2("segment " + std::to_string(s) + " ends at vertex " + std::to_string(v.value()) +
-                           ", but the vertices are 0 to " + std::to_string(pslg.vertices.size() - 1));
+                           (pslg.vertices.empty()
+                                ? std::string(", but there are no vertices")
+                                : ", but the vertices are 0 to " + std::to_string(pslg.vertices.size() - 1)));
 }
 
 /// Throws unless three vertices span a triangle.

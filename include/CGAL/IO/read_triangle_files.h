@@ -7,6 +7,7 @@
 #ifndef CGAL_IO_READ_TRIANGLE_FILES_H
 #define CGAL_IO_READ_TRIANGLE_FILES_H
 
+#include <CGAL/Indexed_mesh_2.h>
 #include <CGAL/Pslg_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/Line_scanner.h>
 #include <CGAL/Quadtree_mesh_2/internal/Number_text.h>
@@ -117,7 +118,7 @@ public:
 
   /// <# of triangles> <nodes per triangle> <# of attributes>, then <triangle #> <node> <node> <node> ...
   /// [attributes]
-  void read_triangles(std::size_t number_of_vertices, std::vector<std::array<Vertex_index, 3>>& triangles) {
+  void read_triangles(std::vector<std::array<Vertex_index, 3>>& triangles) {
     scanner_.next_line({"the number of triangles"});
     const std::size_t n = read_count("the number of triangles", index_limit);
     const std::size_t nodes = optional_count("the number of nodes per triangle", 3);
@@ -128,7 +129,7 @@ public:
       scanner_.next_line({"triangle", i});
       scanner_.template read<std::int64_t>({"the number of triangle", i});
       std::array<Vertex_index, 3> t;
-      for (Vertex_index& v : t) v = read_vertex_index({"a node of triangle", i}, number_of_vertices);
+      for (Vertex_index& v : t) v = read_vertex_index({"a node of triangle", i});
       triangles.push_back(t);
       scanner_.skip_more_columns({"an attribute of triangle", i});
     }
@@ -199,10 +200,7 @@ private:
   }
 
   Vertex_index read_vertex_index(Column_name column) {
-    return read_vertex_index(column, pslg_.vertices.size());
-  }
-
-  Vertex_index read_vertex_index(Column_name column, std::size_t number_of_vertices) {
+    const std::size_t number_of_vertices = pslg_.vertices.size();
     const std::int64_t number = scanner_.template read<std::int64_t>(column);
     const std::int64_t first = static_cast<std::int64_t>(first_index_);
     if (number < first || number - first >= static_cast<std::int64_t>(number_of_vertices))
@@ -304,6 +302,26 @@ void read_triangle_node(const std::string& file_name, Pslg_2<Point>& pslg) {
   Pslg_2<Point> result;
   internal::parse_triangle_node(internal::read_whole_file(file_name), file_name, result);
   pslg = std::move(result);
+}
+
+/// Reads points and triangles of a mesh from `stem.node` and `stem.ele`; all else in `mesh` becomes empty.
+/// \throws Pslg_error_2 as `read_triangle_poly()` does; `mesh` is then as it was.
+template <class Point>
+void read_triangle_files(const std::string& stem, Indexed_mesh_2<Point>& mesh) {
+  namespace internal = Quadtree_mesh_2::internal;
+  const std::string node_name = stem + ".node", ele_name = stem + ".ele";
+  Pslg_2<Point> nodes;
+  const std::size_t first_index =
+      internal::parse_triangle_node(internal::read_whole_file(node_name), node_name, nodes);
+  const std::string text = internal::read_whole_file(ele_name);
+  internal::Line_scanner scanner(text, ele_name);
+  internal::Triangle_parser<Point> parser(scanner, nodes);
+  parser.set_first_index(first_index);
+  Indexed_mesh_2<Point> result;
+  parser.read_triangles(result.triangles);
+  parser.read_end();
+  result.points = std::move(nodes.vertices);
+  mesh = std::move(result);
 }
 
 } // namespace IO

@@ -66,9 +66,6 @@ using Arranging_triangulation_2 = Constrained_triangulation_plus_2<Constrained_D
 using Crossing_free_triangulation_2 =
     Arranging_triangulation_2<Exact_predicates_inexact_constructions_kernel,
                               No_constraint_intersection_requiring_constructions_tag>;
-/// Cuts at crossings rounded to doubles; what is cut is moved along, so that it remains free of crossings.
-using Rounding_triangulation_2 =
-    Arranging_triangulation_2<Exact_predicates_inexact_constructions_kernel, Exact_predicates_tag>;
 /// Cuts at exact crossings; some ten times slower.
 using Exact_triangulation_2 =
     Arranging_triangulation_2<Exact_predicates_exact_constructions_kernel, Exact_intersections_tag>;
