@@ -107,7 +107,8 @@ private:
   void find_outside_pieces() {
     std::vector<std::uint64_t> odd(pslg_.segments.size(), 0);
     for (const auto& e : mesh_.constrained_edges)
-      odd[std::size_t(e.segment)] ^= mix(e.vertices[0].value()) ^ mix(e.vertices[1].value());
+      if (std::size_t(e.segment) < odd.size()) // else `pslg` is not the mesh's, but an empty one
+        odd[std::size_t(e.segment)] ^= mix(e.vertices[0].value()) ^ mix(e.vertices[1].value());
     bool is_complete = true;
     for (std::size_t s = 0; s < pslg_.segments.size(); ++s) {
       odd[s] ^= mix(pslg_.segments[s][0].value()) ^ mix(pslg_.segments[s][1].value());

@@ -1,0 +1,50 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+
+#ifndef CGAL_IO_SVG_H
+#define CGAL_IO_SVG_H
+
+/// \file
+/// Pictures of meshes that are small files: whole-number coordinates relative to the point before, and edges
+/// joined to long lines. Linear in the mesh, but for the sorting of its edges.
+
+#include <CGAL/Bbox_2.h>
+#include <CGAL/Indexed_mesh_2.h>
+#include <CGAL/Pslg_2.h>
+#include <CGAL/Quadtree_mesh_2/internal/Replaced_files.h>
+#include <CGAL/Quadtree_mesh_2/internal/Svg_mesh_painter.h>
+#include <CGAL/Quadtree_mesh_2/svg_options.h>
+
+#include <ostream>
+#include <sstream>
+#include <string>
+
+namespace CGAL {
+namespace IO {
+
+/// Writes a picture of the mesh: its edges thin, the input segments thick, both of them inside and outside
+/// the domain. \param mesh `points`, `triangles` and `constrained_edges` are used. \param pslg what the mesh
+/// was made from. \tparam Point `x()` and `y()` are arithmetic or have a `CGAL::to_double()`.
+template <class Point>
+void write_SVG(std::ostream& out, const Indexed_mesh_2<Point>& mesh, const Pslg_2<Point>& pslg,
+               const Svg_options_2& options = {}) {
+  Quadtree_mesh_2::internal::Svg_mesh_painter<Point>(mesh, pslg, options).paint(out);
+}
+
+/// \throws std::system_error (a `std::runtime_error`) naming the file if it cannot be written; what was there
+/// then still is.
+template <class Point>
+void write_SVG(const std::string& file_name, const Indexed_mesh_2<Point>& mesh, const Pslg_2<Point>& pslg,
+               const Svg_options_2& options = {}) {
+  std::ostringstream out;
+  write_SVG(out, mesh, pslg, options);
+  Quadtree_mesh_2::internal::replace_file(file_name, out.str());
+}
+
+} // namespace IO
+} // namespace CGAL
+
+#endif // CGAL_IO_SVG_H

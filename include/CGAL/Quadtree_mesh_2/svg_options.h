@@ -1,0 +1,45 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+
+#ifndef CGAL_QUADTREE_MESH_2_SVG_OPTIONS_H
+#define CGAL_QUADTREE_MESH_2_SVG_OPTIONS_H
+
+#include <CGAL/Bbox_2.h>
+
+#include <optional>
+#include <string>
+
+namespace CGAL {
+namespace IO {
+
+/// How `write_SVG()` draws. Colours are whatever SVG takes for one; "none" leaves a thing out.
+struct Svg_options_2 {
+  enum class Fill {
+    plain,      ///< all triangles in `fill_color`
+    least_angle ///< from red (small) through yellow to green and blue (60 degrees)
+  };
+
+  int width_in_pixels = 800;
+  double margin_in_pixels = 4;
+  double edge_width = 0.4; ///< pixels, as all widths
+  double segment_width = 1.2;
+  Fill fill = Fill::plain;
+  std::string edge_color = "#4a6b8a";
+  std::string segment_color = "#12263a";
+  std::string fill_color = "#e8f1f8";
+  std::string background_color = "#ffffff";
+  /// The part of the plane that is shown; all of the input and the mesh if empty.
+  std::optional<Bbox_2> clip;
+
+  Svg_options_2& width(int pixels) { return width_in_pixels = pixels, *this; }
+  Svg_options_2& fill_by(Fill f) { return fill = f, *this; }
+  Svg_options_2& clip_to(const Bbox_2& window) { return clip = window, *this; }
+};
+
+} // namespace IO
+} // namespace CGAL
+
+#endif // CGAL_QUADTREE_MESH_2_SVG_OPTIONS_H

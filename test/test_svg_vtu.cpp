@@ -1,0 +1,180 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+
+#include "catch.h"
+#include "mesh_from_cdt.h"
+
+#include <CGAL/IO/SVG.h>
+#include <CGAL/IO/VTU.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+
+using namespace test_meshes;
+namespace IO = CGAL::IO;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A folder that goes when the test is over.
+class Scratch_folder {
+public:
+  Scratch_folder()
+      : path_(fs::temp_directory_path() /
+              ("quadtree_mesh_2_" + std::to_string(reinterpret_cast<std::uintptr_t>(this)))) {
+    fs::create_directories(path_);
+  }
+  ~Scratch_folder() { fs::remove_all(path_); }
+  std::string file(const std::string& name) const { return (path_ / name).string(); }
+  std::size_t number_of_files() const {
+    return std::size_t(std::distance(fs::directory_iterator(path_), fs::directory_iterator()));
+  }
+
+private:
+  fs::path path_;
+};
+
+std::string content(const std::string& file_name) {
+  std::ifstream in(file_name, std::ios::binary);
+  return std::string(std::istreambuf_iterator<char>(in), {});
+}
+
+std::size_t count(const std::string& text, const std::string& what) {
+  std::size_t n = 0;
+  for (std::size_t i = text.find(what); i != std::string::npos; i = text.find(what, i + 1)) ++n;
+  return n;
+}
+
+Pslg domain_with_outside() {
+  Pslg pslg;
+  add_polygon(pslg, square(0, 0, 2));
+  add_polygon(pslg, square(0, 0, 1));
+  pslg.holes.push_back(Point(0, 0));
+  pslg.add_vertex(Point(5, 0));
+  add_segment(pslg, 1, 8);
+  return pslg;
+}
+
+std::string svg(const Mesh& mesh, const Pslg& pslg, const IO::Svg_options_2& options = {}) {
+  std::ostringstream out;
+  IO::write_SVG(out, mesh, pslg, options);
+  return out.str();
+}
+
+/// What the exception says; empty if there is none.
+template <class Function>
+std::string error_of(Function f) {
+  try {
+    f();
+  } catch (const std::runtime_error& e) {
+    return e.what();
+  }
+  return "";
+}
+
+} // namespace
+
+TEST_CASE("SVG of one triangle", "[SVG]") {
+  Pslg pslg;
+  add_polygon(pslg, {Point(0, 0), Point(1, 0), Point(0, 1)});
+  IO::Svg_options_2 options;
+  options.width(100).margin_in_pixels = 0;
+  const std::string text = svg(mesh_of(pslg), pslg, options);
+  CHECK(text.find("width=\"100\" height=\"100\" viewBox=\"0 0 1000 1000\"") != std::string::npos);
+  CHECK(count(text, "<path") == 3); // area, edges, segments
+  CHECK(text.find("M0 1000m") == std::string::npos);
+  CHECK(text.find("d=\"M0 1000 1000 0-1000-1000 0 1000\"") != std::string::npos);
+}
+
+TEST_CASE("SVG options", "[SVG]") {
+  const Pslg pslg = domain_with_outside();
+  const Mesh mesh = mesh_of(pslg, 0.2);
+  const std::string plain = svg(mesh, pslg);
+  CHECK(plain.find("<svg") == 0);
+  CHECK(plain.find("</svg>\n") == plain.size() - 7);
+  CHECK(plain.size() < 20 * mesh.triangles.size()); // compact
+  CHECK(count(plain, "<path") == 4);                // area, edges, segments, segments outside
+  const std::string colored =
+      svg(mesh, pslg, IO::Svg_options_2().fill_by(IO::Svg_options_2::Fill::least_angle));
+  CHECK(count(colored, "<path") > 5);
+  const std::string part = svg(mesh, pslg, IO::Svg_options_2().clip_to(CGAL::Bbox_2(-2, -2, -1, -1.5)));
+  CHECK(part.size() < plain.size() / 3);
+  IO::Svg_options_2 bare;
+  bare.background_color = bare.fill_color = bare.edge_color = "none";
+  CHECK(count(svg(mesh, pslg, bare), "<path") == 2);
+}
+
+TEST_CASE("SVG of nothing, and of a level line", "[SVG]") {
+  Pslg pslg;
+  CHECK(count(svg(Mesh(), pslg), "</svg>") == 1);
+  pslg.add_vertex(Point(0, 0));
+  pslg.add_vertex(Point(1, 0));
+  add_segment(pslg, 0, 1);
+  Mesh mesh;
+  mesh.points = pslg.vertices;
+  CHECK(count(svg(mesh, pslg), "<path") == 1);
+}
+
+TEST_CASE("SVG of integer points", "[SVG]") {
+  struct Integer_point {
+    std::uint32_t x_, y_;
+    std::uint32_t x() const { return x_; }
+    std::uint32_t y() const { return y_; }
+  };
+  CGAL::Pslg_2<Integer_point> pslg;
+  pslg.vertices = {{0, 0}, {7, 0}, {0, 4000000000u}};
+  CGAL::Indexed_mesh_2<Integer_point> mesh;
+  mesh.points = pslg.vertices;
+  mesh.triangles.push_back({Vertex_index(0), Vertex_index(1), Vertex_index(2)});
+  std::ostringstream out;
+  IO::write_SVG(out, mesh, pslg);
+  CHECK(count(out.str(), "<path") == 2);
+}
+
+TEST_CASE("files are replaced as a whole, and errors name them", "[SVG][VTU]") {
+  const Scratch_folder folder;
+  const Pslg pslg = domain_with_outside();
+  const Mesh mesh = mesh_of(pslg);
+  const std::string name = folder.file("mesh.svg");
+  std::ofstream(name) << "old";
+  IO::write_SVG(name, mesh, pslg);
+  CHECK(content(name).find("<svg") == 0);
+  CHECK(folder.number_of_files() == 1);
+  const std::string nowhere = folder.file("missing/mesh.svg");
+  CHECK(error_of([&] { IO::write_SVG(nowhere, mesh, pslg); }).find(nowhere) != std::string::npos);
+  CHECK(error_of([&] { IO::write_VTU(nowhere, mesh, pslg); }).find(nowhere) != std::string::npos);
+  fs::create_directories(folder.file("folder.svg/x"));
+  CHECK_THROWS_AS(IO::write_SVG(folder.file("folder.svg"), mesh, pslg), std::runtime_error);
+  CHECK(folder.number_of_files() == 2);
+}
+
+TEST_CASE("VTU has the triangles of the domain", "[VTU]") {
+  const Scratch_folder folder;
+  const Pslg pslg = domain_with_outside();
+  const Mesh mesh = mesh_of(pslg, 0.5);
+  const std::string name = folder.file("mesh.vtu");
+  const std::size_t lines = mesh.constrained_edges.size();
+  SECTION("with what is outside") {
+    IO::write_VTU(name, mesh, pslg, IO::ASCII);
+    const std::string text = content(name);
+    CHECK(text.find("NumberOfPoints=\"" + std::to_string(mesh.points.size())) != std::string::npos);
+    CHECK(text.find("NumberOfCells=\"" + std::to_string(mesh.triangles.size() + lines + 1)) !=
+          std::string::npos);
+    CHECK(count(text, "5 ") >= mesh.triangles.size());
+  }
+  SECTION("the mesh alone") {
+    IO::write_VTU(name, mesh);
+    const std::string text = content(name);
+    CHECK(text.find("NumberOfPoints=\"" + std::to_string(mesh.points.size() - 1)) != std::string::npos);
+    CHECK(text.find("NumberOfCells=\"" + std::to_string(mesh.triangles.size() + lines)) != std::string::npos);
+    CHECK(text.find("AppendedData") != std::string::npos);
+  }
+}
