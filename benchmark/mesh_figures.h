@@ -19,8 +19,9 @@ struct Mesh_figures {
   double seconds = 0; ///< processor seconds from points and segments in memory to a mesh in memory
   std::size_t vertices = 0;
   std::size_t triangles = 0;
-  std::size_t below_bound = 0; ///< triangles with an angle below the bound, whatever the reason
-  double min_angle = 180;      ///< degrees
+  std::size_t below_bound = 0;      ///< triangles with an angle below the bound, whatever the reason
+  double min_angle = 180;           ///< degrees
+  double min_angle_of_others = 180; ///< of the triangles that are not below the bound
   double max_angle = 0;
 };
 
@@ -36,9 +37,17 @@ public:
     const std::array<double, 3> angles = {angle(a, b, c), angle(b, c, a), angle(c, a, b)};
     const auto [least, largest] = std::minmax_element(angles.begin(), angles.end());
     ++figures_.triangles;
-    if (*least < bound_) ++figures_.below_bound;
+    if (*least < bound_)
+      ++figures_.below_bound;
+    else
+      figures_.min_angle_of_others = (std::min)(figures_.min_angle_of_others, *least);
     figures_.min_angle = (std::min)(figures_.min_angle, *least);
     figures_.max_angle = (std::max)(figures_.max_angle, *largest);
+  }
+
+  template <class Mesh>
+  void add_triangles_of(const Mesh& mesh) {
+    for (const auto& [a, b, c] : mesh.triangles) add_triangle(mesh.point(a), mesh.point(b), mesh.point(c));
   }
 
 private:

@@ -75,9 +75,7 @@ Mesh_figures mesh_by_ours(const Pslg& pslg, double min_angle) {
   const auto mesh = mesher(pslg);
   figures.seconds = cpu_seconds() - start;
   figures.vertices = mesher.report().vertices;
-  Mesh_figures_builder builder(figures, min_angle);
-  for (const auto& t : mesh.triangles)
-    builder.add_triangle(mesh.point(t[0]), mesh.point(t[1]), mesh.point(t[2]));
+  Mesh_figures_builder(figures, min_angle).add_triangles_of(mesh);
   return figures;
 }
 

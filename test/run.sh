@@ -61,5 +61,6 @@ if [[ $full == yes ]]; then
   export QUADTREE_MESH_FULL_TESTS=1
   what=('~[.],[.slow]')
 fi
+export UBSAN_OPTIONS=print_stacktrace=1
 say "running the tests${sanitize:+ under the $sanitize sanitizer}"
 "$folder/bin/quadtree_mesh_2_tests" "${what[@]}"

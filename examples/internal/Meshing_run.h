@@ -1,0 +1,150 @@
+#ifndef QUADTREE_MESH_2_EXAMPLES_MESHING_RUN_H
+#define QUADTREE_MESH_2_EXAMPLES_MESHING_RUN_H
+
+// What a run of quality_mesh made, in words for people and in JSON for programs.
+
+#include "mesh_figures.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Indexed_mesh_2.h>
+#include <CGAL/Pslg_2.h>
+#include <CGAL/Quality_mesh_options_2.h>
+#include <CGAL/Quality_mesh_report_2.h>
+#include <CGAL/mesh_quality_2.h>
+
+#include <nlohmann/json.hpp>
+
+#include <cstddef>
+#include <cstdio>
+#include <optional>
+#include <type_traits>
+
+struct Meshing_run {
+  using Point_2 = CGAL::Exact_predicates_inexact_constructions_kernel::Point_2;
+
+  CGAL::Pslg_2<Point_2> pslg;
+  CGAL::Indexed_mesh_2<Point_2> mesh;
+  CGAL::Quality_mesh_report_2 report;
+  /// The angles and what is unmet, counted by the checker and not by the mesher.
+  CGAL::Mesh_quality_2 quality;
+  Mesh_figures ours;
+  bool is_peer_asked = false;
+  std::optional<Mesh_figures> peer; ///< Mesh_2 on the same input; nothing if it gave no mesh
+
+  double read_seconds = 0; ///< processor seconds
+  double write_seconds = 0;
+  double peak_memory_mb = 0;
+};
+
+/// Whether all bounds are met, so that the exit status is 0.
+inline bool is_bound_met(const Meshing_run& run) {
+  return run.report.is_met() && run.quality.is_met() && !run.report.is_budget_exhausted &&
+         !run.report.is_cancelled;
+}
+
+namespace meshing_run_internal {
+
+inline const char* name(CGAL::Mesh_quality_2::Bound bound) {
+  switch (bound) {
+  case CGAL::Mesh_quality_2::Bound::angle:
+    return "angle";
+  case CGAL::Mesh_quality_2::Bound::edge_length:
+    return "edge length";
+  case CGAL::Mesh_quality_2::Bound::area:
+    return "area";
+  }
+  return "";
+}
+
+/// The places where a bound is unmet, the first of them.
+inline void print_unmet(const CGAL::Mesh_quality_2& quality) {
+  constexpr std::size_t max_lines = 10;
+  for (std::size_t i = 0; i < quality.unmet_triangles.size() && i < max_lines; ++i) {
+    const auto& unmet = quality.unmet_triangles[i];
+    std::printf("unmet: %s of the triangle at (%.17g, %.17g), least angle %.2f\n", name(unmet.bound),
+                unmet.centroid[0], unmet.centroid[1], unmet.least_angle);
+  }
+  if (quality.unmet_triangles.size() > max_lines)
+    std::printf("unmet: %zu more\n", quality.unmet_triangles.size() - max_lines);
+}
+
+/// One line of the table: ours and, if Mesh_2 gave a mesh, its figure.
+template <class Number>
+void print_line(const char* name, const char* format, Number ours, std::optional<Number> theirs) {
+  std::printf("%-28s", name);
+  std::printf(format, ours);
+  if (theirs) std::printf(format, *theirs);
+  std::printf("\n");
+}
+
+} // namespace meshing_run_internal
+
+inline nlohmann::ordered_json peer_json(const Mesh_figures& peer) {
+  return {{"vertices", peer.vertices},
+          {"triangles", peer.triangles},
+          {"min_angle", peer.min_angle},
+          {"max_angle", peer.max_angle},
+          {"triangles_below_bound", peer.below_bound},
+          {"seconds", {{"mesh", peer.seconds}}}};
+}
+
+inline nlohmann::ordered_json run_json(const Meshing_run& run) {
+  const CGAL::Quality_mesh_report_2::Seconds& phases = run.report.seconds;
+  nlohmann::ordered_json json = {{"input_vertices", run.pslg.number_of_vertices()},
+                                 {"input_segments", run.pslg.number_of_segments()},
+                                 {"merged_vertices", run.report.merged_vertices},
+                                 {"vertices_on_segments", run.report.vertices_on_segments},
+                                 {"vertices", run.quality.vertices},
+                                 {"triangles", run.quality.triangles},
+                                 {"min_angle", run.quality.min_angle},
+                                 {"max_angle", run.quality.max_angle},
+                                 {"min_new_angle", run.quality.min_new_angle},
+                                 {"exempt_triangles", run.quality.exempt_triangles},
+                                 {"unmet_triangles", run.quality.unmet_triangles.size()},
+                                 {"rounds", run.report.rounds},
+                                 {"threads", 1},
+                                 {"seconds",
+                                  {{"read", run.read_seconds},
+                                   {"quadtree", phases.quadtree},
+                                   {"first_mesh", phases.first_mesh},
+                                   {"refine", phases.refine},
+                                   {"coarsen", phases.coarsen},
+                                   {"convert", phases.convert},
+                                   {"write", run.write_seconds},
+                                   {"mesh", run.ours.seconds},
+                                   {"total", run.read_seconds + run.ours.seconds + run.write_seconds}}},
+                                 {"peak_memory_mb", run.peak_memory_mb}};
+  for (const auto& unmet : run.quality.unmet_triangles)
+    json["unmet"].push_back({{"bound", meshing_run_internal::name(unmet.bound)},
+                             {"x", unmet.centroid[0]},
+                             {"y", unmet.centroid[1]},
+                             {"least_angle", unmet.least_angle}});
+  if (run.is_peer_asked) json["mesh_2"] = run.peer ? peer_json(*run.peer) : nlohmann::ordered_json(nullptr);
+  return json;
+}
+
+inline void print_run(const Meshing_run& run, const CGAL::Quality_mesh_options_2& options) {
+  using namespace meshing_run_internal;
+  // A figure of Mesh_2, nothing where there is none.
+  const auto theirs = [&run](auto member) {
+    using Number = std::decay_t<decltype((*run.peer).*member)>;
+    return run.peer ? std::optional<Number>((*run.peer).*member) : std::nullopt;
+  };
+  std::printf("input: %zu vertices, %zu segments, %zu holes; bound: %g degrees\n",
+              run.pslg.number_of_vertices(), run.pslg.number_of_segments(), run.pslg.holes.size(),
+              options.min_angle_in_degrees);
+  if (run.peer) std::printf("%-28s%14s%14s\n", "", "quality_mesh", "CGAL Mesh_2");
+  print_line("vertices", "%14zu", run.ours.vertices, theirs(&Mesh_figures::vertices));
+  print_line("triangles", "%14zu", run.ours.triangles, theirs(&Mesh_figures::triangles));
+  print_line("least angle", "%14.2f", run.ours.min_angle, theirs(&Mesh_figures::min_angle));
+  print_line("largest angle", "%14.2f", run.ours.max_angle, theirs(&Mesh_figures::max_angle));
+  print_line("triangles below the bound", "%14zu", run.ours.below_bound, theirs(&Mesh_figures::below_bound));
+  print_line("  in acute input corners", "%14zu", run.quality.exempt_triangles, std::optional<std::size_t>());
+  print_line("least angle of all others", "%14.2f", run.ours.min_angle_of_others,
+             theirs(&Mesh_figures::min_angle_of_others));
+  print_line("processor seconds", "%14.3f", run.ours.seconds, theirs(&Mesh_figures::seconds));
+  if (run.is_peer_asked && !run.peer) std::printf("CGAL Mesh_2 gave no mesh\n");
+  print_unmet(run.quality);
+}
+
+#endif // QUADTREE_MESH_2_EXAMPLES_MESHING_RUN_H

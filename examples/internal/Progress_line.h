@@ -1,0 +1,36 @@
+#ifndef QUADTREE_MESH_2_EXAMPLES_PROGRESS_LINE_H
+#define QUADTREE_MESH_2_EXAMPLES_PROGRESS_LINE_H
+
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdio>
+
+/// The share of work done, in one line of the terminal, for work that takes longer than a second.
+class Progress_line {
+public:
+  Progress_line() = default;
+  Progress_line(const Progress_line&) = delete;
+  Progress_line& operator=(const Progress_line&) = delete;
+  ~Progress_line() {
+    if (is_shown_) std::fputs("\r\033[K", stderr);
+  }
+
+  static bool is_possible() { return isatty(STDERR_FILENO) != 0; }
+
+  void show(double share) {
+    const Clock::time_point now = Clock::now();
+    if (now < next_) return;
+    next_ = now + std::chrono::milliseconds(100);
+    is_shown_ = true;
+    std::fprintf(stderr, "\rmeshing: %3.0f %%", 100 * share);
+    std::fflush(stderr);
+  }
+
+private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point next_ = Clock::now() + std::chrono::seconds(1);
+  bool is_shown_ = false;
+};
+
+#endif // QUADTREE_MESH_2_EXAMPLES_PROGRESS_LINE_H

@@ -1,0 +1,211 @@
+#ifndef QUADTREE_MESH_2_EXAMPLES_COMMAND_LINE_H
+#define QUADTREE_MESH_2_EXAMPLES_COMMAND_LINE_H
+
+// The options of quality_mesh: what they are, what they may be, and what is not there yet.
+
+#include <CGAL/Quality_mesh_options_2.h>
+#include <CGAL/version.h>
+
+#include <boost/program_options.hpp>
+
+#include <unistd.h>
+
+#include <cmath>
+#include <cstddef>
+#include <filesystem>
+#include <iostream>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <system_error>
+#include <vector>
+
+/// The command line cannot be obeyed; `what()` says why.
+class Usage_error : public std::runtime_error {
+public:
+  using std::runtime_error::runtime_error;
+};
+
+struct Command_line {
+  enum class Task { mesh, print_help, print_version };
+  enum class Kernel { filtered, fixed };
+
+  Task task = Task::mesh;
+  std::string input;
+  std::vector<std::string> outputs;
+  std::string report_file; ///< empty: none
+  Kernel kernel = Kernel::filtered;
+  CGAL::Quality_mesh_options_2 options;
+  bool is_comparison_wanted = false;
+  bool is_quiet = false;
+};
+
+/// The formats of output by their endings.
+enum class Output_format { triangle, vtu, svg };
+
+inline Output_format output_format(const std::string& file_name) {
+  const std::string ending = std::filesystem::path(file_name).extension().string();
+  if (ending == ".ele" || ending == ".node" || ending == ".poly") return Output_format::triangle;
+  if (ending == ".vtu") return Output_format::vtu;
+  if (ending == ".svg") return Output_format::svg;
+  throw Usage_error("cannot tell the format of output '" + file_name +
+                    "': its ending has to be .ele, .node, .poly, .vtu or .svg");
+}
+
+/// The files that an output consists of.
+inline std::vector<std::filesystem::path> files_of_output(const std::string& file_name) {
+  const std::filesystem::path path(file_name);
+  if (output_format(file_name) != Output_format::triangle) return {path};
+  std::vector<std::filesystem::path> files;
+  for (const char* ending : {".node", ".ele", ".poly"})
+    files.push_back(std::filesystem::path(path).replace_extension(ending));
+  return files;
+}
+
+namespace command_line_internal {
+
+namespace po = boost::program_options;
+
+inline po::options_description visible_options() {
+  po::options_description visible("Options");
+  // clang-format off
+  visible.add_options()
+    ("output,o", po::value<std::vector<std::string>>()->value_name("FILE"),
+     "where to write the mesh, more than once if you like: .vtu, .svg, or .ele, which writes .node, .ele and .poly")
+    ("min-angle", po::value<double>()->value_name("DEG")->default_value(20.7, "20.7"),
+     "least angle in degrees; reached on every input up to 20.7, accepted up to 30")
+    ("max-edge", po::value<double>()->value_name("H"), "longest edge")
+    ("max-area", po::value<double>()->value_name("A"), "largest area of a triangle")
+    ("kernel", po::value<std::string>()->value_name("K")->default_value("filtered"),
+     "arithmetic: filtered (doubles), fixed (64-bit integers) or exact")
+    ("threads", po::value<int>()->value_name("N")->default_value(1), "number of threads")
+    ("mode", po::value<std::string>()->value_name("M")->default_value("pslg"), "pslg, points, bounded or acute")
+    ("separation", po::value<std::string>()->value_name("S")->default_value("on-demand"), "on-demand or theorem-5")
+    ("no-coarsening", "keep the vertices that are not needed in the end")
+    ("compare", "mesh the input with CGAL Mesh_2 too and print both")
+    ("report", po::value<std::string>()->value_name("FILE.json"), "write the figures as JSON")
+    ("quiet", "print nothing but errors")
+    ("version", "print the version")
+    ("help,h", "print this");
+  // clang-format on
+  return visible;
+}
+
+/// One of a few words, of which only the first `number_available` can be had today.
+inline std::size_t choice(const po::variables_map& given, const std::string& option,
+                          const std::vector<std::string>& words, std::size_t number_available) {
+  const std::string& word = given[option].as<std::string>();
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (words[i] != word) continue;
+    if (i >= number_available) throw Usage_error("--" + option + " " + word + " is not available yet");
+    return i;
+  }
+  std::string all;
+  for (const std::string& w : words) all += (all.empty() ? "" : ", ") + w;
+  throw Usage_error("--" + option + " has to be one of " + all + ", not '" + word + "'");
+}
+
+/// A number above zero; 0, which means no bound, if the option is not given.
+inline double bound(const po::variables_map& given, const std::string& option) {
+  if (given.count(option) == 0) return 0;
+  const double value = given[option].as<double>();
+  if (!(value > 0) || !std::isfinite(value)) throw Usage_error("--" + option + " has to be a number above 0");
+  return value;
+}
+
+inline double min_angle(const po::variables_map& given) {
+  const double value = given["min-angle"].as<double>();
+  if (!(value >= 0 && value <= 30)) throw Usage_error("--min-angle has to be from 0 to 30 degrees");
+  return value;
+}
+
+inline void check_threads(const po::variables_map& given) {
+  const int n = given["threads"].as<int>();
+  if (n < 1) throw Usage_error("--threads has to be at least 1");
+  if (n > 1) throw Usage_error("--threads " + std::to_string(n) + " is not available yet");
+}
+
+/// Finds out before the work, not after it, that a file cannot be written.
+inline void check_writable(const std::filesystem::path& file, const std::string& input) {
+  std::error_code error;
+  if (std::filesystem::equivalent(file, input, error))
+    throw Usage_error("output '" + file.string() + "' would overwrite the input");
+  const std::filesystem::path folder =
+      file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
+  if (!std::filesystem::is_directory(folder, error))
+    throw Usage_error("cannot write '" + file.string() + "': no folder '" + folder.string() + "'");
+  const std::filesystem::path place = std::filesystem::exists(file, error) ? file : folder;
+  if (access(place.c_str(), W_OK) != 0 || std::filesystem::is_directory(file, error))
+    throw Usage_error("cannot write '" + file.string() + "'");
+}
+
+inline void check_files(const Command_line& line) {
+  for (const std::string& output : line.outputs)
+    for (const std::filesystem::path& file : files_of_output(output)) check_writable(file, line.input);
+  if (!line.report_file.empty()) check_writable(line.report_file, line.input);
+}
+
+inline po::variables_map parse(int argc, const char* const* argv) {
+  po::options_description all = visible_options();
+  all.add_options()("input", po::value<std::vector<std::string>>());
+  po::positional_options_description positional;
+  positional.add("input", -1);
+  // No guessing: an abbreviation that works today would be ambiguous after the next option.
+  const int style = po::command_line_style::default_style & ~po::command_line_style::allow_guessing;
+  po::variables_map given;
+  po::store(po::command_line_parser(argc, argv).options(all).positional(positional).style(style).run(),
+            given);
+  return given;
+}
+
+} // namespace command_line_internal
+
+inline void print_help(std::ostream& out) {
+  out << "usage: quality_mesh INPUT [-o OUTPUT]... [option]...\n\n"
+         "Meshes a planar straight-line graph, a .poly file of Triangle or one compressed as .poly.gz, with "
+         "triangles\n"
+         "whose angles meet a bound.\n\n"
+      << command_line_internal::visible_options()
+      << "\nExit status: 0 done; 1 the bound is unmet somewhere, the mesh is written all the same; 2 bad "
+         "usage or bad\n"
+         "input, nothing is written.\n";
+}
+
+inline void print_version(std::ostream& out) {
+  out << "quality_mesh " << QUADTREE_MESH_VERSION << " (CGAL " << CGAL_VERSION_STR << ")\n";
+}
+
+/// \throws Usage_error naming the option that is to blame.
+inline Command_line parse_command_line(int argc, const char* const* argv) try {
+  using namespace command_line_internal;
+  const po::variables_map given = parse(argc, argv);
+  Command_line line;
+  if (given.count("help") > 0) return line.task = Command_line::Task::print_help, line;
+  if (given.count("version") > 0) return line.task = Command_line::Task::print_version, line;
+
+  if (given.count("input") == 0) throw Usage_error("no input given");
+  const auto& inputs = given["input"].as<std::vector<std::string>>();
+  if (inputs.size() > 1)
+    throw Usage_error("one input at a time, not '" + inputs[0] + "' and '" + inputs[1] + "'");
+  line.input = inputs.front();
+  if (given.count("output") > 0) line.outputs = given["output"].as<std::vector<std::string>>();
+  if (given.count("report") > 0) line.report_file = given["report"].as<std::string>();
+
+  line.options.min_angle(min_angle(given))
+      .max_edge(bound(given, "max-edge"))
+      .max_area(bound(given, "max-area"));
+  if (given.count("no-coarsening") > 0) line.options.coarsen(CGAL::Quality_mesh_options_2::Coarsening::none);
+  if (choice(given, "kernel", {"filtered", "fixed", "exact"}, 2) == 1)
+    line.kernel = Command_line::Kernel::fixed;
+  choice(given, "mode", {"pslg", "points", "bounded", "acute"}, 1);
+  choice(given, "separation", {"on-demand", "theorem-5"}, 1);
+  check_threads(given);
+  line.is_comparison_wanted = given.count("compare") > 0;
+  line.is_quiet = given.count("quiet") > 0;
+  check_files(line);
+  return line;
+} catch (const boost::program_options::error& error) {
+  throw Usage_error(error.what());
+}
+
+#endif // QUADTREE_MESH_2_EXAMPLES_COMMAND_LINE_H

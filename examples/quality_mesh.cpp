@@ -1,0 +1,139 @@
+// The command-line program: meshes a planar straight-line graph and writes the mesh.
+
+#include "internal/Meshing_run.h"
+#include "internal/Progress_line.h"
+#include "internal/command_line.h"
+#include "internal/mesh_in_words.h"
+
+#include "in_child.h"
+#include "mesh_2_peer.h"
+#include "resources.h"
+
+#include <CGAL/IO/SVG.h>
+#include <CGAL/IO/Triangle_files.h>
+#include <CGAL/IO/VTU.h>
+#include <CGAL/Quality_mesher_2.h>
+#include <CGAL/mesh_quality_2.h>
+
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <new>
+#include <string>
+
+namespace {
+
+enum Exit_status { DONE = 0, BOUND_UNMET = 1, BAD_USAGE_OR_INPUT = 2 };
+
+/// How long Mesh_2, which has inputs on which it does not end, may try.
+constexpr unsigned peer_limit_seconds = 600;
+
+/// Calls `work` and adds the processor seconds it took to `seconds`.
+template <class F>
+void timed(double& seconds, F work) {
+  const double start = cpu_seconds();
+  work();
+  seconds += cpu_seconds() - start;
+}
+
+void mesh_graph(Meshing_run& run, const Command_line& line) {
+  Progress_line progress;
+  CGAL::Quality_mesh_options_2 options = line.options;
+  if (!line.is_quiet && Progress_line::is_possible())
+    options.progress([&progress](double share) { return progress.show(share), true; });
+
+  if (line.kernel == Command_line::Kernel::fixed) {
+    run.mesh = mesh_in_words(run.pslg, options, run.report);
+  } else {
+    CGAL::Quality_mesher_2<> mesher(options);
+    run.mesh = mesher(run.pslg);
+    run.report = mesher.report();
+  }
+}
+
+void write_output(const std::string& file_name, const Meshing_run& run) {
+  switch (output_format(file_name)) {
+  case Output_format::triangle: {
+    const std::string stem = std::filesystem::path(file_name).replace_extension().string();
+    return CGAL::IO::write_triangle_files(run.mesh, run.pslg, stem);
+  }
+  case Output_format::vtu:
+    return CGAL::IO::write_VTU(file_name, run.mesh, run.pslg);
+  case Output_format::svg:
+    return CGAL::IO::write_SVG(file_name, run.mesh, run.pslg);
+  }
+}
+
+void check(Meshing_run& run, const CGAL::Quality_mesh_options_2& options) {
+  run.quality = CGAL::mesh_quality_2(run.mesh, run.pslg,
+                                     CGAL::Mesh_quality_options_2()
+                                         .min_angle(options.min_angle_in_degrees)
+                                         .max_edge(options.max_edge_length)
+                                         .max_area(options.max_triangle_area));
+  run.ours.vertices = run.quality.vertices;
+  Mesh_figures_builder(run.ours, options.min_angle_in_degrees).add_triangles_of(run.mesh);
+}
+
+/// A mesh with errors is our mistake and none of the user's, who gets it all the same, with a warning.
+void warn_of_errors(const CGAL::Mesh_quality_2& quality) {
+  for (const std::string& error : quality.errors)
+    std::cerr << "quality_mesh: the mesh is invalid: " << error << '\n';
+}
+
+void compare(Meshing_run& run, const CGAL::Quality_mesh_options_2& options) {
+  const auto peer = [&] {
+    return mesh_by_Mesh_2(run.pslg, options.min_angle_in_degrees, options.max_edge_length);
+  };
+  run.is_peer_asked = true;
+  run.peer = in_child(peer, peer_limit_seconds).result;
+}
+
+void write_report(const std::string& file_name, const nlohmann::ordered_json& json) {
+  std::ofstream out(file_name);
+  out << json.dump(2) << '\n';
+  if (!out.flush()) throw std::runtime_error("cannot write '" + file_name + "'");
+}
+
+Exit_status execute(const Command_line& line) {
+  Meshing_run run;
+  timed(run.read_seconds, [&] { CGAL::IO::read_triangle_poly(line.input, run.pslg); });
+  timed(run.ours.seconds, [&] { mesh_graph(run, line); });
+  check(run, line.options);
+  warn_of_errors(run.quality);
+  timed(run.write_seconds, [&] {
+    for (const std::string& output : line.outputs) write_output(output, run);
+  });
+  run.peak_memory_mb = peak_memory_mb();
+  if (line.is_comparison_wanted) compare(run, line.options);
+  if (!line.report_file.empty()) write_report(line.report_file, run_json(run));
+  if (!line.is_quiet) print_run(run, line.options);
+  return is_bound_met(run) && run.quality.is_valid() ? DONE : BOUND_UNMET;
+}
+
+int fail(const std::string& message) {
+  std::cerr << "quality_mesh: error: " << message << '\n';
+  return BAD_USAGE_OR_INPUT;
+}
+
+} // namespace
+
+int main(int argc, char** argv) try {
+  const Command_line line = parse_command_line(argc, argv);
+  switch (line.task) {
+  case Command_line::Task::print_help:
+    print_help(std::cout);
+    return DONE;
+  case Command_line::Task::print_version:
+    print_version(std::cout);
+    return DONE;
+  case Command_line::Task::mesh:
+    return execute(line);
+  }
+} catch (const Usage_error& error) {
+  return fail(std::string(error.what()) + " (see quality_mesh --help)");
+} catch (const std::bad_alloc&) {
+  return fail("not enough memory");
+} catch (const std::exception& error) {
+  return fail(error.what());
+}

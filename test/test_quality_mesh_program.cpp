@@ -1,0 +1,227 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+
+// The command-line program: its outputs, its report and its exit statuses.
+
+#ifdef QUADTREE_MESH_PROGRAM
+
+#include "catch.h"
+
+#include <nlohmann/json.hpp>
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder of its own for each test, gone at its end.
+class Scratch_folder {
+public:
+  Scratch_folder() {
+    std::string name = (fs::temp_directory_path() / "quality_mesh_XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no scratch folder");
+    path_ = name;
+  }
+  Scratch_folder(const Scratch_folder&) = delete;
+  Scratch_folder& operator=(const Scratch_folder&) = delete;
+  ~Scratch_folder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+
+  std::string operator/(const std::string& name) const { return (path_ / name).string(); }
+  std::size_t number_of_files() const {
+    return std::size_t(std::distance(fs::directory_iterator(path_), fs::directory_iterator()));
+  }
+
+private:
+  fs::path path_;
+};
+
+std::string text_of(const std::string& file_name) {
+  std::ifstream in(file_name);
+  std::stringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+std::string test_data(const std::string& name) { return QUADTREE_MESH_TEST_DATA_DIR "/" + name; }
+
+struct Run {
+  int status;
+  std::string out;
+  std::string err;
+};
+
+Run run(const std::string& arguments) {
+  const Scratch_folder folder;
+  const std::string command = "'" QUADTREE_MESH_PROGRAM "' " + arguments + " >'" + (folder / "out") +
+                              "' 2>'" + (folder / "err") + "'";
+  const int status = std::system(command.c_str());
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text_of(folder / "out"), text_of(folder / "err")};
+}
+
+bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+void write_file(const std::string& name, const std::string& text) { std::ofstream(name) << text; }
+
+} // namespace
+
+TEST_CASE("the program writes each format by its ending", "[program]") {
+  const Scratch_folder folder;
+  const Run r = run(test_data("us_states_10m.poly.gz") + " -o " + (folder / "a.ele") + " -o " +
+                    (folder / "b.vtu") + " --output " + (folder / "c.svg"));
+  CAPTURE(r.out, r.err);
+  CHECK(r.status == 0);
+  CHECK(r.err.empty());
+  for (const char* name : {"a.node", "a.ele", "a.poly", "b.vtu", "c.svg"})
+    CHECK(fs::file_size(folder / name) > 1000);
+  CHECK(folder.number_of_files() == 5);
+  CHECK(contains(text_of(folder / "b.vtu").substr(0, 200), "VTKFile"));
+  CHECK(contains(text_of(folder / "c.svg").substr(0, 200), "<svg"));
+}
+
+TEST_CASE("the program reports in JSON", "[program]") {
+  const Scratch_folder folder;
+  const std::string kernel = GENERATE("filtered", "fixed");
+  const Run r = run(test_data("us_states_10m.poly.gz") + " --quiet --compare --kernel " + kernel +
+                    " --report " + (folder / "r.json"));
+  CAPTURE(r.err, kernel);
+  CHECK(r.status == 0);
+  CHECK(r.out.empty());
+  CHECK(r.err.empty());
+  const auto json = nlohmann::json::parse(text_of(folder / "r.json"));
+  CHECK(json.at("input_vertices") == 11308);
+  CHECK(json.at("unmet_triangles") == 0);
+  CHECK(json.at("threads") == 1);
+  CHECK(json.at("triangles") > json.at("vertices"));
+  CHECK(json.at("triangles") < json.at("mesh_2").at("triangles"));
+  for (const char* name : {"input_segments", "min_angle", "max_angle", "min_new_angle", "exempt_triangles",
+                           "rounds", "peak_memory_mb"})
+    CHECK(json.at(name).is_number());
+  for (const char* name :
+       {"read", "quadtree", "first_mesh", "refine", "coarsen", "convert", "write", "mesh", "total"})
+    CHECK(json.at("seconds").at(name).is_number());
+}
+
+TEST_CASE("the program keeps bounds of edges and areas", "[program]") {
+  const Scratch_folder folder;
+  const std::string kernel = GENERATE("filtered", "fixed");
+  const std::string input =
+      test_data("syn_square.poly") + " --quiet --kernel " + kernel + " --report " + (folder / "r.json");
+  const auto triangles = [&] {
+    return nlohmann::json::parse(text_of(folder / "r.json")).at("triangles").get<int>();
+  };
+  CHECK(run(input + " --max-edge 0.1").status == 0);
+  CHECK(triangles() > 200); // an equilateral triangle with that edge has area 0.0043
+  CHECK(run(input + " --max-area 0.01").status == 0);
+  CHECK(triangles() >= 100);
+  CHECK(triangles() < 400);
+}
+
+TEST_CASE("bad usage names the culprit and writes nothing", "[program]") {
+  const Scratch_folder folder;
+  const std::string square = test_data("syn_square.poly");
+  struct Case {
+    std::string arguments, culprit;
+  };
+  const std::vector<Case> cases = {{"", "no input"},
+                                   {square + " " + square, "one input"},
+                                   {square + " -o x.xyz", "x.xyz"},
+                                   {square + " -o " + (folder / "none/x.ele"), "none"},
+                                   {square + " --min-angle 31", "--min-angle"},
+                                   {square + " --min-angle nan", "--min-angle"},
+                                   {square + " --min-angle two", "two"},
+                                   {square + " --max-edge 0", "--max-edge"},
+                                   {square + " --max-area -1", "--max-area"},
+                                   {square + " --threads 0", "--threads"},
+                                   {square + " --kernel round", "round"},
+                                   {square + " --mode square", "square"},
+                                   {square + " --no-such-option", "--no-such-option"},
+                                   {folder / "missing.poly", "missing.poly"}};
+  for (const Case& c : cases) {
+    const Run r = run(c.arguments + " -o " + (folder / "mesh.ele"));
+    CAPTURE(c.arguments, r.err);
+    CHECK(r.status == 2);
+    CHECK(r.out.empty());
+    CHECK(contains(r.err, c.culprit));
+    CHECK(folder.number_of_files() == 0);
+  }
+}
+
+TEST_CASE("what comes later says so", "[program]") {
+  const std::string option = GENERATE("--kernel exact", "--mode points", "--mode bounded", "--mode acute",
+                                      "--separation theorem-5", "--threads 2");
+  const Run r = run(test_data("syn_square.poly") + " " + option);
+  CAPTURE(option, r.err);
+  CHECK(r.status == 2);
+  CHECK(contains(r.err, "not available yet"));
+}
+
+TEST_CASE("bad input names the place and writes nothing", "[program]") {
+  const std::string kernel = GENERATE("filtered", "fixed");
+  CAPTURE(kernel);
+  const Scratch_folder folder;
+  struct Case {
+    std::string text, culprit;
+  };
+  // Four corners of a square, then what goes wrong.
+  const std::string corners = "4 2 0 0\n0 0 0\n1 1 0\n2 1 1\n3 0 1\n";
+  const std::vector<Case> cases = {
+      {"", "in.poly"},
+      {"4 2 0 0\n0 0 0\n1 1 0\n", "in.poly"},
+      {"3 2 0 0\n0 0 0\n1 nan 0\n2 0 1\n3 0\n0 0 1\n1 1 2\n2 2 0\n0\n", "vertex 1"},
+      {"3 2 0 0\n0 0 0\n1 1 inf\n2 0 1\n3 0\n0 0 1\n1 1 2\n2 2 0\n0\n", "vertex 1"},
+      {corners + "1 0\n0 0 7\n0\n", "segment 0"},
+      {corners + "2 0\n0 0 2\n1 1 3\n0\n", "segment"},
+      {corners + "1 0\n0 0 1\n0\n", ""},
+      {"3 2 0 0\n0 0 0\n1 1 1\n2 2 2\n2 0\n0 0 1\n1 1 2\n0\n", ""},
+      {"1 2 0 0\n0 0 0\n0 0\n0\n", ""}};
+  for (const Case& c : cases) {
+    write_file(folder / "in.poly", c.text);
+    const Run r = run((folder / "in.poly") + " --kernel " + kernel + " -o " + (folder / "mesh.ele"));
+    CAPTURE(c.text, r.err);
+    CHECK(r.status == 2);
+    CHECK(contains(r.err, c.culprit));
+    CHECK(r.err.size() > 20);
+    CHECK(folder.number_of_files() == 1);
+  }
+}
+
+TEST_CASE("an output may not overwrite the input", "[program]") {
+  const Scratch_folder folder;
+  fs::copy(test_data("syn_square.poly"), folder / "in.poly");
+  const Run r = run((folder / "in.poly") + " -o " + (folder / "in.ele"));
+  CHECK(r.status == 2);
+  CHECK(contains(r.err, "overwrite"));
+  CHECK(text_of(folder / "in.poly") == text_of(test_data("syn_square.poly")));
+}
+
+TEST_CASE("help and version", "[program]") {
+  CHECK(run("--version").out.rfind("quality_mesh ", 0) == 0);
+  const Run help = run("--help");
+  CHECK(help.status == 0);
+  for (const char* option :
+       {"--output", "--min-angle", "--max-edge", "--max-area", "--kernel", "--threads", "--mode",
+        "--separation", "--no-coarsening", "--compare", "--report", "--quiet", "--version"})
+    CHECK(contains(help.out, option));
+}
+
+#endif // QUADTREE_MESH_PROGRAM
