@@ -39,7 +39,7 @@ struct Svg_point {
 /// needed.
 class Svg_path {
 public:
-  void move_to(Svg_point p) { append(is_empty() ? 'M' : 'm', p); }
+  void move_to(Svg_point p) { append('m', p); }
   void line_to(Svg_point p) { append('l', p); }
   /// Closing moves the pen back to the start of the line.
   void close(Svg_point start) {
@@ -52,8 +52,9 @@ public:
 
 private:
   void append(char command, Svg_point p) {
-    // After m, further pairs of numbers are lines.
-    if (command != last_command_ && !(command == 'l' && (last_command_ == 'm' || last_command_ == 'M')))
+    // After m, further pairs of numbers are lines relative to the point before; after M they would be absolute. The
+    // first m of a path is absolute as M is.
+    if (command != last_command_ && !(command == 'l' && last_command_ == 'm'))
       text_ += command;
     append_number(p.x - pen_.x);
     append_number(p.y - pen_.y);
