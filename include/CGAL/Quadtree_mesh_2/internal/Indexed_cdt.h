@@ -47,7 +47,7 @@ public:
       : handles_(points.size()), degrees_(points.size(), 0) {
     using Map = typename Pointer_property_map<Point>::const_type;
     using Sort_traits = Spatial_sort_traits_adapter_2<Kernel, Map>;
-    spatial_sort(chosen.begin(), chosen.end(), Sort_traits(make_property_map(points)));
+    spatial_sort(chosen.begin(), chosen.end(), Sort_traits(make_property_map(points.data())));
     Face_handle hint;
     for (std::size_t i : chosen) {
       const auto before = cdt_.number_of_vertices();
