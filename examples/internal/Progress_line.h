@@ -3,6 +3,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 
@@ -23,7 +24,8 @@ public:
     if (now < next_) return;
     next_ = now + std::chrono::milliseconds(100);
     is_shown_ = true;
-    std::fprintf(stderr, "\rmeshing: %3.0f %%", 100 * share);
+    most_ = (std::max)(most_, share); // the mesher's guesses may fall, a bar that goes back only worries
+    std::fprintf(stderr, "\rmeshing: %3.0f %%", 100 * most_);
     std::fflush(stderr);
   }
 
@@ -31,6 +33,7 @@ private:
   using Clock = std::chrono::steady_clock;
   Clock::time_point next_ = Clock::now() + std::chrono::seconds(1);
   bool is_shown_ = false;
+  double most_ = 0;
 };
 
 #endif // QUADTREE_MESH_2_EXAMPLES_PROGRESS_LINE_H
