@@ -52,10 +52,9 @@ public:
 
 private:
   void append(char command, Svg_point p) {
-    // After m, further pairs of numbers are lines relative to the point before; after M they would be absolute. The
-    // first m of a path is absolute as M is.
-    if (command != last_command_ && !(command == 'l' && last_command_ == 'm'))
-      text_ += command;
+    // After m, further pairs of numbers are lines relative to the point before; after M they would be
+    // absolute. The first m of a path is absolute as M is.
+    if (command != last_command_ && !(command == 'l' && last_command_ == 'm')) text_ += command;
     append_number(p.x - pen_.x);
     append_number(p.y - pen_.y);
     last_command_ = command;
