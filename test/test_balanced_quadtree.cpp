@@ -243,6 +243,7 @@ TEMPLATE_TEST_CASE("The balanced quadtree is the smallest one", "[balanced]", Fi
       const auto points = make_points<TestType>(input);
       const CGAL::Balanced_quadtree<TestType> tree(points, max_points);
       const Naive_tree expected(tree.framework(), max_points);
+      REQUIRE(tree.is_valid());
       check_squares(tree, expected);
       check_cross_pointers(tree, expected);
       check_neighbors(tree);
@@ -348,4 +349,5 @@ TEST_CASE("A large quadtree satisfies the cheap invariants", "[balanced]") {
     for (Leaf_index n : tree.neighbors(l)) REQUIRE(std::abs(tree.level(l) - tree.level(n)) <= 1);
   }
   CHECK(in_leaves == 20000);
+  CHECK(tree.is_valid());
 }

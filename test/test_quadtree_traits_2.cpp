@@ -7,6 +7,7 @@
 #include "catch.h"
 #include "quadtree_inputs.h"
 
+#include <CGAL/Balanced_quadtree.h>
 #include <CGAL/Quadtree_framework.h>
 #include <CGAL/Quadtree_mesh_2/internal/morton.h>
 
@@ -47,7 +48,46 @@ std::vector<CGAL::Quadtree_mesh_2::Grid_point_2<Word>> random_grid_points(std::s
   return points;
 }
 
+/// A model of QuadtreeTraits_2 that provides what the concept asks for and nothing else.
+struct Quadtree_traits_archetype_2 {
+  class Point_2 {
+  public:
+    explicit Point_2(std::uint32_t i) : place_(i) {}
+    friend bool operator==(const Point_2& p, const Point_2& q) { return p.place_ == q.place_; }
+
+  private:
+    friend struct Quadtree_traits_archetype_2;
+    std::uint32_t place_;
+  };
+  using Word = std::uint32_t;
+  static constexpr int depth = 20;
+  using Grid_point = CGAL::Quadtree_mesh_2::Grid_point_2<Word>;
+  struct Meshing_geometry_2;
+
+  struct Grid_2 {
+    bool is_in_root(const Point_2& p) const { return p.place_ < 1u << depth; }
+    Grid_point grid_point(const Point_2& p) const { return {p.place_, p.place_ / 3}; }
+    Point_2 point(const Grid_point& g) const { return Point_2(g.x); }
+  };
+  struct Construct_grid_2 {
+    template <class PointRange>
+    Grid_2 operator()(const PointRange&) const {
+      return {};
+    }
+  };
+  Construct_grid_2 construct_grid_2_object() const { return {}; }
+};
+
 } // namespace
+
+TEST_CASE("Quadtrees need no more than the concept", "[traits]") {
+  std::vector<Quadtree_traits_archetype_2::Point_2> points;
+  for (std::uint32_t i = 0; i < 100; ++i) points.emplace_back(i * i);
+  const CGAL::Balanced_quadtree<Quadtree_traits_archetype_2> tree(points);
+  CHECK(tree.is_valid());
+  CHECK(tree.locate(points[7]) == tree.leaf(Point_index(7)));
+  CHECK(tree.corners(tree.root())[0] == points[0]);
+}
 
 TEMPLATE_TEST_CASE("Shuffle order agrees with interleaved bits", "[traits]", std::uint32_t, std::uint64_t) {
   namespace internal = CGAL::Quadtree_mesh_2::internal;
@@ -238,4 +278,7 @@ TEMPLATE_TEST_CASE("The fixed-point scale is exact where doubles allow it", "[tr
   }
   const std::vector<Filtered_traits::Point_2> single{{0.1, -7}};
   CHECK(Scale::of_points(single).is_exact(0.1, -7));
+  CHECK_THROWS_AS(Scale(CGAL::Bbox_2()), std::invalid_argument);
+  CHECK_THROWS_AS(Scale(CGAL::Bbox_2(0, 0, std::numeric_limits<double>::infinity(), 1)),
+                  std::invalid_argument);
 }

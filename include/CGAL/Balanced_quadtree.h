@@ -30,7 +30,6 @@
 #include <CGAL/Quadtree_mesh_2/internal/split_squares.h>
 #include <CGAL/assertions.h>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -206,7 +205,30 @@ public:
 
   /// @}
 
+  /// Checks the links between nodes, that neighbouring leaves differ by at most a factor of two and that
+  /// points are in their leaves. Takes O(n + k) time.
+  bool is_valid() const {
+    for (std::size_t i = 0; i < number_of_nodes(); ++i)
+      if (!is_valid(Node_index(i))) return false;
+    for (std::size_t r = 0; r < framework_.number_of_points(); ++r)
+      if (!contains(square(leaf(Point_rank(r))), framework_.grid_point(Point_rank(r)))) return false;
+    return framework_.is_valid();
+  }
+
 private:
+  bool is_valid(Node_index v) const {
+    for (Direction d : Quadtree_mesh_2::all_directions()) {
+      const Node_index n = neighbor(v, d);
+      if (!n.is_valid()) continue;
+      if (level(v) - level(n) > 1 || level(n) > level(v)) return false;
+      if (level(n) == level(v) && neighbor(n, opposite(d)) != v) return false;
+    }
+    if (is_leaf(v)) return node(leaf(v)) == v;
+    for (int q = 0; q < 4; ++q)
+      if (parent(child(v, q)) != v) return false;
+    return true;
+  }
+
   using Linked_squares = Quadtree_mesh_2::internal::Linked_squares<Word>;
 
   void list_leaves() {

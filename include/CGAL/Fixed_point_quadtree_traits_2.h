@@ -19,6 +19,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <ostream>
+#include <stdexcept>
 #include <type_traits>
 
 namespace CGAL {
@@ -101,12 +102,18 @@ public:
   static constexpr int depth = Fixed_point_quadtree_traits_2<Word>::depth;
 
   /// The scale for what lies in `box`.
-  /// \pre the box is not empty; its coordinates are finite and below \f$ 2^{1000} \f$ in magnitude
+  /// \throws std::invalid_argument if the box is empty or has coordinates that are not below \f$ 2^{1000} \f$
+  /// in
+  ///         magnitude.
   explicit Fixed_point_scale_2(const Bbox_2& box) {
+    const std::array<double, 4> sides{box.xmin(), box.xmax(), box.ymin(), box.ymax()};
+    double magnitude = 0;
+    for (double v : sides) {
+      if (!(std::fabs(v) < std::ldexp(1.0, 1000)))
+        throw std::invalid_argument("Fixed_point_scale_2: the box is empty, infinite or too large");
+      magnitude = std::max(magnitude, std::fabs(v));
+    }
     const double extent = std::max(box.xmax() - box.xmin(), box.ymax() - box.ymin());
-    const double magnitude = std::max(
-        {std::fabs(box.xmin()), std::fabs(box.xmax()), std::fabs(box.ymin()), std::fabs(box.ymax())});
-    CGAL_precondition(extent >= 0 && magnitude < std::ldexp(1.0, 1000));
     // A box of one point gets units that tell it from its neighbours among the doubles, if there are any.
     int exponent = least_exponent_;
     if (extent > 0) exponent = std::max(exponent, std::ilogb(extent) - depth);
@@ -118,7 +125,7 @@ public:
   }
 
   /// The scale for the bounding box of `points`, whose members have `x()` and `y()` convertible to `double`.
-  /// \pre there is a point
+  /// \throws std::invalid_argument if there is no point, or a coordinate is not finite or too large.
   template <class PointRange>
   static Fixed_point_scale_2 of_points(const PointRange& points) {
     Bbox_2 box;

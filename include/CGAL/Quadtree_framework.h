@@ -25,7 +25,6 @@
 #include <CGAL/Quadtree_mesh_2/internal/bits.h>
 #include <CGAL/Quadtree_mesh_2/internal/morton.h>
 #include <CGAL/Quadtree_mesh_2/internal/nesting.h>
-#include <CGAL/assertions.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -162,7 +161,27 @@ public:
 
   /// @}
 
+  /// Checks that points are in strict shuffle order, that every square is derived from two of its points and
+  /// properly contained in its parent. Takes O(n) time.
+  bool is_valid() const {
+    for (std::size_t r = 1; r < number_of_points(); ++r)
+      if (!Quadtree_mesh_2::internal::less_shuffle(points_[r - 1], points_[r])) return false;
+    for (std::size_t v = 0; v < number_of_nodes(); ++v)
+      if (!is_valid(Node_index(v))) return false;
+    return true;
+  }
+
 private:
+  bool is_valid(Node_index v) const {
+    const Rank_interval inside = points(v);
+    const Grid_point& first = grid_point(inside.begin);
+    if (level_of_derived_square(first, points_[inside.end.value() - 1]) != level(v)) return false;
+    if (corner(first, level(v)) != corner_[std::size_t(v)]) return false;
+    if (!parent(v).is_valid()) return v == root();
+    const Rank_interval around = points(parent(v));
+    return level(parent(v)) < level(v) && !(inside.begin < around.begin) && !(around.end < inside.end);
+  }
+
   static constexpr std::uint32_t none_ = std::numeric_limits<std::uint32_t>::max();
 
   /// Fills the arrays of points: sorted, equal ones merged.

@@ -28,7 +28,6 @@
 #include <CGAL/Quadtree_mesh_2/internal/Square_collector.h>
 
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
