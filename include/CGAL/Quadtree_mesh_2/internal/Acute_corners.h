@@ -58,6 +58,9 @@ struct Leg {
   double length;
   Sector_id before = -1, after = -1; ///< lopped sectors clockwise and counterclockwise of it
   std::vector<Shell_vertex> shells;  ///< by increasing radius
+  /// The vertex at the corner's radius; the far end or another ring's vertex may stand in for one that would
+  /// come close to it.
+  Vertex_id ring = -1;
 };
 
 struct Sector {

@@ -64,9 +64,6 @@ public:
     return Refinement_end::done;
   }
 
-  /// Relocation moves no vertex with a smaller number: those of an earlier, finished run.
-  std::size_t number_of_steps() const { return steps_; }
-
 private:
   /// The off-centre sees the shortest edge under an angle a little wider than the bound.
   static constexpr double off_center_share = 0.95;
@@ -74,33 +71,38 @@ private:
   /// A triangle slot for which this many vertices were inserted gets vertices that stay: so relocation cannot
   /// cycle.
   static constexpr unsigned char patience = 3;
+  /// No vertex is relocated more often: so relocations without insertions end.
+  static constexpr unsigned char most_relocations = 32;
 
   Meshing_state<Geometry>& state_;
   Kernel_mesh<Geometry>& mesh_;
   Splitter<Geometry>& splitter_;
   Relocator<Geometry> relocator_;
-  double apex_height_; // of the off-centre's triangle over a unit edge
-  std::vector<unsigned char> trials_;
-  std::vector<char> is_settled_;
-  std::size_t steps_ = 0;
+  double apex_height_;                     // of the off-centre's triangle over a unit edge
+  std::vector<unsigned char> trials_;      // per triangle slot: vertices inserted for it
+  std::vector<unsigned char> relocations_; // per vertex
 
   bool relocate_a_vertex_of(Triangle_id t) {
     const auto r = mesh_.triangle(t);
     if (!state_.bounds.is_sharp(mesh_.shape(r))) return false; // too large: a new vertex is needed anyway
     for (const Vertex_id v : r.v) {
-      if (mesh_.edge_of[std::size_t(v)] == input_vertex || is_settled(v)) continue;
-      if (relocator_.relocate(v)) return true;
+      if (mesh_.edge_of[std::size_t(v)] == input_vertex || number_of_relocations(v) >= most_relocations)
+        continue;
+      if (!relocator_.relocate(v)) continue;
+      ++number_of_relocations(v);
+      return true;
     }
     return false;
   }
 
-  bool is_settled(Vertex_id v) const {
-    return std::size_t(v) < is_settled_.size() && is_settled_[std::size_t(v)] != 0;
+  unsigned char& number_of_relocations(Vertex_id v) {
+    if (relocations_.size() <= std::size_t(v))
+      relocations_.resize(mesh_.number_of_vertices() * 3 / 2 + 64, 0);
+    return relocations_[std::size_t(v)];
   }
 
   /// Inserts one vertex for the bad triangle t, and puts t back on the list if it is bad still.
   void refine(Triangle_id t) {
-    ++steps_;
     const std::size_t vertices_before = mesh_.number_of_vertices();
     const bool is_changed = splitter_.open_lock_around(t) || insert_vertex_for(t);
     settle_new_vertices(t, vertices_before);
@@ -112,9 +114,8 @@ private:
     unsigned char& trials = trials_[std::size_t(t)];
     if (trials < patience) ++trials;
     if (trials < patience) return;
-    if (is_settled_.size() < mesh_.number_of_vertices())
-      is_settled_.resize(mesh_.number_of_vertices() * 3 / 2 + 64, 0);
-    for (std::size_t v = vertices_before; v < mesh_.number_of_vertices(); ++v) is_settled_[v] = 1;
+    for (std::size_t v = vertices_before; v < mesh_.number_of_vertices(); ++v)
+      number_of_relocations(static_cast<Vertex_id>(v)) = most_relocations;
   }
 
   /// \returns false if nothing could be inserted: the triangle is as small as coordinates allow.

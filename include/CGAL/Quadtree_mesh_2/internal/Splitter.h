@@ -78,12 +78,16 @@ public:
     const auto r = mesh_.triangle(t);
     const Sector_id s = corners_.sector_of(mesh_, r.v[0], r.v[1], r.v[2]);
     if (s < 0 || corners_.sector(s).lock_radius == 0) return false;
-    double low = corners_.sector(s).lock_radius, high = 0;
+    const double lock_radius = corners_.sector(s).lock_radius;
+    double low = lock_radius, high = 0;
     for (const Vertex_id v : r.v) {
       const double radius = shell_radius(s, v);
-      if (radius < 0 || radius > corners_.sector(s).lock_radius) return false;
+      if (radius < 0 || radius > lock_radius + ring_tolerance(corners_.corner(
+                                                   corners_.leg(corners_.sector(s).right).corner)))
+        return false;
       low = std::min(low, radius), high = std::max(high, radius);
     }
+    if (low >= lock_radius) return lower_lock(s);
     if (low == 0) return insert_shell(corners_.leg(corners_.sector(s).right).corner, shell_below(s, high));
     return move_lock(s, low);
   }
@@ -117,23 +121,15 @@ private:
 
   void cut_ring_on_leg(Leg_id l, double radius, double tolerance) {
     Leg& leg = corners_.leg(l);
-    if (leg.length <= radius + tolerance) {
-      leg.shells.push_back({radius, leg.far});
-      return;
-    }
     const auto& at = corners_.legs_of_edge[std::size_t(leg.edge)];
     const Leg_id opposite = at[0] == l ? at[1] : at[0];
-    Vertex_id beyond = leg.far;
-    if (opposite >= 0 && !corners_.leg(opposite).shells.empty()) {
-      const Shell_vertex ring = corners_.leg(opposite).shells.back();
-      beyond = ring.vertex == leg.apex ? leg.far : ring.vertex;
-      if (ring.vertex != leg.apex && std::fabs(leg.length - ring.radius - radius) <= tolerance) {
-        leg.shells.push_back({radius, ring.vertex});
-        return;
-      }
-    }
-    const Vertex_id v = insert_between(leg.apex, beyond, leg.edge, point_on_leg(leg, radius));
-    if (v >= 0) leg.shells.push_back({radius, v});
+    const Vertex_id opposite_ring = opposite >= 0 ? corners_.leg(opposite).ring : -1;
+    const Vertex_id beyond = opposite_ring >= 0 && opposite_ring != leg.apex ? opposite_ring : leg.far;
+    const double room = beyond == leg.far ? leg.length : distance(leg.apex, beyond);
+    leg.ring = room <= radius + tolerance
+                   ? beyond
+                   : insert_between(leg.apex, beyond, leg.edge, point_on_leg(leg, radius));
+    if (leg.ring >= 0) leg.shells.push_back({leg.ring == beyond ? room : radius, leg.ring});
   }
 
   /// The alive shell vertices around a radius on a leg; the apex below the first, none (-1) above the last.
@@ -209,7 +205,10 @@ private:
   }
 
   Vertex_id vertex_at(Leg_id l, double radius) const {
-    for (const Shell_vertex& v : corners_.leg(l).shells)
+    const Leg& leg = corners_.leg(l);
+    if (radius == corners_.corner(leg.corner).radius)
+      return leg.ring >= 0 && mesh_.is_used(leg.ring) ? leg.ring : -1;
+    for (const Shell_vertex& v : leg.shells)
       if (std::fabs(v.radius - radius) <= 1e-9 * radius && mesh_.is_used(v.vertex)) return v.vertex;
     return -1;
   }
