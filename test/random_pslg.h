@@ -4,7 +4,8 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// Families of inputs that are hard to mesh, by number: each is valid (no crossings) and each seed gives another one.
+// Families of inputs that are hard to mesh, by number: each is valid (no crossings) and each seed gives
+// another one.
 
 #ifndef QUADTREE_MESH_2_TEST_RANDOM_PSLG_H
 #define QUADTREE_MESH_2_TEST_RANDOM_PSLG_H
@@ -38,8 +39,12 @@ public:
     z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
     return z ^ (z >> 31);
   }
-  double between(double low, double high) { return low + (high - low) * (static_cast<double>(bits() >> 11) * 0x1p-53); }
-  int integer(int low, int high) { return low + static_cast<int>(bits() % static_cast<std::uint64_t>(high - low + 1)); }
+  double between(double low, double high) {
+    return low + (high - low) * (static_cast<double>(bits() >> 11) * 0x1p-53);
+  }
+  int integer(int low, int high) {
+    return low + static_cast<int>(bits() % static_cast<std::uint64_t>(high - low + 1));
+  }
 
 private:
   std::uint64_t state_;
@@ -62,7 +67,8 @@ public:
     for (std::size_t i = 0; i < points.size(); ++i) segment(first + i, first + (i + 1) % points.size());
   }
 
-  /// Whether the open segment from p to q meets no other one; those that end at vertex `end` may meet it there.
+  /// Whether the open segment from p to q meets no other one; those that end at vertex `end` may meet it
+  /// there.
   bool is_free(const Point& p, const Point& q, std::size_t end) const {
     const Kernel::Segment_2 s(p, q);
     for (const auto& t : pslg.segments) {
@@ -86,7 +92,8 @@ inline Point polar(const Point& c, double r, double angle) {
 inline void add_box(Builder& b, Random& random, double half) {
   const double angle = random.between(0, 2 * pi);
   std::vector<Point> corners;
-  for (int i = 0; i < 4; ++i) corners.push_back(polar(Point(0, 0), half * std::sqrt(2.0), angle + i * pi / 2));
+  for (int i = 0; i < 4; ++i)
+    corners.push_back(polar(Point(0, 0), half * std::sqrt(2.0), angle + i * pi / 2));
   b.loop(corners);
 }
 
@@ -184,8 +191,8 @@ inline Pslg lattice(std::uint64_t seed) {
     bool crosses = false;
     for (const auto& t : b.pslg.segments) {
       const Point &a = b.pslg.point(t[0]), &c = b.pslg.point(t[1]);
-      const auto o1 = CGAL::orientation(a, c, p), o2 = CGAL::orientation(a, c, q), o3 = CGAL::orientation(p, q, a),
-                 o4 = CGAL::orientation(p, q, c);
+      const auto o1 = CGAL::orientation(a, c, p), o2 = CGAL::orientation(a, c, q),
+                 o3 = CGAL::orientation(p, q, a), o4 = CGAL::orientation(p, q, c);
       crosses = crosses || (o1 * o2 < 0 && o3 * o4 < 0);
     }
     if (crosses) continue;
@@ -227,7 +234,8 @@ inline Pslg wedge(std::uint64_t seed) {
   for (int legs = random.integer(2, 5); legs > 0; --legs) {
     b.segment(apex, b.vertex(polar(o, length, angle)));
     angle += std::pow(10, random.between(-4, 1)) * pi / 180;
-    length = random.integer(0, 1) == 0 ? length * (1 + std::pow(10, random.between(-9, -1))) : random.between(0.1, 1);
+    length = random.integer(0, 1) == 0 ? length * (1 + std::pow(10, random.between(-9, -1)))
+                                       : random.between(0.1, 1);
   }
   return b.pslg;
 }
@@ -238,8 +246,12 @@ struct Family {
 };
 
 inline const std::vector<Family>& families() {
-  static const std::vector<Family> all{{"fans and pairs", fans_and_pairs}, {"star", star},       {"comb", comb},
-                                       {"segments", segments},             {"lattice", lattice}, {"fractal", fractal},
+  static const std::vector<Family> all{{"fans and pairs", fans_and_pairs},
+                                       {"star", star},
+                                       {"comb", comb},
+                                       {"segments", segments},
+                                       {"lattice", lattice},
+                                       {"fractal", fractal},
                                        {"wedge", wedge}};
   return all;
 }

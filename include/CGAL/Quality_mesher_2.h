@@ -10,15 +10,18 @@
 #include <CGAL/Filtered_quadtree_traits_2.h>
 #include <CGAL/Fixed_point_quadtree_traits_2.h>
 #include <CGAL/Indexed_mesh_2.h>
+#include <CGAL/Kernel_traits.h>
 #include <CGAL/Pslg_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/Mesh_pipeline.h>
 #include <CGAL/Quality_mesh_options_2.h>
 #include <CGAL/Quality_mesh_report_2.h>
+#include <CGAL/indexed_mesh_to_triangulation_2.h>
 #include <CGAL/tags.h>
 
 #include <stdexcept>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 
@@ -78,6 +81,31 @@ private:
   Traits traits_;
   Quality_mesh_report_2 report_;
 };
+
+/// Replaces a constrained triangulation by a quality mesh of its domain: what its constrained edges separate
+/// from infinity, less the components of the seeds.
+///
+/// Takes the place of `refine_Delaunay_mesh_2()`. Afterwards `cdt` is a valid constrained Delaunay
+/// triangulation whose faces in the domain, those with `is_in_domain()`, are the mesh; pockets and holes up
+/// to the convex hull are filled with faces that are not. Vertex and face handles from before are invalid.
+/// \tparam Cdt a `Constrained_Delaunay_triangulation_2` over doubles whose faces model
+/// `DelaunayMeshFaceBase_2`. \tparam Seeds a range of points, one in each hole. \throws Pslg_error_2 if
+/// nothing is enclosed; `cdt` is then as it was.
+template <class Cdt, class Seeds>
+Quality_mesh_report_2 refine_quality_mesh_2(Cdt& cdt, const Seeds& seeds,
+                                            const Quality_mesh_options_2& options = {}) {
+  using Kernel = typename Kernel_traits<typename Cdt::Point>::Kernel;
+  const auto pslg = pslg_from_triangulation_2(cdt, seeds);
+  Quality_mesher_2<Filtered_quadtree_traits_2<Kernel>> mesher(options);
+  indexed_mesh_to_constrained_Delaunay_triangulation_2(mesher(pslg), pslg, cdt);
+  return mesher.report();
+}
+
+/// The same for a domain without holes.
+template <class Cdt>
+Quality_mesh_report_2 refine_quality_mesh_2(Cdt& cdt, const Quality_mesh_options_2& options = {}) {
+  return refine_quality_mesh_2(cdt, std::vector<typename Cdt::Point>(), options);
+}
 
 } // namespace CGAL
 

@@ -80,7 +80,6 @@ public:
 
 private:
   static constexpr double degree = 3.14159265358979323846 / 180;
-  static constexpr double guaranteed_angle = 20.7; // degrees
 
   const Pslg& pslg_;
   const Quality_mesh_options_2& options_;
@@ -175,10 +174,9 @@ private:
     // what 32-bit handles allow; above the guaranteed angle, where refinement might not end, a multiple of
     // the input
     constexpr std::size_t largest = 100000000;
-    return options_.min_angle_in_degrees <= guaranteed_angle || options_.max_edge_length > 0 ||
-                   options_.max_triangle_area > 0
+    return state_.bounds.is_guaranteed() || options_.max_edge_length > 0 || options_.max_triangle_area > 0
                ? largest
-               : std::min(largest, 50 * pslg_.number_of_vertices() + 100000);
+               : std::min(largest, 100 * pslg_.number_of_vertices() + 2000000);
   }
 
   void refine(Refiner<Geometry>& refiner, Splitter<Geometry>& splitter) {

@@ -31,6 +31,10 @@ struct Bounds {
   double area2 = std::numeric_limits<double>::infinity();          ///< twice the largest area
   double squared_length = std::numeric_limits<double>::infinity(); ///< of the longest edge
 
+  /// Up to this angle (20.7 degrees) refinement ends by itself.
+  static constexpr double guaranteed_angle = 20.7 * 3.14159265358979323846 / 180 * (1 + 1e-12);
+  bool is_guaranteed() const { return angle <= guaranteed_angle; }
+
   Bounds() = default;
   Bounds(double radians, double max_area, double max_length) : angle(radians) {
     constexpr double margin = 2e-9;

@@ -103,6 +103,11 @@ private:
   Kernel_mesh<Geometry>& mesh_;
   Acute_corners<Geometry>& corners_;
 
+  /// Nothing is cut nearer to an acute apex than this share of the leg. For bounds that are guaranteed only
+  /// features as near as that could ask for it; above, two corners of one vertex may drive each other on
+  /// without end.
+  double least_share_of_leg() const { return state_.bounds.is_guaranteed() ? 0x1p-45 : 0x1p-12; }
+
   double distance(Vertex_id a, Vertex_id b) const {
     return std::sqrt(squared_length(Geometry::difference(mesh_.point(a), mesh_.point(b))));
   }
@@ -154,6 +159,7 @@ private:
     bool is_changed = false;
     for (const Leg_id l : corners_.corner(c).legs) {
       Leg& leg = corners_.leg(l);
+      if (radius < least_share_of_leg() * leg.length) return false;
       const Interval i = interval_around(leg, radius);
       if (i.above.vertex < 0 || i.below.radius >= radius * (1 - 1e-9) ||
           i.above.radius <= radius * (1 + 1e-9))
@@ -295,6 +301,12 @@ private:
     const Vertex_id x = mesh_.source(s), y = mesh_.target(s);
     const Point a = mesh_.point(x);
     const Vector d = Geometry::difference(mesh_.point(y), a);
+    if (is_acute_apex(x) || is_acute_apex(y)) {
+      const Vector whole =
+          Geometry::difference(mesh_.point(state_.edges[e].b), mesh_.point(state_.edges[e].a));
+      const double floor = least_share_of_leg();
+      if (squared_length(d) < 4 * floor * floor * squared_length(whole)) return false;
+    }
     const double share = share_of_split(x, y, e, d, want);
     for (const double f : {share, 0.5, 0.4, 0.6, 0.45, 0.55})
       if (insert(s, e, Geometry::translate(a, f * d)) >= 0) return true;
