@@ -139,9 +139,7 @@ private:
   /// Moves v to p if all its triangles meet the bounds there.
   bool accept(Vertex_id v, Point p) {
     for (int i = 0; i < star_.size; ++i) {
-      const Shape s =
-          mesh_.shape(p, mesh_.point(star_.link[i]),
-                      mesh_.point(star_.link[i + 1 < star_.number_of_link_vertices() ? i + 1 : 0]));
+      const Shape s = mesh_.shape(p, mesh_.point(star_.link[i]), mesh_.point(star_.link[i + 1]));
       if (s.area2 <= 0 || !state_.bounds.is_met_by(s)) return false;
     }
     mesh_.points[std::size_t(v)] = p;
@@ -180,9 +178,7 @@ private:
   double least_of_star(Point p, double floor) const {
     double least = 2;
     for (int i = 0; i < star_.size && least > floor; ++i) {
-      const Shape s =
-          mesh_.shape(p, mesh_.point(star_.link[i]),
-                      mesh_.point(star_.link[i + 1 < star_.number_of_link_vertices() ? i + 1 : 0]));
+      const Shape s = mesh_.shape(p, mesh_.point(star_.link[i]), mesh_.point(star_.link[i + 1]));
       least = s.area2 <= 0 ? -1 : std::min(least, s.sin2_of_least_angle());
     }
     return least;

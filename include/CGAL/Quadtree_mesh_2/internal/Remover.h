@@ -20,7 +20,9 @@
 
 #include <CGAL/Quadtree_mesh_2/internal/Meshing_state.h>
 #include <CGAL/Quadtree_mesh_2/internal/Star.h>
+#include <CGAL/Quadtree_mesh_2/internal/bits.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -118,7 +120,7 @@ private:
     if (!fill_table(p, is_near_corner)) return false;
     const int first = number_made_;
     emit(p, 0, n - 1);
-    return !is_near_corner || is_locally_Delaunay(p, first);
+    return !is_near_corner || is_locally_Delaunay(first);
   }
 
   /// Fills the table; whether the whole polygon is feasible.
@@ -158,12 +160,6 @@ private:
     return (forward[0] >> (n - 1) & 1u) != 0;
   }
 
-  static int lowest_bit(std::uint32_t bits) {
-    int i = 0;
-    while ((bits >> i & 1u) == 0) ++i;
-    return i;
-  }
-
   /// The squared sine of the least angle; exempt triangles count as good, others that miss a bound as
   /// infeasible (0).
   double weight(const Shape& s, Vertex_id a, Vertex_id b, Vertex_id c, bool is_near_corner) const {
@@ -182,11 +178,11 @@ private:
 
   /// Near a corner the new triangles must be Delaunay, among themselves and with what is around: the last
   /// flips would otherwise take an exempt triangle apart.
-  bool is_locally_Delaunay(const Polygon& p, int first) const {
+  bool is_locally_Delaunay(int first) const {
     for (int i = first; i < number_made_; ++i)
       for (int k = 0; k < 3; ++k) {
         const Vertex_id a = made_[i][next_slot[k]], b = made_[i][previous_slot[k]];
-        const Vertex_id d = apex_across(p, first, a, b);
+        const Vertex_id d = apex_across(first, a, b);
         if (d >= 0 && Geometry::is_in_circle(mesh_.point(made_[i][0]), mesh_.point(made_[i][1]),
                                              mesh_.point(made_[i][2]), mesh_.point(d)))
           return false;
@@ -196,12 +192,12 @@ private:
 
   /// The vertex opposite the edge a-b on its right: of a new triangle, or of the mesh beyond the star; -1
   /// behind a constraint.
-  Vertex_id apex_across(const Polygon&, int first, Vertex_id a, Vertex_id b) const {
+  Vertex_id apex_across(int first, Vertex_id a, Vertex_id b) const {
     for (int i = first; i < number_made_; ++i)
       for (int k = 0; k < 3; ++k)
         if (made_[i][next_slot[k]] == b && made_[i][previous_slot[k]] == a) return made_[i][k];
     for (int i = 0; i < star_.size; ++i) {
-      const Vertex_id to = star_.link[i + 1 < star_.number_of_link_vertices() ? i + 1 : 0];
+      const Vertex_id to = star_.link[i + 1];
       if (star_.link[i] != a || to != b) continue;
       const Side o = mesh_.across(star_.corner[i]);
       return o.is_constrained() ? -1 : mesh_.opposite(o);
@@ -239,8 +235,7 @@ private:
   void connect(Side s, const Side* beyond, Open_side* open, int& number_open) {
     const Vertex_id a = mesh_.source(s), b = mesh_.target(s);
     for (int j = 0; j < star_.size; ++j)
-      if (star_.link[j] == a && star_.link[j + 1 < star_.number_of_link_vertices() ? j + 1 : 0] == b)
-        return mesh_.link(s.triangle(), s.slot(), beyond[j]);
+      if (star_.link[j] == a && star_.link[j + 1] == b) return mesh_.link(s.triangle(), s.slot(), beyond[j]);
     for (int j = 0; j < number_open; ++j)
       if (open[j].a == b && open[j].b == a) {
         const bool is_merged = (a == merged_a_ && b == merged_b_) || (a == merged_b_ && b == merged_a_);

@@ -28,6 +28,18 @@ inline int bit_width(std::uint64_t v) {
 #endif
 }
 
+/// Returns the position of the lowest bit that is set.
+/// \pre `v != 0`
+inline int lowest_bit(std::uint32_t v) {
+#if defined(_MSC_VER)
+  unsigned long position = 0;
+  _BitScanForward(&position, v);
+  return static_cast<int>(position);
+#else
+  return __builtin_ctz(v);
+#endif
+}
+
 } // namespace internal
 } // namespace Quadtree_mesh_2
 } // namespace CGAL

@@ -19,6 +19,24 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
+/// The lower and upper ends of the coordinates of some points.
+template <class Coordinate>
+struct Coordinate_ranges {
+  Coordinate low_x, high_x, low_y, high_y;
+
+  /// \pre there is a point
+  template <class PointRange>
+  explicit Coordinate_ranges(const PointRange& points)
+      : low_x(points[0].x()), high_x(low_x), low_y(points[0].y()), high_y(low_y) {
+    for (const auto& p : points) {
+      low_x = std::min<Coordinate>(low_x, p.x()), high_x = std::max<Coordinate>(high_x, p.x());
+      low_y = std::min<Coordinate>(low_y, p.y()), high_y = std::max<Coordinate>(high_y, p.y());
+    }
+  }
+  Coordinate extent() const { return std::max(high_x - low_x, high_y - low_y); }
+  Coordinate largest() const { return std::max(high_x, high_y); }
+};
+
 template <class Traits, class Geometry>
 class Coordinate_map;
 
@@ -33,12 +51,7 @@ public:
 
   template <class PointRange>
   explicit Coordinate_map(const PointRange& points) {
-    double low_x = points[0].x(), high_x = low_x, low_y = points[0].y(), high_y = low_y;
-    for (const Point_2& p : points) {
-      low_x = std::min(low_x, p.x()), high_x = std::max(high_x, p.x());
-      low_y = std::min(low_y, p.y()), high_y = std::max(high_y, p.y());
-    }
-    const double extent = std::max(high_x - low_x, high_y - low_y);
+    const double extent = Coordinate_ranges<double>(points).extent();
     exponent_ = std::isfinite(extent) && extent > 0 ? std::ilogb(extent) : 0;
   }
 
@@ -64,16 +77,11 @@ public:
 
   template <class PointRange>
   explicit Coordinate_map(const PointRange& points) {
-    Word low_x = points[0].x(), high_x = low_x, low_y = points[0].y(), high_y = low_y;
-    for (const Point_2& p : points) {
-      low_x = std::min(low_x, p.x()), high_x = std::max(high_x, p.x());
-      low_y = std::min(low_y, p.y()), high_y = std::max(high_y, p.y());
-    }
+    const Coordinate_ranges<Word> ranges(points);
     // differences with the auxiliary vertices of the first triangulation, three extents apart, must fit
     // signed words
     constexpr std::uint64_t largest_extent = std::uint64_t(1) << 61;
-    is_in_range_ = high_x - low_x <= largest_extent && high_y - low_y <= largest_extent &&
-                   std::uint64_t(high_x) < 2 * largest_extent && std::uint64_t(high_y) < 2 * largest_extent;
+    is_in_range_ = ranges.extent() <= largest_extent && ranges.largest() < 2 * largest_extent;
   }
 
   Point to_kernel(const Point_2& p) const { return {std::int64_t(p.x()), std::int64_t(p.y())}; }
