@@ -222,12 +222,13 @@ TEST_CASE("Duplicates, vertices on segments, overlaps, dangling and isolated par
 }
 
 TEST_CASE("Extreme coordinates", "[mesher]") {
-  const double scale = GENERATE(1e-40, 1e-9, 1.0, 1e9, 1e40);
+  const double scale = GENERATE(1e-290, 1e-150, 1e-9, 1.0, 1e9, 1e150, 1e299);
   CAPTURE(scale);
   const Pslg unit = read("syn_wedge_1deg.poly");
   Pslg pslg = unit;
   for (Point& p : pslg.vertices) p = Point(scale * p.x(), scale * p.y());
   run_to_the_bound(pslg, Options());
+  run_to_the_bound(pslg, Options().max_edge(0.1 * scale));
 }
 
 TEST_CASE("A budget or the callback stops with a valid mesh and a true report", "[mesher]") {

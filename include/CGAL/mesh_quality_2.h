@@ -21,6 +21,7 @@
 #include <CGAL/Pslg_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/Mesh_checker.h>
 #include <CGAL/Quadtree_mesh_2/internal/Mesh_statistics.h>
+#include <CGAL/Quadtree_mesh_2/internal/scaled_by_power_of_two.h>
 #include <CGAL/Quadtree_mesh_2/mesh_quality_types.h>
 
 #include <CGAL/number_utils.h>
@@ -112,6 +113,13 @@ Mesh_quality_2 mesh_quality_2(const Indexed_mesh_2<Point>& mesh, const Pslg_2<Po
                               const Mesh_quality_options_2& options = {}) {
   if constexpr (!std::is_same_v<Point, Quadtree_mesh_2::internal::Double_point>) {
     return mesh_quality_2(convert_to_double_points(mesh), convert_to_double_points(pslg), options);
+  } else if (const int exponent = Quadtree_mesh_2::internal::exponent_of_extreme_extent(pslg.vertices);
+             exponent != 0) {
+    using Quadtree_mesh_2::internal::scaled_by_power_of_two;
+    return scaled_by_power_of_two(mesh_quality_2(scaled_by_power_of_two(mesh, -exponent),
+                                                 scaled_by_power_of_two(pslg, -exponent),
+                                                 scaled_by_power_of_two(options, -exponent)),
+                                  exponent);
   } else {
     Mesh_quality_2 quality;
     Quadtree_mesh_2::internal::Mesh_checker checker(mesh, pslg, options, quality);

@@ -29,10 +29,11 @@
 #include <CGAL/Quality_mesh_report_2.h>
 #include <CGAL/validate_pslg_2.h>
 
-#include <cmath>
+#include <algorithm>
 #include <cstddef>
 #include <ctime>
 #include <sstream>
+#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -87,13 +88,16 @@ private:
   Quality_mesh_report_2& report_;
   Coordinate_map<Traits, Geometry> map_;
   Meshing_state<Geometry> state_;
+  double share_done_ = 0;
   std::vector<std::uint32_t> order_; // kernel vertex -> input vertex
   std::vector<Vertex_id>
       kernel_vertex_; // input vertex -> kernel vertex, duplicates to the one that stands for them
 
-  /// Whether the user wants to go on; `share` of the work is done.
+  /// Whether the user wants to go on; about `share` of the work is done. What the user is told never falls.
   bool shall_go_on(double share) {
-    if (!report_.is_cancelled && options_.callback && !options_.callback(share)) report_.is_cancelled = true;
+    share_done_ = std::max(share_done_, share);
+    if (!report_.is_cancelled && options_.callback && !options_.callback(share_done_))
+      report_.is_cancelled = true;
     return !report_.is_cancelled;
   }
 
