@@ -11,7 +11,6 @@
 #include <CGAL/IO/Triangle_files.h>
 #include <CGAL/Quality_mesher_2.h>
 #include <CGAL/mesh_quality_2.h>
-#include <CGAL/repair_pslg_2.h>
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Delaunay_mesh_face_base_2.h>
@@ -102,8 +101,7 @@ TEST_CASE("Random hard inputs are meshed to the bound", "[mesher]") {
   for (const random_pslg::Family& family : random_pslg::families())
     for (std::uint64_t seed = 0; seed < seeds; ++seed) {
       CAPTURE(family.name, seed);
-      // a segment that ends in the middle of another makes wedges that only a repaired graph calls wedges
-      const Pslg pslg = CGAL::repair_pslg_2(family.make(seed));
+      const Pslg pslg = family.make(seed);
       run_to_the_bound(pslg, Options().min_angle(seed % 2 == 0 ? 20.7 : 18.43));
     }
 }
@@ -114,7 +112,7 @@ TEST_CASE("Above the guaranteed angle meshes are valid and what is left is repor
     if (std::string(family.name) == "wedge") continue; // needles: hundreds of thousands of triangles
     for (std::uint64_t seed = 0; seed < seeds; ++seed) {
       CAPTURE(family.name, seed);
-      const Pslg pslg = CGAL::repair_pslg_2(family.make(seed));
+      const Pslg pslg = family.make(seed);
       const Run r = run(pslg, Options().min_angle(seed % 2 == 0 ? 25 : 30));
       CHECK(r.report.unmet_triangles.size() == r.quality.unmet_triangles.size());
     }
@@ -123,7 +121,7 @@ TEST_CASE("Above the guaranteed angle meshes are valid and what is left is repor
 
 TEST_CASE("Two corners of one vertex at the origin do not drive each other on without end at 30 degrees",
           "[mesher]") {
-  run(CGAL::repair_pslg_2(random_pslg::lattice(286)), Options().min_angle(30));
+  run(random_pslg::lattice(286), Options().min_angle(30));
 }
 
 TEST_CASE("A map is meshed at 30 degrees", "[mesher]") {
@@ -207,6 +205,11 @@ TEST_CASE("Duplicates, vertices on segments, overlaps, dangling and isolated par
     const Pslg pslg = make_pslg<double>({{0, 0}, {2, 0}, {2, 2}, {0, 2}, {1, 0}, {1, 2}},
                                         {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}});
     CHECK(run_to_the_bound(pslg, Options()).report.vertices_on_segments == 2);
+  }
+  SECTION("a segment that ends on another at 10 degrees makes a wedge") {
+    const Pslg pslg = make_pslg<double>({{0, 0}, {4, 0}, {4, 4}, {0, 4}, {2, 0}, {3.5, 0.2644904710626973}},
+                                        {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}});
+    CHECK(run_to_the_bound(pslg, Options()).report.exempt_triangles > 0);
   }
   SECTION("overlapping segments share their pieces") {
     const Pslg pslg = make_pslg<double>({{0, 0}, {3, 0}, {3, 1}, {0, 1}, {1, 0}, {2, 0}},

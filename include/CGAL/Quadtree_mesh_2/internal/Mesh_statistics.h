@@ -25,9 +25,9 @@ namespace internal {
 /// Angles, lengths and areas of a checked mesh, and the triangles that miss a bound.
 ///
 /// Below the angle bound, a triangle is *exempt* in an acute wedge only: two input segments meet at an input
-/// vertex, an end of both, at an angle phi < 60 degrees, all three vertices of the triangle lie on these two
-/// segments, and its least angle is at least 0.9 phi. Linear, but for the exempt triangles' searches among
-/// the segments at their apex.
+/// vertex, an end of at least one of them, at an angle phi < 60 degrees, all three vertices of the triangle
+/// lie on these two segments, and its least angle is at least 0.9 phi. Linear, but for the exempt triangles'
+/// searches among the segments at their apex.
 class Mesh_statistics {
 public:
   using Point = Mesh_checker::Point;
@@ -146,33 +146,59 @@ private:
     std::sort(v.begin(), v.end(), [&](std::uint32_t a, std::uint32_t b) { return number(a) < number(b); });
     const auto range = segments_through(v[0]);
     for (auto s = range.first; s != range.second; ++s)
-      for (std::size_t end : {0u, 1u})
-        if (is_in_wedge(v, s->second, end, is_below)) return true;
+      if (is_in_wedge(v, s->second, is_below)) return true;
     return false;
   }
 
-  /// Whether `v`, on segment `s` with its first vertex, is in a wedge of `s` and another segment at end `end`
-  /// of `s`.
+  /// Whether `v`, on segment `s` with its first vertex, is in a wedge of `s` and another segment.
   template <class IsBelow>
-  bool is_in_wedge(const std::array<std::uint32_t, 3>& v, std::uint32_t s, std::size_t end,
-                   IsBelow is_below) const {
-    const Point& apex = pslg_.point(pslg_.segments[s][end]);
+  bool is_in_wedge(const std::array<std::uint32_t, 3>& v, std::uint32_t s, IsBelow is_below) const {
     for (std::size_t k :
          {1u, 2u}) { // a vertex of the triangle that is not on s has to be on the other segment
       if (is_through(v[k], s)) continue;
       const auto range = segments_through(v[k]);
       for (auto other = range.first; other != range.second; ++other) {
         const std::uint32_t s2 = other->second;
-        const std::size_t end2 = pslg_.point(pslg_.segments[s2][0]) == apex ? 0 : 1;
-        if (pslg_.point(pslg_.segments[s2][end2]) != apex) continue;
         if (!is_through(v[3 - k], s) && !is_through(v[3 - k], s2)) continue;
-        const double phi =
-            wedge(pslg_.point(pslg_.segments[s][1 - end]), apex, pslg_.point(pslg_.segments[s2][1 - end2]));
-        if (phi < 60 && !is_below(0.9 * phi - tolerance_)) return true;
+        for (const Point& apex : meeting_points(s, s2)) {
+          const double phi = wedge(leg_end(s, apex, v), apex, leg_end(s2, apex, v));
+          if (phi < 60 && !is_below(0.9 * phi - tolerance_)) return true;
+        }
       }
       return false;
     }
     return false;
+  }
+
+  const Point& end_of(std::uint32_t segment, std::size_t end) const {
+    return pslg_.point(pslg_.segments[segment][end]);
+  }
+
+  /// The input vertices in which two segments meet: ends of one that lie on the other, exactly.
+  std::vector<Point> meeting_points(std::uint32_t s, std::uint32_t s2) const {
+    std::vector<Point> points;
+    for (std::size_t end : {0u, 1u}) {
+      if (is_on(end_of(s, end), s2)) points.push_back(end_of(s, end));
+      if (is_on(end_of(s2, end), s)) points.push_back(end_of(s2, end));
+    }
+    return points;
+  }
+
+  bool is_on(const Point& p, std::uint32_t segment) const {
+    const Point &a = end_of(segment, 0), &b = end_of(segment, 1);
+    return p == a || p == b ||
+           (CGAL::collinear(a, b, p) && CGAL::collinear_are_strictly_ordered_along_line(a, p, b));
+  }
+
+  /// Where the leg of a wedge along a segment leads to: the segment's other end, or, where the segment goes
+  /// through the apex, the triangle's vertex on it.
+  const Point& leg_end(std::uint32_t segment, const Point& apex,
+                       const std::array<std::uint32_t, 3>& v) const {
+    if (end_of(segment, 0) == apex) return end_of(segment, 1);
+    if (end_of(segment, 1) == apex) return end_of(segment, 0);
+    for (std::uint32_t w : v)
+      if (is_through(w, segment) && mesh_.points[w] != apex) return mesh_.points[w];
+    return apex;
   }
 
   static double wedge(const Point& a, const Point& apex, const Point& b) {
