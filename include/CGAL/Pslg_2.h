@@ -33,8 +33,8 @@ public:
   using Segment_index = Quadtree_mesh_2::Segment_index;
   using Segment = std::array<Vertex_index, 2>;
 
-  /// A point that gives its component of the domain an attribute and, if positive, an area bound. (Files carry the bound;
-  /// `Quality_mesher_2` does not follow it, only that of its options.)
+  /// A point that gives its component of the domain an attribute and, if positive, an area bound. (Files
+  /// carry the bound; `Quality_mesher_2` does not follow it, only that of its options.)
   struct Region {
     Point_2 point;
     double attribute = 0;
