@@ -89,7 +89,7 @@ TEST_CASE("SVG of one triangle", "[SVG]") {
   options.width(100).margin_in_pixels = 0;
   const std::string text = svg(mesh_of(pslg), pslg, options);
   CHECK(text.find("width=\"100\" height=\"100\" viewBox=\"0 0 1000 1000\"") != std::string::npos);
-  CHECK(count(text, "<path") == 3); // area, edges, segments
+  CHECK(count(text, "<path") == 3);           // area, edges, segments
   CHECK(text.find('M') == std::string::npos); // pairs of numbers after it would be absolute
   CHECK(text.find("d=\"m0 1000 1000 0-1000-1000 0 1000\"") != std::string::npos);
 }

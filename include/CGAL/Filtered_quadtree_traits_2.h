@@ -29,8 +29,10 @@ namespace CGAL {
 /// smaller than the spacing of doubles at the largest coordinate.
 ///
 /// Distinct points are told apart unless they differ by less than \f$ 2^{-62} \f$ of the root's side, which
-/// for doubles is possible near 0 only; such points are an error that names them. \tparam Kernel a CGAL
-/// kernel whose `FT` is `double`. \cgalModels{QuadtreeTraits_2}
+/// for doubles is possible near 0 only; such points are an error that names them.
+/// \tparam Kernel a CGAL
+/// kernel whose `FT` is `double`.
+/// \cgalModels{QuadtreeTraits_2}
 template <class Kernel = Exact_predicates_inexact_constructions_kernel>
 class Filtered_quadtree_traits_2 {
   static_assert(std::is_same<typename Kernel::FT, double>::value, "the kernel must be over double");

@@ -51,7 +51,9 @@ struct Fixed_point_2 {
 
 /// Quadtrees of points with integer coordinates. The grid is that of the integers and the root is
 /// \f$ [0, 2^{31})^2 \f$ or \f$ [0, 2^{62})^2 \f$: upper corners and differences of coordinates fit signed
-/// words. \tparam Word_ `std::uint32_t` or `std::uint64_t`. \cgalModels{QuadtreeTraits_2}
+/// words.
+/// \tparam Word_ `std::uint32_t` or `std::uint64_t`.
+/// \cgalModels{QuadtreeTraits_2}
 template <class Word_>
 class Fixed_point_quadtree_traits_2 {
 public:

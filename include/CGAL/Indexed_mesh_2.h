@@ -20,7 +20,8 @@ namespace CGAL {
 ///
 /// The first `number_of_input_vertices` vertices are the vertices of the input, in their order and with their
 /// coordinates bit for bit, whether a triangle uses them or not (a vertex outside the domain is kept, so that
-/// indices stay what they were). Triangles are counterclockwise. Side `k` of a triangle is the one opposite its vertex `k`.
+/// indices stay what they were). Triangles are counterclockwise. Side `k` of a triangle is the one opposite
+/// its vertex `k`.
 /// \tparam Point point type with members `x()` and `y()`.
 template <class Point>
 class Indexed_mesh_2 {
@@ -43,7 +44,8 @@ public:
   std::vector<std::array<Triangle_index, 3>> neighbors;
   /// Every mesh edge that lies on an input segment, once.
   std::vector<Constrained_edge> constrained_edges;
-  /// Per triangle, the position in `Pslg_2::regions` of its region, -1 where none; empty if the input has no regions.
+  /// Per triangle, the position in `Pslg_2::regions` of its region, -1 where none; empty if the input has no
+  /// regions.
   std::vector<int> region_of_triangle;
   /// Per vertex, the input segment in whose interior a Steiner vertex lies; invalid for all others.
   std::vector<Segment_index> segment_of_vertex;

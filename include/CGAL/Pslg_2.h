@@ -23,7 +23,8 @@ namespace CGAL {
 /// file.
 ///
 /// By the rule of Triangle and Mesh_2, what segments separate from infinity is the domain, except the
-/// components with a hole's point in them. \tparam Point point type with members `x()` and `y()`, a CGAL
+/// components with a hole's point in them.
+/// \tparam Point point type with members `x()` and `y()`, a CGAL
 /// kernel's `Point_2` or `Fixed_point_2<Word>`.
 template <class Point>
 class Pslg_2 {

@@ -26,7 +26,8 @@ struct Quality_mesh_options_2 {
   /// Largest area of a triangle, in squared units of the input; 0 means no bound.
   double max_triangle_area = 0;
   Coarsening coarsening = Coarsening::guarded_removal;
-  /// Refinement stops, with what is left reported, when the mesh has this many vertices; 0 means no bound but memory's.
+  /// Refinement stops, with what is left reported, when the mesh has this many vertices; 0 means no bound but
+  /// memory's.
   std::size_t vertex_budget = 0;
   /// Called now and then with the share of work done, in [0, 1]; returning false stops with the mesh so far.
   std::function<bool(double)> callback;

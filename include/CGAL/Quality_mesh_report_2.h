@@ -44,9 +44,10 @@ struct Quality_mesh_report_2 {
   std::size_t input_segments = 0;
   std::size_t vertices = 0; ///< vertices that a triangle uses
   std::size_t triangles = 0;
-  std::size_t merged_vertices = 0;  ///< input vertices at the place of an earlier one
+  std::size_t merged_vertices = 0;      ///< input vertices at the place of an earlier one
   std::size_t vertices_on_segments = 0; ///< input vertices found in the interior of an input segment
-  std::size_t exempt_triangles = 0; ///< below the bound inside a wedge of two input segments, never under 0.9 of its angle
+  /// Below the bound inside a wedge of two input segments, never under 0.9 of its angle.
+  std::size_t exempt_triangles = 0;
   std::vector<Unmet_triangle> unmet_triangles;
   std::size_t rounds = 0;
   bool is_cancelled = false;

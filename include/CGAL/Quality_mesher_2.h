@@ -41,7 +41,9 @@ namespace CGAL {
 ///
 /// After Bern, Eppstein, Teng, "Parallel construction of quadtrees and quality triangulations", section 6,
 /// with the squares refined one corner at a time where the mesh asks for them. Expected O(n log n + k) time
-/// for k triangles. \tparam Traits a model of `QuadtreeTraits_2` that names a meshing geometry. \tparam
+/// for k triangles.
+/// \tparam Traits a model of `QuadtreeTraits_2` that names a meshing geometry.
+/// \tparam
 /// ConcurrencyTag `Sequential_tag`.
 template <class Traits = Filtered_quadtree_traits_2<>, class ConcurrencyTag = Sequential_tag>
 class Quality_mesher_2 {
@@ -89,7 +91,9 @@ private:
 /// triangulation whose faces in the domain, those with `is_in_domain()`, are the mesh; pockets and holes up
 /// to the convex hull are filled with faces that are not. Vertex and face handles from before are invalid.
 /// \tparam Cdt a `Constrained_Delaunay_triangulation_2` over doubles whose faces model
-/// `DelaunayMeshFaceBase_2`. \tparam Seeds a range of points, one in each hole. \throws Pslg_error_2 if
+/// `DelaunayMeshFaceBase_2`.
+/// \tparam Seeds a range of points, one in each hole.
+/// \throws Pslg_error_2 if
 /// nothing is enclosed; `cdt` is then as it was.
 template <class Cdt, class Seeds>
 Quality_mesh_report_2 refine_quality_mesh_2(Cdt& cdt, const Seeds& seeds,

@@ -182,7 +182,9 @@ inline std::string Pslg_defect_2::to_string() const {
 ///
 /// An empty list means a planar straight-line graph. All answers are exact; only the places of crossings are
 /// rounded. Expected O(n log n) time for segments that do not cross, as long as they are not very long; with
-/// c crossings O(c) more, in exact arithmetic. \tparam Point has floating-point coordinates. \throws
+/// c crossings O(c) more, in exact arithmetic.
+/// \tparam Point has floating-point coordinates.
+/// \throws
 /// Pslg_error_2 if `check_pslg_structure()` does.
 template <class Point>
 std::vector<Pslg_defect_2> find_pslg_defects(const Pslg_2<Point>& pslg) {

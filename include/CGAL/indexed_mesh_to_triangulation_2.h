@@ -85,7 +85,8 @@ void indexed_mesh_to_constrained_Delaunay_triangulation_2(const Indexed_mesh_2<P
 }
 
 /// The graph of a triangulation: its finite vertices and its constrained edges, both in the order of
-/// iteration. \param seeds range of points, one in each hole. Linear in expectation.
+/// iteration.
+/// \param seeds range of points, one in each hole. Linear in expectation.
 template <class Cdt, class Seeds>
 Pslg_2<typename Cdt::Point> pslg_from_triangulation_2(const Cdt& cdt, const Seeds& seeds) {
   Pslg_2<typename Cdt::Point> pslg;

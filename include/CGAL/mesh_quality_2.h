@@ -63,7 +63,8 @@ std::vector<Double_point> to_double_points(const std::vector<Point>& points) {
 /// Exact for coordinates that doubles represent, so for integers up to 2^53. Others are rounded to nearest:
 /// integer words up to 2^62 move by up to 2^8 units, and points closer than that may come to lie at one place
 /// or on the other side of an edge. A mesh that is valid in its own coordinates can then fail the check of
-/// the rounded ones. \tparam Point `x()` and `y()` are arithmetic or have a `CGAL::to_double()`.
+/// the rounded ones.
+/// \tparam Point `x()` and `y()` are arithmetic or have a `CGAL::to_double()`.
 template <class Point>
 Indexed_mesh_2<Quadtree_mesh_2::internal::Double_point>
 convert_to_double_points(const Indexed_mesh_2<Point>& mesh) {

@@ -180,7 +180,8 @@ void check_pslg_structure(const Pslg_2<Point>& pslg) {
 }
 
 /// The strict form of `check_pslg_structure()`: also no segment may have length zero, be it that both its
-/// ends are one vertex or two vertices at the same place. O(n) time, no memory. \throws Pslg_error_2 whose
+/// ends are one vertex or two vertices at the same place. O(n) time, no memory.
+/// \throws Pslg_error_2 whose
 /// message names the first culprit by its 0-based index and its coordinates.
 template <class Point>
 void validate_pslg_2(const Pslg_2<Point>& pslg) {

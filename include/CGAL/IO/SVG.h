@@ -26,8 +26,11 @@ namespace CGAL {
 namespace IO {
 
 /// Writes a picture of the mesh: its edges thin, the input segments thick, both of them inside and outside
-/// the domain. \param mesh `points`, `triangles` and `constrained_edges` are used. \param pslg what the mesh
-/// was made from. \tparam Point `x()` and `y()` are arithmetic or have a `CGAL::to_double()`.
+/// the domain.
+/// \param mesh `points`, `triangles` and `constrained_edges` are used.
+/// \param pslg what the mesh
+/// was made from.
+/// \tparam Point `x()` and `y()` are arithmetic or have a `CGAL::to_double()`.
 template <class Point>
 void write_SVG(std::ostream& out, const Indexed_mesh_2<Point>& mesh, const Pslg_2<Point>& pslg,
                const Svg_options_2& options = {}) {

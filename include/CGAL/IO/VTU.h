@@ -26,7 +26,8 @@ namespace IO {
 /// Writes the mesh as an unstructured grid of VTK, for ParaView and its like, with CGAL's writer.
 ///
 /// Cells are the triangles of the domain and the constrained edges, those outside the domain included.
-/// Vertices outside the domain are in the file too. \param mesh,pslg as for
+/// Vertices outside the domain are in the file too.
+/// \param mesh,pslg as for
 /// `indexed_mesh_to_constrained_Delaunay_triangulation_2()`; the points are points of a kernel over double.
 /// \param mode `IO::BINARY` or `IO::ASCII`
 /// \throws std::system_error (a `std::runtime_error`) naming the file if it cannot be written; what was there

@@ -275,7 +275,8 @@ namespace IO {
 /// `.node` file of the same stem. A comment reaches from `#` to the end of its line. Regions have an
 /// attribute and, if one more column is there, a largest area. Coordinates are the doubles nearest to the
 /// decimals, or words if the coordinates of `Point` are integers. Segments are not checked beyond their
-/// indices, see `check_pslg_structure()` and `repair_pslg_2()`. Linear time: about 0.1 us a number. \throws
+/// indices, see `check_pslg_structure()` and `repair_pslg_2()`. Linear time: about 0.1 us a number.
+/// \throws
 /// Pslg_error_2 with file, line and culprit if the file is missing, truncated or malformed; `pslg` is then as
 /// it was.
 template <class Point>

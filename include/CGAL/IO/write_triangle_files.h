@@ -187,7 +187,8 @@ void write_triangle_poly(const std::string& file_name, const Pslg_2<Point>& pslg
 /// Writes all vertices of a mesh, in their order and used or not, to a `.node` file with markers.
 ///
 /// The marker is the one the vertex has in `pslg`, else the first that is not 0 among the input segments it
-/// lies on, else 1 on the border of the domain and 0 inside. \pre `mesh` is a mesh of `pslg`, as for all
+/// lies on, else 1 on the border of the domain and 0 inside.
+/// \pre `mesh` is a mesh of `pslg`, as for all
 /// functions here.
 template <class Point>
 void write_triangle_node(const std::string& file_name, const Indexed_mesh_2<Point>& mesh,

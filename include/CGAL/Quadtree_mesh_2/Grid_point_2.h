@@ -36,7 +36,8 @@ struct Grid_point_2 {
 ///
 /// The root has level 0; a square of level `l` has side `2^(depth - l)` grid units, where `depth` is that of
 /// the traits, and corners at multiples of its side. It is half open: it contains its lower and left sides
-/// only. \tparam Word_ unsigned integer type.
+/// only.
+/// \tparam Word_ unsigned integer type.
 template <class Word_>
 struct Quadtree_square_2 {
   using Word = Word_;

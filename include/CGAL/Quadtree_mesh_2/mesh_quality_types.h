@@ -75,8 +75,8 @@ struct Mesh_quality_2 {
   std::size_t border_edges = 0;
   std::size_t triangles = 0;
   double area = 0;
-  double domain_area =
-      0; ///< by a constrained Delaunay triangulation of the input; 0 where the domain is not checked
+  /// By a constrained Delaunay triangulation of the input; 0 where the domain is not checked.
+  double domain_area = 0;
   double shortest_edge = std::numeric_limits<double>::infinity();
   double longest_edge = 0;
   double largest_area = 0;

@@ -41,7 +41,8 @@ public:
   using Vertex_handle = typename Cdt::Vertex_handle;
   using Face_handle = typename Cdt::Face_handle;
 
-  /// \param points all points; \param chosen the indices of those that become vertices.
+  /// \param points all points;
+  /// \param chosen the indices of those that become vertices.
   Indexed_cdt(const std::vector<Point>& points,
               std::vector<std::size_t> chosen) // CGAL's sort takes no other index type
       : handles_(points.size()), degrees_(points.size(), 0) {

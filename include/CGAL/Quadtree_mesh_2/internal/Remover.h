@@ -37,7 +37,8 @@ public:
   Remover(Meshing_state<Geometry>& state, Vertex_id number_of_input_vertices)
       : state_(state), mesh_(state.mesh), first_steiner_(number_of_input_vertices) {}
 
-  /// Removes what can be removed. \returns the number of vertices removed.
+  /// Removes what can be removed.
+  /// \returns the number of vertices removed.
   template <class Continue>
   std::size_t run(Continue&& shall_go_on) {
     constexpr int passes = 2;

@@ -101,7 +101,8 @@ private:
   std::vector<Written> written_;
 };
 
-/// Writes `text` to a file that keeps its old content if that fails. \throws std::system_error
+/// Writes `text` to a file that keeps its old content if that fails.
+/// \throws std::system_error
 inline void replace_file(const std::string& file_name, const std::string& text) {
   Replaced_files files;
   files.add(file_name, text);

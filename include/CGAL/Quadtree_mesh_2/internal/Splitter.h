@@ -73,7 +73,8 @@ public:
   }
 
   /// Makes a bad triangle within a locked sector ordinary domain (or, if it touches the apex, halves its
-  /// leg). \returns false if t is not within a lock, or nothing can be done.
+  /// leg).
+  /// \returns false if t is not within a lock, or nothing can be done.
   bool open_lock_around(Triangle_id t) {
     const auto r = mesh_.triangle(t);
     const Sector_id s = corners_.sector_of(mesh_, r.v[0], r.v[1], r.v[2]);

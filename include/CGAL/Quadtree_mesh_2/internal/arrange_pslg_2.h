@@ -154,7 +154,8 @@ private:
   Arranged_pslg_2 result_;
 };
 
-/// Where two lines meet, by exact arithmetic, rounded. \pre Segments `s` and `t` are not parallel.
+/// Where two lines meet, by exact arithmetic, rounded.
+/// \pre Segments `s` and `t` are not parallel.
 template <class Point>
 std::array<double, 2> crossing_of_segments(const Pslg_2<Point>& pslg, Segment_index s, Segment_index t) {
   using Exact_kernel = Exact_predicates_exact_constructions_kernel;
