@@ -73,7 +73,7 @@ inline po::options_description visible_options() {
     ("output,o", po::value<std::vector<std::string>>()->value_name("FILE"),
      "where to write the mesh, more than once if you like: .vtu, .svg, or .ele, which writes .node, .ele and .poly")
     ("min-angle", po::value<double>()->value_name("DEG")->default_value(20.7, "20.7"),
-     "least angle in degrees; reached on every input up to 20.7, accepted up to 30")
+     "least angle in degrees; up to 20.7 reached on every input tried, accepted up to 30")
     ("max-edge", po::value<double>()->value_name("H"), "longest edge")
     ("max-area", po::value<double>()->value_name("A"), "largest area of a triangle")
     ("kernel", po::value<std::string>()->value_name("K")->default_value("filtered"),
