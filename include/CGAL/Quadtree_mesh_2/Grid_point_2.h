@@ -14,10 +14,11 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 
 /// A point of the integer grid on which quadtrees live.
-/// \tparam Word_ unsigned integer type.
+/// \tparam Word_ an integer type, unsigned or of unlimited length.
 template <class Word_>
 struct Grid_point_2 {
-  static_assert(std::is_unsigned<Word_>::value, "grid coordinates are unsigned integers");
+  static_assert(!std::is_integral<Word_>::value || std::is_unsigned<Word_>::value,
+                "grid coordinates are not negative");
   using Word = Word_;
 
   Word x = 0;
@@ -35,9 +36,9 @@ struct Grid_point_2 {
 /// A square of a quadtree: its lower left corner in grid units and its level.
 ///
 /// The root has level 0; a square of level `l` has side `2^(depth - l)` grid units, where `depth` is that of
-/// the traits, and corners at multiples of its side. It is half open: it contains its lower and left sides
+/// the grid, and corners at multiples of its side. It is half open: it contains its lower and left sides
 /// only.
-/// \tparam Word_ unsigned integer type.
+/// \tparam Word_ as for `Grid_point_2`.
 template <class Word_>
 struct Quadtree_square_2 {
   using Word = Word_;

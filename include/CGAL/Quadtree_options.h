@@ -1,0 +1,72 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+
+#ifndef CGAL_QUADTREE_OPTIONS_H
+#define CGAL_QUADTREE_OPTIONS_H
+
+#include <cstddef>
+
+namespace CGAL {
+
+namespace Quadtree_mesh_2 {
+
+/// Between which leaves of a quadtree sizes differ by at most a factor of two.
+enum class Balance {
+  /// Any leaves may differ: the unbalanced quadtree of Theorem 1.
+  NONE,
+  /// Leaves that share a part of a side.
+  SIDES,
+  /// Leaves that share a part of a side or a corner; what meshes need.
+  SIDES_AND_CORNERS
+};
+
+/// The order in which a quadtree is balanced.
+enum class Balance_schedule {
+  /// Level by level: the smallest balanced quadtree, in as many parallel rounds as there are levels.
+  LEVEL_BY_LEVEL,
+  /// Theorem 2: levels about log2 n apart are found by sorting the squares that balance forces there, and
+  /// what lies between them at the same time. O(log n) parallel rounds, and a constant factor more squares.
+  SPACED_LEVELS
+};
+
+} // namespace Quadtree_mesh_2
+
+/// Options of `Balanced_quadtree`; each setter returns the options, so that calls can be chained.
+class Quadtree_options {
+public:
+  using Balance = Quadtree_mesh_2::Balance;
+  using Balance_schedule = Quadtree_mesh_2::Balance_schedule;
+
+  /// The most points that a leaf may hold, at least 1; 1 by default.
+  Quadtree_options& max_points_per_leaf(std::size_t n) {
+    max_points_per_leaf_ = n;
+    return *this;
+  }
+  std::size_t max_points_per_leaf() const { return max_points_per_leaf_; }
+
+  /// Which neighbours are balanced, `Balance::SIDES_AND_CORNERS` by default.
+  Quadtree_options& balance(Balance b) {
+    balance_ = b;
+    return *this;
+  }
+  Balance balance() const { return balance_; }
+
+  /// How balance is reached, `Balance_schedule::LEVEL_BY_LEVEL` by default.
+  Quadtree_options& schedule(Balance_schedule s) {
+    schedule_ = s;
+    return *this;
+  }
+  Balance_schedule schedule() const { return schedule_; }
+
+private:
+  std::size_t max_points_per_leaf_ = 1;
+  Balance balance_ = Balance::SIDES_AND_CORNERS;
+  Balance_schedule schedule_ = Balance_schedule::LEVEL_BY_LEVEL;
+};
+
+} // namespace CGAL
+
+#endif // CGAL_QUADTREE_OPTIONS_H
