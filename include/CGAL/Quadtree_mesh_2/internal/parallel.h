@@ -1,0 +1,160 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+
+// The parallel layer: the few primitives from which all parallel algorithms here are made.
+//
+// Computes: loops, reductions, scans and packing over blocks of an index range; sorting is in parallel_sort.h.
+// Bound:    O(n) work; O(1) rounds, each as long as a block, besides the pass over block totals.
+// Method:   A range is cut into blocks by its length alone, never by the number of threads, and block results
+//           are combined in order. So results are the same bits for any number of threads, also sequentially.
+//
+// `Concurrency_tag` is `CGAL::Sequential_tag` or `CGAL::Parallel_tag`; the latter runs on TBB if the program
+// links it (`CGAL_LINKED_WITH_TBB`) and on one thread otherwise. All primitives go through
+// `Executor<Concurrency_tag>`, whose specialization for another tag runs them elsewhere, for example to count.
+
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_PARALLEL_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_PARALLEL_H
+
+#include <CGAL/tags.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/parallel_for.h>
+#endif
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Quadtree_mesh_2 {
+namespace internal {
+
+/// Runs independent tasks. `run(n, f)` calls `f(i)` for all i below n and returns when all calls have.
+/// Exceptions of tasks are passed on, one of them if there are several.
+template <class Concurrency_tag>
+struct Executor {
+  template <class F>
+  static void run(std::size_t n, const F& f) {
+    for (std::size_t i = 0; i < n; ++i) f(i);
+  }
+};
+
+#ifdef CGAL_LINKED_WITH_TBB
+template <>
+struct Executor<Parallel_tag> {
+  template <class F>
+  static void run(std::size_t n, const F& f) {
+    if (n == 1) return f(std::size_t(0));
+    tbb::parallel_for(std::size_t(0), n, f);
+  }
+};
+#endif
+
+/// The length of blocks where the work for each index is a few nanoseconds.
+constexpr std::size_t default_block = 8192;
+
+/// Calls `f(block, begin, end)` for the consecutive blocks of `[0, n)`, all but the last of length
+/// `block_length`.
+template <class Concurrency_tag, class F>
+void for_each_block(std::size_t n, std::size_t block_length, const F& f) {
+  const std::size_t blocks = (n + block_length - 1) / block_length;
+  if (blocks == 0) return;
+  Executor<Concurrency_tag>::run(blocks, [&](std::size_t b) {
+    const std::size_t begin = b * block_length;
+    f(b, begin, std::min(n, begin + block_length));
+  });
+}
+
+/// Calls `f(i)` for all i below `n`.
+template <class Concurrency_tag, class F>
+void for_each_index(std::size_t n, const F& f, std::size_t block_length = default_block) {
+  for_each_block<Concurrency_tag>(n, block_length, [&](std::size_t, std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) f(i);
+  });
+}
+
+/// Returns `combine` of the values `of_range(begin, end)` of consecutive ranges that make up `[0, n)`, from
+/// left to right, beginning with `identity`.
+template <class Concurrency_tag, class T, class Of_range, class Combine>
+T reduce(std::size_t n, T identity, const Of_range& of_range, const Combine& combine,
+         std::size_t block_length = default_block) {
+  std::vector<T> partial((n + block_length - 1) / block_length, identity);
+  for_each_block<Concurrency_tag>(
+      n, block_length,
+      [&](std::size_t b, std::size_t begin, std::size_t end) { partial[b] = of_range(begin, end); });
+  T result = identity;
+  for (const T& p : partial) result = combine(result, p);
+  return result;
+}
+
+/// Replaces each value by the sum of those before it, beginning with `first`; returns the sum of all and
+/// `first`.
+template <class T>
+T scan_exclusively(T* values, std::size_t n, T first) {
+  for (std::size_t i = 0; i < n; ++i) {
+    const T value = values[i];
+    values[i] = first;
+    first = static_cast<T>(first + value);
+  }
+  return first;
+}
+
+/// Numbers what blocks hold: calls `count(begin, end)` for each block, then `place(begin, end, first)` with
+/// the sum of the counts of the blocks before. Returns the sum of all counts.
+template <class Concurrency_tag, class Count, class Place>
+std::size_t count_and_place(std::size_t n, const Count& count, const Place& place,
+                            std::size_t block_length = default_block) {
+  std::vector<std::size_t> first((n + block_length - 1) / block_length);
+  for_each_block<Concurrency_tag>(
+      n, block_length,
+      [&](std::size_t b, std::size_t begin, std::size_t end) { first[b] = count(begin, end); });
+  const std::size_t sum = scan_exclusively(first.data(), first.size(), std::size_t(0));
+  for_each_block<Concurrency_tag>(
+      n, block_length,
+      [&](std::size_t b, std::size_t begin, std::size_t end) { place(begin, end, first[b]); });
+  return sum;
+}
+
+/// Replaces each of `n` values by the sum of those before it and returns the sum of all.
+template <class Concurrency_tag, class T>
+T exclusive_scan(T* values, std::size_t n) {
+  return static_cast<T>(count_and_place<Concurrency_tag>(
+      n,
+      [&](std::size_t begin, std::size_t end) {
+        T sum = 0;
+        for (std::size_t i = begin; i < end; ++i) sum = static_cast<T>(sum + values[i]);
+        return static_cast<std::size_t>(sum);
+      },
+      [&](std::size_t begin, std::size_t end, std::size_t first) {
+        scan_exclusively(values + begin, end - begin, static_cast<T>(first));
+      }));
+}
+
+/// Returns the indices i below `n` with `is_kept(i)`, in order. `is_kept` is called twice for each.
+template <class Concurrency_tag, class Is_kept>
+std::vector<std::uint32_t> pack(std::size_t n, const Is_kept& is_kept) {
+  std::vector<std::uint32_t> kept;
+  const auto count = [&](std::size_t begin, std::size_t end) {
+    std::size_t sum = 0;
+    for (std::size_t i = begin; i < end; ++i) sum += is_kept(i) ? 1 : 0;
+    return sum;
+  };
+  const std::size_t sum = reduce<Concurrency_tag>(n, std::size_t(0), count,
+                                                  [](std::size_t a, std::size_t b) { return a + b; });
+  kept.resize(sum);
+  count_and_place<Concurrency_tag>(n, count, [&](std::size_t begin, std::size_t end, std::size_t first) {
+    for (std::size_t i = begin; i < end; ++i)
+      if (is_kept(i)) kept[first++] = static_cast<std::uint32_t>(i);
+  });
+  return kept;
+}
+
+} // namespace internal
+} // namespace Quadtree_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_PARALLEL_H
