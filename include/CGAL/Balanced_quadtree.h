@@ -4,19 +4,18 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 
-// The balanced quadtree of a set of points.
+// The quadtree of a set of points, balanced and cross-linked.
 //
-// Computes: the smallest quadtree in which no leaf holds more than m points and leaves that share a side or a
-// corner
-//           differ by at most a factor of two; with cross pointers, and the leaf of every point.
-// Bound:    O(n + k) for n points and k squares and words of constant length; as many rounds as there are
-// levels. Source:   Bern, Eppstein, Teng, Theorem 1 (paths of the framework), section 3 (forced squares,
-// cross pointers),
-//           Corollary 1 (points to leaves).
-// Deviates: balance is closed level by level, the deepest first, which gives the smallest balanced tree
-// instead of one
-//           up to four times as large; the paper leaves open whether that can be had in O(log n) rounds.
-//           Points are matched to leaves by one merge of two sequences in shuffle order.
+// Computes: the smallest quadtree in which no leaf holds more than m points, or is larger than a size function
+//           or the points' annotations ask for, and neighbouring leaves differ by at most a factor of two; with
+//           cross pointers, and the leaf of every point.
+// Bound:    O(n + k) work for n points and k squares besides sorting; as many rounds as there are levels, or
+//           O(log n) with spaced levels.
+// Source:   Bern, Eppstein, Teng, Theorems 1 and 2, section 3 (forced squares, cross pointers), Corollary 1
+//           (points to leaves).
+// Deviates: what balance forces is found from the deepest level up, as a set of directions for each required
+//           square (forcing.h), which gives the smallest balanced tree; the paper's is up to four times as
+//           large. Points ride down with their squares instead of being located afterwards.
 
 #ifndef CGAL_BALANCED_QUADTREE_H
 #define CGAL_BALANCED_QUADTREE_H
@@ -27,7 +26,12 @@
 #include <CGAL/Quadtree_mesh_2/Index.h>
 #include <CGAL/Quadtree_mesh_2/Leaf_neighbors.h>
 #include <CGAL/Quadtree_mesh_2/internal/Linked_squares.h>
-#include <CGAL/Quadtree_mesh_2/internal/split_squares.h>
+#include <CGAL/Quadtree_mesh_2/internal/Required_squares.h>
+#include <CGAL/Quadtree_mesh_2/internal/Square_grower.h>
+#include <CGAL/Quadtree_mesh_2/internal/Uninitialized_vector.h>
+#include <CGAL/Quadtree_mesh_2/internal/forcing.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel.h>
+#include <CGAL/Quadtree_options.h>
 #include <CGAL/assertions.h>
 
 #include <array>
@@ -50,20 +54,22 @@ struct Leaf_interval {
 
 } // namespace Quadtree_mesh_2
 
-/// The smallest quadtree that separates points and is balanced across sides and corners (Theorems 1 and 2).
+/// The smallest quadtree that separates points and is balanced (Theorems 1 and 2).
 ///
 /// Nodes are squares, split ones and leaves. They are numbered level by level, in shuffle order within a
 /// level; node 0 is the root and four siblings follow each other. Leaves are numbered in shuffle order over
 /// all levels, so that the leaves below a node, and the points in it, are intervals. Child `2 i + j` of a
 /// node has x offset `i` and y offset `j`.
 ///
-/// Takes O(n + k) time for n points and k squares; about 25 bytes per square besides those of the framework.
+/// Takes O(n + k) time for n points and k squares, besides sorting; about 25 bytes per square besides those of
+/// the framework. The result is the same for any number of threads.
 /// \tparam Traits_ a model of `QuadtreeTraits_2`.
-template <class Traits_>
+/// \tparam Concurrency_tag `CGAL::Sequential_tag` or `CGAL::Parallel_tag`.
+template <class Traits_, class Concurrency_tag = Sequential_tag>
 class Balanced_quadtree {
 public:
   using Traits = Traits_;
-  using Framework = Quadtree_framework<Traits>;
+  using Framework = Quadtree_framework<Traits, Concurrency_tag>;
   using Point_2 = typename Traits::Point_2;
   using Word = typename Traits::Word;
   using Grid_point = Quadtree_mesh_2::Grid_point_2<Word>;
@@ -81,29 +87,26 @@ public:
   Balanced_quadtree() : Balanced_quadtree(Framework()) {}
 
   /// Builds the quadtree of `points`. Equal points count once.
-  /// \tparam PointRange a random access range with value type `Point_2`.
-  /// \param points the points.
-  /// \param max_points_per_leaf at least 1.
-  /// \param traits makes the grid.
+  /// \tparam PointRange a random access range with value type `Point_2`; several threads may read it.
   /// \throws Quadtree_mesh_2::Point_error as the framework does.
   /// \throws std::length_error if there are too many points or squares for 32-bit indices.
   template <class PointRange, class = decltype(std::declval<const PointRange&>().begin())>
-  explicit Balanced_quadtree(const PointRange& points, std::size_t max_points_per_leaf = 1,
+  explicit Balanced_quadtree(const PointRange& points, const Quadtree_options& options = Quadtree_options(),
                              const Traits& traits = Traits())
-      : Balanced_quadtree(Framework(points, traits), max_points_per_leaf) {}
+      : Balanced_quadtree(Framework(points, traits), options) {}
 
-  /// Builds the quadtree of the points of a framework, which it keeps.
-  explicit Balanced_quadtree(Framework framework, std::size_t max_points_per_leaf = 1)
-      : framework_(std::move(framework)) {
-    CGAL_precondition(max_points_per_leaf >= 1);
-    auto split = Quadtree_mesh_2::internal::crowded_squares(framework_, max_points_per_leaf);
-    Quadtree_mesh_2::internal::close_under_balance(split);
-    squares_ = Linked_squares(split, Traits::depth);
-    list_leaves();
-    place_points();
+  /// Builds the quadtree of the points of a framework, which it keeps. Follows the annotations of points.
+  explicit Balanced_quadtree(Framework framework, const Quadtree_options& options = Quadtree_options())
+      : framework_(std::move(framework)), options_(options) {
+    CGAL_precondition(options.max_points_per_leaf() >= 1);
+    namespace internal = Quadtree_mesh_2::internal;
+    grow(internal::Required_squares_finder<Framework, Concurrency_tag>(framework_,
+                                                                       options.max_points_per_leaf())
+             .find());
   }
 
   const Framework& framework() const { return framework_; }
+  const Quadtree_options& options() const { return options_; }
 
   /// \name Nodes
   /// @{
@@ -130,7 +133,7 @@ public:
   /// cannot represent them.
   std::array<Point_2, 4> corners(Node_index v) const {
     const Grid_point c = squares_.corner(v);
-    const Word side = static_cast<Word>(Word(1) << (Traits::depth - level(v)));
+    const Word side = static_cast<Word>(Word(1) << (framework_.grid().depth() - level(v)));
     const Word right = static_cast<Word>(c.x + side), top = static_cast<Word>(c.y + side);
     const auto& grid = framework_.grid();
     return {
@@ -147,8 +150,7 @@ public:
   }
   /// The points in the square of `v`.
   Rank_interval points(Node_index v) const {
-    return {Point_rank(point_begin_[squares_.first_leaf(v)]),
-            Point_rank(point_begin_[squares_.last_leaf(v) + std::size_t(1)])};
+    return {Point_rank(squares_.point_begin(v)), Point_rank(point_end(squares_.last_leaf(v)))};
   }
 
   /// @}
@@ -156,8 +158,8 @@ public:
   /// \name Leaves
   /// @{
 
-  std::size_t number_of_leaves() const { return node_of_leaf_.size(); }
-  Node_index node(Leaf_index l) const { return Node_index(node_of_leaf_[std::size_t(l)]); }
+  std::size_t number_of_leaves() const { return squares_.number_of_leaves(); }
+  Node_index node(Leaf_index l) const { return squares_.node_of_leaf(l.value()); }
   /// \pre `is_leaf(v)`
   Leaf_index leaf(Node_index v) const {
     CGAL_precondition(is_leaf(v));
@@ -168,7 +170,7 @@ public:
   std::array<Point_2, 4> corners(Leaf_index l) const { return corners(node(l)); }
   /// The points in a leaf; `framework().input_point()` gives their places in the input.
   Rank_interval points(Leaf_index l) const {
-    return {Point_rank(point_begin_[std::size_t(l)]), Point_rank(point_begin_[std::size_t(l) + 1])};
+    return {Point_rank(squares_.point_begin(node(l))), Point_rank(point_end(l.value()))};
   }
 
   /// The leaf that contains an input point.
@@ -176,10 +178,15 @@ public:
   Leaf_index leaf(Point_rank r) const { return Leaf_index(leaf_of_point_[std::size_t(r)]); }
 
   /// Returns the leaves that share a side or a corner with `l`, counterclockwise, each once: at most twelve.
-  /// Takes O(1) time.
+  /// Takes O(1) time if the quadtree is balanced across corners.
+  /// \pre the quadtree is balanced
   Leaf_neighbors neighbors(Leaf_index l) const {
+    CGAL_precondition(options_.balance() != Quadtree_mesh_2::Balance::NONE);
     Leaf_neighbors result;
-    for (Direction d : Quadtree_mesh_2::all_directions()) append_neighbors(node(l), d, result);
+    for (Direction d : Quadtree_mesh_2::all_directions()) {
+      const Node_index n = neighbor(node(l), d);
+      if (n.is_valid()) append_touching(n, d, result);
+    }
     result.close();
     return result;
   }
@@ -198,8 +205,8 @@ public:
   /// \pre coordinates are less than \f$ 2^{depth} \f$
   Leaf_index locate(const Grid_point& p) const {
     Node_index v = root();
-    for (int bit = Traits::depth - 1; !is_leaf(v); --bit)
-      v = squares_.child(v, static_cast<int>(2 * (p.x >> bit & 1) + (p.y >> bit & 1)));
+    for (int level = 0; !is_leaf(v); ++level)
+      v = squares_.child(v, Quadtree_mesh_2::internal::quadrant(p, level, framework_.grid().depth()));
     return leaf(v);
   }
 
@@ -220,7 +227,7 @@ private:
     for (Direction d : Quadtree_mesh_2::all_directions()) {
       const Node_index n = neighbor(v, d);
       if (!n.is_valid()) continue;
-      if (level(v) - level(n) > 1 || level(n) > level(v)) return false;
+      if (level(n) > level(v) || (is_balanced_across(d) && level(n) < level(v) - 1)) return false;
       if (level(n) == level(v) && neighbor(n, opposite(d)) != v) return false;
     }
     if (is_leaf(v)) return node(leaf(v)) == v;
@@ -229,56 +236,59 @@ private:
     return true;
   }
 
+  bool is_balanced_across(Direction d) const {
+    using Quadtree_mesh_2::Balance;
+    return options_.balance() == Balance::SIDES_AND_CORNERS ||
+           (options_.balance() == Balance::SIDES && !Quadtree_mesh_2::is_diagonal(d));
+  }
+
   using Linked_squares = Quadtree_mesh_2::internal::Linked_squares<Word>;
+  using Required_squares = Quadtree_mesh_2::internal::Required_squares;
 
-  void list_leaves() {
-    node_of_leaf_.resize(squares_.number_of_leaves());
-    for (std::size_t i = 0; i < number_of_nodes(); ++i)
-      if (is_leaf(Node_index(i))) node_of_leaf_[squares_.leaf(Node_index(i))] = static_cast<std::uint32_t>(i);
+  /// Makes the squares from those that have to be split.
+  void grow(const Required_squares& required) {
+    namespace internal = Quadtree_mesh_2::internal;
+    const auto forced = internal::least_forced_directions<Concurrency_tag>(required, options_.balance());
+    squares_ = internal::Square_grower<Framework, Concurrency_tag>(framework_, required, forced).grow();
+    list_leaves_of_points();
   }
 
-  /// Matches points and leaves, both in shuffle order.
-  void place_points() {
-    const std::size_t n = framework_.number_of_points();
-    point_begin_.resize(number_of_leaves() + 1);
-    leaf_of_point_.resize(n);
-    std::size_t p = 0;
-    for (std::size_t l = 0; l < number_of_leaves(); ++l) {
-      point_begin_[l] = static_cast<std::uint32_t>(p);
-      const Square s = square(Leaf_index(l));
-      for (; p < n && contains(s, framework_.grid_point(Point_rank(p))); ++p)
-        leaf_of_point_[p] = static_cast<std::uint32_t>(l);
-    }
-    point_begin_.back() = static_cast<std::uint32_t>(p);
-    CGAL_assertion(p == n);
+  void list_leaves_of_points() {
+    leaf_of_point_.resize(framework_.number_of_points());
+    Quadtree_mesh_2::internal::for_each_index<Concurrency_tag>(number_of_leaves(), [&](std::size_t l) {
+      const Rank_interval inside = points(Leaf_index(l));
+      for (std::size_t r = inside.begin.value(); r < inside.end.value(); ++r)
+        leaf_of_point_[r] = static_cast<std::uint32_t>(l);
+    });
   }
 
-  static bool contains(const Square& s, const Grid_point& p) {
-    return ((p.x ^ s.x) | (p.y ^ s.y)) >> (Traits::depth - s.level) == 0;
+  /// Leaves are in shuffle order, so the points of the next one follow.
+  std::size_t point_end(std::uint32_t leaf) const {
+    const std::uint32_t next = leaf + 1;
+    return next < number_of_leaves() ? squares_.point_begin(squares_.node_of_leaf(next))
+                                     : framework_.number_of_points();
   }
 
-  /// Appends the leaves that touch `v` in direction `d`, counterclockwise.
-  void append_neighbors(Node_index v, Direction d, Leaf_neighbors& result) const {
-    // Across a side two children touch, across a corner one (and is listed twice).
+  bool contains(const Square& s, const Grid_point& p) const {
+    return Quadtree_mesh_2::internal::level_of_derived_square(p, {s.x, s.y}, framework_.grid().depth()) >=
+           s.level;
+  }
+
+  /// Appends the leaves in `v` that touch its neighbour in direction `opposite(d)`, counterclockwise around
+  /// that one.
+  void append_touching(Node_index v, Direction d, Leaf_neighbors& result) const {
+    if (is_leaf(v)) return result.append(leaf(v));
+    // Across a side two children touch, across a corner one.
     static constexpr std::array<std::array<int, 2>, 8> touching{
         {{{0, 1}}, {{0, 0}}, {{2, 0}}, {{2, 2}}, {{3, 2}}, {{3, 3}}, {{1, 3}}, {{1, 1}}}};
-    const Node_index n = neighbor(v, d);
-    if (!n.is_valid()) return;
-    if (is_leaf(n)) {
-      result.append(leaf(n));
-    } else {
-      for (int q : touching[std::size_t(d)]) result.append(leaf(child(n, q))); // by balance these are leaves
-    }
+    append_touching(child(v, touching[std::size_t(d)][0]), d, result);
+    if (!is_diagonal(d)) append_touching(child(v, touching[std::size_t(d)][1]), d, result);
   }
 
   Framework framework_;
+  Quadtree_options options_;
   Linked_squares squares_;
-
-  // By leaf; point_begin_ has one more.
-  std::vector<std::uint32_t> node_of_leaf_;
-  std::vector<std::uint32_t> point_begin_;
-  // By rank.
-  std::vector<std::uint32_t> leaf_of_point_;
+  Quadtree_mesh_2::internal::Uninitialized_vector<std::uint32_t> leaf_of_point_; // by rank
 };
 
 } // namespace CGAL

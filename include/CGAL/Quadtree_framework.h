@@ -7,14 +7,13 @@
 // The framework of a set of points: the quadtree without empty leaves and without paths of single children.
 //
 // Computes: the points in shuffle order; all squares of which more than one child holds points, with their
-// nesting. Bound:    O(n) for words of constant length, whatever the depth: n distinct points have at most n
-// - 1 squares. Source:   Bern, Eppstein, Teng, section 2, Lemmas 1-3 and the first half of Theorem 1. A
-// square is derived from each
-//           pair of neighbours in the order; its parent is the smaller of the nearest larger squares to
-//           either side.
-// Deviates: sequential, so the nearest larger squares come from a stack; squares derived more than once are
-// merged on
-//           the stack. Equal points, which the paper excludes, are merged and reported.
+//           nesting; and what size of square each point is annotated with.
+// Bound:    O(n) work besides sorting, whatever the depth: n distinct points have at most n - 1 squares.
+// Source:   Bern, Eppstein, Teng, section 2, Lemmas 1-3 and the first half of Theorem 1. A square is derived
+//           from each pair of neighbours in the order; its parent is the smaller of the nearest larger squares
+//           to either side. Annotations: section 5.
+// Deviates: squares derived more than once are merged while the nearest larger ones are found (nesting.h).
+//           Equal points, which the paper excludes, are merged and reported.
 
 #ifndef CGAL_QUADTREE_FRAMEWORK_H
 #define CGAL_QUADTREE_FRAMEWORK_H
@@ -22,15 +21,21 @@
 #include <CGAL/Quadtree_mesh_2/Grid_point_2.h>
 #include <CGAL/Quadtree_mesh_2/Index.h>
 #include <CGAL/Quadtree_mesh_2/Point_error.h>
-#include <CGAL/Quadtree_mesh_2/internal/bits.h>
+#include <CGAL/Quadtree_mesh_2/internal/Uninitialized_vector.h>
+#include <CGAL/Quadtree_mesh_2/internal/Word_operations.h>
 #include <CGAL/Quadtree_mesh_2/internal/morton.h>
 #include <CGAL/Quadtree_mesh_2/internal/nesting.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel.h>
+#include <CGAL/assertions.h>
+#include <CGAL/tags.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -67,9 +72,12 @@ struct Duplicate_point {
 /// where it holds a single point, that point. Every node holds an interval of the points in shuffle order
 /// (Lemma 1).
 ///
-/// Takes O(n) time for n points, independent of the depth; about 50 bytes per point.
+/// Takes O(n) time for n points with words of constant length and O(n log n) comparisons otherwise,
+/// independent of the depth; about 40 bytes per point besides the grid points. The result is the same for any
+/// number of threads.
 /// \tparam Traits_ a model of `QuadtreeTraits_2`.
-template <class Traits_>
+/// \tparam Concurrency_tag `CGAL::Sequential_tag` or `CGAL::Parallel_tag`.
+template <class Traits_, class Concurrency_tag = Sequential_tag>
 class Quadtree_framework {
 public:
   using Traits = Traits_;
@@ -88,17 +96,19 @@ public:
   Quadtree_framework() = default;
 
   /// Builds the framework of `points`.
-  /// \tparam PointRange a random access range with value type `Point_2`.
+  /// \tparam PointRange a random access range with value type `Point_2`; several threads may read it.
   /// \throws Quadtree_mesh_2::Point_error if the traits cannot map a point to the grid, or map two distinct
-  /// ones to
-  ///         the same grid point.
+  ///         ones to the same grid point.
   /// \throws std::length_error if there are \f$ 2^{32} - 1 \f$ points or more.
-  template <class PointRange>
+  template <class PointRange, class = decltype(std::declval<const PointRange&>().begin())>
   explicit Quadtree_framework(const PointRange& points, const Traits& traits = Traits())
       : grid_(traits.construct_grid_2_object()(points)) {
-    sort_points(points);
-    build_nodes();
-    hang_points();
+    const auto first = std::begin(points);
+    const std::size_t n = static_cast<std::size_t>(std::distance(first, std::end(points)));
+    if (n >= none_) throw std::length_error("Quadtree_framework: 2^32 - 1 points or more");
+    while (!sort_points(first, n)) {
+    }
+    find_nodes();
   }
 
   /// The map between points and the grid.
@@ -119,44 +129,70 @@ public:
   /// The rank of an input point; equal points have the same rank.
   Point_rank rank(Point_index i) const { return Point_rank(rank_[std::size_t(i)]); }
   /// The smallest node that contains the point; invalid if there is only one point.
-  Node_index node(Point_rank r) const { return Node_index(node_of_point_[std::size_t(r)]); }
+  Node_index node(Point_rank r) const { return node_of_deeper_gap(r.value(), r.value() + 1); }
 
   /// @}
 
   /// \name Nodes
   /// @{
 
-  std::size_t number_of_nodes() const { return level_.size(); }
+  std::size_t number_of_nodes() const { return nodes_.size(); }
   /// The smallest square that contains all points; invalid if there are fewer than two points.
-  Node_index root() const { return level_.empty() ? Node_index() : Node_index(0); }
+  Node_index root() const { return nodes_.size() == 0 ? Node_index() : Node_index(0); }
 
   Square square(Node_index v) const {
-    const std::size_t i(v);
-    return {corner_[i].x, corner_[i].y, level_[i]};
+    const Grid_point c = Quadtree_mesh_2::internal::corner_of_square(grid_point(points(v).begin), level(v),
+                                                                     grid_.depth());
+    return {c.x, c.y, level(v)};
   }
-  int level(Node_index v) const { return level_[std::size_t(v)]; }
+  int level(Node_index v) const { return static_cast<int>(nodes_.level[std::size_t(v)]); }
   /// The smallest node that properly contains `v`; invalid for the root.
-  Node_index parent(Node_index v) const { return Node_index(parent_[std::size_t(v)]); }
+  Node_index parent(Node_index v) const {
+    return node_of_deeper_gap(nodes_.begin[std::size_t(v)], nodes_.end[std::size_t(v)]);
+  }
   /// The points in the square of `v`, at least two.
   Rank_interval points(Node_index v) const {
-    return {Point_rank(begin_[std::size_t(v)]), Point_rank(end_[std::size_t(v)])};
+    return {Point_rank(nodes_.begin[std::size_t(v)]), Point_rank(nodes_.end[std::size_t(v)])};
   }
   /// The first node after the descendants of `v`: these are the nodes between `v` and it.
-  Node_index subtree_end(Node_index v) const { return Node_index(subtree_end_[std::size_t(v)]); }
+  Node_index subtree_end(Node_index v) const { return Node_index(nodes_.subtree_end[std::size_t(v)]); }
 
   /// Calls `on_node(Node_index)` and `on_point(Point_rank)` for the two to four children of `v` in shuffle
   /// order.
   template <class On_node, class On_point>
   void for_each_child(Node_index v, On_node on_node, On_point on_point) const {
-    std::uint32_t p = begin_[std::size_t(v)];
+    std::uint32_t p = nodes_.begin[std::size_t(v)];
     std::uint32_t child = v.value() + 1;
-    while (child < subtree_end_[std::size_t(v)]) {
-      for (; p < begin_[child]; ++p) on_point(Point_rank(p));
+    while (child < nodes_.subtree_end[std::size_t(v)]) {
+      for (; p < nodes_.begin[child]; ++p) on_point(Point_rank(p));
       on_node(Node_index(child));
-      p = end_[child];
-      child = subtree_end_[child];
+      p = nodes_.end[child];
+      child = nodes_.subtree_end[child];
     }
-    for (; p < end_[std::size_t(v)]; ++p) on_point(Point_rank(p));
+    for (; p < nodes_.end[std::size_t(v)]; ++p) on_point(Point_rank(p));
+  }
+
+  /// @}
+
+  /// \name Annotations
+  /// Every point may be annotated with the least level of the leaf that is to hold it: squares of level `l`
+  /// have the root's side times \f$ 2^{-l} \f$. Quadtrees made from the framework follow the annotations.
+  /// @{
+
+  /// Annotates each point, by rank, with a level; replaces earlier annotations.
+  /// \pre `levels` has a level for each point, from 0 to `grid().depth()`; or it is empty, for no annotations
+  void annotate(const std::vector<int>& levels) {
+    CGAL_precondition(levels.empty() || levels.size() == number_of_points());
+    desired_level_.resize(levels.size());
+    for (std::size_t r = 0; r < levels.size(); ++r) {
+      CGAL_precondition(0 <= levels[r] && levels[r] <= grid_.depth());
+      desired_level_[r] = static_cast<Level>(levels[r]);
+    }
+  }
+  bool has_annotations() const { return !desired_level_.empty(); }
+  /// The least level of the leaf of a point; 0 if there are no annotations.
+  int desired_level(Point_rank r) const {
+    return desired_level_.empty() ? 0 : static_cast<int>(desired_level_[std::size_t(r)]);
   }
 
   /// @}
@@ -172,42 +208,30 @@ public:
   }
 
 private:
+  using Level = typename Quadtree_mesh_2::internal::Word_operations<Word>::Level;
+  static constexpr std::uint32_t none_ = std::numeric_limits<std::uint32_t>::max();
+
   bool is_valid(Node_index v) const {
     const Rank_interval inside = points(v);
-    const Grid_point& first = grid_point(inside.begin);
-    if (level_of_derived_square(first, points_[inside.end.value() - 1]) != level(v)) return false;
-    if (corner(first, level(v)) != corner_[std::size_t(v)]) return false;
+    if (level_of_derived_square(inside.begin.value(), inside.end.value() - 1) != level(v)) return false;
     if (!parent(v).is_valid()) return v == root();
     const Rank_interval around = points(parent(v));
     return level(parent(v)) < level(v) && !(inside.begin < around.begin) && !(around.end < inside.end);
   }
 
-  static constexpr std::uint32_t none_ = std::numeric_limits<std::uint32_t>::max();
+  /// The level of the smallest square that contains the points of ranks `p` and `q`.
+  int level_of_derived_square(std::size_t p, std::size_t q) const {
+    return Quadtree_mesh_2::internal::level_of_derived_square(points_[p], points_[q], grid_.depth());
+  }
 
-  /// Fills the arrays of points: sorted, equal ones merged.
-  template <class PointRange>
-  void sort_points(const PointRange& points) {
-    const auto first = std::begin(points);
-    const std::size_t n = static_cast<std::size_t>(std::distance(first, std::end(points)));
-    if (n >= none_) throw std::length_error("Quadtree_framework: 2^32 - 1 points or more");
-    std::vector<Grid_point> grid_points(n);
-    for (std::size_t i = 0; i < n; ++i) grid_points[i] = grid_.grid_point(at(first, i));
-    input_ = Quadtree_mesh_2::internal::shuffle_order(grid_points);
-
-    rank_.resize(n);
-    points_.reserve(n);
-    std::size_t distinct = 0;
-    for (std::size_t k = 0; k < n; ++k) {
-      const std::uint32_t i = input_[k];
-      if (distinct > 0 && grid_points[i] == points_[distinct - 1]) {
-        merge(first, Point_index(input_[distinct - 1]), Point_index(i));
-      } else {
-        points_.push_back(grid_points[i]);
-        input_[distinct++] = i;
-      }
-      rank_[i] = static_cast<std::uint32_t>(distinct - 1);
-    }
-    input_.resize(distinct);
+  /// Lemma 3: the smallest node around the points from `begin` to `end` is derived from the last point before
+  /// them or the first one behind; invalid if they are all points.
+  Node_index node_of_deeper_gap(std::uint32_t begin, std::uint32_t end) const {
+    const bool has_left = begin > 0, has_right = end < points_.size();
+    if (!has_left && !has_right) return Node_index();
+    const std::uint32_t left = has_left ? nodes_.of_gap[begin - 1] : nodes_.of_gap[end - 1];
+    const std::uint32_t right = has_right ? nodes_.of_gap[end - 1] : left;
+    return Node_index(nodes_.level[left] < nodes_.level[right] ? right : left);
   }
 
   template <class Iterator>
@@ -215,73 +239,99 @@ private:
     return first[static_cast<typename std::iterator_traits<Iterator>::difference_type>(i)];
   }
 
-  /// Records that `duplicate` equals `kept`, or throws if only their grid points are equal.
+  /// Fills the arrays of points: sorted, equal ones merged. Returns false if the grid was too coarse and has
+  /// been refined.
   template <class Iterator>
-  void merge(Iterator first, Point_index kept, Point_index duplicate) {
+  bool sort_points(Iterator first, std::size_t n) {
+    using namespace Quadtree_mesh_2::internal;
+    Uninitialized_vector<Grid_point> unsorted(n);
+    for_each_index<Concurrency_tag>(n, [&](std::size_t i) { unsorted[i] = grid_.grid_point(at(first, i)); });
+    input_ = shuffle_order(std::vector<Grid_point>(unsorted.begin(), unsorted.end()));
+    points_.resize(n);
+    for_each_index<Concurrency_tag>(n, [&](std::size_t k) { points_[k] = unsorted[input_[k]]; });
+    Uninitialized_vector<Grid_point>().swap(unsorted);
+
+    rank_.resize(n);
+    const std::size_t distinct = rank_points();
+    if (distinct == n) return true;
+    if (!list_duplicates(first)) return false;
+    merge_duplicates(distinct);
+    return true;
+  }
+
+  bool is_repeated(std::size_t k) const { return k > 0 && points_[k] == points_[k - 1]; }
+
+  /// Ranks the input by distinct points and returns their number.
+  std::size_t rank_points() {
+    return Quadtree_mesh_2::internal::count_and_place<Concurrency_tag>(
+        points_.size(),
+        [&](std::size_t begin, std::size_t end) {
+          std::size_t sum = 0;
+          for (std::size_t k = begin; k < end; ++k) sum += is_repeated(k) ? 0 : 1;
+          return sum;
+        },
+        [&](std::size_t begin, std::size_t end, std::size_t distinct) {
+          for (std::size_t k = begin; k < end; ++k) {
+            distinct += is_repeated(k) ? 0 : 1;
+            rank_[input_[k]] = static_cast<std::uint32_t>(distinct - 1);
+          }
+        });
+  }
+
+  /// Lists repeated points. Returns false if some are distinct and the grid could be refined to tell.
+  template <class Iterator>
+  bool list_duplicates(Iterator first) {
     using Quadtree_mesh_2::Point_error;
-    if (!(at(first, std::size_t(kept)) == at(first, std::size_t(duplicate))))
-      throw Point_error(Point_error::Kind::INDISTINGUISHABLE, kept, duplicate);
-    duplicates_.push_back({kept, duplicate});
-  }
-
-  /// The level of the smallest square that contains both points.
-  static int level_of_derived_square(const Grid_point& p, const Grid_point& q) {
-    return Traits::depth - Quadtree_mesh_2::internal::bit_width((p.x ^ q.x) | (p.y ^ q.y));
-  }
-
-  /// Fills the arrays of nodes from the squares derived from neighbours in the order.
-  void build_nodes() {
-    if (points_.size() < 2) return;
-    std::vector<std::uint8_t> derived(points_.size() - 1);
-    for (std::size_t i = 0; i < derived.size(); ++i)
-      derived[i] = static_cast<std::uint8_t>(level_of_derived_square(points_[i], points_[i + 1]));
-    const auto nested = Quadtree_mesh_2::internal::nested_intervals(derived);
-    const std::size_t m = nested.size();
-    level_.resize(m);
-    corner_.resize(m);
-    begin_.resize(m);
-    end_.resize(m);
-    for (std::size_t v = 0; v < m; ++v) {
-      level_[v] = nested[v].level;
-      begin_[v] = nested[v].begin;
-      end_[v] = nested[v].end;
-      corner_[v] = corner(points_[nested[v].begin], nested[v].level);
+    duplicates_.clear();
+    Point_index kept;
+    for (std::size_t k = 0; k < points_.size(); ++k) {
+      const Point_index i(input_[k]);
+      if (!is_repeated(k)) {
+        kept = i;
+      } else if (at(first, std::size_t(kept)) == at(first, std::size_t(i))) {
+        duplicates_.push_back({kept, i});
+      } else {
+        if (grid_.refine()) return false;
+        throw Point_error(Point_error::Kind::INDISTINGUISHABLE, kept, i);
+      }
     }
-    Quadtree_mesh_2::internal::link_nested_intervals(begin_, end_, parent_, subtree_end_);
+    return true;
   }
 
-  /// The lower left corner of the square of the given level that contains `p`.
-  static Grid_point corner(const Grid_point& p, int level) {
-    const Word mask = static_cast<Word>(~((Word(1) << (Traits::depth - level)) - 1));
-    return {p.x & mask, p.y & mask};
+  /// Keeps the first of equal points.
+  void merge_duplicates(std::size_t distinct) {
+    for (std::size_t k = 0; k < points_.size(); ++k) {
+      if (is_repeated(k)) continue;
+      const std::size_t r = rank_[input_[k]];
+      input_[r] = input_[k];
+    }
+    points_.erase(std::unique(points_.begin(), points_.end()), points_.end());
+    CGAL_assertion(points_.size() == distinct);
+    input_.resize(distinct);
   }
 
-  /// Finds the smallest node of every point.
-  void hang_points() {
-    node_of_point_.assign(points_.size(), none_);
-    for (std::size_t v = 0; v < number_of_nodes(); ++v)
-      for_each_child(
-          Node_index(v), [](Node_index) {},
-          [this, v](Point_rank r) { node_of_point_[std::size_t(r)] = static_cast<std::uint32_t>(v); });
+  /// Finds the squares derived from neighbours in the order, and their nesting.
+  void find_nodes() {
+    using namespace Quadtree_mesh_2::internal;
+    if (points_.size() < 2) return;
+    Uninitialized_vector<Level> derived(points_.size() - 1);
+    for_each_index<Concurrency_tag>(derived.size(), [&](std::size_t i) {
+      derived[i] = static_cast<Level>(level_of_derived_square(i, i + 1));
+    });
+    nodes_ = Nesting_finder<Concurrency_tag, Level>(derived).find();
   }
 
   Grid_2 grid_;
 
   // By rank.
-  std::vector<Grid_point> points_;
+  Quadtree_mesh_2::internal::Uninitialized_vector<Grid_point> points_;
   std::vector<std::uint32_t> input_;
-  std::vector<std::uint32_t> node_of_point_;
+  std::vector<Level> desired_level_; // or empty
   // By input index.
-  std::vector<std::uint32_t> rank_;
+  Quadtree_mesh_2::internal::Uninitialized_vector<std::uint32_t> rank_;
   std::vector<Duplicate_point> duplicates_;
 
-  // By node, in preorder.
-  std::vector<Grid_point> corner_;
-  std::vector<std::uint8_t> level_;
-  std::vector<std::uint32_t> parent_;
-  std::vector<std::uint32_t> begin_;
-  std::vector<std::uint32_t> end_;
-  std::vector<std::uint32_t> subtree_end_;
+  Quadtree_mesh_2::internal::Nested_intervals<Level> nodes_;
 };
 
 } // namespace CGAL

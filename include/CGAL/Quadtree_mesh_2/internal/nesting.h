@@ -6,15 +6,23 @@
 
 // The nesting of intervals that a sequence of levels induces.
 //
-// Computes: given the level between each pair of neighbours of a sequence, the maximal intervals whose inner
-// levels are
-//           all at least as deep as the least of them, in preorder; and for each its parent and the end of
-//           its subtree.
-// Bound:    O(n).
-// Source:   Bern, Eppstein, Teng, Lemma 3: all nearest larger values; sequentially a stack finds them.
+// Computes: given the level of each gap between neighbours of a sequence, the maximal intervals whose inner
+//           gaps are all at least as deep as the shallowest of them, in preorder; for each the end of its
+//           subtree, and for each gap the smallest interval around it.
+// Bound:    O(n) work. O(1) rounds over blocks of gaps, and a pass over blocks that takes O(log n) for each.
+// Source:   Bern, Eppstein, Teng, Lemma 3: all nearest larger values. Berkman, Schieber, Vishkin, "Optimal
+//           doubly logarithmic parallel algorithms based on finding all nearest smaller values", for cutting
+//           the sequence into blocks that need only the minima around them.
+// Method:   From right to left a stack holds the intervals that are open: their gaps, shallower and shallower
+//           towards the bottom, each the next shallower one to the right of the one above. So the stack with
+//           which a block begins can be read from the sequence: it is the chain of next shallower gaps from
+//           the block's right end, and the piece of that chain in each block is found without the others.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_NESTING_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_NESTING_H
+
+#include <CGAL/Quadtree_mesh_2/internal/Uninitialized_vector.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -26,63 +34,192 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-/// The members `begin` to `end` of a sequence, and the least level between two neighbours among them.
-struct Nested_interval {
-  std::uint32_t begin;
-  std::uint32_t end;
-  std::uint8_t level;
+/// The intervals of a sequence in preorder. Interval v has the members `begin[v]` to `end[v]` (exclusive).
+template <class Level>
+struct Nested_intervals {
+  static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+
+  Uninitialized_vector<std::uint32_t> begin;
+  Uninitialized_vector<std::uint32_t> end;
+  Uninitialized_vector<Level> level;
+  /// The first interval after the descendants.
+  Uninitialized_vector<std::uint32_t> subtree_end;
+  /// By gap: the smallest interval with members to both sides; the gap has the interval's level.
+  Uninitialized_vector<std::uint32_t> of_gap;
+
+  std::size_t size() const { return begin.size(); }
 };
 
-/// Returns the intervals induced by `levels` in preorder, `levels[i]` being between members i and i + 1.
-/// Gaps of equal level with no lesser level between them give the same interval, once.
-inline std::vector<Nested_interval> nested_intervals(const std::vector<std::uint8_t>& levels) {
-  struct Open {
+/// Finds the nested intervals, see the head of this file.
+template <class Concurrency_tag, class Level>
+class Nesting_finder {
+public:
+  /// \param levels `levels[i]` is the level of gap i, between members i and i + 1.
+  explicit Nesting_finder(const Uninitialized_vector<Level>& levels)
+      : levels_(levels), blocks_((levels.size() + block_length_ - 1) / block_length_) {}
+
+  /// Gaps of equal level with no shallower gap between them give the same interval, once.
+  Nested_intervals<Level> find() {
+    for_each_block<Concurrency_tag>(
+        levels_.size(), block_length_,
+        [&](std::size_t b, std::size_t begin, std::size_t end) { find_chain(blocks_[b], begin, end); });
+    for (std::size_t b = blocks_.size(); b-- > 0;) continue_chain(b);
+    result_.of_gap.resize(levels_.size());
+    for_each_block<Concurrency_tag>(
+        levels_.size(), block_length_,
+        [&](std::size_t b, std::size_t begin, std::size_t end) { close_intervals(b, begin, end); });
+    place_intervals();
+    find_subtree_ends();
+    return std::move(result_);
+  }
+
+private:
+  static constexpr std::size_t block_length_ = default_block;
+  static constexpr std::uint32_t none_ = Nested_intervals<Level>::none;
+
+  /// A member of the chain of next shallower gaps: number `at` of those that block `block` holds.
+  struct Chain_place {
+    std::size_t block;
+    std::size_t at;
+  };
+
+  struct Closed_interval {
+    std::uint32_t begin;
     std::uint32_t end;
     std::uint32_t leftmost_gap;
-    std::uint8_t level;
-  };
-  std::vector<Nested_interval> closed;
-  closed.reserve(levels.size());
-  std::vector<Open> open; // levels increase towards the top
-  const auto close = [&](std::uint32_t begin) {
-    closed.push_back({begin, open.back().end, open.back().level});
-    open.pop_back();
   };
 
-  // From right to left an interval closes after those inside it, the right ones first: preorder backwards.
-  for (std::size_t i = levels.size(); i-- > 0;) {
-    const std::uint32_t gap = static_cast<std::uint32_t>(i);
-    while (!open.empty() && open.back().level > levels[i]) close(gap + 1);
-    if (open.empty())
-      open.push_back({static_cast<std::uint32_t>(levels.size() + 1), gap, levels[i]});
-    else if (open.back().level < levels[i])
-      open.push_back({open.back().leftmost_gap + 1, gap, levels[i]});
-    else
-      open.back().leftmost_gap = gap;
+  struct Block {
+    std::vector<std::uint32_t> chain; ///< from the block's first gap on
+    Chain_place next{0, 0};           ///< behind the last one; past all blocks if there is none
+    std::vector<Closed_interval> closed;
+  };
+
+  /// Finds the strict minima of the prefixes of a block.
+  void find_chain(Block& block, std::size_t begin, std::size_t end) const {
+    for (std::size_t i = begin; i < end; ++i)
+      if (block.chain.empty() || levels_[i] < levels_[block.chain.back()])
+        block.chain.push_back(static_cast<std::uint32_t>(i));
   }
-  while (!open.empty()) close(0);
-  std::reverse(closed.begin(), closed.end());
-  return closed;
-}
 
-/// Finds the parent of each of the intervals `[begin[i], end[i])`, given in preorder, and the first interval
-/// after its descendants. Roots get the greatest number as parent.
-inline void link_nested_intervals(const std::vector<std::uint32_t>& begin,
-                                  const std::vector<std::uint32_t>& end, std::vector<std::uint32_t>& parent,
-                                  std::vector<std::uint32_t>& subtree_end) {
-  const std::uint32_t n = static_cast<std::uint32_t>(begin.size());
-  parent.assign(n, std::numeric_limits<std::uint32_t>::max());
-  subtree_end.assign(n, n);
-  std::vector<std::uint32_t> ancestors;
-  for (std::uint32_t i = 0; i < n; ++i) {
-    while (!ancestors.empty() && end[ancestors.back()] <= begin[i]) {
-      subtree_end[ancestors.back()] = i;
-      ancestors.pop_back();
+  bool is_in_chain(const Chain_place& p) const { return p.block < blocks_.size(); }
+  std::uint32_t gap(const Chain_place& p) const { return blocks_[p.block].chain[p.at]; }
+  Chain_place next(const Chain_place& p) const {
+    const Block& block = blocks_[p.block];
+    return p.at + 1 < block.chain.size() ? Chain_place{p.block, p.at + 1} : block.next;
+  }
+
+  /// Finds the first gap to the right of block `b` that is shallower than all of the block.
+  void continue_chain(std::size_t b) {
+    const Level least = levels_[blocks_[b].chain.back()];
+    Chain_place place{b + 1, 0};
+    while (is_in_chain(place)) {
+      const std::vector<std::uint32_t>& chain = blocks_[place.block].chain;
+      const auto first = chain.begin() + static_cast<std::ptrdiff_t>(place.at);
+      const auto found =
+          std::partition_point(first, chain.end(), [&](std::uint32_t g) { return levels_[g] >= least; });
+      if (found != chain.end()) {
+        place.at = static_cast<std::size_t>(found - chain.begin());
+        break;
+      }
+      place = blocks_[place.block].next;
     }
-    if (!ancestors.empty()) parent[i] = ancestors.back();
-    ancestors.push_back(i);
+    blocks_[b].next = place;
   }
-}
+
+  /// The open intervals, by their leftmost gaps: those that this block opened, above a part of the chain.
+  class Open_intervals {
+  public:
+    Open_intervals(const Nesting_finder& finder, const Chain_place& below) : finder_(finder), below_(below) {}
+
+    bool is_empty() const { return own_.empty() && !finder_.is_in_chain(below_); }
+    std::uint32_t top() const { return own_.empty() ? finder_.gap(below_) : own_.back(); }
+    void push(std::uint32_t gap) { own_.push_back(gap); }
+    void pop() {
+      if (own_.empty())
+        below_ = finder_.next(below_);
+      else
+        own_.pop_back();
+    }
+
+  private:
+    const Nesting_finder& finder_;
+    std::vector<std::uint32_t> own_;
+    Chain_place below_;
+  };
+
+  /// Goes from right to left through a block. An interval closes after those inside it, the right ones first:
+  /// preorder backwards. Gaps of an interval are linked from left to right in `of_gap`.
+  void close_intervals(std::size_t b, std::size_t begin, std::size_t end) {
+    std::vector<Closed_interval>& closed = blocks_[b].closed;
+    closed.reserve(end - begin);
+    Open_intervals open(*this, {b + 1, 0});
+    const auto close = [&](std::uint32_t interval_begin) {
+      const std::uint32_t leftmost_gap = open.top();
+      open.pop();
+      const std::uint32_t interval_end =
+          open.is_empty() ? static_cast<std::uint32_t>(levels_.size() + 1) : open.top() + 1;
+      closed.push_back({interval_begin, interval_end, leftmost_gap});
+    };
+    for (std::size_t i = end; i-- > begin;) {
+      const std::uint32_t gap = static_cast<std::uint32_t>(i);
+      while (!open.is_empty() && levels_[open.top()] > levels_[i]) close(gap + 1);
+      result_.of_gap[i] = none_;
+      if (!open.is_empty() && levels_[open.top()] == levels_[i]) {
+        result_.of_gap[i] = open.top();
+        open.pop();
+      }
+      open.push(gap);
+    }
+    if (b == 0)
+      while (!open.is_empty()) close(0);
+  }
+
+  void place_intervals() {
+    std::vector<std::size_t> after(blocks_.size()); // how many intervals follow those that a block closed
+    std::size_t sum = 0;
+    for (std::size_t b = blocks_.size(); b-- > 0;) {
+      after[b] = sum;
+      sum += blocks_[b].closed.size();
+    }
+    result_.begin.resize(sum);
+    result_.end.resize(sum);
+    result_.level.resize(sum);
+    Executor<Concurrency_tag>::run(blocks_.size(), [&](std::size_t b) {
+      std::size_t v = sum - after[b];
+      for (const Closed_interval& interval : blocks_[b].closed) {
+        --v;
+        result_.begin[v] = interval.begin;
+        result_.end[v] = interval.end;
+        result_.level[v] = levels_[interval.leftmost_gap];
+        for (std::uint32_t gap = interval.leftmost_gap; gap != none_;) {
+          const std::uint32_t next_gap = result_.of_gap[gap];
+          result_.of_gap[gap] = static_cast<std::uint32_t>(v);
+          gap = next_gap;
+        }
+      }
+      std::vector<Closed_interval>().swap(blocks_[b].closed);
+    });
+  }
+
+  /// The first interval after the descendants of one is the first that begins where it ends, or later.
+  void find_subtree_ends() {
+    const std::size_t m = result_.size();
+    Uninitialized_vector<std::uint32_t> first_from(levels_.size() + 2); // by member: the first from there on
+    for_each_index<Concurrency_tag>(m + 1, [&](std::size_t v) {
+      const std::size_t from = v == 0 ? 0 : result_.begin[v - 1] + std::size_t(1);
+      const std::size_t to = v == m ? first_from.size() : result_.begin[v] + std::size_t(1);
+      for (std::size_t p = from; p < to; ++p) first_from[p] = static_cast<std::uint32_t>(v);
+    });
+    result_.subtree_end.resize(m);
+    for_each_index<Concurrency_tag>(
+        m, [&](std::size_t v) { result_.subtree_end[v] = first_from[result_.end[v]]; });
+  }
+
+  const Uninitialized_vector<Level>& levels_;
+  std::vector<Block> blocks_;
+  Nested_intervals<Level> result_;
+};
 
 } // namespace internal
 } // namespace Quadtree_mesh_2
