@@ -65,7 +65,9 @@ struct Quadtree_traits_archetype_2 {
   struct Meshing_geometry_2;
 
   struct Grid_2 {
-    bool is_in_root(const Point_2& p) const { return p.place_ < 1u << depth; }
+    int depth() const { return Quadtree_traits_archetype_2::depth; }
+    bool refine() { return false; }
+    bool is_in_root(const Point_2& p) const { return p.place_ < 1u << depth(); }
     Grid_point grid_point(const Point_2& p) const { return {p.place_, p.place_ / 3}; }
     Point_2 point(const Grid_point& g) const { return Point_2(g.x); }
   };

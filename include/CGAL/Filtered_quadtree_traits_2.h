@@ -30,8 +30,8 @@ namespace CGAL {
 ///
 /// Distinct points are told apart unless they differ by less than \f$ 2^{-62} \f$ of the root's side, which
 /// for doubles is possible near 0 only; such points are an error that names them.
-/// \tparam Kernel a CGAL
-/// kernel whose `FT` is `double`.
+/// `Exact_quadtree_traits_2` has no such limit.
+/// \tparam Kernel a CGAL kernel whose `FT` is `double`.
 /// \cgalModels{QuadtreeTraits_2}
 template <class Kernel = Exact_predicates_inexact_constructions_kernel>
 class Filtered_quadtree_traits_2 {
@@ -48,6 +48,11 @@ public:
   class Grid_2 {
   public:
     Grid_2() = default;
+
+    /// The logarithm of the root's side, 62.
+    int depth() const { return Filtered_quadtree_traits_2::depth; }
+    /// Returns false: the words cannot be longer.
+    bool refine() { return false; }
 
     /// Returns whether `p` lies in the root square; not for coordinates that are not numbers.
     bool is_in_root(const Point_2& p) const { return x_.contains(p.x()) && y_.contains(p.y()); }

@@ -66,7 +66,12 @@ public:
   /// The identity.
   class Grid_2 {
   public:
-    bool is_in_root(const Point_2& p) const { return ((p.x() | p.y()) >> depth) == 0; }
+    /// The logarithm of the root's side, 31 or 62.
+    int depth() const { return Fixed_point_quadtree_traits_2::depth; }
+    /// Returns false: the words cannot be longer.
+    bool refine() { return false; }
+
+    bool is_in_root(const Point_2& p) const { return ((p.x() | p.y()) >> depth()) == 0; }
     /// \pre `is_in_root(p)`
     Grid_point grid_point(const Point_2& p) const { return {p.x(), p.y()}; }
     Point_2 point(const Grid_point& g) const { return {g.x, g.y}; }
