@@ -9,6 +9,7 @@
 #ifndef QUADTREE_MESH_2_TEST_QUADTREE_INPUTS_H
 #define QUADTREE_MESH_2_TEST_QUADTREE_INPUTS_H
 
+#include <CGAL/Exact_quadtree_traits_2.h>
 #include <CGAL/Filtered_quadtree_traits_2.h>
 #include <CGAL/Fixed_point_quadtree_traits_2.h>
 
@@ -24,6 +25,7 @@ namespace quadtree_test {
 using Filtered_traits = CGAL::Filtered_quadtree_traits_2<>;
 using Fixed_32_traits = CGAL::Fixed_point_quadtree_traits_2<std::uint32_t>;
 using Fixed_64_traits = CGAL::Fixed_point_quadtree_traits_2<std::uint64_t>;
+using Exact_traits = CGAL::Exact_quadtree_traits_2<>;
 
 /// A point with coordinates below 2^62, before it is converted to a traits' point.
 struct Raw_point {
@@ -45,6 +47,16 @@ inline Filtered_traits::Point_2 make_point(const Filtered_traits&, Raw_point p) 
   // roundings.
   const auto coordinate = [](std::uint64_t v) { return std::ldexp(static_cast<double>(v >> 3), -30) - 1000; };
   return {coordinate(p.x), coordinate(p.y)};
+}
+inline Exact_traits::Point_2 make_point(const Exact_traits&, Raw_point p) {
+  // Integers and thirds, of more bits than a double has. Distinct ones differ by 1 or more in a coordinate
+  // and the extent is less than 2^59, so the unit of the first grid, 2^62 to a side, is 1/2 or less: they
+  // are told apart without refinement, and grid coordinates fit a 64-bit word.
+  using FT = CGAL::Epeck::FT;
+  const auto coordinate = [](std::uint64_t v) {
+    return FT(static_cast<double>(v >> 35)) * FT(4294967296.0) + FT(static_cast<double>(v >> 3 & 0xffffffff));
+  };
+  return {coordinate(p.x) - 1000, coordinate(p.y) + FT(1) / FT(3)};
 }
 
 template <class Traits>
@@ -134,6 +146,17 @@ inline Input duplicates(unsigned seed) {
   std::mt19937_64 random(seed);
   Input input{"duplicates", {}};
   for (int i = 0; i < 100; ++i) input.points.push_back({random() % 8 << 40, random() % 8 << 40});
+  return input;
+}
+
+/// Two to ten points at distances of very different size.
+inline Input small_random(unsigned seed) {
+  std::mt19937_64 random(seed);
+  Input input{"small random", {}};
+  for (unsigned i = 0; i < 2 + seed % 9; ++i) {
+    const int shift = static_cast<int>(2 + random() % 40);
+    input.points.push_back({random() >> shift, random() >> shift});
+  }
   return input;
 }
 

@@ -118,21 +118,33 @@ TEST_CASE("Interleaving has an inverse", "[traits]") {
 }
 
 TEMPLATE_TEST_CASE("Grids contain their points and map corners back", "[traits]", Filtered_traits,
-                   Fixed_32_traits, Fixed_64_traits) {
+                   Fixed_32_traits, Fixed_64_traits, Exact_traits) {
+  namespace internal = CGAL::Quadtree_mesh_2::internal;
   for (const Input& input : all_inputs()) {
     CAPTURE(input.name);
     const auto points = make_points<TestType>(input);
     const auto grid = TestType().construct_grid_2_object()(points);
+    const int depth = grid.depth();
+    const typename TestType::Word end = typename TestType::Word(1) << depth;
     for (const auto& p : points) {
       REQUIRE(grid.is_in_root(p));
       const auto g = grid.grid_point(p);
-      REQUIRE(g.x >> TestType::depth == 0);
-      REQUIRE(g.y >> TestType::depth == 0);
-      // A corner of the square of level 30 that contains p, and upper right corners are exact.
-      const auto mask =
-          static_cast<typename TestType::Word>(~((typename TestType::Word(1) << (TestType::depth - 30)) - 1));
-      const typename TestType::Grid_point corner{g.x & mask, g.y & mask};
+      REQUIRE((0 <= g.x && g.x < end && 0 <= g.y && g.y < end));
+      // Corners of the square of level 30 that contains p are exact.
+      const auto corner = internal::corner_of_square(g, 30, depth);
       CHECK(grid.grid_point(grid.point(corner)) == corner);
+    }
+    // The sides of the root: the lower one belongs to it, the upper one does not.
+    CHECK(grid.is_in_root(grid.point({0, 0})));
+    CHECK_FALSE(grid.is_in_root(grid.point({end, end})));
+    // A finer grid divides the squares of the first.
+    auto finer = grid;
+    const bool is_refined = finer.refine();
+    CHECK(is_refined == (finer.depth() > depth));
+    for (const auto& p : points) {
+      const auto g = finer.grid_point(p);
+      CHECK(typename TestType::Word(g.x >> (finer.depth() - depth)) == grid.grid_point(p).x);
+      CHECK(typename TestType::Word(g.y >> (finer.depth() - depth)) == grid.grid_point(p).y);
     }
   }
 }

@@ -11,12 +11,16 @@
 /// map of points to it, and the map of the corners of squares back to points.
 ///
 /// The root of all quadtrees is the square \f$ [0, 2^B) \times [0, 2^B) \f$ of grid units, \f$ B \f$ being
-/// `depth`. A square of level \f$ l \f$ has side \f$ 2^{B-l} \f$ and corners at multiples of its side. All
+/// the depth of the grid. A square of level \f$ l \f$ has side \f$ 2^{B-l} \f$ and corners at multiples of its side. All
 /// decisions of quadtrees are made on grid coordinates, in integers, hence exactly.
+///
+/// Where distinct points fall on one grid point, quadtrees ask for a finer grid of the same root and map all
+/// points anew. Models whose words have a fixed length refuse that, and the points are an error.
 ///
 /// \cgalHasModelsBegin
 /// \cgalHasModels{CGAL::Filtered_quadtree_traits_2<Kernel>}
 /// \cgalHasModels{CGAL::Fixed_point_quadtree_traits_2<Word>}
+/// \cgalHasModels{CGAL::Exact_quadtree_traits_2<Kernel>}
 /// \cgalHasModelsEnd
 ///
 /// \sa `CGAL::Quadtree_framework<Traits>`
@@ -29,22 +33,25 @@ public:
   /// The type of input points; copyable and equality comparable.
   typedef unspecified_type Point_2;
 
-  /// The type of grid coordinates, `std::uint32_t` or `std::uint64_t`.
+  /// The type of grid coordinates: `std::uint32_t` or `std::uint64_t`, or
+  /// `boost::multiprecision::cpp_int`, an integer type of unlimited length. Its values are never negative.
   typedef unspecified_type Word;
-
-  /// The logarithm \f$ B \f$ of the root's side; less than the number of bits of `Word`, so that upper
-  /// corners are representable.
-  static constexpr int depth = unspecified;
 
   /// `CGAL::Quadtree_mesh_2::Grid_point_2<Word>`, with members `x` and `y`.
   typedef unspecified_type Grid_point;
 
-  /// The map between points and the grid; default constructible and copyable. It provides
+  /// The map between points and the grid; default constructible and copyable. Its `const` members may be
+  /// called from several threads at once as far as the points may be read so. It provides
   ///
+  /// - `int depth() const`, the logarithm \f$ B \f$ of the root's side in grid units. If `Word` has a fixed
+  ///   length, it is less than the number of bits, so that upper corners are representable;
+  /// - `bool refine()`, which makes the unit of the grid finer by a power of two and thus the depth greater,
+  ///   without moving or resizing the root, and returns `true`; or returns `false` and leaves the grid as it
+  ///   is because words cannot be longer. If it never returns `false`, it tells any two distinct points apart
+  ///   after finitely many calls;
   /// - `bool is_in_root(const Point_2& p) const`, whether `p` lies in the root square;
   /// - `Grid_point grid_point(const Point_2& p) const`, the lower left corner of the unit square of the grid
-  /// that
-  ///   contains `p`, computed without rounding, provided that `p` lies in the root square;
+  ///   that contains `p`, computed without rounding, provided that `p` lies in the root square;
   /// - `Point_2 point(const Grid_point& g) const`, the point at the crossing of two grid lines, coordinates
   ///   \f$ 2^B \f$ included. It is exact whenever `Point_2` can represent it.
   typedef unspecified_type Grid_2;
@@ -58,7 +65,8 @@ public:
   /// two.
   ///
   /// A point that cannot be mapped makes it throw `CGAL::Quadtree_mesh_2::Point_error`, which names the
-  /// point. Distinct points may be mapped to the same grid point; quadtrees notice it and throw.
+  /// point. Distinct points may be mapped to the same grid point; quadtrees notice it and
+  /// refine the grid or, if it refuses, throw.
   typedef unspecified_type Construct_grid_2;
 
   /// The arithmetic of the mesher on these points. Quadtrees do not use it; an incomplete type suffices.
