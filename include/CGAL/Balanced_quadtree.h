@@ -27,10 +27,13 @@
 #include <CGAL/Quadtree_mesh_2/Leaf_neighbors.h>
 #include <CGAL/Quadtree_mesh_2/internal/Linked_squares.h>
 #include <CGAL/Quadtree_mesh_2/internal/Required_squares.h>
+#include <CGAL/Quadtree_mesh_2/internal/Spaced_levels_grower.h>
 #include <CGAL/Quadtree_mesh_2/internal/Square_grower.h>
 #include <CGAL/Quadtree_mesh_2/internal/Uninitialized_vector.h>
 #include <CGAL/Quadtree_mesh_2/internal/forcing.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel.h>
+#include <CGAL/Quadtree_mesh_2/internal/required_by_marks.h>
+#include <CGAL/Quadtree_mesh_2/internal/required_by_size.h>
 #include <CGAL/Quadtree_options.h>
 #include <CGAL/assertions.h>
 
@@ -100,13 +103,67 @@ public:
       : framework_(std::move(framework)), options_(options) {
     CGAL_precondition(options.max_points_per_leaf() >= 1);
     namespace internal = Quadtree_mesh_2::internal;
-    grow(internal::Required_squares_finder<Framework, Concurrency_tag>(framework_,
-                                                                       options.max_points_per_leaf())
-             .find());
+    const Required_squares required =
+        internal::Required_squares_finder<Framework, Concurrency_tag>(framework_,
+                                                                      options.max_points_per_leaf())
+            .find();
+    if (options.schedule() == Quadtree_mesh_2::Balance_schedule::SPACED_LEVELS &&
+        options.balance() != Quadtree_mesh_2::Balance::NONE)
+      squares_ = internal::Spaced_levels_grower<Framework, Concurrency_tag>(framework_, required).grow();
+    else
+      squares_ = smallest_squares(required);
+    list_leaves_of_points();
   }
+
+  /// Builds a quadtree whose leaves are as small as a predicate wants them, before it is balanced.
+  /// \tparam Must_split called as `must_split(lower_left, upper_right)` with the corners of a square, two
+  ///         `Point_2`; tells whether the square is to be split. It is asked for the root and for the children
+  ///         of all squares that have to be split, maybe by several threads at the same time. A square of one
+  ///         grid unit is never split. Always level by level, whatever the options say.
+  template <class Must_split, class = decltype(bool(std::declval<const Must_split&>()(
+                                 std::declval<const Point_2&>(), std::declval<const Point_2&>())))>
+  Balanced_quadtree(Framework framework, const Quadtree_options& options, const Must_split& must_split)
+      : framework_(std::move(framework)), options_(options) {
+    CGAL_precondition(options.max_points_per_leaf() >= 1);
+    squares_ = smallest_squares(
+        Quadtree_mesh_2::internal::Sized_squares_finder<Framework, Must_split, Concurrency_tag>(
+            framework_, options.max_points_per_leaf(), must_split)
+            .find());
+    list_leaves_of_points();
+  }
+
+  /// Builds the quadtree of points with leaves as small as a predicate wants them.
+  template <class PointRange, class Must_split,
+            class = decltype(std::declval<const PointRange&>().begin()),
+            class = decltype(bool(std::declval<const Must_split&>()(std::declval<const Point_2&>(),
+                                                                    std::declval<const Point_2&>())))>
+  Balanced_quadtree(const PointRange& points, const Quadtree_options& options, const Must_split& must_split,
+                    const Traits& traits = Traits())
+      : Balanced_quadtree(Framework(points, traits), options, must_split) {}
 
   const Framework& framework() const { return framework_; }
   const Quadtree_options& options() const { return options_; }
+
+  /// \name Changes
+  /// @{
+
+  /// Splits leaves and restores balance, with as few further splits as possible. All nodes and leaves are
+  /// numbered anew. Takes O(n + k) time, however few leaves are split: collect them.
+  /// \tparam LeafRange a range with value type `Leaf_index`; repetitions count once.
+  /// \pre no leaf is a square of one grid unit
+  template <class LeafRange>
+  void refine(const LeafRange& leaves) {
+    std::vector<bool> is_marked(number_of_leaves(), false);
+    for (const Leaf_index l : leaves) {
+      CGAL_precondition(level(l) < framework_.grid().depth());
+      is_marked[std::size_t(l)] = true;
+    }
+    squares_ = smallest_squares(Quadtree_mesh_2::internal::required_by_marks<Concurrency_tag>(
+        squares_, [&](Node_index v) { return is_marked[std::size_t(leaf(v))]; }));
+    list_leaves_of_points();
+  }
+
+  /// @}
 
   /// \name Nodes
   /// @{
@@ -151,6 +208,24 @@ public:
   /// The points in the square of `v`.
   Rank_interval points(Node_index v) const {
     return {Point_rank(squares_.point_begin(v)), Point_rank(point_end(squares_.last_leaf(v)))};
+  }
+
+  /// Calls `visit(v)` for the nodes of the subtree of `top` in preorder, children in shuffle order, and goes on
+  /// to the children of those for which it returns `true`.
+  template <class Visit>
+  void traverse(Visit visit, Node_index top) const {
+    std::vector<Node_index> open(1, top);
+    while (!open.empty()) {
+      const Node_index v = open.back();
+      open.pop_back();
+      if (!visit(v) || is_leaf(v)) continue;
+      for (int q = 4; q-- > 0;) open.push_back(child(v, q));
+    }
+  }
+  /// Traverses the whole tree.
+  template <class Visit>
+  void traverse(Visit visit) const {
+    traverse(visit, root());
   }
 
   /// @}
@@ -245,12 +320,11 @@ private:
   using Linked_squares = Quadtree_mesh_2::internal::Linked_squares<Word>;
   using Required_squares = Quadtree_mesh_2::internal::Required_squares;
 
-  /// Makes the squares from those that have to be split.
-  void grow(const Required_squares& required) {
+  /// The smallest balanced quadtree with the required squares.
+  Linked_squares smallest_squares(const Required_squares& required) const {
     namespace internal = Quadtree_mesh_2::internal;
     const auto forced = internal::least_forced_directions<Concurrency_tag>(required, options_.balance());
-    squares_ = internal::Square_grower<Framework, Concurrency_tag>(framework_, required, forced).grow();
-    list_leaves_of_points();
+    return internal::Square_grower<Framework, Concurrency_tag>(framework_, required, forced).grow();
   }
 
   void list_leaves_of_points() {

@@ -122,6 +122,8 @@ public:
 private:
   template <class, class>
   friend class Square_grower;
+  template <class, class>
+  friend class Spaced_levels_grower;
 
   static constexpr std::uint32_t leaf_flag = 0x80000000u;
   static constexpr std::size_t max_families = std::size_t(1) << 29; // leaves must stay below the flag

@@ -47,6 +47,8 @@ struct Required_squares {
   Uninitialized_vector<std::uint8_t> children;
   /// The first split child; where there is none, the first one of the squares that follow.
   Uninitialized_vector<std::uint32_t> first_child;
+  /// A point in the square; only for squares that points require.
+  Uninitialized_vector<std::uint32_t> point;
 
   std::size_t size() const { return children.size(); }
   int number_of_levels() const { return static_cast<int>(level_begin.size()) - 1; }
@@ -183,22 +185,26 @@ private:
       squares.level_begin.push_back(static_cast<std::uint32_t>(sum));
     }
     squares.children.resize(sum);
+    squares.point.resize(sum);
   }
 
   void fill_squares(std::size_t begin, std::size_t end, std::vector<std::uint32_t>& next,
                     Required_squares& squares) const {
     for_each_path(begin, end, [&](const Path& path, std::size_t p, Node_index v) {
       const auto& point = framework_.grid_point(Point_rank(p));
+      const auto fill = [&](int level, unsigned children) {
+        const std::uint32_t i = next[std::size_t(level)]++;
+        squares.children[i] = static_cast<std::uint8_t>(children);
+        squares.point[i] = static_cast<std::uint32_t>(p);
+      };
       for (int level = path.first; level < path.last; ++level)
-        squares.children[next[std::size_t(level)]++] =
-            static_cast<std::uint8_t>(1u << quadrant(point, level, depth_));
-      squares.children[next[std::size_t(path.last)]++] =
-          v.is_valid() ? split_children(v, path.last) : std::uint8_t(0);
+        fill(level, 1u << quadrant(point, level, depth_));
+      fill(path.last, v.is_valid() ? split_children(v, path.last) : 0);
     });
   }
 
   /// The split children of the square of level `level` that has the points of `v`.
-  std::uint8_t split_children(Node_index v, int level) const {
+  unsigned split_children(Node_index v, int level) const {
     if (level < framework_.level(v)) return 0; // the path ends before v for lack of points
     unsigned children = 0;
     const auto add = [&](const Path& path, Point_rank first) {
@@ -210,7 +216,7 @@ private:
         [&](Point_rank r) {
           if (framework_.has_annotations()) add(path(r), r);
         });
-    return static_cast<std::uint8_t>(children);
+    return children;
   }
 
   const Framework& framework_;

@@ -21,14 +21,14 @@
 #include <CGAL/Quadtree_mesh_2/Direction.h>
 #include <CGAL/Quadtree_mesh_2/Index.h>
 #include <CGAL/Quadtree_mesh_2/internal/Linked_squares.h>
+#include <CGAL/Quadtree_mesh_2/internal/Point_distribution.h>
 #include <CGAL/Quadtree_mesh_2/internal/Required_squares.h>
 #include <CGAL/Quadtree_mesh_2/internal/Uninitialized_vector.h>
-#include <CGAL/Quadtree_mesh_2/internal/Word_operations.h>
 #include <CGAL/Quadtree_mesh_2/internal/forcing.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel.h>
 #include <CGAL/assertions.h>
 
-#include <array>
+#include <algorithm>
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
@@ -48,24 +48,29 @@ public:
   ///        together with what is required must be balanced.
   Square_grower(const Framework& framework, const Required_squares& required,
                 const Uninitialized_vector<Direction_set>& forced)
-      : framework_(framework), required_(required), forced_(forced), depth_(framework.grid().depth()) {
-    squares_.depth_ = depth_;
+      : framework_(framework), points_(framework), required_(required), forced_(forced) {
+    squares_.depth_ = framework.grid().depth();
   }
 
   /// Returns the squares of the quadtree.
   Squares grow() {
     squares_.reserve(2 * required_.size());
     begin_with_root();
-    while (grow_level()) {
-    }
+    if (required_.size() > 0) grow_levels();
     squares_.template number_leaves<Concurrency_tag>();
     return std::move(squares_);
   }
 
 private:
+  template <class, class>
+  friend class Spaced_levels_grower;
+
   using Grid_point = typename Framework::Grid_point;
   using Level = typename Squares::Level;
   static constexpr std::size_t families_in_block_ = default_block / 8;
+
+  /// One for each child of the families of a level; set by several threads, always to the same value.
+  using Marks = std::vector<std::atomic<std::uint8_t>>;
 
   /// What is known of a family of the last level but no longer afterwards.
   struct Growth {
@@ -84,53 +89,67 @@ private:
     make_family(0, 0, 0, Growth{0, points}, growth_[0]);
   }
 
-  /// Splits the squares of the next level that have to be; returns whether there are any.
-  bool grow_level() {
-    if (squares_.number_of_split_levels() == 0) return false;
-    const int level = squares_.number_of_split_levels(); // of the children
-    const std::uint32_t first = squares_.level_begin(level - 1), last = squares_.level_begin(level);
-    Marks marks(4 * std::size_t(last - first));
-    for_each_index<Concurrency_tag>(
-        last - first, [&](std::size_t i) { mark_children(first + static_cast<std::uint32_t>(i), first, marks); },
-        families_in_block_);
-
-    std::vector<std::size_t> place = count_marks(marks);
-    const std::size_t families = last + place.back();
-    if (families == last) {
-      leave_children(first, last);
-      return false;
-    }
-    squares_.resize(families);
-    squares_.level_begin_.push_back(static_cast<std::uint32_t>(families));
-    Uninitialized_vector<Growth> grown(families - last);
-    for_each_block<Concurrency_tag>(
-        marks.size(), 4 * families_in_block_, [&](std::size_t b, std::size_t begin, std::size_t end) {
-          std::uint32_t next = last + static_cast<std::uint32_t>(place[b]);
-          for (std::size_t i = begin; i < end; ++i) {
-            const std::uint32_t node = 4 * first + 1 + static_cast<std::uint32_t>(i);
-            if (marks[i].load(std::memory_order_relaxed) == 0) {
-              squares_.leaf_or_family_[node] = Squares::leaf_flag;
-              continue;
-            }
-            make_family(next, node, level, growth_of_child(node, first), grown[next - last]);
-            ++next;
-          }
-        });
-    growth_.swap(grown);
-    return true;
+  /// Makes all levels below the last one.
+  void grow_levels() {
+    for (mark_children(); number_of_marks() > 0; mark_children()) split_marked_children();
+    for_each_child([](std::uint32_t, std::size_t) {});
   }
 
-  /// One for each child of the families of a level; set by several threads, always to the same value.
-  using Marks = std::vector<std::atomic<std::uint8_t>>;
+  /// Finds the children of the last level that have to be split.
+  void mark_children() {
+    const std::uint32_t first = first_family(), last = end_family();
+    Marks(4 * std::size_t(last - first)).swap(marks_);
+    for_each_index<Concurrency_tag>(
+        last - first, [&](std::size_t i) { mark_children_of(first + static_cast<std::uint32_t>(i)); },
+        families_in_block_);
+    count_marks();
+  }
+
+  std::size_t number_of_marks() const { return marks_before_block_.back(); }
+
+  /// Makes a level of the marked children.
+  void split_marked_children() {
+    const std::uint32_t first = first_family(), last = end_family();
+    const int level = level_of_children();
+    squares_.resize(last + number_of_marks());
+    Uninitialized_vector<Growth> grown(number_of_marks());
+    for_each_child([&](std::uint32_t node, std::size_t mark) {
+      const std::uint32_t family = last + static_cast<std::uint32_t>(mark);
+      make_family(family, node, level, growth_of_child(node, first), grown[mark]);
+    });
+    squares_.level_begin_.push_back(static_cast<std::uint32_t>(last + number_of_marks()));
+    growth_.swap(grown);
+  }
+
+  /// Makes leaves of the children that are not marked and calls `on_marked(node, i)` for the marked ones, i
+  /// counting them in order.
+  template <class On_marked>
+  void for_each_child(const On_marked& on_marked) {
+    const std::size_t first_node = 4 * std::size_t(first_family()) + 1;
+    for_each_block<Concurrency_tag>(
+        marks_.size(), 4 * families_in_block_, [&](std::size_t b, std::size_t begin, std::size_t end) {
+          std::size_t next = marks_before_block_[b];
+          for (std::size_t i = begin; i < end; ++i)
+            if (marks_[i].load(std::memory_order_relaxed) != 0)
+              on_marked(static_cast<std::uint32_t>(first_node + i), next++);
+            else
+              squares_.leaf_or_family_[first_node + i] = Squares::leaf_flag;
+        });
+  }
+
+  // The families of the last level, and the level of their children.
+  std::uint32_t first_family() const { return squares_.level_begin(squares_.number_of_split_levels() - 1); }
+  std::uint32_t end_family() const { return squares_.level_begin(squares_.number_of_split_levels()); }
+  int level_of_children() const { return squares_.number_of_split_levels() + level_offset_; }
 
   /// Marks the children of a family that have to be split, and the neighbours that they force.
-  void mark_children(std::uint32_t family, std::uint32_t first_family, Marks& marks) const {
-    const std::uint32_t square = growth_[family - first_family].required;
+  void mark_children_of(std::uint32_t family) {
+    const std::uint32_t square = growth_[family - first_family()].required;
     if (square == Required_squares::none || required_.children[square] == 0) return;
-    const std::size_t first_node = 4 * std::size_t(first_family) + 1;
+    const std::size_t first_node = 4 * std::size_t(first_family()) + 1;
     const auto mark = [&](Node_index v) {
       CGAL_assertion(std::size_t(v) >= first_node);
-      marks[std::size_t(v) - first_node].store(1, std::memory_order_relaxed);
+      marks_[std::size_t(v) - first_node].store(1, std::memory_order_relaxed);
     };
     for (int q = 0; q < 4; ++q) {
       const std::uint32_t child = required_.child(square, q);
@@ -144,25 +163,18 @@ private:
     }
   }
 
-  /// Returns how many marks there are before each block, and in all.
-  std::vector<std::size_t> count_marks(const Marks& marks) const {
+  /// Counts the marks before each block, and all.
+  void count_marks() {
     const std::size_t block = 4 * families_in_block_;
-    std::vector<std::size_t> place((marks.size() + block - 1) / block + 1, 0);
-    for_each_block<Concurrency_tag>(marks.size(), block,
+    marks_before_block_.assign((marks_.size() + block - 1) / block + 1, 0);
+    for_each_block<Concurrency_tag>(marks_.size(), block,
                                     [&](std::size_t b, std::size_t begin, std::size_t end) {
                                       std::size_t sum = 0;
                                       for (std::size_t i = begin; i < end; ++i)
-                                        sum += marks[i].load(std::memory_order_relaxed);
-                                      place[b] = sum;
+                                        sum += marks_[i].load(std::memory_order_relaxed);
+                                      marks_before_block_[b] = sum;
                                     });
-    scan_exclusively(place.data(), place.size(), std::size_t(0));
-    return place;
-  }
-
-  void leave_children(std::uint32_t first, std::uint32_t last) {
-    for_each_index<Concurrency_tag>(4 * std::size_t(last - first), [&](std::size_t i) {
-      squares_.leaf_or_family_[4 * std::size_t(first) + 1 + i] = Squares::leaf_flag;
-    });
+    scan_exclusively(marks_before_block_.data(), marks_before_block_.size(), std::size_t(0));
   }
 
   Growth growth_of_child(std::uint32_t node, std::uint32_t first_family) const {
@@ -185,55 +197,23 @@ private:
     if (node != 0)
       for (Direction d : all_directions())
         squares_.neighbors_[family][std::size_t(d)] = squares_.neighbor(Node_index(node), d).value();
-    distribute_points(family, level, squares_.point_begin_[node], growth.point_end);
-  }
-
-  /// Finds where the points of each child begin. They are in shuffle order, so children have intervals.
-  void distribute_points(std::uint32_t family, int level, std::uint32_t begin, std::uint32_t end) {
-    std::uint32_t* const child_begin = &squares_.point_begin_[4 * std::size_t(family) + 1];
-    child_begin[0] = begin;
-    if (begin == end) {
-      child_begin[1] = child_begin[2] = child_begin[3] = end;
-      return;
-    }
-    const int first = child_of_point(begin, level);
-    const int last = end - begin == 1 ? first : child_of_point(end - 1, level);
-    for (int q = 1; q < 4; ++q)
-      child_begin[q] = q <= first  ? begin
-                       : q > last  ? end
-                                   : first_point_from(q, level, child_begin[q - 1], end);
-  }
-
-  int child_of_point(std::uint32_t rank, int level) const {
-    return quadrant(framework_.grid_point(typename Framework::Point_rank(rank)), level, depth_);
-  }
-
-  /// The first point from `begin` on in child `q` or a later one. Takes steps of growing length from the
-  /// beginning, so that few points cost little.
-  std::uint32_t first_point_from(int q, int level, std::uint32_t begin, std::uint32_t end) const {
-    std::uint32_t step = 1;
-    while (step < end - begin && child_of_point(begin + step - 1, level) < q) {
-      begin += step;
-      step *= 2;
-    }
-    end = step < end - begin ? begin + step : end;
-    while (begin < end) {
-      const std::uint32_t middle = begin + (end - begin) / 2;
-      if (child_of_point(middle, level) < q)
-        begin = middle + 1;
-      else
-        end = middle;
-    }
-    return begin;
+    const auto begins = points_.child_begins(level, squares_.point_begin_[node], growth.point_end);
+    std::copy(begins.begin(), begins.end(), &squares_.point_begin_[4 * std::size_t(family) + 1]);
   }
 
   const Framework& framework_;
+  Point_distribution<Framework> points_;
   const Required_squares& required_;
   const Uninitialized_vector<Direction_set>& forced_;
-  int depth_;
 
   Squares squares_;
-  Uninitialized_vector<Growth> growth_; // by family of the last level
+  int level_offset_ = 0; // of the first level here, if the levels above are elsewhere
+
+  // By family of the last level.
+  Uninitialized_vector<Growth> growth_;
+  // By child of the last level; and by block of children.
+  Marks marks_;
+  std::vector<std::size_t> marks_before_block_;
 };
 
 } // namespace internal
