@@ -1,0 +1,132 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+
+#ifndef QUADTREE_MESH_2_BENCHMARK_QUADTREE_INPUTS_H
+#define QUADTREE_MESH_2_BENCHMARK_QUADTREE_INPUTS_H
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/number_utils.h>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+using Point_2 = CGAL::Exact_predicates_inexact_constructions_kernel::Point_2;
+using Points = std::vector<Point_2>;
+
+/// Numbers of [0, 1) that are the same with every standard library: its distributions are not.
+class Random_numbers {
+public:
+  explicit Random_numbers(std::uint64_t seed) : engine_(seed) {}
+
+  double operator()() { return double(engine_() >> 11) * 0x1p-53; }
+
+private:
+  std::mt19937_64 engine_;
+};
+
+namespace quadtree_inputs {
+
+inline Points uniform(std::size_t n, std::uint64_t seed) {
+  Random_numbers random(seed);
+  Points points;
+  points.reserve(n);
+  while (points.size() < n) {
+    const double x = random(), y = random();
+    points.emplace_back(x, y);
+  }
+  return points;
+}
+
+inline Point_2 polar(double r, double angle) { return {r * std::cos(angle), r * std::sin(angle)}; }
+
+/// A cluster of stars by Plummer's law, seen from far away.
+inline Points plummer(std::size_t n, std::uint64_t seed) {
+  Random_numbers random(seed);
+  Points points;
+  points.reserve(n);
+  while (points.size() < n) {
+    const double mass = random(), cosine = 2 * random() - 1, angle = 2 * CGAL_PI * random();
+    const double r = 1 / std::sqrt(std::pow(mass, -2.0 / 3) - 1);
+    if (r < 100) points.push_back(polar(r * std::sqrt(1 - cosine * cosine), angle)); // few are farther away
+  }
+  return points;
+}
+
+/// Kuzmin's disc, with the same law as in the problem based benchmark suite: dense in the middle, sparse and
+/// wide outside.
+inline Points kuzmin(std::size_t n, std::uint64_t seed) {
+  Random_numbers random(seed);
+  Points points;
+  points.reserve(n);
+  while (points.size() < n) {
+    const double u = random(), angle = 2 * CGAL_PI * random();
+    const double r = std::sqrt(1 / ((1 - u) * (1 - u)) - 1);
+    if (r < 1e6) points.push_back(polar(r, angle));
+  }
+  return points;
+}
+
+/// All points of a grid, row by row.
+inline Points grid(std::size_t n, std::uint64_t) {
+  const std::size_t side = std::size_t(std::ceil(std::sqrt(double(n))));
+  Points points;
+  points.reserve(n);
+  for (std::size_t i = 0; i < n; ++i) points.emplace_back(double(i % side), double(i / side));
+  return points;
+}
+
+/// Points at random places of a line that is not straight in binary: with slope 1/3 and a little more.
+inline Points line(std::size_t n, std::uint64_t seed) {
+  const double slope = 1.0 / 3 + std::sqrt(2.0) / 1000;
+  Random_numbers random(seed);
+  Points points;
+  points.reserve(n);
+  while (points.size() < n) {
+    const double x = random();
+    points.emplace_back(x, slope * x);
+  }
+  return points;
+}
+
+/// A spiral whose radius is halved with every turn, from the outside in, until neighbours on it are a few
+/// units in the last place apart. Half of the turns are too small for trees of 29 levels.
+inline Points spiral(std::size_t n, std::uint64_t) {
+  const double turns = std::floor(58 - std::log2(double(n)));
+  Points points;
+  points.reserve(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const double turn = turns * double(i) / double(n);
+    const Point_2 p = polar(0.5 * std::exp2(-turn), 2 * CGAL_PI * turn);
+    points.emplace_back(0.5 + p.x(), 0.5 + p.y());
+  }
+  return points;
+}
+
+struct Input {
+  std::string name;
+  Points (*make)(std::size_t n, std::uint64_t seed);
+};
+
+inline const std::vector<Input>& all() {
+  static const std::vector<Input> inputs{{"uniform", uniform}, {"plummer", plummer}, {"kuzmin", kuzmin},
+                                         {"grid", grid},       {"line", line},       {"spiral", spiral}};
+  return inputs;
+}
+
+inline const Input& by_name(const std::string& name) {
+  for (const Input& input : all())
+    if (input.name == name) return input;
+  throw std::invalid_argument("there is no input '" + name + "'");
+}
+
+} // namespace quadtree_inputs
+
+#endif // QUADTREE_MESH_2_BENCHMARK_QUADTREE_INPUTS_H
