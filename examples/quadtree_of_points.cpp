@@ -1,18 +1,21 @@
 // Builds the balanced quadtree of random points, prints what was built and walks around the leaf of a point.
+// Draws the tree if told where: quadtree_of_points tree.svg
 
 #include <CGAL/Balanced_quadtree.h>
 #include <CGAL/Filtered_quadtree_traits_2.h>
+#include <CGAL/IO/quadtree_SVG.h>
 #include <CGAL/Random.h>
 #include <CGAL/point_generators_2.h>
 
 #include <iostream>
+#include <stdexcept>
 #include <vector>
 
 using Traits = CGAL::Filtered_quadtree_traits_2<>;
 using Point = Traits::Point_2;
 using Quadtree = CGAL::Balanced_quadtree<Traits>;
 
-int main() {
+int main(int argc, char** argv) {
   CGAL::Random random(1);
   CGAL::Random_points_in_disc_2<Point> in_disc(1.0, random);
   std::vector<Point> points;
@@ -33,4 +36,14 @@ int main() {
             << ", with " << tree.points(leaf).size() << " points\nits neighbours, counterclockwise:";
   for (Quadtree::Leaf_index neighbor : tree.neighbors(leaf)) std::cout << ' ' << neighbor;
   std::cout << '\n';
+
+  if (argc < 2) return 0;
+  try {
+    using Options = CGAL::IO::Quadtree_svg_options;
+    CGAL::IO::write_SVG(argv[1], tree,
+                        Options().fill_by(Options::Fill::level).clip_to({-1.1, -1.1, 1.1, 1.1}));
+  } catch (const std::runtime_error& e) {
+    std::cerr << e.what() << '\n';
+    return 1;
+  }
 }
