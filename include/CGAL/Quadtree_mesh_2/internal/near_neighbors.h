@@ -1,0 +1,199 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+
+// Near neighbours of the points of a balanced quadtree.
+//
+// Computes: for a point another one, not farther than sqrt(3 + sqrt(5)) < 2.2883 times its nearest neighbour.
+//           The factor is sharp for this method.
+// Bound:    at most 120 squares for each point, whatever the depth, if squares are split because they hold
+//           more points than a leaf may or for balance only; all points of up to 97 leaves. Where points'
+//           annotations or a size ask for smaller leaves, 40 squares for each level from the point's leaf up to
+//           the squares as large as the nearest neighbour is far; the factor is the same.
+// Source:   Bern, Eppstein, Teng, section 5: examine the O(1) squares around the square of a point.
+// Deviates: the paper takes any point in a neighbouring square, and none if all are empty. Neighbours half as
+//           large are told apart here, and up to two levels above are looked at: there always is a result.
+//
+// Method. Let s be the leaf of p, s = A(0), A(1), ... the squares around it, up to the root, and a(j) the side
+// of A(j). Window j is the square of side 3 a(j) around A(j). Round j looks at the up to eight squares of A(j)'s
+// size around it, by the cross pointers: at all points of those that are leaves or within larger leaves, at all
+// points of the leaves among the children of the others, and at the first point of each split child. Rounds are
+// made for j = 0, 1, ... up to the first one after which the nearest point seen, r, has |pr|^2 <= 5 a(j)^2, or
+// up to the last below the root. The points in s, if it may hold several, are looked at first.
+//
+// Proof of the factor c. Let q be the nearest neighbour of p, d = |pq|. Points outside window j are farther than
+// a(j). If rounds end after round j with q outside window j, then |pr| <= sqrt(5) a(j) < sqrt(5) d. (After the
+// last round nothing is outside.) Else let i be the least number of a window that has q; then i <= j. If q was
+// looked at, r is as near. If not, q is in a split square u of side b = a(i) / 2 of which another point, r', was
+// looked at. Along an axis p is at least b from u:
+//  - for i > 0, because u is not in window i - 1, which is made of squares of side b and has b = a(i - 1) all
+//    around A(i - 1);
+//  - for i = 0, because otherwise u would touch s and have half its size; as it is split, a leaf in it that is
+//    at most a quarter of s would touch s, and the tree would not be balanced across sides and corners.
+// Let h >= b and v be the distances from p to u along the axes, v <= h without loss of generality. Then
+//
+//     |pr'|^2 / d^2 <= ((h + b)^2 + (v + b)^2) / (h^2 + v^2)
+//
+// (the quotient is greatest where q is nearest, given that r' may be the farthest corner). For v <= h it
+// decreases in h: the derivative has the sign of -(h^2 + 2 h b + 2 h v - v^2). So if v <= b it is greatest for
+// h = b, and if v > b it is at most what it is for h = v, which decreases in v and is 4 for v = b. For h = b it
+// is, in units of b, 1 + (4 + 2 v) / (1 + v^2), greatest for v = sqrt(5) - 2, where it is 3 + sqrt(5) = c^2.
+//
+// The factor is reached: p = (0, (sqrt(5) - 1) / 2) in s = [0, 1)^2 with r' in the lower left corner of
+// u = [-1, -1/2) x [0, 1/2) and q next to its upper right one.
+//
+// Proof of the bound. If the parent A(1) is split because it holds more points than s, one of them is in a
+// sibling of s: round 0 finds it. If A(1) is split for balance then because of a square of its own size next to
+// it that is split for its points (forcing.h): round 1 finds one of these. What is found in round i is nearer than
+// sqrt(8) a(i) = sqrt(2) a(i + 1), so round i + 1 is the last one; this makes three rounds, of 8 + 4 * 8
+// squares. Were squares forced that are m steps from what forces them, log2(m) more rounds would do.
+//
+// Grid points. The traits may map points to the grid square that contains them. All of the above holds for the
+// points as well as for their grid points, but for comparisons, which are made on grid points, exactly; the
+// distances of points differ from these by less than sqrt(2) units. So for points the result is nearer than
+// c d + sqrt(2) (1 + c) < c d + 4.66, in units of the grid. Nothing is added for integers, nor for doubles that
+// are multiples of the unit, as all are that have a magnitude of 2^-10 times the root's side or more.
+
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_NEAR_NEIGHBORS_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_NEAR_NEIGHBORS_H
+
+#include <CGAL/Quadtree_framework.h>
+#include <CGAL/Quadtree_mesh_2/Direction.h>
+#include <CGAL/Quadtree_mesh_2/Grid_point_2.h>
+#include <CGAL/Quadtree_mesh_2/Index.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel.h>
+#include <CGAL/Quadtree_options.h>
+#include <CGAL/assertions.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Quadtree_mesh_2 {
+namespace internal {
+
+/// A near neighbour is at most this many times as far as the nearest one: the square root of 3 + sqrt(5),
+/// rounded up.
+constexpr double near_neighbor_factor = 2.28824562;
+
+/// Squared distances of grid points, exactly. With the grid's 2^62 units to a side they are below 2^125, and
+/// below 2^63 with 2^31 units.
+template <class Word>
+struct Squared_distance {
+  using type = Word; // of unlimited length
+};
+template <>
+struct Squared_distance<std::uint32_t> {
+  using type = std::uint64_t;
+};
+template <>
+struct Squared_distance<std::uint64_t> {
+  __extension__ typedef unsigned __int128 type;
+};
+
+template <class Word>
+typename Squared_distance<Word>::type squared_distance(const Grid_point_2<Word>& p,
+                                                       const Grid_point_2<Word>& q) {
+  using Square = typename Squared_distance<Word>::type;
+  // Words have no sign.
+  const Square x = static_cast<Word>(p.x < q.x ? q.x - p.x : p.x - q.x);
+  const Square y = static_cast<Word>(p.y < q.y ? q.y - p.y : p.y - q.y);
+  return static_cast<Square>(x * x + y * y);
+}
+
+/// The search for a near neighbour of one point; see the head of this file.
+template <class Quadtree>
+class Near_neighbor_search {
+public:
+  Near_neighbor_search(const Quadtree& tree, Point_rank r)
+      : tree_(tree), rank_(r), point_(tree.framework().grid_point(r)) {}
+
+  Point_rank find() {
+    Node_index v = tree_.node(tree_.leaf(rank_));
+    look_at_points(v);
+    for (; v != tree_.root(); v = tree_.parent(v)) {
+      for (Direction d : all_directions()) {
+        const Node_index n = tree_.neighbor(v, d);
+        if (n.is_valid()) look_at(n, 1);
+      }
+      if (is_near_enough(v)) break;
+    }
+    return nearest_;
+  }
+
+  /// How many squares were looked at.
+  std::size_t number_of_squares() const { return number_of_squares_; }
+
+private:
+  using Word = typename Quadtree::Word;
+  using Square = typename Squared_distance<Word>::type;
+
+  /// Looks at the points of leaves and the first point of squares that are split `splits` levels down.
+  void look_at(Node_index v, int splits) {
+    ++number_of_squares_;
+    if (tree_.is_leaf(v)) return look_at_points(v);
+    if (splits > 0) {
+      for (int q = 0; q < 4; ++q) look_at(tree_.child(v, q), splits - 1);
+      return;
+    }
+    const Rank_interval inside = tree_.points(v);
+    if (inside.size() > 0) look_at(inside.begin);
+  }
+
+  void look_at_points(Node_index leaf) {
+    const Rank_interval inside = tree_.points(leaf);
+    for (Point_rank r = inside.begin; r < inside.end; ++r) look_at(r);
+  }
+
+  /// Of points equally near the first one counts, in whatever order they are seen.
+  void look_at(Point_rank r) {
+    if (r == rank_) return;
+    const Square distance = squared_distance(point_, tree_.framework().grid_point(r));
+    if (nearest_.is_valid() && (distance > distance_ || (distance == distance_ && !(r < nearest_)))) return;
+    nearest_ = r;
+    distance_ = distance;
+  }
+
+  /// Whether no point outside the window around `v`, which is not the root, can be too much nearer.
+  bool is_near_enough(Node_index v) const {
+    if (!nearest_.is_valid()) return false;
+    const Square side = static_cast<Square>(Square(1) << (tree_.framework().grid().depth() - tree_.level(v)));
+    return distance_ <= 5 * side * side; // at most half the root's, squared: no overflow
+  }
+
+  const Quadtree& tree_;
+  Point_rank rank_;
+  Grid_point_2<Word> point_;
+  Point_rank nearest_;
+  Square distance_ = 0;
+  std::size_t number_of_squares_ = 0;
+};
+
+/// Returns a point that is at most `near_neighbor_factor` times as far from the point of rank `r` as the
+/// nearest one, up to the rounding of points to the grid; invalid if there is only one point.
+/// \pre the tree is balanced across sides and corners
+template <class Quadtree>
+Point_rank near_neighbor(const Quadtree& tree, Point_rank r) {
+  CGAL_precondition(tree.options().balance() == Balance::SIDES_AND_CORNERS);
+  return Near_neighbor_search<Quadtree>(tree, r).find();
+}
+
+/// Returns a near neighbour of each point, by rank.
+/// \pre the tree is balanced across sides and corners
+template <class Concurrency_tag, class Quadtree>
+std::vector<Point_rank> near_neighbors(const Quadtree& tree) {
+  std::vector<Point_rank> result(tree.framework().number_of_points());
+  for_each_index<Concurrency_tag>(
+      result.size(), [&](std::size_t i) { result[i] = near_neighbor(tree, Point_rank(i)); },
+      default_block / 8);
+  return result;
+}
+
+} // namespace internal
+} // namespace Quadtree_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_NEAR_NEIGHBORS_H
