@@ -42,13 +42,20 @@ Number power(int base, int exponent) {
   return result;
 }
 
+// With assertions, CGAL's MP_Float checks itself by shifting negative numbers, which
+// -fsanitize=undefined reports; so builds with assertions do without it.
+#ifdef NDEBUG
+using Field_without_integers = CGAL::Quotient<CGAL::MP_Float>;
+#else
+using Field_without_integers = CGAL::Exact_rational;
+#endif
+
 using Exact_kernels =
     std::tuple<CGAL::Epeck,
 #ifdef CGAL_USE_GMP
                CGAL::Simple_cartesian<CGAL::Gmpq>, CGAL::Simple_cartesian<CGAL::Lazy_exact_nt<CGAL::Gmpq>>,
 #endif
-               CGAL::Simple_cartesian<CGAL::Exact_rational>,
-               CGAL::Simple_cartesian<CGAL::Quotient<CGAL::MP_Float>>,
+               CGAL::Simple_cartesian<CGAL::Exact_rational>, CGAL::Simple_cartesian<Field_without_integers>,
                CGAL::Simple_cartesian<CGAL::Quotient<Long_word>>>;
 
 /// Multiplies by a power of two of any size.
@@ -174,8 +181,7 @@ TEST_CASE("Integers of any length are rounded to the nearest double", "[traits]"
   }
 }
 
-TEMPLATE_TEST_CASE("Logarithms are rounded down", "[traits]", CGAL::Exact_rational,
-                   CGAL::Quotient<CGAL::MP_Float>) {
+TEMPLATE_TEST_CASE("Logarithms are rounded down", "[traits]", CGAL::Exact_rational, Field_without_integers) {
   for (int k : {-3000, -1075, -1074, -1, 0, 1, 52, 1023, 1024, 3000}) {
     const TestType v = scaled(TestType(1), k);
     CHECK(internal::power_of_two<TestType>(k) == v);

@@ -11,8 +11,8 @@
 /// map of points to it, and the map of the corners of squares back to points.
 ///
 /// The root of all quadtrees is the square \f$ [0, 2^B) \times [0, 2^B) \f$ of grid units, \f$ B \f$ being
-/// the depth of the grid. A square of level \f$ l \f$ has side \f$ 2^{B-l} \f$ and corners at multiples of its side. All
-/// decisions of quadtrees are made on grid coordinates, in integers, hence exactly.
+/// the depth of the grid. A square of level \f$ l \f$ has side \f$ 2^{B-l} \f$ and corners at multiples of
+/// its side. All decisions of quadtrees are made on grid coordinates, in integers, hence exactly.
 ///
 /// Where distinct points fall on one grid point, quadtrees ask for a finer grid of the same root and map all
 /// points anew. Models whose words have a fixed length refuse that, and the points are an error.
@@ -65,8 +65,8 @@ public:
   /// two.
   ///
   /// A point that cannot be mapped makes it throw `CGAL::Quadtree_mesh_2::Point_error`, which names the
-  /// point. Distinct points may be mapped to the same grid point; quadtrees notice it and
-  /// refine the grid or, if it refuses, throw.
+  /// point. Distinct points may be mapped to the same grid point; quadtrees notice it and refine the grid
+  /// or, if it refuses, throw.
   typedef unspecified_type Construct_grid_2;
 
   /// The arithmetic of the mesher on these points. Quadtrees do not use it; an incomplete type suffices.

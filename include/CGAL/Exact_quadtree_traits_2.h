@@ -27,7 +27,7 @@ namespace CGAL {
 /// Coordinates may be any numbers of the kernel's field: 1/3, \f$ 10^{400} \f$ and \f$ 2^{-5000} \f$ in one
 /// set. Grid coordinates are integers of unlimited length. The grid has \f$ 2^{62} \f$ units to a side at
 /// first; `refine()` squares that number, so that all distinct points are told apart sooner or later, and
-/// all rounds together cost little more than the last. The root is the smallest square with a power of two
+/// all rounds together cost about twice the last. The root is the smallest square with a power of two
 /// as its side that holds the points in its middle half; its origin is a multiple of 1/64 of the side.
 ///
 /// Points are mapped to the grid without rounding, and grid points to points exactly. A coordinate that is a
@@ -44,7 +44,8 @@ namespace CGAL {
 ///
 /// \tparam Kernel a CGAL kernel whose `FT` is an exact ordered field with a constructor from `double`, or
 /// `double` itself. For `double`, points are mapped to the grid exactly, and grid points to the nearest
-/// double. \cgalModels{QuadtreeTraits_2}
+/// double.
+/// \cgalModels{QuadtreeTraits_2}
 template <class Kernel = Exact_predicates_exact_constructions_kernel>
 class Exact_quadtree_traits_2 {
   using FT = typename Kernel::FT;
