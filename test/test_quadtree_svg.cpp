@@ -180,7 +180,7 @@ TEST_CASE("The picture of one point is a dot in the root", "[SVG][balanced]") {
 }
 
 TEMPLATE_TEST_CASE("A picture has a cross for each split square, and no edge twice", "[SVG][balanced]",
-                   Filtered_traits, Fixed_32_traits, Fixed_64_traits) {
+                   Filtered_traits, Fixed_32_traits, Fixed_64_traits, Exact_traits) {
   // Few enough points for all squares to be large enough to be seen.
   const auto points = make_points<TestType>(uniform(100, 1));
   const CGAL::Balanced_quadtree<TestType> tree(points);
