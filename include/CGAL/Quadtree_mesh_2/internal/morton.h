@@ -8,19 +8,26 @@
 // interval.
 //
 // Computes: `less_shuffle(p, q)` in O(1) without making the shuffle; keys with interleaved bits;
-//           `shuffle_order(points)`, the permutation that sorts points.
-// Bound:    O(n) digit passes for words of constant length, stable (equal points keep their order).
+//           `shuffle_order(points)`, the permutation that sorts points, stable (equal points keep their order).
+// Bound:    O(n) work for words of 32 or 64 bits, in a constant number of rounds, and that again for each long
+//           run of points that agree in some digits; O(n log n) comparisons for other words, see
+//           parallel_sort.h.
 // Source:   Bern, Eppstein, Teng, "Parallel Construction of Quadtrees and Quality Triangulations", section 2
-// (the
-//           shuffle Sh(x, y), x before y, represented implicitly); T. M. Chan, "Closest-point problems
+//           (the shuffle Sh(x, y), x before y, represented implicitly); T. M. Chan, "Closest-point problems
 //           simplified on the RAM", for the comparison by exclusive or.
-// Deviates: the paper sorts by comparisons; here keys are sorted by digits, see radix_sort.h.
+// Deviates: the paper sorts by comparisons only; here words of 32 or 64 bits are shuffled explicitly and sorted
+//           by digits, see radix_sort.h. A comparison takes O(1) operations on words, hence for words longer
+//           than the machine's time in proportion to their length.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_MORTON_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_MORTON_H
 
 #include <CGAL/Quadtree_mesh_2/Grid_point_2.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel_sort.h>
 #include <CGAL/Quadtree_mesh_2/internal/radix_sort.h>
+
+#include <CGAL/tags.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -32,7 +39,7 @@ namespace internal {
 
 /// Returns whether the highest bit of `a` is lower than that of `b`, without finding either.
 template <class Word>
-constexpr bool less_highest_bit(Word a, Word b) {
+constexpr bool less_highest_bit(const Word& a, const Word& b) {
   return a < b && a < (a ^ b);
 }
 
@@ -79,9 +86,12 @@ constexpr std::uint64_t interleave(std::uint32_t x, std::uint32_t y) {
   return (spread_bits(x) << 1) | spread_bits(y);
 }
 
-/// The shuffle of a grid point as words of 64 bits, the most significant word first.
+/// The shuffle of a grid point as words of 64 bits, the most significant word first. There are none for words
+/// of other lengths, which are compared.
 template <class Word>
-struct Shuffle_key;
+struct Shuffle_key {
+  static constexpr int number_of_words = 0;
+};
 
 template <>
 struct Shuffle_key<std::uint32_t> {
@@ -101,20 +111,25 @@ struct Shuffle_key<std::uint64_t> {
 };
 
 /// Returns the indices of `points` sorted by the shuffle of the points; equal points keep their order.
-/// \tparam Word `std::uint32_t` or `std::uint64_t`; all bits count.
+/// \tparam Word unsigned, of any length; all bits count. `std::uint32_t` and `std::uint64_t` take O(n) time and
+/// 16 bytes per point of scratch memory; others are compared.
 /// \pre `points.size() < 2^32`
-/// Takes O(n) time and 32 bytes per point of scratch memory; 10^6 random points take about 30 ms.
-template <class Word>
+template <class Concurrency_tag = Sequential_tag, class Word>
 std::vector<std::uint32_t> shuffle_order(const std::vector<Grid_point_2<Word>>& points) {
   using Key = Shuffle_key<Word>;
-  std::vector<Keyed_index> items(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i)
-    items[i] = {Key::word(points[i], 0), static_cast<std::uint32_t>(i)};
-  radix_sort(items, Key::number_of_words,
-             [&points](std::uint32_t i, int word) { return Key::word(points[i], word); });
-  std::vector<std::uint32_t> order(points.size());
-  for (std::size_t i = 0; i < items.size(); ++i) order[i] = items[i].index;
-  return order;
+  if constexpr (Key::number_of_words > 0) {
+    return radix_order<Concurrency_tag>(
+        points.size(), Key::number_of_words,
+        [&points](std::uint32_t i, int word) { return Key::word(points[i], word); });
+  } else {
+    std::vector<std::uint32_t> order(points.size());
+    for_each_index<Concurrency_tag>(order.size(),
+                                    [&](std::size_t i) { order[i] = static_cast<std::uint32_t>(i); });
+    sort<Concurrency_tag>(order.begin(), order.end(), [&points](std::uint32_t i, std::uint32_t j) {
+      return less_shuffle(points[i], points[j]);
+    });
+    return order;
+  }
 }
 
 } // namespace internal

@@ -27,6 +27,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -82,12 +83,17 @@ void for_each_index(std::size_t n, const F& f, std::size_t block_length = defaul
 template <class Concurrency_tag, class T, class Of_range, class Combine>
 T reduce(std::size_t n, T identity, const Of_range& of_range, const Combine& combine,
          std::size_t block_length = default_block) {
-  std::vector<T> partial((n + block_length - 1) / block_length, identity);
-  for_each_block<Concurrency_tag>(
-      n, block_length,
-      [&](std::size_t b, std::size_t begin, std::size_t end) { partial[b] = of_range(begin, end); });
+  if (n == 0) return identity;
+  if (n <= block_length) return combine(identity, of_range(std::size_t(0), n));
+  struct Partial { // because the members of std::vector<bool> cannot be written independently
+    T value;
+  };
+  std::vector<Partial> partial((n + block_length - 1) / block_length, Partial{identity});
+  for_each_block<Concurrency_tag>(n, block_length, [&](std::size_t b, std::size_t begin, std::size_t end) {
+    partial[b].value = of_range(begin, end);
+  });
   T result = identity;
-  for (const T& p : partial) result = combine(result, p);
+  for (const Partial& p : partial) result = combine(result, p.value);
   return result;
 }
 
@@ -103,25 +109,36 @@ T scan_exclusively(T* values, std::size_t n, T first) {
   return first;
 }
 
-/// Numbers what blocks hold: calls `count(begin, end)` for each block, then `place(begin, end, first)` with
-/// the sum of the counts of the blocks before. Returns the sum of all counts.
+/// Numbers what blocks hold: calls `count(begin, end)` for each block, once `allocate(sum)` with the sum of all
+/// counts, then `place(begin, end, first)` for each block with the sum of the counts of the blocks before.
+/// Returns the sum of all counts.
+template <class Concurrency_tag, class Count, class Allocate, class Place>
+std::size_t count_allocate_and_place(std::size_t n, const Count& count, const Allocate& allocate,
+                                     const Place& place, std::size_t block_length = default_block) {
+  std::vector<std::size_t> first((n + block_length - 1) / block_length);
+  for_each_block<Concurrency_tag>(n, block_length, [&](std::size_t b, std::size_t begin, std::size_t end) {
+    first[b] = count(begin, end);
+  });
+  const std::size_t sum = scan_exclusively(first.data(), first.size(), std::size_t(0));
+  allocate(sum);
+  for_each_block<Concurrency_tag>(n, block_length, [&](std::size_t b, std::size_t begin, std::size_t end) {
+    place(begin, end, first[b]);
+  });
+  return sum;
+}
+
+/// The same where nothing has to be allocated, or only by the caller before.
 template <class Concurrency_tag, class Count, class Place>
 std::size_t count_and_place(std::size_t n, const Count& count, const Place& place,
                             std::size_t block_length = default_block) {
-  std::vector<std::size_t> first((n + block_length - 1) / block_length);
-  for_each_block<Concurrency_tag>(
-      n, block_length,
-      [&](std::size_t b, std::size_t begin, std::size_t end) { first[b] = count(begin, end); });
-  const std::size_t sum = scan_exclusively(first.data(), first.size(), std::size_t(0));
-  for_each_block<Concurrency_tag>(
-      n, block_length,
-      [&](std::size_t b, std::size_t begin, std::size_t end) { place(begin, end, first[b]); });
-  return sum;
+  return count_allocate_and_place<Concurrency_tag>(
+      n, count, [](std::size_t) {}, place, block_length);
 }
 
 /// Replaces each of `n` values by the sum of those before it and returns the sum of all.
 template <class Concurrency_tag, class T>
 T exclusive_scan(T* values, std::size_t n) {
+  static_assert(std::is_integral<T>::value, "block sums are kept as integers");
   return static_cast<T>(count_and_place<Concurrency_tag>(
       n,
       [&](std::size_t begin, std::size_t end) {
@@ -135,21 +152,22 @@ T exclusive_scan(T* values, std::size_t n) {
 }
 
 /// Returns the indices i below `n` with `is_kept(i)`, in order. `is_kept` is called twice for each.
+/// \pre `n <= 2^32`
 template <class Concurrency_tag, class Is_kept>
 std::vector<std::uint32_t> pack(std::size_t n, const Is_kept& is_kept) {
   std::vector<std::uint32_t> kept;
-  const auto count = [&](std::size_t begin, std::size_t end) {
-    std::size_t sum = 0;
-    for (std::size_t i = begin; i < end; ++i) sum += is_kept(i) ? 1 : 0;
-    return sum;
-  };
-  const std::size_t sum = reduce<Concurrency_tag>(n, std::size_t(0), count,
-                                                  [](std::size_t a, std::size_t b) { return a + b; });
-  kept.resize(sum);
-  count_and_place<Concurrency_tag>(n, count, [&](std::size_t begin, std::size_t end, std::size_t first) {
-    for (std::size_t i = begin; i < end; ++i)
-      if (is_kept(i)) kept[first++] = static_cast<std::uint32_t>(i);
-  });
+  count_allocate_and_place<Concurrency_tag>(
+      n,
+      [&](std::size_t begin, std::size_t end) {
+        std::size_t sum = 0;
+        for (std::size_t i = begin; i < end; ++i) sum += is_kept(i) ? 1 : 0;
+        return sum;
+      },
+      [&](std::size_t sum) { kept.resize(sum); },
+      [&](std::size_t begin, std::size_t end, std::size_t first) {
+        for (std::size_t i = begin; i < end; ++i)
+          if (is_kept(i)) kept[first++] = static_cast<std::uint32_t>(i);
+      });
   return kept;
 }
 
