@@ -130,6 +130,10 @@ public:
   Point_rank rank(Point_index i) const { return Point_rank(rank_[std::size_t(i)]); }
   /// The smallest node that contains the point; invalid if there is only one point.
   Node_index node(Point_rank r) const { return node_of_deeper_gap(r.value(), r.value() + 1); }
+  /// The level of the smallest node that contains the point; -1 if there is only one point.
+  int level_of_node(Point_rank r) const {
+    return std::max(level_of_gap_before(r.value()), level_of_gap_before(r.value() + 1));
+  }
 
   /// @}
 
@@ -149,6 +153,11 @@ public:
   /// The smallest node that properly contains `v`; invalid for the root.
   Node_index parent(Node_index v) const {
     return node_of_deeper_gap(nodes_.begin[std::size_t(v)], nodes_.end[std::size_t(v)]);
+  }
+  /// The level of the parent; -1 for the root.
+  int level_of_parent(Node_index v) const {
+    return std::max(level_of_gap_before(nodes_.begin[std::size_t(v)]),
+                    level_of_gap_before(nodes_.end[std::size_t(v)]));
   }
   /// The points in the square of `v`, at least two.
   Rank_interval points(Node_index v) const {
@@ -227,11 +236,14 @@ private:
   /// Lemma 3: the smallest node around the points from `begin` to `end` is derived from the last point before
   /// them or the first one behind; invalid if they are all points.
   Node_index node_of_deeper_gap(std::uint32_t begin, std::uint32_t end) const {
-    const bool has_left = begin > 0, has_right = end < points_.size();
-    if (!has_left && !has_right) return Node_index();
-    const std::uint32_t left = has_left ? nodes_.of_gap[begin - 1] : nodes_.of_gap[end - 1];
-    const std::uint32_t right = has_right ? nodes_.of_gap[end - 1] : left;
-    return Node_index(nodes_.level[left] < nodes_.level[right] ? right : left);
+    const int left = level_of_gap_before(begin), right = level_of_gap_before(end);
+    if (left < 0 && right < 0) return Node_index();
+    return Node_index(nodes_.of_gap[(left < right ? end : begin) - 1]);
+  }
+
+  /// The level of the square derived from the point of rank `r` and the one before; -1 if one is missing.
+  int level_of_gap_before(std::uint32_t r) const {
+    return r == 0 || r == points_.size() ? -1 : static_cast<int>(nodes_.gap_level[r - 1]);
   }
 
   template <class Iterator>
@@ -318,7 +330,7 @@ private:
     for_each_index<Concurrency_tag>(derived.size(), [&](std::size_t i) {
       derived[i] = static_cast<Level>(level_of_derived_square(i, i + 1));
     });
-    nodes_ = Nesting_finder<Concurrency_tag, Level>(derived).find();
+    nodes_ = Nesting_finder<Concurrency_tag, Level>(std::move(derived)).find();
   }
 
   Grid_2 grid_;

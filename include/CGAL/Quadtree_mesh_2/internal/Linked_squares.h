@@ -35,27 +35,35 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-/// How to step from a child to a neighbour: in which direction the parent has to step first, if at all, and
-/// which child of the square reached there is the neighbour.
-struct Sibling_step {
-  bool leaves_parent = false;
-  Direction parent_step = Direction::EAST;
-  int child = 0;
+/// How to step from a child to its neighbours.
+struct Sibling_steps {
+  /// The directions of the parent's neighbours that the child touches: across the side in x, the side in y and
+  /// the corner.
+  std::array<std::uint8_t, 3> outward{};
+  /// By direction: in what the neighbour is, 0 for the parent and i + 1 for the parent's neighbour
+  /// `outward[i]`; and which child of it.
+  std::array<std::uint8_t, 8> around{};
+  std::array<std::uint8_t, 8> child{};
 };
 
-/// The steps from each child in each direction. Child 2 i + j has x offset i and y offset j.
-constexpr std::array<std::array<Sibling_step, 8>, 4> make_sibling_steps() {
-  std::array<std::array<Sibling_step, 8>, 4> steps{};
-  for (int q = 0; q < 4; ++q)
+/// The steps from each child. Child 2 i + j has x offset i and y offset j.
+constexpr std::array<Sibling_steps, 4> make_sibling_steps() {
+  std::array<Sibling_steps, 4> all{};
+  for (int q = 0; q < 4; ++q) {
+    Sibling_steps& steps = all[std::size_t(q)];
+    const int out_x = q / 2 == 0 ? -1 : 1, out_y = q % 2 == 0 ? -1 : 1;
+    steps.outward = {{static_cast<std::uint8_t>(direction(out_x, 0)),
+                      static_cast<std::uint8_t>(direction(0, out_y)),
+                      static_cast<std::uint8_t>(direction(out_x, out_y))}};
     for (Direction d : all_directions()) {
-      const int x = q / 2 + step_x(d), y = q % 2 + step_y(d);
-      const int dx = x < 0 ? -1 : x / 2, dy = y < 0 ? -1 : y / 2;
-      Sibling_step& step = steps[std::size_t(q)][std::size_t(d)];
-      step.leaves_parent = dx != 0 || dy != 0;
-      if (step.leaves_parent) step.parent_step = direction(dx, dy);
-      step.child = 2 * (x & 1) + (y & 1);
+      const bool leaves_x = step_x(d) == out_x, leaves_y = step_y(d) == out_y;
+      steps.around[std::size_t(d)] =
+          static_cast<std::uint8_t>(leaves_x && leaves_y ? 3 : leaves_y ? 2 : leaves_x ? 1 : 0);
+      steps.child[std::size_t(d)] =
+          static_cast<std::uint8_t>(q ^ (step_x(d) != 0 ? 2 : 0) ^ (step_y(d) != 0 ? 1 : 0));
     }
-  return steps;
+  }
+  return all;
 }
 
 template <class Word>
@@ -101,10 +109,36 @@ public:
   Node_index neighbor(Node_index v, Direction d) const {
     if (v.value() == 0) return Node_index();
     const std::uint32_t f = family_of(v);
-    const Sibling_step step = steps_[std::size_t(member_of(v))][std::size_t(d)];
-    if (!step.leaves_parent) return member(f, step.child);
-    const Node_index n(neighbors_[f][std::size_t(step.parent_step)]);
-    return !n.is_valid() || is_leaf(n) ? n : child(n, step.child);
+    const Sibling_steps& steps = sibling_steps_[std::size_t(member_of(v))];
+    const std::size_t around = steps.around[std::size_t(d)];
+    const int q = steps.child[std::size_t(d)];
+    if (around == 0) return member(f, q);
+    const Node_index n(neighbors_[f][steps.outward[around - 1]]);
+    return !n.is_valid() || is_leaf(n) ? n : child(n, q);
+  }
+
+  /// All neighbours of a square but the root, in order of their directions; the number of an invalid index
+  /// outside the root.
+  std::array<std::uint32_t, 8> neighbors(Node_index v) const {
+    // A child meets itself and its siblings, two children of a neighbour of its parent across either side, and
+    // one across the corner between. What is there may be a leaf in their stead.
+    const std::uint32_t f = family_of(v);
+    const unsigned q = static_cast<unsigned>(member_of(v));
+    const Sibling_steps& steps = sibling_steps_[q];
+    std::array<std::uint32_t, 4> first_child{{member(f, 0).value(), 0, 0, 0}};
+    std::array<std::uint32_t, 4> is_split{{3, 0, 0, 0}};
+    for (std::size_t i = 1; i < 4; ++i) {
+      const std::uint32_t n = neighbors_[f][steps.outward[i - 1]];
+      const std::uint32_t below = n == Node_index().value() ? leaf_flag : leaf_or_family_[n];
+      first_child[i] = (below & leaf_flag) != 0 ? n : 4 * below + 1;
+      is_split[i] = (below & leaf_flag) != 0 ? 0 : 3;
+    }
+    std::array<std::uint32_t, 8> result;
+    for (std::size_t d = 0; d < 8; ++d) {
+      const std::size_t i = steps.around[d];
+      result[d] = first_child[i] + (steps.child[d] & is_split[i]);
+    }
+    return result;
   }
 
   /// The leaves below a split square, in shuffle order, are those from `first_leaf()` to `last_leaf()`.
@@ -219,7 +253,7 @@ private:
         default_block / 4);
   }
 
-  static constexpr std::array<std::array<Sibling_step, 8>, 4> steps_ = make_sibling_steps();
+  static constexpr std::array<Sibling_steps, 4> sibling_steps_ = make_sibling_steps();
 
   int depth_ = 0;
 

@@ -105,20 +105,15 @@ private:
     int last;
   };
 
-  /// The required squares with the points of `v` but not all of its parent's.
-  Path path(Node_index v) const {
-    const Node_index parent = framework_.parent(v);
-    const int first = parent.is_valid() ? framework_.level(parent) + 1 : 0;
-    if (framework_.points(v).size() > max_points_) return {first, framework_.level(v)};
-    if (desired_level_.empty()) return {first, first - 1};
-    return {first, std::min(framework_.level(v), desired_level_[std::size_t(v)] - 1)};
+  /// The required squares with the points of `v` but not all of its parent's, whose level is `above`.
+  Path path(Node_index v, int above) const {
+    if (framework_.points(v).size() > max_points_) return {above + 1, framework_.level(v)};
+    if (desired_level_.empty()) return {above + 1, above};
+    return {above + 1, std::min(framework_.level(v), desired_level_[std::size_t(v)] - 1)};
   }
 
-  /// The required squares with no point but `r`.
-  Path path(Point_rank r) const {
-    const Node_index parent = framework_.node(r);
-    return {parent.is_valid() ? framework_.level(parent) + 1 : 0, framework_.desired_level(r) - 1};
-  }
+  /// The required squares with no point but `r`, whose smallest node has level `above`.
+  Path path(Point_rank r, int above) const { return {above + 1, framework_.desired_level(r) - 1}; }
 
   /// The greatest annotation in each node, from the children up.
   void find_desired_levels() {
@@ -139,11 +134,11 @@ private:
     std::size_t v = first_node_from(begin);
     for (std::size_t p = begin; p < end; ++p) {
       for (; v < framework_.number_of_nodes() && framework_.points(Node_index(v)).begin.value() == p; ++v) {
-        const Path squares = path(Node_index(v));
+        const Path squares = path(Node_index(v), framework_.level_of_parent(Node_index(v)));
         if (squares.first <= squares.last) on_path(squares, p, Node_index(v));
       }
       if (!framework_.has_annotations()) continue;
-      const Path squares = path(Point_rank(p));
+      const Path squares = path(Point_rank(p), framework_.level_of_node(Point_rank(p)));
       if (squares.first <= squares.last) on_path(squares, p, Node_index());
     }
   }
@@ -212,9 +207,9 @@ private:
         children |= 1u << quadrant(framework_.grid_point(first), level, depth_);
     };
     framework_.for_each_child(
-        v, [&](Node_index child) { add(path(child), framework_.points(child).begin); },
+        v, [&](Node_index child) { add(path(child, level), framework_.points(child).begin); },
         [&](Point_rank r) {
-          if (framework_.has_annotations()) add(path(r), r);
+          if (framework_.has_annotations()) add(path(r, level), r);
         });
     return children;
   }

@@ -18,7 +18,6 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_SQUARE_GROWER_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_SQUARE_GROWER_H
 
-#include <CGAL/Quadtree_mesh_2/Direction.h>
 #include <CGAL/Quadtree_mesh_2/Index.h>
 #include <CGAL/Quadtree_mesh_2/internal/Linked_squares.h>
 #include <CGAL/Quadtree_mesh_2/internal/Point_distribution.h>
@@ -29,6 +28,7 @@
 #include <CGAL/assertions.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
@@ -85,7 +85,6 @@ private:
     squares_.level_begin_.push_back(1);
     growth_.resize(1);
     const std::uint32_t points = static_cast<std::uint32_t>(framework_.number_of_points());
-    squares_.neighbors_[0].fill(Node_index().value());
     make_family(0, 0, 0, Growth{0, points}, growth_[0]);
   }
 
@@ -147,19 +146,20 @@ private:
     const std::uint32_t square = growth_[family - first_family()].required;
     if (square == Required_squares::none || required_.children[square] == 0) return;
     const std::size_t first_node = 4 * std::size_t(first_family()) + 1;
-    const auto mark = [&](Node_index v) {
-      CGAL_assertion(std::size_t(v) >= first_node);
-      marks_[std::size_t(v) - first_node].store(1, std::memory_order_relaxed);
+    const auto mark = [&](std::size_t v) {
+      CGAL_assertion(v >= first_node);
+      marks_[v - first_node].store(1, std::memory_order_relaxed);
     };
     for (int q = 0; q < 4; ++q) {
       const std::uint32_t child = required_.child(square, q);
       if (child == Required_squares::none) continue;
       const Node_index v = Squares::member(family, q);
-      mark(v);
-      for (Direction_set set = forced_[child]; set != 0; set = static_cast<Direction_set>(set & (set - 1))) {
-        const Node_index n = squares_.neighbor(v, static_cast<Direction>(lowest_bit(std::uint32_t(set))));
-        if (n.is_valid()) mark(n);
-      }
+      mark(v.value());
+      const Direction_set forced = forced_[child];
+      if (forced == 0) continue;
+      const std::array<std::uint32_t, 8> neighbors = squares_.neighbors(v);
+      for (std::size_t d = 0; d < 8; ++d)
+        if ((forced >> d & 1) != 0 && neighbors[d] != Node_index().value()) mark(neighbors[d]);
     }
   }
 
@@ -193,10 +193,11 @@ private:
     squares_.node_[family] = node;
     squares_.family_level_[family] = static_cast<Level>(level);
     if constexpr (Squares::are_corners_stored)
-      squares_.corner_[family] = node == 0 ? Grid_point{0, 0} : squares_.corner(Node_index(node));
-    if (node != 0)
-      for (Direction d : all_directions())
-        squares_.neighbors_[family][std::size_t(d)] = squares_.neighbor(Node_index(node), d).value();
+      squares_.corner_[family] = squares_.corner(Node_index(node));
+    if (node == 0)
+      squares_.neighbors_[family].fill(Node_index().value());
+    else
+      squares_.neighbors_[family] = squares_.neighbors(Node_index(node));
     const auto begins = points_.child_begins(level, squares_.point_begin_[node], growth.point_end);
     std::copy(begins.begin(), begins.end(), &squares_.point_begin_[4 * std::size_t(family) + 1]);
   }

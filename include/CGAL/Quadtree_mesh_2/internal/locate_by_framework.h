@@ -6,24 +6,27 @@
 
 // The paper's way to find which leaf of a quadtree contains each of its points.
 //
-// Computes: for each point of a quadtree's framework the leaf that contains it, from the squares of the tree and
-//           the grid points alone.
+// Computes: for each point of a quadtree's framework the leaf that contains it, from the squares of the tree
+//           and the grid points alone.
 // Bound:    O(n + k) work for n points and k squares besides sorting, O(log n) rounds for each block of n
 //           squares; the blocks are independent but are treated one after another here, to save memory.
-// Source:   Bern, Eppstein, Teng, section 4, Lemma 4 and Corollary 1. Some levels, about log2 n apart, have only
-//           O(k / log n) squares, S. In blocks of n squares of S, the points and the lower left corner b(s) and
-//           the centre c(s) of each square s have a framework, in which s is a node. From the squares of S one
-//           goes down through the tree, to the next of these levels, and carries the smallest framework square
-//           that contains the square reached. At a leaf the point is among the descendants of that one.
-// Deviates: Lemma 4 says that these descendants are O(1). This holds for those in the leaf: b(s), c(s), where
-//           corners and centres of larger squares may coincide with b(s) but with nothing else in s, and the
-//           points of the leaf. The framework square itself may be larger than the leaf and hold many points
-//           outside; so only its child towards the leaf is taken.
+// Source:   Bern, Eppstein, Teng, section 4, Lemma 4 and Corollary 1. Some levels, about log2 n apart, have
+//           only O(k / log n) squares, S. In blocks of n squares of S, the points and the lower left corner
+//           b(s) and the centre c(s) of each square s have a framework, in which s is a node. From the
+//           squares of S one goes down through the tree, to the next of these levels, and carries the
+//           smallest framework square that contains the square reached. At a leaf the point is among the
+//           descendants of that one. Deviates: Lemma 4 says that these descendants are O(1). This holds for
+//           those in the leaf s: b(s), c(s), and the points of the leaf; corners and centres of larger
+//           squares may coincide with b(s), but with nothing else in s. The framework square itself may be
+//           larger than the leaf and hold many points outside; so only its child towards the leaf is taken.
 //           Unit squares have no centre on the grid. They are leaves; their level is never in S, they are
-//           reached from above. The root is always in S: the levels above the first one belong to no other.
+//           reached from above. The root is always in S, as what is above the first level belongs to no
+//           other. The node of a square of S is found by bisection: O(log n), for O(k / log n) squares.
 //
 // It is here to be compared with. By default points ride down with their squares while the tree grows, and
-// location costs nothing.
+// there is nothing to locate. Measured with 10^5 and 10^6 uniform points on one thread: 1.2 and 1.1 times as
+// slow as growing the balanced tree from its framework, points included; 5 and 1.6 times as slow as
+// locate_all.h.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_LOCATE_BY_FRAMEWORK_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_LOCATE_BY_FRAMEWORK_H
@@ -121,12 +124,20 @@ private:
 
   /// Nodes are numbered level by level.
   void count_squares(const Quadtree& tree) {
+    const auto is_up_to = [&](std::size_t v, int level) { return tree.level(Node_index(v)) <= level; };
     begin_.push_back(0);
     for (int level = 0; level <= tree.depth(); ++level) {
       std::size_t low = begin_.back(), high = tree.number_of_nodes();
+      // Growing steps, so that many small levels cost little.
+      for (std::size_t step = 1; step < high - low; step *= 2) {
+        if (is_up_to(low + step - 1, level))
+          low += step;
+        else
+          high = low + step - 1;
+      }
       while (low < high) {
         const std::size_t middle = low + (high - low) / 2;
-        if (tree.level(Node_index(middle)) <= level)
+        if (is_up_to(middle, level))
           low = middle + 1;
         else
           high = middle;
@@ -202,8 +213,8 @@ private:
     return result;
   }
 
-  /// The node of level `level` whose first point is `first`. Nodes in preorder are sorted by their first points
-  /// and then by level.
+  /// The node of level `level` whose first point is `first`. Nodes in preorder are sorted by their first
+  /// points and then by level.
   static Node_index node_of_square(const Framework& framework, Point_rank first, int level) {
     std::size_t low = 0, high = framework.number_of_nodes();
     while (low < high) {

@@ -6,55 +6,61 @@
 
 // Near neighbours of the points of a balanced quadtree.
 //
-// Computes: for a point another one, not farther than sqrt(3 + sqrt(5)) < 2.2883 times its nearest neighbour.
-//           The factor is sharp for this method.
-// Bound:    at most 120 squares for each point, whatever the depth, if squares are split because they hold
-//           more points than a leaf may or for balance only; all points of up to 97 leaves. Where points'
-//           annotations or a size ask for smaller leaves, 40 squares for each level from the point's leaf up to
-//           the squares as large as the nearest neighbour is far; the factor is the same.
+// Computes: for a point another one, not farther than sqrt(7 + sqrt(13)) / 2 < 1.6284 times its nearest
+//           neighbour. The factor is sharp for this method.
+// Bound:    at most 456 squares for each point, whatever the depth, if squares are split only because they
+//           hold more points than a leaf may, or for balance (about 16 for random points). Where annotations
+//           of points or a size ask for smaller leaves, at most 168 squares for each level from the point's
+//           leaf up to the squares as large as the nearest neighbour is far; the factor is the same.
 // Source:   Bern, Eppstein, Teng, section 5: examine the O(1) squares around the square of a point.
-// Deviates: the paper takes any point in a neighbouring square, and none if all are empty. Neighbours half as
-//           large are told apart here, and up to two levels above are looked at: there always is a result.
+// Deviates: the paper takes any point in a neighbouring square, and none if all are empty. Here the points in
+//           quarters of these are told apart, and up to two levels above are looked at: there always is a
+//           result.
 //
-// Method. Let s be the leaf of p, s = A(0), A(1), ... the squares around it, up to the root, and a(j) the side
-// of A(j). Window j is the square of side 3 a(j) around A(j). Round j looks at the up to eight squares of A(j)'s
-// size around it, by the cross pointers: at all points of those that are leaves or within larger leaves, at all
-// points of the leaves among the children of the others, and at the first point of each split child. Rounds are
-// made for j = 0, 1, ... up to the first one after which the nearest point seen, r, has |pr|^2 <= 5 a(j)^2, or
-// up to the last below the root. The points in s, if it may hold several, are looked at first.
+// Method. Let s be the leaf of p, s = A(0), A(1), ... the squares around it, up to the root, and a(j) the
+// side of A(j). Window j is the square of side 3 a(j) around A(j). Round j looks at the up to eight squares
+// of the size of A(j) around it, by the cross pointers, at their children and at the children of these: at
+// all points of those that are leaves (or in larger leaves), and at the first point of each square of side
+// a(j) / 4 that is split. Rounds are made for j = 0, 1, ... up to the first after which the nearest point
+// seen, r, has |pr|^2 <= 5/2 a(j)^2, or up to the child of the root. Other points in s, if it may hold
+// several, are looked at first.
 //
-// Proof of the factor c. Let q be the nearest neighbour of p, d = |pq|. Points outside window j are farther than
-// a(j). If rounds end after round j with q outside window j, then |pr| <= sqrt(5) a(j) < sqrt(5) d. (After the
-// last round nothing is outside.) Else let i be the least number of a window that has q; then i <= j. If q was
-// looked at, r is as near. If not, q is in a split square u of side b = a(i) / 2 of which another point, r', was
-// looked at. Along an axis p is at least b from u:
-//  - for i > 0, because u is not in window i - 1, which is made of squares of side b and has b = a(i - 1) all
-//    around A(i - 1);
-//  - for i = 0, because otherwise u would touch s and have half its size; as it is split, a leaf in it that is
-//    at most a quarter of s would touch s, and the tree would not be balanced across sides and corners.
-// Let h >= b and v be the distances from p to u along the axes, v <= h without loss of generality. Then
+// Proof of the factor c. Let q be the nearest neighbour of p, d = |pq|. Points outside window j are farther
+// from p than a(j). If rounds end after round j with q outside window j, then |pr| <= sqrt(5/2) a(j) <
+// sqrt(5/2) d. (After the last possible round nothing is outside.) Else let i be the least number of a window
+// that has q; then i <= j. If q was looked at, r is as near. If not, q is in a split square u of side b =
+// a(i) / 4 of which another point, r', was looked at; u is a child of a square w of side 2 b. Along one of
+// the axes p is at least 2 b from w, and from u:
+//  - for i > 0, because w is not in window i - 1, which consists of squares of the size of w and reaches as
+//    far as that, a(i - 1) = 2 b, around A(i - 1);
+//  - for i = 0, because otherwise w would touch s and have half its size; as it is split, a leaf with at most
+//    a quarter of the side of s would touch s, and the tree would not be balanced across sides and corners.
+// Let h >= 2 b and v <= h be the distances from p to u along the axes. The quotient of the distances is
+// greatest if q is in the corner of u nearest to p and r' in the farthest one:
 //
 //     |pr'|^2 / d^2 <= ((h + b)^2 + (v + b)^2) / (h^2 + v^2)
 //
-// (the quotient is greatest where q is nearest, given that r' may be the farthest corner). For v <= h it
-// decreases in h: the derivative has the sign of -(h^2 + 2 h b + 2 h v - v^2). So if v <= b it is greatest for
-// h = b, and if v > b it is at most what it is for h = v, which decreases in v and is 4 for v = b. For h = b it
-// is, in units of b, 1 + (4 + 2 v) / (1 + v^2), greatest for v = sqrt(5) - 2, where it is 3 + sqrt(5) = c^2.
+// While v <= h this decreases in h: its derivative has the sign of -(h^2 + 2 h b + 2 h v - v^2). If v > 2 b
+// it is therefore at most what it is for h = v, (1 + b / v)^2 < 9/4. If v <= 2 b it is at most what it is for
+// h = 2 b: in units of b, 1 + (6 + 2 v) / (4 + v^2), which is greatest for v = sqrt(13) - 3; there it is (7 +
+// sqrt(13)) / 4 = c^2.
 //
-// The factor is reached: p = (0, (sqrt(5) - 1) / 2) in s = [0, 1)^2 with r' in the lower left corner of
-// u = [-1, -1/2) x [0, 1/2) and q next to its upper right one.
+// The factor is reached, in round 1: s = [0, 1)^2 is in A(1) = [0, 2)^2, u = [-3/2, -1) x [0, 1/2) has r' in
+// its lower left corner and q next to its upper right one, p = (0, 1/2 + (sqrt(13) - 3) / 2).
 //
-// Proof of the bound. If the parent A(1) is split because it holds more points than s, one of them is in a
-// sibling of s: round 0 finds it. If A(1) is split for balance then because of a square of its own size next to
-// it that is split for its points (forcing.h): round 1 finds one of these. What is found in round i is nearer than
-// sqrt(8) a(i) = sqrt(2) a(i + 1), so round i + 1 is the last one; this makes three rounds, of 8 + 4 * 8
-// squares. Were squares forced that are m steps from what forces them, log2(m) more rounds would do.
+// Proof of the bound. If the parent A(1) is split because it holds more points than a leaf may, one of them
+// is in a sibling of s: round 0 finds one. If A(1) is split for balance, by either schedule, then because of
+// a square of its own size next to it that is split for its points (forcing.h): round 1 finds one of these.
+// What is found in round i is nearer than sqrt(8) a(i) = sqrt(2) a(i + 1), so round i + 1 is the last one:
+// three rounds at most. Round 0 looks at 8 squares, 32 children and 80 of theirs, as 12 children touch s and
+// are not split; the others look at 8 + 32 + 128.
 //
-// Grid points. The traits may map points to the grid square that contains them. All of the above holds for the
-// points as well as for their grid points, but for comparisons, which are made on grid points, exactly; the
-// distances of points differ from these by less than sqrt(2) units. So for points the result is nearer than
-// c d + sqrt(2) (1 + c) < c d + 4.66, in units of the grid. Nothing is added for integers, nor for doubles that
-// are multiples of the unit, as all are that have a magnitude of 2^-10 times the root's side or more.
+// Grid points. The traits may map points to the grid square that contains them. All of the above holds for
+// the points as well as for their grid points, except for comparisons, which are made on grid points,
+// exactly; the distances of points differ from these by less than sqrt(2) units. So for points the result is
+// nearer than c d + sqrt(2) (1 + c) < c d + 3.72, in units of the grid. Nothing is added for integers, nor
+// for doubles that are multiples of the unit, as all are that have a magnitude of 2^-10 times the root's side
+// or more.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_NEAR_NEIGHBORS_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_NEAR_NEIGHBORS_H
@@ -75,9 +81,9 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-/// A near neighbour is at most this many times as far as the nearest one: the square root of 3 + sqrt(5),
-/// rounded up.
-constexpr double near_neighbor_factor = 2.28824562;
+/// A near neighbour is at most this many times as far as the nearest one: half the square root of 7 +
+/// sqrt(13), rounded up.
+constexpr double near_neighbor_factor = 1.62830829;
 
 /// Squared distances of grid points, exactly. With the grid's 2^62 units to a side they are below 2^125, and
 /// below 2^63 with 2^31 units.
@@ -117,7 +123,7 @@ public:
     for (; v != tree_.root(); v = tree_.parent(v)) {
       for (Direction d : all_directions()) {
         const Node_index n = tree_.neighbor(v, d);
-        if (n.is_valid()) look_at(n, 1);
+        if (n.is_valid()) look_at(n, 2);
       }
       if (is_near_enough(v)) break;
     }
@@ -161,7 +167,7 @@ private:
   bool is_near_enough(Node_index v) const {
     if (!nearest_.is_valid()) return false;
     const Square side = static_cast<Square>(Square(1) << (tree_.framework().grid().depth() - tree_.level(v)));
-    return distance_ <= 5 * side * side; // at most half the root's, squared: no overflow
+    return 2 * distance_ <= 5 * side * side; // the side is at most half the root's: no overflow
   }
 
   const Quadtree& tree_;

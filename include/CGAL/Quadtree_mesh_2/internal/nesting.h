@@ -28,6 +28,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -44,7 +45,8 @@ struct Nested_intervals {
   Uninitialized_vector<Level> level;
   /// The first interval after the descendants.
   Uninitialized_vector<std::uint32_t> subtree_end;
-  /// By gap: the smallest interval with members to both sides; the gap has the interval's level.
+  /// By gap: its level, and the smallest interval with members to both sides, which has the same level.
+  Uninitialized_vector<Level> gap_level;
   Uninitialized_vector<std::uint32_t> of_gap;
 
   std::size_t size() const { return begin.size(); }
@@ -55,8 +57,10 @@ template <class Concurrency_tag, class Level>
 class Nesting_finder {
 public:
   /// \param levels `levels[i]` is the level of gap i, between members i and i + 1.
-  explicit Nesting_finder(const Uninitialized_vector<Level>& levels)
-      : levels_(levels), blocks_((levels.size() + block_length_ - 1) / block_length_) {}
+  explicit Nesting_finder(Uninitialized_vector<Level> levels)
+      : blocks_((levels.size() + block_length_ - 1) / block_length_) {
+    result_.gap_level = std::move(levels);
+  }
 
   /// Gaps of equal level with no shallower gap between them give the same interval, once.
   Nested_intervals<Level> find() {
@@ -216,9 +220,9 @@ private:
         m, [&](std::size_t v) { result_.subtree_end[v] = first_from[result_.end[v]]; });
   }
 
-  const Uninitialized_vector<Level>& levels_;
   std::vector<Block> blocks_;
   Nested_intervals<Level> result_;
+  const Uninitialized_vector<Level>& levels_ = result_.gap_level;
 };
 
 } // namespace internal
