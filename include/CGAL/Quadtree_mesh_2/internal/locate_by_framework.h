@@ -15,18 +15,19 @@
 //           b(s) and the centre c(s) of each square s have a framework, in which s is a node. From the
 //           squares of S one goes down through the tree, to the next of these levels, and carries the
 //           smallest framework square that contains the square reached. At a leaf the point is among the
-//           descendants of that one. Deviates: Lemma 4 says that these descendants are O(1). This holds for
-//           those in the leaf s: b(s), c(s), and the points of the leaf; corners and centres of larger
-//           squares may coincide with b(s), but with nothing else in s. The framework square itself may be
-//           larger than the leaf and hold many points outside; so only its child towards the leaf is taken.
+//           descendants of that one.
+// Deviates: Lemma 4 says that these descendants are O(1). This holds for those in the leaf s: b(s), c(s), and
+//           the points of the leaf; corners and centres of larger squares may coincide with b(s), but with
+//           nothing else in s. The framework square itself may be larger than the leaf and hold many points
+//           outside; so only its child towards the leaf is taken.
 //           Unit squares have no centre on the grid. They are leaves; their level is never in S, they are
-//           reached from above. The root is always in S, as what is above the first level belongs to no
-//           other. The node of a square of S is found by bisection: O(log n), for O(k / log n) squares.
+//           reached from above. The root is always in S, as what is above the first level belongs to no other.
+//           The node of a square of S is found by bisection: O(log n), for O(k / log n) squares.
 //
 // It is here to be compared with. By default points ride down with their squares while the tree grows, and
-// there is nothing to locate. Measured with 10^5 and 10^6 uniform points on one thread: 1.2 and 1.1 times as
-// slow as growing the balanced tree from its framework, points included; 5 and 1.6 times as slow as
-// locate_all.h.
+// there is nothing to locate. Measured with 10^5 and 10^6 uniform points on one thread: 1.0 to 1.2 times as
+// slow as growing the whole balanced tree from its framework, points included, and 4 and 1 to 1.6 times as
+// slow as descents from the root (locate_all.h).
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_LOCATE_BY_FRAMEWORK_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_LOCATE_BY_FRAMEWORK_H
