@@ -5,6 +5,7 @@
 // Author(s)     : The Quadtree_mesh_2 authors
 
 #include "catch.h"
+#include "quadtree_checks.h"
 #include "quadtree_inputs.h"
 
 #include <CGAL/Quadtree_framework.h>
@@ -12,48 +13,31 @@
 #include <array>
 #include <cmath>
 #include <set>
-#include <tuple>
 #include <vector>
 
 using namespace quadtree_test;
-using CGAL::Quadtree_mesh_2::Node_index;
-using CGAL::Quadtree_mesh_2::Point_index;
-using CGAL::Quadtree_mesh_2::Point_rank;
 
 namespace {
 
-/// A square by level and corner, in units of its side.
-using Key = std::tuple<int, std::uint64_t, std::uint64_t>;
-
 /// The smallest square that contains both points, found by going up from the unit squares.
-template <class Grid_point>
-Key smallest_common_square(Grid_point p, Grid_point q, int depth) {
-  for (; p != q; --depth) {
-    p = {p.x >> 1, p.y >> 1};
-    q = {q.x >> 1, q.y >> 1};
+Key smallest_common_square(Key p, Key q) {
+  while (p != q) {
+    p = parent_of(p);
+    q = parent_of(q);
   }
-  return {depth, p.x, p.y};
+  return p;
 }
 
-bool contains(const Key& outer, const Key& inner) {
-  const int levels = std::get<0>(inner) - std::get<0>(outer);
-  return levels >= 0 && std::get<1>(inner) >> levels == std::get<1>(outer) &&
-         std::get<2>(inner) >> levels == std::get<2>(outer);
-}
-
-template <class Traits>
-Key key(const CGAL::Quadtree_framework<Traits>& framework, Node_index v) {
+template <class Framework>
+Key key(const Framework& framework, Node_index v) {
   const auto s = framework.square(v);
-  const int shift = Traits::depth - s.level;
-  REQUIRE(s.x >> shift << shift == s.x);
-  REQUIRE(s.y >> shift << shift == s.y);
-  return {s.level, s.x >> shift, s.y >> shift};
+  return key_of_corner(s, s.level, framework.grid().depth());
 }
 
-template <class Traits>
-Key key(const CGAL::Quadtree_framework<Traits>& framework, Point_rank r) {
-  const auto p = framework.grid_point(r);
-  return {Traits::depth, p.x, p.y};
+template <class Framework>
+Key key(const Framework& framework, Point_rank r) {
+  const int depth = framework.grid().depth();
+  return key_of_corner(framework.grid_point(r), depth, depth);
 }
 
 /// All squares with two nonempty children: a pair of points in two of them has no smaller common square.
@@ -62,8 +46,7 @@ std::set<Key> derived_squares(const CGAL::Quadtree_framework<Traits>& framework)
   std::set<Key> squares;
   for (std::size_t i = 0; i < framework.number_of_points(); ++i)
     for (std::size_t j = 0; j < i; ++j)
-      squares.insert(smallest_common_square(framework.grid_point(Point_rank(i)),
-                                            framework.grid_point(Point_rank(j)), Traits::depth));
+      squares.insert(smallest_common_square(key(framework, Point_rank(i)), key(framework, Point_rank(j))));
   return squares;
 }
 
@@ -111,6 +94,7 @@ void check_nesting(const CGAL::Quadtree_framework<Traits>& framework) {
         smallest = Node_index(j);
     }
     REQUIRE(framework.parent(v) == smallest);
+    REQUIRE(framework.level_of_parent(v) == (smallest.is_valid() ? framework.level(smallest) : -1));
 
     std::size_t children = 0;
     Point_rank next = framework.points(v).begin;
@@ -136,7 +120,7 @@ void check_nesting(const CGAL::Quadtree_framework<Traits>& framework) {
 } // namespace
 
 TEMPLATE_TEST_CASE("The framework is that of Theorem 1", "[framework]", Filtered_traits, Fixed_32_traits,
-                   Fixed_64_traits) {
+                   Fixed_64_traits, Exact_traits) {
   for (const Input& input : all_inputs()) {
     CAPTURE(input.name);
     const auto points = make_points<TestType>(input);

@@ -31,6 +31,8 @@
 #include <CGAL/Quadtree_mesh_2/internal/Square_grower.h>
 #include <CGAL/Quadtree_mesh_2/internal/Uninitialized_vector.h>
 #include <CGAL/Quadtree_mesh_2/internal/forcing.h>
+#include <CGAL/Quadtree_mesh_2/internal/locate_all.h>
+#include <CGAL/Quadtree_mesh_2/internal/near_neighbors.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/required_by_marks.h>
 #include <CGAL/Quadtree_mesh_2/internal/required_by_size.h>
@@ -268,7 +270,7 @@ public:
 
   /// @}
 
-  /// \name Location
+  /// \name Location and near neighbours
   /// @{
 
   /// Returns the leaf that contains `p`, invalid if `p` is outside the root. Takes O(depth) time.
@@ -283,6 +285,28 @@ public:
     for (int level = 0; !is_leaf(v); ++level)
       v = squares_.child(v, Quadtree_mesh_2::internal::quadrant(p, level, framework_.grid().depth()));
     return leaf(v);
+  }
+
+  /// Returns the leaf of each of many points, invalid for those outside the root. Takes O(depth) time for each.
+  /// \tparam PointRange a random access range with value type `Point_2`; several threads may read it.
+  template <class PointRange>
+  std::vector<Leaf_index> locate_all(const PointRange& queries) const {
+    return Quadtree_mesh_2::internal::locate_all<Concurrency_tag>(*this, queries);
+  }
+
+  /// Returns a point at most 1.6284 times as far from the point of rank `r` as its nearest neighbour, by O(1)
+  /// squares around it; invalid if there is no other point. Distances are those of grid points: where the
+  /// traits round points to the grid, the distance may be larger by a few grid units.
+  /// \pre the quadtree is balanced across sides and corners
+  Point_rank near_neighbor(Point_rank r) const {
+    CGAL_precondition(options_.balance() == Quadtree_mesh_2::Balance::SIDES_AND_CORNERS);
+    return Quadtree_mesh_2::internal::near_neighbor(*this, r);
+  }
+  /// Returns a near neighbour of each point, by rank.
+  /// \pre the quadtree is balanced across sides and corners
+  std::vector<Point_rank> near_neighbors() const {
+    CGAL_precondition(options_.balance() == Quadtree_mesh_2::Balance::SIDES_AND_CORNERS);
+    return Quadtree_mesh_2::internal::near_neighbors<Concurrency_tag>(*this);
   }
 
   /// @}

@@ -258,7 +258,7 @@ private:
     using namespace Quadtree_mesh_2::internal;
     Uninitialized_vector<Grid_point> unsorted(n);
     for_each_index<Concurrency_tag>(n, [&](std::size_t i) { unsorted[i] = grid_.grid_point(at(first, i)); });
-    input_ = shuffle_order(std::vector<Grid_point>(unsorted.begin(), unsorted.end()));
+    input_ = shuffle_order<Concurrency_tag>(unsorted);
     points_.resize(n);
     for_each_index<Concurrency_tag>(n, [&](std::size_t k) { points_[k] = unsorted[input_[k]]; });
     Uninitialized_vector<Grid_point>().swap(unsorted);

@@ -114,8 +114,8 @@ struct Shuffle_key<std::uint64_t> {
 /// \tparam Word unsigned, of any length; all bits count. `std::uint32_t` and `std::uint64_t` take O(n) time and
 /// 16 bytes per point of scratch memory; others are compared.
 /// \pre `points.size() < 2^32`
-template <class Concurrency_tag = Sequential_tag, class Word>
-std::vector<std::uint32_t> shuffle_order(const std::vector<Grid_point_2<Word>>& points) {
+template <class Concurrency_tag = Sequential_tag, class Word, class Allocator>
+std::vector<std::uint32_t> shuffle_order(const std::vector<Grid_point_2<Word>, Allocator>& points) {
   using Key = Shuffle_key<Word>;
   if constexpr (Key::number_of_words > 0) {
     return radix_order<Concurrency_tag>(
