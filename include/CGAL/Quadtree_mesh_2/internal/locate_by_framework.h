@@ -21,7 +21,7 @@
 //           nothing else in s. The framework square itself may be larger than the leaf and hold many points
 //           outside; so only its child towards the leaf is taken.
 //           Unit squares have no centre on the grid. They are leaves; their level is never in S, they are
-//           reached from above. The root is always in S, as what is above the first level belongs to no other.
+//           reached from above. The root is always in S: what is above the first level belongs to no other.
 //           The node of a square of S is found by bisection: O(log n), for O(k / log n) squares.
 //
 // It is here to be compared with. By default points ride down with their squares while the tree grows, and
