@@ -31,6 +31,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -67,15 +68,14 @@ std::vector<Method> methods_of(const Settings& settings) {
 
 void print_preface(const Settings& settings) {
   std::printf(
-      "Medians of %d runs, from points in memory; trees with at most one point in a leaf. \"Size\" is the\n"
-      "number of leaves, of squares of a framework or of keys; \"times ours\" compares with our sequential\n"
-      "tree of the same balance; time per point and ratios are of processor seconds, with threads of wall\n"
-      "seconds. \"MB\" is the most memory beyond the program and the points. Ours is cross-linked and has\n"
-      "located every point. CGAL is %s, which cannot be deeper than %zu levels, and whose coordinates\n"
-      "overflow below level 32, so that it does not end or leaves points together; it has a root of its "
-      "own,\n"
-      "so leaves differ. ",
-      settings.repetitions, CGAL_VERSION_STR, quadtree_cgal::max_depth);
+      "Medians of %d runs (one where the process takes more than %g s), from points in memory; trees\n"
+      "with at most one point in a leaf. \"Size\" is the number of leaves, of squares of a framework or of\n"
+      "keys; \"times ours\" compares with our sequential tree of the same balance; time per point and\n"
+      "ratios are of processor seconds, with threads of wall seconds. \"MB\" is the most memory beyond\n"
+      "the program and the points. Ours is cross-linked and has located every point. CGAL is %s,\n"
+      "which cannot be deeper than %zu levels, and whose coordinates overflow below level 32, so that it\n"
+      "does not end or leaves points together; it has a root of its own, so leaves differ.\n",
+      settings.repetitions, settings.limits.seconds / 4.0, CGAL_VERSION_STR, quadtree_cgal::max_depth);
   std::printf(quadtree_p4est::methods().empty()
                   ? "p4est was not found by CMake: no figures of it.\n"
                   : "p4est has our root, sorts without indices, knows no points afterwards and ends at level "
@@ -107,7 +107,7 @@ Rounds median_rounds(const quadtree_inputs::Input& input, std::size_t n,
                      const CGAL::Quadtree_options& options, const Settings& settings) {
   using Tree = CGAL::Balanced_quadtree<quadtree_ours::Filtered_traits, Counted_tag>;
   Rounds rounds;
-  std::vector<double> work, path;
+  std::vector<double> work, path, serial;
   for (int i = 0; i < settings.repetitions; ++i) {
     const auto child = in_child(
         [&] {
@@ -119,9 +119,11 @@ Rounds median_rounds(const quadtree_inputs::Input& input, std::size_t n,
     rounds.steps = child.result->steps;
     work.push_back(child.result->work);
     path.push_back(child.result->path);
+    serial.push_back(child.result->serial);
   }
   rounds.work = median(work);
   rounds.path = median(path);
+  rounds.serial = median(serial);
   return rounds;
 }
 
@@ -129,11 +131,12 @@ ordered_json count_rounds(const Settings& settings) {
   using CGAL::Quadtree_mesh_2::Balance_schedule;
   std::printf(
       "Parallel steps, work and critical path of our trees, balanced across sides and corners;\n"
-      "medians of %d runs. Work / path is the number of cores there is work for; the last columns\n"
-      "say by Brent's theorem how many times as fast 8 and 64 cores of that speed are at least, if\n"
-      "memory keeps up.\n\n"
-      "| input | points | schedule | steps | work, ms | path, ms | work / path | 8 cores | 64 cores |\n"
-      "|---|---|---|---|---|---|---|---|---|\n",
+      "medians of %d runs. The path is the time with a core for every task, its serial part that outside\n"
+      "of tasks. Work / path is the number of cores there is work for; the last columns say by Brent's\n"
+      "theorem how many times as fast 8 and 64 cores of that speed are at least, if memory keeps up.\n\n"
+      "| input | points | schedule | steps | work, ms | path, ms | of it serial, ms | work / path | "
+      "8 cores | 64 cores |\n"
+      "|---|---|---|---|---|---|---|---|---|---|\n",
       settings.repetitions);
   ordered_json json;
   for (const std::string& name : settings.inputs)
@@ -143,16 +146,17 @@ ordered_json count_rounds(const Settings& settings) {
         const auto options = CGAL::Quadtree_options().schedule(schedule);
         const Rounds rounds =
             median_rounds(quadtree_inputs::by_name(name), std::size_t(n), options, settings);
-        std::printf("| %s | %zu | %s | %zu | %.2f | %.3f | %.1f | %.1f | %.1f |\n", name.c_str(),
+        std::printf("| %s | %zu | %s | %zu | %.2f | %.3f | %.3f | %.1f | %.1f | %.1f |\n", name.c_str(),
                     std::size_t(n), text, rounds.steps, 1e3 * rounds.work, 1e3 * rounds.path,
-                    rounds.parallelism(), rounds.speedup(8), rounds.speedup(64));
+                    1e3 * rounds.serial, rounds.parallelism(), rounds.speedup(8), rounds.speedup(64));
         std::fflush(stdout);
         json.push_back({{"input", name},
                         {"points", std::size_t(n)},
                         {"schedule", text},
                         {"steps", rounds.steps},
                         {"work_seconds", rounds.work},
-                        {"path_seconds", rounds.path}});
+                        {"path_seconds", rounds.path},
+                        {"serial_seconds", rounds.serial}});
       }
   return json;
 }
@@ -166,7 +170,8 @@ std::optional<Settings> parse(int argc, char** argv) {
   visible.add_options()("help,h", "print this")                                            //
       ("n", po::value(&settings.n)->multitoken(), "numbers of points; 1e5 1e6 by default") //
       ("traits", po::value(&settings.traits)->multitoken(),
-       "of our trees: filtered (the default), fixed32, fixed64; the first are compared with") //
+       "of our trees: filtered (the default), fixed32, fixed64, exact (Epeck), doubles (exact, Epick); the "
+       "first are compared with") //
       ("threads", po::value(&settings.threads)->multitoken(),
        "numbers of threads on which ours run, too")                                                //
       ("repeat", po::value(&settings.repetitions)->default_value(5), "runs of each method")        //

@@ -105,8 +105,8 @@ void radix_sort(std::vector<Record>& records) {
   }
 }
 
-/// The better size of digits: 8 and 11 bits were tried.
-constexpr int digit_bits = 8;
+/// With 8 bits 10^6 keys of 64 bits take as long, and longer keys half as long again.
+constexpr int digit_bits = 11;
 
 template <class Record, bool is_radix>
 Run sort(const Points& points) {

@@ -12,6 +12,9 @@
 #include "quadtree_run.h"
 
 #include <CGAL/Balanced_quadtree.h>
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Exact_quadtree_traits_2.h>
 #include <CGAL/Filtered_quadtree_traits_2.h>
 #include <CGAL/Fixed_point_quadtree_traits_2.h>
 #include <CGAL/Quadtree_framework.h>
@@ -20,6 +23,7 @@
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
 #endif
 
 #include <cstdint>
@@ -34,8 +38,19 @@ using CGAL::Quadtree_mesh_2::Balance;
 using CGAL::Quadtree_mesh_2::Balance_schedule;
 
 using Filtered_traits = CGAL::Filtered_quadtree_traits_2<>;
+using Exact_traits = CGAL::Exact_quadtree_traits_2<CGAL::Exact_predicates_exact_constructions_kernel>;
+using Exact_double_traits =
+    CGAL::Exact_quadtree_traits_2<CGAL::Exact_predicates_inexact_constructions_kernel>;
 
 inline const Points& points_for(const Filtered_traits&, const Points& points) { return points; }
+inline const Points& points_for(const Exact_double_traits&, const Points& points) { return points; }
+
+inline std::vector<Exact_traits::Point_2> points_for(const Exact_traits&, const Points& points) {
+  std::vector<Exact_traits::Point_2> exact;
+  exact.reserve(points.size());
+  for (const Point_2& p : points) exact.emplace_back(p.x(), p.y());
+  return exact;
+}
 
 /// Points that 32 bits do not tell apart become equal, and the tree merges them.
 template <class Word>
@@ -48,13 +63,20 @@ std::vector<CGAL::Fixed_point_2<Word>> points_for(const CGAL::Fixed_point_quadtr
   return fixed;
 }
 
-/// Lets parallel algorithms have so many threads while it lives; 0: as many as they like.
+/// Lets parallel algorithms have so many threads while it lives, and starts them: a program does so once, not
+/// for every tree. 0 leaves everything as it is.
 class Thread_limit {
 public:
 #ifdef CGAL_LINKED_WITH_TBB
   explicit Thread_limit(unsigned threads) {
     using Control = tbb::global_control;
-    if (threads > 0) control_ = std::make_unique<Control>(Control::max_allowed_parallelism, threads);
+    if (threads == 0) return;
+    control_ = std::make_unique<Control>(Control::max_allowed_parallelism, threads);
+    tbb::parallel_for(0u, 4 * threads, [](unsigned) {
+      const double end = wall_seconds() + 0.001;
+      while (wall_seconds() < end) {
+      }
+    });
   }
 
 private:
@@ -128,7 +150,8 @@ void append_methods(const std::string& name, const std::vector<unsigned>& thread
         name + ", " + std::to_string(t) + (t == 1 ? " thread" : " threads"), t, methods);
 }
 
-/// Our methods for one of the traits: "filtered", "fixed32" or "fixed64".
+/// Our methods for one of the traits: "filtered", "fixed32", "fixed64", "exact" or
+/// "doubles".
 /// \param threads numbers of threads to run on, besides running sequentially.
 inline std::vector<Method> methods(const std::string& traits, const std::vector<unsigned>& threads) {
   std::vector<Method> result;
@@ -138,6 +161,10 @@ inline std::vector<Method> methods(const std::string& traits, const std::vector<
     append_methods<CGAL::Fixed_point_quadtree_traits_2<std::uint32_t>>(traits, threads, result);
   else if (traits == "fixed64")
     append_methods<CGAL::Fixed_point_quadtree_traits_2<std::uint64_t>>(traits, threads, result);
+  else if (traits == "exact")
+    append_methods<Exact_traits>(traits, threads, result);
+  else if (traits == "doubles")
+    append_methods<Exact_double_traits>(traits, threads, result);
   else
     throw std::invalid_argument("there are no traits '" + traits + "'");
   return result;

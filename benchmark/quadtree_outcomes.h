@@ -42,6 +42,7 @@ struct Outcome {
   std::string method;
   unsigned threads = 0;
   std::vector<Stage> stages; ///< none if the method did not end
+  std::size_t runs = 0;
   std::size_t crowded_leaves = 0;
   int depth = 0;
   double memory_mb = 0; ///< beyond the program and the points
@@ -56,13 +57,15 @@ struct Outcome {
   double seconds(const Seconds& s) const { return threads > 0 ? s.wall : s.cpu; }
 };
 
-/// Gathers runs of one method; a method that failed once is not asked again.
+/// Gathers runs of one method. A method that failed is not asked again, nor one that takes a good part of the
+/// time it is given: noise matters little to it.
 class Outcome_builder {
 public:
   explicit Outcome_builder(const Method& method) : method_(method) {}
 
   void run(const quadtree_inputs::Input& input, std::size_t n, const Limits& limits) {
-    if (has_failed_) return;
+    if (has_failed_ || is_slow_) return;
+    const double start = wall_seconds();
     const auto child = in_child(
         [&] {
           limit_memory(limits.gigabytes);
@@ -70,6 +73,7 @@ public:
         },
         limits.seconds);
     has_failed_ = !child.result;
+    is_slow_ = wall_seconds() - start > limits.seconds / 4.0;
     if (has_failed_) return;
     runs_.push_back(*child.result);
     peak_memory_mb_.push_back(child.peak_memory_mb);
@@ -80,6 +84,7 @@ public:
     result.method = method_.name;
     result.threads = method_.threads;
     if (has_failed_ || runs_.empty()) return result;
+    result.runs = runs_.size();
     result.crowded_leaves = runs_.front().crowded_leaves;
     result.depth = runs_.front().depth;
     result.peak_memory_mb = median(peak_memory_mb_);
@@ -115,6 +120,7 @@ private:
   std::vector<Run> runs_;
   std::vector<double> peak_memory_mb_;
   bool has_failed_ = false;
+  bool is_slow_ = false;
 };
 
 /// All methods on one input.

@@ -25,6 +25,7 @@ struct Rounds {
   std::size_t steps = 0; ///< calls of `Executor::run()` that have to follow each other
   double work = 0;       ///< seconds of all tasks and of the serial parts
   double path = 0;       ///< seconds of the serial parts and of the longest task of each step
+  double serial = 0;     ///< seconds of the serial parts that are in no task
 
   /// How many cores there is work for.
   double parallelism() const { return work / path; }
@@ -69,6 +70,7 @@ public:
     rounds_.steps = before.steps + 1 + longest.steps;
     rounds_.path = before.path + longest.path;
     rounds_.work = before.work + work;
+    rounds_.serial = before.serial;
   }
 
 private:
@@ -81,6 +83,7 @@ private:
     const double time = now(), seconds = time - lap_;
     lap_ = time;
     rounds_.path += seconds;
+    rounds_.serial += seconds;
     rounds_.work += seconds;
   }
 

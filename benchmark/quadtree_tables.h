@@ -95,7 +95,8 @@ inline void print_growth(const std::vector<Comparison>& comparisons) {
 }
 
 inline nlohmann::ordered_json to_json(const Outcome& outcome) {
-  nlohmann::ordered_json json = {{"method", outcome.method}, {"threads", outcome.threads}};
+  nlohmann::ordered_json json = {
+      {"method", outcome.method}, {"threads", outcome.threads}, {"runs", outcome.runs}};
   json["stages"] = nlohmann::ordered_json::array();
   for (const Outcome::Stage& stage : outcome.stages)
     json["stages"].push_back({{"name", stage.name},

@@ -18,6 +18,6 @@ for bound in 20.7 30; do
 done
 
 say "quadtrees"
-"$root/build/bin/quadtree" --n 1e5 1e6 --repeat 3 --limit 20 --threads "$(nproc)" \
+"$root/build/bin/quadtree" --n 1e5 1e6 --repeat 3 --limit 10 --threads "$(nproc)" \
   --json "$root/build/quadtree.json"
 "$root/build/bin/quadtree" --rounds --n 1e5 1e6 --repeat 3 --json "$root/build/quadtree_rounds.json"

@@ -29,7 +29,6 @@
 #include <CGAL/Quadtree_mesh_2/internal/Required_squares.h>
 #include <CGAL/Quadtree_mesh_2/internal/Spaced_levels_grower.h>
 #include <CGAL/Quadtree_mesh_2/internal/Square_grower.h>
-#include <CGAL/Quadtree_mesh_2/internal/Uninitialized_vector.h>
 #include <CGAL/Quadtree_mesh_2/internal/forcing.h>
 #include <CGAL/Quadtree_mesh_2/internal/locate_all.h>
 #include <CGAL/Quadtree_mesh_2/internal/near_neighbors.h>
@@ -114,7 +113,6 @@ public:
       squares_ = internal::Spaced_levels_grower<Framework, Concurrency_tag>(framework_, required).grow();
     else
       squares_ = smallest_squares(required);
-    list_leaves_of_points();
   }
 
   /// Builds a quadtree whose leaves are as small as a predicate wants them, before it is balanced.
@@ -131,7 +129,6 @@ public:
         Quadtree_mesh_2::internal::Sized_squares_finder<Framework, Must_split, Concurrency_tag>(
             framework_, options.max_points_per_leaf(), must_split)
             .find());
-    list_leaves_of_points();
   }
 
   /// Builds the quadtree of points with leaves as small as a predicate wants them.
@@ -162,7 +159,6 @@ public:
     }
     squares_ = smallest_squares(Quadtree_mesh_2::internal::required_by_marks<Concurrency_tag>(
         squares_, [&](Node_index v) { return is_marked[std::size_t(leaf(v))]; }));
-    list_leaves_of_points();
   }
 
   /// @}
@@ -252,7 +248,7 @@ public:
 
   /// The leaf that contains an input point.
   Leaf_index leaf(Point_index i) const { return leaf(framework_.rank(i)); }
-  Leaf_index leaf(Point_rank r) const { return Leaf_index(leaf_of_point_[std::size_t(r)]); }
+  Leaf_index leaf(Point_rank r) const { return Leaf_index(squares_.leaf_of_point(r.value())); }
 
   /// Returns the leaves that share a side or a corner with `l`, counterclockwise, each once: at most twelve.
   /// Takes O(1) time if the quadtree is balanced across corners.
@@ -351,15 +347,6 @@ private:
     return internal::Square_grower<Framework, Concurrency_tag>(framework_, required, forced).grow();
   }
 
-  void list_leaves_of_points() {
-    leaf_of_point_.resize(framework_.number_of_points());
-    Quadtree_mesh_2::internal::for_each_index<Concurrency_tag>(number_of_leaves(), [&](std::size_t l) {
-      const Rank_interval inside = points(Leaf_index(l));
-      for (std::size_t r = inside.begin.value(); r < inside.end.value(); ++r)
-        leaf_of_point_[r] = static_cast<std::uint32_t>(l);
-    });
-  }
-
   /// Leaves are in shuffle order, so the points of the next one follow.
   std::size_t point_end(std::uint32_t leaf) const {
     const std::uint32_t next = leaf + 1;
@@ -386,7 +373,6 @@ private:
   Framework framework_;
   Quadtree_options options_;
   Linked_squares squares_;
-  Quadtree_mesh_2::internal::Uninitialized_vector<std::uint32_t> leaf_of_point_; // by rank
 };
 
 } // namespace CGAL

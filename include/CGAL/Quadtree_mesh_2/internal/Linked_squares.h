@@ -81,7 +81,7 @@ public:
   /// \pre `!is_leaf(v)`
   std::uint32_t family(Node_index v) const { return leaf_or_family_[std::size_t(v)]; }
   Node_index node_of_leaf(std::uint32_t leaf) const { return Node_index(node_of_leaf_[leaf]); }
-  Node_index node_of_family(std::uint32_t f) const { return Node_index(node_[f]); }
+  std::uint32_t leaf_of_point(std::uint32_t rank) const { return leaf_of_point_[rank]; }
 
   /// \pre `!is_leaf(v)`
   Node_index child(Node_index v, int q) const { return member(family(v), q); }
@@ -206,13 +206,19 @@ private:
     neighbors_.reserve(n);
   }
 
-  /// Numbers the leaves in shuffle order: counts from the deepest level up, places from the root down.
+  /// Numbers the leaves in shuffle order and finds the leaves of points, which are as many as `points`: counts
+  /// leaves from the deepest level up, places them from the root down.
   template <class Concurrency_tag>
-  void number_leaves() {
+  void number_leaves(std::size_t points) {
     const std::size_t n = number_of_families();
     first_leaf_.resize(n);
     last_leaf_.resize(n);
     node_of_leaf_.resize(number_of_nodes() - n);
+    leaf_of_point_.resize(points);
+    if (n == 0) {
+      place_leaf(0, 0, 0, static_cast<std::uint32_t>(points));
+      return;
+    }
     auto& count = last_leaf_; // until the place is known
     for (int l = number_of_split_levels(); l-- > 0;)
       for_each_family_of_level<Concurrency_tag>(l, [&](std::uint32_t f) {
@@ -222,27 +228,32 @@ private:
           count[f] += is_leaf(v) ? 1 : count[family(v)];
         }
       });
-    if (n == 0) {
-      leaf_or_family_[0] = leaf_flag;
-      node_of_leaf_[0] = 0;
-      return;
-    }
+    Uninitialized_vector<std::uint32_t> point_end(n);
     first_leaf_[0] = 0;
+    point_end[0] = static_cast<std::uint32_t>(points);
     for (int l = 0; l < number_of_split_levels(); ++l)
       for_each_family_of_level<Concurrency_tag>(l, [&](std::uint32_t f) {
         std::uint32_t next = first_leaf_[f];
         for (int q = 0; q < 4; ++q) {
-          const Node_index v = member(f, q);
-          if (is_leaf(v)) {
-            node_of_leaf_[next] = v.value();
-            leaf_or_family_[std::size_t(v)] = leaf_flag | next++;
+          const std::uint32_t v = member(f, q).value();
+          const std::uint32_t end = q < 3 ? point_begin_[v + 1] : point_end[f];
+          if (is_leaf(Node_index(v))) {
+            place_leaf(next++, v, point_begin_[v], end);
           } else {
-            first_leaf_[family(v)] = next;
-            next += count[family(v)];
+            const std::uint32_t below = family(Node_index(v));
+            first_leaf_[below] = next;
+            point_end[below] = end;
+            next += count[below];
           }
         }
         last_leaf_[f] = next - 1;
       });
+  }
+
+  void place_leaf(std::uint32_t leaf, std::uint32_t node, std::uint32_t point_begin, std::uint32_t point_end) {
+    leaf_or_family_[node] = leaf_flag | leaf;
+    node_of_leaf_[leaf] = node;
+    for (std::uint32_t r = point_begin; r < point_end; ++r) leaf_of_point_[r] = leaf;
   }
 
   template <class Concurrency_tag, class F>
@@ -272,8 +283,9 @@ private:
   // By level of split squares.
   std::vector<std::uint32_t> level_begin_{0};
 
-  // By leaf.
+  // By leaf; by rank of a point.
   Uninitialized_vector<std::uint32_t> node_of_leaf_;
+  Uninitialized_vector<std::uint32_t> leaf_of_point_;
 };
 
 } // namespace internal

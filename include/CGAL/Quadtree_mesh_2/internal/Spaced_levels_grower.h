@@ -72,7 +72,7 @@ public:
         grow_band(bands[b], b < levels.size() ? levels[b] : std::numeric_limits<int>::max());
     });
     Squares squares = bands.size() == 1 ? std::move(bands[0].squares_) : join(bands);
-    squares.template number_leaves<Concurrency_tag>();
+    squares.template number_leaves<Concurrency_tag>(framework_.number_of_points());
     return squares;
   }
 

@@ -57,7 +57,7 @@ public:
     squares_.reserve(2 * required_.size());
     begin_with_root();
     if (required_.size() > 0) grow_levels();
-    squares_.template number_leaves<Concurrency_tag>();
+    squares_.template number_leaves<Concurrency_tag>(framework_.number_of_points());
     return std::move(squares_);
   }
 
