@@ -6,6 +6,7 @@
 
 #include "catch.h"
 
+#include <CGAL/Quadtree_mesh_2/internal/Long_words.h>
 #include <CGAL/Quadtree_mesh_2/internal/morton.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel_sort.h>

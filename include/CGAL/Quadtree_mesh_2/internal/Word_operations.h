@@ -11,6 +11,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/bits.h>
 
 #include <cstdint>
+#include <type_traits>
 
 namespace CGAL {
 namespace Quadtree_mesh_2 {
@@ -19,6 +20,8 @@ namespace internal {
 /// What quadtrees do to the bits of grid coordinates. Words longer than the machine's specialize it.
 template <class Word>
 struct Word_operations {
+  static_assert(std::is_integral<Word>::value, "include Long_words.h for longer words");
+
   /// Holds the level of any square.
   using Level = std::uint8_t;
 

@@ -23,6 +23,7 @@
 #define CGAL_QUADTREE_MESH_2_INTERNAL_MORTON_H
 
 #include <CGAL/Quadtree_mesh_2/Grid_point_2.h>
+#include <CGAL/Quadtree_mesh_2/internal/Word_operations.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel_sort.h>
 #include <CGAL/Quadtree_mesh_2/internal/radix_sort.h>
@@ -31,6 +32,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -46,9 +48,14 @@ constexpr bool less_highest_bit(const Word& a, const Word& b) {
 /// Returns whether `p` precedes `q` in shuffle order. At each bit, x counts before y.
 template <class Word>
 constexpr bool less_shuffle(const Grid_point_2<Word>& p, const Grid_point_2<Word>& q) {
-  const Word x = p.x ^ q.x;
-  const Word y = p.y ^ q.y;
-  return less_highest_bit(x, y) ? p.y < q.y : p.x < q.x;
+  if constexpr (std::is_integral<Word>::value) {
+    return less_highest_bit<Word>(p.x ^ q.x, p.y ^ q.y) ? p.y < q.y : p.x < q.x;
+  } else { // the widths of differences are found without making the differences
+    using Operations = Word_operations<Word>;
+    return Operations::width_of_difference(p.x, q.x) < Operations::width_of_difference(p.y, q.y)
+               ? p.y < q.y
+               : p.x < q.x;
+  }
 }
 
 /// Function object form of `less_shuffle()`.
