@@ -32,6 +32,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -69,8 +70,8 @@ private:
   using Level = typename Squares::Level;
   static constexpr std::size_t families_in_block_ = default_block / 8;
 
-  /// One for each child of the families of a level; set by several threads, always to the same value.
-  using Marks = std::vector<std::atomic<std::uint8_t>>;
+  /// Set by several threads, always to the same value.
+  using Mark = std::atomic<std::uint8_t>;
 
   /// What is known of a family of the last level but no longer afterwards.
   struct Growth {
@@ -97,7 +98,7 @@ private:
   /// Finds the children of the last level that have to be split.
   void mark_children() {
     const std::uint32_t first = first_family(), last = end_family();
-    Marks(4 * std::size_t(last - first)).swap(marks_);
+    clear_marks(4 * std::size_t(last - first));
     for_each_index<Concurrency_tag>(
         last - first, [&](std::size_t i) { mark_children_of(first + static_cast<std::uint32_t>(i)); },
         families_in_block_);
@@ -111,13 +112,13 @@ private:
     const std::uint32_t first = first_family(), last = end_family();
     const int level = level_of_children();
     squares_.resize(last + number_of_marks());
-    Uninitialized_vector<Growth> grown(number_of_marks());
+    grown_.resize(number_of_marks());
     for_each_child([&](std::uint32_t node, std::size_t mark) {
       const std::uint32_t family = last + static_cast<std::uint32_t>(mark);
-      make_family(family, node, level, growth_of_child(node, first), grown[mark]);
+      make_family(family, node, level, growth_of_child(node, first), grown_[mark]);
     });
     squares_.level_begin_.push_back(static_cast<std::uint32_t>(last + number_of_marks()));
-    growth_.swap(grown);
+    growth_.swap(grown_);
   }
 
   /// Makes leaves of the children that are not marked and calls `on_marked(node, i)` for the marked ones, i
@@ -126,7 +127,7 @@ private:
   void for_each_child(const On_marked& on_marked) {
     const std::size_t first_node = 4 * std::size_t(first_family()) + 1;
     for_each_block<Concurrency_tag>(
-        marks_.size(), 4 * families_in_block_, [&](std::size_t b, std::size_t begin, std::size_t end) {
+        number_of_children_, 4 * families_in_block_, [&](std::size_t b, std::size_t begin, std::size_t end) {
           std::size_t next = marks_before_block_[b];
           for (std::size_t i = begin; i < end; ++i)
             if (marks_[i].load(std::memory_order_relaxed) != 0)
@@ -163,11 +164,20 @@ private:
     }
   }
 
+  void clear_marks(std::size_t n) {
+    if (n > room_for_marks_) {
+      room_for_marks_ = std::max(n, 2 * room_for_marks_);
+      marks_.reset(new Mark[room_for_marks_]);
+    }
+    number_of_children_ = n;
+    for_each_index<Concurrency_tag>(n, [&](std::size_t i) { marks_[i].store(0, std::memory_order_relaxed); });
+  }
+
   /// Counts the marks before each block, and all.
   void count_marks() {
     const std::size_t block = 4 * families_in_block_;
-    marks_before_block_.assign((marks_.size() + block - 1) / block + 1, 0);
-    for_each_block<Concurrency_tag>(marks_.size(), block,
+    marks_before_block_.assign((number_of_children_ + block - 1) / block + 1, 0);
+    for_each_block<Concurrency_tag>(number_of_children_, block,
                                     [&](std::size_t b, std::size_t begin, std::size_t end) {
                                       std::size_t sum = 0;
                                       for (std::size_t i = begin; i < end; ++i)
@@ -212,8 +222,11 @@ private:
 
   // By family of the last level.
   Uninitialized_vector<Growth> growth_;
+  Uninitialized_vector<Growth> grown_; // of the level being made
   // By child of the last level; and by block of children.
-  Marks marks_;
+  std::unique_ptr<Mark[]> marks_;
+  std::size_t number_of_children_ = 0;
+  std::size_t room_for_marks_ = 0;
   std::vector<std::size_t> marks_before_block_;
 };
 
