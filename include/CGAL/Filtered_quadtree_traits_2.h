@@ -12,11 +12,13 @@
 #include <CGAL/Quadtree_mesh_2/Point_error.h>
 #include <CGAL/Quadtree_mesh_2/internal/double_grid.h>
 #include <CGAL/Quadtree_mesh_2/internal/meshing_geometry_fwd.h>
+#include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <type_traits>
 
 namespace CGAL {
@@ -86,37 +88,46 @@ public:
       using Quadtree_mesh_2::internal::Double_axis;
       using Quadtree_mesh_2::internal::Root_side;
       Interval x, y;
-      std::size_t i = 0;
+      bool is_good = true;
       for (const Point_2& p : points) {
-        check(p, Quadtree_mesh_2::Point_index(i));
-        x.extend(p.x(), i == 0);
-        y.extend(p.y(), i == 0);
-        ++i;
+        x.extend(p.x());
+        y.extend(p.y());
+        is_good &= p.x() - p.x() == 0 && p.y() - p.y() == 0; // false for what is not finite
       }
+      const double greatest = Quadtree_mesh_2::internal::greatest_coordinate();
+      if (!is_good || x.magnitude() >= greatest || y.magnitude() >= greatest) throw_for_first_bad(points);
       const Root_side root(std::max(x.extent(), y.extent()), std::max(x.magnitude(), y.magnitude()));
-      return Grid_2(Double_axis(root, x.low), Double_axis(root, y.low));
+      return Grid_2(Double_axis(root, x.begin()), Double_axis(root, y.begin()));
     }
 
   private:
     struct Interval {
-      double low = 0;
-      double high = 0;
+      double low = std::numeric_limits<double>::max();
+      double high = std::numeric_limits<double>::lowest();
 
-      void extend(double v, bool is_first) {
-        low = is_first ? v : std::min(low, v);
-        high = is_first ? v : std::max(high, v);
+      void extend(double v) {
+        low = std::min(low, v);
+        high = std::max(high, v);
       }
       // The difference may have been rounded down; the next double never is too small.
       double extent() const { return high > low ? std::nextafter(high - low, high - low + 1) : 0; }
-      double magnitude() const { return std::max(std::fabs(low), std::fabs(high)); }
+      double magnitude() const { return high < low ? 0 : std::max(std::fabs(low), std::fabs(high)); }
+      double begin() const { return high < low ? 0 : low; }
     };
 
-    static void check(const Point_2& p, Quadtree_mesh_2::Point_index i) {
+    template <class PointRange>
+    [[noreturn]] static void throw_for_first_bad(const PointRange& points) {
       using Quadtree_mesh_2::Point_error;
-      const double magnitude = std::max(std::fabs(p.x()), std::fabs(p.y()));
-      if (!std::isfinite(p.x()) || !std::isfinite(p.y())) throw Point_error(Point_error::Kind::NOT_FINITE, i);
-      if (magnitude >= Quadtree_mesh_2::internal::greatest_coordinate())
-        throw Point_error(Point_error::Kind::OUT_OF_RANGE, i);
+      std::size_t i = 0;
+      for (const Point_2& p : points) {
+        const Quadtree_mesh_2::Point_index index(i++);
+        const double magnitude = std::max(std::fabs(p.x()), std::fabs(p.y()));
+        if (!std::isfinite(p.x()) || !std::isfinite(p.y()))
+          throw Point_error(Point_error::Kind::NOT_FINITE, index);
+        if (magnitude >= Quadtree_mesh_2::internal::greatest_coordinate())
+          throw Point_error(Point_error::Kind::OUT_OF_RANGE, index);
+      }
+      CGAL_unreachable();
     }
   };
 

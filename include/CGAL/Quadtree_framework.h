@@ -256,39 +256,47 @@ private:
   template <class Iterator>
   bool sort_points(Iterator first, std::size_t n) {
     using namespace Quadtree_mesh_2::internal;
+    arrange_points(first, n);
+    const Level greatest = static_cast<Level>(grid_.depth()); // of equal points
+    const auto begin = nodes_.gap_level.begin();
+    const std::size_t repeated = reduce<Concurrency_tag>(
+        nodes_.gap_level.size(), std::size_t(0),
+        [&](std::size_t from, std::size_t to) {
+          return static_cast<std::size_t>(std::count(begin + static_cast<std::ptrdiff_t>(from),
+                                                     begin + static_cast<std::ptrdiff_t>(to), greatest));
+        },
+        [](std::size_t a, std::size_t b) { return a + b; });
+    if (repeated == 0) return true;
+    if (!list_duplicates(first)) return false;
+    merge_duplicates();
+    return true;
+  }
+
+  /// Sorts and ranks points and finds the levels of the gaps between them, as if they were distinct.
+  template <class Iterator>
+  void arrange_points(Iterator first, std::size_t n) {
+    using namespace Quadtree_mesh_2::internal;
     Uninitialized_vector<Grid_point> unsorted(n);
     for_each_index<Concurrency_tag>(n, [&](std::size_t i) { unsorted[i] = grid_.grid_point(at(first, i)); });
     input_ = shuffle_order<Concurrency_tag>(unsorted);
     points_.resize(n);
-    for_each_index<Concurrency_tag>(n, [&](std::size_t k) { points_[k] = unsorted[input_[k]]; });
-    Uninitialized_vector<Grid_point>().swap(unsorted);
-
     rank_.resize(n);
-    const std::size_t distinct = rank_points();
-    if (distinct == n) return true;
-    if (!list_duplicates(first)) return false;
-    merge_duplicates(distinct);
-    return true;
+    nodes_.gap_level.resize(n == 0 ? 0 : n - 1);
+    // Block by block, while the points are at hand: most of the time goes into moving memory.
+    for_each_block<Concurrency_tag>(
+        n, default_block, [&](std::size_t, std::size_t begin, std::size_t end) {
+          for (std::size_t k = begin; k < end; ++k) points_[k] = unsorted[input_[k]];
+          for (std::size_t k = begin; k < end; ++k) rank_[input_[k]] = static_cast<std::uint32_t>(k);
+          for (std::size_t k = begin + 1; k < end; ++k) find_gap_level(k - 1);
+        });
+    for (std::size_t k = default_block; k < n; k += default_block) find_gap_level(k - 1);
+  }
+
+  void find_gap_level(std::size_t gap) {
+    nodes_.gap_level[gap] = static_cast<Level>(level_of_derived_square(gap, gap + 1));
   }
 
   bool is_repeated(std::size_t k) const { return k > 0 && points_[k] == points_[k - 1]; }
-
-  /// Ranks the input by distinct points and returns their number.
-  std::size_t rank_points() {
-    return Quadtree_mesh_2::internal::count_and_place<Concurrency_tag>(
-        points_.size(),
-        [&](std::size_t begin, std::size_t end) {
-          std::size_t sum = 0;
-          for (std::size_t k = begin; k < end; ++k) sum += is_repeated(k) ? 0 : 1;
-          return sum;
-        },
-        [&](std::size_t begin, std::size_t end, std::size_t distinct) {
-          for (std::size_t k = begin; k < end; ++k) {
-            distinct += is_repeated(k) ? 0 : 1;
-            rank_[input_[k]] = static_cast<std::uint32_t>(distinct - 1);
-          }
-        });
-  }
 
   /// Lists repeated points. Returns false if some are distinct and the grid could be refined to tell.
   template <class Iterator>
@@ -310,27 +318,26 @@ private:
     return true;
   }
 
-  /// Keeps the first of equal points.
-  void merge_duplicates(std::size_t distinct) {
+  /// Keeps the first of equal points, and ranks all by those that are kept.
+  void merge_duplicates() {
+    std::size_t distinct = 0;
     for (std::size_t k = 0; k < points_.size(); ++k) {
-      if (is_repeated(k)) continue;
-      const std::size_t r = rank_[input_[k]];
-      input_[r] = input_[k];
+      const std::uint32_t i = input_[k];
+      if (!is_repeated(k)) input_[distinct++] = i;
+      rank_[i] = static_cast<std::uint32_t>(distinct - 1);
     }
     points_.erase(std::unique(points_.begin(), points_.end()), points_.end());
-    CGAL_assertion(points_.size() == distinct);
     input_.resize(distinct);
+    nodes_.gap_level.resize(distinct - 1);
+    Quadtree_mesh_2::internal::for_each_index<Concurrency_tag>(distinct - 1,
+                                                               [&](std::size_t i) { find_gap_level(i); });
   }
 
   /// Finds the squares derived from neighbours in the order, and their nesting.
   void find_nodes() {
-    using namespace Quadtree_mesh_2::internal;
     if (points_.size() < 2) return;
-    Uninitialized_vector<Level> derived(points_.size() - 1);
-    for_each_index<Concurrency_tag>(derived.size(), [&](std::size_t i) {
-      derived[i] = static_cast<Level>(level_of_derived_square(i, i + 1));
-    });
-    nodes_ = Nesting_finder<Concurrency_tag, Level>(std::move(derived)).find();
+    nodes_ = Quadtree_mesh_2::internal::Nesting_finder<Concurrency_tag, Level>(std::move(nodes_.gap_level))
+                 .find();
   }
 
   Grid_2 grid_;

@@ -229,33 +229,34 @@ private:
   /// Levels of different bands are disjoint, so the numbers of one band follow those of the one above.
   /// @{
 
-  Squares join(std::vector<Grower>& bands) const {
-    Squares result;
-    result.depth_ = depth_;
+  /// Appends all bands to the first one, and takes it.
+  static Squares join(std::vector<Grower>& bands) {
+    Squares& result = bands[0].squares_;
     std::vector<std::size_t> base(bands.size() + 1, 0); // of the band's families in the result
     std::vector<std::size_t> tops(bands.size(), 0);     // the band's first family that is not a stand-in
     for (std::size_t b = 0; b < bands.size(); ++b) {
+      if (b > 0) tops[b] = bands[b].squares_.level_begin(1);
+      base[b + 1] = base[b] + bands[b].squares_.number_of_families() - tops[b];
+    }
+    result.resize(base.back());
+    for (std::size_t b = 1; b < bands.size(); ++b) copy_band(bands[b].squares_, tops[b], base[b], result);
+    for (std::size_t b = 0; b + 1 < bands.size(); ++b)
+      link_tops(bands[b], tops[b], base[b], base[b + 1], result);
+    for (std::size_t b = 1; b < bands.size(); ++b) {
       const Squares& band = bands[b].squares_;
-      tops[b] = b == 0 ? 0 : band.level_begin(1);
-      base[b + 1] = base[b] + band.number_of_families() - tops[b];
-      for (int l = b == 0 ? 0 : 1; l < band.number_of_split_levels(); ++l)
+      link_neighbors_of_tops(base[b], band.level_begin(2) - band.level_begin(1), result);
+      for (int l = 1; l < band.number_of_split_levels(); ++l)
         result.level_begin_.push_back(
             static_cast<std::uint32_t>(base[b] + band.level_begin(l + 1) - tops[b]));
     }
-    result.resize(base.back());
-    for (std::size_t b = 0; b < bands.size(); ++b) copy_band(bands[b].squares_, tops[b], base[b], result);
-    result.leaf_or_family_[0] = 0;
-    result.point_begin_[0] = 0;
-    for (std::size_t b = 0; b + 1 < bands.size(); ++b) link_tops(bands[b], tops[b], base[b], base[b + 1], result);
-    for (std::size_t b = 1; b < bands.size(); ++b) {
-      const std::size_t number_of_tops = bands[b].squares_.level_begin(2) - bands[b].squares_.level_begin(1);
-      for_each_index<Concurrency_tag>(number_of_tops, [&](std::size_t i) {
-        const std::size_t f = base[b] + i;
-        for (Direction d : all_directions())
-          result.neighbors_[f][std::size_t(d)] = result.neighbor(Node_index(result.node_[f]), d).value();
-      });
-    }
-    return result;
+    return std::move(result);
+  }
+
+  /// Finds the cross pointers of `n` tops from those of their parents, which were made in another band.
+  static void link_neighbors_of_tops(std::size_t first, std::size_t n, Squares& result) {
+    for_each_index<Concurrency_tag>(n, [&](std::size_t i) {
+      result.neighbors_[first + i] = result.neighbors(Node_index(result.node_[first + i]));
+    });
   }
 
   /// Copies the families of a band from number `first` on to those from number `base` on.
@@ -265,7 +266,7 @@ private:
     };
     for_each_index<Concurrency_tag>(band.number_of_families() - first, [&](std::size_t i) {
       const std::size_t from = first + i, to = base + i;
-      result.node_[to] = band.node_[from] == 0 ? 0 : moved_node(band.node_[from]);
+      result.node_[to] = moved_node(band.node_[from]);
       result.family_level_[to] = band.family_level_[from];
       if constexpr (Squares::are_corners_stored) result.corner_[to] = band.corner_[from];
       for (std::size_t d = 0; d < 8; ++d) result.neighbors_[to][d] = moved_node(band.neighbors_[from][d]);

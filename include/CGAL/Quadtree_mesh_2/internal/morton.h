@@ -119,7 +119,7 @@ struct Shuffle_key<std::uint64_t> {
 
 /// Returns the indices of `points` sorted by the shuffle of the points; equal points keep their order.
 /// \tparam Word unsigned, of any length; all bits count. `std::uint32_t` and `std::uint64_t` take O(n) time and
-/// 16 bytes per point of scratch memory; others are compared.
+///         16 bytes per point of scratch memory; others are compared.
 /// \pre `points.size() < 2^32`
 template <class Concurrency_tag = Sequential_tag, class Word, class Allocator>
 std::vector<std::uint32_t> shuffle_order(const std::vector<Grid_point_2<Word>, Allocator>& points) {
