@@ -188,7 +188,7 @@ public:
   /// cannot represent them.
   std::array<Point_2, 4> corners(Node_index v) const {
     const Grid_point c = squares_.corner(v);
-    const Word side = static_cast<Word>(Word(1) << (framework_.grid().depth() - level(v)));
+    const Word side = Quadtree_mesh_2::internal::Word_operations<Word>::power_of_two(framework_.grid().depth() - level(v));
     const Word right = static_cast<Word>(c.x + side), top = static_cast<Word>(c.y + side);
     const auto& grid = framework_.grid();
     return {

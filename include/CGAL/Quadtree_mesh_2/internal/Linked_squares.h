@@ -99,8 +99,9 @@ public:
     Grid_point c = corner_of_family(f);
     const int shift = depth_ - static_cast<int>(family_level_[f]) - 1;
     const int q = member_of(v);
-    c.x += static_cast<Word>(Word(q >> 1) << shift);
-    c.y += static_cast<Word>(Word(q & 1) << shift);
+    const Word side = Word_operations<Word>::power_of_two(shift);
+    if (q / 2 == 1) c.x += side;
+    if (q % 2 == 1) c.y += side;
     return c;
   }
 
@@ -179,8 +180,9 @@ private:
         const std::uint32_t up = family_of(v);
         const int shift = depth_ - static_cast<int>(family_level_[up]) - 1;
         const int q = member_of(v);
-        if (q >> 1 != 0) c.x += Word(1) << shift;
-        if ((q & 1) != 0) c.y += Word(1) << shift;
+        const Word side = Word_operations<Word>::power_of_two(shift);
+        if (q / 2 == 1) c.x += side;
+        if (q % 2 == 1) c.y += side;
       }
       return c;
     }

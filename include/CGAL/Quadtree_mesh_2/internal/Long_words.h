@@ -50,6 +50,11 @@ struct Word_operations<Long_word> {
     result <<= i;
     return result;
   }
+  static Long_word power_of_two(int i) {
+    Long_word result = 0;
+    boost::multiprecision::bit_set(result, static_cast<unsigned>(i));
+    return result;
+  }
 
 private:
   using Backend = Long_word::backend_type;

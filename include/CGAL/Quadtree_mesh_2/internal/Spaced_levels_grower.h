@@ -121,7 +121,7 @@ private:
 
   /// The square next to `s`; false if it is outside the root.
   static bool step(const Grid_point& s, Direction d, int level, Grid_point& neighbor) {
-    const Word last = static_cast<Word>((Word(1) << level) - 1);
+    const Word last = static_cast<Word>(Word_operations<Word>::power_of_two(level) - 1);
     const int dx = step_x(d), dy = step_y(d);
     if ((dx < 0 && s.x == 0) || (dx > 0 && s.x == last) || (dy < 0 && s.y == 0) || (dy > 0 && s.y == last))
       return false;

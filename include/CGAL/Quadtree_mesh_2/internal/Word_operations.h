@@ -36,6 +36,8 @@ struct Word_operations {
   static int bit(const Word& w, int i) { return static_cast<int>(w >> i & 1); }
   /// Returns `w` with its lowest `i` bits cleared.
   static Word without_low_bits(const Word& w, int i) { return static_cast<Word>(w >> i << i); }
+  /// Returns 2^i.
+  static Word power_of_two(int i) { return static_cast<Word>(Word(1) << i); }
 };
 
 /// Returns which child, 2 i + j for offsets i in x and j in y, of a square of level `level` contains `p`.

@@ -206,7 +206,7 @@ private:
         number_of_points_, [&](std::size_t i) { result[i] = tree_.framework().grid_point(Point_rank(i)); });
     for_each_index<Concurrency_tag>(n, [&](std::size_t i) {
       const auto square = tree_.square(squares[i]);
-      const Word half = static_cast<Word>(Word(1) << (depth_ - square.level - 1));
+      const Word half = Word_operations<Word>::power_of_two(depth_ - square.level - 1);
       result[number_of_points_ + 2 * i] = {square.x, square.y};
       result[number_of_points_ + 2 * i + 1] = {static_cast<Word>(square.x + half),
                                                static_cast<Word>(square.y + half)};

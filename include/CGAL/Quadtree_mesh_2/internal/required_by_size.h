@@ -66,7 +66,7 @@ private:
     if (s.point_end - s.point_begin > max_points_) return true;
     for (std::uint32_t r = s.point_begin; r < s.point_end; ++r)
       if (framework_.desired_level(Point_rank(r)) > level) return true;
-    const Word side = static_cast<Word>(Word(1) << (framework_.grid().depth() - level));
+    const Word side = Word_operations<Word>::power_of_two(framework_.grid().depth() - level);
     const Grid_point opposite{static_cast<Word>(s.corner.x + side), static_cast<Word>(s.corner.y + side)};
     return must_split_(framework_.grid().point(s.corner), framework_.grid().point(opposite));
   }
@@ -74,7 +74,7 @@ private:
   /// The children of a square of level `level`.
   std::array<Open_square, 4> children(const Open_square& s, int level) const {
     const auto begins = points_.child_begins(level, s.point_begin, s.point_end);
-    const Word side = static_cast<Word>(Word(1) << (framework_.grid().depth() - level - 1));
+    const Word side = Word_operations<Word>::power_of_two(framework_.grid().depth() - level - 1);
     std::array<Open_square, 4> result{};
     for (unsigned q = 0; q < 4; ++q) {
       Open_square& child = result[q];
