@@ -24,8 +24,8 @@ TEMPLATE_TEST_CASE("The balanced quadtree is the smallest one", "[balanced]", Fi
     for (std::size_t max_points : {1u, 3u}) {
       CAPTURE(input.name, max_points);
       const auto points = make_points<TestType>(input);
-      const CGAL::Balanced_quadtree<TestType> tree(
-          points, CGAL::Quadtree_options().max_points_per_leaf(max_points));
+      const CGAL::Balanced_quadtree<TestType> tree(points,
+                                                   CGAL::Quadtree_options().max_points_per_leaf(max_points));
       check_quadtree(tree, naive_tree(tree.framework(), max_points), points);
     }
 }
@@ -109,7 +109,8 @@ TEST_CASE("Neighbours of a leaf come counterclockwise", "[balanced]") {
 
 TEST_CASE("A large quadtree satisfies the cheap invariants", "[balanced]") {
   const auto points = make_points<Filtered_traits>(uniform(20000, 10));
-  const CGAL::Balanced_quadtree<Filtered_traits> tree(points, CGAL::Quadtree_options().max_points_per_leaf(2));
+  const CGAL::Balanced_quadtree<Filtered_traits> tree(points,
+                                                      CGAL::Quadtree_options().max_points_per_leaf(2));
   std::size_t in_leaves = 0;
   for (std::size_t i = 0; i < tree.number_of_leaves(); ++i) {
     const Leaf_index l(i);

@@ -156,8 +156,7 @@ TEST_CASE("A spiral to 2^-900 has squares in proportion to its points and levels
     CHECK(tree.depth() > 895);
     CHECK(tree.framework().number_of_nodes() < n);
     CHECK(tree.number_of_leaves() < 8 * n + 50 * 900);
-    for (std::size_t l = 0; l < tree.number_of_leaves(); ++l)
-      REQUIRE(tree.points(Leaf_index(l)).size() <= 1);
+    for (std::size_t l = 0; l < tree.number_of_leaves(); ++l) REQUIRE(tree.points(Leaf_index(l)).size() <= 1);
     if (n <= 5000) CHECK(tree.is_valid());
     for (std::size_t i = 0; i < n; i += n / 100)
       CHECK(tree.locate(points[i]) == tree.leaf(CGAL::Quadtree_mesh_2::Point_index(i)));

@@ -125,7 +125,8 @@ TEMPLATE_TEST_CASE("Leaves are as small as a size function asks", "[options]", F
   const double cx = CGAL::to_double(points[0].x()), cy = CGAL::to_double(points[0].y());
   const double extent = std::ldexp(1.0, CGAL::to_double(points[0].x()) > 1e12 ? 57 : 28);
   const auto is_too_large = [&](double x, double y, double side) {
-    return std::fabs(std::hypot(x + side / 2 - cx, y + side / 2 - cy) - extent / 3) < side && side > extent / 100;
+    return std::fabs(std::hypot(x + side / 2 - cx, y + side / 2 - cy) - extent / 3) < side &&
+           side > extent / 100;
   };
   const auto must_split = [&](const Point& low, const Point& high) {
     return is_too_large(CGAL::to_double(low.x()), CGAL::to_double(low.y()),
@@ -138,9 +139,9 @@ TEMPLATE_TEST_CASE("Leaves are as small as a size function asks", "[options]", F
     const auto corners = tree.corners(tree.root());
     Naive_tree expected(point_keys(framework), [&](const Key& k, const std::vector<Key>& inside) {
       const double side = std::ldexp(CGAL::to_double(corners[1].x() - corners[0].x()), -std::get<0>(k));
-      return inside.size() > 2 || is_too_large(CGAL::to_double(corners[0].x()) + double(std::get<1>(k)) * side,
-                                               CGAL::to_double(corners[0].y()) + double(std::get<2>(k)) * side,
-                                               side);
+      return inside.size() > 2 ||
+             is_too_large(CGAL::to_double(corners[0].x()) + double(std::get<1>(k)) * side,
+                          CGAL::to_double(corners[0].y()) + double(std::get<2>(k)) * side, side);
     });
     expected.balance(balance);
     CHECK(tree.number_of_leaves() > 300);

@@ -6,6 +6,7 @@
 
 #include "catch.h"
 #include "quadtree_inputs.h"
+#include "scratch_folder.h"
 
 #include <CGAL/IO/quadtree_SVG.h>
 
@@ -134,29 +135,6 @@ std::vector<Line> lines_with(const std::string& text, const std::string& stroke)
 
 std::vector<Line> edges_of(const std::string& text) { return lines_with(text, Options().edge_color); }
 std::size_t number_of_dots(const std::string& text) { return lines_with(text, Options().point_color).size(); }
-
-/// A folder that goes when the test is over.
-class Scratch_folder {
-public:
-  Scratch_folder()
-      : path_(fs::temp_directory_path() /
-              ("quadtree_svg_" + std::to_string(reinterpret_cast<std::uintptr_t>(this)))) {
-    fs::create_directories(path_);
-  }
-  ~Scratch_folder() { fs::remove_all(path_); }
-  std::string file(const std::string& name) const { return (path_ / name).string(); }
-  std::size_t number_of_files() const {
-    return std::size_t(std::distance(fs::directory_iterator(path_), fs::directory_iterator()));
-  }
-
-private:
-  fs::path path_;
-};
-
-std::string content(const std::string& file_name) {
-  std::ifstream in(file_name, std::ios::binary);
-  return std::string(std::istreambuf_iterator<char>(in), {});
-}
 
 } // namespace
 

@@ -9,6 +9,7 @@
 #ifdef QUADTREE_MESH_PROGRAM
 
 #include "catch.h"
+#include "scratch_folder.h"
 
 #include <nlohmann/json.hpp>
 
@@ -29,37 +30,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder of its own for each test, gone at its end.
-class Scratch_folder {
-public:
-  Scratch_folder() {
-    std::string name = (fs::temp_directory_path() / "quality_mesh_XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) throw std::runtime_error("no scratch folder");
-    path_ = name;
-  }
-  Scratch_folder(const Scratch_folder&) = delete;
-  Scratch_folder& operator=(const Scratch_folder&) = delete;
-  ~Scratch_folder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-
-  std::string operator/(const std::string& name) const { return (path_ / name).string(); }
-  std::size_t number_of_files() const {
-    return std::size_t(std::distance(fs::directory_iterator(path_), fs::directory_iterator()));
-  }
-
-private:
-  fs::path path_;
-};
-
-std::string text_of(const std::string& file_name) {
-  std::ifstream in(file_name);
-  std::stringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
-
 std::string test_data(const std::string& name) { return QUADTREE_MESH_TEST_DATA_DIR "/" + name; }
 
 struct Run {
@@ -70,10 +40,11 @@ struct Run {
 
 Run run(const std::string& arguments) {
   const Scratch_folder folder;
-  const std::string command = "'" QUADTREE_MESH_PROGRAM "' " + arguments + " >'" + (folder / "out") +
-                              "' 2>'" + (folder / "err") + "'";
+  const std::string command = "'" QUADTREE_MESH_PROGRAM "' " + arguments + " >'" + folder.file("out") +
+                              "' 2>'" + folder.file("err") + "'";
   const int status = std::system(command.c_str());
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, text_of(folder / "out"), text_of(folder / "err")};
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, content(folder.file("out")),
+          content(folder.file("err"))};
 }
 
 bool contains(const std::string& text, const std::string& part) {
@@ -86,28 +57,28 @@ void write_file(const std::string& name, const std::string& text) { std::ofstrea
 
 TEST_CASE("the program writes each format by its ending", "[program]") {
   const Scratch_folder folder;
-  const Run r = run(test_data("us_states_10m.poly.gz") + " -o " + (folder / "a.ele") + " -o " +
-                    (folder / "b.vtu") + " --output " + (folder / "c.svg"));
+  const Run r = run(test_data("us_states_10m.poly.gz") + " -o " + folder.file("a.ele") + " -o " +
+                    folder.file("b.vtu") + " --output " + folder.file("c.svg"));
   CAPTURE(r.out, r.err);
   CHECK(r.status == 0);
   CHECK(r.err.empty());
   for (const char* name : {"a.node", "a.ele", "a.poly", "b.vtu", "c.svg"})
-    CHECK(fs::file_size(folder / name) > 1000);
+    CHECK(fs::file_size(folder.file(name)) > 1000);
   CHECK(folder.number_of_files() == 5);
-  CHECK(contains(text_of(folder / "b.vtu").substr(0, 200), "VTKFile"));
-  CHECK(contains(text_of(folder / "c.svg").substr(0, 200), "<svg"));
+  CHECK(contains(content(folder.file("b.vtu")).substr(0, 200), "VTKFile"));
+  CHECK(contains(content(folder.file("c.svg")).substr(0, 200), "<svg"));
 }
 
 TEST_CASE("the program reports in JSON", "[program]") {
   const Scratch_folder folder;
   const std::string kernel = GENERATE("filtered", "fixed");
   const Run r = run(test_data("us_states_10m.poly.gz") + " --quiet --compare --kernel " + kernel +
-                    " --report " + (folder / "r.json"));
+                    " --report " + folder.file("r.json"));
   CAPTURE(r.err, kernel);
   CHECK(r.status == 0);
   CHECK(r.out.empty());
   CHECK(r.err.empty());
-  const auto json = nlohmann::json::parse(text_of(folder / "r.json"));
+  const auto json = nlohmann::json::parse(content(folder.file("r.json")));
   CHECK(json.at("input_vertices") == 11308);
   CHECK(json.at("unmet_triangles") == 0);
   CHECK(json.at("threads") == 1);
@@ -125,9 +96,9 @@ TEST_CASE("the program keeps bounds of edges and areas", "[program]") {
   const Scratch_folder folder;
   const std::string kernel = GENERATE("filtered", "fixed");
   const std::string input =
-      test_data("syn_square.poly") + " --quiet --kernel " + kernel + " --report " + (folder / "r.json");
+      test_data("syn_square.poly") + " --quiet --kernel " + kernel + " --report " + folder.file("r.json");
   const auto triangles = [&] {
-    return nlohmann::json::parse(text_of(folder / "r.json")).at("triangles").get<int>();
+    return nlohmann::json::parse(content(folder.file("r.json"))).at("triangles").get<int>();
   };
   CHECK(run(input + " --max-edge 0.1").status == 0);
   CHECK(triangles() > 200); // an equilateral triangle with that edge has area 0.0043
@@ -145,7 +116,7 @@ TEST_CASE("bad usage names the culprit and writes nothing", "[program]") {
   const std::vector<Case> cases = {{"", "no input"},
                                    {square + " " + square, "one input"},
                                    {square + " -o x.xyz", "x.xyz"},
-                                   {square + " -o " + (folder / "none/x.ele"), "none"},
+                                   {square + " -o " + folder.file("none/x.ele"), "none"},
                                    {square + " --min-angle 31", "--min-angle"},
                                    {square + " --min-angle nan", "--min-angle"},
                                    {square + " --min-angle two", "two"},
@@ -155,9 +126,9 @@ TEST_CASE("bad usage names the culprit and writes nothing", "[program]") {
                                    {square + " --kernel round", "round"},
                                    {square + " --mode square", "square"},
                                    {square + " --no-such-option", "--no-such-option"},
-                                   {folder / "missing.poly", "missing.poly"}};
+                                   {folder.file("missing.poly"), "missing.poly"}};
   for (const Case& c : cases) {
-    const Run r = run(c.arguments + " -o " + (folder / "mesh.ele"));
+    const Run r = run(c.arguments + " -o " + folder.file("mesh.ele"));
     CAPTURE(c.arguments, r.err);
     CHECK(r.status == 2);
     CHECK(r.out.empty());
@@ -195,8 +166,8 @@ TEST_CASE("bad input names the place and writes nothing", "[program]") {
       {"3 2 0 0\n0 0 0\n1 1 1\n2 2 2\n2 0\n0 0 1\n1 1 2\n0\n", ""},
       {"1 2 0 0\n0 0 0\n0 0\n0\n", ""}};
   for (const Case& c : cases) {
-    write_file(folder / "in.poly", c.text);
-    const Run r = run((folder / "in.poly") + " --kernel " + kernel + " -o " + (folder / "mesh.ele"));
+    write_file(folder.file("in.poly"), c.text);
+    const Run r = run(folder.file("in.poly") + " --kernel " + kernel + " -o " + folder.file("mesh.ele"));
     CAPTURE(c.text, r.err);
     CHECK(r.status == 2);
     CHECK(contains(r.err, c.culprit));
@@ -207,11 +178,11 @@ TEST_CASE("bad input names the place and writes nothing", "[program]") {
 
 TEST_CASE("an output may not overwrite the input", "[program]") {
   const Scratch_folder folder;
-  fs::copy(test_data("syn_square.poly"), folder / "in.poly");
-  const Run r = run((folder / "in.poly") + " -o " + (folder / "in.ele"));
+  fs::copy(test_data("syn_square.poly"), folder.file("in.poly"));
+  const Run r = run(folder.file("in.poly") + " -o " + folder.file("in.ele"));
   CHECK(r.status == 2);
   CHECK(contains(r.err, "overwrite"));
-  CHECK(text_of(folder / "in.poly") == text_of(test_data("syn_square.poly")));
+  CHECK(content(folder.file("in.poly")) == content(test_data("syn_square.poly")));
 }
 
 TEST_CASE("help and version", "[program]") {

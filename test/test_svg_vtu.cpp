@@ -6,6 +6,7 @@
 
 #include "catch.h"
 #include "mesh_from_cdt.h"
+#include "scratch_folder.h"
 
 #include <CGAL/IO/SVG.h>
 #include <CGAL/IO/VTU.h>
@@ -23,29 +24,6 @@ namespace IO = CGAL::IO;
 namespace fs = std::filesystem;
 
 namespace {
-
-/// A folder that goes when the test is over.
-class Scratch_folder {
-public:
-  Scratch_folder()
-      : path_(fs::temp_directory_path() /
-              ("quadtree_mesh_2_" + std::to_string(reinterpret_cast<std::uintptr_t>(this)))) {
-    fs::create_directories(path_);
-  }
-  ~Scratch_folder() { fs::remove_all(path_); }
-  std::string file(const std::string& name) const { return (path_ / name).string(); }
-  std::size_t number_of_files() const {
-    return std::size_t(std::distance(fs::directory_iterator(path_), fs::directory_iterator()));
-  }
-
-private:
-  fs::path path_;
-};
-
-std::string content(const std::string& file_name) {
-  std::ifstream in(file_name, std::ios::binary);
-  return std::string(std::istreambuf_iterator<char>(in), {});
-}
 
 std::size_t count(const std::string& text, const std::string& what) {
   std::size_t n = 0;

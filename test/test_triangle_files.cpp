@@ -6,6 +6,7 @@
 
 #include "catch.h"
 #include "pslg_test_tools.h"
+#include "scratch_folder.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/IO/Triangle_files.h>
@@ -32,37 +33,6 @@ using Mesh = CGAL::Indexed_mesh_2<Point>;
 using Triangle_index = CGAL::Quadtree_mesh_2::Triangle_index;
 
 namespace {
-
-/// A folder that is empty at first and gone at the end.
-class Scratch_folder {
-public:
-  Scratch_folder() {
-    std::random_device seed;
-    path_ = std::filesystem::temp_directory_path() /
-            ("test_triangle_files_" + std::to_string(seed()) + '_' + std::to_string(seed()));
-    std::filesystem::create_directory(path_);
-  }
-  ~Scratch_folder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  std::string file(const std::string& name) const { return (path_ / name).string(); }
-  std::string write(const std::string& name, const std::string& text) const {
-    std::ofstream(file(name), std::ios::binary) << text;
-    return file(name);
-  }
-  std::ptrdiff_t number_of_files() const {
-    return std::distance(std::filesystem::directory_iterator(path_), std::filesystem::directory_iterator());
-  }
-
-private:
-  std::filesystem::path path_;
-};
-
-std::string content(const std::string& file_name) {
-  std::ifstream in(file_name, std::ios::binary);
-  return std::string(std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>());
-}
 
 Pslg parse(const std::string& text) {
   Pslg pslg;

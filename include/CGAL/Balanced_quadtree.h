@@ -104,10 +104,9 @@ public:
       : framework_(std::move(framework)), options_(options) {
     CGAL_precondition(options.max_points_per_leaf() >= 1);
     namespace internal = Quadtree_mesh_2::internal;
-    const Required_squares required =
-        internal::Required_squares_finder<Framework, Concurrency_tag>(framework_,
-                                                                      options.max_points_per_leaf())
-            .find();
+    const Required_squares required = internal::Required_squares_finder<Framework, Concurrency_tag>(
+                                          framework_, options.max_points_per_leaf())
+                                          .find();
     if (options.schedule() == Quadtree_mesh_2::Balance_schedule::SPACED_LEVELS &&
         options.balance() != Quadtree_mesh_2::Balance::NONE)
       squares_ = internal::Spaced_levels_grower<Framework, Concurrency_tag>(framework_, required).grow();
@@ -121,7 +120,7 @@ public:
   ///         of all squares that have to be split, maybe by several threads at the same time. A square of one
   ///         grid unit is never split. Always level by level, whatever the options say.
   template <class Must_split, class = decltype(bool(std::declval<const Must_split&>()(
-                                 std::declval<const Point_2&>(), std::declval<const Point_2&>())))>
+                                  std::declval<const Point_2&>(), std::declval<const Point_2&>())))>
   Balanced_quadtree(Framework framework, const Quadtree_options& options, const Must_split& must_split)
       : framework_(std::move(framework)), options_(options) {
     CGAL_precondition(options.max_points_per_leaf() >= 1);
@@ -132,8 +131,7 @@ public:
   }
 
   /// Builds the quadtree of points with leaves as small as a predicate wants them.
-  template <class PointRange, class Must_split,
-            class = decltype(std::declval<const PointRange&>().begin()),
+  template <class PointRange, class Must_split, class = decltype(std::declval<const PointRange&>().begin()),
             class = decltype(bool(std::declval<const Must_split&>()(std::declval<const Point_2&>(),
                                                                     std::declval<const Point_2&>())))>
   Balanced_quadtree(const PointRange& points, const Quadtree_options& options, const Must_split& must_split,
@@ -188,7 +186,8 @@ public:
   /// cannot represent them.
   std::array<Point_2, 4> corners(Node_index v) const {
     const Grid_point c = squares_.corner(v);
-    const Word side = Quadtree_mesh_2::internal::Word_operations<Word>::power_of_two(framework_.grid().depth() - level(v));
+    const Word side =
+        Quadtree_mesh_2::internal::Word_operations<Word>::power_of_two(framework_.grid().depth() - level(v));
     const Word right = static_cast<Word>(c.x + side), top = static_cast<Word>(c.y + side);
     const auto& grid = framework_.grid();
     return {

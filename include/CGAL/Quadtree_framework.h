@@ -145,8 +145,8 @@ public:
   Node_index root() const { return nodes_.size() == 0 ? Node_index() : Node_index(0); }
 
   Square square(Node_index v) const {
-    const Grid_point c = Quadtree_mesh_2::internal::corner_of_square(grid_point(points(v).begin), level(v),
-                                                                     grid_.depth());
+    const Grid_point c =
+        Quadtree_mesh_2::internal::corner_of_square(grid_point(points(v).begin), level(v), grid_.depth());
     return {c.x, c.y, level(v)};
   }
   int level(Node_index v) const { return static_cast<int>(nodes_.level[std::size_t(v)]); }
@@ -283,12 +283,11 @@ private:
     rank_.resize(n);
     nodes_.gap_level.resize(n == 0 ? 0 : n - 1);
     // Block by block, while the points are at hand: most of the time goes into moving memory.
-    for_each_block<Concurrency_tag>(
-        n, default_block, [&](std::size_t, std::size_t begin, std::size_t end) {
-          for (std::size_t k = begin; k < end; ++k) points_[k] = unsorted[input_[k]];
-          for (std::size_t k = begin; k < end; ++k) rank_[input_[k]] = static_cast<std::uint32_t>(k);
-          for (std::size_t k = begin + 1; k < end; ++k) find_gap_level(k - 1);
-        });
+    for_each_block<Concurrency_tag>(n, default_block, [&](std::size_t, std::size_t begin, std::size_t end) {
+      for (std::size_t k = begin; k < end; ++k) points_[k] = unsorted[input_[k]];
+      for (std::size_t k = begin; k < end; ++k) rank_[input_[k]] = static_cast<std::uint32_t>(k);
+      for (std::size_t k = begin + 1; k < end; ++k) find_gap_level(k - 1);
+    });
     for (std::size_t k = default_block; k < n; k += default_block) find_gap_level(k - 1);
   }
 
@@ -336,8 +335,8 @@ private:
   /// Finds the squares derived from neighbours in the order, and their nesting.
   void find_nodes() {
     if (points_.size() < 2) return;
-    nodes_ = Quadtree_mesh_2::internal::Nesting_finder<Concurrency_tag, Level>(std::move(nodes_.gap_level))
-                 .find();
+    nodes_ =
+        Quadtree_mesh_2::internal::Nesting_finder<Concurrency_tag, Level>(std::move(nodes_.gap_level)).find();
   }
 
   Grid_2 grid_;

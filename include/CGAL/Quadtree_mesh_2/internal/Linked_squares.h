@@ -57,8 +57,10 @@ constexpr std::array<Sibling_steps, 4> make_sibling_steps() {
                       static_cast<std::uint8_t>(direction(out_x, out_y))}};
     for (Direction d : all_directions()) {
       const bool leaves_x = step_x(d) == out_x, leaves_y = step_y(d) == out_y;
-      steps.around[std::size_t(d)] =
-          static_cast<std::uint8_t>(leaves_x && leaves_y ? 3 : leaves_y ? 2 : leaves_x ? 1 : 0);
+      steps.around[std::size_t(d)] = static_cast<std::uint8_t>(leaves_x && leaves_y ? 3
+                                                               : leaves_y           ? 2
+                                                               : leaves_x           ? 1
+                                                                                    : 0);
       steps.child[std::size_t(d)] =
           static_cast<std::uint8_t>(q ^ (step_x(d) != 0 ? 2 : 0) ^ (step_y(d) != 0 ? 1 : 0));
     }
@@ -252,7 +254,8 @@ private:
       });
   }
 
-  void place_leaf(std::uint32_t leaf, std::uint32_t node, std::uint32_t point_begin, std::uint32_t point_end) {
+  void place_leaf(std::uint32_t leaf, std::uint32_t node, std::uint32_t point_begin,
+                  std::uint32_t point_end) {
     leaf_or_family_[node] = leaf_flag | leaf;
     node_of_leaf_[leaf] = node;
     for (std::uint32_t r = point_begin; r < point_end; ++r) leaf_of_point_[r] = leaf;

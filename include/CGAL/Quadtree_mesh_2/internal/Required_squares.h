@@ -64,7 +64,8 @@ struct Required_squares {
   template <class Concurrency_tag>
   void link_children() {
     first_child.resize(size());
-    for_each_index<Concurrency_tag>(size(), [&](std::size_t i) { first_child[i] = number_of_children(children[i]); });
+    for_each_index<Concurrency_tag>(size(),
+                                    [&](std::size_t i) { first_child[i] = number_of_children(children[i]); });
     exclusive_scan<Concurrency_tag>(first_child.data(), size());
     for_each_index<Concurrency_tag>(size(), [&](std::size_t i) { ++first_child[i]; });
   }
@@ -203,8 +204,7 @@ private:
     if (level < framework_.level(v)) return 0; // the path ends before v for lack of points
     unsigned children = 0;
     const auto add = [&](const Path& path, Point_rank first) {
-      if (path.first <= path.last)
-        children |= 1u << quadrant(framework_.grid_point(first), level, depth_);
+      if (path.first <= path.last) children |= 1u << quadrant(framework_.grid_point(first), level, depth_);
     };
     framework_.for_each_child(
         v, [&](Node_index child) { add(path(child, level), framework_.points(child).begin); },

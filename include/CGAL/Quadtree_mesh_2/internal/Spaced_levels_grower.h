@@ -54,8 +54,8 @@ public:
 
   /// \param required the squares that the points of the framework require.
   Spaced_levels_grower(const Framework& framework, const Required_squares& required)
-      : framework_(framework), required_(required),
-        forced_(all_forced_directions<Concurrency_tag>(required)), depth_(framework.grid().depth()) {}
+      : framework_(framework), required_(required), forced_(all_forced_directions<Concurrency_tag>(required)),
+        depth_(framework.grid().depth()) {}
 
   /// Returns the squares of the quadtree.
   Squares grow() {
@@ -142,8 +142,7 @@ private:
       const Grid_point s = place_of_point(required_.point[first + i], level);
       std::fill_n(tops.begin() + static_cast<std::ptrdiff_t>(9 * i), 9, s);
       if (forced_[first + i] != 0)
-        for (Direction d : all_directions())
-          step(s, d, level, tops[9 * i + static_cast<std::size_t>(d)]);
+        for (Direction d : all_directions()) step(s, d, level, tops[9 * i + static_cast<std::size_t>(d)]);
     });
     sort<Concurrency_tag>(tops.begin(), tops.end(), Less_shuffle());
     unique<Concurrency_tag>(tops);
@@ -166,9 +165,8 @@ private:
                             static_cast<std::uint32_t>(parents + tops.size())};
     band.level_offset_ = level - 1;
     band.growth_.resize(tops.size());
-    for_each_index<Concurrency_tag>(tops.size(), [&](std::size_t i) {
-      band.growth_[i].required = Required_squares::none;
-    });
+    for_each_index<Concurrency_tag>(
+        tops.size(), [&](std::size_t i) { band.growth_[i].required = Required_squares::none; });
     const std::uint32_t first = required_.level_begin[std::size_t(level)];
     const std::uint32_t last = required_.level_begin[std::size_t(level) + 1];
     for_each_index<Concurrency_tag>(last - first, [&](std::size_t i) {
@@ -218,9 +216,8 @@ private:
     return first_rank(0, [&](const Grid_point& p) { return less_shuffle(p, corner); });
   }
   std::uint32_t end_of_points(std::uint32_t begin, const Grid_point& corner, int level) const {
-    return first_rank(begin, [&](const Grid_point& p) {
-      return level_of_derived_square(p, corner, depth_) >= level;
-    });
+    return first_rank(
+        begin, [&](const Grid_point& p) { return level_of_derived_square(p, corner, depth_) >= level; });
   }
 
   /// @}
@@ -272,9 +269,8 @@ private:
       for (std::size_t d = 0; d < 8; ++d) result.neighbors_[to][d] = moved_node(band.neighbors_[from][d]);
       for (std::size_t q = 1; q <= 4; ++q) {
         const std::uint32_t child = band.leaf_or_family_[4 * from + q];
-        result.leaf_or_family_[4 * to + q] = (child & Squares::leaf_flag) != 0
-                                                 ? child
-                                                 : static_cast<std::uint32_t>(child + base - first);
+        result.leaf_or_family_[4 * to + q] =
+            (child & Squares::leaf_flag) != 0 ? child : static_cast<std::uint32_t>(child + base - first);
         result.point_begin_[4 * to + q] = band.point_begin_[4 * from + q];
       }
     });

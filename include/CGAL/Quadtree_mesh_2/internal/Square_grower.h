@@ -126,15 +126,15 @@ private:
   template <class On_marked>
   void for_each_child(const On_marked& on_marked) {
     const std::size_t first_node = 4 * std::size_t(first_family()) + 1;
-    for_each_block<Concurrency_tag>(
-        number_of_children_, 4 * families_in_block_, [&](std::size_t b, std::size_t begin, std::size_t end) {
-          std::size_t next = marks_before_block_[b];
-          for (std::size_t i = begin; i < end; ++i)
-            if (marks_[i].load(std::memory_order_relaxed) != 0)
-              on_marked(static_cast<std::uint32_t>(first_node + i), next++);
-            else
-              squares_.leaf_or_family_[first_node + i] = Squares::leaf_flag;
-        });
+    for_each_block<Concurrency_tag>(number_of_children_, 4 * families_in_block_,
+                                    [&](std::size_t b, std::size_t begin, std::size_t end) {
+                                      std::size_t next = marks_before_block_[b];
+                                      for (std::size_t i = begin; i < end; ++i)
+                                        if (marks_[i].load(std::memory_order_relaxed) != 0)
+                                          on_marked(static_cast<std::uint32_t>(first_node + i), next++);
+                                        else
+                                          squares_.leaf_or_family_[first_node + i] = Squares::leaf_flag;
+                                    });
   }
 
   // The families of the last level, and the level of their children.
@@ -202,8 +202,7 @@ private:
     squares_.leaf_or_family_[node] = family;
     squares_.node_[family] = node;
     squares_.family_level_[family] = static_cast<Level>(level);
-    if constexpr (Squares::are_corners_stored)
-      squares_.corner_[family] = squares_.corner(Node_index(node));
+    if constexpr (Squares::are_corners_stored) squares_.corner_[family] = squares_.corner(Node_index(node));
     if (node == 0)
       squares_.neighbors_[family].fill(Node_index().value());
     else

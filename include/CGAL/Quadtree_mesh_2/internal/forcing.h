@@ -84,7 +84,8 @@ private:
 
 /// Returns for each required square where it forces squares of its size, in the smallest balanced quadtree.
 template <class Concurrency_tag>
-Uninitialized_vector<Direction_set> least_forced_directions(const Required_squares& squares, Balance balance) {
+Uninitialized_vector<Direction_set> least_forced_directions(const Required_squares& squares,
+                                                            Balance balance) {
   static constexpr Forcing_table across_sides(false), across_corners(true);
   Uninitialized_vector<Direction_set> forced(squares.size());
   const Forcing_table& table = balance == Balance::SIDES ? across_sides : across_corners;

@@ -52,9 +52,8 @@ constexpr bool less_shuffle(const Grid_point_2<Word>& p, const Grid_point_2<Word
     return less_highest_bit<Word>(p.x ^ q.x, p.y ^ q.y) ? p.y < q.y : p.x < q.x;
   } else { // the widths of differences are found without making the differences
     using Operations = Word_operations<Word>;
-    return Operations::width_of_difference(p.x, q.x) < Operations::width_of_difference(p.y, q.y)
-               ? p.y < q.y
-               : p.x < q.x;
+    return Operations::width_of_difference(p.x, q.x) < Operations::width_of_difference(p.y, q.y) ? p.y < q.y
+                                                                                                 : p.x < q.x;
   }
 }
 

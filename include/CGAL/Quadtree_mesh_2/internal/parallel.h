@@ -151,11 +151,12 @@ T exclusive_scan(T* values, std::size_t n) {
       }));
 }
 
-/// Returns the indices i below `n` with `is_kept(i)`, in order. `is_kept` is called twice for each.
-/// \pre `n <= 2^32`
-template <class Concurrency_tag, class Is_kept>
-std::vector<std::uint32_t> pack(std::size_t n, const Is_kept& is_kept) {
-  std::vector<std::uint32_t> kept;
+/// Returns the values `value(i)` for the indices i below `n` with `is_kept(i)`, in order. `is_kept` is called
+/// twice for each.
+template <class Concurrency_tag, class T, class Is_kept, class Value>
+std::vector<T> pack_values(std::size_t n, const Is_kept& is_kept, const Value& value) {
+  static_assert(!std::is_same<T, bool>::value, "the members of std::vector<bool> are not independent");
+  std::vector<T> kept;
   count_allocate_and_place<Concurrency_tag>(
       n,
       [&](std::size_t begin, std::size_t end) {
@@ -166,9 +167,17 @@ std::vector<std::uint32_t> pack(std::size_t n, const Is_kept& is_kept) {
       [&](std::size_t sum) { kept.resize(sum); },
       [&](std::size_t begin, std::size_t end, std::size_t first) {
         for (std::size_t i = begin; i < end; ++i)
-          if (is_kept(i)) kept[first++] = static_cast<std::uint32_t>(i);
+          if (is_kept(i)) kept[first++] = value(i);
       });
   return kept;
+}
+
+/// Returns the indices i below `n` with `is_kept(i)`, in order.
+/// \pre `n <= 2^32`
+template <class Concurrency_tag, class Is_kept>
+std::vector<std::uint32_t> pack(std::size_t n, const Is_kept& is_kept) {
+  return pack_values<Concurrency_tag, std::uint32_t>(
+      n, is_kept, [](std::size_t i) { return static_cast<std::uint32_t>(i); });
 }
 
 } // namespace internal

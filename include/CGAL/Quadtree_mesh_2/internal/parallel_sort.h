@@ -150,28 +150,15 @@ void sort(RandomIt first, RandomIt last, Less less) {
 /// \tparam T can be default constructed.
 template <class Concurrency_tag, class T>
 void unique(std::vector<T>& values) {
-  static_assert(!std::is_same<T, bool>::value, "the members of std::vector<bool> are not independent");
-  const auto is_kept = [&](std::size_t i) { return i == 0 || !(values[i] == values[i - 1]); };
   const std::size_t n = values.size();
   if (n <= default_block || std::is_same<Concurrency_tag, Sequential_tag>::value) {
     values.erase(std::unique(values.begin(), values.end()), values.end());
     return;
   }
-  std::vector<T> kept;
-  count_allocate_and_place<Concurrency_tag>(
-      n,
-      [&](std::size_t begin, std::size_t end) {
-        std::size_t sum = 0;
-        for (std::size_t i = begin; i < end; ++i) sum += is_kept(i) ? 1 : 0;
-        return sum;
-      },
-      [&](std::size_t sum) { kept.resize(sum); },
-      [&](std::size_t begin, std::size_t end, std::size_t first) {
-        // Copied, not moved: the next block may still compare its first value with the last one here.
-        for (std::size_t i = begin; i < end; ++i)
-          if (is_kept(i)) kept[first++] = values[i];
-      });
-  values.swap(kept);
+  // Copied, not moved: the next block may still compare its first value with the last one of a block.
+  values = pack_values<Concurrency_tag, T>(
+      n, [&](std::size_t i) { return i == 0 || !(values[i] == values[i - 1]); },
+      [&](std::size_t i) -> const T& { return values[i]; });
 }
 
 } // namespace internal

@@ -87,7 +87,8 @@ private:
     return result;
   }
 
-  void append_level(const std::vector<Open_square>& level_squares, int level, Required_squares& squares) const {
+  void append_level(const std::vector<Open_square>& level_squares, int level,
+                    Required_squares& squares) const {
     const std::size_t first = squares.children.size(), last = first + level_squares.size();
     if (last >= Required_squares::none) throw std::length_error("Balanced_quadtree: too many squares");
     squares.children.resize(last);
