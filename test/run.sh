@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Builds and runs all tests; installs missing Debian packages first. See --help.
+# Builds and runs all tests, and the examples; installs missing Debian packages first. See --help.
 set -euo pipefail
 
 # shellcheck source-path=SCRIPTDIR source=../.ci/common.sh
@@ -64,3 +64,13 @@ fi
 export UBSAN_OPTIONS=print_stacktrace=1
 say "running the tests${sanitize:+ under the $sanitize sanitizer}"
 "$folder/bin/quadtree_mesh_2_tests" "${what[@]}"
+
+say "running the examples"
+for source in "$root"/examples/*.cpp; do
+  name=$(basename "$source" .cpp)
+  case $name in
+    quality_mesh) ;; # the tests run it
+    parallel_quadtree) "$folder/bin/$name" 100000 >/dev/null ;;
+    *) "$folder/bin/$name" >/dev/null ;;
+  esac
+done
