@@ -121,10 +121,10 @@ std::string shuffle_of(const Grid_point_2<Word>& p, int bits) {
 }
 
 template <class Word>
-std::vector<std::uint32_t> order_by_definition(const std::vector<Grid_point_2<Word>>& points, int bits) {
+internal::Order order_by_definition(const std::vector<Grid_point_2<Word>>& points, int bits) {
   std::vector<std::string> shuffles;
   for (const auto& p : points) shuffles.push_back(shuffle_of(p, bits));
-  std::vector<std::uint32_t> order(points.size());
+  internal::Order order(points.size());
   std::iota(order.begin(), order.end(), 0u);
   std::stable_sort(order.begin(), order.end(),
                    [&](std::uint32_t i, std::uint32_t j) { return shuffles[i] < shuffles[j]; });
@@ -132,7 +132,7 @@ std::vector<std::uint32_t> order_by_definition(const std::vector<Grid_point_2<Wo
 }
 
 template <class Word>
-void check_orders(const std::vector<Grid_point_2<Word>>& points, const std::vector<std::uint32_t>& expected) {
+void check_orders(const std::vector<Grid_point_2<Word>>& points, const internal::Order& expected) {
   REQUIRE(expected.size() == points.size());
   // Vectors are compared in parentheses, lest a failure prints them.
   CHECK((internal::shuffle_order(points) == expected));
@@ -338,7 +338,7 @@ TEST_CASE("Keys of several words are sorted by digits, for any number of threads
       const auto word_of = [&](std::uint32_t i, int word) {
         return values[3 * i + static_cast<unsigned>(word)] * 0x9e3779b97f4a7c15u;
       };
-      std::vector<std::uint32_t> expected(n);
+      internal::Order expected(n);
       std::iota(expected.begin(), expected.end(), 0u);
       std::stable_sort(expected.begin(), expected.end(), [&](std::uint32_t i, std::uint32_t j) {
         for (int word = 0; word < 3; ++word)
@@ -365,7 +365,7 @@ TEMPLATE_TEST_CASE("Shuffle order in parallel agrees with its definition", "[par
       // The same points in order and in reverse.
       const auto unsorted = points;
       for (std::size_t i = 0; i < n; ++i) points[i] = unsorted[order[i]];
-      std::vector<std::uint32_t> in_place(n);
+      internal::Order in_place(n);
       std::iota(in_place.begin(), in_place.end(), 0u);
       check_orders(points, in_place);
       std::reverse(points.begin(), points.end());
@@ -378,7 +378,7 @@ TEST_CASE("Long runs of a shuffle order are sorted in parallel", "[parallel]") {
   for (int kind = 0; kind < static_cast<int>(Kind::end); ++kind) {
     CAPTURE(kind);
     const auto points = points_of_kind<std::uint64_t>(n, static_cast<Kind>(kind));
-    std::vector<std::uint32_t> expected(n);
+    internal::Order expected(n);
     std::iota(expected.begin(), expected.end(), 0u);
     std::stable_sort(expected.begin(), expected.end(), [&](std::uint32_t i, std::uint32_t j) {
       return internal::less_shuffle(points[i], points[j]);

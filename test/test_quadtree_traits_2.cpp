@@ -96,7 +96,7 @@ TEMPLATE_TEST_CASE("Shuffle order agrees with interleaved bits", "[traits]", std
   for (int kind = 0; kind < 3; ++kind)
     for (std::size_t n : {0u, 1u, 2u, 100u, 5000u}) {
       const auto points = random_grid_points<TestType>(n, kind);
-      std::vector<std::uint32_t> expected(n);
+      internal::Order expected(n);
       for (std::size_t i = 0; i < n; ++i) expected[i] = static_cast<std::uint32_t>(i);
       std::stable_sort(expected.begin(), expected.end(), [&](std::uint32_t i, std::uint32_t j) {
         return less_shuffle_by_bits(points[i], points[j]);

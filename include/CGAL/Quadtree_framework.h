@@ -343,7 +343,7 @@ private:
 
   // By rank.
   Quadtree_mesh_2::internal::Uninitialized_vector<Grid_point> points_;
-  std::vector<std::uint32_t> input_;
+  Quadtree_mesh_2::internal::Order input_;
   std::vector<Level> desired_level_; // or empty
   // By input index.
   Quadtree_mesh_2::internal::Uninitialized_vector<std::uint32_t> rank_;

@@ -89,7 +89,7 @@ private:
   Coordinate_map<Traits, Geometry> map_;
   Meshing_state<Geometry> state_;
   double share_done_ = 0;
-  std::vector<std::uint32_t> order_; // kernel vertex -> input vertex
+  Order order_; // kernel vertex -> input vertex
   std::vector<Vertex_id>
       kernel_vertex_; // input vertex -> kernel vertex, duplicates to the one that stands for them
 

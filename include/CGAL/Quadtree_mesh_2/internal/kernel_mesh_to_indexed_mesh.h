@@ -15,6 +15,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/Meshing_state.h>
 #include <CGAL/Quadtree_mesh_2/internal/coordinate_map.h>
 #include <CGAL/Quadtree_mesh_2/internal/domain.h>
+#include <CGAL/Quadtree_mesh_2/internal/radix_sort.h>
 #include <CGAL/Quadtree_mesh_2/internal/walk.h>
 #include <CGAL/Quality_mesh_report_2.h>
 
@@ -34,7 +35,7 @@ public:
   using Map = Coordinate_map<Traits, Geometry>;
 
   Kernel_mesh_converter(const Meshing_state<Geometry>& state, const Pslg_2<Point_2>& pslg, const Map& map,
-                        const std::vector<std::uint32_t>& order, Quality_mesh_report_2& report)
+                        const Order& order, Quality_mesh_report_2& report)
       : state_(state), mesh_(state.mesh), pslg_(pslg), map_(map), order_(order), report_(report) {}
 
   Indexed_mesh_2<Point_2> run() {
@@ -55,7 +56,7 @@ private:
   const Kernel_mesh<Geometry>& mesh_;
   const Pslg_2<Point_2>& pslg_;
   const Map& map_;
-  const std::vector<std::uint32_t>& order_;
+  const Order& order_;
   Quality_mesh_report_2& report_;
   std::vector<Vertex_index> new_vertex_;
   std::vector<Triangle_index> new_triangle_;

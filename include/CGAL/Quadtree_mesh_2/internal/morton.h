@@ -121,14 +121,14 @@ struct Shuffle_key<std::uint64_t> {
 ///         16 bytes per point of scratch memory; others are compared.
 /// \pre `points.size() < 2^32`
 template <class Concurrency_tag = Sequential_tag, class Word, class Allocator>
-std::vector<std::uint32_t> shuffle_order(const std::vector<Grid_point_2<Word>, Allocator>& points) {
+Order shuffle_order(const std::vector<Grid_point_2<Word>, Allocator>& points) {
   using Key = Shuffle_key<Word>;
   if constexpr (Key::number_of_words > 0) {
     return radix_order<Concurrency_tag>(
         points.size(), Key::number_of_words,
         [&points](std::uint32_t i, int word) { return Key::word(points[i], word); });
   } else {
-    std::vector<std::uint32_t> order(points.size());
+    Order order(points.size());
     for_each_index<Concurrency_tag>(order.size(),
                                     [&](std::size_t i) { order[i] = static_cast<std::uint32_t>(i); });
     sort<Concurrency_tag>(order.begin(), order.end(), [&points](std::uint32_t i, std::uint32_t j) {

@@ -24,6 +24,7 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_RADIX_SORT_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_RADIX_SORT_H
 
+#include <CGAL/Quadtree_mesh_2/internal/Uninitialized_vector.h>
 #include <CGAL/Quadtree_mesh_2/internal/bits.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel.h>
 
@@ -336,6 +337,9 @@ private:
   Word* buffer_;
 };
 
+/// Indices in some order.
+using Order = Uninitialized_vector<std::uint32_t>;
+
 /// Returns the indices below `n` sorted by their keys, equal keys by index.
 /// Takes 16 bytes of scratch memory for each index.
 /// \param number_of_words length of a key in words.
@@ -343,8 +347,8 @@ private:
 /// significant one first.
 /// \pre `n <= 2^32`
 template <class Concurrency_tag = Sequential_tag, class Word_of>
-std::vector<std::uint32_t> radix_order(std::size_t n, int number_of_words, const Word_of& word_of) {
-  std::vector<std::uint32_t> order(n);
+Order radix_order(std::size_t n, int number_of_words, const Word_of& word_of) {
+  Order order(n);
   if (n == 0) return order;
   const auto items = uncleared_words(n), buffer = uncleared_words(n);
   Key_sorter<Concurrency_tag, Word_of> sorter(number_of_words, word_of, items.get(), buffer.get());
