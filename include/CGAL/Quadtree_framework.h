@@ -303,33 +303,49 @@ private:
     using Quadtree_mesh_2::Point_error;
     duplicates_.clear();
     Point_index kept;
-    for (std::size_t k = 0; k < points_.size(); ++k) {
+    for (const std::uint32_t k : Quadtree_mesh_2::internal::pack<Concurrency_tag>(
+             points_.size(), [&](std::size_t i) { return is_repeated(i); })) {
+      if (!is_repeated(k - 1)) kept = Point_index(input_[k - 1]);
       const Point_index i(input_[k]);
-      if (!is_repeated(k)) {
-        kept = i;
-      } else if (at(first, std::size_t(kept)) == at(first, std::size_t(i))) {
+      if (at(first, std::size_t(kept)) == at(first, std::size_t(i)))
         duplicates_.push_back({kept, i});
-      } else {
-        if (grid_.refine()) return false;
+      else if (grid_.refine())
+        return false;
+      else
         throw Point_error(Point_error::Kind::INDISTINGUISHABLE, kept, i);
-      }
     }
     return true;
   }
 
   /// Keeps the first of equal points, and ranks all by those that are kept.
   void merge_duplicates() {
-    std::size_t distinct = 0;
-    for (std::size_t k = 0; k < points_.size(); ++k) {
-      const std::uint32_t i = input_[k];
-      if (!is_repeated(k)) input_[distinct++] = i;
-      rank_[i] = static_cast<std::uint32_t>(distinct - 1);
-    }
-    points_.erase(std::unique(points_.begin(), points_.end()), points_.end());
-    input_.resize(distinct);
-    nodes_.gap_level.resize(distinct - 1);
-    Quadtree_mesh_2::internal::for_each_index<Concurrency_tag>(distinct - 1,
-                                                               [&](std::size_t i) { find_gap_level(i); });
+    using namespace Quadtree_mesh_2::internal;
+    Uninitialized_vector<Grid_point> points;
+    Order input;
+    count_allocate_and_place<Concurrency_tag>(
+        points_.size(),
+        [&](std::size_t begin, std::size_t end) {
+          std::size_t sum = 0;
+          for (std::size_t k = begin; k < end; ++k) sum += is_repeated(k) ? 0 : 1;
+          return sum;
+        },
+        [&](std::size_t distinct) {
+          points.resize(distinct);
+          input.resize(distinct);
+          nodes_.gap_level.resize(distinct - 1);
+        },
+        [&](std::size_t begin, std::size_t end, std::size_t distinct) {
+          for (std::size_t k = begin; k < end; ++k) {
+            if (!is_repeated(k)) {
+              points[distinct] = points_[k];
+              input[distinct++] = input_[k];
+            }
+            rank_[input_[k]] = static_cast<std::uint32_t>(distinct - 1);
+          }
+        });
+    points_.swap(points);
+    input_.swap(input);
+    for_each_index<Concurrency_tag>(points_.size() - 1, [&](std::size_t i) { find_gap_level(i); });
   }
 
   /// Finds the squares derived from neighbours in the order, and their nesting.

@@ -21,8 +21,9 @@ struct Grid_point_2 {
                 "grid coordinates are not negative");
   using Word = Word_;
 
-  Word x = 0;
-  Word y = 0;
+  // Not initialized by themselves, lest large arrays of points are cleared before they are filled.
+  Word x;
+  Word y;
 
   friend constexpr bool operator==(const Grid_point_2& a, const Grid_point_2& b) {
     return a.x == b.x && a.y == b.y;
