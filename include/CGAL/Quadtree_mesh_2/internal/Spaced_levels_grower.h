@@ -64,12 +64,15 @@ public:
     bands.reserve(levels.size() + 1);
     while (bands.size() <= levels.size()) bands.emplace_back(framework_, required_, forced_);
     Executor<Concurrency_tag>::run(bands.size(), [&](std::size_t b) {
-      if (b == 0)
+      const int end = b < levels.size() ? levels[b] : required_.number_of_levels();
+      if (b == 0) {
+        bands[b].reserve(required_.size()); // for all, as the other bands are appended
         bands[b].begin_with_root();
-      else
+      } else {
+        bands[b].reserve(number_of_required(levels[b - 1], end));
         begin_with_tops(bands[b], levels[b - 1]);
-      if (required_.size() > 0)
-        grow_band(bands[b], b < levels.size() ? levels[b] : std::numeric_limits<int>::max());
+      }
+      if (required_.size() > 0) grow_band(bands[b], end);
     });
     Squares squares = bands.size() == 1 ? std::move(bands[0].squares_) : join(bands);
     squares.template number_leaves<Concurrency_tag>(framework_.number_of_points());
@@ -89,8 +92,7 @@ private:
     int best = 0;
     for (int offset = 1; offset <= spacing; ++offset) {
       std::size_t squares = 0;
-      for (int l = offset; l < levels; l += spacing)
-        squares += required_.level_begin[std::size_t(l) + 1] - required_.level_begin[std::size_t(l)];
+      for (int l = offset; l < levels; l += spacing) squares += number_of_required(l, l + 1);
       if (squares < least) {
         least = squares;
         best = offset;
@@ -99,6 +101,11 @@ private:
     std::vector<int> result;
     for (int l = best; l < levels; l += spacing) result.push_back(l);
     return result;
+  }
+
+  /// The number of required squares on levels `first` to `end`, exclusive.
+  std::size_t number_of_required(int first, int end) const {
+    return required_.level_begin[std::size_t(end)] - required_.level_begin[std::size_t(first)];
   }
 
   /// Makes the levels of a band down to level `end`, exclusive, and marks what is split there.

@@ -55,7 +55,7 @@ public:
 
   /// Returns the squares of the quadtree.
   Squares grow() {
-    squares_.reserve(2 * required_.size());
+    reserve(required_.size());
     begin_with_root();
     if (required_.size() > 0) grow_levels();
     squares_.template number_leaves<Concurrency_tag>(framework_.number_of_points());
@@ -78,6 +78,11 @@ private:
     std::uint32_t required;  ///< the number of the required square, or none
     std::uint32_t point_end; ///< behind the last point
   };
+
+  /// Makes room for the squares that `required` ones lead to. Random points make 1.6 times as many split
+  /// squares as are required, points on a line 3.4 times. Memory that is never written to costs addresses only,
+  /// and to move large arrays to larger ones is serial work.
+  void reserve(std::size_t required) { squares_.reserve(4 * required); }
 
   void begin_with_root() {
     squares_.resize(required_.size() == 0 ? 0 : 1);
