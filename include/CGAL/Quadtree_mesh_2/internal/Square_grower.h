@@ -33,6 +33,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <new>
 #include <utility>
 #include <vector>
 
@@ -82,7 +83,12 @@ private:
   /// Makes room for the squares that `required` ones lead to. Random points make 1.6 times as many split
   /// squares as are required, points on a line 3.4 times. Memory that is never written to costs addresses only,
   /// and to move large arrays to larger ones is serial work.
-  void reserve(std::size_t required) { squares_.reserve(4 * required); }
+  void reserve(std::size_t required) {
+    try {
+      squares_.reserve(4 * required);
+    } catch (const std::bad_alloc&) { // there may be enough for what is needed
+    }
+  }
 
   void begin_with_root() {
     squares_.resize(required_.size() == 0 ? 0 : 1);
