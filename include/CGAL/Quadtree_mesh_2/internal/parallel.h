@@ -21,7 +21,11 @@
 #include <CGAL/tags.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
+#ifdef __SANITIZE_THREAD__
+#include <CGAL/Quadtree_mesh_2/internal/Thread_executor.h>
+#else
 #include <tbb/parallel_for.h>
+#endif
 #endif
 
 #include <algorithm>
@@ -50,7 +54,11 @@ struct Executor<Parallel_tag> {
   template <class F>
   static void run(std::size_t n, const F& f) {
     if (n == 1) return f(std::size_t(0));
+#ifdef __SANITIZE_THREAD__
+    Thread_executor::run(n, f);
+#else
     tbb::parallel_for(std::size_t(0), n, f);
+#endif
   }
 };
 #endif
