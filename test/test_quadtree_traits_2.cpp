@@ -108,15 +108,6 @@ TEMPLATE_TEST_CASE("Shuffle order agrees with interleaved bits", "[traits]", std
     }
 }
 
-TEST_CASE("Interleaving has an inverse", "[traits]") {
-  using namespace CGAL::Quadtree_mesh_2::internal;
-  CHECK(interleave(0b11, 0b01) == 0b1011);
-  for (std::uint32_t x : {0u, 1u, 0x12345678u, 0xffffffffu}) {
-    CHECK(gather_bits(spread_bits(x)) == x);
-    CHECK(gather_bits(interleave(x, 77) >> 1) == x);
-  }
-}
-
 TEMPLATE_TEST_CASE("Grids contain their points and map corners back", "[traits]", Filtered_traits,
                    Fixed_32_traits, Fixed_64_traits, Exact_traits) {
   namespace internal = CGAL::Quadtree_mesh_2::internal;

@@ -16,7 +16,6 @@
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/Replaced_files.h>
 #include <CGAL/Quadtree_mesh_2/internal/Svg_mesh_painter.h>
-#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <array>
@@ -27,7 +26,6 @@
 #include <ostream>
 #include <sstream>
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -107,17 +105,9 @@ private:
     Svg_point first, last;
   };
 
-  template <class Number>
-  static double to_double_(const Number& x) {
-    if constexpr (std::is_arithmetic_v<Number>)
-      return static_cast<double>(x);
-    else
-      return CGAL::to_double(x);
-  }
-
   Box box(Node_index v) const {
     const std::array<Point, 4> c = tree_.corners(v);
-    return {to_double_(c[0].x()), to_double_(c[0].y()), to_double_(c[2].x()), to_double_(c[2].y())};
+    return {as_double(c[0].x()), as_double(c[0].y()), as_double(c[2].x()), as_double(c[2].y())};
   }
 
   void set_window() {
@@ -239,7 +229,7 @@ private:
     std::vector<std::pair<std::int32_t, std::int32_t>> dots;
     for (std::size_t r = 0; r < framework.number_of_points(); ++r) {
       const Point p = framework.grid().point(framework.grid_point(Point_rank(r)));
-      const double x = to_double_(p.x()), y = to_double_(p.y());
+      const double x = as_double(p.x()), y = as_double(p.y());
       if (!is_in_window({x, y, x, y})) continue;
       const Svg_point dot = to_picture(x, y);
       dots.emplace_back(dot.x, dot.y);

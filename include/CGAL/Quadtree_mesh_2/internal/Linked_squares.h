@@ -99,11 +99,7 @@ public:
     if (v.value() == 0) return {0, 0};
     const std::uint32_t f = family_of(v);
     Grid_point c = corner_of_family(f);
-    const int shift = depth_ - static_cast<int>(family_level_[f]) - 1;
-    const int q = member_of(v);
-    const Word side = Word_operations<Word>::power_of_two(shift);
-    if (q / 2 == 1) c.x += side;
-    if (q % 2 == 1) c.y += side;
+    move_to_child(c, member_of(v), depth_ - static_cast<int>(family_level_[f]) - 1);
     return c;
   }
 
@@ -178,14 +174,8 @@ private:
       return corner_[f];
     } else {
       Grid_point c{0, 0};
-      for (Node_index v(node_[f]); v.value() != 0; v = parent(v)) {
-        const std::uint32_t up = family_of(v);
-        const int shift = depth_ - static_cast<int>(family_level_[up]) - 1;
-        const int q = member_of(v);
-        const Word side = Word_operations<Word>::power_of_two(shift);
-        if (q / 2 == 1) c.x += side;
-        if (q % 2 == 1) c.y += side;
-      }
+      for (Node_index v(node_[f]); v.value() != 0; v = parent(v))
+        move_to_child(c, member_of(v), depth_ - static_cast<int>(family_level_[family_of(v)]) - 1);
       return c;
     }
   }

@@ -28,17 +28,16 @@
 #include <CGAL/Quadtree_mesh_2/internal/Square_grower.h>
 #include <CGAL/Quadtree_mesh_2/internal/Uninitialized_vector.h>
 #include <CGAL/Quadtree_mesh_2/internal/Word_operations.h>
-#include <CGAL/Quadtree_mesh_2/internal/bits.h>
 #include <CGAL/Quadtree_mesh_2/internal/forcing.h>
 #include <CGAL/Quadtree_mesh_2/internal/morton.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel_sort.h>
+#include <CGAL/Quadtree_mesh_2/internal/spaced_levels.h>
 #include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -84,22 +83,13 @@ private:
   using Word = typename Framework::Word;
   using Point_rank = typename Framework::Point_rank;
 
-  /// Levels that are log2 n apart, so chosen that they have the fewest required squares.
+  /// Levels that are log2 n apart, so chosen that they have the fewest required squares; not the root's.
   std::vector<int> spaced_levels() const {
-    const int spacing = std::max(2, bit_width(std::max<std::size_t>(framework_.number_of_points(), 1) - 1));
-    const int levels = required_.number_of_levels();
-    std::size_t least = std::numeric_limits<std::size_t>::max();
-    int best = 0;
-    for (int offset = 1; offset <= spacing; ++offset) {
-      std::size_t squares = 0;
-      for (int l = offset; l < levels; l += spacing) squares += number_of_required(l, l + 1);
-      if (squares < least) {
-        least = squares;
-        best = offset;
-      }
-    }
+    const int spacing = spacing_of_levels(framework_.number_of_points());
+    const int offset = offset_of_spaced_levels(required_.level_begin, spacing);
     std::vector<int> result;
-    for (int l = best; l < levels; l += spacing) result.push_back(l);
+    for (int l = offset > 0 ? offset : spacing; l < required_.number_of_levels(); l += spacing)
+      result.push_back(l);
     return result;
   }
 

@@ -29,6 +29,15 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
+/// Returns a number of a kernel, or of a built-in type, as a double.
+template <class Number>
+double as_double(const Number& x) {
+  if constexpr (std::is_arithmetic_v<Number>)
+    return static_cast<double>(x);
+  else
+    return CGAL::to_double(x);
+}
+
 /// A point of the picture, in tenths of pixels, y downwards.
 struct Svg_point {
   std::int32_t x = 0, y = 0;
@@ -108,21 +117,13 @@ public:
 private:
   using Edge = std::array<std::uint32_t, 2>;
 
-  template <class Number>
-  static double to_double_(const Number& x) {
-    if constexpr (std::is_arithmetic_v<Number>)
-      return static_cast<double>(x);
-    else
-      return CGAL::to_double(x);
-  }
-
   void set_window() {
     double x0 = std::numeric_limits<double>::infinity(), x1 = -x0, y0 = x0, y1 = -x0;
     const auto extend = [&](const Point& p) {
-      x0 = std::min(x0, to_double_(p.x()));
-      x1 = std::max(x1, to_double_(p.x()));
-      y0 = std::min(y0, to_double_(p.y()));
-      y1 = std::max(y1, to_double_(p.y()));
+      x0 = std::min(x0, as_double(p.x()));
+      x1 = std::max(x1, as_double(p.x()));
+      y0 = std::min(y0, as_double(p.y()));
+      y1 = std::max(y1, as_double(p.y()));
     };
     if (options_.clip) {
       x0 = options_.clip->xmin(), x1 = options_.clip->xmax(), y0 = options_.clip->ymin(),
@@ -149,7 +150,7 @@ private:
     const auto round = [](double x) {
       return static_cast<std::int32_t>(std::lround(std::clamp(x, -1e8, 1e8)));
     };
-    return {round((to_double_(p.x()) - left_) * scale_), round((top_ - to_double_(p.y())) * scale_)};
+    return {round((as_double(p.x()) - left_) * scale_), round((top_ - as_double(p.y())) * scale_)};
   }
 
   /// Whether the bounding box of the points meets the window and its margin. Without a clip window all does.
@@ -157,7 +158,7 @@ private:
     if (!options_.clip) return true;
     Bbox_2 box;
     for (const Point& p : points)
-      box += Bbox_2(to_double_(p.x()), to_double_(p.y()), to_double_(p.x()), to_double_(p.y()));
+      box += Bbox_2(as_double(p.x()), as_double(p.y()), as_double(p.x()), as_double(p.y()));
     return do_overlap(box, window_);
   }
 
@@ -237,8 +238,8 @@ private:
     double least = 180;
     for (std::size_t k = 0; k < 3; ++k) {
       const Point &p = corner(t, k), &q = corner(t, (k + 1) % 3), &r = corner(t, (k + 2) % 3);
-      const double ux = to_double_(q.x()) - to_double_(p.x()), uy = to_double_(q.y()) - to_double_(p.y());
-      const double wx = to_double_(r.x()) - to_double_(p.x()), wy = to_double_(r.y()) - to_double_(p.y());
+      const double ux = as_double(q.x()) - as_double(p.x()), uy = as_double(q.y()) - as_double(p.y());
+      const double wx = as_double(r.x()) - as_double(p.x()), wy = as_double(r.y()) - as_double(p.y());
       least = std::min(least, std::atan2(std::abs(ux * wy - uy * wx), ux * wx + uy * wy) * 180 / CGAL_PI);
     }
     return least;

@@ -64,6 +64,14 @@ Grid_point_2<Word> corner_of_square(const Grid_point_2<Word>& p, int level, int 
   return {Operations::without_low_bits(p.x, depth - level), Operations::without_low_bits(p.y, depth - level)};
 }
 
+/// Moves the lower left corner of a square to that of its child `q`, which has side 2^`log_side`.
+template <class Word>
+void move_to_child(Grid_point_2<Word>& corner, int q, int log_side) {
+  const Word side = Word_operations<Word>::power_of_two(log_side);
+  if (q / 2 == 1) corner.x += side;
+  if (q % 2 == 1) corner.y += side;
+}
+
 } // namespace internal
 } // namespace Quadtree_mesh_2
 } // namespace CGAL

@@ -37,8 +37,8 @@
 #include <CGAL/Quadtree_mesh_2/Index.h>
 #include <CGAL/Quadtree_mesh_2/internal/Uninitialized_vector.h>
 #include <CGAL/Quadtree_mesh_2/internal/Word_operations.h>
-#include <CGAL/Quadtree_mesh_2/internal/bits.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel.h>
+#include <CGAL/Quadtree_mesh_2/internal/spaced_levels.h>
 #include <CGAL/assertions.h>
 
 #include <algorithm>
@@ -89,9 +89,6 @@ private:
   int depth_;
 };
 
-/// Returns the logarithm of `n`, rounded up, at least 1.
-inline int ceiling_of_log2(std::size_t n) { return std::max(1, bit_width(std::uint64_t(n > 0 ? n - 1 : 0))); }
-
 /// Which levels of a quadtree the squares belong to from which one goes down.
 template <class Quadtree>
 class Spaced_levels {
@@ -100,10 +97,7 @@ public:
   Spaced_levels(const Quadtree& tree, int spacing)
       : spacing_(spacing), grid_depth_(tree.framework().grid().depth()) {
     count_squares(tree);
-    std::vector<std::size_t> sum(static_cast<std::size_t>(spacing), 0);
-    for (int level = 0; level < number_of_levels(); ++level)
-      sum[std::size_t(level % spacing)] += begin(level + 1) - begin(level);
-    offset_ = static_cast<int>(std::min_element(sum.begin(), sum.end()) - sum.begin());
+    offset_ = offset_of_spaced_levels(begin_, spacing);
   }
 
   bool contains(int level) const {
@@ -160,7 +154,7 @@ public:
   explicit Framework_locator(const Quadtree& tree)
       : tree_(tree), depth_(tree.framework().grid().depth()),
         number_of_points_(tree.framework().number_of_points()),
-        levels_(tree, ceiling_of_log2(number_of_points_)) {}
+        levels_(tree, spacing_of_levels(number_of_points_)) {}
 
   /// Returns the leaf of each point, by rank.
   std::vector<Leaf_index> locate() {

@@ -76,17 +76,6 @@ constexpr std::uint64_t spread_bits(std::uint32_t v) {
   return x;
 }
 
-/// Returns the even bits of `x`, each moved from position 2 i to position i: the inverse of `spread_bits()`.
-constexpr std::uint32_t gather_bits(std::uint64_t x) {
-  x &= 0x5555555555555555u;
-  x = (x | (x >> 1)) & 0x3333333333333333u;
-  x = (x | (x >> 2)) & 0x0f0f0f0f0f0f0f0fu;
-  x = (x | (x >> 4)) & 0x00ff00ff00ff00ffu;
-  x = (x | (x >> 8)) & 0x0000ffff0000ffffu;
-  x = (x | (x >> 16)) & 0x00000000ffffffffu;
-  return static_cast<std::uint32_t>(x);
-}
-
 /// Returns the shuffle of two 32-bit numbers, bits of `x` before bits of `y`.
 constexpr std::uint64_t interleave(std::uint32_t x, std::uint32_t y) {
   return (spread_bits(x) << 1) | spread_bits(y);

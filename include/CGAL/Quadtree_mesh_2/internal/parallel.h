@@ -135,25 +135,18 @@ std::size_t count_allocate_and_place(std::size_t n, const Count& count, const Al
   return sum;
 }
 
-/// The same where nothing has to be allocated, or only by the caller before.
-template <class Concurrency_tag, class Count, class Place>
-std::size_t count_and_place(std::size_t n, const Count& count, const Place& place,
-                            std::size_t block_length = default_block) {
-  return count_allocate_and_place<Concurrency_tag>(
-      n, count, [](std::size_t) {}, place, block_length);
-}
-
 /// Replaces each of `n` values by the sum of those before it and returns the sum of all.
 template <class Concurrency_tag, class T>
 T exclusive_scan(T* values, std::size_t n) {
   static_assert(std::is_integral<T>::value, "block sums are kept as integers");
-  return static_cast<T>(count_and_place<Concurrency_tag>(
+  return static_cast<T>(count_allocate_and_place<Concurrency_tag>(
       n,
       [&](std::size_t begin, std::size_t end) {
         T sum = 0;
         for (std::size_t i = begin; i < end; ++i) sum = static_cast<T>(sum + values[i]);
         return static_cast<std::size_t>(sum);
       },
+      [](std::size_t) {},
       [&](std::size_t begin, std::size_t end, std::size_t first) {
         scan_exclusively(values + begin, end - begin, static_cast<T>(first));
       }));

@@ -6,7 +6,7 @@
 
 // Sorting of keys of one or more 64-bit words by their digits.
 //
-// Computes: the stable order of items by keys of several words, or plain one-word keys in order.
+// Computes: the stable order of items by keys of several words.
 // Bound:    O(n w) for keys of w words; a constant number of rounds of tasks of bounded length, and that again
 //           for each long run of keys that agree in a digit. Random keys move two or three times, whatever
 //           their length.
@@ -355,14 +355,6 @@ Order radix_order(std::size_t n, int number_of_words, const Word_of& word_of) {
   sorter.sort(n);
   for_each_index<Concurrency_tag>(n, [&](std::size_t i) { order[i] = sorter.index(i); });
   return order;
-}
-
-/// Sorts one-word keys. Takes 8 bytes of scratch memory for each.
-/// \pre `keys.size() < 2^32`
-template <class Concurrency_tag = Sequential_tag>
-void radix_sort(std::vector<std::uint64_t>& keys) {
-  const auto buffer = uncleared_words(keys.size());
-  Word_sorter<Concurrency_tag>::sort(keys.data(), buffer.get(), keys.size(), true);
 }
 
 } // namespace internal

@@ -74,13 +74,11 @@ private:
   /// The children of a square of level `level`.
   std::array<Open_square, 4> children(const Open_square& s, int level) const {
     const auto begins = points_.child_begins(level, s.point_begin, s.point_end);
-    const Word side = Word_operations<Word>::power_of_two(framework_.grid().depth() - level - 1);
     std::array<Open_square, 4> result{};
     for (unsigned q = 0; q < 4; ++q) {
       Open_square& child = result[q];
       child.corner = s.corner;
-      if (q / 2 == 1) child.corner.x += side;
-      if (q % 2 == 1) child.corner.y += side;
+      move_to_child(child.corner, static_cast<int>(q), framework_.grid().depth() - level - 1);
       child.point_begin = begins[q];
       child.point_end = q < 3 ? begins[q + 1] : s.point_end;
     }
