@@ -9,6 +9,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <utility>
 
 namespace CGAL {
 
@@ -25,6 +26,11 @@ struct Quality_mesh_options_2 {
   double max_edge_length = 0;
   /// Largest area of a triangle, in squared units of the input; 0 means no bound.
   double max_triangle_area = 0;
+  /// The longest edge wanted of a triangle with its centroid at (x, y), in the units of the input; positive.
+  /// Empty: no such bound. It is called by several threads at once with `Parallel_tag`.
+  std::function<double(double, double)> size_field;
+  /// Refinement makes no edge shorter than this, in the units of the input; what it leaves is reported.
+  double min_edge_length = 0;
   Coarsening coarsening = Coarsening::guarded_removal;
   /// Refinement stops, with what is left reported, when the mesh has this many vertices; 0 means no bound but
   /// memory's.
@@ -35,6 +41,10 @@ struct Quality_mesh_options_2 {
   Quality_mesh_options_2& min_angle(double degrees) { return min_angle_in_degrees = degrees, *this; }
   Quality_mesh_options_2& max_edge(double length) { return max_edge_length = length, *this; }
   Quality_mesh_options_2& max_area(double area) { return max_triangle_area = area, *this; }
+  Quality_mesh_options_2& size(std::function<double(double, double)> f) {
+    return size_field = std::move(f), *this;
+  }
+  Quality_mesh_options_2& min_edge(double length) { return min_edge_length = length, *this; }
   Quality_mesh_options_2& coarsen(Coarsening c) { return coarsening = c, *this; }
   Quality_mesh_options_2& max_vertices(std::size_t n) { return vertex_budget = n, *this; }
   Quality_mesh_options_2& progress(std::function<bool(double)> f) { return callback = std::move(f), *this; }

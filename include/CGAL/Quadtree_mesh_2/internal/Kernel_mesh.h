@@ -29,6 +29,7 @@ namespace internal {
 using Vertex_id = std::int32_t;
 using Triangle_id = std::int32_t;
 using Edge_id = std::int32_t;
+using Region_id = std::int32_t;
 
 constexpr int next_slot[3] = {1, 2, 0};
 constexpr int previous_slot[3] = {2, 0, 1};
@@ -74,7 +75,11 @@ public:
   /// `input_vertex`, `free_vertex`, or the input edge on which the vertex lies.
   std::vector<Edge_id> edge_of;
 
+  /// The region each triangle lies in, -1 for none; empty where no region has a bound of its own.
+  std::vector<Region_id> region_of;
+
   bool is_alive(Triangle_id t) const { return triangle(t).v[0] >= 0; }
+  Region_id region(Triangle_id t) const { return region_of.empty() ? -1 : region_of[std::size_t(t)]; }
   const Triangle& triangle(Triangle_id t) const { return triangles[std::size_t(t)]; }
   Triangle& triangle(Triangle_id t) { return triangles[std::size_t(t)]; }
   const Point& point(Vertex_id v) const { return points[std::size_t(v)]; }
@@ -100,11 +105,16 @@ public:
   Triangle_id new_triangle() {
     if (free_.empty()) {
       triangles.emplace_back();
+      if (!region_of.empty()) region_of.push_back(-1);
       return static_cast<Triangle_id>(triangles.size()) - 1;
     }
     const Triangle_id t = free_.back();
     free_.pop_back();
     return t;
+  }
+
+  void set_region(Triangle_id t, Region_id region) {
+    if (!region_of.empty()) region_of[std::size_t(t)] = region;
   }
 
   void kill(Triangle_id t) {
@@ -182,6 +192,7 @@ public:
     const Triangle old = triangle(t);
     const Triangle_id part[3] = {t, new_triangle(), new_triangle()};
     for (int k = 0; k < 3; ++k) {
+      set_region(part[k], region(t));
       Triangle& n = triangle(part[k]);
       n.v[0] = v, n.v[1] = old.v[next_slot[k]], n.v[2] = old.v[previous_slot[k]];
       n.side[1] = Side(part[next_slot[k]], 2), n.side[2] = Side(part[previous_slot[k]], 1);
@@ -203,6 +214,7 @@ public:
     const Triangle A = triangle(t);
     const Vertex_id a = A.v[k], b = A.v[next_slot[k]], c = A.v[previous_slot[k]];
     const Triangle_id t2 = new_triangle();
+    set_region(t2, region(t));
     set(t, v, a, b), set(t2, v, c, a);
     link(t, 0, A.side[previous_slot[k]]), link(t2, 0, A.side[next_slot[k]]);
     triangle(t).side[2] = Side(t2, 1), triangle(t2).side[1] = Side(t, 2);
@@ -257,6 +269,7 @@ private:
 
   void insert_on_far_side(Side o, Vertex_id v, Triangle_id t, Triangle_id t2, bool bit) {
     const Triangle_id u = o.triangle(), u2 = new_triangle();
+    set_region(u2, region(u));
     const int l = o.slot();
     const Triangle B = triangle(u);
     const Vertex_id d = B.v[l], c = B.v[next_slot[l]], b = B.v[previous_slot[l]];

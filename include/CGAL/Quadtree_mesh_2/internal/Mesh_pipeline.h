@@ -135,11 +135,23 @@ private:
                          : pslg_.holes.empty()
                              ? "the segments enclose no domain: every face is connected to infinity"
                              : "no domain is left: what the segments enclose, holes take away");
-    const double area_scale = map_.length_to_kernel(1.0);
-    state_.bounds =
-        Bounds(options_.min_angle_in_degrees * degree, options_.max_triangle_area * area_scale * area_scale,
-               map_.length_to_kernel(options_.max_edge_length));
+    set_bounds();
     Corner_finder<Geometry>(state_).run();
+  }
+
+  void set_bounds() {
+    const double scale = map_.length_to_kernel(1.0);
+    Bounds<Geometry>& bounds = state_.bounds;
+    bounds = Bounds<Geometry>(options_.min_angle_in_degrees * degree,
+                              options_.max_triangle_area * scale * scale, scale * options_.max_edge_length);
+    bounds.least_squared_length = scale * scale * options_.min_edge_length * options_.min_edge_length;
+    if (options_.size_field)
+      bounds.squared_length_at = [this, scale](const typename Geometry::Point& p) {
+        const Point_2 q = map_.to_user(p);
+        const double size =
+            scale * options_.size_field(static_cast<double>(q.x()), static_cast<double>(q.y()));
+        return size * size;
+      };
   }
 
   void insert_segment(First_triangulation<Geometry>& first, std::size_t s) {
@@ -178,7 +190,7 @@ private:
     // what 32-bit handles allow; above the guaranteed angle, where refinement might not end, a multiple of
     // the input
     constexpr std::size_t largest = 100000000;
-    return state_.bounds.is_guaranteed() || options_.max_edge_length > 0 || options_.max_triangle_area > 0
+    return state_.bounds.is_guaranteed() || state_.bounds.is_size_bounded()
                ? largest
                : std::min(largest, 100 * pslg_.number_of_vertices() + 2000000);
   }

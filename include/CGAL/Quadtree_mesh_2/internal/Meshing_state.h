@@ -16,6 +16,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <vector>
 
@@ -23,13 +24,23 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-/// What every triangle shall satisfy, in squared quantities.
+/// What every triangle shall satisfy, in squared quantities and kernel coordinates.
+template <class Geometry>
 struct Bounds {
+  using Point = typename Geometry::Point;
+
   double angle = 0; ///< radians
   /// Squared sine of the bound, raised a little so that rounding cannot pass the user's bound.
   double sin2 = 0;
   double area2 = std::numeric_limits<double>::infinity();          ///< twice the largest area
   double squared_length = std::numeric_limits<double>::infinity(); ///< of the longest edge
+  /// The squared length of the longest edge of a triangle with its centroid at the place; empty: no field.
+  /// Called by several threads at once.
+  std::function<double(const Point&)> squared_length_at;
+  /// Twice the largest area in each region of `Kernel_mesh::region_of`; empty: regions have no bounds.
+  std::vector<double> area2_of_region;
+  /// No vertex is inserted nearer than this (squared) to another one.
+  double least_squared_length = 0;
 
   /// Up to this angle (20.7 degrees) refinement ends by itself.
   static constexpr double guaranteed_angle = 20.7 * 3.14159265358979323846 / 180 * (1 + 1e-12);
@@ -37,15 +48,34 @@ struct Bounds {
 
   Bounds() = default;
   Bounds(double radians, double max_area, double max_length) : angle(radians) {
-    constexpr double margin = 2e-9;
     sin2 = std::sin(angle) * std::sin(angle) * (1 + margin);
     if (max_area > 0) area2 = 2 * max_area * (1 - margin);
     if (max_length > 0) squared_length = max_length * max_length * (1 - margin);
   }
 
+  /// By which bounds are tightened, so that rounding cannot pass them.
+  static constexpr double margin = 2e-9;
+
   bool is_sharp(const Shape& s) const { return s.is_below(sin2); }
-  bool is_large(const Shape& s) const { return s.area2 > area2 || s.longest() > squared_length; }
-  bool is_met_by(const Shape& s) const { return !is_sharp(s) && !is_large(s); }
+  /// Whether the triangle a, b, c of the given shape and region is larger than wanted.
+  bool is_large(const Shape& s, const Point& a, const Point& b, const Point& c, Region_id region) const {
+    if (s.area2 > area2 || s.longest() > squared_length) return true;
+    if (!is_local()) return false;
+    if (!area2_of_region.empty() && region >= 0 && s.area2 > area2_of_region[std::size_t(region)])
+      return true;
+    return squared_length_at && s.longest() > squared_length_at(centroid(a, b, c)) * (1 - margin);
+  }
+  /// Whether bounds of size differ from place to place.
+  bool is_local() const { return squared_length_at || !area2_of_region.empty(); }
+  bool is_size_bounded() const {
+    return is_local() || area2 < std::numeric_limits<double>::infinity() ||
+           squared_length < std::numeric_limits<double>::infinity();
+  }
+
+private:
+  static Point centroid(const Point& a, const Point& b, const Point& c) {
+    return Geometry::translate(a, (1.0 / 3) * (Geometry::difference(b, a) + Geometry::difference(c, a)));
+  }
 };
 
 /// Triangles that may be bad, last in first out; each stands in it at most once. Whether one is bad is
@@ -81,22 +111,33 @@ struct Meshing_state {
   Mesh mesh;
   Input_edges edges;
   Acute_corners<Geometry> corners;
-  Bounds bounds;
+  Bounds<Geometry> bounds;
   Worklist worklist;
 
   bool is_exempt(Vertex_id a, Vertex_id b, Vertex_id c, const Shape& s) const {
     return corners.is_exempt(mesh, a, b, c, s);
   }
 
+  bool is_large(Triangle_id t, const Shape& s) const {
+    const auto& r = mesh.triangle(t);
+    return bounds.is_large(s, mesh.point(r.v[0]), mesh.point(r.v[1]), mesh.point(r.v[2]), mesh.region(t));
+  }
+
   /// Whether t misses a bound that no acute corner excuses.
   bool is_bad(Triangle_id t) const {
     const auto& r = mesh.triangle(t);
     const Shape s = mesh.shape(r);
-    return bounds.is_large(s) || (bounds.is_sharp(s) && !is_exempt(r.v[0], r.v[1], r.v[2], s));
+    return (bounds.is_sharp(s) && !is_exempt(r.v[0], r.v[1], r.v[2], s)) || is_large(t, s);
+  }
+
+  /// Whether t misses a bound, excused or not.
+  bool is_suspect(Triangle_id t) const {
+    const Shape s = mesh.shape(mesh.triangle(t));
+    return bounds.is_sharp(s) || is_large(t, s);
   }
 
   void push_if_suspect(Triangle_id t) {
-    if (!bounds.is_met_by(mesh.shape(mesh.triangle(t)))) worklist.push(t);
+    if (is_suspect(t)) worklist.push(t);
   }
 
   void push_suspects_around(Vertex_id v) {

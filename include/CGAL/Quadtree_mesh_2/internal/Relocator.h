@@ -140,7 +140,10 @@ private:
   bool accept(Vertex_id v, Point p) {
     for (int i = 0; i < star_.size; ++i) {
       const Shape s = mesh_.shape(p, mesh_.point(star_.link[i]), mesh_.point(star_.link[i + 1]));
-      if (s.area2 <= 0 || !state_.bounds.is_met_by(s)) return false;
+      if (s.area2 <= 0 || state_.bounds.is_sharp(s) ||
+          state_.bounds.is_large(s, p, mesh_.point(star_.link[i]), mesh_.point(star_.link[i + 1]),
+                                 mesh_.region(star_.corner[i].triangle())))
+        return false;
     }
     mesh_.points[std::size_t(v)] = p;
     return true;

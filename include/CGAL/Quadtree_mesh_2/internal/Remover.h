@@ -60,6 +60,7 @@ private:
   /// A polygon of the star, counterclockwise, and the triangles it is cut into.
   struct Polygon {
     int size = 0;
+    Region_id region;
     Vertex_id v[Star::max_size + 2];
   };
 
@@ -70,6 +71,7 @@ private:
   Star star_;
   // the new triangles, and the subsegment a-b that the removed vertex split
   Vertex_id made_[Star::max_size + 2][3];
+  Region_id region_of_made_[Star::max_size + 2];
   int number_made_ = 0;
   Vertex_id merged_a_ = -1, merged_b_ = -1;
   // the dynamic programme
@@ -95,6 +97,7 @@ private:
   /// The polygon of the link vertices first..last, indices modulo the size of a closed star.
   Polygon polygon(int first, int last) const {
     Polygon p;
+    p.region = mesh_.region(star_.corner[first].triangle());
     for (int i = first; i <= last; ++i) p.v[p.size++] = star_.link[star_.is_closed ? i % star_.size : i];
     return p;
   }
@@ -147,7 +150,7 @@ private:
         for (std::uint32_t middles = forward[i] & backward[j]; middles != 0; middles &= middles - 1) {
           const int m = lowest_bit(middles);
           const Shape s{{l2[m][j], l2[i][j], l2[i][m]}, cross(q[m] - q[i], q[j] - q[i])};
-          double w = weight(s, p.v[i], p.v[m], p.v[j], is_near_corner);
+          double w = weight(s, p.v[i], p.v[m], p.v[j], p.region, is_near_corner);
           w = std::min(w, std::min(quality_[i][m], quality_[m][j]));
           if (w > best) best = w, best_middle = m;
         }
@@ -163,8 +166,10 @@ private:
 
   /// The squared sine of the least angle; exempt triangles count as good, others that miss a bound as
   /// infeasible (0).
-  double weight(const Shape& s, Vertex_id a, Vertex_id b, Vertex_id c, bool is_near_corner) const {
-    if (s.area2 <= 0 || state_.bounds.is_large(s)) return 0;
+  double weight(const Shape& s, Vertex_id a, Vertex_id b, Vertex_id c, Region_id region,
+                bool is_near_corner) const {
+    if (s.area2 <= 0 || state_.bounds.is_large(s, mesh_.point(a), mesh_.point(b), mesh_.point(c), region))
+      return 0;
     if (!state_.bounds.is_sharp(s)) return s.sin2_of_least_angle();
     return is_near_corner && state_.is_exempt(a, b, c, s) ? 1.5 : 0;
   }
@@ -172,6 +177,7 @@ private:
   void emit(const Polygon& p, int i, int j) {
     if (j - i < 2) return;
     const int m = middle_[i][j];
+    region_of_made_[number_made_] = p.region;
     Vertex_id* t = made_[number_made_++];
     t[0] = p.v[i], t[1] = p.v[m], t[2] = p.v[j];
     emit(p, i, m), emit(p, m, j);
@@ -218,6 +224,7 @@ private:
     for (int i = number_made_; i < star_.size; ++i) mesh_.kill(star_.corner[i].triangle());
     for (int i = 0; i < number_made_; ++i) {
       const Triangle_id t = star_.corner[i].triangle();
+      mesh_.set_region(t, region_of_made_[i]);
       for (int k = 0; k < 3; ++k) {
         mesh_.triangle(t).v[k] = made_[i][k];
         mesh_.triangle_of[std::size_t(made_[i][k])] = t;

@@ -112,8 +112,8 @@ private:
 
   void account_for(const Indexed_mesh_2<Point_2>& out, Triangle_id t) {
     const auto& r = mesh_.triangle(t);
+    if (!state_.is_suspect(t)) return;
     const Shape s = mesh_.shape(r);
-    if (state_.bounds.is_met_by(s)) return;
     if (!state_.is_bad(t)) {
       ++report_.exempt_triangles;
       return;
