@@ -105,7 +105,7 @@ private:
     representative_.resize(n);
     Point low = points.front(), high = points.front();
     for (const Point& p : points) {
-      mesh_.add_vertex(p, input_vertex);
+      mesh_.add_vertex(p, input_vertex(static_cast<Vertex_id>(mesh_.number_of_vertices())));
       low.x = std::min(low.x, p.x), low.y = std::min(low.y, p.y);
       high.x = std::max(high.x, p.x), high.y = std::max(high.y, p.y);
     }
@@ -114,7 +114,8 @@ private:
     // As near as they can be: differences of 62-bit coordinates must not overflow. Nothing inside the domain
     // sees them.
     for (const Vector corner : {Vector{-1, -0.1}, Vector{2, -0.1}, Vector{0.5, 2.9}})
-      mesh_.add_vertex(Geometry::translate(low, extent * corner), input_vertex);
+      mesh_.add_vertex(Geometry::translate(low, extent * corner),
+                       input_vertex(static_cast<Vertex_id>(mesh_.number_of_vertices())));
     const Triangle_id t = mesh_.new_triangle();
     for (int k = 0; k < 3; ++k) {
       mesh_.triangle(t).v[k] = number_of_points_ + k;

@@ -87,7 +87,8 @@ private:
   const Traits& traits_;
   Quality_mesh_report_2& report_;
   Coordinate_map<Traits, Geometry> map_;
-  Meshing_state<Geometry> state_;
+  Meshing_problem<Geometry> problem_;
+  Meshing_state<Geometry> state_{problem_};
   double share_done_ = 0;
   Order order_; // kernel vertex -> input vertex
   std::vector<Vertex_id>
@@ -125,7 +126,8 @@ private:
     }
     for (std::size_t s = 0; s < pslg_.segments.size(); ++s) insert_segment(first, s);
     report_.vertices_on_segments = first.number_of_vertices_on_segments();
-    state_.edges = Input_edges(first.edges(), n);
+    problem_.edges = Input_edges(first.edges(), n);
+    problem_.input_points = std::move(points);
 
     std::vector<typename Geometry::Point> holes;
     for (const Point_2& p : pslg_.holes) holes.push_back(map_.to_kernel(p));
@@ -141,7 +143,7 @@ private:
 
   void set_bounds() {
     const double scale = map_.length_to_kernel(1.0);
-    Bounds<Geometry>& bounds = state_.bounds;
+    Bounds<Geometry>& bounds = problem_.bounds;
     bounds = Bounds<Geometry>(options_.min_angle_in_degrees * degree,
                               options_.max_triangle_area * scale * scale, scale * options_.max_edge_length);
     bounds.least_squared_length = scale * scale * options_.min_edge_length * options_.min_edge_length;
@@ -217,9 +219,7 @@ private:
   void coarsen() {
     Phase_timer timer(report_.seconds.coarsen);
     if (report_.is_cancelled) return;
-    Remover<Geometry>(state_, static_cast<Vertex_id>(pslg_.number_of_vertices())).run([this] {
-      return shall_go_on(0.85);
-    });
+    Remover<Geometry>(state_).run([this] { return shall_go_on(0.85); });
   }
 
   /// Makes the mesh exactly constrained Delaunay. Such flips never lower the least angle of a pair; should

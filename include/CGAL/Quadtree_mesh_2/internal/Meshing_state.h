@@ -14,10 +14,12 @@
 #include <CGAL/Quadtree_mesh_2/internal/Input_edges.h>
 #include <CGAL/Quadtree_mesh_2/internal/Kernel_mesh.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -103,16 +105,56 @@ private:
   std::vector<char> is_queued_;
 };
 
+/// What is the same for the whole mesh and all its blocks.
+template <class Geometry>
+struct Meshing_problem {
+  std::vector<typename Geometry::Point> input_points; ///< by input number
+  Input_edges edges;
+  Acute_corners<Geometry> corners;
+  Bounds<Geometry> bounds;
+
+  const typename Geometry::Point& input_point(Vertex_id number) const {
+    return input_points[std::size_t(number)];
+  }
+};
+
+/// How an attempt to change the mesh for a bad triangle ended.
+enum class Outcome {
+  changed,
+  refused, ///< there is no room, or nothing of the kind to do
+  deferred ///< it needs what lies beyond a seam of the block
+};
+
+/// One mesh, the domain's or a block of it, and what there is to do in it.
+///
+/// The shells of an acute corner and the locks of its sectors belong to one block, that in which all of it
+/// lies, and to the whole mesh when there are no blocks: `owns()` says so. What nobody else may read or write
+/// are `Leg::shells`, `Leg::ring`, `Leg::apex_vertex` and `Sector::lock_radius`; all else of the corners stays as
+/// it is.
 template <class Geometry>
 struct Meshing_state {
   using Mesh = Kernel_mesh<Geometry>;
   using Point = typename Geometry::Point;
 
+  Meshing_problem<Geometry>& problem;
+  const Input_edges& edges = problem.edges;
+  Acute_corners<Geometry>& corners = problem.corners;
+  const Bounds<Geometry>& bounds = problem.bounds;
+
   Mesh mesh;
-  Input_edges edges;
-  Acute_corners<Geometry> corners;
-  Bounds<Geometry> bounds;
   Worklist worklist;
+  /// Bad triangles that are for a later round, in which they lie farther from the seams.
+  std::vector<Triangle_id> deferred;
+
+  explicit Meshing_state(Meshing_problem<Geometry>& p) : problem(p) {}
+  /// The state of a block with the given corners, in order.
+  Meshing_state(Meshing_problem<Geometry>& p, std::vector<Corner_id> owned)
+      : problem(p), is_block_(true), owned_(std::move(owned)) {}
+  Meshing_state(const Meshing_state&) = delete;
+  Meshing_state& operator=(const Meshing_state&) = delete;
+
+  bool owns(Corner_id c) const { return !is_block_ || std::binary_search(owned_.begin(), owned_.end(), c); }
+  const std::vector<Corner_id>& owned_corners() const { return owned_; }
 
   bool is_exempt(Vertex_id a, Vertex_id b, Vertex_id c, const Shape& s) const {
     return corners.is_exempt(mesh, a, b, c, s);
@@ -148,10 +190,10 @@ struct Meshing_state {
   /// which the mesh knows one: then the side is searched from the other end, and only if both are such,
   /// everywhere.
   Side side_between(Vertex_id x, Vertex_id y) const {
-    if (mesh.edge_of[std::size_t(x)] == input_vertex) std::swap(x, y);
+    if (mesh.is_input(x)) std::swap(x, y);
     Side s = mesh.find_side(x, y);
-    if (s.is_border() && mesh.edge_of[std::size_t(x)] == input_vertex) s = mesh.find_side(y, x);
-    if (s.is_border() && mesh.edge_of[std::size_t(x)] == input_vertex) s = find_side_everywhere(x, y);
+    if (s.is_border() && mesh.is_input(x)) s = mesh.find_side(y, x);
+    if (s.is_border() && mesh.is_input(x)) s = find_side_everywhere(x, y);
     return s;
   }
 
@@ -189,6 +231,9 @@ struct Meshing_state {
   std::vector<Side> doubtful_sides;
 
 private:
+  bool is_block_ = false;
+  std::vector<Corner_id> owned_;
+
   void flip_exactly() {
     while (!doubtful_sides.empty()) {
       const Side s = doubtful_sides.back();
