@@ -62,7 +62,8 @@ struct Leg {
   /// The vertex at the corner's radius; the far end or another ring's vertex may stand in for one that would
   /// come close to it.
   Vertex_id ring = -1;
-  Vertex_id apex_vertex = -1; ///< the apex in the mesh (or block) at hand, as are `ring` and those of `shells`
+  Vertex_id apex_vertex =
+      -1; ///< the apex in the mesh (or block) at hand, as are `ring` and those of `shells`
 };
 
 struct Sector {

@@ -138,6 +138,14 @@ public:
     if (!region_of.empty()) region_of[std::size_t(t)] = region;
   }
 
+  /// Makes room for vertices and triangles with handles below these, to be filled in by the caller.
+  void resize(std::size_t vertices, std::size_t number_of_slots) {
+    points.resize(vertices), edge_of.resize(vertices, free_vertex), triangle_of.resize(vertices, -1);
+    is_dirty.resize(vertices, 1);
+    triangles.resize(number_of_slots);
+    if (!region_of.empty()) region_of.resize(number_of_slots, -1);
+  }
+
   void kill(Triangle_id t) {
     triangle(t).v[0] = -1;
     free_.push_back(t);

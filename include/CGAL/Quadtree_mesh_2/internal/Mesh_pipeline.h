@@ -18,6 +18,7 @@
 #include <CGAL/Indexed_mesh_2.h>
 #include <CGAL/Pslg_2.h>
 #include <CGAL/Quadtree_mesh_2/Grid_point_2.h>
+#include <CGAL/Quadtree_mesh_2/internal/Block_refinement.h>
 #include <CGAL/Quadtree_mesh_2/internal/Refiner.h>
 #include <CGAL/Quadtree_mesh_2/internal/Remover.h>
 #include <CGAL/Quadtree_mesh_2/internal/coordinate_map.h>
@@ -30,8 +31,10 @@
 #include <CGAL/validate_pslg_2.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <ctime>
+#include <mutex>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -53,7 +56,7 @@ private:
   std::clock_t start_;
 };
 
-template <class Traits>
+template <class Traits, class Concurrency_tag>
 class Mesh_pipeline {
 public:
   using Geometry = typename Traits::Meshing_geometry_2;
@@ -76,6 +79,7 @@ public:
     refine(refiner, splitter);
     if (options_.coarsening == Quality_mesh_options_2::Coarsening::guarded_removal) coarsen();
     finish(refiner);
+    report_.is_cancelled = is_cancelled_;
     return convert();
   }
 
@@ -90,16 +94,19 @@ private:
   Meshing_problem<Geometry> problem_;
   Meshing_state<Geometry> state_{problem_};
   double share_done_ = 0;
+  std::mutex callback_mutex_;
+  std::atomic<bool> is_cancelled_{false};
   Order order_; // kernel vertex -> input vertex
   std::vector<Vertex_id>
       kernel_vertex_; // input vertex -> kernel vertex, duplicates to the one that stands for them
 
   /// Whether the user wants to go on; about `share` of the work is done. What the user is told never falls.
   bool shall_go_on(double share) {
+    if (!options_.callback || is_cancelled_) return !is_cancelled_;
+    const std::lock_guard<std::mutex> lock(callback_mutex_);
     share_done_ = std::max(share_done_, share);
-    if (!report_.is_cancelled && options_.callback && !options_.callback(share_done_))
-      report_.is_cancelled = true;
-    return !report_.is_cancelled;
+    if (!is_cancelled_ && !options_.callback(share_done_)) is_cancelled_ = true;
+    return !is_cancelled_;
   }
 
   void sort_vertices() {
@@ -108,7 +115,7 @@ private:
     std::vector<Grid_point_2<typename Traits::Word>> grid_points;
     grid_points.reserve(pslg_.number_of_vertices());
     for (const Point_2& p : pslg_.vertices) grid_points.push_back(grid.grid_point(p));
-    order_ = shuffle_order(grid_points);
+    order_ = shuffle_order<Concurrency_tag>(grid_points);
   }
 
   void make_first_mesh() {
@@ -200,7 +207,11 @@ private:
   void refine(Refiner<Geometry>& refiner, Splitter<Geometry>& splitter) {
     Phase_timer timer(report_.seconds.refine);
     splitter.cut_rings();
-    refiner.push_all();
+    const auto removal = options_.coarsening == Quality_mesh_options_2::Coarsening::guarded_removal
+                             ? Block_removal::guarded
+                             : Block_removal::none;
+    Block_refinement<Concurrency_tag, Geometry> blocks(state_, removal, vertex_budget());
+    if (!blocks.run([this] { return shall_go_on(0.2); })) refiner.push_all();
     run(refiner);
     splitter.unlock_all();
     state_.legalize();
@@ -218,7 +229,7 @@ private:
 
   void coarsen() {
     Phase_timer timer(report_.seconds.coarsen);
-    if (report_.is_cancelled) return;
+    if (is_cancelled_) return;
     Remover<Geometry>(state_).run([this] { return shall_go_on(0.85); });
   }
 
@@ -228,11 +239,11 @@ private:
     Phase_timer timer(report_.seconds.refine);
     constexpr int most_rounds = 5;
     for (int round = 0; round < most_rounds; ++round) {
-      state_.make_Delaunay_exactly();
-      if (!has_bad_on_worklist() || report_.is_cancelled || report_.is_budget_exhausted) return;
+      state_.template make_Delaunay_exactly<Concurrency_tag>();
+      if (!has_bad_on_worklist() || is_cancelled_ || report_.is_budget_exhausted) return;
       run(refiner);
     }
-    state_.make_Delaunay_exactly();
+    state_.template make_Delaunay_exactly<Concurrency_tag>();
   }
 
   bool has_bad_on_worklist() {

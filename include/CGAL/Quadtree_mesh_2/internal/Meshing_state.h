@@ -13,6 +13,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/Acute_corners.h>
 #include <CGAL/Quadtree_mesh_2/internal/Input_edges.h>
 #include <CGAL/Quadtree_mesh_2/internal/Kernel_mesh.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel.h>
 
 #include <algorithm>
 #include <cmath>
@@ -216,14 +217,24 @@ struct Meshing_state {
   }
 
   /// Flips until the mesh is constrained Delaunay, decided exactly. Cocircular vertices may be joined either
-  /// way. Ends: each flip lowers the lifted surface.
+  /// way. Ends: each flip lowers the lifted surface. What is to be flipped is found in parallel.
+  template <class Concurrency_tag>
   void make_Delaunay_exactly() {
-    for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
-      for (int k = 0; k < 3; ++k) {
-        const Triangle_id t = static_cast<Triangle_id>(i);
-        if (!mesh.is_alive(t)) break;
-        const Side o = mesh.triangle(t).side[k];
-        if (!o.is_constrained() && t < o.triangle()) doubtful_sides.push_back(Side(t, k));
+    std::vector<std::vector<Side>> found((mesh.triangles.size() + default_block - 1) / default_block);
+    for_each_block<Concurrency_tag>(
+        mesh.triangles.size(), default_block, [&](std::size_t b, std::size_t begin, std::size_t end) {
+          for (std::size_t i = begin; i < end; ++i)
+            for (int k = 0; k < 3; ++k) {
+              const Side s(static_cast<Triangle_id>(i), k);
+              if (!mesh.is_alive(s.triangle())) break;
+              const Side o = mesh.across(s);
+              if (!o.is_constrained() && s.triangle() < o.triangle() && is_not_Delaunay(s))
+                found[b].push_back(s);
+            }
+        });
+    for (const auto& sides : found)
+      for (const Side s : sides) {
+        doubtful_sides.push_back(s);
         flip_exactly();
       }
   }
@@ -234,16 +245,20 @@ private:
   bool is_block_ = false;
   std::vector<Corner_id> owned_;
 
+  /// Whether the vertex opposite a free side lies in the circle of the side's triangle; exact.
+  bool is_not_Delaunay(Side s) const {
+    const auto& r = mesh.triangle(s.triangle());
+    return Geometry::is_in_circle(mesh.point(r.v[0]), mesh.point(r.v[1]), mesh.point(r.v[2]),
+                                  mesh.point(mesh.opposite(mesh.across(s))));
+  }
+
   void flip_exactly() {
     while (!doubtful_sides.empty()) {
       const Side s = doubtful_sides.back();
       doubtful_sides.pop_back();
       const Triangle_id t = s.triangle();
-      const auto& r = mesh.triangle(t);
-      const Side o = r.side[s.slot()];
-      if (o.is_constrained() || !Geometry::is_in_circle(mesh.point(r.v[0]), mesh.point(r.v[1]),
-                                                        mesh.point(r.v[2]), mesh.point(mesh.opposite(o))))
-        continue;
+      const Side o = mesh.across(s);
+      if (o.is_constrained() || !is_not_Delaunay(s)) continue;
       mesh.flip(t, s.slot());
       for (const Triangle_id n : {t, o.triangle()}) {
         for (const int k : {0, n == t ? 2 : 1}) doubtful_sides.push_back(Side(n, k));

@@ -86,8 +86,7 @@ private:
     const auto r = mesh_.triangle(t);
     if (!state_.bounds.is_sharp(mesh_.shape(r))) return false; // too large: a new vertex is needed anyway
     for (const Vertex_id v : r.v) {
-      if (mesh_.is_input(v) || number_of_relocations(v) >= most_relocations)
-        continue;
+      if (mesh_.is_input(v) || number_of_relocations(v) >= most_relocations) continue;
       if (!relocator_.relocate(v)) continue;
       ++number_of_relocations(v);
       return true;

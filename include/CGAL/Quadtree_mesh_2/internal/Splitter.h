@@ -253,6 +253,7 @@ private:
     const Side chord = state_.side_between(a, b);
     if (chord.is_border()) return;
     mesh_.release(chord);
+    mesh_.is_dirty[std::size_t(a)] = mesh_.is_dirty[std::size_t(b)] = 1;
     const Side o = mesh_.across(chord);
     state_.doubtful_sides.push_back(chord);
     for (const Triangle_id t : {chord.triangle(), o.triangle()})
