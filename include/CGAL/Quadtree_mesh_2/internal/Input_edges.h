@@ -13,8 +13,8 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_INPUT_EDGES_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_INPUT_EDGES_H
 
-#include <CGAL/Quadtree_mesh_2/internal/First_triangulation.h>
 #include <CGAL/Quadtree_mesh_2/internal/Kernel_mesh.h>
+#include <CGAL/Quadtree_mesh_2/internal/Segment_inserter.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -46,6 +46,14 @@ public:
       incidences_[next[std::size_t(e.b)]++] = {e.a, static_cast<Edge_id>(i)};
     }
     for (std::size_t v = 0; v < number_of_vertices; ++v) std::sort(begin(Vertex_id(v)), end(Vertex_id(v)));
+  }
+
+  /// Lets each of these edges belong to the first of the segments that run there.
+  void repeat(const std::vector<Input_edge>& repeated) {
+    for (const Input_edge& r : repeated) {
+      Input_edge& e = edges_[std::size_t(between(r.a, r.b))];
+      e.segment = std::min(e.segment, r.segment);
+    }
   }
 
   std::size_t size() const { return edges_.size(); }

@@ -216,6 +216,19 @@ public:
         .is_certainly_inside();
   }
 
+  /// Flips until the given sides, and those of triangles that flips change, are Delaunay or not certainly else.
+  void make_Delaunay(std::vector<Side>& doubtful) {
+    while (!doubtful.empty()) {
+      const Side s = doubtful.back();
+      doubtful.pop_back();
+      const Side o = across(s);
+      if (o.is_constrained() || !is_certainly_not_Delaunay(s.triangle(), s.slot())) continue;
+      flip(s.triangle(), s.slot());
+      const Triangle_id t = s.triangle(), u = o.triangle();
+      for (const Side n : {Side(t, 0), Side(u, 0), Side(t, 2), Side(u, 1)}) doubtful.push_back(n);
+    }
+  }
+
   /// Puts vertex v inside triangle t and restores the Delaunay property around it.
   void insert_in_triangle(Triangle_id t, Vertex_id v) {
     const Triangle old = triangle(t);

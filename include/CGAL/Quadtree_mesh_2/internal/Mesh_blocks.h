@@ -60,6 +60,8 @@ public:
   const Block& operator[](std::size_t b) const { return *blocks_[b]; }
   /// The block in which a triangle of the whole mesh is, -1 for none.
   Block_id block_of(Triangle_id t) const { return assignment_.block_of(t); }
+  /// The handle that a triangle has in its block, when that is taken out.
+  Triangle_id place_of(Triangle_id t) const { return assignment_.place_of(t); }
 
   /// Takes the blocks out and calls `work(block)` for each; calls for different blocks may overlap. The whole mesh
   /// must not be changed meanwhile.

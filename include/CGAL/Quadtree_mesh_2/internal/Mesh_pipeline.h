@@ -19,6 +19,7 @@
 #include <CGAL/Pslg_2.h>
 #include <CGAL/Quadtree_mesh_2/Grid_point_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/Block_refinement.h>
+#include <CGAL/Quadtree_mesh_2/internal/First_triangulation.h>
 #include <CGAL/Quadtree_mesh_2/internal/Refiner.h>
 #include <CGAL/Quadtree_mesh_2/internal/Remover.h>
 #include <CGAL/Quadtree_mesh_2/internal/coordinate_map.h>
@@ -84,6 +85,7 @@ public:
   }
 
 private:
+  using First = First_triangulation<Concurrency_tag, Geometry>;
   static constexpr double degree = 3.14159265358979323846 / 180;
 
   const Pslg& pslg_;
@@ -97,8 +99,6 @@ private:
   std::mutex callback_mutex_;
   std::atomic<bool> is_cancelled_{false};
   Order order_; // kernel vertex -> input vertex
-  std::vector<Vertex_id>
-      kernel_vertex_; // input vertex -> kernel vertex, duplicates to the one that stands for them
 
   /// Whether the user wants to go on; about `share` of the work is done. What the user is told never falls.
   bool shall_go_on(double share) {
@@ -124,21 +124,18 @@ private:
     std::vector<typename Geometry::Point> points;
     points.reserve(n);
     for (const std::uint32_t i : order_) points.push_back(map_.to_kernel(pslg_.vertices[i]));
-    First_triangulation<Geometry> first(state_.mesh, points);
-
-    kernel_vertex_.resize(n);
-    for (std::size_t i = 0; i < n; ++i) {
-      kernel_vertex_[order_[i]] = first.representatives()[i];
-      if (first.representatives()[i] != static_cast<Vertex_id>(i)) ++report_.merged_vertices;
-    }
-    for (std::size_t s = 0; s < pslg_.segments.size(); ++s) insert_segment(first, s);
+    First first(state_.mesh, points);
+    if (const auto crossing = first.run(kernel_segments())) throw Pslg_error_2(describe(first, *crossing));
+    for (std::size_t v = 0; v < n; ++v)
+      if (first.representative(static_cast<Vertex_id>(v)) != static_cast<Vertex_id>(v)) ++report_.merged_vertices;
     report_.vertices_on_segments = first.number_of_vertices_on_segments();
     problem_.edges = Input_edges(first.edges(), n);
+    problem_.edges.repeat(first.repeated_edges());
     problem_.input_points = std::move(points);
 
     std::vector<typename Geometry::Point> holes;
     for (const Point_2& p : pslg_.holes) holes.push_back(map_.to_kernel(p));
-    keep_domain(state_.mesh, holes, First_triangulation<Geometry>::number_of_auxiliary_vertices);
+    keep_domain(state_.mesh, holes, First::number_of_auxiliary_vertices);
     if (state_.mesh.triangles.empty())
       throw Pslg_error_2(pslg_.segments.empty() ? "there are no segments, so there is no domain to mesh"
                          : pslg_.holes.empty()
@@ -163,17 +160,18 @@ private:
       };
   }
 
-  void insert_segment(First_triangulation<Geometry>& first, std::size_t s) {
-    const auto& [a, b] = pslg_.segments[s];
-    try {
-      first.insert_segment(kernel_vertex_[std::size_t(a)], kernel_vertex_[std::size_t(b)],
-                           static_cast<std::int32_t>(s));
-    } catch (const Crossing& crossing) {
-      throw Pslg_error_2(describe(first, crossing));
-    }
+  /// The segments in the kernel's numbering, which is the shuffle order.
+  std::vector<typename First::Segment> kernel_segments() const {
+    std::vector<Vertex_id> kernel_vertex(order_.size());
+    for (std::size_t i = 0; i < order_.size(); ++i) kernel_vertex[order_[i]] = static_cast<Vertex_id>(i);
+    std::vector<typename First::Segment> segments;
+    segments.reserve(pslg_.number_of_segments());
+    for (const auto& [a, b] : pslg_.segments)
+      segments.push_back({kernel_vertex[std::size_t(a)], kernel_vertex[std::size_t(b)]});
+    return segments;
   }
 
-  std::string describe(const First_triangulation<Geometry>& first, const Crossing& crossing) const {
+  std::string describe(const First& first, const Crossing& crossing) const {
     std::ostringstream text;
     text << "segment " << crossing.segment << " (" << name_of_ends(crossing.segment) << ") crosses segment ";
     for (const Input_edge& e : first.edges()) {
