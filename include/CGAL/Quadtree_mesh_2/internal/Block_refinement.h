@@ -57,12 +57,15 @@ public:
   bool run(const Continue& shall_go_on) {
     if (whole_.mesh.number_of_triangles() < 2 * block_size) return false;
     {
-      Blocks blocks(whole_.mesh, alive_triangles(), block_size, Square_shift::none);
+      const auto edge_start = [&](Edge_id e) { return whole_.edges[e].a; };
+      Blocks blocks(whole_.mesh, cut_by_input_order<Concurrency_tag>(
+                                     whole_.mesh, whole_.problem.input_points.size(), block_size, edge_start));
       work(blocks, shall_go_on);
     }
-    const std::vector<Triangle_id> zone = zone_of_seams();
+    std::vector<Triangle_id> zone = zone_of_seams();
     if (zone.empty()) return true;
-    Blocks blocks(whole_.mesh, zone, block_size, Square_shift::third_of_root);
+    Blocks blocks(whole_.mesh, cut_by_position<Concurrency_tag>(whole_.mesh, std::move(zone), block_size,
+                                                                Square_shift::third_of_root));
     work(blocks, shall_go_on);
     return true;
   }
@@ -75,14 +78,6 @@ private:
   Block_removal removal_;
   std::size_t vertex_budget_;
   std::vector<Triangle_id> near_seams_;
-
-  std::vector<Triangle_id> alive_triangles() const {
-    std::vector<Triangle_id> all;
-    all.reserve(whole_.mesh.number_of_triangles());
-    for (std::size_t t = 0; t < whole_.mesh.triangles.size(); ++t)
-      if (whole_.mesh.is_alive(static_cast<Triangle_id>(t))) all.push_back(static_cast<Triangle_id>(t));
-    return all;
-  }
 
   template <class Continue>
   void work(Blocks& blocks, const Continue& shall_go_on) {
@@ -98,7 +93,7 @@ private:
     for (std::size_t b = 0; b < blocks.size(); ++b) {
       name_corner_vertices(owned[b], [&](Vertex_id v) { return blocks[b].whole_vertex(v); });
       for (const Triangle_id t : left[b]) {
-        if (blocks[b].whole_triangle(t) < 0) continue;
+        if (!whole_.mesh.is_alive(blocks[b].whole_triangle(t))) continue;
         whole_.worklist.push(blocks[b].whole_triangle(t));
         near_seams_.push_back(blocks[b].whole_triangle(t));
       }
