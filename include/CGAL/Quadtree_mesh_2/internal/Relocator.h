@@ -68,18 +68,19 @@ private:
 
   /// Sets up the scaled link; returns its centroid.
   Vector prepare_link(Point origin) {
-    Vector link[Star::max_size], centroid;
-    double sum = 0;
+    double x[Star::max_size], y[Star::max_size], sum = 0;
+    Vector centroid;
     for (int i = 0; i < star_.size; ++i) {
-      link[i] = Geometry::difference(mesh_.point(star_.link[i]), origin);
-      sum += squared_length(link[i]);
-      centroid = centroid + link[i];
+      const Vector p = Geometry::difference(mesh_.point(star_.link[i]), origin);
+      sum += squared_length(p);
+      centroid = centroid + p;
+      x[i] = p.x, y[i] = p.y;
     }
     scale_ = std::sqrt(sum / star_.size);
     const double inverse = 1 / scale_;
     for (int i = 0; i < star_.size; ++i) {
-      x_[i] = static_cast<float>(link[i].x * inverse);
-      y_[i] = static_cast<float>(link[i].y * inverse);
+      x_[i] = static_cast<float>(x[i] * inverse);
+      y_[i] = static_cast<float>(y[i] * inverse);
     }
     x_[star_.size] = x_[0], y_[star_.size] = y_[0];
     for (int i = 0; i < star_.size; ++i) {
