@@ -148,10 +148,14 @@ private:
   }
 
   static int place_of_greatest(const Float_lanes (&a)[2]) {
-    int best = 0;
-    for (int k = 1; k < directions; ++k)
-      if (a[k / 4][k % 4] > a[best / 4][best % 4]) best = k;
-    return best;
+    int place = 0;
+    float greatest = a[0][0];
+    for (int k = 1; k < directions; ++k) {
+      const float x = a[k / 4][k % 4];
+      place = x > greatest ? k : place; // no branches: they would be taken at random
+      greatest = x > greatest ? x : greatest;
+    }
+    return place;
   }
 
   bool relocate_free(Vertex_id v) {

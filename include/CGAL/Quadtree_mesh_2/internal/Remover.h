@@ -27,7 +27,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -148,15 +147,16 @@ private:
   /// polygon is not, and nearly all polygons that are not fail here.
   bool has_triangle_on_shortest_side(const Polygon& p) const {
     const int n = p.size;
-    int i = n - 1, j = 0; // the side, i before j
+    int end = 0; // of the side; the place before it is the other end
     double least = squared_length(place_[n - 1]);
     for (int k = 1; k < n; ++k) {
       const double length = squared_length(place_[k] - place_[k - 1]);
-      if (length < least) least = length, i = k - 1, j = k;
+      end = length < least ? k : end; // no branches: they would be taken at random
+      least = length < least ? length : least;
     }
+    const int i = end == 0 ? 0 : end - 1, j = end == 0 ? n - 1 : end;
     const bool may_be_exempt =
         state_.corners.is_on_leg(mesh_, p.v[i]) && state_.corners.is_on_leg(mesh_, p.v[j]);
-    if (j == 0) std::swap(i, j);
     for (int m = 0; m < n; ++m) {
       if (m == i || m == j) continue;
       const int a = std::min(i, m), b = m < i ? i : std::min(j, m), c = std::max(j, m);
