@@ -64,6 +64,7 @@ private:
   void number_vertices(Indexed_mesh_2<Point_2>& out) {
     const std::size_t n = order_.size();
     out.number_of_input_vertices = n;
+    out.points.reserve(mesh_.number_of_vertices()), out.segment_of_vertex.reserve(mesh_.number_of_vertices());
     out.points = pslg_.vertices;
     out.segment_of_vertex.assign(n, Segment_index());
     new_vertex_.resize(mesh_.number_of_vertices());
