@@ -58,8 +58,9 @@ public:
     if (whole_.mesh.number_of_triangles() < 2 * block_size) return false;
     {
       const auto edge_start = [&](Edge_id e) { return whole_.edges[e].a; };
-      Blocks blocks(whole_.mesh, cut_by_input_order<Concurrency_tag>(
-                                     whole_.mesh, whole_.problem.input_points.size(), block_size, edge_start));
+      Blocks blocks(whole_.mesh,
+                    cut_by_input_order<Concurrency_tag>(whole_.mesh, whole_.problem.input_points.size(),
+                                                        block_size, edge_start));
       work(blocks, shall_go_on);
     }
     std::vector<Triangle_id> zone = zone_of_seams();

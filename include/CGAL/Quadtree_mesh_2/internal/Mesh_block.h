@@ -97,7 +97,8 @@ public:
   /// The handles in the whole mesh: those taken out keep theirs, new ones get the next from these on.
   void name_new(Triangle_id first_triangle, Vertex_id first_vertex) {
     whole_triangle_.resize(mesh.triangles.size());
-    std::iota(std::copy(begin_, begin_ + taken_, whole_triangle_.begin()), whole_triangle_.end(), first_triangle);
+    std::iota(std::copy(begin_, begin_ + taken_, whole_triangle_.begin()), whole_triangle_.end(),
+              first_triangle);
     const auto known = static_cast<std::ptrdiff_t>(whole_vertex_.size());
     whole_vertex_.resize(mesh.number_of_vertices());
     std::iota(whole_vertex_.begin() + known, whole_vertex_.end(), first_vertex);

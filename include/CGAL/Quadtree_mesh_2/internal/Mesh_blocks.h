@@ -188,7 +188,8 @@ private:
     }
     whole_.resize(vertices, triangles);
     Executor<Concurrency_tag>::run(size(), [&](std::size_t b) {
-      blocks_[b]->name_new(static_cast<Triangle_id>(first_triangle[b]), static_cast<Vertex_id>(first_vertex[b]));
+      blocks_[b]->name_new(static_cast<Triangle_id>(first_triangle[b]),
+                           static_cast<Vertex_id>(first_vertex[b]));
     });
   }
 

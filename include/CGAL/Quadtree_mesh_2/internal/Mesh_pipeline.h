@@ -127,7 +127,8 @@ private:
     First first(state_.mesh, points);
     if (const auto crossing = first.run(kernel_segments())) throw Pslg_error_2(describe(first, *crossing));
     for (std::size_t v = 0; v < n; ++v)
-      if (first.representative(static_cast<Vertex_id>(v)) != static_cast<Vertex_id>(v)) ++report_.merged_vertices;
+      if (first.representative(static_cast<Vertex_id>(v)) != static_cast<Vertex_id>(v))
+        ++report_.merged_vertices;
     report_.vertices_on_segments = first.number_of_vertices_on_segments();
     problem_.edges = Input_edges(first.edges(), n);
     problem_.edges.repeat(first.repeated_edges());
@@ -142,7 +143,7 @@ private:
                              ? "the segments enclose no domain: every face is connected to infinity"
                              : "no domain is left: what the segments enclose, holes take away");
     set_bounds();
-    Corner_finder<Geometry>(state_).run();
+    Corner_finder<Concurrency_tag, Geometry>(state_).run();
   }
 
   void set_bounds() {
