@@ -32,6 +32,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <ctime>
+#include <limits>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -74,7 +75,7 @@ public:
     Splitter<Geometry> splitter(state_);
     Refiner<Geometry> refiner(state_, splitter);
     refine(refiner, splitter);
-    if (options_.coarsening == Quality_mesh_options_2::Coarsening::guarded_removal) coarsen();
+    if (options_.coarsening == Quality_mesh_options_2::Coarsening::GUARDED_REMOVAL) coarsen();
     finish(refiner);
     return convert();
   }
@@ -127,16 +128,24 @@ private:
     report_.vertices_on_segments = first.number_of_vertices_on_segments();
     state_.edges = Input_edges(first.edges(), n);
 
-    std::vector<typename Geometry::Point> holes;
-    for (const Point_2& p : pslg_.holes) holes.push_back(map_.to_kernel(p));
-    keep_domain(state_.mesh, holes, First_triangulation<Geometry>::number_of_auxiliary_vertices);
-    if (state_.mesh.triangles.empty())
-      throw Pslg_error_2(pslg_.segments.empty() ? "there are no segments, so there is no domain to mesh"
-                         : pslg_.holes.empty()
-                             ? "the segments enclose no domain: every face is connected to infinity"
-                             : "no domain is left: what the segments enclose, holes take away");
+    find_domain();
     set_bounds();
     Corner_finder<Geometry>(state_).run();
+  }
+
+  void find_domain() {
+    std::vector<typename Geometry::Point> holes, regions;
+    for (const Point_2& p : pslg_.holes) holes.push_back(map_.to_kernel(p));
+    for (const auto& region : pslg_.regions) regions.push_back(map_.to_kernel(region.point));
+    Domain_finder<Geometry>(state_.mesh, First_triangulation<Geometry>::number_of_auxiliary_vertices)
+        .run(options_.domain, holes, regions);
+    if (!state_.mesh.triangles.empty()) return;
+    throw Pslg_error_2(pslg_.segments.empty() ? "there are no segments, so there is no domain to mesh"
+                       : options_.domain == Quality_mesh_options_2::Domain::MARKED
+                           ? "no domain: no region's point is in a component that segments enclose"
+                       : pslg_.holes.empty()
+                           ? "the segments enclose no domain: every face is connected to infinity"
+                           : "no domain is left: what the segments enclose, holes take away");
   }
 
   void set_bounds() {
@@ -145,6 +154,9 @@ private:
     bounds = Bounds<Geometry>(options_.min_angle_in_degrees * degree,
                               options_.max_triangle_area * scale * scale, scale * options_.max_edge_length);
     bounds.least_squared_length = scale * scale * options_.min_edge_length * options_.min_edge_length;
+    if (std::any_of(pslg_.regions.begin(), pslg_.regions.end(),
+                    [](const auto& region) { return region.max_area > 0; }))
+      set_region_bounds(scale * scale);
     if (options_.size_field)
       bounds.squared_length_at = [this, scale](const typename Geometry::Point& p) {
         const Point_2 q = map_.to_user(p);
@@ -152,6 +164,14 @@ private:
             scale * options_.size_field(static_cast<double>(q.x()), static_cast<double>(q.y()));
         return size * size;
       };
+  }
+
+  void set_region_bounds(double scale2) {
+    std::vector<double>& bounds = state_.bounds.area2_of_region;
+    bounds.assign(pslg_.regions.size(), std::numeric_limits<double>::infinity());
+    for (std::size_t i = 0; i < bounds.size(); ++i)
+      if (pslg_.regions[i].max_area > 0)
+        bounds[i] = 2 * scale2 * pslg_.regions[i].max_area * (1 - Bounds<Geometry>::margin);
   }
 
   void insert_segment(First_triangulation<Geometry>& first, std::size_t s) {
