@@ -16,6 +16,8 @@
 #include <CGAL/Delaunay_mesh_size_criteria_2.h>
 #include <CGAL/Quality_mesher_2.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -116,9 +118,11 @@ TEST_CASE("Random inputs by each rule", "[mesher][domain]") {
       run(pslg, Options().mesh_domain(Domain::NESTING_PARITY));
       const auto& v = pslg.vertices;
       random_pslg::Random random(seed);
-      for (int i = 0; i < 3; ++i) { // the corner of a random triangle: anywhere, but on nothing
+      for (int i = 0; i < 3; ++i) { // somewhere, but on no segment
         const auto corner = [&] { return v[std::size_t(random.integer(0, int(v.size()) - 1))]; };
-        pslg.regions.push_back({CGAL::centroid(corner(), corner(), corner()), double(i), 0.5});
+        const Point p = CGAL::centroid(corner(), corner(), corner());
+        const double x = random.between(0, 1e-3), y = random.between(0, 1e-3);
+        pslg.regions.push_back({Point(p.x() + x, p.y() + y), double(i), 0.5});
       }
       if (pslg_test::error_of([&] { Mesher(Options().mesh_domain(Domain::MARKED))(pslg); }).empty()) {
         const Run r = run_to_the_bound(pslg, Options().mesh_domain(Domain::MARKED));
@@ -150,7 +154,7 @@ TEST_CASE("Regions have labels and area bounds of their own", "[mesher][domain]"
     CHECK(count[2] < 1000);
     CHECK(count[3] == 0);
   }
-  SECTION("without removal, and in integers") {
+  SECTION("without removal") {
     pslg.regions.push_back({Point(1.5, 0.5), 7.0, 0.01});
     triangles_by_region(run_to_the_bound(pslg, Options().coarsen(Options::Coarsening::NONE)), pslg);
   }
@@ -173,7 +177,7 @@ TEST_CASE("A map with bounds by region", "[mesher][domain]") {
   }
   pslg.regions.push_back({Point(x, y), 1, 1e8});
   const auto count = triangles_by_region(run_to_the_bound(pslg, Options()), pslg);
-  CHECK(count[1] > 500);
+  CHECK(count[1] > 100);
 }
 
 TEST_CASE("Segments with the domain on both sides, dangling ones and isolated vertices", "[mesher][domain]") {

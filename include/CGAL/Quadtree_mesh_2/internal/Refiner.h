@@ -23,6 +23,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/Meshing_state.h>
 #include <CGAL/Quadtree_mesh_2/internal/Relocator.h>
 #include <CGAL/Quadtree_mesh_2/internal/Splitter.h>
+#include <CGAL/Quadtree_mesh_2/internal/least_edge.h>
 #include <CGAL/Quadtree_mesh_2/internal/walk.h>
 
 #include <cmath>
@@ -188,6 +189,7 @@ private:
       if (cross(x, y) <= 1e-10 * squared_length(x - y)) on_slot = k, ++number_on;
     }
     if (number_on > 1 || (on_slot >= 0 && r.side[on_slot].is_constrained())) return false; // no room
+    if (!has_room(mesh_, {t}, q, state_.bounds.least_squared_length)) return false;
     const Vertex_id v = mesh_.add_vertex(q, free_vertex);
     if (on_slot >= 0)
       mesh_.insert_on_side(t, on_slot, v);
