@@ -17,12 +17,14 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 
 namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
 /// Finds the bin of a number in [low, high] between increasing thresholds: a table leads to one near it.
+/// \tparam NumberOfBins below 256.
 template <std::size_t NumberOfBins>
 class Bin_finder {
 public:
@@ -35,7 +37,7 @@ public:
     for (std::size_t cell = 0; cell < number_of_cells; ++cell) {
       const double x = thresholds_[0] + static_cast<double>(cell) / cells_per_unit_;
       while (bin + 1 < NumberOfBins && thresholds_[bin + 1] <= x) ++bin;
-      first_[cell] = bin;
+      first_[cell] = static_cast<std::uint8_t>(bin);
     }
   }
 
@@ -50,7 +52,7 @@ public:
 private:
   static constexpr std::size_t number_of_cells = 1024;
   std::array<double, NumberOfBins + 1> thresholds_;
-  std::array<std::size_t, number_of_cells> first_;
+  std::array<std::uint8_t, number_of_cells> first_;
   double cells_per_unit_;
 };
 
@@ -61,10 +63,11 @@ public:
   std::array<std::size_t, 120> largest{};
 
   void add(const Shape& s) {
-    const double z = s.longest(), xy = s.l[0] * s.l[1] * s.l[2] / z;
-    const double n = z - (s.l[0] + s.l[1] + s.l[2] - z); // -2 sqrt(x y) cos(largest)
-    ++least[least_bin_(s.sin2_of_least_angle())];
-    ++largest[largest_bin_(n * std::fabs(n) / (4 * xy))];
+    const double x = s.shortest(), z = s.longest();
+    const double y = std::max(std::min(s.l[0], s.l[1]), std::min(std::max(s.l[0], s.l[1]), s.l[2]));
+    const double n = z - x - y; // -2 sqrt(x y) cos(largest)
+    ++least[least_bin_(s.area2 * s.area2 / (y * z))];
+    ++largest[largest_bin_(n * std::fabs(n) / (4 * x * y))];
   }
 
 private:

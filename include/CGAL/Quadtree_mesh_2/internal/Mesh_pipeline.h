@@ -25,6 +25,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/find_corners.h>
 #include <CGAL/Quadtree_mesh_2/internal/kernel_mesh_to_indexed_mesh.h>
 #include <CGAL/Quadtree_mesh_2/internal/morton.h>
+#include <CGAL/Quadtree_mesh_2/internal/triangle_budget.h>
 #include <CGAL/Quality_mesh_options_2.h>
 #include <CGAL/Quality_mesh_report_2.h>
 #include <CGAL/validate_pslg_2.h>
@@ -130,6 +131,7 @@ private:
 
     find_domain();
     set_bounds();
+    estimate_size();
     Corner_finder<Geometry>(state_).run();
   }
 
@@ -164,6 +166,20 @@ private:
             scale * options_.size_field(static_cast<double>(q.x()), static_cast<double>(q.y()));
         return size * size;
       };
+  }
+
+  /// \throws Pslg_error_2 if the mesh would surely be larger than the budget.
+  void estimate_size() {
+    const Size_estimate<Geometry> estimate(state_);
+    report_.estimated_triangles = estimate.triangles();
+    const Triangle_budget budget(options_.vertex_budget);
+    if (!budget.is_surely_exceeded_by(estimate.triangles())) return;
+    std::string culprit = "for the bounds of size";
+    if (estimate.worst_pair().triangles > estimate.triangles_of_sizes())
+      culprit = Narrow_gap<Geometry>(state_, estimate.worst_pair()).in_words([this](Vertex_id v) {
+        return name_of_vertex(order_[std::size_t(v)]);
+      }, map_.length_to_kernel(1.0));
+    throw Pslg_error_2(budget.refusal_of(estimate.triangles()) + ' ' + culprit);
   }
 
   void set_region_bounds(double scale2) {
@@ -205,11 +221,18 @@ private:
     return text.str();
   }
 
+  std::string name_of_vertex(std::size_t v) const {
+    std::ostringstream text;
+    text.precision(17);
+    text << "vertex " << v << " at " << pslg_.vertices[v].x() << ' ' << pslg_.vertices[v].y();
+    return text.str();
+  }
+
   std::size_t vertex_budget() const {
     if (options_.vertex_budget > 0) return options_.vertex_budget;
     // what 32-bit handles allow; above the guaranteed angle, where refinement might not end, a multiple of
     // the input
-    constexpr std::size_t largest = 100000000;
+    constexpr std::size_t largest = Triangle_budget::most_vertices;
     return state_.bounds.is_guaranteed() || state_.bounds.is_size_bounded()
                ? largest
                : std::min(largest, 100 * pslg_.number_of_vertices() + 2000000);

@@ -121,7 +121,7 @@ private:
     const auto& r = mesh_.triangle(t);
     const Shape s = mesh_.shape(r);
     angles_.add(s);
-    if (!state_.is_suspect(t)) return;
+    if (!state_.bounds.is_sharp(s) && !state_.is_large(t, s)) return;
     if (!state_.is_bad(t)) return add_exempt(t);
     Quality_mesh_report_2::Unmet_triangle unmet{new_triangle_[std::size_t(t)], {0, 0}, 0, reason(t)};
     for (const Vertex_id v : r.v) {
