@@ -184,8 +184,8 @@ TEST_CASE("Segments with the domain on both sides, dangling ones and isolated ve
   Pslg pslg;
   add_square(pslg, 0, 0, 4);
   const auto a = pslg.add_vertex(Point(-1, 0)), b = pslg.add_vertex(Point(1, 0));
-  pslg.add_segment(a, b);                               // on both sides
-  pslg.add_segment(b, pslg.add_vertex(Point(2, 1)));    // dangling
+  pslg.add_segment(a, b);                                                         // on both sides
+  pslg.add_segment(b, pslg.add_vertex(Point(2, 1)));                              // dangling
   pslg.add_segment(pslg_test::Vertex_index(0), pslg.add_vertex(Point(-3, -2.5))); // from the border
   const auto isolated = pslg.add_vertex(Point(0.123, 2.345));
   const auto outside = pslg.add_vertex(Point(7, 7));
@@ -212,7 +212,18 @@ TEST_CASE("Several components, and holes that touch in a vertex", "[mesher][doma
   SECTION("holes that share the vertex 4, and one that touches the border") {
     Pslg pslg = make_pslg<double>(
         {{-4, -4}, {4, -4}, {4, 4}, {-4, 4}, {0, 0}, {2, -1}, {2, 1}, {-2, -1}, {-2, 1}, {-1, 2}, {1, 2}},
-        {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6}, {6, 4}, {4, 7}, {7, 8}, {8, 4}, {2, 9}, {9, 10},
+        {{0, 1},
+         {1, 2},
+         {2, 3},
+         {3, 0},
+         {4, 5},
+         {5, 6},
+         {6, 4},
+         {4, 7},
+         {7, 8},
+         {8, 4},
+         {2, 9},
+         {9, 10},
          {10, 2}});
     pslg.holes = {Point(1.5, 0), Point(-1.5, 0), Point(1, 2.1)};
     CHECK(run_to_the_bound(pslg, Options()).quality.area == Approx(64 - 2 - 2 - 2));

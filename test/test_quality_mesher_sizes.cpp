@@ -128,7 +128,8 @@ TEST_CASE("The size field of points is the least over all points", "[mesher][siz
       const double x = random.between(-1, 2), y = random.between(-1, 2);
       double least = std::numeric_limits<double>::infinity();
       for (const auto& p : points)
-        least = std::min(least, p.size + gradation * std::sqrt((p.x - x) * (p.x - x) + (p.y - y) * (p.y - y)));
+        least =
+            std::min(least, p.size + gradation * std::sqrt((p.x - x) * (p.x - x) + (p.y - y) * (p.y - y)));
       CHECK(field(x, y) == Approx(least).epsilon(1e-14));
     }
   }
@@ -209,10 +210,12 @@ TEST_CASE("The report counts angles by degrees", "[mesher][sizes]") {
   }
   std::size_t different = 0; // one on the border of two bins may be in either
   for (std::size_t i = 0; i < 60; ++i)
-    different += least[i] > r.report.least_angle_histogram[i] ? least[i] - r.report.least_angle_histogram[i] : 0;
-  for (std::size_t i = 0; i < 120; ++i)
     different +=
-        largest[i] > r.report.largest_angle_histogram[i] ? largest[i] - r.report.largest_angle_histogram[i] : 0;
+        least[i] > r.report.least_angle_histogram[i] ? least[i] - r.report.least_angle_histogram[i] : 0;
+  for (std::size_t i = 0; i < 120; ++i)
+    different += largest[i] > r.report.largest_angle_histogram[i]
+                     ? largest[i] - r.report.largest_angle_histogram[i]
+                     : 0;
   CHECK(different <= 3);
   const auto sum = [](const auto& bins) { return std::accumulate(bins.begin(), bins.end(), std::size_t(0)); };
   CHECK(sum(r.report.least_angle_histogram) == r.report.triangles);

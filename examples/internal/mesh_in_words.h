@@ -127,7 +127,8 @@ CGAL::Indexed_mesh_2<Point> to_doubles(CGAL::Indexed_mesh_2<Word_point>&& words,
   mesh.triangles = std::move(words.triangles);
   mesh.neighbors = std::move(words.neighbors);
   mesh.constrained_edges.reserve(words.constrained_edges.size());
-  for (const auto& e : words.constrained_edges) mesh.constrained_edges.push_back({e.vertices, e.segment, e.marker});
+  for (const auto& e : words.constrained_edges)
+    mesh.constrained_edges.push_back({e.vertices, e.segment, e.marker});
   mesh.region_of_triangle = std::move(words.region_of_triangle);
   mesh.segment_of_vertex = std::move(words.segment_of_vertex);
   mesh.vertex_markers = std::move(words.vertex_markers);

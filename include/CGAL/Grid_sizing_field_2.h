@@ -62,8 +62,8 @@ private:
   };
   Cell cell(double coordinate, std::size_t axis) const {
     const std::size_t last = count_[axis] - 1;
-    const double place = std::min(std::max((coordinate - origin_[axis]) / spacing_[axis], 0.0),
-                                  static_cast<double>(last));
+    const double place =
+        std::min(std::max((coordinate - origin_[axis]) / spacing_[axis], 0.0), static_cast<double>(last));
     const std::size_t low = std::min(static_cast<std::size_t>(place), last);
     return {low, std::min(low + 1, last), place - static_cast<double>(low)};
   }

@@ -86,10 +86,9 @@ private:
     const bool is_wide = n.high[0] - n.low[0] >= n.high[1] - n.low[1];
     const std::size_t middle = begin + (end - begin) / 2;
     using Offset = std::vector<Sized_point>::difference_type;
-    std::nth_element(points_.begin() + Offset(begin), points_.begin() + Offset(middle),
-                     points_.begin() + Offset(end), [is_wide](const Sized_point& p, const Sized_point& q) {
-                       return is_wide ? p.x < q.x : p.y < q.y;
-                     });
+    std::nth_element(
+        points_.begin() + Offset(begin), points_.begin() + Offset(middle), points_.begin() + Offset(end),
+        [is_wide](const Sized_point& p, const Sized_point& q) { return is_wide ? p.x < q.x : p.y < q.y; });
     build(2 * node + 1, begin, middle);
     build(2 * node + 2, middle, end);
   }

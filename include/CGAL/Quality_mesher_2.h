@@ -62,8 +62,7 @@ public:
       throw std::invalid_argument("the longest edge must not be negative");
     if (!(options_.max_triangle_area >= 0))
       throw std::invalid_argument("the largest area must not be negative");
-    if (!(options_.min_edge_length >= 0))
-      throw std::invalid_argument("the least edge must not be negative");
+    if (!(options_.min_edge_length >= 0)) throw std::invalid_argument("the least edge must not be negative");
   }
 
   /// Returns the mesh of the domain of `pslg`.

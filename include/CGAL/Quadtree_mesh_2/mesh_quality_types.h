@@ -25,7 +25,7 @@ struct Mesh_quality_options_2 {
     marked_by_regions,    ///< of that only the components of the region points
     nesting_parity, ///< of that only what an odd number of segments, counted at their least, separate from
                     ///< infinity
-    any ///< not checked (meshes of points); every input vertex and segment has to be in the mesh
+    any             ///< not checked (meshes of points); every input vertex and segment has to be in the mesh
   };
   /// Which arrays of the mesh are checked.
   enum class Arrays {

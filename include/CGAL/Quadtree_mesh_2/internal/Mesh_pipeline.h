@@ -176,9 +176,9 @@ private:
     if (!budget.is_surely_exceeded_by(estimate.triangles())) return;
     std::string culprit = "for the bounds of size";
     if (estimate.worst_pair().triangles > estimate.triangles_of_sizes())
-      culprit = Narrow_gap<Geometry>(state_, estimate.worst_pair()).in_words([this](Vertex_id v) {
-        return name_of_vertex(order_[std::size_t(v)]);
-      }, map_.length_to_kernel(1.0));
+      culprit = Narrow_gap<Geometry>(state_, estimate.worst_pair())
+                    .in_words([this](Vertex_id v) { return name_of_vertex(order_[std::size_t(v)]); },
+                              map_.length_to_kernel(1.0));
     throw Pslg_error_2(budget.refusal_of(estimate.triangles()) + ' ' + culprit);
   }
 

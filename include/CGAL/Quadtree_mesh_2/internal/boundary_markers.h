@@ -23,7 +23,8 @@ namespace internal {
 template <class Point>
 void set_boundary_markers(Indexed_mesh_2<Point>& mesh, const Pslg_2<Point>& pslg) {
   mesh.vertex_markers.assign(mesh.points.size(), 0);
-  for (std::size_t v = 0; v < pslg.vertex_markers.size(); ++v) mesh.vertex_markers[v] = pslg.vertex_markers[v];
+  for (std::size_t v = 0; v < pslg.vertex_markers.size(); ++v)
+    mesh.vertex_markers[v] = pslg.vertex_markers[v];
   const auto offer = [&mesh](Vertex_index v, int marker) {
     int& own = mesh.vertex_markers[std::size_t(v)];
     if (own == 0) own = marker;
