@@ -155,7 +155,7 @@ struct Meshing_state {
   Meshing_state& operator=(const Meshing_state&) = delete;
 
   bool owns(Corner_id c) const { return !is_block_ || std::binary_search(owned_.begin(), owned_.end(), c); }
-  const std::vector<Corner_id>& owned_corners() const { return owned_; }
+  bool is_block() const { return is_block_; }
 
   bool is_exempt(Vertex_id a, Vertex_id b, Vertex_id c, const Shape& s) const {
     return corners.is_exempt(mesh, a, b, c, s);

@@ -192,7 +192,23 @@ private:
                                  mesh_.region(star_.corner[i].triangle())))
         return false;
     }
+    if (!is_far_from_link(p)) return false;
     mesh_.points[std::size_t(v)] = p;
+    return true;
+  }
+
+  /// Whether p keeps the least length of edges, to the link and to what flips may join it with.
+  bool is_far_from_link(const Point& p) const {
+    const double least = state_.bounds.least_squared_length;
+    const auto is_far = [&](Vertex_id w) {
+      return squared_length(Geometry::difference(mesh_.point(w), p)) >= least;
+    };
+    for (int i = 0; i < star_.number_of_link_vertices() && least > 0; ++i)
+      if (!is_far(star_.link[i])) return false;
+    for (int i = 0; i < star_.size && least > 0; ++i) {
+      const Side o = mesh_.across(star_.corner[i]);
+      if (!o.is_constrained() && !is_far(mesh_.opposite(o))) return false;
+    }
     return true;
   }
 
