@@ -4,18 +4,19 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 
-// Vertex-edge neighbours against brute force with exact intersections: every segment for every ray and sector.
+// Vertex-edge neighbours against brute force with exact intersections: every segment for every ray and
+// sector.
 
 #include "catch.h"
 #include "pslg_test_tools.h"
 #include "random_pslg.h"
+#include "vertex_edge_brute_force.h"
 
 #include <CGAL/Exact_quadtree_traits_2.h>
 #include <CGAL/Filtered_quadtree_traits_2.h>
 #include <CGAL/Fixed_point_quadtree_traits_2.h>
 #include <CGAL/IO/read_triangle_files.h>
 #include <CGAL/Quadtree_vertex_edge_neighbors_2.h>
-#include <CGAL/intersections.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>
@@ -29,38 +30,18 @@
 #include <utility>
 #include <vector>
 
+using namespace vertex_edge_test;
 using CGAL::Quadtree_vertex_edge_neighbors_2;
 using CGAL::Sector_neighbor_2;
 using CGAL::Vertex_edge_neighbor_2;
 using CGAL::Vertex_edge_neighbors_options_2;
-using CGAL::Quadtree_mesh_2::Direction;
-using CGAL::Quadtree_mesh_2::Segment_index;
-using CGAL::Quadtree_mesh_2::Vertex_index;
 
 namespace {
 
-using Exact = CGAL::Exact_predicates_exact_constructions_kernel;
-using EP = Exact::Point_2;
-using FT = Exact::FT;
 using Filtered_traits = CGAL::Filtered_quadtree_traits_2<>;
 using Exact_traits = CGAL::Exact_quadtree_traits_2<>;
 using Fixed_32_traits = CGAL::Fixed_point_quadtree_traits_2<std::uint32_t>;
 using Fixed_64_traits = CGAL::Fixed_point_quadtree_traits_2<std::uint64_t>;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr std::array<Direction, 4> axis_directions{
-    {Direction::EAST, Direction::NORTH, Direction::WEST, Direction::SOUTH}};
-
-EP exact_point(const random_pslg::Point& p) { return EP(p.x(), p.y()); }
-EP exact_point(const EP& p) { return p; }
-template <class Word>
-EP exact_point(const CGAL::Fixed_point_2<Word>& p) {
-  const auto number = [](Word w) {
-    const std::uint64_t v = w;
-    return FT(static_cast<double>(v >> 31)) * FT(0x1p31) + FT(static_cast<double>(v & 0x7fffffff));
-  };
-  return EP(number(p.x()), number(p.y()));
-}
 
 /// The same graph with points of other traits: rounded to words, or divided by 3.
 template <class Traits>
@@ -78,143 +59,6 @@ CGAL::Pslg_2<typename Traits::Point_2> converted(const random_pslg::Pslg& from) 
   }
   return to;
 }
-
-/// The intersection as a point or a segment, if that is what it is: a variant of boost in CGAL 5, of std later.
-template <class T, class Meeting>
-const T* part(const Meeting& meeting) {
-  using boost::get;
-  using std::get_if;
-#if CGAL_VERSION_MAJOR >= 6
-  return get_if<T>(&*meeting);
-#else
-  return get<T>(&*meeting);
-#endif
-}
-
-/// What is nearest, among exact values.
-struct Nearest {
-  FT squared_distance = 0;
-  Vertex_index vertex;
-  Segment_index segment;
-
-  bool exists() const { return vertex.is_valid() || segment.is_valid(); }
-  void offer(const FT& d, Vertex_index v, Segment_index s) {
-    if (exists() && !(d < squared_distance)) return;
-    squared_distance = d;
-    vertex = v;
-    segment = s;
-  }
-  double distance() const { return exists() ? std::sqrt(CGAL::to_double(squared_distance)) : infinity; }
-};
-
-/// All segments for every query.
-class Brute_force {
-public:
-  template <class Pslg>
-  explicit Brute_force(const Pslg& pslg) : segments_(pslg.segments) {
-    for (const auto& p : pslg.vertices) points_.push_back(exact_point(p));
-    for (const EP& p : points_) boxes_.push_back(p.bbox());
-  }
-
-  Nearest first_hit(Vertex_index v, Direction d) const {
-    const EP& p = point(v);
-    const Exact::Ray_2 ray(p, Exact::Direction_2(step_x(d), step_y(d)));
-    Nearest best;
-    for (std::size_t i = 0; i < segments_.size(); ++i) {
-      const auto ends = segments_[i];
-      if (!may_hit(v, d, ends) || point(ends[0]) == p || point(ends[1]) == p) continue;
-      if (point(ends[0]) == point(ends[1])) {
-        if (ray.has_on(point(ends[0])))
-          best.offer(CGAL::squared_distance(p, point(ends[0])), Vertex_index(), Segment_index(i));
-        continue;
-      }
-      const auto meeting = CGAL::intersection(ray, segment(i));
-      if (!meeting) continue;
-      best.offer(squared_distance(p, meeting), Vertex_index(), Segment_index(i));
-    }
-    return best;
-  }
-
-  Nearest nearest_hit(Vertex_index v) const {
-    Nearest best;
-    for (const Direction d : axis_directions) {
-      const Nearest hit = first_hit(v, d);
-      const bool is_better = !best.exists() || hit.squared_distance < best.squared_distance ||
-                             (hit.squared_distance == best.squared_distance && hit.segment < best.segment);
-      if (hit.exists() && is_better) best = hit;
-    }
-    return best;
-  }
-
-  Nearest nearest_vertex(Vertex_index v) const {
-    Nearest best;
-    for (std::size_t i = 0; i < points_.size(); ++i)
-      if (points_[i] != point(v))
-        best.offer(CGAL::squared_distance(points_[i], point(v)), Vertex_index(i), Segment_index());
-    return best;
-  }
-
-  Nearest nearest_segment(Vertex_index v) const {
-    Nearest best;
-    for (std::size_t i = 0; i < segments_.size(); ++i) {
-      const EP &a = point(segments_[i][0]), &b = point(segments_[i][1]);
-      if (a == point(v) || b == point(v)) continue;
-      best.offer(a == b ? CGAL::squared_distance(a, point(v)) : CGAL::squared_distance(segment(i), point(v)),
-                 Vertex_index(), Segment_index(i));
-    }
-    return best;
-  }
-
-  /// The sector is cut off far out, so that it is a triangle.
-  Nearest nearest_in_sector(Vertex_index v, Vertex_index right, Vertex_index left) const {
-    const EP &p = point(v), &r = point(right), &l = point(left);
-    const FT far(0x1p120);
-    const Exact::Triangle_2 sector(p, p + far * (r - p), p + far * (l - p));
-    Nearest best;
-    for (std::size_t i = 0; i < points_.size(); ++i)
-      if (sector.has_on_bounded_side(points_[i]))
-        best.offer(CGAL::squared_distance(p, points_[i]), Vertex_index(i), Segment_index());
-    for (std::size_t i = 0; i < segments_.size(); ++i) {
-      const auto ends = segments_[i];
-      if (point(ends[0]) == point(ends[1])) continue;
-      const auto side = [&](const EP& from, const EP& to, Vertex_index u) {
-        return CGAL::orientation(from, to, point(u)) != CGAL::LEFT_TURN;
-      };
-      if ((side(p, r, ends[0]) && side(p, r, ends[1])) || (side(l, p, ends[0]) && side(l, p, ends[1]))) continue;
-      const auto meeting = CGAL::intersection(segment(i), sector);
-      if (!meeting) continue;
-      if (const auto* s = part<Exact::Segment_2>(meeting))
-        if (sector.has_on_bounded_side(CGAL::midpoint(s->source(), s->target())))
-          best.offer(CGAL::squared_distance(p, *s), Vertex_index(), Segment_index(i));
-    }
-    return best;
-  }
-
-  const EP& point(Vertex_index v) const { return points_[std::size_t(v)]; }
-
-private:
-  std::vector<EP> points_;
-  std::vector<CGAL::Bbox_2> boxes_;
-  std::vector<std::array<Vertex_index, 2>> segments_;
-
-  Exact::Segment_2 segment(std::size_t i) const {
-    return Exact::Segment_2(point(segments_[i][0]), point(segments_[i][1]));
-  }
-
-  /// Whether boxes do not tell that it does not.
-  bool may_hit(Vertex_index v, Direction d, const std::array<Vertex_index, 2>& ends) const {
-    const CGAL::Bbox_2 b = boxes_[std::size_t(ends[0])] + boxes_[std::size_t(ends[1])];
-    const CGAL::Bbox_2& p = boxes_[std::size_t(v)];
-    return (step_x(d) > 0 || b.xmin() <= p.xmax()) && (step_x(d) < 0 || b.xmax() >= p.xmin()) &&
-           (step_y(d) > 0 || b.ymin() <= p.ymax()) && (step_y(d) < 0 || b.ymax() >= p.ymin());
-  }
-
-  template <class Meeting>
-  static FT squared_distance(const EP& p, const Meeting& meeting) {
-    const auto* s = part<Exact::Segment_2>(meeting);
-    return s ? CGAL::squared_distance(p, *s) : CGAL::squared_distance(p, *part<EP>(meeting));
-  }
-};
 
 void check_distance(double found, const Nearest& expected) {
   const double d = expected.distance();
@@ -394,7 +238,8 @@ TEST_CASE("vertices on segments and equal vertices", "[neighbors]") {
 TEST_CASE("graphs of almost nothing", "[neighbors]") {
   for (std::size_t n : {0, 1, 5}) {
     random_pslg::Pslg pslg;
-    for (std::size_t i = 0; i < n; ++i) pslg.add_vertex({static_cast<double>(i % 4), static_cast<double>(i / 2)});
+    for (std::size_t i = 0; i < n; ++i)
+      pslg.add_vertex({static_cast<double>(i % 4), static_cast<double>(i / 2)});
     const Neighbors neighbors(pslg);
     for (std::size_t i = 0; i < n; ++i) {
       REQUIRE_FALSE(neighbors.nearest_hit(Vertex_index(i)).exists());
@@ -434,7 +279,8 @@ TEST_CASE("long segments that cross and share leaves", "[neighbors]") {
   for (int i = 0; i < 60; ++i) {
     pslg.add_vertex({random.between(-1, -0.99), random.between(-1, 1)});
     pslg.add_vertex({random.between(0.99, 1), random.between(-1, 1)});
-    pslg.add_segment(Vertex_index(pslg.number_of_vertices() - 2), Vertex_index(pslg.number_of_vertices() - 1));
+    pslg.add_segment(Vertex_index(pslg.number_of_vertices() - 2),
+                     Vertex_index(pslg.number_of_vertices() - 1));
     pslg.add_vertex({random.between(-1, 1), random.between(-1, 1)});
   }
   check_graph<Filtered_traits>(pslg, 1000);
@@ -476,7 +322,8 @@ TEST_CASE("points finer than the corners of leaves", "[neighbors]") {
   random_pslg::Random random(3);
   random_pslg::Pslg pslg;
   for (int i = 0; i < 120; ++i) {
-    const double tiny = std::ldexp(random.between(-1, 1), -50), one = 1 + std::ldexp(random.integer(0, 40), -52);
+    const double tiny = std::ldexp(random.between(-1, 1), -50),
+                 one = 1 + std::ldexp(random.integer(0, 40), -52);
     pslg.add_vertex(i % 2 == 0 ? random_pslg::Point(tiny, one) : random_pslg::Point(one, tiny));
     if (i % 3 > 0 && i >= 2) pslg.add_segment(Vertex_index(std::size_t(i - 2)), Vertex_index(std::size_t(i)));
   }
@@ -488,9 +335,9 @@ TEST_CASE("nothing depends on threads or on options", "[neighbors]") {
   const Neighbors neighbors(pslg);
   const std::vector<double> expected = answers(neighbors);
   const auto check = [&](std::size_t max_segments, int refinements) {
-    const Neighbors other(pslg, Vertex_edge_neighbors_options_2()
-                                    .max_segments_per_leaf(max_segments)
-                                    .max_refinements(refinements));
+    const Neighbors other(
+        pslg,
+        Vertex_edge_neighbors_options_2().max_segments_per_leaf(max_segments).max_refinements(refinements));
     REQUIRE(answers(other) == expected);
   };
   check(8, 0);
@@ -518,14 +365,15 @@ TEST_CASE("maps against brute force", "[neighbors]") {
 TEST_CASE("the clear radius of a corner", "[neighbors]") {
   // A right angle with legs of length 10, and in turn what is to be found in it.
   const auto radius = [](double px, double py, double qx, double qy) {
-    const auto pslg = make_pslg<double>({{0, 0}, {10, 0}, {0, 10}, {px, py}, {qx, qy}}, {{0, 1}, {0, 2}, {3, 4}});
+    const auto pslg =
+        make_pslg<double>({{0, 0}, {10, 0}, {0, 10}, {px, py}, {qx, qy}}, {{0, 1}, {0, 2}, {3, 4}});
     return Neighbors(pslg).clear_radius(Vertex_index(0), Segment_index(0), Segment_index(1));
   };
-  CHECK(radius(3, 4, 30, 40) == Approx(5));            // a vertex
+  CHECK(radius(3, 4, 30, 40) == Approx(5));               // a vertex
   CHECK(radius(-5, 15, 15, -5) == Approx(std::sqrt(50))); // the foot of a perpendicular
-  CHECK(radius(-2, 5, 20, 27) == Approx(7));           // where a segment comes in over the leg
-  CHECK(radius(10, 0, 30, 20) == Approx(10));          // at the end of a leg
-  CHECK(radius(10, 0, 20, 0) == infinity);             // only on the sides of the sector
-  CHECK(radius(-1, -1, -2, -5) == infinity);           // outside
-  CHECK(radius(-3, -3, 2, 2) == 0);                    // through the apex
+  CHECK(radius(-2, 5, 20, 27) == Approx(7));              // where a segment comes in over the leg
+  CHECK(radius(10, 0, 30, 20) == Approx(10));             // at the end of a leg
+  CHECK(radius(10, 0, 20, 0) == infinity);                // only on the sides of the sector
+  CHECK(radius(-1, -1, -2, -5) == infinity);              // outside
+  CHECK(radius(-3, -3, 2, 2) == 0);                       // through the apex
 }

@@ -9,39 +9,41 @@
 // Computes: for each vertex and each of the four axis directions the first segment hit by the ray from the
 //           vertex; the nearest of the four; and, for a sector between two segments at a vertex, the nearest
 //           vertex or segment in it.
-// Bound:    O(n + m + c) work besides sorting, for n vertices, m segments, k squares and c pairs of a leaf and a
-//           segment that meets it, and for each ray the leaves that it passes with their segments. The paper's
-//           O(n log n) is not reached in the worst case: c, and what rays pass, may be in proportion to m times
-//           the leaves along a segment. See below.
+// Bound:    O(n + m + c) work besides sorting, for n vertices, m segments, k squares and c pairs of a leaf
+//           and a segment that meets it, and for each ray the leaves that it passes with their segments. The
+//           paper's O(n log n) is not reached in the worst case: c, and what rays pass, may be in proportion
+//           to m times the leaves along a segment. See below.
 // Source:   Bern, Eppstein, Teng, section 6, Lemma 5.
-// Deviates: the paper shoots rays by trapezoidal decomposition. Leaves that many long segments meet are split a
-//           few times more.
+// Deviates: the paper shoots rays by trapezoidal decomposition. Leaves that many long segments meet are split
+//           a few times more.
 //
 // Lemma 5. Let D be the distance from a vertex v to the nearest segment e that is not incident to it, V the
-// distance to the nearest other vertex, and H that of the nearest of the four hits (infinite if there are none).
-// Then H >= D, and min(V, H) <= sqrt(2) D. So the distance f = min(V, D) to whatever is nearest is known within
-// a factor sqrt(2):
+// distance to the nearest other vertex, and H that of the nearest of the four hits (infinite if there are
+// none). Then H >= D, and min(V, H) <= sqrt(2) D. So the distance f = min(V, D) to whatever is nearest is
+// known within a factor sqrt(2):
 //                                  f  <=  min(V, H)  <=  sqrt(2) f,
-// and within 1.6284 sqrt(2) < 2.303 if instead of V the distance to `Balanced_quadtree::near_neighbor()` is taken.
+// and within 1.6284 sqrt(2) < 2.303 if instead of V the distance to `Balanced_quadtree::near_neighbor()` is
+// taken.
 //
-// Proof. Hits lie on segments not incident to v, so H >= D. If D = 0, v lies in the interior of e, which all four
-// rays hit, and H = 0. Otherwise suppose no end of e is within sqrt(2) D. Then the point q of e that is nearest
-// to v is not an end, so e is perpendicular to vq. Both ends are further than D from q, as otherwise they would be
-// within sqrt(D^2 + D^2) of v. So e meets each ray from v that makes an angle of at most 45 degrees with vq, and
-// at most D / cos(45 degrees) = sqrt(2) D away. One of the four axis directions is among these. What it hits
-// first is no further: H <= sqrt(2) D. If an end of e is within sqrt(2) D of v, then V <= sqrt(2) D. Last, if
-// f = V, then min(V, H) <= V = f; otherwise f = D.
+// Proof. Hits lie on segments not incident to v, so H >= D. If D = 0, v lies in the interior of e, which all
+// four rays hit, and H = 0. Otherwise suppose no end of e is within sqrt(2) D. Then the point q of e that is
+// nearest to v is not an end, so e is perpendicular to vq. Both ends are further than D from q, as otherwise
+// they would be within sqrt(D^2 + D^2) of v. So e meets each ray from v that makes an angle of at most 45
+// degrees with vq, and at most D / cos(45 degrees) = sqrt(2) D away. One of the four axis directions is among
+// these. What it hits first is no further: H <= sqrt(2) D. If an end of e is within sqrt(2) D of v, then V <=
+// sqrt(2) D. Last, if f = V, then min(V, H) <= V = f; otherwise f = D.
 //
 // The nearest hit alone, H, is no approximation of D: a segment that ends next to v may be missed by all four
 // rays. That is what the vertex in the lemma is for.
 //
-// Sectors. Here distances are Euclidean and everything in the sector counts, in sight of its apex or not. In
-// sight counts the mesher (internal/find_corners.h), by walks in the constrained Delaunay triangulation of the
-// domain. The two radii are the same where the nearest thing in the sector is a vertex or the foot of a
-// perpendicular within the domain, for what is nearest is never hidden by something else: the hider is nearer.
-// They differ only where the mesher's rules do: it leaves out what touches the far ends of the two legs, what is
-// not part of the domain (segments in holes or outside), and what lies beyond the shortest leg; and it counts a
-// vertex that lies just beyond the ring if it sees the ring's chord under a large angle.
+// Sectors. Distances are Euclidean and everything in the sector counts, whatever lies between. The mesher
+// finds the radii of its rings (internal/find_corners.h) geodesically, by walks in the constrained Delaunay
+// triangulation of the domain that stop at constraints. What is nearest in a sector is never hidden, for what
+// hides it is nearer; so the two differ only by what they leave out. The mesher leaves out segments that
+// touch the far end of a leg, even where they come back nearer to the apex than that (a ring may then end
+// close to such a segment, which refinement copes with), and what is not in the domain; besides it counts a
+// vertex just beyond the ring that sees the ring's chord under a large angle. doc/guarantees.md has the
+// figures, and why the mesher keeps its walks.
 
 #ifndef CGAL_QUADTREE_VERTEX_EDGE_NEIGHBORS_2_H
 #define CGAL_QUADTREE_VERTEX_EDGE_NEIGHBORS_2_H
@@ -70,17 +72,17 @@ namespace CGAL {
 ///
 /// All hits are found by the constructor, in parallel over the vertices; sectors are searched when asked for.
 /// The graph need not be planar: segments may cross and overlap, vertices may lie on segments and be given
-/// repeatedly. All answers are exact but for the rounding of distances, and the same for any number of threads
-/// and all options.
+/// repeatedly. All answers are exact but for the rounding of distances, and the same for any number of
+/// threads and all options.
 ///
 /// <h3>Time</h3>
-/// Usually a few leaves for each ray and a few segments for each leaf. In the worst case a ray passes all leaves
-/// in its row, and a leaf lists all segments: many long segments with no vertex between them, such as a fan,
-/// share large leaves. Such leaves are split a few times (`Vertex_edge_neighbors_options_2`), which divides the
-/// time spent there by about two each time, and no more.
+/// Usually a few leaves for each ray and a few segments for each leaf. In the worst case a ray passes all
+/// leaves in its row, and a leaf lists all segments: many long segments with no vertex between them, such as
+/// a fan, share large leaves. Such leaves are split a few times (`Vertex_edge_neighbors_options_2`), which
+/// divides the time spent there by about two each time, and no more.
 ///
-/// The leaves that a segment meets are at most in proportion to the leaves, and so may be the lists of each of m
-/// long segments. They need 4 bytes a member, and 24 while they are made.
+/// The leaves that a segment meets are at most in proportion to the leaves, and so may be the lists of each
+/// of m long segments. They need 4 bytes a member, and 24 while they are made.
 /// \tparam Traits_ a model of `QuadtreeTraits_2`: any of those of this package.
 /// \tparam Concurrency_tag `CGAL::Sequential_tag` or `CGAL::Parallel_tag`.
 /// \cgalModels{VertexEdgeNeighbors_2}
@@ -115,10 +117,10 @@ public:
 
   /// The first segment, not incident to `v`, that the ray from `v` in direction `d` hits. Takes O(1) time.
   ///
-  /// A segment is incident if it has an end where `v` is, be that `v` or another vertex. Rays begin in `v`, and
-  /// segments have their ends: a segment that `v` is in the interior of is hit at distance 0 in all directions,
-  /// an end on the ray is a hit, and so is the nearer end of a segment that lies on the ray. Of several segments
-  /// hit at the same distance the one with the lowest index counts.
+  /// A segment is incident if it has an end where `v` is, be that `v` or another vertex. Rays begin in `v`,
+  /// and segments have their ends: a segment that `v` is in the interior of is hit at distance 0 in all
+  /// directions, an end on the ray is a hit, and so is the nearer end of a segment that lies on the ray. Of
+  /// several segments hit at the same distance the one with the lowest index counts.
   /// \pre `d` is `EAST`, `NORTH`, `WEST` or `SOUTH`
   const Vertex_edge_neighbor_2& first_hit(Vertex_index v, Direction d) const {
     CGAL_precondition(!is_diagonal(d));
@@ -132,27 +134,29 @@ public:
     return h.first[h.nearest];
   }
 
-  /// The vertex or segment nearest to `apex` in the open sector at `apex`, counterclockwise from segment `right`
-  /// to segment `left`: among all vertices and segments with points in it, one with such points nearest to, or
-  /// arbitrarily near to a point as near to, `apex`. A vertex comes before segments that are as near, and lower
-  /// indices before higher ones. Segments at `apex` within the sector are at distance 0.
+  /// The vertex or segment nearest to `apex` in the open sector at `apex`, counterclockwise from segment
+  /// `right` to segment `left`: among all vertices and segments with points in it, one with such points
+  /// nearest to, or arbitrarily near to a point as near to, `apex`. A vertex comes before segments that are
+  /// as near, and lower indices before higher ones. Segments at `apex` within the sector are at distance 0.
   ///
   /// Takes O(1) time for each leaf that meets the sector within about three times the distance, and for each
   /// point and segment listed there, as well as for each level up to squares of that size.
-  /// \param at_most what is further away is not found. For the radius of a ring: the length of the shorter leg.
-  /// \pre `right` and `left` are incident to `apex`, with a counterclockwise angle of more than 0 and less than 180
-  /// degrees from `right` to `left`
+  /// \param at_most what is further away is not found. For the radius of a ring: the length of the shorter
+  /// leg.
+  /// \pre `right` and `left` are incident to `apex`, with a counterclockwise angle of more than 0 and less
+  /// than 180 degrees from `right` to `left`
   Sector_neighbor_2 nearest_in_sector(Vertex_index apex, Segment_index right, Segment_index left,
                                       double at_most = std::numeric_limits<double>::infinity()) const {
     const Vertex_index r = far_end(apex, right), l = far_end(apex, left);
     CGAL_precondition(Quadtree_mesh_2::internal::Point_arithmetic<Point_2>::orientation(
                           pslg_->point(apex), pslg_->point(r), pslg_->point(l)) > 0);
-    return Quadtree_mesh_2::internal::Sector_searcher<Quadtree, Pslg>(tree_, lists_, *pslg_, apex, r, l, at_most)
+    return Quadtree_mesh_2::internal::Sector_searcher<Quadtree, Pslg>(tree_, lists_, *pslg_, apex, r, l,
+                                                                      at_most)
         .find();
   }
 
-  /// The greatest radius, up to `at_most`, of an open sector between two segments that holds no vertex and meets
-  /// no segment. Arguments and time as for `nearest_in_sector()`.
+  /// The greatest radius, up to `at_most`, of an open sector between two segments that holds no vertex and
+  /// meets no segment. Arguments and time as for `nearest_in_sector()`.
   double clear_radius(Vertex_index apex, Segment_index right, Segment_index left,
                       double at_most = std::numeric_limits<double>::infinity()) const {
     return std::min(at_most, nearest_in_sector(apex, right, left, at_most).distance);
@@ -188,7 +192,8 @@ private:
         tree_.number_of_leaves(),
         [&](std::size_t i) {
           const Leaf_index l(i);
-          return lists_[l].size() > max_segments && tree_.level(l) < depth && number_passing(l) > max_segments;
+          return lists_[l].size() > max_segments && tree_.level(l) < depth &&
+                 number_passing(l) > max_segments;
         },
         [](std::size_t i) { return Leaf_index(i); });
     if (long_lists.empty()) return false;
@@ -197,7 +202,8 @@ private:
     return true;
   }
 
-  /// The number of segments listed for a leaf that do not end in it: those at a vertex cannot be parted from it.
+  /// The number of segments listed for a leaf that do not end in it: those at a vertex cannot be parted from
+  /// it.
   std::size_t number_passing(Leaf_index l) const {
     const auto list = lists_[l];
     return static_cast<std::size_t>(std::count_if(list.begin(), list.end(), [&](Segment_index s) {
@@ -220,7 +226,8 @@ private:
         },
         block_of_vertices);
     for (const auto& d : framework.duplicates())
-      hits_[std::size_t(d.duplicate)] = hits_[std::size_t(framework.input_point(framework.rank(d.duplicate)))];
+      hits_[std::size_t(d.duplicate)] =
+          hits_[std::size_t(framework.input_point(framework.rank(d.duplicate)))];
   }
 
   template <class Caster>

@@ -39,7 +39,7 @@ struct Sector_neighbor_2 {
 /// chained. They change the time that queries take, never the answers.
 class Vertex_edge_neighbors_options_2 {
 public:
-  /// A leaf is split while more segments than this meet it without ending in it; 8 by default.
+  /// A leaf is split while more segments than this meet it without ending in it; 64 by default.
   Vertex_edge_neighbors_options_2& max_segments_per_leaf(std::size_t n) {
     max_segments_per_leaf_ = n;
     return *this;
@@ -55,7 +55,7 @@ public:
   int max_refinements() const { return max_refinements_; }
 
 private:
-  std::size_t max_segments_per_leaf_ = 8;
+  std::size_t max_segments_per_leaf_ = 64;
   int max_refinements_ = 3;
 };
 

@@ -7,15 +7,16 @@
 // Rays from the vertices of a graph to the first segment that they hit.
 //
 // Computes: the first segment, not incident to its vertex, that an axis-parallel ray hits, and the distance.
-// Bound:    O(1) for each leaf on the way and for each segment listed there. Neither is bounded by a constant:
-//           a ray may pass many leaves before it hits, and long segments may be listed in many of them.
-// Method:   From leaf to leaf by cross pointers, in the row (or column) of the ray's grid points, which are known
-//           without rounding. A hit point lies in a leaf on the way and its segment is listed there. So the walk
-//           ends with the first leaf before whose far side there certainly is a hit; if that is uncertain it goes
-//           on, which costs time and changes nothing.
+// Bound:    O(1) for each leaf on the way and for each segment listed there. Neither is bounded by a
+//           constant: a ray may pass many leaves before it hits, and long segments may be listed in many of
+//           them.
+// Method:   From leaf to leaf by cross pointers, in the row (or column) of the ray's grid points, which are
+//           known without rounding. A hit point lies in a leaf on the way and its segment is listed there. So
+//           the walk ends with the first leaf before whose far side there certainly is a hit; if that is
+//           uncertain it goes on, which costs time and changes nothing.
 //
-// Whether a ray hits is decided by exact predicates. Which hit is nearer is decided by intervals, and by rational
-// numbers where these overlap.
+// Whether a ray hits is decided by exact predicates. Which hit is nearer is decided by intervals, and by
+// rational numbers where these overlap.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_AXIS_RAY_CASTER_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_AXIS_RAY_CASTER_H
@@ -53,6 +54,7 @@ public:
   struct Hit {
     Segment_index segment;
     Interval distance = Interval(0);
+    double reach = 0; ///< the coordinate along the ray where that ends, or one beyond
   };
 
   Axis_ray_caster(const Tree& tree, const Leaf_segments& lists, const Graph& graph)
@@ -130,6 +132,7 @@ private:
 
   void try_segment(const Ray& ray, Segment_index s, Hit& best) const {
     if (s == best.segment) return;
+    if (best.segment.is_valid() && is_beyond(ray, s, best.reach)) return;
     const Meeting m = meeting(ray, ends(ray, s));
     if (m == Meeting::NONE) return;
     Hit hit;
@@ -139,7 +142,21 @@ private:
       hit.distance = distance<Interval>(ray, s);
     }
     const int c = best.segment.is_valid() ? compare(ray, hit, ray, best) : -1;
-    if (c < 0 || (c == 0 && s < best.segment)) best = hit;
+    if (c > 0 || (c == 0 && !(s < best.segment))) return;
+    best = hit;
+    const std::pair<double, double> from = Arithmetic::bounds(graph_.point(ray.vertex), ray.axis());
+    best.reach =
+        ray.sign() > 0 ? after(from.second + hit.distance.sup()) : before(from.first - hit.distance.sup());
+  }
+
+  /// Whether both ends of a segment are further along than a coordinate: what most segments of a long list
+  /// need not be asked more than.
+  bool is_beyond(const Ray& ray, Segment_index s, double coordinate) const {
+    const auto& segment = graph_.segments[std::size_t(s)];
+    const std::pair<double, double> a = Arithmetic::bounds(graph_.point(segment[0]), ray.axis());
+    const std::pair<double, double> b = Arithmetic::bounds(graph_.point(segment[1]), ray.axis());
+    return ray.sign() > 0 ? a.first > coordinate && b.first > coordinate
+                          : a.second < coordinate && b.second < coordinate;
   }
 
   /// The distance of a segment that the ray hits.
@@ -171,8 +188,8 @@ private:
     const auto corners = tree_.corners(leaf);
     const std::pair<double, double> side = Arithmetic::bounds(corners[ray.sign() > 0 ? 2 : 0], ray.axis());
     // The corner may have been rounded, and the difference is.
-    const double least_side = ray.sign() > 0 ? before(before(side.first) - from.second)
-                                             : before(from.first - after(side.second));
+    const double least_side =
+        ray.sign() > 0 ? before(before(side.first) - from.second) : before(from.first - after(side.second));
     return hit.distance.sup() < least_side;
   }
   static double before(double v) { return std::nextafter(v, -std::numeric_limits<double>::infinity()); }

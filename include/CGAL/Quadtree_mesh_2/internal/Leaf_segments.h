@@ -6,16 +6,16 @@
 
 // The segments that meet each leaf of a quadtree.
 //
-// Computes: for each leaf the segments that meet it, by increasing index, and maybe some that pass it within a
-//           unit of the grid.
-// Bound:    O(n + m + c) work besides sorting, for n points, m segments and c pairs of a leaf and a segment that
-//           meets it; a segment's climb is paid for by the leaves that it meets, as leaves are balanced.
-// Source:   Bern, Eppstein, Teng, section 7: "we can simply walk from one end of each edge to the other, keeping
-//           track of the crossed squares".
+// Computes: for each leaf the segments that meet it, by increasing index, and maybe some that pass it within
+//           a unit of the grid.
+// Bound:    O(n + m + c) work besides sorting, for n points, m segments and c pairs of a leaf and a segment
+//           that meets it; a segment's climb is paid for by the leaves that it meets, as leaves are balanced.
+// Source:   Bern, Eppstein, Teng, section 7: "we can simply walk from one end of each edge to the other,
+//           keeping track of the crossed squares".
 // Deviates: segments are independent of each other, so all walk at the same time, and twice: to count and to
-//           place. A segment does not go from leaf to leaf but, by cross pointers, over the at most four squares
-//           no smaller than itself around one of its ends, and down into what meets it. That needs no leaving
-//           point, so corners and sides of squares are no special cases.
+//           place. A segment does not go from leaf to leaf but, by cross pointers, over the at most four
+//           squares no smaller than itself around one of its ends, and down into what meets it. That needs no
+//           leaving point, so corners and sides of squares are no special cases.
 //
 // All is done on the grid. An input point is less than one unit above and to the right of its grid point, so
 // whatever point of the segment lies in a square [x, x') x [y, y'), the segment between the grid points meets
@@ -117,7 +117,8 @@ public:
         segments.size(),
         [&](std::size_t begin, std::size_t end) {
           std::size_t n = 0;
-          for (std::size_t s = begin; s < end; ++s) for_each_leaf(tree, segments[s], [&](Leaf_index) { ++n; });
+          for (std::size_t s = begin; s < end; ++s)
+            for_each_leaf(tree, segments[s], [&](Leaf_index) { ++n; });
           return n;
         },
         [&](std::size_t n) {
@@ -141,9 +142,8 @@ private:
   Leaf_segments(Concurrency_tag, const std::vector<std::uint64_t>& keys, std::size_t number_of_leaves)
       : begin_(number_of_leaves + 1), segments_(keys.size()) {
     const std::size_t n = keys.size();
-    for_each_index<Concurrency_tag>(n, [&](std::size_t i) {
-      segments_[i] = Segment_index(keys[i] & 0xffffffffu);
-    });
+    for_each_index<Concurrency_tag>(
+        n, [&](std::size_t i) { segments_[i] = Segment_index(keys[i] & 0xffffffffu); });
     // The lists of all leaves after the one of key i - 1, up to that of key i, begin at i.
     for_each_index<Concurrency_tag>(n + 1, [&](std::size_t i) {
       const std::size_t first = i == 0 ? 0 : static_cast<std::size_t>(keys[i - 1] >> 32) + 1;
@@ -191,7 +191,8 @@ private:
           if (!reaches(0, dx, low[0], a) || !reaches(1, dy, low[1], a)) continue;
           const Node_index w = dx == 0 && dy == 0 ? v : tree.neighbor(v, direction(dx, dy));
           // A larger leaf may be in the place of several squares.
-          if (!w.is_valid() || std::find(starts.begin(), starts.begin() + n, w) != starts.begin() + n) continue;
+          if (!w.is_valid() || std::find(starts.begin(), starts.begin() + n, w) != starts.begin() + n)
+            continue;
           starts[n++] = w;
         }
       for (std::size_t i = 0; i < n; ++i) {

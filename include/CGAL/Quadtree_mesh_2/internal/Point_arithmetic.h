@@ -135,12 +135,6 @@ private:
   }
 };
 
-/// The sum of the squares of what `value(0)` and `value(1)` return.
-template <class Number>
-Number sum_of_squares(const Number& x, const Number& y) {
-  return CGAL::square(x) + CGAL::square(y);
-}
-
 /// Returns the square root of an exact number of any size.
 /// \pre `v >= 0`
 template <class Exact>

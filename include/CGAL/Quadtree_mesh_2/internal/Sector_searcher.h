@@ -7,15 +7,16 @@
 // What is nearest to the apex of a sector between two segments.
 //
 // Computes: the vertex or segment of a graph that is nearest to a vertex v within an open convex sector at v.
-// Bound:    O(1) for each leaf, and for each point and segment listed there, that meets the sector within about
-//           three times the distance found (of which there may be many).
-// Method:   The square with v at its center is replaced by a square of the quadtree with v in it and its eight
-//           neighbours: what lies outside is further from v than a side. These blocks grow level by level, from
-//           the leaf of v up, until something is certainly nearer than a side. Squares that are certainly outside
-//           the sector, or too far, are not entered.
+// Bound:    O(1) for each leaf, and for each point and segment listed there, that meets the sector within
+//           about three times the distance found (of which there may be many).
+// Method:   The square with v at its center is replaced by a square of the quadtree with v in it and its
+//           eight neighbours: what lies outside is further from v than a side. These blocks grow level by
+//           level, from the leaf of v up, until something is certainly nearer than a side. Squares that are
+//           certainly outside the sector, or too far, are not entered.
 //
-// Segments are clipped to the closed sector by exact orientation predicates; the nearest point of what remains
-// is found in intervals, and exactly where these overlap. Squares are pruned by doubles with error bounds.
+// Segments are clipped to the closed sector by exact orientation predicates; the nearest point of what
+// remains is found in intervals, and exactly where these overlap. Squares are pruned by doubles with error
+// bounds.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_SECTOR_SEARCHER_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_SECTOR_SEARCHER_H
@@ -200,7 +201,8 @@ private:
 
   // -------- what is in squares
 
-  /// Positive to the left of the ray to the right end of the sector, and to the right of that to the left end.
+  /// Positive to the left of the ray to the right end of the sector, and to the right of that to the left
+  /// end.
   int inside_right(const Point& p) const { return Arithmetic::orientation(apex_, right_, p); }
   int inside_left(const Point& p) const { return Arithmetic::orientation(apex_, p, left_); }
 
@@ -286,8 +288,8 @@ private:
     return CGAL::square(from_apex<Number>(p, 0)) + CGAL::square(from_apex<Number>(p, 1));
   }
 
-  /// That of the point at `a + t (b - a)`, with t as near to that of the foot of the perpendicular as the ends
-  /// and the cuts allow.
+  /// That of the point at `a + t (b - a)`, with t as near to that of the foot of the perpendicular as the
+  /// ends and the cuts allow.
   template <class Number>
   Number squared_distance(const Clipped& c) const {
     const Number ax = from_apex<Number>(c.a, 0), ay = from_apex<Number>(c.a, 1);
