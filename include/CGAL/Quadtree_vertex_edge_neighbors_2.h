@@ -14,8 +14,8 @@
 //           paper's O(n log n) is not reached in the worst case: c, and what rays pass, may be in proportion
 //           to m times the leaves along a segment. See below.
 // Source:   Bern, Eppstein, Teng, section 6, Lemma 5.
-// Deviates: the paper shoots rays by trapezoidal decomposition. Leaves that many long segments meet are split
-//           a few times more.
+// Deviates: the paper shoots rays by trapezoidal decomposition. On demand,
+//           leaves that many long segments meet are split further.
 //
 // Lemma 5. Let D be the distance from a vertex v to the nearest segment e that is not incident to it, V the
 // distance to the nearest other vertex, and H that of the nearest of the four hits (infinite if there are
@@ -77,9 +77,9 @@ namespace CGAL {
 ///
 /// <h3>Time</h3>
 /// Usually a few leaves for each ray and a few segments for each leaf. In the worst case a ray passes all
-/// leaves in its row, and a leaf lists all segments: many long segments with no vertex between them, such as
-/// a fan, share large leaves. Such leaves are split a few times (`Vertex_edge_neighbors_options_2`), which
-/// divides the time spent there by about two each time, and no more.
+/// leaves in its row, and a leaf lists all segments: many long segments with no vertex between them share
+/// large leaves, and then the time is that of brute force. `Vertex_edge_neighbors_options_2` can have such
+/// leaves split.
 ///
 /// The leaves that a segment meets are at most in proportion to the leaves, and so may be the lists of each
 /// of m long segments. They need 4 bytes a member, and 24 while they are made.

@@ -46,8 +46,8 @@ public:
   }
   std::size_t max_segments_per_leaf() const { return max_segments_per_leaf_; }
 
-  /// How often leaves are halved at most for the sake of `max_segments_per_leaf()`, 3 by default. Each time
-  /// may double the total length of the lists.
+  /// How often leaves are halved at most for the sake of `max_segments_per_leaf()`, 0 by default: it did not
+  /// pay on any input measured (doc/quadtrees.md). Each time may double the total length of the lists.
   Vertex_edge_neighbors_options_2& max_refinements(int n) {
     max_refinements_ = n;
     return *this;
@@ -56,7 +56,7 @@ public:
 
 private:
   std::size_t max_segments_per_leaf_ = 64;
-  int max_refinements_ = 3;
+  int max_refinements_ = 0;
 };
 
 } // namespace CGAL
