@@ -144,7 +144,7 @@ std::vector<std::string> default_inputs() {
 po::options_description visible_options(Settings& settings) {
   std::string families;
   for (const auto& family : pslg_inputs::all())
-    families += (families.empty() ? "" : ", ") + family.name + ":<" + family.size + '>';
+    families += (families.empty() ? "" : ", ") + family.name + ":<" + family.size_name + '>';
   po::options_description options("usage: pslg [option]... [INPUT]...\ninputs: FILE.poly, FILE.poly.gz, " +
                                   families);
   options.add_options()("help,h", "print this") //
@@ -180,6 +180,11 @@ void complete(Settings& settings) {
     throw std::invalid_argument("the mesher is sequential: no --threads");
   settings.repetitions = std::max(settings.repetitions, 1);
   if (settings.inputs.empty()) settings.inputs = default_inputs();
+  for (const std::string& name : settings.growth_families) {
+    const pslg_inputs::Family* const family = pslg_inputs::find_family(name + ':');
+    if (family == nullptr || family->size == pslg_inputs::Size::MEASURE)
+      throw std::invalid_argument("there is no family '" + name + "' whose size is a number of things");
+  }
   for (const std::string& name : names_of_inputs(settings)) {
     if (pslg_inputs::is_name(name))
       pslg_inputs::size_of(name);

@@ -16,6 +16,7 @@
 
 #include <CGAL/Pslg_2.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
@@ -49,8 +50,9 @@ inline Pslg koch(double n) {
   return pslg;
 }
 
-/// A smooth closed curve around the origin, as a polygon of n sides.
+/// A smooth closed curve around the origin, as a polygon of n sides, or of three if that is more.
 inline Pslg blob(double n) {
+  n = std::max(n, 3.0);
   Random_numbers random(1);
   std::vector<double> height, phase;
   for (int k = 2; k < 9; ++k) {
@@ -174,24 +176,28 @@ inline Pslg square(double) {
   return pslg;
 }
 
+/// What the number of a name says.
+enum class Size { VERTICES, PARTS, MEASURE };
+
 struct Family {
   std::string name;
-  std::string size; ///< what the number says
+  std::string size_name; ///< for people
+  Size size;
   Pslg (*make)(double size);
 };
 
 inline const std::vector<Family>& all() {
-  static const std::vector<Family> families{{"koch", "vertices", koch},
-                                            {"blob", "vertices", blob},
-                                            {"stars", "vertices", stars},
-                                            {"comb", "teeth", comb},
-                                            {"fan", "degrees", fan},
-                                            {"wedge", "degrees", wedge},
-                                            {"segments", "segments", segments},
-                                            {"holes", "holes", holes},
-                                            {"parallel", "gap", parallel},
-                                            {"coast", "vertices", coast},
-                                            {"square", "area of triangles", square}};
+  static const std::vector<Family> families{{"koch", "vertices", Size::VERTICES, koch},
+                                            {"blob", "vertices", Size::VERTICES, blob},
+                                            {"stars", "vertices", Size::VERTICES, stars},
+                                            {"comb", "teeth", Size::PARTS, comb},
+                                            {"fan", "degrees", Size::MEASURE, fan},
+                                            {"wedge", "degrees", Size::MEASURE, wedge},
+                                            {"segments", "segments", Size::PARTS, segments},
+                                            {"holes", "holes", Size::PARTS, holes},
+                                            {"parallel", "gap", Size::MEASURE, parallel},
+                                            {"coast", "vertices", Size::VERTICES, coast},
+                                            {"square", "area of triangles", Size::MEASURE, square}};
   return families;
 }
 
@@ -220,7 +226,7 @@ inline double size_of(const std::string& name) {
   char* end = nullptr;
   const double size = std::strtod(begin, &end);
   if (end == begin || *end != '\0' || !(size > 0) || !(size <= 1e9))
-    throw std::invalid_argument("'" + name + "' has no size: " + family->size + " expected");
+    throw std::invalid_argument("'" + name + "' has no size: " + family->size_name + " expected");
   return size;
 }
 

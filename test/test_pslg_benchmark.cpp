@@ -138,7 +138,7 @@ TEST_CASE("The benchmark of meshers runs", "[benchmark][program]") {
   CHECK(content(folder.file("out")).find("relative to the smallest") != std::string::npos);
   CHECK(status_of("--help") == 0);
   for (const char* arguments :
-       {"no_such_file.poly", "square:x", "--peers nobody", "--peers triangle", "--nothing"})
+       {"no_such_file.poly", "square:x", "--peers nobody", "--peers triangle", "--growth fan", "--nothing"})
     CHECK(status_of(arguments) == 2);
 }
 
