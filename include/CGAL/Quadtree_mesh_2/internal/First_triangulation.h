@@ -77,7 +77,7 @@ public:
 
 private:
   static constexpr std::size_t stride = 16;
-  static constexpr std::size_t vertices_of_block = 16384;
+  static constexpr std::size_t vertices_of_block = Block_sizes<Concurrency_tag>::vertices;
 
   using Blocks = Mesh_blocks<Concurrency_tag, Geometry>;
   using Block = Mesh_block<Geometry>;

@@ -38,6 +38,15 @@ namespace internal {
 /// How squares are placed; those of different shifts have no side in common.
 enum class Square_shift { none, third_of_root };
 
+/// How much makes a block: large enough that seams are few, small enough that a refined block stays in the cache and
+/// that there are blocks for many threads. Less than two blocks are not worth cutting. Specialized by tests, so
+/// that small inputs are cut too.
+template <class Concurrency_tag>
+struct Block_sizes {
+  static constexpr std::size_t vertices = 16384;  ///< of the input, while it is triangulated
+  static constexpr std::size_t triangles = 24576; ///< before they are refined
+};
+
 /// Triangles by block: those of block b begin at `first[b]`, and `first.back()` is their number.
 struct Block_cut {
   std::vector<Triangle_id> triangles;
