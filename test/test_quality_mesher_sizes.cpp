@@ -170,7 +170,9 @@ void run_with_least_edge(const Pslg& pslg, double least, Options options) {
     if (unmet.reason != Reason::LEAST_EDGE) FAIL_CHECK("another reason");
   }
   for (const auto& unmet : r.quality.unmet_triangles) found.insert(unmet.triangle);
-  CHECK(reported == found);
+  // the mesher excuses triangles in sectors that it lops only, so that it may report some that are excusable
+  CHECK(std::includes(reported.begin(), reported.end(), found.begin(), found.end()));
+  CHECK(reported.size() <= found.size() + r.quality.exempt_triangles);
 }
 
 } // namespace

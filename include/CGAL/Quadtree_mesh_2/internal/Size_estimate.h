@@ -21,7 +21,7 @@
 //
 // O(n), with `field_samples` calls of the size field and a few a triangle. The constants are measured, so
 // that the estimate is within a factor of 4 of the true number on maps, on the hard families of the tests and
-// for bounds of size (test_quality_mesher_budget.cpp), but for some needles with fewer than a thousand triangles.
+// for bounds of size (test_quality_mesher_budget.cpp), but for needles with short legs in them, which may take more.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_SIZE_ESTIMATE_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_SIZE_ESTIMATE_H
