@@ -7,7 +7,7 @@
 // How many triangles a mesh will need, from the constrained Delaunay triangulation of its domain alone.
 //
 // The number of triangles of any mesh with a bound on the least angle is, up to constants, the integral of
-// 1/lfs^2 over the domain, lfs the local feature size (Ruppert, 1995). Three kinds of places make it large,
+// 1/lfs^2 over the domain, lfs the local feature size (Ruppert, 1995). These make it large,
 // and each shows in the triangulation:
 //  - each triangle with longest edge L and height h over it asks for about log(L/h) layers, for points as in
 //    Bern, Eppstein and Gilbert (1994);
@@ -21,7 +21,8 @@
 //
 // O(n), with `field_samples` calls of the size field and a few a triangle. The constants are measured, so
 // that the estimate is within a factor of 4 of the true number on maps, on the hard families of the tests and
-// for bounds of size (test_quality_mesher_budget.cpp), but for needles with short legs in them, which may take more.
+// for bounds of size (test_quality_mesher_budget.cpp), but for needles with short legs in them, which may take
+// more.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_SIZE_ESTIMATE_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_SIZE_ESTIMATE_H
