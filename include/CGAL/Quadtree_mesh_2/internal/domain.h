@@ -7,9 +7,9 @@
 // Restricts the first triangulation to the domain, and labels its components with the input's regions.
 //
 // Components of the plane less the constrained edges are flooded by nesting level: level 0 is what is
-// connected to infinity, level i + 1 what is reached from level i across a constrained edge and is in no lower
-// one (the levels of CGAL's mark_domain_in_triangulation()). The rule of the options then tells which are
-// kept. Holes and regions are located before anything is dropped, so that no walk is blocked. O(n), and a
+// connected to infinity, level i + 1 what is reached from level i across a constrained edge and is in no
+// lower one (the levels of CGAL's mark_domain_in_triangulation()). The rule of the options then tells which
+// are kept. Holes and regions are located before anything is dropped, so that no walk is blocked. O(n), and a
 // walk for each hole and region.
 //
 // From here on the mesh is the domain alone, and no walk leaves it: features behind an outside gap, however
