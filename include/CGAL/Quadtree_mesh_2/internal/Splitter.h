@@ -84,10 +84,13 @@ public:
     if (!state_.owns(c)) return Outcome::deferred;
     if (corners_.sector(s).lock_radius == 0) return Outcome::refused;
     const double lock_radius = corners_.sector(s).lock_radius;
+    // only at the ring may vertices stand in for those of the radius; further in the chord is the limit
+    const bool is_at_ring = lock_radius == corners_.corner(c).radius;
+    const double tolerance = is_at_ring ? ring_tolerance(corners_.corner(c)) : 1e-9 * lock_radius;
     double low = lock_radius, high = 0;
     for (const Vertex_id v : r.v) {
       const double radius = shell_radius(s, v);
-      if (radius < 0 || radius > lock_radius + ring_tolerance(corners_.corner(c))) return Outcome::refused;
+      if (radius < 0 || radius > lock_radius + tolerance) return Outcome::refused;
       low = std::min(low, radius), high = std::max(high, radius);
     }
     if (low >= lock_radius) return outcome(lower_lock(s));
