@@ -76,7 +76,7 @@ public:
 private:
   static constexpr double per_triangle = 1.5;
   static constexpr double per_layer = 3;
-  static constexpr double ordinary_aspect = 8;
+  static constexpr double ordinary_aspect = 8, largest_aspect = 0x1p52;
   static constexpr double per_gap = 2;
   /// By how much more triangles a bound takes above 20.7 degrees.
   static constexpr double per_degree = 0.08;
@@ -108,7 +108,8 @@ private:
     }
     of_shapes_ += per_triangle;
     if (constrained < 2 && s.longest() > ordinary_aspect * s.area2) {
-      double aspect = s.longest() / s.area2;
+      // collinear vertices give no area in doubles
+      double aspect = std::min(s.longest() / s.area2, largest_aspect);
       if (least_ > 0) aspect = std::min(aspect, std::max(ordinary_aspect, std::sqrt(s.longest()) / least_));
       of_shapes_ += per_layer * std::log2(std::min(aspect / ordinary_aspect, growth_around(r, s)));
     }
