@@ -13,7 +13,7 @@
 
 #include <CGAL/Fixed_point_quadtree_traits_2.h>
 #include <CGAL/Quality_mesher_2.h>
-#include <CGAL/bbox.h>
+#include <CGAL/bounding_box.h>
 #include <CGAL/mesh_quality_2.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
@@ -146,8 +146,8 @@ TEST_CASE("Regions, bounds of size and rules of domain hold across seams", "[mes
   const Mesh mesh = mesh_in_tiny_blocks(pslg, Options());
   CHECK(mesh.region_of_triangle.size() == mesh.triangles.size());
 
-  const CGAL::Bbox_2 box = CGAL::bbox_2(pslg.vertices.begin(), pslg.vertices.end());
-  const double area = (box.xmax() - box.xmin()) * (box.ymax() - box.ymin());
+  const auto box = CGAL::bounding_box(pslg.vertices.begin(), pslg.vertices.end());
+  const double area = box.area();
   mesh_in_tiny_blocks(pslg, Options().max_area(area / 20000));
 }
 
