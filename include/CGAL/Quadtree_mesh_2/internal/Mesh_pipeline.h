@@ -18,6 +18,7 @@
 #include <CGAL/Indexed_mesh_2.h>
 #include <CGAL/Pslg_2.h>
 #include <CGAL/Quadtree_mesh_2/Grid_point_2.h>
+#include <CGAL/Quadtree_mesh_2/internal/Bulk_filler.h>
 #include <CGAL/Quadtree_mesh_2/internal/Refiner.h>
 #include <CGAL/Quadtree_mesh_2/internal/Remover.h>
 #include <CGAL/Quadtree_mesh_2/internal/coordinate_map.h>
@@ -199,6 +200,7 @@ private:
     Phase_timer timer(report_.seconds.refine);
     splitter.cut_rings();
     refiner.push_all();
+    Bulk_filler<Geometry>(state_).run(vertex_budget());
     run(refiner);
     splitter.unlock_all();
     state_.legalize();

@@ -113,6 +113,12 @@ struct Meshing_state {
   Acute_corners<Geometry> corners;
   Bounds<Geometry> bounds;
   Worklist worklist;
+  /// Free vertices with consecutive numbers.
+  struct Vertex_range {
+    Vertex_id begin = 0, end = 0;
+  };
+  /// Those within the bulk that templates filled (Bulk_filler.h): none of them can be spared.
+  Vertex_range bulk_vertices;
 
   bool is_exempt(Vertex_id a, Vertex_id b, Vertex_id c, const Shape& s) const {
     return corners.is_exempt(mesh, a, b, c, s);

@@ -46,6 +46,8 @@ public:
     std::size_t removed = 0;
     for (int pass = 0; pass < passes; ++pass)
       for (Vertex_id v = first_steiner_; v < static_cast<Vertex_id>(mesh_.number_of_vertices()); ++v) {
+        if (v == state_.bulk_vertices.begin) v = std::max(v, state_.bulk_vertices.end);
+        if (v >= static_cast<Vertex_id>(mesh_.number_of_vertices())) break;
         if ((v & 4095) == 0 && !shall_go_on()) return removed;
         if (is_dirty_[std::size_t(v)] == 0 || !mesh_.is_used(v)) continue;
         is_dirty_[std::size_t(v)] = 0;
