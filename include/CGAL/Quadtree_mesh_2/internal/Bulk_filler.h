@@ -62,8 +62,9 @@ public:
     if (!wanted.is_complete() || !is_worth_it(wanted.number_of_inside_squares())) return;
     if (mesh_.number_of_vertices() + 1.5 * wanted.number_of_inside_squares() > static_cast<double>(budget))
       return;
-    const auto rule = state_.bounds.sin2 < sin2_of_template ? Bulk_squares<Geometry>::Halved_sides::allowed
-                                                            : Bulk_squares<Geometry>::Halved_sides::forbidden;
+    const auto rule = state_.bounds.sin2 < sin2_of_halved_square
+                          ? Bulk_squares<Geometry>::Halved_sides::without_center
+                          : Bulk_squares<Geometry>::Halved_sides::with_center;
     const Bulk_squares<Geometry> squares(wanted, rule);
     if (!is_worth_it(static_cast<double>(squares.number_of_squares()))) return;
     fill(squares, wanted, grid);
@@ -144,15 +145,17 @@ private:
             const Square_grid<Geometry>& grid) {
     vertex_named_.assign(3 * squares.number_of_leaves(), -1);
     const Vertex_id first = static_cast<Vertex_id>(mesh_.number_of_vertices());
+    const Triangle_id first_new_triangle = static_cast<Triangle_id>(mesh_.triangles.size());
     reserve(squares);
     collect_border(squares, grid);
     insert_border(squares, wanted);
     if (find_border_edges()) {
       clear_inside();
-      make_triangles(squares, grid);
+      make_triangles(squares, wanted, grid);
       link_squares(squares);
       link_border(squares);
     }
+    push_where_sizes_vary(first_new_triangle);
     for (Vertex_id v = first; v < first + static_cast<Vertex_id>(vertices_.size()); ++v)
       state_.push_suspects_around(v);
   }
@@ -169,8 +172,8 @@ private:
 
   static Point place(const Square_grid<Geometry>& grid, const Grid_square& s, int i) {
     const std::uint32_t side = s.side(), half = side / 2;
-    const std::uint32_t dx[8] = {0, side, side, 0, half, side, half, 0};
-    const std::uint32_t dy[8] = {0, 0, side, side, 0, half, side, half};
+    const std::uint32_t dx[] = {0, side, side, 0, half, side, half, 0, half};
+    const std::uint32_t dy[] = {0, 0, side, side, 0, half, side, half, half};
     return grid.point(s.x + dx[i], s.y + dy[i]);
   }
 
@@ -178,7 +181,7 @@ private:
   void collect_border(const Bulk_squares<Geometry>& squares, const Square_grid<Geometry>& grid) {
     const Vertex_id first = static_cast<Vertex_id>(mesh_.number_of_vertices());
     for (const Square_piece& p : squares.border()) {
-      const Square_template& form = square_template(squares.halved_sides(p.square));
+      const Square_template& form = square_template(squares.form(p.square));
       const auto corner = form.side_of_piece[std::size_t(p.piece)];
       const auto& t = form.triangle[std::size_t(corner.triangle)];
       std::int32_t ends[2];
@@ -290,12 +293,16 @@ private:
 
   // ---- the squares
 
-  void make_triangles(const Bulk_squares<Geometry>& squares, const Square_grid<Geometry>& grid) {
+  void make_triangles(const Bulk_squares<Geometry>& squares, const Wanted_squares<Geometry>& wanted,
+                      const Square_grid<Geometry>& grid) {
     first_triangle_of_.resize(squares.number_of_leaves());
     state_.bulk_vertices.begin = static_cast<Vertex_id>(mesh_.number_of_vertices());
     for (std::size_t i = 0; i < squares.number_of_leaves(); ++i) {
       const Leaf_index l(i);
-      if (squares.is_bulk(l)) make_triangles_of(squares, grid, l);
+      if (!squares.is_bulk(l)) continue;
+      make_triangles_of(squares, grid, l);
+      if (mesh_.region_of.empty()) continue;
+      mesh_.region_of.resize(mesh_.triangles.size(), mesh_.region(squares.triangle_near(wanted, l)));
     }
     state_.bulk_vertices.end = static_cast<Vertex_id>(mesh_.number_of_vertices());
   }
@@ -303,15 +310,18 @@ private:
   void make_triangles_of(const Bulk_squares<Geometry>& squares, const Square_grid<Geometry>& grid,
                          Leaf_index l) {
     const Grid_square square = squares.square(l);
-    const unsigned halved = squares.halved_sides(l);
-    const Square_template& form = square_template(halved);
-    Vertex_id v[8];
-    for (int i = 0; i < 8; ++i) {
-      if (i >= 4 && (halved >> (i - 4) & 1u) == 0) continue;
+    const Square_form form_of_square = squares.form(l);
+    const Square_template& form = square_template(form_of_square);
+    Vertex_id v[Square_template::number_of_vertices];
+    for (int i = 0; i < Square_template::center; ++i) {
+      if (!form_of_square.has_vertex(i)) continue;
       Vertex_id& named = vertex_named_[squares.name(l, i)];
       if (named < 0) named = mesh_.add_vertex(place(grid, square, i), free_vertex);
       v[i] = named;
     }
+    if (form_of_square.has_center())
+      v[Square_template::center] =
+          mesh_.add_vertex(place(grid, square, Square_template::center), free_vertex);
     const Triangle_id first = static_cast<Triangle_id>(mesh_.triangles.size());
     first_triangle_of_[std::size_t(l)] = first;
     for (std::size_t t = 0; t < std::size_t(form.size); ++t) {
@@ -327,7 +337,7 @@ private:
   }
 
   Side side_of(const Bulk_squares<Geometry>& squares, Square_piece p) const {
-    const auto c = square_template(squares.halved_sides(p.square)).side_of_piece[std::size_t(p.piece)];
+    const auto c = square_template(squares.form(p.square)).side_of_piece[std::size_t(p.piece)];
     return Side(first_triangle_of_[std::size_t(p.square)] + c.triangle, c.slot);
   }
 
@@ -338,6 +348,13 @@ private:
           const Side s = side_of(squares, own);
           mesh_.link(s.triangle(), s.slot(), side_of(squares, other));
         });
+  }
+
+  /// Sizes were looked up at some places only; what they missed is left to the refiner.
+  void push_where_sizes_vary(Triangle_id first) {
+    if (!state_.bounds.is_local()) return;
+    for (Triangle_id t = first; t < static_cast<Triangle_id>(mesh_.triangles.size()); ++t)
+      if (mesh_.is_alive(t)) state_.push_if_suspect(t);
   }
 
   void link_border(const Bulk_squares<Geometry>& squares) {

@@ -8,8 +8,8 @@
 //
 // Leaves of the quadtree that bounds of size ask for (Wanted_squares.h) are bulk if they lie inside the domain
 // and away from its features. Balance makes them differ by at most a factor of two across sides and corners, so
-// a side has at most one vertex between its ends. Where the angle wanted is above that of squares with halved
-// sides, leaves next to smaller ones are not bulk.
+// a side has at most one vertex between its ends. Squares get a vertex in the centre where that makes them small
+// enough, and where the angle wanted is above that of squares with halved sides.
 //
 // A corner of a leaf is named by the leaf whose half-open square holds it, and by whether it is that leaf's
 // lower left corner or the middle of its left or lower side: so each place has one name, found in O(1).
@@ -43,23 +43,22 @@ class Bulk_squares {
 public:
   using Tree = Balanced_quadtree<Fixed_point_quadtree_traits_2<std::uint32_t>>;
 
-  enum class Halved_sides { allowed, forbidden };
+  enum class Halved_sides { without_center, with_center };
 
   Bulk_squares(const Wanted_squares<Geometry>& wanted, Halved_sides rule)
       : tree_(typename Tree::Framework(), Quadtree_options(),
               [&wanted](const Point& low, const Point& high) {
                 return wanted.must_split(square_between(low, high));
               }),
-        halved_(tree_.number_of_leaves(), not_bulk) {
+        form_(tree_.number_of_leaves(), not_bulk) {
     mark_inside(wanted, tree_.root(), 0);
-    drop_next_to_smaller(rule);
-    find_halved_sides();
+    find_halved_sides(rule);
   }
 
   std::size_t number_of_leaves() const { return tree_.number_of_leaves(); }
-  bool is_bulk(Leaf_index l) const { return halved_[std::size_t(l)] != not_bulk; }
-  /// Bit i: side i of the bulk square has a vertex in the middle.
-  unsigned halved_sides(Leaf_index l) const { return halved_[std::size_t(l)]; }
+  bool is_bulk(Leaf_index l) const { return form_[std::size_t(l)].bits != not_bulk.bits; }
+  /// The template of a bulk square.
+  Square_form form(Leaf_index l) const { return form_[std::size_t(l)]; }
   std::size_t number_of_squares() const { return squares_; }
   std::size_t number_of_triangles() const { return triangles_; }
   /// The pieces with no bulk on the other side, by square.
@@ -110,7 +109,7 @@ public:
 private:
   using Point = typename Tree::Point_2;
   using Node_index = typename Tree::Node_index;
-  static constexpr std::uint8_t not_bulk = 0xff;
+  static constexpr Square_form not_bulk{0xff};
   static constexpr std::size_t on_left_side = 1, on_lower_side = 2;
   static constexpr int lower = 0, right = 1, upper = 2, left = 3;
   static constexpr Direction outward[4] = {Direction::SOUTH, Direction::EAST, Direction::NORTH,
@@ -119,7 +118,7 @@ private:
   static constexpr int children_at_side[4][2] = {{0, 2}, {2, 3}, {3, 1}, {1, 0}};
 
   Tree tree_;
-  std::vector<std::uint8_t> halved_;
+  std::vector<Square_form> form_;
   std::vector<Square_piece> border_;
   std::size_t squares_ = 0, triangles_ = 0;
 
@@ -136,16 +135,8 @@ private:
     }
     if (node.kind != Square_kind::inside) return;
     const Leaf_interval leaves = tree_.leaves(v);
-    for (std::size_t l = leaves.begin.value(); l < leaves.end.value(); ++l) halved_[l] = 0;
-  }
-
-  void drop_next_to_smaller(Halved_sides rule) {
-    if (rule == Halved_sides::allowed) return;
-    for (std::size_t i = 0; i < halved_.size(); ++i) {
-      const Node_index v = tree_.node(Leaf_index(i));
-      for (const Direction d : outward)
-        if (halved_[i] != not_bulk && !tree_.is_leaf(tree_.neighbor(v, d))) halved_[i] = not_bulk;
-    }
+    for (std::size_t l = leaves.begin.value(); l < leaves.end.value(); ++l)
+      form_[l].bits = wanted.has_center(i, tree_.level(Leaf_index(l))) ? Square_form::with_center : 0;
   }
 
   /// The child of the neighbour across side i that piece `part` of the side touches, the neighbour being split.
@@ -153,17 +144,18 @@ private:
     return tree_.leaf(tree_.child(neighbor, children_at_side[(side + 2) % 4][1 - part]));
   }
 
-  void find_halved_sides() {
-    for (std::size_t i = 0; i < halved_.size(); ++i) {
+  void find_halved_sides(Halved_sides rule) {
+    for (std::size_t i = 0; i < form_.size(); ++i) {
       const Leaf_index l(i);
       if (!is_bulk(l)) continue;
       const Node_index v = tree_.node(l);
       unsigned halved = 0;
       for (int side = 0; side < 4; ++side)
         if (look_across(l, v, side)) halved |= 1u << side;
-      halved_[i] = static_cast<std::uint8_t>(halved);
+      if (halved != 0 && rule == Halved_sides::with_center) halved |= Square_form::with_center;
+      form_[i].bits = static_cast<std::uint8_t>(form_[i].bits | halved);
       ++squares_;
-      triangles_ += std::size_t(square_template(halved).size);
+      triangles_ += std::size_t(square_template(form_[i]).size);
     }
   }
 

@@ -46,6 +46,7 @@ public:
     std::int32_t first_child = -1; ///< of four; -1: none
     Square_kind kind = Square_kind::outside;
     std::int8_t level = 0;
+    bool has_center = false;   ///< an inside square is small enough with a vertex in its centre only
     Triangle_id triangle = -1; ///< one that meets an inside square
   };
 
@@ -81,6 +82,9 @@ public:
     for (int level = 0; level < s.level && nodes_[i].first_child >= 0; ++level) i = child_at(i, level, s);
     return i;
   }
+
+  /// Whether a square in the given node needs a centre.
+  bool has_center(std::size_t i, int level) const { return nodes_[i].has_center && level == nodes_[i].level; }
 
 private:
   /// Of its side: how near a feature may come to a square that is away from features.
@@ -182,11 +186,14 @@ private:
     const Region_id region = state_.mesh.region(t);
     int level = s.level;
     if (!state_.bounds.is_local()) {
-      while (level < finest_level_ && is_too_large_everywhere(level, region)) ++level;
-    } else if (s.level < finest_level_ && is_complete() && is_too_large_somewhere(s, region)) {
-      const std::size_t first = add_children(i);
-      for (int c = 0; c < 4; ++c) visit_inside(first + std::size_t(c), s.child(c), t);
-      return;
+      while (level < finest_level_ && is_too_large_everywhere({level, without_center}, region)) ++level;
+    } else if (is_too_large_somewhere(s, without_center, region)) {
+      if (s.level < finest_level_ && is_complete() && is_too_large_somewhere(s, with_center, region)) {
+        const std::size_t first = add_children(i);
+        for (int c = 0; c < 4; ++c) visit_inside(first + std::size_t(c), s.child(c), t);
+        return;
+      }
+      nodes_[i].has_center = true;
     }
     nodes_[i].level = static_cast<std::int8_t>(level);
     number_inside_ += std::exp2(2 * (level - s.level));
@@ -249,42 +256,64 @@ private:
 
   // ---- sizes
 
-  /// Whether squares of a level have triangles that are too large whatever the place.
-  bool is_too_large_everywhere(int level, Region_id region) const {
+  enum Center { without_center, with_center };
+  /// The triangles of squares of a level.
+  struct Triangles_of_squares {
+    int level;
+    Center center;
+  };
+
+  double squared_length(Triangles_of_squares q) const {
+    return (q.center == with_center ? 1 : 2) * side_[q.level] * side_[q.level];
+  }
+
+  /// Whether such triangles are too large whatever the place.
+  bool is_too_large_everywhere(Triangles_of_squares q, Region_id region) const {
     const Bounds<Geometry>& bounds = state_.bounds;
-    const double area2 = side_[level] * side_[level];
-    if (area2 > bounds.area2 || 2 * area2 > bounds.squared_length) return true;
+    const double l2 = squared_length(q), area2 = 0.5 * l2;
+    if (area2 > bounds.area2 || l2 > bounds.squared_length) return true;
     return region >= 0 && !bounds.area2_of_region.empty() &&
            area2 > bounds.area2_of_region[std::size_t(region)];
   }
 
-  bool is_too_large_at(int level, Vector v) const {
-    return 2 * side_[level] * side_[level] >
+  bool is_too_large_at(Triangles_of_squares q, Vector v) const {
+    return squared_length(q) >
            state_.bounds.squared_length_at(grid_.point(v)) * (1 - Bounds<Geometry>::margin);
   }
 
-  /// Looks the size up at a lattice of places in the square.
-  bool is_too_large_somewhere(const Grid_square& s, Region_id region) const {
-    if (is_too_large_everywhere(s.level, region)) return true;
+  /// Looks the size up where the centroids of a small square's triangles are, or at a lattice in a large one.
+  bool is_too_large_somewhere(const Grid_square& s, Center center, Region_id region) const {
+    const Triangles_of_squares q{s.level, center};
+    if (is_too_large_everywhere(q, region)) return true;
     if (!state_.bounds.squared_length_at) return false;
     const double side = side_[s.level];
     const Vector low = grid_.corner(s.x, s.y);
-    if (is_too_large_at(s.level, low + Vector{0.5 * side, 0.5 * side})) return true;
-    const int steps = std::max(1, static_cast<int>(std::ceil(side / (widest_step * grid_.extent()))));
-    for (int i = 0; i <= steps; ++i)
-      for (int j = 0; j <= steps; ++j)
-        if (is_too_large_at(s.level, low + side / steps * Vector{double(i), double(j)})) return true;
+    const int steps = static_cast<int>(std::ceil(side / (widest_step * grid_.extent())));
+    if (steps > 1) {
+      for (int i = 0; i <= steps; ++i)
+        for (int j = 0; j <= steps; ++j)
+          if (is_too_large_at(q, low + side / steps * Vector{double(i), double(j)})) return true;
+      return false;
+    }
+    const double f = center == with_center ? 1.0 / 6 : 1.0 / 3;
+    if (center == without_center)
+      return is_too_large_at(q, low + side * Vector{1 - f, f}) ||
+             is_too_large_at(q, low + side * Vector{f, 1 - f});
+    for (const Vector v : {Vector{0.5, f}, Vector{1 - f, 0.5}, Vector{0.5, 1 - f}, Vector{f, 0.5}})
+      if (is_too_large_at(q, low + side * v)) return true;
     return false;
   }
 
+  /// Whether a square near features is too large for one of the triangles of the domain that meet it.
   bool is_too_large_for_any(const Grid_square& s, Range triangles) const {
-    if (is_too_large_everywhere(s.level, -1)) return true;
+    const Triangles_of_squares q{s.level, state_.bounds.is_local() ? with_center : without_center};
+    if (is_too_large_everywhere(q, -1)) return true;
     if (!state_.bounds.is_local()) return false;
     const Box b = box(s);
     for (std::size_t i = triangles.begin; i < triangles.end; ++i) {
       const Triangle_id t = triangle_stack_[i];
-      if (is_too_large_everywhere(s.level, state_.mesh.region(t))) return true;
-      if (state_.bounds.squared_length_at && is_too_large_at(s.level, place_in(t, b.center))) return true;
+      if (is_too_large_everywhere(q, state_.mesh.region(t))) return true;
+      if (state_.bounds.squared_length_at && is_too_large_at(q, place_in(t, b.center))) return true;
     }
     return false;
   }
