@@ -19,7 +19,6 @@
 #include <CGAL/tags.h>
 
 #include <stdexcept>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -43,12 +42,9 @@ namespace CGAL {
 /// with the squares refined one corner at a time where the mesh asks for them. Expected O(n log n + k) time
 /// for k triangles.
 /// \tparam Traits a model of `QuadtreeTraits_2` that names a meshing geometry.
-/// \tparam
-/// ConcurrencyTag `Sequential_tag`.
+/// \tparam ConcurrencyTag `Sequential_tag` or `Parallel_tag`; the mesh is the same, for any number of threads.
 template <class Traits = Filtered_quadtree_traits_2<>, class ConcurrencyTag = Sequential_tag>
 class Quality_mesher_2 {
-  static_assert(!std::is_convertible<ConcurrencyTag, Parallel_tag>::value, "the mesher is sequential");
-
 public:
   using Geom_traits = Traits;
   using Point_2 = typename Traits::Point_2;
@@ -71,7 +67,8 @@ public:
   Mesh operator()(const Pslg& pslg) {
     report_ = Quality_mesh_report_2();
     check_pslg_structure(pslg);
-    return Quadtree_mesh_2::internal::Mesh_pipeline<Traits>(pslg, options_, traits_, report_).run();
+    return Quadtree_mesh_2::internal::Mesh_pipeline<Traits, ConcurrencyTag>(pslg, options_, traits_, report_)
+        .run();
   }
 
   /// What the last run reached.

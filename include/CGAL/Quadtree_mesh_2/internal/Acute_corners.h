@@ -18,7 +18,7 @@
 // least angle of a trapezoid's triangles is atan(sin(phi) / (R/r - cos(phi))), which is at least min(0.9
 // phi, 20.7 degrees).
 //
-// Data and queries only; `rings.h` finds the corners and cuts the legs. O(log degree) per query.
+// Data and queries only; find_corners.h finds the corners, Splitter.h cuts the legs. O(log degree) per query.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_ACUTE_CORNERS_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_ACUTE_CORNERS_H
@@ -54,13 +54,16 @@ struct Shell_vertex {
 struct Leg {
   Corner_id corner;
   Edge_id edge;
-  Vertex_id apex, far;
+  Vertex_id apex, far; ///< input numbers
+  Vector span;         ///< from apex to far
   double length;
   Sector_id before = -1, after = -1; ///< lopped sectors clockwise and counterclockwise of it
   std::vector<Shell_vertex> shells;  ///< by increasing radius
   /// The vertex at the corner's radius; the far end or another ring's vertex may stand in for one that would
   /// come close to it.
   Vertex_id ring = -1;
+  Vertex_id apex_vertex =
+      -1; ///< the apex in the mesh (or block) at hand, as are `ring` and those of `shells`
 };
 
 struct Sector {
@@ -97,6 +100,8 @@ public:
   Sector& sector(Sector_id s) { return sectors[std::size_t(s)]; }
   const Sector& sector(Sector_id s) const { return sectors[std::size_t(s)]; }
   Corner& corner(Corner_id c) { return corners[std::size_t(c)]; }
+  const Corner& corner(Corner_id c) const { return corners[std::size_t(c)]; }
+  Corner_id corner_of(const Sector& s) const { return leg(s.right).corner; }
 
   void prepare(const Input_edges& edges, std::size_t number_of_input_vertices) {
     edges_ = &edges;
@@ -115,16 +120,15 @@ public:
 
   /// Whether v lies on a leg of some corner with a lopped sector: only then can its triangles be exempt.
   bool is_on_leg(const Mesh& mesh, Vertex_id v) const {
-    const Edge_id e = mesh.edge_of[std::size_t(v)];
+    const Edge_id e = mesh.edge(v);
     if (e == free_vertex) return false;
-    if (e == input_vertex) return on_leg_[std::size_t(v)] != 0;
+    if (mesh.is_input(v)) return on_leg_[std::size_t(mesh.input_number(v))] != 0;
     return legs_of_edge[std::size_t(e)][0] >= 0 || legs_of_edge[std::size_t(e)][1] >= 0;
   }
 
-  /// The leg with the given apex that carries v; -1 if none does.
+  /// The leg with the given apex (an input number) that carries v; -1 if none does.
   Leg_id leg_at(const Mesh& mesh, Vertex_id apex, Vertex_id v) const {
-    const Edge_id ev = mesh.edge_of[std::size_t(v)];
-    const Edge_id e = ev == input_vertex ? edges_->between(apex, v) : ev;
+    const Edge_id e = mesh.is_input(v) ? edges_->between(apex, mesh.input_number(v)) : mesh.edge(v);
     if (e < 0) return -1;
     const Input_edge& edge = (*edges_)[e];
     return edge.a == apex   ? legs_of_edge[std::size_t(e)][0]
@@ -138,9 +142,10 @@ public:
     const Vertex_id v[3] = {a, b, c};
     for (int k = 0; k < 3; ++k) {
       const Vertex_id x = v[next_slot[k]], y = v[previous_slot[k]];
-      const Edge_id e = mesh.edge_of[std::size_t(v[k])];
-      if (e == input_vertex) {
-        const Sector_id s = common_sector(leg_at(mesh, v[k], x), leg_at(mesh, v[k], y));
+      const Edge_id e = mesh.edge(v[k]);
+      if (mesh.is_input(v[k])) {
+        const Vertex_id apex = mesh.input_number(v[k]);
+        const Sector_id s = common_sector(leg_at(mesh, apex, x), leg_at(mesh, apex, y));
         if (s >= 0) return s;
         continue;
       }
@@ -155,14 +160,15 @@ public:
   /// The lopped sector that the locked chord x-y cuts; -1 if there is none.
   Sector_id sector_of_chord(const Mesh& mesh, Vertex_id x, Vertex_id y) const {
     for (int pass = 0; pass < 2; ++pass, std::swap(x, y)) {
-      const Edge_id e = mesh.edge_of[std::size_t(x)];
+      const Edge_id e = mesh.edge(x);
       if (e >= 0) {
         for (const Leg_id l : legs_of_edge[std::size_t(e)]) {
           const Sector_id s = l < 0 ? -1 : common_sector(l, leg_at(mesh, leg(l).apex, y));
           if (s >= 0) return s;
         }
-      } else if (e == input_vertex) {
-        for (const auto* i = edges_->begin(x); i != edges_->end(x); ++i) {
+      } else if (mesh.is_input(x)) {
+        const Vertex_id number = mesh.input_number(x);
+        for (const auto* i = edges_->begin(number); i != edges_->end(number); ++i) {
           const Leg_id l = leg_at(mesh, i->neighbor, x);
           const Sector_id s = l < 0 ? -1 : common_sector(l, leg_at(mesh, i->neighbor, y));
           if (s >= 0) return s;
@@ -193,7 +199,10 @@ private:
   /// The lopped sector next to leg l whose legs carry x and y too.
   Sector_id sector_with(const Mesh& mesh, Leg_id l, Vertex_id x, Vertex_id y) const {
     const Vertex_id apex = leg(l).apex;
-    const Leg_id lx = x == apex ? l : leg_at(mesh, apex, x), ly = y == apex ? l : leg_at(mesh, apex, y);
+    const auto carrying = [&](Vertex_id v) {
+      return mesh.edge(v) == input_vertex(apex) ? l : leg_at(mesh, apex, v);
+    };
+    const Leg_id lx = carrying(x), ly = carrying(y);
     if (lx < 0 || ly < 0) return -1;
     if (lx == l) return common_sector(l, ly);
     return ly == l || ly == lx ? common_sector(l, lx) : -1;

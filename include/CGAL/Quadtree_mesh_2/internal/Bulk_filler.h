@@ -41,7 +41,7 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-template <class Geometry>
+template <class Concurrency_tag, class Geometry>
 class Bulk_filler {
 public:
   using Mesh = Kernel_mesh<Geometry>;
@@ -63,9 +63,9 @@ public:
     if (mesh_.number_of_vertices() + 1.5 * wanted.number_of_inside_squares() > static_cast<double>(budget))
       return;
     const auto rule = state_.bounds.sin2 < sin2_of_halved_square
-                          ? Bulk_squares<Geometry>::Halved_sides::without_center
-                          : Bulk_squares<Geometry>::Halved_sides::with_center;
-    const Bulk_squares<Geometry> squares(wanted, rule);
+                          ? Bulk_squares<Concurrency_tag, Geometry>::Halved_sides::without_center
+                          : Bulk_squares<Concurrency_tag, Geometry>::Halved_sides::with_center;
+    const Bulk_squares<Concurrency_tag, Geometry> squares(wanted, rule);
     if (!is_worth_it(static_cast<double>(squares.number_of_squares()))) return;
     fill(squares, wanted, grid);
   }
@@ -141,30 +141,26 @@ private:
     return ends;
   }
 
-  void fill(const Bulk_squares<Geometry>& squares, const Wanted_squares<Geometry>& wanted,
+  void fill(const Bulk_squares<Concurrency_tag, Geometry>& squares, const Wanted_squares<Geometry>& wanted,
             const Square_grid<Geometry>& grid) {
     vertex_named_.assign(3 * squares.number_of_leaves(), -1);
-    const Vertex_id first = static_cast<Vertex_id>(mesh_.number_of_vertices());
-    const Triangle_id first_new_triangle = static_cast<Triangle_id>(mesh_.triangles.size());
     reserve(squares);
     collect_border(squares, grid);
     insert_border(squares, wanted);
-    if (find_border_edges()) {
-      clear_inside();
-      make_triangles(squares, wanted, grid);
-      link_squares(squares);
-      link_border(squares);
-    }
-    push_where_sizes_vary(first_new_triangle);
-    for (Vertex_id v = first; v < first + static_cast<Vertex_id>(vertices_.size()); ++v)
-      state_.push_suspects_around(v);
+    if (!find_border_edges()) return; // the mesh is valid all the same, and has no bulk
+    clear_inside();
+    make_triangles(squares, wanted, grid);
+    link_squares(squares);
+    link_border(squares);
+    push_where_sizes_vary();
   }
 
   /// Room for the bulk, and for what the refiner will add along its border and the features.
-  void reserve(const Bulk_squares<Geometry>& squares) {
+  void reserve(const Bulk_squares<Concurrency_tag, Geometry>& squares) {
     const std::size_t growth = 8 * mesh_.number_of_vertices() + 4 * squares.border().size();
     const std::size_t vertices = mesh_.number_of_vertices() + squares.number_of_triangles() + growth;
     mesh_.points.reserve(vertices), mesh_.edge_of.reserve(vertices), mesh_.triangle_of.reserve(vertices);
+    mesh_.is_dirty.reserve(vertices);
     mesh_.triangles.reserve(mesh_.triangles.size() + squares.number_of_triangles() + 2 * growth);
   }
 
@@ -178,7 +174,8 @@ private:
   }
 
   /// Adds the border's vertices to the mesh's points, without triangles.
-  void collect_border(const Bulk_squares<Geometry>& squares, const Square_grid<Geometry>& grid) {
+  void collect_border(const Bulk_squares<Concurrency_tag, Geometry>& squares,
+                      const Square_grid<Geometry>& grid) {
     const Vertex_id first = static_cast<Vertex_id>(mesh_.number_of_vertices());
     for (const Square_piece& p : squares.border()) {
       const Square_template& form = square_template(squares.form(p.square));
@@ -202,7 +199,8 @@ private:
   }
 
   /// Inserts the vertices loop by loop, each located from the one before it.
-  void insert_border(const Bulk_squares<Geometry>& squares, const Wanted_squares<Geometry>& wanted) {
+  void insert_border(const Bulk_squares<Concurrency_tag, Geometry>& squares,
+                     const Wanted_squares<Geometry>& wanted) {
     std::vector<std::int32_t> stack;
     for (std::size_t i = 0; i < vertices_.size(); ++i) {
       if (mesh_.is_used(vertices_[i].vertex)) continue;
@@ -293,10 +291,12 @@ private:
 
   // ---- the squares
 
-  void make_triangles(const Bulk_squares<Geometry>& squares, const Wanted_squares<Geometry>& wanted,
-                      const Square_grid<Geometry>& grid) {
+  void make_triangles(const Bulk_squares<Concurrency_tag, Geometry>& squares,
+                      const Wanted_squares<Geometry>& wanted, const Square_grid<Geometry>& grid) {
     first_triangle_of_.resize(squares.number_of_leaves());
-    state_.bulk_vertices.begin = static_cast<Vertex_id>(mesh_.number_of_vertices());
+    auto& bulk = state_.bulk;
+    bulk.first_vertex = static_cast<Vertex_id>(mesh_.number_of_vertices());
+    bulk.first_triangle = static_cast<Triangle_id>(mesh_.triangles.size());
     for (std::size_t i = 0; i < squares.number_of_leaves(); ++i) {
       const Leaf_index l(i);
       if (!squares.is_bulk(l)) continue;
@@ -304,11 +304,14 @@ private:
       if (mesh_.region_of.empty()) continue;
       mesh_.region_of.resize(mesh_.triangles.size(), mesh_.region(squares.triangle_near(wanted, l)));
     }
-    state_.bulk_vertices.end = static_cast<Vertex_id>(mesh_.number_of_vertices());
+    bulk.end_of_vertices = static_cast<Vertex_id>(mesh_.number_of_vertices());
+    bulk.end_of_triangles = static_cast<Triangle_id>(mesh_.triangles.size());
+    // none of them can be spared
+    std::fill(mesh_.is_dirty.begin() + bulk.first_vertex, mesh_.is_dirty.end(), char(0));
   }
 
-  void make_triangles_of(const Bulk_squares<Geometry>& squares, const Square_grid<Geometry>& grid,
-                         Leaf_index l) {
+  void make_triangles_of(const Bulk_squares<Concurrency_tag, Geometry>& squares,
+                         const Square_grid<Geometry>& grid, Leaf_index l) {
     const Grid_square square = squares.square(l);
     const Square_form form_of_square = squares.form(l);
     const Square_template& form = square_template(form_of_square);
@@ -336,12 +339,12 @@ private:
     }
   }
 
-  Side side_of(const Bulk_squares<Geometry>& squares, Square_piece p) const {
+  Side side_of(const Bulk_squares<Concurrency_tag, Geometry>& squares, Square_piece p) const {
     const auto c = square_template(squares.form(p.square)).side_of_piece[std::size_t(p.piece)];
     return Side(first_triangle_of_[std::size_t(p.square)] + c.triangle, c.slot);
   }
 
-  void link_squares(const Bulk_squares<Geometry>& squares) {
+  void link_squares(const Bulk_squares<Concurrency_tag, Geometry>& squares) {
     for (std::size_t i = 0; i < squares.number_of_leaves(); ++i)
       if (squares.is_bulk(Leaf_index(i)))
         squares.for_each_pair_before(Leaf_index(i), [&](Square_piece own, Square_piece other) {
@@ -351,13 +354,13 @@ private:
   }
 
   /// Sizes were looked up at some places only; what they missed is left to the refiner.
-  void push_where_sizes_vary(Triangle_id first) {
+  void push_where_sizes_vary() {
     if (!state_.bounds.is_local()) return;
-    for (Triangle_id t = first; t < static_cast<Triangle_id>(mesh_.triangles.size()); ++t)
-      if (mesh_.is_alive(t)) state_.push_if_suspect(t);
+    for (Triangle_id t = state_.bulk.first_triangle; t < state_.bulk.end_of_triangles; ++t)
+      state_.push_if_suspect(t);
   }
 
-  void link_border(const Bulk_squares<Geometry>& squares) {
+  void link_border(const Bulk_squares<Concurrency_tag, Geometry>& squares) {
     for (std::size_t i = 0; i < edges_.size(); ++i) {
       const Side s = side_of(squares, squares.border()[i]);
       Side outer = edges_[i].outer;

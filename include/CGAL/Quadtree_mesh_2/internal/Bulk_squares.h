@@ -38,10 +38,10 @@ struct Square_piece {
   int piece;
 };
 
-template <class Geometry>
+template <class Concurrency_tag, class Geometry>
 class Bulk_squares {
 public:
-  using Tree = Balanced_quadtree<Fixed_point_quadtree_traits_2<std::uint32_t>>;
+  using Tree = Balanced_quadtree<Fixed_point_quadtree_traits_2<std::uint32_t>, Concurrency_tag>;
 
   enum class Halved_sides { without_center, with_center };
 

@@ -4,7 +4,8 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// The input edges (pieces of input segments between consecutive input vertices) by vertex.
+// The input edges (pieces of input segments between consecutive input vertices) by vertex. Vertices are named by
+// their input numbers, which are the same in every block.
 //
 // One array of (neighbour, edge) pairs, grouped by vertex and sorted by neighbour: O(n) to make, O(log
 // degree) to look up.
@@ -12,8 +13,8 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_INPUT_EDGES_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_INPUT_EDGES_H
 
-#include <CGAL/Quadtree_mesh_2/internal/First_triangulation.h>
 #include <CGAL/Quadtree_mesh_2/internal/Kernel_mesh.h>
+#include <CGAL/Quadtree_mesh_2/internal/Segment_inserter.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -47,6 +48,14 @@ public:
     for (std::size_t v = 0; v < number_of_vertices; ++v) std::sort(begin(Vertex_id(v)), end(Vertex_id(v)));
   }
 
+  /// Lets each of these edges belong to the first of the segments that run there.
+  void repeat(const std::vector<Input_edge>& repeated) {
+    for (const Input_edge& r : repeated) {
+      Input_edge& e = edges_[std::size_t(between(r.a, r.b))];
+      e.segment = std::min(e.segment, r.segment);
+    }
+  }
+
   std::size_t size() const { return edges_.size(); }
   const Input_edge& operator[](Edge_id e) const { return edges_[std::size_t(e)]; }
   Vertex_id other_end(Edge_id e, Vertex_id v) const {
@@ -66,15 +75,17 @@ public:
   /// corner).
   template <class Mesh>
   Edge_id carrying(const Mesh& mesh, Vertex_id x, Vertex_id y) const {
-    const Edge_id ex = mesh.edge_of[std::size_t(x)], ey = mesh.edge_of[std::size_t(y)];
-    if (ex == input_vertex && ey == input_vertex) return between(x, y);
-    const Edge_id e = ex >= 0 ? ex : ey;
+    if (mesh.is_input(x) && mesh.is_input(y)) return between(mesh.input_number(x), mesh.input_number(y));
+    const Edge_id e = mesh.edge(x) >= 0 ? mesh.edge(x) : mesh.edge(y);
     return is_on(mesh, x, e) && is_on(mesh, y, e) ? e : -1;
   }
 
   template <class Mesh>
   bool is_on(const Mesh& mesh, Vertex_id v, Edge_id e) const {
-    return e >= 0 && (mesh.edge_of[std::size_t(v)] == e || (*this)[e].a == v || (*this)[e].b == v);
+    if (e < 0) return false;
+    if (!mesh.is_input(v)) return mesh.edge(v) == e;
+    const Vertex_id number = mesh.input_number(v);
+    return (*this)[e].a == number || (*this)[e].b == number;
   }
 
 private:

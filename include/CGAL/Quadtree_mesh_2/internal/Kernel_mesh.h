@@ -11,6 +11,9 @@
 // of the common side there, and whether the side is constrained; so a flip touches two triangles and four
 // links, and no search for "which side of the neighbour am I" is ever needed. Dead triangles are kept in a
 // free list. All operations take O(1), or O(degree) for stars.
+//
+// A mesh is the whole domain's, or one block of it (Mesh_blocks.h). A block has seams where the rest of the mesh
+// goes on: sides that nothing walks, flips or splits across while the block is apart.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_KERNEL_MESH_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_KERNEL_MESH_H
@@ -34,7 +37,7 @@ using Region_id = std::int32_t;
 constexpr int next_slot[3] = {1, 2, 0};
 constexpr int previous_slot[3] = {2, 0, 1};
 
-/// One side of one triangle, with the constraint bit of the edge; the border when there is no triangle.
+/// One side of one triangle, with the constraint bit of the edge; the border or a seam when there is no triangle.
 class Side {
 public:
   Side() = default;
@@ -42,8 +45,18 @@ public:
       : code_((t << 3) | (slot << 1) | (is_constrained ? 1 : 0)) {}
   static Side border() { return Side(); }
 
+  /// Where another block goes on. The number is kept by all that links and flips do to the triangle.
+  static Side seam(std::int32_t number) {
+    Side s;
+    s.code_ = -3 - 2 * number;
+    return s;
+  }
+
+  /// Whether no triangle lies there: at the border of the domain, or at a seam.
   bool is_border() const { return code_ < 0; }
-  /// The border counts as constrained: nothing walks or flips across it.
+  bool is_seam() const { return code_ < -1; }
+  std::int32_t seam_number() const { return (-3 - code_) / 2; }
+  /// The border and seams count as constrained: nothing walks or flips across them.
   bool is_constrained() const { return (code_ & 1) != 0; }
   Triangle_id triangle() const { return code_ >> 3; }
   int slot() const { return (code_ >> 1) & 3; }
@@ -54,9 +67,10 @@ private:
   std::int32_t code_ = -1;
 };
 
-/// What the vertex is: given, free to move, or on an input edge (then the edge's number).
-constexpr Edge_id input_vertex = -2;
+/// What a vertex is: free to move; on an input edge (then the edge's number); or given (then a number below
+/// `free_vertex` that stands for the input vertex's).
 constexpr Edge_id free_vertex = -1;
+constexpr Edge_id input_vertex(Vertex_id number) { return -2 - number; }
 
 template <class Geometry>
 class Kernel_mesh {
@@ -72,8 +86,10 @@ public:
   std::vector<Point> points;
   /// Some triangle at the vertex; -1 where there is none (removed, or outside the domain).
   std::vector<Triangle_id> triangle_of;
-  /// `input_vertex`, `free_vertex`, or the input edge on which the vertex lies.
+  /// `free_vertex`, the input edge on which the vertex lies, or `input_vertex(number)`.
   std::vector<Edge_id> edge_of;
+  /// Whether the star of a vertex has changed since its removal was tried.
+  std::vector<char> is_dirty;
 
   /// The region each triangle lies in, -1 for none; empty where no region has a bound of its own.
   std::vector<Region_id> region_of;
@@ -84,6 +100,10 @@ public:
   Triangle& triangle(Triangle_id t) { return triangles[std::size_t(t)]; }
   const Point& point(Vertex_id v) const { return points[std::size_t(v)]; }
   Triangle_id incident_triangle(Vertex_id v) const { return triangle_of[std::size_t(v)]; }
+  Edge_id edge(Vertex_id v) const { return edge_of[std::size_t(v)]; }
+  bool is_input(Vertex_id v) const { return edge(v) < free_vertex; }
+  /// The number of an input vertex: in the whole mesh its handle, in a block that of the whole mesh.
+  Vertex_id input_number(Vertex_id v) const { return -2 - edge(v); }
   bool is_used(Vertex_id v) const { return incident_triangle(v) >= 0; }
   std::size_t number_of_vertices() const { return points.size(); }
 
@@ -99,6 +119,7 @@ public:
     points.push_back(p);
     edge_of.push_back(edge);
     triangle_of.push_back(-1);
+    is_dirty.push_back(1);
     return static_cast<Vertex_id>(points.size()) - 1;
   }
 
@@ -115,6 +136,14 @@ public:
 
   void set_region(Triangle_id t, Region_id region) {
     if (!region_of.empty()) region_of[std::size_t(t)] = region;
+  }
+
+  /// Makes room for vertices and triangles with handles below these, to be filled in by the caller.
+  void resize(std::size_t vertices, std::size_t number_of_slots) {
+    points.resize(vertices), edge_of.resize(vertices, free_vertex), triangle_of.resize(vertices, -1);
+    is_dirty.resize(vertices, 1);
+    triangles.resize(number_of_slots);
+    if (!region_of.empty()) region_of.resize(number_of_slots, -1);
   }
 
   void kill(Triangle_id t) {
@@ -185,6 +214,19 @@ public:
                      Geometry::difference(point(r.v[next_slot[k]]), d),
                      Geometry::difference(point(r.v[previous_slot[k]]), d))
         .is_certainly_inside();
+  }
+
+  /// Flips until the given sides, and those of triangles that flips change, are Delaunay or not certainly else.
+  void make_Delaunay(std::vector<Side>& doubtful) {
+    while (!doubtful.empty()) {
+      const Side s = doubtful.back();
+      doubtful.pop_back();
+      const Side o = across(s);
+      if (o.is_constrained() || !is_certainly_not_Delaunay(s.triangle(), s.slot())) continue;
+      flip(s.triangle(), s.slot());
+      const Triangle_id t = s.triangle(), u = o.triangle();
+      for (const Side n : {Side(t, 0), Side(u, 0), Side(t, 2), Side(u, 1)}) doubtful.push_back(n);
+    }
   }
 
   /// Puts vertex v inside triangle t and restores the Delaunay property around it.

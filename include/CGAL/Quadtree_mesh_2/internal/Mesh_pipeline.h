@@ -18,7 +18,9 @@
 #include <CGAL/Indexed_mesh_2.h>
 #include <CGAL/Pslg_2.h>
 #include <CGAL/Quadtree_mesh_2/Grid_point_2.h>
+#include <CGAL/Quadtree_mesh_2/internal/Block_refinement.h>
 #include <CGAL/Quadtree_mesh_2/internal/Bulk_filler.h>
+#include <CGAL/Quadtree_mesh_2/internal/First_triangulation.h>
 #include <CGAL/Quadtree_mesh_2/internal/Refiner.h>
 #include <CGAL/Quadtree_mesh_2/internal/Remover.h>
 #include <CGAL/Quadtree_mesh_2/internal/coordinate_map.h>
@@ -31,8 +33,10 @@
 #include <CGAL/validate_pslg_2.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <ctime>
+#include <mutex>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -54,7 +58,7 @@ private:
   std::clock_t start_;
 };
 
-template <class Traits>
+template <class Traits, class Concurrency_tag>
 class Mesh_pipeline {
 public:
   using Geometry = typename Traits::Meshing_geometry_2;
@@ -77,10 +81,12 @@ public:
     refine(refiner, splitter);
     if (options_.coarsening == Quality_mesh_options_2::Coarsening::guarded_removal) coarsen();
     finish(refiner);
+    report_.is_cancelled = is_cancelled_;
     return convert();
   }
 
 private:
+  using First = First_triangulation<Concurrency_tag, Geometry>;
   static constexpr double degree = 3.14159265358979323846 / 180;
 
   const Pslg& pslg_;
@@ -88,18 +94,20 @@ private:
   const Traits& traits_;
   Quality_mesh_report_2& report_;
   Coordinate_map<Traits, Geometry> map_;
-  Meshing_state<Geometry> state_;
+  Meshing_problem<Geometry> problem_;
+  Meshing_state<Geometry> state_{problem_};
   double share_done_ = 0;
+  std::mutex callback_mutex_;
+  std::atomic<bool> is_cancelled_{false};
   Order order_; // kernel vertex -> input vertex
-  std::vector<Vertex_id>
-      kernel_vertex_; // input vertex -> kernel vertex, duplicates to the one that stands for them
 
   /// Whether the user wants to go on; about `share` of the work is done. What the user is told never falls.
   bool shall_go_on(double share) {
+    if (!options_.callback || is_cancelled_) return !is_cancelled_;
+    const std::lock_guard<std::mutex> lock(callback_mutex_);
     share_done_ = std::max(share_done_, share);
-    if (!report_.is_cancelled && options_.callback && !options_.callback(share_done_))
-      report_.is_cancelled = true;
-    return !report_.is_cancelled;
+    if (!is_cancelled_ && !options_.callback(share_done_)) is_cancelled_ = true;
+    return !is_cancelled_;
   }
 
   void sort_vertices() {
@@ -108,7 +116,7 @@ private:
     std::vector<Grid_point_2<typename Traits::Word>> grid_points;
     grid_points.reserve(pslg_.number_of_vertices());
     for (const Point_2& p : pslg_.vertices) grid_points.push_back(grid.grid_point(p));
-    order_ = shuffle_order(grid_points);
+    order_ = shuffle_order<Concurrency_tag>(grid_points);
   }
 
   void make_first_mesh() {
@@ -117,20 +125,19 @@ private:
     std::vector<typename Geometry::Point> points;
     points.reserve(n);
     for (const std::uint32_t i : order_) points.push_back(map_.to_kernel(pslg_.vertices[i]));
-    First_triangulation<Geometry> first(state_.mesh, points);
-
-    kernel_vertex_.resize(n);
-    for (std::size_t i = 0; i < n; ++i) {
-      kernel_vertex_[order_[i]] = first.representatives()[i];
-      if (first.representatives()[i] != static_cast<Vertex_id>(i)) ++report_.merged_vertices;
-    }
-    for (std::size_t s = 0; s < pslg_.segments.size(); ++s) insert_segment(first, s);
+    First first(state_.mesh, points);
+    if (const auto crossing = first.run(kernel_segments())) throw Pslg_error_2(describe(first, *crossing));
+    for (std::size_t v = 0; v < n; ++v)
+      if (first.representative(static_cast<Vertex_id>(v)) != static_cast<Vertex_id>(v))
+        ++report_.merged_vertices;
     report_.vertices_on_segments = first.number_of_vertices_on_segments();
-    state_.edges = Input_edges(first.edges(), n);
+    problem_.edges = Input_edges(first.edges(), n);
+    problem_.edges.repeat(first.repeated_edges());
+    problem_.input_points = std::move(points);
 
     std::vector<typename Geometry::Point> holes;
     for (const Point_2& p : pslg_.holes) holes.push_back(map_.to_kernel(p));
-    keep_domain(state_.mesh, holes, First_triangulation<Geometry>::number_of_auxiliary_vertices);
+    keep_domain(state_.mesh, holes, First::number_of_auxiliary_vertices);
     if (state_.mesh.triangles.empty())
       throw Pslg_error_2(pslg_.segments.empty() ? "there are no segments, so there is no domain to mesh"
                          : pslg_.holes.empty()
@@ -142,7 +149,7 @@ private:
 
   void set_bounds() {
     const double scale = map_.length_to_kernel(1.0);
-    Bounds<Geometry>& bounds = state_.bounds;
+    Bounds<Geometry>& bounds = problem_.bounds;
     bounds = Bounds<Geometry>(options_.min_angle_in_degrees * degree,
                               options_.max_triangle_area * scale * scale, scale * options_.max_edge_length);
     bounds.least_squared_length = scale * scale * options_.min_edge_length * options_.min_edge_length;
@@ -155,17 +162,18 @@ private:
       };
   }
 
-  void insert_segment(First_triangulation<Geometry>& first, std::size_t s) {
-    const auto& [a, b] = pslg_.segments[s];
-    try {
-      first.insert_segment(kernel_vertex_[std::size_t(a)], kernel_vertex_[std::size_t(b)],
-                           static_cast<std::int32_t>(s));
-    } catch (const Crossing& crossing) {
-      throw Pslg_error_2(describe(first, crossing));
-    }
+  /// The segments in the kernel's numbering, which is the shuffle order.
+  std::vector<typename First::Segment> kernel_segments() const {
+    std::vector<Vertex_id> kernel_vertex(order_.size());
+    for (std::size_t i = 0; i < order_.size(); ++i) kernel_vertex[order_[i]] = static_cast<Vertex_id>(i);
+    std::vector<typename First::Segment> segments;
+    segments.reserve(pslg_.number_of_segments());
+    for (const auto& [a, b] : pslg_.segments)
+      segments.push_back({kernel_vertex[std::size_t(a)], kernel_vertex[std::size_t(b)]});
+    return segments;
   }
 
-  std::string describe(const First_triangulation<Geometry>& first, const Crossing& crossing) const {
+  std::string describe(const First& first, const Crossing& crossing) const {
     std::ostringstream text;
     text << "segment " << crossing.segment << " (" << name_of_ends(crossing.segment) << ") crosses segment ";
     for (const Input_edge& e : first.edges()) {
@@ -199,8 +207,12 @@ private:
   void refine(Refiner<Geometry>& refiner, Splitter<Geometry>& splitter) {
     Phase_timer timer(report_.seconds.refine);
     splitter.cut_rings();
-    refiner.push_all();
-    Bulk_filler<Geometry>(state_).run(vertex_budget());
+    Bulk_filler<Concurrency_tag, Geometry>(state_).run(vertex_budget());
+    const auto removal = options_.coarsening == Quality_mesh_options_2::Coarsening::guarded_removal
+                             ? Block_removal::guarded
+                             : Block_removal::none;
+    Block_refinement<Concurrency_tag, Geometry> blocks(state_, removal, vertex_budget());
+    if (!blocks.run([this] { return shall_go_on(0.2); })) refiner.push_all();
     run(refiner);
     splitter.unlock_all();
     state_.legalize();
@@ -218,10 +230,8 @@ private:
 
   void coarsen() {
     Phase_timer timer(report_.seconds.coarsen);
-    if (report_.is_cancelled) return;
-    Remover<Geometry>(state_, static_cast<Vertex_id>(pslg_.number_of_vertices())).run([this] {
-      return shall_go_on(0.85);
-    });
+    if (is_cancelled_) return;
+    Remover<Geometry>(state_).run([this] { return shall_go_on(0.85); });
   }
 
   /// Makes the mesh exactly constrained Delaunay. Such flips never lower the least angle of a pair; should
@@ -230,11 +240,11 @@ private:
     Phase_timer timer(report_.seconds.refine);
     constexpr int most_rounds = 5;
     for (int round = 0; round < most_rounds; ++round) {
-      state_.make_Delaunay_exactly();
-      if (!has_bad_on_worklist() || report_.is_cancelled || report_.is_budget_exhausted) return;
+      state_.template make_Delaunay_exactly<Concurrency_tag>();
+      if (!has_bad_on_worklist() || is_cancelled_ || report_.is_budget_exhausted) return;
       run(refiner);
     }
-    state_.make_Delaunay_exactly();
+    state_.template make_Delaunay_exactly<Concurrency_tag>();
   }
 
   bool has_bad_on_worklist() {

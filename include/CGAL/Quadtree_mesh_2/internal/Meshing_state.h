@@ -13,11 +13,14 @@
 #include <CGAL/Quadtree_mesh_2/internal/Acute_corners.h>
 #include <CGAL/Quadtree_mesh_2/internal/Input_edges.h>
 #include <CGAL/Quadtree_mesh_2/internal/Kernel_mesh.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <functional>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -103,22 +106,65 @@ private:
   std::vector<char> is_queued_;
 };
 
+/// What is the same for the whole mesh and all its blocks.
+template <class Geometry>
+struct Meshing_problem {
+  std::vector<typename Geometry::Point> input_points; ///< by input number
+  Input_edges edges;
+  Acute_corners<Geometry> corners;
+  Bounds<Geometry> bounds;
+
+  const typename Geometry::Point& input_point(Vertex_id number) const {
+    return input_points[std::size_t(number)];
+  }
+};
+
+/// How an attempt to change the mesh for a bad triangle ended.
+enum class Outcome {
+  changed,
+  refused, ///< there is no room, or nothing of the kind to do
+  deferred ///< it needs what lies beyond a seam of the block
+};
+
+/// One mesh, the domain's or a block of it, and what there is to do in it.
+///
+/// The shells of an acute corner and the locks of its sectors belong to one block, that in which all of it
+/// lies, and to the whole mesh when there are no blocks: `owns()` says so. What nobody else may read or write
+/// are `Leg::shells`, `Leg::ring`, `Leg::apex_vertex` and `Sector::lock_radius`; all else of the corners stays as
+/// it is.
 template <class Geometry>
 struct Meshing_state {
   using Mesh = Kernel_mesh<Geometry>;
   using Point = typename Geometry::Point;
 
+  Meshing_problem<Geometry>& problem;
+  const Input_edges& edges = problem.edges;
+  Acute_corners<Geometry>& corners = problem.corners;
+  const Bounds<Geometry>& bounds = problem.bounds;
+
   Mesh mesh;
-  Input_edges edges;
-  Acute_corners<Geometry> corners;
-  Bounds<Geometry> bounds;
   Worklist worklist;
-  /// Free vertices with consecutive numbers.
-  struct Vertex_range {
-    Vertex_id begin = 0, end = 0;
+  /// What templates filled (Bulk_filler.h): triangles with consecutive handles, and the vertices within.
+  struct Bulk {
+    Triangle_id first_triangle = 0, end_of_triangles = 0;
+    Vertex_id first_vertex = 0, end_of_vertices = 0;
+
+    bool has(Triangle_id t) const { return t >= first_triangle && t < end_of_triangles; }
+    bool has_within(Vertex_id v) const { return v >= first_vertex && v < end_of_vertices; }
   };
-  /// Those within the bulk that templates filled (Bulk_filler.h): none of them can be spared.
-  Vertex_range bulk_vertices;
+  Bulk bulk;
+  /// Bad triangles that are for a later round, in which they lie farther from the seams.
+  std::vector<Triangle_id> deferred;
+
+  explicit Meshing_state(Meshing_problem<Geometry>& p) : problem(p) {}
+  /// The state of a block with the given corners, in order.
+  Meshing_state(Meshing_problem<Geometry>& p, std::vector<Corner_id> owned)
+      : problem(p), is_block_(true), owned_(std::move(owned)) {}
+  Meshing_state(const Meshing_state&) = delete;
+  Meshing_state& operator=(const Meshing_state&) = delete;
+
+  bool owns(Corner_id c) const { return !is_block_ || std::binary_search(owned_.begin(), owned_.end(), c); }
+  const std::vector<Corner_id>& owned_corners() const { return owned_; }
 
   bool is_exempt(Vertex_id a, Vertex_id b, Vertex_id c, const Shape& s) const {
     return corners.is_exempt(mesh, a, b, c, s);
@@ -154,10 +200,10 @@ struct Meshing_state {
   /// which the mesh knows one: then the side is searched from the other end, and only if both are such,
   /// everywhere.
   Side side_between(Vertex_id x, Vertex_id y) const {
-    if (mesh.edge_of[std::size_t(x)] == input_vertex) std::swap(x, y);
+    if (mesh.is_input(x)) std::swap(x, y);
     Side s = mesh.find_side(x, y);
-    if (s.is_border() && mesh.edge_of[std::size_t(x)] == input_vertex) s = mesh.find_side(y, x);
-    if (s.is_border() && mesh.edge_of[std::size_t(x)] == input_vertex) s = find_side_everywhere(x, y);
+    if (s.is_border() && mesh.is_input(x)) s = mesh.find_side(y, x);
+    if (s.is_border() && mesh.is_input(x)) s = find_side_everywhere(x, y);
     return s;
   }
 
@@ -180,14 +226,24 @@ struct Meshing_state {
   }
 
   /// Flips until the mesh is constrained Delaunay, decided exactly. Cocircular vertices may be joined either
-  /// way. Ends: each flip lowers the lifted surface.
+  /// way. Ends: each flip lowers the lifted surface. What is to be flipped is found in parallel.
+  template <class Concurrency_tag>
   void make_Delaunay_exactly() {
-    for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
-      for (int k = 0; k < 3; ++k) {
-        const Triangle_id t = static_cast<Triangle_id>(i);
-        if (!mesh.is_alive(t)) break;
-        const Side o = mesh.triangle(t).side[k];
-        if (!o.is_constrained() && t < o.triangle()) doubtful_sides.push_back(Side(t, k));
+    std::vector<std::vector<Side>> found((mesh.triangles.size() + default_block - 1) / default_block);
+    for_each_block<Concurrency_tag>(
+        mesh.triangles.size(), default_block, [&](std::size_t b, std::size_t begin, std::size_t end) {
+          for (std::size_t i = begin; i < end; ++i)
+            for (int k = 0; k < 3; ++k) {
+              const Side s(static_cast<Triangle_id>(i), k);
+              if (!mesh.is_alive(s.triangle())) break;
+              const Side o = mesh.across(s);
+              if (!o.is_constrained() && s.triangle() < o.triangle() && is_not_Delaunay(s))
+                found[b].push_back(s);
+            }
+        });
+    for (const auto& sides : found)
+      for (const Side s : sides) {
+        doubtful_sides.push_back(s);
         flip_exactly();
       }
   }
@@ -195,16 +251,23 @@ struct Meshing_state {
   std::vector<Side> doubtful_sides;
 
 private:
+  bool is_block_ = false;
+  std::vector<Corner_id> owned_;
+
+  /// Whether the vertex opposite a free side lies in the circle of the side's triangle; exact.
+  bool is_not_Delaunay(Side s) const {
+    const auto& r = mesh.triangle(s.triangle());
+    return Geometry::is_in_circle(mesh.point(r.v[0]), mesh.point(r.v[1]), mesh.point(r.v[2]),
+                                  mesh.point(mesh.opposite(mesh.across(s))));
+  }
+
   void flip_exactly() {
     while (!doubtful_sides.empty()) {
       const Side s = doubtful_sides.back();
       doubtful_sides.pop_back();
       const Triangle_id t = s.triangle();
-      const auto& r = mesh.triangle(t);
-      const Side o = r.side[s.slot()];
-      if (o.is_constrained() || !Geometry::is_in_circle(mesh.point(r.v[0]), mesh.point(r.v[1]),
-                                                        mesh.point(r.v[2]), mesh.point(mesh.opposite(o))))
-        continue;
+      const Side o = mesh.across(s);
+      if (o.is_constrained() || !is_not_Delaunay(s)) continue;
       mesh.flip(t, s.slot());
       for (const Triangle_id n : {t, o.triangle()}) {
         for (const int k : {0, n == t ? 2 : 1}) doubtful_sides.push_back(Side(n, k));

@@ -44,9 +44,11 @@ public:
       : state_(state), mesh_(state.mesh), splitter_(splitter), relocator_(state),
         apex_height_(off_center_share * 0.5 / std::tan(state.bounds.angle / 2)) {}
 
+  /// Puts all triangles on the list that may be bad; those of the bulk are not.
   void push_all() {
     for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
-      if (mesh_.is_alive(static_cast<Triangle_id>(t))) state_.push_if_suspect(static_cast<Triangle_id>(t));
+      if (mesh_.is_alive(static_cast<Triangle_id>(t)) && !state_.bulk.has(static_cast<Triangle_id>(t)))
+        state_.push_if_suspect(static_cast<Triangle_id>(t));
   }
 
   /// Works the list off. `shall_go_on()` is asked every 4096 steps; at most `budget` vertices are in the mesh
@@ -86,8 +88,7 @@ private:
     const auto r = mesh_.triangle(t);
     if (!state_.bounds.is_sharp(mesh_.shape(r))) return false; // too large: a new vertex is needed anyway
     for (const Vertex_id v : r.v) {
-      if (mesh_.edge_of[std::size_t(v)] == input_vertex || number_of_relocations(v) >= most_relocations)
-        continue;
+      if (mesh_.is_input(v) || number_of_relocations(v) >= most_relocations) continue;
       if (!relocator_.relocate(v)) continue;
       ++number_of_relocations(v);
       return true;
@@ -104,9 +105,11 @@ private:
   /// Inserts one vertex for the bad triangle t, and puts t back on the list if it is bad still.
   void refine(Triangle_id t) {
     const std::size_t vertices_before = mesh_.number_of_vertices();
-    const bool is_changed = splitter_.open_lock_around(t) || insert_vertex_for(t);
+    Outcome outcome = splitter_.open_lock_around(t);
+    if (outcome == Outcome::refused) outcome = insert_vertex_for(t);
+    if (outcome == Outcome::deferred) return state_.deferred.push_back(t);
     settle_new_vertices(t, vertices_before);
-    if (is_changed && mesh_.is_alive(t)) state_.push_if_suspect(t);
+    if (outcome == Outcome::changed && mesh_.is_alive(t)) state_.push_if_suspect(t);
   }
 
   void settle_new_vertices(Triangle_id t, std::size_t vertices_before) {
@@ -118,8 +121,8 @@ private:
       number_of_relocations(static_cast<Vertex_id>(v)) = most_relocations;
   }
 
-  /// \returns false if nothing could be inserted: the triangle is as small as coordinates allow.
-  bool insert_vertex_for(Triangle_id t) {
+  /// Refused if nothing could be inserted: the triangle is as small as coordinates allow.
+  Outcome insert_vertex_for(Triangle_id t) {
     const auto r = mesh_.triangle(t);
     const Shape s = mesh_.shape(r);
     const int k = s.slot_of_shortest();
@@ -179,7 +182,7 @@ private:
     return best;
   }
 
-  bool insert(Triangle_id t, const Point& q) {
+  Outcome insert(Triangle_id t, const Point& q) {
     const auto& r = mesh_.triangle(t);
     int on_slot = -1, number_on = 0;
     for (int k = 0; k < 3; ++k) {
@@ -187,14 +190,15 @@ private:
       const Vector y = Geometry::difference(mesh_.point(r.v[previous_slot[k]]), q);
       if (cross(x, y) <= 1e-10 * squared_length(x - y)) on_slot = k, ++number_on;
     }
-    if (number_on > 1 || (on_slot >= 0 && r.side[on_slot].is_constrained())) return false; // no room
+    if (on_slot >= 0 && r.side[on_slot].is_seam()) return Outcome::deferred;
+    if (number_on > 1 || (on_slot >= 0 && r.side[on_slot].is_constrained())) return Outcome::refused;
     const Vertex_id v = mesh_.add_vertex(q, free_vertex);
     if (on_slot >= 0)
       mesh_.insert_on_side(t, on_slot, v);
     else
       mesh_.insert_in_triangle(t, v);
     state_.push_suspects_around(v);
-    return true;
+    return Outcome::changed;
   }
 };
 

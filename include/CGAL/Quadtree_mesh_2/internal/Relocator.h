@@ -153,7 +153,8 @@ private:
     const Input_edge& edge = state_.edges[e];
     const auto& is_acute = state_.corners.is_acute;
     if (is_acute[std::size_t(edge.a)] != 0 || is_acute[std::size_t(edge.b)] != 0) return false;
-    const Vector d = Geometry::difference(mesh_.point(edge.b), mesh_.point(edge.a));
+    const Vector d =
+        Geometry::difference(state_.problem.input_point(edge.b), state_.problem.input_point(edge.a));
     const Vector direction = (1 / std::sqrt(squared_length(d))) * d;
     const Point origin = mesh_.point(v);
     double place = 0, best = least_of_star(origin, -1), step = first_step * mean_distance(origin);

@@ -34,23 +34,20 @@ namespace internal {
 template <class Geometry>
 class Remover {
 public:
-  Remover(Meshing_state<Geometry>& state, Vertex_id number_of_input_vertices)
-      : state_(state), mesh_(state.mesh), first_steiner_(number_of_input_vertices) {}
+  explicit Remover(Meshing_state<Geometry>& state) : state_(state), mesh_(state.mesh) {}
 
-  /// Removes what can be removed.
+  /// Removes what can be removed, of the vertices whose star has changed since that was last tried.
   /// \returns the number of vertices removed.
   template <class Continue>
   std::size_t run(Continue&& shall_go_on) {
     constexpr int passes = 2;
-    is_dirty_.assign(mesh_.number_of_vertices(), 1);
     std::size_t removed = 0;
     for (int pass = 0; pass < passes; ++pass)
-      for (Vertex_id v = first_steiner_; v < static_cast<Vertex_id>(mesh_.number_of_vertices()); ++v) {
-        if (v == state_.bulk_vertices.begin) v = std::max(v, state_.bulk_vertices.end);
-        if (v >= static_cast<Vertex_id>(mesh_.number_of_vertices())) break;
+      for (Vertex_id v = 0; v < static_cast<Vertex_id>(mesh_.number_of_vertices()); ++v) {
         if ((v & 4095) == 0 && !shall_go_on()) return removed;
-        if (is_dirty_[std::size_t(v)] == 0 || !mesh_.is_used(v)) continue;
-        is_dirty_[std::size_t(v)] = 0;
+        if (mesh_.is_input(v) || mesh_.is_dirty[std::size_t(v)] == 0 || !mesh_.is_used(v)) continue;
+        if (!star_.collect(mesh_, v)) continue; // perhaps at a seam: another round may do it
+        mesh_.is_dirty[std::size_t(v)] = 0;
         if (try_to_remove(v)) ++removed;
       }
     return removed;
@@ -68,8 +65,6 @@ private:
 
   Meshing_state<Geometry>& state_;
   Kernel_mesh<Geometry>& mesh_;
-  Vertex_id first_steiner_;
-  std::vector<char> is_dirty_;
   Star star_;
   // the new triangles, and the subsegment a-b that the removed vertex split
   Vertex_id made_[Star::max_size + 2][3];
@@ -80,15 +75,16 @@ private:
   double quality_[max_polygon][max_polygon];
   std::int8_t middle_[max_polygon][max_polygon];
 
+  /// \pre the star is that of v
   bool try_to_remove(Vertex_id v) {
-    if (!star_.collect(mesh_, v)) return false;
     number_made_ = 0;
     merged_a_ = merged_b_ = -1;
-    if (mesh_.edge_of[std::size_t(v)] == free_vertex) {
+    if (mesh_.edge(v) == free_vertex) {
       if (!star_.is_closed || !triangulate(polygon(0, star_.size - 1))) return false;
     } else if (star_.is_closed) {
       if (!triangulate_both_sides()) return false;
     } else {
+      if (crosses_constraint()) return false;
       merged_a_ = star_.link[0], merged_b_ = star_.link[star_.size];
       if (!triangulate(polygon(0, star_.size))) return false;
     }
@@ -102,6 +98,15 @@ private:
     p.region = mesh_.region(star_.corner[first].triangle());
     for (int i = first; i <= last; ++i) p.v[p.size++] = star_.link[star_.is_closed ? i % star_.size : i];
     return p;
+  }
+
+  /// Whether a constrained edge lies within the open star.
+  bool crosses_constraint() const {
+    for (int i = 1; i < star_.size; ++i) {
+      const Side c = star_.corner[i];
+      if (mesh_.triangle(c.triangle()).side[previous_slot[c.slot()]].is_constrained()) return true;
+    }
+    return false;
   }
 
   bool triangulate_both_sides() {
@@ -237,7 +242,7 @@ private:
     for (int i = 0; i < number_made_; ++i)
       for (int k = 0; k < 3; ++k) connect(Side(star_.corner[i].triangle(), k), beyond, open, number_open);
     mesh_.triangle_of[std::size_t(v)] = -1;
-    for (int i = 0; i < star_.number_of_link_vertices(); ++i) is_dirty_[std::size_t(star_.link[i])] = 1;
+    for (int i = 0; i < star_.number_of_link_vertices(); ++i) mesh_.is_dirty[std::size_t(star_.link[i])] = 1;
   }
 
   /// Links a side of a new triangle to the mesh beyond the star, to a new triangle made before, or leaves it

@@ -58,42 +58,48 @@ public:
   }
 
   /// Splits the constrained edge at side k of t, near `want` where nothing else is prescribed.
-  /// \returns false if it cannot be split: it is as short as coordinates allow.
-  bool split(Triangle_id t, int k, const Point* want) {
+  /// Refused if it cannot be split: it is as short as coordinates allow.
+  Outcome split(Triangle_id t, int k, const Point* want) {
     const Side side(t, k);
+    if (mesh_.across(side).is_seam()) return Outcome::deferred;
     const Vertex_id x = mesh_.source(side), y = mesh_.target(side);
     const Edge_id e = state_.edges.carrying(mesh_, x, y);
     if (e < 0) {
       const Sector_id s = corners_.sector_of_chord(mesh_, x, y);
-      return s >= 0 && lower_lock(s);
+      if (s < 0) return Outcome::refused;
+      return state_.owns(corners_.corner_of(corners_.sector(s))) ? outcome(lower_lock(s)) : Outcome::deferred;
     }
     for (const Leg_id l : corners_.legs_of_edge[std::size_t(e)])
-      if (l >= 0 && is_within_ring(l, x, y)) return halve_interval(l, x, y);
-    return split_subsegment(side, e, want);
+      if (l >= 0 && !state_.owns(corners_.leg(l).corner)) return Outcome::deferred;
+    for (const Leg_id l : corners_.legs_of_edge[std::size_t(e)])
+      if (l >= 0 && is_within_ring(l, x, y)) return outcome(halve_interval(l, x, y));
+    return outcome(split_subsegment(side, e, want));
   }
 
   /// Makes a bad triangle within a locked sector ordinary domain (or, if it touches the apex, halves its
   /// leg).
-  /// \returns false if t is not within a lock, or nothing can be done.
-  bool open_lock_around(Triangle_id t) {
+  /// Refused if t is not within a lock, or nothing can be done.
+  Outcome open_lock_around(Triangle_id t) {
     const auto r = mesh_.triangle(t);
     const Sector_id s = corners_.sector_of(mesh_, r.v[0], r.v[1], r.v[2]);
-    if (s < 0 || corners_.sector(s).lock_radius == 0) return false;
+    if (s < 0) return Outcome::refused;
+    const Corner_id c = corners_.corner_of(corners_.sector(s));
+    if (!state_.owns(c)) return Outcome::deferred;
+    if (corners_.sector(s).lock_radius == 0) return Outcome::refused;
     const double lock_radius = corners_.sector(s).lock_radius;
     double low = lock_radius, high = 0;
     for (const Vertex_id v : r.v) {
       const double radius = shell_radius(s, v);
-      if (radius < 0 || radius > lock_radius + ring_tolerance(corners_.corner(
-                                                   corners_.leg(corners_.sector(s).right).corner)))
-        return false;
+      if (radius < 0 || radius > lock_radius + ring_tolerance(corners_.corner(c))) return Outcome::refused;
       low = std::min(low, radius), high = std::max(high, radius);
     }
-    if (low >= lock_radius) return lower_lock(s);
-    if (low == 0) return insert_shell(corners_.leg(corners_.sector(s).right).corner, shell_below(s, high));
-    return move_lock(s, low);
+    if (low >= lock_radius) return outcome(lower_lock(s));
+    return outcome(low == 0 ? insert_shell(c, shell_below(s, high)) : move_lock(s, low));
   }
 
 private:
+  static Outcome outcome(bool is_changed) { return is_changed ? Outcome::changed : Outcome::refused; }
+
   /// New shells next to the apex lie at this share of the innermost radius: their ratio, 1.67, leaves room
   /// for ring vertices that are not quite matched (Acute_corners.h).
   static constexpr double innermost_share = 0.6;
@@ -114,9 +120,7 @@ private:
   }
 
   Point point_on_leg(const Leg& leg, double radius) const {
-    return Geometry::translate(mesh_.point(leg.apex),
-                               (radius / leg.length) *
-                                   Geometry::difference(mesh_.point(leg.far), mesh_.point(leg.apex)));
+    return Geometry::translate(mesh_.point(leg.apex_vertex), (radius / leg.length) * leg.span);
   }
 
   static double ring_tolerance(const Corner& c) {
@@ -143,7 +147,7 @@ private:
     Shell_vertex below, above;
   };
   Interval interval_around(const Leg& leg, double radius) const {
-    Interval i{{0, leg.apex}, {0, -1}};
+    Interval i{{0, leg.apex_vertex}, {0, -1}};
     for (const Shell_vertex& s : leg.shells) {
       if (!mesh_.is_used(s.vertex)) continue;
       if (s.radius > radius) {
@@ -181,7 +185,7 @@ private:
 
   /// The radius of a leg's shell vertex, 0 for the apex, -1 for other vertices.
   static double radius_on_leg(const Leg& leg, Vertex_id v) {
-    if (v == leg.apex) return 0;
+    if (v == leg.apex_vertex) return 0;
     for (const Shell_vertex& s : leg.shells)
       if (s.vertex == v) return s.radius;
     return -1;
@@ -249,6 +253,7 @@ private:
     const Side chord = state_.side_between(a, b);
     if (chord.is_border()) return;
     mesh_.release(chord);
+    mesh_.is_dirty[std::size_t(a)] = mesh_.is_dirty[std::size_t(b)] = 1;
     const Side o = mesh_.across(chord);
     state_.doubtful_sides.push_back(chord);
     for (const Triangle_id t : {chord.triangle(), o.triangle()})
@@ -303,8 +308,8 @@ private:
     const Point a = mesh_.point(x);
     const Vector d = Geometry::difference(mesh_.point(y), a);
     if (is_acute_apex(x) || is_acute_apex(y)) {
-      const Vector whole =
-          Geometry::difference(mesh_.point(state_.edges[e].b), mesh_.point(state_.edges[e].a));
+      const Vector whole = Geometry::difference(state_.problem.input_point(state_.edges[e].b),
+                                                state_.problem.input_point(state_.edges[e].a));
       const double floor = least_share_of_leg();
       if (squared_length(d) < 4 * floor * floor * squared_length(whole)) return false;
     }
@@ -315,7 +320,7 @@ private:
   }
 
   bool is_acute_apex(Vertex_id v) const {
-    return mesh_.edge_of[std::size_t(v)] == input_vertex && corners_.is_acute[std::size_t(v)] != 0;
+    return mesh_.is_input(v) && corners_.is_acute[std::size_t(mesh_.input_number(v))] != 0;
   }
   bool is_leg_without_ring(Edge_id e, int end) const {
     const Vertex_id apex = end == 0 ? state_.edges[e].a : state_.edges[e].b;

@@ -27,13 +27,14 @@ struct Star {
 
   int number_of_link_vertices() const { return is_closed ? size : size + 1; }
 
-  /// Collects the star of v, a Steiner vertex; false if it has more than `max_size` triangles.
+  /// Collects the star of v, a Steiner vertex; false if it has more than `max_size` triangles, or goes on beyond
+  /// a seam.
   template <class Geometry>
   bool collect(const Kernel_mesh<Geometry>& mesh, Vertex_id v) {
     using Mesh = Kernel_mesh<Geometry>;
     size = 0;
-    const Triangle_id first =
-        mesh.edge_of[std::size_t(v)] >= 0 ? clockwise_most(mesh, v) : mesh.incident_triangle(v);
+    const Triangle_id first = mesh.edge(v) >= 0 ? clockwise_most(mesh, v) : mesh.incident_triangle(v);
+    if (first < 0) return false;
     for (Triangle_id t = first;;) {
       if (size == max_size) return false;
       const auto& r = mesh.triangle(t);
@@ -43,7 +44,8 @@ struct Star {
       link[size] = r.v[previous_slot[i]];
       const Side o = r.side[next_slot[i]];
       is_closed = !o.is_border() && o.triangle() == first;
-      if (o.is_border() || is_closed) return true;
+      if (o.is_border()) return !o.is_seam();
+      if (is_closed) return true;
       t = o.triangle();
     }
   }
@@ -55,7 +57,7 @@ private:
     for (Triangle_id t = start;;) {
       const auto& r = mesh.triangle(t);
       const Side o = r.side[previous_slot[Kernel_mesh<Geometry>::slot_of(r, v)]];
-      if (o.is_border()) return t;
+      if (o.is_border()) return o.is_seam() ? -1 : t;
       t = o.triangle();
       if (t == start) return t;
     }

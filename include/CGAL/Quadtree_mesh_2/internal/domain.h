@@ -48,7 +48,7 @@ void drop_marked(Kernel_mesh<Geometry>& mesh, const std::vector<char>& is_marked
     if (is_marked[t] == 0) new_id[t] = kept++;
 
   const std::size_t n = mesh.points.size() - number_of_auxiliary_vertices;
-  mesh.points.resize(n), mesh.edge_of.resize(n);
+  mesh.points.resize(n), mesh.edge_of.resize(n), mesh.is_dirty.resize(n);
   mesh.triangle_of.assign(n, -1);
   for (std::size_t t = 0; t < new_id.size(); ++t) {
     if (new_id[t] < 0) continue;
