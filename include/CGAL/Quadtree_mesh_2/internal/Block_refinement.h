@@ -55,10 +55,9 @@ public:
   /// \returns false if the mesh is too small for blocks, and nothing was done.
   template <class Continue>
   bool run(const Continue& shall_go_on) {
-    std::vector<Triangle_id> triangles = triangles_outside_bulk();
-    if (triangles.size() < 2 * block_size) return false;
+    if (whole_.mesh.number_of_triangles() - whole_.bulk.number_of_triangles() < 2 * block_size) return false;
     {
-      Blocks blocks(whole_.mesh, std::move(triangles), block_size, Square_shift::none);
+      Blocks blocks(whole_.mesh, triangles_outside_bulk(), block_size, Square_shift::none);
       work(blocks, shall_go_on);
     }
     const std::vector<Triangle_id> zone = zone_of_seams();
@@ -82,7 +81,7 @@ private:
     const Kernel_mesh<Geometry>& mesh = whole_.mesh;
     const auto& bulk = whole_.bulk;
     std::vector<Triangle_id> outside;
-    outside.reserve(mesh.number_of_triangles() - std::size_t(bulk.end_of_triangles - bulk.first_triangle));
+    outside.reserve(mesh.number_of_triangles() - bulk.number_of_triangles());
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
       const auto& v = mesh.triangles[t].v;
       if (v[0] < 0 || (bulk.has_within(v[0]) && bulk.has_within(v[1]) && bulk.has_within(v[2]))) continue;
