@@ -57,8 +57,9 @@ public:
     if (!state_.bounds.is_local() && !is_worth_it(domain_area() / (side * side))) return;
     const auto [low, high] = box();
     const Square_grid<Geometry> grid(low, high, side);
-    if (grid.finest_level() < 0) return;
+    if (grid.finest_level() < 1) return;
     const Wanted_squares<Geometry> wanted(state_, grid, std::min(budget, largest_number_of_nodes));
+    if (!state_.bounds.is_local() && wanted.finest_level() < grid.given_level()) return;
     if (!wanted.is_complete() || !is_worth_it(wanted.number_of_inside_squares())) return;
     if (mesh_.number_of_vertices() + 1.5 * wanted.number_of_inside_squares() > static_cast<double>(budget))
       return;

@@ -6,7 +6,7 @@
 //
 // The grid of the squares that fill the bulk of a mesh: where the root square lies and how large it is.
 //
-// Sides have 20 significant bits and the origin is a multiple of the last of them, so all corners down to the
+// Sides have at most 20 significant bits and the origin is a multiple of the last of them, so all corners down to the
 // finest level are exact coordinates: squares are exactly square, and their corners exactly cocircular.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_SQUARE_GRID_H
@@ -51,14 +51,18 @@ public:
     const double number = extent_ / side;
     if (!(number < 0x1p28)) return;
     if (number > least_number_to_fit) side = extent_ / std::ceil(number * (1 - 1e-12));
+    const int ulp = std::ilogb(resolution(low, high));
+    const int exact_bits = std::ilogb(side) - ulp + 1;
+    if (exact_bits < 1) return;
+    const int bits =
+        std::min(significant_bits, exact_bits > 2 * spare_levels ? exact_bits - spare_levels : exact_bits);
     int exponent = 0;
-    const double significand = std::floor(std::ldexp(std::frexp(side, &exponent), significant_bits));
+    const double significand = std::floor(std::ldexp(std::frexp(side, &exponent), bits));
     while (std::ldexp(1.0, given_level_) < number * (1 - 1e-9)) ++given_level_;
-    exponent += given_level_ - significant_bits;
+    exponent += given_level_ - bits;
     root_ = std::ldexp(significand, exponent);
     unit_ = std::ldexp(root_, -Grid_square::depth);
-    const double ulp = resolution(low, high);
-    finest_level_ = std::min(finest_possible_level, exponent - std::ilogb(ulp));
+    finest_level_ = std::min(finest_possible_level, exponent - ulp);
     origin_ = Geometry::nearest_corner(low, std::ldexp(1.0, exponent - std::max(finest_level_, 0)));
   }
 
@@ -78,6 +82,8 @@ public:
 
 private:
   static constexpr int significant_bits = 20;
+  /// Finer than the given one, for which coordinates leave room rather than for more significant bits.
+  static constexpr int spare_levels = 4;
   static constexpr int finest_possible_level = 28;
   /// Of squares along the box, from which on the side may shrink for a whole number of them to fit.
   static constexpr double least_number_to_fit = 32;

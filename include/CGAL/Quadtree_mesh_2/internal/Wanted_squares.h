@@ -55,7 +55,8 @@ public:
                  std::size_t largest_number)
       : state_(state), grid_(grid), largest_number_(largest_number) {
     for (int level = 0; level <= Grid_square::depth; ++level) side_[level] = grid.side(level);
-    finest_level_ = grid.finest_level();
+    finest_level_ =
+        grid.finest_level() - (state.bounds.is_local() ? 1 : 0); // centres are corners one level below
     while (finest_level_ > 0 &&
            side_[finest_level_] * side_[finest_level_] < state.bounds.least_squared_length)
       --finest_level_;
@@ -65,6 +66,8 @@ public:
     visit(0, Grid_square(), {0, features_.size()}, {0, triangles_.size()});
   }
 
+  /// The level of the smallest squares there may be.
+  int finest_level() const { return finest_level_; }
   const Node& node(std::size_t i) const { return nodes_[i]; }
   bool is_complete() const { return nodes_.size() <= largest_number_; }
   /// How many squares there are inside and away from features.
