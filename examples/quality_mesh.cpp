@@ -4,6 +4,7 @@
 #include "internal/Progress_line.h"
 #include "internal/command_line.h"
 #include "internal/mesh_in_words.h"
+#include "internal/read_sized_points.h"
 
 #include "in_child.h"
 #include "mesh_2_peer.h"
@@ -15,7 +16,6 @@
 #include <CGAL/Quality_mesher_2.h>
 #include <CGAL/mesh_quality_2.h>
 
-#include <algorithm>
 #include <exception>
 #include <filesystem>
 #include <fstream>
@@ -41,6 +41,7 @@ void timed(double& seconds, F work) {
 void mesh_graph(Meshing_run& run, const Command_line& line) {
   Progress_line progress;
   CGAL::Quality_mesh_options_2 options = line.options;
+  if (!line.size_points_file.empty()) options.size(read_sized_points(line.size_points_file));
   if (!line.is_quiet && Progress_line::is_possible())
     options.progress([&progress](double share) { return progress.show(share), true; });
 
@@ -66,12 +67,26 @@ void write_output(const std::string& file_name, const Meshing_run& run) {
   }
 }
 
+CGAL::Mesh_quality_options_2::Domain rule_to_check(CGAL::Quality_mesh_options_2::Domain domain) {
+  using Rule = CGAL::Mesh_quality_options_2::Domain;
+  switch (domain) {
+  case CGAL::Quality_mesh_options_2::Domain::ENCLOSED:
+    return Rule::enclosed_by_segments;
+  case CGAL::Quality_mesh_options_2::Domain::MARKED:
+    return Rule::marked_by_regions;
+  case CGAL::Quality_mesh_options_2::Domain::NESTING_PARITY:
+    return Rule::nesting_parity;
+  }
+  return Rule::enclosed_by_segments;
+}
+
 void check(Meshing_run& run, const CGAL::Quality_mesh_options_2& options) {
   run.quality = CGAL::mesh_quality_2(run.mesh, run.pslg,
                                      CGAL::Mesh_quality_options_2()
                                          .min_angle(options.min_angle_in_degrees)
                                          .max_edge(options.max_edge_length)
-                                         .max_area(options.max_triangle_area));
+                                         .max_area(options.max_triangle_area)
+                                         .check_domain(rule_to_check(options.domain)));
   run.ours.vertices = run.quality.vertices;
   Mesh_figures_builder(run.ours, options.min_angle_in_degrees).add_triangles_of(run.mesh);
 }
@@ -80,14 +95,6 @@ void check(Meshing_run& run, const CGAL::Quality_mesh_options_2& options) {
 void warn_of_errors(const CGAL::Mesh_quality_2& quality) {
   for (const std::string& error : quality.errors)
     std::cerr << "quality_mesh: the mesh is invalid: " << error << '\n';
-}
-
-/// Triangle's files may bound the area by region; the mesher does not follow that yet, and says so.
-void warn_of_area_bounds(const Meshing_run& run) {
-  const auto has_bound = [](const auto& region) { return region.max_area > 0; };
-  if (std::any_of(run.pslg.regions.begin(), run.pslg.regions.end(), has_bound))
-    std::cerr << "quality_mesh: area bounds of regions are not available yet, and have no effect; --max-area "
-                 "bounds all\n";
 }
 
 void compare(Meshing_run& run, const CGAL::Quality_mesh_options_2& options) {
@@ -107,7 +114,6 @@ void write_report(const std::string& file_name, const nlohmann::ordered_json& js
 Exit_status execute(const Command_line& line) {
   Meshing_run run;
   timed(run.read_seconds, [&] { CGAL::IO::read_triangle_poly(line.input, run.pslg); });
-  warn_of_area_bounds(run);
   timed(run.ours.seconds, [&] { mesh_graph(run, line); });
   check(run, line.options);
   warn_of_errors(run.quality);

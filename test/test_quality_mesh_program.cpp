@@ -107,6 +107,56 @@ TEST_CASE("the program keeps bounds of edges and areas", "[program]") {
   CHECK(triangles() < 400);
 }
 
+TEST_CASE("the program meshes by rules of domain and with the bounds of regions", "[program]") {
+  const Scratch_folder folder;
+  const std::string kernel = GENERATE("filtered", "fixed");
+  // A square in a square in a square, with a region in the ring between the outer two.
+  std::string text = "12 2 0 0\n", segments = "12 1\n";
+  for (int i = 0; i < 12; ++i) {
+    const int half = 3 - i / 4, x = i % 4 == 0 || i % 4 == 3 ? -half : half, y = i % 4 < 2 ? -half : half;
+    text += std::to_string(i) + ' ' + std::to_string(x) + ' ' + std::to_string(y) + '\n';
+    segments += std::to_string(i) + ' ' + std::to_string(i) + ' ' +
+                std::to_string(i % 4 == 3 ? i - 3 : i + 1) + ' ' + std::to_string(7 + i / 4) + '\n';
+  }
+  write_file(folder.file("in.poly"), text + segments + "0\n1\n0 0 2.5 5 0.01\n");
+  const auto triangles = [&](const std::string& arguments) {
+    const Run r = run(folder.file("in.poly") + " --kernel " + kernel + " --report " + folder.file("r.json") +
+                      " -o " + folder.file("out.ele") + ' ' + arguments);
+    CAPTURE(arguments, r.out, r.err);
+    CHECK(r.status == 0);
+    CHECK(r.err.empty());
+    return nlohmann::json::parse(content(folder.file("r.json"))).at("triangles").get<int>();
+  };
+  const int marked = triangles("--domain marked"); // the ring alone, of area 20
+  CHECK(marked > 2000);
+  CHECK(marked < 5000);
+  CHECK(contains(content(folder.file("out.ele")), " 5\n"));  // the region's attribute
+  CHECK(contains(content(folder.file("out.node")), " 7\n")); // a segment's marker
+  CHECK(triangles("--domain parity") > marked);
+  CHECK(triangles("") > triangles("--domain parity"));
+
+  write_file(folder.file("sizes"), "# near the origin\n0 0 0.002\n\n2 2 0.5 # and a corner\n");
+  CHECK(triangles("--size-points " + folder.file("sizes")) > triangles("") + 100);
+  write_file(folder.file("sizes"), "0 0 0.01\n2 2\n");
+  CHECK(contains(run(folder.file("in.poly") + " --size-points " + folder.file("sizes")).err, "sizes:2"));
+}
+
+TEST_CASE("the program keeps a least edge and says what is left for it", "[program]") {
+  const Scratch_folder folder;
+  const std::string kernel = GENERATE("filtered", "fixed");
+  const Run r = run(test_data("syn_parallel_0.001.poly") + " --kernel " + kernel +
+                    " --min-edge 0.05 --report " + folder.file("r.json"));
+  CHECK(r.status == 1);
+  const auto json = nlohmann::json::parse(content(folder.file("r.json")));
+  CHECK(json.at("triangles") < 500); // else thousands
+  CHECK(json.at("left").at(0).at("reason") == "least edge");
+}
+
+TEST_CASE("the program prints no angle where there is none", "[program]") {
+  const Run r = run(test_data("syn_sliver_1deg.poly")); // one triangle, exempt
+  CHECK(contains(r.out, "least angle of all others                -\n"));
+}
+
 TEST_CASE("bad usage names the culprit and writes nothing", "[program]") {
   const Scratch_folder folder;
   const std::string square = test_data("syn_square.poly");
@@ -122,6 +172,9 @@ TEST_CASE("bad usage names the culprit and writes nothing", "[program]") {
                                    {square + " --min-angle two", "two"},
                                    {square + " --max-edge 0", "--max-edge"},
                                    {square + " --max-area -1", "--max-area"},
+                                   {square + " --min-edge 0", "--min-edge"},
+                                   {square + " --domain all", "all"},
+                                   {square + " --size-points " + folder.file("none"), "none"},
                                    {square + " --threads 0", "--threads"},
                                    {square + " --kernel round", "round"},
                                    {square + " --mode square", "square"},
@@ -189,9 +242,9 @@ TEST_CASE("help and version", "[program]") {
   CHECK(run("--version").out.rfind("quality_mesh ", 0) == 0);
   const Run help = run("--help");
   CHECK(help.status == 0);
-  for (const char* option :
-       {"--output", "--min-angle", "--max-edge", "--max-area", "--kernel", "--threads", "--mode",
-        "--separation", "--no-coarsening", "--compare", "--report", "--quiet", "--version"})
+  for (const char* option : {"--output", "--min-angle", "--max-edge", "--max-area", "--min-edge",
+                             "--size-points", "--domain", "--kernel", "--threads", "--mode", "--separation",
+                             "--no-coarsening", "--compare", "--report", "--quiet", "--version"})
     CHECK(contains(help.out, option));
 }
 

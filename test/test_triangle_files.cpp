@@ -10,6 +10,7 @@
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/IO/Triangle_files.h>
+#include <CGAL/Quadtree_mesh_2/internal/boundary_markers.h>
 
 #include <algorithm>
 #include <chrono>
@@ -423,6 +424,7 @@ TEST_CASE("a mesh is written as .node, .ele and .poly", "[triangle_files]") {
   Small_mesh small;
   const std::string stem = folder.file("out");
   SECTION("of a plain graph: 1 marks the border") {
+    CGAL::Quadtree_mesh_2::internal::set_boundary_markers(small.mesh, small.pslg);
     CGAL::IO::write_triangle_files(small.mesh, small.pslg, stem);
     CHECK(content(stem + ".node") == "6 2 0 1\n0 0 0 1\n1 1 0 1\n2 1 1 1\n3 0 1 1\n4 9 9 0\n5 0.5 1 1\n");
     CHECK(content(stem + ".ele") == "3 3 0\n0 0 1 5\n1 1 2 5\n2 0 5 3\n");
@@ -434,6 +436,7 @@ TEST_CASE("a mesh is written as .node, .ele and .poly", "[triangle_files]") {
     small.pslg.holes = {Point(5, 0.125)};
     small.pslg.regions = {{Point(0.5, 0.5), 7.5, 0}, {Point(0.25, 0.5), 8, 0.5}};
     small.mesh.region_of_triangle = {0, -1, 1};
+    CGAL::Quadtree_mesh_2::internal::set_boundary_markers(small.mesh, small.pslg);
     CGAL::IO::write_triangle_files(small.mesh, small.pslg, stem);
     CHECK(content(stem + ".node") ==
           "6 2 0 1\n0 0 0 13\n1 1 0 21\n2 1 1 11\n3 0 1 12\n4 9 9 24\n5 0.5 1 12\n");
@@ -459,7 +462,7 @@ TEST_CASE("a mesh is written as .node, .ele and .poly", "[triangle_files]") {
     CHECK(mesh.triangles == small.mesh.triangles);
   }
   SECTION("one file at a time") {
-    CGAL::IO::write_triangle_node(folder.file("a"), small.mesh, small.pslg);
+    CGAL::IO::write_triangle_node(folder.file("a"), small.mesh);
     CGAL::IO::write_triangle_ele(folder.file("b"), small.mesh, small.pslg);
     CGAL::IO::write_triangle_poly(folder.file("c"), small.mesh, small.pslg);
     CGAL::IO::write_triangle_files(small.mesh, small.pslg, stem);

@@ -17,6 +17,7 @@
 #include <cstddef>
 #include <cstdio>
 #include <optional>
+#include <string>
 #include <type_traits>
 
 struct Meshing_run {
@@ -56,6 +57,23 @@ inline const char* name(CGAL::Mesh_quality_2::Bound bound) {
   return "";
 }
 
+inline const char* name(CGAL::Quality_mesh_report_2::Reason reason) {
+  using Reason = CGAL::Quality_mesh_report_2::Reason;
+  switch (reason) {
+  case Reason::BUDGET:
+    return "budget";
+  case Reason::CANCELLED:
+    return "cancelled";
+  case Reason::LEAST_EDGE:
+    return "least edge";
+  case Reason::CORNER:
+    return "corner";
+  case Reason::COORDINATES:
+    return "coordinates";
+  }
+  return "";
+}
+
 /// The places where a bound is unmet, the first of them.
 inline void print_unmet(const CGAL::Mesh_quality_2& quality) {
   constexpr std::size_t max_lines = 10;
@@ -74,6 +92,18 @@ void print_line(const char* name, const char* format, Number ours, std::optional
   std::printf("%-28s", name);
   std::printf(format, ours);
   if (theirs) std::printf(format, *theirs);
+  std::printf("\n");
+}
+
+/// The least angle outside acute corners; 180 stands for none there.
+inline void print_angle_of_others(const Meshing_run& run) {
+  const auto text = [](double angle) {
+    char digits[32];
+    std::snprintf(digits, sizeof digits, "%.2f", angle);
+    return std::string(angle < 180 ? digits : "-");
+  };
+  std::printf("%-28s%14s", "least angle of all others", text(run.ours.min_angle_of_others).c_str());
+  if (run.peer) std::printf("%14s", text(run.peer->min_angle_of_others).c_str());
   std::printf("\n");
 }
 
@@ -101,6 +131,9 @@ inline nlohmann::ordered_json run_json(const Meshing_run& run) {
                                  {"min_new_angle", run.quality.min_new_angle},
                                  {"exempt_triangles", run.quality.exempt_triangles},
                                  {"unmet_triangles", run.quality.unmet_triangles.size()},
+                                 {"estimated_triangles", run.report.estimated_triangles},
+                                 {"least_angle_histogram", run.report.least_angle_histogram},
+                                 {"largest_angle_histogram", run.report.largest_angle_histogram},
                                  {"rounds", run.report.rounds},
                                  {"threads", 1},
                                  {"seconds",
@@ -119,6 +152,12 @@ inline nlohmann::ordered_json run_json(const Meshing_run& run) {
                              {"x", unmet.centroid[0]},
                              {"y", unmet.centroid[1]},
                              {"least_angle", unmet.least_angle}});
+  for (const auto& unmet : run.report.unmet_triangles)
+    json["left"].push_back({{"triangle", unmet.triangle.value()},
+                            {"x", unmet.centroid[0]},
+                            {"y", unmet.centroid[1]},
+                            {"least_angle", unmet.least_angle},
+                            {"reason", meshing_run_internal::name(unmet.reason)}});
   if (run.is_peer_asked) json["mesh_2"] = run.peer ? peer_json(*run.peer) : nlohmann::ordered_json(nullptr);
   return json;
 }
@@ -140,8 +179,7 @@ inline void print_run(const Meshing_run& run, const CGAL::Quality_mesh_options_2
   print_line("largest angle", "%14.2f", run.ours.max_angle, theirs(&Mesh_figures::max_angle));
   print_line("triangles below the bound", "%14zu", run.ours.below_bound, theirs(&Mesh_figures::below_bound));
   print_line("  in acute input corners", "%14zu", run.quality.exempt_triangles, std::optional<std::size_t>());
-  print_line("least angle of all others", "%14.2f", run.ours.min_angle_of_others,
-             theirs(&Mesh_figures::min_angle_of_others));
+  print_angle_of_others(run);
   print_line("processor seconds", "%14.3f", run.ours.seconds, theirs(&Mesh_figures::seconds));
   if (run.is_peer_asked && !run.peer) std::printf("CGAL Mesh_2 gave no mesh\n");
   print_unmet(run.quality);

@@ -33,7 +33,8 @@ struct Command_line {
   Task task = Task::mesh;
   std::string input;
   std::vector<std::string> outputs;
-  std::string report_file; ///< empty: none
+  std::string report_file;      ///< empty: none
+  std::string size_points_file; ///< empty: none
   Kernel kernel = Kernel::filtered;
   CGAL::Quality_mesh_options_2 options;
   bool is_comparison_wanted = false;
@@ -76,6 +77,12 @@ inline po::options_description visible_options() {
      "least angle in degrees; up to 20.7 reached on every input tried, accepted up to 30")
     ("max-edge", po::value<double>()->value_name("H"), "longest edge")
     ("max-area", po::value<double>()->value_name("A"), "largest area of a triangle")
+    ("min-edge", po::value<double>()->value_name("H"),
+     "insert no vertex nearer than this to another; what is left for that is reported")
+    ("size-points", po::value<std::string>()->value_name("FILE"),
+     "points with sizes, one 'x y size' a line: the longest edge is size plus half the distance, the least over all")
+    ("domain", po::value<std::string>()->value_name("D")->default_value("enclosed"),
+     "what is meshed: enclosed, marked (components with a region's point) or parity (of nested borders)")
     ("kernel", po::value<std::string>()->value_name("K")->default_value("filtered"),
      "arithmetic: filtered (doubles), fixed (64-bit integers) or exact")
     ("threads", po::value<int>()->value_name("N")->default_value(1), "number of threads")
@@ -117,6 +124,12 @@ inline double min_angle(const po::variables_map& given) {
   const double value = given["min-angle"].as<double>();
   if (!(value >= 0 && value <= 30)) throw Usage_error("--min-angle has to be from 0 to 30 degrees");
   return value;
+}
+
+inline CGAL::Quality_mesh_options_2::Domain domain(const po::variables_map& given) {
+  using Domain = CGAL::Quality_mesh_options_2::Domain;
+  constexpr Domain rules[] = {Domain::ENCLOSED, Domain::MARKED, Domain::NESTING_PARITY};
+  return rules[choice(given, "domain", {"enclosed", "marked", "parity"}, 3)];
 }
 
 inline void check_threads(const po::variables_map& given) {
@@ -193,8 +206,11 @@ inline Command_line parse_command_line(int argc, const char* const* argv) try {
 
   line.options.min_angle(min_angle(given))
       .max_edge(bound(given, "max-edge"))
-      .max_area(bound(given, "max-area"));
-  if (given.count("no-coarsening") > 0) line.options.coarsen(CGAL::Quality_mesh_options_2::Coarsening::none);
+      .max_area(bound(given, "max-area"))
+      .min_edge(bound(given, "min-edge"))
+      .mesh_domain(domain(given));
+  if (given.count("size-points") > 0) line.size_points_file = given["size-points"].as<std::string>();
+  if (given.count("no-coarsening") > 0) line.options.coarsen(CGAL::Quality_mesh_options_2::Coarsening::NONE);
   if (choice(given, "kernel", {"filtered", "fixed", "exact"}, 2) == 1)
     line.kernel = Command_line::Kernel::fixed;
   choice(given, "mode", {"pslg", "points", "bounded", "acute"}, 1);

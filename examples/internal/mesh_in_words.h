@@ -100,8 +100,18 @@ CGAL::Pslg_2<Word_point> to_words(const CGAL::Pslg_2<Point>& pslg, const Word_ma
   return words;
 }
 
-inline CGAL::Quality_mesh_options_2 to_words(CGAL::Quality_mesh_options_2 options, double unit) {
-  return options.max_edge(options.max_edge_length / unit).max_area(options.max_triangle_area / unit / unit);
+template <class Point>
+CGAL::Quality_mesh_options_2 to_words(CGAL::Quality_mesh_options_2 options, const Word_map<Point>& map) {
+  const double unit = map.unit();
+  if (options.size_field)
+    options.size([map, field = options.size_field](double x, double y) {
+      using Word = std::uint64_t;
+      const Point p = map.to_double(Word_point{static_cast<Word>(x), static_cast<Word>(y)});
+      return field(p.x(), p.y()) / map.unit();
+    });
+  return options.max_edge(options.max_edge_length / unit)
+      .max_area(options.max_triangle_area / unit / unit)
+      .min_edge(options.min_edge_length / unit);
 }
 
 /// Back to doubles; the vertices of the input get the doubles they came with.
@@ -117,9 +127,11 @@ CGAL::Indexed_mesh_2<Point> to_doubles(CGAL::Indexed_mesh_2<Word_point>&& words,
   mesh.triangles = std::move(words.triangles);
   mesh.neighbors = std::move(words.neighbors);
   mesh.constrained_edges.reserve(words.constrained_edges.size());
-  for (const auto& e : words.constrained_edges) mesh.constrained_edges.push_back({e.vertices, e.segment});
+  for (const auto& e : words.constrained_edges)
+    mesh.constrained_edges.push_back({e.vertices, e.segment, e.marker});
   mesh.region_of_triangle = std::move(words.region_of_triangle);
   mesh.segment_of_vertex = std::move(words.segment_of_vertex);
+  mesh.vertex_markers = std::move(words.vertex_markers);
   return mesh;
 }
 
@@ -143,7 +155,7 @@ CGAL::Indexed_mesh_2<Point> mesh_in_words(const CGAL::Pslg_2<Point>& pslg,
   using namespace mesh_in_words_internal;
   CGAL::check_pslg_structure(pslg); // the scale wants finite coordinates
   const Word_map<Point> map(pslg);
-  CGAL::Quality_mesher_2<Traits> mesher(to_words(options, map.unit()));
+  CGAL::Quality_mesher_2<Traits> mesher(to_words(options, map));
   auto words = mesher(to_words(pslg, map));
   report = mesher.report();
   auto mesh = to_doubles(std::move(words), pslg, map);

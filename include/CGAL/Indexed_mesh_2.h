@@ -35,6 +35,7 @@ public:
   struct Constrained_edge {
     std::array<Vertex_index, 2> vertices;
     Segment_index segment; ///< the input segment it is part of (the first one where segments overlap)
+    int marker = 0;        ///< that of the segment; 0 where segments have none
   };
 
   std::size_t number_of_input_vertices = 0;
@@ -44,13 +45,18 @@ public:
   std::vector<std::array<Triangle_index, 3>> neighbors;
   /// Every mesh edge that lies on an input segment, once.
   std::vector<Constrained_edge> constrained_edges;
-  /// Per triangle, the position in `Pslg_2::regions` of its region, -1 where none; empty if the input has no
-  /// regions.
+  /// Per triangle, the position in `Pslg_2::regions` of its region (the first with its point in the same
+  /// component), -1 where none; empty if the input has no regions.
   std::vector<int> region_of_triangle;
   /// Per vertex, the input segment in whose interior a Steiner vertex lies; invalid for all others.
   std::vector<Segment_index> segment_of_vertex;
+  /// Per vertex, by Triangle's rule: an input vertex keeps its marker; a vertex without one (0) gets the first
+  /// that is not 0 of the constrained edges at it; one still without, on the border of the domain, gets 1.
+  /// Empty (in meshes made by hand): all are 0.
+  std::vector<int> vertex_markers;
 
   const Point_2& point(Vertex_index v) const { return points[std::size_t(v)]; }
+  int marker(Vertex_index v) const { return vertex_markers.empty() ? 0 : vertex_markers[std::size_t(v)]; }
   std::size_t number_of_vertices() const { return points.size(); }
   std::size_t number_of_triangles() const { return triangles.size(); }
 };

@@ -23,7 +23,7 @@ namespace CGAL {
 /// file.
 ///
 /// By the rule of Triangle and Mesh_2, what segments separate from infinity is the domain, except the
-/// components with a hole's point in them.
+/// components with a hole's point in them; `Quality_mesh_options_2::Domain` has other rules.
 /// \tparam Point point type with members `x()` and `y()`, a CGAL
 /// kernel's `Point_2` or `Fixed_point_2<Word>`.
 template <class Point>
@@ -34,8 +34,8 @@ public:
   using Segment_index = Quadtree_mesh_2::Segment_index;
   using Segment = std::array<Vertex_index, 2>;
 
-  /// A point that gives its component of the domain an attribute and, if positive, an area bound. (Files
-  /// carry the bound; `Quality_mesher_2` does not follow it, only that of its options.)
+  /// A point that gives its component of the domain an attribute and, if positive, a bound on the area of
+  /// triangles in it, which holds besides that of the options.
   struct Region {
     Point_2 point;
     double attribute = 0;
@@ -57,7 +57,8 @@ public:
 
   /// One point inside each hole.
   std::vector<Point_2> holes;
-  /// At most one should lie in each component of the domain.
+  /// The first one in a component counts. With `Quality_mesh_options_2::Domain::MARKED` they also tell what
+  /// the domain is.
   std::vector<Region> regions;
 
   /// Appends a vertex. Markers and attributes, if there are any, are for the caller to append.

@@ -16,8 +16,20 @@ namespace CGAL {
 /// What `Quality_mesher_2` shall reach. Every field has its default; set fields directly or by chained calls:
 /// `Quality_mesh_options_2().min_angle(25).max_area(0.1)`.
 struct Quality_mesh_options_2 {
+  /// Which of the components that the segments cut the plane into are meshed. Of two components that a
+  /// segment separates each is judged by itself; the unbounded one is never meshed, and one with a point of
+  /// `Pslg_2::holes` neither.
+  enum class Domain {
+    /// All bounded components: Triangle's rule, and that of `refine_Delaunay_mesh_2()` with seeds in holes.
+    ENCLOSED,
+    /// The components with a point of `Pslg_2::regions`, as with Mesh_2's seeds in the domain.
+    MARKED,
+    /// The components that one gets into from infinity by crossing an odd number of segments at least, as by
+    /// `mark_domain_in_triangulation()`: borders in borders are holes, islands in holes are not.
+    NESTING_PARITY
+  };
   /// Whether Steiner vertices that are not needed are removed at the end.
-  enum class Coarsening { none, guarded_removal };
+  enum class Coarsening { NONE, GUARDED_REMOVAL };
 
   /// Least angle in degrees of every triangle that no acute input corner forces below it, in [0, 30].
   /// Up to 20.7 it was reached on every input tried (doc/guarantees.md); whatever is left is reported.
@@ -29,9 +41,11 @@ struct Quality_mesh_options_2 {
   /// The longest edge wanted of a triangle with its centroid at (x, y), in the units of the input; positive.
   /// Empty: no such bound. It is called by several threads at once with `Parallel_tag`.
   std::function<double(double, double)> size_field;
-  /// Refinement makes no edge shorter than this, in the units of the input; what it leaves is reported.
+  /// Refinement inserts no vertex nearer than this to one in sight, in the units of the input; triangles that
+  /// miss a bound for that are left, and reported with the reason LEAST_EDGE. 0 means no such rule.
   double min_edge_length = 0;
-  Coarsening coarsening = Coarsening::guarded_removal;
+  Domain domain = Domain::ENCLOSED;
+  Coarsening coarsening = Coarsening::GUARDED_REMOVAL;
   /// Refinement stops, with what is left reported, when the mesh has this many vertices; 0 means no bound but
   /// memory's.
   std::size_t vertex_budget = 0;
@@ -45,6 +59,7 @@ struct Quality_mesh_options_2 {
     return size_field = std::move(f), *this;
   }
   Quality_mesh_options_2& min_edge(double length) { return min_edge_length = length, *this; }
+  Quality_mesh_options_2& mesh_domain(Domain d) { return domain = d, *this; }
   Quality_mesh_options_2& coarsen(Coarsening c) { return coarsening = c, *this; }
   Quality_mesh_options_2& max_vertices(std::size_t n) { return vertex_budget = n, *this; }
   Quality_mesh_options_2& progress(std::function<bool(double)> f) { return callback = std::move(f), *this; }

@@ -25,11 +25,25 @@ public:
 
 /// What `Quality_mesher_2` reached, what it did not, and where.
 struct Quality_mesh_report_2 {
+  /// What kept refinement from meeting a bound in a triangle.
+  enum class Reason {
+    BUDGET,     ///< the vertex budget was used up
+    CANCELLED,  ///< the callback stopped refinement
+    LEAST_EDGE, ///< a vertex would have come nearer to another than `Quality_mesh_options_2::min_edge_length`
+    CORNER,     ///< above 20.7 degrees: the legs of an acute corner are cut no nearer to its apex
+    COORDINATES ///< there is no room for a vertex between the coordinates that numbers can express
+  };
   /// A triangle that misses a bound although no acute input corner excuses it.
   struct Unmet_triangle {
     Quadtree_mesh_2::Triangle_index triangle;
     std::array<double, 2> centroid;
     double least_angle; ///< degrees
+    Reason reason;
+  };
+  /// A triangle below the bound that an acute input corner excuses.
+  struct Exempt_triangle {
+    Quadtree_mesh_2::Triangle_index triangle;
+    Quadtree_mesh_2::Vertex_index corner; ///< the input vertex in which the two segments meet
   };
   /// Seconds of CPU time by phase.
   struct Seconds {
@@ -47,8 +61,15 @@ struct Quality_mesh_report_2 {
   std::size_t merged_vertices = 0;      ///< input vertices at the place of an earlier one
   std::size_t vertices_on_segments = 0; ///< input vertices found in the interior of an input segment
   /// Below the bound inside a wedge of two input segments, never under 0.9 of its angle.
-  std::size_t exempt_triangles = 0;
+  std::vector<Exempt_triangle> exempt_triangles;
   std::vector<Unmet_triangle> unmet_triangles;
+  /// `least_angle_histogram[i]` triangles have their least angle in [i, i + 1) degrees, up to 60.
+  std::array<std::size_t, 60> least_angle_histogram{};
+  /// `largest_angle_histogram[i]` triangles have their largest angle in [60 + i, 61 + i) degrees, up to 180.
+  std::array<std::size_t, 120> largest_angle_histogram{};
+  /// Of the triangles needed, from the triangulation of the input alone, before refinement; for most inputs
+  /// within a factor of 4.
+  double estimated_triangles = 0;
   std::size_t rounds = 0;
   bool is_cancelled = false;
   bool is_budget_exhausted = false;

@@ -10,17 +10,15 @@
 #include <CGAL/Filtered_quadtree_traits_2.h>
 #include <CGAL/Fixed_point_quadtree_traits_2.h>
 #include <CGAL/Indexed_mesh_2.h>
-#include <CGAL/Kernel_traits.h>
 #include <CGAL/Pslg_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/Mesh_pipeline.h>
 #include <CGAL/Quality_mesh_options_2.h>
 #include <CGAL/Quality_mesh_report_2.h>
-#include <CGAL/indexed_mesh_to_triangulation_2.h>
 #include <CGAL/tags.h>
+#include <CGAL/validate_pslg_2.h>
 
 #include <stdexcept>
 #include <utility>
-#include <vector>
 
 namespace CGAL {
 
@@ -28,7 +26,8 @@ namespace CGAL {
 /// except in wedges that acute input corners force, with few triangles.
 ///
 /// The domain is what the segments separate from infinity, less the components with a point of
-/// `Pslg_2::holes`. Every input vertex of the domain is a vertex of the mesh, with its coordinates; every
+/// `Pslg_2::holes`, unless the options have another rule. Bounds of size of the options, of its size field
+/// and of the regions hold all together. Every input vertex of the domain is a vertex of the mesh, with its coordinates; every
 /// input segment with the domain on at least one side is a chain of mesh edges. Duplicate vertices are
 /// merged, vertices on segments split them, overlapping segments share their pieces. The mesh is constrained
 /// Delaunay.
@@ -36,7 +35,7 @@ namespace CGAL {
 /// Where two segments meet at an angle phi below the bound, a triangle with all its vertices on the two may
 /// have a smaller angle, never under 0.9 phi; such triangles are counted as exempt. Anything else below the
 /// bound is listed in `Quality_mesh_report_2::unmet_triangles`: nothing for bounds up to 20.7 degrees unless
-/// a budget, the callback or the precision of the coordinates stops refinement.
+/// a budget, the callback, the least edge or the precision of the coordinates stops refinement.
 ///
 /// After Bern, Eppstein, Teng, "Parallel construction of quadtrees and quality triangulations", section 6,
 /// with the squares refined one corner at a time where the mesh asks for them. Expected O(n log n + k) time
@@ -60,6 +59,7 @@ public:
       throw std::invalid_argument("the longest edge must not be negative");
     if (!(options_.max_triangle_area >= 0))
       throw std::invalid_argument("the largest area must not be negative");
+    if (!(options_.min_edge_length >= 0)) throw std::invalid_argument("the least edge must not be negative");
   }
 
   /// Returns the mesh of the domain of `pslg`.
@@ -81,33 +81,9 @@ private:
   Quality_mesh_report_2 report_;
 };
 
-/// Replaces a constrained triangulation by a quality mesh of its domain: what its constrained edges separate
-/// from infinity, less the components of the seeds.
-///
-/// Takes the place of `refine_Delaunay_mesh_2()`. Afterwards `cdt` is a valid constrained Delaunay
-/// triangulation whose faces in the domain, those with `is_in_domain()`, are the mesh; pockets and holes up
-/// to the convex hull are filled with faces that are not. Vertex and face handles from before are invalid.
-/// \tparam Cdt a `Constrained_Delaunay_triangulation_2` over doubles whose faces model
-/// `DelaunayMeshFaceBase_2`.
-/// \tparam Seeds a range of points, one in each hole.
-/// \throws Pslg_error_2 if
-/// nothing is enclosed; `cdt` is then as it was.
-template <class Cdt, class Seeds>
-Quality_mesh_report_2 refine_quality_mesh_2(Cdt& cdt, const Seeds& seeds,
-                                            const Quality_mesh_options_2& options = {}) {
-  using Kernel = typename Kernel_traits<typename Cdt::Point>::Kernel;
-  const auto pslg = pslg_from_triangulation_2(cdt, seeds);
-  Quality_mesher_2<Filtered_quadtree_traits_2<Kernel>> mesher(options);
-  indexed_mesh_to_constrained_Delaunay_triangulation_2(mesher(pslg), pslg, cdt);
-  return mesher.report();
-}
-
-/// The same for a domain without holes.
-template <class Cdt>
-Quality_mesh_report_2 refine_quality_mesh_2(Cdt& cdt, const Quality_mesh_options_2& options = {}) {
-  return refine_quality_mesh_2(cdt, std::vector<typename Cdt::Point>(), options);
-}
-
 } // namespace CGAL
+
+// For programs that come from Mesh_2.
+#include <CGAL/refine_quality_mesh_2.h>
 
 #endif // CGAL_QUALITY_MESHER_2_H

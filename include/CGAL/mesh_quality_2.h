@@ -73,9 +73,11 @@ convert_to_double_points(const Indexed_mesh_2<Point>& mesh) {
   result.points = Quadtree_mesh_2::internal::to_double_points(mesh.points);
   result.triangles = mesh.triangles;
   result.neighbors = mesh.neighbors;
-  for (const auto& e : mesh.constrained_edges) result.constrained_edges.push_back({e.vertices, e.segment});
+  for (const auto& e : mesh.constrained_edges)
+    result.constrained_edges.push_back({e.vertices, e.segment, e.marker});
   result.region_of_triangle = mesh.region_of_triangle;
   result.segment_of_vertex = mesh.segment_of_vertex;
+  result.vertex_markers = mesh.vertex_markers;
   return result;
 }
 

@@ -84,35 +84,13 @@ void write_holes_and_regions(Line_writer& out, const Pslg_2<Point>& pslg) {
   }
 }
 
-/// Triangle's rule: a vertex keeps its marker; one that has none takes that of a segment it lies on; one
-/// that still has none and lies on the border of the domain gets 1.
 template <class Point>
-std::vector<int> mesh_vertex_markers(const Indexed_mesh_2<Point>& mesh, const Pslg_2<Point>& pslg) {
-  std::vector<int> markers = pslg.vertex_markers;
-  markers.resize(mesh.points.size(), 0);
-  const auto offer = [&markers](Vertex_index v, int marker) {
-    if (markers[std::size_t(v)] == 0) markers[std::size_t(v)] = marker;
-  };
-  if (!pslg.segment_markers.empty())
-    for (const auto& edge : mesh.constrained_edges)
-      for (const Vertex_index v : edge.vertices) offer(v, pslg.segment_markers[std::size_t(edge.segment)]);
-  for (std::size_t t = 0; t < mesh.neighbors.size(); ++t)
-    for (std::size_t k = 0; k < 3; ++k)
-      if (!mesh.neighbors[t][k].is_valid()) {
-        offer(mesh.triangles[t][(k + 1) % 3], 1);
-        offer(mesh.triangles[t][(k + 2) % 3], 1);
-      }
-  return markers;
-}
-
-template <class Point>
-Line_writer mesh_node_text(const Indexed_mesh_2<Point>& mesh, const Pslg_2<Point>& pslg) {
-  const std::vector<int> markers = mesh_vertex_markers(mesh, pslg);
+Line_writer mesh_node_text(const Indexed_mesh_2<Point>& mesh) {
   Line_writer out;
   out.reserve(48 * mesh.points.size() + 32);
   (out << mesh.points.size() << 2 << 0 << 1).end_line();
   for (std::size_t v = 0; v < mesh.points.size(); ++v)
-    ((out << v).write_point(mesh.points[v]) << markers[v]).end_line();
+    ((out << v).write_point(mesh.points[v]) << mesh.marker(Vertex_index(v))).end_line();
   return out;
 }
 
@@ -143,7 +121,7 @@ Line_writer mesh_poly_text(const Indexed_mesh_2<Point>& mesh, const Pslg_2<Point
   for (std::size_t e = 0; e < mesh.constrained_edges.size(); ++e) {
     const auto& edge = mesh.constrained_edges[e];
     out << e << edge.vertices[0] << edge.vertices[1];
-    if (has_markers) out << pslg.segment_markers[std::size_t(edge.segment)];
+    if (has_markers) out << edge.marker;
     out.end_line();
   }
   write_holes_and_regions(out, pslg);
@@ -184,21 +162,17 @@ void write_triangle_poly(const std::string& file_name, const Pslg_2<Point>& pslg
   internal::replace_file(file_name, out.text());
 }
 
-/// Writes all vertices of a mesh, in their order and used or not, to a `.node` file with markers.
-///
-/// The marker is the one the vertex has in `pslg`, else the first that is not 0 among the input segments it
-/// lies on, else 1 on the border of the domain and 0 inside.
-/// \pre `mesh` is a mesh of `pslg`, as for all
-/// functions here.
+/// Writes all vertices of a mesh, in their order and used or not, to a `.node` file with their markers
+/// (`Indexed_mesh_2::vertex_markers`).
 template <class Point>
-void write_triangle_node(const std::string& file_name, const Indexed_mesh_2<Point>& mesh,
-                         const Pslg_2<Point>& pslg) {
+void write_triangle_node(const std::string& file_name, const Indexed_mesh_2<Point>& mesh) {
   namespace internal = Quadtree_mesh_2::internal;
-  internal::replace_file(file_name, internal::mesh_node_text(mesh, pslg).text());
+  internal::replace_file(file_name, internal::mesh_node_text(mesh).text());
 }
 
 /// Writes the triangles of a mesh to an `.ele` file, with the attributes of their regions (0 where there is
 /// no region) if `pslg` has regions.
+/// \pre `mesh` is a mesh of `pslg`, as for all functions below.
 template <class Point>
 void write_triangle_ele(const std::string& file_name, const Indexed_mesh_2<Point>& mesh,
                         const Pslg_2<Point>& pslg) {
@@ -223,7 +197,7 @@ void write_triangle_files(const Indexed_mesh_2<Point>& mesh, const Pslg_2<Point>
                           const std::string& stem) {
   namespace internal = Quadtree_mesh_2::internal;
   internal::Replaced_files files;
-  files.add(stem + ".node", internal::mesh_node_text(mesh, pslg).text());
+  files.add(stem + ".node", internal::mesh_node_text(mesh).text());
   files.add(stem + ".ele", internal::mesh_ele_text(mesh, pslg).text());
   files.add(stem + ".poly", internal::mesh_poly_text(mesh, pslg).text());
   files.commit();

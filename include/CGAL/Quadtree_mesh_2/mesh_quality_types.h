@@ -22,7 +22,10 @@ struct Mesh_quality_options_2 {
   /// What the mesh has to cover.
   enum class Domain {
     enclosed_by_segments, ///< everything not connected to infinity, minus the components of the hole points
-    any ///< not checked (meshes of points); every input vertex and segment has to be in the mesh
+    marked_by_regions,    ///< of that only the components of the region points
+    nesting_parity, ///< of that only what an odd number of segments, counted at their least, separate from
+                    ///< infinity
+    any             ///< not checked (meshes of points); every input vertex and segment has to be in the mesh
   };
   /// Which arrays of the mesh are checked.
   enum class Arrays {
@@ -34,7 +37,7 @@ struct Mesh_quality_options_2 {
   double min_angle_in_degrees = 0;
   /// Longest edge; 0 means no bound.
   double max_edge_length = 0;
-  /// Largest area of a triangle; 0 means no bound.
+  /// Largest area of a triangle; 0 means no bound. The bounds of regions are checked besides.
   double max_triangle_area = 0;
   /// How far from its input segment a vertex may be, relative to the diagonal of the input's bounding box.
   double tolerance_on_edge = 1e-10;

@@ -57,12 +57,13 @@ public:
   bool run(const Continue& shall_go_on) {
     if (whole_.mesh.number_of_triangles() - whole_.bulk.number_of_triangles() < 2 * block_size) return false;
     {
-      Blocks blocks(whole_.mesh, triangles_outside_bulk(), block_size, Square_shift::none);
+      Blocks blocks(whole_.mesh, first_cut());
       work(blocks, shall_go_on);
     }
-    const std::vector<Triangle_id> zone = zone_of_seams();
+    std::vector<Triangle_id> zone = zone_of_seams();
     if (zone.empty()) return true;
-    Blocks blocks(whole_.mesh, zone, block_size, Square_shift::third_of_root);
+    Blocks blocks(whole_.mesh, cut_by_position<Concurrency_tag>(whole_.mesh, std::move(zone), block_size,
+                                                                Square_shift::third_of_root));
     work(blocks, shall_go_on);
     return true;
   }
@@ -75,6 +76,14 @@ private:
   Block_removal removal_;
   std::size_t vertex_budget_;
   std::vector<Triangle_id> near_seams_;
+
+  Block_cut first_cut() const {
+    if (whole_.bulk.has_border)
+      return cut_by_position<Concurrency_tag>(whole_.mesh, triangles_outside_bulk(), block_size,
+                                              Square_shift::none);
+    return cut_by_input_order<Concurrency_tag>(whole_.mesh, whole_.problem.input_points.size(), block_size,
+                                               [&](Edge_id e) { return whole_.edges[e].a; });
+  }
 
   /// All triangles but those within the bulk, which meet all bounds and are not near its border.
   std::vector<Triangle_id> triangles_outside_bulk() const {
@@ -104,7 +113,7 @@ private:
     for (std::size_t b = 0; b < blocks.size(); ++b) {
       name_corner_vertices(owned[b], [&](Vertex_id v) { return blocks[b].whole_vertex(v); });
       for (const Triangle_id t : left[b]) {
-        if (blocks[b].whole_triangle(t) < 0) continue;
+        if (!whole_.mesh.is_alive(blocks[b].whole_triangle(t))) continue;
         whole_.worklist.push(blocks[b].whole_triangle(t));
         near_seams_.push_back(blocks[b].whole_triangle(t));
       }

@@ -146,6 +146,7 @@ private:
             const Square_grid<Geometry>& grid) {
     vertex_named_.assign(3 * squares.number_of_leaves(), -1);
     reserve(squares);
+    state_.bulk.has_border = true;
     collect_border(squares, grid);
     insert_border(squares, wanted);
     if (!find_border_edges()) return; // the mesh is valid all the same, and has no bulk

@@ -164,7 +164,8 @@ private:
     locate_vertices();
     std::vector<Triangle_id> all(mesh_.triangles.size());
     std::iota(all.begin(), all.end(), Triangle_id(0));
-    Blocks blocks(mesh_, std::move(all), 2 * vertices_of_block / stride, Square_shift::none);
+    Blocks blocks(mesh_, cut_by_position<Concurrency_tag>(
+                             mesh_, std::move(all), 2 * vertices_of_block / stride, Square_shift::none));
     std::vector<Block_work> works = distribute(blocks, segments);
     vertex_in_block_.resize(representative_.size());
     blocks.for_each([&](Block& block) {

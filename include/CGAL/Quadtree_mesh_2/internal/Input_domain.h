@@ -9,12 +9,16 @@
 
 #include <CGAL/Quadtree_mesh_2/Index.h>
 #include <CGAL/Quadtree_mesh_2/internal/Indexed_cdt.h>
+#include <CGAL/Quadtree_mesh_2/mesh_quality_types.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <deque>
+#include <map>
 #include <numeric>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -23,7 +27,8 @@ namespace Quadtree_mesh_2 {
 namespace internal {
 
 /// The domain of a planar straight-line graph, by a constrained Delaunay triangulation of the graph alone:
-/// all that is not connected to infinity, minus the components of the hole points.
+/// all that is not connected to infinity, or what another rule leaves of that, minus the components of the
+/// hole points.
 ///
 /// The segments become *pieces*: edges between input vertices with none between, each once however many
 /// segments overlap there, and with what lies on either side. O(n log n) in practice.
@@ -42,14 +47,20 @@ public:
   };
 
   /// \param segments pairs of positions in `points`, all in range.
+  /// \param marks points of the components that `Rule::marked_by_regions` leaves
   template <class Segments>
-  Input_domain(const std::vector<Point>& points, const Segments& segments, const std::vector<Point>& holes)
+  Input_domain(const std::vector<Point>& points, const Segments& segments, const std::vector<Point>& holes,
+               Mesh_quality_options_2::Domain rule = Mesh_quality_options_2::Domain::enclosed_by_segments,
+               const std::vector<Point>& marks = {})
       : cdt_(points, all_indices(points.size())), is_touched_(points.size(), 0) {
     for (const auto& s : segments) cdt_.count_segment(s[0].value(), s[1].value());
     for (const auto& s : segments) cdt_.insert_segment(s[0].value(), s[1].value());
     if (cdt_.has_crossings()) return;
     if (cdt_.cdt().dimension() == 2) {
-      mark_domain(holes);
+      exclude(cdt_.cdt().infinite_face());
+      if (rule == Mesh_quality_options_2::Domain::marked_by_regions) keep_marked(marks);
+      if (rule == Mesh_quality_options_2::Domain::nesting_parity) keep_odd();
+      exclude_holes(holes);
       measure();
     }
     for (std::size_t s = 0; s < segments.size(); ++s)
@@ -87,12 +98,26 @@ private:
     return result;
   }
 
-  void mark_domain(const std::vector<Point>& holes) {
-    exclude(cdt_.cdt().infinite_face());
+  void exclude_holes(const std::vector<Point>& holes) {
     Face_handle hint;
     for (const Point& p : holes) {
       hint = cdt_.cdt().locate(p, hint);
       if (hint != Face_handle() && hint->info().is_in_domain) exclude(hint);
+    }
+  }
+
+  /// Calls `f` for the faces of the component of `first`.
+  template <class Function>
+  void for_component(Face_handle first, Function f) {
+    std::vector<Face_handle> stack{first};
+    std::set<Face_handle> reached{first};
+    while (!stack.empty()) {
+      const Face_handle face = stack.back();
+      stack.pop_back();
+      f(face);
+      for (int i = 0; i < 3; ++i)
+        if (!face->is_constrained(i) && reached.insert(face->neighbor(i)).second)
+          stack.push_back(face->neighbor(i));
     }
   }
 
@@ -109,6 +134,37 @@ private:
         stack.push_back(g);
       }
     }
+  }
+
+  void keep_marked(const std::vector<Point>& marks) {
+    std::set<Face_handle> kept;
+    for (const Point& p : marks) {
+      const Face_handle at = cdt_.cdt().locate(p);
+      if (at != Face_handle() && at->info().is_in_domain && kept.count(at) == 0)
+        for_component(at, [&](Face_handle f) { kept.insert(f); });
+    }
+    for (Face_handle f : cdt_.cdt().finite_face_handles()) f->info().is_in_domain = kept.count(f) > 0;
+  }
+
+  /// Relaxes the number of segments between infinity and each face until none falls: slow, and like nothing
+  /// the mesher does.
+  void keep_odd() {
+    std::map<Face_handle, int> depth;
+    std::deque<Face_handle> open{cdt_.cdt().infinite_face()};
+    depth[open.front()] = 0;
+    while (!open.empty()) {
+      const Face_handle f = open.front();
+      open.pop_front();
+      for (int i = 0; i < 3; ++i) {
+        const Face_handle g = f->neighbor(i);
+        const int through = depth[f] + (f->is_constrained(i) ? 1 : 0);
+        const auto [place, is_new] = depth.emplace(g, through);
+        if (!is_new && place->second <= through) continue;
+        place->second = through;
+        open.push_back(g);
+      }
+    }
+    for (Face_handle f : cdt_.cdt().finite_face_handles()) f->info().is_in_domain = depth.at(f) % 2 == 1;
   }
 
   void measure() {

@@ -60,6 +60,12 @@ public:
   bool is_constrained() const { return (code_ & 1) != 0; }
   Triangle_id triangle() const { return code_ >> 3; }
   int slot() const { return (code_ >> 1) & 3; }
+  /// The same side of a triangle that has got another handle.
+  Side renamed(Triangle_id t) const {
+    Side s;
+    s.code_ = (t << 3) | (code_ & 7);
+    return s;
+  }
   void constrain() { code_ |= 1; }
   void release() { code_ &= ~1; }
 

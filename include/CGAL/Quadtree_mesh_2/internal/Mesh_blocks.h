@@ -6,12 +6,12 @@
 //
 // Cuts a mesh into blocks that are worked on apart from each other, in parallel, and puts them back.
 //
-// A block is a run of triangles in shuffle order of the middles of their shortest edges: there refinement begins,
-// however long the rest of the triangle is. Blocks of two rounds are cut in squares shifted against each other by a
-// third of the root, so that what is near a seam of one round is well inside a block of the other: of a quadtree and
-// its shifted copies one has any given disc within a square not much larger (Chan, "Approximate nearest neighbor
-// queries revisited", 1998). How blocks are cut depends on the mesh alone, and they are put back in order; so the
-// result is the same for any number of threads, and the blocks' small memory helps a single thread, too.
+// A block is a run of triangles in the shuffle order of their shortest edges: there refinement begins, however long
+// the rest of the triangle is. Blocks of two rounds are cut along squares shifted against each other by a third of
+// the root, so that what is near a seam of one round is well inside a block of the other: of a quadtree and its
+// shifted copies one has any given disc within a square not much larger (Chan, "Approximate nearest neighbor queries
+// revisited", 1998). How blocks are cut depends on the mesh alone, and they are put back in order; so the result is
+// the same for any number of threads.
 //
 // O(n) work and memory for n triangles in blocks, and O(s log s) for s seams.
 
@@ -38,6 +38,87 @@ namespace internal {
 /// How squares are placed; those of different shifts have no side in common.
 enum class Square_shift { none, third_of_root };
 
+/// Triangles by block: those of block b begin at `first[b]`, and `first.back()` is their number.
+struct Block_cut {
+  std::vector<Triangle_id> triangles;
+  std::vector<std::size_t> first;
+
+  std::size_t number_of_blocks() const { return first.size() - 1; }
+};
+
+/// Cuts the given triangles into blocks of about `block_size`, by the places of the middles of their shortest edges.
+template <class Concurrency_tag, class Geometry>
+Block_cut cut_by_position(const Kernel_mesh<Geometry>& mesh, std::vector<Triangle_id> triangles,
+                          std::size_t block_size, Square_shift shift) {
+  auto low = mesh.points.front(), high = low;
+  for (const auto& p : mesh.points) {
+    low.x = std::min(low.x, p.x), low.y = std::min(low.y, p.y);
+    high.x = std::max(high.x, p.x), high.y = std::max(high.y, p.y);
+  }
+  const Vector size = Geometry::difference(high, low);
+  // 16 bits a coordinate; two root squares' room for the shift
+  const double scale = 32767 / std::max(std::max(size.x, size.y), 1e-300);
+  const double offset = shift == Square_shift::none ? 0 : 65536.0 / 3;
+  std::vector<std::uint64_t> words(triangles.size()); // key, triangle
+  for_each_index<Concurrency_tag>(words.size(), [&](std::size_t i) {
+    const auto& r = mesh.triangle(triangles[i]);
+    const int k = mesh.shape(r).slot_of_shortest();
+    const auto &a = mesh.point(r.v[next_slot[k]]), &b = mesh.point(r.v[previous_slot[k]]);
+    const Vector p = Geometry::difference(a, low) + 0.5 * Geometry::difference(b, a);
+    words[i] = interleave(static_cast<std::uint32_t>(scale * p.x + offset),
+                          static_cast<std::uint32_t>(scale * p.y + offset))
+                   << 32 |
+               static_cast<std::uint32_t>(triangles[i]);
+  });
+  const auto buffer = uncleared_words(words.size());
+  Word_sorter<Concurrency_tag>::sort(words.data(), buffer.get(), words.size(), true);
+  for_each_index<Concurrency_tag>(words.size(), [&](std::size_t i) {
+    triangles[i] = static_cast<Triangle_id>(static_cast<std::uint32_t>(words[i]));
+  });
+
+  Block_cut cut;
+  const std::size_t n = triangles.size(), blocks = std::max<std::size_t>(1, n / block_size);
+  for (std::size_t b = 0; b <= blocks; ++b) cut.first.push_back(n * b / blocks);
+  cut.triangles = std::move(triangles);
+  return cut;
+}
+
+/// Cuts all triangles of a mesh without free vertices into blocks of about `block_size`, by the numbers of the input
+/// vertices, which are in shuffle order. The middle one of a triangle's three numbers is one of the two that are
+/// close to each other, those of its shortest edge as a rule. `edge_start(e)` is the number of a vertex of input edge
+/// e, for the vertices on it.
+template <class Concurrency_tag, class Geometry, class Edge_start>
+Block_cut cut_by_input_order(const Kernel_mesh<Geometry>& mesh, std::size_t number_of_input_vertices,
+                             std::size_t block_size, const Edge_start& edge_start) {
+  const std::size_t slots = mesh.triangles.size();
+  const std::size_t blocks = std::max<std::size_t>(1, mesh.number_of_triangles() / block_size);
+  const auto number = [&](Vertex_id v) {
+    return mesh.is_input(v) ? mesh.input_number(v) : edge_start(mesh.edge(v));
+  };
+  const auto block_of = [&](Triangle_id t) {
+    const auto& r = mesh.triangle(t);
+    const Vertex_id a = number(r.v[0]), b = number(r.v[1]), c = number(r.v[2]);
+    const Vertex_id middle = std::max(std::min(a, b), std::min(std::max(a, b), c));
+    return std::size_t(middle) * blocks / number_of_input_vertices;
+  };
+  std::vector<std::uint16_t> block(slots);
+  for_each_index<Concurrency_tag>(slots, [&](std::size_t t) {
+    if (mesh.is_alive(static_cast<Triangle_id>(t)))
+      block[t] = static_cast<std::uint16_t>(block_of(static_cast<Triangle_id>(t)));
+  });
+  Block_cut cut;
+  cut.first.assign(blocks + 1, 0);
+  for (std::size_t t = 0; t < slots; ++t)
+    if (mesh.is_alive(static_cast<Triangle_id>(t))) ++cut.first[block[t]];
+  scan_exclusively(cut.first.data(), cut.first.size(), std::size_t(0));
+  cut.triangles.resize(cut.first.back());
+  std::vector<std::size_t> next(cut.first.begin(), cut.first.end() - 1);
+  for (std::size_t t = 0; t < slots; ++t)
+    if (mesh.is_alive(static_cast<Triangle_id>(t)))
+      cut.triangles[next[block[t]]++] = static_cast<Triangle_id>(t);
+  return cut;
+}
+
 template <class Concurrency_tag, class Geometry>
 class Mesh_blocks {
 public:
@@ -45,32 +126,27 @@ public:
   using Block = Mesh_block<Geometry>;
   using Point = typename Geometry::Point;
 
-  /// Cuts the given triangles into blocks of about `block_size`; other triangles stay where they are. Handles of
-  /// these triangles and of all vertices stay what they are.
-  Mesh_blocks(Mesh& whole, std::vector<Triangle_id> triangles, std::size_t block_size, Square_shift shift)
-      : whole_(whole), triangles_(std::move(triangles)) {
-    sort_triangles(shift);
-    const std::size_t n = triangles_.size(), blocks = std::max<std::size_t>(1, n / block_size);
-    for (std::size_t b = 0; b <= blocks; ++b) first_.push_back(n * b / blocks);
+  /// Triangles in no block stay where they are. Handles of these triangles and of all vertices stay what they are.
+  Mesh_blocks(Mesh& whole, Block_cut cut)
+      : whole_(whole), cut_(std::move(cut)), blocks_(cut_.number_of_blocks()) {
     assign_triangles();
-    blocks_.resize(blocks);
   }
 
   std::size_t size() const { return blocks_.size(); }
   const Block& operator[](std::size_t b) const { return *blocks_[b]; }
   /// The block in which a triangle of the whole mesh is, -1 for none.
-  Block_id block_of(Triangle_id t) const { return assignment_.block_of(t); }
+  Block_id block_of(Triangle_id t) const { return assignment_[t].block; }
   /// The handle that a triangle has in its block, when that is taken out.
-  Triangle_id place_of(Triangle_id t) const { return assignment_.place_of(t); }
+  Triangle_id place_of(Triangle_id t) const { return assignment_[t].triangle; }
 
   /// Takes the blocks out and calls `work(block)` for each; calls for different blocks may overlap. The whole mesh
   /// must not be changed meanwhile.
   template <class Work>
   void for_each(const Work& work) {
     Executor<Concurrency_tag>::run(size(), [&](std::size_t b) {
-      const Triangle_id* t = triangles_.data();
-      blocks_[b] = std::make_unique<Block>(whole_, assignment_, static_cast<Block_id>(b), t + first_[b],
-                                           t + first_[b + 1]);
+      const Triangle_id* t = cut_.triangles.data();
+      blocks_[b] = std::make_unique<Block>(whole_, assignment_, static_cast<Block_id>(b), t + cut_.first[b],
+                                           t + cut_.first[b + 1]);
       work(*blocks_[b]);
     });
   }
@@ -88,68 +164,32 @@ public:
 
 private:
   Mesh& whole_;
-  std::vector<Triangle_id> triangles_;
-  std::vector<std::size_t> first_; // of each block, in triangles_
+  Block_cut cut_;
   Block_assignment assignment_;
   std::vector<std::unique_ptr<Block>> blocks_;
   std::vector<Side> seam_sides_;
 
-  void sort_triangles(Square_shift shift) {
-    Point low = whole_.points.front(), high = low;
-    for (const Point& p : whole_.points) {
-      low.x = std::min(low.x, p.x), low.y = std::min(low.y, p.y);
-      high.x = std::max(high.x, p.x), high.y = std::max(high.y, p.y);
-    }
-    const Vector size = Geometry::difference(high, low);
-    // 16 bits a coordinate; two root squares' room for the shift
-    const double scale = 32767 / std::max(std::max(size.x, size.y), 1e-300);
-    const double offset = shift == Square_shift::none ? 0 : 65536.0 / 3;
-    std::vector<std::uint64_t> words(triangles_.size()); // key, triangle
-    for_each_index<Concurrency_tag>(words.size(), [&](std::size_t i) {
-      const Vector p = Geometry::difference(middle_of_shortest_edge(triangles_[i]), low);
-      words[i] = interleave(static_cast<std::uint32_t>(scale * p.x + offset),
-                            static_cast<std::uint32_t>(scale * p.y + offset))
-                     << 32 |
-                 static_cast<std::uint32_t>(triangles_[i]);
-    });
-    const auto buffer = uncleared_words(words.size());
-    Word_sorter<Concurrency_tag>::sort(words.data(), buffer.get(), words.size(), true);
-    for_each_index<Concurrency_tag>(words.size(), [&](std::size_t i) {
-      triangles_[i] = static_cast<Triangle_id>(static_cast<std::uint32_t>(words[i]));
-    });
-  }
-
-  Point middle_of_shortest_edge(Triangle_id t) const {
-    const auto& r = whole_.triangle(t);
-    const int k = whole_.shape(r).slot_of_shortest();
-    const Point &a = whole_.point(r.v[next_slot[k]]), &b = whole_.point(r.v[previous_slot[k]]);
-    return Geometry::translate(a, 0.5 * Geometry::difference(b, a));
-  }
-
   void assign_triangles() {
-    assignment_.block.assign(whole_.triangles.size(), -1);
-    assignment_.place.resize(whole_.triangles.size());
-    Executor<Concurrency_tag>::run(first_.size() - 1, [&](std::size_t b) {
-      for (std::size_t i = first_[b]; i < first_[b + 1]; ++i) {
-        assignment_.block[std::size_t(triangles_[i])] = static_cast<Block_id>(b);
-        assignment_.place[std::size_t(triangles_[i])] = static_cast<Triangle_id>(i - first_[b]);
-      }
+    assignment_.of_vertex.resize(whole_.number_of_vertices(), -1);
+    assignment_.of_triangle.resize(whole_.triangles.size());
+    Executor<Concurrency_tag>::run(cut_.number_of_blocks(), [&](std::size_t b) {
+      for (std::size_t i = cut_.first[b]; i < cut_.first[b + 1]; ++i)
+        assignment_.of_triangle[std::size_t(cut_.triangles[i])] = {
+            static_cast<Block_id>(b), static_cast<Triangle_id>(i - cut_.first[b])};
     });
   }
 
   void make_room() {
-    std::vector<std::size_t> triangles(size()), vertices(size());
+    std::size_t triangles = whole_.triangles.size(), vertices = whole_.number_of_vertices();
+    std::vector<std::size_t> first_triangle, first_vertex;
+    for (const auto& block : blocks_) {
+      first_triangle.push_back(triangles), first_vertex.push_back(vertices);
+      triangles += block->number_of_new_triangles(), vertices += block->number_of_new_vertices();
+    }
+    whole_.resize(vertices, triangles);
     Executor<Concurrency_tag>::run(size(), [&](std::size_t b) {
-      triangles[b] = blocks_[b]->number_of_new_triangles();
-      vertices[b] = blocks_[b]->number_of_new_vertices();
-    });
-    const std::size_t all_triangles =
-        scan_exclusively(triangles.data(), triangles.size(), whole_.triangles.size());
-    const std::size_t all_vertices =
-        scan_exclusively(vertices.data(), vertices.size(), whole_.number_of_vertices());
-    whole_.resize(all_vertices, all_triangles);
-    Executor<Concurrency_tag>::run(size(), [&](std::size_t b) {
-      blocks_[b]->name(static_cast<Triangle_id>(triangles[b]), static_cast<Vertex_id>(vertices[b]));
+      blocks_[b]->name_new(static_cast<Triangle_id>(first_triangle[b]),
+                           static_cast<Vertex_id>(first_vertex[b]));
     });
   }
 

@@ -101,7 +101,7 @@ private:
     quality_.errors.push_back(text.str());
   }
   bool has_all_arrays() const { return options_.arrays == Mesh_quality_options_2::Arrays::all; }
-  bool has_domain() const { return options_.domain == Mesh_quality_options_2::Domain::enclosed_by_segments; }
+  bool has_domain() const { return options_.domain != Mesh_quality_options_2::Domain::any; }
 
   void check_sizes() {
     const std::size_t n = pslg_.vertices.size();
@@ -186,7 +186,9 @@ private:
   // --- the input: vertices, segments, domain ---
 
   void check_against_input() {
-    const Domain domain(pslg_.vertices, pslg_.segments, pslg_.holes);
+    std::vector<Point> marks;
+    for (const auto& region : pslg_.regions) marks.push_back(region.point);
+    const Domain domain(pslg_.vertices, pslg_.segments, pslg_.holes, options_.domain, marks);
     if (domain.has_crossings()) return error("input segments cross; this is no planar straight-line graph");
     set_scale();
     find_representatives(domain);

@@ -28,6 +28,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/find_corners.h>
 #include <CGAL/Quadtree_mesh_2/internal/kernel_mesh_to_indexed_mesh.h>
 #include <CGAL/Quadtree_mesh_2/internal/morton.h>
+#include <CGAL/Quadtree_mesh_2/internal/triangle_budget.h>
 #include <CGAL/Quality_mesh_options_2.h>
 #include <CGAL/Quality_mesh_report_2.h>
 #include <CGAL/validate_pslg_2.h>
@@ -36,6 +37,7 @@
 #include <atomic>
 #include <cstddef>
 #include <ctime>
+#include <limits>
 #include <mutex>
 #include <sstream>
 #include <string>
@@ -79,7 +81,7 @@ public:
     Splitter<Geometry> splitter(state_);
     Refiner<Geometry> refiner(state_, splitter);
     refine(refiner, splitter);
-    if (options_.coarsening == Quality_mesh_options_2::Coarsening::guarded_removal) coarsen();
+    if (options_.coarsening == Quality_mesh_options_2::Coarsening::GUARDED_REMOVAL) coarsen();
     finish(refiner);
     report_.is_cancelled = is_cancelled_;
     return convert();
@@ -135,16 +137,25 @@ private:
     problem_.edges.repeat(first.repeated_edges());
     problem_.input_points = std::move(points);
 
-    std::vector<typename Geometry::Point> holes;
-    for (const Point_2& p : pslg_.holes) holes.push_back(map_.to_kernel(p));
-    keep_domain(state_.mesh, holes, First::number_of_auxiliary_vertices);
-    if (state_.mesh.triangles.empty())
-      throw Pslg_error_2(pslg_.segments.empty() ? "there are no segments, so there is no domain to mesh"
-                         : pslg_.holes.empty()
-                             ? "the segments enclose no domain: every face is connected to infinity"
-                             : "no domain is left: what the segments enclose, holes take away");
+    find_domain();
     set_bounds();
-    Corner_finder<Geometry>(state_).run();
+    estimate_size();
+    Corner_finder<Concurrency_tag, Geometry>(state_).run();
+  }
+
+  void find_domain() {
+    std::vector<typename Geometry::Point> holes, regions;
+    for (const Point_2& p : pslg_.holes) holes.push_back(map_.to_kernel(p));
+    for (const auto& region : pslg_.regions) regions.push_back(map_.to_kernel(region.point));
+    Domain_finder<Geometry>(state_.mesh, First::number_of_auxiliary_vertices)
+        .run(options_.domain, holes, regions);
+    if (!state_.mesh.triangles.empty()) return;
+    throw Pslg_error_2(pslg_.segments.empty() ? "there are no segments, so there is no domain to mesh"
+                       : options_.domain == Quality_mesh_options_2::Domain::MARKED
+                           ? "no domain: no region's point is in a component that segments enclose"
+                       : pslg_.holes.empty()
+                           ? "the segments enclose no domain: every face is connected to infinity"
+                           : "no domain is left: what the segments enclose, holes take away");
   }
 
   void set_bounds() {
@@ -153,6 +164,9 @@ private:
     bounds = Bounds<Geometry>(options_.min_angle_in_degrees * degree,
                               options_.max_triangle_area * scale * scale, scale * options_.max_edge_length);
     bounds.least_squared_length = scale * scale * options_.min_edge_length * options_.min_edge_length;
+    if (std::any_of(pslg_.regions.begin(), pslg_.regions.end(),
+                    [](const auto& region) { return region.max_area > 0; }))
+      set_region_bounds(scale * scale);
     if (options_.size_field)
       bounds.squared_length_at = [this, scale](const typename Geometry::Point& p) {
         const Point_2 q = map_.to_user(p);
@@ -160,6 +174,28 @@ private:
             scale * options_.size_field(static_cast<double>(q.x()), static_cast<double>(q.y()));
         return size * size;
       };
+  }
+
+  /// \throws Pslg_error_2 if the mesh would surely be larger than the budget.
+  void estimate_size() {
+    const Size_estimate<Geometry> estimate(state_);
+    report_.estimated_triangles = estimate.triangles();
+    const Triangle_budget budget(options_.vertex_budget);
+    if (!budget.is_surely_exceeded_by(estimate.triangles())) return;
+    std::string culprit = "for the bounds of size";
+    if (estimate.worst_pair().triangles > estimate.triangles_of_sizes())
+      culprit = Narrow_gap<Geometry>(state_, estimate.worst_pair())
+                    .in_words([this](Vertex_id v) { return name_of_vertex(order_[std::size_t(v)]); },
+                              map_.length_to_kernel(1.0));
+    throw Pslg_error_2(budget.refusal_of(estimate.triangles()) + ' ' + culprit);
+  }
+
+  void set_region_bounds(double scale2) {
+    std::vector<double>& bounds = problem_.bounds.area2_of_region;
+    bounds.assign(pslg_.regions.size(), std::numeric_limits<double>::infinity());
+    for (std::size_t i = 0; i < bounds.size(); ++i)
+      if (pslg_.regions[i].max_area > 0)
+        bounds[i] = 2 * scale2 * pslg_.regions[i].max_area * (1 - Bounds<Geometry>::margin);
   }
 
   /// The segments in the kernel's numbering, which is the shuffle order.
@@ -194,11 +230,18 @@ private:
     return text.str();
   }
 
+  std::string name_of_vertex(std::size_t v) const {
+    std::ostringstream text;
+    text.precision(17);
+    text << "vertex " << v << " at " << pslg_.vertices[v].x() << ' ' << pslg_.vertices[v].y();
+    return text.str();
+  }
+
   std::size_t vertex_budget() const {
     if (options_.vertex_budget > 0) return options_.vertex_budget;
     // what 32-bit handles allow; above the guaranteed angle, where refinement might not end, a multiple of
     // the input
-    constexpr std::size_t largest = 100000000;
+    constexpr std::size_t largest = Triangle_budget::most_vertices;
     return state_.bounds.is_guaranteed() || state_.bounds.is_size_bounded()
                ? largest
                : std::min(largest, 100 * pslg_.number_of_vertices() + 2000000);
@@ -208,7 +251,7 @@ private:
     Phase_timer timer(report_.seconds.refine);
     splitter.cut_rings();
     Bulk_filler<Concurrency_tag, Geometry>(state_).run(vertex_budget());
-    const auto removal = options_.coarsening == Quality_mesh_options_2::Coarsening::guarded_removal
+    const auto removal = options_.coarsening == Quality_mesh_options_2::Coarsening::GUARDED_REMOVAL
                              ? Block_removal::guarded
                              : Block_removal::none;
     Block_refinement<Concurrency_tag, Geometry> blocks(state_, removal, vertex_budget());

@@ -16,6 +16,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <utility>
 
 namespace CGAL {
@@ -100,8 +101,7 @@ private:
     if (options_.max_edge_length > 0 &&
         squared_side[2] > CGAL::square(options_.max_edge_length * (1 + 1e-12)))
       add_unmet(t, Bound::edge_length, least);
-    if (options_.max_triangle_area > 0 && twice_area / 2 > options_.max_triangle_area * (1 + 1e-12))
-      add_unmet(t, Bound::area, least);
+    if (twice_area / 2 > max_area(t) * (1 + 1e-12)) add_unmet(t, Bound::area, least);
     // The least angle is opposite the shortest side: twice_area = b c sin(angle), with b and c the longer
     // sides.
     const auto is_below = [&](double degrees) {
@@ -114,6 +114,17 @@ private:
       ++quality_.exempt_triangles;
     else
       add_unmet(t, Bound::angle, least);
+  }
+
+  /// Of the options and of the triangle's region.
+  double max_area(std::uint32_t t) const {
+    double area = std::numeric_limits<double>::infinity();
+    if (options_.max_triangle_area > 0) area = options_.max_triangle_area;
+    if (t >= mesh_.region_of_triangle.size() || mesh_.region_of_triangle[t] < 0) return area;
+    const std::size_t r = std::size_t(mesh_.region_of_triangle[t]);
+    return r < pslg_.regions.size() && pslg_.regions[r].max_area > 0
+               ? std::min(area, pslg_.regions[r].max_area)
+               : area;
   }
 
   void add_unmet(std::uint32_t t, Mesh_quality_2::Bound bound, double least) {

@@ -148,6 +148,7 @@ struct Meshing_state {
   struct Bulk {
     Triangle_id first_triangle = 0, end_of_triangles = 0;
     Vertex_id first_vertex = 0, end_of_vertices = 0;
+    bool has_border = false; ///< vertices were inserted on its border
 
     std::size_t number_of_triangles() const { return std::size_t(end_of_triangles - first_triangle); }
     bool has(Triangle_id t) const { return t >= first_triangle && t < end_of_triangles; }
@@ -165,7 +166,7 @@ struct Meshing_state {
   Meshing_state& operator=(const Meshing_state&) = delete;
 
   bool owns(Corner_id c) const { return !is_block_ || std::binary_search(owned_.begin(), owned_.end(), c); }
-  const std::vector<Corner_id>& owned_corners() const { return owned_; }
+  bool is_block() const { return is_block_; }
 
   bool is_exempt(Vertex_id a, Vertex_id b, Vertex_id c, const Shape& s) const {
     return corners.is_exempt(mesh, a, b, c, s);

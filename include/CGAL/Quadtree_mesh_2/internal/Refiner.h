@@ -23,6 +23,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/Meshing_state.h>
 #include <CGAL/Quadtree_mesh_2/internal/Relocator.h>
 #include <CGAL/Quadtree_mesh_2/internal/Splitter.h>
+#include <CGAL/Quadtree_mesh_2/internal/least_edge.h>
 #include <CGAL/Quadtree_mesh_2/internal/walk.h>
 
 #include <cmath>
@@ -107,7 +108,8 @@ private:
     const std::size_t vertices_before = mesh_.number_of_vertices();
     Outcome outcome = splitter_.open_lock_around(t);
     if (outcome == Outcome::refused) outcome = insert_vertex_for(t);
-    if (outcome == Outcome::deferred) return state_.deferred.push_back(t);
+    const bool may_go_later = outcome == Outcome::refused && state_.is_block();
+    if (outcome == Outcome::deferred || may_go_later) return state_.deferred.push_back(t);
     settle_new_vertices(t, vertices_before);
     if (outcome == Outcome::changed && mesh_.is_alive(t)) state_.push_if_suspect(t);
   }
@@ -192,6 +194,7 @@ private:
     }
     if (on_slot >= 0 && r.side[on_slot].is_seam()) return Outcome::deferred;
     if (number_on > 1 || (on_slot >= 0 && r.side[on_slot].is_constrained())) return Outcome::refused;
+    if (!has_room(mesh_, {t}, q, state_.bounds.least_squared_length)) return Outcome::refused;
     const Vertex_id v = mesh_.add_vertex(q, free_vertex);
     if (on_slot >= 0)
       mesh_.insert_on_side(t, on_slot, v);

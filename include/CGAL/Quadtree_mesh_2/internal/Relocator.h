@@ -9,13 +9,15 @@
 // Pattern search for the greatest least angle of the star, from the better of the present place and the
 // centroid of the link: eight directions, the step halved when none is better, given up early when the angle
 // stays far below the bound. The eight candidates of a step are evaluated together in single precision,
-// relative to the vertex, in loops of constant length 8 that compilers turn into vector instructions; the
-// place found is accepted only by the test in double precision on the final coordinates. A vertex on an edge
-// moves along its edge; one on a leg of an acute corner stays. O(degree) a step, at most 8 steps.
+// relative to the vertex, in vectors of four; a step ends as soon as none of them can serve, and begins with
+// the triangle that was worst at the start, so that this is soon. The place found is accepted only by the
+// test in double precision on the final coordinates. A vertex on an edge moves along its edge; one on a leg
+// of an acute corner stays. O(degree) a step, at most 8 steps.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_RELOCATOR_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_RELOCATOR_H
 
+#include <CGAL/Quadtree_mesh_2/internal/Float_lanes.h>
 #include <CGAL/Quadtree_mesh_2/internal/Meshing_state.h>
 #include <CGAL/Quadtree_mesh_2/internal/Star.h>
 
@@ -55,7 +57,7 @@ private:
   static constexpr int max_steps = 8;
   static constexpr double first_step = 0.2; // of the mean distance to the link
   // Given up after step i if the best squared sine is below this share of the bound's.
-  static constexpr float hope[max_steps] = {0, 0.7f, 0.8f, 0.9f, 0.9f, 0.9f, 0.9f, 0.9f};
+  static constexpr float hope[max_steps - 1] = {0.7f, 0.8f, 0.9f, 0.9f, 0.9f, 0.9f, 0.9f};
 
   Meshing_state<Geometry>& state_;
   Kernel_mesh<Geometry>& mesh_;
@@ -66,18 +68,19 @@ private:
 
   /// Sets up the scaled link; returns its centroid.
   Vector prepare_link(Point origin) {
-    Vector link[Star::max_size], centroid;
-    double sum = 0;
+    double x[Star::max_size], y[Star::max_size], sum = 0;
+    Vector centroid;
     for (int i = 0; i < star_.size; ++i) {
-      link[i] = Geometry::difference(mesh_.point(star_.link[i]), origin);
-      sum += squared_length(link[i]);
-      centroid = centroid + link[i];
+      const Vector p = Geometry::difference(mesh_.point(star_.link[i]), origin);
+      sum += squared_length(p);
+      centroid = centroid + p;
+      x[i] = p.x, y[i] = p.y;
     }
     scale_ = std::sqrt(sum / star_.size);
     const double inverse = 1 / scale_;
     for (int i = 0; i < star_.size; ++i) {
-      x_[i] = static_cast<float>(link[i].x * inverse);
-      y_[i] = static_cast<float>(link[i].y * inverse);
+      x_[i] = static_cast<float>(x[i] * inverse);
+      y_[i] = static_cast<float>(y[i] * inverse);
     }
     x_[star_.size] = x_[0], y_[star_.size] = y_[0];
     for (int i = 0; i < star_.size; ++i) {
@@ -87,51 +90,95 @@ private:
     return (inverse / star_.size) * centroid;
   }
 
-  /// The squared sines (signed) of the least angle of the star with the vertex at each of the 8 places.
-  void evaluate(const float (&px)[directions], const float (&py)[directions],
-                float (&least)[directions]) const {
-    float ux[directions], uy[directions], ul[directions];
-    for (int k = 0; k < directions; ++k) {
-      least[k] = 2;
-      ux[k] = x_[0] - px[k], uy[k] = y_[0] - py[k];
-      ul[k] = ux[k] * ux[k] + uy[k] * uy[k];
-    }
+  /// From the vertex at four places to a link vertex, and the squares of the distances.
+  struct Spokes {
+    Float_lanes x, y, length2;
+    Spokes(float to_x, float to_y, Float_lanes from_x, Float_lanes from_y)
+        : x(to_x - from_x), y(to_y - from_y), length2(x * x + y * y) {}
+  };
+
+  /// The squared sines of the least angles of the triangles between two consecutive spokes, with the sign of
+  /// the area.
+  static Float_lanes signed_sin2(const Spokes& u, const Spokes& w, Float_lanes edge2) {
+    const Float_lanes area2 = u.x * w.y - u.y * w.x;
+    return area2 * abs(area2) * min(min(u.length2, w.length2), edge2) / (u.length2 * w.length2 * edge2);
+  }
+
+  struct Start {
+    float x, y;
+    float least;     ///< signed squared sine of the least angle of the star there
+    int of_triangle; ///< of the star, with that angle
+  };
+
+  /// The better of the present place and the centroid.
+  Start better_start(Vector centroid) const {
+    const Float_lanes px(0, static_cast<float>(centroid.x), 0, 0);
+    const Float_lanes py(0, static_cast<float>(centroid.y), 0, 0);
+    Float_lanes least = 2, of_triangle = 0;
+    Spokes u(x_[0], y_[0], px, py);
     for (int i = 0; i < star_.size; ++i) {
-      const float nx = x_[i + 1], ny = y_[i + 1], el = edge2_[i];
-      for (int k = 0; k < directions; ++k) {
-        const float wx = nx - px[k], wy = ny - py[k], wl = wx * wx + wy * wy;
-        const float area2 = ux[k] * wy - uy[k] * wx;
-        const float m = ul[k] < wl ? ul[k] : wl, shortest = m < el ? m : el;
-        const float q = area2 * std::fabs(area2) * shortest / (ul[k] * wl * el);
-        least[k] = q < least[k] ? q : least[k];
-        ux[k] = wx, uy[k] = wy, ul[k] = wl;
-      }
+      const Spokes w(x_[i + 1], y_[i + 1], px, py);
+      const Float_lanes q = signed_sin2(u, w, edge2_[i]);
+      of_triangle = select_where_less(q, least, static_cast<float>(i), of_triangle);
+      least = min(q, least);
+      u = w;
     }
+    const int k = least[1] > least[0] ? 1 : 0;
+    return {px[k], py[k], least[k], static_cast<int>(of_triangle[k])};
+  }
+
+  /// The signed squared sines of the least angle of the star with the vertex at each of the eight places,
+  /// from triangle `first` on; false as soon as all are below `hopeless`.
+  bool evaluate(const Float_lanes (&px)[2], const Float_lanes (&py)[2], int first, float hopeless,
+                Float_lanes (&least)[2]) const {
+    Spokes u0(x_[first], y_[first], px[0], py[0]), u1(x_[first], y_[first], px[1], py[1]);
+    Float_lanes least0 = 2, least1 = 2;
+    for (int i = first;;) {
+      const float edge2 = edge2_[i++];
+      const Spokes w0(x_[i], y_[i], px[0], py[0]), w1(x_[i], y_[i], px[1], py[1]);
+      least0 = min(signed_sin2(u0, w0, edge2), least0);
+      least1 = min(signed_sin2(u1, w1, edge2), least1);
+      if (!is_any_at_least(least0, least1, hopeless)) return false;
+      if (i == star_.size) i = 0;
+      if (i == first) break;
+      u0 = w0, u1 = w1;
+    }
+    least[0] = least0, least[1] = least1;
+    return true;
+  }
+
+  static int place_of_greatest(const Float_lanes (&a)[2]) {
+    int place = 0;
+    float greatest = a[0][0];
+    for (int k = 1; k < directions; ++k) {
+      const float x = a[k / 4][k % 4];
+      place = x > greatest ? k : place; // no branches: they would be taken at random
+      greatest = x > greatest ? x : greatest;
+    }
+    return place;
   }
 
   bool relocate_free(Vertex_id v) {
-    static constexpr float cx[directions] = {1, .70710678f, 0, -.70710678f, -1, -.70710678f, 0, .70710678f};
-    static constexpr float cy[directions] = {0, .70710678f, 1, .70710678f, 0, -.70710678f, -1, -.70710678f};
+    constexpr float d = .70710678f;
+    const Float_lanes cx[2] = {{1, d, 0, -d}, {-1, -d, 0, d}}, cy[2] = {{0, d, 1, d}, {0, -d, -1, -d}};
     const Point origin = mesh_.point(v);
-    const Vector centroid = prepare_link(origin);
-    // the first evaluation compares the present place with the centroid
-    float px[directions] = {0, static_cast<float>(centroid.x)},
-          py[directions] = {0, static_cast<float>(centroid.y)};
-    float least[directions];
-    evaluate(px, py, least);
-    const int start = least[1] > least[0] ? 1 : 0;
-    float x = px[start], y = py[start], best = least[start];
+    const Start start = better_start(prepare_link(origin));
+    float x = start.x, y = start.y, best = start.least;
     const float bound = static_cast<float>(state_.bounds.sin2), goal = bound * (1 + 1e-5f);
     float step = static_cast<float>(first_step);
     for (int i = 0; best < goal; ++i) {
-      if (i == max_steps || (i > 0 && best < bound * hope[i])) return false;
-      for (int k = 0; k < directions; ++k) px[k] = x + step * cx[k], py[k] = y + step * cy[k];
-      evaluate(px, py, least);
-      const int k = static_cast<int>(std::max_element(least, least + directions) - least);
-      if (least[k] > best * 1.0001f)
-        best = least[k], x = px[k], y = py[k];
+      const float needed = i + 1 < max_steps ? bound * hope[i] : goal; // to go on after this step
+      const Float_lanes px[2] = {x + step * cx[0], x + step * cx[1]};
+      const Float_lanes py[2] = {y + step * cy[0], y + step * cy[1]};
+      const float improved = best * 1.0001f;
+      Float_lanes least[2];
+      const bool is_hope = evaluate(px, py, start.of_triangle, best < needed ? needed : improved, least);
+      const int k = is_hope ? place_of_greatest(least) : 0;
+      if (is_hope && least[k / 4][k % 4] > improved)
+        best = least[k / 4][k % 4], x = px[k / 4][k % 4], y = py[k / 4][k % 4];
       else
         step *= 0.5f;
+      if (best < needed) return false;
     }
     return accept(v, Geometry::translate(origin, {scale_ * double(x), scale_ * double(y)}));
   }
@@ -145,7 +192,23 @@ private:
                                  mesh_.region(star_.corner[i].triangle())))
         return false;
     }
+    if (!is_far_from_link(p)) return false;
     mesh_.points[std::size_t(v)] = p;
+    return true;
+  }
+
+  /// Whether p keeps the least length of edges, to the link and to what flips may join it with.
+  bool is_far_from_link(const Point& p) const {
+    const double least = state_.bounds.least_squared_length;
+    const auto is_far = [&](Vertex_id w) {
+      return squared_length(Geometry::difference(mesh_.point(w), p)) >= least;
+    };
+    for (int i = 0; i < star_.number_of_link_vertices() && least > 0; ++i)
+      if (!is_far(star_.link[i])) return false;
+    for (int i = 0; i < star_.size && least > 0; ++i) {
+      const Side o = mesh_.across(star_.corner[i]);
+      if (!o.is_constrained() && !is_far(mesh_.opposite(o))) return false;
+    }
     return true;
   }
 

@@ -122,8 +122,25 @@ private:
     }
   }
 
+  /// The edge a-b among those around a, counterclockwise from where the star is entered; the border if it is not
+  /// seen. No orientation is asked: most segments of maps are edges.
+  Side edge_around(Vertex_id a, Vertex_id b) const {
+    const Triangle_id start = mesh_.incident_triangle(a);
+    for (Triangle_id t = start;;) {
+      const auto& r = mesh_.triangle(t);
+      const int i = Mesh::slot_of(r, a);
+      if (r.v[next_slot[i]] == b) return Side(t, previous_slot[i]);
+      const Side o = r.side[next_slot[i]];
+      if (o.is_border()) return Side::border();
+      t = o.triangle();
+      if (t == start) return Side::border();
+    }
+  }
+
   /// \returns the first vertex on the segment, -1 if a seam is in the way.
   Vertex_id recover_up_to_first_vertex(Vertex_id a, Vertex_id b, std::int32_t segment) {
+    const Side edge = edge_around(a, b);
+    if (!edge.is_border()) return constrain(edge, a, b, segment) ? b : -1;
     const Exit exit = exit_towards(a, b);
     if (exit.vertex >= 0) return constrain(exit.along, a, exit.vertex, segment) ? exit.vertex : -1;
     if (exit.crossed.is_border()) return -1;

@@ -22,6 +22,7 @@
 #define CGAL_QUADTREE_MESH_2_INTERNAL_SPLITTER_H
 
 #include <CGAL/Quadtree_mesh_2/internal/Meshing_state.h>
+#include <CGAL/Quadtree_mesh_2/internal/least_edge.h>
 
 #include <algorithm>
 #include <cmath>
@@ -290,6 +291,8 @@ private:
     if (!is_valid_split(s, p)) return -1;
     const Side o = mesh_.across(s);
     if (!o.is_border() && !is_valid_split(o, p)) return -1;
+    const Triangle_id across = o.is_border() ? -1 : o.triangle();
+    if (!has_room(mesh_, {s.triangle(), across}, p, state_.bounds.least_squared_length)) return -1;
     const Vertex_id v = mesh_.add_vertex(p, e);
     mesh_.insert_on_side(s.triangle(), s.slot(), v);
     state_.push_suspects_around(v);

@@ -35,10 +35,10 @@ struct Star {
     size = 0;
     const Triangle_id first = mesh.edge(v) >= 0 ? clockwise_most(mesh, v) : mesh.incident_triangle(v);
     if (first < 0) return false;
+    int i = Mesh::slot_of(mesh.triangle(first), v);
     for (Triangle_id t = first;;) {
       if (size == max_size) return false;
       const auto& r = mesh.triangle(t);
-      const int i = Mesh::slot_of(r, v);
       link[size] = r.v[next_slot[i]];
       corner[size++] = Side(t, i);
       link[size] = r.v[previous_slot[i]];
@@ -47,6 +47,7 @@ struct Star {
       if (o.is_border()) return !o.is_seam();
       if (is_closed) return true;
       t = o.triangle();
+      i = next_slot[o.slot()]; // the common side runs from v to the last link vertex, seen from there
     }
   }
 

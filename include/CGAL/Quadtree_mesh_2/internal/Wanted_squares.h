@@ -57,8 +57,9 @@ public:
     for (int level = 0; level <= Grid_square::depth; ++level) side_[level] = grid.side(level);
     finest_level_ =
         grid.finest_level() - (state.bounds.is_local() ? 1 : 0); // centres are corners one level below
+    // edges to centres are shorter than sides, and features may be a little nearer than a side
     while (finest_level_ > 0 &&
-           side_[finest_level_] * side_[finest_level_] < state.bounds.least_squared_length)
+           0.5 * side_[finest_level_] * side_[finest_level_] < state.bounds.least_squared_length)
       --finest_level_;
     collect_features();
     collect_triangles();

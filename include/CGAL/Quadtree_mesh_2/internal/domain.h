@@ -4,8 +4,13 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// Restricts the first triangulation to the domain: everything that constrained edges separate from infinity,
-// less the components with a hole's point. O(n), and a walk for each hole.
+// Restricts the first triangulation to the domain, and labels its components with the input's regions.
+//
+// Components of the plane less the constrained edges are flooded by nesting level: level 0 is what is
+// connected to infinity, level i + 1 what is reached from level i across a constrained edge and is in no lower
+// one (the levels of CGAL's mark_domain_in_triangulation()). The rule of the options then tells which are
+// kept. Holes and regions are located before anything is dropped, so that no walk is blocked. O(n), and a
+// walk for each hole and region.
 //
 // From here on the mesh is the domain alone, and no walk leaves it: features behind an outside gap, however
 // thin, are not seen and force nothing (distances are geodesic).
@@ -15,77 +20,154 @@
 
 #include <CGAL/Quadtree_mesh_2/internal/Kernel_mesh.h>
 #include <CGAL/Quadtree_mesh_2/internal/walk.h>
+#include <CGAL/Quality_mesh_options_2.h>
 
 #include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-/// Marks what is reached from the marked triangles on the stack without crossing a constrained side.
 template <class Geometry>
-void flood(const Kernel_mesh<Geometry>& mesh, std::vector<Triangle_id>& stack, std::vector<char>& is_marked) {
-  while (!stack.empty()) {
-    const Triangle_id t = stack.back();
-    stack.pop_back();
-    for (const Side o : mesh.triangle(t).side) {
-      if (o.is_constrained() || is_marked[std::size_t(o.triangle())] != 0) continue;
-      is_marked[std::size_t(o.triangle())] = 1;
-      stack.push_back(o.triangle());
+class Domain_finder {
+public:
+  using Mesh = Kernel_mesh<Geometry>;
+  using Point = typename Geometry::Point;
+  using Rule = Quality_mesh_options_2::Domain;
+
+  /// The last `number_of_auxiliary_vertices` vertices of the mesh are outside whatever the rule.
+  Domain_finder(Mesh& mesh, std::size_t number_of_auxiliary_vertices)
+      : mesh_(mesh), first_auxiliary_(mesh.points.size() - number_of_auxiliary_vertices) {}
+
+  /// Keeps the domain only, in the order it had; the mesh is empty afterwards if there is none. If there are
+  /// regions, `Kernel_mesh::region_of` tells for each triangle the first one whose point is in its component.
+  void run(Rule rule, const std::vector<Point>& holes, const std::vector<Point>& regions) {
+    find_levels(rule == Rule::NESTING_PARITY ? std::numeric_limits<std::int32_t>::max() : 1);
+    is_kept_.resize(mesh_.triangles.size());
+    for (std::size_t t = 0; t < is_kept_.size(); ++t) is_kept_[t] = is_kept_by(rule, level_[t]);
+    label(regions);
+    if (rule == Rule::MARKED)
+      for (std::size_t t = 0; t < is_kept_.size(); ++t)
+        is_kept_[t] = level_[t] > 0 && !regions.empty() && mesh_.region_of[t] >= 0;
+    for (const Point& hole : holes) drop_component(triangle_at(hole));
+    drop();
+  }
+
+private:
+  Mesh& mesh_;
+  std::size_t first_auxiliary_;
+  std::vector<std::int32_t> level_; // per triangle
+  std::vector<char> is_kept_;       // per triangle
+  std::vector<Triangle_id> stack_;
+
+  static char is_kept_by(Rule rule, std::int32_t level) {
+    return rule == Rule::NESTING_PARITY ? level % 2 == 1 : level > 0;
+  }
+
+  Triangle_id triangle_at(const Point& p) const {
+    const Walk_end end = locate_exactly(mesh_, Triangle_id(0), p);
+    return end.is_blocked() ? -1 : end.triangle;
+  }
+
+  /// Calls `visit(t)` for the triangles that are reached from those on the stack without crossing a
+  /// constrained side and for which it returns true, and for those across constrained sides `across(t)`.
+  template <class Visit, class Across>
+  void flood(Visit visit, Across across) {
+    while (!stack_.empty()) {
+      const Triangle_id t = stack_.back();
+      stack_.pop_back();
+      for (const Side o : mesh_.triangle(t).side) {
+        if (o.is_border()) continue;
+        if (o.is_constrained())
+          across(o.triangle());
+        else if (visit(o.triangle()))
+          stack_.push_back(o.triangle());
+      }
     }
   }
-}
 
-/// Drops the marked triangles and the last `number_of_auxiliary_vertices` vertices; keeps the order of the
-/// others.
-template <class Geometry>
-void drop_marked(Kernel_mesh<Geometry>& mesh, const std::vector<char>& is_marked,
-                 std::size_t number_of_auxiliary_vertices) {
-  std::vector<Triangle_id> new_id(mesh.triangles.size(), -1);
-  Triangle_id kept = 0;
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-    if (is_marked[t] == 0) new_id[t] = kept++;
-
-  const std::size_t n = mesh.points.size() - number_of_auxiliary_vertices;
-  mesh.points.resize(n), mesh.edge_of.resize(n), mesh.is_dirty.resize(n);
-  mesh.triangle_of.assign(n, -1);
-  for (std::size_t t = 0; t < new_id.size(); ++t) {
-    if (new_id[t] < 0) continue;
-    auto r = mesh.triangles[t];
-    for (int k = 0; k < 3; ++k) {
-      const Side o = r.side[k];
-      const Triangle_id u = o.is_border() ? -1 : new_id[std::size_t(o.triangle())];
-      r.side[k] = u < 0 ? Side::border() : Side(u, o.slot(), o.is_constrained());
-      mesh.triangle_of[std::size_t(r.v[k])] = new_id[t];
+  /// The levels below `most` by flooding; all that is left has the level `most`.
+  void find_levels(std::int32_t most) {
+    level_.assign(mesh_.triangles.size(), most);
+    std::vector<Triangle_id> seeds, next;
+    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
+      for (const Vertex_id v : mesh_.triangles[t].v)
+        if (std::size_t(v) >= first_auxiliary_) seeds.push_back(static_cast<Triangle_id>(t));
+    for (std::int32_t level = 0; level < most && !seeds.empty(); ++level) {
+      const auto visit = [&](Triangle_id t) {
+        if (level_[std::size_t(t)] < most) return false;
+        level_[std::size_t(t)] = level;
+        return true;
+      };
+      for (const Triangle_id t : seeds)
+        if (visit(t)) stack_.push_back(t);
+      next.clear();
+      flood(visit, [&](Triangle_id t) {
+        if (level_[std::size_t(t)] == most) next.push_back(t);
+      });
+      std::swap(seeds, next);
     }
-    mesh.triangle(new_id[t]) = r;
   }
-  mesh.triangles.resize(std::size_t(kept));
-}
 
-/// Keeps the domain only; the mesh is empty afterwards if no constrained edges enclose anything.
-template <class Geometry>
-void keep_domain(Kernel_mesh<Geometry>& mesh, const std::vector<typename Geometry::Point>& holes,
-                 std::size_t number_of_auxiliary_vertices) {
-  std::vector<char> is_outside(mesh.triangles.size(), 0);
-  std::vector<Triangle_id> stack;
-  const auto mark = [&](Triangle_id t) {
-    if (is_outside[std::size_t(t)] != 0) return;
-    is_outside[std::size_t(t)] = 1;
-    stack.push_back(t);
-  };
-  const Vertex_id auxiliary = static_cast<Vertex_id>(mesh.points.size() - number_of_auxiliary_vertices);
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-    for (const Vertex_id v : mesh.triangles[t].v)
-      if (v >= auxiliary) mark(static_cast<Triangle_id>(t));
-  for (const auto& hole : holes) {
-    const Walk_end end = locate_exactly(mesh, Triangle_id(0), hole);
-    if (!end.is_blocked()) mark(end.triangle);
+  void label(const std::vector<Point>& regions) {
+    mesh_.region_of.clear();
+    if (regions.empty()) return;
+    mesh_.region_of.assign(mesh_.triangles.size(), -1);
+    for (std::size_t i = 0; i < regions.size(); ++i) {
+      const auto visit = [&](Triangle_id t) {
+        Region_id& region = mesh_.region_of[std::size_t(t)];
+        if (region >= 0) return false;
+        region = static_cast<Region_id>(i);
+        return true;
+      };
+      const Triangle_id first = triangle_at(regions[i]);
+      if (first < 0 || level_[std::size_t(first)] == 0 || !visit(first)) continue;
+      stack_.push_back(first);
+      flood(visit, [](Triangle_id) {});
+    }
   }
-  flood(mesh, stack, is_outside);
-  drop_marked(mesh, is_outside, number_of_auxiliary_vertices);
-}
+
+  void drop_component(Triangle_id first) {
+    const auto visit = [&](Triangle_id t) {
+      if (is_kept_[std::size_t(t)] == 0) return false;
+      is_kept_[std::size_t(t)] = 0;
+      return true;
+    };
+    if (first < 0 || !visit(first)) return;
+    stack_.push_back(first);
+    flood(visit, [](Triangle_id) {});
+  }
+
+  /// Drops the triangles that are not kept and the auxiliary vertices; keeps the order of the others.
+  void drop() {
+    std::vector<Triangle_id> new_id(mesh_.triangles.size(), -1);
+    Triangle_id kept = 0;
+    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
+      if (is_kept_[t] != 0) new_id[t] = kept++;
+
+    mesh_.points.resize(first_auxiliary_), mesh_.edge_of.resize(first_auxiliary_);
+    mesh_.is_dirty.resize(first_auxiliary_);
+    mesh_.triangle_of.assign(first_auxiliary_, -1);
+    for (std::size_t t = 0; t < new_id.size(); ++t) {
+      if (new_id[t] < 0) continue;
+      auto r = mesh_.triangles[t];
+      for (int k = 0; k < 3; ++k) {
+        const Side o = r.side[k];
+        const Triangle_id u = o.is_border() ? -1 : new_id[std::size_t(o.triangle())];
+        r.side[k] = u < 0 ? Side::border() : Side(u, o.slot(), o.is_constrained());
+        mesh_.triangle_of[std::size_t(r.v[k])] = new_id[t];
+      }
+      mesh_.triangle(new_id[t]) = r;
+      mesh_.set_region(new_id[t], mesh_.region(static_cast<Triangle_id>(t)));
+    }
+    mesh_.triangles.resize(std::size_t(kept));
+    if (!mesh_.region_of.empty()) mesh_.region_of.resize(std::size_t(kept));
+  }
+};
 
 } // namespace internal
 } // namespace Quadtree_mesh_2

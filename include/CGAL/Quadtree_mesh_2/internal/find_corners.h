@@ -18,6 +18,7 @@
 #define CGAL_QUADTREE_MESH_2_INTERNAL_FIND_CORNERS_H
 
 #include <CGAL/Quadtree_mesh_2/internal/Meshing_state.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel.h>
 
 #include <algorithm>
 #include <cmath>
@@ -28,7 +29,7 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-template <class Geometry>
+template <class Concurrency_tag, class Geometry>
 class Corner_finder {
 public:
   explicit Corner_finder(Meshing_state<Geometry>& state)
@@ -71,16 +72,22 @@ private:
   double distance(Vertex_id a, Vertex_id b) const { return std::sqrt(squared_length(direction(a, b))); }
 
   void collect_sectors() {
-    for (std::size_t i = 0; i < mesh_.triangles.size(); ++i)
-      for (int k = 0; k < 3; ++k)
-        if (mesh_.triangles[i].side[previous_slot[k]].is_constrained())
-          add_sector(static_cast<Triangle_id>(i), k);
+    const std::size_t n = mesh_.triangles.size();
+    std::vector<std::vector<Acute_sector>> found((n + default_block - 1) / default_block);
+    for_each_block<Concurrency_tag>(n, default_block, [&](std::size_t b, std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+        for (int k = 0; k < 3; ++k)
+          if (mesh_.triangles[i].side[previous_slot[k]].is_constrained())
+            add_sector(static_cast<Triangle_id>(i), k, found[b]);
+    });
+    for (const auto& sectors : found) acute_.insert(acute_.end(), sectors.begin(), sectors.end());
+    for (const Acute_sector& s : acute_) corners_.is_acute[std::size_t(s.apex)] = 1;
     std::stable_sort(acute_.begin(), acute_.end(),
                      [](const Acute_sector& a, const Acute_sector& b) { return a.apex < b.apex; });
   }
 
-  /// The sector whose clockwise-most triangle is t, at its vertex k, if it is acute.
-  void add_sector(Triangle_id first, int k) {
+  /// Appends the sector whose clockwise-most triangle is t, at its vertex k, if it is acute.
+  void add_sector(Triangle_id first, int k, std::vector<Acute_sector>& sectors) const {
     const Vertex_id apex = mesh_.triangle(first).v[k], right = mesh_.triangle(first).v[next_slot[k]];
     const Vector d = direction(apex, right);
     Triangle_id t = first;
@@ -94,9 +101,8 @@ private:
     const Vertex_id left = mesh_.triangle(t).v[previous_slot[i]];
     const Vector e = direction(apex, left);
     if (left == right || !is_below_60(d, e) || mesh_.orientation(apex, right, left) <= 0) return;
-    acute_.push_back({apex, state_.edges.between(apex, right), state_.edges.between(apex, left),
-                      std::atan2(cross(d, e), dot(d, e)), first});
-    corners_.is_acute[std::size_t(apex)] = 1;
+    sectors.push_back({apex, state_.edges.between(apex, right), state_.edges.between(apex, left),
+                       std::atan2(cross(d, e), dot(d, e)), first});
   }
 
   static bool is_below_60(Vector d, Vector e) {
@@ -146,9 +152,17 @@ private:
     const Corner_id id = static_cast<Corner_id>(corners_.corners.size());
     const auto add_leg = [&](Edge_id e) {
       const Vertex_id far = state_.edges.other_end(e, corner.apex);
-      corner.legs.push_back(
-          corners_.add_leg({id, e, corner.apex, far, direction(corner.apex, far), distance(corner.apex, far),
-                            -1, -1, {}, -1, corner.apex}));
+      corner.legs.push_back(corners_.add_leg({id,
+                                              e,
+                                              corner.apex,
+                                              far,
+                                              direction(corner.apex, far),
+                                              distance(corner.apex, far),
+                                              -1,
+                                              -1,
+                                              {},
+                                              -1,
+                                              corner.apex}));
     };
     first_triangles_.emplace_back();
     add_leg(acute_[run.front()].right);

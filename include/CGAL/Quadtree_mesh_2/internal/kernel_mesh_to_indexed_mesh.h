@@ -5,20 +5,22 @@
 // Author(s)     : The Quadtree_mesh_2 authors
 //
 // The kernel's mesh in flat arrays, in the user's coordinates and vertex order, and the report's account of
-// every triangle. O(n), and a walk for each region.
+// every triangle. O(n).
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_KERNEL_MESH_TO_INDEXED_MESH_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_KERNEL_MESH_TO_INDEXED_MESH_H
 
 #include <CGAL/Indexed_mesh_2.h>
 #include <CGAL/Pslg_2.h>
+#include <CGAL/Quadtree_mesh_2/internal/Angle_histogram.h>
 #include <CGAL/Quadtree_mesh_2/internal/Meshing_state.h>
+#include <CGAL/Quadtree_mesh_2/internal/boundary_markers.h>
 #include <CGAL/Quadtree_mesh_2/internal/coordinate_map.h>
-#include <CGAL/Quadtree_mesh_2/internal/domain.h>
 #include <CGAL/Quadtree_mesh_2/internal/radix_sort.h>
-#include <CGAL/Quadtree_mesh_2/internal/walk.h>
 #include <CGAL/Quality_mesh_report_2.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -44,10 +46,13 @@ public:
     number_triangles();
     const std::size_t count = mesh_.number_of_triangles();
     out.triangles.reserve(count), out.neighbors.reserve(count);
+    if (!mesh_.region_of.empty()) out.region_of_triangle.reserve(count);
     for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
       if (new_triangle_[t].is_valid()) add_triangle(out, static_cast<Triangle_id>(t));
-    if (!pslg_.regions.empty()) add_regions(out);
+    set_boundary_markers(out, pslg_);
     report_.triangles = out.triangles.size();
+    report_.least_angle_histogram = angles_.least;
+    report_.largest_angle_histogram = angles_.largest;
     return out;
   }
 
@@ -60,10 +65,12 @@ private:
   Quality_mesh_report_2& report_;
   std::vector<Vertex_index> new_vertex_;
   std::vector<Triangle_index> new_triangle_;
+  Angle_histogram angles_;
 
   void number_vertices(Indexed_mesh_2<Point_2>& out) {
     const std::size_t n = order_.size();
     out.number_of_input_vertices = n;
+    out.points.reserve(mesh_.number_of_vertices()), out.segment_of_vertex.reserve(mesh_.number_of_vertices());
     out.points = pslg_.vertices;
     out.segment_of_vertex.assign(n, Segment_index());
     new_vertex_.resize(mesh_.number_of_vertices());
@@ -99,6 +106,7 @@ private:
     }
     out.triangles.push_back(v);
     out.neighbors.push_back(neighbors);
+    if (!mesh_.region_of.empty()) out.region_of_triangle.push_back(mesh_.region(t));
     account_for(out, t);
   }
 
@@ -112,13 +120,11 @@ private:
 
   void account_for(const Indexed_mesh_2<Point_2>& out, Triangle_id t) {
     const auto& r = mesh_.triangle(t);
-    if (!state_.is_suspect(t)) return;
     const Shape s = mesh_.shape(r);
-    if (!state_.is_bad(t)) {
-      ++report_.exempt_triangles;
-      return;
-    }
-    Quality_mesh_report_2::Unmet_triangle unmet{new_triangle_[std::size_t(t)], {0, 0}, 0};
+    angles_.add(s);
+    if (!state_.bounds.is_sharp(s) && !state_.is_large(t, s)) return;
+    if (!state_.is_bad(t)) return add_exempt(t);
+    Quality_mesh_report_2::Unmet_triangle unmet{new_triangle_[std::size_t(t)], {0, 0}, 0, reason(t)};
     for (const Vertex_id v : r.v) {
       const Point_2& p = out.points[std::size_t(new_vertex_[std::size_t(v)])];
       unmet.centroid[0] += static_cast<double>(p.x()) / 3;
@@ -129,41 +135,31 @@ private:
     report_.unmet_triangles.push_back(unmet);
   }
 
-  void add_regions(Indexed_mesh_2<Point_2>& out) {
-    out.region_of_triangle.assign(out.triangles.size(), -1);
-    for (std::size_t i = 0; i < pslg_.regions.size(); ++i) {
-      const Triangle_id first = find_triangle(map_.to_kernel(pslg_.regions[i].point));
-      if (first < 0) continue;
-      std::vector<Triangle_id> stack{first};
-      while (!stack.empty()) {
-        const Triangle_id t = stack.back();
-        stack.pop_back();
-        int& region = out.region_of_triangle[std::size_t(new_triangle_[std::size_t(t)])];
-        if (region >= 0) continue;
-        region = static_cast<int>(i);
-        for (const Side o : mesh_.triangle(t).side)
-          if (!o.is_constrained()) stack.push_back(o.triangle());
-      }
-    }
+  void add_exempt(Triangle_id t) {
+    const auto& r = mesh_.triangle(t);
+    const Sector_id s = state_.corners.sector_of(mesh_, r.v[0], r.v[1], r.v[2]);
+    const Vertex_id apex = state_.corners.leg(state_.corners.sector(s).right).apex;
+    report_.exempt_triangles.push_back({new_triangle_[std::size_t(t)], new_vertex_[std::size_t(apex)]});
   }
 
-  /// The triangle that holds p: by a walk, or, if that is stopped by the border, by looking everywhere; -1
-  /// outside the domain.
-  Triangle_id find_triangle(const typename Geometry::Point& p) const {
-    Triangle_id start = 0;
-    while (!mesh_.is_alive(start)) ++start;
-    const Walk_end end = locate_exactly(mesh_, start, p);
-    if (!end.is_blocked()) return end.triangle;
-    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
-      if (mesh_.is_alive(static_cast<Triangle_id>(t)) && holds(mesh_.triangles[t], p))
-        return static_cast<Triangle_id>(t);
-    return -1;
+  /// Why a bad triangle was left.
+  Quality_mesh_report_2::Reason reason(Triangle_id t) const {
+    using Reason = Quality_mesh_report_2::Reason;
+    if (report_.is_budget_exhausted) return Reason::BUDGET;
+    if (report_.is_cancelled) return Reason::CANCELLED;
+    if (state_.bounds.least_squared_length > 0) return Reason::LEAST_EDGE;
+    if (!state_.bounds.is_guaranteed())
+      for (const Vertex_id v : mesh_.triangle(t).v)
+        if (is_at_acute_corner(v)) return Reason::CORNER;
+    return Reason::COORDINATES;
   }
 
-  bool holds(const typename Kernel_mesh<Geometry>::Triangle& r, const typename Geometry::Point& p) const {
-    for (int k = 0; k < 3; ++k)
-      if (Geometry::orientation(mesh_.point(r.v[k]), mesh_.point(r.v[next_slot[k]]), p) < 0) return false;
-    return true;
+  bool is_at_acute_corner(Vertex_id v) const {
+    const Edge_id e = mesh_.edge(v);
+    const auto& is_acute = state_.corners.is_acute;
+    if (mesh_.is_input(v)) return is_acute[std::size_t(mesh_.input_number(v))] != 0;
+    return e >= 0 &&
+           (is_acute[std::size_t(state_.edges[e].a)] != 0 || is_acute[std::size_t(state_.edges[e].b)] != 0);
   }
 };
 

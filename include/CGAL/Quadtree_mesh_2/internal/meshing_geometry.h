@@ -60,24 +60,32 @@ struct Shape {
 };
 
 /// The in-circle determinant of a, b, c (counterclockwise) given relative to the query, and the sum of the
-/// magnitudes it is made of.
-struct In_circle {
-  double determinant;
-  double permanent;
+/// magnitudes it is made of; that is worked out only where the determinant's sign leaves a doubt.
+class In_circle {
+public:
+  In_circle(Vector a, Vector b, Vector c)
+      : al(squared_length(a)), bl(squared_length(b)), cl(squared_length(c)), p1(b.x * c.y), p2(c.x * b.y),
+        p3(c.x * a.y), p4(a.x * c.y), p5(a.x * b.y), p6(b.x * a.y),
+        determinant_(al * (p1 - p2) + bl * (p3 - p4) + cl * (p5 - p6)) {}
 
-  In_circle(Vector a, Vector b, Vector c) {
-    const double al = squared_length(a), bl = squared_length(b), cl = squared_length(c);
-    const double p1 = b.x * c.y, p2 = c.x * b.y, p3 = c.x * a.y, p4 = a.x * c.y, p5 = a.x * b.y,
-                 p6 = b.x * a.y;
-    determinant = al * (p1 - p2) + bl * (p3 - p4) + cl * (p5 - p6);
-    permanent = al * (std::fabs(p1) + std::fabs(p2)) + bl * (std::fabs(p3) + std::fabs(p4)) +
-                cl * (std::fabs(p5) + std::fabs(p6));
+  bool is_positive() const { return determinant_ > 0; }
+  bool is_certainly_inside() const { return determinant_ > 0 && determinant_ > error_bound * permanent(); }
+  bool is_certain() const {
+    const double p = permanent();
+    return std::fabs(determinant_) > error_bound * p && p > 1e-280;
   }
 
+private:
   /// Shewchuk's bound for differences rounded once is (10 + 96 eps) eps < 1.2e-15.
   static constexpr double error_bound = 1.2e-15;
-  bool is_certainly_inside() const { return determinant > error_bound * permanent; }
-  bool is_certain() const { return std::fabs(determinant) > error_bound * permanent && permanent > 1e-280; }
+
+  double al, bl, cl, p1, p2, p3, p4, p5, p6;
+  double determinant_;
+
+  double permanent() const {
+    return al * (std::fabs(p1) + std::fabs(p2)) + bl * (std::fabs(p3) + std::fabs(p4)) +
+           cl * (std::fabs(p5) + std::fabs(p6));
+  }
 };
 
 /// Whether a, b, c and d are, in some order, the corners of a rectangle with sides parallel to the axes. Such
@@ -118,7 +126,7 @@ struct Double_geometry_2 {
   /// Whether d lies strictly inside the circle through a, b, c (counterclockwise); exact.
   static bool is_in_circle(Point a, Point b, Point c, Point d) {
     const In_circle test(difference(a, d), difference(b, d), difference(c, d));
-    if (test.is_certain()) return test.determinant > 0;
+    if (test.is_certain()) return test.is_positive();
     if (are_corners_of_rectangle(a, b, c, d)) return false;
     return typename Kernel::Side_of_oriented_circle_2()(kernel_point(a), kernel_point(b), kernel_point(c),
                                                         kernel_point(d)) == ON_POSITIVE_SIDE;
@@ -154,7 +162,7 @@ struct Integer_geometry_2 {
 
   static bool is_in_circle(Point a, Point b, Point c, Point d) {
     const In_circle test(difference(a, d), difference(b, d), difference(c, d));
-    if (test.is_certain()) return test.determinant > 0;
+    if (test.is_certain()) return test.is_positive();
     if (are_corners_of_rectangle(a, b, c, d)) return false;
     return exact_in_circle(a, b, c, d) > 0;
   }

@@ -49,8 +49,10 @@ template <class Point>
 Pslg_2<Point> scaled_by_power_of_two(Pslg_2<Point> pslg, int exponent) {
   scale_by_power_of_two(pslg.vertices, exponent);
   scale_by_power_of_two(pslg.holes, exponent);
-  for (auto& r : pslg.regions)
+  for (auto& r : pslg.regions) {
     r.point = Point(std::ldexp(r.point.x(), exponent), std::ldexp(r.point.y(), exponent));
+    r.max_area = std::ldexp(r.max_area, 2 * exponent);
+  }
   return pslg;
 }
 

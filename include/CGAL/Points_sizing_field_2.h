@@ -1,0 +1,129 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+
+#ifndef CGAL_POINTS_SIZING_FIELD_2_H
+#define CGAL_POINTS_SIZING_FIELD_2_H
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+
+/// A size at every place from points with sizes, for `Quality_mesh_options_2::size()`: the least of `size of
+/// the point + gradation * distance to it` over all points.
+///
+/// A k-d tree (Bentley, 1975) whose nodes know their bounding box and least size; the branch that may hold
+/// the least value is searched first, and one that cannot is left out. Calls by several threads at once are
+/// safe. O(n log n) to build; O(log n) a call where sizes grow no faster than the gradation, which is usual.
+class Points_sizing_field_2 {
+public:
+  struct Sized_point {
+    double x, y;
+    double size; ///< positive
+  };
+
+  /// \param gradation by how much the size grows over a unit of length; at least 0. A mesh follows up to
+  /// about 1.
+  /// \throws std::invalid_argument if there are no points, one is not finite, a size is not positive, or the
+  /// gradation is negative.
+  explicit Points_sizing_field_2(std::vector<Sized_point> points, double gradation = 0.5)
+      : points_(std::move(points)), gradation_(gradation) {
+    if (points_.empty()) throw std::invalid_argument("a sizing field needs a point");
+    if (!(gradation >= 0) || !std::isfinite(gradation))
+      throw std::invalid_argument("the gradation of a sizing field must not be negative");
+    for (const Sized_point& p : points_)
+      if (!std::isfinite(p.x) || !std::isfinite(p.y) || !(p.size > 0))
+        throw std::invalid_argument("a sizing field needs finite points with positive sizes");
+    nodes_.resize(2 * number_of_leaves() - 1);
+    build(0, 0, points_.size());
+  }
+
+  double operator()(double x, double y) const {
+    double best = std::numeric_limits<double>::infinity();
+    search(0, 0, points_.size(), x, y, best);
+    return best;
+  }
+
+private:
+  static constexpr std::size_t leaf_size = 8;
+
+  struct Node {
+    double low[2], high[2];
+    double least_size;
+  };
+
+  std::vector<Sized_point> points_; // in the order of the leaves
+  std::vector<Node> nodes_;         // the children of node i are 2 i + 1 and 2 i + 2
+  double gradation_;
+
+  /// A power of two, so that leaves hold at most `leaf_size` points when intervals are halved.
+  std::size_t number_of_leaves() const {
+    std::size_t leaves = 1;
+    while (leaves * leaf_size < points_.size()) leaves *= 2;
+    return leaves;
+  }
+  bool is_leaf(std::size_t node) const { return 2 * node + 1 >= nodes_.size(); }
+
+  void build(std::size_t node, std::size_t begin, std::size_t end) {
+    Node& n = nodes_[node];
+    n = {{points_[begin].x, points_[begin].y}, {points_[begin].x, points_[begin].y}, points_[begin].size};
+    for (std::size_t i = begin; i < end; ++i) {
+      const Sized_point& p = points_[i];
+      n.low[0] = std::min(n.low[0], p.x), n.high[0] = std::max(n.high[0], p.x);
+      n.low[1] = std::min(n.low[1], p.y), n.high[1] = std::max(n.high[1], p.y);
+      n.least_size = std::min(n.least_size, p.size);
+    }
+    if (is_leaf(node)) return;
+    const bool is_wide = n.high[0] - n.low[0] >= n.high[1] - n.low[1];
+    const std::size_t middle = begin + (end - begin) / 2;
+    using Offset = std::vector<Sized_point>::difference_type;
+    std::nth_element(
+        points_.begin() + Offset(begin), points_.begin() + Offset(middle), points_.begin() + Offset(end),
+        [is_wide](const Sized_point& p, const Sized_point& q) { return is_wide ? p.x < q.x : p.y < q.y; });
+    build(2 * node + 1, begin, middle);
+    build(2 * node + 2, middle, end);
+  }
+
+  /// No point below the node gives less than this.
+  double least(std::size_t node, double x, double y) const {
+    const Node& n = nodes_[node];
+    const double dx = std::max({n.low[0] - x, x - n.high[0], 0.0});
+    const double dy = std::max({n.low[1] - y, y - n.high[1], 0.0});
+    return n.least_size + gradation_ * std::sqrt(dx * dx + dy * dy);
+  }
+
+  void search(std::size_t node, std::size_t begin, std::size_t end, double x, double y, double& best) const {
+    if (is_leaf(node)) {
+      for (std::size_t i = begin; i < end; ++i) {
+        const double dx = points_[i].x - x, dy = points_[i].y - y;
+        best = std::min(best, points_[i].size + gradation_ * std::sqrt(dx * dx + dy * dy));
+      }
+      return;
+    }
+    const std::size_t middle = begin + (end - begin) / 2;
+    const double left = least(2 * node + 1, x, y), right = least(2 * node + 2, x, y);
+    const auto search_left = [&] {
+      if (left < best) search(2 * node + 1, begin, middle, x, y, best);
+    };
+    const auto search_right = [&] {
+      if (right < best) search(2 * node + 2, middle, end, x, y, best);
+    };
+    if (left <= right)
+      search_left(), search_right();
+    else
+      search_right(), search_left();
+  }
+};
+
+} // namespace CGAL
+
+#endif // CGAL_POINTS_SIZING_FIELD_2_H

@@ -1,0 +1,139 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+
+// The size of the mesh is known before memory is spent on it.
+
+#include "catch.h"
+#include "mesher_test_tools.h"
+#include "pslg_test_tools.h"
+#include "random_pslg.h"
+
+#include <CGAL/Quality_mesher_2.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <string>
+
+namespace {
+
+using namespace mesher_test;
+using pslg_test::has_text;
+using pslg_test::Point;
+using pslg_test::unit_square;
+
+/// The estimate over the true number.
+double ratio(const Run& r) { return r.report.estimated_triangles / double(r.report.triangles); }
+
+/// Two segments of length 2 at a distance, in a box.
+Pslg parallel_segments(double gap) {
+  random_pslg::Builder b;
+  b.loop({Point(-4, -4), Point(4, -4), Point(4, 4), Point(-4, 4)});
+  for (const double y : {0.0, gap}) {
+    const auto v = b.vertex(Point(-1, y));
+    b.segment(v, b.vertex(Point(1, y)));
+  }
+  return b.pslg;
+}
+
+std::string error(const Pslg& pslg, const Options& options = {}) {
+  Mesher mesher(options);
+  return pslg_test::error_of([&] { mesher(pslg); });
+}
+
+} // namespace
+
+TEST_CASE("The estimate is near the true number of triangles", "[mesher][budget]") {
+  SECTION("maps and regular inputs") {
+    const std::string name =
+        GENERATE(as<std::string>(), "us_states_10m.poly.gz", "gshhg_aegean_h.poly.gz", "syn_comb.poly",
+                 "syn_fan_1deg.poly", "syn_holes_400.poly.gz", "syn_parallel_0.001.poly");
+    CAPTURE(name);
+    const Pslg pslg = read(name);
+    for (const double angle : {20.7, 30.0}) {
+      const Run r = run(pslg, Options().min_angle(angle));
+      CHECK(ratio(r) < 3);
+      CHECK(ratio(r) > 1 / 3.);
+    }
+  }
+  SECTION("bounds of size") {
+    const auto is_near = [](const Options& options) {
+      const Run r = run(unit_square(), options);
+      CHECK(ratio(r) < 2);
+      CHECK(ratio(r) > 0.5);
+    };
+    is_near(Options().max_edge(0.02));
+    is_near(Options().max_area(0.0002));
+    is_near(Options().max_edge(0.05).max_area(0.0002));
+    is_near(Options().size([](double x, double y) { return 0.01 + 0.2 * std::hypot(x, y); }));
+    Pslg pslg = unit_square();
+    pslg.regions.push_back({Point(0.5, 0.5), 0, 0.0002});
+    CHECK(ratio(run(pslg, Options())) < 2);
+    CHECK(ratio(run(pslg, Options())) > 0.5);
+  }
+  SECTION("narrow gaps, also with something in them") {
+    for (const double gap : {1e-2, 1e-3, 1e-4}) {
+      Pslg pslg = parallel_segments(gap);
+      CHECK(ratio(run(pslg, Options())) < 4);
+      CHECK(ratio(run(pslg, Options())) > 1);
+      pslg.add_vertex(Point(0.3, gap / 2));
+      CHECK(ratio(run(pslg, Options())) < 4);
+      CHECK(ratio(run(pslg, Options())) > 1);
+    }
+  }
+  SECTION("random hard inputs") {
+    const std::uint64_t seeds = is_full_run() ? 400 : 25;
+    for (const random_pslg::Family& family : random_pslg::families())
+      for (std::uint64_t seed = 0; seed < seeds; ++seed) {
+        CAPTURE(family.name, seed);
+        const Run r = run(family.make(seed), Options());
+        CHECK(ratio(r) < 4);
+        if (r.report.triangles > 1000) CHECK(ratio(r) > 0.25);
+      }
+  }
+}
+
+TEST_CASE("A gap that memory cannot hold is refused at once, and named", "[mesher][budget]") {
+  const auto start = std::chrono::steady_clock::now();
+  const std::string text = error(parallel_segments(1e-9));
+  CHECK(std::chrono::steady_clock::now() - start <
+        std::chrono::seconds(1)); // a millisecond, but machines stall
+  CAPTURE(text);
+  for (const char* part : {"segment 4", "segment 5", "vertex 4 at -1 0", "at a distance of 1e-09"})
+    CHECK(has_text(text, part));
+  CHECK(error(parallel_segments(1e-3)).empty());
+  CHECK(error(parallel_segments(1e-9), Options().min_edge(1e-3)).empty());
+}
+
+TEST_CASE("Sizes that memory cannot hold are refused", "[mesher][budget]") {
+  const auto is_refused = [](const Options& options) {
+    return has_text(error(unit_square(), options), "for the bounds of size");
+  };
+  CHECK(is_refused(Options().max_edge(1e-7)));
+  CHECK(is_refused(Options().max_area(1e-14)));
+  CHECK(is_refused(Options().size([](double, double) { return 1e-7; })));
+  // the least edge keeps it small: nothing to refuse
+  CHECK(error(unit_square(), Options().max_edge(1e-7).min_edge(0.1)).empty());
+}
+
+TEST_CASE("A budget refuses beforehand only what is far beyond it", "[mesher][budget]") {
+  const Pslg pslg = parallel_segments(1e-3); // 4000 triangles
+  CHECK(has_text(error(pslg, Options().max_vertices(200)), "the vertex budget allows 4e+02"));
+  const Run r = run(pslg, Options().max_vertices(1500));
+  CHECK(r.report.is_budget_exhausted);
+  CHECK(r.report.vertices <= 1500);
+}
+
+TEST_CASE("A callback that returns false stops with a valid mesh wherever it does", "[mesher][budget]") {
+  const Pslg pslg = read("us_states_10m.poly.gz");
+  for (int last = 0; last < 20; last += 3) {
+    int calls = 0;
+    const Run r = run(pslg, Options().progress([&](double) { return calls++ < last; }));
+    CHECK((r.report.is_cancelled || r.report.is_met()));
+    CHECK(r.report.unmet_triangles.size() == r.quality.unmet_triangles.size());
+  }
+}
