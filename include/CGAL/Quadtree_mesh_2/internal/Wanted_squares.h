@@ -150,12 +150,17 @@ private:
       feature_stack_.push_back(static_cast<std::uint32_t>(i));
   }
 
-  /// All triangles that free vertices may enter: those within the lock of a corner are left out.
+  /// All triangles that free vertices may enter: those within the lock of a corner are left out. So are, where all
+  /// squares inside have one size, triangles too small to hold the middle of one, which is farther than
+  /// 1/2 + margin sides from all vertices.
   void collect_triangles() {
     const auto& mesh = state_.mesh;
+    const double least_distance = (0.5 + margin - slack) * side_[grid_.given_level()];
+    const double least_longest =
+        state_.bounds.is_local() ? 0 : 3 * least_distance * least_distance * (1 - slack);
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
       const auto& r = mesh.triangles[i];
-      if (r.v[0] < 0) continue;
+      if (r.v[0] < 0 || mesh.shape(r).longest() < least_longest) continue;
       const Sector_id s = state_.corners.sector_of(mesh, r.v[0], r.v[1], r.v[2]);
       if (s < 0 || state_.corners.sector(s).lock_radius == 0)
         triangles_.push_back(static_cast<Triangle_id>(i));
