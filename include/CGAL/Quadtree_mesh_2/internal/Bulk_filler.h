@@ -4,18 +4,18 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// Where bounds of size make most of the mesh, fills what is away from features with the triangles of a balanced
-// quadtree's squares, and leaves a strip along the features to the refiner.
+// Where bounds of size make most of the mesh, fills what is away from features with the triangles of a
+// balanced quadtree's squares, and leaves a strip along the features to the refiner.
 //
-// 1. The bulk: squares as large as the bounds allow, wholly inside the domain and about a side away from every
-//    constrained edge and input vertex (Bulk_squares.h).
+// 1. The bulk: squares as large as the bounds allow, wholly inside the domain and about a side away from
+//    every constrained edge and input vertex (Bulk_squares.h).
 // 2. The vertices on the border of the bulk are inserted into the mesh. Around each piece of the border the
 //    disk on it as diameter holds no vertex, so the piece is an edge of the Delaunay triangulation.
 // 3. The triangles within the border are replaced by those of the squares' templates (square_templates.h).
 //
-// The result is a constrained Delaunay triangulation again in which the triangles of the bulk meet all bounds,
-// so what comes after needs not know. It takes O(n) time where the bulk would be small, else O(n log n) and
-// O(1) for each triangle made.
+// The result is a constrained Delaunay triangulation again in which the triangles of the bulk meet all
+// bounds, so what comes after needs not know. It takes O(n) time where the bulk would be small, else O(n log
+// n) and O(1) for each triangle made.
 //
 // Source: Bern, Eppstein, Gilbert, "Provably good mesh generation" (1994), for meshes made of a balanced
 // quadtree's squares; the transition to the boundary is left to Delaunay refinement instead of warping.
@@ -51,32 +51,33 @@ public:
 
   /// Fills the bulk, if there is enough of it to be worth it and the mesh then has at most `budget` vertices.
   void run(std::size_t budget) {
-    if (!state_.bounds.is_size_bounded()) return;
+    const Bounds<Geometry>& bounds = state_.bounds;
+    if (!bounds.is_size_bounded()) return;
     const double side = reference_side();
     if (!(side > 0 && side < std::numeric_limits<double>::infinity())) return;
-    if (!state_.bounds.is_local() && !is_worth_it(domain_area() / (side * side))) return;
+    if (!bounds.is_local() && !is_worth_it(domain_area() / (side * side))) return;
     const auto [low, high] = box();
     const Square_grid<Geometry> grid(low, high, side);
     if (grid.finest_level() < 1) return;
     const Wanted_squares<Geometry> wanted(state_, grid, std::min(budget, largest_number_of_nodes));
-    if (!state_.bounds.is_local() && wanted.finest_level() < grid.given_level()) return;
     if (!wanted.is_complete() || !is_worth_it(wanted.number_of_inside_squares())) return;
-    if (mesh_.number_of_vertices() + 1.5 * wanted.number_of_inside_squares() > static_cast<double>(budget))
-      return;
-    const auto rule = state_.bounds.sin2 < sin2_of_halved_square
-                          ? Bulk_squares<Concurrency_tag, Geometry>::Halved_sides::without_center
-                          : Bulk_squares<Concurrency_tag, Geometry>::Halved_sides::with_center;
-    const Bulk_squares<Concurrency_tag, Geometry> squares(wanted, rule);
-    if (!is_worth_it(static_cast<double>(squares.number_of_squares()))) return;
-    fill(squares, wanted, grid);
+    if (!bounds.is_local() && wanted.finest_level() < grid.given_level()) return;
+    if (number_of_vertices_with(wanted.number_of_inside_squares()) > static_cast<double>(budget)) return;
+    using Halved_sides = typename Squares::Halved_sides;
+    const Squares squares(wanted, bounds.sin2 < sin2_of_halved_square ? Halved_sides::without_center
+                                                                      : Halved_sides::with_center);
+    if (is_worth_it(static_cast<double>(squares.number_of_squares()))) fill(squares, wanted, grid);
   }
 
 private:
+  using Squares = Bulk_squares<Concurrency_tag, Geometry>;
+
   /// Fewer squares than this, or than input vertices, are not worth the time that it takes to find them.
   static constexpr double least_number_of_squares = 500;
   static constexpr std::size_t largest_number_of_nodes = std::size_t(1) << 26;
 
-  /// A vertex on the border of the bulk, and its neighbours there: two, or four where the bulk touches itself.
+  /// A vertex on the border of the bulk, and its neighbours there: two, or four where the bulk touches
+  /// itself.
   struct Border_vertex {
     Vertex_id vertex = -1;
     Leaf_index square;
@@ -99,6 +100,11 @@ private:
   bool is_worth_it(double number_of_squares) const {
     return number_of_squares >= least_number_of_squares &&
            number_of_squares >= static_cast<double>(mesh_.number_of_vertices()) / 4;
+  }
+
+  /// About one vertex for each square, and one more where it has a centre.
+  double number_of_vertices_with(double number_of_squares) const {
+    return static_cast<double>(mesh_.number_of_vertices()) + 1.5 * number_of_squares;
   }
 
   double domain_area() const {
@@ -142,7 +148,7 @@ private:
     return ends;
   }
 
-  void fill(const Bulk_squares<Concurrency_tag, Geometry>& squares, const Wanted_squares<Geometry>& wanted,
+  void fill(const Squares& squares, const Wanted_squares<Geometry>& wanted,
             const Square_grid<Geometry>& grid) {
     vertex_named_.assign(3 * squares.number_of_leaves(), -1);
     reserve(squares);
@@ -158,7 +164,7 @@ private:
   }
 
   /// Room for the bulk, and for what the refiner will add along its border and the features.
-  void reserve(const Bulk_squares<Concurrency_tag, Geometry>& squares) {
+  void reserve(const Squares& squares) {
     const std::size_t growth = 8 * mesh_.number_of_vertices() + 4 * squares.border().size();
     const std::size_t vertices = mesh_.number_of_vertices() + squares.number_of_triangles() + growth;
     mesh_.points.reserve(vertices), mesh_.edge_of.reserve(vertices), mesh_.triangle_of.reserve(vertices);
@@ -176,8 +182,7 @@ private:
   }
 
   /// Adds the border's vertices to the mesh's points, without triangles.
-  void collect_border(const Bulk_squares<Concurrency_tag, Geometry>& squares,
-                      const Square_grid<Geometry>& grid) {
+  void collect_border(const Squares& squares, const Square_grid<Geometry>& grid) {
     const Vertex_id first = static_cast<Vertex_id>(mesh_.number_of_vertices());
     for (const Square_piece& p : squares.border()) {
       const Square_template& form = square_template(squares.form(p.square));
@@ -201,8 +206,7 @@ private:
   }
 
   /// Inserts the vertices loop by loop, each located from the one before it.
-  void insert_border(const Bulk_squares<Concurrency_tag, Geometry>& squares,
-                     const Wanted_squares<Geometry>& wanted) {
+  void insert_border(const Squares& squares, const Wanted_squares<Geometry>& wanted) {
     std::vector<std::int32_t> stack;
     for (std::size_t i = 0; i < vertices_.size(); ++i) {
       if (mesh_.is_used(vertices_[i].vertex)) continue;
@@ -258,7 +262,8 @@ private:
     }
   }
 
-  /// Finds the sides on the border's right. Whether all of its pieces are edges of the mesh, as they should be.
+  /// Finds the sides on the border's right. Whether all of its pieces are edges of the mesh, as they should
+  /// be.
   bool find_border_edges() {
     for (Border_edge& e : edges_) {
       const Vertex_id a = vertices_[std::size_t(e.source)].vertex,
@@ -293,8 +298,8 @@ private:
 
   // ---- the squares
 
-  void make_triangles(const Bulk_squares<Concurrency_tag, Geometry>& squares,
-                      const Wanted_squares<Geometry>& wanted, const Square_grid<Geometry>& grid) {
+  void make_triangles(const Squares& squares, const Wanted_squares<Geometry>& wanted,
+                      const Square_grid<Geometry>& grid) {
     first_triangle_of_.resize(squares.number_of_leaves());
     auto& bulk = state_.bulk;
     bulk.first_vertex = static_cast<Vertex_id>(mesh_.number_of_vertices());
@@ -312,8 +317,7 @@ private:
     std::fill(mesh_.is_dirty.begin() + bulk.first_vertex, mesh_.is_dirty.end(), char(0));
   }
 
-  void make_triangles_of(const Bulk_squares<Concurrency_tag, Geometry>& squares,
-                         const Square_grid<Geometry>& grid, Leaf_index l) {
+  void make_triangles_of(const Squares& squares, const Square_grid<Geometry>& grid, Leaf_index l) {
     const Grid_square square = squares.square(l);
     const Square_form form_of_square = squares.form(l);
     const Square_template& form = square_template(form_of_square);
@@ -341,12 +345,12 @@ private:
     }
   }
 
-  Side side_of(const Bulk_squares<Concurrency_tag, Geometry>& squares, Square_piece p) const {
+  Side side_of(const Squares& squares, Square_piece p) const {
     const auto c = square_template(squares.form(p.square)).side_of_piece[std::size_t(p.piece)];
     return Side(first_triangle_of_[std::size_t(p.square)] + c.triangle, c.slot);
   }
 
-  void link_squares(const Bulk_squares<Concurrency_tag, Geometry>& squares) {
+  void link_squares(const Squares& squares) {
     for (std::size_t i = 0; i < squares.number_of_leaves(); ++i)
       if (squares.is_bulk(Leaf_index(i)))
         squares.for_each_pair_before(Leaf_index(i), [&](Square_piece own, Square_piece other) {
@@ -362,7 +366,7 @@ private:
       state_.push_if_suspect(t);
   }
 
-  void link_border(const Bulk_squares<Concurrency_tag, Geometry>& squares) {
+  void link_border(const Squares& squares) {
     for (std::size_t i = 0; i < edges_.size(); ++i) {
       const Side s = side_of(squares, squares.border()[i]);
       Side outer = edges_[i].outer;

@@ -6,8 +6,9 @@
 //
 // The grid of the squares that fill the bulk of a mesh: where the root square lies and how large it is.
 //
-// Sides have at most 20 significant bits and the origin is a multiple of the last of them, so all corners down to the
-// finest level are exact coordinates: squares are exactly square, and their corners exactly cocircular.
+// Sides have at most 20 significant bits and the origin is a multiple of the last of them, so all corners
+// down to the finest level are exact coordinates: squares are exactly square, and their corners exactly
+// cocircular.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_SQUARE_GRID_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_SQUARE_GRID_H

@@ -8,13 +8,13 @@
 // outside, or near a feature.
 //
 // Top down, square by square, with the constrained edges and the triangles of the domain's triangulation that
-// meet the square. A square is near a feature if a constrained edge or a vertex comes within `margin` times its
-// side. One that is not lies wholly inside or wholly outside; it is inside if any triangle of the domain meets
-// it, so nothing has to be located. All tests are made in floating point with closed, widened boxes, which is
-// enough: only what is farther away than `margin` sides counts as away.
+// meet the square. A square is near a feature if a constrained edge or a vertex comes within `margin` times
+// its side. One that is not lies wholly inside or wholly outside; it is inside if any triangle of the domain
+// meets it, so nothing has to be located. All tests are made in floating point with closed, widened boxes,
+// which is enough: only what is farther away than `margin` sides counts as away.
 //
-// Near squares are split until they are as small as the bounds want, and no further: what happens there is the
-// kernel's. Sizes are looked up at places inside the domain only.
+// Near squares are split until they are as small as the bounds want, and no further: what happens there is
+// the kernel's. Sizes are looked up at places inside the domain only.
 //
 // O((n + k) levels) tests for n edges and triangles that each meet O(1) squares of a level, k near squares.
 
@@ -150,9 +150,9 @@ private:
       feature_stack_.push_back(static_cast<std::uint32_t>(i));
   }
 
-  /// All triangles that free vertices may enter: those within the lock of a corner are left out. So are, where all
-  /// squares inside have one size, triangles too small to hold the middle of one, which is farther than
-  /// 1/2 + margin sides from all vertices.
+  /// All triangles that free vertices may enter: those within the lock of a corner are left out. So are,
+  /// where all squares inside have one size, triangles too small to hold the middle of one, which is farther
+  /// than 1/2 + margin sides from all vertices.
   void collect_triangles() {
     const auto& mesh = state_.mesh;
     const double least_distance = (0.5 + margin - slack) * side_[grid_.given_level()];

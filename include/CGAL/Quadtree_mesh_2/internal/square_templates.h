@@ -4,14 +4,15 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// How a square of a balanced quadtree is cut into triangles when some of its sides have a vertex in the middle.
+// How a square of a balanced quadtree is cut into triangles when some of its sides have a vertex in the
+// middle.
 //
-// Without a centre, vertices are corners of squares only. Every triangle is half a square, half a rectangle of
-// two to one, or joins vertices in the middle of sides to corners across: the least angle is atan(1/2), 26.56
-// degrees, or 45 where no side is halved. With a centre, all pieces of the border are joined to it: the least
-// angle is 45 degrees, and the longest edge shorter by a factor of sqrt(2). No angle is above 90 degrees. All
-// triangles are Delaunay, across the sides of squares too: their circles leave the square by less than a
-// quarter of the side, or are centred on a side of which they hold the ends only.
+// Without a centre, vertices are corners of squares only. Every triangle is half a square, half a rectangle
+// of two to one, or joins vertices in the middle of sides to corners across: the least angle is atan(1/2),
+// 26.56 degrees, or 45 where no side is halved. With a centre, all pieces of the border are joined to it: the
+// least angle is 45 degrees, and the longest edge shorter by a factor of sqrt(2). No angle is above 90
+// degrees. All triangles are Delaunay, across the sides of squares too: their circles leave the square by
+// less than a quarter of the side, or are centred on a side of which they hold the ends only.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_SQUARE_TEMPLATES_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_SQUARE_TEMPLATES_H
@@ -26,9 +27,9 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-/// Counterclockwise: vertex i is the corner from which side i starts, the lower left one first, vertex 4 + i the
-/// middle of side i, and vertex 8 the centre. Sides are the lower, the right, the upper and the left one. Side i
-/// consists of piece 2 i, and of piece 2 i + 1 if it is halved.
+/// Counterclockwise: vertex i is the corner from which side i starts, the lower left one first, vertex 4 + i
+/// the middle of side i, and vertex 8 the centre. Sides are the lower, the right, the upper and the left one.
+/// Side i consists of piece 2 i, and of piece 2 i + 1 if it is halved.
 struct Square_template {
   static constexpr int number_of_vertices = 9, center = 8;
   static constexpr int max_size = 8;
