@@ -7,30 +7,20 @@
 #ifndef QUADTREE_MESH_2_BENCHMARK_QUADTREE_INPUTS_H
 #define QUADTREE_MESH_2_BENCHMARK_QUADTREE_INPUTS_H
 
+#include "random_numbers.h"
+
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/number_utils.h>
 
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <random>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 using Point_2 = CGAL::Exact_predicates_inexact_constructions_kernel::Point_2;
 using Points = std::vector<Point_2>;
-
-/// Numbers of [0, 1) that are the same with every standard library: its distributions are not.
-class Random_numbers {
-public:
-  explicit Random_numbers(std::uint64_t seed) : engine_(seed) {}
-
-  double operator()() { return double(engine_() >> 11) * 0x1p-53; }
-
-private:
-  std::mt19937_64 engine_;
-};
 
 namespace quadtree_inputs {
 

@@ -10,6 +10,7 @@
 #define QUADTREE_MESH_2_BENCHMARK_QUADTREE_OURS_H
 
 #include "quadtree_run.h"
+#include "thread_limit.h"
 
 #include <CGAL/Balanced_quadtree.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
@@ -21,13 +22,7 @@
 #include <CGAL/Quadtree_options.h>
 #include <CGAL/tags.h>
 
-#ifdef CGAL_LINKED_WITH_TBB
-#include <tbb/global_control.h>
-#include <tbb/parallel_for.h>
-#endif
-
 #include <cstdint>
-#include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -62,29 +57,6 @@ std::vector<CGAL::Fixed_point_2<Word>> points_for(const CGAL::Fixed_point_quadtr
   for (const Point_2& p : points) fixed.push_back(scale.to_fixed(p.x(), p.y()));
   return fixed;
 }
-
-/// Lets parallel algorithms have so many threads while it lives, and starts them: a program does so once, not
-/// for every tree. 0 leaves everything as it is.
-class Thread_limit {
-public:
-#ifdef CGAL_LINKED_WITH_TBB
-  explicit Thread_limit(unsigned threads) {
-    using Control = tbb::global_control;
-    if (threads == 0) return;
-    control_ = std::make_unique<Control>(Control::max_allowed_parallelism, threads);
-    tbb::parallel_for(0u, 4 * threads, [](unsigned) {
-      const double end = wall_seconds() + 0.001;
-      while (wall_seconds() < end) {
-      }
-    });
-  }
-
-private:
-  std::unique_ptr<tbb::global_control> control_;
-#else
-  explicit Thread_limit(unsigned) {}
-#endif
-};
 
 template <class Traits, class Concurrency_tag>
 Run framework(const Points& input, unsigned threads) {

@@ -18,11 +18,6 @@
 #include <string>
 #include <vector>
 
-inline double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
-}
-
 /// Where a process stops that would not end.
 struct Limits {
   unsigned seconds = 60;

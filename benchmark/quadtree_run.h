@@ -7,6 +7,7 @@
 #ifndef QUADTREE_MESH_2_BENCHMARK_QUADTREE_RUN_H
 #define QUADTREE_MESH_2_BENCHMARK_QUADTREE_RUN_H
 
+#include "measurement.h"
 #include "quadtree_inputs.h"
 #include "resources.h"
 
@@ -15,17 +16,6 @@
 #include <functional>
 #include <string>
 #include <vector>
-
-struct Seconds {
-  double cpu = 0;
-  double wall = 0;
-
-  Seconds& operator+=(const Seconds& other) {
-    cpu += other.cpu;
-    wall += other.wall;
-    return *this;
-  }
-};
 
 /// Which balance a tree has: those with the same can be compared.
 enum class Product { NOTHING, SORTED_KEYS, FRAMEWORK, UNBALANCED, SIDES, CORNERS };

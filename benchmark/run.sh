@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Builds the benchmarks and prints the tables of doc/; arguments go to those of meshes, for example names of
-# files.
+# Builds the benchmarks and prints the tables of doc/. Arguments go to those of meshes, for example
+# `--triangle PATH` for the program Triangle, which is not free software.
 set -euo pipefail
 
 # shellcheck source-path=SCRIPTDIR source=../.ci/common.sh
@@ -9,13 +9,21 @@ set -euo pipefail
 install_packages "${build_packages[@]}"
 # A peer of the quadtrees, which they do without.
 (install_packages libp4est-dev libopenmpi-dev) || say "no p4est: the quadtrees are not compared with it"
-configure_and_build "$root/build" versus_mesh_2 -DCMAKE_BUILD_TYPE=Release
+configure_and_build "$root/build" pslg -DCMAKE_BUILD_TYPE=Release
 configure_and_build "$root/build" quadtree -DCMAKE_BUILD_TYPE=Release
 
-for bound in 20.7 30; do
-  say "versus Mesh_2, $bound degrees"
-  "$root/build/bin/versus_mesh_2" --min-angle "$bound" --json "$root/build/versus_mesh_2_$bound.json" "$@"
-done
+# Prints the tables of one set of inputs: name, then options.
+meshes() {
+  local name=$1
+  shift
+  say "meshes: $name"
+  "$root/build/bin/pslg" --json "$root/build/pslg_$name.json" "$@"
+}
+meshes maps --min-angle 18.43 20.7 30 --repeat 5 "$@"
+meshes synthetic koch:49152 blob:1e4 stars:1e4 comb:500 fan:1 fan:0.1 wedge:1 wedge:0.0001 parallel:1e-4 \
+  segments:1e5 holes:19600 square:1.5e-6 coast:1e5 --repeat 3 --limit 60 "$@"
+meshes growth --growth coast segments blob holes --sizes 1e4 3e4 1e5 3e5 --repeat 1 --limit 120 "$@"
+meshes large coast:1e6 --repeat 1 --limit 120 "$@"
 
 say "quadtrees"
 "$root/build/bin/quadtree" --n 1e5 1e6 --repeat 3 --limit 10 --threads "$(nproc)" \

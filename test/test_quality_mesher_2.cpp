@@ -47,6 +47,18 @@ TEST_CASE("Every input of test/data is meshed to the bound", "[mesher]") {
   run_to_the_bound(read(name), Options().min_angle(angle));
 }
 
+TEST_CASE("Inputs that random search found to be hard are meshed to the bound", "[mesher]") {
+  // Two corners whose legs have the same far end; shells next to each other; triangles given up.
+  const std::string name = GENERATE(as<std::string>(), "hard_lattice_21260.poly",
+                                    "hard_visibility_graph_11091.poly", "hard_visibility_graph_2608.poly",
+                                    "hard_visibility_graph_3314.poly", "hard_visibility_graph_8327.poly",
+                                    "hard_visibility_graph_8360.poly", "hard_visibility_graph_9113.poly");
+  const double angle = GENERATE(18.43, 20.7);
+  CAPTURE(name, angle);
+  const Run r = run_to_the_bound(read(name), Options().min_angle(angle));
+  CHECK(r.report.triangles < 100); // nothing is refined down to the precision of doubles
+}
+
 TEST_CASE("Real maps take fewer triangles than Delaunay refinement", "[mesher]") {
   // The counts of Shewchuk's Triangle, -pq20.7.
   CHECK(run(read("us_states_10m.poly.gz"), Options()).report.triangles < 47500);

@@ -50,9 +50,9 @@ public:
   std::vector<int> region_of_triangle;
   /// Per vertex, the input segment in whose interior a Steiner vertex lies; invalid for all others.
   std::vector<Segment_index> segment_of_vertex;
-  /// Per vertex, by Triangle's rule: an input vertex keeps its marker; a vertex without one (0) gets the first
-  /// that is not 0 of the constrained edges at it; one still without, on the border of the domain, gets 1.
-  /// Empty (in meshes made by hand): all are 0.
+  /// Per vertex, by Triangle's rule: an input vertex keeps its marker; a vertex without one (0) gets the
+  /// first that is not 0 of the constrained edges at it; one still without, on the border of the domain, gets
+  /// 1. Empty (in meshes made by hand): all are 0.
   std::vector<int> vertex_markers;
 
   const Point_2& point(Vertex_index v) const { return points[std::size_t(v)]; }

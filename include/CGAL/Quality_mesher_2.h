@@ -27,10 +27,10 @@ namespace CGAL {
 ///
 /// The domain is what the segments separate from infinity, less the components with a point of
 /// `Pslg_2::holes`, unless the options have another rule. Bounds of size of the options, of its size field
-/// and of the regions hold all together. Every input vertex of the domain is a vertex of the mesh, with its coordinates; every
-/// input segment with the domain on at least one side is a chain of mesh edges. Duplicate vertices are
-/// merged, vertices on segments split them, overlapping segments share their pieces. The mesh is constrained
-/// Delaunay.
+/// and of the regions hold all together. Every input vertex of the domain is a vertex of the mesh, with its
+/// coordinates; every input segment with the domain on at least one side is a chain of mesh edges.
+/// Duplicate vertices are merged, vertices on segments split them, overlapping segments share their pieces.
+/// The mesh is constrained Delaunay.
 ///
 /// Where two segments meet at an angle phi below the bound, a triangle with all its vertices on the two may
 /// have a smaller angle, never under 0.9 phi; such triangles are counted as exempt. Anything else below the

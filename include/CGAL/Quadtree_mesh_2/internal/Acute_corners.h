@@ -157,25 +157,25 @@ public:
     return -1;
   }
 
-  /// The lopped sector that the locked chord x-y cuts; -1 if there is none.
-  Sector_id sector_of_chord(const Mesh& mesh, Vertex_id x, Vertex_id y) const {
+  /// Calls `f(sector)` for the lopped sectors from one leg to the other of which the chord x-y runs: there may be
+  /// several if x or y is the far end of legs of two corners. Stops when f returns true.
+  template <class Function>
+  void find_sector_of_chord(const Mesh& mesh, Vertex_id x, Vertex_id y, Function f) const {
+    const auto is_wanted = [&](Leg_id l, Vertex_id end) {
+      const Sector_id s = l < 0 ? -1 : common_sector(l, leg_at(mesh, leg(l).apex, end));
+      return s >= 0 && f(s);
+    };
     for (int pass = 0; pass < 2; ++pass, std::swap(x, y)) {
       const Edge_id e = mesh.edge(x);
       if (e >= 0) {
-        for (const Leg_id l : legs_of_edge[std::size_t(e)]) {
-          const Sector_id s = l < 0 ? -1 : common_sector(l, leg_at(mesh, leg(l).apex, y));
-          if (s >= 0) return s;
-        }
+        for (const Leg_id l : legs_of_edge[std::size_t(e)])
+          if (is_wanted(l, y)) return;
       } else if (mesh.is_input(x)) {
         const Vertex_id number = mesh.input_number(x);
-        for (const auto* i = edges_->begin(number); i != edges_->end(number); ++i) {
-          const Leg_id l = leg_at(mesh, i->neighbor, x);
-          const Sector_id s = l < 0 ? -1 : common_sector(l, leg_at(mesh, i->neighbor, y));
-          if (s >= 0) return s;
-        }
+        for (const auto* i = edges_->begin(number); i != edges_->end(number); ++i)
+          if (is_wanted(leg_at(mesh, i->neighbor, x), y)) return;
       }
     }
-    return -1;
   }
 
   /// Whether a triangle below the bound is excused by its corner.

@@ -58,28 +58,40 @@ private:
 
 class Angle_histogram {
 public:
-  /// 1 degree each, from 0 and from 60 degrees.
-  std::array<std::size_t, 60> least{};
-  std::array<std::size_t, 120> largest{};
-
   void add(const Shape& s) {
     const double x = s.shortest(), z = s.longest();
     const double y = std::max(std::min(s.l[0], s.l[1]), std::min(std::max(s.l[0], s.l[1]), s.l[2]));
     const double n = z - x - y; // -2 sqrt(x y) cos(largest)
-    ++least[least_bin_(s.area2 * s.area2 / (y * z))];
-    ++largest[largest_bin_(n * std::fabs(n) / (4 * x * y))];
+    ++least_[bins().least(s.area2 * s.area2 / (y * z))];
+    ++largest_[bins().largest(n * std::fabs(n) / (4 * x * y))];
+  }
+
+  /// Adds the numbers of triangles, by bins of 1 degree from 0 and from 60 degrees.
+  void add_to(std::array<std::size_t, 60>& least, std::array<std::size_t, 120>& largest) const {
+    for (std::size_t i = 0; i < least.size(); ++i) least[i] += least_[i];
+    for (std::size_t i = 0; i < largest.size(); ++i) largest[i] += largest_[i];
   }
 
 private:
   static constexpr double degree = 3.14159265358979323846 / 180;
-  Bin_finder<60> least_bin_{[](std::size_t i) {
-    const double sine = std::sin(static_cast<double>(i) * degree);
-    return sine * sine;
-  }};
-  Bin_finder<120> largest_bin_{[](std::size_t i) {
-    const double cosine = -std::cos(static_cast<double>(60 + i) * degree);
-    return cosine * std::fabs(cosine);
-  }};
+
+  struct Bins {
+    Bin_finder<60> least{[](std::size_t i) {
+      const double sine = std::sin(static_cast<double>(i) * degree);
+      return sine * sine;
+    }};
+    Bin_finder<120> largest{[](std::size_t i) {
+      const double cosine = -std::cos(static_cast<double>(60 + i) * degree);
+      return cosine * std::fabs(cosine);
+    }};
+  };
+  static const Bins& bins() {
+    static const Bins the_bins;
+    return the_bins;
+  }
+
+  std::array<std::uint32_t, 60> least_{};
+  std::array<std::uint32_t, 120> largest_{};
 };
 
 } // namespace internal

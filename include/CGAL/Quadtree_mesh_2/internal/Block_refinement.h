@@ -43,9 +43,7 @@ public:
   using Block = Mesh_block<Geometry>;
   using Blocks = Mesh_blocks<Concurrency_tag, Geometry>;
 
-  /// Triangles of a block before it is refined. Large enough that seams are few, small enough that a refined block
-  /// stays in the cache and that there are blocks for many threads.
-  static constexpr std::size_t block_size = 24576;
+  static constexpr std::size_t block_size = Block_sizes<Concurrency_tag>::triangles;
 
   Block_refinement(Meshing_state<Geometry>& whole, Block_removal removal, std::size_t vertex_budget)
       : whole_(whole), removal_(removal), vertex_budget_(vertex_budget) {}

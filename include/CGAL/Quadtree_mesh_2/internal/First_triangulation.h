@@ -9,7 +9,9 @@
 // Vertices come in shuffle order, in which walks from one to the next are short: O(1) steps on average for points
 // that are not adversarial. Three auxiliary vertices outside hold everything; all triangles at them lie outside the
 // domain and go with it.
-// 1. Every 16th vertex is inserted. A small input ends here, with every vertex.
+// 1. Every 16th vertex is inserted, in rounds of every 16^k-th: a sample first, so that points along curves do not
+//    make ever longer fans (Amenta, Choi, Rote, "Incremental constructions con BRIO", 2003, with the shuffle order
+//    for chance). A small input ends here, with every vertex.
 // 2. The others are located in that triangulation, which is cut into blocks (Mesh_blocks.h).
 // 3. In each block the vertices located there are inserted (Delaunay_inserter.h), and segments between vertices of
 //    the block (Segment_inserter.h).
@@ -77,7 +79,7 @@ public:
 
 private:
   static constexpr std::size_t stride = 16;
-  static constexpr std::size_t vertices_of_block = 16384;
+  static constexpr std::size_t vertices_of_block = Block_sizes<Concurrency_tag>::vertices;
 
   using Blocks = Mesh_blocks<Concurrency_tag, Geometry>;
   using Block = Mesh_block<Geometry>;
@@ -131,14 +133,18 @@ private:
     }
   }
 
-  void insert_every(std::size_t step) {
-    mesh_.triangles.reserve(2 * (representative_.size() / step) + 16);
+  /// In rounds: every 16^k-th vertex, then every 16^(k-1)-th, and so on, each in order.
+  void insert_every(std::size_t last_step) {
+    const std::size_t n = representative_.size();
+    mesh_.triangles.reserve(2 * (n / last_step) + 16);
     Delaunay_inserter<Geometry> inserter(mesh_);
-    Triangle_id hint = 0;
-    for (std::size_t v = 0; v < representative_.size(); v += step) {
-      representative_[v] = inserter.insert(static_cast<Vertex_id>(v), hint);
-      hint = mesh_.incident_triangle(representative_[v]);
-    }
+    std::size_t step = last_step;
+    while (step < n) step *= stride;
+    for (Triangle_id hint = 0; step >= last_step; step /= stride)
+      for (std::size_t v = 0; v < n; v += step) {
+        if (representative_[v] < 0) representative_[v] = inserter.insert(static_cast<Vertex_id>(v), hint);
+        hint = mesh_.incident_triangle(representative_[v]);
+      }
   }
 
   template <class Work>

@@ -281,8 +281,8 @@ public:
   void for_each_triangle_at(Vertex_id v, Function f) const {
     const Triangle_id start = incident_triangle(v);
     Triangle_id t = start;
+    int i = slot_of(triangle(t), v);
     do {
-      const int i = slot_of(triangle(t), v);
       f(t, i);
       const Side o = triangle(t).side[next_slot[i]];
       if (o.is_border()) {
@@ -290,6 +290,7 @@ public:
         return;
       }
       t = o.triangle();
+      i = next_slot[o.slot()]; // the common side begins at v, seen from there
     } while (t != start);
   }
 
@@ -333,13 +334,33 @@ private:
   /// Flips until the sides opposite the new vertex, at slot 0 of every triangle on the stack, are Delaunay.
   void legalize_star() {
     while (!star_.empty()) {
-      const Triangle_id t = star_.back();
+      Triangle_id t = star_.back();
       star_.pop_back();
-      const Side o = triangle(t).side[0];
-      if (o.is_constrained() || !is_certainly_not_Delaunay(t, 0)) continue;
-      flip(t, 0);
-      star_.push_back(t), star_.push_back(o.triangle());
+      for (;;) {
+        const Side o = triangle(t).side[0];
+        if (o.is_constrained() || !is_certainly_not_Delaunay(t, 0)) break;
+        flip_at_apex(t);
+        star_.push_back(t);
+        t = o.triangle();
+      }
     }
+  }
+
+  /// `flip(t, 0)`: vertex 0, and the side opposite vertex 2, stay where they are.
+  void flip_at_apex(Triangle_id t) {
+    Triangle& I = triangle(t);
+    const Side o = I.side[0];
+    const Triangle_id u = o.triangle();
+    const int l = o.slot();
+    Triangle& J = triangle(u);
+    const Vertex_id a = I.v[0], b = I.v[1], c = I.v[2], d = J.v[l];
+    const Side ca = I.side[1], bd = J.side[next_slot[l]], dc = J.side[previous_slot[l]];
+    I.v[2] = d;
+    J.v[0] = a, J.v[1] = d, J.v[2] = c;
+    link(t, 0, bd), link(u, 0, dc), link(u, 1, ca);
+    I.side[1] = Side(u, 2), J.side[2] = Side(t, 1);
+    triangle_of[std::size_t(a)] = triangle_of[std::size_t(b)] = triangle_of[std::size_t(d)] = t;
+    triangle_of[std::size_t(c)] = u;
   }
 
   template <class Function>

@@ -20,7 +20,7 @@
 
 #include <CGAL/Quadtree_mesh_2/internal/Kernel_mesh.h>
 #include <CGAL/Quadtree_mesh_2/internal/Mesh_block.h>
-#include <CGAL/Quadtree_mesh_2/internal/morton.h>
+#include <CGAL/Quadtree_mesh_2/internal/Place_keys.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/radix_sort.h>
 
@@ -35,8 +35,14 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-/// How squares are placed; those of different shifts have no side in common.
-enum class Square_shift { none, third_of_root };
+/// How much makes a block: large enough that seams are few, small enough that a refined block stays in the cache and
+/// that there are blocks for many threads. Less than two blocks are not worth cutting. Specialized by tests, so
+/// that small inputs are cut too.
+template <class Concurrency_tag>
+struct Block_sizes {
+  static constexpr std::size_t vertices = 16384;  ///< of the input, while it is triangulated
+  static constexpr std::size_t triangles = 24576; ///< before they are refined
+};
 
 /// Triangles by block: those of block b begin at `first[b]`, and `first.back()` is their number.
 struct Block_cut {
@@ -50,25 +56,14 @@ struct Block_cut {
 template <class Concurrency_tag, class Geometry>
 Block_cut cut_by_position(const Kernel_mesh<Geometry>& mesh, std::vector<Triangle_id> triangles,
                           std::size_t block_size, Square_shift shift) {
-  auto low = mesh.points.front(), high = low;
-  for (const auto& p : mesh.points) {
-    low.x = std::min(low.x, p.x), low.y = std::min(low.y, p.y);
-    high.x = std::max(high.x, p.x), high.y = std::max(high.y, p.y);
-  }
-  const Vector size = Geometry::difference(high, low);
-  // 16 bits a coordinate; two root squares' room for the shift
-  const double scale = 32767 / std::max(std::max(size.x, size.y), 1e-300);
-  const double offset = shift == Square_shift::none ? 0 : 65536.0 / 3;
+  const Place_keys<Geometry> key(mesh.points, shift);
   std::vector<std::uint64_t> words(triangles.size()); // key, triangle
   for_each_index<Concurrency_tag>(words.size(), [&](std::size_t i) {
     const auto& r = mesh.triangle(triangles[i]);
     const int k = mesh.shape(r).slot_of_shortest();
     const auto &a = mesh.point(r.v[next_slot[k]]), &b = mesh.point(r.v[previous_slot[k]]);
-    const Vector p = Geometry::difference(a, low) + 0.5 * Geometry::difference(b, a);
-    words[i] = interleave(static_cast<std::uint32_t>(scale * p.x + offset),
-                          static_cast<std::uint32_t>(scale * p.y + offset))
-                   << 32 |
-               static_cast<std::uint32_t>(triangles[i]);
+    const auto middle = Geometry::translate(a, 0.5 * Geometry::difference(b, a));
+    words[i] = key(middle) << 32 | static_cast<std::uint32_t>(triangles[i]);
   });
   const auto buffer = uncleared_words(words.size());
   Word_sorter<Concurrency_tag>::sort(words.data(), buffer.get(), words.size(), true);

@@ -302,7 +302,7 @@ private:
 
   Indexed_mesh_2<Point_2> convert() {
     Phase_timer timer(report_.seconds.convert);
-    Kernel_mesh_converter<Traits> converter(state_, pslg_, map_, order_, report_);
+    Kernel_mesh_converter<Traits, Concurrency_tag> converter(state_, pslg_, map_, order_, report_);
     return converter.run();
   }
 };

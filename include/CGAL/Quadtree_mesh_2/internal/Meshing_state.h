@@ -220,10 +220,9 @@ struct Meshing_state {
       const Side o = mesh.across(s);
       if (o.is_constrained() || !mesh.is_certainly_not_Delaunay(t, s.slot())) continue;
       mesh.flip(t, s.slot());
-      for (const Triangle_id n : {t, o.triangle()}) {
-        for (int k = 0; k < 3; ++k) doubtful_sides.push_back(Side(n, k));
-        push_if_suspect(n);
-      }
+      const Triangle_id u = o.triangle();
+      for (const Side outer : {Side(t, 0), Side(t, 2), Side(u, 0), Side(u, 1)}) doubtful_sides.push_back(outer);
+      push_if_suspect(t), push_if_suspect(u);
     }
   }
 

@@ -151,7 +151,7 @@ private:
     }
     const Point q = Geometry::translate(a, center);
     const Point corner =
-        Geometry::nearest_corner(q, std::exp2(std::floor(std::log2(0.25 * std::sqrt(s.l[k])))));
+        Geometry::nearest_corner(q, power_of_two_at_most(0.25 * std::sqrt(s.l[k])));
     return In_circle(Geometry::difference(a, corner), Geometry::difference(b, corner),
                      Geometry::difference(c, corner))
                    .is_certainly_inside()

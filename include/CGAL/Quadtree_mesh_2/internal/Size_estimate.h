@@ -7,20 +7,22 @@
 // How many triangles a mesh will need, from the constrained Delaunay triangulation of its domain alone.
 //
 // The number of triangles of any mesh with a bound on the least angle is, up to constants, the integral of
-// 1/lfs^2 over the domain, lfs the local feature size (Ruppert, 1995). Three kinds of places make it large,
+// 1/lfs^2 over the domain, lfs the local feature size (Ruppert, 1995). These make it large,
 // and each shows in the triangulation:
 //  - each triangle with longest edge L and height h over it asks for about log(L/h) layers, for points as in
 //    Bern, Eppstein and Gilbert (1994);
 //  - two constrained edges that face each other across a gap g over a length l ask for about l/g triangles.
 //    Such a pair meets at some vertex's fan: one is at the vertex (the first or last edge of a sector of its
 //    triangles) and the other closes a triangle of the sector, or two consecutive ones close triangles of it;
+//  - a vertex between two edges that meet makes the wedge beyond it as expensive as its width there asks for;
 //  - bounds of size ask for area over the area of one triangle.
-// Edges that share a vertex are not counted as facing: wedges are cut off by rings (Acute_corners.h), whose
-// number grows with the logarithm only.
+// Otherwise edges that share a vertex are not counted as facing: wedges are cut off by rings
+// (Acute_corners.h), whose number grows with the logarithm only.
 //
-// O(n), and at most about `field_samples` calls of the size field. The constants are measured, so that
-// the estimate is within a factor of 4 of the true number on maps, on the hard families of the tests and for
-// bounds of size (test_size_estimate.cpp).
+// O(n), with `field_samples` calls of the size field and a few a triangle. The constants are measured, so
+// that the estimate is within a factor of 4 of the true number on maps, on the hard families of the tests and
+// for bounds of size (test_quality_mesher_budget.cpp), but for needles with short legs in them, which may take
+// more.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_SIZE_ESTIMATE_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_SIZE_ESTIMATE_H
@@ -52,9 +54,13 @@ public:
   /// \pre the mesh is the first triangulation, restricted to the domain.
   explicit Size_estimate(const Meshing_state<Geometry>& state)
       : state_(state), mesh_(state.mesh), least_(std::sqrt(state.bounds.least_squared_length)) {
-    for (const auto& r : mesh_.triangles) total_area2_ += mesh_.shape(r).area2;
+    if (state.bounds.squared_length_at)
+      for (const auto& r : mesh_.triangles) total_area2_ += mesh_.shape(r).area2;
+    marks_.assign(mesh_.triangles.size(), 0);
     for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) add_triangle(static_cast<Triangle_id>(t));
-    add_facing_edges();
+    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
+      for (int k = 0; k < 3 && marks_[t] != 0; ++k)
+        if (is_narrow(static_cast<Triangle_id>(t), k)) add_facing_edges(static_cast<Triangle_id>(t), k);
   }
 
   double triangles() const {
@@ -70,7 +76,7 @@ public:
 private:
   static constexpr double per_triangle = 1.5;
   static constexpr double per_layer = 3;
-  static constexpr double ordinary_aspect = 8;
+  static constexpr double ordinary_aspect = 8, largest_aspect = 0x1p52;
   static constexpr double per_gap = 2;
   /// By how much more triangles a bound takes above 20.7 degrees.
   static constexpr double per_degree = 0.08;
@@ -86,16 +92,24 @@ private:
   double total_area2_ = 0;
   double of_shapes_ = 0, of_pairs_ = 0, of_sizes_ = 0;
   Pair worst_;
-  std::vector<Side> opposite_; // the constrained sides opposite the apex of a sector
+  std::vector<unsigned char>
+      marks_;                  // per triangle: bit k for a narrow side k, 3 + k for a sector begun there
+  std::vector<Side> opposite_; // the narrow sides opposite the apex of a sector
 
   void add_triangle(Triangle_id t) {
     const auto& r = mesh_.triangle(t);
     const Shape s = mesh_.shape(r);
     int constrained = 0;
-    for (const Side o : r.side) constrained += o.is_constrained() ? 1 : 0;
+    for (int k = 0; k < 3; ++k) {
+      if (!r.side[k].is_constrained()) continue;
+      ++constrained;
+      unsigned char& marks = marks_[std::size_t(t)];
+      if (2 * s.area2 < s.l[k]) marks = static_cast<unsigned char>(marks | 1u << k);
+    }
     of_shapes_ += per_triangle;
     if (constrained < 2 && s.longest() > ordinary_aspect * s.area2) {
-      double aspect = s.longest() / s.area2;
+      // collinear vertices give no area in doubles
+      double aspect = std::min(s.longest() / s.area2, largest_aspect);
       if (least_ > 0) aspect = std::min(aspect, std::max(ordinary_aspect, std::sqrt(s.longest()) / least_));
       of_shapes_ += per_layer * std::log2(std::min(aspect / ordinary_aspect, growth_around(r, s)));
     }
@@ -153,17 +167,36 @@ private:
 
   // ---- edges that face each other
 
-  /// Visits each sector of triangles at each vertex, from one constrained side to the next, once.
-  void add_facing_edges() {
-    for (std::size_t i = 0; i < mesh_.triangles.size(); ++i)
-      for (int k = 0; k < 3; ++k) {
-        const Triangle_id t = static_cast<Triangle_id>(i);
-        const auto& r = mesh_.triangle(t);
-        if (r.side[previous_slot[k]].is_constrained())
-          add_sector(t, k);
-        else if (mesh_.incident_triangle(r.v[k]) == t)
-          add_whole_star(t, k);
+  /// Whether side k of t is constrained and longer than twice its distance to the apex: others are not
+  /// looked at, as what they face is narrower from somewhere else, or costs little.
+  bool is_narrow(Triangle_id t, int k) const { return (marks_[std::size_t(t)] >> k & 1u) != 0; }
+
+  /// Marks the sector that begins at slot k of t; false if it was marked already.
+  bool mark_sector(Triangle_id t, int k) {
+    const unsigned char bit = static_cast<unsigned char>(8u << k);
+    if ((marks_[std::size_t(t)] & bit) != 0) return false;
+    marks_[std::size_t(t)] = static_cast<unsigned char>(marks_[std::size_t(t)] | bit);
+    return true;
+  }
+
+  /// Visits the sector of triangles at v[k] of t, from one constrained side to the next, if it is not yet
+  /// done.
+  void add_facing_edges(Triangle_id t, int k) {
+    const Triangle_id start = t;
+    for (;;) {
+      const Side o = mesh_.triangle(t).side[previous_slot[k]];
+      if (o.is_constrained()) {
+        if (mark_sector(t, k)) add_sector(t, k);
+        return;
       }
+      t = o.triangle();
+      k = previous_slot[o.slot()];
+      if (t == start) break;
+    }
+    const Vertex_id v = mesh_.triangle(t).v[k];
+    t = mesh_.incident_triangle(v);
+    k = Kernel_mesh<Geometry>::slot_of(mesh_.triangle(t), v);
+    if (mark_sector(t, k)) add_whole_star(t, k);
   }
 
   /// The sector that begins at the side from v[k] to v[k + 1] of t.
@@ -173,7 +206,7 @@ private:
     opposite_.clear();
     for (;;) {
       const auto& r = mesh_.triangle(t);
-      if (r.side[k].is_constrained()) opposite_.push_back(Side(t, k));
+      if (is_narrow(t, k)) opposite_.push_back(Side(t, k));
       const Side next = r.side[next_slot[k]];
       if (next.is_constrained()) break;
       t = next.triangle();
@@ -194,9 +227,8 @@ private:
     Triangle_id t = start;
     do {
       const auto& r = mesh_.triangle(t);
-      if (r.side[k].is_constrained()) opposite_.push_back(Side(t, k));
+      if (is_narrow(t, k)) opposite_.push_back(Side(t, k));
       const Side next = r.side[next_slot[k]];
-      if (next.is_constrained()) return;
       t = next.triangle();
       k = next_slot[next.slot()];
     } while (t != start);

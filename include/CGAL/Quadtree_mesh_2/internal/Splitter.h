@@ -65,11 +65,7 @@ public:
     if (mesh_.across(side).is_seam()) return Outcome::deferred;
     const Vertex_id x = mesh_.source(side), y = mesh_.target(side);
     const Edge_id e = state_.edges.carrying(mesh_, x, y);
-    if (e < 0) {
-      const Sector_id s = corners_.sector_of_chord(mesh_, x, y);
-      if (s < 0) return Outcome::refused;
-      return state_.owns(corners_.corner_of(corners_.sector(s))) ? outcome(lower_lock(s)) : Outcome::deferred;
-    }
+    if (e < 0) return split_chord(x, y);
     for (const Leg_id l : corners_.legs_of_edge[std::size_t(e)])
       if (l >= 0 && !state_.owns(corners_.leg(l).corner)) return Outcome::deferred;
     for (const Leg_id l : corners_.legs_of_edge[std::size_t(e)])
@@ -88,10 +84,13 @@ public:
     if (!state_.owns(c)) return Outcome::deferred;
     if (corners_.sector(s).lock_radius == 0) return Outcome::refused;
     const double lock_radius = corners_.sector(s).lock_radius;
+    // only at the ring may vertices stand in for those of the radius; further in the chord is the limit
+    const bool is_at_ring = lock_radius == corners_.corner(c).radius;
+    const double tolerance = is_at_ring ? ring_tolerance(corners_.corner(c)) : 1e-9 * lock_radius;
     double low = lock_radius, high = 0;
     for (const Vertex_id v : r.v) {
       const double radius = shell_radius(s, v);
-      if (radius < 0 || radius > lock_radius + ring_tolerance(corners_.corner(c))) return Outcome::refused;
+      if (radius < 0 || radius > lock_radius + tolerance) return Outcome::refused;
       low = std::min(low, radius), high = std::max(high, radius);
     }
     if (low >= lock_radius) return outcome(lower_lock(s));
@@ -206,6 +205,27 @@ private:
   }
 
   // ---- locks
+
+  /// Moves the lock that the chord x-y is.
+  Outcome split_chord(Vertex_id x, Vertex_id y) {
+    Sector_id locked = -1;
+    bool is_elsewhere = false;
+    corners_.find_sector_of_chord(mesh_, x, y, [&](Sector_id s) {
+      if (!state_.owns(corners_.corner_of(corners_.sector(s))))
+        is_elsewhere = true;
+      else if (is_locked_by(corners_.sector(s), x, y))
+        locked = s;
+      return locked >= 0;
+    });
+    if (locked >= 0) return outcome(lower_lock(locked));
+    return is_elsewhere ? Outcome::deferred : Outcome::refused;
+  }
+
+  bool is_locked_by(const Sector& s, Vertex_id x, Vertex_id y) const {
+    if (s.lock_radius <= 0) return false;
+    const Vertex_id a = vertex_at(s.right, s.lock_radius), b = vertex_at(s.left, s.lock_radius);
+    return (a == x && b == y) || (a == y && b == x);
+  }
 
   /// The largest radius below `radius` at which both legs have a shell vertex; 0 if there is none.
   double shell_below_on_both(const Sector& s, double radius) const {

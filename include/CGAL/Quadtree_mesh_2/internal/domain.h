@@ -7,9 +7,9 @@
 // Restricts the first triangulation to the domain, and labels its components with the input's regions.
 //
 // Components of the plane less the constrained edges are flooded by nesting level: level 0 is what is
-// connected to infinity, level i + 1 what is reached from level i across a constrained edge and is in no lower
-// one (the levels of CGAL's mark_domain_in_triangulation()). The rule of the options then tells which are
-// kept. Holes and regions are located before anything is dropped, so that no walk is blocked. O(n), and a
+// connected to infinity, level i + 1 what is reached from level i across a constrained edge and is in no
+// lower one (the levels of CGAL's mark_domain_in_triangulation()). The rule of the options then tells which
+// are kept. Holes and regions are located before anything is dropped, so that no walk is blocked. O(n), and a
 // walk for each hole and region.
 //
 // From here on the mesh is the domain alone, and no walk leaves it: features behind an outside gap, however
@@ -19,6 +19,8 @@
 #define CGAL_QUADTREE_MESH_2_INTERNAL_DOMAIN_H
 
 #include <CGAL/Quadtree_mesh_2/internal/Kernel_mesh.h>
+#include <CGAL/Quadtree_mesh_2/internal/Place_keys.h>
+#include <CGAL/Quadtree_mesh_2/internal/radix_sort.h>
 #include <CGAL/Quadtree_mesh_2/internal/walk.h>
 #include <CGAL/Quality_mesh_options_2.h>
 
@@ -53,7 +55,7 @@ public:
     if (rule == Rule::MARKED)
       for (std::size_t t = 0; t < is_kept_.size(); ++t)
         is_kept_[t] = level_[t] > 0 && !regions.empty() && mesh_.region_of[t] >= 0;
-    for (const Point& hole : holes) drop_component(triangle_at(hole));
+    for (const Triangle_id t : triangles_at(holes)) drop_component(t);
     drop();
   }
 
@@ -68,9 +70,19 @@ private:
     return rule == Rule::NESTING_PARITY ? level % 2 == 1 : level > 0;
   }
 
-  Triangle_id triangle_at(const Point& p) const {
-    const Walk_end end = locate_exactly(mesh_, Triangle_id(0), p);
-    return end.is_blocked() ? -1 : end.triangle;
+  /// The triangle that holds each point, -1 for none, by walks from one to the next in shuffle order.
+  std::vector<Triangle_id> triangles_at(const std::vector<Point>& points) const {
+    std::vector<Triangle_id> found(points.size(), -1);
+    if (points.empty()) return found;
+    const Place_keys<Geometry> key(mesh_.points);
+    Triangle_id hint = 0;
+    for (const std::uint32_t i :
+         radix_order(points.size(), 1, [&](std::uint32_t p, int) { return key(points[p]) << 32; })) {
+      const Walk_end end = locate_exactly(mesh_, hint, points[i]);
+      hint = end.triangle;
+      if (!end.is_blocked()) found[i] = end.triangle;
+    }
+    return found;
   }
 
   /// Calls `visit(t)` for the triangles that are reached from those on the stack without crossing a
@@ -117,6 +129,7 @@ private:
     mesh_.region_of.clear();
     if (regions.empty()) return;
     mesh_.region_of.assign(mesh_.triangles.size(), -1);
+    const std::vector<Triangle_id> holders = triangles_at(regions);
     for (std::size_t i = 0; i < regions.size(); ++i) {
       const auto visit = [&](Triangle_id t) {
         Region_id& region = mesh_.region_of[std::size_t(t)];
@@ -124,7 +137,7 @@ private:
         region = static_cast<Region_id>(i);
         return true;
       };
-      const Triangle_id first = triangle_at(regions[i]);
+      const Triangle_id first = holders[i];
       if (first < 0 || level_[std::size_t(first)] == 0 || !visit(first)) continue;
       stack_.push_back(first);
       flood(visit, [](Triangle_id) {});

@@ -95,8 +95,8 @@ private:
     while (!mesh_.triangle(t).side[next_slot[i]].is_constrained()) {
       // an acute sector's triangles all begin acute: give up early
       if (!is_below_60(d, direction(apex, mesh_.triangle(t).v[previous_slot[i]]))) return;
-      t = mesh_.triangle(t).side[next_slot[i]].triangle();
-      i = Kernel_mesh<Geometry>::slot_of(mesh_.triangle(t), apex);
+      const Side o = mesh_.triangle(t).side[next_slot[i]];
+      t = o.triangle(), i = next_slot[o.slot()];
     }
     const Vertex_id left = mesh_.triangle(t).v[previous_slot[i]];
     const Vector e = direction(apex, left);

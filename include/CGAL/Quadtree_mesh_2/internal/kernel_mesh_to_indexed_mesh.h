@@ -5,7 +5,7 @@
 // Author(s)     : The Quadtree_mesh_2 authors
 //
 // The kernel's mesh in flat arrays, in the user's coordinates and vertex order, and the report's account of
-// every triangle. O(n).
+// every triangle. O(n), in parallel.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_KERNEL_MESH_TO_INDEXED_MESH_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_KERNEL_MESH_TO_INDEXED_MESH_H
@@ -16,6 +16,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/Meshing_state.h>
 #include <CGAL/Quadtree_mesh_2/internal/boundary_markers.h>
 #include <CGAL/Quadtree_mesh_2/internal/coordinate_map.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/radix_sort.h>
 #include <CGAL/Quality_mesh_report_2.h>
 
@@ -29,34 +30,46 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-template <class Traits>
+template <class Traits, class Concurrency_tag>
 class Kernel_mesh_converter {
 public:
   using Geometry = typename Traits::Meshing_geometry_2;
   using Point_2 = typename Traits::Point_2;
   using Map = Coordinate_map<Traits, Geometry>;
+  using Mesh = Indexed_mesh_2<Point_2>;
 
   Kernel_mesh_converter(const Meshing_state<Geometry>& state, const Pslg_2<Point_2>& pslg, const Map& map,
                         const Order& order, Quality_mesh_report_2& report)
       : state_(state), mesh_(state.mesh), pslg_(pslg), map_(map), order_(order), report_(report) {}
 
-  Indexed_mesh_2<Point_2> run() {
-    Indexed_mesh_2<Point_2> out;
-    number_vertices(out);
+  Mesh run() {
+    Mesh out;
+    make_vertices(out);
     number_triangles();
-    const std::size_t count = mesh_.number_of_triangles();
-    out.triangles.reserve(count), out.neighbors.reserve(count);
-    if (!mesh_.region_of.empty()) out.region_of_triangle.reserve(count);
-    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
-      if (new_triangle_[t].is_valid()) add_triangle(out, static_cast<Triangle_id>(t));
+    out.triangles.resize(number_of_triangles_), out.neighbors.resize(number_of_triangles_);
+    if (!mesh_.region_of.empty()) out.region_of_triangle.resize(number_of_triangles_);
+    std::vector<Part> parts((mesh_.triangles.size() + default_block - 1) / default_block);
+    for_each_block<Concurrency_tag>(mesh_.triangles.size(), default_block,
+                                    [&](std::size_t b, std::size_t begin, std::size_t end) {
+                                      for (std::size_t t = begin; t < end; ++t)
+                                        if (mesh_.is_alive(Triangle_id(t)))
+                                          make_triangle(out, Triangle_id(t), parts[b]);
+                                    });
+    for (const Part& part : parts) join(out, part);
     set_boundary_markers(out, pslg_);
     report_.triangles = out.triangles.size();
-    report_.least_angle_histogram = angles_.least;
-    report_.largest_angle_histogram = angles_.largest;
     return out;
   }
 
 private:
+  /// What a block of triangles adds to lists and sums.
+  struct Part {
+    std::vector<typename Mesh::Constrained_edge> edges;
+    std::vector<Quality_mesh_report_2::Exempt_triangle> exempt;
+    std::vector<Quality_mesh_report_2::Unmet_triangle> unmet;
+    Angle_histogram angles;
+  };
+
   const Meshing_state<Geometry>& state_;
   const Kernel_mesh<Geometry>& mesh_;
   const Pslg_2<Point_2>& pslg_;
@@ -65,65 +78,86 @@ private:
   Quality_mesh_report_2& report_;
   std::vector<Vertex_index> new_vertex_;
   std::vector<Triangle_index> new_triangle_;
-  Angle_histogram angles_;
+  std::size_t number_of_triangles_ = 0;
 
-  void number_vertices(Indexed_mesh_2<Point_2>& out) {
-    const std::size_t n = order_.size();
+  /// Input vertices stay where they are, used or not; Steiner vertices that are used follow.
+  void make_vertices(Mesh& out) {
+    const std::size_t n = order_.size(), all = mesh_.number_of_vertices();
+    const auto is_used = [&](std::size_t v) { return mesh_.is_used(static_cast<Vertex_id>(v)); };
     out.number_of_input_vertices = n;
-    out.points.reserve(mesh_.number_of_vertices()), out.segment_of_vertex.reserve(mesh_.number_of_vertices());
-    out.points = pslg_.vertices;
-    out.segment_of_vertex.assign(n, Segment_index());
-    new_vertex_.resize(mesh_.number_of_vertices());
-    for (std::size_t v = 0; v < mesh_.number_of_vertices(); ++v) {
-      if (v < n) new_vertex_[v] = Vertex_index(order_[v]);
-      if (!mesh_.is_used(static_cast<Vertex_id>(v))) continue;
-      ++report_.vertices;
-      if (v < n) continue;
-      new_vertex_[v] = Vertex_index(out.points.size());
-      out.points.push_back(map_.to_user(mesh_.points[v]));
-      const Edge_id e = mesh_.edge_of[v];
-      out.segment_of_vertex.push_back(e >= 0 ? Segment_index(std::size_t(state_.edges[e].segment))
-                                             : Segment_index());
-    }
+    new_vertex_.resize(all);
+    for_each_index<Concurrency_tag>(n, [&](std::size_t v) { new_vertex_[v] = Vertex_index(order_[v]); });
+    const std::size_t steiner = count_allocate_and_place<Concurrency_tag>(
+        all - n,
+        [&](std::size_t begin, std::size_t end) {
+          std::size_t sum = 0;
+          for (std::size_t i = begin; i < end; ++i) sum += is_used(n + i) ? 1 : 0;
+          return sum;
+        },
+        [&](std::size_t sum) {
+          out.points.reserve(n + sum);
+          out.points = pslg_.vertices;
+          out.points.resize(n + sum);
+          out.segment_of_vertex.resize(n + sum);
+        },
+        [&](std::size_t begin, std::size_t end, std::size_t first) {
+          for (std::size_t v = n + begin; v < n + end; ++v)
+            if (is_used(v)) make_steiner_vertex(out, static_cast<Vertex_id>(v), n + first++);
+        });
+    report_.vertices = steiner;
+    for (std::size_t v = 0; v < n; ++v) report_.vertices += is_used(v) ? 1 : 0;
+  }
+
+  void make_steiner_vertex(Mesh& out, Vertex_id v, std::size_t place) {
+    new_vertex_[std::size_t(v)] = Vertex_index(place);
+    out.points[place] = map_.to_user(mesh_.point(v));
+    if (mesh_.edge(v) >= 0)
+      out.segment_of_vertex[place] = Segment_index(std::size_t(state_.edges[mesh_.edge(v)].segment));
   }
 
   void number_triangles() {
-    new_triangle_.resize(mesh_.triangles.size());
-    std::size_t next = 0;
-    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
-      if (mesh_.is_alive(static_cast<Triangle_id>(t))) new_triangle_[t] = Triangle_index(next++);
+    const std::size_t slots = mesh_.triangles.size();
+    number_of_triangles_ = count_allocate_and_place<Concurrency_tag>(
+        slots,
+        [&](std::size_t begin, std::size_t end) {
+          std::size_t sum = 0;
+          for (std::size_t t = begin; t < end; ++t) sum += mesh_.is_alive(Triangle_id(t)) ? 1 : 0;
+          return sum;
+        },
+        [&](std::size_t) { new_triangle_.resize(slots); },
+        [&](std::size_t begin, std::size_t end, std::size_t first) {
+          for (std::size_t t = begin; t < end; ++t)
+            if (mesh_.is_alive(Triangle_id(t))) new_triangle_[t] = Triangle_index(first++);
+        });
   }
 
-  void add_triangle(Indexed_mesh_2<Point_2>& out, Triangle_id t) {
+  void make_triangle(Mesh& out, Triangle_id t, Part& part) const {
     const auto& r = mesh_.triangle(t);
-    std::array<Vertex_index, 3> v;
-    std::array<Triangle_index, 3> neighbors;
+    const auto place = std::size_t(new_triangle_[std::size_t(t)]);
     for (int k = 0; k < 3; ++k) {
-      v[std::size_t(k)] = new_vertex_[std::size_t(r.v[k])];
+      out.triangles[place][std::size_t(k)] = new_vertex_[std::size_t(r.v[k])];
       const Side o = r.side[k];
-      if (!o.is_border()) neighbors[std::size_t(k)] = new_triangle_[std::size_t(o.triangle())];
-      if (o.is_border() || (o.is_constrained() && t < o.triangle())) add_constrained_edge(out, Side(t, k));
+      if (!o.is_border()) out.neighbors[place][std::size_t(k)] = new_triangle_[std::size_t(o.triangle())];
+      if (o.is_border() || (o.is_constrained() && t < o.triangle())) add_constrained_edge(part, Side(t, k));
     }
-    out.triangles.push_back(v);
-    out.neighbors.push_back(neighbors);
-    if (!mesh_.region_of.empty()) out.region_of_triangle.push_back(mesh_.region(t));
-    account_for(out, t);
+    if (!mesh_.region_of.empty()) out.region_of_triangle[place] = mesh_.region(t);
+    account_for(out, t, part);
   }
 
-  void add_constrained_edge(Indexed_mesh_2<Point_2>& out, Side s) {
+  void add_constrained_edge(Part& part, Side s) const {
     const Vertex_id x = mesh_.source(s), y = mesh_.target(s);
     const Edge_id e = state_.edges.carrying(mesh_, x, y);
     if (e < 0) return;
-    out.constrained_edges.push_back({{new_vertex_[std::size_t(x)], new_vertex_[std::size_t(y)]},
-                                     Segment_index(std::size_t(state_.edges[e].segment))});
+    part.edges.push_back({{new_vertex_[std::size_t(x)], new_vertex_[std::size_t(y)]},
+                          Segment_index(std::size_t(state_.edges[e].segment))});
   }
 
-  void account_for(const Indexed_mesh_2<Point_2>& out, Triangle_id t) {
+  void account_for(const Mesh& out, Triangle_id t, Part& part) const {
     const auto& r = mesh_.triangle(t);
     const Shape s = mesh_.shape(r);
-    angles_.add(s);
+    part.angles.add(s);
     if (!state_.bounds.is_sharp(s) && !state_.is_large(t, s)) return;
-    if (!state_.is_bad(t)) return add_exempt(t);
+    if (!state_.is_bad(t)) return add_exempt(t, part);
     Quality_mesh_report_2::Unmet_triangle unmet{new_triangle_[std::size_t(t)], {0, 0}, 0, reason(t)};
     for (const Vertex_id v : r.v) {
       const Point_2& p = out.points[std::size_t(new_vertex_[std::size_t(v)])];
@@ -132,14 +166,22 @@ private:
     }
     unmet.least_angle =
         std::asin(std::sqrt(std::min(1.0, s.sin2_of_least_angle()))) * 180 / 3.14159265358979323846;
-    report_.unmet_triangles.push_back(unmet);
+    part.unmet.push_back(unmet);
   }
 
-  void add_exempt(Triangle_id t) {
+  void add_exempt(Triangle_id t, Part& part) const {
     const auto& r = mesh_.triangle(t);
     const Sector_id s = state_.corners.sector_of(mesh_, r.v[0], r.v[1], r.v[2]);
     const Vertex_id apex = state_.corners.leg(state_.corners.sector(s).right).apex;
-    report_.exempt_triangles.push_back({new_triangle_[std::size_t(t)], new_vertex_[std::size_t(apex)]});
+    part.exempt.push_back({new_triangle_[std::size_t(t)], new_vertex_[std::size_t(apex)]});
+  }
+
+  void join(Mesh& out, const Part& part) {
+    const auto append = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
+    append(out.constrained_edges, part.edges);
+    append(report_.exempt_triangles, part.exempt);
+    append(report_.unmet_triangles, part.unmet);
+    part.angles.add_to(report_.least_angle_histogram, report_.largest_angle_histogram);
   }
 
   /// Why a bad triangle was left.

@@ -40,6 +40,9 @@ inline double dot(Vector a, Vector b) { return a.x * b.x + a.y * b.y; }
 inline double cross(Vector a, Vector b) { return a.x * b.y - a.y * b.x; }
 inline double squared_length(Vector a) { return dot(a, a); }
 
+/// The greatest power of two that is at most x, positive; the same on every machine.
+inline double power_of_two_at_most(double x) { return std::ldexp(1.0, std::ilogb(x)); }
+
 /// Squared side lengths of a triangle (`l[k]` opposite vertex k) and its doubled signed area.
 struct Shape {
   double l[3];

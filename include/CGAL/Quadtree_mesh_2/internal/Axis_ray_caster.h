@@ -1,0 +1,217 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+
+// Rays from the vertices of a graph to the first segment that they hit.
+//
+// Computes: the first segment, not incident to its vertex, that an axis-parallel ray hits, and the distance.
+// Bound:    O(1) for each leaf on the way and for each segment listed there. Neither is bounded by a
+//           constant: a ray may pass many leaves before it hits, and long segments may be listed in many of
+//           them.
+// Method:   From leaf to leaf by cross pointers, in the row (or column) of the ray's grid points, which are
+//           known without rounding. A hit point lies in a leaf on the way and its segment is listed there. So
+//           the walk ends with the first leaf before whose far side there certainly is a hit; if that is
+//           uncertain it goes on, which costs time and changes nothing.
+//
+// Whether a ray hits is decided by exact predicates. Which hit is nearer is decided by intervals, and by
+// rational numbers where these overlap.
+
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_AXIS_RAY_CASTER_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_AXIS_RAY_CASTER_H
+
+#include <CGAL/Quadtree_mesh_2/Direction.h>
+#include <CGAL/Quadtree_mesh_2/internal/Leaf_segments.h>
+#include <CGAL/Quadtree_mesh_2/internal/Point_arithmetic.h>
+#include <CGAL/Quadtree_mesh_2/vertex_edge_neighbor_types.h>
+#include <CGAL/assertions.h>
+
+#include <cmath>
+#include <limits>
+
+namespace CGAL {
+namespace Quadtree_mesh_2 {
+namespace internal {
+
+template <class Tree, class Graph>
+class Axis_ray_caster {
+  using Point = typename Tree::Point_2;
+  using Arithmetic = Point_arithmetic<Point>;
+  using Exact = typename Arithmetic::Exact;
+  using Grid_point = typename Tree::Grid_point;
+
+public:
+  struct Ray {
+    Vertex_index vertex;
+    Direction direction;
+
+    int axis() const { return step_y(direction) == 0 ? 0 : 1; }
+    int sign() const { return step_x(direction) + step_y(direction); }
+  };
+
+  /// A segment that a ray hits, at a distance in an interval.
+  struct Hit {
+    Segment_index segment;
+    Interval distance = Interval(0);
+    double reach = 0; ///< the coordinate along the ray where that ends, or one beyond
+  };
+
+  Axis_ray_caster(const Tree& tree, const Leaf_segments& lists, const Graph& graph)
+      : tree_(tree), lists_(lists), graph_(graph) {}
+
+  /// The first hit; that of the least index if there are several at the same distance; none if there is none.
+  Hit first_hit(const Ray& ray) const {
+    const auto rank = tree_.framework().rank(Point_index(ray.vertex.value()));
+    const Grid_point& g = tree_.framework().grid_point(rank);
+    Hit best;
+    for (Node_index v = tree_.node(tree_.leaf(rank)); v.is_valid(); v = next_leaf(v, g, ray)) {
+      for (const Segment_index s : lists_[tree_.leaf(v)]) try_segment(ray, s, best);
+      if (best.segment.is_valid() && is_before_far_side(ray, best, v)) break;
+    }
+    return best;
+  }
+
+  /// The sign of the difference of the distances of two hits of rays from the same vertex; exact.
+  int compare(const Ray& r, const Hit& a, const Ray& q, const Hit& b) const {
+    return compare_filtered(a.distance, b.distance, [&] {
+      const Exact d = distance<Exact>(r, a.segment), e = distance<Exact>(q, b.segment);
+      return d < e ? -1 : e < d ? 1 : 0;
+    });
+  }
+
+  /// The distance of a hit, rounded.
+  double rounded_distance(const Ray& ray, const Hit& hit) const {
+    if (!hit.segment.is_valid()) return std::numeric_limits<double>::infinity();
+    const Interval& d = hit.distance;
+    if (d.is_point()) return d.inf();
+    return is_narrow(d) ? d.inf() + (d.sup() - d.inf()) / 2
+                        : CGAL::to_double(distance<Exact>(ray, hit.segment));
+  }
+
+private:
+  const Tree& tree_;
+  const Leaf_segments& lists_;
+  const Graph& graph_;
+
+  /// Where the ends of a segment are, seen from the ray: signs of the distance across it, and along it.
+  struct Ends {
+    const Point &a, &b;
+    int across_a, across_b, along_a, along_b;
+  };
+
+  Ends ends(const Ray& ray, Segment_index s) const {
+    const Point& v = graph_.point(ray.vertex);
+    const auto& segment = graph_.segments[std::size_t(s)];
+    const Point &a = graph_.point(segment[0]), &b = graph_.point(segment[1]);
+    const int axis = ray.axis();
+    return {a,
+            b,
+            Arithmetic::compare(a, v, 1 - axis),
+            Arithmetic::compare(b, v, 1 - axis),
+            ray.sign() * Arithmetic::compare(a, v, axis),
+            ray.sign() * Arithmetic::compare(b, v, axis)};
+  }
+
+  enum class Meeting { NONE, AT_VERTEX, AHEAD };
+
+  Meeting meeting(const Ray& ray, const Ends& e) const {
+    if (e.across_a * e.across_b > 0 || (e.along_a < 0 && e.along_b < 0)) return Meeting::NONE;
+    const bool is_incident = (e.across_a == 0 && e.along_a == 0) || (e.across_b == 0 && e.along_b == 0);
+    if (is_incident) return Meeting::NONE;
+    if (e.across_a == 0 && e.across_b == 0)
+      return e.along_a * e.along_b < 0 ? Meeting::AT_VERTEX : Meeting::AHEAD;
+    if (e.across_a == 0) return e.along_a > 0 ? Meeting::AHEAD : Meeting::NONE;
+    if (e.across_b == 0) return e.along_b > 0 ? Meeting::AHEAD : Meeting::NONE;
+    const int turn = Arithmetic::orientation(e.a, e.b, graph_.point(ray.vertex));
+    // A segment upwards has the vertex to the left if it crosses the line to the east; one to the right has
+    // it to the left if it crosses below.
+    const int side = turn * e.across_b * ray.sign() * (ray.axis() == 0 ? 1 : -1);
+    return side > 0 ? Meeting::AHEAD : side == 0 ? Meeting::AT_VERTEX : Meeting::NONE;
+  }
+
+  void try_segment(const Ray& ray, Segment_index s, Hit& best) const {
+    if (s == best.segment) return;
+    if (best.segment.is_valid() && is_beyond(ray, s, best.reach)) return;
+    const Meeting m = meeting(ray, ends(ray, s));
+    if (m == Meeting::NONE) return;
+    Hit hit;
+    hit.segment = s;
+    if (m == Meeting::AHEAD) {
+      Interval::Protector protector;
+      hit.distance = distance<Interval>(ray, s);
+    }
+    const int c = best.segment.is_valid() ? compare(ray, hit, ray, best) : -1;
+    if (c > 0 || (c == 0 && !(s < best.segment))) return;
+    best = hit;
+    const std::pair<double, double> from = Arithmetic::bounds(graph_.point(ray.vertex), ray.axis());
+    best.reach =
+        ray.sign() > 0 ? after(from.second + hit.distance.sup()) : before(from.first - hit.distance.sup());
+  }
+
+  /// Whether both ends of a segment are further along than a coordinate: what most segments of a long list
+  /// need not be asked more than.
+  bool is_beyond(const Ray& ray, Segment_index s, double coordinate) const {
+    const auto& segment = graph_.segments[std::size_t(s)];
+    const std::pair<double, double> a = Arithmetic::bounds(graph_.point(segment[0]), ray.axis());
+    const std::pair<double, double> b = Arithmetic::bounds(graph_.point(segment[1]), ray.axis());
+    return ray.sign() > 0 ? a.first > coordinate && b.first > coordinate
+                          : a.second < coordinate && b.second < coordinate;
+  }
+
+  /// The distance of a segment that the ray hits.
+  template <class Number>
+  Number distance(const Ray& ray, Segment_index s) const {
+    const Ends e = ends(ray, s);
+    if (meeting(ray, e) == Meeting::AT_VERTEX) return Number(0);
+    const Point& v = graph_.point(ray.vertex);
+    const int axis = ray.axis();
+    const auto to_end = [&](const Point& end) {
+      return Number(CGAL::abs(Arithmetic::template difference<Number>(end, v, axis)));
+    };
+    if (e.across_a == 0 && e.across_b == 0) return least(to_end(e.a), to_end(e.b));
+    if (e.across_a == 0) return to_end(e.a);
+    if (e.across_b == 0) return to_end(e.b);
+    const auto from_vertex = [&](const Point& end, int i) {
+      return Arithmetic::template difference<Number>(end, v, i);
+    };
+    const Number ax = from_vertex(e.a, 0), ay = from_vertex(e.a, 1), bx = from_vertex(e.b, 0),
+                 by = from_vertex(e.b, 1);
+    const Number height = Arithmetic::template difference<Number>(e.b, e.a, 1 - axis);
+    return Number(CGAL::abs(Number((ax * by - ay * bx) / height)));
+  }
+
+  /// Whether the hit certainly lies before the side by which the ray leaves a leaf.
+  bool is_before_far_side(const Ray& ray, const Hit& hit, Node_index leaf) const {
+    if (hit.distance.sup() == 0) return true;
+    const std::pair<double, double> from = Arithmetic::bounds(graph_.point(ray.vertex), ray.axis());
+    const auto corners = tree_.corners(leaf);
+    const std::pair<double, double> side = Arithmetic::bounds(corners[ray.sign() > 0 ? 2 : 0], ray.axis());
+    // The corner may have been rounded, and the difference is.
+    const double least_side =
+        ray.sign() > 0 ? before(before(side.first) - from.second) : before(from.first - after(side.second));
+    return hit.distance.sup() < least_side;
+  }
+  static double before(double v) { return std::nextafter(v, -std::numeric_limits<double>::infinity()); }
+  static double after(double v) { return std::nextafter(v, std::numeric_limits<double>::infinity()); }
+
+  /// The leaf after `leaf` in the row or column of `g`, invalid outside the root.
+  Node_index next_leaf(Node_index leaf, const Grid_point& g, const Ray& ray) const {
+    Node_index v = tree_.neighbor(leaf, ray.direction);
+    if (!v.is_valid() || tree_.is_leaf(v)) return v;
+    using Operations = Word_operations<typename Tree::Word>;
+    const int depth = tree_.framework().grid().depth();
+    for (int bit = depth - 1 - tree_.level(v); !tree_.is_leaf(v); --bit) {
+      const int near = ray.sign() > 0 ? 0 : 1;
+      v = ray.axis() == 0 ? tree_.child(v, 2 * near + Operations::bit(g.y, bit))
+                          : tree_.child(v, 2 * Operations::bit(g.x, bit) + near);
+    }
+    return v;
+  }
+};
+
+} // namespace internal
+} // namespace Quadtree_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_AXIS_RAY_CASTER_H

@@ -1,0 +1,64 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+
+#ifndef CGAL_QUADTREE_MESH_2_VERTEX_EDGE_NEIGHBOR_TYPES_H
+#define CGAL_QUADTREE_MESH_2_VERTEX_EDGE_NEIGHBOR_TYPES_H
+
+#include <CGAL/Quadtree_mesh_2/Index.h>
+
+#include <cstddef>
+#include <limits>
+
+namespace CGAL {
+
+/// What models of `VertexEdgeNeighbors_2` answer: a segment of a graph, and how far it is from a vertex.
+struct Vertex_edge_neighbor_2 {
+  /// Invalid if there is none.
+  Quadtree_mesh_2::Segment_index segment;
+  /// In the unit of coordinates, with a relative error below 2^-40; infinite if there is none.
+  double distance = std::numeric_limits<double>::infinity();
+
+  bool exists() const { return segment.is_valid(); }
+};
+
+/// The nearest vertex or segment in a sector at a vertex. One of the indices is valid, or none if the sector
+/// is empty.
+struct Sector_neighbor_2 {
+  Quadtree_mesh_2::Vertex_index vertex;
+  Quadtree_mesh_2::Segment_index segment;
+  /// As for `Vertex_edge_neighbor_2`.
+  double distance = std::numeric_limits<double>::infinity();
+
+  bool exists() const { return vertex.is_valid() || segment.is_valid(); }
+};
+
+/// Options of `Quadtree_vertex_edge_neighbors_2`; each setter returns the options, so that calls can be
+/// chained. They change the time that queries take, never the answers.
+class Vertex_edge_neighbors_options_2 {
+public:
+  /// A leaf is split while more segments than this meet it without ending in it; 64 by default.
+  Vertex_edge_neighbors_options_2& max_segments_per_leaf(std::size_t n) {
+    max_segments_per_leaf_ = n;
+    return *this;
+  }
+  std::size_t max_segments_per_leaf() const { return max_segments_per_leaf_; }
+
+  /// How often leaves are halved at most for the sake of `max_segments_per_leaf()`, 0 by default: it did not
+  /// pay on any input measured (doc/quadtrees.md). Each time may double the total length of the lists.
+  Vertex_edge_neighbors_options_2& max_refinements(int n) {
+    max_refinements_ = n;
+    return *this;
+  }
+  int max_refinements() const { return max_refinements_; }
+
+private:
+  std::size_t max_segments_per_leaf_ = 64;
+  int max_refinements_ = 0;
+};
+
+} // namespace CGAL
+
+#endif // CGAL_QUADTREE_MESH_2_VERTEX_EDGE_NEIGHBOR_TYPES_H

@@ -1,0 +1,81 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+
+#include "catch.h"
+#include "random_pslg_shapes.h"
+
+#include <CGAL/Quality_mesher_2.h>
+#include <CGAL/find_pslg_defects.h>
+#include <CGAL/mesh_quality_2.h>
+
+#include <cstdint>
+#include <cstdlib>
+#include <exception>
+#include <string>
+#include <vector>
+
+namespace {
+
+using random_pslg::Family;
+using random_pslg::Pslg;
+
+/// What is wrong with the mesh of `pslg` for a bound that is promised to be met; empty if nothing is.
+std::string fault_of_mesh(const Pslg& pslg, double min_angle) try {
+  CGAL::Quality_mesher_2<> mesher(CGAL::Quality_mesh_options_2().min_angle(min_angle));
+  const auto mesh = mesher(pslg);
+  const auto quality = CGAL::mesh_quality_2(mesh, pslg, CGAL::Mesh_quality_options_2().min_angle(min_angle));
+  if (!quality.is_valid()) return "invalid: " + quality.errors.front();
+  if (!quality.is_met()) return "unmet triangles: " + std::to_string(quality.unmet_triangles.size());
+  if (!mesher.report().is_met()) return "unmet triangles in the report alone";
+  if (mesher.report().exempt_triangles != quality.exempt_triangles) return "exempt triangles miscounted";
+  return {};
+} catch (const std::exception& error) {
+  return std::string("exception: ") + error.what();
+}
+
+void check_seeds(std::uint64_t first, std::uint64_t last) {
+  const std::vector<Family> families = random_pslg::all_families();
+  for (std::uint64_t i = first; i < last; ++i) {
+    const Family& family = families[i % families.size()];
+    const std::uint64_t seed = i / families.size();
+    // Seeds of one family take turns, too.
+    const double min_angle = seed % 2 == 0 ? 20.7 : 18.43;
+    const std::string name = family.name;
+    CAPTURE(name, seed, min_angle);
+    const std::string fault = fault_of_mesh(family.make(seed), min_angle);
+    CHECK(fault.empty());
+    if (!fault.empty()) WARN(name << ", seed " << seed << ", " << min_angle << " degrees: " << fault);
+  }
+}
+
+/// A number from the environment.
+std::uint64_t number_from_environment(const char* name, std::uint64_t otherwise) {
+  const char* const text = std::getenv(name);
+  return text == nullptr ? otherwise : std::strtoull(text, nullptr, 10);
+}
+
+} // namespace
+
+TEST_CASE("Random inputs of all families are planar", "[mesher]") {
+  for (const Family& family : random_pslg::all_families())
+    for (std::uint64_t seed = 0; seed < 25; ++seed) {
+      CAPTURE(family.name, seed);
+      const Pslg pslg = family.make(seed);
+      CHECK(pslg.number_of_vertices() < 2000);
+      for (const CGAL::Pslg_defect_2& defect : CGAL::find_pslg_defects(pslg))
+        CHECK(defect.kind != CGAL::Pslg_defect_kind_2::CROSSING_SEGMENTS);
+    }
+}
+
+TEST_CASE("Some random inputs of every family are meshed to the bound", "[mesher]") {
+  check_seeds(0, 25 * random_pslg::all_families().size());
+}
+
+/// QUADTREE_MESH_SOAK says how many inputs, QUADTREE_MESH_SOAK_FIRST where to begin.
+TEST_CASE("Ten thousand random inputs are meshed to the bound", "[mesher][soak][.slow]") {
+  const std::uint64_t first = number_from_environment("QUADTREE_MESH_SOAK_FIRST", 0);
+  check_seeds(first, first + number_from_environment("QUADTREE_MESH_SOAK", 10000));
+}

@@ -1,0 +1,379 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+
+// Vertex-edge neighbours against brute force with exact intersections: every segment for every ray and
+// sector.
+
+#include "catch.h"
+#include "pslg_test_tools.h"
+#include "random_pslg.h"
+#include "vertex_edge_brute_force.h"
+
+#include <CGAL/Exact_quadtree_traits_2.h>
+#include <CGAL/Filtered_quadtree_traits_2.h>
+#include <CGAL/Fixed_point_quadtree_traits_2.h>
+#include <CGAL/IO/read_triangle_files.h>
+#include <CGAL/Quadtree_vertex_edge_neighbors_2.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#endif
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+using namespace vertex_edge_test;
+using CGAL::Quadtree_vertex_edge_neighbors_2;
+using CGAL::Sector_neighbor_2;
+using CGAL::Vertex_edge_neighbor_2;
+using CGAL::Vertex_edge_neighbors_options_2;
+
+namespace {
+
+using Filtered_traits = CGAL::Filtered_quadtree_traits_2<>;
+using Exact_traits = CGAL::Exact_quadtree_traits_2<>;
+using Fixed_32_traits = CGAL::Fixed_point_quadtree_traits_2<std::uint32_t>;
+using Fixed_64_traits = CGAL::Fixed_point_quadtree_traits_2<std::uint64_t>;
+
+/// The same graph with points of other traits: rounded to words, or divided by 3.
+template <class Traits>
+CGAL::Pslg_2<typename Traits::Point_2> converted(const random_pslg::Pslg& from) {
+  using Point = typename Traits::Point_2;
+  CGAL::Pslg_2<Point> to;
+  to.segments = from.segments;
+  if constexpr (std::is_same<Point, random_pslg::Point>::value) {
+    to.vertices = from.vertices;
+  } else if constexpr (std::is_same<Point, EP>::value) {
+    for (const auto& p : from.vertices) to.add_vertex(EP(FT(p.x()) / 3, FT(p.y()) / 3));
+  } else if (!from.vertices.empty()) {
+    const auto scale = CGAL::Fixed_point_scale_2<typename Traits::Word>::of_points(from.vertices);
+    for (const auto& p : from.vertices) to.add_vertex(scale.to_fixed(p.x(), p.y()));
+  }
+  return to;
+}
+
+void check_distance(double found, const Nearest& expected) {
+  const double d = expected.distance();
+  if (std::isinf(d) || d == 0)
+    REQUIRE(found == d);
+  else
+    REQUIRE(std::fabs(found - d) <= 1e-12 * d);
+}
+
+/// At most `n` vertices, spread evenly.
+template <class Pslg>
+std::vector<Vertex_index> sample(const Pslg& pslg, std::size_t n) {
+  const std::size_t step = std::max<std::size_t>(1, pslg.number_of_vertices() / n);
+  std::vector<Vertex_index> result;
+  for (std::size_t i = 0; i < pslg.number_of_vertices(); i += step) result.push_back(Vertex_index(i));
+  return result;
+}
+
+template <class Neighbors>
+void check_rays(const Neighbors& neighbors, const Brute_force& brute_force, Vertex_index v) {
+  CAPTURE(v.value());
+  for (const Direction d : axis_directions) {
+    const Vertex_edge_neighbor_2 hit = neighbors.first_hit(v, d);
+    const Nearest expected = brute_force.first_hit(v, d);
+    CAPTURE(static_cast<int>(d), hit.distance, expected.distance());
+    REQUIRE(hit.segment == expected.segment);
+    check_distance(hit.distance, expected);
+  }
+  const Nearest expected = brute_force.nearest_hit(v);
+  REQUIRE(neighbors.nearest_hit(v).segment == expected.segment);
+  check_distance(neighbors.nearest_hit(v).distance, expected);
+}
+
+/// f <= min(V, H) <= sqrt(2) f.
+template <class Neighbors>
+void check_lemma_5(const Neighbors& neighbors, const Brute_force& brute_force, Vertex_index v) {
+  const double to_vertex = brute_force.nearest_vertex(v).distance();
+  const double to_segment = brute_force.nearest_segment(v).distance();
+  const double hit = neighbors.nearest_hit(v).distance;
+  const double f = std::min(to_vertex, to_segment), found = std::min(to_vertex, hit);
+  REQUIRE(hit >= to_segment * (1 - 1e-12));
+  REQUIRE(f * (1 - 1e-12) <= found);
+  REQUIRE((std::isinf(f) || found <= std::sqrt(2.0) * f * (1 + 1e-12)));
+}
+
+/// All sectors below 180 degrees between two segments at v, neighbours around v or not.
+template <class Neighbors, class Pslg>
+std::size_t check_sectors(const Neighbors& neighbors, const Brute_force& brute_force, const Pslg& pslg,
+                          Vertex_index v) {
+  std::vector<std::pair<Segment_index, Vertex_index>> legs;
+  for (std::size_t i = 0; i < pslg.segments.size() && legs.size() < 12; ++i)
+    for (int k = 0; k < 2; ++k)
+      if (brute_force.point(pslg.segments[i][std::size_t(k)]) == brute_force.point(v))
+        legs.emplace_back(Segment_index(i), pslg.segments[i][std::size_t(1 - k)]);
+  std::size_t n = 0;
+  for (const auto& r : legs)
+    for (const auto& l : legs) {
+      if (CGAL::orientation(brute_force.point(v), brute_force.point(r.second), brute_force.point(l.second)) !=
+          CGAL::LEFT_TURN)
+        continue;
+      ++n;
+      const Nearest expected = brute_force.nearest_in_sector(v, r.second, l.second);
+      const Sector_neighbor_2 found = neighbors.nearest_in_sector(v, r.first, l.first);
+      CAPTURE(v.value(), r.first.value(), l.first.value(), found.distance, expected.distance());
+      REQUIRE(found.vertex == expected.vertex);
+      REQUIRE(found.segment == expected.segment);
+      check_distance(found.distance, expected);
+      if (!found.exists() || found.distance == 0) continue;
+      REQUIRE(neighbors.clear_radius(v, r.first, l.first, found.distance * 0.99) == found.distance * 0.99);
+      REQUIRE_FALSE(neighbors.nearest_in_sector(v, r.first, l.first, found.distance * 0.99).exists());
+      REQUIRE(neighbors.clear_radius(v, r.first, l.first, found.distance * 1.01) == found.distance);
+    }
+  return n;
+}
+
+template <class Traits>
+std::size_t check_graph(const random_pslg::Pslg& graph, std::size_t vertices) {
+  const auto pslg = converted<Traits>(graph);
+  const Brute_force brute_force(pslg);
+  const Quadtree_vertex_edge_neighbors_2<Traits> neighbors(pslg);
+  std::size_t sectors = 0;
+  for (const Vertex_index v : sample(pslg, vertices)) {
+    check_rays(neighbors, brute_force, v);
+    check_lemma_5(neighbors, brute_force, v);
+    sectors += check_sectors(neighbors, brute_force, pslg, v);
+  }
+  return sectors;
+}
+
+template <class Traits>
+void check_families(std::uint64_t seeds, std::size_t vertices) {
+  std::size_t sectors = 0;
+  for (const auto& family : random_pslg::families())
+    for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+      CAPTURE(family.name, seed);
+      sectors += check_graph<Traits>(family.make(seed), vertices);
+    }
+  REQUIRE(sectors > 100);
+}
+
+/// All answers about rays, as numbers.
+template <class Neighbors>
+std::vector<double> answers(const Neighbors& neighbors) {
+  std::vector<double> result;
+  for (std::size_t i = 0; i < neighbors.pslg().number_of_vertices(); ++i) {
+    for (const Direction d : axis_directions) {
+      const Vertex_edge_neighbor_2& hit = neighbors.first_hit(Vertex_index(i), d);
+      result.push_back(hit.segment.value());
+      result.push_back(hit.distance);
+    }
+    result.push_back(neighbors.nearest_hit(Vertex_index(i)).segment.value());
+  }
+  return result;
+}
+
+random_pslg::Pslg read_map(const std::string& name) {
+  random_pslg::Pslg pslg;
+  CGAL::IO::read_triangle_poly(pslg_test::data_file(name), pslg);
+  return pslg;
+}
+
+using pslg_test::make_pslg;
+using Neighbors = Quadtree_vertex_edge_neighbors_2<Filtered_traits>;
+
+void check_hit(const Vertex_edge_neighbor_2& hit, std::size_t segment, double distance) {
+  REQUIRE(hit.segment == Segment_index(segment));
+  REQUIRE(hit.distance == distance);
+}
+
+} // namespace
+
+TEST_CASE("rays and sectors against brute force, doubles", "[neighbors]") {
+  check_families<Filtered_traits>(is_full_run() ? 40 : 3, is_full_run() ? 200 : 15);
+}
+TEST_CASE("rays and sectors against brute force, exact numbers", "[neighbors]") {
+  check_families<Exact_traits>(is_full_run() ? 20 : 2, is_full_run() ? 100 : 8);
+}
+TEST_CASE("rays and sectors against brute force, 32-bit words", "[neighbors]") {
+  check_families<Fixed_32_traits>(is_full_run() ? 20 : 2, is_full_run() ? 100 : 12);
+}
+TEST_CASE("rays and sectors against brute force, 64-bit words", "[neighbors]") {
+  check_families<Fixed_64_traits>(is_full_run() ? 20 : 2, is_full_run() ? 100 : 12);
+}
+
+TEST_CASE("what a ray hits: ends, segments along it, ties", "[neighbors]") {
+  // Segments 0 and 1 meet in (2, 0); 2 lies on the ray to the east; 3 and 4 cross at (0, 1).
+  const auto pslg = make_pslg<double>(
+      {{0, 0}, {2, 0}, {3, 1}, {2, -1}, {4, 0}, {5, 0}, {-1, 0}, {1, 2}, {1, 0.5}, {-1, 1.5}},
+      {{1, 2}, {3, 1}, {4, 5}, {6, 7}, {8, 9}});
+  const Neighbors neighbors(pslg);
+  const Vertex_index origin(0);
+  check_hit(neighbors.first_hit(origin, Direction::EAST), 0, 2);
+  check_hit(neighbors.first_hit(origin, Direction::NORTH), 3, 1);
+  check_hit(neighbors.first_hit(origin, Direction::WEST), 3, 1);
+  REQUIRE_FALSE(neighbors.first_hit(origin, Direction::SOUTH).exists());
+  REQUIRE(neighbors.first_hit(origin, Direction::SOUTH).distance == infinity);
+  check_hit(neighbors.nearest_hit(origin), 3, 1);
+  check_hit(neighbors.first_hit(Vertex_index(1), Direction::EAST), 2, 2);
+  check_hit(neighbors.first_hit(Vertex_index(5), Direction::WEST), 0, 3);
+}
+
+TEST_CASE("vertices on segments and equal vertices", "[neighbors]") {
+  // Vertex 2 is inside segments 0 and 1 (which overlap), 3 equals vertex 0, 4 equals 2 and has a segment.
+  const auto pslg = make_pslg<double>({{0, 0}, {4, 0}, {1, 0}, {0, 0}, {1, 0}, {1, 3}, {3, 0}},
+                                      {{1, 6}, {0, 1}, {3, 6}, {4, 5}});
+  const Neighbors neighbors(pslg);
+  for (const Direction d : axis_directions)
+    for (const std::size_t v : {2, 4}) check_hit(neighbors.first_hit(Vertex_index(v), d), 1, 0);
+  for (const Direction d : axis_directions)
+    for (const auto& pair : {std::make_pair(0, 3), std::make_pair(2, 4)})
+      REQUIRE(neighbors.first_hit(Vertex_index(std::size_t(pair.first)), d).segment ==
+              neighbors.first_hit(Vertex_index(std::size_t(pair.second)), d).segment);
+  check_hit(neighbors.first_hit(Vertex_index(0), Direction::EAST), 3, 1);
+  check_hit(neighbors.first_hit(Vertex_index(3), Direction::EAST), 3, 1);
+}
+
+TEST_CASE("graphs of almost nothing", "[neighbors]") {
+  for (std::size_t n : {0, 1, 5}) {
+    random_pslg::Pslg pslg;
+    for (std::size_t i = 0; i < n; ++i)
+      pslg.add_vertex({static_cast<double>(i % 4), static_cast<double>(i / 2)});
+    const Neighbors neighbors(pslg);
+    for (std::size_t i = 0; i < n; ++i) {
+      REQUIRE_FALSE(neighbors.nearest_hit(Vertex_index(i)).exists());
+      REQUIRE(neighbors.nearest_hit(Vertex_index(i)).distance == infinity);
+    }
+  }
+  // A segment between equal vertices is a point.
+  const auto point = make_pslg<double>({{0, 0}, {2, 0}, {2, 0}}, {{1, 2}});
+  const Neighbors neighbors(point);
+  check_hit(neighbors.nearest_hit(Vertex_index(0)), 0, 2);
+  REQUIRE_FALSE(neighbors.nearest_hit(Vertex_index(1)).exists());
+}
+
+TEST_CASE("lattices of segments have ties everywhere", "[neighbors]") {
+  random_pslg::Pslg pslg;
+  const std::size_t n = 9;
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = 0; j < n; ++j) pslg.add_vertex({static_cast<double>(i), static_cast<double>(j)});
+  const auto vertex = [](std::size_t i, std::size_t j) { return Vertex_index(i * n + j); };
+  for (std::size_t i = 0; i + 1 < n; ++i)
+    for (std::size_t j = 0; j + 1 < n; ++j) {
+      if ((i + j) % 3 == 0) pslg.add_segment(vertex(i, j), vertex(i, j + 1));
+      if ((i * j) % 2 == 0) pslg.add_segment(vertex(i, j), vertex(i + 1, j));
+      if ((i + 2 * j) % 5 < 2) pslg.add_segment(vertex(i + 1, j), vertex(i, j + 1));
+      if ((i + 2 * j) % 7 == 0) pslg.add_segment(vertex(i, j), vertex(i + 1, j + 1)); // may cross
+      if (i + 3 < n && j % 4 == 1) pslg.add_segment(vertex(i, j), vertex(i + 3, j));  // overlaps
+    }
+  check_graph<Filtered_traits>(pslg, 1000);
+  check_graph<Exact_traits>(pslg, 20);
+  check_graph<Fixed_32_traits>(pslg, 1000);
+  check_graph<Fixed_64_traits>(pslg, 1000);
+}
+
+TEST_CASE("long segments that cross and share leaves", "[neighbors]") {
+  random_pslg::Random random(5);
+  random_pslg::Pslg pslg;
+  for (int i = 0; i < 60; ++i) {
+    pslg.add_vertex({random.between(-1, -0.99), random.between(-1, 1)});
+    pslg.add_vertex({random.between(0.99, 1), random.between(-1, 1)});
+    pslg.add_segment(Vertex_index(pslg.number_of_vertices() - 2),
+                     Vertex_index(pslg.number_of_vertices() - 1));
+    pslg.add_vertex({random.between(-1, 1), random.between(-1, 1)});
+  }
+  check_graph<Filtered_traits>(pslg, 1000);
+  check_graph<Fixed_64_traits>(pslg, 60);
+}
+
+TEST_CASE("vertices that only exact numbers tell apart", "[neighbors]") {
+  // A wedge whose size is 2^-900, next to others of size 1, around a point that is no double.
+  CGAL::Pslg_2<EP> pslg;
+  const FT third = FT(1) / FT(3);
+  for (const FT& size : {FT(1), FT(std::ldexp(1.0, -300)), FT(std::ldexp(1.0, -900))}) {
+    const std::size_t first = pslg.number_of_vertices();
+    for (const auto& p : {EP(2, 1), EP(1, 2), EP(3, 3), EP(2, 5)})
+      pslg.add_vertex(EP(third + size * p.x(), third + size * p.y()));
+    for (std::size_t i = 0; i < 3; ++i) pslg.add_segment(Vertex_index(first), Vertex_index(first + i + 1));
+    pslg.add_segment(Vertex_index(first + 1), Vertex_index(first + 2));
+  }
+  const Brute_force brute_force(pslg);
+  const Quadtree_vertex_edge_neighbors_2<Exact_traits> neighbors(pslg);
+  for (const Vertex_index v : sample(pslg, 100)) {
+    for (const Direction d : axis_directions) {
+      const Nearest expected = brute_force.first_hit(v, d);
+      const Vertex_edge_neighbor_2 hit = neighbors.first_hit(v, d);
+      REQUIRE(hit.segment == expected.segment);
+      if (hit.exists()) REQUIRE(hit.distance > 0);
+    }
+  }
+  // The second segment at vertex 8 lies in the sector between the first and the third one's far neighbours.
+  const double tiny = neighbors.clear_radius(Vertex_index(8), Segment_index(9), Segment_index(8));
+  const Nearest expected = brute_force.nearest_in_sector(Vertex_index(8), Vertex_index(10), Vertex_index(9));
+  REQUIRE(expected.exists());
+  const FT found(tiny);
+  REQUIRE(found * found <= expected.squared_distance * FT(1 + 1e-11));
+  REQUIRE(found * found >= expected.squared_distance * FT(1 - 1e-11));
+}
+
+TEST_CASE("points finer than the corners of leaves", "[neighbors]") {
+  // Near the axes doubles are finer than far from them: corners of leaves are rounded there.
+  random_pslg::Random random(3);
+  random_pslg::Pslg pslg;
+  for (int i = 0; i < 120; ++i) {
+    const double tiny = std::ldexp(random.between(-1, 1), -50),
+                 one = 1 + std::ldexp(random.integer(0, 40), -52);
+    pslg.add_vertex(i % 2 == 0 ? random_pslg::Point(tiny, one) : random_pslg::Point(one, tiny));
+    if (i % 3 > 0 && i >= 2) pslg.add_segment(Vertex_index(std::size_t(i - 2)), Vertex_index(std::size_t(i)));
+  }
+  check_graph<Filtered_traits>(pslg, 1000);
+}
+
+TEST_CASE("nothing depends on threads or on options", "[neighbors]") {
+  const auto pslg = read_map("us_states_10m.poly.gz");
+  const Neighbors neighbors(pslg);
+  const std::vector<double> expected = answers(neighbors);
+  const auto check = [&](std::size_t max_segments, int refinements) {
+    const Neighbors other(
+        pslg,
+        Vertex_edge_neighbors_options_2().max_segments_per_leaf(max_segments).max_refinements(refinements));
+    REQUIRE(answers(other) == expected);
+  };
+  check(8, 3);
+  check(1, 4);
+  check(0, 1);
+#ifdef CGAL_LINKED_WITH_TBB
+  for (const std::size_t threads : {1, 2, 4}) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    const Quadtree_vertex_edge_neighbors_2<Filtered_traits, CGAL::Parallel_tag> parallel(pslg);
+    REQUIRE(answers(parallel) == expected);
+    REQUIRE(parallel.number_of_listed_segments() == neighbors.number_of_listed_segments());
+  }
+#endif
+}
+
+TEST_CASE("maps against brute force", "[neighbors]") {
+  for (const char* name : {"us_states_10m.poly.gz", "gshhg_aegean_h.poly.gz"}) {
+    CAPTURE(name);
+    const auto pslg = read_map(name);
+    const std::size_t n = is_full_run() ? 300 : 3;
+    REQUIRE(check_graph<Filtered_traits>(pslg, n) >= n);
+  }
+}
+
+TEST_CASE("the clear radius of a corner", "[neighbors]") {
+  // A right angle with legs of length 10, and in turn what is to be found in it.
+  const auto radius = [](double px, double py, double qx, double qy) {
+    const auto pslg =
+        make_pslg<double>({{0, 0}, {10, 0}, {0, 10}, {px, py}, {qx, qy}}, {{0, 1}, {0, 2}, {3, 4}});
+    return Neighbors(pslg).clear_radius(Vertex_index(0), Segment_index(0), Segment_index(1));
+  };
+  CHECK(radius(3, 4, 30, 40) == Approx(5));               // a vertex
+  CHECK(radius(-5, 15, 15, -5) == Approx(std::sqrt(50))); // the foot of a perpendicular
+  CHECK(radius(-2, 5, 20, 27) == Approx(7));              // where a segment comes in over the leg
+  CHECK(radius(10, 0, 30, 20) == Approx(10));             // at the end of a leg
+  CHECK(radius(10, 0, 20, 0) == infinity);                // only on the sides of the sector
+  CHECK(radius(-1, -1, -2, -5) == infinity);              // outside
+  CHECK(radius(-3, -3, 2, 2) == 0);                       // through the apex
+}

@@ -1,0 +1,208 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+//
+// Meshing in blocks: the same bits for any number of threads, and all that holds for every mesh on inputs that are
+// cut into blocks of a few triangles each, so that most of the work lies at seams.
+
+#include "catch.h"
+#include "mesher_test_tools.h"
+#include "random_pslg_shapes.h"
+
+#include <CGAL/Fixed_point_quadtree_traits_2.h>
+#include <CGAL/Quality_mesher_2.h>
+#include <CGAL/bbox.h>
+#include <CGAL/mesh_quality_2.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#endif
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+/// Cuts small inputs into blocks.
+struct Tiny_blocks_tag {};
+
+namespace CGAL {
+namespace Quadtree_mesh_2 {
+namespace internal {
+
+template <>
+struct Block_sizes<Tiny_blocks_tag> {
+  static constexpr std::size_t vertices = 24;
+  static constexpr std::size_t triangles = 24;
+};
+
+} // namespace internal
+} // namespace Quadtree_mesh_2
+} // namespace CGAL
+
+namespace {
+
+using namespace mesher_test;
+using pslg_test::error_of;
+using pslg_test::has_text;
+using pslg_test::Point;
+using pslg_test::Vertex_index;
+
+using Filtered_traits = CGAL::Filtered_quadtree_traits_2<>;
+template <class Tag>
+using Mesher_of = CGAL::Quality_mesher_2<Filtered_traits, Tag>;
+
+bool are_same(const Mesh& a, const Mesh& b) {
+  return a.points == b.points && a.triangles == b.triangles && a.neighbors == b.neighbors &&
+         a.segment_of_vertex == b.segment_of_vertex && a.vertex_markers == b.vertex_markers &&
+         a.region_of_triangle == b.region_of_triangle;
+}
+
+/// Meshes in tiny blocks, and checks what `run_to_the_bound()` does.
+Mesh mesh_in_tiny_blocks(const Pslg& pslg, const Options& options) {
+  Mesher_of<Tiny_blocks_tag> mesher(options);
+  const Mesh mesh = mesher(pslg);
+  const CGAL::Mesh_quality_2 quality = CGAL::mesh_quality_2(mesh, pslg,
+                                                            CGAL::Mesh_quality_options_2()
+                                                                .min_angle(options.min_angle_in_degrees)
+                                                                .max_area(options.max_triangle_area)
+                                                                .check_domain(rule_to_check(options.domain)));
+  for (const std::string& error : quality.errors) UNSCOPED_INFO(error);
+  CHECK(quality.is_valid());
+  CHECK(quality.is_met());
+  CHECK(mesher.report().is_met());
+  CHECK(mesher.report().triangles == quality.triangles);
+  CHECK(mesher.report().exempt_triangles.size() == quality.exempt_triangles);
+  return mesh;
+}
+
+/// A box with a lattice of points on a few long segments, each lattice row one segment.
+Pslg rows_of_points(std::size_t rows, std::size_t columns) {
+  Pslg pslg;
+  for (std::size_t i = 0; i < rows; ++i) {
+    for (std::size_t j = 0; j < columns; ++j) pslg.add_vertex(Point(double(j), double(i)));
+    pslg.add_segment(Vertex_index(i * columns), Vertex_index((i + 1) * columns - 1));
+  }
+  for (std::size_t j : {std::size_t(0), columns - 1})
+    pslg.add_segment(Vertex_index(j), Vertex_index((rows - 1) * columns + j));
+  return pslg;
+}
+
+} // namespace
+
+TEST_CASE("A map is meshed to the same bits with any number of threads", "[mesher][parallel]") {
+  const double angle = GENERATE(20.7, 28.0);
+  const Pslg pslg = read("gshhg_norway_f.poly.gz");
+  const Options options = Options().min_angle(angle);
+  const Mesh sequential = Mesher_of<CGAL::Sequential_tag>(options)(pslg);
+  for (std::size_t threads : {1u, 2u, 4u}) {
+    CAPTURE(angle, threads);
+#ifdef CGAL_LINKED_WITH_TBB
+    tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+#endif
+    CHECK(are_same(Mesher_of<CGAL::Parallel_tag>(options)(pslg), sequential));
+  }
+}
+
+TEST_CASE("The map's mesh in words is the same with any number of threads", "[mesher][parallel]") {
+  using Traits = CGAL::Fixed_point_quadtree_traits_2<std::uint64_t>;
+  const Pslg pslg = read("gshhg_norway_f.poly.gz");
+  CGAL::Pslg_2<Traits::Point_2> words;
+  for (const Point& p : pslg.vertices)
+    words.add_vertex(
+        {static_cast<std::uint64_t>((p.x() + 1e7) * 1024), static_cast<std::uint64_t>((p.y() + 1e7) * 1024)});
+  words.segments = pslg.segments;
+  const auto sequential = CGAL::Quality_mesher_2<Traits, CGAL::Sequential_tag>()(words);
+  const auto parallel = CGAL::Quality_mesher_2<Traits, CGAL::Parallel_tag>()(words);
+  CHECK(sequential.triangles == parallel.triangles);
+}
+
+TEST_CASE("Inputs of test/data are meshed to the bound in tiny blocks", "[mesher]") {
+  const std::string name =
+      GENERATE(as<std::string>(), "syn_near_1e-06.poly", "syn_parallel_0.001.poly", "syn_comb.poly",
+               "syn_fan_1deg.poly", "syn_holes_400.poly.gz", "us_states_10m.poly.gz");
+  CAPTURE(name);
+  mesh_in_tiny_blocks(read(name), Options());
+}
+
+TEST_CASE("Random hard inputs are meshed to the bound in tiny blocks", "[mesher]") {
+  for (const random_pslg::Family& family : random_pslg::all_families())
+    for (std::uint64_t seed = 0; seed < 10; ++seed) {
+      CAPTURE(family.name, seed);
+      mesh_in_tiny_blocks(family.make(seed), Options().min_angle(seed % 2 == 0 ? 20.7 : 18.43));
+    }
+}
+
+TEST_CASE("Regions, bounds of size and rules of domain hold across seams", "[mesher]") {
+  Pslg pslg = read("us_states_10m.poly.gz");
+  Pslg::Region region;
+  for (std::size_t v = 0; v < 3; ++v) {
+    region.point = pslg.vertices[v * 997];
+    region.attribute = double(v);
+    pslg.regions.push_back(region);
+  }
+  const Mesh mesh = mesh_in_tiny_blocks(pslg, Options());
+  CHECK(mesh.region_of_triangle.size() == mesh.triangles.size());
+
+  const CGAL::Bbox_2 box = CGAL::bbox_2(pslg.vertices.begin(), pslg.vertices.end());
+  const double area = (box.xmax() - box.xmin()) * (box.ymax() - box.ymin());
+  mesh_in_tiny_blocks(pslg, Options().max_area(area / 20000));
+}
+
+TEST_CASE("Many vertices on long segments, overlaps and duplicates are found across seams", "[mesher]") {
+  Pslg pslg = rows_of_points(12, 40);
+  const std::size_t n = pslg.number_of_vertices();
+  for (std::size_t v = 0; v < n; v += 7) pslg.add_vertex(pslg.vertices[v]);
+  // pieces of rows again, with higher numbers than the row's
+  for (std::size_t i = 0; i < 12; ++i) pslg.add_segment(Vertex_index(i * 40 + 3), Vertex_index(i * 40 + 30));
+  Mesher_of<Tiny_blocks_tag> mesher(Options{});
+  const Mesh mesh = mesher(pslg);
+  CHECK(CGAL::mesh_quality_2(mesh, pslg).is_valid());
+  CHECK(mesher.report().merged_vertices == pslg.number_of_vertices() - n);
+  Mesher whole;
+  whole(pslg);
+  CHECK(mesher.report().vertices_on_segments == whole.report().vertices_on_segments);
+  for (const Mesh::Constrained_edge& e : mesh.constrained_edges) CHECK(std::size_t(e.segment) < 14);
+}
+
+TEST_CASE("Segments that cross in different blocks are an error that names one pair", "[mesher]") {
+  Pslg pslg = rows_of_points(12, 40);
+  const std::size_t n = pslg.number_of_vertices();
+  for (const double x : {5.5, 20.5, 33.5}) { // each crosses a row
+    const Vertex_index a = pslg.add_vertex(Point(x, 4.4)), b = pslg.add_vertex(Point(x, 5.6));
+    pslg.add_segment(a, b);
+  }
+  const auto mesh_it = [&] { Mesher_of<Tiny_blocks_tag>()(pslg); };
+  const std::string error = error_of(mesh_it);
+  CAPTURE(error);
+  CHECK(has_text(error, "crosses segment"));
+  CHECK(error == error_of(mesh_it));
+  CHECK(n == 480);
+}
+
+TEST_CASE("Cancelling from several threads leaves a valid mesh", "[mesher][parallel]") {
+  const Pslg pslg = read("gshhg_norway_f.poly.gz");
+  std::atomic<int> calls{0};
+  Mesher_of<CGAL::Parallel_tag> mesher(Options().progress([&](double) { return ++calls < 12; }));
+  const Mesh mesh = mesher(pslg);
+  CHECK(mesher.report().is_cancelled);
+  CHECK(CGAL::mesh_quality_2(mesh, pslg).is_valid());
+}
+
+TEST_CASE("A budget is kept in blocks", "[mesher]") {
+  const Pslg pslg = read("us_states_10m.poly.gz");
+  const std::size_t budget = pslg.number_of_vertices() + 1000;
+  Mesher_of<Tiny_blocks_tag> mesher(Options().max_vertices(budget));
+  std::string refusal;
+  try {
+    const Mesh mesh = mesher(pslg);
+    CHECK(mesher.report().is_budget_exhausted);
+    CHECK(mesher.report().vertices <= budget + 64);
+    CHECK(CGAL::mesh_quality_2(mesh, pslg).is_valid());
+  } catch (const CGAL::Pslg_error_2& error) {
+    refusal = error.what();
+    CHECK(has_text(refusal, "budget"));
+  }
+}
