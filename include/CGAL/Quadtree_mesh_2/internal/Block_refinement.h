@@ -53,12 +53,9 @@ public:
   /// \returns false if the mesh is too small for blocks, and nothing was done.
   template <class Continue>
   bool run(const Continue& shall_go_on) {
-    if (whole_.mesh.number_of_triangles() < 2 * block_size) return false;
+    if (whole_.mesh.number_of_triangles() - whole_.bulk.number_of_triangles() < 2 * block_size) return false;
     {
-      const auto edge_start = [&](Edge_id e) { return whole_.edges[e].a; };
-      Blocks blocks(whole_.mesh,
-                    cut_by_input_order<Concurrency_tag>(whole_.mesh, whole_.problem.input_points.size(),
-                                                        block_size, edge_start));
+      Blocks blocks(whole_.mesh, first_cut());
       work(blocks, shall_go_on);
     }
     std::vector<Triangle_id> zone = zone_of_seams();
@@ -77,6 +74,28 @@ private:
   Block_removal removal_;
   std::size_t vertex_budget_;
   std::vector<Triangle_id> near_seams_;
+
+  Block_cut first_cut() const {
+    if (whole_.bulk.has_border)
+      return cut_by_position<Concurrency_tag>(whole_.mesh, triangles_outside_bulk(), block_size,
+                                              Square_shift::none);
+    return cut_by_input_order<Concurrency_tag>(whole_.mesh, whole_.problem.input_points.size(), block_size,
+                                               [&](Edge_id e) { return whole_.edges[e].a; });
+  }
+
+  /// All triangles but those within the bulk, which meet all bounds and are not near its border.
+  std::vector<Triangle_id> triangles_outside_bulk() const {
+    const Kernel_mesh<Geometry>& mesh = whole_.mesh;
+    const auto& bulk = whole_.bulk;
+    std::vector<Triangle_id> outside;
+    outside.reserve(mesh.number_of_triangles() - bulk.number_of_triangles());
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+      const auto& v = mesh.triangles[t].v;
+      if (v[0] < 0 || (bulk.has_within(v[0]) && bulk.has_within(v[1]) && bulk.has_within(v[2]))) continue;
+      outside.push_back(static_cast<Triangle_id>(t));
+    }
+    return outside;
+  }
 
   template <class Continue>
   void work(Blocks& blocks, const Continue& shall_go_on) {

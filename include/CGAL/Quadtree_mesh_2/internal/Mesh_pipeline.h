@@ -19,6 +19,7 @@
 #include <CGAL/Pslg_2.h>
 #include <CGAL/Quadtree_mesh_2/Grid_point_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/Block_refinement.h>
+#include <CGAL/Quadtree_mesh_2/internal/Bulk_filler.h>
 #include <CGAL/Quadtree_mesh_2/internal/First_triangulation.h>
 #include <CGAL/Quadtree_mesh_2/internal/Refiner.h>
 #include <CGAL/Quadtree_mesh_2/internal/Remover.h>
@@ -249,6 +250,7 @@ private:
   void refine(Refiner<Geometry>& refiner, Splitter<Geometry>& splitter) {
     Phase_timer timer(report_.seconds.refine);
     splitter.cut_rings();
+    Bulk_filler<Concurrency_tag, Geometry>(state_).run(vertex_budget());
     const auto removal = options_.coarsening == Quality_mesh_options_2::Coarsening::GUARDED_REMOVAL
                              ? Block_removal::guarded
                              : Block_removal::none;

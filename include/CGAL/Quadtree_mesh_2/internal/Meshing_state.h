@@ -144,6 +144,17 @@ struct Meshing_state {
 
   Mesh mesh;
   Worklist worklist;
+  /// What templates filled (Bulk_filler.h): triangles with consecutive handles, and the vertices within.
+  struct Bulk {
+    Triangle_id first_triangle = 0, end_of_triangles = 0;
+    Vertex_id first_vertex = 0, end_of_vertices = 0;
+    bool has_border = false; ///< vertices were inserted on its border
+
+    std::size_t number_of_triangles() const { return std::size_t(end_of_triangles - first_triangle); }
+    bool has(Triangle_id t) const { return t >= first_triangle && t < end_of_triangles; }
+    bool has_within(Vertex_id v) const { return v >= first_vertex && v < end_of_vertices; }
+  };
+  Bulk bulk;
   /// Bad triangles that are for a later round, in which they lie farther from the seams.
   std::vector<Triangle_id> deferred;
 
@@ -244,8 +255,19 @@ private:
   bool is_block_ = false;
   std::vector<Corner_id> owned_;
 
+  /// Whether the angles opposite a free side are certainly acute on both sides: then it is Delaunay, as most are.
+  bool is_seen_under_acute_angles(Side s) const {
+    const Point &a = mesh.point(mesh.source(s)), &b = mesh.point(mesh.target(s));
+    for (const Vertex_id v : {mesh.opposite(s), mesh.opposite(mesh.across(s))}) {
+      const Vector x = Geometry::difference(a, mesh.point(v)), y = Geometry::difference(b, mesh.point(v));
+      if (!(dot(x, y) > 1e-15 * (std::fabs(x.x * y.x) + std::fabs(x.y * y.y)) + 1e-280)) return false;
+    }
+    return true;
+  }
+
   /// Whether the vertex opposite a free side lies in the circle of the side's triangle; exact.
   bool is_not_Delaunay(Side s) const {
+    if (is_seen_under_acute_angles(s)) return false;
     const auto& r = mesh.triangle(s.triangle());
     return Geometry::is_in_circle(mesh.point(r.v[0]), mesh.point(r.v[1]), mesh.point(r.v[2]),
                                   mesh.point(mesh.opposite(mesh.across(s))));

@@ -45,9 +45,11 @@ public:
       : state_(state), mesh_(state.mesh), splitter_(splitter), relocator_(state),
         apex_height_(off_center_share * 0.5 / std::tan(state.bounds.angle / 2)) {}
 
+  /// Puts all triangles on the list that may be bad; those of the bulk are not.
   void push_all() {
     for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
-      if (mesh_.is_alive(static_cast<Triangle_id>(t))) state_.push_if_suspect(static_cast<Triangle_id>(t));
+      if (!state_.bulk.has(static_cast<Triangle_id>(t)) && mesh_.is_alive(static_cast<Triangle_id>(t)))
+        state_.push_if_suspect(static_cast<Triangle_id>(t));
   }
 
   /// Works the list off. `shall_go_on()` is asked every 4096 steps; at most `budget` vertices are in the mesh

@@ -91,6 +91,19 @@ private:
   }
 };
 
+/// Whether a, b, c and d are, in some order, the corners of a rectangle with sides parallel to the axes. Such
+/// ties are frequent where squares fill the bulk of a mesh, and dear to find by arithmetic.
+template <class Point>
+bool are_corners_of_rectangle(const Point& a, const Point& b, const Point& c, const Point& d) {
+  const auto is_split = [](auto p, auto q, auto r, auto s) { return p == q && r == s; };
+  const bool xab = is_split(a.x, b.x, c.x, d.x), xac = is_split(a.x, c.x, b.x, d.x);
+  const bool xad = is_split(a.x, d.x, b.x, c.x);
+  if (!xab && !xac && !xad) return false;
+  const bool yab = is_split(a.y, b.y, c.y, d.y), yac = is_split(a.y, c.y, b.y, d.y);
+  const bool yad = is_split(a.y, d.y, b.y, c.y);
+  return (xab && (yac || yad)) || (xac && (yab || yad)) || (xad && (yab || yac));
+}
+
 /// Points with double coordinates, predicates decided by the filtered kernel `Kernel`.
 template <class Kernel>
 struct Double_geometry_2 {
@@ -117,6 +130,7 @@ struct Double_geometry_2 {
   static bool is_in_circle(Point a, Point b, Point c, Point d) {
     const In_circle test(difference(a, d), difference(b, d), difference(c, d));
     if (test.is_certain()) return test.is_positive();
+    if (are_corners_of_rectangle(a, b, c, d)) return false;
     return typename Kernel::Side_of_oriented_circle_2()(kernel_point(a), kernel_point(b), kernel_point(c),
                                                         kernel_point(d)) == ON_POSITIVE_SIDE;
   }
@@ -152,6 +166,7 @@ struct Integer_geometry_2 {
   static bool is_in_circle(Point a, Point b, Point c, Point d) {
     const In_circle test(difference(a, d), difference(b, d), difference(c, d));
     if (test.is_certain()) return test.is_positive();
+    if (are_corners_of_rectangle(a, b, c, d)) return false;
     return exact_in_circle(a, b, c, d) > 0;
   }
 
