@@ -212,14 +212,14 @@ public:
   }
 
   /// Whether the free side k of t has to be flipped: the apex across lies certainly inside t's circle.
-  /// Ties and near-ties are left as they are, so that flipping ends whatever the rounding.
+  /// Ties and near-ties are left as they are, so that flipping ends whatever the rounding; but not those of triangles
+  /// that are nearly flat, whose circle says nothing in doubles: they are decided exactly.
   bool is_certainly_not_Delaunay(Triangle_id t, int k) const {
     const Triangle& r = triangle(t);
-    const Point d = point(opposite(r.side[k]));
-    return In_circle(Geometry::difference(point(r.v[k]), d),
-                     Geometry::difference(point(r.v[next_slot[k]]), d),
-                     Geometry::difference(point(r.v[previous_slot[k]]), d))
-        .is_certainly_inside();
+    const Point &a = point(r.v[k]), &b = point(r.v[next_slot[k]]), &c = point(r.v[previous_slot[k]]),
+                &d = point(opposite(r.side[k]));
+    const In_circle test(Geometry::difference(a, d), Geometry::difference(b, d), Geometry::difference(c, d));
+    return test.is_flat() ? Geometry::is_in_circle(a, b, c, d) : test.is_certainly_inside();
   }
 
   /// Flips until the given sides, and those of triangles that flips change, are Delaunay or not certainly else.

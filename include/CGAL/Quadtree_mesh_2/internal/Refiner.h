@@ -85,6 +85,11 @@ private:
   std::vector<unsigned char> trials_;      // per triangle slot: vertices inserted for it
   std::vector<unsigned char> relocations_; // per vertex
 
+  /// In a Delaunay mesh the place for a triangle is at least its shortest edge away from all vertices, and what is
+  /// in the way is not much shorter. Next to the seams of a block flips are missing: what is shorter than this share
+  /// (squared) has to wait there.
+  static constexpr double least_distance2 = 0.25;
+
   bool relocate_a_vertex_of(Triangle_id t) {
     const auto r = mesh_.triangle(t);
     if (!state_.bounds.is_sharp(mesh_.shape(r))) return false; // too large: a new vertex is needed anyway
@@ -130,9 +135,14 @@ private:
     const int k = s.slot_of_shortest();
     const Point q = place_for(r, s, k);
     const Walk_end end = walk_in_sight(mesh_, t, q);
-    if (end.is_blocked()) return splitter_.split(end.triangle, end.blocked_slot, &q);
-    const Side encroached = most_encroached_side(end.triangle, q);
-    if (!encroached.is_border()) return splitter_.split(encroached.triangle(), encroached.slot(), &q);
+    const Side in_the_way =
+        end.is_blocked() ? Side(end.triangle, end.blocked_slot) : most_encroached_side(end.triangle, q);
+    const double distance2 = least_distance2 * s.l[k];
+    if (!in_the_way.is_border())
+      return is_too_short(in_the_way, distance2)
+                 ? Outcome::deferred
+                 : splitter_.split(in_the_way.triangle(), in_the_way.slot(), &q);
+    if (is_too_near(end.triangle, q, distance2)) return Outcome::deferred;
     return insert(end.triangle, q);
   }
 
@@ -150,13 +160,30 @@ private:
       if (squared_length(off_center - middle) < squared_length(center - middle)) center = off_center;
     }
     const Point q = Geometry::translate(a, center);
-    const Point corner =
-        Geometry::nearest_corner(q, power_of_two_at_most(0.25 * std::sqrt(s.l[k])));
+    const Point corner = Geometry::nearest_corner(q, power_of_two_at_most(0.25 * std::sqrt(s.l[k])));
     return In_circle(Geometry::difference(a, corner), Geometry::difference(b, corner),
                      Geometry::difference(c, corner))
                    .is_certainly_inside()
                ? corner
                : q;
+  }
+
+  bool is_too_short(Side s, double distance2) const {
+    return state_.is_block() &&
+           squared_length(Geometry::difference(mesh_.point(mesh_.source(s)), mesh_.point(mesh_.target(s)))) <
+               distance2;
+  }
+
+  /// Whether a vertex of t, or one opposite to it, is too near to q.
+  bool is_too_near(Triangle_id t, const Point& q, double distance2) const {
+    if (!state_.is_block()) return false;
+    const auto is_near = [&](Vertex_id v) {
+      return squared_length(Geometry::difference(mesh_.point(v), q)) < distance2;
+    };
+    const auto& r = mesh_.triangle(t);
+    for (int k = 0; k < 3; ++k)
+      if (is_near(r.v[k]) || (!r.side[k].is_constrained() && is_near(mesh_.opposite(r.side[k])))) return true;
+    return false;
   }
 
   /// The constrained side, of t or of a triangle next to it, that q sees under the widest angle above 120

@@ -72,6 +72,8 @@ public:
         determinant_(al * (p1 - p2) + bl * (p3 - p4) + cl * (p5 - p6)) {}
 
   bool is_positive() const { return determinant_ > 0; }
+  /// Whether a, b, c are nearly collinear, seen from the query.
+  bool is_flat() const { return (p1 - p2) + (p3 - p4) + (p5 - p6) < 1e-10 * (al + bl + cl); }
   bool is_certainly_inside() const { return determinant_ > 0 && determinant_ > error_bound * permanent(); }
   bool is_certain() const {
     const double p = permanent();
