@@ -9,6 +9,7 @@
 #include "in_child.h"
 #include "mesh_2_peer.h"
 #include "resources.h"
+#include "thread_limit.h"
 
 #include <CGAL/IO/SVG.h>
 #include <CGAL/IO/Triangle_files.h>
@@ -48,7 +49,7 @@ void mesh_graph(Meshing_run& run, const Command_line& line) {
   if (line.kernel == Command_line::Kernel::fixed) {
     run.mesh = mesh_in_words(run.pslg, options, run.report);
   } else {
-    CGAL::Quality_mesher_2<> mesher(options);
+    CGAL::Quality_mesher_2<CGAL::Filtered_quadtree_traits_2<>, CGAL::Parallel_tag> mesher(options);
     run.mesh = mesher(run.pslg);
     run.report = mesher.report();
   }
@@ -113,6 +114,8 @@ void write_report(const std::string& file_name, const nlohmann::ordered_json& js
 
 Exit_status execute(const Command_line& line) {
   Meshing_run run;
+  run.threads = line.threads;
+  const Thread_limit limit(line.threads);
   timed(run.read_seconds, [&] { CGAL::IO::read_triangle_poly(line.input, run.pslg); });
   timed(run.ours.seconds, [&] { mesh_graph(run, line); });
   check(run, line.options);

@@ -81,7 +81,7 @@ TEST_CASE("the program reports in JSON", "[program]") {
   const auto json = nlohmann::json::parse(content(folder.file("r.json")));
   CHECK(json.at("input_vertices") == 11308);
   CHECK(json.at("unmet_triangles") == 0);
-  CHECK(json.at("threads") == 1);
+  CHECK(json.at("threads") >= 1);
   CHECK(json.at("triangles") > json.at("vertices"));
   CHECK(json.at("triangles") < json.at("mesh_2").at("triangles"));
   for (const char* name : {"input_segments", "min_angle", "max_angle", "min_new_angle", "exempt_triangles",
@@ -176,6 +176,7 @@ TEST_CASE("bad usage names the culprit and writes nothing", "[program]") {
                                    {square + " --domain all", "all"},
                                    {square + " --size-points " + folder.file("none"), "none"},
                                    {square + " --threads 0", "--threads"},
+                                   {square + " --smooth -1", "--smooth"},
                                    {square + " --kernel round", "round"},
                                    {square + " --mode square", "square"},
                                    {square + " --no-such-option", "--no-such-option"},
@@ -191,8 +192,8 @@ TEST_CASE("bad usage names the culprit and writes nothing", "[program]") {
 }
 
 TEST_CASE("what comes later says so", "[program]") {
-  const std::string option = GENERATE("--kernel exact", "--mode points", "--mode bounded", "--mode acute",
-                                      "--separation theorem-5", "--threads 2");
+  const std::string option =
+      GENERATE("--kernel exact", "--mode points", "--mode bounded", "--mode acute", "--separation theorem-5");
   const Run r = run(test_data("syn_square.poly") + " " + option);
   CAPTURE(option, r.err);
   CHECK(r.status == 2);
@@ -242,9 +243,10 @@ TEST_CASE("help and version", "[program]") {
   CHECK(run("--version").out.rfind("quality_mesh ", 0) == 0);
   const Run help = run("--help");
   CHECK(help.status == 0);
-  for (const char* option : {"--output", "--min-angle", "--max-edge", "--max-area", "--min-edge",
-                             "--size-points", "--domain", "--kernel", "--threads", "--mode", "--separation",
-                             "--no-coarsening", "--compare", "--report", "--quiet", "--version"})
+  for (const char* option :
+       {"--output", "--min-angle", "--max-edge", "--max-area", "--min-edge", "--size-points", "--domain",
+        "--kernel", "--smooth", "--threads", "--mode", "--separation", "--no-coarsening", "--compare",
+        "--report", "--quiet", "--version"})
     CHECK(contains(help.out, option));
 }
 

@@ -114,6 +114,18 @@ TEST_CASE("Without removal there are more triangles, and they meet the bound too
   CHECK(all.report.triangles > run_to_the_bound(pslg, Options()).report.triangles);
 }
 
+TEST_CASE("Smoothing takes fewer triangles, with better angles, and keeps the bounds", "[mesher]") {
+  const Pslg pslg = read("us_states_10m.poly.gz");
+  const Run plain = run_to_the_bound(pslg, Options()), smooth = run_to_the_bound(pslg, Options().smooth(1));
+  CHECK(smooth.report.triangles < plain.report.triangles);
+  const auto share_below_30 = [](const Run& r) {
+    std::size_t below = 0;
+    for (std::size_t degree = 0; degree < 30; ++degree) below += r.report.least_angle_histogram[degree];
+    return static_cast<double>(below) / static_cast<double>(r.report.triangles);
+  };
+  CHECK(share_below_30(smooth) < share_below_30(plain));
+}
+
 TEST_CASE("Bounds on edges and areas are met", "[mesher]") {
   run_to_the_bound(unit_square(), Options().max_edge(0.05));
   run_to_the_bound(unit_square(), Options().max_area(0.0005));

@@ -32,6 +32,7 @@ struct Meshing_run {
   bool is_peer_asked = false;
   std::optional<Mesh_figures> peer; ///< Mesh_2 on the same input; nothing if it gave no mesh
 
+  unsigned threads = 1;
   double read_seconds = 0; ///< processor seconds
   double write_seconds = 0;
   double peak_memory_mb = 0;
@@ -135,7 +136,7 @@ inline nlohmann::ordered_json run_json(const Meshing_run& run) {
                                  {"least_angle_histogram", run.report.least_angle_histogram},
                                  {"largest_angle_histogram", run.report.largest_angle_histogram},
                                  {"rounds", run.report.rounds},
-                                 {"threads", 1},
+                                 {"threads", run.threads},
                                  {"seconds",
                                   {{"read", run.read_seconds},
                                    {"quadtree", phases.quadtree},

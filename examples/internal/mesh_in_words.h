@@ -11,6 +11,7 @@
 #include <CGAL/Quality_mesh_report_2.h>
 #include <CGAL/Quality_mesher_2.h>
 #include <CGAL/centroid.h>
+#include <CGAL/tags.h>
 #include <CGAL/validate_pslg_2.h>
 
 #include <algorithm>
@@ -155,7 +156,7 @@ CGAL::Indexed_mesh_2<Point> mesh_in_words(const CGAL::Pslg_2<Point>& pslg,
   using namespace mesh_in_words_internal;
   CGAL::check_pslg_structure(pslg); // the scale wants finite coordinates
   const Word_map<Point> map(pslg);
-  CGAL::Quality_mesher_2<Traits> mesher(to_words(options, map));
+  CGAL::Quality_mesher_2<Traits, CGAL::Parallel_tag> mesher(to_words(options, map));
   auto words = mesher(to_words(pslg, map));
   report = mesher.report();
   auto mesh = to_doubles(std::move(words), pslg, map);

@@ -46,6 +46,9 @@ struct Quality_mesh_options_2 {
   double min_edge_length = 0;
   Domain domain = Domain::ENCLOSED;
   Coarsening coarsening = Coarsening::GUARDED_REMOVAL;
+  /// Rounds of smoothing, each followed by removal if that is wanted: a percent or two fewer triangles and better
+  /// angles for about as much time as refinement takes.
+  int smoothing_rounds = 0;
   /// Refinement stops, with what is left reported, when the mesh has this many vertices; 0 means no bound but
   /// memory's.
   std::size_t vertex_budget = 0;
@@ -61,6 +64,7 @@ struct Quality_mesh_options_2 {
   Quality_mesh_options_2& min_edge(double length) { return min_edge_length = length, *this; }
   Quality_mesh_options_2& mesh_domain(Domain d) { return domain = d, *this; }
   Quality_mesh_options_2& coarsen(Coarsening c) { return coarsening = c, *this; }
+  Quality_mesh_options_2& smooth(int rounds) { return smoothing_rounds = rounds, *this; }
   Quality_mesh_options_2& max_vertices(std::size_t n) { return vertex_budget = n, *this; }
   Quality_mesh_options_2& progress(std::function<bool(double)> f) { return callback = std::move(f), *this; }
 };

@@ -59,6 +59,8 @@ public:
       throw std::invalid_argument("the longest edge must not be negative");
     if (!(options_.max_triangle_area >= 0))
       throw std::invalid_argument("the largest area must not be negative");
+    if (options_.smoothing_rounds < 0)
+      throw std::invalid_argument("the number of smoothing rounds must not be negative");
     if (!(options_.min_edge_length >= 0)) throw std::invalid_argument("the least edge must not be negative");
   }
 

@@ -20,7 +20,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/Mesh_blocks.h>
 #include <CGAL/Quadtree_mesh_2/internal/Meshing_state.h>
 #include <CGAL/Quadtree_mesh_2/internal/Refiner.h>
-#include <CGAL/Quadtree_mesh_2/internal/Remover.h>
+#include <CGAL/Quadtree_mesh_2/internal/Smoother.h>
 #include <CGAL/Quadtree_mesh_2/internal/Splitter.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel.h>
 
@@ -35,8 +35,6 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-enum class Block_removal { none, guarded };
-
 template <class Concurrency_tag, class Geometry>
 class Block_refinement {
 public:
@@ -45,8 +43,8 @@ public:
 
   static constexpr std::size_t block_size = Block_sizes<Concurrency_tag>::triangles;
 
-  Block_refinement(Meshing_state<Geometry>& whole, Block_removal removal, std::size_t vertex_budget)
-      : whole_(whole), removal_(removal), vertex_budget_(vertex_budget) {}
+  Block_refinement(Meshing_state<Geometry>& whole, const Finishing& finishing, std::size_t vertex_budget)
+      : whole_(whole), finishing_(finishing), vertex_budget_(vertex_budget) {}
 
   /// Works off what can be done in blocks; the rest is left on the worklist of the whole mesh. `shall_go_on()` may be
   /// called by several threads at once.
@@ -71,7 +69,7 @@ private:
   static constexpr int rings_of_zone = 2;
 
   Meshing_state<Geometry>& whole_;
-  Block_removal removal_;
+  Finishing finishing_;
   std::size_t vertex_budget_;
   std::vector<Triangle_id> near_seams_;
 
@@ -134,7 +132,7 @@ private:
     Refiner<Geometry> refiner(state, splitter);
     refiner.push_all();
     refiner.run(state.mesh.number_of_vertices() + room, shall_go_on);
-    if (removal_ == Block_removal::guarded) Remover<Geometry>(state).run(shall_go_on);
+    finish_mesh(state, finishing_, shall_go_on);
     std::swap(state.mesh, block.mesh);
     std::vector<Triangle_id> left = std::move(state.deferred);
     while (!state.worklist.is_empty()) left.push_back(state.worklist.pop());

@@ -22,7 +22,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/Bulk_filler.h>
 #include <CGAL/Quadtree_mesh_2/internal/First_triangulation.h>
 #include <CGAL/Quadtree_mesh_2/internal/Refiner.h>
-#include <CGAL/Quadtree_mesh_2/internal/Remover.h>
+#include <CGAL/Quadtree_mesh_2/internal/Smoother.h>
 #include <CGAL/Quadtree_mesh_2/internal/coordinate_map.h>
 #include <CGAL/Quadtree_mesh_2/internal/domain.h>
 #include <CGAL/Quadtree_mesh_2/internal/find_corners.h>
@@ -69,7 +69,10 @@ public:
 
   Mesh_pipeline(const Pslg& pslg, const Quality_mesh_options_2& options, const Traits& traits,
                 Quality_mesh_report_2& report)
-      : pslg_(pslg), options_(options), traits_(traits), report_(report), map_(pslg.vertices) {}
+      : pslg_(pslg), options_(options), traits_(traits), report_(report), map_(pslg.vertices) {
+    if (options.coarsening == Quality_mesh_options_2::Coarsening::NONE) finishing_.removal = Removal::none;
+    finishing_.smoothing_rounds = options.smoothing_rounds;
+  }
 
   Indexed_mesh_2<Point_2> run() {
     if (!map_.is_in_range())
@@ -81,7 +84,7 @@ public:
     Splitter<Geometry> splitter(state_);
     Refiner<Geometry> refiner(state_, splitter);
     refine(refiner, splitter);
-    if (options_.coarsening == Quality_mesh_options_2::Coarsening::GUARDED_REMOVAL) coarsen();
+    coarsen();
     finish(refiner);
     report_.is_cancelled = is_cancelled_;
     return convert();
@@ -96,6 +99,7 @@ private:
   const Traits& traits_;
   Quality_mesh_report_2& report_;
   Coordinate_map<Traits, Geometry> map_;
+  Finishing finishing_;
   Meshing_problem<Geometry> problem_;
   Meshing_state<Geometry> state_{problem_};
   double share_done_ = 0;
@@ -251,11 +255,11 @@ private:
     Phase_timer timer(report_.seconds.refine);
     splitter.cut_rings();
     Bulk_filler<Concurrency_tag, Geometry>(state_).run(vertex_budget());
-    const auto removal = options_.coarsening == Quality_mesh_options_2::Coarsening::GUARDED_REMOVAL
-                             ? Block_removal::guarded
-                             : Block_removal::none;
-    Block_refinement<Concurrency_tag, Geometry> blocks(state_, removal, vertex_budget());
-    if (!blocks.run([this] { return shall_go_on(0.2); })) refiner.push_all();
+    Block_refinement<Concurrency_tag, Geometry> blocks(state_, finishing_, vertex_budget());
+    if (blocks.run([this] { return shall_go_on(0.2); }))
+      finishing_.smoothing_rounds = 0; // done, and removal is left only at seams
+    else
+      refiner.push_all();
     run(refiner);
     splitter.unlock_all();
     state_.legalize();
@@ -274,7 +278,7 @@ private:
   void coarsen() {
     Phase_timer timer(report_.seconds.coarsen);
     if (is_cancelled_) return;
-    Remover<Geometry>(state_).run([this] { return shall_go_on(0.85); });
+    finish_mesh(state_, finishing_, [this] { return shall_go_on(0.85); });
   }
 
   /// Makes the mesh exactly constrained Delaunay. Such flips never lower the least angle of a pair; should

@@ -12,7 +12,7 @@
 // relative to the vertex, in vectors of four; a step ends as soon as none of them can serve, and begins with
 // the triangle that was worst at the start, so that this is soon. The place found is accepted only by the
 // test in double precision on the final coordinates. A vertex on an edge moves along its edge; one on a leg
-// of an acute corner stays. O(degree) a step, at most 8 steps.
+// of an acute corner stays. The same search, with no bound to stop at, smooths. O(degree) a step, at most 8 steps.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_RELOCATOR_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_RELOCATOR_H
@@ -38,10 +38,26 @@ public:
   /// Moves Steiner vertex v to a place where all its triangles meet the bounds, if one is found, and then
   /// restores the Delaunay property around it (without that an insertion may not destroy the triangle it is
   /// made for).
-  bool relocate(Vertex_id v) {
+  bool relocate(Vertex_id v) { return move(v, Aim::bound); }
+
+  /// Moves Steiner vertex v to where the least angle of its star is greatest, as far as the search finds it, if all
+  /// its triangles meet the bounds there; and restores the Delaunay property.
+  bool improve(Vertex_id v) {
+    if (!move(v, Aim::best)) return false;
+    for (int i = 0; i < star_.number_of_link_vertices(); ++i) mesh_.is_dirty[std::size_t(star_.link[i])] = 1;
+    mesh_.is_dirty[std::size_t(v)] = 1;
+    return true;
+  }
+
+private:
+  /// What is enough: a star that meets the bound, or nothing but the best one.
+  enum class Aim { bound, best };
+
+  bool move(Vertex_id v, Aim aim) {
     if (!star_.collect(mesh_, v)) return false;
-    const Edge_id e = mesh_.edge_of[std::size_t(v)];
-    const bool is_moved = e == free_vertex ? star_.is_closed && relocate_free(v) : relocate_on_edge(v, e);
+    const Edge_id e = mesh_.edge(v);
+    const bool is_moved =
+        e == free_vertex ? star_.is_closed && relocate_free(v, aim) : relocate_on_edge(v, e, aim);
     if (!is_moved) return false;
     for (int i = 0; i < star_.size; ++i) {
       const Side c = star_.corner[i];
@@ -52,7 +68,6 @@ public:
     return true;
   }
 
-private:
   static constexpr int directions = 8;
   static constexpr int max_steps = 8;
   static constexpr double first_step = 0.2; // of the mean distance to the link
@@ -158,16 +173,18 @@ private:
     return place;
   }
 
-  bool relocate_free(Vertex_id v) {
+  bool relocate_free(Vertex_id v, Aim aim) {
     constexpr float d = .70710678f;
     const Float_lanes cx[2] = {{1, d, 0, -d}, {-1, -d, 0, d}}, cy[2] = {{0, d, 1, d}, {0, -d, -1, -d}};
     const Point origin = mesh_.point(v);
     const Start start = better_start(prepare_link(origin));
     float x = start.x, y = start.y, best = start.least;
-    const float bound = static_cast<float>(state_.bounds.sin2), goal = bound * (1 + 1e-5f);
+    const float bound = static_cast<float>(state_.bounds.sin2);
+    const float goal = aim == Aim::bound ? bound * (1 + 1e-5f) : 1;
     float step = static_cast<float>(first_step);
-    for (int i = 0; best < goal; ++i) {
-      const float needed = i + 1 < max_steps ? bound * hope[i] : goal; // to go on after this step
+    for (int i = 0; i < max_steps && best < goal; ++i) {
+      const float hoped = i + 1 < max_steps ? bound * hope[i] : goal;
+      const float needed = aim == Aim::bound ? hoped : 0; // to go on after this step
       const Float_lanes px[2] = {x + step * cx[0], x + step * cx[1]};
       const Float_lanes py[2] = {y + step * cy[0], y + step * cy[1]};
       const float improved = best * 1.0001f;
@@ -180,11 +197,14 @@ private:
         step *= 0.5f;
       if (best < needed) return false;
     }
-    return accept(v, Geometry::translate(origin, {scale_ * double(x), scale_ * double(y)}));
+    return accept(v, Geometry::translate(origin, {scale_ * double(x), scale_ * double(y)}), aim);
   }
 
-  /// Moves v to p if all its triangles meet the bounds there.
-  bool accept(Vertex_id v, Point p) {
+  /// Moves v to p if all its triangles meet the bounds there and, to be the best, the least angle grows.
+  bool accept(Vertex_id v, Point p, Aim aim) {
+    constexpr double least_gain = 1.001; // of the squared sine
+    if (aim == Aim::best && least_of_star(p, -1) < least_gain * least_of_star(mesh_.point(v), -1))
+      return false;
     for (int i = 0; i < star_.size; ++i) {
       const Shape s = mesh_.shape(p, mesh_.point(star_.link[i]), mesh_.point(star_.link[i + 1]));
       if (s.area2 <= 0 || state_.bounds.is_sharp(s) ||
@@ -212,7 +232,7 @@ private:
     return true;
   }
 
-  bool relocate_on_edge(Vertex_id v, Edge_id e) {
+  bool relocate_on_edge(Vertex_id v, Edge_id e, Aim aim) {
     const Input_edge& edge = state_.edges[e];
     const auto& is_acute = state_.corners.is_acute;
     if (is_acute[std::size_t(edge.a)] != 0 || is_acute[std::size_t(edge.b)] != 0) return false;
@@ -221,7 +241,8 @@ private:
     const Vector direction = (1 / std::sqrt(squared_length(d))) * d;
     const Point origin = mesh_.point(v);
     double place = 0, best = least_of_star(origin, -1), step = first_step * mean_distance(origin);
-    for (int i = 0; i < max_steps && best < state_.bounds.sin2; ++i) {
+    const double goal = aim == Aim::bound ? state_.bounds.sin2 : 1;
+    for (int i = 0; i < max_steps && best < goal; ++i) {
       bool is_better = false;
       for (const double sign : {-1.0, 1.0}) {
         const double q = least_of_star(Geometry::translate(origin, (place + sign * step) * direction), best);
@@ -230,7 +251,7 @@ private:
       }
       if (!is_better) step *= 0.5;
     }
-    return place != 0 && accept(v, Geometry::translate(origin, place * direction));
+    return place != 0 && accept(v, Geometry::translate(origin, place * direction), aim);
   }
 
   double mean_distance(Point p) const {
