@@ -55,7 +55,6 @@ struct Leg {
   Corner_id corner;
   Edge_id edge;
   Vertex_id apex, far; ///< input numbers
-  Vector span;         ///< from apex to far
   double length;
   Sector_id before = -1, after = -1; ///< lopped sectors clockwise and counterclockwise of it
   std::vector<Shell_vertex> shells;  ///< by increasing radius

@@ -173,9 +173,8 @@ private:
       set_region_bounds(scale * scale);
     if (options_.size_field)
       bounds.squared_length_at = [this, scale](const typename Geometry::Point& p) {
-        const Point_2 q = map_.to_user(p);
-        const double size =
-            scale * options_.size_field(static_cast<double>(q.x()), static_cast<double>(q.y()));
+        const auto [x, y] = map_.place(p);
+        const double size = scale * options_.size_field(x, y);
         return size * size;
       };
   }

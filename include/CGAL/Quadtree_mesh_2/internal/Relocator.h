@@ -80,6 +80,7 @@ private:
   // The link relative to the vertex, scaled to mean distance 1, and its squared edge lengths.
   float x_[Star::max_size + 1], y_[Star::max_size + 1], edge2_[Star::max_size];
   double scale_ = 1;
+  Vector link_[Star::max_size + 1]; // relative to a vertex on an edge
 
   /// Sets up the scaled link; returns its centroid.
   Vector prepare_link(Point origin) {
@@ -203,7 +204,7 @@ private:
   /// Moves v to p if all its triangles meet the bounds there and, to be the best, the least angle grows.
   bool accept(Vertex_id v, Point p, Aim aim) {
     constexpr double least_gain = 1.001; // of the squared sine
-    if (aim == Aim::best && least_of_star(p, -1) < least_gain * least_of_star(mesh_.point(v), -1))
+    if (aim == Aim::best && least_with_vertex_at(p) < least_gain * least_with_vertex_at(mesh_.point(v)))
       return false;
     for (int i = 0; i < star_.size; ++i) {
       const Shape s = mesh_.shape(p, mesh_.point(star_.link[i]), mesh_.point(star_.link[i + 1]));
@@ -215,6 +216,17 @@ private:
     if (!is_far_from_link(p)) return false;
     mesh_.points[std::size_t(v)] = p;
     return true;
+  }
+
+  /// The least squared sine of the star with the vertex at p, -1 if the star is not one then.
+  double least_with_vertex_at(const Point& p) const {
+    double least = 2;
+    for (int i = 0; i < star_.size; ++i) {
+      const Shape s = mesh_.shape(p, mesh_.point(star_.link[i]), mesh_.point(star_.link[i + 1]));
+      if (s.area2 <= 0) return -1;
+      least = std::min(least, s.sin2_of_least_angle());
+    }
+    return least;
   }
 
   /// Whether p keeps the least length of edges, to the link and to what flips may join it with.
@@ -232,41 +244,58 @@ private:
     return true;
   }
 
+  /// Searches along the edge with vectors, from the vertex's place; the place found is then made as a share of
+  /// the input edge, so that the vertex is as near to it as it can be however often it has moved.
   bool relocate_on_edge(Vertex_id v, Edge_id e, Aim aim) {
     const Input_edge& edge = state_.edges[e];
     const auto& is_acute = state_.corners.is_acute;
     if (is_acute[std::size_t(edge.a)] != 0 || is_acute[std::size_t(edge.b)] != 0) return false;
-    const Vector d =
-        Geometry::difference(state_.problem.input_point(edge.b), state_.problem.input_point(edge.a));
-    const Vector direction = (1 / std::sqrt(squared_length(d))) * d;
-    const Point origin = mesh_.point(v);
-    double place = 0, best = least_of_star(origin, -1), step = first_step * mean_distance(origin);
+    const Point &a = state_.problem.input_point(edge.a), &b = state_.problem.input_point(edge.b);
+    const Vector from_a = Geometry::difference(mesh_.point(v), a),
+                 from_b = Geometry::difference(mesh_.point(v), b);
+    const Vector d = Geometry::difference(b, a);
+    const double length = std::sqrt(squared_length(d));
+    const double place = place_on_line((1 / length) * d, mean_distance_of_link(mesh_.point(v)), aim);
+    if (place == 0) return false;
+    // shares are finest near the end from which they are taken
+    const bool is_nearer_to_a = squared_length(from_a) <= squared_length(from_b);
+    const double share_of_a = dot(from_a, d) / squared_length(d) + place / length;
+    const double share_of_b = -dot(from_b, d) / squared_length(d) - place / length;
+    return accept(
+        v, is_nearer_to_a ? Geometry::between(a, b, share_of_a) : Geometry::between(b, a, share_of_b), aim);
+  }
+
+  /// How far to go from the vertex along a direction for the best star that is found.
+  double place_on_line(Vector direction, double mean_distance, Aim aim) const {
     const double goal = aim == Aim::bound ? state_.bounds.sin2 : 1;
+    double place = 0, best = least_of_star({0, 0}, -1), step = first_step * mean_distance;
     for (int i = 0; i < max_steps && best < goal; ++i) {
       bool is_better = false;
       for (const double sign : {-1.0, 1.0}) {
-        const double q = least_of_star(Geometry::translate(origin, (place + sign * step) * direction), best);
+        const double q = least_of_star((place + sign * step) * direction, best);
         if (q <= best * 1.0001 + 1e-9) continue;
         best = q, place += sign * step, is_better = true;
       }
       if (!is_better) step *= 0.5;
     }
-    return place != 0 && accept(v, Geometry::translate(origin, place * direction), aim);
+    return place;
   }
 
-  double mean_distance(Point p) const {
+  /// Sets up the link relative to the vertex; returns its mean distance.
+  double mean_distance_of_link(const Point& origin) {
     double sum = 0;
-    for (int i = 0; i < star_.number_of_link_vertices(); ++i)
-      sum += squared_length(Geometry::difference(mesh_.point(star_.link[i]), p));
+    for (int i = 0; i <= star_.size; ++i) link_[i] = Geometry::difference(mesh_.point(star_.link[i]), origin);
+    for (int i = 0; i < star_.number_of_link_vertices(); ++i) sum += squared_length(link_[i]);
     return std::sqrt(sum / star_.number_of_link_vertices());
   }
 
-  /// The least squared sine of the star with the vertex at p; something at most `floor` as soon as it falls
-  /// to that.
-  double least_of_star(Point p, double floor) const {
+  /// The least squared sine of the star with the vertex at `p`, relative to its place; something at most `floor` as
+  /// soon as it falls to that.
+  double least_of_star(Vector p, double floor) const {
     double least = 2;
     for (int i = 0; i < star_.size && least > floor; ++i) {
-      const Shape s = mesh_.shape(p, mesh_.point(star_.link[i]), mesh_.point(star_.link[i + 1]));
+      const Vector u = link_[i] - p, v = link_[i + 1] - link_[i], w = link_[i + 1] - p;
+      const Shape s = {{squared_length(v), squared_length(w), squared_length(u)}, cross(u, v)};
       least = s.area2 <= 0 ? -1 : std::min(least, s.sin2_of_least_angle());
     }
     return least;

@@ -120,7 +120,8 @@ private:
   }
 
   Point point_on_leg(const Leg& leg, double radius) const {
-    return Geometry::translate(mesh_.point(leg.apex_vertex), (radius / leg.length) * leg.span);
+    return Geometry::between(state_.problem.input_point(leg.apex), state_.problem.input_point(leg.far),
+                             radius / leg.length);
   }
 
   static double ring_tolerance(const Corner& c) {
@@ -328,18 +329,29 @@ private:
 
   bool split_subsegment(Side s, Edge_id e, const Point* want) {
     const Vertex_id x = mesh_.source(s), y = mesh_.target(s);
-    const Point a = mesh_.point(x);
-    const Vector d = Geometry::difference(mesh_.point(y), a);
-    if (is_acute_apex(x) || is_acute_apex(y)) {
-      const Vector whole = Geometry::difference(state_.problem.input_point(state_.edges[e].b),
-                                                state_.problem.input_point(state_.edges[e].a));
-      const double floor = least_share_of_leg();
-      if (squared_length(d) < 4 * floor * floor * squared_length(whole)) return false;
+    const Vertex_id apex = is_acute_apex(x) ? x : is_acute_apex(y) ? y : -1;
+    if (apex >= 0) {
+      const double length = distance(x, y), whole = length_of_edge(e);
+      if (length < 2 * least_share_of_leg() * whole) return false;
+      const double radius = std::exp2(std::floor(std::log2(length * 2 / 3))); // of length, in (1/3, 2/3]
+      if (insert(s, e, point_on_edge(e, apex, radius / whole)) >= 0) return true;
     }
-    const double share = share_of_split(x, y, e, d, want);
+    const double share = apex >= 0 ? 0.5 : share_of_split(x, y, e, want);
     for (const double f : {share, 0.5, 0.4, 0.6, 0.45, 0.55})
-      if (insert(s, e, Geometry::translate(a, f * d)) >= 0) return true;
+      if (insert(s, e, Geometry::between(mesh_.point(x), mesh_.point(y), f)) >= 0) return true;
     return false;
+  }
+
+  double length_of_edge(Edge_id e) const {
+    return std::sqrt(squared_length(Geometry::difference(state_.problem.input_point(state_.edges[e].a),
+                                                         state_.problem.input_point(state_.edges[e].b))));
+  }
+
+  /// The point at a share of an input edge, from the end that a vertex of the mesh is.
+  Point point_on_edge(Edge_id e, Vertex_id end, double share) const {
+    const Vertex_id from = mesh_.input_number(end);
+    return Geometry::between(state_.problem.input_point(from),
+                             state_.problem.input_point(state_.edges.other_end(e, from)), share);
   }
 
   bool is_acute_apex(Vertex_id v) const {
@@ -351,15 +363,13 @@ private:
            corners_.legs_of_edge[std::size_t(e)][std::size_t(end)] < 0;
   }
 
-  double share_of_split(Vertex_id x, Vertex_id y, Edge_id e, Vector d, const Point* want) const {
-    if (is_acute_apex(x) || is_acute_apex(y)) {
-      const double length = std::sqrt(squared_length(d));
-      const double dyadic = std::exp2(std::floor(std::log2(length * 2 / 3))) / length; // in (1/3, 2/3]
-      return is_acute_apex(x) ? dyadic : 1 - dyadic;
-    }
+  /// Where x-y is split, for a wish in its middle 30 percent: rounded to a few bits, of which exact coordinates
+  /// get that many more with each split of a split.
+  double share_of_split(Vertex_id x, Vertex_id y, Edge_id e, const Point* want) const {
     if (want == nullptr || is_leg_without_ring(e, 0) || is_leg_without_ring(e, 1)) return 0.5;
+    const Vector d = Geometry::difference(mesh_.point(y), mesh_.point(x));
     const double f = dot(Geometry::difference(*want, mesh_.point(x)), d) / squared_length(d);
-    return std::min(0.65, std::max(0.35, f));
+    return 0x1p-16 * std::floor(0x1p16 * std::min(0.65, std::max(0.35, f)));
   }
 };
 

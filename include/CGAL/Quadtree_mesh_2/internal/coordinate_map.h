@@ -12,6 +12,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/meshing_geometry.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 
@@ -61,6 +62,10 @@ public:
   Point_2 to_user(const Point& p) const {
     return Point_2(std::ldexp(p.x, exponent_), std::ldexp(p.y, exponent_));
   }
+  /// The place in the user's coordinates, rounded.
+  std::array<double, 2> place(const Point& p) const {
+    return {std::ldexp(p.x, exponent_), std::ldexp(p.y, exponent_)};
+  }
   double length_to_kernel(double length) const { return std::ldexp(length, -exponent_); }
   bool is_in_range() const { return true; }
 
@@ -86,6 +91,9 @@ public:
 
   Point to_kernel(const Point_2& p) const { return {std::int64_t(p.x()), std::int64_t(p.y())}; }
   Point_2 to_user(const Point& p) const { return Point_2{Word(p.x), Word(p.y)}; }
+  std::array<double, 2> place(const Point& p) const {
+    return {static_cast<double>(p.x), static_cast<double>(p.y)};
+  }
   double length_to_kernel(double length) const { return length; }
   bool is_in_range() const { return is_in_range_; }
 

@@ -156,7 +156,6 @@ private:
                                               e,
                                               corner.apex,
                                               far,
-                                              direction(corner.apex, far),
                                               distance(corner.apex, far),
                                               -1,
                                               -1,

@@ -141,7 +141,7 @@ private:
       if (o.is_border() || (o.is_constrained() && t < o.triangle())) add_constrained_edge(part, Side(t, k));
     }
     if (!mesh_.region_of.empty()) out.region_of_triangle[place] = mesh_.region(t);
-    account_for(out, t, part);
+    account_for(t, part);
   }
 
   void add_constrained_edge(Part& part, Side s) const {
@@ -152,7 +152,7 @@ private:
                           Segment_index(std::size_t(state_.edges[e].segment))});
   }
 
-  void account_for(const Mesh& out, Triangle_id t, Part& part) const {
+  void account_for(Triangle_id t, Part& part) const {
     const auto& r = mesh_.triangle(t);
     const Shape s = mesh_.shape(r);
     part.angles.add(s);
@@ -160,9 +160,8 @@ private:
     if (!state_.is_bad(t)) return add_exempt(t, part);
     Quality_mesh_report_2::Unmet_triangle unmet{new_triangle_[std::size_t(t)], {0, 0}, 0, reason(t)};
     for (const Vertex_id v : r.v) {
-      const Point_2& p = out.points[std::size_t(new_vertex_[std::size_t(v)])];
-      unmet.centroid[0] += static_cast<double>(p.x()) / 3;
-      unmet.centroid[1] += static_cast<double>(p.y()) / 3;
+      const auto [x, y] = map_.place(mesh_.point(v));
+      unmet.centroid[0] += x / 3, unmet.centroid[1] += y / 3;
     }
     unmet.least_angle =
         std::asin(std::sqrt(std::min(1.0, s.sin2_of_least_angle()))) * 180 / 3.14159265358979323846;

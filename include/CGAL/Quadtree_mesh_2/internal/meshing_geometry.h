@@ -4,7 +4,8 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// The arithmetic of the meshing kernel, over double and over integer coordinates.
+// The arithmetic of the meshing kernel, over double and over integer coordinates (over exact ones:
+// exact_geometry.h).
 //
 // A geometry gives points, their differences as vectors of doubles, an exact orientation, an exact in-circle
 // test, and the corners of the quadtree's cells. Everything that is certain (which side, inside which circle)
@@ -117,6 +118,8 @@ struct Double_geometry_2 {
 
   static Vector difference(Point p, Point q) { return {p.x - q.x, p.y - q.y}; }
   static Point translate(Point p, Vector v) { return {p.x + v.x, p.y + v.y}; }
+  /// The point at the given share of the way from p to q, rounded.
+  static Point between(Point p, Point q, double share) { return translate(p, share * difference(q, p)); }
 
   /// Sign of the turn a, b, c; exact. The filter is Shewchuk's ccwerrboundA; products that underflow go to
   /// the kernel.
@@ -159,6 +162,8 @@ struct Integer_geometry_2 {
     return {static_cast<double>(p.x - q.x), static_cast<double>(p.y - q.y)};
   }
   static Point translate(Point p, Vector v) { return {p.x + std::llround(v.x), p.y + std::llround(v.y)}; }
+  /// The point at the given share of the way from p to q, rounded.
+  static Point between(Point p, Point q, double share) { return translate(p, share * difference(q, p)); }
 
   static int orientation(Point a, Point b, Point c) {
     const Wide d = Wide(b.x - a.x) * (c.y - a.y) - Wide(b.y - a.y) * (c.x - a.x);

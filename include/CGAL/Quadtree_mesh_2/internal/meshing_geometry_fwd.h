@@ -16,6 +16,8 @@ template <class Kernel>
 struct Double_geometry_2;
 template <class Word>
 struct Integer_geometry_2;
+template <class Kernel>
+struct Exact_geometry_2;
 
 } // namespace internal
 } // namespace Quadtree_mesh_2
