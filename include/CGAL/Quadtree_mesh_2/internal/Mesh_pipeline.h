@@ -242,12 +242,10 @@ private:
 
   std::size_t vertex_budget() const {
     if (options_.vertex_budget > 0) return options_.vertex_budget;
-    // what 32-bit handles allow; above the guaranteed angle, where refinement might not end, a multiple of
-    // the input
-    constexpr std::size_t largest = Triangle_budget::most_vertices;
-    return state_.bounds.is_guaranteed() || state_.bounds.is_size_bounded()
-               ? largest
-               : std::min(largest, 100 * pslg_.number_of_vertices() + 2000000);
+    // What 32-bit handles allow, and a large multiple of what is to be expected: no proof says that refinement ends.
+    const double expected = static_cast<double>(pslg_.number_of_vertices()) + report_.estimated_triangles;
+    return static_cast<std::size_t>(
+        std::min(static_cast<double>(Triangle_budget::most_vertices), 100 * expected + 2e6));
   }
 
   void refine(Refiner<Geometry>& refiner, Splitter<Geometry>& splitter) {
@@ -271,6 +269,7 @@ private:
       const double made = static_cast<double>(state_.mesh.number_of_vertices() - n) + 1;
       return shall_go_on(0.2 + 0.6 * made / (made + 3 * static_cast<double>(n)));
     });
+    // Here a construction with certified bounds could take over.
     if (end == Refinement_end::out_of_budget) report_.is_budget_exhausted = true;
   }
 
