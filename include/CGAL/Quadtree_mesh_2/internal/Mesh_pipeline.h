@@ -181,7 +181,7 @@ private:
 
   /// \throws Pslg_error_2 if the mesh would surely be larger than the budget.
   void estimate_size() {
-    const Size_estimate<Geometry> estimate(state_);
+    const Size_estimate<Geometry> estimate(state_, Concurrency_tag());
     report_.estimated_triangles = estimate.triangles();
     const Triangle_budget budget(options_.vertex_budget);
     if (!budget.is_surely_exceeded_by(estimate.triangles())) return;

@@ -28,6 +28,7 @@
 #define CGAL_QUADTREE_MESH_2_INTERNAL_SIZE_ESTIMATE_H
 
 #include <CGAL/Quadtree_mesh_2/internal/Meshing_state.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel.h>
 
 #include <algorithm>
 #include <cmath>
@@ -52,12 +53,23 @@ public:
   };
 
   /// \pre the mesh is the first triangulation, restricted to the domain.
-  explicit Size_estimate(const Meshing_state<Geometry>& state)
+  template <class Concurrency_tag>
+  Size_estimate(const Meshing_state<Geometry>& state, Concurrency_tag)
       : state_(state), mesh_(state.mesh), least_(std::sqrt(state.bounds.least_squared_length)) {
     if (state.bounds.squared_length_at)
       for (const auto& r : mesh_.triangles) total_area2_ += mesh_.shape(r).area2;
     marks_.assign(mesh_.triangles.size(), 0);
-    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) add_triangle(static_cast<Triangle_id>(t));
+    const Demand all = reduce<Concurrency_tag>(
+        mesh_.triangles.size(), Demand(),
+        [this](std::size_t begin, std::size_t end) {
+          Demand sum;
+          for (std::size_t t = begin; t < end; ++t) add_triangle(static_cast<Triangle_id>(t), sum);
+          return sum;
+        },
+        [](const Demand& a, const Demand& b) {
+          return Demand{a.of_shapes + b.of_shapes, a.of_sizes + b.of_sizes};
+        });
+    of_shapes_ = all.of_shapes, of_sizes_ = all.of_sizes;
     for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
       for (int k = 0; k < 3 && marks_[t] != 0; ++k)
         if (is_narrow(static_cast<Triangle_id>(t), k)) add_facing_edges(static_cast<Triangle_id>(t), k);
@@ -86,6 +98,11 @@ private:
   static constexpr double share_of_squared_edge = 0.28;
   static constexpr double field_samples = 20000;
 
+  /// What triangles ask for, each for itself.
+  struct Demand {
+    double of_shapes = 0, of_sizes = 0;
+  };
+
   const Meshing_state<Geometry>& state_;
   const Kernel_mesh<Geometry>& mesh_;
   double least_;
@@ -96,7 +113,7 @@ private:
       marks_;                  // per triangle: bit k for a narrow side k, 3 + k for a sector begun there
   std::vector<Side> opposite_; // the narrow sides opposite the apex of a sector
 
-  void add_triangle(Triangle_id t) {
+  void add_triangle(Triangle_id t, Demand& demand) {
     const auto& r = mesh_.triangle(t);
     const Shape s = mesh_.shape(r);
     int constrained = 0;
@@ -106,14 +123,14 @@ private:
       unsigned char& marks = marks_[std::size_t(t)];
       if (2 * s.area2 < s.l[k]) marks = static_cast<unsigned char>(marks | 1u << k);
     }
-    of_shapes_ += per_triangle;
+    demand.of_shapes += per_triangle;
     if (constrained < 2 && s.longest() > ordinary_aspect * s.area2) {
       // collinear vertices give no area in doubles
       double aspect = std::min(s.longest() / s.area2, largest_aspect);
       if (least_ > 0) aspect = std::min(aspect, std::max(ordinary_aspect, std::sqrt(s.longest()) / least_));
-      of_shapes_ += per_layer * std::log2(std::min(aspect / ordinary_aspect, growth_around(r, s)));
+      demand.of_shapes += per_layer * std::log2(std::min(aspect / ordinary_aspect, growth_around(r, s)));
     }
-    add_sizes(t, s);
+    demand.of_sizes += sizes_demand(t, s);
   }
 
   /// How much longer than the shortest edge of a needle the next edges around its apex are, at least 1: of
@@ -134,9 +151,9 @@ private:
                       : std::max(1.0, std::sqrt(next / s.shortest()));
   }
 
-  void add_sizes(Triangle_id t, const Shape& s) {
+  double sizes_demand(Triangle_id t, const Shape& s) const {
     const Bounds<Geometry>& bounds = state_.bounds;
-    if (!bounds.is_size_bounded()) return;
+    if (!bounds.is_size_bounded()) return 0;
     double area2 = bounds.area2;
     if (!bounds.area2_of_region.empty() && mesh_.region(t) >= 0)
       area2 = std::min(area2, bounds.area2_of_region[std::size_t(mesh_.region(t))]);
@@ -144,7 +161,7 @@ private:
         std::max(1 / (share_of_area * area2), 0.5 / (share_of_squared_edge * bounds.squared_length));
     if (bounds.squared_length_at) per_area2 = std::max(per_area2, field_density(t, s));
     const double finest = least_ > 0 ? 0.5 / (share_of_squared_edge * least_ * least_) : per_area2;
-    of_sizes_ += s.area2 * std::min(per_area2, finest);
+    return s.area2 * std::min(per_area2, finest);
   }
 
   /// The mean of the density that the size field asks for in t, at the centres of k^2 parts of equal area.
