@@ -30,9 +30,11 @@ namespace pslg_ours {
 
 using Traits = CGAL::Filtered_quadtree_traits_2<>;
 
-/// The tag of the mesher that runs on several threads; `Sequential_tag` if there is none.
-using Threads_tag = CGAL::Sequential_tag;
-constexpr bool has_threads = std::is_convertible_v<Threads_tag, CGAL::Parallel_tag>;
+#ifdef CGAL_LINKED_WITH_TBB
+constexpr bool has_threads = true;
+#else
+constexpr bool has_threads = false;
+#endif
 
 /// By the method of Fowler, Noll and Vo, on words instead of bytes.
 class Digest {
@@ -112,7 +114,7 @@ inline std::vector<Pslg_method> methods(const std::vector<unsigned>& threads) {
   std::vector<Pslg_method> result{method<CGAL::Sequential_tag>("ours", 0)};
   if constexpr (has_threads)
     for (const unsigned n : threads)
-      result.push_back(method<Threads_tag>("ours, " + std::to_string(n) + " threads", n));
+      result.push_back(method<CGAL::Parallel_tag>("ours, " + std::to_string(n) + " threads", n));
   return result;
 }
 

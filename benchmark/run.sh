@@ -23,6 +23,8 @@ meshes maps --min-angle 18.43 20.7 30 --repeat 5 "$@"
 meshes synthetic koch:49152 blob:1e4 stars:1e4 comb:500 fan:1 fan:0.1 wedge:1 wedge:0.0001 parallel:1e-4 \
   segments:1e5 holes:19600 square:1.5e-6 coast:1e5 --repeat 3 --limit 60 "$@"
 meshes growth --growth coast segments blob holes --sizes 1e4 3e4 1e5 3e5 --repeat 1 --limit 120 "$@"
+meshes threads "$root/test/data/gshhg_norway_f.poly.gz" coast:3e5 segments:1e5 square:1e-6 --peers none --repeat 5 \
+  --threads $(seq -s ' ' 1 "$(nproc)")
 meshes large coast:1e6 --repeat 1 --limit 120 "$@"
 
 say "quadtrees"
