@@ -60,7 +60,10 @@ public:
       if ((step & 4095u) == 0 && !shall_go_on()) return Refinement_end::cancelled;
       const Triangle_id t = state_.worklist.pop();
       if (!mesh_.is_alive(t) || !state_.is_bad(t)) continue;
-      if (mesh_.number_of_vertices() >= budget) return Refinement_end::out_of_budget;
+      if (mesh_.number_of_vertices() >= budget) {
+        state_.worklist.push(t);
+        return Refinement_end::out_of_budget;
+      }
       if (relocate_a_vertex_of(t)) continue;
       refine(t);
     }
