@@ -35,17 +35,17 @@ public:
     cells_per_unit_ = (number_of_cells - 1) / (thresholds_[NumberOfBins] - thresholds_[0]);
     std::size_t bin = 0;
     for (std::size_t cell = 0; cell < number_of_cells; ++cell) {
-      const double x = thresholds_[0] + static_cast<double>(cell) / cells_per_unit_;
+      const double x = thresholds_[0] + (static_cast<double>(cell) - 1e-6) / cells_per_unit_;
       while (bin + 1 < NumberOfBins && thresholds_[bin + 1] <= x) ++bin;
       first_[cell] = static_cast<std::uint8_t>(bin);
     }
   }
 
   std::size_t operator()(double x) const {
-    const double y = std::min(std::max(x, thresholds_[0]), thresholds_[NumberOfBins]);
-    std::size_t bin = first_[static_cast<std::size_t>((y - thresholds_[0]) * cells_per_unit_)];
-    while (bin > 0 && y < thresholds_[bin]) --bin; // the table's rounding
-    while (bin + 1 < NumberOfBins && y >= thresholds_[bin + 1]) ++bin;
+    const double cell =
+        std::min(std::max((x - thresholds_[0]) * cells_per_unit_, 0.0), number_of_cells - 1.0);
+    std::size_t bin = first_[static_cast<std::size_t>(cell)];
+    while (bin + 1 < NumberOfBins && x >= thresholds_[bin + 1]) ++bin;
     return bin;
   }
 
@@ -62,8 +62,9 @@ public:
     const double x = s.shortest(), z = s.longest();
     const double y = std::max(std::min(s.l[0], s.l[1]), std::min(std::max(s.l[0], s.l[1]), s.l[2]));
     const double n = z - x - y; // -2 sqrt(x y) cos(largest)
-    ++least_[bins().least(s.area2 * s.area2 / (y * z))];
-    ++largest_[bins().largest(n * std::fabs(n) / (4 * x * y))];
+    const double f = 1 / (x * y * z);
+    ++least_[bins_->least(s.area2 * s.area2 * x * f)];
+    ++largest_[bins_->largest(0.25 * n * std::fabs(n) * z * f)];
   }
 
   /// Adds the numbers of triangles, by bins of 1 degree from 0 and from 60 degrees.
@@ -90,6 +91,7 @@ private:
     return the_bins;
   }
 
+  const Bins* bins_ = &bins();
   std::array<std::uint32_t, 60> least_{};
   std::array<std::uint32_t, 120> largest_{};
 };
