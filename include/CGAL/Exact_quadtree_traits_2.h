@@ -8,8 +8,10 @@
 #define CGAL_EXACT_QUADTREE_TRAITS_2_H
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Quadtree_mesh_2/Grid_point_2.h>
 #include <CGAL/Quadtree_mesh_2/Point_error.h>
+#include <CGAL/Quadtree_mesh_2/internal/exact_coordinate_map.h>
 #include <CGAL/Quadtree_mesh_2/internal/exact_grid.h>
 #include <CGAL/enum.h>
 #include <CGAL/number_utils.h>
@@ -61,8 +63,10 @@ public:
   using Point_2 = typename Kernel::Point_2;
   using Word = Quadtree_mesh_2::internal::Long_word;
   using Grid_point = Quadtree_mesh_2::Grid_point_2<Word>;
-  /// Not defined: quadtrees of exact points are not meshed.
-  class Meshing_geometry_2;
+  using Meshing_geometry_2 =
+      std::conditional_t<is_over_double,
+                         Quadtree_mesh_2::internal::Double_geometry_2<Exact_predicates_inexact_constructions_kernel>,
+                         Quadtree_mesh_2::internal::Exact_geometry_2<Kernel>>;
 
   /// The map between points and the grid. The default is the grid of no points.
   class Grid_2 {

@@ -363,13 +363,12 @@ private:
            corners_.legs_of_edge[std::size_t(e)][std::size_t(end)] < 0;
   }
 
-  /// Where x-y is split, for a wish in its middle 30 percent: rounded to a few bits, of which exact coordinates
-  /// get that many more with each split of a split.
+  /// Where x-y is split, for a wish in its middle 30 percent.
   double share_of_split(Vertex_id x, Vertex_id y, Edge_id e, const Point* want) const {
     if (want == nullptr || is_leg_without_ring(e, 0) || is_leg_without_ring(e, 1)) return 0.5;
     const Vector d = Geometry::difference(mesh_.point(y), mesh_.point(x));
     const double f = dot(Geometry::difference(*want, mesh_.point(x)), d) / squared_length(d);
-    return 0x1p-16 * std::floor(0x1p16 * std::min(0.65, std::max(0.35, f)));
+    return Geometry::short_share(std::min(0.65, std::max(0.35, f)));
   }
 };
 

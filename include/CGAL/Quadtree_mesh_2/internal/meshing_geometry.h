@@ -96,6 +96,7 @@ private:
 template <class Kernel>
 struct Double_geometry_2 {
   using Coordinate = double;
+  static constexpr bool has_unlimited_coordinates = false;
   struct Point {
     double x = 0, y = 0;
     friend bool operator==(Point a, Point b) { return a.x == b.x && a.y == b.y; }
@@ -105,6 +106,8 @@ struct Double_geometry_2 {
   static Point translate(Point p, Vector v) { return {p.x + v.x, p.y + v.y}; }
   /// The point at the given share of the way from p to q, rounded.
   static Point between(Point p, Point q, double share) { return translate(p, share * difference(q, p)); }
+  /// A share, about the given one, for which the coordinates of a point between others do not become long.
+  static double short_share(double share) { return share; }
 
   /// Sign of the turn a, b, c; exact. The filter is Shewchuk's ccwerrboundA; products that underflow go to
   /// the kernel.
@@ -137,6 +140,7 @@ private:
 template <class Word>
 struct Integer_geometry_2 {
   using Coordinate = std::int64_t;
+  static constexpr bool has_unlimited_coordinates = false;
   struct Point {
     std::int64_t x = 0, y = 0;
     friend bool operator==(Point a, Point b) { return a.x == b.x && a.y == b.y; }
@@ -148,6 +152,8 @@ struct Integer_geometry_2 {
   static Point translate(Point p, Vector v) { return {p.x + std::llround(v.x), p.y + std::llround(v.y)}; }
   /// The point at the given share of the way from p to q, rounded.
   static Point between(Point p, Point q, double share) { return translate(p, share * difference(q, p)); }
+  /// A share, about the given one, for which the coordinates of a point between others do not become long.
+  static double short_share(double share) { return share; }
 
   static int orientation(Point a, Point b, Point c) {
     const Wide d = Wide(b.x - a.x) * (c.y - a.y) - Wide(b.y - a.y) * (c.x - a.x);
