@@ -63,10 +63,10 @@ public:
   using Point_2 = typename Kernel::Point_2;
   using Word = Quadtree_mesh_2::internal::Long_word;
   using Grid_point = Quadtree_mesh_2::Grid_point_2<Word>;
-  using Meshing_geometry_2 =
-      std::conditional_t<is_over_double,
-                         Quadtree_mesh_2::internal::Double_geometry_2<Exact_predicates_inexact_constructions_kernel>,
-                         Quadtree_mesh_2::internal::Exact_geometry_2<Kernel>>;
+  using Meshing_geometry_2 = std::conditional_t<
+      is_over_double,
+      Quadtree_mesh_2::internal::Double_geometry_2<Exact_predicates_inexact_constructions_kernel>,
+      Quadtree_mesh_2::internal::Exact_geometry_2<Kernel>>;
 
   /// The map between points and the grid. The default is the grid of no points.
   class Grid_2 {

@@ -185,7 +185,7 @@ public:
   static Shape shape(const Point& a, const Point& b, const Point& c) {
     const Vector u = Geometry::difference(b, a), v = Geometry::difference(c, b),
                  w = Geometry::difference(a, c);
-    return {{squared_length(v), squared_length(w), squared_length(u)}, cross(u, v)};
+    return {{squared_length(v), squared_length(w), squared_length(u)}, Geometry::doubled_area(u, v, a, b, c)};
   }
 
   int orientation(Vertex_id a, Vertex_id b, Vertex_id c) const {

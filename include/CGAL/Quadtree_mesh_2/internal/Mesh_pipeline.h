@@ -168,7 +168,8 @@ private:
       const Shape s = state_.mesh.shape(r);
       if (s.shortest() >= least && s.area2 * s.area2 >= least * s.longest()) continue;
       std::string names;
-      for (const Vertex_id v : r.v) names += (names.empty() ? "" : ", ") + name_of_vertex(order_[std::size_t(v)]);
+      for (const Vertex_id v : r.v)
+        names += (names.empty() ? "" : ", ") + name_of_vertex(order_[std::size_t(v)]);
       throw Pslg_error_2(names + ": nearer to each other, or to being on a line, than 2^-150 of the extent");
     }
   }

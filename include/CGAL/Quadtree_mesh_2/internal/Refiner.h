@@ -148,8 +148,7 @@ private:
       if (squared_length(off_center - middle) < squared_length(center - middle)) center = off_center;
     }
     const Point q = Geometry::translate(a, center);
-    const Point corner =
-        Geometry::nearest_corner(q, power_of_two_at_most(0.25 * std::sqrt(s.l[k])));
+    const Point corner = Geometry::nearest_corner(q, power_of_two_at_most(0.25 * std::sqrt(s.l[k])));
     return In_circle(Geometry::difference(a, corner), Geometry::difference(b, corner),
                      Geometry::difference(c, corner))
                    .is_certainly_inside()
@@ -188,7 +187,9 @@ private:
     for (int k = 0; k < 3; ++k) {
       const Vector x = Geometry::difference(mesh_.point(r.v[next_slot[k]]), q);
       const Vector y = Geometry::difference(mesh_.point(r.v[previous_slot[k]]), q);
-      if (cross(x, y) <= 1e-10 * squared_length(x - y)) on_slot = k, ++number_on;
+      const double c = cross(x, y);
+      // by the angle under which q sees the side: near an end of it q may be at any distance from it
+      if (c <= 0 || c * c <= 1e-20 * squared_length(x) * squared_length(y)) on_slot = k, ++number_on;
     }
     if (on_slot >= 0 && r.side[on_slot].is_seam()) return Outcome::deferred;
     if (number_on > 1 || (on_slot >= 0 && r.side[on_slot].is_constrained())) return Outcome::refused;

@@ -220,7 +220,8 @@ private:
     const auto& is_acute = state_.corners.is_acute;
     if (is_acute[std::size_t(edge.a)] != 0 || is_acute[std::size_t(edge.b)] != 0) return false;
     const Point &a = state_.problem.input_point(edge.a), &b = state_.problem.input_point(edge.b);
-    const Vector from_a = Geometry::difference(mesh_.point(v), a), from_b = Geometry::difference(mesh_.point(v), b);
+    const Vector from_a = Geometry::difference(mesh_.point(v), a),
+                 from_b = Geometry::difference(mesh_.point(v), b);
     const Vector d = Geometry::difference(b, a);
     const double length = std::sqrt(squared_length(d));
     const double place = place_on_line((1 / length) * d, mean_distance_of_link(mesh_.point(v)));
@@ -229,7 +230,8 @@ private:
     const bool is_nearer_to_a = squared_length(from_a) <= squared_length(from_b);
     const double share_of_a = dot(from_a, d) / squared_length(d) + place / length;
     const double share_of_b = -dot(from_b, d) / squared_length(d) - place / length;
-    return accept(v, is_nearer_to_a ? Geometry::between(a, b, share_of_a) : Geometry::between(b, a, share_of_b));
+    return accept(v,
+                  is_nearer_to_a ? Geometry::between(a, b, share_of_a) : Geometry::between(b, a, share_of_b));
   }
 
   /// How far to go from the vertex along a direction for the best star that is found.

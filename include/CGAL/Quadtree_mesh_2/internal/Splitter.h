@@ -113,7 +113,9 @@ private:
   /// Nothing is cut nearer to an acute apex than this share of the leg. For bounds that are guaranteed only
   /// features as near as that could ask for it; above, two corners of one vertex may drive each other on
   /// without end.
-  double least_share_of_leg() const { return state_.bounds.is_guaranteed() ? 0x1p-45 : 0x1p-12; }
+  double least_share_of_leg() const {
+    return state_.bounds.is_guaranteed() ? Geometry::least_share_of_leg : 0x1p-12;
+  }
 
   double distance(Vertex_id a, Vertex_id b) const {
     return std::sqrt(squared_length(Geometry::difference(mesh_.point(a), mesh_.point(b))));

@@ -41,6 +41,7 @@ struct Exact_geometry_2 {
   static constexpr bool has_unlimited_coordinates = true;
   /// Vertices nearer to each other, or to a segment, are not meshed.
   static constexpr double least_length = 0x1p-150;
+  static constexpr double least_share_of_leg = 0x1p-155;
   struct Point {
     Coordinate x, y;
 
@@ -52,12 +53,22 @@ struct Exact_geometry_2 {
     return {Coordinate::difference(p.x, q.x), Coordinate::difference(p.y, q.y)};
   }
 
+  /// Of the triangle a, b, c, with u = b - a and v = c - b; to a relative 1e-4 however flat the triangle is.
+  static double doubled_area(Vector u, Vector v, const Point& a, const Point& b, const Point& c) {
+    const double l = u.x * v.y, r = u.y * v.x;
+    if (std::fabs(l - r) > 1e-11 * (std::fabs(l) + std::fabs(r))) return l - r;
+    const Field ax = a.x.exact(), ay = a.y.exact();
+    return CGAL::to_double(
+        Field((b.x.exact() - ax) * (c.y.exact() - ay) - (b.y.exact() - ay) * (c.x.exact() - ax)));
+  }
+
   /// A place near p + v: next to it in the grid with the unit 2^-30 of v, so beside p where p is not on that grid.
   static Point translate(const Point& p, Vector v) {
     const double length = std::max(std::fabs(v.x), std::fabs(v.y));
     if (!(length > 0 && std::isfinite(length))) return p;
     const int exponent = std::ilogb(length) - bits_of_translation;
-    return {Coordinate::nearest_multiple(p.x, v.x, exponent), Coordinate::nearest_multiple(p.y, v.y, exponent)};
+    return {Coordinate::nearest_multiple(p.x, v.x, exponent),
+            Coordinate::nearest_multiple(p.y, v.y, exponent)};
   }
 
   /// The point at the given share of the way from p to q, exactly.
@@ -74,8 +85,8 @@ struct Exact_geometry_2 {
     if (std::fabs(d) > 3.5e-16 * magnitude && magnitude > 1e-280) return d > 0 ? 1 : -1;
     if (a.is_double() && b.is_double() && c.is_double())
       return Doubles::orientation(double_point(a), double_point(b), double_point(c));
-    return static_cast<int>(CGAL::orientationC2(a.x.exact(), a.y.exact(), b.x.exact(), b.y.exact(),
-                                                c.x.exact(), c.y.exact()));
+    return static_cast<int>(
+        CGAL::orientationC2(a.x.exact(), a.y.exact(), b.x.exact(), b.y.exact(), c.x.exact(), c.y.exact()));
   }
 
   /// Whether d lies strictly inside the circle through a, b, c (counterclockwise); exact.

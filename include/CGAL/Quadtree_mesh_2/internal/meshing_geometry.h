@@ -97,12 +97,16 @@ template <class Kernel>
 struct Double_geometry_2 {
   using Coordinate = double;
   static constexpr bool has_unlimited_coordinates = false;
+  /// Features of the input nearer to a vertex than this share of an edge at it are beyond coordinates.
+  static constexpr double least_share_of_leg = 0x1p-45;
   struct Point {
     double x = 0, y = 0;
     friend bool operator==(Point a, Point b) { return a.x == b.x && a.y == b.y; }
   };
 
   static Vector difference(Point p, Point q) { return {p.x - q.x, p.y - q.y}; }
+  /// Of the triangle a, b, c, with u = b - a and v = c - b.
+  static double doubled_area(Vector u, Vector v, Point, Point, Point) { return cross(u, v); }
   static Point translate(Point p, Vector v) { return {p.x + v.x, p.y + v.y}; }
   /// The point at the given share of the way from p to q, rounded.
   static Point between(Point p, Point q, double share) { return translate(p, share * difference(q, p)); }
@@ -141,6 +145,8 @@ template <class Word>
 struct Integer_geometry_2 {
   using Coordinate = std::int64_t;
   static constexpr bool has_unlimited_coordinates = false;
+  /// Features of the input nearer to a vertex than this share of an edge at it are beyond coordinates.
+  static constexpr double least_share_of_leg = 0x1p-45;
   struct Point {
     std::int64_t x = 0, y = 0;
     friend bool operator==(Point a, Point b) { return a.x == b.x && a.y == b.y; }
@@ -149,6 +155,7 @@ struct Integer_geometry_2 {
   static Vector difference(Point p, Point q) {
     return {static_cast<double>(p.x - q.x), static_cast<double>(p.y - q.y)};
   }
+  static double doubled_area(Vector u, Vector v, Point, Point, Point) { return cross(u, v); }
   static Point translate(Point p, Vector v) { return {p.x + std::llround(v.x), p.y + std::llround(v.y)}; }
   /// The point at the given share of the way from p to q, rounded.
   static Point between(Point p, Point q, double share) { return translate(p, share * difference(q, p)); }
