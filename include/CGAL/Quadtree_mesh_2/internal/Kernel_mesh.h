@@ -215,7 +215,7 @@ public:
   /// Ties and near-ties are left as they are, so that flipping ends whatever the rounding.
   bool is_certainly_not_Delaunay(Triangle_id t, int k) const {
     const Triangle& r = triangle(t);
-    const Point d = point(opposite(r.side[k]));
+    const Point& d = point(opposite(r.side[k]));
     return In_circle(Geometry::difference(point(r.v[k]), d),
                      Geometry::difference(point(r.v[next_slot[k]]), d),
                      Geometry::difference(point(r.v[previous_slot[k]]), d))
