@@ -44,6 +44,9 @@ namespace CGAL {
 /// first. Earlier versions do not. Kernels over `Gmpq`, whose copies share their value without protection,
 /// need points that share no number with points of other threads.
 ///
+/// The same holds for `Quality_mesher_2` with `Parallel_tag`: it computes with exact values of its own, and makes the
+/// kernel's points of them.
+///
 /// \tparam Kernel a CGAL kernel whose `FT` is an exact ordered field with a constructor from `double`, or
 /// `double` itself. For `double`, points are mapped to the grid exactly, and grid points to the nearest
 /// double.

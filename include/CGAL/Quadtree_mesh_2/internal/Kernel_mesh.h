@@ -216,10 +216,8 @@ public:
   bool is_certainly_not_Delaunay(Triangle_id t, int k) const {
     const Triangle& r = triangle(t);
     const Point& d = point(opposite(r.side[k]));
-    return In_circle(Geometry::difference(point(r.v[k]), d),
-                     Geometry::difference(point(r.v[next_slot[k]]), d),
-                     Geometry::difference(point(r.v[previous_slot[k]]), d))
-        .is_certainly_inside();
+    return Geometry::is_certainly_in_circle(point(r.v[k]), point(r.v[next_slot[k]]),
+                                            point(r.v[previous_slot[k]]), d);
   }
 
   /// Flips until the given sides, and those of triangles that flips change, are Delaunay or not certainly else.

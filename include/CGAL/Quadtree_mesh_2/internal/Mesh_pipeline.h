@@ -170,7 +170,7 @@ private:
       std::string names;
       for (const Vertex_id v : r.v)
         names += (names.empty() ? "" : ", ") + name_of_vertex(order_[std::size_t(v)]);
-      throw Pslg_error_2(names + ": nearer to each other, or to being on a line, than 2^-150 of the extent");
+      throw Pslg_error_2(names + ": nearer to each other, or to being on a line, than 2^-128 of the extent");
     }
   }
 

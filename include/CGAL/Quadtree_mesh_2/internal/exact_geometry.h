@@ -13,8 +13,8 @@
 // 2^-60, as the filters of the kernel's in-circle test want.
 //
 // Coordinates are of the order of 1 (exact_coordinate_map.h). Predicates hold for points at any distance; products
-// of six differences, by which angles are compared, do not underflow down to differences of 2^-165, which leaves
-// triangles around vertices at the least distance some room.
+// of six differences, by which angles are compared, do not underflow down to differences of 2^-165. Vertices nearer
+// than 2^-128 are refused, so that there is room for the triangles around them.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_EXACT_GEOMETRY_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_EXACT_GEOMETRY_H
@@ -40,8 +40,8 @@ struct Exact_geometry_2 {
   using Coordinate = Exact_coordinate<Field>;
   static constexpr bool has_unlimited_coordinates = true;
   /// Vertices nearer to each other, or to a segment, are not meshed.
-  static constexpr double least_length = 0x1p-150;
-  static constexpr double least_share_of_leg = 0x1p-155;
+  static constexpr double least_length = 0x1p-128;
+  static constexpr double least_share_of_leg = 0x1p-145;
   struct Point {
     Coordinate x, y;
 
@@ -60,6 +60,18 @@ struct Exact_geometry_2 {
     const Field ax = a.x.exact(), ay = a.y.exact();
     return CGAL::to_double(
         Field((b.x.exact() - ax) * (c.y.exact() - ay) - (b.y.exact() - ay) * (c.x.exact() - ax)));
+  }
+
+  static bool is_certainly_in_circle(const Point& a, const Point& b, const Point& c, const Point& d) {
+    return is_in_circle(a, b, c, d);
+  }
+  /// Whether q is to the right of a, b; exact.
+  static bool is_beyond(const Point& a, const Point& b, const Point& q, Vector, Vector) {
+    return orientation(a, b, q) < 0;
+  }
+  /// Whether q is to the left of a, b; exact, so that there are no doubts in between.
+  static bool is_clearly_left(const Point& a, const Point& b, const Point& q, Vector, Vector) {
+    return orientation(a, b, q) > 0;
   }
 
   /// A place near p + v: next to it in the grid with the unit 2^-30 of v, so beside p where p is not on that grid.

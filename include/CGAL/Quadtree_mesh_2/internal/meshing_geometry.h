@@ -108,6 +108,18 @@ struct Double_geometry_2 {
   /// Of the triangle a, b, c, with u = b - a and v = c - b.
   static double doubled_area(Vector u, Vector v, Point, Point, Point) { return cross(u, v); }
   static Point translate(Point p, Vector v) { return {p.x + v.x, p.y + v.y}; }
+  /// For flips that shall end whatever the rounding.
+  static bool is_certainly_in_circle(const Point& a, const Point& b, const Point& c, const Point& d) {
+    return In_circle(difference(a, d), difference(b, d), difference(c, d)).is_certainly_inside();
+  }
+  /// Whether q is to the right of a, b; x = a - q and y = b - q.
+  static bool is_beyond(Point, Point, Point, Vector x, Vector y) { return cross(x, y) < 0; }
+  /// Whether q is so far to the left of a, b that a triangle of the three is none of rounding: by its angle at q.
+  static bool is_clearly_left(Point, Point, Point, Vector x, Vector y) {
+    const double c = cross(x, y);
+    return c > 0 && c * c > 1e-20 * squared_length(x) * squared_length(y);
+  }
+
   /// The point at the given share of the way from p to q, rounded.
   static Point between(Point p, Point q, double share) { return translate(p, share * difference(q, p)); }
   /// A share, about the given one, for which the coordinates of a point between others do not become long.
@@ -157,6 +169,18 @@ struct Integer_geometry_2 {
   }
   static double doubled_area(Vector u, Vector v, Point, Point, Point) { return cross(u, v); }
   static Point translate(Point p, Vector v) { return {p.x + std::llround(v.x), p.y + std::llround(v.y)}; }
+  /// For flips that shall end whatever the rounding.
+  static bool is_certainly_in_circle(const Point& a, const Point& b, const Point& c, const Point& d) {
+    return In_circle(difference(a, d), difference(b, d), difference(c, d)).is_certainly_inside();
+  }
+  /// Whether q is to the right of a, b; x = a - q and y = b - q.
+  static bool is_beyond(Point, Point, Point, Vector x, Vector y) { return cross(x, y) < 0; }
+  /// Whether q is so far to the left of a, b that a triangle of the three is none of rounding: by its angle at q.
+  static bool is_clearly_left(Point, Point, Point, Vector x, Vector y) {
+    const double c = cross(x, y);
+    return c > 0 && c * c > 1e-20 * squared_length(x) * squared_length(y);
+  }
+
   /// The point at the given share of the way from p to q, rounded.
   static Point between(Point p, Point q, double share) { return translate(p, share * difference(q, p)); }
   /// A share, about the given one, for which the coordinates of a point between others do not become long.
