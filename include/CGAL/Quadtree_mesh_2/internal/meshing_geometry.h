@@ -114,10 +114,9 @@ struct Double_geometry_2 {
   }
   /// Whether q is to the right of a, b; x = a - q and y = b - q.
   static bool is_beyond(Point, Point, Point, Vector x, Vector y) { return cross(x, y) < 0; }
-  /// Whether q is so far to the left of a, b that a triangle of the three is none of rounding: by its angle at q.
+  /// Whether q is so far to the left of a, b that a triangle of the three is none of rounding: by its height.
   static bool is_clearly_left(Point, Point, Point, Vector x, Vector y) {
-    const double c = cross(x, y);
-    return c > 0 && c * c > 1e-20 * squared_length(x) * squared_length(y);
+    return cross(x, y) > 1e-10 * squared_length(x - y);
   }
 
   /// The point at the given share of the way from p to q, rounded.
@@ -175,10 +174,9 @@ struct Integer_geometry_2 {
   }
   /// Whether q is to the right of a, b; x = a - q and y = b - q.
   static bool is_beyond(Point, Point, Point, Vector x, Vector y) { return cross(x, y) < 0; }
-  /// Whether q is so far to the left of a, b that a triangle of the three is none of rounding: by its angle at q.
+  /// Whether q is so far to the left of a, b that a triangle of the three is none of rounding: by its height.
   static bool is_clearly_left(Point, Point, Point, Vector x, Vector y) {
-    const double c = cross(x, y);
-    return c > 0 && c * c > 1e-20 * squared_length(x) * squared_length(y);
+    return cross(x, y) > 1e-10 * squared_length(x - y);
   }
 
   /// The point at the given share of the way from p to q, rounded.
