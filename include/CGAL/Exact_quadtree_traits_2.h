@@ -8,8 +8,10 @@
 #define CGAL_EXACT_QUADTREE_TRAITS_2_H
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Quadtree_mesh_2/Grid_point_2.h>
 #include <CGAL/Quadtree_mesh_2/Point_error.h>
+#include <CGAL/Quadtree_mesh_2/internal/exact_coordinate_map.h>
 #include <CGAL/Quadtree_mesh_2/internal/exact_grid.h>
 #include <CGAL/enum.h>
 #include <CGAL/number_utils.h>
@@ -42,6 +44,9 @@ namespace CGAL {
 /// first. Earlier versions do not. Kernels over `Gmpq`, whose copies share their value without protection,
 /// need points that share no number with points of other threads.
 ///
+/// The same holds for `Quality_mesher_2` with `Parallel_tag`: it computes with exact values of its own, and makes the
+/// kernel's points of them.
+///
 /// \tparam Kernel a CGAL kernel whose `FT` is an exact ordered field with a constructor from `double`, or
 /// `double` itself. For `double`, points are mapped to the grid exactly, and grid points to the nearest
 /// double.
@@ -61,8 +66,10 @@ public:
   using Point_2 = typename Kernel::Point_2;
   using Word = Quadtree_mesh_2::internal::Long_word;
   using Grid_point = Quadtree_mesh_2::Grid_point_2<Word>;
-  /// Not defined: quadtrees of exact points are not meshed.
-  class Meshing_geometry_2;
+  using Meshing_geometry_2 = std::conditional_t<
+      is_over_double,
+      Quadtree_mesh_2::internal::Double_geometry_2<Exact_predicates_inexact_constructions_kernel>,
+      Quadtree_mesh_2::internal::Exact_geometry_2<Kernel>>;
 
   /// The map between points and the grid. The default is the grid of no points.
   class Grid_2 {

@@ -185,7 +185,7 @@ public:
   static Shape shape(const Point& a, const Point& b, const Point& c) {
     const Vector u = Geometry::difference(b, a), v = Geometry::difference(c, b),
                  w = Geometry::difference(a, c);
-    return {{squared_length(v), squared_length(w), squared_length(u)}, cross(u, v)};
+    return {{squared_length(v), squared_length(w), squared_length(u)}, Geometry::doubled_area(u, v, a, b, c)};
   }
 
   int orientation(Vertex_id a, Vertex_id b, Vertex_id c) const {
@@ -212,14 +212,12 @@ public:
   }
 
   /// Whether the free side k of t has to be flipped: the apex across lies certainly inside t's circle.
-  /// Ties and near-ties are left as they are, so that flipping ends whatever the rounding; but not those of triangles
-  /// that are nearly flat, whose circle says nothing in doubles: they are decided exactly.
+  /// Ties and near-ties are left as they are, so that flipping ends whatever the rounding.
   bool is_certainly_not_Delaunay(Triangle_id t, int k) const {
     const Triangle& r = triangle(t);
-    const Point &a = point(r.v[k]), &b = point(r.v[next_slot[k]]), &c = point(r.v[previous_slot[k]]),
-                &d = point(opposite(r.side[k]));
-    const In_circle test(Geometry::difference(a, d), Geometry::difference(b, d), Geometry::difference(c, d));
-    return test.is_flat() ? Geometry::is_in_circle(a, b, c, d) : test.is_certainly_inside();
+    const Point& d = point(opposite(r.side[k]));
+    return Geometry::is_certainly_in_circle(point(r.v[k]), point(r.v[next_slot[k]]),
+                                            point(r.v[previous_slot[k]]), d);
   }
 
   /// Flips until the given sides, and those of triangles that flips change, are Delaunay or not certainly else.

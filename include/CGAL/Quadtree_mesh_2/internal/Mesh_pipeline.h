@@ -142,6 +142,7 @@ private:
     problem_.input_points = std::move(points);
 
     find_domain();
+    if constexpr (Geometry::has_unlimited_coordinates) check_distances();
     set_bounds();
     estimate_size();
     Corner_finder<Concurrency_tag, Geometry>(state_).run();
@@ -160,6 +161,22 @@ private:
                        : pslg_.holes.empty()
                            ? "the segments enclose no domain: every face is connected to infinity"
                            : "no domain is left: what the segments enclose, holes take away");
+  }
+
+  /// Coordinates are unlimited, the doubles in which angles are compared are not.
+  /// \throws Pslg_error_2 if vertices are nearer to each other, or to segments, than these can tell. Such pairs are
+  /// sides and heights of triangles.
+  void check_distances() const {
+    constexpr double least = Geometry::least_length * Geometry::least_length;
+    for (const auto& r : state_.mesh.triangles) {
+      if (r.v[0] < 0) continue;
+      const Shape s = state_.mesh.shape(r);
+      if (s.shortest() >= least && s.area2 * s.area2 >= least * s.longest()) continue;
+      std::string names;
+      for (const Vertex_id v : r.v)
+        names += (names.empty() ? "" : ", ") + name_of_vertex(order_[std::size_t(v)]);
+      throw Pslg_error_2(names + ": nearer to each other, or to being on a line, than 2^-128 of the extent");
+    }
   }
 
   void set_bounds() {

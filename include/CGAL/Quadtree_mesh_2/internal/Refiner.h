@@ -220,7 +220,8 @@ private:
     for (int k = 0; k < 3; ++k) {
       const Vector x = Geometry::difference(mesh_.point(r.v[next_slot[k]]), q);
       const Vector y = Geometry::difference(mesh_.point(r.v[previous_slot[k]]), q);
-      if (cross(x, y) <= 1e-10 * squared_length(x - y)) on_slot = k, ++number_on;
+      const Point &a = mesh_.point(r.v[next_slot[k]]), &b = mesh_.point(r.v[previous_slot[k]]);
+      if (!Geometry::is_clearly_left(a, b, q, x, y)) on_slot = k, ++number_on;
     }
     if (on_slot >= 0 && r.side[on_slot].is_seam()) return Outcome::deferred;
     if (number_on > 1 || (on_slot >= 0 && r.side[on_slot].is_constrained())) return Outcome::refused;

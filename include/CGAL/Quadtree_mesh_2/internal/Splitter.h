@@ -113,7 +113,9 @@ private:
   /// Nothing is cut nearer to an acute apex than this share of the leg. For bounds that are guaranteed only
   /// features as near as that could ask for it; above, two corners of one vertex may drive each other on
   /// without end.
-  double least_share_of_leg() const { return state_.bounds.is_guaranteed() ? 0x1p-45 : 0x1p-12; }
+  double least_share_of_leg() const {
+    return state_.bounds.is_guaranteed() ? Geometry::least_share_of_leg : 0x1p-12;
+  }
 
   double distance(Vertex_id a, Vertex_id b) const {
     return std::sqrt(squared_length(Geometry::difference(mesh_.point(a), mesh_.point(b))));
@@ -363,13 +365,12 @@ private:
            corners_.legs_of_edge[std::size_t(e)][std::size_t(end)] < 0;
   }
 
-  /// Where x-y is split, for a wish in its middle 30 percent: rounded to a few bits, of which exact coordinates
-  /// get that many more with each split of a split.
+  /// Where x-y is split, for a wish in its middle 30 percent.
   double share_of_split(Vertex_id x, Vertex_id y, Edge_id e, const Point* want) const {
     if (want == nullptr || is_leg_without_ring(e, 0) || is_leg_without_ring(e, 1)) return 0.5;
     const Vector d = Geometry::difference(mesh_.point(y), mesh_.point(x));
     const double f = dot(Geometry::difference(*want, mesh_.point(x)), d) / squared_length(d);
-    return 0x1p-16 * std::floor(0x1p16 * std::min(0.65, std::max(0.35, f)));
+    return Geometry::short_share(std::min(0.65, std::max(0.35, f)));
   }
 };
 

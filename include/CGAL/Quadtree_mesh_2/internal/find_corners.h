@@ -152,16 +152,8 @@ private:
     const Corner_id id = static_cast<Corner_id>(corners_.corners.size());
     const auto add_leg = [&](Edge_id e) {
       const Vertex_id far = state_.edges.other_end(e, corner.apex);
-      corner.legs.push_back(corners_.add_leg({id,
-                                              e,
-                                              corner.apex,
-                                              far,
-                                              distance(corner.apex, far),
-                                              -1,
-                                              -1,
-                                              {},
-                                              -1,
-                                              corner.apex}));
+      corner.legs.push_back(corners_.add_leg(
+          {id, e, corner.apex, far, distance(corner.apex, far), -1, -1, {}, -1, corner.apex}));
     };
     first_triangles_.emplace_back();
     add_leg(acute_[run.front()].right);

@@ -111,15 +111,35 @@ bool are_corners_of_rectangle(const Point& a, const Point& b, const Point& c, co
 template <class Kernel>
 struct Double_geometry_2 {
   using Coordinate = double;
+  static constexpr bool has_unlimited_coordinates = false;
+  /// Features of the input nearer to a vertex than this share of an edge at it are beyond coordinates.
+  static constexpr double least_share_of_leg = 0x1p-45;
   struct Point {
     double x = 0, y = 0;
     friend bool operator==(Point a, Point b) { return a.x == b.x && a.y == b.y; }
   };
 
   static Vector difference(Point p, Point q) { return {p.x - q.x, p.y - q.y}; }
+  /// Of the triangle a, b, c, with u = b - a and v = c - b.
+  static double doubled_area(Vector u, Vector v, Point, Point, Point) { return cross(u, v); }
   static Point translate(Point p, Vector v) { return {p.x + v.x, p.y + v.y}; }
+  /// For flips that shall end whatever the rounding: ties and near-ties are left as they are; but not those of
+  /// triangles that are nearly flat, whose circle says nothing in doubles: they are decided exactly.
+  static bool is_certainly_in_circle(const Point& a, const Point& b, const Point& c, const Point& d) {
+    const In_circle test(difference(a, d), difference(b, d), difference(c, d));
+    return test.is_flat() ? is_in_circle(a, b, c, d) : test.is_certainly_inside();
+  }
+  /// Whether q is to the right of a, b; x = a - q and y = b - q.
+  static bool is_beyond(Point, Point, Point, Vector x, Vector y) { return cross(x, y) < 0; }
+  /// Whether q is so far to the left of a, b that a triangle of the three is none of rounding: by its height.
+  static bool is_clearly_left(Point, Point, Point, Vector x, Vector y) {
+    return cross(x, y) > 1e-10 * squared_length(x - y);
+  }
+
   /// The point at the given share of the way from p to q, rounded.
   static Point between(Point p, Point q, double share) { return translate(p, share * difference(q, p)); }
+  /// A share, about the given one, for which the coordinates of a point between others do not become long.
+  static double short_share(double share) { return share; }
 
   /// Sign of the turn a, b, c; exact. The filter is Shewchuk's ccwerrboundA; products that underflow go to
   /// the kernel.
@@ -153,6 +173,9 @@ private:
 template <class Word>
 struct Integer_geometry_2 {
   using Coordinate = std::int64_t;
+  static constexpr bool has_unlimited_coordinates = false;
+  /// Features of the input nearer to a vertex than this share of an edge at it are beyond coordinates.
+  static constexpr double least_share_of_leg = 0x1p-45;
   struct Point {
     std::int64_t x = 0, y = 0;
     friend bool operator==(Point a, Point b) { return a.x == b.x && a.y == b.y; }
@@ -161,9 +184,25 @@ struct Integer_geometry_2 {
   static Vector difference(Point p, Point q) {
     return {static_cast<double>(p.x - q.x), static_cast<double>(p.y - q.y)};
   }
+  static double doubled_area(Vector u, Vector v, Point, Point, Point) { return cross(u, v); }
   static Point translate(Point p, Vector v) { return {p.x + std::llround(v.x), p.y + std::llround(v.y)}; }
+  /// For flips that shall end whatever the rounding: ties and near-ties are left as they are; but not those of
+  /// triangles that are nearly flat, whose circle says nothing in doubles: they are decided exactly.
+  static bool is_certainly_in_circle(const Point& a, const Point& b, const Point& c, const Point& d) {
+    const In_circle test(difference(a, d), difference(b, d), difference(c, d));
+    return test.is_flat() ? is_in_circle(a, b, c, d) : test.is_certainly_inside();
+  }
+  /// Whether q is to the right of a, b; x = a - q and y = b - q.
+  static bool is_beyond(Point, Point, Point, Vector x, Vector y) { return cross(x, y) < 0; }
+  /// Whether q is so far to the left of a, b that a triangle of the three is none of rounding: by its height.
+  static bool is_clearly_left(Point, Point, Point, Vector x, Vector y) {
+    return cross(x, y) > 1e-10 * squared_length(x - y);
+  }
+
   /// The point at the given share of the way from p to q, rounded.
   static Point between(Point p, Point q, double share) { return translate(p, share * difference(q, p)); }
+  /// A share, about the given one, for which the coordinates of a point between others do not become long.
+  static double short_share(double share) { return share; }
 
   static int orientation(Point a, Point b, Point c) {
     const Wide d = Wide(b.x - a.x) * (c.y - a.y) - Wide(b.y - a.y) * (c.x - a.x);

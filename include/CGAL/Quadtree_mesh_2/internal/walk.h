@@ -51,7 +51,7 @@ Walk_end locate_exactly(const Kernel_mesh<Geometry>& mesh, Triangle_id t, const 
 }
 
 /// Walks from t towards q in sight of it: stops at constrained sides. Steps are decided in floating point,
-/// good enough for the place of a point that may be chosen freely.
+/// good enough for the place of a point that may be chosen freely, or exactly where coordinates are finer than that.
 template <class Geometry>
 Walk_end walk_in_sight(const Kernel_mesh<Geometry>& mesh, Triangle_id t, const typename Geometry::Point& q) {
   constexpr unsigned longest_walk = 100000;
@@ -65,7 +65,8 @@ Walk_end walk_in_sight(const Kernel_mesh<Geometry>& mesh, Triangle_id t, const t
     for (unsigned j = 0; j < 3; ++j) {
       const int k = static_cast<int>((j + (step & 1u)) % 3u);
       if (!r.side[k].is_border() && r.side[k].triangle() == from) continue;
-      if (cross(p[next_slot[k]], p[previous_slot[k]]) < 0) {
+      const Vertex_id a = r.v[next_slot[k]], b = r.v[previous_slot[k]];
+      if (Geometry::is_beyond(mesh.point(a), mesh.point(b), q, p[next_slot[k]], p[previous_slot[k]])) {
         exit = k;
         break;
       }
