@@ -3,6 +3,7 @@
 #include "internal/Meshing_run.h"
 #include "internal/Progress_line.h"
 #include "internal/command_line.h"
+#include "internal/mesh_exactly.h"
 #include "internal/mesh_in_words.h"
 #include "internal/read_sized_points.h"
 
@@ -46,12 +47,19 @@ void mesh_graph(Meshing_run& run, const Command_line& line) {
   if (!line.is_quiet && Progress_line::is_possible())
     options.progress([&progress](double share) { return progress.show(share), true; });
 
-  if (line.kernel == Command_line::Kernel::fixed) {
-    run.mesh = mesh_in_words(run.pslg, options, run.report);
-  } else {
+  switch (line.kernel) {
+  case Command_line::Kernel::filtered: {
     CGAL::Quality_mesher_2<CGAL::Filtered_quadtree_traits_2<>, CGAL::Parallel_tag> mesher(options);
     run.mesh = mesher(run.pslg);
     run.report = mesher.report();
+    return;
+  }
+  case Command_line::Kernel::fixed:
+    run.mesh = mesh_in_words(run.pslg, options, run.report);
+    return;
+  case Command_line::Kernel::exact:
+    run.mesh = mesh_exactly(run.pslg, options, run.report);
+    return;
   }
 }
 

@@ -71,7 +71,7 @@ TEST_CASE("the program writes each format by its ending", "[program]") {
 
 TEST_CASE("the program reports in JSON", "[program]") {
   const Scratch_folder folder;
-  const std::string kernel = GENERATE("filtered", "fixed");
+  const std::string kernel = GENERATE("filtered", "fixed", "exact");
   const Run r = run(test_data("us_states_10m.poly.gz") + " --quiet --compare --kernel " + kernel +
                     " --report " + folder.file("r.json"));
   CAPTURE(r.err, kernel);
@@ -94,7 +94,7 @@ TEST_CASE("the program reports in JSON", "[program]") {
 
 TEST_CASE("the program keeps bounds of edges and areas", "[program]") {
   const Scratch_folder folder;
-  const std::string kernel = GENERATE("filtered", "fixed");
+  const std::string kernel = GENERATE("filtered", "fixed", "exact");
   const std::string input =
       test_data("syn_square.poly") + " --quiet --kernel " + kernel + " --report " + folder.file("r.json");
   const auto triangles = [&] {
@@ -109,7 +109,7 @@ TEST_CASE("the program keeps bounds of edges and areas", "[program]") {
 
 TEST_CASE("the program meshes by rules of domain and with the bounds of regions", "[program]") {
   const Scratch_folder folder;
-  const std::string kernel = GENERATE("filtered", "fixed");
+  const std::string kernel = GENERATE("filtered", "fixed", "exact");
   // A square in a square in a square, with a region in the ring between the outer two.
   std::string text = "12 2 0 0\n", segments = "12 1\n";
   for (int i = 0; i < 12; ++i) {
@@ -143,7 +143,7 @@ TEST_CASE("the program meshes by rules of domain and with the bounds of regions"
 
 TEST_CASE("the program keeps a least edge and says what is left for it", "[program]") {
   const Scratch_folder folder;
-  const std::string kernel = GENERATE("filtered", "fixed");
+  const std::string kernel = GENERATE("filtered", "fixed", "exact");
   const Run r = run(test_data("syn_parallel_0.001.poly") + " --kernel " + kernel +
                     " --min-edge 0.05 --report " + folder.file("r.json"));
   CHECK(r.status == 1);
@@ -193,7 +193,7 @@ TEST_CASE("bad usage names the culprit and writes nothing", "[program]") {
 
 TEST_CASE("what comes later says so", "[program]") {
   const std::string option =
-      GENERATE("--kernel exact", "--mode points", "--mode bounded", "--mode acute", "--separation theorem-5");
+      GENERATE("--mode points", "--mode bounded", "--mode acute", "--separation theorem-5");
   const Run r = run(test_data("syn_square.poly") + " " + option);
   CAPTURE(option, r.err);
   CHECK(r.status == 2);
@@ -201,7 +201,7 @@ TEST_CASE("what comes later says so", "[program]") {
 }
 
 TEST_CASE("bad input names the place and writes nothing", "[program]") {
-  const std::string kernel = GENERATE("filtered", "fixed");
+  const std::string kernel = GENERATE("filtered", "fixed", "exact");
   CAPTURE(kernel);
   const Scratch_folder folder;
   struct Case {

@@ -29,7 +29,7 @@ public:
 
 struct Command_line {
   enum class Task { mesh, print_help, print_version };
-  enum class Kernel { filtered, fixed };
+  enum class Kernel { filtered, fixed, exact };
 
   Task task = Task::mesh;
   std::string input;
@@ -233,8 +233,9 @@ inline Command_line parse_command_line(int argc, const char* const* argv) try {
       .smooth(smoothing_rounds(given));
   if (given.count("size-points") > 0) line.size_points_file = given["size-points"].as<std::string>();
   if (given.count("no-coarsening") > 0) line.options.coarsen(CGAL::Quality_mesh_options_2::Coarsening::NONE);
-  if (choice(given, "kernel", {"filtered", "fixed", "exact"}, 2) == 1)
-    line.kernel = Command_line::Kernel::fixed;
+  constexpr Command_line::Kernel kernels[] = {Command_line::Kernel::filtered, Command_line::Kernel::fixed,
+                                              Command_line::Kernel::exact};
+  line.kernel = kernels[choice(given, "kernel", {"filtered", "fixed", "exact"}, 3)];
   choice(given, "mode", {"pslg", "points", "bounded", "acute"}, 1);
   choice(given, "separation", {"on-demand", "theorem-5"}, 1);
   line.threads = threads(given);

@@ -3,6 +3,8 @@
 
 // A graph over doubles meshed in integer arithmetic: scaled to 64-bit words, meshed there, mapped back.
 
+#include "mesh_with_doubles.h"
+
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Fixed_point_quadtree_traits_2.h>
 #include <CGAL/Indexed_mesh_2.h>
@@ -115,27 +117,6 @@ CGAL::Quality_mesh_options_2 to_words(CGAL::Quality_mesh_options_2 options, cons
       .min_edge(options.min_edge_length / unit);
 }
 
-/// Back to doubles; the vertices of the input get the doubles they came with.
-template <class Point>
-CGAL::Indexed_mesh_2<Point> to_doubles(CGAL::Indexed_mesh_2<Word_point>&& words,
-                                       const CGAL::Pslg_2<Point>& pslg, const Word_map<Point>& map) {
-  CGAL::Indexed_mesh_2<Point> mesh;
-  mesh.number_of_input_vertices = words.number_of_input_vertices;
-  mesh.points = pslg.vertices;
-  mesh.points.reserve(words.points.size());
-  for (std::size_t v = mesh.points.size(); v < words.points.size(); ++v)
-    mesh.points.push_back(map.to_double(words.points[v]));
-  mesh.triangles = std::move(words.triangles);
-  mesh.neighbors = std::move(words.neighbors);
-  mesh.constrained_edges.reserve(words.constrained_edges.size());
-  for (const auto& e : words.constrained_edges)
-    mesh.constrained_edges.push_back({e.vertices, e.segment, e.marker});
-  mesh.region_of_triangle = std::move(words.region_of_triangle);
-  mesh.segment_of_vertex = std::move(words.segment_of_vertex);
-  mesh.vertex_markers = std::move(words.vertex_markers);
-  return mesh;
-}
-
 /// The places in a report, which words would make useless to the reader.
 template <class Point>
 void to_doubles(CGAL::Quality_mesh_report_2& report, const CGAL::Indexed_mesh_2<Point>& mesh) {
@@ -159,7 +140,8 @@ CGAL::Indexed_mesh_2<Point> mesh_in_words(const CGAL::Pslg_2<Point>& pslg,
   CGAL::Quality_mesher_2<Traits, CGAL::Parallel_tag> mesher(to_words(options, map));
   auto words = mesher(to_words(pslg, map));
   report = mesher.report();
-  auto mesh = to_doubles(std::move(words), pslg, map);
+  auto mesh =
+      mesh_with_doubles(std::move(words), pslg, [&map](const Word_point& p) { return map.to_double(p); });
   to_doubles(report, mesh);
   return mesh;
 }

@@ -98,8 +98,9 @@ private:
     if constexpr (std::is_integral<typename Geometry::Coordinate>::value) {
       return 1;
     } else {
-      const double largest = std::max(std::max(std::fabs(low.x), std::fabs(low.y)),
-                                      std::max(std::fabs(high.x), std::fabs(high.y)));
+      const Vector l = Geometry::difference(low, Point()), h = Geometry::difference(high, Point());
+      const double largest =
+          std::max(std::max(std::fabs(l.x), std::fabs(l.y)), std::max(std::fabs(h.x), std::fabs(h.y)));
       return std::ldexp(1.0, std::ilogb(largest) - 51);
     }
   }
