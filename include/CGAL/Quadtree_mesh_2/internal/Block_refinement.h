@@ -42,6 +42,8 @@ public:
   using Blocks = Mesh_blocks<Concurrency_tag, Geometry>;
 
   static constexpr std::size_t block_size = Block_sizes<Concurrency_tag>::triangles;
+  /// The zone is a network, of which squares cut little; and it is small.
+  static constexpr std::size_t zone_block_size = block_size / 6;
 
   Block_refinement(Meshing_state<Geometry>& whole, const Finishing& finishing, std::size_t vertex_budget)
       : whole_(whole), finishing_(finishing), vertex_budget_(vertex_budget) {}
@@ -58,7 +60,7 @@ public:
     }
     std::vector<Triangle_id> zone = zone_of_seams();
     if (zone.empty()) return true;
-    Blocks blocks(whole_.mesh, cut_by_position<Concurrency_tag>(whole_.mesh, std::move(zone), block_size,
+    Blocks blocks(whole_.mesh, cut_by_position<Concurrency_tag>(whole_.mesh, std::move(zone), zone_block_size,
                                                                 Square_shift::third_of_root));
     work(blocks, shall_go_on);
     return true;

@@ -28,6 +28,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/find_corners.h>
 #include <CGAL/Quadtree_mesh_2/internal/kernel_mesh_to_indexed_mesh.h>
 #include <CGAL/Quadtree_mesh_2/internal/morton.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangle_budget.h>
 #include <CGAL/Quality_mesh_options_2.h>
 #include <CGAL/Quality_mesh_report_2.h>
@@ -119,18 +120,18 @@ private:
   void sort_vertices() {
     Phase_timer timer(report_.seconds.quadtree);
     const auto grid = traits_.construct_grid_2_object()(pslg_.vertices);
-    std::vector<Grid_point_2<typename Traits::Word>> grid_points;
-    grid_points.reserve(pslg_.number_of_vertices());
-    for (const Point_2& p : pslg_.vertices) grid_points.push_back(grid.grid_point(p));
+    std::vector<Grid_point_2<typename Traits::Word>> grid_points(pslg_.number_of_vertices());
+    for_each_index<Concurrency_tag>(
+        grid_points.size(), [&](std::size_t v) { grid_points[v] = grid.grid_point(pslg_.vertices[v]); });
     order_ = shuffle_order<Concurrency_tag>(grid_points);
   }
 
   void make_first_mesh() {
     Phase_timer timer(report_.seconds.first_mesh);
     const std::size_t n = pslg_.number_of_vertices();
-    std::vector<typename Geometry::Point> points;
-    points.reserve(n);
-    for (const std::uint32_t i : order_) points.push_back(map_.to_kernel(pslg_.vertices[i]));
+    std::vector<typename Geometry::Point> points(n);
+    for_each_index<Concurrency_tag>(
+        n, [&](std::size_t v) { points[v] = map_.to_kernel(pslg_.vertices[order_[v]]); });
     First first(state_.mesh, points);
     if (const auto crossing = first.run(kernel_segments())) throw Pslg_error_2(describe(first, *crossing));
     for (std::size_t v = 0; v < n; ++v)
@@ -221,11 +222,13 @@ private:
   /// The segments in the kernel's numbering, which is the shuffle order.
   std::vector<typename First::Segment> kernel_segments() const {
     std::vector<Vertex_id> kernel_vertex(order_.size());
-    for (std::size_t i = 0; i < order_.size(); ++i) kernel_vertex[order_[i]] = static_cast<Vertex_id>(i);
-    std::vector<typename First::Segment> segments;
-    segments.reserve(pslg_.number_of_segments());
-    for (const auto& [a, b] : pslg_.segments)
-      segments.push_back({kernel_vertex[std::size_t(a)], kernel_vertex[std::size_t(b)]});
+    for_each_index<Concurrency_tag>(
+        order_.size(), [&](std::size_t i) { kernel_vertex[order_[i]] = static_cast<Vertex_id>(i); });
+    std::vector<typename First::Segment> segments(pslg_.number_of_segments());
+    for_each_index<Concurrency_tag>(segments.size(), [&](std::size_t s) {
+      const auto& [a, b] = pslg_.segments[s];
+      segments[s] = {kernel_vertex[std::size_t(a)], kernel_vertex[std::size_t(b)]};
+    });
     return segments;
   }
 
