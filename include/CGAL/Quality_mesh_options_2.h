@@ -52,7 +52,8 @@ struct Quality_mesh_options_2 {
   /// Refinement stops, with what is left reported, when the mesh has this many vertices; 0 means no bound but
   /// memory's.
   std::size_t vertex_budget = 0;
-  /// Called now and then with the share of work done, in [0, 1]; returning false stops with the mesh so far.
+  /// Called now and then with the share of work done, in [0, 1]; returning false stops with the mesh so far. With
+  /// `Parallel_tag` any thread may call it, one at a time.
   std::function<bool(double)> callback;
 
   Quality_mesh_options_2& min_angle(double degrees) { return min_angle_in_degrees = degrees, *this; }

@@ -16,6 +16,7 @@
 #include <CGAL/Quality_mesh_report_2.h>
 #include <CGAL/Quality_mesher_2.h>
 #include <CGAL/indexed_mesh_to_triangulation_2.h>
+#include <CGAL/tags.h>
 
 #include <algorithm>
 #include <cmath>
@@ -72,7 +73,8 @@ Quality_mesh_report_2 refine_quality_mesh_2(Cdt& cdt, const Seeds& seeds,
     for (const auto& seed : pslg.holes) pslg.regions.push_back({seed, 0, 0});
     pslg.holes.clear();
   }
-  Quality_mesher_2<Filtered_quadtree_traits_2<Kernel>> mesher(options);
+  // on all cores if the program links TBB: the mesh is the same
+  Quality_mesher_2<Filtered_quadtree_traits_2<Kernel>, Parallel_tag> mesher(options);
   indexed_mesh_to_constrained_Delaunay_triangulation_2(mesher(pslg), pslg, cdt);
   return mesher.report();
 }
