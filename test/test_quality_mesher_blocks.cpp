@@ -10,6 +10,7 @@
 #include "catch.h"
 #include "mesher_test_tools.h"
 #include "random_pslg_shapes.h"
+#include "tiny_blocks.h"
 
 #include <CGAL/Fixed_point_quadtree_traits_2.h>
 #include <CGAL/Quality_mesher_2.h>
@@ -24,23 +25,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
-
-/// Cuts small inputs into blocks.
-struct Tiny_blocks_tag {};
-
-namespace CGAL {
-namespace Quadtree_mesh_2 {
-namespace internal {
-
-template <>
-struct Block_sizes<Tiny_blocks_tag> {
-  static constexpr std::size_t vertices = 24;
-  static constexpr std::size_t triangles = 24;
-};
-
-} // namespace internal
-} // namespace Quadtree_mesh_2
-} // namespace CGAL
 
 namespace {
 

@@ -9,6 +9,7 @@
 #include "catch.h"
 #include "mesher_test_tools.h"
 #include "random_pslg_shapes.h"
+#include "tiny_blocks.h"
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Delaunay_mesh_face_base_2.h>
@@ -27,23 +28,6 @@
 #include <cstdint>
 #include <string>
 #include <vector>
-
-/// Cuts small inputs into blocks.
-struct Tiny_exact_blocks_tag {};
-
-namespace CGAL {
-namespace Quadtree_mesh_2 {
-namespace internal {
-
-template <>
-struct Block_sizes<Tiny_exact_blocks_tag> {
-  static constexpr std::size_t vertices = 24;
-  static constexpr std::size_t triangles = 24;
-};
-
-} // namespace internal
-} // namespace Quadtree_mesh_2
-} // namespace CGAL
 
 namespace {
 
@@ -285,7 +269,7 @@ TEST_CASE("exact meshes of random graphs", "[mesher][exact]") {
       const Exact_pslg pslg = to_exact(family.make(seed), FT(1) / 3);
       const Exact_mesh mesh = run_exactly(pslg).mesh;
       // in blocks, whose seams are anywhere
-      run_exactly<Tiny_exact_blocks_tag>(pslg);
+      run_exactly<Tiny_blocks_tag>(pslg);
       CHECK(run_exactly(pslg).mesh.points == mesh.points);
     }
 }

@@ -49,7 +49,7 @@ struct Quality_mesh_report_2 {
   struct Seconds {
     double quadtree = 0;   ///< shuffle order
     double first_mesh = 0; ///< constrained Delaunay triangulation of the input, domain, corners
-    double refine = 0;
+    double refine = 0;     ///< with the removal that large meshes do in blocks
     double coarsen = 0;
     double convert = 0; ///< to Indexed_mesh_2
   };

@@ -9,7 +9,9 @@
 //   shuffle order of the vertices (section 2 of the paper)
 //   -> constrained Delaunay triangulation of the input, restricted to the domain
 //   -> acute corners found, their legs cut, lopped sectors locked (section 6)
-//   -> refinement on demand -> guarded removal -> exact constrained Delaunay flips
+//   -> the bulk filled with squares, where bounds of size rule (Bulk_filler.h)
+//   -> refinement on demand and guarded removal: in blocks, then what is left at their seams -> exact constrained
+//      Delaunay flips
 //   -> flat arrays in the user's coordinates and vertex order
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_MESH_PIPELINE_H

@@ -15,7 +15,8 @@
 // Flips restore the Delaunay property locally, and what they make bad joins the list. The list is empty at
 // the end: that is the proof of the bound, triangle by triangle. Termination is that of off-centre refinement
 // with dyadic shells and locked corners; it is established numerically for bounds up to 20.7 degrees, and
-// enforced by a budget above.
+// enforced by a budget always. In a block of a mesh, what would reach beyond a seam is deferred. Expected O(k) time for
+// k vertices made.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_REFINER_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_REFINER_H

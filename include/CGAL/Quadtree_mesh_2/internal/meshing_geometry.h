@@ -107,9 +107,43 @@ bool are_corners_of_rectangle(const Point& a, const Point& b, const Point& c, co
   return (xab && (yac || yad)) || (xac && (yab || yad)) || (xad && (yab || yac));
 }
 
+/// What geometries with rounded coordinates decide by vectors of doubles; those with exact ones by the points.
+template <class Geometry>
+struct Rounded_geometry {
+  /// Of the triangle a, b, c, with u = b - a and v = c - b.
+  template <class Point>
+  static double doubled_area(Vector u, Vector v, const Point&, const Point&, const Point&) {
+    return cross(u, v);
+  }
+  /// For flips that shall end whatever the rounding: ties and near-ties are left as they are; but not those of
+  /// triangles that are nearly flat, whose circle says nothing in doubles: they are decided exactly.
+  template <class Point>
+  static bool is_certainly_in_circle(const Point& a, const Point& b, const Point& c, const Point& d) {
+    const In_circle test(Geometry::difference(a, d), Geometry::difference(b, d), Geometry::difference(c, d));
+    return test.is_flat() ? Geometry::is_in_circle(a, b, c, d) : test.is_certainly_inside();
+  }
+  /// Whether q is to the right of a, b; x = a - q and y = b - q.
+  template <class Point>
+  static bool is_beyond(const Point&, const Point&, const Point&, Vector x, Vector y) {
+    return cross(x, y) < 0;
+  }
+  /// Whether q is so far to the left of a, b that a triangle of the three is none of rounding: by its height.
+  template <class Point>
+  static bool is_clearly_left(const Point&, const Point&, const Point&, Vector x, Vector y) {
+    return cross(x, y) > 1e-10 * squared_length(x - y);
+  }
+  /// The point at the given share of the way from p to q, rounded.
+  template <class Point>
+  static Point between(const Point& p, const Point& q, double share) {
+    return Geometry::translate(p, share * Geometry::difference(q, p));
+  }
+  /// A share, about the given one, for which the coordinates of a point between others do not become long.
+  static double short_share(double share) { return share; }
+};
+
 /// Points with double coordinates, predicates decided by the filtered kernel `Kernel`.
 template <class Kernel>
-struct Double_geometry_2 {
+struct Double_geometry_2 : Rounded_geometry<Double_geometry_2<Kernel>> {
   using Coordinate = double;
   static constexpr bool has_unlimited_coordinates = false;
   /// Features of the input nearer to a vertex than this share of an edge at it are beyond coordinates.
@@ -120,26 +154,7 @@ struct Double_geometry_2 {
   };
 
   static Vector difference(Point p, Point q) { return {p.x - q.x, p.y - q.y}; }
-  /// Of the triangle a, b, c, with u = b - a and v = c - b.
-  static double doubled_area(Vector u, Vector v, Point, Point, Point) { return cross(u, v); }
   static Point translate(Point p, Vector v) { return {p.x + v.x, p.y + v.y}; }
-  /// For flips that shall end whatever the rounding: ties and near-ties are left as they are; but not those of
-  /// triangles that are nearly flat, whose circle says nothing in doubles: they are decided exactly.
-  static bool is_certainly_in_circle(const Point& a, const Point& b, const Point& c, const Point& d) {
-    const In_circle test(difference(a, d), difference(b, d), difference(c, d));
-    return test.is_flat() ? is_in_circle(a, b, c, d) : test.is_certainly_inside();
-  }
-  /// Whether q is to the right of a, b; x = a - q and y = b - q.
-  static bool is_beyond(Point, Point, Point, Vector x, Vector y) { return cross(x, y) < 0; }
-  /// Whether q is so far to the left of a, b that a triangle of the three is none of rounding: by its height.
-  static bool is_clearly_left(Point, Point, Point, Vector x, Vector y) {
-    return cross(x, y) > 1e-10 * squared_length(x - y);
-  }
-
-  /// The point at the given share of the way from p to q, rounded.
-  static Point between(Point p, Point q, double share) { return translate(p, share * difference(q, p)); }
-  /// A share, about the given one, for which the coordinates of a point between others do not become long.
-  static double short_share(double share) { return share; }
 
   /// Sign of the turn a, b, c; exact. The filter is Shewchuk's ccwerrboundA; products that underflow go to
   /// the kernel.
@@ -171,7 +186,7 @@ private:
 
 /// Points with integer coordinates below 2^62 (2^31 for 32-bit words); all predicates in integers.
 template <class Word>
-struct Integer_geometry_2 {
+struct Integer_geometry_2 : Rounded_geometry<Integer_geometry_2<Word>> {
   using Coordinate = std::int64_t;
   static constexpr bool has_unlimited_coordinates = false;
   /// Features of the input nearer to a vertex than this share of an edge at it are beyond coordinates.
@@ -184,25 +199,7 @@ struct Integer_geometry_2 {
   static Vector difference(Point p, Point q) {
     return {static_cast<double>(p.x - q.x), static_cast<double>(p.y - q.y)};
   }
-  static double doubled_area(Vector u, Vector v, Point, Point, Point) { return cross(u, v); }
   static Point translate(Point p, Vector v) { return {p.x + std::llround(v.x), p.y + std::llround(v.y)}; }
-  /// For flips that shall end whatever the rounding: ties and near-ties are left as they are; but not those of
-  /// triangles that are nearly flat, whose circle says nothing in doubles: they are decided exactly.
-  static bool is_certainly_in_circle(const Point& a, const Point& b, const Point& c, const Point& d) {
-    const In_circle test(difference(a, d), difference(b, d), difference(c, d));
-    return test.is_flat() ? is_in_circle(a, b, c, d) : test.is_certainly_inside();
-  }
-  /// Whether q is to the right of a, b; x = a - q and y = b - q.
-  static bool is_beyond(Point, Point, Point, Vector x, Vector y) { return cross(x, y) < 0; }
-  /// Whether q is so far to the left of a, b that a triangle of the three is none of rounding: by its height.
-  static bool is_clearly_left(Point, Point, Point, Vector x, Vector y) {
-    return cross(x, y) > 1e-10 * squared_length(x - y);
-  }
-
-  /// The point at the given share of the way from p to q, rounded.
-  static Point between(Point p, Point q, double share) { return translate(p, share * difference(q, p)); }
-  /// A share, about the given one, for which the coordinates of a point between others do not become long.
-  static double short_share(double share) { return share; }
 
   static int orientation(Point a, Point b, Point c) {
     const Wide d = Wide(b.x - a.x) * (c.y - a.y) - Wide(b.y - a.y) * (c.x - a.x);
