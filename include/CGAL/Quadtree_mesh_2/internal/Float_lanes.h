@@ -27,6 +27,8 @@ public:
   Float_lanes(float x) : Float_lanes(x, x, x, x) {}
   Float_lanes(float a, float b, float c, float d) : v_{a, b, c, d} {}
   float operator[](int k) const { return v_[k]; }
+  /// Of four successive numbers.
+  static Float_lanes load(const float* x) { return {x[0], x[1], x[2], x[3]}; }
 
 #if defined(__GNUC__)
   friend Float_lanes operator+(Float_lanes a, Float_lanes b) { return a.v_ + b.v_; }
@@ -85,6 +87,13 @@ private:
 
 public:
   friend Float_lanes min(Float_lanes a, Float_lanes b) { return select_where_less(a, b, a, b); }
+  friend Float_lanes max(Float_lanes a, Float_lanes b) { return select_where_less(a, b, b, a); }
+  /// Added in pairs, always the same.
+  friend float sum(Float_lanes a) { return (a.v_[0] + a.v_[1]) + (a.v_[2] + a.v_[3]); }
+  friend float least(Float_lanes a) {
+    const float x = a.v_[0] < a.v_[1] ? a.v_[0] : a.v_[1], y = a.v_[2] < a.v_[3] ? a.v_[2] : a.v_[3];
+    return x < y ? x : y;
+  }
 };
 
 } // namespace internal

@@ -1,0 +1,372 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+//
+// Relaxes the members of a patch until all triangles at them keep a range of angles.
+//
+// A step moves one vertex by a damped Gauss-Newton step on the energy of its star (Angle_range.h); the gradient of an
+// angle at a fixed corner b is the perpendicular of the spoke over its squared length, so that there is no
+// trigonometry. A star that has a triangle turned over is searched in eight directions. Only stars with energy move,
+// and only what is next to what moved is looked at again, so the motion stays where it is needed. Sweeps alternate
+// with flips that lower the energy of the two triangles. O(degree) per step; the number of sweeps is bounded.
+
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_STAR_RELAXER_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_STAR_RELAXER_H
+
+#include <CGAL/Quadtree_mesh_2/internal/Angle_range.h>
+#include <CGAL/Quadtree_mesh_2/internal/Ring_patch.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace CGAL {
+namespace Quadtree_mesh_2 {
+namespace internal {
+
+/// The star of a vertex as vectors from it, scaled to lengths about 1, and padded to whole lanes.
+struct Star_vectors {
+  static constexpr int lanes = Float_lanes::size;
+  static constexpr int capacity = 2 * lanes + Ring::max_size;
+
+  alignas(16) float x[capacity];
+  alignas(16) float y[capacity];
+  int number_of_triangles;
+  double scale; ///< of the vectors
+
+  template <class Geometry>
+  Star_vectors(const Ring_mesh<Geometry>& mesh, Ring_vertex v) {
+    const Ring& r = mesh.ring(v);
+    number_of_triangles = r.number_of_triangles();
+    const auto& center = mesh.point(v);
+    const Vector first = Geometry::difference(mesh.point(r[0]), center);
+    const double size = std::fabs(first.x) + std::fabs(first.y);
+    scale = size > 0 ? 1 / size : 1;
+    set(0, first);
+    for (int k = 1; k < r.size; ++k) set(k, Geometry::difference(mesh.point(r[k]), center));
+    int n = r.size;
+    if (!r.is_open) x[n] = x[0], y[n] = y[0], ++n;
+    for (int k = n; k <= whole_lanes(); ++k) x[k] = static_cast<float>(k & 1), y[k] = 1 - x[k];
+  }
+
+  int whole_lanes() const { return (number_of_triangles + lanes - 1) / lanes * lanes; }
+  /// 1 for the triangles from k on, 0 for what is padding.
+  Float_lanes mask(int k) const {
+    const Float_lanes index(static_cast<float>(k), static_cast<float>(k + 1), static_cast<float>(k + 2),
+                            static_cast<float>(k + 3));
+    return select_where_less(index, Float_lanes(static_cast<float>(number_of_triangles)), Float_lanes(1),
+                             Float_lanes(0));
+  }
+  /// The triangles from k on, of the center moved by dx, dy.
+  Triangle_lanes triangles(int k, Float_lanes dx, Float_lanes dy) const {
+    return Triangle_lanes(Float_lanes::load(x + k) - dx, Float_lanes::load(y + k) - dy,
+                          Float_lanes::load(x + k + 1) - dx, Float_lanes::load(y + k + 1) - dy);
+  }
+
+  /// Of the center moved by dx, dy; at least `bound` if it is not less.
+  float energy(const Angle_range& range, float dx, float dy, float bound) const {
+    float e = 0;
+    for (int k = 0; k < number_of_triangles && e < bound; k += lanes)
+      e += sum(Range_lanes(triangles(k, dx, dy), range).energy * mask(k));
+    return e;
+  }
+
+  bool is_in_range(const Angle_range& range) const {
+    for (int k = 0; k < number_of_triangles; k += lanes) {
+      const Triangle_lanes t = triangles(k, 0, 0);
+      const Float_lanes slack = Range_lanes(t, range).slack(t, range);
+      if (least(slack * mask(k)) < 0) return false;
+    }
+    return true;
+  }
+
+private:
+  void set(int k, Vector d) {
+    x[k] = static_cast<float>(scale * d.x);
+    y[k] = static_cast<float>(scale * d.y);
+  }
+};
+
+/// The energy of a star, and the sums of a Gauss-Newton step.
+struct Star_energy {
+  float energy = 0, hxx = 0, hxy = 0, hyy = 0, gx = 0, gy = 0;
+  bool has_flat = false;
+
+  Star_energy(const Star_vectors& star, const Angle_range& range) {
+    constexpr int lanes = Star_vectors::lanes;
+    for (int k = 0; k < star.number_of_triangles; k += lanes) {
+      const Triangle_lanes t = star.triangles(k, 0, 0);
+      const Range_lanes r(t, range);
+      const Float_lanes mask = star.mask(k);
+      const float e = sum(r.energy * mask);
+      if (e == 0) continue;
+      energy += e;
+      add_gradients(star, k, t, r, mask, range);
+    }
+  }
+
+private:
+  void add_gradients(const Star_vectors& star, int k, const Triangle_lanes& t, const Range_lanes& r,
+                     Float_lanes mask, const Angle_range& range) {
+    const Float_lanes zero(0), one(1);
+    const Float_lanes is_round = mask * select_where_less(r.floor, t.cross, one, zero);
+    has_flat |= sum(is_round) < sum(mask);
+    const Float_lanes per_b = one / t.bb, per_c = one / t.cc;
+    const Float_lanes b_x = Float_lanes::load(star.y + k) * per_b,
+                      b_y = zero - Float_lanes::load(star.x + k) * per_b;
+    const Float_lanes c_x = zero - Float_lanes::load(star.y + k + 1) * per_c,
+                      c_y = Float_lanes::load(star.x + k + 1) * per_c;
+    const Float_lanes x[3] = {zero - b_x - c_x, b_x, c_x}, y[3] = {zero - b_y - c_y, b_y, c_y};
+    Float_lanes xx(0), xy(0), yy(0), rx(0), ry(0);
+    for (int i = 0; i < 3; ++i) {
+      const Float_lanes residual = (r.too_large[i] + r.too_small[i]) * is_round;
+      const Float_lanes weight =
+          select_where_less(zero, r.too_large[i], Float_lanes(range.high_weight), zero) -
+          select_where_less(zero, r.too_small[i], Float_lanes(range.low_weight), zero);
+      const Float_lanes slope = weight * is_round * (one + r.cot[i] * r.cot[i]);
+      const Float_lanes jx = slope * x[i], jy = slope * y[i];
+      xx = xx + jx * jx, xy = xy + jx * jy, yy = yy + jy * jy;
+      rx = rx + residual * jx, ry = ry + residual * jy;
+    }
+    hxx += sum(xx), hxy += sum(xy), hyy += sum(yy), gx += sum(rx), gy += sum(ry);
+  }
+};
+
+template <class Geometry>
+class Star_relaxer {
+public:
+  Star_relaxer(Ring_patch<Geometry>& patch, const Angle_range& range) : patch_(patch), range_(range) {}
+
+  const Angle_range& range() const { return range_; }
+
+  /// Relaxes by at most `stages` times three sweeps and flips. Returns whether all changed stars are in the range.
+  bool relax(int stages) {
+    double last = 1e300;
+    for (int s = 0; s < stages; ++s) {
+      double energy = 0;
+      for (int sweep = 0; sweep < sweeps_of_stage; ++sweep) {
+        energy = this->sweep();
+        if (energy == 0) break;
+        if (energy < small_energy && sweep + 1 < sweeps_of_stage && are_changed_in_range()) return true;
+      }
+      if (are_changed_in_range()) return true;
+      const bool is_flipped = flip_all();
+      if (energy > least_progress * last && !is_flipped) return false;
+      last = energy;
+    }
+    return false;
+  }
+
+  /// Moves active members once each. Returns the energies that their stars had.
+  double sweep() {
+    double energy = 0;
+    // by position: flips and insertions do not happen here, so members stay
+    for (std::size_t i = 0; i < patch_.members().size(); ++i) {
+      const Ring_vertex v = patch_.members()[i];
+      if (patch_.is_active(v)) energy += static_cast<double>(step(v));
+    }
+    return energy;
+  }
+
+  /// Moves v to lower the energy of its star, if it can. Returns the energy before.
+  float step(Ring_vertex v) {
+    const Mobility mobility = patch_.mesh().ring(v).mobility;
+    const Star_vectors star(patch_.mesh(), v);
+    if (mobility == Mobility::fixed) {
+      const float energy = star.energy(range_, 0, 0, 1e30f);
+      if (energy == 0) patch_.settle(v);
+      return energy;
+    }
+    const Star_energy e(star, range_);
+    if (e.energy == 0) return patch_.settle(v), 0.f;
+    const Vector d = e.has_flat ? searched_step(star, e.energy, mobility) : newton_step(star, e, mobility);
+    if (d.x != 0 || d.y != 0)
+      patch_.move(v, Geometry::translate(patch_.mesh().point(v), (1 / star.scale) * d));
+    return e.energy;
+  }
+
+  bool is_in_range(Ring_vertex v) const { return Star_vectors(patch_.mesh(), v).is_in_range(range_); }
+
+  /// The sum over the triangles a, b, c and d, e, f, of points.
+  template <class Point>
+  float energy_of_two(const Point& a, const Point& b, const Point& c, const Point& d, const Point& e,
+                      const Point& f) const {
+    const double size = size_of(Geometry::difference(b, a));
+    const Vector ab = size * Geometry::difference(b, a), ac = size * Geometry::difference(c, a);
+    const Vector de = size * Geometry::difference(e, d), df = size * Geometry::difference(f, d);
+    const auto two = [](double x, double y) {
+      const float p = static_cast<float>(x), q = static_cast<float>(y);
+      return Float_lanes(p, q, p, q);
+    };
+    const Float_lanes energy =
+        Range_lanes(Triangle_lanes(two(ab.x, de.x), two(ab.y, de.y), two(ac.x, df.x), two(ac.y, df.y)),
+                    range_)
+            .energy;
+    return energy[0] + energy[1];
+  }
+
+  /// Flips an edge of each violated triangle at the changed members, where that lowers the energy. Returns whether it
+  /// flipped any.
+  bool flip_all() {
+    bool is_flipped = false;
+    for (std::size_t i = 0; i < patch_.members().size(); ++i) {
+      const Ring_vertex v = patch_.members()[i];
+      if (!patch_.is_changed(v) || is_in_range(v)) continue;
+      for (int k = 0; k < patch_.mesh().ring(v).number_of_triangles(); ++k)
+        if (flip_side_of(v, k)) {
+          is_flipped = true;
+          break;
+        }
+    }
+    return is_flipped;
+  }
+
+  /// Flips edges opposite v that are not Delaunay, as far as members allow.
+  void flip_to_Delaunay(Ring_vertex v) {
+    const auto& mesh = patch_.mesh();
+    for (int k = 0; k < mesh.ring(v).number_of_triangles();) {
+      const Ring_vertex b = mesh.ring(v)[k], c = mesh.ring(v).next(k);
+      if (can_flip(b, c, v) && is_in_circle(v, b, c))
+        patch_.flip(b, c, v, mesh.right_of(b, mesh.ring(b).position_of(c)));
+      else
+        ++k;
+    }
+  }
+
+  /// Flips the edge a, b, with c on its left, whatever becomes of the energy, if the four vertices are members and the
+  /// two triangles stay turned as they should. Returns whether it did.
+  bool flip_anyway(Ring_vertex a, Ring_vertex b, Ring_vertex c) {
+    if (!can_flip(a, b, c)) return false;
+    const auto& mesh = patch_.mesh();
+    const Ring_vertex d = mesh.right_of(a, mesh.ring(a).position_of(b));
+    const auto &pa = mesh.point(a), &pb = mesh.point(b), &pc = mesh.point(c), &pd = mesh.point(d);
+    if (energy_of_two(pc, pd, pb, pd, pc, pa) >= 0.9f * Angle_range::energy_of_flat) return false;
+    if (mesh.ring(a).size < 5 || mesh.ring(b).size < 5) return false; // degree three is never of use
+    patch_.flip(a, b, c, d);
+    return true;
+  }
+
+private:
+  static constexpr int sweeps_of_stage = 3;
+  static constexpr double small_energy = 1e-2;
+  static constexpr double least_progress = 0.5;
+  static constexpr float least_gain = 1e-4f;
+
+  Ring_patch<Geometry>& patch_;
+  const Angle_range& range_;
+
+  static double size_of(Vector d) {
+    const double size = std::fabs(d.x) + std::fabs(d.y);
+    return size > 0 ? 1 / size : 1;
+  }
+
+  bool are_changed_in_range() const {
+    return std::all_of(patch_.members().begin(), patch_.members().end(), [this](Ring_vertex v) {
+      return !patch_.is_changed(v) || !patch_.is_active(v) || is_in_range(v);
+    });
+  }
+
+  /// What of a step a vertex of the border may do.
+  Vector permitted(Vector d, Mobility mobility) const {
+    if (mobility == Mobility::free) return d;
+    const Vector u = patch_.mesh().along;
+    const Vector side = mobility == Mobility::slides_along ? u : Vector{-u.y, u.x};
+    return dot(d, side) * side;
+  }
+
+  Vector newton_step(const Star_vectors& star, const Star_energy& e, Mobility mobility) const {
+    constexpr double damping = 0.02, longest_share = 0.4;
+    // Over-relaxed: what neighbours will have to do, too, is anticipated. A quarter fewer steps.
+    constexpr double first_share = 1.7;
+    const double lambda = damping * (static_cast<double>(e.hxx) + static_cast<double>(e.hyy)) + 1e-30;
+    const double a = e.hxx + lambda, b = e.hxy, c = e.hyy + lambda, determinant = a * c - b * b;
+    Vector d{-(c * e.gx - b * e.gy) / determinant, -(a * e.gy - b * e.gx) / determinant};
+    if (mobility != Mobility::free) d = sliding_newton_step(e, lambda, mobility);
+    float shortest = 1e30f;
+    for (int k = 0; k < star.number_of_triangles; ++k)
+      shortest = std::min(shortest, star.x[k] * star.x[k] + star.y[k] * star.y[k]);
+    const double longest = longest_share * std::sqrt(static_cast<double>(shortest)),
+                 length = std::sqrt(squared_length(d));
+    if (length > longest) d = (longest / length) * d;
+    const float bound = e.energy * (1 - least_gain);
+    for (double share = first_share; share > 0.1; share *= 0.5)
+      if (star.energy(range_, static_cast<float>(share * d.x), static_cast<float>(share * d.y), bound) <
+          bound)
+        return share * d;
+    return {};
+  }
+
+  /// Along the side only.
+  Vector sliding_newton_step(const Star_energy& e, double lambda, Mobility mobility) const {
+    const Vector side = permitted({1, 0}, mobility) + permitted({0, 1}, mobility);
+    const Vector u = (1 / std::sqrt(squared_length(side))) * side;
+    const double h = u.x * u.x * e.hxx + 2 * u.x * u.y * e.hxy + u.y * u.y * e.hyy + lambda;
+    return (-(u.x * e.gx + u.y * e.gy) / h) * u;
+  }
+
+  /// The best of eight directions, at a third of the longest spoke, then nearer.
+  Vector searched_step(const Star_vectors& star, float energy, Mobility mobility) const {
+    constexpr double diagonal = 0.70710678118654752;
+    constexpr Vector directions[] = {{1, 0},  {diagonal, diagonal},   {0, 1},  {-diagonal, diagonal},
+                                     {-1, 0}, {-diagonal, -diagonal}, {0, -1}, {diagonal, -diagonal}};
+    float longest = 0;
+    for (int k = 0; k < star.number_of_triangles; ++k)
+      longest = std::max(longest, star.x[k] * star.x[k] + star.y[k] * star.y[k]);
+    const double length = std::sqrt(static_cast<double>(longest));
+    for (double share = 0.3; share > 0.03; share *= 0.5) {
+      Vector best;
+      float least = energy;
+      for (const Vector& u : directions) {
+        const Vector d = permitted((share * length) * u, mobility);
+        const float e = star.energy(range_, static_cast<float>(d.x), static_cast<float>(d.y), least);
+        if (e < least) least = e, best = d;
+      }
+      if (least < energy) return best;
+    }
+    return {};
+  }
+
+  /// Flips a side of triangle k of v if that lowers the energy, and all four vertices are members.
+  bool flip_side_of(Ring_vertex v, int k) {
+    const Ring_vertex b = patch_.mesh().ring(v)[k], c = patch_.mesh().ring(v).next(k);
+    return flip(v, b, c) || flip(b, c, v) || flip(c, v, b);
+  }
+
+  /// Whether the edge a, b, with c on its left, is one of two triangles of members, which have room for another edge.
+  bool can_flip(Ring_vertex a, Ring_vertex b, Ring_vertex c) const {
+    const auto& mesh = patch_.mesh();
+    if (!patch_.is_member(a) || !patch_.is_member(b) || !patch_.is_member(c)) return false;
+    const Ring_vertex d = mesh.right_of(a, mesh.ring(a).position_of(b));
+    if (d < 0 || !patch_.is_member(d)) return false;
+    const Ring &rc = mesh.ring(c), &rd = mesh.ring(d);
+    return rc.size < Ring::max_size && rd.size < Ring::max_size && !rc.contains(d);
+  }
+
+  bool flip(Ring_vertex a, Ring_vertex b, Ring_vertex c) {
+    if (!can_flip(a, b, c)) return false;
+    const auto& mesh = patch_.mesh();
+    const Ring_vertex d = mesh.right_of(a, mesh.ring(a).position_of(b));
+    const auto &pa = mesh.point(a), &pb = mesh.point(b), &pc = mesh.point(c), &pd = mesh.point(d);
+    const float now = energy_of_two(pa, pb, pc, pb, pa, pd);
+    if (now == 0 || energy_of_two(pc, pd, pb, pd, pc, pa) >= 0.999f * now) return false;
+    patch_.flip(a, b, c, d);
+    return true;
+  }
+
+  /// Whether the vertex across b, c is in the circle of v, b, c; for the better or worse only.
+  bool is_in_circle(Ring_vertex v, Ring_vertex b, Ring_vertex c) const {
+    const auto& mesh = patch_.mesh();
+    const auto& d = mesh.point(mesh.right_of(b, mesh.ring(b).position_of(c)));
+    return In_circle(Geometry::difference(mesh.point(v), d), Geometry::difference(mesh.point(b), d),
+                     Geometry::difference(mesh.point(c), d))
+        .is_certainly_inside();
+  }
+};
+
+} // namespace internal
+} // namespace Quadtree_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_STAR_RELAXER_H
