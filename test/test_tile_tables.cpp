@@ -9,7 +9,8 @@
 //   images of each other in the symmetries of the square if their bits are (the plain tile in half of them);
 // - the vertices within a side depend on the bits at its ends only, as stated, and therefore tiles of leaves that
 //   are balanced over corners fit together (and they do in random quadtrees);
-// - the collar is an acute triangulation of the octagon without the window, and the window's border is LL;
+// - the collar is an acute triangulation of the octagon without the window, and the window's border is LL
+//   (and in random quadtrees whose squares are split in the middle cell it is that of the tiles, too);
 // - the ring of 16 triangles between the octagon and the spokes is acute for every 0 < rho <= 1/5.
 // The ranges of angles of warped blocks are proven in test_tile_certificates.cpp.
 
@@ -26,8 +27,10 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <random>
 #include <set>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -182,11 +185,11 @@ TEST_CASE("Tiles are images of each other in the symmetries of the square", "[ti
 
 namespace {
 
-/// A quadtree over 32 x 32 units that is balanced over corners, in the simplest way: for each level, from the
+/// A quadtree over 128 x 128 units that is balanced over corners, in the simplest way: for each level, from the
 /// root, which squares are there.
 class Small_quadtree {
 public:
-  static constexpr int levels = 6;
+  static constexpr int levels = 8;
 
   Small_quadtree() { exists_[0] = {true}; }
 
@@ -273,6 +276,33 @@ TEST_CASE("Tiles of random quadtrees fit together", "[tiles]") {
     }
   }
   CHECK(bits_seen.size() == 16);
+}
+
+TEST_CASE("The border of the window is LL if squares are split in the middle cell only", "[tiles]") {
+  std::mt19937 random(2);
+  for (int round = 0; round < 40; ++round) {
+    CAPTURE(round);
+    Small_quadtree tree;
+    const int cells = 3; // their level
+    for (int i = 0; i < 1 << cells; ++i)
+      for (int j = 0; j < 1 << cells; ++j) tree.require(cells, i, j);
+    // The window is [2, 7) x [2, 7); all of the middle cell is fine in the first rounds, else some of it.
+    for (int level = cells + 1; level < Small_quadtree::levels; ++level) {
+      const int n = 1 << (level - cells);
+      for (int i = 0; i < n * n; ++i)
+        if (round < Small_quadtree::levels - cells ? level <= cells + round : random() % 8 == 0)
+          tree.require(level, 4 * n + i % n, 4 * n + i / n);
+    }
+    for (int i = 2; i < 7; ++i)
+      for (int j = 2; j < 7; ++j) {
+        if (std::max(std::abs(i - 4), std::abs(j - 4)) < 2) continue;
+        CHECK(tree.is_leaf(cells, i, j));
+        for (unsigned corner = 0; corner < 4; ++corner) {
+          const int x = i + (corner == 1 || corner == 2), y = j + (corner >= 2);
+          if (x == 2 || x == 7 || y == 2 || y == 7) CHECK_FALSE(bit(tree.corner_bits(cells, i, j), corner));
+        }
+      }
+  }
 }
 
 TEST_CASE("The collar is an acute triangulation between the octagon and the window", "[tiles]") {

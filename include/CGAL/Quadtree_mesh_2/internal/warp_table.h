@@ -8,7 +8,7 @@
 //
 // Let the leaf around a point p be in the middle of a block of 3 x 3 leaves of the same size that all have the
 // plain tile, tile(0). Let v be the vertex of the middle tile that is nearest to p (any, if there are several),
-// and d = p - v, which is at most 0.28 sides long. Then v goes to p, and each vertex within the block goes to
+// and d = p - v, which is at most 0.281 sides long. Then v goes to p, and each vertex within the block goes to
 //   base + offset + A d
 // with offset and the matrix A from the table of v. Vertices on the boundary of the block stay. So blocks that do
 // not overlap can be warped independently.
