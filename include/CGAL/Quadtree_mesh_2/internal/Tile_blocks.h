@@ -56,23 +56,6 @@ inline std::uint64_t squared_distance(const Place_in_square& p, const std::array
   return static_cast<std::uint64_t>(dx * dx + dy * dy);
 }
 
-/// Equal squares, as many columns as rows. Columns and rows are counted on their level; some may be outside
-/// the root.
-struct Tile_block {
-  std::int64_t column;
-  std::int64_t row;
-  int size;
-  int level;
-
-  int number_of_squares() const { return size * size; }
-  /// Square `i`, counted row by row. \pre it is inside the root
-  Tile_square square(int i) const {
-    const int shift = tile_log_side(level);
-    return {static_cast<std::uint64_t>(column + i % size) << shift,
-            static_cast<std::uint64_t>(row + i / size) << shift, level};
-  }
-};
-
 /// The squares of level `level` that the kind of a site asks for.
 /// \pre the kind is `warped` or `star`
 inline Tile_block tile_block(const Tile_site& p, Site_kind kind, int level) {

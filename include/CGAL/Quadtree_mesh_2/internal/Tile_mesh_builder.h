@@ -45,41 +45,77 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-/// The quadtree of sites, with the squares of their blocks and of their window.
+/// Points that ask for the leaves of a mesh of tiles.
+struct Tile_demands {
+  Uninitialized_vector<Tile_site> places;
+  Uninitialized_vector<int> levels; ///< of the leaves that hold them
+};
+
+/// The demands of sites, first; of the squares of their blocks, where there is room; of the squares of the
+/// window.
+template <class Concurrency_tag>
+Tile_demands tile_demands(const Tile_sites& sites) {
+  Tile_demands all;
+  const Tile_window& window = sites.window;
+  const std::uint64_t columns = window.x1 - window.x0;
+  const std::size_t cells =
+      window.level == 0 ? 0 : static_cast<std::size_t>(columns * (window.y1 - window.y0));
+  const auto force = [&](std::size_t i, const Tile_square& s) { // by the middle of the square
+    const std::uint64_t half = std::uint64_t(1) << (tile_log_side(s.level) - 1);
+    all.places[i] = {s.x + half, s.y + half};
+    all.levels[i] = s.level;
+  };
+  const auto block = [&](std::size_t i) {
+    return tile_block(sites.places[i], sites.kind(i), sites.level(i));
+  };
+  const auto squares = [&](std::size_t i) -> std::size_t {
+    if (sites.kind(i) == Site_kind::on_demand || !window.contains_block(block(i))) return 0;
+    return static_cast<std::size_t>(block(i).number_of_squares());
+  };
+  const std::size_t in_blocks = count_allocate_and_place<Concurrency_tag>(
+      sites.size(),
+      [&](std::size_t begin, std::size_t end) {
+        std::size_t sum = 0;
+        for (std::size_t i = begin; i < end; ++i) sum += squares(i);
+        return sum;
+      },
+      [&](std::size_t sum) {
+        all.places.resize(sites.size() + sum + cells);
+        all.levels.resize(sites.size() + sum + cells);
+      },
+      [&](std::size_t begin, std::size_t end, std::size_t first) {
+        std::size_t next = sites.size() + first;
+        for (std::size_t i = begin; i < end; ++i) {
+          all.places[i] = sites.places[i];
+          all.levels[i] = sites.level(i);
+          const std::size_t n = squares(i);
+          for (std::size_t k = 0; k < n; ++k) force(next++, block(i).square(static_cast<int>(k)));
+        }
+      });
+  const int shift = tile_log_side(window.level);
+  for_each_index<Concurrency_tag>(cells, [&](std::size_t i) {
+    force(sites.size() + in_blocks + i,
+          {(window.x0 + i % columns) << shift, (window.y0 + i / columns) << shift, window.level});
+  });
+  return all;
+}
+
+/// The smallest quadtree that meets the demands of sites.
 template <class Concurrency_tag>
 Balanced_quadtree<Tile_traits, Concurrency_tag> tile_quadtree(const Tile_sites& sites) {
   using Quadtree = Balanced_quadtree<Tile_traits, Concurrency_tag>;
-  std::vector<Tile_site> points = sites.places;
-  std::vector<int> levels(sites.size());
-  for (std::size_t i = 0; i < sites.size(); ++i) levels[i] = sites.level(i);
-  const auto force = [&](const Tile_square& s) {
-    const std::uint64_t half = std::uint64_t(1) << (tile_log_side(s.level) - 1);
-    points.push_back({s.x + half, s.y + half});
-    levels.push_back(s.level);
-  };
-  for (std::size_t i = 0; i < sites.size(); ++i) {
-    if (sites.kind(i) == Site_kind::on_demand) continue;
-    const Tile_block block = tile_block(sites.places[i], sites.kind(i), sites.level(i));
-    if (!sites.window.contains_block(block.column, block.row, block.size, block.level)) continue;
-    for (int k = 0; k < block.number_of_squares(); ++k) force(block.square(k));
-  }
-  const int shift = tile_log_side(sites.window.level);
-  if (sites.window.level > 0)
-    for (std::uint64_t y = sites.window.y0; y < sites.window.y1; ++y)
-      for (std::uint64_t x = sites.window.x0; x < sites.window.x1; ++x)
-        force({x << shift, y << shift, sites.window.level});
-
-  typename Quadtree::Framework framework(points);
-  std::vector<int> desired(framework.number_of_points());
-  for_each_index<Concurrency_tag>(desired.size(), [&](std::size_t r) {
-    desired[r] = levels[std::size_t(framework.input_point(typename Quadtree::Point_rank(r)))];
+  const Tile_demands demands = tile_demands<Concurrency_tag>(sites);
+  typename Quadtree::Framework framework(demands.places);
+  std::vector<int> levels(framework.number_of_points());
+  for_each_index<Concurrency_tag>(levels.size(), [&](std::size_t r) {
+    levels[r] = demands.levels[std::size_t(framework.input_point(Point_rank(r)))];
   });
   for (const Duplicate_point& d : framework.duplicates()) {
-    CGAL_precondition(d.kept.value() >= sites.size() || d.duplicate.value() >= sites.size());
-    int& level = desired[std::size_t(framework.rank(d.kept))];
-    level = std::max(level, levels[std::size_t(d.duplicate)]);
+    CGAL_precondition(d.duplicate.value() >= sites.size()); // sites are distinct
+    int& level = levels[std::size_t(framework.rank(d.kept))];
+    level = std::max(level, demands.levels[std::size_t(d.duplicate)]);
   }
-  framework.annotate(desired);
+  framework.annotate(levels);
   // Only the levels count, not how many points a leaf has.
   return Quadtree(std::move(framework),
                   Quadtree_options().max_points_per_leaf(std::numeric_limits<std::size_t>::max()));
@@ -259,7 +295,7 @@ private:
 
   /// Finds the leaves of the block of a site. Returns false if they are not those that the moves are made for.
   bool find_leaves(const Tile_block& block, Block_leaves& leaves) const {
-    if (!sites_.window.contains_block(block.column, block.row, block.size, block.level)) return false;
+    if (!sites_.window.contains_block(block)) return false;
     for (int i = 0; i < block.number_of_squares(); ++i) {
       const Tile_square s = block.square(i);
       const std::uint32_t leaf = number_of_leaf_[std::size_t(tree_.locate(Tile_place{s.x, s.y}))];

@@ -42,6 +42,23 @@ enum class Site_kind : std::uint8_t {
   star    ///< one of the 4 x 4 equal leaves around its corner nearest to the site, likewise
 };
 
+/// Equal squares, as many columns as rows. Columns and rows are counted on their level; some may be outside
+/// the root.
+struct Tile_block {
+  std::int64_t column;
+  std::int64_t row;
+  int size;
+  int level;
+
+  int number_of_squares() const { return size * size; }
+  /// Square `i`, counted row by row. \pre it is inside the root
+  Tile_square square(int i) const {
+    const int shift = tile_log_side(level);
+    return {static_cast<std::uint64_t>(column + i % size) << shift,
+            static_cast<std::uint64_t>(row + i / size) << shift, level};
+  }
+};
+
 /// The squares of one level that are kept, an axis-parallel rectangle: columns `x0` to `x1 - 1` and rows `y0`
 /// to `y1 - 1`. Leaves in it are not larger than these squares; leaves outside do not count as neighbours.
 struct Tile_window {
@@ -61,12 +78,10 @@ struct Tile_window {
     return x0 <= x >> shift && x >> shift < x1 && y0 <= y >> shift && y >> shift < y1;
   }
 
-  /// Whether `size` by `size` squares of level `l`, the lower left one in column `x` and row `y`, are inside;
-  /// columns and rows may be negative.
-  bool contains_block(std::int64_t x, std::int64_t y, int size, int l) const {
-    if (l < level) return false;
-    const auto at = [this, l](std::uint64_t cell) { return static_cast<std::int64_t>(cell << (l - level)); };
-    return at(x0) <= x && x + size <= at(x1) && at(y0) <= y && y + size <= at(y1);
+  bool contains_block(const Tile_block& b) const {
+    if (b.level < level) return false;
+    const auto at = [&](std::uint64_t cell) { return static_cast<std::int64_t>(cell << (b.level - level)); };
+    return at(x0) <= b.column && b.column + b.size <= at(x1) && at(y0) <= b.row && b.row + b.size <= at(y1);
   }
 
   std::uint64_t left() const { return x0 << tile_log_side(level); }

@@ -46,13 +46,14 @@ struct Tile_options {
   double sides_per_distance = std::numeric_limits<double>::infinity();
 };
 
-/// A mesh of tiles with a vertex for each site.
+/// A mesh of tiles with a vertex for each site, and how it came about.
 struct Tile_filling {
   Tile_sites sites; ///< with the levels that they got
   Tile_mesh mesh;
   int number_of_rounds = 0;
 };
 
+/// Fills tiles, and again with smaller leaves for those sites that turn out to need them.
 template <class Concurrency_tag = Sequential_tag>
 class Tile_filler {
 public:
@@ -87,6 +88,16 @@ public:
     }
   }
 
+  /// Asks for a smaller leaf of a site, when tiles are filled again.
+  void split(std::size_t site) {
+    const auto& mesh = filling_.mesh;
+    const int level = mesh.leaves[static_cast<std::size_t>(mesh.leaf_of_site[site])].level;
+    const bool has_block = filling_.sites.kind(site) != Site_kind::on_demand;
+    raise(site, has_block ? std::max(filling_.sites.levels[site] + 1, level) : level + 1);
+    raise(site, level_for(site, hopeless_));
+  }
+
+  const Tile_filling& filling() const { return filling_; }
   Tile_filling result() { return std::move(filling_); }
 
 private:
@@ -101,15 +112,6 @@ private:
   int level_for(std::size_t site, double sides_per_distance) const {
     const double side = sides_per_distance * distances_[site];
     return side < 1 ? Tile_traits::depth : level_of_side(side);
-  }
-
-  /// Asks for a smaller leaf of a site.
-  void split(std::size_t site) {
-    const auto& mesh = filling_.mesh;
-    const int level = mesh.leaves[static_cast<std::size_t>(mesh.leaf_of_site[site])].level;
-    const bool has_block = filling_.sites.kind(site) != Site_kind::on_demand;
-    raise(site, has_block ? std::max(filling_.sites.levels[site] + 1, level) : level + 1);
-    raise(site, level_for(site, hopeless_));
   }
 
   Tile_options options_;
