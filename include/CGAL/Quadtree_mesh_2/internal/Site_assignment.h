@@ -11,8 +11,8 @@
 // Bound:    O(n) work for n sites, besides sorting O(n) pairs.
 // Method:   Greedy. All pairs of a site and a vertex near it are sorted by distance, relative to the side of the
 //           leaf; a pair is taken if site and vertex are still free.
-// Source:   Bern, Eppstein, Teng, section 5, moves the nearest vertex of the leaf. They have leaves so small that
-//           there is no competition; here there may be.
+// Source:   Bern, Eppstein, Teng, section 5, Theorem 3, where squares are split until a point has the vertices
+//           around it for itself. Here it may not.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_SITE_ASSIGNMENT_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_SITE_ASSIGNMENT_H

@@ -9,9 +9,10 @@
 // Computes: for a site and a level the 3 x 3 or 4 x 4 squares around it; which vertex of which square each entry
 //           of a table moves; the places they move to, rounded to the grid.
 // Bound:    O(1) for each vertex.
-// Source:   Bern, Eppstein, Teng, section 5: the warp of the squares around a point, which moves a vertex to it.
-// Deviates: the paper moves vertices of at least 25 squares by hand-made rules; here 9 squares suffice, and the
-//           places are affine functions of the way the vertex moves (warp_table.h, star_table.h).
+// Source:   Bern, Eppstein, Teng, section 5, Theorem 3: local warping of the squares around each point, which
+//           moves a vertex to it.
+// Deviates: the paper cites the warping; here it is by tables: places are affine functions of the way that the
+//           vertex moves (warp_table.h, star_table.h).
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_TILE_BLOCKS_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_TILE_BLOCKS_H

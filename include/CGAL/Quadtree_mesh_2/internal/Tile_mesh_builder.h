@@ -10,9 +10,9 @@
 //           the sites have these levels; for each leaf the triangles of its tile; for the blocks of warped and
 //           star sites the places to which their vertices move. All places are integers.
 // Bound:    O(n + k) work for n sites and k squares, besides sorting; rounds as for the quadtree.
-// Source:   Bern, Eppstein, Teng, section 5: a balanced quadtree, each leaf of which is cut into triangles by a
-//           pattern, and the warps of patterns around points.
-// Deviates: a pattern depends on one bit for each corner of the leaf, whether a smaller leaf touches it
+// Source:   Bern, Eppstein, Teng, section 5, Theorem 3: the leaves of a balanced quadtree are cut into triangles
+//           by tiles, which are warped around points.
+// Deviates: a tile depends on one bit for each corner of the leaf, whether a smaller leaf touches it
 //           (tile_tables.h). Balance across corners is enough then: the two rounds of splitting that the paper
 //           adds are not needed.
 //

@@ -12,8 +12,8 @@
 // Method:   Leaves start with few sites, and small compared with the distance to a near neighbour. Sites that
 //           get no vertex get smaller leaves: half as large, and at once about as small as the distance to a
 //           near neighbour, as there is no vertex for both before; until all have one.
-// Source:   Bern, Eppstein, Teng, section 5, split until there is an empty space of constant width around each
-//           point.
+// Source:   Bern, Eppstein, Teng, section 5, Theorem 3, where each point gets squares so small that there is
+//           room for its warp.
 // Deviates: leaves are split on demand. The result is smaller by an order of magnitude, but vertices on the way
 //           to their sites may meet; whoever moves them has to look.
 
