@@ -82,6 +82,18 @@ struct Star_vectors {
     return true;
   }
 
+  /// Bit k is set if triangle k is not in the range for certain.
+  unsigned violated(const Angle_range& range) const {
+    unsigned bits = 0;
+    for (int first = 0; first < number_of_triangles; first += lanes) {
+      const Triangle_lanes t = triangles(first, 0, 0);
+      const Float_lanes slack = Range_lanes(t, range).slack(t, range);
+      for (int k = first; k < std::min(number_of_triangles, first + lanes); ++k)
+        if (slack[k - first] < 0) bits |= 1u << k;
+    }
+    return bits;
+  }
+
 private:
   void set(int k, Vector d) {
     x[k] = static_cast<float>(scale * d.x);
@@ -213,12 +225,7 @@ public:
     bool is_flipped = false;
     for (std::size_t i = 0; i < patch_.members().size(); ++i) {
       const Ring_vertex v = patch_.members()[i];
-      if (!patch_.is_changed(v) || is_in_range(v)) continue;
-      for (int k = 0; k < patch_.mesh().ring(v).number_of_triangles(); ++k)
-        if (flip_side_of(v, k)) {
-          is_flipped = true;
-          break;
-        }
+      if (patch_.is_changed(v) && patch_.is_active(v)) is_flipped |= flip_one_at(v);
     }
     return is_flipped;
   }
@@ -328,10 +335,18 @@ private:
     return {};
   }
 
-  /// Flips a side of triangle k of v if that lowers the energy, and all four vertices are members.
-  bool flip_side_of(Ring_vertex v, int k) {
-    const Ring_vertex b = patch_.mesh().ring(v)[k], c = patch_.mesh().ring(v).next(k);
-    return flip(v, b, c) || flip(b, c, v) || flip(c, v, b);
+  /// Flips an edge of a violated triangle of which v is the first of the changed members.
+  bool flip_one_at(Ring_vertex v) {
+    unsigned violated = Star_vectors(patch_.mesh(), v).violated(range_);
+    for (int k = 0; violated != 0; ++k, violated >>= 1) {
+      const Ring& r = patch_.mesh().ring(v);
+      if ((violated & 1) == 0 || !is_first(v, r[k]) || !is_first(v, r.next(k))) continue;
+      if (flip(v, r[k], r.next(k)) || flip(r[k], r.next(k), v) || flip(r.next(k), v, r[k])) return true;
+    }
+    return false;
+  }
+  bool is_first(Ring_vertex v, Ring_vertex other) const {
+    return v < other || !patch_.is_changed(other) || !patch_.is_active(other);
   }
 
   /// Whether the edge a, b, with c on its left, is one of two triangles of members, which have room for another edge.
@@ -345,8 +360,8 @@ private:
   }
 
   bool flip(Ring_vertex a, Ring_vertex b, Ring_vertex c) {
-    if (!can_flip(a, b, c)) return false;
     const auto& mesh = patch_.mesh();
+    if (!can_flip(a, b, c)) return false;
     const Ring_vertex d = mesh.right_of(a, mesh.ring(a).position_of(b));
     const auto &pa = mesh.point(a), &pb = mesh.point(b), &pc = mesh.point(c), &pd = mesh.point(d);
     const float now = energy_of_two(pa, pb, pc, pb, pa, pd);

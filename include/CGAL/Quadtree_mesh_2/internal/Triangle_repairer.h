@@ -105,17 +105,17 @@ private:
     const std::vector<Change> changes = possible_changes(t);
     for (const Change& change : changes) {
       const Outcome outcome = apply(change, t, rings, stages);
-      if (outcome.is_valid) return keep(change, vertices), true;
+      if (outcome.is_valid) return keep(vertices), true;
       if (outcome.energy < least) least = outcome.energy, best = &change;
       patch_.undo();
     }
     if (best == nullptr) return false;
     apply(*best, t, rings, stages);
-    keep(*best, vertices);
+    keep(vertices);
     return true;
   }
 
-  void keep(const Change& change, std::vector<Ring_vertex>& vertices) {
+  void keep(std::vector<Ring_vertex>& vertices) {
     for (const Ring_vertex v : patch_.members()) patch_.mesh().ring(v).tried_rings = 0;
     for (; number_of_new_ > 0; --number_of_new_) {
       vertices.push_back(spare_.back());

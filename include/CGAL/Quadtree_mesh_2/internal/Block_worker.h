@@ -1,0 +1,136 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+//
+// What is done to one block of a mesh of points: vertices are moved to the sites that they are for, the mesh around
+// them is relaxed and repaired; later, vertices that are not needed are removed.
+//
+// Removal goes over the vertices from the shortest edges to the longest, again and again, with patches that get wider
+// from pass to pass: most vertices go with a ring, which is cheap. A vertex is tried again only after something changed
+// near it.
+
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_BLOCK_WORKER_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_BLOCK_WORKER_H
+
+#include <CGAL/Quadtree_mesh_2/internal/Ring_blocks.h>
+#include <CGAL/Quadtree_mesh_2/internal/Triangle_repairer.h>
+#include <CGAL/Quadtree_mesh_2/internal/Vertex_remover.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Quadtree_mesh_2 {
+namespace internal {
+
+/// How far removal goes.
+struct Coarsening_effort {
+  int most_rings = 3;          ///< of the widest patches; 0 for no removal
+  double least_share = 0.01;   ///< a pass with the widest patches that removes less of the vertices is the last
+  std::size_t most_tries = std::size_t(-1); ///< in each block and pass of blocks
+};
+
+template <class Geometry>
+class Block_worker {
+public:
+  using Mesh = Ring_mesh<Geometry>;
+  using Point = typename Geometry::Point;
+
+  Block_worker(Mesh& mesh, std::vector<Patch_marks>& marks, const Ring_block& block, const Angle_range& range)
+      : mesh_(mesh), patch_(mesh, marks, block.number), relaxer_(patch_, range), remover_(patch_, relaxer_),
+        repairer_(patch_, relaxer_, remover_, spare_) {
+    for (Ring_vertex v = block.begin; v < block.end; ++v)
+      if (patch_.is_ours(v)) own_.push_back(v);
+    for (Ring_vertex v = block.spare_end; v-- > block.end;) spare_.push_back(v);
+  }
+
+  /// Whether everything within a few rings of v is the block's.
+  bool is_well_inside(Ring_vertex v) {
+    constexpr int rings = 3;
+    patch_.begin();
+    patch_.add(v);
+    patch_.grow(rings);
+    return !patch_.is_cut();
+  }
+
+  /// Moves vertices, pairs of a fixed vertex and a place, and relaxes the block.
+  void move_and_relax(const std::vector<std::pair<Ring_vertex, Point>>& moves) {
+    if (moves.empty()) return;
+    constexpr int sweeps = 24, sweeps_between_flips = 4;
+    patch_.begin();
+    for (const Ring_vertex v : own_) patch_.add(v);
+    for (const auto& [v, place] : moves) patch_.move(v, place);
+    for (int s = 1; s <= sweeps && relaxer_.sweep() > 0; ++s)
+      if (s % sweeps_between_flips == 0) relaxer_.flip_all();
+  }
+
+  /// Repairs what is outside the range of angles.
+  void repair() { repairer_.repair_all(own_); }
+
+  /// The least vertices of the triangles at the block's vertices that are outside the range.
+  std::vector<Ring_vertex> vertices_of_violated() const {
+    std::vector<Ring_vertex> result;
+    for (const auto& t : repairer_.violated(own_)) result.push_back(t[0]);
+    return result;
+  }
+
+  void coarsen(const Coarsening_effort& effort) {
+    std::size_t tries = 0;
+    for (int pass = 1; effort.most_rings > 0; ++pass) {
+      const int rings = std::min(pass, effort.most_rings);
+      const std::vector<Ring_vertex> candidates = removable(rings);
+      std::size_t removed = 0;
+      for (const Ring_vertex v : candidates) {
+        if (!is_removable(v, rings)) continue;
+        if (tries++ == effort.most_tries) return;
+        if (remover_.remove(v, rings, stages)) ++removed;
+      }
+      if (rings == effort.most_rings &&
+          static_cast<double>(removed) <= effort.least_share * static_cast<double>(candidates.size()))
+        return;
+    }
+  }
+
+private:
+  static constexpr int stages = 9;
+
+  Mesh& mesh_;
+  Ring_patch<Geometry> patch_;
+  Star_relaxer<Geometry> relaxer_;
+  Vertex_remover<Geometry> remover_;
+  std::vector<Ring_vertex> spare_, own_;
+  Triangle_repairer<Geometry> repairer_;
+
+  bool is_removable(Ring_vertex v, int rings) const {
+    const Ring& r = mesh_.ring(v);
+    return r.mobility != Mobility::fixed && r.mobility != Mobility::removed && r.tried_rings < rings;
+  }
+
+  /// By increasing mean length of their edges.
+  std::vector<Ring_vertex> removable(int rings) const {
+    std::vector<std::pair<double, Ring_vertex>> keys;
+    for (const Ring_vertex v : own_) {
+      if (!is_removable(v, rings)) continue;
+      const Ring& r = mesh_.ring(v);
+      double sum = 0;
+      for (int k = 0; k < r.size; ++k)
+        sum += std::sqrt(squared_length(Geometry::difference(mesh_.point(r[k]), mesh_.point(v))));
+      keys.push_back({sum / r.size, v});
+    }
+    std::sort(keys.begin(), keys.end());
+    std::vector<Ring_vertex> result;
+    for (const auto& key : keys) result.push_back(key.second);
+    return result;
+  }
+};
+
+} // namespace internal
+} // namespace Quadtree_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_BLOCK_WORKER_H

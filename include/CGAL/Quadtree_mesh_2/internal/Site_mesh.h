@@ -1,0 +1,182 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+//
+// A mesh on its way from tiles to a mesh of points: some of its vertices, one for each site, have to go to their sites,
+// all triangles into a range of angles, and what is not needed then has to go.
+//
+// Separation on demand: vertices are moved, the mesh is relaxed and repaired, in blocks and then where their seams were;
+// which triangles remain outside the range is the answer, and whose sites are to be blamed. Nothing is guaranteed here:
+// who fills tiles knows when they are so small that nothing can remain (Tile_forest.h).
+// Expected O(n) work besides sorting.
+
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_SITE_MESH_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_SITE_MESH_H
+
+#include <CGAL/Quadtree_mesh_2/internal/Block_worker.h>
+#include <CGAL/Quadtree_mesh_2/internal/Ring_blocks.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Quadtree_mesh_2 {
+namespace internal {
+
+template <class Geometry>
+struct Site_mesh {
+  using Point = typename Geometry::Point;
+
+  Ring_mesh<Geometry> mesh;
+  std::vector<Point> sites;
+  std::vector<Ring_vertex> vertex_of_site;
+  /// By site: whether its vertex lies where it shall.
+  std::vector<std::uint8_t> is_placed;
+  /// Vertices that stay where they are until all sites are placed.
+  std::vector<Ring_vertex> held;
+};
+
+template <class Concurrency_tag, class Geometry>
+class Site_mesh_relaxer {
+public:
+  Site_mesh_relaxer(Site_mesh<Geometry>& mesh, const Angle_range& range)
+      : mesh_(mesh), range_(range), blocks_(mesh.mesh) {}
+
+  /// Moves vertices to their sites and relaxes. Returns the sites next to triangles outside the range.
+  std::vector<std::size_t> place_sites() {
+    for (int pass = 0; pass < Blocks::number_of_passes; ++pass) {
+      cut(pass);
+      place_in_blocks();
+      if (blocks_.is_whole()) break;
+    }
+    if (!blocks_.is_whole() && is_anything_left()) {
+      join();
+      place_in_blocks();
+    }
+    return sites_to_blame();
+  }
+
+  /// Lets go of what was held, and removes vertices that are not needed.
+  void coarsen(const Coarsening_effort& effort) {
+    for (const Ring_vertex v : mesh_.held) mesh_.mesh.ring(v).mobility = Mobility::free;
+    mesh_.held.clear();
+    if (effort.most_rings == 0) return;
+    for (int pass = 0; pass < Blocks::number_of_passes; ++pass) {
+      cut(pass);
+      blocks_.for_each_block([&](const Ring_block& block, std::vector<Patch_marks>& marks) {
+        Block_worker<Geometry>(mesh_.mesh, marks, block, range_).coarsen(effort);
+      });
+      if (blocks_.is_whole()) return;
+    }
+  }
+
+private:
+  using Blocks = Ring_blocks<Concurrency_tag, Geometry>;
+  using Point = typename Geometry::Point;
+
+  Site_mesh<Geometry>& mesh_;
+  const Angle_range& range_;
+  Blocks blocks_;
+
+  void cut(int pass) {
+    blocks_.cut(pass);
+    follow();
+  }
+  void join() {
+    blocks_.join();
+    follow();
+  }
+  void follow() {
+    const auto renumber = [this](std::vector<Ring_vertex>& vertices) {
+      for_each_index<Concurrency_tag>(vertices.size(),
+                                      [&](std::size_t i) { vertices[i] = blocks_.new_number(vertices[i]); });
+    };
+    renumber(mesh_.vertex_of_site);
+    renumber(mesh_.held);
+  }
+
+  void place_in_blocks() {
+    const std::vector<std::vector<std::uint32_t>> sites = waiting_sites();
+    blocks_.for_each_block([&](const Ring_block& block, std::vector<Patch_marks>& marks) {
+      Block_worker<Geometry> worker(mesh_.mesh, marks, block, range_);
+      std::vector<std::pair<Ring_vertex, Point>> moves;
+      for (const std::uint32_t s : sites[std::size_t(block.number)]) {
+        if (!blocks_.is_whole() && !worker.is_well_inside(mesh_.vertex_of_site[s])) continue;
+        moves.push_back({mesh_.vertex_of_site[s], mesh_.sites[s]});
+        mesh_.is_placed[s] = 1;
+      }
+      worker.move_and_relax(moves);
+      worker.repair();
+    });
+  }
+
+  /// By block, the sites whose vertices are in it and not yet there.
+  std::vector<std::vector<std::uint32_t>> waiting_sites() const {
+    std::vector<std::vector<std::uint32_t>> result(blocks_.number_of_blocks());
+    for (std::size_t s = 0; s < mesh_.sites.size(); ++s) {
+      if (mesh_.is_placed[s] != 0) continue;
+      const std::int32_t b = mesh_.mesh.ring(mesh_.vertex_of_site[s]).block;
+      if (b >= 0) result[std::size_t(b)].push_back(static_cast<std::uint32_t>(s));
+    }
+    return result;
+  }
+
+  bool is_in_range(std::size_t v) const {
+    return !mesh_.mesh.is_alive(Ring_vertex(v)) ||
+           Star_vectors(mesh_.mesh, Ring_vertex(v)).is_in_range(range_);
+  }
+  std::vector<std::uint32_t> violated() const {
+    return pack<Concurrency_tag>(mesh_.mesh.number_of_vertices(), [this](std::size_t v) { return !is_in_range(v); });
+  }
+  bool is_anything_left() const {
+    for (const std::uint8_t p : mesh_.is_placed)
+      if (p == 0) return true;
+    return !violated().empty();
+  }
+
+  /// The sites nearest to violated triangles, in the number of edges.
+  std::vector<std::size_t> sites_to_blame() const {
+    const std::vector<std::uint32_t> bad = violated();
+    std::vector<std::size_t> result;
+    if (bad.empty()) return result;
+    constexpr std::int32_t none = -1;
+    std::vector<std::int32_t> site_of_vertex(mesh_.mesh.number_of_vertices(), none);
+    for (std::size_t s = 0; s < mesh_.sites.size(); ++s)
+      site_of_vertex[std::size_t(mesh_.vertex_of_site[s])] = static_cast<std::int32_t>(s);
+    std::vector<std::uint8_t> is_blamed(mesh_.sites.size(), 0);
+    for (const std::uint32_t v : bad) blame_nearest(Ring_vertex(v), site_of_vertex, is_blamed);
+    for (std::size_t s = 0; s < is_blamed.size(); ++s)
+      if (is_blamed[s] != 0) result.push_back(s);
+    return result;
+  }
+
+  void blame_nearest(Ring_vertex v, const std::vector<std::int32_t>& site_of_vertex,
+                     std::vector<std::uint8_t>& is_blamed) const {
+    std::vector<Ring_vertex> reached{v};
+    bool is_found = false;
+    for (std::size_t begin = 0; begin < reached.size() && !is_found;) {
+      const std::size_t end = reached.size();
+      for (std::size_t i = begin; i < end; ++i) {
+        const std::int32_t s = site_of_vertex[std::size_t(reached[i])];
+        if (s < 0) continue;
+        is_blamed[std::size_t(s)] = 1;
+        is_found = true;
+      }
+      for (; begin < end && !is_found; ++begin) {
+        const Ring& r = mesh_.mesh.ring(reached[begin]);
+        for (int k = 0; k < r.size; ++k)
+          if (std::find(reached.begin(), reached.end(), r[k]) == reached.end()) reached.push_back(r[k]);
+      }
+    }
+  }
+};
+
+} // namespace internal
+} // namespace Quadtree_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_SITE_MESH_H
