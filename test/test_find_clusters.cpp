@@ -289,6 +289,21 @@ TEST_CASE("A spiral has no clusters", "[clusters]") {
   CHECK(internal::find_clusters<Doubles>(points, internal::least_cluster_gap).clusters.size() == 1);
 }
 
+TEST_CASE("Points on a line, and one beside it, take no longer than others", "[clusters]") {
+  Random_numbers random(9);
+  Points points;
+  for (int i = 0; i < 60000; ++i) points.push_back({random(), 0});
+  points = distinct(points);
+  shuffle(points, random);
+  for (double y : {0., 1e-3}) {
+    points.push_back({0.5, y});
+    points = distinct(points);
+    const Cluster_tree tree = internal::find_clusters<Doubles>(points, internal::least_cluster_gap);
+    check_tree<Doubles>(points, tree);
+    CHECK(tree.clusters.size() > 5);
+  }
+}
+
 TEST_CASE("Many points have at most as many clusters", "[clusters]") {
   Random_numbers random(5);
   Points points;

@@ -24,6 +24,7 @@
 #include <cmath>
 #include <cstdint>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -110,29 +111,72 @@ struct Measured_edge {
   }
 };
 
+template <class Geometry>
+class Delaunay_edges {
+public:
+  using Point = typename Geometry::Point;
+
+  explicit Delaunay_edges(const std::vector<Point>& points) : points_(points) {}
+
+  std::vector<Measured_edge> run() {
+    edges_.reserve(3 * points_.size());
+    std::vector<Site> order(points_.size());
+    for (std::size_t i = 0; i < points_.size(); ++i) order[i] = {&points_[i], static_cast<std::uint32_t>(i)};
+    const std::size_t apex = index_off_line();
+    if (apex < points_.size())
+      add_edges_of_triangulation(std::move(order), apex);
+    else
+      add_edges_on_line(std::move(order));
+    std::sort(edges_.begin(), edges_.end());
+    return std::move(edges_);
+  }
+
+private:
+  using Traits = Indirect_delaunay_traits_2<Geometry>;
+  using Site = typename Traits::Point_2;
+  using Triangulation = Delaunay_triangulation_2<Traits>;
+
+  const std::vector<Point>& points_;
+  std::vector<Measured_edge> edges_;
+
+  void add(const Site& p, const Site& q) {
+    edges_.push_back({length_of(Geometry::difference(*q.place, *p.place)), std::min(p.index, q.index),
+                      std::max(p.index, q.index)});
+  }
+
+  /// The first point that is not on the line through the first two; the number of points if there is none.
+  std::size_t index_off_line() const {
+    std::size_t i = 2;
+    while (i < points_.size() && Geometry::orientation(points_[0], points_[1], points_[i]) == 0) ++i;
+    return i;
+  }
+
+  /// CGAL finds places on a line by going along it, which would take O(n^2).
+  void add_edges_on_line(std::vector<Site> order) {
+    std::sort(order.begin(), order.end(), [](const Site& p, const Site& q) {
+      return p.place->x == q.place->x ? p.place->y < q.place->y : p.place->x < q.place->x;
+    });
+    for (std::size_t i = 1; i < order.size(); ++i) add(order[i - 1], order[i]);
+  }
+
+  /// A triangle comes first, so that there is never a line.
+  void add_edges_of_triangulation(std::vector<Site> order, std::size_t apex) {
+    Triangulation triangulation;
+    typename Triangulation::Face_handle hint;
+    for (std::size_t i : {std::size_t(0), std::size_t(1), apex})
+      hint = triangulation.insert(order[i], hint)->face();
+    spatial_sort(order.begin(), order.end(), Traits());
+    for (const Site& p : order) hint = triangulation.insert(p, hint)->face();
+    for (auto e = triangulation.finite_edges_begin(); e != triangulation.finite_edges_end(); ++e)
+      add(e->first->vertex(Triangulation::cw(e->second))->point(),
+          e->first->vertex(Triangulation::ccw(e->second))->point());
+  }
+};
+
 /// \pre the points are distinct
 template <class Geometry>
 std::vector<Measured_edge> sorted_delaunay_edges(const std::vector<typename Geometry::Point>& points) {
-  using Traits = Indirect_delaunay_traits_2<Geometry>;
-  using Triangulation = Delaunay_triangulation_2<Traits>;
-  std::vector<typename Traits::Point_2> order(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) order[i] = {&points[i], static_cast<std::uint32_t>(i)};
-  spatial_sort(order.begin(), order.end(), Traits());
-  Triangulation triangulation;
-  typename Triangulation::Face_handle hint;
-  for (const auto& p : order) hint = triangulation.insert(p, hint)->face();
-
-  std::vector<Measured_edge> edges;
-  if (triangulation.dimension() < 1) return edges;
-  edges.reserve(3 * points.size());
-  for (auto e = triangulation.finite_edges_begin(); e != triangulation.finite_edges_end(); ++e) {
-    const auto& p = e->first->vertex(Triangulation::cw(e->second))->point();
-    const auto& q = e->first->vertex(Triangulation::ccw(e->second))->point();
-    edges.push_back({length_of(Geometry::difference(*q.place, *p.place)), std::min(p.index, q.index),
-                     std::max(p.index, q.index)});
-  }
-  std::sort(edges.begin(), edges.end());
-  return edges;
+  return Delaunay_edges<Geometry>(points).run();
 }
 
 } // namespace internal
