@@ -70,8 +70,8 @@ void check_offset(const Point& p, const Exact_point& origin, std::array<std::int
   REQUIRE(q[1] == origin[1] + Number(int(steps[1])) * power(exponent));
 }
 
-/// Octagon, collar, window and spokes are where they should be, exactly; all triangles between are acute, and each edge
-/// has two of them but for those of window and spokes.
+/// Octagon, collar, window and spokes are where they should be, exactly; all triangles between are acute, and each
+/// edge has two of them but for those of window and spokes.
 template <class Geometry>
 void check_ring(const internal::Cluster_frame<Geometry>& frame, int log_leaf) {
   const Exact_point centre = exact(frame.centre());
@@ -122,7 +122,11 @@ inline Points<Doubles> planted(std::size_t n, Random_numbers& random, double lea
   while (points.size() < n) {
     const auto i = static_cast<std::size_t>(random() * double(points.size()));
     const double radius = radii[i] * std::exp2(-10 - 3 * random());
-    if (radius < least_radius) continue;
+    if (radius < least_radius) { // no room: a point for itself
+      points.push_back({random(), random()});
+      radii.push_back(0.1 / double(points.size()));
+      continue;
+    }
     const Doubles::Point p = points[i];
     for (int k = 1 + int(random() * 3); k > 0; --k) {
       points.push_back(

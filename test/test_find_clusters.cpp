@@ -48,8 +48,9 @@ std::vector<Set> sets_of(const Cluster_tree& tree) {
   return sets;
 }
 
-/// All sets that are clusters by the definition. Such a set is what is within its width's gap of one of its points, so
-/// it is what distances below some distance of two points link: for each such distance, all components are tried.
+/// All sets that are clusters by the definition. Such a set is what is within its width's gap of one of its
+/// points, so it is what distances below some distance of two points link: for each such distance, all components
+/// are tried.
 template <class Geometry>
 std::set<Set> brute_force_clusters(const std::vector<typename Geometry::Point>& points, double gap) {
   const std::size_t n = points.size();

@@ -26,8 +26,8 @@ using internal::Framed_clusters;
 
 namespace {
 
-/// A quadtree that is balanced over corners, by what has to be split so that given squares exist: the eight neighbours of
-/// each split square exist, too.
+/// A quadtree that is balanced over corners, by what has to be split so that given squares exist: the eight
+/// neighbours of each split square exist, too.
 class Balanced_squares {
 public:
   /// Makes a square exist, given by its level, column and row.
@@ -228,10 +228,33 @@ TEST_CASE("Fifty clusters, one in the other, have frames", "[clusters]") {
   exacts.push_back({Exact::Coordinate(third), Exact::Coordinate(0.)});
   const auto result = framed<Doubles>(points);
   CHECK(result.frames.size() == 51);
-  CHECK(check_frames<Doubles>(points, result).bridges == 0);
+  const Checked_frames checked = check_frames<Doubles>(points, result);
+  CHECK(checked.bridges == 0);
+  // linear, whatever the ratio of the distances is
+  CHECK(checked.split_squares < 60 * points.size());
   const auto of_exacts = framed<Exact>(exacts);
   CHECK(of_exacts.frames.size() == 51);
   CHECK(check_frames<Exact>(exacts, of_exacts).bridges == 0);
+}
+
+TEST_CASE("The number of squares does not depend on gaps", "[clusters]") {
+  std::size_t least = std::size_t(-1), most = 0;
+  for (int log_gap : {12, 20, 30, 43}) {
+    Random_numbers random(1);
+    Points<Doubles> points;
+    const double w = std::exp2(-log_gap - 2);
+    for (int i = 0; i < 25; ++i) {
+      const double x = (i % 5 + 0.1 * random()) / 5, y = (i / 5 + 0.1 * random()) / 5;
+      for (int k = 0; k < 5; ++k) points.push_back({x + w * random(), y + w * random()});
+    }
+    const auto result = framed<Doubles>(points);
+    CHECK(result.frames.size() == 26);
+    const std::size_t squares = check_frames<Doubles>(points, result).split_squares;
+    least = std::min(least, squares);
+    most = std::max(most, squares);
+  }
+  CHECK(double(most) < 1.1 * double(least));
+  CHECK(most < 200 * 25);
 }
 
 TEST_CASE("Clusters at the last bits get larger squares or none", "[clusters]") {

@@ -7,20 +7,21 @@
 // Where the quadtree of a cluster lies: its squares in the plane, and the octagon around it.
 //
 // The root is a square of 8 x 8 cells with the side sigma, a power of two, of which the window of 5 x 5 in columns
-// and rows 1 to 5 is kept (collar_table.h). The sites of the cluster, its own points and one for each cluster in it, lie
-// in the middle cell, number 3, with the blocks of leaves that are forced around them. The centre p of the window is a
-// multiple of sigma/8 and stands for the cluster in its parent's quadtree.
+// and rows 1 to 5 is kept (collar_table.h). The sites of the cluster, its own points and one for each cluster in
+// it, lie in the middle cell, number 3, with the blocks of leaves that are forced around them. The centre p of the
+// window is a multiple of sigma/8 and stands for the cluster in its parent's quadtree.
 //
-// How large sigma is. Let w be the width of the cluster. A site's leaf has a side l of at most E/6 (a point: its block
-// reaches at most 2 l from it) or E/7 (a cluster: its block reaches at most 2.5 l), E <= sqrt(2) w being its distance to
-// another site: so blocks reach at most sqrt(2) 2.5/7 w = 0.5051 w from their sites. These are at most w/2 + sigma/16 from
-// p, in each coordinate, points by the choice of p, and the centres of clusters but for 0.0003 w (a share of their
-// widths, find_clusters.h). Together 1.0054 w + sigma/16 <= sigma/2 if sigma >= 2.2982 w: sigma is the least power of two with
-// sigma >= 2.5 w, which leaves room for rounding, and l <= 0.2358 w < sigma/8. A larger one does as well, if the parent's
-// leaf has room for it.
+// How large sigma is. Let w be the width of the cluster. A site's leaf has a side l of at most E/6 (a point: its
+// block reaches at most 2 l from it) or E/7 (a cluster: its block reaches at most 2.5 l), E <= sqrt(2) w being its
+// distance to another site: so blocks reach at most sqrt(2) 2.5/7 w = 0.5051 w from their sites. These are at most
+// w/2 + sigma/16 from p, in each coordinate, points by the choice of p, and the centres of clusters but for 0.0003
+// w (a share of their widths, find_clusters.h). Together 1.0054 w + sigma/16 <= sigma/2 if sigma >= 2.2982 w:
+// sigma is the least power of two with sigma >= 2.5 w, which leaves room for rounding, and l <= 0.2358 w <
+// sigma/8. A larger one does as well, if the parent's leaf has room for it.
 //
-// Exactness. The octagon's vertices are multiples of sigma/512, the collar's of sigma/1024, all within 12 sigma of p. The
-// spokes of the leaf with side s >= 64 sigma around the octagon are multiples of s/1024 from p. So all of them are
+// Exactness. The octagon's vertices are multiples of sigma/512, the collar's of sigma/1024, all within 12 sigma of
+// p. The spokes of the leaf with side s >= 64 sigma around the octagon are multiples of s/1024 from p. So all of
+// them are
 // - doubles, if coordinates are below 2^42 sigma and s <= 2^48 sigma;
 // - integers, if sigma >= 1024 (and all of the root is below 2^62);
 // - coordinates of exact fields always.
@@ -97,8 +98,7 @@ public:
   double cell() const { return std::ldexp(1.0, exponent_); }
 
   /// The level of the leaf of a site.
-  /// \param distance that of the nearest other point, or of the cluster's nearest other point; infinite if there is
-  ///        no other site.
+  /// \param distance that of the nearest other point, or from the cluster to it; infinite if there is no other site.
   int level_of_site(double distance, Cluster_site kind) const {
     const double leaf = distance_of_sites * distance * largest_leaf(kind);
     if (!(leaf < cell())) return least_level_of_site;
@@ -134,7 +134,8 @@ public:
     return translated(v[0], v[1], log_leaf - log_units);
   }
 
-  /// The places of the window's boundary vertices, counterclockwise from its lower left corner: 8 to 47 of the collar.
+  /// The places of the window's boundary vertices, counterclockwise from its lower left corner: 8 to 47 of the
+  /// collar.
   static std::array<Place, Collar::number_of_window_vertices> window_boundary() {
     std::array<Place, Collar::number_of_window_vertices> places;
     for (int k = 0; k < Collar::number_of_window_vertices; ++k) {

@@ -65,8 +65,8 @@ struct Cluster : Found_cluster {
 };
 
 struct Cluster_tree {
-  /// The first is the root, the set of all points. Parents precede children, and those of one parent are together and
-  /// in the order of their least points. None if there is no point.
+  /// The first is the root, the set of all points. Parents precede children, and those of one parent are together
+  /// and in the order of their least points. None if there is no point.
   std::vector<Cluster> clusters;
   std::vector<std::uint32_t> points; ///< by cluster, and then in increasing order
   std::vector<double>

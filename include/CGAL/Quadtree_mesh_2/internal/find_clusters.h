@@ -7,31 +7,32 @@
 // The clusters of a set of points (section 5 of the paper, before Theorem 4).
 //
 // A cluster is a set C of at least two points, but not all, with
-//     distance(C, other points) >= gap * width(C),     width: the larger side of the bounding box.
-// For a gap above sqrt(2), clusters are disjoint or nested: at most n - 1 of them, the nodes of a tree whose root is
-// the set of all points. A cluster with its own points and the clusters in it, each replaced by a point, becomes a
-// quadtree of its own, which is put into its parent's in the place of one vertex (Cluster_frame.h).
+//     distance(C, other points) >= gap * width(C),
+// where the width is the larger side of the bounding box. For a gap above sqrt(2), clusters are disjoint or nested:
+// at most n - 1 of them, the nodes of a tree whose root is the set of all points. A cluster with its own points and
+// the clusters in it, each replaced by a point, becomes a quadtree of its own, which is put into its parent's in the
+// place of one vertex (Cluster_frame.h).
 //
 // Method: single linkage. Kruskal's algorithm makes the points' minimum spanning tree out of the edges of their
 // Delaunay triangulation; when it is about to link a component by an edge, the length of that is the component's
 // distance to all other points, and each cluster is a component at some time. O(n log n).
 //
-// Deviates from the paper, which finds candidates in the framework tree and merges up to four candidates or points
-// near a common corner of their squares: distances know no squares, so there is nothing to merge. Chains of points
-// may be linked that are no cluster in the sense of squares; but these fail the test of the width.
+// Deviates: the paper finds candidates in the framework tree, then merges up to four candidates or points near a common
+// corner of their squares. Distances know no squares, so here is nothing to merge: exactly the sets of the definition
+// are found.
 //
 // The least gap. Let d be the distance of a cluster, w its width, R the distance of two sites (points, or clusters
 // with their centres p for points).
 // * The cluster's cells have side sigma, a power of two, with 2.5 w <= sigma < 5 w (Cluster_frame.h says why).
-// * p is a multiple of sigma/8 next to the middle of the box: at most sqrt(2) (w/2 + sigma/16 + rounding) < 1.15 w from
-//   each point. Likewise for a site that is a cluster, of width at most D/gap, if D is the distance of the two sets.
-//   So |R - D| <= 2 * 1.15 D/gap < D/512 for gap >= 1178: what follows uses (1 - 1/512) D instead of R.
-// * The leaf in the place of the cluster, whose vertex the octagon replaces, has the side s, the greatest power of two
-//   with s <= (1 - 1/512) d/7; the octagon with its triangles fits into the vertex's star if 5 * 10.8125 sigma <= s,
-//   that is, as both are powers of two, 64 sigma <= s. This is so if (1 - 1/512) d >= 7 * 64 sigma, hence if
+// * p is a multiple of sigma/8 next to the middle of the box: at most sqrt(2) (w/2 + sigma/16 + rounding) < 1.15 w
+//   from each point. Likewise for a site that is a cluster, of width at most D/gap, if D is the distance of the
+//   two sets. So |R - D| <= 2 * 1.15 D/gap < D/512 for gap >= 1178: what follows uses (1 - 1/512) D instead of R.
+// * The leaf in the place of the cluster, whose vertex the octagon replaces, has the side s, the greatest power of
+//   two with s <= (1 - 1/512) d/7; the octagon with its triangles fits into the vertex's star if 5 * 10.8125 sigma
+//   <= s, that is, as both are powers of two, 64 sigma <= s. This is so if (1 - 1/512) d >= 7 * 64 sigma, hence if
 //   d >= 7 * 64 * 5/(1 - 1/512) w = 2244.4 w.
-// 2248 leaves room for the rounding of lengths. Replacing the clusters in a cluster by points thus never makes a cluster
-// inadmissible, and none has to be taken back on that account.
+// 2248 leaves room for the rounding of lengths. Replacing the clusters in a cluster by points thus never makes a
+// cluster inadmissible, and none has to be taken back on that account.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_FIND_CLUSTERS_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_FIND_CLUSTERS_H
@@ -53,7 +54,8 @@ namespace internal {
 
 /// With a smaller gap a cluster may not fit into the place of a vertex.
 constexpr double least_cluster_gap = 2248;
-/// A gap of 2^k costs about k levels of the plain quadtree, a cluster the price of a few levels.
+/// A cluster has 192 triangles more. Without it the quadtree splits about ten squares, with some 400 triangles,
+/// for each factor of two in the gap; few of these remain where a mesh is made coarser afterwards.
 constexpr double default_cluster_gap = 0x1p14;
 
 /// Components of points that grow together, with their bounding boxes and the topmost clusters in them.

@@ -6,16 +6,16 @@
 //
 // Frames for the clusters of some points, and what has to change in their tree so that all of them have one.
 //
-// * A cluster's cells get the least side that its width allows and that is large enough for the coordinates to hold
-//   what is made of it (Cluster_frame.h).
-// * If the leaf in its place cannot be 64 times as large, the cluster is dissolved: its points and clusters become its
-//   parent's. With gaps of at least `least_cluster_gap` this concerns only clusters of about the size of the coordinates'
-//   last bits.
-// * If the leaf is so large that its vertices around the octagon are no coordinates, more cells go between: a bridge, a
-//   cluster whose only site is the cluster, or another bridge. A bridge stands for a factor of 2^43 or more, so doubles
-//   need at most 50 of them for a gap, and mostly none; other coordinates need none. The centre of a bridge with cells
-//   sigma <= D/448 is at most sqrt(2)/16 sigma < D/5000 beside the middle of its box, D being the distance of the
-//   cluster; that is within the bounds of find_clusters.h.
+// * A cluster's cells get the least side that its width allows and that is large enough for the coordinates to
+//   hold what is made of it (Cluster_frame.h).
+// * If the leaf in its place cannot be 64 times as large, the cluster is dissolved: its points and clusters become
+//   its parent's. With gaps of at least `least_cluster_gap` this concerns only clusters of about the size of the
+//   coordinates' last bits.
+// * If the leaf is so large that its vertices around the octagon are no coordinates, more cells go between: a
+//   bridge, a cluster whose only site is the cluster, or another bridge. A bridge stands for a factor of 2^43 or
+//   more, so doubles need at most 50 of them for a gap, and mostly none; other coordinates need none. The centre
+//   of a bridge with cells sigma <= D/448 is at most sqrt(2)/16 sigma < D/5000 beside the middle of its box, D
+//   being the distance of the cluster; that is within the bounds of find_clusters.h.
 //
 // O(n).
 
