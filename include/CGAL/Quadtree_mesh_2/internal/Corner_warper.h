@@ -12,8 +12,8 @@
 //           constant bound on the least angle.
 // Source:   Bern, Eppstein, Gilbert, "Provably good mesh generation", 1994, as told in the first paragraph of section 5
 //           of Bern, Eppstein, Teng: with no angles smaller than about 20 degrees.
-// Deviates: points are a little better separated than there (Separated_quadtree.h), so that the squares that are
-//           warped have no vertices in the middle of their sides. Which diagonal these get is told by one comparison.
+// Deviates: points are separated so (Separated_quadtree.h) that the squares that are warped have no vertices in the
+//           middle of their sides. Which diagonal these get is told by one comparison.
 //
 // Method. The nearest corner of each point's leaf is moved to the point. Four squares share the corner, of equal
 // size, with whole sides, and with no other corner that is moved. Let their side be 1, the corner the origin, and
@@ -146,19 +146,19 @@ private:
     const Place p = tree_.framework().grid_point(r);
     const auto square = tree_.square(own);
     const std::uint64_t side = std::uint64_t(1) << (Separated::Traits::depth - square.level);
-    const bool is_right = 2 * (p.x - square.x) >= side, is_upper = 2 * (p.y - square.y) >= side;
-    const std::uint64_t x = is_right ? side - (p.x - square.x) : p.x - square.x;
-    const std::uint64_t y = is_upper ? side - (p.y - square.y) : p.y - square.y;
-    const int corner = is_right ? (is_upper ? 2 : 1) : (is_upper ? 3 : 0);
-    const int dx = is_right ? 1 : -1, dy = is_upper ? 1 : -1;
+    const Nearest_corner nearest = Separated::nearest_corner(tree_, r);
+    const std::uint64_t x = nearest.is_right ? side - (p.x - square.x) : p.x - square.x;
+    const std::uint64_t y = nearest.is_upper ? side - (p.y - square.y) : p.y - square.y;
+    const int corner = nearest.is_right ? (nearest.is_upper ? 2 : 1) : (nearest.is_upper ? 3 : 0);
+    const auto [beside, across, above] = nearest.directions();
 
     // A diagonal of the point's own square from the corner has the direction of that from the lower left if the corner
     // is there or opposite; squares on both sides of a line have corners of different kinds at its ends.
     const bool is_even = corner % 2 == 0;
     set_diagonal(own, is_even);
-    set_diagonal(neighbor(own, direction(dx, dy)), !is_even);
-    set_diagonal(neighbor(own, direction(dx, 0)), is_even != is_joined_beside(x, side));
-    set_diagonal(neighbor(own, direction(0, dy)), is_even != is_joined_beside(y, side));
+    set_diagonal(neighbor(own, across), !is_even);
+    set_diagonal(neighbor(own, beside), is_even != is_joined_beside(x, side));
+    set_diagonal(neighbor(own, above), is_even != is_joined_beside(y, side));
 
     const Vertex_index v = corners_[std::size_t(own)][std::size_t(corner)];
     mesh_.places[std::size_t(v)] = p;
