@@ -108,7 +108,7 @@ private:
 
   bool is_removable(Ring_vertex v, int rings) const {
     const Ring& r = mesh_.ring(v);
-    return r.mobility != Mobility::fixed && r.mobility != Mobility::removed && r.tried_rings < rings;
+    return is_movable(r.mobility) && r.tried_rings < rings;
   }
 
   /// By increasing mean length of their edges.

@@ -35,9 +35,13 @@ enum class Mobility : std::uint8_t {
   free,
   slides_along,  ///< on a border side in the direction of `Ring_mesh::along`
   slides_across, ///< on a border side perpendicular to it
+  held, ///< fixed for the time being
   fixed,
+  rigid, ///< fixed, and triangles of rigid vertices only are right by construction: nothing is asked of them
   removed
 };
+
+constexpr bool is_movable(Mobility m) { return m < Mobility::held; }
 
 /// One cache line for each vertex.
 struct alignas(64) Ring {

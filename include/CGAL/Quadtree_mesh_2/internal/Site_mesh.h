@@ -36,8 +36,6 @@ struct Site_mesh {
   std::vector<Ring_vertex> vertex_of_site;
   /// By site: whether its vertex lies where it shall.
   std::vector<std::uint8_t> is_placed;
-  /// Vertices that stay where they are until all sites are placed.
-  std::vector<Ring_vertex> held;
 };
 
 template <class Concurrency_tag, class Geometry>
@@ -62,8 +60,8 @@ public:
 
   /// Lets go of what was held, and removes vertices that are not needed.
   void coarsen(const Coarsening_effort& effort) {
-    for (const Ring_vertex v : mesh_.held) mesh_.mesh.ring(v).mobility = Mobility::free;
-    mesh_.held.clear();
+    for (Ring& r : mesh_.mesh.rings)
+      if (r.mobility == Mobility::held) r.mobility = Mobility::free;
     if (effort.most_rings == 0) return;
     for (int pass = 0; pass < Blocks::number_of_passes; ++pass) {
       cut(pass);
@@ -91,12 +89,9 @@ private:
     follow();
   }
   void follow() {
-    const auto renumber = [this](std::vector<Ring_vertex>& vertices) {
-      for_each_index<Concurrency_tag>(vertices.size(),
-                                      [&](std::size_t i) { vertices[i] = blocks_.new_number(vertices[i]); });
-    };
-    renumber(mesh_.vertex_of_site);
-    renumber(mesh_.held);
+    for_each_index<Concurrency_tag>(mesh_.vertex_of_site.size(), [&](std::size_t i) {
+      mesh_.vertex_of_site[i] = blocks_.new_number(mesh_.vertex_of_site[i]);
+    });
   }
 
   void place_in_blocks() {

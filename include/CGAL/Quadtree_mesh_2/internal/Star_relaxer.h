@@ -49,15 +49,17 @@ struct Star_vectors {
     int n = r.size;
     if (!r.is_open) x[n] = x[0], y[n] = y[0], ++n;
     for (int k = n; k <= whole_lanes(); ++k) x[k] = static_cast<float>(k & 1), y[k] = 1 - x[k];
+    if (r.mobility == Mobility::rigid) exempt_ = triangles_of_rigid(mesh, r);
   }
 
   int whole_lanes() const { return (number_of_triangles + lanes - 1) / lanes * lanes; }
-  /// 1 for the triangles from k on, 0 for what is padding.
+  /// 1 for the triangles from k on, 0 for what is padding or exempt.
   Float_lanes mask(int k) const {
     const Float_lanes index(static_cast<float>(k), static_cast<float>(k + 1), static_cast<float>(k + 2),
                             static_cast<float>(k + 3));
-    return select_where_less(index, Float_lanes(static_cast<float>(number_of_triangles)), Float_lanes(1),
-                             Float_lanes(0));
+    const Float_lanes mask = select_where_less(index, Float_lanes(static_cast<float>(number_of_triangles)),
+                                               Float_lanes(1), Float_lanes(0));
+    return exempt_ == 0 ? mask : mask * not_exempt(k);
   }
   /// The triangles from k on, of the center moved by dx, dy.
   Triangle_lanes triangles(int k, Float_lanes dx, Float_lanes dy) const {
@@ -91,10 +93,25 @@ struct Star_vectors {
       for (int k = first; k < std::min(number_of_triangles, first + lanes); ++k)
         if (slack[k - first] < 0) bits |= 1u << k;
     }
-    return bits;
+    return bits & ~exempt_;
   }
 
 private:
+  unsigned exempt_ = 0; ///< bit k: triangle k has rigid vertices only
+
+  template <class Mesh>
+  static unsigned triangles_of_rigid(const Mesh& mesh, const Ring& r) {
+    unsigned bits = 0;
+    for (int k = 0; k < r.number_of_triangles(); ++k)
+      if (mesh.ring(r[k]).mobility == Mobility::rigid && mesh.ring(r.next(k)).mobility == Mobility::rigid)
+        bits |= 1u << k;
+    return bits;
+  }
+  Float_lanes not_exempt(int k) const {
+    const auto lane = [&](int i) { return (exempt_ >> (k + i) & 1) != 0 ? 0.f : 1.f; };
+    return Float_lanes(lane(0), lane(1), lane(2), lane(3));
+  }
+
   void set(int k, Vector d) {
     x[k] = static_cast<float>(scale * d.x);
     y[k] = static_cast<float>(scale * d.y);
@@ -186,7 +203,7 @@ public:
   float step(Ring_vertex v) {
     const Mobility mobility = patch_.mesh().ring(v).mobility;
     const Star_vectors star(patch_.mesh(), v);
-    if (mobility == Mobility::fixed) {
+    if (!is_movable(mobility)) {
       const float energy = star.energy(range_, 0, 0, 1e30f);
       if (energy == 0) patch_.settle(v);
       return energy;
@@ -353,6 +370,7 @@ private:
   bool can_flip(Ring_vertex a, Ring_vertex b, Ring_vertex c) const {
     const auto& mesh = patch_.mesh();
     if (!patch_.is_member(a) || !patch_.is_member(b) || !patch_.is_member(c)) return false;
+    if (mesh.ring(a).mobility == Mobility::rigid && mesh.ring(b).mobility == Mobility::rigid) return false;
     const Ring_vertex d = mesh.right_of(a, mesh.ring(a).position_of(b));
     if (d < 0 || !patch_.is_member(d)) return false;
     const Ring &rc = mesh.ring(c), &rd = mesh.ring(d);

@@ -41,7 +41,7 @@ public:
       const Ring& r = patch_.mesh().ring(v);
       if (r.mobility == Mobility::removed || relaxer_.is_in_range(v)) continue;
       patch_.mesh().for_each_triangle_of(v, [&](Ring_vertex a, Ring_vertex b, Ring_vertex c) {
-        if (!is_in_range({a, b, c})) result.push_back({a, b, c});
+        if (!is_in_range({a, b, c}) && !is_rigid({a, b, c})) result.push_back({a, b, c});
       });
     }
     return result;
@@ -97,6 +97,12 @@ private:
     return Range_lanes(triangle, relaxer_.range()).slack(triangle, relaxer_.range())[0] >= 0;
   }
 
+  bool is_rigid(const Triangle& t) const {
+    return std::all_of(t.begin(), t.end(), [this](Ring_vertex v) {
+      return patch_.mesh().ring(v).mobility == Mobility::rigid;
+    });
+  }
+
   /// Returns whether something became better.
   bool repair(const Triangle& t, int rings, int stages, std::vector<Ring_vertex>& vertices) {
     const double energy_before = energy_of_patch(t, rings);
@@ -140,7 +146,7 @@ private:
     for (const Ring_vertex v : t) patch_.add(v);
     patch_.grow(1);
     for (const Ring_vertex v : patch_.members())
-      if (mesh.ring(v).mobility != Mobility::fixed) changes.push_back({Kind::remove, v});
+      if (is_movable(mesh.ring(v).mobility)) changes.push_back({Kind::remove, v});
     return changes;
   }
 
@@ -241,6 +247,7 @@ private:
     auto& mesh = patch_.mesh();
     const Ring_vertex m = next_spare();
     if (m < 0 || !patch_.is_ours(a) || !patch_.is_ours(b) || !mesh.ring(a).contains(b)) return false;
+    if (mesh.ring(a).mobility == Mobility::rigid && mesh.ring(b).mobility == Mobility::rigid) return false;
     const int k = mesh.ring(a).position_of(b);
     if (k == mesh.ring(a).number_of_triangles()) return false; // nothing on its left
     const Ring_vertex left = mesh.ring(a).next(k), right = mesh.right_of(a, k);

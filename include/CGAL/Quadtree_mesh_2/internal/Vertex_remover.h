@@ -94,7 +94,7 @@ public:
   bool take_out(Ring_vertex v) {
     const auto& mesh = patch_.mesh();
     const Ring& ring = mesh.ring(v);
-    if (ring.mobility == Mobility::fixed || ring.size < 3 || ring.size > Ring_triangulation::max_size)
+    if (!is_movable(ring.mobility) || ring.size < 3 || ring.size > Ring_triangulation::max_size)
       return false;
     for (int k = 0; k < ring.size; ++k)
       if (!patch_.is_ours(ring[k])) return patch_.add(ring[k]), false; // remembers that the patch is cut

@@ -62,14 +62,14 @@ public:
     distances_ = near_distances<Concurrency_tag>(filling_.sites.places);
   }
 
-  /// Starts with the levels that separate sites.
-  void set_first_levels() {
+  /// Starts with the levels that separate sites, and not less than the given one.
+  void set_first_levels(int least_level = 0) {
     filling_.sites.levels.resize(filling_.sites.size(), 0);
     const std::vector<int> few =
         levels_with_few_sites<Concurrency_tag>(filling_.sites.places, options_.max_points_per_leaf);
     for_each_index<Concurrency_tag>(filling_.sites.size(), [&](std::size_t i) {
       if (filling_.sites.kind(i) != Site_kind::on_demand) return;
-      raise(i, few[i]);
+      raise(i, std::max(least_level, few[i]));
       raise(i, level_for(i, options_.sides_per_distance));
     });
   }
@@ -97,6 +97,23 @@ public:
     raise(site, level_for(site, hopeless_));
   }
 
+  /// Makes a site a star, with the given level. To be called before `set_first_levels()`.
+  void reserve_star(std::size_t site, int level) {
+    filling_.sites.kinds.resize(filling_.sites.size(), Site_kind::on_demand);
+    filling_.sites.levels.resize(filling_.sites.size(), 0);
+    filling_.sites.kinds[site] = Site_kind::star;
+    filling_.sites.levels[site] = level;
+  }
+
+  /// Asks for a block of equal leaves around a site, small enough that it is in nobody's way: its triangles have
+  /// angles in [37.5, 78.6] degrees then (warp_table.h), whatever others do.
+  void certify(std::size_t site) {
+    if (filling_.sites.kinds.empty()) filling_.sites.kinds.resize(filling_.sites.size(), Site_kind::on_demand);
+    filling_.sites.kinds[site] = Site_kind::warped;
+    raise(site, level_for(site, certified_sides_per_distance_ / near_distance_factor));
+  }
+  bool is_certified(std::size_t site) const { return filling_.sites.kind(site) == Site_kind::warped; }
+
   const Tile_filling& filling() const { return filling_; }
   Tile_filling result() { return std::move(filling_); }
 
@@ -104,6 +121,7 @@ private:
   /// Where leaves of sites are larger than this times the distance to a near neighbour, there is hardly a
   /// vertex for both.
   static constexpr double hopeless_ = 2;
+  static constexpr double certified_sides_per_distance_ = 0.1178; // 1 / (6 sqrt(2))
 
   void raise(std::size_t site, int level) {
     filling_.sites.levels[site] = std::max(filling_.sites.levels[site], level);
