@@ -37,6 +37,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/star_table.h>
 #include <CGAL/assertions.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>

@@ -17,9 +17,9 @@
 // Delaunay triangulation; when it is about to link a component by an edge, the length of that is the component's
 // distance to all other points, and each cluster is a component at some time. O(n log n).
 //
-// Deviates: the paper finds candidates in the framework tree, then merges up to four candidates or points near a common
-// corner of their squares. Distances know no squares, so here is nothing to merge: exactly the sets of the definition
-// are found.
+// Deviates: the paper finds candidates in the framework tree, then merges up to four candidates or points near a
+// common corner of their squares. Distances know no squares, so here is nothing to merge: exactly the sets of the
+// definition are found.
 //
 // The least gap. Let d be the distance of a cluster, w its width, R the distance of two sites (points, or clusters
 // with their centres p for points).
