@@ -118,6 +118,9 @@ TEST_CASE("Boxes of words stay in range", "[points_in_box]") {
   using Small = Fixed_32_traits::Point_2;
   const std::vector<Small> small = {{0, 0x7fffffff}, {0x3fffffff, 0x7fffff00}};
   CHECK(box_of_points(small).high.y() < 0x80000000u);
+  const std::vector<Small> wide_small = {{0x1000u, 0x1000u}, {0x7f000000u, 0x2000u}};
+  CHECK(box_of_points(wide_small).high.x() > 0x7f000000u);
+  CHECK(box_of_points(wide_small).low.y() < 0x1000u);
 }
 
 TEST_CASE("Boxes of doubles are apart from the points wherever they are", "[points_in_box]") {

@@ -76,9 +76,9 @@ struct Double_box_sides {
 /// such. So it may be nearer to the points, or touch them, at the ends of the range.
 template <class Word>
 struct Word_box_sides {
-  static constexpr Word end =
-      static_cast<Word>(Word(1) << (std::is_same<Word, std::uint32_t>::value ? 31 : 62));
-  static constexpr Word greatest_extent = end / 2;
+  static constexpr bool is_short = std::is_same<Word, std::uint32_t>::value;
+  static constexpr Word end = static_cast<Word>(Word(1) << (is_short ? 31 : 62));
+  static constexpr Word greatest_extent = is_short ? end - 1 : end / 2;
   static constexpr Word least_margin = 256;
 
   template <class Ranges>
