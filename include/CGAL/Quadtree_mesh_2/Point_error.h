@@ -25,7 +25,9 @@ public:
     /// A coordinate exceeds what the traits can represent.
     OUT_OF_RANGE,
     /// Two distinct points fall on the same grid point: the words of the traits are too short.
-    INDISTINGUISHABLE
+    INDISTINGUISHABLE,
+    /// Another point is nearer than the meshes of tiles allow, 2^-46 of the extent or so.
+    TOO_NEAR
   };
 
   Point_error(Kind kind, Point_index point)
@@ -53,6 +55,8 @@ private:
       return " has a coordinate that is too large for the grid";
     case Kind::INDISTINGUISHABLE:
       break;
+    case Kind::TOO_NEAR:
+      return " is too near to another point: there are no squares small enough to separate them";
     }
     return " are distinct but fall on the same grid point";
   }

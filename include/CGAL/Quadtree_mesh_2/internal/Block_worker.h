@@ -30,9 +30,10 @@ namespace internal {
 
 /// How far removal goes.
 struct Coarsening_effort {
-  int most_rings = 3;          ///< of the widest patches; 0 for no removal
-  double least_share = 0.01;   ///< a pass with the widest patches that removes less of the vertices is the last
-  std::size_t most_tries = std::size_t(-1); ///< in each block and pass of blocks
+  int most_rings = 3;        ///< of the widest patches; 0 for no removal
+  double least_share = 0.01; ///< a pass with the widest patches that removes less of the vertices is the last
+  /// Bounds the number of tries in a block, by the number of its vertices, in each pass of blocks; 0 for no bound.
+  double tries_per_vertex = 0;
 };
 
 template <class Geometry>
@@ -80,14 +81,17 @@ public:
   }
 
   void coarsen(const Coarsening_effort& effort) {
-    std::size_t tries = 0;
+    std::size_t tries_left =
+        effort.tries_per_vertex > 0
+            ? static_cast<std::size_t>(effort.tries_per_vertex * static_cast<double>(own_.size()))
+            : std::size_t(-1);
     for (int pass = 1; effort.most_rings > 0; ++pass) {
       const int rings = std::min(pass, effort.most_rings);
       const std::vector<Ring_vertex> candidates = removable(rings);
       std::size_t removed = 0;
       for (const Ring_vertex v : candidates) {
         if (!is_removable(v, rings)) continue;
-        if (tries++ == effort.most_tries) return;
+        if (tries_left-- == 0) return;
         if (remover_.remove(v, rings, stages)) ++removed;
       }
       if (rings == effort.most_rings &&

@@ -23,6 +23,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/Block_refinement.h>
 #include <CGAL/Quadtree_mesh_2/internal/Bulk_filler.h>
 #include <CGAL/Quadtree_mesh_2/internal/First_triangulation.h>
+#include <CGAL/Quadtree_mesh_2/internal/Phase_timer.h>
 #include <CGAL/Quadtree_mesh_2/internal/Refiner.h>
 #include <CGAL/Quadtree_mesh_2/internal/Smoother.h>
 #include <CGAL/Quadtree_mesh_2/internal/coordinate_map.h>
@@ -39,7 +40,6 @@
 #include <algorithm>
 #include <atomic>
 #include <cstddef>
-#include <ctime>
 #include <limits>
 #include <mutex>
 #include <sstream>
@@ -49,19 +49,6 @@
 namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
-
-/// Adds the CPU time from its construction to its destruction to a number of seconds.
-class Phase_timer {
-public:
-  explicit Phase_timer(double& seconds) : seconds_(seconds), start_(std::clock()) {}
-  ~Phase_timer() { seconds_ += static_cast<double>(std::clock() - start_) / CLOCKS_PER_SEC; }
-  Phase_timer(const Phase_timer&) = delete;
-  Phase_timer& operator=(const Phase_timer&) = delete;
-
-private:
-  double& seconds_;
-  std::clock_t start_;
-};
 
 template <class Traits, class Concurrency_tag>
 class Mesh_pipeline {

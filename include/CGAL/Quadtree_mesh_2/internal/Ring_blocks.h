@@ -85,7 +85,8 @@ private:
     const std::vector<std::uint32_t> order = sorted_vertices(pass);
     set_blocks(order.size(), length);
     renumber(order);
-    for_each_index<Concurrency_tag>(blocks_.size(), [&](std::size_t b) { set_owners(blocks_[b]); }, 1);
+    for_each_index<Concurrency_tag>(
+        blocks_.size(), [&](std::size_t b) { set_owners(blocks_[b]); }, 1);
   }
 
   /// The vertices in use, in shuffle order.
@@ -98,12 +99,14 @@ private:
         used.size(), Extent(),
         [&](std::size_t begin, std::size_t end) {
           Extent part;
-          for (std::size_t i = begin; i < end; ++i) part.add(Geometry::difference(mesh_.points[used[i]], origin));
+          for (std::size_t i = begin; i < end; ++i)
+            part.add(Geometry::difference(mesh_.points[used[i]], origin));
           return part;
         },
         [](const Extent& a, const Extent& b) { return a.joined(b); });
     // the points fill a third of the root, which is shifted by another third with each pass
-    const double root = std::ldexp(1.0, 60), side = std::max({e.high.x - e.low.x, e.high.y - e.low.y, 1e-300});
+    const double root = std::ldexp(1.0, 60),
+                 side = std::max({e.high.x - e.low.x, e.high.y - e.low.y, 1e-300});
     const double shift = root / 3 * pass;
     for_each_index<Concurrency_tag>(used.size(), [&](std::size_t i) {
       const Vector d = Geometry::difference(mesh_.points[used[i]], origin) - e.low;
@@ -139,7 +142,8 @@ private:
     for (std::size_t b = 0; b < count; ++b) {
       const std::size_t size = n * (b + 1) / count - n * b / count, spare = 16 + size / 16;
       blocks_.push_back({static_cast<std::int32_t>(b), static_cast<Ring_vertex>(begin),
-                         static_cast<Ring_vertex>(begin + size), static_cast<Ring_vertex>(begin + size + spare)});
+                         static_cast<Ring_vertex>(begin + size),
+                         static_cast<Ring_vertex>(begin + size + spare)});
       begin += size + spare;
     }
   }
@@ -179,9 +183,8 @@ private:
   void set_owners(const Ring_block& block) {
     for (Ring_vertex v = block.begin; v < block.end; ++v) {
       Ring& r = mesh_.ring(v);
-      const bool is_inner = std::all_of(r.neighbor.begin(), r.neighbor.begin() + r.size, [&](Ring_vertex u) {
-        return block.begin <= u && u < block.end;
-      });
+      const bool is_inner = std::all_of(r.neighbor.begin(), r.neighbor.begin() + r.size,
+                                        [&](Ring_vertex u) { return block.begin <= u && u < block.end; });
       r.block = is_inner ? block.number : -1;
     }
   }

@@ -18,6 +18,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/Block_worker.h>
 #include <CGAL/Quadtree_mesh_2/internal/Ring_blocks.h>
 
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -58,15 +59,21 @@ public:
     return sites_to_blame();
   }
 
-  /// Lets go of what was held, and removes vertices that are not needed.
-  void coarsen(const Coarsening_effort& effort) {
+  /// Lets go of what was held, and removes vertices that are not needed. Calls `shall_go_on(share)` with the share of
+  /// blocks done before each; where it returns false, blocks are left as they are.
+  template <class Shall_go_on>
+  void coarsen(const Coarsening_effort& effort, const Shall_go_on& shall_go_on) {
     for (Ring& r : mesh_.mesh.rings)
       if (r.mobility == Mobility::held) r.mobility = Mobility::free;
     if (effort.most_rings == 0) return;
+    constexpr double first_share[Blocks::number_of_passes + 1] = {0, 0.7, 0.9, 1}; // of the work, about
     for (int pass = 0; pass < Blocks::number_of_passes; ++pass) {
       cut(pass);
+      std::atomic<std::size_t> done{0};
       blocks_.for_each_block([&](const Ring_block& block, std::vector<Patch_marks>& marks) {
-        Block_worker<Geometry>(mesh_.mesh, marks, block, range_).coarsen(effort);
+        const double share = static_cast<double>(done++) / static_cast<double>(blocks_.number_of_blocks());
+        if (shall_go_on(first_share[pass] + share * (first_share[pass + 1] - first_share[pass])))
+          Block_worker<Geometry>(mesh_.mesh, marks, block, range_).coarsen(effort);
       });
       if (blocks_.is_whole()) return;
     }
@@ -125,7 +132,8 @@ private:
            Star_vectors(mesh_.mesh, Ring_vertex(v)).is_in_range(range_);
   }
   std::vector<std::uint32_t> violated() const {
-    return pack<Concurrency_tag>(mesh_.mesh.number_of_vertices(), [this](std::size_t v) { return !is_in_range(v); });
+    return pack<Concurrency_tag>(mesh_.mesh.number_of_vertices(),
+                                 [this](std::size_t v) { return !is_in_range(v); });
   }
   bool is_anything_left() const {
     for (const std::uint8_t p : mesh_.is_placed)

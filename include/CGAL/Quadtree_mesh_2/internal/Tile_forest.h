@@ -42,9 +42,10 @@ public:
   using Point = typename Geometry::Point;
 
   /// One quadtree for all points.
-  Tile_forest(const std::vector<Point>& points, const Grid_frame<Geometry>& frame, const Tile_options& options)
-      : points_(points), tree_of_point_(points.size(), 0), site_of_point_(points.size()), failures_(points.size(), 0),
-        along_(direction_of_rows(frame)) {
+  Tile_forest(const std::vector<Point>& points, const Grid_frame<Geometry>& frame,
+              const Tile_options& options)
+      : points_(points), tree_of_point_(points.size(), 0), site_of_point_(points.size()),
+        failures_(points.size(), 0), along_(direction_of_rows(frame)) {
     for (std::size_t i = 0; i < points.size(); ++i) site_of_point_[i] = static_cast<std::uint32_t>(i);
     trees_.emplace_back(frame, points, options);
     trees_.front().set_first_levels();
@@ -54,9 +55,11 @@ public:
   /// \pre `frame` is parallel to the axes
   Tile_forest(const std::vector<Point>& points, const Grid_frame<Geometry>& frame,
               const Framed_clusters<Geometry>& clusters, const Tile_options& options)
-      : points_(points), tree_of_point_(points.size()), site_of_point_(points.size()), failures_(points.size(), 0) {
+      : points_(points), tree_of_point_(points.size()), site_of_point_(points.size()),
+        failures_(points.size(), 0) {
     for (std::size_t c = 0; c < clusters.tree.clusters.size(); ++c) add_tree(c, frame, clusters, options);
-    for_each_index<Concurrency_tag>(trees_.size(), [&](std::size_t t) { trees_[t].set_first_levels(); }, 1);
+    for_each_index<Concurrency_tag>(
+        trees_.size(), [&](std::size_t t) { trees_[t].set_first_levels(); }, 1);
   }
 
   std::size_t number_of_trees() const { return trees_.size(); }
@@ -67,9 +70,10 @@ public:
     return n;
   }
 
-  /// \throws std::length_error if points are so near to each other that squares would be too small
+  /// \throws Tile_level_error naming a point to which another one is so near that squares would be too small
   Site_mesh<Geometry> fill() {
-    for_each_index<Concurrency_tag>(trees_.size(), [&](std::size_t t) { trees_[t].fill(); }, 1);
+    for_each_index<Concurrency_tag>(
+        trees_.size(), [&](std::size_t t) { fill(t); }, 1);
     Site_mesh<Geometry> result;
     result.mesh.along = along_;
     copy_trees(result);
@@ -110,6 +114,13 @@ private:
   std::vector<Indexed_triangle> triangles_;
   std::vector<Ring_vertex> rigid_, replaced_;
 
+  void fill(std::size_t t) try { trees_[t].fill(); } catch (const Tile_level_error& e) {
+    for (std::size_t i = 0; i < points_.size(); ++i)
+      if (tree_of_point_[i] == static_cast<std::int32_t>(t) && site_of_point_[i] == e.site())
+        throw Tile_level_error(i);
+    throw; // a cluster, which its frame keeps from coming so near to others
+  }
+
   static Vector direction_of_rows(const Grid_frame<Geometry>& frame) {
     const auto z = frame.rotation();
     const Vector v{static_cast<double>(z.a), static_cast<double>(z.b)};
@@ -129,8 +140,8 @@ private:
     std::vector<typename Tree::Cluster_site> children;
     for (std::int32_t k = cluster.first_child; k < cluster.end_child; ++k) {
       sites.push_back(clusters.frames[std::size_t(k)].centre());
-      children.push_back({static_cast<std::uint32_t>(sites.size() - 1),
-                          clusters.tree.clusters[std::size_t(k)].distance});
+      children.push_back(
+          {static_cast<std::uint32_t>(sites.size() - 1), clusters.tree.clusters[std::size_t(k)].distance});
     }
     if (c == 0)
       trees_.emplace_back(frame, sites, options);
@@ -162,7 +173,9 @@ private:
       const Ring_vertex first = first_vertex_[t];
       for_each_index<Concurrency_tag>(
           tiles.number_of_vertices(),
-          [&](std::size_t v) { result.mesh.points[std::size_t(first) + v] = trees_[t].point_at(tiles.places[v]); },
+          [&](std::size_t v) {
+            result.mesh.points[std::size_t(first) + v] = trees_[t].point_at(tiles.places[v]);
+          },
           default_block / 8);
       for_each_index<Concurrency_tag>(tiles.number_of_triangles(), [&](std::size_t i) {
         for (std::size_t k = 0; k < 3; ++k) triangles_[first_triangle + i][k] = first + tiles.triangles[i][k];
@@ -195,7 +208,8 @@ private:
     replaced_.push_back(centre);
     const Octagon_vertices octagon = append_octagon(tree.cluster_frame(), points);
     rigid_.insert(rigid_.end(), octagon.begin(), octagon.end());
-    for (const Indexed_triangle& triangle : octagon_triangles(octagon, spokes)) triangles_.push_back(triangle);
+    for (const Indexed_triangle& triangle : octagon_triangles(octagon, spokes))
+      triangles_.push_back(triangle);
     append_collar(tree.cluster_frame(), octagon, tree.window_vertices(first_vertex_[t]), points, triangles_);
   }
 

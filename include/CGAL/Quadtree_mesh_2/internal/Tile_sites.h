@@ -90,6 +90,20 @@ struct Tile_window {
   std::uint64_t top() const { return y1 << tile_log_side(level); }
 };
 
+/// There are no leaves small enough for a site.
+class Tile_level_error : public std::length_error {
+public:
+  explicit Tile_level_error(std::size_t site)
+      : std::length_error("mesh of tiles: point " + std::to_string(site) +
+                          " is too near another point: its square would have a level above " +
+                          std::to_string(max_tile_level)),
+        site_(site) {}
+  std::size_t site() const { return site_; }
+
+private:
+  std::size_t site_;
+};
+
 /// Sites for a mesh of tiles.
 struct Tile_sites {
   std::vector<Tile_site> places;      ///< distinct, in the window
@@ -110,11 +124,7 @@ inline void check_tile_sites(const Tile_sites& sites) {
   CGAL_precondition(sites.window.is_valid());
   for (std::size_t i = 0; i < sites.size(); ++i) {
     CGAL_precondition(sites.window.contains(sites.places[i].x(), sites.places[i].y()));
-    if (sites.level(i) > max_tile_level)
-      throw std::length_error("mesh of tiles: point " + std::to_string(i) +
-                              " is too near another point: its square would have level " +
-                              std::to_string(sites.level(i)) + ", the limit is " +
-                              std::to_string(max_tile_level));
+    if (sites.level(i) > max_tile_level) throw Tile_level_error(i);
   }
 }
 

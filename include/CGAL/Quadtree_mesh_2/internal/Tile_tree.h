@@ -46,7 +46,8 @@ public:
   /// Of a cluster, which is a site of another tree.
   Tile_tree(const Cluster_frame_2& frame, const std::vector<Point>& sites, const Tile_options& options,
             std::int32_t parent, std::uint32_t site_in_parent)
-      : frame_(frame), parent_(parent), site_in_parent_(site_in_parent), filler_(tile_sites(sites), options) {}
+      : frame_(frame), parent_(parent), site_in_parent_(site_in_parent), filler_(tile_sites(sites), options) {
+  }
 
   std::int32_t parent() const { return parent_; }
   std::uint32_t site_in_parent() const { return site_in_parent_; }
@@ -57,7 +58,9 @@ public:
   void set_clusters(const std::vector<Cluster_site>& clusters) {
     for (const Cluster_site& c : clusters) filler_.reserve_star(c.site, level_of_cluster(c.distance));
   }
-  void set_first_levels() { filler_.set_first_levels(is_of_cluster() ? Cluster_frame_2::least_level_of_site : 0); }
+  void set_first_levels() {
+    filler_.set_first_levels(is_of_cluster() ? Cluster_frame_2::least_level_of_site : 0);
+  }
   void fill() { filler_.fill(); }
   bool has_blocks() const { return !filler_.filling().sites.kinds.empty(); }
   void split(std::size_t site) { filler_.split(site); }
@@ -104,8 +107,12 @@ private:
 
   bool is_of_cluster() const { return parent_ >= 0; }
 
-  static Point point_in(const Grid_frame<Geometry>& frame, const Tile_place& place) { return frame.to_point(place); }
-  static Point point_in(const Cluster_frame_2& frame, const Tile_place& place) { return frame.point_at(place); }
+  static Point point_in(const Grid_frame<Geometry>& frame, const Tile_place& place) {
+    return frame.to_point(place);
+  }
+  static Point point_in(const Cluster_frame_2& frame, const Tile_place& place) {
+    return frame.point_at(place);
+  }
   static Tile_site place_in(const Grid_frame<Geometry>& frame, const Point& p) {
     const auto g = frame.to_grid(p);
     return {g.x, g.y};
@@ -125,7 +132,8 @@ private:
       const Grid_window& w = frame->window();
       result.window = {w.level, w.x0, w.x1, w.y0, w.y1};
     } else {
-      constexpr auto begin = std::uint64_t(Cluster_frame_2::window_begin), end = std::uint64_t(Cluster_frame_2::window_end);
+      constexpr auto begin = std::uint64_t(Cluster_frame_2::window_begin),
+                     end = std::uint64_t(Cluster_frame_2::window_end);
       result.window = {Cluster_frame_2::level_of_cells, begin, end, begin, end};
     }
     return result;

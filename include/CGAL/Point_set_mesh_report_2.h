@@ -1,0 +1,56 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+
+#ifndef CGAL_POINT_SET_MESH_REPORT_2_H
+#define CGAL_POINT_SET_MESH_REPORT_2_H
+
+#include <CGAL/Quadtree_mesh_2/Index.h>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+
+/// What `Point_set_mesher_2` reached, and how.
+struct Point_set_mesh_report_2 {
+  /// A triangle with an angle outside the range. There is none unless points are so near to each other that their
+  /// coordinates have no room for angles between them.
+  struct Unmet_triangle {
+    Quadtree_mesh_2::Triangle_index triangle;
+    std::array<double, 2> centroid;
+  };
+  /// Seconds of CPU time by phase.
+  struct Seconds {
+    double quadtree = 0; ///< with the tiles
+    double separate = 0; ///< vertices moved to the points, relaxation and repair
+    double coarsen = 0;
+    double convert = 0; ///< to Indexed_mesh_2
+  };
+
+  std::size_t input_points = 0;
+  std::size_t merged_points = 0; ///< points at the place of an earlier one
+  std::size_t vertices = 0;
+  std::size_t triangles = 0;
+  std::size_t triangles_before_coarsening = 0;
+  std::size_t clusters = 0; ///< that got a quadtree of their own
+  std::size_t certified_points =
+      0; ///< whose squares are so small that the range is proven by separation alone
+  /// Triangles of ACUTE between 89.5 and 90 degrees, decided exactly, around clusters.
+  std::size_t thin_triangles = 0;
+  std::size_t rounds = 0; ///< of filling the quadtree
+  /// Of all triangles, in degrees, rounded.
+  double least_angle = 180, largest_angle = 0;
+  std::vector<Unmet_triangle> unmet_triangles;
+  bool is_cancelled = false;
+  Seconds seconds;
+
+  bool is_met() const { return unmet_triangles.empty(); }
+};
+
+} // namespace CGAL
+
+#endif // CGAL_POINT_SET_MESH_REPORT_2_H

@@ -1,0 +1,81 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+
+#ifndef CGAL_POINT_SET_MESHER_2_H
+#define CGAL_POINT_SET_MESHER_2_H
+
+#include <CGAL/Filtered_quadtree_traits_2.h>
+#include <CGAL/Fixed_point_quadtree_traits_2.h>
+#include <CGAL/Indexed_mesh_2.h>
+#include <CGAL/Point_set_mesh_options_2.h>
+#include <CGAL/Point_set_mesh_report_2.h>
+#include <CGAL/Quadtree_mesh_2/internal/Point_set_pipeline.h>
+#include <CGAL/tags.h>
+
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+
+/// Triangulates a set of points, with Steiner points, so that all angles are in a range or all acute.
+///
+/// Every point of the input is a vertex of the mesh, with its coordinates bit for bit; equal points are merged. What is
+/// triangulated is a square, a row of squares or a box around the points, see `Point_set_mesh_options_2`. Meshes with
+/// BOUNDED_ANGLES or ACUTE are acute, hence Delaunay.
+///
+/// After Bern, Eppstein, Teng, "Parallel construction of quadtrees and quality triangulations", section 5. A balanced
+/// quadtree is filled with tiles, whose vertices nearest to the points are moved to them. Where the paper separates
+/// points by squares small enough for any case, squares are split here where relaxation of the mesh fails, up to
+/// that size, at which angles are certified to be in [37.5, 78.6]; then vertices that are not needed are removed
+/// under guard. Expected O(n log n + k) time for a quadtree of k squares; with ACUTE k = O(n).
+/// \tparam Traits a model of `QuadtreeTraits_2` that names a meshing geometry.
+/// \tparam ConcurrencyTag `Sequential_tag` or `Parallel_tag`; the mesh is the same, for any number of threads.
+template <class Traits = Filtered_quadtree_traits_2<>, class ConcurrencyTag = Sequential_tag>
+class Point_set_mesher_2 {
+public:
+  using Geom_traits = Traits;
+  using Point_2 = typename Traits::Point_2;
+  using Mesh = Indexed_mesh_2<Point_2>;
+
+  /// \throws std::invalid_argument if an option is out of its range.
+  explicit Point_set_mesher_2(Point_set_mesh_options_2 options = {}, const Traits& traits = Traits())
+      : options_(std::move(options)), traits_(traits) {
+    using Mode = Point_set_mesh_options_2::Mode;
+    const double least = options_.least_angle_in_degrees, largest = options_.largest_angle_in_degrees;
+    if (options_.mode == Mode::BOUNDED_ANGLES && !(least >= 0 && least <= 37.5))
+      throw std::invalid_argument("the least angle must be between 0 and 37.5 degrees");
+    if (options_.mode == Mode::BOUNDED_ANGLES && !(largest >= 78.6 && largest <= 89.5))
+      throw std::invalid_argument("the largest angle must be between 78.6 and 89.5 degrees");
+    if (options_.coarsening_effort < 0 || options_.coarsening_effort > 3)
+      throw std::invalid_argument("the effort must be 0, 1, 2 or 3");
+    if (!(options_.cluster_gap >= Quadtree_mesh_2::internal::least_cluster_gap))
+      throw std::invalid_argument("the gap around clusters must be at least 2248 times their width");
+  }
+
+  /// Returns the mesh of points.
+  /// \throws Quadtree_mesh_2::Point_error if there is a point that is no place, or two that are distinct but too near
+  ///         to each other for a quadtree; it names them.
+  Mesh operator()(const std::vector<Point_2>& points) {
+    report_ = Point_set_mesh_report_2();
+    return Quadtree_mesh_2::internal::Point_set_pipeline<Traits, ConcurrencyTag>(points, options_, traits_,
+                                                                                 report_)
+        .run();
+  }
+
+  /// What the last run reached.
+  const Point_set_mesh_report_2& report() const { return report_; }
+  const Point_set_mesh_options_2& options() const { return options_; }
+
+private:
+  Point_set_mesh_options_2 options_;
+  Traits traits_;
+  Point_set_mesh_report_2 report_;
+};
+
+} // namespace CGAL
+
+#endif // CGAL_POINT_SET_MESHER_2_H

@@ -1,0 +1,269 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+//
+// The stages of the mesher of point sets, one after the other (section 5 of the paper).
+//
+//   equal points merged
+//   -> frame: a square parallel to the axes, or a row of squares along the diameter
+//   -> clusters, if all angles shall be acute and nothing more
+//   -> levels of squares, tiles, sites assigned to vertices (Tile_forest.h)
+//   -> vertices moved to the points, relaxation, repair (Site_mesh.h); as long as some triangles remain outside the
+//      range, smaller squares for the points next to them, and again
+//   -> vertices removed that are not needed
+//   -> every triangle checked; flat arrays in the user's coordinates and order
+
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_POINT_SET_PIPELINE_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_POINT_SET_PIPELINE_H
+
+#include <CGAL/Indexed_mesh_2.h>
+#include <CGAL/Point_set_mesh_options_2.h>
+#include <CGAL/Point_set_mesh_report_2.h>
+#include <CGAL/Quadtree_mesh_2/Point_error.h>
+#include <CGAL/Quadtree_mesh_2/internal/Corner_warper.h>
+#include <CGAL/Quadtree_mesh_2/internal/Distinct_points.h>
+#include <CGAL/Quadtree_mesh_2/internal/Mesh_pipeline.h>
+#include <CGAL/Quadtree_mesh_2/internal/Phase_timer.h>
+#include <CGAL/Quadtree_mesh_2/internal/Site_mesh.h>
+#include <CGAL/Quadtree_mesh_2/internal/Tile_forest.h>
+#include <CGAL/Quadtree_mesh_2/internal/coordinate_map.h>
+#include <CGAL/Quadtree_mesh_2/internal/find_clusters.h>
+#include <CGAL/Quadtree_mesh_2/internal/points_in_box.h>
+#include <CGAL/Quadtree_mesh_2/internal/site_mesh_to_indexed_mesh.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <mutex>
+#include <stdexcept>
+#include <vector>
+
+namespace CGAL {
+namespace Quadtree_mesh_2 {
+namespace internal {
+
+template <class Traits, class Concurrency_tag>
+class Point_set_pipeline {
+public:
+  using Geometry = typename Traits::Meshing_geometry_2;
+  using Point_2 = typename Traits::Point_2;
+  using Mesh = Indexed_mesh_2<Point_2>;
+
+  Point_set_pipeline(const std::vector<Point_2>& points, const Point_set_mesh_options_2& options,
+                     const Traits& traits, Point_set_mesh_report_2& report)
+      : points_(points), options_(options), traits_(traits), report_(report) {}
+
+  Mesh run() {
+    report_.input_points = points_.size();
+    traits_.construct_grid_2_object()(points_); // throws if one is no place
+    if (options_.mode == Mode::LEAST_ANGLE) return mesh_in_box();
+    if (points_.empty()) return Mesh();
+    const Coordinate_map<Traits, Geometry> map(points_);
+    if (!map.is_in_range()) throw std::invalid_argument("the coordinates span more than 2^61");
+    const Distinct_points<Concurrency_tag, Geometry> distinct(points_, map);
+    report_.merged_points = points_.size() - distinct.points().size();
+    return options_.mode == Mode::WARPED_SQUARES ? warp_squares(distinct, map) : mesh_tiles(distinct, map);
+  }
+
+private:
+  using Mode = Point_set_mesh_options_2::Mode;
+  using Kernel_point = typename Geometry::Point;
+  using Frame = Grid_frame<Geometry>;
+  using Distinct = Distinct_points<Concurrency_tag, Geometry>;
+  using Map = Coordinate_map<Traits, Geometry>;
+  static constexpr double largest_acute_angle = 89.5;
+
+  const std::vector<Point_2>& points_;
+  const Point_set_mesh_options_2& options_;
+  const Traits& traits_;
+  Point_set_mesh_report_2& report_;
+  std::mutex callback_mutex_;
+  double share_done_ = 0;
+
+  /// Tells the user; what he is told never falls. Returns whether he wants to go on.
+  bool shall_go_on(double share) {
+    if (!options_.callback) return true;
+    const std::lock_guard<std::mutex> lock(callback_mutex_);
+    share_done_ = std::max(share_done_, share);
+    if (!report_.is_cancelled && !options_.callback(share_done_)) report_.is_cancelled = true;
+    return !report_.is_cancelled;
+  }
+
+  // --- Theorems 3 and 4 ---
+
+  Mesh mesh_tiles(const Distinct& distinct, const Map& map) {
+    const bool is_acute = options_.mode == Mode::ACUTE;
+    const double least = is_acute ? 0 : options_.least_angle_in_degrees,
+                 largest = is_acute ? largest_acute_angle : options_.largest_angle_in_degrees;
+    const Angle_range range(least, largest);
+    Tile_forest<Concurrency_tag, Geometry> forest = plant(distinct.points(), tile_options(least, largest));
+    Site_mesh<Geometry> mesh = separate(forest, distinct, range);
+    coarsen(mesh, range);
+    Phase_timer timer(report_.seconds.convert);
+    report_.certified_points = forest.number_of_certified_points();
+    return Site_mesh_converter<Traits, Concurrency_tag>(mesh, points_, distinct, map, least, largest,
+                                                        is_acute, report_)
+        .run();
+  }
+
+  /// Wide ranges bear vertices that are neighbours; and with a few points in a leaf there are fewer to remove.
+  static Tile_options tile_options(double least, double largest) {
+    Tile_options result;
+    const bool is_wide = largest > 88 && least < 31;
+    result.max_points_per_leaf = is_wide ? 2 : 1;
+    result.spacing = is_wide ? Spacing::distinct : Spacing::no_neighbors;
+    result.sides_per_distance = is_wide ? 5 : 3;
+    return result;
+  }
+
+  Tile_forest<Concurrency_tag, Geometry> plant(const std::vector<Kernel_point>& points,
+                                               const Tile_options& options) {
+    Phase_timer timer(report_.seconds.quadtree);
+    using Forest = Tile_forest<Concurrency_tag, Geometry>;
+    if (options_.mode == Mode::BOUNDED_ANGLES) {
+      const bool is_row = options_.domain == Point_set_mesh_options_2::Domain::ROW;
+      return Forest(points,
+                    checked(is_row ? Frame::template along_diameter<Concurrency_tag>(points)
+                                   : Frame::template axis_parallel<Concurrency_tag>(points)),
+                    options);
+    }
+    const Frame frame = checked(Frame::template axis_parallel<Concurrency_tag>(points));
+    const Framed_clusters<Geometry> clusters =
+        frame_clusters<Geometry>(points, find_clusters<Geometry>(points, options_.cluster_gap));
+    report_.clusters = clusters.tree.clusters.size() - 1;
+    return clusters.tree.clusters.size() > 1 ? Forest(points, frame, clusters, options)
+                                             : Forest(points, frame, options);
+  }
+
+  /// \throws std::invalid_argument if words cannot hold the corners of the domain.
+  static Frame checked(const Frame& frame) {
+    if constexpr (std::is_integral<typename Geometry::Coordinate>::value) {
+      const Grid_window& w = frame.window();
+      const auto side = [&](std::uint64_t cells) { return cells << (Frame::depth - w.level); };
+      for (const std::uint64_t x : {side(w.x0), side(w.x1)})
+        for (const std::uint64_t y : {side(w.y0), side(w.y1)}) {
+          const Kernel_point p = frame.to_point({x, y});
+          constexpr std::int64_t end = std::int64_t(1) << Traits::depth;
+          if (p.x < 0 || p.y < 0 || p.x > end || p.y > end)
+            throw std::invalid_argument(
+                "the square around the points has corners with coordinates that are no words: "
+                "the points should lie in the middle half of the root");
+        }
+    }
+    return frame;
+  }
+
+  /// Fills tiles and moves vertices to the points until all triangles are in the range, or nothing can be done.
+  Site_mesh<Geometry> separate(Tile_forest<Concurrency_tag, Geometry>& forest, const Distinct& distinct,
+                               const Angle_range& range) {
+    for (;;) {
+      ++report_.rounds;
+      Site_mesh<Geometry> mesh = fill(forest, distinct);
+      Phase_timer timer(report_.seconds.separate);
+      const std::vector<std::size_t> to_blame =
+          Site_mesh_relaxer<Concurrency_tag, Geometry>(mesh, range).place_sites();
+      report_.triangles_before_coarsening = mesh.mesh.number_of_triangles();
+      shall_go_on(0.2);
+      bool is_any_refined = false;
+      for (const std::size_t p : to_blame) {
+        if (forest.is_certified(p)) continue;
+        forest.refine_for(p);
+        is_any_refined = true;
+      }
+      if (!is_any_refined) return mesh;
+    }
+  }
+
+  /// \throws Point_error for points that are too near to each other.
+  Site_mesh<Geometry> fill(Tile_forest<Concurrency_tag, Geometry>& forest, const Distinct& distinct) try {
+    Phase_timer timer(report_.seconds.quadtree);
+    return forest.fill();
+  } catch (const Tile_level_error& e) {
+    throw Point_error(Point_error::Kind::TOO_NEAR, Point_index(distinct.input_point(e.site())));
+  }
+
+  void coarsen(Site_mesh<Geometry>& mesh, const Angle_range& range) {
+    Phase_timer timer(report_.seconds.coarsen);
+    Coarsening_effort effort;
+    effort.most_rings = options_.coarsening_effort;
+    if (options_.removal_budget > 0)
+      effort.tries_per_vertex =
+          static_cast<double>(options_.removal_budget) / static_cast<double>(mesh.mesh.number_of_vertices());
+    Site_mesh_relaxer<Concurrency_tag, Geometry>(mesh, range).coarsen(effort, [this](double share) {
+      return shall_go_on(0.2 + 0.75 * share);
+    });
+  }
+
+  // --- the other triangulations ---
+
+  Mesh mesh_in_box() {
+    Quality_mesh_options_2 options;
+    if (options_.callback) options.progress(options_.callback);
+    if (options_.coarsening_effort == 0) options.coarsen(Quality_mesh_options_2::Coarsening::NONE);
+    if (options_.coarsening_effort == 3) options.smooth(1);
+    Quality_mesh_report_2 report;
+    const Pslg_2<Point_2> pslg = points_in_box(points_);
+    Mesh mesh = Mesh_pipeline<Traits, Concurrency_tag>(pslg, options, traits_, report).run();
+    // the box is none of the user's
+    mesh.number_of_input_vertices = points_.size();
+    mesh.constrained_edges.clear();
+    mesh.segment_of_vertex.assign(mesh.points.size(), Segment_index());
+    report_.merged_points = report.merged_vertices;
+    report_.vertices = report.vertices;
+    report_.triangles = report_.triangles_before_coarsening = report.triangles;
+    report_.is_cancelled = report.is_cancelled;
+    for (const auto& t : report.unmet_triangles) report_.unmet_triangles.push_back({t.triangle, t.centroid});
+    report_.seconds.quadtree = report.seconds.quadtree + report.seconds.first_mesh;
+    report_.seconds.separate = report.seconds.refine;
+    report_.seconds.coarsen = report.seconds.coarsen;
+    report_.seconds.convert = report.seconds.convert;
+    measure_angles(mesh, Map(pslg.vertices));
+    return mesh;
+  }
+
+  Mesh warp_squares(const Distinct& distinct, const Map& map) {
+    const Frame frame = checked(Frame::template axis_parallel<Concurrency_tag>(distinct.points()));
+    std::vector<Fixed_point_2<std::uint64_t>> places(distinct.points().size());
+    for_each_index<Concurrency_tag>(places.size(), [&](std::size_t i) {
+      const auto g = frame.to_grid(distinct.points()[i]);
+      places[i] = {g.x, g.y};
+    });
+    Warped_mesh warped;
+    {
+      Phase_timer timer(report_.seconds.quadtree);
+      warped = Corner_warper<Concurrency_tag>::run(places);
+    }
+    Phase_timer timer(report_.seconds.convert);
+    std::vector<Kernel_point> vertices(warped.places.size());
+    for_each_index<Concurrency_tag>(vertices.size(),
+                                    [&](std::size_t v) { vertices[v] = frame.to_point(warped.places[v]); });
+    std::vector<Ring_vertex> vertex_of_point(places.size());
+    for (std::size_t i = 0; i < places.size(); ++i)
+      vertex_of_point[i] = static_cast<Ring_vertex>(warped.vertex_of_point[i].value());
+    Point_mesh_builder<Traits, Concurrency_tag> builder(points_, distinct, map, vertex_of_point);
+    builder.number_vertices(vertices.size(), [](std::size_t) { return true; });
+    Mesh mesh = builder.mesh_of(vertices, warped.triangles);
+    report_.vertices = mesh.number_of_vertices() - report_.merged_points;
+    report_.triangles = report_.triangles_before_coarsening = mesh.number_of_triangles();
+    report_.rounds = 1;
+    measure_angles(mesh, map);
+    return mesh;
+  }
+
+  void measure_angles(const Mesh& mesh, const Map& map) {
+    std::vector<Kernel_point> points(mesh.points.size());
+    for_each_index<Concurrency_tag>(points.size(),
+                                    [&](std::size_t v) { points[v] = map.to_kernel(mesh.points[v]); });
+    Angle_extremes extremes;
+    extremes.add_all<Concurrency_tag, Geometry>(mesh.triangles, points);
+    report_.least_angle = extremes.least_angle();
+    report_.largest_angle = extremes.largest_angle();
+  }
+};
+
+} // namespace internal
+} // namespace Quadtree_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_POINT_SET_PIPELINE_H
