@@ -154,24 +154,21 @@ private:
     return frame;
   }
 
-  /// Fills tiles and moves vertices to the points until all triangles are in the range, or nothing can be done.
+  /// Fills tiles and moves vertices to the points until all triangles are in the range. Each round that fails leads to
+  /// smaller squares for a point that has not the smallest ones; when all have, nothing is left to fail but coordinates.
   Site_mesh<Geometry> separate(Tile_forest<Concurrency_tag, Geometry>& forest, const Distinct& distinct,
                                const Angle_range& range) {
     for (;;) {
       ++report_.rounds;
       Site_mesh<Geometry> mesh = fill(forest, distinct);
       Phase_timer timer(report_.seconds.separate);
+      Site_mesh_relaxer<Concurrency_tag, Geometry> relaxer(mesh, range);
       const std::vector<std::size_t> to_blame =
-          Site_mesh_relaxer<Concurrency_tag, Geometry>(mesh, range).place_sites();
+          relaxer.place_sites([&forest](std::size_t p) { return !forest.is_certified(p); });
       report_.triangles_before_coarsening = mesh.mesh.number_of_triangles();
       shall_go_on(0.2);
-      bool is_any_refined = false;
-      for (const std::size_t p : to_blame) {
-        if (forest.is_certified(p)) continue;
-        forest.refine_for(p);
-        is_any_refined = true;
-      }
-      if (!is_any_refined) return mesh;
+      if (to_blame.empty()) return mesh;
+      for (const std::size_t p : to_blame) forest.refine_for(p);
     }
   }
 

@@ -45,8 +45,10 @@ public:
   Site_mesh_relaxer(Site_mesh<Geometry>& mesh, const Angle_range& range)
       : mesh_(mesh), range_(range), blocks_(mesh.mesh) {}
 
-  /// Moves vertices to their sites and relaxes. Returns the sites next to triangles outside the range.
-  std::vector<std::size_t> place_sites() {
+  /// Moves vertices to their sites and relaxes. Returns, of the sites for which `may_be_blamed(site)` holds, those next
+  /// to triangles outside the range.
+  template <class May_be_blamed>
+  std::vector<std::size_t> place_sites(const May_be_blamed& may_be_blamed) {
     for (int pass = 0; pass < Blocks::number_of_passes; ++pass) {
       cut(pass);
       place_in_blocks();
@@ -56,7 +58,7 @@ public:
       join();
       place_in_blocks();
     }
-    return sites_to_blame();
+    return sites_to_blame(may_be_blamed);
   }
 
   /// Lets go of what was held, and removes vertices that are not needed. Calls `shall_go_on(share)` with the share of
@@ -142,24 +144,29 @@ private:
   }
 
   /// The sites nearest to violated triangles, in the number of edges.
-  std::vector<std::size_t> sites_to_blame() const {
+  template <class May_be_blamed>
+  std::vector<std::size_t> sites_to_blame(const May_be_blamed& may_be_blamed) const {
     const std::vector<std::uint32_t> bad = violated();
     std::vector<std::size_t> result;
     if (bad.empty()) return result;
-    constexpr std::int32_t none = -1;
-    std::vector<std::int32_t> site_of_vertex(mesh_.mesh.number_of_vertices(), none);
+    std::vector<std::int32_t> site_of_vertex(mesh_.mesh.number_of_vertices(), -1);
     for (std::size_t s = 0; s < mesh_.sites.size(); ++s)
-      site_of_vertex[std::size_t(mesh_.vertex_of_site[s])] = static_cast<std::int32_t>(s);
+      if (may_be_blamed(s))
+        site_of_vertex[std::size_t(mesh_.vertex_of_site[s])] = static_cast<std::int32_t>(s);
     std::vector<std::uint8_t> is_blamed(mesh_.sites.size(), 0);
-    for (const std::uint32_t v : bad) blame_nearest(Ring_vertex(v), site_of_vertex, is_blamed);
+    std::vector<std::uint32_t> reached_by(mesh_.mesh.number_of_vertices(), 0);
+    std::uint32_t search = 0;
+    for (const std::uint32_t v : bad)
+      blame_nearest(Ring_vertex(v), ++search, site_of_vertex, reached_by, is_blamed);
     for (std::size_t s = 0; s < is_blamed.size(); ++s)
       if (is_blamed[s] != 0) result.push_back(s);
     return result;
   }
 
-  void blame_nearest(Ring_vertex v, const std::vector<std::int32_t>& site_of_vertex,
-                     std::vector<std::uint8_t>& is_blamed) const {
-    std::vector<Ring_vertex> reached{v};
+  void blame_nearest(Ring_vertex start, std::uint32_t search, const std::vector<std::int32_t>& site_of_vertex,
+                     std::vector<std::uint32_t>& reached_by, std::vector<std::uint8_t>& is_blamed) const {
+    std::vector<Ring_vertex> reached{start};
+    reached_by[std::size_t(start)] = search;
     bool is_found = false;
     for (std::size_t begin = 0; begin < reached.size() && !is_found;) {
       const std::size_t end = reached.size();
@@ -171,8 +178,11 @@ private:
       }
       for (; begin < end && !is_found; ++begin) {
         const Ring& r = mesh_.mesh.ring(reached[begin]);
-        for (int k = 0; k < r.size; ++k)
-          if (std::find(reached.begin(), reached.end(), r[k]) == reached.end()) reached.push_back(r[k]);
+        for (int k = 0; k < r.size; ++k) {
+          if (reached_by[std::size_t(r[k])] == search) continue;
+          reached_by[std::size_t(r[k])] = search;
+          reached.push_back(r[k]);
+        }
       }
     }
   }
