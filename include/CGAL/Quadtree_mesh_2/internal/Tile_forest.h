@@ -29,6 +29,8 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
+#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -165,6 +167,8 @@ private:
       vertices += tree.mesh().number_of_vertices();
       triangles += tree.mesh().number_of_triangles();
     }
+    if (vertices >= std::size_t(std::numeric_limits<Ring_vertex>::max()) / 2)
+      throw std::length_error("meshes of point sets have at most 2^30 vertices before they are coarsened");
     result.mesh.points.resize(vertices);
     triangles_.resize(triangles);
     std::size_t first_triangle = 0;

@@ -61,10 +61,20 @@ public:
   void set_first_levels() {
     filler_.set_first_levels(is_of_cluster() ? Cluster_frame_2::least_level_of_site : 0);
   }
-  void fill() { filler_.fill(); }
+  /// Fills tiles, if they are not as they should be.
+  void fill() {
+    if (!is_filled_) filler_.fill();
+    is_filled_ = true;
+  }
   bool has_blocks() const { return !filler_.filling().sites.kinds.empty(); }
-  void split(std::size_t site) { filler_.split(site); }
-  void certify(std::size_t site) { filler_.certify(site); }
+  void split(std::size_t site) {
+    filler_.split(site);
+    is_filled_ = false;
+  }
+  void certify(std::size_t site) {
+    filler_.certify(site);
+    is_filled_ = false;
+  }
   bool is_certified(std::size_t site) const { return filler_.is_certified(site); }
 
   Point point_at(const Tile_place& place) const {
@@ -104,6 +114,7 @@ private:
   std::int32_t parent_ = -1;
   std::uint32_t site_in_parent_ = 0;
   Tile_filler<Concurrency_tag> filler_;
+  bool is_filled_ = false;
 
   bool is_of_cluster() const { return parent_ >= 0; }
 
