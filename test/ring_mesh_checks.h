@@ -14,6 +14,7 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Quadtree_mesh_2/internal/Ring_mesh.h>
+#include <CGAL/Quadtree_mesh_2/internal/fill_tiles.h>
 
 #include <algorithm>
 #include <array>
@@ -204,6 +205,31 @@ inline Ring_mesh<Doubles> lattice(int columns, int rows) {
       mesh.rings[v].mobility = Mobility::slides_across;
     else if (is_on_row)
       mesh.rings[v].mobility = Mobility::slides_along;
+  }
+  return mesh;
+}
+
+/// Tiles that fill equal squares with side 1, 4^level in all, with angles in [43.4, 72.7] degrees. Vertices of the
+/// border slide, its corners are fixed.
+inline Ring_mesh<Doubles> equal_tiles(int level) {
+  internal::Tile_sites sites;
+  const int log_side = internal::tile_log_side(level);
+  for (std::uint64_t i = 0; i < std::uint64_t(1) << level; ++i)
+    for (std::uint64_t j = 0; j < std::uint64_t(1) << level; ++j)
+      sites.places.push_back({(4 * i + 1) << (log_side - 2), (4 * j + 1) << (log_side - 2)});
+  sites.levels.assign(sites.size(), level);
+  const internal::Tile_mesh tiles = internal::fill_tiles(sites).mesh;
+  Ring_mesh<Doubles> mesh;
+  for (const auto& p : tiles.places)
+    mesh.points.push_back({std::ldexp(double(p.x), -log_side), std::ldexp(double(p.y), -log_side)});
+  mesh.set_triangles(tiles.triangles);
+  for (std::size_t v = 0; v < mesh.points.size(); ++v) {
+    const bool is_on_side = (tiles.sides[v] & (internal::left_side | internal::right_side)) != 0,
+               is_on_row = (tiles.sides[v] & (internal::bottom_side | internal::top_side)) != 0;
+    mesh.rings[v].mobility = is_on_side && is_on_row ? Mobility::fixed
+                             : is_on_side            ? Mobility::slides_across
+                             : is_on_row             ? Mobility::slides_along
+                                                     : Mobility::free;
   }
   return mesh;
 }
