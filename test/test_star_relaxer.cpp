@@ -415,6 +415,32 @@ TEST_CASE("Nothing is asked of triangles of rigid vertices", "[star_relaxer]") {
   CHECK(relaxed > 10);
 }
 
+TEST_CASE("Rigid vertices may have neighbours of very different distance", "[star_relaxer]") {
+  // a vertex of an octagon: two spokes far away, two vertices beside it, two near it
+  for (const double far : {0x1p10, 0x1p40, 0x1p70, 0x1p130, 0x1p300}) {
+    CAPTURE(far);
+    Mesh mesh;
+    const double h = std::sqrt(0.75);
+    mesh.points = {{0, 0},    {far, -far / 2}, {far, far / 2}, {0.5, h},
+                   {-0.5, h}, {-1, 0},         {-0.5, -h},     {0.5, -h}};
+    std::vector<Triangle> triangles;
+    for (Ring_vertex k = 1; k < 8; ++k) triangles.push_back({0, k, k % 7 + 1});
+    mesh.set_triangles(triangles);
+    for (const Ring_vertex v : {0, 1, 2, 3, 7}) mesh.ring(v).mobility = Mobility::rigid;
+    const Range range(36, 80);
+    const Star_vectors star(mesh, 0);
+    CHECK(star.is_in_range(range));
+    CHECK(star.violated(range) == 0);
+    CHECK(star.energy(range, 0, 0, 1e30f) == 0);
+    CHECK(Star_energy(star, range).energy == 0);
+    mesh.points[4].x = -0.9; // too far from 3, too near to 5
+    const Star_vectors bad(mesh, 0);
+    CHECK(bad.violated(range) == 0b1000);
+    CHECK(bad.energy(range, 0, 0, 1e30f) > 0);
+    CHECK(bad.energy(range, 0, 0, 1e30f) < 10);
+  }
+}
+
 namespace {
 
 /// The least energy of all triangulations of the polygon of positions i to j that have no triangle turned over;
