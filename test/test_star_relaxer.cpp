@@ -415,6 +415,44 @@ TEST_CASE("Nothing is asked of triangles of rigid vertices", "[star_relaxer]") {
   CHECK(relaxed > 10);
 }
 
+TEST_CASE("No new triangles of rigid vertices are made", "[star_relaxer]") {
+  const Range range(36, 80);
+  const auto set_rigid = [](Mesh& mesh) {
+    for (const Ring_vertex v : {0, 1, 2}) mesh.ring(v).mobility = Mobility::rigid;
+  };
+  { // by removing the vertex within, with which everything is worse
+    Mesh mesh;
+    mesh.points = {{0, 0}, {1, 0}, {0.5, 0.3}, {0.5, 0.1}};
+    mesh.set_triangles(std::vector<Triangle>{{0, 1, 3}, {1, 2, 3}, {2, 0, 3}});
+    set_rigid(mesh);
+    const Mesh before = mesh;
+    Workplace work(mesh, range);
+    CHECK_FALSE(work.remover.remove(3, 1, 9));
+    CHECK(triangles_of(mesh) == triangles_of(before));
+    mesh.ring(0).mobility = Mobility::fixed;
+    work.patch.begin();
+    CHECK(work.remover.take_out(3));
+  }
+  { // by flipping an edge, which makes an angle of 85 degrees instead of one of 107
+    Mesh mesh;
+    mesh.points = {{-1, 0}, {0, -1.09}, {1, 0}, {0, 1.7}};
+    mesh.set_triangles(std::vector<Triangle>{{1, 3, 0}, {3, 1, 2}});
+    set_rigid(mesh);
+    mesh.ring(3).mobility = Mobility::fixed;
+    const Mesh before = mesh;
+    Workplace work(mesh, range);
+    work.begin_with_all();
+    CHECK_FALSE(work.relaxer.relax(9));
+    CHECK(triangles_of(mesh) == triangles_of(before));
+    work.begin_with_all();
+    CHECK_FALSE(work.relaxer.flip_anyway(1, 3, 0));
+    mesh.ring(0).mobility = Mobility::fixed;
+    work.begin_with_all();
+    CHECK_FALSE(work.relaxer.relax(9));
+    CHECK(triangles_of(mesh) == Triangle_set{{0, 1, 2}, {0, 2, 3}});
+  }
+}
+
 TEST_CASE("Rigid vertices may have neighbours of very different distance", "[star_relaxer]") {
   // a vertex of an octagon: two spokes far away, two vertices beside it, two near it
   for (const double far : {0x1p10, 0x1p40, 0x1p70, 0x1p130, 0x1p300}) {

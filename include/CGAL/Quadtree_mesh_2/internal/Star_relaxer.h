@@ -397,6 +397,8 @@ private:
     const Ring_vertex d = mesh.right_of(a, mesh.ring(a).position_of(b));
     if (d < 0 || !patch_.is_member(d)) return false;
     const Ring &rc = mesh.ring(c), &rd = mesh.ring(d);
+    // nothing would be asked of a triangle of rigid vertices, so there must be no new one
+    if (rc.mobility == Mobility::rigid && rd.mobility == Mobility::rigid) return false;
     return rc.size < Ring::max_size && rd.size < Ring::max_size && !rc.contains(d);
   }
 
