@@ -42,14 +42,16 @@ struct Star_vectors {
     number_of_triangles = r.number_of_triangles();
     const auto& center = mesh.point(v);
     const Vector first = Geometry::difference(mesh.point(r[0]), center);
-    const double size = std::fabs(first.x) + std::fabs(first.y);
+    const double size = r.mobility == Mobility::rigid ? least_length(mesh, r, center) : length(first);
     scale = size > 0 ? 1 / size : 1;
     set(0, first);
     for (int k = 1; k < r.size; ++k) set(k, Geometry::difference(mesh.point(r[k]), center));
     int n = r.size;
     if (!r.is_open) x[n] = x[0], y[n] = y[0], ++n;
     for (int k = n; k <= whole_lanes(); ++k) x[k] = static_cast<float>(k & 1), y[k] = 1 - x[k];
-    if (r.mobility == Mobility::rigid) exempt_ = triangles_of_rigid(mesh, r);
+    if (r.mobility != Mobility::rigid) return;
+    exempt_ = triangles_of_rigid(mesh, r);
+    shorten(n);
   }
 
   int whole_lanes() const { return (number_of_triangles + lanes - 1) / lanes * lanes; }
@@ -107,6 +109,27 @@ private:
         bits |= 1u << k;
     return bits;
   }
+
+  /// Rigid vertices may have neighbours of very different distance, by more than floats can span: near ones count.
+  template <class Geometry>
+  static double least_length(const Ring_mesh<Geometry>& mesh, const Ring& r,
+                             const typename Geometry::Point& center) {
+    double least = length(Geometry::difference(mesh.point(r[0]), center));
+    for (int k = 1; k < r.size; ++k)
+      least = std::min(least, length(Geometry::difference(mesh.point(r[k]), center)));
+    return least;
+  }
+  static double length(Vector d) { return std::fabs(d.x) + std::fabs(d.y); }
+
+  /// Far neighbours are in exempt triangles only, with which nothing has to be right, but numbers be finite.
+  void shorten(int n) {
+    constexpr float farthest = 0x1p28f;
+    for (int k = 0; k < n; ++k) {
+      x[k] = std::max(-farthest, std::min(x[k], farthest));
+      y[k] = std::max(-farthest, std::min(y[k], farthest));
+    }
+  }
+
   Float_lanes not_exempt(int k) const {
     const auto lane = [&](int i) { return (exempt_ >> (k + i) & 1) != 0 ? 0.f : 1.f; };
     return Float_lanes(lane(0), lane(1), lane(2), lane(3));
@@ -374,6 +397,8 @@ private:
     const Ring_vertex d = mesh.right_of(a, mesh.ring(a).position_of(b));
     if (d < 0 || !patch_.is_member(d)) return false;
     const Ring &rc = mesh.ring(c), &rd = mesh.ring(d);
+    // nothing would be asked of a triangle of rigid vertices, so there must be no new one
+    if (rc.mobility == Mobility::rigid && rd.mobility == Mobility::rigid) return false;
     return rc.size < Ring::max_size && rd.size < Ring::max_size && !rc.contains(d);
   }
 

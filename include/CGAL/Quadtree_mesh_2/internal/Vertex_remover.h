@@ -94,13 +94,12 @@ public:
   bool take_out(Ring_vertex v) {
     const auto& mesh = patch_.mesh();
     const Ring& ring = mesh.ring(v);
-    if (!is_movable(ring.mobility) || ring.size < 3 || ring.size > Ring_triangulation::max_size)
-      return false;
+    if (!is_movable(ring.mobility) || ring.size < 3 || ring.size > Ring_triangulation::max_size) return false;
     for (int k = 0; k < ring.size; ++k)
       if (!patch_.is_ours(ring[k])) return patch_.add(ring[k]), false; // remembers that the patch is cut
     const Star_vectors star(mesh, v);
     const Ring_triangulation filling(star, ring.size, relaxer_.range());
-    if (!filling.is_possible()) return false;
+    if (!filling.is_possible() || has_rigid(ring, filling)) return false;
     std::vector<Ring_triangulation::Diagonal> edges = filling.diagonals();
     if (ring.is_open) edges.push_back({0, ring.size - 1});
     if (!have_room(ring, edges)) return false;
@@ -127,6 +126,13 @@ public:
 private:
   Ring_patch<Geometry>& patch_;
   Star_relaxer<Geometry>& relaxer_;
+
+  /// Whether there would be a new triangle of rigid vertices only, of which nothing would be asked.
+  bool has_rigid(const Ring& ring, const Ring_triangulation& filling) const {
+    const auto is_rigid = [&](int k) { return patch_.mesh().ring(ring[k]).mobility == Mobility::rigid; };
+    return std::any_of(filling.triangles().begin(), filling.triangles().end(),
+                       [&](const auto& t) { return is_rigid(t[0]) && is_rigid(t[1]) && is_rigid(t[2]); });
+  }
 
   /// Whether the members of the ring can take the new neighbours in; also those that lose one.
   bool have_room(const Ring& ring, const std::vector<Ring_triangulation::Diagonal>& edges) const {
