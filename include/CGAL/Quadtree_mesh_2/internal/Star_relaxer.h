@@ -163,6 +163,12 @@ private:
   }
 };
 
+/// How soon relaxation gives up.
+enum class Patience {
+  little, ///< as soon as success is unlikely: where another place can be tried instead
+  much    ///< when the energy does not fall any more
+};
+
 template <class Geometry>
 class Star_relaxer {
 public:
@@ -171,13 +177,15 @@ public:
   const Angle_range& range() const { return range_; }
 
   /// Relaxes by at most `stages` times three sweeps and flips. Returns whether all changed stars are in the range.
-  bool relax(int stages) {
+  bool relax(int stages, Patience patience) {
     double last = 1e300;
     for (int s = 0; s < stages; ++s) {
       double energy = 0;
       for (int sweep = 0; sweep < sweeps_of_stage; ++sweep) {
         energy = this->sweep();
         if (energy == 0) break;
+        if (patience == Patience::little && energy > greatest_hopeful_energy(s * sweeps_of_stage + sweep))
+          return false;
         if (energy < small_energy && sweep + 1 < sweeps_of_stage && are_changed_in_range()) return true;
       }
       if (are_changed_in_range()) return true;
@@ -280,6 +288,14 @@ private:
 
   Ring_patch<Geometry>& patch_;
   const Angle_range& range_;
+
+  /// In a sweep, counted from 0. With more energy relaxation has succeeded in less than one of 30 cases: after one vertex
+  /// was removed, in patches of one to three rings, for all ranges of angles alike.
+  static double greatest_hopeful_energy(int sweep) {
+    constexpr double energies[] = {2.4, 0.65, 0.18, 0.06, 0.027, 0.015, 0.009, 0.006, 0.004};
+    constexpr int n = sizeof energies / sizeof energies[0];
+    return energies[std::min(sweep, n - 1)];
+  }
 
   static double size_of(Vector d) {
     const double size = std::fabs(d.x) + std::fabs(d.y);
