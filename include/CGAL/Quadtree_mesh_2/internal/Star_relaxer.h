@@ -26,7 +26,8 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-/// The star of a vertex as vectors from it, scaled to lengths about 1, and padded to whole lanes.
+/// The star of a vertex as vectors from it, scaled to lengths about 1, and padded to whole lanes with triangles whose
+/// angles are all the same, so that these have no energy.
 struct Star_vectors {
   static constexpr int lanes = Float_lanes::size;
   static constexpr int capacity = 2 * lanes + Ring::max_size;
@@ -48,19 +49,15 @@ struct Star_vectors {
     for (int k = 1; k < r.size; ++k) set(k, Geometry::difference(mesh.point(r[k]), center));
     int n = r.size;
     if (!r.is_open) x[n] = x[0], y[n] = y[0], ++n;
-    for (int k = n; k <= whole_lanes(); ++k) x[k] = static_cast<float>(k & 1), y[k] = 1 - x[k];
+    constexpr float cosine = 0.5f, sine = 0.8660254f;
+    for (int k = n; k <= whole_lanes(); ++k) {
+      x[k] = cosine * x[k - 1] - sine * y[k - 1];
+      y[k] = sine * x[k - 1] + cosine * y[k - 1];
+    }
     if (r.mobility == Mobility::rigid) exempt_ = triangles_of_rigid(mesh, r);
   }
 
   int whole_lanes() const { return (number_of_triangles + lanes - 1) / lanes * lanes; }
-  /// 1 for the triangles from k on, 0 for what is padding or exempt.
-  Float_lanes mask(int k) const {
-    const Float_lanes index(static_cast<float>(k), static_cast<float>(k + 1), static_cast<float>(k + 2),
-                            static_cast<float>(k + 3));
-    const Float_lanes mask = select_where_less(index, Float_lanes(static_cast<float>(number_of_triangles)),
-                                               Float_lanes(1), Float_lanes(0));
-    return exempt_ == 0 ? mask : mask * not_exempt(k);
-  }
   /// The triangles from k on, of the center moved by dx, dy.
   Triangle_lanes triangles(int k, Float_lanes dx, Float_lanes dy) const {
     return Triangle_lanes(Float_lanes::load(x + k) - dx, Float_lanes::load(y + k) - dy,
@@ -71,15 +68,14 @@ struct Star_vectors {
   float energy(const Angle_range& range, float dx, float dy, float bound) const {
     float e = 0;
     for (int k = 0; k < number_of_triangles && e < bound; k += lanes)
-      e += sum(Range_lanes(triangles(k, dx, dy), range).energy * mask(k));
+      e += sum(demanded(k, Range_lanes(triangles(k, dx, dy), range).energy));
     return e;
   }
 
   bool is_in_range(const Angle_range& range) const {
     for (int k = 0; k < number_of_triangles; k += lanes) {
       const Triangle_lanes t = triangles(k, 0, 0);
-      const Float_lanes slack = Range_lanes(t, range).slack(t, range);
-      if (least(slack * mask(k)) < 0) return false;
+      if (least(demanded(k, Range_lanes(t, range).slack(t, range))) < 0) return false;
     }
     return true;
   }
@@ -107,9 +103,11 @@ private:
         bits |= 1u << k;
     return bits;
   }
-  Float_lanes not_exempt(int k) const {
+  /// What the triangles from k on have of something, but 0 for those that are exempt.
+  Float_lanes demanded(int k, Float_lanes of_triangles) const {
+    if (exempt_ == 0) return of_triangles;
     const auto lane = [&](int i) { return (exempt_ >> (k + i) & 1) != 0 ? 0.f : 1.f; };
-    return Float_lanes(lane(0), lane(1), lane(2), lane(3));
+    return of_triangles * Float_lanes(lane(0), lane(1), lane(2), lane(3));
   }
 
   void set(int k, Vector d) {
@@ -118,44 +116,49 @@ private:
   }
 };
 
-/// The energy of a star, and the sums of a Gauss-Newton step.
+/// The energy of the star of a movable vertex, and the sums of a Gauss-Newton step.
 struct Star_energy {
   float energy = 0, hxx = 0, hxy = 0, hyy = 0, gx = 0, gy = 0;
+  float shortest; ///< squared spoke
   bool has_flat = false;
 
   Star_energy(const Star_vectors& star, const Angle_range& range) {
     constexpr int lanes = Star_vectors::lanes;
+    Float_lanes squares(1e30f);
     for (int k = 0; k < star.number_of_triangles; k += lanes) {
       const Triangle_lanes t = star.triangles(k, 0, 0);
       const Range_lanes r(t, range);
-      const Float_lanes mask = star.mask(k);
-      const float e = sum(r.energy * mask);
+      squares = min(squares, t.bb);
+      const float e = sum(r.energy);
       if (e == 0) continue;
       energy += e;
-      add_gradients(star, k, t, r, mask, range);
+      has_flat |= e >= least_energy_of_flat;
+      add_gradients(star, k, t, r, range);
     }
+    shortest = least(squares);
   }
 
 private:
+  /// A flat triangle has more, and others less, since cotangents are bounded by `least_area_share`.
+  static constexpr float least_energy_of_flat = 0.9f * Angle_range::energy_of_flat;
+
+  /// The gradient of an angle at a fixed corner b is the perpendicular of b over b^2; that of its cotangent 1 + cot^2
+  /// times that, which is b^2 (b - c)^2 / cross^2, so that b^2 cancels.
   void add_gradients(const Star_vectors& star, int k, const Triangle_lanes& t, const Range_lanes& r,
-                     Float_lanes mask, const Angle_range& range) {
-    const Float_lanes zero(0), one(1);
-    const Float_lanes is_round = mask * select_where_less(r.floor, t.cross, one, zero);
-    has_flat |= sum(is_round) < sum(mask);
-    const Float_lanes per_b = one / t.bb, per_c = one / t.cc;
-    const Float_lanes b_x = Float_lanes::load(star.y + k) * per_b,
-                      b_y = zero - Float_lanes::load(star.x + k) * per_b;
-    const Float_lanes c_x = zero - Float_lanes::load(star.y + k + 1) * per_c,
-                      c_y = Float_lanes::load(star.x + k + 1) * per_c;
-    const Float_lanes x[3] = {zero - b_x - c_x, b_x, c_x}, y[3] = {zero - b_y - c_y, b_y, c_y};
+                     const Angle_range& range) {
+    const Float_lanes zero(0);
+    const Float_lanes share = r.inverse * r.inverse, per_side = t.squared_opposite_side() * share,
+                      per_b = t.cc * share, per_c = t.bb * share;
+    const Float_lanes bx = Float_lanes::load(star.x + k), by = Float_lanes::load(star.y + k),
+                      cx = Float_lanes::load(star.x + k + 1), cy = Float_lanes::load(star.y + k + 1);
+    const Float_lanes x[3] = {cy * per_c - by * per_b, by * per_side, zero - cy * per_side},
+                      y[3] = {bx * per_b - cx * per_c, zero - bx * per_side, cx * per_side};
     Float_lanes xx(0), xy(0), yy(0), rx(0), ry(0);
     for (int i = 0; i < 3; ++i) {
-      const Float_lanes residual = (r.too_large[i] + r.too_small[i]) * is_round;
-      const Float_lanes weight =
-          select_where_less(zero, r.too_large[i], Float_lanes(range.high_weight), zero) -
-          select_where_less(zero, r.too_small[i], Float_lanes(range.low_weight), zero);
-      const Float_lanes slope = weight * is_round * (one + r.cot[i] * r.cot[i]);
-      const Float_lanes jx = slope * x[i], jy = slope * y[i];
+      const Float_lanes residual = r.too_large[i] + r.too_small[i];
+      const Float_lanes weight = select_where_less(zero, r.too_large[i], Float_lanes(range.high_weight), zero) -
+                                 select_where_less(zero, r.too_small[i], Float_lanes(range.low_weight), zero);
+      const Float_lanes jx = weight * x[i], jy = weight * y[i];
       xx = xx + jx * jx, xy = xy + jx * jy, yy = yy + jy * jy;
       rx = rx + residual * jx, ry = ry + residual * jy;
     }
@@ -324,12 +327,8 @@ private:
     const double a = e.hxx + lambda, b = e.hxy, c = e.hyy + lambda, determinant = a * c - b * b;
     Vector d{-(c * e.gx - b * e.gy) / determinant, -(a * e.gy - b * e.gx) / determinant};
     if (mobility != Mobility::free) d = sliding_newton_step(e, lambda, mobility);
-    float shortest = 1e30f;
-    for (int k = 0; k < star.number_of_triangles; ++k)
-      shortest = std::min(shortest, star.x[k] * star.x[k] + star.y[k] * star.y[k]);
-    const double longest = longest_share * std::sqrt(static_cast<double>(shortest)),
-                 length = std::sqrt(squared_length(d));
-    if (length > longest) d = (longest / length) * d;
+    const double longest = longest_share * longest_share * static_cast<double>(e.shortest), length = squared_length(d);
+    if (length > longest) d = std::sqrt(longest / length) * d;
     const float bound = e.energy * (1 - least_gain);
     for (double share = first_share; share > 0.1; share *= 0.5)
       if (star.energy(range_, static_cast<float>(share * d.x), static_cast<float>(share * d.y), bound) <
