@@ -64,12 +64,12 @@ struct Star_vectors {
                           Float_lanes::load(x + k + 1) - dx, Float_lanes::load(y + k + 1) - dy);
   }
 
-  /// Of the center moved by dx, dy; at least `bound` if it is not less.
-  float energy(const Angle_range& range, float dx, float dy, float bound) const {
-    float e = 0;
-    for (int k = 0; k < number_of_triangles && e < bound; k += lanes)
-      e += sum(demanded(k, Range_lanes(triangles(k, dx, dy), range).energy));
-    return e;
+  /// Of the center moved by dx, dy.
+  float energy(const Angle_range& range, float dx, float dy) const {
+    Float_lanes e(0);
+    for (int k = 0; k < number_of_triangles; k += lanes)
+      e = e + demanded(k, Range_lanes(triangles(k, dx, dy), range).energy);
+    return sum(e);
   }
 
   bool is_in_range(const Angle_range& range) const {
@@ -118,52 +118,52 @@ private:
 
 /// The energy of the star of a movable vertex, and the sums of a Gauss-Newton step.
 struct Star_energy {
-  float energy = 0, hxx = 0, hxy = 0, hyy = 0, gx = 0, gy = 0;
+  float energy, hxx, hxy, hyy, gx, gy;
   float shortest; ///< squared spoke
-  bool has_flat = false;
 
   Star_energy(const Star_vectors& star, const Angle_range& range) {
-    constexpr int lanes = Star_vectors::lanes;
+    Sums sums;
     Float_lanes squares(1e30f);
-    for (int k = 0; k < star.number_of_triangles; k += lanes) {
+    for (int k = 0; k < star.number_of_triangles; k += Star_vectors::lanes) {
       const Triangle_lanes t = star.triangles(k, 0, 0);
-      const Range_lanes r(t, range);
       squares = min(squares, t.bb);
-      const float e = sum(r.energy);
-      if (e == 0) continue;
-      energy += e;
-      has_flat |= e >= least_energy_of_flat;
-      add_gradients(star, k, t, r, range);
+      sums.add(star, k, t, Range_lanes(t, range), range);
     }
+    energy = sum(sums.energy);
+    if (energy == 0) return;
     shortest = least(squares);
+    hxx = sum(sums.xx), hxy = sum(sums.xy), hyy = sum(sums.yy), gx = sum(sums.rx), gy = sum(sums.ry);
   }
+
+  /// Whether there may be a flat triangle: few others have that much.
+  bool has_flat() const { return energy >= 0.9f * Angle_range::energy_of_flat; }
 
 private:
-  /// A flat triangle has more, and others less, since cotangents are bounded by `least_area_share`.
-  static constexpr float least_energy_of_flat = 0.9f * Angle_range::energy_of_flat;
+  struct Sums {
+    Float_lanes energy{0}, xx{0}, xy{0}, yy{0}, rx{0}, ry{0};
 
-  /// The gradient of an angle at a fixed corner b is the perpendicular of b over b^2; that of its cotangent 1 + cot^2
-  /// times that, which is b^2 (b - c)^2 / cross^2, so that b^2 cancels.
-  void add_gradients(const Star_vectors& star, int k, const Triangle_lanes& t, const Range_lanes& r,
-                     const Angle_range& range) {
-    const Float_lanes zero(0);
-    const Float_lanes share = r.inverse * r.inverse, per_side = t.squared_opposite_side() * share,
-                      per_b = t.cc * share, per_c = t.bb * share;
-    const Float_lanes bx = Float_lanes::load(star.x + k), by = Float_lanes::load(star.y + k),
-                      cx = Float_lanes::load(star.x + k + 1), cy = Float_lanes::load(star.y + k + 1);
-    const Float_lanes x[3] = {cy * per_c - by * per_b, by * per_side, zero - cy * per_side},
-                      y[3] = {bx * per_b - cx * per_c, zero - bx * per_side, cx * per_side};
-    Float_lanes xx(0), xy(0), yy(0), rx(0), ry(0);
-    for (int i = 0; i < 3; ++i) {
-      const Float_lanes residual = r.too_large[i] + r.too_small[i];
-      const Float_lanes weight = select_where_less(zero, r.too_large[i], Float_lanes(range.high_weight), zero) -
-                                 select_where_less(zero, r.too_small[i], Float_lanes(range.low_weight), zero);
-      const Float_lanes jx = weight * x[i], jy = weight * y[i];
-      xx = xx + jx * jx, xy = xy + jx * jy, yy = yy + jy * jy;
-      rx = rx + residual * jx, ry = ry + residual * jy;
+    /// The gradient of an angle at a fixed corner b is the perpendicular of b over b^2; that of its cotangent is
+    /// 1 + cot^2 times that, which is b^2 (b - c)^2 / cross^2, so that b^2 cancels.
+    void add(const Star_vectors& star, int k, const Triangle_lanes& t, const Range_lanes& r,
+             const Angle_range& range) {
+      const Float_lanes zero(0);
+      const Float_lanes share = r.inverse * r.inverse, per_side = t.squared_opposite_side() * share,
+                        per_b = t.cc * share, per_c = t.bb * share;
+      const Float_lanes bx = Float_lanes::load(star.x + k), by = Float_lanes::load(star.y + k),
+                        cx = Float_lanes::load(star.x + k + 1), cy = Float_lanes::load(star.y + k + 1);
+      const Float_lanes x[3] = {cy * per_c - by * per_b, by * per_side, zero - cy * per_side},
+                        y[3] = {bx * per_b - cx * per_c, zero - bx * per_side, cx * per_side};
+      energy = energy + r.energy;
+      for (int i = 0; i < 3; ++i) {
+        const Float_lanes residual = r.too_large[i] + r.too_small[i];
+        const Float_lanes weight = select_where_less(zero, r.too_large[i], Float_lanes(range.high_weight), zero) -
+                                   select_where_less(zero, r.too_small[i], Float_lanes(range.low_weight), zero);
+        const Float_lanes jx = weight * x[i], jy = weight * y[i];
+        xx = xx + jx * jx, xy = xy + jx * jy, yy = yy + jy * jy;
+        rx = rx + residual * jx, ry = ry + residual * jy;
+      }
     }
-    hxx += sum(xx), hxy += sum(xy), hyy += sum(yy), gx += sum(rx), gy += sum(ry);
-  }
+  };
 };
 
 /// How soon relaxation gives up.
@@ -215,13 +215,13 @@ public:
     const Mobility mobility = patch_.mesh().ring(v).mobility;
     const Star_vectors star(patch_.mesh(), v);
     if (!is_movable(mobility)) {
-      const float energy = star.energy(range_, 0, 0, 1e30f);
+      const float energy = star.energy(range_, 0, 0);
       if (energy == 0) patch_.settle(v);
       return energy;
     }
     const Star_energy e(star, range_);
     if (e.energy == 0) return patch_.settle(v), 0.f;
-    const Vector d = e.has_flat ? searched_step(star, e.energy, mobility) : newton_step(star, e, mobility);
+    const Vector d = e.has_flat() ? searched_step(star, e.energy, mobility) : newton_step(star, e, mobility);
     if (d.x != 0 || d.y != 0)
       patch_.move(v, Geometry::translate(patch_.mesh().point(v), (1 / star.scale) * d));
     return e.energy;
@@ -331,8 +331,7 @@ private:
     if (length > longest) d = std::sqrt(longest / length) * d;
     const float bound = e.energy * (1 - least_gain);
     for (double share = first_share; share > 0.1; share *= 0.5)
-      if (star.energy(range_, static_cast<float>(share * d.x), static_cast<float>(share * d.y), bound) <
-          bound)
+      if (star.energy(range_, static_cast<float>(share * d.x), static_cast<float>(share * d.y)) < bound)
         return share * d;
     return {};
   }
@@ -359,7 +358,7 @@ private:
       float least = energy;
       for (const Vector& u : directions) {
         const Vector d = permitted((share * length) * u, mobility);
-        const float e = star.energy(range_, static_cast<float>(d.x), static_cast<float>(d.y), least);
+        const float e = star.energy(range_, static_cast<float>(d.x), static_cast<float>(d.y));
         if (e < least) least = e, best = d;
       }
       if (least < energy) return best;
