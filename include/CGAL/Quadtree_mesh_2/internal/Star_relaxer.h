@@ -9,8 +9,8 @@
 // A step moves one vertex by a damped Gauss-Newton step on the energy of its star (Angle_range.h); the gradient of an
 // angle at a fixed corner b is the perpendicular of the spoke over its squared length, so that there is no
 // trigonometry. A star that has a triangle turned over is searched in eight directions. Only stars with energy move,
-// and only what is next to what moved is looked at again, so the motion stays where it is needed. Sweeps alternate
-// with flips that lower the energy of the two triangles. O(degree) per step; the number of sweeps is bounded.
+// and only what is next to what moved is looked at again, so the motion stays where it is needed. Sweeps may
+// alternate with flips that lower the energy of the two triangles. O(degree) per step; the number of sweeps is bounded.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_STAR_RELAXER_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_STAR_RELAXER_H
@@ -168,7 +168,7 @@ private:
 
 /// How soon relaxation gives up.
 enum class Patience {
-  little, ///< as soon as success is unlikely: where another place can be tried instead
+  little, ///< as soon as success is unlikely, without flips: where another place can be tried instead
   much    ///< when the energy does not fall any more
 };
 
@@ -179,8 +179,8 @@ public:
 
   const Angle_range& range() const { return range_; }
 
-  /// Relaxes by at most `stages` times three sweeps and flips. Returns whether all changed stars are in the range.
-  bool relax(int stages, Patience patience) {
+  /// Relaxes by at most `stages` times three sweeps and, with much patience, flips. Returns whether all changed stars are in the range.
+  bool relax(int stages, Patience patience = Patience::much) {
     double last = 1e300;
     for (int s = 0; s < stages; ++s) {
       double energy = 0;
@@ -192,7 +192,7 @@ public:
         if (energy < small_energy && sweep + 1 < sweeps_of_stage && are_changed_in_range()) return true;
       }
       if (are_changed_in_range()) return true;
-      const bool is_flipped = flip_all();
+      const bool is_flipped = patience == Patience::much && flip_all();
       if (energy > least_progress * last && !is_flipped) return false;
       last = energy;
     }
