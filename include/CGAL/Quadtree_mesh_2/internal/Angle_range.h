@@ -63,6 +63,7 @@ struct Triangle_lanes {
       : bb(bx * bx + by * by), cc(cx * cx + cy * cy), bc(bx * cx + by * cy), cross(bx * cy - by * cx) {}
 
   Float_lanes sum_of_squares() const { return (bb + cc - bc) * Float_lanes(2); }
+  Float_lanes squared_opposite_side() const { return bb + cc - (bc + bc); }
 };
 
 /// The cotangents of four triangles, and their violations of a range.
@@ -71,12 +72,13 @@ struct Range_lanes {
   Float_lanes too_large[3]; ///< violations, in radians; of every angle one of the two is 0
   Float_lanes too_small[3];
   Float_lanes energy;
-  Float_lanes squares, floor; ///< a triangle is flat unless floor < cross
+  Float_lanes floor;   ///< a triangle is flat unless floor < cross
+  Float_lanes inverse; ///< of `cross`; of `floor` if the triangle is flat
 
   Range_lanes(const Triangle_lanes& t, const Angle_range& range)
-      : squares(t.sum_of_squares()), floor(squares * Float_lanes(Angle_range::least_area_share)) {
+      : floor(t.sum_of_squares() * Float_lanes(Angle_range::least_area_share)) {
     const Float_lanes zero(0);
-    const Float_lanes inverse = Float_lanes(1) / max(t.cross, floor);
+    inverse = Float_lanes(1) / max(t.cross, floor);
     cot[0] = t.bc * inverse;
     cot[1] = (t.bb - t.bc) * inverse;
     cot[2] = (t.cc - t.bc) * inverse;
@@ -87,8 +89,8 @@ struct Range_lanes {
       const Float_lanes r = too_large[i] + too_small[i];
       e = e + r * r;
     }
-    energy = select_where_less(
-        floor, t.cross, e, Float_lanes(Angle_range::energy_of_flat) * (Float_lanes(1) - t.cross / squares));
+    constexpr float flat = Angle_range::energy_of_flat, share = Angle_range::least_area_share;
+    energy = select_where_less(floor, t.cross, e, Float_lanes(flat) - Float_lanes(flat * share) * (t.cross * inverse));
   }
 
   /// Per lane, negative where an angle is not in the range for certain.

@@ -178,7 +178,7 @@ private:
       break;
     }
     for (const Ring_vertex v : patch_.members()) patch_.activate(v);
-    if (relaxer_.relax(stages)) return {true, 0};
+    if (relaxer_.relax(stages, Patience::much)) return {true, 0};
     return {false, energy_of_members()};
   }
 

@@ -113,7 +113,7 @@ public:
     patch_.begin();
     if (take_out(v)) {
       patch_.grow(rings - 1);
-      if (relaxer_.relax(stages)) {
+      if (relaxer_.relax(stages, Patience::little)) {
         for (const Ring_vertex u : patch_.members()) patch_.mesh().ring(u).tried_rings = 0;
         return true;
       }
