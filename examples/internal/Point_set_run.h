@@ -128,7 +128,7 @@ inline void print_lengths(const Point_set_run& run) {
   const auto print = [&](const char* name, double length) {
     const std::optional<double> times = ratio(run.quality.total_length, length);
     std::printf("%-28s%14.6g", name, length);
-    if (times) std::printf("  (the mesh has %.3f times of it)", *times);
+    if (times) std::printf("  (the mesh has %.3f times that)", *times);
     std::printf("\n");
   };
   std::printf("%-28s%14.6g\n", "length of all edges", run.quality.total_length);

@@ -23,13 +23,18 @@ using Traits = CGAL::Fixed_point_quadtree_traits_2<std::uint64_t>;
 using Word_point = Traits::Point_2;
 using Scale = CGAL::Fixed_point_scale_2<std::uint64_t>;
 
-/// Between the doubles of one input and words. Its points lie in the middle half of the root of quadtrees.
+/// How much of the root of quadtrees the input may fill.
+enum class Room {
+  half, ///< all that quadtrees of the input need
+  sixth ///< for domains that reach further, in any direction
+};
+
+/// Between the doubles of one input and words. Its points lie in the middle of the root of quadtrees.
 template <class Point>
 class Word_map {
 public:
-  explicit Word_map(const std::vector<Point>& points)
-      : box_(bounding_box(points)),
-        margin_((std::max)(box_.xmax() - box_.xmin(), box_.ymax() - box_.ymin()) / 4), scale_(box_) {}
+  explicit Word_map(const std::vector<Point>& points, Room room = Room::half)
+      : box_(bounding_box(points, room)), margin_(extent(box_) / 4), scale_(box_) {}
 
   double unit() const { return scale_.unit(); }
   Word_point to_word(const Point& p) const { return scale_.to_fixed(p.x(), p.y()); }
@@ -44,9 +49,18 @@ public:
   }
 
 private:
-  static CGAL::Bbox_2 bounding_box(const std::vector<Point>& points) {
+  static double extent(const CGAL::Bbox_2& box) {
+    return (std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin());
+  }
+
+  /// The box of the points, or, where they shall have room, three times as large.
+  static CGAL::Bbox_2 bounding_box(const std::vector<Point>& points, Room room) {
     CGAL::Bbox_2 box;
     for (const Point& p : points) box += p.bbox();
+    if (room == Room::sixth) {
+      const double more = extent(box);
+      box = CGAL::Bbox_2(box.xmin() - more, box.ymin() - more, box.xmax() + more, box.ymax() + more);
+    }
     const double largest = (std::max)({-box.xmin(), box.xmax(), -box.ymin(), box.ymax()});
     if (!(largest < std::ldexp(1.0, 999)))
       throw CGAL::Pslg_error_2("coordinates are too large for fixed-point words");

@@ -337,7 +337,7 @@ inline void print_help(std::ostream& out) {
          "bound; or\n"
          "points alone: .poly without segments, .node, or text, one 'x y' a line (.xy, .txt, .csv). Any may "
          "be "
-         "compressed (.gz).\n\n"
+         "compressed (.gz).\n"
       << command_line_internal::visible_options()
       << "\nExit status: 0 done; 1 the bound is unmet somewhere, the mesh is written all the same; 2 bad "
          "usage or bad\n"

@@ -1,4 +1,4 @@
-// The modes of the command-line program for points alone, compiled by themselves: it takes a while.
+// The modes of the command-line program for points alone.
 
 #include "point_set_program.h"
 
@@ -39,7 +39,17 @@ void mesh(Point_set_run& run, const Command_line& line) {
   CGAL::Point_set_mesh_options_2 options = line.point_set_options;
   if (!line.is_quiet && Progress_line::is_possible())
     options.progress([&progress](double share) { return progress.show(share), true; });
-  run.mesh = mesh_points(run.points, options, line.kernel, run.report);
+  switch (line.kernel) {
+  case Command_line::Kernel::filtered:
+    run.mesh = mesh_points::with_doubles(run.points, options, run.report);
+    return;
+  case Command_line::Kernel::fixed:
+    run.mesh = mesh_points::in_words(run.points, options, run.report);
+    return;
+  case Command_line::Kernel::exact:
+    run.mesh = mesh_points::exactly(run.points, options, run.report);
+    return;
+  }
 }
 
 /// The input as the checker and the writers want it.

@@ -247,21 +247,21 @@ private:
     for (std::size_t i = 0; i < colors_.size(); ++i) paint_area(out, paths[i], colors_[i]);
   }
 
-  /// A strip of the colours that occur can be much wider than the picture of a few triangles: all have one width.
+  /// A strip of all colours, each with the angle at which it begins, below the picture and as wide as that allows.
   void paint_legend(std::ostream& out) const {
-    const int box = std::min(400, width_ * 4 / 5 / static_cast<int>(colors_.size()));
-    const int left = (width_ - box * static_cast<int>(colors_.size())) / 2;
-    out << "<g font-family=\"sans-serif\" font-size=\"" << box * 3 / 10
-        << "\" text-anchor=\"middle\" fill=\"#12263a\">\n<title>"
-        << (is_by_largest_angle() ? "largest" : "least") << " angle in degrees</title>\n";
-    for (int i = 0; i < static_cast<int>(colors_.size()); ++i) {
-      const int low =
-          is_by_largest_angle() ? largest_colored_angle - degrees_per_color * (i + 1) : degrees_per_color * i;
-      const int place = is_by_largest_angle() ? static_cast<int>(colors_.size()) - 1 - i : i;
+    constexpr int n = static_cast<int>(colors_.size());
+    const int box = std::min(400, width_ * 3 / 4 / n), font = box * 3 / 10;
+    const int left = (width_ - box * n) / 2, base = height_ + 110 + font;
+    out << "<g font-family=\"sans-serif\" font-size=\"" << font << "\" fill=\"#12263a\">\n"
+        << "<text text-anchor=\"end\" x=\"" << left - font << "\" y=\"" << base << "\">"
+        << (is_by_largest_angle() ? "largest" : "least") << " angle</text>\n";
+    for (int i = 0; i < n; ++i) {
+      const int place = is_by_largest_angle() ? n - 1 - i : i;
+      const int first = is_by_largest_angle() ? largest_colored_angle - degrees_per_color * n : 0;
       out << "<rect x=\"" << left + place * box << "\" y=\"" << height_ + 20 << "\" width=\"" << box
-          << "\" height=\"80\" fill=\"" << colors_[static_cast<std::size_t>(i)] << "\"/>\n<text x=\""
-          << left + place * box << "\" y=\"" << height_ + 110 + box * 3 / 10 << "\">" << low
-          << "\u00b0</text>\n";
+          << "\" height=\"80\" fill=\"" << colors_[static_cast<std::size_t>(i)] << "\"/>\n"
+          << "<text x=\"" << left + place * box << "\" y=\"" << base << "\">"
+          << first + degrees_per_color * place << "</text>\n";
     }
     out << "</g>\n";
   }
