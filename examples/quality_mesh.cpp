@@ -1,10 +1,12 @@
-// The command-line program: meshes a planar straight-line graph and writes the mesh.
+// The command-line program: meshes a planar straight-line graph, or points alone, and writes the mesh.
 
 #include "internal/Meshing_run.h"
 #include "internal/Progress_line.h"
 #include "internal/command_line.h"
 #include "internal/mesh_exactly.h"
 #include "internal/mesh_in_words.h"
+#include "internal/point_set_program.h"
+#include "internal/program_steps.h"
 #include "internal/read_sized_points.h"
 
 #include "in_child.h"
@@ -20,25 +22,11 @@
 
 #include <exception>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <new>
 #include <string>
 
 namespace {
-
-enum Exit_status { DONE = 0, BOUND_UNMET = 1, BAD_USAGE_OR_INPUT = 2 };
-
-/// How long Mesh_2, which has inputs on which it does not end, may try.
-constexpr unsigned peer_limit_seconds = 600;
-
-/// Calls `work` and adds the processor seconds it took to `seconds`.
-template <class F>
-void timed(double& seconds, F work) {
-  const double start = cpu_seconds();
-  work();
-  seconds += cpu_seconds() - start;
-}
 
 void mesh_graph(Meshing_run& run, const Command_line& line) {
   Progress_line progress;
@@ -100,12 +88,6 @@ void check(Meshing_run& run, const CGAL::Quality_mesh_options_2& options) {
   Mesh_figures_builder(run.ours, options.min_angle_in_degrees).add_triangles_of(run.mesh);
 }
 
-/// A mesh with errors is our mistake and none of the user's, who gets it all the same, with a warning.
-void warn_of_errors(const CGAL::Mesh_quality_2& quality) {
-  for (const std::string& error : quality.errors)
-    std::cerr << "quality_mesh: the mesh is invalid: " << error << '\n';
-}
-
 void compare(Meshing_run& run, const CGAL::Quality_mesh_options_2& options) {
   const auto peer = [&] {
     return mesh_by_Mesh_2(run.pslg, options.min_angle_in_degrees, options.max_edge_length);
@@ -114,13 +96,18 @@ void compare(Meshing_run& run, const CGAL::Quality_mesh_options_2& options) {
   run.peer = in_child(peer, peer_limit_seconds).result;
 }
 
-void write_report(const std::string& file_name, const nlohmann::ordered_json& json) {
-  std::ofstream out(file_name);
-  out << json.dump(2) << '\n';
-  if (!out.flush()) throw std::runtime_error("cannot write '" + file_name + "'");
+/// \throws Usage_error if the name tells that the input is none of graphs.
+void check_input_format(const std::string& file_name) {
+  std::filesystem::path path(file_name);
+  if (path.extension() == ".gz") path.replace_extension();
+  for (const char* ending : {".node", ".xy", ".csv"})
+    if (path.extension() == ending)
+      throw Usage_error("'" + file_name +
+                        "' is a file of points alone: use --mode points, bounded, acute or warped");
 }
 
 Exit_status execute(const Command_line& line) {
+  check_input_format(line.input);
   Meshing_run run;
   run.threads = line.threads;
   const Thread_limit limit(line.threads);
@@ -155,7 +142,7 @@ int main(int argc, char** argv) try {
     print_version(std::cout);
     return DONE;
   case Command_line::Task::mesh:
-    return execute(line);
+    return line.mode == Command_line::Mode::pslg ? execute(line) : execute_point_set(line);
   }
 } catch (const Usage_error& error) {
   return fail(std::string(error.what()) + " (see quality_mesh --help)");

@@ -83,11 +83,29 @@ TEST_CASE("SVG options", "[SVG]") {
   const std::string colored =
       svg(mesh, pslg, IO::Svg_options_2().fill_by(IO::Svg_options_2::Fill::least_angle));
   CHECK(count(colored, "<path") > 5);
+  const std::string by_largest = svg(mesh, pslg,
+                                     IO::Svg_options_2()
+                                         .fill_by(IO::Svg_options_2::Fill::largest_angle)
+                                         .legend(IO::Svg_options_2::Legend::below));
+  CHECK(count(by_largest, "<path") > 5);
+  CHECK(by_largest.find(">largest angle</text>") != std::string::npos);
+  CHECK(count(by_largest, "<text") == 13);
+  CHECK(count(svg(mesh, pslg, IO::Svg_options_2().legend(IO::Svg_options_2::Legend::below)), "<text") == 0);
   const std::string part = svg(mesh, pslg, IO::Svg_options_2().clip_to(CGAL::Bbox_2(-2, -2, -1, -1.5)));
   CHECK(part.size() < plain.size() / 3);
   IO::Svg_options_2 bare;
   bare.background_color = bare.fill_color = bare.edge_color = "none";
   CHECK(count(svg(mesh, pslg, bare), "<path") == 2);
+}
+
+TEST_CASE("SVG colours by angles", "[SVG]") {
+  Pslg pslg;
+  add_polygon(pslg, {Point(0, 0), Point(1, 0), Point(0, 1)}); // 45 and 90 degrees
+  const auto colored = [&](IO::Svg_options_2::Fill fill) {
+    return svg(mesh_of(pslg), pslg, IO::Svg_options_2().fill_by(fill));
+  };
+  CHECK(colored(IO::Svg_options_2::Fill::least_angle).find("#66c2a5") != std::string::npos);
+  CHECK(colored(IO::Svg_options_2::Fill::largest_angle).find("#d9ef8b") != std::string::npos);
 }
 
 TEST_CASE("SVG of nothing, and of a level line", "[SVG]") {

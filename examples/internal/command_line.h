@@ -3,6 +3,7 @@
 
 // The options of quality_mesh: what they are, what they may be, and what is not there yet.
 
+#include <CGAL/Point_set_mesh_options_2.h>
 #include <CGAL/Quality_mesh_options_2.h>
 #include <CGAL/version.h>
 
@@ -10,10 +11,12 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <filesystem>
 #include <iostream>
+#include <iterator>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -30,18 +33,26 @@ public:
 struct Command_line {
   enum class Task { mesh, print_help, print_version };
   enum class Kernel { filtered, fixed, exact };
+  /// What is meshed, and which angles are wanted: a graph, or points alone.
+  enum class Mode { pslg, points, bounded, acute, warped };
 
   Task task = Task::mesh;
+  Mode mode = Mode::pslg;
   std::string input;
   std::vector<std::string> outputs;
   std::string report_file;      ///< empty: none
   std::string size_points_file; ///< empty: none
   Kernel kernel = Kernel::filtered;
-  CGAL::Quality_mesh_options_2 options;
+  CGAL::Quality_mesh_options_2 options;             ///< of Mode::pslg
+  CGAL::Point_set_mesh_options_2 point_set_options; ///< of all other modes
   unsigned threads = 1;
   bool is_comparison_wanted = false;
+  bool are_lengths_wanted = false;
   bool is_quiet = false;
 };
+
+inline constexpr const char* mode_names[] = {"pslg", "points", "bounded", "acute", "warped"};
+inline const char* name(Command_line::Mode mode) { return mode_names[static_cast<std::size_t>(mode)]; }
 
 /// The formats of output by their endings.
 enum class Output_format { triangle, vtu, svg };
@@ -69,12 +80,39 @@ namespace command_line_internal {
 
 namespace po = boost::program_options;
 
-inline po::options_description visible_options() {
-  po::options_description visible("Options");
-  // clang-format off
-  visible.add_options()
+/// An option with two numbers behind it.
+class Two_numbers : public po::typed_value<std::vector<double>> {
+public:
+  Two_numbers() : po::typed_value<std::vector<double>>(nullptr) {}
+  unsigned min_tokens() const override { return 2; }
+  unsigned max_tokens() const override { return 2; }
+};
+
+// clang-format off
+inline po::options_description common_options() {
+  po::options_description options("Options");
+  options.add_options()
+    ("mode", po::value<std::string>()->value_name("M")->default_value("pslg"),
+     "pslg: a graph, with a least angle; or points alone: points (least angle 20.7, fewest triangles), bounded "
+     "(all angles in a range), acute (all below 90) or warped (corners of squares moved to the points)")
     ("output,o", po::value<std::vector<std::string>>()->value_name("FILE"),
      "where to write the mesh, more than once if you like: .vtu, .svg, or .ele, which writes .node, .ele and .poly")
+    ("kernel", po::value<std::string>()->value_name("K")->default_value("filtered"),
+     "arithmetic: filtered (doubles), fixed (64-bit integers) or exact")
+    ("threads", po::value<int>()->value_name("N"),
+     "number of threads, all if not given; the mesh is the same for any number")
+    ("separation", po::value<std::string>()->value_name("S")->default_value("on-demand"), "on-demand or theorem-5")
+    ("compare", "with --mode pslg or points: mesh the input with CGAL Mesh_2 too and print both")
+    ("report", po::value<std::string>()->value_name("FILE.json"), "write the figures as JSON")
+    ("quiet", "print nothing but errors")
+    ("version", "print the version")
+    ("help,h", "print this");
+  return options;
+}
+
+inline po::options_description graph_options() {
+  po::options_description options("Options of --mode pslg");
+  options.add_options()
     ("min-angle", po::value<double>()->value_name("DEG")->default_value(20.7, "20.7"),
      "least angle in degrees; up to 20.7 reached on every input tried, accepted up to 30")
     ("max-edge", po::value<double>()->value_name("H"), "longest edge")
@@ -85,22 +123,29 @@ inline po::options_description visible_options() {
      "points with sizes, one 'x y size' a line: the longest edge is size plus half the distance, the least over all")
     ("domain", po::value<std::string>()->value_name("D")->default_value("enclosed"),
      "what is meshed: enclosed, marked (components with a region's point) or parity (of nested borders)")
-    ("kernel", po::value<std::string>()->value_name("K")->default_value("filtered"),
-     "arithmetic: filtered (doubles), fixed (64-bit integers) or exact")
     ("smooth", po::value<int>()->value_name("N")->default_value(0),
      "rounds of smoothing: about a percent fewer triangles each, and better angles")
-    ("threads", po::value<int>()->value_name("N"),
-     "number of threads, all if not given; the mesh is the same for any number")
-    ("mode", po::value<std::string>()->value_name("M")->default_value("pslg"), "pslg, points, bounded or acute")
-    ("separation", po::value<std::string>()->value_name("S")->default_value("on-demand"), "on-demand or theorem-5")
-    ("no-coarsening", "keep the vertices that are not needed in the end")
-    ("compare", "mesh the input with CGAL Mesh_2 too and print both")
-    ("report", po::value<std::string>()->value_name("FILE.json"), "write the figures as JSON")
-    ("quiet", "print nothing but errors")
-    ("version", "print the version")
-    ("help,h", "print this");
-  // clang-format on
-  return visible;
+    ("no-coarsening", "keep the vertices that are not needed in the end");
+  return options;
+}
+
+inline po::options_description point_options() {
+  po::options_description options("Options of the modes for points");
+  options.add_options()
+    ("angles", (new Two_numbers)->value_name("LO HI"),
+     "bounded: the range of all angles, 36 80 if not given; LO from 0 to 37.5, HI from 78.6 to 89.5")
+    ("square", "bounded: mesh a square parallel to the axes, not a row of squares along the points' diameter")
+    ("effort", po::value<int>()->value_name("N")->default_value(2),
+     "points, bounded, acute: how hard it is tried to do with fewer triangles, from 0 (not at all) to 3")
+    ("budget", po::value<long long>()->value_name("N"),
+     "bounded, acute: try to remove about so many vertices at most")
+    ("lengths", "compare the length of all edges with the least that there can be");
+  return options;
+}
+// clang-format on
+
+inline po::options_description visible_options() {
+  return po::options_description().add(common_options()).add(graph_options()).add(point_options());
 }
 
 /// One of a few words, of which only the first `number_available` can be had today.
@@ -179,6 +224,98 @@ inline void check_files(const Command_line& line) {
   if (!line.report_file.empty()) check_writable(line.report_file, line.input);
 }
 
+/// Which modes an option has a meaning in.
+struct Option_use {
+  const char* option;
+  std::vector<Command_line::Mode> modes;
+};
+
+inline const std::vector<Option_use>& option_uses() {
+  using Mode = Command_line::Mode;
+  static const std::vector<Option_use> uses = {
+      {"min-angle", {Mode::pslg, Mode::points}},
+      {"max-edge", {Mode::pslg}},
+      {"max-area", {Mode::pslg}},
+      {"min-edge", {Mode::pslg}},
+      {"size-points", {Mode::pslg}},
+      {"domain", {Mode::pslg}},
+      {"smooth", {Mode::pslg}},
+      {"no-coarsening", {Mode::pslg}},
+      {"compare", {Mode::pslg, Mode::points}},
+      {"angles", {Mode::bounded}},
+      {"square", {Mode::bounded}},
+      {"effort", {Mode::points, Mode::bounded, Mode::acute}},
+      {"budget", {Mode::bounded, Mode::acute}},
+      {"lengths", {Mode::points, Mode::bounded, Mode::acute, Mode::warped}}};
+  return uses;
+}
+
+/// \throws Usage_error naming an option that is given and has no meaning in the mode.
+inline void check_option_uses(const po::variables_map& given, Command_line::Mode mode) {
+  for (const auto& [option, modes] : option_uses()) {
+    if (given.count(option) == 0 || given[option].defaulted()) continue;
+    if (std::find(modes.begin(), modes.end(), mode) != modes.end()) continue;
+    std::string all;
+    for (const Command_line::Mode m : modes) all += (all.empty() ? "" : ", ") + std::string(name(m));
+    throw Usage_error(std::string("--") + option + " has no meaning with --mode " + name(mode) +
+                      ", only with " + all);
+  }
+}
+
+inline CGAL::Quality_mesh_options_2 quality_mesh_options(const po::variables_map& given) {
+  CGAL::Quality_mesh_options_2 options;
+  options.min_angle(min_angle(given))
+      .max_edge(bound(given, "max-edge"))
+      .max_area(bound(given, "max-area"))
+      .min_edge(bound(given, "min-edge"))
+      .mesh_domain(domain(given))
+      .smooth(smoothing_rounds(given));
+  if (given.count("no-coarsening") > 0) options.coarsen(CGAL::Quality_mesh_options_2::Coarsening::NONE);
+  return options;
+}
+
+inline CGAL::Point_set_mesh_options_2 bounded_angles(const po::variables_map& given) {
+  CGAL::Point_set_mesh_options_2 options;
+  if (given.count("square") > 0) options.mesh_domain(CGAL::Point_set_mesh_options_2::Domain::SQUARE);
+  if (given.count("angles") == 0) return options.bounded_angles();
+  const auto& angles = given["angles"].as<std::vector<double>>();
+  if (!(angles[0] >= 0 && angles[0] <= 37.5))
+    throw Usage_error("--angles: the least angle has to be from 0 to 37.5 degrees");
+  if (!(angles[1] >= 78.6 && angles[1] <= 89.5))
+    throw Usage_error("--angles: the largest angle has to be from 78.6 to 89.5 degrees");
+  return options.bounded_angles(angles[0], angles[1]);
+}
+
+inline CGAL::Point_set_mesh_options_2 point_set_mesh_options(const po::variables_map& given,
+                                                             Command_line::Mode mode) {
+  CGAL::Point_set_mesh_options_2 options;
+  switch (mode) {
+  case Command_line::Mode::pslg:
+    return options;
+  case Command_line::Mode::points:
+    if (given["min-angle"].as<double>() != 20.7)
+      throw Usage_error("--min-angle cannot be chosen with --mode points: it is 20.7 degrees");
+    options.least_angle();
+    break;
+  case Command_line::Mode::bounded:
+    options = bounded_angles(given);
+    break;
+  case Command_line::Mode::acute:
+    options.acute();
+    break;
+  case Command_line::Mode::warped:
+    options.warped_squares();
+    break;
+  }
+  const int effort = given["effort"].as<int>();
+  if (effort < 0 || effort > 3) throw Usage_error("--effort has to be 0, 1, 2 or 3");
+  options.effort(effort);
+  if (given.count("budget") == 0) return options;
+  const long long budget = given["budget"].as<long long>();
+  if (budget < 1) throw Usage_error("--budget has to be at least 1");
+  return options.max_removals(static_cast<std::size_t>(budget));
+}
+
 inline po::variables_map parse(int argc, const char* const* argv) {
   po::options_description all = visible_options();
   all.add_options()("input", po::value<std::vector<std::string>>());
@@ -196,9 +333,11 @@ inline po::variables_map parse(int argc, const char* const* argv) {
 
 inline void print_help(std::ostream& out) {
   out << "usage: quality_mesh INPUT [-o OUTPUT]... [option]...\n\n"
-         "Meshes a planar straight-line graph, a .poly file of Triangle or one compressed as .poly.gz, with "
-         "triangles\n"
-         "whose angles meet a bound.\n\n"
+         "Meshes a planar straight-line graph, a .poly file of Triangle, with triangles whose angles meet a "
+         "bound; or\n"
+         "points alone: .poly without segments, .node, or text, one 'x y' a line (.xy, .txt, .csv). Any may "
+         "be "
+         "compressed (.gz).\n"
       << command_line_internal::visible_options()
       << "\nExit status: 0 done; 1 the bound is unmet somewhere, the mesh is written all the same; 2 bad "
          "usage or bad\n"
@@ -225,21 +364,19 @@ inline Command_line parse_command_line(int argc, const char* const* argv) try {
   if (given.count("output") > 0) line.outputs = given["output"].as<std::vector<std::string>>();
   if (given.count("report") > 0) line.report_file = given["report"].as<std::string>();
 
-  line.options.min_angle(min_angle(given))
-      .max_edge(bound(given, "max-edge"))
-      .max_area(bound(given, "max-area"))
-      .min_edge(bound(given, "min-edge"))
-      .mesh_domain(domain(given))
-      .smooth(smoothing_rounds(given));
+  const std::vector<std::string> modes(std::begin(mode_names), std::end(mode_names));
+  line.mode = static_cast<Command_line::Mode>(choice(given, "mode", modes, modes.size()));
+  check_option_uses(given, line.mode);
+  line.options = quality_mesh_options(given);
+  line.point_set_options = point_set_mesh_options(given, line.mode);
   if (given.count("size-points") > 0) line.size_points_file = given["size-points"].as<std::string>();
-  if (given.count("no-coarsening") > 0) line.options.coarsen(CGAL::Quality_mesh_options_2::Coarsening::NONE);
   constexpr Command_line::Kernel kernels[] = {Command_line::Kernel::filtered, Command_line::Kernel::fixed,
                                               Command_line::Kernel::exact};
   line.kernel = kernels[choice(given, "kernel", {"filtered", "fixed", "exact"}, 3)];
-  choice(given, "mode", {"pslg", "points", "bounded", "acute"}, 1);
   choice(given, "separation", {"on-demand", "theorem-5"}, 1);
   line.threads = threads(given);
   line.is_comparison_wanted = given.count("compare") > 0;
+  line.are_lengths_wanted = given.count("lengths") > 0;
   line.is_quiet = given.count("quiet") > 0;
   check_files(line);
   return line;

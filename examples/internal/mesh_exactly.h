@@ -38,7 +38,7 @@ CGAL::Indexed_mesh_2<Point> mesh_exactly(const CGAL::Pslg_2<Point>& pslg,
   CGAL::Quality_mesher_2<Traits, CGAL::Parallel_tag> mesher(options);
   auto mesh = mesher(graph);
   report = mesher.report();
-  return mesh_with_doubles(std::move(mesh), pslg, [](const Exact_point& p) {
+  return mesh_with_doubles(std::move(mesh), pslg.vertices, [](const Exact_point& p) {
     return Point(CGAL::to_double(p.x()), CGAL::to_double(p.y()));
   });
 }

@@ -4,18 +4,18 @@
 // A mesh made with other coordinates, brought back to doubles.
 
 #include <CGAL/Indexed_mesh_2.h>
-#include <CGAL/Pslg_2.h>
 
 #include <cstddef>
 #include <utility>
+#include <vector>
 
 /// The same mesh over doubles; the vertices of the input get the doubles they came with, the others `to_double(p)`.
 template <class Point, class Other_point, class To_double>
 CGAL::Indexed_mesh_2<Point> mesh_with_doubles(CGAL::Indexed_mesh_2<Other_point>&& other,
-                                              const CGAL::Pslg_2<Point>& pslg, const To_double& to_double) {
+                                              const std::vector<Point>& input, const To_double& to_double) {
   CGAL::Indexed_mesh_2<Point> mesh;
   mesh.number_of_input_vertices = other.number_of_input_vertices;
-  mesh.points = pslg.vertices;
+  mesh.points = input;
   mesh.points.reserve(other.points.size());
   for (std::size_t v = mesh.points.size(); v < other.points.size(); ++v)
     mesh.points.push_back(to_double(other.points[v]));

@@ -18,15 +18,19 @@ namespace IO {
 /// How `write_SVG()` draws. Colours are whatever SVG takes for one; "none" leaves a thing out.
 struct Svg_options_2 {
   enum class Fill {
-    plain,      ///< all triangles in `fill_color`
-    least_angle ///< from red (small) through yellow to green and blue (60 degrees)
+    plain,        ///< all triangles in `fill_color`
+    least_angle,  ///< from red (small) through yellow to green and blue (60 degrees)
+    largest_angle ///< from blue (60 degrees) through green to yellow (90) and red (120 and more)
   };
+  /// What tells which angles the colours stand for; a plain picture has none.
+  enum class Legend { none, below };
 
   int width_in_pixels = 800;
   double margin_in_pixels = 4;
   double edge_width = 0.4; ///< pixels, as all widths
   double segment_width = 1.2;
   Fill fill = Fill::plain;
+  Legend legend_place = Legend::none;
   std::string edge_color = "#4a6b8a";
   std::string segment_color = "#12263a";
   std::string fill_color = "#e8f1f8";
@@ -36,6 +40,7 @@ struct Svg_options_2 {
 
   Svg_options_2& width(int pixels) { return width_in_pixels = pixels, *this; }
   Svg_options_2& fill_by(Fill f) { return fill = f, *this; }
+  Svg_options_2& legend(Legend l) { return legend_place = l, *this; }
   Svg_options_2& clip_to(const Bbox_2& window) { return clip = window, *this; }
 };
 

@@ -96,14 +96,15 @@ public:
   }
 
   void paint(std::ostream& out) const {
-    const std::string width = std::to_string(options_.width_in_pixels),
-                      height = std::to_string((height_ + 9) / 10);
-    out << "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" << width << "\" height=\"" << height
-        << "\" viewBox=\"0 0 " << width_ << ' ' << height_ << "\">\n";
+    const bool has_legend =
+        options_.legend_place == Options::Legend::below && options_.fill != Options::Fill::plain;
+    const int full_height = height_ + (has_legend ? legend_height : 0);
+    out << "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" << options_.width_in_pixels << "\" height=\""
+        << (full_height + 9) / 10 << "\" viewBox=\"0 0 " << width_ << ' ' << full_height << "\">\n";
     if (options_.background_color != "none")
-      out << "<rect width=\"" << width_ << "\" height=\"" << height_ << "\" fill=\""
+      out << "<rect width=\"" << width_ << "\" height=\"" << full_height << "\" fill=\""
           << options_.background_color << "\"/>\n";
-    if (options_.fill == Options::Fill::least_angle)
+    if (options_.fill != Options::Fill::plain)
       paint_areas_by_angle(out);
     else if (options_.fill_color != "none")
       paint_areas(out);
@@ -111,7 +112,9 @@ public:
     paint_lines(out, mesh_edges(), mesh_.points, options_.edge_color, options_.edge_width);
     paint_lines(out, constrained_edges(), mesh_.points, options_.segment_color, options_.segment_width);
     paint_lines(out, outside_segments(), pslg_.vertices, options_.segment_color, options_.segment_width);
-    out << "</g>\n</svg>\n";
+    out << "</g>\n";
+    if (has_legend) paint_legend(out);
+    out << "</svg>\n";
   }
 
 private:
@@ -222,27 +225,59 @@ private:
     return edges;
   }
 
-  void paint_areas_by_angle(std::ostream& out) const {
-    static constexpr std::array<const char*, 12> colors{"#67001f", "#b2182b", "#d6604d", "#f4a582",
-                                                        "#fdcc8a", "#fee8a0", "#d9ef8b", "#a6d96a",
-                                                        "#7fc97f", "#66c2a5", "#5aaec4", "#4393c3"};
-    std::array<Svg_path, colors.size()> paths; // five degrees each
-    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
-      if (is_shown_[t] != 0)
-        add_triangle(paths[std::min(colors.size() - 1, static_cast<std::size_t>(least_angle(t) / 5))], t);
-    for (std::size_t i = 0; i < colors.size(); ++i) paint_area(out, paths[i], colors[i]);
+  // Colours stand for five degrees each: of least angles from 0 on, of largest ones from 120 downwards.
+  static constexpr std::array<const char*, 12> colors_{"#67001f", "#b2182b", "#d6604d", "#f4a582",
+                                                       "#fdcc8a", "#fee8a0", "#d9ef8b", "#a6d96a",
+                                                       "#7fc97f", "#66c2a5", "#5aaec4", "#4393c3"};
+  static constexpr int degrees_per_color = 5, largest_colored_angle = 120;
+  static constexpr int legend_height = 260; // tenths of pixels
+
+  bool is_by_largest_angle() const { return options_.fill == Options::Fill::largest_angle; }
+
+  std::size_t color_of(std::size_t t) const {
+    const auto [least, largest] = extreme_angles(t);
+    const double degrees = is_by_largest_angle() ? std::max(0., largest_colored_angle - largest) : least;
+    return std::min(colors_.size() - 1, static_cast<std::size_t>(degrees / degrees_per_color));
   }
 
-  /// Degrees; for the choice of a colour only.
-  double least_angle(std::size_t t) const {
-    double least = 180;
+  void paint_areas_by_angle(std::ostream& out) const {
+    std::array<Svg_path, colors_.size()> paths;
+    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
+      if (is_shown_[t] != 0) add_triangle(paths[color_of(t)], t);
+    for (std::size_t i = 0; i < colors_.size(); ++i) paint_area(out, paths[i], colors_[i]);
+  }
+
+  /// A strip of all colours, each with the angle at which it begins, below the picture and as wide as that allows.
+  void paint_legend(std::ostream& out) const {
+    constexpr int n = static_cast<int>(colors_.size());
+    const int box = std::min(400, width_ * 3 / 4 / n), font = box * 3 / 10;
+    const int left = (width_ - box * n) / 2, base = height_ + 110 + font;
+    out << "<g font-family=\"sans-serif\" font-size=\"" << font << "\" fill=\"#12263a\">\n"
+        << "<text text-anchor=\"end\" x=\"" << left - font << "\" y=\"" << base << "\">"
+        << (is_by_largest_angle() ? "largest" : "least") << " angle</text>\n";
+    for (int i = 0; i < n; ++i) {
+      const int place = is_by_largest_angle() ? n - 1 - i : i;
+      const int first = is_by_largest_angle() ? largest_colored_angle - degrees_per_color * n : 0;
+      out << "<rect x=\"" << left + place * box << "\" y=\"" << height_ + 20 << "\" width=\"" << box
+          << "\" height=\"80\" fill=\"" << colors_[static_cast<std::size_t>(i)] << "\"/>\n"
+          << "<text x=\"" << left + place * box << "\" y=\"" << base << "\">"
+          << first + degrees_per_color * place << "</text>\n";
+    }
+    out << "</g>\n";
+  }
+
+  /// The least and the largest angle in degrees; for the choice of a colour only.
+  std::pair<double, double> extreme_angles(std::size_t t) const {
+    double least = 180, largest = 0;
     for (std::size_t k = 0; k < 3; ++k) {
       const Point &p = corner(t, k), &q = corner(t, (k + 1) % 3), &r = corner(t, (k + 2) % 3);
       const double ux = as_double(q.x()) - as_double(p.x()), uy = as_double(q.y()) - as_double(p.y());
       const double wx = as_double(r.x()) - as_double(p.x()), wy = as_double(r.y()) - as_double(p.y());
-      least = std::min(least, std::atan2(std::abs(ux * wy - uy * wx), ux * wx + uy * wy) * 180 / CGAL_PI);
+      const double angle = std::atan2(std::abs(ux * wy - uy * wx), ux * wx + uy * wy) * 180 / CGAL_PI;
+      least = std::min(least, angle);
+      largest = std::max(largest, angle);
     }
-    return least;
+    return {least, largest};
   }
 
   // --- lines ---

@@ -1,0 +1,107 @@
+#ifndef QUADTREE_MESH_2_EXAMPLES_WORD_MAP_H
+#define QUADTREE_MESH_2_EXAMPLES_WORD_MAP_H
+
+// Between doubles and the 64-bit words of integer arithmetic.
+
+#include <CGAL/Bbox_2.h>
+#include <CGAL/Fixed_point_quadtree_traits_2.h>
+#include <CGAL/Indexed_mesh_2.h>
+#include <CGAL/Quality_mesh_report_2.h>
+#include <CGAL/centroid.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <string>
+#include <vector>
+
+namespace mesh_in_words_internal {
+
+using Traits = CGAL::Fixed_point_quadtree_traits_2<std::uint64_t>;
+using Word_point = Traits::Point_2;
+using Scale = CGAL::Fixed_point_scale_2<std::uint64_t>;
+
+/// How much of the root of quadtrees the input may fill.
+enum class Room {
+  half, ///< all that quadtrees of the input need
+  sixth ///< for domains that reach further, in any direction
+};
+
+/// Between the doubles of one input and words. Its points lie in the middle of the root of quadtrees.
+template <class Point>
+class Word_map {
+public:
+  explicit Word_map(const std::vector<Point>& points, Room room = Room::half)
+      : box_(bounding_box(points, room)), margin_(extent(box_) / 4), scale_(box_) {}
+
+  double unit() const { return scale_.unit(); }
+  Word_point to_word(const Point& p) const { return scale_.to_fixed(p.x(), p.y()); }
+  /// The same for any point: one far away, which words could not tell, becomes one that is as surely outside.
+  Word_point to_word_inside_root(const Point& p) const {
+    return scale_.to_fixed(clamped(p.x(), box_.xmin(), box_.xmax()),
+                           clamped(p.y(), box_.ymin(), box_.ymax()));
+  }
+  Point to_double(const Word_point& p) const {
+    const auto [x, y] = scale_.to_double(p);
+    return Point(x, y);
+  }
+
+private:
+  static double extent(const CGAL::Bbox_2& box) {
+    return (std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin());
+  }
+
+  /// The box of the points, or, where they shall have room, three times as large.
+  static CGAL::Bbox_2 bounding_box(const std::vector<Point>& points, Room room) {
+    CGAL::Bbox_2 box;
+    for (const Point& p : points) box += p.bbox();
+    if (room == Room::sixth) {
+      const double more = extent(box);
+      box = CGAL::Bbox_2(box.xmin() - more, box.ymin() - more, box.xmax() + more, box.ymax() + more);
+    }
+    const double largest = (std::max)({-box.xmin(), box.xmax(), -box.ymin(), box.ymax()});
+    if (!(largest < std::ldexp(1.0, 999)))
+      throw CGAL::Pslg_error_2("coordinates are too large for fixed-point words");
+    return box;
+  }
+
+  double clamped(double v, double low, double high) const {
+    return (std::clamp)(v, low - margin_, high + margin_);
+  }
+
+  CGAL::Bbox_2 box_;
+  double margin_;
+  Scale scale_;
+};
+
+/// Words cannot tell points that are closer than their unit; merging them in silence would change the input.
+/// \throws CGAL::Pslg_error_2 naming the points.
+template <class Point>
+void check_told_apart(const std::vector<Point>& points, const std::vector<Word_point>& words) {
+  std::vector<std::size_t> order(words.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return words[a] < words[b]; });
+  for (std::size_t i = 1; i < order.size(); ++i) {
+    const std::size_t a = order[i - 1], b = order[i];
+    if (words[a] == words[b] && points[a] != points[b])
+      throw CGAL::Pslg_error_2("vertices " + std::to_string((std::min)(a, b)) + " and " +
+                               std::to_string((std::max)(a, b)) +
+                               " are closer than fixed-point words can tell");
+  }
+}
+
+/// The places in a report, which words would make useless to the reader.
+template <class Report, class Point>
+void to_doubles(Report& report, const CGAL::Indexed_mesh_2<Point>& mesh) {
+  for (auto& unmet : report.unmet_triangles) {
+    const auto& t = mesh.triangles[std::size_t(unmet.triangle)];
+    const Point c = CGAL::centroid(mesh.point(t[0]), mesh.point(t[1]), mesh.point(t[2]));
+    unmet.centroid = {c.x(), c.y()};
+  }
+}
+
+} // namespace mesh_in_words_internal
+
+#endif // QUADTREE_MESH_2_EXAMPLES_WORD_MAP_H

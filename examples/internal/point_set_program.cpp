@@ -1,0 +1,120 @@
+// The modes of the command-line program for points alone.
+
+#include "point_set_program.h"
+
+#include "Point_set_run.h"
+#include "Progress_line.h"
+#include "mesh_points.h"
+#include "read_points.h"
+
+#include "in_child.h"
+#include "mesh_2_peer.h"
+#include "resources.h"
+#include "thread_limit.h"
+
+#include <CGAL/IO/SVG.h>
+#include <CGAL/IO/Triangle_files.h>
+#include <CGAL/IO/VTU.h>
+#include <CGAL/Pslg_2.h>
+#include <CGAL/Quadtree_mesh_2/internal/points_in_box.h>
+#include <CGAL/mesh_quality_2.h>
+#include <CGAL/point_set_lengths_2.h>
+
+#include <filesystem>
+#include <string>
+
+namespace {
+
+using Mode = Command_line::Mode;
+
+const char* domain_of(const Command_line& line) {
+  if (line.mode == Mode::points) return "box";
+  const bool is_row = line.mode == Mode::bounded &&
+                      line.point_set_options.domain == CGAL::Point_set_mesh_options_2::Domain::ROW;
+  return is_row ? "row" : "square";
+}
+
+void mesh(Point_set_run& run, const Command_line& line) {
+  Progress_line progress;
+  CGAL::Point_set_mesh_options_2 options = line.point_set_options;
+  if (!line.is_quiet && Progress_line::is_possible())
+    options.progress([&progress](double share) { return progress.show(share), true; });
+  switch (line.kernel) {
+  case Command_line::Kernel::filtered:
+    run.mesh = mesh_points::with_doubles(run.points, options, run.report);
+    return;
+  case Command_line::Kernel::fixed:
+    run.mesh = mesh_points::in_words(run.points, options, run.report);
+    return;
+  case Command_line::Kernel::exact:
+    run.mesh = mesh_points::exactly(run.points, options, run.report);
+    return;
+  }
+}
+
+/// The input as the checker and the writers want it.
+CGAL::Pslg_2<Point_set_run::Point_2> graph_of(const Point_set_run& run) {
+  CGAL::Pslg_2<Point_set_run::Point_2> graph;
+  graph.vertices = run.points;
+  return graph;
+}
+
+void check(Point_set_run& run) {
+  using Options = CGAL::Mesh_quality_options_2;
+  run.quality = CGAL::mesh_quality_2(run.mesh, graph_of(run), Options().check_domain(Options::Domain::any));
+  run.ours.vertices = run.quality.vertices;
+  count_angles(run);
+}
+
+/// Colours tell how near the angles are to the bound.
+CGAL::IO::Svg_options_2 picture_options(Mode mode) {
+  using Options = CGAL::IO::Svg_options_2;
+  return Options()
+      .fill_by(mode == Mode::acute ? Options::Fill::largest_angle : Options::Fill::least_angle)
+      .legend(Options::Legend::below);
+}
+
+void write_output(const std::string& file_name, const Point_set_run& run) {
+  switch (output_format(file_name)) {
+  case Output_format::triangle: {
+    const std::string stem = std::filesystem::path(file_name).replace_extension().string();
+    return CGAL::IO::write_triangle_files(run.mesh, graph_of(run), stem);
+  }
+  case Output_format::vtu:
+    return CGAL::IO::write_VTU(file_name, run.mesh);
+  case Output_format::svg:
+    return CGAL::IO::write_SVG(file_name, run.mesh, graph_of(run), picture_options(run.mode));
+  }
+}
+
+void compare(Point_set_run& run) {
+  const auto peer = [&] {
+    return mesh_by_Mesh_2(CGAL::Quadtree_mesh_2::internal::points_in_box(run.points), run.promise.least, 0);
+  };
+  run.is_peer_asked = true;
+  run.peer = in_child(peer, peer_limit_seconds).result;
+}
+
+} // namespace
+
+Exit_status execute_point_set(const Command_line& line) {
+  Point_set_run run;
+  run.mode = line.mode;
+  run.domain = domain_of(line);
+  run.promise = angle_promise(line.mode, line.point_set_options);
+  run.threads = line.threads;
+  const Thread_limit limit(line.threads);
+  timed(run.read_seconds, [&] { run.points = read_points<Point_set_run::Point_2>(line.input); });
+  timed(run.ours.seconds, [&] { mesh(run, line); });
+  check(run);
+  warn_of_errors(run.quality);
+  timed(run.write_seconds, [&] {
+    for (const std::string& output : line.outputs) write_output(output, run);
+  });
+  run.peak_memory_mb = peak_memory_mb();
+  if (line.are_lengths_wanted) run.lengths = CGAL::point_set_lengths_2(run.points);
+  if (line.is_comparison_wanted) compare(run);
+  if (!line.report_file.empty()) write_report(line.report_file, run_json(run));
+  if (!line.is_quiet) print_run(run);
+  return is_bound_met(run) && run.quality.is_valid() ? DONE : BOUND_UNMET;
+}
