@@ -133,10 +133,10 @@ inline Points close_pairs(std::size_t n, std::uint64_t seed) {
   return points;
 }
 
-/// Eight clusters around the origin, one in the other, of as many points each: every one is the 2^30th part as
-/// wide as the next. No tree without clusters can be so deep.
+/// Five clusters around the origin, one in the other, of as many points each: every one is 2^-30 times as wide
+/// as the next. No tree without clusters can be so deep.
 inline Points nested(std::size_t n, std::uint64_t seed) {
-  constexpr std::size_t depth = 8;
+  constexpr std::size_t depth = 5;
   Random_numbers random(seed);
   Points points;
   points.reserve(n);
