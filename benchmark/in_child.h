@@ -13,7 +13,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <exception>
 #include <optional>
 #include <system_error>
@@ -46,7 +48,7 @@ template <class F>
 } // namespace in_child_internal
 
 /// Runs `f` in a forked child: its memory is its own, so that the peak tells of `f` alone, and a method that
-/// does not end is stopped after `limit_seconds`.
+/// does not end is stopped after `limit_seconds`. A child that a signal ends is named.
 template <class F>
 auto in_child(F f, unsigned limit_seconds) {
   using Result = decltype(f());
@@ -64,7 +66,9 @@ auto in_child(F f, unsigned limit_seconds) {
   if (read(ends[0], &result, sizeof result) == ssize_t(sizeof result)) outcome.result = result;
   close(ends[0]);
   rusage usage{};
-  wait4(child, nullptr, 0, &usage);
+  int status = 0;
+  wait4(child, &status, 0, &usage);
+  if (WIFSIGNALED(status)) std::fprintf(stderr, "no result: %s\n", strsignal(WTERMSIG(status)));
   outcome.peak_memory_mb = peak_memory_mb(usage);
   return outcome;
 }

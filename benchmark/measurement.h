@@ -23,6 +23,9 @@ struct Seconds {
   }
 };
 
+/// Whether a mesh is looked at after the time is taken. One of several runs is enough where all are the same.
+enum class Check { NO, YES };
+
 /// Takes the time from its making on.
 class Stopwatch {
 public:

@@ -81,9 +81,9 @@ Pslg_comparison compare(const std::string& name, double min_angle, const Setting
   comparison.min_angle = min_angle;
   comparison.vertices = input.pslg.number_of_vertices();
   comparison.segments = input.pslg.number_of_segments();
-  comparison.outcomes =
-      run_alternately(methods_of(settings), {input.pslg, input.max_area, min_angle, settings.limit_seconds},
-                      settings.repetitions);
+  comparison.outcomes = run_alternately<Pslg_outcome>(
+      methods_of(settings), Pslg_task{input.pslg, input.max_area, min_angle, settings.limit_seconds},
+      settings.repetitions);
   const std::string fault = comparison.fault();
   std::fprintf(stderr, "%s, %g degrees: %s\n", name.c_str(), min_angle, fault.empty() ? "ok" : fault.c_str());
   return comparison;

@@ -10,6 +10,7 @@
 #define QUADTREE_MESH_2_BENCHMARK_PSLG_OURS_H
 
 #include "in_child.h"
+#include "mesh_digest.h"
 #include "pslg_run.h"
 #include "thread_limit.h"
 
@@ -19,11 +20,8 @@
 #include <CGAL/indexed_mesh_to_triangulation_2.h>
 #include <CGAL/tags.h>
 
-#include <cstdint>
-#include <cstring>
 #include <optional>
 #include <string>
-#include <type_traits>
 #include <vector>
 
 namespace pslg_ours {
@@ -35,35 +33,6 @@ constexpr bool has_threads = true;
 #else
 constexpr bool has_threads = false;
 #endif
-
-/// By the method of Fowler, Noll and Vo, on words instead of bytes.
-class Digest {
-public:
-  template <class Value>
-  void add(const Value& value) {
-    static_assert(sizeof(Value) <= sizeof(std::uint64_t));
-    std::uint64_t word = 0;
-    std::memcpy(&word, &value, sizeof value);
-    state_ = (state_ ^ word) * 0x100000001b3u;
-    state_ ^= state_ >> 29;
-  }
-  std::uint64_t value() const { return state_; }
-
-private:
-  std::uint64_t state_ = 0xcbf29ce484222325u;
-};
-
-inline std::uint64_t digest_of(const Indexed_mesh& mesh) {
-  Digest digest;
-  for (const auto& p : mesh.points) {
-    digest.add(p.x());
-    digest.add(p.y());
-  }
-  for (const auto& triangle : mesh.triangles)
-    for (const auto v : triangle) digest.add(std::size_t(v));
-  for (const auto& edge : mesh.constrained_edges) digest.add(std::size_t(edge.segment));
-  return digest.value();
-}
 
 /// Processor seconds for what a program needs that goes on with CGAL's triangulations.
 inline double seconds_to_triangulation(const Indexed_mesh& mesh, const Pslg& pslg) {
@@ -92,7 +61,7 @@ Pslg_run mesh(const Pslg_task& task, Check check, unsigned threads) {
   run.phases = {seconds.quadtree, seconds.first_mesh, seconds.refine, seconds.coarsen, seconds.convert};
   run.vertices = report.vertices;
   run.triangles = report.triangles;
-  run.digest = digest_of(mesh);
+  run.digest = mesh_digest(mesh);
   if (check == Check::YES) check_mesh(mesh, task, CGAL::Mesh_quality_options_2::Arrays::all, run);
   run.to_triangulation = seconds_to_triangulation(mesh, task.pslg);
   return run;

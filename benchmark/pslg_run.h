@@ -37,9 +37,6 @@ struct Pslg_task {
   unsigned limit_seconds;
 };
 
-/// Whether a mesh is looked at after the time is taken. One of several runs is enough where all are the same.
-enum class Check { NO, YES };
-
 /// What one run gave; of fixed size, for it goes through a pipe.
 struct Pslg_run {
   Seconds mesh;                   ///< from points and segments in memory to a mesh in memory
@@ -54,11 +51,16 @@ struct Pslg_run {
   std::size_t below_bound = 0; ///< triangles that miss the bound on angles where no acute corner forces it
   std::size_t exempt = 0;      ///< those where one does
   double min_angle = 0;        ///< degrees
+  double max_angle = 0;
+  double total_length = 0; ///< of all edges
   bool is_valid = false;
 };
 
 /// A way to mesh.
 struct Pslg_method {
+  using Task = Pslg_task;
+  using Run = Pslg_run;
+
   std::string name;
   unsigned threads; ///< 0: sequential
   std::vector<std::string> phases;
@@ -76,6 +78,8 @@ inline void check_mesh(const Indexed_mesh& mesh, const Pslg_task& task,
     run.below_bound += unmet.bound == CGAL::Mesh_quality_2::Bound::angle;
   run.exempt = quality.exempt_triangles;
   run.min_angle = quality.min_angle;
+  run.max_angle = quality.max_angle;
+  run.total_length = quality.total_length;
   run.is_valid = quality.is_valid();
   if (!run.is_valid) std::fprintf(stderr, "invalid mesh: %s\n", quality.errors.front().c_str());
 }

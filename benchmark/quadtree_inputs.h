@@ -100,14 +100,64 @@ inline Points spiral(std::size_t n, std::uint64_t) {
   return points;
 }
 
+/// Clusters of about as many points as there are clusters, the widest a thousand times as wide as the narrowest.
+inline Points clusters(std::size_t n, std::uint64_t seed) {
+  const std::size_t size = std::size_t(std::ceil(std::sqrt(double(n))));
+  Random_numbers random(seed);
+  Points points;
+  points.reserve(n);
+  while (points.size() < n) {
+    const double x = random(), y = random(), width = std::pow(10, -random.between(1.5, 4.5));
+    for (std::size_t i = 0; i < size && points.size() < n; ++i) {
+      const double r = width * std::sqrt(-std::log(1 - random())), angle = 2 * CGAL_PI * random();
+      const Point_2 p = polar(r, angle);
+      points.emplace_back(x + p.x(), y + p.y());
+    }
+  }
+  return points;
+}
+
+/// Points uniform in a square with a partner each, so much nearer than all others that any n give the same
+/// picture: at 1e-8 of the square's side if they are 300.
+inline Points close_pairs(std::size_t n, std::uint64_t seed) {
+  const double distance = 1e-8 * std::sqrt(300 / double(n));
+  Random_numbers random(seed);
+  Points points;
+  points.reserve(n);
+  while (points.size() < n) {
+    const double x = random(), y = random();
+    const Point_2 p = polar(distance, 2 * CGAL_PI * random());
+    points.emplace_back(x, y);
+    if (points.size() < n) points.emplace_back(x + p.x(), y + p.y());
+  }
+  return points;
+}
+
+/// Five clusters around the origin, one in the other, of as many points each: every one is 2^-30 times as wide
+/// as the next. No tree without clusters can be so deep.
+inline Points nested(std::size_t n, std::uint64_t seed) {
+  constexpr std::size_t depth = 5;
+  Random_numbers random(seed);
+  Points points;
+  points.reserve(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const int exponent = -30 * int(i * depth / n);
+    const double x = random.between(-1, 1), y = random.between(-1, 1);
+    points.emplace_back(std::ldexp(x, exponent), std::ldexp(y, exponent));
+  }
+  return points;
+}
+
 struct Input {
   std::string name;
   Points (*make)(std::size_t n, std::uint64_t seed);
 };
 
 inline const std::vector<Input>& all() {
-  static const std::vector<Input> inputs{{"uniform", uniform}, {"plummer", plummer}, {"kuzmin", kuzmin},
-                                         {"grid", grid},       {"line", line},       {"spiral", spiral}};
+  static const std::vector<Input> inputs{
+      {"uniform", uniform}, {"plummer", plummer}, {"kuzmin", kuzmin},     {"grid", grid},
+      {"line", line},       {"spiral", spiral},   {"clusters", clusters}, {"close-pairs", close_pairs},
+      {"nested", nested}};
   return inputs;
 }
 

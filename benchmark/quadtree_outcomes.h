@@ -18,12 +18,6 @@
 #include <string>
 #include <vector>
 
-/// Where a process stops that would not end.
-struct Limits {
-  unsigned seconds = 60;
-  double gigabytes = 8;
-};
-
 /// The runs of one method on one input, summed up.
 struct Outcome {
   struct Stage {
@@ -94,11 +88,6 @@ public:
   }
 
 private:
-  static void limit_memory(double gigabytes) {
-    const rlimit limit{rlim_t(gigabytes * 0x1p30), RLIM_INFINITY};
-    setrlimit(RLIMIT_AS, &limit);
-  }
-
   /// Medians of the time from stage `first` to stage `last`.
   Seconds seconds(std::size_t first, std::size_t last) const {
     std::vector<double> cpu, wall;

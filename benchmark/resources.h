@@ -35,4 +35,16 @@ inline double peak_memory_mb() {
   return peak_memory_mb(usage);
 }
 
+/// Where a process stops that would not end.
+struct Limits {
+  unsigned seconds = 60;
+  double gigabytes = 8;
+};
+
+/// Lets this process have no more memory.
+inline void limit_memory(double gigabytes) {
+  const rlimit limit{rlim_t(gigabytes * 0x1p30), RLIM_INFINITY};
+  setrlimit(RLIMIT_AS, &limit);
+}
+
 #endif // QUADTREE_MESH_2_BENCHMARK_RESOURCES_H

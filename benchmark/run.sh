@@ -10,6 +10,7 @@ install_packages "${build_packages[@]}"
 # A peer of the quadtrees, which they do without.
 (install_packages libp4est-dev libopenmpi-dev) || say "no p4est: the quadtrees are not compared with it"
 configure_and_build "$root/build" pslg -DCMAKE_BUILD_TYPE=Release
+configure_and_build "$root/build" points -DCMAKE_BUILD_TYPE=Release
 configure_and_build "$root/build" quadtree -DCMAKE_BUILD_TYPE=Release
 
 # Prints the tables of one set of inputs: name, then options.
@@ -26,6 +27,20 @@ meshes growth --growth coast segments blob holes --sizes 1e4 3e4 1e5 3e5 --repea
 meshes threads "$root/test/data/gshhg_norway_f.poly.gz" coast:3e5 segments:1e5 square:1e-6 --peers none --repeat 5 \
   --threads $(seq -s ' ' 1 "$(nproc)")
 meshes large coast:1e6 --repeat 1 --limit 120 "$@"
+
+# The same for meshes of points.
+points() {
+  local name=$1
+  shift
+  say "points: $name"
+  "$root/build/bin/points" --json "$root/build/points_$name.json" "$@"
+}
+points modes uniform clusters kuzmin plummer grid line spiral --n 1e3 --repeat 3 --limit 30 "$@"
+points near close-pairs nested --n 300 --modes acute points warped bounded --repeat 1 --limit 60 "$@"
+points large uniform kuzmin --n 1e4 --modes bounded acute points --repeat 1 --limit 120 "$@"
+points growth uniform spiral close-pairs nested --growth --modes acute:1 points --n 1e3 1e4 1e5 --repeat 1 \
+  --limit 60 "$@"
+points threads uniform --n 1e4 --modes bounded:1 acute:1 points --peers none --repeat 3 --threads 1 2 4
 
 say "quadtrees"
 "$root/build/bin/quadtree" --n 1e5 1e6 --repeat 3 --limit 10 --threads "$(nproc)" \
