@@ -129,8 +129,8 @@ inline Points duplicates(std::size_t n, std::uint64_t seed) {
   return points;
 }
 
-/// One of each kind, small.
-inline std::vector<Named_points> nasty() {
+/// One of each kind, of at most about `20 size` points.
+inline std::vector<Named_points> nasty(std::size_t size) {
   const Points some = quadtree_inputs::uniform(40, 5);
   return {{"none", {}},
           {"one", {{0.3, -7}}},
@@ -140,25 +140,25 @@ inline std::vector<Named_points> nasty() {
           {"two nearby, far away", {{1e6, 1e6}, {1e6 + 1e-4, 1e6}}},
           {"three collinear", {{0, 0}, {1, 1}, {3, 3}}},
           {"square", {{0, 0}, {1, 0}, {1, 1}, {0, 1}}},
-          {"uniform", quadtree_inputs::uniform(400, 1)},
-          {"clustered", clustered(300, 2)},
-          {"kuzmin", quadtree_inputs::kuzmin(300, 3)},
-          {"plummer", quadtree_inputs::plummer(300, 4)},
-          {"grid", quadtree_inputs::grid(196, 0)},
-          {"grid away from powers of two", moved(quadtree_inputs::grid(100, 0), 0.1, 0.7, -0.3)},
-          {"horizontal line", horizontal_line(100, 6)},
-          {"slanted line", quadtree_inputs::line(100, 7)},
-          {"spiral", spiral(200, 0x1p-30)},
-          {"spiral around another place", moved(spiral(120, 0x1p-24), 0.3, 0.5, 0.7)},
-          {"circle", circle(150)},
+          {"uniform", quadtree_inputs::uniform(20 * size, 1)},
+          {"clustered", clustered(15 * size, 2)},
+          {"kuzmin", quadtree_inputs::kuzmin(15 * size, 3)},
+          {"plummer", quadtree_inputs::plummer(15 * size, 4)},
+          {"grid", quadtree_inputs::grid(10 * size, 0)},
+          {"grid away from powers of two", moved(quadtree_inputs::grid(5 * size, 0), 0.1, 0.7, -0.3)},
+          {"horizontal line", horizontal_line(5 * size, 6)},
+          {"slanted line", quadtree_inputs::line(5 * size, 7)},
+          {"spiral", spiral(10 * size, 0x1p-30)},
+          {"spiral around another place", moved(spiral(6 * size, 0x1p-24), 0.3, 0.5, 0.7)},
+          {"circle", circle(8 * size)},
           {"lattice circle", lattice_circle()},
-          {"duplicates", duplicates(150, 8)},
-          {"near pairs among others", joined(some, close_pairs(30, 1e-8, 9))},
-          {"nested clusters", nested_clusters(120, 1e-4, 3, 10)},
+          {"duplicates", duplicates(8 * size, 8)},
+          {"near pairs among others", joined(some, close_pairs(2 * size, 1e-8, 9))},
+          {"nested clusters", nested_clusters(6 * size, 1e-4, 3, 10)},
           {"near powers of two", {{0.5, 0.5}, {0.5 + 0x1p-20, 0.5 - 0x1p-20}, {0.25, 0.75}, {0.75, 0.25}}},
-          {"far from the origin", moved(quadtree_inputs::uniform(60, 11), 1e-3, 1e6, -1e6)},
-          {"tiny", moved(quadtree_inputs::uniform(50, 12), 1e-200, 0, 0)},
-          {"huge", moved(quadtree_inputs::uniform(50, 13), 1e200, -3e199, 0)}};
+          {"far from the origin", moved(quadtree_inputs::uniform(3 * size, 11), 1e-3, 1e6, -1e6)},
+          {"tiny", moved(quadtree_inputs::uniform(3 * size, 12), 1e-200, 0, 0)},
+          {"huge", moved(quadtree_inputs::uniform(3 * size, 13), 1e200, -3e199, 0)}};
 }
 
 // --- small sets at random ---
