@@ -84,6 +84,37 @@ void indexed_mesh_to_constrained_Delaunay_triangulation_2(const Indexed_mesh_2<P
   CGAL_expensive_postcondition(cdt.is_valid());
 }
 
+/// Builds `triangulation` from a mesh of points, or any mesh that fills its convex hull up to rounding: what was in
+/// it is lost.
+///
+/// The mesh's triangles become faces, in their order and with their vertices in their order, before all other
+/// faces; vertices that no triangle uses, as points at the place of an earlier one, are left out. Where vertices have
+/// an `info()`, it becomes the vertex's index in the mesh as above.
+///
+/// CGAL's triangulations fill convex hulls exactly, and borders of meshes are straight up to rounding only: the rows
+/// of squares of `Point_set_mesher_2`, over doubles, are as a rule slanted, and vertices on their sides a last bit off.
+/// The flat pockets between them and the hull become faces, too, which come next, are no triangles of the mesh, and
+/// tell nothing by their angles. No border edge faces the blunt angle of such a face; so a mesh without blunt angles
+/// remains Delaunay: those of BOUNDED_ANGLES and ACUTE do. Squares parallel to the axes have no pockets.
+///
+/// \param mesh has all its triangles and neighbors
+/// \param triangulation a `Triangulation_2`, or a `Delaunay_triangulation_2` if the mesh is Delaunay, whose points are
+///   those of the mesh; `is_valid()` holds afterwards (checked where `CGAL_CHECK_EXPENSIVE` is defined)
+/// Linear in the mesh, plus a constrained Delaunay triangulation of its border.
+template <class Point, class Triangulation>
+void indexed_mesh_to_triangulation_2(const Indexed_mesh_2<Point>& mesh, Triangulation& triangulation) {
+  static_assert(std::is_same_v<Point, typename Triangulation::Point>,
+                "the mesh and the triangulation have the same points");
+  CGAL_precondition(mesh.neighbors.size() == mesh.triangles.size());
+  triangulation.clear();
+  if (mesh.triangles.empty()) return;
+  using Welder = Quadtree_mesh_2::internal::Triangulation_welder<Triangulation>;
+  const Pslg_2<Point> nothing_outside;
+  typename Welder::Outside outside(mesh, nothing_outside);
+  Welder(mesh, outside, triangulation).weld();
+  CGAL_expensive_postcondition(triangulation.is_valid());
+}
+
 /// The graph of a triangulation: its finite vertices and its constrained edges, both in the order of
 /// iteration.
 /// \param seeds range of points, one in each hole. Linear in expectation.

@@ -36,7 +36,30 @@ struct Vertex_info_setter<Vertex, std::void_t<decltype(std::declval<Vertex&>().i
   }
 };
 
+/// Marks the faces of a mesh's domain, where faces can be marked.
+template <class Face, class = void>
+struct Domain_marker {
+  static void set(Face&, bool) {}
+};
+template <class Face>
+struct Domain_marker<Face, std::void_t<decltype(std::declval<Face&>().set_in_domain(true))>> {
+  static void set(Face& f, bool is_in_domain) { f.set_in_domain(is_in_domain); }
+};
+
+/// Marks the edges that are constrained, where edges can be.
+template <class Face, class = void>
+struct Constraint_marker {
+  static constexpr bool is_effective = false;
+  static void set(Face&, int, bool) {}
+};
+template <class Face>
+struct Constraint_marker<Face, std::void_t<decltype(std::declval<Face&>().set_constraint(0, true))>> {
+  static constexpr bool is_effective = true;
+  static void set(Face& f, int side, bool is_constrained) { f.set_constraint(side, is_constrained); }
+};
+
 /// Welds the triangles of a mesh and the faces around it into one triangulation data structure. Linear.
+/// \tparam Cdt any triangulation of CGAL in the plane; constraints are marked in those that know them
 template <class Cdt>
 class Triangulation_welder {
 public:
@@ -58,12 +81,14 @@ public:
     create_outside_faces();
     link_mesh_faces();
     link_outside_faces();
-    constrain_inner_edges();
+    if constexpr (Constraint_of_face::is_effective) constrain_inner_edges();
   }
 
 private:
   using Vertex_handle = typename Cdt::Vertex_handle;
   using Face_handle = typename Cdt::Face_handle;
+  using Domain_of_face = Domain_marker<typename Cdt::Face>;
+  using Constraint_of_face = Constraint_marker<typename Cdt::Face>;
   using Outside_face_handle = typename Outside::Face_handle;
   static constexpr std::uint32_t none_ = Outside::none;
 
@@ -100,7 +125,7 @@ private:
     for (const auto& t : mesh_.triangles) {
       const Face_handle f = create_face(vertices_[std::size_t(t[0])], vertices_[std::size_t(t[1])],
                                         vertices_[std::size_t(t[2])]);
-      f->set_in_domain(true);
+      Domain_of_face::set(*f, true);
       faces_.push_back(f);
     }
   }
@@ -114,7 +139,7 @@ private:
       if (f->info().is_inside) continue;
       f->info().number = static_cast<std::uint32_t>(outside_faces_.size());
       outside_faces_.push_back(create_face(vertex(f, 0), vertex(f, 1), vertex(f, 2)));
-      outside_faces_.back()->set_in_domain(false);
+      Domain_of_face::set(*outside_faces_.back(), false);
     }
   }
 
@@ -131,7 +156,7 @@ private:
       if (f->info().is_inside) continue;
       const Face_handle face = outside_faces_[f->info().number];
       for (int i = 0; i < 3; ++i) {
-        face->set_constraint(i, f->is_constrained(i));
+        Constraint_of_face::set(*face, i, f->is_constrained(i));
         const std::uint32_t side = f->info().mesh_side[std::size_t(i)];
         if (side == none_) {
           face->set_neighbor(i, outside_faces_[f->neighbor(i)->info().number]);
@@ -139,7 +164,7 @@ private:
           const Face_handle across = faces_[side / 3];
           face->set_neighbor(i, across);
           across->set_neighbor(static_cast<int>(side % 3), face);
-          across->set_constraint(static_cast<int>(side % 3), true);
+          Constraint_of_face::set(*across, static_cast<int>(side % 3), true);
         }
       }
     }
@@ -164,7 +189,7 @@ private:
                             b = mesh_.triangles[t][(k + 2) % 3].value();
         if (!mesh_.neighbors[t][k].is_valid() || is_on_segment[a] == 0 || is_on_segment[b] == 0) continue;
         if (std::binary_search(constrained.begin(), constrained.end(), Key(std::min(a, b), std::max(a, b))))
-          faces_[t]->set_constraint(static_cast<int>(k), true);
+          Constraint_of_face::set(*faces_[t], static_cast<int>(k), true);
       }
   }
 

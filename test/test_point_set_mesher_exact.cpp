@@ -1,0 +1,140 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+
+#include "catch.h"
+#include "point_mesh_checks.h"
+#include "point_sets.h"
+
+#include <CGAL/Exact_quadtree_traits_2.h>
+#include <CGAL/Fixed_point_quadtree_traits_2.h>
+#include <CGAL/Point_set_mesher_2.h>
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using point_mesh_test::Mode;
+using point_mesh_test::Options;
+using Domain = Options::Domain;
+using Point_error = CGAL::Quadtree_mesh_2::Point_error;
+using Words_32 = CGAL::Fixed_point_quadtree_traits_2<std::uint32_t>;
+using Words_64 = CGAL::Fixed_point_quadtree_traits_2<std::uint64_t>;
+using Exact = CGAL::Exact_quadtree_traits_2<>;
+
+/// Points of the unit square or near it, moved to the middle of the root. (Words of 64 bits up to 2^53, which are
+/// doubles, too.)
+template <class Word>
+CGAL::Fixed_point_2<Word> make_point(const CGAL::Fixed_point_quadtree_traits_2<Word>&,
+                                     const point_sets::Point& p) {
+  const int bits = sizeof(Word) == 8 ? 50 : 28;
+  const auto word = [bits](double x) { return static_cast<Word>(std::floor(std::ldexp(x + 3, bits))); };
+  return {word(p.x()), word(p.y())};
+}
+/// With coordinates that are no doubles.
+Exact::Point_2 make_point(const Exact&, const point_sets::Point& p) {
+  using FT = CGAL::Epeck::FT;
+  return {FT(p.x()) / 3, FT(p.y()) / 3 + FT(1) / 7};
+}
+
+template <class Traits>
+std::vector<typename Traits::Point_2> make_points(const point_sets::Points& points) {
+  std::vector<typename Traits::Point_2> result;
+  for (const auto& p : points) result.push_back(make_point(Traits(), p));
+  return result;
+}
+
+/// Meshes, and checks all that must hold for every mesh.
+template <class Traits>
+void run(const std::vector<typename Traits::Point_2>& points, const Options& options) {
+  CGAL::Point_set_mesher_2<Traits> mesher(options);
+  const auto mesh = mesher(points);
+  for (const std::string& fault : point_mesh_test::faults_of(mesh, points, options, mesher.report()))
+    FAIL_CHECK(fault);
+}
+
+std::vector<std::pair<std::string, Options>> all_modes() {
+  return {{"row", Options().bounded_angles()},
+          {"square", Options().bounded_angles().mesh_domain(Domain::SQUARE)},
+          {"acute", Options().acute()},
+          {"least angle", Options().least_angle()},
+          {"warped squares", Options().warped_squares()}};
+}
+
+std::vector<point_sets::Named_points> inputs(std::size_t n) {
+  return {{"none", {}},
+          {"one", {{0.3, 0.7}}},
+          {"equal", {{0.3, 0.7}, {0.3, 0.7}}},
+          {"two", {{0, 0}, {1, 0.25}}},
+          {"square", {{0, 0}, {1, 0}, {1, 1}, {0, 1}}},
+          {"uniform", quadtree_inputs::uniform(n, 1)},
+          {"clustered", point_sets::clustered(n, 2)},
+          {"horizontal line", point_sets::horizontal_line(n, 3)},
+          {"slanted line", quadtree_inputs::line(n, 4)},
+          {"lattice circle", point_sets::moved(point_sets::lattice_circle(), 0x1p-8, 0, 0)},
+          {"circle", point_sets::circle(n)},
+          {"duplicates", point_sets::moved(point_sets::duplicates(n, 5), 0x1p-3, 0, 0)},
+          {"near pairs", point_sets::close_pairs(n, 0x1p-14, 6)}};
+}
+
+template <class Traits>
+void run_all(std::size_t n) {
+  for (const auto& [name, options] : all_modes())
+    for (const auto& input : inputs(n)) {
+      CAPTURE(name, input.name);
+      run<Traits>(make_points<Traits>(input.points), options);
+    }
+}
+
+} // namespace
+
+TEST_CASE("Points with words as coordinates are meshed as promised", "[point_set_mesher]") {
+  const std::size_t n = is_full_run() ? 100 : 15;
+  SECTION("of 64 bits") { run_all<Words_64>(n); }
+  SECTION("of 32 bits") { run_all<Words_32>(n); }
+}
+
+TEST_CASE("Points with exact coordinates are meshed as promised", "[point_set_mesher]") {
+  run_all<Exact>(is_full_run() ? 60 : 8);
+}
+
+TEST_CASE("Exact acute meshes of points nearer than any word or double tells", "[point_set_mesher]") {
+  const CGAL::Epeck::FT gap(0x1p-100);
+  for (const int turns : {0, 1, 2}) {
+    std::vector<Exact::Point_2> points{{1, 0.5}, {-0.75, 0.25}, {0.125, -1}, {0, 0}};
+    if (turns == 0) points.emplace_back(gap, gap / 3);
+    if (turns == 1) points.emplace_back(-gap, 0);
+    if (turns == 2)
+      for (const int k : {1, 2, 3}) points.emplace_back(gap * k, gap * k * k / 3);
+    run<Exact>(points, Options().acute());
+  }
+}
+
+TEST_CASE("Words are refused that have no room around them", "[point_set_mesher]") {
+  const std::uint64_t end = std::uint64_t(1) << 62;
+  using Points = std::vector<Words_64::Point_2>;
+  for (const auto& [name, options] : all_modes()) {
+    CAPTURE(name);
+    CGAL::Point_set_mesher_2<Words_64> mesher(options);
+    if (options.mode == Mode::LEAST_ANGLE) continue; // its box may touch points
+    CHECK_THROWS_AS(mesher(Points{{0, 0}, {end / 2, 5}}), std::invalid_argument);
+    CHECK_THROWS_AS(mesher(Points{{end - 1, end / 2}, {end / 2, end - 1}}), std::invalid_argument);
+    // neighbours in the grid
+    const std::uint64_t x = std::uint64_t(1) << 52;
+    try {
+      mesher(Points{{x, x}, {x, x}, {x + (x >> 2), x + 12345}, {x + 1, x}});
+      CHECK(options.mode == Mode::ACUTE);
+    } catch (const Point_error& error) {
+      CHECK(error.kind() == Point_error::Kind::TOO_NEAR);
+      CHECK((std::size_t(error.point()) == 0 || std::size_t(error.point()) == 3));
+    }
+  }
+}
