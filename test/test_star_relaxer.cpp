@@ -28,6 +28,7 @@
 using namespace ring_test;
 using internal::Float_lanes;
 using internal::Patch_marks;
+using internal::Patience;
 using internal::Range_lanes;
 using internal::Ring_triangulation;
 using internal::Star_energy;
@@ -247,9 +248,9 @@ TEST_CASE("Gradients of stars are those of finite differences", "[star_relaxer]"
                                         bounds);
         return sum;
       };
-      if (e.has_flat) continue;
+      if (e.has_flat()) continue;
       REQUIRE(double(e.energy) == Approx(energy_at(0, 0)).epsilon(1e-3).margin(1e-6));
-      REQUIRE(double(star.energy(range, 0, 0, 1e30f)) == Approx(double(e.energy)).epsilon(1e-5));
+      REQUIRE(double(star.energy(range, 0, 0)) == Approx(double(e.energy)).epsilon(1e-5));
       const double h = 1e-5;
       REQUIRE(double(e.gx) ==
               Approx((energy_at(h, 0) - energy_at(-h, 0)) / (4 * h)).epsilon(1e-2).margin(1e-4));
@@ -258,12 +259,11 @@ TEST_CASE("Gradients of stars are those of finite differences", "[star_relaxer]"
       REQUIRE(e.hxx >= 0);
       REQUIRE(e.hyy >= 0);
       REQUIRE(double(e.hxx) * double(e.hyy) >= double(e.hxy) * double(e.hxy) * (1 - 1e-5) - 1e-9);
-      // the energy of the star elsewhere, and its bound
-      const float there = star.energy(range, 0.05f, -0.03f, 1e30f);
+      // the energy of the star elsewhere
+      const float there = star.energy(range, 0.05f, -0.03f);
       if (there < 900) {
         REQUIRE(double(there) == Approx(energy_at(double(0.05f), double(-0.03f))).epsilon(1e-3).margin(1e-5));
       }
-      REQUIRE(star.energy(range, 0.05f, -0.03f, there / 2) >= there / 2);
       number_of_stars += e.energy > 0 ? 1 : 0;
     }
   }
@@ -309,7 +309,7 @@ TEST_CASE("Relaxation says only of meshes in the range that they are", "[star_re
     const Mesh before = mesh;
     Workplace work(mesh, range);
     work.begin_with_all();
-    const bool is_relaxed = work.relaxer.relax(30);
+    const bool is_relaxed = work.relaxer.relax(30, Patience::much);
     check_disk(mesh);
     check_motion(before, mesh);
     for (std::size_t v = 0; v < mesh.number_of_vertices(); ++v)
@@ -336,9 +336,9 @@ TEST_CASE("Steps lower the energy of stars", "[star_relaxer]") {
     work.begin_with_all();
     for (const Ring_vertex v : work.patch.members()) {
       const auto p = mesh.point(v);
-      const float before = Star_vectors(mesh, v).energy(range, 0, 0, 1e30f);
+      const float before = Star_vectors(mesh, v).energy(range, 0, 0);
       const float returned = work.relaxer.step(v);
-      const float after = Star_vectors(mesh, v).energy(range, 0, 0, 1e30f);
+      const float after = Star_vectors(mesh, v).energy(range, 0, 0);
       REQUIRE(double(returned) == Approx(double(before)).epsilon(1e-5));
       if (mesh.point(v) == p) continue;
       REQUIRE(internal::is_movable(mesh.ring(v).mobility));
@@ -361,7 +361,7 @@ TEST_CASE("Vertices slide along turned borders", "[star_relaxer]") {
   mesh.along = u;
   Workplace work(mesh, range);
   work.begin_with_all();
-  const bool is_relaxed = work.relaxer.relax(30);
+  const bool is_relaxed = work.relaxer.relax(30, Patience::much);
   CHECK(is_relaxed == are_in_range(mesh, work.patch.members(), {36, 80}));
   for (std::size_t v = 0; v < mesh.number_of_vertices(); ++v) {
     const auto& p = mesh.points[v];
@@ -397,7 +397,7 @@ TEST_CASE("Nothing is asked of triangles of rigid vertices", "[star_relaxer]") {
     const Mesh before = mesh;
     Workplace work(mesh, range);
     work.begin_with_all();
-    const bool is_relaxed = work.relaxer.relax(40);
+    const bool is_relaxed = work.relaxer.relax(40, Patience::much);
     CHECK(is_relaxed == are_in_range(mesh, work.patch.members(), bounds));
     CHECK(angles_of(mesh, {a, b, c}) == angles);
     CHECK(has_triangle(mesh, a, b, c));
@@ -442,13 +442,13 @@ TEST_CASE("No new triangles of rigid vertices are made", "[star_relaxer]") {
     const Mesh before = mesh;
     Workplace work(mesh, range);
     work.begin_with_all();
-    CHECK_FALSE(work.relaxer.relax(9));
+    CHECK_FALSE(work.relaxer.relax(9, Patience::much));
     CHECK(triangles_of(mesh) == triangles_of(before));
     work.begin_with_all();
     CHECK_FALSE(work.relaxer.flip_anyway(1, 3, 0));
     mesh.ring(0).mobility = Mobility::fixed;
     work.begin_with_all();
-    CHECK_FALSE(work.relaxer.relax(9));
+    CHECK_FALSE(work.relaxer.relax(9, Patience::much));
     CHECK(triangles_of(mesh) == Triangle_set{{0, 1, 2}, {0, 2, 3}});
   }
 }
@@ -469,13 +469,13 @@ TEST_CASE("Rigid vertices may have neighbours of very different distance", "[sta
     const Star_vectors star(mesh, 0);
     CHECK(star.is_in_range(range));
     CHECK(star.violated(range) == 0);
-    CHECK(star.energy(range, 0, 0, 1e30f) == 0);
+    CHECK(star.energy(range, 0, 0) == 0);
     CHECK(Star_energy(star, range).energy == 0);
     mesh.points[4].x = -0.9; // too far from 3, too near to 5
     const Star_vectors bad(mesh, 0);
     CHECK(bad.violated(range) == 0b1000);
-    CHECK(bad.energy(range, 0, 0, 1e30f) > 0);
-    CHECK(bad.energy(range, 0, 0, 1e30f) < 10);
+    CHECK(bad.energy(range, 0, 0) > 0);
+    CHECK(bad.energy(range, 0, 0) < 10);
   }
 }
 
@@ -576,7 +576,7 @@ TEST_CASE("Removals keep the range or change nothing", "[star_relaxer]") {
     }
     Workplace work(mesh, range);
     work.begin_with_all();
-    if (!work.relaxer.relax(60)) continue;
+    if (!work.relaxer.relax(60, Patience::much)) continue;
     const Mesh start = mesh;
     for (int round = 0; round < 3; ++round)
       for (std::size_t i = 0; i < mesh.number_of_vertices(); ++i) {
