@@ -71,6 +71,13 @@ struct Star_vectors {
       e = e + demanded(k, Range_lanes(triangles(k, dx, dy), range).energy);
     return sum(e);
   }
+  /// At least `bound` if it is not less.
+  float energy(const Angle_range& range, float dx, float dy, float bound) const {
+    float e = 0;
+    for (int k = 0; k < number_of_triangles && e < bound; k += lanes)
+      e += sum(demanded(k, Range_lanes(triangles(k, dx, dy), range).energy));
+    return e;
+  }
 
   bool is_in_range(const Angle_range& range) const {
     for (int k = 0; k < number_of_triangles; k += lanes) {
@@ -120,6 +127,7 @@ private:
 struct Star_energy {
   float energy, hxx, hxy, hyy, gx, gy;
   float shortest; ///< squared spoke
+  bool has_flat;  ///< whether there may be a flat triangle: few others have that much energy
 
   Star_energy(const Star_vectors& star, const Angle_range& range) {
     Sums sums;
@@ -130,13 +138,11 @@ struct Star_energy {
       sums.add(star, k, t, Range_lanes(t, range), range);
     }
     energy = sum(sums.energy);
+    has_flat = energy >= 0.9f * Angle_range::energy_of_flat;
     if (energy == 0) return;
     shortest = least(squares);
     hxx = sum(sums.xx), hxy = sum(sums.xy), hyy = sum(sums.yy), gx = sum(sums.rx), gy = sum(sums.ry);
   }
-
-  /// Whether there may be a flat triangle: few others have that much.
-  bool has_flat() const { return energy >= 0.9f * Angle_range::energy_of_flat; }
 
 private:
   struct Sums {
@@ -222,7 +228,7 @@ public:
     }
     const Star_energy e(star, range_);
     if (e.energy == 0) return patch_.settle(v), 0.f;
-    const Vector d = e.has_flat() ? searched_step(star, e.energy, mobility) : newton_step(star, e, mobility);
+    const Vector d = e.has_flat ? searched_step(star, e.energy, mobility) : newton_step(star, e, mobility);
     if (d.x != 0 || d.y != 0)
       patch_.move(v, Geometry::translate(patch_.mesh().point(v), (1 / star.scale) * d));
     return e.energy;
@@ -359,7 +365,7 @@ private:
       float least = energy;
       for (const Vector& u : directions) {
         const Vector d = permitted((share * length) * u, mobility);
-        const float e = star.energy(range_, static_cast<float>(d.x), static_cast<float>(d.y));
+        const float e = star.energy(range_, static_cast<float>(d.x), static_cast<float>(d.y), least);
         if (e < least) least = e, best = d;
       }
       if (least < energy) return best;
