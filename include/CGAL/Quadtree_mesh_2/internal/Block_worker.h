@@ -9,7 +9,8 @@
 //
 // Removal goes over the vertices from the shortest edges to the longest, again and again, with patches that get wider
 // from pass to pass: most vertices go with a ring, which is cheap. A vertex is tried again only after something changed
-// near it.
+// near it. Where patches of one ring are the widest there are but two passes with them, and one with two rings over the
+// first vertices: that removes more than further passes with one ring would in that time.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_BLOCK_WORKER_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_BLOCK_WORKER_H
@@ -30,7 +31,7 @@ namespace internal {
 
 /// How far removal goes.
 struct Coarsening_effort {
-  int most_rings = 3;        ///< of the widest patches; 0 for no removal
+  int most_rings = 3;        ///< of the widest patches; 0 for no removal, 1 for mostly one
   double least_share = 0.01; ///< a pass with the widest patches that removes less of the vertices is the last
   /// Bounds the number of tries in a block, by the number of its vertices, in each pass of blocks; 0 for no bound.
   double tries_per_vertex = 0;
@@ -81,22 +82,16 @@ public:
   }
 
   void coarsen(const Coarsening_effort& effort) {
-    std::size_t tries_left =
-        effort.tries_per_vertex > 0
-            ? static_cast<std::size_t>(effort.tries_per_vertex * static_cast<double>(own_.size()))
-            : std::size_t(-1);
+    tries_left_ = effort.tries_per_vertex > 0
+                      ? static_cast<std::size_t>(effort.tries_per_vertex * static_cast<double>(own_.size()))
+                      : std::size_t(-1);
+    if (effort.most_rings == 1) return coarsen_mostly_with_one_ring();
     for (int pass = 1; effort.most_rings > 0; ++pass) {
       const int rings = std::min(pass, effort.most_rings);
       const std::vector<Ring_vertex> candidates = removable(rings);
-      std::size_t removed = 0;
-      for (const Ring_vertex v : candidates) {
-        if (!is_removable(v, rings)) continue;
-        if (tries_left-- == 0) return;
-        if (remover_.remove(v, rings, stages)) ++removed;
-      }
-      if (rings == effort.most_rings &&
-          static_cast<double>(removed) <= effort.least_share * static_cast<double>(candidates.size()))
-        return;
+      const double removed = static_cast<double>(remove(candidates, candidates.size(), rings)),
+                   all = static_cast<double>(candidates.size());
+      if (tries_left_ == 0 || (rings == effort.most_rings && removed <= effort.least_share * all)) return;
     }
   }
 
@@ -109,6 +104,26 @@ private:
   Vertex_remover<Geometry> remover_;
   std::vector<Ring_vertex> spare_, own_;
   Triangle_repairer<Geometry> repairer_;
+
+  std::size_t tries_left_ = 0;
+
+  void coarsen_mostly_with_one_ring() {
+    for (const int rings : {1, 1, 2}) {
+      const std::vector<Ring_vertex> candidates = removable(rings);
+      remove(candidates, rings == 1 ? candidates.size() : candidates.size() / 2, rings);
+    }
+  }
+
+  /// Tries the first `count` candidates. Returns how many are removed.
+  std::size_t remove(const std::vector<Ring_vertex>& candidates, std::size_t count, int rings) {
+    std::size_t removed = 0;
+    for (std::size_t i = 0; i < count && tries_left_ > 0; ++i) {
+      if (!is_removable(candidates[i], rings)) continue;
+      --tries_left_;
+      if (remover_.remove(candidates[i], rings, stages)) ++removed;
+    }
+    return removed;
+  }
 
   bool is_removable(Ring_vertex v, int rings) const {
     const Ring& r = mesh_.ring(v);

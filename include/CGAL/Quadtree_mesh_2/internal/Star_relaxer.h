@@ -32,8 +32,8 @@ struct Star_vectors {
   static constexpr int lanes = Float_lanes::size;
   static constexpr int capacity = 2 * lanes + Ring::max_size;
 
-  alignas(16) float x[capacity];
-  alignas(16) float y[capacity];
+  alignas(16) float x[capacity] = {};
+  alignas(16) float y[capacity] = {};
   int number_of_triangles;
   double scale; ///< of the vectors
 
@@ -67,12 +67,26 @@ struct Star_vectors {
                           Float_lanes::load(x + k + 1) - dx, Float_lanes::load(y + k + 1) - dy);
   }
 
+  /// What the triangles from k on have of something, but 0 for those that are exempt.
+  Float_lanes demanded(int k, Float_lanes of_triangles) const {
+    if (exempt_ == 0) return of_triangles;
+    const auto lane = [&](int i) { return (exempt_ >> (k + i) & 1) != 0 ? 0.f : 1.f; };
+    return of_triangles * Float_lanes(lane(0), lane(1), lane(2), lane(3));
+  }
+
   /// Of the center moved by dx, dy.
   float energy(const Angle_range& range, float dx, float dy) const {
     Float_lanes e(0);
     for (int k = 0; k < number_of_triangles; k += lanes)
       e = e + demanded(k, Range_lanes(triangles(k, dx, dy), range).energy);
     return sum(e);
+  }
+  /// At least `bound` if it is not less.
+  float energy(const Angle_range& range, float dx, float dy, float bound) const {
+    float e = 0;
+    for (int k = 0; k < number_of_triangles && e < bound; k += lanes)
+      e += sum(demanded(k, Range_lanes(triangles(k, dx, dy), range).energy));
+    return e;
   }
 
   bool is_in_range(const Angle_range& range) const {
@@ -127,13 +141,6 @@ private:
     }
   }
 
-  /// What the triangles from k on have of something, but 0 for those that are exempt.
-  Float_lanes demanded(int k, Float_lanes of_triangles) const {
-    if (exempt_ == 0) return of_triangles;
-    const auto lane = [&](int i) { return (exempt_ >> (k + i) & 1) != 0 ? 0.f : 1.f; };
-    return of_triangles * Float_lanes(lane(0), lane(1), lane(2), lane(3));
-  }
-
   void set(int k, Vector d) {
     x[k] = static_cast<float>(scale * d.x);
     y[k] = static_cast<float>(scale * d.y);
@@ -144,6 +151,7 @@ private:
 struct Star_energy {
   float energy, hxx, hxy, hyy, gx, gy;
   float shortest; ///< squared spoke
+  bool has_flat;  ///< whether there may be a flat triangle: few others have that much energy
 
   Star_energy(const Star_vectors& star, const Angle_range& range) {
     Sums sums;
@@ -154,13 +162,11 @@ struct Star_energy {
       sums.add(star, k, t, Range_lanes(t, range), range);
     }
     energy = sum(sums.energy);
+    has_flat = energy >= 0.9f * Angle_range::energy_of_flat;
     if (energy == 0) return;
     shortest = least(squares);
     hxx = sum(sums.xx), hxy = sum(sums.xy), hyy = sum(sums.yy), gx = sum(sums.rx), gy = sum(sums.ry);
   }
-
-  /// Whether there may be a flat triangle: few others have that much.
-  bool has_flat() const { return energy >= 0.9f * Angle_range::energy_of_flat; }
 
 private:
   struct Sums {
@@ -246,7 +252,7 @@ public:
     }
     const Star_energy e(star, range_);
     if (e.energy == 0) return patch_.settle(v), 0.f;
-    const Vector d = e.has_flat() ? searched_step(star, e.energy, mobility) : newton_step(star, e, mobility);
+    const Vector d = e.has_flat ? searched_step(star, e.energy, mobility) : newton_step(star, e, mobility);
     if (d.x != 0 || d.y != 0)
       patch_.move(v, Geometry::translate(patch_.mesh().point(v), (1 / star.scale) * d));
     return e.energy;
@@ -383,7 +389,7 @@ private:
       float least = energy;
       for (const Vector& u : directions) {
         const Vector d = permitted((share * length) * u, mobility);
-        const float e = star.energy(range_, static_cast<float>(d.x), static_cast<float>(d.y));
+        const float e = star.energy(range_, static_cast<float>(d.x), static_cast<float>(d.y), least);
         if (e < least) least = e, best = d;
       }
       if (least < energy) return best;

@@ -202,7 +202,8 @@ private:
       const Ring& r = patch_.mesh().ring(v);
       const Star_vectors star(patch_.mesh(), v);
       for (int first = 0; first < star.number_of_triangles; first += Float_lanes::size) {
-        const Float_lanes e = Range_lanes(star.triangles(first, 0, 0), relaxer_.range()).energy;
+        const Float_lanes e =
+            star.demanded(first, Range_lanes(star.triangles(first, 0, 0), relaxer_.range()).energy);
         for (int k = first; k < std::min(star.number_of_triangles, first + Float_lanes::size); ++k)
           if (is_first_member(v, r[k]) && is_first_member(v, r.next(k)))
             sum += static_cast<double>(e[k - first]);
