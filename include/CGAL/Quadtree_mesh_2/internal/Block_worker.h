@@ -31,8 +31,8 @@ namespace internal {
 
 /// How far removal goes.
 struct Coarsening_effort {
-  int most_rings = 3;          ///< of the widest patches; 0 for no removal, 1 for mostly one
-  double least_share = 0.01;   ///< a pass with the widest patches that removes less of the vertices is the last
+  int most_rings = 3;        ///< of the widest patches; 0 for no removal, 1 for mostly one
+  double least_share = 0.01; ///< a pass with the widest patches that removes less of the vertices is the last
   std::size_t most_tries = std::size_t(-1); ///< in each block and pass of blocks
 };
 
