@@ -90,7 +90,8 @@ struct Range_lanes {
       e = e + r * r;
     }
     constexpr float flat = Angle_range::energy_of_flat, share = Angle_range::least_area_share;
-    energy = select_where_less(floor, t.cross, e, Float_lanes(flat) - Float_lanes(flat * share) * (t.cross * inverse));
+    energy = select_where_less(floor, t.cross, e,
+                               Float_lanes(flat) - Float_lanes(flat * share) * (t.cross * inverse));
   }
 
   /// Per lane, negative where an angle is not in the range for certain.

@@ -186,8 +186,9 @@ private:
       energy = energy + r.energy;
       for (int i = 0; i < 3; ++i) {
         const Float_lanes residual = r.too_large[i] + r.too_small[i];
-        const Float_lanes weight = select_where_less(zero, r.too_large[i], Float_lanes(range.high_weight), zero) -
-                                   select_where_less(zero, r.too_small[i], Float_lanes(range.low_weight), zero);
+        const Float_lanes weight =
+            select_where_less(zero, r.too_large[i], Float_lanes(range.high_weight), zero) -
+            select_where_less(zero, r.too_small[i], Float_lanes(range.low_weight), zero);
         const Float_lanes jx = weight * x[i], jy = weight * y[i];
         xx = xx + jx * jx, xy = xy + jx * jy, yy = yy + jy * jy;
         rx = rx + residual * jx, ry = ry + residual * jy;
@@ -358,7 +359,8 @@ private:
     const double a = e.hxx + lambda, b = e.hxy, c = e.hyy + lambda, determinant = a * c - b * b;
     Vector d{-(c * e.gx - b * e.gy) / determinant, -(a * e.gy - b * e.gx) / determinant};
     if (mobility != Mobility::free) d = sliding_newton_step(e, lambda, mobility);
-    const double longest = longest_share * longest_share * static_cast<double>(e.shortest), length = squared_length(d);
+    const double longest = longest_share * longest_share * static_cast<double>(e.shortest),
+                 length = squared_length(d);
     if (length > longest) d = std::sqrt(longest / length) * d;
     const float bound = e.energy * (1 - least_gain);
     for (double share = first_share; share > 0.1; share *= 0.5)
