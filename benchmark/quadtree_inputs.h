@@ -86,10 +86,10 @@ inline Points line(std::size_t n, std::uint64_t seed) {
   return points;
 }
 
-/// A spiral whose radius is halved with every turn, from the outside in, until neighbours on it are a few
-/// units in the last place apart. Half of the turns are too small for trees of 29 levels.
-inline Points spiral(std::size_t n, std::uint64_t) {
-  const double turns = std::floor(58 - std::log2(double(n)));
+/// A spiral whose radius is halved with every turn, from the outside in: the more points, the fewer turns, so
+/// that neighbours in the middle are 2^-bits apart up to a small factor.
+inline Points spiral_of(std::size_t n, double bits) {
+  const double turns = std::floor(bits - std::log2(double(n)));
   Points points;
   points.reserve(n);
   for (std::size_t i = 0; i < n; ++i) {
@@ -99,6 +99,13 @@ inline Points spiral(std::size_t n, std::uint64_t) {
   }
   return points;
 }
+
+/// Until neighbours are a few units in the last place apart. Half of the turns are too small for trees of 29
+/// levels, and the innermost ones for meshes.
+inline Points spiral(std::size_t n, std::uint64_t) { return spiral_of(n, 58); }
+
+/// As far in as meshes of tiles can go, and a bit less: until neighbours are 2^-40 apart or so.
+inline Points short_spiral(std::size_t n, std::uint64_t) { return spiral_of(n, 46); }
 
 /// Clusters of about as many points as there are clusters, the widest a thousand times as wide as the narrowest.
 inline Points clusters(std::size_t n, std::uint64_t seed) {
@@ -154,10 +161,11 @@ struct Input {
 };
 
 inline const std::vector<Input>& all() {
-  static const std::vector<Input> inputs{
-      {"uniform", uniform}, {"plummer", plummer}, {"kuzmin", kuzmin},     {"grid", grid},
-      {"line", line},       {"spiral", spiral},   {"clusters", clusters}, {"close-pairs", close_pairs},
-      {"nested", nested}};
+  static const std::vector<Input> inputs{{"uniform", uniform},   {"plummer", plummer},
+                                         {"kuzmin", kuzmin},     {"grid", grid},
+                                         {"line", line},         {"spiral", spiral},
+                                         {"clusters", clusters}, {"close-pairs", close_pairs},
+                                         {"nested", nested},     {"short-spiral", short_spiral}};
   return inputs;
 }
 

@@ -35,11 +35,11 @@ points() {
   say "points: $name"
   "$root/build/bin/points" --json "$root/build/points_$name.json" "$@"
 }
-points modes uniform clusters kuzmin plummer grid line spiral --n 1e3 --repeat 3 --limit 30 "$@"
+points modes uniform clusters kuzmin plummer grid line short-spiral --n 1e3 --repeat 3 --limit 30 "$@"
 points near close-pairs nested --n 300 --modes acute points warped bounded --repeat 1 --limit 60 "$@"
 points large uniform kuzmin --n 1e4 --modes bounded acute points --repeat 1 --limit 120 "$@"
-points growth uniform spiral close-pairs nested --growth --modes acute:1 points --n 1e3 1e4 1e5 --repeat 1 \
-  --limit 60 "$@"
+points growth uniform short-spiral nested --growth --modes acute:1 points --n 1e3 1e4 1e5 --repeat 1 --limit 120 "$@"
+points growth_near close-pairs --growth --modes acute:1 points --n 300 1e3 3e3 --repeat 1 --limit 120 "$@"
 points threads uniform --n 1e4 --modes bounded:1 acute:1 points --peers none --repeat 3 --threads 1 2 4
 
 say "quadtrees"

@@ -91,10 +91,12 @@ TEST_CASE("Nested clusters are nested", "[benchmark]") {
 }
 
 TEST_CASE("A spiral goes inwards, a line is straight", "[benchmark]") {
-  const Points spiral = make("spiral", 1000);
   const Point_2 center(0.5, 0.5);
-  for (std::size_t i = 100; i < spiral.size(); i += 100)
-    CHECK(distance(spiral[i], center) < 0.1 * distance(spiral[i - 100], center));
+  for (const char* name : {"spiral", "short-spiral"}) {
+    const Points spiral = make(name, 1000);
+    for (std::size_t i = 100; i < spiral.size(); i += 100)
+      CHECK(distance(spiral[i], center) < 0.1 * distance(spiral[i - 100], center));
+  }
   const Points line = make("line", 100);
   for (const Point_2& p : line)
     CHECK(p.y() * line.front().x() == Approx(line.front().y() * p.x()).epsilon(1e-14));
