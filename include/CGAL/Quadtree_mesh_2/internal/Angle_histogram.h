@@ -42,8 +42,9 @@ public:
   }
 
   std::size_t operator()(double x) const {
+    // In this order what is no number, of triangles so small that products underflow, becomes 0.
     const double cell =
-        std::min(std::max((x - thresholds_[0]) * cells_per_unit_, 0.0), number_of_cells - 1.0);
+        std::min(std::max(0.0, (x - thresholds_[0]) * cells_per_unit_), number_of_cells - 1.0);
     std::size_t bin = first_[static_cast<std::size_t>(cell)];
     while (bin + 1 < NumberOfBins && x >= thresholds_[bin + 1]) ++bin;
     return bin;
