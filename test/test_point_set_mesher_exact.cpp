@@ -120,17 +120,17 @@ TEST_CASE("Exact acute meshes of points nearer than any word or double tells", "
 
 TEST_CASE("Words are refused that have no room around them", "[point_set_mesher]") {
   const std::uint64_t end = std::uint64_t(1) << 62;
-  using Points = std::vector<Words_64::Point_2>;
+  using Words = std::vector<Words_64::Point_2>;
   for (const auto& [name, options] : all_modes()) {
     CAPTURE(name);
     CGAL::Point_set_mesher_2<Words_64> mesher(options);
     if (options.mode == Mode::LEAST_ANGLE) continue; // its box may touch points
-    CHECK_THROWS_AS(mesher(Points{{0, 0}, {end / 2, 5}}), std::invalid_argument);
-    CHECK_THROWS_AS(mesher(Points{{end - 1, end / 2}, {end / 2, end - 1}}), std::invalid_argument);
+    CHECK_THROWS_AS(mesher(Words{{0, 0}, {end / 2, 5}}), std::invalid_argument);
+    CHECK_THROWS_AS(mesher(Words{{end - 1, end / 2}, {end / 2, end - 1}}), std::invalid_argument);
     // neighbours in the grid
     const std::uint64_t x = std::uint64_t(1) << 52;
     try {
-      mesher(Points{{x, x}, {x, x}, {x + (x >> 2), x + 12345}, {x + 1, x}});
+      mesher(Words{{x, x}, {x, x}, {x + (x >> 2), x + 12345}, {x + 1, x}});
       CHECK(options.mode == Mode::ACUTE);
     } catch (const Point_error& error) {
       CHECK(error.kind() == Point_error::Kind::TOO_NEAR);
