@@ -30,13 +30,14 @@ using Words_32 = CGAL::Fixed_point_quadtree_traits_2<std::uint32_t>;
 using Words_64 = CGAL::Fixed_point_quadtree_traits_2<std::uint64_t>;
 using Exact = CGAL::Exact_quadtree_traits_2<>;
 
-/// Points of the unit square or near it, moved to the middle of the root. (Words of 64 bits up to 2^53, which are
-/// doubles, too.)
+/// Points of the unit square or near it, moved to where the root has room around them. (Words of 64 bits up to 2^53,
+/// which are doubles, too.)
 template <class Word>
 CGAL::Fixed_point_2<Word> make_point(const CGAL::Fixed_point_quadtree_traits_2<Word>&,
                                      const point_sets::Point& p) {
-  const int bits = sizeof(Word) == 8 ? 50 : 28;
-  const auto word = [bits](double x) { return static_cast<Word>(std::floor(std::ldexp(x + 3, bits))); };
+  const double middle = sizeof(Word) == 8 ? 512 : 7.5;
+  const int bits = sizeof(Word) == 8 ? 42 : 27;
+  const auto word = [&](double x) { return static_cast<Word>(std::floor(std::ldexp(x + middle, bits))); };
   return {word(p.x()), word(p.y())};
 }
 /// With coordinates that are no doubles.
