@@ -264,30 +264,38 @@ private:
             farthest([&](Place p) { return cross(a, c, p); })};
   }
 
+  /// What vertices of the border are rounded to, once for each time they were moved along it.
+  Real unit_of_border(Real length) const {
+    using CGAL::Quadtree_mesh_2::internal::to_nearest_double;
+    using Coordinate = std::decay_t<decltype(points_[0].x())>;
+    if (std::is_integral_v<Coordinate>) return 1;
+    if (!std::is_floating_point_v<Coordinate>) return length * 0x1p-30L; // exact ones to a share of the way
+    Real largest = 0;
+    for (const Point& p : mesh_.points)
+      largest = std::max(
+          {largest, std::fabs(Real(to_nearest_double(p.x()))), std::fabs(Real(to_nearest_double(p.y())))});
+    return largest * 0x1p-52L;
+  }
+
   void check_domain() {
     const std::vector<Place> ring = border();
     if (ring.empty()) return faults_.push_back("the border is not one ring");
     const std::array<Place, 4> q = corners_of(ring);
     const Real length = distance(q[0], q[1]), width = distance(q[1], q[2]);
-    using CGAL::Quadtree_mesh_2::internal::to_nearest_double;
-    // Border vertices are rounded to the user's coordinates, once for each time they were moved along the border.
-    Real unit = 0;
-    for (const Point& p : mesh_.points)
-      unit = std::max(
-          {unit, std::fabs(Real(to_nearest_double(p.x()))), std::fabs(Real(to_nearest_double(p.y())))});
-    unit = std::is_integral_v<std::decay_t<decltype(points_[0].x())>> ? 1 : unit * 0x1p-52L;
-    const Real slack = 16 * unit;
+    const Real unit = unit_of_border(std::max(length, width)), slack = 16 * unit;
     expect(std::fabs(distance(q[0], q[2]) - distance(q[1], q[3])) <= 4 * slack &&
                std::fabs(length - distance(q[2], q[3])) <= 4 * slack &&
                std::fabs(width - distance(q[3], q[0])) <= 4 * slack,
            "the domain is no rectangle");
+    Real farthest = 0;
     for (const Place& p : ring) {
       Real nearest = std::numeric_limits<Real>::infinity();
       for (std::size_t k = 0; k < 4; ++k)
         nearest =
             std::min(nearest, std::fabs(cross(q[k], q[(k + 1) % 4], p)) / distance(q[k], q[(k + 1) % 4]));
-      expect(nearest <= slack, "a vertex of the border is on no side");
+      farthest = std::max(farthest, nearest);
     }
+    expect(farthest <= slack, "a vertex of the border is " + text(farthest / unit) + " units from all sides");
     Real area = 0;
     for (std::size_t i = 1; i + 1 < ring.size(); ++i) area += cross(ring[0], ring[i], ring[i + 1]) / 2;
     expect(std::fabs(area - length * width) <= 4 * slack * (length + width), "the border goes around twice");

@@ -131,7 +131,7 @@ inline Points duplicates(std::size_t n, std::uint64_t seed) {
 
 /// One of each kind, of at most about `20 size` points.
 inline std::vector<Named_points> nasty(std::size_t size) {
-  const Points some = quadtree_inputs::uniform(40, 5);
+  const Points some = quadtree_inputs::uniform(5 + size, 5);
   return {{"none", {}},
           {"one", {{0.3, -7}}},
           {"one at the origin", {{0, 0}}},

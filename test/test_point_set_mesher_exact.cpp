@@ -30,13 +30,14 @@ using Words_32 = CGAL::Fixed_point_quadtree_traits_2<std::uint32_t>;
 using Words_64 = CGAL::Fixed_point_quadtree_traits_2<std::uint64_t>;
 using Exact = CGAL::Exact_quadtree_traits_2<>;
 
-/// Points of the unit square or near it, moved to the middle of the root. (Words of 64 bits up to 2^53, which are
-/// doubles, too.)
+/// Points of the unit square or near it, moved to where the root has room around them. (Words of 64 bits up to 2^53,
+/// which are doubles, too.)
 template <class Word>
 CGAL::Fixed_point_2<Word> make_point(const CGAL::Fixed_point_quadtree_traits_2<Word>&,
                                      const point_sets::Point& p) {
-  const int bits = sizeof(Word) == 8 ? 50 : 28;
-  const auto word = [bits](double x) { return static_cast<Word>(std::floor(std::ldexp(x + 3, bits))); };
+  const double middle = sizeof(Word) == 8 ? 512 : 7.5;
+  const int bits = sizeof(Word) == 8 ? 42 : 27;
+  const auto word = [&](double x) { return static_cast<Word>(std::floor(std::ldexp(x + middle, bits))); };
   return {word(p.x()), word(p.y())};
 }
 /// With coordinates that are no doubles.
@@ -120,17 +121,17 @@ TEST_CASE("Exact acute meshes of points nearer than any word or double tells", "
 
 TEST_CASE("Words are refused that have no room around them", "[point_set_mesher]") {
   const std::uint64_t end = std::uint64_t(1) << 62;
-  using Points = std::vector<Words_64::Point_2>;
+  using Words = std::vector<Words_64::Point_2>;
   for (const auto& [name, options] : all_modes()) {
     CAPTURE(name);
     CGAL::Point_set_mesher_2<Words_64> mesher(options);
     if (options.mode == Mode::LEAST_ANGLE) continue; // its box may touch points
-    CHECK_THROWS_AS(mesher(Points{{0, 0}, {end / 2, 5}}), std::invalid_argument);
-    CHECK_THROWS_AS(mesher(Points{{end - 1, end / 2}, {end / 2, end - 1}}), std::invalid_argument);
+    CHECK_THROWS_AS(mesher(Words{{0, 0}, {end / 2, 5}}), std::invalid_argument);
+    CHECK_THROWS_AS(mesher(Words{{end - 1, end / 2}, {end / 2, end - 1}}), std::invalid_argument);
     // neighbours in the grid
     const std::uint64_t x = std::uint64_t(1) << 52;
     try {
-      mesher(Points{{x, x}, {x, x}, {x + (x >> 2), x + 12345}, {x + 1, x}});
+      mesher(Words{{x, x}, {x, x}, {x + (x >> 2), x + 12345}, {x + 1, x}});
       CHECK(options.mode == Mode::ACUTE);
     } catch (const Point_error& error) {
       CHECK(error.kind() == Point_error::Kind::TOO_NEAR);

@@ -92,7 +92,8 @@ void indexed_mesh_to_constrained_Delaunay_triangulation_2(const Indexed_mesh_2<P
 /// an `info()`, it becomes the vertex's index in the mesh as above.
 ///
 /// CGAL's triangulations fill convex hulls exactly, and borders of meshes are straight up to rounding only: the rows
-/// of squares of `Point_set_mesher_2`, over doubles, are as a rule slanted, and vertices on their sides a last bit off.
+/// of squares of `Point_set_mesher_2` are as a rule slanted, and vertices on their sides some last bits off, with exact
+/// coordinates 2^-30 of an edge.
 /// The flat pockets between them and the hull become faces, too, which come next, are no triangles of the mesh, and
 /// tell nothing by their angles. No border edge faces the blunt angle of such a face; so a mesh without blunt angles
 /// remains Delaunay: those of BOUNDED_ANGLES and ACUTE do. Squares parallel to the axes have no pockets.

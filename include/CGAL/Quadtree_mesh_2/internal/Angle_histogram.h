@@ -43,6 +43,7 @@ public:
 
   /// What is not a number is put into the first bin.
   std::size_t operator()(double x) const {
+    // In this order what is no number, of triangles so small that products underflow, becomes 0.
     const double cell =
         std::min(std::max(0.0, (x - thresholds_[0]) * cells_per_unit_), number_of_cells - 1.0);
     std::size_t bin = first_[static_cast<std::size_t>(cell)];

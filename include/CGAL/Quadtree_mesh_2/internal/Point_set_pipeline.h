@@ -26,6 +26,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/Distinct_points.h>
 #include <CGAL/Quadtree_mesh_2/internal/Mesh_pipeline.h>
 #include <CGAL/Quadtree_mesh_2/internal/Phase_timer.h>
+#include <CGAL/Quadtree_mesh_2/internal/Separated_quadtree.h>
 #include <CGAL/Quadtree_mesh_2/internal/Site_mesh.h>
 #include <CGAL/Quadtree_mesh_2/internal/Tile_forest.h>
 #include <CGAL/Quadtree_mesh_2/internal/coordinate_map.h>
@@ -229,7 +230,7 @@ private:
     Warped_mesh warped;
     {
       Phase_timer timer(report_.seconds.quadtree);
-      warped = Corner_warper<Concurrency_tag>::run(places);
+      warped = warped_squares(places, distinct);
     }
     Phase_timer timer(report_.seconds.convert);
     std::vector<Kernel_point> vertices(warped.places.size());
@@ -244,8 +245,46 @@ private:
     report_.vertices = mesh.number_of_vertices() - report_.merged_points;
     report_.triangles = report_.triangles_before_coarsening = mesh.number_of_triangles();
     report_.rounds = 1;
+    check_orientations(mesh, map);
     measure_angles(mesh, map);
     return mesh;
+  }
+
+  /// \throws Point_error for points that are too near to each other.
+  static Warped_mesh warped_squares(const std::vector<Fixed_point_2<std::uint64_t>>& places,
+                                    const Distinct& distinct) try {
+    Warped_mesh warped = Corner_warper<Concurrency_tag>::run(places);
+    constexpr std::size_t none = std::size_t(-1);
+    std::vector<std::size_t> point_at(warped.places.size(), none);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      std::size_t& other = point_at[std::size_t(warped.vertex_of_point[i])];
+      if (other != none)
+        throw Point_error(Point_error::Kind::INDISTINGUISHABLE, Point_index(distinct.input_point(other)),
+                          Point_index(distinct.input_point(i)));
+      other = i;
+    }
+    return warped;
+  } catch (const Separation_error& e) {
+    throw Point_error(Point_error::Kind::TOO_NEAR, Point_index(distinct.input_point(std::size_t(e.point()))));
+  }
+
+  /// Between points that differ in their last bits only, the grid has room for corners, but coordinates have not.
+  /// \throws Point_error naming the point nearest to a triangle that rounding has made flat or turned around.
+  void check_orientations(const Mesh& mesh, const Map& map) const {
+    const auto point = [&](Vertex_index v) { return map.to_kernel(mesh.point(v)); };
+    const std::vector<std::uint32_t> wrong = pack<Concurrency_tag>(mesh.triangles.size(), [&](std::size_t t) {
+      const auto& v = mesh.triangles[t];
+      return Geometry::orientation(point(v[0]), point(v[1]), point(v[2])) <= 0;
+    });
+    if (wrong.empty()) return;
+    const Kernel_point corner = point(mesh.triangles[wrong[0]][0]);
+    const auto distance = [&](std::size_t i) {
+      return squared_length(Geometry::difference(map.to_kernel(points_[i]), corner));
+    };
+    std::size_t nearest = 0;
+    for (std::size_t i = 1; i < points_.size(); ++i)
+      if (distance(i) < distance(nearest)) nearest = i;
+    throw Point_error(Point_error::Kind::TOO_NEAR, Point_index(nearest));
   }
 
   void measure_angles(const Mesh& mesh, const Map& map) {

@@ -61,6 +61,19 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
+/// A point is so near to another one that there are no squares between them.
+class Separation_error : public std::invalid_argument {
+public:
+  explicit Separation_error(Point_index point)
+      : std::invalid_argument("point " + std::to_string(point.value()) +
+                              " is too near another one: there are no squares between them on the grid"),
+        point_(point) {}
+  Point_index point() const { return point_; }
+
+private:
+  Point_index point_;
+};
+
 /// The corner of a point's leaf nearest to it: whether it is a right one, and an upper one.
 struct Nearest_corner {
   bool is_right, is_upper;
@@ -81,7 +94,7 @@ public:
   using Tree = Balanced_quadtree<Traits, Concurrency_tag>;
 
   /// \pre points are in the middle half of the root: coordinates are in [2^60, 3 2^60)
-  /// \throws std::invalid_argument if distinct points are so near each other, less than 4 units of the grid, that no
+  /// \throws Separation_error if distinct points are so near each other, less than 4 units of the grid, that no
   ///         squares fit between them.
   static Tree of(const std::vector<Point>& points) {
     CGAL_precondition(std::all_of(points.begin(), points.end(), is_in_middle_half));
@@ -174,8 +187,7 @@ private:
 
   static const Leaves& splittable(const Tree& tree, const Leaves& leaves, Point_rank r) {
     if (tree.level(leaves.leaf[0]) < Traits::depth) return leaves;
-    throw std::invalid_argument("point " + std::to_string(tree.framework().input_point(r).value()) +
-                                " is too near another one: there are no squares between them on the grid");
+    throw Separation_error(tree.framework().input_point(r));
   }
 
   /// \param group the point's own leaf and those beside, across and above or below

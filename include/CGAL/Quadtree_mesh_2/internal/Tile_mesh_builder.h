@@ -111,7 +111,8 @@ Balanced_quadtree<Tile_traits, Concurrency_tag> tile_quadtree(const Tile_sites& 
     levels[r] = demands.levels[std::size_t(framework.input_point(Point_rank(r)))];
   });
   for (const Duplicate_point& d : framework.duplicates()) {
-    CGAL_precondition(d.duplicate.value() >= sites.size()); // sites are distinct
+    // Places of sites are rounded.
+    if (d.duplicate.value() < sites.size()) throw Tile_level_error(d.duplicate.value());
     int& level = levels[std::size_t(framework.rank(d.kept))];
     level = std::max(level, demands.levels[std::size_t(d.duplicate)]);
   }
