@@ -98,13 +98,13 @@ void run_all(std::size_t n) {
 } // namespace
 
 TEST_CASE("Points with words as coordinates are meshed as promised", "[point_set_mesher]") {
-  const std::size_t n = is_full_run() ? 100 : 15;
+  const std::size_t n = is_full_run() ? 100 : 6;
   SECTION("of 64 bits") { run_all<Words_64>(n); }
   SECTION("of 32 bits") { run_all<Words_32>(n); }
 }
 
 TEST_CASE("Points with exact coordinates are meshed as promised", "[point_set_mesher]") {
-  run_all<Exact>(is_full_run() ? 60 : 8);
+  run_all<Exact>(is_full_run() ? 60 : 4);
 }
 
 TEST_CASE("Exact acute meshes of points nearer than any word or double tells", "[point_set_mesher]") {
