@@ -140,8 +140,8 @@ TEST_CASE("Points at one place of the grid are named, also after duplicates", "[
   for (const auto& [name, options] : all_modes()) {
     if (options.mode == Mode::LEAST_ANGLE) continue;
     CAPTURE(name);
-    if (options.mode == Mode::ACUTE) { // a cluster, with a grid of its own
-      CHECK(run(points, options).report.clusters == 1);
+    if (options.mode == Mode::ACUTE) { // clusters, with grids of their own
+      CHECK(run(points, options).report.clusters >= 1);
       continue;
     }
     const Point_error error = error_of(points, options);

@@ -39,6 +39,7 @@ std::vector<std::pair<std::string, Options>> all_modes() {
   return {{"row", Options().bounded_angles().effort(1)},
           {"square", Options().bounded_angles().effort(1).mesh_domain(Domain::SQUARE)},
           {"acute", Options().acute().effort(1)},
+          {"acute, many clusters", Options().acute().clusters(2248).effort(1)},
           {"budget", Options().acute().effort(1).max_removals(500)},
           {"least angle", Options().least_angle()},
           {"warped squares", Options().warped_squares()}};
@@ -46,9 +47,9 @@ std::vector<std::pair<std::string, Options>> all_modes() {
 
 /// More than one block of vertices each.
 std::vector<point_sets::Named_points> inputs() {
-  const std::size_t n = is_full_run() ? 3000 : 400;
+  const std::size_t n = is_full_run() ? 3000 : 250;
   return {{"uniform", quadtree_inputs::uniform(n, 1)},
-          {"nested clusters", point_sets::nested_clusters(n / 2, 1e-7, 3, 2)},
+          {"clusters", point_sets::nested_clusters(n / 2, 1e-7, 1, 2)},
           {"near pairs", point_sets::close_pairs(n / 2, 1e-5, 3)},
           {"line", quadtree_inputs::line(n / 2, 4)}};
 }
