@@ -47,7 +47,7 @@ std::vector<std::pair<std::string, Options>> all_modes() {
 
 /// More than one block of vertices each.
 std::vector<point_sets::Named_points> inputs() {
-  const std::size_t n = is_full_run() ? 3000 : 250;
+  const std::size_t n = is_full_run() ? 3000 : 130;
   return {{"uniform", quadtree_inputs::uniform(n, 1)},
           {"clusters", point_sets::nested_clusters(n / 2, 1e-7, 1, 2)},
           {"near pairs", point_sets::close_pairs(n / 2, 1e-5, 3)},
@@ -61,15 +61,17 @@ TEST_CASE("Meshes of points are the same with any number of threads and from run
   for (const auto& [name, options] : all_modes())
     for (const auto& input : inputs()) {
       CAPTURE(name, input.name);
+      if (!is_full_run() && (name == "square" || name == "acute" || name == "least angle")) continue;
       const Mesh sequential = Mesher_of<CGAL::Sequential_tag>(options)(input.points);
-      for (const std::size_t threads : {1u, 2u, 4u}) {
+      for (const std::size_t threads :
+           is_full_run() ? std::vector<std::size_t>{1, 2, 4} : std::vector<std::size_t>{4}) {
         CAPTURE(threads);
 #ifdef CGAL_LINKED_WITH_TBB
         const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
 #endif
         CHECK(is_same(Mesher_of<CGAL::Parallel_tag>(options)(input.points), sequential));
       }
-      CHECK(is_same(Mesher_of<CGAL::Sequential_tag>(options)(input.points), sequential));
+      if (is_full_run()) CHECK(is_same(Mesher_of<CGAL::Sequential_tag>(options)(input.points), sequential));
     }
 }
 
