@@ -126,7 +126,8 @@ Balanced_quadtree<Tile_traits, Concurrency_tag> tile_quadtree(const Tile_sites& 
 template <class Concurrency_tag = Sequential_tag>
 class Tile_mesh_builder {
 public:
-  /// \throws std::length_error if a site has a level below `max_tile_level`, or there are too many vertices.
+  /// \throws Tile_level_error if a site wants a leaf that would be too small, std::length_error if there are too many
+  ///         vertices.
   explicit Tile_mesh_builder(const Tile_sites& sites) : sites_(sites) { check_tile_sites(sites); }
 
   Tile_mesh build() {

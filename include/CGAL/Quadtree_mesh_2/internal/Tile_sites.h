@@ -95,8 +95,7 @@ class Tile_level_error : public std::length_error {
 public:
   explicit Tile_level_error(std::size_t site)
       : std::length_error("mesh of tiles: point " + std::to_string(site) +
-                          " is too near another point: its square would have a level above " +
-                          std::to_string(max_tile_level)),
+                          " is too near another point: its square would be too small"),
         site_(site) {}
   std::size_t site() const { return site_; }
 
@@ -110,6 +109,7 @@ struct Tile_sites {
   std::vector<int> levels;            ///< by site, the least level of its leaf; or empty, for level 0
   std::vector<Site_kind> kinds;       ///< by site; or empty, if all are `on_demand`
   Tile_window window = Tile_window(); ///< by default the root
+  int max_level = max_tile_level;     ///< of the leaves of sites; less if coordinates are coarse
 
   std::size_t size() const { return places.size(); }
   int level(std::size_t i) const { return levels.empty() ? 0 : levels[i]; }
@@ -122,9 +122,10 @@ inline void check_tile_sites(const Tile_sites& sites) {
   CGAL_precondition(sites.levels.empty() || sites.levels.size() == sites.size());
   CGAL_precondition(sites.kinds.empty() || sites.kinds.size() == sites.size());
   CGAL_precondition(sites.window.is_valid());
+  CGAL_precondition(sites.max_level <= max_tile_level);
   for (std::size_t i = 0; i < sites.size(); ++i) {
     CGAL_precondition(sites.window.contains(sites.places[i].x(), sites.places[i].y()));
-    if (sites.level(i) > max_tile_level) throw Tile_level_error(i);
+    if (sites.level(i) > sites.max_level) throw Tile_level_error(i);
   }
 }
 

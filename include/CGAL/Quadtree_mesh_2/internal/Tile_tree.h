@@ -21,6 +21,8 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
@@ -147,14 +149,37 @@ private:
                      end = std::uint64_t(Cluster_frame_2::window_end);
       result.window = {Cluster_frame_2::level_of_cells, begin, end, begin, end};
     }
+    result.max_level = max_level();
     return result;
   }
 
-  /// \pre frames parallel to the axes have roots with powers of two as sides
+  /// Vertices of tiles that are rounded to coordinates have to keep their angles: leaves have 2^7 units or more.
+  int max_level() const {
+    using Coordinate = typename Geometry::Coordinate;
+    constexpr int log_units = 7;
+    if constexpr (std::is_integral<Coordinate>::value) {
+      return std::min(max_tile_level, log_side_of_root() - log_units);
+    } else if constexpr (std::is_floating_point<Coordinate>::value) {
+      constexpr std::uint64_t side = std::uint64_t(1) << Tile_traits::depth;
+      double largest = 0;
+      for (const Tile_place& corner :
+           {Tile_place{0, 0}, Tile_place{side, 0}, Tile_place{side, side}, Tile_place{0, side}}) {
+        const Point p = point_at(corner);
+        largest = std::max({largest, std::fabs(p.x), std::fabs(p.y)});
+      }
+      constexpr int digits = std::numeric_limits<Coordinate>::digits - 1;
+      return std::min(max_tile_level, log_side_of_root() - (std::ilogb(largest) - digits) - log_units);
+    } else {
+      return max_tile_level;
+    }
+  }
+
+  /// Rounded down, for roots that are turned: those parallel to the axes have powers of two as sides.
   int log_side_of_root() const {
     if (is_of_cluster()) return cluster_frame().log_side(0);
     constexpr std::uint64_t side = std::uint64_t(1) << Tile_traits::depth;
-    return std::ilogb(Geometry::difference(point_at({side, 0}), point_at({0, 0})).x);
+    const Vector v = Geometry::difference(point_at({side, 0}), point_at({0, 0}));
+    return std::ilogb(std::max(std::fabs(v.x), std::sqrt(squared_length(v))));
   }
 
   int level_of_cluster(double distance) const {
