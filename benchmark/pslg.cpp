@@ -9,6 +9,7 @@
 // needs, and a mesher that does not end is stopped. Prints Markdown tables; --json FILE writes the same
 // figures for programs. Ends with status 1 if a mesh of ours is not valid.
 
+#include "benchmark_options.h"
 #include "pslg_inputs.h"
 #include "pslg_mesh_2.h"
 #include "pslg_ours.h"
@@ -25,7 +26,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <optional>
 #include <stdexcept>
@@ -197,27 +197,10 @@ void complete(Settings& settings) {
 std::optional<Settings> parse(int argc, char** argv) {
   Settings settings;
   const po::options_description visible = visible_options(settings);
-  po::options_description all = visible;
-  all.add_options()("input", po::value(&settings.inputs));
-  po::positional_options_description positional;
-  positional.add("input", -1);
   po::variables_map given;
-  po::store(po::command_line_parser(argc, argv).options(all).positional(positional).run(), given);
-  po::notify(given);
-  if (given.count("help") > 0) {
-    std::cout << visible;
-    return std::nullopt;
-  }
+  if (!parse_options_and_inputs(argc, argv, visible, settings.inputs, given)) return std::nullopt;
   complete(settings);
   return settings;
-}
-
-void write_json(const ordered_json& comparisons, const Settings& settings) {
-  const ordered_json json{
-      {"repetitions", settings.repetitions}, {"cgal", CGAL_VERSION_STR}, {"comparisons", comparisons}};
-  std::ofstream out(settings.json_file);
-  out << json.dump(2) << '\n';
-  if (!out.flush()) throw std::runtime_error("cannot write '" + settings.json_file + "'");
 }
 
 } // namespace
@@ -233,7 +216,8 @@ int main(int argc, char** argv) try {
     for (const Pslg_comparison& comparison : comparisons) has_fault |= !comparison.fault().empty();
     for (auto& comparison : pslg_tables::to_json(comparisons)) json.push_back(comparison);
   }
-  if (!settings->json_file.empty()) write_json(json, *settings);
+  if (!settings->json_file.empty())
+    write_figures(settings->json_file, "comparisons", json, settings->repetitions);
   return has_fault ? 1 : 0;
 } catch (const std::exception& error) {
   std::cerr << "error: " << error.what() << '\n';

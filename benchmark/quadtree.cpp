@@ -9,6 +9,7 @@
 // and one that does not end is stopped. Prints Markdown tables; --json FILE writes the same figures for
 // programs. With --rounds it counts steps, work and critical path of our trees instead.
 
+#include "benchmark_options.h"
 #include "quadtree_cgal.h"
 #include "quadtree_floors.h"
 #include "quadtree_inputs.h"
@@ -25,7 +26,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <fstream>
 #include <iostream>
 #include <iterator>
 #include <optional>
@@ -184,17 +184,8 @@ std::optional<Settings> parse(int argc, char** argv) {
       ("rounds", po::bool_switch(&settings.counts_rounds),
        "count parallel steps, work and critical path of our trees, and nothing else") //
       ("json", po::value(&settings.json_file), "write the figures to this file, too");
-  po::options_description all = visible;
-  all.add_options()("input", po::value(&settings.inputs));
-  po::positional_options_description positional;
-  positional.add("input", -1);
   po::variables_map given;
-  po::store(po::command_line_parser(argc, argv).options(all).positional(positional).run(), given);
-  po::notify(given);
-  if (given.count("help") > 0) {
-    std::cout << visible;
-    return std::nullopt;
-  }
+  if (!parse_options_and_inputs(argc, argv, visible, settings.inputs, given)) return std::nullopt;
   settings.has_peers = given.count("no-peers") == 0;
   settings.has_floors = given.count("no-floors") == 0;
   settings.repetitions = std::max(settings.repetitions, 1);
@@ -212,12 +203,8 @@ int main(int argc, char** argv) try {
   if (!settings) return 0;
   const ordered_json figures = settings->counts_rounds ? count_rounds(*settings) : compare_all(*settings);
   if (settings->json_file.empty()) return 0;
-  const ordered_json json = {{"repetitions", settings->repetitions},
-                             {"cgal", CGAL_VERSION_STR},
-                             {settings->counts_rounds ? "rounds" : "comparisons", figures}};
-  std::ofstream out(settings->json_file);
-  out << json.dump(2) << '\n';
-  if (!out.flush()) throw std::runtime_error("cannot write '" + settings->json_file + "'");
+  write_figures(settings->json_file, settings->counts_rounds ? "rounds" : "comparisons", figures,
+                settings->repetitions);
 } catch (const std::exception& error) {
   std::cerr << "error: " << error.what() << '\n';
   return 2;
