@@ -30,13 +30,12 @@ public:
   Distinct_points(const Points& input, const Map& map) {
     std::vector<Point> all(input.size());
     for_each_index<Concurrency_tag>(input.size(), [&](std::size_t i) { all[i] = map.to_kernel(input[i]); });
-    std::vector<std::uint32_t> order(input.size());
-    for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<std::uint32_t>(i);
+    std::vector<std::uint32_t> order = pack<Concurrency_tag>(input.size(), [](std::size_t) { return true; });
     sort<Concurrency_tag>(order.begin(), order.end(), [&all](std::uint32_t i, std::uint32_t j) {
       const Point &p = all[i], &q = all[j];
       return p.x < q.x || (!(q.x < p.x) && (p.y < q.y || (!(q.y < p.y) && i < j)));
     });
-    std::vector<std::uint8_t> is_first(input.size(), 1);
+    std::vector<std::uint8_t> is_first(order.size(), 1);
     for (std::size_t k = 1; k < order.size(); ++k)
       if (all[order[k]] == all[order[k - 1]]) is_first[order[k]] = 0;
     input_points_ = pack<Concurrency_tag>(input.size(), [&](std::size_t i) { return is_first[i] != 0; });
