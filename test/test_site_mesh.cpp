@@ -101,10 +101,11 @@ Site_mesh<Geometry> mesh_of(Tile_forest<Tag, Geometry>& forest, const Bounds& bo
   for (int round = 0; round < most_rounds; ++round) {
     Site_mesh<Geometry> mesh = forest.fill();
     internal::Site_mesh_relaxer<Tag, Geometry> relaxer(mesh, range);
-    const std::vector<std::size_t> blamed = relaxer.place_sites();
+    const std::vector<std::size_t> blamed =
+        relaxer.place_sites([&](std::size_t p) { return !forest.is_certified(p); });
     REQUIRE(std::is_sorted(blamed.begin(), blamed.end()));
     if (blamed.empty()) {
-      relaxer.coarsen(effort);
+      relaxer.coarsen(effort, [](double) { return true; });
       return mesh;
     }
     for (const std::size_t s : blamed) forest.refine_for(s);
@@ -427,7 +428,7 @@ TEST_CASE("Several blocks of full size give the same bits with any number of thr
           "[site_mesh][parallel]") {
   const Points points = uniform(470, 10);
   Coarsening_effort effort;
-  effort.most_tries = 100;
+  effort.tries_per_vertex = 0.01;
   const Site_mesh<Doubles> mesh = mesh_of<CGAL::Sequential_tag>(points, best, effort);
   check_sites(mesh, points);
   check_covers_root(mesh.mesh, points);
@@ -445,7 +446,7 @@ TEST_CASE("Coarsening leaves a few triangles for each point", "[site_mesh]") {
   const Points points = uniform(100, 11);
   Coarsening_effort none, little;
   none.most_rings = 0;
-  little.most_tries = 200;
+  little.tries_per_vertex = 0.05;
   double last = 1e9;
   for (const Coarsening_effort& effort : {none, little, Coarsening_effort()}) {
     const Site_mesh<Doubles> mesh = mesh_of<CGAL::Sequential_tag>(points, best, effort);
@@ -558,10 +559,10 @@ TEST_CASE("When all sites have blocks nothing is left to do", "[site_mesh]") {
     CHECK(e.greatest < 78.7);
     const internal::Angle_range range(best.low, best.high);
     internal::Site_mesh_relaxer<CGAL::Sequential_tag, Doubles> relaxer(mesh, range);
-    CHECK(relaxer.place_sites().empty());
+    CHECK(relaxer.place_sites([](std::size_t) { return true; }).empty());
     check_angles(mesh.mesh, best);
     check_sites(mesh, points);
-    relaxer.coarsen(Coarsening_effort());
+    relaxer.coarsen(Coarsening_effort(), [](double) { return true; });
     check_angles(mesh.mesh, best);
     check_sites(mesh, points);
     check_covers_root(mesh.mesh, points);
