@@ -248,7 +248,7 @@ TEST_CASE("Gradients of stars are those of finite differences", "[star_relaxer]"
                                         bounds);
         return sum;
       };
-      if (e.has_flat) continue;
+      if (e.has_flat || e.energy == 0) continue;
       REQUIRE(double(e.energy) == Approx(energy_at(0, 0)).epsilon(1e-3).margin(1e-6));
       REQUIRE(double(star.energy(range, 0, 0)) == Approx(double(e.energy)).epsilon(1e-5));
       const double h = 1e-5;
@@ -264,7 +264,7 @@ TEST_CASE("Gradients of stars are those of finite differences", "[star_relaxer]"
       if (there < 900) {
         REQUIRE(double(there) == Approx(energy_at(double(0.05f), double(-0.03f))).epsilon(1e-3).margin(1e-5));
       }
-      number_of_stars += e.energy > 0 ? 1 : 0;
+      ++number_of_stars;
     }
   }
   CHECK(number_of_stars > 200);
@@ -470,7 +470,6 @@ TEST_CASE("Rigid vertices may have neighbours of very different distance", "[sta
     CHECK(star.is_in_range(range));
     CHECK(star.violated(range) == 0);
     CHECK(star.energy(range, 0, 0) == 0);
-    CHECK(Star_energy(star, range).energy == 0);
     mesh.points[4].x = -0.9; // too far from 3, too near to 5
     const Star_vectors bad(mesh, 0);
     CHECK(bad.violated(range) == 0b1000);

@@ -110,7 +110,7 @@ private:
   void coarsen_mostly_with_one_ring() {
     for (const int rings : {1, 1, 2}) {
       const std::vector<Ring_vertex> candidates = removable(rings);
-      remove(candidates, rings == 1 ? candidates.size() : candidates.size() / 2, rings);
+      remove(candidates, rings == 1 ? candidates.size() : candidates.size() / 4, rings);
     }
   }
 
