@@ -241,6 +241,6 @@ TEST_CASE("However near points are, acute meshes have a constant number of trian
       if (is_full_run())
         WARN(n << " " << input.name << ": " << per_point << ", before "
                << double(r.report.triangles_before_coarsening) / double(n));
-      CHECK(per_point < 40);
+      CHECK(per_point < 50); // a cluster of two costs about 80
     }
 }
