@@ -284,6 +284,13 @@ TEST_CASE("bad points name their line", "[program][points]") {
   CHECK(contains(r.err, "no points"));
 }
 
+TEST_CASE("words have room for a row along the diagonal of a square", "[program][points]") {
+  const Scratch_folder folder;
+  const Run r = run(folder.write("in.xy", "0 0\n1 0\n1 1\n0 1\n0.5 0.5\n") + " --mode bounded --kernel fixed");
+  CAPTURE(r.err);
+  CHECK(r.status == 0);
+}
+
 TEST_CASE("points that words cannot tell are refused", "[program][points]") {
   const Scratch_folder folder;
   const Run r = run(folder.write("in.xy", "0 0\n1e-30 0\n1 1\n") + " --mode acute --kernel fixed");

@@ -26,7 +26,7 @@ using Scale = CGAL::Fixed_point_scale_2<std::uint64_t>;
 /// How much of the root of quadtrees the input may fill.
 enum class Room {
   half, ///< all that quadtrees of the input need
-  sixth ///< for domains that reach further, in any direction
+  eighteenth ///< for domains that reach further, in any direction
 };
 
 /// Between the doubles of one input and words. Its points lie in the middle of the root of quadtrees.
@@ -53,12 +53,12 @@ private:
     return (std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin());
   }
 
-  /// The box of the points, or, where they shall have room, three times as large.
+  /// The box of the points, or, where they shall have room, nine times as large.
   static CGAL::Bbox_2 bounding_box(const std::vector<Point>& points, Room room) {
     CGAL::Bbox_2 box;
     for (const Point& p : points) box += p.bbox();
-    if (room == Room::sixth) {
-      const double more = extent(box);
+    if (room == Room::eighteenth) {
+      const double more = 4 * extent(box);
       box = CGAL::Bbox_2(box.xmin() - more, box.ymin() - more, box.xmax() + more, box.ymax() + more);
     }
     const double largest = (std::max)({-box.xmin(), box.xmax(), -box.ymin(), box.ymax()});
