@@ -44,8 +44,8 @@ struct Point_set_mesh_options_2 {
   double least_angle_in_degrees = 36;
   double largest_angle_in_degrees = 80;
   Domain domain = Domain::ROW;
-  /// How hard it is tried to do without vertices: 0 not at all, 1 a little, 2 well, 3 for the last ten percent, at twice
-  /// the time. All angles are the same promise at any effort.
+  /// How hard it is tried to do without vertices: 0 not at all, 1 in the neighbourhood of one ring mostly, 2 well, 3 for
+  /// some percent more. All angles are the same promise at any effort.
   int coarsening_effort = 2;
   /// At most about this many vertices are tried to be removed, each some ten microseconds of work; 0 for no bound.
   std::size_t removal_budget = 0;
