@@ -35,6 +35,7 @@ struct Point_set_mesh_report_2 {
   std::size_t merged_points = 0; ///< points at the place of an earlier one
   std::size_t vertices = 0;
   std::size_t triangles = 0;
+  /// The same as `triangles` where no vertex is removed in the end, and with LEAST_ANGLE.
   std::size_t triangles_before_coarsening = 0;
   std::size_t clusters = 0; ///< that got a quadtree of their own
   std::size_t certified_points =

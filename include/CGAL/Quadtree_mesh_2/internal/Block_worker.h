@@ -74,13 +74,6 @@ public:
   /// Repairs what is outside the range of angles.
   void repair() { repairer_.repair_all(own_); }
 
-  /// The least vertices of the triangles at the block's vertices that are outside the range.
-  std::vector<Ring_vertex> vertices_of_violated() const {
-    std::vector<Ring_vertex> result;
-    for (const auto& t : repairer_.violated(own_)) result.push_back(t[0]);
-    return result;
-  }
-
   void coarsen(const Coarsening_effort& effort) {
     tries_left_ = effort.tries_per_vertex > 0
                       ? static_cast<std::size_t>(effort.tries_per_vertex * static_cast<double>(own_.size()))
