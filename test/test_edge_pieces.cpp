@@ -12,13 +12,16 @@
 #include "random_pslg_shapes.h"
 
 #include <CGAL/Balanced_quadtree.h>
+#include <CGAL/Quadtree_mesh_2/internal/Centroid_tree.h>
 #include <CGAL/Quadtree_mesh_2/internal/Edge_pieces.h>
+#include <CGAL/Quadtree_mesh_2/internal/subdivide_edges.h>
 #include <CGAL/Quadtree_mesh_2/internal/walk_edges.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>
 #endif
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -31,9 +34,14 @@ using namespace quadtree_test;
 using CGAL::Balanced_quadtree;
 using CGAL::Quadtree_options;
 using CGAL::Quadtree_mesh_2::Balance;
+using CGAL::Quadtree_mesh_2::Node_index;
 using CGAL::Quadtree_mesh_2::Vertex_index;
+using CGAL::Quadtree_mesh_2::internal::Centroid_node;
+using CGAL::Quadtree_mesh_2::internal::Centroid_tree;
 using CGAL::Quadtree_mesh_2::internal::Edge_piece;
 using CGAL::Quadtree_mesh_2::internal::Leaf_pieces;
+using CGAL::Quadtree_mesh_2::internal::subdivide_edges;
+using CGAL::Quadtree_mesh_2::internal::Subdivision_rounds;
 using CGAL::Quadtree_mesh_2::internal::walk_edges;
 
 namespace {
@@ -160,7 +168,112 @@ void check_by_brute_force(const std::vector<Case>& cases, std::size_t most_pairs
     });
 }
 
+/// Whether a leaf is in the square of a node.
+template <class Tree>
+bool is_in(const Tree& tree, Leaf_index l, Node_index v) {
+  return !(l < tree.leaves(v).begin) && l < tree.leaves(v).end;
+}
+
+/// Checks the tree of a part: that leaves are on the right side of every split, and that no split has too many
+/// on either side. Returns the leaves below a node, in order.
+template <class Tree>
+std::vector<Leaf_index> check_centroids(const Tree& tree, const Centroid_tree& centroids, Centroid_node v,
+                                        Node_index square, int height_left) {
+  REQUIRE(height_left >= 0);
+  if (v.is_leaf()) {
+    REQUIRE(is_in(tree, v.leaf(), square));
+    return {v.leaf()};
+  }
+  const auto& split = centroids.split(v);
+  std::vector<Leaf_index> all = check_centroids(tree, centroids, split.outside, square, height_left - 1);
+  for (const Leaf_index l : all) REQUIRE(!is_in(tree, l, split.square));
+  const std::vector<Leaf_index> inside =
+      check_centroids(tree, centroids, split.inside, split.square, height_left - 1);
+  all.insert(all.end(), inside.begin(), inside.end());
+  REQUIRE(5 * inside.size() > all.size());
+  REQUIRE(5 * inside.size() <= 4 * all.size());
+  return all;
+}
+
+template <class Tree>
+void check_centroid_tree(const Tree& tree, std::size_t leaves_per_part) {
+  const Centroid_tree centroids = Centroid_tree::of<CGAL::Sequential_tag>(tree, leaves_per_part);
+  const bool has_parts = leaves_per_part < tree.number_of_leaves();
+  REQUIRE((centroids.parts().size() > 1) == has_parts);
+  std::vector<Leaf_index> all;
+  for (const auto& part : centroids.parts()) {
+    const auto leaves = check_centroids(tree, centroids, part.root, part.square, centroids.height());
+    REQUIRE(leaves.size() <= leaves_per_part);
+    REQUIRE((!has_parts || 5 * leaves.size() > leaves_per_part));
+    all.insert(all.end(), leaves.begin(), leaves.end());
+  }
+  REQUIRE(all.size() == tree.number_of_leaves());
+  std::sort(all.begin(), all.end());
+  REQUIRE(std::unique(all.begin(), all.end()) == all.end());
+  REQUIRE(centroids.height() <=
+          Centroid_tree::height_bound(std::min(leaves_per_part, tree.number_of_leaves())));
+}
+
+/// Checks all ways to subdivide against walking.
+template <class Tree>
+void check_subdivisions(const Tree& tree, const Segments& segments) {
+  const Edge_pieces walked = walk_edges<CGAL::Sequential_tag>(tree, segments);
+  REQUIRE(subdivide_edges<CGAL::Sequential_tag>(tree, segments) == walked);
+  for (const std::size_t leaves_per_part : {std::size_t(1), std::size_t(10), Centroid_tree::all_leaves}) {
+    const Centroid_tree centroids = Centroid_tree::of<CGAL::Sequential_tag>(tree, leaves_per_part);
+    REQUIRE(subdivide_edges<CGAL::Sequential_tag>(tree, centroids, segments) == walked);
+  }
+}
+
+template <class Traits>
+void check_subdivisions(const std::vector<Case>& cases, std::size_t most_leaves) {
+  for (const Case& c : cases)
+    for_each_tree<Traits>(c, most_leaves, [](const auto& tree, const Segments& segments) {
+      check_subdivisions(tree, segments);
+    });
+}
+
 } // namespace
+
+TEST_CASE("centroid trees split evenly and hold all leaves", "[edge_pieces]") {
+  for (const Case& c : nasty_cases())
+    for_each_tree<Filtered_traits>(c, 1000, [](const auto& tree, const Segments&) {
+      for (const std::size_t leaves_per_part : {std::size_t(1), std::size_t(7), std::size_t(100)})
+        check_centroid_tree(tree, leaves_per_part);
+      check_centroid_tree(tree, Centroid_tree::all_leaves);
+    });
+}
+
+TEST_CASE("pieces by centroid trees are those by walking", "[edge_pieces]") {
+  check_subdivisions<Filtered_traits>(nasty_cases(), 2000);
+  check_subdivisions<Fixed_32_traits>(random_cases(2, 1000), 2000);
+  check_subdivisions<Fixed_64_traits>(random_cases(1, 1000), 2000);
+  check_subdivisions<Exact_traits>(random_cases(1, 20), 200);
+}
+
+TEST_CASE("pieces by centroid trees are those by walking: sweep", "[edge_pieces][.slow]") {
+  check_subdivisions<Filtered_traits>(random_cases(100, 1000), 20000);
+  check_subdivisions<Fixed_32_traits>(nasty_cases(), 20000);
+  check_subdivisions<Exact_traits>(nasty_cases(), 500);
+}
+
+TEST_CASE("subdivision takes logarithmically many rounds", "[edge_pieces]") {
+  for (std::size_t n = 4; n <= 16384; n *= 4) {
+    const Case c = with_random_segments(uniform(n, 1), 1);
+    Segments segments = c.segments;
+    for (std::size_t i = 0; i + 1 < n; ++i) add(segments, i, i + 1);
+    segments.resize(n);
+    Balanced_quadtree<Filtered_traits> tree(make_points<Filtered_traits>(c.input));
+    Subdivision_rounds rounds;
+    const Edge_pieces pieces = subdivide_edges<CGAL::Sequential_tag>(tree, segments, &rounds);
+    const double log_n = std::log2(static_cast<double>(n));
+    CAPTURE(n, tree.number_of_leaves(), pieces.size(), rounds.parts, rounds.height, rounds.rounds);
+    CHECK(rounds.parts <= 1 + tree.number_of_leaves() / n);
+    CHECK(rounds.height <= 2 * log_n + 5);
+    CHECK(rounds.rounds <= static_cast<std::size_t>(rounds.height) + 2);
+    CHECK(rounds.tests_of_largest_round <= pieces.size() + rounds.parts * n);
+  }
+}
 
 TEST_CASE("pieces by walking are those of brute force", "[edge_pieces]") {
   check_by_brute_force<Filtered_traits>(nasty_cases(), 5000);
@@ -226,6 +339,9 @@ TEST_CASE("pieces are the same for any number of threads", "[edge_pieces]") {
   for (const std::size_t threads : {1, 2, 4}) {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
     REQUIRE(walk_edges<CGAL::Parallel_tag>(tree, many.segments) == expected);
+    REQUIRE(subdivide_edges<CGAL::Parallel_tag>(tree, many.segments) == expected);
+    const Centroid_tree all = Centroid_tree::of<CGAL::Parallel_tag>(tree);
+    REQUIRE(subdivide_edges<CGAL::Parallel_tag>(tree, all, many.segments) == expected);
   }
 #endif
 }

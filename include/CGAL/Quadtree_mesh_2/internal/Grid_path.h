@@ -56,6 +56,8 @@ public:
   using Cut = Path_cut<Coordinate>;
   using Interval = Path_interval<Coordinate>;
 
+  /// Not a path yet.
+  Grid_path() = default;
   Grid_path(const Grid_point_2<Word>& a, const Grid_point_2<Word>& b)
       : begin_{{Coordinate(a.x), Coordinate(a.y)}}, extent_{{Coordinate(b.x) - Coordinate(a.x),
                                                              Coordinate(b.y) - Coordinate(a.y)}} {
