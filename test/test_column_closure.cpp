@@ -1,0 +1,356 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+
+// Edges through random balanced quadtrees: the closure's conditions are checked by brute force over all leaves, and
+// the least angle of the constrained Delaunay triangulation against the bounds of test_column_rule.cpp.
+
+#include "catch.h"
+
+#include <CGAL/Balanced_quadtree.h>
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Fixed_point_quadtree_traits_2.h>
+#include <CGAL/Quadtree_mesh_2/internal/Column_closure.h>
+#include <CGAL/Quadtree_mesh_2/internal/Column_placement.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <random>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace CGAL::Quadtree_mesh_2::internal;
+using CGAL::Quadtree_mesh_2::Leaf_index;
+using CGAL::Quadtree_mesh_2::Segment_index;
+using CGAL::Quadtree_mesh_2::Vertex_index;
+
+using Traits = CGAL::Fixed_point_quadtree_traits_2<std::uint32_t>;
+using Tree = CGAL::Balanced_quadtree<Traits>;
+using Point = Traits::Point_2;
+using Grid_point = Traits::Grid_point;
+using Line = Edge_line<std::uint32_t>;
+using Columns = std::vector<Edge_column<std::uint32_t>>;
+using Segments = std::vector<std::array<Vertex_index, 2>>;
+using Pieces = std::map<Segment_index, std::vector<Leaf_index>>;
+
+/// The largest leaves have a side of 2^26, the smallest an eighth of that.
+constexpr int coarse_level = 5, fine_level = 8;
+constexpr std::uint32_t unit = 1u << (Traits::depth - fine_level);
+/// The side of the root, in units.
+constexpr int extent = 1 << fine_level;
+
+struct Random {
+  std::mt19937_64 generator;
+  double operator()() { return std::uniform_real_distribution<double>(0, 1)(generator); }
+  int below(int n) { return static_cast<int>(generator() % static_cast<std::uint64_t>(n)); }
+};
+
+struct Case {
+  std::vector<Point> points;
+  Segments segments;
+};
+
+/// A line through the whole of the root, not far from its centre; in units.
+void add_line(Random& random, int kind, Case& c) {
+  double slope = 2 * random() - 1;
+  if (kind % 4 == 1) slope = random.below(2) == 0 ? -1 : 1;
+  if (kind % 4 == 2) slope = (random.below(9) - 4) / 4.0;
+  double middle = extent / 2 + 24 * (random() - 0.5);
+  if (kind % 8 == 5) middle = std::floor(middle);
+  const bool is_steep = random.below(2) == 0;
+  const auto end = [&](double u) {
+    const double v = middle + slope * (u - extent / 2);
+    const auto on_grid = [](double w) { return static_cast<std::uint32_t>(std::llround(w * unit)); };
+    return is_steep ? Point{on_grid(v), on_grid(u)} : Point{on_grid(u), on_grid(v)};
+  };
+  const std::size_t n = c.points.size();
+  c.points.push_back(end(14));
+  c.points.push_back(end(extent - 14));
+  c.segments.push_back({Vertex_index(n), Vertex_index(n + 1)});
+}
+
+/// Leaves are split at random, more where squares are small already.
+Tree random_tree(Random& random, const std::vector<Point>& points) {
+  const double r = random(), share = 0.01 + 0.25 * r * r;
+  const std::uint64_t seed = random.generator();
+  const auto chance = [=](const Point& p, std::uint32_t side) {
+    return Random{std::mt19937_64(seed ^ (std::uint64_t(p.x()) << 32 | p.y()) ^ side)}();
+  };
+  const auto must_split = [=](const Point& low, const Point& high) {
+    const std::uint32_t side = high.x() - low.x();
+    const std::uint32_t coarse = 1u << (Traits::depth - coarse_level);
+    return side > coarse || (side > unit && chance(low, side) < (side == coarse ? share : 0.45));
+  };
+  // Points do not count.
+  CGAL::Quadtree_options options;
+  options.max_points_per_leaf(points.size() + 1);
+  return Tree(points, options, must_split);
+}
+
+/// By comparing with all leaves: a leaf is passed if the segment has a point in it, its upper sides excluded.
+std::vector<Leaf_index> leaves_of(const Tree& tree, const Line& line) {
+  std::vector<Leaf_index> leaves;
+  for (std::size_t i = 0; i < tree.number_of_leaves(); ++i) {
+    const auto square = tree.square(Leaf_index(i));
+    const std::int64_t side = std::int64_t(1) << (Traits::depth - square.level);
+    const std::int64_t u = line.u({square.x, square.y}), v = line.v({square.x, square.y});
+    const std::int64_t left = std::max(u, line.first_u()), right = std::min(u + side - 1, line.last_u());
+    if (left > right) continue;
+    if (std::max(line.ceiling_of_v(left), line.ceiling_of_v(right)) < v) continue;
+    if (std::min(line.floor_of_v(left), line.floor_of_v(right)) < v + side) leaves.push_back(Leaf_index(i));
+  }
+  return leaves;
+}
+
+Pieces pieces_of(const Tree& tree, const Segments& segments) {
+  Pieces pieces;
+  for (std::size_t s = 0; s < segments.size(); ++s)
+    pieces[Segment_index(s)] = leaves_of(tree, line_of_segment(tree, segments[s]));
+  return pieces;
+}
+
+/// What `leaves_to_split_for_columns()` wants of pieces.
+struct Pieces_view {
+  const Pieces& pieces;
+  const std::vector<Leaf_index>& operator[](Segment_index s) const { return pieces.at(s); }
+};
+
+template <class Concurrency_tag>
+std::vector<Leaf_index> to_split(const Tree& tree, const Segments& segments,
+                                 const Column_closure_options& options) {
+  const Pieces pieces = pieces_of(tree, segments);
+  return leaves_to_split_for_columns<Concurrency_tag>(tree, Pieces_view{pieces}, segments, options);
+}
+
+/// Splits until all conditions hold. Returns after how many rounds they do.
+int close(Tree& tree, const Segments& segments, const Column_closure_options& options = {}) {
+  for (int round = 0;; ++round) {
+    REQUIRE(round < 100);
+    const std::vector<Leaf_index> leaves = to_split<CGAL::Sequential_tag>(tree, segments, options);
+    REQUIRE(leaves == to_split<CGAL::Parallel_tag>(tree, segments, options));
+    if (leaves.empty()) return round;
+    tree.refine(leaves);
+  }
+}
+
+/// \name The conditions, from the definition
+/// @{
+
+int width_in_units(const Tree&, int level) { return 1 << (fine_level - level); }
+
+/// For each unit of u the width of its column, 0 beyond the ends of the edge.
+std::vector<int> column_widths(const Tree& tree, const Line& line) {
+  std::vector<int> widths(extent, 0);
+  for (const Leaf_index l : leaves_of(tree, line)) {
+    const auto square = tree.square(l);
+    const int width = width_in_units(tree, square.level);
+    const auto first = line.u({square.x, square.y}) / unit;
+    for (auto u = first; u < first + static_cast<std::uint32_t>(width); ++u)
+      widths[u] = widths[u] == 0 ? width : std::min(widths[u], width);
+  }
+  return widths;
+}
+
+/// Widths of columns one after the other; columns that begin at aligned places.
+std::vector<std::pair<int, int>> columns_of(const std::vector<int>& widths) {
+  std::vector<std::pair<int, int>> columns;
+  for (std::size_t u = 0; u < widths.size(); ++u)
+    if (widths[u] > 0 && static_cast<int>(u) % widths[u] == 0)
+      columns.push_back({static_cast<int>(u), widths[u]});
+  return columns;
+}
+
+bool have_columns_good_lengths(const std::vector<std::pair<int, int>>& columns,
+                               const Column_closure_options& o) {
+  std::vector<std::pair<int, std::size_t>> runs; // width and length
+  for (const auto& c : columns) {
+    if (runs.empty() || runs.back().first != c.second) runs.push_back({c.second, 0});
+    ++runs.back().second;
+  }
+  for (std::size_t i = 0; i + 1 < runs.size(); ++i)
+    if (std::max(runs[i].first, runs[i + 1].first) != 2 * std::min(runs[i].first, runs[i + 1].first))
+      return false;
+  if (runs.size() > 1 && std::min(runs.front().second, runs.back().second) < o.columns_at_ends) return false;
+  for (std::size_t i = 1; i + 1 < runs.size(); ++i) {
+    const int wider =
+        (runs[i - 1].first > runs[i].first ? 1 : 0) + (runs[i + 1].first > runs[i].first ? 1 : 0);
+    if (runs[i].second < (wider == 0 ? 4u : wider == 1 ? 5u : 6u)) return false;
+  }
+  return true;
+}
+
+/// Whether all leaves in the band over a column have its width as side.
+bool is_band_equal(const Tree& tree, const Line& line, int u, int width, int band) {
+  const double left = line.v_from(static_cast<std::int64_t>(u) * unit, 0) / unit;
+  const double right = line.v_from(static_cast<std::int64_t>(u + width) * unit, 0) / unit;
+  const double low = std::min(left, right) - band, high = std::max(left, right) + band;
+  for (std::size_t i = 0; i < tree.number_of_leaves(); ++i) {
+    const auto square = tree.square(Leaf_index(i));
+    const int side = width_in_units(tree, square.level);
+    const double x = double(line.u({square.x, square.y})) / unit,
+                 y = double(line.v({square.x, square.y})) / unit;
+    if (x >= u + width || x + side <= u || y >= high || y + side <= low) continue;
+    if (side != width) return false;
+  }
+  return true;
+}
+
+bool is_closed(const Tree& tree, const Line& line, const Column_closure_options& options) {
+  const auto columns = columns_of(column_widths(tree, line));
+  if (!have_columns_good_lengths(columns, options)) return false;
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    int widest = columns[i].second;
+    for (std::size_t j = i < 3 ? 0 : i - 3; j < std::min(columns.size(), i + 4); ++j)
+      widest = std::max(widest, columns[j].second);
+    if (!is_band_equal(tree, line, columns[i].first, columns[i].second, options.band * widest)) return false;
+  }
+  return true;
+}
+
+/// @}
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Cdt = CGAL::Constrained_Delaunay_triangulation_2<Kernel>;
+
+std::set<std::pair<std::uint32_t, std::uint32_t>> corners_of_leaves(const Tree& tree) {
+  std::set<std::pair<std::uint32_t, std::uint32_t>> corners;
+  for (std::size_t i = 0; i < tree.number_of_leaves(); ++i)
+    for (const Point& p : tree.corners(Leaf_index(i))) corners.insert({p.x(), p.y()});
+  return corners;
+}
+
+/// Crossings, and corners that are not dropped; in units.
+Cdt triangulation(const Tree& tree, const Line& line, Transition_rule rule) {
+  const Columns columns = columns_along(tree, leaves_of(tree, line), line);
+  const Column_placement<Tree> placement(tree, line, columns, rule);
+  auto corners = corners_of_leaves(tree);
+  placement.for_each_dropped_corner([&](const Grid_point& p) { corners.erase({p.x, p.y}); });
+  std::vector<Kernel::Point_2> crossings;
+  placement.for_each_crossing([&](std::uint32_t u) {
+    const double x = double(u) / unit, y = line.v_from(u, 0) / unit;
+    crossings.push_back(line.is_steep() ? Kernel::Point_2(y, x) : Kernel::Point_2(x, y));
+  });
+  Cdt cdt;
+  cdt.insert_constraint(crossings.begin(), crossings.end());
+  std::vector<Kernel::Point_2> points;
+  for (const auto& c : corners) points.push_back({double(c.first) / unit, double(c.second) / unit});
+  cdt.insert(points.begin(), points.end());
+  return cdt;
+}
+
+/// Of triangles away from the ends of the line, in degrees.
+double least_angle(const Cdt& cdt) {
+  double least = 180;
+  for (auto f = cdt.finite_faces_begin(); f != cdt.finite_faces_end(); ++f) {
+    const auto centre = CGAL::centroid(cdt.triangle(f));
+    if (std::min({centre.x(), centre.y(), extent - centre.x(), extent - centre.y()}) < 48) continue;
+    for (int i = 0; i < 3; ++i) {
+      const auto u = f->vertex((i + 1) % 3)->point() - f->vertex(i)->point(),
+                 v = f->vertex((i + 2) % 3)->point() - f->vertex(i)->point();
+      least = std::min(least, std::acos(u * v / std::sqrt(u.squared_length() * v.squared_length())));
+    }
+  }
+  return least * 180 / std::acos(-1.);
+}
+
+struct Least_angles {
+  double one_rule = 180, better_of_two = 180;
+};
+
+void sweep(int n, std::uint64_t seed, Least_angles& least) {
+  Random random{std::mt19937_64(seed)};
+  std::size_t before = 0, after = 0;
+  int rounds = 0;
+  for (int i = 0; i < n; ++i) {
+    CAPTURE(i);
+    Case c;
+    add_line(random, i, c);
+    Tree tree = random_tree(random, c.points);
+    before += tree.number_of_leaves();
+    rounds = std::max(rounds, close(tree, c.segments));
+    after += tree.number_of_leaves();
+    REQUIRE(tree.depth() <= fine_level);
+    const Line line = line_of_segment(tree, c.segments[0]);
+    REQUIRE(is_closed(tree, line, {}));
+    least.one_rule =
+        std::min(least.one_rule, least_angle(triangulation(tree, line, Transition_rule::ONE_FOR_ALL)));
+    const double better = least_angle(triangulation(tree, line, Transition_rule::BETTER_OF_TWO));
+    least.better_of_two = std::min(least.better_of_two, better);
+  }
+  if (n >= 500)
+    WARN(n << " trees: least angles " << least.one_rule << " and " << least.better_of_two << ", leaves "
+           << before << " and " << after << " after the closure, at most " << rounds << " rounds");
+}
+
+} // namespace
+
+TEST_CASE("Lines are functions of the coordinate that changes more", "[columns]") {
+  const Line line({10, 20}, {4, 19});
+  CHECK_FALSE(line.is_steep());
+  CHECK((line.first_u() == 4 && line.last_u() == 10));
+  CHECK(line.slope() == Approx(1 / 6.));
+  CHECK((line.floor_of_v(4) == 19 && line.ceiling_of_v(4) == 19));
+  CHECK((line.floor_of_v(5) == 19 && line.ceiling_of_v(5) == 20));
+  CHECK((line.floor_of_v(3) == 18 && line.ceiling_of_v(3) == 19));
+  CHECK(line.v_from(7, 19) == Approx(0.5));
+  const Line steep({20, 10}, {19, 4});
+  CHECK(steep.is_steep());
+  CHECK((steep.first_u() == 4 && steep.floor_of_v(5) == 19));
+  const Line point({7, 5}, {7, 5});
+  CHECK((point.slope() == 0 && point.floor_of_v(9) == 5 && point.ceiling_of_v(9) == 5));
+  const std::uint64_t far = (std::uint64_t(1) << 62) - 1;
+  const Edge_line<std::uint64_t> longest({0, 0}, {far, far - 1});
+  CHECK(longest.floor_of_v(static_cast<std::int64_t>(far)) == static_cast<std::int64_t>(far - 1));
+}
+
+TEST_CASE("Equal leaves are in columns already", "[columns]") {
+  Random random{std::mt19937_64(1)};
+  Case c;
+  for (int i = 0; i < 8; ++i) add_line(random, i, c);
+  for (const int level : {0, 1, 5}) {
+    const auto must_split = [&](const Point& low, const Point& high) {
+      return high.x() - low.x() > 1u << (Traits::depth - level);
+    };
+    CGAL::Quadtree_options options;
+    options.max_points_per_leaf(100);
+    Tree tree(c.points, options, must_split);
+    CHECK(close(tree, c.segments) == 0);
+    CHECK(to_split<CGAL::Sequential_tag>(tree, {}, {}).empty());
+  }
+}
+
+TEST_CASE("Closure makes columns of several edges, and stops", "[columns]") {
+  Random random{std::mt19937_64(2)};
+  for (int i = 0; i < 3; ++i) {
+    Case c;
+    for (int k = 0; k < 3; ++k) add_line(random, i + k, c);
+    Tree tree = random_tree(random, c.points);
+    close(tree, c.segments);
+    CHECK(tree.depth() <= fine_level);
+    for (const auto& s : c.segments) CHECK(is_closed(tree, line_of_segment(tree, s), {}));
+  }
+}
+
+TEST_CASE("Edges through random trees have the angles of the column rule", "[columns]") {
+  Least_angles least;
+  sweep(24, 77, least);
+  CHECK(least.one_rule >= 21.5);
+  CHECK(least.better_of_two >= 26.3);
+}
+
+TEST_CASE("Edges through many random trees have the angles of the column rule", "[columns][.slow]") {
+  Least_angles least;
+  sweep(1000, 78, least);
+  CHECK(least.one_rule >= 21.5);
+  CHECK(least.better_of_two >= 26.3);
+}
