@@ -7,6 +7,8 @@
 #ifndef CGAL_QUALITY_MESH_OPTIONS_2_H
 #define CGAL_QUALITY_MESH_OPTIONS_2_H
 
+#include <CGAL/Tree_separation_options_2.h>
+
 #include <cstddef>
 #include <functional>
 #include <utility>
@@ -28,6 +30,11 @@ struct Quality_mesh_options_2 {
     /// `mark_domain_in_triangulation()`: borders in borders are holes, islands in holes are not.
     NESTING_PARITY
   };
+  /// How the features of the input are separated.
+  enum class Separation {
+    ON_DEMAND, ///< where a triangle asks for it, a vertex at a time: fewer triangles in less time
+    THEOREM_5  ///< by the quadtrees of Bern, Eppstein and Teng: `Tree_separation_options_2`
+  };
   /// Whether Steiner vertices that are not needed are removed at the end.
   enum class Coarsening { NONE, GUARDED_REMOVAL };
 
@@ -45,10 +52,15 @@ struct Quality_mesh_options_2 {
   /// miss a bound for that are left, and reported with the reason LEAST_EDGE. 0 means no such rule.
   double min_edge_length = 0;
   Domain domain = Domain::ENCLOSED;
+  Separation separation = Separation::ON_DEMAND;
+  Tree_separation_options_2 trees;
   Coarsening coarsening = Coarsening::GUARDED_REMOVAL;
   /// Rounds of smoothing, each followed by removal if that is wanted: a percent or two fewer triangles and better
   /// angles for about as much time as refinement takes.
   int smoothing_rounds = 0;
+  /// Rounds in which vertices are removed although that makes angles below the bound, and these refined again: three
+  /// percent fewer triangles or more for each of the first two, for about as much time as refinement takes.
+  int thinning_rounds = 0;
   /// Refinement stops, with what is left reported, when the mesh has this many vertices; 0 means no bound but
   /// memory's.
   std::size_t vertex_budget = 0;
@@ -66,6 +78,12 @@ struct Quality_mesh_options_2 {
   Quality_mesh_options_2& mesh_domain(Domain d) { return domain = d, *this; }
   Quality_mesh_options_2& coarsen(Coarsening c) { return coarsening = c, *this; }
   Quality_mesh_options_2& smooth(int rounds) { return smoothing_rounds = rounds, *this; }
+  Quality_mesh_options_2& thin(int rounds) { return thinning_rounds = rounds, *this; }
+  Quality_mesh_options_2& separate(Separation s) { return separation = s, *this; }
+  Quality_mesh_options_2& separate(const Tree_separation_options_2& t) {
+    trees = t;
+    return separate(Separation::THEOREM_5);
+  }
   Quality_mesh_options_2& max_vertices(std::size_t n) { return vertex_budget = n, *this; }
   Quality_mesh_options_2& progress(std::function<bool(double)> f) { return callback = std::move(f), *this; }
 };

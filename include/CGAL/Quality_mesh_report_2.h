@@ -23,6 +23,20 @@ public:
   using std::runtime_error::runtime_error;
 };
 
+/// What a construction by quadtrees did (Theorem 5); all 0 if there was none.
+struct Tree_separation_report_2 {
+  std::size_t leaves_of_points = 0;   ///< of T_B, the quadtree of the vertices
+  std::size_t leaves_of_vertices = 0; ///< of T_B', in which vertices are separated
+  std::size_t leaves_of_pieces = 0;   ///< of T_B'', in which edges within leaves are
+  std::size_t leaves_of_edges = 0;    ///< of T_B*, in which all is
+  std::size_t rounds = 0;             ///< of placing vertices and splitting leaves
+  // of the last round:
+  std::size_t triangles = 0;      ///< of the vertices that the rule places
+  std::size_t missed_by_rule = 0; ///< of these below the bound
+  std::size_t left_out = 0;       ///< corners and crossings left out to cure those
+  std::size_t missed = 0;         ///< triangles below the bound that were not cured
+};
+
 /// What `Quality_mesher_2` reached, what it did not, and where.
 struct Quality_mesh_report_2 {
   /// What kept refinement from meeting a bound in a triangle.
@@ -71,6 +85,7 @@ struct Quality_mesh_report_2 {
   /// within a factor of 4.
   double estimated_triangles = 0;
   std::size_t rounds = 0;
+  Tree_separation_report_2 trees;
   bool is_cancelled = false;
   bool is_budget_exhausted = false;
   Seconds seconds;

@@ -109,6 +109,12 @@ public:
     on_leg_.assign(number_of_input_vertices, 0);
   }
 
+  /// As before legs were cut, in a mesh that has the input vertices' numbers for handles.
+  void forget_cuts() {
+    for (Leg& l : legs) l.shells.clear(), l.ring = -1, l.apex_vertex = l.apex;
+    for (Sector& s : sectors) s.lock_radius = 0;
+  }
+
   Leg_id add_leg(Leg leg) {
     const Leg_id l = static_cast<Leg_id>(legs.size());
     legs_of_edge[std::size_t(leg.edge)][(*edges_)[leg.edge].a == leg.apex ? 0 : 1] = l;

@@ -26,6 +26,10 @@
 #include <CGAL/Quadtree_mesh_2/internal/Phase_timer.h>
 #include <CGAL/Quadtree_mesh_2/internal/Refiner.h>
 #include <CGAL/Quadtree_mesh_2/internal/Smoother.h>
+#include <CGAL/Quadtree_mesh_2/internal/Separation_trees.h>
+#include <CGAL/Quadtree_mesh_2/internal/Thinner.h>
+#include <CGAL/Quadtree_mesh_2/internal/Tree_construction.h>
+#include <CGAL/Quadtree_mesh_2/internal/Tree_triangulation.h>
 #include <CGAL/Quadtree_mesh_2/internal/coordinate_map.h>
 #include <CGAL/Quadtree_mesh_2/internal/domain.h>
 #include <CGAL/Quadtree_mesh_2/internal/find_corners.h>
@@ -73,7 +77,10 @@ public:
     make_first_mesh();
     Splitter<Geometry> splitter(state_);
     Refiner<Geometry> refiner(state_, splitter);
-    refine(refiner, splitter);
+    if (options_.separation == Quality_mesh_options_2::Separation::THEOREM_5)
+      construct_by_trees(refiner);
+    else
+      refine(refiner, splitter);
     coarsen();
     finish(refiner);
     report_.is_cancelled = is_cancelled_;
@@ -96,6 +103,8 @@ private:
   std::mutex callback_mutex_;
   std::atomic<bool> is_cancelled_{false};
   Order order_; // kernel vertex -> input vertex
+  std::vector<char> is_merged_; // kernel vertices that another one stands for
+  Domain_rule<Geometry> domain_;
 
   /// Whether the user wants to go on; about `share` of the work is done. What the user is told never falls.
   bool shall_go_on(double share) {
@@ -123,9 +132,11 @@ private:
         n, [&](std::size_t v) { points[v] = map_.to_kernel(pslg_.vertices[order_[v]]); });
     First first(state_.mesh, points);
     if (const auto crossing = first.run(kernel_segments())) throw Pslg_error_2(describe(first, *crossing));
-    for (std::size_t v = 0; v < n; ++v)
-      if (first.representative(static_cast<Vertex_id>(v)) != static_cast<Vertex_id>(v))
-        ++report_.merged_vertices;
+    is_merged_.resize(n);
+    for (std::size_t v = 0; v < n; ++v) {
+      is_merged_[v] = first.representative(static_cast<Vertex_id>(v)) != static_cast<Vertex_id>(v) ? 1 : 0;
+      report_.merged_vertices += std::size_t(is_merged_[v]);
+    }
     report_.vertices_on_segments = first.number_of_vertices_on_segments();
     problem_.edges = Input_edges(first.edges(), n);
     problem_.edges.repeat(first.repeated_edges());
@@ -139,11 +150,10 @@ private:
   }
 
   void find_domain() {
-    std::vector<typename Geometry::Point> holes, regions;
-    for (const Point_2& p : pslg_.holes) holes.push_back(map_.to_kernel(p));
-    for (const auto& region : pslg_.regions) regions.push_back(map_.to_kernel(region.point));
-    Domain_finder<Geometry>(state_.mesh, First::number_of_auxiliary_vertices)
-        .run(options_.domain, holes, regions);
+    domain_.rule = options_.domain;
+    for (const Point_2& p : pslg_.holes) domain_.holes.push_back(map_.to_kernel(p));
+    for (const auto& region : pslg_.regions) domain_.regions.push_back(map_.to_kernel(region.point));
+    domain_.apply(state_.mesh, First::number_of_auxiliary_vertices);
     if (!state_.mesh.triangles.empty()) return;
     throw Pslg_error_2(pslg_.segments.empty() ? "there are no segments, so there is no domain to mesh"
                        : options_.domain == Quality_mesh_options_2::Domain::MARKED
@@ -278,14 +288,42 @@ private:
       const double made = static_cast<double>(state_.mesh.number_of_vertices() - n) + 1;
       return shall_go_on(0.2 + 0.6 * made / (made + 3 * static_cast<double>(n)));
     });
-    // Here a construction with certified bounds could take over.
     if (end == Refinement_end::out_of_budget) report_.is_budget_exhausted = true;
+  }
+
+  /// Makes a mesh by quadtrees, and refines what is too large in it, or could not be cured.
+  void construct_by_trees(Refiner<Geometry>& refiner) {
+    Phase_timer timer(report_.seconds.refine);
+    const Pslg graph = graph_of_edges();
+    Separation_trees<Traits, Concurrency_tag> trees(problem_, graph, map_, options_.trees, traits_,
+                                                    report_.trees);
+    state_.corners.forget_cuts();
+    Tree_construction<Traits, Concurrency_tag> construction(state_, trees, map_, is_merged_, domain_,
+                                                            report_.trees);
+    construction.run(options_.trees.placement, vertex_budget(), [this] { return shall_go_on(0.3); });
+    refiner.push_all();
+    run(refiner);
+    state_.legalize();
+  }
+
+  /// The input, in the kernel's order and with its edges: segments cut where vertices lie on them.
+  Pslg graph_of_edges() const {
+    Pslg graph;
+    graph.vertices.reserve(order_.size());
+    for (std::size_t v = 0; v < order_.size(); ++v) graph.vertices.push_back(pslg_.vertices[order_[v]]);
+    for (std::size_t e = 0; e < problem_.edges.size(); ++e) {
+      const Input_edge& edge = problem_.edges[static_cast<Edge_id>(e)];
+      graph.add_segment(Vertex_index(std::size_t(edge.a)), Vertex_index(std::size_t(edge.b)));
+    }
+    return graph;
   }
 
   void coarsen() {
     Phase_timer timer(report_.seconds.coarsen);
     if (is_cancelled_) return;
     finish_mesh(state_, finishing_, [this] { return shall_go_on(0.85); });
+    for (int round = 0; round < options_.thinning_rounds; ++round)
+      if (!Thinner<Geometry>(state_).run(vertex_budget(), [this] { return shall_go_on(0.9); })) return;
   }
 
   /// Makes the mesh exactly constrained Delaunay. Such flips never lower the least angle of a pair; should

@@ -190,6 +190,10 @@ struct Meshing_state {
     return bounds.is_sharp(s) || is_large(t, s);
   }
 
+  void clear_worklist() {
+    while (!worklist.is_empty()) worklist.pop();
+  }
+
   void push_if_suspect(Triangle_id t) {
     if (is_suspect(t)) worklist.push(t);
   }

@@ -35,7 +35,10 @@ namespace internal {
 template <class Geometry>
 class Remover {
 public:
-  explicit Remover(Meshing_state<Geometry>& state) : state_(state), mesh_(state.mesh) {}
+  explicit Remover(Meshing_state<Geometry>& state) : Remover(state, state.bounds) {}
+  /// Keeps to other bounds than those of the state.
+  Remover(Meshing_state<Geometry>& state, const Bounds<Geometry>& bounds)
+      : state_(state), mesh_(state.mesh), bounds_(bounds) {}
 
   /// Removes what can be removed, of the vertices whose star has changed since that was last tried.
   /// \returns the number of vertices removed.
@@ -54,6 +57,11 @@ public:
     return removed;
   }
 
+  /// Removes one vertex, if it is a Steiner vertex whose star can be triangulated without it.
+  bool remove(Vertex_id v) {
+    return !mesh_.is_input(v) && mesh_.is_used(v) && star_.collect(mesh_, v) && try_to_remove(v);
+  }
+
 private:
   static constexpr int max_polygon = 13;
 
@@ -66,6 +74,7 @@ private:
 
   Meshing_state<Geometry>& state_;
   Kernel_mesh<Geometry>& mesh_;
+  const Bounds<Geometry> bounds_;
   Star star_;
   // the new triangles, and the subsegment a-b that the removed vertex split
   Vertex_id made_[Star::max_size + 2][3];
@@ -208,12 +217,12 @@ private:
   bool is_feasible(const Shape& s, const Polygon& p, int a, int b, int c, bool may_be_exempt) const {
     const Vertex_id x = p.v[a], y = p.v[b], z = p.v[c];
     if (s.area2 <= 0) return false;
-    if (state_.bounds.is_sharp(s) && !(may_be_exempt && state_.is_exempt(x, y, z, s))) return false;
-    return !state_.bounds.is_large(s, mesh_.point(x), mesh_.point(y), mesh_.point(z), p.region);
+    if (bounds_.is_sharp(s) && !(may_be_exempt && state_.is_exempt(x, y, z, s))) return false;
+    return !bounds_.is_large(s, mesh_.point(x), mesh_.point(y), mesh_.point(z), p.region);
   }
 
   /// The squared sine of the least angle of a feasible triangle; exempt ones count as good.
-  double weight(const Shape& s) const { return state_.bounds.is_sharp(s) ? 1.5 : s.sin2_of_least_angle(); }
+  double weight(const Shape& s) const { return bounds_.is_sharp(s) ? 1.5 : s.sin2_of_least_angle(); }
 
   void emit(const Polygon& p, int i, int j) {
     if (j - i < 2) return;

@@ -1,0 +1,289 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+//
+// The quadtrees that separate the features of a planar straight-line graph.
+//
+// Computes: T_B, the balanced quadtree of the vertices; T_B', in which each vertex lies in a leaf as small as its
+//           distance to the nearest other vertex or edge asks for; T_B'', in which edges that bound a common cell
+//           in a leaf are apart; T_B*, in which those in neighbouring leaves are as well.
+// Bound:    O(log n) rounds for each tree and O((n + k) log n) work, for n vertices and k leaves and pieces of
+//           edges in T_B*. Sizes are in proportion to the local feature size, or to the width of what faces an
+//           edge, so k is within a constant of any triangulation's with its angles.
+// Source:   Bern, Eppstein, Teng, section 6; Lemma 5 for the distances.
+// Deviates: T_B'' and T_B* are made by splitting leaves until nothing is too near, a level at a time, where the
+//           paper finds at once how far to go: rounds are as many as levels are missing. T_B* looks at leaves next
+//           to each other only, and at pairs in sight of each other: what is farther away is balance's concern.
+//           What distances are enough is in Tree_separation_options_2.h and Edge_gaps.h.
+
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_SEPARATION_TREES_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_SEPARATION_TREES_H
+
+#include <CGAL/Balanced_quadtree.h>
+#include <CGAL/Pslg_2.h>
+#include <CGAL/Quadtree_mesh_2/internal/Edge_gaps.h>
+#include <CGAL/Quadtree_mesh_2/internal/Edge_pieces.h>
+#include <CGAL/Quadtree_mesh_2/internal/Meshing_state.h>
+#include <CGAL/Quadtree_mesh_2/internal/coordinate_map.h>
+#include <CGAL/Quadtree_mesh_2/internal/leaf_cells.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel.h>
+#include <CGAL/Quadtree_mesh_2/internal/subdivide_edges.h>
+#include <CGAL/Quadtree_mesh_2/internal/walk_edges.h>
+#include <CGAL/Quadtree_vertex_edge_neighbors_2.h>
+#include <CGAL/Quality_mesh_report_2.h>
+#include <CGAL/Tree_separation_options_2.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Quadtree_mesh_2 {
+namespace internal {
+
+template <class Traits, class Concurrency_tag>
+class Separation_trees {
+public:
+  using Geometry = typename Traits::Meshing_geometry_2;
+  using Point = typename Geometry::Point;
+  using Point_2 = typename Traits::Point_2;
+  using Tree = Balanced_quadtree<Traits, Concurrency_tag>;
+  using Grid_point = typename Tree::Grid_point;
+  using Pslg = Pslg_2<Point_2>;
+  using Map = Coordinate_map<Traits, Geometry>;
+  using Options = Tree_separation_options_2;
+
+  /// \param graph the vertices and edges of the problem, in its order
+  Separation_trees(const Meshing_problem<Geometry>& problem, const Pslg& graph, const Map& map,
+                   const Options& options, const Traits& traits, Tree_separation_report_2& report)
+      : problem_(problem), graph_(graph), map_(map), options_(options), report_(report), gaps_(problem, options) {
+    make_tree_of_vertices(traits);
+    subdivide_edges();
+    while (split(leaves_with_near_pieces())) {
+    }
+    report_.leaves_of_pieces = tree_.number_of_leaves();
+    separate();
+    report_.leaves_of_edges = tree_.number_of_leaves();
+  }
+
+  const Tree& tree() const { return tree_; }
+  const Edge_pieces& pieces() const { return pieces_; }
+  const Leaf_pieces& pieces_in_leaves() const { return pieces_in_leaves_; }
+
+  /// Splits leaves, and what has to follow for balance and separation. Returns whether there were any.
+  bool refine(std::vector<Leaf_index> leaves) {
+    if (!split(std::move(leaves))) return false;
+    separate();
+    return true;
+  }
+
+  /// The side of squares of a level, in the kernel's coordinates.
+  double side(int level) const { return std::ldexp(side_of_root_, -level); }
+  double side(Leaf_index l) const { return side(tree_.level(l)); }
+  /// The kernel's point for a grid point, rounded only if it cannot represent it.
+  Point kernel_point(const Grid_point& p) const { return map_.to_kernel(tree_.framework().grid().point(p)); }
+  /// \pre the level is less than that of the grid
+  bool is_splittable(Leaf_index l) const { return tree_.level(l) < tree_.framework().grid().depth(); }
+
+private:
+  using Framework = typename Tree::Framework;
+
+  static constexpr std::size_t block_of_leaves_ = 256;
+
+  const Meshing_problem<Geometry>& problem_;
+  const Pslg& graph_;
+  const Map& map_;
+  const Options& options_;
+  Tree_separation_report_2& report_;
+  Edge_gaps<Geometry> gaps_;
+  Tree tree_;
+  Edge_pieces pieces_;
+  Leaf_pieces pieces_in_leaves_;
+  double side_of_root_ = 0;
+
+  void make_tree_of_vertices(const Traits& traits) {
+    const auto annotate = [&](const auto& neighbors, const Tree& first) {
+      report_.leaves_of_points = first.number_of_leaves();
+      side_of_root_ = width(first.corners(first.root()));
+      Framework framework = first.framework();
+      framework.annotate(levels_of_vertices(neighbors, first));
+      tree_ = Tree(std::move(framework));
+      report_.leaves_of_vertices = tree_.number_of_leaves();
+    };
+    const Quadtree_vertex_edge_neighbors_2<Traits, Concurrency_tag> neighbors(
+        graph_, Vertex_edge_neighbors_options_2(), traits);
+    annotate(neighbors, neighbors.quadtree());
+  }
+
+  double width(const std::array<Point_2, 4>& corners) const {
+    return Geometry::difference(map_.to_kernel(corners[1]), map_.to_kernel(corners[0])).x;
+  }
+
+  /// The level of the leaf of each vertex, by rank: from the near vertex and the nearest of the edges that the vertex
+  /// sees along the axes, of which one is within a constant of what is nearest (Lemma 5).
+  template <class Neighbors>
+  std::vector<int> levels_of_vertices(const Neighbors& neighbors, const Tree& first) const {
+    const Framework& framework = first.framework();
+    std::vector<int> levels(framework.number_of_points(), 0);
+    for_each_index<Concurrency_tag>(levels.size(), [&](std::size_t i) {
+      const Point_rank r(i), near = first.near_neighbor(r);
+      const std::size_t v = framework.input_point(r).value();
+      double distance = std::numeric_limits<double>::infinity();
+      if (near.is_valid())
+        distance = std::sqrt(squared_length(
+            Geometry::difference(problem_.input_points[v],
+                                 problem_.input_points[framework.input_point(near).value()])));
+      const Vertex_edge_neighbor_2 edge = neighbors.nearest_hit(Vertex_index(v));
+      if (edge.exists() && edge.distance > 0)
+        distance = std::min(distance, map_.length_to_kernel(edge.distance));
+      levels[i] = level_for(distance / options_.vertex_distance, framework.grid().depth());
+    });
+    return levels;
+  }
+
+  /// The first level with sides of at most a length.
+  int level_for(double length, int depth) const {
+    if (!(length < side_of_root_)) return 0;
+    int level = std::max(0, std::ilogb(side_of_root_) - std::ilogb(length) - 1);
+    while (level < depth && side(level) > length) ++level;
+    return std::min(level, depth);
+  }
+
+  void subdivide_edges() {
+    pieces_ = options_.subdivision == Options::Subdivision::WALKING
+                  ? walk_edges<Concurrency_tag>(tree_, graph_.segments)
+                  : internal::subdivide_edges<Concurrency_tag>(tree_, graph_.segments);
+    pieces_in_leaves_ = Leaf_pieces::of<Concurrency_tag>(pieces_, tree_.number_of_leaves());
+  }
+
+  bool split(std::vector<Leaf_index> leaves) {
+    leaves.erase(std::remove_if(leaves.begin(), leaves.end(),
+                                [this](Leaf_index l) { return !is_splittable(l); }),
+                 leaves.end());
+    if (leaves.empty()) return false;
+    tree_.refine(leaves);
+    subdivide_edges();
+    return true;
+  }
+
+  void separate() {
+    while (split(leaves_with_near_pieces()) || split(leaves_near_pieces())) {
+    }
+  }
+
+  typename Edge_gaps<Geometry>::Leaf frame(Leaf_index l) const {
+    const auto s = tree_.square(l);
+    return {kernel_point({s.x, s.y}), side(s.level)};
+  }
+
+  template <class Is_wrong>
+  std::vector<Leaf_index> leaves_that_are(const Is_wrong& is_wrong) const {
+    std::vector<char> is_marked(tree_.number_of_leaves(), 0);
+    for_each_block<Concurrency_tag>(is_marked.size(), block_of_leaves_,
+                                    [&](std::size_t, std::size_t begin, std::size_t end) {
+                                      Scratch scratch;
+                                      for (std::size_t l = begin; l < end; ++l)
+                                        is_marked[l] = is_wrong(Leaf_index(l), scratch) ? 1 : 0;
+                                    });
+    return pack_values<Concurrency_tag, Leaf_index>(
+        is_marked.size(), [&](std::size_t l) { return is_marked[l] != 0; },
+        [](std::size_t l) { return Leaf_index(l); });
+  }
+
+  struct Scratch {
+    Leaf_cells<typename Tree::Word> cells;
+    std::vector<typename Leaf_cells<typename Tree::Word>::Ends> segments;
+    std::vector<Edge_id> own, others;
+  };
+
+  /// For T_B'': leaves too large for two pieces that bound a common cell in them.
+  std::vector<Leaf_index> leaves_with_near_pieces() const {
+    return leaves_that_are([this](Leaf_index l, Scratch& scratch) {
+      const auto pieces = pieces_in_leaves_[l];
+      if (pieces.size() < 2 || !is_splittable(l)) return false;
+      const auto leaf = frame(l);
+      bool is_any = false;
+      for_each_pair_in_cell(l, scratch, [&](Edge_id e, Edge_id f) {
+        is_any = is_any || gaps_.is_too_large(leaf, e, f, gaps_.gap(e, f, leaf));
+      });
+      return is_any;
+    });
+  }
+
+  /// Calls `f` for the pairs of edges on the boundary of a common cell in a leaf.
+  template <class F>
+  void for_each_pair_in_cell(Leaf_index l, Scratch& scratch, const F& f) const {
+    const auto pieces = pieces_in_leaves_[l];
+    if (pieces.size() == 2) return f(edge(pieces[0]), edge(pieces[1]));
+    const Framework& framework = tree_.framework();
+    scratch.segments.clear();
+    for (const Edge_piece& p : pieces) {
+      const auto& ends = graph_.segments[std::size_t(p.segment)];
+      scratch.segments.push_back({framework.grid_point(framework.rank(Point_index(ends[0].value()))),
+                                  framework.grid_point(framework.rank(Point_index(ends[1].value())))});
+    }
+    const auto s = tree_.square(l);
+    scratch.cells.for_each_pair(
+        {s.x, s.y},
+        Word_operations<typename Tree::Word>::power_of_two(framework.grid().depth() - s.level), scratch.segments,
+        [&](std::uint32_t i, std::uint32_t j) { f(edge(pieces[i]), edge(pieces[j])); });
+  }
+
+  /// For T_B*: leaves too large for a piece in them and one next to them.
+  std::vector<Leaf_index> leaves_near_pieces() const {
+    return leaves_that_are([this](Leaf_index l, Scratch& scratch) {
+      return pieces_in_leaves_[l].size() > 0 && is_splittable(l) && is_near_piece(l, scratch);
+    });
+  }
+
+  bool is_near_piece(Leaf_index l, Scratch& scratch) const {
+    const auto leaf = frame(l);
+    auto &own = scratch.own, &others = scratch.others;
+    own.clear(), others.clear();
+    for (const Edge_piece& p : pieces_in_leaves_[l]) own.push_back(edge(p));
+    for (const Leaf_index n : tree_.neighbors(l))
+      for (const Edge_piece& p : pieces_in_leaves_[n]) others.push_back(edge(p));
+    std::sort(others.begin(), others.end());
+    others.erase(std::unique(others.begin(), others.end()), others.end());
+    for (const Edge_id f : others) {
+      if (std::binary_search(own.begin(), own.end(), f)) continue;
+      const auto [e, gap] = nearest(own, f, leaf);
+      if (e >= 0 && gaps_.is_too_large(leaf, e, f, gap) && !is_hidden(gap, e, f, scratch, leaf)) return true;
+    }
+    return false;
+  }
+
+  static Edge_id edge(const Edge_piece& p) { return static_cast<Edge_id>(p.segment.value()); }
+
+  /// The nearest of the pieces in a leaf to an edge around it.
+  std::pair<Edge_id, Local_gap> nearest(const std::vector<Edge_id>& own, Edge_id f,
+                                        const typename Edge_gaps<Geometry>::Leaf& leaf) const {
+    std::pair<Edge_id, Local_gap> best{-1, Local_gap()};
+    for (const Edge_id e : own) {
+      const Local_gap gap = gaps_.gap(e, f, leaf);
+      if (gap.length < best.second.length) best = {e, gap};
+    }
+    return best;
+  }
+
+  /// Whether another edge lies between e and f.
+  bool is_hidden(const Local_gap& gap, Edge_id e, Edge_id f, const Scratch& scratch,
+                 const typename Edge_gaps<Geometry>::Leaf& leaf) const {
+    const auto hides = [&](Edge_id g) {
+      return g != e && g != f && gap.is_blocked_by(gaps_.local(g, leaf));
+    };
+    return std::any_of(scratch.own.begin(), scratch.own.end(), hides) ||
+           std::any_of(scratch.others.begin(), scratch.others.end(), hides);
+  }
+};
+
+} // namespace internal
+} // namespace Quadtree_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_SEPARATION_TREES_H

@@ -1,0 +1,86 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+//
+// Thins out a mesh beyond what guarded removal can.
+//
+// Removal (Remover.h) keeps to the bound at each step, and so ends where no single vertex can go. Here a round
+// removes with a bound of `thinning_share` of the given one, refines what then is below the given one (relocation
+// first, Refiner.h), and removes under guard. Where vertices stood in each other's way fewer are put back: on maps
+// 3 to 4 percent of the triangles go in the first round, half of that in the second.
+// A round that does not come to rest, or ends with more triangles, is undone. O(k) expected for k triangles.
+
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_THINNER_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_THINNER_H
+
+#include <CGAL/Quadtree_mesh_2/internal/Meshing_state.h>
+#include <CGAL/Quadtree_mesh_2/internal/Refiner.h>
+#include <CGAL/Quadtree_mesh_2/internal/Remover.h>
+#include <CGAL/Quadtree_mesh_2/internal/Splitter.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+namespace CGAL {
+namespace Quadtree_mesh_2 {
+namespace internal {
+
+/// The share of the bound that removal keeps to.
+constexpr double thinning_share = 0.72;
+
+/// \pre no triangle of the mesh is bad, and no sector is locked
+template <class Geometry>
+class Thinner {
+public:
+  explicit Thinner(Meshing_state<Geometry>& state) : state_(state), lower_(state.bounds) {
+    const double sine = std::sin(thinning_share * state.bounds.angle);
+    lower_.sin2 = sine * sine;
+  }
+
+  /// Returns whether the mesh has fewer triangles than before.
+  template <class Continue>
+  bool run(std::size_t vertex_budget, Continue&& shall_go_on) {
+    Kernel_mesh<Geometry> before = state_.mesh;
+    dirty_all();
+    Remover<Geometry>(state_, lower_).run(shall_go_on);
+    state_.clear_worklist();
+    Splitter<Geometry> splitter(state_);
+    Refiner<Geometry> refiner(state_, splitter);
+    refiner.push_all();
+    const bool is_done = refiner.run(vertex_budget, shall_go_on) == Refinement_end::done;
+    if (is_done) {
+      state_.legalize();
+      Remover<Geometry>(state_).run(shall_go_on);
+    }
+    if (is_done && state_.mesh.number_of_triangles() < before.number_of_triangles() && !has_bad()) return true;
+    state_.clear_worklist();
+    state_.doubtful_sides.clear();
+    state_.mesh = std::move(before);
+    return false;
+  }
+
+private:
+  Meshing_state<Geometry>& state_;
+  Bounds<Geometry> lower_;
+
+  void dirty_all() {
+    std::fill(state_.mesh.is_dirty.begin(), state_.mesh.is_dirty.end(), char(1));
+  }
+
+  /// After the last flips.
+  bool has_bad() const {
+    for (std::size_t t = 0; t < state_.mesh.triangles.size(); ++t)
+      if (state_.mesh.is_alive(static_cast<Triangle_id>(t)) && state_.is_bad(static_cast<Triangle_id>(t))) return true;
+    return false;
+  }
+};
+
+} // namespace internal
+} // namespace Quadtree_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_THINNER_H

@@ -1,0 +1,245 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+//
+// The vertices of a mesh by a quadtree that separates the features of a graph.
+//
+// Computes: points on the edges and corners of leaves, such that a constrained Delaunay triangulation of them and
+//           the graph has no small angles, but few.
+// Bound:    O(1) for each piece of an edge and each corner.
+// Source:   Bern, Eppstein, Teng, Theorem 5: "local warping". The rule is ours: Column_rule.h.
+// Deviates: nothing is warped. An edge gets a vertex where it crosses the sides of leaves transversal to it, and
+//           corners near edges and vertices are dropped. Where the leaves along an edge are equal the rule of
+//           Column_rule.h holds with its bound; at changes of sizes this is the same rule with its distances for
+//           equal leaves, which does not need columns, and misses the bound here and there: Corner_chooser.h.
+//
+// Nothing depends on anything further away than a leaf or two, so all is done at the same time.
+
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_TREE_PLACEMENT_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_TREE_PLACEMENT_H
+
+#include <CGAL/Quadtree_mesh_2/internal/Column_rule.h>
+#include <CGAL/Quadtree_mesh_2/internal/Separation_trees.h>
+#include <CGAL/Quadtree_mesh_2/internal/Tree_corners.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Quadtree_mesh_2 {
+namespace internal {
+
+/// Vertices of a mesh to be, and the pieces of edges between them.
+template <class Geometry>
+struct Placed_vertices {
+  std::vector<typename Geometry::Point> points; ///< first the input's, then those on edges, then corners
+  std::vector<Edge_id> edge_of;                 ///< as `Kernel_mesh::edge_of`
+  std::vector<std::array<Vertex_id, 2>> segments;
+};
+
+template <class Traits, class Concurrency_tag>
+class Tree_placement {
+public:
+  using Trees = Separation_trees<Traits, Concurrency_tag>;
+  using Geometry = typename Trees::Geometry;
+  using Point = typename Geometry::Point;
+  using Problem = Meshing_problem<Geometry>;
+
+  Tree_placement(const Problem& problem, const Trees& trees)
+      : problem_(problem), trees_(trees), tree_(trees.tree()), corners_(trees.tree()) {}
+
+  Placed_vertices<Geometry> run() {
+    Placed_vertices<Geometry> placed;
+    const std::size_t n = problem_.input_points.size();
+    placed.points = problem_.input_points;
+    placed.edge_of.resize(n);
+    for (std::size_t v = 0; v < n; ++v) placed.edge_of[v] = input_vertex(static_cast<Vertex_id>(v));
+    cut_edges(placed);
+    find_corners_kept();
+    drop_corners_at_vertices();
+    append_corners(placed);
+    return placed;
+  }
+
+private:
+  using Tree = typename Trees::Tree;
+  using Grid_point = typename Trees::Grid_point;
+  using Corners = Tree_corners<Tree>;
+  using Name = typename Corners::Name;
+
+  static constexpr std::size_t block_of_edges_ = 256;
+  static constexpr std::size_t block_of_corners_ = 1024;
+
+  const Problem& problem_;
+  const Trees& trees_;
+  const Tree& tree_;
+  Corners corners_;
+  std::vector<char> is_kept_; // by name of a corner
+
+  // ---- on edges
+
+  struct Crossing {
+    Edge_id edge;
+    Point point;
+  };
+
+  void cut_edges(Placed_vertices<Geometry>& placed) const {
+    const std::size_t m = problem_.edges.size();
+    std::vector<std::vector<Crossing>> found((m + block_of_edges_ - 1) / block_of_edges_);
+    for_each_block<Concurrency_tag>(m, block_of_edges_,
+                                    [&](std::size_t b, std::size_t begin, std::size_t end) {
+                                      for (std::size_t e = begin; e < end; ++e)
+                                        cut_edge(static_cast<Edge_id>(e), found[b]);
+                                    });
+    Edge_id e = 0;
+    for (const auto& crossings : found)
+      for (const Crossing& c : crossings) {
+        while (e < c.edge) close_edge(placed, e++);
+        append(placed, c);
+      }
+    while (e < static_cast<Edge_id>(m)) close_edge(placed, e++);
+  }
+
+  /// The last vertex on an edge is joined to its end, and the first one of the next edge to its beginning.
+  void close_edge(Placed_vertices<Geometry>& placed, Edge_id e) const {
+    const Input_edge& edge = problem_.edges[e];
+    const Vertex_id last = placed.edge_of.back() == e ? static_cast<Vertex_id>(placed.points.size()) - 1 : edge.a;
+    placed.segments.push_back({last, edge.b});
+  }
+  void append(Placed_vertices<Geometry>& placed, const Crossing& c) const {
+    const Vertex_id v = static_cast<Vertex_id>(placed.points.size());
+    placed.segments.push_back({placed.edge_of.back() == c.edge ? v - 1 : problem_.edges[c.edge].a, v});
+    placed.points.push_back(c.point);
+    placed.edge_of.push_back(c.edge);
+  }
+
+  /// Where an edge crosses the sides of leaves transversal to it, but for those next to its ends.
+  void cut_edge(Edge_id e, std::vector<Crossing>& crossings) const {
+    const Input_edge& edge = problem_.edges[e];
+    const Point &a = problem_.input_point(edge.a), &b = problem_.input_point(edge.b);
+    const Vector d = Geometry::difference(b, a);
+    const bool is_steep = std::fabs(d.y) > std::fabs(d.x);
+    const double length = std::sqrt(squared_length(d));
+    const double least = clearance(edge.a) / length, most = 1 - clearance(edge.b) / length;
+    const auto leaves = trees_.pieces()[Segment_index(std::size_t(e))];
+    for (std::size_t i = 1; i < leaves.size(); ++i) {
+      const Leaf_index behind = side_crossed(leaves[i - 1], leaves[i], is_steep);
+      if (!behind.is_valid()) continue;
+      const auto s = tree_.square(behind);
+      const Vector to_side = Geometry::difference(trees_.kernel_point({s.x, s.y}), a);
+      const double share = is_steep ? to_side.y / d.y : to_side.x / d.x;
+      if (share >= least && share <= most) crossings.push_back({e, Geometry::between(a, b, share)});
+    }
+  }
+
+  double clearance(Vertex_id v) const {
+    return one_vertex_rule.first_crossing * trees_.side(tree_.leaf(Point_index(std::size_t(v))));
+  }
+
+  /// Of two leaves that follow each other on an edge the one whose left (or lower) side is crossed; invalid if
+  /// they are not beside each other as the edge runs.
+  Leaf_index side_crossed(Leaf_index l, Leaf_index m, bool is_steep) const {
+    const auto s = tree_.square(l), t = tree_.square(m);
+    const auto &x = is_steep ? s.y : s.x, &y = is_steep ? t.y : t.x;
+    if (x < y) return x + side(s.level) <= y ? m : Leaf_index();
+    return y + side(t.level) <= x ? l : Leaf_index();
+  }
+
+  typename Tree::Word side(int level) const {
+    return Word_operations<typename Tree::Word>::power_of_two(tree_.framework().grid().depth() - level);
+  }
+
+  // ---- corners
+
+  void find_corners_kept() {
+    is_kept_.assign(corners_.number_of_names(), 0);
+    for_each_index<Concurrency_tag>(
+        is_kept_.size(), [&](std::size_t c) { is_kept_[c] = corners_.exists(c) && is_clear_of_edges(c) ? 1 : 0; },
+        block_of_corners_);
+  }
+
+  /// Whether a corner is far enough from all edges. Those nearer than a side of the smallest leaf around it pass
+  /// these leaves.
+  bool is_clear_of_edges(Name c) const {
+    const auto leaves = corners_.leaves_around(c);
+    bool is_any = false;
+    for (const Leaf_index l : leaves) is_any = is_any || (l.is_valid() && !trees_.pieces_in_leaves()[l].empty());
+    if (!is_any) return true;
+    const Point p = trees_.kernel_point(corners_.place(c));
+    const double side = trees_.side(corners_.level(leaves));
+    for (const Leaf_index l : leaves)
+      if (l.is_valid())
+        for (const Edge_piece& piece : trees_.pieces_in_leaves()[l])
+          if (!is_clear_of(static_cast<Edge_id>(piece.segment.value()), p, side)) return false;
+    return true;
+  }
+
+  bool is_clear_of(Edge_id e, const Point& p, double side) const {
+    const Input_edge& edge = problem_.edges[e];
+    const Vector a = Geometry::difference(problem_.input_point(edge.a), p);
+    const Vector d = Geometry::difference(problem_.input_point(edge.b), problem_.input_point(edge.a));
+    const double l2 = squared_length(d), foot = -dot(a, d);
+    if (foot < 0 || foot > l2) return true; // that is for the rule at vertices
+    const double length = std::sqrt(l2), from_end = std::min(foot, l2 - foot) / length;
+    const double least = from_end < vertex_reach * side ? one_vertex_rule.clear_of_edge : equal_leaves_threshold;
+    return std::fabs(cross(a, d)) >= least * side * length;
+  }
+
+  /// All corners near a vertex are those of its leaf, or of a leaf next to that.
+  void drop_corners_at_vertices() {
+    const std::size_t n = problem_.input_points.size();
+    std::vector<std::vector<Name>> found((n + block_of_edges_ - 1) / block_of_edges_);
+    for_each_block<Concurrency_tag>(
+        n, block_of_edges_, [&](std::size_t b, std::size_t begin, std::size_t end) {
+          for (std::size_t v = begin; v < end; ++v) find_corners_at(static_cast<Vertex_id>(v), found[b]);
+        });
+    for (const auto& names : found)
+      for (const Name c : names) is_kept_[c] = 0;
+  }
+
+  void find_corners_at(Vertex_id v, std::vector<Name>& names) const {
+    const Leaf_index own = tree_.leaf(Point_index(std::size_t(v)));
+    find_corners_of(own, v, names);
+    for (const Leaf_index l : tree_.neighbors(own)) find_corners_of(l, v, names);
+  }
+
+  void find_corners_of(Leaf_index l, Vertex_id v, std::vector<Name>& names) const {
+    const auto s = tree_.square(l);
+    const Vector low = Geometry::difference(trees_.kernel_point({s.x, s.y}), problem_.input_point(v));
+    const double side = trees_.side(s.level);
+    for (int i = 0; i < 4; ++i) {
+      const Vector to_corner = low + Vector{(i & 1) != 0 ? side : 0, (i & 2) != 0 ? side : 0};
+      const double distance = std::sqrt(squared_length(to_corner));
+      if (distance >= one_vertex_rule.clear_of_vertex * side) continue; // and leaves around it may be smaller
+      const Name c = corners_.name(l, static_cast<Leaf_corner>(i));
+      if (c == Corners::none) continue;
+      if (distance < one_vertex_rule.clear_of_vertex * trees_.side(corners_.level(corners_.leaves_around(c))))
+        names.push_back(c);
+    }
+  }
+
+  void append_corners(Placed_vertices<Geometry>& placed) const {
+    const auto names = pack_values<Concurrency_tag, Name>(
+        is_kept_.size(), [&](std::size_t c) { return is_kept_[c] != 0; }, [](std::size_t c) { return c; });
+    const std::size_t first = placed.points.size();
+    placed.points.resize(first + names.size());
+    placed.edge_of.resize(first + names.size(), free_vertex);
+    for_each_index<Concurrency_tag>(names.size(), [&](std::size_t i) {
+      placed.points[first + i] = trees_.kernel_point(corners_.place(names[i]));
+    });
+  }
+};
+
+} // namespace internal
+} // namespace Quadtree_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_TREE_PLACEMENT_H
