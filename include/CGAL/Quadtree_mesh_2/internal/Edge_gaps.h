@@ -17,6 +17,8 @@
 //           between its legs. This is how acute corners are cut off "at a distance proportional to the nearest
 //           neighbour": the sides of leaves are.
 //
+// What is across the outside of the domain does not count.
+//
 // In rounded arithmetic: what comes out differs by rounding errors in near-ties only, and decides about sizes,
 // not about the correctness of anything.
 
@@ -28,7 +30,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <vector>
 
 namespace CGAL {
 namespace Quadtree_mesh_2 {
@@ -92,13 +96,36 @@ struct Local_gap {
   }
 };
 
+/// On which sides of each edge the domain is.
+class Edge_sides {
+public:
+  /// \pre the mesh is a triangulation of the domain without Steiner vertices
+  template <class Mesh>
+  Edge_sides(const Mesh& mesh, const Input_edges& edges) : sides_(edges.size(), 0) {
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+      for (int k = 0; k < 3; ++k) {
+        const Side s(static_cast<Triangle_id>(t), k);
+        if (!mesh.is_alive(s.triangle()) || !mesh.triangle(s.triangle()).side[k].is_constrained()) continue;
+        const Edge_id e = edges.between(mesh.source(s), mesh.target(s));
+        sides_[std::size_t(e)] = static_cast<char>(sides_[std::size_t(e)] | (edges[e].a == mesh.source(s) ? left_ : right_));
+      }
+  }
+  bool is_domain_on_left(Edge_id e) const { return (sides_[std::size_t(e)] & left_) != 0; }
+  bool is_domain_on_right(Edge_id e) const { return (sides_[std::size_t(e)] & right_) != 0; }
+
+private:
+  static constexpr char left_ = 1, right_ = 2;
+  std::vector<char> sides_;
+};
+
 template <class Geometry>
 class Edge_gaps {
 public:
   using Point = typename Geometry::Point;
 
-  Edge_gaps(const Meshing_problem<Geometry>& problem, const Tree_separation_options_2& options)
-      : problem_(problem), options_(options) {}
+  Edge_gaps(const Meshing_problem<Geometry>& problem, const Edge_sides& sides,
+            const Tree_separation_options_2& options)
+      : problem_(problem), sides_(sides), options_(options) {}
 
   /// A leaf, by its lower left corner and its side.
   struct Leaf {
@@ -123,6 +150,7 @@ public:
   /// Whether a leaf is too large for a gap in it.
   bool is_too_large(const Leaf& leaf, Edge_id e, Edge_id f, const Local_gap& gap) const {
     if (gap.length >= options_.edge_distance * leaf.side) return false;
+    if (!is_domain_towards(e, gap.to - gap.from, leaf) || !is_domain_towards(f, gap.from - gap.to, leaf)) return false;
     const Vertex_id v = common_vertex(e, f);
     if (v < 0) return true;
     const Vector apex = Geometry::difference(problem_.input_point(v), leaf.corner);
@@ -133,7 +161,15 @@ public:
 
 private:
   const Meshing_problem<Geometry>& problem_;
+  const Edge_sides& sides_;
   const Tree_separation_options_2& options_;
+
+  /// Whether the domain is on the side of an edge to which a direction leads.
+  bool is_domain_towards(Edge_id e, Vector direction, const Leaf& leaf) const {
+    const Local_segment s = local(e, leaf);
+    const double turn = cross(s.b - s.a, direction);
+    return turn > 0 ? sides_.is_domain_on_left(e) : turn < 0 ? sides_.is_domain_on_right(e) : true;
+  }
 
   static double square(double x) { return x * x; }
 

@@ -46,6 +46,7 @@
 #include <cstddef>
 #include <limits>
 #include <mutex>
+#include <optional>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -105,6 +106,7 @@ private:
   Order order_; // kernel vertex -> input vertex
   std::vector<char> is_merged_; // kernel vertices that another one stands for
   Domain_rule<Geometry> domain_;
+  std::optional<Edge_sides> edge_sides_;
 
   /// Whether the user wants to go on; about `share` of the work is done. What the user is told never falls.
   bool shall_go_on(double share) {
@@ -143,6 +145,7 @@ private:
     problem_.input_points = std::move(points);
 
     find_domain();
+    edge_sides_.emplace(state_.mesh, problem_.edges);
     if constexpr (Geometry::has_unlimited_coordinates) check_distances();
     set_bounds();
     estimate_size();
@@ -295,7 +298,7 @@ private:
   void construct_by_trees(Refiner<Geometry>& refiner) {
     Phase_timer timer(report_.seconds.refine);
     const Pslg graph = graph_of_edges();
-    Separation_trees<Traits, Concurrency_tag> trees(problem_, graph, map_, options_.trees, traits_,
+    Separation_trees<Traits, Concurrency_tag> trees(problem_, *edge_sides_, graph, map_, options_.trees, traits_,
                                                     report_.trees);
     state_.corners.forget_cuts();
     Tree_construction<Traits, Concurrency_tag> construction(state_, trees, map_, is_merged_, domain_,

@@ -59,9 +59,9 @@ public:
   using Options = Tree_separation_options_2;
 
   /// \param graph the vertices and edges of the problem, in its order
-  Separation_trees(const Meshing_problem<Geometry>& problem, const Pslg& graph, const Map& map,
+  Separation_trees(const Meshing_problem<Geometry>& problem, const Edge_sides& sides, const Pslg& graph, const Map& map,
                    const Options& options, const Traits& traits, Tree_separation_report_2& report)
-      : problem_(problem), graph_(graph), map_(map), options_(options), report_(report), gaps_(problem, options) {
+      : problem_(problem), graph_(graph), map_(map), options_(options), report_(report), gaps_(problem, sides, options) {
     make_tree_of_vertices(traits);
     subdivide_edges();
     while (split(leaves_with_near_pieces())) {

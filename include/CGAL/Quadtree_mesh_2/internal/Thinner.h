@@ -48,17 +48,13 @@ public:
     dirty_all();
     Remover<Geometry>(state_, lower_).run(shall_go_on);
     state_.clear_worklist();
-    Splitter<Geometry> splitter(state_);
-    Refiner<Geometry> refiner(state_, splitter);
-    refiner.push_all();
-    const bool is_done = refiner.run(vertex_budget, shall_go_on) == Refinement_end::done;
-    if (is_done) {
-      state_.legalize();
+    if (refine(vertex_budget, shall_go_on)) {
       Remover<Geometry>(state_).run(shall_go_on);
+      if (state_.mesh.number_of_triangles() < before.number_of_triangles()) return true;
     }
-    if (is_done && state_.mesh.number_of_triangles() < before.number_of_triangles() && !has_bad()) return true;
     state_.clear_worklist();
     state_.doubtful_sides.clear();
+    if(getenv("DBG")) fprintf(stderr,"undone\n");
     state_.mesh = std::move(before);
     return false;
   }
@@ -71,10 +67,18 @@ private:
     std::fill(state_.mesh.is_dirty.begin(), state_.mesh.is_dirty.end(), char(1));
   }
 
-  /// After the last flips.
-  bool has_bad() const {
-    for (std::size_t t = 0; t < state_.mesh.triangles.size(); ++t)
-      if (state_.mesh.is_alive(static_cast<Triangle_id>(t)) && state_.is_bad(static_cast<Triangle_id>(t))) return true;
+  /// Whether no triangle is bad in the end.
+  template <class Continue>
+  bool refine(std::size_t vertex_budget, Continue& shall_go_on) {
+    constexpr int most_rounds = 5;
+    Splitter<Geometry> splitter(state_);
+    Refiner<Geometry> refiner(state_, splitter);
+    refiner.push_all();
+    for (int round = 0; round < most_rounds; ++round) {
+      if (refiner.run(vertex_budget, shall_go_on) != Refinement_end::done) return false;
+      state_.legalize(); // and what that makes bad is on the list again
+      if (state_.worklist.is_empty()) return true;
+    }
     return false;
   }
 };
