@@ -34,9 +34,10 @@ using namespace quadtree_test;
 using CGAL::Balanced_quadtree;
 using CGAL::Quadtree_options;
 using CGAL::Quadtree_mesh_2::Balance;
-using CGAL::Quadtree_mesh_2::Node_index;
 using CGAL::Quadtree_mesh_2::Vertex_index;
+using CGAL::Quadtree_mesh_2::internal::all_leaves;
 using CGAL::Quadtree_mesh_2::internal::Centroid_node;
+using CGAL::Quadtree_mesh_2::internal::centroid_tree;
 using CGAL::Quadtree_mesh_2::internal::Centroid_tree;
 using CGAL::Quadtree_mesh_2::internal::Edge_piece;
 using CGAL::Quadtree_mesh_2::internal::Leaf_pieces;
@@ -168,17 +169,22 @@ void check_by_brute_force(const std::vector<Case>& cases, std::size_t most_pairs
     });
 }
 
-/// Whether a leaf is in the square of a node.
+/// Whether a leaf is in a square.
 template <class Tree>
-bool is_in(const Tree& tree, Leaf_index l, Node_index v) {
-  return !(l < tree.leaves(v).begin) && l < tree.leaves(v).end;
+bool is_in(const Tree& tree, Leaf_index l, const typename Tree::Square& square) {
+  const auto leaf = tree.square(l);
+  return leaf.level >= square.level &&
+         CGAL::Quadtree_mesh_2::internal::corner_of_square(typename Tree::Grid_point{leaf.x, leaf.y},
+                                                           square.level, tree.framework().grid().depth()) ==
+             typename Tree::Grid_point{square.x, square.y};
 }
 
 /// Checks the tree of a part: that leaves are on the right side of every split, and that no split has too many
 /// on either side. Returns the leaves below a node, in order.
 template <class Tree>
-std::vector<Leaf_index> check_centroids(const Tree& tree, const Centroid_tree& centroids, Centroid_node v,
-                                        Node_index square, int height_left) {
+std::vector<Leaf_index> check_centroids(const Tree& tree, const Centroid_tree<typename Tree::Word>& centroids,
+                                        Centroid_node v, const typename Tree::Square& square,
+                                        int height_left) {
   REQUIRE(height_left >= 0);
   if (v.is_leaf()) {
     REQUIRE(is_in(tree, v.leaf(), square));
@@ -197,7 +203,7 @@ std::vector<Leaf_index> check_centroids(const Tree& tree, const Centroid_tree& c
 
 template <class Tree>
 void check_centroid_tree(const Tree& tree, std::size_t leaves_per_part) {
-  const Centroid_tree centroids = Centroid_tree::of<CGAL::Sequential_tag>(tree, leaves_per_part);
+  const auto centroids = centroid_tree<CGAL::Sequential_tag>(tree, leaves_per_part);
   const bool has_parts = leaves_per_part < tree.number_of_leaves();
   REQUIRE((centroids.parts().size() > 1) == has_parts);
   std::vector<Leaf_index> all;
@@ -211,7 +217,7 @@ void check_centroid_tree(const Tree& tree, std::size_t leaves_per_part) {
   std::sort(all.begin(), all.end());
   REQUIRE(std::unique(all.begin(), all.end()) == all.end());
   REQUIRE(centroids.height() <=
-          Centroid_tree::height_bound(std::min(leaves_per_part, tree.number_of_leaves())));
+          Centroid_tree<std::uint32_t>::height_bound(std::min(leaves_per_part, tree.number_of_leaves())));
 }
 
 /// Checks all ways to subdivide against walking.
@@ -219,8 +225,8 @@ template <class Tree>
 void check_subdivisions(const Tree& tree, const Segments& segments) {
   const Edge_pieces walked = walk_edges<CGAL::Sequential_tag>(tree, segments);
   REQUIRE(subdivide_edges<CGAL::Sequential_tag>(tree, segments) == walked);
-  for (const std::size_t leaves_per_part : {std::size_t(1), std::size_t(10), Centroid_tree::all_leaves}) {
-    const Centroid_tree centroids = Centroid_tree::of<CGAL::Sequential_tag>(tree, leaves_per_part);
+  for (const std::size_t leaves_per_part : {std::size_t(1), std::size_t(10), all_leaves}) {
+    const auto centroids = centroid_tree<CGAL::Sequential_tag>(tree, leaves_per_part);
     REQUIRE(subdivide_edges<CGAL::Sequential_tag>(tree, centroids, segments) == walked);
   }
 }
@@ -240,7 +246,7 @@ TEST_CASE("centroid trees split evenly and hold all leaves", "[edge_pieces]") {
     for_each_tree<Filtered_traits>(c, 1000, [](const auto& tree, const Segments&) {
       for (const std::size_t leaves_per_part : {std::size_t(1), std::size_t(7), std::size_t(100)})
         check_centroid_tree(tree, leaves_per_part);
-      check_centroid_tree(tree, Centroid_tree::all_leaves);
+      check_centroid_tree(tree, all_leaves);
     });
 }
 
@@ -340,7 +346,7 @@ TEST_CASE("pieces are the same for any number of threads", "[edge_pieces]") {
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
     REQUIRE(walk_edges<CGAL::Parallel_tag>(tree, many.segments) == expected);
     REQUIRE(subdivide_edges<CGAL::Parallel_tag>(tree, many.segments) == expected);
-    const Centroid_tree all = Centroid_tree::of<CGAL::Parallel_tag>(tree);
+    const auto all = centroid_tree<CGAL::Parallel_tag>(tree, all_leaves);
     REQUIRE(subdivide_edges<CGAL::Parallel_tag>(tree, all, many.segments) == expected);
   }
 #endif
