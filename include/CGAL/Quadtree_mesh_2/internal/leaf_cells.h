@@ -229,6 +229,8 @@ private:
     std::sort(ends_.begin(), ends_.end(), [](const End& a, const End& b) {
       const int order = compare(a.place, b.place);
       if (order != 0) return order < 0;
+      // Points may be without a direction.
+      if (a.is_point || b.is_point) return a.is_point && (!b.is_point || a.half_edge < b.half_edge);
       if (turns_before(a.direction, b.direction)) return true;
       if (turns_before(b.direction, a.direction)) return false;
       return a.half_edge < b.half_edge;

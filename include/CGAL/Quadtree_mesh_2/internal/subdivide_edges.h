@@ -207,6 +207,7 @@ private:
     const Uninitialized_vector<Item> items = std::move(items_);
     rounds_.tests_of_largest_round = std::max(rounds_.tests_of_largest_round, items.size());
     run_round(items.size(), [&](std::size_t i, Block& block) {
+      if (block.items.capacity() == 0) block.items.reserve(block_length_ + block_length_ / 4);
       if (items[i].node.is_leaf())
         test_leaf(items[i], block);
       else
