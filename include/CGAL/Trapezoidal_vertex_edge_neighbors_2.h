@@ -43,7 +43,7 @@ namespace CGAL {
 ///
 /// <h3>Time</h3>
 /// \f$ O((n + m + c) \log n) \f$ for n vertices, m segments and c crossings. Only orientations of vertices are
-/// computed, besides crossings if there are any, and distances. With `Parallel_tag` slabs of some thousand
+/// computed, besides crossings if there are any, and distances. With `Parallel_tag` slabs of a thousand or more
 /// vertices are dealt with beside each other.
 /// \tparam Traits_ a model of `QuadtreeTraits_2`: any of those of this package.
 /// \tparam Concurrency_tag `CGAL::Sequential_tag` or `CGAL::Parallel_tag`.
@@ -101,7 +101,7 @@ private:
   using Hits = Quadtree_mesh_2::internal::Vertex_edge_hits;
   using Axis_slabs = Quadtree_mesh_2::internal::Slabs<Point_2>;
 
-  static constexpr std::size_t least_slab = 4096; ///< slabs with less places are no faster
+  static constexpr std::size_t least_slab = 1024; ///< slabs with less places are no faster
   static constexpr std::size_t block_of_vertices = 1024;
 
   /// Measures the hits of the rays along x and those along y.
@@ -113,10 +113,11 @@ private:
         hits_.size(),
         [&](std::size_t i) {
           const Vertex_index v(i);
-          const Segment_index through = first_of(x.through(v), y.through(v));
+          typename Axis_rays<Pslg>::Hit at_vertex;
+          at_vertex.segment = first_of(x.through(v), y.through(v));
           hits_[i] = vertex_edge_hits(rays, v, [&](const auto& ray) {
-            const auto& of_axis = (ray.axis() == 0 ? x : y).hits(v);
-            return rays.hit(ray, through.is_valid() ? through : of_axis[ray.sign() > 0 ? 0 : 1]);
+            if (at_vertex.segment.is_valid()) return at_vertex;
+            return rays.hit_ahead(ray, (ray.axis() == 0 ? x : y).hits(v)[ray.sign() > 0 ? 0 : 1]);
           });
         },
         block_of_vertices);

@@ -54,14 +54,11 @@ public:
   const Graph& graph() const { return graph_; }
 
   /// The hit of a segment, or of none.
-  /// \pre the ray hits the segment if it is valid
-  Hit hit(const Ray& ray, Segment_index s) const {
+  /// \pre the ray hits the segment beyond its vertex if it is valid
+  Hit hit_ahead(const Ray& ray, Segment_index s) const {
     Hit result;
     result.segment = s;
-    if (!s.is_valid()) return result;
-    const Ends e = ends(ray, s);
-    const Meeting m = meeting(ray, e);
-    if (m == Meeting::AHEAD) result.distance = distance_ahead(ray, e);
+    if (s.is_valid()) result.distance = distance_ahead(ray, ends(ray, s));
     return result;
   }
 

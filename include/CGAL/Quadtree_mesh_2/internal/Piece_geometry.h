@@ -146,7 +146,7 @@ private:
 
   Exact coordinate(Place p, int i) const {
     if (!is_vertex(p)) return crossing(p).position[std::size_t(i)];
-    return Arithmetic::template difference<Exact>(places_.point(p), Point(0, 0), input_axis(i));
+    return Arithmetic::coordinate(places_.point(p), input_axis(i));
   }
   std::pair<double, double> bounds(Place p, int i) const {
     return is_vertex(p) ? Arithmetic::bounds(places_.point(p), input_axis(i))

@@ -9,7 +9,7 @@
 // Computes: lists of the segments in each slab; what each place sees (Slab_decomposition.h); and from that the
 //           first segments hit upwards and downwards from each place, if none has it in its interior.
 // Bound:    O((n + m + c) log n) work besides sorting, for n vertices, m segments and c crossings: slabs have
-//           some thousand places, or so many more that segments are listed twice on average at most.
+//           a thousand places, or so many more that the lists are a quarter longer than one of all segments.
 //
 // Slabs are for memory near the processor, and for several of them. They are cut by numbers of places alone.
 
@@ -41,8 +41,12 @@ public:
       : places_(std::move(places)), sights_(places_.size()) {
     for (std::size_t s = 0; s < number_of_segments; ++s)
       (places_.is_along_rays(Segment_index(s)) ? along_rays_ : across_).push_back(Segment_index(s));
+    std::sort(across_.begin(), across_.end(), [&](Segment_index s, Segment_index t) {
+      const auto &a = places_.ends(s), &b = places_.ends(t);
+      return a < b || (a == b && s < t);
+    });
     slab_size_ = least_size;
-    while (number_of_listed() > 2 * across_.size() && slab_size_ < places_.size()) slab_size_ *= 2;
+    while (number_of_listed() > across_.size() + across_.size() / 4 && slab_size_ < places_.size()) slab_size_ *= 2;
     list_segments();
   }
 
@@ -116,7 +120,7 @@ private:
     }
 
   private:
-    /// A segment, and how many places ahead it is hit; 0 if before the next one.
+    /// A segment, and how far ahead it is hit: 0 before the next place, 1 there, 2 before that after it.
     struct At {
       Segment_index segment;
       std::size_t steps = std::size_t(-1);
@@ -126,7 +130,7 @@ private:
       if (here.is_valid())
         at = {here, 1};
       else if (at.segment.is_valid())
-        ++at.steps;
+        at.steps += 2;
     }
 
     At along_, across_;
