@@ -37,8 +37,7 @@ namespace {
 
 using Neighbors = Trapezoidal_vertex_edge_neighbors_2<Filtered_traits>;
 
-/// Brute force at some vertices, and the other model, parallel runs and the graph turned by a right angle at
-/// all.
+/// Brute force at some vertices, and the other model and the parallel run at all.
 template <class Traits>
 void check_pslg(const CGAL::Pslg_2<typename Traits::Point_2>& pslg, std::size_t vertices) {
   const Trapezoidal_vertex_edge_neighbors_2<Traits> neighbors(pslg);
@@ -78,7 +77,8 @@ random_pslg::Pslg random_lattice_segments(std::uint64_t seed, int size, int vert
   random_pslg::Random random(seed);
   random_pslg::Pslg pslg;
   for (int i = 0; i < vertices; ++i)
-    pslg.add_vertex({static_cast<double>(random.integer(0, size)), static_cast<double>(random.integer(0, size))});
+    pslg.add_vertex(
+        {static_cast<double>(random.integer(0, size)), static_cast<double>(random.integer(0, size))});
   const auto vertex = [&] { return Vertex_index(static_cast<std::size_t>(random.integer(0, vertices - 1))); };
   for (int i = 0; i < segments; ++i) {
     const Vertex_index a = vertex(), b = vertex();
@@ -146,8 +146,9 @@ TEST_CASE("trapezoids: what a ray hits", "[trapezoids]") {
 
 TEST_CASE("trapezoids: segments along the rays", "[trapezoids]") {
   // A stack of vertical segments with isolated vertices inside, below and above, and horizontal ones at its top.
-  const auto pslg = make_pslg<double>({{0, 0}, {0, 1}, {0, 2}, {0, 3}, {0, 5}, {0, 6}, {0, 8}, {-1, 8}, {1, 8}, {0, -2}},
-                                      {{8, 6}, {1, 3}, {4, 6}, {7, 6}});
+  const auto pslg =
+      make_pslg<double>({{0, 0}, {0, 1}, {0, 2}, {0, 3}, {0, 5}, {0, 6}, {0, 8}, {-1, 8}, {1, 8}, {0, -2}},
+                        {{8, 6}, {1, 3}, {4, 6}, {7, 6}});
   const Neighbors neighbors(pslg);
   check_hit(neighbors.first_hit(Vertex_index(9), Direction::NORTH), 1, 3);
   check_hit(neighbors.first_hit(Vertex_index(0), Direction::NORTH), 1, 1);
@@ -241,22 +242,27 @@ TEST_CASE("trapezoids: slabs meet without a seam, whatever the threads", "[trape
   // Long lines of vertices are cut by slabs, too.
   random_pslg::Random random(11);
   random_pslg::Pslg pslg;
-  for (int i = 0; i < 6000; ++i)
-    pslg.add_vertex({static_cast<double>(random.integer(0, 4)), static_cast<double>(random.integer(0, 3000))});
-  for (std::size_t i = 0; i + 1 < 6000; i += 20) pslg.add_segment(Vertex_index(i), Vertex_index(i + 1));
+  for (int i = 0; i < 4000; ++i)
+    pslg.add_vertex(
+        {static_cast<double>(random.integer(0, 4)), static_cast<double>(random.integer(0, 3000))});
+  for (std::size_t i = 0; i + 1 < 4000; i += 20) pslg.add_segment(Vertex_index(i), Vertex_index(i + 1));
   check_graph<Filtered_traits>(pslg, is_full_run() ? 300 : 10);
 
-  for (const char* name : {"us_states_10m.poly.gz", "gshhg_aegean_h.poly.gz"}) {
-    CAPTURE(name);
-    const auto map = read_map(name);
-    check_graph<Filtered_traits>(map, is_full_run() ? 300 : 3);
+  const auto map = read_map("us_states_10m.poly.gz");
+  check_graph<Filtered_traits>(map, is_full_run() ? 300 : 3);
 #ifdef CGAL_LINKED_WITH_TBB
-    const std::vector<double> expected = answers(Neighbors(map));
-    for (const std::size_t threads : {1, 2, 4}) {
-      const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-      REQUIRE(answers(Trapezoidal_vertex_edge_neighbors_2<Filtered_traits, CGAL::Parallel_tag>(map)) ==
-              expected);
-    }
+  const std::vector<double> expected = answers(Neighbors(map));
+  for (const std::size_t threads : {1, 2, 4}) {
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    REQUIRE(answers(Trapezoidal_vertex_edge_neighbors_2<Filtered_traits, CGAL::Parallel_tag>(map)) ==
+            expected);
+  }
 #endif
+}
+
+TEST_CASE("trapezoids: maps", "[trapezoids][.slow]") {
+  for (const char* name : {"gshhg_aegean_h.poly.gz", "gshhg_norway_f.poly.gz"}) {
+    CAPTURE(name);
+    check_graph<Filtered_traits>(read_map(name), 300);
   }
 }

@@ -102,7 +102,6 @@ private:
   };
 
 public:
-
   Piece_traits_2() = default;
   explicit Piece_traits_2(Geometry& geometry) : geometry_(&geometry) {}
 
@@ -187,8 +186,7 @@ public:
       using Result = Arrangement_variant<std::pair<Point_2, Multiplicity>, X_monotone_curve_2>;
       const typename Geometry::Meeting m = g_.meeting(c, d);
       if (m.right.is_valid())
-        *out++ =
-            Result(X_monotone_curve_2(Segment_piece{m.left, m.right, std::min(c.segment, d.segment)}));
+        *out++ = Result(X_monotone_curve_2(Segment_piece{m.left, m.right, std::min(c.segment, d.segment)}));
       else if (m.left.is_valid())
         *out++ = Result(std::make_pair(Point_2{m.left}, Multiplicity(1)));
       return out;

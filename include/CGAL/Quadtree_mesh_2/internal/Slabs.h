@@ -46,7 +46,8 @@ public:
       return a < b || (a == b && s < t);
     });
     slab_size_ = least_size;
-    while (number_of_listed() > across_.size() + across_.size() / 4 && slab_size_ < places_.size()) slab_size_ *= 2;
+    while (number_of_listed() > across_.size() + across_.size() / 4 && slab_size_ < places_.size())
+      slab_size_ *= 2;
     list_segments();
   }
 
