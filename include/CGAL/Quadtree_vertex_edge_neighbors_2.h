@@ -53,6 +53,7 @@
 #include <CGAL/Quadtree_mesh_2/Direction.h>
 #include <CGAL/Quadtree_mesh_2/Index.h>
 #include <CGAL/Quadtree_mesh_2/internal/Axis_ray_caster.h>
+#include <CGAL/Quadtree_mesh_2/internal/Axis_rays.h>
 #include <CGAL/Quadtree_mesh_2/internal/Leaf_segments.h>
 #include <CGAL/Quadtree_mesh_2/internal/Sector_searcher.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel.h>
@@ -174,10 +175,7 @@ private:
   using Point_index = Quadtree_mesh_2::Point_index;
   using Point_rank = Quadtree_mesh_2::Point_rank;
 
-  struct Hits {
-    std::array<Vertex_edge_neighbor_2, 4> first;
-    std::uint8_t nearest = 0;
-  };
+  using Hits = Quadtree_mesh_2::internal::Vertex_edge_hits;
 
   static constexpr std::size_t block_of_vertices = 64;
   static constexpr std::size_t block_of_leaves = 1024;
@@ -222,31 +220,13 @@ private:
         framework.number_of_points(),
         [&](std::size_t r) {
           const Point_index i = framework.input_point(Point_rank(r));
-          hits_[std::size_t(i)] = hits(caster, Vertex_index(i.value()));
+          hits_[std::size_t(i)] = vertex_edge_hits(caster.rays(), Vertex_index(i.value()),
+                                                   [&](const auto& ray) { return caster.first_hit(ray); });
         },
         block_of_vertices);
     for (const auto& d : framework.duplicates())
       hits_[std::size_t(d.duplicate)] =
           hits_[std::size_t(framework.input_point(framework.rank(d.duplicate)))];
-  }
-
-  template <class Caster>
-  static Hits hits(const Caster& caster, Vertex_index v) {
-    using Ray = typename Caster::Ray;
-    Hits result;
-    typename Caster::Hit nearest;
-    for (int i = 0; i < 4; ++i) {
-      const Ray ray{v, static_cast<Direction>(2 * i)};
-      const typename Caster::Hit hit = caster.first_hit(ray);
-      result.first[std::size_t(i)] = {hit.segment, caster.rounded_distance(ray, hit)};
-      if (!hit.segment.is_valid()) continue;
-      const Ray nearest_ray{v, static_cast<Direction>(2 * result.nearest)};
-      const int c = nearest.segment.is_valid() ? caster.compare(ray, hit, nearest_ray, nearest) : -1;
-      if (c > 0 || (c == 0 && !(hit.segment < nearest.segment))) continue;
-      nearest = hit;
-      result.nearest = static_cast<std::uint8_t>(i);
-    }
-    return result;
   }
 
   /// The end of a segment that is not where `v` is.

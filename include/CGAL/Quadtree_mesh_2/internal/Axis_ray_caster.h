@@ -22,6 +22,7 @@
 #define CGAL_QUADTREE_MESH_2_INTERNAL_AXIS_RAY_CASTER_H
 
 #include <CGAL/Quadtree_mesh_2/Direction.h>
+#include <CGAL/Quadtree_mesh_2/internal/Axis_rays.h>
 #include <CGAL/Quadtree_mesh_2/internal/Leaf_segments.h>
 #include <CGAL/Quadtree_mesh_2/internal/Point_arithmetic.h>
 #include <CGAL/Quadtree_mesh_2/vertex_edge_neighbor_types.h>
@@ -38,27 +39,21 @@ template <class Tree, class Graph>
 class Axis_ray_caster {
   using Point = typename Tree::Point_2;
   using Arithmetic = Point_arithmetic<Point>;
-  using Exact = typename Arithmetic::Exact;
   using Grid_point = typename Tree::Grid_point;
 
 public:
-  struct Ray {
-    Vertex_index vertex;
-    Direction direction;
-
-    int axis() const { return step_y(direction) == 0 ? 0 : 1; }
-    int sign() const { return step_x(direction) + step_y(direction); }
-  };
+  using Rays = Axis_rays<Graph>;
+  using Ray = typename Rays::Ray;
 
   /// A segment that a ray hits, at a distance in an interval.
-  struct Hit {
-    Segment_index segment;
-    Interval distance = Interval(0);
+  struct Hit : Rays::Hit {
     double reach = 0; ///< the coordinate along the ray where that ends, or one beyond
   };
 
   Axis_ray_caster(const Tree& tree, const Leaf_segments& lists, const Graph& graph)
-      : tree_(tree), lists_(lists), graph_(graph) {}
+      : tree_(tree), lists_(lists), graph_(graph), rays_(graph) {}
+
+  const Rays& rays() const { return rays_; }
 
   /// The first hit; that of the least index if there are several at the same distance; none if there is none.
   Hit first_hit(const Ray& ray) const {
@@ -72,76 +67,24 @@ public:
     return best;
   }
 
-  /// The sign of the difference of the distances of two hits of rays from the same vertex; exact.
-  int compare(const Ray& r, const Hit& a, const Ray& q, const Hit& b) const {
-    return compare_filtered(a.distance, b.distance, [&] {
-      const Exact d = distance<Exact>(r, a.segment), e = distance<Exact>(q, b.segment);
-      return d < e ? -1 : e < d ? 1 : 0;
-    });
-  }
-
-  /// The distance of a hit, rounded.
-  double rounded_distance(const Ray& ray, const Hit& hit) const {
-    if (!hit.segment.is_valid()) return std::numeric_limits<double>::infinity();
-    const Interval& d = hit.distance;
-    if (d.is_point()) return d.inf();
-    return is_narrow(d) ? d.inf() + (d.sup() - d.inf()) / 2
-                        : CGAL::to_double(distance<Exact>(ray, hit.segment));
-  }
-
 private:
   const Tree& tree_;
   const Leaf_segments& lists_;
   const Graph& graph_;
+  Rays rays_;
 
-  /// Where the ends of a segment are, seen from the ray: signs of the distance across it, and along it.
-  struct Ends {
-    const Point &a, &b;
-    int across_a, across_b, along_a, along_b;
-  };
-
-  Ends ends(const Ray& ray, Segment_index s) const {
-    const Point& v = graph_.point(ray.vertex);
-    const auto& segment = graph_.segments[std::size_t(s)];
-    const Point &a = graph_.point(segment[0]), &b = graph_.point(segment[1]);
-    const int axis = ray.axis();
-    return {a,
-            b,
-            Arithmetic::compare(a, v, 1 - axis),
-            Arithmetic::compare(b, v, 1 - axis),
-            ray.sign() * Arithmetic::compare(a, v, axis),
-            ray.sign() * Arithmetic::compare(b, v, axis)};
-  }
-
-  enum class Meeting { NONE, AT_VERTEX, AHEAD };
-
-  Meeting meeting(const Ray& ray, const Ends& e) const {
-    if (e.across_a * e.across_b > 0 || (e.along_a < 0 && e.along_b < 0)) return Meeting::NONE;
-    const bool is_incident = (e.across_a == 0 && e.along_a == 0) || (e.across_b == 0 && e.along_b == 0);
-    if (is_incident) return Meeting::NONE;
-    if (e.across_a == 0 && e.across_b == 0)
-      return e.along_a * e.along_b < 0 ? Meeting::AT_VERTEX : Meeting::AHEAD;
-    if (e.across_a == 0) return e.along_a > 0 ? Meeting::AHEAD : Meeting::NONE;
-    if (e.across_b == 0) return e.along_b > 0 ? Meeting::AHEAD : Meeting::NONE;
-    const int turn = Arithmetic::orientation(e.a, e.b, graph_.point(ray.vertex));
-    // A segment upwards has the vertex to the left if it crosses the line to the east; one to the right has
-    // it to the left if it crosses below.
-    const int side = turn * e.across_b * ray.sign() * (ray.axis() == 0 ? 1 : -1);
-    return side > 0 ? Meeting::AHEAD : side == 0 ? Meeting::AT_VERTEX : Meeting::NONE;
-  }
+  using Meeting = typename Rays::Meeting;
 
   void try_segment(const Ray& ray, Segment_index s, Hit& best) const {
     if (s == best.segment) return;
     if (best.segment.is_valid() && is_beyond(ray, s, best.reach)) return;
-    const Meeting m = meeting(ray, ends(ray, s));
+    const auto ends = rays_.ends(ray, s);
+    const Meeting m = rays_.meeting(ray, ends);
     if (m == Meeting::NONE) return;
     Hit hit;
     hit.segment = s;
-    if (m == Meeting::AHEAD) {
-      Interval::Protector protector;
-      hit.distance = distance<Interval>(ray, s);
-    }
-    const int c = best.segment.is_valid() ? compare(ray, hit, ray, best) : -1;
+    if (m == Meeting::AHEAD) hit.distance = rays_.distance_ahead(ray, ends);
+    const int c = best.segment.is_valid() ? rays_.compare(ray, hit, ray, best) : -1;
     if (c > 0 || (c == 0 && !(s < best.segment))) return;
     best = hit;
     const std::pair<double, double> from = Arithmetic::bounds(graph_.point(ray.vertex), ray.axis());
@@ -157,28 +100,6 @@ private:
     const std::pair<double, double> b = Arithmetic::bounds(graph_.point(segment[1]), ray.axis());
     return ray.sign() > 0 ? a.first > coordinate && b.first > coordinate
                           : a.second < coordinate && b.second < coordinate;
-  }
-
-  /// The distance of a segment that the ray hits.
-  template <class Number>
-  Number distance(const Ray& ray, Segment_index s) const {
-    const Ends e = ends(ray, s);
-    if (meeting(ray, e) == Meeting::AT_VERTEX) return Number(0);
-    const Point& v = graph_.point(ray.vertex);
-    const int axis = ray.axis();
-    const auto to_end = [&](const Point& end) {
-      return Number(CGAL::abs(Arithmetic::template difference<Number>(end, v, axis)));
-    };
-    if (e.across_a == 0 && e.across_b == 0) return least(to_end(e.a), to_end(e.b));
-    if (e.across_a == 0) return to_end(e.a);
-    if (e.across_b == 0) return to_end(e.b);
-    const auto from_vertex = [&](const Point& end, int i) {
-      return Arithmetic::template difference<Number>(end, v, i);
-    };
-    const Number ax = from_vertex(e.a, 0), ay = from_vertex(e.a, 1), bx = from_vertex(e.b, 0),
-                 by = from_vertex(e.b, 1);
-    const Number height = Arithmetic::template difference<Number>(e.b, e.a, 1 - axis);
-    return Number(CGAL::abs(Number((ax * by - ay * bx) / height)));
   }
 
   /// Whether the hit certainly lies before the side by which the ray leaves a leaf.

@@ -27,6 +27,7 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_CENTROID_TREE_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_CENTROID_TREE_H
 
+#include <CGAL/Quadtree_mesh_2/Grid_point_2.h>
 #include <CGAL/Quadtree_mesh_2/Index.h>
 #include <CGAL/Quadtree_mesh_2/internal/Uninitialized_vector.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel.h>
@@ -63,34 +64,40 @@ private:
   std::uint32_t value_;
 };
 
+/// A number of leaves that no part reaches.
+constexpr std::size_t all_leaves = std::numeric_limits<std::size_t>::max();
+
 /// The centroid trees of the parts of a quadtree.
+template <class Word>
 class Centroid_tree {
 public:
+  using Square = Quadtree_square_2<Word>;
+
+  /// Has a square rather than a node of the quadtree: whoever goes down reads one place, and often the next.
   struct Split {
-    Node_index square;
+    Square square;
     Centroid_node inside;
     Centroid_node outside;
   };
 
-  /// A part of the quadtree: leaves below a node, not all of them if there are other parts.
+  /// A part of the quadtree: leaves in a square, not all of them if there are other parts.
   struct Part {
-    Node_index square;
+    Square square;
     Centroid_node root;
   };
-
-  static constexpr std::size_t all_leaves = std::numeric_limits<std::size_t>::max();
 
   /// Makes the trees of parts with at most `leaves_per_part` leaves; these have more than a fifth of that if
   /// there are several.
   /// \pre `leaves_per_part >= 1`
   template <class Concurrency_tag, class Tree>
-  static Centroid_tree of(const Tree& tree, std::size_t leaves_per_part = all_leaves) {
+  static Centroid_tree of(const Tree& tree, std::size_t leaves_per_part) {
     Centroid_tree result;
     Builder<Concurrency_tag, Tree>(tree, result).build(leaves_per_part);
     return result;
   }
 
   const std::vector<Part>& parts() const { return parts_; }
+  /// \pre `!v.is_leaf()`
   const Split& split(Centroid_node v) const { return splits_[v.split()]; }
   /// The greatest number of splits above a leaf, among all parts.
   int height() const { return height_; }
@@ -112,8 +119,9 @@ private:
   int rounds_ = 0;
 };
 
+template <class Word>
 template <class Concurrency_tag, class Tree>
-class Centroid_tree::Builder {
+class Centroid_tree<Word>::Builder {
 public:
   Builder(const Tree& tree, Centroid_tree& result)
       : tree_(tree), result_(result), leaves_(tree.number_of_leaves()) {}
@@ -126,7 +134,7 @@ public:
     for (Slice& s : slices) {
       s.first_split = s.begin;
       s.depth = 0;
-      result_.parts_.push_back({s.square, node_of(s)});
+      result_.parts_.push_back({tree_.square(s.square), node_of(s)});
     }
     slices = split_long(std::move(slices), short_slice_, Record::SPLITS);
     std::vector<int> height(slices.size());
@@ -216,7 +224,8 @@ private:
     const Halves halves{{s.begin, middle, s.first_split + 1, s.depth + 1, s.square},
                         {middle, s.end, s.first_split + (middle - s.begin), s.depth + 1, c.square}};
     if (record == Record::SPLITS)
-      result_.splits_[s.first_split] = {c.square, node_of(halves.inside), node_of(halves.outside)};
+      result_.splits_[s.first_split] = {tree_.square(c.square), node_of(halves.inside),
+                                        node_of(halves.outside)};
     return halves;
   }
 
@@ -259,6 +268,12 @@ private:
   Centroid_tree& result_;
   std::vector<std::uint32_t> leaves_;
 };
+
+/// Makes the centroid trees of a quadtree, in parts of at most `leaves_per_part` leaves.
+template <class Concurrency_tag, class Tree>
+Centroid_tree<typename Tree::Word> centroid_tree(const Tree& tree, std::size_t leaves_per_part) {
+  return Centroid_tree<typename Tree::Word>::template of<Concurrency_tag>(tree, leaves_per_part);
+}
 
 } // namespace internal
 } // namespace Quadtree_mesh_2

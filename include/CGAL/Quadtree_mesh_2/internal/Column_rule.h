@@ -17,7 +17,7 @@
 //           - 26.3 degrees with the better of `rule_b` and `rule_c`, chosen for each change and each side of the edge
 //             (Column_window.h evaluates them); a leaf with a hanging node alone has 26.57,
 //           for every direction and offset of the edge. test_column_rule.cpp proves it by branch and bound in
-//           integers. Thresholds at a vertex (`Vertex_thresholds`) are established numerically only
+//           integers. At a vertex 22 degrees are established numerically only
 //           (Vertex_window.h).
 // Source:   Bern, Eppstein, Teng, section 6 (Theorem 5), asks for a placement with 18.43 degrees. The crossings
 //           and the thresholds are ours: found by a search for the vectors whose certificate is best.
@@ -104,24 +104,29 @@ constexpr bool is_kept(double distance, Column_place place, const Transition_thr
   return distance >= least_distance(place, t, opposite);
 }
 
-/// Distances at a vertex amid equal leaves, in their sides.
-struct Vertex_thresholds {
-  double first_crossing;  ///< crossings nearer to the vertex are not used; without a ring
-  double clear_of_vertex; ///< corners nearer to the vertex are dropped
-  double clear_of_edge;   ///< corners nearer to an edge are dropped, where their foot is near the vertex
-  double ring;            ///< each edge has a point at this distance; 0: none
-  double ring_gap;        ///< the next crossing is at least so much further
+/// Distances of points on all edges of a vertex amid equal leaves, in their sides.
+struct Vertex_ring {
+  double radius;       ///< each edge has a point at this distance
+  double least_gap;    ///< nearer to that point crossings with grid lines are not used
+  double greatest_gap; ///< if the first crossing is further, there is a point halfway
+};
+
+/// Which corners in a sector between two edges of a vertex are dropped, in sides of leaves.
+struct Sector_thresholds {
+  double clear_of_vertex; ///< those nearer to the vertex
+  double clear_of_edge;   ///< those nearer to one of the two edges, where their foot is near the vertex
 };
 
 /// Feet of corners so many sides of leaves from the vertex are near it; beyond, `equal_leaves_threshold` counts.
 constexpr double vertex_reach = 3;
 
-/// Established numerically for sectors of at least 60 degrees; by the better of a pair more is reached than by one.
-constexpr Vertex_thresholds one_vertex_rule{.825, 1.187, .741, 0, 0};
-constexpr std::array<Vertex_thresholds, 4> vertex_rules{{{.876, .962, .771, 0, 0},
-                                                         {1.953, 1.267, .822, 1.087, .866},
-                                                         {2.135, 1.383, .857, 1.221, .914},
-                                                         {.930, .875, .707, 0, 0}}};
+/// Sectors of at least this many degrees have, by the best of the thresholds, angles of at least
+/// `least_angle_of_sectors` degrees: found numerically, see Vertex_window.h.
+constexpr double least_sector = 33;
+constexpr double least_angle_of_sectors = 22;
+constexpr Vertex_ring vertex_ring{1.307, .972, 1.334};
+constexpr std::array<Sector_thresholds, 4> sector_thresholds{
+    {{1.1, .65}, {1.46, .55}, {.74, .65}, {1.22, .95}}};
 
 } // namespace internal
 } // namespace Quadtree_mesh_2

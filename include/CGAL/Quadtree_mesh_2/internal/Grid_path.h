@@ -121,13 +121,18 @@ public:
 
   /// What of an interval is in a half-open square.
   Interval inside(Interval i, const Grid_point_2<Word>& corner, const Coordinate& side) const {
+    const Interval nothing{i.first, i.first};
     const std::array<Coordinate, 2> low{{Coordinate(corner.x), Coordinate(corner.y)}};
     for (std::size_t axis = 0; axis < 2; ++axis) {
+      const Cut in = entry(axis, low[axis], side), out = exit(axis, low[axis], side);
+      // Most squares are far from the path or around it, which is told without products.
+      if (in.offset > extent_[axis] || out.offset < 0) return nothing;
       if (extent_[axis] == 0) {
-        if (low[axis] <= begin_[axis] && begin_[axis] < low[axis] + side) continue;
-        return {i.first, i.first};
+        if (out.offset == 0) return nothing;
+        continue;
       }
-      i = before(behind(i, entry(axis, low[axis], side)), exit(axis, low[axis], side));
+      if (in.offset >= 0) i = behind(i, in);
+      if (out.offset <= extent_[axis]) i = before(i, out);
     }
     return i;
   }

@@ -78,6 +78,7 @@ public:
   }
   /// The coordinate lies between these.
   static std::pair<double, double> bounds(const Point& p, int axis) { return Reader::interval(p, axis); }
+  static Exact coordinate(const Point& p, int axis) { return Reader::exact(p, axis); }
 
   /// Coordinate of p less that of q.
   template <class Number>
@@ -108,14 +109,17 @@ public:
   static std::pair<double, double> bounds(const Point& p, int axis) {
     return around(static_cast<std::int64_t>(axis == 0 ? p.x() : p.y()));
   }
+  static Exact coordinate(const Point& p, int axis) {
+    return exact(static_cast<std::int64_t>(axis == 0 ? p.x() : p.y()));
+  }
 
   template <class Number>
   static Number difference(const Point& p, const Point& q, int axis) {
     const std::int64_t d = minus(p, q, axis);
     if constexpr (std::is_same<Number, Interval>::value)
       return Interval(around(d));
-    else // in halves, because not every field can be made from 64-bit integers
-      return Exact(static_cast<double>(high(d))) * Exact(0x1p31) + Exact(static_cast<double>(d - low(d)));
+    else
+      return exact(d);
   }
 
 private:
@@ -124,6 +128,10 @@ private:
   static std::int64_t minus(const Point& p, const Point& q, int axis) {
     return axis == 0 ? static_cast<std::int64_t>(p.x()) - static_cast<std::int64_t>(q.x())
                      : static_cast<std::int64_t>(p.y()) - static_cast<std::int64_t>(q.y());
+  }
+  /// In halves, because not every field can be made from 64-bit integers.
+  static Exact exact(std::int64_t d) {
+    return Exact(static_cast<double>(high(d))) * Exact(0x1p31) + Exact(static_cast<double>(d - low(d)));
   }
   static std::int64_t high(std::int64_t d) { return d / (std::int64_t(1) << 31); }
   static std::int64_t low(std::int64_t d) { return high(d) * (std::int64_t(1) << 31); }

@@ -141,9 +141,10 @@ public:
   using Coordinate = typename Path::Coordinate;
   using Interval = typename Path::Interval;
 
-  Edge_subdivider(const Tree& tree, const Centroid_tree& centroids, const Segments& segments)
+  Edge_subdivider(const Tree& tree, const Centroid_tree<typename Tree::Word>& centroids,
+                  const Segments& segments)
       : tree_(tree), centroids_(centroids), orders_(Leaf_orders::of<Concurrency_tag>(tree)),
-        paths_(segments.size()) {
+        order_(order_of_first_ends(tree, segments)), paths_(segments.size()) {
     rounds_.parts = centroids.parts().size();
     rounds_.height = centroids.height();
     for_each_index<Concurrency_tag>(segments.size(),
@@ -175,11 +176,17 @@ private:
   static constexpr std::size_t block_length_ = 1024;
   static constexpr std::size_t most_pieces_ = 0xffffffffu;
 
-  Interval inside(const Path& path, const Interval& i, Node_index v) const {
-    const auto square = tree_.square(v);
+  Interval inside(const Path& path, const Interval& i, const Quadtree_square_2<Word>& square) const {
     return path.inside(
         i, {square.x, square.y},
         Coordinate(Word_operations<Word>::power_of_two(tree_.framework().grid().depth() - square.level)));
+  }
+
+  /// Segments that begin near each other are tested one after the other, as they go down the same way.
+  static Order order_of_first_ends(const Tree& tree, const Segments& segments) {
+    return radix_order<Concurrency_tag>(segments.size(), 1, [&](std::uint32_t s, int) {
+      return std::uint64_t(tree.leaf(Point_index(segments[s][0].value())).value());
+    });
   }
 
   /// Tests every segment against the square of every part.
@@ -187,7 +194,7 @@ private:
     const auto& parts = centroids_.parts();
     const std::size_t m = paths_.size();
     run_round(m * parts.size(), [&](std::size_t i, Block& block) {
-      const std::size_t s = i % m;
+      const std::size_t s = order_[i % m];
       const auto& part = parts[i / m];
       const Interval interval = inside(paths_[s], paths_[s].whole(), part.square);
       if (!paths_[s].is_empty(interval))
@@ -200,6 +207,7 @@ private:
     const Uninitialized_vector<Item> items = std::move(items_);
     rounds_.tests_of_largest_round = std::max(rounds_.tests_of_largest_round, items.size());
     run_round(items.size(), [&](std::size_t i, Block& block) {
+      if (block.items.capacity() == 0) block.items.reserve(block_length_ + block_length_ / 4);
       if (items[i].node.is_leaf())
         test_leaf(items[i], block);
       else
@@ -237,7 +245,7 @@ private:
   void test_leaf(const Item& item, Block& block) const {
     const Path& path = paths_[item.segment];
     const Leaf_index l = item.node.leaf();
-    if (path.is_empty(inside(path, item.interval, tree_.node(l)))) return;
+    if (path.is_empty(inside(path, item.interval, tree_.square(l)))) return;
     block.pieces.push_back(std::uint64_t(item.segment) << 32 | orders_.place(path, l));
   }
 
@@ -269,8 +277,9 @@ private:
   }
 
   const Tree& tree_;
-  const Centroid_tree& centroids_;
+  const Centroid_tree<typename Tree::Word>& centroids_;
   const Leaf_orders orders_;
+  const Order order_; // in which segments are tested
   Uninitialized_vector<Path> paths_;
   Uninitialized_vector<Item> items_;
   Uninitialized_vector<std::uint64_t> pieces_;
@@ -281,8 +290,8 @@ private:
 /// trees of the quadtree.
 /// \throws std::length_error if there are 2^32 pieces or more
 template <class Concurrency_tag, class Tree, class Segments>
-Edge_pieces subdivide_edges(const Tree& tree, const Centroid_tree& centroids, const Segments& segments,
-                            Subdivision_rounds* rounds = nullptr) {
+Edge_pieces subdivide_edges(const Tree& tree, const Centroid_tree<typename Tree::Word>& centroids,
+                            const Segments& segments, Subdivision_rounds* rounds = nullptr) {
   Edge_subdivider<Concurrency_tag, Tree, Segments> subdivider(tree, centroids, segments);
   Edge_pieces result = subdivider.subdivide();
   if (rounds != nullptr) *rounds = subdivider.rounds();
@@ -294,7 +303,7 @@ template <class Concurrency_tag, class Tree, class Segments>
 Edge_pieces subdivide_edges(const Tree& tree, const Segments& segments,
                             Subdivision_rounds* rounds = nullptr) {
   const std::size_t leaves_per_part = std::max<std::size_t>(1, 5 * segments.size());
-  return subdivide_edges<Concurrency_tag>(tree, Centroid_tree::of<Concurrency_tag>(tree, leaves_per_part),
+  return subdivide_edges<Concurrency_tag>(tree, centroid_tree<Concurrency_tag>(tree, leaves_per_part),
                                           segments, rounds);
 }
 
