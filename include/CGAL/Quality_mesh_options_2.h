@@ -61,6 +61,10 @@ struct Quality_mesh_options_2 {
   /// Rounds in which vertices are removed although that makes angles below the bound, and these refined again: three
   /// percent fewer triangles or more for each of the first two, for about as much time as refinement takes.
   int thinning_rounds = 0;
+  /// Where refinement on demand has not come to rest when the mesh has this many times the vertices expected (and two
+  /// million more), the construction by quadtrees takes over, for bounds up to 20.7 degrees and without a budget. With
+  /// 0 it does at once.
+  double refinement_patience = 100;
   /// Refinement stops, with what is left reported, when the mesh has this many vertices; 0 means no bound but
   /// memory's.
   std::size_t vertex_budget = 0;
@@ -84,6 +88,7 @@ struct Quality_mesh_options_2 {
     trees = t;
     return separate(Separation::THEOREM_5);
   }
+  Quality_mesh_options_2& patience(double times) { return refinement_patience = times, *this; }
   Quality_mesh_options_2& max_vertices(std::size_t n) { return vertex_budget = n, *this; }
   Quality_mesh_options_2& progress(std::function<bool(double)> f) { return callback = std::move(f), *this; }
 };

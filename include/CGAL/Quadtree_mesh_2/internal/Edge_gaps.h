@@ -107,7 +107,8 @@ public:
         const Side s(static_cast<Triangle_id>(t), k);
         if (!mesh.is_alive(s.triangle()) || !mesh.triangle(s.triangle()).side[k].is_constrained()) continue;
         const Edge_id e = edges.between(mesh.source(s), mesh.target(s));
-        sides_[std::size_t(e)] = static_cast<char>(sides_[std::size_t(e)] | (edges[e].a == mesh.source(s) ? left_ : right_));
+        sides_[std::size_t(e)] =
+            static_cast<char>(sides_[std::size_t(e)] | (edges[e].a == mesh.source(s) ? left_ : right_));
       }
   }
   bool is_domain_on_left(Edge_id e) const { return (sides_[std::size_t(e)] & left_) != 0; }
@@ -150,7 +151,8 @@ public:
   /// Whether a leaf is too large for a gap in it.
   bool is_too_large(const Leaf& leaf, Edge_id e, Edge_id f, const Local_gap& gap) const {
     if (gap.length >= options_.edge_distance * leaf.side) return false;
-    if (!is_domain_towards(e, gap.to - gap.from, leaf) || !is_domain_towards(f, gap.from - gap.to, leaf)) return false;
+    if (!is_domain_towards(e, gap.to - gap.from, leaf) || !is_domain_towards(f, gap.from - gap.to, leaf))
+      return false;
     const Vertex_id v = common_vertex(e, f);
     if (v < 0) return true;
     const Vector apex = Geometry::difference(problem_.input_point(v), leaf.corner);

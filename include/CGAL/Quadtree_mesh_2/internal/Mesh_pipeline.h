@@ -25,8 +25,8 @@
 #include <CGAL/Quadtree_mesh_2/internal/First_triangulation.h>
 #include <CGAL/Quadtree_mesh_2/internal/Phase_timer.h>
 #include <CGAL/Quadtree_mesh_2/internal/Refiner.h>
-#include <CGAL/Quadtree_mesh_2/internal/Smoother.h>
 #include <CGAL/Quadtree_mesh_2/internal/Separation_trees.h>
+#include <CGAL/Quadtree_mesh_2/internal/Smoother.h>
 #include <CGAL/Quadtree_mesh_2/internal/Thinner.h>
 #include <CGAL/Quadtree_mesh_2/internal/Tree_construction.h>
 #include <CGAL/Quadtree_mesh_2/internal/Tree_triangulation.h>
@@ -67,6 +67,7 @@ public:
       : pslg_(pslg), options_(options), traits_(traits), report_(report), map_(pslg.vertices) {
     if (options.coarsening == Quality_mesh_options_2::Coarsening::NONE) finishing_.removal = Removal::none;
     finishing_.smoothing_rounds = options.smoothing_rounds;
+    finishing_.thinning_rounds = options.thinning_rounds;
   }
 
   Indexed_mesh_2<Point_2> run() {
@@ -90,6 +91,8 @@ public:
 
 private:
   using First = First_triangulation<Concurrency_tag, Geometry>;
+  /// Quadtrees make four times the triangles that are needed: removal alone leaves half of those too many.
+  static constexpr int rounds_after_construction_ = 2;
   static constexpr double degree = 3.14159265358979323846 / 180;
 
   const Pslg& pslg_;
@@ -103,7 +106,7 @@ private:
   double share_done_ = 0;
   std::mutex callback_mutex_;
   std::atomic<bool> is_cancelled_{false};
-  Order order_; // kernel vertex -> input vertex
+  Order order_;                 // kernel vertex -> input vertex
   std::vector<char> is_merged_; // kernel vertices that another one stands for
   Domain_rule<Geometry> domain_;
   std::optional<Edge_sides> edge_sides_;
@@ -266,8 +269,14 @@ private:
     if (options_.vertex_budget > 0) return options_.vertex_budget;
     // What 32-bit handles allow, and a large multiple of what is to be expected: no proof says that refinement ends.
     const double expected = static_cast<double>(pslg_.number_of_vertices()) + report_.estimated_triangles;
-    return static_cast<std::size_t>(
-        std::min(static_cast<double>(Triangle_budget::most_vertices), 100 * expected + 2e6));
+    const double patience = options_.refinement_patience;
+    return static_cast<std::size_t>(std::min(static_cast<double>(Triangle_budget::most_vertices),
+                                             patience * expected + (patience > 0 ? 2e6 : 0)));
+  }
+
+  /// Quadtrees end by themselves, but coordinates may end before them.
+  std::size_t budget_of_construction() const {
+    return options_.vertex_budget > 0 ? options_.vertex_budget : Triangle_budget::most_vertices;
   }
 
   void refine(Refiner<Geometry>& refiner, Splitter<Geometry>& splitter) {
@@ -279,34 +288,48 @@ private:
       finishing_.smoothing_rounds = 0; // done, and removal is left only at seams
     else
       refiner.push_all();
-    run(refiner);
+    if (run(refiner, vertex_budget()) == Refinement_end::out_of_budget) {
+      if (may_construct_instead()) return construct_by_trees(refiner);
+      report_.is_budget_exhausted = true;
+    }
     splitter.unlock_all();
     state_.legalize();
   }
 
-  void run(Refiner<Geometry>& refiner) {
+  /// Above the bounds that refinement always reached, triangles left are no sign that quadtrees do better.
+  bool may_construct_instead() const {
+    return options_.vertex_budget == 0 && problem_.bounds.is_guaranteed();
+  }
+
+  Refinement_end run(Refiner<Geometry>& refiner, std::size_t budget) {
     ++report_.rounds;
     const std::size_t n = pslg_.number_of_vertices();
-    const auto end = refiner.run(vertex_budget(), [this, n] {
+    return refiner.run(budget, [this, n] {
       const double made = static_cast<double>(state_.mesh.number_of_vertices() - n) + 1;
       return shall_go_on(0.2 + 0.6 * made / (made + 3 * static_cast<double>(n)));
     });
-    if (end == Refinement_end::out_of_budget) report_.is_budget_exhausted = true;
+  }
+
+  void run_to_the_end(Refiner<Geometry>& refiner, std::size_t budget) {
+    if (run(refiner, budget) == Refinement_end::out_of_budget) report_.is_budget_exhausted = true;
   }
 
   /// Makes a mesh by quadtrees, and refines what is too large in it, or could not be cured.
   void construct_by_trees(Refiner<Geometry>& refiner) {
     Phase_timer timer(report_.seconds.refine);
     const Pslg graph = graph_of_edges();
-    Separation_trees<Traits, Concurrency_tag> trees(problem_, *edge_sides_, graph, map_, options_.trees, traits_,
-                                                    report_.trees);
+    Separation_trees<Traits, Concurrency_tag> trees(problem_, *edge_sides_, graph, map_, options_.trees,
+                                                    traits_, report_.trees);
     state_.corners.forget_cuts();
     Tree_construction<Traits, Concurrency_tag> construction(state_, trees, map_, is_merged_, domain_,
                                                             report_.trees);
-    construction.run(options_.trees.placement, vertex_budget(), [this] { return shall_go_on(0.3); });
+    construction.run(options_.trees.placement, budget_of_construction(), [this] { return shall_go_on(0.3); });
     refiner.push_all();
-    run(refiner);
+    run_to_the_end(refiner, state_.mesh.number_of_vertices() + vertex_budget());
     state_.legalize();
+    if (options_.coarsening == Quality_mesh_options_2::Coarsening::NONE) return;
+    finishing_.smoothing_rounds = std::max(options_.smoothing_rounds, rounds_after_construction_);
+    finishing_.thinning_rounds = std::max(options_.thinning_rounds, rounds_after_construction_);
   }
 
   /// The input, in the kernel's order and with its edges: segments cut where vertices lie on them.
@@ -325,7 +348,7 @@ private:
     Phase_timer timer(report_.seconds.coarsen);
     if (is_cancelled_) return;
     finish_mesh(state_, finishing_, [this] { return shall_go_on(0.85); });
-    for (int round = 0; round < options_.thinning_rounds; ++round)
+    for (int round = 0; round < finishing_.thinning_rounds; ++round)
       if (!Thinner<Geometry>(state_).run(vertex_budget(), [this] { return shall_go_on(0.9); })) return;
   }
 
@@ -337,7 +360,7 @@ private:
     for (int round = 0; round < most_rounds; ++round) {
       state_.template make_Delaunay_exactly<Concurrency_tag>();
       if (!has_bad_on_worklist() || is_cancelled_ || report_.is_budget_exhausted) return;
-      run(refiner);
+      run_to_the_end(refiner, state_.mesh.number_of_vertices() + vertex_budget());
     }
     state_.template make_Delaunay_exactly<Concurrency_tag>();
   }

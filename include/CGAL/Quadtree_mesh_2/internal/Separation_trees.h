@@ -33,6 +33,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/walk_edges.h>
 #include <CGAL/Quadtree_vertex_edge_neighbors_2.h>
 #include <CGAL/Quality_mesh_report_2.h>
+#include <CGAL/Trapezoidal_vertex_edge_neighbors_2.h>
 #include <CGAL/Tree_separation_options_2.h>
 
 #include <algorithm>
@@ -59,9 +60,11 @@ public:
   using Options = Tree_separation_options_2;
 
   /// \param graph the vertices and edges of the problem, in its order
-  Separation_trees(const Meshing_problem<Geometry>& problem, const Edge_sides& sides, const Pslg& graph, const Map& map,
-                   const Options& options, const Traits& traits, Tree_separation_report_2& report)
-      : problem_(problem), graph_(graph), map_(map), options_(options), report_(report), gaps_(problem, sides, options) {
+  Separation_trees(const Meshing_problem<Geometry>& problem, const Edge_sides& sides, const Pslg& graph,
+                   const Map& map, const Options& options, const Traits& traits,
+                   Tree_separation_report_2& report)
+      : problem_(problem), graph_(graph), map_(map), options_(options), report_(report),
+        gaps_(problem, sides, options) {
     make_tree_of_vertices(traits);
     subdivide_edges();
     while (split(leaves_with_near_pieces())) {
@@ -107,17 +110,25 @@ private:
   double side_of_root_ = 0;
 
   void make_tree_of_vertices(const Traits& traits) {
-    const auto annotate = [&](const auto& neighbors, const Tree& first) {
-      report_.leaves_of_points = first.number_of_leaves();
-      side_of_root_ = width(first.corners(first.root()));
-      Framework framework = first.framework();
-      framework.annotate(levels_of_vertices(neighbors, first));
-      tree_ = Tree(std::move(framework));
-      report_.leaves_of_vertices = tree_.number_of_leaves();
-    };
-    const Quadtree_vertex_edge_neighbors_2<Traits, Concurrency_tag> neighbors(
-        graph_, Vertex_edge_neighbors_options_2(), traits);
-    annotate(neighbors, neighbors.quadtree());
+    if (options_.neighbors == Options::Neighbors::QUADTREE) {
+      const Quadtree_vertex_edge_neighbors_2<Traits, Concurrency_tag> neighbors(
+          graph_, Vertex_edge_neighbors_options_2(), traits);
+      separate_vertices(neighbors, neighbors.quadtree());
+    } else {
+      const Trapezoidal_vertex_edge_neighbors_2<Traits, Concurrency_tag> neighbors(graph_);
+      separate_vertices(neighbors, Tree(graph_.vertices, Quadtree_options(), traits));
+    }
+  }
+
+  /// \param first the quadtree of the vertices
+  template <class Neighbors>
+  void separate_vertices(const Neighbors& neighbors, const Tree& first) {
+    report_.leaves_of_points = first.number_of_leaves();
+    side_of_root_ = width(first.corners(first.root()));
+    Framework framework = first.framework();
+    framework.annotate(levels_of_vertices(neighbors, first));
+    tree_ = Tree(std::move(framework));
+    report_.leaves_of_vertices = tree_.number_of_leaves();
   }
 
   double width(const std::array<Point_2, 4>& corners) const {
@@ -135,9 +146,8 @@ private:
       const std::size_t v = framework.input_point(r).value();
       double distance = std::numeric_limits<double>::infinity();
       if (near.is_valid())
-        distance = std::sqrt(squared_length(
-            Geometry::difference(problem_.input_points[v],
-                                 problem_.input_points[framework.input_point(near).value()])));
+        distance = std::sqrt(squared_length(Geometry::difference(
+            problem_.input_points[v], problem_.input_points[framework.input_point(near).value()])));
       const Vertex_edge_neighbor_2 edge = neighbors.nearest_hit(Vertex_index(v));
       if (edge.exists() && edge.distance > 0)
         distance = std::min(distance, map_.length_to_kernel(edge.distance));
@@ -162,9 +172,9 @@ private:
   }
 
   bool split(std::vector<Leaf_index> leaves) {
-    leaves.erase(std::remove_if(leaves.begin(), leaves.end(),
-                                [this](Leaf_index l) { return !is_splittable(l); }),
-                 leaves.end());
+    leaves.erase(
+        std::remove_if(leaves.begin(), leaves.end(), [this](Leaf_index l) { return !is_splittable(l); }),
+        leaves.end());
     if (leaves.empty()) return false;
     tree_.refine(leaves);
     subdivide_edges();
@@ -229,9 +239,8 @@ private:
     }
     const auto s = tree_.square(l);
     scratch.cells.for_each_pair(
-        {s.x, s.y},
-        Word_operations<typename Tree::Word>::power_of_two(framework.grid().depth() - s.level), scratch.segments,
-        [&](std::uint32_t i, std::uint32_t j) { f(edge(pieces[i]), edge(pieces[j])); });
+        {s.x, s.y}, Word_operations<typename Tree::Word>::power_of_two(framework.grid().depth() - s.level),
+        scratch.segments, [&](std::uint32_t i, std::uint32_t j) { f(edge(pieces[i]), edge(pieces[j])); });
   }
 
   /// For T_B*: leaves too large for a piece in them and one next to them.
@@ -274,9 +283,7 @@ private:
   /// Whether another edge lies between e and f.
   bool is_hidden(const Local_gap& gap, Edge_id e, Edge_id f, const Scratch& scratch,
                  const typename Edge_gaps<Geometry>::Leaf& leaf) const {
-    const auto hides = [&](Edge_id g) {
-      return g != e && g != f && gap.is_blocked_by(gaps_.local(g, leaf));
-    };
+    const auto hides = [&](Edge_id g) { return g != e && g != f && gap.is_blocked_by(gaps_.local(g, leaf)); };
     return std::any_of(scratch.own.begin(), scratch.own.end(), hides) ||
            std::any_of(scratch.others.begin(), scratch.others.end(), hides);
   }

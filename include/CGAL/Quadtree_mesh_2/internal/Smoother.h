@@ -46,6 +46,7 @@ enum class Removal { none, guarded };
 struct Finishing {
   Removal removal = Removal::guarded;
   int smoothing_rounds = 0;
+  int thinning_rounds = 0; ///< Thinner.h; of the whole mesh, at last
 };
 
 /// Removes Steiner vertices and smooths, as is wanted.

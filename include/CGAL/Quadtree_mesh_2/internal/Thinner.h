@@ -54,7 +54,6 @@ public:
     }
     state_.clear_worklist();
     state_.doubtful_sides.clear();
-    if(getenv("DBG")) fprintf(stderr,"undone\n");
     state_.mesh = std::move(before);
     return false;
   }
@@ -63,9 +62,7 @@ private:
   Meshing_state<Geometry>& state_;
   Bounds<Geometry> lower_;
 
-  void dirty_all() {
-    std::fill(state_.mesh.is_dirty.begin(), state_.mesh.is_dirty.end(), char(1));
-  }
+  void dirty_all() { std::fill(state_.mesh.is_dirty.begin(), state_.mesh.is_dirty.end(), char(1)); }
 
   /// Whether no triangle is bad in the end.
   template <class Continue>

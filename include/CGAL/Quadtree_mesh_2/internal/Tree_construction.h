@@ -16,7 +16,7 @@
 //   1. A triangle below the bound is cured, if that is possible, by leaving out one of the vertices of it or next
 //      to it: which corners near a feature become vertices is a choice (on maps the rule misses the bound at one
 //      triangle in a hundred, and one in fifty of these is not cured).
-//   2. Where it is not, the largest leaves at the triangle's vertices are split, and the mesh is made anew. So the
+//   2. Where it is not, the largest leaves at the triangle's vertices are split, later all of them, and the mesh is made anew. So the
 //      features of a place are as far apart, in sides of its leaves, as the bound needs.
 // The bound is met when a round finds no triangle below it: that is the proof, triangle by triangle. Leaves along an
 // edge away from its ends that are equal, and those in columns, keep to it by certificate (Column_rule.h). That
@@ -55,8 +55,8 @@ public:
 
   /// \param trees of the state's problem
   /// \param is_merged for each input vertex whether another one stands for it
-  Tree_construction(State& state, Trees& trees, const typename Trees::Map& map, const std::vector<char>& is_merged,
-                    const Domain_rule<Geometry>& domain, Report& report)
+  Tree_construction(State& state, Trees& trees, const typename Trees::Map& map,
+                    const std::vector<char>& is_merged, const Domain_rule<Geometry>& domain, Report& report)
       : state_(state), mesh_(state.mesh), trees_(trees), map_(map), is_merged_(is_merged), domain_(domain),
         report_(report) {}
 
@@ -137,7 +137,11 @@ private:
     return false;
   }
 
-  /// The largest of the leaves around the vertices of each triangle.
+  /// After this many rounds all leaves around a triangle's vertices are split: what is left then is often a change of
+  /// sizes that meets an edge under the same angle again and again.
+  static constexpr std::size_t rounds_of_largest_leaves_ = 3;
+
+  /// The leaves around the vertices of each triangle: the largest, or all.
   std::vector<Leaf_index> leaves_to_blame(const std::vector<Triangle_id>& sharp) const {
     std::vector<Leaf_index> leaves, around;
     const auto& tree = trees_.tree();
@@ -147,7 +151,7 @@ private:
       int level = tree.framework().grid().depth();
       for (const Leaf_index l : around) level = std::min(level, tree.level(l));
       for (const Leaf_index l : around)
-        if (tree.level(l) == level) leaves.push_back(l);
+        if (tree.level(l) == level || report_.rounds > rounds_of_largest_leaves_) leaves.push_back(l);
     }
     std::sort(leaves.begin(), leaves.end());
     leaves.erase(std::unique(leaves.begin(), leaves.end()), leaves.end());

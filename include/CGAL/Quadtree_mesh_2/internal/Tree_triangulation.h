@@ -51,8 +51,8 @@ bool triangulate_placed_vertices(const Placed_vertices<Geometry>& placed, const 
   const std::vector<std::uint32_t> used = pack<Concurrency_tag>(
       placed.points.size(), [&](std::size_t v) { return v >= is_merged.size() || is_merged[v] == 0; });
   std::vector<std::decay_t<decltype(to_grid(placed.points[0]))>> grid_points(used.size());
-  for_each_index<Concurrency_tag>(
-      used.size(), [&](std::size_t i) { grid_points[i] = to_grid(placed.points[used[i]]); });
+  for_each_index<Concurrency_tag>(used.size(),
+                                  [&](std::size_t i) { grid_points[i] = to_grid(placed.points[used[i]]); });
   Order order = shuffle_order<Concurrency_tag>(grid_points);
   std::vector<typename Geometry::Point> points(used.size());
   std::vector<Vertex_id> place(placed.points.size(), -1);
@@ -77,9 +77,8 @@ bool triangulate_placed_vertices(const Placed_vertices<Geometry>& placed, const 
   for_each_index<Concurrency_tag>(mesh.triangles.size(), [&](std::size_t t) {
     for (Vertex_id& v : mesh.triangles[t].v) v = static_cast<Vertex_id>(order[std::size_t(v)]);
   });
-  for_each_index<Concurrency_tag>(order.size(), [&](std::size_t i) {
-    mesh.triangle_of[order[i]] = sorted.triangle_of[i];
-  });
+  for_each_index<Concurrency_tag>(order.size(),
+                                  [&](std::size_t i) { mesh.triangle_of[order[i]] = sorted.triangle_of[i]; });
   return true;
 }
 
