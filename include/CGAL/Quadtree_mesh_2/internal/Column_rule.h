@@ -124,9 +124,10 @@ constexpr double vertex_reach = 3;
 /// `least_angle_of_sectors` degrees: found numerically, see Vertex_window.h.
 constexpr double least_sector = 33;
 constexpr double least_angle_of_sectors = 22;
-constexpr Vertex_ring vertex_ring{1.307, .972, 1.334};
-constexpr std::array<Sector_thresholds, 4> sector_thresholds{
-    {{1.1, .65}, {1.46, .55}, {.74, .65}, {1.22, .95}}};
+constexpr Vertex_ring vertex_ring{1.404, 1.137, 1.56};
+/// In the order in which they are tried.
+constexpr std::array<Sector_thresholds, 6> sector_thresholds{
+    {{.8, .8}, {1.8, .32}, {1.8, .52}, {1.65, .46}, {.5, .4}, {.5, .15}}};
 
 } // namespace internal
 } // namespace Quadtree_mesh_2

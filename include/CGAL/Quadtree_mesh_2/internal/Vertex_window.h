@@ -109,12 +109,13 @@ public:
     return std::asin(std::sqrt(least)) * 57.29577951308232;
   }
 
-  /// The thresholds with the largest least angle, by their place in the list; of equally good ones the first.
+  /// The first thresholds with a least angle that is large enough, by their place in the list; if there are none
+  /// those with the largest one.
   template <class List>
-  std::size_t best_of(const List& list) {
+  std::size_t best_of(const List& list, double large_enough = 25) {
     std::size_t best = 0;
     double angle = 0;
-    for (std::size_t i = 0; i < list.size(); ++i) {
+    for (std::size_t i = 0; i < list.size() && angle < large_enough; ++i) {
       const double a = least_angle(list[i]);
       if (a < angle + 1e-9) continue; // not by rounding errors
       angle = a;
