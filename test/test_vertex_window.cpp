@@ -114,10 +114,14 @@ Vertex random_vertex(Random& random, double least) {
   return v;
 }
 
-Cdt triangulation(const Vertex& v) {
+/// How far points and triangles are looked at.
+struct Radii {
+  double points = Vertex_window::radius_of_points, triangles = Vertex_window::radius_of_triangles;
+};
+
+Cdt triangulation(const Vertex& v, const Radii& radii = {}) {
   Cdt cdt;
   const auto vertex = cdt.insert(Point(v.place.x, v.place.y));
-  const double radius = Vertex_window::radius_of_points;
   for (std::size_t i = 0; i < v.directions.size(); ++i) {
     const Window_point e = v.direction(i);
     auto last = vertex;
@@ -129,24 +133,23 @@ Cdt triangulation(const Vertex& v) {
     const Edge_start start = edge_start(v.place, e, vertex_ring);
     for (std::size_t k = 0; k < start.number_of_distances; ++k) append(start.distances[k]);
     const double step = 1 / std::max(std::abs(e.x), std::abs(e.y));
-    for (double t = start.first_crossing; t < radius + 2; t += step) append(t);
+    for (double t = start.first_crossing; t < radii.points + 2; t += step) append(t);
     Vertex_window window(v.place, e, v.direction(i + 1), vertex_ring);
     const Sector_thresholds t = sector_thresholds[window.best_of(sector_thresholds)];
-    for (double x = -7; x <= 8; ++x)
-      for (double y = -7; y <= 8; ++y)
-        if (std::hypot(x - v.place.x, y - v.place.y) <= radius && window.is_in_sector({x, y}) &&
+    for (double x = -10; x <= 11; ++x)
+      for (double y = -10; y <= 11; ++y)
+        if (std::hypot(x - v.place.x, y - v.place.y) <= radii.points && window.is_in_sector({x, y}) &&
             window.is_kept({x, y}, t))
           cdt.insert(Point(x, y));
   }
   return cdt;
 }
 
-double least_angle(const Vertex& v, const Cdt& cdt) {
+double least_angle(const Vertex& v, const Cdt& cdt, const Radii& radii = {}) {
   double least = pi;
   for (auto f = cdt.finite_faces_begin(); f != cdt.finite_faces_end(); ++f) {
     const Point centre = CGAL::centroid(cdt.triangle(f));
-    if (std::hypot(centre.x() - v.place.x, centre.y() - v.place.y) > Vertex_window::radius_of_triangles)
-      continue;
+    if (std::hypot(centre.x() - v.place.x, centre.y() - v.place.y) > radii.triangles) continue;
     if (cdt.triangle(f).area() < 1e-9) continue; // three points on an edge
     for (int i = 0; i < 3; ++i) {
       const auto a = f->vertex((i + 1) % 3)->point() - f->vertex(i)->point(),
@@ -193,6 +196,31 @@ TEST_CASE("Windows of sectors have the angles of the triangulation at the vertex
     CHECK(angle == Approx(least).margin(1e-6));
     worst = std::min(worst, angle);
   }
+  CHECK(worst >= least_angle_of_sectors);
+}
+
+TEST_CASE("At the only edge of a vertex angles are as large as in sectors", "[columns]") {
+  Random random{std::mt19937_64(5)};
+  const int n = is_full_run() ? 20000 : 300;
+  double worst = 180;
+  for (int i = 0; i < n; ++i) {
+    const Vertex v{random.vertex(), {random.direction()}};
+    worst = std::min(worst, least_angle(v, triangulation(v)));
+  }
+  if (is_full_run()) WARN("least angle found " << worst);
+  CHECK(worst >= least_angle_of_sectors);
+}
+
+TEST_CASE("Behind their windows vertices have no smaller angles", "[columns]") {
+  Random random{std::mt19937_64(6)};
+  const Radii radii{10, 8};
+  const int n = is_full_run() ? 10000 : 100;
+  double worst = 180;
+  for (int i = 0; i < n; ++i) {
+    const Vertex v = random_vertex(random, least_sector);
+    worst = std::min(worst, least_angle(v, triangulation(v, radii), radii));
+  }
+  if (is_full_run()) WARN("least angle found " << worst);
   CHECK(worst >= least_angle_of_sectors);
 }
 

@@ -12,13 +12,15 @@
 //           - Columns side by side differ in width by a factor of two at most.
 //           - Columns of one width that follow each other are at least 4 if those on both ends are narrower, 6 if
 //             they are wider, 5 if there is one of each; and 6 at the ends of the edge, unless all of it has one width.
+//           - No other edge is over the columns near a change of widths within 6 of the wider ones' widths.
 //           Split the leaves, balance, find the edges' leaves again, and repeat.
 // Bound:    O(k log k) work for an edge of k leaves, besides repetitions: each splits some column. One parallel round.
 //           Repetitions come to an end, as leaves are only split, and only to sizes of other leaves.
 // Source:   ours.
 //
 // The band of 3 is proven to be wide enough in test_column_rule.cpp. A short run grows into a wider neighbour, and is
-// split if it has none.
+// split if it has none. A change of widths near another edge moves away, into the wider columns; that makes windows of
+// different edges, and of vertices, disjoint.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_COLUMN_CLOSURE_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_COLUMN_CLOSURE_H
@@ -43,6 +45,31 @@ struct Column_closure_options {
   std::size_t columns_between_both = 5;
   std::size_t columns_between_wider = 6;
   std::size_t columns_at_ends = 6; ///< of edges; 0 or more
+  int separation = 6; ///< of changes of widths from other edges, in widths of the wider columns; 0: any
+};
+
+/// Which edge passes each leaf.
+class Edges_of_leaves {
+public:
+  static constexpr std::uint32_t none = 0xffffffffu, several = 0xfffffffeu;
+
+  template <class Pieces>
+  Edges_of_leaves(std::size_t number_of_leaves, const Pieces& pieces, std::size_t number_of_segments)
+      : edge_(number_of_leaves, none) {
+    for (std::size_t s = 0; s < number_of_segments; ++s)
+      for (const Leaf_index l : pieces[Segment_index(s)]) {
+        std::uint32_t& edge = edge_[std::size_t(l)];
+        edge = edge == none || edge == s ? static_cast<std::uint32_t>(s) : several;
+      }
+  }
+
+  bool has_other_than(std::size_t s, Leaf_index l) const {
+    const std::uint32_t edge = edge_[std::size_t(l)];
+    return edge != none && edge != s;
+  }
+
+private:
+  std::vector<std::uint32_t> edge_; // for each leaf
 };
 
 /// The conditions for one edge.
@@ -56,8 +83,10 @@ public:
   /// How many columns on each side of a change of widths are near it.
   static constexpr std::size_t columns_near_change = 3;
 
-  Column_closure(const Tree& tree, const Line& line, const Column_closure_options& options)
-      : tree_(tree), line_(line), options_(options), band_(tree, line) {}
+  /// \param segment the edge's number
+  Column_closure(const Tree& tree, const Line& line, const Edges_of_leaves& edges, std::size_t segment,
+                 const Column_closure_options& options)
+      : tree_(tree), line_(line), edges_(edges), segment_(segment), options_(options), band_(tree, line) {}
 
   /// Appends the leaves that have to be split.
   /// \param leaves those of the edge
@@ -65,7 +94,7 @@ public:
   void append_leaves_to_split(const Leaves& leaves, std::vector<Leaf_index>& to_split) {
     columns_ = columns_along(tree_, leaves, line_);
     do split_for_neighbors();
-    while (split_where_leaves_are_smaller());
+    while (split_where_leaves_are_smaller() || split_near_other_edges());
     for (std::size_t i = 0; i < columns_.size(); ++i)
       band_.visit_nodes(columns_[i], band_of(i), [&](Node_index v) {
         if (tree_.level(v) < columns_[i].level) to_split.push_back(tree_.leaf(v));
@@ -97,6 +126,33 @@ private:
         return is_split_[i] == 0;
       });
     return split_marked();
+  }
+
+  /// Splits wider columns at changes of widths near which there is another edge. Returns whether there are some.
+  bool split_near_other_edges() {
+    is_split_.assign(columns_.size(), 0);
+    if (options_.separation == 0) return false;
+    for (std::size_t i = 1; i < columns_.size(); ++i) {
+      if (columns_[i - 1].level == columns_[i].level) continue;
+      const std::size_t wider = columns_[i - 1].level < columns_[i].level ? i - 1 : i;
+      const std::size_t begin = i < columns_near_change ? 0 : i - columns_near_change;
+      for (std::size_t j = begin; j < std::min(columns_.size(), i + columns_near_change); ++j)
+        if (is_near_other_edge(j, columns_[wider].level)) is_split_[wider] = 1;
+    }
+    return split_marked();
+  }
+
+  /// \param level of the wider columns, beside column `i`
+  bool is_near_other_edge(std::size_t i, int level) const {
+    const int widths = options_.separation << std::max(0, columns_[i].level - level);
+    bool is_near = false;
+    band_.visit_nodes(columns_[i], widths, [&](Node_index v) {
+      const auto leaves = tree_.leaves(v);
+      for (Leaf_index l = leaves.begin; l != leaves.end && !is_near; ++l)
+        is_near = edges_.has_other_than(segment_, l);
+      return !is_near;
+    });
+    return is_near;
   }
 
   /// Splits columns until widths follow each other as they have to.
@@ -169,6 +225,8 @@ private:
 
   const Tree& tree_;
   const Line& line_;
+  const Edges_of_leaves& edges_;
+  std::size_t segment_;
   const Column_closure_options& options_;
   Column_band<Tree> band_;
   std::vector<Column> columns_;
@@ -191,12 +249,13 @@ std::vector<Leaf_index> leaves_to_split_for_columns(const Tree& tree, const Piec
                                                     const Segments& segments,
                                                     const Column_closure_options& options) {
   constexpr std::size_t block = 64;
+  const Edges_of_leaves edges(tree.number_of_leaves(), pieces, segments.size());
   std::vector<std::vector<Leaf_index>> of_block((segments.size() + block - 1) / block);
   for_each_block<Concurrency_tag>(
       segments.size(), block, [&](std::size_t b, std::size_t begin, std::size_t end) {
         for (std::size_t s = begin; s < end; ++s) {
           const auto line = line_of_segment(tree, segments[s]);
-          Column_closure<Tree>(tree, line, options)
+          Column_closure<Tree>(tree, line, edges, s, options)
               .append_leaves_to_split(pieces[Segment_index(s)], of_block[b]);
         }
         std::sort(of_block[b].begin(), of_block[b].end());

@@ -36,6 +36,12 @@ enum class Transition_rule {
   BETTER_OF_TWO ///< 26.3 degrees
 };
 
+/// How far an end of an edge matters, in units of the grid: the rule at vertices decides there.
+struct Edge_end {
+  double crossings; ///< those nearer to the vertex are not used
+  double corners;   ///< those with a foot nearer to the vertex are not looked at, or behind it
+};
+
 /// The vertices beside one edge.
 /// \pre the edge passes the tree in columns, as Column_closure.h checks
 template <class Tree>
@@ -48,17 +54,22 @@ public:
   using Product = typename Line::Product;
 
   /// \param columns those of the edge, by `columns_along()`
+  /// \param ends the one with less u, and the other one
   Column_placement(const Tree& tree, const Line& line, const std::vector<Column>& columns,
-                   Transition_rule rule)
-      : tree_(tree), line_(line), columns_(columns), rule_(rule), slope_(line.slope()),
+                   Transition_rule rule, const std::array<Edge_end, 2>& ends = {})
+      : tree_(tree), line_(line), columns_(columns), rule_(rule), ends_(ends), slope_(line.slope()),
         length_(std::sqrt(1 + slope_ * slope_)) {}
 
   /// Calls `f(u)` for the grid lines that cross the edge, ends excluded, from the left to the right. `Edge_line`
   /// has the other coordinate of the crossing.
   template <class F>
   void for_each_crossing(const F& f) const {
-    for (std::size_t i = 1; i < columns_.size(); ++i)
-      if (is_crossing(i)) f(columns_[i].u);
+    for (std::size_t i = 1; i < columns_.size(); ++i) {
+      if (!is_crossing(i)) continue;
+      const auto distances =
+          distances_to_ends(Product(columns_[i].u), line_.v_from(Product(columns_[i].u), 0));
+      if (distances[0] >= ends_[0].crossings && distances[1] >= ends_[1].crossings) f(columns_[i].u);
+    }
   }
 
   /// Calls `f(point)` for the corners that are dropped because of the edge, on the grid lines that cross it.
@@ -118,6 +129,19 @@ private:
     return {better(Edge_side::ABOVE), better(Edge_side::BELOW)};
   }
 
+  /// Along the edge, of the foot of a point.
+  std::array<double, 2> distances_to_ends(const Product& u, double v) const {
+    const Product left(line_.first_u()), right(line_.last_u());
+    const auto along = [&](const Product& u_of_end) {
+      return (static_cast<double>(u - u_of_end) + slope_ * (v - line_.v_from(u_of_end, 0))) / length_;
+    };
+    return {along(left), -along(right)};
+  }
+  bool is_between_ends(const Product& u, const Product& v) const {
+    const auto distances = distances_to_ends(u, static_cast<double>(v));
+    return distances[0] >= ends_[0].corners && distances[1] >= ends_[1].corners;
+  }
+
   /// Above the edge a corner has positive height; both in widths of some columns.
   double height(const Product& u, const Product& v, const Word& unit) const {
     return -line_.v_from(u, v) / static_cast<double>(unit);
@@ -130,7 +154,8 @@ private:
     const Product reach = reach_ * Product(wider(change.line == 0 ? i : change.line));
     const Product lowest = v_of_edge < reach ? Product(0) : v_of_edge - reach;
     for (Product v = lowest - lowest % step; v <= v_of_edge + reach; v += step)
-      if (!is_kept_corner(i, change, u, v)) f(line_.point(columns_[i].u, static_cast<Word>(v)));
+      if (is_between_ends(u, v) && !is_kept_corner(i, change, u, v))
+        f(line_.point(columns_[i].u, static_cast<Word>(v)));
   }
 
   bool is_kept_corner(std::size_t i, const Change& change, const Product& u, const Product& v) const {
@@ -166,6 +191,7 @@ private:
   const Line& line_;
   const std::vector<Column>& columns_;
   Transition_rule rule_;
+  std::array<Edge_end, 2> ends_;
   double slope_, length_;
 };
 

@@ -17,7 +17,7 @@
 //           - 26.3 degrees with the better of `rule_b` and `rule_c`, chosen for each change and each side of the edge
 //             (Column_window.h evaluates them); a leaf with a hanging node alone has 26.57,
 //           for every direction and offset of the edge. test_column_rule.cpp proves it by branch and bound in
-//           integers. At a vertex 22 degrees are established numerically only
+//           integers. At a vertex 21.5 degrees are established numerically only
 //           (Vertex_window.h).
 // Source:   Bern, Eppstein, Teng, section 6 (Theorem 5), asks for a placement with 18.43 degrees. The crossings
 //           and the thresholds are ours: found by a search for the vectors whose certificate is best.
@@ -123,10 +123,11 @@ constexpr double vertex_reach = 3;
 /// Sectors of at least this many degrees have, by the best of the thresholds, angles of at least
 /// `least_angle_of_sectors` degrees: found numerically, see Vertex_window.h.
 constexpr double least_sector = 33;
-constexpr double least_angle_of_sectors = 22;
-constexpr Vertex_ring vertex_ring{1.307, .972, 1.334};
-constexpr std::array<Sector_thresholds, 4> sector_thresholds{
-    {{1.1, .65}, {1.46, .55}, {.74, .65}, {1.22, .95}}};
+constexpr double least_angle_of_sectors = 21.5;
+constexpr Vertex_ring vertex_ring{1.404, 1.137, 1.56};
+/// In the order in which they are tried.
+constexpr std::array<Sector_thresholds, 7> sector_thresholds{
+    {{.8, .8}, {1.8, .32}, {.5, .54}, {1.8, .52}, {1.65, .46}, {.5, .4}, {.5, .15}}};
 
 } // namespace internal
 } // namespace Quadtree_mesh_2

@@ -64,17 +64,18 @@ inline Edge_start edge_start(const Window_point& vertex, const Window_point& dir
   return start;
 }
 
-/// The sector between two edges of a vertex, counterclockwise from the first to the second one.
+/// The sector between two edges of a vertex, counterclockwise from the first to the second one; all around the only
+/// edge of a vertex if both are the same.
 class Vertex_window {
 public:
   /// \param vertex relative to some corner of a leaf
-  /// \param first, second directions of the edges, of length 1 and different
+  /// \param first, second directions of the edges, of length 1
   Vertex_window(const Window_point& vertex, const Window_point& first, const Window_point& second,
                 const Vertex_ring& ring)
       : vertex_(vertex), edges_{first, second} {
     edge_points_.push_back({vertex, 3});
     append_points_of_edge(0, ring);
-    append_points_of_edge(1, ring);
+    if (!is_only_edge()) append_points_of_edge(1, ring);
   }
 
   /// Whether a corner is in the sector, edges excluded.
@@ -109,12 +110,13 @@ public:
     return std::asin(std::sqrt(least)) * 57.29577951308232;
   }
 
-  /// The thresholds with the largest least angle, by their place in the list; of equally good ones the first.
+  /// The first thresholds with a least angle that is large enough, by their place in the list; if there are none
+  /// those with the largest one.
   template <class List>
-  std::size_t best_of(const List& list) {
+  std::size_t best_of(const List& list, double large_enough = 25) {
     std::size_t best = 0;
     double angle = 0;
-    for (std::size_t i = 0; i < list.size(); ++i) {
+    for (std::size_t i = 0; i < list.size() && angle < large_enough; ++i) {
       const double a = least_angle(list[i]);
       if (a < angle + 1e-9) continue; // not by rounding errors
       angle = a;
@@ -151,7 +153,9 @@ private:
   bool is_near(double x, double y, double radius) const {
     return (x - vertex_.x) * (x - vertex_.x) + (y - vertex_.y) * (y - vertex_.y) <= radius * radius;
   }
+  bool is_only_edge() const { return edges_[0].x == edges_[1].x && edges_[0].y == edges_[1].y; }
   bool is_inside(double x, double y) const {
+    if (is_only_edge()) return true;
     const Window_point &a = edges_[0], &b = edges_[1];
     const bool is_left_of_first = a.x * y - a.y * x > 0, is_right_of_second = x * b.y - y * b.x > 0;
     return a.x * b.y - a.y * b.x > 0 ? is_left_of_first && is_right_of_second
