@@ -120,8 +120,8 @@ struct Sector_thresholds {
 constexpr double vertex_reach = 3;
 
 /// Sectors of at least this many degrees have, by the best of the thresholds, angles of at least
-/// `least_angle_of_sectors` degrees: found numerically, see Vertex_window.h. The least angles that a search found are
-/// 21.76 degrees, 23.44 for sectors of at least 60, and 25.0 at the only edge of a vertex.
+/// `least_angle_of_sectors` degrees: found numerically, see Vertex_window.h. The least angles that a search found
+/// are 21.76 degrees, 23.44 for sectors of at least 60, and 25.0 at the only edge of a vertex.
 constexpr double least_sector = 33;
 constexpr double least_angle_of_sectors = 21.5;
 constexpr Vertex_ring vertex_ring{1.404, 1.137, 1.56};
