@@ -62,7 +62,8 @@ struct Case {
   Segments segments;
 };
 
-/// Leaves are split at random, more where squares are small already, and where `must_split_too(low, side)` says so.
+/// Leaves are split at random, more where squares are small already, and where `must_split_too(low, side)` says
+/// so.
 template <class Must_split>
 Tree random_tree(Random& random, const std::vector<Point>& points, const Must_split& must_split_too) {
   const double r = random(), share = 0.01 + 0.25 * r * r;
@@ -117,7 +118,8 @@ std::vector<Leaf_index> to_split(const Tree& tree, const Segments& segments,
   return leaves_to_split_for_columns<Concurrency_tag>(tree, Pieces_view{pieces}, segments, options);
 }
 
-/// Splits until vertices are amid equal leaves, if they shall be, and edges in columns. Returns the number of rounds.
+/// Splits until vertices are amid equal leaves, if they shall be, and edges in columns. Returns the number of
+/// rounds.
 inline int close(Tree& tree, const Segments& segments, const std::vector<Vertex_index>& vertices = {},
                  const Column_closure_options& options = {}) {
   for (int round = 0;; ++round) {

@@ -4,8 +4,8 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 
-// Edges through random balanced quadtrees: the closure's conditions are checked by brute force over all leaves, and
-// the least angle of the constrained Delaunay triangulation against the bounds of test_column_rule.cpp.
+// Edges through random balanced quadtrees: the closure's conditions are checked by brute force over all leaves,
+// and the least angle of the constrained Delaunay triangulation against the bounds of test_column_rule.cpp.
 
 #include "column_tools.h"
 

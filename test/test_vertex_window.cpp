@@ -4,8 +4,8 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 
-// Vertices amid equal leaves. The bound for the least angle is not proven: it is looked for by random search, and by
-// random descent from the worst cases.
+// Vertices amid equal leaves. The bound for the least angle is not proven: it is looked for by random search, and
+// by random descent from the worst cases.
 
 #include "catch.h"
 
@@ -232,7 +232,7 @@ TEST_CASE("Random sectors have no smaller angles", "[columns]") {
 TEST_CASE("A search for sectors with small angles finds none", "[columns][.slow]") {
   for (const double least : {least_sector, 45., 60., 90.}) {
     Random random{std::mt19937_64(4)};
-    const double worst = worst_angle(random, 200000, 60, 2000, least, 330);
+    const double worst = worst_angle(random, 60000, 30, 1500, least, 330);
     WARN("sectors of at least " << least << " degrees: least angle found " << worst);
     CHECK(worst >= least_angle_of_sectors);
   }

@@ -11,16 +11,17 @@
 //             6 if one of the three columns before or behind it is twice as wide.
 //           - Columns side by side differ in width by a factor of two at most.
 //           - Columns of one width that follow each other are at least 4 if those on both ends are narrower, 6 if
-//             they are wider, 5 if there is one of each; and 6 at the ends of the edge, unless all of it has one width.
+//             they are wider, 5 if there is one of each; and 6 at the ends of the edge, unless all of it has one
+//             width.
 //           - No other edge is over the columns near a change of widths within 6 of the wider ones' widths.
 //           Split the leaves, balance, find the edges' leaves again, and repeat.
-// Bound:    O(k log k) work for an edge of k leaves, besides repetitions: each splits some column. One parallel round.
-//           Repetitions come to an end, as leaves are only split, and only to sizes of other leaves.
+// Bound:    O(k log k) work for an edge of k leaves, besides repetitions: each splits some column. One parallel
+//           round. Repetitions come to an end, as leaves are only split, and only to sizes of other leaves.
 // Source:   ours.
 //
-// The band of 3 is proven to be wide enough in test_column_rule.cpp. A short run grows into a wider neighbour, and is
-// split if it has none. A change of widths near another edge moves away, into the wider columns; that makes windows of
-// different edges, and of vertices, disjoint.
+// The band of 3 is proven to be wide enough in test_column_rule.cpp. A short run grows into a wider neighbour, and
+// is split if it has none. A change of widths near another edge moves away, into the wider columns; that makes
+// windows of different edges, and of vertices, disjoint.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_COLUMN_CLOSURE_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_COLUMN_CLOSURE_H

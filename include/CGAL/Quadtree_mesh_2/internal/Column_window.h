@@ -6,9 +6,10 @@
 
 // The mesh at one change of sizes, above an edge, in a window of its own.
 //
-// Computes: the vertices that Column_rule.h keeps for an edge y = slope x + offset, for x in [-2, 3/2], up to a row of
-//           kept corners; coarse columns of width 1 are at x < 0, fine ones of width 1/2 at x > 0. Then their
-//           Delaunay triangulation, its least angle, and which of two vectors of thresholds gives the larger one.
+// Computes: the vertices that Column_rule.h keeps for an edge y = slope x + offset, for x in [-2, 3/2], up to a
+//           row of kept corners; coarse columns of width 1 are at x < 0, fine ones of width 1/2 at x > 0. Then
+//           their Delaunay triangulation, its least angle, and which of two vectors of thresholds gives the larger
+//           one.
 // Bound:    O(1): at most 80 vertices.
 // Source:   Lawson, Software for C1 surface interpolation (1977): flips, from a triangulation strip by strip.
 // Deviates: in doubles. Cocircular points are left as they are: the choice does not matter for the least angle.

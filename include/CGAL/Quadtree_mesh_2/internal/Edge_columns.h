@@ -7,10 +7,10 @@
 // The columns of leaves that an edge passes, and the leaves above and below it in each.
 //
 // Computes: an edge with |dy| <= |dx| as a function of x; one with |dy| > |dx| with x and y exchanged: below, u is
-//           the coordinate that changes more, v the other one. A column is an aligned interval of u, as wide as the
-//           smallest of the leaves that the edge passes there.
-// Bound:    O(k log k) for an edge that passes k leaves; O(1) for each leaf in a band of O(1) widths of a column, by
-//           cross pointers.
+//           the coordinate that changes more, v the other one. A column is an aligned interval of u, as wide as
+//           the smallest of the leaves that the edge passes there.
+// Bound:    O(k log k) for an edge that passes k leaves; O(1) for each leaf in a band of O(1) widths of a column,
+//           by cross pointers.
 // Source:   ours; see Column_rule.h.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_EDGE_COLUMNS_H
@@ -188,8 +188,8 @@ public:
 
   Column_band(const Tree& tree, const Line& line) : tree_(tree), line_(line) {}
 
-  /// Calls `visit(v)` for nodes v: for leaves at least as large as the column is wide, and for split squares of its
-  /// width, until it returns `false`.
+  /// Calls `visit(v)` for nodes v: for leaves at least as large as the column is wide, and for split squares of
+  /// its width, until it returns `false`.
   /// \param widths the distance, in widths of the column
   template <class Visit>
   void visit_nodes(const Column& c, int widths, const Visit& visit) const {

@@ -4,13 +4,15 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 
-// The corners of leaves near a vertex that are no vertices of the mesh, and the leaves that have to be split first.
+// The corners of leaves near a vertex that are no vertices of the mesh, and the leaves that have to be split
+// first.
 //
 // Computes: dropped corners within 3.2 sides of the vertex's leaf, sector by sector (Vertex_window.h); and where
 //           leaves are not equal in the 7 x 7 squares around the leaf of a vertex.
 // Bound:    O(1) for each sector; O(depth) for each vertex to look at leaves. All vertices at the same time.
-// Source:   ours; see Vertex_window.h. Corners are dropped within 1.8 sides of the vertex besides those near edges, so
-//           leaves that lose a corner have their neighbours in the 7 x 7 squares, or in the band of an edge.
+// Source:   ours; see Vertex_window.h. Corners are dropped within 1.8 sides of the vertex besides those near
+//           edges, so leaves that lose a corner have their neighbours in the 7 x 7 squares, or in the band of an
+//           edge.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_VERTEX_PLACEMENT_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_VERTEX_PLACEMENT_H
@@ -48,8 +50,8 @@ public:
     return edge_start(place_, direction, vertex_ring);
   }
 
-  /// Calls `f(point)` for corners that are dropped in a sector. Those whose foot on an edge is beyond `vertex_reach`
-  /// are left to the rule for columns.
+  /// Calls `f(point)` for corners that are dropped in a sector. Those whose foot on an edge is beyond
+  /// `vertex_reach` are left to the rule for columns.
   /// \param first, second directions of length 1, the second one counterclockwise next
   template <class F>
   void for_each_dropped_corner(const Window_point& first, const Window_point& second, const F& f) const {
@@ -80,7 +82,8 @@ private:
   Window_point place_; ///< relative to the corner of its leaf, in sides
 };
 
-/// Returns the leaves to be split so that all vertices are amid 7 x 7 equal leaves, in order. Squares outside the root do not count.
+/// Returns the leaves to be split so that all vertices are amid 7 x 7 equal leaves, in order. Squares outside the
+/// root do not count.
 /// \param vertices a random access range of `Vertex_index`, which are points of the tree
 template <class Concurrency_tag, class Tree, class Vertices>
 std::vector<Leaf_index> leaves_to_split_for_vertices(const Tree& tree, const Vertices& vertices) {

@@ -7,19 +7,19 @@
 // The mesh between two edges that follow each other around a vertex, amid equal leaves, in a window of its own.
 //
 // Computes: the points on an edge near its vertex: one on a ring, at the same distance on all edges, then one
-//           halfway to the first crossing with a grid line if that is far. For a sector, the corners of leaves that
-//           are kept for some thresholds, the Delaunay triangulation of all that, its least angle, and which of a
-//           few pairs of thresholds gives the largest one.
+//           halfway to the first crossing with a grid line if that is far. For a sector, the corners of leaves
+//           that are kept for some thresholds, the Delaunay triangulation of all that, its least angle, and which
+//           of a few pairs of thresholds gives the largest one.
 // Bound:    O(1): at most some 150 points in the window of 6 sides of leaves.
 // Source:   the ring is that of Bern, Eppstein, Teng, section 6 (acute corners); thresholds ours, found by a
 //           search. Bowyer, Watson (1981) for the triangulation.
 // Deviates: numerically established only: random search and descent over positions, directions and sectors of at
 //           least 33 degrees finds no least angle below `least_angle_of_sectors` (test_vertex_window.cpp).
 //
-// Points on an edge depend on that edge and the vertex only, corners on the two edges of their sector. So sectors are
-// independent of each other. Unit of all lengths: the side of the leaves around the vertex.
-// In doubles: what is computed here only chooses. In sectors above 180 degrees the other side of the edges is empty,
-// and edges are sides of triangles if the sectors there are at least 20 degrees.
+// Points on an edge depend on that edge and the vertex only, corners on the two edges of their sector. So sectors
+// are independent of each other. Unit of all lengths: the side of the leaves around the vertex.
+// In doubles: what is computed here only chooses. In sectors above 180 degrees the other side of the edges is
+// empty, and edges are sides of triangles if the sectors there are at least 20 degrees.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_VERTEX_WINDOW_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_VERTEX_WINDOW_H
@@ -64,8 +64,8 @@ inline Edge_start edge_start(const Window_point& vertex, const Window_point& dir
   return start;
 }
 
-/// The sector between two edges of a vertex, counterclockwise from the first to the second one; all around the only
-/// edge of a vertex if both are the same.
+/// The sector between two edges of a vertex, counterclockwise from the first to the second one; all around the
+/// only edge of a vertex if both are the same.
 class Vertex_window {
 public:
   /// \param vertex relative to some corner of a leaf
