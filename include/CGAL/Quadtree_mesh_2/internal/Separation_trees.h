@@ -23,9 +23,11 @@
 
 #include <CGAL/Balanced_quadtree.h>
 #include <CGAL/Pslg_2.h>
+#include <CGAL/Quadtree_mesh_2/internal/Column_closure.h>
 #include <CGAL/Quadtree_mesh_2/internal/Edge_gaps.h>
 #include <CGAL/Quadtree_mesh_2/internal/Edge_pieces.h>
 #include <CGAL/Quadtree_mesh_2/internal/Meshing_state.h>
+#include <CGAL/Quadtree_mesh_2/internal/Vertex_placement.h>
 #include <CGAL/Quadtree_mesh_2/internal/coordinate_map.h>
 #include <CGAL/Quadtree_mesh_2/internal/leaf_cells.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel.h>
@@ -66,6 +68,8 @@ public:
       : problem_(problem), graph_(graph), map_(map), options_(options), report_(report),
         gaps_(problem, sides, options) {
     make_tree_of_vertices(traits);
+    if (options.placement == Options::Placement::BY_RULE)
+      for (std::size_t v = 0; v < graph.number_of_vertices(); ++v) vertices_.push_back(Vertex_index(v));
     subdivide_edges();
     while (split(leaves_with_near_pieces())) {
     }
@@ -108,6 +112,7 @@ private:
   Edge_pieces pieces_;
   Leaf_pieces pieces_in_leaves_;
   double side_of_root_ = 0;
+  std::vector<Vertex_index> vertices_; // all of them, for the placement by rule
 
   void make_tree_of_vertices(const Traits& traits) {
     if (options_.neighbors == Options::Neighbors::QUADTREE) {
@@ -151,9 +156,16 @@ private:
       const Vertex_edge_neighbor_2 edge = neighbors.nearest_hit(Vertex_index(v));
       if (edge.exists() && edge.distance > 0)
         distance = std::min(distance, map_.length_to_kernel(edge.distance));
-      levels[i] = level_for(distance / options_.vertex_distance, framework.grid().depth());
+      levels[i] = level_for(distance / least_vertex_distance(), framework.grid().depth());
     });
     return levels;
+  }
+
+  /// Rules want equal leaves around each vertex, apart from those around others.
+  double least_vertex_distance() const {
+    constexpr double by_rule = 8;
+    return options_.placement == Options::Placement::BY_RULE ? std::max(by_rule, options_.vertex_distance)
+                                                             : options_.vertex_distance;
   }
 
   /// The first level with sides of at most a length.
@@ -182,8 +194,18 @@ private:
   }
 
   void separate() {
-    while (split(leaves_with_near_pieces()) || split(leaves_near_pieces())) {
+    while (split(leaves_with_near_pieces()) || split(leaves_near_pieces()) || split(leaves_that_break_rules())) {
     }
+  }
+
+  /// For the placement by rule: leaves that are not equal at vertices, or not in columns along edges.
+  std::vector<Leaf_index> leaves_that_break_rules() const {
+    if (options_.placement != Options::Placement::BY_RULE) return {};
+    std::vector<Leaf_index> leaves = leaves_to_split_for_vertices<Concurrency_tag>(tree_, vertices_);
+    const auto more = leaves_to_split_for_columns<Concurrency_tag>(tree_, pieces_, graph_.segments,
+                                                                   Column_closure_options());
+    leaves.insert(leaves.end(), more.begin(), more.end());
+    return leaves;
   }
 
   typename Edge_gaps<Geometry>::Leaf frame(Leaf_index l) const {

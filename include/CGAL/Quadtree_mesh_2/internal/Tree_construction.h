@@ -27,6 +27,7 @@
 
 #include <CGAL/Quadtree_mesh_2/internal/Meshing_state.h>
 #include <CGAL/Quadtree_mesh_2/internal/Remover.h>
+#include <CGAL/Quadtree_mesh_2/internal/Rule_placement.h>
 #include <CGAL/Quadtree_mesh_2/internal/Separation_trees.h>
 #include <CGAL/Quadtree_mesh_2/internal/Tree_placement.h>
 #include <CGAL/Quadtree_mesh_2/internal/Tree_triangulation.h>
@@ -67,7 +68,7 @@ public:
                        const Continue& shall_go_on) {
     for (;;) {
       ++report_.rounds;
-      if (!make_mesh()) return Construction_end::out_of_grid;
+      if (!make_mesh(placement)) return Construction_end::out_of_grid;
       std::vector<Triangle_id> sharp = sharp_triangles();
       report_.triangles = mesh_.number_of_triangles();
       report_.missed_by_rule = sharp.size();
@@ -97,9 +98,11 @@ private:
     return trees_.tree().framework().grid().grid_point(map_.to_user(p));
   }
 
-  bool make_mesh() {
+  bool make_mesh(Tree_separation_options_2::Placement placement) {
     state_.clear_worklist();
-    const auto placed = Tree_placement<Traits, Concurrency_tag>(state_.problem, trees_).run();
+    const auto placed = placement == Tree_separation_options_2::Placement::BY_RULE
+                            ? Rule_placement<Traits, Concurrency_tag>(state_.problem, trees_).run()
+                            : Tree_placement<Traits, Concurrency_tag>(state_.problem, trees_).run();
     return triangulate_placed_vertices<Concurrency_tag>(
         placed, is_merged_, domain_, [this](const auto& p) { return grid_point(p); }, mesh_);
   }

@@ -21,6 +21,7 @@
 #define CGAL_QUADTREE_MESH_2_INTERNAL_TREE_PLACEMENT_H
 
 #include <CGAL/Quadtree_mesh_2/internal/Column_rule.h>
+#include <CGAL/Quadtree_mesh_2/internal/Placed_vertices.h>
 #include <CGAL/Quadtree_mesh_2/internal/Separation_trees.h>
 #include <CGAL/Quadtree_mesh_2/internal/Tree_corners.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel.h>
@@ -47,14 +48,6 @@ struct Vertex_clearance {
 };
 constexpr Vertex_clearance vertex_clearance{};
 
-/// Vertices of a mesh to be, and the pieces of edges between them.
-template <class Geometry>
-struct Placed_vertices {
-  std::vector<typename Geometry::Point> points; ///< first the input's, then those on edges, then corners
-  std::vector<Edge_id> edge_of;                 ///< as `Kernel_mesh::edge_of`
-  std::vector<std::array<Vertex_id, 2>> segments;
-};
-
 template <class Traits, class Concurrency_tag>
 class Tree_placement {
 public:
@@ -67,15 +60,12 @@ public:
       : problem_(problem), trees_(trees), tree_(trees.tree()), corners_(trees.tree()) {}
 
   Placed_vertices<Geometry> run() {
-    Placed_vertices<Geometry> placed;
-    const std::size_t n = problem_.input_points.size();
-    placed.points = problem_.input_points;
-    placed.edge_of.resize(n);
-    for (std::size_t v = 0; v < n; ++v) placed.edge_of[v] = input_vertex(static_cast<Vertex_id>(v));
-    cut_edges(placed);
+    Placed_vertices<Geometry> placed(problem_.input_points);
+    placed.template append_vertices_of_edges<Concurrency_tag>(
+        problem_.edges, [this](Edge_id e, auto& crossings) { cut_edge(e, crossings); });
     find_corners_kept();
     drop_corners_at_vertices();
-    append_corners(placed);
+    placed.template append_corners<Concurrency_tag>(trees_, corners_, is_kept_);
     return placed;
   }
 
@@ -85,7 +75,7 @@ private:
   using Corners = Tree_corners<Tree>;
   using Name = typename Corners::Name;
 
-  static constexpr std::size_t block_of_edges_ = 256;
+  static constexpr std::size_t block_of_vertices_ = 256;
   static constexpr std::size_t block_of_corners_ = 1024;
 
   const Problem& problem_;
@@ -96,44 +86,8 @@ private:
 
   // ---- on edges
 
-  struct Crossing {
-    Edge_id edge;
-    Point point;
-  };
-
-  void cut_edges(Placed_vertices<Geometry>& placed) const {
-    const std::size_t m = problem_.edges.size();
-    std::vector<std::vector<Crossing>> found((m + block_of_edges_ - 1) / block_of_edges_);
-    for_each_block<Concurrency_tag>(m, block_of_edges_,
-                                    [&](std::size_t b, std::size_t begin, std::size_t end) {
-                                      for (std::size_t e = begin; e < end; ++e)
-                                        cut_edge(static_cast<Edge_id>(e), found[b]);
-                                    });
-    Edge_id e = 0;
-    for (const auto& crossings : found)
-      for (const Crossing& c : crossings) {
-        while (e < c.edge) close_edge(placed, e++);
-        append(placed, c);
-      }
-    while (e < static_cast<Edge_id>(m)) close_edge(placed, e++);
-  }
-
-  /// The last vertex on an edge is joined to its end, and the first one of the next edge to its beginning.
-  void close_edge(Placed_vertices<Geometry>& placed, Edge_id e) const {
-    const Input_edge& edge = problem_.edges[e];
-    const Vertex_id last =
-        placed.edge_of.back() == e ? static_cast<Vertex_id>(placed.points.size()) - 1 : edge.a;
-    placed.segments.push_back({last, edge.b});
-  }
-  void append(Placed_vertices<Geometry>& placed, const Crossing& c) const {
-    const Vertex_id v = static_cast<Vertex_id>(placed.points.size());
-    placed.segments.push_back({placed.edge_of.back() == c.edge ? v - 1 : problem_.edges[c.edge].a, v});
-    placed.points.push_back(c.point);
-    placed.edge_of.push_back(c.edge);
-  }
-
   /// Where an edge crosses the sides of leaves transversal to it, but for those next to its ends.
-  void cut_edge(Edge_id e, std::vector<Crossing>& crossings) const {
+  void cut_edge(Edge_id e, std::vector<Edge_crossing<Geometry>>& crossings) const {
     const Input_edge& edge = problem_.edges[e];
     const Point &a = problem_.input_point(edge.a), &b = problem_.input_point(edge.b);
     const Vector d = Geometry::difference(b, a);
@@ -209,8 +163,8 @@ private:
   /// All corners near a vertex are those of its leaf, or of a leaf next to that.
   void drop_corners_at_vertices() {
     const std::size_t n = problem_.input_points.size();
-    std::vector<std::vector<Name>> found((n + block_of_edges_ - 1) / block_of_edges_);
-    for_each_block<Concurrency_tag>(n, block_of_edges_,
+    std::vector<std::vector<Name>> found((n + block_of_vertices_ - 1) / block_of_vertices_);
+    for_each_block<Concurrency_tag>(n, block_of_vertices_,
                                     [&](std::size_t b, std::size_t begin, std::size_t end) {
                                       for (std::size_t v = begin; v < end; ++v)
                                         find_corners_at(static_cast<Vertex_id>(v), found[b]);
@@ -238,17 +192,6 @@ private:
       if (distance < vertex_clearance.of_corners * trees_.side(corners_.level(corners_.leaves_around(c))))
         names.push_back(c);
     }
-  }
-
-  void append_corners(Placed_vertices<Geometry>& placed) const {
-    const auto names = pack_values<Concurrency_tag, Name>(
-        is_kept_.size(), [&](std::size_t c) { return is_kept_[c] != 0; }, [](std::size_t c) { return c; });
-    const std::size_t first = placed.points.size();
-    placed.points.resize(first + names.size());
-    placed.edge_of.resize(first + names.size(), free_vertex);
-    for_each_index<Concurrency_tag>(names.size(), [&](std::size_t i) {
-      placed.points[first + i] = trees_.kernel_point(corners_.place(names[i]));
-    });
   }
 };
 
