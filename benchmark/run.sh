@@ -12,6 +12,7 @@ install_packages "${build_packages[@]}"
 configure_and_build "$root/build" pslg -DCMAKE_BUILD_TYPE=Release
 configure_and_build "$root/build" points -DCMAKE_BUILD_TYPE=Release
 configure_and_build "$root/build" quadtree -DCMAKE_BUILD_TYPE=Release
+configure_and_build "$root/build" neighbors -DCMAKE_BUILD_TYPE=Release
 
 # Prints the tables of one set of inputs: name, then options.
 meshes() {
@@ -46,3 +47,7 @@ say "quadtrees"
 "$root/build/bin/quadtree" --n 1e5 1e6 --repeat 3 --limit 10 --threads "$(nproc)" \
   --json "$root/build/quadtree.json"
 "$root/build/bin/quadtree" --rounds --n 1e5 1e6 --repeat 3 --json "$root/build/quadtree_rounds.json"
+
+say "vertex-edge neighbours"
+"$root/build/bin/neighbors" "$root/test/data/gshhg_norway_f.poly.gz" coast:1e5 segments:1e5 --repeat 7 \
+  --json "$root/build/neighbors.json"

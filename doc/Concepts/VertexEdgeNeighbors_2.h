@@ -27,6 +27,7 @@
 ///
 /// \cgalHasModelsBegin
 /// \cgalHasModels{CGAL::Quadtree_vertex_edge_neighbors_2<Traits,ConcurrencyTag>}
+/// \cgalHasModels{CGAL::Trapezoidal_vertex_edge_neighbors_2<Traits,ConcurrencyTag>}
 /// \cgalHasModelsEnd
 ///
 /// \sa `CGAL::Pslg_2<Point>`

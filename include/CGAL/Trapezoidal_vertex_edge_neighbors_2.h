@@ -31,6 +31,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -62,20 +63,20 @@ public:
   /// \param pslg is not copied: it has to stay where and as it is. Its segments join vertices that exist.
   explicit Trapezoidal_vertex_edge_neighbors_2(const Pslg& pslg) : pslg_(&pslg) {
     using namespace Quadtree_mesh_2::internal;
-    std::vector<Axis_slabs> axes;
-    axes.reserve(2);
-    for (int axis = 0; axis < 2; ++axis)
-      axes.emplace_back(Ranked_places<Point_2>::template of<Concurrency_tag>(pslg, axis),
-                        pslg.number_of_segments(), least_slab);
-    const std::size_t slabs = axes[0].size();
-    Executor<Concurrency_tag>::run(slabs + axes[1].size(), [&](std::size_t i) {
-      if (i < slabs)
-        axes[0].decompose(i);
-      else
-        axes[1].decompose(i - slabs);
+    std::array<std::optional<Axis_slabs>, 2> axes;
+    Executor<Concurrency_tag>::run(2, [&](std::size_t axis) {
+      axes[axis].emplace(Ranked_places<Point_2>::template of<Concurrency_tag>(pslg, static_cast<int>(axis)),
+                         pslg.number_of_segments(), least_slab);
     });
-    Executor<Concurrency_tag>::run(2, [&](std::size_t axis) { axes[axis].find_hits(); });
-    collect_hits(axes[0], axes[1]);
+    const std::size_t slabs = axes[0]->size();
+    Executor<Concurrency_tag>::run(slabs + axes[1]->size(), [&](std::size_t i) {
+      if (i < slabs)
+        axes[0]->decompose(i);
+      else
+        axes[1]->decompose(i - slabs);
+    });
+    Executor<Concurrency_tag>::run(2, [&](std::size_t axis) { axes[axis]->find_hits(); });
+    collect_hits(*axes[0], *axes[1]);
   }
 
   /// What is kept is a reference to a graph; a temporary one would be gone.

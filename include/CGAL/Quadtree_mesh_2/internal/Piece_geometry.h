@@ -30,13 +30,12 @@
 #include <deque>
 #include <map>
 #include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-/// A piece of a segment; of several segments if these overlap, the first of which it names.
+/// A piece of a segment; of several segments where these overlap, the first of which it names.
 struct Segment_piece {
   Place left, right;
   Segment_index segment;
@@ -49,7 +48,6 @@ class Piece_geometry {
 
 public:
   using Places = Ranked_places<Point>;
-  using Segment_pair = std::pair<Segment_index, Segment_index>;
 
   explicit Piece_geometry(const Places& places) : places_(places) {}
 
@@ -92,34 +90,41 @@ public:
     return -places_.orientation(base[0], base[1], ends(d)[0]);
   }
 
-  /// What two pieces have in common: nothing, a point (`left`), or a piece from `left` to `right`.
-  struct Meeting {
-    Place left, right;
-  };
-
-  /// Where two pieces meet. Notes a crossing or an overlap.
-  Meeting meeting(const Segment_piece& c, const Segment_piece& d) {
+  /// Where two pieces meet, nowhere or in a point. Notes a crossing.
+  /// \pre they do not overlap
+  Place meeting(const Segment_piece& c, const Segment_piece& d) {
     // Of the two ends, those that the other piece reaches.
     const int lefts = compare(c.left, d.left), rights = compare(c.right, d.right);
     const Place l = lefts >= 0 ? c.left : d.left, r = rights <= 0 ? c.right : d.right;
     const int length = compare(l, r);
-    if (length > 0) return {};
-    if (length == 0) return {l, Place()};
+    if (length > 0) return Place();
+    if (length == 0) return l;
     const int at_left = lefts == 0 ? 0 : lefts > 0 ? side(l, d) : -side(l, c);
+    if (at_left == 0) return l;
     const int at_right = rights == 0 ? 0 : rights < 0 ? side(r, d) : -side(r, c);
-    if (at_left == 0 && at_right == 0) {
-      if (c.segment != d.segment) overlaps_.emplace_back(c.segment, d.segment);
-      return {l, r};
-    }
-    if (at_left == 0) return {l, Place()};
-    if (at_right == 0) return {r, Place()};
-    return {at_left == at_right ? Place() : place_of_crossing(c.segment, d.segment), Place()};
+    if (at_right == 0) return r;
+    return at_left == at_right ? Place() : place_of_crossing(c.segment, d.segment);
   }
 
-  /// Pairs of segments that overlap, as many as have been met: all that do are linked by these.
-  const std::vector<Segment_pair>& overlaps() const { return overlaps_; }
+  /// An order of the lines through segments; 0 if they are the same. Above and below are for parallel ones.
+  int compare_supporting_lines(Segment_index s, Segment_index t) const {
+    const auto &a = places_.ends(s), &b = places_.ends(t);
+    const int left = places_.orientation(a[0], a[1], b[0]), right = places_.orientation(a[0], a[1], b[1]);
+    if (left == 0 && right == 0) return 0;
+    const int turn = static_cast<int>(CGAL::sign(cross(from_to(a[0], a[1]), from_to(b[0], b[1]))));
+    return turn != 0 ? -turn : -left;
+  }
+
+  /// Coordinate 0 is across the rays, 1 along them. Needs the rounding mode of `Interval::Protector`.
+  Interval enclosed_coordinate(Place p, int i) const { return Interval(bounds(p, i)); }
+  /// That of `q` less that of `p`.
+  /// \pre vertices lie there
+  Interval enclosed_difference(Place p, Place q, int i) const {
+    return Arithmetic::template difference<Interval>(places_.point(q), places_.point(p), input_axis(i));
+  }
 
 private:
+  using Segment_pair = std::pair<Segment_index, Segment_index>;
   using Vector = std::array<Exact, 2>; ///< across the rays, and along them
 
   struct Crossing {
@@ -186,7 +191,6 @@ private:
   const Places& places_;
   std::deque<Crossing> crossings_;
   std::map<Segment_pair, Place> place_of_crossing_;
-  std::vector<Segment_pair> overlaps_;
 };
 
 } // namespace internal

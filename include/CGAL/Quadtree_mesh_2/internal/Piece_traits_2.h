@@ -7,7 +7,8 @@
 // Traits of arrangements of pieces of segments, each a few indices.
 //
 // A model of ArrangementTraits_2 that hands all predicates on to Piece_geometry.h; so it knows no coordinates,
-// and x and y exchanged are the same type. Input curves are segments that may be single points: isolated ones.
+// and x and y exchanged are the same type. Input curves are pieces that may be single points: isolated ones.
+// Pieces may cross but not overlap.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_PIECE_TRAITS_2_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_PIECE_TRAITS_2_H
@@ -19,7 +20,6 @@
 #include <CGAL/tags.h>
 #include <CGAL/version.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <utility>
 
@@ -70,7 +70,7 @@ public:
     X_monotone_curve_2() = default;
     X_monotone_curve_2(const Segment_piece& piece) : Segment_piece(piece) {}
   };
-  /// A segment; a point if its ends are equal.
+  /// A piece; a point if its ends are equal.
   struct Curve_2 : Segment_piece {
     explicit Curve_2(const Segment_piece& piece) : Segment_piece(piece) {}
   };
@@ -184,11 +184,8 @@ public:
     Output_iterator operator()(const X_monotone_curve_2& c, const X_monotone_curve_2& d,
                                Output_iterator out) const {
       using Result = Arrangement_variant<std::pair<Point_2, Multiplicity>, X_monotone_curve_2>;
-      const typename Geometry::Meeting m = g_.meeting(c, d);
-      if (m.right.is_valid())
-        *out++ = Result(X_monotone_curve_2(Segment_piece{m.left, m.right, std::min(c.segment, d.segment)}));
-      else if (m.left.is_valid())
-        *out++ = Result(std::make_pair(Point_2{m.left}, Multiplicity(1)));
+      const Place p = g_.meeting(c, d);
+      if (p.is_valid()) *out++ = Result(std::make_pair(Point_2{p}, Multiplicity(1)));
       return out;
     }
 

@@ -25,6 +25,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/Piece_geometry.h>
 #include <CGAL/Quadtree_mesh_2/internal/Piece_traits_2.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <iterator>
 #include <utility>
@@ -63,27 +64,28 @@ public:
   template <class Range>
   void run(const Range& segments) {
     using Curve = typename Traits::Curve_2;
+    const Overlapping_segments<Point> overlapping(geometry_, segments);
+    is_overlapping_ = !overlapping.empty();
     std::vector<Curve> curves;
     const std::size_t first = begin_ - (begin_ > 0 ? 1 : 0), last = std::min(end_ + 1, places_.size());
     std::vector<char> is_end(last - first);
     for (const Segment_index s : segments) {
       const auto& ends = places_.ends(s);
-      curves.push_back(Curve({ends[0], ends[1], s}));
+      if (!is_overlapping_ || !overlapping.contains(s)) curves.push_back(Curve({ends[0], ends[1], s}));
       for (const Place p : ends)
         if (std::size_t(p) - first < is_end.size()) is_end[std::size_t(p) - first] = 1;
     }
+    overlapping.offer_pieces([&](const Segment_piece& piece) { curves.push_back(Curve(piece)); });
     for (std::size_t i = first; i < last; ++i)
       if (is_end[i - first] == 0) curves.push_back(Curve({Place(i), Place(i), Segment_index()}));
     const Traits traits(geometry_);
     Arrangement arrangement(&traits);
     CGAL::insert(arrangement, curves.begin(), curves.end());
     CGAL::decompose(arrangement, Receiver(*this));
-    if (geometry_.overlaps().empty()) return;
-    Overlapping_segments(geometry_.overlaps())
-        .offer_passing(places_, incidences_, [&](Place p, Segment_index s) {
-          Segment_index& through = sights_[std::size_t(p)].through;
-          through = first_of(through, s);
-        });
+    overlapping.offer_passing(incidences_, [&](Place p, Segment_index s) {
+      Segment_index& through = sights_[std::size_t(p)].through;
+      through = first_of(through, s);
+    });
   }
 
 private:
@@ -117,12 +119,11 @@ private:
     Place_sights& sights = sights_[std::size_t(p)];
     sights.above = seen(above);
     sights.below = seen(below);
-    const bool may_overlap = !geometry_.overlaps().empty();
     for_each_segment(v, [&](Segment_index s) {
       sights.touching = first_of(sights.touching, s);
       const auto& ends = places_.ends(s);
       if (ends[0] != p && ends[1] != p) sights.through = first_of(sights.through, s);
-      if (may_overlap) incidences_.emplace_back(p, s);
+      if (is_overlapping_) incidences_.emplace_back(p, s);
     });
   }
 
@@ -152,6 +153,7 @@ private:
   Piece_geometry<Point> geometry_;
   std::size_t begin_, end_;
   std::vector<Place_sights>& sights_;
+  bool is_overlapping_ = false;
   std::vector<std::pair<Place, Segment_index>> incidences_; ///< places and segments on them, if any overlap
 };
 
