@@ -274,9 +274,12 @@ private:
                                              patience * expected + (patience > 0 ? 2e6 : 0)));
   }
 
-  /// Quadtrees end by themselves, but coordinates may end before them.
+  /// Quadtrees make ten times the triangles needed, a hundred times with the placement by rule.
   std::size_t budget_of_construction() const {
-    return options_.vertex_budget > 0 ? options_.vertex_budget : Triangle_budget::most_vertices;
+    if (options_.vertex_budget > 0) return options_.vertex_budget;
+    const double expected = static_cast<double>(pslg_.number_of_vertices()) + report_.estimated_triangles;
+    return static_cast<std::size_t>(
+        std::min(static_cast<double>(Triangle_budget::most_vertices), 1000 * expected + 1e7));
   }
 
   void refine(Refiner<Geometry>& refiner, Splitter<Geometry>& splitter) {
@@ -319,7 +322,7 @@ private:
     Phase_timer timer(report_.seconds.refine);
     const Pslg graph = graph_of_edges();
     Separation_trees<Traits, Concurrency_tag> trees(problem_, *edge_sides_, graph, map_, options_.trees,
-                                                    traits_, report_.trees);
+                                                    traits_, budget_of_construction(), report_.trees);
     state_.corners.forget_cuts();
     Tree_construction<Traits, Concurrency_tag> construction(state_, trees, map_, is_merged_, domain_,
                                                             report_.trees);

@@ -196,6 +196,8 @@ private:
     if (rays.empty()) return find_corners_at_lone(v, names);
     std::sort(rays.begin(), rays.end(), [](const Ray& p, const Ray& q) { return p.angle < q.angle; });
     const auto placement = placement_at(v);
+    for (const Ray& r : rays)
+      placement.for_each_corner_on_edge(r.direction, [&](const Grid_point& p) { append_name(p, names); });
     for (std::size_t i = 0; i < rays.size(); ++i)
       placement.for_each_dropped_corner(rays[i].direction, rays[(i + 1) % rays.size()].direction,
                                         [&](const Grid_point& p) { append_name(p, names); });

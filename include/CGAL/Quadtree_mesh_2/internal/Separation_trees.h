@@ -62,11 +62,12 @@ public:
   using Options = Tree_separation_options_2;
 
   /// \param graph the vertices and edges of the problem, in its order
+  /// \param most_leaves separation stops before there are more, but for those of the last step: `is_exhausted()`
   Separation_trees(const Meshing_problem<Geometry>& problem, const Edge_sides& sides, const Pslg& graph,
-                   const Map& map, const Options& options, const Traits& traits,
+                   const Map& map, const Options& options, const Traits& traits, std::size_t most_leaves,
                    Tree_separation_report_2& report)
       : problem_(problem), graph_(graph), map_(map), options_(options), report_(report),
-        gaps_(problem, sides, options) {
+        gaps_(problem, sides, options), most_leaves_(most_leaves) {
     make_tree_of_vertices(traits);
     if (options.placement == Options::Placement::BY_RULE)
       for (std::size_t v = 0; v < graph.number_of_vertices(); ++v) vertices_.push_back(Vertex_index(v));
@@ -88,6 +89,9 @@ public:
     separate();
     return true;
   }
+
+  /// Whether separation ended before its time.
+  bool is_exhausted() const { return tree_.number_of_leaves() >= most_leaves_; }
 
   /// The side of squares of a level, in the kernel's coordinates.
   double side(int level) const { return std::ldexp(side_of_root_, -level); }
@@ -111,6 +115,7 @@ private:
   Tree tree_;
   Edge_pieces pieces_;
   Leaf_pieces pieces_in_leaves_;
+  std::size_t most_leaves_;
   double side_of_root_ = 0;
   std::vector<Vertex_index> vertices_; // all of them, for the placement by rule
 
@@ -187,7 +192,7 @@ private:
     leaves.erase(
         std::remove_if(leaves.begin(), leaves.end(), [this](Leaf_index l) { return !is_splittable(l); }),
         leaves.end());
-    if (leaves.empty()) return false;
+    if (leaves.empty() || is_exhausted()) return false;
     tree_.refine(leaves);
     subdivide_edges();
     return true;

@@ -78,7 +78,7 @@ public:
       for (const Triangle_id t : sharp) state_.worklist.push(t);
       if (sharp.empty()) return Construction_end::done;
       if (!shall_go_on()) return Construction_end::cancelled;
-      if (mesh_.number_of_vertices() >= budget) return Construction_end::out_of_budget;
+      if (mesh_.number_of_vertices() >= budget || trees_.is_exhausted()) return Construction_end::out_of_budget;
       if (!trees_.refine(leaves_to_blame(sharp))) return Construction_end::out_of_grid;
     }
   }

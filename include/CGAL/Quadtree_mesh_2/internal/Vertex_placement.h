@@ -50,6 +50,22 @@ public:
     return edge_start(place_, direction, vertex_ring);
   }
 
+  /// Calls `f(point)` for corners on an edge or at the vertex, or so near that all thresholds drop them: no sector
+  /// has the former.
+  template <class F>
+  void for_each_corner_on_edge(const Window_point& direction, const F& f) const {
+    constexpr double near_edge = 0.1, near_vertex = 0.5;
+    for (int i = -reach_; i <= reach_ + 1; ++i)
+      for (int j = -reach_; j <= reach_ + 1; ++j) {
+        const double x = i - place_.x, y = j - place_.y;
+        const double along = x * direction.x + y * direction.y;
+        const bool is_near_edge =
+            along > 0 && along < vertex_reach && std::abs(direction.x * y - direction.y * x) < near_edge;
+        if (is_near_edge || std::hypot(x, y) < near_vertex)
+          f(Grid_point{at(corner_.x, i), at(corner_.y, j)});
+      }
+  }
+
   /// Calls `f(point)` for corners that are dropped in a sector. Those whose foot on an edge is beyond
   /// `vertex_reach` are left to the rule for columns.
   /// \param first, second directions of length 1, the second one counterclockwise next
