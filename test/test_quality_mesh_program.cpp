@@ -175,7 +175,7 @@ TEST_CASE("the program separates by quadtrees and says what they did", "[program
   const Scratch_folder folder;
   const std::string kernel = GENERATE("filtered", "fixed", "exact");
   const auto report_of = [&](const std::string& arguments) {
-    const Run r = run(test_data("syn_fan_1deg.poly") + " --kernel " + kernel + " --report " +
+    const Run r = run(test_data("syn_wedge_1deg.poly") + " --kernel " + kernel + " --report " +
                       folder.file("r.json") + " -o " + folder.file("out.ele") + ' ' + arguments);
     CAPTURE(arguments, r.out, r.err);
     CHECK(r.status == 0);
@@ -187,7 +187,7 @@ TEST_CASE("the program separates by quadtrees and says what they did", "[program
   const auto json = report_of("--separation theorem-5"), trees = json.at("trees");
   const std::string mesh = content(folder.file("out.ele")) + content(folder.file("out.node"));
   CHECK(json.at("unmet_triangles") == 0);
-  CHECK(trees.at("leaves_of_points") >= 365);
+  CHECK(trees.at("leaves_of_points") >= 7);
   CHECK(trees.at("leaves_of_vertices") >= trees.at("leaves_of_points"));
   CHECK(trees.at("leaves_of_pieces") >= trees.at("leaves_of_vertices"));
   CHECK(trees.at("leaves_of_edges") >= trees.at("leaves_of_pieces"));
