@@ -10,6 +10,7 @@
 // figures for programs. Ends with status 1 if a mesh of ours is not valid.
 
 #include "benchmark_options.h"
+#include "pslg_files.h"
 #include "pslg_inputs.h"
 #include "pslg_mesh_2.h"
 #include "pslg_ours.h"
@@ -17,7 +18,6 @@
 #include "pslg_tables.h"
 #include "pslg_triangle.h"
 
-#include <CGAL/IO/Triangle_files.h>
 #include <CGAL/version.h>
 
 #include <boost/program_options.hpp>
@@ -25,7 +25,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <filesystem>
 #include <iostream>
 #include <optional>
 #include <stdexcept>
@@ -50,20 +49,6 @@ struct Settings {
   std::vector<std::string> inputs;
 };
 
-pslg_inputs::Input input_of(const std::string& name) {
-  if (pslg_inputs::is_name(name)) return pslg_inputs::by_name(name);
-  pslg_inputs::Input input;
-  CGAL::IO::read_triangle_poly(name, input.pslg);
-  return input;
-}
-
-/// A synthetic input keeps its name, a file that without folder and ending.
-std::string short_name(const std::string& input) {
-  if (pslg_inputs::is_name(input)) return input;
-  const std::string name = std::filesystem::path(input).filename().string();
-  return name.substr(0, name.find(".poly"));
-}
-
 std::vector<Pslg_method> methods_of(const Settings& settings) {
   std::vector<Pslg_method> methods = pslg_ours::methods(settings.threads);
   for (const std::string& peer : settings.peers) {
@@ -74,9 +59,9 @@ std::vector<Pslg_method> methods_of(const Settings& settings) {
 }
 
 Pslg_comparison compare(const std::string& name, double min_angle, const Settings& settings) {
-  const pslg_inputs::Input input = input_of(name);
+  const pslg_inputs::Input input = pslg_files::input_of(name);
   Pslg_comparison comparison;
-  comparison.input = short_name(name);
+  comparison.input = pslg_files::short_name(name);
   if (pslg_inputs::is_name(name)) comparison.family = name.substr(0, name.find(':'));
   comparison.min_angle = min_angle;
   comparison.vertices = input.pslg.number_of_vertices();
@@ -124,23 +109,6 @@ pslg_tables::Comparisons compare_all(double min_angle, const Settings& settings)
   return comparisons;
 }
 
-bool is_input(const std::filesystem::path& path) {
-  const std::string name = path.filename().string();
-  return path.extension() == ".poly" ||
-         (name.size() > 8 && name.compare(name.size() - 8, 8, ".poly.gz") == 0);
-}
-
-/// The inputs of the examples and of the tests.
-std::vector<std::string> default_inputs() {
-  std::vector<std::string> inputs;
-  for (const char* folder : {"/examples/data", "/test/data"})
-    for (const auto& entry :
-         std::filesystem::directory_iterator(std::string(QUADTREE_MESH_SOURCE_DIR) + folder))
-      if (is_input(entry.path())) inputs.push_back(entry.path().string());
-  std::sort(inputs.begin(), inputs.end());
-  return inputs;
-}
-
 po::options_description visible_options(Settings& settings) {
   std::string families;
   for (const auto& family : pslg_inputs::all())
@@ -179,18 +147,13 @@ void complete(Settings& settings) {
   if (!settings.threads.empty() && !pslg_ours::has_threads)
     throw std::invalid_argument("the mesher is sequential: no --threads");
   settings.repetitions = std::max(settings.repetitions, 1);
-  if (settings.inputs.empty()) settings.inputs = default_inputs();
+  if (settings.inputs.empty()) settings.inputs = pslg_files::all_of_project();
   for (const std::string& name : settings.growth_families) {
     const pslg_inputs::Family* const family = pslg_inputs::find_family(name + ':');
     if (family == nullptr || family->size == pslg_inputs::Size::MEASURE)
       throw std::invalid_argument("there is no family '" + name + "' whose size is a number of things");
   }
-  for (const std::string& name : names_of_inputs(settings)) {
-    if (pslg_inputs::is_name(name))
-      pslg_inputs::size_of(name);
-    else if (!std::filesystem::exists(name))
-      throw std::invalid_argument("there is no input '" + name + "'");
-  }
+  for (const std::string& name : names_of_inputs(settings)) pslg_files::check(name);
 }
 
 /// Nothing if the user asked for help.

@@ -11,6 +11,7 @@ install_packages "${build_packages[@]}"
 (install_packages libp4est-dev libopenmpi-dev) || say "no p4est: the quadtrees are not compared with it"
 configure_and_build "$root/build" pslg -DCMAKE_BUILD_TYPE=Release
 configure_and_build "$root/build" points -DCMAKE_BUILD_TYPE=Release
+configure_and_build "$root/build" separation -DCMAKE_BUILD_TYPE=Release
 configure_and_build "$root/build" quadtree -DCMAKE_BUILD_TYPE=Release
 configure_and_build "$root/build" neighbors -DCMAKE_BUILD_TYPE=Release
 
@@ -28,6 +29,12 @@ meshes growth --growth coast segments blob holes --sizes 1e4 3e4 1e5 3e5 --repea
 meshes threads "$root/test/data/gshhg_norway_f.poly.gz" coast:3e5 segments:1e5 square:1e-6 --peers none --repeat 5 \
   --threads $(seq -s ' ' 1 "$(nproc)")
 meshes large coast:1e6 --repeat 1 --limit 120 "$@"
+
+say "separations"
+"$root/build/bin/separation" --repeat 3 --limit 60 --threads 2 --json "$root/build/separation.json"
+"$root/build/bin/separation" --repeat 1 --limit 120 coast:1e4 coast:1e5 segments:1e4 holes:2500 stars:1e3 comb:100 fan:1 \
+  parallel:1e-3 --json "$root/build/separation_synthetic.json"
+"$root/build/bin/separation" --rounds --limit 300 --json "$root/build/separation_rounds.json"
 
 # The same for meshes of points.
 points() {

@@ -3,8 +3,7 @@
 #include "internal/Meshing_run.h"
 #include "internal/Progress_line.h"
 #include "internal/command_line.h"
-#include "internal/mesh_exactly.h"
-#include "internal/mesh_in_words.h"
+#include "internal/mesh_graph.h"
 #include "internal/point_set_program.h"
 #include "internal/program_steps.h"
 #include "internal/read_sized_points.h"
@@ -17,7 +16,6 @@
 #include <CGAL/IO/SVG.h>
 #include <CGAL/IO/Triangle_files.h>
 #include <CGAL/IO/VTU.h>
-#include <CGAL/Quality_mesher_2.h>
 #include <CGAL/mesh_quality_2.h>
 
 #include <exception>
@@ -28,7 +26,7 @@
 
 namespace {
 
-void mesh_graph(Meshing_run& run, const Command_line& line) {
+void mesh(Meshing_run& run, const Command_line& line) {
   Progress_line progress;
   CGAL::Quality_mesh_options_2 options = line.options;
   if (!line.size_points_file.empty()) options.size(read_sized_points(line.size_points_file));
@@ -36,17 +34,14 @@ void mesh_graph(Meshing_run& run, const Command_line& line) {
     options.progress([&progress](double share) { return progress.show(share), true; });
 
   switch (line.kernel) {
-  case Command_line::Kernel::filtered: {
-    CGAL::Quality_mesher_2<CGAL::Filtered_quadtree_traits_2<>, CGAL::Parallel_tag> mesher(options);
-    run.mesh = mesher(run.pslg);
-    run.report = mesher.report();
+  case Command_line::Kernel::filtered:
+    run.mesh = mesh_graph::with_doubles(run.pslg, options, run.report);
     return;
-  }
   case Command_line::Kernel::fixed:
-    run.mesh = mesh_in_words(run.pslg, options, run.report);
+    run.mesh = mesh_graph::in_words(run.pslg, options, run.report);
     return;
   case Command_line::Kernel::exact:
-    run.mesh = mesh_exactly(run.pslg, options, run.report);
+    run.mesh = mesh_graph::exactly(run.pslg, options, run.report);
     return;
   }
 }
@@ -112,7 +107,7 @@ Exit_status execute(const Command_line& line) {
   run.threads = line.threads;
   const Thread_limit limit(line.threads);
   timed(run.read_seconds, [&] { CGAL::IO::read_triangle_poly(line.input, run.pslg); });
-  timed(run.ours.seconds, [&] { mesh_graph(run, line); });
+  timed(run.ours.seconds, [&] { mesh(run, line); });
   check(run, line.options);
   warn_of_errors(run.quality);
   timed(run.write_seconds, [&] {

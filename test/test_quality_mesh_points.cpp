@@ -225,12 +225,13 @@ TEST_CASE("bad usage of the modes for points names the option", "[program][point
                              {points + " --mode acute --effort -1", "--effort"},
                              {points + " --mode acute --budget 0", "--budget"},
                              {points + " --mode acute --budget -5", "--budget"},
-                             {points + " --mode bounded --separation theorem-5", "not available yet"},
+                             {points + " --mode bounded --separation theorem-5", "--separation"},
                              {graph + " --mode acute", "--mode pslg"},
                              {folder.file("missing.xy") + " --mode acute", "missing.xy"},
                              {folder.write("in.dat", "0 0\n") + " --mode acute", "in.dat"}};
-  for (const char* option : {"--max-edge 1", "--max-area 1", "--min-edge 1", "--size-points x",
-                             "--domain marked", "--smooth 1", "--no-coarsening"})
+  for (const char* option :
+       {"--max-edge 1", "--max-area 1", "--min-edge 1", "--size-points x", "--domain marked", "--smooth 1",
+        "--no-coarsening", "--separation on-demand", "--thin 1"})
     for (const char* mode : {"points", "bounded", "acute", "warped"})
       cases.push_back({points + " --mode " + mode + ' ' + option, std::string(option).substr(0, 5)});
   for (const char* option : {"--min-angle 20", "--compare", "--square"})
@@ -286,7 +287,8 @@ TEST_CASE("bad points name their line", "[program][points]") {
 
 TEST_CASE("words have room for a row along the diagonal of a square", "[program][points]") {
   const Scratch_folder folder;
-  const Run r = run(folder.write("in.xy", "0 0\n1 0\n1 1\n0 1\n0.5 0.5\n") + " --mode bounded --kernel fixed");
+  const Run r =
+      run(folder.write("in.xy", "0 0\n1 0\n1 1\n0 1\n0.5 0.5\n") + " --mode bounded --kernel fixed");
   CAPTURE(r.err);
   CHECK(r.status == 0);
 }

@@ -149,6 +149,14 @@ TEST_CASE("bad usage names the culprit and writes nothing", "[program]") {
                                    {square + " --size-points " + folder.file("none"), "none"},
                                    {square + " --threads 0", "--threads"},
                                    {square + " --smooth -1", "--smooth"},
+                                   {square + " --thin -1", "--thin"},
+                                   {square + " --thin 1 --no-coarsening", "--no-coarsening"},
+                                   {square + " --separation theorem-6", "theorem-6"},
+                                   {square + " --neighbors quadtree", "--neighbors"},
+                                   {square + " --subdivision walking", "--subdivision"},
+                                   {square + " --separation theorem-5 --neighbors kd-tree", "kd-tree"},
+                                   {square + " --separation theorem-5 --subdivision never", "never"},
+                                   {square + " --separation theorem-5 --min-edge 1", "--min-edge"},
                                    {square + " --kernel round", "round"},
                                    {square + " --mode square", "square"},
                                    {square + " --no-such-option", "--no-such-option"},
@@ -163,11 +171,48 @@ TEST_CASE("bad usage names the culprit and writes nothing", "[program]") {
   }
 }
 
-TEST_CASE("what comes later says so", "[program]") {
-  const Run r = run(test_data("syn_square.poly") + " --separation theorem-5");
-  CAPTURE(r.err);
-  CHECK(r.status == 2);
-  CHECK(contains(r.err, "not available yet"));
+TEST_CASE("the program separates by quadtrees and says what they did", "[program]") {
+  const Scratch_folder folder;
+  const std::string kernel = GENERATE("filtered", "fixed", "exact");
+  const auto report_of = [&](const std::string& arguments) {
+    const Run r = run(test_data("syn_wedge_1deg.poly") + " --kernel " + kernel + " --report " +
+                      folder.file("r.json") + " -o " + folder.file("out.ele") + ' ' + arguments);
+    CAPTURE(arguments, r.out, r.err);
+    CHECK(r.status == 0);
+    CHECK(contains(r.out, "leaves of T_B*") == contains(arguments, "theorem-5"));
+    return nlohmann::json::parse(content(folder.file("r.json")));
+  };
+  CHECK(report_of("--separation on-demand").at("trees").is_null());
+
+  const auto json = report_of("--separation theorem-5"), trees = json.at("trees");
+  const std::string mesh = content(folder.file("out.ele")) + content(folder.file("out.node"));
+  CHECK(json.at("unmet_triangles") == 0);
+  CHECK(trees.at("leaves_of_points") >= 7);
+  CHECK(trees.at("leaves_of_vertices") >= trees.at("leaves_of_points"));
+  CHECK(trees.at("leaves_of_pieces") >= trees.at("leaves_of_vertices"));
+  CHECK(trees.at("leaves_of_edges") >= trees.at("leaves_of_pieces"));
+  CHECK(trees.at("rounds") >= 1);
+  CHECK(trees.at("triangles") > json.at("triangles"));
+  CHECK(trees.at("missed_by_rule") >= trees.at("missed"));
+  CHECK(trees.at("left_out").is_number());
+  for (const char* name : {"trees", "construct"}) CHECK(json.at("seconds").at(name).is_number());
+
+  // However neighbours are found and edges are cut.
+  for (const char* how : {"--neighbors quadtree", "--subdivision centroid-tree --threads 1"}) {
+    CHECK(report_of(std::string("--separation theorem-5 ") + how).at("trees") == trees);
+    CHECK(content(folder.file("out.ele")) + content(folder.file("out.node")) == mesh);
+  }
+}
+
+TEST_CASE("the program thins out", "[program]") {
+  const Scratch_folder folder;
+  const auto triangles = [&](const std::string& arguments) {
+    const Run r =
+        run(test_data("us_states_10m.poly.gz") + " --quiet --report " + folder.file("r.json") + arguments);
+    CHECK(r.status == 0);
+    return nlohmann::json::parse(content(folder.file("r.json"))).at("triangles").get<int>();
+  };
+  CHECK(triangles(" --thin 1") < 0.98 * triangles(" --thin 0"));
 }
 
 TEST_CASE("bad input names the place and writes nothing", "[program]") {
@@ -213,11 +258,11 @@ TEST_CASE("help and version", "[program]") {
   CHECK(run("--version").out.rfind("quality_mesh ", 0) == 0);
   const Run help = run("--help");
   CHECK(help.status == 0);
-  for (const char* option :
-       {"--output",        "--min-angle", "--max-edge", "--max-area", "--min-edge", "--size-points",
-        "--domain",        "--kernel",    "--smooth",   "--threads",  "--mode",     "--separation",
-        "--no-coarsening", "--compare",   "--report",   "--quiet",    "--version",  "--angles",
-        "--square",        "--effort",    "--budget",   "--lengths"})
+  for (const char* option : {"--output",        "--min-angle",  "--max-edge",  "--max-area",    "--min-edge",
+                             "--size-points",   "--domain",     "--kernel",    "--smooth",      "--threads",
+                             "--mode",          "--separation", "--neighbors", "--subdivision", "--thin",
+                             "--no-coarsening", "--compare",    "--report",    "--quiet",       "--version",
+                             "--angles",        "--square",     "--effort",    "--budget",      "--lengths"})
     CHECK(contains(help.out, option));
 }
 

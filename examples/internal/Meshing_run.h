@@ -108,6 +108,22 @@ inline void print_angle_of_others(const Meshing_run& run) {
   std::printf("\n");
 }
 
+inline void print_trees(const CGAL::Tree_separation_report_2& trees) {
+  if (trees.rounds == 0) return;
+  const auto print = [](const char* name, std::size_t n) {
+    print_line(name, "%14zu", n, std::optional<std::size_t>());
+  };
+  print("leaves of T_B (points)", trees.leaves_of_points);
+  print("leaves of T_B' (vertices)", trees.leaves_of_vertices);
+  print("leaves of T_B'' (pieces)", trees.leaves_of_pieces);
+  print("leaves of T_B* (edges)", trees.leaves_of_edges);
+  print("rounds of placing", trees.rounds);
+  print("triangles of the rule", trees.triangles);
+  print("  below the bound", trees.missed_by_rule);
+  print("  corners left out", trees.left_out);
+  print("  not cured", trees.missed);
+}
+
 } // namespace meshing_run_internal
 
 inline nlohmann::ordered_json peer_json(const Mesh_figures& peer) {
@@ -117,6 +133,21 @@ inline nlohmann::ordered_json peer_json(const Mesh_figures& peer) {
           {"max_angle", peer.max_angle},
           {"triangles_below_bound", peer.below_bound},
           {"seconds", {{"mesh", peer.seconds}}}};
+}
+
+/// What the quadtrees of Theorem 5 did; null if there was no such construction.
+inline nlohmann::ordered_json trees_json(const CGAL::Tree_separation_report_2& trees) {
+  if (trees.rounds == 0) return nullptr;
+  return {{"leaves_of_points", trees.leaves_of_points},
+          {"leaves_of_vertices", trees.leaves_of_vertices},
+          {"leaves_of_pieces", trees.leaves_of_pieces},
+          {"leaves_of_edges", trees.leaves_of_edges},
+          {"splits", trees.splits},
+          {"rounds", trees.rounds},
+          {"triangles", trees.triangles},
+          {"missed_by_rule", trees.missed_by_rule},
+          {"left_out", trees.left_out},
+          {"missed", trees.missed}};
 }
 
 inline nlohmann::ordered_json run_json(const Meshing_run& run) {
@@ -136,11 +167,14 @@ inline nlohmann::ordered_json run_json(const Meshing_run& run) {
                                  {"least_angle_histogram", run.report.least_angle_histogram},
                                  {"largest_angle_histogram", run.report.largest_angle_histogram},
                                  {"rounds", run.report.rounds},
+                                 {"trees", trees_json(run.report.trees)},
                                  {"threads", run.threads},
                                  {"seconds",
                                   {{"read", run.read_seconds},
                                    {"quadtree", phases.quadtree},
                                    {"first_mesh", phases.first_mesh},
+                                   {"trees", phases.trees},
+                                   {"construct", phases.construct},
                                    {"refine", phases.refine},
                                    {"coarsen", phases.coarsen},
                                    {"convert", phases.convert},
@@ -182,6 +216,7 @@ inline void print_run(const Meshing_run& run, const CGAL::Quality_mesh_options_2
   print_line("  in acute input corners", "%14zu", run.quality.exempt_triangles, std::optional<std::size_t>());
   print_angle_of_others(run);
   print_line("processor seconds", "%14.3f", run.ours.seconds, theirs(&Mesh_figures::seconds));
+  print_trees(run.report.trees);
   if (run.is_peer_asked && !run.peer) std::printf("CGAL Mesh_2 gave no mesh\n");
   print_unmet(run.quality);
 }

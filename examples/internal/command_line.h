@@ -1,7 +1,7 @@
 #ifndef QUADTREE_MESH_2_EXAMPLES_COMMAND_LINE_H
 #define QUADTREE_MESH_2_EXAMPLES_COMMAND_LINE_H
 
-// The options of quality_mesh: what they are, what they may be, and what is not there yet.
+// The options of quality_mesh: what they are and what they may be.
 
 #include <CGAL/Point_set_mesh_options_2.h>
 #include <CGAL/Quality_mesh_options_2.h>
@@ -101,7 +101,6 @@ inline po::options_description common_options() {
      "arithmetic: filtered (doubles), fixed (64-bit integers) or exact")
     ("threads", po::value<int>()->value_name("N"),
      "number of threads, all if not given; the mesh is the same for any number")
-    ("separation", po::value<std::string>()->value_name("S")->default_value("on-demand"), "on-demand or theorem-5")
     ("compare", "with --mode pslg or points: mesh the input with CGAL Mesh_2 too and print both")
     ("report", po::value<std::string>()->value_name("FILE.json"), "write the figures as JSON")
     ("quiet", "print nothing but errors")
@@ -123,8 +122,16 @@ inline po::options_description graph_options() {
      "points with sizes, one 'x y size' a line: the longest edge is size plus half the distance, the least over all")
     ("domain", po::value<std::string>()->value_name("D")->default_value("enclosed"),
      "what is meshed: enclosed, marked (components with a region's point) or parity (of nested borders)")
+    ("separation", po::value<std::string>()->value_name("S")->default_value("on-demand"),
+     "how features are kept apart: on-demand, or theorem-5 (by quadtrees, in parallel rounds)")
+    ("neighbors", po::value<std::string>()->value_name("N")->default_value("trapezoidal"),
+     "with theorem-5: what finds the edges next to vertices, trapezoidal or quadtree; the mesh is the same")
+    ("subdivision", po::value<std::string>()->value_name("S")->default_value("walking"),
+     "with theorem-5: what cuts edges into pieces, walking or centroid-tree; the mesh is the same")
     ("smooth", po::value<int>()->value_name("N")->default_value(0),
      "rounds of smoothing: about a percent fewer triangles each, and better angles")
+    ("thin", po::value<int>()->value_name("N")->default_value(0),
+     "rounds of thinning: fewer triangles still, each takes about as long as refinement")
     ("no-coarsening", "keep the vertices that are not needed in the end");
   return options;
 }
@@ -148,15 +155,12 @@ inline po::options_description visible_options() {
   return po::options_description().add(common_options()).add(graph_options()).add(point_options());
 }
 
-/// One of a few words, of which only the first `number_available` can be had today.
+/// Which of a few words is given.
 inline std::size_t choice(const po::variables_map& given, const std::string& option,
-                          const std::vector<std::string>& words, std::size_t number_available) {
+                          const std::vector<std::string>& words) {
   const std::string& word = given[option].as<std::string>();
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    if (words[i] != word) continue;
-    if (i >= number_available) throw Usage_error("--" + option + " " + word + " is not available yet");
-    return i;
-  }
+  for (std::size_t i = 0; i < words.size(); ++i)
+    if (words[i] == word) return i;
   std::string all;
   for (const std::string& w : words) all += (all.empty() ? "" : ", ") + w;
   throw Usage_error("--" + option + " has to be one of " + all + ", not '" + word + "'");
@@ -179,7 +183,7 @@ inline double min_angle(const po::variables_map& given) {
 inline CGAL::Quality_mesh_options_2::Domain domain(const po::variables_map& given) {
   using Domain = CGAL::Quality_mesh_options_2::Domain;
   constexpr Domain rules[] = {Domain::ENCLOSED, Domain::MARKED, Domain::NESTING_PARITY};
-  return rules[choice(given, "domain", {"enclosed", "marked", "parity"}, 3)];
+  return rules[choice(given, "domain", {"enclosed", "marked", "parity"})];
 }
 
 /// The number of threads wanted, all there are if nothing is said.
@@ -198,10 +202,50 @@ inline unsigned threads(const po::variables_map& given) {
   return static_cast<unsigned>(n);
 }
 
-inline int smoothing_rounds(const po::variables_map& given) {
-  const int n = given["smooth"].as<int>();
-  if (n < 0) throw Usage_error("--smooth must not be negative");
+/// A number of rounds.
+inline int rounds(const po::variables_map& given, const std::string& option) {
+  const int n = given[option].as<int>();
+  if (n < 0) throw Usage_error("--" + option + " must not be negative");
   return n;
+}
+
+/// \throws Usage_error if thinning is wanted and removal is not.
+inline int thinning_rounds(const po::variables_map& given) {
+  const int n = rounds(given, "thin");
+  if (n > 0 && given.count("no-coarsening") > 0)
+    throw Usage_error("--thin has no meaning with --no-coarsening");
+  return n;
+}
+
+/// \throws Usage_error naming an option that has no meaning with the separation chosen.
+inline void check_uses_with(const po::variables_map& given,
+                            CGAL::Quality_mesh_options_2::Separation separation) {
+  const bool is_on_demand = separation == CGAL::Quality_mesh_options_2::Separation::ON_DEMAND;
+  const std::vector<const char*> senseless = is_on_demand
+                                                 ? std::vector<const char*>{"neighbors", "subdivision"}
+                                                 : std::vector<const char*>{"min-edge"};
+  for (const char* const option : senseless)
+    if (given.count(option) > 0 && !given[option].defaulted())
+      throw Usage_error(std::string("--") + option + " has no meaning with --separation " +
+                        (is_on_demand ? "on-demand" : "theorem-5"));
+}
+
+inline CGAL::Quality_mesh_options_2::Separation separation(const po::variables_map& given) {
+  using Separation = CGAL::Quality_mesh_options_2::Separation;
+  constexpr Separation ways[] = {Separation::ON_DEMAND, Separation::THEOREM_5};
+  const Separation way = ways[choice(given, "separation", {"on-demand", "theorem-5"})];
+  check_uses_with(given, way);
+  return way;
+}
+
+inline CGAL::Tree_separation_options_2 tree_options(const po::variables_map& given) {
+  using Options = CGAL::Tree_separation_options_2;
+  constexpr Options::Neighbors neighbors[] = {Options::Neighbors::TRAPEZOIDAL, Options::Neighbors::QUADTREE};
+  constexpr Options::Subdivision subdivisions[] = {Options::Subdivision::WALKING,
+                                                   Options::Subdivision::CENTROID_TREE};
+  return Options()
+      .find_neighbors(neighbors[choice(given, "neighbors", {"trapezoidal", "quadtree"})])
+      .subdivide(subdivisions[choice(given, "subdivision", {"walking", "centroid-tree"})]);
 }
 
 /// Finds out before the work, not after it, that a file cannot be written.
@@ -239,7 +283,11 @@ inline const std::vector<Option_use>& option_uses() {
       {"min-edge", {Mode::pslg}},
       {"size-points", {Mode::pslg}},
       {"domain", {Mode::pslg}},
+      {"separation", {Mode::pslg}},
+      {"neighbors", {Mode::pslg}},
+      {"subdivision", {Mode::pslg}},
       {"smooth", {Mode::pslg}},
+      {"thin", {Mode::pslg}},
       {"no-coarsening", {Mode::pslg}},
       {"compare", {Mode::pslg, Mode::points}},
       {"angles", {Mode::bounded}},
@@ -269,7 +317,10 @@ inline CGAL::Quality_mesh_options_2 quality_mesh_options(const po::variables_map
       .max_area(bound(given, "max-area"))
       .min_edge(bound(given, "min-edge"))
       .mesh_domain(domain(given))
-      .smooth(smoothing_rounds(given));
+      .smooth(rounds(given, "smooth"))
+      .thin(thinning_rounds(given))
+      .separate(tree_options(given))
+      .separate(separation(given));
   if (given.count("no-coarsening") > 0) options.coarsen(CGAL::Quality_mesh_options_2::Coarsening::NONE);
   return options;
 }
@@ -365,15 +416,14 @@ inline Command_line parse_command_line(int argc, const char* const* argv) try {
   if (given.count("report") > 0) line.report_file = given["report"].as<std::string>();
 
   const std::vector<std::string> modes(std::begin(mode_names), std::end(mode_names));
-  line.mode = static_cast<Command_line::Mode>(choice(given, "mode", modes, modes.size()));
+  line.mode = static_cast<Command_line::Mode>(choice(given, "mode", modes));
   check_option_uses(given, line.mode);
   line.options = quality_mesh_options(given);
   line.point_set_options = point_set_mesh_options(given, line.mode);
   if (given.count("size-points") > 0) line.size_points_file = given["size-points"].as<std::string>();
   constexpr Command_line::Kernel kernels[] = {Command_line::Kernel::filtered, Command_line::Kernel::fixed,
                                               Command_line::Kernel::exact};
-  line.kernel = kernels[choice(given, "kernel", {"filtered", "fixed", "exact"}, 3)];
-  choice(given, "separation", {"on-demand", "theorem-5"}, 1);
+  line.kernel = kernels[choice(given, "kernel", {"filtered", "fixed", "exact"})];
   line.threads = threads(given);
   line.is_comparison_wanted = given.count("compare") > 0;
   line.are_lengths_wanted = given.count("lengths") > 0;

@@ -58,8 +58,9 @@ struct Quality_mesh_options_2 {
   /// Rounds of smoothing, each followed by removal if that is wanted: a percent or two fewer triangles and better
   /// angles for about as much time as refinement takes.
   int smoothing_rounds = 0;
-  /// Rounds in which vertices are removed although that makes angles below the bound, and these refined again: three
-  /// percent fewer triangles or more for each of the first two, for about as much time as refinement takes.
+  /// Rounds in which vertices are removed although that makes angles below the bound, and these refined again: on
+  /// maps 4 to 5 percent fewer triangles in the first and one in the second, each for about as much time as refinement
+  /// takes.
   int thinning_rounds = 0;
   /// Where refinement on demand has not come to rest when the mesh has this many times the vertices expected (and two
   /// million more), the construction by quadtrees takes over, for bounds up to 20.7 degrees and without a budget. With

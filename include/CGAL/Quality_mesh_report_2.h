@@ -30,6 +30,10 @@ struct Tree_separation_report_2 {
   std::size_t leaves_of_pieces = 0;   ///< of T_B'', in which edges within leaves are
   std::size_t leaves_of_edges = 0;    ///< of T_B*, in which all is
   std::size_t rounds = 0;             ///< of placing vertices and splitting leaves
+  std::size_t splits = 0;             ///< how many times all leaves that are too large were split, at once
+  // with Subdivision::CENTROID_TREE:
+  std::size_t subdivision_rounds = 0; ///< of all subdivisions
+  int centroid_height = 0;            ///< of the tallest centroid tree in the last one
   // of the last round:
   std::size_t triangles = 0;      ///< of the vertices that the rule places
   std::size_t missed_by_rule = 0; ///< of these below the bound
@@ -63,6 +67,8 @@ struct Quality_mesh_report_2 {
   struct Seconds {
     double quadtree = 0;   ///< shuffle order
     double first_mesh = 0; ///< constrained Delaunay triangulation of the input, domain, corners
+    double trees = 0;      ///< the quadtrees of Theorem 5
+    double construct = 0;  ///< rounds of placing vertices by them
     double refine = 0;     ///< with the removal that large meshes do in blocks
     double coarsen = 0;
     double convert = 0; ///< to Indexed_mesh_2

@@ -61,7 +61,11 @@ public:
       throw std::invalid_argument("the largest area must not be negative");
     if (options_.smoothing_rounds < 0)
       throw std::invalid_argument("the number of smoothing rounds must not be negative");
+    if (options_.thinning_rounds < 0)
+      throw std::invalid_argument("the number of thinning rounds must not be negative");
     if (!(options_.min_edge_length >= 0)) throw std::invalid_argument("the least edge must not be negative");
+    if (options_.min_edge_length > 0 && options_.separation == Quality_mesh_options_2::Separation::THEOREM_5)
+      throw std::invalid_argument("the construction by quadtrees keeps to no least edge");
   }
 
   /// Returns the mesh of the domain of `pslg`.

@@ -79,10 +79,8 @@ public:
     make_first_mesh();
     Splitter<Geometry> splitter(state_);
     Refiner<Geometry> refiner(state_, splitter);
-    if (options_.separation == Quality_mesh_options_2::Separation::THEOREM_5)
+    if (options_.separation == Quality_mesh_options_2::Separation::THEOREM_5 || !refine(refiner, splitter))
       construct_by_trees(refiner);
-    else
-      refine(refiner, splitter);
     coarsen();
     finish(refiner);
     report_.is_cancelled = is_cancelled_;
@@ -282,7 +280,8 @@ private:
         std::min(static_cast<double>(Triangle_budget::most_vertices), 1000 * expected + 1e7));
   }
 
-  void refine(Refiner<Geometry>& refiner, Splitter<Geometry>& splitter) {
+  /// False if quadtrees have to take over.
+  bool refine(Refiner<Geometry>& refiner, Splitter<Geometry>& splitter) {
     Phase_timer timer(report_.seconds.refine);
     splitter.cut_rings();
     Bulk_filler<Concurrency_tag, Geometry>(state_).run(vertex_budget());
@@ -292,16 +291,18 @@ private:
     else
       refiner.push_all();
     if (run(refiner, vertex_budget()) == Refinement_end::out_of_budget) {
-      if (may_construct_instead()) return construct_by_trees(refiner);
+      if (may_construct_instead()) return false;
       report_.is_budget_exhausted = true;
     }
     splitter.unlock_all();
     state_.legalize();
+    return true;
   }
 
-  /// Above the bounds that refinement always reached, triangles left are no sign that quadtrees do better.
+  /// Above the bounds that refinement always reached, triangles left are no sign that quadtrees do better; and they
+  /// know no least edge.
   bool may_construct_instead() const {
-    return options_.vertex_budget == 0 && problem_.bounds.is_guaranteed();
+    return options_.vertex_budget == 0 && options_.min_edge_length == 0 && problem_.bounds.is_guaranteed();
   }
 
   Refinement_end run(Refiner<Geometry>& refiner, std::size_t budget) {
@@ -319,20 +320,29 @@ private:
 
   /// Makes a mesh by quadtrees, and refines what is too large in it, or could not be cured.
   void construct_by_trees(Refiner<Geometry>& refiner) {
+    make_mesh_by_trees();
     Phase_timer timer(report_.seconds.refine);
-    const Pslg graph = graph_of_edges();
-    Separation_trees<Traits, Concurrency_tag> trees(problem_, *edge_sides_, graph, map_, options_.trees,
-                                                    traits_, budget_of_construction(), report_.trees);
-    state_.corners.forget_cuts();
-    Tree_construction<Traits, Concurrency_tag> construction(state_, trees, map_, is_merged_, domain_,
-                                                            report_.trees);
-    construction.run(options_.trees.placement, budget_of_construction(), [this] { return shall_go_on(0.3); });
     refiner.push_all();
     run_to_the_end(refiner, state_.mesh.number_of_vertices() + vertex_budget());
     state_.legalize();
     if (options_.coarsening == Quality_mesh_options_2::Coarsening::NONE) return;
     finishing_.smoothing_rounds = std::max(options_.smoothing_rounds, rounds_after_construction_);
     finishing_.thinning_rounds = std::max(options_.thinning_rounds, rounds_after_construction_);
+  }
+
+  void make_mesh_by_trees() {
+    const Pslg graph = graph_of_edges();
+    std::optional<Separation_trees<Traits, Concurrency_tag>> trees;
+    {
+      Phase_timer timer(report_.seconds.trees);
+      trees.emplace(problem_, *edge_sides_, graph, map_, options_.trees, traits_,
+                    budget_of_construction(), report_.trees);
+    }
+    Phase_timer timer(report_.seconds.construct);
+    state_.corners.forget_cuts();
+    Tree_construction<Traits, Concurrency_tag> construction(state_, *trees, map_, is_merged_, domain_,
+                                                            report_.trees);
+    construction.run(options_.trees.placement, budget_of_construction(), [this] { return shall_go_on(0.3); });
   }
 
   /// The input, in the kernel's order and with its edges: segments cut where vertices lie on them.

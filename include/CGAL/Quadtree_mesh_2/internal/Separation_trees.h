@@ -182,9 +182,12 @@ private:
   }
 
   void subdivide_edges() {
+    Subdivision_rounds rounds;
     pieces_ = options_.subdivision == Options::Subdivision::WALKING
                   ? walk_edges<Concurrency_tag>(tree_, graph_.segments)
-                  : internal::subdivide_edges<Concurrency_tag>(tree_, graph_.segments);
+                  : internal::subdivide_edges<Concurrency_tag>(tree_, graph_.segments, &rounds);
+    report_.subdivision_rounds += rounds.rounds;
+    report_.centroid_height = rounds.height;
     pieces_in_leaves_ = Leaf_pieces::of<Concurrency_tag>(pieces_, tree_.number_of_leaves());
   }
 
@@ -194,6 +197,7 @@ private:
         leaves.end());
     if (leaves.empty() || is_exhausted()) return false;
     tree_.refine(leaves);
+    ++report_.splits;
     subdivide_edges();
     return true;
   }

@@ -9,7 +9,7 @@
 // Removal (Remover.h) keeps to the bound at each step, and so ends where no single vertex can go. Here a round
 // removes with a bound of `thinning_share` of the given one, refines what then is below the given one (relocation
 // first, Refiner.h), and removes under guard. Where vertices stood in each other's way fewer are put back: on maps
-// 3 to 4 percent of the triangles go in the first round, half of that in the second.
+// 4 to 5 percent of the triangles go in the first round, and about one in the second.
 // A round that does not come to rest, or ends with more triangles, is undone. O(k) expected for k triangles.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_THINNER_H

@@ -13,7 +13,7 @@
 // Deviates: nothing is warped. An edge gets a vertex where it crosses the sides of leaves transversal to it, and
 //           corners near edges and vertices are dropped. Where the leaves along an edge are equal the rule of
 //           Column_rule.h holds with its bound; at changes of sizes this is the same rule with its distances for
-//           equal leaves, which does not need columns, and misses the bound here and there: Corner_chooser.h.
+//           equal leaves, which does not need columns, and misses the bound here and there: Tree_construction.h.
 //
 // Nothing depends on anything further away than a leaf or two, so all is done at the same time.
 

@@ -1,15 +1,8 @@
-#ifndef QUADTREE_MESH_2_EXAMPLES_MESH_IN_WORDS_H
-#define QUADTREE_MESH_2_EXAMPLES_MESH_IN_WORDS_H
-
-// A graph over doubles meshed in integer arithmetic: scaled to 64-bit words, meshed there, mapped back.
+#include "mesh_graph.h"
 
 #include "Word_map.h"
 #include "mesh_with_doubles.h"
 
-#include <CGAL/Indexed_mesh_2.h>
-#include <CGAL/Pslg_2.h>
-#include <CGAL/Quality_mesh_options_2.h>
-#include <CGAL/Quality_mesh_report_2.h>
 #include <CGAL/Quality_mesher_2.h>
 #include <CGAL/tags.h>
 #include <CGAL/validate_pslg_2.h>
@@ -18,10 +11,13 @@
 #include <cstdint>
 #include <utility>
 
-namespace mesh_in_words_internal {
+namespace {
 
-template <class Point>
-CGAL::Pslg_2<Word_point> to_words(const CGAL::Pslg_2<Point>& pslg, const Word_map<Point>& map) {
+using namespace mesh_in_words_internal;
+
+using mesh_graph::Point;
+
+CGAL::Pslg_2<Word_point> to_words(const mesh_graph::Pslg& pslg, const Word_map<Point>& map) {
   CGAL::Pslg_2<Word_point> words;
   words.vertices.reserve(pslg.vertices.size());
   for (const Point& p : pslg.vertices) words.vertices.push_back(map.to_word(p));
@@ -38,8 +34,7 @@ CGAL::Pslg_2<Word_point> to_words(const CGAL::Pslg_2<Point>& pslg, const Word_ma
   return words;
 }
 
-template <class Point>
-CGAL::Quality_mesh_options_2 to_words(CGAL::Quality_mesh_options_2 options, const Word_map<Point>& map) {
+mesh_graph::Options to_words(mesh_graph::Options options, const Word_map<Point>& map) {
   const double unit = map.unit();
   if (options.size_field)
     options.size([map, field = options.size_field](double x, double y) {
@@ -52,23 +47,16 @@ CGAL::Quality_mesh_options_2 to_words(CGAL::Quality_mesh_options_2 options, cons
       .min_edge(options.min_edge_length / unit);
 }
 
-} // namespace mesh_in_words_internal
+} // namespace
 
-/// \throws CGAL::Pslg_error_2 as the mesher does, and where words cannot hold the input.
-template <class Point>
-CGAL::Indexed_mesh_2<Point> mesh_in_words(const CGAL::Pslg_2<Point>& pslg,
-                                          const CGAL::Quality_mesh_options_2& options,
-                                          CGAL::Quality_mesh_report_2& report) {
-  using namespace mesh_in_words_internal;
+mesh_graph::Mesh mesh_graph::in_words(const Pslg& pslg, const Options& options, Report& report) {
   CGAL::check_pslg_structure(pslg); // the scale wants finite coordinates
   const Word_map<Point> map(pslg.vertices);
   CGAL::Quality_mesher_2<Traits, CGAL::Parallel_tag> mesher(to_words(options, map));
   auto words = mesher(to_words(pslg, map));
   report = mesher.report();
-  auto mesh = mesh_with_doubles(std::move(words), pslg.vertices,
+  Mesh mesh = mesh_with_doubles(std::move(words), pslg.vertices,
                                 [&map](const Word_point& p) { return map.to_double(p); });
   to_doubles(report, mesh);
   return mesh;
 }
-
-#endif // QUADTREE_MESH_2_EXAMPLES_MESH_IN_WORDS_H

@@ -1,0 +1,31 @@
+#ifndef QUADTREE_MESH_2_EXAMPLES_MESH_GRAPH_H
+#define QUADTREE_MESH_2_EXAMPLES_MESH_GRAPH_H
+
+// A graph over doubles meshed with any arithmetic; the mesh is one over doubles, too. Each arithmetic is compiled by
+// itself: the mesher takes the compiler a while.
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Indexed_mesh_2.h>
+#include <CGAL/Pslg_2.h>
+#include <CGAL/Quality_mesh_options_2.h>
+#include <CGAL/Quality_mesh_report_2.h>
+
+namespace mesh_graph {
+
+using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_2;
+using Mesh = CGAL::Indexed_mesh_2<Point>;
+using Pslg = CGAL::Pslg_2<Point>;
+using Options = CGAL::Quality_mesh_options_2;
+using Report = CGAL::Quality_mesh_report_2;
+
+// All throw std::exception for what cannot be meshed, or what the arithmetic cannot hold.
+
+Mesh with_doubles(const Pslg& pslg, const Options& options, Report& report);
+/// Scaled to 64-bit words, meshed there, mapped back.
+Mesh in_words(const Pslg& pslg, const Options& options, Report& report);
+/// With exact constructions; only the result is rounded.
+Mesh exactly(const Pslg& pslg, const Options& options, Report& report);
+
+} // namespace mesh_graph
+
+#endif // QUADTREE_MESH_2_EXAMPLES_MESH_GRAPH_H
