@@ -110,14 +110,20 @@ TEST_CASE("Above the guaranteed angle thinning leaves no more undone", "[mesher]
 }
 
 TEST_CASE("Bounds of size are kept when meshes are thinned", "[mesher][thinning]") {
-  share_left(unit_square(), Options().max_edge(0.05), 3);
-  share_left(unit_square(), Options().max_area(0.0005), 3);
-  share_left(read("syn_comb.poly"), Options().max_area(0.5), 2);
+  // The last flips may make a triangle too large, and so take back what little was won.
+  const auto thin = [](const Pslg& pslg, const Options& options, int rounds) {
+    const Run before = run_to_the_bound(pslg, options);
+    const Run after = run_to_the_bound(pslg, Options(options).thin(rounds));
+    CHECK(double(after.report.triangles) <= 1.002 * double(before.report.triangles) + 2);
+  };
+  thin(unit_square(), Options().max_edge(0.05), 3);
+  thin(unit_square(), Options().max_area(0.0005), 3);
+  thin(read("syn_comb.poly"), Options().max_area(0.5), 2);
   const Pslg states = read("us_states_10m.poly.gz");
-  share_left(states, Options().max_area(area_of_box(states) / 20000), 1);
+  thin(states, Options().max_area(area_of_box(states) / 20000), 1);
 
   const auto field = [](double x, double y) { return 0.02 + 0.2 * std::hypot(x, y); };
-  share_left(unit_square(), Options().size(field), 2);
+  thin(unit_square(), Options().size(field), 2);
   const Run r = run_to_the_bound(unit_square(), Options().size(field).thin(2));
   std::size_t large = 0;
   for (const auto& v : r.mesh.triangles) {
