@@ -155,10 +155,28 @@ public:
       return false;
     const Vertex_id v = common_vertex(e, f);
     if (v < 0) return true;
-    const Vector apex = Geometry::difference(problem_.input_point(v), leaf.corner);
-    const Vector middle{leaf.side / 2, leaf.side / 2};
-    if (squared_length(apex - middle) < square(options_.vertex_window * leaf.side)) return false;
+    if (is_in_window(v, leaf)) return false;
     return !is_lopped(e, f, v) || width_of_corner(e, f, leaf) > options_.strip_width * leaf.side;
+  }
+
+  /// Whether edges may be as near to each other as they like in a leaf: a vertex that they share is near.
+  bool are_joined_near(const Leaf& leaf, Edge_id e, Edge_id f) const {
+    const Vertex_id v = common_vertex(e, f);
+    return v >= 0 && is_in_window(v, leaf);
+  }
+
+  /// Whether that holds for all of some pieces, whatever their number: they are around one vertex.
+  template <class Pieces>
+  bool are_all_joined_near(const Leaf& leaf, const Pieces& pieces) const {
+    const auto edge = [&](std::size_t i) -> const Input_edge& {
+      return problem_.edges[static_cast<Edge_id>(pieces[i].segment.value())];
+    };
+    for (const Vertex_id v : {edge(0).a, edge(0).b}) {
+      std::size_t i = 1;
+      while (i < pieces.size() && (edge(i).a == v || edge(i).b == v)) ++i;
+      if (i == pieces.size() && is_in_window(v, leaf)) return true;
+    }
+    return false;
   }
 
 private:
@@ -174,6 +192,12 @@ private:
   }
 
   static double square(double x) { return x * x; }
+
+  bool is_in_window(Vertex_id v, const Leaf& leaf) const {
+    const Vector apex = Geometry::difference(problem_.input_point(v), leaf.corner);
+    const Vector middle{leaf.side / 2, leaf.side / 2};
+    return squared_length(apex - middle) < square(options_.vertex_window * leaf.side);
+  }
 
   Vertex_id common_vertex(Edge_id e, Edge_id f) const {
     const Input_edge &p = problem_.edges[e], &q = problem_.edges[f];

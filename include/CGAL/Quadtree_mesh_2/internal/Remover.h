@@ -221,8 +221,9 @@ private:
     return !bounds_.is_large(s, mesh_.point(x), mesh_.point(y), mesh_.point(z), p.region);
   }
 
-  /// The squared sine of the least angle of a feasible triangle; exempt ones count as good.
-  double weight(const Shape& s) const { return bounds_.is_sharp(s) ? 1.5 : s.sin2_of_least_angle(); }
+  /// The squared sine of the least angle of a feasible triangle. Exempt ones count as better than others, which has no
+  /// say then; among themselves the best are preferred, as they are the Delaunay ones.
+  double weight(const Shape& s) const { return (bounds_.is_sharp(s) ? 1 : 0) + s.sin2_of_least_angle(); }
 
   void emit(const Polygon& p, int i, int j) {
     if (j - i < 2) return;

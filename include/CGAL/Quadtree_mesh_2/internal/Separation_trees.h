@@ -248,9 +248,12 @@ private:
       const auto pieces = pieces_in_leaves_[l];
       if (pieces.size() < 2 || !is_splittable(l)) return false;
       const auto leaf = frame(l);
+      // A leaf with a vertex in its corner has pieces of all edges there, and all of them in each of its cells.
+      if (gaps_.are_all_joined_near(leaf, pieces)) return false;
       bool is_any = false;
       for_each_pair_in_cell(l, scratch, [&](Edge_id e, Edge_id f) {
-        is_any = is_any || gaps_.is_too_large(leaf, e, f, gaps_.gap(e, f, leaf));
+        is_any = is_any || (!gaps_.are_joined_near(leaf, e, f) &&
+                            gaps_.is_too_large(leaf, e, f, gaps_.gap(e, f, leaf)));
       });
       return is_any;
     });
@@ -290,26 +293,16 @@ private:
       for (const Edge_piece& p : pieces_in_leaves_[n]) others.push_back(edge(p));
     std::sort(others.begin(), others.end());
     others.erase(std::unique(others.begin(), others.end()), others.end());
-    for (const Edge_id f : others) {
-      if (std::binary_search(own.begin(), own.end(), f)) continue;
-      const auto [e, gap] = nearest(own, f, leaf);
-      if (e >= 0 && gaps_.is_too_large(leaf, e, f, gap) && !is_hidden(gap, e, f, scratch, leaf)) return true;
-    }
+    for (const Edge_id f : others)
+      for (const Edge_id e : own) {
+        if (e == f || gaps_.are_joined_near(leaf, e, f)) continue;
+        const Local_gap gap = gaps_.gap(e, f, leaf);
+        if (gaps_.is_too_large(leaf, e, f, gap) && !is_hidden(gap, e, f, scratch, leaf)) return true;
+      }
     return false;
   }
 
   static Edge_id edge(const Edge_piece& p) { return static_cast<Edge_id>(p.segment.value()); }
-
-  /// The nearest of the pieces in a leaf to an edge around it.
-  std::pair<Edge_id, Local_gap> nearest(const std::vector<Edge_id>& own, Edge_id f,
-                                        const typename Edge_gaps<Geometry>::Leaf& leaf) const {
-    std::pair<Edge_id, Local_gap> best{-1, Local_gap()};
-    for (const Edge_id e : own) {
-      const Local_gap gap = gaps_.gap(e, f, leaf);
-      if (gap.length < best.second.length) best = {e, gap};
-    }
-    return best;
-  }
 
   /// Whether another edge lies between e and f.
   bool is_hidden(const Local_gap& gap, Edge_id e, Edge_id f, const Scratch& scratch,

@@ -1,0 +1,311 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+
+// Meshes whose features quadtrees separate: what holds for every mesh, and that quadtrees alone meet the bound.
+
+#include "catch.h"
+#include "theorem_5_tools.h"
+
+#include <CGAL/Quality_mesher_2.h>
+#include <CGAL/bounding_box.h>
+#include <CGAL/mesh_quality_2.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#endif
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace theorem_5_test;
+using pslg_test::make_pslg;
+using pslg_test::Point;
+using pslg_test::unit_square;
+using Domain = Options::Domain;
+
+/// The number of triangles that refinement on demand makes of the same input.
+std::size_t number_on_demand(const Pslg& pslg, Options options) {
+  Mesher mesher(options.separate(Options::Separation::ON_DEMAND));
+  return mesher(pslg).number_of_triangles();
+}
+
+/// Squares with half sides 4, 3, 2, 1 in each other.
+Pslg nested_squares() {
+  Pslg pslg;
+  for (const double half : {4., 3., 2., 1.}) {
+    const std::size_t first = pslg.number_of_vertices();
+    for (const auto& p : unit_square().vertices)
+      pslg.add_vertex(Point(half * (2 * p.x() - 1), half * (2 * p.y() - 1)));
+    for (std::size_t i = 0; i < 4; ++i)
+      pslg.add_segment(pslg_test::Vertex_index(first + i), pslg_test::Vertex_index(first + (i + 1) % 4));
+  }
+  return pslg;
+}
+
+} // namespace
+
+TEST_CASE("Every small input of test/data is meshed by quadtrees to the bound", "[mesher][theorem5]") {
+  const std::string name =
+      GENERATE(as<std::string>(), "syn_square.poly", "syn_sliver_1deg.poly", "syn_wedge_10deg.poly",
+               "syn_wedge_1deg.poly", "syn_wedge_0.01deg.poly", "syn_near_1e-06.poly", "syn_near_1e-12.poly",
+               "syn_parallel_0.001.poly", "syn_comb.poly", "syn_fan_1deg.poly", "syn_holes_400.poly.gz");
+  const double angle = GENERATE(18.43, 20.7);
+  CAPTURE(name, angle);
+  const Pslg pslg = read(name);
+  const Options options = by_quadtrees().min_angle(angle);
+  const Run r = run_by_quadtrees(pslg, options);
+  // Around few features the smallest square that separates them is larger than what these need: hundreds of triangles
+  // at a wedge where a dozen is enough.
+  CHECK(r.report.triangles <= small_factor * number_on_demand(pslg, options) + small_excess);
+}
+
+TEST_CASE("Inputs that random search found to be hard are meshed by quadtrees", "[mesher][theorem5]") {
+  const std::string name = GENERATE(as<std::string>(), "hard_lattice_21260.poly",
+                                    "hard_visibility_graph_11091.poly", "hard_visibility_graph_2608.poly",
+                                    "hard_visibility_graph_3314.poly", "hard_visibility_graph_8327.poly",
+                                    "hard_visibility_graph_8360.poly", "hard_visibility_graph_9113.poly");
+  const double angle = GENERATE(18.43, 20.7);
+  CAPTURE(name, angle);
+  const Pslg pslg = read(name);
+  const Options options = by_quadtrees().min_angle(angle);
+  CHECK(run_by_quadtrees(pslg, options).report.triangles <=
+        small_factor * number_on_demand(pslg, options) + small_excess);
+}
+
+TEST_CASE("A map takes as many triangles by quadtrees as on demand", "[mesher][theorem5]") {
+  const Pslg pslg = read("us_states_10m.poly.gz");
+  const Run r = run_by_quadtrees(pslg, by_quadtrees());
+  CHECK(double(r.report.triangles) <= 1.05 * double(number_on_demand(pslg, Options())));
+}
+
+TEST_CASE("Large maps take as many triangles by quadtrees as on demand", "[mesher][theorem5][.slow]") {
+  const std::string name = GENERATE(as<std::string>(), "gshhg_aegean_h.poly.gz", "gshhg_norway_f.poly.gz");
+  CAPTURE(name);
+  const Pslg pslg = read(name);
+  for (const double angle : {18.43, 20.7}) {
+    const Options options = by_quadtrees().min_angle(angle);
+    const Run r = run_by_quadtrees(pslg, options);
+    CHECK(double(r.report.triangles) <= 1.05 * double(number_on_demand(pslg, options)));
+  }
+}
+
+TEST_CASE("What the report says of trees", "[mesher][theorem5]") {
+  const Pslg pslg = read("syn_holes_400.poly.gz");
+  const auto trees = run_by_quadtrees(pslg, by_quadtrees()).report.trees;
+  CHECK(trees.leaves_of_points > pslg.number_of_vertices() / 4);
+  CHECK(trees.leaves_of_points <= trees.leaves_of_vertices);
+  CHECK(trees.leaves_of_vertices <= trees.leaves_of_pieces);
+  CHECK(trees.leaves_of_pieces <= trees.leaves_of_edges);
+  CHECK(trees.triangles > 0);
+  CHECK(trees.missed <= trees.missed_by_rule);
+  const auto none = run(pslg, Options()).report.trees;
+  CHECK(none.rounds + none.leaves_of_points + none.leaves_of_edges + none.triangles == 0);
+}
+
+TEST_CASE("Without removal the mesh by quadtrees meets the bound by itself", "[mesher][theorem5]") {
+  for (const std::string name : {"syn_comb.poly", "syn_holes_400.poly.gz"}) {
+    CAPTURE(name);
+    const Pslg pslg = read(name);
+    const Run all = run_by_quadtrees(pslg, by_quadtrees().coarsen(Options::Coarsening::NONE));
+    CHECK(all.report.triangles > 2 * run(pslg, by_quadtrees()).report.triangles);
+    // and but for exact Delaunay flips and what is left out it is what was placed
+    CHECK(all.report.triangles <= all.report.trees.triangles);
+    CHECK(all.report.triangles + 2 * all.report.trees.left_out >= all.report.trees.triangles);
+  }
+}
+
+TEST_CASE("The paper's constants and other distances", "[mesher][theorem5]") {
+  const Pslg pslg = read("syn_holes_400.poly.gz");
+  std::size_t leaves = 0;
+  for (const Tree_options& trees :
+       {Tree_options(), Tree_options().distances(1, 1), Tree_options::of_paper()}) {
+    const Run r = run_by_quadtrees(pslg, Options().separate(trees));
+    CHECK(r.report.trees.leaves_of_edges > leaves);
+    leaves = r.report.trees.leaves_of_edges;
+  }
+}
+
+TEST_CASE("Placement by the rule alone", "[mesher][theorem5]") {
+  // Without a budget splitting goes on to the end of the grid where vertices are in the way of the rule.
+  for (const std::string name : {"syn_square.poly", "syn_wedge_10deg.poly", "syn_near_1e-06.poly"}) {
+    CAPTURE(name);
+    const Run r =
+        run(read(name),
+            Options().separate(Tree_options().place(Tree_options::Placement::BY_RULE)).max_vertices(2000));
+    CHECK(r.report.unmet_triangles.size() == r.quality.unmet_triangles.size());
+    CHECK(r.report.trees.left_out == 0);
+  }
+}
+
+TEST_CASE("Both models of neighbours and both subdivisions give the same mesh", "[mesher][theorem5]") {
+  for (const std::string name : {"us_states_10m.poly.gz", "syn_fan_1deg.poly", "syn_near_1e-12.poly"}) {
+    CAPTURE(name);
+    const Pslg pslg = read(name);
+    const Mesh mesh = Mesher(by_quadtrees())(pslg);
+    CHECK(are_same(mesh, Mesher(Options().separate(
+                             Tree_options().find_neighbors(Tree_options::Neighbors::QUADTREE)))(pslg)));
+    CHECK(are_same(mesh, Mesher(Options().separate(
+                             Tree_options().subdivide(Tree_options::Subdivision::CENTROID_TREE)))(pslg)));
+  }
+}
+
+TEST_CASE("A map is meshed by quadtrees to the same bits with any number of threads",
+          "[mesher][theorem5][parallel]") {
+  const Pslg pslg = read("us_states_10m.poly.gz");
+  const Mesh sequential = Mesher(by_quadtrees())(pslg);
+  for (const std::size_t threads : {1u, 2u, 4u}) {
+    CAPTURE(threads);
+#ifdef CGAL_LINKED_WITH_TBB
+    tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+#endif
+    using Parallel = CGAL::Quality_mesher_2<CGAL::Filtered_quadtree_traits_2<>, CGAL::Parallel_tag>;
+    CHECK(are_same(Parallel(by_quadtrees())(pslg), sequential));
+  }
+}
+
+// ---- domains and sizes
+
+TEST_CASE("Nested squares by each rule and by quadtrees", "[mesher][theorem5]") {
+  Pslg pslg = nested_squares();
+  const auto area = [&pslg](Domain domain) {
+    return run_by_quadtrees(pslg, by_quadtrees().mesh_domain(domain)).quality.area;
+  };
+  CHECK(area(Domain::ENCLOSED) == Approx(64));
+  CHECK(area(Domain::NESTING_PARITY) == Approx(64 - 36 + 16 - 4));
+  pslg.holes = {Point(0, 1.5)};
+  CHECK(area(Domain::ENCLOSED) == Approx(64 - 12));
+  pslg.regions.push_back({Point(0, 2.5), 1, 0});
+  pslg.regions.push_back({Point(0, 0), 2, 0});
+  CHECK(area(Domain::MARKED) == Approx(36 - 16 + 4));
+}
+
+TEST_CASE("Regions keep their labels and bounds in meshes by quadtrees", "[mesher][theorem5]") {
+  Pslg pslg = make_pslg<double>({{0, 0}, {1, 0}, {2, 0}, {2, 1}, {1, 1}, {0, 1}},
+                                {{0, 1}, {1, 2}, {2, 3}, {3, 4}, {4, 5}, {5, 0}, {1, 4}});
+  pslg.regions.push_back({Point(1.5, 0.5), 7.0, 0.001});
+  const Run r = run_by_quadtrees(pslg, by_quadtrees());
+  REQUIRE(r.mesh.region_of_triangle.size() == r.mesh.number_of_triangles());
+  std::size_t wrong = 0, large = 0;
+  for (std::size_t t = 0; t < r.mesh.number_of_triangles(); ++t) {
+    const auto& v = r.mesh.triangles[t];
+    const Point &a = r.mesh.point(v[0]), &b = r.mesh.point(v[1]), &c = r.mesh.point(v[2]);
+    const bool is_right = CGAL::centroid(a, b, c).x() > 1;
+    wrong += r.mesh.region_of_triangle[t] == (is_right ? 0 : -1) ? 0 : 1;
+    large += is_right && CGAL::area(a, b, c) > 0.001 ? 1 : 0;
+  }
+  CHECK(wrong == 0);
+  CHECK(large == 0);
+  CHECK(r.report.triangles > 1000);
+}
+
+TEST_CASE("What quadtrees leave too large is refined", "[mesher][theorem5]") {
+  for (const std::string name : {"syn_square.poly", "syn_wedge_1deg.poly", "syn_comb.poly"}) {
+    CAPTURE(name);
+    const Pslg pslg = read(name);
+    const auto box = CGAL::bounding_box(pslg.vertices.begin(), pslg.vertices.end());
+    const double area = (box.xmax() - box.xmin()) * (box.ymax() - box.ymin()) / 2000;
+    const Run r = run_by_quadtrees(pslg, by_quadtrees().max_area(area));
+    CHECK(double(r.report.triangles) < 2.5 * double(number_on_demand(pslg, Options().max_area(area))));
+    run_by_quadtrees(pslg, by_quadtrees().max_edge(std::sqrt(area)));
+  }
+}
+
+// ---- what stops it
+
+TEST_CASE("A callback that returns false stops construction by quadtrees", "[mesher][theorem5]") {
+  const Pslg pslg = read("us_states_10m.poly.gz");
+  for (const int last : {0, 1, 3, 6}) {
+    int calls = 0;
+    double share_before = 0;
+    const Run r = run(pslg, by_quadtrees().progress([&](double share) {
+      CHECK((share >= share_before && share <= 1));
+      share_before = share;
+      return calls++ < last;
+    }));
+    CHECK((r.report.is_cancelled || r.report.is_met()));
+    CHECK(r.report.unmet_triangles.size() == r.quality.unmet_triangles.size());
+    if (last == 0) CHECK(r.report.is_cancelled);
+  }
+}
+
+TEST_CASE("A budget that quadtrees exhaust is reported", "[mesher][theorem5]") {
+  // More than is needed in the end, but less than the quadtrees make.
+  const Pslg pslg = read("us_states_10m.poly.gz");
+  for (const std::size_t budget : {15000u, 30000u}) {
+    CAPTURE(budget);
+    const Run r = run(pslg, by_quadtrees().max_vertices(budget));
+    CHECK((r.report.is_budget_exhausted || r.report.is_met()));
+    CHECK(r.report.unmet_triangles.size() == r.quality.unmet_triangles.size());
+  }
+}
+
+TEST_CASE("Errors of the input are the same whatever separates features", "[mesher][theorem5]") {
+  const auto is_same = [](const Pslg& pslg, const Options& options = Options()) {
+    Options by_trees = options;
+    by_trees.separate(Tree_options());
+    const std::string error = pslg_test::error_of([&] {
+      Mesher mesher(by_trees);
+      mesher(pslg);
+    });
+    CHECK_FALSE(error.empty());
+    CHECK(error == pslg_test::error_of([&] {
+            Mesher mesher(options);
+            mesher(pslg);
+          }));
+  };
+  is_same(Pslg());
+  is_same(make_pslg<double>({{0, 0}}));
+  is_same(make_pslg<double>({{0, 0}, {1, 1}, {2, 2}}, {{0, 1}, {1, 2}}));
+  is_same(make_pslg<double>({{0, 0}, {1, 0}, {0, 1}}));
+  is_same(make_pslg<double>({{0, 0}, {1, 0}, {0, 1}}, {{0, 1}, {1, 2}}));
+  is_same(
+      make_pslg<double>({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {0, 2}, {1, 3}}));
+  is_same(unit_square(), Options().mesh_domain(Domain::MARKED));
+  Pslg hollow = unit_square();
+  hollow.holes.push_back(Point(0.5, 0.5));
+  is_same(hollow);
+  Pslg wrong = unit_square();
+  wrong.vertices[2] = Point(std::numeric_limits<double>::quiet_NaN(), 0);
+  is_same(wrong);
+}
+
+// ---- quadtrees where refinement does not come to rest
+
+TEST_CASE("Without patience quadtrees take over", "[mesher][theorem5]") {
+  for (const std::string name : {"us_states_10m.poly.gz", "syn_comb.poly", "syn_fan_1deg.poly"}) {
+    CAPTURE(name);
+    const Pslg pslg = read(name);
+    const Run r = run_by_quadtrees(pslg, Options().patience(0));
+    CHECK_FALSE(r.report.is_budget_exhausted);
+    CHECK(run(pslg, Options()).report.trees.rounds == 0);
+  }
+}
+
+TEST_CASE("With a budget, and above the guaranteed bound, quadtrees do not take over", "[mesher][theorem5]") {
+  const Pslg pslg = read("us_states_10m.poly.gz");
+  for (const Options& options :
+       {Options().patience(0).max_vertices(20000), Options().patience(0).min_angle(25)}) {
+    const Run r = run(pslg, options);
+    CHECK(r.report.trees.rounds == 0);
+    CHECK(r.report.is_budget_exhausted);
+    CHECK(r.report.unmet_triangles.size() == r.quality.unmet_triangles.size());
+  }
+}
+
+TEST_CASE("Random inputs without patience", "[mesher][theorem5]") {
+  const std::uint64_t seeds = is_full_run() ? 100 : 2;
+  for (const random_pslg::Family& family : random_pslg::families())
+    for (std::uint64_t seed = 0; seed < seeds; ++seed) {
+      CAPTURE(family.name, seed);
+      run_to_the_bound(family.make(seed), Options().patience(0));
+    }
+}

@@ -1,0 +1,86 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+
+// Many random inputs whose features quadtrees separate: each mesh valid, and the bound met before refinement.
+
+#include "catch.h"
+#include "random_pslg_shapes.h"
+
+#include <CGAL/Quality_mesher_2.h>
+#include <CGAL/mesh_quality_2.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <exception>
+#include <string>
+#include <vector>
+
+namespace {
+
+using random_pslg::Family;
+using random_pslg::Pslg;
+
+/// What is wrong with the mesh of `pslg`; empty if nothing is.
+std::string fault_of_mesh(const Pslg& pslg, double min_angle) try {
+  CGAL::Quality_mesher_2<> mesher(
+      CGAL::Quality_mesh_options_2().min_angle(min_angle).separate(CGAL::Tree_separation_options_2()));
+  const auto mesh = mesher(pslg);
+  const auto& report = mesher.report();
+  const auto quality = CGAL::mesh_quality_2(mesh, pslg, CGAL::Mesh_quality_options_2().min_angle(min_angle));
+  if (!quality.is_valid()) return "invalid: " + quality.errors.front();
+  if (!quality.is_met()) return "unmet triangles: " + std::to_string(quality.unmet_triangles.size());
+  if (!report.is_met()) return "unmet triangles in the report alone";
+  if (report.exempt_triangles.size() != quality.exempt_triangles) return "exempt triangles miscounted";
+  if (report.trees.rounds == 0) return "no quadtrees";
+  if (report.trees.missed > 0) return "missed by quadtrees: " + std::to_string(report.trees.missed);
+  return {};
+} catch (const std::exception& error) {
+  return std::string("exception: ") + error.what();
+}
+
+/// Needles of wedges, and fans of hundreds of spokes, take a hundred thousand triangles and more.
+bool is_for_full_runs(const Family& family, std::uint64_t seed) {
+  return std::string(family.name) == "fan" || (std::string(family.name) == "wedge" && seed == 58);
+}
+
+void check_seeds(std::uint64_t first, std::uint64_t last) {
+  const std::vector<Family> families = random_pslg::all_families();
+  std::size_t exceptions = 0;
+  for (std::uint64_t i = first; i < last; ++i) {
+    const Family& family = families[i % families.size()];
+    const std::uint64_t seed = i / families.size();
+    if (!is_full_run() && is_for_full_runs(family, seed)) continue;
+    const double min_angle = seed % 2 == 0 ? 20.7 : 18.43;
+    const std::string name = family.name;
+    CAPTURE(name, seed, min_angle);
+    const std::string fault = fault_of_mesh(family.make(seed), min_angle);
+    CHECK(fault.empty());
+    if (fault.empty()) continue;
+    ++exceptions;
+    WARN(name << ", seed " << seed << ", " << min_angle << " degrees: " << fault);
+  }
+  if (exceptions > 0) WARN(exceptions << " of " << last - first << " inputs");
+}
+
+/// A number from the environment.
+std::uint64_t number_from_environment(const char* name, std::uint64_t otherwise) {
+  const char* const text = std::getenv(name);
+  return text == nullptr ? otherwise : std::strtoull(text, nullptr, 10);
+}
+
+} // namespace
+
+TEST_CASE("Some random inputs of every family are meshed by quadtrees to the bound", "[mesher][theorem5]") {
+  check_seeds(0, 8 * random_pslg::all_families().size());
+}
+
+/// QUADTREE_MESH_SOAK says how many inputs, QUADTREE_MESH_SOAK_FIRST where to begin.
+TEST_CASE("Two thousand random inputs are meshed by quadtrees to the bound",
+          "[mesher][theorem5][soak][.slow]") {
+  const std::uint64_t first = number_from_environment("QUADTREE_MESH_SOAK_FIRST", 0);
+  check_seeds(first, first + number_from_environment("QUADTREE_MESH_SOAK", 2000));
+}

@@ -1,0 +1,43 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+
+#ifndef QUADTREE_MESH_2_TEST_THEOREM_5_TOOLS_H
+#define QUADTREE_MESH_2_TEST_THEOREM_5_TOOLS_H
+
+// Runs of the mesher in which quadtrees separate the features.
+
+#include "mesher_test_tools.h"
+#include "random_pslg_shapes.h"
+
+#include <cstddef>
+
+namespace theorem_5_test {
+
+using namespace mesher_test;
+using Tree_options = CGAL::Tree_separation_options_2;
+
+inline Options by_quadtrees() { return Options().separate(Tree_options()); }
+
+/// Small inputs take at most so many times the triangles of refinement on demand, and so many more.
+constexpr std::size_t small_factor = 3, small_excess = 300;
+
+/// Meshes, and checks that every bound is met, and that of angles by quadtrees alone.
+inline Run run_by_quadtrees(const Pslg& pslg, const Options& options) {
+  Run r = run_to_the_bound(pslg, options);
+  CHECK(r.report.trees.rounds > 0);
+  CHECK(r.report.trees.missed == 0);
+  return r;
+}
+
+inline bool are_same(const Mesh& a, const Mesh& b) {
+  return a.points == b.points && a.triangles == b.triangles && a.neighbors == b.neighbors &&
+         a.segment_of_vertex == b.segment_of_vertex && a.vertex_markers == b.vertex_markers &&
+         a.region_of_triangle == b.region_of_triangle;
+}
+
+} // namespace theorem_5_test
+
+#endif // QUADTREE_MESH_2_TEST_THEOREM_5_TOOLS_H
