@@ -92,6 +92,7 @@ private:
   const Trees& trees_;
   const Tree& tree_;
   Corners corners_;
+  Grid_point low_{}, high_{};
   std::vector<char> is_kept_; // by name of a corner
 
   // ---- on edges
@@ -171,11 +172,32 @@ private:
   // ---- corners
 
   void find_corners_kept() {
+    find_box();
     is_kept_.assign(corners_.number_of_names(), 0);
     for_each_index<Concurrency_tag>(
         is_kept_.size(),
-        [&](std::size_t c) { is_kept_[c] = corners_.exists(c) && is_clear_of_edges(c) ? 1 : 0; },
+        [&](std::size_t c) {
+          is_kept_[c] = corners_.exists(c) && is_in_box(corners_.place(c)) && is_clear_of_edges(c) ? 1 : 0;
+        },
         block_of_corners_);
+  }
+
+  /// What is outside the box of the input is outside the domain, and the root may be larger than what differences of
+  /// coordinates can express.
+  void find_box() {
+    const auto& framework = tree_.framework();
+    const std::size_t n = framework.number_of_points();
+    for (std::size_t i = 0; i < n; ++i) {
+      const Grid_point p = framework.grid_point(Point_rank(i));
+      if (i == 0) low_ = high_ = p;
+      if (p.x < low_.x) low_.x = p.x;
+      if (p.y < low_.y) low_.y = p.y;
+      if (high_.x < p.x) high_.x = p.x;
+      if (high_.y < p.y) high_.y = p.y;
+    }
+  }
+  bool is_in_box(const Grid_point& p) const {
+    return !(p.x < low_.x) && !(p.y < low_.y) && !(high_.x < p.x) && !(high_.y < p.y);
   }
 
   /// Whether a corner is far enough from all edges. Those nearer than a side of the smallest leaf around it pass
