@@ -55,6 +55,7 @@ public:
     state_.clear_worklist();
     state_.doubtful_sides.clear();
     state_.mesh = std::move(before);
+    push_all_bad();
     return false;
   }
 
@@ -89,6 +90,14 @@ private:
         const Side o = state_.mesh.triangle(t).side[k];
         if (!o.is_constrained() && t < o.triangle()) state_.doubtful_sides.push_back(Side(t, k));
       }
+      return false;
+    });
+  }
+
+  /// The last flips before may have left some on the list, which was cleared.
+  void push_all_bad() {
+    for_each_triangle([this](Triangle_id t) {
+      if (state_.is_bad(t)) state_.worklist.push(t);
       return false;
     });
   }
