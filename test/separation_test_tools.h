@@ -17,7 +17,6 @@
 
 #include <CGAL/Quadtree_mesh_2/internal/Separation_trees.h>
 #include <CGAL/Quadtree_mesh_2/internal/find_corners.h>
-// keeps lines apart: the mesher's parts follow
 #include <CGAL/Quality_mesher_2.h>
 
 #include <array>

@@ -154,6 +154,8 @@ TEST_CASE("bad usage names the culprit and writes nothing", "[program]") {
                                    {square + " --separation theorem-6", "theorem-6"},
                                    {square + " --neighbors quadtree", "--neighbors"},
                                    {square + " --subdivision walking", "--subdivision"},
+                                   {square + " --placement by-rule", "--placement"},
+                                   {square + " --separation theorem-5 --placement at-random", "at-random"},
                                    {square + " --separation theorem-5 --neighbors kd-tree", "kd-tree"},
                                    {square + " --separation theorem-5 --subdivision never", "never"},
                                    {square + " --separation theorem-5 --min-edge 1", "--min-edge"},
@@ -260,7 +262,7 @@ TEST_CASE("help and version", "[program]") {
   CHECK(help.status == 0);
   for (const char* option : {"--output",        "--min-angle",  "--max-edge",  "--max-area",    "--min-edge",
                              "--size-points",   "--domain",     "--kernel",    "--smooth",      "--threads",
-                             "--mode",          "--separation", "--neighbors", "--subdivision", "--thin",
+                             "--mode",          "--separation", "--neighbors", "--subdivision", "--placement", "--thin",
                              "--no-coarsening", "--compare",    "--report",    "--quiet",       "--version",
                              "--angles",        "--square",     "--effort",    "--budget",      "--lengths"})
     CHECK(contains(help.out, option));

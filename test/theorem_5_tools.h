@@ -21,8 +21,10 @@ using Tree_options = CGAL::Tree_separation_options_2;
 
 inline Options by_quadtrees() { return Options().separate(Tree_options()); }
 
-/// Small inputs take at most so many times the triangles of refinement on demand, and so many more.
-constexpr std::size_t small_factor = 3, small_excess = 300;
+/// Whether quadtrees take about as many triangles as refinement on demand, for inputs of a few features, too.
+inline bool is_about_as_many(std::size_t by_trees, std::size_t on_demand) {
+  return double(by_trees) <= 1.2 * double(on_demand) + 5;
+}
 
 /// Meshes, and checks that every bound is met, and that of angles by quadtrees alone.
 inline Run run_by_quadtrees(const Pslg& pslg, const Options& options) {

@@ -128,6 +128,8 @@ inline po::options_description graph_options() {
      "with theorem-5: what finds the edges next to vertices, trapezoidal or quadtree; the mesh is the same")
     ("subdivision", po::value<std::string>()->value_name("S")->default_value("walking"),
      "with theorem-5: what cuts edges into pieces, walking or centroid-tree; the mesh is the same")
+    ("placement", po::value<std::string>()->value_name("P")->default_value("chosen"),
+     "with theorem-5: chosen, or by-rule (a hundred times the triangles before removal)")
     ("smooth", po::value<int>()->value_name("N")->default_value(0),
      "rounds of smoothing: about a percent fewer triangles each, and better angles")
     ("thin", po::value<int>()->value_name("N")->default_value(0),
@@ -221,9 +223,9 @@ inline int thinning_rounds(const po::variables_map& given) {
 inline void check_uses_with(const po::variables_map& given,
                             CGAL::Quality_mesh_options_2::Separation separation) {
   const bool is_on_demand = separation == CGAL::Quality_mesh_options_2::Separation::ON_DEMAND;
-  const std::vector<const char*> senseless = is_on_demand
-                                                 ? std::vector<const char*>{"neighbors", "subdivision"}
-                                                 : std::vector<const char*>{"min-edge"};
+  const std::vector<const char*> senseless =
+      is_on_demand ? std::vector<const char*>{"neighbors", "subdivision", "placement"}
+                   : std::vector<const char*>{"min-edge"};
   for (const char* const option : senseless)
     if (given.count(option) > 0 && !given[option].defaulted())
       throw Usage_error(std::string("--") + option + " has no meaning with --separation " +
@@ -243,9 +245,11 @@ inline CGAL::Tree_separation_options_2 tree_options(const po::variables_map& giv
   constexpr Options::Neighbors neighbors[] = {Options::Neighbors::TRAPEZOIDAL, Options::Neighbors::QUADTREE};
   constexpr Options::Subdivision subdivisions[] = {Options::Subdivision::WALKING,
                                                    Options::Subdivision::CENTROID_TREE};
+  constexpr Options::Placement placements[] = {Options::Placement::CHOSEN, Options::Placement::BY_RULE};
   return Options()
       .find_neighbors(neighbors[choice(given, "neighbors", {"trapezoidal", "quadtree"})])
-      .subdivide(subdivisions[choice(given, "subdivision", {"walking", "centroid-tree"})]);
+      .subdivide(subdivisions[choice(given, "subdivision", {"walking", "centroid-tree"})])
+      .place(placements[choice(given, "placement", {"chosen", "by-rule"})]);
 }
 
 /// Finds out before the work, not after it, that a file cannot be written.
@@ -286,6 +290,7 @@ inline const std::vector<Option_use>& option_uses() {
       {"separation", {Mode::pslg}},
       {"neighbors", {Mode::pslg}},
       {"subdivision", {Mode::pslg}},
+      {"placement", {Mode::pslg}},
       {"smooth", {Mode::pslg}},
       {"thin", {Mode::pslg}},
       {"no-coarsening", {Mode::pslg}},

@@ -320,29 +320,35 @@ private:
 
   /// Makes a mesh by quadtrees, and refines what is too large in it, or could not be cured.
   void construct_by_trees(Refiner<Geometry>& refiner) {
-    make_mesh_by_trees();
+    if (make_mesh_by_trees() == Construction_end::out_of_budget) report_.is_budget_exhausted = true;
     Phase_timer timer(report_.seconds.refine);
     refiner.push_all();
-    run_to_the_end(refiner, state_.mesh.number_of_vertices() + vertex_budget());
+    run_to_the_end(refiner, budget_after_construction());
     state_.legalize();
     if (options_.coarsening == Quality_mesh_options_2::Coarsening::NONE) return;
     finishing_.smoothing_rounds = std::max(options_.smoothing_rounds, rounds_after_construction_);
     finishing_.thinning_rounds = std::max(options_.thinning_rounds, rounds_after_construction_);
   }
 
-  void make_mesh_by_trees() {
+  std::size_t budget_after_construction() const {
+    return options_.vertex_budget > 0 ? options_.vertex_budget
+                                      : state_.mesh.number_of_vertices() + vertex_budget();
+  }
+
+  Construction_end make_mesh_by_trees() {
     const Pslg graph = graph_of_edges();
     std::optional<Separation_trees<Traits, Concurrency_tag>> trees;
     {
       Phase_timer timer(report_.seconds.trees);
-      trees.emplace(problem_, *edge_sides_, graph, map_, options_.trees, traits_,
-                    budget_of_construction(), report_.trees);
+      trees.emplace(problem_, *edge_sides_, graph, map_, options_.trees, traits_, budget_of_construction(),
+                    report_.trees);
     }
     Phase_timer timer(report_.seconds.construct);
     state_.corners.forget_cuts();
     Tree_construction<Traits, Concurrency_tag> construction(state_, *trees, map_, is_merged_, domain_,
                                                             report_.trees);
-    construction.run(options_.trees.placement, budget_of_construction(), [this] { return shall_go_on(0.3); });
+    return construction.run(options_.trees.placement, budget_of_construction(),
+                            [this] { return shall_go_on(0.3); });
   }
 
   /// The input, in the kernel's order and with its edges: segments cut where vertices lie on them.
@@ -373,7 +379,7 @@ private:
     for (int round = 0; round < most_rounds; ++round) {
       state_.template make_Delaunay_exactly<Concurrency_tag>();
       if (!has_bad_on_worklist() || is_cancelled_ || report_.is_budget_exhausted) return;
-      run_to_the_end(refiner, state_.mesh.number_of_vertices() + vertex_budget());
+      run_to_the_end(refiner, budget_after_construction());
     }
     state_.template make_Delaunay_exactly<Concurrency_tag>();
   }

@@ -34,7 +34,8 @@ struct Placed_vertices {
   std::vector<Edge_id> edge_of;                 ///< as `Kernel_mesh::edge_of`
   std::vector<std::array<Vertex_id, 2>> segments;
 
-  explicit Placed_vertices(const std::vector<typename Geometry::Point>& input) : points(input), edge_of(input.size()) {
+  explicit Placed_vertices(const std::vector<typename Geometry::Point>& input)
+      : points(input), edge_of(input.size()) {
     for (std::size_t v = 0; v < input.size(); ++v) edge_of[v] = input_vertex(static_cast<Vertex_id>(v));
   }
 

@@ -19,6 +19,7 @@
 
 #include <CGAL/Quadtree_mesh_2/internal/Column_closure.h>
 #include <CGAL/Quadtree_mesh_2/internal/Column_placement.h>
+#include <CGAL/Quadtree_mesh_2/internal/Grid_box.h>
 #include <CGAL/Quadtree_mesh_2/internal/Placed_vertices.h>
 #include <CGAL/Quadtree_mesh_2/internal/Separation_trees.h>
 #include <CGAL/Quadtree_mesh_2/internal/Tree_corners.h>
@@ -45,22 +46,23 @@ public:
 
   /// \pre leaves are equal at vertices, and in columns along edges: `Separation_trees` sees to it
   Rule_placement(const Problem& problem, const Trees& trees)
-      : problem_(problem), trees_(trees), tree_(trees.tree()), corners_(trees.tree()) {}
+      : problem_(problem), trees_(trees), tree_(trees.tree()), corners_(trees.tree()),
+        box_(box_of_points<Concurrency_tag>(trees.tree())) {}
 
   Placed_vertices<Geometry> run() {
     Placed_vertices<Geometry> placed(problem_.input_points);
     placed.template append_vertices_of_edges<Concurrency_tag>(
         problem_.edges, [this](Edge_id e, auto& crossings) { cut_edge(e, crossings); });
     is_kept_.resize(corners_.number_of_names());
-    for_each_index<Concurrency_tag>(is_kept_.size(),
-                                    [&](std::size_t c) { is_kept_[c] = corners_.exists(c) ? 1 : 0; });
+    for_each_index<Concurrency_tag>(is_kept_.size(), [&](std::size_t c) {
+      is_kept_[c] = corners_.exists(c) && box_.contains(corners_.place(c)) ? 1 : 0;
+    });
     drop_corners(problem_.edges.size(), [this](std::size_t e, auto& names) {
       Edge edge(*this, static_cast<Edge_id>(e));
       edge.placement.for_each_dropped_corner([&](const Grid_point& p) { append_name(p, names); });
     });
-    drop_corners(problem_.input_points.size(), [this](std::size_t v, auto& names) {
-      find_corners_at(static_cast<Vertex_id>(v), names);
-    });
+    drop_corners(problem_.input_points.size(),
+                 [this](std::size_t v, auto& names) { find_corners_at(static_cast<Vertex_id>(v), names); });
     placed.template append_corners<Concurrency_tag>(trees_, corners_, is_kept_);
     return placed;
   }
@@ -81,6 +83,7 @@ private:
   const Trees& trees_;
   const Tree& tree_;
   Corners corners_;
+  const Grid_box<Grid_point> box_;
   std::vector<char> is_kept_; // by name of a corner
 
   Leaf_index leaf(Vertex_id v) const { return tree_.leaf(Point_index(std::size_t(v))); }
@@ -119,7 +122,8 @@ private:
 
   Edge_start start(Edge_id e, int end) const {
     const Vertex_id a = problem_.edges[e].a, b = problem_.edges[e].b;
-    return end == 0 ? placement_at(a).start_of_edge(direction(a, b)) : placement_at(b).start_of_edge(direction(b, a));
+    return end == 0 ? placement_at(a).start_of_edge(direction(a, b))
+                    : placement_at(b).start_of_edge(direction(b, a));
   }
 
   /// Where the ends' rules give way to that of columns, in units of the grid, by increasing u.
@@ -147,7 +151,8 @@ private:
   /// The points on the ring of the first end, the crossings, those on the ring of the second end.
   void cut_edge(Edge_id e, std::vector<Edge_crossing<Geometry>>& crossings) const {
     const Edge edge(*this, e);
-    const Point &a = problem_.input_point(problem_.edges[e].a), &b = problem_.input_point(problem_.edges[e].b);
+    const Point &a = problem_.input_point(problem_.edges[e].a),
+                &b = problem_.input_point(problem_.edges[e].b);
     const Vector d = Geometry::difference(b, a);
     const double length = std::sqrt(squared_length(d));
     std::vector<double> shares;
@@ -211,7 +216,8 @@ private:
     const Word step = Word_operations<Word>::power_of_two(tree_.framework().grid().depth() - s.level);
     for (int i = -1; i <= 2; ++i)
       for (int j = -1; j <= 2; ++j) {
-        if (std::sqrt(squared_length(low + Vector{i * side, j * side})) >= clear_of_lone_vertex_ * side) continue;
+        if (std::sqrt(squared_length(low + Vector{i * side, j * side})) >= clear_of_lone_vertex_ * side)
+          continue;
         const auto at = [&](const Word& w, int k) {
           return k < 0 ? static_cast<Word>(w - step) : static_cast<Word>(w + static_cast<Word>(k) * step);
         };

@@ -203,7 +203,8 @@ private:
   }
 
   void separate() {
-    while (split(leaves_with_near_pieces()) || split(leaves_near_pieces()) || split(leaves_that_break_rules())) {
+    while (split(leaves_with_near_pieces()) || split(leaves_near_pieces()) ||
+           split(leaves_that_break_rules())) {
     }
   }
 
@@ -240,6 +241,7 @@ private:
     Leaf_cells<typename Tree::Word> cells;
     std::vector<typename Leaf_cells<typename Tree::Word>::Ends> segments;
     std::vector<Edge_id> own, others;
+    Edge_id hider = -1; ///< among these
   };
 
   /// For T_B'': leaves too large for two pieces that bound a common cell in them.
@@ -288,6 +290,7 @@ private:
     const auto leaf = frame(l);
     auto &own = scratch.own, &others = scratch.others;
     own.clear(), others.clear();
+    scratch.hider = -1;
     for (const Edge_piece& p : pieces_in_leaves_[l]) own.push_back(edge(p));
     for (const Leaf_index n : tree_.neighbors(l))
       for (const Edge_piece& p : pieces_in_leaves_[n]) others.push_back(edge(p));
@@ -304,12 +307,18 @@ private:
 
   static Edge_id edge(const Edge_piece& p) { return static_cast<Edge_id>(p.segment.value()); }
 
-  /// Whether another edge lies between e and f.
-  bool is_hidden(const Local_gap& gap, Edge_id e, Edge_id f, const Scratch& scratch,
+  /// Whether another edge lies between e and f. The one that did for the last pair is asked first.
+  bool is_hidden(const Local_gap& gap, Edge_id e, Edge_id f, Scratch& scratch,
                  const typename Edge_gaps<Geometry>::Leaf& leaf) const {
     const auto hides = [&](Edge_id g) { return g != e && g != f && gap.is_blocked_by(gaps_.local(g, leaf)); };
-    return std::any_of(scratch.own.begin(), scratch.own.end(), hides) ||
-           std::any_of(scratch.others.begin(), scratch.others.end(), hides);
+    if (scratch.hider >= 0 && hides(scratch.hider)) return true;
+    for (const auto* edges : {&scratch.own, &scratch.others})
+      for (const Edge_id g : *edges)
+        if (hides(g)) {
+          scratch.hider = g;
+          return true;
+        }
+    return false;
   }
 };
 

@@ -55,6 +55,7 @@ public:
     state_.clear_worklist();
     state_.doubtful_sides.clear();
     state_.mesh = std::move(before);
+    push_all_bad();
     return false;
   }
 
@@ -70,12 +71,46 @@ private:
     constexpr int most_rounds = 5;
     Splitter<Geometry> splitter(state_);
     Refiner<Geometry> refiner(state_, splitter);
+    doubt_all_sides();
+    state_.legalize();
     refiner.push_all();
     for (int round = 0; round < most_rounds; ++round) {
       if (refiner.run(vertex_budget, shall_go_on) != Refinement_end::done) return false;
       state_.legalize(); // and what that makes bad is on the list again
-      if (state_.worklist.is_empty()) return true;
+      if (state_.worklist.is_empty()) return !is_any_bad();
     }
+    return false;
+  }
+
+  /// Removal and smoothing leave sides that are not Delaunay. The circumcentre of a triangle next to one may be a
+  /// vertex, and then refinement gives the triangle up.
+  void doubt_all_sides() {
+    for_each_triangle([this](Triangle_id t) {
+      for (int k = 0; k < 3; ++k) {
+        const Side o = state_.mesh.triangle(t).side[k];
+        if (!o.is_constrained() && t < o.triangle()) state_.doubtful_sides.push_back(Side(t, k));
+      }
+      return false;
+    });
+  }
+
+  /// The last flips before may have left some on the list, which was cleared.
+  void push_all_bad() {
+    for_each_triangle([this](Triangle_id t) {
+      if (state_.is_bad(t)) state_.worklist.push(t);
+      return false;
+    });
+  }
+
+  bool is_any_bad() const {
+    return for_each_triangle([this](Triangle_id t) { return state_.is_bad(t); });
+  }
+
+  /// Until `f` returns true; returns whether it did.
+  template <class Function>
+  bool for_each_triangle(const Function& f) const {
+    for (std::size_t t = 0; t < state_.mesh.triangles.size(); ++t)
+      if (state_.mesh.is_alive(static_cast<Triangle_id>(t)) && f(static_cast<Triangle_id>(t))) return true;
     return false;
   }
 };

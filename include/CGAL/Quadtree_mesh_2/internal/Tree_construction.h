@@ -61,8 +61,8 @@ public:
       : state_(state), mesh_(state.mesh), trees_(trees), map_(map), is_merged_(is_merged), domain_(domain),
         report_(report) {}
 
-  /// Replaces the mesh. What is below the bound at the end is on the worklist. `shall_go_on()` is asked once a
-  /// round; at most about `budget` vertices are made.
+  /// Replaces the mesh, if coordinates allow a round. What is below the bound at the end is on the worklist.
+  /// `shall_go_on()` is asked once a round; at most about `budget` vertices are made.
   template <class Continue>
   Construction_end run(Tree_separation_options_2::Placement placement, std::size_t budget,
                        const Continue& shall_go_on) {
@@ -78,7 +78,8 @@ public:
       for (const Triangle_id t : sharp) state_.worklist.push(t);
       if (sharp.empty()) return Construction_end::done;
       if (!shall_go_on()) return Construction_end::cancelled;
-      if (mesh_.number_of_vertices() >= budget || trees_.is_exhausted()) return Construction_end::out_of_budget;
+      if (mesh_.number_of_vertices() >= budget || trees_.is_exhausted())
+        return Construction_end::out_of_budget;
       if (!trees_.refine(leaves_to_blame(sharp))) return Construction_end::out_of_grid;
     }
   }

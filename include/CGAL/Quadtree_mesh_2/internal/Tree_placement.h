@@ -21,6 +21,7 @@
 #define CGAL_QUADTREE_MESH_2_INTERNAL_TREE_PLACEMENT_H
 
 #include <CGAL/Quadtree_mesh_2/internal/Column_rule.h>
+#include <CGAL/Quadtree_mesh_2/internal/Grid_box.h>
 #include <CGAL/Quadtree_mesh_2/internal/Placed_vertices.h>
 #include <CGAL/Quadtree_mesh_2/internal/Separation_trees.h>
 #include <CGAL/Quadtree_mesh_2/internal/Tree_corners.h>
@@ -57,8 +58,8 @@ public:
   using Problem = Meshing_problem<Geometry>;
 
   Tree_placement(const Problem& problem, const Trees& trees)
-      : problem_(problem), trees_(trees), tree_(trees.tree()), corners_(trees.tree()), box_(box_of_points()) {
-  }
+      : problem_(problem), trees_(trees), tree_(trees.tree()), corners_(trees.tree()),
+        box_(box_of_points<Concurrency_tag>(trees.tree())) {}
 
   Placed_vertices<Geometry> run() {
     Placed_vertices<Geometry> placed(problem_.input_points);
@@ -83,38 +84,8 @@ private:
   const Trees& trees_;
   const Tree& tree_;
   Corners corners_;
+  const Grid_box<Grid_point> box_;
   std::vector<char> is_kept_; // by name of a corner
-
-  // ---- the box of the input, on the grid: beyond it the domain has ended, and maybe the kernel's coordinates
-
-  struct Box {
-    Grid_point low, high;
-
-    Box united_with(const Box& b) const {
-      return {{std::min(low.x, b.low.x), std::min(low.y, b.low.y)},
-              {std::max(high.x, b.high.x), std::max(high.y, b.high.y)}};
-    }
-    bool contains(const Grid_point& p) const {
-      return !(p.x < low.x) && !(high.x < p.x) && !(p.y < low.y) && !(high.y < p.y);
-    }
-  };
-  const Box box_;
-
-  Box box_of_points() const {
-    const auto& framework = tree_.framework();
-    const auto box_of = [&](std::size_t i) {
-      const Grid_point p = framework.grid_point(Point_rank(i));
-      return Box{p, p};
-    };
-    return reduce<Concurrency_tag>(
-        framework.number_of_points(), box_of(0),
-        [&](std::size_t begin, std::size_t end) {
-          Box box = box_of(begin);
-          for (std::size_t i = begin + 1; i < end; ++i) box = box.united_with(box_of(i));
-          return box;
-        },
-        [](const Box& a, const Box& b) { return a.united_with(b); });
-  }
 
   // ---- on edges
 

@@ -42,7 +42,8 @@ struct Domain_rule {
 
 /// \param is_merged for each input vertex whether another one stands for it
 /// \param grid_point gives the grid point of a point
-/// \returns false if pieces of edges cross: coordinates do not suffice. The mesh is of no use then.
+/// \returns false if pieces of edges cross or nothing is left: coordinates do not suffice. The mesh is as it was
+/// then.
 template <class Concurrency_tag, class Geometry, class To_grid>
 bool triangulate_placed_vertices(const Placed_vertices<Geometry>& placed, const std::vector<char>& is_merged,
                                  const Domain_rule<Geometry>& domain, const To_grid& to_grid,
@@ -69,6 +70,7 @@ bool triangulate_placed_vertices(const Placed_vertices<Geometry>& placed, const 
   Kernel_mesh<Geometry> sorted;
   if (First(sorted, points).run(segments)) return false;
   domain.apply(sorted, First::number_of_auxiliary_vertices);
+  if (sorted.triangles.empty()) return false;
 
   mesh = Kernel_mesh<Geometry>();
   mesh.resize(placed.points.size(), 0);

@@ -61,8 +61,7 @@ public:
         const double along = x * direction.x + y * direction.y;
         const bool is_near_edge =
             along > 0 && along < vertex_reach && std::abs(direction.x * y - direction.y * x) < near_edge;
-        if (is_near_edge || std::hypot(x, y) < near_vertex)
-          f(Grid_point{at(corner_.x, i), at(corner_.y, j)});
+        if (is_near_edge || std::hypot(x, y) < near_vertex) f(Grid_point{at(corner_.x, i), at(corner_.y, j)});
       }
   }
 

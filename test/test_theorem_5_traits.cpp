@@ -1,0 +1,93 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+
+// Meshes by quadtrees over words and over exact coordinates.
+
+#include "catch.h"
+#include "theorem_5_tools.h"
+
+#include <CGAL/Exact_quadtree_traits_2.h>
+#include <CGAL/Fixed_point_quadtree_traits_2.h>
+#include <CGAL/Quality_mesher_2.h>
+#include <CGAL/mesh_quality_2.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+namespace {
+
+using namespace theorem_5_test;
+using Exact_traits = CGAL::Exact_quadtree_traits_2<>;
+
+/// Meshes by quadtrees, and checks the mesh. Vertices on edges are rounded to the grid of words: with those of 32 bits
+/// that shows.
+template <class Traits>
+void check_mesh(const CGAL::Pslg_2<typename Traits::Point_2>& pslg, double tolerance) {
+  CGAL::Quality_mesher_2<Traits> mesher(by_quadtrees());
+  const auto mesh = mesher(pslg);
+  CHECK(mesher.report().is_met());
+  CHECK(mesher.report().trees.rounds > 0);
+  CHECK(mesher.report().trees.missed == 0);
+  CGAL::Mesh_quality_options_2 check = CGAL::Mesh_quality_options_2().min_angle(20.7);
+  if (tolerance > 0) check.tolerance_on_edge = tolerance;
+  const auto quality = CGAL::mesh_quality_2(mesh, pslg, check);
+  for (const std::string& error : quality.errors) UNSCOPED_INFO(error);
+  CHECK(quality.is_valid());
+  CHECK(quality.unmet_triangles.empty());
+  CHECK(quality.exempt_triangles == mesher.report().exempt_triangles.size());
+}
+
+/// The graph with its coordinates divided by 3.
+CGAL::Pslg_2<Exact_traits::Point_2> in_thirds(const Pslg& pslg) {
+  using FT = CGAL::Epeck::FT;
+  const auto map = [](const auto& p) {
+    const Exact_traits::Point_2 q(FT(p.x()) / 3, FT(p.y()) / 3);
+    CGAL::exact(q); // the arithmetic is done here, not in the mesher
+    return q;
+  };
+  CGAL::Pslg_2<Exact_traits::Point_2> result;
+  for (const auto& p : pslg.vertices) result.add_vertex(map(p));
+  for (const auto& p : pslg.holes) result.holes.push_back(map(p));
+  result.segments = pslg.segments;
+  return result;
+}
+
+} // namespace
+
+TEMPLATE_TEST_CASE("Integers are meshed by quadtrees", "[mesher][theorem5]", std::uint32_t, std::uint64_t) {
+  using Traits = CGAL::Fixed_point_quadtree_traits_2<TestType>;
+  const std::string name =
+      GENERATE(as<std::string>(), "syn_holes_400.poly.gz", "syn_wedge_1deg.poly", "syn_comb.poly");
+  CAPTURE(name);
+  const Pslg pslg = read(name);
+  const auto scale = CGAL::Fixed_point_scale_2<TestType>::of_points(pslg.vertices);
+  CGAL::Pslg_2<typename Traits::Point_2> fixed;
+  for (const auto& p : pslg.vertices) fixed.vertices.push_back(scale.to_fixed(p.x(), p.y()));
+  for (const auto& p : pslg.holes) fixed.holes.push_back(scale.to_fixed(p.x(), p.y()));
+  fixed.segments = pslg.segments;
+  check_mesh<Traits>(fixed, 1e-9);
+}
+
+TEST_CASE("Rational graphs are meshed by quadtrees", "[mesher][theorem5][exact]") {
+  for (const std::string name : {"syn_square.poly", "syn_sliver_1deg.poly", "syn_near_1e-06.poly",
+                                 "syn_near_1e-12.poly", "syn_wedge_0.01deg.poly", "syn_wedge_10deg.poly",
+                                 "hard_lattice_21260.poly", "hard_visibility_graph_2608.poly"}) {
+    CAPTURE(name);
+    check_mesh<Exact_traits>(in_thirds(read(name)), 0);
+  }
+}
+
+TEST_CASE("Rational random graphs are meshed by quadtrees", "[mesher][theorem5][exact]") {
+  const std::uint64_t seeds = is_full_run() ? 50 : 1;
+  for (const random_pslg::Family& family : random_pslg::all_families())
+    for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+      const Pslg pslg = family.make(seed);
+      if (pslg.number_of_vertices() > 150) continue;
+      CAPTURE(family.name, seed);
+      check_mesh<Exact_traits>(in_thirds(pslg), 0);
+    }
+}
