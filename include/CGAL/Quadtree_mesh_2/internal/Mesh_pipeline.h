@@ -266,18 +266,21 @@ private:
   std::size_t vertex_budget() const {
     if (options_.vertex_budget > 0) return options_.vertex_budget;
     // What 32-bit handles allow, and a large multiple of what is to be expected: no proof says that refinement ends.
-    const double expected = static_cast<double>(pslg_.number_of_vertices()) + report_.estimated_triangles;
     const double patience = options_.refinement_patience;
-    return static_cast<std::size_t>(std::min(static_cast<double>(Triangle_budget::most_vertices),
-                                             patience * expected + (patience > 0 ? 2e6 : 0)));
+    return at_most_handles(patience * expected_vertices() + (patience > 0 ? 2e6 : 0));
+  }
+
+  double expected_vertices() const {
+    return static_cast<double>(pslg_.number_of_vertices()) + report_.estimated_triangles;
+  }
+  static std::size_t at_most_handles(double vertices) {
+    return static_cast<std::size_t>(std::min(static_cast<double>(Triangle_budget::most_vertices), vertices));
   }
 
   /// Quadtrees make ten times the triangles needed, a hundred times with the placement by rule.
   std::size_t budget_of_construction() const {
     if (options_.vertex_budget > 0) return options_.vertex_budget;
-    const double expected = static_cast<double>(pslg_.number_of_vertices()) + report_.estimated_triangles;
-    return static_cast<std::size_t>(
-        std::min(static_cast<double>(Triangle_budget::most_vertices), 1000 * expected + 1e7));
+    return at_most_handles(1000 * expected_vertices() + 1e7);
   }
 
   /// False if quadtrees have to take over.
@@ -323,16 +326,18 @@ private:
     if (make_mesh_by_trees() == Construction_end::out_of_budget) report_.is_budget_exhausted = true;
     Phase_timer timer(report_.seconds.refine);
     refiner.push_all();
-    run_to_the_end(refiner, budget_after_construction());
+    run_to_the_end(refiner, budget_of_repair());
     state_.legalize();
     if (options_.coarsening == Quality_mesh_options_2::Coarsening::NONE) return;
     finishing_.smoothing_rounds = std::max(options_.smoothing_rounds, rounds_after_construction_);
     finishing_.thinning_rounds = std::max(options_.thinning_rounds, rounds_after_construction_);
   }
 
-  std::size_t budget_after_construction() const {
-    return options_.vertex_budget > 0 ? options_.vertex_budget
-                                      : state_.mesh.number_of_vertices() + vertex_budget();
+  /// For what refinement has to do in a mesh that is made.
+  std::size_t budget_of_repair() const {
+    if (options_.vertex_budget > 0) return options_.vertex_budget;
+    return at_most_handles(static_cast<double>(state_.mesh.number_of_vertices()) + 10 * expected_vertices() +
+                           2e6);
   }
 
   Construction_end make_mesh_by_trees() {
@@ -368,7 +373,7 @@ private:
     if (is_cancelled_) return;
     finish_mesh(state_, finishing_, [this] { return shall_go_on(0.85); });
     for (int round = 0; round < finishing_.thinning_rounds; ++round)
-      if (!Thinner<Geometry>(state_).run(vertex_budget(), [this] { return shall_go_on(0.9); })) return;
+      if (!Thinner<Geometry>(state_).run(budget_of_repair(), [this] { return shall_go_on(0.9); })) return;
   }
 
   /// Makes the mesh exactly constrained Delaunay. Such flips never lower the least angle of a pair; should
@@ -379,7 +384,7 @@ private:
     for (int round = 0; round < most_rounds; ++round) {
       state_.template make_Delaunay_exactly<Concurrency_tag>();
       if (!has_bad_on_worklist() || is_cancelled_ || report_.is_budget_exhausted) return;
-      run_to_the_end(refiner, budget_after_construction());
+      run_to_the_end(refiner, budget_of_repair());
     }
     state_.template make_Delaunay_exactly<Concurrency_tag>();
   }
