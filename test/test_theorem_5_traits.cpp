@@ -26,8 +26,9 @@ using Exact_traits = CGAL::Exact_quadtree_traits_2<>;
 /// Meshes by quadtrees, and checks the mesh. Vertices on edges are rounded to the grid of words: with those of 32 bits
 /// that shows.
 template <class Traits>
-void check_mesh(const CGAL::Pslg_2<typename Traits::Point_2>& pslg, double tolerance) {
-  CGAL::Quality_mesher_2<Traits> mesher(by_quadtrees());
+void check_mesh(const CGAL::Pslg_2<typename Traits::Point_2>& pslg, double tolerance,
+                const Options& options = by_quadtrees()) {
+  CGAL::Quality_mesher_2<Traits> mesher(options);
   const auto mesh = mesher(pslg);
   CHECK(mesher.report().is_met());
   CHECK(mesher.report().trees.rounds > 0);
@@ -70,6 +71,9 @@ TEMPLATE_TEST_CASE("Integers are meshed by quadtrees", "[mesher][theorem5]", std
   for (const auto& p : pslg.holes) fixed.holes.push_back(scale.to_fixed(p.x(), p.y()));
   fixed.segments = pslg.segments;
   check_mesh<Traits>(fixed, 1e-9);
+  if (name == "syn_wedge_1deg.poly")
+    check_mesh<Traits>(fixed, 1e-9,
+                       Options().separate(Tree_options().place(Tree_options::Placement::BY_RULE)));
 }
 
 TEST_CASE("Rational graphs are meshed by quadtrees", "[mesher][theorem5][exact]") {
@@ -81,12 +85,20 @@ TEST_CASE("Rational graphs are meshed by quadtrees", "[mesher][theorem5][exact]"
   }
 }
 
+TEST_CASE("Rational graphs are meshed by rule alone", "[mesher][theorem5][exact]") {
+  for (const std::string name : {"syn_square.poly", "syn_wedge_10deg.poly"}) {
+    CAPTURE(name);
+    check_mesh<Exact_traits>(in_thirds(read(name)), 0,
+                             Options().separate(Tree_options().place(Tree_options::Placement::BY_RULE)));
+  }
+}
+
 TEST_CASE("Rational random graphs are meshed by quadtrees", "[mesher][theorem5][exact]") {
   const std::uint64_t seeds = is_full_run() ? 50 : 1;
   for (const random_pslg::Family& family : random_pslg::all_families())
     for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
       const Pslg pslg = family.make(seed);
-      if (pslg.number_of_vertices() > 150) continue;
+      if (pslg.number_of_vertices() > (is_full_run() ? 150u : 50u)) continue;
       CAPTURE(family.name, seed);
       check_mesh<Exact_traits>(in_thirds(pslg), 0);
     }

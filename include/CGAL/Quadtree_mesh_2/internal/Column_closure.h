@@ -28,6 +28,7 @@
 
 #include <CGAL/Quadtree_mesh_2/Index.h>
 #include <CGAL/Quadtree_mesh_2/internal/Edge_columns.h>
+#include <CGAL/Quadtree_mesh_2/internal/leaves_in_order.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel.h>
 
 #include <algorithm>
@@ -262,12 +263,7 @@ std::vector<Leaf_index> leaves_to_split_for_columns(const Tree& tree, const Piec
         std::sort(of_block[b].begin(), of_block[b].end());
         of_block[b].erase(std::unique(of_block[b].begin(), of_block[b].end()), of_block[b].end());
       });
-  std::vector<std::uint8_t> is_wanted(tree.number_of_leaves(), 0);
-  for (const auto& leaves : of_block)
-    for (const Leaf_index l : leaves) is_wanted[std::size_t(l)] = 1;
-  return pack_values<Concurrency_tag, Leaf_index>(
-      is_wanted.size(), [&](std::size_t l) { return is_wanted[l] != 0; },
-      [](std::size_t l) { return Leaf_index(l); });
+  return in_order<Concurrency_tag>(of_block, tree.number_of_leaves());
 }
 
 } // namespace internal

@@ -178,7 +178,8 @@ private:
                                     const Product& u, const Product& v, double h) const {
     const Word width = wider(change.line);
     const Product side(width);
-    const Product other = change.fine == Fine_side::GREATER ? u - side : u + side, low = v - v % side;
+    const Product other = change.fine == Fine_side::GREATER ? Product(u - side) : Product(u + side);
+    const Product low = v - v % side;
     const auto is_opposite_kept = [&](const Product& w) {
       const double g = height(other, w, width);
       return (g > 0) == (h > 0) && is_kept(std::abs(g) / length_, Column_place::BEFORE, thresholds);
