@@ -310,7 +310,7 @@ TEST_CASE("A CGAL triangulation is refined in place", "[mesher]") {
   Cdt open;
   open.insert_constraint(Point(0, 0), Point(1, 0));
   open.insert(Point(0, 1));
-  CHECK_THROWS_AS(CGAL::refine_quality_mesh_2(open), CGAL::Pslg_error_2);
+  CHECK(CGAL::refine_quality_mesh_2(open).triangles == 0); // no domain
   CHECK(open.number_of_vertices() == 3);
 }
 
