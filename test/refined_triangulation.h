@@ -39,8 +39,10 @@ inline Pslg nested() {
 template <class Triangulation>
 std::vector<typename Triangulation::Vertex_handle> insert_graph(Triangulation& cdt, const Pslg& pslg) {
   std::vector<typename Triangulation::Vertex_handle> handles;
-  for (const Point& p : pslg.vertices) handles.push_back(cdt.insert(typename Triangulation::Point(p.x(), p.y())));
-  for (const auto& s : pslg.segments) cdt.insert_constraint(handles[std::size_t(s[0])], handles[std::size_t(s[1])]);
+  for (const Point& p : pslg.vertices)
+    handles.push_back(cdt.insert(typename Triangulation::Point(p.x(), p.y())));
+  for (const auto& s : pslg.segments)
+    cdt.insert_constraint(handles[std::size_t(s[0])], handles[std::size_t(s[1])]);
   return handles;
 }
 
@@ -67,9 +69,9 @@ std::size_t number_of_bad(const Triangulation& cdt, const Criteria& criteria) {
 /// Checks the triangulation as such, and its domain against the graph, for which the graph's holes, or with
 /// `marked_by_regions` its regions, tell the domain.
 template <class Triangulation>
-void require_mesh(const Triangulation& cdt, const Pslg& pslg, double least_angle,
-                  CGAL::Mesh_quality_options_2::Domain rule =
-                      CGAL::Mesh_quality_options_2::Domain::enclosed_by_segments) {
+void require_mesh(
+    const Triangulation& cdt, const Pslg& pslg, double least_angle,
+    CGAL::Mesh_quality_options_2::Domain rule = CGAL::Mesh_quality_options_2::Domain::enclosed_by_segments) {
   REQUIRE(cdt.is_valid());
   CGAL::Mesh_quality_options_2 options = CGAL::Mesh_quality_options_2().min_angle(least_angle);
   options.domain = rule;

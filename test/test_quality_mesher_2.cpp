@@ -12,6 +12,7 @@
 #include <CGAL/IO/Triangle_files.h>
 #include <CGAL/Quality_mesher_2.h>
 #include <CGAL/mesh_quality_2.h>
+#include <CGAL/refine_quality_mesh_2.h>
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Delaunay_mesh_face_base_2.h>

@@ -15,6 +15,7 @@
 #include <CGAL/Delaunay_mesh_face_base_2.h>
 #include <CGAL/Delaunay_mesh_size_criteria_2.h>
 #include <CGAL/Quality_mesher_2.h>
+#include <CGAL/refine_quality_mesh_2.h>
 
 #include <algorithm>
 #include <array>

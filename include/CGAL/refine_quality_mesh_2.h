@@ -112,9 +112,11 @@ Quality_mesh_report_2 refine_quality_mesh_2(Cdt& cdt, const CGAL_NP_CLASS& np) {
   using parameters::get_parameter_reference;
   using Default_criteria = Delaunay_mesh_size_criteria_2<Cdt>;
   using Default_seeds = std::vector<typename Cdt::Point>;
+  using Seeds = typename internal_np::Lookup_named_param_def<internal_np::seeds_t, CGAL_NP_CLASS,
+                                                             Default_seeds>::reference;
   if (!choose_parameter(get_parameter(np, internal_np::domain_is_initialized), false)) {
-    const Default_seeds no_seeds;
-    const auto& seeds = choose_parameter(get_parameter_reference(np, internal_np::seeds), no_seeds);
+    Default_seeds no_seeds;
+    Seeds seeds = choose_parameter(get_parameter_reference(np, internal_np::seeds), no_seeds);
     const bool mark = choose_parameter(get_parameter(np, internal_np::seeds_are_in_domain), false);
     Quadtree_mesh_2::internal::mark_by_seeds(cdt, std::begin(seeds), std::end(seeds), mark);
   }
