@@ -89,8 +89,7 @@ TEST_CASE("surfaces are meshed in a projection", "[refine_quality_mesh_2]") {
   }
   SECTION("along a given direction") {
     using Traits = CGAL::Projection_traits_3<Kernel>;
-    const double r = std::sqrt(0.5);
-    refine_hill(Cdt_over<Traits>(Traits(Kernel::Vector_3(1, 0, 1))),
-                [r](double u, double v, double h) { return Point_3(r * u + r * h, v, -r * u + r * h); });
+    refine_hill(Cdt_over<Traits>(Traits(Kernel::Vector_3(0, -2, 0))),
+                [](double u, double v, double h) { return Point_3(u, -h, v); });
   }
 }

@@ -43,8 +43,9 @@ namespace CGAL {
 ///
 /// \tparam CDT a `Constrained_Delaunay_triangulation_2`, or a `Constrained_triangulation_plus_2` of one, whose faces
 /// model `DelaunayMeshFaceBase_2`; over a kernel with double coordinates (its predicates need not be exact) or with
-/// exact ones, or over traits that project points with double coordinates to a plane. New points are then on the
-/// surface that the triangulation was.
+/// exact ones; or over traits that project points with double coordinates along an axis (`Projection_traits_xy_3` and its
+/// like, `Projection_traits_3` with such a normal). New points are then on the surface that the triangulation was. (Other
+/// normals work, too, up to rounding at the convex hull; but \cgal's criteria measure partly in space there.)
 /// \tparam Criteria_ a model of `MeshingCriteria_2`. Its `bound()` and `size_bound()`, where it has them, are read; it
 /// is asked for every face of the mesh, and also for single triangles in a triangulation of their own.
 template <class CDT, class Criteria_ = Delaunay_mesh_size_criteria_2<CDT>>
