@@ -160,9 +160,9 @@ public:
     template <class Output_iterator>
     Output_iterator operator()(const X_monotone_curve_2& c, const X_monotone_curve_2& d,
                                Output_iterator out) const {
-      using Result = Cgal_variant<std::pair<Point_2, Multiplicity>, X_monotone_curve_2>;
       const Place p = g_.meeting(c, d);
-      if (p.is_valid()) *out++ = Result(std::make_pair(Point_2{p}, Multiplicity(1)));
+      // Not as a variant of these types: CGAL 6 collects points of its own, made of these.
+      if (p.is_valid()) *out++ = std::make_pair(Point_2{p}, Multiplicity(1));
       return out;
     }
 
