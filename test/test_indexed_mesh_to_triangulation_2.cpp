@@ -205,6 +205,28 @@ TEST_CASE("border vertices an ulp off a slanted hull edge", "[indexed_mesh_to_tr
   }
 }
 
+TEST_CASE("segments of components that are not meshed", "[indexed_mesh_to_triangulation_2]") {
+  Pslg pslg;
+  add_polygon(pslg, square(0, 0, 4));
+  for (const Point& p :
+       {Point(0, -4), Point(0, 4), Point(-4, 1), Point(-2, 1), Point(0, 1), Point(2, 1), Point(3, 1)})
+    pslg.add_vertex(p);
+  add_segment(pslg, 4, 5);  // halves the square
+  add_segment(pslg, 6, 9);  // goes through both halves
+  add_segment(pslg, 9, 10); // is in the right half
+  for (const bool is_left : {true, false}) {
+    // the mesh of one half, in the indices of the whole
+    Pslg half = pslg;
+    half.holes.push_back(is_left ? Point(1, 0) : Point(-1, 0));
+    const Mesh mesh = mesh_of(half, 0.7);
+    const Info_cdt cdt = convert(mesh, pslg); // which knows nothing of the hole
+    CHECK(number_in_domain(cdt) == mesh.triangles.size());
+    double length = 0;
+    for (auto e : cdt.constrained_edges()) length += std::sqrt(cdt.segment(e).squared_length());
+    CHECK(length == Approx(32 + 8 + 6 + 1));
+  }
+}
+
 TEST_CASE("inputs without a domain", "[indexed_mesh_to_triangulation_2]") {
   Pslg pslg;
   CHECK(convert(Mesh(), pslg).number_of_vertices() == 0);

@@ -13,6 +13,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/Input_domain.h>
 #include <CGAL/Quality_mesh_report_2.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -135,10 +136,46 @@ private:
     if (is_complete) return;
     const Input_domain<Kernel> domain(pslg.vertices, pslg.segments, pslg.holes);
     if (domain.has_crossings()) throw Pslg_error_2("input segments cross");
+    const auto spokes = spokes_of_mesh(odd, domain);
     for (const auto& piece : domain.pieces())
-      if (!piece.is_in_domain() && odd[std::size_t(piece.segment)] != 0 && is_chosen_[piece.ends[0]] != 0 &&
-          is_chosen_[piece.ends[1]] != 0)
+      if (odd[std::size_t(piece.segment)] != 0 && is_chosen_[piece.ends[0]] != 0 &&
+          is_chosen_[piece.ends[1]] != 0 && !has_spoke_along(spokes, piece))
         outside_pieces_.push_back(piece.ends);
+  }
+
+  /// An edge of the mesh on a segment, seen from an input vertex, or the place of one.
+  struct Spoke {
+    std::uint32_t segment, from, to;
+    friend bool operator<(const Spoke& s, const Spoke& t) {
+      return s.segment != t.segment ? s.segment < t.segment : s.from < t.from;
+    }
+  };
+
+  /// Those on segments that are not in the mesh from end to end, sorted.
+  std::vector<Spoke> spokes_of_mesh(const std::vector<std::uint64_t>& odd,
+                                    const Input_domain<Kernel>& domain) const {
+    std::vector<Spoke> spokes;
+    for (const auto& e : mesh_.constrained_edges) {
+      if (std::size_t(e.segment) >= odd.size() || odd[std::size_t(e.segment)] == 0) continue;
+      for (std::size_t i = 0; i < 2; ++i)
+        if (e.vertices[i].value() < number_of_input_vertices_)
+          spokes.push_back(
+              {e.segment.value(), domain.place(e.vertices[i].value()), e.vertices[1 - i].value()});
+    }
+    std::sort(spokes.begin(), spokes.end());
+    return spokes;
+  }
+
+  /// Whether the mesh has an edge that leaves an end of the piece along it: then it has the whole piece, by whatever
+  /// rule its domain was chosen.
+  bool has_spoke_along(const std::vector<Spoke>& spokes,
+                       const typename Input_domain<Kernel>::Piece& piece) const {
+    const Point &p = mesh_.points[piece.ends[0]], &q = mesh_.points[piece.ends[1]];
+    const auto [begin, end] =
+        std::equal_range(spokes.begin(), spokes.end(), Spoke{piece.segment.value(), piece.ends[0], 0});
+    return std::any_of(begin, end, [&](const Spoke& s) {
+      return typename Kernel::Angle_2()(mesh_.points[s.to], p, q) == ACUTE;
+    });
   }
 
   void insert_segments() {
