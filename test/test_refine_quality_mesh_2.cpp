@@ -223,20 +223,19 @@ TEST_CASE("a hierarchy of constraints knows the pieces", "[refine_quality_mesh_2
     std::size_t constrained = 0;
     for (auto e : cdt.finite_edges()) constrained += cdt.is_constrained(e) ? 1 : 0;
     CHECK(std::size_t(cdt.number_of_subconstraints()) == constrained);
-    for (auto s = cdt.subconstraints_begin(); s != cdt.subconstraints_end(); ++s) {
-      Cdt_plus::Face_handle f;
-      int i = 0;
-      REQUIRE(cdt.is_edge((*s).first.first, (*s).first.second, f, i));
-      CHECK(f->is_constrained(i));
-    }
     for (const auto& id : ids) {
-      std::vector<Point> chain; // its iterators only go forward
-      for (auto v = cdt.vertices_in_constraint_begin(id); v != cdt.vertices_in_constraint_end(id); ++v)
-        chain.push_back((*v)->point());
+      std::vector<Cdt_plus::Vertex_handle> chain(cdt.vertices_in_constraint_begin(id),
+                                                 cdt.vertices_in_constraint_end(id));
       double length = 0;
-      for (std::size_t i = 1; i < chain.size(); ++i)
-        length += std::sqrt(CGAL::squared_distance(chain[i - 1], chain[i]));
-      CHECK(length == Approx(std::sqrt(CGAL::squared_distance(chain.front(), chain.back()))));
+      for (std::size_t i = 1; i < chain.size(); ++i) {
+        length += std::sqrt(CGAL::squared_distance(chain[i - 1]->point(), chain[i]->point()));
+        Cdt_plus::Face_handle f;
+        int side = 0;
+        REQUIRE(cdt.is_edge(chain[i - 1], chain[i], f, side));
+        CHECK(f->is_constrained(side));
+      }
+      CHECK(length ==
+            Approx(std::sqrt(CGAL::squared_distance(chain.front()->point(), chain.back()->point()))));
     }
   }
   cdt.remove_constraint(ids[0]); // and lets them go again
