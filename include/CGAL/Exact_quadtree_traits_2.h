@@ -65,6 +65,10 @@ class Exact_quadtree_traits_2 {
   using Floor = Quadtree_mesh_2::internal::Floor_of_scaled<Exact>;
 
 public:
+  /// \name Types
+  /// @{
+
+  /// As `QuadtreeTraits_2` has them.
   using Point_2 = typename Kernel::Point_2;
   using Word = Quadtree_mesh_2::internal::Long_word;
   using Grid_point = Quadtree_mesh_2::Grid_point_2<Word>;
@@ -72,6 +76,7 @@ public:
       is_over_double,
       Quadtree_mesh_2::internal::Double_geometry_2<Exact_predicates_inexact_constructions_kernel>,
       Quadtree_mesh_2::internal::Exact_geometry_2<Kernel>>;
+  /// @}
 
   /// The map between points and the grid. The default is the grid of no points.
   class Grid_2 {
@@ -214,6 +219,7 @@ public:
     }
   };
 
+  /// What makes grids.
   Construct_grid_2 construct_grid_2_object() const { return {}; }
 
 private:

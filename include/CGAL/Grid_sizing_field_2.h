@@ -42,6 +42,7 @@ public:
       if (!(size > 0)) throw std::invalid_argument("the sizes of a sizing grid have to be positive");
   }
 
+  /// The size at (x, y).
   double operator()(double x, double y) const {
     const Cell i = cell(x, 0), j = cell(y, 1);
     const auto in_row = [&](std::size_t row) {

@@ -46,10 +46,15 @@ namespace CGAL {
 template <class Traits = Filtered_quadtree_traits_2<>, class ConcurrencyTag = Sequential_tag>
 class Quality_mesher_2 {
 public:
+  /// \name Types
+  /// @{
+
+  /// What goes in and what comes out.
   using Geom_traits = Traits;
   using Point_2 = typename Traits::Point_2;
   using Pslg = Pslg_2<Point_2>;
   using Mesh = Indexed_mesh_2<Point_2>;
+  /// @}
 
   /// \throws std::invalid_argument if an option is out of its range.
   explicit Quality_mesher_2(Quality_mesh_options_2 options = {}, const Traits& traits = Traits())
@@ -87,6 +92,7 @@ public:
 
   /// What the last run reached.
   const Quality_mesh_report_2& report() const { return report_; }
+  /// What is asked for.
   const Quality_mesh_options_2& options() const { return options_; }
 
 private:

@@ -42,8 +42,9 @@ enum class Pslg_crossing_rule_2 {
   SPLIT  ///< a new vertex cuts both
 };
 
+/// What `repair_pslg_2()` shall do.
 struct Pslg_repair_options_2 {
-  Pslg_crossing_rule_2 crossings = Pslg_crossing_rule_2::THROW;
+  Pslg_crossing_rule_2 crossings = Pslg_crossing_rule_2::THROW; ///< what becomes of crossings
 };
 
 /// What `repair_pslg_2()` did.
@@ -60,6 +61,7 @@ struct Pslg_repair_report_2 {
   std::size_t split_segments = 0;       ///< input segments with a vertex or a crossing inside
   std::size_t crossings = 0;            ///< new vertices where segments crossed: the last ones of the result
 
+  /// Whether there was nothing to repair.
   bool is_unchanged() const {
     return merged_vertices + zero_length_segments + overlapping_segments + split_segments + crossings == 0;
   }

@@ -23,15 +23,20 @@ namespace Quadtree_mesh_2 {
 template <class Tag>
 class Index {
 public:
-  using size_type = std::uint32_t;
+  using size_type = std::uint32_t; ///< what it holds
 
   constexpr Index() = default;
+  /// The index `i`.
   constexpr explicit Index(std::size_t i) : value_(static_cast<size_type>(i)) {}
 
+  /// The number.
   constexpr size_type value() const { return value_; }
+  /// The number, for looking up arrays.
   constexpr explicit operator std::size_t() const { return value_; }
+  /// Whether it is one.
   constexpr bool is_valid() const { return value_ != invalid_; }
 
+  /// The next one.
   Index& operator++() {
     ++value_;
     return *this;
@@ -70,8 +75,10 @@ using Point_index = Index<Point_tag>;
 } // namespace Quadtree_mesh_2
 } // namespace CGAL
 
+/// Indices in unordered containers.
 template <class Tag>
 struct std::hash<CGAL::Quadtree_mesh_2::Index<Tag>> {
+  /// The hash of the number.
   std::size_t operator()(CGAL::Quadtree_mesh_2::Index<Tag> i) const noexcept {
     return std::hash<std::uint32_t>()(i.value());
   }
