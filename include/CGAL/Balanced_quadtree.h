@@ -48,6 +48,7 @@ namespace CGAL {
 
 namespace Quadtree_mesh_2 {
 
+/// \ingroup PkgQuadtreeMesh2Quadtrees
 /// Leaves that follow each other in shuffle order.
 struct Leaf_interval {
   Leaf_index begin; ///< the first
@@ -59,6 +60,7 @@ struct Leaf_interval {
 
 } // namespace Quadtree_mesh_2
 
+/// \ingroup PkgQuadtreeMesh2Quadtrees
 /// The smallest quadtree that separates points and is balanced (Theorems 1 and 2).
 ///
 /// Nodes are squares, split ones and leaves. They are numbered level by level, in shuffle order within a

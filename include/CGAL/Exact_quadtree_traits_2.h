@@ -26,6 +26,7 @@
 
 namespace CGAL {
 
+/// \ingroup PkgQuadtreeMesh2Traits
 /// Quadtrees of points of a CGAL kernel with exact constructions, of any depth.
 ///
 /// Coordinates may be any numbers of the kernel's field: 1/3, \f$ 10^{400} \f$ and \f$ 2^{-5000} \f$ in one

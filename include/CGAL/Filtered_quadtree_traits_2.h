@@ -23,6 +23,7 @@
 
 namespace CGAL {
 
+/// \ingroup PkgQuadtreeMesh2Traits
 /// Quadtrees of points of a CGAL kernel over `double`.
 ///
 /// The grid has \f$ 2^{62} \f$ units to a side. Its unit is a power of two; the smallest root is taken that

@@ -24,6 +24,7 @@
 
 namespace CGAL {
 
+/// \ingroup PkgQuadtreeMesh2Traits
 /// A point with unsigned integer coordinates, the paper's fixed-point model of input.
 /// \tparam Word `std::uint32_t` or `std::uint64_t`.
 template <class Word>
@@ -51,6 +52,7 @@ struct Fixed_point_2 {
   }
 };
 
+/// \ingroup PkgQuadtreeMesh2Traits
 /// Quadtrees of points with integer coordinates. The grid is that of the integers and the root is
 /// \f$ [0, 2^{31})^2 \f$ or \f$ [0, 2^{62})^2 \f$: upper corners and differences of coordinates fit signed
 /// words.
@@ -109,6 +111,7 @@ public:
   Construct_grid_2 construct_grid_2_object() const { return {}; }
 };
 
+/// \ingroup PkgQuadtreeMesh2Traits
 /// The affine map between doubles and fixed points.
 ///
 /// The unit is the smallest power of two with which a bounding box fits the middle half of the root of

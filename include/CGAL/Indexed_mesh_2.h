@@ -15,6 +15,7 @@
 
 namespace CGAL {
 
+/// \ingroup PkgQuadtreeMesh2Data
 /// A triangle mesh in flat arrays: what `Quality_mesher_2` makes, before it becomes a CGAL triangulation,
 /// matrices or a file.
 ///

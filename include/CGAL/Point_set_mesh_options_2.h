@@ -13,6 +13,7 @@
 
 namespace CGAL {
 
+/// \ingroup PkgQuadtreeMesh2Meshers
 /// What `Point_set_mesher_2` shall make. Every field has its default; set fields directly or by chained calls:
 /// `Point_set_mesh_options_2().bounded_angles(36, 80).effort(1)`.
 struct Point_set_mesh_options_2 {

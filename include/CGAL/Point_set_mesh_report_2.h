@@ -15,6 +15,7 @@
 
 namespace CGAL {
 
+/// \ingroup PkgQuadtreeMesh2Meshers
 /// What `Point_set_mesher_2` reached, and how.
 struct Point_set_mesh_report_2 {
   /// A triangle with an angle outside the range. There is none unless points are so near to each other that their

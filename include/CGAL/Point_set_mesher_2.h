@@ -21,6 +21,7 @@
 
 namespace CGAL {
 
+/// \ingroup PkgQuadtreeMesh2Meshers
 /// Triangulates a set of points, with Steiner points, so that all angles are in a range or all acute.
 ///
 /// Every point of the input is a vertex of the mesh, with its coordinates bit for bit; equal points are merged. What is

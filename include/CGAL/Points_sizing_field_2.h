@@ -18,12 +18,14 @@
 
 namespace CGAL {
 
+/// \ingroup PkgQuadtreeMesh2Meshers
 /// A size at every place from points with sizes, for `Quality_mesh_options_2::size()`: the least of `size of
 /// the point + gradation * distance to it` over all points.
 ///
 /// A k-d tree (Bentley, 1975) whose nodes know their bounding box and least size; the branch that may hold
 /// the least value is searched first, and one that cannot is left out. Calls by several threads at once are
 /// safe. O(n log n) to build; O(log n) a call where sizes grow no faster than the gradation, which is usual.
+/// \cgalModels{SizingField_2}
 class Points_sizing_field_2 {
 public:
   /// A place, and the size there.

@@ -15,6 +15,7 @@
 
 namespace CGAL {
 
+/// \ingroup PkgQuadtreeMesh2Data
 /// A planar straight-line graph: vertices, segments between them, and points that mark holes and regions.
 ///
 /// A plain container in structure-of-arrays form; all indices are 0-based. What its arrays have to fulfil is

@@ -43,9 +43,11 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 
 struct Rank_tag {};
+/// \ingroup PkgQuadtreeMesh2Quadtrees
 /// Place of a point in the shuffle order of the distinct points.
 using Point_rank = Index<Rank_tag>;
 
+/// \ingroup PkgQuadtreeMesh2Quadtrees
 /// Points that follow each other in shuffle order.
 struct Rank_interval {
   Point_rank begin; ///< the first
@@ -58,6 +60,7 @@ struct Rank_interval {
   }
 };
 
+/// \ingroup PkgQuadtreeMesh2Quadtrees
 /// A point of the input that equals an earlier one and was merged with it.
 struct Duplicate_point {
   Point_index kept;      ///< the earlier one
@@ -66,6 +69,7 @@ struct Duplicate_point {
 
 } // namespace Quadtree_mesh_2
 
+/// \ingroup PkgQuadtreeMesh2Quadtrees
 /// The framework \f$ T_F \f$ of a set of points (Theorem 1).
 ///
 /// Nodes are the squares that have at least two nonempty children, in preorder with children in shuffle

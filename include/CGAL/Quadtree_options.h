@@ -13,6 +13,7 @@ namespace CGAL {
 
 namespace Quadtree_mesh_2 {
 
+/// \ingroup PkgQuadtreeMesh2Quadtrees
 /// Between which leaves of a quadtree sizes differ by at most a factor of two.
 enum class Balance {
   /// Any leaves may differ: the unbalanced quadtree of Theorem 1.
@@ -23,6 +24,7 @@ enum class Balance {
   SIDES_AND_CORNERS
 };
 
+/// \ingroup PkgQuadtreeMesh2Quadtrees
 /// The order in which a quadtree is balanced.
 enum class Balance_schedule {
   /// Level by level: the smallest balanced quadtree, in as many parallel rounds as there are levels.
@@ -34,6 +36,7 @@ enum class Balance_schedule {
 
 } // namespace Quadtree_mesh_2
 
+/// \ingroup PkgQuadtreeMesh2Quadtrees
 /// Options of `Balanced_quadtree`; each setter returns the options, so that calls can be chained.
 class Quadtree_options {
 public:

@@ -69,6 +69,7 @@
 
 namespace CGAL {
 
+/// \ingroup PkgQuadtreeMesh2Neighbors
 /// Vertex-edge neighbours (Lemma 5) by walks in the balanced quadtree of the vertices.
 ///
 /// All hits are found by the constructor, in parallel over the vertices; sectors are searched when asked for.

@@ -15,6 +15,7 @@
 
 namespace CGAL {
 
+/// \ingroup PkgQuadtreeMesh2Meshers
 /// What `Quality_mesher_2` shall reach. Every field has its default; set fields directly or by chained calls:
 /// `Quality_mesh_options_2().min_angle(25).max_area(0.1)`.
 struct Quality_mesh_options_2 {

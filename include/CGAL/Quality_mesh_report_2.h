@@ -17,12 +17,14 @@
 
 namespace CGAL {
 
+/// \ingroup PkgQuadtreeMesh2Meshers
 /// The input cannot be meshed; `what()` names the vertex, segment or line that is to blame.
 class Pslg_error_2 : public std::runtime_error {
 public:
   using std::runtime_error::runtime_error;
 };
 
+/// \ingroup PkgQuadtreeMesh2Meshers
 /// What a construction by quadtrees did (Theorem 5); all 0 if there was none.
 struct Tree_separation_report_2 {
   std::size_t leaves_of_points = 0;   ///< of T_B, the quadtree of the vertices
@@ -41,6 +43,7 @@ struct Tree_separation_report_2 {
   std::size_t missed = 0;         ///< triangles below the bound that were not cured
 };
 
+/// \ingroup PkgQuadtreeMesh2Meshers
 /// What `Quality_mesher_2` reached, what it did not, and where.
 struct Quality_mesh_report_2 {
   /// What kept refinement from meeting a bound in a triangle.

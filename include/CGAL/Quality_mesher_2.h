@@ -23,6 +23,7 @@
 
 namespace CGAL {
 
+/// \ingroup PkgQuadtreeMesh2Meshers
 /// Triangulates the domain of a planar straight-line graph so that no triangle has an angle below a bound,
 /// except in wedges that acute input corners force, with few triangles.
 ///

@@ -36,6 +36,7 @@
 
 namespace CGAL {
 
+/// \ingroup PkgQuadtreeMesh2Neighbors
 /// Vertex-edge neighbours (Lemma 5) by trapezoidal decompositions of the graph.
 ///
 /// All hits are found by the constructor. The graph need not be planar: segments may cross and overlap,

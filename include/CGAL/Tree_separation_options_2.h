@@ -11,6 +11,7 @@
 
 namespace CGAL {
 
+/// \ingroup PkgQuadtreeMesh2Meshers
 /// Options of the construction by quadtrees of Bern, Eppstein and Teng, section 6. All lengths are in sides of
 /// leaves. Each setter returns the object, so that calls can be chained.
 struct Tree_separation_options_2 {

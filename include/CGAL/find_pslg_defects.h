@@ -25,6 +25,7 @@
 
 namespace CGAL {
 
+/// \ingroup PkgQuadtreeMesh2Data
 /// What is wrong, and with which of the fields of `Pslg_defect_2`.
 enum class Pslg_defect_kind_2 {
   DUPLICATE_VERTEX,     ///< `vertex` is where the earlier `other_vertex` is
@@ -34,6 +35,7 @@ enum class Pslg_defect_kind_2 {
   CROSSING_SEGMENTS     ///< `segment` and the earlier `other_segment` cross at `point`, where no vertex is
 };
 
+/// \ingroup PkgQuadtreeMesh2Data
 /// Something that a planar straight-line graph must not have. Fields that the kind does not use are invalid.
 struct Pslg_defect_2 {
   Pslg_defect_kind_2 kind; ///< what is wrong
@@ -181,6 +183,7 @@ inline std::string Pslg_defect_2::to_string() const {
   return std::string(); // not reached
 }
 
+/// \ingroup PkgQuadtreeMesh2Data
 /// Lists the defects of a graph, kind by kind in the order of `Pslg_defect_kind_2`, each kind by index.
 ///
 /// An empty list means a planar straight-line graph. All answers are exact; only the places of crossings are

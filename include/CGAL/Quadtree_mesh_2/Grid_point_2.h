@@ -13,6 +13,7 @@
 namespace CGAL {
 namespace Quadtree_mesh_2 {
 
+/// \ingroup PkgQuadtreeMesh2Quadtrees
 /// A point of the integer grid on which quadtrees live.
 /// \tparam Word_ an integer type, unsigned or of unlimited length.
 template <class Word_>
@@ -34,6 +35,7 @@ struct Grid_point_2 {
   }
 };
 
+/// \ingroup PkgQuadtreeMesh2Quadtrees
 /// A square of a quadtree: its lower left corner in grid units and its level.
 ///
 /// The root has level 0; a square of level `l` has side `2^(depth - l)` grid units, where `depth` is that of

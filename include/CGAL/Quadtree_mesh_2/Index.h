@@ -15,6 +15,7 @@
 namespace CGAL {
 namespace Quadtree_mesh_2 {
 
+/// \ingroup PkgQuadtreeMesh2Data
 /// A 32-bit index that cannot be mistaken for an index of another kind.
 ///
 /// Converts explicitly from and to integers; compares and orders as the integer does. The default-constructed
@@ -59,16 +60,22 @@ struct Node_tag {};
 struct Leaf_tag {};
 struct Point_tag {};
 
+/// \ingroup PkgQuadtreeMesh2Data
 /// Vertex of a `Pslg_2` or an `Indexed_mesh_2`.
 using Vertex_index = Index<Vertex_tag>;
+/// \ingroup PkgQuadtreeMesh2Data
 /// Segment of a `Pslg_2`.
 using Segment_index = Index<Segment_tag>;
+/// \ingroup PkgQuadtreeMesh2Data
 /// Triangle of an `Indexed_mesh_2`.
 using Triangle_index = Index<Triangle_tag>;
+/// \ingroup PkgQuadtreeMesh2Data
 /// Node (square) of a quadtree or of a quadtree framework.
 using Node_index = Index<Node_tag>;
+/// \ingroup PkgQuadtreeMesh2Data
 /// Leaf of a quadtree.
 using Leaf_index = Index<Leaf_tag>;
+/// \ingroup PkgQuadtreeMesh2Data
 /// Input point, in the order in which the points were given.
 using Point_index = Index<Point_tag>;
 

@@ -15,6 +15,7 @@
 namespace CGAL {
 namespace Quadtree_mesh_2 {
 
+/// \ingroup PkgQuadtreeMesh2Quadtrees
 /// The leaves around a leaf of a balanced quadtree, counterclockwise from the east; a range that needs no
 /// memory.
 class Leaf_neighbors {

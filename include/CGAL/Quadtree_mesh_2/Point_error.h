@@ -15,6 +15,7 @@
 namespace CGAL {
 namespace Quadtree_mesh_2 {
 
+/// \ingroup PkgQuadtreeMesh2Quadtrees
 /// Thrown for input points from which no quadtree can be made; names the points.
 class Point_error : public std::invalid_argument {
 public:

@@ -17,6 +17,7 @@
 
 namespace CGAL {
 
+/// \ingroup PkgQuadtreeMesh2Data
 /// What `mesh_quality_2()` checks and against which bounds.
 struct Mesh_quality_options_2 {
   /// What the mesh has to cover.
@@ -60,6 +61,7 @@ struct Mesh_quality_options_2 {
   /// @}
 };
 
+/// \ingroup PkgQuadtreeMesh2Data
 /// What `mesh_quality_2()` found: the errors that make a mesh invalid, and the statistics of its triangles.
 ///
 /// A mesh that is invalid because its arrays do not fit together (first errors) has no statistics.

@@ -14,6 +14,7 @@
 
 namespace CGAL {
 
+/// \ingroup PkgQuadtreeMesh2Neighbors
 /// What models of `VertexEdgeNeighbors_2` answer: a segment of a graph, and how far it is from a vertex.
 struct Vertex_edge_neighbor_2 {
   /// Invalid if there is none.
@@ -25,6 +26,7 @@ struct Vertex_edge_neighbor_2 {
   bool exists() const { return segment.is_valid(); }
 };
 
+/// \ingroup PkgQuadtreeMesh2Neighbors
 /// The nearest vertex or segment in a sector at a vertex. One of the indices is valid, or none if the sector
 /// is empty.
 struct Sector_neighbor_2 {
@@ -37,6 +39,7 @@ struct Sector_neighbor_2 {
   bool exists() const { return vertex.is_valid() || segment.is_valid(); }
 };
 
+/// \ingroup PkgQuadtreeMesh2Neighbors
 /// Options of `Quadtree_vertex_edge_neighbors_2`; each setter returns the options, so that calls can be
 /// chained. They change the time that queries take, never the answers.
 class Vertex_edge_neighbors_options_2 {
