@@ -23,7 +23,7 @@ sub label {
 sub link_to {
   my ($text, $target) = @_;
   return "[$text](\@ref " . label($page, $1) . ')' if $target =~ /^#(.*)$/;
-  return "[$text](\@ref " . label($1, $2 // '') . ')' if $target =~ m{^(?:[\w./]*/)?(\w+)\.md(?:#(.*))?$};
+  return "[$text](\@ref " . label($1, $2 // '') . ')' if $target =~ m{^(\w+)\.md(?:#(.*))?$} && -e "doc/$1.md";
   return "[$text](\@ref $1)" if $target =~ m{^Concepts/(\w+)\.h$} || $target =~ m{^\.\./examples/(\w+\.cpp)$};
   return "[$text]($target)" if $target =~ m{^https?://};
   return $text;
