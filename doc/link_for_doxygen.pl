@@ -1,10 +1,12 @@
 #!/usr/bin/perl
-# Makes of a page for GitHub one for Doxygen 1.9: headings get labels, and links to pages, headings, examples and
-# headers become references. Links to what is not in the manual become plain text.
+# Makes of what GitHub and programmers read what Doxygen 1.9 links. In all files, `Class_2` in backticks becomes a
+# reference to the class. In pages, headings get labels, and links to pages, headings, examples and concepts become
+# references; links to what is not in the manual become plain text.
 use strict;
 use warnings;
 
-my ($page) = $ARGV[0] =~ m{([^/]+)\.md$} or die "not a Markdown file: $ARGV[0]\n";
+my ($file) = $ARGV[0] =~ m{([^/]+)$};
+my ($page) = $file =~ m{^(\w+)\.md$};
 
 # As GitHub makes it.
 sub slug {
@@ -15,9 +17,9 @@ sub slug {
 }
 
 sub label {
-  my ($file, $heading) = @_;
+  my ($page, $heading) = @_;
   $heading =~ tr/-/_/;
-  return $heading eq '' ? "page_$file" : "page_${file}_$heading";
+  return $heading eq '' ? "page_$page" : "page_${page}_$heading";
 }
 
 sub link_to {
@@ -29,10 +31,19 @@ sub link_to {
   return $text;
 }
 
+# A class has a header of its own.
+sub class_name {
+  my ($code, $name) = @_;
+  return -e "include/CGAL/$name.h" ? "\\ref CGAL::$name \"$name\"" : $code;
+}
+
 my $in_code = 0;
 while (<>) {
-  $in_code = !$in_code if /^```/;
-  if (!$in_code && !/^    /) {
+  $in_code = !$in_code if defined $page && /^```/;
+  if (defined $page ? !$in_code && !/^    / : m{^\s*///|///<}) {
+    s/(`(?:CGAL::)?([A-Z]\w*)(?:<[\w, ]*>)?`)/class_name($1, $2)/ge unless /\[`/;
+  }
+  if (defined $page && !$in_code && !/^    /) {
     s/!\[([^\]]*)\]\((?:[\w.]+\/)*(\w+\.svg)\)/\@image html $2 "$1"/;
     s/(?<!!)\[([^\]]*)\]\(([^)\s]+)\)/link_to($1, $2)/ge;
     s/^(#+) (.*?)\s*$/"$1 $2 {#" . label($page, length($1) == 1 ? '' : slug($2)) . "}\n"/e;
