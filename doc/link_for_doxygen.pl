@@ -1,7 +1,7 @@
 #!/usr/bin/perl
 # Makes of what GitHub and programmers read what Doxygen 1.9 links. In all files, `Class_2` in backticks becomes a
 # reference to the class. In pages, headings get labels, and links to pages, headings, examples and concepts become
-# references; links to what is not in the manual become plain text.
+# references; links to other files become plain text, if these exist.
 use strict;
 use warnings;
 
@@ -28,7 +28,8 @@ sub link_to {
   return "[$text](\@ref " . label($1, $2 // '') . ')' if $target =~ m{^(\w+)\.md(?:#(.*))?$} && -e "doc/$1.md";
   return "[$text](\@ref $1)" if $target =~ m{^Concepts/(\w+)\.h$} || $target =~ m{^\.\./examples/(\w+\.cpp)$};
   return "[$text]($target)" if $target =~ m{^https?://};
-  return $text;
+  return $text if -e "doc/$target" || $target eq 'file_formats.md';
+  return "[$text](\@ref $target)"; # which is not there: an error
 }
 
 # A class has a header of its own.
