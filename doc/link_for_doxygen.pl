@@ -1,7 +1,7 @@
 #!/usr/bin/perl
 # Makes of what GitHub and programmers read what Doxygen 1.9 links. In all files, `Class_2` in backticks becomes a
 # reference to the class. In pages, headings get labels, and links to pages, headings, examples and concepts become
-# references; links to other files become plain text, if these exist.
+# references; links to other files become plain text, if these exist; and <!-- example x.cpp --> becomes its text.
 use strict;
 use warnings;
 
@@ -46,6 +46,7 @@ while (<>) {
   }
   if (defined $page && !$in_code && !/^    /) {
     s/!\[([^\]]*)\]\((?:[\w.]+\/)*(\w+\.svg)\)/\@image html $2 "$1"/;
+    s/^<!-- example (\w+\.cpp) -->$/\\include $1/;
     s/(?<!!)\[([^\]]*)\]\(([^)\s]+)\)/link_to($1, $2)/ge;
     s/^(#+) (.*?)\s*$/"$1 $2 {#" . label($page, length($1) == 1 ? '' : slug($2)) . "}\n"/e;
   }
