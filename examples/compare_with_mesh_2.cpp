@@ -18,6 +18,8 @@
 #include <fstream>
 #include <iostream>
 #include <map>
+#include <utility>
+#include <vector>
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_2;
@@ -28,8 +30,10 @@ using Fb = CGAL::Delaunay_mesh_face_base_2<Kernel>;
 using Cdt = CGAL::Constrained_Delaunay_triangulation_2<Kernel, CGAL::Triangulation_data_structure_2<Vb, Fb>>;
 
 Mesh mesh_by_Mesh_2(const Pslg& pslg) {
+  std::vector<std::pair<std::size_t, std::size_t>> segments;
+  for (const auto& [a, b] : pslg.segments) segments.emplace_back(std::size_t(a), std::size_t(b));
   Cdt cdt;
-  for (const auto& [a, b] : pslg.segments) cdt.insert_constraint(pslg.point(a), pslg.point(b));
+  cdt.insert_constraints(pslg.vertices.begin(), pslg.vertices.end(), segments.begin(), segments.end());
   CGAL::Delaunay_mesher_2<Cdt, CGAL::Delaunay_mesh_criteria_2<Cdt>> mesher(cdt); // 20.7 degrees
   mesher.set_seeds(pslg.holes.begin(), pslg.holes.end());
   mesher.refine_mesh();
