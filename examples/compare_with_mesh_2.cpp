@@ -34,7 +34,9 @@ Mesh mesh_by_Mesh_2(const Pslg& pslg) {
   for (const auto& [a, b] : pslg.segments) segments.emplace_back(std::size_t(a), std::size_t(b));
   Cdt cdt;
   cdt.insert_constraints(pslg.vertices.begin(), pslg.vertices.end(), segments.begin(), segments.end());
-  CGAL::Delaunay_mesher_2<Cdt, CGAL::Delaunay_mesh_criteria_2<Cdt>> mesher(cdt); // 20.7 degrees
+  using Criteria = CGAL::Delaunay_mesh_criteria_2<Cdt>;
+  const double sine = std::sin(20.7 * CGAL_PI / 180);
+  CGAL::Delaunay_mesher_2<Cdt, Criteria> mesher(cdt, Criteria(sine * sine));
   mesher.set_seeds(pslg.holes.begin(), pslg.holes.end());
   mesher.refine_mesh();
 
