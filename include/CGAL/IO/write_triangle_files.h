@@ -9,7 +9,7 @@
 
 #include <CGAL/Indexed_mesh_2.h>
 #include <CGAL/Pslg_2.h>
-#include <CGAL/Quadtree_mesh_2/internal/Number_text.h>
+#include <CGAL/Quadtree_mesh_2/internal/Line_writer.h>
 #include <CGAL/Quadtree_mesh_2/internal/Replaced_files.h>
 
 #include <array>
@@ -25,36 +25,6 @@
 namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
-
-/// Lines of numbers, gathered in memory.
-class Line_writer {
-public:
-  template <class Number>
-  Line_writer& operator<<(const Number& value) {
-    if (!is_line_begin_) text_ += ' ';
-    is_line_begin_ = false;
-    append_number(text_, value);
-    return *this;
-  }
-  template <class Tag>
-  Line_writer& operator<<(Index<Tag> i) {
-    return *this << i.value();
-  }
-  template <class Point>
-  Line_writer& write_point(const Point& p) {
-    return *this << p.x() << p.y();
-  }
-  void end_line() {
-    text_ += '\n';
-    is_line_begin_ = true;
-  }
-  void reserve(std::size_t size) { text_.reserve(size); }
-  const std::string& text() const { return text_; }
-
-private:
-  std::string text_;
-  bool is_line_begin_ = true;
-};
 
 /// The vertices as a .node file and a .poly file have them.
 template <class Point>

@@ -9,8 +9,8 @@
 
 #include <CGAL/Indexed_mesh_2.h>
 #include <CGAL/Pslg_2.h>
+#include <CGAL/Quadtree_mesh_2/internal/triangle_angles.h>
 #include <CGAL/Quadtree_mesh_2/svg_options.h>
-#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <array>
@@ -28,15 +28,6 @@
 namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
-
-/// Returns a number of a kernel, or of a built-in type, as a double.
-template <class Number>
-double as_double(const Number& x) {
-  if constexpr (std::is_arithmetic_v<Number>)
-    return static_cast<double>(x);
-  else
-    return CGAL::to_double(x);
-}
 
 /// A point of the picture, in tenths of pixels, y downwards.
 struct Svg_point {
@@ -235,7 +226,7 @@ private:
   bool is_by_largest_angle() const { return options_.fill == Options::Fill::largest_angle; }
 
   std::size_t color_of(std::size_t t) const {
-    const auto [least, largest] = extreme_angles(t);
+    const auto [least, largest] = extreme_angles(corner(t, 0), corner(t, 1), corner(t, 2));
     const double degrees = is_by_largest_angle() ? std::max(0., largest_colored_angle - largest) : least;
     return std::min(colors_.size() - 1, static_cast<std::size_t>(degrees / degrees_per_color));
   }
@@ -264,20 +255,6 @@ private:
           << first + degrees_per_color * place << "</text>\n";
     }
     out << "</g>\n";
-  }
-
-  /// The least and the largest angle in degrees; for the choice of a colour only.
-  std::pair<double, double> extreme_angles(std::size_t t) const {
-    double least = 180, largest = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Point &p = corner(t, k), &q = corner(t, (k + 1) % 3), &r = corner(t, (k + 2) % 3);
-      const double ux = as_double(q.x()) - as_double(p.x()), uy = as_double(q.y()) - as_double(p.y());
-      const double wx = as_double(r.x()) - as_double(p.x()), wy = as_double(r.y()) - as_double(p.y());
-      const double angle = std::atan2(std::abs(ux * wy - uy * wx), ux * wx + uy * wy) * 180 / CGAL_PI;
-      least = std::min(least, angle);
-      largest = std::max(largest, angle);
-    }
-    return {least, largest};
   }
 
   // --- lines ---
