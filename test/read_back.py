@@ -8,6 +8,7 @@ doubles, behind them their marker if the file has one; then, sorted, triangles `
 then further numbers of triangles, sorted, `NAME a b c bits`.
 """
 
+import contextlib
 import struct
 import sys
 
@@ -48,7 +49,8 @@ def values_of(mesh, kind, name):
 
 
 def read_by_meshio(file_name):
-    mesh = meshio.read(file_name)
+    with contextlib.redirect_stdout(sys.stderr):  # it prints blank lines
+        mesh = meshio.read(file_name)
     if file_name.endswith(".mesh"):
         references = mesh.cell_data.get("medit:ref", [])
         triangles = [[*t[:3], t[3] - 1] for t in cells_with(mesh, "triangle", references)]
@@ -87,6 +89,7 @@ def read_by_gmsh(file_name):
     points = {int(tag): coordinates[3 * i:3 * i + 3] for i, tag in enumerate(tags)}
     report([points[tag] for tag in sorted(points)], list(elements_by_gmsh(gmsh, 2, 3)),
            list(elements_by_gmsh(gmsh, 1, 2)))
+    gmsh.logger.stop()
     gmsh.finalize()
 
 
