@@ -229,8 +229,8 @@ TEST_CASE("MSH, MEDIT and VTU are read back equal by meshio and gmsh", "[MSH][ME
     for (std::size_t t = 0; t < m.mesh.triangles.size(); ++t) {
       const auto& [a, b, c] = m.mesh.triangles[t];
       angles.values.push_back(
-          CGAL::Quadtree_mesh_2::internal::extreme_angles(m.mesh.point(a), m.mesh.point(b), m.mesh.point(c))
-              .least);
+          CGAL::Quadtree_mesh_2::internal::Scaled_triangle(m.mesh.point(a), m.mesh.point(b), m.mesh.point(c))
+              .least_angle());
       const int r = m.mesh.region_of_triangle.empty() ? -1 : m.mesh.region_of_triangle[t];
       attributes.values.push_back(r < 0 ? 0 : m.pslg.regions[std::size_t(r)].attribute);
     }

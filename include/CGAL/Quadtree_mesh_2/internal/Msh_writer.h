@@ -10,6 +10,7 @@
 #include <CGAL/Indexed_mesh_2.h>
 #include <CGAL/Pslg_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/Line_writer.h>
+#include <CGAL/Quadtree_mesh_2/internal/Number_text.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangle_angles.h>
 
 #include <algorithm>

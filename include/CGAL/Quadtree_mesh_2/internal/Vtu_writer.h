@@ -48,6 +48,8 @@ public:
   }
 
   void add(const std::string& xml) { text_ += xml; }
+  /// Room for so many bytes of arrays.
+  void reserve(std::size_t size) { (is_binary_ ? appended_ : text_).reserve(size); }
 
   template <class Number>
   void add_array(const std::string& name, const std::vector<Number>& values, int components = 1) {
@@ -143,6 +145,7 @@ public:
     Vtu_text text(mode);
     text.add("<Piece NumberOfPoints=\"" + std::to_string(mesh_.points.size()) + "\" NumberOfCells=\"" +
              std::to_string(number_of_cells()) + "\">\n");
+    text.reserve(24 * mesh_.points.size() + (61 + 8 * fields_.size()) * number_of_cells());
     add_points(text);
     add_cells(text);
     add_cell_data(text);
@@ -252,7 +255,8 @@ private:
     std::vector<double> result;
     result.reserve(number_of_cells());
     for (const auto& t : mesh_.triangles)
-      result.push_back(extreme_angles(mesh_.point(t[0]), mesh_.point(t[1]), mesh_.point(t[2])).least);
+      result.push_back(
+          Scaled_triangle(mesh_.point(t[0]), mesh_.point(t[1]), mesh_.point(t[2])).least_angle());
     return result;
   }
 
