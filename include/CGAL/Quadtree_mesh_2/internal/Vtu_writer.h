@@ -23,6 +23,7 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -96,21 +97,17 @@ private:
       return x;
   }
 
+  /// With `>`, too: VTK takes the first one for the begin of the numbers, wherever it is.
   static std::string escaped(const std::string& name) {
     std::string result;
-    for (const char c : name) switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
+    for (const char c : name) {
+      const auto special = std::string_view("&<>\"").find(c);
+      constexpr const char* entities[] = {"&amp;", "&lt;", "&gt;", "&quot;"};
+      if (special == std::string_view::npos)
         result += c;
-      }
+      else
+        result += entities[special];
+    }
     return result;
   }
 
