@@ -49,15 +49,18 @@ build_jobs() {
   echo $((cores < gigabytes ? cores : gigabytes))
 }
 
-# configure_and_build FOLDER TARGET [CMAKE_ARGUMENT]...
-configure_and_build() {
-  local folder=$1 target=$2
-  shift 2
+# configure_and_build_project SOURCE FOLDER TARGET [CMAKE_ARGUMENT]...
+configure_and_build_project() {
+  local source=$1 folder=$2 target=$3
+  shift 3
   say "building $target in $folder"
-  cmake -S "$root" -B "$folder" -Wno-dev "$@" >"$folder.log" 2>&1 || {
+  cmake -S "$source" -B "$folder" -Wno-dev "$@" >"$folder.log" 2>&1 || {
     cat "$folder.log" >&2
     fail "cmake could not configure $folder"
   }
   rm -f "$folder.log"
   cmake --build "$folder" --target "$target" --parallel "$(build_jobs)"
 }
+
+# configure_and_build FOLDER TARGET [CMAKE_ARGUMENT]...: this project.
+configure_and_build() { configure_and_build_project "$root" "$@"; }

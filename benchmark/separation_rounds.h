@@ -54,9 +54,7 @@ inline Separation_rounds count_separation_rounds(const Pslg_task& task) {
                                             .min_angle(task.min_angle)
                                             .max_area(task.max_area)
                                             .coarsen(CGAL::Quality_mesh_options_2::Coarsening::NONE)
-                                            .separate(Trees()
-                                                          .find_neighbors(Trees::Neighbors::QUADTREE)
-                                                          .subdivide(Trees::Subdivision::CENTROID_TREE)));
+                                            .separate(Trees().subdivide(Trees::Subdivision::CENTROID_TREE)));
   mesher(task.pslg);
   const CGAL::Tree_separation_report_2& trees = mesher.report().trees;
   rounds.splits = trees.splits;

@@ -16,6 +16,7 @@
 #include "thread_limit.h"
 
 #include <CGAL/Quality_mesher_2.h>
+#include <CGAL/Trapezoidal_vertex_edge_neighbors_2.h>
 #include <CGAL/tags.h>
 
 #include <array>
@@ -43,6 +44,7 @@ struct Separation_method {
   std::string how;  ///< how they make it; may be empty
   unsigned threads; ///< 0: sequential
   CGAL::Quality_mesh_options_2 options;
+  bool finds_by_trapezoids = false; ///< with Theorem 5
 
   std::string name() const {
     return mesh + (how.empty() ? "" : ", " + how) +
@@ -64,6 +66,8 @@ Separation_run mesh(const Separation_method& method, const Pslg_task& task, Chec
   Options options = method.options;
   options.min_angle(task.min_angle).max_area(task.max_area);
   CGAL::Quality_mesher_2<Traits, Concurrency_tag> mesher(options);
+  if (method.finds_by_trapezoids)
+    mesher.template find_neighbors_by<CGAL::Trapezoidal_vertex_edge_neighbors_2<Traits, Concurrency_tag>>();
   const Stopwatch watch;
   const Indexed_mesh mesh = mesher(task.pslg);
   run.mesh = watch.seconds();
@@ -102,13 +106,12 @@ inline std::optional<Separation_run> Separation_method::run(const Pslg_task& tas
 inline std::vector<Separation_method> separation_methods(const std::vector<unsigned>& threads) {
   using Options = CGAL::Quality_mesh_options_2;
   using Trees = CGAL::Tree_separation_options_2;
-  const Trees walking, centroids = Trees().subdivide(Trees::Subdivision::CENTROID_TREE),
-                       quadtree = Trees().find_neighbors(Trees::Neighbors::QUADTREE);
+  const Trees walking, centroids = Trees().subdivide(Trees::Subdivision::CENTROID_TREE);
   std::vector<Separation_method> methods{
       {"on demand", "", 0, Options()},
       {"on demand, smoothed and thinned", "", 0, Options().smooth(2).thin(2)},
       {"Theorem 5", "", 0, Options().separate(walking)},
-      {"Theorem 5", "neighbours by quadtree", 0, Options().separate(quadtree)},
+      {"Theorem 5", "neighbours by trapezoids", 0, Options().separate(walking), true},
       {"Theorem 5", "centroid trees", 0, Options().separate(centroids)}};
   for (const unsigned n : threads) {
     methods.push_back({"on demand", "", n, Options()});

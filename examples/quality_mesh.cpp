@@ -35,13 +35,13 @@ void mesh(Meshing_run& run, const Command_line& line) {
 
   switch (line.kernel) {
   case Command_line::Kernel::filtered:
-    run.mesh = mesh_graph::with_doubles(run.pslg, options, run.report);
+    run.mesh = mesh_graph::with_doubles(run.pslg, options, line.neighbors, run.report);
     return;
   case Command_line::Kernel::fixed:
-    run.mesh = mesh_graph::in_words(run.pslg, options, run.report);
+    run.mesh = mesh_graph::in_words(run.pslg, options, line.neighbors, run.report);
     return;
   case Command_line::Kernel::exact:
-    run.mesh = mesh_graph::exactly(run.pslg, options, run.report);
+    run.mesh = mesh_graph::exactly(run.pslg, options, line.neighbors, run.report);
     return;
   }
 }

@@ -45,9 +45,11 @@ install_packages "${packages[@]}"
 
 folder=$root/build
 arguments=(-DCMAKE_BUILD_TYPE=Release -DQUADTREE_MESH_2_WARNINGS_AS_ERRORS="$strict")
+compiler_argument=()
 if [[ -n $compiler ]]; then
   folder+=-$(basename "$compiler")
-  arguments+=(-DCMAKE_CXX_COMPILER="$compiler")
+  compiler_argument=(-DCMAKE_CXX_COMPILER="$compiler")
+  arguments+=("${compiler_argument[@]}")
 fi
 if [[ -n $sanitize ]]; then
   # Not Release: its NDEBUG would switch the assertions off, and they find more than the sanitizer.
@@ -74,3 +76,13 @@ for source in "$root"/examples/*.cpp; do
     *) "$folder/bin/$name" >/dev/null ;;
   esac
 done
+
+if [[ -z $sanitize ]]; then
+  say "installing, and building a project that uses the package"
+  installed=$(mktemp -d)
+  trap 'rm -rf "$installed"' EXIT
+  cmake --install "$folder" --prefix "$installed/usr" >/dev/null
+  configure_and_build_project "$root/test/consumer" "$installed/build" all \
+    -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH="$installed/usr" "${compiler_argument[@]}"
+  ctest --test-dir "$installed/build" --output-on-failure
+fi

@@ -74,9 +74,11 @@ public:
   Prepared_graph& operator=(const Prepared_graph&) = delete;
 
   /// \param options are kept by reference
-  Trees trees(const Tree_options& options) {
+  /// \param find_hits null: by the quadtree
+  Trees trees(const Tree_options& options, internal::Find_nearest_hits<Pslg> find_hits = nullptr) {
+    constexpr std::size_t most_leaves = 100000000;
     report = CGAL::Tree_separation_report_2();
-    return Trees(problem_, *sides_, graph_, map_, options, Traits(), report);
+    return Trees(problem_, *sides_, graph_, map_, options, Traits(), find_hits, most_leaves, report);
   }
 
   const internal::Meshing_problem<Geometry>& problem() const { return problem_; }

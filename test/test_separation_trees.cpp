@@ -13,6 +13,7 @@
 #include "vertex_edge_brute_force.h"
 
 #include <CGAL/IO/Triangle_files.h>
+#include <CGAL/Trapezoidal_vertex_edge_neighbors_2.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>
@@ -190,14 +191,18 @@ TEST_CASE("Leaves of T_B' are no smaller than some vertex asks for", "[trees][se
   });
 }
 
+std::vector<double> hits_by_trapezoids(const Pslg& pslg) {
+  const CGAL::Trapezoidal_vertex_edge_neighbors_2<Filtered_traits> neighbors(pslg);
+  return internal::nearest_hit_distances<CGAL::Sequential_tag>(neighbors, pslg.number_of_vertices());
+}
+
 TEST_CASE("Both models of neighbours give the same trees", "[trees][separation]") {
   for_each_graph(is_full_run() ? 40 : 4, [](const Pslg& pslg) {
-    Tree_options options = Tree_options().find_neighbors(Tree_options::Neighbors::TRAPEZOIDAL);
+    const Tree_options options;
     Prepared graph(pslg);
     const auto leaves = leaves_of(graph.trees(options).tree());
     const std::size_t of_vertices = graph.report.leaves_of_vertices;
-    options.find_neighbors(Tree_options::Neighbors::QUADTREE);
-    CHECK(leaves_of(graph.trees(options).tree()) == leaves);
+    CHECK(leaves_of(graph.trees(options, hits_by_trapezoids).tree()) == leaves);
     CHECK(graph.report.leaves_of_vertices == of_vertices);
   });
 }

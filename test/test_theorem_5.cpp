@@ -10,6 +10,7 @@
 #include "theorem_5_tools.h"
 
 #include <CGAL/Quality_mesher_2.h>
+#include <CGAL/Trapezoidal_vertex_edge_neighbors_2.h>
 #include <CGAL/bounding_box.h>
 #include <CGAL/mesh_quality_2.h>
 
@@ -133,12 +134,12 @@ TEST_CASE("The paper's constants and other distances", "[mesher][theorem5]") {
 }
 
 TEST_CASE("Both models of neighbours and both subdivisions give the same mesh", "[mesher][theorem5]") {
+  using Trapezoids = CGAL::Trapezoidal_vertex_edge_neighbors_2<Mesher::Geom_traits>;
   for (const std::string name : {"us_states_10m.poly.gz", "syn_fan_1deg.poly", "syn_near_1e-12.poly"}) {
     CAPTURE(name);
     const Pslg pslg = read(name);
     const Mesh mesh = Mesher(by_quadtrees())(pslg);
-    CHECK(are_same(mesh, Mesher(Options().separate(
-                             Tree_options().find_neighbors(Tree_options::Neighbors::QUADTREE)))(pslg)));
+    CHECK(are_same(mesh, Mesher(by_quadtrees()).find_neighbors_by<Trapezoids>()(pslg)));
     CHECK(are_same(mesh, Mesher(Options().separate(
                              Tree_options().subdivide(Tree_options::Subdivision::CENTROID_TREE)))(pslg)));
   }

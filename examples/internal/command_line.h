@@ -3,6 +3,8 @@
 
 // The options of quality_mesh: what they are and what they may be.
 
+#include "mesh_graph.h"
+
 #include <CGAL/Point_set_mesh_options_2.h>
 #include <CGAL/Quality_mesh_options_2.h>
 #include <CGAL/version.h>
@@ -33,6 +35,7 @@ public:
 struct Command_line {
   enum class Task { mesh, print_help, print_version };
   enum class Kernel { filtered, fixed, exact };
+  using Neighbors = mesh_graph::Neighbors;
   /// What is meshed, and which angles are wanted: a graph, or points alone.
   enum class Mode { pslg, points, bounded, acute, warped };
 
@@ -44,6 +47,7 @@ struct Command_line {
   std::string size_points_file; ///< empty: none
   Kernel kernel = Kernel::filtered;
   CGAL::Quality_mesh_options_2 options;             ///< of Mode::pslg
+  Neighbors neighbors = Neighbors::trapezoidal;     ///< of Mode::pslg, by quadtrees
   CGAL::Point_set_mesh_options_2 point_set_options; ///< of all other modes
   unsigned threads = 1;
   bool is_comparison_wanted = false;
@@ -242,14 +246,18 @@ inline CGAL::Quality_mesh_options_2::Separation separation(const po::variables_m
 
 inline CGAL::Tree_separation_options_2 tree_options(const po::variables_map& given) {
   using Options = CGAL::Tree_separation_options_2;
-  constexpr Options::Neighbors neighbors[] = {Options::Neighbors::TRAPEZOIDAL, Options::Neighbors::QUADTREE};
   constexpr Options::Subdivision subdivisions[] = {Options::Subdivision::WALKING,
                                                    Options::Subdivision::CENTROID_TREE};
   constexpr Options::Placement placements[] = {Options::Placement::CHOSEN, Options::Placement::BY_RULE};
   return Options()
-      .find_neighbors(neighbors[choice(given, "neighbors", {"trapezoidal", "quadtree"})])
       .subdivide(subdivisions[choice(given, "subdivision", {"walking", "centroid-tree"})])
       .place(placements[choice(given, "placement", {"chosen", "by-rule"})]);
+}
+
+inline mesh_graph::Neighbors neighbors(const po::variables_map& given) {
+  using Neighbors = mesh_graph::Neighbors;
+  constexpr Neighbors models[] = {Neighbors::trapezoidal, Neighbors::quadtree};
+  return models[choice(given, "neighbors", {"trapezoidal", "quadtree"})];
 }
 
 /// Finds out before the work, not after it, that a file cannot be written.
@@ -424,6 +432,7 @@ inline Command_line parse_command_line(int argc, const char* const* argv) try {
   line.mode = static_cast<Command_line::Mode>(choice(given, "mode", modes));
   check_option_uses(given, line.mode);
   line.options = quality_mesh_options(given);
+  line.neighbors = neighbors(given);
   line.point_set_options = point_set_mesh_options(given, line.mode);
   if (given.count("size-points") > 0) line.size_points_file = given["size-points"].as<std::string>();
   constexpr Command_line::Kernel kernels[] = {Command_line::Kernel::filtered, Command_line::Kernel::fixed,

@@ -18,13 +18,16 @@ using Pslg = CGAL::Pslg_2<Point>;
 using Options = CGAL::Quality_mesh_options_2;
 using Report = CGAL::Quality_mesh_report_2;
 
+/// What finds the edges next to vertices in the construction by quadtrees; the mesh is the same.
+enum class Neighbors { trapezoidal, quadtree };
+
 // All throw std::exception for what cannot be meshed, or what the arithmetic cannot hold.
 
-Mesh with_doubles(const Pslg& pslg, const Options& options, Report& report);
+Mesh with_doubles(const Pslg& pslg, const Options& options, Neighbors neighbors, Report& report);
 /// Scaled to 64-bit words, meshed there, mapped back.
-Mesh in_words(const Pslg& pslg, const Options& options, Report& report);
+Mesh in_words(const Pslg& pslg, const Options& options, Neighbors neighbors, Report& report);
 /// With exact constructions; only the result is rounded.
-Mesh exactly(const Pslg& pslg, const Options& options, Report& report);
+Mesh exactly(const Pslg& pslg, const Options& options, Neighbors neighbors, Report& report);
 
 } // namespace mesh_graph
 

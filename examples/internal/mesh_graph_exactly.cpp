@@ -1,16 +1,14 @@
-#include "mesh_graph.h"
-
+#include "mesh_graph_with.h"
 #include "mesh_with_doubles.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_quadtree_traits_2.h>
 #include <CGAL/Pslg_2.h>
-#include <CGAL/Quality_mesher_2.h>
 #include <CGAL/number_utils.h>
-#include <CGAL/tags.h>
 #include <CGAL/validate_pslg_2.h>
 
-mesh_graph::Mesh mesh_graph::exactly(const Pslg& pslg, const Options& options, Report& report) {
+mesh_graph::Mesh mesh_graph::exactly(const Pslg& pslg, const Options& options, Neighbors neighbors,
+                                     Report& report) {
   using Traits = CGAL::Exact_quadtree_traits_2<CGAL::Exact_predicates_exact_constructions_kernel>;
   using Exact_point = Traits::Point_2;
   CGAL::check_pslg_structure(pslg); // exact numbers are finite
@@ -25,9 +23,7 @@ mesh_graph::Mesh mesh_graph::exactly(const Pslg& pslg, const Options& options, R
   for (const auto& region : pslg.regions)
     graph.regions.push_back({exact(region.point), region.attribute, region.max_area});
 
-  CGAL::Quality_mesher_2<Traits, CGAL::Parallel_tag> mesher(options);
-  auto mesh = mesher(graph);
-  report = mesher.report();
+  auto mesh = mesh_graph_with<Traits>(graph, options, neighbors, report);
   return mesh_with_doubles(std::move(mesh), pslg.vertices, [](const Exact_point& p) {
     return Point(CGAL::to_double(p.x()), CGAL::to_double(p.y()));
   });

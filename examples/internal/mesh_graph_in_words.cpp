@@ -1,10 +1,7 @@
-#include "mesh_graph.h"
-
 #include "Word_map.h"
+#include "mesh_graph_with.h"
 #include "mesh_with_doubles.h"
 
-#include <CGAL/Quality_mesher_2.h>
-#include <CGAL/tags.h>
 #include <CGAL/validate_pslg_2.h>
 
 #include <cstddef>
@@ -49,12 +46,11 @@ mesh_graph::Options to_words(mesh_graph::Options options, const Word_map<Point>&
 
 } // namespace
 
-mesh_graph::Mesh mesh_graph::in_words(const Pslg& pslg, const Options& options, Report& report) {
+mesh_graph::Mesh mesh_graph::in_words(const Pslg& pslg, const Options& options, Neighbors neighbors,
+                                      Report& report) {
   CGAL::check_pslg_structure(pslg); // the scale wants finite coordinates
   const Word_map<Point> map(pslg.vertices);
-  CGAL::Quality_mesher_2<Traits, CGAL::Parallel_tag> mesher(to_words(options, map));
-  auto words = mesher(to_words(pslg, map));
-  report = mesher.report();
+  auto words = mesh_graph_with<Traits>(to_words(pslg, map), to_words(options, map), neighbors, report);
   Mesh mesh = mesh_with_doubles(std::move(words), pslg.vertices,
                                 [&map](const Word_point& p) { return map.to_double(p); });
   to_doubles(report, mesh);

@@ -1,11 +1,8 @@
-#include "mesh_graph.h"
+#include "mesh_graph_with.h"
 
-#include <CGAL/Quality_mesher_2.h>
-#include <CGAL/tags.h>
+#include <CGAL/Filtered_quadtree_traits_2.h>
 
-mesh_graph::Mesh mesh_graph::with_doubles(const Pslg& pslg, const Options& options, Report& report) {
-  CGAL::Quality_mesher_2<CGAL::Filtered_quadtree_traits_2<>, CGAL::Parallel_tag> mesher(options);
-  Mesh mesh = mesher(pslg);
-  report = mesher.report();
-  return mesh;
+mesh_graph::Mesh mesh_graph::with_doubles(const Pslg& pslg, const Options& options, Neighbors neighbors,
+                                          Report& report) {
+  return mesh_graph_with<CGAL::Filtered_quadtree_traits_2<>>(pslg, options, neighbors, report);
 }

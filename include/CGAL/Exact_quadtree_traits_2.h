@@ -224,4 +224,7 @@ private:
 
 } // namespace CGAL
 
+#define CGAL_QUADTREE_MESH_2_HAS_EXACT_TRAITS
+#include <CGAL/Quadtree_mesh_2/compiled_meshers.h>
+
 #endif // CGAL_EXACT_QUADTREE_TRAITS_2_H

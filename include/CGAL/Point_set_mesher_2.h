@@ -59,12 +59,7 @@ public:
   /// Returns the mesh of points.
   /// \throws Quadtree_mesh_2::Point_error if there is a point that is no place, or two that are distinct but too near
   ///         to each other for a quadtree; it names them.
-  Mesh operator()(const std::vector<Point_2>& points) {
-    report_ = Point_set_mesh_report_2();
-    return Quadtree_mesh_2::internal::Point_set_pipeline<Traits, ConcurrencyTag>(points, options_, traits_,
-                                                                                 report_)
-        .run();
-  }
+  Mesh operator()(const std::vector<Point_2>& points);
 
   /// What the last run reached.
   const Point_set_mesh_report_2& report() const { return report_; }
@@ -76,6 +71,18 @@ private:
   Point_set_mesh_report_2 report_;
 };
 
+// Outside the class, thus not inline: where a compiled library has it, the compiler need not look into it.
+template <class Traits, class ConcurrencyTag>
+typename Point_set_mesher_2<Traits, ConcurrencyTag>::Mesh
+Point_set_mesher_2<Traits, ConcurrencyTag>::operator()(const std::vector<Point_2>& points) {
+  report_ = Point_set_mesh_report_2();
+  return Quadtree_mesh_2::internal::Point_set_pipeline<Traits, ConcurrencyTag>(points, options_, traits_, report_)
+      .run();
+}
+
 } // namespace CGAL
+
+#define CGAL_QUADTREE_MESH_2_HAS_POINT_SET_MESHER
+#include <CGAL/Quadtree_mesh_2/compiled_meshers.h>
 
 #endif // CGAL_POINT_SET_MESHER_2_H

@@ -12,6 +12,7 @@
 #include <CGAL/Indexed_mesh_2.h>
 #include <CGAL/Pslg_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/Mesh_pipeline.h>
+#include <CGAL/Quadtree_mesh_2/internal/nearest_hits.h>
 #include <CGAL/Quality_mesh_options_2.h>
 #include <CGAL/Quality_mesh_report_2.h>
 #include <CGAL/tags.h>
@@ -70,11 +71,18 @@ public:
 
   /// Returns the mesh of the domain of `pslg`.
   /// \throws Pslg_error_2 if there is nothing to mesh or segments cross; the message names the culprit.
-  Mesh operator()(const Pslg& pslg) {
-    report_ = Quality_mesh_report_2();
-    check_pslg_structure(pslg);
-    return Quadtree_mesh_2::internal::Mesh_pipeline<Traits, ConcurrencyTag>(pslg, options_, traits_, report_)
-        .run();
+  Mesh operator()(const Pslg& pslg);
+
+  /// Lets the construction by quadtrees (Theorem 5) find the neighbours of vertices by another model of
+  /// `VertexEdgeNeighbors_2` than `Quadtree_vertex_edge_neighbors_2`, for example the paper's,
+  /// `Trapezoidal_vertex_edge_neighbors_2<Traits, ConcurrencyTag>`. The mesh is the same.
+  template <class Neighbors>
+  Quality_mesher_2& find_neighbors_by() {
+    find_hits_ = [](const Pslg& pslg) {
+      return Quadtree_mesh_2::internal::nearest_hit_distances<ConcurrencyTag>(Neighbors(pslg),
+                                                                              pslg.number_of_vertices());
+    };
+    return *this;
   }
 
   /// What the last run reached.
@@ -84,10 +92,25 @@ public:
 private:
   Quality_mesh_options_2 options_;
   Traits traits_;
+  Quadtree_mesh_2::internal::Find_nearest_hits<Pslg> find_hits_ = nullptr;
   Quality_mesh_report_2 report_;
 };
 
+// Outside the class, thus not inline: where a compiled library has it, the compiler need not look into it.
+template <class Traits, class ConcurrencyTag>
+typename Quality_mesher_2<Traits, ConcurrencyTag>::Mesh
+Quality_mesher_2<Traits, ConcurrencyTag>::operator()(const Pslg& pslg) {
+  report_ = Quality_mesh_report_2();
+  check_pslg_structure(pslg);
+  return Quadtree_mesh_2::internal::Mesh_pipeline<Traits, ConcurrencyTag>(pslg, options_, traits_, find_hits_,
+                                                                          report_)
+      .run();
+}
+
 } // namespace CGAL
+
+#define CGAL_QUADTREE_MESH_2_HAS_QUALITY_MESHER
+#include <CGAL/Quadtree_mesh_2/compiled_meshers.h>
 
 // For programs that come from Mesh_2.
 #include <CGAL/refine_quality_mesh_2.h>

@@ -14,11 +14,6 @@ namespace CGAL {
 /// Options of the construction by quadtrees of Bern, Eppstein and Teng, section 6. All lengths are in sides of
 /// leaves. Each setter returns the object, so that calls can be chained.
 struct Tree_separation_options_2 {
-  /// What finds the edges next to vertices; both are exact, so that the meshes are the same.
-  enum class Neighbors {
-    TRAPEZOIDAL, ///< `Trapezoidal_vertex_edge_neighbors_2`: the paper's
-    QUADTREE     ///< `Quadtree_vertex_edge_neighbors_2`: faster
-  };
   /// What cuts edges into pieces; the pieces are the same.
   enum class Subdivision {
     WALKING,      ///< from leaf to leaf (Theorem 6)
@@ -43,7 +38,6 @@ struct Tree_separation_options_2 {
   /// And where an acute corner between them is at most this wide: nothing is put between them there.
   double strip_width = 1.25;
 
-  Neighbors neighbors = Neighbors::TRAPEZOIDAL;
   Subdivision subdivision = Subdivision::WALKING;
   Placement placement = Placement::CHOSEN;
 
@@ -51,7 +45,6 @@ struct Tree_separation_options_2 {
     vertex_distance = of_vertices, edge_distance = of_edges;
     return *this;
   }
-  Tree_separation_options_2& find_neighbors(Neighbors n) { return neighbors = n, *this; }
   Tree_separation_options_2& subdivide(Subdivision s) { return subdivision = s, *this; }
   Tree_separation_options_2& place(Placement p) { return placement = p, *this; }
 

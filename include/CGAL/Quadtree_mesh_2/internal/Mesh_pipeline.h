@@ -35,6 +35,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/find_corners.h>
 #include <CGAL/Quadtree_mesh_2/internal/kernel_mesh_to_indexed_mesh.h>
 #include <CGAL/Quadtree_mesh_2/internal/morton.h>
+#include <CGAL/Quadtree_mesh_2/internal/nearest_hits.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangle_budget.h>
 #include <CGAL/Quality_mesh_options_2.h>
@@ -62,9 +63,11 @@ public:
   using Point_2 = typename Traits::Point_2;
   using Pslg = Pslg_2<Point_2>;
 
+  /// \param find_hits by which model the construction by quadtrees finds neighbours of vertices; null: by the quadtree
   Mesh_pipeline(const Pslg& pslg, const Quality_mesh_options_2& options, const Traits& traits,
-                Quality_mesh_report_2& report)
-      : pslg_(pslg), options_(options), traits_(traits), report_(report), map_(pslg.vertices) {
+                Find_nearest_hits<Pslg> find_hits, Quality_mesh_report_2& report)
+      : pslg_(pslg), options_(options), traits_(traits), find_hits_(find_hits), report_(report),
+        map_(pslg.vertices) {
     if (options.coarsening == Quality_mesh_options_2::Coarsening::NONE) finishing_.removal = Removal::none;
     finishing_.smoothing_rounds = options.smoothing_rounds;
     finishing_.thinning_rounds = options.thinning_rounds;
@@ -96,6 +99,7 @@ private:
   const Pslg& pslg_;
   const Quality_mesh_options_2& options_;
   const Traits& traits_;
+  Find_nearest_hits<Pslg> find_hits_;
   Quality_mesh_report_2& report_;
   Coordinate_map<Traits, Geometry> map_;
   Finishing finishing_;
@@ -345,7 +349,7 @@ private:
     std::optional<Separation_trees<Traits, Concurrency_tag>> trees;
     {
       Phase_timer timer(report_.seconds.trees);
-      trees.emplace(problem_, *edge_sides_, graph, map_, options_.trees, traits_, budget_of_construction(),
+      trees.emplace(problem_, *edge_sides_, graph, map_, options_.trees, traits_, find_hits_, budget_of_construction(),
                     report_.trees);
     }
     Phase_timer timer(report_.seconds.construct);

@@ -24,7 +24,6 @@
 #include <CGAL/Quadtree_mesh_2/Point_error.h>
 #include <CGAL/Quadtree_mesh_2/internal/Corner_warper.h>
 #include <CGAL/Quadtree_mesh_2/internal/Distinct_points.h>
-#include <CGAL/Quadtree_mesh_2/internal/Mesh_pipeline.h>
 #include <CGAL/Quadtree_mesh_2/internal/Phase_timer.h>
 #include <CGAL/Quadtree_mesh_2/internal/Separated_quadtree.h>
 #include <CGAL/Quadtree_mesh_2/internal/Site_mesh.h>
@@ -33,6 +32,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/find_clusters.h>
 #include <CGAL/Quadtree_mesh_2/internal/points_in_box.h>
 #include <CGAL/Quadtree_mesh_2/internal/site_mesh_to_indexed_mesh.h>
+#include <CGAL/Quality_mesher_2.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -200,9 +200,10 @@ private:
     if (options_.callback) options.progress(options_.callback);
     if (options_.coarsening_effort == 0) options.coarsen(Quality_mesh_options_2::Coarsening::NONE);
     if (options_.coarsening_effort == 3) options.smooth(1);
-    Quality_mesh_report_2 report;
     const Pslg_2<Point_2> pslg = points_in_box(points_);
-    Mesh mesh = Mesh_pipeline<Traits, Concurrency_tag>(pslg, options, traits_, report).run();
+    Quality_mesher_2<Traits, Concurrency_tag> mesher(options, traits_);
+    Mesh mesh = mesher(pslg);
+    const Quality_mesh_report_2& report = mesher.report();
     // the box is none of the user's
     mesh.number_of_input_vertices = points_.size();
     mesh.constrained_edges.clear();

@@ -30,12 +30,12 @@
 #include <CGAL/Quadtree_mesh_2/internal/Vertex_placement.h>
 #include <CGAL/Quadtree_mesh_2/internal/coordinate_map.h>
 #include <CGAL/Quadtree_mesh_2/internal/leaf_cells.h>
+#include <CGAL/Quadtree_mesh_2/internal/nearest_hits.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/subdivide_edges.h>
 #include <CGAL/Quadtree_mesh_2/internal/walk_edges.h>
 #include <CGAL/Quadtree_vertex_edge_neighbors_2.h>
 #include <CGAL/Quality_mesh_report_2.h>
-#include <CGAL/Trapezoidal_vertex_edge_neighbors_2.h>
 #include <CGAL/Tree_separation_options_2.h>
 
 #include <algorithm>
@@ -60,15 +60,17 @@ public:
   using Pslg = Pslg_2<Point_2>;
   using Map = Coordinate_map<Traits, Geometry>;
   using Options = Tree_separation_options_2;
+  using Find_hits = Find_nearest_hits<Pslg>;
 
   /// \param graph the vertices and edges of the problem, in its order
+  /// \param find_hits by which model neighbours of vertices are found; null: by the quadtree
   /// \param most_leaves separation stops before there are more, but for those of the last step: `is_exhausted()`
   Separation_trees(const Meshing_problem<Geometry>& problem, const Edge_sides& sides, const Pslg& graph,
-                   const Map& map, const Options& options, const Traits& traits, std::size_t most_leaves,
-                   Tree_separation_report_2& report)
+                   const Map& map, const Options& options, const Traits& traits, Find_hits find_hits,
+                   std::size_t most_leaves, Tree_separation_report_2& report)
       : problem_(problem), graph_(graph), map_(map), options_(options), report_(report),
         gaps_(problem, sides, options), most_leaves_(most_leaves) {
-    make_tree_of_vertices(traits);
+    make_tree_of_vertices(traits, find_hits);
     if (options.placement == Options::Placement::BY_RULE)
       for (std::size_t v = 0; v < graph.number_of_vertices(); ++v) vertices_.push_back(Vertex_index(v));
     subdivide_edges();
@@ -119,24 +121,24 @@ private:
   double side_of_root_ = 0;
   std::vector<Vertex_index> vertices_; // all of them, for the placement by rule
 
-  void make_tree_of_vertices(const Traits& traits) {
-    if (options_.neighbors == Options::Neighbors::QUADTREE) {
+  void make_tree_of_vertices(const Traits& traits, Find_hits find_hits) {
+    if (find_hits) {
+      separate_vertices(find_hits(graph_), Tree(graph_.vertices, Quadtree_options(), traits));
+    } else {
       const Quadtree_vertex_edge_neighbors_2<Traits, Concurrency_tag> neighbors(
           graph_, Vertex_edge_neighbors_options_2(), traits);
-      separate_vertices(neighbors, neighbors.quadtree());
-    } else {
-      const Trapezoidal_vertex_edge_neighbors_2<Traits, Concurrency_tag> neighbors(graph_);
-      separate_vertices(neighbors, Tree(graph_.vertices, Quadtree_options(), traits));
+      separate_vertices(nearest_hit_distances<Concurrency_tag>(neighbors, graph_.number_of_vertices()),
+                        neighbors.quadtree());
     }
   }
 
+  /// \param hits how far each vertex is from the nearest edge that it sees along the axes
   /// \param first the quadtree of the vertices
-  template <class Neighbors>
-  void separate_vertices(const Neighbors& neighbors, const Tree& first) {
+  void separate_vertices(const std::vector<double>& hits, const Tree& first) {
     report_.leaves_of_points = first.number_of_leaves();
     side_of_root_ = width(first.corners(first.root()));
     Framework framework = first.framework();
-    framework.annotate(levels_of_vertices(neighbors, first));
+    framework.annotate(levels_of_vertices(hits, first));
     tree_ = Tree(std::move(framework));
     report_.leaves_of_vertices = tree_.number_of_leaves();
   }
@@ -147,8 +149,7 @@ private:
 
   /// The level of the leaf of each vertex, by rank: from the near vertex and the nearest of the edges that the vertex
   /// sees along the axes, of which one is within a constant of what is nearest (Lemma 5).
-  template <class Neighbors>
-  std::vector<int> levels_of_vertices(const Neighbors& neighbors, const Tree& first) const {
+  std::vector<int> levels_of_vertices(const std::vector<double>& hits, const Tree& first) const {
     const Framework& framework = first.framework();
     std::vector<int> levels(framework.number_of_points(), 0);
     for_each_index<Concurrency_tag>(levels.size(), [&](std::size_t i) {
@@ -158,9 +159,7 @@ private:
       if (near.is_valid())
         distance = std::sqrt(squared_length(Geometry::difference(
             problem_.input_points[v], problem_.input_points[framework.input_point(near).value()])));
-      const Vertex_edge_neighbor_2 edge = neighbors.nearest_hit(Vertex_index(v));
-      if (edge.exists() && edge.distance > 0)
-        distance = std::min(distance, map_.length_to_kernel(edge.distance));
+      if (hits[v] > 0 && std::isfinite(hits[v])) distance = std::min(distance, map_.length_to_kernel(hits[v]));
       levels[i] = level_for(distance / least_vertex_distance(), framework.grid().depth());
     });
     return levels;
