@@ -70,7 +70,7 @@ private:
         row[i] = scanner_.template read<double>({columns_[i]});
       else
         scanner_.skip_column();
-      if (column < last) scanner_.skip_separator();
+      scanner_.pass_separator();
     }
     return row;
   }

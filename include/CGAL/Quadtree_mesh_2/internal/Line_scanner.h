@@ -82,15 +82,20 @@ public:
     return value;
   }
 
-  /// From now on columns may end with this character, too; it has to be passed by `skip_separator()`.
+  /// From now on columns end with this character, which is no blank, or with blanks if it is one.
   void set_separator(char separator) { separator_ = separator; }
-  void skip_separator() {
-    if (has_more_columns() && *position_ == separator_) ++position_;
+  /// Goes behind the separator at the end of a column, if there is one.
+  void pass_separator() {
+    if (separator_ == ' ' || !has_more_columns()) return;
+    if (*position_ != separator_)
+      fail(std::string("a '") + separator_ + "' is expected before '" + *position_ + '\'');
+    ++position_;
   }
   /// Passes over a column, whatever is in it.
   void skip_column() {
     if (has_more_columns())
-      while (!is_end_of_column(position_)) ++position_;
+      while (!(separator_ == ' ' ? is_end_of_column(position_) : is_end_of_line_or_separator(position_)))
+        ++position_;
   }
   /// What is left of the line, without a comment.
   std::string_view rest_of_line() const {
@@ -120,8 +125,9 @@ private:
     return true;
   }
 
-  bool is_end_of_column(const char* p) const {
-    return p == line_end_ || is_blank(*p) || *p == '#' || *p == separator_;
+  bool is_end_of_column(const char* p) const { return is_end_of_line_or_separator(p) || is_blank(*p); }
+  bool is_end_of_line_or_separator(const char* p) const {
+    return p == line_end_ || *p == '#' || *p == separator_;
   }
 
   void check(std::from_chars_result result, bool is_finite, bool is_integral, Column_name column) const {
