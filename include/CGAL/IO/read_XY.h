@@ -19,7 +19,7 @@
 #include <utility>
 #include <vector>
 
-// Reads points from text with one point a line, as spreadsheets and scripts write it. Linear: some 30 ns a number.
+// Reads points from text with one point a line, as spreadsheets and scripts write it. Linear.
 
 namespace CGAL {
 namespace Quadtree_mesh_2 {
