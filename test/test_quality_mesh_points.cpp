@@ -144,9 +144,6 @@ TEST_CASE("the program reads points in every format", "[program][points]") {
       folder.write("b.csv", text_of(points, ",")),
       folder.write("c.txt", text_of(points, " , ")),
       folder.write("g.csv", "x;y;name\n" + text_of(points, ";")),
-      folder.write("h.wkt", "MULTIPOINT(" + joined(points, " ", "", "") + ")"),
-      folder.write("i.geojson",
-                   "{\"type\": \"MultiPoint\", \"coordinates\": [" + joined(points, ", ", "[", "]") + "]}"),
       folder.write("d.node", node_text_of(points)),
       folder.write("e.poly", node_text_of(points) + "0 0\n0\n"),
       folder.write("f.poly", "0 2 0 0\n0 0\n0\n"), // the points are in f.node
@@ -161,6 +158,21 @@ TEST_CASE("the program reads points in every format", "[program][points]") {
     CHECK(r.out.empty());
     CHECK(json_in(report).at("triangles") == triangles);
   }
+}
+
+TEST_CASE("the program reads points of GeoJSON and WKT", "[program][points]") {
+  const Scratch_folder folder;
+  std::vector<Point> points = some_points(20);
+  points.pop_back(); // vertices of graphs are merged as they are read
+  const std::string output = " --mode points -o " + folder.file("mesh.node");
+  CHECK(run(folder.write("a.xy", text_of(points, " ")) + output).status == 0);
+  const std::string mesh = content(folder.file("mesh.node"));
+  CHECK(run(folder.write("b.wkt", "MULTIPOINT(" + joined(points, " ", "", "") + ")") + output).status == 0);
+  CHECK(content(folder.file("mesh.node")) == mesh);
+  const std::string places = joined(points, ", ", "[", "]");
+  CHECK(run(folder.write("c.geojson", R"({"type": "MultiPoint", "coordinates": [)" + places + "]}") + output)
+            .status == 0);
+  CHECK(content(folder.file("mesh.node")) == mesh);
 }
 
 TEST_CASE("the program writes meshes of points in each format", "[program][points]") {
