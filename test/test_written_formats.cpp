@@ -11,6 +11,7 @@
 #include "scratch_folder.h"
 
 #include <CGAL/Balanced_quadtree.h>
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Filtered_quadtree_traits_2.h>
 #include <CGAL/IO/MEDIT.h>
 #include <CGAL/IO/MSH.h>
@@ -281,6 +282,36 @@ TEST_CASE("streams get what files get, and errors name the file", "[OFF][OBJ][MS
   check("a.vtu", [&](auto&& out) { IO::write_VTU(out, m.mesh, m.pslg, IO::Triangle_fields_2()); });
   const IO::Triangle_fields_2 wrong{{"short", {1, 2}}};
   CHECK_THROWS_AS(IO::write_VTU(folder.file("c.vtu"), m.mesh, m.pslg, wrong), std::invalid_argument);
+}
+
+TEST_CASE("points of other kinds are written as numbers", "[OFF][OBJ][MSH][MEDIT][VTU]") {
+  const auto texts = [](const auto& mesh) {
+    std::ostringstream out;
+    IO::write_OFF(out, mesh);
+    IO::write_OBJ(out, mesh);
+    IO::write_MSH(out, mesh);
+    IO::write_MEDIT(out, mesh);
+    IO::write_VTU(out, mesh, {}, {}, IO::ASCII);
+    return out.str();
+  };
+  const auto triangle = [](auto mesh) {
+    using Exact_or_word = typename decltype(mesh)::Point_2;
+    mesh.points = {Exact_or_word(0, 0), Exact_or_word(1000003, 7), Exact_or_word(5, 4000000000.)};
+    mesh.triangles.push_back({Vertex_index(0), Vertex_index(1), Vertex_index(2)});
+    return mesh;
+  };
+  struct Word_point {
+    std::uint32_t x_, y_;
+    Word_point(double x, double y) : x_(static_cast<std::uint32_t>(x)), y_(static_cast<std::uint32_t>(y)) {}
+    std::uint32_t x() const { return x_; }
+    std::uint32_t y() const { return y_; }
+  };
+  using Exact = CGAL::Exact_predicates_exact_constructions_kernel::Point_2;
+  const std::string words = texts(triangle(CGAL::Indexed_mesh_2<Word_point>()));
+  CHECK(words.find("\n5 4000000000 0\n") != std::string::npos);
+  const std::string exact = texts(triangle(CGAL::Indexed_mesh_2<Exact>()));
+  CHECK(exact == texts(triangle(Mesh())));
+  CHECK(exact.find("1000003 7") != std::string::npos);
 }
 
 TEST_CASE("meshes of nothing are files, too", "[OFF][OBJ][MSH][MEDIT][VTU]") {
