@@ -28,7 +28,7 @@ sub link_to {
   return "[$text](\@ref " . label($1, $2 // '') . ')' if $target =~ m{^(\w+)\.md(?:#(.*))?$} && -e "doc/$1.md";
   return "[$text](\@ref $1)" if $target =~ m{^Concepts/(\w+)\.h$} || $target =~ m{^\.\./examples/(\w+\.cpp)$};
   return "[$text]($target)" if $target =~ m{^https?://};
-  return $text if -e "doc/$target" || $target eq 'file_formats.md';
+  return $text if -e "doc/$target";
   return "[$text](\@ref $target)"; # which is not there: an error
 }
 

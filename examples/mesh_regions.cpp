@@ -43,7 +43,8 @@ int main(int argc, char** argv) {
   std::cout << (quality.is_valid() && quality.is_met() ? "checked\n" : "the mesh is wrong\n");
 
   try {
-    if (argc > 1) CGAL::IO::write_SVG(argv[1], mesh, plate, CGAL::IO::Svg_options_2().width(480));
+    using Svg = CGAL::IO::Svg_options_2;
+    if (argc > 1) CGAL::IO::write_SVG(argv[1], mesh, plate, Svg().width(480).fill_by(Svg::Fill::region));
   } catch (const std::runtime_error& e) {
     std::cerr << e.what() << '\n';
     return 1;
