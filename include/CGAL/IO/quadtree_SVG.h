@@ -15,7 +15,8 @@
 #include <CGAL/Balanced_quadtree.h>
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/Replaced_files.h>
-#include <CGAL/Quadtree_mesh_2/internal/Svg_mesh_painter.h>
+#include <CGAL/Quadtree_mesh_2/internal/Svg_path.h>
+#include <CGAL/Quadtree_mesh_2/internal/triangle_angles.h>
 
 #include <algorithm>
 #include <array>

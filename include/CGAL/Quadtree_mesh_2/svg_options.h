@@ -18,11 +18,12 @@ namespace IO {
 /// How `write_SVG()` draws. Colours are whatever SVG takes for one; "none" leaves a thing out.
 struct Svg_options_2 {
   enum class Fill {
-    plain,        ///< all triangles in `fill_color`
-    least_angle,  ///< from red (small) through yellow to green and blue (60 degrees)
-    largest_angle ///< from blue (60 degrees) through green to yellow (90) and red (120 and more)
+    plain,         ///< all triangles in `fill_color`
+    least_angle,   ///< from red (small) through yellow to green and blue (60 degrees)
+    largest_angle, ///< from blue (60 degrees) through green to yellow (90) and red (120 and more)
+    region         ///< twelve colours for the regions, one after the other; `fill_color` where there is none
   };
-  /// What tells which angles the colours stand for; a plain picture has none.
+  /// What tells which angles or regions the colours stand for; a plain picture has none.
   enum class Legend { none, below };
 
   int width_in_pixels = 800;
@@ -34,6 +35,9 @@ struct Svg_options_2 {
   std::string edge_color = "#4a6b8a";
   std::string segment_color = "#12263a";
   std::string fill_color = "#e8f1f8";
+  /// Of the quadtree, if one is drawn, between areas and edges.
+  std::string quadtree_color = "#c51b7d";
+  double quadtree_width = 0.3;
   std::string background_color = "#ffffff";
   /// The part of the plane that is shown; all of the input and the mesh if empty.
   std::optional<Bbox_2> clip;
