@@ -3,7 +3,7 @@
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Delaunay_mesh_face_base_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Quality_mesher_2.h>
+#include <CGAL/refine_quality_mesh_2.h>
 
 #include <iostream>
 #include <vector>

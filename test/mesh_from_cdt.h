@@ -107,22 +107,24 @@ edges_along(const std::vector<Point>& points, const std::vector<std::vector<std:
   return result;
 }
 
-/// The faces in the domain, with all the arrays of a mesh.
-inline Mesh mesh_from_cdt(const Cdt& cdt, const Pslg& pslg) {
+/// The faces in the domain, with all the arrays of a mesh. Coordinates that are not doubles are rounded.
+template <class Triangulation>
+Mesh mesh_from_cdt(const Triangulation& cdt, const Pslg& pslg) {
   Mesh mesh;
   mesh.points = pslg.vertices;
   mesh.number_of_input_vertices = pslg.vertices.size();
   std::map<Point, std::size_t> at;
   for (std::size_t v = pslg.vertices.size(); v-- > 0;) at[pslg.vertices[v]] = v;
-  std::map<Cdt::Face_handle, std::size_t> number;
+  std::map<typename Triangulation::Face_handle, std::size_t> number;
   std::map<std::pair<std::size_t, std::size_t>, bool> is_edge;
   std::vector<std::vector<std::size_t>> adjacent(pslg.vertices.size());
-  const auto index = [&](Cdt::Vertex_handle v) {
-    const auto found = at.insert({v->point(), mesh.points.size()});
-    if (found.second) mesh.points.push_back(v->point()), adjacent.emplace_back();
+  const auto index = [&](typename Triangulation::Vertex_handle v) {
+    const Point p(CGAL::to_double(v->point().x()), CGAL::to_double(v->point().y()));
+    const auto found = at.insert({p, mesh.points.size()});
+    if (found.second) mesh.points.push_back(p), adjacent.emplace_back();
     return found.first->second;
   };
-  for (Cdt::Face_handle f : cdt.finite_face_handles()) {
+  for (typename Triangulation::Face_handle f : cdt.finite_face_handles()) {
     if (!f->is_in_domain()) continue;
     number.insert({f, mesh.triangles.size()});
     mesh.triangles.push_back({Vertex_index(index(f->vertex(0))), Vertex_index(index(f->vertex(1))),
@@ -137,8 +139,8 @@ inline Mesh mesh_from_cdt(const Cdt& cdt, const Pslg& pslg) {
     }
   const std::size_t used = mesh.points.size(); // Mesh_2 can split segments outside the domain too
   for (auto e : cdt.constrained_edges()) {
-    const std::size_t a = index(e.first->vertex(Cdt::ccw(e.second))),
-                      b = index(e.first->vertex(Cdt::cw(e.second)));
+    const std::size_t a = index(e.first->vertex(Triangulation::ccw(e.second))),
+                      b = index(e.first->vertex(Triangulation::cw(e.second)));
     adjacent[a].push_back(b), adjacent[b].push_back(a);
     is_edge[std::minmax(a, b)] = number.count(e.first) != 0 || number.count(e.first->neighbor(e.second)) != 0;
   }

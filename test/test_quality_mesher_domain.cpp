@@ -15,6 +15,7 @@
 #include <CGAL/Delaunay_mesh_face_base_2.h>
 #include <CGAL/Delaunay_mesh_size_criteria_2.h>
 #include <CGAL/Quality_mesher_2.h>
+#include <CGAL/refine_quality_mesh_2.h>
 
 #include <algorithm>
 #include <array>
@@ -317,7 +318,7 @@ TEST_CASE("A triangulation is refined by criteria of Mesh_2 and its seeds", "[me
 
 TEST_CASE("Criteria of Mesh_2 become options", "[mesher][domain]") {
   using Criteria = CGAL::Delaunay_mesh_size_criteria_2<Cdt>;
-  CHECK(CGAL::quality_mesh_options_2(Criteria()).min_angle_in_degrees == 20.7);
+  CHECK(CGAL::quality_mesh_options_2(Criteria()).min_angle_in_degrees == Approx(20.704811).epsilon(1e-7));
   CHECK(CGAL::quality_mesh_options_2(Criteria(0.125, 3)).max_edge_length == 3);
   CHECK(CGAL::quality_mesh_options_2(Criteria(0.25)).min_angle_in_degrees == Approx(30));
   CHECK(CGAL::quality_mesh_options_2(Criteria(0.5)).min_angle_in_degrees == Approx(30));

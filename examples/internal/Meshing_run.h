@@ -71,6 +71,8 @@ inline const char* name(CGAL::Quality_mesh_report_2::Reason reason) {
     return "corner";
   case Reason::COORDINATES:
     return "coordinates";
+  case Reason::CRITERIA:
+    return "criteria";
   }
   return "";
 }

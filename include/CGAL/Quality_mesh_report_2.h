@@ -49,7 +49,8 @@ struct Quality_mesh_report_2 {
     CANCELLED,  ///< the callback stopped refinement
     LEAST_EDGE, ///< a vertex would have come nearer to another than `Quality_mesh_options_2::min_edge_length`
     CORNER,     ///< above 20.7 degrees: the legs of an acute corner are cut no nearer to its apex
-    COORDINATES ///< there is no room for a vertex between the coordinates that numbers can express
+    COORDINATES, ///< there is no room for a vertex between the coordinates that numbers can express
+    CRITERIA     ///< the criteria object that the user gave calls it bad
   };
   /// A triangle that misses a bound although no acute input corner excuses it.
   struct Unmet_triangle {

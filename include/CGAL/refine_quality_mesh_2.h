@@ -9,17 +9,26 @@
 
 /// \file
 /// Meshing a CGAL triangulation in place: what takes the place of Mesh_2's `refine_Delaunay_mesh_2()`.
+///
+/// For all functions here, `Cdt` is what `Quality_cdt_mesher_2` takes, and what is said there holds: vertices and
+/// constraints stay what they were, and handles of vertices valid. If there is no domain, the report has no triangles,
+/// and only the faces' marks have changed. All throw `Pslg_error_2` if the domain cannot be meshed, with the triangulation
+/// as it was but for the marks. Expected O(n log n + k) time for k triangles.
 
-#include <CGAL/Filtered_quadtree_traits_2.h>
-#include <CGAL/Kernel_traits.h>
+#include <CGAL/Quadtree_mesh_2/internal/Cdt_refiner.h>
+#include <CGAL/Quadtree_mesh_2/internal/compat.h>
+#include <CGAL/Quadtree_mesh_2/internal/criteria_options.h>
+#include <CGAL/Quadtree_mesh_2/internal/mark_domain.h>
+#include <CGAL/Quality_cdt_mesher_2.h>
 #include <CGAL/Quality_mesh_options_2.h>
 #include <CGAL/Quality_mesh_report_2.h>
 #include <CGAL/Quality_mesher_2.h>
 #include <CGAL/indexed_mesh_to_triangulation_2.h>
-#include <CGAL/tags.h>
 
-#include <algorithm>
-#include <cmath>
+#if CGAL_QUADTREE_MESH_2_HAS_MESH_2_PARAMETERS
+#include <CGAL/Named_function_parameters.h>
+#endif
+
 #include <iterator>
 #include <type_traits>
 #include <utility>
@@ -29,77 +38,92 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-template <class Criteria, class = void>
-struct Has_size_bound : std::false_type {};
-template <class Criteria>
-struct Has_size_bound<Criteria, std::void_t<decltype(std::declval<const Criteria&>().size_bound())>>
-    : std::true_type {};
+/// Meshes the marked faces by criteria, which are asked if they can be.
+template <class Cdt, class Criteria>
+Quality_mesh_report_2 refine_marked_domain(Cdt& cdt, const Criteria& criteria) {
+  Cdt_refiner<Cdt> refiner(cdt);
+  if constexpr (Can_be_asked<Criteria>::value)
+    return refiner.refine(quality_mesh_options_2(criteria), criteria);
+  else
+    return refiner.refine(quality_mesh_options_2(criteria));
+}
 
 } // namespace internal
 } // namespace Quadtree_mesh_2
 
-/// The options that ask for what criteria of Mesh_2 ask for.
-/// \tparam Criteria has `bound()`, the squared sine of the least angle, and maybe `size_bound()`, the longest
-/// edge (0: none), as `Delaunay_mesh_criteria_2` and `Delaunay_mesh_size_criteria_2` have. Mesh_2's default,
-/// 1/8, becomes 20.7 degrees, and what is above 30 degrees becomes 30.
-template <class Criteria>
-Quality_mesh_options_2 quality_mesh_options_2(const Criteria& criteria) {
-  constexpr double degrees = 180 / 3.14159265358979323846, largest = 30, of_an_eighth = 20.7;
-  const double bound = criteria.bound();
-  const double angle = std::asin(std::sqrt(std::min(0.25, std::max(0.0, bound)))) * degrees;
-  Quality_mesh_options_2 options;
-  options.min_angle(std::min(bound <= 0.125 ? of_an_eighth : largest, angle));
-  if constexpr (Quadtree_mesh_2::internal::Has_size_bound<Criteria>::value)
-    options.max_edge(criteria.size_bound());
-  return options;
-}
-
-/// Replaces a constrained triangulation by a quality mesh of its domain.
-///
-/// The domain is that of `options`. With `Domain::MARKED` the seeds tell which components are in it,
-/// otherwise which are not. Afterwards `cdt` is a valid constrained Delaunay triangulation whose faces in the
-/// domain, those with `is_in_domain()`, are the mesh; what is between them and the convex hull is filled with
-/// faces that are not. Vertex and face handles from before are invalid.
-/// \tparam Cdt a `Constrained_Delaunay_triangulation_2` over doubles whose faces model
-/// `DelaunayMeshFaceBase_2`.
+/// Meshes the domain that the options and seeds tell: with `Domain::MARKED` the components with a seed, with other
+/// rules those of the rule without a seed in them.
 /// \tparam Seeds a range of points.
-/// \throws Pslg_error_2 if there is no domain; `cdt` is then as it was.
 template <class Cdt, class Seeds, class = decltype(std::begin(std::declval<const Seeds&>()))>
 Quality_mesh_report_2 refine_quality_mesh_2(Cdt& cdt, const Seeds& seeds,
                                             const Quality_mesh_options_2& options = {}) {
-  using Kernel = typename Kernel_traits<typename Cdt::Point>::Kernel;
-  auto pslg = pslg_from_triangulation_2(cdt, seeds);
-  if (options.domain == Quality_mesh_options_2::Domain::MARKED) {
-    for (const auto& seed : pslg.holes) pslg.regions.push_back({seed, 0, 0});
-    pslg.holes.clear();
-  }
-  // on all cores if the program links TBB: the mesh is the same
-  Quality_mesher_2<Filtered_quadtree_traits_2<Kernel>, Parallel_tag> mesher(options);
-  indexed_mesh_to_constrained_Delaunay_triangulation_2(mesher(pslg), pslg, cdt);
-  return mesher.report();
+  Quadtree_mesh_2::internal::mark_by_rule(cdt, std::begin(seeds), std::end(seeds), options.domain);
+  return Quadtree_mesh_2::internal::Cdt_refiner<Cdt>(cdt).refine(options);
 }
 
 /// The same without seeds.
 template <class Cdt>
-Quality_mesh_report_2 refine_quality_mesh_2(Cdt& cdt, const Quality_mesh_options_2& options = {}) {
+Quality_mesh_report_2 refine_quality_mesh_2(Cdt& cdt, const Quality_mesh_options_2& options) {
   return refine_quality_mesh_2(cdt, std::vector<typename Cdt::Point>(), options);
 }
 
-/// The same by criteria of Mesh_2.
-template <class Cdt, class Criteria, class = void, class = decltype(std::declval<const Criteria&>().bound())>
-Quality_mesh_report_2 refine_quality_mesh_2(Cdt& cdt, const Criteria& criteria) {
-  return refine_quality_mesh_2(cdt, quality_mesh_options_2(criteria));
+/// Meshes all that constrained edges separate from infinity, by the least angle that is Mesh_2's default, 20.7048
+/// degrees.
+template <class Cdt>
+Quality_mesh_report_2 refine_quality_mesh_2(Cdt& cdt) {
+  return refine_quality_mesh_2(
+      cdt, Quality_mesh_options_2().min_angle(Quadtree_mesh_2::internal::default_angle_of_Mesh_2));
 }
 
-/// The same with the parameters of `refine_Delaunay_mesh_2()`: `mark` tells whether the seeds are in the
-/// domain (true) or in holes.
-template <class Cdt, class InputIterator, class Criteria>
-Quality_mesh_report_2 refine_quality_mesh_2(Cdt& cdt, InputIterator seeds_begin, InputIterator seeds_end,
-                                            const Criteria& criteria, bool mark = false) {
-  Quality_mesh_options_2 options = quality_mesh_options_2(criteria);
-  if (mark) options.mesh_domain(Quality_mesh_options_2::Domain::MARKED);
-  return refine_quality_mesh_2(cdt, std::vector<typename Cdt::Point>(seeds_begin, seeds_end), options);
+/// Meshes all that constrained edges separate from infinity, or if `domain_specified` the faces with `is_in_domain()`,
+/// by criteria of Mesh_2.
+/// \tparam Criteria a model of `MeshingCriteria_2`, as for `Quality_cdt_mesher_2`, or any class with `bound()`.
+template <class Cdt, class Criteria,
+          class = std::enable_if_t<Quadtree_mesh_2::internal::is_criteria<Criteria>>>
+Quality_mesh_report_2 refine_quality_mesh_2(Cdt& cdt, const Criteria& criteria = Criteria(),
+                                            bool domain_specified = false) {
+  using Quadtree_mesh_2::internal::mark_by_seeds;
+  const typename Cdt::Point* no_seeds = nullptr;
+  if (!domain_specified) mark_by_seeds(cdt, no_seeds, no_seeds, false);
+  return Quadtree_mesh_2::internal::refine_marked_domain(cdt, criteria);
 }
+
+/// The same with seeds: `mark` tells whether they are in the domain (true) or in holes.
+template <class Cdt, class Criteria, class InputIterator,
+          class = std::enable_if_t<Quadtree_mesh_2::internal::is_criteria<Criteria>>>
+Quality_mesh_report_2 refine_quality_mesh_2(Cdt& cdt, InputIterator seeds_begin, InputIterator seeds_end,
+                                            const Criteria& criteria = Criteria(), bool mark = false) {
+  Quadtree_mesh_2::internal::mark_by_seeds(cdt, seeds_begin, seeds_end, mark);
+  return Quadtree_mesh_2::internal::refine_marked_domain(cdt, criteria);
+}
+
+#if CGAL_QUADTREE_MESH_2_HAS_MESH_2_PARAMETERS
+/// The same by named parameters (\cgal 5.6 and later).
+///
+/// - `criteria`: a model of `MeshingCriteria_2`; by default `Delaunay_mesh_size_criteria_2<Cdt>()`
+/// - `domain_is_initialized`: whether the domain is the faces with `is_in_domain()`, and seeds are of no importance; by
+///   default false
+/// - `seeds`: a range of points; by default empty
+/// - `seeds_are_in_domain`: whether the domain is the components with a seed, or those without; by default false
+template <class Cdt, typename CGAL_NP_TEMPLATE_PARAMETERS_NO_DEFAULT>
+Quality_mesh_report_2 refine_quality_mesh_2(Cdt& cdt, const CGAL_NP_CLASS& np) {
+  using parameters::choose_parameter;
+  using parameters::get_parameter;
+  using parameters::get_parameter_reference;
+  using Default_criteria = Delaunay_mesh_size_criteria_2<Cdt>;
+  using Default_seeds = std::vector<typename Cdt::Point>;
+  using Seeds = typename internal_np::Lookup_named_param_def<internal_np::seeds_t, CGAL_NP_CLASS,
+                                                             Default_seeds>::reference;
+  if (!choose_parameter(get_parameter(np, internal_np::domain_is_initialized), false)) {
+    Default_seeds no_seeds;
+    Seeds seeds = choose_parameter(get_parameter_reference(np, internal_np::seeds), no_seeds);
+    const bool mark = choose_parameter(get_parameter(np, internal_np::seeds_are_in_domain), false);
+    Quadtree_mesh_2::internal::mark_by_seeds(cdt, std::begin(seeds), std::end(seeds), mark);
+  }
+  return Quadtree_mesh_2::internal::refine_marked_domain(
+      cdt, choose_parameter<Default_criteria>(get_parameter_reference(np, internal_np::criteria)));
+}
+#endif
 
 } // namespace CGAL
 

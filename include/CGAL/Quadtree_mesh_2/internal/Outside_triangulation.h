@@ -47,19 +47,23 @@ public:
   using Vertex_handle = typename Triangulation::Vertex_handle;
   using Cdt = typename Triangulation::Cdt;
 
+  using Segments = std::vector<std::array<std::uint32_t, 2>>;
+
   /// \pre `mesh.neighbors` is complete.
   /// \throws Pslg_error_2 if border edges, outside segments and outside vertices meet where they should not.
   Outside_triangulation(const Indexed_mesh_2<Point>& mesh, const Pslg_2<Point>& pslg)
-      : mesh_(mesh), pslg_(pslg), is_used_(mesh.points.size(), 0), is_chosen_(mesh.points.size(), 0),
-        cdt_(mesh.points, choose_vertices()), used_at_(mesh.points.size(), none) {
-    for (std::uint32_t side : border_) used_at_[cdt_.place(origin(side))] = origin(side);
-    find_outside_pieces();
-    insert_segments();
-    if (cdt_.has_crossings())
-      throw Pslg_error_2("border edges of the mesh and input segments outside it cross after rounding");
-    if (dimension() == 2) mark_inside();
+      : Outside_triangulation(mesh, pslg.vertices.size()) {
+    find_outside_pieces(pslg);
+    build();
   }
 
+  /// The same where it is known which segments are outside; no vertex lies on one of them.
+  Outside_triangulation(const Indexed_mesh_2<Point>& mesh, std::size_t number_of_input_vertices,
+                        const Segments& outside_segments)
+      : Outside_triangulation(mesh, number_of_input_vertices) {
+    outside_pieces_ = outside_segments;
+    build();
+  }
   int dimension() const { return cdt_.cdt().dimension(); }
   Cdt& cdt() { return cdt_.cdt(); }
   bool is_used(std::uint32_t v) const { return is_used_[v] != 0; }
@@ -71,6 +75,20 @@ public:
   }
 
 private:
+  Outside_triangulation(const Indexed_mesh_2<Point>& mesh, std::size_t number_of_input_vertices)
+      : mesh_(mesh), number_of_input_vertices_(number_of_input_vertices), is_used_(mesh.points.size(), 0),
+        is_chosen_(mesh.points.size(), 0), cdt_(mesh.points, choose_vertices()),
+        used_at_(mesh.points.size(), none) {
+    for (std::uint32_t side : border_) used_at_[cdt_.place(origin(side))] = origin(side);
+  }
+
+  void build() {
+    insert_segments();
+    if (cdt_.has_crossings())
+      throw Pslg_error_2("border edges of the mesh and input segments outside it cross after rounding");
+    if (dimension() == 2) mark_inside();
+  }
+
   std::uint32_t vertex(std::uint32_t side, std::uint32_t offset) const {
     return mesh_.triangles[side / 3][(side % 3 + offset) % 3].value();
   }
@@ -88,7 +106,7 @@ private:
       }
     std::vector<std::size_t> chosen;
     for (std::size_t v = 0; v < is_chosen_.size(); ++v) {
-      if (v < pslg_.vertices.size() && is_used_[v] == 0) is_chosen_[v] = 1;
+      if (v < number_of_input_vertices_ && is_used_[v] == 0) is_chosen_[v] = 1;
       if (is_chosen_[v] != 0) chosen.push_back(v);
     }
     return chosen;
@@ -104,18 +122,18 @@ private:
   /// Finds the pieces of segments with the outside on both sides. Most inputs have none, and this is seen in
   /// linear time: the edges of a segment form a path from end to end, where every vertex but the ends occurs
   /// twice.
-  void find_outside_pieces() {
-    std::vector<std::uint64_t> odd(pslg_.segments.size(), 0);
+  void find_outside_pieces(const Pslg_2<Point>& pslg) {
+    std::vector<std::uint64_t> odd(pslg.segments.size(), 0);
     for (const auto& e : mesh_.constrained_edges)
       if (std::size_t(e.segment) < odd.size()) // else `pslg` is not the mesh's, but an empty one
         odd[std::size_t(e.segment)] ^= mix(e.vertices[0].value()) ^ mix(e.vertices[1].value());
     bool is_complete = true;
-    for (std::size_t s = 0; s < pslg_.segments.size(); ++s) {
-      odd[s] ^= mix(pslg_.segments[s][0].value()) ^ mix(pslg_.segments[s][1].value());
+    for (std::size_t s = 0; s < pslg.segments.size(); ++s) {
+      odd[s] ^= mix(pslg.segments[s][0].value()) ^ mix(pslg.segments[s][1].value());
       is_complete = is_complete && odd[s] == 0;
     }
     if (is_complete) return;
-    const Input_domain<Kernel> domain(pslg_.vertices, pslg_.segments, pslg_.holes);
+    const Input_domain<Kernel> domain(pslg.vertices, pslg.segments, pslg.holes);
     if (domain.has_crossings()) throw Pslg_error_2("input segments cross");
     for (const auto& piece : domain.pieces())
       if (!piece.is_in_domain() && odd[std::size_t(piece.segment)] != 0 && is_chosen_[piece.ends[0]] != 0 &&
@@ -160,12 +178,12 @@ private:
   }
 
   const Indexed_mesh_2<Point>& mesh_;
-  const Pslg_2<Point>& pslg_;
+  std::size_t number_of_input_vertices_;
   std::vector<char> is_used_, is_chosen_;
   std::vector<std::uint32_t> border_; // sides without a neighbour
   Triangulation cdt_;
   std::vector<std::uint32_t> used_at_; // by place
-  std::vector<std::array<std::uint32_t, 2>> outside_pieces_;
+  Segments outside_pieces_;
 };
 
 } // namespace internal

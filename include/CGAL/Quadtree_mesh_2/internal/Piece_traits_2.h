@@ -16,39 +16,16 @@
 #include <CGAL/Arr_enums.h>
 #include <CGAL/Arr_tags.h>
 #include <CGAL/Quadtree_mesh_2/internal/Piece_geometry.h>
+#include <CGAL/Quadtree_mesh_2/internal/compat.h>
 #include <CGAL/enum.h>
 #include <CGAL/tags.h>
-#include <CGAL/version.h>
 
 #include <cstddef>
 #include <utility>
 
-#if CGAL_VERSION_MAJOR >= 6
-#include <variant>
-#else
-#include <boost/variant.hpp>
-#endif
-
 namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
-
-/// The variants of arrangements are those of boost in CGAL 5, of std later.
-#if CGAL_VERSION_MAJOR >= 6
-template <class... T>
-using Arrangement_variant = std::variant<T...>;
-template <class T, class Variant>
-const T* held_in(const Variant& v) {
-  return std::get_if<T>(&v);
-}
-#else
-template <class... T>
-using Arrangement_variant = boost::variant<T...>;
-template <class T, class Variant>
-const T* held_in(const Variant& v) {
-  return boost::get<T>(&v);
-}
-#endif
 
 template <class Point>
 class Piece_traits_2 {
@@ -161,7 +138,7 @@ public:
   struct Make_x_monotone_2 {
     template <class Output_iterator>
     Output_iterator operator()(const Curve_2& c, Output_iterator out) const {
-      using Result = Arrangement_variant<Point_2, X_monotone_curve_2>;
+      using Result = Cgal_variant<Point_2, X_monotone_curve_2>;
       *out++ = c.left == c.right ? Result(Point_2{c.left}) : Result(X_monotone_curve_2(c));
       return out;
     }
@@ -183,7 +160,7 @@ public:
     template <class Output_iterator>
     Output_iterator operator()(const X_monotone_curve_2& c, const X_monotone_curve_2& d,
                                Output_iterator out) const {
-      using Result = Arrangement_variant<std::pair<Point_2, Multiplicity>, X_monotone_curve_2>;
+      using Result = Cgal_variant<std::pair<Point_2, Multiplicity>, X_monotone_curve_2>;
       const Place p = g_.meeting(c, d);
       if (p.is_valid()) *out++ = Result(std::make_pair(Point_2{p}, Multiplicity(1)));
       return out;

@@ -60,10 +60,13 @@ struct Constraint_marker<Face, std::void_t<decltype(std::declval<Face&>().set_co
 
 /// Welds the triangles of a mesh and the faces around it into one triangulation data structure. Linear.
 /// \tparam Cdt any triangulation of CGAL in the plane; constraints are marked in those that know them
-template <class Cdt>
+/// \tparam Mesh_kernel that of the mesh's points
+template <class Cdt, class Mesh_kernel = typename Cdt::Geom_traits>
 class Triangulation_welder {
 public:
-  using Kernel = typename Cdt::Geom_traits;
+  using Kernel = Mesh_kernel;
+  using Vertex_handle = typename Cdt::Vertex_handle;
+  using Face_handle = typename Cdt::Face_handle;
   using Point = typename Kernel::Point_2;
   using Mesh = Indexed_mesh_2<Point>;
   using Outside = Outside_triangulation<Kernel>;
@@ -77,20 +80,34 @@ public:
     cdt_.tds().clear();
     cdt_.tds().set_dimension(2);
     create_vertices();
+    weld_faces();
+  }
+
+  /// The same, where the triangulation has the mesh's vertices, and only these: they stay, only faces are made anew.
+  /// \param vertices one for each vertex of the mesh
+  void weld(std::vector<Vertex_handle> vertices) {
+    vertices_ = std::move(vertices);
+    cdt_.tds().faces().clear();
+    cdt_.tds().set_dimension(2);
+    weld_faces();
+  }
+
+  /// The faces of the mesh's triangles.
+  const std::vector<Face_handle>& mesh_faces() const { return faces_; }
+
+private:
+  using Domain_of_face = Domain_marker<typename Cdt::Face>;
+  using Constraint_of_face = Constraint_marker<typename Cdt::Face>;
+  using Outside_face_handle = typename Outside::Face_handle;
+  static constexpr std::uint32_t none_ = Outside::none;
+
+  void weld_faces() {
     create_mesh_faces();
     create_outside_faces();
     link_mesh_faces();
     link_outside_faces();
     if constexpr (Constraint_of_face::is_effective) constrain_inner_edges();
   }
-
-private:
-  using Vertex_handle = typename Cdt::Vertex_handle;
-  using Face_handle = typename Cdt::Face_handle;
-  using Domain_of_face = Domain_marker<typename Cdt::Face>;
-  using Constraint_of_face = Constraint_marker<typename Cdt::Face>;
-  using Outside_face_handle = typename Outside::Face_handle;
-  static constexpr std::uint32_t none_ = Outside::none;
 
   Vertex_handle create_vertex(std::uint32_t index) {
     const Vertex_handle v = cdt_.tds().create_vertex();

@@ -1,0 +1,201 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+
+#ifndef CGAL_QUALITY_CDT_MESHER_2_H
+#define CGAL_QUALITY_CDT_MESHER_2_H
+
+#include <CGAL/Delaunay_mesh_size_criteria_2.h>
+#include <CGAL/Quadtree_mesh_2/internal/Cdt_refiner.h>
+#include <CGAL/Quadtree_mesh_2/internal/criteria_options.h>
+#include <CGAL/Quadtree_mesh_2/internal/mark_domain.h>
+#include <CGAL/Quality_mesh_options_2.h>
+#include <CGAL/Quality_mesh_report_2.h>
+
+#include <algorithm>
+#include <iterator>
+#include <list>
+#include <utility>
+
+namespace CGAL {
+
+/// Meshes a constrained triangulation in place, by the interface of `Delaunay_mesher_2`.
+///
+/// The domain is what constrained edges separate from infinity, less the components with a seed; or these alone; or the
+/// faces that the user has marked. `refine_mesh()` makes it a mesh in which the criteria call no face bad, except where
+/// that cannot be had, which `report()` lists: near acute corners of the input (as in Mesh_2), and where an angle
+/// above 30 degrees is asked for or a criterion that no triangle can meet (for which Mesh_2 does not end).
+///
+/// Handles of vertices stay valid, and with them what users keep in vertices; a new vertex is as its base's default
+/// constructor leaves it. So do the constraints of a `Constrained_triangulation_plus_2`, whose subconstraints become the
+/// mesh's edges. Handles of faces do not stay valid. The mesh's faces come first in the order of iteration; the faces
+/// between the mesh and the convex hull, and in holes, are not in the domain. Vertices are only ever added: meshing
+/// again with other criteria goes on from the mesh there is, as in Mesh_2. Fewest triangles are made by the final
+/// criteria at once.
+///
+/// Unlike `Delaunay_mesher_2`, the mesh is made as a whole: one step makes it (see `step_by_step_refine_mesh()`), and
+/// constrained edges outside the domain are left as they are.
+///
+/// Expected O(n log n + k) time for k triangles; for criteria that only say whether a face is bad, this a few times.
+/// The mesh is the same for any number of threads.
+///
+/// \tparam CDT a `Constrained_Delaunay_triangulation_2`, or a `Constrained_triangulation_plus_2` of one, whose faces
+/// model `DelaunayMeshFaceBase_2`; over a kernel with double coordinates (its predicates need not be exact) or with
+/// exact ones; or over traits that project points with double coordinates along an axis (`Projection_traits_xy_3` and its
+/// like, `Projection_traits_3` with such a normal). New points are then on the surface that the triangulation was. (Other
+/// normals work, too, up to rounding at the convex hull; but \cgal's criteria measure partly in space there.)
+/// \tparam Criteria_ a model of `MeshingCriteria_2`. Its `bound()` and `size_bound()`, where it has them, are read; it
+/// is asked for every face of the mesh, and also for single triangles in a triangulation of their own.
+template <class CDT, class Criteria_ = Delaunay_mesh_size_criteria_2<CDT>>
+class Quality_cdt_mesher_2 {
+public:
+  using Triangulation = CDT;
+  using Criteria = Criteria_;
+  using Point = typename CDT::Point;
+  using Seeds = std::list<Point>;
+  using Seeds_iterator = typename Seeds::const_iterator;
+  using Seeds_const_iterator = Seeds_iterator;
+
+  /// Changes nothing in `cdt`, which is referred to.
+  explicit Quality_cdt_mesher_2(CDT& cdt, const Criteria& criteria = Criteria())
+      : cdt_(cdt), criteria_(criteria) {}
+
+  /// \name Seeds
+  ///@{
+
+  /// The components with a point of the range are the domain if `mark`, and holes otherwise. With `do_it_now` faces
+  /// are marked at once.
+  template <class InputIterator>
+  void set_seeds(InputIterator begin, InputIterator end, bool mark = false, bool do_it_now = false) {
+    seeds_.assign(begin, end);
+    are_seeds_in_domain_ = mark;
+    if (do_it_now) mark_facets();
+  }
+  /// Without seeds the domain is all that constrained edges separate from infinity.
+  void clear_seeds() {
+    seeds_.clear();
+    are_seeds_in_domain_ = false;
+  }
+  Seeds_const_iterator seeds_begin() const { return seeds_.begin(); }
+  Seeds_const_iterator seeds_end() const { return seeds_.end(); }
+
+  /// Marks faces by the seeds; or, if `domain_specified`, only takes what is connected to infinity out of the domain.
+  void mark_facets(bool domain_specified = false) {
+    if (domain_specified)
+      Quadtree_mesh_2::internal::mark_outside(cdt_);
+    else
+      mark_facets(cdt_, seeds_.begin(), seeds_.end(), are_seeds_in_domain_);
+  }
+  template <class InputIterator>
+  static void mark_facets(CDT& cdt, InputIterator begin, InputIterator end, bool mark = false) {
+    Quadtree_mesh_2::internal::mark_by_seeds(cdt, begin, end, mark);
+  }
+
+  ///@}
+  /// \name Criteria
+  ///@{
+
+  /// The mesh is not changed before `refine_mesh()` is called. If not `recalculate_bad_faces`, then not even by that,
+  /// where it was done, before faces are said to be bad by `set_bad_faces()` or looked for by `init()`.
+  void set_criteria(const Criteria& criteria, bool recalculate_bad_faces = true) {
+    criteria_ = criteria;
+    if (recalculate_bad_faces && is_initialized_) look_for_bad_faces();
+  }
+  const Criteria& get_criteria() const { return criteria_; }
+
+  /// What criteria do not say: bounds of areas, smoothing, budgets, a callback. The stricter of two bounds of edges
+  /// holds; the least angle and the domain of the options are of no importance.
+  void set_options(const Quality_mesh_options_2& options) {
+    options_ = options;
+    if (is_initialized_) is_done_ = false;
+  }
+  const Quality_mesh_options_2& options() const { return options_; }
+
+  ///@}
+  /// \name Meshing
+  ///@{
+
+  /// Marks the domain, or if `domain_specified` takes the marks that faces have, and looks for bad faces.
+  void init(bool domain_specified = false) {
+    mark_facets(domain_specified);
+    is_initialized_ = true;
+    look_for_bad_faces();
+  }
+
+  /// Makes the mesh, after `init()` if that was not called. Nothing is changed if no face in the domain is bad.
+  /// \throws Pslg_error_2 if the domain cannot be meshed: a component of it is too thin for its coordinates, or
+  /// constraints cross by rounding. The triangulation is then as it was but for the marks of the domain.
+  const Quality_mesh_report_2& refine_mesh() {
+    if (!is_initialized_) init();
+    if (is_done_) return report_;
+    report_ = Quadtree_mesh_2::internal::Cdt_refiner<CDT>(cdt_).refine(combined_options(), criteria_);
+    is_done_ = true;
+    return report_;
+  }
+
+  /// Whether `refine_mesh()` has nothing to do: no face is bad, or what is bad cannot be cured.
+  bool is_refinement_done() const { return !is_initialized_ || is_done_; }
+
+  /// Does the whole of `refine_mesh()`: there are no smaller steps, as no face is final before the last. Returns
+  /// whether there was something to do.
+  /// \pre `init()` was called
+  bool step_by_step_refine_mesh() {
+    if (is_refinement_done()) return false;
+    refine_mesh();
+    return true;
+  }
+  /// The same.
+  bool try_one_step_refine_mesh() { return step_by_step_refine_mesh(); }
+
+  /// Says that there are bad faces if the range is not empty. Which ones is found by the criteria in any case.
+  template <class Face_handle_iterator>
+  void set_bad_faces(Face_handle_iterator begin, Face_handle_iterator end) {
+    is_done_ = begin == end;
+  }
+
+  ///@}
+
+  /// What the last run reached. The i-th face of the mesh is its triangle i.
+  const Quality_mesh_report_2& report() const { return report_; }
+  const Triangulation& triangulation() const { return cdt_; }
+
+private:
+  CDT& cdt_;
+  Criteria criteria_;
+  Quality_mesh_options_2 options_;
+  Seeds seeds_;
+  bool are_seeds_in_domain_ = false;
+  bool is_initialized_ = false;
+  bool is_done_ = false;
+  Quality_mesh_report_2 report_;
+
+  void look_for_bad_faces() {
+    const auto is_bad = criteria_.is_bad_object();
+    is_done_ = !has_wishes_of_its_own();
+    for (auto f = cdt_.finite_faces_begin(); f != cdt_.finite_faces_end() && is_done_; ++f) {
+      typename Criteria::Quality quality;
+      is_done_ = !f->is_in_domain() || is_bad(f, quality) == Mesh_2::NOT_BAD;
+    }
+  }
+
+  /// Whether the options bound sizes, about which the criteria say nothing.
+  bool has_wishes_of_its_own() const {
+    return options_.max_triangle_area > 0 || options_.max_edge_length > 0 || options_.size_field;
+  }
+
+  Quality_mesh_options_2 combined_options() const {
+    const Quality_mesh_options_2 of_criteria = quality_mesh_options_2(criteria_);
+    Quality_mesh_options_2 options = options_;
+    options.min_angle(of_criteria.min_angle_in_degrees);
+    if (of_criteria.max_edge_length > 0 &&
+        !(options.max_edge_length > 0 && options.max_edge_length < of_criteria.max_edge_length))
+      options.max_edge(of_criteria.max_edge_length);
+    return options;
+  }
+};
+
+} // namespace CGAL
+
+#endif // CGAL_QUALITY_CDT_MESHER_2_H
