@@ -15,20 +15,13 @@
 #include <CGAL/Arrangement_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Pslg_2.h>
+#include <CGAL/Quadtree_mesh_2/internal/compat.h>
 #include <CGAL/version.h>
 
 #include <cstddef>
 #include <iterator>
 #include <utility>
 #include <vector>
-
-#if CGAL_VERSION_MAJOR >= 6
-#include <optional>
-#include <variant>
-#else
-#include <boost/optional.hpp>
-#include <boost/variant.hpp>
-#endif
 
 namespace neighbors_cgal {
 
@@ -38,11 +31,8 @@ using Arrangement = CGAL::Arrangement_2<Traits>;
 using Vertex = Arrangement::Vertex_const_handle;
 using Halfedge = Arrangement::Halfedge_const_handle;
 using Face = Arrangement::Face_const_handle;
-#if CGAL_VERSION_MAJOR >= 6
-using Cell = std::optional<std::variant<Vertex, Halfedge, Face>>;
-#else
-using Cell = boost::optional<boost::variant<Vertex, Halfedge, Face>>;
-#endif
+using Cell = CGAL::Quadtree_mesh_2::internal::Cgal_optional<
+    CGAL::Quadtree_mesh_2::internal::Cgal_variant<Vertex, Halfedge, Face>>;
 using Entry = std::pair<Vertex, std::pair<Cell, Cell>>;
 
 /// Returns how many vertices see something below or above them, for rays along y, or along x.

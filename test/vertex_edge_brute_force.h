@@ -16,6 +16,7 @@
 #include <CGAL/Fixed_point_quadtree_traits_2.h>
 #include <CGAL/Pslg_2.h>
 #include <CGAL/Quadtree_mesh_2/Direction.h>
+#include <CGAL/Quadtree_mesh_2/internal/compat.h>
 #include <CGAL/intersections.h>
 
 #include <array>
@@ -29,6 +30,7 @@ namespace vertex_edge_test {
 using CGAL::Quadtree_mesh_2::Direction;
 using CGAL::Quadtree_mesh_2::Segment_index;
 using CGAL::Quadtree_mesh_2::Vertex_index;
+using CGAL::Quadtree_mesh_2::internal::held_in;
 using Exact = CGAL::Exact_predicates_exact_constructions_kernel;
 using EP = Exact::Point_2;
 using FT = Exact::FT;
@@ -46,19 +48,6 @@ EP exact_point(const CGAL::Fixed_point_2<Word>& p) {
     return FT(static_cast<double>(v >> 31)) * FT(0x1p31) + FT(static_cast<double>(v & 0x7fffffff));
   };
   return EP(number(p.x()), number(p.y()));
-}
-
-/// The intersection as a point or a segment, if that is what it is: a variant of boost in CGAL 5, of std
-/// later.
-template <class T, class Meeting>
-const T* part(const Meeting& meeting) {
-  using boost::get;
-  using std::get_if;
-#if CGAL_VERSION_MAJOR >= 6
-  return get_if<T>(&*meeting);
-#else
-  return get<T>(&*meeting);
-#endif
 }
 
 /// What is nearest, among exact values.
@@ -157,7 +146,7 @@ public:
         continue;
       const auto meeting = CGAL::intersection(segment(i), sector);
       if (!meeting) continue;
-      if (const auto* s = part<Exact::Segment_2>(meeting))
+      if (const auto* s = held_in<Exact::Segment_2>(*meeting))
         if (sector.has_on_bounded_side(CGAL::midpoint(s->source(), s->target())))
           best.offer(CGAL::squared_distance(p, *s), Vertex_index(), Segment_index(i));
     }
@@ -185,8 +174,8 @@ private:
 
   template <class Meeting>
   static FT squared_distance(const EP& p, const Meeting& meeting) {
-    const auto* s = part<Exact::Segment_2>(meeting);
-    return s ? CGAL::squared_distance(p, *s) : CGAL::squared_distance(p, *part<EP>(meeting));
+    const auto* s = held_in<Exact::Segment_2>(*meeting);
+    return s ? CGAL::squared_distance(p, *s) : CGAL::squared_distance(p, *held_in<EP>(*meeting));
   }
 };
 

@@ -9,6 +9,7 @@
 
 #include <CGAL/Tree_separation_options_2.h>
 
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <utility>
@@ -49,6 +50,13 @@ struct Quality_mesh_options_2 {
   /// The longest edge wanted of a triangle with its centroid at (x, y), in the units of the input; positive.
   /// Empty: no such bound. It is called by several threads at once with `Parallel_tag`.
   std::function<double(double, double)> size_field;
+  /// The corners of a triangle, (x, y) each, counterclockwise.
+  using Corners = std::array<std::array<double, 2>, 3>;
+  /// Whether a triangle shall be refined that meets all other bounds: what no bound of size can say. Empty: none. It is
+  /// called by several threads at once with `Parallel_tag`, for triangles that come and go, and has to answer the same
+  /// whenever it is asked. Where no triangle ever satisfies it, refinement stops with the vertex budget, or without
+  /// one with twenty million vertices more than else.
+  std::function<bool(const Corners&)> refined_where;
   /// Refinement inserts no vertex nearer than this to one in sight, in the units of the input; triangles that
   /// miss a bound for that are left, and reported with the reason LEAST_EDGE. 0 means no such rule.
   double min_edge_length = 0;
@@ -84,6 +92,9 @@ struct Quality_mesh_options_2 {
   Quality_mesh_options_2& max_area(double area) { return max_triangle_area = area, *this; }
   Quality_mesh_options_2& size(std::function<double(double, double)> f) {
     return size_field = std::move(f), *this;
+  }
+  Quality_mesh_options_2& refine_where(std::function<bool(const Corners&)> f) {
+    return refined_where = std::move(f), *this;
   }
   Quality_mesh_options_2& min_edge(double length) { return min_edge_length = length, *this; }
   Quality_mesh_options_2& mesh_domain(Domain d) { return domain = d, *this; }

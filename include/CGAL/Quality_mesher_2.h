@@ -119,4 +119,7 @@ Quality_mesher_2<Traits, ConcurrencyTag>::operator()(const Pslg& pslg) {
 #define CGAL_QUADTREE_MESH_2_HAS_QUALITY_MESHER
 #include <CGAL/Quadtree_mesh_2/compiled_meshers.h>
 
+// For programs that come from Mesh_2, refine_quality_mesh_2() and Quality_cdt_mesher_2.
+#include <CGAL/refine_quality_mesh_2.h>
+
 #endif // CGAL_QUALITY_MESHER_2_H

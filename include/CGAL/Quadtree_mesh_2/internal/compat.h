@@ -6,7 +6,7 @@
 //
 // What differs between the versions of CGAL that this package supports (5.5 to 6.1), in one place.
 //
-// CGAL 6 has the variants of std where 5 had those of boost, and Mesh_2 has named parameters since 5.6.
+// CGAL 6 has the variants and optionals of std where 5 had those of boost, and Mesh_2 has named parameters since 5.6.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_COMPAT_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_COMPAT_H
@@ -14,8 +14,10 @@
 #include <CGAL/version.h>
 
 #if CGAL_VERSION_MAJOR >= 6
+#include <optional>
 #include <variant>
 #else
+#include <boost/optional.hpp>
 #include <boost/variant.hpp>
 #endif
 
@@ -30,10 +32,12 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-/// The variants of CGAL: those of arrangements and of intersections.
+/// The variants and optionals of CGAL: those of arrangements and of intersections.
 #if CGAL_VERSION_MAJOR >= 6
 template <class... T>
 using Cgal_variant = std::variant<T...>;
+template <class T>
+using Cgal_optional = std::optional<T>;
 template <class T, class Variant>
 const T* held_in(const Variant& v) {
   return std::get_if<T>(&v);
@@ -41,6 +45,8 @@ const T* held_in(const Variant& v) {
 #else
 template <class... T>
 using Cgal_variant = boost::variant<T...>;
+template <class T>
+using Cgal_optional = boost::optional<T>;
 template <class T, class Variant>
 const T* held_in(const Variant& v) {
   return boost::get<T>(&v);
