@@ -20,10 +20,10 @@ namespace IO {
 
 /// A number for each triangle of a mesh, under a name that is not `region`, `marker`, `attribute` or `least_angle`.
 struct Triangle_field_2 {
-  std::string name;           ///< of the field in the file
-  std::vector<double> values; ///< one for each triangle, in their order
+  std::string name;           ///< what the file calls it
+  std::vector<double> values; ///< finite, in the order of the triangles
 };
-/// Any number of them.
+/// Several fields, in the order in which the file has them.
 using Triangle_fields_2 = std::vector<Triangle_field_2>;
 
 /// The value of a function of a place, `f(x, y)`, at the centroid of each triangle.
