@@ -36,13 +36,7 @@ int main(int argc, char** argv) {
   std::cout << "the origin is in leaf " << leaf << ", from " << corners[0] << " to " << corners[2]
             << ", with " << tree.points(leaf).size() << " points\nits neighbours, counterclockwise:";
   for (Quadtree::Leaf_index neighbor : tree.neighbors(leaf)) std::cout << ' ' << neighbor;
-
-  // At most 1.6284 times as far as the nearest neighbour.
-  const auto& framework = tree.framework();
-  const Quadtree::Point_index near =
-      framework.input_point(tree.near_neighbor(framework.rank(Quadtree::Point_index(0))));
-  std::cout << "\na near neighbour of point 0, " << points[0] << ", is point " << near << ", "
-            << points[std::size_t(near)] << '\n';
+  std::cout << '\n';
 
   if (argc < 2) return 0;
   try {

@@ -25,7 +25,7 @@ double distance(const Point& lower_left, const Point& upper_right) {
 
 bool is_too_large(const Point& lower_left, const Point& upper_right) {
   const double side = upper_right.x() - lower_left.x();
-  return side > std::max(0.03, 0.4 * (distance(lower_left, upper_right) - side));
+  return side > std::max(0.05, 0.4 * (distance(lower_left, upper_right) - side));
 }
 
 void print(const char* what, const Quadtree& tree) {
@@ -54,7 +54,9 @@ int main(int argc, char** argv) {
 
   try {
     using Options = CGAL::IO::Quadtree_svg_options;
-    if (argc > 1) CGAL::IO::write_SVG(argv[1], tree, Options().fill_by(Options::Fill::level));
+    if (argc > 1)
+      CGAL::IO::write_SVG(argv[1], tree,
+                          Options().fill_by(Options::Fill::level).clip_to({-1.5, -1.5, 1.5, 1.5}));
   } catch (const std::runtime_error& e) {
     std::cerr << e.what() << '\n';
     return 1;

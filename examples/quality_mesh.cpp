@@ -3,23 +3,19 @@
 #include "internal/Meshing_run.h"
 #include "internal/Progress_line.h"
 #include "internal/command_line.h"
+#include "internal/mesh_files.h"
 #include "internal/mesh_graph.h"
 #include "internal/point_set_program.h"
 #include "internal/program_steps.h"
-#include "internal/read_sized_points.h"
 
 #include "in_child.h"
 #include "mesh_2_peer.h"
 #include "resources.h"
 #include "thread_limit.h"
 
-#include <CGAL/IO/SVG.h>
-#include <CGAL/IO/Triangle_files.h>
-#include <CGAL/IO/VTU.h>
 #include <CGAL/mesh_quality_2.h>
 
 #include <exception>
-#include <filesystem>
 #include <iostream>
 #include <new>
 #include <string>
@@ -29,7 +25,7 @@ namespace {
 void mesh(Meshing_run& run, const Command_line& line) {
   Progress_line progress;
   CGAL::Quality_mesh_options_2 options = line.options;
-  if (!line.size_points_file.empty()) options.size(read_sized_points(line.size_points_file));
+  if (!line.size_points_file.empty()) options.size(mesh_files::read_sized_points(line.size_points_file));
   if (!line.is_quiet && Progress_line::is_possible())
     options.progress([&progress](double share) { return progress.show(share), true; });
 
@@ -43,19 +39,6 @@ void mesh(Meshing_run& run, const Command_line& line) {
   case Command_line::Kernel::exact:
     run.mesh = mesh_graph::exactly(run.pslg, options, line.neighbors, run.report);
     return;
-  }
-}
-
-void write_output(const std::string& file_name, const Meshing_run& run) {
-  switch (output_format(file_name)) {
-  case Output_format::triangle: {
-    const std::string stem = std::filesystem::path(file_name).replace_extension().string();
-    return CGAL::IO::write_triangle_files(run.mesh, run.pslg, stem);
-  }
-  case Output_format::vtu:
-    return CGAL::IO::write_VTU(file_name, run.mesh, run.pslg);
-  case Output_format::svg:
-    return CGAL::IO::write_SVG(file_name, run.mesh, run.pslg);
   }
 }
 
@@ -91,27 +74,17 @@ void compare(Meshing_run& run, const CGAL::Quality_mesh_options_2& options) {
   run.peer = in_child(peer, peer_limit_seconds).result;
 }
 
-/// \throws Usage_error if the name tells that the input is none of graphs.
-void check_input_format(const std::string& file_name) {
-  std::filesystem::path path(file_name);
-  if (path.extension() == ".gz") path.replace_extension();
-  for (const char* ending : {".node", ".xy", ".csv"})
-    if (path.extension() == ending)
-      throw Usage_error("'" + file_name +
-                        "' is a file of points alone: use --mode points, bounded, acute or warped");
-}
-
 Exit_status execute(const Command_line& line) {
-  check_input_format(line.input);
   Meshing_run run;
   run.threads = line.threads;
   const Thread_limit limit(line.threads);
-  timed(run.read_seconds, [&] { CGAL::IO::read_triangle_poly(line.input, run.pslg); });
+  timed(run.read_seconds, [&] { run.pslg = mesh_files::read_graph(line.input, line.region_property); });
   timed(run.ours.seconds, [&] { mesh(run, line); });
   check(run, line.options);
   warn_of_errors(run.quality);
   timed(run.write_seconds, [&] {
-    for (const std::string& output : line.outputs) write_output(output, run);
+    for (const std::string& output : line.outputs)
+      mesh_files::write(output, run.mesh, run.pslg, {line.colors, line.is_quadtree_shown});
   });
   run.peak_memory_mb = peak_memory_mb();
   if (line.is_comparison_wanted) compare(run, line.options);

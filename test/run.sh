@@ -37,14 +37,15 @@ case $sanitize in
   *) fail "--sanitize knows address, undefined and thread, not '$sanitize'" ;;
 esac
 
-packages=("${build_packages[@]}" catch2)
+packages=("${build_packages[@]}" catch2 python3-gmsh python3-meshio)
 if [[ $compiler == clang++* ]] && ! command -v "$compiler" >/dev/null; then
   packages+=("clang${compiler#clang++}")
 fi
 install_packages "${packages[@]}"
 
 folder=$root/build
-arguments=(-DCMAKE_BUILD_TYPE=Release -DQUADTREE_MESH_2_WARNINGS_AS_ERRORS="$strict")
+arguments=(-DCMAKE_BUILD_TYPE=Release -DQUADTREE_MESH_2_WARNINGS_AS_ERRORS="$strict"
+  -DQUADTREE_MESH_2_REQUIRE_READ_BACK=ON)
 compiler_argument=()
 if [[ -n $compiler ]]; then
   folder+=-$(basename "$compiler")

@@ -29,16 +29,60 @@ void write_file(const std::string& name, const std::string& text) { std::ofstrea
 
 TEST_CASE("the program writes each format by its ending", "[program]") {
   const Scratch_folder folder;
-  const Run r = run(test_data("us_states_10m.poly.gz") + " -o " + folder.file("a.ele") + " -o " +
-                    folder.file("b.vtu") + " --output " + folder.file("c.svg"));
+  const std::vector<std::string> names{"b.vtu", "c.svg", "d.off", "e.obj", "f.msh", "g.mesh", "a.ele"};
+  std::string outputs;
+  for (const std::string& name : names) outputs += " -o " + folder.file(name);
+  const Run r = run(test_data("us_states_10m.poly.gz") + outputs);
   CAPTURE(r.out, r.err);
   CHECK(r.status == 0);
   CHECK(r.err.empty());
-  for (const char* name : {"a.node", "a.ele", "a.poly", "b.vtu", "c.svg"})
+  for (const char* name :
+       {"a.node", "a.ele", "a.poly", "b.vtu", "c.svg", "d.off", "e.obj", "f.msh", "g.mesh"})
     CHECK(fs::file_size(folder.file(name)) > 1000);
-  CHECK(folder.number_of_files() == 5);
-  CHECK(contains(content(folder.file("b.vtu")).substr(0, 200), "VTKFile"));
-  CHECK(contains(content(folder.file("c.svg")).substr(0, 200), "<svg"));
+  CHECK(folder.number_of_files() == 9);
+  const auto begin_of = [&](const char* name) { return content(folder.file(name)).substr(0, 200); };
+  CHECK(contains(begin_of("b.vtu"), "VTKFile"));
+  CHECK(contains(begin_of("c.svg"), "<svg"));
+  CHECK(begin_of("d.off").rfind("OFF\n", 0) == 0);
+  CHECK(begin_of("e.obj").rfind("v ", 0) == 0);
+  CHECK(begin_of("f.msh").rfind("$MeshFormat\n4.1 0 8\n", 0) == 0);
+  CHECK(begin_of("g.mesh").rfind("MeshVersionFormatted 2\n", 0) == 0);
+}
+
+TEST_CASE("the program reads GeoJSON and WKT", "[program]") {
+  const Scratch_folder folder;
+  const auto figures = [&](const std::string& arguments) {
+    const Run r = run(arguments + " --quiet --report " + folder.file("r.json"));
+    CAPTURE(arguments, r.err);
+    CHECK(r.status == 0);
+    const auto json = nlohmann::json::parse(content(folder.file("r.json")));
+    return std::vector<int>{json.at("input_vertices"), json.at("input_segments"), json.at("triangles")};
+  };
+  const auto from_json = figures(test_data("island.geojson"));
+  CHECK(from_json == figures(test_data("island.wkt")));
+  CHECK(from_json[0] == 30);
+  fs::copy(test_data("island.geojson"), folder.file("copy.json"));
+  CHECK(from_json == figures(folder.file("copy.json")));
+
+  const std::string outputs = " -o " + folder.file("mesh.ele") + " -o " + folder.file("mesh.svg") + " -o " +
+                              folder.file("mesh.vtu") + " -o " + folder.file("mesh.msh");
+  const Run r =
+      run(test_data("island.geojson") + " --region-property depth --color region --show-quadtree" + outputs);
+  CAPTURE(r.err);
+  CHECK(r.status == 0);
+  CHECK(contains(content(folder.file("mesh.ele")), " -1\n"));
+  CHECK(contains(content(folder.file("mesh.msh")), "attribute 2.5\""));
+  CHECK(contains(content(folder.file("mesh.vtu")), "quadtree_level"));
+  CHECK(contains(content(folder.file("mesh.svg")), ">region</text>"));
+  CHECK(contains(content(folder.file("mesh.svg")), "#c51b7d"));
+  CHECK(run(test_data("island.wkt") + " --color angle -o " + folder.file("mesh.svg")).status == 0);
+  CHECK(contains(content(folder.file("mesh.svg")), ">least angle</text>"));
+
+  write_file(folder.file("bad.geojson"),
+             "{\"type\": \"Polygon\",\n\"coordinates\": [[[0, 0], [1, 0], [1, 1]]]}");
+  const Run bad = run(folder.file("bad.geojson") + " -o " + folder.file("none.ele"));
+  CHECK(bad.status == 2);
+  CHECK(contains(bad.err, "bad.geojson: the geometry, ring 0 is not closed"));
 }
 
 TEST_CASE("the program reports in JSON", "[program]") {
@@ -161,6 +205,10 @@ TEST_CASE("bad usage names the culprit and writes nothing", "[program]") {
                                    {square + " --separation theorem-5 --min-edge 1", "--min-edge"},
                                    {square + " --kernel round", "round"},
                                    {square + " --mode square", "square"},
+                                   {square + " --color red", "red"},
+                                   {square + " --region-property depth", "--region-property"},
+                                   {test_data("island.geojson") + " --region-property height", "height"},
+                                   {test_data("README.md"), "README.md"},
                                    {square + " --no-such-option", "--no-such-option"},
                                    {folder.file("missing.poly"), "missing.poly"}};
   for (const Case& c : cases) {
@@ -260,11 +308,12 @@ TEST_CASE("help and version", "[program]") {
   CHECK(run("--version").out.rfind("quality_mesh ", 0) == 0);
   const Run help = run("--help");
   CHECK(help.status == 0);
-  for (const char* option : {"--output",        "--min-angle",  "--max-edge",  "--max-area",    "--min-edge",
-                             "--size-points",   "--domain",     "--kernel",    "--smooth",      "--threads",
-                             "--mode",          "--separation", "--neighbors", "--subdivision", "--placement", "--thin",
-                             "--no-coarsening", "--compare",    "--report",    "--quiet",       "--version",
-                             "--angles",        "--square",     "--effort",    "--budget",      "--lengths"})
+  for (const char* option :
+       {"--output",    "--min-angle",   "--max-edge",  "--max-area",      "--min-edge",       "--size-points",
+        "--domain",    "--kernel",      "--smooth",    "--threads",       "--mode",           "--separation",
+        "--neighbors", "--subdivision", "--placement", "--thin",          "--no-coarsening",  "--compare",
+        "--report",    "--quiet",       "--version",   "--angles",        "--square",         "--effort",
+        "--budget",    "--lengths",     "--color",     "--show-quadtree", "--region-property"})
     CHECK(contains(help.out, option));
 }
 

@@ -146,6 +146,44 @@ TEST_CASE("Meshes follow sizes at points", "[mesher][sizes]") {
   CHECK(double(r.report.triangles) < 4 * ideal_count(field));
 }
 
+// ---- rules of the user's
+
+TEST_CASE("A triangle is left only if the user's rule lets it pass", "[mesher][sizes]") {
+  using Corners = Options::Corners;
+  // Fine on both sides of a circle: no size at a place says so.
+  const auto crosses_coarsely = [](const Corners& corners) {
+    std::size_t inside = 0;
+    double longest = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto& p = corners[k];
+      const auto& q = corners[(k + 1) % 3];
+      inside += std::hypot(p[0] - 0.5, p[1] - 0.5) < 0.3 ? 1 : 0;
+      longest = std::max(longest, std::hypot(p[0] - q[0], p[1] - q[1]));
+    }
+    return inside != 0 && inside != 3 && longest > 0.02;
+  };
+  const Run r = run_to_the_bound(unit_square(), Options().refine_where(crosses_coarsely));
+  std::size_t coarse = 0;
+  for (const auto& t : r.mesh.triangles) {
+    Corners corners;
+    for (std::size_t k = 0; k < 3; ++k) corners[k] = {r.mesh.point(t[k]).x(), r.mesh.point(t[k]).y()};
+    coarse += crosses_coarsely(corners) ? 1 : 0;
+  }
+  CHECK(coarse == 0);
+  CHECK(r.mesh.number_of_triangles() > 200);
+  CHECK(r.mesh.number_of_triangles() < 3000);
+}
+
+TEST_CASE("A rule that nothing satisfies ends with the budget", "[mesher][sizes]") {
+  CGAL::Quality_mesher_2<> mesher(
+      Options().max_vertices(5000).refine_where([](const Options::Corners&) { return true; }));
+  const Mesh mesh = mesher(unit_square());
+  CHECK(mesher.report().is_budget_exhausted);
+  CHECK(mesh.number_of_vertices() <= 5000);
+  REQUIRE(mesher.report().unmet_triangles.size() == mesh.number_of_triangles());
+  CHECK(mesher.report().unmet_triangles[0].reason == Reason::BUDGET);
+}
+
 // ---- the least edge
 
 namespace {

@@ -8,8 +8,13 @@
 #include "mesh_from_cdt.h"
 #include "scratch_folder.h"
 
+#include <CGAL/Balanced_quadtree.h>
+#include <CGAL/Filtered_quadtree_traits_2.h>
 #include <CGAL/IO/SVG.h>
 #include <CGAL/IO/VTU.h>
+
+#include <boost/property_tree/ptree.hpp>
+#include <boost/property_tree/xml_parser.hpp>
 
 #include <cstdint>
 #include <filesystem>
@@ -45,6 +50,13 @@ std::string svg(const Mesh& mesh, const Pslg& pslg, const IO::Svg_options_2& opt
   std::ostringstream out;
   IO::write_SVG(out, mesh, pslg, options);
   return out.str();
+}
+
+void check_well_formed(const std::string& text) {
+  std::istringstream in(text);
+  boost::property_tree::ptree tree;
+  CHECK_NOTHROW(boost::property_tree::read_xml(in, tree));
+  CHECK(tree.size() == 1);
 }
 
 /// What the exception says; empty if there is none.
@@ -108,6 +120,46 @@ TEST_CASE("SVG colours by angles", "[SVG]") {
   CHECK(colored(IO::Svg_options_2::Fill::largest_angle).find("#d9ef8b") != std::string::npos);
 }
 
+TEST_CASE("SVG colours by region, with a quadtree", "[SVG]") {
+  Pslg pslg = domain_with_outside();
+  Mesh mesh = mesh_of(pslg, 0.5);
+  const IO::Svg_options_2 options =
+      IO::Svg_options_2().fill_by(IO::Svg_options_2::Fill::region).legend(IO::Svg_options_2::Legend::below);
+  check_well_formed(svg(mesh, pslg, options)); // no regions
+  pslg.regions = {{Point(1.5, 0), 5, 0}, {Point(-1.5, 0), 0.5, 0}};
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) mesh.region_of_triangle.push_back(int(t % 15) - 1);
+  const std::string text = svg(mesh, pslg, options);
+  check_well_formed(text);
+  CHECK(count(text, "<path") == 13 + 3);
+  CHECK(count(text, "<rect") == 13); // the background, and twelve colours
+  CHECK(text.find(">1: 0.5</text>") != std::string::npos);
+
+  using Quadtree = CGAL::Balanced_quadtree<CGAL::Filtered_quadtree_traits_2<>>;
+  const Quadtree tree(pslg.vertices);
+  std::ostringstream out;
+  IO::write_SVG(out, mesh, pslg, tree, options);
+  check_well_formed(out.str());
+  const std::string path = out.str().substr(out.str().find("stroke=\"#c51b7d\""));
+  // Those beyond the picture are left out.
+  CHECK(count(path.substr(0, path.find("/>")), "z") > tree.number_of_leaves() / 4);
+  CHECK(count(path.substr(0, path.find("/>")), "z") < tree.number_of_leaves());
+  const Scratch_folder folder;
+  IO::write_SVG(folder.file("mesh.svg"), mesh, pslg, tree, options);
+  CHECK(content(folder.file("mesh.svg")) == out.str());
+}
+
+TEST_CASE("SVG and VTU are well-formed XML", "[SVG][VTU]") {
+  const Pslg pslg = domain_with_outside();
+  const Mesh mesh = mesh_of(pslg, 0.3);
+  using Options = IO::Svg_options_2;
+  for (const auto fill : {Options::Fill::plain, Options::Fill::least_angle, Options::Fill::largest_angle})
+    check_well_formed(svg(mesh, pslg, Options().fill_by(fill).legend(Options::Legend::below)));
+  std::ostringstream out;
+  IO::write_VTU(out, mesh, pslg, {{"a < \"b\" & c", std::vector<double>(mesh.triangles.size(), 1)}},
+                IO::ASCII);
+  check_well_formed(out.str());
+}
+
 TEST_CASE("SVG of nothing, and of a level line", "[SVG]") {
   Pslg pslg;
   CHECK(count(svg(Mesh(), pslg), "</svg>") == 1);
@@ -169,7 +221,7 @@ TEST_CASE("VTU has the triangles of the domain", "[VTU]") {
   SECTION("the mesh alone") {
     IO::write_VTU(name, mesh);
     const std::string text = content(name);
-    CHECK(text.find("NumberOfPoints=\"" + std::to_string(mesh.points.size() - 1)) != std::string::npos);
+    CHECK(text.find("NumberOfPoints=\"" + std::to_string(mesh.points.size())) != std::string::npos);
     CHECK(text.find("NumberOfCells=\"" + std::to_string(mesh.triangles.size() + lines)) != std::string::npos);
     CHECK(text.find("AppendedData") != std::string::npos);
   }

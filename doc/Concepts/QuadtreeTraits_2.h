@@ -69,7 +69,9 @@ public:
   /// or, if it refuses, throw.
   typedef unspecified_type Construct_grid_2;
 
-  /// The arithmetic of the mesher on these points. Quadtrees do not use it; an incomplete type suffices.
+  /// The arithmetic of the meshers on these points: predicates and constructions on the coordinates. Quadtrees do not use
+  /// it, so an incomplete type suffices for them. What it has to have is not part of the interface: take that of the
+  /// model with the same kind of coordinates.
   typedef unspecified_type Meshing_geometry_2;
 
   /// @}

@@ -3,6 +3,8 @@
 
 // The options of quality_mesh: what they are and what they may be.
 
+#include "file_formats.h"
+
 #include "mesh_graph.h"
 
 #include <CGAL/Point_set_mesh_options_2.h>
@@ -26,12 +28,6 @@
 #include <thread>
 #include <vector>
 
-/// The command line cannot be obeyed; `what()` says why.
-class Usage_error : public std::runtime_error {
-public:
-  using std::runtime_error::runtime_error;
-};
-
 struct Command_line {
   enum class Task { mesh, print_help, print_version };
   enum class Kernel { filtered, fixed, exact };
@@ -52,33 +48,14 @@ struct Command_line {
   unsigned threads = 1;
   bool is_comparison_wanted = false;
   bool are_lengths_wanted = false;
+  Picture_colors colors = Picture_colors::none;
+  bool is_quadtree_shown = false;
+  std::string region_property; ///< empty: none
   bool is_quiet = false;
 };
 
 inline constexpr const char* mode_names[] = {"pslg", "points", "bounded", "acute", "warped"};
 inline const char* name(Command_line::Mode mode) { return mode_names[static_cast<std::size_t>(mode)]; }
-
-/// The formats of output by their endings.
-enum class Output_format { triangle, vtu, svg };
-
-inline Output_format output_format(const std::string& file_name) {
-  const std::string ending = std::filesystem::path(file_name).extension().string();
-  if (ending == ".ele" || ending == ".node" || ending == ".poly") return Output_format::triangle;
-  if (ending == ".vtu") return Output_format::vtu;
-  if (ending == ".svg") return Output_format::svg;
-  throw Usage_error("cannot tell the format of output '" + file_name +
-                    "': its ending has to be .ele, .node, .poly, .vtu or .svg");
-}
-
-/// The files that an output consists of.
-inline std::vector<std::filesystem::path> files_of_output(const std::string& file_name) {
-  const std::filesystem::path path(file_name);
-  if (output_format(file_name) != Output_format::triangle) return {path};
-  std::vector<std::filesystem::path> files;
-  for (const char* ending : {".node", ".ele", ".poly"})
-    files.push_back(std::filesystem::path(path).replace_extension(ending));
-  return files;
-}
 
 namespace command_line_internal {
 
@@ -100,7 +77,11 @@ inline po::options_description common_options() {
      "pslg: a graph, with a least angle; or points alone: points (least angle 20.7, fewest triangles), bounded "
      "(all angles in a range), acute (all below 90) or warped (corners of squares moved to the points)")
     ("output,o", po::value<std::vector<std::string>>()->value_name("FILE"),
-     "where to write the mesh, more than once if you like: .vtu, .svg, or .ele, which writes .node, .ele and .poly")
+     "where to write the mesh, more than once if you like: .vtu, .svg, .off, .obj, .msh (Gmsh), .mesh (MEDIT), or .ele, "
+     "which writes .node, .ele and .poly")
+    ("color", po::value<std::string>()->value_name("C"),
+     "colours of .svg: none, angle or region; angle if not given in the modes for points, else none")
+    ("show-quadtree", "draw the quadtree of the input in .svg, and write its levels to .vtu")
     ("kernel", po::value<std::string>()->value_name("K")->default_value("filtered"),
      "arithmetic: filtered (doubles), fixed (64-bit integers) or exact")
     ("threads", po::value<int>()->value_name("N"),
@@ -122,6 +103,8 @@ inline po::options_description graph_options() {
     ("max-area", po::value<double>()->value_name("A"), "largest area of a triangle")
     ("min-edge", po::value<double>()->value_name("H"),
      "insert no vertex nearer than this to another; what is left for that is reported")
+    ("region-property", po::value<std::string>()->value_name("NAME"),
+     "the number in the properties of GeoJSON's features that becomes the attribute of their regions")
     ("size-points", po::value<std::string>()->value_name("FILE"),
      "points with sizes, one 'x y size' a line: the longest edge is size plus half the distance, the least over all")
     ("domain", po::value<std::string>()->value_name("D")->default_value("enclosed"),
@@ -293,6 +276,7 @@ inline const std::vector<Option_use>& option_uses() {
       {"max-edge", {Mode::pslg}},
       {"max-area", {Mode::pslg}},
       {"min-edge", {Mode::pslg}},
+      {"region-property", {Mode::pslg}},
       {"size-points", {Mode::pslg}},
       {"domain", {Mode::pslg}},
       {"separation", {Mode::pslg}},
@@ -380,6 +364,21 @@ inline CGAL::Point_set_mesh_options_2 point_set_mesh_options(const po::variables
   return options.max_removals(static_cast<std::size_t>(budget));
 }
 
+/// Points are coloured unless it is forbidden: their angles are what the modes differ in.
+inline Picture_colors colors(const po::variables_map& given, Command_line::Mode mode) {
+  constexpr Picture_colors all[] = {Picture_colors::none, Picture_colors::angle, Picture_colors::region};
+  Picture_colors result = mode == Command_line::Mode::pslg ? Picture_colors::none : Picture_colors::angle;
+  if (given.count("color") > 0) result = all[choice(given, "color", {"none", "angle", "region"})];
+  const bool is_by_largest = result == Picture_colors::angle && mode == Command_line::Mode::acute;
+  return is_by_largest ? Picture_colors::largest_angle : result;
+}
+
+/// \throws Usage_error if a property is wanted of an input that has none
+inline void check_region_property(const Command_line& line) {
+  if (!line.region_property.empty() && input_format(line.input) != Input_format::geojson)
+    throw Usage_error("--region-property has a meaning for GeoJSON only");
+}
+
 inline po::variables_map parse(int argc, const char* const* argv) {
   po::options_description all = visible_options();
   all.add_options()("input", po::value<std::vector<std::string>>());
@@ -397,11 +396,11 @@ inline po::variables_map parse(int argc, const char* const* argv) {
 
 inline void print_help(std::ostream& out) {
   out << "usage: quality_mesh INPUT [-o OUTPUT]... [option]...\n\n"
-         "Meshes a planar straight-line graph, a .poly file of Triangle, with triangles whose angles meet a "
-         "bound; or\n"
-         "points alone: .poly without segments, .node, or text, one 'x y' a line (.xy, .txt, .csv). Any may "
-         "be "
-         "compressed (.gz).\n"
+         "Meshes a planar straight-line graph with triangles whose angles meet a bound: .poly of Triangle, .geojson "
+         "(or .json),\n"
+         ".wkt. Or points alone: any of these without segments, .node, or a table, one 'x y', 'x,y' or 'x;y' a line "
+         "(.xy, .txt,\n"
+         ".csv). Any may be compressed (.gz).\n"
       << command_line_internal::visible_options()
       << "\nExit status: 0 done; 1 the bound is unmet somewhere, the mesh is written all the same; 2 bad "
          "usage or bad\n"
@@ -441,6 +440,11 @@ inline Command_line parse_command_line(int argc, const char* const* argv) try {
   line.threads = threads(given);
   line.is_comparison_wanted = given.count("compare") > 0;
   line.are_lengths_wanted = given.count("lengths") > 0;
+  line.colors = colors(given, line.mode);
+  line.is_quadtree_shown = given.count("show-quadtree") > 0;
+  if (given.count("region-property") > 0)
+    line.region_property = given["region-property"].as<std::string>();
+  check_region_property(line);
   line.is_quiet = given.count("quiet") > 0;
   check_files(line);
   return line;

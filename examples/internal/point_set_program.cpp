@@ -4,23 +4,19 @@
 
 #include "Point_set_run.h"
 #include "Progress_line.h"
+#include "mesh_files.h"
 #include "mesh_points.h"
-#include "read_points.h"
 
 #include "in_child.h"
 #include "mesh_2_peer.h"
 #include "resources.h"
 #include "thread_limit.h"
 
-#include <CGAL/IO/SVG.h>
-#include <CGAL/IO/Triangle_files.h>
-#include <CGAL/IO/VTU.h>
 #include <CGAL/Pslg_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/points_in_box.h>
 #include <CGAL/mesh_quality_2.h>
 #include <CGAL/point_set_lengths_2.h>
 
-#include <filesystem>
 #include <string>
 
 namespace {
@@ -66,27 +62,6 @@ void check(Point_set_run& run) {
   count_angles(run);
 }
 
-/// Colours tell how near the angles are to the bound.
-CGAL::IO::Svg_options_2 picture_options(Mode mode) {
-  using Options = CGAL::IO::Svg_options_2;
-  return Options()
-      .fill_by(mode == Mode::acute ? Options::Fill::largest_angle : Options::Fill::least_angle)
-      .legend(Options::Legend::below);
-}
-
-void write_output(const std::string& file_name, const Point_set_run& run) {
-  switch (output_format(file_name)) {
-  case Output_format::triangle: {
-    const std::string stem = std::filesystem::path(file_name).replace_extension().string();
-    return CGAL::IO::write_triangle_files(run.mesh, graph_of(run), stem);
-  }
-  case Output_format::vtu:
-    return CGAL::IO::write_VTU(file_name, run.mesh);
-  case Output_format::svg:
-    return CGAL::IO::write_SVG(file_name, run.mesh, graph_of(run), picture_options(run.mode));
-  }
-}
-
 void compare(Point_set_run& run) {
   const auto peer = [&] {
     return mesh_by_Mesh_2(CGAL::Quadtree_mesh_2::internal::points_in_box(run.points), run.promise.least, 0);
@@ -104,12 +79,13 @@ Exit_status execute_point_set(const Command_line& line) {
   run.promise = angle_promise(line.mode, line.point_set_options);
   run.threads = line.threads;
   const Thread_limit limit(line.threads);
-  timed(run.read_seconds, [&] { run.points = read_points<Point_set_run::Point_2>(line.input); });
+  timed(run.read_seconds, [&] { run.points = mesh_files::read_points(line.input); });
   timed(run.ours.seconds, [&] { mesh(run, line); });
   check(run);
   warn_of_errors(run.quality);
   timed(run.write_seconds, [&] {
-    for (const std::string& output : line.outputs) write_output(output, run);
+    for (const std::string& output : line.outputs)
+      mesh_files::write(output, run.mesh, graph_of(run), {line.colors, line.is_quadtree_shown});
   });
   run.peak_memory_mb = peak_memory_mb();
   if (line.are_lengths_wanted) run.lengths = CGAL::point_set_lengths_2(run.points);

@@ -48,16 +48,19 @@ namespace CGAL {
 
 namespace Quadtree_mesh_2 {
 
+/// \ingroup PkgQuadtreeMesh2Quadtrees
 /// Leaves that follow each other in shuffle order.
 struct Leaf_interval {
-  Leaf_index begin;
-  Leaf_index end; ///< one past the last
+  Leaf_index begin; ///< the first
+  Leaf_index end;   ///< one past the last
 
+  /// The number of leaves.
   std::size_t size() const { return end.value() - begin.value(); }
 };
 
 } // namespace Quadtree_mesh_2
 
+/// \ingroup PkgQuadtreeMesh2Quadtrees
 /// The smallest quadtree that separates points and is balanced (Theorems 1 and 2).
 ///
 /// Nodes are squares, split ones and leaves. They are numbered level by level, in shuffle order within a
@@ -72,6 +75,10 @@ struct Leaf_interval {
 template <class Traits_, class Concurrency_tag = Sequential_tag>
 class Balanced_quadtree {
 public:
+  /// \name Types
+  /// @{
+
+  /// Those of the template arguments, and the indices of what they number.
   using Traits = Traits_;
   using Framework = Quadtree_framework<Traits, Concurrency_tag>;
   using Point_2 = typename Traits::Point_2;
@@ -86,6 +93,7 @@ public:
   using Rank_interval = Quadtree_mesh_2::Rank_interval;
   using Leaf_interval = Quadtree_mesh_2::Leaf_interval;
   using Leaf_neighbors = Quadtree_mesh_2::Leaf_neighbors;
+  /// @}
 
   /// The quadtree of no points: its root is its only leaf.
   Balanced_quadtree() : Balanced_quadtree(Framework()) {}
@@ -138,7 +146,9 @@ public:
                     const Traits& traits = Traits())
       : Balanced_quadtree(Framework(points, traits), options, must_split) {}
 
+  /// The framework of the points.
   const Framework& framework() const { return framework_; }
+  /// What it was built by.
   const Quadtree_options& options() const { return options_; }
 
   /// \name Changes
@@ -164,11 +174,14 @@ public:
   /// \name Nodes
   /// @{
 
+  /// The number of squares, split ones and leaves.
   std::size_t number_of_nodes() const { return squares_.number_of_nodes(); }
+  /// The root, node 0.
   Node_index root() const { return Node_index(0); }
   /// The level of the smallest squares; 0 if the root is a leaf.
   int depth() const { return squares_.number_of_split_levels(); }
 
+  /// Whether `v` is not split.
   bool is_leaf(Node_index v) const { return squares_.is_leaf(v); }
   /// Invalid for the root.
   Node_index parent(Node_index v) const { return squares_.parent(v); }
@@ -177,7 +190,9 @@ public:
     CGAL_precondition(!is_leaf(v) && 0 <= i && i < 4);
     return squares_.child(v, i);
   }
+  /// The level of `v`, 0 for the root.
   int level(Node_index v) const { return squares_.level(v); }
+  /// The square of `v` in the grid.
   Square square(Node_index v) const {
     const Grid_point corner = squares_.corner(v);
     return {corner.x, corner.y, squares_.level(v)};
@@ -230,15 +245,20 @@ public:
   /// \name Leaves
   /// @{
 
+  /// The number of leaves.
   std::size_t number_of_leaves() const { return squares_.number_of_leaves(); }
+  /// The node of a leaf.
   Node_index node(Leaf_index l) const { return squares_.node_of_leaf(l.value()); }
   /// \pre `is_leaf(v)`
   Leaf_index leaf(Node_index v) const {
     CGAL_precondition(is_leaf(v));
     return Leaf_index(squares_.leaf(v));
   }
+  /// The square of a leaf in the grid.
   Square square(Leaf_index l) const { return square(node(l)); }
+  /// The level of a leaf.
   int level(Leaf_index l) const { return level(node(l)); }
+  /// The corners of a leaf, as those of its node.
   std::array<Point_2, 4> corners(Leaf_index l) const { return corners(node(l)); }
   /// The points in a leaf; `framework().input_point()` gives their places in the input.
   Rank_interval points(Leaf_index l) const {
@@ -247,6 +267,7 @@ public:
 
   /// The leaf that contains an input point.
   Leaf_index leaf(Point_index i) const { return leaf(framework_.rank(i)); }
+  /// The leaf that contains the point of rank `r`.
   Leaf_index leaf(Point_rank r) const { return Leaf_index(squares_.leaf_of_point(r.value())); }
 
   /// Returns the leaves that share a side or a corner with `l`, counterclockwise, each once: at most twelve.

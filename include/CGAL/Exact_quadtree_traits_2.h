@@ -26,6 +26,7 @@
 
 namespace CGAL {
 
+/// \ingroup PkgQuadtreeMesh2Traits
 /// Quadtrees of points of a CGAL kernel with exact constructions, of any depth.
 ///
 /// Coordinates may be any numbers of the kernel's field: 1/3, \f$ 10^{400} \f$ and \f$ 2^{-5000} \f$ in one
@@ -65,6 +66,10 @@ class Exact_quadtree_traits_2 {
   using Floor = Quadtree_mesh_2::internal::Floor_of_scaled<Exact>;
 
 public:
+  /// \name Types
+  /// @{
+
+  /// As `QuadtreeTraits_2` has them.
   using Point_2 = typename Kernel::Point_2;
   using Word = Quadtree_mesh_2::internal::Long_word;
   using Grid_point = Quadtree_mesh_2::Grid_point_2<Word>;
@@ -72,6 +77,7 @@ public:
       is_over_double,
       Quadtree_mesh_2::internal::Double_geometry_2<Exact_predicates_inexact_constructions_kernel>,
       Quadtree_mesh_2::internal::Exact_geometry_2<Kernel>>;
+  /// @}
 
   /// The map between points and the grid. The default is the grid of no points.
   class Grid_2 {
@@ -214,6 +220,7 @@ public:
     }
   };
 
+  /// What makes grids.
   Construct_grid_2 construct_grid_2_object() const { return {}; }
 
 private:

@@ -23,6 +23,7 @@
 
 namespace CGAL {
 
+/// \ingroup PkgQuadtreeMesh2Traits
 /// Quadtrees of points of a CGAL kernel over `double`.
 ///
 /// The grid has \f$ 2^{62} \f$ units to a side. Its unit is a power of two; the smallest root is taken that
@@ -40,11 +41,16 @@ class Filtered_quadtree_traits_2 {
   static_assert(std::is_same<typename Kernel::FT, double>::value, "the kernel must be over double");
 
 public:
+  /// \name Types
+  /// @{
+
+  /// As `QuadtreeTraits_2` has them.
   using Point_2 = typename Kernel::Point_2;
   using Word = std::uint64_t;
-  static constexpr int depth = 62;
+  static constexpr int depth = 62; ///< the logarithm of the root's side in grid units
   using Grid_point = Quadtree_mesh_2::Grid_point_2<Word>;
   using Meshing_geometry_2 = Quadtree_mesh_2::internal::Double_geometry_2<Kernel>;
+  /// @}
 
   /// The map between points and the grid. The default is the grid of no points.
   class Grid_2 {
@@ -131,6 +137,7 @@ public:
     }
   };
 
+  /// What makes grids.
   Construct_grid_2 construct_grid_2_object() const { return {}; }
 };
 

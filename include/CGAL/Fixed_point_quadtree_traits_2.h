@@ -24,16 +24,19 @@
 
 namespace CGAL {
 
+/// \ingroup PkgQuadtreeMesh2Traits
 /// A point with unsigned integer coordinates, the paper's fixed-point model of input.
 /// \tparam Word `std::uint32_t` or `std::uint64_t`.
 template <class Word>
 struct Fixed_point_2 {
   static_assert(std::is_same<Word, std::uint32_t>::value || std::is_same<Word, std::uint64_t>::value,
                 "words have 32 or 64 bits");
-  Word x_ = 0;
-  Word y_ = 0;
+  Word x_ = 0; ///< the first coordinate
+  Word y_ = 0; ///< the second
 
+  /// The first coordinate.
   constexpr Word x() const { return x_; }
+  /// The second coordinate.
   constexpr Word y() const { return y_; }
 
   friend constexpr bool operator==(const Fixed_point_2& p, const Fixed_point_2& q) {
@@ -49,6 +52,7 @@ struct Fixed_point_2 {
   }
 };
 
+/// \ingroup PkgQuadtreeMesh2Traits
 /// Quadtrees of points with integer coordinates. The grid is that of the integers and the root is
 /// \f$ [0, 2^{31})^2 \f$ or \f$ [0, 2^{62})^2 \f$: upper corners and differences of coordinates fit signed
 /// words.
@@ -57,11 +61,17 @@ struct Fixed_point_2 {
 template <class Word_>
 class Fixed_point_quadtree_traits_2 {
 public:
+  /// \name Types
+  /// @{
+
+  /// As `QuadtreeTraits_2` has them.
   using Word = Word_;
   using Point_2 = Fixed_point_2<Word>;
+  /// The logarithm of the root's side, 31 or 62.
   static constexpr int depth = std::is_same<Word, std::uint32_t>::value ? 31 : 62;
   using Grid_point = Quadtree_mesh_2::Grid_point_2<Word>;
   using Meshing_geometry_2 = Quadtree_mesh_2::internal::Integer_geometry_2<Word>;
+  /// @}
 
   /// The identity.
   class Grid_2 {
@@ -71,9 +81,11 @@ public:
     /// Returns false: the words cannot be longer.
     bool refine() { return false; }
 
+    /// Whether `p` has coordinates below \f$ 2^{depth} \f$.
     bool is_in_root(const Point_2& p) const { return ((p.x() | p.y()) >> depth()) == 0; }
     /// \pre `is_in_root(p)`
     Grid_point grid_point(const Point_2& p) const { return {p.x(), p.y()}; }
+    /// The point at a crossing of two grid lines.
     Point_2 point(const Grid_point& g) const { return {g.x, g.y}; }
   };
 
@@ -95,9 +107,11 @@ public:
     }
   };
 
+  /// What makes grids.
   Construct_grid_2 construct_grid_2_object() const { return {}; }
 };
 
+/// \ingroup PkgQuadtreeMesh2Traits
 /// The affine map between doubles and fixed points.
 ///
 /// The unit is the smallest power of two with which a bounding box fits the middle half of the root of
@@ -106,12 +120,12 @@ public:
 template <class Word>
 class Fixed_point_scale_2 {
 public:
+  /// The logarithm of the root's side in units, 31 or 62.
   static constexpr int depth = Fixed_point_quadtree_traits_2<Word>::depth;
 
   /// The scale for what lies in `box`.
   /// \throws std::invalid_argument if the box is empty or has coordinates that are not below \f$ 2^{1000} \f$
-  /// in
-  ///         magnitude.
+  /// in magnitude.
   explicit Fixed_point_scale_2(const Bbox_2& box) {
     const std::array<double, 4> sides{box.xmin(), box.xmax(), box.ymin(), box.ymax()};
     double magnitude = 0;

@@ -17,11 +17,13 @@
 
 namespace CGAL {
 
+/// \ingroup PkgQuadtreeMesh2Meshers
 /// A size at every place from sizes on a regular grid, bilinear between them: for
 /// `Quality_mesh_options_2::size()`.
 ///
 /// Outside the grid the size is that of the nearest place in it. Copies are deep; calls by several threads at
 /// once are safe. O(1) a call.
+/// \cgalModels{SizingField_2}
 class Grid_sizing_field_2 {
 public:
   /// \param origin the place of the first size.
@@ -42,6 +44,7 @@ public:
       if (!(size > 0)) throw std::invalid_argument("the sizes of a sizing grid have to be positive");
   }
 
+  /// The size at (x, y).
   double operator()(double x, double y) const {
     const Cell i = cell(x, 0), j = cell(y, 1);
     const auto in_row = [&](std::size_t row) {

@@ -13,6 +13,7 @@
 
 namespace CGAL {
 
+/// \ingroup PkgQuadtreeMesh2Meshers
 /// What `Point_set_mesher_2` shall make. Every field has its default; set fields directly or by chained calls:
 /// `Point_set_mesh_options_2().bounded_angles(36, 80).effort(1)`.
 struct Point_set_mesh_options_2 {
@@ -38,12 +39,12 @@ struct Point_set_mesh_options_2 {
     SQUARE
   };
 
-  Mode mode = Mode::BOUNDED_ANGLES;
+  Mode mode = Mode::BOUNDED_ANGLES; ///< which triangulation
   /// In degrees; of BOUNDED_ANGLES in [0, 37.5] and [78.6, 89.5]; with ACUTE largest angles up to 89.5 are sought,
   /// and only what surrounds clusters of points comes nearer to 90.
   double least_angle_in_degrees = 36;
-  double largest_angle_in_degrees = 80;
-  Domain domain = Domain::ROW;
+  double largest_angle_in_degrees = 80; ///< as the least
+  Domain domain = Domain::ROW;          ///< what is triangulated
   /// How hard it is tried to do without vertices: 0 not at all, 1 in the neighbourhood of one ring mostly, 2 well, 3 for
   /// some percent more. All angles are the same promise at any effort.
   int coarsening_effort = 2;
@@ -56,6 +57,10 @@ struct Point_set_mesh_options_2 {
   /// vertices are removed, so that the mesh is valid but larger.
   std::function<bool(double)> callback;
 
+  /// \name Setters
+  /// @{
+
+  /// Each sets what its name says and returns the options, so that calls can be chained.
   Point_set_mesh_options_2& bounded_angles(double least = 36, double largest = 80) {
     mode = Mode::BOUNDED_ANGLES;
     least_angle_in_degrees = least;
@@ -70,6 +75,7 @@ struct Point_set_mesh_options_2 {
   Point_set_mesh_options_2& max_removals(std::size_t n) { return removal_budget = n, *this; }
   Point_set_mesh_options_2& clusters(double gap) { return cluster_gap = gap, *this; }
   Point_set_mesh_options_2& progress(std::function<bool(double)> f) { return callback = std::move(f), *this; }
+  /// @}
 };
 
 } // namespace CGAL

@@ -21,6 +21,7 @@
 
 namespace CGAL {
 
+/// \ingroup PkgQuadtreeMesh2Meshers
 /// Triangulates a set of points, with Steiner points, so that all angles are in a range or all acute.
 ///
 /// Every point of the input is a vertex of the mesh, with its coordinates bit for bit; equal points are merged. What is
@@ -37,9 +38,14 @@ namespace CGAL {
 template <class Traits = Filtered_quadtree_traits_2<>, class ConcurrencyTag = Sequential_tag>
 class Point_set_mesher_2 {
 public:
+  /// \name Types
+  /// @{
+
+  /// What goes in and what comes out.
   using Geom_traits = Traits;
   using Point_2 = typename Traits::Point_2;
   using Mesh = Indexed_mesh_2<Point_2>;
+  /// @}
 
   /// \throws std::invalid_argument if an option is out of its range.
   explicit Point_set_mesher_2(Point_set_mesh_options_2 options = {}, const Traits& traits = Traits())
@@ -63,6 +69,7 @@ public:
 
   /// What the last run reached.
   const Point_set_mesh_report_2& report() const { return report_; }
+  /// What is asked for.
   const Point_set_mesh_options_2& options() const { return options_; }
 
 private:
@@ -76,7 +83,8 @@ template <class Traits, class ConcurrencyTag>
 typename Point_set_mesher_2<Traits, ConcurrencyTag>::Mesh
 Point_set_mesher_2<Traits, ConcurrencyTag>::operator()(const std::vector<Point_2>& points) {
   report_ = Point_set_mesh_report_2();
-  return Quadtree_mesh_2::internal::Point_set_pipeline<Traits, ConcurrencyTag>(points, options_, traits_, report_)
+  return Quadtree_mesh_2::internal::Point_set_pipeline<Traits, ConcurrencyTag>(points, options_, traits_,
+                                                                               report_)
       .run();
 }
 

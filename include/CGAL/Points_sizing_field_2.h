@@ -18,19 +18,24 @@
 
 namespace CGAL {
 
+/// \ingroup PkgQuadtreeMesh2Meshers
 /// A size at every place from points with sizes, for `Quality_mesh_options_2::size()`: the least of `size of
 /// the point + gradation * distance to it` over all points.
 ///
 /// A k-d tree (Bentley, 1975) whose nodes know their bounding box and least size; the branch that may hold
 /// the least value is searched first, and one that cannot is left out. Calls by several threads at once are
 /// safe. O(n log n) to build; O(log n) a call where sizes grow no faster than the gradation, which is usual.
+/// \cgalModels{SizingField_2}
 class Points_sizing_field_2 {
 public:
+  /// A place, and the size there.
   struct Sized_point {
-    double x, y;
+    double x;    ///< of the place
+    double y;    ///< of the place
     double size; ///< positive
   };
 
+  /// \param points places with sizes, at least one.
   /// \param gradation by how much the size grows over a unit of length; at least 0. A mesh follows up to
   /// about 1.
   /// \throws std::invalid_argument if there are no points, one is not finite, a size is not positive, or the
@@ -47,6 +52,7 @@ public:
     build(0, 0, points_.size());
   }
 
+  /// The size at (x, y).
   double operator()(double x, double y) const {
     double best = std::numeric_limits<double>::infinity();
     search(0, 0, points_.size(), x, y, best);

@@ -15,6 +15,7 @@
 
 namespace CGAL {
 
+/// \ingroup PkgQuadtreeMesh2Data
 /// A planar straight-line graph: vertices, segments between them, and points that mark holes and regions.
 ///
 /// A plain container in structure-of-arrays form; all indices are 0-based. What its arrays have to fulfil is
@@ -29,23 +30,29 @@ namespace CGAL {
 template <class Point>
 class Pslg_2 {
 public:
+  /// \name Types
+  /// @{
+
+  /// That of the template argument, and the indices of what the arrays hold.
   using Point_2 = Point;
   using Vertex_index = Quadtree_mesh_2::Vertex_index;
   using Segment_index = Quadtree_mesh_2::Segment_index;
   using Segment = std::array<Vertex_index, 2>;
+  /// @}
 
   /// A point that gives its component of the domain an attribute and, if positive, a bound on the area of
   /// triangles in it, which holds besides that of the options.
   struct Region {
-    Point_2 point;
-    double attribute = 0;
-    double max_area = 0;
+    Point_2 point;        ///< in the interior of the component
+    double attribute = 0; ///< whatever the user likes
+    double max_area = 0;  ///< 0 for no bound
   };
 
   /// Finite; not all on a line. Vertices at the same place count as one.
   std::vector<Point_2> vertices;
   /// What the user calls each vertex, 0 for nothing; empty, or one for each vertex.
   std::vector<int> vertex_markers;
+  /// How many numbers each vertex has besides its coordinates.
   std::size_t number_of_vertex_attributes = 0;
   /// The attributes of vertex 0, then those of vertex 1, and so on.
   std::vector<double> vertex_attributes;
@@ -72,8 +79,11 @@ public:
     return Segment_index(segments.size() - 1);
   }
 
+  /// The place of a vertex.
   const Point_2& point(Vertex_index v) const { return vertices[std::size_t(v)]; }
+  /// The number of vertices.
   std::size_t number_of_vertices() const { return vertices.size(); }
+  /// The number of segments.
   std::size_t number_of_segments() const { return segments.size(); }
 };
 

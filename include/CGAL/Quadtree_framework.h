@@ -43,28 +43,33 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 
 struct Rank_tag {};
+/// \ingroup PkgQuadtreeMesh2Quadtrees
 /// Place of a point in the shuffle order of the distinct points.
 using Point_rank = Index<Rank_tag>;
 
+/// \ingroup PkgQuadtreeMesh2Quadtrees
 /// Points that follow each other in shuffle order.
 struct Rank_interval {
-  Point_rank begin;
-  Point_rank end; ///< one past the last
+  Point_rank begin; ///< the first
+  Point_rank end;   ///< one past the last
 
+  /// The number of points.
   std::size_t size() const { return end.value() - begin.value(); }
   friend bool operator==(const Rank_interval& a, const Rank_interval& b) {
     return a.begin == b.begin && a.end == b.end;
   }
 };
 
+/// \ingroup PkgQuadtreeMesh2Quadtrees
 /// A point of the input that equals an earlier one and was merged with it.
 struct Duplicate_point {
-  Point_index kept;
-  Point_index duplicate;
+  Point_index kept;      ///< the earlier one
+  Point_index duplicate; ///< the one that equals it
 };
 
 } // namespace Quadtree_mesh_2
 
+/// \ingroup PkgQuadtreeMesh2Quadtrees
 /// The framework \f$ T_F \f$ of a set of points (Theorem 1).
 ///
 /// Nodes are the squares that have at least two nonempty children, in preorder with children in shuffle
@@ -80,6 +85,10 @@ struct Duplicate_point {
 template <class Traits_, class Concurrency_tag = Sequential_tag>
 class Quadtree_framework {
 public:
+  /// \name Types
+  /// @{
+
+  /// Those of the template arguments, and the indices of what they number.
   using Traits = Traits_;
   using Point_2 = typename Traits::Point_2;
   using Grid_2 = typename Traits::Grid_2;
@@ -91,6 +100,7 @@ public:
   using Point_rank = Quadtree_mesh_2::Point_rank;
   using Rank_interval = Quadtree_mesh_2::Rank_interval;
   using Duplicate_point = Quadtree_mesh_2::Duplicate_point;
+  /// @}
 
   /// The framework of no points.
   Quadtree_framework() = default;
@@ -117,12 +127,14 @@ public:
   /// \name Points
   /// @{
 
+  /// The number of points given, equal ones included.
   std::size_t number_of_input_points() const { return rank_.size(); }
   /// The number of distinct points.
   std::size_t number_of_points() const { return points_.size(); }
   /// The points that were merged with an earlier one, in shuffle order and by increasing index.
   const std::vector<Duplicate_point>& duplicates() const { return duplicates_; }
 
+  /// Where the point of rank `r` is on the grid.
   const Grid_point& grid_point(Point_rank r) const { return points_[std::size_t(r)]; }
   /// The input point of rank `r`, the first one given if there are several equal ones.
   Point_index input_point(Point_rank r) const { return Point_index(input_[std::size_t(r)]); }
@@ -140,15 +152,18 @@ public:
   /// \name Nodes
   /// @{
 
+  /// The number of squares, at most one less than that of points.
   std::size_t number_of_nodes() const { return nodes_.size(); }
   /// The smallest square that contains all points; invalid if there are fewer than two points.
   Node_index root() const { return nodes_.size() == 0 ? Node_index() : Node_index(0); }
 
+  /// The square of `v` in the grid.
   Square square(Node_index v) const {
     const Grid_point c =
         Quadtree_mesh_2::internal::corner_of_square(grid_point(points(v).begin), level(v), grid_.depth());
     return {c.x, c.y, level(v)};
   }
+  /// The level of `v`; that of the root square of the grid is 0.
   int level(Node_index v) const { return static_cast<int>(nodes_.level[std::size_t(v)]); }
   /// The smallest node that properly contains `v`; invalid for the root.
   Node_index parent(Node_index v) const {
@@ -198,6 +213,7 @@ public:
       desired_level_[r] = static_cast<Level>(levels[r]);
     }
   }
+  /// Whether `annotate()` was called with levels.
   bool has_annotations() const { return !desired_level_.empty(); }
   /// The least level of the leaf of a point; 0 if there are no annotations.
   int desired_level(Point_rank r) const {

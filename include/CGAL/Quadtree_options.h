@@ -13,6 +13,7 @@ namespace CGAL {
 
 namespace Quadtree_mesh_2 {
 
+/// \ingroup PkgQuadtreeMesh2Quadtrees
 /// Between which leaves of a quadtree sizes differ by at most a factor of two.
 enum class Balance {
   /// Any leaves may differ: the unbalanced quadtree of Theorem 1.
@@ -23,6 +24,7 @@ enum class Balance {
   SIDES_AND_CORNERS
 };
 
+/// \ingroup PkgQuadtreeMesh2Quadtrees
 /// The order in which a quadtree is balanced.
 enum class Balance_schedule {
   /// Level by level: the smallest balanced quadtree, in as many parallel rounds as there are levels.
@@ -34,17 +36,24 @@ enum class Balance_schedule {
 
 } // namespace Quadtree_mesh_2
 
+/// \ingroup PkgQuadtreeMesh2Quadtrees
 /// Options of `Balanced_quadtree`; each setter returns the options, so that calls can be chained.
 class Quadtree_options {
 public:
+  /// \name Types
+  /// @{
+
+  /// What the options choose from.
   using Balance = Quadtree_mesh_2::Balance;
   using Balance_schedule = Quadtree_mesh_2::Balance_schedule;
+  /// @}
 
   /// The most points that a leaf may hold, at least 1; 1 by default.
   Quadtree_options& max_points_per_leaf(std::size_t n) {
     max_points_per_leaf_ = n;
     return *this;
   }
+  /// What was set.
   std::size_t max_points_per_leaf() const { return max_points_per_leaf_; }
 
   /// Which neighbours are balanced, `Balance::SIDES_AND_CORNERS` by default.
@@ -52,6 +61,7 @@ public:
     balance_ = b;
     return *this;
   }
+  /// What was set.
   Balance balance() const { return balance_; }
 
   /// How balance is reached, `Balance_schedule::LEVEL_BY_LEVEL` by default.
@@ -59,6 +69,7 @@ public:
     schedule_ = s;
     return *this;
   }
+  /// What was set.
   Balance_schedule schedule() const { return schedule_; }
 
 private:

@@ -69,6 +69,7 @@
 
 namespace CGAL {
 
+/// \ingroup PkgQuadtreeMesh2Neighbors
 /// Vertex-edge neighbours (Lemma 5) by walks in the balanced quadtree of the vertices.
 ///
 /// All hits are found by the constructor, in parallel over the vertices; sectors are searched when asked for.
@@ -90,6 +91,10 @@ namespace CGAL {
 template <class Traits_, class Concurrency_tag = Sequential_tag>
 class Quadtree_vertex_edge_neighbors_2 {
 public:
+  /// \name Types
+  /// @{
+
+  /// Those of the template arguments, and the indices of what they number.
   using Traits = Traits_;
   using Point_2 = typename Traits::Point_2;
   using Pslg = Pslg_2<Point_2>;
@@ -98,6 +103,7 @@ public:
   using Vertex_index = Quadtree_mesh_2::Vertex_index;
   using Segment_index = Quadtree_mesh_2::Segment_index;
   using Options = Vertex_edge_neighbors_options_2;
+  /// @}
 
   /// Finds the hits of all vertices.
   /// \param pslg is not copied: it has to stay where and as it is. Its segments join vertices that exist.
@@ -163,6 +169,7 @@ public:
     return std::min(at_most, nearest_in_sector(apex, right, left, at_most).distance);
   }
 
+  /// The graph.
   const Pslg& pslg() const { return *pslg_; }
   /// The quadtree of the vertices; where segments were many its leaves are smaller than vertices ask for.
   const Quadtree& quadtree() const { return tree_; }

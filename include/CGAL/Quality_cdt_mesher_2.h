@@ -21,6 +21,7 @@
 
 namespace CGAL {
 
+/// \ingroup PkgQuadtreeMesh2Meshers
 /// Meshes a constrained triangulation in place, by the interface of `Delaunay_mesher_2`.
 ///
 /// The domain is what constrained edges separate from infinity, less the components with a seed; or these alone; or the
@@ -51,12 +52,17 @@ namespace CGAL {
 template <class CDT, class Criteria_ = Delaunay_mesh_size_criteria_2<CDT>>
 class Quality_cdt_mesher_2 {
 public:
+  /// \name Types
+  /// @{
+
+  /// As in `Delaunay_mesher_2`.
   using Triangulation = CDT;
   using Criteria = Criteria_;
   using Point = typename CDT::Point;
   using Seeds = std::list<Point>;
   using Seeds_iterator = typename Seeds::const_iterator;
   using Seeds_const_iterator = Seeds_iterator;
+  /// @}
 
   /// Changes nothing in `cdt`, which is referred to.
   explicit Quality_cdt_mesher_2(CDT& cdt, const Criteria& criteria = Criteria())
@@ -159,6 +165,7 @@ public:
 
   /// What the last run reached. The i-th face of the mesh is its triangle i.
   const Quality_mesh_report_2& report() const { return report_; }
+  /// The triangulation that is meshed.
   const Triangulation& triangulation() const { return cdt_; }
 
 private:

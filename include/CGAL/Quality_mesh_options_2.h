@@ -9,12 +9,14 @@
 
 #include <CGAL/Tree_separation_options_2.h>
 
+#include <array>
 #include <cstddef>
 #include <functional>
 #include <utility>
 
 namespace CGAL {
 
+/// \ingroup PkgQuadtreeMesh2Meshers
 /// What `Quality_mesher_2` shall reach. Every field has its default; set fields directly or by chained calls:
 /// `Quality_mesh_options_2().min_angle(25).max_area(0.1)`.
 struct Quality_mesh_options_2 {
@@ -48,13 +50,20 @@ struct Quality_mesh_options_2 {
   /// The longest edge wanted of a triangle with its centroid at (x, y), in the units of the input; positive.
   /// Empty: no such bound. It is called by several threads at once with `Parallel_tag`.
   std::function<double(double, double)> size_field;
+  /// The corners of a triangle, (x, y) each, counterclockwise.
+  using Corners = std::array<std::array<double, 2>, 3>;
+  /// Whether a triangle shall be refined that meets all other bounds: what no bound of size can say. Empty: none. It is
+  /// called by several threads at once with `Parallel_tag`, for triangles that come and go, and has to answer the same
+  /// whenever it is asked. Where no triangle ever satisfies it, refinement stops with the vertex budget, or without
+  /// one with twenty million vertices more than else.
+  std::function<bool(const Corners&)> refined_where;
   /// Refinement inserts no vertex nearer than this to one in sight, in the units of the input; triangles that
   /// miss a bound for that are left, and reported with the reason LEAST_EDGE. 0 means no such rule.
   double min_edge_length = 0;
-  Domain domain = Domain::ENCLOSED;
-  Separation separation = Separation::ON_DEMAND;
-  Tree_separation_options_2 trees;
-  Coarsening coarsening = Coarsening::GUARDED_REMOVAL;
+  Domain domain = Domain::ENCLOSED;                    ///< what is meshed
+  Separation separation = Separation::ON_DEMAND;       ///< how features are kept apart
+  Tree_separation_options_2 trees;                     ///< what the construction by quadtrees does
+  Coarsening coarsening = Coarsening::GUARDED_REMOVAL; ///< whether vertices go that are not needed
   /// Rounds of smoothing, each followed by removal if that is wanted: a percent or two fewer triangles and better
   /// angles for about as much time as refinement takes.
   int smoothing_rounds = 0;
@@ -73,11 +82,19 @@ struct Quality_mesh_options_2 {
   /// `Parallel_tag` any thread may call it, one at a time.
   std::function<bool(double)> callback;
 
+  /// \name Setters
+  /// @{
+
+  /// Each sets what its name says and returns the options, so that calls can be chained. `separate()` with the options
+  /// of the construction by quadtrees chooses that, too.
   Quality_mesh_options_2& min_angle(double degrees) { return min_angle_in_degrees = degrees, *this; }
   Quality_mesh_options_2& max_edge(double length) { return max_edge_length = length, *this; }
   Quality_mesh_options_2& max_area(double area) { return max_triangle_area = area, *this; }
   Quality_mesh_options_2& size(std::function<double(double, double)> f) {
     return size_field = std::move(f), *this;
+  }
+  Quality_mesh_options_2& refine_where(std::function<bool(const Corners&)> f) {
+    return refined_where = std::move(f), *this;
   }
   Quality_mesh_options_2& min_edge(double length) { return min_edge_length = length, *this; }
   Quality_mesh_options_2& mesh_domain(Domain d) { return domain = d, *this; }
@@ -92,6 +109,7 @@ struct Quality_mesh_options_2 {
   Quality_mesh_options_2& patience(double times) { return refinement_patience = times, *this; }
   Quality_mesh_options_2& max_vertices(std::size_t n) { return vertex_budget = n, *this; }
   Quality_mesh_options_2& progress(std::function<bool(double)> f) { return callback = std::move(f), *this; }
+  /// @}
 };
 
 } // namespace CGAL

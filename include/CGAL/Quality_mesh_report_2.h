@@ -17,12 +17,14 @@
 
 namespace CGAL {
 
+/// \ingroup PkgQuadtreeMesh2Meshers
 /// The input cannot be meshed; `what()` names the vertex, segment or line that is to blame.
 class Pslg_error_2 : public std::runtime_error {
 public:
   using std::runtime_error::runtime_error;
 };
 
+/// \ingroup PkgQuadtreeMesh2Meshers
 /// What a construction by quadtrees did (Theorem 5); all 0 if there was none.
 struct Tree_separation_report_2 {
   std::size_t leaves_of_points = 0;   ///< of T_B, the quadtree of the vertices
@@ -41,6 +43,7 @@ struct Tree_separation_report_2 {
   std::size_t missed = 0;         ///< triangles below the bound that were not cured
 };
 
+/// \ingroup PkgQuadtreeMesh2Meshers
 /// What `Quality_mesher_2` reached, what it did not, and where.
 struct Quality_mesh_report_2 {
   /// What kept refinement from meeting a bound in a triangle.
@@ -54,15 +57,15 @@ struct Quality_mesh_report_2 {
   };
   /// A triangle that misses a bound although no acute input corner excuses it.
   struct Unmet_triangle {
-    Quadtree_mesh_2::Triangle_index triangle;
-    std::array<double, 2> centroid;
-    double least_angle; ///< degrees
-    Reason reason;
+    Quadtree_mesh_2::Triangle_index triangle; ///< its index in the mesh
+    std::array<double, 2> centroid;           ///< where it is
+    double least_angle;                       ///< degrees
+    Reason reason;                            ///< what kept refinement from it
   };
   /// A triangle below the bound that an acute input corner excuses.
   struct Exempt_triangle {
-    Quadtree_mesh_2::Triangle_index triangle;
-    Quadtree_mesh_2::Vertex_index corner; ///< the input vertex in which the two segments meet
+    Quadtree_mesh_2::Triangle_index triangle; ///< its index in the mesh
+    Quadtree_mesh_2::Vertex_index corner;     ///< the input vertex in which the two segments meet
   };
   /// Seconds of CPU time by phase.
   struct Seconds {
@@ -71,18 +74,19 @@ struct Quality_mesh_report_2 {
     double trees = 0;      ///< the quadtrees of Theorem 5
     double construct = 0;  ///< rounds of placing vertices by them
     double refine = 0;     ///< with the removal that large meshes do in blocks
-    double coarsen = 0;
-    double convert = 0; ///< to Indexed_mesh_2
+    double coarsen = 0;    ///< removal, smoothing and thinning
+    double convert = 0;    ///< to Indexed_mesh_2
   };
 
-  std::size_t input_vertices = 0;
-  std::size_t input_segments = 0;
-  std::size_t vertices = 0; ///< vertices that a triangle uses
-  std::size_t triangles = 0;
+  std::size_t input_vertices = 0;       ///< those of the graph
+  std::size_t input_segments = 0;       ///< those of the graph
+  std::size_t vertices = 0;             ///< vertices that a triangle uses
+  std::size_t triangles = 0;            ///< of the mesh
   std::size_t merged_vertices = 0;      ///< input vertices at the place of an earlier one
   std::size_t vertices_on_segments = 0; ///< input vertices found in the interior of an input segment
   /// Below the bound inside a wedge of two input segments, never under 0.9 of its angle.
   std::vector<Exempt_triangle> exempt_triangles;
+  /// All others that miss a bound, with the reason.
   std::vector<Unmet_triangle> unmet_triangles;
   /// `least_angle_histogram[i]` triangles have their least angle in [i, i + 1) degrees, up to 60.
   std::array<std::size_t, 60> least_angle_histogram{};
@@ -91,12 +95,13 @@ struct Quality_mesh_report_2 {
   /// Of the triangles needed, from the triangulation of the input alone, before refinement; for most inputs
   /// within a factor of 4.
   double estimated_triangles = 0;
-  std::size_t rounds = 0;
-  Tree_separation_report_2 trees;
-  bool is_cancelled = false;
-  bool is_budget_exhausted = false;
-  Seconds seconds;
+  std::size_t rounds = 0;           ///< of refinement and what follows it
+  Tree_separation_report_2 trees;   ///< what the construction by quadtrees did
+  bool is_cancelled = false;        ///< whether the callback stopped refinement
+  bool is_budget_exhausted = false; ///< whether the bound on the number of vertices did
+  Seconds seconds;                  ///< what took how long
 
+  /// Whether every triangle meets all bounds or is exempt.
   bool is_met() const { return unmet_triangles.empty(); }
 };
 

@@ -23,6 +23,7 @@
 
 namespace CGAL {
 
+/// \ingroup PkgQuadtreeMesh2Meshers
 /// Triangulates the domain of a planar straight-line graph so that no triangle has an angle below a bound,
 /// except in wedges that acute input corners force, with few triangles.
 ///
@@ -46,10 +47,15 @@ namespace CGAL {
 template <class Traits = Filtered_quadtree_traits_2<>, class ConcurrencyTag = Sequential_tag>
 class Quality_mesher_2 {
 public:
+  /// \name Types
+  /// @{
+
+  /// What goes in and what comes out.
   using Geom_traits = Traits;
   using Point_2 = typename Traits::Point_2;
   using Pslg = Pslg_2<Point_2>;
   using Mesh = Indexed_mesh_2<Point_2>;
+  /// @}
 
   /// \throws std::invalid_argument if an option is out of its range.
   explicit Quality_mesher_2(Quality_mesh_options_2 options = {}, const Traits& traits = Traits())
@@ -87,6 +93,7 @@ public:
 
   /// What the last run reached.
   const Quality_mesh_report_2& report() const { return report_; }
+  /// What is asked for.
   const Quality_mesh_options_2& options() const { return options_; }
 
 private:
@@ -111,5 +118,8 @@ Quality_mesher_2<Traits, ConcurrencyTag>::operator()(const Pslg& pslg) {
 
 #define CGAL_QUADTREE_MESH_2_HAS_QUALITY_MESHER
 #include <CGAL/Quadtree_mesh_2/compiled_meshers.h>
+
+// For programs that come from Mesh_2, refine_quality_mesh_2() and Quality_cdt_mesher_2.
+#include <CGAL/refine_quality_mesh_2.h>
 
 #endif // CGAL_QUALITY_MESHER_2_H

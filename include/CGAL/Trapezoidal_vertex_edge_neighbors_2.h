@@ -36,6 +36,7 @@
 
 namespace CGAL {
 
+/// \ingroup PkgQuadtreeMesh2Neighbors
 /// Vertex-edge neighbours (Lemma 5) by trapezoidal decompositions of the graph.
 ///
 /// All hits are found by the constructor. The graph need not be planar: segments may cross and overlap,
@@ -52,12 +53,17 @@ namespace CGAL {
 template <class Traits_, class Concurrency_tag = Sequential_tag>
 class Trapezoidal_vertex_edge_neighbors_2 {
 public:
+  /// \name Types
+  /// @{
+
+  /// Those of the template arguments, and the indices of what they number.
   using Traits = Traits_;
   using Point_2 = typename Traits::Point_2;
   using Pslg = Pslg_2<Point_2>;
   using Direction = Quadtree_mesh_2::Direction;
   using Vertex_index = Quadtree_mesh_2::Vertex_index;
   using Segment_index = Quadtree_mesh_2::Segment_index;
+  /// @}
 
   /// Finds the hits of all vertices.
   /// \param pslg is not copied: it has to stay where and as it is. Its segments join vertices that exist.
@@ -96,6 +102,7 @@ public:
     return h.first[h.nearest];
   }
 
+  /// The graph.
   const Pslg& pslg() const { return *pslg_; }
 
 private:

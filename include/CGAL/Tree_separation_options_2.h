@@ -11,6 +11,7 @@
 
 namespace CGAL {
 
+/// \ingroup PkgQuadtreeMesh2Meshers
 /// Options of the construction by quadtrees of Bern, Eppstein and Teng, section 6. All lengths are in sides of
 /// leaves. Each setter returns the object, so that calls can be chained.
 struct Tree_separation_options_2 {
@@ -38,15 +39,20 @@ struct Tree_separation_options_2 {
   /// And where an acute corner between them is at most this wide: nothing is put between them there.
   double strip_width = 1.25;
 
-  Subdivision subdivision = Subdivision::WALKING;
-  Placement placement = Placement::CHOSEN;
+  Subdivision subdivision = Subdivision::WALKING; ///< how edges are cut
+  Placement placement = Placement::CHOSEN;        ///< where vertices are put
 
+  /// \name Setters
+  /// @{
+
+  /// Each sets what its name says and returns the options, so that calls can be chained.
   Tree_separation_options_2& distances(double of_vertices, double of_edges) {
     vertex_distance = of_vertices, edge_distance = of_edges;
     return *this;
   }
   Tree_separation_options_2& subdivide(Subdivision s) { return subdivision = s, *this; }
   Tree_separation_options_2& place(Placement p) { return placement = p, *this; }
+  /// @}
 
   /// The constant that the paper names as an example: no vertex or other edge passes an edge's square at less than
   /// three times its side.

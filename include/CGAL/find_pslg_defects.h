@@ -25,6 +25,8 @@
 
 namespace CGAL {
 
+/// \ingroup PkgQuadtreeMesh2Data
+/// What is wrong, and with which of the fields of `Pslg_defect_2`.
 enum class Pslg_defect_kind_2 {
   DUPLICATE_VERTEX,     ///< `vertex` is where the earlier `other_vertex` is
   ZERO_LENGTH_SEGMENT,  ///< the ends of `segment` are one place
@@ -33,13 +35,16 @@ enum class Pslg_defect_kind_2 {
   CROSSING_SEGMENTS     ///< `segment` and the earlier `other_segment` cross at `point`, where no vertex is
 };
 
+/// \ingroup PkgQuadtreeMesh2Data
 /// Something that a planar straight-line graph must not have. Fields that the kind does not use are invalid.
 struct Pslg_defect_2 {
-  Pslg_defect_kind_2 kind;
+  Pslg_defect_kind_2 kind; ///< what is wrong
   std::array<double, 2>
       point; ///< where: the vertex, the crossing, the first end of the segment or of the shared piece
-  Quadtree_mesh_2::Vertex_index vertex, other_vertex;
-  Quadtree_mesh_2::Segment_index segment, other_segment;
+  Quadtree_mesh_2::Vertex_index vertex;         ///< to blame
+  Quadtree_mesh_2::Vertex_index other_vertex;   ///< an earlier one
+  Quadtree_mesh_2::Segment_index segment;       ///< to blame
+  Quadtree_mesh_2::Segment_index other_segment; ///< an earlier one
 
   /// One line for people.
   std::string to_string() const;
@@ -178,6 +183,7 @@ inline std::string Pslg_defect_2::to_string() const {
   return std::string(); // not reached
 }
 
+/// \ingroup PkgQuadtreeMesh2Data
 /// Lists the defects of a graph, kind by kind in the order of `Pslg_defect_kind_2`, each kind by index.
 ///
 /// An empty list means a planar straight-line graph. All answers are exact; only the places of crossings are

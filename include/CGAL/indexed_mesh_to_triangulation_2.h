@@ -50,6 +50,7 @@ void insert_collinear_input(const Pslg_2<Point>& pslg, Cdt& cdt) {
 } // namespace internal
 } // namespace Quadtree_mesh_2
 
+/// \ingroup PkgQuadtreeMesh2Data
 /// Builds `cdt` from a mesh: what was in it is lost.
 ///
 /// The mesh's triangles become faces with `is_in_domain()`, in their order and with their vertices in their
@@ -84,6 +85,7 @@ void indexed_mesh_to_constrained_Delaunay_triangulation_2(const Indexed_mesh_2<P
   CGAL_expensive_postcondition(cdt.is_valid());
 }
 
+/// \ingroup PkgQuadtreeMesh2Data
 /// Builds `triangulation` from a mesh of points, or any mesh that fills its convex hull up to rounding: what was in
 /// it is lost.
 ///
@@ -116,6 +118,7 @@ void indexed_mesh_to_triangulation_2(const Indexed_mesh_2<Point>& mesh, Triangul
   CGAL_expensive_postcondition(triangulation.is_valid());
 }
 
+/// \ingroup PkgQuadtreeMesh2Data
 /// The graph of a triangulation: its finite vertices and its constrained edges, both in the order of
 /// iteration.
 /// \param seeds range of points, one in each hole. Linear in expectation.
@@ -134,6 +137,7 @@ Pslg_2<typename Cdt::Point> pslg_from_triangulation_2(const Cdt& cdt, const Seed
   return pslg;
 }
 
+/// \ingroup PkgQuadtreeMesh2Data
 /// The graph of a triangulation without holes.
 template <class Cdt>
 Pslg_2<typename Cdt::Point> pslg_from_triangulation_2(const Cdt& cdt) {

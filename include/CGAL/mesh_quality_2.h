@@ -58,6 +58,7 @@ std::vector<Double_point> to_double_points(const std::vector<Point>& points) {
 } // namespace internal
 } // namespace Quadtree_mesh_2
 
+/// \ingroup PkgQuadtreeMesh2Data
 /// The mesh with its coordinates converted to double.
 ///
 /// Exact for coordinates that doubles represent, so for integers up to 2^53. Others are rounded to nearest:
@@ -81,6 +82,7 @@ convert_to_double_points(const Indexed_mesh_2<Point>& mesh) {
   return result;
 }
 
+/// \ingroup PkgQuadtreeMesh2Data
 /// The graph with its coordinates converted to double, with the same proviso.
 template <class Point>
 Pslg_2<Quadtree_mesh_2::internal::Double_point> convert_to_double_points(const Pslg_2<Point>& pslg) {
@@ -100,6 +102,7 @@ Pslg_2<Quadtree_mesh_2::internal::Double_point> convert_to_double_points(const P
   return result;
 }
 
+/// \ingroup PkgQuadtreeMesh2Data
 /// Checks `mesh` against `pslg`, and its triangles against the bounds in `options`.
 ///
 /// Never throws for what it is given: a mesh or an input that makes no sense has errors. The input may have
@@ -133,6 +136,7 @@ Mesh_quality_2 mesh_quality_2(const Indexed_mesh_2<Point>& mesh, const Pslg_2<Po
   }
 }
 
+/// \ingroup PkgQuadtreeMesh2Data
 /// Writes errors and statistics as a table for people.
 inline std::ostream& operator<<(std::ostream& out, const Mesh_quality_2& q) {
   out << (q.is_valid() ? "valid mesh" : "invalid mesh") << '\n';

@@ -25,6 +25,7 @@
 
 namespace CGAL {
 
+/// \ingroup PkgQuadtreeMesh2Data
 /// Lengths that meshes of a point set are measured by.
 struct Point_set_lengths_2 {
   double spanning_tree = 0; ///< of the minimum spanning tree by Euclidean lengths
@@ -105,6 +106,7 @@ private:
 } // namespace internal
 } // namespace Quadtree_mesh_2
 
+/// \ingroup PkgQuadtreeMesh2Data
 /// Returns the lengths for points whose coordinates are arithmetic or have a `CGAL::to_double()`; of their nearest
 /// doubles. Expected O(n log n) time.
 template <class Point>
@@ -113,6 +115,7 @@ Point_set_lengths_2 point_set_lengths_2(const std::vector<Point>& points) {
   return {graph.spanning_tree_length(), graph.length(), graph.hull_length()};
 }
 
+/// \ingroup PkgQuadtreeMesh2Data
 /// Returns the length of all edges of a mesh, each counted once; what `mesh_quality_2()` gives besides all else.
 /// \pre `mesh.neighbors` is filled
 template <class Point>

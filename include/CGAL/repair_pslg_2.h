@@ -36,16 +36,20 @@
 
 namespace CGAL {
 
+/// \ingroup PkgQuadtreeMesh2Data
 /// What `repair_pslg_2()` does where segments cross and no vertex is.
 enum class Pslg_crossing_rule_2 {
   THROW, ///< a `Pslg_error_2` names both segments and the place: crossings are often mistakes in the data
   SPLIT  ///< a new vertex cuts both
 };
 
+/// \ingroup PkgQuadtreeMesh2Data
+/// What `repair_pslg_2()` shall do.
 struct Pslg_repair_options_2 {
-  Pslg_crossing_rule_2 crossings = Pslg_crossing_rule_2::THROW;
+  Pslg_crossing_rule_2 crossings = Pslg_crossing_rule_2::THROW; ///< what becomes of crossings
 };
 
+/// \ingroup PkgQuadtreeMesh2Data
 /// What `repair_pslg_2()` did.
 struct Pslg_repair_report_2 {
   /// Per input vertex, its index in the result.
@@ -60,6 +64,7 @@ struct Pslg_repair_report_2 {
   std::size_t split_segments = 0;       ///< input segments with a vertex or a crossing inside
   std::size_t crossings = 0;            ///< new vertices where segments crossed: the last ones of the result
 
+  /// Whether there was nothing to repair.
   bool is_unchanged() const {
     return merged_vertices + zero_length_segments + overlapping_segments + split_segments + crossings == 0;
   }
@@ -230,6 +235,7 @@ inline void append_pass(Pslg_repair_report_2& report, const Pslg_repair_report_2
 } // namespace internal
 } // namespace Quadtree_mesh_2
 
+/// \ingroup PkgQuadtreeMesh2Data
 /// Repairs a graph: duplicate vertices are merged, segments of length zero or covered by others removed,
 /// segments cut at the vertices on them and, on request, where they cross.
 ///
@@ -272,6 +278,7 @@ Pslg_2<Point> repair_pslg_2(const Pslg_2<Point>& pslg, const Pslg_repair_options
       "segments lie so close together that rounding their crossings makes new ones without end");
 }
 
+/// \ingroup PkgQuadtreeMesh2Data
 /// The same for callers who do not ask what was done.
 template <class Point>
 Pslg_2<Point> repair_pslg_2(const Pslg_2<Point>& pslg,

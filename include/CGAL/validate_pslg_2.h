@@ -164,6 +164,7 @@ void check_pslg_extent(const Pslg_2<Point>& pslg) {
 } // namespace internal
 } // namespace Quadtree_mesh_2
 
+/// \ingroup PkgQuadtreeMesh2Data
 /// Checks what every user of a `Pslg_2` relies on: the arrays fit together, all coordinates are finite,
 /// segments end at vertices that exist, and the vertices do not all lie on a line.
 ///
@@ -179,6 +180,7 @@ void check_pslg_structure(const Pslg_2<Point>& pslg) {
   internal::check_pslg_extent(pslg);
 }
 
+/// \ingroup PkgQuadtreeMesh2Data
 /// The strict form of `check_pslg_structure()`: also no segment may have length zero, be it that both its
 /// ends are one vertex or two vertices at the same place. O(n) time, no memory.
 /// \throws Pslg_error_2 whose

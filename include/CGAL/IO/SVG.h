@@ -18,6 +18,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/Svg_mesh_painter.h>
 #include <CGAL/Quadtree_mesh_2/svg_options.h>
 
+#include <cstddef>
 #include <ostream>
 #include <sstream>
 #include <string>
@@ -44,6 +45,28 @@ void write_SVG(const std::string& file_name, const Indexed_mesh_2<Point>& mesh, 
                const Svg_options_2& options = {}) {
   std::ostringstream out;
   write_SVG(out, mesh, pslg, options);
+  Quadtree_mesh_2::internal::replace_file(file_name, out.str());
+}
+
+/// Writes a picture of the mesh with the leaves of a quadtree under its edges: of the tree of the input, or of sizes.
+/// \tparam Quadtree a `Balanced_quadtree` of points of the same type
+template <class Point, class Quadtree, class = typename Quadtree::Framework>
+void write_SVG(std::ostream& out, const Indexed_mesh_2<Point>& mesh, const Pslg_2<Point>& pslg,
+               const Quadtree& tree, const Svg_options_2& options = {}) {
+  Quadtree_mesh_2::internal::Svg_mesh_painter<Point> painter(mesh, pslg, options);
+  for (std::size_t l = 0; l < tree.number_of_leaves(); ++l) {
+    const auto corners = tree.corners(typename Quadtree::Leaf_index(l));
+    painter.add_square(corners[0], corners[2]);
+  }
+  painter.paint(out);
+}
+
+/// \throws std::system_error as above
+template <class Point, class Quadtree, class = typename Quadtree::Framework>
+void write_SVG(const std::string& file_name, const Indexed_mesh_2<Point>& mesh, const Pslg_2<Point>& pslg,
+               const Quadtree& tree, const Svg_options_2& options = {}) {
+  std::ostringstream out;
+  write_SVG(out, mesh, pslg, tree, options);
   Quadtree_mesh_2::internal::replace_file(file_name, out.str());
 }
 

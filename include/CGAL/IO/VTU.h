@@ -7,47 +7,52 @@
 #ifndef CGAL_IO_VTU_H
 #define CGAL_IO_VTU_H
 
-#include <CGAL/Constrained_Delaunay_triangulation_2.h>
-#include <CGAL/Constrained_triangulation_face_base_2.h>
-#include <CGAL/Delaunay_mesh_face_base_2.h>
-#include <CGAL/IO/write_VTU.h>
-#include <CGAL/Kernel_traits.h>
+#include <CGAL/IO/io.h>
+#include <CGAL/Indexed_mesh_2.h>
+#include <CGAL/Pslg_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/Replaced_files.h>
-#include <CGAL/indexed_mesh_to_triangulation_2.h>
+#include <CGAL/Quadtree_mesh_2/internal/Vtu_writer.h>
+#include <CGAL/Quadtree_mesh_2/triangle_fields.h>
 
-#include <sstream>
+#include <ostream>
 #include <string>
-#include <type_traits>
-#include <utility>
 
 namespace CGAL {
 namespace IO {
 
-/// Writes the mesh as an unstructured grid of VTK, for ParaView and its like, with CGAL's writer.
+/// Writes the mesh as an unstructured grid of VTK, for ParaView and its like.
 ///
-/// Cells are the triangles of the domain and the constrained edges, those outside the domain included.
-/// Vertices outside the domain are in the file too.
-/// \param mesh,pslg as for
-/// `indexed_mesh_to_constrained_Delaunay_triangulation_2()`; the points are points of a kernel over double.
-/// \param mode `IO::BINARY` or `IO::ASCII`
+/// Points are those of the mesh, in their order, used or not. Cells are its triangles, then its constrained edges, then
+/// the input segments of which no piece is in the mesh. Cells have `region` (that of the triangle, -1 for none and for
+/// edges), `marker` (that of the edge or segment, 0 for triangles), `least_angle` (degrees), `attribute` (that of the
+/// region, 0 for none) if the graph has regions, and the fields. At an edge such a number is the least of the triangles
+/// beside it, at a segment outside the least of all, so that colours range over those of triangles. Points have `marker`
+/// if the mesh has any. Linear in the mesh.
+/// \param pslg what the mesh was made from
+/// \param fields more numbers for each triangle, see `Triangle_field_2`
+/// \param mode `IO::BINARY` (appended, not compressed) or `IO::ASCII`; both give the same bits back
+/// \tparam Point `x()` and `y()` are arithmetic or have a `CGAL::to_double()`
+/// \throws std::invalid_argument if a field has not a number for each triangle
+template <class Point>
+void write_VTU(std::ostream& out, const Indexed_mesh_2<Point>& mesh, const Pslg_2<Point>& pslg,
+               const Triangle_fields_2& fields, Mode mode = BINARY) {
+  out << Quadtree_mesh_2::internal::Vtu_writer<Point>(mesh, pslg, fields).text(mode);
+}
 /// \throws std::system_error (a `std::runtime_error`) naming the file if it cannot be written; what was there
-/// then still is; Pslg_error_2 as the conversion does. Memory and time are those of the conversion to a
-/// triangulation, plus a look-up per triangle corner.
+/// then still is.
+template <class Point>
+void write_VTU(const std::string& file_name, const Indexed_mesh_2<Point>& mesh, const Pslg_2<Point>& pslg,
+               const Triangle_fields_2& fields, Mode mode = BINARY) {
+  Quadtree_mesh_2::internal::replace_file(
+      file_name, Quadtree_mesh_2::internal::Vtu_writer<Point>(mesh, pslg, fields).text(mode));
+}
+
+/// Writes the mesh without further fields.
 template <class Point>
 void write_VTU(const std::string& file_name, const Indexed_mesh_2<Point>& mesh, const Pslg_2<Point>& pslg,
                Mode mode = BINARY) {
-  using Kernel = typename Kernel_traits<Point>::Kernel;
-  static_assert(std::is_same_v<typename Kernel::FT, double>, "VTU files hold doubles");
-  using Face_base = Delaunay_mesh_face_base_2<Kernel, Constrained_triangulation_face_base_2<Kernel>>;
-  using Tds = Triangulation_data_structure_2<Triangulation_vertex_base_2<Kernel>, Face_base>;
-  Constrained_Delaunay_triangulation_2<Kernel, Tds, Exact_predicates_tag> cdt;
-  indexed_mesh_to_constrained_Delaunay_triangulation_2(mesh, pslg, cdt);
-  std::ostringstream out;
-  out.precision(17);
-  write_VTU(out, std::as_const(cdt), mode);
-  Quadtree_mesh_2::internal::replace_file(file_name, out.str());
+  write_VTU(file_name, mesh, pslg, Triangle_fields_2(), mode);
 }
-
 /// Writes the mesh alone, without what the input has outside the domain.
 template <class Point>
 void write_VTU(const std::string& file_name, const Indexed_mesh_2<Point>& mesh, Mode mode = BINARY) {

@@ -15,7 +15,8 @@
 #include <CGAL/Balanced_quadtree.h>
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/Replaced_files.h>
-#include <CGAL/Quadtree_mesh_2/internal/Svg_mesh_painter.h>
+#include <CGAL/Quadtree_mesh_2/internal/Svg_path.h>
+#include <CGAL/Quadtree_mesh_2/internal/triangle_angles.h>
 
 #include <algorithm>
 #include <array>
@@ -34,32 +35,38 @@ namespace IO {
 
 /// How `write_SVG()` draws quadtrees. Colours are whatever SVG takes for one; "none" leaves a thing out.
 struct Quadtree_svg_options {
+  /// What areas are coloured by.
   enum class Fill {
     plain, ///< all leaves in `fill_color`
     level  ///< from light (large leaves) to dark (small ones)
   };
 
-  int width_in_pixels = 800;
-  double margin_in_pixels = 4;
-  double edge_width = 0.4; ///< pixels, as all widths
-  double framework_width = 1.4;
-  double point_diameter = 2.4;
-  Fill fill = Fill::plain;
-  std::string edge_color = "#4a6b8a";
+  int width_in_pixels = 800;          ///< of the picture; the height follows
+  double margin_in_pixels = 4;        ///< on all sides
+  double edge_width = 0.4;            ///< pixels, as all widths
+  double framework_width = 1.4;       ///< of the framework's squares
+  double point_diameter = 2.4;        ///< of points
+  Fill fill = Fill::plain;            ///< what areas are coloured by
+  std::string edge_color = "#4a6b8a"; ///< of edges, or none
   /// The outlines of the framework's squares: those of which more than one child holds points.
   std::string framework_color = "none";
-  std::string point_color = "#b2182b";
-  std::string fill_color = "none";
-  std::string background_color = "#ffffff";
+  std::string point_color = "#b2182b";      ///< of points, or none
+  std::string fill_color = "none";          ///< of areas, or none
+  std::string background_color = "#ffffff"; ///< of the rest, or none
   /// The part of the plane that is shown; the root if empty.
   std::optional<Bbox_2> clip;
 
+  /// \name Setters
+  /// @{
+
+  /// Each sets what its name says and returns the options, so that calls can be chained.
   Quadtree_svg_options& width(int pixels) { return width_in_pixels = pixels, *this; }
   Quadtree_svg_options& fill_by(Fill f) { return fill = f, *this; }
   Quadtree_svg_options& emphasize_framework(std::string color = "#12263a") {
     return framework_color = std::move(color), *this;
   }
   Quadtree_svg_options& clip_to(const Bbox_2& window) { return clip = window, *this; }
+  /// @}
 };
 
 } // namespace IO

@@ -9,7 +9,7 @@
 
 #include <CGAL/Indexed_mesh_2.h>
 #include <CGAL/Pslg_2.h>
-#include <CGAL/Quadtree_mesh_2/internal/Number_text.h>
+#include <CGAL/Quadtree_mesh_2/internal/Line_writer.h>
 #include <CGAL/Quadtree_mesh_2/internal/Replaced_files.h>
 
 #include <array>
@@ -25,36 +25,6 @@
 namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
-
-/// Lines of numbers, gathered in memory.
-class Line_writer {
-public:
-  template <class Number>
-  Line_writer& operator<<(const Number& value) {
-    if (!is_line_begin_) text_ += ' ';
-    is_line_begin_ = false;
-    append_number(text_, value);
-    return *this;
-  }
-  template <class Tag>
-  Line_writer& operator<<(Index<Tag> i) {
-    return *this << i.value();
-  }
-  template <class Point>
-  Line_writer& write_point(const Point& p) {
-    return *this << p.x() << p.y();
-  }
-  void end_line() {
-    text_ += '\n';
-    is_line_begin_ = true;
-  }
-  void reserve(std::size_t size) { text_.reserve(size); }
-  const std::string& text() const { return text_; }
-
-private:
-  std::string text_;
-  bool is_line_begin_ = true;
-};
 
 /// The vertices as a .node file and a .poly file have them.
 template <class Point>
@@ -141,7 +111,7 @@ template <class Point>
 void write_triangle_node(const std::string& file_name, const Pslg_2<Point>& pslg) {
   Quadtree_mesh_2::internal::Line_writer out;
   Quadtree_mesh_2::internal::write_vertices(out, pslg);
-  Quadtree_mesh_2::internal::replace_file(file_name, out.text());
+  Quadtree_mesh_2::internal::replace_file(file_name, out.take());
 }
 
 /// Writes a whole graph, vertices and all, to a `.poly` file. `read_triangle_poly()` gives the same graph
@@ -159,7 +129,7 @@ void write_triangle_poly(const std::string& file_name, const Pslg_2<Point>& pslg
     out.end_line();
   }
   internal::write_holes_and_regions(out, pslg);
-  internal::replace_file(file_name, out.text());
+  internal::replace_file(file_name, out.take());
 }
 
 /// Writes all vertices of a mesh, in their order and used or not, to a `.node` file with their markers
@@ -167,7 +137,7 @@ void write_triangle_poly(const std::string& file_name, const Pslg_2<Point>& pslg
 template <class Point>
 void write_triangle_node(const std::string& file_name, const Indexed_mesh_2<Point>& mesh) {
   namespace internal = Quadtree_mesh_2::internal;
-  internal::replace_file(file_name, internal::mesh_node_text(mesh).text());
+  internal::replace_file(file_name, internal::mesh_node_text(mesh).take());
 }
 
 /// Writes the triangles of a mesh to an `.ele` file, with the attributes of their regions (0 where there is
@@ -177,7 +147,7 @@ template <class Point>
 void write_triangle_ele(const std::string& file_name, const Indexed_mesh_2<Point>& mesh,
                         const Pslg_2<Point>& pslg) {
   namespace internal = Quadtree_mesh_2::internal;
-  internal::replace_file(file_name, internal::mesh_ele_text(mesh, pslg).text());
+  internal::replace_file(file_name, internal::mesh_ele_text(mesh, pslg).take());
 }
 
 /// Writes the constrained edges of a mesh, with the markers of the segments they are part of if `pslg` has
@@ -187,7 +157,7 @@ template <class Point>
 void write_triangle_poly(const std::string& file_name, const Indexed_mesh_2<Point>& mesh,
                          const Pslg_2<Point>& pslg) {
   namespace internal = Quadtree_mesh_2::internal;
-  internal::replace_file(file_name, internal::mesh_poly_text(mesh, pslg).text());
+  internal::replace_file(file_name, internal::mesh_poly_text(mesh, pslg).take());
 }
 
 /// Writes `stem.node`, `stem.ele` and `stem.poly`: what the three functions above write, and if one file
@@ -197,9 +167,9 @@ void write_triangle_files(const Indexed_mesh_2<Point>& mesh, const Pslg_2<Point>
                           const std::string& stem) {
   namespace internal = Quadtree_mesh_2::internal;
   internal::Replaced_files files;
-  files.add(stem + ".node", internal::mesh_node_text(mesh).text());
-  files.add(stem + ".ele", internal::mesh_ele_text(mesh, pslg).text());
-  files.add(stem + ".poly", internal::mesh_poly_text(mesh, pslg).text());
+  files.add(stem + ".node", internal::mesh_node_text(mesh).take());
+  files.add(stem + ".ele", internal::mesh_ele_text(mesh, pslg).take());
+  files.add(stem + ".poly", internal::mesh_poly_text(mesh, pslg).take());
   files.commit();
 }
 

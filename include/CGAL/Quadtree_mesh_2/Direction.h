@@ -13,15 +13,18 @@
 namespace CGAL {
 namespace Quadtree_mesh_2 {
 
+/// \ingroup PkgQuadtreeMesh2Quadtrees
 /// The eight directions to the neighbours of a square, counterclockwise: across sides and corners in turn.
 enum class Direction { EAST, NORTH_EAST, NORTH, NORTH_WEST, WEST, SOUTH_WEST, SOUTH, SOUTH_EAST };
 
+/// \ingroup PkgQuadtreeMesh2Quadtrees
 /// All directions, counterclockwise from east.
 constexpr std::array<Direction, 8> all_directions() {
   return {{Direction::EAST, Direction::NORTH_EAST, Direction::NORTH, Direction::NORTH_WEST, Direction::WEST,
            Direction::SOUTH_WEST, Direction::SOUTH, Direction::SOUTH_EAST}};
 }
 
+/// \ingroup PkgQuadtreeMesh2Quadtrees
 /// Returns the step in x, -1, 0 or 1, of a direction.
 constexpr int step_x(Direction d) {
   return d == Direction::NORTH || d == Direction::SOUTH             ? 0
@@ -29,17 +32,21 @@ constexpr int step_x(Direction d) {
                                                                     : 1;
 }
 
+/// \ingroup PkgQuadtreeMesh2Quadtrees
 /// Returns the step in y, -1, 0 or 1, of a direction.
 constexpr int step_y(Direction d) {
   return d == Direction::EAST || d == Direction::WEST ? 0 : d < Direction::WEST ? 1 : -1;
 }
 
+/// \ingroup PkgQuadtreeMesh2Quadtrees
 /// Returns the opposite direction.
 constexpr Direction opposite(Direction d) { return static_cast<Direction>((static_cast<int>(d) + 4) % 8); }
 
+/// \ingroup PkgQuadtreeMesh2Quadtrees
 /// Returns whether a direction leads across a corner.
 constexpr bool is_diagonal(Direction d) { return static_cast<int>(d) % 2 != 0; }
 
+/// \ingroup PkgQuadtreeMesh2Quadtrees
 /// Returns the direction with the given steps.
 /// \pre steps are -1, 0 or 1 and not both 0
 constexpr Direction direction(int dx, int dy) {

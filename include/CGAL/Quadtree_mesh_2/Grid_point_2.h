@@ -13,17 +13,18 @@
 namespace CGAL {
 namespace Quadtree_mesh_2 {
 
+/// \ingroup PkgQuadtreeMesh2Quadtrees
 /// A point of the integer grid on which quadtrees live.
 /// \tparam Word_ an integer type, unsigned or of unlimited length.
 template <class Word_>
 struct Grid_point_2 {
   static_assert(!std::is_integral<Word_>::value || std::is_unsigned<Word_>::value,
                 "grid coordinates are not negative");
-  using Word = Word_;
+  using Word = Word_; ///< the type of coordinates
 
   // Not initialized by themselves, lest large arrays of points are cleared before they are filled.
-  Word x;
-  Word y;
+  Word x; ///< from the left side of the root
+  Word y; ///< from its lower side
 
   friend constexpr bool operator==(const Grid_point_2& a, const Grid_point_2& b) {
     return a.x == b.x && a.y == b.y;
@@ -34,6 +35,7 @@ struct Grid_point_2 {
   }
 };
 
+/// \ingroup PkgQuadtreeMesh2Quadtrees
 /// A square of a quadtree: its lower left corner in grid units and its level.
 ///
 /// The root has level 0; a square of level `l` has side `2^(depth - l)` grid units, where `depth` is that of
@@ -42,11 +44,11 @@ struct Grid_point_2 {
 /// \tparam Word_ as for `Grid_point_2`.
 template <class Word_>
 struct Quadtree_square_2 {
-  using Word = Word_;
+  using Word = Word_; ///< the type of coordinates
 
-  Word x = 0;
-  Word y = 0;
-  int level = 0;
+  Word x = 0;    ///< of the lower left corner
+  Word y = 0;    ///< of the lower left corner
+  int level = 0; ///< 0 for the root
 
   friend constexpr bool operator==(const Quadtree_square_2& a, const Quadtree_square_2& b) {
     return a.x == b.x && a.y == b.y && a.level == b.level;

@@ -15,6 +15,7 @@
 namespace CGAL {
 namespace Quadtree_mesh_2 {
 
+/// \ingroup PkgQuadtreeMesh2Data
 /// A 32-bit index that cannot be mistaken for an index of another kind.
 ///
 /// Converts explicitly from and to integers; compares and orders as the integer does. The default-constructed
@@ -23,15 +24,20 @@ namespace Quadtree_mesh_2 {
 template <class Tag>
 class Index {
 public:
-  using size_type = std::uint32_t;
+  using size_type = std::uint32_t; ///< what it holds
 
   constexpr Index() = default;
+  /// The index `i`.
   constexpr explicit Index(std::size_t i) : value_(static_cast<size_type>(i)) {}
 
+  /// The number.
   constexpr size_type value() const { return value_; }
+  /// The number, for looking up arrays.
   constexpr explicit operator std::size_t() const { return value_; }
+  /// Whether it is one.
   constexpr bool is_valid() const { return value_ != invalid_; }
 
+  /// The next one.
   Index& operator++() {
     ++value_;
     return *this;
@@ -54,24 +60,32 @@ struct Node_tag {};
 struct Leaf_tag {};
 struct Point_tag {};
 
+/// \ingroup PkgQuadtreeMesh2Data
 /// Vertex of a `Pslg_2` or an `Indexed_mesh_2`.
 using Vertex_index = Index<Vertex_tag>;
+/// \ingroup PkgQuadtreeMesh2Data
 /// Segment of a `Pslg_2`.
 using Segment_index = Index<Segment_tag>;
+/// \ingroup PkgQuadtreeMesh2Data
 /// Triangle of an `Indexed_mesh_2`.
 using Triangle_index = Index<Triangle_tag>;
+/// \ingroup PkgQuadtreeMesh2Data
 /// Node (square) of a quadtree or of a quadtree framework.
 using Node_index = Index<Node_tag>;
+/// \ingroup PkgQuadtreeMesh2Data
 /// Leaf of a quadtree.
 using Leaf_index = Index<Leaf_tag>;
+/// \ingroup PkgQuadtreeMesh2Data
 /// Input point, in the order in which the points were given.
 using Point_index = Index<Point_tag>;
 
 } // namespace Quadtree_mesh_2
 } // namespace CGAL
 
+/// Indices in unordered containers.
 template <class Tag>
 struct std::hash<CGAL::Quadtree_mesh_2::Index<Tag>> {
+  /// The hash of the number.
   std::size_t operator()(CGAL::Quadtree_mesh_2::Index<Tag> i) const noexcept {
     return std::hash<std::uint32_t>()(i.value());
   }

@@ -15,17 +15,28 @@
 namespace CGAL {
 namespace Quadtree_mesh_2 {
 
+/// \ingroup PkgQuadtreeMesh2Quadtrees
 /// The leaves around a leaf of a balanced quadtree, counterclockwise from the east; a range that needs no
 /// memory.
 class Leaf_neighbors {
 public:
+  /// \name Types
+  /// @{
+
+  /// Of a range.
   using value_type = Leaf_index;
   using const_iterator = const Leaf_index*;
+  /// @}
 
+  /// \name Access
+  /// @{
+
+  /// As of a container.
   const_iterator begin() const { return leaves_.data(); }
   const_iterator end() const { return leaves_.data() + size_; }
   std::size_t size() const { return size_; }
   Leaf_index operator[](std::size_t i) const { return leaves_[i]; }
+  /// @}
 
   /// Appends a leaf unless it is the last one: a large leaf is met in several consecutive directions.
   void append(Leaf_index l) {

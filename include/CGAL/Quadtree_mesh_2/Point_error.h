@@ -15,6 +15,7 @@
 namespace CGAL {
 namespace Quadtree_mesh_2 {
 
+/// \ingroup PkgQuadtreeMesh2Quadtrees
 /// Thrown for input points from which no quadtree can be made; names the points.
 class Point_error : public std::invalid_argument {
 public:
@@ -30,13 +31,16 @@ public:
     TOO_NEAR
   };
 
+  /// An error of one point.
   Point_error(Kind kind, Point_index point)
       : Point_error(kind, point, Point_index(), "point " + std::to_string(point.value()) + message(kind)) {}
+  /// An error of two points.
   Point_error(Kind kind, Point_index point, Point_index other)
       : Point_error(kind, point, other,
                     "points " + std::to_string(point.value()) + " and " + std::to_string(other.value()) +
                         message(kind)) {}
 
+  /// What is wrong.
   Kind kind() const { return kind_; }
   /// The point at fault, counted from 0 in the order of the input.
   Point_index point() const { return point_; }

@@ -17,6 +17,7 @@
 
 namespace CGAL {
 
+/// \ingroup PkgQuadtreeMesh2Data
 /// What `mesh_quality_2()` checks and against which bounds.
 struct Mesh_quality_options_2 {
   /// What the mesh has to cover.
@@ -45,55 +46,64 @@ struct Mesh_quality_options_2 {
   double tolerance_of_area = 1e-7;
   /// At most this many errors are written out; all are counted.
   std::size_t max_errors = 20;
-  Domain domain = Domain::enclosed_by_segments;
-  Arrays arrays = Arrays::all;
+  Domain domain = Domain::enclosed_by_segments; ///< what the mesh has to cover
+  Arrays arrays = Arrays::all;                  ///< what is there to be checked
 
+  /// \name Setters
+  /// @{
+
+  /// Each sets what its name says and returns the options, so that calls can be chained.
   Mesh_quality_options_2& min_angle(double degrees) { return min_angle_in_degrees = degrees, *this; }
   Mesh_quality_options_2& max_edge(double length) { return max_edge_length = length, *this; }
   Mesh_quality_options_2& max_area(double area) { return max_triangle_area = area, *this; }
   Mesh_quality_options_2& check_domain(Domain d) { return domain = d, *this; }
   Mesh_quality_options_2& check_arrays(Arrays a) { return arrays = a, *this; }
+  /// @}
 };
 
+/// \ingroup PkgQuadtreeMesh2Data
 /// What `mesh_quality_2()` found: the errors that make a mesh invalid, and the statistics of its triangles.
 ///
 /// A mesh that is invalid because its arrays do not fit together (first errors) has no statistics.
 struct Mesh_quality_2 {
+  /// What a triangle may miss.
   enum class Bound { angle, edge_length, area };
 
   /// A triangle that misses a bound. For the angle, only where no wedge of two input segments excuses it.
   struct Unmet_triangle {
-    Quadtree_mesh_2::Triangle_index triangle;
-    Bound bound;
-    std::array<double, 2> centroid;
-    double least_angle; ///< degrees
+    Quadtree_mesh_2::Triangle_index triangle; ///< its index in the mesh
+    Bound bound;                              ///< what it misses
+    std::array<double, 2> centroid;           ///< where it is
+    double least_angle;                       ///< degrees
   };
 
   /// One line per error, the first `Mesh_quality_options_2::max_errors` of them.
   std::vector<std::string> errors;
-  std::size_t number_of_errors = 0;
+  std::size_t number_of_errors = 0; ///< of all of them
 
-  std::size_t vertices = 0; ///< those that a triangle uses
-  std::size_t edges = 0;
-  std::size_t border_edges = 0;
-  std::size_t triangles = 0;
-  double area = 0;
+  std::size_t vertices = 0;     ///< those that a triangle uses
+  std::size_t edges = 0;        ///< each counted once
+  std::size_t border_edges = 0; ///< edges of one triangle only
+  std::size_t triangles = 0;    ///< all of the mesh
+  double area = 0;              ///< of all triangles
   /// By a constrained Delaunay triangulation of the input; 0 where the domain is not checked.
   double domain_area = 0;
-  double shortest_edge = std::numeric_limits<double>::infinity();
-  double longest_edge = 0;
-  double largest_area = 0;
-  double total_length = 0;
-  double min_angle = 180; ///< degrees, as all angles here
-  double max_angle = 0;
+  double shortest_edge = std::numeric_limits<double>::infinity(); ///< of the mesh
+  double longest_edge = 0;                                        ///< of the mesh
+  double largest_area = 0;                                        ///< of a triangle
+  double total_length = 0;                                        ///< of all edges
+  double min_angle = 180;                                         ///< degrees, as all angles here
+  double max_angle = 0;                                           ///< degrees
   /// Least angle that is not between two pieces of input segments at an input vertex.
   double min_new_angle = 180;
   /// `angle_histogram[i]` angles are in [10 i, 10 (i + 1)) degrees.
   std::array<std::size_t, 18> angle_histogram{};
   /// Triangles below the angle bound that a wedge of two input segments excuses.
   std::size_t exempt_triangles = 0;
+  /// Triangles that miss a bound without such an excuse.
   std::vector<Unmet_triangle> unmet_triangles;
 
+  /// Whether there are no errors.
   bool is_valid() const { return number_of_errors == 0; }
   /// Whether every triangle keeps every bound or is exempt from it.
   bool is_met() const { return unmet_triangles.empty(); }

@@ -14,6 +14,7 @@
 
 namespace CGAL {
 
+/// \ingroup PkgQuadtreeMesh2Neighbors
 /// What models of `VertexEdgeNeighbors_2` answer: a segment of a graph, and how far it is from a vertex.
 struct Vertex_edge_neighbor_2 {
   /// Invalid if there is none.
@@ -21,20 +22,24 @@ struct Vertex_edge_neighbor_2 {
   /// In the unit of coordinates, with a relative error below 2^-40; infinite if there is none.
   double distance = std::numeric_limits<double>::infinity();
 
+  /// Whether there is one.
   bool exists() const { return segment.is_valid(); }
 };
 
+/// \ingroup PkgQuadtreeMesh2Neighbors
 /// The nearest vertex or segment in a sector at a vertex. One of the indices is valid, or none if the sector
 /// is empty.
 struct Sector_neighbor_2 {
-  Quadtree_mesh_2::Vertex_index vertex;
-  Quadtree_mesh_2::Segment_index segment;
+  Quadtree_mesh_2::Vertex_index vertex;   ///< valid if a vertex is nearest
+  Quadtree_mesh_2::Segment_index segment; ///< valid if a segment is
   /// As for `Vertex_edge_neighbor_2`.
   double distance = std::numeric_limits<double>::infinity();
 
+  /// Whether there is one.
   bool exists() const { return vertex.is_valid() || segment.is_valid(); }
 };
 
+/// \ingroup PkgQuadtreeMesh2Neighbors
 /// Options of `Quadtree_vertex_edge_neighbors_2`; each setter returns the options, so that calls can be
 /// chained. They change the time that queries take, never the answers.
 class Vertex_edge_neighbors_options_2 {
@@ -44,6 +49,7 @@ public:
     max_segments_per_leaf_ = n;
     return *this;
   }
+  /// What was set.
   std::size_t max_segments_per_leaf() const { return max_segments_per_leaf_; }
 
   /// How often leaves are halved at most for the sake of `max_segments_per_leaf()`, 0 by default: it did not
@@ -52,6 +58,7 @@ public:
     max_refinements_ = n;
     return *this;
   }
+  /// What was set.
   int max_refinements() const { return max_refinements_; }
 
 private:

@@ -82,6 +82,27 @@ public:
     return value;
   }
 
+  /// From now on columns end with this character, which is no blank, or with blanks if it is one.
+  void set_separator(char separator) { separator_ = separator; }
+  /// Goes behind the separator at the end of a column, if there is one.
+  void pass_separator() {
+    if (separator_ == ' ' || !has_more_columns()) return;
+    if (*position_ != separator_)
+      fail(std::string("a '") + separator_ + "' is expected before '" + *position_ + '\'');
+    ++position_;
+  }
+  /// Passes over a column, whatever is in it.
+  void skip_column() {
+    if (has_more_columns())
+      while (!(separator_ == ' ' ? is_end_of_column(position_) : is_end_of_line_or_separator(position_)))
+        ++position_;
+  }
+  /// What is left of the line, without a comment.
+  std::string_view rest_of_line() const {
+    const std::string_view rest(position_, static_cast<std::size_t>(line_end_ - position_));
+    return rest.substr(0, rest.find('#'));
+  }
+
   /// As Triangle does, ignores columns behind those that have a meaning; unlike Triangle, not if they are no
   /// numbers.
   void skip_more_columns(Column_name column) {
@@ -104,7 +125,10 @@ private:
     return true;
   }
 
-  bool is_end_of_column(const char* p) const { return p == line_end_ || is_blank(*p) || *p == '#'; }
+  bool is_end_of_column(const char* p) const { return is_end_of_line_or_separator(p) || is_blank(*p); }
+  bool is_end_of_line_or_separator(const char* p) const {
+    return p == line_end_ || *p == '#' || *p == separator_;
+  }
 
   void check(std::from_chars_result result, bool is_finite, bool is_integral, Column_name column) const {
     if (result.ec == std::errc() && is_finite && is_end_of_column(result.ptr)) return;
@@ -123,6 +147,7 @@ private:
   const char* position_;
   const char* line_end_;
   std::size_t line_number_ = 0;
+  char separator_ = ' ';
 };
 
 } // namespace internal

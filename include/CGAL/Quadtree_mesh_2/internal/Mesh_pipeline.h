@@ -196,6 +196,10 @@ private:
     if (std::any_of(pslg_.regions.begin(), pslg_.regions.end(),
                     [](const auto& region) { return region.max_area > 0; }))
       set_region_bounds(scale * scale);
+    if (options_.refined_where)
+      bounds.is_refused = [this](const auto& a, const auto& b, const auto& c) {
+        return options_.refined_where({map_.place(a), map_.place(b), map_.place(c)});
+      };
     if (options_.size_field)
       bounds.squared_length_at = [this, scale](const typename Geometry::Point& p) {
         const auto [x, y] = map_.place(p);
@@ -270,8 +274,9 @@ private:
   std::size_t vertex_budget() const {
     if (options_.vertex_budget > 0) return options_.vertex_budget;
     // What 32-bit handles allow, and a large multiple of what is to be expected: no proof says that refinement ends.
-    const double patience = options_.refinement_patience;
-    return at_most_handles(patience * expected_vertices() + (patience > 0 ? 2e6 : 0));
+    // What a rule of the user's asks for cannot be expected.
+    const double patience = options_.refinement_patience, unexpected = options_.refined_where ? 2e7 : 2e6;
+    return at_most_handles(patience * expected_vertices() + (patience > 0 ? unexpected : 0));
   }
 
   double expected_vertices() const {
@@ -307,9 +312,10 @@ private:
   }
 
   /// Above the bounds that refinement always reached, triangles left are no sign that quadtrees do better; and they
-  /// know no least edge.
+  /// know no least edge, nor rules of the user's.
   bool may_construct_instead() const {
-    return options_.vertex_budget == 0 && options_.min_edge_length == 0 && problem_.bounds.is_guaranteed();
+    return options_.vertex_budget == 0 && options_.min_edge_length == 0 && !options_.refined_where &&
+           problem_.bounds.is_guaranteed();
   }
 
   Refinement_end run(Refiner<Geometry>& refiner, std::size_t budget) {

@@ -40,6 +40,9 @@ struct Bounds {
   /// The squared length of the longest edge of a triangle with its centroid at the place; empty: no field.
   /// Called by several threads at once.
   std::function<double(const Point&)> squared_length_at;
+  /// Whether a triangle counts as too large that meets the bounds of size; empty: none does. Called by several threads
+  /// at once.
+  std::function<bool(const Point&, const Point&, const Point&)> is_refused;
   /// Twice the largest area in each region of `Kernel_mesh::region_of`; empty: regions have no bounds.
   std::vector<double> area2_of_region;
   /// No vertex is inserted nearer than this (squared) to another one.
@@ -63,6 +66,7 @@ struct Bounds {
   /// Whether the triangle a, b, c of the given shape and region is larger than wanted.
   bool is_large(const Shape& s, const Point& a, const Point& b, const Point& c, Region_id region) const {
     if (s.area2 > area2 || s.longest() > squared_length) return true;
+    if (is_refused && is_refused(a, b, c)) return true;
     if (!is_local()) return false;
     if (!area2_of_region.empty() && region >= 0 && s.area2 > area2_of_region[std::size_t(region)])
       return true;

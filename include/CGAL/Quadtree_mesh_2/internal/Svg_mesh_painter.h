@@ -9,8 +9,10 @@
 
 #include <CGAL/Indexed_mesh_2.h>
 #include <CGAL/Pslg_2.h>
+#include <CGAL/Quadtree_mesh_2/internal/Number_text.h>
+#include <CGAL/Quadtree_mesh_2/internal/Svg_path.h>
+#include <CGAL/Quadtree_mesh_2/internal/triangle_angles.h>
 #include <CGAL/Quadtree_mesh_2/svg_options.h>
-#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <array>
@@ -29,57 +31,7 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-/// Returns a number of a kernel, or of a built-in type, as a double.
-template <class Number>
-double as_double(const Number& x) {
-  if constexpr (std::is_arithmetic_v<Number>)
-    return static_cast<double>(x);
-  else
-    return CGAL::to_double(x);
-}
-
-/// A point of the picture, in tenths of pixels, y downwards.
-struct Svg_point {
-  std::int32_t x = 0, y = 0;
-  friend bool operator==(Svg_point a, Svg_point b) { return a.x == b.x && a.y == b.y; }
-};
-
-/// The `d` attribute of one path element: numbers relative to the point before, no separator that is not
-/// needed.
-class Svg_path {
-public:
-  void move_to(Svg_point p) { append('m', p); }
-  void line_to(Svg_point p) { append('l', p); }
-  /// Closing moves the pen back to the start of the line.
-  void close(Svg_point start) {
-    text_ += 'z';
-    last_command_ = 'z';
-    pen_ = start;
-  }
-  bool is_empty() const { return text_.empty(); }
-  const std::string& text() const { return text_; }
-
-private:
-  void append(char command, Svg_point p) {
-    // After m, further pairs of numbers are lines relative to the point before; after M they would be
-    // absolute. The first m of a path is absolute as M is.
-    if (command != last_command_ && !(command == 'l' && last_command_ == 'm')) text_ += command;
-    append_number(p.x - pen_.x);
-    append_number(p.y - pen_.y);
-    last_command_ = command;
-    pen_ = p;
-  }
-  void append_number(std::int32_t n) {
-    if (n >= 0 && !text_.empty() && text_.back() >= '0' && text_.back() <= '9') text_ += ' ';
-    text_ += std::to_string(n);
-  }
-
-  std::string text_;
-  char last_command_ = 0;
-  Svg_point pen_;
-};
-
-/// Draws a mesh: areas, then edges, then the input's segments.
+/// Draws a mesh: areas, then squares if there are any, then edges, then the input's segments.
 template <class Point>
 class Svg_mesh_painter {
 public:
@@ -95,6 +47,15 @@ public:
       is_shown_.push_back(is_in_window({mesh.point(t[0]), mesh.point(t[1]), mesh.point(t[2])}));
   }
 
+  /// Squares that are drawn under the edges: lower left and upper right corners.
+  void add_square(const Point& lower_left, const Point& upper_right) {
+    if (!is_in_picture(lower_left, upper_right)) return;
+    const Svg_point a = to_picture(lower_left), b = to_picture(upper_right);
+    squares_.move_to(a);
+    for (const Svg_point p : {Svg_point{b.x, a.y}, b, Svg_point{a.x, b.y}}) squares_.line_to(p);
+    squares_.close(a);
+  }
+
   void paint(std::ostream& out) const {
     const bool has_legend =
         options_.legend_place == Options::Legend::below && options_.fill != Options::Fill::plain;
@@ -104,16 +65,19 @@ public:
     if (options_.background_color != "none")
       out << "<rect width=\"" << width_ << "\" height=\"" << full_height << "\" fill=\""
           << options_.background_color << "\"/>\n";
-    if (options_.fill != Options::Fill::plain)
+    if (options_.fill == Options::Fill::region)
+      paint_areas_by_region(out);
+    else if (options_.fill != Options::Fill::plain)
       paint_areas_by_angle(out);
     else if (options_.fill_color != "none")
       paint_areas(out);
     out << "<g fill=\"none\" stroke-linejoin=\"round\" stroke-linecap=\"round\">\n";
+    paint_squares(out);
     paint_lines(out, mesh_edges(), mesh_.points, options_.edge_color, options_.edge_width);
     paint_lines(out, constrained_edges(), mesh_.points, options_.segment_color, options_.segment_width);
     paint_lines(out, outside_segments(), pslg_.vertices, options_.segment_color, options_.segment_width);
     out << "</g>\n";
-    if (has_legend) paint_legend(out);
+    if (has_legend) options_.fill == Options::Fill::region ? paint_legend_of_regions(out) : paint_legend(out);
     out << "</svg>\n";
   }
 
@@ -163,6 +127,20 @@ private:
     for (const Point& p : points)
       box += Bbox_2(as_double(p.x()), as_double(p.y()), as_double(p.x()), as_double(p.y()));
     return do_overlap(box, window_);
+  }
+
+  /// Quadtrees reach beyond the mesh.
+  bool is_in_picture(const Point& lower_left, const Point& upper_right) const {
+    const Svg_point a = to_picture(lower_left), b = to_picture(upper_right);
+    return b.x >= 0 && a.x <= width_ && a.y >= 0 && b.y <= height_;
+  }
+
+  void paint_squares(std::ostream& out) const {
+    if (squares_.is_empty() || options_.quadtree_color == "none") return;
+    // An inner picture cuts off what goes beyond it, which would run into a legend.
+    out << "<svg width=\"" << width_ << "\" height=\"" << height_ << "\"><path stroke=\""
+        << options_.quadtree_color << "\" stroke-width=\"" << 10 * options_.quadtree_width << "\" d=\""
+        << squares_.text() << "\"/></svg>\n";
   }
 
   // --- areas ---
@@ -235,8 +213,10 @@ private:
   bool is_by_largest_angle() const { return options_.fill == Options::Fill::largest_angle; }
 
   std::size_t color_of(std::size_t t) const {
-    const auto [least, largest] = extreme_angles(t);
-    const double degrees = is_by_largest_angle() ? std::max(0., largest_colored_angle - largest) : least;
+    const Scaled_triangle triangle(corner(t, 0), corner(t, 1), corner(t, 2));
+    const double degrees = is_by_largest_angle()
+                               ? std::max(0., largest_colored_angle - triangle.largest_angle())
+                               : triangle.least_angle();
     return std::min(colors_.size() - 1, static_cast<std::size_t>(degrees / degrees_per_color));
   }
 
@@ -245,6 +225,48 @@ private:
     for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
       if (is_shown_[t] != 0) add_triangle(paths[color_of(t)], t);
     for (std::size_t i = 0; i < colors_.size(); ++i) paint_area(out, paths[i], colors_[i]);
+  }
+
+  // Neighbours in number differ in hue; light, as edges are drawn on them.
+  static constexpr std::array<const char*, 12> region_colors_{"#a6cee3", "#fdbf6f", "#b2df8a", "#fb9a99",
+                                                              "#cab2d6", "#ffff99", "#8dd3c7", "#f4cae4",
+                                                              "#d9d9d9", "#80b1d3", "#e6d8ad", "#ccebc5"};
+
+  int region(std::size_t t) const {
+    return mesh_.region_of_triangle.empty() ? -1 : mesh_.region_of_triangle[t];
+  }
+
+  void paint_areas_by_region(std::ostream& out) const {
+    std::array<Svg_path, region_colors_.size() + 1> paths; // the last one for no region
+    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
+      if (is_shown_[t] != 0)
+        add_triangle(
+            paths[region(t) < 0 ? region_colors_.size() : std::size_t(region(t)) % region_colors_.size()], t);
+    for (std::size_t i = 0; i < region_colors_.size(); ++i) paint_area(out, paths[i], region_colors_[i]);
+    if (options_.fill_color != "none") paint_area(out, paths.back(), options_.fill_color);
+  }
+
+  /// As many boxes as there are regions, twelve at most: number, and attribute if the graph has it.
+  void paint_legend_of_regions(std::ostream& out) const {
+    int regions = 0;
+    for (const int r : mesh_.region_of_triangle) regions = std::max(regions, r + 1);
+    const int n = std::min(regions, static_cast<int>(region_colors_.size()));
+    if (n == 0) return;
+    const int box = std::min(400, width_ * 3 / 4 / n), font = std::min(120, box * 3 / 10);
+    const int left = (width_ - box * n) / 2, base = height_ + 110 + font;
+    out << "<g font-family=\"sans-serif\" font-size=\"" << font << "\" fill=\"#12263a\">\n"
+        << "<text text-anchor=\"end\" x=\"" << left - font << "\" y=\"" << base << "\">region</text>\n";
+    for (int r = 0; r < n; ++r) {
+      std::string name = std::to_string(r);
+      if (static_cast<std::size_t>(r) < pslg_.regions.size()) {
+        name += ": ";
+        append_number(name, pslg_.regions[static_cast<std::size_t>(r)].attribute);
+      }
+      out << "<rect x=\"" << left + r * box << "\" y=\"" << height_ + 20 << "\" width=\"" << box
+          << "\" height=\"80\" fill=\"" << region_colors_[static_cast<std::size_t>(r)] << "\"/>\n"
+          << "<text x=\"" << left + r * box << "\" y=\"" << base << "\">" << name << "</text>\n";
+    }
+    out << "</g>\n";
   }
 
   /// A strip of all colours, each with the angle at which it begins, below the picture and as wide as that allows.
@@ -264,20 +286,6 @@ private:
           << first + degrees_per_color * place << "</text>\n";
     }
     out << "</g>\n";
-  }
-
-  /// The least and the largest angle in degrees; for the choice of a colour only.
-  std::pair<double, double> extreme_angles(std::size_t t) const {
-    double least = 180, largest = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Point &p = corner(t, k), &q = corner(t, (k + 1) % 3), &r = corner(t, (k + 2) % 3);
-      const double ux = as_double(q.x()) - as_double(p.x()), uy = as_double(q.y()) - as_double(p.y());
-      const double wx = as_double(r.x()) - as_double(p.x()), wy = as_double(r.y()) - as_double(p.y());
-      const double angle = std::atan2(std::abs(ux * wy - uy * wx), ux * wx + uy * wy) * 180 / CGAL_PI;
-      least = std::min(least, angle);
-      largest = std::max(largest, angle);
-    }
-    return {least, largest};
   }
 
   // --- lines ---
@@ -357,6 +365,7 @@ private:
   double scale_ = 1, left_ = 0, top_ = 0; // the picture's top left corner in the plane
   int width_ = 1, height_ = 1;            // tenths of pixels
   std::vector<char> is_shown_;            // triangles
+  Svg_path squares_;
 };
 
 } // namespace internal

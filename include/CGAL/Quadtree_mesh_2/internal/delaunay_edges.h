@@ -77,6 +77,12 @@ struct Indirect_delaunay_traits_2 {
       return p.place->y == q.place->y ? EQUAL : p.place->y < q.place->y ? SMALLER : LARGER;
     }
   };
+  struct Compare_xy_2 {
+    Comparison_result operator()(const Point_2& p, const Point_2& q) const {
+      const Comparison_result by_x = Compare_x_2()(p, q);
+      return by_x == EQUAL ? Compare_y_2()(p, q) : by_x;
+    }
+  };
   struct Orientation_2 {
     Orientation operator()(const Point_2& p, const Point_2& q, const Point_2& r) const {
       return static_cast<Orientation>(Geometry::orientation(*p.place, *q.place, *r.place));
@@ -94,6 +100,7 @@ struct Indirect_delaunay_traits_2 {
   Less_y_2 less_y_2_object() const { return {}; }
   Compare_x_2 compare_x_2_object() const { return {}; }
   Compare_y_2 compare_y_2_object() const { return {}; }
+  Compare_xy_2 compare_xy_2_object() const { return {}; }
   Orientation_2 orientation_2_object() const { return {}; }
   Side_of_oriented_circle_2 side_of_oriented_circle_2_object() const { return {}; }
   Construct_point_2 construct_point_2_object() const { return {}; }

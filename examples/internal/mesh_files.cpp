@@ -1,0 +1,132 @@
+#include "mesh_files.h"
+
+#include <CGAL/Balanced_quadtree.h>
+#include <CGAL/Filtered_quadtree_traits_2.h>
+#include <CGAL/IO/MEDIT.h>
+#include <CGAL/IO/MSH.h>
+#include <CGAL/IO/OFF_and_OBJ.h>
+#include <CGAL/IO/SVG.h>
+#include <CGAL/IO/Triangle_files.h>
+#include <CGAL/IO/VTU.h>
+#include <CGAL/IO/read_GeoJSON.h>
+#include <CGAL/IO/read_WKT.h>
+#include <CGAL/IO/read_XY.h>
+
+#include <cstddef>
+#include <filesystem>
+#include <stdexcept>
+#include <utility>
+
+namespace {
+
+using namespace mesh_files;
+
+Pslg read(const std::string& file_name, const std::string& region_property) {
+  Pslg pslg;
+  switch (input_format(file_name)) {
+  case Input_format::poly:
+    CGAL::IO::read_triangle_poly(file_name, pslg);
+    break;
+  case Input_format::geojson:
+    CGAL::IO::read_GeoJSON(file_name, pslg, region_property);
+    break;
+  case Input_format::wkt:
+    CGAL::IO::read_WKT(file_name, pslg);
+    break;
+  case Input_format::node:
+    CGAL::IO::read_triangle_node(file_name, pslg);
+    break;
+  case Input_format::table:
+    CGAL::IO::read_XY(file_name, pslg.vertices);
+    break;
+  }
+  return pslg;
+}
+
+CGAL::IO::Svg_options_2 svg_options(const Picture& picture) {
+  using Options = CGAL::IO::Svg_options_2;
+  Options options;
+  switch (picture.colors) {
+  case Picture_colors::none:
+    return options;
+  case Picture_colors::angle:
+    options.fill_by(Options::Fill::least_angle);
+    break;
+  case Picture_colors::largest_angle:
+    options.fill_by(Options::Fill::largest_angle);
+    break;
+  case Picture_colors::region:
+    options.fill_by(Options::Fill::region);
+    break;
+  }
+  return options.legend(Options::Legend::below);
+}
+
+using Quadtree = CGAL::Balanced_quadtree<CGAL::Filtered_quadtree_traits_2<>>;
+
+void write_picture(const std::string& file_name, const Mesh& mesh, const Pslg& pslg, const Picture& picture) {
+  if (picture.is_quadtree_shown)
+    CGAL::IO::write_SVG(file_name, mesh, pslg, Quadtree(pslg.vertices), svg_options(picture));
+  else
+    CGAL::IO::write_SVG(file_name, mesh, pslg, svg_options(picture));
+}
+
+void write_grid(const std::string& file_name, const Mesh& mesh, const Pslg& pslg, const Picture& picture) {
+  CGAL::IO::Triangle_fields_2 fields;
+  if (picture.is_quadtree_shown)
+    fields.push_back(CGAL::IO::quadtree_level_field(mesh, Quadtree(pslg.vertices)));
+  CGAL::IO::write_VTU(file_name, mesh, pslg, fields);
+}
+
+} // namespace
+
+namespace mesh_files {
+
+Pslg read_graph(const std::string& file_name, const std::string& region_property) {
+  const Input_format format = input_format(file_name);
+  if (format == Input_format::node || format == Input_format::table)
+    throw Usage_error("'" + file_name +
+                      "' is a file of points alone: use --mode points, bounded, acute or warped");
+  return read(file_name, region_property);
+}
+
+std::vector<Point> read_points(const std::string& file_name) {
+  Pslg pslg = read(file_name, "");
+  if (pslg.number_of_segments() > 0) throw std::runtime_error(file_name + ": has segments: use --mode pslg");
+  if (pslg.vertices.empty()) throw std::runtime_error(file_name + ": no points");
+  return std::move(pslg.vertices);
+}
+
+CGAL::Points_sizing_field_2 read_sized_points(const std::string& file_name) {
+  std::vector<Point> points;
+  std::vector<double> sizes;
+  CGAL::IO::read_XY(file_name, points, sizes);
+  if (points.empty()) throw std::runtime_error(file_name + ": no points");
+  std::vector<CGAL::Points_sizing_field_2::Sized_point> sized;
+  sized.reserve(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) sized.push_back({points[i].x(), points[i].y(), sizes[i]});
+  return CGAL::Points_sizing_field_2(std::move(sized));
+}
+
+void write(const std::string& file_name, const Mesh& mesh, const Pslg& pslg, const Picture& picture) {
+  switch (output_format(file_name)) {
+  case Output_format::triangle: {
+    const std::string stem = std::filesystem::path(file_name).replace_extension().string();
+    return CGAL::IO::write_triangle_files(mesh, pslg, stem);
+  }
+  case Output_format::vtu:
+    return write_grid(file_name, mesh, pslg, picture);
+  case Output_format::svg:
+    return write_picture(file_name, mesh, pslg, picture);
+  case Output_format::off:
+    return CGAL::IO::write_OFF(file_name, mesh);
+  case Output_format::obj:
+    return CGAL::IO::write_OBJ(file_name, mesh);
+  case Output_format::msh:
+    return CGAL::IO::write_MSH(file_name, mesh, pslg);
+  case Output_format::medit:
+    return CGAL::IO::write_MEDIT(file_name, mesh);
+  }
+}
+
+} // namespace mesh_files

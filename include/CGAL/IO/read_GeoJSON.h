@@ -1,0 +1,229 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+
+#ifndef CGAL_IO_READ_GEOJSON_H
+#define CGAL_IO_READ_GEOJSON_H
+
+#include <CGAL/Pslg_2.h>
+#include <CGAL/Quadtree_mesh_2/internal/Simple_features.h>
+#include <CGAL/Quadtree_mesh_2/internal/read_whole_file.h>
+#include <CGAL/Quality_mesh_report_2.h>
+
+#include <nlohmann/json.hpp>
+
+#include <cstddef>
+#include <istream>
+#include <optional>
+#include <string>
+#include <utility>
+
+// Reads GeoJSON (RFC 7946) by nlohmann-json, which a program that includes this header has to have.
+
+namespace CGAL {
+namespace Quadtree_mesh_2 {
+namespace internal {
+
+/// Goes through a GeoJSON object and adds what it finds to the features.
+class Geojson_walker {
+public:
+  using Json = nlohmann::json;
+
+  /// \param region_property the property of features that becomes the attribute of their regions; empty: none
+  Geojson_walker(const std::string& file_name, const std::string& region_property, Simple_features& features)
+      : file_name_(file_name), region_property_(region_property), features_(features) {}
+
+  void walk(const Json& json) {
+    const std::string type = type_of(json, "");
+    if (type == "FeatureCollection") {
+      const Json& list = array_in(json, "features", "the collection");
+      for (std::size_t i = 0; i < list.size(); ++i) add_feature(list[i], "feature " + std::to_string(i));
+    } else if (type == "Feature") {
+      add_feature(json, "the feature");
+    } else {
+      add_geometry(json, "the geometry", 0);
+    }
+    if (!region_property_.empty() && !is_property_found_)
+      fail("no feature has a property '" + region_property_ + "'");
+  }
+
+private:
+  static constexpr int max_depth_ = 100; // of collections in collections
+
+  [[noreturn]] void fail(const std::string& what) const { throw Pslg_error_2(file_name_ + ": " + what); }
+
+  std::string type_of(const Json& json, const std::string& where) const {
+    const std::string prefix = where.empty() ? where : where + ": ";
+    if (!json.is_object()) fail(prefix + "an object is expected");
+    const auto type = json.find("type");
+    if (type == json.end() || !type->is_string()) fail(prefix + "there is no \"type\"");
+    return type->get<std::string>();
+  }
+
+  const Json& array_in(const Json& json, const char* key, const std::string& where) const {
+    const auto found = json.find(key);
+    if (found == json.end() || !found->is_array()) fail(where + ": there is no array \"" + key + '"');
+    return *found;
+  }
+
+  void add_feature(const Json& feature, const std::string& where) {
+    const std::string type = type_of(feature, where);
+    if (type != "Feature") fail(where + ": is a '" + type + "' instead of a Feature");
+    features_.set_attribute(attribute_of(feature, where));
+    const auto geometry = feature.find("geometry");
+    if (geometry == feature.end()) fail(where + ": there is no \"geometry\"");
+    if (!geometry->is_null()) add_geometry(*geometry, where, 0); // one that is nowhere has null
+  }
+
+  std::optional<double> attribute_of(const Json& feature, const std::string& where) {
+    if (region_property_.empty()) return std::nullopt;
+    const auto properties = feature.find("properties");
+    if (properties == feature.end() || !properties->is_object()) return std::nullopt;
+    const auto property = properties->find(region_property_);
+    if (property == properties->end() || property->is_null()) return std::nullopt;
+    if (!property->is_number()) fail(where + ": the property '" + region_property_ + "' is not a number");
+    is_property_found_ = true;
+    return property->get<double>();
+  }
+
+  void add_geometry(const Json& geometry, const std::string& where, int depth) {
+    const std::string type = type_of(geometry, where);
+    if (type == "GeometryCollection") {
+      if (depth == max_depth_) fail(where + ": collections are nested too deep");
+      const Json& parts = array_in(geometry, "geometries", where);
+      for (std::size_t i = 0; i < parts.size(); ++i)
+        add_geometry(parts[i], where + ", geometry " + std::to_string(i), depth + 1);
+      return;
+    }
+    const Json& coordinates = array_in(geometry, "coordinates", where);
+    if (type == "Point")
+      add_point(coordinates, where);
+    else if (type == "MultiPoint")
+      for_each_part(coordinates, where, "point", [this](auto&... part) { add_point(part...); });
+    else if (type == "LineString")
+      add_line(coordinates, where);
+    else if (type == "MultiLineString")
+      for_each_part(coordinates, where, "line", [this](auto&... part) { add_line(part...); });
+    else if (type == "Polygon")
+      add_polygon(coordinates, where);
+    else if (type == "MultiPolygon")
+      for_each_part(coordinates, where, "polygon", [this](auto&... part) { add_polygon(part...); });
+    else
+      fail(where + ": the type '" + type + "' is unknown");
+  }
+
+  /// \tparam Add called with the part and with words that tell where it is
+  template <class Add>
+  void for_each_part(const Json& parts, const std::string& where, const char* name, const Add& add) {
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      const std::string part = where + ", " + name + ' ' + std::to_string(i);
+      if (!parts[i].is_array()) fail(part + ": an array is expected");
+      add(parts[i], part);
+    }
+  }
+
+  void add_point(const Json& position, const std::string& where) {
+    if (!position.empty()) features_.add_point(place(position, where)); // an empty geometry is allowed
+  }
+
+  void add_line(const Json& positions, const std::string& where) {
+    if (!positions.empty()) features_.add_line(line(positions, where), file_name_ + ": " + where);
+  }
+
+  void add_polygon(const Json& rings, const std::string& where) {
+    features_.begin_polygon();
+    for_each_part(rings, where, "ring", [this](const Json& positions, const std::string& name) {
+      Simple_features::Line ring = line(positions, name);
+      if (ring.size() < 4 || ring.front() != ring.back())
+        fail(name +
+             " is not closed: its first place and its last have to be the same, with three or more in all");
+      features_.add_ring(ring, file_name_ + ": " + name);
+    });
+  }
+
+  Simple_features::Line line(const Json& positions, const std::string& where) const {
+    Simple_features::Line result;
+    result.reserve(positions.size());
+    for (const Json& position : positions) {
+      if (is_place(position))
+        result.push_back({position[0].get<double>(), position[1].get<double>()});
+      else
+        place(position, where + ", place " + std::to_string(result.size()));
+    }
+    return result;
+  }
+
+  /// Further numbers, heights as a rule, are not read.
+  static bool is_place(const Json& position) {
+    return position.is_array() && position.size() >= 2 && position[0].is_number() && position[1].is_number();
+  }
+  Simple_features::Place place(const Json& position, const std::string& where) const {
+    if (!is_place(position)) fail(where + ": two numbers are expected");
+    return {position[0].get<double>(), position[1].get<double>()};
+  }
+
+  const std::string& file_name_;
+  const std::string& region_property_;
+  Simple_features& features_;
+  bool is_property_found_ = false;
+};
+
+/// \throws Pslg_error_2
+template <class Point>
+Pslg_2<Point> parse_geojson(const std::string& text, const std::string& name,
+                            const std::string& region_property) {
+  Simple_features features;
+  try {
+    Geojson_walker(name, region_property, features).walk(nlohmann::json::parse(text));
+  } catch (const nlohmann::json::exception& error) { // tells line and column
+    throw Pslg_error_2(name + ": " + error.what());
+  }
+  return features.to_pslg<Point>();
+}
+
+} // namespace internal
+} // namespace Quadtree_mesh_2
+
+namespace IO {
+
+/// Reads a graph from a GeoJSON file, or from one compressed by gzip: polygons, lines and points, alone, in
+/// collections or in features.
+///
+/// Borders of polygons and lines become segments, points vertices. Vertices at one place are one, and so are
+/// segments with the same ends: neighbours share their border. If there are polygons the domain is what they cover:
+/// each bounded component of the plane that no polygon covers gets a point in `Pslg_2::holes`. A place is in a
+/// polygon if it is behind an odd number of its rings, so islands in lakes and enclaves are covered by the polygons
+/// that they are. Without polygons the domain is what lines enclose. All this is for the rule
+/// `Quality_mesh_options_2::Domain::ENCLOSED`, the default.
+///
+/// Coordinates are taken as they are, as in a plane; heights are ignored. Segments may cross, as in the file; see
+/// `repair_pslg_2()`. Linear, but for the triangulation that finds the components.
+/// \param region_property if not empty, this number in the properties of a feature becomes the attribute of a region
+/// in each component that its polygons cover, those of the first feature where several do; features without it get no
+/// region.
+/// \throws Pslg_error_2 with the file and the feature, or line and column of the text, if the file is missing or
+/// malformed, a ring is not closed, or no feature has the property; `pslg` is then as it was.
+/// \tparam Point can be made from two doubles.
+template <class Point>
+void read_GeoJSON(const std::string& file_name, Pslg_2<Point>& pslg,
+                  const std::string& region_property = "") {
+  namespace internal = Quadtree_mesh_2::internal;
+  pslg = internal::parse_geojson<Point>(internal::read_whole_file(file_name), file_name, region_property);
+}
+
+/// The same from a stream.
+/// \throws Pslg_error_2 as above, with `name` for the name of the file.
+template <class Point>
+void read_GeoJSON(std::istream& in, Pslg_2<Point>& pslg, const std::string& region_property = "",
+                  const std::string& name = "input") {
+  namespace internal = Quadtree_mesh_2::internal;
+  pslg = internal::parse_geojson<Point>(internal::unpack_gzip(internal::read_whole_stream(in, name), name),
+                                        name, region_property);
+}
+
+} // namespace IO
+} // namespace CGAL
+
+#endif // CGAL_IO_READ_GEOJSON_H

@@ -1,0 +1,141 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+
+#ifndef CGAL_INDEXED_MESH_TO_MATRICES_H
+#define CGAL_INDEXED_MESH_TO_MATRICES_H
+
+#include <CGAL/Indexed_mesh_2.h>
+#include <CGAL/Pslg_2.h>
+#include <CGAL/Quadtree_mesh_2/internal/triangle_angles.h>
+#include <CGAL/Quality_mesh_report_2.h>
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <utility>
+
+// Graphs and meshes as the matrices of Eigen that libigl and its like work on: a row for each vertex, edge or triangle.
+
+namespace CGAL {
+namespace Quadtree_mesh_2 {
+namespace internal {
+
+template <class Matrix>
+void resize_matrix(Eigen::PlainObjectBase<Matrix>& matrix, std::size_t rows, std::size_t columns) {
+  static_assert(Matrix::RowsAtCompileTime == Eigen::Dynamic, "the number of rows is known at run time only");
+  matrix.resize(static_cast<Eigen::Index>(rows), static_cast<Eigen::Index>(columns));
+}
+
+/// A row of indices.
+template <class Matrix, class Indices>
+void set_index_row(Eigen::PlainObjectBase<Matrix>& matrix, std::size_t row, const Indices& indices) {
+  Eigen::Index column = 0;
+  for (const Vertex_index v : indices)
+    matrix(static_cast<Eigen::Index>(row), column++) = static_cast<typename Matrix::Scalar>(v.value());
+}
+
+/// \throws Pslg_error_2 if the matrix has not so many columns
+template <class Derived>
+void check_columns(const Eigen::DenseBase<Derived>& matrix, Eigen::Index columns, const std::string& name) {
+  if (matrix.rows() > 0 && matrix.cols() != columns)
+    throw Pslg_error_2("the matrix of " + name + " has " + std::to_string(matrix.cols()) +
+                       " columns instead of " + std::to_string(columns));
+}
+
+} // namespace internal
+} // namespace Quadtree_mesh_2
+
+/// Turns a mesh into matrices: `vertices` gets a row `x y` for each point, used or not, `triangles` a row of three
+/// indices, counterclockwise.
+/// \tparam Vertex_matrix, Triangle_matrix `Eigen::MatrixXd`, `Eigen::MatrixXi`, or others with any number of rows, and
+/// any number of columns or 2 (or 3, with z = 0) and 3
+template <class Point, class Vertex_matrix, class Triangle_matrix>
+void indexed_mesh_to_matrices(const Indexed_mesh_2<Point>& mesh,
+                              Eigen::PlainObjectBase<Vertex_matrix>& vertices,
+                              Eigen::PlainObjectBase<Triangle_matrix>& triangles) {
+  namespace internal = Quadtree_mesh_2::internal;
+  using Scalar = typename Vertex_matrix::Scalar;
+  constexpr bool is_in_space = Vertex_matrix::ColsAtCompileTime == 3;
+  internal::resize_matrix(vertices, mesh.points.size(), is_in_space ? 3 : 2);
+  for (std::size_t v = 0; v < mesh.points.size(); ++v) {
+    const auto row = static_cast<Eigen::Index>(v);
+    vertices(row, 0) = static_cast<Scalar>(internal::as_double(mesh.points[v].x()));
+    vertices(row, 1) = static_cast<Scalar>(internal::as_double(mesh.points[v].y()));
+    if constexpr (is_in_space) vertices(row, 2) = 0;
+  }
+  internal::resize_matrix(triangles, mesh.triangles.size(), 3);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    internal::set_index_row(triangles, t, mesh.triangles[t]);
+}
+
+/// Besides vertices and triangles, turns the constrained edges into rows `a b` of `edges` and their markers into
+/// `edge_markers`, and the regions of the triangles, -1 for none, into `regions`.
+template <class Point, class Vertex_matrix, class Triangle_matrix, class Edge_matrix, class Marker_vector,
+          class Region_vector>
+void indexed_mesh_to_matrices(const Indexed_mesh_2<Point>& mesh,
+                              Eigen::PlainObjectBase<Vertex_matrix>& vertices,
+                              Eigen::PlainObjectBase<Triangle_matrix>& triangles,
+                              Eigen::PlainObjectBase<Edge_matrix>& edges,
+                              Eigen::PlainObjectBase<Marker_vector>& edge_markers,
+                              Eigen::PlainObjectBase<Region_vector>& regions) {
+  namespace internal = Quadtree_mesh_2::internal;
+  indexed_mesh_to_matrices(mesh, vertices, triangles);
+  internal::resize_matrix(edges, mesh.constrained_edges.size(), 2);
+  internal::resize_matrix(edge_markers, mesh.constrained_edges.size(), 1);
+  for (std::size_t e = 0; e < mesh.constrained_edges.size(); ++e) {
+    internal::set_index_row(edges, e, mesh.constrained_edges[e].vertices);
+    edge_markers(static_cast<Eigen::Index>(e)) =
+        static_cast<typename Marker_vector::Scalar>(mesh.constrained_edges[e].marker);
+  }
+  internal::resize_matrix(regions, mesh.triangles.size(), 1);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    regions(static_cast<Eigen::Index>(t)) = static_cast<typename Region_vector::Scalar>(
+        mesh.region_of_triangle.empty() ? -1 : mesh.region_of_triangle[t]);
+}
+
+/// Makes a graph of matrices, as `igl::triangle::triangulate()` takes them: a row `x y` for each vertex, a row of two
+/// indices for each segment, a row `x y` for a point in each hole. Any of them may have no rows.
+/// \tparam Point can be made from two doubles
+/// \throws Pslg_error_2 if a matrix has not two columns, or an index is none of a vertex; `pslg` is then as it was
+template <class Point, class Vertices, class Segments, class Holes>
+void matrices_to_pslg(const Eigen::DenseBase<Vertices>& vertices, const Eigen::DenseBase<Segments>& segments,
+                      const Eigen::DenseBase<Holes>& holes, Pslg_2<Point>& pslg) {
+  namespace internal = Quadtree_mesh_2::internal;
+  using Quadtree_mesh_2::Vertex_index;
+  internal::check_columns(vertices, 2, "vertices");
+  internal::check_columns(segments, 2, "segments");
+  internal::check_columns(holes, 2, "holes");
+  const auto place = [](const auto& matrix, Eigen::Index row) {
+    return Point(static_cast<double>(matrix.derived()(row, 0)),
+                 static_cast<double>(matrix.derived()(row, 1)));
+  };
+  Pslg_2<Point> result;
+  result.vertices.reserve(static_cast<std::size_t>(vertices.rows()));
+  for (Eigen::Index v = 0; v < vertices.rows(); ++v) result.vertices.push_back(place(vertices, v));
+  const auto index = [&](Eigen::Index row, Eigen::Index column) {
+    const auto i = static_cast<std::int64_t>(segments.derived()(row, column));
+    if (i < 0 || i >= vertices.rows())
+      throw Pslg_error_2("segment " + std::to_string(row) + ": there is no vertex " + std::to_string(i));
+    return Vertex_index(static_cast<std::size_t>(i));
+  };
+  result.segments.reserve(static_cast<std::size_t>(segments.rows()));
+  for (Eigen::Index s = 0; s < segments.rows(); ++s) result.add_segment(index(s, 0), index(s, 1));
+  for (Eigen::Index h = 0; h < holes.rows(); ++h) result.holes.push_back(place(holes, h));
+  pslg = std::move(result);
+}
+
+/// Makes a graph without holes.
+template <class Point, class Vertices, class Segments>
+void matrices_to_pslg(const Eigen::DenseBase<Vertices>& vertices, const Eigen::DenseBase<Segments>& segments,
+                      Pslg_2<Point>& pslg) {
+  matrices_to_pslg(vertices, segments, Eigen::Matrix<double, 0, 2>(), pslg);
+}
+
+} // namespace CGAL
+
+#endif // CGAL_INDEXED_MESH_TO_MATRICES_H
