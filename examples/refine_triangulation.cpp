@@ -1,12 +1,12 @@
 // From CGAL's Mesh_2: where the program had CGAL/Delaunay_mesher_2.h and refine_Delaunay_mesh_2(), it has
-// CGAL/refine_quality_mesh_2.h and its function, with the same triangulation, criteria and seeds. What comes
+// CGAL/Quality_mesher_2.h and refine_quality_mesh_2(), with the same triangulation, criteria and seeds. What comes
 // back tells which bounds were met.
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Delaunay_mesh_face_base_2.h>
 #include <CGAL/Delaunay_mesh_size_criteria_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/refine_quality_mesh_2.h>
+#include <CGAL/Quality_mesher_2.h>
 
 #include <cstddef>
 #include <iostream>
