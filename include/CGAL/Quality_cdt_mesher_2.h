@@ -13,6 +13,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/mark_domain.h>
 #include <CGAL/Quality_mesh_options_2.h>
 #include <CGAL/Quality_mesh_report_2.h>
+#include <CGAL/Quality_mesher_2.h>
 
 #include <algorithm>
 #include <iterator>

@@ -21,7 +21,6 @@
 #include <CGAL/Quadtree_mesh_2/internal/Criteria_oracle.h>
 #include <CGAL/Quality_mesh_options_2.h>
 #include <CGAL/Quality_mesh_report_2.h>
-#include <CGAL/Quality_mesher_2.h>
 #include <CGAL/tags.h>
 
 #include <algorithm>
@@ -31,6 +30,11 @@
 #include <vector>
 
 namespace CGAL {
+
+// Its header includes what includes this one; whoever instantiates what is here includes it.
+template <class Traits, class ConcurrencyTag>
+class Quality_mesher_2;
+
 namespace Quadtree_mesh_2 {
 namespace internal {
 
