@@ -25,31 +25,33 @@ namespace CGAL {
 /// \ingroup PkgQuadtreeMesh2Meshers
 /// Meshes a constrained triangulation in place, by the interface of `Delaunay_mesher_2`.
 ///
-/// The domain is what constrained edges separate from infinity, less the components with a seed; or these alone; or the
-/// faces that the user has marked. `refine_mesh()` makes it a mesh in which the criteria call no face bad, except where
-/// that cannot be had, which `report()` lists: near acute corners of the input (as in Mesh_2), and where an angle
-/// above 30 degrees is asked for or a criterion that no triangle can meet (for which Mesh_2 does not end).
+/// The domain is what constrained edges separate from infinity, less the components with a seed; or these alone;
+/// or the faces that the user has marked. `refine_mesh()` makes it a mesh in which the criteria call no face
+/// bad, except where that cannot be had, which `report()` lists: near acute corners of the input (as in Mesh_2),
+/// and where an angle above 30 degrees is asked for or a criterion that no triangle can meet (for which Mesh_2
+/// does not end).
 ///
-/// Handles of vertices stay valid, and with them what users keep in vertices; a new vertex is as its base's default
-/// constructor leaves it. So do the constraints of a `Constrained_triangulation_plus_2`, whose subconstraints become the
-/// mesh's edges. Handles of faces do not stay valid. The mesh's faces come first in the order of iteration; the faces
-/// between the mesh and the convex hull, and in holes, are not in the domain. Vertices are only ever added: meshing
-/// again with other criteria goes on from the mesh there is, as in Mesh_2. Fewest triangles are made by the final
-/// criteria at once.
+/// Handles of vertices stay valid, and with them what users keep in vertices; a new vertex is as its base's
+/// default constructor leaves it. So do the constraints of a `Constrained_triangulation_plus_2`, whose
+/// subconstraints become the mesh's edges. Handles of faces do not stay valid. The mesh's faces come first in
+/// the order of iteration; the faces between the mesh and the convex hull, and in holes, are not in the domain.
+/// Vertices are only ever added: meshing again with other criteria goes on from the mesh there is, as in Mesh_2.
+/// Fewest triangles are made by the final criteria at once.
 ///
-/// Unlike `Delaunay_mesher_2`, the mesh is made as a whole: one step makes it (see `step_by_step_refine_mesh()`), and
-/// constrained edges outside the domain are left as they are.
+/// Unlike `Delaunay_mesher_2`, the mesh is made as a whole: one step makes it (see
+/// `step_by_step_refine_mesh()`), and constrained edges outside the domain are left as they are.
 ///
-/// Expected O(n log n + k) time for k triangles; for criteria that only say whether a face is bad, this a few times.
-/// The mesh is the same for any number of threads.
+/// Expected O(n log n + k) time for k triangles; for criteria that only say whether a face is bad, this a few
+/// times. The mesh is the same for any number of threads.
 ///
-/// \tparam CDT a `Constrained_Delaunay_triangulation_2`, or a `Constrained_triangulation_plus_2` of one, whose faces
-/// model `DelaunayMeshFaceBase_2`; over a kernel with double coordinates (its predicates need not be exact) or with
-/// exact ones; or over traits that project points with double coordinates along an axis (`Projection_traits_xy_3` and its
-/// like, `Projection_traits_3` with such a normal). New points are then on the surface that the triangulation was. (Other
-/// normals work, too, up to rounding at the convex hull; but \cgal's criteria measure partly in space there.)
-/// \tparam Criteria_ a model of `MeshingCriteria_2`. Its `bound()` and `size_bound()`, where it has them, are read; it
-/// is asked for every face of the mesh, and also for single triangles in a triangulation of their own.
+/// \tparam CDT a `Constrained_Delaunay_triangulation_2`, or a `Constrained_triangulation_plus_2` of one, whose
+/// faces model `DelaunayMeshFaceBase_2`; over a kernel with double coordinates (its predicates need not be
+/// exact) or with exact ones; or over traits that project points with double coordinates along an axis
+/// (`Projection_traits_xy_3` and its like, `Projection_traits_3` with such a normal). New points are then on the
+/// surface that the triangulation was. (Other normals work, too, up to rounding at the convex hull; but \cgal's
+/// criteria measure partly in space there.)
+/// \tparam Criteria_ a model of `MeshingCriteria_2`. Its `bound()` and `size_bound()`, where it has them, are
+/// read; it is asked for every face of the mesh, and also for single triangles in a triangulation of their own.
 template <class CDT, class Criteria_ = Delaunay_mesh_size_criteria_2<CDT>>
 class Quality_cdt_mesher_2 {
 public:
@@ -72,8 +74,8 @@ public:
   /// \name Seeds
   ///@{
 
-  /// The components with a point of the range are the domain if `mark`, and holes otherwise. With `do_it_now` faces
-  /// are marked at once.
+  /// The components with a point of the range are the domain if `mark`, and holes otherwise. With `do_it_now`
+  /// faces are marked at once.
   template <class InputIterator>
   void set_seeds(InputIterator begin, InputIterator end, bool mark = false, bool do_it_now = false) {
     seeds_.assign(begin, end);
@@ -88,7 +90,8 @@ public:
   Seeds_const_iterator seeds_begin() const { return seeds_.begin(); }
   Seeds_const_iterator seeds_end() const { return seeds_.end(); }
 
-  /// Marks faces by the seeds; or, if `domain_specified`, only takes what is connected to infinity out of the domain.
+  /// Marks faces by the seeds; or, if `domain_specified`, only takes what is connected to infinity out of the
+  /// domain.
   void mark_facets(bool domain_specified = false) {
     if (domain_specified)
       Quadtree_mesh_2::internal::mark_outside(cdt_);
@@ -104,16 +107,16 @@ public:
   /// \name Criteria
   ///@{
 
-  /// The mesh is not changed before `refine_mesh()` is called. If not `recalculate_bad_faces`, then not even by that,
-  /// where it was done, before faces are said to be bad by `set_bad_faces()` or looked for by `init()`.
+  /// The mesh is not changed before `refine_mesh()` is called. If not `recalculate_bad_faces`, then not even by
+  /// that, where it was done, before faces are said to be bad by `set_bad_faces()` or looked for by `init()`.
   void set_criteria(const Criteria& criteria, bool recalculate_bad_faces = true) {
     criteria_ = criteria;
     if (recalculate_bad_faces && is_initialized_) look_for_bad_faces();
   }
   const Criteria& get_criteria() const { return criteria_; }
 
-  /// What criteria do not say: bounds of areas, smoothing, budgets, a callback. The stricter of two bounds of edges
-  /// holds; the least angle and the domain of the options are of no importance.
+  /// What criteria do not say: bounds of areas, smoothing, budgets, a callback. The stricter of two bounds of
+  /// edges holds; the least angle and the domain of the options are of no importance.
   void set_options(const Quality_mesh_options_2& options) {
     options_ = options;
     if (is_initialized_) is_done_ = false;

@@ -10,10 +10,10 @@
 /// \file
 /// Meshing a CGAL triangulation in place: what takes the place of Mesh_2's `refine_Delaunay_mesh_2()`.
 ///
-/// For all functions here, `Cdt` is what `Quality_cdt_mesher_2` takes, and what is said there holds: vertices and
-/// constraints stay what they were, and handles of vertices valid. If there is no domain, the report has no triangles,
-/// and only the faces' marks have changed. All throw `Pslg_error_2` if the domain cannot be meshed, with the triangulation
-/// as it was but for the marks. Expected O(n log n + k) time for k triangles.
+/// For all functions here, `Cdt` is what `Quality_cdt_mesher_2` takes, and what is said there holds: vertices
+/// and constraints stay what they were, and handles of vertices valid. If there is no domain, the report has no
+/// triangles, and only the faces' marks have changed. All throw `Pslg_error_2` if the domain cannot be meshed,
+/// with the triangulation as it was but for the marks. Expected O(n log n + k) time for k triangles.
 
 #include <CGAL/Quadtree_mesh_2/internal/Cdt_refiner.h>
 #include <CGAL/Quadtree_mesh_2/internal/compat.h>
@@ -75,8 +75,8 @@ Quality_mesh_report_2 refine_quality_mesh_2(Cdt& cdt) {
       cdt, Quality_mesh_options_2().min_angle(Quadtree_mesh_2::internal::default_angle_of_Mesh_2));
 }
 
-/// Meshes all that constrained edges separate from infinity, or if `domain_specified` the faces with `is_in_domain()`,
-/// by criteria of Mesh_2.
+/// Meshes all that constrained edges separate from infinity, or if `domain_specified` the faces with
+/// `is_in_domain()`, by criteria of Mesh_2.
 /// \tparam Criteria a model of `MeshingCriteria_2`, as for `Quality_cdt_mesher_2`, or any class with `bound()`.
 template <class Cdt, class Criteria,
           class = std::enable_if_t<Quadtree_mesh_2::internal::is_criteria<Criteria>>>
@@ -101,7 +101,8 @@ Quality_mesh_report_2 refine_quality_mesh_2(Cdt& cdt, InputIterator seeds_begin,
 /// The same by named parameters (\cgal 5.6 and later).
 ///
 /// - `criteria`: a model of `MeshingCriteria_2`; by default `Delaunay_mesh_size_criteria_2<Cdt>()`
-/// - `domain_is_initialized`: whether the domain is the faces with `is_in_domain()`, and seeds are of no importance; by
+/// - `domain_is_initialized`: whether the domain is the faces with `is_in_domain()`, and seeds are of no
+///   importance; by
 ///   default false
 /// - `seeds`: a range of points; by default empty
 /// - `seeds_are_in_domain`: whether the domain is the components with a seed, or those without; by default false

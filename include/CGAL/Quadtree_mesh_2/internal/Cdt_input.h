@@ -38,8 +38,8 @@ public:
   using Vertex_handle = typename Cdt::Vertex_handle;
   using Face_handle = typename Cdt::Face_handle;
 
-  /// Takes the faces' marks as the domain. What is connected to infinity loses its marks; other edges between faces in
-  /// the domain and faces that are not are constrained from now on.
+  /// Takes the faces' marks as the domain. What is connected to infinity loses its marks; other edges between
+  /// faces in the domain and faces that are not are constrained from now on.
   /// \throws Pslg_error_2 if there is no room for a point in a component of the domain.
   Cdt_input(Cdt& cdt, const Flat& flat) : cdt_(cdt), flat_(flat) {
     if (cdt.dimension() < 2) return;

@@ -6,11 +6,11 @@
 //
 // Meshes a constrained triangulation in place, until a criteria object of Mesh_2 is content or cannot be made so.
 //
-// The mesher knows bounds of angles and lengths. The criteria's bounds, where it tells them, are given to the mesher;
-// then it is asked for every face. For faces that it calls bad all the same it is found out what it wants there
-// (Criteria_oracle.h), and the triangulation is meshed again with that: from its own vertices, so that nothing is left
-// of attempts. Mesh_2 does not end where a criterion cannot be met; here the number of attempts is bounded, and
-// faces that stay bad are reported.
+// The mesher knows bounds of angles and lengths. The criteria's bounds, where it tells them, are given to the
+// mesher; then it is asked for every face. For faces that it calls bad all the same it is found out what it
+// wants there (Criteria_oracle.h), and the triangulation is meshed again with that: from its own vertices, so
+// that nothing is left of attempts. Mesh_2 does not end where a criterion cannot be met; here the number of
+// attempts is bounded, and faces that stay bad are reported.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_CDT_REFINER_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_CDT_REFINER_H

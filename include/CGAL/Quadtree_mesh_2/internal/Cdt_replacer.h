@@ -6,9 +6,10 @@
 //
 // Puts a mesh of a constrained triangulation in its place.
 //
-// The vertices that the triangulation had stay, with all that users store in them and their handles; faces are made
-// anew. Where the triangulation keeps a hierarchy of constraints (`Constrained_triangulation_plus_2`), the pieces into
-// which the mesh cuts a subconstraint take its place in every constraint that it is part of. Linear in the mesh.
+// The vertices that the triangulation had stay, with all that users store in them and their handles; faces are
+// made anew. Where the triangulation keeps a hierarchy of constraints (`Constrained_triangulation_plus_2`), the
+// pieces into which the mesh cuts a subconstraint take its place in every constraint that it is part of. Linear
+// in the mesh.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_CDT_REPLACER_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_CDT_REPLACER_H
@@ -61,7 +62,8 @@ public:
     return welder.mesh_faces();
   }
 
-  /// Tells the hierarchy of constraints, if there is one, of the vertices that the mesh has on them. To be called once.
+  /// Tells the hierarchy of constraints, if there is one, of the vertices that the mesh has on them. To be
+  /// called once.
   void split_constraints(const Mesh& mesh) {
     if constexpr (std::is_convertible_v<typename Cdt::Constraint_hierarchy_tag, Tag_true>) {
       link_constrained_vertices(mesh);

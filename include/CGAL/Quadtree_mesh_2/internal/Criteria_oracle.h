@@ -6,9 +6,9 @@
 //
 // What a criteria object of Mesh_2 wants, found by asking.
 //
-// A model of `MeshingCriteria_2` only says of a face whether it is bad. How large, or how sharp, a triangle may be at a
-// place is found by showing it others there: equilateral ones of falling size, then isosceles ones of a rising angle.
-// A few dozen questions for a face.
+// A model of `MeshingCriteria_2` only says of a face whether it is bad. How large, or how sharp, a triangle may
+// be at a place is found by showing it others there: equilateral ones of falling size, then isosceles ones of a
+// rising angle. A few dozen questions for a face.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_CRITERIA_ORACLE_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_CRITERIA_ORACLE_H
@@ -92,7 +92,8 @@ public:
     return good;
   }
 
-  /// The least angle, in degrees, of an isosceles triangle like `t` that is not bad; 0 if those of up to `most` are.
+  /// The least angle, in degrees, of an isosceles triangle like `t` that is not bad; 0 if those of up to `most`
+  /// are.
   double wanted_angle(const Plane_triangle& t, double most) {
     constexpr double step = 0.5;
     const double least = t.least_angle_in_degrees();

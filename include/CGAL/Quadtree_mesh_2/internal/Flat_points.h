@@ -6,10 +6,10 @@
 //
 // The points of a triangulation in the plane as the mesher takes them, and back.
 //
-// Kernels over double, filtered or not, are meshed with the points of one filtered kernel: the predicates that count
-// are the mesher's own. Kernels with exact numbers are meshed in their own points. Traits that project points of space
-// (`Projection_traits_xy_3` and its like) are meshed in the plane of projection; a new vertex is lifted back to the
-// surface that the triangulation was before.
+// Kernels over double, filtered or not, are meshed with the points of one filtered kernel: the predicates that
+// count are the mesher's own. Kernels with exact numbers are meshed in their own points. Traits that project
+// points of space (`Projection_traits_xy_3` and its like) are meshed in the plane of projection; a new vertex is
+// lifted back to the surface that the triangulation was before.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_FLAT_POINTS_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_FLAT_POINTS_H
@@ -117,7 +117,8 @@ auto axes_of(const Traits& traits) -> decltype(traits.normal(), Projection_axes(
   return {{first, cross(up, first), up}};
 }
 
-/// For triangulations of points of space that are projected to a plane. Keeps a copy of the triangulation: the surface.
+/// For triangulations of points of space that are projected to a plane. Keeps a copy of the triangulation: the
+/// surface.
 template <class Cdt>
 class Flat_points<Cdt, std::enable_if_t<Is_point_of_space<typename Cdt::Point>::value>> {
   using User_point = typename Cdt::Point;

@@ -6,7 +6,8 @@
 //
 // What differs between the versions of CGAL that this package supports (5.5 to 6.1), in one place.
 //
-// CGAL 6 has the variants and optionals of std where 5 had those of boost, and Mesh_2 has named parameters since 5.6.
+// CGAL 6 has the variants and optionals of std where 5 had those of boost, and Mesh_2 has named parameters since
+// 5.6.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_COMPAT_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_COMPAT_H

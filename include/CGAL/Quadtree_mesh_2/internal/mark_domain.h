@@ -22,8 +22,8 @@ namespace Quadtree_mesh_2 {
 namespace internal {
 
 /// Calls `across(g)` for the faces g across constrained edges of the component of `first`: of the faces that are
-/// reached from there without crossing a constrained edge and for which `visit(f)` returns true, as it does the first
-/// time.
+/// reached from there without crossing a constrained edge and for which `visit(f)` returns true, as it does the
+/// first time.
 template <class Cdt, class Visit, class Across>
 void flood_component(typename Cdt::Face_handle first, Visit visit, Across across) {
   if (!visit(first)) return;
