@@ -74,7 +74,7 @@ void check_mesh(const Mesh& mesh, const Points_task& task, const Mode& mode, Poi
   Pslg points;
   points.vertices = task.points;
   const auto quality = CGAL::mesh_quality_2(
-      mesh, points, Quality_options().min_angle(mode.least_angle).check_domain(Quality_options::Domain::any));
+      mesh, points, Quality_options().min_angle(mode.least_angle).check_domain(Quality_options::Domain::ANY));
   run.below_bound = quality.unmet_triangles.size();
   run.min_angle = quality.min_angle;
   run.max_angle = quality.max_angle;

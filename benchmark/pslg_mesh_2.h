@@ -71,7 +71,7 @@ inline Pslg_run mesh(const Pslg_task& task, Check check) {
     run.triangles += f->is_in_domain();
   if (check == Check::YES)
     check_mesh(indexed_mesh_of(peer.cdt(), task.pslg), task,
-               CGAL::Mesh_quality_options_2::Arrays::points_and_triangles, run);
+               CGAL::Mesh_quality_options_2::Arrays::POINTS_AND_TRIANGLES, run);
   return run;
 }
 

@@ -62,7 +62,7 @@ Pslg_run mesh(const Pslg_task& task, Check check, unsigned threads) {
   run.vertices = report.vertices;
   run.triangles = report.triangles;
   run.digest = mesh_digest(mesh);
-  if (check == Check::YES) check_mesh(mesh, task, CGAL::Mesh_quality_options_2::Arrays::all, run);
+  if (check == Check::YES) check_mesh(mesh, task, CGAL::Mesh_quality_options_2::Arrays::ALL, run);
   run.to_triangulation = seconds_to_triangulation(mesh, task.pslg);
   return run;
 }

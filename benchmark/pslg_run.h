@@ -75,7 +75,7 @@ inline void check_mesh(const Indexed_mesh& mesh, const Pslg_task& task,
       mesh, task.pslg,
       CGAL::Mesh_quality_options_2().min_angle(task.min_angle).max_area(task.max_area).check_arrays(arrays));
   for (const auto& unmet : quality.unmet_triangles)
-    run.below_bound += unmet.bound == CGAL::Mesh_quality_2::Bound::angle;
+    run.below_bound += unmet.bound == CGAL::Mesh_quality_2::Bound::ANGLE;
   run.exempt = quality.exempt_triangles;
   run.min_angle = quality.min_angle;
   run.max_angle = quality.max_angle;

@@ -129,7 +129,7 @@ inline Pslg_run read_and_check(const std::string& stem, const Pslg_task& task, C
   run.vertices = mesh.number_of_vertices();
   run.triangles = mesh.number_of_triangles();
   if (check == Check::YES)
-    check_mesh(mesh, task, CGAL::Mesh_quality_options_2::Arrays::points_and_triangles, run);
+    check_mesh(mesh, task, CGAL::Mesh_quality_options_2::Arrays::POINTS_AND_TRIANGLES, run);
   return run;
 }
 

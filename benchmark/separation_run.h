@@ -81,7 +81,7 @@ Separation_run mesh(const Separation_method& method, const Pslg_task& task, Chec
   run.trees = report.trees;
   run.digest = mesh_digest(mesh);
   if (check == Check::NO) return run;
-  check_mesh(mesh, task, CGAL::Mesh_quality_options_2::Arrays::all, run);
+  check_mesh(mesh, task, CGAL::Mesh_quality_options_2::Arrays::ALL, run);
   CGAL::Quality_mesher_2<Traits, Concurrency_tag> whole(
       options.smooth(0).thin(0).coarsen(Options::Coarsening::NONE));
   run.before_removal = whole(task.pslg).triangles.size();

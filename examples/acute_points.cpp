@@ -37,7 +37,7 @@ int main(int argc, char** argv) {
   try {
     using Options = CGAL::IO::Svg_options_2;
     CGAL::IO::write_SVG(argv[1], mesh, graph,
-                        Options().fill_by(Options::Fill::largest_angle).legend(Options::Legend::below));
+                        Options().fill_by(Options::Fill::LARGEST_ANGLE).legend(Options::Legend::BELOW));
   } catch (const std::runtime_error& e) {
     std::cerr << e.what() << '\n';
     return 1;

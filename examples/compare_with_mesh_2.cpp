@@ -79,7 +79,7 @@ int main(int argc, char** argv) try {
   if (argc > 2) {                                               // two pictures in one
     const CGAL::Bbox_2 window(540000, -165000, 690000, -15000); // the Thousand Islands
     CGAL::IO::Svg_options_2 options;
-    options.width(400).fill_by(CGAL::IO::Svg_options_2::Fill::least_angle).clip_to(window);
+    options.width(400).fill_by(CGAL::IO::Svg_options_2::Fill::LEAST_ANGLE).clip_to(window);
     std::ofstream out(argv[2]);
     out << "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"810\" height=\"400\">\n";
     CGAL::IO::write_SVG(out, theirs, pslg, options);

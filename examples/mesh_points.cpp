@@ -27,7 +27,7 @@ int main(int argc, char** argv) {
 
   using Check = CGAL::Mesh_quality_options_2;
   const auto quality =
-      CGAL::mesh_quality_2(mesh, graph, Check().min_angle(20.7).check_domain(Check::Domain::any));
+      CGAL::mesh_quality_2(mesh, graph, Check().min_angle(20.7).check_domain(Check::Domain::ANY));
   std::cout << (quality.is_valid() && quality.is_met() ? "checked\n" : "the mesh is wrong\n");
 
   try {
@@ -35,7 +35,7 @@ int main(int argc, char** argv) {
     if (argc > 1)
       CGAL::IO::write_SVG(
           argv[1], mesh, graph,
-          Options().width(480).fill_by(Options::Fill::least_angle).legend(Options::Legend::below));
+          Options().width(480).fill_by(Options::Fill::LEAST_ANGLE).legend(Options::Legend::BELOW));
   } catch (const std::runtime_error& e) {
     std::cerr << e.what() << '\n';
     return 1;

@@ -39,12 +39,12 @@ int main(int argc, char** argv) {
 
   using Check = CGAL::Mesh_quality_options_2; // it knows the regions' bounds
   const auto quality = CGAL::mesh_quality_2(
-      mesh, plate, Check().min_angle(20.7).max_area(0.02).check_domain(Check::Domain::marked_by_regions));
+      mesh, plate, Check().min_angle(20.7).max_area(0.02).check_domain(Check::Domain::MARKED_BY_REGIONS));
   std::cout << (quality.is_valid() && quality.is_met() ? "checked\n" : "the mesh is wrong\n");
 
   try {
     using Svg = CGAL::IO::Svg_options_2;
-    if (argc > 1) CGAL::IO::write_SVG(argv[1], mesh, plate, Svg().width(480).fill_by(Svg::Fill::region));
+    if (argc > 1) CGAL::IO::write_SVG(argv[1], mesh, plate, Svg().width(480).fill_by(Svg::Fill::REGION));
   } catch (const std::runtime_error& e) {
     std::cerr << e.what() << '\n';
     return 1;

@@ -42,7 +42,7 @@ int main(int argc, char** argv) {
   try {
     using Options = CGAL::IO::Quadtree_svg_options;
     CGAL::IO::write_SVG(argv[1], tree,
-                        Options().fill_by(Options::Fill::level).clip_to({-1.1, -1.1, 1.1, 1.1}));
+                        Options().fill_by(Options::Fill::LEVEL).clip_to({-1.1, -1.1, 1.1, 1.1}));
   } catch (const std::runtime_error& e) {
     std::cerr << e.what() << '\n';
     return 1;

@@ -56,7 +56,7 @@ int main(int argc, char** argv) {
     using Options = CGAL::IO::Quadtree_svg_options;
     if (argc > 1)
       CGAL::IO::write_SVG(argv[1], tree,
-                          Options().fill_by(Options::Fill::level).clip_to({-1.5, -1.5, 1.5, 1.5}));
+                          Options().fill_by(Options::Fill::LEVEL).clip_to({-1.5, -1.5, 1.5, 1.5}));
   } catch (const std::runtime_error& e) {
     std::cerr << e.what() << '\n';
     return 1;

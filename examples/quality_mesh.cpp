@@ -46,13 +46,13 @@ CGAL::Mesh_quality_options_2::Domain rule_to_check(CGAL::Quality_mesh_options_2:
   using Rule = CGAL::Mesh_quality_options_2::Domain;
   switch (domain) {
   case CGAL::Quality_mesh_options_2::Domain::ENCLOSED:
-    return Rule::enclosed_by_segments;
+    return Rule::ENCLOSED_BY_SEGMENTS;
   case CGAL::Quality_mesh_options_2::Domain::MARKED:
-    return Rule::marked_by_regions;
+    return Rule::MARKED_BY_REGIONS;
   case CGAL::Quality_mesh_options_2::Domain::NESTING_PARITY:
-    return Rule::nesting_parity;
+    return Rule::NESTING_PARITY;
   }
-  return Rule::enclosed_by_segments;
+  return Rule::ENCLOSED_BY_SEGMENTS;
 }
 
 void check(Meshing_run& run, const CGAL::Quality_mesh_options_2& options) {

@@ -35,13 +35,13 @@ inline CGAL::Mesh_quality_options_2::Domain rule_to_check(Options::Domain domain
   using Rule = CGAL::Mesh_quality_options_2::Domain;
   switch (domain) {
   case Options::Domain::ENCLOSED:
-    return Rule::enclosed_by_segments;
+    return Rule::ENCLOSED_BY_SEGMENTS;
   case Options::Domain::MARKED:
-    return Rule::marked_by_regions;
+    return Rule::MARKED_BY_REGIONS;
   case Options::Domain::NESTING_PARITY:
-    return Rule::nesting_parity;
+    return Rule::NESTING_PARITY;
   }
-  return Rule::enclosed_by_segments;
+  return Rule::ENCLOSED_BY_SEGMENTS;
 }
 
 /// Meshes, and checks what must hold for every mesh whatever stopped it: it is valid, and the report tells

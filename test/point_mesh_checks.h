@@ -139,7 +139,7 @@ private:
     CGAL::Pslg_2<Point> pslg;
     pslg.vertices = points_;
     quality_ = CGAL::mesh_quality_2(
-        mesh_, pslg, CGAL::Mesh_quality_options_2().check_domain(CGAL::Mesh_quality_options_2::Domain::any));
+        mesh_, pslg, CGAL::Mesh_quality_options_2().check_domain(CGAL::Mesh_quality_options_2::Domain::ANY));
     for (const std::string& e : quality_.errors) faults_.push_back("invalid: " + e);
   }
 

@@ -71,7 +71,7 @@ std::size_t number_of_bad(const Triangulation& cdt, const Criteria& criteria) {
 template <class Triangulation>
 void require_mesh(
     const Triangulation& cdt, const Pslg& pslg, double least_angle,
-    CGAL::Mesh_quality_options_2::Domain rule = CGAL::Mesh_quality_options_2::Domain::enclosed_by_segments) {
+    CGAL::Mesh_quality_options_2::Domain rule = CGAL::Mesh_quality_options_2::Domain::ENCLOSED_BY_SEGMENTS) {
   REQUIRE(cdt.is_valid());
   CGAL::Mesh_quality_options_2 options = CGAL::Mesh_quality_options_2().min_angle(least_angle);
   options.domain = rule;

@@ -71,7 +71,7 @@ TEST_CASE("meshes by Mesh_2 are valid", "[mesh_quality_2]") {
   for (double size : {0., 10., 0.5}) {
     const Mesh mesh = mesh_of(pslg, size);
     require_valid(mesh, pslg);
-    require_valid(mesh, pslg, Options().check_arrays(Options::Arrays::points_and_triangles));
+    require_valid(mesh, pslg, Options().check_arrays(Options::Arrays::POINTS_AND_TRIANGLES));
     const auto quality = mesh_quality_2(mesh, pslg);
     CHECK(quality.area == Approx(64 - 16 + 4));
     CHECK(quality.domain_area == Approx(52));
@@ -110,7 +110,7 @@ TEST_CASE("bounds on angle, edge and area", "[mesh_quality_2]") {
   CHECK(mesh_quality_2(mesh, pslg, Options().max_edge(5).max_area(6)).is_met());
   const auto edge = mesh_quality_2(mesh, pslg, Options().max_edge(4.9));
   REQUIRE(edge.unmet_triangles.size() == 1);
-  CHECK(edge.unmet_triangles[0].bound == CGAL::Mesh_quality_2::Bound::edge_length);
+  CHECK(edge.unmet_triangles[0].bound == CGAL::Mesh_quality_2::Bound::EDGE_LENGTH);
   CHECK(mesh_quality_2(mesh, pslg, Options().max_area(5.9)).unmet_triangles.size() == 1);
   // The wedge of 36.87 degrees excuses the triangle from any angle bound that is higher.
   CHECK(mesh_quality_2(mesh, pslg, Options().min_angle(36)).exempt_triangles == 0);
@@ -205,7 +205,7 @@ TEST_CASE("every kind of damage is found", "[mesh_quality_2]") {
       }
     require_error(mesh, pslg, "is not on input segment");
     require_error(mesh, pslg, "is not a chain of mesh edges",
-                  Options().check_arrays(Options::Arrays::points_and_triangles));
+                  Options().check_arrays(Options::Arrays::POINTS_AND_TRIANGLES));
   }
   SECTION("wrong neighbor") {
     mesh.neighbors[inner][0] = Triangle_index(inner);
@@ -293,7 +293,7 @@ TEST_CASE("an overlap of two sheets is found", "[mesh_quality_2]") {
   require_valid(mesh, pslg);
   mesh.triangles.clear();
   mesh.neighbors.clear();
-  const Options loose = Options().check_arrays(Options::Arrays::points_and_triangles);
+  const Options loose = Options().check_arrays(Options::Arrays::POINTS_AND_TRIANGLES);
   for (std::size_t i = 0; i < 5; ++i)
     mesh.triangles.push_back({Vertex_index(2 * i % 5), Vertex_index((2 * i + 2) % 5), Vertex_index(5)});
   require_error(mesh, pslg, "on the border of the mesh", loose);
@@ -359,7 +359,7 @@ TEST_CASE("meshes of points are checked without a domain", "[mesh_quality_2]") {
   Cdt cdt = triangulate(pslg);
   for (auto f : cdt.finite_face_handles()) f->set_in_domain(true);
   const Mesh mesh = mesh_from_cdt(cdt, pslg);
-  require_valid(mesh, pslg, Options().check_domain(Options::Domain::any));
+  require_valid(mesh, pslg, Options().check_domain(Options::Domain::ANY));
   require_error(mesh, pslg, "on no input segment");
 }
 

@@ -195,7 +195,7 @@ TEMPLATE_TEST_CASE("A picture has a cross for each split square, and no edge twi
 
 TEST_CASE("Leaves are coloured by level", "[SVG][balanced]") {
   const Filtered_quadtree tree(make_points<Filtered_traits>(clusters(2)));
-  const std::string text = svg(tree, Options().fill_by(Options::Fill::level).width(4096));
+  const std::string text = svg(tree, Options().fill_by(Options::Fill::LEVEL).width(4096));
   std::set<std::string> colors;
   std::size_t areas = 0;
   for (const Element& e : elements_of(text))

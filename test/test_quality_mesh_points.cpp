@@ -85,7 +85,7 @@ CGAL::Mesh_quality_2 quality_of_files(const std::string& stem, const std::vector
   using Options = CGAL::Mesh_quality_options_2;
   return CGAL::mesh_quality_2(
       mesh, graph,
-      Options().check_domain(Options::Domain::any).check_arrays(Options::Arrays::points_and_triangles));
+      Options().check_domain(Options::Domain::ANY).check_arrays(Options::Arrays::POINTS_AND_TRIANGLES));
 }
 
 } // namespace

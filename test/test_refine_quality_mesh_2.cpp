@@ -121,7 +121,7 @@ TEST_CASE("the domain without seeds, with holes, with seeds in it", "[refine_qua
   }
   SECTION("a rule of the options") {
     CGAL::refine_quality_mesh_2(cdt, Options().mesh_domain(Options::Domain::NESTING_PARITY));
-    require_mesh(cdt, pslg, 20.7, Check_domain::nesting_parity);
+    require_mesh(cdt, pslg, 20.7, Check_domain::NESTING_PARITY);
     CHECK(area_in_domain(cdt) == Approx(64 - 14));
   }
   SECTION("no component has a seed") {

@@ -93,16 +93,16 @@ TEST_CASE("SVG options", "[SVG]") {
   CHECK(plain.size() < 20 * mesh.triangles.size()); // compact
   CHECK(count(plain, "<path") == 4);                // area, edges, segments, segments outside
   const std::string colored =
-      svg(mesh, pslg, IO::Svg_options_2().fill_by(IO::Svg_options_2::Fill::least_angle));
+      svg(mesh, pslg, IO::Svg_options_2().fill_by(IO::Svg_options_2::Fill::LEAST_ANGLE));
   CHECK(count(colored, "<path") > 5);
   const std::string by_largest = svg(mesh, pslg,
                                      IO::Svg_options_2()
-                                         .fill_by(IO::Svg_options_2::Fill::largest_angle)
-                                         .legend(IO::Svg_options_2::Legend::below));
+                                         .fill_by(IO::Svg_options_2::Fill::LARGEST_ANGLE)
+                                         .legend(IO::Svg_options_2::Legend::BELOW));
   CHECK(count(by_largest, "<path") > 5);
   CHECK(by_largest.find(">largest angle</text>") != std::string::npos);
   CHECK(count(by_largest, "<text") == 13);
-  CHECK(count(svg(mesh, pslg, IO::Svg_options_2().legend(IO::Svg_options_2::Legend::below)), "<text") == 0);
+  CHECK(count(svg(mesh, pslg, IO::Svg_options_2().legend(IO::Svg_options_2::Legend::BELOW)), "<text") == 0);
   const std::string part = svg(mesh, pslg, IO::Svg_options_2().clip_to(CGAL::Bbox_2(-2, -2, -1, -1.5)));
   CHECK(part.size() < plain.size() / 3);
   IO::Svg_options_2 bare;
@@ -116,15 +116,15 @@ TEST_CASE("SVG colours by angles", "[SVG]") {
   const auto colored = [&](IO::Svg_options_2::Fill fill) {
     return svg(mesh_of(pslg), pslg, IO::Svg_options_2().fill_by(fill));
   };
-  CHECK(colored(IO::Svg_options_2::Fill::least_angle).find("#66c2a5") != std::string::npos);
-  CHECK(colored(IO::Svg_options_2::Fill::largest_angle).find("#d9ef8b") != std::string::npos);
+  CHECK(colored(IO::Svg_options_2::Fill::LEAST_ANGLE).find("#66c2a5") != std::string::npos);
+  CHECK(colored(IO::Svg_options_2::Fill::LARGEST_ANGLE).find("#d9ef8b") != std::string::npos);
 }
 
 TEST_CASE("SVG colours by region, with a quadtree", "[SVG]") {
   Pslg pslg = domain_with_outside();
   Mesh mesh = mesh_of(pslg, 0.5);
   const IO::Svg_options_2 options =
-      IO::Svg_options_2().fill_by(IO::Svg_options_2::Fill::region).legend(IO::Svg_options_2::Legend::below);
+      IO::Svg_options_2().fill_by(IO::Svg_options_2::Fill::REGION).legend(IO::Svg_options_2::Legend::BELOW);
   check_well_formed(svg(mesh, pslg, options)); // no regions
   pslg.regions = {{Point(1.5, 0), 5, 0}, {Point(-1.5, 0), 0.5, 0}};
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) mesh.region_of_triangle.push_back(int(t % 15) - 1);
@@ -152,8 +152,8 @@ TEST_CASE("SVG and VTU are well-formed XML", "[SVG][VTU]") {
   const Pslg pslg = domain_with_outside();
   const Mesh mesh = mesh_of(pslg, 0.3);
   using Options = IO::Svg_options_2;
-  for (const auto fill : {Options::Fill::plain, Options::Fill::least_angle, Options::Fill::largest_angle})
-    check_well_formed(svg(mesh, pslg, Options().fill_by(fill).legend(Options::Legend::below)));
+  for (const auto fill : {Options::Fill::PLAIN, Options::Fill::LEAST_ANGLE, Options::Fill::LARGEST_ANGLE})
+    check_well_formed(svg(mesh, pslg, Options().fill_by(fill).legend(Options::Legend::BELOW)));
   std::ostringstream out;
   IO::write_VTU(out, mesh, pslg, {{"a < \"b\" & c", std::vector<double>(mesh.triangles.size(), 1)}},
                 IO::ASCII);

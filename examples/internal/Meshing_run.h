@@ -48,11 +48,11 @@ namespace meshing_run_internal {
 
 inline const char* name(CGAL::Mesh_quality_2::Bound bound) {
   switch (bound) {
-  case CGAL::Mesh_quality_2::Bound::angle:
+  case CGAL::Mesh_quality_2::Bound::ANGLE:
     return "angle";
-  case CGAL::Mesh_quality_2::Bound::edge_length:
+  case CGAL::Mesh_quality_2::Bound::EDGE_LENGTH:
     return "edge length";
-  case CGAL::Mesh_quality_2::Bound::area:
+  case CGAL::Mesh_quality_2::Bound::AREA:
     return "area";
   }
   return "";

@@ -50,16 +50,16 @@ CGAL::IO::Svg_options_2 svg_options(const Picture& picture) {
   case Picture_colors::none:
     return options;
   case Picture_colors::angle:
-    options.fill_by(Options::Fill::least_angle);
+    options.fill_by(Options::Fill::LEAST_ANGLE);
     break;
   case Picture_colors::largest_angle:
-    options.fill_by(Options::Fill::largest_angle);
+    options.fill_by(Options::Fill::LARGEST_ANGLE);
     break;
   case Picture_colors::region:
-    options.fill_by(Options::Fill::region);
+    options.fill_by(Options::Fill::REGION);
     break;
   }
-  return options.legend(Options::Legend::below);
+  return options.legend(Options::Legend::BELOW);
 }
 
 using Quadtree = CGAL::Balanced_quadtree<CGAL::Filtered_quadtree_traits_2<>>;

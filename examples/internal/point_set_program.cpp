@@ -57,7 +57,7 @@ CGAL::Pslg_2<Point_set_run::Point_2> graph_of(const Point_set_run& run) {
 
 void check(Point_set_run& run) {
   using Options = CGAL::Mesh_quality_options_2;
-  run.quality = CGAL::mesh_quality_2(run.mesh, graph_of(run), Options().check_domain(Options::Domain::any));
+  run.quality = CGAL::mesh_quality_2(run.mesh, graph_of(run), Options().check_domain(Options::Domain::ANY));
   run.ours.vertices = run.quality.vertices;
   count_angles(run);
 }

@@ -37,8 +37,8 @@ namespace IO {
 struct Quadtree_svg_options {
   /// What areas are coloured by.
   enum class Fill {
-    plain, ///< all leaves in `fill_color`
-    level  ///< from light (large leaves) to dark (small ones)
+    PLAIN, ///< all leaves in `fill_color`
+    LEVEL  ///< from light (large leaves) to dark (small ones)
   };
 
   int width_in_pixels = 800;          ///< of the picture; the height follows
@@ -46,7 +46,7 @@ struct Quadtree_svg_options {
   double edge_width = 0.4;            ///< pixels, as all widths
   double framework_width = 1.4;       ///< of the framework's squares
   double point_diameter = 2.4;        ///< of points
-  Fill fill = Fill::plain;            ///< what areas are coloured by
+  Fill fill = Fill::PLAIN;            ///< what areas are coloured by
   std::string edge_color = "#4a6b8a"; ///< of edges, or none
   /// The outlines of the framework's squares: those of which more than one child holds points.
   std::string framework_color = "none";
@@ -178,7 +178,7 @@ private:
   }
 
   void add_area(const Frame& f, std::size_t level) {
-    if (options_.fill == Options::Fill::plain) {
+    if (options_.fill == Options::Fill::PLAIN) {
       if (options_.fill_color == "none") return;
       level = 0;
     }
@@ -222,7 +222,7 @@ private:
   void paint_area(std::ostream& out, std::size_t level) const {
     if (areas_[level].is_empty()) return;
     const std::string color =
-        options_.fill == Options::Fill::plain ? options_.fill_color : color_of_level(level);
+        options_.fill == Options::Fill::PLAIN ? options_.fill_color : color_of_level(level);
     out << "<path fill=\"" << color << "\" stroke=\"" << color << "\" stroke-width=\"2\" d=\""
         << areas_[level].text() << "\"/>\n";
   }

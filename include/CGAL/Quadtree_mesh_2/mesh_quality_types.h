@@ -22,16 +22,16 @@ namespace CGAL {
 struct Mesh_quality_options_2 {
   /// What the mesh has to cover.
   enum class Domain {
-    enclosed_by_segments, ///< everything not connected to infinity, minus the components of the hole points
-    marked_by_regions,    ///< of that only the components of the region points
-    nesting_parity, ///< of that only what an odd number of segments, counted at their least, separate from
+    ENCLOSED_BY_SEGMENTS, ///< everything not connected to infinity, minus the components of the hole points
+    MARKED_BY_REGIONS,    ///< of that only the components of the region points
+    NESTING_PARITY, ///< of that only what an odd number of segments, counted at their least, separate from
                     ///< infinity
-    any             ///< not checked (meshes of points); every input vertex and segment has to be in the mesh
+    ANY             ///< not checked (meshes of points); every input vertex and segment has to be in the mesh
   };
   /// Which arrays of the mesh are checked.
   enum class Arrays {
-    all,
-    points_and_triangles ///< for meshes read from files that store no more; segments are followed by geometry
+    ALL,
+    POINTS_AND_TRIANGLES ///< for meshes read from files that store no more; segments are followed by geometry
   };
 
   /// Least angle in degrees; 0 means no bound.
@@ -46,8 +46,8 @@ struct Mesh_quality_options_2 {
   double tolerance_of_area = 1e-7;
   /// At most this many errors are written out; all are counted.
   std::size_t max_errors = 20;
-  Domain domain = Domain::enclosed_by_segments; ///< what the mesh has to cover
-  Arrays arrays = Arrays::all;                  ///< what is there to be checked
+  Domain domain = Domain::ENCLOSED_BY_SEGMENTS; ///< what the mesh has to cover
+  Arrays arrays = Arrays::ALL;                  ///< what is there to be checked
 
   /// \name Setters
   /// @{
@@ -67,7 +67,7 @@ struct Mesh_quality_options_2 {
 /// A mesh that is invalid because its arrays do not fit together (first errors) has no statistics.
 struct Mesh_quality_2 {
   /// What a triangle may miss.
-  enum class Bound { angle, edge_length, area };
+  enum class Bound { ANGLE, EDGE_LENGTH, AREA };
 
   /// A triangle that misses a bound. For the angle, only where no wedge of two input segments excuses it.
   struct Unmet_triangle {

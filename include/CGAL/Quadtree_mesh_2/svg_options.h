@@ -19,20 +19,20 @@ namespace IO {
 struct Svg_options_2 {
   /// What areas are coloured by.
   enum class Fill {
-    plain,         ///< all triangles in `fill_color`
-    least_angle,   ///< from red (small) through yellow to green and blue (60 degrees)
-    largest_angle, ///< from blue (60 degrees) through green to yellow (90) and red (120 and more)
-    region         ///< twelve colours for the regions, one after the other; `fill_color` where there is none
+    PLAIN,         ///< all triangles in `fill_color`
+    LEAST_ANGLE,   ///< from red (small) through yellow to green and blue (60 degrees)
+    LARGEST_ANGLE, ///< from blue (60 degrees) through green to yellow (90) and red (120 and more)
+    REGION         ///< twelve colours for the regions, one after the other; `fill_color` where there is none
   };
   /// What tells which angles or regions the colours stand for; a plain picture has none.
-  enum class Legend { none, below };
+  enum class Legend { NONE, BELOW };
 
   int width_in_pixels = 800;                ///< of the picture; the height follows
   double margin_in_pixels = 4;              ///< on all sides
   double edge_width = 0.4;                  ///< pixels, as all widths
   double segment_width = 1.2;               ///< of segments of the input
-  Fill fill = Fill::plain;                  ///< what areas are coloured by
-  Legend legend_place = Legend::none;       ///< whether there is a legend
+  Fill fill = Fill::PLAIN;                  ///< what areas are coloured by
+  Legend legend_place = Legend::NONE;       ///< whether there is a legend
   std::string edge_color = "#4a6b8a";       ///< of edges, or none
   std::string segment_color = "#12263a";    ///< of segments of the input, or none
   std::string fill_color = "#e8f1f8";       ///< of areas, or none

@@ -47,10 +47,10 @@ public:
   };
 
   /// \param segments pairs of positions in `points`, all in range.
-  /// \param marks points of the components that `Rule::marked_by_regions` leaves
+  /// \param marks points of the components that `Rule::MARKED_BY_REGIONS` leaves
   template <class Segments>
   Input_domain(const std::vector<Point>& points, const Segments& segments, const std::vector<Point>& holes,
-               Mesh_quality_options_2::Domain rule = Mesh_quality_options_2::Domain::enclosed_by_segments,
+               Mesh_quality_options_2::Domain rule = Mesh_quality_options_2::Domain::ENCLOSED_BY_SEGMENTS,
                const std::vector<Point>& marks = {})
       : cdt_(points, all_indices(points.size())), is_touched_(points.size(), 0) {
     for (const auto& s : segments) cdt_.count_segment(s[0].value(), s[1].value());
@@ -58,8 +58,8 @@ public:
     if (cdt_.has_crossings()) return;
     if (cdt_.cdt().dimension() == 2) {
       exclude(cdt_.cdt().infinite_face());
-      if (rule == Mesh_quality_options_2::Domain::marked_by_regions) keep_marked(marks);
-      if (rule == Mesh_quality_options_2::Domain::nesting_parity) keep_odd();
+      if (rule == Mesh_quality_options_2::Domain::MARKED_BY_REGIONS) keep_marked(marks);
+      if (rule == Mesh_quality_options_2::Domain::NESTING_PARITY) keep_odd();
       exclude_holes(holes);
       measure();
     }

@@ -100,8 +100,8 @@ private:
     (text << ... << parts);
     quality_.errors.push_back(text.str());
   }
-  bool has_all_arrays() const { return options_.arrays == Mesh_quality_options_2::Arrays::all; }
-  bool has_domain() const { return options_.domain != Mesh_quality_options_2::Domain::any; }
+  bool has_all_arrays() const { return options_.arrays == Mesh_quality_options_2::Arrays::ALL; }
+  bool has_domain() const { return options_.domain != Mesh_quality_options_2::Domain::ANY; }
 
   void check_sizes() {
     const std::size_t n = pslg_.vertices.size();

@@ -100,8 +100,8 @@ private:
     std::sort(squared_side.begin(), squared_side.end());
     if (options_.max_edge_length > 0 &&
         squared_side[2] > CGAL::square(options_.max_edge_length * (1 + 1e-12)))
-      add_unmet(t, Bound::edge_length, least);
-    if (twice_area / 2 > max_area(t) * (1 + 1e-12)) add_unmet(t, Bound::area, least);
+      add_unmet(t, Bound::EDGE_LENGTH, least);
+    if (twice_area / 2 > max_area(t) * (1 + 1e-12)) add_unmet(t, Bound::AREA, least);
     // The least angle is opposite the shortest side: twice_area = b c sin(angle), with b and c the longer
     // sides.
     const auto is_below = [&](double degrees) {
@@ -113,7 +113,7 @@ private:
     if (is_exempt(t, is_below))
       ++quality_.exempt_triangles;
     else
-      add_unmet(t, Bound::angle, least);
+      add_unmet(t, Bound::ANGLE, least);
   }
 
   /// Of the options and of the triangle's region.

@@ -58,16 +58,16 @@ public:
 
   void paint(std::ostream& out) const {
     const bool has_legend =
-        options_.legend_place == Options::Legend::below && options_.fill != Options::Fill::plain;
+        options_.legend_place == Options::Legend::BELOW && options_.fill != Options::Fill::PLAIN;
     const int full_height = height_ + (has_legend ? legend_height : 0);
     out << "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" << options_.width_in_pixels << "\" height=\""
         << (full_height + 9) / 10 << "\" viewBox=\"0 0 " << width_ << ' ' << full_height << "\">\n";
     if (options_.background_color != "none")
       out << "<rect width=\"" << width_ << "\" height=\"" << full_height << "\" fill=\""
           << options_.background_color << "\"/>\n";
-    if (options_.fill == Options::Fill::region)
+    if (options_.fill == Options::Fill::REGION)
       paint_areas_by_region(out);
-    else if (options_.fill != Options::Fill::plain)
+    else if (options_.fill != Options::Fill::PLAIN)
       paint_areas_by_angle(out);
     else if (options_.fill_color != "none")
       paint_areas(out);
@@ -77,7 +77,7 @@ public:
     paint_lines(out, constrained_edges(), mesh_.points, options_.segment_color, options_.segment_width);
     paint_lines(out, outside_segments(), pslg_.vertices, options_.segment_color, options_.segment_width);
     out << "</g>\n";
-    if (has_legend) options_.fill == Options::Fill::region ? paint_legend_of_regions(out) : paint_legend(out);
+    if (has_legend) options_.fill == Options::Fill::REGION ? paint_legend_of_regions(out) : paint_legend(out);
     out << "</svg>\n";
   }
 
@@ -210,7 +210,7 @@ private:
   static constexpr int degrees_per_color = 5, largest_colored_angle = 120;
   static constexpr int legend_height = 260; // tenths of pixels
 
-  bool is_by_largest_angle() const { return options_.fill == Options::Fill::largest_angle; }
+  bool is_by_largest_angle() const { return options_.fill == Options::Fill::LARGEST_ANGLE; }
 
   std::size_t color_of(std::size_t t) const {
     const Scaled_triangle triangle(corner(t, 0), corner(t, 1), corner(t, 2));
