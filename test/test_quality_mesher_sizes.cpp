@@ -162,7 +162,7 @@ TEST_CASE("A triangle is left only if the user's rule lets it pass", "[mesher][s
     }
     return inside != 0 && inside != 3 && longest > 0.02;
   };
-  const Run r = run_to_the_bound(unit_square(), Options().refine_where(crosses_coarsely));
+  const Run r = run_to_the_bound(unit_square(), Options().max_edge(0.2).refine_where(crosses_coarsely));
   std::size_t coarse = 0;
   for (const auto& t : r.mesh.triangles) {
     Corners corners;
