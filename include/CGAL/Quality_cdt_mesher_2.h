@@ -193,7 +193,8 @@ private:
 
   /// Whether the options bound sizes, about which the criteria say nothing.
   bool has_wishes_of_its_own() const {
-    return options_.max_triangle_area > 0 || options_.max_edge_length > 0 || options_.size_field;
+    return options_.max_triangle_area > 0 || options_.max_edge_length > 0 || options_.size_field ||
+           options_.refined_where;
   }
 
   Quality_mesh_options_2 combined_options() const {
