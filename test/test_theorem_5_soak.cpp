@@ -79,8 +79,8 @@ TEST_CASE("Some random inputs of every family are meshed by quadtrees to the bou
 }
 
 /// QUADTREE_MESH_SOAK says how many inputs, QUADTREE_MESH_SOAK_FIRST where to begin.
-TEST_CASE("Two thousand random inputs are meshed by quadtrees to the bound",
+TEST_CASE("Ten thousand random inputs are meshed by quadtrees to the bound",
           "[mesher][theorem5][soak][.slow]") {
   const std::uint64_t first = number_from_environment("QUADTREE_MESH_SOAK_FIRST", 0);
-  check_seeds(first, first + number_from_environment("QUADTREE_MESH_SOAK", 2000));
+  check_seeds(first, first + number_from_environment("QUADTREE_MESH_SOAK", 10000));
 }
