@@ -72,8 +72,9 @@ struct Quality_mesh_options_2 {
   /// takes.
   int thinning_rounds = 0;
   /// Where refinement on demand has not come to rest when the mesh has this many times the vertices expected (and two
-  /// million more), the construction by quadtrees takes over, for bounds up to 20.7 degrees and without a budget. With
-  /// 0 it does at once.
+  /// million more), the construction by quadtrees takes over, for bounds up to 20.7048 degrees (sin^2 = 1/8), without a
+  /// budget, a least edge and a rule of the user's; with those refinement stops there, and what is left is reported.
+  /// With 0 that is at once.
   double refinement_patience = 100;
   /// Refinement stops, with what is left reported, when the mesh has this many vertices; 0 means no bound but
   /// memory's.
