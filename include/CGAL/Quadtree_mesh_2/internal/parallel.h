@@ -49,15 +49,35 @@ struct Executor {
 };
 
 #ifdef CGAL_LINKED_WITH_TBB
+/// A task by its address and the function that calls it. TBB's loop is instantiated for this one type instead of
+/// for every loop's body, which is more than half of what the compiler would have to do.
+class Erased_task {
+public:
+  template <class F>
+  explicit Erased_task(const F& f)
+      : task_(&f), call_([](const void* task, std::size_t i) { (*static_cast<const F*>(task))(i); }) {}
+
+  void operator()(std::size_t i) const { call_(task_, i); }
+
+private:
+  const void* task_;
+  void (*call_)(const void*, std::size_t);
+};
+
 template <>
 struct Executor<Parallel_tag> {
   template <class F>
   static void run(std::size_t n, const F& f) {
     if (n == 1) return f(std::size_t(0));
+    run_erased(n, Erased_task(f));
+  }
+
+private:
+  static void run_erased(std::size_t n, const Erased_task& task) {
 #ifdef __SANITIZE_THREAD__
-    Thread_executor::run(n, f);
+    Thread_executor::run(n, task);
 #else
-    tbb::parallel_for(std::size_t(0), n, f);
+    tbb::parallel_for(std::size_t(0), n, task);
 #endif
   }
 };
