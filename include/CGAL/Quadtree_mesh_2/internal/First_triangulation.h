@@ -84,7 +84,7 @@ private:
   using Blocks = Mesh_blocks<Concurrency_tag, Geometry>;
   using Block = Mesh_block<Geometry>;
 
-  /// A segment, from the vertex up to which it is made.
+  /// A segment, between the vertices up to which it is made.
   struct Rest_of_segment {
     Vertex_id from, to;
     std::int32_t segment;
@@ -258,9 +258,13 @@ private:
       for (const std::int32_t s : work.segments) {
         const auto [from, to] = segments[std::size_t(s)];
         const Vertex_id a = find_in_block(block, blocks, from), b = find_in_block(block, blocks, to);
-        const Vertex_id reached = a >= 0 && b >= 0 ? work.inserter->insert(a, b, s) : -1;
-        if (reached < 0 || reached != b)
-          work.segments_left.push_back({reached < 0 ? from : block.mesh.input_number(reached), to, s});
+        if (a < 0 || b < 0) {
+          work.segments_left.push_back({from, to, s});
+          continue;
+        }
+        const auto rest = work.inserter->insert(a, b, s);
+        if (!rest.is_empty())
+          work.segments_left.push_back({block.mesh.input_number(rest.from), block.mesh.input_number(rest.to), s});
       }
     });
   }

@@ -207,14 +207,10 @@ struct Meshing_state {
   }
 
   /// The side between x and y that are neighbours in the mesh. An input vertex may have several fans, of
-  /// which the mesh knows one: then the side is searched from the other end, and only if both are such,
-  /// everywhere.
+  /// which the mesh knows one: where both are such, the side is searched everywhere if it is in neither.
   Side side_between(Vertex_id x, Vertex_id y) const {
-    if (mesh.is_input(x)) std::swap(x, y);
-    Side s = mesh.find_side(x, y);
-    if (s.is_border() && mesh.is_input(x)) s = mesh.find_side(y, x);
-    if (s.is_border() && mesh.is_input(x)) s = find_side_everywhere(x, y);
-    return s;
+    const Side s = mesh.find_side(x, y);
+    return s.is_border() && mesh.is_input(x) && mesh.is_input(y) ? find_side_everywhere(x, y) : s;
   }
 
   /// Flips free sides that are certainly not Delaunay, starting from those of `doubtful_sides`; triangles

@@ -19,6 +19,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -44,17 +45,21 @@ public:
 
   explicit Segment_inserter(Mesh& mesh) : mesh_(mesh) {}
 
-  /// Makes the segment from a to b, vertices of the mesh, a chain of constrained edges.
-  /// \returns b; or, if a seam is in the way, the vertex up to which the chain goes.
+  /// What is not made of a segment: nothing if both ends are one.
+  struct Rest {
+    Vertex_id from, to;
+    bool is_empty() const { return from == to; }
+  };
+
+  /// Makes the segment from a to b, vertices of the mesh, a chain of constrained edges. It is made from both ends,
+  /// first where the way on is found earlier: the fan of the other may be that of a hub.
+  /// \returns what is left because seams are in the way
   /// \throws Crossing if a constrained edge is in the way.
-  Vertex_id insert(Vertex_id a, Vertex_id b, std::int32_t segment) {
-    for (Vertex_id from = a; from != b;) {
-      const Vertex_id to = recover_up_to_first_vertex(from, b, segment);
-      if (to < 0) return from;
-      if (to != b) ++vertices_on_segments_;
-      from = to;
-    }
-    return b;
+  Rest insert(Vertex_id a, Vertex_id b, std::int32_t segment) {
+    Rest rest{a, b};
+    while (!rest.is_empty())
+      if (!shorten(rest, segment)) break;
+    return rest;
   }
 
   /// The pieces made.
@@ -102,52 +107,54 @@ private:
     return true;
   }
 
-  /// Goes around a: counterclockwise, and at a seam clockwise from the start. Nothing if the exit is beyond seams.
-  Exit exit_towards(Vertex_id a, Vertex_id b) const {
+  /// How a segment leaves one of its ends.
+  struct Way {
     Exit exit;
-    const Triangle_id start = mesh_.incident_triangle(a);
-    for (Triangle_id t = start;;) {
-      const int i = Mesh::slot_of(mesh_.triangle(t), a);
-      if (find_exit(t, i, a, b, exit)) return exit;
-      const Side o = mesh_.triangle(t).side[next_slot[i]];
-      if (o.is_border()) break;
-      t = o.triangle();
-      if (t == start) return exit;
+    bool is_from_first_end;
+  };
+
+  /// Goes around both ends in step, until it is found how the segment leaves one of them; nothing if that is beyond
+  /// seams for both.
+  std::optional<Way> way_between(Vertex_id a, Vertex_id b) const {
+    Fan_walk<Mesh> at_a(mesh_, a), at_b(mesh_, b);
+    Exit exit;
+    for (bool is_a_open = true, is_b_open = true; is_a_open || is_b_open;
+         is_a_open = is_a_open && at_a.advance(), is_b_open = is_b_open && at_b.advance()) {
+      if (is_a_open && find_exit(at_a.triangle(), at_a.slot(), a, b, exit)) return Way{exit, true};
+      if (is_b_open && find_exit(at_b.triangle(), at_b.slot(), b, a, exit)) return Way{exit, false};
     }
-    for (Triangle_id t = start;;) {
-      const Side o = mesh_.triangle(t).side[previous_slot[Mesh::slot_of(mesh_.triangle(t), a)]];
-      if (o.is_border()) return exit;
-      t = o.triangle();
-      if (find_exit(t, Mesh::slot_of(mesh_.triangle(t), a), a, b, exit)) return exit;
-    }
+    return std::nullopt;
   }
 
-  /// The edge a-b among those around a, counterclockwise from where the star is entered; the border if it is not
-  /// seen. No orientation is asked: most segments of maps are edges.
-  Side edge_around(Vertex_id a, Vertex_id b) const {
-    const Triangle_id start = mesh_.incident_triangle(a);
-    for (Triangle_id t = start;;) {
-      const auto& r = mesh_.triangle(t);
-      const int i = Mesh::slot_of(r, a);
-      if (r.v[next_slot[i]] == b) return Side(t, previous_slot[i]);
-      const Side o = r.side[next_slot[i]];
-      if (o.is_border()) return Side::border();
-      t = o.triangle();
-      if (t == start) return Side::border();
+  /// Makes a piece, at either end of what is left of a segment, up to the first vertex on it. \returns false if seams
+  /// are in the way
+  bool shorten(Rest& rest, std::int32_t segment) {
+    const auto [from, to] = rest;
+    const Side edge = mesh_.find_side(from, to); // no orientation is asked: most segments of maps are edges
+    if (!edge.is_border()) {
+      if (!constrain(edge, from, to, segment)) return false;
+      rest.from = to;
+      return true;
     }
+    const std::optional<Way> way = way_between(from, to);
+    if (!way) return false;
+    const bool is_from_first_end = way->is_from_first_end;
+    const Vertex_id end = is_from_first_end ? make_piece(from, to, way->exit, segment)
+                                            : make_piece(to, from, way->exit, segment);
+    if (end < 0) return false;
+    if (end != (is_from_first_end ? to : from)) ++vertices_on_segments_;
+    (is_from_first_end ? rest.from : rest.to) = end;
+    return true;
   }
 
-  /// \returns the first vertex on the segment, -1 if a seam is in the way.
-  Vertex_id recover_up_to_first_vertex(Vertex_id a, Vertex_id b, std::int32_t segment) {
-    const Side edge = edge_around(a, b);
-    if (!edge.is_border()) return constrain(edge, a, b, segment) ? b : -1;
-    const Exit exit = exit_towards(a, b);
+  /// Makes the piece of the segment a-b that begins at a. \returns the vertex at which it ends, -1 if a seam is in the
+  /// way
+  Vertex_id make_piece(Vertex_id a, Vertex_id b, const Exit& exit, std::int32_t segment) {
     if (exit.vertex >= 0) return constrain(exit.along, a, exit.vertex, segment) ? exit.vertex : -1;
-    if (exit.crossed.is_border()) return -1;
     const Vertex_id end = collect_crossed(a, b, exit.crossed, segment);
     if (end < 0) return -1;
     const bool is_free = flip_crossed(a, end);
-    const Side side = is_free ? side_between(a, end) : Side::border();
+    const Side side = is_free ? mesh_.find_side(a, end) : Side::border();
     const bool is_made = !side.is_border() && constrain(side, a, end, segment);
     make_Delaunay();
     return is_made ? end : -1;
@@ -188,18 +195,12 @@ private:
     }
   }
 
-  /// Looked for from both ends: the star of a vertex may be open, and known in part.
-  Side side_between(Vertex_id p, Vertex_id q) const {
-    const Side s = mesh_.find_side(p, q);
-    return s.is_border() ? mesh_.find_side(q, p) : s;
-  }
-
   /// \returns false if a side could not be found, because of seams.
   bool flip_crossed(Vertex_id a, Vertex_id end) {
     made_.clear();
     for (std::size_t i = 0; i < crossed_.size(); ++i) {
       const auto [p, q] = crossed_[i];
-      const Side s = side_between(p, q);
+      const Side s = mesh_.find_side(p, q);
       if (s.is_border()) return false;
       const Side o = mesh_.across(s);
       const Vertex_id A = mesh_.opposite(s), B = mesh_.source(s), C = mesh_.target(s), D = mesh_.opposite(o);
@@ -223,7 +224,7 @@ private:
 
   void make_Delaunay() {
     for (const auto& [p, q] : made_) {
-      const Side s = side_between(p, q);
+      const Side s = mesh_.find_side(p, q);
       if (s.is_border()) continue; // flipped away already
       doubtful_.push_back(s);
       mesh_.make_Delaunay(doubtful_);
