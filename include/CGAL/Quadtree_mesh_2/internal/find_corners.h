@@ -12,7 +12,7 @@
 // The radius is as large as that allows: the shortest leg (half of it where the other end has a ring too), or
 // 0.6 of the distance to what intrudes into the corner's sectors. Intruders are found in the constrained
 // Delaunay triangulation, from the apex outwards in sight of it, so nothing is scanned and nothing behind a
-// constraint counts. O(n + triangles of the lopped sectors within the ring).
+// constraint counts. O(n + triangles of the lopped sectors within the ring), and O(k log k) for k sectors at a vertex.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_FIND_CORNERS_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_FIND_CORNERS_H
@@ -23,6 +23,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -45,6 +47,7 @@ public:
       link_sectors(i, j);
       i = j;
     }
+    visit_of_.assign(mesh_.triangles.size(), 0);
     for (Corner& c : corners_.corners) set_radius(c);
   }
 
@@ -58,13 +61,19 @@ private:
     Triangle_id first;
   };
 
+  using Leg_of_sector = std::pair<Edge_id, std::size_t>;
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+
   Meshing_state<Geometry>& state_;
   Kernel_mesh<Geometry>& mesh_;
   Acute_corners<Geometry>& corners_;
   std::vector<Acute_sector> acute_;
   std::vector<std::vector<Triangle_id>>
       first_triangles_; // per corner: where the sectors of all its legs begin
-  std::vector<Triangle_id> stack_, visited_;
+  std::vector<Leg_of_sector> by_right_, by_left_;
+  std::vector<Triangle_id> stack_;
+  std::vector<std::uint32_t> visit_of_; // per triangle: the last visit to it
+  std::uint32_t visit_ = 0;             // the number of the sector that is visited
 
   Vector direction(Vertex_id from, Vertex_id to) const {
     return Geometry::difference(mesh_.point(to), mesh_.point(from));
@@ -115,17 +124,18 @@ private:
   /// Joins the sectors [i, j), all at one vertex, to corners: maximal runs that share legs. Only a corner
   /// with a lopped sector is kept.
   void link_sectors(std::size_t i, std::size_t j) {
+    sort_by_leg(i, j, &Acute_sector::right, by_right_);
+    sort_by_leg(i, j, &Acute_sector::left, by_left_);
     std::vector<char> is_taken(j - i, 0);
     for (std::size_t s = i; s < j; ++s) {
       if (is_taken[s - i] != 0) continue;
       std::size_t first = s; // go clockwise to the run's first sector, or once around
-      for (std::size_t p = sector_with_left(i, j, acute_[s].right); p < j && p != s;) {
+      for (std::size_t p = sector_at(by_left_, acute_[s].right); p != none && p != s;) {
         first = p;
-        p = sector_with_left(i, j, acute_[p].right);
+        p = sector_at(by_left_, acute_[p].right);
       }
       std::vector<std::size_t> run;
-      for (std::size_t p = first; p < j && is_taken[p - i] == 0;
-           p = sector_with_right(i, j, acute_[p].left)) {
+      for (std::size_t p = first; p != none && is_taken[p - i] == 0; p = sector_at(by_right_, acute_[p].left)) {
         is_taken[p - i] = 1;
         run.push_back(p);
       }
@@ -133,15 +143,16 @@ private:
     }
   }
 
-  std::size_t sector_with_left(std::size_t i, std::size_t j, Edge_id e) const {
-    for (; i < j; ++i)
-      if (acute_[i].left == e) return i;
-    return j;
+  /// The sectors [i, j) by one of their legs. An edge is the right leg of one sector at a vertex, and the left of one.
+  void sort_by_leg(std::size_t i, std::size_t j, Edge_id Acute_sector::*leg, std::vector<Leg_of_sector>& sorted) const {
+    sorted.clear();
+    for (std::size_t s = i; s < j; ++s) sorted.push_back({acute_[s].*leg, s});
+    std::sort(sorted.begin(), sorted.end());
   }
-  std::size_t sector_with_right(std::size_t i, std::size_t j, Edge_id e) const {
-    for (; i < j; ++i)
-      if (acute_[i].right == e) return i;
-    return j;
+
+  static std::size_t sector_at(const std::vector<Leg_of_sector>& sorted, Edge_id leg) {
+    const auto found = std::lower_bound(sorted.begin(), sorted.end(), Leg_of_sector{leg, 0});
+    return found != sorted.end() && found->first == leg ? found->second : none;
   }
 
   void add_corner(const std::vector<std::size_t>& run) {
@@ -194,7 +205,7 @@ private:
   /// The radius reduced to 0.6 of the distance to what is nearer than it in the sector that begins with
   /// triangle t.
   double radius_clear_of_intruders(Vertex_id apex, Triangle_id first, double r) {
-    visited_.clear();
+    ++visit_;
     stack_.assign(1, first);
     const Vertex_id right =
         mesh_.triangle(first).v[next_slot[Kernel_mesh<Geometry>::slot_of(mesh_.triangle(first), apex)]];
@@ -202,8 +213,8 @@ private:
     while (!stack_.empty()) {
       const Triangle_id t = stack_.back();
       stack_.pop_back();
-      if (std::find(visited_.begin(), visited_.end(), t) != visited_.end()) continue;
-      visited_.push_back(t);
+      if (visit_of_[std::size_t(t)] == visit_) continue;
+      visit_of_[std::size_t(t)] = visit_;
       const auto& q = mesh_.triangle(t);
       for (int k = 0; k < 3; ++k) {
         if (q.v[k] != apex && q.v[k] != right && q.v[k] != left)
