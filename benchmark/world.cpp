@@ -41,7 +41,8 @@ public:
     const auto& bins = raw_.segment_markers;
     std::vector<std::size_t> order(raw_.segments.size());
     std::iota(order.begin(), order.end(), std::size_t(0));
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t s, std::size_t t) { return bins[s] < bins[t]; });
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::size_t s, std::size_t t) { return bins[s] < bins[t]; });
     for (std::size_t i = 0; i < order.size();) {
       const std::size_t begin = i;
       while (i < order.size() && bins[order[i]] == bins[order[begin]]) ++i;
@@ -73,7 +74,8 @@ private:
 
   void repair(const std::size_t* begin, const std::size_t* end) {
     Pslg bin = frame_of(begin, end);
-    std::vector<Vertex_index> global(bin.number_of_vertices()); // per vertex of the bin; of the frame's they are not used
+    std::vector<Vertex_index> global(
+        bin.number_of_vertices()); // per vertex of the bin; of the frame's they are not used
     std::unordered_map<std::size_t, Vertex_index> local;
     const auto local_vertex = [&](Vertex_index v) {
       const auto [place, is_new] = local.emplace(std::size_t(v), Vertex_index(global.size()));
@@ -94,7 +96,8 @@ private:
     const Pslg repaired = CGAL::repair_pslg_2(bin, options, report);
     for (std::size_t v = global.size(); v < repaired.vertices.size(); ++v)
       global.push_back(result_.add_vertex(repaired.vertices[v]));
-    for (const auto& [a, b] : repaired.segments) result_.add_segment(global[std::size_t(a)], global[std::size_t(b)]);
+    for (const auto& [a, b] : repaired.segments)
+      result_.add_segment(global[std::size_t(a)], global[std::size_t(b)]);
     crossings_ += report.crossings;
     split_segments_ += report.split_segments;
     overlapping_segments_ += report.overlapping_segments;
@@ -114,7 +117,8 @@ int main(int argc, char** argv) {
     Bin_repairer repairer(raw);
     const Pslg repaired = repairer.run();
     CGAL::IO::write_triangle_poly(argv[2], repaired);
-    std::printf("%zu vertices, %zu segments; %zu crossings became vertices, %zu segments were cut, %zu were covered by "
+    std::printf("%zu vertices, %zu segments; %zu crossings became vertices, %zu segments were cut, %zu were "
+                "covered by "
                 "others; %.1f processor seconds, %.0f MB\n",
                 repaired.number_of_vertices(), repaired.number_of_segments(), repairer.crossings(),
                 repairer.split_segments(), repairer.overlapping_segments(), cpu_seconds(), peak_memory_mb());

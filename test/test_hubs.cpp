@@ -24,8 +24,10 @@ using pslg_test::Vertex_index;
 /// A box around the unit square.
 void add_box(Pslg& pslg) {
   const std::size_t first = pslg.number_of_vertices();
-  for (const Point& p : {Point(-1.25, -1.25), Point(1.5, -1.25), Point(1.5, 1.5), Point(-1.25, 1.5)}) pslg.add_vertex(p);
-  for (std::size_t i = 0; i < 4; ++i) pslg.add_segment(Vertex_index(first + i), Vertex_index(first + (i + 1) % 4));
+  for (const Point& p : {Point(-1.25, -1.25), Point(1.5, -1.25), Point(1.5, 1.5), Point(-1.25, 1.5)})
+    pslg.add_vertex(p);
+  for (std::size_t i = 0; i < 4; ++i)
+    pslg.add_segment(Vertex_index(first + i), Vertex_index(first + (i + 1) % 4));
 }
 
 /// A chain, or a fan whose hub is the origin, of n points of a curve.
@@ -49,7 +51,8 @@ Pslg curve(const std::string& name, std::size_t n) {
 } // namespace
 
 TEST_CASE("Vertices of huge degree are meshed to the bound", "[quality_mesher_2][hubs]") {
-  const std::string name = GENERATE(as<std::string>(), "line", "upright", "parabola", "circle", "comb", "fan");
+  const std::string name =
+      GENERATE(as<std::string>(), "line", "upright", "parabola", "circle", "comb", "fan");
   CAPTURE(name);
   run_to_the_bound(curve(name, 3000), Options());
 }

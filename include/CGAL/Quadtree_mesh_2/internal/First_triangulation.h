@@ -264,7 +264,8 @@ private:
         }
         const auto rest = work.inserter->insert(a, b, s);
         if (!rest.is_empty())
-          work.segments_left.push_back({block.mesh.input_number(rest.from), block.mesh.input_number(rest.to), s});
+          work.segments_left.push_back(
+              {block.mesh.input_number(rest.from), block.mesh.input_number(rest.to), s});
       }
     });
   }

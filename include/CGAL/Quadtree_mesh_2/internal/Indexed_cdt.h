@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <vector>
 
 namespace CGAL {
@@ -49,6 +50,7 @@ public:
     using Map = typename Pointer_property_map<Point>::const_type;
     using Sort_traits = Spatial_sort_traits_adapter_2<Kernel, Map>;
     spatial_sort(chosen.begin(), chosen.end(), Sort_traits(make_property_map(points.data())));
+    begin_with_a_triangle(points, chosen);
     Face_handle hint;
     for (std::size_t i : chosen) {
       const auto before = cdt_.number_of_vertices();
@@ -98,6 +100,21 @@ public:
   const Cdt& cdt() const { return cdt_; }
 
 private:
+  /// Moves a point off the line of the first ones to the front: CGAL locates points in O(n) each as long as all are
+  /// collinear.
+  static void begin_with_a_triangle(const std::vector<Point>& points, std::vector<std::size_t>& chosen) {
+    const auto begin = chosen.begin(), end = chosen.end();
+    const auto is_elsewhere = [&](std::size_t i) { return points[i] != points[chosen.front()]; };
+    const auto second = std::find_if(begin, end, is_elsewhere);
+    if (second == end) return;
+    const auto off = std::find_if(second, end, [&](std::size_t i) {
+      return orientation(points[chosen.front()], points[*second], points[i]) != COLLINEAR;
+    });
+    if (off == end) return;
+    std::swap(*std::next(begin), *second);
+    std::rotate(begin, off, std::next(off));
+  }
+
   Cdt cdt_;
   std::vector<Vertex_handle> handles_;
   std::vector<std::uint32_t> degrees_; // segments at each place

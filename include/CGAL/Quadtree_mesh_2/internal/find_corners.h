@@ -135,7 +135,8 @@ private:
         p = sector_at(by_left_, acute_[p].right);
       }
       std::vector<std::size_t> run;
-      for (std::size_t p = first; p != none && is_taken[p - i] == 0; p = sector_at(by_right_, acute_[p].left)) {
+      for (std::size_t p = first; p != none && is_taken[p - i] == 0;
+           p = sector_at(by_right_, acute_[p].left)) {
         is_taken[p - i] = 1;
         run.push_back(p);
       }
@@ -144,7 +145,8 @@ private:
   }
 
   /// The sectors [i, j) by one of their legs. An edge is the right leg of one sector at a vertex, and the left of one.
-  void sort_by_leg(std::size_t i, std::size_t j, Edge_id Acute_sector::*leg, std::vector<Leg_of_sector>& sorted) const {
+  void sort_by_leg(std::size_t i, std::size_t j, Edge_id Acute_sector::*leg,
+                   std::vector<Leg_of_sector>& sorted) const {
     sorted.clear();
     for (std::size_t s = i; s < j; ++s) sorted.push_back({acute_[s].*leg, s});
     std::sort(sorted.begin(), sorted.end());
