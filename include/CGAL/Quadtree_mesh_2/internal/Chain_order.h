@@ -74,8 +74,8 @@ private:
   };
   /// The box of an edge of a chain with what lies between it and its segment, or of a vertex.
   struct Item_box : Box_intersection_d::Box_d<double, 2> {
-    Item_box(const Bbox_2& box, std::size_t i)
-        : Box_intersection_d::Box_d<double, 2>(box), item(i) {}
+    Item_box(const Bbox_2& box, std::size_t number)
+        : Box_intersection_d::Box_d<double, 2>(box), item(number) {}
     std::size_t item; // in `edges_`, or the vertex
   };
 

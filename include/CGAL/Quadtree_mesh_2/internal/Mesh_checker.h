@@ -52,6 +52,10 @@ public:
   bool check_arrays() {
     check_sizes();
     const std::size_t errors = quality_.number_of_errors;
+    check_coordinates("vertex ", mesh_.points);
+    check_coordinates("input vertex ", pslg_.vertices);
+    check_coordinates("hole ", pslg_.holes);
+    check_coordinates("region ", region_points());
     for (std::size_t s = 0; s < pslg_.segments.size(); ++s)
       for (Vertex_index v : pslg_.segments[s])
         if (std::size_t(v) >= pslg_.vertices.size())
@@ -117,6 +121,17 @@ private:
     const std::size_t regions = pslg_.regions.empty() ? 0 : mesh_.triangles.size();
     if (mesh_.region_of_triangle.size() != regions)
       error("there are ", mesh_.region_of_triangle.size(), " entries of region_of_triangle, not ", regions);
+  }
+
+  void check_coordinates(const char* what, const std::vector<Point>& points) {
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if (!std::isfinite(points[i].x()) || !std::isfinite(points[i].y()))
+        error(what, i, " is at (", points[i].x(), ", ", points[i].y(), ")");
+  }
+  std::vector<Point> region_points() const {
+    std::vector<Point> points;
+    for (const auto& region : pslg_.regions) points.push_back(region.point);
+    return points;
   }
 
   static bool same_bits(double a, double b) { return a == b && std::signbit(a) == std::signbit(b); }
@@ -185,8 +200,7 @@ private:
   // --- the input: vertices, segments, domain ---
 
   void check_against_input() {
-    std::vector<Point> marks;
-    for (const auto& region : pslg_.regions) marks.push_back(region.point);
+    const std::vector<Point> marks = region_points();
     const Domain domain(pslg_.vertices, pslg_.segments, pslg_.holes, options_.domain, marks);
     if (domain.has_crossings()) return error("input segments cross; this is no planar straight-line graph");
     for (std::size_t h : domain.ambiguous_holes()) ambiguous_error("hole ", h, pslg_.holes[h]);
