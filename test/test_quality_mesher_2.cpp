@@ -312,6 +312,15 @@ TEST_CASE("A CGAL triangulation is refined in place", "[mesher]") {
   CHECK(open.number_of_vertices() == 3);
 }
 
+TEST_CASE("Meshes that are fine are called fine, whatever is small beside what", "[mesher]") {
+  const std::string name = GENERATE(as<std::string>(), "unit_quad_at_3e6.poly", "near_border_and_segment.poly",
+                                    "wedge_3e-14deg.poly");
+  CAPTURE(name);
+  const Pslg pslg = read(name);
+  const Run r = name == "near_border_and_segment.poly" ? run(pslg, Options()) : run_to_the_bound(pslg, Options());
+  if (name == "wedge_3e-14deg.poly") CHECK(r.quality.exempt_triangles == 1);
+}
+
 TEST_CASE("Meshes of the maps are valid CGAL triangulations", "[mesher]") {
   using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
   using Vb = CGAL::Triangulation_vertex_base_2<Kernel>;
