@@ -159,7 +159,8 @@ TEST_CASE("A vertex on a segment may be four units off, no more", "[mesh_checker
     const Segment_index s = mesh.segment_of_vertex[v];
     if (!s.is_valid() || std::size_t(s) >= 12) continue; // those of the squares are parallel to the axes
     CAPTURE(v);
-    const Point &p = pslg.point(pslg.segments[std::size_t(s)][0]), &q = pslg.point(pslg.segments[std::size_t(s)][1]);
+    const Point &p = pslg.point(pslg.segments[std::size_t(s)][0]),
+                &q = pslg.point(pslg.segments[std::size_t(s)][1]);
     const bool is_level = p.y() == q.y();
     const double at = is_level ? p.y() : p.x();
     REQUIRE((is_level ? mesh.points[v].y() : mesh.points[v].x()) == at);
@@ -169,7 +170,8 @@ TEST_CASE("A vertex on a segment may be four units off, no more", "[mesh_checker
       changed.points[v] = is_level ? Point(mesh.points[v].x(), at + units * unit)
                                    : Point(at + units * unit, mesh.points[v].y());
       CAPTURE(units);
-      const bool is_beyond = std::abs((is_level ? changed.points[v].y() : changed.points[v].x()) - at) > 4 * unit;
+      const bool is_beyond =
+          std::abs((is_level ? changed.points[v].y() : changed.points[v].x()) - at) > 4 * unit;
       CHECK(mesh_quality_2(changed, pslg).is_valid() != is_beyond);
       CHECK(is_valid_by_search(changed, pslg) != is_beyond);
       if (at != 0) CHECK(is_valid(changed, pslg) != is_beyond); // scaled, the unit of 0 stays what it is
@@ -218,20 +220,13 @@ TEST_CASE("Parts of the domain do not overlap, by not even a unit", "[mesh_check
   CAPTURE(y, gap);
   Pslg pslg;
   add_polygon(pslg, {Point(y, y - 4), Point(y + 4, y - 4), Point(y + 4, y), Point(y, y)});
-  add_polygon(pslg, {Point(y, y + gap * unit), Point(y + 4, y + gap * unit), Point(y + 4, y + 4), Point(y, y + 4)});
+  add_polygon(pslg,
+              {Point(y, y + gap * unit), Point(y + 4, y + gap * unit), Point(y + 4, y + 4), Point(y, y + 4)});
   for (int units = -5; units <= 5; ++units) {
     CAPTURE(units);
-    const Mesh mesh = make_mesh(pslg, {{Point(y + 2, y + units * unit), 2}},
-                                {{0, 1, 8}, {1, 2, 8}, {0, 8, 3}, {4, 5, 6}, {4, 6, 7}},
-                                {{0, 1, 0},
-                                 {1, 2, 1},
-                                 {2, 8, 2},
-                                 {8, 3, 2},
-                                 {3, 0, 3},
-                                 {4, 5, 4},
-                                 {5, 6, 5},
-                                 {6, 7, 6},
-                                 {7, 4, 7}});
+    const Mesh mesh = make_mesh(
+        pslg, {{Point(y + 2, y + units * unit), 2}}, {{0, 1, 8}, {1, 2, 8}, {0, 8, 3}, {4, 5, 6}, {4, 6, 7}},
+        {{0, 1, 0}, {1, 2, 1}, {2, 8, 2}, {8, 3, 2}, {3, 0, 3}, {4, 5, 4}, {5, 6, 5}, {6, 7, 6}, {7, 4, 7}});
     const bool is_apart = std::abs(units) <= 4 && units < gap;
     CHECK(is_valid(mesh, pslg) == is_apart);
     CHECK(is_valid_by_search(mesh, pslg) == is_apart);
@@ -247,9 +242,9 @@ TEST_CASE("A part of the domain is not within another", "[mesh_checker]") {
   add_polygon(pslg, {Point(y + 2, y + unit), Point(y + 2 + unit, y + unit), Point(y + 2, y + 2 * unit)});
   for (int units = -4; units <= 4; ++units) {
     CAPTURE(units);
-    const Mesh mesh = make_mesh(
-        pslg, {{Point(y + 2, y + units * unit), 2}}, {{0, 1, 7}, {1, 2, 7}, {0, 7, 3}, {4, 5, 6}},
-        {{0, 1, 0}, {1, 2, 1}, {2, 7, 2}, {7, 3, 2}, {3, 0, 3}, {4, 5, 4}, {5, 6, 5}, {6, 4, 6}});
+    const Mesh mesh =
+        make_mesh(pslg, {{Point(y + 2, y + units * unit), 2}}, {{0, 1, 7}, {1, 2, 7}, {0, 7, 3}, {4, 5, 6}},
+                  {{0, 1, 0}, {1, 2, 1}, {2, 7, 2}, {7, 3, 2}, {3, 0, 3}, {4, 5, 4}, {5, 6, 5}, {6, 4, 6}});
     CHECK(is_valid(mesh, pslg) == (units < 1));
   }
 }
@@ -265,9 +260,12 @@ TEST_CASE("Two segments do not meet at a vertex that is none of the input's", "[
                         {{0, 6, 0}, {6, 1, 0}, {1, 2, 1}, {2, 3, 2}, {3, 0, 3}, {4, 5, 4}});
   CHECK(is_valid(mesh, pslg));
   // the vertex below, now of both segments
-  mesh.triangles = {{Vertex_index(0), Vertex_index(6), Vertex_index(4)}, {Vertex_index(6), Vertex_index(1), Vertex_index(5)},
-                    {Vertex_index(1), Vertex_index(2), Vertex_index(5)}, {Vertex_index(4), Vertex_index(6), Vertex_index(3)},
-                    {Vertex_index(6), Vertex_index(5), Vertex_index(3)}, {Vertex_index(5), Vertex_index(2), Vertex_index(3)},
+  mesh.triangles = {{Vertex_index(0), Vertex_index(6), Vertex_index(4)},
+                    {Vertex_index(6), Vertex_index(1), Vertex_index(5)},
+                    {Vertex_index(1), Vertex_index(2), Vertex_index(5)},
+                    {Vertex_index(4), Vertex_index(6), Vertex_index(3)},
+                    {Vertex_index(6), Vertex_index(5), Vertex_index(3)},
+                    {Vertex_index(5), Vertex_index(2), Vertex_index(3)},
                     {Vertex_index(0), Vertex_index(4), Vertex_index(3)}};
   complete(mesh);
   mesh.constrained_edges.back().vertices = {Vertex_index(4), Vertex_index(6)};

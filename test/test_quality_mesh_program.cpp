@@ -54,7 +54,8 @@ TEST_CASE("the program refuses holes on segments with the numbers of the input",
   const Run on_segment = run(test_data("hole_on_segment.poly") + " --kernel " + kernel);
   CAPTURE(kernel, on_segment.err);
   CHECK(on_segment.status == 2);
-  CHECK(contains(on_segment.err, "the point of hole 0 (4, 0.5) lies on segment 4 from vertex 4 (6, 1) to vertex 5 (2, 0)"));
+  CHECK(contains(on_segment.err,
+                 "the point of hole 0 (4, 0.5) lies on segment 4 from vertex 4 (6, 1) to vertex 5 (2, 0)"));
   const Run on_vertex = run(test_data("hole_on_vertex.poly") + " --kernel " + kernel);
   CAPTURE(on_vertex.err);
   CHECK(on_vertex.status == 2);

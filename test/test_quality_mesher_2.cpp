@@ -313,11 +313,12 @@ TEST_CASE("A CGAL triangulation is refined in place", "[mesher]") {
 }
 
 TEST_CASE("Meshes that are fine are called fine, whatever is small beside what", "[mesher]") {
-  const std::string name = GENERATE(as<std::string>(), "unit_quad_at_3e6.poly", "near_border_and_segment.poly",
-                                    "wedge_3e-14deg.poly");
+  const std::string name = GENERATE(as<std::string>(), "unit_quad_at_3e6.poly",
+                                    "near_border_and_segment.poly", "wedge_3e-14deg.poly");
   CAPTURE(name);
   const Pslg pslg = read(name);
-  const Run r = name == "near_border_and_segment.poly" ? run(pslg, Options()) : run_to_the_bound(pslg, Options());
+  const Run r =
+      name == "near_border_and_segment.poly" ? run(pslg, Options()) : run_to_the_bound(pslg, Options());
   if (name == "wedge_3e-14deg.poly") CHECK(r.quality.exempt_triangles == 1);
 }
 

@@ -30,9 +30,9 @@
 namespace {
 
 using namespace mesher_test;
+using CGAL::Pslg_seed_error_2;
 using pslg_test::make_pslg;
 using pslg_test::Point;
-using CGAL::Pslg_seed_error_2;
 using Domain = Options::Domain;
 using Kind = Pslg_seed_error_2::Kind;
 
@@ -54,7 +54,8 @@ CGAL::Pslg_2<typename Traits::Point_2> convert(const Pslg& pslg) {
   for (const Point& p : pslg.vertices) result.vertices.push_back(convert<Traits>(p));
   result.segments = pslg.segments;
   for (const Point& p : pslg.holes) result.holes.push_back(convert<Traits>(p));
-  for (const auto& r : pslg.regions) result.regions.push_back({convert<Traits>(r.point), r.attribute, r.max_area});
+  for (const auto& r : pslg.regions)
+    result.regions.push_back({convert<Traits>(r.point), r.attribute, r.max_area});
   return result;
 }
 
@@ -78,14 +79,15 @@ std::optional<Pslg_seed_error_2> refusal(const Pslg& pslg, Domain domain = Domai
 /// A box with a triangle, whose long side from (8, 8) to (24, 16) passes the points (10, 9), (12, 10), ...; a segment
 /// dangles in the triangle, from (12, 12) to (14, 14).
 Pslg box_with_triangle() {
-  return make_pslg<double>({{0, 0}, {32, 0}, {32, 32}, {0, 32}, {8, 8}, {24, 16}, {10, 24}, {12, 12}, {14, 14}},
-                           {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6}, {6, 4}, {7, 8}});
+  return make_pslg<double>(
+      {{0, 0}, {32, 0}, {32, 32}, {0, 32}, {8, 8}, {24, 16}, {10, 24}, {12, 12}, {14, 14}},
+      {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6}, {6, 4}, {7, 8}});
 }
 
 } // namespace
 
-TEMPLATE_TEST_CASE("Points on segments between components are refused by name", "[mesher][domain][seeds]", Doubles,
-                   Words, Exact) {
+TEMPLATE_TEST_CASE("Points on segments between components are refused by name", "[mesher][domain][seeds]",
+                   Doubles, Words, Exact) {
   Pslg pslg = box_with_triangle();
   SECTION("inside a segment") {
     pslg.holes = {Point(2, 2), Point(12, 10)};
@@ -136,8 +138,9 @@ TEST_CASE("Holes next to segments are on the side where they are", "[mesher][dom
   random_pslg::Random random(1);
   const auto any = [&] { return static_cast<double>(random.bits() >> 11) * 0x1p-53; };
   for (int i = 0; i < (is_full_run() ? 2000 : 100); ++i) {
-    Pslg pslg = make_pslg<double>({{-2, -2}, {3, -2}, {3, 3}, {-2, 3}, {any(), any()}, {1 + any(), any()}, {any(), 1 + any()}},
-                                  {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6}, {6, 4}});
+    Pslg pslg = make_pslg<double>(
+        {{-2, -2}, {3, -2}, {3, 3}, {-2, 3}, {any(), any()}, {1 + any(), any()}, {any(), 1 + any()}},
+        {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6}, {6, 4}});
     const Point p = pslg.vertices[4], q = pslg.vertices[5];
     if (CGAL::orientation(p, q, pslg.vertices[6]) != CGAL::LEFT_TURN) continue;
     const double share = any();

@@ -46,6 +46,8 @@ mesh_graph::Options to_words(mesh_graph::Options options, const Word_map<Point>&
 
 } // namespace
 
+double mesh_graph::unit_of_words(const Pslg& pslg) { return Word_map<Point>(pslg.vertices).unit(); }
+
 mesh_graph::Mesh mesh_graph::in_words(const Pslg& pslg, const Options& options, Neighbors neighbors,
                                       Report& report) {
   CGAL::check_pslg_structure(pslg); // the scale wants finite coordinates

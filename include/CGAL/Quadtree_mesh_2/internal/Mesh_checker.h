@@ -272,7 +272,8 @@ private:
     if (half_edge == none_ || !has_regions()) return;
     const int found = mesh_.region_of_triangle[half_edge / 3];
     if (found != expected)
-      error("triangle ", half_edge / 3, " is in region ", found, ", but by the regions' points in ", expected);
+      error("triangle ", half_edge / 3, " is in region ", found, ", but by the regions' points in ",
+            expected);
   }
   bool has_regions() const {
     return has_all_arrays() && !pslg_.regions.empty() &&
