@@ -249,6 +249,38 @@ TEST_CASE("A part of the domain is not within another", "[mesh_checker]") {
   }
 }
 
+TEST_CASE("Without a domain, triangles do not overlap either", "[mesh_checker]") {
+  const Options any =
+      Options().check_domain(Options::Domain::ANY).check_arrays(Options::Arrays::POINTS_AND_TRIANGLES);
+  const auto is_fine = [&](const std::vector<Point>& points,
+                           const std::vector<std::array<std::size_t, 3>>& triangles) {
+    Pslg pslg;
+    pslg.vertices = points;
+    return mesh_quality_2(make_mesh(pslg, {}, triangles, {}), pslg, any).is_valid();
+  };
+  const Point a(0, 0), b(4, 0), c(0, 4), d(4, 4);
+  CHECK(is_fine({a, b, c, d}, {{0, 1, 2}, {1, 3, 2}}));
+  CHECK(is_fine({a, b, c, Point(5, 0), Point(9, 0), Point(5, 4)}, {{0, 1, 2}, {3, 4, 5}}));
+  // beside each other, one in the other, crossing, with a vertex on a side, touching in a vertex
+  CHECK(is_fine({a, b, c, Point(4, 1), Point(6, 0), Point(6, 1)}, {{0, 1, 2}, {3, 4, 5}}));
+  CHECK_FALSE(is_fine({a, b, c, Point(1, 1), Point(1.5, 1), Point(1, 1.5)}, {{0, 1, 2}, {3, 4, 5}}));
+  CHECK_FALSE(is_fine({a, b, c, Point(1, 1), Point(5, 1), Point(5, 2)}, {{0, 1, 2}, {3, 4, 5}}));
+  CHECK_FALSE(is_fine({a, b, c, Point(2, 2), Point(5, 1), Point(5, 2)}, {{0, 1, 2}, {3, 4, 5}}));
+  CHECK(is_fine({a, b, c, Point(5, -1), Point(5, 2)}, {{0, 1, 2}, {1, 3, 4}}));
+  // a fan that goes around its center twice
+  std::vector<Point> star;
+  for (int i = 0; i < 10; ++i)
+    star.emplace_back((i + 1) * std::cos(0.4 * i * CGAL_PI), (i + 1) * std::sin(0.4 * i * CGAL_PI));
+  star.emplace_back(0, 0);
+  std::vector<std::array<std::size_t, 3>> fan;
+  for (std::size_t i = 0; i < 9; ++i) fan.push_back({i, i + 1, 10});
+  CHECK_FALSE(is_fine(star, fan));
+  fan.resize(4);
+  star.erase(star.begin() + 5, star.begin() + 10);
+  for (auto& t : fan) t[2] = 5;
+  CHECK(is_fine(star, fan));
+}
+
 TEST_CASE("Two segments do not meet at a vertex that is none of the input's", "[mesh_checker]") {
   Pslg pslg;
   add_polygon(pslg, {Point(1, 1), Point(3, 1), Point(3, 3), Point(1, 3)});
