@@ -90,7 +90,8 @@ Exit_status execute(const Command_line& line) {
     run.peak_memory_mb = peak_memory_mb();
   };
   run.peak_memory_mb = peak_memory_mb();
-  write_all(line, add_mesh, [&] { return run_json(run); }, [&] { print_run(run, line.options); });
+  write_all(
+      line, add_mesh, [&] { return run_json(run); }, [&] { print_run(run, line.options); });
   return is_bound_met(run) ? DONE : BOUND_UNMET;
 }
 

@@ -29,7 +29,9 @@ namespace internal {
 /// Points go in along a space-filling curve: O(n log n) in practice. Points at one place share a vertex,
 /// whose `info()` is the least of their indices (their *place*). Segments may overlap and pass through
 /// vertices; if they cross, `has_crossings()` is `true` and the triangulation has vertices of its own.
-template <class Kernel, class FaceInfo>
+/// \tparam Intersection_tag CGAL's for constraints that cross; with
+/// `No_constraint_intersection_requiring_constructions_tag` they are a `Crossing`, which is thrown.
+template <class Kernel, class FaceInfo, class Intersection_tag = Exact_predicates_tag>
 class Indexed_cdt {
 public:
   using Point = typename Kernel::Point_2;
@@ -37,7 +39,8 @@ public:
   using Face_base =
       Triangulation_face_base_with_info_2<FaceInfo, Kernel, Constrained_triangulation_face_base_2<Kernel>>;
   using Tds = Triangulation_data_structure_2<Vertex_base, Face_base>;
-  using Cdt = Constrained_Delaunay_triangulation_2<Kernel, Tds, Exact_predicates_tag>;
+  using Cdt = Constrained_Delaunay_triangulation_2<Kernel, Tds, Intersection_tag>;
+  using Crossing = typename Cdt::Intersection_of_constraints_exception;
   using Vertex_handle = typename Cdt::Vertex_handle;
   using Face_handle = typename Cdt::Face_handle;
 
