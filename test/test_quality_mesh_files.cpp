@@ -148,6 +148,7 @@ TEST_CASE("options out of range are refused by name", "[program]") {
     for (const char* const value : {"nan", "inf", "-inf", "1e999", "-5", "''", "x", "5x"})
       cases.push_back({in + option + ' ' + value, option});
   check_refused(folder, cases);
+  CHECK(run(in + "--quiet --threads 256").status == 0);
 }
 
 TEST_CASE("what is no file of text is refused", "[program]") {
