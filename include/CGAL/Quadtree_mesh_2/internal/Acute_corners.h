@@ -184,9 +184,9 @@ public:
   }
 
   /// Whether a triangle below the bound is excused by its corner.
-  bool is_exempt(const Mesh& mesh, Vertex_id a, Vertex_id b, Vertex_id c, const Shape& shape) const {
+  bool is_exempt(const Mesh& mesh, Vertex_id a, Vertex_id b, Vertex_id c) const {
     const Sector_id s = sector_of(mesh, a, b, c);
-    return s >= 0 && !shape.is_below(sector(s).exempt_sin2);
+    return s >= 0 && !mesh.shape_of_flat(a, b, c).is_below(sector(s).exempt_sin2);
   }
 
 private:

@@ -188,6 +188,15 @@ public:
     return {{squared_length(v), squared_length(w), squared_length(u)}, Geometry::doubled_area(u, v, a, b, c)};
   }
 
+  /// With an area that is good to a relative 1e-4 however flat the triangle is.
+  Shape shape_of_flat(Vertex_id a, Vertex_id b, Vertex_id c) const {
+    Shape s = shape(a, b, c);
+    s.area2 = Geometry::doubled_area_of_flat(Geometry::difference(point(b), point(a)),
+                                             Geometry::difference(point(c), point(b)), point(a), point(b),
+                                             point(c));
+    return s;
+  }
+
   int orientation(Vertex_id a, Vertex_id b, Vertex_id c) const {
     return Geometry::orientation(point(a), point(b), point(c));
   }

@@ -151,7 +151,7 @@ private:
 
     find_domain();
     edge_sides_.emplace(state_.mesh, problem_.edges);
-    if constexpr (Geometry::has_unlimited_coordinates) check_distances();
+    if constexpr (Geometry::least_length > 0) check_distances();
     set_bounds();
     estimate_size();
     Corner_finder<Concurrency_tag, Geometry>(state_).run();
@@ -171,14 +171,14 @@ private:
                            : "no domain is left: what the segments enclose, holes take away");
   }
 
-  /// Coordinates are unlimited, the doubles in which angles are compared are not.
+  /// Coordinates tell more apart than the doubles in which angles are compared.
   /// \throws Pslg_error_2 if vertices are nearer to each other, or to segments, than these can tell. Such pairs are
   /// sides and heights of triangles.
   void check_distances() const {
     constexpr double least = Geometry::least_length * Geometry::least_length;
     for (const auto& r : state_.mesh.triangles) {
       if (r.v[0] < 0) continue;
-      const Shape s = state_.mesh.shape(r);
+      const Shape s = state_.mesh.shape_of_flat(r.v[0], r.v[1], r.v[2]);
       if (s.shortest() >= least && s.area2 * s.area2 >= least * s.longest()) continue;
       std::string names;
       for (const Vertex_id v : r.v)
@@ -192,10 +192,11 @@ private:
     Bounds<Geometry>& bounds = problem_.bounds;
     bounds = Bounds<Geometry>(options_.min_angle_in_degrees * degree,
                               options_.max_triangle_area * scale * scale, scale * options_.max_edge_length);
-    bounds.least_squared_length = scale * scale * options_.min_edge_length * options_.min_edge_length;
+    const double least_length = scale * options_.min_edge_length;
+    bounds.least_squared_length = least_length * least_length;
     if (std::any_of(pslg_.regions.begin(), pslg_.regions.end(),
                     [](const auto& region) { return region.max_area > 0; }))
-      set_region_bounds(scale * scale);
+      set_region_bounds(scale);
     if (options_.refined_where)
       bounds.is_refused = [this](const auto& a, const auto& b, const auto& c) {
         return options_.refined_where({map_.place(a), map_.place(b), map_.place(c)});
@@ -222,12 +223,12 @@ private:
     throw Pslg_error_2(budget.refusal_of(estimate.triangles()) + ' ' + culprit);
   }
 
-  void set_region_bounds(double scale2) {
+  void set_region_bounds(double scale) {
     std::vector<double>& bounds = problem_.bounds.area2_of_region;
     bounds.assign(pslg_.regions.size(), std::numeric_limits<double>::infinity());
     for (std::size_t i = 0; i < bounds.size(); ++i)
       if (pslg_.regions[i].max_area > 0)
-        bounds[i] = 2 * scale2 * pslg_.regions[i].max_area * (1 - Bounds<Geometry>::margin);
+        bounds[i] = 2 * (scale * pslg_.regions[i].max_area) * scale * (1 - Bounds<Geometry>::margin);
   }
 
   /// The segments in the kernel's numbering, which is the shuffle order.

@@ -172,9 +172,7 @@ struct Meshing_state {
   bool owns(Corner_id c) const { return !is_block_ || std::binary_search(owned_.begin(), owned_.end(), c); }
   bool is_block() const { return is_block_; }
 
-  bool is_exempt(Vertex_id a, Vertex_id b, Vertex_id c, const Shape& s) const {
-    return corners.is_exempt(mesh, a, b, c, s);
-  }
+  bool is_exempt(Vertex_id a, Vertex_id b, Vertex_id c) const { return corners.is_exempt(mesh, a, b, c); }
 
   bool is_large(Triangle_id t, const Shape& s) const {
     const auto& r = mesh.triangle(t);
@@ -185,7 +183,7 @@ struct Meshing_state {
   bool is_bad(Triangle_id t) const {
     const auto& r = mesh.triangle(t);
     const Shape s = mesh.shape(r);
-    return (bounds.is_sharp(s) && !is_exempt(r.v[0], r.v[1], r.v[2], s)) || is_large(t, s);
+    return (bounds.is_sharp(s) && !is_exempt(r.v[0], r.v[1], r.v[2])) || is_large(t, s);
   }
 
   /// Whether t misses a bound, excused or not.

@@ -137,6 +137,7 @@ private:
     const auto r = mesh_.triangle(t);
     const Shape s = mesh_.shape(r);
     const int k = s.slot_of_shortest();
+    if (!Geometry::is_resolved(mesh_.point(r.v[next_slot[k]]), s.l[k])) return Outcome::refused;
     const Point q = place_for(r, s, k);
     const Walk_end end = walk_in_sight(mesh_, t, q);
     const Side in_the_way =
@@ -161,7 +162,8 @@ private:
     Vector center = {f * (ac.y * lb - ab.y * lc), f * (ab.x * lc - ac.x * lb)};
     if (state_.bounds.is_sharp(s)) {
       const Vector off_center = middle + apex_height_ * Vector{-ab.y, ab.x};
-      if (squared_length(off_center - middle) < squared_length(center - middle)) center = off_center;
+      // not >= : the area of a triangle that is too flat for doubles gives a center that is no number
+      if (!(squared_length(off_center - middle) >= squared_length(center - middle))) center = off_center;
     }
     const Point q = Geometry::translate(a, center);
     const Point corner = Geometry::nearest_corner(q, power_of_two_at_most(0.25 * std::sqrt(s.l[k])));
@@ -215,14 +217,15 @@ private:
     return best;
   }
 
+  /// Puts a vertex at q if that is in t, or on one of its sides, exactly: all triangles made are counterclockwise then.
   Outcome insert(Triangle_id t, const Point& q) {
     const auto& r = mesh_.triangle(t);
     int on_slot = -1, number_on = 0;
     for (int k = 0; k < 3; ++k) {
-      const Vector x = Geometry::difference(mesh_.point(r.v[next_slot[k]]), q);
-      const Vector y = Geometry::difference(mesh_.point(r.v[previous_slot[k]]), q);
-      const Point &a = mesh_.point(r.v[next_slot[k]]), &b = mesh_.point(r.v[previous_slot[k]]);
-      if (!Geometry::is_clearly_left(a, b, q, x, y)) on_slot = k, ++number_on;
+      const int turn =
+          Geometry::orientation(mesh_.point(r.v[next_slot[k]]), mesh_.point(r.v[previous_slot[k]]), q);
+      if (turn < 0) return Outcome::refused; // a walk too long was broken off
+      if (turn == 0) on_slot = k, ++number_on;
     }
     if (on_slot >= 0 && r.side[on_slot].is_seam()) return Outcome::deferred;
     if (number_on > 1 || (on_slot >= 0 && r.side[on_slot].is_constrained())) return Outcome::refused;

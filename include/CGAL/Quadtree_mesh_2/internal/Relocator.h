@@ -208,7 +208,7 @@ private:
       return false;
     for (int i = 0; i < star_.size; ++i) {
       const Shape s = mesh_.shape(p, mesh_.point(star_.link[i]), mesh_.point(star_.link[i + 1]));
-      if (s.area2 <= 0 || state_.bounds.is_sharp(s) ||
+      if (!s.is_certainly_counterclockwise() || state_.bounds.is_sharp(s) ||
           state_.bounds.is_large(s, p, mesh_.point(star_.link[i]), mesh_.point(star_.link[i + 1]),
                                  mesh_.region(star_.corner[i].triangle())))
         return false;

@@ -110,12 +110,10 @@ private:
   Kernel_mesh<Geometry>& mesh_;
   Acute_corners<Geometry>& corners_;
 
-  /// Nothing is cut nearer to an acute apex than this share of the leg. For bounds that are guaranteed only
-  /// features as near as that could ask for it; above, two corners of one vertex may drive each other on
-  /// without end.
-  double least_share_of_leg() const {
-    return state_.bounds.is_guaranteed() ? Geometry::least_share_of_leg : 0x1p-12;
-  }
+  /// Nothing is cut nearer to an acute apex than this share of the leg. For bounds that are guaranteed only features
+  /// as near as that could ask for it, and coordinates alone are the limit; above, two corners of one vertex may drive
+  /// each other on without end.
+  double least_share_of_leg() const { return state_.bounds.is_guaranteed() ? 0 : 0x1p-12; }
 
   double distance(Vertex_id a, Vertex_id b) const {
     return std::sqrt(squared_length(Geometry::difference(mesh_.point(a), mesh_.point(b))));
@@ -322,9 +320,12 @@ private:
     return v;
   }
 
-  /// A rounded point may lie beside its edge: both parts of the triangle must keep their orientation.
+  /// A rounded point may lie beside its edge: both parts of the triangle must keep their orientation, and the edge be
+  /// long enough for that to be no chance.
   bool is_valid_split(Side s, const Point& p) const {
     const Point& apex = mesh_.point(mesh_.opposite(s));
+    for (const Vertex_id end : {mesh_.source(s), mesh_.target(s)})
+      if (!Geometry::is_resolved(p, squared_length(Geometry::difference(mesh_.point(end), p)))) return false;
     return Geometry::orientation(apex, mesh_.point(mesh_.source(s)), p) > 0 &&
            Geometry::orientation(apex, p, mesh_.point(mesh_.target(s))) > 0;
   }

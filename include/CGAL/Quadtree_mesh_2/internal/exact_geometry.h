@@ -38,10 +38,8 @@ template <class Kernel>
 struct Exact_geometry_2 {
   using Field = typename Exact_field<typename Kernel::FT>::Type;
   using Coordinate = Exact_coordinate<Field>;
-  static constexpr bool has_unlimited_coordinates = true;
   /// Vertices nearer to each other, or to a segment, are not meshed.
   static constexpr double least_length = 0x1p-128;
-  static constexpr double least_share_of_leg = 0x1p-145;
   struct Point {
     Coordinate x, y;
 
@@ -62,16 +60,18 @@ struct Exact_geometry_2 {
         Field((b.x.exact() - ax) * (c.y.exact() - ay) - (b.y.exact() - ay) * (c.x.exact() - ax)));
   }
 
+  static double doubled_area_of_flat(Vector u, Vector v, const Point& a, const Point& b, const Point& c) {
+    return doubled_area(u, v, a, b, c);
+  }
+
+  /// Whether a vertex at this squared distance from p can be in any direction.
+  static bool is_resolved(const Point&, double squared_distance) {
+    constexpr double least = 0x1p-17 * least_length;
+    return squared_distance >= least * least;
+  }
+
   static bool is_certainly_in_circle(const Point& a, const Point& b, const Point& c, const Point& d) {
     return is_in_circle(a, b, c, d);
-  }
-  /// Whether q is to the right of a, b; exact.
-  static bool is_beyond(const Point& a, const Point& b, const Point& q, Vector, Vector) {
-    return orientation(a, b, q) < 0;
-  }
-  /// Whether q is to the left of a, b; exact, so that there are no doubts in between.
-  static bool is_clearly_left(const Point& a, const Point& b, const Point& q, Vector, Vector) {
-    return orientation(a, b, q) > 0;
   }
 
   /// A place near p + v: next to it in the grid with the unit 2^-30 of v, so beside p where p is not on that grid.

@@ -102,7 +102,10 @@ private:
     const Vector e = direction(apex, left);
     if (left == right || !is_below_60(d, e) || mesh_.orientation(apex, right, left) <= 0) return;
     sectors.push_back({apex, state_.edges.between(apex, right), state_.edges.between(apex, left),
-                       std::atan2(cross(d, e), dot(d, e)), first});
+                       std::atan2(Geometry::doubled_area_of_flat(d, e, mesh_.point(apex), mesh_.point(right),
+                                                                 mesh_.point(left)),
+                                  dot(d, e)),
+                       first});
   }
 
   static bool is_below_60(Vector d, Vector e) {

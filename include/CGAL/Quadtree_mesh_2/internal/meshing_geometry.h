@@ -10,13 +10,20 @@
 // A geometry gives points, their differences as vectors of doubles, an exact orientation, an exact in-circle
 // test, and the corners of the quadtree's cells. Everything that is certain (which side, inside which circle)
 // is decided on the points; everything that is only better or worse (angles, places of new points) on vectors
-// of doubles, whose components are correct to half a unit in the last place.
+// of doubles, whose components are correct to half a unit in the last place. What is below a rounding error there is
+// no share of any length: a triangle may be as small as coordinates can tell.
+//
+// Double coordinates are of the order of 1 (coordinate_map.h). Products of six differences, by which angles are
+// compared, do not underflow down to differences of 2^-165; vertices nearer than 2^-128 are refused, so that there is
+// room for the triangles around them.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_MESHING_GEOMETRY_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_MESHING_GEOMETRY_H
 
 #include <CGAL/Quadtree_mesh_2/internal/meshing_geometry_fwd.h>
+#include <CGAL/Exact_rational.h>
 #include <CGAL/enum.h>
+#include <CGAL/number_utils.h>
 
 #include <boost/multiprecision/cpp_int.hpp>
 
@@ -51,6 +58,11 @@ struct Shape {
 
   double shortest() const { return std::min(l[0], std::min(l[1], l[2])); }
   double longest() const { return std::max(l[0], std::max(l[1], l[2])); }
+
+  /// Whether the area is positive for certain, if it was computed from differences of coordinates that were rounded
+  /// once: their cross product is then correct to 5 half units in the last place of the sum of its two products, which
+  /// is at most the longest squared side.
+  bool is_certainly_counterclockwise() const { return area2 > 1e-15 * longest(); }
 
   /// Slot of the vertex opposite the shortest side.
   int slot_of_shortest() const { return l[0] <= l[1] && l[0] <= l[2] ? 0 : l[1] <= l[2] ? 1 : 2; }
@@ -122,15 +134,12 @@ struct Rounded_geometry {
     const In_circle test(Geometry::difference(a, d), Geometry::difference(b, d), Geometry::difference(c, d));
     return test.is_flat() ? Geometry::is_in_circle(a, b, c, d) : test.is_certainly_inside();
   }
-  /// Whether q is to the right of a, b; x = a - q and y = b - q.
+  /// The same, to a relative 1e-4 however flat the triangle is.
   template <class Point>
-  static bool is_beyond(const Point&, const Point&, const Point&, Vector x, Vector y) {
-    return cross(x, y) < 0;
-  }
-  /// Whether q is so far to the left of a, b that a triangle of the three is none of rounding: by its height.
-  template <class Point>
-  static bool is_clearly_left(const Point&, const Point&, const Point&, Vector x, Vector y) {
-    return cross(x, y) > 1e-10 * squared_length(x - y);
+  static double doubled_area_of_flat(Vector u, Vector v, const Point& a, const Point& b, const Point& c) {
+    const double l = u.x * v.y, r = u.y * v.x;
+    if (std::fabs(l - r) > 1e-11 * (std::fabs(l) + std::fabs(r))) return l - r;
+    return Geometry::exact_doubled_area(a, b, c);
   }
   /// The point at the given share of the way from p to q, rounded.
   template <class Point>
@@ -145,9 +154,8 @@ struct Rounded_geometry {
 template <class Kernel>
 struct Double_geometry_2 : Rounded_geometry<Double_geometry_2<Kernel>> {
   using Coordinate = double;
-  static constexpr bool has_unlimited_coordinates = false;
-  /// Features of the input nearer to a vertex than this share of an edge at it are beyond coordinates.
-  static constexpr double least_share_of_leg = 0x1p-45;
+  /// Vertices nearer to each other, or to a segment, are not meshed.
+  static constexpr double least_length = 0x1p-128;
   struct Point {
     double x = 0, y = 0;
     friend bool operator==(Point a, Point b) { return a.x == b.x && a.y == b.y; }
@@ -155,6 +163,20 @@ struct Double_geometry_2 : Rounded_geometry<Double_geometry_2<Kernel>> {
 
   static Vector difference(Point p, Point q) { return {p.x - q.x, p.y - q.y}; }
   static Point translate(Point p, Vector v) { return {p.x + v.x, p.y + v.y}; }
+
+  /// Whether a vertex at this squared distance from p can be in any direction: within 4 to 8 units in the last place
+  /// of p there are too few places.
+  static bool is_resolved(Point p, double squared_distance) {
+    constexpr double least = 0x1p-17 * least_length;
+    const double units = std::max(least, 0x1p-50 * std::max(std::fabs(p.x), std::fabs(p.y)));
+    return squared_distance >= units * units;
+  }
+
+  static double exact_doubled_area(Point a, Point b, Point c) {
+    const Exact_rational ax(a.x), ay(a.y);
+    return CGAL::to_double(Exact_rational((Exact_rational(b.x) - ax) * (Exact_rational(c.y) - ay) -
+                                          (Exact_rational(b.y) - ay) * (Exact_rational(c.x) - ax)));
+  }
 
   /// Sign of the turn a, b, c; exact. The filter is Shewchuk's ccwerrboundA; products that underflow go to
   /// the kernel.
@@ -188,9 +210,8 @@ private:
 template <class Word>
 struct Integer_geometry_2 : Rounded_geometry<Integer_geometry_2<Word>> {
   using Coordinate = std::int64_t;
-  static constexpr bool has_unlimited_coordinates = false;
-  /// Features of the input nearer to a vertex than this share of an edge at it are beyond coordinates.
-  static constexpr double least_share_of_leg = 0x1p-45;
+  /// Distinct vertices are never too near.
+  static constexpr double least_length = 0;
   struct Point {
     std::int64_t x = 0, y = 0;
     friend bool operator==(Point a, Point b) { return a.x == b.x && a.y == b.y; }
@@ -201,9 +222,15 @@ struct Integer_geometry_2 : Rounded_geometry<Integer_geometry_2<Word>> {
   }
   static Point translate(Point p, Vector v) { return {p.x + std::llround(v.x), p.y + std::llround(v.y)}; }
 
+  /// Whether a vertex at this squared distance from p can be in any direction.
+  static bool is_resolved(Point, double squared_distance) { return squared_distance >= 16; }
+
   static int orientation(Point a, Point b, Point c) {
-    const Wide d = Wide(b.x - a.x) * (c.y - a.y) - Wide(b.y - a.y) * (c.x - a.x);
+    const Wide d = wide_doubled_area(a, b, c);
     return d > 0 ? 1 : d < 0 ? -1 : 0;
+  }
+  static double exact_doubled_area(Point a, Point b, Point c) {
+    return static_cast<double>(wide_doubled_area(a, b, c));
   }
 
   static bool is_in_circle(Point a, Point b, Point c, Point d) {
@@ -221,6 +248,10 @@ struct Integer_geometry_2 : Rounded_geometry<Integer_geometry_2<Word>> {
 private:
   __extension__ using Wide = __int128;
   using Widest = boost::multiprecision::int512_t;
+
+  static Wide wide_doubled_area(Point a, Point b, Point c) {
+    return Wide(b.x - a.x) * (c.y - a.y) - Wide(b.y - a.y) * (c.x - a.x);
+  }
 
   /// The nearest multiple of h, a power of two.
   static std::int64_t round_to_multiple(std::int64_t x, std::int64_t h) { return (x + h / 2) & ~(h - 1); }
