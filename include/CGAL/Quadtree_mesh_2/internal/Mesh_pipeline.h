@@ -50,6 +50,7 @@
 #include <optional>
 #include <sstream>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -94,6 +95,7 @@ private:
   using First = First_triangulation<Concurrency_tag, Geometry>;
   /// Quadtrees make four times the triangles that are needed: removal alone leaves half of those too many.
   static constexpr int rounds_after_construction_ = 2;
+  static constexpr bool has_double_coordinates = std::is_same_v<typename Geometry::Coordinate, double>;
   static constexpr double degree = 3.14159265358979323846 / 180;
 
   const Pslg& pslg_;
@@ -137,6 +139,7 @@ private:
     std::vector<typename Geometry::Point> points(n);
     for_each_index<Concurrency_tag>(
         n, [&](std::size_t v) { points[v] = map_.to_kernel(pslg_.vertices[order_[v]]); });
+    if constexpr (has_double_coordinates) check_vertices_are_kept();
     First first(state_.mesh, points);
     if (const auto crossing = first.run(kernel_segments())) throw Pslg_error_2(describe(first, *crossing));
     is_merged_.resize(n);
@@ -413,7 +416,28 @@ private:
   Indexed_mesh_2<Point_2> convert() {
     Phase_timer timer(report_.seconds.convert);
     Kernel_mesh_converter<Traits, Concurrency_tag> converter(state_, pslg_, map_, order_, report_);
-    return converter.run();
+    Indexed_mesh_2<Point_2> mesh = converter.run();
+    if constexpr (has_double_coordinates) check_mesh_is_kept(mesh);
+    return mesh;
+  }
+
+  /// \throws Pslg_error_2 if a vertex loses bits beside the extent, which is near the greatest of doubles.
+  void check_vertices_are_kept() const {
+    if (!map_.may_round()) return;
+    for (std::size_t v = 0; v < pslg_.number_of_vertices(); ++v)
+      if (!map_.is_kept(pslg_.vertices[v]))
+        throw Pslg_error_2(name_of_vertex(v) + ": too near to 0 beside the extent for doubles; "
+                                               "move it to 0, or divide all coordinates by a power of two");
+  }
+
+  /// \throws Pslg_error_2 if a triangle is not counterclockwise any more after rounding to the least doubles.
+  void check_mesh_is_kept(const Indexed_mesh_2<Point_2>& mesh) const {
+    if (!map_.may_round()) return;
+    for (const auto& t : mesh.triangles)
+      if (Geometry::orientation(map_.to_kernel(mesh.point(t[0])), map_.to_kernel(mesh.point(t[1])),
+                                map_.to_kernel(mesh.point(t[2]))) <= 0)
+        throw Pslg_error_2("the coordinates are next to the least doubles, which cannot hold the mesh: "
+                           "multiply them by a power of two");
   }
 };
 
