@@ -114,6 +114,7 @@ private:
   std::vector<char> is_merged_; // kernel vertices that another one stands for
   Domain_rule<Geometry> domain_;
   std::optional<Edge_sides> edge_sides_;
+  std::string too_near_for_trees_; // which vertices; empty: none are
 
   /// Whether the user wants to go on; about `share` of the work is done. What the user is told never falls.
   bool shall_go_on(double share) {
@@ -141,7 +142,7 @@ private:
         n, [&](std::size_t v) { points[v] = map_.to_kernel(pslg_.vertices[order_[v]]); });
     if constexpr (has_double_coordinates) check_vertices_are_kept();
     First first(state_.mesh, points);
-    if (const auto crossing = first.run(kernel_segments())) throw Pslg_error_2(describe(first, *crossing));
+    if (const auto crossing = first.run(kernel_segments())) refuse(first, *crossing);
     is_merged_.resize(n);
     for (std::size_t v = 0; v < n; ++v) {
       is_merged_[v] = first.representative(static_cast<Vertex_id>(v)) != static_cast<Vertex_id>(v) ? 1 : 0;
@@ -154,7 +155,10 @@ private:
 
     find_domain();
     edge_sides_.emplace(state_.mesh, problem_.edges);
-    if constexpr (Geometry::least_length > 0) check_distances();
+    if constexpr (Geometry::has_unlimited_coordinates)
+      set_least_share_of_leg(), find_what_is_too_near_for_trees();
+    else if constexpr (Geometry::least_length > 0)
+      check_distances();
     set_bounds();
     estimate_size();
     Corner_finder<Concurrency_tag, Geometry>(state_).run();
@@ -186,6 +190,36 @@ private:
     return make_seed_error(pslg_, kind, seed.number, Vertex_index(), Segment_index(problem_.edges[e].segment));
   }
 
+  /// Coordinates are unlimited, and so is what the input may have. Its least distance is a side or height of a triangle;
+  /// what is in the way of a leg is no nearer.
+  void set_least_share_of_leg() {
+    constexpr double clearance = 0x1p-34; // squared
+    typename Geometry::Number least = 1;
+    for_each_first_triangle([&](const auto& r, const auto& s) {
+      static_cast<void>(r);
+      least = std::min({least, s.shortest(), s.area2 * s.area2 / s.longest()});
+    });
+    problem_.least_share_of_leg = sqrt(clearance * least);
+  }
+
+  /// The doubles in which quadtrees place vertices are limited: finds vertices that are nearer to each other, or to a
+  /// segment, than these can tell.
+  void find_what_is_too_near_for_trees() {
+    constexpr double least = Geometry::least_length * Geometry::least_length;
+    for_each_first_triangle([&](const auto& r, const auto& s) {
+      if (!too_near_for_trees_.empty() || (s.shortest() >= least && s.area2 * s.area2 >= least * s.longest())) return;
+      for (const Vertex_id v : r.v) too_near_for_trees_ += name_of_vertex(order_[std::size_t(v)]) + ", ";
+      too_near_for_trees_ += "nearer to each other, or to being on a line, than the 2^-128 of the extent that quadtrees "
+                             "can tell: refine without them";
+    });
+  }
+
+  template <class Function>
+  void for_each_first_triangle(const Function& f) const {
+    for (const auto& r : state_.mesh.triangles)
+      if (r.v[0] >= 0) f(r, state_.mesh.shape(r));
+  }
+
   /// Coordinates tell more apart than the doubles in which angles are compared.
   /// \throws Pslg_error_2 if vertices are nearer to each other, or to segments, than these can tell. Such pairs are
   /// sides and heights of triangles.
@@ -193,7 +227,7 @@ private:
     constexpr double least = Geometry::least_length * Geometry::least_length;
     for (const auto& r : state_.mesh.triangles) {
       if (r.v[0] < 0) continue;
-      const Shape s = state_.mesh.shape_of_flat(r.v[0], r.v[1], r.v[2]);
+      const auto s = state_.mesh.shape_of_flat(r.v[0], r.v[1], r.v[2]);
       if (s.shortest() >= least && s.area2 * s.area2 >= least * s.longest()) continue;
       std::string names;
       for (const Vertex_id v : r.v)
@@ -230,12 +264,14 @@ private:
     report_.estimated_triangles = estimate.triangles();
     const Triangle_budget budget(options_.vertex_budget);
     if (!budget.is_surely_exceeded_by(estimate.triangles())) return;
-    std::string culprit = "for the bounds of size";
-    if (estimate.worst_pair().triangles > estimate.triangles_of_sizes())
-      culprit = Narrow_gap<Geometry>(state_, estimate.worst_pair())
-                    .in_words([this](Vertex_id v) { return name_of_vertex(order_[std::size_t(v)]); },
-                              map_.length_to_kernel(1.0));
-    throw Pslg_error_2(budget.refusal_of(estimate.triangles()) + ' ' + culprit);
+    const std::string refusal = budget.refusal_of(estimate.triangles());
+    if (estimate.worst_pair().triangles <= estimate.triangles_of_sizes())
+      throw Pslg_error_2(refusal + " for the bounds of size");
+    const Narrow_gap<Geometry> gap(state_, estimate.worst_pair());
+    const double unit = map_.length_to_kernel(1.0);
+    throw Pslg_gap_error_2(
+        refusal, gap.in_words([this](Vertex_id v) { return name_of_vertex(order_[std::size_t(v)]); }, unit),
+        gap.segments(), ratio(gap.width(), unit));
   }
 
   void set_region_bounds(double scale) {
@@ -259,15 +295,15 @@ private:
     return segments;
   }
 
-  std::string describe(const First& first, const Crossing& crossing) const {
-    std::ostringstream text;
-    text << "segment " << crossing.segment << " (" << name_of_ends(crossing.segment) << ") crosses segment ";
-    for (const Input_edge& e : first.edges()) {
-      if ((e.a != crossing.a || e.b != crossing.b) && (e.a != crossing.b || e.b != crossing.a)) continue;
-      text << e.segment << " (" << name_of_ends(e.segment) << ')';
-      break;
-    }
-    return text.str();
+  [[noreturn]] void refuse(const First& first, const Crossing& crossing) const {
+    const auto is_crossed = [&](const Input_edge& e) {
+      return (e.a == crossing.a && e.b == crossing.b) || (e.a == crossing.b && e.b == crossing.a);
+    };
+    const auto& edges = first.edges();
+    const std::int32_t other = std::find_if(edges.begin(), edges.end(), is_crossed)->segment;
+    throw Pslg_crossing_error_2("segment " + std::to_string(crossing.segment) + " (" + name_of_ends(crossing.segment) +
+                                    ") crosses segment " + std::to_string(other) + " (" + name_of_ends(other) + ')',
+                                {Segment_index(std::size_t(crossing.segment)), Segment_index(std::size_t(other))});
   }
 
   std::string name_of_ends(std::int32_t segment) const {
@@ -331,6 +367,7 @@ private:
   /// know no least edge, nor rules of the user's.
   bool may_construct_instead() const {
     return options_.vertex_budget == 0 && options_.min_edge_length == 0 && !options_.refined_where &&
+           too_near_for_trees_.empty() &&
            problem_.bounds.is_guaranteed();
   }
 
@@ -349,6 +386,7 @@ private:
 
   /// Makes a mesh by quadtrees, and refines what is too large in it, or could not be cured.
   void construct_by_trees(Refiner<Geometry>& refiner) {
+    if (!too_near_for_trees_.empty()) throw Pslg_error_2(too_near_for_trees_);
     if (make_mesh_by_trees() == Construction_end::out_of_budget) report_.is_budget_exhausted = true;
     Phase_timer timer(report_.seconds.refine);
     refiner.push_all();

@@ -41,6 +41,9 @@ template <class Geometry>
 class Refiner {
 public:
   using Point = typename Geometry::Point;
+  using Number = typename Geometry::Number;
+  using Vector = Basic_vector<Number>;
+  using Shape = typename Kernel_mesh<Geometry>::Shape;
 
   Refiner(Meshing_state<Geometry>& state, Splitter<Geometry>& splitter)
       : state_(state), mesh_(state.mesh), splitter_(splitter), relocator_(state),
@@ -142,7 +145,7 @@ private:
     const Walk_end end = walk_in_sight(mesh_, t, q);
     const Side in_the_way =
         end.is_blocked() ? Side(end.triangle, end.blocked_slot) : most_encroached_side(end.triangle, q);
-    const double distance2 = least_distance2 * s.l[k];
+    const Number distance2 = least_distance2 * s.l[k];
     if (!in_the_way.is_border())
       return is_too_short(in_the_way, distance2)
                  ? Outcome::deferred
@@ -157,8 +160,9 @@ private:
     const Point& a = mesh_.point(r.v[next_slot[k]]);
     const Point& b = mesh_.point(r.v[previous_slot[k]]);
     const Point& c = mesh_.point(r.v[k]);
-    const Vector ab = Geometry::difference(b, a), ac = Geometry::difference(c, a), middle = 0.5 * ab;
-    const double lb = squared_length(ab), lc = squared_length(ac), f = 0.5 / s.area2;
+    const Vector ab = Geometry::scaled_difference(b, a), ac = Geometry::scaled_difference(c, a),
+                 middle = 0.5 * ab;
+    const Number lb = squared_length(ab), lc = squared_length(ac), f = 0.5 / s.area2;
     Vector center = {f * (ac.y * lb - ab.y * lc), f * (ab.x * lc - ac.x * lb)};
     if (state_.bounds.is_sharp(s)) {
       const Vector off_center = middle + apex_height_ * Vector{-ab.y, ab.x};
@@ -166,25 +170,24 @@ private:
       if (!(squared_length(off_center - middle) >= squared_length(center - middle))) center = off_center;
     }
     const Point q = Geometry::translate(a, center);
-    const Point corner = Geometry::nearest_corner(q, power_of_two_at_most(0.25 * std::sqrt(s.l[k])));
-    return In_circle(Geometry::difference(a, corner), Geometry::difference(b, corner),
-                     Geometry::difference(c, corner))
-                   .is_certainly_inside()
-               ? corner
-               : q;
+    using std::sqrt;
+    const Point corner = Geometry::nearest_corner(q, power_of_two_at_most(0.25 * sqrt(s.l[k])));
+    const Basic_in_circle<Number> test(Geometry::scaled_difference(a, corner),
+                                       Geometry::scaled_difference(b, corner),
+                                       Geometry::scaled_difference(c, corner));
+    return test.is_certainly_inside() ? corner : q;
   }
 
-  bool is_too_short(Side s, double distance2) const {
-    return state_.is_block() &&
-           squared_length(Geometry::difference(mesh_.point(mesh_.source(s)), mesh_.point(mesh_.target(s)))) <
-               distance2;
+  bool is_too_short(Side s, Number distance2) const {
+    return state_.is_block() && squared_length(Geometry::scaled_difference(
+                                    mesh_.point(mesh_.source(s)), mesh_.point(mesh_.target(s)))) < distance2;
   }
 
   /// Whether a vertex of t, or one opposite to it, is too near to q.
-  bool is_too_near(Triangle_id t, const Point& q, double distance2) const {
+  bool is_too_near(Triangle_id t, const Point& q, Number distance2) const {
     if (!state_.is_block()) return false;
     const auto is_near = [&](Vertex_id v) {
-      return squared_length(Geometry::difference(mesh_.point(v), q)) < distance2;
+      return squared_length(Geometry::scaled_difference(mesh_.point(v), q)) < distance2;
     };
     const auto& r = mesh_.triangle(t);
     for (int k = 0; k < 3; ++k)
@@ -198,11 +201,11 @@ private:
     Side best = Side::border();
     double widest = cosine2_of_encroachment;
     const auto look = [&](Side s) {
-      const Vector x = Geometry::difference(mesh_.point(mesh_.source(s)), q);
-      const Vector y = Geometry::difference(mesh_.point(mesh_.target(s)), q);
-      const double d = dot(x, y);
+      const Vector x = Geometry::scaled_difference(mesh_.point(mesh_.source(s)), q);
+      const Vector y = Geometry::scaled_difference(mesh_.point(mesh_.target(s)), q);
+      const Number d = dot(x, y);
       if (d >= 0) return;
-      const double cosine2 = d * d / (squared_length(x) * squared_length(y));
+      const double cosine2 = ratio(d * d, squared_length(x) * squared_length(y));
       if (cosine2 > widest) widest = cosine2, best = s;
     };
     for (int k = 0; k < 3; ++k) {

@@ -35,6 +35,10 @@ namespace internal {
 template <class Geometry>
 class Remover {
 public:
+  using Number = typename Geometry::Number;
+  using Vector = Basic_vector<Number>;
+  using Shape = typename Kernel_mesh<Geometry>::Shape;
+
   explicit Remover(Meshing_state<Geometry>& state) : Remover(state, state.bounds) {}
   /// Keeps to other bounds than those of the state.
   Remover(Meshing_state<Geometry>& state, const Bounds<Geometry>& bounds)
@@ -137,7 +141,8 @@ private:
   bool triangulate(const Polygon& p) {
     const int n = p.size;
     if (n < 3 || n > max_polygon) return false;
-    for (int i = 0; i < n; ++i) place_[i] = Geometry::difference(mesh_.point(p.v[i]), mesh_.point(p.v[0]));
+    for (int i = 0; i < n; ++i)
+      place_[i] = Geometry::scaled_difference(mesh_.point(p.v[i]), mesh_.point(p.v[0]));
     if (!has_triangle_on_shortest_side(p) || !fill_table(p)) return false;
     const int first = number_made_;
     emit(p, 0, n - 1);
@@ -161,9 +166,9 @@ private:
   bool has_triangle_on_shortest_side(const Polygon& p) const {
     const int n = p.size;
     int end = 0; // of the side; the place before it is the other end
-    double least = squared_length(place_[n - 1]);
+    Number least = squared_length(place_[n - 1]);
     for (int k = 1; k < n; ++k) {
-      const double length = squared_length(place_[k] - place_[k - 1]);
+      const Number length = squared_length(place_[k] - place_[k - 1]);
       end = length < least ? k : end; // no branches: they would be taken at random
       least = length < least ? length : least;
     }
