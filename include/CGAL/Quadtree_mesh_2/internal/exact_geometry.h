@@ -64,7 +64,7 @@ struct Exact_geometry_2 {
     return doubled_area(u, v, a, b, c);
   }
 
-  /// Whether a vertex at this squared distance from p can be in any direction.
+  /// Whether there are places for a vertex at this squared distance from p.
   static bool is_resolved(const Point&, double squared_distance) {
     constexpr double least = 0x1p-17 * least_length;
     return squared_distance >= least * least;
