@@ -48,6 +48,7 @@ public:
 
   /// Puts all triangles on the list that may be bad; those of the bulk are not.
   void push_all() {
+    refused_.clear(); // perhaps of another mesh
     for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
       if (!state_.bulk.has(static_cast<Triangle_id>(t)) && mesh_.is_alive(static_cast<Triangle_id>(t)))
         state_.push_if_suspect(static_cast<Triangle_id>(t));

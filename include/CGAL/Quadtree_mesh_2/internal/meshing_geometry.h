@@ -20,8 +20,8 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_MESHING_GEOMETRY_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_MESHING_GEOMETRY_H
 
-#include <CGAL/Quadtree_mesh_2/internal/meshing_geometry_fwd.h>
 #include <CGAL/Exact_rational.h>
+#include <CGAL/Quadtree_mesh_2/internal/meshing_geometry_fwd.h>
 #include <CGAL/enum.h>
 #include <CGAL/number_utils.h>
 
