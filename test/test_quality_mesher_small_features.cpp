@@ -64,8 +64,8 @@ void check_reasons(const Run& r) {
 
 Pslg unit_box() {
   Pslg pslg;
-  const auto a = pslg.add_vertex(Point(0, 0)), b = pslg.add_vertex(Point(1, 0)), c = pslg.add_vertex(Point(1, 1)),
-             d = pslg.add_vertex(Point(0, 1));
+  const auto a = pslg.add_vertex(Point(0, 0)), b = pslg.add_vertex(Point(1, 0)),
+             c = pslg.add_vertex(Point(1, 1)), d = pslg.add_vertex(Point(0, 1));
   pslg.add_segment(a, b), pslg.add_segment(b, c), pslg.add_segment(c, d), pslg.add_segment(d, a);
   return pslg;
 }
@@ -116,7 +116,8 @@ void check_words(const Pslg& pslg) {
 } // namespace
 
 TEST_CASE("Features of 2^-40 of the extent are meshed to the bound", "[mesher][small]") {
-  for (const char* name : {"hard_near_pair_2e-40.poly", "hard_tiny_square.poly", "hard_inverted_near_end.poly"}) {
+  for (const char* name :
+       {"hard_near_pair_2e-40.poly", "hard_tiny_square.poly", "hard_inverted_near_end.poly"}) {
     INFO(name);
     const Pslg pslg = read(name);
     run_to_the_bound(pslg, to_the_bound());

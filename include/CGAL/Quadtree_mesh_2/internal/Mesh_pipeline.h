@@ -183,11 +183,14 @@ private:
   }
 
   Pslg_seed_error_2 seed_error(const Ambiguous_seed& seed) const {
-    const auto kind = seed.of == Ambiguous_seed::Of::HOLE ? Pslg_seed_error_2::Kind::HOLE : Pslg_seed_error_2::Kind::REGION;
+    const auto kind =
+        seed.of == Ambiguous_seed::Of::HOLE ? Pslg_seed_error_2::Kind::HOLE : Pslg_seed_error_2::Kind::REGION;
     if (seed.a == seed.b)
-      return make_seed_error(pslg_, kind, seed.number, Vertex_index(order_[std::size_t(seed.a)]), Segment_index());
+      return make_seed_error(pslg_, kind, seed.number, Vertex_index(order_[std::size_t(seed.a)]),
+                             Segment_index());
     const Edge_id e = problem_.edges.between(seed.a, seed.b);
-    return make_seed_error(pslg_, kind, seed.number, Vertex_index(), Segment_index(problem_.edges[e].segment));
+    return make_seed_error(pslg_, kind, seed.number, Vertex_index(),
+                           Segment_index(problem_.edges[e].segment));
   }
 
   /// Coordinates are unlimited, and so is what the input may have. Its least distance is a side or height of a triangle;

@@ -51,6 +51,7 @@ public:
 
   /// Puts all triangles on the list that may be bad; those of the bulk are not.
   void push_all() {
+    refused_.clear(); // perhaps of another mesh
     for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
       if (!state_.bulk.has(static_cast<Triangle_id>(t)) && mesh_.is_alive(static_cast<Triangle_id>(t)))
         state_.push_if_suspect(static_cast<Triangle_id>(t));
@@ -60,7 +61,7 @@ public:
   /// afterwards.
   template <class Continue>
   Refinement_end run(std::size_t budget, Continue&& shall_go_on) {
-    for (std::size_t step = 1; !state_.worklist.is_empty(); ++step) {
+    for (std::size_t step = 1; !state_.worklist.is_empty() || takes_up_refused(); ++step) {
       if ((step & 4095u) == 0 && !shall_go_on()) return Refinement_end::cancelled;
       const Triangle_id t = state_.worklist.pop();
       if (!mesh_.is_alive(t) || !state_.is_bad(t)) continue;
@@ -91,11 +92,23 @@ private:
   double apex_height_;                     // of the off-centre's triangle over a unit edge
   std::vector<unsigned char> trials_;      // per triangle slot: vertices inserted for it
   std::vector<unsigned char> relocations_; // per vertex
+  std::vector<Triangle_id> refused_;
+  std::size_t vertices_when_taken_up_ = 0; // the refused ones
 
   /// In a Delaunay mesh the place for a triangle is at least its shortest edge away from all vertices, and what is
   /// in the way is not much shorter. Next to the seams of a block flips are missing: what is shorter than this share
   /// (squared) has to wait there.
   static constexpr double least_distance2 = 0.25;
+
+  /// Puts triangles back on the list for which nothing could be done, if vertices were inserted since: the thin
+  /// triangle may be gone in which a rounded point would have been beside its edge.
+  bool takes_up_refused() {
+    if (refused_.empty() || mesh_.number_of_vertices() == vertices_when_taken_up_) return false;
+    vertices_when_taken_up_ = mesh_.number_of_vertices();
+    for (const Triangle_id t : refused_) state_.worklist.push(t);
+    refused_.clear();
+    return true;
+  }
 
   bool relocate_a_vertex_of(Triangle_id t) {
     const auto r = mesh_.triangle(t);
@@ -123,7 +136,8 @@ private:
     const bool may_go_later = outcome == Outcome::refused && state_.is_block();
     if (outcome == Outcome::deferred || may_go_later) return state_.deferred.push_back(t);
     settle_new_vertices(t, vertices_before);
-    if (outcome == Outcome::changed && mesh_.is_alive(t)) state_.push_if_suspect(t);
+    if (outcome == Outcome::refused) return refused_.push_back(t);
+    if (mesh_.is_alive(t)) state_.push_if_suspect(t);
   }
 
   void settle_new_vertices(Triangle_id t, std::size_t vertices_before) {

@@ -85,7 +85,7 @@ struct Exact_geometry_2 {
     return doubled_area(u, v, a, b, c);
   }
 
-  /// Whether a vertex at this squared distance from p can be in any direction: any can.
+  /// Whether there are places for a vertex at this squared distance from p: there always are.
   static bool is_resolved(const Point&, const Number&) { return true; }
 
   static bool is_certainly_in_circle(const Point& a, const Point& b, const Point& c, const Point& d) {

@@ -21,8 +21,8 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_MESHING_GEOMETRY_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_MESHING_GEOMETRY_H
 
-#include <CGAL/Quadtree_mesh_2/internal/meshing_geometry_fwd.h>
 #include <CGAL/Exact_rational.h>
+#include <CGAL/Quadtree_mesh_2/internal/meshing_geometry_fwd.h>
 #include <CGAL/enum.h>
 #include <CGAL/number_utils.h>
 
@@ -217,11 +217,11 @@ struct Double_geometry_2 : Rounded_geometry<Double_geometry_2<Kernel>> {
   static Vector difference(Point p, Point q) { return {p.x - q.x, p.y - q.y}; }
   static Point translate(Point p, Vector v) { return {p.x + v.x, p.y + v.y}; }
 
-  /// Whether a vertex at this squared distance from p can be in any direction: within 4 to 8 units in the last place
-  /// of p there are too few places.
+  /// Whether there are places for a vertex at this squared distance from p: within one or two units in the last place
+  /// there are none.
   static bool is_resolved(Point p, double squared_distance) {
     constexpr double least = 0x1p-17 * least_length;
-    const double units = std::max(least, 0x1p-50 * std::max(std::fabs(p.x), std::fabs(p.y)));
+    const double units = std::max(least, 0x1p-52 * std::max(std::fabs(p.x), std::fabs(p.y)));
     return squared_distance >= units * units;
   }
 
@@ -276,8 +276,8 @@ struct Integer_geometry_2 : Rounded_geometry<Integer_geometry_2<Word>> {
   }
   static Point translate(Point p, Vector v) { return {p.x + std::llround(v.x), p.y + std::llround(v.y)}; }
 
-  /// Whether a vertex at this squared distance from p can be in any direction.
-  static bool is_resolved(Point, double squared_distance) { return squared_distance >= 16; }
+  /// Whether there are places for a vertex at this squared distance from p.
+  static bool is_resolved(Point, double squared_distance) { return squared_distance >= 4; }
 
   static int orientation(Point a, Point b, Point c) {
     const Wide d = wide_doubled_area(a, b, c);
