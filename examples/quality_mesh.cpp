@@ -15,9 +15,11 @@
 
 #include <CGAL/mesh_quality_2.h>
 
+#include <cstddef>
 #include <exception>
 #include <iostream>
 #include <new>
+#include <set>
 #include <string>
 
 namespace {
@@ -62,10 +64,22 @@ void check(Meshing_run& run, const Command_line& line) {
                     .max_edge(options.max_edge_length)
                     .max_area(options.max_triangle_area)
                     .check_domain(rule_to_check(options.domain));
-  if (line.kernel == Command_line::Kernel::fixed) wanted.coordinate_unit = mesh_graph::unit_of_words(run.pslg);
+  if (line.kernel == Command_line::Kernel::fixed)
+    wanted.coordinate_unit = mesh_graph::unit_of_words(run.pslg);
   run.quality = CGAL::mesh_quality_2(run.mesh, run.pslg, wanted);
   run.ours.vertices = run.quality.vertices;
   Mesh_figures_builder(run.ours, options.min_angle_in_degrees).add_triangles_of(run.mesh);
+}
+
+/// Bounds that the mesher met, but that rounding its mesh to doubles has broken, are unmet by the coordinates.
+void note_what_rounding_broke(Meshing_run& run) {
+  using Report = CGAL::Quality_mesh_report_2;
+  std::set<std::size_t> known;
+  for (const auto& unmet : run.report.unmet_triangles) known.insert(std::size_t(unmet.triangle));
+  for (const auto& unmet : run.quality.unmet_triangles)
+    if (known.insert(std::size_t(unmet.triangle)).second)
+      run.report.unmet_triangles.push_back(
+          {unmet.triangle, unmet.centroid, unmet.least_angle, Report::Reason::COORDINATES});
 }
 
 void compare(Meshing_run& run, const CGAL::Quality_mesh_options_2& options) {
@@ -84,6 +98,7 @@ Exit_status execute(const Command_line& line) {
   timed(run.ours.seconds, [&] { mesh(run, line); });
   check(run, line);
   check_valid(run.quality);
+  if (line.kernel != Command_line::Kernel::filtered) note_what_rounding_broke(run);
   if (line.is_comparison_wanted) compare(run, line.options);
   const auto add_mesh = [&](mesh_files::Files& files, const std::string& output) {
     timed(run.write_seconds, [&] {

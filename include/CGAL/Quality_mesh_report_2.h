@@ -25,6 +25,31 @@ public:
 };
 
 /// \ingroup PkgQuadtreeMesh2Meshers
+/// Two segments cross; for callers that know the vertices by other coordinates than the mesher.
+class Pslg_crossing_error_2 : public Pslg_error_2 {
+public:
+  /// The crossing segments, and what `what()` says of them.
+  Pslg_crossing_error_2(const std::string& text, std::array<Quadtree_mesh_2::Segment_index, 2> crossing)
+      : Pslg_error_2(text), segments(crossing) {}
+
+  std::array<Quadtree_mesh_2::Segment_index, 2> segments; ///< by their indices in the graph
+};
+
+/// \ingroup PkgQuadtreeMesh2Meshers
+/// Two segments face each other across a gap so narrow that the mesh would be too large; for such callers, too.
+class Pslg_gap_error_2 : public Pslg_error_2 {
+public:
+  /// The two segments, and what `what()` says: first of the mesh, then of the segments.
+  Pslg_gap_error_2(const std::string& of_mesh, const std::string& of_segments,
+                   std::array<Quadtree_mesh_2::Segment_index, 2> facing, double width)
+      : Pslg_error_2(of_mesh + ' ' + of_segments), demand(of_mesh), segments(facing), distance(width) {}
+
+  std::string demand;                                     ///< how large the mesh would be
+  std::array<Quadtree_mesh_2::Segment_index, 2> segments; ///< by their indices in the graph
+  double distance;                                        ///< how far they are from each other
+};
+
+/// \ingroup PkgQuadtreeMesh2Meshers
 /// The point of a hole or region lies on a segment, or on a vertex with segments, between several components of the plane:
 /// which one is meant cannot be told.
 class Pslg_seed_error_2 : public Pslg_error_2 {

@@ -212,7 +212,7 @@ private:
     };
     const Leg_id l = leg(e), m = leg(f);
     if (l < 0 || m < 0) return false;
-    const Leg &p = corners.leg(l), &q = corners.leg(m);
+    const auto &p = corners.leg(l), &q = corners.leg(m);
     return (p.after >= 0 && p.after == q.before) || (p.before >= 0 && p.before == q.after);
   }
 

@@ -50,6 +50,7 @@
 #include <optional>
 #include <sstream>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -94,6 +95,7 @@ private:
   using First = First_triangulation<Concurrency_tag, Geometry>;
   /// Quadtrees make four times the triangles that are needed: removal alone leaves half of those too many.
   static constexpr int rounds_after_construction_ = 2;
+  static constexpr bool has_double_coordinates = std::is_same_v<typename Geometry::Coordinate, double>;
   static constexpr double degree = 3.14159265358979323846 / 180;
 
   const Pslg& pslg_;
@@ -112,6 +114,7 @@ private:
   std::vector<char> is_merged_; // kernel vertices that another one stands for
   Domain_rule<Geometry> domain_;
   std::optional<Edge_sides> edge_sides_;
+  std::string too_near_for_trees_; // which vertices; empty: none are
 
   /// Whether the user wants to go on; about `share` of the work is done. What the user is told never falls.
   bool shall_go_on(double share) {
@@ -137,8 +140,9 @@ private:
     std::vector<typename Geometry::Point> points(n);
     for_each_index<Concurrency_tag>(
         n, [&](std::size_t v) { points[v] = map_.to_kernel(pslg_.vertices[order_[v]]); });
+    if constexpr (has_double_coordinates) check_vertices_are_kept();
     First first(state_.mesh, points);
-    if (const auto crossing = first.run(kernel_segments())) throw Pslg_error_2(describe(first, *crossing));
+    if (const auto crossing = first.run(kernel_segments())) refuse(first, *crossing);
     is_merged_.resize(n);
     for (std::size_t v = 0; v < n; ++v) {
       is_merged_[v] = first.representative(static_cast<Vertex_id>(v)) != static_cast<Vertex_id>(v) ? 1 : 0;
@@ -151,7 +155,10 @@ private:
 
     find_domain();
     edge_sides_.emplace(state_.mesh, problem_.edges);
-    if constexpr (Geometry::has_unlimited_coordinates) check_distances();
+    if constexpr (Geometry::has_unlimited_coordinates)
+      set_least_share_of_leg(), find_what_is_too_near_for_trees();
+    else if constexpr (Geometry::least_length > 0)
+      check_distances();
     set_bounds();
     estimate_size();
     Corner_finder<Concurrency_tag, Geometry>(state_).run();
@@ -176,21 +183,54 @@ private:
   }
 
   Pslg_seed_error_2 seed_error(const Ambiguous_seed& seed) const {
-    const auto kind = seed.of == Ambiguous_seed::Of::HOLE ? Pslg_seed_error_2::Kind::HOLE : Pslg_seed_error_2::Kind::REGION;
+    const auto kind =
+        seed.of == Ambiguous_seed::Of::HOLE ? Pslg_seed_error_2::Kind::HOLE : Pslg_seed_error_2::Kind::REGION;
     if (seed.a == seed.b)
-      return make_seed_error(pslg_, kind, seed.number, Vertex_index(order_[std::size_t(seed.a)]), Segment_index());
+      return make_seed_error(pslg_, kind, seed.number, Vertex_index(order_[std::size_t(seed.a)]),
+                             Segment_index());
     const Edge_id e = problem_.edges.between(seed.a, seed.b);
-    return make_seed_error(pslg_, kind, seed.number, Vertex_index(), Segment_index(problem_.edges[e].segment));
+    return make_seed_error(pslg_, kind, seed.number, Vertex_index(),
+                           Segment_index(problem_.edges[e].segment));
   }
 
-  /// Coordinates are unlimited, the doubles in which angles are compared are not.
+  /// Coordinates are unlimited, and so is what the input may have. Its least distance is a side or height of a triangle;
+  /// what is in the way of a leg is no nearer.
+  void set_least_share_of_leg() {
+    constexpr double clearance = 0x1p-34; // squared
+    typename Geometry::Number least = 1;
+    for_each_first_triangle([&](const auto& r, const auto& s) {
+      static_cast<void>(r);
+      least = std::min({least, s.shortest(), s.area2 * s.area2 / s.longest()});
+    });
+    problem_.least_share_of_leg = sqrt(clearance * least);
+  }
+
+  /// The doubles in which quadtrees place vertices are limited: finds vertices that are nearer to each other, or to a
+  /// segment, than these can tell.
+  void find_what_is_too_near_for_trees() {
+    constexpr double least = Geometry::least_length * Geometry::least_length;
+    for_each_first_triangle([&](const auto& r, const auto& s) {
+      if (!too_near_for_trees_.empty() || (s.shortest() >= least && s.area2 * s.area2 >= least * s.longest())) return;
+      for (const Vertex_id v : r.v) too_near_for_trees_ += name_of_vertex(order_[std::size_t(v)]) + ", ";
+      too_near_for_trees_ += "nearer to each other, or to being on a line, than the 2^-128 of the extent that quadtrees "
+                             "can tell: refine without them";
+    });
+  }
+
+  template <class Function>
+  void for_each_first_triangle(const Function& f) const {
+    for (const auto& r : state_.mesh.triangles)
+      if (r.v[0] >= 0) f(r, state_.mesh.shape(r));
+  }
+
+  /// Coordinates tell more apart than the doubles in which angles are compared.
   /// \throws Pslg_error_2 if vertices are nearer to each other, or to segments, than these can tell. Such pairs are
   /// sides and heights of triangles.
   void check_distances() const {
     constexpr double least = Geometry::least_length * Geometry::least_length;
     for (const auto& r : state_.mesh.triangles) {
       if (r.v[0] < 0) continue;
-      const Shape s = state_.mesh.shape(r);
+      const auto s = state_.mesh.shape_of_flat(r.v[0], r.v[1], r.v[2]);
       if (s.shortest() >= least && s.area2 * s.area2 >= least * s.longest()) continue;
       std::string names;
       for (const Vertex_id v : r.v)
@@ -204,10 +244,11 @@ private:
     Bounds<Geometry>& bounds = problem_.bounds;
     bounds = Bounds<Geometry>(options_.min_angle_in_degrees * degree,
                               options_.max_triangle_area * scale * scale, scale * options_.max_edge_length);
-    bounds.least_squared_length = scale * scale * options_.min_edge_length * options_.min_edge_length;
+    const double least_length = scale * options_.min_edge_length;
+    bounds.least_squared_length = least_length * least_length;
     if (std::any_of(pslg_.regions.begin(), pslg_.regions.end(),
                     [](const auto& region) { return region.max_area > 0; }))
-      set_region_bounds(scale * scale);
+      set_region_bounds(scale);
     if (options_.refined_where)
       bounds.is_refused = [this](const auto& a, const auto& b, const auto& c) {
         return options_.refined_where({map_.place(a), map_.place(b), map_.place(c)});
@@ -226,20 +267,22 @@ private:
     report_.estimated_triangles = estimate.triangles();
     const Triangle_budget budget(options_.vertex_budget);
     if (!budget.is_surely_exceeded_by(estimate.triangles())) return;
-    std::string culprit = "for the bounds of size";
-    if (estimate.worst_pair().triangles > estimate.triangles_of_sizes())
-      culprit = Narrow_gap<Geometry>(state_, estimate.worst_pair())
-                    .in_words([this](Vertex_id v) { return name_of_vertex(order_[std::size_t(v)]); },
-                              map_.length_to_kernel(1.0));
-    throw Pslg_error_2(budget.refusal_of(estimate.triangles()) + ' ' + culprit);
+    const std::string refusal = budget.refusal_of(estimate.triangles());
+    if (estimate.worst_pair().triangles <= estimate.triangles_of_sizes())
+      throw Pslg_error_2(refusal + " for the bounds of size");
+    const Narrow_gap<Geometry> gap(state_, estimate.worst_pair());
+    const double unit = map_.length_to_kernel(1.0);
+    throw Pslg_gap_error_2(
+        refusal, gap.in_words([this](Vertex_id v) { return name_of_vertex(order_[std::size_t(v)]); }, unit),
+        gap.segments(), ratio(gap.width(), unit));
   }
 
-  void set_region_bounds(double scale2) {
+  void set_region_bounds(double scale) {
     std::vector<double>& bounds = problem_.bounds.area2_of_region;
     bounds.assign(pslg_.regions.size(), std::numeric_limits<double>::infinity());
     for (std::size_t i = 0; i < bounds.size(); ++i)
       if (pslg_.regions[i].max_area > 0)
-        bounds[i] = 2 * scale2 * pslg_.regions[i].max_area * (1 - Bounds<Geometry>::margin);
+        bounds[i] = 2 * (scale * pslg_.regions[i].max_area) * scale * (1 - Bounds<Geometry>::margin);
   }
 
   /// The segments in the kernel's numbering, which is the shuffle order.
@@ -255,15 +298,15 @@ private:
     return segments;
   }
 
-  std::string describe(const First& first, const Crossing& crossing) const {
-    std::ostringstream text;
-    text << "segment " << crossing.segment << " (" << name_of_ends(crossing.segment) << ") crosses segment ";
-    for (const Input_edge& e : first.edges()) {
-      if ((e.a != crossing.a || e.b != crossing.b) && (e.a != crossing.b || e.b != crossing.a)) continue;
-      text << e.segment << " (" << name_of_ends(e.segment) << ')';
-      break;
-    }
-    return text.str();
+  [[noreturn]] void refuse(const First& first, const Crossing& crossing) const {
+    const auto is_crossed = [&](const Input_edge& e) {
+      return (e.a == crossing.a && e.b == crossing.b) || (e.a == crossing.b && e.b == crossing.a);
+    };
+    const auto& edges = first.edges();
+    const std::int32_t other = std::find_if(edges.begin(), edges.end(), is_crossed)->segment;
+    throw Pslg_crossing_error_2("segment " + std::to_string(crossing.segment) + " (" + name_of_ends(crossing.segment) +
+                                    ") crosses segment " + std::to_string(other) + " (" + name_of_ends(other) + ')',
+                                {Segment_index(std::size_t(crossing.segment)), Segment_index(std::size_t(other))});
   }
 
   std::string name_of_ends(std::int32_t segment) const {
@@ -327,6 +370,7 @@ private:
   /// know no least edge, nor rules of the user's.
   bool may_construct_instead() const {
     return options_.vertex_budget == 0 && options_.min_edge_length == 0 && !options_.refined_where &&
+           too_near_for_trees_.empty() &&
            problem_.bounds.is_guaranteed();
   }
 
@@ -345,6 +389,7 @@ private:
 
   /// Makes a mesh by quadtrees, and refines what is too large in it, or could not be cured.
   void construct_by_trees(Refiner<Geometry>& refiner) {
+    if (!too_near_for_trees_.empty()) throw Pslg_error_2(too_near_for_trees_);
     if (make_mesh_by_trees() == Construction_end::out_of_budget) report_.is_budget_exhausted = true;
     Phase_timer timer(report_.seconds.refine);
     refiner.push_all();
@@ -424,7 +469,28 @@ private:
   Indexed_mesh_2<Point_2> convert() {
     Phase_timer timer(report_.seconds.convert);
     Kernel_mesh_converter<Traits, Concurrency_tag> converter(state_, pslg_, map_, order_, report_);
-    return converter.run();
+    Indexed_mesh_2<Point_2> mesh = converter.run();
+    if constexpr (has_double_coordinates) check_mesh_is_kept(mesh);
+    return mesh;
+  }
+
+  /// \throws Pslg_error_2 if a vertex loses bits beside the extent, which is near the greatest of doubles.
+  void check_vertices_are_kept() const {
+    if (!map_.may_round()) return;
+    for (std::size_t v = 0; v < pslg_.number_of_vertices(); ++v)
+      if (!map_.is_kept(pslg_.vertices[v]))
+        throw Pslg_error_2(name_of_vertex(v) + ": too near to 0 beside the extent for doubles; "
+                                               "move it to 0, or divide all coordinates by a power of two");
+  }
+
+  /// \throws Pslg_error_2 if a triangle is not counterclockwise any more after rounding to the least doubles.
+  void check_mesh_is_kept(const Indexed_mesh_2<Point_2>& mesh) const {
+    if (!map_.may_round()) return;
+    for (const auto& t : mesh.triangles)
+      if (Geometry::orientation(map_.to_kernel(mesh.point(t[0])), map_.to_kernel(mesh.point(t[1])),
+                                map_.to_kernel(mesh.point(t[2]))) <= 0)
+        throw Pslg_error_2("the coordinates are next to the least doubles, which cannot hold the mesh: "
+                           "multiply them by a power of two");
   }
 };
 

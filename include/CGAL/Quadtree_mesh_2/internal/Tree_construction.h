@@ -111,8 +111,8 @@ private:
 
   bool is_sharp(Triangle_id t) const {
     const auto& r = mesh_.triangle(t);
-    const Shape s = mesh_.shape(r);
-    return state_.bounds.is_sharp(s) && !state_.is_exempt(r.v[0], r.v[1], r.v[2], s);
+    const auto s = mesh_.shape(r);
+    return state_.bounds.is_sharp(s) && !state_.is_exempt(r.v[0], r.v[1], r.v[2]);
   }
 
   std::vector<Triangle_id> sharp_triangles() const {

@@ -154,7 +154,7 @@ private:
 
   void account_for(Triangle_id t, Part& part) const {
     const auto& r = mesh_.triangle(t);
-    const Shape s = mesh_.shape(r);
+    const auto s = mesh_.shape(r);
     part.angles.add(s);
     if (!state_.bounds.is_sharp(s) && !state_.is_large(t, s)) return;
     if (!state_.is_bad(t)) return add_exempt(t, part);
