@@ -87,6 +87,8 @@ struct Exact_geometry_2 {
   static Point between(const Point& p, const Point& q, double share) {
     return {Coordinate::between(p.x, q.x, share), Coordinate::between(p.y, q.y, share)};
   }
+  /// How far coordinates are from the next ones.
+  static double spacing(const Point&) { return 0; }
   static double short_share(double share) { return 0x1p-10 * std::floor(0x1p10 * share + 0.5); }
 
   /// Sign of the turn a, b, c; exact.

@@ -23,6 +23,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 namespace CGAL {
 namespace Quadtree_mesh_2 {
@@ -155,6 +156,11 @@ struct Double_geometry_2 : Rounded_geometry<Double_geometry_2<Kernel>> {
 
   static Vector difference(Point p, Point q) { return {p.x - q.x, p.y - q.y}; }
   static Point translate(Point p, Vector v) { return {p.x + v.x, p.y + v.y}; }
+  /// How far coordinates as large as p's are from the next ones.
+  static double spacing(Point p) {
+    const double largest = std::max(std::fabs(p.x), std::fabs(p.y));
+    return largest > 0 ? std::numeric_limits<double>::epsilon() * power_of_two_at_most(largest) : 0;
+  }
 
   /// Sign of the turn a, b, c; exact. The filter is Shewchuk's ccwerrboundA; products that underflow go to
   /// the kernel.
@@ -200,6 +206,8 @@ struct Integer_geometry_2 : Rounded_geometry<Integer_geometry_2<Word>> {
     return {static_cast<double>(p.x - q.x), static_cast<double>(p.y - q.y)};
   }
   static Point translate(Point p, Vector v) { return {p.x + std::llround(v.x), p.y + std::llround(v.y)}; }
+  /// How far coordinates are from the next ones.
+  static double spacing(const Point&) { return 1; }
 
   static int orientation(Point a, Point b, Point c) {
     const Wide d = Wide(b.x - a.x) * (c.y - a.y) - Wide(b.y - a.y) * (c.x - a.x);
