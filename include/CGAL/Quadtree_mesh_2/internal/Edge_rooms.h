@@ -24,9 +24,11 @@
 #include <CGAL/Quadtree_mesh_2/internal/Kernel_mesh.h>
 #include <CGAL/Quadtree_mesh_2/internal/Meshing_state.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -61,11 +63,18 @@ public:
   /// \pre p is a point of the edge, rounded
   std::optional<Point> place_next_to(Edge_id e, const Point& p) const {
     if (is_in_room(e, p)) return p;
-    const Vector d = direction(e);
-    const double step = Geometry::spacing(p);
-    const Vector across = std::fabs(d.y) > std::fabs(d.x) ? Vector{step, 0} : Vector{0, step};
-    for (const Point& q : {Geometry::translate(p, across), Geometry::translate(p, -1.0 * across)})
-      if (is_in_room(e, q)) return q;
+    if constexpr (!Geometry::has_unlimited_coordinates) {
+      // On the edge, if that were possible, and to either side of it.
+      const Vector d = direction(e), from_a = Geometry::difference(p, problem_.input_point(problem_.edges[e].a));
+      const bool is_steep = std::fabs(d.y) > std::fabs(d.x);
+      const double way = cross(d, from_a) / (is_steep ? d.y : -d.x);
+      const double step = std::max(Geometry::spacing(is_steep ? p.x : p.y),
+                                   std::numeric_limits<double>::epsilon() * std::fabs(along(d, from_a)));
+      for (const double f : {0., 1., -1.}) {
+        const Point q = Geometry::translate(p, is_steep ? Vector{way + f * step, 0} : Vector{0, way + f * step});
+        if (is_in_room(e, q)) return q;
+      }
+    }
     return std::nullopt;
   }
 
@@ -95,7 +104,7 @@ private:
   }
 
   bool is_in_room(Edge_id e, const Point& p) const {
-    if constexpr (Geometry::has_unlimited_coordinates) return true; // it is on the edge
+    if (rooms_.empty()) return true; // coordinates are unlimited, so it is on the edge
     const Point &a = problem_.input_point(problem_.edges[e].a), &b = problem_.input_point(problem_.edges[e].b);
     const int side = Geometry::orientation(a, b, p);
     if (side == 0) return true;

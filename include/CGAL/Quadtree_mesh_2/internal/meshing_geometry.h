@@ -156,11 +156,11 @@ struct Double_geometry_2 : Rounded_geometry<Double_geometry_2<Kernel>> {
 
   static Vector difference(Point p, Point q) { return {p.x - q.x, p.y - q.y}; }
   static Point translate(Point p, Vector v) { return {p.x + v.x, p.y + v.y}; }
-  /// How far coordinates as large as p's are from the next ones.
-  static double spacing(Point p) {
-    const double largest = std::max(std::fabs(p.x), std::fabs(p.y));
-    return largest > 0 ? std::numeric_limits<double>::epsilon() * power_of_two_at_most(largest) : 0;
+  /// How far coordinates as large as this one are from the next ones.
+  static double spacing(double x) {
+    return x == 0 ? 0 : std::numeric_limits<double>::epsilon() * power_of_two_at_most(std::fabs(x));
   }
+  static double spacing(Point p) { return std::max(spacing(p.x), spacing(p.y)); }
 
   /// Sign of the turn a, b, c; exact. The filter is Shewchuk's ccwerrboundA; products that underflow go to
   /// the kernel.
@@ -207,6 +207,7 @@ struct Integer_geometry_2 : Rounded_geometry<Integer_geometry_2<Word>> {
   }
   static Point translate(Point p, Vector v) { return {p.x + std::llround(v.x), p.y + std::llround(v.y)}; }
   /// How far coordinates are from the next ones.
+  static double spacing(std::int64_t) { return 1; }
   static double spacing(const Point&) { return 1; }
 
   static int orientation(Point a, Point b, Point c) {
