@@ -48,7 +48,8 @@ struct Bundle {
     problem.input_points = {a, b};
     for (int i = random.integer(1, 4); i > 0; --i) {
       const double f = random.between(0, 1);
-      add({moved(a.x + f * (b.x - a.x), random.integer(-3, 3)), moved(a.y + f * (b.y - a.y), random.integer(-3, 3))});
+      add({moved(a.x + f * (b.x - a.x), random.integer(-3, 3)),
+           moved(a.y + f * (b.y - a.y), random.integer(-3, 3))});
       const Vertex_id near = static_cast<Vertex_id>(problem.input_points.size()) - 1;
       if (random.integer(0, 1) == 0) continue;
       add({place(), place()});
@@ -102,12 +103,14 @@ bool cross(const std::vector<Point>& chain, const std::vector<Point>& other) {
 /// Whether p is as much between an edge and the chain that it became, or on the chain.
 bool is_passed_over(const Point& p, const std::vector<Point>& chain) {
   const int side = Geometry::orientation(chain.front(), chain.back(), p);
-  const bool is_steep = std::fabs(chain.back().y - chain.front().y) > std::fabs(chain.back().x - chain.front().x);
+  const bool is_steep =
+      std::fabs(chain.back().y - chain.front().y) > std::fabs(chain.back().x - chain.front().x);
   const auto place = [&](const Point& q) { return is_steep ? q.y : q.x; };
   for (std::size_t i = 1; i < chain.size(); ++i) {
     const double low = std::min(place(chain[i - 1]), place(chain[i])),
                  high = std::max(place(chain[i - 1]), place(chain[i]));
-    if (place(p) >= low && place(p) <= high && Geometry::orientation(chain[i - 1], chain[i], p) != side) return true;
+    if (place(p) >= low && place(p) <= high && Geometry::orientation(chain[i - 1], chain[i], p) != side)
+      return true;
   }
   return false;
 }

@@ -95,7 +95,8 @@ public:
   std::size_t number_of_faults() {
     constexpr std::size_t most = 30000;
     std::size_t faults = 0;
-    for (std::size_t l = 0; l < trees_.tree().number_of_leaves(); l += 1 + trees_.tree().number_of_leaves() / most)
+    for (std::size_t l = 0; l < trees_.tree().number_of_leaves();
+         l += 1 + trees_.tree().number_of_leaves() / most)
       faults += trees_.is_splittable(Leaf_index(l)) && has_fault(Leaf_index(l)) ? 1 : 0;
     return faults;
   }
@@ -197,8 +198,8 @@ TEST_CASE("Leaves of T_B' are no smaller than a vertex nearby asks for", "[trees
       for (std::size_t v = 0; v < asked.size() && !is_asked_for; ++v) {
         const Vector to_leaf =
             Geometry::difference(trees.kernel_point({s.x, s.y}), graph.problem().input_points[v]) + half;
-        is_asked_for = side >= share_of_distance * asked[v] &&
-                       side >= share_of_way * std::sqrt(squared_length(to_leaf));
+        is_asked_for =
+            side >= share_of_distance * asked[v] && side >= share_of_way * std::sqrt(squared_length(to_leaf));
       }
       too_small += is_asked_for ? 0 : 1;
     }

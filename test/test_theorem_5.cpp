@@ -311,7 +311,8 @@ TEST_CASE("Features as near as coordinates allow are left to refinement", "[mesh
   }
 }
 
-TEST_CASE("Isolated features near the last place, at any offset, are meshed by quadtrees", "[mesher][theorem5]") {
+TEST_CASE("Isolated features near the last place, at any offset, are meshed by quadtrees",
+          "[mesher][theorem5]") {
   random_pslg::Random random(3);
   for (const double offset : {0., 1e3, 1e9, -1e12})
     for (const int exponent : {-20, -30, -40, -45}) {
@@ -384,7 +385,8 @@ TEST_CASE("Where quadtrees cannot take over patience is not looked at", "[mesher
   }
 }
 
-TEST_CASE("A little memory for patience changes nothing where refinement comes to rest", "[mesher][theorem5]") {
+TEST_CASE("A little memory for patience changes nothing where refinement comes to rest",
+          "[mesher][theorem5]") {
   const Pslg pslg = read("us_states_10m.poly.gz");
   CHECK(are_same(Mesher(Options().patience_memory(1))(pslg), Mesher(Options())(pslg)));
 }

@@ -53,7 +53,7 @@ bool triangulate(const Prepared& graph, const Placed& placed, Mesh& mesh) {
   return triangulation.run(
       [](const Point& p) {
         return CGAL::Quadtree_mesh_2::Grid_point_2<std::uint64_t>{std::uint64_t((p.x + 1) * 0x1p40),
-                                                                 std::uint64_t((p.y + 1) * 0x1p40)};
+                                                                  std::uint64_t((p.y + 1) * 0x1p40)};
       },
       mesh);
 }

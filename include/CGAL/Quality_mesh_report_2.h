@@ -52,12 +52,12 @@ struct Tree_separation_report_2 {
     DONE,        ///< no triangle is below the bound
     COORDINATES, ///< those left are where leaves cannot become smaller: numbers express no coordinates in between
     BUDGET,      ///< those left would take more vertices than the budget
-    CANCELLED,   ///< the callback stopped it
-    FAILED       ///< no mesh came of the last round: the mesh is that of the round before, or refinement's
+    CANCELLED, ///< the callback stopped it
+    FAILED     ///< no mesh came of the last round: the mesh is that of the round before, or refinement's
   };
 
-  End end = End::NONE;           ///< how it ended
-  bool has_taken_over = false;   ///< whether refinement on demand had not come to rest (`refinement_patience`)
+  End end = End::NONE;         ///< how it ended
+  bool has_taken_over = false; ///< whether refinement on demand had not come to rest (`refinement_patience`)
   std::size_t leaves_of_points = 0;   ///< of T_B, the quadtree of the vertices
   std::size_t leaves_of_vertices = 0; ///< of T_B', in which vertices are separated
   std::size_t leaves_of_pieces = 0;   ///< of T_B'', in which edges within leaves are

@@ -65,13 +65,15 @@ public:
     if (is_in_room(e, p)) return p;
     if constexpr (!Geometry::has_unlimited_coordinates) {
       // On the edge, if that were possible, and to either side of it.
-      const Vector d = direction(e), from_a = Geometry::difference(p, problem_.input_point(problem_.edges[e].a));
+      const Vector d = direction(e),
+                   from_a = Geometry::difference(p, problem_.input_point(problem_.edges[e].a));
       const bool is_steep = std::fabs(d.y) > std::fabs(d.x);
       const double way = cross(d, from_a) / (is_steep ? d.y : -d.x);
       const double step = std::max(Geometry::spacing(is_steep ? p.x : p.y),
                                    std::numeric_limits<double>::epsilon() * std::fabs(along(d, from_a)));
       for (const double f : {0., 1., -1.}) {
-        const Point q = Geometry::translate(p, is_steep ? Vector{way + f * step, 0} : Vector{0, way + f * step});
+        const Point q =
+            Geometry::translate(p, is_steep ? Vector{way + f * step, 0} : Vector{0, way + f * step});
         if (is_in_room(e, q)) return q;
       }
     }
@@ -100,12 +102,14 @@ private:
   }
   /// How far a way goes on in x, or in y where d is steep.
   static double along(Vector d, Vector way) {
-    return std::fabs(d.y) > std::fabs(d.x) ? std::copysign(1.0, d.y) * way.y : std::copysign(1.0, d.x) * way.x;
+    return std::fabs(d.y) > std::fabs(d.x) ? std::copysign(1.0, d.y) * way.y
+                                           : std::copysign(1.0, d.x) * way.x;
   }
 
   bool is_in_room(Edge_id e, const Point& p) const {
     if (rooms_.empty()) return true; // coordinates are unlimited, so it is on the edge
-    const Point &a = problem_.input_point(problem_.edges[e].a), &b = problem_.input_point(problem_.edges[e].b);
+    const Point &a = problem_.input_point(problem_.edges[e].a),
+                &b = problem_.input_point(problem_.edges[e].b);
     const int side = Geometry::orientation(a, b, p);
     if (side == 0) return true;
     const Room& room = rooms_[std::size_t(e)][side > 0 ? left_ : right_];

@@ -87,7 +87,8 @@ public:
     Splitter<Geometry> splitter(state_);
     Refiner<Geometry> refiner(state_, splitter);
     const bool is_by_trees = options_.separation == Quality_mesh_options_2::Separation::THEOREM_5;
-    if (!(is_by_trees && construct_by_trees(refiner)) && refine(refiner, splitter) == Refinement_end::out_of_budget)
+    if (!(is_by_trees && construct_by_trees(refiner)) &&
+        refine(refiner, splitter) == Refinement_end::out_of_budget)
       take_over(refiner, splitter);
     coarsen();
     finish(refiner);
@@ -186,11 +187,14 @@ private:
   }
 
   Pslg_seed_error_2 seed_error(const Ambiguous_seed& seed) const {
-    const auto kind = seed.of == Ambiguous_seed::Of::HOLE ? Pslg_seed_error_2::Kind::HOLE : Pslg_seed_error_2::Kind::REGION;
+    const auto kind =
+        seed.of == Ambiguous_seed::Of::HOLE ? Pslg_seed_error_2::Kind::HOLE : Pslg_seed_error_2::Kind::REGION;
     if (seed.a == seed.b)
-      return make_seed_error(pslg_, kind, seed.number, Vertex_index(order_[std::size_t(seed.a)]), Segment_index());
+      return make_seed_error(pslg_, kind, seed.number, Vertex_index(order_[std::size_t(seed.a)]),
+                             Segment_index());
     const Edge_id e = problem_.edges.between(seed.a, seed.b);
-    return make_seed_error(pslg_, kind, seed.number, Vertex_index(), Segment_index(problem_.edges[e].segment));
+    return make_seed_error(pslg_, kind, seed.number, Vertex_index(),
+                           Segment_index(problem_.edges[e].segment));
   }
 
   /// Coordinates are unlimited, the doubles in which angles are compared are not.
@@ -298,8 +302,8 @@ private:
     // What 32-bit handles allow, and a large multiple of what is to be expected: no proof says that refinement ends.
     // What a rule of the user's asks for cannot be expected.
     const double unexpected = options_.refined_where ? 2e7 : 2e6;
-    const double patience = may_construct_instead() ? options_.refinement_patience
-                                                    : Quality_mesh_options_2().refinement_patience;
+    const double patience =
+        may_construct_instead() ? options_.refinement_patience : Quality_mesh_options_2().refinement_patience;
     if (!(patience > 0)) return 0;
     const double affordable = std::max(least_patience_ * expected_vertices() + unexpected,
                                        options_.memory_of_patience / bytes_of_vertex_);

@@ -72,15 +72,15 @@ struct Placed_vertices {
     constexpr std::size_t block = 256;
     std::vector<std::vector<Edge_crossing<Geometry>>> found((edges.size() + block - 1) / block);
     std::vector<std::vector<Edge_id>> cramped(found.size());
-    for_each_block<Concurrency_tag>(edges.size(), block,
-                                    [&](std::size_t b, std::size_t begin, std::size_t end) {
-                                      for (std::size_t e = begin; e < end; ++e) {
-                                        const std::size_t first = found[b].size();
-                                        cut(static_cast<Edge_id>(e), found[b]);
-                                        if (!keep_in_room(edges[static_cast<Edge_id>(e)], rooms, found[b], first))
-                                          cramped[b].push_back(static_cast<Edge_id>(e));
-                                      }
-                                    });
+    for_each_block<Concurrency_tag>(
+        edges.size(), block, [&](std::size_t b, std::size_t begin, std::size_t end) {
+          for (std::size_t e = begin; e < end; ++e) {
+            const std::size_t first = found[b].size();
+            cut(static_cast<Edge_id>(e), found[b]);
+            if (!keep_in_room(edges[static_cast<Edge_id>(e)], rooms, found[b], first))
+              cramped[b].push_back(static_cast<Edge_id>(e));
+          }
+        });
     for (const auto& list : cramped) cramped_edges.insert(cramped_edges.end(), list.begin(), list.end());
     Edge_id e = 0;
     for (const auto& crossings : found)
@@ -96,7 +96,8 @@ struct Placed_vertices {
   void append_corners(const Trees& trees, const Corners& corners, const std::vector<char>& is_kept) {
     // Other leaves around a corner may be a level further down.
     const auto has_room = [&](std::size_t c) {
-      return trees.has_room(trees.tree().level(Corners::leaf_of(c)) + 1, trees.kernel_point(corners.place(c)));
+      return trees.has_room(trees.tree().level(Corners::leaf_of(c)) + 1,
+                            trees.kernel_point(corners.place(c)));
     };
     const auto names = pack_values<Concurrency_tag, typename Corners::Name>(
         is_kept.size(), [&](std::size_t c) { return is_kept[c] != 0 && has_room(c); },

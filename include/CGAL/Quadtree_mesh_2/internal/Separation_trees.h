@@ -171,7 +171,8 @@ private:
         distance = std::sqrt(squared_length(Geometry::difference(
             problem_.input_points[v], problem_.input_points[framework.input_point(near).value()])));
       if (hits[v] > 0 && std::isfinite(hits[v])) distance = std::min(distance, map_.length_to_kernel(hits[v]));
-      levels[i] = level_for(distance / least_vertex_distance(), framework.grid().depth(), problem_.input_points[v]);
+      levels[i] =
+          level_for(distance / least_vertex_distance(), framework.grid().depth(), problem_.input_points[v]);
     });
     return levels;
   }

@@ -103,8 +103,7 @@ private:
       const Leaf_index behind = side_crossed(leaves[i - 1], leaves[i], is_steep);
       if (!behind.is_valid()) continue;
       const auto s = tree_.square(behind);
-      const auto crossing =
-          Point_on_edge<Geometry>::beside(trees_.kernel_point({s.x, s.y}), a, b, is_steep);
+      const auto crossing = Point_on_edge<Geometry>::beside(trees_.kernel_point({s.x, s.y}), a, b, is_steep);
       if (crossing.share >= least && crossing.share <= most) crossings.push_back({e, crossing.point});
     }
   }

@@ -141,8 +141,7 @@ private:
   }
 
   void take(Kernel_mesh<Geometry>&& sorted, Kernel_mesh<Geometry>& mesh) const {
-    sides_.restrict(sorted, First::number_of_auxiliary_vertices,
-                    [&](Side s) { return edge_at(sorted, s); });
+    sides_.restrict(sorted, First::number_of_auxiliary_vertices, [&](Side s) { return edge_at(sorted, s); });
     mesh = Kernel_mesh<Geometry>();
     mesh.resize(placed_.points.size(), 0);
     mesh.points = placed_.points, mesh.edge_of = placed_.edge_of;
@@ -150,8 +149,8 @@ private:
     for_each_index<Concurrency_tag>(mesh.triangles.size(), [&](std::size_t t) {
       for (Vertex_id& v : mesh.triangles[t].v) v = placed_vertex(v);
     });
-    for_each_index<Concurrency_tag>(order_.size(),
-                                    [&](std::size_t i) { mesh.triangle_of[order_[i]] = sorted.triangle_of[i]; });
+    for_each_index<Concurrency_tag>(
+        order_.size(), [&](std::size_t i) { mesh.triangle_of[order_[i]] = sorted.triangle_of[i]; });
   }
 };
 

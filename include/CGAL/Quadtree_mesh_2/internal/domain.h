@@ -153,8 +153,10 @@ private:
     std::vector<char> is_reached(mesh_.triangles.size(), 0);
     is_reached[std::size_t(first)] = 1;
     stack_.push_back(first);
-    flood([&](Triangle_id t) { return std::exchange(is_reached[std::size_t(t)], char(1)) == 0; }, [](Triangle_id) {});
-    return std::all_of(others.begin(), others.end(), [&](Triangle_id t) { return is_reached[std::size_t(t)] != 0; });
+    flood([&](Triangle_id t) { return std::exchange(is_reached[std::size_t(t)], char(1)) == 0; },
+          [](Triangle_id) {});
+    return std::all_of(others.begin(), others.end(),
+                       [&](Triangle_id t) { return is_reached[std::size_t(t)] != 0; });
   }
 
   /// Calls `visit(t)` for the triangles that are reached from those on the stack without crossing a
