@@ -300,15 +300,13 @@ TEST_CASE("Features as near as coordinates allow are left to refinement", "[mesh
                                     "hard_vertex_ulps_from_edge.poly", "hard_edge_of_an_ulp.poly");
   CAPTURE(name);
   const Pslg pslg = read(name);
-  for (const auto placement : {Tree_options::Placement::CHOSEN, Tree_options::Placement::BY_RULE}) {
-    const Run r = run(pslg, Options().separate(Tree_options().place(placement)));
-    CHECK(are_all_in_mesh(pslg, r.mesh));
-    CHECK(r.report.trees.end == End::COORDINATES);
-    CHECK(r.report.trees.handed_over > 0);
-    CHECK(r.report.trees.handed_over <= r.report.trees.missed);
-    CHECK(r.report.unmet_triangles.size() == r.quality.unmet_triangles.size());
-    CHECK(r.report.triangles < 2000);
-  }
+  const Run r = run(pslg, by_quadtrees());
+  CHECK(are_all_in_mesh(pslg, r.mesh));
+  CHECK(r.report.trees.end == End::COORDINATES);
+  CHECK(r.report.trees.handed_over > 0);
+  CHECK(r.report.trees.handed_over <= r.report.trees.missed);
+  CHECK(r.report.unmet_triangles.size() == r.quality.unmet_triangles.size());
+  CHECK(r.report.triangles < 2000);
 }
 
 TEST_CASE("Isolated features near the last place, at any offset, are meshed by quadtrees",
