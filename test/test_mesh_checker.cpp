@@ -159,7 +159,8 @@ TEST_CASE("A vertex on a segment may be four units off, no more", "[mesh_checker
     const Segment_index s = mesh.segment_of_vertex[v];
     if (!s.is_valid() || std::size_t(s) >= 12) continue; // those of the squares are parallel to the axes
     CAPTURE(v);
-    const Point &p = pslg.point(pslg.segments[std::size_t(s)][0]), &q = pslg.point(pslg.segments[std::size_t(s)][1]);
+    const Point &p = pslg.point(pslg.segments[std::size_t(s)][0]),
+                &q = pslg.point(pslg.segments[std::size_t(s)][1]);
     const bool is_level = p.y() == q.y();
     const double at = is_level ? p.y() : p.x();
     REQUIRE((is_level ? mesh.points[v].y() : mesh.points[v].x()) == at);
@@ -169,7 +170,8 @@ TEST_CASE("A vertex on a segment may be four units off, no more", "[mesh_checker
       changed.points[v] = is_level ? Point(mesh.points[v].x(), at + units * unit)
                                    : Point(at + units * unit, mesh.points[v].y());
       CAPTURE(units);
-      const bool is_beyond = std::abs((is_level ? changed.points[v].y() : changed.points[v].x()) - at) > 4 * unit;
+      const bool is_beyond =
+          std::abs((is_level ? changed.points[v].y() : changed.points[v].x()) - at) > 4 * unit;
       CHECK(mesh_quality_2(changed, pslg).is_valid() != is_beyond);
       CHECK(is_valid_by_search(changed, pslg) != is_beyond);
       if (at != 0) CHECK(is_valid(changed, pslg) != is_beyond); // scaled, the unit of 0 stays what it is
@@ -218,20 +220,13 @@ TEST_CASE("Parts of the domain do not overlap, by not even a unit", "[mesh_check
   CAPTURE(y, gap);
   Pslg pslg;
   add_polygon(pslg, {Point(y, y - 4), Point(y + 4, y - 4), Point(y + 4, y), Point(y, y)});
-  add_polygon(pslg, {Point(y, y + gap * unit), Point(y + 4, y + gap * unit), Point(y + 4, y + 4), Point(y, y + 4)});
+  add_polygon(pslg,
+              {Point(y, y + gap * unit), Point(y + 4, y + gap * unit), Point(y + 4, y + 4), Point(y, y + 4)});
   for (int units = -5; units <= 5; ++units) {
     CAPTURE(units);
-    const Mesh mesh = make_mesh(pslg, {{Point(y + 2, y + units * unit), 2}},
-                                {{0, 1, 8}, {1, 2, 8}, {0, 8, 3}, {4, 5, 6}, {4, 6, 7}},
-                                {{0, 1, 0},
-                                 {1, 2, 1},
-                                 {2, 8, 2},
-                                 {8, 3, 2},
-                                 {3, 0, 3},
-                                 {4, 5, 4},
-                                 {5, 6, 5},
-                                 {6, 7, 6},
-                                 {7, 4, 7}});
+    const Mesh mesh = make_mesh(
+        pslg, {{Point(y + 2, y + units * unit), 2}}, {{0, 1, 8}, {1, 2, 8}, {0, 8, 3}, {4, 5, 6}, {4, 6, 7}},
+        {{0, 1, 0}, {1, 2, 1}, {2, 8, 2}, {8, 3, 2}, {3, 0, 3}, {4, 5, 4}, {5, 6, 5}, {6, 7, 6}, {7, 4, 7}});
     const bool is_apart = std::abs(units) <= 4 && units < gap;
     CHECK(is_valid(mesh, pslg) == is_apart);
     CHECK(is_valid_by_search(mesh, pslg) == is_apart);
@@ -247,11 +242,43 @@ TEST_CASE("A part of the domain is not within another", "[mesh_checker]") {
   add_polygon(pslg, {Point(y + 2, y + unit), Point(y + 2 + unit, y + unit), Point(y + 2, y + 2 * unit)});
   for (int units = -4; units <= 4; ++units) {
     CAPTURE(units);
-    const Mesh mesh = make_mesh(
-        pslg, {{Point(y + 2, y + units * unit), 2}}, {{0, 1, 7}, {1, 2, 7}, {0, 7, 3}, {4, 5, 6}},
-        {{0, 1, 0}, {1, 2, 1}, {2, 7, 2}, {7, 3, 2}, {3, 0, 3}, {4, 5, 4}, {5, 6, 5}, {6, 4, 6}});
+    const Mesh mesh =
+        make_mesh(pslg, {{Point(y + 2, y + units * unit), 2}}, {{0, 1, 7}, {1, 2, 7}, {0, 7, 3}, {4, 5, 6}},
+                  {{0, 1, 0}, {1, 2, 1}, {2, 7, 2}, {7, 3, 2}, {3, 0, 3}, {4, 5, 4}, {5, 6, 5}, {6, 4, 6}});
     CHECK(is_valid(mesh, pslg) == (units < 1));
   }
+}
+
+TEST_CASE("Without a domain, triangles do not overlap either", "[mesh_checker]") {
+  const Options any =
+      Options().check_domain(Options::Domain::ANY).check_arrays(Options::Arrays::POINTS_AND_TRIANGLES);
+  const auto is_fine = [&](const std::vector<Point>& points,
+                           const std::vector<std::array<std::size_t, 3>>& triangles) {
+    Pslg pslg;
+    pslg.vertices = points;
+    return mesh_quality_2(make_mesh(pslg, {}, triangles, {}), pslg, any).is_valid();
+  };
+  const Point a(0, 0), b(4, 0), c(0, 4), d(4, 4);
+  CHECK(is_fine({a, b, c, d}, {{0, 1, 2}, {1, 3, 2}}));
+  CHECK(is_fine({a, b, c, Point(5, 0), Point(9, 0), Point(5, 4)}, {{0, 1, 2}, {3, 4, 5}}));
+  // beside each other, one in the other, crossing, with a vertex on a side, touching in a vertex
+  CHECK(is_fine({a, b, c, Point(4, 1), Point(6, 0), Point(6, 1)}, {{0, 1, 2}, {3, 4, 5}}));
+  CHECK_FALSE(is_fine({a, b, c, Point(1, 1), Point(1.5, 1), Point(1, 1.5)}, {{0, 1, 2}, {3, 4, 5}}));
+  CHECK_FALSE(is_fine({a, b, c, Point(1, 1), Point(5, 1), Point(5, 2)}, {{0, 1, 2}, {3, 4, 5}}));
+  CHECK_FALSE(is_fine({a, b, c, Point(2, 2), Point(5, 1), Point(5, 2)}, {{0, 1, 2}, {3, 4, 5}}));
+  CHECK(is_fine({a, b, c, Point(5, -1), Point(5, 2)}, {{0, 1, 2}, {1, 3, 4}}));
+  // a fan that goes around its center twice
+  std::vector<Point> star;
+  for (int i = 0; i < 10; ++i)
+    star.emplace_back((i + 1) * std::cos(0.4 * i * CGAL_PI), (i + 1) * std::sin(0.4 * i * CGAL_PI));
+  star.emplace_back(0, 0);
+  std::vector<std::array<std::size_t, 3>> fan;
+  for (std::size_t i = 0; i < 9; ++i) fan.push_back({i, i + 1, 10});
+  CHECK_FALSE(is_fine(star, fan));
+  fan.resize(4);
+  star.erase(star.begin() + 5, star.begin() + 10);
+  for (auto& t : fan) t[2] = 5;
+  CHECK(is_fine(star, fan));
 }
 
 TEST_CASE("Two segments do not meet at a vertex that is none of the input's", "[mesh_checker]") {
@@ -265,9 +292,12 @@ TEST_CASE("Two segments do not meet at a vertex that is none of the input's", "[
                         {{0, 6, 0}, {6, 1, 0}, {1, 2, 1}, {2, 3, 2}, {3, 0, 3}, {4, 5, 4}});
   CHECK(is_valid(mesh, pslg));
   // the vertex below, now of both segments
-  mesh.triangles = {{Vertex_index(0), Vertex_index(6), Vertex_index(4)}, {Vertex_index(6), Vertex_index(1), Vertex_index(5)},
-                    {Vertex_index(1), Vertex_index(2), Vertex_index(5)}, {Vertex_index(4), Vertex_index(6), Vertex_index(3)},
-                    {Vertex_index(6), Vertex_index(5), Vertex_index(3)}, {Vertex_index(5), Vertex_index(2), Vertex_index(3)},
+  mesh.triangles = {{Vertex_index(0), Vertex_index(6), Vertex_index(4)},
+                    {Vertex_index(6), Vertex_index(1), Vertex_index(5)},
+                    {Vertex_index(1), Vertex_index(2), Vertex_index(5)},
+                    {Vertex_index(4), Vertex_index(6), Vertex_index(3)},
+                    {Vertex_index(6), Vertex_index(5), Vertex_index(3)},
+                    {Vertex_index(5), Vertex_index(2), Vertex_index(3)},
                     {Vertex_index(0), Vertex_index(4), Vertex_index(3)}};
   complete(mesh);
   mesh.constrained_edges.back().vertices = {Vertex_index(4), Vertex_index(6)};

@@ -97,11 +97,12 @@ Pslg_seed_error_2 make_seed_error(const Pslg_2<Point>& pslg, Pslg_seed_error_2::
                                   Vertex_index vertex, Segment_index segment) {
   const bool is_hole = kind == Pslg_seed_error_2::Kind::HOLE;
   const Point& p = is_hole ? pslg.holes[seed] : pslg.regions[seed].point;
-  const std::string what = (is_hole ? "the point of hole " : "the point of region ") + std::to_string(seed) + ' ' +
-                           coordinates_text(p);
-  const std::string where = vertex.is_valid() ? vertex_text(pslg, std::size_t(vertex))
-                                              : segment_text(pslg, std::size_t(segment));
-  return Pslg_seed_error_2(what + " lies on " + where + ", between several components of the plane; move it into one",
+  const std::string what = (is_hole ? "the point of hole " : "the point of region ") + std::to_string(seed) +
+                           ' ' + coordinates_text(p);
+  const std::string where =
+      vertex.is_valid() ? vertex_text(pslg, std::size_t(vertex)) : segment_text(pslg, std::size_t(segment));
+  return Pslg_seed_error_2(what + " lies on " + where +
+                               ", between several components of the plane; move it into one",
                            kind, seed, vertex, segment);
 }
 

@@ -10,6 +10,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Indexed_mesh_2.h>
 #include <CGAL/Pslg_2.h>
+#include <CGAL/Quadtree_mesh_2/internal/Border_winding.h>
 #include <CGAL/Quadtree_mesh_2/internal/Chain_finder.h>
 #include <CGAL/Quadtree_mesh_2/internal/Chain_order.h>
 #include <CGAL/Quadtree_mesh_2/internal/Half_edges.h>
@@ -214,6 +215,8 @@ private:
       domain.for_each_triangle([&](const Point& p, const Point& q, const Point& r) {
         quality_.domain_area += Scaled_sides<Point>(p, q, r).area();
       });
+    } else if (quality_.number_of_errors == 0) {
+      check_overlaps();
     }
   }
 
@@ -272,7 +275,8 @@ private:
     if (half_edge == none_ || !has_regions()) return;
     const int found = mesh_.region_of_triangle[half_edge / 3];
     if (found != expected)
-      error("triangle ", half_edge / 3, " is in region ", found, ", but by the regions' points in ", expected);
+      error("triangle ", half_edge / 3, " is in region ", found, ", but by the regions' points in ",
+            expected);
   }
   bool has_regions() const {
     return has_all_arrays() && !pslg_.regions.empty() &&
@@ -292,6 +296,15 @@ private:
       if (opposites_[h] == none_ && is_constrained_[h] == 0)
         error("edge ", half_edges_.origin(h), " ", half_edges_.target(h), " of triangle ", h / 3,
               " is on the border of the mesh, but on no input segment");
+  }
+
+  /// Where no domain tells what the border of the mesh has to be.
+  void check_overlaps() {
+    std::vector<Border_winding<Kernel>::Edge> border;
+    for (std::uint32_t h = 0; h < opposites_.size(); ++h)
+      if (opposites_[h] == none_) border.push_back({half_edges_.origin(h), half_edges_.target(h)});
+    if (!Border_winding<Kernel>(mesh_.points, border).is_simple())
+      error("triangles overlap, or border edges meet where they have no common end");
   }
 
   void check_euler(const Domain& domain) {
