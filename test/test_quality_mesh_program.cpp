@@ -257,6 +257,9 @@ TEST_CASE("the program separates by quadtrees and says what they did", "[program
   CHECK(trees.at("rounds") >= 1);
   CHECK(trees.at("triangles") > json.at("triangles"));
   CHECK(trees.at("missed_by_rule") >= trees.at("missed"));
+  CHECK(trees.at("end") == "done");
+  CHECK(trees.at("has_taken_over") == false);
+  CHECK(trees.at("handed_over") == 0);
   CHECK(trees.at("left_out").is_number());
   for (const char* name : {"trees", "construct"}) CHECK(json.at("seconds").at(name).is_number());
 

@@ -36,6 +36,8 @@ std::string fault_of_mesh(const Pslg& pslg, double min_angle) try {
   if (!report.is_met()) return "unmet triangles in the report alone";
   if (report.exempt_triangles.size() != quality.exempt_triangles) return "exempt triangles miscounted";
   if (report.trees.rounds == 0) return "no quadtrees";
+  if (report.trees.end != CGAL::Tree_separation_report_2::End::DONE)
+    return "ended otherwise: " + std::to_string(int(report.trees.end));
   if (report.trees.missed > 0) return "missed by quadtrees: " + std::to_string(report.trees.missed);
   return {};
 } catch (const std::exception& error) {

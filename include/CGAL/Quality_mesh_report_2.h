@@ -71,6 +71,18 @@ public:
 /// \ingroup PkgQuadtreeMesh2Meshers
 /// What a construction by quadtrees did (Theorem 5); all 0 if there was none.
 struct Tree_separation_report_2 {
+  /// How the construction ended. Whatever is not done then, refinement on demand goes on with.
+  enum class End {
+    NONE,        ///< there was no construction
+    DONE,        ///< no triangle is below the bound
+    COORDINATES, ///< those left are where leaves cannot become smaller: numbers express no coordinates in between
+    BUDGET,      ///< those left would take more vertices than the budget
+    CANCELLED, ///< the callback stopped it
+    FAILED     ///< no mesh came of the last round: the mesh is that of the round before, or refinement's
+  };
+
+  End end = End::NONE;         ///< how it ended
+  bool has_taken_over = false; ///< whether refinement on demand had not come to rest (`refinement_patience`)
   std::size_t leaves_of_points = 0;   ///< of T_B, the quadtree of the vertices
   std::size_t leaves_of_vertices = 0; ///< of T_B', in which vertices are separated
   std::size_t leaves_of_pieces = 0;   ///< of T_B'', in which edges within leaves are
@@ -85,6 +97,7 @@ struct Tree_separation_report_2 {
   std::size_t missed_by_rule = 0; ///< of these below the bound
   std::size_t left_out = 0;       ///< corners and crossings left out to cure those
   std::size_t missed = 0;         ///< triangles below the bound that were not cured
+  std::size_t handed_over = 0;    ///< of these: those at leaves that cannot become smaller
 };
 
 /// \ingroup PkgQuadtreeMesh2Meshers

@@ -12,6 +12,8 @@
 //   -> the bulk filled with squares, where bounds of size rule (Bulk_filler.h)
 //   -> refinement on demand and guarded removal: in blocks, then what is left at their seams -> exact constrained
 //      Delaunay flips
+//   or, where that is wanted or refinement does not come to rest,
+//   -> a mesh by quadtrees (Tree_construction.h), and refinement of what is left of it
 //   -> flat arrays in the user's coordinates and vertex order
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_MESH_PIPELINE_H
@@ -20,8 +22,10 @@
 #include <CGAL/Indexed_mesh_2.h>
 #include <CGAL/Pslg_2.h>
 #include <CGAL/Quadtree_mesh_2/Grid_point_2.h>
+#include <CGAL/Quadtree_mesh_2/Point_error.h>
 #include <CGAL/Quadtree_mesh_2/internal/Block_refinement.h>
 #include <CGAL/Quadtree_mesh_2/internal/Bulk_filler.h>
+#include <CGAL/Quadtree_mesh_2/internal/Edge_sides.h>
 #include <CGAL/Quadtree_mesh_2/internal/First_triangulation.h>
 #include <CGAL/Quadtree_mesh_2/internal/Phase_timer.h>
 #include <CGAL/Quadtree_mesh_2/internal/Refiner.h>
@@ -83,8 +87,10 @@ public:
     make_first_mesh();
     Splitter<Geometry> splitter(state_);
     Refiner<Geometry> refiner(state_, splitter);
-    if (options_.separation == Quality_mesh_options_2::Separation::THEOREM_5 || !refine(refiner, splitter))
-      construct_by_trees(refiner);
+    const bool is_by_trees = options_.separation == Quality_mesh_options_2::Separation::THEOREM_5;
+    if (!(is_by_trees && construct_by_trees(refiner)) &&
+        refine(refiner, splitter) == Refinement_end::out_of_budget)
+      take_over(refiner, splitter);
     coarsen();
     finish(refiner);
     report_.is_cancelled = is_cancelled_;
@@ -96,6 +102,11 @@ private:
   /// Quadtrees make four times the triangles that are needed: removal alone leaves half of those too many.
   static constexpr int rounds_after_construction_ = 2;
   static constexpr bool has_double_coordinates = std::is_same_v<typename Geometry::Coordinate, double>;
+  /// Refinement that is expected to end may take so many times the vertices expected, whatever memory that needs.
+  static constexpr double least_patience_ = 10;
+  /// Of a vertex and its two triangles, in arrays of twice the size; and of what refinement notes about them.
+  static constexpr double bytes_of_vertex_ =
+      2 * (sizeof(typename Geometry::Point) + 2 * sizeof(typename Kernel_mesh<Geometry>::Triangle) + 64);
   static constexpr double degree = 3.14159265358979323846 / 180;
 
   const Pslg& pslg_;
@@ -112,7 +123,6 @@ private:
   std::atomic<bool> is_cancelled_{false};
   Order order_;                 // kernel vertex -> input vertex
   std::vector<char> is_merged_; // kernel vertices that another one stands for
-  Domain_rule<Geometry> domain_;
   std::optional<Edge_sides> edge_sides_;
   std::string too_near_for_trees_; // which vertices; empty: none are
 
@@ -165,11 +175,12 @@ private:
   }
 
   void find_domain() {
-    domain_.rule = options_.domain;
-    for (const Point_2& p : pslg_.holes) domain_.holes.push_back(map_.to_kernel(p));
-    for (const auto& region : pslg_.regions) domain_.regions.push_back(map_.to_kernel(region.point));
+    Domain_rule<Geometry> domain;
+    domain.rule = options_.domain;
+    for (const Point_2& p : pslg_.holes) domain.holes.push_back(map_.to_kernel(p));
+    for (const auto& region : pslg_.regions) domain.regions.push_back(map_.to_kernel(region.point));
     try {
-      domain_.apply(state_.mesh, First::number_of_auxiliary_vertices);
+      domain.apply(state_.mesh, First::number_of_auxiliary_vertices);
     } catch (const Ambiguous_seed& seed) {
       throw seed_error(seed);
     }
@@ -330,8 +341,13 @@ private:
     if (options_.vertex_budget > 0) return options_.vertex_budget;
     // What 32-bit handles allow, and a large multiple of what is to be expected: no proof says that refinement ends.
     // What a rule of the user's asks for cannot be expected.
-    const double patience = options_.refinement_patience, unexpected = options_.refined_where ? 2e7 : 2e6;
-    return at_most_handles(patience * expected_vertices() + (patience > 0 ? unexpected : 0));
+    const double unexpected = options_.refined_where ? 2e7 : 2e6;
+    const double patience =
+        may_construct_instead() ? options_.refinement_patience : Quality_mesh_options_2().refinement_patience;
+    if (!(patience > 0)) return 0;
+    const double affordable = std::max(least_patience_ * expected_vertices() + unexpected,
+                                       options_.memory_of_patience / bytes_of_vertex_);
+    return at_most_handles(std::min(patience * expected_vertices() + unexpected, affordable));
   }
 
   double expected_vertices() const {
@@ -344,11 +360,11 @@ private:
   /// Quadtrees make ten times the triangles needed, a hundred times with the placement by rule.
   std::size_t budget_of_construction() const {
     if (options_.vertex_budget > 0) return options_.vertex_budget;
-    return at_most_handles(1000 * expected_vertices() + 1e7);
+    return at_most_handles(1000 * expected_vertices() + 1e6);
   }
 
-  /// False if quadtrees have to take over.
-  bool refine(Refiner<Geometry>& refiner, Splitter<Geometry>& splitter) {
+  /// Refines on demand. Where it runs out of budget, the mesh is as it was left.
+  Refinement_end refine(Refiner<Geometry>& refiner, Splitter<Geometry>& splitter) {
     Phase_timer timer(report_.seconds.refine);
     splitter.cut_rings();
     Bulk_filler<Concurrency_tag, Geometry>(state_).run(vertex_budget());
@@ -357,21 +373,30 @@ private:
       finishing_.smoothing_rounds = 0; // done, and removal is left only at seams
     else
       refiner.push_all();
-    if (run(refiner, vertex_budget()) == Refinement_end::out_of_budget) {
-      if (may_construct_instead()) return false;
-      report_.is_budget_exhausted = true;
-    }
+    const Refinement_end end = run(refiner, vertex_budget());
+    if (end != Refinement_end::out_of_budget) finish_refinement(splitter);
+    return end;
+  }
+
+  void finish_refinement(Splitter<Geometry>& splitter) {
     splitter.unlock_all();
     state_.legalize();
-    return true;
   }
 
   /// Above the bounds that refinement always reached, triangles left are no sign that quadtrees do better; and they
-  /// know no least edge, nor rules of the user's.
+  /// know no least edge, nor rules of the user's. What they failed at once they are not asked again.
   bool may_construct_instead() const {
     return options_.vertex_budget == 0 && options_.min_edge_length == 0 && !options_.refined_where &&
-           too_near_for_trees_.empty() &&
-           problem_.bounds.is_guaranteed();
+           too_near_for_trees_.empty() && problem_.bounds.is_guaranteed() &&
+           report_.trees.end == Tree_separation_report_2::End::NONE;
+  }
+
+  /// Has quadtrees make the mesh that refinement did not, if they may and can.
+  void take_over(Refiner<Geometry>& refiner, Splitter<Geometry>& splitter) {
+    report_.trees.has_taken_over = may_construct_instead();
+    if (report_.trees.has_taken_over && construct_by_trees(refiner)) return;
+    report_.is_budget_exhausted = true;
+    finish_refinement(splitter);
   }
 
   Refinement_end run(Refiner<Geometry>& refiner, std::size_t budget) {
@@ -388,16 +413,22 @@ private:
   }
 
   /// Makes a mesh by quadtrees, and refines what is too large in it, or could not be cured.
-  void construct_by_trees(Refiner<Geometry>& refiner) {
+  /// \returns false if there is none; the mesh is as it was then
+  bool construct_by_trees(Refiner<Geometry>& refiner) {
+    using End = Tree_separation_report_2::End;
     if (!too_near_for_trees_.empty()) throw Pslg_error_2(too_near_for_trees_);
-    if (make_mesh_by_trees() == Construction_end::out_of_budget) report_.is_budget_exhausted = true;
+    report_.trees.end = make_mesh_by_trees();
+    const std::size_t meshes = report_.trees.rounds - (report_.trees.end == End::FAILED ? 1 : 0);
+    if (meshes == 0) return false;
+    if (report_.trees.end == End::BUDGET) report_.is_budget_exhausted = true;
     Phase_timer timer(report_.seconds.refine);
     refiner.push_all();
     run_to_the_end(refiner, budget_of_repair());
     state_.legalize();
-    if (options_.coarsening == Quality_mesh_options_2::Coarsening::NONE) return;
+    if (options_.coarsening == Quality_mesh_options_2::Coarsening::NONE) return true;
     finishing_.smoothing_rounds = std::max(options_.smoothing_rounds, rounds_after_construction_);
     finishing_.thinning_rounds = std::max(options_.thinning_rounds, rounds_after_construction_);
+    return true;
   }
 
   /// For what refinement has to do in a mesh that is made.
@@ -407,17 +438,23 @@ private:
                            2e6);
   }
 
-  Construction_end make_mesh_by_trees() {
+  /// \throws Pslg_error_2 if the user wants quadtrees and their grid cannot tell two vertices apart
+  Tree_separation_report_2::End make_mesh_by_trees() {
     const Pslg graph = graph_of_edges();
     std::optional<Separation_trees<Traits, Concurrency_tag>> trees;
-    {
+    try {
       Phase_timer timer(report_.seconds.trees);
       trees.emplace(problem_, *edge_sides_, graph, map_, options_.trees, traits_, find_hits_, budget_of_construction(),
                     report_.trees);
+    } catch (const Point_error& error) {
+      ++report_.trees.rounds;
+      if (report_.trees.has_taken_over) return Tree_separation_report_2::End::FAILED;
+      throw Pslg_error_2(name_of_vertex(order_[error.point().value()]) + " and " +
+                         name_of_vertex(order_[error.other().value()]) +
+                         " are nearer to each other than the grid of the quadtrees can tell");
     }
     Phase_timer timer(report_.seconds.construct);
-    state_.corners.forget_cuts();
-    Tree_construction<Traits, Concurrency_tag> construction(state_, *trees, map_, is_merged_, domain_,
+    Tree_construction<Traits, Concurrency_tag> construction(state_, *trees, map_, is_merged_, *edge_sides_,
                                                             report_.trees);
     return construction.run(options_.trees.placement, budget_of_construction(),
                             [this] { return shall_go_on(0.3); });

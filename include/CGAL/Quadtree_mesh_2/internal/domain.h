@@ -38,6 +38,34 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
+/// Drops the triangles of a mesh that are not kept, and the vertices from the given one on; keeps the order of the
+/// others.
+template <class Mesh>
+void keep_triangles(Mesh& mesh, const std::vector<char>& is_kept, std::size_t end_of_vertices) {
+  std::vector<Triangle_id> new_id(mesh.triangles.size(), -1);
+  Triangle_id kept = 0;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    if (is_kept[t] != 0) new_id[t] = kept++;
+
+  mesh.points.resize(end_of_vertices), mesh.edge_of.resize(end_of_vertices);
+  mesh.is_dirty.resize(end_of_vertices);
+  mesh.triangle_of.assign(end_of_vertices, -1);
+  for (std::size_t t = 0; t < new_id.size(); ++t) {
+    if (new_id[t] < 0) continue;
+    auto r = mesh.triangles[t];
+    for (int k = 0; k < 3; ++k) {
+      const Side o = r.side[k];
+      const Triangle_id u = o.is_border() ? -1 : new_id[std::size_t(o.triangle())];
+      r.side[k] = u < 0 ? Side::border() : Side(u, o.slot(), o.is_constrained());
+      mesh.triangle_of[std::size_t(r.v[k])] = new_id[t];
+    }
+    mesh.triangle(new_id[t]) = r;
+    mesh.set_region(new_id[t], mesh.region(static_cast<Triangle_id>(t)));
+  }
+  mesh.triangles.resize(std::size_t(kept));
+  if (!mesh.region_of.empty()) mesh.region_of.resize(std::size_t(kept));
+}
+
 /// Thrown if the point of a hole or region lies on a segment, or an end of one, with several components around.
 struct Ambiguous_seed {
   enum class Of { HOLE, REGION };
@@ -69,7 +97,7 @@ public:
       for (std::size_t t = 0; t < is_kept_.size(); ++t)
         is_kept_[t] = level_[t] > 0 && !regions.empty() && mesh_.region_of[t] >= 0;
     for (const Triangle_id t : triangles_at(holes, Ambiguous_seed::Of::HOLE)) drop_component(t);
-    drop();
+    keep_triangles(mesh_, is_kept_, first_auxiliary_);
   }
 
 private:
@@ -200,31 +228,17 @@ private:
     stack_.push_back(first);
     flood(visit, [](Triangle_id) {});
   }
+};
 
-  /// Drops the triangles that are not kept and the auxiliary vertices; keeps the order of the others.
-  void drop() {
-    std::vector<Triangle_id> new_id(mesh_.triangles.size(), -1);
-    Triangle_id kept = 0;
-    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
-      if (is_kept_[t] != 0) new_id[t] = kept++;
+/// What of the plane is meshed.
+template <class Geometry>
+struct Domain_rule {
+  Quality_mesh_options_2::Domain rule = Quality_mesh_options_2::Domain::ENCLOSED;
+  std::vector<typename Geometry::Point> holes, regions;
 
-    mesh_.points.resize(first_auxiliary_), mesh_.edge_of.resize(first_auxiliary_);
-    mesh_.is_dirty.resize(first_auxiliary_);
-    mesh_.triangle_of.assign(first_auxiliary_, -1);
-    for (std::size_t t = 0; t < new_id.size(); ++t) {
-      if (new_id[t] < 0) continue;
-      auto r = mesh_.triangles[t];
-      for (int k = 0; k < 3; ++k) {
-        const Side o = r.side[k];
-        const Triangle_id u = o.is_border() ? -1 : new_id[std::size_t(o.triangle())];
-        r.side[k] = u < 0 ? Side::border() : Side(u, o.slot(), o.is_constrained());
-        mesh_.triangle_of[std::size_t(r.v[k])] = new_id[t];
-      }
-      mesh_.triangle(new_id[t]) = r;
-      mesh_.set_region(new_id[t], mesh_.region(static_cast<Triangle_id>(t)));
-    }
-    mesh_.triangles.resize(std::size_t(kept));
-    if (!mesh_.region_of.empty()) mesh_.region_of.resize(std::size_t(kept));
+  template <class Mesh>
+  void apply(Mesh& mesh, std::size_t number_of_auxiliary_vertices) const {
+    Domain_finder<Geometry>(mesh, number_of_auxiliary_vertices).run(rule, holes, regions);
   }
 };
 

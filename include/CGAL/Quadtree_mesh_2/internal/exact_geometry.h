@@ -106,6 +106,8 @@ struct Exact_geometry_2 {
   static Point between(const Point& p, const Point& q, const Number& share) {
     return {Coordinate::between(p.x, q.x, share), Coordinate::between(p.y, q.y, share)};
   }
+  /// How far coordinates are from the next ones.
+  static double spacing(const Point&) { return 0; }
   /// What is made between points of a line is on it.
   static const Point& back_to_line(const Point&, const Point&, const Point& m) { return m; }
   static double short_share(double share) { return 0x1p-10 * std::floor(0x1p10 * share + 0.5); }

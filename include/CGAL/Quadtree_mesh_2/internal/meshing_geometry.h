@@ -31,6 +31,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <type_traits>
 
 namespace CGAL {
@@ -216,6 +217,11 @@ struct Double_geometry_2 : Rounded_geometry<Double_geometry_2<Kernel>> {
 
   static Vector difference(Point p, Point q) { return {p.x - q.x, p.y - q.y}; }
   static Point translate(Point p, Vector v) { return {p.x + v.x, p.y + v.y}; }
+  /// How far coordinates as large as this one are from the next ones.
+  static double spacing(double x) {
+    return x == 0 ? 0 : std::numeric_limits<double>::epsilon() * power_of_two_at_most(std::fabs(x));
+  }
+  static double spacing(Point p) { return std::max(spacing(p.x), spacing(p.y)); }
 
   /// Whether there are places for a vertex at this squared distance from p: within one or two units in the last place
   /// there are none.
@@ -275,6 +281,9 @@ struct Integer_geometry_2 : Rounded_geometry<Integer_geometry_2<Word>> {
     return {static_cast<double>(p.x - q.x), static_cast<double>(p.y - q.y)};
   }
   static Point translate(Point p, Vector v) { return {p.x + std::llround(v.x), p.y + std::llround(v.y)}; }
+  /// How far coordinates are from the next ones.
+  static double spacing(std::int64_t) { return 1; }
+  static double spacing(const Point&) { return 1; }
 
   /// Whether there are places for a vertex at this squared distance from p.
   static bool is_resolved(Point, double squared_distance) { return squared_distance >= 4; }
