@@ -371,7 +371,7 @@ TEMPLATE_TEST_CASE("The bulk of integers has integer corners", "[bulk]", std::ui
   const auto mesh = mesher(fixed);
   CHECK(mesher.report().is_met());
   CGAL::Mesh_quality_options_2 check = CGAL::Mesh_quality_options_2().min_angle(20.7).max_area(area);
-  check.tolerance_on_edge = 1e-6; // edges are split at integer points
+  check.tolerance_on_edge = pslg_test::tolerance_of_words(fixed);
   const auto quality = CGAL::mesh_quality_2(mesh, fixed, check);
   for (const std::string& error : quality.errors) UNSCOPED_INFO(error);
   CHECK(quality.is_valid());
