@@ -99,6 +99,6 @@ if [[ -z $sanitize ]]; then
   trap 'rm -rf "$installed"' EXIT
   cmake --install "$folder" --prefix "$installed/usr" >/dev/null
   configure_and_build_project "$root/test/consumer" "$installed/build" all \
-    -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH="$installed/usr" "${compiler_argument[@]}"
+    -DCMAKE_BUILD_TYPE=None -DCMAKE_PREFIX_PATH="$installed/usr" "${compiler_argument[@]}"
   ctest --test-dir "$installed/build" --output-on-failure
 fi

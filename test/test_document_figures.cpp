@@ -47,11 +47,13 @@ pslg_inputs::Input input_of(const std::string& name) {
 
 /// Whether there is a mesh, and it takes no more seconds to make than a run has.
 bool shall_be_made(const json& figures, double seconds) {
-  return figures.contains("triangles") && (is_full_run() || figures.at("cpu_seconds").get<double>() < seconds);
+  return figures.contains("triangles") &&
+         (is_full_run() || figures.at("cpu_seconds").get<double>() < seconds);
 }
 
 /// The report of the mesh made anew, whose triangles are as many as the documents say.
-CGAL::Quality_mesh_report_2 mesh_as_documented(const pslg_inputs::Input& input, Options options, const json& made) {
+CGAL::Quality_mesh_report_2 mesh_as_documented(const pslg_inputs::Input& input, Options options,
+                                               const json& made) {
   CGAL::Quality_mesher_2<> mesher(options.max_area(input.max_area));
   const std::size_t triangles = mesher(input.pslg).number_of_triangles();
   INFO("figures of the documents are of another state: benchmark/run.sh --docs");
@@ -67,8 +69,8 @@ TEST_CASE("Numbers of triangles of graphs are those of the documents", "[documen
       for (const json& made : comparison.at("meshers")) {
         if (made.at("mesher") != "ours" || !shall_be_made(made, 1)) continue;
         CAPTURE(name, comparison.at("input"));
-        mesh_as_documented(input_of(comparison.at("input")), Options().min_angle(comparison.at("min_angle_bound")),
-                           made);
+        mesh_as_documented(input_of(comparison.at("input")),
+                           Options().min_angle(comparison.at("min_angle_bound")), made);
       }
 }
 
@@ -81,7 +83,8 @@ TEST_CASE("What is said of Theorem 5 in the documents is so", "[documents][theor
       if (made.at("separation") == "on demand, smoothed and thinned")
         mesh_as_documented(input, Options().smooth(2).thin(2), made);
       if (made.at("separation") == "Theorem 5") {
-        const auto report = mesh_as_documented(input, Options().separate(Options::Separation::THEOREM_5), made);
+        const auto report =
+            mesh_as_documented(input, Options().separate(Options::Separation::THEOREM_5), made);
         INFO("figures of the documents are of another state: benchmark/run.sh --docs");
         CHECK(report.trees.rounds == made.at("trees").at("rounds").get<std::size_t>());
       }

@@ -24,12 +24,14 @@ TEST_CASE("Points are meshed in each mode", "[end_to_end]") {
         point_sets::Named_points{"clusters", point_sets::nested_clusters(20, 1e-7, 1, 2)},
         point_sets::Named_points{"near pairs", point_sets::close_pairs(20, 1e-5, 3)}})
     for (const Options& options :
-         {Options().bounded_angles().effort(1), Options().bounded_angles().effort(1).mesh_domain(Domain::SQUARE),
-          Options().acute().effort(1), Options().least_angle(), Options().warped_squares()}) {
+         {Options().bounded_angles().effort(1),
+          Options().bounded_angles().effort(1).mesh_domain(Domain::SQUARE), Options().acute().effort(1),
+          Options().least_angle(), Options().warped_squares()}) {
       CAPTURE(input.name, int(options.mode));
       CGAL::Point_set_mesher_2<CGAL::Filtered_quadtree_traits_2<>, CGAL::Parallel_tag> mesher(options);
       const auto mesh = mesher(input.points);
-      for (const std::string& fault : point_mesh_test::faults_of(mesh, input.points, options, mesher.report()))
+      for (const std::string& fault :
+           point_mesh_test::faults_of(mesh, input.points, options, mesher.report()))
         FAIL_CHECK(fault);
     }
 }

@@ -97,7 +97,8 @@ TEST_CASE("Above the established angle thinning leaves no more undone", "[mesher
     CHECK(thin.report.unmet_triangles.size() == thin.quality.unmet_triangles.size());
   }
   for (const random_pslg::Family& family : random_pslg::families()) {
-    for (std::uint64_t seed = 0; seed < random_pslg::number_of_seeds(family, is_full_run() ? 200 : 5); ++seed) {
+    for (std::uint64_t seed = 0; seed < random_pslg::number_of_seeds(family, is_full_run() ? 200 : 5);
+         ++seed) {
       CAPTURE(family.name, seed);
       const Options options = Options().min_angle(seed % 2 == 0 ? 25 : 30);
       const Pslg pslg = family.make(seed);

@@ -121,7 +121,8 @@ private:
 
 // Outside the class, thus not inline: where a compiled library has it, the compiler need not look into it.
 template <class Traits_, class Concurrency_tag>
-Trapezoidal_vertex_edge_neighbors_2<Traits_, Concurrency_tag>::Trapezoidal_vertex_edge_neighbors_2(const Pslg& pslg)
+Trapezoidal_vertex_edge_neighbors_2<Traits_, Concurrency_tag>::Trapezoidal_vertex_edge_neighbors_2(
+    const Pslg& pslg)
     : pslg_(&pslg) {
   using namespace Quadtree_mesh_2::internal;
   std::array<std::optional<Axis_slabs>, 2> axes;
