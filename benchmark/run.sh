@@ -53,8 +53,9 @@ measure() { # name of the figures, program, arguments
   say "$name"
   "$root/build/bin/$program" --json "$figures/$name.json" "$@" >"$figures/$name.txt"
 }
-data=$root/test/data
-maps=("$root/examples/data/great_lakes.poly.gz" "$data/us_states_10m.poly.gz" "$data/gshhg_aegean_h.poly.gz")
+cd "$root" # that figures name inputs by their place in the project
+data=test/data
+maps=(examples/data/great_lakes.poly.gz "$data/us_states_10m.poly.gz" "$data/gshhg_aegean_h.poly.gz")
 norway=$data/gshhg_norway_f.poly.gz
 holes=$data/syn_holes_400.poly.gz
 

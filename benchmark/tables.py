@@ -74,8 +74,11 @@ class Figures:
         self.folder, self.files = Path(folder), {}
 
     def __call__(self, name):
+        file = self.folder / f"{name}.json"
+        if not file.exists():
+            sys.exit(f"error: there is no {file}: benchmark/run.sh --docs")
         if name not in self.files:
-            self.files[name] = json.loads((self.folder / f"{name}.json").read_text())
+            self.files[name] = json.loads(file.read_text())
         return self.files[name]
 
 
@@ -134,9 +137,9 @@ def readme(figures):
         if key in comparisons:
             c = comparisons[key]
             meshers = by_mesher(c)
-            row = [name, c["vertices"], *figures_beside_peers(c, "triangles", str, ["mesh_2"])]
-            row += figures_beside_peers(c, "cpu_seconds", significant, ["mesh_2"])
-            row += [fixed(value(meshers.get(m), "peak_memory_mb"), 0) for m in ("ours", "mesh_2")]
+            row = [name, c["vertices"], *figures_beside_peers(c, "triangles", str, ["Mesh_2"])]
+            row += figures_beside_peers(c, "cpu_seconds", significant, ["Mesh_2"])
+            row += [fixed(value(meshers.get(m), "peak_memory_mb"), 0) for m in ("ours", "Mesh_2")]
             rows.append(row)
     titles = ["input", "vertices", "triangles, ours", "Mesh_2", "ratio", "processor seconds, ours", "Mesh_2", "ratio"]
     return table([*titles, "peak memory in MB, ours", "Mesh_2"], rows)

@@ -89,6 +89,7 @@ run_example() { # program
   esac
 }
 export -f run_example
+# shellcheck disable=SC2016 # the inner shell expands it
 for source in "$root"/examples/*.cpp; do
   printf '%s\0' "$folder/bin/$(basename "$source" .cpp)"
 done | xargs -0 -P "$(nproc)" -n 1 bash -c 'run_example "$1"' run_example
