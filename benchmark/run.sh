@@ -47,6 +47,8 @@ done
 figures=$root/build/figures
 rm -rf "$figures"
 mkdir -p "$figures"
+# What was built just now: later there may be another commit.
+"$root/benchmark/tables.py" stamp "$figures" "$repeat"
 measure() { # name of the figures, program, arguments
   local name=$1 program=$2
   shift 2
@@ -80,7 +82,6 @@ measure points_peers points uniform --n "$medium" "$large" --modes points --repe
 measure quadtree quadtree --n "$large" --repeat "$repeat" --limit 10 --threads "$(nproc)"
 measure quadtree_rounds quadtree uniform spiral --rounds --n "$medium" "$large" --repeat "$repeat"
 
-"$root/benchmark/tables.py" stamp "$figures" "$repeat"
 "$root/benchmark/tables.py" print "$figures"
 if [[ $shall_write == yes ]]; then
   rm -rf "$root/doc/figures"
