@@ -383,11 +383,11 @@ private:
     state_.legalize();
   }
 
-  /// Above the bounds that refinement always reached, triangles left are no sign that quadtrees do better; and they
+  /// Above the bounds that are established for refinement, triangles left are no sign that quadtrees do better; and they
   /// know no least edge, nor rules of the user's. What they failed at once they are not asked again.
   bool may_construct_instead() const {
     return options_.vertex_budget == 0 && options_.min_edge_length == 0 && !options_.refined_where &&
-           too_near_for_trees_.empty() && problem_.bounds.is_guaranteed() &&
+           too_near_for_trees_.empty() && problem_.bounds.is_established() &&
            report_.trees.end == Tree_separation_report_2::End::NONE;
   }
 

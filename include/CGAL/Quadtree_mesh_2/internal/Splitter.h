@@ -115,11 +115,11 @@ private:
   Kernel_mesh<Geometry>& mesh_;
   Acute_corners<Geometry>& corners_;
 
-  /// Nothing is cut nearer to an acute apex than this share of the leg. For bounds that are guaranteed only features
+  /// Nothing is cut nearer to an acute apex than this share of the leg. For bounds that are established only features
   /// as near as that could ask for it, or coordinates are the limit; above, two corners of one vertex may drive
   /// each other on without end.
   Number least_share_of_leg() const {
-    return state_.bounds.is_guaranteed() ? state_.problem.least_share_of_leg : Number(0x1p-12);
+    return state_.bounds.is_established() ? state_.problem.least_share_of_leg : Number(0x1p-12);
   }
 
   Number distance(Vertex_id a, Vertex_id b) const {
