@@ -282,10 +282,7 @@ TEMPLATE_TEST_CASE("Integers are meshed in integers", "[mesher]", std::uint32_t,
   CGAL::Quality_mesher_2<Traits> mesher;
   const auto mesh = mesher(fixed);
   CHECK(mesher.report().is_met());
-  // a vertex on an edge is rounded to the grid: with 32-bit words that shows
-  CGAL::Mesh_quality_options_2 check = CGAL::Mesh_quality_options_2().min_angle(20.7);
-  check.tolerance_on_edge = 1e-9;
-  const auto quality = CGAL::mesh_quality_2(mesh, fixed, check);
+  const auto quality = CGAL::mesh_quality_2(mesh, fixed, CGAL::Mesh_quality_options_2().min_angle(20.7));
   for (const std::string& error : quality.errors) UNSCOPED_INFO(error);
   CHECK(quality.is_valid());
   CHECK(quality.unmet_triangles.empty());

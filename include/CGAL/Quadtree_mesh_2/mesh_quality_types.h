@@ -31,7 +31,7 @@ struct Mesh_quality_options_2 {
   /// Which arrays of the mesh are checked.
   enum class Arrays {
     ALL,
-    POINTS_AND_TRIANGLES ///< for meshes read from files that store no more; segments are followed by geometry
+    POINTS_AND_TRIANGLES ///< for meshes read from files that store no more; edges along segments are searched
   };
 
   /// Least angle in degrees; 0 means no bound.
@@ -40,10 +40,18 @@ struct Mesh_quality_options_2 {
   double max_edge_length = 0;
   /// Largest area of a triangle; 0 means no bound. The bounds of regions are checked besides.
   double max_triangle_area = 0;
-  /// How far from its input segment a vertex may be, relative to the diagonal of the input's bounding box.
-  double tolerance_on_edge = 1e-10;
-  /// How far the mesh's area may be from the domain's, relative to the latter.
-  double tolerance_of_area = 1e-7;
+  /// The unit of the mesh's coordinates, if that is coarser than a double's: the grid of fixed-point words (1 where the
+  /// words themselves are checked, which is taken without saying), the last decimal of a file.
+  ///
+  /// Vertices on segments are rounded. One counts as on its segment if some point of the segment's line is within four
+  /// units of it along each axis. The unit is this one, or that in the last place of the larger of the coordinates of
+  /// the segment's two ends along the axis; never a share of the extent. What a mesher over doubles can promise is
+  /// little less: the place at a share t of the way from p to q, p + t (q - p), is wrong by up to two and a half units
+  /// of the larger coordinate, as the difference, which may be twice as large, the product and the sum are rounded; and
+  /// a coordinate that happens to be next to 0 has as large an error as any other. Whatever is near, all vertices of
+  /// a segment are one after the other along it, and no input vertex and no other segment is passed over or crossed,
+  /// which is decided exactly.
+  double coordinate_unit = 0;
   /// At most this many errors are written out; all are counted.
   std::size_t max_errors = 20;
   Domain domain = Domain::ENCLOSED_BY_SEGMENTS; ///< what the mesh has to cover
