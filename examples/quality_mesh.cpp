@@ -81,21 +81,22 @@ Exit_status execute(const Command_line& line) {
   timed(run.read_seconds, [&] { run.pslg = mesh_files::read_graph(line.input, line.region_property); });
   timed(run.ours.seconds, [&] { mesh(run, line); });
   check(run, line.options);
-  warn_of_errors(run.quality);
-  timed(run.write_seconds, [&] {
-    for (const std::string& output : line.outputs)
-      mesh_files::write(output, run.mesh, run.pslg, {line.colors, line.is_quadtree_shown});
-  });
-  run.peak_memory_mb = peak_memory_mb();
+  check_valid(run.quality);
   if (line.is_comparison_wanted) compare(run, line.options);
-  if (!line.report_file.empty()) write_report(line.report_file, run_json(run));
-  if (!line.is_quiet) print_run(run, line.options);
-  return is_bound_met(run) && run.quality.is_valid() ? DONE : BOUND_UNMET;
+  const auto add_mesh = [&](mesh_files::Files& files, const std::string& output) {
+    timed(run.write_seconds, [&] {
+      mesh_files::add(files, output, run.mesh, run.pslg, {line.colors, line.is_quadtree_shown});
+    });
+    run.peak_memory_mb = peak_memory_mb();
+  };
+  run.peak_memory_mb = peak_memory_mb();
+  write_all(line, add_mesh, [&] { return run_json(run); }, [&] { print_run(run, line.options); });
+  return is_bound_met(run) ? DONE : BOUND_UNMET;
 }
 
 int fail(const std::string& message) {
   std::cerr << "quality_mesh: error: " << message << '\n';
-  return BAD_USAGE_OR_INPUT;
+  return REFUSED;
 }
 
 } // namespace
@@ -105,10 +106,10 @@ int main(int argc, char** argv) try {
   switch (line.task) {
   case Command_line::Task::print_help:
     print_help(std::cout);
-    return DONE;
+    return std::cout.flush() ? DONE : REFUSED;
   case Command_line::Task::print_version:
     print_version(std::cout);
-    return DONE;
+    return std::cout.flush() ? DONE : REFUSED;
   case Command_line::Task::mesh:
     return line.mode == Command_line::Mode::pslg ? execute(line) : execute_point_set(line);
   }

@@ -82,7 +82,7 @@ TEST_CASE("the program reads GeoJSON and WKT", "[program]") {
              "{\"type\": \"Polygon\",\n\"coordinates\": [[[0, 0], [1, 0], [1, 1]]]}");
   const Run bad = run(folder.file("bad.geojson") + " -o " + folder.file("none.ele"));
   CHECK(bad.status == 2);
-  CHECK(contains(bad.err, "bad.geojson: the geometry, ring 0 is not closed"));
+  CHECK(contains(bad.err, "bad.geojson:2: the geometry, ring 0 is not closed"));
 }
 
 TEST_CASE("the program reports in JSON", "[program]") {
