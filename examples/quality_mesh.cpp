@@ -2,6 +2,7 @@
 
 #include "internal/Meshing_run.h"
 #include "internal/Progress_line.h"
+#include "internal/by_mesh_2.h"
 #include "internal/command_line.h"
 #include "internal/mesh_files.h"
 #include "internal/mesh_graph.h"
@@ -9,7 +10,6 @@
 #include "internal/program_steps.h"
 
 #include "in_child.h"
-#include "mesh_2_peer.h"
 #include "resources.h"
 #include "thread_limit.h"
 
@@ -68,7 +68,7 @@ void check(Meshing_run& run, const CGAL::Quality_mesh_options_2& options) {
 
 void compare(Meshing_run& run, const CGAL::Quality_mesh_options_2& options) {
   const auto peer = [&] {
-    return mesh_by_Mesh_2(run.pslg, options.min_angle_in_degrees, options.max_edge_length);
+    return figures_by_Mesh_2(run.pslg, options.min_angle_in_degrees, options.max_edge_length);
   };
   run.is_peer_asked = true;
   run.peer = in_child(peer, peer_limit_seconds).result;

@@ -113,8 +113,10 @@ TEST_CASE("the program meshes points in every mode with every kernel", "[program
   const CGAL::Mesh_quality_2 quality = quality_of_files(folder.file("out"), points);
   CAPTURE(quality.errors);
   CHECK(quality.is_valid());
-  CHECK(quality.min_angle >= c.least - 1e-9);
-  CHECK(quality.max_angle < c.largest + (c.largest == 90 ? 0 : 1e-9));
+  // Over other numbers the bounds hold before the mesh is rounded to doubles.
+  const double rounding = kernel == "filtered" ? 1e-13 : 1e-10;
+  CHECK(quality.min_angle >= c.least - rounding);
+  CHECK(quality.max_angle < c.largest + (c.largest == 90 ? 0 : rounding));
 
   const auto json = json_in(folder.file("r.json"));
   CHECK(json.at("mode") == c.mode.substr(0, c.mode.find(' ')));

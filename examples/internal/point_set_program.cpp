@@ -7,8 +7,8 @@
 #include "mesh_files.h"
 #include "mesh_points.h"
 
+#include "by_mesh_2.h"
 #include "in_child.h"
-#include "mesh_2_peer.h"
 #include "resources.h"
 #include "thread_limit.h"
 
@@ -85,7 +85,7 @@ void check(Point_set_run& run) {
 
 void compare(Point_set_run& run) {
   const auto peer = [&] {
-    return mesh_by_Mesh_2(CGAL::Quadtree_mesh_2::internal::points_in_box(run.points), run.promise.least, 0);
+    return figures_by_Mesh_2(CGAL::Quadtree_mesh_2::internal::points_in_box(run.points), run.promise.least, 0);
   };
   run.is_peer_asked = true;
   run.peer = in_child(peer, peer_limit_seconds).result;

@@ -41,7 +41,7 @@ struct Quality_mesh_options_2 {
   enum class Coarsening { NONE, GUARDED_REMOVAL };
 
   /// Least angle in degrees of every triangle that no acute input corner forces below it, in [0, 30].
-  /// Up to 20.7 it was reached on every input tried (doc/guarantees.md); whatever is left is reported.
+  /// Up to 20.7 it was reached on all inputs of the soak (doc/soak.md); whatever is left is reported.
   double min_angle_in_degrees = 20.7;
   /// Longest edge, in the units of the input; 0 means no bound.
   double max_edge_length = 0;

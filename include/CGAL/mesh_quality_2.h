@@ -158,4 +158,7 @@ inline std::ostream& operator<<(std::ostream& out, const Mesh_quality_2& q) {
 
 } // namespace CGAL
 
+#define CGAL_QUADTREE_MESH_2_HAS_MESH_QUALITY
+#include <CGAL/Quadtree_mesh_2/compiled_meshers.h>
+
 #endif // CGAL_MESH_QUALITY_2_H

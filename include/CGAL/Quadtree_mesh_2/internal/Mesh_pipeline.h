@@ -311,11 +311,11 @@ private:
     return true;
   }
 
-  /// Above the bounds that refinement always reached, triangles left are no sign that quadtrees do better; and they
+  /// Above the bounds that are established for refinement, triangles left are no sign that quadtrees do better; and they
   /// know no least edge, nor rules of the user's.
   bool may_construct_instead() const {
     return options_.vertex_budget == 0 && options_.min_edge_length == 0 && !options_.refined_where &&
-           problem_.bounds.is_guaranteed();
+           problem_.bounds.is_established();
   }
 
   Refinement_end run(Refiner<Geometry>& refiner, std::size_t budget) {

@@ -110,11 +110,11 @@ private:
   Kernel_mesh<Geometry>& mesh_;
   Acute_corners<Geometry>& corners_;
 
-  /// Nothing is cut nearer to an acute apex than this share of the leg. For bounds that are guaranteed only
+  /// Nothing is cut nearer to an acute apex than this share of the leg. For bounds that are established only
   /// features as near as that could ask for it; above, two corners of one vertex may drive each other on
   /// without end.
   double least_share_of_leg() const {
-    return state_.bounds.is_guaranteed() ? Geometry::least_share_of_leg : 0x1p-12;
+    return state_.bounds.is_established() ? Geometry::least_share_of_leg : 0x1p-12;
   }
 
   double distance(Vertex_id a, Vertex_id b) const {

@@ -189,7 +189,7 @@ private:
     if (report_.is_budget_exhausted) return Reason::BUDGET;
     if (report_.is_cancelled) return Reason::CANCELLED;
     if (state_.bounds.least_squared_length > 0) return Reason::LEAST_EDGE;
-    if (!state_.bounds.is_guaranteed())
+    if (!state_.bounds.is_established())
       for (const Vertex_id v : mesh_.triangle(t).v)
         if (is_at_acute_corner(v)) return Reason::CORNER;
     return Reason::COORDINATES;
