@@ -51,19 +51,6 @@ CGAL::Pslg_2<P> make_pslg(std::initializer_list<std::pair<Coordinate, Coordinate
   return pslg;
 }
 
-/// How far vertices may be from their segments where points are words, relative to the diagonal of the graph's box: half
-/// the diagonal of the grid's unit, and an ulp of the coordinates, as the checker measures in doubles.
-template <class Fixed_pslg>
-double tolerance_of_words(const Fixed_pslg& pslg) {
-  double low[2] = {1e300, 1e300}, high[2] = {0, 0};
-  for (const auto& p : pslg.vertices) {
-    low[0] = std::min(low[0], double(p.x())), high[0] = std::max(high[0], double(p.x()));
-    low[1] = std::min(low[1], double(p.y())), high[1] = std::max(high[1], double(p.y()));
-  }
-  const double rounding = std::sqrt(0.5) + std::max(high[0], high[1]) * 0x1p-52;
-  return rounding / std::hypot(high[0] - low[0], high[1] - low[1]);
-}
-
 inline Pslg unit_square() {
   return make_pslg<double>({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {{0, 1}, {1, 2}, {2, 3}, {3, 0}});
 }

@@ -10,7 +10,9 @@
 
 #include "../random_pslg.h"
 
-#include <algorithm>
+#include <cstddef>
+#include <initializer_list>
+#include <string>
 
 namespace soak {
 
@@ -65,6 +67,13 @@ Wishes random_wishes(Random& random) {
   return w;
 }
 
+/// The same on every machine (FNV-1a).
+std::uint64_t hash_of(const std::string& text) {
+  std::uint64_t hash = 0xcbf29ce484222325u;
+  for (const char ch : text) hash = (hash ^ static_cast<unsigned char>(ch)) * 0x100000001b3u;
+  return hash;
+}
+
 /// A choice by weights.
 std::size_t weighted(Random& random, std::initializer_list<int> weights) {
   int sum = 0;
@@ -93,7 +102,7 @@ Soak_case make_case(const Family& family, std::uint64_t seed, const Restriction&
   c.family = family.name;
   c.seed = seed;
   c.graph = family.make(seed);
-  Random random(seed ^ 0x5bf03635u);
+  Random random(seed ^ hash_of(family.name));
   // All chances are taken, so that what is left to chance does not depend on what is not.
   const auto kernel = static_cast<Kernel>(weighted(random, {4, 2, 3, 1}));
   const auto separation = static_cast<Separation>(weighted(random, {3, 1}));

@@ -7,6 +7,7 @@
 // Runs the meshers on generated inputs without end, judges what they make, and makes what fails smaller. See --help.
 
 #include "Batch_runner.h"
+#include "File_case.h"
 #include "Soak_case.h"
 #include "Tally.h"
 #include "families.h"
@@ -19,6 +20,7 @@
 #include <boost/program_options.hpp>
 
 #include <algorithm>
+#include <cctype>
 #include <cstddef>
 #include <cstdint>
 #include <exception>
@@ -27,20 +29,31 @@
 #include <iostream>
 #include <limits>
 #include <map>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace {
 
 namespace po = boost::program_options;
 
+/// Not graphs, but files for the program quality_mesh.
+const soak::Family files{"files", nullptr};
+
+std::vector<soak::Family> families_and_files() {
+  std::vector<soak::Family> all = soak::all_families();
+  all.push_back(files);
+  return all;
+}
+
 struct Settings {
   double minutes = 1;
   std::size_t inputs = 0; ///< 0: as many as there is time for
   std::uint64_t seed = 0;
-  std::vector<soak::Family> families;
+  std::vector<soak::Family> families; ///< one without graphs stands for files
   soak::Restriction restriction;
   std::string log, folder, commit;
   unsigned workers = 1;
@@ -83,10 +96,10 @@ std::optional<Enum> chosen(const po::variables_map& given, const char* option, c
 }
 
 std::vector<soak::Family> chosen_families(const po::variables_map& given) {
-  if (given.count("family") == 0) return soak::all_families();
+  const std::vector<soak::Family> all = families_and_files();
+  if (given.count("family") == 0) return all;
   std::vector<soak::Family> result;
   for (const std::string& name : given["family"].as<std::vector<std::string>>()) {
-    const auto& all = soak::all_families();
     const auto at = std::find_if(all.begin(), all.end(), [&](const soak::Family& f) { return f.name == name; });
     if (at == all.end()) throw std::invalid_argument("--family: there is no '" + name + "'; see --list");
     result.push_back(*at);
@@ -115,21 +128,37 @@ Settings settings_of(const po::variables_map& given) {
 }
 
 std::string name_of(const soak::Soak_case& c) {
-  return c.family + " number " + std::to_string(c.seed) + ' ' + soak::arguments_of(c);
+  const std::string arguments = soak::arguments_of(c);
+  return c.family + " number " + std::to_string(c.seed) + (arguments.empty() ? "" : ' ' + arguments);
+}
+
+/// With dashes for what is no letter.
+std::string for_file_name(std::string words) {
+  for (char& ch : words)
+    if (std::isalnum(static_cast<unsigned char>(ch)) == 0) ch = '-';
+  while (!words.empty() && words.back() == '-') words.pop_back();
+  return words;
 }
 
 /// Writes an input that fails, smaller if it fails alone as well.
 std::string write_failure(const Settings& s, const soak::Soak_case& c, const soak::Verdict& verdict) {
-  std::string words = verdict.kind.substr(0, 40);
-  for (char& ch : words)
-    if (!std::isalnum(static_cast<unsigned char>(ch))) ch = '_';
-  const std::string file = s.folder + '/' + c.family + '_' + soak::kernel_names()[static_cast<std::size_t>(c.kernel)] + '_' +
-                           words + '_' + std::to_string(c.seed) + ".poly";
+  const std::string kernel = soak::kernel_names()[static_cast<std::size_t>(c.kernel)];
+  const std::string way = c.mode == soak::Mode::pslg ? soak::separation_names()[static_cast<std::size_t>(c.separation)]
+                                                     : soak::mode_names()[static_cast<std::size_t>(c.mode)];
+  const std::string file = s.folder + '/' + c.family + '_' + kernel + '_' + way + '_' +
+                           for_file_name(verdict.kind.substr(0, 40)) + '_' + std::to_string(c.seed) + ".poly";
   const soak::Soak_case smaller =
       s.minimizing_seconds > 0 ? soak::minimized(c, verdict.kind, s.limits, s.minimizing_seconds) : c;
   soak::write_case(file, smaller,
                    {verdict.kind, verdict.detail, "from " + name_of(c), "repeat: test/soak.sh --replay FILE"});
   return file;
+}
+
+std::string write_failure(const Settings& s, const soak::File_case& c, const soak::Verdict& verdict) {
+  const soak::File_case smaller =
+      s.minimizing_seconds > 0 ? soak::minimized(c, verdict.kind, s.limits.cpu_seconds, s.minimizing_seconds) : c;
+  return soak::write_case(s.folder + "/files_" + for_file_name(verdict.kind) + '_' + std::to_string(c.seed), smaller,
+                          verdict);
 }
 
 class Soak {
@@ -166,24 +195,38 @@ private:
 
   bool has_time() const { return s_.inputs > 0 || wall_seconds() < end_; }
 
-  soak::Soak_case make(std::size_t i) const {
-    const soak::Family& family = s_.families[i % s_.families.size()];
-    return soak::make_case(family, 1000000 * s_.seed + i / s_.families.size(), s_.restriction);
+  const soak::Family& family(std::size_t i) const { return s_.families[i % s_.families.size()]; }
+  std::uint64_t number(std::size_t i) const { return 1000000 * s_.seed + i / s_.families.size(); }
+  bool is_of_files(std::size_t i) const { return family(i).make == nullptr; }
+
+  soak::Soak_case make(std::size_t i) const { return soak::make_case(family(i), number(i), s_.restriction); }
+
+  soak::Verdict judge(std::size_t i) const {
+    if (is_of_files(i)) return soak::judge(soak::make_file_case(number(i)), s_.limits.cpu_seconds);
+    return soak::judge(make(i));
+  }
+
+  /// What the log and the screen say of it.
+  soak::Soak_case described(std::size_t i) const {
+    if (!is_of_files(i)) return make(i);
+    soak::Soak_case c;
+    c.family = family(i).name;
+    c.seed = number(i);
+    return c;
   }
 
   void run_round(std::size_t first, std::size_t n) {
     std::vector<Failure> failures;
     const auto done = [&](std::size_t i, const soak::Result& result) {
-      const soak::Soak_case c = make(first + i);
+      const soak::Soak_case c = described(first + i);
       tally_.add(c, result);
       if (result.verdict.outcome != soak::Outcome::failed) return;
-      const std::string group =
-          c.family + arguments_of_kind(c) + result.verdict.kind;
-      if (written_[group]++ < written_of_a_kind_) failures.push_back({first + i, result.verdict});
+      if (written_[c.family + arguments_of_kind(c) + result.verdict.kind]++ < written_of_a_kind_)
+        failures.push_back({first + i, result.verdict});
       std::cout << "failed: " << name_of(c) << ": " << result.verdict.kind << ": " << result.verdict.detail << std::endl;
     };
     soak::run_in_batches(
-        n, s_.workers, batch_, s_.limits, [&](std::size_t i) { return soak::judge(make(first + i)); }, done,
+        n, s_.workers, batch_, s_.limits, [&](std::size_t i) { return judge(first + i); }, done,
         [&] { return has_time(); });
     write(failures);
   }
@@ -194,15 +237,19 @@ private:
     return ' ' + soak::arguments_of(plain) + ' ';
   }
 
+  std::string write(const Failure& failure) const {
+    if (is_of_files(failure.number))
+      return write_failure(s_, soak::make_file_case(number(failure.number)), failure.verdict);
+    return write_failure(s_, make(failure.number), failure.verdict);
+  }
+
   void write(const std::vector<Failure>& failures) {
     if (failures.empty()) return;
     std::filesystem::create_directories(s_.folder);
     // A process that makes inputs smaller waits for its own children most of the time.
     soak::run_in_batches(
         failures.size(), s_.workers, 1, soak::Limits{s_.minimizing_seconds + 600, 4},
-        [&](std::size_t i) {
-          return soak::Verdict{soak::Outcome::met, "", write_failure(s_, make(failures[i].number), failures[i].verdict)};
-        },
+        [&](std::size_t i) { return soak::Verdict{soak::Outcome::met, "", write(failures[i])}; },
         [&](std::size_t, const soak::Result& result) { std::cout << "written: " << result.verdict.detail << std::endl; },
         [] { return true; });
   }
@@ -231,7 +278,7 @@ int main(int argc, char** argv) try {
     return 0;
   }
   if (given.count("list") > 0) {
-    for (const soak::Family& family : soak::all_families()) std::cout << family.name << '\n';
+    for (const soak::Family& family : families_and_files()) std::cout << family.name << '\n';
     return 0;
   }
   if (given.count("docs") > 0) {

@@ -8,13 +8,16 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
+#include <cstdio>
 #include <fstream>
 #include <map>
 #include <ostream>
-#include <set>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace soak {
 
