@@ -31,7 +31,7 @@ const std::vector<Family>& all_families() {
     std::vector<Family> result;
     for (const auto& some : {families_of_the_tests(), near_duplicate_families(), tiny_feature_families(),
                              near_line_families(), exact_families(), survey_families(), scale_families(),
-                             thin_families(), trifle_families()})
+                             thin_families(), trifle_families(), point_families()})
       result.insert(result.end(), some.begin(), some.end());
     return result;
   }();

@@ -24,7 +24,7 @@ namespace soak {
 struct Family {
   std::string name;
   random_pslg::Pslg (*make)(std::uint64_t seed);
-  bool is_small = true; ///< has less than 1000 vertices
+  enum class Kind { graphs, points } kind = Kind::graphs;
 };
 
 // By what is hard about them, one file each.
@@ -36,6 +36,7 @@ std::vector<Family> survey_families();
 std::vector<Family> scale_families();
 std::vector<Family> thin_families();
 std::vector<Family> trifle_families();
+std::vector<Family> point_families();
 
 /// Those, and those of the tests with dashes for blanks.
 const std::vector<Family>& all_families();

@@ -72,10 +72,10 @@ Pslg in_thin_box(std::uint64_t seed) {
 } // namespace
 
 std::vector<Family> thin_families() {
-  return {{"on-line", on_line, false},
-          {"on-circle", on_circle, false},
-          {"on-parabola", on_parabola, false},
-          {"in-thin-box", in_thin_box, false}};
+  return {{"on-line", on_line},
+          {"on-circle", on_circle},
+          {"on-parabola", on_parabola},
+          {"in-thin-box", in_thin_box}};
 }
 
 } // namespace soak
