@@ -66,7 +66,8 @@ private:
 void set_timer(double seconds) {
   itimerval timer{};
   timer.it_value.tv_sec = static_cast<time_t>(seconds);
-  timer.it_value.tv_usec = static_cast<suseconds_t>((seconds - static_cast<double>(timer.it_value.tv_sec)) * 1e6);
+  timer.it_value.tv_usec =
+      static_cast<suseconds_t>((seconds - static_cast<double>(timer.it_value.tv_sec)) * 1e6);
   setitimer(ITIMER_PROF, &timer, nullptr);
 }
 
@@ -91,7 +92,8 @@ double peak_since_last_call() {
     peak_since_last_call();
     slot.state = Slot::State::running;
     set_timer(limits.cpu_seconds);
-    alarm(static_cast<unsigned>(15 * limits.cpu_seconds) + 1); // one that waits forever takes no processor time
+    alarm(static_cast<unsigned>(15 * limits.cpu_seconds) +
+          1); // one that waits forever takes no processor time
     const double start = cpu_seconds();
     Verdict verdict;
     try {

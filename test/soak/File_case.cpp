@@ -46,7 +46,8 @@ std::string place(const Point& p, const char* between) {
 std::string poly_text(const Pslg& graph) {
   std::ostringstream out;
   out << graph.vertices.size() << " 2 0 0\n";
-  for (std::size_t v = 0; v < graph.vertices.size(); ++v) out << v << ' ' << place(graph.vertices[v], " ") << '\n';
+  for (std::size_t v = 0; v < graph.vertices.size(); ++v)
+    out << v << ' ' << place(graph.vertices[v], " ") << '\n';
   out << graph.segments.size() << " 0\n";
   for (std::size_t s = 0; s < graph.segments.size(); ++s)
     out << s << ' ' << graph.segments[s][0].value() << ' ' << graph.segments[s][1].value() << '\n';
@@ -102,7 +103,9 @@ const std::vector<std::pair<std::string, Words>>& options() {
       {"--region-property", {"depth", ""}},
       {"--size-points", {"FOLDER/input.xy", "FOLDER/none.xy", "FOLDER"}},
       {"--report", {"FOLDER/report.json", "FOLDER/out.ele", "FOLDER/none/report.json", "FOLDER"}},
-      {"-o", {"FOLDER/out.vtu", "FOLDER/out.svg", "FOLDER/out.msh", "FOLDER/out.none", "FOLDER/none/out.off", "FOLDER"}},
+      {"-o",
+       {"FOLDER/out.vtu", "FOLDER/out.svg", "FOLDER/out.msh", "FOLDER/out.none", "FOLDER/none/out.off",
+        "FOLDER"}},
       {"--square", {}},
       {"--no-coarsening", {}},
       {"--lengths", {}},
@@ -119,7 +122,8 @@ File_case make_file_case(std::uint64_t seed) {
   File_case c;
   c.seed = seed;
   const auto& families = all_families();
-  const Family& family = families[static_cast<std::size_t>(random.integer(0, static_cast<int>(families.size()) - 1))];
+  const Family& family =
+      families[static_cast<std::size_t>(random.integer(0, static_cast<int>(families.size()) - 1))];
   const Pslg graph = family.make(seed);
   const bool is_table = random.integer(0, 4) == 0;
   const int format = random.integer(0, 2);
@@ -138,7 +142,8 @@ File_case make_file_case(std::uint64_t seed) {
         options()[static_cast<std::size_t>(random.integer(0, static_cast<int>(options().size()) - 1))];
     c.arguments.push_back(name);
     if (!values.empty())
-      c.arguments.push_back(values[static_cast<std::size_t>(random.integer(0, static_cast<int>(values.size()) - 1))]);
+      c.arguments.push_back(
+          values[static_cast<std::size_t>(random.integer(0, static_cast<int>(values.size()) - 1))]);
   }
   return c;
 }
@@ -153,7 +158,8 @@ struct Run_of_program {
 };
 
 std::vector<std::string> words_of_call(const File_case& c, const std::string& folder) {
-  std::vector<std::string> words{QUADTREE_MESH_PROGRAM, folder + "/input" + c.ending, "-o", folder + "/out.ele"};
+  std::vector<std::string> words{QUADTREE_MESH_PROGRAM, folder + "/input" + c.ending, "-o",
+                                 folder + "/out.ele"};
   for (std::string word : c.arguments) {
     const std::size_t at = word.find("FOLDER");
     if (at != std::string::npos) word.replace(at, 6, folder);
@@ -173,7 +179,8 @@ Run_of_program run_program(const File_case& c, const Scratch_folder& folder, con
     setrlimit(RLIMIT_CPU, &cpu);
     setrlimit(RLIMIT_CORE, &no_core);
     alarm(static_cast<unsigned>(15 * cpu_seconds));
-    const int error = open(error_file.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), null = open("/dev/null", O_RDWR);
+    const int error = open(error_file.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600),
+              null = open("/dev/null", O_RDWR);
     dup2(null, 0), dup2(null, 1), dup2(error, 2);
     std::vector<char*> arguments;
     for (std::string& word : words) arguments.push_back(word.data());
@@ -221,9 +228,11 @@ Verdict judge(const File_case& c, double cpu_seconds) {
     const bool is_time = signal == SIGXCPU || signal == SIGALRM || signal == SIGKILL;
     return failure(is_time ? "program: time" : "program: crash", strsignal(signal));
   }
-  if (content(folder.file("input" + c.ending)) != c.text) return failure("program: input overwritten", run.error);
+  if (content(folder.file("input" + c.ending)) != c.text)
+    return failure("program: input overwritten", run.error);
   for (const auto& file : std::filesystem::directory_iterator(folder.file("")))
-    if (file.path().extension() == ".part") return failure("program: .part file left", file.path().filename());
+    if (file.path().extension() == ".part")
+      return failure("program: .part file left", file.path().filename());
   switch (WEXITSTATUS(run.status)) {
   case 0:
   case 1:
@@ -232,7 +241,8 @@ Verdict judge(const File_case& c, double cpu_seconds) {
     if (folder.number_of_files() > 1) return failure("program: files with exit status 2", run.error);
     if (run.error.rfind("quality_mesh: error: ", 0) != 0 || run.error.size() < 25)
       return failure("program: no message", run.error);
-    if (run.error.find("not enough memory") != std::string::npos) return failure("program: memory", run.error);
+    if (run.error.find("not enough memory") != std::string::npos)
+      return failure("program: memory", run.error);
     return {Outcome::refused, "program", run.error};
   default:
     return failure("program: exit status " + std::to_string(WEXITSTATUS(run.status)), run.error);
@@ -259,7 +269,8 @@ File_case minimized(File_case c, const std::string& kind, double cpu_seconds, do
 std::string write_case(const std::string& stem, const File_case& c, const Verdict& verdict) {
   std::ofstream(stem + c.ending, std::ios::binary) << c.text;
   std::ofstream call(stem + ".sh");
-  call << "# " << verdict.kind << ": " << verdict.detail << "\n# FOLDER is a new folder with input" << c.ending << '\n';
+  call << "# " << verdict.kind << ": " << verdict.detail << "\n# FOLDER is a new folder with input"
+       << c.ending << '\n';
   for (const std::string& word : words_of_call(c, "FOLDER")) call << "'" << word << "' ";
   call << '\n';
   return stem + c.ending;

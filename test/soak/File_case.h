@@ -19,8 +19,8 @@ namespace soak {
 
 struct File_case {
   std::uint64_t seed = 0;
-  std::string ending; ///< of the input: what the program takes the format from
-  std::string text;   ///< of the input
+  std::string ending;                 ///< of the input: what the program takes the format from
+  std::string text;                   ///< of the input
   std::vector<std::string> arguments; ///< FOLDER stands for where files are
 };
 

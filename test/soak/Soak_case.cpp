@@ -48,8 +48,10 @@ struct Argument {
 };
 
 template <class Enum>
-Argument choice(const char* name, const std::vector<std::string>& names, std::function<Enum&(Soak_case&)> member) {
-  return {name, [=](Soak_case& c, const std::string& s) { member(c) = static_cast<Enum>(index_in(names, s)); },
+Argument choice(const char* name, const std::vector<std::string>& names,
+                std::function<Enum&(Soak_case&)> member) {
+  return {name,
+          [=](Soak_case& c, const std::string& s) { member(c) = static_cast<Enum>(index_in(names, s)); },
           [=](const Soak_case& c) {
             Soak_case copy = c;
             return names[static_cast<std::size_t>(member(copy))];
@@ -57,16 +59,19 @@ Argument choice(const char* name, const std::vector<std::string>& names, std::fu
 }
 template <class Number>
 Argument number(const char* name, Number Wishes::*member) {
-  return {name, [=](Soak_case& c, const std::string& s) { c.wishes.*member = static_cast<Number>(std::stod(s)); },
+  return {name,
+          [=](Soak_case& c, const std::string& s) { c.wishes.*member = static_cast<Number>(std::stod(s)); },
           [=](const Soak_case& c) { return text_of(static_cast<double>(c.wishes.*member)); }};
 }
 
 const std::vector<Argument>& arguments() {
   static const std::vector<Argument> all{
       choice<Kernel>("kernel", kernel_names(), [](Soak_case& c) -> Kernel& { return c.kernel; }),
-      choice<Separation>("separation", separation_names(), [](Soak_case& c) -> Separation& { return c.separation; }),
+      choice<Separation>("separation", separation_names(),
+                         [](Soak_case& c) -> Separation& { return c.separation; }),
       choice<Mode>("mode", mode_names(), [](Soak_case& c) -> Mode& { return c.mode; }),
-      {"threads", [](Soak_case& c, const std::string& s) { c.threads = static_cast<unsigned>(std::stoul(s)); },
+      {"threads",
+       [](Soak_case& c, const std::string& s) { c.threads = static_cast<unsigned>(std::stoul(s)); },
        [](const Soak_case& c) { return std::to_string(c.threads); }},
       number("min-angle", &Wishes::min_angle),
       number("max-area", &Wishes::max_area),
@@ -116,7 +121,8 @@ void read_arguments(const std::string& text, Soak_case& c) {
   for (std::string name, value; in >> name;) {
     const auto has_name = [&](const Argument& a) { return name == "--" + std::string(a.name); };
     const auto at = std::find_if(arguments().begin(), arguments().end(), has_name);
-    if (at == arguments().end() || !(in >> value)) throw std::invalid_argument("soak: no such option as " + name);
+    if (at == arguments().end() || !(in >> value))
+      throw std::invalid_argument("soak: no such option as " + name);
     at->read(c, value);
   }
 }

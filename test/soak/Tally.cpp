@@ -20,9 +20,10 @@ constexpr const char* outcome_names[] = {"met", "unmet", "refused", "failed"};
 } // namespace
 
 void Tally::add(const Soak_case& c, const Result& result) {
-  Counts& counts = counts_[{c.family, kernel_names()[static_cast<std::size_t>(c.kernel)],
-                            c.mode == Mode::pslg ? separation_names()[static_cast<std::size_t>(c.separation)] : "-",
-                            mode_names()[static_cast<std::size_t>(c.mode)]}];
+  Counts& counts =
+      counts_[{c.family, kernel_names()[static_cast<std::size_t>(c.kernel)],
+               c.mode == Mode::pslg ? separation_names()[static_cast<std::size_t>(c.separation)] : "-",
+               mode_names()[static_cast<std::size_t>(c.mode)]}];
   ++counts.of_outcome[static_cast<std::size_t>(result.verdict.outcome)];
   counts.seconds += result.seconds;
   counts.worst_seconds = std::max(counts.worst_seconds, result.seconds);
@@ -36,12 +37,13 @@ std::size_t Tally::number_of(Outcome outcome) const {
 }
 
 std::size_t Tally::number_of_inputs() const {
-  return number_of(Outcome::met) + number_of(Outcome::unmet) + number_of(Outcome::refused) + number_of(Outcome::failed);
+  return number_of(Outcome::met) + number_of(Outcome::unmet) + number_of(Outcome::refused) +
+         number_of(Outcome::failed);
 }
 
 void Tally::write(std::ostream& out, const std::string& commit, std::uint64_t seed) const {
   for (const auto& [key, counts] : counts_) {
-    nlohmann::ordered_json line = {{"commit", commit},  {"seed", seed},          {"family", key[0]},
+    nlohmann::ordered_json line = {{"commit", commit}, {"seed", seed},         {"family", key[0]},
                                    {"kernel", key[1]}, {"separation", key[2]}, {"mode", key[3]}};
     for (std::size_t i = 0; i < counts.of_outcome.size(); ++i) line[outcome_names[i]] = counts.of_outcome[i];
     line["seconds"] = counts.seconds;

@@ -40,7 +40,9 @@ Place nearest_on(const Place& a, const Place& b, const Place& p) {
   const Real t = std::clamp((p.x - a.x) * ux + (p.y - a.y) * uy, Real(0), length);
   return {a.x + t * ux, a.y + t * uy};
 }
-Real distance_to_segment(const Place& a, const Place& b, const Place& p) { return distance(nearest_on(a, b, p), p); }
+Real distance_to_segment(const Place& a, const Place& b, const Place& p) {
+  return distance(nearest_on(a, b, p), p);
+}
 
 Real least_positive(Real a, Real b) { return b > 0 ? std::min(a, b) : a; }
 

@@ -20,7 +20,8 @@ Pslg exact_angles(std::uint64_t seed) {
   Builder b;
   const bool has_frame = random.integer(0, 1) == 0;
   if (has_frame) add_square(b, Point(-4, -4), 8);
-  const double tangents[] = {std::sqrt(3.0), 1, 1 / std::sqrt(3.0), 1 / std::sqrt(7.0), 1.0 / 3, 0.5, 2 - std::sqrt(3.0)};
+  const double tangents[] = {std::sqrt(3.0), 1,   1 / std::sqrt(3.0), 1 / std::sqrt(7.0),
+                             1.0 / 3,        0.5, 2 - std::sqrt(3.0)};
   const Vector turn = random.integer(0, 1) == 0 ? Vector(1, 0) : direction(random);
   const auto turned = [&](double x, double y) {
     return Point(turn.x() * x - turn.y() * y, turn.y() * x + turn.x() * y);
@@ -56,8 +57,15 @@ Pslg cocircular(std::uint64_t seed) {
   Builder b;
   const double unit = random.integer(0, 1) == 0 ? std::ldexp(1.0, random.integer(-20, 20)) : 0.1;
   std::vector<Point> points;
-  for (const auto& [x, y] : {std::pair<int, int>{65, 0}, {63, 16}, {60, 25}, {56, 33}, {52, 39}, {39, 52}, {33, 56},
-                            {25, 60}, {16, 63}})
+  for (const auto& [x, y] : {std::pair<int, int>{65, 0},
+                             {63, 16},
+                             {60, 25},
+                             {56, 33},
+                             {52, 39},
+                             {39, 52},
+                             {33, 56},
+                             {25, 60},
+                             {16, 63}})
     points.emplace_back(unit * x, unit * y);
   const std::size_t quarter = points.size();
   for (int k = 1; k < 4; ++k)
@@ -72,7 +80,9 @@ Pslg cocircular(std::uint64_t seed) {
   b.loop(ring);
   if (random.integer(0, 1) == 0) b.vertex(Point(0, 0));
   for (int k = random.integer(0, 8); k > 0; --k) {
-    const auto any = [&] { return static_cast<std::size_t>(random.integer(0, static_cast<int>(ring.size()) - 1)); };
+    const auto any = [&] {
+      return static_cast<std::size_t>(random.integer(0, static_cast<int>(ring.size()) - 1));
+    };
     const std::size_t i = any(), j = any();
     if (i != j && !crosses_any(b, ring[i], ring[j])) b.segment(i, j);
   }

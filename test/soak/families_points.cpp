@@ -38,7 +38,8 @@ Pslg offset_points(std::uint64_t seed) {
   for (Point& p : points) p = Point(p.x() + offset, p.y() - offset);
   for (int k = random.integer(0, 3); k > 0; --k)
     points.push_back(near_by(
-        random, points[static_cast<std::size_t>(random.integer(0, static_cast<int>(points.size()) - 1))], 100));
+        random, points[static_cast<std::size_t>(random.integer(0, static_cast<int>(points.size()) - 1))],
+        100));
   return of(points);
 }
 

@@ -17,7 +17,8 @@ namespace {
 
 Pslg any_small(Random& random, std::uint64_t seed) {
   const std::vector<random_pslg::Family> families = random_pslg::all_families();
-  return families[static_cast<std::size_t>(random.integer(0, static_cast<int>(families.size()) - 1))].make(seed);
+  return families[static_cast<std::size_t>(random.integer(0, static_cast<int>(families.size()) - 1))].make(
+      seed);
 }
 
 /// Scaled by a power of two, which rounds nothing.
@@ -56,7 +57,10 @@ Pslg stretched(std::uint64_t seed) {
 } // namespace
 
 std::vector<Family> scale_families() {
-  return {{"scaled-by-two", scaled_by_two}, {"scaled-by-ten", scaled_by_ten}, {"moved", moved}, {"stretched", stretched}};
+  return {{"scaled-by-two", scaled_by_two},
+          {"scaled-by-ten", scaled_by_ten},
+          {"moved", moved},
+          {"stretched", stretched}};
 }
 
 } // namespace soak

@@ -20,7 +20,8 @@ double rounded(double v, double units_of_one) { return std::round(v * units_of_o
 Pslg cadastre(std::uint64_t seed) {
   Random random(seed);
   Builder b;
-  const double x0 = random.between(-180, 180), y0 = random.between(-80, 80), size = magnitude(random, -15, -12);
+  const double x0 = random.between(-180, 180), y0 = random.between(-80, 80),
+               size = magnitude(random, -15, -12);
   const int rows = random.integer(1, 4), columns = random.integer(1, 5);
   const Vector right = size * direction(random), up(-right.y(), right.x());
   const auto at = [&](double i, double j) {
@@ -77,8 +78,10 @@ Pslg offset_grids(std::uint64_t seed) {
   for (std::size_t i = 0; i < index.size(); ++i)
     for (std::size_t j = 0; j < index.size(); ++j) {
       const bool is_border_x = j == 0 || j + 1 == index.size(), is_border_y = i == 0 || i + 1 == index.size();
-      if (i + 1 < index.size() && (is_border_x || random.integer(0, 1) == 0)) b.segment(index[i][j], index[i + 1][j]);
-      if (j + 1 < index.size() && (is_border_y || random.integer(0, 1) == 0)) b.segment(index[i][j], index[i][j + 1]);
+      if (i + 1 < index.size() && (is_border_x || random.integer(0, 1) == 0))
+        b.segment(index[i][j], index[i + 1][j]);
+      if (j + 1 < index.size() && (is_border_y || random.integer(0, 1) == 0))
+        b.segment(index[i][j], index[i][j + 1]);
     }
   return b.pslg;
 }

@@ -36,7 +36,8 @@ Pslg on_line(std::uint64_t seed) {
 Pslg on_circle(std::uint64_t seed) {
   Random random(seed);
   Builder b;
-  b.loop(star_around(random, random_point(random, -1, 1), magnitude(random, -2, 2), some_hundreds(random), 1));
+  b.loop(
+      star_around(random, random_point(random, -1, 1), magnitude(random, -2, 2), some_hundreds(random), 1));
   return b.pslg;
 }
 
@@ -65,7 +66,8 @@ Pslg in_thin_box(std::uint64_t seed) {
   for (int i = n; i > 0; --i) high.emplace_back((i - random.between(0, 0.9)) / n, height);
   low.insert(low.end(), high.begin(), high.end());
   b.loop(low);
-  for (int k = random.integer(0, n / 4); k > 0; --k) b.vertex(Point(random.between(0.1, 0.9), height * random.between(0.2, 0.8)));
+  for (int k = random.integer(0, n / 4); k > 0; --k)
+    b.vertex(Point(random.between(0.1, 0.9), height * random.between(0.2, 0.8)));
   return b.pslg;
 }
 

@@ -64,7 +64,8 @@ Pslg tiny_polygons(std::uint64_t seed) {
     b.loop({c, c + r * direction(random), c + r * direction(random)});
   }
   if (random.integer(0, 2) == 0) {
-    const Point &p = b.pslg.vertices.end()[-1], &q = b.pslg.vertices.end()[-2], &s = b.pslg.vertices.end()[-3];
+    const Point &p = b.pslg.vertices.end()[-1], &q = b.pslg.vertices.end()[-2],
+                &s = b.pslg.vertices.end()[-3];
     b.pslg.holes.push_back(Point((p.x() + q.x() + s.x()) / 3, (p.y() + q.y() + s.y()) / 3));
   }
   return b.pslg;

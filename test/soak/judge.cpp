@@ -54,8 +54,10 @@ std::string kind_of(const std::string& message) {
   std::string kind;
   for (const char ch : message) {
     const bool is_of_number = std::isdigit(static_cast<unsigned char>(ch)) || ch == '.' || ch == '-';
-    if (!is_of_number) kind += ch;
-    else if (kind.empty() || kind.back() != '#') kind += '#';
+    if (!is_of_number)
+      kind += ch;
+    else if (kind.empty() || kind.back() != '#')
+      kind += '#';
   }
   return kind.substr(0, 60);
 }
@@ -71,14 +73,16 @@ std::optional<Verdict> find_fault(const Mesh& mesh, const std::vector<Point>& in
   if (mesh.points.size() < input.size()) return failure("lost vertex", "fewer vertices than the input has");
   for (std::size_t v = 0; v < input.size(); ++v) {
     const Point &p = input[v], &q = mesh.points[v];
-    const bool is_same = p == q && std::signbit(p.x()) == std::signbit(q.x()) && std::signbit(p.y()) == std::signbit(q.y());
+    const bool is_same =
+        p == q && std::signbit(p.x()) == std::signbit(q.x()) && std::signbit(p.y()) == std::signbit(q.y());
     if (!is_same) return failure("moved vertex", "vertex " + std::to_string(v));
   }
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const auto& [a, b, c] = mesh.triangles[t];
     const auto turn = CGAL::orientation(mesh.point(a), mesh.point(b), mesh.point(c));
     if (turn != CGAL::LEFT_TURN)
-      return failure(turn == CGAL::COLLINEAR ? "flat triangle" : "clockwise triangle", "triangle " + std::to_string(t));
+      return failure(turn == CGAL::COLLINEAR ? "flat triangle" : "clockwise triangle",
+                     "triangle " + std::to_string(t));
   }
   return {};
 }
@@ -88,7 +92,8 @@ long double reach_of(const Mesh& mesh, std::size_t t) {
   long double longest = 0;
   for (std::size_t k = 0; k < 3; ++k) {
     const Point &p = mesh.point(mesh.triangles[t][k]), &q = mesh.point(mesh.triangles[t][(k + 1) % 3]);
-    longest = std::max(longest, std::hypot(static_cast<long double>(p.x()) - q.x(), static_cast<long double>(p.y()) - q.y()));
+    longest = std::max(longest, std::hypot(static_cast<long double>(p.x()) - q.x(),
+                                           static_cast<long double>(p.y()) - q.y()));
   }
   return 2 * longest;
 }
@@ -126,17 +131,18 @@ std::optional<Verdict> find_fault(const Soak_case& c, const Mesh& mesh,
 
 Verdict judge_graph_mesh(const Soak_case& c, const Graph_mesh& run) {
   if (const auto crossing = find_crossing(c.graph))
-    return failure("crossing accepted",
-                   "segments " + std::to_string(crossing->first) + " and " + std::to_string(crossing->second));
+    return failure("crossing accepted", "segments " + std::to_string(crossing->first) + " and " +
+                                            std::to_string(crossing->second));
   if (const auto fault = find_fault(run.mesh, c.graph.vertices)) return *fault;
   const CGAL::Mesh_quality_2 quality = CGAL::mesh_quality_2(run.mesh, c.graph, check_options(c));
-  if (!quality.is_valid()) return failure("invalid: " + kind_of(quality.errors.front()), quality.errors.front());
+  if (!quality.is_valid())
+    return failure("invalid: " + kind_of(quality.errors.front()), quality.errors.front());
   std::set<std::size_t> reported, unmet;
   for (const auto& u : run.report.unmet_triangles) reported.insert(std::size_t(u.triangle));
   for (const auto& u : quality.unmet_triangles) unmet.insert(std::size_t(u.triangle));
   if (!std::includes(reported.begin(), reported.end(), unmet.begin(), unmet.end()))
-    return failure("unmet without a report", std::to_string(unmet.size()) + " unmet, " +
-                                                 std::to_string(reported.size()) + " reported");
+    return failure("unmet without a report",
+                   std::to_string(unmet.size()) + " unmet, " + std::to_string(reported.size()) + " reported");
   for (const auto& u : run.report.unmet_triangles)
     if (const auto fault = find_fault(c, run.mesh, u)) return *fault;
   if (reported.empty() && (run.report.is_budget_exhausted || run.report.is_cancelled))
@@ -173,7 +179,8 @@ Verdict judge_with(const Soak_case& c, Run run, Judge_mesh judge_mesh) {
   const Verdict verdict = judge_mesh(c, first);
   if (verdict.outcome == Outcome::failed || c.threads == 1) return verdict;
   const auto second = run(c, c.threads);
-  if (!are_same(first.mesh, second.mesh)) return failure("other bits with threads", std::to_string(c.threads));
+  if (!are_same(first.mesh, second.mesh))
+    return failure("other bits with threads", std::to_string(c.threads));
   return verdict;
 }
 

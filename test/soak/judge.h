@@ -28,7 +28,9 @@ struct Verdict {
   std::string detail; ///< for people
 };
 
-inline Verdict failure(const std::string& kind, const std::string& detail) { return {Outcome::failed, kind, detail}; }
+inline Verdict failure(const std::string& kind, const std::string& detail) {
+  return {Outcome::failed, kind, detail};
+}
 
 /// Runs the mesher, with one thread and, if the case has more, with these, and judges what comes out.
 Verdict judge(const Soak_case& c);

@@ -12,8 +12,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <list>
-#include <map>
 #include <regex>
 #include <set>
 #include <string>
@@ -25,13 +23,22 @@ namespace {
 
 using Kernel_2 = CGAL::Exact_predicates_inexact_constructions_kernel;
 
-/// The numbers that a message has behind a word: "segment 3", "vertices 5 and 7", "points 1 and 2".
+/// The numbers that a message has behind a word: "segment 3", "vertices 5 (0, 0) and 7", "points 1 and 2".
 std::vector<std::size_t> numbers_after(const std::string& message, const std::string& words) {
   std::vector<std::size_t> result;
-  const std::regex name("\\b(?:" + words + ") (\\d+)(?: and (\\d+))?");
+  const std::regex name("\\b(?:" + words + ") (\\d+)(?:(?: \\([^)]*\\))? and (\\d+))?");
   for (std::sregex_iterator i(message.begin(), message.end(), name), end; i != end; ++i)
     for (const std::size_t group : {1, 2})
       if ((*i)[group].matched) result.push_back(std::stoul((*i)[group]));
+  return result;
+}
+
+/// The places that a message has in parentheses.
+std::vector<Point> places_in(const std::string& message) {
+  std::vector<Point> result;
+  const std::regex place("\\(([-+.0-9e]+), ([-+.0-9e]+)\\)");
+  for (std::sregex_iterator i(message.begin(), message.end(), place), end; i != end; ++i)
+    result.emplace_back(std::stod((*i)[1]), std::stod((*i)[2]));
   return result;
 }
 
@@ -65,7 +72,8 @@ bool has_domain(const Pslg& graph) {
 bool is_any_seed_on_a_segment(const Pslg& graph) {
   const auto is_on = [&](const Point& p) { return is_on_a_segment(graph, p); };
   return std::any_of(graph.holes.begin(), graph.holes.end(), is_on) ||
-         std::any_of(graph.regions.begin(), graph.regions.end(), [&](const auto& r) { return is_on(r.point); });
+         std::any_of(graph.regions.begin(), graph.regions.end(),
+                     [&](const auto& r) { return is_on(r.point); });
 }
 
 Verdict judge_crossing(const Soak_case& c, const std::string& message) {
@@ -84,23 +92,38 @@ Verdict judge_domain(const Soak_case& c, const std::string& message) {
   return failure("refused: there is a domain", message);
 }
 
-/// The graphs that a mesh of points is made for have no segments.
+/// Features whose vertices or segments a message names.
 Verdict judge_distance(const Soak_case& c, const std::string& message) {
-  const std::vector<std::size_t> vertices = numbers_after(message, "vertex|vertices|points?");
-  Pslg graph = c.graph;
-  if (c.mode != Mode::pslg) graph.segments.clear();
-  const long double extent = extent_of(graph.vertices);
-  if (vertices.empty()) return failure("refused: too near, without numbers", message);
+  const Pslg& graph = c.graph;
+  std::vector<std::size_t> vertices = numbers_after(message, "vertex|vertices|points?");
+  if (vertices.empty())
+    for (const std::size_t s : numbers_after(message, "segments?"))
+      if (s < graph.segments.size())
+        for (const auto v : graph.segments[s]) vertices.push_back(std::size_t(v));
+  if (vertices.empty()) return failure("refused: no reason that could be checked", message);
   // Where a kernel says how near is too near.
-  const long double share = c.mode != Mode::pslg ? 0x1p-40L : c.kernel == Kernel::exact ? 0x1p-128L : 0x1p-100L;
+  const long double share = c.mode != Mode::pslg        ? 0x1p-40L
+                            : c.kernel == Kernel::exact ? 0x1p-128L
+                                                        : 0x1p-100L;
+  const long double extent = extent_of(graph.vertices);
   for (const std::size_t v : vertices) {
     if (v >= graph.vertices.size()) return failure("refused: no such vertex", message);
     const Point& p = graph.vertices[v];
     const long double least = least_feature_distance(graph, p, 0);
-    if (least <= 256 * Resolution(c).at(p) || least <= share * extent) continue;
-    return failure("refused: not too near", message);
+    if (least <= share * extent || is_without_room(c, p, 0)) return {Outcome::refused, "too near", message};
   }
-  return {Outcome::refused, "too near", message};
+  return failure("refused: not too near", message);
+}
+
+/// A triangle of the mesh that doubles cannot express, at the places that are named.
+Verdict judge_places(const Soak_case& c, const std::string& message) {
+  const std::vector<Point> places = places_in(message);
+  if (places.empty()) return failure("refused: no place", message);
+  double reach = 0;
+  for (const Point& p : places) reach = std::max(reach, std::sqrt(CGAL::squared_distance(p, places.front())));
+  for (const Point& p : places)
+    if (is_without_room(c, p, 2 * reach)) return {Outcome::refused, "no room", message};
+  return failure("refused: there is room", message);
 }
 
 /// Where a gap is so narrow for its length that no memory has room for the triangles.
@@ -113,12 +136,16 @@ Verdict judge_size(const std::string& message) {
   return {Outcome::refused, "too large", message};
 }
 
+/// A hole's or region's point on a segment, or as near to it as words can tell.
 Verdict judge_seed(const Soak_case& c, const std::string& message) {
+  std::vector<Point> seeds;
   for (const std::size_t h : numbers_after(message, "hole"))
-    if (h < c.graph.holes.size() && is_on_a_segment(c.graph, c.graph.holes[h]))
-      return {Outcome::refused, "seed on a segment", message};
+    if (h < c.graph.holes.size()) seeds.push_back(c.graph.holes[h]);
   for (const std::size_t r : numbers_after(message, "region"))
-    if (r < c.graph.regions.size() && is_on_a_segment(c.graph, c.graph.regions[r].point))
+    if (r < c.graph.regions.size()) seeds.push_back(c.graph.regions[r].point);
+  const bool is_of_words = c.kernel == Kernel::fixed || c.kernel == Kernel::fixed32;
+  for (const Point& p : seeds)
+    if (is_on_a_segment(c.graph, p) || (is_of_words && is_without_room(c, p, 0)))
       return {Outcome::refused, "seed on a segment", message};
   return failure("refused: seed is on no segment", message);
 }
@@ -126,20 +153,19 @@ Verdict judge_seed(const Soak_case& c, const std::string& message) {
 } // namespace
 
 Verdict judge_refusal(const Soak_case& c, const std::string& message) {
-  if (has(message, "cross")) return judge_crossing(c, message);
-  if (has(message, "no vertices") || has(message, "no points") || has(message, "one vertex") || has(message, "one point") ||
-      has(message, "on the line"))
+  if (has(message, "doubles cannot express")) return judge_places(c, message);
+  if (has(message, " crosses ")) return judge_crossing(c, message);
+  if (!numbers_after(message, "hole|region").empty()) return judge_seed(c, message);
+  if (has(message, "no vertices") || has(message, "no points") || has(message, "one vertex") ||
+      has(message, "one point") || has(message, "on the line"))
     return are_on_a_line(c.graph.vertices) ? Verdict{Outcome::refused, "on a line", message}
                                            : failure("refused: not on a line", message);
   if (has(message, "domain") || has(message, "no segments")) return judge_domain(c, message);
-  if (has(message, "hole ") || has(message, "region ")) return judge_seed(c, message);
   if (has(message, "triangles")) return judge_size(message);
   if (has(message, "too large") || has(message, "span"))
     return extent_of(c.graph.vertices) > 1e290 ? Verdict{Outcome::refused, "too large", message}
                                                : failure("refused: coordinates are not too large", message);
-  if (has(message, "near") || has(message, "close") || has(message, "grid point") || has(message, "room"))
-    return judge_distance(c, message);
-  return failure("refused: no reason that could be checked", message);
+  return judge_distance(c, message);
 }
 
 } // namespace soak

@@ -107,7 +107,8 @@ Soak_case make_case(const Family& family, std::uint64_t seed, const Restriction&
   const auto kernel = static_cast<Kernel>(weighted(random, {4, 2, 3, 1}));
   const auto separation = static_cast<Separation>(weighted(random, {3, 1}));
   const bool is_of_points = family.kind == Family::Kind::points;
-  const auto mode = static_cast<Mode>(is_of_points ? weighted(random, {0, 1, 1, 1, 1}) : weighted(random, {20, 1, 1, 1, 1}));
+  const auto mode = static_cast<Mode>(is_of_points ? weighted(random, {0, 1, 1, 1, 1})
+                                                   : weighted(random, {20, 1, 1, 1, 1}));
   constexpr unsigned thread_numbers[] = {1, 2, 4};
   const unsigned threads = thread_numbers[weighted(random, {6, 1, 1})];
   const Wishes wishes = random_wishes(random);

@@ -63,7 +63,8 @@ public:
     drop_wishes();
     for (std::size_t last = 0; last != size() && has_time();) {
       last = size();
-      drop(best_.graph.segments.size(), [](Pslg& g, std::size_t i, std::size_t j) { erase(g.segments, i, j); });
+      drop(best_.graph.segments.size(),
+           [](Pslg& g, std::size_t i, std::size_t j) { erase(g.segments, i, j); });
       drop(best_.graph.vertices.size(), [](Pslg& g, std::size_t i, std::size_t j) {
         std::vector<char> is_gone(g.vertices.size(), 0);
         std::fill(is_gone.begin() + std::ptrdiff_t(i), is_gone.begin() + std::ptrdiff_t(j), 1);
@@ -118,12 +119,15 @@ private:
     attempt([&](Soak_case& c) { c.wishes.domain = usual.domain; });
     attempt([&](Soak_case& c) { c.wishes.patience = usual.patience; });
     attempt([&](Soak_case& c) { c.wishes.has_centroid_trees = false, c.wishes.has_trapezoids = false; });
-    attempt([&](Soak_case& c) { c.wishes.effort = usual.effort, c.wishes.is_square = false, c.wishes.is_tightest = false; });
+    attempt([&](Soak_case& c) {
+      c.wishes.effort = usual.effort, c.wishes.is_square = false, c.wishes.is_tightest = false;
+    });
   }
 
   /// Drops runs of `n` things: halves, then quarters, and so on.
   void drop(std::size_t n, const std::function<void(Pslg&, std::size_t, std::size_t)>& erase_range) {
-    for (std::size_t length = (n + 1) / 2; length > 0 && has_time(); length = length == 1 ? 0 : (length + 1) / 2)
+    for (std::size_t length = (n + 1) / 2; length > 0 && has_time();
+         length = length == 1 ? 0 : (length + 1) / 2)
       for (std::size_t i = 0; i < n && has_time();) {
         const std::size_t j = std::min(n, i + length);
         Soak_case c = best_;

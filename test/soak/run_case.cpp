@@ -67,8 +67,8 @@ CGAL::Quality_mesh_options_2 graph_options(const Soak_case& c) {
       .patience(w.patience)
       .coarsen(w.is_coarsened ? Options::Coarsening::GUARDED_REMOVAL : Options::Coarsening::NONE);
   if (c.separation == Separation::theorem_5)
-    options.separate(
-        Trees().subdivide(w.has_centroid_trees ? Trees::Subdivision::CENTROID_TREE : Trees::Subdivision::WALKING));
+    options.separate(Trees().subdivide(w.has_centroid_trees ? Trees::Subdivision::CENTROID_TREE
+                                                            : Trees::Subdivision::WALKING));
   else
     options.min_edge(w.min_edge * extent);
   if (w.size > 0 && extent > 0 && std::isfinite(extent)) {

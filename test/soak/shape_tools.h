@@ -22,11 +22,10 @@
 namespace soak {
 
 using random_pslg::Builder;
-using random_pslg::Kernel;
 using random_pslg::Point;
 using random_pslg::Pslg;
 using random_pslg::Random;
-using Vector = Kernel::Vector_2;
+using Vector = random_pslg::Kernel::Vector_2;
 
 /// 2 to a random power in [low, high], times a number in [1, 2).
 inline double magnitude(Random& random, int low, int high) {
@@ -43,7 +42,9 @@ inline double steps_from(double x, int k) {
   std::memcpy(&x, &result, sizeof x);
   return x;
 }
-inline Point steps_from(const Point& p, int i, int j) { return Point(steps_from(p.x(), i), steps_from(p.y(), j)); }
+inline Point steps_from(const Point& p, int i, int j) {
+  return Point(steps_from(p.x(), i), steps_from(p.y(), j));
+}
 /// As many steps as `most` in either direction, but not none in both.
 inline Point near_by(Random& random, const Point& p, int most) {
   for (;;) {

@@ -88,7 +88,8 @@ po::options_description described_options() {
 }
 
 template <class Enum>
-std::optional<Enum> chosen(const po::variables_map& given, const char* option, const std::vector<std::string>& names) {
+std::optional<Enum> chosen(const po::variables_map& given, const char* option,
+                           const std::vector<std::string>& names) {
   if (given.count(option) == 0) return {};
   const auto at = std::find(names.begin(), names.end(), given[option].as<std::string>());
   if (at == names.end()) throw std::invalid_argument(std::string("--") + option + ": no such choice");
@@ -100,7 +101,8 @@ std::vector<soak::Family> chosen_families(const po::variables_map& given) {
   if (given.count("family") == 0) return all;
   std::vector<soak::Family> result;
   for (const std::string& name : given["family"].as<std::vector<std::string>>()) {
-    const auto at = std::find_if(all.begin(), all.end(), [&](const soak::Family& f) { return f.name == name; });
+    const auto at =
+        std::find_if(all.begin(), all.end(), [&](const soak::Family& f) { return f.name == name; });
     if (at == all.end()) throw std::invalid_argument("--family: there is no '" + name + "'; see --list");
     result.push_back(*at);
   }
@@ -121,7 +123,8 @@ Settings settings_of(const po::variables_map& given) {
   if (given.count("log") > 0) s.log = given["log"].as<std::string>();
   s.folder = given["folder"].as<std::string>();
   s.commit = given["commit"].as<std::string>();
-  s.workers = given.count("workers") > 0 ? given["workers"].as<unsigned>() : std::thread::hardware_concurrency();
+  s.workers =
+      given.count("workers") > 0 ? given["workers"].as<unsigned>() : std::thread::hardware_concurrency();
   s.workers = std::max(1u, s.workers);
   s.minimizing_seconds = given["minimize"].as<double>();
   return s;
@@ -143,22 +146,25 @@ std::string for_file_name(std::string words) {
 /// Writes an input that fails, smaller if it fails alone as well.
 std::string write_failure(const Settings& s, const soak::Soak_case& c, const soak::Verdict& verdict) {
   const std::string kernel = soak::kernel_names()[static_cast<std::size_t>(c.kernel)];
-  const std::string way = c.mode == soak::Mode::pslg ? soak::separation_names()[static_cast<std::size_t>(c.separation)]
-                                                     : soak::mode_names()[static_cast<std::size_t>(c.mode)];
+  const std::string way = c.mode == soak::Mode::pslg
+                              ? soak::separation_names()[static_cast<std::size_t>(c.separation)]
+                              : soak::mode_names()[static_cast<std::size_t>(c.mode)];
   const std::string file = s.folder + '/' + c.family + '_' + kernel + '_' + way + '_' +
                            for_file_name(verdict.kind.substr(0, 40)) + '_' + std::to_string(c.seed) + ".poly";
   const soak::Soak_case smaller =
       s.minimizing_seconds > 0 ? soak::minimized(c, verdict.kind, s.limits, s.minimizing_seconds) : c;
-  soak::write_case(file, smaller,
-                   {verdict.kind, verdict.detail, "from " + name_of(c), "repeat: test/soak.sh --replay FILE"});
+  soak::write_case(
+      file, smaller,
+      {verdict.kind, verdict.detail, "from " + name_of(c), "repeat: test/soak.sh --replay FILE"});
   return file;
 }
 
 std::string write_failure(const Settings& s, const soak::File_case& c, const soak::Verdict& verdict) {
   const soak::File_case smaller =
-      s.minimizing_seconds > 0 ? soak::minimized(c, verdict.kind, s.limits.cpu_seconds, s.minimizing_seconds) : c;
-  return soak::write_case(s.folder + "/files_" + for_file_name(verdict.kind) + '_' + std::to_string(c.seed), smaller,
-                          verdict);
+      s.minimizing_seconds > 0 ? soak::minimized(c, verdict.kind, s.limits.cpu_seconds, s.minimizing_seconds)
+                               : c;
+  return soak::write_case(s.folder + "/files_" + for_file_name(verdict.kind) + '_' + std::to_string(c.seed),
+                          smaller, verdict);
 }
 
 class Soak {
@@ -174,8 +180,9 @@ public:
       tally_.write(log, s_.commit, s_.seed);
     }
     std::cout << tally_.number_of_inputs() << " inputs: " << tally_.number_of(soak::Outcome::met) << " met, "
-              << tally_.number_of(soak::Outcome::unmet) << " unmet, " << tally_.number_of(soak::Outcome::refused)
-              << " refused, " << tally_.number_of(soak::Outcome::failed) << " failed\n";
+              << tally_.number_of(soak::Outcome::unmet) << " unmet, "
+              << tally_.number_of(soak::Outcome::refused) << " refused, "
+              << tally_.number_of(soak::Outcome::failed) << " failed\n";
     return tally_.number_of(soak::Outcome::failed) == 0 ? 0 : 1;
   }
 
@@ -223,7 +230,8 @@ private:
       if (result.verdict.outcome != soak::Outcome::failed) return;
       if (written_[c.family + arguments_of_kind(c) + result.verdict.kind]++ < written_of_a_kind_)
         failures.push_back({first + i, result.verdict});
-      std::cout << "failed: " << name_of(c) << ": " << result.verdict.kind << ": " << result.verdict.detail << std::endl;
+      std::cout << "failed: " << name_of(c) << ": " << result.verdict.kind << ": " << result.verdict.detail
+                << std::endl;
     };
     soak::run_in_batches(
         n, s_.workers, batch_, s_.limits, [&](std::size_t i) { return judge(first + i); }, done,
@@ -249,8 +257,12 @@ private:
     // A process that makes inputs smaller waits for its own children most of the time.
     soak::run_in_batches(
         failures.size(), s_.workers, 1, soak::Limits{s_.minimizing_seconds + 600, 4},
-        [&](std::size_t i) { return soak::Verdict{soak::Outcome::met, "", write(failures[i])}; },
-        [&](std::size_t, const soak::Result& result) { std::cout << "written: " << result.verdict.detail << std::endl; },
+        [&](std::size_t i) {
+          return soak::Verdict{soak::Outcome::met, "", write(failures[i])};
+        },
+        [&](std::size_t, const soak::Result& result) {
+          std::cout << "written: " << result.verdict.detail << std::endl;
+        },
         [] { return true; });
   }
 };
@@ -260,8 +272,9 @@ int replay(const std::vector<std::string>& files, const soak::Limits& limits) {
   for (const std::string& file : files) {
     const soak::Result result = soak::run_alone(limits, [&] { return soak::judge(soak::read_case(file)); });
     constexpr const char* words[] = {"met", "unmet", "refused", "failed"};
-    std::cout << file << ": " << words[static_cast<std::size_t>(result.verdict.outcome)] << ' ' << result.verdict.kind << ": "
-              << result.verdict.detail << " (" << result.seconds << " s, " << result.megabytes << " MB)" << std::endl;
+    std::cout << file << ": " << words[static_cast<std::size_t>(result.verdict.outcome)] << ' '
+              << result.verdict.kind << ": " << result.verdict.detail << " (" << result.seconds << " s, "
+              << result.megabytes << " MB)" << std::endl;
     if (result.verdict.outcome == soak::Outcome::failed) status = 1;
   }
   return status;
@@ -274,7 +287,8 @@ int main(int argc, char** argv) try {
   po::variables_map given;
   po::store(po::parse_command_line(argc, argv, options), given);
   if (given.count("help") > 0) {
-    std::cout << "usage: soak [option]...\n\n" << options << "\nExit status: 0 without failures, 1 with, 2 bad usage.\n";
+    std::cout << "usage: soak [option]...\n\n"
+              << options << "\nExit status: 0 without failures, 1 with, 2 bad usage.\n";
     return 0;
   }
   if (given.count("list") > 0) {
@@ -286,7 +300,8 @@ int main(int argc, char** argv) try {
     return 0;
   }
   const Settings settings = settings_of(given);
-  if (given.count("replay") > 0) return replay(given["replay"].as<std::vector<std::string>>(), settings.limits);
+  if (given.count("replay") > 0)
+    return replay(given["replay"].as<std::vector<std::string>>(), settings.limits);
   std::cout << "seed " << settings.seed << std::endl;
   return Soak(settings).run();
 } catch (const std::exception& error) {

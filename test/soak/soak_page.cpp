@@ -44,7 +44,8 @@ struct Row {
   }
 };
 
-constexpr const char* columns = "inputs | met | unmet | refused | failed | longest run, s | most memory, MB |\n";
+constexpr const char* columns =
+    "inputs | met | unmet | refused | failed | longest run, s | most memory, MB |\n";
 
 using Rows = std::map<std::array<std::string, 3>, Row>;
 
@@ -75,9 +76,12 @@ void write_page(std::ostream& out, const std::vector<std::string>& logs) {
     }
   }
   out << "# Soak\n\n"
-         "How many generated inputs ran, and how they ended. Written by `test/soak.sh --docs LOG...`; do not edit. *Met*: a valid\n"
-         "mesh with all bounds. *Unmet*: a valid mesh that misses a bound where coordinates have no room, or that asks for more than is\n"
-         "promised. *Refused*: with a message that is true. The rest *failed*. All is judged by exact predicates (`test/soak`).\n\n"
+         "How many generated inputs ran, and how they ended. Written by `test/soak.sh --docs LOG...`; do not "
+         "edit. *Met*: a valid\n"
+         "mesh with all bounds. *Unmet*: a valid mesh that misses a bound where coordinates have no room, or "
+         "that asks for more than is\n"
+         "promised. *Refused*: with a message that is true. The rest *failed*. All is judged by exact "
+         "predicates (`test/soak`).\n\n"
          "| commit | "
       << columns << "|---|---|---|---|---|---|---|---|\n";
   for (const auto& [commit, row] : of_commit) {

@@ -17,7 +17,8 @@ namespace soak {
 
 /// \pre all coordinates are integers of at most 31 bits
 Graph_mesh mesh_graph_in_words32(const Pslg& graph, const CGAL::Quality_mesh_options_2& options);
-Points_mesh mesh_points_in_words32(const std::vector<Point>& points, const CGAL::Point_set_mesh_options_2& options);
+Points_mesh mesh_points_in_words32(const std::vector<Point>& points,
+                                   const CGAL::Point_set_mesh_options_2& options);
 
 } // namespace soak
 
