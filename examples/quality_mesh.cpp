@@ -55,13 +55,15 @@ CGAL::Mesh_quality_options_2::Domain rule_to_check(CGAL::Quality_mesh_options_2:
   return Rule::ENCLOSED_BY_SEGMENTS;
 }
 
-void check(Meshing_run& run, const CGAL::Quality_mesh_options_2& options) {
-  run.quality = CGAL::mesh_quality_2(run.mesh, run.pslg,
-                                     CGAL::Mesh_quality_options_2()
-                                         .min_angle(options.min_angle_in_degrees)
-                                         .max_edge(options.max_edge_length)
-                                         .max_area(options.max_triangle_area)
-                                         .check_domain(rule_to_check(options.domain)));
+void check(Meshing_run& run, const Command_line& line) {
+  const CGAL::Quality_mesh_options_2& options = line.options;
+  auto wanted = CGAL::Mesh_quality_options_2()
+                    .min_angle(options.min_angle_in_degrees)
+                    .max_edge(options.max_edge_length)
+                    .max_area(options.max_triangle_area)
+                    .check_domain(rule_to_check(options.domain));
+  if (line.kernel == Command_line::Kernel::fixed) wanted.coordinate_unit = mesh_graph::unit_of_words(run.pslg);
+  run.quality = CGAL::mesh_quality_2(run.mesh, run.pslg, wanted);
   run.ours.vertices = run.quality.vertices;
   Mesh_figures_builder(run.ours, options.min_angle_in_degrees).add_triangles_of(run.mesh);
 }
@@ -80,7 +82,7 @@ Exit_status execute(const Command_line& line) {
   const Thread_limit limit(line.threads);
   timed(run.read_seconds, [&] { run.pslg = mesh_files::read_graph(line.input, line.region_property); });
   timed(run.ours.seconds, [&] { mesh(run, line); });
-  check(run, line.options);
+  check(run, line);
   check_valid(run.quality);
   if (line.is_comparison_wanted) compare(run, line.options);
   const auto add_mesh = [&](mesh_files::Files& files, const std::string& output) {
@@ -90,7 +92,8 @@ Exit_status execute(const Command_line& line) {
     run.peak_memory_mb = peak_memory_mb();
   };
   run.peak_memory_mb = peak_memory_mb();
-  write_all(line, add_mesh, [&] { return run_json(run); }, [&] { print_run(run, line.options); });
+  write_all(
+      line, add_mesh, [&] { return run_json(run); }, [&] { print_run(run, line.options); });
   return is_bound_met(run) ? DONE : BOUND_UNMET;
 }
 

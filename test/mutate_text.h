@@ -27,9 +27,9 @@ public:
   std::string operator()(std::string text) {
     for (std::size_t changes = 1 + below(4); changes > 0; --changes) {
       constexpr std::array<void (Text_mutator::*)(std::string&), 10> ways{
-          &Text_mutator::flip_bit,     &Text_mutator::set_byte,   &Text_mutator::drop_byte,
+          &Text_mutator::flip_bit,     &Text_mutator::set_byte,    &Text_mutator::drop_byte,
           &Text_mutator::drop_word,    &Text_mutator::repeat_word, &Text_mutator::swap_words,
-          &Text_mutator::replace_word, &Text_mutator::drop_line,  &Text_mutator::repeat_line,
+          &Text_mutator::replace_word, &Text_mutator::drop_line,   &Text_mutator::repeat_line,
           &Text_mutator::cut_off};
       (this->*ways[below(ways.size())])(text);
     }
@@ -66,7 +66,9 @@ private:
     const std::size_t begin = at == 0 || before == std::string::npos ? 0 : before + 1;
     return {begin, behind == std::string::npos ? text.size() : behind + 1};
   }
-  static std::string part(const std::string& text, Span s) { return text.substr(s.first, s.second - s.first); }
+  static std::string part(const std::string& text, Span s) {
+    return text.substr(s.first, s.second - s.first);
+  }
 
   void flip_bit(std::string& text) {
     if (text.empty()) return;
@@ -74,7 +76,8 @@ private:
     c = static_cast<char>(static_cast<unsigned char>(c) ^ (1u << below(8)));
   }
   void set_byte(std::string& text) {
-    constexpr char bytes[] = "0123456789+-.,;:eE#()[]{}\"'\\ \t\r\n\f\vnaifxzmZM\x7f\x80\xff"; // and the 0 at its end
+    constexpr char bytes[] =
+        "0123456789+-.,;:eE#()[]{}\"'\\ \t\r\n\f\vnaifxzmZM\x7f\x80\xff"; // and the 0 at its end
     if (!text.empty()) text[below(text.size())] = bytes[below(sizeof bytes)];
   }
   void drop_byte(std::string& text) {
@@ -97,11 +100,48 @@ private:
     text.replace(v.first, a.size(), b);
   }
   void replace_word(std::string& text) {
-    static const std::vector<std::string> words{
-        "0", "-0", "-1", "1e999", "-1e999", "1e-999", "nan", "inf", "-inf", "1,5", "0x10", "1e308", "-1.7976931348623157e308",
-        "5e-324", "2147483648", "-2147483649", "4294967295", "4294967296", "1000000000000", "9223372036854775807",
-        "9223372036854775808", "18446744073709551616", "1e5", "+3", "--1", "1.", ".5", ".", "e", "1e", "EMPTY", "Z",
-        "null", "true", "\"\"", "[]", "{}", "\"1\"", "POINT", "SRID=1;", "7 7", "9.5"};
+    static const std::vector<std::string> words{"0",
+                                                "-0",
+                                                "-1",
+                                                "1e999",
+                                                "-1e999",
+                                                "1e-999",
+                                                "nan",
+                                                "inf",
+                                                "-inf",
+                                                "1,5",
+                                                "0x10",
+                                                "1e308",
+                                                "-1.7976931348623157e308",
+                                                "5e-324",
+                                                "2147483648",
+                                                "-2147483649",
+                                                "4294967295",
+                                                "4294967296",
+                                                "1000000000000",
+                                                "9223372036854775807",
+                                                "9223372036854775808",
+                                                "18446744073709551616",
+                                                "1e5",
+                                                "+3",
+                                                "--1",
+                                                "1.",
+                                                ".5",
+                                                ".",
+                                                "e",
+                                                "1e",
+                                                "EMPTY",
+                                                "Z",
+                                                "null",
+                                                "true",
+                                                "\"\"",
+                                                "[]",
+                                                "{}",
+                                                "\"1\"",
+                                                "POINT",
+                                                "SRID=1;",
+                                                "7 7",
+                                                "9.5"};
     const Span w = any_word(text);
     text.replace(w.first, w.second - w.first, words[below(words.size())]);
   }

@@ -68,7 +68,8 @@ int status_after_signal(const std::vector<std::string>& arguments, const std::st
     _exit(127);
   }
   constexpr int most = 3000;
-  for (int i = 0; i < most && !fs::exists(file); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  for (int i = 0; i < most && !fs::exists(file); ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
   int status = -1;
   for (int i = 0; i < most; ++i) { // again and again: the first may come before the program waits
     kill(child, signal);
@@ -95,28 +96,30 @@ TEST_CASE("an output that is an input or another output is refused", "[program]"
   folder.write("bare.node", "4 2 0 0\n0 0 0\n1 1 0\n2 1 1\n3 0 1\n");
   const auto f = [&](const char* name) { return ' ' + folder.file(name); };
   const std::string o = " -o", report = " --report";
-  check_refused(folder, {{in + o + f("in.ele"), "overwrite the input"},
-                         {in + o + f("same/in.ele"), "overwrite the input"},
-                         {in + o + f("x.off") + report + f("in.poly"), "--report"},
-                         {in + o + f("link.poly"), "overwrite the input"},
-                         {in + " --size-points " + sizes + o + ' ' + sizes, "--size-points"},
-                         {in + " --size-points " + sizes + report + ' ' + sizes, "--size-points"},
-                         {in + o + f("x.off") + o + f("x.off"), "x.off"},
-                         {in + o + f("x.off") + o + f("./x.off"), "x.off"},
-                         {in + o + f("x.off") + o + f("same/x.off"), "x.off"},
-                         {in + o + f("x.off") + report + f("x.off"), "--report"},
-                         {in + o + f("x.ele") + o + f("x.node"), "x.node"},
-                         {in + o + f("x.ele") + report + f("x.poly"), "--report"},
-                         {in + o + f("there.off") + o + f("link.off"), "link.off"},
-                         {in + o + f("there.off") + o + f("hard.off"), "hard.off"},
-                         {in + report + " /dev/stdout" + o + f("same") + "/../x.off" + o + f("none/x.off"), "none"},
-                         {folder.file("bare") + o + f("bare.ele"), "bare.node"}});
+  check_refused(folder,
+                {{in + o + f("in.ele"), "overwrite the input"},
+                 {in + o + f("same/in.ele"), "overwrite the input"},
+                 {in + o + f("x.off") + report + f("in.poly"), "--report"},
+                 {in + o + f("link.poly"), "overwrite the input"},
+                 {in + " --size-points " + sizes + o + ' ' + sizes, "--size-points"},
+                 {in + " --size-points " + sizes + report + ' ' + sizes, "--size-points"},
+                 {in + o + f("x.off") + o + f("x.off"), "x.off"},
+                 {in + o + f("x.off") + o + f("./x.off"), "x.off"},
+                 {in + o + f("x.off") + o + f("same/x.off"), "x.off"},
+                 {in + o + f("x.off") + report + f("x.off"), "--report"},
+                 {in + o + f("x.ele") + o + f("x.node"), "x.node"},
+                 {in + o + f("x.ele") + report + f("x.poly"), "--report"},
+                 {in + o + f("there.off") + o + f("link.off"), "link.off"},
+                 {in + o + f("there.off") + o + f("hard.off"), "hard.off"},
+                 {in + report + " /dev/stdout" + o + f("same") + "/../x.off" + o + f("none/x.off"), "none"},
+                 {folder.file("bare") + o + f("bare.ele"), "bare.node"}});
   CHECK(run(in + " --quiet -o " + folder.file("link.off")).status == 0); // through the link
   CHECK(fs::is_symlink(folder.file("link.off")));
   CHECK(content(folder.file("there.off")).rfind("OFF", 0) == 0);
   // A .node file that the input does not need may be of an earlier run.
   fs::rename(in, folder.file("in"));
-  for (int i = 0; i < 2; ++i) CHECK(run(folder.file("in") + " --quiet -o " + folder.file("in.ele")).status == 0);
+  for (int i = 0; i < 2; ++i)
+    CHECK(run(folder.file("in") + " --quiet -o " + folder.file("in.ele")).status == 0);
 }
 
 TEST_CASE("options out of range are refused by name", "[program]") {
@@ -140,10 +143,12 @@ TEST_CASE("options out of range are refused by name", "[program]") {
                           {points + "--mode bounded --angles 36 80 --angles 30 85", "--angles"},
                           {points + "--mode acute --budget 99999999999999999999", "--budget"},
                           {points + "--mode acute --effort 99999999999", "--effort"}};
-  for (const char* const option : {"--min-angle", "--max-edge", "--max-area", "--min-edge", "--threads", "--smooth", "--thin"})
+  for (const char* const option :
+       {"--min-angle", "--max-edge", "--max-area", "--min-edge", "--threads", "--smooth", "--thin"})
     for (const char* const value : {"nan", "inf", "-inf", "1e999", "-5", "''", "x", "5x"})
       cases.push_back({in + option + ' ' + value, option});
   check_refused(folder, cases);
+  CHECK(run(in + "--quiet --threads 256").status == 0);
 }
 
 TEST_CASE("what is no file of text is refused", "[program]") {
@@ -154,7 +159,10 @@ TEST_CASE("what is no file of text is refused", "[program]") {
                           {"/dev/null" + out, "the number of vertices"},
                           {folder.write("empty.poly", "") + out, "empty.poly:1"},
                           {folder.write("empty.geojson", "") + out, "empty.geojson:1"},
-                          {folder.write("utf16.poly", "\xff\xfe" "4") + out, "UTF-16"},
+                          {folder.write("utf16.poly", "\xff\xfe"
+                                                      "4") +
+                               out,
+                           "UTF-16"},
                           {folder.write("packed.poly.gz", "\x1f\x8b") + out, "gzip"}};
   const std::string secret = folder.write("secret.poly", square);
   fs::permissions(secret, fs::perms::none);
@@ -171,8 +179,9 @@ TEST_CASE("what cannot be written stops all files", "[program]") {
   fs::create_symlink("/dev/full", folder.file("full.obj"));
   const std::string out = in + " -o " + a + " -o " + folder.file("b.vtu");
   const auto before = files_in(folder.file(""));
-  for (const std::string arguments : {out + " --report " + folder.file("full.json"), out + " -o " + folder.file("full.obj"),
-                                      out + " --report /dev/full", out + " >/dev/full 2>/dev/null #"}) {
+  for (const std::string& arguments : std::vector<std::string>{
+           out + " --report " + folder.file("full.json"), out + " -o " + folder.file("full.obj"),
+           out + " --report /dev/full", out + " >/dev/full 2>/dev/null #"}) {
     const Run r = run(arguments);
     CAPTURE(arguments, r.err);
     CHECK(r.status == 2);
@@ -187,8 +196,8 @@ TEST_CASE("a signal ends the program and leaves no files", "[program]") {
   const std::string in = folder.write("in.poly", square), a = folder.write("a.off", "old"),
                     pipe = folder.file("pipe.obj"); // nobody reads it
   REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
-  const int status =
-      status_after_signal({in, "--quiet", "-o", a, "-o", folder.file("b.vtu"), "-o", pipe}, folder.file("b.vtu.part0"), signal);
+  const int status = status_after_signal({in, "--quiet", "-o", a, "-o", folder.file("b.vtu"), "-o", pipe},
+                                         folder.file("b.vtu.part0"), signal);
   CHECK(WIFSIGNALED(status));
   CHECK(WTERMSIG(status) == signal);
   CHECK(content(a) == "old");
@@ -199,7 +208,8 @@ TEST_CASE("points that are too near to each other are named with their coordinat
   const Scratch_folder folder;
   for (const char* const mode : {"bounded", "warped"})
     for (const char* const kernel : {"filtered", "exact"}) {
-      const Run r = run(folder.write("in.xy", "1 1\n0 0\n0 1\n1e-30 0\n") + " --mode " + mode + " --kernel " + kernel);
+      const Run r =
+          run(folder.write("in.xy", "1 1\n0 0\n0 1\n1e-30 0\n") + " --mode " + mode + " --kernel " + kernel);
       CAPTURE(mode, kernel, r.err);
       CHECK(r.status == 2);
       CHECK(contains(r.err, "point 1 is at 0 0"));

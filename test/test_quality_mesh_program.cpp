@@ -49,6 +49,19 @@ TEST_CASE("the program writes each format by its ending", "[program]") {
   CHECK(begin_of("g.mesh").rfind("MeshVersionFormatted 2\n", 0) == 0);
 }
 
+TEST_CASE("the program refuses holes on segments with the numbers of the input", "[program]") {
+  const std::string kernel = GENERATE("filtered", "fixed", "exact");
+  const Run on_segment = run(test_data("hole_on_segment.poly") + " --kernel " + kernel);
+  CAPTURE(kernel, on_segment.err);
+  CHECK(on_segment.status == 2);
+  CHECK(contains(on_segment.err,
+                 "the point of hole 0 (4, 0.5) lies on segment 4 from vertex 4 (6, 1) to vertex 5 (2, 0)"));
+  const Run on_vertex = run(test_data("hole_on_vertex.poly") + " --kernel " + kernel);
+  CAPTURE(on_vertex.err);
+  CHECK(on_vertex.status == 2);
+  CHECK(contains(on_vertex.err, "the point of hole 0 (4, 3) lies on vertex 0 (4, 3)"));
+}
+
 TEST_CASE("the program reads GeoJSON and WKT", "[program]") {
   const Scratch_folder folder;
   const auto figures = [&](const std::string& arguments) {

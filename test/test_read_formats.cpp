@@ -240,6 +240,14 @@ TEST_CASE("huge and tiny polygons have their holes", "[WKT]") {
   }
 }
 
+TEST_CASE("borders may cross where no double is near", "[WKT]") {
+  const Pslg pslg = wkt(
+      "POLYGON((-1.7e308 -1.7e308, 1.7e308 1.7e308, 1e308 1.7e308))\n"
+      "POLYGON((-1.7e308 1.7e308, 1.7e308 -1.7e308, 1.7e308 -1e308))\nPOLYGON((8 2, 11 2, 1e308 5, 8 5))");
+  CHECK(pslg.vertices.size() == 10);
+  CHECK(pslg.segments.size() == 10);
+}
+
 TEST_CASE("broken GeoJSON and WKT are refused with the place", "[GeoJSON][WKT]") {
   const auto ring = [](const std::string& places) {
     return R"({"type": "FeatureCollection", "features": [{"type": "Feature", "geometry":
@@ -270,18 +278,19 @@ TEST_CASE("broken GeoJSON and WKT are refused with the place", "[GeoJSON][WKT]")
     CAPTURE(c.text);
     CHECK(error_of([&] { geojson(c.text); }).find(c.culprit) != std::string::npos);
   }
-  for (const Case& c : std::vector<Case>{{"POLYGON((0 0, 1 0, 1 1)", "1: the file ends where ',' or ')' is expected"},
-                                         {"\nPOINT(1 nan)", "2: "},
-                                         {"POINT(1)\n", "1: "},
-                                         {"POINT(1 2 x)\n", "1: "},
-                                         {"POINT(1 1)\nCIRCLE(1 1)", "2: 'CIRCLE'"},
-                                         {"POINT(1 1)\n)", "2: "},
-                                         {"POINT\n", "1: "},
-                                         {"POINT  \n", "1: "},
-                                         {"POLYGON((0 0, 1 0, 0 0))", "1: the outer ring"},
-                                         {"GEOMETRYCOLLECTION(POINT(1 1), POINT(x 1))", "1: "},
-                                         {"1 2\n3 4\n", "1: "},
-                                         {"POINT(1e999 2)", "1: "}}) {
+  for (const Case& c :
+       std::vector<Case>{{"POLYGON((0 0, 1 0, 1 1)", "1: the file ends where ',' or ')' is expected"},
+                         {"\nPOINT(1 nan)", "2: "},
+                         {"POINT(1)\n", "1: "},
+                         {"POINT(1 2 x)\n", "1: "},
+                         {"POINT(1 1)\nCIRCLE(1 1)", "2: 'CIRCLE'"},
+                         {"POINT(1 1)\n)", "2: "},
+                         {"POINT\n", "1: "},
+                         {"POINT  \n", "1: "},
+                         {"POLYGON((0 0, 1 0, 0 0))", "1: the outer ring"},
+                         {"GEOMETRYCOLLECTION(POINT(1 1), POINT(x 1))", "1: "},
+                         {"1 2\n3 4\n", "1: "},
+                         {"POINT(1e999 2)", "1: "}}) {
     CAPTURE(c.text);
     CHECK(error_of([&] { wkt(c.text); }).find("input:" + c.culprit) != std::string::npos);
   }
@@ -301,20 +310,24 @@ TEST_CASE("broken GeoJSON and WKT are refused with the place", "[GeoJSON][WKT]")
 TEST_CASE("heights and measures of WKT are not kept, and make no vertices", "[WKT]") {
   Pslg flat;
   IO::read_WKT(data_file("untagged_z.wkt"), flat);
-  CHECK(flat.vertices == std::vector<Point>{{0, 0}, {4, 0}, {4, 4}, {0, 4}, {20, -20}, {40, -20}, {40, 20}, {20, 20}});
+  CHECK(flat.vertices ==
+        std::vector<Point>{{0, 0}, {4, 0}, {4, 4}, {0, 4}, {20, -20}, {40, -20}, {40, 20}, {20, 20}});
   CHECK(flat.segments.size() == 8);
   const std::vector<Point> expected{{1, 2}, {3, 4}};
   for (const char* const text :
        {"MULTIPOINT((1 2), (3 4))", "MULTIPOINT(1 2, 3 4)", "multipoint(1 2, (3\n4), EMPTY)",
-        "MULTIPOINT(1 2 9, 3 4 8)", "MULTIPOINT Z (1 2 9, 3 4 8)", "MULTIPOINTZ(1 2 9,3 4 8)", "MultiPoint m(1 2 9, 3 4 8)",
-        "MULTIPOINTZM((1 2 9 7), (3 4 8 7))", "MULTIPOINT zm (1 2 9 7, 3 4 8 7)", "SRID=4326;MULTIPOINT(1 2, 3 4)",
-        "srid=4326; POINT(1 2)\nSRID=4326;\nPOINT(3 4)", "POINT(1 2) # 5 6\nPOINT(3 4) # 7 8", "POINT(+1 2.)POINT(3 4e0)",
-        "GEOMETRYCOLLECTION Z (POINT Z (1 2 9), POLYGON EMPTY, POINT(3 4))", "\xef\xbb\xbfPOINT(1 2);POINT(3 4)",
-        "POINT(1 2)\rPOINT(3 4)\r", "POINT\r\n(1\f2)\r\n;\v\tPOINT(3 4)"}) {
+        "MULTIPOINT(1 2 9, 3 4 8)", "MULTIPOINT Z (1 2 9, 3 4 8)", "MULTIPOINTZ(1 2 9,3 4 8)",
+        "MultiPoint m(1 2 9, 3 4 8)", "MULTIPOINTZM((1 2 9 7), (3 4 8 7))",
+        "MULTIPOINT zm (1 2 9 7, 3 4 8 7)", "SRID=4326;MULTIPOINT(1 2, 3 4)",
+        "srid=4326; POINT(1 2)\nSRID=4326;\nPOINT(3 4)", "POINT(1 2) # 5 6\nPOINT(3 4) # 7 8",
+        "POINT(+1 2.)POINT(3 4e0)", "GEOMETRYCOLLECTION Z (POINT Z (1 2 9), POLYGON EMPTY, POINT(3 4))",
+        "\xef\xbb\xbfPOINT(1 2);POINT(3 4)", "POINT(1 2)\rPOINT(3 4)\r",
+        "POINT\r\n(1\f2)\r\n;\v\tPOINT(3 4)"}) {
     CAPTURE(text);
     CHECK(wkt(text).vertices == expected);
   }
-  const Pslg with_empty = wkt("MULTIPOLYGON(((0 0, 4 0, 4 4)), EMPTY, (EMPTY))\nMULTILINESTRING(EMPTY, (7 7, 8 8))");
+  const Pslg with_empty =
+      wkt("MULTIPOLYGON(((0 0, 4 0, 4 4)), EMPTY, (EMPTY))\nMULTILINESTRING(EMPTY, (7 7, 8 8))");
   CHECK(with_empty.vertices.size() == 5);
   CHECK(with_empty.segments.size() == 4);
 }
@@ -362,13 +375,17 @@ TEST_CASE("errors of GeoJSON tell the line", "[GeoJSON]") {
   const std::string deep = std::string(100000, '[') + std::string(100000, ']');
   for (const Case& c : std::vector<Case>{
            {"", "1: "},
-           {"{\"type\": \"LineString\",\n\"coordinates\": [[1, 2],\n[3,\n\"4\"]]}", "3: the geometry, place 1"},
+           {"{\"type\": \"LineString\",\n\"coordinates\": [[1, 2],\n[3,\n\"4\"]]}",
+            "3: the geometry, place 1"},
            {"{\"type\": \"LineString\",\n\"coordinates\": [[1, 2],\n[3, 1e999]]}", "3: "},
-           {"{\"type\": \"Point\",\n\"coordinates\": [1, 2, 3, 4, 5]}", "2: the geometry: two to four numbers"},
+           {"{\"type\": \"Point\",\n\"coordinates\": [1, 2, 3, 4, 5]}",
+            "2: the geometry: two to four numbers"},
            {"{\"type\": \"Point\",\n\"coordinates\": [1, 2, \"x\"]}", "2: the geometry: two to four numbers"},
-           {"{\"type\": \"Point\", \"more\": " + deep + ",\n\"coordinates\": [1]}", "2: the geometry: two to four"},
+           {"{\"type\": \"Point\", \"more\": " + deep + ",\n\"coordinates\": [1]}",
+            "2: the geometry: two to four"},
            {"{\"type\": \"Point\",\n\"coordinates\": [1, 2]}\n7", "3: "},
-           {"{\"type\": \"Polygon\", \"coordinates\": [[[0, 0], [9, 0], [9, 9], [0, 0]],\n[[1, 1], [2, 2], [1, 1], [1, 1]]]}",
+           {"{\"type\": \"Polygon\", \"coordinates\": [[[0, 0], [9, 0], [9, 9], [0, 0]],\n[[1, 1], [2, 2], "
+            "[1, 1], [1, 1]]]}",
             "2: the geometry, ring 1 has not three"}}) {
     CAPTURE(c.text);
     CHECK(error_of([&] { geojson(c.text); }).find("input:" + c.culprit) == 0);
@@ -406,7 +423,9 @@ TEST_CASE("points from text of many kinds", "[XY]") {
                                                         {"x,y\nu,v\n", "2: x"},
                                                         {"x,y,x\n1,2,3\n", "1: two columns are called x"},
                                                         {"1 2\r1 x\r", "2: y: 'x'"},
-                                                        {"\xff\xfe" "1 2", "1: is text in UTF-16"},
+                                                        {"\xff\xfe"
+                                                         "1 2",
+                                                         "1: is text in UTF-16"},
                                                         {"1 1e999\n", "too large"}}) {
     CAPTURE(text);
     CHECK(error_of([&, &t = text] { read(t); }).find(culprit) != std::string::npos);

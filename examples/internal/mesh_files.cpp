@@ -81,7 +81,8 @@ void write_grid(std::ostream& out, const Mesh& mesh, const Pslg& pslg, const Pic
 }
 
 /// In a format that is one file.
-void write(std::ostream& out, Output_format format, const Mesh& mesh, const Pslg& pslg, const Picture& picture) {
+void write(std::ostream& out, Output_format format, const Mesh& mesh, const Pslg& pslg,
+           const Picture& picture) {
   switch (format) {
   case Output_format::triangle:
     return;

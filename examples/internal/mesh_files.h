@@ -38,7 +38,8 @@ struct Picture {
 };
 using Files = CGAL::Quadtree_mesh_2::internal::Replaced_files;
 /// \param pslg what the mesh was made from
-void add(Files& files, const std::string& file_name, const Mesh& mesh, const Pslg& pslg, const Picture& picture);
+void add(Files& files, const std::string& file_name, const Mesh& mesh, const Pslg& pslg,
+         const Picture& picture);
 
 } // namespace mesh_files
 

@@ -46,13 +46,19 @@ mesh_graph::Options to_words(mesh_graph::Options options, const Word_map<Point>&
 
 } // namespace
 
+double mesh_graph::unit_of_words(const Pslg& pslg) { return Word_map<Point>(pslg.vertices).unit(); }
+
 mesh_graph::Mesh mesh_graph::in_words(const Pslg& pslg, const Options& options, Neighbors neighbors,
                                       Report& report) {
   CGAL::check_pslg_structure(pslg); // the scale wants finite coordinates
   const Word_map<Point> map(pslg.vertices);
-  auto words = mesh_graph_with<Traits>(to_words(pslg, map), to_words(options, map), neighbors, report);
-  Mesh mesh = mesh_with_doubles(std::move(words), pslg.vertices,
-                                [&map](const Word_point& p) { return map.to_double(p); });
-  to_doubles(report, mesh);
-  return mesh;
+  try {
+    auto words = mesh_graph_with<Traits>(to_words(pslg, map), to_words(options, map), neighbors, report);
+    Mesh mesh = mesh_with_doubles(std::move(words), pslg.vertices,
+                                  [&map](const Word_point& p) { return map.to_double(p); });
+    to_doubles(report, mesh);
+    return mesh;
+  } catch (const CGAL::Pslg_seed_error_2& e) { // in words; the user knows the doubles
+    throw CGAL::Quadtree_mesh_2::internal::make_seed_error(pslg, e.kind, e.seed, e.vertex, e.segment);
+  }
 }

@@ -44,7 +44,8 @@ std::runtime_error with_coordinates(const CGAL::Quadtree_mesh_2::Point_error& er
   message << error.what();
   for (const auto p : {error.point(), error.other()})
     if (p.is_valid())
-      message << (p == error.point() ? " (" : ", ") << "point " << p.value() << " is at " << points[std::size_t(p)];
+      message << (p == error.point() ? " (" : ", ") << "point " << p.value() << " is at "
+              << points[std::size_t(p)];
   message << ')';
   return std::runtime_error(message.str());
 }
@@ -113,6 +114,7 @@ Exit_status execute_point_set(const Command_line& line) {
     run.peak_memory_mb = peak_memory_mb();
   };
   run.peak_memory_mb = peak_memory_mb();
-  write_all(line, add_mesh, [&] { return run_json(run); }, [&] { print_run(run); });
+  write_all(
+      line, add_mesh, [&] { return run_json(run); }, [&] { print_run(run); });
   return is_bound_met(run) ? DONE : BOUND_UNMET;
 }

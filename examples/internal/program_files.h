@@ -47,7 +47,8 @@ inline void check_writable(const fs::path& file) {
   const fs::path target = fs::exists(status) ? fs::canonical(file, error) : file;
   const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
   if (!fs::is_directory(folder, error)) fail("no folder '" + folder.string() + "'");
-  if (access(folder.c_str(), W_OK) != 0) fail("nothing may be written in the folder '" + folder.string() + "'");
+  if (access(folder.c_str(), W_OK) != 0)
+    fail("nothing may be written in the folder '" + folder.string() + "'");
 }
 
 } // namespace program_files_internal

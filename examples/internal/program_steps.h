@@ -46,7 +46,8 @@ inline void check_valid(const CGAL::Mesh_quality_2& quality) {
 /// \param print prints the figures
 /// \throws std::exception if something cannot be written
 template <class Add_mesh, class Make_json, class Print>
-void write_all(const Command_line& line, const Add_mesh& add_mesh, const Make_json& json, const Print& print) {
+void write_all(const Command_line& line, const Add_mesh& add_mesh, const Make_json& json,
+               const Print& print) {
   const Deferred_signals signals; // acts when the temporary files are gone
   CGAL::Quadtree_mesh_2::internal::Replaced_files files;
   for (const std::string& output : line.outputs) {

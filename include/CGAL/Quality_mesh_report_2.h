@@ -25,6 +25,25 @@ public:
 };
 
 /// \ingroup PkgQuadtreeMesh2Meshers
+/// The point of a hole or region lies on a segment, or on a vertex with segments, between several components of the plane:
+/// which one is meant cannot be told.
+class Pslg_seed_error_2 : public Pslg_error_2 {
+public:
+  /// What the point is for.
+  enum class Kind { HOLE, REGION };
+
+  /// What is to blame, and what `what()` says of it.
+  Pslg_seed_error_2(const std::string& text, Kind of, std::size_t number, Quadtree_mesh_2::Vertex_index at,
+                    Quadtree_mesh_2::Segment_index on)
+      : Pslg_error_2(text), kind(of), seed(number), vertex(at), segment(on) {}
+
+  Kind kind;                              ///< of the point
+  std::size_t seed;                       ///< its index in `Pslg_2::holes` or `Pslg_2::regions`
+  Quadtree_mesh_2::Vertex_index vertex;   ///< that it is on; invalid if it is inside a segment
+  Quadtree_mesh_2::Segment_index segment; ///< that it is on; invalid if it is on a vertex
+};
+
+/// \ingroup PkgQuadtreeMesh2Meshers
 /// What a construction by quadtrees did (Theorem 5); all 0 if there was none.
 struct Tree_separation_report_2 {
   std::size_t leaves_of_points = 0;   ///< of T_B, the quadtree of the vertices

@@ -38,7 +38,8 @@ public:
   /// \param root what was parsed from `text`
   Geojson_walker(const Json& root, const std::string& text, const std::string& file_name,
                  const std::string& region_property, Simple_features& features)
-      : root_(root), text_(text), file_name_(file_name), region_property_(region_property), features_(features) {}
+      : root_(root), text_(text), file_name_(file_name), region_property_(region_property),
+        features_(features) {}
 
   void walk() {
     const std::string type = type_of(root_, "");
@@ -94,7 +95,8 @@ private:
     if (properties == feature.end() || !properties->is_object()) return std::nullopt;
     const auto property = properties->find(region_property_);
     if (property == properties->end() || property->is_null()) return std::nullopt;
-    if (!property->is_number()) fail(*property, where + ": the property '" + region_property_ + "' is not a number");
+    if (!property->is_number())
+      fail(*property, where + ": the property '" + region_property_ + "' is not a number");
     is_property_found_ = true;
     return property->get<double>();
   }
@@ -149,8 +151,8 @@ private:
     for_each_part(rings, where, "ring", [this](const Json& positions, const std::string& name) {
       Simple_features::Line ring = line(positions, name);
       if (ring.size() < 4 || ring.front() != ring.back())
-        fail(positions,
-             name + " is not closed: its first place and its last have to be the same, with three or more in all");
+        fail(positions, name + " is not closed: its first place and its last have to be the same, with three "
+                               "or more in all");
       features_.add_ring(ring, [&] { return line_of(positions) + name; });
     });
   }
@@ -171,7 +173,8 @@ private:
   static bool is_place(const Json& position) {
     constexpr std::size_t most = 4;
     return position.is_array() && position.size() >= 2 && position.size() <= most &&
-           std::all_of(position.begin(), position.end(), [](const Json& number) { return number.is_number(); });
+           std::all_of(position.begin(), position.end(),
+                       [](const Json& number) { return number.is_number(); });
   }
   Simple_features::Place place(const Json& position, const std::string& where) const {
     if (!is_place(position)) fail(position, where + ": two to four numbers are expected");
@@ -237,8 +240,7 @@ template <class Point>
 void read_GeoJSON(std::istream& in, Pslg_2<Point>& pslg, const std::string& region_property = "",
                   const std::string& name = "input") {
   namespace internal = Quadtree_mesh_2::internal;
-  pslg = internal::parse_geojson<Point>(internal::read_whole_stream(in, name),
-                                        name, region_property);
+  pslg = internal::parse_geojson<Point>(internal::read_whole_stream(in, name), name, region_property);
 }
 
 } // namespace IO

@@ -56,10 +56,10 @@ private:
     for (char& c : capitals) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
     return capitals;
   }
+  bool is_at_word() { return scanner_.has_more() && scanner_.separator_ahead() == '\0'; }
   /// The next word in capitals, without going on; empty if there is a mark or nothing.
   std::string word_ahead() {
-    if (!scanner_.has_more() || scanner_.separator_ahead() != '\0') return std::string();
-    return in_capitals(scanner_.word_ahead({"a word"}));
+    return is_at_word() ? in_capitals(scanner_.word_ahead({"a word"})) : std::string();
   }
   bool try_word(const char* word) {
     if (word_ahead() != word) return false;
@@ -75,7 +75,8 @@ private:
     if (try_pass(mark)) return;
     scanner_.require_more({expected});
     const char other = scanner_.separator_ahead();
-    const std::string found = other != '\0' ? in_quotes(std::string(1, other)) : in_quotes(scanner_.word_ahead({"a word"}));
+    const std::string found =
+        other != '\0' ? in_quotes(std::string(1, other)) : in_quotes(scanner_.word_ahead({"a word"}));
     scanner_.fail(std::string(expected) + " is expected before " + found);
   }
 
@@ -100,7 +101,8 @@ private:
     if (word.size() == 5 || word.find_first_not_of("0123456789", 5) != std::string::npos)
       scanner_.fail("a number is expected in " + in_quotes(word));
     if (!reference_system_.empty() && word != reference_system_)
-      scanner_.fail(in_quotes(word) + " is another reference system than " + in_quotes(reference_system_) + " before");
+      scanner_.fail(in_quotes(word) + " is another reference system than " + in_quotes(reference_system_) +
+                    " before");
     reference_system_ = word;
     scanner_.pass_word();
     pass(';', "';'");
@@ -114,7 +116,8 @@ private:
     tag_ = split_tag(type);
     const bool is_collection = type == "GEOMETRYCOLLECTION";
     const Read_body read_body = find_reader(type);
-    if (!is_collection && !read_body) scanner_.fail(in_quotes(word) + " is no type of geometry that is known here");
+    if (!is_collection && !read_body)
+      scanner_.fail(in_quotes(word) + " is no type of geometry that is known here");
     scanner_.pass_word();
     for (const char* const tag : {"Z", "M", "ZM"})
       if (tag_.empty() && try_word(tag)) tag_ = tag;
@@ -137,9 +140,9 @@ private:
   /// What reads the rest of a geometry of this type, if it is known.
   static Read_body find_reader(const std::string& type) {
     constexpr std::pair<const char*, Read_body> readers[] = {
-        {"POINT", &Wkt_parser::read_point},           {"MULTIPOINT", &Wkt_parser::read_points},
-        {"LINESTRING", &Wkt_parser::read_line},       {"MULTILINESTRING", &Wkt_parser::read_lines},
-        {"POLYGON", &Wkt_parser::read_polygon},       {"MULTIPOLYGON", &Wkt_parser::read_polygons}};
+        {"POINT", &Wkt_parser::read_point},     {"MULTIPOINT", &Wkt_parser::read_points},
+        {"LINESTRING", &Wkt_parser::read_line}, {"MULTILINESTRING", &Wkt_parser::read_lines},
+        {"POLYGON", &Wkt_parser::read_polygon}, {"MULTIPOLYGON", &Wkt_parser::read_polygons}};
     for (const auto& [name, reader] : readers)
       if (type == name) return reader;
     return nullptr;
@@ -182,9 +185,8 @@ private:
       if (i > 0 && !has_outer_ring) scanner_.fail("a hole is in a polygon without an outer ring");
       if (i == 0) features_.begin_polygon();
       has_outer_ring = true;
-      features_.add_ring(ring, [&] {
-        return place + (i == 0 ? ": the outer ring" : ": hole " + std::to_string(i - 1));
-      });
+      features_.add_ring(
+          ring, [&] { return place + (i == 0 ? ": the outer ring" : ": hole " + std::to_string(i - 1)); });
     });
   }
 
@@ -211,7 +213,7 @@ private:
     constexpr std::size_t most = 4;
     Place p{};
     std::size_t n = 0;
-    for (; n < 2 || !word_ahead().empty(); ++n) {
+    for (; n < 2 || is_at_word(); ++n) {
       const Column_name name{n == 0 ? "x of place" : n == 1 ? "y of place" : "a further number of place", i};
       scanner_.require_more(name);
       const double number = scanner_.read<double>(name);
@@ -227,7 +229,8 @@ private:
     if (ordinates_ == 0 && n == 4) fail_at_place(i, "has four numbers and the geometry no tag ZM");
     if (ordinates_ == 0) ordinates_ = n;
     if (n == ordinates_) return;
-    const std::string why = tag_.empty() ? "where others of the geometry have " : "where the tag " + tag_ + " asks for ";
+    const std::string why =
+        tag_.empty() ? "where others of the geometry have " : "where the tag " + tag_ + " asks for ";
     fail_at_place(i, "has " + std::to_string(n) + " numbers " + why + std::to_string(ordinates_));
   }
   [[noreturn]] void fail_at_place(std::size_t i, const std::string& what) const {

@@ -81,7 +81,8 @@ private:
   void pass_separator(std::string_view separators) {
     if (!scanner_.has_more_columns()) return;
     if (scanner_.separator_ahead() == '\0')
-      scanner_.fail(in_quotes(separators) + " is expected before " + in_quotes(scanner_.word_ahead({"a column"})));
+      scanner_.fail(in_quotes(separators) + " is expected before " +
+                    in_quotes(scanner_.word_ahead({"a column"})));
     scanner_.pass_separator();
   }
 

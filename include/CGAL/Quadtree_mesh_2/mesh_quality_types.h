@@ -26,7 +26,7 @@ struct Mesh_quality_options_2 {
     MARKED_BY_REGIONS,    ///< of that only the components of the region points
     NESTING_PARITY, ///< of that only what an odd number of segments, counted at their least, separate from
                     ///< infinity
-    ANY             ///< not checked (meshes of points); every input vertex and segment has to be in the mesh
+    ANY ///< not checked (meshes of points), but for overlaps; every input vertex and segment has to be in the mesh
   };
   /// Which arrays of the mesh are checked.
   enum class Arrays {
@@ -45,12 +45,13 @@ struct Mesh_quality_options_2 {
   ///
   /// Vertices on segments are rounded. One counts as on its segment if some point of the segment's line is within four
   /// units of it along each axis. The unit is this one, or that in the last place of the larger of the coordinates of
-  /// the segment's two ends along the axis; never a share of the extent. What a mesher over doubles can promise is
-  /// little less: the place at a share t of the way from p to q, p + t (q - p), is wrong by up to two and a half units
-  /// of the larger coordinate, as the difference, which may be twice as large, the product and the sum are rounded; and
-  /// a coordinate that happens to be next to 0 has as large an error as any other. Whatever is near, all vertices of
-  /// a segment are one after the other along it, and no input vertex and no other segment is passed over or crossed,
-  /// which is decided exactly.
+  /// the segment's two ends along the axis; never a share of the extent. A mesher over doubles can promise that and
+  /// little less. The place at a share t of the way from p to q, p + t (q - p), is wrong by up to two and a half such
+  /// units, as the difference, which may be twice as large as the coordinates, the product and the sum are rounded; one
+  /// between two vertices of a segment inherits what these are off, and how far it is off is itself known to three
+  /// units only. And a coordinate that happens to be next to 0 has as large an error as any other. Whatever is near, the
+  /// vertices of a segment follow each other along it, and no input vertex and no other segment is passed over or
+  /// crossed, which is decided exactly.
   double coordinate_unit = 0;
   /// At most this many errors are written out; all are counted.
   std::size_t max_errors = 20;

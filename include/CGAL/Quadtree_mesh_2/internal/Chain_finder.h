@@ -66,7 +66,8 @@ public:
     }
     chain = search(piece.segment, a, b);
     if (chain.empty()) {
-      log_.add("input segment ", piece.segment, " is not a chain of mesh edges between vertices ", a, " and ", b);
+      log_.add("input segment ", piece.segment, " is not a chain of mesh edges between vertices ", a, " and ",
+               b);
       return chain;
     }
     if (has_constrained_edges())
@@ -132,7 +133,9 @@ private:
     while (chain.back() != b) {
       const std::uint32_t v = chain.back();
       auto link = std::lower_bound(links_.begin(), links_.end(), Link{segment.value(), v, 0, 0});
-      const auto is_here = [&] { return link != links_.end() && link->segment == segment.value() && link->from == v; };
+      const auto is_here = [&] {
+        return link != links_.end() && link->segment == segment.value() && link->from == v;
+      };
       while (is_here() && (is_used_[link->edge] != 0 || !along.is_ahead(point(v), point(link->to)))) ++link;
       if (!is_here()) return false;
       used.push_back(link->edge);
@@ -147,7 +150,8 @@ private:
     for (std::size_t i = 1; i + 1 < chain.size(); ++i) {
       const std::uint32_t v = chain[i];
       if (is_input(v)) {
-        log_.add("input vertex ", v, " is on the chain of input segment ", segment, ", but not on the segment");
+        log_.add("input vertex ", v, " is on the chain of input segment ", segment,
+                 ", but not on the segment");
         continue;
       }
       if (!along.passes_by(point(v)))

@@ -74,8 +74,8 @@ private:
   };
   /// The box of an edge of a chain with what lies between it and its segment, or of a vertex.
   struct Item_box : Box_intersection_d::Box_d<double, 2> {
-    Item_box(const Bbox_2& box, std::size_t i)
-        : Box_intersection_d::Box_d<double, 2>(box), item(i) {}
+    Item_box(const Bbox_2& box, std::size_t number)
+        : Box_intersection_d::Box_d<double, 2>(box), item(number) {}
     std::size_t item; // in `edges_`, or the vertex
   };
 
@@ -119,7 +119,8 @@ private:
     for (std::size_t i = 1; i < chains_[p].size(); ++i) {
       const Bbox_2 box = point(chains_[p][i - 1]).bbox() + point(chains_[p][i]).bbox();
       boxes.emplace_back(
-          Bbox_2(box.xmin() - reach, box.ymin() - reach, box.xmax() + reach, box.ymax() + reach), edges_.size());
+          Bbox_2(box.xmin() - reach, box.ymin() - reach, box.xmax() + reach, box.ymax() + reach),
+          edges_.size());
       edges_.push_back({p, i});
     }
   }
@@ -129,8 +130,8 @@ private:
         close.begin(), close.end(), all.begin(), all.end(), [&](const Item_box& a, const Item_box& b) {
           const Edge &e = edges_[a.item], &f = edges_[b.item];
           if (e.piece != f.piece && do_cross(e, f))
-            log_.add("edges ", source(e), " ", target(e), " of input segment ", segment(e), " and ", source(f), " ",
-                     target(f), " of input segment ", segment(f), " cross");
+            log_.add("edges ", source(e), " ", target(e), " of input segment ", segment(e), " and ",
+                     source(f), " ", target(f), " of input segment ", segment(f), " cross");
         });
   }
 
@@ -151,13 +152,13 @@ private:
     std::vector<Item_box> vertices;
     for (std::uint32_t v : vertex_at_)
       if (v != Domain::none) vertices.emplace_back(point(v).bbox(), v);
-    CGAL::box_intersection_d(
-        close.begin(), close.end(), vertices.begin(), vertices.end(), [&](const Item_box& a, const Item_box& w) {
-          const Edge& e = edges_[a.item];
-          if (is_between(e, static_cast<std::uint32_t>(w.item), line_of(segment(e))))
-            log_.add("input vertex ", w.item, " is between input segment ", segment(e), " and its edge ",
-                     source(e), " ", target(e));
-        });
+    CGAL::box_intersection_d(close.begin(), close.end(), vertices.begin(), vertices.end(),
+                             [&](const Item_box& a, const Item_box& w) {
+                               const Edge& e = edges_[a.item];
+                               if (is_between(e, static_cast<std::uint32_t>(w.item), line_of(segment(e))))
+                                 log_.add("input vertex ", w.item, " is between input segment ", segment(e),
+                                          " and its edge ", source(e), " ", target(e));
+                             });
   }
 
   /// Whether `w` is between an edge of a chain and the segment, ends and other pieces of which it is not on.

@@ -107,7 +107,8 @@ private:
     int mark = -1;
     std::array<std::uint32_t, 3> piece{none, none, none};
   };
-  using Triangulation = Indexed_cdt<Kernel, Face_info, No_constraint_intersection_requiring_constructions_tag>;
+  using Triangulation =
+      Indexed_cdt<Kernel, Face_info, No_constraint_intersection_requiring_constructions_tag>;
   using Face_handle = typename Triangulation::Face_handle;
   using Cdt = typename Triangulation::Cdt;
 

@@ -84,12 +84,14 @@ private:
 
   /// At a value: false if it is the one.
   bool shall_go_on() {
-    if (place_.size() == path_.size() && std::equal(place_.begin(), place_.end(), path_.begin())) return false;
+    if (place_.size() == path_.size() && std::equal(place_.begin(), place_.end(), path_.begin()))
+      return false;
     go_to_next();
     return true;
   }
   bool begin_part(Kind kind) {
-    if (place_.size() == path_.size() && std::equal(place_.begin(), place_.end(), path_.begin())) return false;
+    if (place_.size() == path_.size() && std::equal(place_.begin(), place_.end(), path_.begin()))
+      return false;
     place_.emplace_back();
     kinds_.push_back(kind);
     return true;
@@ -142,7 +144,8 @@ inline std::size_t line_in_json(const std::string& text, const Json_path& path) 
   const char* const begin = text.data();
   const char* last = begin;
   Json_place_finder finder(path);
-  nlohmann::json::sax_parse(Watched_character(begin, last), Watched_character(begin + text.size(), last), &finder);
+  nlohmann::json::sax_parse(Watched_character(begin, last), Watched_character(begin + text.size(), last),
+                            &finder);
   return 1 + static_cast<std::size_t>(std::count(begin, last, '\n'));
 }
 

@@ -161,7 +161,8 @@ private:
 
   /// Text with no line feed is searched for one only once.
   std::size_t end_of_line(std::size_t begin) {
-    if (line_feed_ == unknown_ || line_feed_ < begin) line_feed_ = (std::min)(text_.find('\n', begin), text_.size());
+    if (line_feed_ == unknown_ || line_feed_ < begin)
+      line_feed_ = (std::min)(text_.find('\n', begin), text_.size());
     const std::string_view line = text_.substr(begin, line_feed_ - begin);
     return begin + (std::min)(line.find('\r'), line.size());
   }

@@ -10,6 +10,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Indexed_mesh_2.h>
 #include <CGAL/Pslg_2.h>
+#include <CGAL/Quadtree_mesh_2/internal/Border_winding.h>
 #include <CGAL/Quadtree_mesh_2/internal/Chain_finder.h>
 #include <CGAL/Quadtree_mesh_2/internal/Chain_order.h>
 #include <CGAL/Quadtree_mesh_2/internal/Half_edges.h>
@@ -52,6 +53,10 @@ public:
   bool check_arrays() {
     check_sizes();
     const std::size_t errors = quality_.number_of_errors;
+    check_coordinates("vertex ", mesh_.points);
+    check_coordinates("input vertex ", pslg_.vertices);
+    check_coordinates("hole ", pslg_.holes);
+    check_coordinates("region ", region_points());
     for (std::size_t s = 0; s < pslg_.segments.size(); ++s)
       for (Vertex_index v : pslg_.segments[s])
         if (std::size_t(v) >= pslg_.vertices.size())
@@ -117,6 +122,17 @@ private:
     const std::size_t regions = pslg_.regions.empty() ? 0 : mesh_.triangles.size();
     if (mesh_.region_of_triangle.size() != regions)
       error("there are ", mesh_.region_of_triangle.size(), " entries of region_of_triangle, not ", regions);
+  }
+
+  void check_coordinates(const char* what, const std::vector<Point>& points) {
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if (!std::isfinite(points[i].x()) || !std::isfinite(points[i].y()))
+        error(what, i, " is at (", points[i].x(), ", ", points[i].y(), ")");
+  }
+  std::vector<Point> region_points() const {
+    std::vector<Point> points;
+    for (const auto& region : pslg_.regions) points.push_back(region.point);
+    return points;
   }
 
   static bool same_bits(double a, double b) { return a == b && std::signbit(a) == std::signbit(b); }
@@ -185,8 +201,7 @@ private:
   // --- the input: vertices, segments, domain ---
 
   void check_against_input() {
-    std::vector<Point> marks;
-    for (const auto& region : pslg_.regions) marks.push_back(region.point);
+    const std::vector<Point> marks = region_points();
     const Domain domain(pslg_.vertices, pslg_.segments, pslg_.holes, options_.domain, marks);
     if (domain.has_crossings()) return error("input segments cross; this is no planar straight-line graph");
     for (std::size_t h : domain.ambiguous_holes()) ambiguous_error("hole ", h, pslg_.holes[h]);
@@ -200,6 +215,8 @@ private:
       domain.for_each_triangle([&](const Point& p, const Point& q, const Point& r) {
         quality_.domain_area += Scaled_sides<Point>(p, q, r).area();
       });
+    } else if (quality_.number_of_errors == 0) {
+      check_overlaps();
     }
   }
 
@@ -258,7 +275,8 @@ private:
     if (half_edge == none_ || !has_regions()) return;
     const int found = mesh_.region_of_triangle[half_edge / 3];
     if (found != expected)
-      error("triangle ", half_edge / 3, " is in region ", found, ", but by the regions' points in ", expected);
+      error("triangle ", half_edge / 3, " is in region ", found, ", but by the regions' points in ",
+            expected);
   }
   bool has_regions() const {
     return has_all_arrays() && !pslg_.regions.empty() &&
@@ -278,6 +296,15 @@ private:
       if (opposites_[h] == none_ && is_constrained_[h] == 0)
         error("edge ", half_edges_.origin(h), " ", half_edges_.target(h), " of triangle ", h / 3,
               " is on the border of the mesh, but on no input segment");
+  }
+
+  /// Where no domain tells what the border of the mesh has to be.
+  void check_overlaps() {
+    std::vector<Border_winding<Kernel>::Edge> border;
+    for (std::uint32_t h = 0; h < opposites_.size(); ++h)
+      if (opposites_[h] == none_) border.push_back({half_edges_.origin(h), half_edges_.target(h)});
+    if (!Border_winding<Kernel>(mesh_.points, border).is_simple())
+      error("triangles overlap, or border edges meet where they have no common end");
   }
 
   void check_euler(const Domain& domain) {

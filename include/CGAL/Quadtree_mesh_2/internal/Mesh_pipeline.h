@@ -161,7 +161,11 @@ private:
     domain_.rule = options_.domain;
     for (const Point_2& p : pslg_.holes) domain_.holes.push_back(map_.to_kernel(p));
     for (const auto& region : pslg_.regions) domain_.regions.push_back(map_.to_kernel(region.point));
-    domain_.apply(state_.mesh, First::number_of_auxiliary_vertices);
+    try {
+      domain_.apply(state_.mesh, First::number_of_auxiliary_vertices);
+    } catch (const Ambiguous_seed& seed) {
+      throw seed_error(seed);
+    }
     if (!state_.mesh.triangles.empty()) return;
     throw Pslg_error_2(pslg_.segments.empty() ? "there are no segments, so there is no domain to mesh"
                        : options_.domain == Quality_mesh_options_2::Domain::MARKED
@@ -169,6 +173,14 @@ private:
                        : pslg_.holes.empty()
                            ? "the segments enclose no domain: every face is connected to infinity"
                            : "no domain is left: what the segments enclose, holes take away");
+  }
+
+  Pslg_seed_error_2 seed_error(const Ambiguous_seed& seed) const {
+    const auto kind = seed.of == Ambiguous_seed::Of::HOLE ? Pslg_seed_error_2::Kind::HOLE : Pslg_seed_error_2::Kind::REGION;
+    if (seed.a == seed.b)
+      return make_seed_error(pslg_, kind, seed.number, Vertex_index(order_[std::size_t(seed.a)]), Segment_index());
+    const Edge_id e = problem_.edges.between(seed.a, seed.b);
+    return make_seed_error(pslg_, kind, seed.number, Vertex_index(), Segment_index(problem_.edges[e].segment));
   }
 
   /// Coordinates are unlimited, the doubles in which angles are compared are not.

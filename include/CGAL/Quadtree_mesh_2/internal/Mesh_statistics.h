@@ -91,7 +91,8 @@ private:
 
   void compare_with_bounds(std::uint32_t t, const Sides& sides, double least) {
     using Bound = Mesh_quality_2::Bound;
-    if (options_.max_edge_length > 0 && sides.longest() > options_.max_edge_length * (1 + relative_tolerance_))
+    if (options_.max_edge_length > 0 &&
+        sides.longest() > options_.max_edge_length * (1 + relative_tolerance_))
       add_unmet(t, Bound::EDGE_LENGTH, least);
     if (sides.area() > max_area(t) * (1 + relative_tolerance_)) add_unmet(t, Bound::AREA, least);
     if (least >= std::min(options_.min_angle_in_degrees, 90.) - tolerance_) return;
@@ -114,7 +115,8 @@ private:
 
   void add_unmet(std::uint32_t t, Mesh_quality_2::Bound bound, double least) {
     const Point &p = corner(t, 0), &q = corner(t, 1), &r = corner(t, 2);
-    const std::array<double, 2> centroid{p.x() / 3 + q.x() / 3 + r.x() / 3, p.y() / 3 + q.y() / 3 + r.y() / 3};
+    const std::array<double, 2> centroid{p.x() / 3 + q.x() / 3 + r.x() / 3,
+                                         p.y() / 3 + q.y() / 3 + r.y() / 3};
     quality_.unmet_triangles.push_back({Triangle_index(t), bound, centroid, least});
   }
 

@@ -55,7 +55,7 @@ public:
     write(file, file_name, text);
   }
 
-  /// \throws std::system_error as `add()` does; then no file is replaced.
+  /// \throws std::system_error as `add()` does; then no file is replaced, if the file system knows hard links.
   void commit() {
     for (const Stream& s : streams_) write(std::fopen(s.name.c_str(), "wb"), s.name, s.text);
     streams_.clear();
@@ -74,7 +74,8 @@ public:
 private:
   struct Written {
     std::filesystem::path temporary, target;
-    std::filesystem::path kept; ///< what the target was; empty if it was not there
+    std::filesystem::path kept = {}; ///< a second name of what is replaced; empty if there is none
+    bool is_new = true;              ///< nothing is replaced
   };
   struct Stream {
     std::string name, text;
@@ -95,7 +96,7 @@ private:
       std::filesystem::path temporary = target;
       temporary += ".part" + std::to_string(i);
       if (std::FILE* file = std::fopen(temporary.string().c_str(), "wbx")) {
-        written_.push_back({std::move(temporary), target, {}});
+        written_.push_back({std::move(temporary), target});
         return file;
       }
       if (errno != EEXIST) break;
@@ -108,6 +109,7 @@ private:
     std::filesystem::path kept = w.temporary;
     kept += ".old";
     std::error_code error;
+    w.is_new = !std::filesystem::exists(w.target, error);
     std::filesystem::create_hard_link(w.target, kept, error);
     if (!error) w.kept = std::move(kept);
   }
@@ -117,9 +119,9 @@ private:
     for (std::size_t i = 0; i < written_.size(); ++i)
       if (i >= n)
         remove(written_[i].kept);
-      else if (written_[i].kept.empty())
+      else if (written_[i].is_new)
         remove(written_[i].target);
-      else
+      else if (!written_[i].kept.empty())
         std::filesystem::rename(written_[i].kept, written_[i].target, ignored);
   }
 

@@ -57,7 +57,8 @@ public:
 
 private:
   double compute_doubled_area() const {
-    constexpr double least_share = 0x1p-10; // of the products that is left of their difference with enough bits
+    constexpr double least_share =
+        0x1p-10; // of the products that is left of their difference with enough bits
     const double left = x_[0] * y_[1], right = y_[0] * x_[1];
     if (std::abs(left - right) >= least_share * (std::abs(left) + std::abs(right))) return left - right;
     using Number = Exact_rational;

@@ -53,7 +53,7 @@ public:
     return exact_sign([&](auto number) {
              using Number = decltype(number);
              return Number((Number(q_.x()) - Number(p_.x())) * (Number(b.x()) - Number(a.x())) +
-                    (Number(q_.y()) - Number(p_.y())) * (Number(b.y()) - Number(a.y())));
+                           (Number(q_.y()) - Number(p_.y())) * (Number(b.y()) - Number(a.y())));
            }) == POSITIVE;
   }
 
@@ -66,7 +66,7 @@ public:
         const Number dx = Number(q_.x()) - Number(p_.x()), dy = Number(q_.y()) - Number(p_.y());
         const Number ux = Number(v.x()) - Number(p_.x()), uy = Number(v.y()) - Number(p_.y());
         return Number(Number(side) * (dx * uy - dy * ux) - Number(sign_x * reach_[1]) * dx -
-               Number(sign_y * reach_[0]) * dy);
+                      Number(sign_y * reach_[0]) * dy);
       });
     };
     return excess(1) != POSITIVE && excess(-1) != POSITIVE;

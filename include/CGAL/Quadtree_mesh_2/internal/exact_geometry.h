@@ -87,6 +87,8 @@ struct Exact_geometry_2 {
   static Point between(const Point& p, const Point& q, double share) {
     return {Coordinate::between(p.x, q.x, share), Coordinate::between(p.y, q.y, share)};
   }
+  /// What is made between points of a line is on it.
+  static const Point& back_to_line(const Point&, const Point&, const Point& m) { return m; }
   static double short_share(double share) { return 0x1p-10 * std::floor(0x1p10 * share + 0.5); }
 
   /// Sign of the turn a, b, c; exact.

@@ -137,6 +137,21 @@ struct Rounded_geometry {
   static Point between(const Point& p, const Point& q, double share) {
     return Geometry::translate(p, share * Geometry::difference(q, p));
   }
+  /// A point m that is meant to lie on the line through p and q, brought back to it where that is off by more than a
+  /// unit in the last place of the larger coordinates along the axes.
+  template <class Point>
+  static Point back_to_line(const Point& p, const Point& q, const Point& m) {
+    constexpr double unit = 0x1p-53; // of a number just below a power of two, the least
+    const Vector d = Geometry::difference(q, p), from_p = Geometry::difference(m, p),
+                 from_q = Geometry::difference(m, q);
+    const double off = cross(d, squared_length(from_p) <= squared_length(from_q) ? from_p : from_q);
+    const auto larger = [](auto a, auto b) {
+      return static_cast<double>(std::max(a < 0 ? -a : a, b < 0 ? -b : b));
+    };
+    const double reach = std::fabs(d.x) * larger(p.y, q.y) + std::fabs(d.y) * larger(p.x, q.x);
+    if (std::fabs(off) <= unit * reach) return m;
+    return Geometry::translate(m, (off / squared_length(d)) * Vector{d.y, -d.x});
+  }
   /// A share, about the given one, for which the coordinates of a point between others do not become long.
   static double short_share(double share) { return share; }
 };
