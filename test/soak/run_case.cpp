@@ -11,6 +11,8 @@
 #include "mesh_graph.h"
 #include "mesh_points.h"
 
+#include <CGAL/Fixed_point_quadtree_traits_2.h>
+
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>
 #endif
@@ -18,6 +20,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -104,11 +107,15 @@ CGAL::Mesh_quality_options_2 check_options(const Soak_case& c) {
   const Rule rule = asked.domain == Domain::MARKED           ? Rule::MARKED_BY_REGIONS
                     : asked.domain == Domain::NESTING_PARITY ? Rule::NESTING_PARITY
                                                              : Rule::ENCLOSED_BY_SEGMENTS;
-  return CGAL::Mesh_quality_options_2()
-      .min_angle(asked.min_angle_in_degrees)
-      .max_edge(asked.max_edge_length)
-      .max_area(asked.max_triangle_area)
-      .check_domain(rule);
+  CGAL::Mesh_quality_options_2 check = CGAL::Mesh_quality_options_2()
+                                           .min_angle(asked.min_angle_in_degrees)
+                                           .max_edge(asked.max_edge_length)
+                                           .max_area(asked.max_triangle_area)
+                                           .check_domain(rule);
+  if (c.kernel == Kernel::fixed32) check.coordinate_unit = 1;
+  if (c.kernel == Kernel::fixed)
+    check.coordinate_unit = CGAL::Fixed_point_scale_2<std::uint64_t>::of_points(c.graph.vertices).unit();
+  return check;
 }
 
 Pslg graph_of_words32(const Pslg& graph) {
