@@ -9,11 +9,15 @@
 
 #include "resources.h"
 
+#ifdef __linux__
+#include <sys/prctl.h>
+#endif
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <exception>
@@ -35,6 +39,9 @@ template <class F>
   // By the wall clock: a limit of processor time would make Linux read its processor clock in steps of
   // milliseconds.
   alarm(limit_seconds);
+#ifdef __linux__
+  prctl(PR_SET_PDEATHSIG, SIGKILL); // nobody waits for the result of a child that is alone
+#endif
   try {
     const auto result = f();
     const bool is_sent = write(pipe_end, &result, sizeof result) == ssize_t(sizeof result);

@@ -1,60 +1,92 @@
 #!/usr/bin/env bash
-# Builds the benchmarks and prints the tables of doc/. Arguments go to those of meshes, for example
-# `--triangle PATH` for the program Triangle, which is not free software.
+# Builds and runs the benchmarks, and makes the tables of the documentation of their figures. See --help.
 set -euo pipefail
 
 # shellcheck source-path=SCRIPTDIR source=../.ci/common.sh
 . "$(dirname "${BASH_SOURCE[0]}")/../.ci/common.sh"
 
-install_packages "${build_packages[@]}"
+usage() {
+  cat <<'HELP'
+usage: benchmark/run.sh [--docs] [--quick] [--triangle PATH]
+
+Prints the tables of the documentation, measured on this machine in about ten minutes, during which it should have
+nothing else to do. The figures are in build/figures.
+
+  --docs           put the figures into doc/figures and the tables into the documents
+  --quick          run everything once, with smaller inputs where there is a choice of size
+  --triangle PATH  compare with the program Triangle, too, which is not free software
+HELP
+}
+
+shall_write=no
+repeat=5
+large=1e6
+medium=1e5
+triangle=()
+while [[ $# -gt 0 ]]; do
+  case $1 in
+    --docs) shall_write=yes ;;
+    --quick) repeat=1 large=1e5 medium=1e4 ;;
+    --triangle)
+      [[ $# -ge 2 ]] || fail "--triangle needs a value"
+      triangle=(--triangle "$2") && shift
+      ;;
+    --help | -h) usage && exit 0 ;;
+    *) usage >&2 && fail "unknown argument '$1'" ;;
+  esac
+  shift
+done
+
+install_packages "${build_packages[@]}" python3
 # A peer of the quadtrees, which they do without.
 (install_packages libp4est-dev libopenmpi-dev) || say "no p4est: the quadtrees are not compared with it"
-configure_and_build "$root/build" pslg -DCMAKE_BUILD_TYPE=Release
-configure_and_build "$root/build" points -DCMAKE_BUILD_TYPE=Release
-configure_and_build "$root/build" separation -DCMAKE_BUILD_TYPE=Release
-configure_and_build "$root/build" quadtree -DCMAKE_BUILD_TYPE=Release
-configure_and_build "$root/build" neighbors -DCMAKE_BUILD_TYPE=Release
+for program in pslg points separation quadtree neighbors; do
+  configure_and_build "$root/build" "$program" -DCMAKE_BUILD_TYPE=Release
+done
 
-# Prints the tables of one set of inputs: name, then options.
-meshes() {
-  local name=$1
-  shift
-  say "meshes: $name"
-  "$root/build/bin/pslg" --json "$root/build/pslg_$name.json" "$@"
+figures=$root/build/figures
+rm -rf "$figures"
+mkdir -p "$figures"
+# What was built just now: later there may be another commit.
+"$root/benchmark/tables.py" stamp "$figures" "$repeat"
+measure() { # name of the figures, program, arguments
+  local name=$1 program=$2
+  shift 2
+  say "$name"
+  "$root/build/bin/$program" --json "$figures/$name.json" "$@" >"$figures/$name.txt"
 }
-meshes maps --min-angle 18.43 20.7 30 --repeat 5 "$@"
-meshes synthetic koch:49152 blob:1e4 stars:1e4 comb:500 fan:1 fan:0.1 wedge:1 wedge:0.0001 parallel:1e-4 \
-  segments:1e5 holes:19600 square:1.5e-6 coast:1e5 --repeat 3 --limit 60 "$@"
-meshes growth --growth coast segments blob holes --sizes 1e4 3e4 1e5 3e5 --repeat 1 --limit 120 "$@"
-meshes threads "$root/test/data/gshhg_norway_f.poly.gz" coast:3e5 segments:1e5 square:1e-6 --peers none --repeat 5 \
+cd "$root" # that figures name inputs by their place in the project
+data=test/data
+maps=(examples/data/great_lakes.poly.gz "$data/us_states_10m.poly.gz" "$data/gshhg_aegean_h.poly.gz")
+norway=$data/gshhg_norway_f.poly.gz
+holes=$data/syn_holes_400.poly.gz
+
+measure maps pslg "${maps[@]}" "$norway" "$data"/syn_*.poly* --repeat "$repeat" "${triangle[@]}"
+measure bounds pslg "${maps[@]}" "$norway" "$holes" --min-angle 18.43 30 --repeat 1 "${triangle[@]}"
+measure synthetic pslg koch:49152 blob:1e4 stars:1e4 comb:500 fan:1 fan:0.1 wedge:1 wedge:0.0001 parallel:1e-4 \
+  "segments:$medium" holes:19600 square:1.5e-6 "coast:$medium" --repeat 1 --limit 60 "${triangle[@]}"
+measure growth pslg --growth coast segments blob holes --sizes 1e4 1e5 3e5 --peers none --repeat 1
+measure threads pslg "$norway" "coast:$medium" "segments:$medium" square:1e-6 --peers none --repeat "$repeat" \
   --threads $(seq -s ' ' 1 "$(nproc)")
-meshes large coast:1e6 --repeat 1 --limit 120 "$@"
 
-say "separations"
-"$root/build/bin/separation" --repeat 3 --limit 60 --threads 2 --json "$root/build/separation.json"
-"$root/build/bin/separation" --repeat 1 --limit 120 coast:1e4 coast:1e5 segments:1e4 holes:2500 stars:1e3 comb:100 fan:1 \
-  parallel:1e-3 --json "$root/build/separation_synthetic.json"
-"$root/build/bin/separation" --rounds --limit 300 --json "$root/build/separation_rounds.json"
+measure separation separation "${maps[@]}" coast:1e4 stars:1e3 "$holes" "$data"/syn_{comb,fan_1deg,parallel_0.001}.poly \
+  --repeat 1 --limit 120
+measure separation_rounds separation --rounds --families blob holes coast segments --sizes 1e3 1e4 --limit 300
+measure neighbors neighbors "$norway" "${maps[@]:1}" --repeat "$repeat"
 
-# The same for meshes of points.
-points() {
-  local name=$1
-  shift
-  say "points: $name"
-  "$root/build/bin/points" --json "$root/build/points_$name.json" "$@"
-}
-points modes uniform clusters kuzmin plummer grid line short-spiral --n 1e3 --repeat 3 --limit 30 "$@"
-points near close-pairs nested --n 300 --modes acute points warped bounded --repeat 1 --limit 60 "$@"
-points large uniform kuzmin --n 1e4 --modes bounded acute points --repeat 1 --limit 120 "$@"
-points growth uniform short-spiral nested --growth --modes acute:1 points --n 1e3 1e4 1e5 --repeat 1 --limit 120 "$@"
-points growth_near close-pairs --growth --modes acute:1 points --n 300 1e3 3e3 --repeat 1 --limit 120 "$@"
-points threads uniform --n 1e4 --modes bounded:1 acute:1 points --peers none --repeat 3 --threads 1 2 4
+measure points_modes points uniform --n 1e4 --modes bounded:0 bounded:1 bounded bounded:3 tight wide acute warped points \
+  --peers none --repeat 1 --limit 60
+measure points_near points close-pairs nested short-spiral --n 100 1e3 --modes acute --peers none --repeat 1 --limit 60
+measure points_peers points uniform --n "$medium" "$large" --modes points --repeat 1 --limit 120 "${triangle[@]}"
 
-say "quadtrees"
-"$root/build/bin/quadtree" --n 1e5 1e6 --repeat 3 --limit 10 --threads "$(nproc)" \
-  --json "$root/build/quadtree.json"
-"$root/build/bin/quadtree" --rounds --n 1e5 1e6 --repeat 3 --json "$root/build/quadtree_rounds.json"
+measure quadtree quadtree --n "$large" --repeat "$repeat" --limit 10 --threads "$(nproc)"
+measure quadtree_rounds quadtree uniform spiral --rounds --n "$medium" "$large" --repeat "$repeat"
 
-say "vertex-edge neighbours"
-"$root/build/bin/neighbors" "$root/test/data/gshhg_norway_f.poly.gz" coast:1e5 segments:1e5 --repeat 7 \
-  --json "$root/build/neighbors.json"
+"$root/benchmark/tables.py" print "$figures"
+if [[ $shall_write == yes ]]; then
+  rm -rf "$root/doc/figures"
+  mkdir "$root/doc/figures"
+  cp "$figures"/*.json "$root/doc/figures"
+  "$root/benchmark/tables.py" write "$root/doc/figures"
+  say "the documents have these figures"
+fi

@@ -2,6 +2,7 @@
 
 #include "internal/Meshing_run.h"
 #include "internal/Progress_line.h"
+#include "internal/by_mesh_2.h"
 #include "internal/command_line.h"
 #include "internal/mesh_files.h"
 #include "internal/mesh_graph.h"
@@ -9,15 +10,16 @@
 #include "internal/program_steps.h"
 
 #include "in_child.h"
-#include "mesh_2_peer.h"
 #include "resources.h"
 #include "thread_limit.h"
 
 #include <CGAL/mesh_quality_2.h>
 
+#include <cstddef>
 #include <exception>
 #include <iostream>
 #include <new>
+#include <set>
 #include <string>
 
 namespace {
@@ -55,20 +57,34 @@ CGAL::Mesh_quality_options_2::Domain rule_to_check(CGAL::Quality_mesh_options_2:
   return Rule::ENCLOSED_BY_SEGMENTS;
 }
 
-void check(Meshing_run& run, const CGAL::Quality_mesh_options_2& options) {
-  run.quality = CGAL::mesh_quality_2(run.mesh, run.pslg,
-                                     CGAL::Mesh_quality_options_2()
-                                         .min_angle(options.min_angle_in_degrees)
-                                         .max_edge(options.max_edge_length)
-                                         .max_area(options.max_triangle_area)
-                                         .check_domain(rule_to_check(options.domain)));
+void check(Meshing_run& run, const Command_line& line) {
+  const CGAL::Quality_mesh_options_2& options = line.options;
+  auto wanted = CGAL::Mesh_quality_options_2()
+                    .min_angle(options.min_angle_in_degrees)
+                    .max_edge(options.max_edge_length)
+                    .max_area(options.max_triangle_area)
+                    .check_domain(rule_to_check(options.domain));
+  if (line.kernel == Command_line::Kernel::fixed)
+    wanted.coordinate_unit = mesh_graph::unit_of_words(run.pslg);
+  run.quality = CGAL::mesh_quality_2(run.mesh, run.pslg, wanted);
   run.ours.vertices = run.quality.vertices;
   Mesh_figures_builder(run.ours, options.min_angle_in_degrees).add_triangles_of(run.mesh);
 }
 
+/// Bounds that the mesher met, but that rounding its mesh to doubles has broken, are unmet by the coordinates.
+void note_what_rounding_broke(Meshing_run& run) {
+  using Report = CGAL::Quality_mesh_report_2;
+  std::set<std::size_t> known;
+  for (const auto& unmet : run.report.unmet_triangles) known.insert(std::size_t(unmet.triangle));
+  for (const auto& unmet : run.quality.unmet_triangles)
+    if (known.insert(std::size_t(unmet.triangle)).second)
+      run.report.unmet_triangles.push_back(
+          {unmet.triangle, unmet.centroid, unmet.least_angle, Report::Reason::COORDINATES});
+}
+
 void compare(Meshing_run& run, const CGAL::Quality_mesh_options_2& options) {
   const auto peer = [&] {
-    return mesh_by_Mesh_2(run.pslg, options.min_angle_in_degrees, options.max_edge_length);
+    return figures_by_Mesh_2(run.pslg, options.min_angle_in_degrees, options.max_edge_length);
   };
   run.is_peer_asked = true;
   run.peer = in_child(peer, peer_limit_seconds).result;
@@ -80,22 +96,25 @@ Exit_status execute(const Command_line& line) {
   const Thread_limit limit(line.threads);
   timed(run.read_seconds, [&] { run.pslg = mesh_files::read_graph(line.input, line.region_property); });
   timed(run.ours.seconds, [&] { mesh(run, line); });
-  check(run, line.options);
-  warn_of_errors(run.quality);
-  timed(run.write_seconds, [&] {
-    for (const std::string& output : line.outputs)
-      mesh_files::write(output, run.mesh, run.pslg, {line.colors, line.is_quadtree_shown});
-  });
-  run.peak_memory_mb = peak_memory_mb();
+  check(run, line);
+  check_valid(run.quality);
+  if (line.kernel != Command_line::Kernel::filtered) note_what_rounding_broke(run);
   if (line.is_comparison_wanted) compare(run, line.options);
-  if (!line.report_file.empty()) write_report(line.report_file, run_json(run));
-  if (!line.is_quiet) print_run(run, line.options);
-  return is_bound_met(run) && run.quality.is_valid() ? DONE : BOUND_UNMET;
+  const auto add_mesh = [&](mesh_files::Files& files, const std::string& output) {
+    timed(run.write_seconds, [&] {
+      mesh_files::add(files, output, run.mesh, run.pslg, {line.colors, line.is_quadtree_shown});
+    });
+    run.peak_memory_mb = peak_memory_mb();
+  };
+  run.peak_memory_mb = peak_memory_mb();
+  write_all(
+      line, add_mesh, [&] { return run_json(run); }, [&] { print_run(run, line.options); });
+  return is_bound_met(run) ? DONE : BOUND_UNMET;
 }
 
 int fail(const std::string& message) {
   std::cerr << "quality_mesh: error: " << message << '\n';
-  return BAD_USAGE_OR_INPUT;
+  return REFUSED;
 }
 
 } // namespace
@@ -105,10 +124,10 @@ int main(int argc, char** argv) try {
   switch (line.task) {
   case Command_line::Task::print_help:
     print_help(std::cout);
-    return DONE;
+    return std::cout.flush() ? DONE : REFUSED;
   case Command_line::Task::print_version:
     print_version(std::cout);
-    return DONE;
+    return std::cout.flush() ? DONE : REFUSED;
   case Command_line::Task::mesh:
     return line.mode == Command_line::Mode::pslg ? execute(line) : execute_point_set(line);
   }

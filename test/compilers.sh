@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Compiles all headers, and the meshers over all usual traits, by other compilers and standards, and by another CGAL:
-# only looks for errors and warnings, makes nothing. See --help.
+# Compiles all headers, and the meshers over all usual traits, by other compilers and standards, and by another CGAL;
+# and each public header alone, which may be included twice. Only looks for errors and warnings, makes nothing. See
+# --help.
 set -euo pipefail
 
 # shellcheck source-path=SCRIPTDIR source=../.ci/common.sh
@@ -14,13 +15,13 @@ usage: test/compilers.sh [--cgal FOLDER]
 EOF
 }
 
-cgal=()
+cgal=
 while [[ $# -gt 0 ]]; do
   case $1 in
     --cgal)
       [[ $# -ge 2 ]] || fail "--cgal needs a value"
       [[ -f $2/include/CGAL/version.h ]] || fail "no CGAL in '$2'"
-      cgal=(-isystem "$2/include") && shift
+      cgal=$(realpath "$2")/include && shift
       ;;
     --help | -h) usage && exit 0 ;;
     *) usage >&2 && fail "unknown argument '$1'" ;;
@@ -31,19 +32,30 @@ install_packages "${build_packages[@]}" clang
 
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-(cd "$root/include" && find CGAL -name internal -prune -o -name '*.h' -print | sort | sed 's/.*/#include <&>/') \
-  >"$work/all_headers.cpp"
+cd "$root/include"
+mapfile -t headers < <(find CGAL -name internal -prune -o -name '*.h' -print | sort)
+
+# One source for all headers and all meshers: what they share is read and instantiated once.
+everything=$work/all_headers_and_meshers.cpp
+printf '#include <%s>\n' "${headers[@]}" >"$everything"
+printf '#include "%s"\n' "$root"/src/*.cpp >>"$everything"
 
 check() { # compiler, standard, source
-  say "$1 -std=$2 ${3##*/}"
+  printf '== %s -std=%s %s\n' "$1" "$2" "${3##*/}"
   "$1" -std="$2" -fsyntax-only -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror -DCGAL_LINKED_WITH_TBB \
-    "${cgal[@]}" -I "$root/include" -isystem /usr/include/eigen3 "$3"
+    ${cgal:+-isystem "$cgal"} -I "$root/include" -isystem /usr/include/eigen3 "$3"
 }
+export -f check
+export cgal root
 
-sources=("$work/all_headers.cpp" "$root"/src/*.cpp)
-for how in "g++ c++17" "g++ c++20" "clang++ c++17"; do
-  read -r compiler standard <<<"$how"
-  # What g++ makes of C++17 with the installed CGAL, the build has shown.
-  [[ $how != "g++ c++17" || ${#cgal[@]} -gt 0 ]] || continue
-  for source in "${sources[@]}"; do check "$compiler" "$standard" "$source"; done
-done
+# What g++ makes of C++17 with the installed CGAL, the build has shown.
+{
+  [[ -z $cgal ]] || echo g++ c++17 "$everything"
+  echo g++ c++20 "$everything"
+  echo clang++ c++17 "$everything"
+  for header in "${headers[@]}"; do
+    source=$work/$(tr / _ <<<"$header").cpp
+    printf '#include <%s>\n#include <%s>\n' "$header" "$header" >"$source"
+    echo clang++ c++17 "$source"
+  done
+} | xargs -P "$(build_jobs)" -L 1 bash -c 'check "$@"' check

@@ -83,26 +83,24 @@ inline Cdt triangulate(const Pslg& pslg, double size = 0, double bound = 0.125) 
   return cdt;
 }
 
-/// The constrained edges along an input segment, each as a pair of vertices.
+/// The constrained edges along an input segment, each as a pair of vertices: always on in the direction nearest to that of
+/// the segment, as vertices are rounded.
 inline std::vector<std::pair<std::size_t, std::size_t>>
 edges_along(const std::vector<Point>& points, const std::vector<std::vector<std::size_t>>& adjacent,
             std::size_t a, std::size_t b) {
   std::vector<std::pair<std::size_t, std::size_t>> result;
-  const double x = points[a].x(), y = points[a].y(), dx = points[b].x() - x, dy = points[b].y() - y;
-  const double length = std::hypot(dx, dy);
-  double position = 0;
+  const double dx = points[b].x() - points[a].x(), dy = points[b].y() - points[a].y();
   for (std::size_t v = a; v != b;) {
     std::size_t best = v;
-    double best_position = 2 * length;
+    double best_cosine = 0.99 * std::hypot(dx, dy);
     for (std::size_t w : adjacent[v]) {
-      const double ux = points[w].x() - x, uy = points[w].y() - y, t = (ux * dx + uy * dy) / length;
-      if (t > position && t < best_position && std::abs(ux * dy - uy * dx) / length < 1e-9 * length)
-        best = w, best_position = t;
+      const double ux = points[w].x() - points[v].x(), uy = points[w].y() - points[v].y();
+      const double cosine = (ux * dx + uy * dy) / std::hypot(ux, uy);
+      if (cosine > best_cosine) best = w, best_cosine = cosine;
     }
     if (best == v) return result;
     result.emplace_back(v, best);
     v = best;
-    position = best_position;
   }
   return result;
 }

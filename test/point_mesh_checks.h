@@ -75,6 +75,9 @@ bool is_acute(const Point& a, const Point& b, const Point& c) {
   return is_acute_at(a, b, c) && is_acute_at(b, c, a) && is_acute_at(c, a, b);
 }
 
+/// By how many degrees an angle that the mesher measures in doubles may differ from the true one.
+constexpr Real rounding = 1e-12L;
+
 /// What is promised for the angles of a mesh, in degrees.
 struct Promise {
   Real least = 0, largest = 180;
@@ -94,7 +97,7 @@ struct Promise {
     return {};
   }
   bool holds(Real least_angle, Real largest_angle) const {
-    return least_angle >= least - 1e-9L && largest_angle <= largest + 1e-9L;
+    return least_angle >= least - rounding && largest_angle <= largest + rounding;
   }
 };
 
@@ -181,13 +184,13 @@ private:
       least = std::min(least, low), largest = std::max(largest, high);
       const bool is_good = promise_.holds(low, high) && (!promise_.is_acute || is_acute(a, b, c));
       unmet += is_good ? 0 : 1;
-      thin += is_good && high > 89.5L + 1e-9L ? 1 : 0;
-      nearly_thin += is_good && high > 89.5L - 1e-9L ? 1 : 0;
+      thin += is_good && high > 89.5L + rounding ? 1 : 0;
+      nearly_thin += is_good && high > 89.5L - rounding ? 1 : 0;
     }
     // A mesh of doubles is measured in doubles by the mesher.
-    expect(mesh_.triangles.empty() || std::fabs(report_.least_angle - least) < 1e-6L,
+    expect(mesh_.triangles.empty() || std::fabs(report_.least_angle - least) < 1e-11L,
            "least angle " + text(report_.least_angle) + " reported, not " + text(least));
-    expect(mesh_.triangles.empty() || std::fabs(report_.largest_angle - largest) < 1e-6L,
+    expect(mesh_.triangles.empty() || std::fabs(report_.largest_angle - largest) < 1e-11L,
            "largest angle " + text(report_.largest_angle) + " reported, not " + text(largest));
     expect(unmet == report_.unmet_triangles.size(), text(unmet) + " triangles outside the range, " +
                                                         text(report_.unmet_triangles.size()) + " reported");

@@ -256,6 +256,12 @@ inline const std::vector<Family>& families() {
   return all;
 }
 
+/// As many seeds as wanted, or two of needles, of which above the established angle each takes hundreds of thousands of
+/// triangles.
+inline std::uint64_t number_of_seeds(const Family& family, std::uint64_t wanted) {
+  return family.make == wedge ? std::min<std::uint64_t>(wanted, 2) : wanted;
+}
+
 } // namespace random_pslg
 
 #endif // QUADTREE_MESH_2_TEST_RANDOM_PSLG_H

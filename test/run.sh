@@ -7,11 +7,12 @@ set -euo pipefail
 
 usage() {
   cat <<'EOF'
-usage: test/run.sh [--sanitize address|undefined|thread] [--compiler CXX] [--full] [--strict]
+usage: test/run.sh [--sanitize S[,S]] [--compiler CXX] [--full] [--strict]
 
-  --sanitize S    build with a sanitizer and with assertions, in a folder of its own
+  --sanitize S    build with sanitizers and with assertions, in a folder of its own: address, undefined or
+                  address,undefined, or thread; runs the few tests of which the reduced suite consists
   --compiler CXX  build with this compiler, for example clang++, in a folder of its own
-  --full          run the slow sweeps too
+  --full          run the slow sweeps too; with --sanitize all tests and the examples
   --strict        let a compiler warning be an error
 EOF
 }
@@ -33,8 +34,8 @@ while [[ $# -gt 0 ]]; do
   shift
 done
 case $sanitize in
-  '' | address | undefined | thread) ;;
-  *) fail "--sanitize knows address, undefined and thread, not '$sanitize'" ;;
+  '' | address | undefined | address,undefined | thread) ;;
+  *) fail "--sanitize knows address, undefined, address,undefined and thread, not '$sanitize'" ;;
 esac
 
 packages=("${build_packages[@]}" catch2 python3-gmsh python3-meshio)
@@ -52,31 +53,46 @@ if [[ -n $compiler ]]; then
   compiler_argument=(-DCMAKE_CXX_COMPILER="$compiler")
   arguments+=("${compiler_argument[@]}")
 fi
+suite=all
 if [[ -n $sanitize ]]; then
+  folder+=-${sanitize//,/-}
+  optimize=-O1
+  if [[ $full == no ]]; then
+    suite=reduced
+    optimize=-O0 # its inputs are small, so that compiling takes most of the time
+  fi
   # Not Release: its NDEBUG would switch the assertions off, and they find more than the sanitizer.
-  folder+=-$sanitize
-  arguments+=(-DCMAKE_BUILD_TYPE=None -DCMAKE_CXX_FLAGS="-O1 -g1" -DQUADTREE_MESH_2_SANITIZE="$sanitize")
+  arguments+=(-DCMAKE_BUILD_TYPE=None -DCMAKE_CXX_FLAGS="$optimize -g1" -DQUADTREE_MESH_2_SANITIZE="$sanitize")
 fi
-configure_and_build "$folder" all "${arguments[@]}"
+target=all
+[[ $suite == all ]] || target=reduced_tests
+configure_and_build "$folder" "$target" "${arguments[@]}"
 
-what=('~[.]')
-if [[ $full == yes ]]; then
-  export QUADTREE_MESH_FULL_TESTS=1
-  what=('~[.],[.slow]')
-fi
 export UBSAN_OPTIONS=print_stacktrace=1
-say "running the tests${sanitize:+ under the $sanitize sanitizer}"
-"$folder/bin/quadtree_mesh_2_tests" "${what[@]}"
+if [[ $suite == reduced ]]; then
+  say "running the reduced suite under the sanitizers $sanitize"
+  "$folder/bin/reduced_tests" '~[.]'
+  exit
+fi
+
+say "running the tests${sanitize:+ under the sanitizers $sanitize}"
+[[ $full == no ]] || export QUADTREE_MESH_FULL_TESTS=1
+ctest --test-dir "$folder" --parallel "$(nproc)" --output-on-failure --progress
+[[ $full == no ]] || "$folder/bin/quadtree_mesh_2_tests" '[.slow]'
 
 say "running the examples"
-for source in "$root"/examples/*.cpp; do
-  name=$(basename "$source" .cpp)
-  case $name in
+run_example() { # program
+  case ${1##*/} in
     quality_mesh) ;; # the tests run it
-    parallel_quadtree) "$folder/bin/$name" 100000 >/dev/null ;;
-    *) "$folder/bin/$name" >/dev/null ;;
+    parallel_quadtree) "$1" 100000 >/dev/null ;;
+    *) "$1" >/dev/null ;;
   esac
-done
+}
+export -f run_example
+# shellcheck disable=SC2016 # the inner shell expands it
+for source in "$root"/examples/*.cpp; do
+  printf '%s\0' "$folder/bin/$(basename "$source" .cpp)"
+done | xargs -0 -P "$(nproc)" -n 1 bash -c 'run_example "$1"' run_example
 
 if [[ -z $sanitize ]]; then
   say "installing, and building a project that uses the package"
@@ -84,6 +100,6 @@ if [[ -z $sanitize ]]; then
   trap 'rm -rf "$installed"' EXIT
   cmake --install "$folder" --prefix "$installed/usr" >/dev/null
   configure_and_build_project "$root/test/consumer" "$installed/build" all \
-    -DCMAKE_BUILD_TYPE=Release -DCMAKE_PREFIX_PATH="$installed/usr" "${compiler_argument[@]}"
+    -DCMAKE_BUILD_TYPE=None -DCMAKE_PREFIX_PATH="$installed/usr" "${compiler_argument[@]}"
   ctest --test-dir "$installed/build" --output-on-failure
 fi

@@ -60,7 +60,9 @@ public:
     if (first.run(segments)) throw std::invalid_argument("segments cross");
     problem_.edges = internal::Input_edges(first.edges(), points.size());
     problem_.input_points = points;
-    internal::Domain_rule<Geometry>().apply(state_.mesh, First::number_of_auxiliary_vertices);
+    internal::Domain_rule<Geometry> domain;
+    for (const Point_2& p : pslg.holes) domain.holes.push_back(map_.to_kernel(p));
+    domain.apply(state_.mesh, First::number_of_auxiliary_vertices);
     sides_.emplace(state_.mesh, problem_.edges);
     problem_.bounds = internal::Bounds<Geometry>(20.7 * 3.14159265358979323846 / 180, 0, 0);
     internal::Corner_finder<Concurrency_tag, Geometry>(state_).run();

@@ -370,9 +370,8 @@ TEMPLATE_TEST_CASE("The bulk of integers has integer corners", "[bulk]", std::ui
   CGAL::Quality_mesher_2<Traits> mesher(Options().max_area(area));
   const auto mesh = mesher(fixed);
   CHECK(mesher.report().is_met());
-  CGAL::Mesh_quality_options_2 check = CGAL::Mesh_quality_options_2().min_angle(20.7).max_area(area);
-  check.tolerance_on_edge = 1e-6; // edges are split at integer points
-  const auto quality = CGAL::mesh_quality_2(mesh, fixed, check);
+  const auto quality =
+      CGAL::mesh_quality_2(mesh, fixed, CGAL::Mesh_quality_options_2().min_angle(20.7).max_area(area));
   for (const std::string& error : quality.errors) UNSCOPED_INFO(error);
   CHECK(quality.is_valid());
   CHECK(quality.unmet_triangles.empty());

@@ -4,6 +4,8 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 
+// Some inputs of every family; test/soak.sh has them without end.
+
 #include "catch.h"
 #include "random_pslg_shapes.h"
 
@@ -12,7 +14,6 @@
 #include <CGAL/mesh_quality_2.h>
 
 #include <cstdint>
-#include <cstdlib>
 #include <exception>
 #include <string>
 #include <vector>
@@ -51,12 +52,6 @@ void check_seeds(std::uint64_t first, std::uint64_t last) {
   }
 }
 
-/// A number from the environment.
-std::uint64_t number_from_environment(const char* name, std::uint64_t otherwise) {
-  const char* const text = std::getenv(name);
-  return text == nullptr ? otherwise : std::strtoull(text, nullptr, 10);
-}
-
 } // namespace
 
 TEST_CASE("Random inputs of all families are planar", "[mesher]") {
@@ -72,10 +67,4 @@ TEST_CASE("Random inputs of all families are planar", "[mesher]") {
 
 TEST_CASE("Some random inputs of every family are meshed to the bound", "[mesher]") {
   check_seeds(0, 25 * random_pslg::all_families().size());
-}
-
-/// QUADTREE_MESH_SOAK says how many inputs, QUADTREE_MESH_SOAK_FIRST where to begin.
-TEST_CASE("Ten thousand random inputs are meshed to the bound", "[mesher][soak][.slow]") {
-  const std::uint64_t first = number_from_environment("QUADTREE_MESH_SOAK_FIRST", 0);
-  check_seeds(first, first + number_from_environment("QUADTREE_MESH_SOAK", 10000));
 }

@@ -128,8 +128,9 @@ TEST_CASE("Points that are too near to each other are named, also after duplicat
       points[9] = Point(0.75, 0.75);
       points[15] = Point(0.75 - gap, 0.75);
       const Point_error error = error_of(points, options);
-      const std::size_t p(error.point());
-      CHECK((p == 9 || p == 15));
+      const std::size_t p(error.point()), q(error.other());
+      CHECK(std::min(p, q) == 9);
+      CHECK(std::max(p, q) == 15);
       CHECK(error.kind() == Point_error::Kind::TOO_NEAR);
     }
   }
@@ -145,11 +146,11 @@ TEST_CASE("Points at one place of the grid are named, also after duplicates", "[
       continue;
     }
     const Point_error error = error_of(points, options);
-    const std::size_t p(error.point());
-    CHECK((p == 3 || p == 5));
+    const std::size_t p(error.point()), q(error.other());
+    CHECK(std::min(p, q) == 3);
+    CHECK(std::max(p, q) == 5);
     if (options.mode == Mode::WARPED_SQUARES) {
       CHECK(error.kind() == Point_error::Kind::INDISTINGUISHABLE);
-      CHECK(std::size_t(error.other()) == 5);
     } else {
       CHECK(error.kind() == Point_error::Kind::TOO_NEAR);
     }

@@ -283,6 +283,13 @@ TEMPLATE_TEST_CASE("The fixed-point scale is exact where doubles allow it", "[tr
   }
   const std::vector<Filtered_traits::Point_2> single{{0.1, -7}};
   CHECK(Scale::of_points(single).is_exact(0.1, -7));
+  const std::vector<Filtered_traits::Point_2> origin{{0, 0}};
+  CHECK(Scale::of_points(origin).unit() == 0x1p-8);
+  if (Scale::depth == 62) { // small ordinates beside large ones
+    const Scale far(CGAL::Bbox_2(-6378144, 0, -6378137, 20.1));
+    CHECK(far.is_exact(-6378139.65968186, 8.598028402130454));
+    CHECK(far.is_exact(-6378143.20592434, 20.062066271637725));
+  }
   CHECK_THROWS_AS(Scale(CGAL::Bbox_2()), std::invalid_argument);
   CHECK_THROWS_AS(Scale(CGAL::Bbox_2(0, 0, std::numeric_limits<double>::infinity(), 1)),
                   std::invalid_argument);

@@ -49,6 +49,19 @@ TEST_CASE("the program writes each format by its ending", "[program]") {
   CHECK(begin_of("g.mesh").rfind("MeshVersionFormatted 2\n", 0) == 0);
 }
 
+TEST_CASE("the program refuses holes on segments with the numbers of the input", "[program]") {
+  const std::string kernel = GENERATE("filtered", "fixed", "exact");
+  const Run on_segment = run(test_data("hole_on_segment.poly") + " --kernel " + kernel);
+  CAPTURE(kernel, on_segment.err);
+  CHECK(on_segment.status == 2);
+  CHECK(contains(on_segment.err,
+                 "the point of hole 0 (4, 0.5) lies on segment 4 from vertex 4 (6, 1) to vertex 5 (2, 0)"));
+  const Run on_vertex = run(test_data("hole_on_vertex.poly") + " --kernel " + kernel);
+  CAPTURE(on_vertex.err);
+  CHECK(on_vertex.status == 2);
+  CHECK(contains(on_vertex.err, "the point of hole 0 (4, 3) lies on vertex 0 (4, 3)"));
+}
+
 TEST_CASE("the program reads GeoJSON and WKT", "[program]") {
   const Scratch_folder folder;
   const auto figures = [&](const std::string& arguments) {
@@ -82,7 +95,7 @@ TEST_CASE("the program reads GeoJSON and WKT", "[program]") {
              "{\"type\": \"Polygon\",\n\"coordinates\": [[[0, 0], [1, 0], [1, 1]]]}");
   const Run bad = run(folder.file("bad.geojson") + " -o " + folder.file("none.ele"));
   CHECK(bad.status == 2);
-  CHECK(contains(bad.err, "bad.geojson: the geometry, ring 0 is not closed"));
+  CHECK(contains(bad.err, "bad.geojson:2: the geometry, ring 0 is not closed"));
 }
 
 TEST_CASE("the program reports in JSON", "[program]") {
@@ -244,6 +257,9 @@ TEST_CASE("the program separates by quadtrees and says what they did", "[program
   CHECK(trees.at("rounds") >= 1);
   CHECK(trees.at("triangles") > json.at("triangles"));
   CHECK(trees.at("missed_by_rule") >= trees.at("missed"));
+  CHECK(trees.at("end") == "done");
+  CHECK(trees.at("has_taken_over") == false);
+  CHECK(trees.at("handed_over") == 0);
   CHECK(trees.at("left_out").is_number());
   for (const char* name : {"trees", "construct"}) CHECK(json.at("seconds").at(name).is_number());
 

@@ -182,7 +182,7 @@ TEST_CASE("meshes of rational graphs are exact", "[mesher][exact]") {
 }
 
 TEST_CASE("vertices at exact distances", "[mesher][exact]") {
-  for (const int k : {20, 60, 100, 125}) {
+  for (const int k : {20, 60, 125, 899, 5000}) {
     CAPTURE(k);
     CHECK(area(run_exactly(two_vertices_apart(power_of_two(-k))).mesh) == 1);
     Exact_pslg next_to_side = unit_square();
@@ -199,10 +199,58 @@ TEST_CASE("vertices at exact distances", "[mesher][exact]") {
     CHECK(area(run_exactly(short_leg).mesh) == 1);
   }
   run_exactly(two_vertices_apart(FT(1) / FT(1e30)));
-  const std::string error = error_of([] { run_exactly(two_vertices_apart(power_of_two(-130))); });
+}
+
+TEST_CASE("quadtrees refuse distances beyond doubles, with the input's vertices", "[mesher][exact]") {
+  const Options options = Options().separate(Options::Separation::THEOREM_5);
+  const std::string error = error_of([&] { run_exactly(two_vertices_apart(power_of_two(-130)), options); });
   CHECK(has_text(error, "vertex 4"));
   CHECK(has_text(error, "vertex 5"));
-  CHECK(has_text(error_of([] { run_exactly(two_vertices_apart(power_of_two(-5000))); }), "vertex 4"));
+}
+
+TEST_CASE("spirals of any depth are meshed exactly", "[mesher][exact]") {
+  for (const int depth : {899, 5000}) {
+    CAPTURE(depth);
+    const int n = depth / 8; // vertices, each nearer to the middle by 2^8
+    Exact_pslg pslg;
+    for (int i = 0; i <= n; ++i) {
+      const double turn = 0.8 * i;
+      pslg.add_vertex(
+          Exact_point(FT(std::cos(turn)) * power_of_two(-8 * i), FT(std::sin(turn)) * power_of_two(-8 * i)));
+      if (i > 0) add_segment(pslg, std::size_t(i) - 1, std::size_t(i));
+    }
+    const std::size_t box = pslg.number_of_vertices();
+    for (const auto& [x, y] : std::vector<std::array<int, 2>>{{-2, -2}, {2, -2}, {2, 2}, {-2, 2}})
+      pslg.add_vertex(Exact_point(x, y));
+    for (std::size_t i = 0; i < 4; ++i) add_segment(pslg, box + i, box + (i + 1) % 4);
+    CHECK(area(run_exactly(pslg).mesh) == 16);
+  }
+}
+
+TEST_CASE("corners of any sharpness leave valid meshes, and those that doubles can match are excused",
+          "[mesher][exact]") {
+  for (const int k : {20, 40, 60, 200, 400}) {
+    CAPTURE(k);
+    Exact_pslg pslg = unit_square();
+    pslg.add_vertex(Exact_point(FT(1) / 3, FT(1) / 3));
+    pslg.add_vertex(Exact_point(FT(2) / 3, FT(2) / 3));
+    pslg.add_vertex(Exact_point(FT(2) / 3, FT(2) / 3 + power_of_two(-k)));
+    add_segment(pslg, 4, 5);
+    add_segment(pslg, 4, 6);
+    Exact_mesher<CGAL::Sequential_tag> mesher;
+    const Exact_run r{mesher(pslg), mesher.report()};
+    check_input_is_kept(r.mesh, pslg);
+    check_triangulation(r.mesh, pslg);
+    CHECK(area(r.mesh) == 1);
+    std::size_t clockwise = 0;
+    for (std::size_t t = 0; t < r.mesh.triangles.size(); ++t)
+      clockwise += doubled_area(r.mesh, t) <= 0 ? 1 : 0;
+    CHECK(clockwise == 0);
+    for (const auto& e : r.report.exempt_triangles) CHECK(e.corner == Vertex_index(4));
+    if (k > 40) continue;
+    CHECK(r.report.is_met());
+    check_angles(r, 20.7);
+  }
 }
 
 TEST_CASE("vertices that are nearly or truly on segments and at one place", "[mesher][exact]") {
@@ -348,7 +396,10 @@ TEST_CASE("exact coordinates", "[mesher][exact]") {
       const double rounded = Coordinate::difference(x, y);
       // half a unit in the last place, and a little; below the range of doubles it is 0
       const Field error = Field(rounded) < d ? d - Field(rounded) : Field(rounded) - d;
-      CHECK(error <= (d < 0 ? -d : d) * power(-53) * (1 + power(-10)) + power(-1074));
+      const Field magnitude = d < 0 ? Field(-d) : d;
+      CHECK(error <= magnitude * power(-53) * (1 + power(-10)) + power(-1074));
+      const Field scaled = Coordinate::scaled_difference(x, y).exact<Field>(); // correct there, too
+      CHECK((scaled < d ? Field(d - scaled) : Field(scaled - d)) <= magnitude * power(-51));
       for (const double share : {0.5, 0.1, 1e-20, 1.0})
         CHECK(Coordinate::between(x, y, share).exact() == a + Field(share) * (b - a));
     }

@@ -240,6 +240,14 @@ TEST_CASE("huge and tiny polygons have their holes", "[WKT]") {
   }
 }
 
+TEST_CASE("borders may cross where no double is near", "[WKT]") {
+  const Pslg pslg = wkt(
+      "POLYGON((-1.7e308 -1.7e308, 1.7e308 1.7e308, 1e308 1.7e308))\n"
+      "POLYGON((-1.7e308 1.7e308, 1.7e308 -1.7e308, 1.7e308 -1e308))\nPOLYGON((8 2, 11 2, 1e308 5, 8 5))");
+  CHECK(pslg.vertices.size() == 10);
+  CHECK(pslg.segments.size() == 10);
+}
+
 TEST_CASE("broken GeoJSON and WKT are refused with the place", "[GeoJSON][WKT]") {
   const auto ring = [](const std::string& places) {
     return R"({"type": "FeatureCollection", "features": [{"type": "Feature", "geometry":
@@ -256,7 +264,7 @@ TEST_CASE("broken GeoJSON and WKT are refused with the place", "[GeoJSON][WKT]")
            {R"({"type": "Circle", "coordinates": []})", "Circle"},
            {R"({"type": "Point", "coordinates": [NaN, 0]})", "line 1"},
            {R"({"type": "Point", "coordinates": [1e999, 0]})", "1e999"},
-           {R"({"type": "Point", "coordinates": ["1", 0]})", "two numbers"},
+           {R"({"type": "Point", "coordinates": ["1", 0]})", "two to four numbers"},
            {R"({"type": "Point"})", "coordinates"},
            {R"({"type": "LineString", "coordinates": [[1, 1], [1, 1]]})", "two different"},
            {R"({"type": "LineString", "coordinates": [[1, 1], [1]]})", "place 1"},
@@ -270,18 +278,19 @@ TEST_CASE("broken GeoJSON and WKT are refused with the place", "[GeoJSON][WKT]")
     CAPTURE(c.text);
     CHECK(error_of([&] { geojson(c.text); }).find(c.culprit) != std::string::npos);
   }
-  for (const Case& c : std::vector<Case>{{"POLYGON((0 0, 1 0, 1 1)", "1: a parenthesis"},
-                                         {"\nPOINT(1 nan)", "2: "},
-                                         {"POINT(1)\n", "1: "},
-                                         {"POINT(1 2 x)\n", "1: "},
-                                         {"POINT(1 1)\nCIRCLE(1 1)", "2: 'CIRCLE'"},
-                                         {"POINT(1 1)\n)", "2: "},
-                                         {"POINT\n", "1: "},
-                                         {"POINT  \n", "1: "},
-                                         {"POLYGON((0 0, 1 0, 0 0))", "1: the outer ring"},
-                                         {"GEOMETRYCOLLECTION(POINT(1 1), POINT(x 1))", "1: "},
-                                         {"1 2\n3 4\n", "1: "},
-                                         {"POINT(1e999 2)", "1: "}}) {
+  for (const Case& c :
+       std::vector<Case>{{"POLYGON((0 0, 1 0, 1 1)", "1: the file ends where ',' or ')' is expected"},
+                         {"\nPOINT(1 nan)", "2: "},
+                         {"POINT(1)\n", "1: "},
+                         {"POINT(1 2 x)\n", "1: "},
+                         {"POINT(1 1)\nCIRCLE(1 1)", "2: 'CIRCLE'"},
+                         {"POINT(1 1)\n)", "2: "},
+                         {"POINT\n", "1: "},
+                         {"POINT  \n", "1: "},
+                         {"POLYGON((0 0, 1 0, 0 0))", "1: the outer ring"},
+                         {"GEOMETRYCOLLECTION(POINT(1 1), POINT(x 1))", "1: "},
+                         {"1 2\n3 4\n", "1: "},
+                         {"POINT(1e999 2)", "1: "}}) {
     CAPTURE(c.text);
     CHECK(error_of([&] { wkt(c.text); }).find("input:" + c.culprit) != std::string::npos);
   }
@@ -296,6 +305,92 @@ TEST_CASE("broken GeoJSON and WKT are refused with the place", "[GeoJSON][WKT]")
   std::string deep;
   for (int i = 0; i < 100000; ++i) deep += "GEOMETRYCOLLECTION(";
   CHECK(error_of([&] { wkt(deep + std::string(100000, ')')); }).find("deep") != std::string::npos);
+}
+
+TEST_CASE("heights and measures of WKT are not kept, and make no vertices", "[WKT]") {
+  Pslg flat;
+  IO::read_WKT(data_file("untagged_z.wkt"), flat);
+  CHECK(flat.vertices ==
+        std::vector<Point>{{0, 0}, {4, 0}, {4, 4}, {0, 4}, {20, -20}, {40, -20}, {40, 20}, {20, 20}});
+  CHECK(flat.segments.size() == 8);
+  const std::vector<Point> expected{{1, 2}, {3, 4}};
+  for (const char* const text :
+       {"MULTIPOINT((1 2), (3 4))", "MULTIPOINT(1 2, 3 4)", "multipoint(1 2, (3\n4), EMPTY)",
+        "MULTIPOINT(1 2 9, 3 4 8)", "MULTIPOINT Z (1 2 9, 3 4 8)", "MULTIPOINTZ(1 2 9,3 4 8)",
+        "MultiPoint m(1 2 9, 3 4 8)", "MULTIPOINTZM((1 2 9 7), (3 4 8 7))",
+        "MULTIPOINT zm (1 2 9 7, 3 4 8 7)", "SRID=4326;MULTIPOINT(1 2, 3 4)",
+        "srid=4326; POINT(1 2)\nSRID=4326;\nPOINT(3 4)", "POINT(1 2) # 5 6\nPOINT(3 4) # 7 8",
+        "POINT(+1 2.)POINT(3 4e0)", "GEOMETRYCOLLECTION Z (POINT Z (1 2 9), POLYGON EMPTY, POINT(3 4))",
+        "\xef\xbb\xbfPOINT(1 2);POINT(3 4)", "POINT(1 2)\rPOINT(3 4)\r",
+        "POINT\r\n(1\f2)\r\n;\v\tPOINT(3 4)"}) {
+    CAPTURE(text);
+    CHECK(wkt(text).vertices == expected);
+  }
+  const Pslg with_empty =
+      wkt("MULTIPOLYGON(((0 0, 4 0, 4 4)), EMPTY, (EMPTY))\nMULTILINESTRING(EMPTY, (7 7, 8 8))");
+  CHECK(with_empty.vertices.size() == 5);
+  CHECK(with_empty.segments.size() == 4);
+}
+
+TEST_CASE("what WKT does not allow is refused with its line", "[WKT]") {
+  struct Case {
+    std::string text, culprit;
+  };
+  for (const Case& c : std::vector<Case>{
+           {"LINESTRING(0 0, 1 0\n2 2, 3 3)", "2: place 1 has 4 numbers where others of the geometry have 2"},
+           {"LINESTRING(0 0 1 1, 2 2 3 3)", "1: place 0 has four numbers and the geometry no tag ZM"},
+           {"LINESTRING(0 0 1 1 2 2)", "1: place 0 has more numbers than x, y, z and m; is a comma missing?"},
+           {"LINESTRING(0 0 1,\n1 1)", "2: place 1 has 2 numbers where others of the geometry have 3"},
+           {"POINT Z (1 2)", "1: place 0 has 2 numbers where the tag Z asks for 3"},
+           {"POINTZM(1 2 3)", "1: place 0 has 3 numbers where the tag ZM asks for 4"},
+           {"POINT M (1 2 3 4)", "1: place 0 has 4 numbers"},
+           {"POINT ZZ (1 2 3)", "1: '(' or EMPTY is expected before 'ZZ'"},
+           {"POINT(1,5 2,5)", "1: y of place 0 is expected before ','"},
+           {"POINT(0x10 2)", "1: x of place 0: '0x10' is not a number"},
+           {"POINT(1\n1e999)", "2: y of place 0: '1e999' is too large"},
+           {"POINT(inf 1)", "1: x of place 0: 'inf' is not finite"},
+           {"POINT(1 2 NaN)", "1: a further number of place 0: 'NaN' is not finite"},
+           {"POINT(1 2) text", "1: 'text' is no type"},
+           {"POINT(1 2)\n, POINT(3 4)", "2: a type of geometry is expected before ','"},
+           {"POINT(1 2, 3 4)", "1: a point has one place only"},
+           {"POINT(1 2]", "1: y of place 0: '2]' is not a number"},
+           {"POLYGON(0 0, 1 0, 1 1)", "1: '(' or EMPTY is expected before '0'"},
+           {"POLYGON((0 0, 1 0, 1 1),)", "1: '(' or EMPTY is expected before ')'"},
+           {"POLYGON((0 0, 1 0, 1 1)\n(0 0, 1 0, 1 1))", "2: ',' or ')' is expected before '('"},
+           {"POLYGON(EMPTY, (0 0, 1 0, 1 1))", "1: a hole is in a polygon without an outer ring"},
+           {"SRID=;POINT(1 2)", "1: a number is expected in 'SRID='"},
+           {"SRID=1 POINT(1 2)", "1: ';' is expected before 'POINT'"},
+           {"SRID=1;POINT(1 2)\nSRID=2;POINT(1 2)", "2: 'SRID=2' is another reference system"},
+           {std::string("POINT(1 2)\n\0", 12), "2: '\\x00' is no type"},
+           {std::string(1000, 'x') + "(1 2)", "1: '" + std::string(40, 'x') + "...' is no type"}}) {
+    CAPTURE(c.text);
+    CHECK(error_of([&] { wkt(c.text); }).find("input:" + c.culprit) == 0);
+  }
+}
+
+TEST_CASE("errors of GeoJSON tell the line", "[GeoJSON]") {
+  struct Case {
+    std::string text, culprit;
+  };
+  const std::string deep = std::string(100000, '[') + std::string(100000, ']');
+  for (const Case& c : std::vector<Case>{
+           {"", "1: "},
+           {"{\"type\": \"LineString\",\n\"coordinates\": [[1, 2],\n[3,\n\"4\"]]}",
+            "3: the geometry, place 1"},
+           {"{\"type\": \"LineString\",\n\"coordinates\": [[1, 2],\n[3, 1e999]]}", "3: "},
+           {"{\"type\": \"Point\",\n\"coordinates\": [1, 2, 3, 4, 5]}",
+            "2: the geometry: two to four numbers"},
+           {"{\"type\": \"Point\",\n\"coordinates\": [1, 2, \"x\"]}", "2: the geometry: two to four numbers"},
+           {"{\"type\": \"Point\", \"more\": " + deep + ",\n\"coordinates\": [1]}",
+            "2: the geometry: two to four"},
+           {"{\"type\": \"Point\",\n\"coordinates\": [1, 2]}\n7", "3: "},
+           {"{\"type\": \"Polygon\", \"coordinates\": [[[0, 0], [9, 0], [9, 9], [0, 0]],\n[[1, 1], [2, 2], "
+            "[1, 1], [1, 1]]]}",
+            "2: the geometry, ring 1 has not three"}}) {
+    CAPTURE(c.text);
+    CHECK(error_of([&] { geojson(c.text); }).find("input:" + c.culprit) == 0);
+  }
+  CHECK(geojson("\xef\xbb\xbf{\"type\": \"Point\", \"coordinates\": [1, 2, 3, 4]}").vertices.size() == 1);
 }
 
 TEST_CASE("points from text of many kinds", "[XY]") {
@@ -314,6 +409,9 @@ TEST_CASE("points from text of many kinds", "[XY]") {
   CHECK(read("lon,lat\n0,0\n1.5,-0.2\n0.25,3\n") == expected);
   CHECK(read("name,y,x\nA,0,0\nB,-0.2,1.5\n,3,0.25\n") == expected);
   CHECK(read("x y size\n0\t0 7\n1.5 -0.2 7 # not this\n0.25 3 7\n") == expected);
+  CHECK(read("\xef\xbb\xbfx,y\n0,0\n1.5,-0.2\n0.25,3") == expected);
+  CHECK(read("0 0\r1.5 -0.2\r0.25 3\r") == expected);
+  CHECK(read("\"name, of it\",y,x\n\"A, b # 7\",0,0\nB,-0.2,1.5\n\"\",3,0.25 # \"\n") == expected);
   CHECK(read("").empty());
   CHECK(read("x,y\n").empty());
   for (const auto& [text, culprit] :
@@ -323,6 +421,11 @@ TEST_CASE("points from text of many kinds", "[XY]") {
                                                         {"1,,2\n", "y"},
                                                         {"1,5;2,5\n", "'1,5' is not a number"},
                                                         {"x,y\nu,v\n", "2: x"},
+                                                        {"x,y,x\n1,2,3\n", "1: two columns are called x"},
+                                                        {"1 2\r1 x\r", "2: y: 'x'"},
+                                                        {"\xff\xfe"
+                                                         "1 2",
+                                                         "1: is text in UTF-16"},
                                                         {"1 1e999\n", "too large"}}) {
     CAPTURE(text);
     CHECK(error_of([&, &t = text] { read(t); }).find(culprit) != std::string::npos);

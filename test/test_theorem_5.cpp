@@ -108,6 +108,7 @@ TEST_CASE("What the report says of trees", "[mesher][theorem5]") {
   CHECK(trees.missed <= trees.missed_by_rule);
   const auto none = run(pslg, Options()).report.trees;
   CHECK(none.rounds + none.leaves_of_points + none.leaves_of_edges + none.triangles == 0);
+  CHECK(none.end == End::NONE);
 }
 
 TEST_CASE("Without removal the mesh by quadtrees meets the bound by itself", "[mesher][theorem5]") {
@@ -218,9 +219,10 @@ TEST_CASE("A callback that returns false stops construction by quadtrees", "[mes
       share_before = share;
       return calls++ < last;
     }));
-    CHECK((r.report.is_cancelled || r.report.is_met()));
+    CHECK(r.report.is_cancelled == (calls > last));
+    if (!r.report.is_cancelled) CHECK(r.report.is_met());
     CHECK(r.report.unmet_triangles.size() == r.quality.unmet_triangles.size());
-    if (last == 0) CHECK(r.report.is_cancelled);
+    if (last == 0) CHECK(r.report.trees.end == End::CANCELLED);
   }
 }
 
@@ -230,8 +232,11 @@ TEST_CASE("A budget that quadtrees exhaust is reported", "[mesher][theorem5]") {
   for (const std::size_t budget : {15000u, 30000u}) {
     CAPTURE(budget);
     const Run r = run(pslg, by_quadtrees().max_vertices(budget));
-    CHECK((r.report.is_budget_exhausted || r.report.is_met()));
+    CHECK(r.report.is_budget_exhausted);
+    CHECK(r.report.trees.end == End::BUDGET);
     CHECK(r.report.unmet_triangles.size() == r.quality.unmet_triangles.size());
+    for (const auto& unmet : r.report.unmet_triangles)
+      CHECK(unmet.reason == CGAL::Quality_mesh_report_2::Reason::BUDGET);
   }
 }
 
@@ -265,6 +270,87 @@ TEST_CASE("Errors of the input are the same whatever separates features", "[mesh
   is_same(wrong);
 }
 
+// ---- where coordinates have no room
+
+namespace {
+
+/// Whether all vertices of a graph without holes are in its mesh, at their places.
+bool are_all_in_mesh(const Pslg& pslg, const Mesh& mesh) {
+  std::vector<char> is_used(mesh.points.size(), 0);
+  for (const auto& triangle : mesh.triangles)
+    for (const auto v : triangle) is_used[std::size_t(v)] = 1;
+  for (std::size_t v = 0; v < pslg.number_of_vertices(); ++v)
+    if (is_used[v] == 0 || mesh.points[v] != pslg.vertices[v]) return false;
+  return true;
+}
+
+/// The unit square with two vertices in it, 2^-70 apart.
+Pslg two_vertices_beyond_the_grid() {
+  Pslg pslg = unit_square();
+  for (Point& p : pslg.vertices) p = Point(p.x() - 0.5, p.y() - 0.5);
+  pslg.add_vertex(Point(0x1p-70, 0));
+  pslg.add_vertex(Point(0x1p-69, 0));
+  return pslg;
+}
+
+} // namespace
+
+TEST_CASE("Features as near as coordinates allow are left to refinement", "[mesher][theorem5]") {
+  const std::string name = GENERATE(as<std::string>(), "hard_vertices_ulps_apart.poly",
+                                    "hard_vertex_ulps_from_edge.poly", "hard_edge_of_an_ulp.poly");
+  CAPTURE(name);
+  const Pslg pslg = read(name);
+  const Run r = run(pslg, by_quadtrees());
+  CHECK(are_all_in_mesh(pslg, r.mesh));
+  CHECK(r.report.trees.end == End::COORDINATES);
+  CHECK(r.report.trees.handed_over > 0);
+  CHECK(r.report.trees.handed_over <= r.report.trees.missed);
+  CHECK(r.report.unmet_triangles.size() == r.quality.unmet_triangles.size());
+  CHECK(r.report.triangles < 2000);
+}
+
+TEST_CASE("Isolated features near the last place, at any offset, are meshed by quadtrees",
+          "[mesher][theorem5]") {
+  random_pslg::Random random(3);
+  for (const double offset : {0., 1e3, 1e9, -1e12})
+    for (const int exponent : {-20, -30, -40, -45}) {
+      const double extent = std::max(1., std::fabs(offset) * 1e-6), size = std::ldexp(extent, exponent);
+      Pslg pslg = unit_square();
+      for (Point& p : pslg.vertices) p = Point(offset + extent * p.x(), offset + extent * p.y());
+      const Point at(offset + extent * random.between(0.2, 0.8), offset + extent * random.between(0.2, 0.8));
+      const double least = 8 * (std::nextafter(std::fabs(at.x()), 1e300) - std::fabs(at.x()));
+      const auto a = pslg.add_vertex(at), b = pslg.add_vertex(Point(at.x() + std::max(size, least), at.y())),
+                 c = pslg.add_vertex(Point(at.x(), at.y() + extent * 0.1));
+      pslg.add_segment(a, c);
+      CAPTURE(offset, exponent, b);
+      const Run r = run(pslg, by_quadtrees());
+      CHECK(are_all_in_mesh(pslg, r.mesh));
+      CHECK(r.report.unmet_triangles.size() == r.quality.unmet_triangles.size());
+      CHECK((r.report.trees.end == End::DONE || r.report.trees.end == End::COORDINATES));
+      CHECK((r.report.trees.end == End::DONE) == (r.report.trees.missed == 0));
+    }
+}
+
+TEST_CASE("Vertices that the grid cannot tell apart are named as the user does", "[mesher][theorem5]") {
+  const std::string error = pslg_test::error_of([] {
+    Mesher mesher(by_quadtrees());
+    mesher(two_vertices_beyond_the_grid());
+  });
+  CAPTURE(error);
+  CHECK(error.find("vertex 4 at 8.4703294725430034e-22 0") != std::string::npos);
+  CHECK(error.find("vertex 5 at 1.6940658945086007e-21 0") != std::string::npos);
+}
+
+TEST_CASE("Where quadtrees fail to take over the report says so", "[mesher][theorem5]") {
+  const Pslg pslg = two_vertices_beyond_the_grid();
+  const Run r = run(pslg, Options().patience(0));
+  CHECK(r.report.trees.has_taken_over);
+  CHECK(r.report.trees.end == End::FAILED);
+  CHECK(r.report.is_budget_exhausted);
+  CHECK(are_all_in_mesh(pslg, r.mesh));
+  CHECK(r.report.unmet_triangles.size() == r.quality.unmet_triangles.size());
+}
+
 // ---- quadtrees where refinement does not come to rest
 
 TEST_CASE("Without patience quadtrees take over", "[mesher][theorem5]") {
@@ -273,19 +359,34 @@ TEST_CASE("Without patience quadtrees take over", "[mesher][theorem5]") {
     const Pslg pslg = read(name);
     const Run r = run_by_quadtrees(pslg, Options().patience(0));
     CHECK_FALSE(r.report.is_budget_exhausted);
+    CHECK(r.report.trees.has_taken_over);
     CHECK(run(pslg, Options()).report.trees.rounds == 0);
   }
 }
 
-TEST_CASE("With a budget, and above the guaranteed bound, quadtrees do not take over", "[mesher][theorem5]") {
-  const Pslg pslg = read("us_states_10m.poly.gz");
-  for (const Options& options :
-       {Options().patience(0).max_vertices(20000), Options().patience(0).min_angle(25)}) {
-    const Run r = run(pslg, options);
-    CHECK(r.report.trees.rounds == 0);
-    CHECK(r.report.is_budget_exhausted);
-    CHECK(r.report.unmet_triangles.size() == r.quality.unmet_triangles.size());
+TEST_CASE("With a budget quadtrees do not take over", "[mesher][theorem5]") {
+  const Run r = run(read("us_states_10m.poly.gz"), Options().patience(0).max_vertices(20000));
+  CHECK(r.report.trees.end == End::NONE);
+  CHECK(r.report.is_budget_exhausted);
+  CHECK(r.report.unmet_triangles.size() == r.quality.unmet_triangles.size());
+}
+
+TEST_CASE("Where quadtrees cannot take over patience is not looked at", "[mesher][theorem5]") {
+  const Pslg pslg = read("syn_holes_400.poly.gz");
+  for (const Options& options : {Options().min_angle(25), Options().min_edge(1e-9),
+                                 Options().refine_where([](const Options::Corners&) { return false; })}) {
+    const Run r = run(pslg, Options(options).patience(0));
+    CHECK(r.report.trees.end == End::NONE);
+    CHECK_FALSE(r.report.is_budget_exhausted);
+    CHECK(r.report.is_met());
+    CHECK(are_same(r.mesh, Mesher(options)(pslg)));
   }
+}
+
+TEST_CASE("A little memory for patience changes nothing where refinement comes to rest",
+          "[mesher][theorem5]") {
+  const Pslg pslg = read("us_states_10m.poly.gz");
+  CHECK(are_same(Mesher(Options().patience_memory(1))(pslg), Mesher(Options())(pslg)));
 }
 
 TEST_CASE("Random inputs without patience", "[mesher][theorem5]") {

@@ -23,19 +23,15 @@ namespace {
 using namespace theorem_5_test;
 using Exact_traits = CGAL::Exact_quadtree_traits_2<>;
 
-/// Meshes by quadtrees, and checks the mesh. Vertices on edges are rounded to the grid of words: with those of 32 bits
-/// that shows.
+/// Meshes by quadtrees, and checks the mesh.
 template <class Traits>
-void check_mesh(const CGAL::Pslg_2<typename Traits::Point_2>& pslg, double tolerance,
-                const Options& options = by_quadtrees()) {
+void check_mesh(const CGAL::Pslg_2<typename Traits::Point_2>& pslg, const Options& options = by_quadtrees()) {
   CGAL::Quality_mesher_2<Traits> mesher(options);
   const auto mesh = mesher(pslg);
   CHECK(mesher.report().is_met());
   CHECK(mesher.report().trees.rounds > 0);
   CHECK(mesher.report().trees.missed == 0);
-  CGAL::Mesh_quality_options_2 check = CGAL::Mesh_quality_options_2().min_angle(20.7);
-  if (tolerance > 0) check.tolerance_on_edge = tolerance;
-  const auto quality = CGAL::mesh_quality_2(mesh, pslg, check);
+  const auto quality = CGAL::mesh_quality_2(mesh, pslg, CGAL::Mesh_quality_options_2().min_angle(20.7));
   for (const std::string& error : quality.errors) UNSCOPED_INFO(error);
   CHECK(quality.is_valid());
   CHECK(quality.unmet_triangles.empty());
@@ -70,12 +66,9 @@ TEMPLATE_TEST_CASE("Integers are meshed by quadtrees", "[mesher][theorem5]", std
   for (const auto& p : pslg.vertices) fixed.vertices.push_back(scale.to_fixed(p.x(), p.y()));
   for (const auto& p : pslg.holes) fixed.holes.push_back(scale.to_fixed(p.x(), p.y()));
   fixed.segments = pslg.segments;
-  // A segment may be as short as an eighth of the grid, and rounding moves vertices by 0.71 of its unit.
-  const double tolerance = sizeof(TestType) == 4 ? 0.71 * 8 / 4294967296.0 : 1e-9;
-  check_mesh<Traits>(fixed, tolerance);
+  check_mesh<Traits>(fixed);
   if (name == "syn_wedge_1deg.poly")
-    check_mesh<Traits>(fixed, tolerance,
-                       Options().separate(Tree_options().place(Tree_options::Placement::BY_RULE)));
+    check_mesh<Traits>(fixed, Options().separate(Tree_options().place(Tree_options::Placement::BY_RULE)));
 }
 
 TEST_CASE("Rational graphs are meshed by quadtrees", "[mesher][theorem5][exact]") {
@@ -83,14 +76,14 @@ TEST_CASE("Rational graphs are meshed by quadtrees", "[mesher][theorem5][exact]"
                                  "syn_near_1e-12.poly", "syn_wedge_0.01deg.poly", "syn_wedge_10deg.poly",
                                  "hard_lattice_21260.poly", "hard_visibility_graph_2608.poly"}) {
     CAPTURE(name);
-    check_mesh<Exact_traits>(in_thirds(read(name)), 0);
+    check_mesh<Exact_traits>(in_thirds(read(name)));
   }
 }
 
 TEST_CASE("Rational graphs are meshed by rule alone", "[mesher][theorem5][exact]") {
   for (const std::string name : {"syn_square.poly", "syn_wedge_10deg.poly"}) {
     CAPTURE(name);
-    check_mesh<Exact_traits>(in_thirds(read(name)), 0,
+    check_mesh<Exact_traits>(in_thirds(read(name)),
                              Options().separate(Tree_options().place(Tree_options::Placement::BY_RULE)));
   }
 }
@@ -102,6 +95,6 @@ TEST_CASE("Rational random graphs are meshed by quadtrees", "[mesher][theorem5][
       const Pslg pslg = family.make(seed);
       if (pslg.number_of_vertices() > (is_full_run() ? 150u : 50u)) continue;
       CAPTURE(family.name, seed);
-      check_mesh<Exact_traits>(in_thirds(pslg), 0);
+      check_mesh<Exact_traits>(in_thirds(pslg));
     }
 }

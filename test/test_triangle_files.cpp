@@ -155,6 +155,10 @@ TEST_CASE("line ends, numbering and missing columns do not matter", "[triangle_f
   CHECK(have_same_bits(parse("3 2 0 0\n1 0 0\n2 1 0\n3 0 1\n2 0\n0 1 2\n1 2 3\n0"), expected));
   CHECK(have_same_bits(parse("3 2 0 0\r\n1 0 0\r\n2 1 0\r\n3 0 1\r\n2 0\r\n1 1 2\r\n2 2 3\r\n0\r\n\r\n"),
                        expected));
+  CHECK(have_same_bits(parse("\xef\xbb\xbf"
+                             "3 2 0 0\r1 0 0\r2 1 0\r3 0 1\r2 0\r1 1 2\r2 2 3\r0"),
+                       expected));
+  CHECK(have_same_bits(parse("3 2 0 0\n0 0 0\n1\t1\f0\n2\v0 1\n2 0\n0 0 1\n1 1 2\n0"), expected));
   CHECK(have_same_bits(parse("3\n1 0 0#\n2 1 0#x\n3 0 1 99\n2\n1 1 2 5\n2 2 3 6\n0\n0\n"), expected));
   CHECK(parse("3\n0 0 0\n1 1 0\n2 0 1\n0\n0\n1\n1 0.1 0.1 5 -1\n").regions[0].max_area == 0);
 }
@@ -201,12 +205,21 @@ TEST_CASE("a .poly file without vertices takes them from its .node file", "[tria
 TEST_CASE("what is wrong with a malformed file is told with its line", "[triangle_files]") {
   const std::string triangle = "3 2 0 0\n0 0 0\n1 1 0\n2 0 1\n";
   const std::vector<std::pair<std::string, std::string>> cases = {
-      {"", ":0: the file ends where the number of vertices is expected"},
+      {"", ":1: the file ends where the number of vertices is expected"},
       {"# nothing\n\n", ":2: the file ends where the number of vertices is expected"},
       {"lake\n", ":1: the number of vertices: 'lake' is not an integer"},
       {"-3 2 0 0\n", ":1: the number of vertices is negative"},
       {"2.5 2 0 0\n", ":1: the number of vertices: '2.5' is not an integer"},
       {"99999999999999999999 2\n", ":1: the number of vertices: '99999999999999999999' is too large"},
+      {"1000000000000 2 0 0\n0 0 0\n",
+       ":1: the number of vertices, 1000000000000, is more than indices can name"},
+      {std::string("3 2 0 0\n0 0 \0\n", 14), ":2: y of vertex 0: '\\x00' is not a number"},
+      {"3 2 0 0\n0 0 " + std::string(1 << 20, '7') + "x\n",
+       ":2: y of vertex 0: '7777777777777777777777777777777777777777...' is not a number"},
+      {"3 2 0 0\n1 0 0\n1 1 0\n", ":3: vertex 1 stands where vertex 2 is expected"},
+      {triangle + "-1\n", ":5: the number of segments is negative"},
+      {triangle + "0\n-1\n", ":6: the number of holes is negative"},
+      {triangle + "0\n0\n1000000000000\n", ":7: the number of regions, 1000000000000, is more than"},
       {"5000000000 2 0 0\n", ":1: the number of vertices, 5000000000, is more than indices can name"},
       {"4000000000 2 0 0\n0 0 0\n", ":2: the file ends where vertex 1 is expected"},
       {"4000000000 2 4000000000 1\n0 0 0\n", ":2: the line ends where an attribute of vertex 0 is expected"},
@@ -289,8 +302,10 @@ TEST_CASE("files that cannot be read are named", "[triangle_files]") {
   const auto error = [&](const std::string& name) {
     return error_of([&] { CGAL::IO::read_triangle_poly(name, pslg); });
   };
-  CHECK(error(folder.file("none.poly")) == folder.file("none.poly") + ": cannot be opened");
-  CHECK(has_text(error(folder.file("")), ": cannot be "));
+  CHECK(error(folder.file("none.poly")) ==
+        folder.file("none.poly") + ": cannot be opened: No such file or directory");
+  CHECK(has_text(error(folder.file("")), ": is a folder"));
+  CHECK(has_text(error("/dev/null"), "/dev/null:1: the file ends"));
   CHECK(
       has_text(error_of([&] { CGAL::IO::read_triangle_node(folder.file("none.node"), pslg); }), "none.node"));
 }
@@ -306,6 +321,11 @@ TEST_CASE("files compressed by gzip are read", "[triangle_files]") {
   const std::string half = folder.write("half.poly.gz", packed.substr(0, packed.size() / 2));
   CHECK(error_of([&] { CGAL::IO::read_triangle_poly(half, pslg); }) ==
         half + ": the gzip data are damaged or truncated");
+  CHECK_THROWS_AS(CGAL::IO::read_triangle_poly(folder.write("tail.poly.gz", packed + "more"), pslg),
+                  CGAL::Pslg_error_2);
+  CHECK_THROWS_AS(CGAL::IO::read_triangle_poly(
+                      folder.write("no_footer.poly.gz", packed.substr(0, packed.size() - 1)), pslg),
+                  CGAL::Pslg_error_2);
   std::string damaged = packed;
   damaged[damaged.size() / 2] = static_cast<char>(damaged[damaged.size() / 2] ^ 0x55);
   CHECK_THROWS_AS(CGAL::IO::read_triangle_poly(folder.write("damaged.poly.gz", damaged), pslg),

@@ -18,6 +18,7 @@ namespace theorem_5_test {
 
 using namespace mesher_test;
 using Tree_options = CGAL::Tree_separation_options_2;
+using End = CGAL::Tree_separation_report_2::End;
 
 inline Options by_quadtrees() { return Options().separate(Tree_options()); }
 
@@ -31,6 +32,8 @@ inline Run run_by_quadtrees(const Pslg& pslg, const Options& options) {
   Run r = run_to_the_bound(pslg, options);
   CHECK(r.report.trees.rounds > 0);
   CHECK(r.report.trees.missed == 0);
+  CHECK(r.report.trees.handed_over == 0);
+  CHECK(r.report.trees.end == End::DONE);
   return r;
 }
 

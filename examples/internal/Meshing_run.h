@@ -110,8 +110,30 @@ inline void print_angle_of_others(const Meshing_run& run) {
   std::printf("\n");
 }
 
+inline const char* name(CGAL::Tree_separation_report_2::End end) {
+  using End = CGAL::Tree_separation_report_2::End;
+  switch (end) {
+  case End::NONE:
+    return "none";
+  case End::DONE:
+    return "done";
+  case End::COORDINATES:
+    return "coordinates";
+  case End::BUDGET:
+    return "budget";
+  case End::CANCELLED:
+    return "cancelled";
+  case End::FAILED:
+    return "failed";
+  }
+  return "";
+}
+
 inline void print_trees(const CGAL::Tree_separation_report_2& trees) {
-  if (trees.rounds == 0) return;
+  using End = CGAL::Tree_separation_report_2::End;
+  if (trees.end == End::NONE) return;
+  if (trees.has_taken_over) std::printf("quadtrees took over, as refinement did not come to rest\n");
+  print_line("construction by quadtrees", "%14s", name(trees.end), std::optional<const char*>());
   const auto print = [](const char* name, std::size_t n) {
     print_line(name, "%14zu", n, std::optional<std::size_t>());
   };
@@ -124,6 +146,7 @@ inline void print_trees(const CGAL::Tree_separation_report_2& trees) {
   print("  below the bound", trees.missed_by_rule);
   print("  corners left out", trees.left_out);
   print("  not cured", trees.missed);
+  print("  left for want of room", trees.handed_over);
 }
 
 } // namespace meshing_run_internal
@@ -139,8 +162,10 @@ inline nlohmann::ordered_json peer_json(const Mesh_figures& peer) {
 
 /// What the quadtrees of Theorem 5 did; null if there was no such construction.
 inline nlohmann::ordered_json trees_json(const CGAL::Tree_separation_report_2& trees) {
-  if (trees.rounds == 0) return nullptr;
-  return {{"leaves_of_points", trees.leaves_of_points},
+  if (trees.end == CGAL::Tree_separation_report_2::End::NONE) return nullptr;
+  return {{"end", meshing_run_internal::name(trees.end)},
+          {"has_taken_over", trees.has_taken_over},
+          {"leaves_of_points", trees.leaves_of_points},
           {"leaves_of_vertices", trees.leaves_of_vertices},
           {"leaves_of_pieces", trees.leaves_of_pieces},
           {"leaves_of_edges", trees.leaves_of_edges},
@@ -149,7 +174,8 @@ inline nlohmann::ordered_json trees_json(const CGAL::Tree_separation_report_2& t
           {"triangles", trees.triangles},
           {"missed_by_rule", trees.missed_by_rule},
           {"left_out", trees.left_out},
-          {"missed", trees.missed}};
+          {"missed", trees.missed},
+          {"handed_over", trees.handed_over}};
 }
 
 inline nlohmann::ordered_json run_json(const Meshing_run& run) {

@@ -6,6 +6,7 @@
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Fixed_point_quadtree_traits_2.h>
 #include <CGAL/Indexed_mesh_2.h>
+#include <CGAL/Quadtree_mesh_2/internal/Number_text.h>
 #include <CGAL/Quality_mesh_report_2.h>
 #include <CGAL/centroid.h>
 
@@ -38,6 +39,8 @@ public:
 
   double unit() const { return scale_.unit(); }
   Word_point to_word(const Point& p) const { return scale_.to_fixed(p.x(), p.y()); }
+  /// Whether `to_word_inside_root(p)` is p itself.
+  bool is_exact(const Point& p) const { return to_double(to_word_inside_root(p)) == p; }
   /// The same for any point: one far away, which words could not tell, becomes one that is as surely outside.
   Word_point to_word_inside_root(const Point& p) const {
     return scale_.to_fixed(clamped(p.x(), box_.xmin(), box_.xmax()),
@@ -76,19 +79,23 @@ private:
   Scale scale_;
 };
 
+/// What to do where words are too short.
+inline const char* advice() { return "; use --kernel exact, or move or merge what is so near"; }
+
 /// Words cannot tell points that are closer than their unit; merging them in silence would change the input.
 /// \throws CGAL::Pslg_error_2 naming the points.
 template <class Point>
 void check_told_apart(const std::vector<Point>& points, const std::vector<Word_point>& words) {
+  using CGAL::Quadtree_mesh_2::internal::coordinates_text;
   std::vector<std::size_t> order(words.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return words[a] < words[b]; });
   for (std::size_t i = 1; i < order.size(); ++i) {
-    const std::size_t a = order[i - 1], b = order[i];
+    const auto [a, b] = std::minmax(order[i - 1], order[i]);
     if (words[a] == words[b] && points[a] != points[b])
-      throw CGAL::Pslg_error_2("vertices " + std::to_string((std::min)(a, b)) + " and " +
-                               std::to_string((std::max)(a, b)) +
-                               " are closer than fixed-point words can tell");
+      throw CGAL::Pslg_error_2("64-bit words cannot tell vertices " + std::to_string(a) + ' ' +
+                               coordinates_text(points[a]) + " and " + std::to_string(b) + ' ' +
+                               coordinates_text(points[b]) + " apart" + advice());
   }
 }
 

@@ -4,6 +4,7 @@
 // The options of quality_mesh: what they are and what they may be.
 
 #include "file_formats.h"
+#include "program_files.h"
 
 #include "mesh_graph.h"
 
@@ -12,8 +13,6 @@
 #include <CGAL/version.h>
 
 #include <boost/program_options.hpp>
-
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -24,7 +23,6 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -85,7 +83,7 @@ inline po::options_description common_options() {
     ("kernel", po::value<std::string>()->value_name("K")->default_value("filtered"),
      "arithmetic: filtered (doubles), fixed (64-bit integers) or exact")
     ("threads", po::value<int>()->value_name("N"),
-     "number of threads, all if not given; the mesh is the same for any number")
+     "number of threads, up to 256 or the number of processors, all if not given; the mesh is the same for any number")
     ("compare", "with --mode pslg or points: mesh the input with CGAL Mesh_2 too and print both")
     ("report", po::value<std::string>()->value_name("FILE.json"), "write the figures as JSON")
     ("quiet", "print nothing but errors")
@@ -118,9 +116,9 @@ inline po::options_description graph_options() {
     ("placement", po::value<std::string>()->value_name("P")->default_value("chosen"),
      "with theorem-5: chosen, or by-rule (a hundred times the triangles before removal)")
     ("smooth", po::value<int>()->value_name("N")->default_value(0),
-     "rounds of smoothing: about a percent fewer triangles each, and better angles")
+     "rounds of smoothing, up to 1000: about a percent fewer triangles each, and better angles")
     ("thin", po::value<int>()->value_name("N")->default_value(0),
-     "rounds of thinning: fewer triangles still, each takes about as long as refinement")
+     "rounds of thinning, up to 1000: fewer triangles still, each takes about as long as refinement")
     ("no-coarsening", "keep the vertices that are not needed in the end");
   return options;
 }
@@ -163,6 +161,13 @@ inline double bound(const po::variables_map& given, const std::string& option) {
   return value;
 }
 
+/// \throws Usage_error if no edge can keep to it and to the longest one, too
+inline double least_edge(const po::variables_map& given) {
+  const double least = bound(given, "min-edge"), most = bound(given, "max-edge");
+  if (most > 0 && least >= most) throw Usage_error("--min-edge has to be below --max-edge");
+  return least;
+}
+
 inline double min_angle(const po::variables_map& given) {
   const double value = given["min-angle"].as<double>();
   if (!(value >= 0 && value <= 30)) throw Usage_error("--min-angle has to be from 0 to 30 degrees");
@@ -184,7 +189,8 @@ inline unsigned threads(const po::variables_map& given) {
 #endif
   if (given.count("threads") == 0) return has_threads ? std::max(1u, std::thread::hardware_concurrency()) : 1;
   const int n = given["threads"].as<int>();
-  if (n < 1) throw Usage_error("--threads has to be at least 1");
+  const int most = std::max(256, static_cast<int>(std::thread::hardware_concurrency()));
+  if (n < 1 || n > most) throw Usage_error("--threads has to be from 1 to " + std::to_string(most));
   if (n > 1 && !has_threads)
     throw Usage_error("--threads " + std::to_string(n) +
                       " is not available: this program was built without TBB");
@@ -193,8 +199,9 @@ inline unsigned threads(const po::variables_map& given) {
 
 /// A number of rounds.
 inline int rounds(const po::variables_map& given, const std::string& option) {
+  constexpr int most = 1000;
   const int n = given[option].as<int>();
-  if (n < 0) throw Usage_error("--" + option + " must not be negative");
+  if (n < 0 || n > most) throw Usage_error("--" + option + " has to be from 0 to " + std::to_string(most));
   return n;
 }
 
@@ -243,24 +250,26 @@ inline mesh_graph::Neighbors neighbors(const po::variables_map& given) {
   return models[choice(given, "neighbors", {"trapezoidal", "quadtree"})];
 }
 
-/// Finds out before the work, not after it, that a file cannot be written.
-inline void check_writable(const std::filesystem::path& file, const std::string& input) {
-  std::error_code error;
-  if (std::filesystem::equivalent(file, input, error))
-    throw Usage_error("output '" + file.string() + "' would overwrite the input");
-  const std::filesystem::path folder =
-      file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
-  if (!std::filesystem::is_directory(folder, error))
-    throw Usage_error("cannot write '" + file.string() + "': no folder '" + folder.string() + "'");
-  const std::filesystem::path place = std::filesystem::exists(file, error) ? file : folder;
-  if (access(place.c_str(), W_OK) != 0 || std::filesystem::is_directory(file, error))
-    throw Usage_error("cannot write '" + file.string() + "'");
+/// \throws Usage_error if a file would be destroyed or cannot be written
+inline void check_files(const Command_line& line) {
+  Named_files inputs{{"the input '" + line.input + "'", line.input}}, outputs;
+  if (!line.size_points_file.empty())
+    inputs.push_back({"the file of --size-points, '" + line.size_points_file + "'", line.size_points_file});
+  for (const std::string& output : line.outputs)
+    for (const std::filesystem::path& file : files_of_output(output))
+      outputs.push_back({"output '" + file.string() + "'", file});
+  if (!line.report_file.empty())
+    outputs.push_back({"the file of --report, '" + line.report_file + "',", line.report_file});
+  add_node_file(line.input, outputs, inputs);
+  ::check_files(inputs, outputs);
 }
 
-inline void check_files(const Command_line& line) {
-  for (const std::string& output : line.outputs)
-    for (const std::filesystem::path& file : files_of_output(output)) check_writable(file, line.input);
-  if (!line.report_file.empty()) check_writable(line.report_file, line.input);
+/// The text behind an option that has one; empty if the option is not given.
+inline std::string text(const po::variables_map& given, const std::string& option) {
+  if (given.count(option) == 0) return std::string();
+  const std::string& value = given[option].as<std::string>();
+  if (value.empty()) throw Usage_error("--" + option + " has nothing behind it");
+  return value;
 }
 
 /// Which modes an option has a meaning in.
@@ -312,7 +321,7 @@ inline CGAL::Quality_mesh_options_2 quality_mesh_options(const po::variables_map
   options.min_angle(min_angle(given))
       .max_edge(bound(given, "max-edge"))
       .max_area(bound(given, "max-area"))
-      .min_edge(bound(given, "min-edge"))
+      .min_edge(least_edge(given))
       .mesh_domain(domain(given))
       .smooth(rounds(given, "smooth"))
       .thin(thinning_rounds(given))
@@ -327,6 +336,7 @@ inline CGAL::Point_set_mesh_options_2 bounded_angles(const po::variables_map& gi
   if (given.count("square") > 0) options.mesh_domain(CGAL::Point_set_mesh_options_2::Domain::SQUARE);
   if (given.count("angles") == 0) return options.bounded_angles();
   const auto& angles = given["angles"].as<std::vector<double>>();
+  if (angles.size() != 2) throw Usage_error("--angles is given more than once");
   if (!(angles[0] >= 0 && angles[0] <= 37.5))
     throw Usage_error("--angles: the least angle has to be from 0 to 37.5 degrees");
   if (!(angles[1] >= 78.6 && angles[1] <= 89.5))
@@ -402,9 +412,8 @@ inline void print_help(std::ostream& out) {
          "(.xy, .txt,\n"
          ".csv). Any may be compressed (.gz).\n"
       << command_line_internal::visible_options()
-      << "\nExit status: 0 done; 1 the bound is unmet somewhere, the mesh is written all the same; 2 bad "
-         "usage or bad\n"
-         "input, nothing is written.\n";
+      << "\nExit status: 0 the mesh is valid and meets all bounds; 1 it is valid and written, but a bound is unmet "
+         "somewhere;\n2 refused, nothing is written: bad usage, bad input, or no valid mesh of it in this arithmetic.\n";
 }
 
 inline void print_version(std::ostream& out) {
@@ -425,7 +434,7 @@ inline Command_line parse_command_line(int argc, const char* const* argv) try {
     throw Usage_error("one input at a time, not '" + inputs[0] + "' and '" + inputs[1] + "'");
   line.input = inputs.front();
   if (given.count("output") > 0) line.outputs = given["output"].as<std::vector<std::string>>();
-  if (given.count("report") > 0) line.report_file = given["report"].as<std::string>();
+  line.report_file = text(given, "report");
 
   const std::vector<std::string> modes(std::begin(mode_names), std::end(mode_names));
   line.mode = static_cast<Command_line::Mode>(choice(given, "mode", modes));
@@ -433,7 +442,7 @@ inline Command_line parse_command_line(int argc, const char* const* argv) try {
   line.options = quality_mesh_options(given);
   line.neighbors = neighbors(given);
   line.point_set_options = point_set_mesh_options(given, line.mode);
-  if (given.count("size-points") > 0) line.size_points_file = given["size-points"].as<std::string>();
+  line.size_points_file = text(given, "size-points");
   constexpr Command_line::Kernel kernels[] = {Command_line::Kernel::filtered, Command_line::Kernel::fixed,
                                               Command_line::Kernel::exact};
   line.kernel = kernels[choice(given, "kernel", {"filtered", "fixed", "exact"})];
@@ -442,8 +451,7 @@ inline Command_line parse_command_line(int argc, const char* const* argv) try {
   line.are_lengths_wanted = given.count("lengths") > 0;
   line.colors = colors(given, line.mode);
   line.is_quadtree_shown = given.count("show-quadtree") > 0;
-  if (given.count("region-property") > 0)
-    line.region_property = given["region-property"].as<std::string>();
+  line.region_property = text(given, "region-property");
   check_region_property(line);
   line.is_quiet = given.count("quiet") > 0;
   check_files(line);

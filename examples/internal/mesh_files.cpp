@@ -14,6 +14,8 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <ostream>
+#include <sstream>
 #include <stdexcept>
 #include <utility>
 
@@ -64,18 +66,39 @@ CGAL::IO::Svg_options_2 svg_options(const Picture& picture) {
 
 using Quadtree = CGAL::Balanced_quadtree<CGAL::Filtered_quadtree_traits_2<>>;
 
-void write_picture(const std::string& file_name, const Mesh& mesh, const Pslg& pslg, const Picture& picture) {
+void write_picture(std::ostream& out, const Mesh& mesh, const Pslg& pslg, const Picture& picture) {
   if (picture.is_quadtree_shown)
-    CGAL::IO::write_SVG(file_name, mesh, pslg, Quadtree(pslg.vertices), svg_options(picture));
+    CGAL::IO::write_SVG(out, mesh, pslg, Quadtree(pslg.vertices), svg_options(picture));
   else
-    CGAL::IO::write_SVG(file_name, mesh, pslg, svg_options(picture));
+    CGAL::IO::write_SVG(out, mesh, pslg, svg_options(picture));
 }
 
-void write_grid(const std::string& file_name, const Mesh& mesh, const Pslg& pslg, const Picture& picture) {
+void write_grid(std::ostream& out, const Mesh& mesh, const Pslg& pslg, const Picture& picture) {
   CGAL::IO::Triangle_fields_2 fields;
   if (picture.is_quadtree_shown)
     fields.push_back(CGAL::IO::quadtree_level_field(mesh, Quadtree(pslg.vertices)));
-  CGAL::IO::write_VTU(file_name, mesh, pslg, fields);
+  CGAL::IO::write_VTU(out, mesh, pslg, fields);
+}
+
+/// In a format that is one file.
+void write(std::ostream& out, Output_format format, const Mesh& mesh, const Pslg& pslg,
+           const Picture& picture) {
+  switch (format) {
+  case Output_format::triangle:
+    return;
+  case Output_format::vtu:
+    return write_grid(out, mesh, pslg, picture);
+  case Output_format::svg:
+    return write_picture(out, mesh, pslg, picture);
+  case Output_format::off:
+    return CGAL::IO::write_OFF(out, mesh);
+  case Output_format::obj:
+    return CGAL::IO::write_OBJ(out, mesh);
+  case Output_format::msh:
+    return CGAL::IO::write_MSH(out, mesh, pslg);
+  case Output_format::medit:
+    return CGAL::IO::write_MEDIT(out, mesh);
+  }
 }
 
 } // namespace
@@ -108,25 +131,16 @@ CGAL::Points_sizing_field_2 read_sized_points(const std::string& file_name) {
   return CGAL::Points_sizing_field_2(std::move(sized));
 }
 
-void write(const std::string& file_name, const Mesh& mesh, const Pslg& pslg, const Picture& picture) {
-  switch (output_format(file_name)) {
-  case Output_format::triangle: {
+void add(Files& files, const std::string& file_name, const Mesh& mesh, const Pslg& pslg,
+         const Picture& picture) {
+  const Output_format format = output_format(file_name);
+  if (format == Output_format::triangle) {
     const std::string stem = std::filesystem::path(file_name).replace_extension().string();
-    return CGAL::IO::write_triangle_files(mesh, pslg, stem);
+    return CGAL::Quadtree_mesh_2::internal::add_triangle_files(files, mesh, pslg, stem);
   }
-  case Output_format::vtu:
-    return write_grid(file_name, mesh, pslg, picture);
-  case Output_format::svg:
-    return write_picture(file_name, mesh, pslg, picture);
-  case Output_format::off:
-    return CGAL::IO::write_OFF(file_name, mesh);
-  case Output_format::obj:
-    return CGAL::IO::write_OBJ(file_name, mesh);
-  case Output_format::msh:
-    return CGAL::IO::write_MSH(file_name, mesh, pslg);
-  case Output_format::medit:
-    return CGAL::IO::write_MEDIT(file_name, mesh);
-  }
+  std::ostringstream out;
+  write(out, format, mesh, pslg, picture);
+  files.add(file_name, out.str());
 }
 
 } // namespace mesh_files

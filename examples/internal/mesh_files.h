@@ -10,6 +10,7 @@
 #include <CGAL/Indexed_mesh_2.h>
 #include <CGAL/Points_sizing_field_2.h>
 #include <CGAL/Pslg_2.h>
+#include <CGAL/Quadtree_mesh_2/internal/Replaced_files.h>
 
 #include <string>
 #include <vector>
@@ -35,8 +36,10 @@ struct Picture {
   Picture_colors colors = Picture_colors::none;
   bool is_quadtree_shown = false; ///< that of the graph's vertices
 };
+using Files = CGAL::Quadtree_mesh_2::internal::Replaced_files;
 /// \param pslg what the mesh was made from
-void write(const std::string& file_name, const Mesh& mesh, const Pslg& pslg, const Picture& picture);
+void add(Files& files, const std::string& file_name, const Mesh& mesh, const Pslg& pslg,
+         const Picture& picture);
 
 } // namespace mesh_files
 

@@ -26,6 +26,8 @@ enum class Neighbors { trapezoidal, quadtree };
 Mesh with_doubles(const Pslg& pslg, const Options& options, Neighbors neighbors, Report& report);
 /// Scaled to 64-bit words, meshed there, mapped back.
 Mesh in_words(const Pslg& pslg, const Options& options, Neighbors neighbors, Report& report);
+/// The unit that words have for a graph, in its coordinates.
+double unit_of_words(const Pslg& pslg);
 /// With exact constructions; only the result is rounded.
 Mesh exactly(const Pslg& pslg, const Options& options, Neighbors neighbors, Report& report);
 

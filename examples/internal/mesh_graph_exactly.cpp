@@ -1,11 +1,12 @@
 #include "mesh_graph_with.h"
-#include "mesh_with_doubles.h"
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_quadtree_traits_2.h>
 #include <CGAL/Pslg_2.h>
-#include <CGAL/number_utils.h>
+#include <CGAL/round_mesh_2.h>
 #include <CGAL/validate_pslg_2.h>
+
+#include <utility>
 
 mesh_graph::Mesh mesh_graph::exactly(const Pslg& pslg, const Options& options, Neighbors neighbors,
                                      Report& report) {
@@ -23,8 +24,7 @@ mesh_graph::Mesh mesh_graph::exactly(const Pslg& pslg, const Options& options, N
   for (const auto& region : pslg.regions)
     graph.regions.push_back({exact(region.point), region.attribute, region.max_area});
 
-  auto mesh = mesh_graph_with<Traits>(graph, options, neighbors, report);
-  return mesh_with_doubles(std::move(mesh), pslg.vertices, [](const Exact_point& p) {
-    return Point(CGAL::to_double(p.x()), CGAL::to_double(p.y()));
-  });
+  auto rounded = CGAL::round_mesh_2<Point>(mesh_graph_with<Traits>(graph, options, neighbors, report));
+  rounded.renumber(report);
+  return std::move(rounded.mesh);
 }

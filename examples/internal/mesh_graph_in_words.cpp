@@ -1,17 +1,22 @@
 #include "Word_map.h"
 #include "mesh_graph_with.h"
-#include "mesh_with_doubles.h"
 
+#include <CGAL/Quadtree_mesh_2/internal/Number_text.h>
+#include <CGAL/round_mesh_2.h>
 #include <CGAL/validate_pslg_2.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <utility>
+#include <vector>
 
 namespace {
 
 using namespace mesh_in_words_internal;
 
+using CGAL::Quadtree_mesh_2::Vertex_index;
 using mesh_graph::Point;
 
 CGAL::Pslg_2<Word_point> to_words(const mesh_graph::Pslg& pslg, const Word_map<Point>& map) {
@@ -44,15 +49,110 @@ mesh_graph::Options to_words(mesh_graph::Options options, const Word_map<Point>&
       .min_edge(options.min_edge_length / unit);
 }
 
+/// The seeds of holes and regions, and what an error calls them.
+struct Seed {
+  Point point;
+  std::string name;
+};
+
+std::vector<Seed> seeds_of(const mesh_graph::Pslg& pslg) {
+  std::vector<Seed> seeds;
+  for (std::size_t i = 0; i < pslg.holes.size(); ++i)
+    seeds.push_back({pslg.holes[i], "the point of hole " + std::to_string(i)});
+  for (std::size_t i = 0; i < pslg.regions.size(); ++i)
+    seeds.push_back({pslg.regions[i].point, "the point of region " + std::to_string(i)});
+  return seeds;
+}
+
+/// Whether p is so near to the box of a and b that words may confuse what is on which side.
+bool is_near(const Point& p, const Point& a, const Point& b, double distance) {
+  const auto [west, east] = std::minmax(a.x(), b.x());
+  const auto [south, north] = std::minmax(a.y(), b.y());
+  return west - distance <= p.x() && p.x() <= east + distance && south - distance <= p.y() &&
+         p.y() <= north + distance;
+}
+
+/// Rounding must not put a seed to the other side of a segment.
+/// \throws CGAL::Pslg_error_2 naming the two.
+void check_sides_of_seeds(const mesh_graph::Pslg& pslg, const Word_map<Point>& map) {
+  using CGAL::Quadtree_mesh_2::internal::coordinates_text;
+  using Geometry = Traits::Meshing_geometry_2;
+  const auto signed_words = [&map](const Point& p) {
+    const Word_point w = map.to_word_inside_root(p);
+    return Geometry::Point{std::int64_t(w.x()), std::int64_t(w.y())};
+  };
+  for (const Seed& seed : seeds_of(pslg)) {
+    if (map.is_exact(seed.point)) continue;
+    for (std::size_t s = 0; s < pslg.segments.size(); ++s) {
+      const Point &a = pslg.point(pslg.segments[s][0]), &b = pslg.point(pslg.segments[s][1]);
+      if (!is_near(seed.point, a, b, 2 * map.unit())) continue;
+      const int side = Geometry::orientation(signed_words(a), signed_words(b), signed_words(seed.point));
+      if (side == static_cast<int>(CGAL::orientation(a, b, seed.point))) continue;
+      throw CGAL::Pslg_error_2("64-bit words cannot tell on which side of segment " + std::to_string(s) +
+                               " (from " + coordinates_text(a) + " to " + coordinates_text(b) + ") " +
+                               seed.name + " is, " + coordinates_text(seed.point) +
+                               "; move it away from the segment");
+    }
+  }
+}
+
+/// The text for a segment, with the user's numbers.
+std::string text_of_segment(const mesh_graph::Pslg& pslg, std::size_t s) {
+  const auto vertex = [&pslg](Vertex_index v) {
+    return std::to_string(v.value()) + ' ' +
+           CGAL::Quadtree_mesh_2::internal::coordinates_text(pslg.vertices[std::size_t(v)]);
+  };
+  return "segment " + std::to_string(s) + " (vertices " + vertex(pslg.segments[s][0]) + " and " +
+         vertex(pslg.segments[s][1]) + ')';
+}
+
+/// Whether the ends of segment t are on different sides of segment s.
+bool has_ends_on_both_sides(const mesh_graph::Pslg& pslg, std::size_t s, std::size_t t) {
+  const auto side = [&](Vertex_index v) {
+    return CGAL::orientation(pslg.point(pslg.segments[s][0]), pslg.point(pslg.segments[s][1]), pslg.point(v));
+  };
+  return side(pslg.segments[t][0]) * side(pslg.segments[t][1]) < 0;
+}
+
+/// Segments that cross in words: whether they do so by their doubles decides what is to blame.
+[[noreturn]] void refuse(const mesh_graph::Pslg& pslg, const CGAL::Pslg_crossing_error_2& error) {
+  const std::size_t s(error.segments[0]), t(error.segments[1]);
+  const std::string first = text_of_segment(pslg, s), second = text_of_segment(pslg, t);
+  if (has_ends_on_both_sides(pslg, s, t) && has_ends_on_both_sides(pslg, t, s))
+    throw CGAL::Pslg_error_2(first + " crosses " + second);
+  throw CGAL::Pslg_error_2("64-bit words cannot tell " + first + " and " + second + " apart" + advice());
+}
+
+/// The same for segments that face each other across too narrow a gap.
+[[noreturn]] void refuse(const mesh_graph::Pslg& pslg, const CGAL::Pslg_gap_error_2& error, double unit) {
+  std::string distance;
+  CGAL::Quadtree_mesh_2::internal::append_number(distance, error.distance * unit);
+  throw CGAL::Pslg_error_2(error.demand + ' ' + text_of_segment(pslg, std::size_t(error.segments[0])) +
+                           " and " + text_of_segment(pslg, std::size_t(error.segments[1])) +
+                           " face each other at a distance of " + distance);
+}
+
 } // namespace
+
+double mesh_graph::unit_of_words(const Pslg& pslg) { return Word_map<Point>(pslg.vertices).unit(); }
 
 mesh_graph::Mesh mesh_graph::in_words(const Pslg& pslg, const Options& options, Neighbors neighbors,
                                       Report& report) {
   CGAL::check_pslg_structure(pslg); // the scale wants finite coordinates
   const Word_map<Point> map(pslg.vertices);
-  auto words = mesh_graph_with<Traits>(to_words(pslg, map), to_words(options, map), neighbors, report);
-  Mesh mesh = mesh_with_doubles(std::move(words), pslg.vertices,
-                                [&map](const Word_point& p) { return map.to_double(p); });
-  to_doubles(report, mesh);
-  return mesh;
+  check_sides_of_seeds(pslg, map);
+  try {
+    auto rounded = CGAL::round_mesh_2<Point>(
+        mesh_graph_with<Traits>(to_words(pslg, map), to_words(options, map), neighbors, report),
+        pslg.vertices, [&map](const Word_point& p) { return map.to_double(p); });
+    rounded.renumber(report);
+    to_doubles(report, rounded.mesh);
+    return std::move(rounded.mesh);
+  } catch (const CGAL::Pslg_crossing_error_2& error) {
+    refuse(pslg, error);
+  } catch (const CGAL::Pslg_gap_error_2& error) {
+    refuse(pslg, error, map.unit());
+  } catch (const CGAL::Pslg_seed_error_2& e) { // in words; the user knows the doubles
+    throw CGAL::Quadtree_mesh_2::internal::make_seed_error(pslg, e.kind, e.seed, e.vertex, e.segment);
+  }
 }

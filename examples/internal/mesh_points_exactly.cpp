@@ -1,12 +1,13 @@
 #include "mesh_points.h"
 
-#include "mesh_with_doubles.h"
-
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_quadtree_traits_2.h>
 #include <CGAL/Point_set_mesher_2.h>
-#include <CGAL/number_utils.h>
+#include <CGAL/round_mesh_2.h>
 #include <CGAL/tags.h>
+
+#include <utility>
+#include <vector>
 
 mesh_points::Mesh mesh_points::exactly(const std::vector<Point>& points, const Options& options,
                                        Report& report) {
@@ -16,9 +17,8 @@ mesh_points::Mesh mesh_points::exactly(const std::vector<Point>& points, const O
   exact.reserve(points.size());
   for (const Point& p : points) exact.emplace_back(p.x(), p.y());
   CGAL::Point_set_mesher_2<Traits, CGAL::Parallel_tag> mesher(options);
-  Mesh mesh = mesh_with_doubles(mesher(exact), points, [](const Exact_point& p) {
-    return Point(CGAL::to_double(p.x()), CGAL::to_double(p.y()));
-  });
+  auto rounded = CGAL::round_mesh_2<Point>(mesher(exact));
   report = mesher.report();
-  return mesh;
+  rounded.renumber(report);
+  return std::move(rounded.mesh);
 }

@@ -1,10 +1,13 @@
 #include "mesh_points.h"
 
 #include "Word_map.h"
-#include "mesh_with_doubles.h"
 
 #include <CGAL/Point_set_mesher_2.h>
+#include <CGAL/round_mesh_2.h>
 #include <CGAL/tags.h>
+
+#include <utility>
+#include <vector>
 
 mesh_points::Mesh mesh_points::in_words(const std::vector<Point>& points, const Options& options,
                                         Report& report) {
@@ -15,9 +18,10 @@ mesh_points::Mesh mesh_points::in_words(const std::vector<Point>& points, const 
   for (const Point& p : points) words.push_back(map.to_word(p));
   check_told_apart(points, words);
   CGAL::Point_set_mesher_2<Traits, CGAL::Parallel_tag> mesher(options);
-  Mesh mesh =
-      mesh_with_doubles(mesher(words), points, [&map](const Word_point& p) { return map.to_double(p); });
+  auto rounded = CGAL::round_mesh_2<Point>(mesher(words), points,
+                                           [&map](const Word_point& p) { return map.to_double(p); });
   report = mesher.report();
-  to_doubles(report, mesh);
-  return mesh;
+  rounded.renumber(report);
+  to_doubles(report, rounded.mesh);
+  return std::move(rounded.mesh);
 }

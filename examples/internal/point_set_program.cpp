@@ -7,17 +7,23 @@
 #include "mesh_files.h"
 #include "mesh_points.h"
 
+#include "by_mesh_2.h"
 #include "in_child.h"
-#include "mesh_2_peer.h"
 #include "resources.h"
 #include "thread_limit.h"
 
 #include <CGAL/Pslg_2.h>
+#include <CGAL/Quadtree_mesh_2/Point_error.h>
 #include <CGAL/Quadtree_mesh_2/internal/points_in_box.h>
 #include <CGAL/mesh_quality_2.h>
 #include <CGAL/point_set_lengths_2.h>
 
+#include <cstddef>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace {
 
@@ -30,7 +36,21 @@ const char* domain_of(const Command_line& line) {
   return is_row ? "row" : "square";
 }
 
-void mesh(Point_set_run& run, const Command_line& line) {
+/// An error of points as the user wrote them: the arithmetic may have scaled them.
+std::runtime_error with_coordinates(const CGAL::Quadtree_mesh_2::Point_error& error,
+                                    const std::vector<Point_set_run::Point_2>& points) {
+  std::ostringstream message;
+  message.precision(std::numeric_limits<double>::max_digits10);
+  message << error.what();
+  for (const auto p : {error.point(), error.other()})
+    if (p.is_valid())
+      message << (p == error.point() ? " (" : ", ") << "point " << p.value() << " is at "
+              << points[std::size_t(p)];
+  message << ')';
+  return std::runtime_error(message.str());
+}
+
+void mesh(Point_set_run& run, const Command_line& line) try {
   Progress_line progress;
   CGAL::Point_set_mesh_options_2 options = line.point_set_options;
   if (!line.is_quiet && Progress_line::is_possible())
@@ -46,6 +66,8 @@ void mesh(Point_set_run& run, const Command_line& line) {
     run.mesh = mesh_points::exactly(run.points, options, run.report);
     return;
   }
+} catch (const CGAL::Quadtree_mesh_2::Point_error& error) {
+  throw with_coordinates(error, run.points);
 }
 
 /// The input as the checker and the writers want it.
@@ -64,7 +86,7 @@ void check(Point_set_run& run) {
 
 void compare(Point_set_run& run) {
   const auto peer = [&] {
-    return mesh_by_Mesh_2(CGAL::Quadtree_mesh_2::internal::points_in_box(run.points), run.promise.least, 0);
+    return figures_by_Mesh_2(CGAL::Quadtree_mesh_2::internal::points_in_box(run.points), run.promise.least, 0);
   };
   run.is_peer_asked = true;
   run.peer = in_child(peer, peer_limit_seconds).result;
@@ -82,15 +104,17 @@ Exit_status execute_point_set(const Command_line& line) {
   timed(run.read_seconds, [&] { run.points = mesh_files::read_points(line.input); });
   timed(run.ours.seconds, [&] { mesh(run, line); });
   check(run);
-  warn_of_errors(run.quality);
-  timed(run.write_seconds, [&] {
-    for (const std::string& output : line.outputs)
-      mesh_files::write(output, run.mesh, graph_of(run), {line.colors, line.is_quadtree_shown});
-  });
-  run.peak_memory_mb = peak_memory_mb();
+  check_valid(run.quality);
   if (line.are_lengths_wanted) run.lengths = CGAL::point_set_lengths_2(run.points);
   if (line.is_comparison_wanted) compare(run);
-  if (!line.report_file.empty()) write_report(line.report_file, run_json(run));
-  if (!line.is_quiet) print_run(run);
-  return is_bound_met(run) && run.quality.is_valid() ? DONE : BOUND_UNMET;
+  const auto add_mesh = [&](mesh_files::Files& files, const std::string& output) {
+    timed(run.write_seconds, [&] {
+      mesh_files::add(files, output, run.mesh, graph_of(run), {line.colors, line.is_quadtree_shown});
+    });
+    run.peak_memory_mb = peak_memory_mb();
+  };
+  run.peak_memory_mb = peak_memory_mb();
+  write_all(
+      line, add_mesh, [&] { return run_json(run); }, [&] { print_run(run); });
+  return is_bound_met(run) ? DONE : BOUND_UNMET;
 }

@@ -3,18 +3,22 @@
 
 // What quality_mesh does with graphs and with points alike.
 
+#include "Deferred_signals.h"
+#include "command_line.h"
+
 #include "resources.h"
 
+#include <CGAL/Quadtree_mesh_2/internal/Replaced_files.h>
 #include <CGAL/mesh_quality_2.h>
 
-#include <nlohmann/json.hpp>
-
-#include <fstream>
-#include <iostream>
+#include <cerrno>
+#include <cstdio>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 
-enum Exit_status { DONE = 0, BOUND_UNMET = 1, BAD_USAGE_OR_INPUT = 2 };
+/// As the user manual has it, where what each means is said.
+enum Exit_status { DONE = 0, BOUND_UNMET = 1, REFUSED = 2 };
 
 /// How long Mesh_2, which has inputs on which it does not end, may try.
 constexpr unsigned peer_limit_seconds = 600;
@@ -27,16 +31,37 @@ void timed(double& seconds, F work) {
   seconds += cpu_seconds() - start;
 }
 
-/// A mesh with errors is our mistake and none of the user's, who gets it all the same, with a warning.
-inline void warn_of_errors(const CGAL::Mesh_quality_2& quality) {
-  for (const std::string& error : quality.errors)
-    std::cerr << "quality_mesh: the mesh is invalid: " << error << '\n';
+/// A mesh with errors would be our mistake and none of the user's, who had better not get it.
+/// \throws std::runtime_error with the errors
+inline void check_valid(const CGAL::Mesh_quality_2& quality) {
+  if (quality.is_valid()) return;
+  std::string message = "the mesh came out wrong, so nothing is written";
+  for (const std::string& error : quality.errors) message += "; " + error;
+  throw std::runtime_error(message);
 }
 
-inline void write_report(const std::string& file_name, const nlohmann::ordered_json& json) {
-  std::ofstream out(file_name);
-  out << json.dump(2) << '\n';
-  if (!out.flush()) throw std::runtime_error("cannot write '" + file_name + "'");
+/// Puts all that is wanted in place at once, or nothing: the meshes, the report, and the figures on the screen.
+/// \param add_mesh called with the files and the name of each output
+/// \param json makes the report
+/// \param print prints the figures
+/// \throws std::exception if something cannot be written
+template <class Add_mesh, class Make_json, class Print>
+void write_all(const Command_line& line, const Add_mesh& add_mesh, const Make_json& json,
+               const Print& print) {
+  const Deferred_signals signals; // acts when the temporary files are gone
+  CGAL::Quadtree_mesh_2::internal::Replaced_files files;
+  for (const std::string& output : line.outputs) {
+    add_mesh(files, output);
+    signals.check();
+  }
+  if (!line.report_file.empty()) files.add(line.report_file, json().dump(2) + '\n');
+  if (!line.is_quiet) {
+    print();
+    if (std::fflush(stdout) != 0)
+      throw std::system_error(errno, std::generic_category(), "the figures cannot be printed");
+  }
+  signals.check();
+  files.commit();
 }
 
 #endif // QUADTREE_MESH_2_EXAMPLES_PROGRAM_STEPS_H

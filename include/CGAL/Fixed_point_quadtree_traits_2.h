@@ -115,8 +115,13 @@ public:
 /// The affine map between doubles and fixed points.
 ///
 /// The unit is the smallest power of two with which a bounding box fits the middle half of the root of
-/// `Fixed_point_quadtree_traits_2<Word>`, and the origin is a multiple of the unit. So doubles are mapped
-/// exactly whenever any such map could: whenever they are multiples of that unit.
+/// `Fixed_point_quadtree_traits_2<Word>`, wherever the box is, and the box begins at a multiple of the unit. So doubles
+/// are mapped exactly whenever any such map could: whenever they are multiples of that unit. Those of a box far from
+/// the origin of coordinates, compared to its extent, always are with 64-bit words; small ones in a box around it may
+/// not be.
+///
+/// The box of a single point has no extent: it begins at the point, which is mapped exactly, and the unit is 1/256, but
+/// no less than the distance of the point's coordinates from the next doubles.
 template <class Word>
 class Fixed_point_scale_2 {
 public:
@@ -135,14 +140,12 @@ public:
       magnitude = std::max(magnitude, std::fabs(v));
     }
     const double extent = std::max(box.xmax() - box.xmin(), box.ymax() - box.ymin());
-    // A box of one point gets units that tell it from its neighbours among the doubles, if there are any.
-    int exponent = least_exponent_;
-    if (extent > 0) exponent = std::max(exponent, std::ilogb(extent) - depth);
-    if (magnitude > 0) exponent = std::max(exponent, std::ilogb(magnitude) - 60);
-    while (std::ldexp(extent, -exponent) > std::ldexp(1.0, depth - 1) - 2) ++exponent;
+    const int exponent = extent > 0 ? exponent_for_extent(extent) : exponent_for_point(magnitude);
     unit_ = std::ldexp(1.0, exponent);
     inverse_unit_ = std::ldexp(1.0, -exponent);
-    origin_ = {origin(box.xmin()), origin(box.ymin())};
+    low_ = {box.xmin(), box.ymin()};
+    if (extent > 0)
+      for (double& low : low_) low = multiple_at_most(low);
   }
 
   /// The scale for the bounding box of `points`, whose members have `x()` and `y()` convertible to `double`.
@@ -157,18 +160,18 @@ public:
     return Fixed_point_scale_2(box);
   }
 
-  /// The distance between neighbouring grid lines, a power of two.
+  /// The distance between neighboring grid lines, a power of two.
   double unit() const { return unit_; }
 
   /// Returns the grid point nearest to (`x`, `y`).
   /// \pre the point lies in the root, as all points of the bounding box do
   Fixed_point_2<Word> to_fixed(double x, double y) const {
-    return {to_word(x, origin_[0]), to_word(y, origin_[1])};
+    return {to_word(x, low_[0]), to_word(y, low_[1])};
   }
 
-  /// Returns the point at `p`; it is exact if it is the image of a double that was mapped exactly.
+  /// Returns the doubles nearest to `p`; they are exact if it is the image of doubles that were mapped exactly.
   std::array<double, 2> to_double(const Fixed_point_2<Word>& p) const {
-    return {to_coordinate(p.x(), origin_[0]), to_coordinate(p.y(), origin_[1])};
+    return {to_coordinate(p.x(), low_[0]), to_coordinate(p.y(), low_[1])};
   }
 
   /// Returns whether (`x`, `y`) is on the grid, so that `to_double(to_fixed(x, y))` gives it back.
@@ -177,24 +180,54 @@ public:
 private:
   // With less, the inverse of the unit would overflow.
   static constexpr int least_exponent_ = -1022;
+  // The lower sides of the box are so many units from those of the root.
+  static constexpr std::int64_t quarter_ = std::int64_t(1) << (depth - 2);
 
-  std::int64_t origin(double low) const {
-    return static_cast<std::int64_t>(std::floor(low * inverse_unit_)) - (std::int64_t(1) << (depth - 2));
+  /// A number as the sum of the nearest double and the rest.
+  struct Sum {
+    double head, rest;
+  };
+  static Sum sum(double a, double b) { // Knuth's two-sum
+    const double head = a + b, of_b = head - a;
+    return {head, (a - (head - of_b)) + (b - of_b)};
   }
 
-  Word to_word(double v, std::int64_t origin) const {
-    const std::int64_t g = static_cast<std::int64_t>(std::round(v * inverse_unit_)) - origin;
-    CGAL_precondition(g >= 0 && g < (std::int64_t(1) << depth));
+  static int exponent_for_extent(double extent) {
+    const double at_least = std::nextafter(extent, 2 * extent); // the difference may have been rounded down
+    int exponent = std::max(least_exponent_, std::ilogb(at_least) - depth);
+    while (std::ldexp(at_least, -exponent) > std::ldexp(1.0, depth - 1) - 2) ++exponent;
+    return exponent;
+  }
+  static int exponent_for_point(double magnitude) {
+    constexpr int share_of_one = -8;
+    return magnitude > 0 ? std::max(share_of_one, std::ilogb(magnitude) - 52) : share_of_one;
+  }
+
+  double multiple_at_most(double v) const {
+    const double units = v * inverse_unit_;
+    return std::fabs(units) < 0x1p53 ? std::floor(units) * unit_ : v; // large ones are multiples themselves
+  }
+
+  Word to_word(double v, double low) const {
+    const Sum difference = sum(v, -low);
+    const double units = difference.head * inverse_unit_, whole = std::floor(units);
+    const std::int64_t g = static_cast<std::int64_t>(whole) +
+                           std::llround((units - whole) + difference.rest * inverse_unit_) + quarter_;
+    CGAL_precondition(g >= 0 && g < 4 * quarter_);
     return static_cast<Word>(g);
   }
 
-  double to_coordinate(Word w, std::int64_t origin) const {
-    return static_cast<double>(static_cast<std::int64_t>(w) + origin) * unit_;
+  double to_coordinate(Word w, double low) const {
+    const std::int64_t units = static_cast<std::int64_t>(w) - quarter_;
+    const double most = static_cast<double>(units);
+    const double rest = static_cast<double>(units - static_cast<std::int64_t>(most));
+    const Sum place = sum(low, most * unit_);
+    return place.head + (place.rest + rest * unit_);
   }
 
   double unit_ = 1;
   double inverse_unit_ = 1;
-  std::array<std::int64_t, 2> origin_{};
+  std::array<double, 2> low_{}; // the lower left corner of the box, or less than a unit below it
 };
 
 } // namespace CGAL

@@ -41,7 +41,7 @@ struct Quality_mesh_options_2 {
   enum class Coarsening { NONE, GUARDED_REMOVAL };
 
   /// Least angle in degrees of every triangle that no acute input corner forces below it, in [0, 30].
-  /// Up to 20.7 it was reached on every input tried (doc/guarantees.md); whatever is left is reported.
+  /// Up to 20.7 it was reached on all inputs of the soak (doc/soak.md); whatever is left is reported.
   double min_angle_in_degrees = 20.7;
   /// Longest edge, in the units of the input; 0 means no bound.
   double max_edge_length = 0;
@@ -72,10 +72,14 @@ struct Quality_mesh_options_2 {
   /// takes.
   int thinning_rounds = 0;
   /// Where refinement on demand has not come to rest when the mesh has this many times the vertices expected (and two
-  /// million more), the construction by quadtrees takes over, for bounds up to 20.7048 degrees (sin^2 = 1/8), without a
-  /// budget, a least edge and a rule of the user's; with those refinement stops there, and what is left is reported.
-  /// With 0 that is at once.
+  /// million more), the construction by quadtrees takes over, and `Quality_mesh_report_2::trees` says so. With 0 that is
+  /// at once. For bounds above 20.7048 degrees (sin^2 = 1/8), and with a least edge or a rule of the user's, quadtrees
+  /// cannot: this is not looked at then, refinement stops with 100 times the vertices expected, and what is left is
+  /// reported. A vertex budget takes the place of all this.
   double refinement_patience = 100;
+  /// Patience ends, too, when the mesh is so many bytes large, by an estimate of 256 bytes for a vertex (more over exact
+  /// numbers), but not below 10 times the vertices expected and two million more.
+  double memory_of_patience = 2e9;
   /// Refinement stops, with what is left reported, when the mesh has this many vertices; 0 means no bound but
   /// memory's.
   std::size_t vertex_budget = 0;
@@ -108,6 +112,7 @@ struct Quality_mesh_options_2 {
     return separate(Separation::THEOREM_5);
   }
   Quality_mesh_options_2& patience(double times) { return refinement_patience = times, *this; }
+  Quality_mesh_options_2& patience_memory(double bytes) { return memory_of_patience = bytes, *this; }
   Quality_mesh_options_2& max_vertices(std::size_t n) { return vertex_budget = n, *this; }
   Quality_mesh_options_2& progress(std::function<bool(double)> f) { return callback = std::move(f), *this; }
   /// @}

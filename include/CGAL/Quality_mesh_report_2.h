@@ -25,8 +25,64 @@ public:
 };
 
 /// \ingroup PkgQuadtreeMesh2Meshers
+/// Two segments cross; for callers that know the vertices by other coordinates than the mesher.
+class Pslg_crossing_error_2 : public Pslg_error_2 {
+public:
+  /// The crossing segments, and what `what()` says of them.
+  Pslg_crossing_error_2(const std::string& text, std::array<Quadtree_mesh_2::Segment_index, 2> crossing)
+      : Pslg_error_2(text), segments(crossing) {}
+
+  std::array<Quadtree_mesh_2::Segment_index, 2> segments; ///< by their indices in the graph
+};
+
+/// \ingroup PkgQuadtreeMesh2Meshers
+/// Two segments face each other across a gap so narrow that the mesh would be too large; for such callers, too.
+class Pslg_gap_error_2 : public Pslg_error_2 {
+public:
+  /// The two segments, and what `what()` says: first of the mesh, then of the segments.
+  Pslg_gap_error_2(const std::string& of_mesh, const std::string& of_segments,
+                   std::array<Quadtree_mesh_2::Segment_index, 2> facing, double width)
+      : Pslg_error_2(of_mesh + ' ' + of_segments), demand(of_mesh), segments(facing), distance(width) {}
+
+  std::string demand;                                     ///< how large the mesh would be
+  std::array<Quadtree_mesh_2::Segment_index, 2> segments; ///< by their indices in the graph
+  double distance;                                        ///< how far they are from each other
+};
+
+/// \ingroup PkgQuadtreeMesh2Meshers
+/// The point of a hole or region lies on a segment, or on a vertex with segments, between several components of the plane:
+/// which one is meant cannot be told.
+class Pslg_seed_error_2 : public Pslg_error_2 {
+public:
+  /// What the point is for.
+  enum class Kind { HOLE, REGION };
+
+  /// What is to blame, and what `what()` says of it.
+  Pslg_seed_error_2(const std::string& text, Kind of, std::size_t number, Quadtree_mesh_2::Vertex_index at,
+                    Quadtree_mesh_2::Segment_index on)
+      : Pslg_error_2(text), kind(of), seed(number), vertex(at), segment(on) {}
+
+  Kind kind;                              ///< of the point
+  std::size_t seed;                       ///< its index in `Pslg_2::holes` or `Pslg_2::regions`
+  Quadtree_mesh_2::Vertex_index vertex;   ///< that it is on; invalid if it is inside a segment
+  Quadtree_mesh_2::Segment_index segment; ///< that it is on; invalid if it is on a vertex
+};
+
+/// \ingroup PkgQuadtreeMesh2Meshers
 /// What a construction by quadtrees did (Theorem 5); all 0 if there was none.
 struct Tree_separation_report_2 {
+  /// How the construction ended. Whatever is not done then, refinement on demand goes on with.
+  enum class End {
+    NONE,        ///< there was no construction
+    DONE,        ///< no triangle is below the bound
+    COORDINATES, ///< those left are where leaves cannot become smaller: numbers express no coordinates in between
+    BUDGET,      ///< those left would take more vertices than the budget
+    CANCELLED, ///< the callback stopped it
+    FAILED     ///< no mesh came of the last round: the mesh is that of the round before, or refinement's
+  };
+
+  End end = End::NONE;         ///< how it ended
+  bool has_taken_over = false; ///< whether refinement on demand had not come to rest (`refinement_patience`)
   std::size_t leaves_of_points = 0;   ///< of T_B, the quadtree of the vertices
   std::size_t leaves_of_vertices = 0; ///< of T_B', in which vertices are separated
   std::size_t leaves_of_pieces = 0;   ///< of T_B'', in which edges within leaves are
@@ -41,6 +97,7 @@ struct Tree_separation_report_2 {
   std::size_t missed_by_rule = 0; ///< of these below the bound
   std::size_t left_out = 0;       ///< corners and crossings left out to cure those
   std::size_t missed = 0;         ///< triangles below the bound that were not cured
+  std::size_t handed_over = 0;    ///< of these: those at leaves that cannot become smaller
 };
 
 /// \ingroup PkgQuadtreeMesh2Meshers

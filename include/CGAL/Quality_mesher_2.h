@@ -36,7 +36,7 @@ namespace CGAL {
 ///
 /// Where two segments meet at an angle phi below the bound, a triangle with all its vertices on the two may
 /// have a smaller angle, never under 0.9 phi; such triangles are counted as exempt. Anything else below the
-/// bound is listed in `Quality_mesh_report_2::unmet_triangles`: nothing for bounds up to 20.7 degrees unless
+/// bound is listed in `Quality_mesh_report_2::unmet_triangles`: for bounds up to 20.7 degrees nothing so far, unless
 /// a budget, the callback, the least edge or the precision of the coordinates stops refinement.
 ///
 /// After Bern, Eppstein, Teng, "Parallel construction of quadtrees and quality triangulations", section 6,

@@ -67,23 +67,7 @@ public:
 
   /// Finds the hits of all vertices.
   /// \param pslg is not copied: it has to stay where and as it is. Its segments join vertices that exist.
-  explicit Trapezoidal_vertex_edge_neighbors_2(const Pslg& pslg) : pslg_(&pslg) {
-    using namespace Quadtree_mesh_2::internal;
-    std::array<std::optional<Axis_slabs>, 2> axes;
-    Executor<Concurrency_tag>::run(2, [&](std::size_t axis) {
-      axes[axis].emplace(Ranked_places<Point_2>::template of<Concurrency_tag>(pslg, static_cast<int>(axis)),
-                         pslg.number_of_segments(), least_slab);
-    });
-    const std::size_t slabs = axes[0]->size();
-    Executor<Concurrency_tag>::run(slabs + axes[1]->size(), [&](std::size_t i) {
-      if (i < slabs)
-        axes[0]->decompose(i);
-      else
-        axes[1]->decompose(i - slabs);
-    });
-    Executor<Concurrency_tag>::run(2, [&](std::size_t axis) { axes[axis]->find_hits(); });
-    collect_hits(*axes[0], *axes[1]);
-  }
+  explicit Trapezoidal_vertex_edge_neighbors_2(const Pslg& pslg);
 
   /// What is kept is a reference to a graph; a temporary one would be gone.
   explicit Trapezoidal_vertex_edge_neighbors_2(const Pslg&& pslg) = delete;
@@ -135,6 +119,31 @@ private:
   std::vector<Hits> hits_;
 };
 
+// Outside the class, thus not inline: where a compiled library has it, the compiler need not look into it.
+template <class Traits_, class Concurrency_tag>
+Trapezoidal_vertex_edge_neighbors_2<Traits_, Concurrency_tag>::Trapezoidal_vertex_edge_neighbors_2(
+    const Pslg& pslg)
+    : pslg_(&pslg) {
+  using namespace Quadtree_mesh_2::internal;
+  std::array<std::optional<Axis_slabs>, 2> axes;
+  Executor<Concurrency_tag>::run(2, [&](std::size_t axis) {
+    axes[axis].emplace(Ranked_places<Point_2>::template of<Concurrency_tag>(pslg, static_cast<int>(axis)),
+                       pslg.number_of_segments(), least_slab);
+  });
+  const std::size_t slabs = axes[0]->size();
+  Executor<Concurrency_tag>::run(slabs + axes[1]->size(), [&](std::size_t i) {
+    if (i < slabs)
+      axes[0]->decompose(i);
+    else
+      axes[1]->decompose(i - slabs);
+  });
+  Executor<Concurrency_tag>::run(2, [&](std::size_t axis) { axes[axis]->find_hits(); });
+  collect_hits(*axes[0], *axes[1]);
+}
+
 } // namespace CGAL
+
+#define CGAL_QUADTREE_MESH_2_HAS_TRAPEZOIDAL_NEIGHBORS
+#include <CGAL/Quadtree_mesh_2/compiled_meshers.h>
 
 #endif // CGAL_TRAPEZOIDAL_VERTEX_EDGE_NEIGHBORS_2_H

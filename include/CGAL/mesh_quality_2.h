@@ -11,25 +11,27 @@
 /// Checks a mesh against its input, and its angles, lengths and areas, with code that shares nothing with the
 /// mesher.
 ///
-/// The input's domain comes from a plain constrained Delaunay triangulation of the input; orientations are
-/// exact; a mesh covers the domain exactly if its triangles are counterclockwise and its border is the
-/// domain's, edge by edge. O(n log n + k) for n input and k mesh vertices in practice, about a second for
-/// 10^6 triangles.
+/// The input's domain comes from a plain constrained Delaunay triangulation of the input; a mesh covers the domain
+/// exactly if its triangles are counterclockwise and its border is the domain's, edge by edge, where edges along
+/// segments, whose vertices are rounded, divide the plane as the segments do. All of that is decided exactly, for
+/// coordinates of any size. O(n log n + k) for n input and k mesh vertices in practice, about a second for 10^6
+/// triangles.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Indexed_mesh_2.h>
 #include <CGAL/Pslg_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/Mesh_checker.h>
 #include <CGAL/Quadtree_mesh_2/internal/Mesh_statistics.h>
-#include <CGAL/Quadtree_mesh_2/internal/scaled_by_power_of_two.h>
 #include <CGAL/Quadtree_mesh_2/mesh_quality_types.h>
 
 #include <CGAL/number_utils.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <ostream>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -107,25 +109,21 @@ Pslg_2<Quadtree_mesh_2::internal::Double_point> convert_to_double_points(const P
 ///
 /// Never throws for what it is given: a mesh or an input that makes no sense has errors. The input may have
 /// duplicate vertices (the mesh may use any one of them), vertices on segments and segments that overlap; it
-/// may not have segments that cross. Checked are: indices; exact orientation of the triangles; every edge in
+/// may not have segments that cross, nor points of holes or regions on segments that separate components. Checked are: indices; exact orientation of the triangles; every edge in
 /// at most two triangles, in opposite directions; the neighbors; no two used vertices at one place; input
 /// vertices bit for bit at their index; no unused Steiner vertices; the domain covered exactly; every input
-/// segment with the domain on a side a chain of edges; the constrained edges, the segments of the vertices
-/// and the regions.
+/// segment with the domain on a side a chain of edges, within rounding (`Mesh_quality_options_2::coordinate_unit`);
+/// the constrained edges, the segments of the vertices and the regions.
 ///
 /// Points other than CGAL points over double are converted by `convert_to_double_points()` first.
 template <class Point>
 Mesh_quality_2 mesh_quality_2(const Indexed_mesh_2<Point>& mesh, const Pslg_2<Point>& pslg,
                               const Mesh_quality_options_2& options = {}) {
   if constexpr (!std::is_same_v<Point, Quadtree_mesh_2::internal::Double_point>) {
-    return mesh_quality_2(convert_to_double_points(mesh), convert_to_double_points(pslg), options);
-  } else if (const int exponent = Quadtree_mesh_2::internal::exponent_of_extreme_extent(pslg.vertices);
-             exponent != 0) {
-    using Quadtree_mesh_2::internal::scaled_by_power_of_two;
-    return scaled_by_power_of_two(mesh_quality_2(scaled_by_power_of_two(mesh, -exponent),
-                                                 scaled_by_power_of_two(pslg, -exponent),
-                                                 scaled_by_power_of_two(options, -exponent)),
-                                  exponent);
+    Mesh_quality_options_2 of_doubles = options;
+    if (std::is_integral_v<std::decay_t<decltype(std::declval<const Point&>().x())>>)
+      of_doubles.coordinate_unit = std::max(1., options.coordinate_unit);
+    return mesh_quality_2(convert_to_double_points(mesh), convert_to_double_points(pslg), of_doubles);
   } else {
     Mesh_quality_2 quality;
     Quadtree_mesh_2::internal::Mesh_checker checker(mesh, pslg, options, quality);
@@ -159,5 +157,8 @@ inline std::ostream& operator<<(std::ostream& out, const Mesh_quality_2& q) {
 }
 
 } // namespace CGAL
+
+#define CGAL_QUADTREE_MESH_2_HAS_MESH_QUALITY
+#include <CGAL/Quadtree_mesh_2/compiled_meshers.h>
 
 #endif // CGAL_MESH_QUALITY_2_H

@@ -91,6 +91,21 @@ std::string segment_text(const Pslg_2<Point>& pslg, std::size_t s) {
          " to " + vertex_text(pslg, std::size_t(pslg.segments[s][1]));
 }
 
+/// The error of a hole's or region's point on a vertex or, if that is invalid, on a segment.
+template <class Point>
+Pslg_seed_error_2 make_seed_error(const Pslg_2<Point>& pslg, Pslg_seed_error_2::Kind kind, std::size_t seed,
+                                  Vertex_index vertex, Segment_index segment) {
+  const bool is_hole = kind == Pslg_seed_error_2::Kind::HOLE;
+  const Point& p = is_hole ? pslg.holes[seed] : pslg.regions[seed].point;
+  const std::string what = (is_hole ? "the point of hole " : "the point of region ") + std::to_string(seed) +
+                           ' ' + coordinates_text(p);
+  const std::string where =
+      vertex.is_valid() ? vertex_text(pslg, std::size_t(vertex)) : segment_text(pslg, std::size_t(segment));
+  return Pslg_seed_error_2(what + " lies on " + where +
+                               ", between several components of the plane; move it into one",
+                           kind, seed, vertex, segment);
+}
+
 inline void check_length(std::size_t length, std::size_t expected, const char* array) {
   if (length != expected)
     throw Pslg_error_2(std::string(array) + " has " + std::to_string(length) + " entries instead of " +

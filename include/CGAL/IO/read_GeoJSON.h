@@ -8,12 +8,15 @@
 #define CGAL_IO_READ_GEOJSON_H
 
 #include <CGAL/Pslg_2.h>
+#include <CGAL/Quadtree_mesh_2/internal/Json_lines.h>
 #include <CGAL/Quadtree_mesh_2/internal/Simple_features.h>
+#include <CGAL/Quadtree_mesh_2/internal/printable.h>
 #include <CGAL/Quadtree_mesh_2/internal/read_whole_file.h>
 #include <CGAL/Quality_mesh_report_2.h>
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <istream>
 #include <optional>
@@ -32,48 +35,57 @@ public:
   using Json = nlohmann::json;
 
   /// \param region_property the property of features that becomes the attribute of their regions; empty: none
-  Geojson_walker(const std::string& file_name, const std::string& region_property, Simple_features& features)
-      : file_name_(file_name), region_property_(region_property), features_(features) {}
+  /// \param root what was parsed from `text`
+  Geojson_walker(const Json& root, const std::string& text, const std::string& file_name,
+                 const std::string& region_property, Simple_features& features)
+      : root_(root), text_(text), file_name_(file_name), region_property_(region_property),
+        features_(features) {}
 
-  void walk(const Json& json) {
-    const std::string type = type_of(json, "");
+  void walk() {
+    const std::string type = type_of(root_, "");
     if (type == "FeatureCollection") {
-      const Json& list = array_in(json, "features", "the collection");
+      const Json& list = array_in(root_, "features", "the collection");
       for (std::size_t i = 0; i < list.size(); ++i) add_feature(list[i], "feature " + std::to_string(i));
     } else if (type == "Feature") {
-      add_feature(json, "the feature");
+      add_feature(root_, "the feature");
     } else {
-      add_geometry(json, "the geometry", 0);
+      add_geometry(root_, "the geometry", 0);
     }
     if (!region_property_.empty() && !is_property_found_)
-      fail("no feature has a property '" + region_property_ + "'");
+      fail(root_, "no feature has a property '" + region_property_ + "'");
   }
 
 private:
   static constexpr int max_depth_ = 100; // of collections in collections
 
-  [[noreturn]] void fail(const std::string& what) const { throw Pslg_error_2(file_name_ + ": " + what); }
+  [[noreturn]] void fail(const Json& culprit, const std::string& what) const {
+    throw Pslg_error_2(line_of(culprit) + what);
+  }
+  /// The line of a value, as messages begin.
+  std::string line_of(const Json& value) const {
+    return file_name_ + ':' + std::to_string(line_in_json(text_, path_to(root_, value))) + ": ";
+  }
 
   std::string type_of(const Json& json, const std::string& where) const {
     const std::string prefix = where.empty() ? where : where + ": ";
-    if (!json.is_object()) fail(prefix + "an object is expected");
+    if (!json.is_object()) fail(json, prefix + "an object is expected");
     const auto type = json.find("type");
-    if (type == json.end() || !type->is_string()) fail(prefix + "there is no \"type\"");
+    if (type == json.end() || !type->is_string()) fail(json, prefix + "there is no \"type\"");
     return type->get<std::string>();
   }
 
   const Json& array_in(const Json& json, const char* key, const std::string& where) const {
     const auto found = json.find(key);
-    if (found == json.end() || !found->is_array()) fail(where + ": there is no array \"" + key + '"');
+    if (found == json.end() || !found->is_array()) fail(json, where + ": there is no array \"" + key + '"');
     return *found;
   }
 
   void add_feature(const Json& feature, const std::string& where) {
     const std::string type = type_of(feature, where);
-    if (type != "Feature") fail(where + ": is a '" + type + "' instead of a Feature");
+    if (type != "Feature") fail(feature, where + ": is a " + in_quotes(type) + " instead of a Feature");
     features_.set_attribute(attribute_of(feature, where));
     const auto geometry = feature.find("geometry");
-    if (geometry == feature.end()) fail(where + ": there is no \"geometry\"");
+    if (geometry == feature.end()) fail(feature, where + ": there is no \"geometry\"");
     if (!geometry->is_null()) add_geometry(*geometry, where, 0); // one that is nowhere has null
   }
 
@@ -83,7 +95,8 @@ private:
     if (properties == feature.end() || !properties->is_object()) return std::nullopt;
     const auto property = properties->find(region_property_);
     if (property == properties->end() || property->is_null()) return std::nullopt;
-    if (!property->is_number()) fail(where + ": the property '" + region_property_ + "' is not a number");
+    if (!property->is_number())
+      fail(*property, where + ": the property '" + region_property_ + "' is not a number");
     is_property_found_ = true;
     return property->get<double>();
   }
@@ -91,7 +104,7 @@ private:
   void add_geometry(const Json& geometry, const std::string& where, int depth) {
     const std::string type = type_of(geometry, where);
     if (type == "GeometryCollection") {
-      if (depth == max_depth_) fail(where + ": collections are nested too deep");
+      if (depth == max_depth_) fail(geometry, where + ": collections are nested too deep");
       const Json& parts = array_in(geometry, "geometries", where);
       for (std::size_t i = 0; i < parts.size(); ++i)
         add_geometry(parts[i], where + ", geometry " + std::to_string(i), depth + 1);
@@ -111,7 +124,7 @@ private:
     else if (type == "MultiPolygon")
       for_each_part(coordinates, where, "polygon", [this](auto&... part) { add_polygon(part...); });
     else
-      fail(where + ": the type '" + type + "' is unknown");
+      fail(geometry, where + ": the type " + in_quotes(type) + " is unknown");
   }
 
   /// \tparam Add called with the part and with words that tell where it is
@@ -119,7 +132,7 @@ private:
   void for_each_part(const Json& parts, const std::string& where, const char* name, const Add& add) {
     for (std::size_t i = 0; i < parts.size(); ++i) {
       const std::string part = where + ", " + name + ' ' + std::to_string(i);
-      if (!parts[i].is_array()) fail(part + ": an array is expected");
+      if (!parts[i].is_array()) fail(parts[i], part + ": an array is expected");
       add(parts[i], part);
     }
   }
@@ -129,7 +142,8 @@ private:
   }
 
   void add_line(const Json& positions, const std::string& where) {
-    if (!positions.empty()) features_.add_line(line(positions, where), file_name_ + ": " + where);
+    if (positions.empty()) return;
+    features_.add_line(line(positions, where), [&] { return line_of(positions) + where; });
   }
 
   void add_polygon(const Json& rings, const std::string& where) {
@@ -137,9 +151,9 @@ private:
     for_each_part(rings, where, "ring", [this](const Json& positions, const std::string& name) {
       Simple_features::Line ring = line(positions, name);
       if (ring.size() < 4 || ring.front() != ring.back())
-        fail(name +
-             " is not closed: its first place and its last have to be the same, with three or more in all");
-      features_.add_ring(ring, file_name_ + ": " + name);
+        fail(positions, name + " is not closed: its first place and its last have to be the same, with three "
+                               "or more in all");
+      features_.add_ring(ring, [&] { return line_of(positions) + name; });
     });
   }
 
@@ -155,15 +169,20 @@ private:
     return result;
   }
 
-  /// Further numbers, heights as a rule, are not read.
+  /// Further numbers, a height and a measure as a rule, are not kept.
   static bool is_place(const Json& position) {
-    return position.is_array() && position.size() >= 2 && position[0].is_number() && position[1].is_number();
+    constexpr std::size_t most = 4;
+    return position.is_array() && position.size() >= 2 && position.size() <= most &&
+           std::all_of(position.begin(), position.end(),
+                       [](const Json& number) { return number.is_number(); });
   }
   Simple_features::Place place(const Json& position, const std::string& where) const {
-    if (!is_place(position)) fail(where + ": two numbers are expected");
+    if (!is_place(position)) fail(position, where + ": two to four numbers are expected");
     return {position[0].get<double>(), position[1].get<double>()};
   }
 
+  const Json& root_;
+  const std::string& text_;
   const std::string& file_name_;
   const std::string& region_property_;
   Simple_features& features_;
@@ -176,9 +195,11 @@ Pslg_2<Point> parse_geojson(const std::string& text, const std::string& name,
                             const std::string& region_property) {
   Simple_features features;
   try {
-    Geojson_walker(name, region_property, features).walk(nlohmann::json::parse(text));
-  } catch (const nlohmann::json::exception& error) { // tells line and column
-    throw Pslg_error_2(name + ": " + error.what());
+    const nlohmann::json root = nlohmann::json::parse(text);
+    Geojson_walker(root, text, name, region_property, features).walk();
+  } catch (const nlohmann::json::exception& error) {
+    const std::size_t line = line_of_json_error(text);
+    throw Pslg_error_2(name + ':' + std::to_string(line) + ": " + printable(error.what(), 200));
   }
   return features.to_pslg<Point>();
 }
@@ -198,12 +219,12 @@ namespace IO {
 /// that they are. Without polygons the domain is what lines enclose. All this is for the rule
 /// `Quality_mesh_options_2::Domain::ENCLOSED`, the default.
 ///
-/// Coordinates are taken as they are, as in a plane; heights are ignored. Segments may cross, as in the file; see
+/// Coordinates are taken as they are, as in a plane; heights are not kept. Segments may cross, as in the file; see
 /// `repair_pslg_2()`. Linear, but for the triangulation that finds the components.
 /// \param region_property if not empty, this number in the properties of a feature becomes the attribute of a region
 /// in each component that its polygons cover, those of the first feature where several do; features without it get no
 /// region.
-/// \throws Pslg_error_2 with the file and the feature, or line and column of the text, if the file is missing or
+/// \throws Pslg_error_2 with the file, the line and the feature if the file is missing or
 /// malformed, a ring is not closed, or no feature has the property; `pslg` is then as it was.
 /// \tparam Point can be made from two doubles.
 template <class Point>
@@ -219,8 +240,7 @@ template <class Point>
 void read_GeoJSON(std::istream& in, Pslg_2<Point>& pslg, const std::string& region_property = "",
                   const std::string& name = "input") {
   namespace internal = Quadtree_mesh_2::internal;
-  pslg = internal::parse_geojson<Point>(internal::unpack_gzip(internal::read_whole_stream(in, name), name),
-                                        name, region_property);
+  pslg = internal::parse_geojson<Point>(internal::read_whole_stream(in, name), name, region_property);
 }
 
 } // namespace IO

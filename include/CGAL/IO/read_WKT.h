@@ -7,28 +7,22 @@
 #ifndef CGAL_IO_READ_WKT_H
 #define CGAL_IO_READ_WKT_H
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/IO/WKT.h>
-#include <CGAL/Polygon_2.h>
-#include <CGAL/Polygon_with_holes_2.h>
 #include <CGAL/Pslg_2.h>
+#include <CGAL/Quadtree_mesh_2/internal/Line_scanner.h>
 #include <CGAL/Quadtree_mesh_2/internal/Simple_features.h>
+#include <CGAL/Quadtree_mesh_2/internal/printable.h>
 #include <CGAL/Quadtree_mesh_2/internal/read_whole_file.h>
-#include <CGAL/Quality_mesh_report_2.h>
 
-#include <algorithm>
 #include <cctype>
-#include <cmath>
 #include <cstddef>
-#include <exception>
 #include <istream>
 #include <string>
 #include <string_view>
 #include <utility>
-#include <vector>
 
-// Reads well-known text, by the adaptors of CGAL/IO/WKT.h to Boost.Geometry. CGAL's own function goes by lines, passes
-// over what it does not know, prints its errors and tells no place; so geometries are told apart here.
+// Reads well-known text (OGC 06-103r4, and PostGIS's extended form) in one pass over its words. CGAL's readers and
+// Boost.Geometry, on which they are built, cannot serve here: they take a missing comma for a comma, a third number for
+// the next x, a missing number for 0 and `nan` for a number, and tell no line.
 
 namespace CGAL {
 namespace Quadtree_mesh_2 {
@@ -38,202 +32,216 @@ namespace internal {
 class Wkt_parser {
 public:
   Wkt_parser(std::string_view text, const std::string& name, Simple_features& features)
-      : text_(text), name_(name), features_(features) {}
+      : scanner_(text, name), features_(features) {
+    scanner_.set_separators("(),;");
+  }
 
   void read_all() {
-    for (std::size_t begin = skip_blanks(0); begin < text_.size();) {
-      const std::size_t end = end_of_geometry(begin);
-      if (std::string_view geometry = text_.substr(begin, end - begin); !geometry.empty()) add(geometry, 0);
-      begin = skip_blanks(end);
+    while (scanner_.has_more()) {
+      if (try_pass(';') || try_reference_system()) continue;
+      read_geometry(0);
     }
   }
 
 private:
-  using Kernel = Exact_predicates_inexact_constructions_kernel;
-  using Point = Kernel::Point_2;
-  using Line_string = std::vector<Point>;
-  using Polygon = Polygon_with_holes_2<Kernel>;
+  using Place = Simple_features::Place;
+  using Line = Simple_features::Line;
+
   static constexpr int max_depth_ = 100; // of collections in collections
 
-  [[noreturn]] void fail(const std::string& what) const {
-    throw Pslg_error_2(name_ + ':' + std::to_string(line_) + ": " + what);
+  // --- Words and marks, wherever lines end ---
+
+  static std::string in_capitals(std::string_view word) {
+    std::string capitals(word);
+    for (char& c : capitals) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    return capitals;
+  }
+  bool is_at_word() { return scanner_.has_more() && scanner_.separator_ahead() == '\0'; }
+  /// The next word in capitals, without going on; empty if there is a mark or nothing.
+  std::string word_ahead() {
+    return is_at_word() ? in_capitals(scanner_.word_ahead({"a word"})) : std::string();
+  }
+  bool try_word(const char* word) {
+    if (word_ahead() != word) return false;
+    scanner_.pass_word();
+    return true;
+  }
+  bool try_pass(char mark) {
+    if (!scanner_.has_more() || scanner_.separator_ahead() != mark) return false;
+    scanner_.pass_separator();
+    return true;
+  }
+  void pass(char mark, const char* expected) {
+    if (try_pass(mark)) return;
+    scanner_.require_more({expected});
+    const char other = scanner_.separator_ahead();
+    const std::string found =
+        other != '\0' ? in_quotes(std::string(1, other)) : in_quotes(scanner_.word_ahead({"a word"}));
+    scanner_.fail(std::string(expected) + " is expected before " + found);
   }
 
-  static bool is_blank(char c) { return std::isspace(static_cast<unsigned char>(c)) != 0 || c == ';'; }
-
-  /// Goes over white space and semicolons, the names of reference systems of extended WKT, `SRID=4326;`, and comments,
-  /// and counts lines.
-  std::size_t skip_blanks(std::size_t i) {
-    for (; i < text_.size(); ++i) {
-      if (text_[i] == '#') i = std::min(text_.find('\n', i), text_.size() - 1);
-      if (text_.compare(i, 5, "SRID=") == 0) i = std::min(text_.find_first_of(";\n", i), text_.size() - 1);
-      if (text_[i] != '#' && !is_blank(text_[i])) return i;
-      line_ += text_[i] == '\n';
-    }
-    return i;
+  /// "(element, element, ...)" or "EMPTY"; elements are counted from 0.
+  template <class Read_element>
+  void read_list(const Read_element& read_element) {
+    if (try_word("EMPTY")) return;
+    pass('(', "'(' or EMPTY");
+    std::size_t i = 0;
+    do read_element(i++);
+    while (try_pass(','));
+    pass(')', "',' or ')'");
   }
 
-  /// A geometry ends with the parenthesis that closes its first one; one without any, `POINT EMPTY`, with its line.
-  std::size_t end_of_geometry(std::size_t begin) {
-    int depth = 0;
-    first_line_ = line_;
-    for (std::size_t i = begin; i < text_.size(); ++i) {
-      const char c = text_[i];
-      if (c == '\n' && depth == 0) return i;
-      line_ += c == '\n';
-      depth += (c == '(') - (c == ')');
-      if (c == ')' && depth <= 0) return i + 1;
-    }
-    line_ = depth > 0 ? first_line_ : line_;
-    if (depth > 0) fail("a parenthesis is not closed");
-    return text_.size();
-  }
+  // --- Geometries ---
 
-  /// \param geometry begins with its type
-  void add(std::string_view geometry, int depth) {
-    const std::size_t last = line_;
-    line_ = first_line_;
-    const std::string type = type_of(geometry);
-    // Boost.Geometry takes types in any case, but only known ones.
-    if (type == "GEOMETRYCOLLECTION")
-      add_parts(geometry.substr(type.size()), depth);
-    else if (type == "POINT")
-      add_point(geometry);
-    else
-      add_lines_or_polygons(type, geometry);
-    line_ = last;
-  }
-
-  static std::string type_of(std::string_view geometry) {
-    std::string type;
-    for (const char c : geometry) {
-      if (std::isalpha(static_cast<unsigned char>(c)) == 0) break;
-      type += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-    }
-    return type;
-  }
-
-  /// "EMPTY" stands for the parentheses of a geometry that has nothing in it.
-  bool is_empty(std::string_view geometry) const {
-    if (geometry.find('(') != std::string_view::npos) return false;
-    std::string_view rest = geometry.substr(type_of(geometry).size());
-    rest.remove_prefix(std::min(rest.find_first_not_of(" \t"), rest.size()));
-    if (type_of(rest) != "EMPTY") fail("a geometry without parentheses is not EMPTY");
+  /// "SRID=4326;" before a geometry of extended WKT: coordinates are taken as they are, but those of two systems
+  /// have no place in one plane.
+  bool try_reference_system() {
+    const std::string word = word_ahead();
+    if (word.compare(0, 5, "SRID=") != 0) return false;
+    if (word.size() == 5 || word.find_first_not_of("0123456789", 5) != std::string::npos)
+      scanner_.fail("a number is expected in " + in_quotes(word));
+    if (!reference_system_.empty() && word != reference_system_)
+      scanner_.fail(in_quotes(word) + " is another reference system than " + in_quotes(reference_system_) +
+                    " before");
+    reference_system_ = word;
+    scanner_.pass_word();
+    pass(';', "';'");
     return true;
   }
 
-  void add_lines_or_polygons(const std::string& type, std::string_view text) {
-    if (type == "MULTIPOINT") {
-      std::vector<Point> points;
-      CGAL::internal::Geometry_container<std::vector<Point>, boost::geometry::multi_point_tag> wrapped(
-          points);
-      read(text, wrapped);
-      for (const Point& p : points) features_.add_point(place(p));
-    } else if (type == "LINESTRING") {
-      Line_string line;
-      CGAL::internal::Geometry_container<Line_string, boost::geometry::linestring_tag> wrapped(line);
-      read(text, wrapped);
-      add_line(line);
-    } else if (type == "MULTILINESTRING") {
-      using Wrapped_line = CGAL::internal::Geometry_container<Line_string, boost::geometry::linestring_tag>;
-      std::vector<Wrapped_line> lines;
-      CGAL::internal::Geometry_container<std::vector<Wrapped_line>, boost::geometry::multi_linestring_tag>
-          wrapped(lines);
-      read(text, wrapped);
-      for (const Wrapped_line& line : lines) add_line(*line.range);
-    } else if (type == "POLYGON") {
-      Polygon polygon;
-      read(text, polygon);
-      add_polygon(polygon);
-    } else if (type == "MULTIPOLYGON") {
-      std::vector<Polygon> polygons;
-      CGAL::internal::Geometry_container<std::vector<Polygon>, boost::geometry::multi_polygon_tag> wrapped(
-          polygons);
-      read(text, wrapped);
-      for (const Polygon& polygon : polygons) add_polygon(polygon);
-    } else {
-      fail("'" + type + "' is no type of geometry that is known here");
-    }
+  void read_geometry(int depth) {
+    scanner_.require_more({"a type of geometry"});
+    const std::string_view word = scanner_.word_ahead({"a type of geometry"});
+    std::string type = in_capitals(word);
+    tag_ = split_tag(type);
+    const bool is_collection = type == "GEOMETRYCOLLECTION";
+    const Read_body read_body = find_reader(type);
+    if (!is_collection && !read_body)
+      scanner_.fail(in_quotes(word) + " is no type of geometry that is known here");
+    scanner_.pass_word();
+    for (const char* const tag : {"Z", "M", "ZM"})
+      if (tag_.empty() && try_word(tag)) tag_ = tag;
+    ordinates_ = tag_.empty() ? 0 : 2 + tag_.size();
+    if (!is_collection) return (this->*read_body)();
+    if (depth == max_depth_) scanner_.fail("collections are nested too deep");
+    read_list([&](std::size_t) { read_geometry(depth + 1); });
   }
 
-  template <class Geometry>
-  void read(std::string_view text, Geometry& geometry) const {
-    check_places(text);
-    std::string one_line(text); // Boost.Geometry takes other white space for numbers
-    std::replace_if(one_line.begin(), one_line.end(), is_blank, ' ');
-    try {
-      boost::geometry::read_wkt(one_line, geometry);
-    } catch (const std::exception& error) {
-      const std::string what = error.what(); // the whole geometry comes behind "in"
-      fail(what.substr(0, what.find(" in '")));
-    }
+  /// Takes the tag from the end of a type that has it there: "POINTZ".
+  static std::string split_tag(std::string& type) {
+    const std::size_t end = type.find_last_not_of("ZM") + 1; // no type ends with these
+    const std::string tag = type.substr(end);
+    if (tag != "Z" && tag != "M" && tag != "ZM") return std::string();
+    type.resize(end);
+    return tag;
   }
 
-  /// Boost.Geometry takes coordinates that are missing for zeros.
-  void check_places(std::string_view text) const {
-    std::size_t words = 2;
-    bool is_in_word = false;
-    for (const char c : text) {
-      const bool is_mark = c == '(' || c == ')' || c == ',', is_word = !is_mark && !is_blank(c);
-      if (is_word && !is_in_word) ++words;
-      is_in_word = is_word;
-      if (c != '(' && is_mark && words == 1) fail("a place has one coordinate only");
-      if (is_mark) words = c == ')' ? 2 : 0;
-    }
+  using Read_body = void (Wkt_parser::*)();
+  /// What reads the rest of a geometry of this type, if it is known.
+  static Read_body find_reader(const std::string& type) {
+    constexpr std::pair<const char*, Read_body> readers[] = {
+        {"POINT", &Wkt_parser::read_point},     {"MULTIPOINT", &Wkt_parser::read_points},
+        {"LINESTRING", &Wkt_parser::read_line}, {"MULTILINESTRING", &Wkt_parser::read_lines},
+        {"POLYGON", &Wkt_parser::read_polygon}, {"MULTIPOLYGON", &Wkt_parser::read_polygons}};
+    for (const auto& [name, reader] : readers)
+      if (type == name) return reader;
+    return nullptr;
   }
 
-  void add_point(std::string_view text) {
-    if (is_empty(text)) return; // Boost.Geometry knows no empty point
-    Point p;
-    read(text, p);
-    features_.add_point(place(p));
+  void read_point() {
+    read_list([this](std::size_t i) {
+      if (i > 0) scanner_.fail("a point has one place only");
+      features_.add_point(read_place(i));
+    });
+  }
+  void read_points() {
+    read_list([this](std::size_t i) { read_point_of_many(i); });
+  }
+  /// With parentheses or without.
+  void read_point_of_many(std::size_t i) {
+    const std::string word = word_ahead();
+    if (word.empty() || word == "EMPTY")
+      read_point();
+    else
+      features_.add_point(read_place(i));
   }
 
-  void add_line(const Line_string& line) {
-    if (!line.empty()) features_.add_line(places(line), name_ + ':' + std::to_string(line_) + ": the line");
+  void read_line() {
+    const std::string place = begin();
+    const Line line = read_places();
+    if (!line.empty()) features_.add_line(line, [&] { return place + ": the line"; });
   }
 
-  void add_polygon(const Polygon& polygon) {
-    if (polygon.outer_boundary().is_empty()) return;
-    const std::string name = name_ + ':' + std::to_string(line_) + ": ";
-    features_.begin_polygon();
-    features_.add_ring(places(polygon.outer_boundary().container()), name + "the outer ring");
-    std::size_t holes = 0;
-    for (auto hole = polygon.holes_begin(); hole != polygon.holes_end(); ++hole)
-      features_.add_ring(places(hole->container()), name + "hole " + std::to_string(holes++));
+  void read_lines() {
+    read_list([this](std::size_t) { read_line(); });
   }
 
-  template <class Range>
-  Simple_features::Line places(const Range& points) const {
-    Simple_features::Line line;
-    for (const Point& p : points) line.push_back(place(p));
+  void read_polygon() {
+    bool has_outer_ring = false;
+    read_list([&](std::size_t i) {
+      const std::string place = begin();
+      const Line ring = read_places();
+      if (ring.empty()) return;
+      if (i > 0 && !has_outer_ring) scanner_.fail("a hole is in a polygon without an outer ring");
+      if (i == 0) features_.begin_polygon();
+      has_outer_ring = true;
+      features_.add_ring(
+          ring, [&] { return place + (i == 0 ? ": the outer ring" : ": hole " + std::to_string(i - 1)); });
+    });
+  }
+
+  void read_polygons() {
+    read_list([this](std::size_t) { read_polygon(); });
+  }
+
+  /// The line of the file where the next word or mark is.
+  std::string begin() {
+    scanner_.has_more();
+    return scanner_.place();
+  }
+
+  // --- Places ---
+
+  Line read_places() {
+    Line line;
+    read_list([&](std::size_t i) { line.push_back(read_place(i)); });
     return line;
   }
-  Simple_features::Place place(const Point& p) const {
-    if (!std::isfinite(p.x()) || !std::isfinite(p.y())) fail("a coordinate is not finite");
-    return {p.x(), p.y()};
-  }
 
-  /// Adds what a collection consists of, between commas outside inner parentheses.
-  void add_parts(std::string_view text, int depth) {
-    if (is_empty(text)) return;
-    if (depth == max_depth_) fail("collections are nested too deep");
-    std::size_t begin = text.find('(') + 1;
-    int open = 1;
-    for (std::size_t i = begin; i < text.size() && open > 0; ++i) {
-      open += (text[i] == '(') - (text[i] == ')');
-      const bool is_end = (text[i] == ',' && open == 1) || open == 0;
-      if (!is_end) continue;
-      while (begin < i && is_blank(text[begin])) ++begin;
-      add(text.substr(begin, i - begin), depth + 1);
-      begin = i + 1;
+  /// x and y, and what the tag allows behind them; without a tag there may be a z.
+  Place read_place(std::size_t i) {
+    constexpr std::size_t most = 4;
+    Place p{};
+    std::size_t n = 0;
+    for (; n < 2 || is_at_word(); ++n) {
+      const Column_name name{n == 0 ? "x of place" : n == 1 ? "y of place" : "a further number of place", i};
+      scanner_.require_more(name);
+      const double number = scanner_.read<double>(name);
+      if (n < 2) p[n] = number;
+      if (n == most) fail_at_place(i, "has more numbers than x, y, z and m");
     }
+    check_number_of_ordinates(i, n);
+    return p;
   }
 
-  std::string_view text_;
-  const std::string& name_;
+  /// It is one for all places of a geometry.
+  void check_number_of_ordinates(std::size_t i, std::size_t n) {
+    if (ordinates_ == 0 && n == 4) fail_at_place(i, "has four numbers and the geometry no tag ZM");
+    if (ordinates_ == 0) ordinates_ = n;
+    if (n == ordinates_) return;
+    const std::string why =
+        tag_.empty() ? "where others of the geometry have " : "where the tag " + tag_ + " asks for ";
+    fail_at_place(i, "has " + std::to_string(n) + " numbers " + why + std::to_string(ordinates_));
+  }
+  [[noreturn]] void fail_at_place(std::size_t i, const std::string& what) const {
+    scanner_.fail("place " + std::to_string(i) + ' ' + what + "; is a comma missing?");
+  }
+
+  Line_scanner scanner_;
   Simple_features& features_;
-  std::size_t line_ = 1, first_line_ = 1; // now, and where the geometry begins
+  std::string reference_system_; // of the geometries so far, empty if none was said
+  std::string tag_;              // of the geometry
+  std::size_t ordinates_ = 0;    // of each of its places, 0 if not known yet
 };
 
 /// \throws Pslg_error_2
@@ -251,11 +259,13 @@ namespace IO {
 
 /// Reads a graph from a file of well-known text, or from one compressed by gzip: any number of `POLYGON`,
 /// `MULTIPOLYGON`, `LINESTRING`, `MULTILINESTRING`, `POINT`, `MULTIPOINT` and `GEOMETRYCOLLECTION`, with white space or
-/// semicolons between them.
+/// semicolons between them, in small letters or capitals. A comment reaches from `#` to the end of its line.
 ///
-/// They become a graph, with holes, as in `read_GeoJSON()`. Rings that are not closed are closed, as CGAL does.
-/// \throws Pslg_error_2 with the file and the line where the geometry begins if the file is missing or malformed, or
-/// a coordinate is not finite; `pslg` is then as it was.
+/// They become a graph, with holes, as in `read_GeoJSON()`. Rings that are not closed are closed. Heights and measures
+/// are not kept: with the tags `Z`, `M` and `ZM` each place has three or four numbers, without a tag two, or three of
+/// which the last is a height; their number is the same for all places of a geometry.
+/// \throws Pslg_error_2 with the file and the line if the file is missing or malformed, or a number is not finite;
+/// `pslg` is then as it was.
 /// \tparam Point can be made from two doubles.
 template <class Point>
 void read_WKT(const std::string& file_name, Pslg_2<Point>& pslg) {
@@ -268,7 +278,7 @@ void read_WKT(const std::string& file_name, Pslg_2<Point>& pslg) {
 template <class Point>
 void read_WKT(std::istream& in, Pslg_2<Point>& pslg, const std::string& name = "input") {
   namespace internal = Quadtree_mesh_2::internal;
-  pslg = internal::parse_wkt<Point>(internal::unpack_gzip(internal::read_whole_stream(in, name), name), name);
+  pslg = internal::parse_wkt<Point>(internal::read_whole_stream(in, name), name);
 }
 
 } // namespace IO

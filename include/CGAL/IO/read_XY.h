@@ -8,12 +8,14 @@
 #define CGAL_IO_READ_XY_H
 
 #include <CGAL/Quadtree_mesh_2/internal/Line_scanner.h>
+#include <CGAL/Quadtree_mesh_2/internal/printable.h>
 #include <CGAL/Quadtree_mesh_2/internal/read_whole_file.h>
 
 #include <algorithm>
 #include <array>
 #include <cctype>
 #include <cstddef>
+#include <istream>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -53,16 +55,17 @@ public:
   [[noreturn]] void fail(const std::string& what) const { scanner_.fail(what); }
 
 private:
-  /// What divides a line; with a semicolon the comma is left for numbers, and an error there.
-  static char separator_of(std::string_view line) {
-    for (const char c : {';', ','})
-      if (line.find(c) != std::string_view::npos) return c;
-    return ' ';
+  /// What divides a line besides blanks; with a semicolon the comma is left for numbers, and an error there.
+  static std::string_view separators_of(std::string_view line) {
+    for (const char* const separator : {";", ","})
+      if (Line_scanner::find_unquoted(line, *separator) != std::string_view::npos) return separator;
+    return "";
   }
 
   Row read_row(std::size_t last) {
     Row row;
-    scanner_.set_separator(separator_of(scanner_.rest_of_line()));
+    const std::string_view separators = separators_of(scanner_.rest_of_line());
+    scanner_.set_separators(separators);
     for (std::size_t column = 0; column <= last; ++column) {
       const std::size_t i =
           static_cast<std::size_t>(std::find(place_.begin(), place_.end(), column) - place_.begin());
@@ -70,20 +73,32 @@ private:
         row[i] = scanner_.template read<double>({columns_[i]});
       else
         scanner_.skip_column();
-      scanner_.pass_separator();
+      if (!separators.empty()) pass_separator(separators);
     }
     return row;
+  }
+  /// Behind the last column there may be none.
+  void pass_separator(std::string_view separators) {
+    if (!scanner_.has_more_columns()) return;
+    if (scanner_.separator_ahead() == '\0')
+      scanner_.fail(in_quotes(separators) + " is expected before " +
+                    in_quotes(scanner_.word_ahead({"a column"})));
+    scanner_.pass_separator();
   }
 
   /// The columns of a header, in small letters and without quotes.
   static std::vector<std::string> split(std::string_view line) {
-    const char separator = separator_of(line);
+    const std::string_view separators = separators_of(line);
     std::vector<std::string> columns(1);
+    bool is_quoted = false;
     for (const char c : line) {
       const bool is_blank = std::isspace(static_cast<unsigned char>(c)) != 0;
-      if (c == separator || (is_blank && separator == ' ' && !columns.back().empty()))
+      if (c == '"')
+        is_quoted = !is_quoted;
+      else if (!is_quoted && (separators.find(c) != std::string_view::npos ||
+                              (is_blank && separators.empty() && !columns.back().empty())))
         columns.emplace_back();
-      else if (!is_blank && c != '"')
+      else if (!is_blank)
         columns.back() += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     }
     return columns;
@@ -98,11 +113,14 @@ private:
   }
 
   /// The columns that have the names, if all of them are there; else the first ones.
+  /// \throws Pslg_error_2 if two columns have a name
   void find_columns(const std::vector<std::string>& header) {
     std::array<std::size_t, N> found;
     for (std::size_t i = 0; i < N; ++i) {
       const auto column = std::find(header.begin(), header.end(), columns_[i]);
       if (column == header.end()) return;
+      if (std::find(column + 1, header.end(), columns_[i]) != header.end())
+        fail(std::string("two columns are called ") + columns_[i]);
       found[i] = static_cast<std::size_t>(column - header.begin());
     }
     place_ = found;
@@ -113,6 +131,29 @@ private:
   std::array<std::size_t, N> place_;   ///< and where they are in a line
 };
 
+template <class Point>
+std::vector<Point> parse_points(const std::string& text, const std::string& name) {
+  std::vector<Point> points;
+  Table_parser<2>(text, name, {"x", "y"}).read_all([&](const std::array<double, 2>& row) {
+    points.emplace_back(row[0], row[1]);
+  });
+  return points;
+}
+
+/// Points and their sizes.
+template <class Point>
+std::pair<std::vector<Point>, std::vector<double>> parse_sized_points(const std::string& text,
+                                                                      const std::string& name) {
+  std::pair<std::vector<Point>, std::vector<double>> result;
+  Table_parser<3> parser(text, name, {"x", "y", "size"});
+  parser.read_all([&](const std::array<double, 3>& row) {
+    if (!(row[2] > 0)) parser.fail("the size is not above 0");
+    result.first.emplace_back(row[0], row[1]);
+    result.second.push_back(row[2]);
+  });
+  return result;
+}
+
 } // namespace internal
 } // namespace Quadtree_mesh_2
 
@@ -121,20 +162,23 @@ namespace IO {
 /// Reads points from text, or from text compressed by gzip: one point a line, `x y`, `x,y` or `x;y`.
 ///
 /// The first line may be a header: one with no number in it. If it has columns `x` and `y` (or `X` and `Y`), wherever,
-/// these are read, else the first two. Further columns are not looked at, empty lines and what follows a `#` neither.
-/// Coordinates are the doubles nearest to the decimals.
+/// these are read, else the first two. Further columns are not looked at, and may be text in double quotes; empty lines
+/// and what follows a `#` neither. Coordinates are the doubles nearest to the decimals.
 /// \throws Pslg_error_2 with file and line if the file is missing or a coordinate is missing, not a number or not
 /// finite; `points` is then as it was.
 /// \tparam Point can be made from two doubles.
 template <class Point>
 void read_XY(const std::string& file_name, std::vector<Point>& points) {
   namespace internal = Quadtree_mesh_2::internal;
-  const std::string text = internal::read_whole_file(file_name);
-  std::vector<Point> result;
-  internal::Table_parser<2>(text, file_name, {"x", "y"}).read_all([&](const std::array<double, 2>& row) {
-    result.emplace_back(row[0], row[1]);
-  });
-  points = std::move(result);
+  points = internal::parse_points<Point>(internal::read_whole_file(file_name), file_name);
+}
+
+/// The same from a stream.
+/// \throws Pslg_error_2 as above, with `name` for the name of the file.
+template <class Point>
+void read_XY(std::istream& in, std::vector<Point>& points, const std::string& name = "input") {
+  namespace internal = Quadtree_mesh_2::internal;
+  points = internal::parse_points<Point>(internal::read_whole_stream(in, name), name);
 }
 
 /// Reads points with a size each, which is positive: the third column, or the one called `size`.
@@ -142,17 +186,9 @@ void read_XY(const std::string& file_name, std::vector<Point>& points) {
 template <class Point>
 void read_XY(const std::string& file_name, std::vector<Point>& points, std::vector<double>& sizes) {
   namespace internal = Quadtree_mesh_2::internal;
-  const std::string text = internal::read_whole_file(file_name);
-  std::vector<Point> result;
-  std::vector<double> result_sizes;
-  internal::Table_parser<3> parser(text, file_name, {"x", "y", "size"});
-  parser.read_all([&](const std::array<double, 3>& row) {
-    if (!(row[2] > 0)) parser.fail("the size is not above 0");
-    result.emplace_back(row[0], row[1]);
-    result_sizes.push_back(row[2]);
-  });
-  points = std::move(result);
-  sizes = std::move(result_sizes);
+  auto read = internal::parse_sized_points<Point>(internal::read_whole_file(file_name), file_name);
+  points = std::move(read.first);
+  sizes = std::move(read.second);
 }
 
 } // namespace IO

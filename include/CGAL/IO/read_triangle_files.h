@@ -232,6 +232,14 @@ inline std::string find_node_file(std::string file_name) {
   return std::string();
 }
 
+/// Whether a .poly file leaves its vertices to a .node file: what `parse_triangle_poly()` finds out, beforehand.
+inline bool has_no_vertices(const std::string& file_name) {
+  const std::string text = read_whole_file(file_name);
+  Line_scanner scanner(text, file_name);
+  scanner.next_line({"the number of vertices"});
+  return scanner.read<std::int64_t>({"the number of vertices"}) == 0;
+}
+
 /// Reads the vertices of a .node file; returns the number of its first vertex.
 template <class Point>
 std::size_t parse_triangle_node(const std::string& text, const std::string& name, Pslg_2<Point>& pslg) {
@@ -291,7 +299,7 @@ void read_triangle_poly(const std::string& file_name, Pslg_2<Point>& pslg) {
 template <class Point>
 void read_triangle_poly(std::istream& in, Pslg_2<Point>& pslg, const std::string& name = "input") {
   namespace internal = Quadtree_mesh_2::internal;
-  const std::string text = internal::unpack_gzip(internal::read_whole_stream(in, name), name);
+  const std::string text = internal::read_whole_stream(in, name);
   pslg = internal::parse_triangle_poly<Point>(text, name, std::string());
 }
 

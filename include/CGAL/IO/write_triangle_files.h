@@ -98,6 +98,15 @@ Line_writer mesh_poly_text(const Indexed_mesh_2<Point>& mesh, const Pslg_2<Point
   return out;
 }
 
+/// Adds `stem.node`, `stem.ele` and `stem.poly` to what is about to be replaced.
+template <class Point>
+void add_triangle_files(Replaced_files& files, const Indexed_mesh_2<Point>& mesh, const Pslg_2<Point>& pslg,
+                        const std::string& stem) {
+  files.add(stem + ".node", mesh_node_text(mesh).take());
+  files.add(stem + ".ele", mesh_ele_text(mesh, pslg).take());
+  files.add(stem + ".poly", mesh_poly_text(mesh, pslg).take());
+}
+
 } // namespace internal
 } // namespace Quadtree_mesh_2
 
@@ -167,9 +176,7 @@ void write_triangle_files(const Indexed_mesh_2<Point>& mesh, const Pslg_2<Point>
                           const std::string& stem) {
   namespace internal = Quadtree_mesh_2::internal;
   internal::Replaced_files files;
-  files.add(stem + ".node", internal::mesh_node_text(mesh).take());
-  files.add(stem + ".ele", internal::mesh_ele_text(mesh, pslg).take());
-  files.add(stem + ".poly", internal::mesh_poly_text(mesh, pslg).take());
+  internal::add_triangle_files(files, mesh, pslg, stem);
   files.commit();
 }
 

@@ -27,7 +27,7 @@ public:
     OUT_OF_RANGE,
     /// Two distinct points fall on the same grid point: the words of the traits are too short.
     INDISTINGUISHABLE,
-    /// Another point is nearer than the meshes of tiles allow, 2^-46 of the extent or so.
+    /// Two points are nearer to each other than the meshes of tiles allow, 2^-46 of the extent or so.
     TOO_NEAR
   };
 
@@ -44,7 +44,7 @@ public:
   Kind kind() const { return kind_; }
   /// The point at fault, counted from 0 in the order of the input.
   Point_index point() const { return point_; }
-  /// The second of two indistinguishable points; otherwise invalid.
+  /// The second of two points that are indistinguishable or too near to each other; otherwise invalid.
   Point_index other() const { return other_; }
 
 private:
@@ -60,7 +60,7 @@ private:
     case Kind::INDISTINGUISHABLE:
       break;
     case Kind::TOO_NEAR:
-      return " is too near to another point: there are no squares small enough to separate them";
+      return " are too near to each other: there are no squares small enough to separate them";
     }
     return " are distinct but fall on the same grid point";
   }

@@ -4,7 +4,7 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// Which meshers the compiled library has (src/). A program that links the target QuadtreeMesh::compiled is compiled
+// Which meshers the compiled library has (src/), and what checks their meshes. A program that links the target QuadtreeMesh::compiled is compiled
 // with CGAL_QUADTREE_MESH_2_COMPILED: the compiler then takes these meshers from there, and all others from the headers
 // as ever. Included at the end of each header that defines a mesher or exact traits, which says so by a macro, and declares
 // what is defined by then: hence no guard around the whole.
@@ -38,6 +38,22 @@ extern template class Point_set_mesher_2<Fixed_point_quadtree_traits_2<std::uint
 extern template class Point_set_mesher_2<Exact_quadtree_traits_2<>, Sequential_tag>;
 extern template class Point_set_mesher_2<Exact_quadtree_traits_2<>, Parallel_tag>;
 #endif
+} // namespace CGAL
+#endif
+
+// Neighbours by trapezoids have no word of the traits in their header: whoever names these includes it.
+#if defined(CGAL_QUADTREE_MESH_2_HAS_TRAPEZOIDAL_NEIGHBORS) && defined(CGAL_FILTERED_QUADTREE_TRAITS_2_H)
+namespace CGAL {
+extern template class Trapezoidal_vertex_edge_neighbors_2<Filtered_quadtree_traits_2<>, Sequential_tag>;
+extern template class Trapezoidal_vertex_edge_neighbors_2<Filtered_quadtree_traits_2<>, Parallel_tag>;
+} // namespace CGAL
+#endif
+
+#ifdef CGAL_QUADTREE_MESH_2_HAS_MESH_QUALITY
+namespace CGAL {
+extern template Mesh_quality_2 mesh_quality_2(const Indexed_mesh_2<Quadtree_mesh_2::internal::Double_point>&,
+                                              const Pslg_2<Quadtree_mesh_2::internal::Double_point>&,
+                                              const Mesh_quality_options_2&);
 } // namespace CGAL
 #endif
 

@@ -26,12 +26,12 @@ struct Mesh_quality_options_2 {
     MARKED_BY_REGIONS,    ///< of that only the components of the region points
     NESTING_PARITY, ///< of that only what an odd number of segments, counted at their least, separate from
                     ///< infinity
-    ANY             ///< not checked (meshes of points); every input vertex and segment has to be in the mesh
+    ANY ///< not checked (meshes of points), but for overlaps; every input vertex and segment has to be in the mesh
   };
   /// Which arrays of the mesh are checked.
   enum class Arrays {
     ALL,
-    POINTS_AND_TRIANGLES ///< for meshes read from files that store no more; segments are followed by geometry
+    POINTS_AND_TRIANGLES ///< for meshes read from files that store no more; edges along segments are searched
   };
 
   /// Least angle in degrees; 0 means no bound.
@@ -40,10 +40,19 @@ struct Mesh_quality_options_2 {
   double max_edge_length = 0;
   /// Largest area of a triangle; 0 means no bound. The bounds of regions are checked besides.
   double max_triangle_area = 0;
-  /// How far from its input segment a vertex may be, relative to the diagonal of the input's bounding box.
-  double tolerance_on_edge = 1e-10;
-  /// How far the mesh's area may be from the domain's, relative to the latter.
-  double tolerance_of_area = 1e-7;
+  /// The unit of the mesh's coordinates, if that is coarser than a double's: the grid of fixed-point words (1 where the
+  /// words themselves are checked, which is taken without saying), the last decimal of a file.
+  ///
+  /// Vertices on segments are rounded. One counts as on its segment if some point of the segment's line is within four
+  /// units of it along each axis. The unit is this one, or that in the last place of the larger of the coordinates of
+  /// the segment's two ends along the axis; never a share of the extent. A mesher over doubles can promise that and
+  /// little less. The place at a share t of the way from p to q, p + t (q - p), is wrong by up to two and a half such
+  /// units, as the difference, which may be twice as large as the coordinates, the product and the sum are rounded; one
+  /// between two vertices of a segment inherits what these are off, and how far it is off is itself known to three
+  /// units only. And a coordinate that happens to be next to 0 has as large an error as any other. Whatever is near, the
+  /// vertices of a segment follow each other along it, and no input vertex and no other segment is passed over or
+  /// crossed, which is decided exactly.
+  double coordinate_unit = 0;
   /// At most this many errors are written out; all are counted.
   std::size_t max_errors = 20;
   Domain domain = Domain::ENCLOSED_BY_SEGMENTS; ///< what the mesh has to cover

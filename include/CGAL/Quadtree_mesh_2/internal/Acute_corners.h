@@ -46,18 +46,20 @@ using Corner_id = std::int32_t;
 
 /// A vertex at a shell's radius on a leg. Far ends of legs may stand in for a ring vertex that would come
 /// close to them.
-struct Shell_vertex {
-  double radius;
+template <class Number>
+struct Basic_shell_vertex {
+  Number radius;
   Vertex_id vertex;
 };
 
-struct Leg {
+template <class Number>
+struct Basic_leg {
   Corner_id corner;
   Edge_id edge;
   Vertex_id apex, far; ///< input numbers
-  double length;
-  Sector_id before = -1, after = -1; ///< lopped sectors clockwise and counterclockwise of it
-  std::vector<Shell_vertex> shells;  ///< by increasing radius
+  Number length;
+  Sector_id before = -1, after = -1;              ///< lopped sectors clockwise and counterclockwise of it
+  std::vector<Basic_shell_vertex<Number>> shells; ///< by increasing radius
   /// The vertex at the corner's radius; the far end or another ring's vertex may stand in for one that would
   /// come close to it.
   Vertex_id ring = -1;
@@ -65,16 +67,18 @@ struct Leg {
       -1; ///< the apex in the mesh (or block) at hand, as are `ring` and those of `shells`
 };
 
-struct Sector {
+template <class Number>
+struct Basic_sector {
   Leg_id right, left; ///< counterclockwise from right to left
   double angle;
-  double exempt_sin2;     ///< squared sine of 0.9 times the angle
-  double lock_radius = 0; ///< the chord between the shells of this radius is locked; 0: none is
+  Number exempt_sin2;     ///< squared sine of 0.9 times the angle
+  Number lock_radius = 0; ///< the chord between the shells of this radius is locked; 0: none is
 };
 
-struct Corner {
+template <class Number>
+struct Basic_corner {
   Vertex_id apex;
-  double radius = 0;
+  Number radius = 0;
   std::vector<Leg_id> legs;
   std::vector<Sector_id> sectors; ///< the lopped ones
   double least_angle = 0;
@@ -84,6 +88,11 @@ template <class Geometry>
 class Acute_corners {
 public:
   using Mesh = Kernel_mesh<Geometry>;
+  using Number = typename Geometry::Number;
+  using Shell_vertex = Basic_shell_vertex<Number>;
+  using Leg = Basic_leg<Number>;
+  using Sector = Basic_sector<Number>;
+  using Corner = Basic_corner<Number>;
 
   std::vector<Leg> legs;
   std::vector<Sector> sectors;
@@ -184,9 +193,9 @@ public:
   }
 
   /// Whether a triangle below the bound is excused by its corner.
-  bool is_exempt(const Mesh& mesh, Vertex_id a, Vertex_id b, Vertex_id c, const Shape& shape) const {
+  bool is_exempt(const Mesh& mesh, Vertex_id a, Vertex_id b, Vertex_id c) const {
     const Sector_id s = sector_of(mesh, a, b, c);
-    return s >= 0 && !shape.is_below(sector(s).exempt_sin2);
+    return s >= 0 && !mesh.shape_of_flat(a, b, c).is_below(sector(s).exempt_sin2);
   }
 
 private:

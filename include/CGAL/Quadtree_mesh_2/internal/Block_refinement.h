@@ -40,6 +40,11 @@ class Block_refinement {
 public:
   using Block = Mesh_block<Geometry>;
   using Blocks = Mesh_blocks<Concurrency_tag, Geometry>;
+  using Corners = Acute_corners<Geometry>;
+  using Leg = typename Corners::Leg;
+  using Sector = typename Corners::Sector;
+  using Corner = typename Corners::Corner;
+  using Shell_vertex = typename Corners::Shell_vertex;
 
   static constexpr std::size_t block_size = Block_sizes<Concurrency_tag>::triangles;
   /// The zone is a network, of which squares cut little; and it is small.
@@ -196,8 +201,9 @@ private:
   void own_chord(const Sector& sector, const Blocks& blocks, Block_id& owner) const {
     if (sector.lock_radius <= 0) return;
     const auto at_lock = [&](Leg_id l) {
+      using std::fabs;
       for (const Shell_vertex& s : whole_.corners.leg(l).shells)
-        if (std::fabs(s.radius - sector.lock_radius) <= 1e-9 * sector.lock_radius) return s.vertex;
+        if (fabs(s.radius - sector.lock_radius) <= 1e-9 * sector.lock_radius) return s.vertex;
       return whole_.corners.leg(l).ring;
     };
     const Vertex_id x = at_lock(sector.right), y = at_lock(sector.left);

@@ -110,7 +110,7 @@ private:
   double domain_area() const {
     double area2 = 0;
     for (const auto& r : mesh_.triangles)
-      if (r.v[0] >= 0) area2 += mesh_.shape(r).area2;
+      if (r.v[0] >= 0) area2 += ratio(mesh_.shape(r).area2, 1);
     return area2 / 2;
   }
 

@@ -11,7 +11,8 @@
 //           polygons change that have the edge in their borders an odd number of times; a walk over a spanning tree
 //           of the components, from infinity on, keeps the set of polygons it is in. No place is ever located: all
 //           but the choice of places inside is combinatorial. Where segments cross, which the result need not
-//           forbid, the triangulation is made again with exact constructions.
+//           forbid, the triangulation is made again with exact constructions: the doubles next to a crossing may be
+//           infinite.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_COVERED_COMPONENTS_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_COVERED_COMPONENTS_H
@@ -53,6 +54,16 @@ struct Covered_component {
 /// The components of a graph, see the head of this file.
 template <class Kernel>
 class Component_finder {
+  static constexpr std::uint32_t none_ = 0xffffffffu;
+  struct Face_info {
+    std::uint32_t component = none_;
+    std::array<std::uint32_t, 3> piece{none_, none_, none_};
+  };
+  using Triangulation = Indexed_cdt<
+      Kernel, Face_info,
+      std::conditional_t<std::is_same_v<typename Kernel::FT, double>,
+                         No_constraint_intersection_requiring_constructions_tag, Exact_predicates_tag>>;
+
 public:
   using Point = typename Kernel::Point_2;
 
@@ -62,8 +73,8 @@ public:
     for (const auto& s : segments) cdt_.count_segment(s[0].value(), s[1].value());
     for (const auto& s : segments) cdt_.insert_segment(s[0].value(), s[1].value());
   }
-  bool has_crossings() const { return cdt_.has_crossings(); }
-
+  /// Whether segments cross and the kernel rounds where they do: components cannot be found then.
+  bool is_stopped_by_crossing() const { return cdt_.is_stopped_by_crossing(); }
   /// Those without a place inside that doubles can express are left out.
   template <class Segments>
   std::vector<Covered_component> find(const Segments& segments,
@@ -79,12 +90,6 @@ public:
   }
 
 private:
-  static constexpr std::uint32_t none_ = 0xffffffffu;
-  struct Face_info {
-    std::uint32_t component = none_;
-    std::array<std::uint32_t, 3> piece{none_, none_, none_};
-  };
-  using Triangulation = Indexed_cdt<Kernel, Face_info>;
   using Cdt = typename Triangulation::Cdt;
   using Face_handle = typename Triangulation::Face_handle;
 
@@ -230,8 +235,7 @@ try_covered_components(const std::vector<std::array<double, 2>>& places, const S
   points.reserve(places.size());
   for (const auto& p : places) points.emplace_back(p[0], p[1]);
   Component_finder<Kernel> finder(points, segments);
-  constexpr bool is_rounding = std::is_same_v<typename Kernel::FT, double>;
-  if (is_rounding && finder.has_crossings()) return std::nullopt;
+  if (finder.is_stopped_by_crossing()) return std::nullopt;
   return finder.find(segments, borders);
 }
 

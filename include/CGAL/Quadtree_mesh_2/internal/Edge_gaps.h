@@ -25,6 +25,7 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_EDGE_GAPS_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_EDGE_GAPS_H
 
+#include <CGAL/Quadtree_mesh_2/internal/Edge_sides.h>
 #include <CGAL/Quadtree_mesh_2/internal/Meshing_state.h>
 #include <CGAL/Tree_separation_options_2.h>
 
@@ -94,29 +95,6 @@ struct Local_gap {
     const double a_side = cross(d, s.a - from), b_side = cross(d, s.b - from);
     return from_side * to_side < 0 && a_side * b_side <= 0;
   }
-};
-
-/// On which sides of each edge the domain is.
-class Edge_sides {
-public:
-  /// \pre the mesh is a triangulation of the domain without Steiner vertices
-  template <class Mesh>
-  Edge_sides(const Mesh& mesh, const Input_edges& edges) : sides_(edges.size(), 0) {
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-      for (int k = 0; k < 3; ++k) {
-        const Side s(static_cast<Triangle_id>(t), k);
-        if (!mesh.is_alive(s.triangle()) || !mesh.triangle(s.triangle()).side[k].is_constrained()) continue;
-        const Edge_id e = edges.between(mesh.source(s), mesh.target(s));
-        sides_[std::size_t(e)] =
-            static_cast<char>(sides_[std::size_t(e)] | (edges[e].a == mesh.source(s) ? left_ : right_));
-      }
-  }
-  bool is_domain_on_left(Edge_id e) const { return (sides_[std::size_t(e)] & left_) != 0; }
-  bool is_domain_on_right(Edge_id e) const { return (sides_[std::size_t(e)] & right_) != 0; }
-
-private:
-  static constexpr char left_ = 1, right_ = 2;
-  std::vector<char> sides_;
 };
 
 template <class Geometry>
@@ -212,7 +190,7 @@ private:
     };
     const Leg_id l = leg(e), m = leg(f);
     if (l < 0 || m < 0) return false;
-    const Leg &p = corners.leg(l), &q = corners.leg(m);
+    const auto &p = corners.leg(l), &q = corners.leg(m);
     return (p.after >= 0 && p.after == q.before) || (p.before >= 0 && p.before == q.after);
   }
 

@@ -13,6 +13,7 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_EXACT_COORDINATE_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_EXACT_COORDINATE_H
 
+#include <CGAL/Quadtree_mesh_2/internal/Scaled_double.h>
 #include <CGAL/Quadtree_mesh_2/internal/exact_grid.h>
 #include <CGAL/enum.h>
 #include <CGAL/number_utils.h>
@@ -39,6 +40,12 @@ public:
     if (!CGAL::is_zero(rest)) exact_ = std::make_shared<const Field>(std::move(value));
   }
 
+  /// The sum of three doubles that has at most 106 bits, each of the doubles far smaller than the one before.
+  static Exact_coordinate of_parts(double high, double middle, double low) {
+    const Exact_coordinate s = sum(high, middle);
+    return sum(s.high_, s.low_ + low);
+  }
+
   bool is_double() const { return low_ == 0 && !exact_; }
   /// The nearest double.
   double high() const { return high_; }
@@ -48,31 +55,44 @@ public:
   static double difference(const Exact_coordinate& a, const Exact_coordinate& b) {
     const Exact_coordinate heads = sum(a.high_, -b.high_);
     if (a.low_ == 0 && b.low_ == 0 && !a.exact_ && !b.exact_) return heads.high_;
+    if (!a.exact_ && !b.exact_) {
+      // Where heads cancel, their difference is a double and has no low part.
+      const Exact_coordinate tails = sum(a.low_, -b.low_), all = sum(heads.high_, tails.high_);
+      return all.high_ + (all.low_ + (heads.low_ + tails.low_));
+    }
     const double result = heads.high_ + (heads.low_ + (a.low_ - b.low_));
     const double magnitude = std::max(std::fabs(a.high_), std::fabs(b.high_));
     if (std::fabs(result) > 0x1p-40 * magnitude && magnitude > 1e-250) return result;
     return nearest_sum(a.exact() - b.exact()).high_;
   }
 
+  /// The same for differences of any size.
+  static Scaled_double scaled_difference(const Exact_coordinate& a, const Exact_coordinate& b) {
+    const double result = difference(a, b);
+    if (std::fabs(result) > 0x1p-900 || (!a.exact_ && !b.exact_)) return result;
+    return Scaled_double::of(Field(a.exact() - b.exact()));
+  }
+
   /// p + share (q - p), exactly.
-  static Exact_coordinate between(const Exact_coordinate& p, const Exact_coordinate& q, double share) {
+  static Exact_coordinate between(const Exact_coordinate& p, const Exact_coordinate& q,
+                                  const Scaled_double& share) {
     if (p == q) return p;
     const Field start = p.exact();
-    return Exact_coordinate(Field(start + Field(share) * (q.exact() - start)));
+    return Exact_coordinate(Field(start + share.template exact<Field>() * (q.exact() - start)));
   }
 
   /// A multiple of 2^exponent next to p + v; not always the nearest where the sum is about in the middle between two.
-  static Exact_coordinate nearest_multiple(const Exact_coordinate& p, double v, int exponent) {
-    const double unit = std::ldexp(1.0, exponent);
+  static Exact_coordinate nearest_multiple(const Exact_coordinate& p, const Scaled_double& scaled_v,
+                                           int exponent) {
+    if (exponent < -900) return exact_multiple(p, scaled_v, exponent);
+    const double unit = std::ldexp(1.0, exponent), v = scaled_v.to_double();
     Exact_coordinate s = sum(p.high_, v);
     s = sum(s.high_, s.low_ + p.low_);
     const double units = std::fabs(s.high_ / unit);
     if (units < 0x1p52) return Exact_coordinate(unit * std::floor(s.high_ / unit + 0.5));
     // from here on the head is such a multiple itself
     if (units < 0x1p100) return sum(s.high_, unit * std::floor(s.low_ / unit + 0.5));
-    const Field scaled = p.exact() + Field(v) + Field(unit) / Field(2);
-    const Scaled_integer multiple{Floor_of_scaled<Field>(-exponent)(scaled), exponent};
-    return Exact_coordinate(multiple.to_exact(power_of_two<Field>(exponent)));
+    return exact_multiple(p, scaled_v, exponent);
   }
 
   friend bool operator==(const Exact_coordinate& a, const Exact_coordinate& b) { return compare(a, b) == 0; }
@@ -82,6 +102,13 @@ private:
   // The sum has the head as its nearest double; it is the number if there is no exact one.
   double high_ = 0, low_ = 0;
   std::shared_ptr<const Field> exact_;
+
+  static Exact_coordinate exact_multiple(const Exact_coordinate& p, const Scaled_double& v, int exponent) {
+    const Field unit = power_of_two<Field>(exponent);
+    const Field place = p.exact() + v.template exact<Field>() + unit / Field(2);
+    const Scaled_integer multiple{Floor_of_scaled<Field>(-exponent)(place), exponent};
+    return Exact_coordinate(multiple.to_exact(unit));
+  }
 
   /// The sum of two doubles, without rounding (Knuth's two-sum).
   static Exact_coordinate sum(double a, double b) {

@@ -92,8 +92,8 @@ public:
     return {static_cast<std::uint64_t>(v.x - origin_.x), static_cast<std::uint64_t>(v.y - origin_.y)};
   }
 
-  /// The point at a place of the grid, or next to it; exact if there is one, in frames that are not rotated, and for
-  /// exact geometries.
+  /// The point at a place of the grid, or next to it; exact if there is one, in frames that are not rotated; for exact
+  /// geometries less than 2^-20 of a unit beside it.
   Point to_point(const Grid_point& g) const {
     if (!is_moved_) return grid_.to_point(g);
     const Wide_integer scale = Wide_integer(1) << shift_;

@@ -29,8 +29,10 @@ namespace internal {
 ///
 /// Points go in along a space-filling curve: O(n log n) in practice. Points at one place share a vertex,
 /// whose `info()` is the least of their indices (their *place*). Segments may overlap and pass through
-/// vertices; if they cross, `has_crossings()` is `true` and the triangulation has vertices of its own.
-template <class Kernel, class FaceInfo>
+/// vertices; if they cross, `has_crossings()` is `true`.
+/// \tparam Crossing_tag CGAL's: with `Exact_predicates_tag` the triangulation gets a vertex where segments cross, with
+/// `No_constraint_intersection_requiring_constructions_tag` nothing is constructed, and it is of no use then.
+template <class Kernel, class FaceInfo, class Crossing_tag = Exact_predicates_tag>
 class Indexed_cdt {
 public:
   using Point = typename Kernel::Point_2;
@@ -38,7 +40,7 @@ public:
   using Face_base =
       Triangulation_face_base_with_info_2<FaceInfo, Kernel, Constrained_triangulation_face_base_2<Kernel>>;
   using Tds = Triangulation_data_structure_2<Vertex_base, Face_base>;
-  using Cdt = Constrained_Delaunay_triangulation_2<Kernel, Tds, Exact_predicates_tag>;
+  using Cdt = Constrained_Delaunay_triangulation_2<Kernel, Tds, Crossing_tag>;
   using Vertex_handle = typename Cdt::Vertex_handle;
   using Face_handle = typename Cdt::Face_handle;
 
@@ -71,7 +73,12 @@ public:
   }
   void insert_segment(std::uint32_t a, std::uint32_t b) {
     if (is_reversed(a, b)) std::swap(a, b);
-    if (handles_[a] != handles_[b]) cdt_.insert_constraint(handles_[a], handles_[b]);
+    if (handles_[a] == handles_[b]) return;
+    try {
+      cdt_.insert_constraint(handles_[a], handles_[b]);
+    } catch (const typename Cdt::Intersection_of_constraints_exception&) {
+      is_stopped_by_crossing_ = true;
+    }
   }
 
   /// Calls `visit(f, i, forward)` for the edges along the segment, in the order from `b` to `a` if
@@ -95,7 +102,9 @@ public:
   bool is_reversed(std::uint32_t a, std::uint32_t b) const { return degrees_[place(b)] < degrees_[place(a)]; }
   std::uint32_t place(std::uint32_t i) const { return handles_[i]->info(); }
   Vertex_handle handle(std::uint32_t i) const { return handles_[i]; }
-  bool has_crossings() const { return cdt_.number_of_vertices() > distinct_; }
+  /// Whether segments cross and the tag keeps that from being constructed: some segments are missing then.
+  bool is_stopped_by_crossing() const { return is_stopped_by_crossing_; }
+  bool has_crossings() const { return is_stopped_by_crossing_ || cdt_.number_of_vertices() > distinct_; }
   Cdt& cdt() { return cdt_; }
   const Cdt& cdt() const { return cdt_; }
 
@@ -119,6 +128,7 @@ private:
   std::vector<Vertex_handle> handles_;
   std::vector<std::uint32_t> degrees_; // segments at each place
   typename Cdt::size_type distinct_ = 0;
+  bool is_stopped_by_crossing_ = false;
 };
 
 } // namespace internal

@@ -131,6 +131,7 @@ template <class Geometry>
 class Kernel_mesh {
 public:
   using Point = typename Geometry::Point;
+  using Shape = Basic_shape<typename Geometry::Number>;
 
   struct Triangle {
     Vertex_id v[3];
@@ -232,9 +233,18 @@ public:
   Shape shape(Vertex_id a, Vertex_id b, Vertex_id c) const { return shape(point(a), point(b), point(c)); }
   Shape shape(const Triangle& t) const { return shape(t.v[0], t.v[1], t.v[2]); }
   static Shape shape(const Point& a, const Point& b, const Point& c) {
-    const Vector u = Geometry::difference(b, a), v = Geometry::difference(c, b),
-                 w = Geometry::difference(a, c);
+    const auto u = Geometry::scaled_difference(b, a), v = Geometry::scaled_difference(c, b),
+               w = Geometry::scaled_difference(a, c);
     return {{squared_length(v), squared_length(w), squared_length(u)}, Geometry::doubled_area(u, v, a, b, c)};
+  }
+
+  /// With an area that is good to a relative 1e-4 however flat the triangle is.
+  Shape shape_of_flat(Vertex_id a, Vertex_id b, Vertex_id c) const {
+    Shape s = shape(a, b, c);
+    s.area2 = Geometry::doubled_area_of_flat(Geometry::scaled_difference(point(b), point(a)),
+                                             Geometry::scaled_difference(point(c), point(b)), point(a), point(b),
+                                             point(c));
+    return s;
   }
 
   int orientation(Vertex_id a, Vertex_id b, Vertex_id c) const {

@@ -10,17 +10,19 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Indexed_mesh_2.h>
 #include <CGAL/Pslg_2.h>
+#include <CGAL/Quadtree_mesh_2/internal/Border_winding.h>
+#include <CGAL/Quadtree_mesh_2/internal/Chain_finder.h>
+#include <CGAL/Quadtree_mesh_2/internal/Chain_order.h>
 #include <CGAL/Quadtree_mesh_2/internal/Half_edges.h>
 #include <CGAL/Quadtree_mesh_2/internal/Input_domain.h>
+#include <CGAL/Quadtree_mesh_2/internal/Mesh_error_log.h>
+#include <CGAL/Quadtree_mesh_2/internal/Scaled_sides.h>
 #include <CGAL/Quadtree_mesh_2/mesh_quality_types.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
-#include <numeric>
-#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -29,11 +31,13 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-/// Checks a mesh of double points against its input and writes what is wrong into a `Mesh_quality_2`.
+/// Checks a mesh of double points against its input and writes what is wrong into a `Mesh_quality_2`. Nothing is decided
+/// by rounded numbers.
 ///
-/// Why nothing more is needed for "covers the domain exactly": where all triangles are counterclockwise, how
-/// often a point is covered is the winding number of the mesh's border around it, and the border is checked
-/// edge by edge to be the domain's. The area and the Euler characteristic are checked on top of that.
+/// Why nothing more is needed for "covers the domain exactly": where all triangles are counterclockwise, how often a
+/// point is covered is the winding number of the mesh's border around it. The border is checked edge by edge to be the
+/// chains along the domain's, and these divide the plane as the straight segments do (Chain_order.h). So each point
+/// is covered once or not at all; areas would say no more. The Euler characteristic is compared on top of that.
 class Mesh_checker {
 public:
   using Kernel = Exact_predicates_inexact_constructions_kernel;
@@ -43,12 +47,16 @@ public:
 
   Mesh_checker(const Mesh& mesh, const Pslg& pslg, const Mesh_quality_options_2& options,
                Mesh_quality_2& quality)
-      : mesh_(mesh), pslg_(pslg), options_(options), quality_(quality) {}
+      : mesh_(mesh), pslg_(pslg), options_(options), quality_(quality), log_(options, quality) {}
 
   /// \return `false` if the arrays do not fit together, which leaves nothing more to say.
   bool check_arrays() {
     check_sizes();
     const std::size_t errors = quality_.number_of_errors;
+    check_coordinates("vertex ", mesh_.points);
+    check_coordinates("input vertex ", pslg_.vertices);
+    check_coordinates("hole ", pslg_.holes);
+    check_coordinates("region ", region_points());
     for (std::size_t s = 0; s < pslg_.segments.size(); ++s)
       for (Vertex_index v : pslg_.segments[s])
         if (std::size_t(v) >= pslg_.vertices.size())
@@ -94,11 +102,7 @@ private:
 
   template <class... Parts>
   void error(const Parts&... parts) {
-    if (++quality_.number_of_errors > options_.max_errors) return;
-    std::ostringstream text;
-    text.precision(17);
-    (text << ... << parts);
-    quality_.errors.push_back(text.str());
+    log_.add(parts...);
   }
   bool has_all_arrays() const { return options_.arrays == Mesh_quality_options_2::Arrays::ALL; }
   bool has_domain() const { return options_.domain != Mesh_quality_options_2::Domain::ANY; }
@@ -118,6 +122,17 @@ private:
     const std::size_t regions = pslg_.regions.empty() ? 0 : mesh_.triangles.size();
     if (mesh_.region_of_triangle.size() != regions)
       error("there are ", mesh_.region_of_triangle.size(), " entries of region_of_triangle, not ", regions);
+  }
+
+  void check_coordinates(const char* what, const std::vector<Point>& points) {
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if (!std::isfinite(points[i].x()) || !std::isfinite(points[i].y()))
+        error(what, i, " is at (", points[i].x(), ", ", points[i].y(), ")");
+  }
+  std::vector<Point> region_points() const {
+    std::vector<Point> points;
+    for (const auto& region : pslg_.regions) points.push_back(region.point);
+    return points;
   }
 
   static bool same_bits(double a, double b) { return a == b && std::signbit(a) == std::signbit(b); }
@@ -186,31 +201,27 @@ private:
   // --- the input: vertices, segments, domain ---
 
   void check_against_input() {
-    std::vector<Point> marks;
-    for (const auto& region : pslg_.regions) marks.push_back(region.point);
+    const std::vector<Point> marks = region_points();
     const Domain domain(pslg_.vertices, pslg_.segments, pslg_.holes, options_.domain, marks);
     if (domain.has_crossings()) return error("input segments cross; this is no planar straight-line graph");
-    set_scale();
+    for (std::size_t h : domain.ambiguous_holes()) ambiguous_error("hole ", h, pslg_.holes[h]);
+    for (std::size_t r : domain.ambiguous_marks()) ambiguous_error("region ", r, marks[r]);
+    if (!domain.ambiguous_holes().empty() || !domain.ambiguous_marks().empty()) return;
     find_representatives(domain);
-    sort_constrained_edges();
-    check_pieces(domain);
-    if (has_all_arrays()) check_unexplained_constrained_edges();
+    check_chains(domain);
     if (has_domain()) {
       check_border();
-      check_area_and_euler(domain);
+      check_euler(domain);
+      domain.for_each_triangle([&](const Point& p, const Point& q, const Point& r) {
+        quality_.domain_area += Scaled_sides<Point>(p, q, r).area();
+      });
+    } else if (quality_.number_of_errors == 0) {
+      check_overlaps();
     }
   }
 
-  void set_scale() {
-    double x[2] = {0, 0}, y[2] = {0, 0};
-    for (std::size_t v = 0; v < pslg_.vertices.size(); ++v) {
-      const Point& p = pslg_.vertices[v];
-      x[0] = v == 0 ? p.x() : std::min(x[0], p.x());
-      x[1] = v == 0 ? p.x() : std::max(x[1], p.x());
-      y[0] = v == 0 ? p.y() : std::min(y[0], p.y());
-      y[1] = v == 0 ? p.y() : std::max(y[1], p.y());
-    }
-    epsilon_ = options_.tolerance_on_edge * std::hypot(x[1] - x[0], y[1] - y[0]);
+  void ambiguous_error(const char* what, std::size_t i, const Point& p) {
+    error(what, i, " at (", p.x(), ", ", p.y(), ") is on a segment between two components of the plane");
   }
 
   /// The mesh may use any one of the input vertices at one place.
@@ -226,133 +237,28 @@ private:
     }
   }
 
-  struct Span {
-    std::uint32_t segment;
-    double low; // position of ends[0] along the segment
-    std::uint32_t ends[2];
-    bool is_explained;
-  };
-  struct Line {
-    Line(const Point& p, const Point& q)
-        : x(p.x()), y(p.y()), dx(q.x() - x), dy(q.y() - y), length(std::hypot(dx, dy)) {}
-    double along(const Point& p) const { return ((p.x() - x) * dx + (p.y() - y) * dy) / length; }
-    double off(const Point& p) const { return std::abs((p.x() - x) * dy - (p.y() - y) * dx) / length; }
-    double x, y, dx, dy, length;
-  };
-  Line line_of(Segment_index s) const {
-    const auto& ends = pslg_.segments[std::size_t(s)];
-    return Line(pslg_.point(ends[0]), pslg_.point(ends[1]));
-  }
-
-  /// Checks the constrained edges one by one and sorts them along their segments.
-  void sort_constrained_edges() {
-    if (!has_all_arrays()) return;
-    for (std::size_t e = 0; e < mesh_.constrained_edges.size(); ++e) {
-      const auto& edge = mesh_.constrained_edges[e];
-      const std::size_t a = std::size_t(edge.vertices[0]), b = std::size_t(edge.vertices[1]),
-                        s = std::size_t(edge.segment);
-      if (a >= mesh_.points.size() || b >= mesh_.points.size() || s >= pslg_.segments.size()) {
-        error("constrained edge ", e, " has an index that does not exist");
-        continue;
-      }
-      const Line line = line_of(edge.segment);
-      const Point &p = mesh_.points[a], &q = mesh_.points[b];
-      if (!half_edges_.is_edge(std::uint32_t(a), std::uint32_t(b))) {
-        error("constrained edge ", e, " (", a, " ", b, ") is not an edge of the mesh");
-      } else if (!(line.off(p) <= epsilon_ &&
-                   line.off(q) <= epsilon_)) { // not > : a segment of length zero gives NaN
-        error("constrained edge ", e, " (", a, " ", b, ") is not on input segment ", s);
-      } else {
-        Span span{std::uint32_t(s), line.along(p), {std::uint32_t(a), std::uint32_t(b)}, false};
-        if (line.along(q) < span.low) std::swap(span.ends[0], span.ends[1]), span.low = line.along(q);
-        spans_.push_back(span);
-      }
-    }
-    std::sort(spans_.begin(), spans_.end(), [](const Span& a, const Span& b) {
-      return a.segment != b.segment ? a.segment < b.segment : a.low < b.low;
-    });
-  }
-
   /// Follows each piece of an input segment through the mesh.
-  void check_pieces(const Domain& domain) {
-    std::vector<std::vector<std::uint32_t>> chains(domain.pieces().size());
-    std::vector<std::uint32_t> chain;
-    segment_of_vertex_.assign(mesh_.points.size(), none_);
-    std::vector<std::uint32_t> starts{0}, flat; // vertices of all chains
-    std::size_t next_span = 0;
-    for (const Piece& piece : domain.pieces()) {
-      chain.clear();
-      if (!has_domain() || piece.is_in_domain()) follow(piece, next_span, chain);
-      for (std::size_t i = 1; i < chain.size(); ++i) check_sides(piece, chain[i - 1], chain[i]);
-      for (std::size_t i = 1; i + 1 < chain.size(); ++i)
-        if (chain[i] >= pslg_.vertices.size()) segment_of_vertex_[chain[i]] = piece.segment.value();
-      flat.insert(flat.end(), chain.begin(), chain.end());
-      starts.push_back(std::uint32_t(flat.size()));
+  void check_chains(const Domain& domain) {
+    Chain_finder finder(mesh_, pslg_, options_, half_edges_, log_);
+    Chain_order::Chains chains(domain.pieces().size());
+    for (std::size_t p = 0; p < chains.size(); ++p) {
+      const Piece& piece = domain.pieces()[p];
+      if (has_domain() && !piece.is_in_domain()) continue;
+      const std::uint32_t a = representative_[piece.ends[0]], b = representative_[piece.ends[1]];
+      if (a == none_ || b == none_) continue; // reported as a vertex already
+      chains[p] = finder.find(piece, a, b);
+      for (std::size_t i = 1; i < chains[p].size(); ++i) check_sides(piece, chains[p][i - 1], chains[p][i]);
     }
+    finder.check_unused_constrained_edges();
+    Chain_order(mesh_.points, domain, chains, representative_, log_).check([&](Segment_index s) {
+      return finder.line(s);
+    });
+    segment_of_vertex_ = finder.segment_of_vertex();
     for (const auto& cover : domain.covers())
-      for (std::uint32_t i = starts[cover.first]; i < starts[cover.first + 1]; ++i)
-        segments_through_.emplace_back(flat[i], cover.second.value());
+      for (std::uint32_t v : chains[cover.first]) segments_through_.emplace_back(v, cover.second.value());
     std::sort(segments_through_.begin(), segments_through_.end());
     segments_through_.erase(std::unique(segments_through_.begin(), segments_through_.end()),
                             segments_through_.end());
-  }
-
-  /// \param[in,out] next_span spans before it belong to earlier pieces.
-  /// \param[out] chain the mesh vertices along the piece; empty if it is not in the mesh.
-  void follow(const Piece& piece, std::size_t& next_span, std::vector<std::uint32_t>& chain) {
-    const std::uint32_t a = representative_[piece.ends[0]], b = representative_[piece.ends[1]];
-    if (a == none_ || b == none_) return; // reported as a vertex already
-    if (has_all_arrays()) {
-      if (follow_spans(piece.segment.value(), a, b, next_span, chain)) return;
-      chain.clear();
-    }
-    if (!follow_geometry(piece.segment, a, b, chain)) {
-      chain.clear();
-      error("input segment ", piece.segment, " is not a chain of mesh edges between vertices ", a, " and ",
-            b);
-    } else if (has_all_arrays()) {
-      error("not all edges of input segment ", piece.segment, " between vertices ", a, " and ", b,
-            " are constrained edges of it");
-    }
-  }
-
-  bool follow_spans(std::uint32_t segment, std::uint32_t a, std::uint32_t b, std::size_t& next,
-                    std::vector<std::uint32_t>& chain) {
-    const auto is_ours = [&](std::size_t i) { return i < spans_.size() && spans_[i].segment == segment; };
-    while (next < spans_.size() && spans_[next].segment < segment) ++next;
-    std::size_t i = next;
-    while (is_ours(i) && spans_[i].ends[0] != a) ++i;
-    const std::size_t first = i;
-    chain.push_back(a);
-    while (chain.back() != b && is_ours(i) && spans_[i].ends[0] == chain.back())
-      chain.push_back(spans_[i++].ends[1]);
-    if (chain.back() != b) return false;
-    for (std::size_t k = first; k < i; ++k) spans_[k].is_explained = true;
-    next = i;
-    return true;
-  }
-
-  /// Always to the nearest neighbour ahead that is on the segment.
-  bool follow_geometry(Segment_index segment, std::uint32_t a, std::uint32_t b,
-                       std::vector<std::uint32_t>& chain) const {
-    const Line line = line_of(segment);
-    const double goal = line.along(mesh_.points[b]);
-    double position = line.along(mesh_.points[a]);
-    chain.push_back(a);
-    while (chain.back() != b) {
-      std::uint32_t best = none_;
-      double best_position = std::numeric_limits<double>::infinity();
-      half_edges_.for_each_neighbor(chain.back(), [&](std::uint32_t v) {
-        const double t = line.along(mesh_.points[v]);
-        if (t > position && t < best_position && (v == b || t < goal) &&
-            line.off(mesh_.points[v]) <= epsilon_)
-          best = v, best_position = t;
-      });
-      if (best == none_) return false;
-      chain.push_back(best);
-      position = best_position;
-    }
-    return true;
   }
 
   void check_sides(const Piece& piece, std::uint32_t a, std::uint32_t b) {
@@ -362,6 +268,19 @@ private:
     if (!has_domain()) return;
     if (piece.is_domain_left != (left != none_)) side_error(piece, a, b, left);
     if (piece.is_domain_right != (right != none_)) side_error(piece, b, a, right);
+    check_region(left, piece.marks[0]);
+    check_region(right, piece.marks[1]);
+  }
+  void check_region(std::uint32_t half_edge, int expected) {
+    if (half_edge == none_ || !has_regions()) return;
+    const int found = mesh_.region_of_triangle[half_edge / 3];
+    if (found != expected)
+      error("triangle ", half_edge / 3, " is in region ", found, ", but by the regions' points in ",
+            expected);
+  }
+  bool has_regions() const {
+    return has_all_arrays() && !pslg_.regions.empty() &&
+           mesh_.region_of_triangle.size() == mesh_.triangles.size();
   }
   void side_error(const Piece& piece, std::uint32_t a, std::uint32_t b, std::uint32_t half_edge) {
     if (half_edge == none_)
@@ -372,13 +291,6 @@ private:
             piece.segment, " is outside the domain");
   }
 
-  void check_unexplained_constrained_edges() {
-    for (std::size_t i = 0; i < spans_.size(); ++i)
-      if (!spans_[i].is_explained)
-        error("constrained edge ", spans_[i].ends[0], " ", spans_[i].ends[1],
-              " is listed twice, or input segment ", spans_[i].segment, " is not the first one along it");
-  }
-
   void check_border() {
     for (std::uint32_t h = 0; h < opposites_.size(); ++h)
       if (opposites_[h] == none_ && is_constrained_[h] == 0)
@@ -386,16 +298,16 @@ private:
               " is on the border of the mesh, but on no input segment");
   }
 
-  void check_area_and_euler(const Domain& domain) {
-    quality_.domain_area = domain.area();
-    long double area = 0;
-    for (const auto& t : mesh_.triangles) {
-      const Point &p = mesh_.point(t[0]), &q = mesh_.point(t[1]), &r = mesh_.point(t[2]);
-      area += 0.5 * ((q.x() - p.x()) * (r.y() - p.y()) - (r.x() - p.x()) * (q.y() - p.y()));
-    }
-    const auto mesh_area = static_cast<double>(area);
-    if (!(std::abs(mesh_area - domain.area()) <= options_.tolerance_of_area * domain.area()))
-      error("the area of the mesh is ", mesh_area, ", that of the domain ", domain.area());
+  /// Where no domain tells what the border of the mesh has to be.
+  void check_overlaps() {
+    std::vector<Border_winding<Kernel>::Edge> border;
+    for (std::uint32_t h = 0; h < opposites_.size(); ++h)
+      if (opposites_[h] == none_) border.push_back({half_edges_.origin(h), half_edges_.target(h)});
+    if (!Border_winding<Kernel>(mesh_.points, border).is_simple())
+      error("triangles overlap, or border edges meet where they have no common end");
+  }
+
+  void check_euler(const Domain& domain) {
     const auto border = std::count(opposites_.begin(), opposites_.end(), none_);
     const auto sides = static_cast<std::ptrdiff_t>(opposites_.size());
     const std::ptrdiff_t euler = std::ptrdiff_t(quality_.vertices) - (sides + border) / 2 + sides / 3;
@@ -435,12 +347,11 @@ private:
   const Pslg& pslg_;
   const Mesh_quality_options_2& options_;
   Mesh_quality_2& quality_;
-  double epsilon_ = 0;
+  Mesh_error_log log_;
   Half_edges half_edges_{no_triangles(), 0};
   std::vector<std::uint32_t> opposites_;
   std::vector<char> is_constrained_;
   std::vector<std::uint32_t> representative_; // of an input place: the vertex there that the mesh uses
-  std::vector<Span> spans_;
   std::vector<std::uint32_t> segment_of_vertex_;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> segments_through_;
 

@@ -12,6 +12,8 @@
 //   -> the bulk filled with squares, where bounds of size rule (Bulk_filler.h)
 //   -> refinement on demand and guarded removal: in blocks, then what is left at their seams -> exact constrained
 //      Delaunay flips
+//   or, where that is wanted or refinement does not come to rest,
+//   -> a mesh by quadtrees (Tree_construction.h), and refinement of what is left of it
 //   -> flat arrays in the user's coordinates and vertex order
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_MESH_PIPELINE_H
@@ -20,8 +22,10 @@
 #include <CGAL/Indexed_mesh_2.h>
 #include <CGAL/Pslg_2.h>
 #include <CGAL/Quadtree_mesh_2/Grid_point_2.h>
+#include <CGAL/Quadtree_mesh_2/Point_error.h>
 #include <CGAL/Quadtree_mesh_2/internal/Block_refinement.h>
 #include <CGAL/Quadtree_mesh_2/internal/Bulk_filler.h>
+#include <CGAL/Quadtree_mesh_2/internal/Edge_sides.h>
 #include <CGAL/Quadtree_mesh_2/internal/First_triangulation.h>
 #include <CGAL/Quadtree_mesh_2/internal/Phase_timer.h>
 #include <CGAL/Quadtree_mesh_2/internal/Refiner.h>
@@ -50,6 +54,7 @@
 #include <optional>
 #include <sstream>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -82,8 +87,10 @@ public:
     make_first_mesh();
     Splitter<Geometry> splitter(state_);
     Refiner<Geometry> refiner(state_, splitter);
-    if (options_.separation == Quality_mesh_options_2::Separation::THEOREM_5 || !refine(refiner, splitter))
-      construct_by_trees(refiner);
+    const bool is_by_trees = options_.separation == Quality_mesh_options_2::Separation::THEOREM_5;
+    if (!(is_by_trees && construct_by_trees(refiner)) &&
+        refine(refiner, splitter) == Refinement_end::out_of_budget)
+      take_over(refiner, splitter);
     coarsen();
     finish(refiner);
     report_.is_cancelled = is_cancelled_;
@@ -94,6 +101,12 @@ private:
   using First = First_triangulation<Concurrency_tag, Geometry>;
   /// Quadtrees make four times the triangles that are needed: removal alone leaves half of those too many.
   static constexpr int rounds_after_construction_ = 2;
+  static constexpr bool has_double_coordinates = std::is_same_v<typename Geometry::Coordinate, double>;
+  /// Refinement that is expected to end may take so many times the vertices expected, whatever memory that needs.
+  static constexpr double least_patience_ = 10;
+  /// Of a vertex and its two triangles, in arrays of twice the size; and of what refinement notes about them.
+  static constexpr double bytes_of_vertex_ =
+      2 * (sizeof(typename Geometry::Point) + 2 * sizeof(typename Kernel_mesh<Geometry>::Triangle) + 64);
   static constexpr double degree = 3.14159265358979323846 / 180;
 
   const Pslg& pslg_;
@@ -110,8 +123,8 @@ private:
   std::atomic<bool> is_cancelled_{false};
   Order order_;                 // kernel vertex -> input vertex
   std::vector<char> is_merged_; // kernel vertices that another one stands for
-  Domain_rule<Geometry> domain_;
   std::optional<Edge_sides> edge_sides_;
+  std::string too_near_for_trees_; // which vertices; empty: none are
 
   /// Whether the user wants to go on; about `share` of the work is done. What the user is told never falls.
   bool shall_go_on(double share) {
@@ -137,8 +150,9 @@ private:
     std::vector<typename Geometry::Point> points(n);
     for_each_index<Concurrency_tag>(
         n, [&](std::size_t v) { points[v] = map_.to_kernel(pslg_.vertices[order_[v]]); });
+    if constexpr (has_double_coordinates) check_vertices_are_kept();
     First first(state_.mesh, points);
-    if (const auto crossing = first.run(kernel_segments())) throw Pslg_error_2(describe(first, *crossing));
+    if (const auto crossing = first.run(kernel_segments())) refuse(first, *crossing);
     is_merged_.resize(n);
     for (std::size_t v = 0; v < n; ++v) {
       is_merged_[v] = first.representative(static_cast<Vertex_id>(v)) != static_cast<Vertex_id>(v) ? 1 : 0;
@@ -151,17 +165,25 @@ private:
 
     find_domain();
     edge_sides_.emplace(state_.mesh, problem_.edges);
-    if constexpr (Geometry::has_unlimited_coordinates) check_distances();
+    if constexpr (Geometry::has_unlimited_coordinates)
+      set_least_share_of_leg(), find_what_is_too_near_for_trees();
+    else if constexpr (Geometry::least_length > 0)
+      check_distances();
     set_bounds();
     estimate_size();
     Corner_finder<Concurrency_tag, Geometry>(state_).run();
   }
 
   void find_domain() {
-    domain_.rule = options_.domain;
-    for (const Point_2& p : pslg_.holes) domain_.holes.push_back(map_.to_kernel(p));
-    for (const auto& region : pslg_.regions) domain_.regions.push_back(map_.to_kernel(region.point));
-    domain_.apply(state_.mesh, First::number_of_auxiliary_vertices);
+    Domain_rule<Geometry> domain;
+    domain.rule = options_.domain;
+    for (const Point_2& p : pslg_.holes) domain.holes.push_back(map_.to_kernel(p));
+    for (const auto& region : pslg_.regions) domain.regions.push_back(map_.to_kernel(region.point));
+    try {
+      domain.apply(state_.mesh, First::number_of_auxiliary_vertices);
+    } catch (const Ambiguous_seed& seed) {
+      throw seed_error(seed);
+    }
     if (!state_.mesh.triangles.empty()) return;
     throw Pslg_error_2(pslg_.segments.empty() ? "there are no segments, so there is no domain to mesh"
                        : options_.domain == Quality_mesh_options_2::Domain::MARKED
@@ -171,14 +193,55 @@ private:
                            : "no domain is left: what the segments enclose, holes take away");
   }
 
-  /// Coordinates are unlimited, the doubles in which angles are compared are not.
+  Pslg_seed_error_2 seed_error(const Ambiguous_seed& seed) const {
+    const auto kind =
+        seed.of == Ambiguous_seed::Of::HOLE ? Pslg_seed_error_2::Kind::HOLE : Pslg_seed_error_2::Kind::REGION;
+    if (seed.a == seed.b)
+      return make_seed_error(pslg_, kind, seed.number, Vertex_index(order_[std::size_t(seed.a)]),
+                             Segment_index());
+    const Edge_id e = problem_.edges.between(seed.a, seed.b);
+    return make_seed_error(pslg_, kind, seed.number, Vertex_index(),
+                           Segment_index(problem_.edges[e].segment));
+  }
+
+  /// Coordinates are unlimited, and so is what the input may have. Its least distance is a side or height of a triangle;
+  /// what is in the way of a leg is no nearer.
+  void set_least_share_of_leg() {
+    constexpr double clearance = 0x1p-34; // squared
+    typename Geometry::Number least = 1;
+    for_each_first_triangle([&](const auto& r, const auto& s) {
+      static_cast<void>(r);
+      least = std::min({least, s.shortest(), s.area2 * s.area2 / s.longest()});
+    });
+    problem_.least_share_of_leg = sqrt(clearance * least);
+  }
+
+  /// The doubles in which quadtrees place vertices are limited: finds vertices that are nearer to each other, or to a
+  /// segment, than these can tell.
+  void find_what_is_too_near_for_trees() {
+    constexpr double least = Geometry::least_length * Geometry::least_length;
+    for_each_first_triangle([&](const auto& r, const auto& s) {
+      if (!too_near_for_trees_.empty() || (s.shortest() >= least && s.area2 * s.area2 >= least * s.longest())) return;
+      for (const Vertex_id v : r.v) too_near_for_trees_ += name_of_vertex(order_[std::size_t(v)]) + ", ";
+      too_near_for_trees_ += "nearer to each other, or to being on a line, than the 2^-128 of the extent that quadtrees "
+                             "can tell: refine without them";
+    });
+  }
+
+  template <class Function>
+  void for_each_first_triangle(const Function& f) const {
+    for (const auto& r : state_.mesh.triangles)
+      if (r.v[0] >= 0) f(r, state_.mesh.shape(r));
+  }
+
+  /// Coordinates tell more apart than the doubles in which angles are compared.
   /// \throws Pslg_error_2 if vertices are nearer to each other, or to segments, than these can tell. Such pairs are
   /// sides and heights of triangles.
   void check_distances() const {
     constexpr double least = Geometry::least_length * Geometry::least_length;
     for (const auto& r : state_.mesh.triangles) {
       if (r.v[0] < 0) continue;
-      const Shape s = state_.mesh.shape(r);
+      const auto s = state_.mesh.shape_of_flat(r.v[0], r.v[1], r.v[2]);
       if (s.shortest() >= least && s.area2 * s.area2 >= least * s.longest()) continue;
       std::string names;
       for (const Vertex_id v : r.v)
@@ -192,10 +255,11 @@ private:
     Bounds<Geometry>& bounds = problem_.bounds;
     bounds = Bounds<Geometry>(options_.min_angle_in_degrees * degree,
                               options_.max_triangle_area * scale * scale, scale * options_.max_edge_length);
-    bounds.least_squared_length = scale * scale * options_.min_edge_length * options_.min_edge_length;
+    const double least_length = scale * options_.min_edge_length;
+    bounds.least_squared_length = least_length * least_length;
     if (std::any_of(pslg_.regions.begin(), pslg_.regions.end(),
                     [](const auto& region) { return region.max_area > 0; }))
-      set_region_bounds(scale * scale);
+      set_region_bounds(scale);
     if (options_.refined_where)
       bounds.is_refused = [this](const auto& a, const auto& b, const auto& c) {
         return options_.refined_where({map_.place(a), map_.place(b), map_.place(c)});
@@ -214,20 +278,22 @@ private:
     report_.estimated_triangles = estimate.triangles();
     const Triangle_budget budget(options_.vertex_budget);
     if (!budget.is_surely_exceeded_by(estimate.triangles())) return;
-    std::string culprit = "for the bounds of size";
-    if (estimate.worst_pair().triangles > estimate.triangles_of_sizes())
-      culprit = Narrow_gap<Geometry>(state_, estimate.worst_pair())
-                    .in_words([this](Vertex_id v) { return name_of_vertex(order_[std::size_t(v)]); },
-                              map_.length_to_kernel(1.0));
-    throw Pslg_error_2(budget.refusal_of(estimate.triangles()) + ' ' + culprit);
+    const std::string refusal = budget.refusal_of(estimate.triangles());
+    if (estimate.worst_pair().triangles <= estimate.triangles_of_sizes())
+      throw Pslg_error_2(refusal + " for the bounds of size");
+    const Narrow_gap<Geometry> gap(state_, estimate.worst_pair());
+    const double unit = map_.length_to_kernel(1.0);
+    throw Pslg_gap_error_2(
+        refusal, gap.in_words([this](Vertex_id v) { return name_of_vertex(order_[std::size_t(v)]); }, unit),
+        gap.segments(), ratio(gap.width(), unit));
   }
 
-  void set_region_bounds(double scale2) {
+  void set_region_bounds(double scale) {
     std::vector<double>& bounds = problem_.bounds.area2_of_region;
     bounds.assign(pslg_.regions.size(), std::numeric_limits<double>::infinity());
     for (std::size_t i = 0; i < bounds.size(); ++i)
       if (pslg_.regions[i].max_area > 0)
-        bounds[i] = 2 * scale2 * pslg_.regions[i].max_area * (1 - Bounds<Geometry>::margin);
+        bounds[i] = 2 * (scale * pslg_.regions[i].max_area) * scale * (1 - Bounds<Geometry>::margin);
   }
 
   /// The segments in the kernel's numbering, which is the shuffle order.
@@ -243,15 +309,15 @@ private:
     return segments;
   }
 
-  std::string describe(const First& first, const Crossing& crossing) const {
-    std::ostringstream text;
-    text << "segment " << crossing.segment << " (" << name_of_ends(crossing.segment) << ") crosses segment ";
-    for (const Input_edge& e : first.edges()) {
-      if ((e.a != crossing.a || e.b != crossing.b) && (e.a != crossing.b || e.b != crossing.a)) continue;
-      text << e.segment << " (" << name_of_ends(e.segment) << ')';
-      break;
-    }
-    return text.str();
+  [[noreturn]] void refuse(const First& first, const Crossing& crossing) const {
+    const auto is_crossed = [&](const Input_edge& e) {
+      return (e.a == crossing.a && e.b == crossing.b) || (e.a == crossing.b && e.b == crossing.a);
+    };
+    const auto& edges = first.edges();
+    const std::int32_t other = std::find_if(edges.begin(), edges.end(), is_crossed)->segment;
+    throw Pslg_crossing_error_2("segment " + std::to_string(crossing.segment) + " (" + name_of_ends(crossing.segment) +
+                                    ") crosses segment " + std::to_string(other) + " (" + name_of_ends(other) + ')',
+                                {Segment_index(std::size_t(crossing.segment)), Segment_index(std::size_t(other))});
   }
 
   std::string name_of_ends(std::int32_t segment) const {
@@ -275,8 +341,13 @@ private:
     if (options_.vertex_budget > 0) return options_.vertex_budget;
     // What 32-bit handles allow, and a large multiple of what is to be expected: no proof says that refinement ends.
     // What a rule of the user's asks for cannot be expected.
-    const double patience = options_.refinement_patience, unexpected = options_.refined_where ? 2e7 : 2e6;
-    return at_most_handles(patience * expected_vertices() + (patience > 0 ? unexpected : 0));
+    const double unexpected = options_.refined_where ? 2e7 : 2e6;
+    const double patience =
+        may_construct_instead() ? options_.refinement_patience : Quality_mesh_options_2().refinement_patience;
+    if (!(patience > 0)) return 0;
+    const double affordable = std::max(least_patience_ * expected_vertices() + unexpected,
+                                       options_.memory_of_patience / bytes_of_vertex_);
+    return at_most_handles(std::min(patience * expected_vertices() + unexpected, affordable));
   }
 
   double expected_vertices() const {
@@ -289,11 +360,11 @@ private:
   /// Quadtrees make ten times the triangles needed, a hundred times with the placement by rule.
   std::size_t budget_of_construction() const {
     if (options_.vertex_budget > 0) return options_.vertex_budget;
-    return at_most_handles(1000 * expected_vertices() + 1e7);
+    return at_most_handles(1000 * expected_vertices() + 1e6);
   }
 
-  /// False if quadtrees have to take over.
-  bool refine(Refiner<Geometry>& refiner, Splitter<Geometry>& splitter) {
+  /// Refines on demand. Where it runs out of budget, the mesh is as it was left.
+  Refinement_end refine(Refiner<Geometry>& refiner, Splitter<Geometry>& splitter) {
     Phase_timer timer(report_.seconds.refine);
     splitter.cut_rings();
     Bulk_filler<Concurrency_tag, Geometry>(state_).run(vertex_budget());
@@ -302,20 +373,30 @@ private:
       finishing_.smoothing_rounds = 0; // done, and removal is left only at seams
     else
       refiner.push_all();
-    if (run(refiner, vertex_budget()) == Refinement_end::out_of_budget) {
-      if (may_construct_instead()) return false;
-      report_.is_budget_exhausted = true;
-    }
-    splitter.unlock_all();
-    state_.legalize();
-    return true;
+    const Refinement_end end = run(refiner, vertex_budget());
+    if (end != Refinement_end::out_of_budget) finish_refinement(splitter);
+    return end;
   }
 
-  /// Above the bounds that refinement always reached, triangles left are no sign that quadtrees do better; and they
-  /// know no least edge, nor rules of the user's.
+  void finish_refinement(Splitter<Geometry>& splitter) {
+    splitter.unlock_all();
+    state_.legalize();
+  }
+
+  /// Above the bounds that are established for refinement, triangles left are no sign that quadtrees do better; and they
+  /// know no least edge, nor rules of the user's. What they failed at once they are not asked again.
   bool may_construct_instead() const {
     return options_.vertex_budget == 0 && options_.min_edge_length == 0 && !options_.refined_where &&
-           problem_.bounds.is_guaranteed();
+           too_near_for_trees_.empty() && problem_.bounds.is_established() &&
+           report_.trees.end == Tree_separation_report_2::End::NONE;
+  }
+
+  /// Has quadtrees make the mesh that refinement did not, if they may and can.
+  void take_over(Refiner<Geometry>& refiner, Splitter<Geometry>& splitter) {
+    report_.trees.has_taken_over = may_construct_instead();
+    if (report_.trees.has_taken_over && construct_by_trees(refiner)) return;
+    report_.is_budget_exhausted = true;
+    finish_refinement(splitter);
   }
 
   Refinement_end run(Refiner<Geometry>& refiner, std::size_t budget) {
@@ -332,15 +413,22 @@ private:
   }
 
   /// Makes a mesh by quadtrees, and refines what is too large in it, or could not be cured.
-  void construct_by_trees(Refiner<Geometry>& refiner) {
-    if (make_mesh_by_trees() == Construction_end::out_of_budget) report_.is_budget_exhausted = true;
+  /// \returns false if there is none; the mesh is as it was then
+  bool construct_by_trees(Refiner<Geometry>& refiner) {
+    using End = Tree_separation_report_2::End;
+    if (!too_near_for_trees_.empty()) throw Pslg_error_2(too_near_for_trees_);
+    report_.trees.end = make_mesh_by_trees();
+    const std::size_t meshes = report_.trees.rounds - (report_.trees.end == End::FAILED ? 1 : 0);
+    if (meshes == 0) return false;
+    if (report_.trees.end == End::BUDGET) report_.is_budget_exhausted = true;
     Phase_timer timer(report_.seconds.refine);
     refiner.push_all();
     run_to_the_end(refiner, budget_of_repair());
     state_.legalize();
-    if (options_.coarsening == Quality_mesh_options_2::Coarsening::NONE) return;
+    if (options_.coarsening == Quality_mesh_options_2::Coarsening::NONE) return true;
     finishing_.smoothing_rounds = std::max(options_.smoothing_rounds, rounds_after_construction_);
     finishing_.thinning_rounds = std::max(options_.thinning_rounds, rounds_after_construction_);
+    return true;
   }
 
   /// For what refinement has to do in a mesh that is made.
@@ -350,17 +438,23 @@ private:
                            2e6);
   }
 
-  Construction_end make_mesh_by_trees() {
+  /// \throws Pslg_error_2 if the user wants quadtrees and their grid cannot tell two vertices apart
+  Tree_separation_report_2::End make_mesh_by_trees() {
     const Pslg graph = graph_of_edges();
     std::optional<Separation_trees<Traits, Concurrency_tag>> trees;
-    {
+    try {
       Phase_timer timer(report_.seconds.trees);
       trees.emplace(problem_, *edge_sides_, graph, map_, options_.trees, traits_, find_hits_, budget_of_construction(),
                     report_.trees);
+    } catch (const Point_error& error) {
+      ++report_.trees.rounds;
+      if (report_.trees.has_taken_over) return Tree_separation_report_2::End::FAILED;
+      throw Pslg_error_2(name_of_vertex(order_[error.point().value()]) + " and " +
+                         name_of_vertex(order_[error.other().value()]) +
+                         " are nearer to each other than the grid of the quadtrees can tell");
     }
     Phase_timer timer(report_.seconds.construct);
-    state_.corners.forget_cuts();
-    Tree_construction<Traits, Concurrency_tag> construction(state_, *trees, map_, is_merged_, domain_,
+    Tree_construction<Traits, Concurrency_tag> construction(state_, *trees, map_, is_merged_, *edge_sides_,
                                                             report_.trees);
     return construction.run(options_.trees.placement, budget_of_construction(),
                             [this] { return shall_go_on(0.3); });
@@ -412,7 +506,28 @@ private:
   Indexed_mesh_2<Point_2> convert() {
     Phase_timer timer(report_.seconds.convert);
     Kernel_mesh_converter<Traits, Concurrency_tag> converter(state_, pslg_, map_, order_, report_);
-    return converter.run();
+    Indexed_mesh_2<Point_2> mesh = converter.run();
+    if constexpr (has_double_coordinates) check_mesh_is_kept(mesh);
+    return mesh;
+  }
+
+  /// \throws Pslg_error_2 if a vertex loses bits beside the extent, which is near the greatest of doubles.
+  void check_vertices_are_kept() const {
+    if (!map_.may_round()) return;
+    for (std::size_t v = 0; v < pslg_.number_of_vertices(); ++v)
+      if (!map_.is_kept(pslg_.vertices[v]))
+        throw Pslg_error_2(name_of_vertex(v) + ": too near to 0 beside the extent for doubles; "
+                                               "move it to 0, or divide all coordinates by a power of two");
+  }
+
+  /// \throws Pslg_error_2 if a triangle is not counterclockwise any more after rounding to the least doubles.
+  void check_mesh_is_kept(const Indexed_mesh_2<Point_2>& mesh) const {
+    if (!map_.may_round()) return;
+    for (const auto& t : mesh.triangles)
+      if (Geometry::orientation(map_.to_kernel(mesh.point(t[0])), map_.to_kernel(mesh.point(t[1])),
+                                map_.to_kernel(mesh.point(t[2]))) <= 0)
+        throw Pslg_error_2("the coordinates are next to the least doubles, which cannot hold the mesh: "
+                           "multiply them by a power of two");
   }
 };
 

@@ -8,8 +8,7 @@
 #define CGAL_QUADTREE_MESH_2_INTERNAL_MESH_STATISTICS_H
 
 #include <CGAL/Quadtree_mesh_2/internal/Mesh_checker.h>
-
-#include <CGAL/number_utils.h>
+#include <CGAL/Quadtree_mesh_2/internal/Scaled_sides.h>
 
 #include <algorithm>
 #include <array>
@@ -27,8 +26,8 @@ namespace internal {
 ///
 /// Below the angle bound, a triangle is *exempt* in an acute wedge only: two input segments meet at an input
 /// vertex, an end of at least one of them, at an angle phi < 60 degrees, all three vertices of the triangle
-/// lie on these two segments, and its least angle is at least 0.9 phi. Linear, but for the exempt triangles'
-/// searches among the segments at their apex.
+/// lie on these two segments, and its least angle is at least 0.9 phi. Both angles are known to 1e-11 of them, however
+/// small. Linear, but for the exempt triangles' searches among the segments at their apex.
 class Mesh_statistics {
 public:
   using Point = Mesh_checker::Point;
@@ -44,8 +43,9 @@ public:
   }
 
 private:
-  static constexpr double degree_ = CGAL_PI / 180;
-  static constexpr double tolerance_ = 1e-7; // degrees, for all comparisons of angles with bounds
+  using Sides = Scaled_sides<Point>;
+  static constexpr double tolerance_ = 1e-7; // degrees, for comparisons of angles with the bound
+  static constexpr double relative_tolerance_ = 1e-11;
 
   void measure_edges() {
     const auto& opposites = checker_.opposites();
@@ -62,28 +62,23 @@ private:
 
   double distance(std::uint32_t v, std::uint32_t w) const {
     const Point &p = mesh_.points[v], &q = mesh_.points[w];
-    return std::sqrt((q.x() - p.x()) * (q.x() - p.x()) + (q.y() - p.y()) * (q.y() - p.y()));
+    return std::hypot(q.x() - p.x(), q.y() - p.y());
   }
 
   void measure_triangle(std::uint32_t t) {
-    std::array<double, 3> squared_side;
-    double least = 180, twice_area = 0;
+    const Sides sides(corner(t, 0), corner(t, 1), corner(t, 2));
+    double least = 180;
     for (std::uint32_t k = 0; k < 3; ++k) {
-      const Point &p = corner(t, k), &q = corner(t, (k + 1) % 3), &r = corner(t, (k + 2) % 3);
-      const double ux = q.x() - p.x(), uy = q.y() - p.y(), wx = r.x() - p.x(), wy = r.y() - p.y();
-      const double cross = ux * wy - uy * wx;
-      const double angle = std::atan2(std::abs(cross), ux * wx + uy * wy) / degree_;
-      squared_side[(k + 2) % 3] = ux * ux + uy * uy;
-      twice_area = std::max(twice_area, cross);
+      const double angle = sides.angle(k);
       least = std::min(least, angle);
       quality_.max_angle = std::max(quality_.max_angle, angle);
       if (!is_input_angle(t, k)) quality_.min_new_angle = std::min(quality_.min_new_angle, angle);
       ++quality_.angle_histogram[std::min<std::size_t>(17, std::size_t(angle / 10))];
     }
     quality_.min_angle = std::min(quality_.min_angle, least);
-    quality_.area += twice_area / 2;
-    quality_.largest_area = std::max(quality_.largest_area, twice_area / 2);
-    compare_with_bounds(t, squared_side, twice_area, least);
+    quality_.area += sides.area();
+    quality_.largest_area = std::max(quality_.largest_area, sides.area());
+    compare_with_bounds(t, sides, least);
   }
 
   const Point& corner(std::uint32_t t, std::uint32_t k) const { return mesh_.point(mesh_.triangles[t][k]); }
@@ -94,23 +89,14 @@ private:
            checker_.constrained()[h + (k + 1) % 3] != 0 && checker_.constrained()[h + (k + 2) % 3] != 0;
   }
 
-  void compare_with_bounds(std::uint32_t t, std::array<double, 3> squared_side, double twice_area,
-                           double least) {
+  void compare_with_bounds(std::uint32_t t, const Sides& sides, double least) {
     using Bound = Mesh_quality_2::Bound;
-    std::sort(squared_side.begin(), squared_side.end());
     if (options_.max_edge_length > 0 &&
-        squared_side[2] > CGAL::square(options_.max_edge_length * (1 + 1e-12)))
+        sides.longest() > options_.max_edge_length * (1 + relative_tolerance_))
       add_unmet(t, Bound::EDGE_LENGTH, least);
-    if (twice_area / 2 > max_area(t) * (1 + 1e-12)) add_unmet(t, Bound::AREA, least);
-    // The least angle is opposite the shortest side: twice_area = b c sin(angle), with b and c the longer
-    // sides.
-    const auto is_below = [&](double degrees) {
-      return twice_area * twice_area <
-             CGAL::square(std::sin(degrees * degree_)) * squared_side[1] * squared_side[2];
-    };
-    const double bound = std::min(options_.min_angle_in_degrees, 90.) - tolerance_;
-    if (bound <= 0 || !is_below(bound)) return;
-    if (is_exempt(t, is_below))
+    if (sides.area() > max_area(t) * (1 + relative_tolerance_)) add_unmet(t, Bound::AREA, least);
+    if (least >= std::min(options_.min_angle_in_degrees, 90.) - tolerance_) return;
+    if (is_exempt(t, least))
       ++quality_.exempt_triangles;
     else
       add_unmet(t, Bound::ANGLE, least);
@@ -129,7 +115,8 @@ private:
 
   void add_unmet(std::uint32_t t, Mesh_quality_2::Bound bound, double least) {
     const Point &p = corner(t, 0), &q = corner(t, 1), &r = corner(t, 2);
-    const std::array<double, 2> centroid{(p.x() + q.x() + r.x()) / 3, (p.y() + q.y() + r.y()) / 3};
+    const std::array<double, 2> centroid{p.x() / 3 + q.x() / 3 + r.x() / 3,
+                                         p.y() / 3 + q.y() / 3 + r.y() / 3};
     quality_.unmet_triangles.push_back({Triangle_index(t), bound, centroid, least});
   }
 
@@ -146,8 +133,7 @@ private:
     return std::binary_search(all.begin(), all.end(), std::make_pair(v, segment));
   }
 
-  template <class IsBelow>
-  bool is_exempt(std::uint32_t t, IsBelow is_below) const {
+  bool is_exempt(std::uint32_t t, double least) const {
     std::array<std::uint32_t, 3> v{mesh_.triangles[t][0].value(), mesh_.triangles[t][1].value(),
                                    mesh_.triangles[t][2].value()};
     const auto number = [&](std::uint32_t w) {
@@ -157,13 +143,12 @@ private:
     std::sort(v.begin(), v.end(), [&](std::uint32_t a, std::uint32_t b) { return number(a) < number(b); });
     const auto range = segments_through(v[0]);
     for (auto s = range.first; s != range.second; ++s)
-      if (is_in_wedge(v, s->second, is_below)) return true;
+      if (is_in_wedge(v, s->second, least)) return true;
     return false;
   }
 
-  /// Whether `v`, on segment `s` with its first vertex, is in a wedge of `s` and another segment.
-  template <class IsBelow>
-  bool is_in_wedge(const std::array<std::uint32_t, 3>& v, std::uint32_t s, IsBelow is_below) const {
+  /// Whether `v`, on segment `s` with its first vertex, is in a wedge of `s` and another segment that excuses the angle.
+  bool is_in_wedge(const std::array<std::uint32_t, 3>& v, std::uint32_t s, double least) const {
     for (std::size_t k :
          {1u, 2u}) { // a vertex of the triangle that is not on s has to be on the other segment
       if (is_through(v[k], s)) continue;
@@ -172,8 +157,10 @@ private:
         const std::uint32_t s2 = other->second;
         if (!is_through(v[3 - k], s) && !is_through(v[3 - k], s2)) continue;
         for (const Point& apex : meeting_points(s, s2)) {
-          const double phi = wedge(leg_end(s, apex, v), apex, leg_end(s2, apex, v));
-          if (phi < 60 && !is_below(0.9 * phi - tolerance_)) return true;
+          const Point &a = leg_end(s, apex, v), &b = leg_end(s2, apex, v);
+          if (a == apex || b == apex) continue;
+          const double phi = Sides(apex, a, b).angle(0);
+          if (phi < 60 && least >= 0.9 * phi * (1 - relative_tolerance_)) return true;
         }
       }
       return false;
@@ -210,11 +197,6 @@ private:
     for (std::uint32_t w : v)
       if (is_through(w, segment) && mesh_.points[w] != apex) return mesh_.points[w];
     return apex;
-  }
-
-  static double wedge(const Point& a, const Point& apex, const Point& b) {
-    const double ux = a.x() - apex.x(), uy = a.y() - apex.y(), wx = b.x() - apex.x(), wy = b.y() - apex.y();
-    return std::atan2(std::abs(ux * wy - uy * wx), ux * wx + uy * wy) / degree_;
   }
 
   const Mesh_checker::Mesh& mesh_;

@@ -31,6 +31,7 @@ namespace internal {
 template <class Geometry>
 struct Bounds {
   using Point = typename Geometry::Point;
+  using Shape = typename Kernel_mesh<Geometry>::Shape;
 
   double angle = 0; ///< radians
   /// Squared sine of the bound, raised a little so that rounding cannot pass the user's bound.
@@ -48,9 +49,10 @@ struct Bounds {
   /// No vertex is inserted nearer than this (squared) to another one.
   double least_squared_length = 0;
 
-  /// Up to this angle refinement ends by itself: 20.7048 degrees, whose squared sine, 1/8, is Mesh_2's default.
-  static constexpr double guaranteed_angle = 0.3613671239067078 * (1 + 1e-12);
-  bool is_guaranteed() const { return angle <= guaranteed_angle; }
+  /// Up to this angle refinement ended by itself on all inputs of the soak (doc/soak.md), which is no proof:
+  /// 20.7048 degrees, whose squared sine, 1/8, is Mesh_2's default.
+  static constexpr double established_angle = 0.3613671239067078 * (1 + 1e-12);
+  bool is_established() const { return angle <= established_angle; }
 
   Bounds() = default;
   Bounds(double radians, double max_area, double max_length) : angle(radians) {
@@ -81,7 +83,7 @@ struct Bounds {
 
 private:
   static Point centroid(const Point& a, const Point& b, const Point& c) {
-    return Geometry::translate(a, (1.0 / 3) * (Geometry::difference(b, a) + Geometry::difference(c, a)));
+    return Geometry::translate(a, (1.0 / 3) * (Geometry::scaled_difference(b, a) + Geometry::scaled_difference(c, a)));
   }
 };
 
@@ -117,6 +119,8 @@ struct Meshing_problem {
   Input_edges edges;
   Acute_corners<Geometry> corners;
   Bounds<Geometry> bounds;
+  /// Features of the input nearer to a vertex than this share of an edge at it are none that legs are cut for.
+  typename Geometry::Number least_share_of_leg = 0;
 
   const typename Geometry::Point& input_point(Vertex_id number) const {
     return input_points[std::size_t(number)];
@@ -140,6 +144,7 @@ template <class Geometry>
 struct Meshing_state {
   using Mesh = Kernel_mesh<Geometry>;
   using Point = typename Geometry::Point;
+  using Shape = typename Mesh::Shape;
 
   Meshing_problem<Geometry>& problem;
   const Input_edges& edges = problem.edges;
@@ -172,9 +177,7 @@ struct Meshing_state {
   bool owns(Corner_id c) const { return !is_block_ || std::binary_search(owned_.begin(), owned_.end(), c); }
   bool is_block() const { return is_block_; }
 
-  bool is_exempt(Vertex_id a, Vertex_id b, Vertex_id c, const Shape& s) const {
-    return corners.is_exempt(mesh, a, b, c, s);
-  }
+  bool is_exempt(Vertex_id a, Vertex_id b, Vertex_id c) const { return corners.is_exempt(mesh, a, b, c); }
 
   bool is_large(Triangle_id t, const Shape& s) const {
     const auto& r = mesh.triangle(t);
@@ -185,7 +188,7 @@ struct Meshing_state {
   bool is_bad(Triangle_id t) const {
     const auto& r = mesh.triangle(t);
     const Shape s = mesh.shape(r);
-    return (bounds.is_sharp(s) && !is_exempt(r.v[0], r.v[1], r.v[2], s)) || is_large(t, s);
+    return (bounds.is_sharp(s) && !is_exempt(r.v[0], r.v[1], r.v[2])) || is_large(t, s);
   }
 
   /// Whether t misses a bound, excused or not.
@@ -263,8 +266,10 @@ private:
   bool is_seen_under_acute_angles(Side s) const {
     const Point &a = mesh.point(mesh.source(s)), &b = mesh.point(mesh.target(s));
     for (const Vertex_id v : {mesh.opposite(s), mesh.opposite(mesh.across(s))}) {
-      const Vector x = Geometry::difference(a, mesh.point(v)), y = Geometry::difference(b, mesh.point(v));
-      if (!(dot(x, y) > 1e-15 * (std::fabs(x.x * y.x) + std::fabs(x.y * y.y)) + 1e-280)) return false;
+      using std::fabs;
+      const auto x = Geometry::scaled_difference(a, mesh.point(v)), y = Geometry::scaled_difference(b, mesh.point(v));
+      constexpr double least = Geometry::has_unlimited_coordinates ? 0 : 1e-280; // of products that are no underflow
+      if (!(dot(x, y) > 1e-15 * (fabs(x.x * y.x) + fabs(x.y * y.y)) + least)) return false;
     }
     return true;
   }

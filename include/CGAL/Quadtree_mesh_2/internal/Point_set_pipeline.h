@@ -35,6 +35,7 @@
 #include <CGAL/Quality_mesher_2.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <mutex>
 #include <stdexcept>
@@ -178,7 +179,22 @@ private:
     Phase_timer timer(report_.seconds.quadtree);
     return forest.fill();
   } catch (const Tile_level_error& e) {
-    throw Point_error(Point_error::Kind::TOO_NEAR, Point_index(distinct.input_point(e.site())));
+    throw too_near(distinct, e.site());
+  }
+
+  /// The error that names a point and the one that is nearest to it, by the larger of the distances in x and y, whose
+  /// square might be no double.
+  static Point_error too_near(const Distinct& distinct, std::size_t point) {
+    const std::vector<Kernel_point>& points = distinct.points();
+    const auto distance = [&](std::size_t i) {
+      const auto d = Geometry::difference(points[i], points[point]);
+      return std::max(std::abs(d.x), std::abs(d.y));
+    };
+    std::size_t nearest = point == 0 ? 1 : 0;
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if (i != point && distance(i) < distance(nearest)) nearest = i;
+    return Point_error(Point_error::Kind::TOO_NEAR, Point_index(distinct.input_point(point)),
+                       Point_index(distinct.input_point(nearest)));
   }
 
   void coarsen(Site_mesh<Geometry>& mesh, const Angle_range& range) {
@@ -246,7 +262,7 @@ private:
     report_.vertices = mesh.number_of_vertices() - report_.merged_points;
     report_.triangles = report_.triangles_before_coarsening = mesh.number_of_triangles();
     report_.rounds = 1;
-    check_orientations(mesh, map);
+    check_orientations(mesh, distinct, map);
     measure_angles(mesh, map);
     return mesh;
   }
@@ -266,12 +282,12 @@ private:
     }
     return warped;
   } catch (const Separation_error& e) {
-    throw Point_error(Point_error::Kind::TOO_NEAR, Point_index(distinct.input_point(std::size_t(e.point()))));
+    throw too_near(distinct, std::size_t(e.point()));
   }
 
   /// Between points that differ in their last bits only, the grid has room for corners, but coordinates have not.
-  /// \throws Point_error naming the point nearest to a triangle that rounding has made flat or turned around.
-  void check_orientations(const Mesh& mesh, const Map& map) const {
+  /// \throws Point_error naming the points nearest to a triangle that rounding has made flat or turned around.
+  void check_orientations(const Mesh& mesh, const Distinct& distinct, const Map& map) const {
     const auto point = [&](Vertex_index v) { return map.to_kernel(mesh.point(v)); };
     const std::vector<std::uint32_t> wrong = pack<Concurrency_tag>(mesh.triangles.size(), [&](std::size_t t) {
       const auto& v = mesh.triangles[t];
@@ -280,12 +296,12 @@ private:
     if (wrong.empty()) return;
     const Kernel_point corner = point(mesh.triangles[wrong[0]][0]);
     const auto distance = [&](std::size_t i) {
-      return squared_length(Geometry::difference(map.to_kernel(points_[i]), corner));
+      return squared_length(Geometry::difference(distinct.points()[i], corner));
     };
     std::size_t nearest = 0;
-    for (std::size_t i = 1; i < points_.size(); ++i)
+    for (std::size_t i = 1; i < distinct.points().size(); ++i)
       if (distance(i) < distance(nearest)) nearest = i;
-    throw Point_error(Point_error::Kind::TOO_NEAR, Point_index(nearest));
+    throw too_near(distinct, nearest);
   }
 
   void measure_angles(const Mesh& mesh, const Map& map) {

@@ -41,6 +41,9 @@ template <class Geometry>
 class Refiner {
 public:
   using Point = typename Geometry::Point;
+  using Number = typename Geometry::Number;
+  using Vector = Basic_vector<Number>;
+  using Shape = typename Kernel_mesh<Geometry>::Shape;
 
   Refiner(Meshing_state<Geometry>& state, Splitter<Geometry>& splitter)
       : state_(state), mesh_(state.mesh), splitter_(splitter), relocator_(state),
@@ -48,6 +51,7 @@ public:
 
   /// Puts all triangles on the list that may be bad; those of the bulk are not.
   void push_all() {
+    refused_.clear(); // perhaps of another mesh
     for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
       if (!state_.bulk.has(static_cast<Triangle_id>(t)) && mesh_.is_alive(static_cast<Triangle_id>(t)))
         state_.push_if_suspect(static_cast<Triangle_id>(t));
@@ -57,7 +61,7 @@ public:
   /// afterwards.
   template <class Continue>
   Refinement_end run(std::size_t budget, Continue&& shall_go_on) {
-    for (std::size_t step = 1; !state_.worklist.is_empty(); ++step) {
+    for (std::size_t step = 1; !state_.worklist.is_empty() || takes_up_refused(); ++step) {
       if ((step & 4095u) == 0 && !shall_go_on()) return Refinement_end::cancelled;
       const Triangle_id t = state_.worklist.pop();
       if (!mesh_.is_alive(t) || !state_.is_bad(t)) continue;
@@ -88,11 +92,23 @@ private:
   double apex_height_;                     // of the off-centre's triangle over a unit edge
   std::vector<unsigned char> trials_;      // per triangle slot: vertices inserted for it
   std::vector<unsigned char> relocations_; // per vertex
+  std::vector<Triangle_id> refused_;
+  std::size_t vertices_when_taken_up_ = 0; // the refused ones
 
   /// In a Delaunay mesh the place for a triangle is at least its shortest edge away from all vertices, and what is
   /// in the way is not much shorter. Next to the seams of a block flips are missing: what is shorter than this share
   /// (squared) has to wait there.
   static constexpr double least_distance2 = 0.25;
+
+  /// Puts triangles back on the list for which nothing could be done, if vertices were inserted since: the thin
+  /// triangle may be gone in which a rounded point would have been beside its edge.
+  bool takes_up_refused() {
+    if (refused_.empty() || mesh_.number_of_vertices() == vertices_when_taken_up_) return false;
+    vertices_when_taken_up_ = mesh_.number_of_vertices();
+    for (const Triangle_id t : refused_) state_.worklist.push(t);
+    refused_.clear();
+    return true;
+  }
 
   bool relocate_a_vertex_of(Triangle_id t) {
     const auto r = mesh_.triangle(t);
@@ -120,7 +136,8 @@ private:
     const bool may_go_later = outcome == Outcome::refused && state_.is_block();
     if (outcome == Outcome::deferred || may_go_later) return state_.deferred.push_back(t);
     settle_new_vertices(t, vertices_before);
-    if (outcome == Outcome::changed && mesh_.is_alive(t)) state_.push_if_suspect(t);
+    if (outcome == Outcome::refused) return refused_.push_back(t);
+    if (mesh_.is_alive(t)) state_.push_if_suspect(t);
   }
 
   void settle_new_vertices(Triangle_id t, std::size_t vertices_before) {
@@ -137,11 +154,12 @@ private:
     const auto r = mesh_.triangle(t);
     const Shape s = mesh_.shape(r);
     const int k = s.slot_of_shortest();
+    if (!Geometry::is_resolved(mesh_.point(r.v[next_slot[k]]), s.l[k])) return Outcome::refused;
     const Point q = place_for(r, s, k);
     const Walk_end end = walk_in_sight(mesh_, t, q);
     const Side in_the_way =
         end.is_blocked() ? Side(end.triangle, end.blocked_slot) : most_encroached_side(end.triangle, q);
-    const double distance2 = least_distance2 * s.l[k];
+    const Number distance2 = least_distance2 * s.l[k];
     if (!in_the_way.is_border())
       return is_too_short(in_the_way, distance2)
                  ? Outcome::deferred
@@ -156,33 +174,34 @@ private:
     const Point& a = mesh_.point(r.v[next_slot[k]]);
     const Point& b = mesh_.point(r.v[previous_slot[k]]);
     const Point& c = mesh_.point(r.v[k]);
-    const Vector ab = Geometry::difference(b, a), ac = Geometry::difference(c, a), middle = 0.5 * ab;
-    const double lb = squared_length(ab), lc = squared_length(ac), f = 0.5 / s.area2;
+    const Vector ab = Geometry::scaled_difference(b, a), ac = Geometry::scaled_difference(c, a),
+                 middle = 0.5 * ab;
+    const Number lb = squared_length(ab), lc = squared_length(ac), f = 0.5 / s.area2;
     Vector center = {f * (ac.y * lb - ab.y * lc), f * (ab.x * lc - ac.x * lb)};
     if (state_.bounds.is_sharp(s)) {
       const Vector off_center = middle + apex_height_ * Vector{-ab.y, ab.x};
-      if (squared_length(off_center - middle) < squared_length(center - middle)) center = off_center;
+      // not >= : the area of a triangle that is too flat for doubles gives a center that is no number
+      if (!(squared_length(off_center - middle) >= squared_length(center - middle))) center = off_center;
     }
     const Point q = Geometry::translate(a, center);
-    const Point corner = Geometry::nearest_corner(q, power_of_two_at_most(0.25 * std::sqrt(s.l[k])));
-    return In_circle(Geometry::difference(a, corner), Geometry::difference(b, corner),
-                     Geometry::difference(c, corner))
-                   .is_certainly_inside()
-               ? corner
-               : q;
+    using std::sqrt;
+    const Point corner = Geometry::nearest_corner(q, power_of_two_at_most(0.25 * sqrt(s.l[k])));
+    const Basic_in_circle<Number> test(Geometry::scaled_difference(a, corner),
+                                       Geometry::scaled_difference(b, corner),
+                                       Geometry::scaled_difference(c, corner));
+    return test.is_certainly_inside() ? corner : q;
   }
 
-  bool is_too_short(Side s, double distance2) const {
-    return state_.is_block() &&
-           squared_length(Geometry::difference(mesh_.point(mesh_.source(s)), mesh_.point(mesh_.target(s)))) <
-               distance2;
+  bool is_too_short(Side s, Number distance2) const {
+    return state_.is_block() && squared_length(Geometry::scaled_difference(
+                                    mesh_.point(mesh_.source(s)), mesh_.point(mesh_.target(s)))) < distance2;
   }
 
   /// Whether a vertex of t, or one opposite to it, is too near to q.
-  bool is_too_near(Triangle_id t, const Point& q, double distance2) const {
+  bool is_too_near(Triangle_id t, const Point& q, Number distance2) const {
     if (!state_.is_block()) return false;
     const auto is_near = [&](Vertex_id v) {
-      return squared_length(Geometry::difference(mesh_.point(v), q)) < distance2;
+      return squared_length(Geometry::scaled_difference(mesh_.point(v), q)) < distance2;
     };
     const auto& r = mesh_.triangle(t);
     for (int k = 0; k < 3; ++k)
@@ -196,11 +215,11 @@ private:
     Side best = Side::border();
     double widest = cosine2_of_encroachment;
     const auto look = [&](Side s) {
-      const Vector x = Geometry::difference(mesh_.point(mesh_.source(s)), q);
-      const Vector y = Geometry::difference(mesh_.point(mesh_.target(s)), q);
-      const double d = dot(x, y);
+      const Vector x = Geometry::scaled_difference(mesh_.point(mesh_.source(s)), q);
+      const Vector y = Geometry::scaled_difference(mesh_.point(mesh_.target(s)), q);
+      const Number d = dot(x, y);
       if (d >= 0) return;
-      const double cosine2 = d * d / (squared_length(x) * squared_length(y));
+      const double cosine2 = ratio(d * d, squared_length(x) * squared_length(y));
       if (cosine2 > widest) widest = cosine2, best = s;
     };
     for (int k = 0; k < 3; ++k) {
@@ -215,14 +234,15 @@ private:
     return best;
   }
 
+  /// Puts a vertex at q if that is in t, or on one of its sides, exactly: all triangles made are counterclockwise then.
   Outcome insert(Triangle_id t, const Point& q) {
     const auto& r = mesh_.triangle(t);
     int on_slot = -1, number_on = 0;
     for (int k = 0; k < 3; ++k) {
-      const Vector x = Geometry::difference(mesh_.point(r.v[next_slot[k]]), q);
-      const Vector y = Geometry::difference(mesh_.point(r.v[previous_slot[k]]), q);
-      const Point &a = mesh_.point(r.v[next_slot[k]]), &b = mesh_.point(r.v[previous_slot[k]]);
-      if (!Geometry::is_clearly_left(a, b, q, x, y)) on_slot = k, ++number_on;
+      const int turn =
+          Geometry::orientation(mesh_.point(r.v[next_slot[k]]), mesh_.point(r.v[previous_slot[k]]), q);
+      if (turn < 0) return Outcome::refused; // a walk too long was broken off
+      if (turn == 0) on_slot = k, ++number_on;
     }
     if (on_slot >= 0 && r.side[on_slot].is_seam()) return Outcome::deferred;
     if (number_on > 1 || (on_slot >= 0 && r.side[on_slot].is_constrained())) return Outcome::refused;

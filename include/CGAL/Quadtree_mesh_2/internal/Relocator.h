@@ -32,6 +32,9 @@ template <class Geometry>
 class Relocator {
 public:
   using Point = typename Geometry::Point;
+  using Number = typename Geometry::Number;
+  using Vector = Basic_vector<Number>;
+  using Shape = typename Kernel_mesh<Geometry>::Shape;
 
   explicit Relocator(Meshing_state<Geometry>& state) : state_(state), mesh_(state.mesh) {}
 
@@ -79,24 +82,27 @@ private:
   Star star_;
   // The link relative to the vertex, scaled to mean distance 1, and its squared edge lengths.
   float x_[Star::max_size + 1], y_[Star::max_size + 1], edge2_[Star::max_size];
-  double scale_ = 1;
+  Number scale_ = 1;
   Vector link_[Star::max_size + 1]; // relative to a vertex on an edge
+
+  static float float_of(const Number& n) { return static_cast<float>(ratio(n, 1)); }
 
   /// Sets up the scaled link; returns its centroid.
   Vector prepare_link(Point origin) {
-    double x[Star::max_size], y[Star::max_size], sum = 0;
+    using std::sqrt;
+    Number x[Star::max_size], y[Star::max_size], sum = 0;
     Vector centroid;
     for (int i = 0; i < star_.size; ++i) {
-      const Vector p = Geometry::difference(mesh_.point(star_.link[i]), origin);
+      const Vector p = Geometry::scaled_difference(mesh_.point(star_.link[i]), origin);
       sum += squared_length(p);
       centroid = centroid + p;
       x[i] = p.x, y[i] = p.y;
     }
-    scale_ = std::sqrt(sum / star_.size);
-    const double inverse = 1 / scale_;
+    scale_ = sqrt(sum / star_.size);
+    const Number inverse = 1 / scale_;
     for (int i = 0; i < star_.size; ++i) {
-      x_[i] = static_cast<float>(x[i] * inverse);
-      y_[i] = static_cast<float>(y[i] * inverse);
+      x_[i] = float_of(x[i] * inverse);
+      y_[i] = float_of(y[i] * inverse);
     }
     x_[star_.size] = x_[0], y_[star_.size] = y_[0];
     for (int i = 0; i < star_.size; ++i) {
@@ -128,8 +134,8 @@ private:
 
   /// The better of the present place and the centroid.
   Start better_start(Vector centroid) const {
-    const Float_lanes px(0, static_cast<float>(centroid.x), 0, 0);
-    const Float_lanes py(0, static_cast<float>(centroid.y), 0, 0);
+    const Float_lanes px(0, float_of(centroid.x), 0, 0);
+    const Float_lanes py(0, float_of(centroid.y), 0, 0);
     Float_lanes least = 2, of_triangle = 0;
     Spokes u(x_[0], y_[0], px, py);
     for (int i = 0; i < star_.size; ++i) {
@@ -198,7 +204,7 @@ private:
         step *= 0.5f;
       if (best < needed) return false;
     }
-    return accept(v, Geometry::translate(origin, {scale_ * double(x), scale_ * double(y)}), aim);
+    return accept(v, Geometry::translate(origin, Vector{scale_ * double(x), scale_ * double(y)}), aim);
   }
 
   /// Moves v to p if all its triangles meet the bounds there and, to be the best, the least angle grows.
@@ -208,7 +214,7 @@ private:
       return false;
     for (int i = 0; i < star_.size; ++i) {
       const Shape s = mesh_.shape(p, mesh_.point(star_.link[i]), mesh_.point(star_.link[i + 1]));
-      if (s.area2 <= 0 || state_.bounds.is_sharp(s) ||
+      if (!s.is_certainly_counterclockwise() || state_.bounds.is_sharp(s) ||
           state_.bounds.is_large(s, p, mesh_.point(star_.link[i]), mesh_.point(star_.link[i + 1]),
                                  mesh_.region(star_.corner[i].triangle())))
         return false;
@@ -233,7 +239,7 @@ private:
   bool is_far_from_link(const Point& p) const {
     const double least = state_.bounds.least_squared_length;
     const auto is_far = [&](Vertex_id w) {
-      return squared_length(Geometry::difference(mesh_.point(w), p)) >= least;
+      return squared_length(Geometry::scaled_difference(mesh_.point(w), p)) >= least;
     };
     for (int i = 0; i < star_.number_of_link_vertices() && least > 0; ++i)
       if (!is_far(star_.link[i])) return false;
@@ -251,42 +257,45 @@ private:
     const auto& is_acute = state_.corners.is_acute;
     if (is_acute[std::size_t(edge.a)] != 0 || is_acute[std::size_t(edge.b)] != 0) return false;
     const Point &a = state_.problem.input_point(edge.a), &b = state_.problem.input_point(edge.b);
-    const Vector from_a = Geometry::difference(mesh_.point(v), a),
-                 from_b = Geometry::difference(mesh_.point(v), b);
-    const Vector d = Geometry::difference(b, a);
-    const double length = std::sqrt(squared_length(d));
-    const double place = place_on_line((1 / length) * d, mean_distance_of_link(mesh_.point(v)), aim);
+    const Vector from_a = Geometry::scaled_difference(mesh_.point(v), a),
+                 from_b = Geometry::scaled_difference(mesh_.point(v), b);
+    const Vector d = Geometry::scaled_difference(b, a);
+    const Number whole = length(d);
+    const Number place = place_on_line((1 / whole) * d, mean_distance_of_link(mesh_.point(v)), aim);
     if (place == 0) return false;
     // shares are finest near the end from which they are taken
     const bool is_nearer_to_a = squared_length(from_a) <= squared_length(from_b);
-    const double share_of_a = dot(from_a, d) / squared_length(d) + place / length;
-    const double share_of_b = -dot(from_b, d) / squared_length(d) - place / length;
+    const Number share_of_a = dot(from_a, d) / squared_length(d) + place / whole;
+    const Number share_of_b = -dot(from_b, d) / squared_length(d) - place / whole;
     return accept(
         v, is_nearer_to_a ? Geometry::between(a, b, share_of_a) : Geometry::between(b, a, share_of_b), aim);
   }
 
   /// How far to go from the vertex along a direction for the best star that is found.
-  double place_on_line(Vector direction, double mean_distance, Aim aim) const {
+  Number place_on_line(Vector direction, Number mean_distance, Aim aim) const {
     const double goal = aim == Aim::bound ? state_.bounds.sin2 : 1;
-    double place = 0, best = least_of_star({0, 0}, -1), step = first_step * mean_distance;
+    double best = least_of_star({0, 0}, -1);
+    Number place = 0, step = first_step * mean_distance;
     for (int i = 0; i < max_steps && best < goal; ++i) {
       bool is_better = false;
       for (const double sign : {-1.0, 1.0}) {
         const double q = least_of_star((place + sign * step) * direction, best);
         if (q <= best * 1.0001 + 1e-9) continue;
-        best = q, place += sign * step, is_better = true;
+        best = q, place = place + sign * step, is_better = true;
       }
-      if (!is_better) step *= 0.5;
+      if (!is_better) step = 0.5 * step;
     }
     return place;
   }
 
   /// Sets up the link relative to the vertex; returns its mean distance.
-  double mean_distance_of_link(const Point& origin) {
-    double sum = 0;
-    for (int i = 0; i <= star_.size; ++i) link_[i] = Geometry::difference(mesh_.point(star_.link[i]), origin);
+  Number mean_distance_of_link(const Point& origin) {
+    using std::sqrt;
+    Number sum = 0;
+    for (int i = 0; i <= star_.size; ++i)
+      link_[i] = Geometry::scaled_difference(mesh_.point(star_.link[i]), origin);
     for (int i = 0; i < star_.number_of_link_vertices(); ++i) sum += squared_length(link_[i]);
-    return std::sqrt(sum / star_.number_of_link_vertices());
+    return sqrt(sum / star_.number_of_link_vertices());
   }
 
   /// The least squared sine of the star with the vertex at `p`, relative to its place; something at most `floor` as

@@ -35,6 +35,10 @@ namespace internal {
 template <class Geometry>
 class Remover {
 public:
+  using Number = typename Geometry::Number;
+  using Vector = Basic_vector<Number>;
+  using Shape = typename Kernel_mesh<Geometry>::Shape;
+
   explicit Remover(Meshing_state<Geometry>& state) : Remover(state, state.bounds) {}
   /// Keeps to other bounds than those of the state.
   Remover(Meshing_state<Geometry>& state, const Bounds<Geometry>& bounds)
@@ -137,11 +141,24 @@ private:
   bool triangulate(const Polygon& p) {
     const int n = p.size;
     if (n < 3 || n > max_polygon) return false;
-    for (int i = 0; i < n; ++i) place_[i] = Geometry::difference(mesh_.point(p.v[i]), mesh_.point(p.v[0]));
+    for (int i = 0; i < n; ++i)
+      place_[i] = Geometry::scaled_difference(mesh_.point(p.v[i]), mesh_.point(p.v[0]));
     if (!has_triangle_on_shortest_side(p) || !fill_table(p)) return false;
     const int first = number_made_;
     emit(p, 0, n - 1);
-    return !is_near_corner(p) || is_locally_Delaunay(first);
+    return is_within_bounds(first) && (!is_near_corner(p) || is_locally_Delaunay(first));
+  }
+
+  /// Whether the new triangles are counterclockwise and within the bounds by their own differences: those of `place_`
+  /// are rounded at the scale of the polygon, and a side may be far shorter.
+  bool is_within_bounds(int first) const {
+    for (int i = first; i < number_made_; ++i) {
+      const Vertex_id* t = made_[i];
+      const Shape s = mesh_.shape(t[0], t[1], t[2]);
+      if (!s.is_certainly_counterclockwise() && mesh_.orientation(t[0], t[1], t[2]) <= 0) return false;
+      if (!keeps_bounds(s, t[0], t[1], t[2], region_of_made_[i], true)) return false;
+    }
+    return true;
   }
 
   /// Whether some triangle of the polygon's vertices on its shortest side is feasible: without one the
@@ -149,9 +166,9 @@ private:
   bool has_triangle_on_shortest_side(const Polygon& p) const {
     const int n = p.size;
     int end = 0; // of the side; the place before it is the other end
-    double least = squared_length(place_[n - 1]);
+    Number least = squared_length(place_[n - 1]);
     for (int k = 1; k < n; ++k) {
-      const double length = squared_length(place_[k] - place_[k - 1]);
+      const Number length = squared_length(place_[k] - place_[k - 1]);
       end = length < least ? k : end; // no branches: they would be taken at random
       least = length < least ? length : least;
     }
@@ -216,9 +233,13 @@ private:
   /// excuses it.
   bool is_feasible(const Shape& s, const Polygon& p, int a, int b, int c, bool may_be_exempt) const {
     const Vertex_id x = p.v[a], y = p.v[b], z = p.v[c];
-    if (s.area2 <= 0) return false;
-    if (bounds_.is_sharp(s) && !(may_be_exempt && state_.is_exempt(x, y, z, s))) return false;
-    return !bounds_.is_large(s, mesh_.point(x), mesh_.point(y), mesh_.point(z), p.region);
+    return s.area2 > 0 && keeps_bounds(s, x, y, z, p.region, may_be_exempt);
+  }
+
+  bool keeps_bounds(const Shape& s, Vertex_id x, Vertex_id y, Vertex_id z, Region_id region,
+                    bool may_be_exempt) const {
+    if (bounds_.is_sharp(s) && !(may_be_exempt && state_.is_exempt(x, y, z))) return false;
+    return !bounds_.is_large(s, mesh_.point(x), mesh_.point(y), mesh_.point(z), region);
   }
 
   /// The squared sine of the least angle of a feasible triangle. Exempt ones count as better than others, which has no

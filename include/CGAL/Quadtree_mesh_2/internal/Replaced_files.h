@@ -8,6 +8,7 @@
 #define CGAL_QUADTREE_MESH_2_INTERNAL_REPLACED_FILES_H
 
 #include <cerrno>
+#include <cstddef>
 #include <cstdio>
 #include <filesystem>
 #include <string>
@@ -21,21 +22,20 @@ namespace internal {
 
 /// Files that appear under their names only when all of them are written.
 ///
-/// `add()` writes beside the file it is about to replace, `commit()` renames. If any write fails, or an
-/// exception passes, what was written is removed and files that were there stay as they were. A name that is
-/// not that of a regular file (a pipe, `/dev/stdout`) is written directly.
+/// `add()` writes beside the file it is about to replace, `commit()` renames. If any of that fails, or an exception
+/// passes, what was written is removed and files that were there stay as they were. What is not a regular file (a pipe,
+/// `/dev/stdout`) is written by `commit()`, before it renames.
 class Replaced_files {
 public:
   Replaced_files() = default;
   Replaced_files(const Replaced_files&) = delete;
   Replaced_files& operator=(const Replaced_files&) = delete;
   ~Replaced_files() {
-    std::error_code ignored;
-    for (const Written& w : written_) std::filesystem::remove(w.temporary, ignored);
+    for (const Written& w : written_) remove(w.temporary);
   }
 
   /// \throws std::system_error that tells the file and why it cannot be written.
-  void add(const std::string& file_name, const std::string& text) {
+  void add(const std::string& file_name, std::string text) {
     namespace fs = std::filesystem;
     std::error_code error;
     const fs::file_status status = fs::status(file_name, error);
@@ -43,7 +43,7 @@ public:
     // A redirected /dev/stdout looks like the file it leads to, which others write, too.
     const bool is_device = file_name.compare(0, 5, "/dev/") == 0;
     if (is_device || (fs::exists(status) && !fs::is_regular_file(status))) {
-      write(std::fopen(file_name.c_str(), "wb"), file_name, text);
+      streams_.push_back({file_name, std::move(text)});
       return;
     }
     // Through a symbolic link it is its target that changes, not the link.
@@ -51,26 +51,43 @@ public:
         fs::is_symlink(fs::symlink_status(file_name, error)) ? fs::canonical(file_name, error) : fs::path();
     if (target.empty()) target = file_name;
     std::FILE* file = open_beside(target, file_name);
+    if (fs::exists(status)) fs::permissions(written_.back().temporary, status.permissions(), error);
     write(file, file_name, text);
   }
 
-  /// \throws std::system_error as `add()` does; files renamed until then stay.
+  /// \throws std::system_error as `add()` does; then no file is replaced, if the file system knows hard links.
   void commit() {
-    for (const Written& w : written_) {
+    for (const Stream& s : streams_) write(std::fopen(s.name.c_str(), "wb"), s.name, s.text);
+    streams_.clear();
+    for (Written& w : written_) keep_target(w);
+    for (std::size_t i = 0; i < written_.size(); ++i) {
       std::error_code error;
-      std::filesystem::rename(w.temporary, w.target, error);
-      if (error) fail(w.target.string(), error);
+      std::filesystem::rename(written_[i].temporary, written_[i].target, error);
+      if (!error) continue;
+      take_back(i);
+      fail(written_[i].target.string(), error);
     }
+    for (const Written& w : written_) remove(w.kept);
     written_.clear();
   }
 
 private:
   struct Written {
     std::filesystem::path temporary, target;
+    std::filesystem::path kept = {}; ///< a second name of what is replaced; empty if there is none
+    bool is_new = true;              ///< nothing is replaced
+  };
+  struct Stream {
+    std::string name, text;
   };
 
   [[noreturn]] static void fail(const std::string& file_name, std::error_code error) {
     throw std::system_error(error, file_name + ": cannot be written");
+  }
+
+  static void remove(const std::filesystem::path& file) {
+    std::error_code ignored;
+    if (!file.empty()) std::filesystem::remove(file, ignored);
   }
 
   std::FILE* open_beside(const std::filesystem::path& target, const std::string& file_name) {
@@ -87,6 +104,27 @@ private:
     fail(file_name, std::error_code(errno, std::generic_category()));
   }
 
+  /// A second name for what is at the target, where the file system has such.
+  static void keep_target(Written& w) {
+    std::filesystem::path kept = w.temporary;
+    kept += ".old";
+    std::error_code error;
+    w.is_new = !std::filesystem::exists(w.target, error);
+    std::filesystem::create_hard_link(w.target, kept, error);
+    if (!error) w.kept = std::move(kept);
+  }
+  /// After the first `n` files were renamed.
+  void take_back(std::size_t n) {
+    std::error_code ignored;
+    for (std::size_t i = 0; i < written_.size(); ++i)
+      if (i >= n)
+        remove(written_[i].kept);
+      else if (written_[i].is_new)
+        remove(written_[i].target);
+      else if (!written_[i].kept.empty())
+        std::filesystem::rename(written_[i].kept, written_[i].target, ignored);
+  }
+
   static void write(std::FILE* file, const std::string& file_name, const std::string& text) {
     if (!file) fail(file_name, std::error_code(errno, std::generic_category()));
     errno = 0;
@@ -99,13 +137,14 @@ private:
   }
 
   std::vector<Written> written_;
+  std::vector<Stream> streams_;
 };
 
 /// Writes `text` to a file that keeps its old content if that fails.
 /// \throws std::system_error
-inline void replace_file(const std::string& file_name, const std::string& text) {
+inline void replace_file(const std::string& file_name, std::string text) {
   Replaced_files files;
-  files.add(file_name, text);
+  files.add(file_name, std::move(text));
   files.commit();
 }
 

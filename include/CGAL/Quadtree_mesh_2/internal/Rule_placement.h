@@ -45,14 +45,14 @@ public:
   using Problem = Meshing_problem<Geometry>;
 
   /// \pre leaves are equal at vertices, and in columns along edges: `Separation_trees` sees to it
-  Rule_placement(const Problem& problem, const Trees& trees)
-      : problem_(problem), trees_(trees), tree_(trees.tree()), corners_(trees.tree()),
+  Rule_placement(const Problem& problem, const Trees& trees, const Edge_rooms<Geometry>& rooms)
+      : problem_(problem), trees_(trees), rooms_(rooms), tree_(trees.tree()), corners_(trees.tree()),
         box_(box_of_points<Concurrency_tag>(trees.tree())) {}
 
   Placed_vertices<Geometry> run() {
     Placed_vertices<Geometry> placed(problem_.input_points);
     placed.template append_vertices_of_edges<Concurrency_tag>(
-        problem_.edges, [this](Edge_id e, auto& crossings) { cut_edge(e, crossings); });
+        problem_.edges, rooms_, [this](Edge_id e, auto& crossings) { cut_edge(e, crossings); });
     is_kept_.resize(corners_.number_of_names());
     for_each_index<Concurrency_tag>(is_kept_.size(), [&](std::size_t c) {
       is_kept_[c] = corners_.exists(c) && box_.contains(corners_.place(c)) ? 1 : 0;
@@ -81,6 +81,7 @@ private:
 
   const Problem& problem_;
   const Trees& trees_;
+  const Edge_rooms<Geometry>& rooms_;
   const Tree& tree_;
   Corners corners_;
   const Grid_box<Grid_point> box_;
@@ -153,21 +154,24 @@ private:
     const Edge edge(*this, e);
     const Point &a = problem_.input_point(problem_.edges[e].a),
                 &b = problem_.input_point(problem_.edges[e].b);
-    const Vector d = Geometry::difference(b, a);
-    const double length = std::sqrt(squared_length(d));
-    std::vector<double> shares;
+    const double length = std::sqrt(squared_length(Geometry::difference(b, a)));
+    using Vertex = Point_on_edge<Geometry>;
+    std::vector<Vertex> vertices;
     edge.placement.for_each_crossing([&](const Word& u) {
-      const Vector to_line = Geometry::difference(trees_.kernel_point(edge.line.point(u, Word(0))), a);
-      shares.push_back(edge.line.is_steep() ? to_line.y / d.y : to_line.x / d.x);
+      vertices.push_back(
+          Vertex::beside(trees_.kernel_point(edge.line.point(u, Word(0))), a, b, edge.line.is_steep()));
     });
     for (std::size_t end = 0; end < 2; ++end)
       for (std::size_t i = 0; i < edge.start[end].number_of_distances; ++i) {
         const double share = edge.start[end].distances[i] * edge.side[end] / length;
-        if (share < 0.5) shares.push_back(end == 0 ? share : 1 - share);
+        if (share < 0.5)
+          vertices.push_back(end == 0 ? Vertex{share, Geometry::between(a, b, share)}
+                                      : Vertex{1 - share, Geometry::between(b, a, share)});
       }
-    std::sort(shares.begin(), shares.end());
-    for (const double share : shares)
-      if (share > 0 && share < 1) crossings.push_back({e, Geometry::between(a, b, share)});
+    std::sort(vertices.begin(), vertices.end(),
+              [](const Vertex& p, const Vertex& q) { return p.share < q.share; });
+    for (const Vertex& v : vertices)
+      if (v.share > 0 && v.share < 1) crossings.push_back({e, v.point});
   }
 
   /// \param find called as `find(i, names)`, maybe at the same time; appends names of corners to be dropped

@@ -84,8 +84,8 @@ private:
 
   /// Whether the segment a-b leaves a along the edge a-p.
   bool is_along(Vertex_id a, Vertex_id p, Vertex_id b, int orientation_apb) const {
-    return orientation_apb == 0 && dot(Geometry::difference(mesh_.point(p), mesh_.point(a)),
-                                       Geometry::difference(mesh_.point(b), mesh_.point(a))) > 0;
+    return orientation_apb == 0 && dot(Geometry::scaled_difference(mesh_.point(p), mesh_.point(a)),
+                                       Geometry::scaled_difference(mesh_.point(b), mesh_.point(a))) > 0;
   }
 
   /// Looks for the exit in triangle t, which has a at slot i.

@@ -17,6 +17,9 @@
 //           paper finds at once how far to go: rounds are as many as levels are missing. T_B* looks at leaves next
 //           to each other only, and at pairs in sight of each other: what is farther away is balance's concern.
 //           What distances are enough is in Tree_separation_options_2.h and Edge_gaps.h.
+//
+// Leaves become no smaller than a few units of the coordinates there: what features nearer to each other need has no
+// place between coordinates that numbers can express (`has_room()`).
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_SEPARATION_TREES_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_SEPARATION_TREES_H
@@ -100,13 +103,21 @@ public:
   double side(Leaf_index l) const { return side(tree_.level(l)); }
   /// The kernel's point for a grid point, rounded only if it cannot represent it.
   Point kernel_point(const Grid_point& p) const { return map_.to_kernel(tree_.framework().grid().point(p)); }
-  /// \pre the level is less than that of the grid
-  bool is_splittable(Leaf_index l) const { return tree_.level(l) < tree_.framework().grid().depth(); }
+  /// Whether the grid, and the coordinates, have room for the children of a leaf.
+  bool is_splittable(Leaf_index l) const {
+    const auto s = tree_.square(l);
+    return s.level < tree_.framework().grid().depth() && has_room(s.level + 1, kernel_point({s.x, s.y}));
+  }
+  /// Whether squares of a level can have vertices of a mesh on their sides near p, so that rounding them changes no
+  /// angle much.
+  bool has_room(int level, const Point& p) const { return side(level) >= least_side_ * Geometry::spacing(p); }
 
 private:
   using Framework = typename Tree::Framework;
 
   static constexpr std::size_t block_of_leaves_ = 256;
+  /// Of leaves that are split off, in units of the coordinates.
+  static constexpr double least_side_ = 16;
 
   const Meshing_problem<Geometry>& problem_;
   const Pslg& graph_;
@@ -160,7 +171,8 @@ private:
         distance = std::sqrt(squared_length(Geometry::difference(
             problem_.input_points[v], problem_.input_points[framework.input_point(near).value()])));
       if (hits[v] > 0 && std::isfinite(hits[v])) distance = std::min(distance, map_.length_to_kernel(hits[v]));
-      levels[i] = level_for(distance / least_vertex_distance(), framework.grid().depth());
+      levels[i] =
+          level_for(distance / least_vertex_distance(), framework.grid().depth(), problem_.input_points[v]);
     });
     return levels;
   }
@@ -172,11 +184,12 @@ private:
                                                              : options_.vertex_distance;
   }
 
-  /// The first level with sides of at most a length.
-  int level_for(double length, int depth) const {
+  /// The first level with sides of at most a length, or the last one that there is room for at p.
+  int level_for(double length, int depth, const Point& p) const {
     if (!(length < side_of_root_)) return 0;
-    int level = std::max(0, std::ilogb(side_of_root_) - std::ilogb(length) - 1);
-    while (level < depth && side(level) > length) ++level;
+    const double least = std::max(length, least_side_ * Geometry::spacing(p));
+    int level = std::max(0, std::ilogb(side_of_root_) - std::ilogb(least) - 1);
+    while (level < depth && side(level) > length && has_room(level + 1, p)) ++level;
     return std::min(level, depth);
   }
 

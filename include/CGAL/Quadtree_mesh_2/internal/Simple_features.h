@@ -47,8 +47,10 @@ public:
 
   void add_point(const Place& p) { add_vertex(p); }
 
+  /// \param name a function without arguments that says which line it is
   /// \throws Pslg_error_2 if the line is a single place
-  void add_line(const Line& line, const std::string& name) {
+  template <class Name>
+  void add_line(const Line& line, const Name& name) {
     const std::uint32_t first = add_vertices(line, name);
     std::size_t segments = 0;
     for (std::uint32_t i = 1; i < line.size(); ++i)
@@ -56,20 +58,22 @@ public:
         segments_.push_back({first + i - 1, first + i, no_polygon_});
         ++segments;
       }
-    if (segments == 0) throw Pslg_error_2(name + " has not two different places");
+    if (segments == 0) throw Pslg_error_2(name() + " has not two different places");
   }
 
   /// The rings added from now on are those of one new polygon.
   void begin_polygon() { attributes_.push_back(attribute_); }
 
   /// \param ring from the last place to the first it is closed, whether they are equal or not
+  /// \param name a function without arguments that says which ring it is
   /// \throws Pslg_error_2 if the ring has not three different places
-  void add_ring(const Line& ring, const std::string& name) {
+  template <class Name>
+  void add_ring(const Line& ring, const Name& name) {
     const std::uint32_t first = add_vertices(ring, name);
     Line distinct = ring;
     std::sort(distinct.begin(), distinct.end());
     distinct.erase(std::unique(distinct.begin(), distinct.end()), distinct.end());
-    if (distinct.size() < 3) throw Pslg_error_2(name + " has not three different places");
+    if (distinct.size() < 3) throw Pslg_error_2(name() + " has not three different places");
     const auto polygon = static_cast<std::uint32_t>(attributes_.size() - 1);
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const std::size_t next = i + 1 < ring.size() ? i + 1 : 0;
@@ -106,9 +110,10 @@ private:
     return std::minmax(s.a, s.b) == std::minmax(t.a, t.b);
   }
 
-  std::uint32_t add_vertices(const Line& line, const std::string& name) {
+  template <class Name>
+  std::uint32_t add_vertices(const Line& line, const Name& name) {
     if (vertices_.size() + line.size() >= std::numeric_limits<std::uint32_t>::max())
-      throw Pslg_error_2(name + ": more vertices than indices can name");
+      throw Pslg_error_2(name() + ": more vertices than indices can name");
     const auto first = static_cast<std::uint32_t>(vertices_.size());
     for (const Place& p : line) add_vertex(p);
     return first;

@@ -45,6 +45,9 @@ template <class Geometry>
 class Size_estimate {
 public:
   using Point = typename Geometry::Point;
+  using Number = typename Geometry::Number;
+  using Vector = Basic_vector<Number>;
+  using Shape = typename Kernel_mesh<Geometry>::Shape;
 
   /// Two constrained edges that face each other, by their ends, and what they ask for.
   struct Pair {
@@ -57,7 +60,7 @@ public:
   Size_estimate(const Meshing_state<Geometry>& state, Concurrency_tag)
       : state_(state), mesh_(state.mesh), least_(std::sqrt(state.bounds.least_squared_length)) {
     if (state.bounds.squared_length_at)
-      for (const auto& r : mesh_.triangles) total_area2_ += mesh_.shape(r).area2;
+      for (const auto& r : mesh_.triangles) total_area2_ = total_area2_ + mesh_.shape(r).area2;
     marks_.assign(mesh_.triangles.size(), 0);
     const Demand all = reduce<Concurrency_tag>(
         mesh_.triangles.size(), Demand(),
@@ -106,7 +109,7 @@ private:
   const Meshing_state<Geometry>& state_;
   const Kernel_mesh<Geometry>& mesh_;
   double least_;
-  double total_area2_ = 0;
+  Number total_area2_ = 0;
   double of_shapes_ = 0, of_pairs_ = 0, of_sizes_ = 0;
   Pair worst_;
   std::vector<unsigned char>
@@ -126,8 +129,9 @@ private:
     demand.of_shapes += per_triangle;
     if (constrained < 2 && s.longest() > ordinary_aspect * s.area2) {
       // collinear vertices give no area in doubles
-      double aspect = std::min(s.longest() / s.area2, largest_aspect);
-      if (least_ > 0) aspect = std::min(aspect, std::max(ordinary_aspect, std::sqrt(s.longest()) / least_));
+      double aspect = std::min(ratio(s.longest(), s.area2), largest_aspect);
+      if (least_ > 0)
+        aspect = std::min(aspect, std::max(ordinary_aspect, std::sqrt(ratio(s.longest(), least_ * least_))));
       demand.of_shapes += per_layer * std::log2(std::min(aspect / ordinary_aspect, growth_around(r, s)));
     }
     demand.of_sizes += sizes_demand(t, s);
@@ -137,18 +141,18 @@ private:
   /// needles side by side the layers are in common.
   double growth_around(const typename Kernel_mesh<Geometry>::Triangle& r, const Shape& s) const {
     const int k = s.slot_of_shortest();
-    double next = s.longest();
+    Number next = s.longest();
     for (const int j : {next_slot[k], previous_slot[k]}) {
       const Side o = r.side[j];
       if (o.is_constrained()) continue;
       const auto& n = mesh_.triangle(o.triangle());
       const Side base(o.triangle(), Kernel_mesh<Geometry>::slot_of(n, r.v[k]));
-      next = std::min(next, squared_length(Geometry::difference(mesh_.point(mesh_.source(base)),
-                                                                mesh_.point(mesh_.target(base)))));
+      next = std::min(next, squared_length(Geometry::scaled_difference(mesh_.point(mesh_.source(base)),
+                                                                       mesh_.point(mesh_.target(base)))));
     }
     const bool is_needle = s.longest() > 16 * s.shortest();
     return !is_needle ? std::numeric_limits<double>::infinity()
-                      : std::max(1.0, std::sqrt(next / s.shortest()));
+                      : std::max(1.0, std::sqrt(ratio(next, s.shortest())));
   }
 
   double sizes_demand(Triangle_id t, const Shape& s) const {
@@ -161,16 +165,16 @@ private:
         std::max(1 / (share_of_area * area2), 0.5 / (share_of_squared_edge * bounds.squared_length));
     if (bounds.squared_length_at) per_area2 = std::max(per_area2, field_density(t, s));
     const double finest = least_ > 0 ? 0.5 / (share_of_squared_edge * least_ * least_) : per_area2;
-    return s.area2 * std::min(per_area2, finest);
+    return ratio(s.area2, 1) * std::min(per_area2, finest);
   }
 
   /// The mean of the density that the size field asks for in t, at the centres of k^2 parts of equal area.
   double field_density(Triangle_id t, const Shape& s) const {
     const auto& r = mesh_.triangle(t);
     const Point& a = mesh_.point(r.v[0]);
-    const Vector ab = Geometry::difference(mesh_.point(r.v[1]), a),
-                 ac = Geometry::difference(mesh_.point(r.v[2]), a);
-    const int k = static_cast<int>(std::ceil(std::sqrt(field_samples * s.area2 / total_area2_)));
+    const Vector ab = Geometry::scaled_difference(mesh_.point(r.v[1]), a),
+                 ac = Geometry::scaled_difference(mesh_.point(r.v[2]), a);
+    const int k = static_cast<int>(std::ceil(std::sqrt(ratio(field_samples * s.area2, total_area2_))));
     double sum = 0;
     for (int i = 0; i < k; ++i)
       for (int j = 0; i + j < k; ++j)
@@ -267,15 +271,16 @@ private:
   void add_wedge(Vertex_id v, Side r, Side s) {
     const Vertex_id o = mesh_.target(r);
     if (mesh_.source(s) != o) return;
-    const Vector a = Geometry::difference(mesh_.point(mesh_.source(r)), mesh_.point(o));
-    const Vector b = Geometry::difference(mesh_.point(mesh_.target(s)), mesh_.point(o));
-    const double cosine = dot(a, b), sine = std::fabs(cross(a, b));
+    using std::fabs, std::log;
+    const Vector a = Geometry::scaled_difference(mesh_.point(mesh_.source(r)), mesh_.point(o));
+    const Vector b = Geometry::scaled_difference(mesh_.point(mesh_.target(s)), mesh_.point(o));
+    const Number cosine = dot(a, b), sine = fabs(cross(a, b));
     if (cosine <= 2 * sine) return; // above 27 degrees
-    const double ratio2 = std::min(squared_length(a), squared_length(b)) /
-                          squared_length(Geometry::difference(mesh_.point(v), mesh_.point(o)));
+    const Number ratio2 = std::min(squared_length(a), squared_length(b)) /
+                          squared_length(Geometry::scaled_difference(mesh_.point(v), mesh_.point(o)));
     if (ratio2 > 1)
-      add_parts(0.5 * std::log(ratio2) * cosine / std::max(sine, 1e-20 * cosine), {mesh_.source(r), o},
-                {o, mesh_.target(s)});
+      add_parts(ratio(0.5 * log(ratio2) * cosine, std::max<Number>(sine, 1e-20 * cosine)),
+                {mesh_.source(r), o}, {o, mesh_.target(s)});
   }
 
   void add_parts(double parts, const Vertex_id (&p)[2], const Vertex_id (&q)[2]) {
@@ -286,8 +291,8 @@ private:
 
   /// Where v is along the edge p, from 0 to 1 between its ends.
   double projection(Vertex_id v, const Vertex_id (&p)[2]) const {
-    const Vector u = Geometry::difference(mesh_.point(p[1]), mesh_.point(p[0]));
-    return dot(Geometry::difference(mesh_.point(v), mesh_.point(p[0])), u) / squared_length(u);
+    const Vector u = Geometry::scaled_difference(mesh_.point(p[1]), mesh_.point(p[0]));
+    return ratio(dot(Geometry::scaled_difference(mesh_.point(v), mesh_.point(p[0])), u), squared_length(u));
   }
 
   /// Adds the integral of 1 / gap along the part of the edge p from position `begin` on, the domain on its
@@ -295,19 +300,20 @@ private:
   void add_pair(const Vertex_id (&p)[2], Side s, double begin = 0) {
     const Vertex_id q[2] = {mesh_.source(s), mesh_.target(s)};
     if (p[0] == q[0] || p[0] == q[1] || p[1] == q[0] || p[1] == q[1]) return;
-    const Vector u = Geometry::difference(mesh_.point(p[1]), mesh_.point(p[0]));
-    const Vector v = Geometry::difference(mesh_.point(q[0]), mesh_.point(p[0]));
-    const Vector w = Geometry::difference(mesh_.point(q[1]), mesh_.point(p[0]));
-    const double l2 = squared_length(u);
-    const double c0 = cross(u, v), c1 = cross(u, w), d0 = dot(v, u), d1 = dot(w, u);
-    const double narrowest = std::min(std::fabs(c0), std::fabs(c1));
-    if (narrowest >= l2 || narrowest >= std::fabs(d0 - d1)) return; // wider than long
+    using std::fabs, std::sqrt;
+    const Vector u = Geometry::scaled_difference(mesh_.point(p[1]), mesh_.point(p[0]));
+    const Vector v = Geometry::scaled_difference(mesh_.point(q[0]), mesh_.point(p[0]));
+    const Vector w = Geometry::scaled_difference(mesh_.point(q[1]), mesh_.point(p[0]));
+    const Number l2 = squared_length(u);
+    const Number c0 = cross(u, v), c1 = cross(u, w), d0 = dot(v, u), d1 = dot(w, u);
+    const Number narrowest = std::min(fabs(c0), fabs(c1));
+    if (narrowest >= l2 || narrowest >= fabs(d0 - d1)) return; // wider than long
     // in units of the edge p: positions along it and distances from it
-    double t0 = d0 / l2, t1 = d1 / l2, g0 = c0 / l2, g1 = c1 / l2;
+    double t0 = ratio(d0, l2), t1 = ratio(d1, l2), g0 = ratio(c0, l2), g1 = ratio(c1, l2);
     if (t0 > t1) std::swap(t0, t1), std::swap(g0, g1);
     const double low = std::max({t0, begin, 0.0}), high = std::min(t1, 1.0);
     if (!(low < high)) return;
-    const double slope = (g1 - g0) / (t1 - t0), floor = std::max(least_ / std::sqrt(l2), 1e-20);
+    const double slope = (g1 - g0) / (t1 - t0), floor = std::max(ratio(least_, sqrt(l2)), 1e-20);
     double a = g0 + slope * (low - t0), b = g0 + slope * (high - t0);
     if (std::max(a, b) <= 0) return; // behind p
     a = std::max(a, floor), b = std::max(b, floor);

@@ -37,6 +37,11 @@ template <class Geometry>
 class Splitter {
 public:
   using Point = typename Geometry::Point;
+  using Number = typename Geometry::Number;
+  using Leg = typename Acute_corners<Geometry>::Leg;
+  using Sector = typename Acute_corners<Geometry>::Sector;
+  using Corner = typename Acute_corners<Geometry>::Corner;
+  using Shell_vertex = typename Acute_corners<Geometry>::Shell_vertex;
 
   explicit Splitter(Meshing_state<Geometry>& state)
       : state_(state), mesh_(state.mesh), corners_(state.corners) {}
@@ -83,13 +88,13 @@ public:
     const Corner_id c = corners_.corner_of(corners_.sector(s));
     if (!state_.owns(c)) return Outcome::deferred;
     if (corners_.sector(s).lock_radius == 0) return Outcome::refused;
-    const double lock_radius = corners_.sector(s).lock_radius;
+    const Number lock_radius = corners_.sector(s).lock_radius;
     // only at the ring may vertices stand in for those of the radius; further in the chord is the limit
     const bool is_at_ring = lock_radius == corners_.corner(c).radius;
-    const double tolerance = is_at_ring ? ring_tolerance(corners_.corner(c)) : 1e-9 * lock_radius;
-    double low = lock_radius, high = 0;
+    const Number tolerance = is_at_ring ? ring_tolerance(corners_.corner(c)) : 1e-9 * lock_radius;
+    Number low = lock_radius, high = 0;
     for (const Vertex_id v : r.v) {
-      const double radius = shell_radius(s, v);
+      const Number radius = shell_radius(s, v);
       if (radius < 0 || radius > lock_radius + tolerance) return Outcome::refused;
       low = std::min(low, radius), high = std::max(high, radius);
     }
@@ -110,35 +115,35 @@ private:
   Kernel_mesh<Geometry>& mesh_;
   Acute_corners<Geometry>& corners_;
 
-  /// Nothing is cut nearer to an acute apex than this share of the leg. For bounds that are guaranteed only
-  /// features as near as that could ask for it; above, two corners of one vertex may drive each other on
-  /// without end.
-  double least_share_of_leg() const {
-    return state_.bounds.is_guaranteed() ? Geometry::least_share_of_leg : 0x1p-12;
+  /// Nothing is cut nearer to an acute apex than this share of the leg. For bounds that are established only features
+  /// as near as that could ask for it, or coordinates are the limit; above, two corners of one vertex may drive
+  /// each other on without end.
+  Number least_share_of_leg() const {
+    return state_.bounds.is_established() ? state_.problem.least_share_of_leg : Number(0x1p-12);
   }
 
-  double distance(Vertex_id a, Vertex_id b) const {
-    return std::sqrt(squared_length(Geometry::difference(mesh_.point(a), mesh_.point(b))));
+  Number distance(Vertex_id a, Vertex_id b) const {
+    return length(Geometry::scaled_difference(mesh_.point(a), mesh_.point(b)));
   }
 
-  Point point_on_leg(const Leg& leg, double radius) const {
+  Point point_on_leg(const Leg& leg, Number radius) const {
     return Geometry::between(state_.problem.input_point(leg.apex), state_.problem.input_point(leg.far),
                              radius / leg.length);
   }
 
-  static double ring_tolerance(const Corner& c) {
+  static Number ring_tolerance(const Corner& c) {
     return chord_share_to_merge * 2 * std::sin(c.least_angle / 2) * c.radius;
   }
 
   // ---- shells
 
-  void cut_ring_on_leg(Leg_id l, double radius, double tolerance) {
+  void cut_ring_on_leg(Leg_id l, Number radius, Number tolerance) {
     Leg& leg = corners_.leg(l);
     const auto& at = corners_.legs_of_edge[std::size_t(leg.edge)];
     const Leg_id opposite = at[0] == l ? at[1] : at[0];
     const Vertex_id opposite_ring = opposite >= 0 ? corners_.leg(opposite).ring : -1;
     const Vertex_id beyond = opposite_ring >= 0 && opposite_ring != leg.apex ? opposite_ring : leg.far;
-    const double room = beyond == leg.far ? leg.length : distance(leg.apex, beyond);
+    const Number room = beyond == leg.far ? leg.length : distance(leg.apex, beyond);
     leg.ring = room <= radius + tolerance
                    ? beyond
                    : insert_between(leg.apex, beyond, leg.edge, point_on_leg(leg, radius));
@@ -149,7 +154,7 @@ private:
   struct Interval {
     Shell_vertex below, above;
   };
-  Interval interval_around(const Leg& leg, double radius) const {
+  Interval interval_around(const Leg& leg, Number radius) const {
     Interval i{{0, leg.apex_vertex}, {0, -1}};
     for (const Shell_vertex& s : leg.shells) {
       if (!mesh_.is_used(s.vertex)) continue;
@@ -163,7 +168,7 @@ private:
   }
 
   /// Cuts every leg of the corner at a radius within the ring, where it is not cut there yet.
-  bool insert_shell(Corner_id c, double radius) {
+  bool insert_shell(Corner_id c, Number radius) {
     bool is_changed = false;
     for (const Leg_id l : corners_.corner(c).legs) {
       Leg& leg = corners_.leg(l);
@@ -187,14 +192,14 @@ private:
   }
 
   /// The radius of a leg's shell vertex, 0 for the apex, -1 for other vertices.
-  static double radius_on_leg(const Leg& leg, Vertex_id v) {
+  static Number radius_on_leg(const Leg& leg, Vertex_id v) {
     if (v == leg.apex_vertex) return 0;
     for (const Shell_vertex& s : leg.shells)
       if (s.vertex == v) return s.radius;
     return -1;
   }
 
-  double shell_radius(Sector_id s, Vertex_id v) const {
+  Number shell_radius(Sector_id s, Vertex_id v) const {
     const Sector& sector = corners_.sector(s);
     return std::max(radius_on_leg(corners_.leg(sector.right), v),
                     radius_on_leg(corners_.leg(sector.left), v));
@@ -202,9 +207,9 @@ private:
 
   bool halve_interval(Leg_id l, Vertex_id x, Vertex_id y) {
     const Leg& leg = corners_.leg(l);
-    const double p = radius_on_leg(leg, x), q = radius_on_leg(leg, y);
-    const double low = std::min(p, q), high = std::max(p, q);
-    return insert_shell(leg.corner, low == 0 ? innermost_share * high : (low + high) / 2);
+    const Number p = radius_on_leg(leg, x), q = radius_on_leg(leg, y);
+    const Number low = std::min(p, q), high = std::max(p, q);
+    return insert_shell(leg.corner, low == 0 ? Number(innermost_share * high) : Number((low + high) / 2));
   }
 
   // ---- locks
@@ -231,26 +236,27 @@ private:
   }
 
   /// The largest radius below `radius` at which both legs have a shell vertex; 0 if there is none.
-  double shell_below_on_both(const Sector& s, double radius) const {
-    double best = 0;
+  Number shell_below_on_both(const Sector& s, Number radius) const {
+    Number best = 0;
     for (const Shell_vertex& v : corners_.leg(s.right).shells)
       if (v.radius < radius * (1 - 1e-9) && mesh_.is_used(v.vertex) && vertex_at(s.left, v.radius) >= 0)
         best = std::max(best, v.radius);
     return best;
   }
 
-  Vertex_id vertex_at(Leg_id l, double radius) const {
+  Vertex_id vertex_at(Leg_id l, Number radius) const {
+    using std::fabs;
     const Leg& leg = corners_.leg(l);
     if (radius == corners_.corner(leg.corner).radius)
       return leg.ring >= 0 && mesh_.is_used(leg.ring) ? leg.ring : -1;
     for (const Shell_vertex& v : leg.shells)
-      if (std::fabs(v.radius - radius) <= 1e-9 * radius && mesh_.is_used(v.vertex)) return v.vertex;
+      if (fabs(v.radius - radius) <= 1e-9 * radius && mesh_.is_used(v.vertex)) return v.vertex;
     return -1;
   }
 
-  double shell_below(Sector_id s, double radius) const {
-    const double below = shell_below_on_both(corners_.sector(s), radius);
-    return below > 0 ? below : innermost_share * radius;
+  Number shell_below(Sector_id s, Number radius) const {
+    const Number below = shell_below_on_both(corners_.sector(s), radius);
+    return below > 0 ? below : Number(innermost_share * radius);
   }
 
   void lock_at_ring(Sector_id s) {
@@ -260,7 +266,7 @@ private:
 
   /// Locks the chord at a shell's radius, if it is an edge of the mesh; otherwise the sector stays ordinary
   /// domain.
-  void lock(Sector& s, double radius) {
+  void lock(Sector& s, Number radius) {
     s.lock_radius = 0;
     const Vertex_id a = vertex_at(s.right, radius), b = vertex_at(s.left, radius);
     if (a < 0 || b < 0 || a == b) return;
@@ -286,14 +292,14 @@ private:
 
   /// Moves the lock of a sector down by one shell, making one where there is none.
   bool lower_lock(Sector_id s) {
-    const double radius = corners_.sector(s).lock_radius;
+    const Number radius = corners_.sector(s).lock_radius;
     if (radius <= 0) return false;
-    const double below = shell_below(s, radius);
+    const Number below = shell_below(s, radius);
     insert_shell(corners_.leg(corners_.sector(s).right).corner, below);
     return move_lock(s, below);
   }
 
-  bool move_lock(Sector_id s, double radius) {
+  bool move_lock(Sector_id s, Number radius) {
     Sector& sector = corners_.sector(s);
     if (vertex_at(sector.right, radius) < 0 || vertex_at(sector.left, radius) < 0) return false;
     release_chord(sector);
@@ -322,9 +328,13 @@ private:
     return v;
   }
 
-  /// A rounded point may lie beside its edge: both parts of the triangle must keep their orientation.
+  /// A rounded point may lie beside its edge: both parts of the triangle must keep their orientation, and the edge be
+  /// long enough for that to be no chance.
   bool is_valid_split(Side s, const Point& p) const {
     const Point& apex = mesh_.point(mesh_.opposite(s));
+    for (const Vertex_id end : {mesh_.source(s), mesh_.target(s)})
+      if (!Geometry::is_resolved(p, squared_length(Geometry::scaled_difference(mesh_.point(end), p))))
+        return false;
     return Geometry::orientation(apex, mesh_.point(mesh_.source(s)), p) > 0 &&
            Geometry::orientation(apex, p, mesh_.point(mesh_.target(s))) > 0;
   }
@@ -333,24 +343,32 @@ private:
     const Vertex_id x = mesh_.source(s), y = mesh_.target(s);
     const Vertex_id apex = is_acute_apex(x) ? x : is_acute_apex(y) ? y : -1;
     if (apex >= 0) {
-      const double length = distance(x, y), whole = length_of_edge(e);
+      const Number length = distance(x, y), whole = length_of_edge(e);
       if (length < 2 * least_share_of_leg() * whole) return false;
-      const double radius = std::exp2(std::floor(std::log2(length * 2 / 3))); // of length, in (1/3, 2/3]
+      const Number radius = power_of_two_at_most(length * 2 / 3); // of length, in (1/3, 2/3]
       if (insert(s, e, point_on_edge(e, apex, radius / whole)) >= 0) return true;
     }
     const double share = apex >= 0 ? 0.5 : share_of_split(x, y, e, want);
     for (const double f : {share, 0.5, 0.4, 0.6, 0.45, 0.55})
-      if (insert(s, e, Geometry::between(mesh_.point(x), mesh_.point(y), f)) >= 0) return true;
+      if (insert(s, e, point_on_edge_between(e, x, y, f)) >= 0) return true;
     return false;
   }
 
-  double length_of_edge(Edge_id e) const {
-    return std::sqrt(squared_length(Geometry::difference(state_.problem.input_point(state_.edges[e].a),
-                                                         state_.problem.input_point(state_.edges[e].b))));
+  Number length_of_edge(Edge_id e) const {
+    return length(Geometry::scaled_difference(state_.problem.input_point(state_.edges[e].a),
+                                              state_.problem.input_point(state_.edges[e].b)));
+  }
+
+  /// The point at a share of the way between two vertices on an input edge. Rounding must not add up from split to
+  /// split: a vertex of an edge is as near to it as one made from the edge's ends.
+  Point point_on_edge_between(Edge_id e, Vertex_id x, Vertex_id y, double share) const {
+    const Input_edge& edge = state_.edges[e];
+    return Geometry::back_to_line(state_.problem.input_point(edge.a), state_.problem.input_point(edge.b),
+                                  Geometry::between(mesh_.point(x), mesh_.point(y), share));
   }
 
   /// The point at a share of an input edge, from the end that a vertex of the mesh is.
-  Point point_on_edge(Edge_id e, Vertex_id end, double share) const {
+  Point point_on_edge(Edge_id e, Vertex_id end, Number share) const {
     const Vertex_id from = mesh_.input_number(end);
     return Geometry::between(state_.problem.input_point(from),
                              state_.problem.input_point(state_.edges.other_end(e, from)), share);
@@ -368,8 +386,8 @@ private:
   /// Where x-y is split, for a wish in its middle 30 percent.
   double share_of_split(Vertex_id x, Vertex_id y, Edge_id e, const Point* want) const {
     if (want == nullptr || is_leg_without_ring(e, 0) || is_leg_without_ring(e, 1)) return 0.5;
-    const Vector d = Geometry::difference(mesh_.point(y), mesh_.point(x));
-    const double f = dot(Geometry::difference(*want, mesh_.point(x)), d) / squared_length(d);
+    const auto d = Geometry::scaled_difference(mesh_.point(y), mesh_.point(x));
+    const double f = ratio(dot(Geometry::scaled_difference(*want, mesh_.point(x)), d), squared_length(d));
     return Geometry::short_share(std::min(0.65, std::max(0.35, f)));
   }
 };

@@ -20,11 +20,14 @@
 //      features of a place are as far apart, in sides of its leaves, as the bound needs.
 // The bound is met when a round finds no triangle below it: that is the proof, triangle by triangle. Leaves along an
 // edge away from its ends that are equal, and those in columns, keep to it by certificate (Column_rule.h). That
-// splitting ends elsewhere is established numerically (doc/guarantees.md); the budget and the grid end it at any rate.
+// splitting ends elsewhere is established numerically (doc/guarantees.md); the budget and the coordinates end it at any
+// rate: triangles at leaves that these have no room to split are left to refinement, and the rest goes on.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_TREE_CONSTRUCTION_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_TREE_CONSTRUCTION_H
 
+#include <CGAL/Quadtree_mesh_2/internal/Edge_rooms.h>
+#include <CGAL/Quadtree_mesh_2/internal/Edge_sides.h>
 #include <CGAL/Quadtree_mesh_2/internal/Meshing_state.h>
 #include <CGAL/Quadtree_mesh_2/internal/Remover.h>
 #include <CGAL/Quadtree_mesh_2/internal/Rule_placement.h>
@@ -45,8 +48,6 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-enum class Construction_end { done, cancelled, out_of_budget, out_of_grid };
-
 template <class Traits, class Concurrency_tag>
 class Tree_construction {
 public:
@@ -54,22 +55,23 @@ public:
   using Geometry = typename Trees::Geometry;
   using State = Meshing_state<Geometry>;
   using Report = Tree_separation_report_2;
+  using End = Report::End;
 
   /// \param trees of the state's problem
   /// \param is_merged for each input vertex whether another one stands for it
   Tree_construction(State& state, Trees& trees, const typename Trees::Map& map,
-                    const std::vector<char>& is_merged, const Domain_rule<Geometry>& domain, Report& report)
-      : state_(state), mesh_(state.mesh), trees_(trees), map_(map), is_merged_(is_merged), domain_(domain),
-        report_(report) {}
+                    const std::vector<char>& is_merged, const Edge_sides& sides, Report& report)
+      : state_(state), mesh_(state.mesh), trees_(trees), map_(map), is_merged_(is_merged), sides_(sides),
+        report_(report), rooms_(Edge_rooms<Geometry>::template of<Concurrency_tag>(state.problem)) {}
 
-  /// Replaces the mesh, if coordinates allow a round. What is below the bound at the end is on the worklist.
+  /// Replaces the mesh, unless the first round fails. What is below the bound at the end is on the worklist.
   /// `shall_go_on()` is asked once a round; at most about `budget` vertices are made.
   template <class Continue>
-  Construction_end run(Tree_separation_options_2::Placement placement, std::size_t budget,
-                       const Continue& shall_go_on) {
+  End run(Tree_separation_options_2::Placement placement, std::size_t budget, const Continue& shall_go_on) {
     for (;;) {
       ++report_.rounds;
-      if (!make_mesh(placement)) return Construction_end::out_of_grid;
+      report_.handed_over = 0;
+      if (!make_mesh(placement)) return End::FAILED;
       std::vector<Triangle_id> sharp = sharp_triangles();
       report_.triangles = mesh_.number_of_triangles();
       report_.missed_by_rule = sharp.size();
@@ -77,11 +79,10 @@ public:
       report_.missed = sharp.size();
       report_.leaves_of_edges = trees_.tree().number_of_leaves();
       for (const Triangle_id t : sharp) state_.worklist.push(t);
-      if (sharp.empty()) return Construction_end::done;
-      if (!shall_go_on()) return Construction_end::cancelled;
-      if (mesh_.number_of_vertices() >= budget || trees_.is_exhausted())
-        return Construction_end::out_of_budget;
-      if (!trees_.refine(leaves_to_blame(sharp))) return Construction_end::out_of_grid;
+      if (sharp.empty()) return End::DONE;
+      if (!shall_go_on()) return End::CANCELLED;
+      if (mesh_.number_of_vertices() >= budget || trees_.is_exhausted()) return End::BUDGET;
+      if (!trees_.refine(leaves_to_blame(sharp))) return End::COORDINATES;
     }
   }
 
@@ -93,8 +94,10 @@ private:
   Trees& trees_;
   const typename Trees::Map& map_;
   const std::vector<char>& is_merged_;
-  const Domain_rule<Geometry>& domain_;
+  const Edge_sides& sides_;
   Report& report_;
+  const Edge_rooms<Geometry> rooms_;
+  std::vector<Edge_id> cramped_edges_; // of the last round
 
   Grid_point grid_point(const typename Geometry::Point& p) const {
     return trees_.tree().framework().grid().grid_point(map_.to_user(p));
@@ -103,16 +106,19 @@ private:
   bool make_mesh(Tree_separation_options_2::Placement placement) {
     state_.clear_worklist();
     const auto placed = placement == Tree_separation_options_2::Placement::BY_RULE
-                            ? Rule_placement<Traits, Concurrency_tag>(state_.problem, trees_).run()
-                            : Tree_placement<Traits, Concurrency_tag>(state_.problem, trees_).run();
-    return triangulate_placed_vertices<Concurrency_tag>(
-        placed, is_merged_, domain_, [this](const auto& p) { return grid_point(p); }, mesh_);
+                            ? Rule_placement<Traits, Concurrency_tag>(state_.problem, trees_, rooms_).run()
+                            : Tree_placement<Traits, Concurrency_tag>(state_.problem, trees_, rooms_).run();
+    cramped_edges_ = placed.cramped_edges;
+    Tree_triangulation<Concurrency_tag, Geometry> triangulation(placed, is_merged_, state_.edges, sides_);
+    if (!triangulation.run([this](const auto& p) { return grid_point(p); }, mesh_)) return false;
+    state_.corners.forget_cuts(); // those of the mesh that is replaced
+    return true;
   }
 
   bool is_sharp(Triangle_id t) const {
     const auto& r = mesh_.triangle(t);
-    const Shape s = mesh_.shape(r);
-    return state_.bounds.is_sharp(s) && !state_.is_exempt(r.v[0], r.v[1], r.v[2], s);
+    const auto s = mesh_.shape(r);
+    return state_.bounds.is_sharp(s) && !state_.is_exempt(r.v[0], r.v[1], r.v[2]);
   }
 
   std::vector<Triangle_id> sharp_triangles() const {
@@ -142,13 +148,27 @@ private:
   /// sizes that meets an edge under the same angle again and again.
   static constexpr std::size_t rounds_of_largest_leaves_ = 3;
 
-  /// The leaves around the vertices of each triangle: the largest, or all.
-  std::vector<Leaf_index> leaves_to_blame(const std::vector<Triangle_id>& sharp) const {
+  /// Whether splitting a leaf may help: it can be split, and its edges can get vertices.
+  bool has_room(Leaf_index l) const {
+    const auto pieces = trees_.pieces_in_leaves()[l];
+    return trees_.is_splittable(l) && std::none_of(pieces.begin(), pieces.end(), [this](const Edge_piece& p) {
+             return std::binary_search(cramped_edges_.begin(), cramped_edges_.end(),
+                                       static_cast<Edge_id>(p.segment.value()));
+           });
+  }
+
+  /// The leaves around the vertices of each triangle: the largest, or all. Where one of them has no room, the triangle is
+  /// left to refinement.
+  std::vector<Leaf_index> leaves_to_blame(const std::vector<Triangle_id>& sharp) {
     std::vector<Leaf_index> leaves, around;
     const auto& tree = trees_.tree();
     for (const Triangle_id t : sharp) {
       around.clear();
       for (const Vertex_id v : mesh_.triangle(t).v) append_leaves_at(mesh_.point(v), around);
+      if (!std::all_of(around.begin(), around.end(), [this](Leaf_index l) { return has_room(l); })) {
+        ++report_.handed_over;
+        continue;
+      }
       int level = tree.framework().grid().depth();
       for (const Leaf_index l : around) level = std::min(level, tree.level(l));
       for (const Leaf_index l : around)

@@ -57,14 +57,14 @@ public:
   using Point = typename Geometry::Point;
   using Problem = Meshing_problem<Geometry>;
 
-  Tree_placement(const Problem& problem, const Trees& trees)
-      : problem_(problem), trees_(trees), tree_(trees.tree()), corners_(trees.tree()),
+  Tree_placement(const Problem& problem, const Trees& trees, const Edge_rooms<Geometry>& rooms)
+      : problem_(problem), trees_(trees), rooms_(rooms), tree_(trees.tree()), corners_(trees.tree()),
         box_(box_of_points<Concurrency_tag>(trees.tree())) {}
 
   Placed_vertices<Geometry> run() {
     Placed_vertices<Geometry> placed(problem_.input_points);
     placed.template append_vertices_of_edges<Concurrency_tag>(
-        problem_.edges, [this](Edge_id e, auto& crossings) { cut_edge(e, crossings); });
+        problem_.edges, rooms_, [this](Edge_id e, auto& crossings) { cut_edge(e, crossings); });
     find_corners_kept();
     drop_corners_at_vertices();
     placed.template append_corners<Concurrency_tag>(trees_, corners_, is_kept_);
@@ -82,6 +82,7 @@ private:
 
   const Problem& problem_;
   const Trees& trees_;
+  const Edge_rooms<Geometry>& rooms_;
   const Tree& tree_;
   Corners corners_;
   const Grid_box<Grid_point> box_;
@@ -102,9 +103,8 @@ private:
       const Leaf_index behind = side_crossed(leaves[i - 1], leaves[i], is_steep);
       if (!behind.is_valid()) continue;
       const auto s = tree_.square(behind);
-      const Vector to_side = Geometry::difference(trees_.kernel_point({s.x, s.y}), a);
-      const double share = is_steep ? to_side.y / d.y : to_side.x / d.x;
-      if (share >= least && share <= most) crossings.push_back({e, Geometry::between(a, b, share)});
+      const auto crossing = Point_on_edge<Geometry>::beside(trees_.kernel_point({s.x, s.y}), a, b, is_steep);
+      if (crossing.share >= least && crossing.share <= most) crossings.push_back({e, crossing.point});
     }
   }
 

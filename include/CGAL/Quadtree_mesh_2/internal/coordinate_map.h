@@ -15,6 +15,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <cstdlib>
 
 namespace CGAL {
 namespace Quadtree_mesh_2 {
@@ -41,8 +42,8 @@ struct Coordinate_ranges {
 template <class Traits, class Geometry>
 class Coordinate_map;
 
-/// Over doubles: the input is scaled by a power of two so that its extent is about 1. Then products of four
-/// differences neither overflow nor underflow down to features of 2^-250 of the extent. Exact but for
+/// Over doubles: the input is scaled by a power of two so that its extent is about 1. Then products of six
+/// differences neither overflow nor underflow down to features of 2^-165 of the extent. Exact but for
 /// subnormal numbers.
 template <class Traits, class Kernel>
 class Coordinate_map<Traits, Double_geometry_2<Kernel>> {
@@ -68,6 +69,11 @@ public:
   }
   double length_to_kernel(double length) const { return std::ldexp(length, -exponent_); }
   bool is_in_range() const { return true; }
+
+  /// Whether scaling may round coordinates that are not far below the extent: next to the ends of the range of doubles.
+  bool may_round() const { return std::abs(exponent_) > 900; }
+  /// Whether p is as it was when scaled to the kernel and back.
+  bool is_kept(const Point_2& p) const { return to_user(to_kernel(p)) == p; }
 
 private:
   int exponent_ = 0;

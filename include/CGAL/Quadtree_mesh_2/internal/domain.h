@@ -12,6 +12,9 @@
 // are kept. Holes and regions are located before anything is dropped, so that no walk is blocked. O(n), and a
 // walk for each hole and region.
 //
+// A hole's or region's point on a segment belongs to the component on both its sides, if that is one; if not, nobody can
+// tell what is meant, and it is refused. Whether it lies there is decided exactly.
+//
 // From here on the mesh is the domain alone, and no walk leaves it: features behind an outside gap, however
 // thin, are not seen and force nothing (distances are geodesic).
 
@@ -24,6 +27,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/walk.h>
 #include <CGAL/Quality_mesh_options_2.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -33,6 +37,42 @@
 namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
+
+/// Drops the triangles of a mesh that are not kept, and the vertices from the given one on; keeps the order of the
+/// others.
+template <class Mesh>
+void keep_triangles(Mesh& mesh, const std::vector<char>& is_kept, std::size_t end_of_vertices) {
+  std::vector<Triangle_id> new_id(mesh.triangles.size(), -1);
+  Triangle_id kept = 0;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    if (is_kept[t] != 0) new_id[t] = kept++;
+
+  mesh.points.resize(end_of_vertices), mesh.edge_of.resize(end_of_vertices);
+  mesh.is_dirty.resize(end_of_vertices);
+  mesh.triangle_of.assign(end_of_vertices, -1);
+  for (std::size_t t = 0; t < new_id.size(); ++t) {
+    if (new_id[t] < 0) continue;
+    auto r = mesh.triangles[t];
+    for (int k = 0; k < 3; ++k) {
+      const Side o = r.side[k];
+      const Triangle_id u = o.is_border() ? -1 : new_id[std::size_t(o.triangle())];
+      r.side[k] = u < 0 ? Side::border() : Side(u, o.slot(), o.is_constrained());
+      mesh.triangle_of[std::size_t(r.v[k])] = new_id[t];
+    }
+    mesh.triangle(new_id[t]) = r;
+    mesh.set_region(new_id[t], mesh.region(static_cast<Triangle_id>(t)));
+  }
+  mesh.triangles.resize(std::size_t(kept));
+  if (!mesh.region_of.empty()) mesh.region_of.resize(std::size_t(kept));
+}
+
+/// Thrown if the point of a hole or region lies on a segment, or an end of one, with several components around.
+struct Ambiguous_seed {
+  enum class Of { HOLE, REGION };
+  Of of;
+  std::size_t number;
+  Vertex_id a, b; ///< the point is between these vertices; `a` where they are the same
+};
 
 template <class Geometry>
 class Domain_finder {
@@ -47,6 +87,7 @@ public:
 
   /// Keeps the domain only, in the order it had; the mesh is empty afterwards if there is none. If there are
   /// regions, `Kernel_mesh::region_of` tells for each triangle the first one whose point is in its component.
+  /// \throws Ambiguous_seed
   void run(Rule rule, const std::vector<Point>& holes, const std::vector<Point>& regions) {
     find_levels(rule == Rule::NESTING_PARITY ? std::numeric_limits<std::int32_t>::max() : 1);
     is_kept_.resize(mesh_.triangles.size());
@@ -55,8 +96,8 @@ public:
     if (rule == Rule::MARKED)
       for (std::size_t t = 0; t < is_kept_.size(); ++t)
         is_kept_[t] = level_[t] > 0 && !regions.empty() && mesh_.region_of[t] >= 0;
-    for (const Triangle_id t : triangles_at(holes)) drop_component(t);
-    drop();
+    for (const Triangle_id t : triangles_at(holes, Ambiguous_seed::Of::HOLE)) drop_component(t);
+    keep_triangles(mesh_, is_kept_, first_auxiliary_);
   }
 
 private:
@@ -71,7 +112,7 @@ private:
   }
 
   /// The triangle that holds each point, -1 for none, by walks from one to the next in shuffle order.
-  std::vector<Triangle_id> triangles_at(const std::vector<Point>& points) const {
+  std::vector<Triangle_id> triangles_at(const std::vector<Point>& points, Ambiguous_seed::Of of) {
     std::vector<Triangle_id> found(points.size(), -1);
     if (points.empty()) return found;
     const Place_keys<Geometry> key(mesh_.points);
@@ -80,9 +121,42 @@ private:
          radix_order(points.size(), 1, [&](std::uint32_t p, int) { return key(points[p]) << 32; })) {
       const Walk_end end = locate_exactly(mesh_, hint, points[i]);
       hint = end.triangle;
-      if (!end.is_blocked()) found[i] = end.triangle;
+      if (end.is_blocked()) continue;
+      found[i] = end.triangle;
+      check_place(end.triangle, points[i], {of, i, -1, -1});
     }
     return found;
+  }
+
+  /// \throws Ambiguous_seed if a point of the triangle is in the border of several components.
+  void check_place(Triangle_id t, const Point& p, Ambiguous_seed seed) {
+    const auto& r = mesh_.triangle(t);
+    std::vector<int> sides; // that the point is on; two at a vertex
+    for (int k = 0; k < 3; ++k)
+      if (Geometry::orientation(mesh_.point(r.v[next_slot[k]]), mesh_.point(r.v[previous_slot[k]]), p) == 0)
+        sides.push_back(k);
+    std::vector<Triangle_id> around;
+    if (sides.size() == 1) {
+      const Side side(t, sides[0]);
+      if (!mesh_.across(side).is_constrained()) return;
+      seed.a = mesh_.source(side), seed.b = mesh_.target(side);
+      around = {mesh_.across(side).triangle()};
+    } else if (sides.size() == 2) {
+      seed.a = seed.b = r.v[3 - sides[0] - sides[1]];
+      mesh_.for_each_triangle_at(seed.a, [&](Triangle_id u, int) { around.push_back(u); });
+    }
+    if (!is_one_component(t, around)) throw seed;
+  }
+
+  bool is_one_component(Triangle_id first, const std::vector<Triangle_id>& others) {
+    if (others.empty()) return true;
+    std::vector<char> is_reached(mesh_.triangles.size(), 0);
+    is_reached[std::size_t(first)] = 1;
+    stack_.push_back(first);
+    flood([&](Triangle_id t) { return std::exchange(is_reached[std::size_t(t)], char(1)) == 0; },
+          [](Triangle_id) {});
+    return std::all_of(others.begin(), others.end(),
+                       [&](Triangle_id t) { return is_reached[std::size_t(t)] != 0; });
   }
 
   /// Calls `visit(t)` for the triangles that are reached from those on the stack without crossing a
@@ -129,7 +203,7 @@ private:
     mesh_.region_of.clear();
     if (regions.empty()) return;
     mesh_.region_of.assign(mesh_.triangles.size(), -1);
-    const std::vector<Triangle_id> holders = triangles_at(regions);
+    const std::vector<Triangle_id> holders = triangles_at(regions, Ambiguous_seed::Of::REGION);
     for (std::size_t i = 0; i < regions.size(); ++i) {
       const auto visit = [&](Triangle_id t) {
         Region_id& region = mesh_.region_of[std::size_t(t)];
@@ -154,31 +228,17 @@ private:
     stack_.push_back(first);
     flood(visit, [](Triangle_id) {});
   }
+};
 
-  /// Drops the triangles that are not kept and the auxiliary vertices; keeps the order of the others.
-  void drop() {
-    std::vector<Triangle_id> new_id(mesh_.triangles.size(), -1);
-    Triangle_id kept = 0;
-    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
-      if (is_kept_[t] != 0) new_id[t] = kept++;
+/// What of the plane is meshed.
+template <class Geometry>
+struct Domain_rule {
+  Quality_mesh_options_2::Domain rule = Quality_mesh_options_2::Domain::ENCLOSED;
+  std::vector<typename Geometry::Point> holes, regions;
 
-    mesh_.points.resize(first_auxiliary_), mesh_.edge_of.resize(first_auxiliary_);
-    mesh_.is_dirty.resize(first_auxiliary_);
-    mesh_.triangle_of.assign(first_auxiliary_, -1);
-    for (std::size_t t = 0; t < new_id.size(); ++t) {
-      if (new_id[t] < 0) continue;
-      auto r = mesh_.triangles[t];
-      for (int k = 0; k < 3; ++k) {
-        const Side o = r.side[k];
-        const Triangle_id u = o.is_border() ? -1 : new_id[std::size_t(o.triangle())];
-        r.side[k] = u < 0 ? Side::border() : Side(u, o.slot(), o.is_constrained());
-        mesh_.triangle_of[std::size_t(r.v[k])] = new_id[t];
-      }
-      mesh_.triangle(new_id[t]) = r;
-      mesh_.set_region(new_id[t], mesh_.region(static_cast<Triangle_id>(t)));
-    }
-    mesh_.triangles.resize(std::size_t(kept));
-    if (!mesh_.region_of.empty()) mesh_.region_of.resize(std::size_t(kept));
+  template <class Mesh>
+  void apply(Mesh& mesh, std::size_t number_of_auxiliary_vertices) const {
+    Domain_finder<Geometry>(mesh, number_of_auxiliary_vertices).run(rule, holes, regions);
   }
 };
 

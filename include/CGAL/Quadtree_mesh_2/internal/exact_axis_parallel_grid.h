@@ -5,7 +5,8 @@
 // Author(s)     : The Quadtree_mesh_2 authors
 //
 // Points with exact coordinates on a grid of 2^62 units to a side, see Axis_parallel_grid.h. Points go to the grid
-// lines at or next below them, without rounding, and places of the grid to points exactly, fractions included.
+// lines at or next below them, without rounding, and places of the grid to points exactly; fractions of units are rounded
+// to 2^-20. So all coordinates but the user's have at most 106 bits, which two doubles hold, and none needs long numbers.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_EXACT_AXIS_PARALLEL_GRID_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_EXACT_AXIS_PARALLEL_GRID_H
@@ -32,8 +33,7 @@ public:
   using Coordinate = Exact_coordinate<Field>;
 
   Exact_axis() : Exact_axis(Root_side(0, 0), 0) {}
-  Exact_axis(const Root_side& root, double low)
-      : axis_(root, low), unit_(std::ldexp(1.0, axis_.exponent())), floor_(-axis_.exponent()) {}
+  Exact_axis(const Root_side& root, double low) : axis_(root, low), floor_(-axis_.exponent()) {}
 
   std::uint64_t to_grid(const Coordinate& c) const {
     if (c.is_double()) return axis_.to_grid(c.high());
@@ -46,19 +46,19 @@ public:
     if (axis_.to_grid(nearest) == g) return Coordinate(nearest);
     return to_coordinate(Wide_fraction{Wide_integer(g)});
   }
+  /// Rounded to a share of the unit that is far below all angles, and leaves coordinates the sum of two doubles.
   Coordinate to_coordinate(const Wide_fraction& g) const {
-    const Field part = Field(static_cast<double>(g.remainder >> 29)) * Field(0x1p29) +
-                       Field(static_cast<double>(g.remainder & ((std::int64_t(1) << 29) - 1)));
-    const Field divisor = Field(static_cast<double>(g.divisor >> 29)) * Field(0x1p29) +
-                          Field(static_cast<double>(g.divisor & ((std::int64_t(1) << 29) - 1)));
-    const Scaled_integer whole{Long_word(g.integer), 0};
-    const Field units = whole.to_exact(Field(1)) + part / divisor;
-    return Coordinate(Field(Field(axis_.origin()) + units * Field(unit_)));
+    constexpr int bits = 20;
+    const Wide_integer one = Wide_integer(1) << bits;
+    const Wide_integer units = g.integer * one + (g.remainder * one + g.divisor / 2) / g.divisor;
+    const double most = static_cast<double>(units);
+    const double rest = static_cast<double>(units - static_cast<Wide_integer>(most));
+    const int exponent = axis_.exponent() - bits;
+    return Coordinate::of_parts(axis_.origin(), std::ldexp(most, exponent), std::ldexp(rest, exponent));
   }
 
 private:
   Rounding_axis axis_;
-  double unit_;
   Floor_of_scaled<Field> floor_;
 };
 

@@ -34,6 +34,11 @@ namespace internal {
 template <class Concurrency_tag, class Geometry>
 class Corner_finder {
 public:
+  using Number = typename Geometry::Number;
+  using Vector = Basic_vector<Number>;
+  using Leg = typename Acute_corners<Geometry>::Leg;
+  using Corner = typename Acute_corners<Geometry>::Corner;
+
   explicit Corner_finder(Meshing_state<Geometry>& state)
       : state_(state), mesh_(state.mesh), corners_(state.corners) {}
 
@@ -76,9 +81,9 @@ private:
   std::uint32_t visit_ = 0;             // the number of the sector that is visited
 
   Vector direction(Vertex_id from, Vertex_id to) const {
-    return Geometry::difference(mesh_.point(to), mesh_.point(from));
+    return Geometry::scaled_difference(mesh_.point(to), mesh_.point(from));
   }
-  double distance(Vertex_id a, Vertex_id b) const { return std::sqrt(squared_length(direction(a, b))); }
+  Number distance(Vertex_id a, Vertex_id b) const { return length(direction(a, b)); }
 
   void collect_sectors() {
     const std::size_t n = mesh_.triangles.size();
@@ -110,12 +115,15 @@ private:
     const Vertex_id left = mesh_.triangle(t).v[previous_slot[i]];
     const Vector e = direction(apex, left);
     if (left == right || !is_below_60(d, e) || mesh_.orientation(apex, right, left) <= 0) return;
+    const Number area2 =
+        Geometry::doubled_area_of_flat(d, e, mesh_.point(apex), mesh_.point(right), mesh_.point(left));
+    const Number scale = power_of_two_at_most(dot(d, e)); // of the legs' squares, which may be beyond doubles
     sectors.push_back({apex, state_.edges.between(apex, right), state_.edges.between(apex, left),
-                       std::atan2(cross(d, e), dot(d, e)), first});
+                       std::atan2(ratio(area2, scale), ratio(dot(d, e), scale)), first});
   }
 
   static bool is_below_60(Vector d, Vector e) {
-    const double c = dot(d, e);
+    const Number c = dot(d, e);
     return c > 0 && c * c > 0.25 * squared_length(d) * squared_length(e);
   }
 
@@ -184,7 +192,7 @@ private:
 
   Sector_id add_lopped_sector(Leg_id right, Leg_id left, double angle) {
     const Sector_id id = static_cast<Sector_id>(corners_.sectors.size());
-    const double sine = std::sin(exempt_share * angle);
+    const Number sine = std::sin(exempt_share * angle);
     corners_.sectors.push_back({right, left, angle, sine * sine * (1 + 2e-9), 0});
     corners_.leg(right).after = id;
     corners_.leg(left).before = id;
@@ -192,12 +200,12 @@ private:
   }
 
   void set_radius(Corner& corner) {
-    double r = corners_.leg(corner.legs.front()).length;
+    Number r = corners_.leg(corner.legs.front()).length;
     for (const Leg_id l : corner.legs) {
       const Leg& leg = corners_.leg(l);
       const auto& at = corners_.legs_of_edge[std::size_t(leg.edge)];
       const bool has_ring_at_far_end = at[0] >= 0 && at[1] >= 0;
-      r = std::min(r, has_ring_at_far_end ? leg.length / 2 : leg.length);
+      r = std::min<Number>(r, has_ring_at_far_end ? leg.length / 2 : leg.length);
     }
     for (const Triangle_id t : first_triangles_[std::size_t(&corner - corners_.corners.data())])
       r = radius_clear_of_intruders(corner.apex, t, r);
@@ -206,7 +214,7 @@ private:
 
   /// The radius reduced to 0.6 of the distance to what is nearer than it in the sector that begins with
   /// triangle t.
-  double radius_clear_of_intruders(Vertex_id apex, Triangle_id first, double r) {
+  Number radius_clear_of_intruders(Vertex_id apex, Triangle_id first, Number r) {
     ++visit_;
     stack_.assign(1, first);
     const Vertex_id right =
@@ -226,7 +234,7 @@ private:
           if (!q.side[k].is_constrained()) stack_.push_back(q.side[k].triangle());
           continue;
         }
-        const double d = distance_to_segment(apex, a, b);
+        const Number d = distance_to_segment(apex, a, b);
         if (d >= r * (1 - 1e-9)) continue;
         if (!q.side[k].is_constrained())
           stack_.push_back(q.side[k].triangle());
@@ -248,22 +256,21 @@ private:
 
   /// A vertex intrudes if it lies within r, or so near the chord between the legs that it sees it under more
   /// than 105 degrees.
-  double clear_of_vertex(Vertex_id apex, Vertex_id right, Vertex_id left, Vertex_id v, double r) const {
-    const double d = distance(apex, v);
+  Number clear_of_vertex(Vertex_id apex, Vertex_id right, Vertex_id left, Vertex_id v, Number r) const {
+    const Number d = distance(apex, v);
     if (0.6 * d >= r) return r;
     if (d < r * (1 - 1e-9)) return 0.6 * d;
     const Vector p = direction(apex, v), a = direction(apex, right), b = direction(apex, left);
-    const Vector pa = (r / std::sqrt(squared_length(a))) * a - p,
-                 pb = (r / std::sqrt(squared_length(b))) * b - p;
-    const double c = dot(pa, pb);
+    const Vector pa = (r / length(a)) * a - p, pb = (r / length(b)) * b - p;
+    const Number c = dot(pa, pb);
     constexpr double cosine2 = 0.067; // of 105 degrees, squared
-    return c < 0 && c * c > cosine2 * squared_length(pa) * squared_length(pb) ? 0.6 * d : r;
+    return c < 0 && c * c > cosine2 * squared_length(pa) * squared_length(pb) ? Number(0.6 * d) : r;
   }
 
-  double distance_to_segment(Vertex_id p, Vertex_id a, Vertex_id b) const {
+  Number distance_to_segment(Vertex_id p, Vertex_id a, Vertex_id b) const {
     const Vector ab = direction(a, b), ap = direction(a, p);
-    const double f = std::min(1.0, std::max(0.0, dot(ap, ab) / squared_length(ab)));
-    return std::sqrt(squared_length(ap - f * ab));
+    const Number f = std::min(1.0, std::max(0.0, ratio(dot(ap, ab), squared_length(ab))));
+    return length(ap - f * ab);
   }
 };
 

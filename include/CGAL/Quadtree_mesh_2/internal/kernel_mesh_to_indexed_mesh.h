@@ -154,7 +154,7 @@ private:
 
   void account_for(Triangle_id t, Part& part) const {
     const auto& r = mesh_.triangle(t);
-    const Shape s = mesh_.shape(r);
+    const auto s = mesh_.shape(r);
     part.angles.add(s);
     if (!state_.bounds.is_sharp(s) && !state_.is_large(t, s)) return;
     if (!state_.is_bad(t)) return add_exempt(t, part);
@@ -189,7 +189,7 @@ private:
     if (report_.is_budget_exhausted) return Reason::BUDGET;
     if (report_.is_cancelled) return Reason::CANCELLED;
     if (state_.bounds.least_squared_length > 0) return Reason::LEAST_EDGE;
-    if (!state_.bounds.is_guaranteed())
+    if (!state_.bounds.is_established())
       for (const Vertex_id v : mesh_.triangle(t).v)
         if (is_at_acute_corner(v)) return Reason::CORNER;
     return Reason::COORDINATES;

@@ -36,16 +36,17 @@ bool has_room(const Kernel_mesh<Geometry>& mesh, std::initializer_list<Triangle_
   for (std::size_t i = 0; i < cavity.size(); ++i) {
     const auto& r = mesh.triangle(cavity[i]);
     for (int k = 0; k < 3; ++k) {
-      if (squared_length(Geometry::difference(mesh.point(r.v[k]), q)) < least) return false;
+      if (squared_length(Geometry::scaled_difference(mesh.point(r.v[k]), q)) < least) return false;
       const Side o = r.side[k];
       if (o.is_seam()) return false; // nobody knows what lies beyond
       if (o.is_constrained() || std::find(cavity.begin(), cavity.end(), o.triangle()) != cavity.end())
         continue;
       const auto& n = mesh.triangle(o.triangle());
-      if (In_circle(Geometry::difference(mesh.point(n.v[0]), q), Geometry::difference(mesh.point(n.v[1]), q),
-                    Geometry::difference(mesh.point(n.v[2]), q))
-              .is_positive())
-        cavity.push_back(o.triangle());
+      const Basic_in_circle<typename Geometry::Number> test(
+          Geometry::scaled_difference(mesh.point(n.v[0]), q),
+          Geometry::scaled_difference(mesh.point(n.v[1]), q),
+          Geometry::scaled_difference(mesh.point(n.v[2]), q));
+      if (test.is_positive()) cavity.push_back(o.triangle());
     }
   }
   return true;

@@ -6,13 +6,18 @@
 //
 // Which faces of a constrained triangulation are in the domain, by the rules of Mesh_2.
 //
-// Linear in the number of faces, and a walk for each seed.
+// Linear in the number of faces, and a walk for each seed. Mesh_2 takes a seed on a constrained edge for one on some side
+// of it, by chance. Here it is refused, unless the component is the same on all sides.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_MARK_DOMAIN_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_MARK_DOMAIN_H
 
 #include <CGAL/Quality_mesh_options_2.h>
+#include <CGAL/Quality_mesh_report_2.h>
 
+#include <algorithm>
+#include <cstddef>
+#include <sstream>
 #include <unordered_set>
 #include <utility>
 #include <vector>
@@ -76,16 +81,50 @@ std::unordered_set<const typename Cdt::Face*> mark_outside(Cdt& cdt) {
   return outside;
 }
 
+/// Whether faces are in one component.
+template <class Cdt>
+bool is_one_component(const std::vector<typename Cdt::Face_handle>& faces) {
+  std::unordered_set<const typename Cdt::Face*> reached;
+  flood_component<Cdt>(
+      faces.front(), [&](typename Cdt::Face_handle f) { return reached.insert(&*f).second; },
+      [](typename Cdt::Face_handle) {});
+  return std::all_of(faces.begin(), faces.end(),
+                     [&](typename Cdt::Face_handle f) { return reached.count(&*f) > 0; });
+}
+
+/// A face of the component with a seed.
+/// \throws Pslg_error_2 if it is in the border of several.
+template <class Cdt>
+typename Cdt::Face_handle locate_seed(const Cdt& cdt, const typename Cdt::Point& seed, std::size_t number) {
+  typename Cdt::Locate_type type;
+  int i = 0;
+  const auto f = cdt.locate(seed, type, i);
+  std::vector<typename Cdt::Face_handle> around{f};
+  if (type == Cdt::EDGE) {
+    around.push_back(f->neighbor(i));
+  } else if (type == Cdt::VERTEX) {
+    auto g = cdt.incident_faces(f->vertex(i));
+    const auto first = g;
+    do around.push_back(g);
+    while (++g != first);
+  }
+  if (around.size() == 1 || is_one_component<Cdt>(around)) return f;
+  std::ostringstream text;
+  text.precision(17);
+  text << "seed " << number << " (" << seed << ") lies on "
+       << (type == Cdt::EDGE ? "a constrained edge" : "an end of a constrained edge")
+       << ", between several components of the plane; move it into one";
+  throw Pslg_error_2(text.str());
+}
+
 /// The components with a seed get the mark, the others the opposite; without seeds all are in the domain. What is
 /// connected to infinity never is.
 template <class Cdt, class InputIterator>
 void mark_by_seeds(Cdt& cdt, InputIterator begin, InputIterator end, bool are_seeds_in_domain) {
   if (cdt.dimension() < 2) return;
   mark_all_faces(cdt, begin == end || !are_seeds_in_domain);
-  for (; begin != end; ++begin) {
-    const auto f = cdt.locate(*begin);
-    if (f != typename Cdt::Face_handle()) mark_component<Cdt>(f, are_seeds_in_domain);
-  }
+  for (std::size_t number = 0; begin != end; ++begin, ++number)
+    mark_component<Cdt>(locate_seed(cdt, *begin, number), are_seeds_in_domain);
   mark_outside(cdt);
 }
 
@@ -119,9 +158,9 @@ void mark_by_rule(Cdt& cdt, InputIterator begin, InputIterator end, Quality_mesh
   using Domain = Quality_mesh_options_2::Domain;
   if (rule == Domain::NESTING_PARITY && cdt.dimension() == 2) {
     mark_by_nesting(cdt);
-    for (; begin != end; ++begin) {
-      const auto f = cdt.locate(*begin);
-      if (f != typename Cdt::Face_handle() && f->is_in_domain()) mark_component<Cdt>(f, false);
+    for (std::size_t number = 0; begin != end; ++begin, ++number) {
+      const auto f = locate_seed(cdt, *begin, number);
+      if (f->is_in_domain()) mark_component<Cdt>(f, false);
     }
   } else if (rule == Domain::MARKED && begin == end) {
     mark_all_faces(cdt, false);

@@ -7,67 +7,106 @@
 // The arithmetic of the meshing kernel, over double and over integer coordinates (over exact ones:
 // exact_geometry.h).
 //
-// A geometry gives points, their differences as vectors of doubles, an exact orientation, an exact in-circle
+// A geometry gives points, their differences as vectors of doubles and of numbers of any size (the same where coordinates
+// are limited), an exact orientation, an exact in-circle
 // test, and the corners of the quadtree's cells. Everything that is certain (which side, inside which circle)
 // is decided on the points; everything that is only better or worse (angles, places of new points) on vectors
-// of doubles, whose components are correct to half a unit in the last place.
+// of doubles, whose components are correct to half a unit in the last place. What is below a rounding error there is
+// no share of any length: a triangle may be as small as coordinates can tell.
+//
+// Double coordinates are of the order of 1 (coordinate_map.h). Products of six differences, by which angles are
+// compared, do not underflow down to differences of 2^-165; vertices nearer than 2^-128 are refused, so that there is
+// room for the triangles around them.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_MESHING_GEOMETRY_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_MESHING_GEOMETRY_H
 
+#include <CGAL/Exact_rational.h>
 #include <CGAL/Quadtree_mesh_2/internal/meshing_geometry_fwd.h>
 #include <CGAL/enum.h>
+#include <CGAL/number_utils.h>
 
 #include <boost/multiprecision/cpp_int.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
+#include <type_traits>
 
 namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
 /// A difference of two points.
-struct Vector {
-  double x = 0, y = 0;
+template <class Number>
+struct Basic_vector {
+  Number x = 0, y = 0;
 
-  friend Vector operator+(Vector a, Vector b) { return {a.x + b.x, a.y + b.y}; }
-  friend Vector operator-(Vector a, Vector b) { return {a.x - b.x, a.y - b.y}; }
-  friend Vector operator*(double s, Vector a) { return {s * a.x, s * a.y}; }
+  friend Basic_vector operator+(Basic_vector a, Basic_vector b) { return {a.x + b.x, a.y + b.y}; }
+  friend Basic_vector operator-(Basic_vector a, Basic_vector b) { return {a.x - b.x, a.y - b.y}; }
+  friend Basic_vector operator*(Number s, Basic_vector a) { return {s * a.x, s * a.y}; }
 };
+using Vector = Basic_vector<double>;
 
-inline double dot(Vector a, Vector b) { return a.x * b.x + a.y * b.y; }
-inline double cross(Vector a, Vector b) { return a.x * b.y - a.y * b.x; }
-inline double squared_length(Vector a) { return dot(a, a); }
+template <class Number>
+Number dot(const Basic_vector<Number>& a, const Basic_vector<Number>& b) {
+  return a.x * b.x + a.y * b.y;
+}
+template <class Number>
+Number cross(const Basic_vector<Number>& a, const Basic_vector<Number>& b) {
+  return a.x * b.y - a.y * b.x;
+}
+template <class Number>
+Number squared_length(const Basic_vector<Number>& a) {
+  return dot(a, a);
+}
+template <class Number>
+Number length(const Basic_vector<Number>& a) {
+  using std::sqrt;
+  return sqrt(squared_length(a));
+}
+
+/// a / b as a double: of lengths, which as such may be of any size.
+inline double ratio(double a, double b) { return a / b; }
 
 /// The greatest power of two that is at most x, positive; the same on every machine.
 inline double power_of_two_at_most(double x) { return std::ldexp(1.0, std::ilogb(x)); }
 
 /// Squared side lengths of a triangle (`l[k]` opposite vertex k) and its doubled signed area.
-struct Shape {
-  double l[3];
-  double area2;
+template <class Number>
+struct Basic_shape {
+  Number l[3];
+  Number area2;
 
-  double shortest() const { return std::min(l[0], std::min(l[1], l[2])); }
-  double longest() const { return std::max(l[0], std::max(l[1], l[2])); }
+  Number shortest() const { return std::min(l[0], std::min(l[1], l[2])); }
+  Number longest() const { return std::max(l[0], std::max(l[1], l[2])); }
+
+  /// Whether the area is positive for certain, if it was computed from differences of coordinates that were rounded
+  /// once: their cross product is then correct to 5 half units in the last place of the sum of its two products, which
+  /// is at most the longest squared side.
+  bool is_certainly_counterclockwise() const { return area2 > 1e-15 * longest(); }
 
   /// Slot of the vertex opposite the shortest side.
   int slot_of_shortest() const { return l[0] <= l[1] && l[0] <= l[2] ? 0 : l[1] <= l[2] ? 1 : 2; }
 
   /// Whether the least angle's squared sine is below `sin2`: area2^2 < sin2 * (product of the two longer
   /// squared sides).
-  bool is_below(double sin2) const { return area2 * area2 * shortest() < sin2 * (l[0] * l[1] * l[2]); }
+  bool is_below(Number sin2) const { return area2 * area2 * shortest() < sin2 * (l[0] * l[1] * l[2]); }
 
   /// The squared sine of the least angle.
-  double sin2_of_least_angle() const { return area2 * area2 * shortest() / (l[0] * l[1] * l[2]); }
+  double sin2_of_least_angle() const { return ratio(area2 * area2 * shortest(), l[0] * l[1] * l[2]); }
 };
+using Shape = Basic_shape<double>;
 
 /// The in-circle determinant of a, b, c (counterclockwise) given relative to the query, and the sum of the
 /// magnitudes it is made of; that is worked out only where the determinant's sign leaves a doubt.
-class In_circle {
+template <class Number>
+class Basic_in_circle {
+  using Vector = Basic_vector<Number>;
+
 public:
-  In_circle(Vector a, Vector b, Vector c)
+  Basic_in_circle(Vector a, Vector b, Vector c)
       : al(squared_length(a)), bl(squared_length(b)), cl(squared_length(c)), p1(b.x * c.y), p2(c.x * b.y),
         p3(c.x * a.y), p4(a.x * c.y), p5(a.x * b.y), p6(b.x * a.y),
         determinant_(al * (p1 - p2) + bl * (p3 - p4) + cl * (p5 - p6)) {}
@@ -77,22 +116,26 @@ public:
   bool is_flat() const { return (p1 - p2) + (p3 - p4) + (p5 - p6) < 1e-10 * (al + bl + cl); }
   bool is_certainly_inside() const { return determinant_ > 0 && determinant_ > error_bound * permanent(); }
   bool is_certain() const {
-    const double p = permanent();
-    return std::fabs(determinant_) > error_bound * p && p > 1e-280;
+    using std::fabs;
+    const Number p = permanent();
+    return fabs(determinant_) > error_bound * p && p > least_permanent;
   }
 
 private:
   /// Shewchuk's bound for differences rounded once is (10 + 96 eps) eps < 1.2e-15.
   static constexpr double error_bound = 1.2e-15;
+  /// Below it products of doubles may have underflown; those of numbers without limits never do.
+  static constexpr double least_permanent = std::is_same<Number, double>::value ? 1e-280 : 0;
 
-  double al, bl, cl, p1, p2, p3, p4, p5, p6;
-  double determinant_;
+  Number al, bl, cl, p1, p2, p3, p4, p5, p6;
+  Number determinant_;
 
-  double permanent() const {
-    return al * (std::fabs(p1) + std::fabs(p2)) + bl * (std::fabs(p3) + std::fabs(p4)) +
-           cl * (std::fabs(p5) + std::fabs(p6));
+  Number permanent() const {
+    using std::fabs;
+    return al * (fabs(p1) + fabs(p2)) + bl * (fabs(p3) + fabs(p4)) + cl * (fabs(p5) + fabs(p6));
   }
 };
+using In_circle = Basic_in_circle<double>;
 
 /// Whether a, b, c and d are, in some order, the corners of a rectangle with sides parallel to the axes. Such
 /// ties are frequent where squares fill the bulk of a mesh, and dear to find by arithmetic.
@@ -110,6 +153,13 @@ bool are_corners_of_rectangle(const Point& a, const Point& b, const Point& c, co
 /// What geometries with rounded coordinates decide by vectors of doubles; those with exact ones by the points.
 template <class Geometry>
 struct Rounded_geometry {
+  /// Lengths of anything in a mesh, and products of six of them.
+  using Number = double;
+  /// The same as `Geometry::difference()`, which suits all lengths.
+  template <class Point>
+  static Vector scaled_difference(const Point& p, const Point& q) {
+    return Geometry::difference(p, q);
+  }
   /// Of the triangle a, b, c, with u = b - a and v = c - b.
   template <class Point>
   static double doubled_area(Vector u, Vector v, const Point&, const Point&, const Point&) {
@@ -122,20 +172,32 @@ struct Rounded_geometry {
     const In_circle test(Geometry::difference(a, d), Geometry::difference(b, d), Geometry::difference(c, d));
     return test.is_flat() ? Geometry::is_in_circle(a, b, c, d) : test.is_certainly_inside();
   }
-  /// Whether q is to the right of a, b; x = a - q and y = b - q.
+  /// The same, to a relative 1e-4 however flat the triangle is.
   template <class Point>
-  static bool is_beyond(const Point&, const Point&, const Point&, Vector x, Vector y) {
-    return cross(x, y) < 0;
-  }
-  /// Whether q is so far to the left of a, b that a triangle of the three is none of rounding: by its height.
-  template <class Point>
-  static bool is_clearly_left(const Point&, const Point&, const Point&, Vector x, Vector y) {
-    return cross(x, y) > 1e-10 * squared_length(x - y);
+  static double doubled_area_of_flat(Vector u, Vector v, const Point& a, const Point& b, const Point& c) {
+    const double l = u.x * v.y, r = u.y * v.x;
+    if (std::fabs(l - r) > 1e-11 * (std::fabs(l) + std::fabs(r))) return l - r;
+    return Geometry::exact_doubled_area(a, b, c);
   }
   /// The point at the given share of the way from p to q, rounded.
   template <class Point>
   static Point between(const Point& p, const Point& q, double share) {
     return Geometry::translate(p, share * Geometry::difference(q, p));
+  }
+  /// A point m that is meant to lie on the line through p and q, brought back to it where that is off by more than a
+  /// unit in the last place of the larger coordinates along the axes.
+  template <class Point>
+  static Point back_to_line(const Point& p, const Point& q, const Point& m) {
+    constexpr double unit = 0x1p-53; // of a number just below a power of two, the least
+    const Vector d = Geometry::difference(q, p), from_p = Geometry::difference(m, p),
+                 from_q = Geometry::difference(m, q);
+    const double off = cross(d, squared_length(from_p) <= squared_length(from_q) ? from_p : from_q);
+    const auto larger = [](auto a, auto b) {
+      return static_cast<double>(std::max(a < 0 ? -a : a, b < 0 ? -b : b));
+    };
+    const double reach = std::fabs(d.x) * larger(p.y, q.y) + std::fabs(d.y) * larger(p.x, q.x);
+    if (std::fabs(off) <= unit * reach) return m;
+    return Geometry::translate(m, (off / squared_length(d)) * Vector{d.y, -d.x});
   }
   /// A share, about the given one, for which the coordinates of a point between others do not become long.
   static double short_share(double share) { return share; }
@@ -146,8 +208,8 @@ template <class Kernel>
 struct Double_geometry_2 : Rounded_geometry<Double_geometry_2<Kernel>> {
   using Coordinate = double;
   static constexpr bool has_unlimited_coordinates = false;
-  /// Features of the input nearer to a vertex than this share of an edge at it are beyond coordinates.
-  static constexpr double least_share_of_leg = 0x1p-45;
+  /// Vertices nearer to each other, or to a segment, are not meshed.
+  static constexpr double least_length = 0x1p-128;
   struct Point {
     double x = 0, y = 0;
     friend bool operator==(Point a, Point b) { return a.x == b.x && a.y == b.y; }
@@ -155,6 +217,25 @@ struct Double_geometry_2 : Rounded_geometry<Double_geometry_2<Kernel>> {
 
   static Vector difference(Point p, Point q) { return {p.x - q.x, p.y - q.y}; }
   static Point translate(Point p, Vector v) { return {p.x + v.x, p.y + v.y}; }
+  /// How far coordinates as large as this one are from the next ones.
+  static double spacing(double x) {
+    return x == 0 ? 0 : std::numeric_limits<double>::epsilon() * power_of_two_at_most(std::fabs(x));
+  }
+  static double spacing(Point p) { return std::max(spacing(p.x), spacing(p.y)); }
+
+  /// Whether there are places for a vertex at this squared distance from p: within one or two units in the last place
+  /// there are none.
+  static bool is_resolved(Point p, double squared_distance) {
+    constexpr double least = 0x1p-17 * least_length;
+    const double units = std::max(least, 0x1p-52 * std::max(std::fabs(p.x), std::fabs(p.y)));
+    return squared_distance >= units * units;
+  }
+
+  static double exact_doubled_area(Point a, Point b, Point c) {
+    const Exact_rational ax(a.x), ay(a.y);
+    return CGAL::to_double(Exact_rational((Exact_rational(b.x) - ax) * (Exact_rational(c.y) - ay) -
+                                          (Exact_rational(b.y) - ay) * (Exact_rational(c.x) - ax)));
+  }
 
   /// Sign of the turn a, b, c; exact. The filter is Shewchuk's ccwerrboundA; products that underflow go to
   /// the kernel.
@@ -189,8 +270,8 @@ template <class Word>
 struct Integer_geometry_2 : Rounded_geometry<Integer_geometry_2<Word>> {
   using Coordinate = std::int64_t;
   static constexpr bool has_unlimited_coordinates = false;
-  /// Features of the input nearer to a vertex than this share of an edge at it are beyond coordinates.
-  static constexpr double least_share_of_leg = 0x1p-45;
+  /// Distinct vertices are never too near.
+  static constexpr double least_length = 0;
   struct Point {
     std::int64_t x = 0, y = 0;
     friend bool operator==(Point a, Point b) { return a.x == b.x && a.y == b.y; }
@@ -200,10 +281,19 @@ struct Integer_geometry_2 : Rounded_geometry<Integer_geometry_2<Word>> {
     return {static_cast<double>(p.x - q.x), static_cast<double>(p.y - q.y)};
   }
   static Point translate(Point p, Vector v) { return {p.x + std::llround(v.x), p.y + std::llround(v.y)}; }
+  /// How far coordinates are from the next ones.
+  static double spacing(std::int64_t) { return 1; }
+  static double spacing(const Point&) { return 1; }
+
+  /// Whether there are places for a vertex at this squared distance from p.
+  static bool is_resolved(Point, double squared_distance) { return squared_distance >= 4; }
 
   static int orientation(Point a, Point b, Point c) {
-    const Wide d = Wide(b.x - a.x) * (c.y - a.y) - Wide(b.y - a.y) * (c.x - a.x);
+    const Wide d = wide_doubled_area(a, b, c);
     return d > 0 ? 1 : d < 0 ? -1 : 0;
+  }
+  static double exact_doubled_area(Point a, Point b, Point c) {
+    return static_cast<double>(wide_doubled_area(a, b, c));
   }
 
   static bool is_in_circle(Point a, Point b, Point c, Point d) {
@@ -221,6 +311,10 @@ struct Integer_geometry_2 : Rounded_geometry<Integer_geometry_2<Word>> {
 private:
   __extension__ using Wide = __int128;
   using Widest = boost::multiprecision::int512_t;
+
+  static Wide wide_doubled_area(Point a, Point b, Point c) {
+    return Wide(b.x - a.x) * (c.y - a.y) - Wide(b.y - a.y) * (c.x - a.x);
+  }
 
   /// The nearest multiple of h, a power of two.
   static std::int64_t round_to_multiple(std::int64_t x, std::int64_t h) { return (x + h / 2) & ~(h - 1); }

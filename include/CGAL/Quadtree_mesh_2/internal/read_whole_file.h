@@ -25,11 +25,14 @@
 #endif
 
 #include <algorithm>
+#include <cerrno>
 #include <cstddef>
 #include <exception>
+#include <filesystem>
 #include <fstream>
 #include <istream>
 #include <string>
+#include <system_error>
 
 namespace CGAL {
 namespace Quadtree_mesh_2 {
@@ -37,7 +40,7 @@ namespace internal {
 
 /// All that is left in `in`.
 /// \throws Pslg_error_2 with `name` in its message when the stream breaks.
-inline std::string read_whole_stream(std::istream& in, const std::string& name) {
+inline std::string read_bytes(std::istream& in, const std::string& name) {
   // The size is not asked for: pipes have none, and a file may grow while it is read.
   std::string text;
   for (std::size_t chunk = std::size_t(1) << 16; in; chunk = (std::min)(2 * chunk, std::size_t(1) << 26)) {
@@ -71,11 +74,29 @@ inline std::string unpack_gzip(std::string text, const std::string& name) {
 #endif
 }
 
-/// \throws Pslg_error_2 if the file does not exist or cannot be read.
+/// Text without the mark of UTF-8 that editors put before it.
+/// \throws Pslg_error_2 for text of 16 bits a character
+inline std::string without_byte_order_mark(std::string text, const std::string& name) {
+  for (const char* const mark : {"\xff\xfe", "\xfe\xff"})
+    if (text.compare(0, 2, mark) == 0) throw Pslg_error_2(name + ":1: is text in UTF-16; UTF-8 is expected");
+  if (text.compare(0, 3, "\xef\xbb\xbf") == 0) text.erase(0, 3);
+  return text;
+}
+
+/// All text that is left in `in`, unpacked.
+/// \throws Pslg_error_2 with `name` in its message
+inline std::string read_whole_stream(std::istream& in, const std::string& name) {
+  return without_byte_order_mark(unpack_gzip(read_bytes(in, name), name), name);
+}
+
+/// \throws Pslg_error_2 if the file does not exist or cannot be read; it says why.
 inline std::string read_whole_file(const std::string& file_name) {
+  errno = 0;
   std::ifstream in(file_name, std::ios::binary);
-  if (!in) throw Pslg_error_2(file_name + ": cannot be opened");
-  return unpack_gzip(read_whole_stream(in, file_name), file_name);
+  if (!in) throw Pslg_error_2(file_name + ": cannot be opened: " + std::generic_category().message(errno));
+  std::error_code ignored;
+  if (std::filesystem::is_directory(file_name, ignored)) throw Pslg_error_2(file_name + ": is a folder");
+  return read_whole_stream(in, file_name);
 }
 
 } // namespace internal

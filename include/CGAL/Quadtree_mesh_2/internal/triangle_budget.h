@@ -14,6 +14,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/Size_estimate.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -75,13 +76,14 @@ private:
 template <class Geometry>
 class Narrow_gap {
 public:
+  using Number = typename Geometry::Number;
   using Pair = typename Size_estimate<Geometry>::Pair;
 
   Narrow_gap(const Meshing_state<Geometry>& state, const Pair& pair) : state_(state), pair_(pair) {}
 
   /// The least distance of the two edges, in kernel coordinates.
-  double width() const {
-    double least = std::numeric_limits<double>::infinity();
+  Number width() const {
+    Number least = std::numeric_limits<double>::infinity();
     for (int i = 0; i < 2; ++i)
       least = std::min({least, distance(pair_.a[i], pair_.b), distance(pair_.b[i], pair_.a)});
     return least;
@@ -93,8 +95,13 @@ public:
     std::ostringstream text;
     text << "segment " << segment(pair_.a) << " (" << name(pair_.a[0]) << " and " << name(pair_.a[1])
          << ") and segment " << segment(pair_.b) << " (" << name(pair_.b[0]) << " and " << name(pair_.b[1])
-         << ") face each other at a distance of " << width() / unit;
+         << ") face each other at a distance of " << ratio(width(), unit);
     return text.str();
+  }
+
+  /// The indices of the two segments.
+  std::array<Segment_index, 2> segments() const {
+    return {Segment_index(std::size_t(segment(pair_.a))), Segment_index(std::size_t(segment(pair_.b)))};
   }
 
 private:
@@ -105,12 +112,16 @@ private:
     return state_.edges[state_.edges.between(ends[0], ends[1])].segment;
   }
 
-  double distance(Vertex_id v, const Vertex_id (&ends)[2]) const {
+  Number distance(Vertex_id v, const Vertex_id (&ends)[2]) const {
     const auto& p = state_.mesh.point(v);
-    const Vector to = Geometry::difference(p, state_.mesh.point(ends[0]));
-    const Vector along = Geometry::difference(state_.mesh.point(ends[1]), state_.mesh.point(ends[0]));
-    const double t = std::min(1.0, std::max(0.0, dot(to, along) / squared_length(along)));
-    return std::sqrt(squared_length(to - t * along));
+    const auto to = Geometry::scaled_difference(p, state_.mesh.point(ends[0]));
+    const auto along = Geometry::scaled_difference(state_.mesh.point(ends[1]), state_.mesh.point(ends[0]));
+    const double t = ratio(dot(to, along), squared_length(along));
+    if (t <= 0 || t >= 1) return length(to - (t <= 0 ? 0.0 : 1.0) * along);
+    using std::fabs;
+    const auto &a = state_.mesh.point(ends[0]), &b = state_.mesh.point(ends[1]);
+    return fabs(Geometry::doubled_area_of_flat(along, Geometry::scaled_difference(p, b), a, b, p)) /
+           length(along);
   }
 };
 

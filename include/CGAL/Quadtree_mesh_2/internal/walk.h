@@ -50,23 +50,18 @@ Walk_end locate_exactly(const Kernel_mesh<Geometry>& mesh, Triangle_id t, const 
   }
 }
 
-/// Walks from t towards q in sight of it: stops at constrained sides. Steps are decided in floating point,
-/// good enough for the place of a point that may be chosen freely, or exactly where coordinates are finer than that.
+/// Walks from t towards q in sight of it: stops at constrained sides. Each step is decided exactly.
 template <class Geometry>
 Walk_end walk_in_sight(const Kernel_mesh<Geometry>& mesh, Triangle_id t, const typename Geometry::Point& q) {
   constexpr unsigned longest_walk = 100000;
   Triangle_id from = -1;
   for (unsigned step = 0; step < longest_walk; ++step) {
     const auto& r = mesh.triangle(t);
-    const Vector p[3] = {Geometry::difference(mesh.point(r.v[0]), q),
-                         Geometry::difference(mesh.point(r.v[1]), q),
-                         Geometry::difference(mesh.point(r.v[2]), q)};
     int exit = -1;
     for (unsigned j = 0; j < 3; ++j) {
       const int k = static_cast<int>((j + (step & 1u)) % 3u);
       if (!r.side[k].is_border() && r.side[k].triangle() == from) continue;
-      const Vertex_id a = r.v[next_slot[k]], b = r.v[previous_slot[k]];
-      if (Geometry::is_beyond(mesh.point(a), mesh.point(b), q, p[next_slot[k]], p[previous_slot[k]])) {
+      if (Geometry::orientation(mesh.point(r.v[next_slot[k]]), mesh.point(r.v[previous_slot[k]]), q) < 0) {
         exit = k;
         break;
       }

@@ -1,0 +1,193 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+
+#ifndef CGAL_ROUND_MESH_2_H
+#define CGAL_ROUND_MESH_2_H
+
+/// \file
+/// From a mesh over exact numbers or words to one over doubles in which all triangles are counterclockwise.
+///
+/// Computes: every vertex at its nearest double; then, where triangles are flat or clockwise by that, other doubles
+///   nearby, other diagonals, or fewer Steiner vertices, until none is.
+/// Bound: O(n), and a step for a triangle at fault takes time by the degrees of vertices nearby. It ends, as each step
+///   leaves fewer triangles at fault, or fewer vertices.
+/// Source: the idea of snap rounding, that vertices which come to one place become one vertex (Hobby, Computational
+///   Geometry 13, 1999).
+/// Deviations: vertices are snapped to doubles and not to a uniform grid; input vertices stay what and where they are,
+///   nor are segments drawn to vertices nearby. So there may be no mesh over doubles, and then none is returned.
+
+#include <CGAL/Indexed_mesh_2.h>
+#include <CGAL/Point_set_mesh_report_2.h>
+#include <CGAL/Quadtree_mesh_2/internal/Number_text.h>
+#include <CGAL/Quadtree_mesh_2/internal/Rounded_mesh_repairer.h>
+#include <CGAL/Quadtree_mesh_2/internal/exact_grid.h>
+#include <CGAL/Quality_mesh_report_2.h>
+
+#include <CGAL/assertions.h>
+#include <CGAL/number_utils.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+
+/// \ingroup PkgQuadtreeMesh2Data
+/// Doubles cannot express a mesh; `what()` names a place and its vertices.
+class Mesh_rounding_error_2 : public Pslg_error_2 {
+public:
+  using Pslg_error_2::Pslg_error_2;
+};
+
+/// \ingroup PkgQuadtreeMesh2Data
+/// What `round_mesh_2()` returns.
+template <class Point>
+struct Rounded_mesh_2 {
+  Indexed_mesh_2<Point> mesh;      ///< all triangles are counterclockwise, exactly
+  std::size_t moved_vertices = 0;  ///< Steiner vertices that are not at their nearest doubles
+  std::size_t merged_vertices = 0; ///< Steiner vertices that were merged with a neighbor
+  std::size_t flipped_edges = 0;   ///< edges that became the other diagonal of their quadrilateral
+  /// Per triangle of the mesh that was rounded its index now; invalid for those that merging took away.
+  std::vector<Quadtree_mesh_2::Triangle_index> new_triangle;
+
+  /// Whether rounding to the nearest doubles was all there was to do.
+  bool is_as_it_was() const { return moved_vertices + merged_vertices + flipped_edges == 0; }
+
+  /// Gives the triangles of a mesher's report their numbers in this mesh; those that are no more are dropped.
+  /// Angles in the report stay those before rounding.
+  void renumber(Quality_mesh_report_2& report) const {
+    renumber_list(report.exempt_triangles);
+    renumber_rest(report);
+  }
+  /// The same for a mesh of points.
+  void renumber(Point_set_mesh_report_2& report) const { renumber_rest(report); }
+
+private:
+  template <class Report>
+  void renumber_rest(Report& report) const {
+    renumber_list(report.unmet_triangles);
+    report.triangles = mesh.triangles.size();
+    report.vertices -= merged_vertices;
+  }
+  template <class Entry>
+  void renumber_list(std::vector<Entry>& list) const {
+    std::size_t kept = 0;
+    for (Entry entry : list) {
+      entry.triangle = new_triangle[std::size_t(entry.triangle)];
+      if (entry.triangle.is_valid()) list[kept++] = entry;
+    }
+    list.erase(list.begin() + static_cast<std::ptrdiff_t>(kept), list.end());
+  }
+};
+
+namespace Quadtree_mesh_2 {
+namespace internal {
+
+/// The double nearest to an exact number; lazy numbers and long ones may be off by more where they are just converted.
+template <class FT>
+double nearest_double(const FT& v) {
+  if constexpr (std::is_arithmetic<FT>::value) {
+    return static_cast<double>(v);
+  } else {
+    using Field = typename Exact_field<FT>::Type;
+    const Field value(CGAL::exact(v));
+    const double head = CGAL::to_double(value);
+    if (!std::isfinite(head)) return head;
+    return head + CGAL::to_double(Field(value - Field(head)));
+  }
+}
+
+/// All but the points.
+template <class Point, class Other_point>
+Indexed_mesh_2<Point> mesh_without_points(Indexed_mesh_2<Other_point>&& other) {
+  Indexed_mesh_2<Point> mesh;
+  mesh.number_of_input_vertices = other.number_of_input_vertices;
+  mesh.triangles = std::move(other.triangles);
+  mesh.neighbors = std::move(other.neighbors);
+  mesh.constrained_edges.reserve(other.constrained_edges.size());
+  for (const auto& e : other.constrained_edges)
+    mesh.constrained_edges.push_back({e.vertices, e.segment, e.marker});
+  mesh.region_of_triangle = std::move(other.region_of_triangle);
+  mesh.segment_of_vertex = std::move(other.segment_of_vertex);
+  mesh.vertex_markers = std::move(other.vertex_markers);
+  return mesh;
+}
+
+template <class Point>
+std::string text_of_unrounded(const Indexed_mesh_2<Point>& mesh, Triangle_index t) {
+  std::string text = "doubles cannot express the mesh: the triangle of";
+  for (const auto v : mesh.triangles[std::size_t(t)]) {
+    const Point& p = mesh.point(v);
+    text += std::size_t(v) < mesh.number_of_input_vertices ? " vertex " + std::to_string(v.value())
+                                                           : std::string(" a Steiner vertex");
+    text += " at " + coordinates_text(p) + ',';
+  }
+  return text +
+         " counterclockwise before rounding, would be flat or clockwise; features of the input are as "
+         "small as the last digit of its coordinates: move it nearer to the origin, or merge what is so near";
+}
+
+} // namespace internal
+} // namespace Quadtree_mesh_2
+
+/// \ingroup PkgQuadtreeMesh2Data
+/// Returns the mesh over doubles, valid as it was: all triangles counterclockwise, segments chains of edges.
+///
+/// Input vertices are at the doubles that are given, Steiner vertices as a rule at the nearest. Where triangles
+/// would be flat or clockwise by that, some Steiner vertices are put to other doubles nearby, edges are flipped, and
+/// vertices between which there is no double are merged. Angles next to such places may then be below the bound:
+/// `mesh_quality_2()` tells. A Steiner vertex in a segment is next to the segment, as always over doubles, and joined
+/// only with others in it or with its ends.
+///
+/// \param mesh with all its arrays, over a kernel with exact numbers or over words
+/// \param input_points the doubles of the input vertices
+/// \param to_double the nearest place of a Steiner vertex, a `Point`
+/// \throws Mesh_rounding_error_2 if there is a triangle that none of this makes counterclockwise
+template <class Point, class Other_point, class To_double>
+Rounded_mesh_2<Point> round_mesh_2(Indexed_mesh_2<Other_point> mesh, const std::vector<Point>& input_points,
+                                   const To_double& to_double) {
+  CGAL_precondition(input_points.size() == mesh.number_of_input_vertices);
+  CGAL_precondition(mesh.neighbors.size() == mesh.triangles.size());
+  Rounded_mesh_2<Point> result;
+  std::vector<Point> points = input_points;
+  points.reserve(mesh.points.size());
+  for (std::size_t v = points.size(); v < mesh.points.size(); ++v)
+    points.push_back(to_double(mesh.points[v]));
+  result.mesh = Quadtree_mesh_2::internal::mesh_without_points<Point>(std::move(mesh));
+  result.mesh.points = std::move(points);
+  Quadtree_mesh_2::internal::Rounded_mesh_repairer<Point> repairer(result.mesh);
+  const Quadtree_mesh_2::Triangle_index left = repairer.run();
+  if (left.is_valid())
+    throw Mesh_rounding_error_2(Quadtree_mesh_2::internal::text_of_unrounded(result.mesh, left));
+  result.new_triangle = repairer.compress();
+  result.moved_vertices = repairer.number_of_moved();
+  result.merged_vertices = repairer.number_of_merged();
+  result.flipped_edges = repairer.number_of_flipped();
+  return result;
+}
+
+/// \ingroup PkgQuadtreeMesh2Data
+/// The same with all vertices, those of the input too, at the doubles nearest to the exact numbers of the mesh.
+template <class Point, class Other_point>
+Rounded_mesh_2<Point> round_mesh_2(Indexed_mesh_2<Other_point> mesh) {
+  const auto to_double = [](const Other_point& p) {
+    using Quadtree_mesh_2::internal::nearest_double;
+    return Point(nearest_double(p.x()), nearest_double(p.y()));
+  };
+  std::vector<Point> input_points;
+  input_points.reserve(mesh.number_of_input_vertices);
+  for (std::size_t v = 0; v < mesh.number_of_input_vertices; ++v)
+    input_points.push_back(to_double(mesh.points[v]));
+  return round_mesh_2<Point>(std::move(mesh), input_points, to_double);
+}
+
+} // namespace CGAL
+
+#endif // CGAL_ROUND_MESH_2_H

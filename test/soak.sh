@@ -1,0 +1,51 @@
+#!/usr/bin/env bash
+# Runs the meshers on generated inputs and judges what they make; installs missing Debian packages and builds first. See --help.
+set -euo pipefail
+
+# shellcheck source-path=SCRIPTDIR source=../.ci/common.sh
+. "$(dirname "${BASH_SOURCE[0]}")/../.ci/common.sh"
+
+usage() {
+  cat <<'EOT'
+usage: test/soak.sh [--own-seed] [option of build/bin/soak]...
+       test/soak.sh --docs LOG...
+
+  --own-seed  take the seed from the commit's name, 0 without one
+  --docs      write doc/soak.md from logs; nothing is run
+
+Inputs that fail are written to build/soak. The options of build/bin/soak:
+EOT
+}
+
+arguments=()
+documents=no
+own_seed=no
+help=no
+commit=$(git -C "$root" rev-parse --short=12 HEAD 2>/dev/null || echo unknown)
+git -C "$root" diff --quiet HEAD 2>/dev/null || commit+=+
+for argument in "$@"; do
+  case $argument in
+    --own-seed) own_seed=yes ;;
+    --docs) documents=yes && arguments+=("$argument") ;;
+    --help | -h) help=yes ;;
+    *) arguments+=("$argument") ;;
+  esac
+done
+if [[ $own_seed == yes ]]; then
+  digits=${commit:0:6}
+  [[ $commit != unknown ]] || digits=0 # not a repository
+  arguments+=(--seed "$((16#$digits))")
+fi
+
+install_packages "${build_packages[@]}"
+configure_and_build "$root/build" soak -DCMAKE_BUILD_TYPE=Release
+if [[ $help == yes ]]; then
+  usage
+  "$root/build/bin/soak" --help
+elif [[ $documents == yes ]]; then
+  "$root/build/bin/soak" "${arguments[@]}" >"$root/build/soak.md"
+  mv "$root/build/soak.md" "$root/doc/soak.md"
+  say "written: doc/soak.md"
+else
+  "$root/build/bin/soak" --commit "$commit" --folder "$root/build/soak" "${arguments[@]}"
+fi

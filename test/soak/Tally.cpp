@@ -1,0 +1,57 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+
+#include "Tally.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <ostream>
+
+namespace soak {
+
+namespace {
+
+constexpr const char* outcome_names[] = {"met", "unmet", "refused", "failed"};
+
+} // namespace
+
+void Tally::add(const Soak_case& c, const Result& result) {
+  Counts& counts =
+      counts_[{c.family, kernel_names()[static_cast<std::size_t>(c.kernel)],
+               c.mode == Mode::pslg ? separation_names()[static_cast<std::size_t>(c.separation)] : "-",
+               mode_names()[static_cast<std::size_t>(c.mode)]}];
+  ++counts.of_outcome[static_cast<std::size_t>(result.verdict.outcome)];
+  counts.seconds += result.seconds;
+  counts.worst_seconds = std::max(counts.worst_seconds, result.seconds);
+  counts.worst_megabytes = std::max(counts.worst_megabytes, result.megabytes);
+}
+
+std::size_t Tally::number_of(Outcome outcome) const {
+  std::size_t sum = 0;
+  for (const auto& [key, counts] : counts_) sum += counts.of_outcome[static_cast<std::size_t>(outcome)];
+  return sum;
+}
+
+std::size_t Tally::number_of_inputs() const {
+  return number_of(Outcome::met) + number_of(Outcome::unmet) + number_of(Outcome::refused) +
+         number_of(Outcome::failed);
+}
+
+void Tally::write(std::ostream& out, const std::string& commit, std::uint64_t seed) const {
+  for (const auto& [key, counts] : counts_) {
+    nlohmann::ordered_json line = {{"commit", commit}, {"seed", seed},         {"family", key[0]},
+                                   {"kernel", key[1]}, {"separation", key[2]}, {"mode", key[3]}};
+    for (std::size_t i = 0; i < counts.of_outcome.size(); ++i) line[outcome_names[i]] = counts.of_outcome[i];
+    line["seconds"] = counts.seconds;
+    line["worst_seconds"] = counts.worst_seconds;
+    line["worst_megabytes"] = counts.worst_megabytes;
+    out << line.dump() << '\n';
+  }
+  out.flush();
+}
+
+} // namespace soak

@@ -1,0 +1,138 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+
+#include "exact_facts.h"
+
+#include <CGAL/Bbox_2.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <vector>
+
+namespace soak {
+
+namespace {
+
+/// Features nearer to each other than this many steps of the coordinates may be left as they are: a vertex between them and
+/// the angles around it are rounded by as much as their size.
+constexpr long double least_room = 256;
+
+using Real = long double;
+
+struct Place {
+  Real x, y;
+  explicit Place(const Point& p) : x(p.x()), y(p.y()) {}
+  Place(Real x_, Real y_) : x(x_), y(y_) {}
+};
+Real distance(const Place& a, const Place& b) { return std::hypot(a.x - b.x, a.y - b.y); }
+
+/// The nearest place of the segment from `a` to `b`. Differences of doubles are rounded to 64 bits, which is more than
+/// enough to count steps.
+Place nearest_on(const Place& a, const Place& b, const Place& p) {
+  const Real length = distance(a, b);
+  if (length == 0) return a;
+  const Real ux = (b.x - a.x) / length, uy = (b.y - a.y) / length;
+  const Real t = std::clamp((p.x - a.x) * ux + (p.y - a.y) * uy, Real(0), length);
+  return {a.x + t * ux, a.y + t * uy};
+}
+Real distance_to_segment(const Place& a, const Place& b, const Place& p) {
+  return distance(nearest_on(a, b, p), p);
+}
+
+Real least_positive(Real a, Real b) { return b > 0 ? std::min(a, b) : a; }
+
+} // namespace
+
+bool do_cross(const Pslg& graph, std::size_t s, std::size_t t) {
+  const Point &a = graph.point(graph.segments[s][0]), &b = graph.point(graph.segments[s][1]),
+              &c = graph.point(graph.segments[t][0]), &d = graph.point(graph.segments[t][1]);
+  return CGAL::orientation(a, b, c) * CGAL::orientation(a, b, d) < 0 &&
+         CGAL::orientation(c, d, a) * CGAL::orientation(c, d, b) < 0;
+}
+
+std::optional<std::pair<std::size_t, std::size_t>> find_crossing(const Pslg& graph) {
+  const std::size_t n = graph.segments.size();
+  std::vector<CGAL::Bbox_2> boxes;
+  for (const auto& s : graph.segments) boxes.push_back(graph.point(s[0]).bbox() + graph.point(s[1]).bbox());
+  std::vector<std::size_t> order(n);
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t s, std::size_t t) { return boxes[s].xmin() < boxes[t].xmin(); });
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t j = i + 1; j < n && boxes[order[j]].xmin() <= boxes[order[i]].xmax(); ++j) {
+      const std::size_t s = std::min(order[i], order[j]), t = std::max(order[i], order[j]);
+      if (CGAL::do_overlap(boxes[s], boxes[t]) && do_cross(graph, s, t)) return std::pair(s, t);
+    }
+  return {};
+}
+
+bool are_on_a_line(const std::vector<Point>& points) {
+  std::size_t other = 0;
+  while (other < points.size() && points[other] == points[0]) ++other;
+  for (std::size_t i = other; i < points.size(); ++i)
+    if (CGAL::orientation(points[0], points[other], points[i]) != CGAL::COLLINEAR) return false;
+  return true;
+}
+
+bool is_on_a_segment(const Pslg& graph, const Point& p) {
+  using Segment = CGAL::Exact_predicates_inexact_constructions_kernel::Segment_2;
+  return std::any_of(graph.segments.begin(), graph.segments.end(),
+                     [&](const auto& s) { return Segment(graph.point(s[0]), graph.point(s[1])).has_on(p); });
+}
+
+Resolution::Resolution(const Soak_case& c) : is_of_doubles_(c.kernel != Kernel::fixed32) {
+  if (c.kernel == Kernel::filtered || c.kernel == Kernel::exact) return;
+  // Words have the middle half of a root of 2^62 or 2^31 units.
+  const int bits = c.kernel == Kernel::fixed ? 60 : 29;
+  unit_ = std::ldexp(Real(extent_of(c.graph.vertices)), -bits);
+}
+
+Real Resolution::at(const Point& p) const {
+  const double largest = std::max(std::fabs(p.x()), std::fabs(p.y()));
+  const Real step = Real(std::nextafter(largest, std::numeric_limits<double>::infinity())) - largest;
+  return is_of_doubles_ ? std::max(step, unit_) : unit_;
+}
+
+Real least_feature_distance(const Pslg& graph, const Point& place, Real reach) {
+  const Place p(place);
+  std::vector<std::size_t> vertices, segments;
+  for (std::size_t v = 0; v < graph.vertices.size(); ++v)
+    if (distance(Place(graph.vertices[v]), p) <= reach) vertices.push_back(v);
+  Real least = std::numeric_limits<Real>::infinity();
+  const auto ends_of = [&](std::size_t s) {
+    return std::pair(Place(graph.point(graph.segments[s][0])), Place(graph.point(graph.segments[s][1])));
+  };
+  for (std::size_t s = 0; s < graph.segments.size(); ++s) {
+    const auto [a, b] = ends_of(s);
+    if (distance_to_segment(a, b, p) <= reach) segments.push_back(s);
+  }
+  for (const std::size_t v : vertices) {
+    const Place q(graph.vertices[v]);
+    for (const Point& r : graph.vertices) least = least_positive(least, distance(q, Place(r)));
+    for (std::size_t s = 0; s < graph.segments.size(); ++s) {
+      const auto [a, b] = ends_of(s);
+      least = least_positive(least, distance_to_segment(a, b, q));
+    }
+  }
+  for (const std::size_t s : segments) {
+    const auto [a, b] = ends_of(s);
+    for (const Point& r : graph.vertices) least = least_positive(least, distance_to_segment(a, b, Place(r)));
+    // From leg to leg, at the place of the one that is nearest.
+    for (const std::size_t t : segments) {
+      const auto [c, d] = ends_of(t);
+      least = least_positive(least, distance_to_segment(c, d, nearest_on(a, b, p)));
+    }
+  }
+  return least;
+}
+
+bool is_without_room(const Soak_case& c, const Point& p, Real reach) {
+  return least_feature_distance(c.graph, p, reach) <= least_room * Resolution(c).at(p);
+}
+
+} // namespace soak

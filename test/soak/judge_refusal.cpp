@@ -1,0 +1,171 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+
+#include "exact_facts.h"
+#include "judge.h"
+
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace soak {
+
+namespace {
+
+using Kernel_2 = CGAL::Exact_predicates_inexact_constructions_kernel;
+
+/// The numbers that a message has behind a word: "segment 3", "vertices 5 (0, 0) and 7", "points 1 and 2".
+std::vector<std::size_t> numbers_after(const std::string& message, const std::string& words) {
+  std::vector<std::size_t> result;
+  const std::regex name("\\b(?:" + words + ") (\\d+)(?:(?: \\([^)]*\\))? and (\\d+))?");
+  for (std::sregex_iterator i(message.begin(), message.end(), name), end; i != end; ++i)
+    for (const std::size_t group : {1, 2})
+      if ((*i)[group].matched) result.push_back(std::stoul((*i)[group]));
+  return result;
+}
+
+/// The places that a message has in parentheses.
+std::vector<Point> places_in(const std::string& message) {
+  std::vector<Point> result;
+  const std::regex place("\\(([-+.0-9e]+), ([-+.0-9e]+)\\)");
+  for (std::sregex_iterator i(message.begin(), message.end(), place), end; i != end; ++i)
+    result.emplace_back(std::stod((*i)[1]), std::stod((*i)[2]));
+  return result;
+}
+
+bool has(const std::string& message, const char* part) { return message.find(part) != std::string::npos; }
+
+/// Whether segments enclose anything that holes leave, by a triangulation of CGAL's with exact predicates.
+bool has_domain(const Pslg& graph) {
+  using Cdt = CGAL::Constrained_Delaunay_triangulation_2<Kernel_2, CGAL::Default, CGAL::Exact_predicates_tag>;
+  Cdt cdt;
+  for (const auto& s : graph.segments)
+    if (graph.point(s[0]) != graph.point(s[1])) cdt.insert_constraint(graph.point(s[0]), graph.point(s[1]));
+  if (cdt.dimension() < 2) return false;
+  std::set<Cdt::Face_handle> outside;
+  const auto flood = [&](Cdt::Face_handle first) {
+    std::vector<Cdt::Face_handle> stack{first};
+    while (!stack.empty()) {
+      const Cdt::Face_handle f = stack.back();
+      stack.pop_back();
+      if (!outside.insert(f).second) continue;
+      for (int i = 0; i < 3; ++i)
+        if (!f->is_constrained(i)) stack.push_back(f->neighbor(i));
+    }
+  };
+  flood(cdt.infinite_face());
+  for (const Point& p : graph.holes) flood(cdt.locate(p));
+  for (const Cdt::Face_handle f : cdt.finite_face_handles())
+    if (outside.count(f) == 0) return true;
+  return false;
+}
+
+bool is_any_seed_on_a_segment(const Pslg& graph) {
+  const auto is_on = [&](const Point& p) { return is_on_a_segment(graph, p); };
+  return std::any_of(graph.holes.begin(), graph.holes.end(), is_on) ||
+         std::any_of(graph.regions.begin(), graph.regions.end(),
+                     [&](const auto& r) { return is_on(r.point); });
+}
+
+Verdict judge_crossing(const Soak_case& c, const std::string& message) {
+  const std::vector<std::size_t> segments = numbers_after(message, "segments?");
+  if (segments.size() < 2 || segments[0] >= c.graph.segments.size() || segments[1] >= c.graph.segments.size())
+    return failure("refused: crossing without numbers", message);
+  if (!do_cross(c.graph, segments[0], segments[1])) return failure("refused: false crossing", message);
+  return {Outcome::refused, "crossing", message};
+}
+
+Verdict judge_domain(const Soak_case& c, const std::string& message) {
+  const bool is_marked = c.wishes.domain == CGAL::Quality_mesh_options_2::Domain::MARKED;
+  if (is_marked && c.graph.regions.empty()) return {Outcome::refused, "no domain", message};
+  if (is_any_seed_on_a_segment(c.graph)) return {Outcome::refused, "no domain", message};
+  if (is_marked || !has_domain(c.graph)) return {Outcome::refused, "no domain", message};
+  return failure("refused: there is a domain", message);
+}
+
+/// Features whose vertices or segments a message names.
+Verdict judge_distance(const Soak_case& c, const std::string& message) {
+  const Pslg& graph = c.graph;
+  std::vector<std::size_t> vertices = numbers_after(message, "vertex|vertices|points?");
+  if (vertices.empty())
+    for (const std::size_t s : numbers_after(message, "segments?"))
+      if (s < graph.segments.size())
+        for (const auto v : graph.segments[s]) vertices.push_back(std::size_t(v));
+  if (vertices.empty()) return failure("refused: no reason that could be checked", message);
+  // Where a kernel says how near is too near.
+  const long double share = c.mode != Mode::pslg        ? 0x1p-40L
+                            : c.kernel == Kernel::exact ? 0x1p-128L
+                                                        : 0x1p-100L;
+  const long double extent = extent_of(graph.vertices);
+  for (const std::size_t v : vertices) {
+    if (v >= graph.vertices.size()) return failure("refused: no such vertex", message);
+    const Point& p = graph.vertices[v];
+    const long double least = least_feature_distance(graph, p, 0);
+    if (least <= share * extent || is_without_room(c, p, 0)) return {Outcome::refused, "too near", message};
+  }
+  return failure("refused: not too near", message);
+}
+
+/// A triangle of the mesh that doubles cannot express, at the places that are named.
+Verdict judge_places(const Soak_case& c, const std::string& message) {
+  const std::vector<Point> places = places_in(message);
+  if (places.empty()) return failure("refused: no place", message);
+  double reach = 0;
+  for (const Point& p : places) reach = std::max(reach, std::sqrt(CGAL::squared_distance(p, places.front())));
+  for (const Point& p : places)
+    if (is_without_room(c, p, 2 * reach)) return {Outcome::refused, "no room", message};
+  return failure("refused: there is room", message);
+}
+
+/// Where a gap is so narrow for its length that no memory has room for the triangles.
+Verdict judge_size(const std::string& message) {
+  const std::vector<std::size_t> culprits = numbers_after(message, "segments?|vertex|vertices");
+  std::smatch number;
+  const bool has_number = std::regex_search(message, number, std::regex("about ([0-9.e+]+) triangles"));
+  if (culprits.empty() || !has_number) return failure("refused: too large, without numbers", message);
+  if (std::stod(number[1]) < 1e7) return failure("refused: not too large", message);
+  return {Outcome::refused, "too large", message};
+}
+
+/// A hole's or region's point on a segment, or as near to it as words can tell.
+Verdict judge_seed(const Soak_case& c, const std::string& message) {
+  std::vector<Point> seeds;
+  for (const std::size_t h : numbers_after(message, "hole"))
+    if (h < c.graph.holes.size()) seeds.push_back(c.graph.holes[h]);
+  for (const std::size_t r : numbers_after(message, "region"))
+    if (r < c.graph.regions.size()) seeds.push_back(c.graph.regions[r].point);
+  const bool is_of_words = c.kernel == Kernel::fixed || c.kernel == Kernel::fixed32;
+  for (const Point& p : seeds)
+    if (is_on_a_segment(c.graph, p) || (is_of_words && is_without_room(c, p, 0)))
+      return {Outcome::refused, "seed on a segment", message};
+  return failure("refused: seed is on no segment", message);
+}
+
+} // namespace
+
+Verdict judge_refusal(const Soak_case& c, const std::string& message) {
+  if (has(message, "doubles cannot express")) return judge_places(c, message);
+  if (has(message, " crosses ")) return judge_crossing(c, message);
+  if (!numbers_after(message, "hole|region").empty()) return judge_seed(c, message);
+  if (has(message, "no vertices") || has(message, "no points") || has(message, "one vertex") ||
+      has(message, "one point") || has(message, "on the line"))
+    return are_on_a_line(c.graph.vertices) ? Verdict{Outcome::refused, "on a line", message}
+                                           : failure("refused: not on a line", message);
+  if (has(message, "domain") || has(message, "no segments")) return judge_domain(c, message);
+  if (has(message, "triangles")) return judge_size(message);
+  if (has(message, "too large") || has(message, "span"))
+    return extent_of(c.graph.vertices) > 1e290 ? Verdict{Outcome::refused, "too large", message}
+                                               : failure("refused: coordinates are not too large", message);
+  return judge_distance(c, message);
+}
+
+} // namespace soak

@@ -1,0 +1,184 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+
+#include "run_case.h"
+
+#include "words32.h"
+
+#include "mesh_graph.h"
+#include "mesh_points.h"
+
+#include <CGAL/Fixed_point_quadtree_traits_2.h>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#endif
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace soak {
+
+namespace {
+
+/// A field that grows from the left border to twice that on the right.
+struct Slope {
+  double x, width, size;
+  double operator()(double at, double) const {
+    return size * (1 + std::min(1.0, std::max(0.0, (at - x) / width)));
+  }
+};
+
+/// Meshers of small inputs have no time to wait until threads have started, as `Thread_limit` does.
+class Allowed_threads {
+public:
+#ifdef CGAL_LINKED_WITH_TBB
+  explicit Allowed_threads(unsigned n) : control_(tbb::global_control::max_allowed_parallelism, n) {}
+
+private:
+  tbb::global_control control_;
+#else
+  explicit Allowed_threads(unsigned) {}
+#endif
+};
+
+mesh_graph::Neighbors neighbors_of(const Soak_case& c) {
+  return c.wishes.has_trapezoids ? mesh_graph::Neighbors::trapezoidal : mesh_graph::Neighbors::quadtree;
+}
+
+} // namespace
+
+CGAL::Quality_mesh_options_2 graph_options(const Soak_case& c) {
+  using Options = CGAL::Quality_mesh_options_2;
+  using Trees = CGAL::Tree_separation_options_2;
+  const Wishes& w = c.wishes;
+  const double extent = extent_of(c.graph.vertices);
+  Options options;
+  options.min_angle(w.min_angle)
+      .max_area(w.max_area * extent * extent)
+      .max_edge(w.max_edge * extent)
+      .mesh_domain(w.domain)
+      .smooth(w.smooth)
+      .thin(w.thin)
+      .patience(w.patience)
+      .coarsen(w.is_coarsened ? Options::Coarsening::GUARDED_REMOVAL : Options::Coarsening::NONE);
+  if (c.separation == Separation::theorem_5)
+    options.separate(Trees().subdivide(w.has_centroid_trees ? Trees::Subdivision::CENTROID_TREE
+                                                            : Trees::Subdivision::WALKING));
+  else
+    options.min_edge(w.min_edge * extent);
+  if (w.size > 0 && extent > 0 && std::isfinite(extent)) {
+    double low = c.graph.vertices.front().x();
+    for (const Point& p : c.graph.vertices) low = std::min(low, p.x());
+    options.size(Slope{low, extent, w.size * extent});
+  }
+  return options;
+}
+
+CGAL::Point_set_mesh_options_2 points_options(const Soak_case& c) {
+  CGAL::Point_set_mesh_options_2 options;
+  options.effort(c.wishes.effort);
+  switch (c.mode) {
+  case Mode::bounded:
+    if (c.wishes.is_square) options.mesh_domain(CGAL::Point_set_mesh_options_2::Domain::SQUARE);
+    return c.wishes.is_tightest ? options.bounded_angles(37.5, 78.6) : options.bounded_angles();
+  case Mode::acute:
+    return options.acute();
+  case Mode::warped:
+    return options.warped_squares();
+  case Mode::points:
+  case Mode::pslg:
+    break;
+  }
+  return options.least_angle();
+}
+
+CGAL::Mesh_quality_options_2 check_options(const Soak_case& c) {
+  using Rule = CGAL::Mesh_quality_options_2::Domain;
+  using Domain = CGAL::Quality_mesh_options_2::Domain;
+  const CGAL::Quality_mesh_options_2 asked = graph_options(c);
+  const Rule rule = asked.domain == Domain::MARKED           ? Rule::MARKED_BY_REGIONS
+                    : asked.domain == Domain::NESTING_PARITY ? Rule::NESTING_PARITY
+                                                             : Rule::ENCLOSED_BY_SEGMENTS;
+  CGAL::Mesh_quality_options_2 check = CGAL::Mesh_quality_options_2()
+                                           .min_angle(asked.min_angle_in_degrees)
+                                           .max_edge(asked.max_edge_length)
+                                           .max_area(asked.max_triangle_area)
+                                           .check_domain(rule);
+  if (c.kernel == Kernel::fixed32) check.coordinate_unit = 1;
+  if (c.kernel == Kernel::fixed)
+    check.coordinate_unit = CGAL::Fixed_point_scale_2<std::uint64_t>::of_points(c.graph.vertices).unit();
+  return check;
+}
+
+Pslg graph_of_words32(const Pslg& graph) {
+  double x0 = 0, y0 = 0;
+  for (std::size_t v = 0; v < graph.vertices.size(); ++v) {
+    x0 = v == 0 ? graph.vertices[v].x() : std::min(x0, graph.vertices[v].x());
+    y0 = v == 0 ? graph.vertices[v].y() : std::min(y0, graph.vertices[v].y());
+  }
+  const double extent = extent_of(graph.vertices);
+  // To the second quarter of the root, which leaves meshes of points room around it.
+  const double side = 0x1p29;
+  const auto word = [&](double v, double low) {
+    if (!(extent > 0)) return side;
+    const double share = std::clamp((v - low) / extent, -0.5, 1.5);
+    return std::round(side + share * side);
+  };
+  Pslg result = graph;
+  const auto map = [&](Point& p) { p = Point(word(p.x(), x0), word(p.y(), y0)); };
+  for (Point& p : result.vertices) map(p);
+  for (Point& p : result.holes) map(p);
+  for (auto& r : result.regions) map(r.point), r.max_area = 0;
+  return result;
+}
+
+Graph_mesh mesh_graph_of(const Soak_case& c, unsigned threads) {
+  const Allowed_threads allowed(threads);
+  const CGAL::Quality_mesh_options_2 options = graph_options(c);
+  Graph_mesh result;
+  switch (c.kernel) {
+  case Kernel::filtered:
+    result.mesh = mesh_graph::with_doubles(c.graph, options, neighbors_of(c), result.report);
+    break;
+  case Kernel::exact:
+    result.mesh = mesh_graph::exactly(c.graph, options, neighbors_of(c), result.report);
+    break;
+  case Kernel::fixed:
+    result.mesh = mesh_graph::in_words(c.graph, options, neighbors_of(c), result.report);
+    break;
+  case Kernel::fixed32:
+    return mesh_graph_in_words32(c.graph, options);
+  }
+  return result;
+}
+
+Points_mesh mesh_points_of(const Soak_case& c, unsigned threads) {
+  const Allowed_threads allowed(threads);
+  const CGAL::Point_set_mesh_options_2 options = points_options(c);
+  const std::vector<Point>& points = c.graph.vertices;
+  Points_mesh result;
+  switch (c.kernel) {
+  case Kernel::filtered:
+    result.mesh = mesh_points::with_doubles(points, options, result.report);
+    break;
+  case Kernel::exact:
+    result.mesh = mesh_points::exactly(points, options, result.report);
+    break;
+  case Kernel::fixed:
+    result.mesh = mesh_points::in_words(points, options, result.report);
+    break;
+  case Kernel::fixed32:
+    return mesh_points_in_words32(points, options);
+  }
+  return result;
+}
+
+} // namespace soak

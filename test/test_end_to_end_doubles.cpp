@@ -1,0 +1,59 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+
+// Graphs over doubles from files and families to meshes, with all that the options know; maps in blocks, on threads; and
+// a CGAL triangulation refined in place.
+
+#include "end_to_end.h"
+
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Delaunay_mesh_face_base_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Filtered_quadtree_traits_2.h>
+#include <CGAL/Triangulation_data_structure_2.h>
+#include <CGAL/Triangulation_vertex_base_2.h>
+
+#include <cmath>
+
+using namespace end_to_end;
+using Traits = CGAL::Filtered_quadtree_traits_2<>;
+
+TEST_CASE("Graphs of doubles are meshed", "[end_to_end]") {
+  check_graphs<Traits>([](const Pslg& pslg) { return pslg; });
+}
+
+TEST_CASE("Graphs of doubles are meshed with each option", "[end_to_end]") {
+  const Pslg pslg = mesher_test::read("syn_holes_400.poly.gz");
+  const double area = 1e-3;
+  check_graph<Traits>(pslg, Options().max_area(area / 4));
+  check_graph<Traits>(pslg, Options().max_edge(0.1).coarsen(Options::Coarsening::NONE));
+  check_graph<Traits>(pslg, Options().thin(1).smooth(1));
+  check_graph<Traits>(pslg, Options().size([](double x, double y) { return 0.05 + std::hypot(x, y) / 8; }));
+  check_graph<Traits>(pslg, Options().patience(0));
+  using Tree_options = CGAL::Tree_separation_options_2;
+  check_graph<Traits>(mesher_test::read("syn_wedge_10deg.poly"),
+                      Options().separate(Tree_options().place(Tree_options::Placement::BY_RULE)));
+}
+
+TEST_CASE("A map is meshed in blocks", "[end_to_end]") {
+  const Pslg map = mesher_test::read("gshhg_aegean_h.poly.gz");
+  check_graph<Traits>(map, Options());
+  check_graph<Traits>(mesher_test::read("syn_square.poly"), Options().max_area(1e-5));
+}
+
+TEST_CASE("A triangulation is refined in place, end to end", "[end_to_end]") {
+  using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+  using Cdt = CGAL::Constrained_Delaunay_triangulation_2<
+      Kernel, CGAL::Triangulation_data_structure_2<CGAL::Triangulation_vertex_base_2<Kernel>,
+                                                   CGAL::Delaunay_mesh_face_base_2<Kernel>>>;
+  const Pslg pslg = mesher_test::read("hard_visibility_graph_2608.poly");
+  Cdt cdt;
+  for (const auto& [a, b] : pslg.segments) cdt.insert_constraint(pslg.point(a), pslg.point(b));
+  const std::size_t before = cdt.number_of_vertices();
+  CHECK(CGAL::refine_quality_mesh_2(cdt).is_met());
+  CHECK(cdt.is_valid());
+  CHECK(cdt.number_of_vertices() > before);
+}

@@ -1,0 +1,37 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+
+// Points to meshes, in each mode.
+
+#include "catch.h"
+#include "point_mesh_checks.h"
+#include "point_sets.h"
+
+#include <CGAL/Filtered_quadtree_traits_2.h>
+#include <CGAL/Point_set_mesher_2.h>
+#include <CGAL/tags.h>
+
+#include <string>
+
+TEST_CASE("Points are meshed in each mode", "[end_to_end]") {
+  using point_mesh_test::Options;
+  using Domain = Options::Domain;
+  for (const point_sets::Named_points& input :
+       {point_sets::Named_points{"uniform", quadtree_inputs::uniform(60, 1)},
+        point_sets::Named_points{"clusters", point_sets::nested_clusters(20, 1e-7, 1, 2)},
+        point_sets::Named_points{"near pairs", point_sets::close_pairs(20, 1e-5, 3)}})
+    for (const Options& options :
+         {Options().bounded_angles().effort(1),
+          Options().bounded_angles().effort(1).mesh_domain(Domain::SQUARE), Options().acute().effort(1),
+          Options().least_angle(), Options().warped_squares()}) {
+      CAPTURE(input.name, int(options.mode));
+      CGAL::Point_set_mesher_2<CGAL::Filtered_quadtree_traits_2<>, CGAL::Parallel_tag> mesher(options);
+      const auto mesh = mesher(input.points);
+      for (const std::string& fault :
+           point_mesh_test::faults_of(mesh, input.points, options, mesher.report()))
+        FAIL_CHECK(fault);
+    }
+}

@@ -1,0 +1,175 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+
+// Features as small as coordinates can tell: the bound is met wherever they leave room for a vertex, and no triangle is
+// clockwise or flat where they do not.
+
+#include "mesher_test_tools.h"
+
+#include <CGAL/Fixed_point_quadtree_traits_2.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <random>
+#include <string>
+#include <vector>
+
+using namespace mesher_test;
+
+namespace {
+
+using Point = pslg_test::Pslg::Point_2;
+using Reason = CGAL::Quality_mesh_report_2::Reason;
+using Traits_of_words = CGAL::Fixed_point_quadtree_traits_2<std::uint64_t>;
+using Word_point = Traits_of_words::Point_2;
+
+Options to_the_bound() { return Options().min_angle(20.7); }
+
+double unit_in_the_last_place(double x) {
+  const double magnitude = std::fabs(x);
+  return std::nextafter(magnitude, std::numeric_limits<double>::infinity()) - magnitude;
+}
+
+/// The shortest side of a triangle or its height above the longest, whichever is less, in units in the last place of
+/// its coordinates.
+double least_width_in_units(const Mesh& mesh, std::size_t t) {
+  double unit = 0, shortest = std::numeric_limits<double>::infinity(), longest = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Point &p = mesh.point(mesh.triangles[t][k]), &q = mesh.point(mesh.triangles[t][(k + 1) % 3]);
+    unit = std::max({unit, unit_in_the_last_place(p.x()), unit_in_the_last_place(p.y())});
+    const double length = std::hypot(q.x() - p.x(), q.y() - p.y());
+    shortest = std::min(shortest, length), longest = std::max(longest, length);
+  }
+  const Point &a = mesh.point(mesh.triangles[t][0]), &b = mesh.point(mesh.triangles[t][1]),
+              &c = mesh.point(mesh.triangles[t][2]);
+  const double area2 = (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
+  return std::min(shortest, std::fabs(area2) / longest) / unit;
+}
+
+/// Checks that whatever is left unmet is so near to the limit of coordinates that a vertex has no place.
+void check_reasons(const Run& r) {
+  constexpr double most_units = 64;
+  for (const auto& unmet : r.report.unmet_triangles) {
+    CHECK(unmet.reason == Reason::COORDINATES);
+    CHECK(least_width_in_units(r.mesh, std::size_t(unmet.triangle)) < most_units);
+  }
+}
+
+Pslg unit_box() {
+  Pslg pslg;
+  const auto a = pslg.add_vertex(Point(0, 0)), b = pslg.add_vertex(Point(1, 0)),
+             c = pslg.add_vertex(Point(1, 1)), d = pslg.add_vertex(Point(0, 1));
+  pslg.add_segment(a, b), pslg.add_segment(b, c), pslg.add_segment(c, d), pslg.add_segment(d, a);
+  return pslg;
+}
+
+using Random = std::mt19937_64;
+double uniform(Random& random, double low, double high) {
+  return std::uniform_real_distribution<double>(low, high)(random);
+}
+
+/// A polygon of 1 to 5 vertices about a place of the box, `size` in diameter; open, closed, or of vertices only.
+void add_small_feature(Pslg& pslg, double size, Random& random) {
+  const double x = uniform(random, 0.1, 0.9), y = uniform(random, 0.1, 0.9), turn = uniform(random, 0, 6);
+  const int n = 2 + static_cast<int>(random() % 4), kind = static_cast<int>(random() % 3);
+  std::vector<CGAL::Quadtree_mesh_2::Vertex_index> v;
+  for (int i = 0; i < n; ++i) {
+    const double angle = turn + i * 6.283185307179586 / n;
+    v.push_back(pslg.add_vertex(Point(x + size / 2 * std::cos(angle), y + size / 2 * std::sin(angle))));
+  }
+  for (std::size_t i = 0; kind > 0 && i + 1 < v.size(); ++i) pslg.add_segment(v[i], v[i + 1]);
+  if (kind > 1 && n > 2) pslg.add_segment(v.back(), v.front());
+}
+
+/// In words with 61 bits for the extent.
+CGAL::Pslg_2<Word_point> in_words(const Pslg& pslg) {
+  const auto scale = CGAL::Fixed_point_scale_2<std::uint64_t>::of_points(pslg.vertices);
+  CGAL::Pslg_2<Word_point> words;
+  for (const Point& p : pslg.vertices) words.add_vertex(scale.to_fixed(p.x(), p.y()));
+  words.segments = pslg.segments;
+  return words;
+}
+
+__extension__ using Wide = __int128;
+bool is_counterclockwise(const Word_point& a, const Word_point& b, const Word_point& c) {
+  return (Wide(b.x()) - Wide(a.x())) * (Wide(c.y()) - Wide(a.y())) >
+         (Wide(b.y()) - Wide(a.y())) * (Wide(c.x()) - Wide(a.x()));
+}
+
+void check_words(const Pslg& pslg) {
+  CGAL::Quality_mesher_2<Traits_of_words> mesher(to_the_bound());
+  const auto mesh = mesher(in_words(pslg));
+  CHECK(mesher.report().is_met());
+  std::size_t wrong = 0;
+  for (const auto& [a, b, c] : mesh.triangles)
+    wrong += is_counterclockwise(mesh.point(a), mesh.point(b), mesh.point(c)) ? 0 : 1;
+  CHECK(wrong == 0);
+}
+
+} // namespace
+
+TEST_CASE("Features of 2^-40 of the extent are meshed to the bound", "[mesher][small]") {
+  for (const char* name :
+       {"hard_near_pair_2e-40.poly", "hard_tiny_square.poly", "hard_inverted_near_end.poly"}) {
+    INFO(name);
+    const Pslg pslg = read(name);
+    run_to_the_bound(pslg, to_the_bound());
+    check_words(pslg);
+  }
+}
+
+TEST_CASE("Isolated features of any size that coordinates tell are meshed to the bound", "[mesher][small]") {
+  const int runs = is_full_run() ? 10000 : 100;
+  for (int seed = 0; seed < runs; ++seed) {
+    INFO("seed " << seed);
+    Random random(static_cast<std::uint64_t>(seed));
+    Pslg pslg = unit_box();
+    add_small_feature(pslg, std::exp2(-uniform(random, 20, 45)), random);
+    run_to_the_bound(pslg, to_the_bound());
+    check_words(pslg);
+  }
+}
+
+TEST_CASE("Vertices some units in the last place from a segment leave a valid mesh", "[mesher][small]") {
+  const int runs = is_full_run() ? 10000 : 100;
+  for (int seed = 0; seed < runs; ++seed) {
+    INFO("seed " << seed);
+    Random random(static_cast<std::uint64_t>(seed));
+    Pslg pslg = unit_box();
+    const double y0 = uniform(random, 0.1, 0.9), y1 = uniform(random, 0.1, 0.9);
+    const auto a = pslg.add_vertex(Point(0.2, y0)), b = pslg.add_vertex(Point(0.8, y1));
+    pslg.add_segment(a, b);
+    for (const double share : {0.25, 0.75}) {
+      const double y = y0 + share * (y1 - y0);
+      const auto units = static_cast<double>(1 + random() % 100) * unit_in_the_last_place(y);
+      pslg.add_vertex(Point(0.2 + share * 0.6, random() % 2 == 0 ? y + units : y - units));
+    }
+    check_reasons(run(pslg, to_the_bound()));
+  }
+}
+
+TEST_CASE("An edge of one unit in the last place is all that is left unmet", "[mesher][small]") {
+  const Run r = run(read("hard_cgal781_tiny_edge.poly"), to_the_bound());
+  CHECK(r.report.unmet_triangles.size() <= 1);
+  check_reasons(r);
+}
+
+TEST_CASE("Vertices nearer than angles can be compared are refused by their names", "[mesher][small]") {
+  const Pslg pslg = read("hard_spiral_to_2e-899.poly");
+  Mesher mesher(to_the_bound());
+  try {
+    mesher(pslg);
+    FAIL("not refused");
+  } catch (const CGAL::Pslg_error_2& error) {
+    const std::string text = error.what();
+    CHECK(text.find("vertex ") != std::string::npos);
+    CHECK(text.find("2^-128 of the extent") != std::string::npos);
+  }
+}

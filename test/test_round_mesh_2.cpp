@@ -1,0 +1,177 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+//
+// Meshes brought to doubles: either a valid mesh over doubles, by the checker and by exact predicates, or an error that
+// names a place.
+
+#include "catch.h"
+#include "mesher_test_tools.h"
+
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Exact_quadtree_traits_2.h>
+#include <CGAL/Fixed_point_quadtree_traits_2.h>
+#include <CGAL/Quality_mesher_2.h>
+#include <CGAL/mesh_quality_2.h>
+#include <CGAL/round_mesh_2.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <random>
+#include <string>
+#include <vector>
+
+namespace {
+
+using mesher_test::read;
+using pslg_test::error_of;
+using pslg_test::has_text;
+using pslg_test::Point;
+using pslg_test::Pslg;
+using pslg_test::Vertex_index;
+using Rounded = CGAL::Rounded_mesh_2<Point>;
+using Mesh = CGAL::Indexed_mesh_2<Point>;
+using Exact_kernel = CGAL::Exact_predicates_exact_constructions_kernel;
+using Exact_point = Exact_kernel::Point_2;
+using Exact_mesh = CGAL::Indexed_mesh_2<Exact_point>;
+
+struct Exact_run {
+  Exact_mesh mesh;
+  CGAL::Quality_mesh_report_2 report;
+};
+
+Exact_run mesh_exactly(const Pslg& pslg) {
+  CGAL::Pslg_2<Exact_point> graph;
+  for (const Point& p : pslg.vertices) graph.add_vertex(Exact_point(p.x(), p.y()));
+  graph.segments = pslg.segments;
+  CGAL::Quality_mesher_2<CGAL::Exact_quadtree_traits_2<>> mesher;
+  Exact_run run;
+  run.mesh = mesher(graph);
+  run.report = mesher.report();
+  return run;
+}
+
+std::size_t number_not_counterclockwise(const Mesh& mesh) {
+  std::size_t n = 0;
+  for (const auto& t : mesh.triangles)
+    n += CGAL::orientation(mesh.point(t[0]), mesh.point(t[1]), mesh.point(t[2])) == CGAL::LEFT_TURN ? 0 : 1;
+  return n;
+}
+
+/// What must hold for every rounded mesh.
+void check(const Rounded& rounded, const Pslg& pslg) {
+  const CGAL::Mesh_quality_2 quality = CGAL::mesh_quality_2(rounded.mesh, pslg);
+  for (const std::string& error : quality.errors) UNSCOPED_INFO(error);
+  CHECK(quality.is_valid());
+  CHECK(number_not_counterclockwise(rounded.mesh) == 0);
+  CHECK(std::equal(pslg.vertices.begin(), pslg.vertices.end(), rounded.mesh.points.begin()));
+}
+
+/// Rounds the exact mesh; nothing if there is none over doubles, or it would be too large.
+std::optional<Rounded> round_exact_mesh(const Pslg& pslg) {
+  std::optional<Rounded> rounded;
+  const std::string error = error_of([&] { rounded = CGAL::round_mesh_2<Point>(mesh_exactly(pslg).mesh); });
+  if (rounded)
+    check(*rounded, pslg);
+  else
+    CHECK(has_text(error, " at "));
+  return rounded;
+}
+
+/// A box with a segment in it, and a vertex so many ulps above the middle of the segment.
+Pslg missed_junction(std::mt19937_64& random, double far, int ulps) {
+  std::uniform_real_distribution<double> coordinate(-1, 1);
+  Pslg pslg;
+  for (const auto& [x, y] : std::vector<std::array<double, 2>>{{-2, -2}, {2, -2}, {2, 2}, {-2, 2}})
+    pslg.add_vertex(Point(far + x, far + y));
+  for (std::size_t i = 0; i < 4; ++i) pslg.add_segment(Vertex_index(i), Vertex_index((i + 1) % 4));
+  const Point a(far + coordinate(random), far + coordinate(random)),
+      b(far + coordinate(random), far + coordinate(random));
+  double y = (a.y() + b.y()) / 2;
+  for (int i = 0; i < ulps; ++i) y = std::nextafter(y, 2 * std::fabs(y) + 1);
+  pslg.add_segment(pslg.add_vertex(a), pslg.add_vertex(b));
+  pslg.add_segment(pslg.add_vertex(Point((a.x() + b.x()) / 2, y)), Vertex_index(2));
+  return pslg;
+}
+
+} // namespace
+
+TEST_CASE("meshes that need no cure are rounded as they are", "[round]") {
+  for (const std::string name : {"syn_comb.poly", "syn_wedge_1deg.poly", "syn_near_1e-12.poly"}) {
+    CAPTURE(name);
+    const Pslg pslg = read(name);
+    const Exact_run run = mesh_exactly(pslg);
+    const Rounded rounded = CGAL::round_mesh_2<Point>(run.mesh);
+    check(rounded, pslg);
+    CHECK(rounded.is_as_it_was());
+    CHECK(rounded.mesh.triangles == run.mesh.triangles);
+  }
+}
+
+TEST_CASE("meshes with features of an ulp are valid over doubles, or refused by a place", "[round]") {
+  for (const std::string name :
+       {"hard_exact_rounding.poly", "hard_cgal781_tiny_edge.poly", "hard_ulps_apart.poly"}) {
+    CAPTURE(name);
+    round_exact_mesh(read(name));
+  }
+  CHECK(round_exact_mesh(read("hard_cgal781_tiny_edge.poly")));
+}
+
+TEST_CASE("junctions missed by ulps, near the origin and far from it", "[round]") {
+  const std::uint64_t seeds = is_full_run() ? 1000 : 10;
+  std::size_t trials = 0, refused = 0;
+  for (const double far : {0., 1e3, 1e9})
+    for (const int ulps : {1, 2, 7, 100})
+      for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+        CAPTURE(far, ulps, seed);
+        std::mt19937_64 random(seed);
+        const Pslg pslg = missed_junction(random, far, ulps);
+        ++trials;
+        if (!round_exact_mesh(pslg)) ++refused;
+      }
+  CHECK(refused * 4 <= trials);
+}
+
+TEST_CASE("a report's triangles are found in the rounded mesh", "[round]") {
+  const Pslg pslg = read("hard_cgal781_tiny_edge.poly");
+  Exact_run run = mesh_exactly(pslg);
+  const Rounded rounded = CGAL::round_mesh_2<Point>(run.mesh);
+  std::size_t kept = 0;
+  for (std::size_t t = 0; t < rounded.new_triangle.size(); ++t)
+    if (rounded.new_triangle[t].is_valid()) CHECK(std::size_t(rounded.new_triangle[t]) == kept++);
+  CHECK(kept == rounded.mesh.triangles.size());
+  CHECK(run.mesh.points.size() == rounded.mesh.points.size() + rounded.merged_vertices);
+  rounded.renumber(run.report);
+  CHECK(run.report.triangles == rounded.mesh.triangles.size());
+  for (const auto& e : run.report.exempt_triangles)
+    CHECK(std::size_t(e.triangle) < rounded.mesh.triangles.size());
+}
+
+TEST_CASE("words far from the origin keep all digits of doubles", "[round][fixed]") {
+  using Traits = CGAL::Fixed_point_quadtree_traits_2<std::uint64_t>;
+  Pslg pslg = read("hard_false_crossing.poly");
+  pslg.segments.clear(); // they are so near to each other that meshes would be too large
+  for (const auto& [x, y] :
+       std::vector<std::array<double, 2>>{{-6378160, -10}, {-6378130, -10}, {-6378130, 40}, {-6378160, 40}})
+    pslg.add_vertex(Point(x, y));
+  for (std::size_t i = 0; i < 4; ++i) pslg.add_segment(Vertex_index(4 + i), Vertex_index(4 + (i + 1) % 4));
+  const auto scale = CGAL::Fixed_point_scale_2<std::uint64_t>::of_points(pslg.vertices);
+  CGAL::Pslg_2<Traits::Point_2> words;
+  words.segments = pslg.segments;
+  for (const Point& p : pslg.vertices) {
+    CHECK(scale.is_exact(p.x(), p.y()));
+    words.add_vertex(scale.to_fixed(p.x(), p.y()));
+  }
+  CGAL::Quality_mesher_2<Traits> mesher;
+  const auto to_double = [&scale](const Traits::Point_2& p) {
+    const auto [x, y] = scale.to_double(p);
+    return Point(x, y);
+  };
+  check(CGAL::round_mesh_2<Point>(mesher(words), pslg.vertices, to_double), pslg);
+}
