@@ -96,14 +96,29 @@ void check_sides_of_seeds(const mesh_graph::Pslg& pslg, const Word_map<Point>& m
   }
 }
 
+/// The number and the place of a vertex.
+std::string text_of_vertex(const mesh_graph::Pslg& pslg, Vertex_index v) {
+  return std::to_string(v.value()) + ' ' +
+         CGAL::Quadtree_mesh_2::internal::coordinates_text(pslg.vertices[std::size_t(v)]);
+}
+
 /// The text for a segment, with the user's numbers.
 std::string text_of_segment(const mesh_graph::Pslg& pslg, std::size_t s) {
-  const auto vertex = [&pslg](Vertex_index v) {
-    return std::to_string(v.value()) + ' ' +
-           CGAL::Quadtree_mesh_2::internal::coordinates_text(pslg.vertices[std::size_t(v)]);
-  };
-  return "segment " + std::to_string(s) + " (vertices " + vertex(pslg.segments[s][0]) + " and " +
-         vertex(pslg.segments[s][1]) + ')';
+  return "segment " + std::to_string(s) + " (vertices " + text_of_vertex(pslg, pslg.segments[s][0]) + " and " +
+         text_of_vertex(pslg, pslg.segments[s][1]) + ')';
+}
+
+/// Words may put a vertex on a segment that it is next to.
+/// \throws CGAL::Pslg_error_2 naming the two.
+void check_vertices_on_segments(const mesh_graph::Pslg& pslg, const mesh_graph::Mesh& mesh) {
+  for (const auto& edge : mesh.constrained_edges)
+    for (const Vertex_index v : edge.vertices) {
+      if (std::size_t(v) >= pslg.vertices.size()) continue;
+      const auto& ends = pslg.segments[std::size_t(edge.segment)];
+      if (CGAL::collinear(pslg.point(ends[0]), pslg.point(ends[1]), pslg.vertices[std::size_t(v)])) continue;
+      throw CGAL::Pslg_error_2("64-bit words cannot tell vertex " + text_of_vertex(pslg, v) + " and " +
+                               text_of_segment(pslg, std::size_t(edge.segment)) + " apart" + advice());
+    }
 }
 
 /// Whether the ends of segment t are on different sides of segment s.
@@ -147,6 +162,7 @@ mesh_graph::Mesh mesh_graph::in_words(const Pslg& pslg, const Options& options, 
         pslg.vertices, [&map](const Word_point& p) { return map.to_double(p); });
     rounded.renumber(report);
     to_doubles(report, rounded.mesh);
+    check_vertices_on_segments(pslg, rounded.mesh);
     return std::move(rounded.mesh);
   } catch (const CGAL::Pslg_crossing_error_2& error) {
     refuse(pslg, error);

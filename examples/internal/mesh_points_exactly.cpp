@@ -17,7 +17,7 @@ mesh_points::Mesh mesh_points::exactly(const std::vector<Point>& points, const O
   exact.reserve(points.size());
   for (const Point& p : points) exact.emplace_back(p.x(), p.y());
   CGAL::Point_set_mesher_2<Traits, CGAL::Parallel_tag> mesher(options);
-  auto rounded = CGAL::round_mesh_2<Point>(mesher(exact));
+  auto rounded = CGAL::round_mesh_2<Point>(mesher(exact), points);
   report = mesher.report();
   rounded.renumber(report);
   return std::move(rounded.mesh);

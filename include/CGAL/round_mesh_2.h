@@ -174,18 +174,25 @@ Rounded_mesh_2<Point> round_mesh_2(Indexed_mesh_2<Other_point> mesh, const std::
 }
 
 /// \ingroup PkgQuadtreeMesh2Data
-/// The same with all vertices, those of the input too, at the doubles nearest to the exact numbers of the mesh.
+/// The same with the doubles nearest to the exact numbers of the mesh for all vertices that are none of the input's.
 template <class Point, class Other_point>
-Rounded_mesh_2<Point> round_mesh_2(Indexed_mesh_2<Other_point> mesh) {
-  const auto to_double = [](const Other_point& p) {
+Rounded_mesh_2<Point> round_mesh_2(Indexed_mesh_2<Other_point> mesh, const std::vector<Point>& input_points) {
+  return round_mesh_2<Point>(std::move(mesh), input_points, [](const Other_point& p) {
     using Quadtree_mesh_2::internal::nearest_double;
     return Point(nearest_double(p.x()), nearest_double(p.y()));
-  };
+  });
+}
+
+/// \ingroup PkgQuadtreeMesh2Data
+/// The same; vertices of the input go to the nearest doubles, too.
+template <class Point, class Other_point>
+Rounded_mesh_2<Point> round_mesh_2(Indexed_mesh_2<Other_point> mesh) {
+  using Quadtree_mesh_2::internal::nearest_double;
   std::vector<Point> input_points;
   input_points.reserve(mesh.number_of_input_vertices);
   for (std::size_t v = 0; v < mesh.number_of_input_vertices; ++v)
-    input_points.push_back(to_double(mesh.points[v]));
-  return round_mesh_2<Point>(std::move(mesh), input_points, to_double);
+    input_points.emplace_back(nearest_double(mesh.points[v].x()), nearest_double(mesh.points[v].y()));
+  return round_mesh_2<Point>(std::move(mesh), input_points);
 }
 
 } // namespace CGAL

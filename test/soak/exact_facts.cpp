@@ -85,6 +85,13 @@ bool is_on_a_segment(const Pslg& graph, const Point& p) {
                      [&](const auto& s) { return Segment(graph.point(s[0]), graph.point(s[1])).has_on(p); });
 }
 
+Real distance_to_nearest_segment(const Pslg& graph, const Point& p) {
+  Real least = std::numeric_limits<Real>::infinity();
+  for (const auto& s : graph.segments)
+    least = std::min(least, distance_to_segment(Place(graph.point(s[0])), Place(graph.point(s[1])), Place(p)));
+  return least;
+}
+
 Resolution::Resolution(const Soak_case& c) : is_of_doubles_(c.kernel != Kernel::fixed32) {
   if (c.kernel == Kernel::filtered || c.kernel == Kernel::exact) return;
   // Words have the middle half of a root of 2^62 or 2^31 units.

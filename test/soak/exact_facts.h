@@ -28,6 +28,9 @@ bool are_on_a_line(const std::vector<Point>& points);
 /// Whether `p` is on a segment, ends included.
 bool is_on_a_segment(const Pslg& graph, const Point& p);
 
+/// The distance to the nearest segment; infinity if there is none.
+long double distance_to_nearest_segment(const Pslg& graph, const Point& p);
+
 /// What lies between neighboring numbers that a kernel can express at a place: the step of doubles there, or the unit of
 /// words; 0 for exact numbers.
 class Resolution {

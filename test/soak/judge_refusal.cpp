@@ -77,7 +77,10 @@ bool is_any_seed_on_a_segment(const Pslg& graph) {
 }
 
 Verdict judge_crossing(const Soak_case& c, const std::string& message) {
-  const std::vector<std::size_t> segments = numbers_after(message, "segments?");
+  std::vector<std::size_t> segments;
+  const std::regex number("segment (\\d+)");
+  for (std::sregex_iterator i(message.begin(), message.end(), number), end; i != end; ++i)
+    segments.push_back(std::stoul((*i)[1]));
   if (segments.size() < 2 || segments[0] >= c.graph.segments.size() || segments[1] >= c.graph.segments.size())
     return failure("refused: crossing without numbers", message);
   if (!do_cross(c.graph, segments[0], segments[1])) return failure("refused: false crossing", message);
@@ -145,7 +148,8 @@ Verdict judge_seed(const Soak_case& c, const std::string& message) {
     if (r < c.graph.regions.size()) seeds.push_back(c.graph.regions[r].point);
   const bool is_of_words = c.kernel == Kernel::fixed || c.kernel == Kernel::fixed32;
   for (const Point& p : seeds)
-    if (is_on_a_segment(c.graph, p) || (is_of_words && is_without_room(c, p, 0)))
+    if (is_on_a_segment(c.graph, p) ||
+        (is_of_words && distance_to_nearest_segment(c.graph, p) <= 4 * Resolution(c).at(p)))
       return {Outcome::refused, "seed on a segment", message};
   return failure("refused: seed is on no segment", message);
 }

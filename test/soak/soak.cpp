@@ -267,9 +267,9 @@ private:
   }
 };
 
-int replay(const std::vector<std::string>& files, const soak::Limits& limits) {
+int replay(const std::vector<std::string>& written, const soak::Limits& limits) {
   int status = 0;
-  for (const std::string& file : files) {
+  for (const std::string& file : written) {
     const soak::Result result = soak::run_alone(limits, [&] { return soak::judge(soak::read_case(file)); });
     constexpr const char* words[] = {"met", "unmet", "refused", "failed"};
     std::cout << file << ": " << words[static_cast<std::size_t>(result.verdict.outcome)] << ' '

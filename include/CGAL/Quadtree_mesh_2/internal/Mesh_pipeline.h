@@ -341,7 +341,7 @@ private:
     if (options_.vertex_budget > 0) return options_.vertex_budget;
     // What 32-bit handles allow, and a large multiple of what is to be expected: no proof says that refinement ends.
     // What a rule of the user's asks for cannot be expected.
-    const double unexpected = options_.refined_where ? 2e7 : 2e6;
+    const double unexpected = options_.refined_where ? 2e7 : allowance();
     const double patience =
         may_construct_instead() ? options_.refinement_patience : Quality_mesh_options_2().refinement_patience;
     if (!(patience > 0)) return 0;
@@ -435,8 +435,12 @@ private:
   std::size_t budget_of_repair() const {
     if (options_.vertex_budget > 0) return options_.vertex_budget;
     return at_most_handles(static_cast<double>(state_.mesh.number_of_vertices()) + 10 * expected_vertices() +
-                           2e6);
+                           allowance());
   }
+
+  /// Of vertices beside what is expected, for graphs that are small and hard: more where refinement is established to
+  /// end, as it goes on to the allowance where it does not.
+  double allowance() const { return problem_.bounds.is_established() ? 2e6 : 2e5; }
 
   /// \throws Pslg_error_2 if the user wants quadtrees and their grid cannot tell two vertices apart
   Tree_separation_report_2::End make_mesh_by_trees() {
@@ -456,8 +460,14 @@ private:
     Phase_timer timer(report_.seconds.construct);
     Tree_construction<Traits, Concurrency_tag> construction(state_, *trees, map_, is_merged_, *edge_sides_,
                                                             report_.trees);
-    return construction.run(options_.trees.placement, budget_of_construction(),
-                            [this] { return shall_go_on(0.3); });
+    // Leaves can be split without end for a bound that their rule is not made for: what misses a higher one is
+    // refined afterwards.
+    const Bounds<Geometry> wanted = problem_.bounds;
+    problem_.bounds.lower_to_established();
+    const auto end = construction.run(options_.trees.placement, budget_of_construction(),
+                                      [this] { return shall_go_on(0.3); });
+    problem_.bounds = wanted;
+    return end;
   }
 
   /// The input, in the kernel's order and with its edges: segments cut where vertices lie on them.

@@ -53,10 +53,13 @@ struct Bounds {
   /// 20.7048 degrees, whose squared sine, 1/8, is Mesh_2's default.
   static constexpr double established_angle = 0.3613671239067078 * (1 + 1e-12);
   bool is_established() const { return angle <= established_angle; }
+  void lower_to_established() {
+    if (!is_established()) set_angle(established_angle);
+  }
 
   Bounds() = default;
-  Bounds(double radians, double max_area, double max_length) : angle(radians) {
-    sin2 = std::sin(angle) * std::sin(angle) * (1 + margin);
+  Bounds(double radians, double max_area, double max_length) {
+    set_angle(radians);
     if (max_area > 0) area2 = 2 * max_area * (1 - margin);
     if (max_length > 0) squared_length = max_length * max_length * (1 - margin);
   }
@@ -82,6 +85,10 @@ struct Bounds {
   }
 
 private:
+  void set_angle(double radians) {
+    angle = radians;
+    sin2 = std::sin(angle) * std::sin(angle) * (1 + margin);
+  }
   static Point centroid(const Point& a, const Point& b, const Point& c) {
     return Geometry::translate(a, (1.0 / 3) * (Geometry::scaled_difference(b, a) + Geometry::scaled_difference(c, a)));
   }

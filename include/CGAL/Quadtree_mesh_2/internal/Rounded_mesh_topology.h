@@ -157,7 +157,8 @@ public:
         if (!mesh_.vertex_markers.empty()) mesh_.vertex_markers[kept] = mesh_.vertex_markers[v];
         ++kept;
       }
-    mesh_.points.resize(kept, Point()), mesh_.segment_of_vertex.resize(kept);
+    mesh_.points.erase(mesh_.points.begin() + std::ptrdiff_t(kept), mesh_.points.end());
+    mesh_.segment_of_vertex.resize(kept);
     if (!mesh_.vertex_markers.empty()) mesh_.vertex_markers.resize(kept);
     compress_pieces(new_vertex);
     return compress_triangles(new_vertex);
