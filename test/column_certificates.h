@@ -52,7 +52,7 @@ constexpr std::int64_t grid = 1 << 14;
 constexpr std::int64_t band = 3;
 
 /// A range with this least angle. The other bound does not matter.
-inline Angle_range at_least(double degrees) { return {degrees, 179}; }
+inline Cotangent_range at_least(double degrees) { return {degrees, 179}; }
 
 /// A vertex, with coordinates in half coarse sides; y does not matter on the edge.
 struct Vertex {
@@ -197,7 +197,7 @@ public:
         are_sides_different_ &= sides_.insert({t[i], t[(i + 1) % 3]}).second;
   }
 
-  bool is_good(const Angle_range& range) const {
+  bool is_good(const Cotangent_range& range) const {
     return std::all_of(triangles_.begin(), triangles_.end(), [&](const std::array<std::size_t, 3>& t) {
       return has_angles_within(
           range, {moving(vertices_[t[0]]), moving(vertices_[t[1]]), moving(vertices_[t[2]])}, box_);
@@ -291,7 +291,7 @@ inline bool has_top_row(const Vertex_columns& columns, std::int64_t top) {
 }
 
 /// Whether a vector of thresholds is good for all edges of the box.
-inline bool is_good_for(const Transition_thresholds& t, const Angle_range& range, const Parameter_box& box) {
+inline bool is_good_for(const Transition_thresholds& t, const Cotangent_range& range, const Parameter_box& box) {
   Combinations open;
   do {
     const Vertex_columns columns = kept_vertices(t, box, open);
@@ -315,7 +315,7 @@ inline std::int64_t first_whole_row(const std::array<std::vector<std::int64_t>, 
 
 /// Whether the strip between two lines of equal leaves has a good triangulation up to the whole leaves. Each
 /// triangle has a side on one of the lines; those that can be reached from the edge are found row by row.
-inline bool has_good_strip(const std::array<std::vector<Vertex>, 2>& lines, const Angle_range& range,
+inline bool has_good_strip(const std::array<std::vector<Vertex>, 2>& lines, const Cotangent_range& range,
                            const Parameter_box& box) {
   std::vector<std::vector<bool>> is_reached(lines[0].size(), std::vector<bool>(lines[1].size(), false));
   is_reached[0][0] = true;
@@ -332,7 +332,7 @@ inline bool has_good_strip(const std::array<std::vector<Vertex>, 2>& lines, cons
 }
 
 /// Whether the rule for equal leaves of side 1 is good between x = 0 and x = 1.
-inline bool is_good_for_equal_leaves(double threshold, const Angle_range& range, const Parameter_box& box) {
+inline bool is_good_for_equal_leaves(double threshold, const Cotangent_range& range, const Parameter_box& box) {
   Combinations open;
   const std::int64_t top = top_row(box);
   do {
@@ -383,14 +383,14 @@ Certificate certify(Is_good is_good) {
 }
 
 inline Certificate certify_equal_leaves(double degrees) {
-  const Angle_range range = at_least(degrees);
+  const Cotangent_range range = at_least(degrees);
   return certify(
       [&](const Parameter_box& box) { return is_good_for_equal_leaves(equal_leaves_threshold, range, box); });
 }
 
 /// That one of the vectors is good in each box.
 inline Certificate certify_transitions(const std::vector<Transition_thresholds>& rules, double degrees) {
-  const Angle_range range = at_least(degrees);
+  const Cotangent_range range = at_least(degrees);
   return certify([&](const Parameter_box& box) {
     return std::any_of(rules.begin(), rules.end(),
                        [&](const Transition_thresholds& t) { return is_good_for(t, range, box); });

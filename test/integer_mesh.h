@@ -49,11 +49,11 @@ inline std::int64_t dot(const Integer_point& p, const Integer_point& q, const In
 /// An open range of angles, given by bounds for the cotangent in units of 1/`units`, rounded to the safe side: an
 /// angle with a cotangent between the two bounds is in the range. (The last unit is far more than the error of
 /// `std::tan`.)
-struct Angle_range {
+struct Cotangent_range {
   static constexpr std::int64_t units = 1 << 18;
   std::int64_t least, greatest;
 
-  Angle_range(double least_degrees, double greatest_degrees)
+  Cotangent_range(double least_degrees, double greatest_degrees)
       : least(static_cast<std::int64_t>(std::floor(cotangent(greatest_degrees))) + 2),
         greatest(static_cast<std::int64_t>(std::floor(cotangent(least_degrees))) - 1) {}
 
@@ -65,12 +65,12 @@ private:
 
 /// Whether all triangles are counterclockwise with angles in the range. Since the range ends below 180 degrees,
 /// an angle in it is counterclockwise.
-inline bool has_angles_within(const Integer_mesh& mesh, const Angle_range& range) {
+inline bool has_angles_within(const Integer_mesh& mesh, const Cotangent_range& range) {
   for (const auto& t : mesh.triangles)
     for (std::size_t i = 0; i < 3; ++i) {
       const Integer_point &p = mesh.point(t[i]), &q = mesh.point(t[(i + 1) % 3]),
                           &r = mesh.point(t[(i + 2) % 3]);
-      const std::int64_t c = cross(p, q, r), d = dot(p, q, r) * Angle_range::units;
+      const std::int64_t c = cross(p, q, r), d = dot(p, q, r) * Cotangent_range::units;
       if (c <= 0 || d <= range.least * c || d >= range.greatest * c) return false;
     }
   return true;

@@ -82,7 +82,7 @@ inline void add_product(Bernstein_form::Coefficients& sum, const Affine& l, cons
 }
 
 /// Whether all angles of the triangle are in the range, certainly, for all d in the box.
-inline bool has_angles_within(const Angle_range& range, const Moving_triangle& triangle,
+inline bool has_angles_within(const Cotangent_range& range, const Moving_triangle& triangle,
                               const Parameter_box& d) {
   std::array<std::array<Affine, 2>, 3> edges{};
   for (std::size_t i = 0; i < 3; ++i)
@@ -96,7 +96,7 @@ inline bool has_angles_within(const Angle_range& range, const Moving_triangle& t
     for (std::size_t axis = 0; axis < 2; ++axis)
       add_product(minus_dot, edges[i][axis], edges[(i + 2) % 3][axis], 1);
     for (std::size_t k = 0; k < 6; ++k) {
-      const Wide dot = -Angle_range::units * minus_dot[k];
+      const Wide dot = -Cotangent_range::units * minus_dot[k];
       above[k] = dot - range.least * cross[k];
       below[k] = range.greatest * cross[k] - dot;
     }

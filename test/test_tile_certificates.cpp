@@ -104,7 +104,7 @@ std::vector<Moving_triangle> moving_triangles(const Table& table, std::int64_t f
 }
 
 /// Those of the triangles for which nothing is certain in this box of d.
-std::vector<Moving_triangle> uncertain(const Angle_range& range,
+std::vector<Moving_triangle> uncertain(const Cotangent_range& range,
                                        const std::vector<Moving_triangle>& triangles, const Box& d) {
   std::vector<Moving_triangle> result;
   for (const Moving_triangle& t : triangles)
@@ -132,7 +132,7 @@ bool is_never_nearest(const Integer_point& v, const std::vector<Candidate>& cand
 
 /// Whether for each p in the box and each vertex nearest to it, the angles of the triangles of that vertex are in
 /// the range. `all` are all vertices, `left` those that can be nearest, with the triangles not certain yet.
-bool is_certain(const Angle_range& range, const std::vector<Candidate>& all,
+bool is_certain(const Cotangent_range& range, const std::vector<Candidate>& all,
                 const std::vector<Candidate>& left, const Box& box) {
   std::vector<Candidate> still_left;
   for (const Candidate& c : left) {
@@ -157,12 +157,12 @@ std::vector<Candidate> vertices_of_plain_tile() {
   return candidates;
 }
 
-bool is_certain_for_warps(const Angle_range& range) {
+bool is_certain_for_warps(const Cotangent_range& range) {
   const std::vector<Candidate> candidates = vertices_of_plain_tile();
   return is_certain(range, candidates, candidates, Box{0, 0, grid});
 }
 
-bool is_certain_for_star(const Angle_range& range) {
+bool is_certain_for_star(const Cotangent_range& range) {
   const std::vector<Candidate> candidates{{{0, 0}, moving_triangles(star().vertices, -2, 4)}};
   return is_certain(range, candidates, candidates, Box{-grid / 2, -grid / 2, grid});
 }
@@ -231,16 +231,16 @@ TEST_CASE("Some vertex of the plain tile is near to each point", "[tiles]") {
 }
 
 TEST_CASE("Warped blocks have angles between 37.5 and 78.6 degrees for every point", "[tiles]") {
-  CHECK(is_certain_for_warps(Angle_range(37.5, 78.6)));
+  CHECK(is_certain_for_warps(Cotangent_range(37.5, 78.6)));
 }
 
 TEST_CASE("Stars have angles between 18.3 and 87.5 degrees for every point", "[tiles]") {
-  CHECK(is_certain_for_star(Angle_range(18.3, 87.5)));
+  CHECK(is_certain_for_star(Cotangent_range(18.3, 87.5)));
 }
 
 TEST_CASE("Certificates fail where some angle is outside the range", "[tiles]") {
-  CHECK_FALSE(is_certain_for_warps(Angle_range(37.6, 80)));
-  CHECK_FALSE(is_certain_for_warps(Angle_range(36, 78.5)));
-  CHECK_FALSE(is_certain_for_star(Angle_range(18.5, 89)));
-  CHECK_FALSE(is_certain_for_star(Angle_range(18, 87.3)));
+  CHECK_FALSE(is_certain_for_warps(Cotangent_range(37.6, 80)));
+  CHECK_FALSE(is_certain_for_warps(Cotangent_range(36, 78.5)));
+  CHECK_FALSE(is_certain_for_star(Cotangent_range(18.5, 89)));
+  CHECK_FALSE(is_certain_for_star(Cotangent_range(18, 87.3)));
 }

@@ -70,7 +70,7 @@ TEST_CASE("Tiles fit together and every site has a vertex", "[tile_mesh]") {
                                  clustered_sites(10, seed), sites_on_corners_and_sides(seed)}) {
         const Tile_filling f = check_filling(on_demand(places), options);
         REQUIRE(is_acute(f.mesh));
-        const Angle_range range = angles(f.mesh);
+        const Least_and_greatest_angle range = angles(f.mesh);
         CHECK(range.least > 43.4);
         CHECK(range.greatest < 72.7);
       }
@@ -205,7 +205,7 @@ TEST_CASE("Warps of separated sites keep angles between 36 and 80 degrees", "[ti
       const Tile_filling f = check_filling(sites, sparse);
       CHECK(f.number_of_rounds == 1);
       CHECK(f.sites.levels == sites.levels);
-      const Angle_range range = angles(f.mesh);
+      const Least_and_greatest_angle range = angles(f.mesh);
       CHECK(range.least >= 37.5);
       CHECK(range.greatest <= 78.6);
     }
@@ -246,7 +246,7 @@ TEST_CASE("Stars move with their spokes and keep angles bounded", "[tile_mesh]")
           REQUIRE((d.x == side / 1024 * ways[k][0] && d.y == side / 1024 * ways[k][1]));
         }
       }
-      const Angle_range range = angles(f.mesh);
+      const Least_and_greatest_angle range = angles(f.mesh);
       CHECK(range.least >= 18.3);
       CHECK(range.greatest <= 87.5);
     }

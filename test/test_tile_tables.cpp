@@ -156,10 +156,10 @@ TEST_CASE("Tiles are acute, with angles in the stated ranges", "[tiles]") {
   for (unsigned bits = 0; bits < 16; ++bits) {
     CAPTURE(bits);
     CHECK(is_strictly_acute(mesh_of(tile(bits))));
-    CHECK(has_angles_within(mesh_of(tile(bits)), Angle_range(43.44, 72.66)));
+    CHECK(has_angles_within(mesh_of(tile(bits)), Cotangent_range(43.44, 72.66)));
   }
   const auto is_within = [](unsigned bits, double least, double greatest) {
-    return has_angles_within(mesh_of(tile(bits)), Angle_range(least, greatest));
+    return has_angles_within(mesh_of(tile(bits)), Cotangent_range(least, greatest));
   };
   CHECK(is_within(0, 44.999, 72.134));
   CHECK(is_within(1, 43.442, 72.641));
@@ -333,7 +333,7 @@ TEST_CASE("The collar is an acute triangulation between the octagon and the wind
   // The square around the octagon without its four corners, and without the window.
   CHECK(doubled_area(mesh) == 2 * (4 * r * r - 2 * (r - h) * (r - h) - side * side));
   CHECK(is_strictly_acute(mesh));
-  CHECK(has_angles_within(mesh, Angle_range(17.36, 81.39)));
+  CHECK(has_angles_within(mesh, Cotangent_range(17.36, 81.39)));
 }
 
 namespace {

@@ -41,7 +41,7 @@ inline Wide cross(const Difference& u, const Difference& v) { return Wide(u.x) *
 inline Wide dot(const Difference& u, const Difference& v) { return Wide(u.x) * v.x + Wide(u.y) * v.y; }
 
 /// The least and the greatest angle in degrees.
-struct Angle_range {
+struct Least_and_greatest_angle {
   double least = 180, greatest = 0;
 };
 
@@ -49,8 +49,8 @@ inline const Tile_place& place(const Tile_mesh& mesh, std::int32_t v) {
   return mesh.places[static_cast<std::size_t>(v)];
 }
 
-inline Angle_range angles(const Tile_mesh& mesh) {
-  Angle_range range;
+inline Least_and_greatest_angle angles(const Tile_mesh& mesh) {
+  Least_and_greatest_angle range;
   for (const auto& t : mesh.triangles)
     for (std::size_t i = 0; i < 3; ++i) {
       const Tile_place a = place(mesh, t[i]);
