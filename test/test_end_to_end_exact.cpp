@@ -16,14 +16,15 @@ using namespace end_to_end;
 TEST_CASE("Graphs of rational numbers are meshed", "[end_to_end]") {
   using Traits = CGAL::Exact_quadtree_traits_2<>;
   check_graphs<Traits>([](const Pslg& pslg) {
-    const auto third = [](const auto& p) {
-      const Traits::Point_2 q(CGAL::Epeck::FT(p.x()) / 3, CGAL::Epeck::FT(p.y()) / 3);
+    // so that doubles have the lattices exactly, and the checker sees vertices of segments on them
+    const auto three_quarters = [](const auto& p) {
+      const Traits::Point_2 q(3 * CGAL::Epeck::FT(p.x()) / 4, 3 * CGAL::Epeck::FT(p.y()) / 4);
       CGAL::exact(q); // the arithmetic is done here, not in the mesher
       return q;
     };
     CGAL::Pslg_2<Traits::Point_2> graph;
-    for (const auto& p : pslg.vertices) graph.vertices.push_back(third(p));
-    for (const auto& p : pslg.holes) graph.holes.push_back(third(p));
+    for (const auto& p : pslg.vertices) graph.vertices.push_back(three_quarters(p));
+    for (const auto& p : pslg.holes) graph.holes.push_back(three_quarters(p));
     graph.segments = pslg.segments;
     return graph;
   });

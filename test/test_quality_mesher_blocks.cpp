@@ -15,6 +15,7 @@
 #include <CGAL/Fixed_point_quadtree_traits_2.h>
 #include <CGAL/Quality_mesher_2.h>
 #include <CGAL/bounding_box.h>
+#include <CGAL/centroid.h>
 #include <CGAL/mesh_quality_2.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
@@ -121,10 +122,12 @@ TEST_CASE("Random hard inputs are meshed to the bound in tiny blocks", "[mesher]
 
 TEST_CASE("Regions, bounds of size and rules of domain hold across seams", "[mesher]") {
   Pslg pslg = read("us_states_10m.poly.gz");
+  const Mesh plain = CGAL::Quality_mesher_2<>()(pslg);
   Pslg::Region region;
-  for (std::size_t v = 0; v < 3; ++v) {
-    region.point = pslg.vertices[v * 997];
-    region.attribute = double(v);
+  for (std::size_t r = 0; r < 3; ++r) {
+    const auto& t = plain.triangles[r * 9970];
+    region.point = CGAL::centroid(plain.point(t[0]), plain.point(t[1]), plain.point(t[2]));
+    region.attribute = double(r);
     pslg.regions.push_back(region);
   }
   const Mesh mesh = mesh_in_tiny_blocks(pslg, Options());
