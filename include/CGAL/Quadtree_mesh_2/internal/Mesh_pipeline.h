@@ -201,7 +201,7 @@ private:
                              Segment_index());
     const Edge_id e = problem_.edges.between(seed.a, seed.b);
     return make_seed_error(pslg_, kind, seed.number, Vertex_index(),
-                           Segment_index(problem_.edges[e].segment));
+                           Segment_index(static_cast<std::size_t>(problem_.edges[e].segment)));
   }
 
   /// Coordinates are unlimited, and so is what the input may have. Its least distance is a side or height of a triangle;

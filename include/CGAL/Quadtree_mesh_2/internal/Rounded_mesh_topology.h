@@ -83,7 +83,7 @@ public:
   }
 
   bool may_flip(Triangle_index t, int k) const {
-    const std::size_t slot(k);
+    const auto slot = static_cast<std::size_t>(k);
     return across(t, slot).is_valid() && !is_constrained(corners(t)[next(slot)], corners(t)[previous(slot)]);
   }
 
