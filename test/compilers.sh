@@ -38,7 +38,19 @@ mapfile -t headers < <(find CGAL -name internal -prune -o -name '*.h' -print | s
 # One source for all headers and all meshers: what they share is read and instantiated once.
 everything=$work/all_headers_and_meshers.cpp
 printf '#include <%s>\n' "${headers[@]}" >"$everything"
-printf '#include "%s"\n' "$root"/src/*.cpp >>"$everything"
+cat >>"$everything" <<'EOF'
+namespace CGAL {
+#define INSTANTIATE(MESHER, TRAITS) CGAL_QUADTREE_MESH_2_INSTANTIATE(, MESHER, TRAITS)
+INSTANTIATE(Quality_mesher_2, Filtered_quadtree_traits_2<>);
+INSTANTIATE(Quality_mesher_2, Fixed_point_quadtree_traits_2<std::uint64_t>);
+INSTANTIATE(Quality_mesher_2, Exact_quadtree_traits_2<>);
+INSTANTIATE(Point_set_mesher_2, Filtered_quadtree_traits_2<>);
+INSTANTIATE(Point_set_mesher_2, Fixed_point_quadtree_traits_2<std::uint64_t>);
+INSTANTIATE(Point_set_mesher_2, Exact_quadtree_traits_2<>);
+INSTANTIATE(Trapezoidal_vertex_edge_neighbors_2, Filtered_quadtree_traits_2<>);
+template CGAL_QUADTREE_MESH_2_COMPILED_MESH_QUALITY;
+} // namespace CGAL
+EOF
 
 check() { # compiler, standard, source
   printf '== %s -std=%s %s\n' "$1" "$2" "${3##*/}"

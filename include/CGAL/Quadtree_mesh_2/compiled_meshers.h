@@ -4,57 +4,60 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// Which meshers the compiled library has (src/), and what checks their meshes. A program that links the target QuadtreeMesh::compiled is compiled
-// with CGAL_QUADTREE_MESH_2_COMPILED: the compiler then takes these meshers from there, and all others from the headers
-// as ever. Included at the end of each header that defines a mesher or exact traits, which says so by a macro, and declares
-// what is defined by then: hence no guard around the whole.
-
-#ifdef CGAL_QUADTREE_MESH_2_COMPILED
+// What the compiled library has: meshers over the usual traits, and the checker of meshes. A program that links the
+// target QuadtreeMesh::compiled is compiled with CGAL_QUADTREE_MESH_2_COMPILED. The compiler then takes these from the
+// library, and everything else from the headers.
+//
+// Each header that defines one of these classes, or exact traits, sets a macro and includes this file at its end. Each
+// time this file declares what is defined by then. That is why there is no guard around the whole.
 
 #include <CGAL/tags.h>
 
 #include <cstdint>
 
-#ifdef CGAL_QUADTREE_MESH_2_HAS_QUALITY_MESHER
+#ifndef CGAL_QUADTREE_MESH_2_INSTANTIATE
+
+/// PREFIX is `extern`, or empty in the library itself.
+#define CGAL_QUADTREE_MESH_2_INSTANTIATE(PREFIX, CLASS, TRAITS)                                              \
+  PREFIX template class CLASS<TRAITS, Sequential_tag>;                                                       \
+  PREFIX template class CLASS<TRAITS, Parallel_tag>
+
+#define CGAL_QUADTREE_MESH_2_COMPILED_MESH_QUALITY                                                           \
+  Mesh_quality_2 mesh_quality_2(const Indexed_mesh_2<Quadtree_mesh_2::internal::Double_point>&,              \
+                                const Pslg_2<Quadtree_mesh_2::internal::Double_point>&,                      \
+                                const Mesh_quality_options_2&)
+
+#endif // CGAL_QUADTREE_MESH_2_INSTANTIATE
+
+#ifdef CGAL_QUADTREE_MESH_2_COMPILED
+
 namespace CGAL {
-extern template class Quality_mesher_2<Filtered_quadtree_traits_2<>, Sequential_tag>;
-extern template class Quality_mesher_2<Filtered_quadtree_traits_2<>, Parallel_tag>;
-extern template class Quality_mesher_2<Fixed_point_quadtree_traits_2<std::uint64_t>, Sequential_tag>;
-extern template class Quality_mesher_2<Fixed_point_quadtree_traits_2<std::uint64_t>, Parallel_tag>;
+
+#ifdef CGAL_QUADTREE_MESH_2_HAS_QUALITY_MESHER
+CGAL_QUADTREE_MESH_2_INSTANTIATE(extern, Quality_mesher_2, Filtered_quadtree_traits_2<>);
+CGAL_QUADTREE_MESH_2_INSTANTIATE(extern, Quality_mesher_2, Fixed_point_quadtree_traits_2<std::uint64_t>);
 #ifdef CGAL_QUADTREE_MESH_2_HAS_EXACT_TRAITS
-extern template class Quality_mesher_2<Exact_quadtree_traits_2<>, Sequential_tag>;
-extern template class Quality_mesher_2<Exact_quadtree_traits_2<>, Parallel_tag>;
+CGAL_QUADTREE_MESH_2_INSTANTIATE(extern, Quality_mesher_2, Exact_quadtree_traits_2<>);
 #endif
-} // namespace CGAL
 #endif
 
 #ifdef CGAL_QUADTREE_MESH_2_HAS_POINT_SET_MESHER
-namespace CGAL {
-extern template class Point_set_mesher_2<Filtered_quadtree_traits_2<>, Sequential_tag>;
-extern template class Point_set_mesher_2<Filtered_quadtree_traits_2<>, Parallel_tag>;
-extern template class Point_set_mesher_2<Fixed_point_quadtree_traits_2<std::uint64_t>, Sequential_tag>;
-extern template class Point_set_mesher_2<Fixed_point_quadtree_traits_2<std::uint64_t>, Parallel_tag>;
+CGAL_QUADTREE_MESH_2_INSTANTIATE(extern, Point_set_mesher_2, Filtered_quadtree_traits_2<>);
+CGAL_QUADTREE_MESH_2_INSTANTIATE(extern, Point_set_mesher_2, Fixed_point_quadtree_traits_2<std::uint64_t>);
 #ifdef CGAL_QUADTREE_MESH_2_HAS_EXACT_TRAITS
-extern template class Point_set_mesher_2<Exact_quadtree_traits_2<>, Sequential_tag>;
-extern template class Point_set_mesher_2<Exact_quadtree_traits_2<>, Parallel_tag>;
+CGAL_QUADTREE_MESH_2_INSTANTIATE(extern, Point_set_mesher_2, Exact_quadtree_traits_2<>);
 #endif
-} // namespace CGAL
 #endif
 
-// Neighbours by trapezoids have no word of the traits in their header: whoever names these includes it.
+// Their header does not include the traits: whoever names both includes them.
 #if defined(CGAL_QUADTREE_MESH_2_HAS_TRAPEZOIDAL_NEIGHBORS) && defined(CGAL_FILTERED_QUADTREE_TRAITS_2_H)
-namespace CGAL {
-extern template class Trapezoidal_vertex_edge_neighbors_2<Filtered_quadtree_traits_2<>, Sequential_tag>;
-extern template class Trapezoidal_vertex_edge_neighbors_2<Filtered_quadtree_traits_2<>, Parallel_tag>;
-} // namespace CGAL
+CGAL_QUADTREE_MESH_2_INSTANTIATE(extern, Trapezoidal_vertex_edge_neighbors_2, Filtered_quadtree_traits_2<>);
 #endif
 
 #ifdef CGAL_QUADTREE_MESH_2_HAS_MESH_QUALITY
-namespace CGAL {
-extern template Mesh_quality_2 mesh_quality_2(const Indexed_mesh_2<Quadtree_mesh_2::internal::Double_point>&,
-                                              const Pslg_2<Quadtree_mesh_2::internal::Double_point>&,
-                                              const Mesh_quality_options_2&);
-} // namespace CGAL
+extern template CGAL_QUADTREE_MESH_2_COMPILED_MESH_QUALITY;
 #endif
+
+} // namespace CGAL
 
 #endif // CGAL_QUADTREE_MESH_2_COMPILED

@@ -10,14 +10,15 @@
 #include <CGAL/Indexed_mesh_2.h>
 #include <CGAL/Pslg_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/Indexed_cdt.h>
-#include <CGAL/Quadtree_mesh_2/internal/Input_domain.h>
 #include <CGAL/Quality_mesh_report_2.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <numeric>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -134,13 +135,47 @@ private:
       is_complete = is_complete && odd[s] == 0;
     }
     if (is_complete) return;
-    const Input_domain<Kernel> domain(pslg.vertices, pslg.segments, pslg.holes);
-    if (domain.has_crossings()) throw Pslg_error_2("input segments cross");
-    const auto spokes = spokes_of_mesh(odd, domain);
-    for (const auto& piece : domain.pieces())
-      if (odd[std::size_t(piece.segment)] != 0 && is_chosen_[piece.ends[0]] != 0 &&
-          is_chosen_[piece.ends[1]] != 0 && !has_spoke_along(spokes, piece))
+    const std::vector<Piece> pieces = pieces_of(pslg);
+    const auto spokes = spokes_of_mesh(odd);
+    for (const Piece& piece : pieces)
+      if (odd[piece.segment] != 0 && is_chosen_[piece.ends[0]] != 0 && is_chosen_[piece.ends[1]] != 0 &&
+          !has_spoke_along(spokes, piece))
         outside_pieces_.push_back(piece.ends);
+  }
+
+  /// An edge between places of input vertices, with none between them, on an input segment: the first of those that
+  /// cover it.
+  struct Piece {
+    std::array<std::uint32_t, 2> ends;
+    std::uint32_t segment;
+  };
+
+  /// The pieces of all segments. Sets `input_place_`.
+  std::vector<Piece> pieces_of(const Pslg_2<Point>& pslg) {
+    struct Seen_sides {
+      std::array<bool, 3> is_seen{};
+    };
+    using Input_cdt = Indexed_cdt<Kernel, Seen_sides, No_constraint_intersection_requiring_constructions_tag>;
+    std::vector<std::size_t> all(pslg.vertices.size());
+    std::iota(all.begin(), all.end(), std::size_t(0));
+    Input_cdt input(pslg.vertices, std::move(all));
+    for (const auto& s : pslg.segments) input.count_segment(s[0].value(), s[1].value());
+    for (const auto& s : pslg.segments) input.insert_segment(s[0].value(), s[1].value());
+    if (input.has_crossings()) throw Pslg_error_2("input segments cross");
+    for (std::uint32_t v = 0; v < pslg.vertices.size(); ++v) input_place_.push_back(input.place(v));
+
+    std::vector<Piece> pieces;
+    for (std::uint32_t s = 0; s < pslg.segments.size(); ++s) {
+      const auto& [a, b] = pslg.segments[s];
+      input.walk_segment(a.value(), b.value(), [&](auto f, int i, bool) {
+        if (f->info().is_seen[std::size_t(i)]) return;
+        f->info().is_seen[std::size_t(i)] = true;
+        if (input.cdt().dimension() == 2)
+          f->neighbor(i)->info().is_seen[std::size_t(input.cdt().mirror_index(f, i))] = true;
+        pieces.push_back({{f->vertex(Cdt::ccw(i))->info(), f->vertex(Cdt::cw(i))->info()}, s});
+      });
+    }
+    return pieces;
   }
 
   /// An edge of the mesh on a segment, seen from an input vertex, or the place of one.
@@ -152,15 +187,14 @@ private:
   };
 
   /// Those on segments that are not in the mesh from end to end, sorted.
-  std::vector<Spoke> spokes_of_mesh(const std::vector<std::uint64_t>& odd,
-                                    const Input_domain<Kernel>& domain) const {
+  std::vector<Spoke> spokes_of_mesh(const std::vector<std::uint64_t>& odd) const {
     std::vector<Spoke> spokes;
     for (const auto& e : mesh_.constrained_edges) {
       if (std::size_t(e.segment) >= odd.size() || odd[std::size_t(e.segment)] == 0) continue;
       for (std::size_t i = 0; i < 2; ++i)
         if (e.vertices[i].value() < number_of_input_vertices_)
           spokes.push_back(
-              {e.segment.value(), domain.place(e.vertices[i].value()), e.vertices[1 - i].value()});
+              {e.segment.value(), input_place_[e.vertices[i].value()], e.vertices[1 - i].value()});
     }
     std::sort(spokes.begin(), spokes.end());
     return spokes;
@@ -168,11 +202,10 @@ private:
 
   /// Whether the mesh has an edge that leaves an end of the piece along it: then it has the whole piece, by whatever
   /// rule its domain was chosen.
-  bool has_spoke_along(const std::vector<Spoke>& spokes,
-                       const typename Input_domain<Kernel>::Piece& piece) const {
+  bool has_spoke_along(const std::vector<Spoke>& spokes, const Piece& piece) const {
     const Point &p = mesh_.points[piece.ends[0]], &q = mesh_.points[piece.ends[1]];
     const auto [begin, end] =
-        std::equal_range(spokes.begin(), spokes.end(), Spoke{piece.segment.value(), piece.ends[0], 0});
+        std::equal_range(spokes.begin(), spokes.end(), Spoke{piece.segment, piece.ends[0], 0});
     return std::any_of(begin, end, [&](const Spoke& s) {
       return typename Kernel::Angle_2()(mesh_.points[s.to], p, q) == ACUTE;
     });
@@ -221,6 +254,7 @@ private:
   Triangulation cdt_;
   std::vector<std::uint32_t> used_at_; // by place
   Segments outside_pieces_;
+  std::vector<std::uint32_t> input_place_; // by input vertex
 };
 
 } // namespace internal

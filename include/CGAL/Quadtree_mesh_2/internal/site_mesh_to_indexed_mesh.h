@@ -12,11 +12,11 @@
 #include <CGAL/Indexed_mesh_2.h>
 #include <CGAL/Point_set_mesh_report_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/Distinct_points.h>
-#include <CGAL/Quadtree_mesh_2/internal/Half_edges.h>
 #include <CGAL/Quadtree_mesh_2/internal/Site_mesh.h>
 #include <CGAL/Quadtree_mesh_2/internal/angles_of_mesh.h>
 #include <CGAL/Quadtree_mesh_2/internal/coordinate_map.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel.h>
+#include <CGAL/Quadtree_mesh_2/internal/triangle_neighbors.h>
 
 #include <array>
 #include <cmath>
@@ -110,7 +110,7 @@ public:
       for (std::size_t k = 0; k < 3; ++k)
         mesh.triangles[t][k] = Vertex_index(new_vertex_[std::size_t(triangles[t][k])]);
     });
-    set_neighbors(mesh);
+    mesh.neighbors = triangle_neighbors<Concurrency_tag>(mesh.triangles, mesh.points.size());
     mark_border(mesh);
     return mesh;
   }
@@ -122,18 +122,6 @@ private:
   const std::vector<Ring_vertex>& vertex_of_point_;
   std::vector<std::uint32_t> new_vertex_; // by vertex
   std::vector<std::uint32_t> steiner_;    // those that are not of the input
-
-  static void set_neighbors(Mesh& mesh) {
-    const Half_edges edges(mesh.triangles, mesh.points.size());
-    mesh.neighbors.resize(mesh.triangles.size());
-    for_each_index<Concurrency_tag>(mesh.triangles.size(), [&](std::size_t t) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        const auto h = static_cast<std::uint32_t>(3 * t + k);
-        const auto twin = edges.find(edges.target(h), edges.origin(h));
-        if (twin.count > 0) mesh.neighbors[t][k] = Triangle_index(twin.half_edge / 3);
-      }
-    });
-  }
 
   static void mark_border(Mesh& mesh) {
     mesh.vertex_markers.assign(mesh.points.size(), 0);
