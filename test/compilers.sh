@@ -1,7 +1,6 @@
 #!/usr/bin/env bash
 # Compiles all headers, and the meshers over all usual traits, by other compilers and standards, and by another CGAL;
-# and each public header alone, which may be included twice. Only looks for errors and warnings, makes nothing. See
-# --help.
+# and each header alone, the public ones twice in a row. Only looks for errors and warnings, makes nothing. See --help.
 set -euo pipefail
 
 # shellcheck source-path=SCRIPTDIR source=../.ci/common.sh
@@ -34,6 +33,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$root/include"
 mapfile -t headers < <(find CGAL -name internal -prune -o -name '*.h' -print | sort)
+mapfile -t internal_headers < <(find CGAL -path '*/internal/*.h' | sort)
 
 # One source for all headers and all meshers: what they share is read and instantiated once.
 everything=$work/all_headers_and_meshers.cpp
@@ -54,11 +54,16 @@ EOF
 
 check() { # compiler, standard, source
   printf '== %s -std=%s %s\n' "$1" "$2" "${3##*/}"
-  "$1" -std="$2" -fsyntax-only -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror -DCGAL_LINKED_WITH_TBB \
-    ${cgal:+-isystem "$cgal"} -I "$root/include" -isystem /usr/include/eigen3 "$3"
+  "$1" -std="$2" -fsyntax-only "${flags[@]}" "${@:4}" "$3"
 }
-export -f check
-export cgal root
+flags=(-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror -DCGAL_LINKED_WITH_TBB
+  ${cgal:+-isystem "$cgal"} -I "$root/include" -isystem /usr/include/eigen3)
+
+# Libraries take longer to read than all of our headers: those below internal/ find them read.
+libraries=$work/libraries.h
+printf '#include <%s>\n' CGAL/Constrained_Delaunay_triangulation_2.h CGAL/Exact_predicates_exact_constructions_kernel.h \
+  CGAL/Exact_predicates_inexact_constructions_kernel.h >"$libraries"
+clang++ -std=c++17 "${flags[@]}" -x c++-header "$libraries" -o "$libraries.pch"
 
 # What g++ makes of C++17 with the installed CGAL, the build has shown.
 {
@@ -70,4 +75,13 @@ export cgal root
     printf '#include <%s>\n#include <%s>\n' "$header" "$header" >"$source"
     echo clang++ c++17 "$source"
   done
-} | xargs -P "$(build_jobs)" -L 1 bash -c 'check "$@"' check
+  for header in "${internal_headers[@]}"; do
+    source=$work/$(tr / _ <<<"$header").cpp
+    printf '#include <%s>\n' "$header" >"$source"
+    echo clang++ c++17 "$source" -include-pch "$libraries.pch"
+  done
+} >"$work/checks"
+export work root
+# Functions and arrays do not reach the shells that xargs starts.
+printf '%s\n' "$(declare -f check)" "$(declare -p flags)" >"$work/check.sh"
+xargs -P "$(build_jobs)" -L 1 bash -c '. "$work/check.sh" && check "$@"' check <"$work/checks"
