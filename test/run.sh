@@ -102,4 +102,7 @@ if [[ -z $sanitize ]]; then
   configure_and_build_project "$root/test/consumer" "$installed/build" all \
     -DCMAKE_BUILD_TYPE=None -DCMAKE_PREFIX_PATH="$installed/usr" "${compiler_argument[@]}"
   ctest --test-dir "$installed/build" --output-on-failure
+  # The examples are a project of their own, too. One is enough: the build had all.
+  configure_and_build_project "$root/examples" "$installed/examples" mesh_graph \
+    -DCMAKE_PREFIX_PATH="$installed/usr" "${compiler_argument[@]}"
 fi
