@@ -382,6 +382,15 @@ def quadtree_rounds(figures):
 # ---- documents
 
 
+def compile_times(figures):
+    rows = [
+        [f["what"], f["flags"].split()[0], fixed(f["seconds"], 1), fixed(f["bytes"] / 1e6, 2)]
+        for f in figures("compile_times")["figures"]
+    ]
+    return f'By {figures("compile_times")["compiler"]}:\n\n' + table(
+        ["what", "flags", "processor seconds", "object in MB"], rows)
+
+
 def stamp_sentence(figures):
     s = figures("stamp")
     return (
@@ -412,6 +421,7 @@ TABLES = {
     "point peers": point_peers,
     "quadtrees": quadtrees,
     "quadtree rounds": quadtree_rounds,
+    "compile times": compile_times,
 }
 BLOCK = re.compile(r"(<!-- table: ([^>]*?) -->\n).*?(<!-- end of table -->)", re.DOTALL)
 
@@ -429,7 +439,7 @@ def stamp(folder, repetitions):
 
     cpu = re.search(r"^model name\s*: (.*)$", Path("/proc/cpuinfo").read_text(), re.MULTILINE)
     commit = output("git", "rev-parse", "--short=10", "HEAD") or "unknown"
-    if output("git", "status", "--porcelain", "--", "include", "src", "benchmark"):
+    if output("git", "status", "--porcelain", "--", "include", "benchmark"):
         commit += " with changes"
     memory = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES")
     figures = {
