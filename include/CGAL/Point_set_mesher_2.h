@@ -82,10 +82,12 @@ private:
 template <class Traits, class ConcurrencyTag>
 typename Point_set_mesher_2<Traits, ConcurrencyTag>::Mesh
 Point_set_mesher_2<Traits, ConcurrencyTag>::operator()(const std::vector<Point_2>& points) {
+  using Pipeline =
+      Quadtree_mesh_2::internal::Point_set_pipeline<Traits,
+                                                    Quadtree_mesh_2::internal::Inner_tag<ConcurrencyTag>>;
+  const Quadtree_mesh_2::internal::Concurrency_scope scope{ConcurrencyTag()};
   report_ = Point_set_mesh_report_2();
-  return Quadtree_mesh_2::internal::Point_set_pipeline<Traits, ConcurrencyTag>(points, options_, traits_,
-                                                                               report_)
-      .run();
+  return Pipeline(points, options_, traits_, report_).run();
 }
 
 } // namespace CGAL

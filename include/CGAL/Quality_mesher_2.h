@@ -107,11 +107,12 @@ private:
 template <class Traits, class ConcurrencyTag>
 typename Quality_mesher_2<Traits, ConcurrencyTag>::Mesh
 Quality_mesher_2<Traits, ConcurrencyTag>::operator()(const Pslg& pslg) {
+  using Pipeline =
+      Quadtree_mesh_2::internal::Mesh_pipeline<Traits, Quadtree_mesh_2::internal::Inner_tag<ConcurrencyTag>>;
+  const Quadtree_mesh_2::internal::Concurrency_scope scope{ConcurrencyTag()};
   report_ = Quality_mesh_report_2();
   check_pslg_structure(pslg);
-  return Quadtree_mesh_2::internal::Mesh_pipeline<Traits, ConcurrencyTag>(pslg, options_, traits_, find_hits_,
-                                                                          report_)
-      .run();
+  return Pipeline(pslg, options_, traits_, find_hits_, report_).run();
 }
 
 } // namespace CGAL

@@ -11,9 +11,11 @@
 // Method:   A range is cut into blocks by its length alone, never by the number of threads, and block results
 //           are combined in order. So results are the same bits for any number of threads, also sequentially.
 //
-// `Concurrency_tag` is `CGAL::Sequential_tag` or `CGAL::Parallel_tag`; the latter runs on TBB if the program
-// links it (`CGAL_LINKED_WITH_TBB`) and on one thread otherwise. All primitives go through
-// `Executor<Concurrency_tag>`, whose specialization for another tag runs them elsewhere, for example to count.
+// `Concurrency_tag` is `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or `Chosen_tag`. The second runs on TBB if the
+// program links it (`CGAL_LINKED_WITH_TBB`) and on one thread otherwise. The third is what the meshers use inside: one
+// of the other two, as the mesher in use says at run time, so that the compiler makes their code once for both. All
+// primitives go through `Executor<Concurrency_tag>`; its specialization for another tag runs them elsewhere, for example
+// to count.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_PARALLEL_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_PARALLEL_H
@@ -38,6 +40,44 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
+/// While it lives, loops by `Chosen_tag` that this thread begins run as its tag says.
+class Concurrency_scope {
+public:
+  template <class Tag>
+  explicit Concurrency_scope(Tag) : before_(current()) {
+    current() = std::is_same<Tag, Parallel_tag>::value;
+  }
+  ~Concurrency_scope() { current() = before_; }
+  Concurrency_scope(const Concurrency_scope&) = delete;
+  Concurrency_scope& operator=(const Concurrency_scope&) = delete;
+
+  static bool is_parallel() { return current(); }
+
+private:
+  static bool& current() {
+    thread_local bool is_parallel = false;
+    return is_parallel;
+  }
+
+  bool before_;
+};
+
+/// Sequential or parallel, as the `Concurrency_scope` says.
+struct Chosen_tag {};
+
+/// What meshers with a tag of the user use inside.
+template <class Tag>
+using Inner_tag =
+    std::conditional_t<std::is_same<Tag, Sequential_tag>::value || std::is_same<Tag, Parallel_tag>::value,
+                       Chosen_tag, Tag>;
+
+/// Whether loops of this tag run on one thread, which saves what is done to share work.
+template <class Concurrency_tag>
+bool is_sequential() {
+  if (std::is_same<Concurrency_tag, Chosen_tag>::value) return !Concurrency_scope::is_parallel();
+  return std::is_same<Concurrency_tag, Sequential_tag>::value;
+}
+
 /// Runs independent tasks. `run(n, f)` calls `f(i)` for all i below n and returns when all calls have.
 /// Exceptions of tasks are passed on, one of them if there are several.
 template <class Concurrency_tag>
@@ -48,7 +88,6 @@ struct Executor {
   }
 };
 
-#ifdef CGAL_LINKED_WITH_TBB
 /// A task by its address and the function that calls it. TBB's loop is instantiated for this one type instead of
 /// for every loop's body, which is more than half of what the compiler would have to do.
 class Erased_task {
@@ -65,23 +104,43 @@ private:
 };
 
 template <>
-struct Executor<Parallel_tag> {
+struct Executor<Chosen_tag> {
   template <class F>
   static void run(std::size_t n, const F& f) {
-    if (n == 1) return f(std::size_t(0));
     run_erased(n, Erased_task(f));
   }
 
 private:
   static void run_erased(std::size_t n, const Erased_task& task) {
+#ifdef CGAL_LINKED_WITH_TBB
+    if (n > 1 && Concurrency_scope::is_parallel()) return run_in_parallel(n, task);
+#endif
+    for (std::size_t i = 0; i < n; ++i) task(i);
+  }
+
+#ifdef CGAL_LINKED_WITH_TBB
+  static void run_in_parallel(std::size_t n, const Erased_task& task) {
+    const auto run_in_scope = [&task](std::size_t i) {
+      const Concurrency_scope scope{Parallel_tag()}; // of the thread that runs it
+      task(i);
+    };
 #ifdef __SANITIZE_THREAD__
-    Thread_executor::run(n, task);
+    Thread_executor::run(n, run_in_scope);
 #else
-    tbb::parallel_for(std::size_t(0), n, task);
+    tbb::parallel_for(std::size_t(0), n, run_in_scope);
 #endif
   }
-};
 #endif
+};
+
+template <>
+struct Executor<Parallel_tag> {
+  template <class F>
+  static void run(std::size_t n, const F& f) {
+    const Concurrency_scope scope{Parallel_tag()};
+    Executor<Chosen_tag>::run(n, f);
+  }
+};
 
 /// The length of blocks where the work for each index is a few nanoseconds.
 constexpr std::size_t default_block = 8192;

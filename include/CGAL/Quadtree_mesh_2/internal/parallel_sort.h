@@ -124,7 +124,7 @@ void sort(RandomIt first, RandomIt last, Less less) {
   using T = typename std::iterator_traits<RandomIt>::value_type;
   using Difference = typename std::iterator_traits<RandomIt>::difference_type;
   const std::size_t n = static_cast<std::size_t>(last - first);
-  if (n <= sort_block || std::is_same<Concurrency_tag, Sequential_tag>::value) {
+  if (n <= sort_block || is_sequential<Concurrency_tag>()) {
     std::stable_sort(first, last, less); // the same result
     return;
   }
@@ -151,7 +151,7 @@ void sort(RandomIt first, RandomIt last, Less less) {
 template <class Concurrency_tag, class T>
 void unique(std::vector<T>& values) {
   const std::size_t n = values.size();
-  if (n <= default_block || std::is_same<Concurrency_tag, Sequential_tag>::value) {
+  if (n <= default_block || is_sequential<Concurrency_tag>()) {
     values.erase(std::unique(values.begin(), values.end()), values.end());
     return;
   }

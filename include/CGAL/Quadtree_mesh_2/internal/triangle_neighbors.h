@@ -32,21 +32,21 @@ template <class Concurrency_tag>
 std::vector<std::array<Triangle_index, 3>>
 triangle_neighbors(const std::vector<std::array<Vertex_index, 3>>& triangles,
                    std::size_t number_of_vertices) {
-  struct Side {
+  struct Sorted_side {
     std::uint32_t other_vertex, side; // side k of triangle t is 3 t + k
-    bool operator<(const Side& s) const {
+    bool operator<(const Sorted_side& s) const {
       return std::pair(other_vertex, side) < std::pair(s.other_vertex, s.side);
     }
   };
   const auto ends = [&](std::size_t t, std::size_t k) {
-    return std::minmax(triangles[t][(k + 1) % 3].value(), triangles[t][(k + 2) % 3].value());
+    return std::minmax({triangles[t][(k + 1) % 3].value(), triangles[t][(k + 2) % 3].value()});
   };
   std::vector<std::uint32_t> first(number_of_vertices + 1, 0);
   for (std::size_t t = 0; t < triangles.size(); ++t)
     for (std::size_t k = 0; k < 3; ++k) ++first[std::size_t(ends(t, k).first) + 1];
   for (std::size_t v = 0; v < number_of_vertices; ++v) first[v + 1] += first[v];
 
-  std::vector<Side> sides(3 * triangles.size());
+  std::vector<Sorted_side> sides(3 * triangles.size());
   std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
   for (std::size_t t = 0; t < triangles.size(); ++t)
     for (std::size_t k = 0; k < 3; ++k) {
