@@ -4,10 +4,12 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// Which meshers the compiled library has (src/), and what checks their meshes. A program that links the target QuadtreeMesh::compiled is compiled
-// with CGAL_QUADTREE_MESH_2_COMPILED: the compiler then takes these meshers from there, and all others from the headers
-// as ever. Included at the end of each header that defines a mesher or exact traits, which says so by a macro, and declares
-// what is defined by then: hence no guard around the whole.
+// Declares what the compiled library (src/) has: the usual meshers, and what checks their meshes. Programs that link
+// the target QuadtreeMesh::compiled define CGAL_QUADTREE_MESH_2_COMPILED. The compiler then takes these meshers from the
+// library, and all others from the headers.
+//
+// Each header that defines a mesher or exact traits sets a macro and includes this file at its end. This file declares
+// what is defined by then, so it has no include guard.
 
 #ifdef CGAL_QUADTREE_MESH_2_COMPILED
 
@@ -41,7 +43,7 @@ extern template class Point_set_mesher_2<Exact_quadtree_traits_2<>, Parallel_tag
 } // namespace CGAL
 #endif
 
-// Neighbours by trapezoids have no word of the traits in their header: whoever names these includes it.
+// The header of the trapezoidal neighbors does not include the traits; programs that name these include them.
 #if defined(CGAL_QUADTREE_MESH_2_HAS_TRAPEZOIDAL_NEIGHBORS) && defined(CGAL_FILTERED_QUADTREE_TRAITS_2_H)
 namespace CGAL {
 extern template class Trapezoidal_vertex_edge_neighbors_2<Filtered_quadtree_traits_2<>, Sequential_tag>;
