@@ -4,9 +4,9 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// Declares what the compiled library (src/) has: the usual meshers, and what checks their meshes. Programs that link
-// the target QuadtreeMesh::compiled define CGAL_QUADTREE_MESH_2_COMPILED. The compiler then takes these meshers from the
-// library, and all others from the headers.
+// Declares what the compiled library (src/) has: the usual meshers, and what checks their meshes. Programs that
+// link the target QuadtreeMesh::compiled define CGAL_QUADTREE_MESH_2_COMPILED. The compiler then takes these meshers
+// from the library, and all others from the headers.
 //
 // Each header that defines a mesher or exact traits sets a macro and includes this file at its end. This file declares
 // what is defined by then, so it has no include guard.
