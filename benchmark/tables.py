@@ -238,7 +238,7 @@ def separation_phases(figures):
         row = [c["input"], *(significant(m["phases"]["trees"]) for m in made)]
         row += [significant(made[i]["phases"]["construct"]) for i in (0, 2)]
         rows.append([*row, significant(made[0]["phases"]["coarsen"])])
-    titles = ["input", "trees", "trees, neighbours by trapezoids", "trees, edges by centroid trees"]
+    titles = ["input", "trees", "trees, neighbors by trapezoids", "trees, edges by centroid trees"]
     titles += ["rounds of placing and splitting", "the same, by centroid trees", "smoothing, thinning, removal"]
     return table(titles, rows)
 
@@ -250,7 +250,7 @@ def separation_rounds(figures):
         [*(r[key] for key in keys), fixed(r["bound"], 0), fixed(r["all"] / r["bound"], 2)]
         for r in figures("separation_rounds")["rounds"]
     ]
-    titles = ["input", "n", "leaves of T_B*", "k", "T_B", "neighbours", "splits", "centroid tree's height"]
+    titles = ["input", "n", "leaves of T_B*", "k", "T_B", "neighbors", "splits", "centroid tree's height"]
     return table([*titles, "subdivisions", "placings", "all", "log2 k log2 n", "all / that"], rows)
 
 

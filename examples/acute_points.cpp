@@ -1,5 +1,5 @@
-// Meshes points in clusters so that all triangles are acute: their number depends on that of the points, and not on
-// how near these are to each other. Draws the mesh if told where: acute_points mesh.svg
+// Meshes points in clusters so that all triangles are acute. The number of triangles depends on the number of
+// points, not on how near these are to each other. Draws the mesh to a file: acute_points mesh.svg
 
 #include <CGAL/IO/SVG.h>
 #include <CGAL/Point_set_mesher_2.h>

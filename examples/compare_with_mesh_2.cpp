@@ -1,5 +1,5 @@
-// Meshes the Great Lakes, or any .poly file, with CGAL's Mesh_2 and with Quality_mesher_2, by the same bound, and
-// prints what both made. Draws a part of both meshes side by side if told where:
+// Meshes the Great Lakes, or any .poly file, with CGAL's Mesh_2 and with Quality_mesher_2, by the same bound.
+// Prints what both made. Draws a part of both meshes side by side to a file:
 // compare_with_mesh_2 lakes.poly.gz both.svg
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>

@@ -1,5 +1,5 @@
-// Meshes a triangle with corners at thirds and sevenths, which doubles cannot express, by exact constructions: Steiner
-// vertices on its sides lie on them exactly.
+// Meshes a triangle with corners at thirds and sevenths, which doubles cannot express. With exact constructions,
+// Steiner vertices on the sides of the triangle lie on them exactly.
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_quadtree_traits_2.h>

@@ -1,5 +1,5 @@
-// Meshes polygons in WKT: neighbours share their border, lakes are holes, and islands in lakes are meshed again.
-// Reads a file if told which: from_wkt polygons.wkt
+// Meshes polygons in WKT. Neighbors share their border, lakes are holes, and islands in lakes are meshed again.
+// Reads a file if you name one: from_wkt polygons.wkt
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/IO/read_WKT.h>

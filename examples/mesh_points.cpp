@@ -1,5 +1,5 @@
 // Meshes random points with the fewest triangles: no angle below 20.7 degrees, in a box around the points.
-// Draws the mesh if told where: mesh_points mesh.svg
+// Draws the mesh to a file: mesh_points mesh.svg
 
 #include <CGAL/IO/SVG.h>
 #include <CGAL/Point_set_mesher_2.h>

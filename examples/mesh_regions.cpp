@@ -1,6 +1,6 @@
-// Meshes a plate of three materials, each with its own bound on the area of triangles, and counts the triangles of
-// each. Only components with a region's point are meshed: the fourth has none.
-// Draws the mesh if told where: mesh_regions mesh.svg
+// Meshes a plate of three materials, each with its own bound on the area of triangles. Counts the triangles of
+// each. Only components with the point of a region are meshed; the fourth has none.
+// Draws the mesh to a file: mesh_regions mesh.svg
 
 #include <CGAL/IO/SVG.h>
 #include <CGAL/Quality_mesher_2.h>
@@ -25,7 +25,7 @@ int main(int argc, char** argv) {
   for (unsigned i = 0; i < 8; ++i) plate.add_segment(Vertex(i), Vertex((i + 1) % 8));
   for (unsigned i = 1; i < 8; i += 2) plate.add_segment(Vertex(i), Vertex(8));
 
-  // Place, attribute (whatever the user likes), largest area of a triangle (0: no bound of its own).
+  // Place, attribute (free to use), largest area of a triangle (0: no bound of its own).
   plate.regions = {{Point(-.5, -.5), 1, 0.001}, {Point(.5, -.5), 2, 0.004}, {Point(.5, .5), 3, 0}};
 
   Mesher mesher(Options().max_area(0.02).mesh_domain(Options::Domain::MARKED));

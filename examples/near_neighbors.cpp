@@ -1,5 +1,5 @@
-// Finds a near neighbour of each of many points by their quadtree, all at once, and compares it with the nearest one,
-// which CGAL's Delaunay triangulation knows: it is at most 1.6284 times as far.
+// Finds a near neighbor of each of many points by their quadtree, all at once. Compares it with the nearest
+// neighbor, by CGAL's Delaunay triangulation: the near one is at most 1.6284 times as far.
 
 #include <CGAL/Balanced_quadtree.h>
 #include <CGAL/Delaunay_triangulation_2.h>
@@ -42,7 +42,7 @@ int main() {
       if (!delaunay.is_infinite(around))
         least = std::min(least, CGAL::squared_distance(v->point(), around->point()));
     while (++around != end);
-    // A point of the tree is found by its leaf, which holds it alone.
+    // The leaf of a point holds that point alone.
     const auto rank = tree.points(tree.locate(v->point())).begin;
     const Point& neighbor = points[std::size_t(framework.input_point(near[std::size_t(rank)]))];
     const double ratio = std::sqrt(CGAL::squared_distance(v->point(), neighbor) / least);

@@ -1,5 +1,5 @@
 // Builds the same quadtree with one thread and with all: the result is the same, square by square.
-// The number of points may be given: parallel_quadtree 5000000
+// Takes the number of points as an argument: parallel_quadtree 5000000
 
 #include <CGAL/Balanced_quadtree.h>
 #include <CGAL/Filtered_quadtree_traits_2.h>

@@ -1,8 +1,8 @@
-// Linear finite elements with Eigen on the Great Lakes, or on any .poly file: -laplace u + u / L^2 = f, heat that the sun
-// brings and the surface loses, with L = 100 km and no flow through shores. Meshes with different bounds on the least
-// angle show what it is for: small angles make the largest eigenvalue of the matrix large, and with it its condition, on
-// which the time of iterative solvers and the precision of all depend. (So do small triangles, of which 30 degrees
-// take more.)
+// Solves -laplace u + u / L^2 = f by linear finite elements with Eigen, on the Great Lakes or on any .poly file. The
+// sun brings heat and the surface loses it, with L = 100 km and no flow through shores. Meshes with different bounds
+// show what the least angle is for. Small angles make the largest eigenvalue of the matrix large, and with it the
+// condition. The time of iterative solvers and the precision of all solvers depend on the condition. (Small
+// triangles raise it, too, and a bound of 30 degrees takes more of these.)
 
 #include <CGAL/IO/Triangle_files.h>
 #include <CGAL/Quality_mesher_2.h>

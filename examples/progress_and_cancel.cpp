@@ -1,5 +1,5 @@
-// Shows how far meshing has come, and stops it at half: the mesh so far is a valid triangulation, and the report
-// tells which triangles miss the bound and why.
+// Shows the progress of meshing, and stops it halfway. The mesh so far is a valid triangulation. The report tells
+// which triangles miss the bound, and why.
 
 #include <CGAL/Quality_mesher_2.h>
 #include <CGAL/mesh_quality_2.h>

@@ -1,6 +1,6 @@
 // Builds the framework of a few points (Theorem 1 of the paper): only squares with two or more nonempty
 // children. Prints the squares with their points, climbs from a point to the root, and annotates a point with
-// the size that its leaf is to have.
+// the size that its leaf should have.
 
 #include <CGAL/Balanced_quadtree.h>
 #include <CGAL/Fixed_point_quadtree_traits_2.h>

@@ -1,5 +1,5 @@
 // Builds the balanced quadtree of random points, prints what was built and walks around the leaf of a point.
-// Draws the tree if told where: quadtree_of_points tree.svg
+// Draws the tree to a file: quadtree_of_points tree.svg
 
 #include <CGAL/Balanced_quadtree.h>
 #include <CGAL/Filtered_quadtree_traits_2.h>

@@ -1,6 +1,6 @@
 // Builds a quadtree by a size function: leaves are small near a circle and grow with the distance from it. Then
-// splits the leaves that the circle crosses once more.
-// Draws the tree if told where: quadtree_of_sizes tree.svg
+// splits once more the leaves that the circle crosses.
+// Draws the tree to a file: quadtree_of_sizes tree.svg
 
 #include <CGAL/Balanced_quadtree.h>
 #include <CGAL/Filtered_quadtree_traits_2.h>

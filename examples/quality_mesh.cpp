@@ -71,7 +71,7 @@ void check(Meshing_run& run, const Command_line& line) {
   Mesh_figures_builder(run.ours, options.min_angle_in_degrees).add_triangles_of(run.mesh);
 }
 
-/// Bounds that the mesher met, but that rounding its mesh to doubles has broken, are unmet by the coordinates.
+/// Reports bounds that the mesher met but that rounding the mesh to doubles broke: the coordinates are the reason.
 void note_what_rounding_broke(Meshing_run& run) {
   using Report = CGAL::Quality_mesh_report_2;
   std::set<std::size_t> known;

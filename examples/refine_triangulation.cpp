@@ -1,6 +1,6 @@
-// From CGAL's Mesh_2: where the program had CGAL/Delaunay_mesher_2.h and refine_Delaunay_mesh_2(), it has
-// CGAL/Quality_mesher_2.h and refine_quality_mesh_2(), with the same triangulation, criteria and seeds. What comes
-// back tells which bounds were met.
+// A program that comes from CGAL's Mesh_2. CGAL/Quality_mesher_2.h and refine_quality_mesh_2() replace
+// CGAL/Delaunay_mesher_2.h and refine_Delaunay_mesh_2(), with the same triangulation, criteria and seeds. The
+// returned report tells which bounds were met.
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Delaunay_mesh_face_base_2.h>

@@ -1,6 +1,6 @@
 // Meshes a square by a size field: triangles are small near a circle and grow with the distance from it. Any function
-// of a place will do; CGAL/Grid_sizing_field_2.h and CGAL/Points_sizing_field_2.h make one of data.
-// Draws the mesh if told where: sizing_field mesh.svg
+// of a place will do; CGAL/Grid_sizing_field_2.h and CGAL/Points_sizing_field_2.h make one from data.
+// Draws the mesh to a file: sizing_field mesh.svg
 
 #include <CGAL/IO/SVG.h>
 #include <CGAL/Quality_mesher_2.h>

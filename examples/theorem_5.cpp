@@ -1,6 +1,6 @@
-// Meshes a spiral by the parallel construction by quadtrees of Bern, Eppstein and Teng (Theorem 5), prints what the
-// quadtrees did, and how many triangles are left when those that are not needed are taken out, beside the mesher's
-// default. Draws the mesh that the quadtrees make if told where: theorem_5 mesh.svg
+// Meshes a spiral by the parallel construction by quadtrees of Bern, Eppstein and Teng (Theorem 5). Prints what the
+// quadtrees did, and how many triangles are left after superfluous vertices are removed, beside the mesher's default.
+// Draws the mesh that the quadtrees make to a file: theorem_5 mesh.svg
 
 #include <CGAL/IO/SVG.h>
 #include <CGAL/Quality_mesher_2.h>

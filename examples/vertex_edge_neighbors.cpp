@@ -1,5 +1,5 @@
-// Finds what is near to the vertices of a planar straight-line graph: the segments that horizontal and
-// vertical rays hit, and how far a sector between two segments is empty.
+// Finds what is near the vertices of a planar straight-line graph: the segments that horizontal and vertical
+// rays hit, and how far a sector between two segments is empty.
 
 #include <CGAL/Filtered_quadtree_traits_2.h>
 #include <CGAL/Quadtree_vertex_edge_neighbors_2.h>

@@ -7,15 +7,15 @@
 /// \ingroup PkgQuadtreeMesh2Concepts
 /// \cgalConcept
 ///
-/// The concept `QuadtreeTraits_2` describes what quadtrees need to know of points: a grid of integers, the
-/// map of points to it, and the map of the corners of squares back to points.
+/// The concept `QuadtreeTraits_2` describes what quadtrees need to know about points: a grid of integers, the
+/// map from points to the grid, and the map from corners of squares back to points.
 ///
-/// The root of all quadtrees is the square \f$ [0, 2^B) \times [0, 2^B) \f$ of grid units, \f$ B \f$ being
+/// The root of all quadtrees is the square \f$ [0, 2^B) \times [0, 2^B) \f$ of grid units, where \f$ B \f$ is
 /// the depth of the grid. A square of level \f$ l \f$ has side \f$ 2^{B-l} \f$ and corners at multiples of
-/// its side. All decisions of quadtrees are made on grid coordinates, in integers, hence exactly.
+/// its side. Quadtrees make all decisions on grid coordinates, which are integers. So all decisions are exact.
 ///
-/// Where distinct points fall on one grid point, quadtrees ask for a finer grid of the same root and map all
-/// points anew. Models whose words have a fixed length refuse that, and the points are an error.
+/// If distinct points fall on one grid point, quadtrees ask for a finer grid of the same root and map all
+/// points again. Models whose words have a fixed length refuse that, and the points are an error.
 ///
 /// \cgalHasModelsBegin
 /// \cgalHasModels{CGAL::Filtered_quadtree_traits_2<Kernel>}
@@ -40,38 +40,38 @@ public:
   /// `CGAL::Quadtree_mesh_2::Grid_point_2<Word>`, with members `x` and `y`.
   typedef unspecified_type Grid_point;
 
-  /// The map between points and the grid; default constructible and copyable. Its `const` members may be
-  /// called from several threads at once as far as the points may be read so. It provides
+  /// The map between points and the grid. It is default constructible and copyable. Several threads may call its
+  /// `const` members at once if they may read the points. It provides
   ///
   /// - `int depth() const`, the logarithm \f$ B \f$ of the root's side in grid units. If `Word` has a fixed
-  ///   length, it is less than the number of bits, so that upper corners are representable;
-  /// - `bool refine()`, which makes the unit of the grid finer by a power of two and thus the depth greater,
-  ///   without moving or resizing the root, and returns `true`; or returns `false` and leaves the grid as it
-  ///   is because words cannot be longer. If it never returns `false`, it tells any two distinct points apart
-  ///   after finitely many calls;
-  /// - `bool is_in_root(const Point_2& p) const`, whether `p` lies in the root square;
+  ///   length, it is less than the number of bits, so that upper corners are representable.
+  /// - `bool refine()` makes the unit of the grid finer by a power of two, and thus the depth greater. It neither
+  ///   moves nor resizes the root, and returns `true`. If words cannot be longer, it leaves the grid unchanged and
+  ///   returns `false`. If it never returns `false`, it tells any two distinct points apart after finitely many
+  ///   calls.
+  /// - `bool is_in_root(const Point_2& p) const`, whether `p` lies in the root square.
   /// - `Grid_point grid_point(const Point_2& p) const`, the lower left corner of the unit square of the grid
-  ///   that contains `p`, computed without rounding, provided that `p` lies in the root square;
-  /// - `Point_2 point(const Grid_point& g) const`, the point at the crossing of two grid lines, coordinates
-  ///   \f$ 2^B \f$ included. It is exact whenever `Point_2` can represent it.
+  ///   that contains `p`, computed without rounding. `p` must lie in the root square.
+  /// - `Point_2 point(const Grid_point& g) const`, the point at the crossing of two grid lines, including
+  ///   coordinates \f$ 2^B \f$. It is exact whenever `Point_2` can represent it.
   typedef unspecified_type Grid_2;
 
   /// A function object that makes the grid of a set of points, by
   /// `Grid_2 operator()(const PointRange& points) const`, where `PointRange` is a range with value type
   /// `Point_2`.
   ///
-  /// All points lie in the root of the result. If the grid is not fixed by the points' type, they lie in the
-  /// middle half of the root, the root's side is a power of two and its origin is a multiple of a power of
+  /// All points lie in the root of the result. If the points' type does not fix the grid, the points lie in the
+  /// middle half of the root, the root's side is a power of two, and its origin is a multiple of a power of
   /// two.
   ///
-  /// A point that cannot be mapped makes it throw `CGAL::Quadtree_mesh_2::Point_error`, which names the
-  /// point. Distinct points may be mapped to the same grid point; quadtrees notice it and refine the grid
-  /// or, if it refuses, throw.
+  /// If a point cannot be mapped, it throws `CGAL::Quadtree_mesh_2::Point_error`, which names the point. It may
+  /// map distinct points to the same grid point. Quadtrees notice that and refine the grid, or throw if the grid
+  /// refuses.
   typedef unspecified_type Construct_grid_2;
 
-  /// The arithmetic of the meshers on these points: predicates and constructions on the coordinates. Quadtrees do not use
-  /// it, so an incomplete type suffices for them. What it has to have is not part of the interface: take that of the
-  /// model with the same kind of coordinates.
+  /// The arithmetic of the meshers on these points: predicates and constructions on the coordinates. Quadtrees do
+  /// not use it, so an incomplete type suffices for them. Its members are not part of the interface. Take that of
+  /// the model with the same kind of coordinates.
   typedef unspecified_type Meshing_geometry_2;
 
   /// @}

@@ -7,8 +7,8 @@
 /// \ingroup PkgQuadtreeMesh2Concepts
 /// \cgalConcept
 ///
-/// The concept `SizingField_2` describes what `CGAL::Quality_mesh_options_2::size()` takes: a function of a place that
-/// tells how long the edges of triangles there may be. Lambdas and functions are models.
+/// The concept `SizingField_2` describes the argument of `CGAL::Quality_mesh_options_2::size()`: a function of a
+/// place that gives the longest edge wanted there. Lambdas and functions are models.
 ///
 /// \cgalHasModelsBegin
 /// \cgalHasModels{CGAL::Grid_sizing_field_2}
@@ -19,7 +19,8 @@ public:
   /// Fields are copied.
   SizingField_2(const SizingField_2& other);
 
-  /// The longest edge wanted of a triangle with its centroid at (x, y), in the unit of the input; positive. It is called
-  /// at places inside the domain only, and with `CGAL::Parallel_tag` by several threads at once.
+  /// The longest edge wanted of a triangle with its centroid at (x, y), in the unit of the input. It has to be
+  /// positive. The mesher calls it only at places inside the domain. With `CGAL::Parallel_tag` several threads call
+  /// it at once.
   double operator()(double x, double y) const;
 };

@@ -7,21 +7,21 @@
 /// \ingroup PkgQuadtreeMesh2Concepts
 /// \cgalConcept
 ///
-/// The concept `VertexEdgeNeighbors_2` describes what tells, for each vertex of a planar straight-line graph,
-/// which segments are hit by the four axis-parallel rays from it. By Lemma 5 of Bern, Eppstein and Teng the
-/// nearest of the four hits or the nearest vertex is at most \f$ \sqrt{2} \f$ times as far from the vertex as
-/// whatever is nearest to it, vertex or segment, that is not incident to it.
+/// The concept `VertexEdgeNeighbors_2` describes classes that know, for each vertex of a planar straight-line
+/// graph, which segments the four axis-parallel rays from it hit first. Lemma 5 of Bern, Eppstein and Teng says
+/// why that is useful. The nearer of the nearest hit and the nearest vertex is at most \f$ \sqrt{2} \f$ times as
+/// far from the vertex as the nearest vertex or segment that is not incident to it.
 ///
-/// Answers are a function of the graph alone, so that all models answer alike:
+/// Answers are a function of the graph alone, so all models give the same answers:
 ///
-/// - Rays and segments are closed: a ray begins in its vertex \f$ v \f$ and goes on without end; a segment
-///   has its ends. Vertices without segments are not hit.
-/// - A segment is incident to \f$ v \f$ if an end of it lies at the place of \f$ v \f$, whether that is \f$ v
-///   \f$ itself or an equal vertex. Incident segments are not hit. So equal vertices have the same answers.
-/// - A segment that is not incident is hit if it has a point on the ray, at the distance of the nearest such
-///   point: the crossing; its end, if that is on the ray; the nearer end, if the segment lies on the ray; and
-///   at distance 0 if \f$ v \f$ is in its interior, in all four directions.
-/// - The first hit is the one at the least distance; among segments hit at the same distance, that with the
+/// - Rays and segments are closed. A ray begins in its vertex \f$ v \f$ and has no end; a segment contains its
+///   ends. Vertices without segments are not hit.
+/// - A segment is incident to \f$ v \f$ if one of its ends lies at the place of \f$ v \f$. That end may be
+///   \f$ v \f$ itself or an equal vertex, so equal vertices have the same answers. Incident segments are not hit.
+/// - Any other segment is hit if it has a point on the ray, at the distance of the nearest such point. That point
+///   is the crossing; or its end, if that is on the ray; or the nearer end, if the segment lies on the ray. If
+///   \f$ v \f$ is in its interior, it is hit at distance 0 in all four directions.
+/// - The first hit is the one at the least distance. Among segments at the same distance it is the one with the
 ///   lowest index. Distances are compared exactly. Crossing and overlapping segments and segments of length 0
 ///   are no exceptions.
 ///
@@ -47,7 +47,7 @@ public:
   /// \name Creation
   /// @{
 
-  /// Prepares the answers for all vertices of a graph, which has to stay where and as it is. It need not be
+  /// Prepares the answers for all vertices of a graph. The graph has to stay where and as it is. It need not be
   /// planar.
   VertexEdgeNeighbors_2(const Pslg& pslg);
 
@@ -57,15 +57,14 @@ public:
   /// These may be called by several threads at once.
   /// @{
 
-  /// The first hit of the ray from `v` in direction `d`, and its distance, rounded with a relative error
-  /// below
-  /// \f$ 2^{-40} \f$. An invalid segment at an infinite distance if there is none.
+  /// The first hit of the ray from `v` in direction `d`, and its distance, rounded with a relative error below
+  /// \f$ 2^{-40} \f$. If there is no hit, it is an invalid segment at an infinite distance.
   /// \pre `d` is `EAST`, `NORTH`, `WEST` or `SOUTH`
   CGAL::Vertex_edge_neighbor_2 first_hit(CGAL::Quadtree_mesh_2::Vertex_index v,
                                          CGAL::Quadtree_mesh_2::Direction d) const;
 
-  /// The nearest of the four first hits, by exact comparison; that of the segment with the lowest index if
-  /// several are as near.
+  /// The nearest of the four first hits, by exact comparison. If several are equally near, it is that of the
+  /// segment with the lowest index.
   CGAL::Vertex_edge_neighbor_2 nearest_hit(CGAL::Quadtree_mesh_2::Vertex_index v) const;
 
   /// @}

@@ -6,16 +6,16 @@
 
 // The quadtree of a set of points, balanced and cross-linked.
 //
-// Computes: the smallest quadtree in which no leaf holds more than m points, or is larger than a size function
-//           or the points' annotations ask for, and neighbouring leaves differ by at most a factor of two; with
-//           cross pointers, and the leaf of every point.
-// Bound:    O(n + k) work for n points and k squares besides sorting; as many rounds as there are levels, or
+// Computes: the smallest quadtree with three properties. No leaf holds more than m points. No leaf is larger
+//           than a size function or the points' annotations ask for. Neighboring leaves differ by at most a
+//           factor of two. Also cross pointers, and the leaf of every point.
+// Bound:    O(n + k) work for n points and k squares besides sorting. There are as many rounds as levels, or
 //           O(log n) with spaced levels.
 // Source:   Bern, Eppstein, Teng, Theorems 1 and 2, section 3 (forced squares, cross pointers), Corollary 1
 //           (points to leaves).
-// Deviates: what balance forces is found from the deepest level up, as a set of directions for each required
-//           square (forcing.h), which gives the smallest balanced tree; the paper's is up to four times as
-//           large. Points ride down with their squares instead of being located afterwards.
+// Deviates: squares that balance forces are found from the deepest level up, as a set of directions for each
+//           required square (forcing.h). This gives the smallest balanced tree; the paper's is up to four
+//           times as large. Points move down with their squares instead of being located afterward.
 
 #ifndef CGAL_BALANCED_QUADTREE_H
 #define CGAL_BALANCED_QUADTREE_H
@@ -51,7 +51,7 @@ namespace Quadtree_mesh_2 {
 /// \ingroup PkgQuadtreeMesh2Quadtrees
 /// Leaves that follow each other in shuffle order.
 struct Leaf_interval {
-  Leaf_index begin; ///< the first
+  Leaf_index begin; ///< the first leaf
   Leaf_index end;   ///< one past the last
 
   /// The number of leaves.
@@ -63,13 +63,13 @@ struct Leaf_interval {
 /// \ingroup PkgQuadtreeMesh2Quadtrees
 /// The smallest quadtree that separates points and is balanced (Theorems 1 and 2).
 ///
-/// Nodes are squares, split ones and leaves. They are numbered level by level, in shuffle order within a
-/// level; node 0 is the root and four siblings follow each other. Leaves are numbered in shuffle order over
-/// all levels, so that the leaves below a node, and the points in it, are intervals. Child `2 i + j` of a
-/// node has x offset `i` and y offset `j`.
+/// Nodes are squares, either split or leaves. They are numbered level by level, in shuffle order within a
+/// level. Node 0 is the root, and four siblings follow each other. Child `2 i + j` of a node has x offset `i`
+/// and y offset `j`. Leaves are numbered in shuffle order over all levels. So the leaves below a node, and
+/// the points in it, are intervals.
 ///
-/// Takes O(n + k) time for n points and k squares, besides sorting; about 25 bytes per square besides those of
-/// the framework. The result is the same for any number of threads.
+/// Takes O(n + k) time for n points and k squares, besides sorting, and about 25 bytes per square besides
+/// those of the framework. The result is the same for any number of threads.
 /// \tparam Traits_ a model of `QuadtreeTraits_2`.
 /// \tparam Concurrency_tag `CGAL::Sequential_tag` or `CGAL::Parallel_tag`.
 template <class Traits_, class Concurrency_tag = Sequential_tag>
@@ -78,7 +78,7 @@ public:
   /// \name Types
   /// @{
 
-  /// Those of the template arguments, and the indices of what they number.
+  /// Types of the template arguments, and indices.
   using Traits = Traits_;
   using Framework = Quadtree_framework<Traits, Concurrency_tag>;
   using Point_2 = typename Traits::Point_2;
@@ -107,7 +107,8 @@ public:
                              const Traits& traits = Traits())
       : Balanced_quadtree(Framework(points, traits), options) {}
 
-  /// Builds the quadtree of the points of a framework, which it keeps. Follows the annotations of points.
+  /// Builds the quadtree of the points of a framework, and keeps the framework. Follows the annotations of
+  /// points.
   explicit Balanced_quadtree(Framework framework, const Quadtree_options& options = Quadtree_options())
       : framework_(std::move(framework)), options_(options) {
     CGAL_precondition(options.max_points_per_leaf() >= 1);
@@ -122,11 +123,12 @@ public:
       squares_ = smallest_squares(required);
   }
 
-  /// Builds a quadtree whose leaves are as small as a predicate wants them, before it is balanced.
+  /// Builds a quadtree whose leaves are as small as a predicate wants them, and balances it. Always works
+  /// level by level, whatever the options say.
   /// \tparam Must_split called as `must_split(lower_left, upper_right)` with the corners of a square, two
-  ///         `Point_2`; tells whether the square is to be split. It is asked for the root and for the children
-  ///         of all squares that have to be split, maybe by several threads at the same time. A square of one
-  ///         grid unit is never split. Always level by level, whatever the options say.
+  /// `Point_2`. Returns whether to split the square. It is called for the root and for the children of all
+  /// squares that have to be split, maybe by several threads at the same time. A square of one grid unit is
+  /// never split.
   template <class Must_split, class = decltype(bool(std::declval<const Must_split&>()(
                                   std::declval<const Point_2&>(), std::declval<const Point_2&>())))>
   Balanced_quadtree(Framework framework, const Quadtree_options& options, const Must_split& must_split)
@@ -148,14 +150,14 @@ public:
 
   /// The framework of the points.
   const Framework& framework() const { return framework_; }
-  /// What it was built by.
+  /// The options it was built with.
   const Quadtree_options& options() const { return options_; }
 
   /// \name Changes
   /// @{
 
   /// Splits leaves and restores balance, with as few further splits as possible. All nodes and leaves are
-  /// numbered anew. Takes O(n + k) time, however few leaves are split: collect them.
+  /// numbered anew. Takes O(n + k) time however few leaves are split, so collect them.
   /// \tparam LeafRange a range with value type `Leaf_index`; repetitions count once.
   /// \pre no leaf is a square of one grid unit
   template <class LeafRange>
@@ -174,7 +176,7 @@ public:
   /// \name Nodes
   /// @{
 
-  /// The number of squares, split ones and leaves.
+  /// The number of squares: split ones and leaves.
   std::size_t number_of_nodes() const { return squares_.number_of_nodes(); }
   /// The root, node 0.
   Node_index root() const { return Node_index(0); }
@@ -183,8 +185,9 @@ public:
 
   /// Whether `v` is not split.
   bool is_leaf(Node_index v) const { return squares_.is_leaf(v); }
-  /// Invalid for the root.
+  /// The parent of `v`; invalid for the root.
   Node_index parent(Node_index v) const { return squares_.parent(v); }
+  /// Child `i` of `v`.
   /// \pre `!is_leaf(v)` and 0 <= `i` < 4
   Node_index child(Node_index v, int i) const {
     CGAL_precondition(!is_leaf(v) && 0 <= i && i < 4);
@@ -197,8 +200,8 @@ public:
     const Grid_point corner = squares_.corner(v);
     return {corner.x, corner.y, squares_.level(v)};
   }
-  /// The lower left, lower right, upper right and upper left corner of the square, rounded only if `Point_2`
-  /// cannot represent them.
+  /// The lower left, lower right, upper right and upper left corners of the square. They are rounded only if
+  /// `Point_2` cannot represent them.
   std::array<Point_2, 4> corners(Node_index v) const {
     const Grid_point c = squares_.corner(v);
     const Word side =
@@ -209,8 +212,8 @@ public:
         {grid.point({c.x, c.y}), grid.point({right, c.y}), grid.point({right, top}), grid.point({c.x, top})}};
   }
 
-  /// Returns the cross pointer of `v`: the node of the same size across a side or a corner, or if there is
-  /// none the larger leaf in its place; invalid outside the root. Takes O(1) time.
+  /// Returns the cross pointer of `v`: the node of the same size across a side or a corner. If there is none,
+  /// it is the larger leaf in its place. Invalid outside the root. Takes O(1) time.
   Node_index neighbor(Node_index v, Direction d) const { return squares_.neighbor(v, d); }
 
   /// The leaves in the square of `v`.
@@ -222,8 +225,8 @@ public:
     return {Point_rank(squares_.point_begin(v)), Point_rank(point_end(squares_.last_leaf(v)))};
   }
 
-  /// Calls `visit(v)` for the nodes of the subtree of `top` in preorder, children in shuffle order, and goes on
-  /// to the children of those for which it returns `true`.
+  /// Calls `visit(v)` for the nodes of the subtree of `top` in preorder, children in shuffle order. Continues
+  /// with the children of a node if `visit` returns `true`.
   template <class Visit>
   void traverse(Visit visit, Node_index top) const {
     std::vector<Node_index> open(1, top);
@@ -249,6 +252,7 @@ public:
   std::size_t number_of_leaves() const { return squares_.number_of_leaves(); }
   /// The node of a leaf.
   Node_index node(Leaf_index l) const { return squares_.node_of_leaf(l.value()); }
+  /// The leaf of a node.
   /// \pre `is_leaf(v)`
   Leaf_index leaf(Node_index v) const {
     CGAL_precondition(is_leaf(v));
@@ -258,9 +262,9 @@ public:
   Square square(Leaf_index l) const { return square(node(l)); }
   /// The level of a leaf.
   int level(Leaf_index l) const { return level(node(l)); }
-  /// The corners of a leaf, as those of its node.
+  /// The corners of a leaf, in the order of `corners(Node_index)`.
   std::array<Point_2, 4> corners(Leaf_index l) const { return corners(node(l)); }
-  /// The points in a leaf; `framework().input_point()` gives their places in the input.
+  /// The points in a leaf; `framework().input_point()` gives their indices in the input.
   Rank_interval points(Leaf_index l) const {
     return {Point_rank(squares_.point_begin(node(l))), Point_rank(point_end(l.value()))};
   }
@@ -270,8 +274,8 @@ public:
   /// The leaf that contains the point of rank `r`.
   Leaf_index leaf(Point_rank r) const { return Leaf_index(squares_.leaf_of_point(r.value())); }
 
-  /// Returns the leaves that share a side or a corner with `l`, counterclockwise, each once: at most twelve.
-  /// Takes O(1) time if the quadtree is balanced across corners.
+  /// Returns the leaves that share a side or a corner with `l`, counterclockwise, each once. There are at
+  /// most twelve. Takes O(1) time if the quadtree is balanced across corners.
   /// \pre the quadtree is balanced
   Leaf_neighbors neighbors(Leaf_index l) const {
     CGAL_precondition(options_.balance() != Quadtree_mesh_2::Balance::NONE);
@@ -286,7 +290,7 @@ public:
 
   /// @}
 
-  /// \name Location and near neighbours
+  /// \name Location and near neighbors
   /// @{
 
   /// Returns the leaf that contains `p`, invalid if `p` is outside the root. Takes O(depth) time.
@@ -303,22 +307,23 @@ public:
     return leaf(v);
   }
 
-  /// Returns the leaf of each of many points, invalid for those outside the root. Takes O(depth) time for each.
+  /// Returns the leaf of each of many points; invalid for points outside the root. Takes O(depth) time for
+  /// each.
   /// \tparam PointRange a random access range with value type `Point_2`; several threads may read it.
   template <class PointRange>
   std::vector<Leaf_index> locate_all(const PointRange& queries) const {
     return Quadtree_mesh_2::internal::locate_all<Concurrency_tag>(*this, queries);
   }
 
-  /// Returns a point at most 1.6284 times as far from the point of rank `r` as its nearest neighbour, by O(1)
-  /// squares around it; invalid if there is no other point. Distances are those of grid points: where the
-  /// traits round points to the grid, the distance may be larger by a few grid units.
+  /// Returns a point at most 1.6284 times as far from the point of rank `r` as its nearest neighbor. It
+  /// searches O(1) squares around the point. Invalid if there is no other point. Distances are those of grid
+  /// points. If the traits round points to the grid, the distance may be larger by a few grid units.
   /// \pre the quadtree is balanced across sides and corners
   Point_rank near_neighbor(Point_rank r) const {
     CGAL_precondition(options_.balance() == Quadtree_mesh_2::Balance::SIDES_AND_CORNERS);
     return Quadtree_mesh_2::internal::near_neighbor(*this, r);
   }
-  /// Returns a near neighbour of each point, by rank.
+  /// Returns a near neighbor of each point, by rank.
   /// \pre the quadtree is balanced across sides and corners
   std::vector<Point_rank> near_neighbors() const {
     CGAL_precondition(options_.balance() == Quadtree_mesh_2::Balance::SIDES_AND_CORNERS);
@@ -327,7 +332,7 @@ public:
 
   /// @}
 
-  /// Checks the links between nodes, that neighbouring leaves differ by at most a factor of two and that
+  /// Checks the links between nodes, that neighboring leaves differ by at most a factor of two, and that
   /// points are in their leaves. Takes O(n + k) time.
   bool is_valid() const {
     for (std::size_t i = 0; i < number_of_nodes(); ++i)
@@ -367,7 +372,7 @@ private:
     return internal::Square_grower<Framework, Concurrency_tag>(framework_, required, forced).grow();
   }
 
-  /// Leaves are in shuffle order, so the points of the next one follow.
+  /// Leaves are in shuffle order, so the points of the next leaf follow.
   std::size_t point_end(std::uint32_t leaf) const {
     const std::uint32_t next = leaf + 1;
     return next < number_of_leaves() ? squares_.point_begin(squares_.node_of_leaf(next))
@@ -379,8 +384,8 @@ private:
            s.level;
   }
 
-  /// Appends the leaves in `v` that touch its neighbour in direction `opposite(d)`, counterclockwise around
-  /// that one.
+  /// Appends the leaves in `v` that touch its neighbor in direction `opposite(d)`, counterclockwise around
+  /// that neighbor.
   void append_touching(Node_index v, Direction d, Leaf_neighbors& result) const {
     if (is_leaf(v)) return result.append(leaf(v));
     // Across a side two children touch, across a corner one.

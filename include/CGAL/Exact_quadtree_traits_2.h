@@ -27,28 +27,28 @@
 namespace CGAL {
 
 /// \ingroup PkgQuadtreeMesh2Traits
-/// Quadtrees of points of a CGAL kernel with exact constructions, of any depth.
+/// Traits for quadtrees of points of a CGAL kernel with exact constructions, of any depth.
 ///
 /// Coordinates may be any numbers of the kernel's field: 1/3, \f$ 10^{400} \f$ and \f$ 2^{-5000} \f$ in one
-/// set. Grid coordinates are integers of unlimited length. The grid has \f$ 2^{62} \f$ units to a side at
-/// first; `refine()` squares that number, so that all distinct points are told apart sooner or later, and
-/// all rounds together cost about twice the last. The root is the smallest square with a power of two
-/// as its side that holds the points in its middle half; its origin is a multiple of 1/64 of the side.
+/// set. Grid coordinates are integers of unlimited length. The grid first has \f$ 2^{62} \f$ units to a side,
+/// and `refine()` squares that number. So all distinct points are eventually told apart, and all rounds
+/// together cost about twice the last. The root is the smallest square with a power of two as its side that
+/// holds the points in its middle half. Its origin is a multiple of 1/64 of the side.
 ///
-/// Points are mapped to the grid without rounding, and grid points to points exactly. A coordinate that is a
-/// double is mapped by shifting its mantissa; others need one division of long integers, or, for fields that
-/// are not quotients of integers, arithmetic of the field for every 50 bits.
+/// Points are mapped to the grid without rounding, and grid points to points exactly. If a coordinate is a
+/// double, its mantissa is shifted. Others need one division of long integers. Fields that are not quotients
+/// of integers need arithmetic of the field for every 50 bits.
 ///
 /// <h3>Threads</h3>
-/// A grid that is not being refined may be used by several threads at once if the kernel's numbers may be
-/// read by several threads at once, even through different points that share numbers.
-/// `Exact_predicates_exact_constructions_kernel` of \cgal 5.4 and later allows that unless it is compiled
-/// with `CGAL_HAS_NO_THREADS` or `Exact_rational` is `Gmpq`: exact values are found once, by whoever asks
-/// first. Earlier versions do not. Kernels over `Gmpq`, whose copies share their value without protection,
-/// need points that share no number with points of other threads.
+/// Several threads may use a grid at once while it is not refined. The condition is that several threads may
+/// read the kernel's numbers at once, even through different points that share numbers.
+/// `Exact_predicates_exact_constructions_kernel` of \cgal 5.4 and later allows that: the first thread to ask
+/// finds an exact value, once. It does not if compiled with `CGAL_HAS_NO_THREADS` or if `Exact_rational` is
+/// `Gmpq`. Earlier versions do not allow it. Kernels over `Gmpq` copy numbers that share their value without
+/// protection. They need points that share no number with points of other threads.
 ///
-/// The same holds for `Quality_mesher_2` with `Parallel_tag`: it computes with exact values of its own, and makes the
-/// kernel's points of them.
+/// The same holds for `Quality_mesher_2` with `Parallel_tag`. It computes with exact values of its own, and
+/// makes the kernel's points from them.
 ///
 /// \tparam Kernel a CGAL kernel whose `FT` is an exact ordered field with a constructor from `double`, or
 /// `double` itself. For `double`, points are mapped to the grid exactly, and grid points to the nearest
@@ -69,7 +69,7 @@ public:
   /// \name Types
   /// @{
 
-  /// As `QuadtreeTraits_2` has them.
+  /// The types of `QuadtreeTraits_2`.
   using Point_2 = typename Kernel::Point_2;
   using Word = Quadtree_mesh_2::internal::Long_word;
   using Grid_point = Quadtree_mesh_2::Grid_point_2<Word>;
@@ -87,8 +87,8 @@ public:
     /// The logarithm of the root's side.
     int depth() const { return depth_; }
 
-    /// Makes the grid finer: doubles the depth and thus the length of grid coordinates.
-    /// Returns false, and leaves the grid as it is, from a depth of \f$ 2^{29} \f$ on.
+    /// Makes the grid finer: doubles the depth and thus the length of grid coordinates. From a depth of
+    /// \f$ 2^{29} \f$ on it leaves the grid as it is, and returns false.
     bool refine() {
       if (depth_ >= greatest_depth) return false;
       for (Word& origin : origin_) origin <<= depth_;
@@ -126,7 +126,7 @@ public:
       unit_ = Quadtree_mesh_2::internal::power_of_two<Exact>(exponent_ - depth_);
     }
 
-    // Not meaningful for points outside the root, but right for them too.
+    // Also right for points outside the root, although not meaningful there.
     Word coordinate(const Point_2& p, int axis) const {
       const std::pair<double, double> v = Reader::interval(p, axis);
       Word result = v.first == v.second && std::isfinite(v.first)
@@ -212,7 +212,7 @@ public:
         using Quadtree_mesh_2::Point_error;
         if (!std::isfinite(p.x()) || !std::isfinite(p.y()))
           throw Point_error(Point_error::Kind::NOT_FINITE, i);
-        // Corners of the root shall be finite.
+        // Corners of the root have to be finite.
         const double limit = std::ldexp(1.0, 1000);
         if (!(std::fabs(p.x()) < limit && std::fabs(p.y()) < limit))
           throw Point_error(Point_error::Kind::OUT_OF_RANGE, i);
@@ -220,7 +220,7 @@ public:
     }
   };
 
-  /// What makes grids.
+  /// The function object that makes grids.
   Construct_grid_2 construct_grid_2_object() const { return {}; }
 
 private:

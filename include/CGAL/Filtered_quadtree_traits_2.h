@@ -24,16 +24,16 @@
 namespace CGAL {
 
 /// \ingroup PkgQuadtreeMesh2Traits
-/// Quadtrees of points of a CGAL kernel over `double`.
+/// Traits for quadtrees of points of a CGAL kernel over `double`.
 ///
-/// The grid has \f$ 2^{62} \f$ units to a side. Its unit is a power of two; the smallest root is taken that
-/// holds the points in its middle half. Every point is mapped to the grid square that contains it, without
-/// rounding. A grid point is mapped to the nearest double, which is exact for all corners of squares not
+/// The grid has \f$ 2^{62} \f$ units to a side. Its unit is a power of two. The root is the smallest one that
+/// holds the points in its middle half. Every point is mapped without rounding to the grid square that
+/// contains it. A grid point is mapped to the nearest double. That is exact for all corners of squares not
 /// smaller than the spacing of doubles at the largest coordinate.
 ///
-/// Distinct points are told apart unless they differ by less than \f$ 2^{-62} \f$ of the root's side, which
-/// for doubles is possible near 0 only; such points are an error that names them.
-/// `Exact_quadtree_traits_2` has no such limit.
+/// Distinct points are told apart unless they differ by less than \f$ 2^{-62} \f$ of the root's side. For
+/// doubles this can happen only near 0. Such points are an error that names them. `Exact_quadtree_traits_2`
+/// has no such limit.
 /// \tparam Kernel a CGAL kernel whose `FT` is `double`.
 /// \cgalModels{QuadtreeTraits_2}
 template <class Kernel = Exact_predicates_inexact_constructions_kernel>
@@ -44,7 +44,7 @@ public:
   /// \name Types
   /// @{
 
-  /// As `QuadtreeTraits_2` has them.
+  /// The types of `QuadtreeTraits_2`.
   using Point_2 = typename Kernel::Point_2;
   using Word = std::uint64_t;
   static constexpr int depth = 62; ///< the logarithm of the root's side in grid units
@@ -62,7 +62,7 @@ public:
     /// Returns false: the words cannot be longer.
     bool refine() { return false; }
 
-    /// Returns whether `p` lies in the root square; not for coordinates that are not numbers.
+    /// Returns whether `p` lies in the root square; false if a coordinate is not a number.
     bool is_in_root(const Point_2& p) const { return x_.contains(p.x()) && y_.contains(p.y()); }
 
     /// Returns the lower left corner of the unit square that contains `p`.
@@ -87,8 +87,8 @@ public:
   class Construct_grid_2 {
   public:
     /// \tparam PointRange a range with value type `Point_2`.
-    /// \throws Quadtree_mesh_2::Point_error for a coordinate that is not finite or not below \f$ 2^{1000}
-    /// \f$.
+    /// \throws Quadtree_mesh_2::Point_error for a coordinate that is not finite or not below
+    /// \f$ 2^{1000} \f$.
     template <class PointRange>
     Grid_2 operator()(const PointRange& points) const {
       using Quadtree_mesh_2::internal::Double_axis;
@@ -115,7 +115,7 @@ public:
         low = std::min(low, v);
         high = std::max(high, v);
       }
-      // The difference may have been rounded down; the next double never is too small.
+      // The difference may have been rounded down; the next double is never too small.
       double extent() const { return high > low ? std::nextafter(high - low, high - low + 1) : 0; }
       double magnitude() const { return high < low ? 0 : std::max(std::fabs(low), std::fabs(high)); }
       double begin() const { return high < low ? 0 : low; }
@@ -137,7 +137,7 @@ public:
     }
   };
 
-  /// What makes grids.
+  /// The function object that makes grids.
   Construct_grid_2 construct_grid_2_object() const { return {}; }
 };
 

@@ -25,7 +25,7 @@
 namespace CGAL {
 
 /// \ingroup PkgQuadtreeMesh2Traits
-/// A point with unsigned integer coordinates, the paper's fixed-point model of input.
+/// A point with unsigned integer coordinates: the paper's fixed-point model of input.
 /// \tparam Word `std::uint32_t` or `std::uint64_t`.
 template <class Word>
 struct Fixed_point_2 {
@@ -53,8 +53,8 @@ struct Fixed_point_2 {
 };
 
 /// \ingroup PkgQuadtreeMesh2Traits
-/// Quadtrees of points with integer coordinates. The grid is that of the integers and the root is
-/// \f$ [0, 2^{31})^2 \f$ or \f$ [0, 2^{62})^2 \f$: upper corners and differences of coordinates fit signed
+/// Traits for quadtrees of points with integer coordinates. The grid is that of the integers. The root is
+/// \f$ [0, 2^{31})^2 \f$ or \f$ [0, 2^{62})^2 \f$, so upper corners and differences of coordinates fit signed
 /// words.
 /// \tparam Word_ `std::uint32_t` or `std::uint64_t`.
 /// \cgalModels{QuadtreeTraits_2}
@@ -64,7 +64,7 @@ public:
   /// \name Types
   /// @{
 
-  /// As `QuadtreeTraits_2` has them.
+  /// The types of `QuadtreeTraits_2`.
   using Word = Word_;
   using Point_2 = Fixed_point_2<Word>;
   /// The logarithm of the root's side, 31 or 62.
@@ -107,7 +107,7 @@ public:
     }
   };
 
-  /// What makes grids.
+  /// The function object that makes grids.
   Construct_grid_2 construct_grid_2_object() const { return {}; }
 };
 
@@ -115,22 +115,22 @@ public:
 /// The affine map between doubles and fixed points.
 ///
 /// The unit is the smallest power of two with which a bounding box fits the middle half of the root of
-/// `Fixed_point_quadtree_traits_2<Word>`, wherever the box is, and the box begins at a multiple of the unit. So doubles
-/// are mapped exactly whenever any such map could: whenever they are multiples of that unit. Those of a box far from
-/// the origin of coordinates, compared to its extent, always are with 64-bit words; small ones in a box around it may
-/// not be.
+/// `Fixed_point_quadtree_traits_2<Word>`, wherever the box is. The box begins at a multiple of the unit. So
+/// doubles are mapped exactly if they are multiples of that unit, which is whenever any such map could be
+/// exact. With 64-bit words this always holds for a box far from the origin, compared to its extent. For a
+/// box around the origin, small coordinates may be rounded.
 ///
-/// The box of a single point has no extent: it begins at the point, which is mapped exactly, and the unit is 1/256, but
-/// no less than the distance of the point's coordinates from the next doubles.
+/// The box of a single point has no extent. It begins at the point, which is mapped exactly. The unit is then
+/// 1/256, but not less than the distance of the point's coordinates from the next doubles.
 template <class Word>
 class Fixed_point_scale_2 {
 public:
   /// The logarithm of the root's side in units, 31 or 62.
   static constexpr int depth = Fixed_point_quadtree_traits_2<Word>::depth;
 
-  /// The scale for what lies in `box`.
-  /// \throws std::invalid_argument if the box is empty or has coordinates that are not below \f$ 2^{1000} \f$
-  /// in magnitude.
+  /// The scale for points in `box`.
+  /// \throws std::invalid_argument if the box is empty or has coordinates not below \f$ 2^{1000} \f$ in
+  /// magnitude.
   explicit Fixed_point_scale_2(const Bbox_2& box) {
     const std::array<double, 4> sides{box.xmin(), box.xmax(), box.ymin(), box.ymax()};
     double magnitude = 0;
@@ -169,7 +169,8 @@ public:
     return {to_word(x, low_[0]), to_word(y, low_[1])};
   }
 
-  /// Returns the doubles nearest to `p`; they are exact if it is the image of doubles that were mapped exactly.
+  /// Returns the doubles nearest to `p`. They are exact if `p` is the image of doubles that were mapped
+  /// exactly.
   std::array<double, 2> to_double(const Fixed_point_2<Word>& p) const {
     return {to_coordinate(p.x(), low_[0]), to_coordinate(p.y(), low_[1])};
   }
@@ -180,7 +181,7 @@ public:
 private:
   // With less, the inverse of the unit would overflow.
   static constexpr int least_exponent_ = -1022;
-  // The lower sides of the box are so many units from those of the root.
+  // The lower sides of the box are this many units from those of the root.
   static constexpr std::int64_t quarter_ = std::int64_t(1) << (depth - 2);
 
   /// A number as the sum of the nearest double and the rest.
@@ -205,7 +206,7 @@ private:
 
   double multiple_at_most(double v) const {
     const double units = v * inverse_unit_;
-    return std::fabs(units) < 0x1p53 ? std::floor(units) * unit_ : v; // large ones are multiples themselves
+    return std::fabs(units) < 0x1p53 ? std::floor(units) * unit_ : v; // large ones are multiples already
   }
 
   Word to_word(double v, double low) const {

@@ -18,20 +18,19 @@
 namespace CGAL {
 
 /// \ingroup PkgQuadtreeMesh2Meshers
-/// A size at every place from sizes on a regular grid, bilinear between them: for
-/// `Quality_mesh_options_2::size()`.
+/// A sizing field from sizes on a regular grid, bilinear between them, for `Quality_mesh_options_2::size()`.
 ///
-/// Outside the grid the size is that of the nearest place in it. Copies are deep; calls by several threads at
-/// once are safe. O(1) a call.
+/// Outside the grid the size is that of the nearest place in it. Copies are deep. Several threads may call it
+/// at once. O(1) time per call.
 /// \cgalModels{SizingField_2}
 class Grid_sizing_field_2 {
 public:
   /// \param origin the place of the first size.
-  /// \param spacing the distances of neighbours in x and y; positive.
-  /// \param columns, rows how many sizes there are in x and y; at least one.
+  /// \param spacing the distances of neighbors in x and y; positive.
+  /// \param columns, rows the numbers of sizes in x and y; at least one.
   /// \param sizes positive, row by row: the size at `origin + (i * spacing[0], j * spacing[1])` is
   /// `sizes[j * columns + i]`.
-  /// \throws std::invalid_argument if something is not as it has to be.
+  /// \throws std::invalid_argument if an argument violates these requirements.
   Grid_sizing_field_2(const std::array<double, 2>& origin, const std::array<double, 2>& spacing,
                       std::size_t columns, std::size_t rows, std::vector<double> sizes)
       : origin_(origin), spacing_(spacing), count_{columns, rows}, sizes_(std::move(sizes)) {

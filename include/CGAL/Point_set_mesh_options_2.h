@@ -14,47 +14,53 @@
 namespace CGAL {
 
 /// \ingroup PkgQuadtreeMesh2Meshers
-/// What `Point_set_mesher_2` shall make. Every field has its default; set fields directly or by chained calls:
+/// Options of `Point_set_mesher_2`. Every field has a default. Set fields directly or by chained calls:
 /// `Point_set_mesh_options_2().bounded_angles(36, 80).effort(1)`.
 struct Point_set_mesh_options_2 {
   /// Which triangulation is wanted.
   enum class Mode {
-    /// All angles in a range, [36, 80] degrees or what is asked for, down to [37.5, 78.6] (Theorem 3).
+    /// All angles in a range: [36, 80] degrees by default, at the tightest [37.5, 78.6] (Theorem 3).
     BOUNDED_ANGLES,
-    /// All angles less than 90 degrees, by O(n) triangles however near to each other points are (Theorem 4).
+    /// All angles less than 90 degrees, with O(n) triangles however near to each other points are (Theorem
+    /// 4).
     ACUTE,
     /// All angles at least 20.7 degrees, with the fewest triangles we know how to make.
     LEAST_ANGLE,
-    /// The classical construction: corners of quadtree squares are moved to the points. Angles in [22.47, 112.63].
+    /// The classical construction, which moves corners of quadtree squares to the points. All angles in
+    /// [22.47, 112.63].
     WARPED_SQUARES
   };
-  /// What is triangulated. (LEAST_ANGLE fills a box that is a little larger than the points' bounding box, and
-  /// WARPED_SQUARES a square, whatever this says.)
+  /// What the mesh covers. LEAST_ANGLE ignores this and fills a box that is a little larger than the points'
+  /// bounding box. WARPED_SQUARES ignores it and fills a square.
   enum class Domain {
-    /// With BOUNDED_ANGLES a row of squares along the points' diameter, as in the paper, twice as high as the points
-    /// at least; so edges have a total length within a constant factor of the least. With ACUTE the square.
+    /// With BOUNDED_ANGLES a row of squares along the points' diameter, as in the paper, at least twice as
+    /// high as the points. The total length of edges is then within a constant factor of the least. With
+    /// ACUTE the square.
     ROW,
-    /// The root of a quadtree parallel to the axes: a square with a power of two as side and the points in its middle
-    /// half.
+    /// The root of an axis-parallel quadtree: a square with a power of two as its side and the points in its
+    /// middle half.
     SQUARE
   };
 
   Mode mode = Mode::BOUNDED_ANGLES; ///< which triangulation
-  /// In degrees; of BOUNDED_ANGLES in [0, 37.5] and [78.6, 89.5]; with ACUTE largest angles up to 89.5 are sought,
-  /// and only what surrounds clusters of points comes nearer to 90.
+  /// The least angle in degrees with BOUNDED_ANGLES, in [0, 37.5]. The largest is in [78.6, 89.5]. ACUTE
+  /// ignores both: it seeks largest angles up to 89.5, and only triangles around clusters of points come
+  /// nearer to 90.
   double least_angle_in_degrees = 36;
-  double largest_angle_in_degrees = 80; ///< as the least
-  Domain domain = Domain::ROW;          ///< what is triangulated
-  /// How hard it is tried to do without vertices: 0 not at all, 1 in the neighbourhood of one ring mostly, 2 well, 3 for
-  /// some percent more. All angles are the same promise at any effort.
+  double largest_angle_in_degrees = 80; ///< the largest angle in degrees
+  Domain domain = Domain::ROW;          ///< what the mesh covers
+  /// How much effort to spend on removing vertices. 0: none. 1: mostly in the neighborhood of one ring. 2:
+  /// well. 3: for some percent more. The promised angles are the same at any effort.
   int coarsening_effort = 2;
-  /// At most about this many vertices are tried to be removed, each some ten microseconds of work; 0 for no bound.
+  /// An upper bound, roughly, on how many vertices the mesher tries to remove. Each takes some ten
+  /// microseconds. 0 means no bound.
   std::size_t removal_budget = 0;
-  /// Points that are this many times nearer to each other than to any other point are meshed by a quadtree of their own
-  /// with ACUTE; at least 2248. Clusters save time before the mesh is coarsened, and triangles beyond about a million.
+  /// With ACUTE, points that are this many times nearer to each other than to any other point get a quadtree
+  /// of their own. At least 2248. Clusters save time before coarsening, and save triangles beyond about a
+  /// million.
   double cluster_gap = 0x1p20;
-  /// Called now and then with the share of work done, in [0, 1], by any thread, one at a time; after false no more
-  /// vertices are removed, so that the mesh is valid but larger.
+  /// Called now and then with the share of work done, in [0, 1], by any thread, one at a time. After it
+  /// returns false no more vertices are removed. The mesh is then valid but larger.
   std::function<bool(double)> callback;
 
   /// \name Setters

@@ -22,26 +22,27 @@
 namespace CGAL {
 
 /// \ingroup PkgQuadtreeMesh2Meshers
-/// Triangulates a set of points, with Steiner points, so that all angles are in a range or all acute.
+/// Triangulates a set of points, with Steiner points, so that all angles are in a range or all are acute.
 ///
-/// Every point of the input is a vertex of the mesh, with its coordinates bit for bit; equal points are merged. What is
-/// triangulated is a square, a row of squares or a box around the points, see `Point_set_mesh_options_2`. Meshes with
-/// BOUNDED_ANGLES or ACUTE are acute, hence Delaunay.
+/// Every input point is a vertex of the mesh, with its coordinates bit for bit. Equal points are merged. The
+/// mesh covers a square, a row of squares or a box around the points: see `Point_set_mesh_options_2`. Meshes
+/// with BOUNDED_ANGLES or ACUTE are acute, and therefore Delaunay.
 ///
-/// After Bern, Eppstein, Teng, "Parallel construction of quadtrees and quality triangulations", section 5. A balanced
-/// quadtree is filled with tiles, whose vertices nearest to the points are moved to them. Where the paper separates
-/// points by squares small enough for any case, squares are split here where relaxation of the mesh fails, up to
-/// that size, at which angles are certified to be in [37.5, 78.6]; then vertices that are not needed are removed
-/// under guard. Expected O(n log n + k) time for a quadtree of k squares; with ACUTE k = O(n).
+/// The method is that of Bern, Eppstein, Teng, "Parallel construction of quadtrees and quality
+/// triangulations", section 5 (Theorems 3 and 4). Tiles fill a balanced quadtree, and the tile vertices
+/// nearest to the points move to them. The paper separates points by squares small enough for any case. Here
+/// squares are split only where relaxation of the mesh fails. At the paper's size of squares, angles are
+/// certified to be in [37.5, 78.6]. Guarded removal then takes out vertices that are not needed. Expected O(n
+/// log n + k) time for a quadtree of k squares; k = O(n) with ACUTE.
 /// \tparam Traits a model of `QuadtreeTraits_2` that names a meshing geometry.
-/// \tparam ConcurrencyTag `Sequential_tag` or `Parallel_tag`; the mesh is the same, for any number of threads.
+/// \tparam ConcurrencyTag `Sequential_tag` or `Parallel_tag`; the mesh is the same for any number of threads.
 template <class Traits = Filtered_quadtree_traits_2<>, class ConcurrencyTag = Sequential_tag>
 class Point_set_mesher_2 {
 public:
   /// \name Types
   /// @{
 
-  /// What goes in and what comes out.
+  /// The types of the input and of the mesh.
   using Geom_traits = Traits;
   using Point_2 = typename Traits::Point_2;
   using Mesh = Indexed_mesh_2<Point_2>;
@@ -63,13 +64,13 @@ public:
   }
 
   /// Returns the mesh of points.
-  /// \throws Quadtree_mesh_2::Point_error if there is a point that is no place, or two that are distinct but too near
-  ///         to each other for a quadtree; it names them.
+  /// \throws Quadtree_mesh_2::Point_error if a coordinate is not a finite number, or if two distinct points
+  /// are too near to each other for a quadtree. The error names the points.
   Mesh operator()(const std::vector<Point_2>& points);
 
   /// What the last run reached.
   const Point_set_mesh_report_2& report() const { return report_; }
-  /// What is asked for.
+  /// The options of this mesher.
   const Point_set_mesh_options_2& options() const { return options_; }
 
 private:
@@ -78,7 +79,7 @@ private:
   Point_set_mesh_report_2 report_;
 };
 
-// Outside the class, thus not inline: where a compiled library has it, the compiler need not look into it.
+// Defined outside the class, so not inline: a compiled library spares the compiler the body.
 template <class Traits, class ConcurrencyTag>
 typename Point_set_mesher_2<Traits, ConcurrencyTag>::Mesh
 Point_set_mesher_2<Traits, ConcurrencyTag>::operator()(const std::vector<Point_2>& points) {

@@ -19,12 +19,13 @@
 namespace CGAL {
 
 /// \ingroup PkgQuadtreeMesh2Meshers
-/// A size at every place from points with sizes, for `Quality_mesh_options_2::size()`: the least of `size of
-/// the point + gradation * distance to it` over all points.
+/// A sizing field from points with sizes, for `Quality_mesh_options_2::size()`. The size at a place is the
+/// least of `size of the point + gradation * distance to it` over all points.
 ///
-/// A k-d tree (Bentley, 1975) whose nodes know their bounding box and least size; the branch that may hold
-/// the least value is searched first, and one that cannot is left out. Calls by several threads at once are
-/// safe. O(n log n) to build; O(log n) a call where sizes grow no faster than the gradation, which is usual.
+/// The points are in a k-d tree (Bentley, 1975), whose nodes know their bounding box and least size. A search
+/// visits the more promising branch first and skips branches that cannot hold the least value. Several
+/// threads may call it at once. O(n log n) time to build. A call takes O(log n) where sizes grow no faster
+/// than the gradation, which is usual.
 /// \cgalModels{SizingField_2}
 class Points_sizing_field_2 {
 public:
@@ -36,8 +37,8 @@ public:
   };
 
   /// \param points places with sizes, at least one.
-  /// \param gradation by how much the size grows over a unit of length; at least 0. A mesh follows up to
-  /// about 1.
+  /// \param gradation how much the size grows over a unit of length; at least 0. A mesh follows up to about
+  /// 1.
   /// \throws std::invalid_argument if there are no points, one is not finite, a size is not positive, or the
   /// gradation is negative.
   explicit Points_sizing_field_2(std::vector<Sized_point> points, double gradation = 0.5)

@@ -7,11 +7,11 @@
 // The framework of a set of points: the quadtree without empty leaves and without paths of single children.
 //
 // Computes: the points in shuffle order; all squares of which more than one child holds points, with their
-//           nesting; and what size of square each point is annotated with.
+//           nesting; and the size of square that each point is annotated with.
 // Bound:    O(n) work besides sorting, whatever the depth: n distinct points have at most n - 1 squares.
-// Source:   Bern, Eppstein, Teng, section 2, Lemmas 1-3 and the first half of Theorem 1. A square is derived
-//           from each pair of neighbours in the order; its parent is the smaller of the nearest larger squares
-//           to either side. Annotations: section 5.
+// Source:   Bern, Eppstein, Teng, section 2, Lemmas 1-3 and the first half of Theorem 1. Each pair of
+//           neighbors in the order gives a square. Its parent is the smaller of the nearest larger squares to
+//           either side. Annotations: section 5.
 // Deviates: squares derived more than once are merged while the nearest larger ones are found (nesting.h).
 //           Equal points, which the paper excludes, are merged and reported.
 
@@ -50,7 +50,7 @@ using Point_rank = Index<Rank_tag>;
 /// \ingroup PkgQuadtreeMesh2Quadtrees
 /// Points that follow each other in shuffle order.
 struct Rank_interval {
-  Point_rank begin; ///< the first
+  Point_rank begin; ///< the first point
   Point_rank end;   ///< one past the last
 
   /// The number of points.
@@ -61,7 +61,7 @@ struct Rank_interval {
 };
 
 /// \ingroup PkgQuadtreeMesh2Quadtrees
-/// A point of the input that equals an earlier one and was merged with it.
+/// An input point that equals an earlier one and was merged with it.
 struct Duplicate_point {
   Point_index kept;      ///< the earlier one
   Point_index duplicate; ///< the one that equals it
@@ -73,13 +73,12 @@ struct Duplicate_point {
 /// The framework \f$ T_F \f$ of a set of points (Theorem 1).
 ///
 /// Nodes are the squares that have at least two nonempty children, in preorder with children in shuffle
-/// order; the root of the framework is the smallest square that contains all points. A child is a node or,
-/// where it holds a single point, that point. Every node holds an interval of the points in shuffle order
-/// (Lemma 1).
+/// order. The root of the framework is the smallest square that contains all points. A child is a node, or a
+/// single point. Every node holds an interval of the points in shuffle order (Lemma 1).
 ///
-/// Takes O(n) time for n points with words of constant length and O(n log n) comparisons otherwise,
-/// independent of the depth; about 40 bytes per point besides the grid points. The result is the same for any
-/// number of threads.
+/// Takes O(n) time for n points with words of constant length, and O(n log n) comparisons otherwise. Neither
+/// depends on the depth. Takes about 40 bytes per point besides the grid points. The result is the same for
+/// any number of threads.
 /// \tparam Traits_ a model of `QuadtreeTraits_2`.
 /// \tparam Concurrency_tag `CGAL::Sequential_tag` or `CGAL::Parallel_tag`.
 template <class Traits_, class Concurrency_tag = Sequential_tag>
@@ -88,7 +87,7 @@ public:
   /// \name Types
   /// @{
 
-  /// Those of the template arguments, and the indices of what they number.
+  /// Types of the template arguments, and indices.
   using Traits = Traits_;
   using Point_2 = typename Traits::Point_2;
   using Grid_2 = typename Traits::Grid_2;
@@ -108,7 +107,7 @@ public:
   /// Builds the framework of `points`.
   /// \tparam PointRange a random access range with value type `Point_2`; several threads may read it.
   /// \throws Quadtree_mesh_2::Point_error if the traits cannot map a point to the grid, or map two distinct
-  ///         ones to the same grid point.
+  /// points to the same grid point.
   /// \throws std::length_error if there are \f$ 2^{32} - 1 \f$ points or more.
   template <class PointRange, class = decltype(std::declval<const PointRange&>().begin())>
   explicit Quadtree_framework(const PointRange& points, const Traits& traits = Traits())
@@ -127,16 +126,16 @@ public:
   /// \name Points
   /// @{
 
-  /// The number of points given, equal ones included.
+  /// The number of points given, including equal ones.
   std::size_t number_of_input_points() const { return rank_.size(); }
   /// The number of distinct points.
   std::size_t number_of_points() const { return points_.size(); }
-  /// The points that were merged with an earlier one, in shuffle order and by increasing index.
+  /// The points merged with an earlier one, in shuffle order and by increasing index.
   const std::vector<Duplicate_point>& duplicates() const { return duplicates_; }
 
-  /// Where the point of rank `r` is on the grid.
+  /// The place of the point of rank `r` on the grid.
   const Grid_point& grid_point(Point_rank r) const { return points_[std::size_t(r)]; }
-  /// The input point of rank `r`, the first one given if there are several equal ones.
+  /// The input point of rank `r`: the first of several equal points.
   Point_index input_point(Point_rank r) const { return Point_index(input_[std::size_t(r)]); }
   /// The rank of an input point; equal points have the same rank.
   Point_rank rank(Point_index i) const { return Point_rank(rank_[std::size_t(i)]); }
@@ -152,7 +151,7 @@ public:
   /// \name Nodes
   /// @{
 
-  /// The number of squares, at most one less than that of points.
+  /// The number of squares; less than the number of points.
   std::size_t number_of_nodes() const { return nodes_.size(); }
   /// The smallest square that contains all points; invalid if there are fewer than two points.
   Node_index root() const { return nodes_.size() == 0 ? Node_index() : Node_index(0); }
@@ -178,7 +177,7 @@ public:
   Rank_interval points(Node_index v) const {
     return {Point_rank(nodes_.begin[std::size_t(v)]), Point_rank(nodes_.end[std::size_t(v)])};
   }
-  /// The first node after the descendants of `v`: these are the nodes between `v` and it.
+  /// The first node after the descendants of `v`, which are the nodes between `v` and it.
   Node_index subtree_end(Node_index v) const { return Node_index(nodes_.subtree_end[std::size_t(v)]); }
 
   /// Calls `on_node(Node_index)` and `on_point(Point_rank)` for the two to four children of `v` in shuffle
@@ -199,12 +198,12 @@ public:
   /// @}
 
   /// \name Annotations
-  /// Every point may be annotated with the least level of the leaf that is to hold it: squares of level `l`
-  /// have the root's side times \f$ 2^{-l} \f$. Quadtrees made from the framework follow the annotations.
+  /// Every point may be annotated with the least level that its leaf should have. Squares of level `l` have the
+  /// root's side times \f$ 2^{-l} \f$. Quadtrees made from the framework follow the annotations.
   /// @{
 
-  /// Annotates each point, by rank, with a level; replaces earlier annotations.
-  /// \pre `levels` has a level for each point, from 0 to `grid().depth()`; or it is empty, for no annotations
+  /// Annotates each point, by rank, with a level. Replaces earlier annotations; no levels remove them.
+  /// \pre `levels` is empty, or has a level for each point, from 0 to `grid().depth()`
   void annotate(const std::vector<int>& levels) {
     CGAL_precondition(levels.empty() || levels.size() == number_of_points());
     desired_level_.resize(levels.size());
@@ -222,8 +221,8 @@ public:
 
   /// @}
 
-  /// Checks that points are in strict shuffle order, that every square is derived from two of its points and
-  /// properly contained in its parent. Takes O(n) time.
+  /// Checks that points are in strict shuffle order, and that every square is derived from two of its points
+  /// and properly contained in its parent. Takes O(n) time.
   bool is_valid() const {
     for (std::size_t r = 1; r < number_of_points(); ++r)
       if (!Quadtree_mesh_2::internal::less_shuffle(points_[r - 1], points_[r])) return false;
@@ -250,14 +249,14 @@ private:
   }
 
   /// Lemma 3: the smallest node around the points from `begin` to `end` is derived from the last point before
-  /// them or the first one behind; invalid if they are all points.
+  /// them or the first one after them. Invalid if they are all points.
   Node_index node_of_deeper_gap(std::uint32_t begin, std::uint32_t end) const {
     const int left = level_of_gap_before(begin), right = level_of_gap_before(end);
     if (left < 0 && right < 0) return Node_index();
     return Node_index(nodes_.of_gap[(left < right ? end : begin) - 1]);
   }
 
-  /// The level of the square derived from the point of rank `r` and the one before; -1 if one is missing.
+  /// The level of the square derived from the point of rank `r` and the one before; -1 if one does not exist.
   int level_of_gap_before(std::uint32_t r) const {
     return r == 0 || r == points_.size() ? -1 : static_cast<int>(nodes_.gap_level[r - 1]);
   }
@@ -267,8 +266,8 @@ private:
     return first[static_cast<typename std::iterator_traits<Iterator>::difference_type>(i)];
   }
 
-  /// Fills the arrays of points: sorted, equal ones merged. Returns false if the grid was too coarse and has
-  /// been refined.
+  /// Fills the arrays of points, sorted and with equal points merged. Returns false if the grid was too
+  /// coarse and has been refined.
   template <class Iterator>
   bool sort_points(Iterator first, std::size_t n) {
     using namespace Quadtree_mesh_2::internal;
@@ -298,7 +297,7 @@ private:
     points_.resize(n);
     rank_.resize(n);
     nodes_.gap_level.resize(n == 0 ? 0 : n - 1);
-    // Block by block, while the points are at hand: most of the time goes into moving memory.
+    // Block by block, while the points are in the cache: most of the time goes into moving memory.
     for_each_block<Concurrency_tag>(n, default_block, [&](std::size_t, std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) points_[k] = unsorted[input_[k]];
       for (std::size_t k = begin; k < end; ++k) rank_[input_[k]] = static_cast<std::uint32_t>(k);
@@ -313,7 +312,8 @@ private:
 
   bool is_repeated(std::size_t k) const { return k > 0 && points_[k] == points_[k - 1]; }
 
-  /// Lists repeated points. Returns false if some are distinct and the grid could be refined to tell.
+  /// Lists repeated points. Returns false if some are distinct and the grid could be refined to tell them
+  /// apart.
   template <class Iterator>
   bool list_duplicates(Iterator first) {
     using Quadtree_mesh_2::Point_error;
@@ -333,7 +333,7 @@ private:
     return true;
   }
 
-  /// Keeps the first of equal points, and ranks all by those that are kept.
+  /// Keeps the first of equal points, and ranks all points by the kept ones.
   void merge_duplicates() {
     using namespace Quadtree_mesh_2::internal;
     Uninitialized_vector<Grid_point> points;
@@ -364,7 +364,7 @@ private:
     for_each_index<Concurrency_tag>(points_.size() - 1, [&](std::size_t i) { find_gap_level(i); });
   }
 
-  /// Finds the squares derived from neighbours in the order, and their nesting.
+  /// Finds the squares derived from neighbors in the order, and their nesting.
   void find_nodes() {
     if (points_.size() < 2) return;
     nodes_ =

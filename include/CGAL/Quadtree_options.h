@@ -14,7 +14,7 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 
 /// \ingroup PkgQuadtreeMesh2Quadtrees
-/// Between which leaves of a quadtree sizes differ by at most a factor of two.
+/// Which pairs of leaves of a quadtree may differ in size by at most a factor of two.
 enum class Balance {
   /// Any leaves may differ: the unbalanced quadtree of Theorem 1.
   NONE,
@@ -29,21 +29,22 @@ enum class Balance {
 enum class Balance_schedule {
   /// Level by level: the smallest balanced quadtree, in as many parallel rounds as there are levels.
   LEVEL_BY_LEVEL,
-  /// Theorem 2: levels about log2 n apart are found by sorting the squares that balance forces there, and
-  /// what lies between them at the same time. O(log n) parallel rounds, and a constant factor more squares.
+  /// Theorem 2. Levels about log2 n apart are found by sorting the squares that balance forces there. The
+  /// levels between them are filled at the same time. O(log n) parallel rounds, and a constant factor more
+  /// squares.
   SPACED_LEVELS
 };
 
 } // namespace Quadtree_mesh_2
 
 /// \ingroup PkgQuadtreeMesh2Quadtrees
-/// Options of `Balanced_quadtree`; each setter returns the options, so that calls can be chained.
+/// Options of `Balanced_quadtree`. Each setter returns the options, so that calls can be chained.
 class Quadtree_options {
 public:
   /// \name Types
   /// @{
 
-  /// What the options choose from.
+  /// The types of the choices.
   using Balance = Quadtree_mesh_2::Balance;
   using Balance_schedule = Quadtree_mesh_2::Balance_schedule;
   /// @}
@@ -53,15 +54,15 @@ public:
     max_points_per_leaf_ = n;
     return *this;
   }
-  /// What was set.
+  /// The value set.
   std::size_t max_points_per_leaf() const { return max_points_per_leaf_; }
 
-  /// Which neighbours are balanced, `Balance::SIDES_AND_CORNERS` by default.
+  /// Which neighbors are balanced, `Balance::SIDES_AND_CORNERS` by default.
   Quadtree_options& balance(Balance b) {
     balance_ = b;
     return *this;
   }
-  /// What was set.
+  /// The value set.
   Balance balance() const { return balance_; }
 
   /// How balance is reached, `Balance_schedule::LEVEL_BY_LEVEL` by default.
@@ -69,7 +70,7 @@ public:
     schedule_ = s;
     return *this;
   }
-  /// What was set.
+  /// The value set.
   Balance_schedule schedule() const { return schedule_; }
 
 private:

@@ -4,46 +4,45 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 
-// Vertex-edge neighbours of a planar straight-line graph by walks in its quadtree.
+// Vertex-edge neighbors of a planar straight-line graph by walks in its quadtree.
 //
 // Computes: for each vertex and each of the four axis directions the first segment hit by the ray from the
 //           vertex; the nearest of the four; and, for a sector between two segments at a vertex, the nearest
 //           vertex or segment in it.
-// Bound:    O(n + m + c) work besides sorting, for n vertices, m segments, k squares and c pairs of a leaf
-//           and a segment that meets it, and for each ray the leaves that it passes with their segments. The
-//           paper's O(n log n) is not reached in the worst case: c, and what rays pass, may be in proportion
-//           to m times the leaves along a segment. See below.
+// Bound:    O(n + m + k + c) work besides sorting, for n vertices, m segments, k squares and c pairs of a leaf and
+//           a segment that meets it. For each ray, also the leaves that it passes, with their segments. This does
+//           not reach the paper's O(n log n) in the worst case: c and the leaves that rays pass may be in
+//           proportion to m times the leaves along a segment. See below.
 // Source:   Bern, Eppstein, Teng, section 6, Lemma 5.
-// Deviates: the paper shoots rays by trapezoidal decomposition. On demand,
-//           leaves that many long segments meet are split further.
+// Deviates: rays walk through the quadtree; the paper shoots them by trapezoidal decomposition. On demand, leaves
+//           that many long segments meet are split further.
 //
 // Lemma 5. Let D be the distance from a vertex v to the nearest segment e that is not incident to it, V the
-// distance to the nearest other vertex, and H that of the nearest of the four hits (infinite if there are
+// distance to the nearest other vertex, and H the distance to the nearest of the four hits (infinite if there are
 // none). Then H >= D, and min(V, H) <= sqrt(2) D. So the distance f = min(V, D) to whatever is nearest is
 // known within a factor sqrt(2):
 //                                  f  <=  min(V, H)  <=  sqrt(2) f,
-// and within 1.6284 sqrt(2) < 2.303 if instead of V the distance to `Balanced_quadtree::near_neighbor()` is
-// taken.
+// If the distance to `Balanced_quadtree::near_neighbor()` takes the place of V, the factor is
+// 1.6284 sqrt(2) < 2.303.
 //
 // Proof. Hits lie on segments not incident to v, so H >= D. If D = 0, v lies in the interior of e, which all
 // four rays hit, and H = 0. Otherwise suppose no end of e is within sqrt(2) D. Then the point q of e that is
 // nearest to v is not an end, so e is perpendicular to vq. Both ends are further than D from q, as otherwise
 // they would be within sqrt(D^2 + D^2) of v. So e meets each ray from v that makes an angle of at most 45
 // degrees with vq, and at most D / cos(45 degrees) = sqrt(2) D away. One of the four axis directions is among
-// these. What it hits first is no further: H <= sqrt(2) D. If an end of e is within sqrt(2) D of v, then V <=
-// sqrt(2) D. Last, if f = V, then min(V, H) <= V = f; otherwise f = D.
+// these. Its first hit is no further: H <= sqrt(2) D. If an end of e is within sqrt(2) D of v, then V <=
+// sqrt(2) D. Finally, if f = V, then min(V, H) <= V = f; otherwise f = D.
 //
-// The nearest hit alone, H, is no approximation of D: a segment that ends next to v may be missed by all four
-// rays. That is what the vertex in the lemma is for.
+// The nearest hit alone, H, does not approximate D: all four rays may miss a segment that ends next to v. That is
+// why the lemma needs V.
 //
-// Sectors. Distances are Euclidean and everything in the sector counts, whatever lies between. The mesher
-// finds the radii of its rings (internal/find_corners.h) geodesically, by walks in the constrained Delaunay
-// triangulation of the domain that stop at constraints. What is nearest in a sector is never hidden, for what
-// hides it is nearer; so the two differ only by what they leave out. The mesher leaves out segments that
-// touch the far end of a leg, even where they come back nearer to the apex than that (a ring may then end
-// close to such a segment, which refinement copes with), and what is not in the domain; besides it counts a
-// vertex just beyond the ring that sees the ring's chord under a large angle. doc/guarantees.md has the
-// figures, and why the mesher keeps its walks.
+// Sectors. Distances are Euclidean, and everything in the sector counts, whatever lies between. The mesher finds
+// the radii of its rings (internal/find_corners.h) geodesically: by walks in the constrained Delaunay triangulation
+// of the domain that stop at constraints. The nearest feature in a sector is never hidden, because anything that
+// hides it is nearer. So the two differ only by what they leave out. The mesher ignores what is not in the domain.
+// It also ignores segments that touch the far end of a leg, even if they come back nearer to the apex than that; a
+// ring may then end close to such a segment, and refinement copes with it. The mesher also counts a vertex just
+// beyond the ring that sees the ring's chord under a large angle. doc/guarantees.md says why it keeps its walks.
 
 #ifndef CGAL_QUADTREE_VERTEX_EDGE_NEIGHBORS_2_H
 #define CGAL_QUADTREE_VERTEX_EDGE_NEIGHBORS_2_H
@@ -70,21 +69,20 @@
 namespace CGAL {
 
 /// \ingroup PkgQuadtreeMesh2Neighbors
-/// Vertex-edge neighbours (Lemma 5) by walks in the balanced quadtree of the vertices.
+/// Vertex-edge neighbors (Lemma 5) by walks in the balanced quadtree of the vertices.
 ///
-/// All hits are found by the constructor, in parallel over the vertices; sectors are searched when asked for.
-/// The graph need not be planar: segments may cross and overlap, vertices may lie on segments and be given
-/// repeatedly. All answers are exact but for the rounding of distances, and the same for any number of
-/// threads and all options.
+/// The constructor finds all hits, in parallel over the vertices. Sectors are searched on request. The graph
+/// need not be planar: segments may cross and overlap, vertices may lie on segments and be given repeatedly.
+/// All answers are exact except for the rounding of distances. They are the same for any number of threads
+/// and for all options.
 ///
 /// <h3>Time</h3>
-/// Usually a few leaves for each ray and a few segments for each leaf. In the worst case a ray passes all
-/// leaves in its row, and a leaf lists all segments: many long segments with no vertex between them share
-/// large leaves, and then the time is that of brute force. `Vertex_edge_neighbors_options_2` can have such
-/// leaves split.
+/// Usually a ray meets a few leaves, and a leaf a few segments. In the worst case a ray passes all leaves in
+/// its row, and a leaf lists all segments. Many long segments with no vertex between them share large leaves,
+/// and then the time is that of brute force. `Vertex_edge_neighbors_options_2` can split such leaves.
 ///
-/// The leaves that a segment meets are at most in proportion to the leaves, and so may be the lists of each
-/// of m long segments. They need 4 bytes a member, and 24 while they are made.
+/// A segment may meet a constant share of all leaves, and each of m long segments may do so. The lists need 4 bytes
+/// per pair of a leaf and a segment, and 24 while they are made.
 /// \tparam Traits_ a model of `QuadtreeTraits_2`: any of those of this package.
 /// \tparam Concurrency_tag `CGAL::Sequential_tag` or `CGAL::Parallel_tag`.
 /// \cgalModels{VertexEdgeNeighbors_2}
@@ -94,7 +92,7 @@ public:
   /// \name Types
   /// @{
 
-  /// Those of the template arguments, and the indices of what they number.
+  /// Types of the template arguments, and indices.
   using Traits = Traits_;
   using Point_2 = typename Traits::Point_2;
   using Pslg = Pslg_2<Point_2>;
@@ -106,7 +104,7 @@ public:
   /// @}
 
   /// Finds the hits of all vertices.
-  /// \param pslg is not copied: it has to stay where and as it is. Its segments join vertices that exist.
+  /// \param pslg is not copied, so it has to stay where and as it is. Its segments join existing vertices.
   /// \throws Quadtree_mesh_2::Point_error for a vertex that the traits cannot map.
   /// \throws std::length_error if there are too many points, squares or members of lists for 32-bit indices.
   explicit Quadtree_vertex_edge_neighbors_2(const Pslg& pslg, const Options& options = Options(),
@@ -118,38 +116,39 @@ public:
     find_hits();
   }
 
-  /// What is kept are references to a graph; a temporary one would be gone.
+  /// Not for temporary graphs, because the object keeps references to the graph.
   explicit Quadtree_vertex_edge_neighbors_2(const Pslg&& pslg, const Options& options = Options(),
                                             const Traits& traits = Traits()) = delete;
 
   /// The first segment, not incident to `v`, that the ray from `v` in direction `d` hits. Takes O(1) time.
   ///
-  /// A segment is incident if it has an end where `v` is, be that `v` or another vertex. Rays begin in `v`,
-  /// and segments have their ends: a segment that `v` is in the interior of is hit at distance 0 in all
-  /// directions, an end on the ray is a hit, and so is the nearer end of a segment that lies on the ray. Of
-  /// several segments hit at the same distance the one with the lowest index counts.
+  /// A segment is incident if it has an end at the place of `v`: `v` itself or another vertex. Rays begin in
+  /// `v`, and segments contain their ends. A segment with `v` in its interior is hit at distance 0 in all
+  /// directions. An end on the ray is a hit, and so is the nearer end of a segment that lies on the ray. Of
+  /// several segments hit at the same distance, the one with the lowest index counts.
   /// \pre `d` is `EAST`, `NORTH`, `WEST` or `SOUTH`
   const Vertex_edge_neighbor_2& first_hit(Vertex_index v, Direction d) const {
     CGAL_precondition(!is_diagonal(d));
     return hits_[std::size_t(v)].first[static_cast<std::size_t>(d) / 2];
   }
 
-  /// The nearest of the four hits; the segment with the lowest index if several are as near. Takes O(1) time.
-  /// By Lemma 5, this or the nearest vertex is within a factor sqrt(2) of what is nearest to `v`.
+  /// The nearest of the four hits. If several are equally near, it is the segment with the lowest index.
+  /// Takes O(1) time. By Lemma 5, this hit or the nearest vertex is within a factor sqrt(2) of the feature
+  /// nearest to `v`.
   const Vertex_edge_neighbor_2& nearest_hit(Vertex_index v) const {
     const Hits& h = hits_[std::size_t(v)];
     return h.first[h.nearest];
   }
 
   /// The vertex or segment nearest to `apex` in the open sector at `apex`, counterclockwise from segment
-  /// `right` to segment `left`: among all vertices and segments with points in it, one with such points
-  /// nearest to, or arbitrarily near to a point as near to, `apex`. A vertex comes before segments that are
-  /// as near, and lower indices before higher ones. Segments at `apex` within the sector are at distance 0.
+  /// `right` to segment `left`. It has points in the sector that are nearest to `apex`, or points arbitrarily
+  /// near to such a place. At equal distances, a vertex comes before segments, and lower indices before
+  /// higher ones. Segments at `apex` within the sector are at distance 0.
   ///
-  /// Takes O(1) time for each leaf that meets the sector within about three times the distance, and for each
-  /// point and segment listed there, as well as for each level up to squares of that size.
-  /// \param at_most what is further away is not found. For the radius of a ring: the length of the shorter
-  /// leg.
+  /// Takes O(1) time for each leaf that meets the sector within about three times the distance, for each
+  /// point and segment listed there, and for each level up to squares of that size.
+  /// \param at_most features further away are not found. For the radius of a ring, this is the length of the
+  /// shorter leg.
   /// \pre `right` and `left` are incident to `apex`, with a counterclockwise angle of more than 0 and less
   /// than 180 degrees from `right` to `left`
   Sector_neighbor_2 nearest_in_sector(Vertex_index apex, Segment_index right, Segment_index left,
@@ -163,7 +162,7 @@ public:
   }
 
   /// The greatest radius, up to `at_most`, of an open sector between two segments that holds no vertex and
-  /// meets no segment. Arguments and time as for `nearest_in_sector()`.
+  /// meets no segment. Arguments and time are as for `nearest_in_sector()`.
   double clear_radius(Vertex_index apex, Segment_index right, Segment_index left,
                       double at_most = std::numeric_limits<double>::infinity()) const {
     return std::min(at_most, nearest_in_sector(apex, right, left, at_most).distance);
@@ -171,7 +170,7 @@ public:
 
   /// The graph.
   const Pslg& pslg() const { return *pslg_; }
-  /// The quadtree of the vertices; where segments were many its leaves are smaller than vertices ask for.
+  /// The quadtree of the vertices. Where there are many segments, leaves may be smaller than vertices need.
   const Quadtree& quadtree() const { return tree_; }
   /// The number of pairs of a leaf and a segment listed in it.
   std::size_t number_of_listed_segments() const { return lists_.size(); }
@@ -189,7 +188,7 @@ private:
 
   Point_rank rank(Vertex_index v) const { return tree_.framework().rank(Point_index(v.value())); }
 
-  /// Splits leaves that too many segments pass. Returns whether there were any.
+  /// Splits leaves that too many segments pass through. Returns whether there were any.
   bool split_long_lists(std::size_t max_segments) {
     using namespace Quadtree_mesh_2::internal;
     const int depth = tree_.framework().grid().depth();
@@ -207,8 +206,8 @@ private:
     return true;
   }
 
-  /// The number of segments listed for a leaf that do not end in it: those at a vertex cannot be parted from
-  /// it.
+  /// The number of segments listed for a leaf that do not end in it. Splitting cannot part segments at a
+  /// vertex from it.
   std::size_t number_passing(Leaf_index l) const {
     const auto list = lists_[l];
     return static_cast<std::size_t>(std::count_if(list.begin(), list.end(), [&](Segment_index s) {
@@ -217,7 +216,7 @@ private:
     }));
   }
 
-  /// In shuffle order, for neighbours in the tree to be neighbours in memory.
+  /// In shuffle order, so that neighbors in the tree are neighbors in memory.
   void find_hits() {
     using namespace Quadtree_mesh_2::internal;
     const auto& framework = tree_.framework();

@@ -23,35 +23,38 @@
 namespace CGAL {
 
 /// \ingroup PkgQuadtreeMesh2Meshers
-/// Meshes a constrained triangulation in place, by the interface of `Delaunay_mesher_2`.
+/// Meshes a constrained triangulation in place, with the interface of `Delaunay_mesher_2`.
 ///
-/// The domain is what constrained edges separate from infinity, less the components with a seed; or these alone;
-/// or the faces that the user has marked. `refine_mesh()` makes it a mesh in which the criteria call no face
-/// bad, except where that cannot be had, which `report()` lists: near acute corners of the input (as in Mesh_2),
-/// and where an angle above 30 degrees is asked for or a criterion that no triangle can meet (for which Mesh_2
-/// does not end).
+/// The domain is everything that constrained edges separate from infinity, except components with a seed.
+/// Alternatively it is only the components with a seed, or the faces that the user has marked.
+/// `refine_mesh()` makes a mesh in which the criteria call no face bad. `report()` lists the places where
+/// that is impossible: near acute corners of the input (as in Mesh_2), for angles above 30 degrees, and for
+/// criteria that no triangle can meet (Mesh_2 does not end then).
 ///
-/// Handles of vertices stay valid, and with them what users keep in vertices; a new vertex is as its base's
-/// default constructor leaves it. So do the constraints of a `Constrained_triangulation_plus_2`, whose
-/// subconstraints become the mesh's edges. Handles of faces do not stay valid. The mesh's faces come first in
-/// the order of iteration; the faces between the mesh and the convex hull, and in holes, are not in the domain.
-/// Vertices are only ever added: meshing again with other criteria goes on from the mesh there is, as in Mesh_2.
-/// Fewest triangles are made by the final criteria at once.
+/// Vertex handles stay valid, and so does what users keep in vertices. A new vertex is as the default
+/// constructor of its base leaves it. The constraints of a `Constrained_triangulation_plus_2` stay valid,
+/// too, and their subconstraints become mesh edges. Face handles do not stay valid. The faces of the mesh
+/// come first in the order of iteration. Faces between the mesh and the convex hull, and in holes, are not in
+/// the domain.
 ///
-/// Unlike `Delaunay_mesher_2`, the mesh is made as a whole: one step makes it (see
-/// `step_by_step_refine_mesh()`), and constrained edges outside the domain are left as they are.
+/// Vertices are only ever added. As in Mesh_2, meshing again with other criteria continues from the present
+/// mesh. You get the fewest triangles by setting the final criteria at once.
 ///
-/// Expected O(n log n + k) time for k triangles; for criteria that only say whether a face is bad, this a few
+/// Unlike `Delaunay_mesher_2`, this class makes the mesh as a whole in one step (see
+/// `step_by_step_refine_mesh()`). Constrained edges outside the domain stay as they are.
+///
+/// Expected O(n log n + k) time for k triangles. Criteria that only say whether a face is bad take this a few
 /// times. The mesh is the same for any number of threads.
 ///
-/// \tparam CDT a `Constrained_Delaunay_triangulation_2`, or a `Constrained_triangulation_plus_2` of one, whose
-/// faces model `DelaunayMeshFaceBase_2`; over a kernel with double coordinates (its predicates need not be
-/// exact) or with exact ones; or over traits that project points with double coordinates along an axis
-/// (`Projection_traits_xy_3` and its like, `Projection_traits_3` with such a normal). New points are then on the
-/// surface that the triangulation was. (Other normals work, too, up to rounding at the convex hull; but \cgal's
-/// criteria measure partly in space there.)
-/// \tparam Criteria_ a model of `MeshingCriteria_2`. Its `bound()` and `size_bound()`, where it has them, are
-/// read; it is asked for every face of the mesh, and also for single triangles in a triangulation of their own.
+/// \tparam CDT a `Constrained_Delaunay_triangulation_2`, or a `Constrained_triangulation_plus_2` of one,
+/// whose faces model `DelaunayMeshFaceBase_2`. Its kernel has double coordinates (predicates need not be
+/// exact) or exact ones. It may also have traits that project points with double coordinates along an axis
+/// (`Projection_traits_xy_3` and its like, `Projection_traits_3` with such a normal). New points then lie on
+/// the surface of the original triangulation. (Other normals work, too, up to rounding at the convex hull;
+/// but \cgal's criteria measure partly in space there.)
+/// \tparam Criteria_ a model of `MeshingCriteria_2`. The mesher reads its `bound()` and `size_bound()` if
+/// they exist. It asks the criteria about every face of the mesh, and about single triangles in a
+/// triangulation of their own.
 template <class CDT, class Criteria_ = Delaunay_mesh_size_criteria_2<CDT>>
 class Quality_cdt_mesher_2 {
 public:
@@ -67,22 +70,22 @@ public:
   using Seeds_const_iterator = Seeds_iterator;
   /// @}
 
-  /// Changes nothing in `cdt`, which is referred to.
+  /// Keeps a reference to `cdt`, and does not change it yet.
   explicit Quality_cdt_mesher_2(CDT& cdt, const Criteria& criteria = Criteria())
       : cdt_(cdt), criteria_(criteria) {}
 
   /// \name Seeds
   ///@{
 
-  /// The components with a point of the range are the domain if `mark`, and holes otherwise. With `do_it_now`
-  /// faces are marked at once.
+  /// The components with a point of the range are the domain if `mark` is true, and holes otherwise. With
+  /// `do_it_now` faces are marked immediately.
   template <class InputIterator>
   void set_seeds(InputIterator begin, InputIterator end, bool mark = false, bool do_it_now = false) {
     seeds_.assign(begin, end);
     are_seeds_in_domain_ = mark;
     if (do_it_now) mark_facets();
   }
-  /// Without seeds the domain is all that constrained edges separate from infinity.
+  /// Removes the seeds. The domain is then everything that constrained edges separate from infinity.
   void clear_seeds() {
     seeds_.clear();
     are_seeds_in_domain_ = false;
@@ -90,7 +93,7 @@ public:
   Seeds_const_iterator seeds_begin() const { return seeds_.begin(); }
   Seeds_const_iterator seeds_end() const { return seeds_.end(); }
 
-  /// Marks faces by the seeds; or, if `domain_specified`, only takes what is connected to infinity out of the
+  /// Marks faces by the seeds. If `domain_specified`, it only takes faces connected to infinity out of the
   /// domain.
   void mark_facets(bool domain_specified = false) {
     if (domain_specified)
@@ -107,16 +110,17 @@ public:
   /// \name Criteria
   ///@{
 
-  /// The mesh is not changed before `refine_mesh()` is called. If not `recalculate_bad_faces`, then not even by
-  /// that, where it was done, before faces are said to be bad by `set_bad_faces()` or looked for by `init()`.
+  /// Sets the criteria; only `refine_mesh()` changes the mesh. After a completed run, unless
+  /// `recalculate_bad_faces`, `refine_mesh()` does nothing until `set_bad_faces()` names bad faces or
+  /// `init()` looks for them.
   void set_criteria(const Criteria& criteria, bool recalculate_bad_faces = true) {
     criteria_ = criteria;
     if (recalculate_bad_faces && is_initialized_) look_for_bad_faces();
   }
   const Criteria& get_criteria() const { return criteria_; }
 
-  /// What criteria do not say: bounds of areas, smoothing, budgets, a callback. The stricter of two bounds of
-  /// edges holds; the least angle and the domain of the options are of no importance.
+  /// Sets what criteria do not express: bounds of areas, smoothing, budgets, a callback. Of two bounds of
+  /// edges the stricter holds. The least angle and the domain of the options are ignored.
   void set_options(const Quality_mesh_options_2& options) {
     options_ = options;
     if (is_initialized_) is_done_ = false;
@@ -127,16 +131,17 @@ public:
   /// \name Meshing
   ///@{
 
-  /// Marks the domain, or if `domain_specified` takes the marks that faces have, and looks for bad faces.
+  /// Marks the domain and looks for bad faces. If `domain_specified`, it uses the marks that faces have.
   void init(bool domain_specified = false) {
     mark_facets(domain_specified);
     is_initialized_ = true;
     look_for_bad_faces();
   }
 
-  /// Makes the mesh, after `init()` if that was not called. Nothing is changed if no face in the domain is bad.
-  /// \throws Pslg_error_2 if the domain cannot be meshed: a component of it is too thin for its coordinates, or
-  /// constraints cross by rounding. The triangulation is then as it was but for the marks of the domain.
+  /// Makes the mesh. Calls `init()` first if that was not done. Changes nothing if no face in the domain is
+  /// bad.
+  /// \throws Pslg_error_2 if the domain cannot be meshed: a component is too thin for its coordinates, or
+  /// constraints cross by rounding. The triangulation is then unchanged except for the marks of the domain.
   const Quality_mesh_report_2& refine_mesh() {
     if (!is_initialized_) init();
     if (is_done_) return report_;
@@ -145,11 +150,11 @@ public:
     return report_;
   }
 
-  /// Whether `refine_mesh()` has nothing to do: no face is bad, or what is bad cannot be cured.
+  /// Whether `refine_mesh()` has nothing to do: no face is bad, or bad faces cannot be cured.
   bool is_refinement_done() const { return !is_initialized_ || is_done_; }
 
-  /// Does the whole of `refine_mesh()`: there are no smaller steps, as no face is final before the last. Returns
-  /// whether there was something to do.
+  /// Does the whole of `refine_mesh()`. There are no smaller steps, because no face is final before the last.
+  /// Returns whether there was something to do.
   /// \pre `init()` was called
   bool step_by_step_refine_mesh() {
     if (is_refinement_done()) return false;
@@ -159,7 +164,8 @@ public:
   /// The same.
   bool try_one_step_refine_mesh() { return step_by_step_refine_mesh(); }
 
-  /// Says that there are bad faces if the range is not empty. Which ones is found by the criteria in any case.
+  /// Declares that there are bad faces if the range is not empty. The criteria find out which ones in any
+  /// case.
   template <class Face_handle_iterator>
   void set_bad_faces(Face_handle_iterator begin, Face_handle_iterator end) {
     is_done_ = begin == end;
@@ -191,7 +197,7 @@ private:
     }
   }
 
-  /// Whether the options bound sizes, about which the criteria say nothing.
+  /// Whether the options bound sizes, which the criteria do not know.
   bool has_wishes_of_its_own() const {
     return options_.max_triangle_area > 0 || options_.max_edge_length > 0 || options_.size_field ||
            options_.refined_where;

@@ -17,81 +17,84 @@
 namespace CGAL {
 
 /// \ingroup PkgQuadtreeMesh2Meshers
-/// What `Quality_mesher_2` shall reach. Every field has its default; set fields directly or by chained calls:
+/// Options of `Quality_mesher_2`. Every field has a default. Set fields directly or by chained calls:
 /// `Quality_mesh_options_2().min_angle(25).max_area(0.1)`.
 struct Quality_mesh_options_2 {
-  /// Which of the components that the segments cut the plane into are meshed. Of two components that a
-  /// segment separates each is judged by itself; the unbounded one is never meshed, and one with a point of
-  /// `Pslg_2::holes` neither.
+  /// Which components of the plane are meshed; segments separate components. Each component is judged by
+  /// itself. The unbounded one is never meshed, nor is one with a point of `Pslg_2::holes`.
   enum class Domain {
-    /// All bounded components: Triangle's rule, and that of `refine_Delaunay_mesh_2()` with seeds in holes.
+    /// All bounded components, as by Triangle, and by `refine_Delaunay_mesh_2()` with seeds in holes.
     ENCLOSED,
-    /// The components with a point of `Pslg_2::regions`, as with Mesh_2's seeds in the domain.
+    /// The components with a point of `Pslg_2::regions`, as by Mesh_2 with seeds in the domain.
     MARKED,
-    /// The components that one gets into from infinity by crossing an odd number of segments at least, as by
-    /// `mark_domain_in_triangulation()`: borders in borders are holes, islands in holes are not.
+    /// The components that a path from infinity reaches only by crossing an odd number of segments or more,
+    /// as by `mark_domain_in_triangulation()`: borders in borders are holes, islands in holes are not.
     NESTING_PARITY
   };
   /// How the features of the input are separated.
   enum class Separation {
-    ON_DEMAND, ///< where a triangle asks for it, a vertex at a time: fewer triangles in less time
+    ON_DEMAND, ///< by constrained Delaunay refinement, a vertex at a time: fewer triangles in less time
     THEOREM_5  ///< by the quadtrees of Bern, Eppstein and Teng: `Tree_separation_options_2`
   };
-  /// Whether Steiner vertices that are not needed are removed at the end.
+  /// Whether superfluous Steiner vertices are removed at the end.
   enum class Coarsening { NONE, GUARDED_REMOVAL };
 
-  /// Least angle in degrees of every triangle that no acute input corner forces below it, in [0, 30].
-  /// Up to 20.7 it was reached on all inputs of the soak (doc/soak.md); whatever is left is reported.
+  /// Least angle in degrees of every triangle, in [0, 30], unless an acute input corner forces a smaller one.
+  /// The soak (doc/soak.md) counts how often bounds up to 20.7 are met. The report lists what is left.
   double min_angle_in_degrees = 20.7;
   /// Longest edge, in the units of the input; 0 means no bound.
   double max_edge_length = 0;
   /// Largest area of a triangle, in squared units of the input; 0 means no bound.
   double max_triangle_area = 0;
   /// The longest edge wanted of a triangle with its centroid at (x, y), in the units of the input; positive.
-  /// Empty: no such bound. It is called by several threads at once with `Parallel_tag`.
+  /// An empty function means no such bound. With `Parallel_tag` several threads call it at once.
   std::function<double(double, double)> size_field;
   /// The corners of a triangle, (x, y) each, counterclockwise.
   using Corners = std::array<std::array<double, 2>, 3>;
-  /// Whether a triangle shall be refined that meets all other bounds: what no bound of size can say. Empty: none. It is
-  /// called by several threads at once with `Parallel_tag`, for triangles that come and go, and has to answer the same
-  /// whenever it is asked. Where no triangle ever satisfies it, refinement stops with the vertex budget, or without
-  /// one with twenty million vertices more than else.
+  /// Whether to refine a triangle that meets all other bounds, for wishes that no bound of size can express.
+  /// An empty function means none. With `Parallel_tag` several threads call it at once, for triangles that
+  /// come and go. It must give the same answer whenever it is asked. If no triangle ever satisfies it,
+  /// refinement stops at the vertex budget. Without a budget it stops at twenty million vertices more than
+  /// without this function.
   std::function<bool(const Corners&)> refined_where;
-  /// Refinement inserts no vertex nearer than this to one in sight, in the units of the input; triangles that
-  /// miss a bound for that are left, and reported with the reason LEAST_EDGE. 0 means no such rule.
+  /// Refinement inserts no vertex nearer than this to another one in sight, in the units of the input.
+  /// Triangles that miss a bound for this reason are left, and reported with the reason LEAST_EDGE. 0 means
+  /// no such rule.
   double min_edge_length = 0;
   Domain domain = Domain::ENCLOSED;                    ///< what is meshed
   Separation separation = Separation::ON_DEMAND;       ///< how features are kept apart
-  Tree_separation_options_2 trees;                     ///< what the construction by quadtrees does
-  Coarsening coarsening = Coarsening::GUARDED_REMOVAL; ///< whether vertices go that are not needed
-  /// Rounds of smoothing, each followed by removal if that is wanted: a percent or two fewer triangles and better
-  /// angles for about as much time as refinement takes.
+  Tree_separation_options_2 trees;                     ///< options of the construction by quadtrees
+  Coarsening coarsening = Coarsening::GUARDED_REMOVAL; ///< whether superfluous vertices are removed
+  /// Rounds of smoothing, each followed by removal if that is chosen. A round gives a percent or two fewer
+  /// triangles and better angles, for about the time of refinement.
   int smoothing_rounds = 0;
-  /// Rounds in which vertices are removed although that makes angles below the bound, and these refined again: on
-  /// maps 4 to 5 percent fewer triangles in the first and one in the second, each for about as much time as refinement
-  /// takes.
+  /// Rounds of thinning. A round removes vertices even if angles then miss the bound, and refines these
+  /// again. On maps the first round gives 4 to 5 percent fewer triangles and the second one percent, each for
+  /// about the time of refinement.
   int thinning_rounds = 0;
-  /// Where refinement on demand has not come to rest when the mesh has this many times the vertices expected (and two
-  /// million more), the construction by quadtrees takes over, and `Quality_mesh_report_2::trees` says so. With 0 that is
-  /// at once. For bounds above 20.7048 degrees (sin^2 = 1/8), and with a least edge or a rule of the user's, quadtrees
-  /// cannot: this is not looked at then, refinement stops with 100 times the vertices expected, and what is left is
-  /// reported. A vertex budget takes the place of all this.
+  /// When the construction by quadtrees takes over because refinement on demand does not come to rest: when
+  /// the mesh has this many times the expected vertices, and two million more. `Quality_mesh_report_2::trees`
+  /// then says so. 0: use quadtrees immediately.
+  ///
+  /// Quadtrees cannot take over for bounds above 20.7048 degrees (sin^2 = 1/8), with a least edge, or with
+  /// `refined_where`. The field is then ignored: refinement stops at 100 times the expected vertices, and
+  /// what is left is reported. A vertex budget replaces all this.
   double refinement_patience = 100;
-  /// Patience ends, too, when the mesh is so many bytes large, by an estimate of 256 bytes for a vertex (more over exact
-  /// numbers), but not below 10 times the vertices expected and two million more.
+  /// Patience also ends when the mesh takes this many bytes, by an estimate of 256 bytes per vertex (more
+  /// over exact numbers). But it does not end below 10 times the expected vertices and two million more.
   double memory_of_patience = 2e9;
-  /// Refinement stops, with what is left reported, when the mesh has this many vertices; 0 means no bound but
-  /// memory's.
+  /// Refinement stops when the mesh has this many vertices, and what is left is reported. 0 means no bound
+  /// but that of memory.
   std::size_t vertex_budget = 0;
-  /// Called now and then with the share of work done, in [0, 1]; returning false stops with the mesh so far. With
-  /// `Parallel_tag` any thread may call it, one at a time.
+  /// Called now and then with the share of work done, in [0, 1]. Returning false stops with the mesh so far.
+  /// With `Parallel_tag` any thread may call it, one at a time.
   std::function<bool(double)> callback;
 
   /// \name Setters
   /// @{
 
-  /// Each sets what its name says and returns the options, so that calls can be chained. `separate()` with the options
-  /// of the construction by quadtrees chooses that, too.
+  /// Each sets what its name says and returns the options, so that calls can be chained. `separate()` with
+  /// the options of the construction by quadtrees also chooses that construction.
   Quality_mesh_options_2& min_angle(double degrees) { return min_angle_in_degrees = degrees, *this; }
   Quality_mesh_options_2& max_edge(double length) { return max_edge_length = length, *this; }
   Quality_mesh_options_2& max_area(double area) { return max_triangle_area = area, *this; }

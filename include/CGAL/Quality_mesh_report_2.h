@@ -18,86 +18,89 @@
 namespace CGAL {
 
 /// \ingroup PkgQuadtreeMesh2Meshers
-/// The input cannot be meshed; `what()` names the vertex, segment or line that is to blame.
+/// The input cannot be meshed. `what()` names the vertex, segment or line at fault.
 class Pslg_error_2 : public std::runtime_error {
 public:
   using std::runtime_error::runtime_error;
 };
 
 /// \ingroup PkgQuadtreeMesh2Meshers
-/// Two segments cross; for callers that know the vertices by other coordinates than the mesher.
+/// Two segments cross. Callers that know the vertices by other coordinates than the mesher can name them by
+/// index.
 class Pslg_crossing_error_2 : public Pslg_error_2 {
 public:
-  /// The crossing segments, and what `what()` says of them.
+  /// \param text the text of `what()`
+  /// \param crossing the crossing segments
   Pslg_crossing_error_2(const std::string& text, std::array<Quadtree_mesh_2::Segment_index, 2> crossing)
       : Pslg_error_2(text), segments(crossing) {}
 
-  std::array<Quadtree_mesh_2::Segment_index, 2> segments; ///< by their indices in the graph
+  std::array<Quadtree_mesh_2::Segment_index, 2> segments; ///< their indices in the graph
 };
 
 /// \ingroup PkgQuadtreeMesh2Meshers
-/// Two segments face each other across a gap so narrow that the mesh would be too large; for such callers, too.
+/// Two segments face each other across a gap so narrow that the mesh would be too large. Callers can name the
+/// segments by index.
 class Pslg_gap_error_2 : public Pslg_error_2 {
 public:
-  /// The two segments, and what `what()` says: first of the mesh, then of the segments.
+  /// The texts make up `what()`: first `of_mesh`, then `of_segments`.
   Pslg_gap_error_2(const std::string& of_mesh, const std::string& of_segments,
                    std::array<Quadtree_mesh_2::Segment_index, 2> facing, double width)
       : Pslg_error_2(of_mesh + ' ' + of_segments), demand(of_mesh), segments(facing), distance(width) {}
 
-  std::string demand;                                     ///< how large the mesh would be
-  std::array<Quadtree_mesh_2::Segment_index, 2> segments; ///< by their indices in the graph
-  double distance;                                        ///< how far they are from each other
+  std::string demand;                                     ///< the text about the size of the mesh
+  std::array<Quadtree_mesh_2::Segment_index, 2> segments; ///< their indices in the graph
+  double distance;                                        ///< the distance between them
 };
 
 /// \ingroup PkgQuadtreeMesh2Meshers
-/// The point of a hole or region lies on a segment, or on a vertex with segments, between several components of the plane:
-/// which one is meant cannot be told.
+/// The point of a hole or region lies on a segment, or on a vertex with segments, between several components
+/// of the plane. It does not tell which one is meant.
 class Pslg_seed_error_2 : public Pslg_error_2 {
 public:
-  /// What the point is for.
+  /// What the point marks.
   enum class Kind { HOLE, REGION };
 
-  /// What is to blame, and what `what()` says of it.
+  /// \param text the text of `what()`; the other parameters become the members.
   Pslg_seed_error_2(const std::string& text, Kind of, std::size_t number, Quadtree_mesh_2::Vertex_index at,
                     Quadtree_mesh_2::Segment_index on)
       : Pslg_error_2(text), kind(of), seed(number), vertex(at), segment(on) {}
 
-  Kind kind;                              ///< of the point
+  Kind kind;                              ///< what the point marks
   std::size_t seed;                       ///< its index in `Pslg_2::holes` or `Pslg_2::regions`
-  Quadtree_mesh_2::Vertex_index vertex;   ///< that it is on; invalid if it is inside a segment
-  Quadtree_mesh_2::Segment_index segment; ///< that it is on; invalid if it is on a vertex
+  Quadtree_mesh_2::Vertex_index vertex;   ///< the vertex that it is on; invalid inside a segment
+  Quadtree_mesh_2::Segment_index segment; ///< the segment that it is on; invalid on a vertex
 };
 
 /// \ingroup PkgQuadtreeMesh2Meshers
 /// What a construction by quadtrees did (Theorem 5); all 0 if there was none.
 struct Tree_separation_report_2 {
-  /// How the construction ended. Whatever is not done then, refinement on demand goes on with.
+  /// How the construction ended. Refinement on demand then takes up whatever is not done.
   enum class End {
     NONE,        ///< there was no construction
     DONE,        ///< no triangle is below the bound
-    COORDINATES, ///< those left are where leaves cannot become smaller: numbers express no coordinates in between
-    BUDGET,      ///< those left would take more vertices than the budget
+    COORDINATES, ///< triangles are left because coordinates have no room for smaller leaves
+    BUDGET,      ///< triangles are left because they would need more vertices than the budget
     CANCELLED, ///< the callback stopped it
-    FAILED     ///< no mesh came of the last round: the mesh is that of the round before, or refinement's
+    FAILED     ///< the last round gave no mesh; the mesh is that of the round before, or of refinement
   };
 
   End end = End::NONE;         ///< how it ended
-  bool has_taken_over = false; ///< whether refinement on demand had not come to rest (`refinement_patience`)
-  std::size_t leaves_of_points = 0;   ///< of T_B, the quadtree of the vertices
-  std::size_t leaves_of_vertices = 0; ///< of T_B', in which vertices are separated
-  std::size_t leaves_of_pieces = 0;   ///< of T_B'', in which edges within leaves are
-  std::size_t leaves_of_edges = 0;    ///< of T_B*, in which all is
-  std::size_t rounds = 0;             ///< of placing vertices and splitting leaves
-  std::size_t splits = 0;             ///< how many times all leaves that are too large were split, at once
-  // with Subdivision::CENTROID_TREE:
-  std::size_t subdivision_rounds = 0; ///< of all subdivisions
-  int centroid_height = 0;            ///< of the tallest centroid tree in the last one
-  // of the last round:
-  std::size_t triangles = 0;      ///< of the vertices that the rule places
-  std::size_t missed_by_rule = 0; ///< of these below the bound
-  std::size_t left_out = 0;       ///< corners and crossings left out to cure those
+  bool has_taken_over = false; ///< whether refinement on demand did not come to rest (`refinement_patience`)
+  std::size_t leaves_of_points = 0;   ///< leaves of T_B, the quadtree of the vertices
+  std::size_t leaves_of_vertices = 0; ///< leaves of T_B', in which vertices are separated
+  std::size_t leaves_of_pieces = 0;   ///< leaves of T_B'', in which edges within leaves are separated
+  std::size_t leaves_of_edges = 0;    ///< leaves of T_B*, in which everything is separated
+  std::size_t rounds = 0;             ///< rounds of placing vertices and splitting leaves
+  std::size_t splits = 0;             ///< how many times all leaves that were too large were split at once
+  // With Subdivision::CENTROID_TREE:
+  std::size_t subdivision_rounds = 0; ///< rounds of all subdivisions
+  int centroid_height = 0;            ///< of the tallest centroid tree in the last subdivision
+  // Of the last round:
+  std::size_t triangles = 0;      ///< triangles of the vertices that the rule places
+  std::size_t missed_by_rule = 0; ///< those of them below the bound
+  std::size_t left_out = 0;       ///< corners and crossings left out to cure these
   std::size_t missed = 0;         ///< triangles below the bound that were not cured
-  std::size_t handed_over = 0;    ///< of these: those at leaves that cannot become smaller
+  std::size_t handed_over = 0;    ///< those of them at leaves that cannot become smaller
 };
 
 /// \ingroup PkgQuadtreeMesh2Meshers
@@ -108,16 +111,16 @@ struct Quality_mesh_report_2 {
     BUDGET,     ///< the vertex budget was used up
     CANCELLED,  ///< the callback stopped refinement
     LEAST_EDGE, ///< a vertex would have come nearer to another than `Quality_mesh_options_2::min_edge_length`
-    CORNER,     ///< above 20.7 degrees: the legs of an acute corner are cut no nearer to its apex
-    COORDINATES, ///< there is no room for a vertex between the coordinates that numbers can express
-    CRITERIA     ///< the criteria object that the user gave calls it bad
+    CORNER,     ///< above 20.7 degrees: the legs of an acute corner are split no nearer to its apex
+    COORDINATES, ///< there is no room for a vertex between representable coordinates
+    CRITERIA     ///< the user's criteria call it bad
   };
-  /// A triangle that misses a bound although no acute input corner excuses it.
+  /// A triangle that misses a bound, not excused by an acute input corner.
   struct Unmet_triangle {
     Quadtree_mesh_2::Triangle_index triangle; ///< its index in the mesh
     std::array<double, 2> centroid;           ///< where it is
     double least_angle;                       ///< degrees
-    Reason reason;                            ///< what kept refinement from it
+    Reason reason;                            ///< what kept refinement from curing it
   };
   /// A triangle below the bound that an acute input corner excuses.
   struct Exempt_triangle {
@@ -130,7 +133,7 @@ struct Quality_mesh_report_2 {
     double first_mesh = 0; ///< constrained Delaunay triangulation of the input, domain, corners
     double trees = 0;      ///< the quadtrees of Theorem 5
     double construct = 0;  ///< rounds of placing vertices by them
-    double refine = 0;     ///< with the removal that large meshes do in blocks
+    double refine = 0;     ///< including the removal that large meshes do in blocks
     double coarsen = 0;    ///< removal, smoothing and thinning
     double convert = 0;    ///< to Indexed_mesh_2
   };
@@ -141,21 +144,21 @@ struct Quality_mesh_report_2 {
   std::size_t triangles = 0;            ///< of the mesh
   std::size_t merged_vertices = 0;      ///< input vertices at the place of an earlier one
   std::size_t vertices_on_segments = 0; ///< input vertices found in the interior of an input segment
-  /// Below the bound inside a wedge of two input segments, never under 0.9 of its angle.
+  /// Triangles below the bound inside a wedge of two input segments, never under 0.9 of its angle.
   std::vector<Exempt_triangle> exempt_triangles;
-  /// All others that miss a bound, with the reason.
+  /// All other triangles that miss a bound, with the reason.
   std::vector<Unmet_triangle> unmet_triangles;
   /// `least_angle_histogram[i]` triangles have their least angle in [i, i + 1) degrees, up to 60.
   std::array<std::size_t, 60> least_angle_histogram{};
   /// `largest_angle_histogram[i]` triangles have their largest angle in [60 + i, 61 + i) degrees, up to 180.
   std::array<std::size_t, 120> largest_angle_histogram{};
-  /// Of the triangles needed, from the triangulation of the input alone, before refinement; for most inputs
-  /// within a factor of 4.
+  /// The number of triangles needed, estimated before refinement from the triangulation of the input. For
+  /// most inputs it is within a factor of 4.
   double estimated_triangles = 0;
-  std::size_t rounds = 0;           ///< of refinement and what follows it
+  std::size_t rounds = 0;           ///< rounds of refinement and what follows it
   Tree_separation_report_2 trees;   ///< what the construction by quadtrees did
   bool is_cancelled = false;        ///< whether the callback stopped refinement
-  bool is_budget_exhausted = false; ///< whether the bound on the number of vertices did
+  bool is_budget_exhausted = false; ///< whether the bound on the number of vertices stopped it
   Seconds seconds;                  ///< what took how long
 
   /// Whether every triangle meets all bounds or is exempt.

@@ -24,33 +24,37 @@
 namespace CGAL {
 
 /// \ingroup PkgQuadtreeMesh2Meshers
-/// Triangulates the domain of a planar straight-line graph so that no triangle has an angle below a bound,
-/// except in wedges that acute input corners force, with few triangles.
+/// Triangulates the domain of a planar straight-line graph with few triangles, so that no triangle has an
+/// angle below a bound. Wedges that acute input corners force are the only exception.
 ///
-/// The domain is what the segments separate from infinity, less the components with a point of
-/// `Pslg_2::holes`, unless the options have another rule. Bounds of size of the options, of its size field
-/// and of the regions hold all together. Every input vertex of the domain is a vertex of the mesh, with its
-/// coordinates; every input segment with the domain on at least one side is a chain of mesh edges.
-/// Duplicate vertices are merged, vertices on segments split them, overlapping segments share their pieces.
-/// The mesh is constrained Delaunay.
+/// The domain is everything that segments separate from infinity, except components with a point of
+/// `Pslg_2::holes`; the options have other rules. Bounds of size from the options, from the size field and
+/// from regions hold together. Every input vertex of the domain is a vertex of the mesh, with its
+/// coordinates. Every input segment with the domain on at least one side becomes a chain of mesh edges.
+/// Duplicate vertices are merged, vertices on segments split them, and overlapping segments share their
+/// pieces. The mesh is constrained Delaunay.
 ///
 /// Where two segments meet at an angle phi below the bound, a triangle with all its vertices on the two may
-/// have a smaller angle, never under 0.9 phi; such triangles are counted as exempt. Anything else below the
-/// bound is listed in `Quality_mesh_report_2::unmet_triangles`: for bounds up to 20.7 degrees nothing so far, unless
-/// a budget, the callback, the least edge or the precision of the coordinates stops refinement.
+/// have a smaller angle, but never one under 0.9 phi. Such triangles are counted as exempt.
+/// `Quality_mesh_report_2::unmet_triangles` lists all others below the bound. The soak (doc/soak.md) counts
+/// how often bounds up to 20.7 degrees are met. A budget, the callback, the least edge or the precision of
+/// the coordinates may stop refinement.
 ///
-/// After Bern, Eppstein, Teng, "Parallel construction of quadtrees and quality triangulations", section 6,
-/// with the squares refined one corner at a time where the mesh asks for them. Expected O(n log n + k) time
-/// for k triangles.
+/// By default the mesh is made by constrained Delaunay refinement. New vertices are off-centers snapped to
+/// corners of quadtree squares. Vertices are processed in shuffle order and relocated where that avoids an
+/// insertion. Guarded removal takes out vertices that are not needed. Acute corners are treated as in Bern,
+/// Eppstein, Teng, "Parallel construction of quadtrees and quality triangulations", section 6. With
+/// `Separation::THEOREM_5` the quadtrees of that paper separate the features of the graph. Expected O(n log
+/// n + k) time for k triangles by default.
 /// \tparam Traits a model of `QuadtreeTraits_2` that names a meshing geometry.
-/// \tparam ConcurrencyTag `Sequential_tag` or `Parallel_tag`; the mesh is the same, for any number of threads.
+/// \tparam ConcurrencyTag `Sequential_tag` or `Parallel_tag`; the mesh is the same for any number of threads.
 template <class Traits = Filtered_quadtree_traits_2<>, class ConcurrencyTag = Sequential_tag>
 class Quality_mesher_2 {
 public:
   /// \name Types
   /// @{
 
-  /// What goes in and what comes out.
+  /// The types of the input and of the mesh.
   using Geom_traits = Traits;
   using Point_2 = typename Traits::Point_2;
   using Pslg = Pslg_2<Point_2>;
@@ -79,8 +83,8 @@ public:
   /// \throws Pslg_error_2 if there is nothing to mesh or segments cross; the message names the culprit.
   Mesh operator()(const Pslg& pslg);
 
-  /// Lets the construction by quadtrees (Theorem 5) find the neighbours of vertices by another model of
-  /// `VertexEdgeNeighbors_2` than `Quadtree_vertex_edge_neighbors_2`, for example the paper's,
+  /// Sets the model of `VertexEdgeNeighbors_2` by which the construction by quadtrees (Theorem 5) finds the
+  /// neighbors of vertices. The default is `Quadtree_vertex_edge_neighbors_2`. The paper's is
   /// `Trapezoidal_vertex_edge_neighbors_2<Traits, ConcurrencyTag>`. The mesh is the same.
   template <class Neighbors>
   Quality_mesher_2& find_neighbors_by() {
@@ -93,7 +97,7 @@ public:
 
   /// What the last run reached.
   const Quality_mesh_report_2& report() const { return report_; }
-  /// What is asked for.
+  /// The options of this mesher.
   const Quality_mesh_options_2& options() const { return options_; }
 
 private:
@@ -103,7 +107,7 @@ private:
   Quality_mesh_report_2 report_;
 };
 
-// Outside the class, thus not inline: where a compiled library has it, the compiler need not look into it.
+// Defined outside the class, so not inline: a compiled library spares the compiler the body.
 template <class Traits, class ConcurrencyTag>
 typename Quality_mesher_2<Traits, ConcurrencyTag>::Mesh
 Quality_mesher_2<Traits, ConcurrencyTag>::operator()(const Pslg& pslg) {
@@ -120,7 +124,7 @@ Quality_mesher_2<Traits, ConcurrencyTag>::operator()(const Pslg& pslg) {
 #define CGAL_QUADTREE_MESH_2_HAS_QUALITY_MESHER
 #include <CGAL/Quadtree_mesh_2/compiled_meshers.h>
 
-// For programs that come from Mesh_2, refine_quality_mesh_2() and Quality_cdt_mesher_2.
+// For programs that come from Mesh_2: refine_quality_mesh_2() and Quality_cdt_mesher_2.
 #include <CGAL/refine_quality_mesh_2.h>
 
 #endif // CGAL_QUALITY_MESHER_2_H

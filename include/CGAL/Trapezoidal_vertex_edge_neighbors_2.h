@@ -4,16 +4,16 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 
-// Vertex-edge neighbours of a planar straight-line graph by trapezoidal decompositions.
+// Vertex-edge neighbors of a planar straight-line graph by trapezoidal decompositions.
 //
 // Computes: for each vertex and each of the four axis directions the first segment hit by the ray from the
 //           vertex, and the nearest of the four.
 // Bound:    O((n + m + c) log n) work for n vertices, m segments and c crossings of segments.
-// Source:   Bern, Eppstein, Teng, section 6, Lemma 5: the trapezoidal decompositions of the graph in both axis
-//           directions. CGAL's Arrangement_2 and decompose() make them.
-// Deviates: the paper takes a parallel algorithm for the decomposition. Here slabs of places are arranged and
-//           decomposed beside each other, with all segments that meet them; so there is as much parallelism as
-//           there are slabs, and none in the worst case, where most segments go through all slabs.
+// Source:   Bern, Eppstein, Teng, section 6, Lemma 5: the trapezoidal decompositions of the graph in both
+//           axis directions. CGAL's Arrangement_2 and decompose() make them.
+// Deviates: the paper uses a parallel algorithm for the decomposition. Here slabs of places are arranged and
+//           decomposed side by side, with all segments that meet them. There is as much parallelism as there
+//           are slabs, and none in the worst case, where most segments pass through all slabs.
 //
 // The proof of the lemma is in Quadtree_vertex_edge_neighbors_2.h.
 
@@ -37,16 +37,16 @@
 namespace CGAL {
 
 /// \ingroup PkgQuadtreeMesh2Neighbors
-/// Vertex-edge neighbours (Lemma 5) by trapezoidal decompositions of the graph.
+/// Vertex-edge neighbors (Lemma 5) by trapezoidal decompositions of the graph.
 ///
-/// All hits are found by the constructor. The graph need not be planar: segments may cross and overlap,
-/// vertices may lie on segments and be given repeatedly. All answers are exact but for the rounding of
-/// distances, and the same for any number of threads.
+/// The constructor finds all hits. The graph need not be planar: segments may cross and overlap, vertices may
+/// lie on segments and be given repeatedly. All answers are exact except for the rounding of distances. They
+/// are the same for any number of threads.
 ///
 /// <h3>Time</h3>
-/// \f$ O((n + m + c) \log n) \f$ for n vertices, m segments and c crossings. Only orientations of vertices are
-/// computed, besides crossings if there are any, and distances. With `Parallel_tag` slabs of a thousand or more
-/// vertices are dealt with beside each other.
+/// \f$ O((n + m + c) \log n) \f$ for n vertices, m segments and c crossings. It computes only orientations of
+/// vertices, distances, and crossings if there are any. With `Parallel_tag`, slabs of a thousand or more
+/// vertices are processed side by side.
 /// \tparam Traits_ a model of `QuadtreeTraits_2`: any of those of this package.
 /// \tparam Concurrency_tag `CGAL::Sequential_tag` or `CGAL::Parallel_tag`.
 /// \cgalModels{VertexEdgeNeighbors_2}
@@ -56,7 +56,7 @@ public:
   /// \name Types
   /// @{
 
-  /// Those of the template arguments, and the indices of what they number.
+  /// Types of the template arguments, and indices.
   using Traits = Traits_;
   using Point_2 = typename Traits::Point_2;
   using Pslg = Pslg_2<Point_2>;
@@ -66,10 +66,10 @@ public:
   /// @}
 
   /// Finds the hits of all vertices.
-  /// \param pslg is not copied: it has to stay where and as it is. Its segments join vertices that exist.
+  /// \param pslg is not copied, so it has to stay where and as it is. Its segments join existing vertices.
   explicit Trapezoidal_vertex_edge_neighbors_2(const Pslg& pslg);
 
-  /// What is kept is a reference to a graph; a temporary one would be gone.
+  /// Not for temporary graphs, because the object keeps a reference to the graph.
   explicit Trapezoidal_vertex_edge_neighbors_2(const Pslg&& pslg) = delete;
 
   /// The first segment, not incident to `v`, that the ray from `v` in direction `d` hits. Takes O(1) time.
@@ -79,8 +79,9 @@ public:
     return hits_[std::size_t(v)].first[static_cast<std::size_t>(d) / 2];
   }
 
-  /// The nearest of the four hits; the segment with the lowest index if several are as near. Takes O(1) time.
-  /// By Lemma 5, this or the nearest vertex is within a factor sqrt(2) of what is nearest to `v`.
+  /// The nearest of the four hits. If several are equally near, it is the segment with the lowest index.
+  /// Takes O(1) time. By Lemma 5, this hit or the nearest vertex is within a factor sqrt(2) of the feature
+  /// nearest to `v`.
   const Vertex_edge_neighbor_2& nearest_hit(Vertex_index v) const {
     const Hits& h = hits_[std::size_t(v)];
     return h.first[h.nearest];
@@ -93,10 +94,10 @@ private:
   using Hits = Quadtree_mesh_2::internal::Vertex_edge_hits;
   using Axis_slabs = Quadtree_mesh_2::internal::Slabs<Point_2>;
 
-  static constexpr std::size_t least_slab = 1024; ///< slabs with less places are no faster
+  static constexpr std::size_t least_slab = 1024; ///< smaller slabs are no faster
   static constexpr std::size_t block_of_vertices = 1024;
 
-  /// Measures the hits of the rays along x and those along y.
+  /// Measures the hits of the rays along x and of those along y.
   void collect_hits(const Axis_slabs& x, const Axis_slabs& y) {
     using namespace Quadtree_mesh_2::internal;
     const Axis_rays<Pslg> rays(*pslg_);
@@ -119,7 +120,7 @@ private:
   std::vector<Hits> hits_;
 };
 
-// Outside the class, thus not inline: where a compiled library has it, the compiler need not look into it.
+// Defined outside the class, so not inline: a compiled library spares the compiler the body.
 template <class Traits_, class Concurrency_tag>
 Trapezoidal_vertex_edge_neighbors_2<Traits_, Concurrency_tag>::Trapezoidal_vertex_edge_neighbors_2(
     const Pslg& pslg)

@@ -4,7 +4,7 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 
-// How the mesher separates the features of a graph by quadtrees (Theorem 5).
+// Options of the quadtrees that separate the features of a graph (Theorem 5).
 
 #ifndef CGAL_TREE_SEPARATION_OPTIONS_2_H
 #define CGAL_TREE_SEPARATION_OPTIONS_2_H
@@ -15,32 +15,33 @@ namespace CGAL {
 /// Options of the construction by quadtrees of Bern, Eppstein and Teng, section 6. All lengths are in sides of
 /// leaves. Each setter returns the object, so that calls can be chained.
 struct Tree_separation_options_2 {
-  /// What cuts edges into pieces; the pieces are the same.
+  /// How edges are cut into pieces. The pieces are the same.
   enum class Subdivision {
     WALKING,      ///< from leaf to leaf (Theorem 6)
     CENTROID_TREE ///< by accelerated centroid trees, in O(log n) rounds
   };
-  /// Where the vertices are put in leaves that an edge or a vertex of the graph is near to.
+  /// Where vertices are placed in leaves near an edge or a vertex of the graph.
   enum class Placement {
-    /// Corners that a rule keeps, less those without which nearby triangles that miss the bound meet it. Leaves are
-    /// split only where that does not help.
+    /// Corners that a rule keeps. Corners are left out if nearby triangles that miss the bound meet it
+    /// without them. Leaves are split only where that does not help.
     CHOSEN,
-    /// Corners that the rule keeps, and nothing else. Leaves along edges are split until the rule is certain to
-    /// keep to the bound (doc/guarantees.md): many more triangles.
+    /// Corners that the rule keeps, and nothing else. Leaves along edges are split until the rule is certain
+    /// to meet the bound (doc/guarantees.md). This makes many more triangles.
     BY_RULE
   };
 
-  /// The leaf of a vertex has at most its distance to the nearest feature, divided by this.
+  /// The side of a vertex's leaf is at most the distance to the nearest feature divided by this.
   double vertex_distance = 0.7;
-  /// Two edges in a leaf, or in one next to it, that see each other are at least so far apart.
+  /// Two edges in a leaf, or in adjacent leaves, that see each other are at least this far apart.
   double edge_distance = 0.5;
-  /// Nearer than this to the vertex that they share, edges may be nearer to each other.
+  /// Edges that share a vertex may be nearer to each other within this distance from it.
   double vertex_window = 3;
-  /// And where an acute corner between them is at most this wide: nothing is put between them there.
+  /// Edges of an acute corner may also be nearer where the corner is at most this wide. No vertex is placed
+  /// between them there.
   double strip_width = 1.25;
 
   Subdivision subdivision = Subdivision::WALKING; ///< how edges are cut
-  Placement placement = Placement::CHOSEN;        ///< where vertices are put
+  Placement placement = Placement::CHOSEN;        ///< where vertices are placed
 
   /// \name Setters
   /// @{
@@ -54,8 +55,8 @@ struct Tree_separation_options_2 {
   Tree_separation_options_2& place(Placement p) { return placement = p, *this; }
   /// @}
 
-  /// The constant that the paper names as an example: no vertex or other edge passes an edge's square at less than
-  /// three times its side.
+  /// The constant that the paper names as an example: a square of an edge is at least three times its side
+  /// away from any vertex or other edge.
   static Tree_separation_options_2 of_paper() { return Tree_separation_options_2().distances(3, 3); }
 };
 

@@ -19,20 +19,20 @@
 #include <unordered_map>
 #include <vector>
 
-// Lists everything that keeps a graph from being a planar straight-line graph, without changing it. A graph
-// whose segments do not cross costs one constrained Delaunay triangulation with exact predicates; otherwise a
-// second one with exact constructions finds every crossing.
+// Lists everything that keeps a graph from being a planar straight-line graph, without changing it. If no
+// segments cross, this costs one constrained Delaunay triangulation with exact predicates. Otherwise a second
+// one with exact constructions finds every crossing.
 
 namespace CGAL {
 
 /// \ingroup PkgQuadtreeMesh2Data
-/// What is wrong, and with which of the fields of `Pslg_defect_2`.
+/// The kinds of defects, and the fields of `Pslg_defect_2` that they use.
 enum class Pslg_defect_kind_2 {
-  DUPLICATE_VERTEX,     ///< `vertex` is where the earlier `other_vertex` is
-  ZERO_LENGTH_SEGMENT,  ///< the ends of `segment` are one place
+  DUPLICATE_VERTEX,     ///< `vertex` is at the place of the earlier `other_vertex`
+  ZERO_LENGTH_SEGMENT,  ///< the ends of `segment` are at one place
   VERTEX_ON_SEGMENT,    ///< `vertex` lies inside `segment`
-  OVERLAPPING_SEGMENTS, ///< `segment` and the earlier `other_segment` share a piece, or all
-  CROSSING_SEGMENTS     ///< `segment` and the earlier `other_segment` cross at `point`, where no vertex is
+  OVERLAPPING_SEGMENTS, ///< `segment` and the earlier `other_segment` share a piece, or coincide
+  CROSSING_SEGMENTS     ///< `segment` and the earlier `other_segment` cross at `point`, without a vertex there
 };
 
 /// \ingroup PkgQuadtreeMesh2Data
@@ -41,19 +41,19 @@ struct Pslg_defect_2 {
   Pslg_defect_kind_2 kind; ///< what is wrong
   std::array<double, 2>
       point; ///< where: the vertex, the crossing, the first end of the segment or of the shared piece
-  Quadtree_mesh_2::Vertex_index vertex;         ///< to blame
+  Quadtree_mesh_2::Vertex_index vertex;         ///< the vertex at fault
   Quadtree_mesh_2::Vertex_index other_vertex;   ///< an earlier one
-  Quadtree_mesh_2::Segment_index segment;       ///< to blame
+  Quadtree_mesh_2::Segment_index segment;       ///< the segment at fault
   Quadtree_mesh_2::Segment_index other_segment; ///< an earlier one
 
-  /// One line for people.
+  /// One line for human readers.
   std::string to_string() const;
 };
 
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-/// Goes over an arrangement and notes what is wrong with the graph it was made from.
+/// Searches an arrangement for defects of the graph that it was made from.
 template <class Point>
 class Pslg_defect_finder {
 public:
@@ -112,7 +112,7 @@ private:
     }
   }
 
-  /// Each segment is named once with each earlier one that was the first on a piece of it.
+  /// Names each segment once with each earlier one that was the first on a piece of it.
   void find_overlaps() {
     std::unordered_map<std::uint64_t, Segment_index> first_on_piece;
     for (std::size_t s = 0; s < arranged_.chains.size(); ++s) {
@@ -131,7 +131,7 @@ private:
     }
   }
 
-  /// Of the segments through one crossing, each is named with the first that it crosses there.
+  /// Names each of the segments through one crossing with the first one that it crosses there.
   void find_crossings() {
     std::vector<std::vector<Segment_index>> through(arranged_.crossings.size());
     for (std::size_t s = 0; s < arranged_.chains.size(); ++s)
@@ -187,11 +187,10 @@ inline std::string Pslg_defect_2::to_string() const {
 /// Lists the defects of a graph, kind by kind in the order of `Pslg_defect_kind_2`, each kind by index.
 ///
 /// An empty list means a planar straight-line graph. All answers are exact; only the places of crossings are
-/// rounded. Expected O(n log n) time for segments that do not cross, as long as they are not very long; with
-/// c crossings O(c) more, in exact arithmetic.
+/// rounded. Expected O(n log n) time for segments that do not cross, unless they are very long. c crossings
+/// take O(c) more, in exact arithmetic.
 /// \tparam Point has floating-point coordinates.
-/// \throws
-/// Pslg_error_2 if `check_pslg_structure()` does.
+/// \throws Pslg_error_2 if `check_pslg_structure()` does.
 template <class Point>
 std::vector<Pslg_defect_2> find_pslg_defects(const Pslg_2<Point>& pslg) {
   namespace internal = Quadtree_mesh_2::internal;

@@ -23,7 +23,7 @@
 #include <utility>
 #include <vector>
 
-// From a mesh in flat arrays to a `Surface_mesh` or another model of the concepts of BGL.
+// Converts a mesh in flat arrays to a `Surface_mesh` or another model of BGL's concepts.
 
 namespace CGAL {
 namespace Quadtree_mesh_2 {
@@ -40,9 +40,10 @@ Graph_point graph_point(const Point& p) {
     return Graph_point(as_double(p.x()), as_double(p.y()));
 }
 
-/// Makes a vertex for each that a triangle uses; where triangles touch in the vertex only, one for each fan of them.
+/// Makes a vertex of the graph for each vertex that a triangle uses. If triangles touch only in that vertex,
+/// it makes one for each fan of them.
 ///
-/// Such a vertex is not manifold, which graphs of faces cannot express. The first fan in the order of triangles
+/// Such a vertex is not manifold, and face graphs cannot express it. The first fan in the order of triangles
 /// gets the first copy.
 class Fan_finder {
 public:
@@ -67,11 +68,11 @@ public:
   std::vector<Vertex_index> vertex_of_copy;
 
 private:
-  /// Where a side at the vertex ends, and the corner that has it to its right or to its left.
+  /// The end of a side at the vertex, and the corner with that side to its right or to its left.
   using Side = std::pair<Vertex_index, std::size_t>;
 
   /// Gives each fan around `v` a copy of it.
-  /// \param corners those of `v`, which are counted through the triangles
+  /// \param corners the corners at `v`, numbered over all triangles
   template <class Point>
   void number_fans(const Indexed_mesh_2<Point>& mesh, Vertex_index v,
                    const std::vector<std::size_t>& corners) {
@@ -102,15 +103,17 @@ private:
 } // namespace internal
 } // namespace Quadtree_mesh_2
 
-/// Appends the triangles of a mesh, and the points they use, to a graph of faces.
+/// Appends the triangles of a mesh, and the points they use, to a face graph.
 ///
-/// Points with three coordinates get z = 0. Faces come in the order of triangles. Where triangles touch in a point only,
-/// as domains can, the graph gets a vertex for each fan of them: it has to be a manifold.
-/// \tparam Graph a model of `MutableFaceGraph` with an internal point map, a `Surface_mesh` as a rule
-/// \param vertex_output gets a pair for each vertex in the order of indices: the mesh's index, and the vertex
-/// \param face_output gets a pair for each triangle in their order: its index, and the face
-/// Linear, but for sorting the triangles at each vertex.
-/// \pre `graph` may have vertices and faces of its own, the triangles of `mesh` are counterclockwise and meet as in a mesh
+/// Points with three coordinates get z = 0. Faces come in the order of triangles. Triangles of a domain may
+/// touch only in a point. Because the graph has to be a manifold, it then gets a vertex for each fan of them.
+/// Takes linear time, except for sorting the triangles at each vertex.
+/// \tparam Graph a model of `MutableFaceGraph` with an internal point map, usually a `Surface_mesh`
+/// \param vertex_output gets a pair for each vertex, in the order of indices: the index in the mesh, and the
+/// vertex
+/// \param face_output gets a pair for each triangle, in their order: its index, and the face
+/// \pre the triangles of `mesh` are counterclockwise and meet as in a mesh; `graph` may have vertices and
+/// faces already
 template <class Point, class Graph, class Vertex_output, class Face_output>
 void indexed_mesh_to_face_graph(const Indexed_mesh_2<Point>& mesh, Graph& graph, Vertex_output vertex_output,
                                 Face_output face_output) {
@@ -133,7 +136,7 @@ void indexed_mesh_to_face_graph(const Indexed_mesh_2<Point>& mesh, Graph& graph,
   }
 }
 
-/// Appends a mesh to a graph of faces.
+/// Appends a mesh to a face graph.
 template <class Point, class Graph>
 void indexed_mesh_to_face_graph(const Indexed_mesh_2<Point>& mesh, Graph& graph) {
   indexed_mesh_to_face_graph(mesh, graph, Emptyset_iterator(), Emptyset_iterator());

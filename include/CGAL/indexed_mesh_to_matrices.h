@@ -19,7 +19,8 @@
 #include <string>
 #include <utility>
 
-// Graphs and meshes as the matrices of Eigen that libigl and its like work on: a row for each vertex, edge or triangle.
+// Converts graphs and meshes to and from matrices of Eigen, as in libigl: a row for each vertex, edge or
+// triangle.
 
 namespace CGAL {
 namespace Quadtree_mesh_2 {
@@ -39,7 +40,7 @@ void set_index_row(Eigen::PlainObjectBase<Matrix>& matrix, std::size_t row, cons
     matrix(static_cast<Eigen::Index>(row), column++) = static_cast<typename Matrix::Scalar>(v.value());
 }
 
-/// \throws Pslg_error_2 if the matrix has not so many columns
+/// \throws Pslg_error_2 if the matrix has another number of columns
 template <class Derived>
 void check_columns(const Eigen::DenseBase<Derived>& matrix, Eigen::Index columns, const std::string& name) {
   if (matrix.rows() > 0 && matrix.cols() != columns)
@@ -50,10 +51,10 @@ void check_columns(const Eigen::DenseBase<Derived>& matrix, Eigen::Index columns
 } // namespace internal
 } // namespace Quadtree_mesh_2
 
-/// Turns a mesh into matrices: `vertices` gets a row `x y` for each point, used or not, `triangles` a row of three
-/// indices, counterclockwise.
-/// \tparam Vertex_matrix, Triangle_matrix `Eigen::MatrixXd`, `Eigen::MatrixXi`, or others with any number of rows, and
-/// any number of columns or 2 (or 3, with z = 0) and 3
+/// Converts a mesh to matrices. `vertices` gets a row `x y` for each point, used or not. `triangles` gets a
+/// row of three indices for each triangle, counterclockwise.
+/// \tparam Vertex_matrix, Triangle_matrix `Eigen::MatrixXd`, `Eigen::MatrixXi`, or others with any number of
+/// rows. The number of columns is free, or 2 (or 3, with z = 0) and 3.
 template <class Point, class Vertex_matrix, class Triangle_matrix>
 void indexed_mesh_to_matrices(const Indexed_mesh_2<Point>& mesh,
                               Eigen::PlainObjectBase<Vertex_matrix>& vertices,
@@ -73,8 +74,8 @@ void indexed_mesh_to_matrices(const Indexed_mesh_2<Point>& mesh,
     internal::set_index_row(triangles, t, mesh.triangles[t]);
 }
 
-/// Besides vertices and triangles, turns the constrained edges into rows `a b` of `edges` and their markers into
-/// `edge_markers`, and the regions of the triangles, -1 for none, into `regions`.
+/// Converts the constrained edges, too: `edges` gets rows `a b`, and `edge_markers` their markers. `regions`
+/// gets the regions of the triangles, -1 for none.
 template <class Point, class Vertex_matrix, class Triangle_matrix, class Edge_matrix, class Marker_vector,
           class Region_vector>
 void indexed_mesh_to_matrices(const Indexed_mesh_2<Point>& mesh,
@@ -98,10 +99,11 @@ void indexed_mesh_to_matrices(const Indexed_mesh_2<Point>& mesh,
         mesh.region_of_triangle.empty() ? -1 : mesh.region_of_triangle[t]);
 }
 
-/// Makes a graph of matrices, as `igl::triangle::triangulate()` takes them: a row `x y` for each vertex, a row of two
-/// indices for each segment, a row `x y` for a point in each hole. Any of them may have no rows.
+/// Makes a graph from matrices, as for `igl::triangle::triangulate()`: a row `x y` for each vertex, a row of
+/// two indices for each segment, and a row `x y` for a point in each hole. Any of them may have no rows.
 /// \tparam Point can be made from two doubles
-/// \throws Pslg_error_2 if a matrix has not two columns, or an index is none of a vertex; `pslg` is then as it was
+/// \throws Pslg_error_2 if a matrix does not have two columns, or an index is not that of a vertex; `pslg` is
+/// then unchanged
 template <class Point, class Vertices, class Segments, class Holes>
 void matrices_to_pslg(const Eigen::DenseBase<Vertices>& vertices, const Eigen::DenseBase<Segments>& segments,
                       const Eigen::DenseBase<Holes>& holes, Pslg_2<Point>& pslg) {

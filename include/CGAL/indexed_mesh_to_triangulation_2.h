@@ -8,10 +8,10 @@
 #define CGAL_INDEXED_MESH_TO_TRIANGULATION_2_H
 
 /// \file
-/// From a mesh in flat arrays to a CGAL triangulation, and from a CGAL triangulation to an input graph.
+/// Converts a mesh in flat arrays to a CGAL triangulation, and a CGAL triangulation to an input graph.
 ///
-/// The triangulation is built through its data structure: the mesh's triangles become faces as they are,
-/// without a predicate; only what lies around the mesh is triangulated, from the mesh's border.
+/// The triangulation is built through its data structure. The mesh's triangles become faces as they are,
+/// without a predicate. Only the surroundings of the mesh are triangulated, from the mesh's border.
 
 #include <CGAL/Indexed_mesh_2.h>
 #include <CGAL/Pslg_2.h>
@@ -51,24 +51,25 @@ void insert_collinear_input(const Pslg_2<Point>& pslg, Cdt& cdt) {
 } // namespace Quadtree_mesh_2
 
 /// \ingroup PkgQuadtreeMesh2Data
-/// Builds `cdt` from a mesh: what was in it is lost.
+/// Builds `cdt` from a mesh. The former content of `cdt` is lost.
 ///
 /// The mesh's triangles become faces with `is_in_domain()`, in their order and with their vertices in their
-/// order. Holes and the pockets up to the convex hull are filled with constrained Delaunay triangles that are
-/// not in the domain, as `Delaunay_mesher_2` leaves them. Input vertices and segments outside the domain are
-/// in it too; of input vertices at one place there is one. Constrained are the mesh's constrained edges, its
-/// border, and the segments outside. Where vertices have an `info()` of an arithmetic type or one that can be
-/// made from a `Vertex_index`, it becomes the vertex's index in the mesh.
+/// order. Constrained Delaunay triangles outside the domain fill holes and the pockets up to the convex hull,
+/// as `Delaunay_mesher_2` leaves them. Input vertices and segments outside the domain are in the
+/// triangulation, too. Of input vertices at one place there is one. The mesh's constrained edges, its border,
+/// and the segments outside are constrained. If vertices have an `info()` of an arithmetic type, or one that
+/// can be made from a `Vertex_index`, it becomes the vertex's index in the mesh.
 ///
-/// \param mesh has all its arrays; it is constrained Delaunay, so that `cdt.is_valid()` holds afterwards
-/// (checked where
-///   `CGAL_CHECK_EXPENSIVE` is defined).
-/// \param pslg what the mesh was made from.
+/// Takes time linear in the mesh, plus a constrained Delaunay triangulation of the mesh's border. If some
+/// input segment is not in the mesh from end to end, the input is triangulated as well.
+///
+/// \param mesh has all its arrays. It is constrained Delaunay, so that `cdt.is_valid()` holds afterward
+/// (checked if `CGAL_CHECK_EXPENSIVE` is defined).
+/// \param pslg the graph that the mesh was made from.
 /// \param cdt a `Constrained_Delaunay_triangulation_2` whose faces have `set_in_domain()`, for example by
-///   `Delaunay_mesh_face_base_2`, and whose points are those of the mesh.
+/// `Delaunay_mesh_face_base_2`, and whose points are those of the mesh.
 /// \throws Pslg_error_2 if rounding made the border of the mesh cross itself or a segment outside; `cdt` is
-/// then unchanged. Linear in the mesh, plus a constrained Delaunay triangulation of the mesh's border; if
-/// some input segment is not in the mesh from end to end, one of the input as well.
+/// then unchanged.
 template <class Point, class Cdt>
 void indexed_mesh_to_constrained_Delaunay_triangulation_2(const Indexed_mesh_2<Point>& mesh,
                                                           const Pslg_2<Point>& pslg, Cdt& cdt) {
@@ -86,24 +87,25 @@ void indexed_mesh_to_constrained_Delaunay_triangulation_2(const Indexed_mesh_2<P
 }
 
 /// \ingroup PkgQuadtreeMesh2Data
-/// Builds `triangulation` from a mesh of points, or any mesh that fills its convex hull up to rounding: what was in
-/// it is lost.
+/// Builds `triangulation` from a mesh of points, or from any mesh that fills its convex hull up to rounding.
+/// The former content of `triangulation` is lost.
 ///
 /// The mesh's triangles become faces, in their order and with their vertices in their order, before all other
-/// faces; vertices that no triangle uses, as points at the place of an earlier one, are left out. Where vertices have
-/// an `info()`, it becomes the vertex's index in the mesh as above.
+/// faces. Vertices that no triangle uses, such as duplicate points, are left out. If vertices have an
+/// `info()`, it becomes the vertex's index in the mesh as above.
 ///
-/// CGAL's triangulations fill convex hulls exactly, and borders of meshes are straight up to rounding only: the rows
-/// of squares of `Point_set_mesher_2` are as a rule slanted, and vertices on their sides some last bits off, with exact
-/// coordinates 2^-30 of an edge.
-/// The flat pockets between them and the hull become faces, too, which come next, are no triangles of the mesh, and
-/// tell nothing by their angles. No border edge faces the blunt angle of such a face; so a mesh without blunt angles
-/// remains Delaunay: those of BOUNDED_ANGLES and ACUTE do. Squares parallel to the axes have no pockets.
+/// CGAL's triangulations fill convex hulls exactly, but borders of meshes are straight only up to rounding.
+/// The rows of squares of `Point_set_mesher_2` are usually slanted. Vertices on their sides are then off by
+/// some last bits; with exact coordinates, by 2^-30 of an edge. The flat pockets between them and the hull
+/// become faces, too, which come next. They are not triangles of the mesh, and their angles mean nothing. No
+/// border edge faces the obtuse angle of such a face. So a mesh without obtuse angles remains Delaunay, as
+/// those of BOUNDED_ANGLES and ACUTE do. Axis-parallel squares have no pockets.
+///
+/// Takes time linear in the mesh, plus a constrained Delaunay triangulation of its border.
 ///
 /// \param mesh has all its triangles and neighbors
-/// \param triangulation a `Triangulation_2`, or a `Delaunay_triangulation_2` if the mesh is Delaunay, whose points are
-///   those of the mesh; `is_valid()` holds afterwards (checked where `CGAL_CHECK_EXPENSIVE` is defined)
-/// Linear in the mesh, plus a constrained Delaunay triangulation of its border.
+/// \param triangulation a `Triangulation_2`, or a `Delaunay_triangulation_2` if the mesh is Delaunay, whose
+/// points are those of the mesh; `is_valid()` holds afterward (checked if `CGAL_CHECK_EXPENSIVE` is defined)
 template <class Point, class Triangulation>
 void indexed_mesh_to_triangulation_2(const Indexed_mesh_2<Point>& mesh, Triangulation& triangulation) {
   static_assert(std::is_same_v<Point, typename Triangulation::Point>,
@@ -120,8 +122,8 @@ void indexed_mesh_to_triangulation_2(const Indexed_mesh_2<Point>& mesh, Triangul
 
 /// \ingroup PkgQuadtreeMesh2Data
 /// The graph of a triangulation: its finite vertices and its constrained edges, both in the order of
-/// iteration.
-/// \param seeds range of points, one in each hole. Linear in expectation.
+/// iteration. Takes expected linear time.
+/// \param seeds range of points, one in each hole.
 template <class Cdt, class Seeds>
 Pslg_2<typename Cdt::Point> pslg_from_triangulation_2(const Cdt& cdt, const Seeds& seeds) {
   Pslg_2<typename Cdt::Point> pslg;

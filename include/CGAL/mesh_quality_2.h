@@ -8,14 +8,14 @@
 #define CGAL_MESH_QUALITY_2_H
 
 /// \file
-/// Checks a mesh against its input, and its angles, lengths and areas, with code that shares nothing with the
-/// mesher.
+/// Checks a mesh against its input. Computes its angles, lengths and areas. Works independently of the
+/// algorithms that make meshes.
 ///
-/// The input's domain comes from a plain constrained Delaunay triangulation of the input; a mesh covers the domain
-/// exactly if its triangles are counterclockwise and its border is the domain's, edge by edge, where edges along
-/// segments, whose vertices are rounded, divide the plane as the segments do. All of that is decided exactly, for
-/// coordinates of any size. O(n log n + k) for n input and k mesh vertices in practice, about a second for 10^6
-/// triangles.
+/// The input's domain comes from a plain constrained Delaunay triangulation of the input. A mesh covers the
+/// domain exactly if its triangles are counterclockwise and its border is that of the domain, edge by edge.
+/// Vertices along segments are rounded, so edges along segments have to divide the plane as the segments do.
+/// All of that is decided exactly, for coordinates of any size. Takes O(n log n + k) time for n input and k
+/// mesh vertices in practice, about a second for 10^6 triangles.
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Indexed_mesh_2.h>
@@ -61,12 +61,12 @@ std::vector<Double_point> to_double_points(const std::vector<Point>& points) {
 } // namespace Quadtree_mesh_2
 
 /// \ingroup PkgQuadtreeMesh2Data
-/// The mesh with its coordinates converted to double.
+/// Returns the mesh with its coordinates converted to double.
 ///
-/// Exact for coordinates that doubles represent, so for integers up to 2^53. Others are rounded to nearest:
-/// integer words up to 2^62 move by up to 2^8 units, and points closer than that may come to lie at one place
-/// or on the other side of an edge. A mesh that is valid in its own coordinates can then fail the check of
-/// the rounded ones.
+/// This is exact for coordinates that doubles represent, such as integers up to 2^53. Others are rounded to
+/// nearest. Integer words up to 2^62 move by up to 2^8 units. Points closer than that may end at one place,
+/// or on the other side of an edge. So a mesh that is valid in its own coordinates may fail the check of the
+/// rounded ones.
 /// \tparam Point `x()` and `y()` are arithmetic or have a `CGAL::to_double()`.
 template <class Point>
 Indexed_mesh_2<Quadtree_mesh_2::internal::Double_point>
@@ -85,7 +85,7 @@ convert_to_double_points(const Indexed_mesh_2<Point>& mesh) {
 }
 
 /// \ingroup PkgQuadtreeMesh2Data
-/// The graph with its coordinates converted to double, with the same proviso.
+/// Returns the graph with its coordinates converted to double, with the same proviso.
 template <class Point>
 Pslg_2<Quadtree_mesh_2::internal::Double_point> convert_to_double_points(const Pslg_2<Point>& pslg) {
   Pslg_2<Quadtree_mesh_2::internal::Double_point> result;
@@ -107,15 +107,25 @@ Pslg_2<Quadtree_mesh_2::internal::Double_point> convert_to_double_points(const P
 /// \ingroup PkgQuadtreeMesh2Data
 /// Checks `mesh` against `pslg`, and its triangles against the bounds in `options`.
 ///
-/// Never throws for what it is given: a mesh or an input that makes no sense has errors. The input may have
-/// duplicate vertices (the mesh may use any one of them), vertices on segments and segments that overlap; it
-/// may not have segments that cross, nor points of holes or regions on segments that separate components. Checked are: indices; exact orientation of the triangles; every edge in
-/// at most two triangles, in opposite directions; the neighbors; no two used vertices at one place; input
-/// vertices bit for bit at their index; no unused Steiner vertices; the domain covered exactly; every input
-/// segment with the domain on a side a chain of edges, within rounding (`Mesh_quality_options_2::coordinate_unit`);
-/// the constrained edges, the segments of the vertices and the regions.
+/// Never throws because of its input: a mesh or graph that makes no sense has errors. The graph may have
+/// duplicate vertices (the mesh may use any one of them), vertices on segments, and overlapping segments. It
+/// may not have crossing segments, nor points of holes or regions on segments that separate components.
 ///
-/// Points other than CGAL points over double are converted by `convert_to_double_points()` first.
+/// The check covers:
+///
+/// - the indices
+/// - the exact orientation of the triangles
+/// - every edge is in at most two triangles, in opposite directions
+/// - the neighbors
+/// - no two used vertices are at one place
+/// - input vertices are at their index, bit for bit
+/// - there are no unused Steiner vertices
+/// - the domain is covered exactly
+/// - every input segment with the domain on a side is a chain of edges, within rounding
+///   (`Mesh_quality_options_2::coordinate_unit`)
+/// - the constrained edges, the segments of the vertices, and the regions
+///
+/// Points other than CGAL points over double are first converted by `convert_to_double_points()`.
 template <class Point>
 Mesh_quality_2 mesh_quality_2(const Indexed_mesh_2<Point>& mesh, const Pslg_2<Point>& pslg,
                               const Mesh_quality_options_2& options = {}) {
@@ -135,7 +145,7 @@ Mesh_quality_2 mesh_quality_2(const Indexed_mesh_2<Point>& mesh, const Pslg_2<Po
 }
 
 /// \ingroup PkgQuadtreeMesh2Data
-/// Writes errors and statistics as a table for people.
+/// Writes errors and statistics as a table for human readers.
 inline std::ostream& operator<<(std::ostream& out, const Mesh_quality_2& q) {
   out << (q.is_valid() ? "valid mesh" : "invalid mesh") << '\n';
   for (const std::string& e : q.errors) out << "  error: " << e << '\n';

@@ -26,15 +26,16 @@
 namespace CGAL {
 
 /// \ingroup PkgQuadtreeMesh2Data
-/// Lengths that meshes of a point set are measured by.
+/// Lengths by which meshes of a point set are judged.
 struct Point_set_lengths_2 {
   double spanning_tree = 0; ///< of the minimum spanning tree by Euclidean lengths
   double delaunay = 0;      ///< of all edges of the Delaunay triangulation
   double hull = 0; ///< of the border of the convex hull; twice the distance of the ends for collinear points
 
-  /// No triangulation that has the points as vertices, whatever other vertices it has, is shorter in all. Its
-  /// edges connect the points, and no tree that does so is shorter than 0.824 times the spanning tree (Chung,
-  /// Graham, "A new bound for Euclidean Steiner minimal trees", 1985). Its border goes around the points.
+  /// A lower bound on the length of any triangulation that has the points as vertices, whatever other
+  /// vertices it has. Its edges connect the points, and no tree that does so is shorter than 0.824 times the
+  /// spanning tree (Chung, Graham, "A new bound for Euclidean Steiner minimal trees", 1985). Its border
+  /// encloses the points.
   double least_mesh() const { return (std::max)(0.824 * spanning_tree, hull); }
 };
 
@@ -107,8 +108,8 @@ private:
 } // namespace Quadtree_mesh_2
 
 /// \ingroup PkgQuadtreeMesh2Data
-/// Returns the lengths for points whose coordinates are arithmetic or have a `CGAL::to_double()`; of their nearest
-/// doubles. Expected O(n log n) time.
+/// Returns the lengths for points whose coordinates are arithmetic or have a `CGAL::to_double()`. They are
+/// rounded to the nearest doubles. Expected O(n log n) time.
 template <class Point>
 Point_set_lengths_2 point_set_lengths_2(const std::vector<Point>& points) {
   const Quadtree_mesh_2::internal::Delaunay_graph graph(Quadtree_mesh_2::internal::to_double_points(points));
@@ -116,7 +117,8 @@ Point_set_lengths_2 point_set_lengths_2(const std::vector<Point>& points) {
 }
 
 /// \ingroup PkgQuadtreeMesh2Data
-/// Returns the length of all edges of a mesh, each counted once; what `mesh_quality_2()` gives besides all else.
+/// Returns the length of all edges of a mesh, each counted once. `mesh_quality_2()` gives the same number
+/// besides others.
 /// \pre `mesh.neighbors` is filled
 template <class Point>
 double total_edge_length_2(const Indexed_mesh_2<Point>& mesh) {

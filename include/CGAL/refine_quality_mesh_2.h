@@ -8,12 +8,13 @@
 #define CGAL_REFINE_QUALITY_MESH_2_H
 
 /// \file
-/// Meshing a CGAL triangulation in place: what takes the place of Mesh_2's `refine_Delaunay_mesh_2()`.
+/// Meshes a CGAL triangulation in place, as Mesh_2's `refine_Delaunay_mesh_2()` does.
 ///
-/// For all functions here, `Cdt` is what `Quality_cdt_mesher_2` takes, and what is said there holds: vertices
-/// and constraints stay what they were, and handles of vertices valid. If there is no domain, the report has no
-/// triangles, and only the faces' marks have changed. All throw `Pslg_error_2` if the domain cannot be meshed,
-/// with the triangulation as it was but for the marks. Expected O(n log n + k) time for k triangles.
+/// For all functions here, `Cdt` is as for `Quality_cdt_mesher_2`, with the same guarantees: vertices and
+/// constraints stay what they were, and vertex handles stay valid. If there is no domain, the report has no
+/// triangles, and only the marks of faces change. All functions throw `Pslg_error_2` if the domain cannot be
+/// meshed; the triangulation is then unchanged except for the marks. Expected O(n log n + k) time for k
+/// triangles.
 
 #include <CGAL/Quadtree_mesh_2/internal/Cdt_refiner.h>
 #include <CGAL/Quadtree_mesh_2/internal/compat.h>
@@ -38,7 +39,7 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-/// Meshes the marked faces by criteria, which are asked if they can be.
+/// Meshes the marked faces by criteria, and asks the criteria if possible.
 template <class Cdt, class Criteria>
 Quality_mesh_report_2 refine_marked_domain(Cdt& cdt, const Criteria& criteria) {
   Cdt_refiner<Cdt> refiner(cdt);
@@ -51,8 +52,8 @@ Quality_mesh_report_2 refine_marked_domain(Cdt& cdt, const Criteria& criteria) {
 } // namespace internal
 } // namespace Quadtree_mesh_2
 
-/// Meshes the domain that the options and seeds tell: with `Domain::MARKED` the components with a seed, with other
-/// rules those of the rule without a seed in them.
+/// Meshes the domain given by the options and the seeds. With `Domain::MARKED` it is the components with a
+/// seed. Otherwise it is the domain of the rule without the components that contain a seed.
 /// \tparam Seeds a range of points.
 template <class Cdt, class Seeds, class = decltype(std::begin(std::declval<const Seeds&>()))>
 Quality_mesh_report_2 refine_quality_mesh_2(Cdt& cdt, const Seeds& seeds,
@@ -67,16 +68,16 @@ Quality_mesh_report_2 refine_quality_mesh_2(Cdt& cdt, const Quality_mesh_options
   return refine_quality_mesh_2(cdt, std::vector<typename Cdt::Point>(), options);
 }
 
-/// Meshes all that constrained edges separate from infinity, by the least angle that is Mesh_2's default, 20.7048
-/// degrees.
+/// Meshes everything that constrained edges separate from infinity. The least angle is Mesh_2's default,
+/// 20.7048 degrees.
 template <class Cdt>
 Quality_mesh_report_2 refine_quality_mesh_2(Cdt& cdt) {
   return refine_quality_mesh_2(
       cdt, Quality_mesh_options_2().min_angle(Quadtree_mesh_2::internal::default_angle_of_Mesh_2));
 }
 
-/// Meshes all that constrained edges separate from infinity, or if `domain_specified` the faces with
-/// `is_in_domain()`, by criteria of Mesh_2.
+/// Meshes everything that constrained edges separate from infinity, by criteria of Mesh_2. If
+/// `domain_specified`, it meshes the faces with `is_in_domain()` instead.
 /// \tparam Criteria a model of `MeshingCriteria_2`, as for `Quality_cdt_mesher_2`, or any class with `bound()`.
 template <class Cdt, class Criteria,
           class = std::enable_if_t<Quadtree_mesh_2::internal::is_criteria<Criteria>>>
@@ -88,7 +89,7 @@ Quality_mesh_report_2 refine_quality_mesh_2(Cdt& cdt, const Criteria& criteria =
   return Quadtree_mesh_2::internal::refine_marked_domain(cdt, criteria);
 }
 
-/// The same with seeds: `mark` tells whether they are in the domain (true) or in holes.
+/// The same with seeds. They are in the domain if `mark` is true, otherwise in holes.
 template <class Cdt, class Criteria, class InputIterator,
           class = std::enable_if_t<Quadtree_mesh_2::internal::is_criteria<Criteria>>>
 Quality_mesh_report_2 refine_quality_mesh_2(Cdt& cdt, InputIterator seeds_begin, InputIterator seeds_end,
@@ -98,14 +99,14 @@ Quality_mesh_report_2 refine_quality_mesh_2(Cdt& cdt, InputIterator seeds_begin,
 }
 
 #if CGAL_QUADTREE_MESH_2_HAS_MESH_2_PARAMETERS
-/// The same by named parameters (\cgal 5.6 and later).
+/// The same with named parameters (\cgal 5.6 and later).
 ///
 /// - `criteria`: a model of `MeshingCriteria_2`; by default `Delaunay_mesh_size_criteria_2<Cdt>()`
-/// - `domain_is_initialized`: whether the domain is the faces with `is_in_domain()`, and seeds are of no
-///   importance; by
-///   default false
+/// - `domain_is_initialized`: whether the domain is the faces with `is_in_domain()`, so that seeds are
+///   ignored; by default false
 /// - `seeds`: a range of points; by default empty
-/// - `seeds_are_in_domain`: whether the domain is the components with a seed, or those without; by default false
+/// - `seeds_are_in_domain`: whether the domain is the components with a seed, or those without; by default
+///   false
 template <class Cdt, typename CGAL_NP_TEMPLATE_PARAMETERS_NO_DEFAULT>
 Quality_mesh_report_2 refine_quality_mesh_2(Cdt& cdt, const CGAL_NP_CLASS& np) {
   using parameters::choose_parameter;

@@ -23,46 +23,47 @@
 #include <utility>
 #include <vector>
 
-// Makes a planar straight-line graph of one that is nearly so: vertices at one place merge, segments are cut
-// at the vertices on them, what covers another segment goes, and crossings are cut on request.
+// Makes a nearly planar straight-line graph planar. Vertices at one place merge. Segments are split at the
+// vertices on them. Segments that cover others are removed. Crossings are split on request.
 //
-// Without crossings one constrained Delaunay triangulation with exact predicates tells all; nothing moves,
-// expected O(n log n) time. Crossings are found by a second triangulation with exact constructions and
-// rounded to doubles only then, so that segments that overlap or run through one point still do; rounding
-// while cutting, as CGAL's Exact_predicates_tag has it, tears them apart. Rounded segments bend by as little
-// as a rounding error, which may let them meet others very near: so the result goes through the same until
-// nothing crosses, twice in practice. What is returned has been found free of crossings by exact predicates.
-// (Snap rounding, which would settle this in one go, moves vertices of the input.)
+// Without crossings, one constrained Delaunay triangulation with exact predicates finds everything. Nothing
+// moves, in expected O(n log n) time. With crossings, a second triangulation with exact constructions finds
+// them, and only then are they rounded to doubles. So segments that overlap or run through one point still
+// do. Rounding while splitting, as with CGAL's Exact_predicates_tag, tears them apart.
+//
+// Rounded segments bend by a rounding error, so they may meet other segments nearby. The result therefore
+// goes through the same passes until nothing crosses: twice in practice. Exact predicates have found the
+// returned graph free of crossings. (Snap rounding would need one pass, but it moves vertices of the input.)
 
 namespace CGAL {
 
 /// \ingroup PkgQuadtreeMesh2Data
-/// What `repair_pslg_2()` does where segments cross and no vertex is.
+/// What `repair_pslg_2()` does where segments cross without a common vertex.
 enum class Pslg_crossing_rule_2 {
-  THROW, ///< a `Pslg_error_2` names both segments and the place: crossings are often mistakes in the data
-  SPLIT  ///< a new vertex cuts both
+  THROW, ///< a `Pslg_error_2` names both segments and the place, as crossings are often mistakes
+  SPLIT  ///< a new vertex splits both
 };
 
 /// \ingroup PkgQuadtreeMesh2Data
-/// What `repair_pslg_2()` shall do.
+/// Options of `repair_pslg_2()`.
 struct Pslg_repair_options_2 {
-  Pslg_crossing_rule_2 crossings = Pslg_crossing_rule_2::THROW; ///< what becomes of crossings
+  Pslg_crossing_rule_2 crossings = Pslg_crossing_rule_2::THROW; ///< what to do with crossings
 };
 
 /// \ingroup PkgQuadtreeMesh2Data
-/// What `repair_pslg_2()` did.
+/// The report of `repair_pslg_2()`.
 struct Pslg_repair_report_2 {
   /// Per input vertex, its index in the result.
   std::vector<Quadtree_mesh_2::Vertex_index> vertex_map;
   /// Per segment of the result, the first input segment that it is a piece of.
   std::vector<Quadtree_mesh_2::Segment_index> segment_origin;
 
-  // All but the last are counted in the input.
+  // All but the last count in the input.
   std::size_t merged_vertices = 0;      ///< input vertices at the place of an earlier one
-  std::size_t zero_length_segments = 0; ///< input segments whose ends are one place
-  std::size_t overlapping_segments = 0; ///< input segments that share a piece, or all, with an earlier one
+  std::size_t zero_length_segments = 0; ///< input segments whose ends are at one place
+  std::size_t overlapping_segments = 0; ///< input segments that share a piece with an earlier one, or coincide
   std::size_t split_segments = 0;       ///< input segments with a vertex or a crossing inside
-  std::size_t crossings = 0;            ///< new vertices where segments crossed: the last ones of the result
+  std::size_t crossings = 0;            ///< new vertices where segments crossed, the last ones of the result
 
   /// Whether there was nothing to repair.
   bool is_unchanged() const {
@@ -90,7 +91,7 @@ public:
   }
 
 private:
-  /// The first vertex of a place stays; it gets the first marker there that is not 0.
+  /// The first vertex of a place stays. It gets the first nonzero marker there.
   void merge_vertices() {
     const std::size_t n = pslg_.vertices.size(), k = pslg_.number_of_vertex_attributes;
     result_.number_of_vertex_attributes = k;
@@ -122,8 +123,8 @@ private:
     describe_crossings();
   }
 
-  /// The attributes of a crossing are interpolated along the first segment through it; its marker is the
-  /// first marker of a segment through it that is not 0.
+  /// Interpolates the attributes of a crossing along the first segment through it. Its marker is the first
+  /// nonzero marker of a segment through it.
   void describe_crossings() {
     std::vector<bool> is_described(arranged_.crossings.size(), false);
     for (std::size_t s = 0; s < arranged_.chains.size(); ++s)
@@ -152,8 +153,8 @@ private:
           (1 - ratio) * pslg_.vertex_attributes[a * k + i] + ratio * pslg_.vertex_attributes[b * k + i];
   }
 
-  /// A piece belongs to the first segment that covers it, and has the first marker of those that do that is
-  /// not 0.
+  /// A piece belongs to the first segment that covers it. It has the first nonzero marker of the segments
+  /// that cover it.
   void add_segments() {
     std::unordered_map<std::uint64_t, Segment_index> pieces;
     pieces.reserve(pslg_.segments.size());
@@ -182,8 +183,8 @@ private:
       result_.segment_markers.push_back(pslg_.segment_markers[std::size_t(origin)]);
   }
 
-  /// Returns whether the piece was another segment's: one bent by rounding may come over the same piece
-  /// twice.
+  /// Returns whether the piece belonged to another segment already. A segment bent by rounding may cover the
+  /// same piece twice.
   bool cover_again(Segment_index piece, Segment_index origin) {
     if (!result_.segment_markers.empty() && result_.segment_markers[std::size_t(piece)] == 0)
       result_.segment_markers[std::size_t(piece)] = pslg_.segment_markers[std::size_t(origin)];
@@ -211,7 +212,7 @@ template <class Point>
                      segment_text(pslg, std::size_t(s)) + " cross at " + place_text(p));
 }
 
-/// One pass: all that is wrong is put right, but rounded crossings may make new faults.
+/// One pass: cures all defects, but rounded crossings may make new ones.
 template <class Triangulation, class Point>
 std::optional<Segment_index> repair_pslg_once(Pslg_2<Point>& pslg, Pslg_repair_report_2& report) {
   Pslg_arranger_2<Triangulation> arranger(pslg);
@@ -221,7 +222,7 @@ std::optional<Segment_index> repair_pslg_once(Pslg_2<Point>& pslg, Pslg_repair_r
   return std::nullopt;
 }
 
-/// Adds what a further pass did. Defects stay counted as the first pass found them in the input.
+/// Adds the report of a further pass. The counts of defects stay those of the first pass, in the input.
 inline void append_pass(Pslg_repair_report_2& report, const Pslg_repair_report_2& pass) {
   for (Vertex_index& v : report.vertex_map) v = pass.vertex_map[std::size_t(v)];
   std::vector<Segment_index> origin;
@@ -236,22 +237,21 @@ inline void append_pass(Pslg_repair_report_2& report, const Pslg_repair_report_2
 } // namespace Quadtree_mesh_2
 
 /// \ingroup PkgQuadtreeMesh2Data
-/// Repairs a graph: duplicate vertices are merged, segments of length zero or covered by others removed,
-/// segments cut at the vertices on them and, on request, where they cross.
+/// Repairs a graph. Merges duplicate vertices. Removes segments of length zero or covered by others. Splits
+/// segments at the vertices on them and, on request, where they cross.
 ///
-/// Vertices keep their order and their bits, crossings come last; vertices without segments stay. The pieces
-/// of a segment follow each other in its direction, in the order of the segments. Holes and regions are
-/// copied. Markers and attributes:
-/// - a place has the attributes of its first vertex and the first marker there that is not 0;
-/// - a piece has the first marker that is not 0 of the segments that cover it;
-/// - a crossing has attributes interpolated along the first segment through it;
-/// - its marker, if vertices have markers at all, is the first that is not 0 of the segments through it.
+/// Vertices keep their order and their bits, and vertices without segments stay. Crossings come last. The
+/// pieces of a segment follow each other in its direction, in the order of the segments. Holes and regions
+/// are copied. Markers and attributes are:
+/// - A place has the attributes of its first vertex and the first nonzero marker there.
+/// - A piece has the first nonzero marker of the segments that cover it.
+/// - A crossing has attributes interpolated along the first segment through it. If vertices have markers, its
+///   marker is the first nonzero one of the segments through it.
 ///
-/// Expected O(n log n) time, and O(c) more in exact arithmetic for c crossings that are split: 0.2 s for 10^5
-/// vertices without crossings, 0.9 s with some.
+/// Expected O(n log n) time. c crossings that are split take O(c) more, in exact arithmetic.
 /// \tparam Point has floating-point coordinates.
-/// \throws Pslg_error_2 if `check_pslg_structure()` does; if segments cross and `options` do not ask for a
-/// split, with both segments and the place in the message. `report` is then as it was.
+/// \throws Pslg_error_2 if `check_pslg_structure()` does. Also if segments cross and `options` do not ask for
+/// a split; the message has both segments and the place. `report` is then unchanged.
 template <class Point>
 Pslg_2<Point> repair_pslg_2(const Pslg_2<Point>& pslg, const Pslg_repair_options_2& options,
                             Pslg_repair_report_2& report) {
@@ -279,7 +279,7 @@ Pslg_2<Point> repair_pslg_2(const Pslg_2<Point>& pslg, const Pslg_repair_options
 }
 
 /// \ingroup PkgQuadtreeMesh2Data
-/// The same for callers who do not ask what was done.
+/// The same without a report.
 template <class Point>
 Pslg_2<Point> repair_pslg_2(const Pslg_2<Point>& pslg,
                             const Pslg_repair_options_2& options = Pslg_repair_options_2()) {

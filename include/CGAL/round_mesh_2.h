@@ -8,16 +8,18 @@
 #define CGAL_ROUND_MESH_2_H
 
 /// \file
-/// From a mesh over exact numbers or words to one over doubles in which all triangles are counterclockwise.
+/// Turns a mesh over exact numbers or words into one over doubles in which all triangles are
+/// counterclockwise.
 ///
-/// Computes: every vertex at its nearest double; then, where triangles are flat or clockwise by that, other doubles
-///   nearby, other diagonals, or fewer Steiner vertices, until none is.
-/// Bound: O(n), and a step for a triangle at fault takes time by the degrees of vertices nearby. It ends, as each step
-///   leaves fewer triangles at fault, or fewer vertices.
-/// Source: the idea of snap rounding, that vertices which come to one place become one vertex (Hobby, Computational
-///   Geometry 13, 1999).
-/// Deviations: vertices are snapped to doubles and not to a uniform grid; input vertices stay what and where they are,
-///   nor are segments drawn to vertices nearby. So there may be no mesh over doubles, and then none is returned.
+/// Computes: every vertex at its nearest double. If triangles then are flat or clockwise, it tries other
+///           doubles nearby, other diagonals, or fewer Steiner vertices, until no triangle is.
+/// Bound: O(n), plus time by the degrees of nearby vertices for each triangle at fault. It ends because each
+///        step leaves fewer triangles at fault, or fewer vertices.
+/// Source: the idea of snap rounding, that vertices at one place become one vertex (Hobby, Computational
+///         Geometry 13, 1999).
+/// Deviates: vertices are snapped to doubles, not to a uniform grid. Input vertices stay as and where they
+///           are, and segments are not drawn to nearby vertices. So there may be no mesh over doubles, and
+///           then none is returned.
 
 #include <CGAL/Indexed_mesh_2.h>
 #include <CGAL/Point_set_mesh_report_2.h>
@@ -40,28 +42,28 @@
 namespace CGAL {
 
 /// \ingroup PkgQuadtreeMesh2Data
-/// Doubles cannot express a mesh; `what()` names a place and its vertices.
+/// Doubles cannot express the mesh. `what()` names a place and its vertices.
 class Mesh_rounding_error_2 : public Pslg_error_2 {
 public:
   using Pslg_error_2::Pslg_error_2;
 };
 
 /// \ingroup PkgQuadtreeMesh2Data
-/// What `round_mesh_2()` returns.
+/// The result of `round_mesh_2()`.
 template <class Point>
 struct Rounded_mesh_2 {
   Indexed_mesh_2<Point> mesh;      ///< all triangles are counterclockwise, exactly
   std::size_t moved_vertices = 0;  ///< Steiner vertices that are not at their nearest doubles
-  std::size_t merged_vertices = 0; ///< Steiner vertices that were merged with a neighbor
+  std::size_t merged_vertices = 0; ///< Steiner vertices merged with a neighbor
   std::size_t flipped_edges = 0;   ///< edges that became the other diagonal of their quadrilateral
-  /// Per triangle of the mesh that was rounded its index now; invalid for those that merging took away.
+  /// Per triangle of the original mesh, its new index; invalid for triangles that merging removed.
   std::vector<Quadtree_mesh_2::Triangle_index> new_triangle;
 
-  /// Whether rounding to the nearest doubles was all there was to do.
+  /// Whether rounding to the nearest doubles was enough.
   bool is_as_it_was() const { return moved_vertices + merged_vertices + flipped_edges == 0; }
 
-  /// Gives the triangles of a mesher's report their numbers in this mesh; those that are no more are dropped.
-  /// Angles in the report stay those before rounding.
+  /// Renumbers the triangles in a mesher's report for this mesh, and drops those that no longer exist. Angles
+  /// in the report stay those before rounding.
   void renumber(Quality_mesh_report_2& report) const {
     renumber_list(report.exempt_triangles);
     renumber_rest(report);
@@ -90,7 +92,7 @@ private:
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-/// The double nearest to an exact number; lazy numbers and long ones may be off by more where they are just converted.
+/// The double nearest to an exact number. A plain conversion of lazy or long numbers may be off by more.
 template <class FT>
 double nearest_double(const FT& v) {
   if constexpr (std::is_arithmetic<FT>::value) {
@@ -104,7 +106,7 @@ double nearest_double(const FT& v) {
   }
 }
 
-/// All but the points.
+/// Copies everything but the points.
 template <class Point, class Other_point>
 Indexed_mesh_2<Point> mesh_without_points(Indexed_mesh_2<Other_point>&& other) {
   Indexed_mesh_2<Point> mesh;
@@ -138,13 +140,14 @@ std::string text_of_unrounded(const Indexed_mesh_2<Point>& mesh, Triangle_index 
 } // namespace Quadtree_mesh_2
 
 /// \ingroup PkgQuadtreeMesh2Data
-/// Returns the mesh over doubles, valid as it was: all triangles counterclockwise, segments chains of edges.
+/// Returns the mesh over doubles. It is valid as before: all triangles are counterclockwise, and segments are
+/// chains of edges.
 ///
-/// Input vertices are at the doubles that are given, Steiner vertices as a rule at the nearest. Where triangles
-/// would be flat or clockwise by that, some Steiner vertices are put to other doubles nearby, edges are flipped, and
-/// vertices between which there is no double are merged. Angles next to such places may then be below the bound:
-/// `mesh_quality_2()` tells. A Steiner vertex in a segment is next to the segment, as always over doubles, and joined
-/// only with others in it or with its ends.
+/// Input vertices are at the given doubles, and Steiner vertices normally at the nearest ones. If triangles
+/// would be flat or clockwise, some Steiner vertices move to other doubles nearby, edges are flipped, and
+/// vertices without a double between them are merged. Angles near such places may then be below the bound;
+/// `mesh_quality_2()` tells. A Steiner vertex in a segment is next to the segment, as always over doubles. It
+/// merges only with other vertices in that segment or with its ends.
 ///
 /// \param mesh with all its arrays, over a kernel with exact numbers or over words
 /// \param input_points the doubles of the input vertices
@@ -174,7 +177,7 @@ Rounded_mesh_2<Point> round_mesh_2(Indexed_mesh_2<Other_point> mesh, const std::
 }
 
 /// \ingroup PkgQuadtreeMesh2Data
-/// The same with the doubles nearest to the exact numbers of the mesh for all vertices that are none of the input's.
+/// The same. All vertices that are not of the input go to the doubles nearest to the exact numbers.
 template <class Point, class Other_point>
 Rounded_mesh_2<Point> round_mesh_2(Indexed_mesh_2<Other_point> mesh, const std::vector<Point>& input_points) {
   return round_mesh_2<Point>(std::move(mesh), input_points, [](const Other_point& p) {
@@ -184,7 +187,7 @@ Rounded_mesh_2<Point> round_mesh_2(Indexed_mesh_2<Other_point> mesh, const std::
 }
 
 /// \ingroup PkgQuadtreeMesh2Data
-/// The same; vertices of the input go to the nearest doubles, too.
+/// The same. Input vertices go to the nearest doubles, too.
 template <class Point, class Other_point>
 Rounded_mesh_2<Point> round_mesh_2(Indexed_mesh_2<Other_point> mesh) {
   using Quadtree_mesh_2::internal::nearest_double;

@@ -20,9 +20,9 @@
 #include <string>
 #include <type_traits>
 
-// Is a Pslg_2 one that can be meshed at all? O(n) time, no further memory, no constructions: the only
-// geometric question, whether all vertices lie on a line, is answered exactly. Whether segments cross or
-// overlap is another question, for find_pslg_defects.h.
+// Checks whether a Pslg_2 can be meshed at all, in O(n) time, without further memory or constructions. The
+// only geometric question is whether all vertices lie on a line; the answer is exact. find_pslg_defects.h
+// tells whether segments cross or overlap.
 
 namespace CGAL {
 namespace Quadtree_mesh_2 {
@@ -43,8 +43,9 @@ bool is_finite_point(const Point& p) {
   return is_finite_coordinate(p.x()) && is_finite_coordinate(p.y());
 }
 
-/// Do the words `a - b` and `c - d`, multiplied, equal `e - f` times `g - h`? Differences of 64-bit words
-/// need 65 bits and their products 130, one more than there are; so signs and magnitudes are compared apart.
+/// Whether (`a - b`) times (`c - d`) equals (`e - f`) times (`g - h`), for words. Differences of 64-bit words
+/// need 65 bits and their products 130. That is more than 128, so signs and magnitudes are compared
+/// separately.
 template <class Word>
 bool are_equal_products(Word a, Word b, Word c, Word d, Word e, Word f, Word g, Word h) {
   static_assert(sizeof(Word) <= 8, "products of wider words do not fit 128 bits");
@@ -58,8 +59,8 @@ bool are_equal_products(Word a, Word b, Word c, Word d, Word e, Word f, Word g, 
   return left == 0 || ((a < b) != (c < d)) == ((e < f) != (g < h));
 }
 
-/// Are three points on a line? Exact for words, for doubles whatever the kernel, and for kernels with exact
-/// predicates.
+/// Whether three points are on a line. Exact for words, for doubles with any kernel, and for kernels with
+/// exact predicates.
 template <class Point>
 bool are_collinear(const Point& p, const Point& q, const Point& r) {
   using Coordinate = Coordinate_t<Point>;
@@ -91,7 +92,7 @@ std::string segment_text(const Pslg_2<Point>& pslg, std::size_t s) {
          " to " + vertex_text(pslg, std::size_t(pslg.segments[s][1]));
 }
 
-/// The error of a hole's or region's point on a vertex or, if that is invalid, on a segment.
+/// The error for the point of a hole or region that lies on a vertex or, if that is invalid, on a segment.
 template <class Point>
 Pslg_seed_error_2 make_seed_error(const Pslg_2<Point>& pslg, Pslg_seed_error_2::Kind kind, std::size_t seed,
                                   Vertex_index vertex, Segment_index segment) {
@@ -121,7 +122,7 @@ void check_pslg_lengths(const Pslg_2<Point>& pslg) {
   if (!pslg.vertex_markers.empty()) check_length(pslg.vertex_markers.size(), n, "vertex_markers");
   if (!pslg.segment_markers.empty())
     check_length(pslg.segment_markers.size(), pslg.segments.size(), "segment_markers");
-  // By division, as the product of a wild number of attributes may overflow.
+  // By division, because the product may overflow if the number of attributes is garbage.
   const std::size_t k = pslg.number_of_vertex_attributes;
   if (n == 0 || k == 0)
     check_length(pslg.vertex_attributes.size(), 0, "vertex_attributes");
@@ -180,11 +181,11 @@ void check_pslg_extent(const Pslg_2<Point>& pslg) {
 } // namespace Quadtree_mesh_2
 
 /// \ingroup PkgQuadtreeMesh2Data
-/// Checks what every user of a `Pslg_2` relies on: the arrays fit together, all coordinates are finite,
-/// segments end at vertices that exist, and the vertices do not all lie on a line.
+/// Checks the basic requirements of a `Pslg_2`: the arrays fit together, all coordinates are finite, segments
+/// end at existing vertices, and the vertices do not all lie on a line.
 ///
-/// Segments of length zero and vertices at the same place pass, see `validate_pslg_2()`; so do segments that
-/// cross, see `find_pslg_defects()`. O(n) time, no memory.
+/// Segments of length zero and vertices at the same place pass: see `validate_pslg_2()`. Crossing segments
+/// pass, too: see `find_pslg_defects()`. O(n) time, no memory.
 /// \throws Pslg_error_2 whose message names the first culprit by its 0-based index and its coordinates.
 template <class Point>
 void check_pslg_structure(const Pslg_2<Point>& pslg) {
@@ -196,10 +197,9 @@ void check_pslg_structure(const Pslg_2<Point>& pslg) {
 }
 
 /// \ingroup PkgQuadtreeMesh2Data
-/// The strict form of `check_pslg_structure()`: also no segment may have length zero, be it that both its
-/// ends are one vertex or two vertices at the same place. O(n) time, no memory.
-/// \throws Pslg_error_2 whose
-/// message names the first culprit by its 0-based index and its coordinates.
+/// The strict form of `check_pslg_structure()`. No segment may have length zero either, whether its ends are
+/// one vertex or two vertices at the same place. O(n) time, no memory.
+/// \throws Pslg_error_2 whose message names the first culprit by its 0-based index and its coordinates.
 template <class Point>
 void validate_pslg_2(const Pslg_2<Point>& pslg) {
   namespace internal = Quadtree_mesh_2::internal;

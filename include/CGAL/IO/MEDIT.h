@@ -15,8 +15,8 @@
 #include <ostream>
 #include <string>
 
-// The .mesh files of MEDIT, in two dimensions, for Mmg, FreeFEM and their like. Coordinates have the fewest digits that
-// give the same bits back. Linear.
+// Writes .mesh files of MEDIT in two dimensions, for Mmg, FreeFEM and the like. Coordinates have the fewest
+// digits that give the same bits back. Takes linear time.
 
 namespace CGAL {
 namespace Quadtree_mesh_2 {
@@ -56,15 +56,15 @@ namespace IO {
 
 /// Writes a mesh as a `.mesh` file of MEDIT in two dimensions.
 ///
-/// All points in their order, used or not, with their markers for references; the constrained edges with theirs; the
-/// triangles with the numbers of their regions, counted from 1, or 0 for none.
+/// The file has all points in their order, used or not, with their markers as references. It has the
+/// constrained edges with theirs. Triangles have the numbers of their regions, counted from 1, or 0 for none.
 /// \tparam Point `x()` and `y()` are arithmetic or have a `CGAL::to_double()`
 template <class Point>
 void write_MEDIT(std::ostream& out, const Indexed_mesh_2<Point>& mesh) {
   out << Quadtree_mesh_2::internal::medit_text(mesh);
 }
-/// \throws std::system_error (a `std::runtime_error`) naming the file if it cannot be written; what was there then
-/// still is.
+/// \throws std::system_error (a `std::runtime_error`) naming the file if it cannot be written. An older file of that
+/// name is then unchanged.
 template <class Point>
 void write_MEDIT(const std::string& file_name, const Indexed_mesh_2<Point>& mesh) {
   Quadtree_mesh_2::internal::replace_file(file_name, Quadtree_mesh_2::internal::medit_text(mesh));

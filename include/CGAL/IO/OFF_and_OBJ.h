@@ -15,8 +15,8 @@
 #include <ostream>
 #include <string>
 
-// Surfaces of z = 0, for programs that know meshes in space. Coordinates have the fewest digits that give the same bits
-// back. Linear.
+// Writes surfaces with z = 0, for programs that know meshes in space. Coordinates have the fewest digits that
+// give the same bits back. Takes linear time.
 
 namespace CGAL {
 namespace Quadtree_mesh_2 {
@@ -49,20 +49,21 @@ std::string obj_text(const Indexed_mesh_2<Point>& mesh) {
 
 namespace IO {
 
-/// Writes all points of a mesh, in their order and used or not, and its triangles to an OFF file; all else is lost.
+/// Writes all points of a mesh, in their order, used or not, and its triangles to an OFF file. The format has
+/// nothing else.
 /// \tparam Point `x()` and `y()` are arithmetic or have a `CGAL::to_double()`
 template <class Point>
 void write_OFF(std::ostream& out, const Indexed_mesh_2<Point>& mesh) {
   out << Quadtree_mesh_2::internal::off_text(mesh);
 }
-/// \throws std::system_error (a `std::runtime_error`) naming the file if it cannot be written; what was there then
-/// still is.
+/// \throws std::system_error (a `std::runtime_error`) naming the file if it cannot be written. An older file of that
+/// name is then unchanged.
 template <class Point>
 void write_OFF(const std::string& file_name, const Indexed_mesh_2<Point>& mesh) {
   Quadtree_mesh_2::internal::replace_file(file_name, Quadtree_mesh_2::internal::off_text(mesh));
 }
 
-/// The same to an OBJ file of Wavefront.
+/// Writes the same to an OBJ file of Wavefront.
 template <class Point>
 void write_OBJ(std::ostream& out, const Indexed_mesh_2<Point>& mesh) {
   out << Quadtree_mesh_2::internal::obj_text(mesh);

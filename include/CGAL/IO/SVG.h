@@ -8,8 +8,8 @@
 #define CGAL_IO_SVG_H
 
 /// \file
-/// Pictures of meshes that are small files: whole-number coordinates relative to the point before, and edges
-/// joined to long lines. Linear in the mesh, but for the sorting of its edges.
+/// Writes pictures of meshes as small files. Coordinates are whole numbers relative to the point before, and
+/// edges are joined to long lines. Takes linear time, except for sorting the edges.
 
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Indexed_mesh_2.h>
@@ -26,11 +26,10 @@
 namespace CGAL {
 namespace IO {
 
-/// Writes a picture of the mesh: its edges thin, the input segments thick, both of them inside and outside
-/// the domain.
+/// Writes a picture of the mesh. Its edges are thin. The input segments are thick, inside and outside the
+/// domain.
 /// \param mesh `points`, `triangles` and `constrained_edges` are used.
-/// \param pslg what the mesh
-/// was made from.
+/// \param pslg the graph that the mesh was made from.
 /// \tparam Point `x()` and `y()` are arithmetic or have a `CGAL::to_double()`.
 template <class Point>
 void write_SVG(std::ostream& out, const Indexed_mesh_2<Point>& mesh, const Pslg_2<Point>& pslg,
@@ -38,8 +37,8 @@ void write_SVG(std::ostream& out, const Indexed_mesh_2<Point>& mesh, const Pslg_
   Quadtree_mesh_2::internal::Svg_mesh_painter<Point>(mesh, pslg, options).paint(out);
 }
 
-/// \throws std::system_error (a `std::runtime_error`) naming the file if it cannot be written; what was there
-/// then still is.
+/// \throws std::system_error (a `std::runtime_error`) naming the file if it cannot be written. An older file of that
+/// name is then unchanged.
 template <class Point>
 void write_SVG(const std::string& file_name, const Indexed_mesh_2<Point>& mesh, const Pslg_2<Point>& pslg,
                const Svg_options_2& options = {}) {
@@ -48,7 +47,8 @@ void write_SVG(const std::string& file_name, const Indexed_mesh_2<Point>& mesh, 
   Quadtree_mesh_2::internal::replace_file(file_name, out.str());
 }
 
-/// Writes a picture of the mesh with the leaves of a quadtree under its edges: of the tree of the input, or of sizes.
+/// Writes a picture of the mesh with the leaves of a quadtree under its edges. The quadtree may be that of
+/// the input, or one of sizes.
 /// \tparam Quadtree a `Balanced_quadtree` of points of the same type
 template <class Point, class Quadtree, class = typename Quadtree::Framework>
 void write_SVG(std::ostream& out, const Indexed_mesh_2<Point>& mesh, const Pslg_2<Point>& pslg,

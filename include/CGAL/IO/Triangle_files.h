@@ -7,7 +7,7 @@
 #ifndef CGAL_IO_TRIANGLE_FILES_H
 #define CGAL_IO_TRIANGLE_FILES_H
 
-// The files of Jonathan Shewchuk's Triangle: .poly, .node and .ele.
+// Reads and writes the files of Jonathan Shewchuk's Triangle: .poly, .node and .ele.
 
 #include <CGAL/IO/read_triangle_files.h>
 #include <CGAL/IO/write_triangle_files.h>

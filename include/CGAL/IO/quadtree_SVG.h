@@ -8,9 +8,9 @@
 #define CGAL_IO_QUADTREE_SVG_H
 
 /// \file
-/// Pictures of quadtrees. The outlines of all leaves are the root's outline and a cross in each split square,
-/// so every edge is drawn once. What is too small to be seen is not visited: the cost is that of the picture,
-/// whatever the depth of the tree.
+/// Writes pictures of quadtrees. The outlines of all leaves are the root's outline and a cross in each split
+/// square, so every edge is drawn once. Squares too small to be seen are not visited. So the cost is that of
+/// the picture, whatever the depth of the tree.
 
 #include <CGAL/Balanced_quadtree.h>
 #include <CGAL/Bbox_2.h>
@@ -33,9 +33,9 @@
 namespace CGAL {
 namespace IO {
 
-/// How `write_SVG()` draws quadtrees. Colours are whatever SVG takes for one; "none" leaves a thing out.
+/// Options of `write_SVG()` for quadtrees. A color is any color of SVG; "none" omits the item.
 struct Quadtree_svg_options {
-  /// What areas are coloured by.
+  /// What determines the colors of areas.
   enum class Fill {
     PLAIN, ///< all leaves in `fill_color`
     LEVEL  ///< from light (large leaves) to dark (small ones)
@@ -46,14 +46,14 @@ struct Quadtree_svg_options {
   double edge_width = 0.4;            ///< pixels, as all widths
   double framework_width = 1.4;       ///< of the framework's squares
   double point_diameter = 2.4;        ///< of points
-  Fill fill = Fill::PLAIN;            ///< what areas are coloured by
+  Fill fill = Fill::PLAIN;            ///< what determines the colors of areas
   std::string edge_color = "#4a6b8a"; ///< of edges, or none
-  /// The outlines of the framework's squares: those of which more than one child holds points.
+  /// Of the outlines of the framework's squares, or none. More than one child of such a square holds points.
   std::string framework_color = "none";
   std::string point_color = "#b2182b";      ///< of points, or none
   std::string fill_color = "none";          ///< of areas, or none
-  std::string background_color = "#ffffff"; ///< of the rest, or none
-  /// The part of the plane that is shown; the root if empty.
+  std::string background_color = "#ffffff"; ///< of the background, or none
+  /// The part of the plane to show; the root if empty.
   std::optional<Bbox_2> clip;
 
   /// \name Setters
@@ -123,7 +123,7 @@ private:
       window_ = {options_.clip->xmin(), options_.clip->ymin(), options_.clip->xmax(), options_.clip->ymax()};
     const double width = window_.x1 - window_.x0, height = window_.y1 - window_.y0;
     const double pixels = std::max(1., options_.width_in_pixels - 2 * options_.margin_in_pixels);
-    const double extent = std::max(width, height / 4); // a tall picture gets narrower rather than endless
+    const double extent = std::max(width, height / 4); // a tall picture gets narrower
     scale_ = 10 * pixels / extent;
     if (!(extent > 0) || !std::isfinite(scale_)) scale_ = 1;
     width_ = 10 * std::max(1, options_.width_in_pixels);
@@ -148,7 +148,7 @@ private:
 
   // --- squares ---
 
-  /// Goes down from the root; not by recursion, as exact quadtrees can be deeper than the stack.
+  /// Goes down from the root, without recursion: exact quadtrees can be deeper than the stack.
   void visit_squares() {
     const Box root = box(tree_.root());
     if (is_in_window(root)) add_frame(edges_, to_picture(root));
@@ -202,7 +202,7 @@ private:
     edges_.line_to({middle.x, f.last.y});
   }
 
-  /// A colour for leaves of a level, between those of the largest and the smallest leaves of the picture.
+  /// A color for leaves of a level, between those of the largest and the smallest leaves of the picture.
   std::string color_of_level(std::size_t level) const {
     std::size_t least = 0;
     while (areas_[least].is_empty()) ++least;
@@ -218,7 +218,7 @@ private:
     return color;
   }
 
-  /// A thin stroke in the colour of the area closes the hairlines that renderers leave between neighbours.
+  /// A thin stroke in the color of the area closes the hairlines that renderers leave between neighbors.
   void paint_area(std::ostream& out, std::size_t level) const {
     if (areas_[level].is_empty()) return;
     const std::string color =
@@ -229,7 +229,7 @@ private:
 
   // --- points ---
 
-  /// A dot is a line of no length with round ends. Points that cannot be told apart share one.
+  /// A dot is a line of no length with round ends. Indistinguishable points share one.
   void list_points() {
     if (options_.point_color == "none") return;
     const auto& framework = tree_.framework();
@@ -259,7 +259,7 @@ private:
   const Options& options_;
   Box window_{};
   double scale_ = 1, center_x_ = 0, center_y_ = 0;
-  int width_ = 1, height_ = 1;  // tenths of pixels, as all of the picture
+  int width_ = 1, height_ = 1;  // tenths of pixels, like everything in the picture
   std::vector<Svg_path> areas_; // by level, or one
   Svg_path edges_, framework_, points_;
 };
@@ -269,11 +269,11 @@ private:
 
 namespace IO {
 
-/// Writes a picture of the quadtree: leaves as thin outlines, points as dots; as options say, leaves coloured
-/// by their level and the squares of the framework emphasized.
+/// Writes a picture of the quadtree: leaves as thin outlines, points as dots. Options color the leaves by
+/// their level and emphasize the squares of the framework.
 ///
-/// Squares of less than a fifth of a pixel are shown as if they were leaves. Framework squares inside a leaf,
-/// which there are if it may hold more than one point, are not shown.
+/// Squares of less than a fifth of a pixel are shown as if they were leaves. Framework squares inside a leaf
+/// are not shown; they exist if a leaf may hold more than one point.
 /// \tparam Traits `x()` and `y()` of its points are arithmetic or have a `CGAL::to_double()`.
 template <class Traits, class Concurrency_tag>
 void write_SVG(std::ostream& out, const Balanced_quadtree<Traits, Concurrency_tag>& tree,
@@ -282,8 +282,8 @@ void write_SVG(std::ostream& out, const Balanced_quadtree<Traits, Concurrency_ta
   Quadtree_mesh_2::internal::Svg_quadtree_painter<Quadtree>(tree, options).paint(out);
 }
 
-/// \throws std::system_error (a `std::runtime_error`) naming the file if it cannot be written; what was there
-/// then still is.
+/// \throws std::system_error (a `std::runtime_error`) naming the file if it cannot be written. An older file of that
+/// name is then unchanged.
 template <class Traits, class Concurrency_tag>
 void write_SVG(const std::string& file_name, const Balanced_quadtree<Traits, Concurrency_tag>& tree,
                const Quadtree_svg_options& options = {}) {

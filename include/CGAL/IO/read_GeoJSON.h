@@ -23,19 +23,19 @@
 #include <string>
 #include <utility>
 
-// Reads GeoJSON (RFC 7946) by nlohmann-json, which a program that includes this header has to have.
+// Reads GeoJSON (RFC 7946) by nlohmann-json. Programs that include this header need that library.
 
 namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-/// Goes through a GeoJSON object and adds what it finds to the features.
+/// Adds the geometries of a GeoJSON object to the features.
 class Geojson_walker {
 public:
   using Json = nlohmann::json;
 
   /// \param region_property the property of features that becomes the attribute of their regions; empty: none
-  /// \param root what was parsed from `text`
+  /// \param root the object parsed from `text`
   Geojson_walker(const Json& root, const std::string& text, const std::string& file_name,
                  const std::string& region_property, Simple_features& features)
       : root_(root), text_(text), file_name_(file_name), region_property_(region_property),
@@ -61,7 +61,7 @@ private:
   [[noreturn]] void fail(const Json& culprit, const std::string& what) const {
     throw Pslg_error_2(line_of(culprit) + what);
   }
-  /// The line of a value, as messages begin.
+  /// The line of a value, for the beginning of messages.
   std::string line_of(const Json& value) const {
     return file_name_ + ':' + std::to_string(line_in_json(text_, path_to(root_, value))) + ": ";
   }
@@ -86,7 +86,7 @@ private:
     features_.set_attribute(attribute_of(feature, where));
     const auto geometry = feature.find("geometry");
     if (geometry == feature.end()) fail(feature, where + ": there is no \"geometry\"");
-    if (!geometry->is_null()) add_geometry(*geometry, where, 0); // one that is nowhere has null
+    if (!geometry->is_null()) add_geometry(*geometry, where, 0); // null is a feature without a place
   }
 
   std::optional<double> attribute_of(const Json& feature, const std::string& where) {
@@ -127,7 +127,7 @@ private:
       fail(geometry, where + ": the type " + in_quotes(type) + " is unknown");
   }
 
-  /// \tparam Add called with the part and with words that tell where it is
+  /// \tparam Add called with the part and with words for its place
   template <class Add>
   void for_each_part(const Json& parts, const std::string& where, const char* name, const Add& add) {
     for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -169,7 +169,7 @@ private:
     return result;
   }
 
-  /// Further numbers, a height and a measure as a rule, are not kept.
+  /// Drops further numbers, usually a height and a measure.
   static bool is_place(const Json& position) {
     constexpr std::size_t most = 4;
     return position.is_array() && position.size() >= 2 && position.size() <= most &&
@@ -209,23 +209,23 @@ Pslg_2<Point> parse_geojson(const std::string& text, const std::string& name,
 
 namespace IO {
 
-/// Reads a graph from a GeoJSON file, or from one compressed by gzip: polygons, lines and points, alone, in
+/// Reads a graph from a GeoJSON file, also from one compressed by gzip: polygons, lines and points, alone, in
 /// collections or in features.
 ///
-/// Borders of polygons and lines become segments, points vertices. Vertices at one place are one, and so are
-/// segments with the same ends: neighbours share their border. If there are polygons the domain is what they cover:
-/// each bounded component of the plane that no polygon covers gets a point in `Pslg_2::holes`. A place is in a
-/// polygon if it is behind an odd number of its rings, so islands in lakes and enclaves are covered by the polygons
-/// that they are. Without polygons the domain is what lines enclose. All this is for the rule
-/// `Quality_mesh_options_2::Domain::ENCLOSED`, the default.
+/// Borders of polygons and lines become segments, and points become vertices. Vertices at one place become
+/// one, and so do segments with the same ends: neighbors share their border. If there are polygons, the
+/// domain is what they cover. Each bounded component of the plane that no polygon covers gets a point in
+/// `Pslg_2::holes`. A place is in a polygon if it is behind an odd number of its rings. So islands in lakes,
+/// and enclaves, are covered by their own polygons. Without polygons the domain is what lines enclose. All
+/// this is for the rule `Quality_mesh_options_2::Domain::ENCLOSED`, the default.
 ///
-/// Coordinates are taken as they are, as in a plane; heights are not kept. Segments may cross, as in the file; see
-/// `repair_pslg_2()`. Linear, but for the triangulation that finds the components.
-/// \param region_property if not empty, this number in the properties of a feature becomes the attribute of a region
-/// in each component that its polygons cover, those of the first feature where several do; features without it get no
-/// region.
-/// \throws Pslg_error_2 with the file, the line and the feature if the file is missing or
-/// malformed, a ring is not closed, or no feature has the property; `pslg` is then as it was.
+/// Coordinates are taken as coordinates of a plane. Heights are dropped. Segments may cross, as in the file;
+/// see `repair_pslg_2()`. Takes linear time, except for the triangulation that finds the components.
+/// \param region_property a numeric property of features; empty for none. Each component that polygons of
+/// features with that property cover gets a region, with the number as its attribute. Where several features
+/// cover it, the first counts. Features without the property get no region.
+/// \throws Pslg_error_2 with the file, the line and the feature if the file is missing or malformed, a ring
+/// is not closed, or no feature has the property; `pslg` is then unchanged.
 /// \tparam Point can be made from two doubles.
 template <class Point>
 void read_GeoJSON(const std::string& file_name, Pslg_2<Point>& pslg,

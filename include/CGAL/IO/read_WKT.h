@@ -20,8 +20,8 @@
 #include <string_view>
 #include <utility>
 
-// Reads well-known text (OGC 06-103r4, and PostGIS's extended form) in one pass over its words. CGAL's readers and
-// Boost.Geometry, on which they are built, cannot serve here: they take a missing comma for a comma, a third number for
+// Reads well-known text (OGC 06-103r4, and PostGIS's extended form) in one pass over its words. CGAL's
+// readers build on Boost.Geometry and cannot serve here. They accept a missing comma, take a third number for
 // the next x, a missing number for 0 and `nan` for a number, and tell no line.
 
 namespace CGAL {
@@ -57,7 +57,7 @@ private:
     return capitals;
   }
   bool is_at_word() { return scanner_.has_more() && scanner_.separator_ahead() == '\0'; }
-  /// The next word in capitals, without going on; empty if there is a mark or nothing.
+  /// The next word in capitals, without consuming it; empty if there is a mark or nothing.
   std::string word_ahead() {
     return is_at_word() ? in_capitals(scanner_.word_ahead({"a word"})) : std::string();
   }
@@ -93,8 +93,8 @@ private:
 
   // --- Geometries ---
 
-  /// "SRID=4326;" before a geometry of extended WKT: coordinates are taken as they are, but those of two systems
-  /// have no place in one plane.
+  /// Reads "SRID=4326;" before a geometry of extended WKT. Coordinates are taken as they are, but those of
+  /// two systems cannot share one plane.
   bool try_reference_system() {
     const std::string word = word_ahead();
     if (word.compare(0, 5, "SRID=") != 0) return false;
@@ -127,7 +127,7 @@ private:
     read_list([&](std::size_t) { read_geometry(depth + 1); });
   }
 
-  /// Takes the tag from the end of a type that has it there: "POINTZ".
+  /// Removes a tag from the end of a type: "POINTZ".
   static std::string split_tag(std::string& type) {
     const std::size_t end = type.find_last_not_of("ZM") + 1; // no type ends with these
     const std::string tag = type.substr(end);
@@ -137,7 +137,7 @@ private:
   }
 
   using Read_body = void (Wkt_parser::*)();
-  /// What reads the rest of a geometry of this type, if it is known.
+  /// The function that reads the rest of a geometry of this type, if the type is known.
   static Read_body find_reader(const std::string& type) {
     constexpr std::pair<const char*, Read_body> readers[] = {
         {"POINT", &Wkt_parser::read_point},     {"MULTIPOINT", &Wkt_parser::read_points},
@@ -208,7 +208,7 @@ private:
     return line;
   }
 
-  /// x and y, and what the tag allows behind them; without a tag there may be a z.
+  /// x and y, and the further numbers of the tag. Without a tag there may be a z.
   Place read_place(std::size_t i) {
     constexpr std::size_t most = 4;
     Place p{};
@@ -224,7 +224,7 @@ private:
     return p;
   }
 
-  /// It is one for all places of a geometry.
+  /// The number is the same for all places of a geometry.
   void check_number_of_ordinates(std::size_t i, std::size_t n) {
     if (ordinates_ == 0 && n == 4) fail_at_place(i, "has four numbers and the geometry no tag ZM");
     if (ordinates_ == 0) ordinates_ = n;
@@ -257,15 +257,17 @@ Pslg_2<Point> parse_wkt(const std::string& text, const std::string& name) {
 
 namespace IO {
 
-/// Reads a graph from a file of well-known text, or from one compressed by gzip: any number of `POLYGON`,
-/// `MULTIPOLYGON`, `LINESTRING`, `MULTILINESTRING`, `POINT`, `MULTIPOINT` and `GEOMETRYCOLLECTION`, with white space or
-/// semicolons between them, in small letters or capitals. A comment reaches from `#` to the end of its line.
+/// Reads a graph from a file of well-known text, also from one compressed by gzip. The file has any number of
+/// `POLYGON`, `MULTIPOLYGON`, `LINESTRING`, `MULTILINESTRING`, `POINT`, `MULTIPOINT` and
+/// `GEOMETRYCOLLECTION`, in lower or upper case, with white space or semicolons between them. A comment
+/// reaches from `#` to the end of its line.
 ///
-/// They become a graph, with holes, as in `read_GeoJSON()`. Rings that are not closed are closed. Heights and measures
-/// are not kept: with the tags `Z`, `M` and `ZM` each place has three or four numbers, without a tag two, or three of
-/// which the last is a height; their number is the same for all places of a geometry.
-/// \throws Pslg_error_2 with the file and the line if the file is missing or malformed, or a number is not finite;
-/// `pslg` is then as it was.
+/// They become a graph, with holes, as in `read_GeoJSON()`. Rings that are not closed are closed. Heights and
+/// measures are dropped. With the tags `Z`, `M` and `ZM` each place has three or four numbers. Without a tag
+/// it has two, or three of which the last is a height. All places of a geometry have the same number of
+/// numbers.
+/// \throws Pslg_error_2 with the file and the line if the file is missing or malformed, or a number is not
+/// finite; `pslg` is then unchanged.
 /// \tparam Point can be made from two doubles.
 template <class Point>
 void read_WKT(const std::string& file_name, Pslg_2<Point>& pslg) {

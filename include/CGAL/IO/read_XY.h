@@ -21,13 +21,13 @@
 #include <utility>
 #include <vector>
 
-// Reads points from text with one point a line, as spreadsheets and scripts write it. Linear.
+// Reads points from text with one point per line, as spreadsheets and scripts write it. Takes linear time.
 
 namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-/// Reads rows of `N` numbers that have names, which a header may use.
+/// Reads rows of `N` numbers. The numbers have names, which a header may use.
 template <std::size_t N>
 class Table_parser {
 public:
@@ -55,7 +55,7 @@ public:
   [[noreturn]] void fail(const std::string& what) const { scanner_.fail(what); }
 
 private:
-  /// What divides a line besides blanks; with a semicolon the comma is left for numbers, and an error there.
+  /// What divides a line besides blanks. With a semicolon, a comma belongs to a number and is an error there.
   static std::string_view separators_of(std::string_view line) {
     for (const char* const separator : {";", ","})
       if (Line_scanner::find_unquoted(line, *separator) != std::string_view::npos) return separator;
@@ -77,7 +77,7 @@ private:
     }
     return row;
   }
-  /// Behind the last column there may be none.
+  /// The last column need not have one.
   void pass_separator(std::string_view separators) {
     if (!scanner_.has_more_columns()) return;
     if (scanner_.separator_ahead() == '\0')
@@ -86,7 +86,7 @@ private:
     scanner_.pass_separator();
   }
 
-  /// The columns of a header, in small letters and without quotes.
+  /// The columns of a header, in lower case and without quotes.
   static std::vector<std::string> split(std::string_view line) {
     const std::string_view separators = separators_of(line);
     std::vector<std::string> columns(1);
@@ -112,7 +112,7 @@ private:
     });
   }
 
-  /// The columns that have the names, if all of them are there; else the first ones.
+  /// The columns with the names if all of them exist, otherwise the first columns.
   /// \throws Pslg_error_2 if two columns have a name
   void find_columns(const std::vector<std::string>& header) {
     std::array<std::size_t, N> found;
@@ -127,8 +127,8 @@ private:
   }
 
   Line_scanner scanner_;
-  std::array<const char*, N> columns_; ///< what they are called
-  std::array<std::size_t, N> place_;   ///< and where they are in a line
+  std::array<const char*, N> columns_; ///< the names of the columns
+  std::array<std::size_t, N> place_;   ///< their positions in a line
 };
 
 template <class Point>
@@ -159,13 +159,13 @@ std::pair<std::vector<Point>, std::vector<double>> parse_sized_points(const std:
 
 namespace IO {
 
-/// Reads points from text, or from text compressed by gzip: one point a line, `x y`, `x,y` or `x;y`.
+/// Reads points from text, also from text compressed by gzip. Each line has one point: `x y`, `x,y` or `x;y`.
 ///
-/// The first line may be a header: one with no number in it. If it has columns `x` and `y` (or `X` and `Y`), wherever,
-/// these are read, else the first two. Further columns are not looked at, and may be text in double quotes; empty lines
-/// and what follows a `#` neither. Coordinates are the doubles nearest to the decimals.
-/// \throws Pslg_error_2 with file and line if the file is missing or a coordinate is missing, not a number or not
-/// finite; `points` is then as it was.
+/// A first line without a number is a header. If it has columns `x` and `y` (or `X` and `Y`) anywhere, these
+/// are read, otherwise the first two. Further columns are ignored, and may be text in double quotes. Empty
+/// lines and anything after a `#` are ignored, too. Coordinates are the doubles nearest to the decimals.
+/// \throws Pslg_error_2 with file and line if the file is missing, or a coordinate is missing, not a number
+/// or not finite; `points` is then unchanged.
 /// \tparam Point can be made from two doubles.
 template <class Point>
 void read_XY(const std::string& file_name, std::vector<Point>& points) {
@@ -181,8 +181,8 @@ void read_XY(std::istream& in, std::vector<Point>& points, const std::string& na
   points = internal::parse_points<Point>(internal::read_whole_stream(in, name), name);
 }
 
-/// Reads points with a size each, which is positive: the third column, or the one called `size`.
-/// \throws Pslg_error_2 as above, and if a size is not above 0.
+/// Reads points with a positive size each: the third column, or the one called `size`.
+/// \throws Pslg_error_2 as above, and if a size is not positive.
 template <class Point>
 void read_XY(const std::string& file_name, std::vector<Point>& points, std::vector<double>& sizes) {
   namespace internal = Quadtree_mesh_2::internal;

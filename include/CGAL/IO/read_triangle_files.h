@@ -26,9 +26,9 @@
 #include <utility>
 #include <vector>
 
-// Readers for the files of Jonathan Shewchuk's Triangle: .poly, .node and .ele
-// (https://www.cs.cmu.edu/~quake/triangle.html). One pass over the text in memory. Stricter than Triangle,
-// which takes what it cannot read for zero: anything doubtful is an error that tells file and line.
+// Reads the files of Jonathan Shewchuk's Triangle: .poly, .node and .ele
+// (https://www.cs.cmu.edu/~quake/triangle.html), in one pass over the text in memory. Triangle takes what it
+// cannot read for zero. Here anything doubtful is an error that tells file and line.
 
 namespace CGAL {
 namespace Quadtree_mesh_2 {
@@ -141,10 +141,10 @@ public:
 
 private:
   using Coordinate = Coordinate_t<Point>;
-  /// Words are read as words, all else as doubles.
+  /// Reads words as words, everything else as doubles.
   using Number = std::conditional_t<std::is_integral_v<Coordinate>, Coordinate, double>;
 
-  // Shortest lines, "0 0 0": at most so many records as these can follow, whatever a header claims.
+  // The shortest line is "0 0 0". This bounds the number of records that can follow, whatever a header claims.
   static constexpr std::size_t shortest_vertex = 6;
   static constexpr std::size_t shortest_segment = 6;
   static constexpr std::size_t shortest_triangle = 8;
@@ -216,7 +216,7 @@ private:
   std::size_t first_index_ = 0;
 };
 
-/// The .node file that belongs to a .poly file, or nothing if there is none. Either may be compressed (.gz).
+/// The .node file of a .poly file, or nothing if there is none. Either may be compressed (.gz).
 inline std::string find_node_file(std::string file_name) {
   const auto drop_ending = [&file_name](const std::string& ending) {
     const bool has_ending = file_name.size() >= ending.size() &&
@@ -232,7 +232,7 @@ inline std::string find_node_file(std::string file_name) {
   return std::string();
 }
 
-/// Whether a .poly file leaves its vertices to a .node file: what `parse_triangle_poly()` finds out, beforehand.
+/// Whether a .poly file leaves its vertices to a .node file, known before `parse_triangle_poly()` finds out.
 inline bool has_no_vertices(const std::string& file_name) {
   const std::string text = read_whole_file(file_name);
   Line_scanner scanner(text, file_name);
@@ -250,7 +250,7 @@ std::size_t parse_triangle_node(const std::string& text, const std::string& name
   return parser.first_index();
 }
 
-/// \param node_name where the vertices are if `text` has none; may be empty.
+/// \param node_name the file with the vertices if `text` has none; may be empty.
 template <class Point>
 Pslg_2<Point> parse_triangle_poly(const std::string& text, const std::string& name,
                                   const std::string& node_name) {
@@ -275,18 +275,16 @@ Pslg_2<Point> parse_triangle_poly(const std::string& text, const std::string& na
 
 namespace IO {
 
-/// Reads a planar straight-line graph from a `.poly` file of Triangle, or from one compressed by gzip (which
-/// needs a program linked with Boost.Iostreams).
+/// Reads a planar straight-line graph from a `.poly` file of Triangle, also from one compressed by gzip
+/// (which needs a program linked with Boost.Iostreams).
 ///
-/// Vertices may be numbered from 0 or from 1 and become 0-based. If the file has 0 vertices they are taken
-/// from the
-/// `.node` file of the same stem. A comment reaches from `#` to the end of its line. Regions have an
-/// attribute and, if one more column is there, a largest area. Coordinates are the doubles nearest to the
-/// decimals, or words if the coordinates of `Point` are integers. Segments are not checked beyond their
-/// indices, see `check_pslg_structure()` and `repair_pslg_2()`. Linear time: about 0.1 us a number.
-/// \throws
-/// Pslg_error_2 with file, line and culprit if the file is missing, truncated or malformed; `pslg` is then as
-/// it was.
+/// Vertices may be numbered from 0 or from 1, and become 0-based. If the file has 0 vertices, they are taken
+/// from the `.node` file of the same stem. A comment reaches from `#` to the end of its line. Regions have an
+/// attribute and, if there is one more column, a largest area. Coordinates are the doubles nearest to the
+/// decimals, or words if the coordinates of `Point` are integers. Only the indices of segments are checked;
+/// see `check_pslg_structure()` and `repair_pslg_2()`. Takes linear time.
+/// \throws Pslg_error_2 with file, line and culprit if the file is missing, truncated or malformed; `pslg` is
+/// then unchanged.
 template <class Point>
 void read_triangle_poly(const std::string& file_name, Pslg_2<Point>& pslg) {
   namespace internal = Quadtree_mesh_2::internal;
@@ -294,7 +292,7 @@ void read_triangle_poly(const std::string& file_name, Pslg_2<Point>& pslg) {
                                               internal::find_node_file(file_name));
 }
 
-/// The same from a stream, whose text has to have the vertices in it.
+/// The same from a stream, whose text has to contain the vertices.
 /// \throws Pslg_error_2 as above, with `name` for the name of the file.
 template <class Point>
 void read_triangle_poly(std::istream& in, Pslg_2<Point>& pslg, const std::string& name = "input") {
@@ -304,7 +302,7 @@ void read_triangle_poly(std::istream& in, Pslg_2<Point>& pslg, const std::string
 }
 
 /// Reads vertices with their attributes and markers from a `.node` file: a graph without segments.
-/// \throws Pslg_error_2 as `read_triangle_poly()` does; `pslg` is then as it was.
+/// \throws Pslg_error_2 as `read_triangle_poly()` does; `pslg` is then unchanged.
 template <class Point>
 void read_triangle_node(const std::string& file_name, Pslg_2<Point>& pslg) {
   namespace internal = Quadtree_mesh_2::internal;
@@ -313,8 +311,9 @@ void read_triangle_node(const std::string& file_name, Pslg_2<Point>& pslg) {
   pslg = std::move(result);
 }
 
-/// Reads points and triangles of a mesh from `stem.node` and `stem.ele`; all else in `mesh` becomes empty.
-/// \throws Pslg_error_2 as `read_triangle_poly()` does; `mesh` is then as it was.
+/// Reads points and triangles of a mesh from `stem.node` and `stem.ele`. Everything else in `mesh` becomes
+/// empty.
+/// \throws Pslg_error_2 as `read_triangle_poly()` does; `mesh` is then unchanged.
 template <class Point>
 void read_triangle_files(const std::string& stem, Indexed_mesh_2<Point>& mesh) {
   namespace internal = Quadtree_mesh_2::internal;

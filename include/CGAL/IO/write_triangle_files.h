@@ -17,16 +17,16 @@
 #include <string>
 #include <vector>
 
-// Writers for the files of Jonathan Shewchuk's Triangle: .poly, .node and .ele
-// (https://www.cs.cmu.edu/~quake/triangle.html). All numbers are counted from 0. Coordinates are written with
-// the fewest digits that give the same bits back. Each file is made in memory, in linear time, and appears
-// under its name only when it is complete.
+// Writes the files of Jonathan Shewchuk's Triangle: .poly, .node and .ele
+// (https://www.cs.cmu.edu/~quake/triangle.html). All numbers count from 0. Coordinates have the fewest digits
+// that give the same bits back. Each file is made in memory, in linear time, and appears under its name only
+// when it is complete.
 
 namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-/// The vertices as a .node file and a .poly file have them.
+/// Writes the vertices as in a .node file and in a .poly file.
 template <class Point>
 void write_vertices(Line_writer& out, const Pslg_2<Point>& pslg) {
   const std::size_t k = pslg.number_of_vertex_attributes;
@@ -48,7 +48,7 @@ void write_holes_and_regions(Line_writer& out, const Pslg_2<Point>& pslg) {
   (out << pslg.regions.size()).end_line();
   for (std::size_t r = 0; r < pslg.regions.size(); ++r) {
     const auto& region = pslg.regions[r];
-    // Without the last column Triangle would take the attribute for the area; -1 means no bound.
+    // Without the last column, Triangle would take the attribute for the area. -1 means no bound.
     (out << r).write_point(region.point) << region.attribute << (region.max_area > 0 ? region.max_area : -1.);
     out.end_line();
   }
@@ -98,7 +98,7 @@ Line_writer mesh_poly_text(const Indexed_mesh_2<Point>& mesh, const Pslg_2<Point
   return out;
 }
 
-/// Adds `stem.node`, `stem.ele` and `stem.poly` to what is about to be replaced.
+/// Adds `stem.node`, `stem.ele` and `stem.poly` to the files about to be replaced.
 template <class Point>
 void add_triangle_files(Replaced_files& files, const Indexed_mesh_2<Point>& mesh, const Pslg_2<Point>& pslg,
                         const std::string& stem) {
@@ -113,9 +113,9 @@ void add_triangle_files(Replaced_files& files, const Indexed_mesh_2<Point>& mesh
 namespace IO {
 
 /// Writes the vertices of a graph, with their attributes and markers, to a `.node` file.
-/// \pre `check_pslg_structure(pslg)` passes, as for all functions here.
-/// \throws std::system_error that names the file if it cannot be written; an older file of that name is then
-/// as it was. This holds for all functions here.
+/// \pre `check_pslg_structure(pslg)` passes; this holds for all functions here.
+/// \throws std::system_error that names the file if it cannot be written. An older file of that name is then
+/// unchanged. This holds for all functions here.
 template <class Point>
 void write_triangle_node(const std::string& file_name, const Pslg_2<Point>& pslg) {
   Quadtree_mesh_2::internal::Line_writer out;
@@ -123,7 +123,7 @@ void write_triangle_node(const std::string& file_name, const Pslg_2<Point>& pslg
   Quadtree_mesh_2::internal::replace_file(file_name, out.take());
 }
 
-/// Writes a whole graph, vertices and all, to a `.poly` file. `read_triangle_poly()` gives the same graph
+/// Writes a whole graph, including vertices, to a `.poly` file. `read_triangle_poly()` gives the same graph
 /// back, bit for bit.
 template <class Point>
 void write_triangle_poly(const std::string& file_name, const Pslg_2<Point>& pslg) {
@@ -141,7 +141,7 @@ void write_triangle_poly(const std::string& file_name, const Pslg_2<Point>& pslg
   internal::replace_file(file_name, out.take());
 }
 
-/// Writes all vertices of a mesh, in their order and used or not, to a `.node` file with their markers
+/// Writes all vertices of a mesh to a `.node` file, in their order, used or not, with their markers
 /// (`Indexed_mesh_2::vertex_markers`).
 template <class Point>
 void write_triangle_node(const std::string& file_name, const Indexed_mesh_2<Point>& mesh) {
@@ -149,9 +149,9 @@ void write_triangle_node(const std::string& file_name, const Indexed_mesh_2<Poin
   internal::replace_file(file_name, internal::mesh_node_text(mesh).take());
 }
 
-/// Writes the triangles of a mesh to an `.ele` file, with the attributes of their regions (0 where there is
-/// no region) if `pslg` has regions.
-/// \pre `mesh` is a mesh of `pslg`, as for all functions below.
+/// Writes the triangles of a mesh to an `.ele` file. If `pslg` has regions, triangles have the attributes of
+/// their regions, or 0 outside regions.
+/// \pre `mesh` is a mesh of `pslg`; this holds for all functions below.
 template <class Point>
 void write_triangle_ele(const std::string& file_name, const Indexed_mesh_2<Point>& mesh,
                         const Pslg_2<Point>& pslg) {
@@ -159,9 +159,9 @@ void write_triangle_ele(const std::string& file_name, const Indexed_mesh_2<Point
   internal::replace_file(file_name, internal::mesh_ele_text(mesh, pslg).take());
 }
 
-/// Writes the constrained edges of a mesh, with the markers of the segments they are part of if `pslg` has
-/// them, and its holes and regions to a `.poly` file without vertices, which belongs to the `.node` file of
-/// the same stem.
+/// Writes the constrained edges of a mesh, its holes and its regions to a `.poly` file without vertices. The
+/// file belongs to the `.node` file of the same stem. If `pslg` has markers of segments, edges have those of
+/// their segments.
 template <class Point>
 void write_triangle_poly(const std::string& file_name, const Indexed_mesh_2<Point>& mesh,
                          const Pslg_2<Point>& pslg) {
@@ -169,8 +169,8 @@ void write_triangle_poly(const std::string& file_name, const Indexed_mesh_2<Poin
   internal::replace_file(file_name, internal::mesh_poly_text(mesh, pslg).take());
 }
 
-/// Writes `stem.node`, `stem.ele` and `stem.poly`: what the three functions above write, and if one file
-/// cannot be written, none is.
+/// Writes `stem.node`, `stem.ele` and `stem.poly` as the three functions above do. If one file cannot be
+/// written, none is.
 template <class Point>
 void write_triangle_files(const Indexed_mesh_2<Point>& mesh, const Pslg_2<Point>& pslg,
                           const std::string& stem) {

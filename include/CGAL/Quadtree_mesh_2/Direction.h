@@ -14,7 +14,7 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 
 /// \ingroup PkgQuadtreeMesh2Quadtrees
-/// The eight directions to the neighbours of a square, counterclockwise: across sides and corners in turn.
+/// The eight directions to the neighbors of a square, counterclockwise: across sides and corners in turn.
 enum class Direction { EAST, NORTH_EAST, NORTH, NORTH_WEST, WEST, SOUTH_WEST, SOUTH, SOUTH_EAST };
 
 /// \ingroup PkgQuadtreeMesh2Quadtrees

@@ -22,7 +22,7 @@ struct Grid_point_2 {
                 "grid coordinates are not negative");
   using Word = Word_; ///< the type of coordinates
 
-  // Not initialized by themselves, lest large arrays of points are cleared before they are filled.
+  // Not initialized, so that large arrays of points are not cleared before they are filled.
   Word x; ///< from the left side of the root
   Word y; ///< from its lower side
 
@@ -36,11 +36,9 @@ struct Grid_point_2 {
 };
 
 /// \ingroup PkgQuadtreeMesh2Quadtrees
-/// A square of a quadtree: its lower left corner in grid units and its level.
-///
-/// The root has level 0; a square of level `l` has side `2^(depth - l)` grid units, where `depth` is that of
-/// the grid, and corners at multiples of its side. It is half open: it contains its lower and left sides
-/// only.
+/// The root has level 0. A square of level `l` has side `2^(depth - l)` grid units and corners at multiples
+/// of its side; `depth` is that of the grid. A square is half open: of its border it contains only the lower
+/// and left sides.
 /// \tparam Word_ as for `Grid_point_2`.
 template <class Word_>
 struct Quadtree_square_2 {

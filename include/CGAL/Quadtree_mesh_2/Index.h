@@ -16,15 +16,13 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 
 /// \ingroup PkgQuadtreeMesh2Data
-/// A 32-bit index that cannot be mistaken for an index of another kind.
-///
-/// Converts explicitly from and to integers; compares and orders as the integer does. The default-constructed
+/// It converts explicitly from and to integers, and compares as the integer does. The default-constructed
 /// index is invalid (`is_valid()` is `false`).
 /// \tparam Tag distinguishes the kinds of indices.
 template <class Tag>
 class Index {
 public:
-  using size_type = std::uint32_t; ///< what it holds
+  using size_type = std::uint32_t; ///< the integer type that it holds
 
   constexpr Index() = default;
   /// The index `i`.
@@ -34,10 +32,10 @@ public:
   constexpr size_type value() const { return value_; }
   /// The number, for looking up arrays.
   constexpr explicit operator std::size_t() const { return value_; }
-  /// Whether it is one.
+  /// Whether the index is valid.
   constexpr bool is_valid() const { return value_ != invalid_; }
 
-  /// The next one.
+  /// Advances to the next index.
   Index& operator++() {
     ++value_;
     return *this;
@@ -82,7 +80,7 @@ using Point_index = Index<Point_tag>;
 } // namespace Quadtree_mesh_2
 } // namespace CGAL
 
-/// Indices in unordered containers.
+/// Hashes indices for unordered containers.
 template <class Tag>
 struct std::hash<CGAL::Quadtree_mesh_2::Index<Tag>> {
   /// The hash of the number.

@@ -16,14 +16,14 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 
 /// \ingroup PkgQuadtreeMesh2Quadtrees
-/// The leaves around a leaf of a balanced quadtree, counterclockwise from the east; a range that needs no
+/// The leaves around a leaf of a balanced quadtree, counterclockwise from the east. The range allocates no
 /// memory.
 class Leaf_neighbors {
 public:
   /// \name Types
   /// @{
 
-  /// Of a range.
+  /// The types of a range.
   using value_type = Leaf_index;
   using const_iterator = const Leaf_index*;
   /// @}
@@ -31,18 +31,18 @@ public:
   /// \name Access
   /// @{
 
-  /// As of a container.
+  /// The usual access of containers.
   const_iterator begin() const { return leaves_.data(); }
   const_iterator end() const { return leaves_.data() + size_; }
   std::size_t size() const { return size_; }
   Leaf_index operator[](std::size_t i) const { return leaves_[i]; }
   /// @}
 
-  /// Appends a leaf unless it is the last one: a large leaf is met in several consecutive directions.
+  /// Appends a leaf unless it equals the last one: a large leaf occurs in several consecutive directions.
   void append(Leaf_index l) {
     if (size_ == 0 || leaves_[size_ - 1] != l) leaves_[size_++] = l;
   }
-  /// Removes the last leaf if it is the first one, too.
+  /// Removes the last leaf if it equals the first one.
   void close() {
     if (size_ > 1 && leaves_[size_ - 1] == leaves_[0]) --size_;
   }

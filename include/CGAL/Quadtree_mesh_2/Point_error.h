@@ -16,7 +16,7 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 
 /// \ingroup PkgQuadtreeMesh2Quadtrees
-/// Thrown for input points from which no quadtree can be made; names the points.
+/// Thrown for input points from which no quadtree can be made. It names the points.
 class Point_error : public std::invalid_argument {
 public:
   /// What is wrong with the point.
@@ -27,7 +27,7 @@ public:
     OUT_OF_RANGE,
     /// Two distinct points fall on the same grid point: the words of the traits are too short.
     INDISTINGUISHABLE,
-    /// Two points are nearer to each other than the meshes of tiles allow, 2^-46 of the extent or so.
+    /// Two points are nearer to each other than meshes of tiles allow, about 2^-46 of the extent.
     TOO_NEAR
   };
 

@@ -18,45 +18,48 @@
 namespace CGAL {
 
 /// \ingroup PkgQuadtreeMesh2Data
-/// What `mesh_quality_2()` checks and against which bounds.
+/// Options of `mesh_quality_2()`: what it checks, and against which bounds.
 struct Mesh_quality_options_2 {
   /// What the mesh has to cover.
   enum class Domain {
-    ENCLOSED_BY_SEGMENTS, ///< everything not connected to infinity, minus the components of the hole points
-    MARKED_BY_REGIONS,    ///< of that only the components of the region points
-    NESTING_PARITY, ///< of that only what an odd number of segments, counted at their least, separate from
+    ENCLOSED_BY_SEGMENTS, ///< everything not connected to infinity, except the components of hole points
+    MARKED_BY_REGIONS,    ///< of these, only the components of region points
+    NESTING_PARITY, ///< of these, only components that an odd number of segments, at the least, separate from
                     ///< infinity
-    ANY ///< not checked (meshes of points), but for overlaps; every input vertex and segment has to be in the mesh
+    ANY ///< not checked except for overlaps (meshes of points); the mesh must have all input vertices and segments
   };
   /// Which arrays of the mesh are checked.
   enum class Arrays {
     ALL,
-    POINTS_AND_TRIANGLES ///< for meshes read from files that store no more; edges along segments are searched
+    POINTS_AND_TRIANGLES ///< for meshes from files without the rest; edges along segments are searched for
   };
 
   /// Least angle in degrees; 0 means no bound.
   double min_angle_in_degrees = 0;
   /// Longest edge; 0 means no bound.
   double max_edge_length = 0;
-  /// Largest area of a triangle; 0 means no bound. The bounds of regions are checked besides.
+  /// Largest area of a triangle; 0 means no bound. The bounds of regions are checked, too.
   double max_triangle_area = 0;
-  /// The unit of the mesh's coordinates, if that is coarser than a double's: the grid of fixed-point words (1 where the
-  /// words themselves are checked, which is taken without saying), the last decimal of a file.
+  /// The unit of the mesh's coordinates, if it is coarser than that of doubles: the last decimal of a file,
+  /// or the grid of fixed-point words. If the words themselves are checked, 1 is taken automatically.
   ///
-  /// Vertices on segments are rounded. One counts as on its segment if some point of the segment's line is within four
-  /// units of it along each axis. The unit is this one, or that in the last place of the larger of the coordinates of
-  /// the segment's two ends along the axis; never a share of the extent. A mesher over doubles can promise that and
-  /// little less. The place at a share t of the way from p to q, p + t (q - p), is wrong by up to two and a half such
-  /// units, as the difference, which may be twice as large as the coordinates, the product and the sum are rounded; one
-  /// between two vertices of a segment inherits what these are off, and how far it is off is itself known to three
-  /// units only. And a coordinate that happens to be next to 0 has as large an error as any other. Whatever is near, the
-  /// vertices of a segment follow each other along it, and no input vertex and no other segment is passed over or
-  /// crossed, which is decided exactly.
+  /// Vertices on segments are rounded. A vertex counts as on its segment if some point of the segment's line
+  /// is within four units of it along each axis. Along an axis, the unit is this one, or that in the last
+  /// place of the larger coordinate of the segment's two ends. It is never a share of the extent.
+  ///
+  /// A mesher over doubles can promise four units, and little less. The place at a share t of the way from p
+  /// to q is computed as p + t (q - p). The difference, which may be twice as large as the coordinates, the
+  /// product and the sum are rounded. So the place is wrong by up to two and a half units. A vertex between
+  /// two vertices of a segment inherits their errors, and its own error is known only to three units. A
+  /// coordinate that happens to be near 0 has as large an error as any other.
+  ///
+  /// However near other features are, the vertices of a segment follow each other along it. The chain neither
+  /// passes over an input vertex nor crosses another segment. That is decided exactly.
   double coordinate_unit = 0;
   /// At most this many errors are written out; all are counted.
   std::size_t max_errors = 20;
   Domain domain = Domain::ENCLOSED_BY_SEGMENTS; ///< what the mesh has to cover
-  Arrays arrays = Arrays::ALL;                  ///< what is there to be checked
+  Arrays arrays = Arrays::ALL;                  ///< which arrays are checked
 
   /// \name Setters
   /// @{
@@ -73,29 +76,30 @@ struct Mesh_quality_options_2 {
 /// \ingroup PkgQuadtreeMesh2Data
 /// What `mesh_quality_2()` found: the errors that make a mesh invalid, and the statistics of its triangles.
 ///
-/// A mesh that is invalid because its arrays do not fit together (first errors) has no statistics.
+/// If the arrays of a mesh do not fit together, which the first errors say, it has no statistics.
 struct Mesh_quality_2 {
   /// What a triangle may miss.
   enum class Bound { ANGLE, EDGE_LENGTH, AREA };
 
-  /// A triangle that misses a bound. For the angle, only where no wedge of two input segments excuses it.
+  /// A triangle that misses a bound. For the angle, only if no wedge of two input segments excuses it.
   struct Unmet_triangle {
     Quadtree_mesh_2::Triangle_index triangle; ///< its index in the mesh
-    Bound bound;                              ///< what it misses
+    Bound bound;                              ///< the bound that it misses
     std::array<double, 2> centroid;           ///< where it is
     double least_angle;                       ///< degrees
   };
 
   /// One line per error, the first `Mesh_quality_options_2::max_errors` of them.
   std::vector<std::string> errors;
-  std::size_t number_of_errors = 0; ///< of all of them
+  std::size_t number_of_errors = 0; ///< including errors not written out
 
-  std::size_t vertices = 0;     ///< those that a triangle uses
+  std::size_t vertices = 0;     ///< vertices that a triangle uses
   std::size_t edges = 0;        ///< each counted once
   std::size_t border_edges = 0; ///< edges of one triangle only
-  std::size_t triangles = 0;    ///< all of the mesh
-  double area = 0;              ///< of all triangles
-  /// By a constrained Delaunay triangulation of the input; 0 where the domain is not checked.
+  std::size_t triangles = 0;    ///< all triangles of the mesh
+  double area = 0;              ///< sum over all triangles
+  /// Area of the domain, by a constrained Delaunay triangulation of the input; 0 if the domain is not
+  /// checked.
   double domain_area = 0;
   double shortest_edge = std::numeric_limits<double>::infinity(); ///< of the mesh
   double longest_edge = 0;                                        ///< of the mesh

@@ -15,31 +15,31 @@
 namespace CGAL {
 namespace IO {
 
-/// How `write_SVG()` draws. Colours are whatever SVG takes for one; "none" leaves a thing out.
+/// Options of `write_SVG()`. A color is any color of SVG; "none" omits the item.
 struct Svg_options_2 {
-  /// What areas are coloured by.
+  /// What determines the colors of areas.
   enum class Fill {
     PLAIN,         ///< all triangles in `fill_color`
     LEAST_ANGLE,   ///< from red (small) through yellow to green and blue (60 degrees)
     LARGEST_ANGLE, ///< from blue (60 degrees) through green to yellow (90) and red (120 and more)
-    REGION         ///< twelve colours for the regions, one after the other; `fill_color` where there is none
+    REGION         ///< twelve colors for the regions in turn; `fill_color` outside regions
   };
-  /// What tells which angles or regions the colours stand for; a plain picture has none.
+  /// The legend, which tells which angles or regions the colors stand for. A plain picture has none.
   enum class Legend { NONE, BELOW };
 
   int width_in_pixels = 800;                ///< of the picture; the height follows
   double margin_in_pixels = 4;              ///< on all sides
   double edge_width = 0.4;                  ///< pixels, as all widths
   double segment_width = 1.2;               ///< of segments of the input
-  Fill fill = Fill::PLAIN;                  ///< what areas are coloured by
+  Fill fill = Fill::PLAIN;                  ///< what determines the colors of areas
   Legend legend_place = Legend::NONE;       ///< whether there is a legend
   std::string edge_color = "#4a6b8a";       ///< of edges, or none
   std::string segment_color = "#12263a";    ///< of segments of the input, or none
   std::string fill_color = "#e8f1f8";       ///< of areas, or none
   std::string quadtree_color = "#c51b7d";   ///< of the quadtree, if one is drawn, between areas and edges
   double quadtree_width = 0.3;              ///< of its lines
-  std::string background_color = "#ffffff"; ///< of the rest, or none
-  /// The part of the plane that is shown; all of the input and the mesh if empty.
+  std::string background_color = "#ffffff"; ///< of the background, or none
+  /// The part of the plane to show. If empty, all of the input and the mesh.
   std::optional<Bbox_2> clip;
 
   /// \name Setters

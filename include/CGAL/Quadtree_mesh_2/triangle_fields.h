@@ -18,9 +18,10 @@
 namespace CGAL {
 namespace IO {
 
-/// A number for each triangle of a mesh, under a name that is not `region`, `marker`, `attribute` or `least_angle`.
+/// A number for each triangle of a mesh, with a name other than `region`, `marker`, `attribute` and
+/// `least_angle`.
 struct Triangle_field_2 {
-  std::string name;           ///< what the file calls it
+  std::string name;           ///< its name in the file
   std::vector<double> values; ///< finite, in the order of the triangles
 };
 /// Several fields, in the order in which the file has them.

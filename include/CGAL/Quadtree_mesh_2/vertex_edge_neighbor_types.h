@@ -15,14 +15,14 @@
 namespace CGAL {
 
 /// \ingroup PkgQuadtreeMesh2Neighbors
-/// What models of `VertexEdgeNeighbors_2` answer: a segment of a graph, and how far it is from a vertex.
+/// The answer of models of `VertexEdgeNeighbors_2`: a segment of a graph, and its distance from a vertex.
 struct Vertex_edge_neighbor_2 {
-  /// Invalid if there is none.
+  /// The segment; invalid if there is none.
   Quadtree_mesh_2::Segment_index segment;
-  /// In the unit of coordinates, with a relative error below 2^-40; infinite if there is none.
+  /// The distance in the unit of coordinates, with a relative error below 2^-40; infinite if there is none.
   double distance = std::numeric_limits<double>::infinity();
 
-  /// Whether there is one.
+  /// Whether there is a neighbor.
   bool exists() const { return segment.is_valid(); }
 };
 
@@ -32,16 +32,16 @@ struct Vertex_edge_neighbor_2 {
 struct Sector_neighbor_2 {
   Quadtree_mesh_2::Vertex_index vertex;   ///< valid if a vertex is nearest
   Quadtree_mesh_2::Segment_index segment; ///< valid if a segment is
-  /// As for `Vertex_edge_neighbor_2`.
+  /// The distance, as for `Vertex_edge_neighbor_2`.
   double distance = std::numeric_limits<double>::infinity();
 
-  /// Whether there is one.
+  /// Whether there is a neighbor.
   bool exists() const { return vertex.is_valid() || segment.is_valid(); }
 };
 
 /// \ingroup PkgQuadtreeMesh2Neighbors
-/// Options of `Quadtree_vertex_edge_neighbors_2`; each setter returns the options, so that calls can be
-/// chained. They change the time that queries take, never the answers.
+/// Options of `Quadtree_vertex_edge_neighbors_2`. They change the time of queries, never the answers. Each
+/// setter returns the options, so that calls can be chained.
 class Vertex_edge_neighbors_options_2 {
 public:
   /// A leaf is split while more segments than this meet it without ending in it; 64 by default.
@@ -49,16 +49,16 @@ public:
     max_segments_per_leaf_ = n;
     return *this;
   }
-  /// What was set.
+  /// The value set.
   std::size_t max_segments_per_leaf() const { return max_segments_per_leaf_; }
 
-  /// How often leaves are halved at most for the sake of `max_segments_per_leaf()`, 0 by default: it did not
-  /// pay on any input measured (doc/quadtrees.md). Each time may double the total length of the lists.
+  /// The most times that leaves are halved for `max_segments_per_leaf()`, 0 by default: halving did not pay
+  /// on any input measured (doc/quadtrees.md). Each time may double the total length of the lists.
   Vertex_edge_neighbors_options_2& max_refinements(int n) {
     max_refinements_ = n;
     return *this;
   }
-  /// What was set.
+  /// The value set.
   int max_refinements() const { return max_refinements_; }
 
 private:
