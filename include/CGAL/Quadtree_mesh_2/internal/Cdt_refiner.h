@@ -16,6 +16,7 @@
 #define CGAL_QUADTREE_MESH_2_INTERNAL_CDT_REFINER_H
 
 #include <CGAL/Points_sizing_field_2.h>
+#include <CGAL/Quadtree_mesh_2/Quality_mesher_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/Cdt_input.h>
 #include <CGAL/Quadtree_mesh_2/internal/Cdt_replacer.h>
 #include <CGAL/Quadtree_mesh_2/internal/Criteria_oracle.h>
@@ -30,11 +31,6 @@
 #include <vector>
 
 namespace CGAL {
-
-// Its header includes what includes this one; whoever instantiates what is here includes it.
-template <class Traits, class ConcurrencyTag>
-class Quality_mesher_2;
-
 namespace Quadtree_mesh_2 {
 namespace internal {
 

@@ -22,6 +22,7 @@
 #include <CGAL/Point_set_mesh_options_2.h>
 #include <CGAL/Point_set_mesh_report_2.h>
 #include <CGAL/Quadtree_mesh_2/Point_error.h>
+#include <CGAL/Quadtree_mesh_2/Quality_mesher_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/Corner_warper.h>
 #include <CGAL/Quadtree_mesh_2/internal/Distinct_points.h>
 #include <CGAL/Quadtree_mesh_2/internal/Phase_timer.h>
@@ -32,7 +33,6 @@
 #include <CGAL/Quadtree_mesh_2/internal/find_clusters.h>
 #include <CGAL/Quadtree_mesh_2/internal/points_in_box.h>
 #include <CGAL/Quadtree_mesh_2/internal/site_mesh_to_indexed_mesh.h>
-#include <CGAL/Quality_mesher_2.h>
 
 #include <algorithm>
 #include <cmath>
