@@ -144,7 +144,7 @@ inline std::set<std::pair<std::uint32_t, std::uint32_t>> corners_of_leaves(const
   return corners;
 }
 
-/// Of triangles with centres at least so many units inside the root, in degrees.
+/// Of triangles with centers at least so many units inside the root, in degrees.
 inline double least_angle(const Cdt& cdt, double margin) {
   double least = 180;
   for (auto f = cdt.finite_faces_begin(); f != cdt.finite_faces_end(); ++f) {

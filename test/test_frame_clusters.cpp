@@ -27,7 +27,7 @@ using internal::Framed_clusters;
 namespace {
 
 /// A quadtree that is balanced over corners, by what has to be split so that given squares exist: the eight
-/// neighbours of each split square exist, too.
+/// neighbors of each split square exist, too.
 class Balanced_squares {
 public:
   /// Makes a square exist, given by its level, column and row.

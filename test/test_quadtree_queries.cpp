@@ -62,13 +62,13 @@ bool is_within_squared_factor(const Integer& a, const Integer& b) {
   return rest <= 0 || rest * rest <= 13 * b * b;
 }
 
-/// How bad the near neighbours of a tree are.
+/// How bad the near neighbors of a tree are.
 struct Quality {
   double factor = 1;
   std::size_t squares = 0; // looked at for a point
 };
 
-/// Checks near neighbours against all other points.
+/// Checks near neighbors against all other points.
 template <class Quadtree>
 Quality check_near_neighbors(const Quadtree& tree) {
   Quality worst;

@@ -205,7 +205,7 @@ TEST_CASE("Leaves are coloured by level", "[SVG][balanced]") {
     }
   CHECK(colors.count("#f8f6e3") == 1); // the largest
   CHECK(colors.count("#317a99") == 1); // the smallest
-  // A plain fill has the same areas in one colour.
+  // A plain fill has the same areas in one color.
   Options plain;
   plain.width(4096).fill_color = "#eeeeee";
   CHECK(lines_with(svg(tree, plain), "#eeeeee").size() == 4 * areas);

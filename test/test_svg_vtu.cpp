@@ -131,7 +131,7 @@ TEST_CASE("SVG colours by region, with a quadtree", "[SVG]") {
   const std::string text = svg(mesh, pslg, options);
   check_well_formed(text);
   CHECK(count(text, "<path") == 13 + 3);
-  CHECK(count(text, "<rect") == 13); // the background, and twelve colours
+  CHECK(count(text, "<rect") == 13); // the background, and twelve colors
   CHECK(text.find(">1: 0.5</text>") != std::string::npos);
 
   using Quadtree = CGAL::Balanced_quadtree<CGAL::Filtered_quadtree_traits_2<>>;

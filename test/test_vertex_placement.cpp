@@ -28,7 +28,7 @@ using CGAL::Quadtree_mesh_2::Vertex_index;
 
 const double pi = std::acos(-1.);
 
-/// A vertex near the centre of the root, and edges from it, in counterclockwise order.
+/// A vertex near the center of the root, and edges from it, in counterclockwise order.
 Case random_star(Random& random) {
   const auto point = [](double x, double y) {
     const auto on_grid = [](double w) { return static_cast<std::uint32_t>(std::llround(w * unit)); };

@@ -246,7 +246,7 @@ inline std::vector<Tile_site> sites_on_corners_and_sides(unsigned seed) {
   return {places.begin(), places.end()};
 }
 
-/// Levels with sides of at most the distance to the nearest neighbour, divided by `separation`.
+/// Levels with sides of at most the distance to the nearest neighbor, divided by `separation`.
 inline std::vector<int> separating_levels(const std::vector<Tile_site>& places, double separation,
                                           int least = 0) {
   std::vector<int> levels;

@@ -76,7 +76,7 @@ private:
   static constexpr double least_number_of_squares = 500;
   static constexpr std::size_t largest_number_of_nodes = std::size_t(1) << 26;
 
-  /// A vertex on the border of the bulk, and its neighbours there: two, or four where the bulk touches
+  /// A vertex on the border of the bulk, and its neighbors there: two, or four where the bulk touches
   /// itself.
   struct Border_vertex {
     Vertex_id vertex = -1;
@@ -102,7 +102,7 @@ private:
            number_of_squares >= static_cast<double>(mesh_.number_of_vertices()) / 4;
   }
 
-  /// About one vertex for each square, and one more where it has a centre.
+  /// About one vertex for each square, and one more where it has a center.
   double number_of_vertices_with(double number_of_squares) const {
     return static_cast<double>(mesh_.number_of_vertices()) + 1.5 * number_of_squares;
   }

@@ -8,7 +8,7 @@
 //
 // Leaves of the quadtree that bounds of size ask for (Wanted_squares.h) are bulk if they lie inside the
 // domain and away from its features. Balance makes them differ by at most a factor of two across sides and
-// corners, so a side has at most one vertex between its ends. Squares get a vertex in the centre where that
+// corners, so a side has at most one vertex between its ends. Squares get a vertex in the center where that
 // makes them small enough, and where the angle wanted is above that of squares with halved sides.
 //
 // A corner of a leaf is named by the leaf whose half-open square holds it, and by whether it is that leaf's
@@ -139,7 +139,7 @@ private:
       form_[l].bits = wanted.has_center(i, tree_.level(Leaf_index(l))) ? Square_form::with_center : 0;
   }
 
-  /// The child of the neighbour across side i that piece `part` of the side touches, the neighbour being
+  /// The child of the neighbor across side i that piece `part` of the side touches, the neighbor being
   /// split.
   Leaf_index leaf_at(Node_index neighbor, int side, int part) const {
     return tree_.leaf(tree_.child(neighbor, children_at_side[(side + 2) % 4][1 - part]));
@@ -174,7 +174,7 @@ private:
   }
 
   /// The name of the corner of v in direction d; or of the middle of that side, which is the lower left
-  /// corner of the neighbour's given child.
+  /// corner of the neighbor's given child.
   std::size_t name_across(Node_index v, Direction d, int child) const {
     Node_index n = tree_.neighbor(v, d);
     if (tree_.level(n) == tree_.level(v)) {

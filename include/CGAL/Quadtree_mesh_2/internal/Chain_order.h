@@ -103,7 +103,7 @@ private:
     return turn_from_centroid(a, b, point(apex), v) == NEGATIVE &&
            turn_from_centroid(b, a, point(apex), v) == POSITIVE;
   }
-  /// The side of `v` seen from `a` towards the centroid of `a`, `b` and `c`.
+  /// The side of `v` seen from `a` toward the centroid of `a`, `b` and `c`.
   static Sign turn_from_centroid(const Point& a, const Point& b, const Point& c, const Point& v) {
     return exact_sign([&](auto number) {
       using Number = decltype(number);

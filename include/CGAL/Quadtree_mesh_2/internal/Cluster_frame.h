@@ -8,13 +8,13 @@
 //
 // The root is a square of 8 x 8 cells with the side sigma, a power of two, of which the window of 5 x 5 in columns
 // and rows 1 to 5 is kept (collar_table.h). The sites of the cluster, its own points and one for each cluster in
-// it, lie in the middle cell, number 3, with the blocks of leaves that are forced around them. The centre p of the
+// it, lie in the middle cell, number 3, with the blocks of leaves that are forced around them. The center p of the
 // window is a multiple of sigma/8 and stands for the cluster in its parent's quadtree.
 //
 // How large sigma is. Let w be the width of the cluster. A site's leaf has a side l of at most E/6 (a point: its
 // block reaches at most 2 l from it) or E/7 (a cluster: its block reaches at most 2.5 l), E <= sqrt(2) w being its
 // distance to another site: so blocks reach at most sqrt(2) 2.5/7 w = 0.5051 w from their sites. These are at most
-// w/2 + sigma/16 from p, in each coordinate, points by the choice of p, and the centres of clusters but for 0.0003
+// w/2 + sigma/16 from p, in each coordinate, points by the choice of p, and the centers of clusters but for 0.0003
 // w (a share of their widths, find_clusters.h). Together 1.0054 w + sigma/16 <= sigma/2 if sigma >= 2.2982 w:
 // sigma is the least power of two with sigma >= 2.5 w, which leaves room for rounding, and l <= 0.2358 w <
 // sigma/8. A larger one does as well, if the parent's leaf has room for it.
@@ -126,7 +126,7 @@ public:
     const auto& v = collar().vertices[std::size_t(k)];
     return translated(v[0], v[1], exponent_ - log_units);
   }
-  /// The neighbours of the vertex in the place of the cluster, counterclockwise from the east.
+  /// The neighbors of the vertex in the place of the cluster, counterclockwise from the east.
   /// \param log_leaf log(s) for the leaf with side s of the cluster in its parent's quadtree.
   /// \pre `log_leaf - exponent() >= log_least_leaf`
   Point spoke(int k, int log_leaf) const {

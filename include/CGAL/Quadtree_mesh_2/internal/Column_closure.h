@@ -19,7 +19,7 @@
 //           round. Repetitions come to an end, as leaves are only split, and only to sizes of other leaves.
 // Source:   ours.
 //
-// The band of 3 is proven to be wide enough in test_column_rule.cpp. A short run grows into a wider neighbour, and
+// The band of 3 is proven to be wide enough in test_column_rule.cpp. A short run grows into a wider neighbor, and
 // is split if it has none. A change of widths near another edge moves away, into the wider columns; that makes
 // windows of different edges, and of vertices, disjoint.
 
@@ -179,7 +179,7 @@ private:
   void mark_at_short_runs() {
     is_split_.assign(columns_.size(), 0);
     bool is_last_marked =
-        false; // one after the other: a run may be long enough when its neighbour has changed
+        false; // one after the other: a run may be long enough when its neighbor has changed
     for (Run run{0, 0}; run.begin < columns_.size(); run.begin = run.end) {
       while (run.end < columns_.size() && columns_[run.end].level == columns_[run.begin].level) ++run.end;
       is_last_marked = !is_last_marked && mark_at(run);

@@ -15,7 +15,7 @@
 //           acute corner that will be cut off, up to where it is `strip_width` sides wide: there no corner of a
 //           leaf is far enough from both legs to become a vertex, so that the corner is a stack of trapezoids
 //           between its legs. This is how acute corners are cut off "at a distance proportional to the nearest
-//           neighbour": the sides of leaves are.
+//           neighbor": the sides of leaves are.
 //
 // What is across the outside of the domain does not count.
 //

@@ -63,7 +63,7 @@ public:
   }
   bool is_edge(std::uint32_t a, std::uint32_t b) const { return find(a, b).count + find(b, a).count != 0; }
 
-  /// Calls `visit(w)` for the neighbours of `v`, most of them twice.
+  /// Calls `visit(w)` for the neighbors of `v`, most of them twice.
   template <class Visitor>
   void for_each_neighbor(std::uint32_t v, Visitor visit) const {
     for (std::uint32_t i = first_[v]; i < first_[v + 1]; ++i) {

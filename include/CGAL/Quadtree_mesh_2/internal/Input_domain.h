@@ -41,7 +41,7 @@ public:
   struct Piece {
     std::array<std::uint32_t, 2> ends; ///< places, in the direction of `segment`
     Segment_index segment;             ///< the first input segment that covers it
-    bool is_domain_left = false;       ///< seen from `ends[0]` towards `ends[1]`
+    bool is_domain_left = false;       ///< seen from `ends[0]` toward `ends[1]`
     bool is_domain_right = false;
     /// The places that make triangles with the piece, left and right; `none` at infinity.
     std::array<std::uint32_t, 2> apexes{none, none};

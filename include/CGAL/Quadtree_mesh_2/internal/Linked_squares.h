@@ -35,12 +35,12 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-/// How to step from a child to its neighbours.
+/// How to step from a child to its neighbors.
 struct Sibling_steps {
-  /// The directions of the parent's neighbours that the child touches: across the side in x, the side in y and
+  /// The directions of the parent's neighbors that the child touches: across the side in x, the side in y and
   /// the corner.
   std::array<std::uint8_t, 3> outward{};
-  /// By direction: in what the neighbour is, 0 for the parent and i + 1 for the parent's neighbour
+  /// By direction: in what the neighbor is, 0 for the parent and i + 1 for the parent's neighbor
   /// `outward[i]`; and which child of it.
   std::array<std::uint8_t, 8> around{};
   std::array<std::uint8_t, 8> child{};
@@ -116,10 +116,10 @@ public:
     return !n.is_valid() || is_leaf(n) ? n : child(n, q);
   }
 
-  /// All neighbours of a square but the root, in order of their directions; the number of an invalid index
+  /// All neighbors of a square but the root, in order of their directions; the number of an invalid index
   /// outside the root.
   std::array<std::uint32_t, 8> neighbors(Node_index v) const {
-    // A child meets itself and its siblings, two children of a neighbour of its parent across either side, and
+    // A child meets itself and its siblings, two children of a neighbor of its parent across either side, and
     // one across the corner between. What is there may be a leaf in their stead.
     const std::uint32_t f = family_of(v);
     const unsigned q = static_cast<unsigned>(member_of(v));

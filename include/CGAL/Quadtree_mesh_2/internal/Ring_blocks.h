@@ -9,7 +9,7 @@
 // Computes: what a function does to each block of vertices, in a few passes with different blocks.
 // Bound:    O(n) work besides that function, and sorting, for each pass.
 // Method:   Vertices are sorted in shuffle order and cut into runs of equal length; the vertices all of whose
-//           neighbours are in their run are the block's, and nobody writes the others. What is next to seams is left to
+//           neighbors are in their run are the block's, and nobody writes the others. What is next to seams is left to
 //           the next pass, which sorts in the order of a quadtree that is shifted by a third of the root: of three such
 //           orders one has no seam near (T. M. Chan, "Approximate nearest neighbor queries revisited"). Vertices are
 //           renumbered for each pass, so a block is one stretch of memory, with the vertices that it may add at its end.
@@ -179,7 +179,7 @@ private:
         1);
   }
 
-  /// Gives the block the vertices all of whose neighbours are in it.
+  /// Gives the block the vertices all of whose neighbors are in it.
   void set_owners(const Ring_block& block) {
     for (Ring_vertex v = block.begin; v < block.end; ++v) {
       Ring& r = mesh_.ring(v);

@@ -10,7 +10,7 @@
 // Bound:    O(1) for each leaf, and for each point and segment listed there, that meets the sector within
 //           about three times the distance found (of which there may be many).
 // Method:   The square with v at its center is replaced by a square of the quadtree with v in it and its
-//           eight neighbours: what lies outside is further from v than a side. These blocks grow level by
+//           eight neighbors: what lies outside is further from v than a side. These blocks grow level by
 //           level, from the leaf of v up, until something is certainly nearer than a side. Squares that are
 //           certainly outside the sector, or too far, are not entered.
 //
@@ -166,7 +166,7 @@ private:
     return is_right || is_left;
   }
 
-  /// Visits v and its neighbours, without those squares around its child `inner` that have been visited.
+  /// Visits v and its neighbors, without those squares around its child `inner` that have been visited.
   void visit_block(Node_index v, Node_index inner) {
     visit(v, inner);
     for (const Direction d : all_directions()) {

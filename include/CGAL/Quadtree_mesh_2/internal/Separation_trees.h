@@ -8,7 +8,7 @@
 //
 // Computes: T_B, the balanced quadtree of the vertices; T_B', in which each vertex lies in a leaf as small as its
 //           distance to the nearest other vertex or edge asks for; T_B'', in which edges that bound a common cell
-//           in a leaf are apart; T_B*, in which those in neighbouring leaves are as well.
+//           in a leaf are apart; T_B*, in which those in neighboring leaves are as well.
 // Bound:    O(log n) rounds for each tree and O((n + k) log n) work, for n vertices and k leaves and pieces of
 //           edges in T_B*. Sizes are in proportion to the local feature size, or to the width of what faces an
 //           edge, so k is within a constant of any triangulation's with its angles.
@@ -66,7 +66,7 @@ public:
   using Find_hits = Find_nearest_hits<Pslg>;
 
   /// \param graph the vertices and edges of the problem, in its order
-  /// \param find_hits by which model neighbours of vertices are found; null: by the quadtree
+  /// \param find_hits by which model neighbors of vertices are found; null: by the quadtree
   /// \param most_leaves separation stops before there are more, but for those of the last step: `is_exhausted()`
   Separation_trees(const Meshing_problem<Geometry>& problem, const Edge_sides& sides, const Pslg& graph,
                    const Map& map, const Options& options, const Traits& traits, Find_hits find_hits,

@@ -6,7 +6,7 @@
 
 // Which vertex of a mesh of tiles goes to which site.
 //
-// Computes: for sites of kind `on_demand` vertices of their leaves' tiles, all distinct, and not neighbours of
+// Computes: for sites of kind `on_demand` vertices of their leaves' tiles, all distinct, and not neighbors of
 //           each other if so wanted; the sites for which none is left.
 // Bound:    O(n) work for n sites, besides sorting O(n) pairs.
 // Method:   Greedy. All pairs of a site and a vertex near it are sorted by distance, relative to the side of the
@@ -108,7 +108,7 @@ private:
         default_block / 16);
   }
 
-  /// Marks a vertex, and its neighbours if they are not to be taken, too.
+  /// Marks a vertex, and its neighbors if they are not to be taken, too.
   void take(std::int32_t vertex) {
     const std::size_t v = static_cast<std::size_t>(vertex);
     is_free_[v] = 0;

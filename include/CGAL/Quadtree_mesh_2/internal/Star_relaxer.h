@@ -121,7 +121,7 @@ private:
     return bits;
   }
 
-  /// Rigid vertices may have neighbours of very different distance, by more than floats can span: near ones count.
+  /// Rigid vertices may have neighbors of very different distance, by more than floats can span: near ones count.
   template <class Geometry>
   static double least_length(const Ring_mesh<Geometry>& mesh, const Ring& r,
                              const typename Geometry::Point& center) {
@@ -132,7 +132,7 @@ private:
   }
   static double length(Vector d) { return std::fabs(d.x) + std::fabs(d.y); }
 
-  /// Far neighbours are in exempt triangles only, with which nothing has to be right, but numbers be finite.
+  /// Far neighbors are in exempt triangles only, with which nothing has to be right, but numbers be finite.
   void shorten(int n) {
     constexpr float farthest = 0x1p28f;
     for (int k = 0; k < n; ++k) {
@@ -353,7 +353,7 @@ private:
 
   Vector newton_step(const Star_vectors& star, const Star_energy& e, Mobility mobility) const {
     constexpr double damping = 0.02, longest_share = 0.4;
-    // Over-relaxed: what neighbours will have to do, too, is anticipated. A quarter fewer steps.
+    // Over-relaxed: what neighbors will have to do, too, is anticipated. A quarter fewer steps.
     constexpr double first_share = 1.7;
     const double lambda = damping * (static_cast<double>(e.hxx) + static_cast<double>(e.hyy)) + 1e-30;
     const double a = e.hxx + lambda, b = e.hxy, c = e.hyy + lambda, determinant = a * c - b * b;

@@ -82,7 +82,7 @@ private:
     return false;
   }
 
-  /// Removal and smoothing leave sides that are not Delaunay. The circumcentre of a triangle next to one may be a
+  /// Removal and smoothing leave sides that are not Delaunay. The circumcenter of a triangle next to one may be a
   /// vertex, and then refinement gives the triangle up.
   void doubt_all_sides() {
     for_each_triangle([this](Triangle_id t) {

@@ -28,7 +28,7 @@ enum Window_side : std::uint8_t { left_side = 1, right_side = 2, bottom_side = 4
 /// The vertices that are moved along with a star site, without change of shape.
 struct Star_spokes {
   std::uint32_t site;
-  std::array<std::int32_t, 8> vertices; ///< the neighbours of its vertex, counterclockwise from the east
+  std::array<std::int32_t, 8> vertices; ///< the neighbors of its vertex, counterclockwise from the east
 };
 
 /// A mesh of tiles. Leaves are in shuffle order; vertices are in the shuffle order of the places that the tiles

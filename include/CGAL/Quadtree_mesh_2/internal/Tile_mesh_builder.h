@@ -16,7 +16,7 @@
 //           (tile_tables.h). Balance across corners is enough then: the two rounds of splitting that the paper
 //           adds are not needed.
 //
-// Blocks are forced by points in the middle of their squares, annotated with the level. Vertices of neighbouring
+// Blocks are forced by points in the middle of their squares, annotated with the level. Vertices of neighboring
 // tiles are identified by their places: all vertices of all tiles are sorted in shuffle order, which also makes
 // the numbers of vertices local.
 

@@ -60,7 +60,7 @@ struct Tile_block {
 };
 
 /// The squares of one level that are kept, an axis-parallel rectangle: columns `x0` to `x1 - 1` and rows `y0`
-/// to `y1 - 1`. Leaves in it are not larger than these squares; leaves outside do not count as neighbours.
+/// to `y1 - 1`. Leaves in it are not larger than these squares; leaves outside do not count as neighbors.
 struct Tile_window {
   int level = 0;
   std::uint64_t x0 = 0;

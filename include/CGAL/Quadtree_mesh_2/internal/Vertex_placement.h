@@ -11,7 +11,7 @@
 //           leaves are not equal in the 7 x 7 squares around the leaf of a vertex.
 // Bound:    O(1) for each sector; O(depth) for each vertex to look at leaves. All vertices at the same time.
 // Source:   ours; see Vertex_window.h. Corners are dropped within 1.8 sides of the vertex besides those near
-//           edges, so leaves that lose a corner have their neighbours in the 7 x 7 squares, or in the band of an
+//           edges, so leaves that lose a corner have their neighbors in the 7 x 7 squares, or in the band of an
 //           edge.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_VERTEX_PLACEMENT_H

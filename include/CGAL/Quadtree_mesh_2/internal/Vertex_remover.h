@@ -134,7 +134,7 @@ private:
                        [&](const auto& t) { return is_rigid(t[0]) && is_rigid(t[1]) && is_rigid(t[2]); });
   }
 
-  /// Whether the members of the ring can take the new neighbours in; also those that lose one.
+  /// Whether the members of the ring can take the new neighbors in; also those that lose one.
   bool have_room(const Ring& ring, const std::vector<Ring_triangulation::Diagonal>& edges) const {
     for (int i = 0; i < ring.size; ++i) {
       const Ring& r = patch_.mesh().ring(ring[i]);

@@ -132,7 +132,7 @@ private:
     Window_point p;
     unsigned edges; ///< bit i: on edge i
   };
-  /// With the centre and squared radius of its circle.
+  /// With the center and squared radius of its circle.
   struct Triangle {
     std::array<std::size_t, 3> vertices;
     Window_point centre;

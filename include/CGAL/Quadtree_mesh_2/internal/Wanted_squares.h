@@ -46,7 +46,7 @@ public:
     std::int32_t first_child = -1; ///< of four; -1: none
     Square_kind kind = Square_kind::outside;
     std::int8_t level = 0;
-    bool has_center = false;   ///< an inside square is small enough with a vertex in its centre only
+    bool has_center = false;   ///< an inside square is small enough with a vertex in its center only
     Triangle_id triangle = -1; ///< one that meets an inside square
   };
 
@@ -56,8 +56,8 @@ public:
       : state_(state), grid_(grid), largest_number_(largest_number) {
     for (int level = 0; level <= Grid_square::depth; ++level) side_[level] = grid.side(level);
     finest_level_ =
-        grid.finest_level() - (state.bounds.is_local() ? 1 : 0); // centres are corners one level below
-    // edges to centres are shorter than sides, and features may be a little nearer than a side
+        grid.finest_level() - (state.bounds.is_local() ? 1 : 0); // centers are corners one level below
+    // edges to centers are shorter than sides, and features may be a little nearer than a side
     while (finest_level_ > 0 &&
            0.5 * side_[finest_level_] * side_[finest_level_] < state.bounds.least_squared_length)
       --finest_level_;
@@ -87,7 +87,7 @@ public:
     return i;
   }
 
-  /// Whether a square in the given node needs a centre.
+  /// Whether a square in the given node needs a center.
   bool has_center(std::size_t i, int level) const { return nodes_[i].has_center && level == nodes_[i].level; }
 
 private:
@@ -327,7 +327,7 @@ private:
     return false;
   }
 
-  /// A place inside triangle t towards the given one.
+  /// A place inside triangle t toward the given one.
   Vector place_in(Triangle_id t, Vector want) const {
     const auto& r = state_.mesh.triangle(t);
     const Vector a = grid_.vector(state_.mesh.point(r.v[0])), b = grid_.vector(state_.mesh.point(r.v[1])),

@@ -85,7 +85,7 @@ public:
   Domain_finder(Mesh& mesh, std::size_t number_of_auxiliary_vertices)
       : mesh_(mesh), first_auxiliary_(mesh.points.size() - number_of_auxiliary_vertices) {}
 
-  /// Keeps the domain only, in the order it had; the mesh is empty afterwards if there is none. If there are
+  /// Keeps the domain only, in the order it had; the mesh is empty afterward if there is none. If there are
   /// regions, `Kernel_mesh::region_of` tells for each triangle the first one whose point is in its component.
   /// \throws Ambiguous_seed
   void run(Rule rule, const std::vector<Point>& holes, const std::vector<Point>& regions) {

@@ -5,7 +5,7 @@
 // Author(s)     : The Quadtree_mesh_2 authors
 //
 // Finds the acute corners of the domain and the radii of their rings (first part of the paper's section 6:
-// "cut off acute angles ... at a distance proportional to the vertex's nearest neighbour, so that cut-off
+// "cut off acute angles ... at a distance proportional to the vertex's nearest neighbor, so that cut-off
 // triangles do not contain other parts of the input, two such triangles on the same edge match up, and the
 // new cutting edges are not unnecessarily short").
 //

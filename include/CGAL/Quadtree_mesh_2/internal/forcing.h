@@ -6,7 +6,7 @@
 
 // Which squares of its own size a required square forces to be split, by what is required inside it.
 //
-// Computes: for each required square the set of its eight neighbours of the same size that balance makes
+// Computes: for each required square the set of its eight neighbors of the same size that balance makes
 //           split because of the squares inside it.
 // Bound:    O(1) for each required square; one round for each level, from the deepest up.
 // Source:   Bern, Eppstein, Teng, section 3, forced squares.
@@ -15,7 +15,7 @@
 //           it: on each level the chain gets nearer than a side to that square, and no farther. So what the
 //           inside of a square forces on its own level is a set of directions, and the set follows from the
 //           sets of its children by a table. A square is in the smallest balanced quadtree just if it is
-//           required or a required neighbour's set has it: which needs no look at any coordinates, and no
+//           required or a required neighbor's set has it: which needs no look at any coordinates, and no
 //           square is made that would have to be removed.
 // Deviates: the paper sorts the forced squares of all levels, or makes them top-down, and splits all squares
 //           once more; that tree is up to four times as large as the smallest one.

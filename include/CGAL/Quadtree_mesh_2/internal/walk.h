@@ -50,7 +50,7 @@ Walk_end locate_exactly(const Kernel_mesh<Geometry>& mesh, Triangle_id t, const 
   }
 }
 
-/// Walks from t towards q in sight of it: stops at constrained sides. Each step is decided exactly.
+/// Walks from t toward q in sight of it: stops at constrained sides. Each step is decided exactly.
 template <class Geometry>
 Walk_end walk_in_sight(const Kernel_mesh<Geometry>& mesh, Triangle_id t, const typename Geometry::Point& q) {
   constexpr unsigned longest_walk = 100000;

@@ -41,7 +41,7 @@ struct Warped_vertex {
 
 struct Warp {
   int centre = 0; ///< the vertex of tile(0), in the square in the middle, that goes to the point
-  /// All vertices within the block, and the centre among them; coordinates are relative to the lower left corner
+  /// All vertices within the block, and the center among them; coordinates are relative to the lower left corner
   /// of the square in the middle.
   std::array<Warped_vertex, 52> vertices{};
 };
