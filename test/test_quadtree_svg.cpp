@@ -193,7 +193,7 @@ TEMPLATE_TEST_CASE("A picture has a cross for each split square, and no edge twi
   CHECK(2 * length == sides);
 }
 
-TEST_CASE("Leaves are coloured by level", "[SVG][balanced]") {
+TEST_CASE("Leaves are colored by level", "[SVG][balanced]") {
   const Filtered_quadtree tree(make_points<Filtered_traits>(clusters(2)));
   const std::string text = svg(tree, Options().fill_by(Options::Fill::LEVEL).width(4096));
   std::set<std::string> colors;

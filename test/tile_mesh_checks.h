@@ -161,7 +161,7 @@ inline void check_vertices_of_sites(const Tile_mesh& mesh, const Tile_sites& sit
     if (is_taken[static_cast<std::size_t>(t[0])] + is_taken[static_cast<std::size_t>(t[1])] +
             is_taken[static_cast<std::size_t>(t[2])] >
         1)
-      FAIL("vertices of sites are neighbours");
+      FAIL("vertices of sites are neighbors");
 }
 
 inline bool is_same(const Tile_mesh& a, const Tile_mesh& b) {

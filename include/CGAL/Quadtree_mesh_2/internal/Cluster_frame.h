@@ -80,7 +80,7 @@ public:
 
   /// The frame around the points of a cluster, whose cells have side 2^exponent.
   Cluster_frame(const std::vector<Point>& points, const Cluster_box& box, int exponent)
-      : centre_{middle_multiple(points[box.left].x, points[box.right].x, exponent - 3),
+      : center_{middle_multiple(points[box.left].x, points[box.right].x, exponent - 3),
                 middle_multiple(points[box.bottom].y, points[box.top].y, exponent - 3)},
         exponent_(exponent) {}
 
@@ -93,7 +93,7 @@ public:
   }
 
   /// The site that stands for the cluster.
-  const Point& centre() const { return centre_; }
+  const Point& center() const { return center_; }
   /// log(sigma)
   int exponent() const { return exponent_; }
   double cell() const { return std::ldexp(1.0, exponent_); }
@@ -111,12 +111,12 @@ public:
   /// A point's place in the grid, rounded down.
   /// \pre it lies in the root
   Place place_of(const Point& p) const {
-    return {place_on_axis(p.x, centre_.x), place_on_axis(p.y, centre_.y)};
+    return {place_on_axis(p.x, center_.x), place_on_axis(p.y, center_.y)};
   }
   /// The point at a place of the grid, exactly if its coordinates allow it.
   Point point_at(const Place& place) const {
-    return {add_steps(centre_.x, steps_from_centre(place.x), log_unit()),
-            add_steps(centre_.y, steps_from_centre(place.y), log_unit())};
+    return {add_steps(center_.x, steps_from_center(place.x), log_unit()),
+            add_steps(center_.y, steps_from_center(place.y), log_unit())};
   }
 
   /// The vertices of the octagon counterclockwise, the first the lower end of the side in the east; exactly.
@@ -152,7 +152,7 @@ private:
   static constexpr int log_cell = log_grid - level_of_cells; // in grid units
   static constexpr std::uint64_t middle = std::uint64_t(2 * middle_cell + 1) << (log_cell - 1);
 
-  Point centre_ = Point();
+  Point center_ = Point();
   int exponent_ = 0;
 
   int log_unit() const { return exponent_ - log_cell; }
@@ -160,12 +160,12 @@ private:
   static std::uint64_t window_step(std::int16_t v) {
     return static_cast<std::uint64_t>(std::int64_t(v) * (std::int64_t(1) << (log_cell - log_units)));
   }
-  static std::int64_t steps_from_centre(std::uint64_t x) { return static_cast<std::int64_t>(x - middle); }
-  std::uint64_t place_on_axis(const Coordinate& c, const Coordinate& centre) const {
-    return middle + static_cast<std::uint64_t>(count_steps(c, centre, log_unit()));
+  static std::int64_t steps_from_center(std::uint64_t x) { return static_cast<std::int64_t>(x - middle); }
+  std::uint64_t place_on_axis(const Coordinate& c, const Coordinate& center) const {
+    return middle + static_cast<std::uint64_t>(count_steps(c, center, log_unit()));
   }
   Point translated(std::int64_t x, std::int64_t y, int exponent) const {
-    return {add_steps(centre_.x, x, exponent), add_steps(centre_.y, y, exponent)};
+    return {add_steps(center_.x, x, exponent), add_steps(center_.y, y, exponent)};
   }
 };
 

@@ -129,7 +129,7 @@ public:
   /// Whether a leaf is too large for a gap in it.
   bool is_too_large(const Leaf& leaf, Edge_id e, Edge_id f, const Local_gap& gap) const {
     if (gap.length >= options_.edge_distance * leaf.side) return false;
-    if (!is_domain_towards(e, gap.to - gap.from, leaf) || !is_domain_towards(f, gap.from - gap.to, leaf))
+    if (!is_domain_toward(e, gap.to - gap.from, leaf) || !is_domain_toward(f, gap.from - gap.to, leaf))
       return false;
     const Vertex_id v = common_vertex(e, f);
     if (v < 0) return true;
@@ -163,7 +163,7 @@ private:
   const Tree_separation_options_2& options_;
 
   /// Whether the domain is on the side of an edge to which a direction leads.
-  bool is_domain_towards(Edge_id e, Vector direction, const Leaf& leaf) const {
+  bool is_domain_toward(Edge_id e, Vector direction, const Leaf& leaf) const {
     const Local_segment s = local(e, leaf);
     const double turn = cross(s.b - s.a, direction);
     return turn > 0 ? sides_.is_domain_on_left(e) : turn < 0 ? sides_.is_domain_on_right(e) : true;

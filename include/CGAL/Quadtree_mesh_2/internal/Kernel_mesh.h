@@ -251,7 +251,7 @@ public:
     return Geometry::orientation(point(a), point(b), point(c));
   }
 
-  /// Exchanges the diagonal of the quadrilateral at side k of t. Afterwards t = (a, b, d), its neighbor u =
+  /// Exchanges the diagonal of the quadrilateral at side k of t. Afterward t = (a, b, d), its neighbor u =
   /// (a, d, c).
   void flip(Triangle_id t, int k) {
     Triangle& I = triangle(t);

@@ -141,7 +141,7 @@ private:
     }
     std::vector<typename Tree::Cluster_site> children;
     for (std::int32_t k = cluster.first_child; k < cluster.end_child; ++k) {
-      sites.push_back(clusters.frames[std::size_t(k)].centre());
+      sites.push_back(clusters.frames[std::size_t(k)].center());
       children.push_back(
           {static_cast<std::uint32_t>(sites.size() - 1), clusters.tree.clusters[std::size_t(k)].distance});
     }
@@ -200,7 +200,7 @@ private:
   /// Puts the octagon and the collar of a cluster around its window, and takes the vertex in its place away.
   void put_into_parent(std::size_t t, Site_mesh<Geometry>& result) {
     const Tree &tree = trees_[t], &parent = trees_[std::size_t(tree.parent())];
-    const Ring_vertex centre = vertex(tree.parent(), tree.site_in_parent());
+    const Ring_vertex center = vertex(tree.parent(), tree.site_in_parent());
     const std::array<std::int32_t, 8> spokes =
         parent.spokes(tree.site_in_parent(), first_vertex_[std::size_t(tree.parent())]);
     const int log_leaf = parent.log_side_of_leaf(tree.site_in_parent());
@@ -209,7 +209,7 @@ private:
       points[std::size_t(spokes[std::size_t(k)])] = tree.cluster_frame().spoke(k, log_leaf);
       rigid_.push_back(spokes[std::size_t(k)]);
     }
-    replaced_.push_back(centre);
+    replaced_.push_back(center);
     const Octagon_vertices octagon = append_octagon(tree.cluster_frame(), points);
     rigid_.insert(rigid_.end(), octagon.begin(), octagon.end());
     for (const Indexed_triangle& triangle : octagon_triangles(octagon, spokes))

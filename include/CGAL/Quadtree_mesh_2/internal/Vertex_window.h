@@ -135,7 +135,7 @@ private:
   /// With the center and squared radius of its circle.
   struct Triangle {
     std::array<std::size_t, 3> vertices;
-    Window_point centre;
+    Window_point center;
     double squared_radius;
   };
 
@@ -177,9 +177,9 @@ private:
       edges &= points_[t.vertices[i]].edges;
       sum = {sum.x + point(t, i).x, sum.y + point(t, i).y};
     }
-    const Window_point centre{sum.x / 3, sum.y / 3};
-    return edges == 0 && cross(t) > 1e-10 && is_near(centre.x, centre.y, radius_of_triangles) &&
-           is_in_sector(centre);
+    const Window_point center{sum.x / 3, sum.y / 3};
+    return edges == 0 && cross(t) > 1e-10 && is_near(center.x, center.y, radius_of_triangles) &&
+           is_in_sector(center);
   }
 
   double squared_sine_of_least_angle(const Triangle& t) const {
@@ -215,7 +215,7 @@ private:
     const Window_point& p = points_[v].p;
     sides_.clear();
     const auto removed = std::remove_if(triangles_.begin(), triangles_.end(), [&](const Triangle& t) {
-      const double x = p.x - t.centre.x, y = p.y - t.centre.y;
+      const double x = p.x - t.center.x, y = p.y - t.center.y;
       if (x * x + y * y >= t.squared_radius * (1 - 1e-11)) return false;
       for (std::size_t i = 0; i < 3; ++i) sides_.push_back({t.vertices[i], t.vertices[(i + 1) % 3]});
       return true;
