@@ -4,21 +4,22 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// Where bounds of size make most of the mesh, fills what is away from features with the triangles of a
-// balanced quadtree's squares, and leaves a strip along the features to the refiner.
+// Fills a mesh with the triangles of a balanced quadtree's squares where bounds of size determine most of it.
+// A strip along the features is left to the refiner.
 //
 // 1. The bulk: squares as large as the bounds allow, wholly inside the domain and about a side away from
 //    every constrained edge and input vertex (Bulk_squares.h).
-// 2. The vertices on the border of the bulk are inserted into the mesh. Around each piece of the border the
-//    disk on it as diameter holds no vertex, so the piece is an edge of the Delaunay triangulation.
+// 2. The vertices on the border of the bulk are inserted into the mesh. The disk on each piece of the border
+//    as its diameter holds no vertex, so the piece is an edge of the Delaunay triangulation.
 // 3. The triangles within the border are replaced by those of the squares' templates (square_templates.h).
 //
-// The result is a constrained Delaunay triangulation again in which the triangles of the bulk meet all
-// bounds, so what comes after needs not know. It takes O(n) time where the bulk would be small, else O(n log
-// n) and O(1) for each triangle made.
+// The result is a constrained Delaunay triangulation again, in which the triangles of the bulk meet all
+// bounds. So later stages need not know about it. It takes O(n) time if the bulk would be small. Otherwise it
+// takes O(n log n), and O(1) for each triangle made.
 //
-// Source: Bern, Eppstein, Gilbert, "Provably good mesh generation" (1994), for meshes made of a balanced
-// quadtree's squares; the transition to the boundary is left to Delaunay refinement instead of warping.
+// Source:   Bern, Eppstein, Gilbert, "Provably good mesh generation" (1994), for meshes made of a balanced
+//           quadtree's squares.
+// Deviates: Delaunay refinement makes the transition to the boundary, instead of warping.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_BULK_FILLER_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_BULK_FILLER_H

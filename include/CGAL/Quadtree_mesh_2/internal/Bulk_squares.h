@@ -6,13 +6,13 @@
 //
 // The squares of a balanced quadtree that make the bulk of a mesh, and the names of their corners.
 //
-// Leaves of the quadtree that bounds of size ask for (Wanted_squares.h) are bulk if they lie inside the
-// domain and away from its features. Balance makes them differ by at most a factor of two across sides and
-// corners, so a side has at most one vertex between its ends. Squares get a vertex in the center where that
-// makes them small enough, and where the angle wanted is above that of squares with halved sides.
+// Bounds of size ask for leaves of a quadtree (Wanted_squares.h). A leaf belongs to the bulk if it lies
+// inside the domain and away from its features. Balance makes leaves differ by at most a factor of two across
+// sides and corners, so a side has at most one vertex between its ends. A square gets a vertex in the center
+// if it is too large without, or if the wanted angle is above that of squares with halved sides.
 //
-// A corner of a leaf is named by the leaf whose half-open square holds it, and by whether it is that leaf's
-// lower left corner or the middle of its left or lower side: so each place has one name, found in O(1).
+// The name of a leaf's corner consists of the leaf whose half-open square holds it, and of its place there:
+// the lower left corner, or the middle of the left or lower side. So each place has one name, found in O(1).
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_BULK_SQUARES_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_BULK_SQUARES_H

@@ -6,21 +6,22 @@
 //
 // Whether two edges are too near each other for a leaf of a quadtree.
 //
-// Computes: the gap between the parts of two edges in a leaf and around it, and whether the leaf has to be split
-//           for it.
+// Computes: the gap between the parts of two edges in a leaf and around it, and whether the leaf has to be
+//           split for it.
 // Bound:    O(1) for a pair.
 // Source:   Bern, Eppstein, Teng, section 6: "each (piece of an original) edge is contained in a sufficiently
 //           small square that no vertex or other edge passes nearby".
-// Deviates: edges that share a vertex are as near as they like around it, up to `vertex_window` sides; and in an
-//           acute corner that will be cut off, up to where it is `strip_width` sides wide: there no corner of a
-//           leaf is far enough from both legs to become a vertex, so that the corner is a stack of trapezoids
-//           between its legs. This is how acute corners are cut off "at a distance proportional to the nearest
-//           neighbor": the sides of leaves are.
+// Deviates: edges that share a vertex may be arbitrarily near each other around it, up to `vertex_window`
+//           sides. So may those of an acute corner that will be cut off, up to where it is `strip_width`
+//           sides wide. Up to there no corner of a leaf is far enough from both legs to become a vertex, so
+//           the corner is a stack of trapezoids between its legs. This is how acute corners are cut off "at a
+//           distance proportional to the nearest neighbor", because the sides of leaves are proportional to
+//           it.
 //
-// What is across the outside of the domain does not count.
+// Edges on opposite sides of the domain's outside do not count.
 //
-// In rounded arithmetic: what comes out differs by rounding errors in near-ties only, and decides about sizes,
-// not about the correctness of anything.
+// The arithmetic is rounded. Rounding changes results only in near-ties. It affects sizes, but not the
+// correctness of anything.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_EDGE_GAPS_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_EDGE_GAPS_H

@@ -4,13 +4,14 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// Relaxes the members of a patch until all triangles at them keep a range of angles.
+// Relaxes the members of a patch until all triangles at them are in a range of angles.
 //
-// A step moves one vertex by a damped Gauss-Newton step on the energy of its star (Angle_range.h); the gradient of an
-// angle at a fixed corner b is the perpendicular of the spoke over its squared length, so that there is no
-// trigonometry. A star that has a triangle turned over is searched in eight directions. Only stars with energy move,
-// and only what is next to what moved is looked at again, so the motion stays where it is needed. Sweeps may
-// alternate with flips that lower the energy of the two triangles. O(degree) per step; the number of sweeps is bounded.
+// A step moves one vertex by a damped Gauss-Newton step on the energy of its star (Angle_range.h). The
+// gradient of an angle at a fixed corner b is the perpendicular of the spoke over its squared length, so no
+// trigonometry is needed. If a star has an inverted triangle, eight directions are searched. Only stars with
+// energy move, and only the neighborhood of a move is looked at again. So the motion stays where it is
+// needed. Sweeps may alternate with flips that lower the energy of the two triangles. O(degree) per step; the
+// number of sweeps is bounded.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_STAR_RELAXER_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_STAR_RELAXER_H

@@ -4,19 +4,21 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// The squares that bounds of size ask for, each as what it is: inside the domain and away from all features,
-// outside, or near a feature.
+// The squares that bounds of size ask for, and the kind of each: inside the domain and away from all
+// features, outside, or near a feature.
 //
-// Top down, square by square, with the constrained edges and the triangles of the domain's triangulation that
-// meet the square. A square is near a feature if a constrained edge or a vertex comes within `margin` times
-// its side. One that is not lies wholly inside or wholly outside; it is inside if any triangle of the domain
-// meets it, so nothing has to be located. All tests are made in floating point with closed, widened boxes,
-// which is enough: only what is farther away than `margin` sides counts as away.
+// Works top down, square by square, with the constrained edges and the triangles of the domain's
+// triangulation that meet the square. A square is near a feature if a constrained edge or a vertex comes
+// within `margin` times its side. Any other square lies wholly inside or wholly outside. It is inside if any
+// triangle of the domain meets it, so nothing has to be located. All tests use floating point with closed,
+// widened boxes. That is enough, because a feature counts as away only if it is farther away than `margin`
+// sides.
 //
-// Near squares are split until they are as small as the bounds want, and no further: what happens there is
-// the kernel's. Sizes are looked up at places inside the domain only.
+// Near squares are split until they are as small as the bounds want, and no further: the kernel does the rest
+// there. Sizes are looked up at places inside the domain only.
 //
-// O((n + k) levels) tests for n edges and triangles that each meet O(1) squares of a level, k near squares.
+// O((n + k) levels) tests for n edges and triangles that each meet O(1) squares of a level, and k near
+// squares.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_WANTED_SQUARES_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_WANTED_SQUARES_H

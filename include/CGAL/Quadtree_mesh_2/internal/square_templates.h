@@ -12,7 +12,7 @@
 // 26.56 degrees, or 45 where no side is halved. With a center, all pieces of the border are joined to it: the
 // least angle is 45 degrees, and the longest edge shorter by a factor of sqrt(2). No angle is above 90
 // degrees. All triangles are Delaunay, across the sides of squares too: their circles leave the square by
-// less than a quarter of the side, or are centerd on a side of which they hold the ends only.
+// less than a quarter of the side, or are centered on a side of which they hold the ends only.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_SQUARE_TEMPLATES_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_SQUARE_TEMPLATES_H
