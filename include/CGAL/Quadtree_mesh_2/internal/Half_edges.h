@@ -18,11 +18,10 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-/// The directed edges of a triangle soup, by the vertex they leave.
+/// The directed edges of a triangle soup, by the vertex that they leave.
 ///
 /// Half-edge `3 t + k` is side `k` of triangle `t`, directed so that `t` is on its left. Construction is
-/// linear; it assumes indices in range and nothing else, so that it can serve to find what is wrong with a
-/// mesh.
+/// linear. It assumes only that indices are in range, so it can help to find the errors of a mesh.
 class Half_edges {
 public:
   static constexpr std::uint32_t none = 0xffffffffu;

@@ -26,12 +26,12 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-/// The domain of a planar straight-line graph, by a constrained Delaunay triangulation of the graph alone:
-/// all that is not connected to infinity, or what another rule leaves of that, minus the components of the
+/// The domain of a planar straight-line graph, by a constrained Delaunay triangulation of the graph alone. It
+/// is everything not connected to infinity, or what another rule leaves of that, except the components of
 /// hole points.
 ///
-/// The segments become *pieces*: edges between input vertices with none between, each once however many
-/// segments overlap there, and with what lies on either side. O(n log n) in practice.
+/// The segments become *pieces*: edges between input vertices without others between them. Each piece occurs
+/// once, however many segments overlap there, with the faces on either side. O(n log n) in practice.
 template <class Kernel>
 class Input_domain {
 public:

@@ -9,10 +9,10 @@
 // Holds:    all squares with parents, children, cross pointers and intervals of points.
 // Source:   Bern, Eppstein, Teng, section 3: the cross pointers of a square follow from those of its parent.
 // Layout:   A family is a split square and its four children. Families are numbered level by level, in
-//           shuffle order within a level; node 0 is the root and nodes 4 f + 1 to 4 f + 4 are the children of
-//           family f. So nodes are in the same order, siblings follow each other, and most of what is known of
-//           a node is kept once, with its family. Only the cross pointers of split squares are stored: those
-//           of leaves follow from their parents'.
+//           shuffle order within a level. Node 0 is the root, and nodes 4 f + 1 to 4 f + 4 are the children
+//           of family f. So nodes are in the same order, and siblings follow each other. Most data of a node
+//           is stored once, with its family. Only split squares store cross pointers; those of leaves follow
+//           from their parents'.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_LINKED_SQUARES_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_LINKED_SQUARES_H

@@ -6,14 +6,14 @@
 
 // The linked squares of a quadtree, from the root down.
 //
-// Computes: from the required squares and where each forces its neighbors, all squares with cross pointers,
-//           and the points in each.
-// Bound:    O(k) work besides finding which points are in which child; three rounds for each level.
+// Computes: all squares with cross pointers, and the points in each, from the required squares and the
+//           directions in which each forces its neighbors.
+// Bound:    O(k) work, not counting which points are in which child; three rounds for each level.
 // Source:   Bern, Eppstein, Teng, proof of Theorem 2 (top-down method): the cross pointers of the level above
 //           lead to the squares that are forced.
-// Deviates: what is forced is known beforehand (forcing.h), so that a level is finished before the next one is
-//           begun, and without coordinates: squares of any depth cost the same. Points ride down with their
-//           squares, so that none has to be located.
+// Deviates: forced squares are known in advance (forcing.h). So a level is finished before the next one
+//           begins, and without coordinates: squares of any depth cost the same. Points move down with their
+//           squares, so none has to be located.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_SQUARE_GROWER_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_SQUARE_GROWER_H

@@ -4,22 +4,22 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 
-// The mesh between two edges that follow each other around a vertex, amid equal leaves, in a window of its own.
+// The mesh between two consecutive edges around a vertex, amid equal leaves, in a window of its own.
 //
-// Computes: the points on an edge near its vertex: one on a ring, at the same distance on all edges, then one
-//           halfway to the first crossing with a grid line if that is far. For a sector, the corners of leaves
-//           that are kept for some thresholds, the Delaunay triangulation of all that, its least angle, and which
-//           of a few pairs of thresholds gives the largest one.
+// Computes: the points on an edge near its vertex. One is on a ring, at the same distance on all edges.
+//           Another is halfway to the first crossing with a grid line if that is far. For a sector, the
+//           corners of leaves that are kept for some thresholds, the Delaunay triangulation of all these
+//           points, its least angle, and which of a few pairs of thresholds gives the largest one.
 // Bound:    O(1): at most some 150 points in the window of 6 sides of leaves.
-// Source:   the ring is that of Bern, Eppstein, Teng, section 6 (acute corners); thresholds ours, found by a
-//           search. Bowyer, Watson (1981) for the triangulation.
-// Deviates: numerically established only: random search and descent over positions, directions and sectors of at
-//           least 33 degrees finds no least angle below `least_angle_of_sectors` (test_vertex_window.cpp).
+// Source:   the ring is that of Bern, Eppstein, Teng, section 6 (acute corners). The thresholds are ours,
+//           found by a search. Bowyer, Watson (1981) for the triangulation.
+// Deviates: established numerically only. Random search and descent over positions, directions and sectors of
+//           at least 33 degrees finds no least angle below `least_angle_of_sectors` (test_vertex_window.cpp).
 //
-// Points on an edge depend on that edge and the vertex only, corners on the two edges of their sector. So sectors
-// are independent of each other. Unit of all lengths: the side of the leaves around the vertex.
-// In doubles: what is computed here only chooses. In sectors above 180 degrees the other side of the edges is
-// empty, and edges are sides of triangles if the sectors there are at least 20 degrees.
+// Points on an edge depend only on that edge and the vertex, corners on the two edges of their sector. So
+// sectors are independent of each other. The unit of all lengths is the side of the leaves around the vertex.
+// Computed in doubles, because the results are only choices. In sectors above 180 degrees the other side of
+// the edges is empty, and edges are sides of triangles if the sectors there are at least 20 degrees.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_VERTEX_WINDOW_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_VERTEX_WINDOW_H

@@ -6,8 +6,8 @@
 
 // The exact map between doubles and the grid of a quadtree.
 //
-// The grid's unit is a power of two and its origin a multiple of a power of two, so that doubles keep their
-// bits and the corners of squares are doubles wherever doubles are as fine as the square.
+// The grid's unit is a power of two, and its origin a multiple of a power of two. So doubles keep their bits.
+// The corners of squares are doubles wherever doubles are as fine as the square.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_DOUBLE_GRID_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_DOUBLE_GRID_H

@@ -7,15 +7,15 @@
 // The mesh of tiles in which every site has a vertex.
 //
 // Computes: levels of leaves, the mesh of tiles that they make, and a vertex for each site.
-// Bound:    O(n + k) work for n sites and k squares in each round, besides sorting. At most as many rounds as
-//           there are levels; a few, because the first levels separate sites.
+// Bound:    O(n + k) work for n sites and k squares in each round, not counting sorting. At most as many
+//           rounds as there are levels; a few in practice, because the first levels separate sites.
 // Method:   Leaves start with few sites, and small compared with the distance to a near neighbor. Sites that
-//           get no vertex get smaller leaves: half as large, and at once about as small as the distance to a
-//           near neighbor, as there is no vertex for both before; until all have one.
+//           get no vertex get smaller leaves, until all have one: half as large, and at once about as small
+//           as the distance to a near neighbor, because before that there is no vertex for both.
 // Source:   Bern, Eppstein, Teng, section 5, Theorem 3, where each point gets squares so small that there is
 //           room for its warp.
-// Deviates: leaves are split on demand. The result is smaller by an order of magnitude, but vertices on the way
-//           to their sites may meet; whoever moves them has to look.
+// Deviates: leaves are split on demand. The result is smaller by an order of magnitude. But vertices on the
+//           way to their sites may meet, and the code that moves them has to check.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_FILL_TILES_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_FILL_TILES_H
