@@ -4,7 +4,7 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 
-// Both models of vertex-edge neighbours and the decompositions of CGAL alone on the same graphs, alternately, so
+// Both models of vertex-edge neighbors and the decompositions of CGAL alone on the same graphs, alternately, so
 // that all meet the same state of the machine. Prints a Markdown table; --json FILE writes the same figures for
 // programs. Ends with status 1 if the models differ in any first hit.
 
@@ -59,7 +59,7 @@ struct Outcome {
   std::vector<double> cpu, wall;
 };
 
-/// Makes the neighbours, and lets them go.
+/// Makes the neighbors, and lets them go.
 template <template <class, class> class Model, class Concurrency_tag>
 void make(const Pslg& pslg) {
   const Model<Traits, Concurrency_tag> neighbors(pslg);

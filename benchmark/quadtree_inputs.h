@@ -87,7 +87,7 @@ inline Points line(std::size_t n, std::uint64_t seed) {
 }
 
 /// A spiral whose radius is halved with every turn, from the outside in: the more points, the fewer turns, so
-/// that neighbours in the middle are 2^-bits apart up to a small factor.
+/// that neighbors in the middle are 2^-bits apart up to a small factor.
 inline Points spiral_of(std::size_t n, double bits) {
   const double turns = std::floor(bits - std::log2(double(n)));
   Points points;
@@ -100,11 +100,11 @@ inline Points spiral_of(std::size_t n, double bits) {
   return points;
 }
 
-/// Until neighbours are a few units in the last place apart. Half of the turns are too small for trees of 29
+/// Until neighbors are a few units in the last place apart. Half of the turns are too small for trees of 29
 /// levels, and the innermost ones for meshes.
 inline Points spiral(std::size_t n, std::uint64_t) { return spiral_of(n, 58); }
 
-/// As far in as meshes of tiles can go, and a bit less: until neighbours are 2^-40 apart or so.
+/// As far in as meshes of tiles can go, and a bit less: until neighbors are 2^-40 apart or so.
 inline Points short_spiral(std::size_t n, std::uint64_t) { return spiral_of(n, 46); }
 
 /// Clusters of about as many points as there are clusters, the widest a thousand times as wide as the narrowest.

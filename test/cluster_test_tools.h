@@ -74,7 +74,7 @@ void check_offset(const Point& p, const Exact_point& origin, std::array<std::int
 /// edge has two of them but for those of window and spokes.
 template <class Geometry>
 void check_ring(const internal::Cluster_frame<Geometry>& frame, int log_leaf) {
-  const Exact_point centre = exact(frame.centre());
+  const Exact_point center = exact(frame.center());
   Points<Geometry> points;
   internal::Window_vertices window;
   int k = 0;
@@ -82,7 +82,7 @@ void check_ring(const internal::Cluster_frame<Geometry>& frame, int log_leaf) {
     REQUIRE(internal::position_in_window_boundary(place) == k);
     window[std::size_t(k)] = k;
     points.push_back(frame.point_at(place));
-    check_offset(points.back(), centre, internal::collar().vertices[std::size_t(8 + k)],
+    check_offset(points.back(), center, internal::collar().vertices[std::size_t(8 + k)],
                  frame.exponent() - 10);
     ++k;
   }
@@ -90,7 +90,7 @@ void check_ring(const internal::Cluster_frame<Geometry>& frame, int log_leaf) {
   for (int i = 0; i < 8; ++i) {
     spokes[std::size_t(i)] = std::int32_t(points.size());
     points.push_back(frame.spoke(i, log_leaf));
-    check_offset(points.back(), centre, internal::star().spokes[std::size_t(i)], log_leaf - 10);
+    check_offset(points.back(), center, internal::star().spokes[std::size_t(i)], log_leaf - 10);
   }
   const internal::Octagon_vertices octagon = internal::append_octagon(frame, points);
   std::vector<internal::Indexed_triangle> triangles;

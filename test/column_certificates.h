@@ -25,7 +25,7 @@
 //   whole box: points on the edge are affine in (m, b), angles bounded by quadratic polynomials.
 // - That it is a triangulation follows from its combinatorics: all triangles are counterclockwise, the sides that
 //   have a triangle on one side only are those of the window, and all vertices are used.
-// - Whole leaves are unions of its triangles, so it can be cut down to the others. These have neighbours across
+// - Whole leaves are unions of its triangles, so it can be cut down to the others. These have neighbors across
 //   sides within the band only. So outside the band leaves may be of any size, and windows fit together.
 
 #include "moving_triangles.h"
@@ -215,7 +215,7 @@ public:
            triangles_.size() == 2 * vertices_.size() - boundary.size() - 2;
   }
 
-  /// Whether sides of whole leaves are sides of triangles and the others have all neighbours in the band.
+  /// Whether sides of whole leaves are sides of triangles and the others have all neighbors in the band.
   bool fits_leaves() const {
     for (std::size_t c = 0; c + 1 < columns_.size(); ++c) {
       const std::int64_t left = columns_[c][0].x, right = columns_[c + 1][0].x, side = right - left;
@@ -267,7 +267,7 @@ private:
     return true;
   }
 
-  /// Neighbours beside the leaf begin at its lower side, that above it at its upper side.
+  /// Neighbors beside the leaf begin at its lower side, that above it at its upper side.
   bool has_neighbors_in_band(std::int64_t left, std::int64_t right, std::int64_t y) const {
     const auto is_in_band = [&](std::int64_t x, std::int64_t row) {
       return range_over(box_, height_above_line(x, row)).second < band * 2 * grid;
@@ -345,7 +345,7 @@ inline bool is_good_for_equal_leaves(double threshold, const Cotangent_range& ra
     std::array<std::vector<Vertex>, 2> lines;
     for (std::size_t i = 0; i < 2; ++i) {
       const std::int64_t x = 2 * static_cast<std::int64_t>(i);
-      // The leaf below that row has its neighbours in the band.
+      // The leaf below that row has its neighbors in the band.
       if (range_over(box, height_above_line(x, row)).second >= 2 * grid * band) return false;
       lines[i].push_back({x, 0, true});
       for (const std::int64_t y : kept[i])

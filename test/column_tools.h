@@ -144,12 +144,12 @@ inline std::set<std::pair<std::uint32_t, std::uint32_t>> corners_of_leaves(const
   return corners;
 }
 
-/// Of triangles with centres at least so many units inside the root, in degrees.
+/// Of triangles with centers at least so many units inside the root, in degrees.
 inline double least_angle(const Cdt& cdt, double margin) {
   double least = 180;
   for (auto f = cdt.finite_faces_begin(); f != cdt.finite_faces_end(); ++f) {
-    const auto centre = CGAL::centroid(cdt.triangle(f));
-    if (std::min({centre.x(), centre.y(), extent - centre.x(), extent - centre.y()}) < margin) continue;
+    const auto center = CGAL::centroid(cdt.triangle(f));
+    if (std::min({center.x(), center.y(), extent - center.x(), extent - center.y()}) < margin) continue;
     for (int i = 0; i < 3; ++i) {
       const auto u = f->vertex((i + 1) % 3)->point() - f->vertex(i)->point(),
                  v = f->vertex((i + 2) % 3)->point() - f->vertex(i)->point();

@@ -272,7 +272,7 @@ private:
       put(c.x() + width * x, c.y() + width * y);
     }
   }
-  /// Towards a point, each a share nearer than the last.
+  /// Toward a point, each a share nearer than the last.
   void add_sequence(std::size_t n) {
     const Point c = any(), d = any();
     const double share = std::exp2(-random_() * 3);

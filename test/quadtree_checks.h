@@ -96,7 +96,7 @@ public:
   /// Splits a leaf.
   void split(const Key& k) { split_.insert(k); }
 
-  /// Splits whatever has a neighbour less than half its size, until there is nothing to split.
+  /// Splits whatever has a neighbor less than half its size, until there is nothing to split.
   void balance(Balance balance) {
     if (balance == Balance::NONE) return;
     for (std::vector<Key> work(split_.begin(), split_.end()); !work.empty();) {
@@ -112,13 +112,13 @@ public:
           if (std::get<0>(leaf) + 1 < std::get<0>(child)) {
             split_.insert(leaf);
             work.push_back(leaf);
-            work.push_back(k); // its neighbour may still be too large
+            work.push_back(k); // its neighbor may still be too large
           }
         }
     }
   }
 
-  /// Splits all neighbours of squares with a split child.
+  /// Splits all neighbors of squares with a split child.
   void split_neighbors() {
     const std::set<Key> before = split_;
     for (const Key& k : before) {
@@ -235,7 +235,7 @@ inline bool do_touch(const Key& a, const Key& b, int depth) {
   return overlap(std::get<1>(a), std::get<1>(b)) && overlap(std::get<2>(a), std::get<2>(b));
 }
 
-/// Neighbouring leaves against all pairs of leaves whose closed squares meet.
+/// Neighboring leaves against all pairs of leaves whose closed squares meet.
 template <class Tree>
 void check_neighbors(const Tree& tree) {
   if (tree.number_of_leaves() > 1500) return;

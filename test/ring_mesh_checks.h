@@ -87,10 +87,10 @@ void check_disk(const Ring_mesh<Geometry>& mesh) {
     edge_ends += r.size;
     corners += r.number_of_triangles();
     for (int k = 0; k < r.size; ++k) {
-      if (r[k] < 0 || std::size_t(r[k]) >= mesh.number_of_vertices() || r[k] == v) FAIL("no such neighbour");
-      if (!mesh.is_alive(r[k]) || !mesh.ring(r[k]).contains(v)) FAIL("neighbours do not agree");
+      if (r[k] < 0 || std::size_t(r[k]) >= mesh.number_of_vertices() || r[k] == v) FAIL("no such neighbor");
+      if (!mesh.is_alive(r[k]) || !mesh.ring(r[k]).contains(v)) FAIL("neighbors do not agree");
       for (int j = 0; j < k; ++j)
-        if (r[j] == r[k]) FAIL("a neighbour is there twice");
+        if (r[j] == r[k]) FAIL("a neighbor is there twice");
     }
     for (int k = 0; k < r.number_of_triangles(); ++k)
       if (!has_triangle(mesh, r[k], r.next(k), v) || !has_triangle(mesh, r.next(k), v, r[k]))

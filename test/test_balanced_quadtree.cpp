@@ -75,7 +75,7 @@ TEST_CASE("Corners of squares are exact", "[balanced]") {
   }
 }
 
-TEST_CASE("Neighbours of a leaf come counterclockwise", "[balanced]") {
+TEST_CASE("Neighbors of a leaf come counterclockwise", "[balanced]") {
   const auto points = make_points<Fixed_32_traits>(uniform(60, 9));
   const CGAL::Balanced_quadtree<Fixed_32_traits> tree(points);
   const auto center = [&](Leaf_index l) {

@@ -28,7 +28,7 @@ using CGAL::Quadtree_mesh_2::Vertex_index;
 
 const auto nothing = [](const Point&, std::uint32_t) { return false; };
 
-/// A line through the whole of the root, not far from its centre; in units.
+/// A line through the whole of the root, not far from its center; in units.
 void add_line(Random& random, int kind, Case& c) {
   double slope = 2 * random() - 1;
   if (kind % 4 == 1) slope = random.below(2) == 0 ? -1 : 1;

@@ -238,7 +238,7 @@ TEST_CASE("Corners are warped to points", "[corner_warper]") {
   }
 }
 
-TEST_CASE("Leaves of points are in proportion to the distance of their neighbours", "[corner_warper]") {
+TEST_CASE("Leaves of points are in proportion to the distance of their neighbors", "[corner_warper]") {
   using Separated = internal::Separated_quadtree<Sequential_tag>;
   std::vector<Input> inputs = all_inputs();
   for (unsigned seed = 0; seed < 40; ++seed) inputs.push_back(small_random(seed));

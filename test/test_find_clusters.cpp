@@ -211,7 +211,7 @@ TEST_CASE("Points around a corner of squares are a cluster", "[clusters]") {
   CHECK(tree.clusters[1].number_of_sites() == 4);
 }
 
-TEST_CASE("Neighbouring clusters are found apart and together", "[clusters]") {
+TEST_CASE("Neighboring clusters are found apart and together", "[clusters]") {
   // pairs along a line at growing distances, each pair tiny
   Points points;
   for (int k = 0; k < 12; ++k) {

@@ -27,7 +27,7 @@ using internal::Framed_clusters;
 namespace {
 
 /// A quadtree that is balanced over corners, by what has to be split so that given squares exist: the eight
-/// neighbours of each split square exist, too.
+/// neighbors of each split square exist, too.
 class Balanced_squares {
 public:
   /// Makes a square exist, given by its level, column and row.
@@ -118,7 +118,7 @@ Checked_frames check_frames(const Points<Geometry>& points, const Framed_cluster
     }
     number_of_points += sites.size();
     for (auto child = std::size_t(c.first_child); child < std::size_t(c.end_child); ++child)
-      sites.push_back({framed.frames[child].centre(), framed.tree.clusters[child].distance,
+      sites.push_back({framed.frames[child].center(), framed.tree.clusters[child].distance,
                        Cluster_site::cluster, framed.frames[child].exponent()});
     if (c.parent >= 0 && sites.size() == 1) ++result.bridges;
     REQUIRE(!sites.empty());

@@ -164,7 +164,7 @@ TEST_CASE("border vertices an ulp off a slanted hull edge", "[indexed_mesh_to_tr
     }
     add_polygon(pslg, corners);
     // Vertices along the border, rounded to doubles: some inside the straight line, some outside it.
-    const Point centre = CGAL::centroid(corners[0], corners[1], corners[2]);
+    const Point center = CGAL::centroid(corners[0], corners[1], corners[2]);
     Pslg rounded;
     std::vector<Point> ring;
     const std::size_t pieces = 6;
@@ -176,7 +176,7 @@ TEST_CASE("border vertices an ulp off a slanted hull edge", "[indexed_mesh_to_tr
                           j == 0 ? p.y() : p.y() + t * (q.y() - p.y()));
       }
     add_polygon(rounded, ring);
-    rounded.add_vertex(centre);
+    rounded.add_vertex(center);
     Mesh mesh = mesh_of(rounded);
     mesh.number_of_input_vertices = 3;
     const auto place = [&](std::size_t v) {

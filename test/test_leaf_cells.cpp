@@ -239,7 +239,7 @@ TEST_CASE("cells of few segments", "[leaf_cells]") {
   const Square square{{8, 8}, 8};
   REQUIRE(pairs_in(square, {}).empty());
   REQUIRE(pairs_in(square, {{{{0, 0}, {30, 30}}}}).empty());
-  // Four chords that cut off the corners bound the cell between them; only neighbours follow each other.
+  // Four chords that cut off the corners bound the cell between them; only neighbors follow each other.
   REQUIRE(
       pairs_in(square,
                {{{{8, 11}, {11, 8}}}, {{{13, 8}, {16, 11}}}, {{{16, 13}, {13, 16}}}, {{{11, 16}, {8, 13}}}})

@@ -280,7 +280,7 @@ TEST_CASE("every kind of damage is found", "[mesh_quality_2]") {
 }
 
 TEST_CASE("an overlap of two sheets is found", "[mesh_quality_2]") {
-  // A fan that goes twice around its centre: counterclockwise triangles, paired edges, and yet no
+  // A fan that goes twice around its center: counterclockwise triangles, paired edges, and yet no
   // triangulation.
   Pslg pslg;
   std::vector<Point> ring;

@@ -297,7 +297,7 @@ TEMPLATE_TEST_CASE("Values that own memory, or cannot be copied, are sorted", "[
   });
 }
 
-TEMPLATE_TEST_CASE("Equal neighbours are removed", "[parallel]", CGAL::Sequential_tag, CGAL::Parallel_tag) {
+TEMPLATE_TEST_CASE("Equal neighbors are removed", "[parallel]", CGAL::Sequential_tag, CGAL::Parallel_tag) {
   for (std::size_t n : lengths(internal::default_block))
     for (std::uint64_t different : {1u, 2u, 1000000000u}) {
       CAPTURE(n, different);

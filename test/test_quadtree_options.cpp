@@ -70,7 +70,7 @@ TEMPLATE_TEST_CASE("Quadtrees are balanced across sides only, or not at all", "[
   }
 }
 
-TEMPLATE_TEST_CASE("Spaced levels give the tree in which all neighbours are split", "[options]",
+TEMPLATE_TEST_CASE("Spaced levels give the tree in which all neighbors are split", "[options]",
                    Filtered_traits, Fixed_32_traits, Fixed_64_traits, Exact_traits) {
   std::vector<Input> inputs = all_inputs();
   for (unsigned seed = 0; seed < 20; ++seed) inputs.push_back(small_random(seed));

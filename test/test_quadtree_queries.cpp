@@ -62,13 +62,13 @@ bool is_within_squared_factor(const Integer& a, const Integer& b) {
   return rest <= 0 || rest * rest <= 13 * b * b;
 }
 
-/// How bad the near neighbours of a tree are.
+/// How bad the near neighbors of a tree are.
 struct Quality {
   double factor = 1;
   std::size_t squares = 0; // looked at for a point
 };
 
-/// Checks near neighbours against all other points.
+/// Checks near neighbors against all other points.
 template <class Quadtree>
 Quality check_near_neighbors(const Quadtree& tree) {
   Quality worst;
@@ -109,7 +109,7 @@ constexpr std::array<Balance_schedule, 2> schedules{
 
 } // namespace
 
-TEMPLATE_TEST_CASE("Near neighbours are within the factor", "[queries]", Filtered_traits, Fixed_32_traits,
+TEMPLATE_TEST_CASE("Near neighbors are within the factor", "[queries]", Filtered_traits, Fixed_32_traits,
                    Fixed_64_traits, Exact_traits) {
   Quality worst;
   const auto check = [&](const Input& input, const Quadtree_options& options) {
@@ -133,7 +133,7 @@ TEMPLATE_TEST_CASE("Near neighbours are within the factor", "[queries]", Filtere
   if (is_full_run()) WARN("factor " << worst.factor << ", squares " << worst.squares);
 }
 
-TEST_CASE("The factor of near neighbours is sharp", "[queries]") {
+TEST_CASE("The factor of near neighbors is sharp", "[queries]") {
   // A leaf of side 1 with a point at its left side, and a square of side 1/2 that is 1 away and holds two
   // points: its first one is in the lower left corner, and the nearest one in the upper right corner.
   const std::uint64_t side = std::uint64_t(1) << 50, x = 8 * side, y = 8 * side;
@@ -149,7 +149,7 @@ TEST_CASE("The factor of near neighbours is sharp", "[queries]") {
   CHECK(check_near_neighbors(tree).factor > near_neighbor_factor - 1e-6);
 }
 
-TEST_CASE("Leaves far smaller than asked for do not spoil near neighbours", "[queries]") {
+TEST_CASE("Leaves far smaller than asked for do not spoil near neighbors", "[queries]") {
   for (const Input& input : all_inputs()) {
     CAPTURE(input.name);
     CGAL::Quadtree_framework<Fixed_64_traits> framework(make_points<Fixed_64_traits>(input));

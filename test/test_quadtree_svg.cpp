@@ -193,7 +193,7 @@ TEMPLATE_TEST_CASE("A picture has a cross for each split square, and no edge twi
   CHECK(2 * length == sides);
 }
 
-TEST_CASE("Leaves are coloured by level", "[SVG][balanced]") {
+TEST_CASE("Leaves are colored by level", "[SVG][balanced]") {
   const Filtered_quadtree tree(make_points<Filtered_traits>(clusters(2)));
   const std::string text = svg(tree, Options().fill_by(Options::Fill::LEVEL).width(4096));
   std::set<std::string> colors;
@@ -205,7 +205,7 @@ TEST_CASE("Leaves are coloured by level", "[SVG][balanced]") {
     }
   CHECK(colors.count("#f8f6e3") == 1); // the largest
   CHECK(colors.count("#317a99") == 1); // the smallest
-  // A plain fill has the same areas in one colour.
+  // A plain fill has the same areas in one color.
   Options plain;
   plain.width(4096).fill_color = "#eeeeee";
   CHECK(lines_with(svg(tree, plain), "#eeeeee").size() == 4 * areas);

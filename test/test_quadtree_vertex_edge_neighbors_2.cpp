@@ -4,7 +4,7 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 
-// Vertex-edge neighbours against brute force with exact intersections: every segment for every ray and
+// Vertex-edge neighbors against brute force with exact intersections: every segment for every ray and
 // sector.
 
 #include "catch.h"
@@ -32,7 +32,7 @@ using CGAL::Vertex_edge_neighbors_options_2;
 
 namespace {
 
-/// All sectors below 180 degrees between two segments at v, neighbours around v or not.
+/// All sectors below 180 degrees between two segments at v, neighbors around v or not.
 template <class Neighbors, class Pslg>
 std::size_t check_sectors(const Neighbors& neighbors, const Brute_force& brute_force, const Pslg& pslg,
                           Vertex_index v) {
@@ -186,7 +186,7 @@ TEST_CASE("vertices that only exact numbers tell apart", "[neighbors]") {
       if (hit.exists()) REQUIRE(hit.distance > 0);
     }
   }
-  // The second segment at vertex 8 lies in the sector between the first and the third one's far neighbours.
+  // The second segment at vertex 8 lies in the sector between the first and the third one's far neighbors.
   const double tiny = neighbors.clear_radius(Vertex_index(8), Segment_index(9), Segment_index(8));
   const Nearest expected = brute_force.nearest_in_sector(Vertex_index(8), Vertex_index(10), Vertex_index(9));
   REQUIRE(expected.exists());

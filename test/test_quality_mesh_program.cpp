@@ -263,7 +263,7 @@ TEST_CASE("the program separates by quadtrees and says what they did", "[program
   CHECK(trees.at("left_out").is_number());
   for (const char* name : {"trees", "construct"}) CHECK(json.at("seconds").at(name).is_number());
 
-  // However neighbours are found and edges are cut.
+  // However neighbors are found and edges are cut.
   for (const char* how : {"--neighbors quadtree", "--subdivision centroid-tree --threads 1"}) {
     CHECK(report_of(std::string("--separation theorem-5 ") + how).at("trees") == trees);
     CHECK(content(folder.file("out.ele")) + content(folder.file("out.node")) == mesh);

@@ -116,7 +116,7 @@ TEST_CASE("polygons of GeoJSON and WKT become the graph that they cover", "[GeoJ
   IO::read_GeoJSON(data_file("island.geojson"), from_json);
   IO::read_WKT(data_file("island.wkt"), from_wkt);
   CHECK(is_same(from_json, from_wkt));
-  CHECK(from_json.vertices.size() == 12 + 8 + 3 + 2 + 3 + 2); // the neighbour shares two, the enclave all
+  CHECK(from_json.vertices.size() == 12 + 8 + 3 + 2 + 3 + 2); // the neighbor shares two, the enclave all
   CHECK(from_json.segments.size() == 12 + 8 + 3 + 3 + 2);
   CHECK(from_json.holes.size() == 2); // lake and pond, not the enclave
   CHECK(area(from_json) == Approx(96 - 30 + 4 - 1 + 0.5 + 24));

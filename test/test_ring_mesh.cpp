@@ -291,7 +291,7 @@ TEST_CASE("Small meshes have rings", "[ring_mesh]") {
   CHECK(triangles_of(one) == Triangle_set{{1, 4, 3}});
   CHECK_FALSE(one.is_alive(0));
   CHECK_FALSE(one.is_alive(2));
-  Mesh fan; // around a vertex with as many neighbours as there can be
+  Mesh fan; // around a vertex with as many neighbors as there can be
   std::vector<Triangle> triangles;
   for (int k = 0; k < Ring::max_size; ++k) triangles.push_back({Ring::max_size, k, (k + 1) % Ring::max_size});
   fan.points.resize(Ring::max_size + 1);

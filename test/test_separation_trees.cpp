@@ -212,7 +212,7 @@ std::vector<double> hits_by_trapezoids(const Pslg& pslg) {
   return internal::nearest_hit_distances<CGAL::Sequential_tag>(neighbors, pslg.number_of_vertices());
 }
 
-TEST_CASE("Both models of neighbours give the same trees", "[trees][separation]") {
+TEST_CASE("Both models of neighbors give the same trees", "[trees][separation]") {
   for_each_graph(is_full_run() ? 40 : 4, [](const Pslg& pslg) {
     const Tree_options options;
     Prepared graph(pslg);

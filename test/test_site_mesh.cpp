@@ -261,10 +261,10 @@ Points uniform(std::size_t n, std::uint64_t seed) {
 Points blobs(std::size_t n, double radius, std::uint64_t seed) {
   Random_numbers random(seed);
   Points points;
-  const Points centres = uniform(4, seed + 1);
+  const Points centers = uniform(4, seed + 1);
   for (std::size_t i = 0; i < n; ++i) {
     const double r = radius * random(), t = 6.28318 * random();
-    points.push_back({centres[i % 4].x + r * std::cos(t), centres[i % 4].y + r * std::sin(t)});
+    points.push_back({centers[i % 4].x + r * std::cos(t), centers[i % 4].y + r * std::sin(t)});
   }
   return points;
 }

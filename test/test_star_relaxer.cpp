@@ -453,7 +453,7 @@ TEST_CASE("No new triangles of rigid vertices are made", "[star_relaxer]") {
   }
 }
 
-TEST_CASE("Rigid vertices may have neighbours of very different distance", "[star_relaxer]") {
+TEST_CASE("Rigid vertices may have neighbors of very different distance", "[star_relaxer]") {
   // a vertex of an octagon: two spokes far away, two vertices beside it, two near it
   for (const double far : {0x1p10, 0x1p40, 0x1p70, 0x1p130, 0x1p300}) {
     CAPTURE(far);

@@ -110,7 +110,7 @@ TEST_CASE("SVG options", "[SVG]") {
   CHECK(count(svg(mesh, pslg, bare), "<path") == 2);
 }
 
-TEST_CASE("SVG colours by angles", "[SVG]") {
+TEST_CASE("SVG colors by angles", "[SVG]") {
   Pslg pslg;
   add_polygon(pslg, {Point(0, 0), Point(1, 0), Point(0, 1)}); // 45 and 90 degrees
   const auto colored = [&](IO::Svg_options_2::Fill fill) {
@@ -120,7 +120,7 @@ TEST_CASE("SVG colours by angles", "[SVG]") {
   CHECK(colored(IO::Svg_options_2::Fill::LARGEST_ANGLE).find("#d9ef8b") != std::string::npos);
 }
 
-TEST_CASE("SVG colours by region, with a quadtree", "[SVG]") {
+TEST_CASE("SVG colors by region, with a quadtree", "[SVG]") {
   Pslg pslg = domain_with_outside();
   Mesh mesh = mesh_of(pslg, 0.5);
   const IO::Svg_options_2 options =
@@ -131,7 +131,7 @@ TEST_CASE("SVG colours by region, with a quadtree", "[SVG]") {
   const std::string text = svg(mesh, pslg, options);
   check_well_formed(text);
   CHECK(count(text, "<path") == 13 + 3);
-  CHECK(count(text, "<rect") == 13); // the background, and twelve colours
+  CHECK(count(text, "<rect") == 13); // the background, and twelve colors
   CHECK(text.find(">1: 0.5</text>") != std::string::npos);
 
   using Quadtree = CGAL::Balanced_quadtree<CGAL::Filtered_quadtree_traits_2<>>;

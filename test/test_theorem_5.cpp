@@ -134,7 +134,7 @@ TEST_CASE("The paper's constants and other distances", "[mesher][theorem5]") {
   }
 }
 
-TEST_CASE("Both models of neighbours and both subdivisions give the same mesh", "[mesher][theorem5]") {
+TEST_CASE("Both models of neighbors and both subdivisions give the same mesh", "[mesher][theorem5]") {
   using Trapezoids = CGAL::Trapezoidal_vertex_edge_neighbors_2<Mesher::Geom_traits>;
   for (const std::string name : {"us_states_10m.poly.gz", "syn_fan_1deg.poly", "syn_near_1e-12.poly"}) {
     CAPTURE(name);

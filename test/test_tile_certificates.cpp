@@ -202,12 +202,12 @@ TEST_CASE("Warps take their vertex to the point", "[tiles]") {
   for (int i = 0; i < tile(0).number_of_vertices; ++i) {
     CAPTURE(i);
     const auto& v = tile(0).vertices[static_cast<std::size_t>(i)];
-    CHECK(warp(i).centre == i);
+    CHECK(warp(i).center == i);
     CHECK(is_translated(find(warp(i).vertices, {v[0], v[1]})));
   }
 }
 
-TEST_CASE("The star translates the corner and its eight neighbours", "[tiles]") {
+TEST_CASE("The star translates the corner and its eight neighbors", "[tiles]") {
   CHECK(is_translated(find(star().vertices, {0, 0})));
   const Integer_mesh block = block_of_tiles(-2, 4);
   std::vector<Integer_point> neighbors, spokes;

@@ -77,7 +77,7 @@ TEST_CASE("Tiles fit together and every site has a vertex", "[tile_mesh]") {
     }
 }
 
-TEST_CASE("Leaves of sites shrink with the distance to a near neighbour", "[tile_mesh]") {
+TEST_CASE("Leaves of sites shrink with the distance to a near neighbor", "[tile_mesh]") {
   const auto places = clustered_sites(15, 4);
   const auto distances = near_distances<CGAL::Sequential_tag>(places);
   for (double beta : {0.6, 1.0, 2.0}) {

@@ -196,7 +196,7 @@ public:
   /// Splits the squares of level `level` - 1 around, so that (i, j) is there.
   void require(int level, int i, int j) {
     if (i < 0 || j < 0 || i >= 1 << level || j >= 1 << level || exists(level, i, j)) return;
-    // The parent is split: its eight neighbours must be there.
+    // The parent is split: its eight neighbors must be there.
     for (int x = -1; x <= 1; ++x)
       for (int y = -1; y <= 1; ++y) require(level - 1, i / 2 + x, j / 2 + y);
     for (int x = 0; x < 2; ++x)

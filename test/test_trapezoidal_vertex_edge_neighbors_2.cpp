@@ -4,7 +4,7 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 
-// Vertex-edge neighbours by trapezoidal decompositions against brute force with exact intersections, and against
+// Vertex-edge neighbors by trapezoidal decompositions against brute force with exact intersections, and against
 // those by the quadtree.
 
 #include "catch.h"

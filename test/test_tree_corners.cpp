@@ -183,7 +183,7 @@ TEMPLATE_TEST_CASE("Corners of leaves of random quadtrees", "[quadtree][trees]",
 }
 
 TEST_CASE("Corners of the smallest leaves", "[quadtree][trees]") {
-  // Neighbours on the grid: leaves of one unit.
+  // Neighbors on the grid: leaves of one unit.
   std::vector<Fixed_32_traits::Point_2> points;
   for (std::uint32_t i = 0; i < 3; ++i)
     for (std::uint32_t j = 0; j < 3; ++j) points.push_back({i, j});

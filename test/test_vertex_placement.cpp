@@ -28,7 +28,7 @@ using CGAL::Quadtree_mesh_2::Vertex_index;
 
 const double pi = std::acos(-1.);
 
-/// A vertex near the centre of the root, and edges from it, in counterclockwise order.
+/// A vertex near the center of the root, and edges from it, in counterclockwise order.
 Case random_star(Random& random) {
   const auto point = [](double x, double y) {
     const auto on_grid = [](double w) { return static_cast<std::uint32_t>(std::llround(w * unit)); };
@@ -83,13 +83,13 @@ Cdt triangulation(const Tree& tree, const Case& c, Transition_rule rule) {
   auto corners = corners_of_leaves(tree);
   const auto drop = [&](const Grid_point& p) { corners.erase({p.x, p.y}); };
   Cdt cdt;
-  const Vertex centre = vertex_of(tree, Vertex_index(0));
+  const Vertex center = vertex_of(tree, Vertex_index(0));
   std::vector<Window_point> directions;
   for (const auto& s : c.segments) {
     const Line line = line_of_segment(tree, s);
     const Vertex other = vertex_of(tree, s[1]);
-    const bool is_forwards = std::int64_t(line.u(centre.place)) == line.first_u();
-    const std::array<Vertex, 2> ends{is_forwards ? centre : other, is_forwards ? other : centre};
+    const bool is_forwards = std::int64_t(line.u(center.place)) == line.first_u();
+    const std::array<Vertex, 2> ends{is_forwards ? center : other, is_forwards ? other : center};
     const Window_point direction = direction_from(ends[0].place, ends[1].place);
     const Window_point back{-direction.x, -direction.y};
     const Edge_start first = ends[0].placement.start_of_edge(direction),
@@ -116,12 +116,12 @@ Cdt triangulation(const Tree& tree, const Case& c, Transition_rule rule) {
       append(ends[1], back, last.distances[i] * ends[1].side);
     append(ends[1], back, 0);
     cdt.insert_constraint(chain.begin(), chain.end());
-    const Window_point inwards = direction_from(other.place, centre.place);
+    const Window_point inwards = direction_from(other.place, center.place);
     other.placement.for_each_dropped_corner(inwards, inwards, drop);
-    directions.push_back(direction_from(centre.place, other.place));
+    directions.push_back(direction_from(center.place, other.place));
   }
   for (std::size_t i = 0; i < directions.size(); ++i)
-    centre.placement.for_each_dropped_corner(directions[i], directions[(i + 1) % directions.size()], drop);
+    center.placement.for_each_dropped_corner(directions[i], directions[(i + 1) % directions.size()], drop);
   std::vector<Kernel::Point_2> points;
   for (const auto& p : corners) points.push_back({double(p.first) / unit, double(p.second) / unit});
   cdt.insert(points.begin(), points.end());

@@ -148,8 +148,8 @@ Cdt triangulation(const Vertex& v, const Radii& radii = {}) {
 double least_angle(const Vertex& v, const Cdt& cdt, const Radii& radii = {}) {
   double least = pi;
   for (auto f = cdt.finite_faces_begin(); f != cdt.finite_faces_end(); ++f) {
-    const Point centre = CGAL::centroid(cdt.triangle(f));
-    if (std::hypot(centre.x() - v.place.x, centre.y() - v.place.y) > radii.triangles) continue;
+    const Point center = CGAL::centroid(cdt.triangle(f));
+    if (std::hypot(center.x() - v.place.x, center.y() - v.place.y) > radii.triangles) continue;
     if (cdt.triangle(f).area() < 1e-9) continue; // three points on an edge
     for (int i = 0; i < 3; ++i) {
       const auto a = f->vertex((i + 1) % 3)->point() - f->vertex(i)->point(),

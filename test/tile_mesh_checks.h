@@ -161,7 +161,7 @@ inline void check_vertices_of_sites(const Tile_mesh& mesh, const Tile_sites& sit
     if (is_taken[static_cast<std::size_t>(t[0])] + is_taken[static_cast<std::size_t>(t[1])] +
             is_taken[static_cast<std::size_t>(t[2])] >
         1)
-      FAIL("vertices of sites are neighbours");
+      FAIL("vertices of sites are neighbors");
 }
 
 inline bool is_same(const Tile_mesh& a, const Tile_mesh& b) {
@@ -246,7 +246,7 @@ inline std::vector<Tile_site> sites_on_corners_and_sides(unsigned seed) {
   return {places.begin(), places.end()};
 }
 
-/// Levels with sides of at most the distance to the nearest neighbour, divided by `separation`.
+/// Levels with sides of at most the distance to the nearest neighbor, divided by `separation`.
 inline std::vector<int> separating_levels(const std::vector<Tile_site>& places, double separation,
                                           int least = 0) {
   std::vector<int> levels;

@@ -4,7 +4,7 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 
-// Vertex-edge neighbours by their definition: every segment for every ray and sector, with the intersections
+// Vertex-edge neighbors by their definition: every segment for every ray and sector, with the intersections
 // of an exact kernel. Shares no code with the models of the concept.
 
 #ifndef QUADTREE_MESH_2_TEST_VERTEX_EDGE_BRUTE_FORCE_H

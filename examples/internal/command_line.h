@@ -374,7 +374,7 @@ inline CGAL::Point_set_mesh_options_2 point_set_mesh_options(const po::variables
   return options.max_removals(static_cast<std::size_t>(budget));
 }
 
-/// Points are coloured unless it is forbidden: their angles are what the modes differ in.
+/// Points are colored unless it is forbidden: their angles are what the modes differ in.
 inline Picture_colors colors(const po::variables_map& given, Command_line::Mode mode) {
   constexpr Picture_colors all[] = {Picture_colors::none, Picture_colors::angle, Picture_colors::region};
   Picture_colors result = mode == Command_line::Mode::pslg ? Picture_colors::none : Picture_colors::angle;

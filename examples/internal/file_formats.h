@@ -17,7 +17,7 @@ public:
 
 enum class Input_format { poly, geojson, wkt, node, table };
 enum class Output_format { triangle, vtu, svg, off, obj, msh, medit };
-/// What the colours of a picture stand for.
+/// What the colors of a picture stand for.
 enum class Picture_colors { none, angle, largest_angle, region };
 
 /// By the ending, or by that before `.gz`; without any it is a .poly file, as from a pipe.

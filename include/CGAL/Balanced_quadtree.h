@@ -9,7 +9,7 @@
 // Computes: the smallest quadtree with three properties. No leaf holds more than m points. No leaf is larger
 //           than a size function or the points' annotations ask for. Neighboring leaves differ by at most a
 //           factor of two. Also cross pointers, and the leaf of every point.
-// Bound:    O(n + k) work for n points and k squares besides sorting. There are as many rounds as levels, or
+// Bound:    O(n + k) work for n points and k squares, not counting sorting. There are as many rounds as levels, or
 //           O(log n) with spaced levels.
 // Source:   Bern, Eppstein, Teng, Theorems 1 and 2, section 3 (forced squares, cross pointers), Corollary 1
 //           (points to leaves).
@@ -68,7 +68,7 @@ struct Leaf_interval {
 /// and y offset `j`. Leaves are numbered in shuffle order over all levels. So the leaves below a node, and
 /// the points in it, are intervals.
 ///
-/// Takes O(n + k) time for n points and k squares, besides sorting, and about 25 bytes per square besides
+/// Takes O(n + k) time for n points and k squares, not counting sorting, and about 25 bytes per square besides
 /// those of the framework. The result is the same for any number of threads.
 /// \tparam Traits_ a model of `QuadtreeTraits_2`.
 /// \tparam Concurrency_tag `CGAL::Sequential_tag` or `CGAL::Parallel_tag`.

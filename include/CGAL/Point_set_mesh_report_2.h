@@ -39,9 +39,8 @@ struct Point_set_mesh_report_2 {
   /// The number of triangles before coarsening. Equals `triangles` if no vertex is removed, and with
   /// LEAST_ANGLE.
   std::size_t triangles_before_coarsening = 0;
-  std::size_t clusters = 0; ///< clusters that got a quadtree of their own
-  std::size_t certified_points =
-      0; ///< points with squares so small that separation alone proves the range
+  std::size_t clusters = 0;         ///< clusters that got a quadtree of their own
+  std::size_t certified_points = 0; ///< points with squares so small that separation alone proves the range
   /// With ACUTE, triangles around clusters with an angle between 89.5 and 90 degrees. That it is below 90 is
   /// decided exactly.
   std::size_t thin_triangles = 0;

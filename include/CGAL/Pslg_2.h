@@ -52,7 +52,7 @@ public:
   std::vector<Point_2> vertices;
   /// Markers of the vertices, free to use, 0 for none. Empty, or one for each vertex.
   std::vector<int> vertex_markers;
-  /// The number of attributes that each vertex has besides its coordinates.
+  /// The number of attributes that each vertex has in addition to its coordinates.
   std::size_t number_of_vertex_attributes = 0;
   /// The attributes of vertex 0, then those of vertex 1, and so on.
   std::vector<double> vertex_attributes;

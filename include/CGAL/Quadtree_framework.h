@@ -8,7 +8,7 @@
 //
 // Computes: the points in shuffle order; all squares of which more than one child holds points, with their
 //           nesting; and the size of square that each point is annotated with.
-// Bound:    O(n) work besides sorting, whatever the depth: n distinct points have at most n - 1 squares.
+// Bound:    O(n) work, not counting sorting, whatever the depth: n distinct points have at most n - 1 squares.
 // Source:   Bern, Eppstein, Teng, section 2, Lemmas 1-3 and the first half of Theorem 1. Each pair of
 //           neighbors in the order gives a square. Its parent is the smaller of the nearest larger squares to
 //           either side. Annotations: section 5.

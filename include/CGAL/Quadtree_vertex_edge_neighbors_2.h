@@ -9,9 +9,9 @@
 // Computes: for each vertex and each of the four axis directions the first segment hit by the ray from the
 //           vertex; the nearest of the four; and, for a sector between two segments at a vertex, the nearest
 //           vertex or segment in it.
-// Bound:    O(n + m + k + c) work besides sorting, for n vertices, m segments, k squares and c pairs of a leaf and
-//           a segment that meets it. For each ray, also the leaves that it passes, with their segments. This does
-//           not reach the paper's O(n log n) in the worst case: c and the leaves that rays pass may be in
+// Bound:    O(n + m + k + c) work, not counting sorting, for n vertices, m segments, k squares and c pairs of a leaf
+//           and a segment that meets it. For each ray, also the leaves that it passes, with their segments. This
+//           does not reach the paper's O(n log n) in the worst case: c and the leaves that rays pass may be in
 //           proportion to m times the leaves along a segment. See below.
 // Source:   Bern, Eppstein, Teng, section 6, Lemma 5.
 // Deviates: rays walk through the quadtree; the paper shoots them by trapezoidal decomposition. On demand, leaves

@@ -80,8 +80,8 @@ struct Tree_separation_report_2 {
     DONE,        ///< no triangle is below the bound
     COORDINATES, ///< triangles are left because coordinates have no room for smaller leaves
     BUDGET,      ///< triangles are left because they would need more vertices than the budget
-    CANCELLED, ///< the callback stopped it
-    FAILED     ///< the last round gave no mesh; the mesh is that of the round before, or of refinement
+    CANCELLED,   ///< the callback stopped it
+    FAILED       ///< the last round gave no mesh; the mesh is that of the round before, or of refinement
   };
 
   End end = End::NONE;         ///< how it ended

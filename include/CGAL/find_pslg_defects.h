@@ -32,7 +32,7 @@ enum class Pslg_defect_kind_2 {
   ZERO_LENGTH_SEGMENT,  ///< the ends of `segment` are at one place
   VERTEX_ON_SEGMENT,    ///< `vertex` lies inside `segment`
   OVERLAPPING_SEGMENTS, ///< `segment` and the earlier `other_segment` share a piece, or coincide
-  CROSSING_SEGMENTS     ///< `segment` and the earlier `other_segment` cross at `point`, without a vertex there
+  CROSSING_SEGMENTS     ///< `segment` and the earlier `other_segment` cross at `point`, not at a vertex
 };
 
 /// \ingroup PkgQuadtreeMesh2Data

@@ -61,7 +61,7 @@ struct Pslg_repair_report_2 {
   // All but the last count in the input.
   std::size_t merged_vertices = 0;      ///< input vertices at the place of an earlier one
   std::size_t zero_length_segments = 0; ///< input segments whose ends are at one place
-  std::size_t overlapping_segments = 0; ///< input segments that share a piece with an earlier one, or coincide
+  std::size_t overlapping_segments = 0; ///< input segments that share a piece with an earlier one
   std::size_t split_segments = 0;       ///< input segments with a vertex or a crossing inside
   std::size_t crossings = 0;            ///< new vertices where segments crossed, the last ones of the result
 

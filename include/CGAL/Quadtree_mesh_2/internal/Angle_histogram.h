@@ -4,9 +4,8 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// Counts the least and the largest angles of triangles by whole degrees, without an inverse function: angles
-// are told apart by squared sines and signed squared cosines, which grow with them. O(1) a triangle, about 10
-// ns.
+// Counts the least and the largest angles of triangles by whole degrees, without an inverse function. Squared
+// sines and signed squared cosines grow with the angles, so they tell the bins apart. O(1) for a triangle.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_ANGLE_HISTOGRAM_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_ANGLE_HISTOGRAM_H

@@ -6,11 +6,12 @@
 //
 // A range of angles, and how far triangles are from it.
 //
-// The energy of a triangle is the sum over its angles a of the squared violation of the range less a margin:
-//   sin^2(high) max(0, cot(high - margin) - cot a)  and  sin^2(low) max(0, cot a - cot(low + margin)),
-// which are radians to the first order, and no trigonometry is needed. A triangle that is flat or turned over counts
-// 1000 and more, the more the worse. Energies are compared only with each other; whether a triangle keeps the range
-// itself is told separately, with the range narrowed by what rounding may hide.
+// The energy of a triangle is a sum over its angles a: the squared violation of the range, narrowed by a
+// margin,
+//   sin^2(high) max(0, cot(high - margin) - cot a)  and  sin^2(low) max(0, cot a - cot(low + margin)).
+// These are radians to the first order, so no trigonometry is needed. A flat or inverted triangle counts 1000
+// and more, and more the worse it is. Energies are compared only with each other. Whether a triangle is in
+// the range itself is a separate test, with the range narrowed by what rounding may hide.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_ANGLE_RANGE_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_ANGLE_RANGE_H

@@ -4,14 +4,16 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// The meshing kernel's points on a grid of 2^62 units to a side, parallel to the axes, and places of the grid as
-// points: over double and over integer coordinates (over exact ones: exact_axis_parallel_grid.h).
+// The meshing kernel's points on an axis-parallel grid of 2^62 units to a side, and places of the grid as
+// points. For double and for integer coordinates (for exact ones: exact_axis_parallel_grid.h).
 //
-// The root is the smallest square with a power of two as its side that has the points in its middle half. Points go
-// to the grid line at or next below them, in each coordinate. Grid points go back to the point there if there is one,
-// else to the nearest. Places between and beside grid points, as rotations make them, are given as fractions.
+// The root is the smallest square with a power of two as its side that has the points in its middle half. In
+// each coordinate, points go to the grid line at or next below them. Grid points go back to the point there
+// if there is one, otherwise to the nearest. Rotations make places between and beside grid points; these are
+// given as fractions.
 //
-// Over integers the root is not always in the range of words: only for points that are in the middle half of that.
+// Over integers the root may exceed the range of words. It is in the range for points in the middle half of
+// that range.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_AXIS_PARALLEL_GRID_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_AXIS_PARALLEL_GRID_H

@@ -10,13 +10,13 @@
 // Bound:    O(1) for each leaf on the way and for each segment listed there. Neither is bounded by a
 //           constant: a ray may pass many leaves before it hits, and long segments may be listed in many of
 //           them.
-// Method:   From leaf to leaf by cross pointers, in the row (or column) of the ray's grid points, which are
-//           known without rounding. A hit point lies in a leaf on the way and its segment is listed there. So
-//           the walk ends with the first leaf before whose far side there certainly is a hit; if that is
-//           uncertain it goes on, which costs time and changes nothing.
+// Method:   The ray goes from leaf to leaf by cross pointers, in the row (or column) of its grid points,
+//           which are known without rounding. A hit point lies in a leaf on the way, and its segment is
+//           listed there. So the walk ends with the first leaf that certainly has a hit before its far side.
+//           If that is uncertain, the walk goes on, which costs time and changes nothing.
 //
-// Whether a ray hits is decided by exact predicates. Which hit is nearer is decided by intervals, and by
-// rational numbers where these overlap.
+// Exact predicates decide whether a ray hits. Intervals decide which hit is nearer, and rational numbers
+// where these overlap.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_AXIS_RAY_CASTER_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_AXIS_RAY_CASTER_H

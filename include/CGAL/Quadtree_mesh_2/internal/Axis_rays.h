@@ -9,7 +9,7 @@
 // Computes: whether a ray meets a segment that is not incident to its vertex, at what distance, and which of
 //           two such distances is less.
 // Bound:    O(1) predicates each.
-// Method:   Whether is decided by exact predicates; distances are compared as intervals, and as rational
+// Method:   Exact predicates decide whether they meet. Distances are compared as intervals, and as rational
 //           numbers where these overlap.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_AXIS_RAYS_H

@@ -6,13 +6,14 @@
 //
 // Refinement and guarded removal by blocks, in parallel.
 //
-// 1. The mesh is cut into blocks (Mesh_blocks.h); each is refined (Refiner.h) and thinned out (Remover.h) on its
-//    own. A bad triangle that needs what lies beyond a seam is left for later, as are vertices at seams.
-// 2. What lies near the seams, and near triangles left, is cut into blocks once more, with squares shifted, and the
-//    same is done there.
-// What is left then lies near seams of both rounds; the caller finishes it in the whole mesh. Blocks are the same
-// for any number of threads, hence so is the result. O(n) work besides refinement; the two rounds do all but a few
-// hundredths of it.
+// 1. The mesh is cut into blocks (Mesh_blocks.h). Each is refined (Refiner.h) and coarsened (Remover.h) on
+//    its own. Bad triangles that need something beyond a seam wait, and so do vertices at seams.
+// 2. The surroundings of the seams and of waiting triangles are cut into blocks once more, with squares
+//    shifted, and treated in the same way.
+//
+// What is left then lies near seams of both rounds. The caller finishes it in the whole mesh. Blocks are the
+// same for any number of threads, and so is the result. O(n) work in addition to refinement. The two rounds
+// do all but a few hundredths of it.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_BLOCK_REFINEMENT_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_BLOCK_REFINEMENT_H

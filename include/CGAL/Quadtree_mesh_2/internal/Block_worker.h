@@ -4,13 +4,14 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// What is done to one block of a mesh of points: vertices are moved to the sites that they are for, the mesh around
-// them is relaxed and repaired; later, vertices that are not needed are removed.
+// The work on one block of a mesh of points. Vertices move to their sites, and the mesh around them is
+// relaxed and repaired. Later, vertices that are not needed are removed.
 //
-// Removal goes over the vertices from the shortest edges to the longest, again and again, with patches that get wider
-// from pass to pass: most vertices go with a ring, which is cheap. A vertex is tried again only after something changed
-// near it. Where patches of one ring are the widest there are but two passes with them, and one with two rings over the
-// first vertices: that removes more than further passes with one ring would in that time.
+// Removal visits the vertices from the shortest edges to the longest, in several passes. Patches get wider
+// from pass to pass, because most vertices can be removed with one ring, which is cheap. A vertex is tried
+// again only after something near it has changed. If patches may have one ring at most, there are just two
+// passes with one ring, and one with two rings over the first vertices. That removes more than further passes
+// with one ring would in that time.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_BLOCK_WORKER_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_BLOCK_WORKER_H

@@ -21,8 +21,9 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-/// How often the border of a mesh winds around each point of the plane, which is how many of its triangles, if all are
-/// counterclockwise, cover the point. By a constrained triangulation of the border, exactly; O(b log b) in practice.
+/// How often the border of a mesh winds around each point of the plane. If all triangles are
+/// counterclockwise, this is how many of them cover the point. Computed exactly, by a constrained
+/// triangulation of the border; O(b log b) in practice.
 template <class Kernel>
 class Border_winding {
 public:

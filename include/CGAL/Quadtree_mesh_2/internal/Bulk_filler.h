@@ -4,21 +4,22 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// Where bounds of size make most of the mesh, fills what is away from features with the triangles of a
-// balanced quadtree's squares, and leaves a strip along the features to the refiner.
+// Fills a mesh with the triangles of a balanced quadtree's squares where bounds of size determine most of it.
+// A strip along the features is left to the refiner.
 //
 // 1. The bulk: squares as large as the bounds allow, wholly inside the domain and about a side away from
 //    every constrained edge and input vertex (Bulk_squares.h).
-// 2. The vertices on the border of the bulk are inserted into the mesh. Around each piece of the border the
-//    disk on it as diameter holds no vertex, so the piece is an edge of the Delaunay triangulation.
+// 2. The vertices on the border of the bulk are inserted into the mesh. The disk on each piece of the border
+//    as its diameter holds no vertex, so the piece is an edge of the Delaunay triangulation.
 // 3. The triangles within the border are replaced by those of the squares' templates (square_templates.h).
 //
-// The result is a constrained Delaunay triangulation again in which the triangles of the bulk meet all
-// bounds, so what comes after needs not know. It takes O(n) time where the bulk would be small, else O(n log
-// n) and O(1) for each triangle made.
+// The result is a constrained Delaunay triangulation again, in which the triangles of the bulk meet all
+// bounds. So later stages need not know about it. It takes O(n) time if the bulk would be small. Otherwise it
+// takes O(n log n), and O(1) for each triangle made.
 //
-// Source: Bern, Eppstein, Gilbert, "Provably good mesh generation" (1994), for meshes made of a balanced
-// quadtree's squares; the transition to the boundary is left to Delaunay refinement instead of warping.
+// Source:   Bern, Eppstein, Gilbert, "Provably good mesh generation" (1994), for meshes made of a balanced
+//           quadtree's squares.
+// Deviates: Delaunay refinement makes the transition to the boundary, instead of warping.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_BULK_FILLER_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_BULK_FILLER_H
@@ -76,7 +77,7 @@ private:
   static constexpr double least_number_of_squares = 500;
   static constexpr std::size_t largest_number_of_nodes = std::size_t(1) << 26;
 
-  /// A vertex on the border of the bulk, and its neighbours there: two, or four where the bulk touches
+  /// A vertex on the border of the bulk, and its neighbors there: two, or four where the bulk touches
   /// itself.
   struct Border_vertex {
     Vertex_id vertex = -1;
@@ -102,7 +103,7 @@ private:
            number_of_squares >= static_cast<double>(mesh_.number_of_vertices()) / 4;
   }
 
-  /// About one vertex for each square, and one more where it has a centre.
+  /// About one vertex for each square, and one more where it has a center.
   double number_of_vertices_with(double number_of_squares) const {
     return static_cast<double>(mesh_.number_of_vertices()) + 1.5 * number_of_squares;
   }

@@ -6,13 +6,13 @@
 //
 // The squares of a balanced quadtree that make the bulk of a mesh, and the names of their corners.
 //
-// Leaves of the quadtree that bounds of size ask for (Wanted_squares.h) are bulk if they lie inside the
-// domain and away from its features. Balance makes them differ by at most a factor of two across sides and
-// corners, so a side has at most one vertex between its ends. Squares get a vertex in the centre where that
-// makes them small enough, and where the angle wanted is above that of squares with halved sides.
+// Bounds of size ask for leaves of a quadtree (Wanted_squares.h). A leaf belongs to the bulk if it lies
+// inside the domain and away from its features. Balance makes leaves differ by at most a factor of two across
+// sides and corners, so a side has at most one vertex between its ends. A square gets a vertex in the center
+// if it is too large without, or if the wanted angle is above that of squares with halved sides.
 //
-// A corner of a leaf is named by the leaf whose half-open square holds it, and by whether it is that leaf's
-// lower left corner or the middle of its left or lower side: so each place has one name, found in O(1).
+// The name of a leaf's corner consists of the leaf whose half-open square holds it, and of its place there:
+// the lower left corner, or the middle of the left or lower side. So each place has one name, found in O(1).
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_BULK_SQUARES_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_BULK_SQUARES_H
@@ -139,7 +139,7 @@ private:
       form_[l].bits = wanted.has_center(i, tree_.level(Leaf_index(l))) ? Square_form::with_center : 0;
   }
 
-  /// The child of the neighbour across side i that piece `part` of the side touches, the neighbour being
+  /// The child of the neighbor across side i that piece `part` of the side touches, the neighbor being
   /// split.
   Leaf_index leaf_at(Node_index neighbor, int side, int part) const {
     return tree_.leaf(tree_.child(neighbor, children_at_side[(side + 2) % 4][1 - part]));
@@ -174,7 +174,7 @@ private:
   }
 
   /// The name of the corner of v in direction d; or of the middle of that side, which is the lower left
-  /// corner of the neighbour's given child.
+  /// corner of the neighbor's given child.
   std::size_t name_across(Node_index v, Direction d, int child) const {
     Node_index n = tree_.neighbor(v, d);
     if (tree_.level(n) == tree_.level(v)) {

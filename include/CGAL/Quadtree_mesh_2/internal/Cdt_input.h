@@ -6,8 +6,8 @@
 //
 // A constrained triangulation with marked faces as the mesher's input graph.
 //
-// The domain is given to the mesher by a point in each of its components; where it is all that constrained edges
-// separate from infinity, by no point at all. Linear in expectation.
+// The domain is given to the mesher by a point in each of its components. If it is everything that
+// constrained edges separate from infinity, no point is needed. Takes expected linear time.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_CDT_INPUT_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_CDT_INPUT_H

@@ -4,12 +4,12 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// Puts a mesh of a constrained triangulation in its place.
+// Replaces a constrained triangulation by its mesh.
 //
-// The vertices that the triangulation had stay, with all that users store in them and their handles; faces are
-// made anew. Where the triangulation keeps a hierarchy of constraints (`Constrained_triangulation_plus_2`), the
-// pieces into which the mesh cuts a subconstraint take its place in every constraint that it is part of. Linear
-// in the mesh.
+// The vertices of the triangulation stay, with their handles and everything that users store in them. Faces
+// are made anew. If the triangulation keeps a hierarchy of constraints (`Constrained_triangulation_plus_2`),
+// the pieces of a subconstraint replace it in every constraint that it is part of. Takes time linear in the
+// mesh.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_CDT_REPLACER_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_CDT_REPLACER_H

@@ -6,10 +6,10 @@
 //
 // The chains of mesh edges along input segments, for the check of a mesh.
 //
-// Which edges make a chain is what the mesh says: its constrained edges are linked, vertex by vertex. Geometry then
-// judges, exactly: each step leads ahead, and each vertex is within reach of the segment (Straight_segment.h). Where
-// a mesh has no constrained edges, a chain is searched among the edges that geometry allows. O(n log n) for n
-// constrained edges; the search looks at each vertex near a segment once.
+// The mesh itself says which edges make a chain: its constrained edges are linked, vertex by vertex. Geometry
+// then judges, exactly. Each step has to lead ahead, and each vertex has to be within reach of the segment
+// (Straight_segment.h). If a mesh has no constrained edges, a chain is searched among the edges that geometry
+// allows. O(n log n) for n constrained edges. The search looks at each vertex near a segment once.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_CHAIN_FINDER_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_CHAIN_FINDER_H

@@ -4,15 +4,17 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// Whether chains of mesh edges, whose vertices are rounded, can be straightened to their input segments while all input
-// vertices stay where they are and nothing is passed over or crossed: if so, the plane is divided by the chains as it
-// is by the segments (an isotopy; Epstein, "Curves on 2-manifolds and isotopies", 1966). Exact.
+// Whether the chains of mesh edges, whose vertices are rounded, can be straightened to their input segments.
+// Input vertices stay where they are, and no chain may pass over a vertex or cross another chain. If so, the
+// chains divide the plane as the segments do (an isotopy; Epstein, "Curves on 2-manifolds and isotopies",
+// 1966). All decisions are exact.
 //
-// A chain that is monotone along its segment can be straightened if no input vertex lies between the two. Next to a
-// segment are two triangles of the input's triangulation, left and right. Centroids cut them in thirds, one for each
-// side; a chain that keeps within the thirds at its segment passes over no vertex and meets no other that does so, too.
-// Beyond an edge of the convex hull there is nothing to meet. That is linear, and enough for all but chains with
-// something within a few units of rounding. These are compared with all others, by their boxes.
+// A chain that is monotone along its segment can be straightened if no input vertex lies between the two. Two
+// triangles of the input's triangulation are next to a segment, left and right. Their centroids cut each in
+// thirds, one for each side. If a chain stays within the thirds at its segment, it passes over no vertex. It
+// also meets no other chain that stays within its own thirds. Beyond an edge of the convex hull there is
+// nothing to meet. This takes linear time, and suffices unless something is within a few units of rounding.
+// The other chains are compared with all chains, by their boxes.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_CHAIN_ORDER_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_CHAIN_ORDER_H
@@ -103,7 +105,7 @@ private:
     return turn_from_centroid(a, b, point(apex), v) == NEGATIVE &&
            turn_from_centroid(b, a, point(apex), v) == POSITIVE;
   }
-  /// The side of `v` seen from `a` towards the centroid of `a`, `b` and `c`.
+  /// The side of `v` seen from `a` toward the centroid of `a`, `b` and `c`.
   static Sign turn_from_centroid(const Point& a, const Point& b, const Point& c, const Point& v) {
     return exact_sign([&](auto number) {
       using Number = decltype(number);

@@ -6,9 +6,10 @@
 //
 // The triangles between the mesh around a cluster and that of its window.
 //
-// The mesh of a cluster's parent has a vertex in the place of the cluster, with eight neighbours in the compass
-// directions, the spokes. The vertex and its eight triangles go; 16 triangles join the spokes to the octagon, 176
-// the octagon to the border of the window (collar_table.h): 8 + 64 new vertices, 40 of the window.
+// The mesh of a cluster's parent has a vertex in the place of the cluster, with eight neighbors in the
+// compass directions, the spokes. The vertex and its eight triangles are removed. 16 triangles join the
+// spokes to the octagon, and 176 join the octagon to the border of the window (collar_table.h): 8 + 64 new
+// vertices, and 40 of the window.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_CLUSTER_COLLAR_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_CLUSTER_COLLAR_H

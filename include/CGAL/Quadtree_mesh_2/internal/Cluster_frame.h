@@ -8,13 +8,13 @@
 //
 // The root is a square of 8 x 8 cells with the side sigma, a power of two, of which the window of 5 x 5 in columns
 // and rows 1 to 5 is kept (collar_table.h). The sites of the cluster, its own points and one for each cluster in
-// it, lie in the middle cell, number 3, with the blocks of leaves that are forced around them. The centre p of the
+// it, lie in the middle cell, number 3, with the blocks of leaves that are forced around them. The center p of the
 // window is a multiple of sigma/8 and stands for the cluster in its parent's quadtree.
 //
 // How large sigma is. Let w be the width of the cluster. A site's leaf has a side l of at most E/6 (a point: its
 // block reaches at most 2 l from it) or E/7 (a cluster: its block reaches at most 2.5 l), E <= sqrt(2) w being its
 // distance to another site: so blocks reach at most sqrt(2) 2.5/7 w = 0.5051 w from their sites. These are at most
-// w/2 + sigma/16 from p, in each coordinate, points by the choice of p, and the centres of clusters but for 0.0003
+// w/2 + sigma/16 from p, in each coordinate, points by the choice of p, and the centers of clusters but for 0.0003
 // w (a share of their widths, find_clusters.h). Together 1.0054 w + sigma/16 <= sigma/2 if sigma >= 2.2982 w:
 // sigma is the least power of two with sigma >= 2.5 w, which leaves room for rounding, and l <= 0.2358 w <
 // sigma/8. A larger one does as well, if the parent's leaf has room for it.
@@ -80,7 +80,7 @@ public:
 
   /// The frame around the points of a cluster, whose cells have side 2^exponent.
   Cluster_frame(const std::vector<Point>& points, const Cluster_box& box, int exponent)
-      : centre_{middle_multiple(points[box.left].x, points[box.right].x, exponent - 3),
+      : center_{middle_multiple(points[box.left].x, points[box.right].x, exponent - 3),
                 middle_multiple(points[box.bottom].y, points[box.top].y, exponent - 3)},
         exponent_(exponent) {}
 
@@ -93,7 +93,7 @@ public:
   }
 
   /// The site that stands for the cluster.
-  const Point& centre() const { return centre_; }
+  const Point& center() const { return center_; }
   /// log(sigma)
   int exponent() const { return exponent_; }
   double cell() const { return std::ldexp(1.0, exponent_); }
@@ -111,12 +111,12 @@ public:
   /// A point's place in the grid, rounded down.
   /// \pre it lies in the root
   Place place_of(const Point& p) const {
-    return {place_on_axis(p.x, centre_.x), place_on_axis(p.y, centre_.y)};
+    return {place_on_axis(p.x, center_.x), place_on_axis(p.y, center_.y)};
   }
   /// The point at a place of the grid, exactly if its coordinates allow it.
   Point point_at(const Place& place) const {
-    return {add_steps(centre_.x, steps_from_centre(place.x), log_unit()),
-            add_steps(centre_.y, steps_from_centre(place.y), log_unit())};
+    return {add_steps(center_.x, steps_from_center(place.x), log_unit()),
+            add_steps(center_.y, steps_from_center(place.y), log_unit())};
   }
 
   /// The vertices of the octagon counterclockwise, the first the lower end of the side in the east; exactly.
@@ -126,7 +126,7 @@ public:
     const auto& v = collar().vertices[std::size_t(k)];
     return translated(v[0], v[1], exponent_ - log_units);
   }
-  /// The neighbours of the vertex in the place of the cluster, counterclockwise from the east.
+  /// The neighbors of the vertex in the place of the cluster, counterclockwise from the east.
   /// \param log_leaf log(s) for the leaf with side s of the cluster in its parent's quadtree.
   /// \pre `log_leaf - exponent() >= log_least_leaf`
   Point spoke(int k, int log_leaf) const {
@@ -152,7 +152,7 @@ private:
   static constexpr int log_cell = log_grid - level_of_cells; // in grid units
   static constexpr std::uint64_t middle = std::uint64_t(2 * middle_cell + 1) << (log_cell - 1);
 
-  Point centre_ = Point();
+  Point center_ = Point();
   int exponent_ = 0;
 
   int log_unit() const { return exponent_ - log_cell; }
@@ -160,12 +160,12 @@ private:
   static std::uint64_t window_step(std::int16_t v) {
     return static_cast<std::uint64_t>(std::int64_t(v) * (std::int64_t(1) << (log_cell - log_units)));
   }
-  static std::int64_t steps_from_centre(std::uint64_t x) { return static_cast<std::int64_t>(x - middle); }
-  std::uint64_t place_on_axis(const Coordinate& c, const Coordinate& centre) const {
-    return middle + static_cast<std::uint64_t>(count_steps(c, centre, log_unit()));
+  static std::int64_t steps_from_center(std::uint64_t x) { return static_cast<std::int64_t>(x - middle); }
+  std::uint64_t place_on_axis(const Coordinate& c, const Coordinate& center) const {
+    return middle + static_cast<std::uint64_t>(count_steps(c, center, log_unit()));
   }
   Point translated(std::int64_t x, std::int64_t y, int exponent) const {
-    return {add_steps(centre_.x, x, exponent), add_steps(centre_.y, y, exponent)};
+    return {add_steps(center_.x, x, exponent), add_steps(center_.y, y, exponent)};
   }
 };
 

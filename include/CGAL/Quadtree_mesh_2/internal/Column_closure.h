@@ -4,24 +4,27 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 
-// The leaves that have to be split so that all edges pass the tree in columns, as Column_rule.h asks.
+// The leaves that have to be split so that all edges pass through the tree in columns, as Column_rule.h
+// requires.
 //
-// Computes: leaves where one of these conditions fails for some edge; if there are none, all hold.
-//           - All leaves over a column within 3 of its widths of the edge have the column's width as side; within
-//             6 if one of the three columns before or behind it is twice as wide.
-//           - Columns side by side differ in width by a factor of two at most.
-//           - Columns of one width that follow each other are at least 4 if those on both ends are narrower, 6 if
-//             they are wider, 5 if there is one of each; and 6 at the ends of the edge, unless all of it has one
-//             width.
-//           - No other edge is over the columns near a change of widths within 6 of the wider ones' widths.
+// Computes: leaves where one of these conditions fails for some edge. If there are none, all conditions hold.
+//           - All leaves over a column within 3 of its widths of the edge have the column's width as their
+//             side. If one of the three columns before or behind it is twice as wide, this holds within 6.
+//           - Adjacent columns differ in width by at most a factor of two.
+//           - A run of columns of one width has at least 4 columns if those on both ends are narrower, 6 if
+//             they are wider, and 5 if there is one of each. At the ends of the edge it has 6, unless the
+//             whole edge has one width.
+//           - No other edge is over the columns near a change of widths, within 6 of the wider columns'
+//             widths.
 //           Split the leaves, balance, find the edges' leaves again, and repeat.
-// Bound:    O(k log k) work for an edge of k leaves, besides repetitions: each splits some column. One parallel
-//           round. Repetitions come to an end, as leaves are only split, and only to sizes of other leaves.
+// Bound:    O(k log k) work for an edge of k leaves, not counting repetitions: each splits some column. One
+//           parallel round. Repetitions end, because leaves are only split, and only to sizes of other
+//           leaves.
 // Source:   ours.
 //
-// The band of 3 is proven to be wide enough in test_column_rule.cpp. A short run grows into a wider neighbour, and
-// is split if it has none. A change of widths near another edge moves away, into the wider columns; that makes
-// windows of different edges, and of vertices, disjoint.
+// test_column_rule.cpp proves that the band of 3 is wide enough. A short run grows into a wider neighbor, and
+// is split if it has none. A change of widths near another edge moves away, into the wider columns. So
+// windows of different edges, and of vertices, are disjoint.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_COLUMN_CLOSURE_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_COLUMN_CLOSURE_H
@@ -50,7 +53,7 @@ struct Column_closure_options {
   int separation = 6; ///< of changes of widths from other edges, in widths of the wider columns; 0: any
 };
 
-/// Which edge passes each leaf.
+/// Which edge passes through each leaf.
 class Edges_of_leaves {
 public:
   static constexpr std::uint32_t none = 0xffffffffu, several = 0xfffffffeu;
@@ -179,7 +182,7 @@ private:
   void mark_at_short_runs() {
     is_split_.assign(columns_.size(), 0);
     bool is_last_marked =
-        false; // one after the other: a run may be long enough when its neighbour has changed
+        false; // one after the other: a run may be long enough when its neighbor has changed
     for (Run run{0, 0}; run.begin < columns_.size(); run.begin = run.end) {
       while (run.end < columns_.size() && columns_[run.end].level == columns_[run.begin].level) ++run.end;
       is_last_marked = !is_last_marked && mark_at(run);

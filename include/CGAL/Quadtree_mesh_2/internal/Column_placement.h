@@ -4,13 +4,15 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 
-// The vertices of the mesh on an edge, and the corners of leaves beside it that are none, by Column_rule.h.
+// The vertices of the mesh on an edge, and the corners of leaves beside it that are not vertices, by
+// Column_rule.h.
 //
-// Computes: the crossings of the edge with the grid lines between its columns, and the dropped corners on them.
+// Computes: the crossings of the edge with the grid lines between its columns, and the dropped corners on
+//           these lines.
 // Bound:    O(1) for each column. Columns, and edges, are independent of each other.
 // Source:   ours; see Column_rule.h.
 //
-// Corners near the ends of an edge are subject to the rule at vertices besides.
+// The rule at vertices also applies to corners near the ends of an edge.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_COLUMN_PLACEMENT_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_COLUMN_PLACEMENT_H

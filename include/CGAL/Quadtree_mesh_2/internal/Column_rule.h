@@ -6,22 +6,23 @@
 
 // Which points of an edge, and which corners of leaves beside it, are vertices of the mesh.
 //
-// Computes: for an edge with |dy| <= |dx| (else exchange x and y) that leaves of a 2:1 balanced quadtree meet in
-//           columns, that is, where sizes of leaves depend on the abscissa only. Points on the edge are its
-//           crossings with the grid lines between columns, all of them and no others. A corner is dropped if it
-//           is nearer to the edge than a threshold, which depends on its place relative to the next change of
-//           sizes only. The mesh is the constrained Delaunay triangulation of what is left.
-// Bound:    O(1) for each corner. No angle is less than
+// Computes: the vertices along an edge with |dy| <= |dx| (otherwise exchange x and y). Leaves of a 2:1
+//           balanced quadtree meet the edge in columns: their sizes depend on the abscissa only. Points on
+//           the edge are its crossings with the grid lines between columns, all of them and no others. A
+//           corner is dropped if it is nearer to the edge than a threshold. The threshold depends only on the
+//           corner's place relative to the next change of sizes. The mesh is the constrained Delaunay
+//           triangulation of the rest.
+// Bound:    O(1) for each corner. For every direction and offset of the edge no angle is less than
 //           - 31.6 degrees where the edge passes through equal leaves,
 //           - 21.5 degrees at a change of sizes with `one_rule`,
-//           - 26.3 degrees with the better of `rule_b` and `rule_c`, chosen for each change and each side of the
-//             edge (Column_window.h evaluates them); a leaf with a hanging node alone has 26.57,
-//           for every direction and offset of the edge. test_column_rule.cpp proves it by branch and bound in
-//           integers. At a vertex 21.5 degrees are established numerically only (Vertex_window.h).
-// Source:   Bern, Eppstein, Teng, section 6 (Theorem 5), asks for a placement with 18.43 degrees. The crossings
-//           and the thresholds are ours: found by a search for the vectors whose certificate is best.
-// Deviates: the paper warps corners to the edge and shows the bound by cases; here nothing moves, and no choice
-//           depends on another one further along the edge.
+//           - 26.3 degrees with the better of `rule_b` and `rule_c`, chosen for each change and each side of
+//             the edge (Column_window.h evaluates them). A leaf with a hanging node alone has 26.57.
+//           test_column_rule.cpp proves it by branch and bound in integers. At a vertex 21.5 degrees are
+//           established numerically only (Vertex_window.h).
+// Source:   Bern, Eppstein, Teng, section 6 (Theorem 5), asks for a placement with 18.43 degrees. The
+//           crossings and the thresholds are ours. A search found the vectors with the best certificate.
+// Deviates: the paper warps corners to the edge and shows the bound by cases. Here nothing moves, and no
+//           choice depends on another one further along the edge.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_COLUMN_RULE_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_COLUMN_RULE_H

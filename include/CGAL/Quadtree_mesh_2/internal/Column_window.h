@@ -6,16 +6,18 @@
 
 // The mesh at one change of sizes, above an edge, in a window of its own.
 //
-// Computes: the vertices that Column_rule.h keeps for an edge y = slope x + offset, for x in [-2, 3/2], up to a
-//           row of kept corners; coarse columns of width 1 are at x < 0, fine ones of width 1/2 at x > 0. Then
-//           their Delaunay triangulation, its least angle, and which of two vectors of thresholds gives the larger
-//           one.
+// Computes: the vertices that Column_rule.h keeps for an edge y = slope x + offset, for x in [-2, 3/2], up to
+//           a row of kept corners. Coarse columns of width 1 are at x < 0, fine ones of width 1/2 at x > 0.
+//           Then the Delaunay triangulation of these vertices, its least angle, and which of two vectors of
+//           thresholds gives the larger one.
 // Bound:    O(1): at most 80 vertices.
 // Source:   Lawson, Software for C1 surface interpolation (1977): flips, from a triangulation strip by strip.
-// Deviates: in doubles. Cocircular points are left as they are: the choice does not matter for the least angle.
+// Deviates: computed in doubles. Cocircular points are left as they are, because the choice does not matter
+//           for the least angle.
 //
-// Points on the edge are on the boundary of the window, so its Delaunay triangulation is a part of the constrained
-// one of the plane, or that is still better. Windows of an edge do not overlap: choices are independent.
+// Points on the edge are on the boundary of the window. So its Delaunay triangulation is a part of the
+// constrained one of the plane, or that one is even better. Windows of an edge do not overlap, so choices are
+// independent.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_COLUMN_WINDOW_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_COLUMN_WINDOW_H

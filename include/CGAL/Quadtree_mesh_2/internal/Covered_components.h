@@ -4,15 +4,15 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 
-// Computes: for each bounded component that segments cut the plane into, a place strictly inside it, and the first
-//           polygon that covers it, if any does.
+// Computes: for each bounded component of the plane that segments bound, a place strictly inside it, and the
+//           first polygon that covers it, if any does.
 // Bound:    O(n log n) in practice.
-// Method:   components are floods of a constrained Delaunay triangulation. From one to the next, across an edge, the
-//           polygons change that have the edge in their borders an odd number of times; a walk over a spanning tree
-//           of the components, from infinity on, keeps the set of polygons it is in. No place is ever located: all
-//           but the choice of places inside is combinatorial. Where segments cross, which the result need not
-//           forbid, the triangulation is made again with exact constructions: the doubles next to a crossing may be
-//           infinite.
+// Method:   components are floods of a constrained Delaunay triangulation. Crossing an edge changes the
+//           polygons that have the edge in their borders an odd number of times. A walk over a spanning tree
+//           of the components, beginning at infinity, maintains the set of polygons that it is in. No place
+//           is ever located: everything but the choice of places inside is combinatorial. Segments may cross.
+//           Then the triangulation is made again with exact constructions, because the doubles next to a
+//           crossing may be infinite.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_COVERED_COMPONENTS_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_COVERED_COMPONENTS_H
@@ -40,7 +40,7 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-/// That a segment is in the border of a polygon; twice in it is as not at all.
+/// A segment in the border of a polygon. Twice in the border is the same as not at all.
 struct Segment_of_polygon {
   std::uint32_t segment, polygon;
 };

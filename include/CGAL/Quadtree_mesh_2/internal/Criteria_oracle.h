@@ -4,11 +4,11 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// What a criteria object of Mesh_2 wants, found by asking.
+// Finds out what a criteria object of Mesh_2 wants, by asking it.
 //
-// A model of `MeshingCriteria_2` only says of a face whether it is bad. How large, or how sharp, a triangle may
-// be at a place is found by showing it others there: equilateral ones of falling size, then isosceles ones of a
-// rising angle. A few dozen questions for a face.
+// A model of `MeshingCriteria_2` only says of a face whether it is bad. The oracle shows it other triangles
+// at the same place to find out how large or how sharp a triangle may be: equilateral ones of falling size,
+// then isosceles ones of a rising angle. That takes a few dozen questions for a face.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_CRITERIA_ORACLE_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_CRITERIA_ORACLE_H

@@ -4,8 +4,9 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// Inserts vertices into a Delaunay triangulation, or a block of one: each is located by a walk from a triangle
-// nearby and Lawson's flips follow. Orientation is exact; flips are made only where the in-circle test is certain.
+// Inserts vertices into a Delaunay triangulation, or into a block of one. A walk from a nearby triangle
+// locates each vertex, and Lawson's flips follow. Orientation is exact. Flips are made only where the
+// in-circle test is certain.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_DELAUNAY_INSERTER_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_DELAUNAY_INSERTER_H

@@ -4,13 +4,13 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 
-// The columns of leaves that an edge passes, and the leaves above and below it in each.
+// The columns of leaves that an edge passes through, and the leaves above and below it in each.
 //
-// Computes: an edge with |dy| <= |dx| as a function of x; one with |dy| > |dx| with x and y exchanged: below, u is
-//           the coordinate that changes more, v the other one. A column is an aligned interval of u, as wide as
-//           the smallest of the leaves that the edge passes there.
-// Bound:    O(k log k) for an edge that passes k leaves; O(1) for each leaf in a band of O(1) widths of a column,
-//           by cross pointers.
+// Computes: an edge with |dy| <= |dx| as a function of x, and one with |dy| > |dx| with x and y exchanged.
+//           Below, u is the coordinate that changes more, and v the other one. A column is an aligned
+//           interval of u. It is as wide as the smallest of the leaves that the edge passes through there.
+// Bound:    O(k log k) for an edge that passes through k leaves; O(1) for each leaf in a band of O(1) widths
+//           of a column, by cross pointers.
 // Source:   ours; see Column_rule.h.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_EDGE_COLUMNS_H

@@ -6,21 +6,22 @@
 //
 // Whether two edges are too near each other for a leaf of a quadtree.
 //
-// Computes: the gap between the parts of two edges in a leaf and around it, and whether the leaf has to be split
-//           for it.
+// Computes: the gap between the parts of two edges in a leaf and around it, and whether the leaf has to be
+//           split for it.
 // Bound:    O(1) for a pair.
 // Source:   Bern, Eppstein, Teng, section 6: "each (piece of an original) edge is contained in a sufficiently
 //           small square that no vertex or other edge passes nearby".
-// Deviates: edges that share a vertex are as near as they like around it, up to `vertex_window` sides; and in an
-//           acute corner that will be cut off, up to where it is `strip_width` sides wide: there no corner of a
-//           leaf is far enough from both legs to become a vertex, so that the corner is a stack of trapezoids
-//           between its legs. This is how acute corners are cut off "at a distance proportional to the nearest
-//           neighbour": the sides of leaves are.
+// Deviates: edges that share a vertex may be arbitrarily near each other around it, up to `vertex_window`
+//           sides. So may those of an acute corner that will be cut off, up to where it is `strip_width`
+//           sides wide. Up to there no corner of a leaf is far enough from both legs to become a vertex, so
+//           the corner is a stack of trapezoids between its legs. This is how acute corners are cut off "at a
+//           distance proportional to the nearest neighbor", because the sides of leaves are proportional to
+//           it.
 //
-// What is across the outside of the domain does not count.
+// Edges on opposite sides of the domain's outside do not count.
 //
-// In rounded arithmetic: what comes out differs by rounding errors in near-ties only, and decides about sizes,
-// not about the correctness of anything.
+// The arithmetic is rounded. Rounding changes results only in near-ties. It affects sizes, but not the
+// correctness of anything.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_EDGE_GAPS_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_EDGE_GAPS_H
@@ -129,7 +130,7 @@ public:
   /// Whether a leaf is too large for a gap in it.
   bool is_too_large(const Leaf& leaf, Edge_id e, Edge_id f, const Local_gap& gap) const {
     if (gap.length >= options_.edge_distance * leaf.side) return false;
-    if (!is_domain_towards(e, gap.to - gap.from, leaf) || !is_domain_towards(f, gap.from - gap.to, leaf))
+    if (!is_domain_toward(e, gap.to - gap.from, leaf) || !is_domain_toward(f, gap.from - gap.to, leaf))
       return false;
     const Vertex_id v = common_vertex(e, f);
     if (v < 0) return true;
@@ -163,7 +164,7 @@ private:
   const Tree_separation_options_2& options_;
 
   /// Whether the domain is on the side of an edge to which a direction leads.
-  bool is_domain_towards(Edge_id e, Vector direction, const Leaf& leaf) const {
+  bool is_domain_toward(Edge_id e, Vector direction, const Leaf& leaf) const {
     const Local_segment s = local(e, leaf);
     const double turn = cross(s.b - s.a, direction);
     return turn > 0 ? sides_.is_domain_on_left(e) : turn < 0 ? sides_.is_domain_on_right(e) : true;

@@ -4,16 +4,17 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 
-// The leaves that each segment passes, in order, and the pieces of segments in each leaf.
+// The leaves that each segment passes through, in order, and the pieces of segments in each leaf.
 //
-// Computes: both lists, one after the other in one array, with where those of each segment or leaf begin.
-// Bound:    O(n + m + k) work for n leaves, m segments and k pieces, besides sorting integers.
+// Computes: both kinds of lists, one after the other in one array, and where the list of each segment or leaf
+//           begins.
+// Bound:    O(n + m + k) work for n leaves, m segments and k pieces, not counting the sorting of integers.
 // Source:   Bern, Eppstein, Teng, section 6: "subdivide the PSLG edges into pieces contained in each quadtree
 //           square".
 //
-// Segments go between the grid points of their ends, and squares are half open: a segment passes a leaf if one
-// of its points is in the half-open square. So the leaves of a segment are disjoint, cover it, and each is
-// passed once.
+// Segments go between the grid points of their ends, and squares are half open. A segment passes through a
+// leaf if one of its points is in the half-open square. So the pieces of a segment in its leaves are disjoint
+// and cover it, and it passes through each leaf once.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_EDGE_PIECES_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_EDGE_PIECES_H

@@ -6,16 +6,17 @@
 //
 // Where rounded points may stand for points on the edges of a graph.
 //
-// Computes: for each edge a region around it, its room, such that edges whose vertices are rounded within their rooms
+// Computes: for each edge a region around it, its room. Edges whose vertices are rounded within their rooms
 //           neither cross nor touch, and no vertex gets to the other side of one.
-// Bound:    as First_triangulation.h to make, O(1) for a point.
+// Bound:    that of First_triangulation.h to make, O(1) for a point.
 // Source:   ours.
 //
-// The room of an edge are two triangles: from the edge to a point inside each of the two triangles beside it in the
-// constrained Delaunay triangulation of the whole graph, outside included. Rooms are disjoint but for common ends, and
-// no vertex is in one. A chain from one end of the edge to the other, with vertices in the room and monotone in x or y,
-// stays in it: where it changes sides it crosses the edge between the ends. So a graph of such chains is the given
-// graph, bent. All is decided exactly, on the rounded points. Points exactly on the edge need no room.
+// The room of an edge consists of two triangles. Each joins the edge to a point inside one of the two
+// triangles beside it in the constrained Delaunay triangulation of the whole graph, including the outside.
+// Rooms are disjoint except for common ends, and no vertex is in one. Take a chain from one end of the edge
+// to the other, with vertices in the room and monotone in x or y. It stays in the room: where it changes
+// sides, it crosses the edge between the ends. So a graph of such chains is the given graph, bent. All
+// decisions are exact, on the rounded points. Points exactly on the edge need no room.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_EDGE_ROOMS_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_EDGE_ROOMS_H

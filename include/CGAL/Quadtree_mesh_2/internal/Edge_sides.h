@@ -4,13 +4,14 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// The domain, told by the edges that bound its components: so that every triangulation of the graph has the same one,
-// wherever rounding puts vertices on edges, and seeds are located once.
+// The domain, given by the edges that bound its components. So every triangulation of the graph has the same
+// domain, wherever rounding puts vertices on edges, and seeds are located once.
 //
-// Computes: on which sides of each edge the domain is, and which region's; and the triangles of another triangulation
-//           that are in the domain, with their regions.
+// Computes: for each edge, on which sides the domain is, and in which region. Also the triangles of another
+//           triangulation that are in the domain, with their regions.
 // Bound:    O(n) for n triangles.
-// Source:   ours. A component is known by any side of an edge on its boundary; one without edges is no domain.
+// Source:   ours. Any side of an edge on its boundary identifies a component. A component without edges is
+//           not in the domain.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_EDGE_SIDES_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_EDGE_SIDES_H

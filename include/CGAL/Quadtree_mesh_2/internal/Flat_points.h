@@ -4,12 +4,12 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// The points of a triangulation in the plane as the mesher takes them, and back.
+// Converts the points of a triangulation to the mesher's points in the plane, and back.
 //
-// Kernels over double, filtered or not, are meshed with the points of one filtered kernel: the predicates that
-// count are the mesher's own. Kernels with exact numbers are meshed in their own points. Traits that project
-// points of space (`Projection_traits_xy_3` and its like) are meshed in the plane of projection; a new vertex is
-// lifted back to the surface that the triangulation was before.
+// Kernels over double, filtered or not, are meshed with the points of one filtered kernel, because only the
+// mesher's own predicates matter. Kernels with exact numbers are meshed in their own points. Traits that
+// project points of space (`Projection_traits_xy_3` and its like) are meshed in the plane of projection. A
+// new vertex is lifted back to the surface of the original triangulation.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_FLAT_POINTS_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_FLAT_POINTS_H

@@ -4,11 +4,11 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// Four floats that are worked on at once.
+// Four floats that are processed at once.
 //
-// The vector extension that GCC and Clang share, in the one width that every 64-bit processor has (SSE2, NEON):
-// each lane does what the same expression on a float does, so results do not depend on the processor. Other
-// compilers get an array and loops.
+// Uses the vector extension that GCC and Clang share, in the one width that every 64-bit processor has (SSE2,
+// NEON). Each lane does what the same expression on a float does, so results do not depend on the processor.
+// Other compilers get an array and loops.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_FLOAT_LANES_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_FLOAT_LANES_H

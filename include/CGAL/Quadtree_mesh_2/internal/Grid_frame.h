@@ -4,22 +4,24 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// The frame of a quadtree for points: a grid, turned or parallel to the axes, and the squares of it that are meshed.
+// The frame of a quadtree for points: a rotated or axis-parallel grid, and the squares of it that are meshed.
 //
-// Computes: a map of points to a grid of 2^62 units to a side, the root, and a window: a row of equal squares of the
-//           quadtree, or the root alone, with the points well inside; and the map of places of the grid to points.
+// Computes: a map from points to a grid of 2^62 units to a side, the root, and a window. The window is a row
+//           of equal squares of the quadtree, or the root alone, with the points well inside. Also the map
+//           from places of the grid to points.
 // Bound:    O(n) work.
-// Source:   Bern, Eppstein, Teng, section 5: the points' rectangle in [1/4, 3/4) x [2^-i, 2^(-i+1)) of the root, with
-//           i as large as possible up to log2(n), after a rotation by which the diameter becomes about horizontal.
-// Deviates: the row has as many squares as the points need, not all that the root has room for. The points are in
-//           the middle half of the row, in both directions (in the row's by squares): so that squares around a
-//           point's square are in the row.
+// Source:   Bern, Eppstein, Teng, section 5: the points' rectangle in [1/4, 3/4) x [2^-i, 2^(-i+1)) of the
+//           root, with i as large as possible up to log2(n), after a rotation by which the diameter becomes
+//           about horizontal.
+// Deviates: the row has as many squares as the points need, not all that the root has room for. The points
+//           are in the middle half of the row in both directions (along the row in whole squares). So the
+//           squares around a point's square are in the row.
 //
-// Method. Points go to a grid that is parallel to the axes (Axis_parallel_grid.h). Its places, as complex integers,
-// are multiplied by the conjugate of the rotation's number z, exactly, shifted right so that they fit 62 bits, and
-// moved. What this loses is less than the unit of either grid. The way back is multiplication by z and division by
-// its norm, exactly, and one rounding, to the geometry's numbers. With z = 1 and the root as window the grid is the
-// parallel one itself.
+// Method. Points go to an axis-parallel grid (Axis_parallel_grid.h). Its places, as complex integers, are
+// multiplied by the conjugate of the rotation's number z, exactly. The products are shifted right so that
+// they fit 62 bits, and moved. This loses less than the unit of either grid. The way back multiplies by z and
+// divides by its norm, exactly, and rounds once, to the geometry's numbers. With z = 1 and the root as
+// window, the grid is the axis-parallel one itself.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_GRID_FRAME_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_GRID_FRAME_H

@@ -8,12 +8,12 @@
 //
 // Computes: the part of a path in a half-open square, as an interval between two cuts, and the order of cuts.
 // Bound:    O(1) operations on integers, with products of two coordinates at most. No points are constructed.
-// Method:   A cut is where the path passes a grid line, so it is given by the line. The point on the line
-//           belongs to the squares above or to the right of it: a path that ascends in the line's coordinate is
-//           cut before this point, one that descends behind it. All squares of a quadtree cut a path into
-//           intervals, each with a first and a last cut, that may have a single point, but are never empty; so
-//           sides, corners and axis-parallel segments are no special cases. A coordinate that does not change
-//           counts as ascending.
+// Method:   A cut is where the path crosses a grid line, so the line identifies it. The point on the line
+//           belongs to the squares above or to the right of it. A path that ascends in the line's coordinate
+//           is cut before this point, one that descends is cut behind it. All squares of a quadtree cut a
+//           path into intervals, each with a first and a last cut. An interval may have a single point but is
+//           never empty. So sides, corners and axis-parallel segments are no special cases. A coordinate that
+//           does not change counts as ascending.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_GRID_PATH_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_GRID_PATH_H

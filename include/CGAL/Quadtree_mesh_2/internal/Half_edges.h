@@ -18,11 +18,10 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-/// The directed edges of a triangle soup, by the vertex they leave.
+/// The directed edges of a triangle soup, by the vertex that they leave.
 ///
 /// Half-edge `3 t + k` is side `k` of triangle `t`, directed so that `t` is on its left. Construction is
-/// linear; it assumes indices in range and nothing else, so that it can serve to find what is wrong with a
-/// mesh.
+/// linear. It assumes only that indices are in range, so it can help to find the errors of a mesh.
 class Half_edges {
 public:
   static constexpr std::uint32_t none = 0xffffffffu;
@@ -63,7 +62,7 @@ public:
   }
   bool is_edge(std::uint32_t a, std::uint32_t b) const { return find(a, b).count + find(b, a).count != 0; }
 
-  /// Calls `visit(w)` for the neighbours of `v`, most of them twice.
+  /// Calls `visit(w)` for the neighbors of `v`, most of them twice.
   template <class Visitor>
   void for_each_neighbor(std::uint32_t v, Visitor visit) const {
     for (std::uint32_t i = first_[v]; i < first_[v + 1]; ++i) {

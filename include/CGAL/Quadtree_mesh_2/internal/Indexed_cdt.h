@@ -66,7 +66,7 @@ public:
   }
 
   /// Announces the segment, so that insert_segment() can start at the end with fewer segments: CGAL looks at
-  /// all neighbours of the vertex it starts from, which makes a fan of n segments cost O(n^2) from its hub.
+  /// all neighbors of the vertex it starts from, which makes a fan of n segments cost O(n^2) from its hub.
   void count_segment(std::uint32_t a, std::uint32_t b) {
     ++degrees_[place(a)];
     ++degrees_[place(b)];

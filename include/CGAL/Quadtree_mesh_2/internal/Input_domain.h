@@ -26,12 +26,12 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-/// The domain of a planar straight-line graph, by a constrained Delaunay triangulation of the graph alone:
-/// all that is not connected to infinity, or what another rule leaves of that, minus the components of the
+/// The domain of a planar straight-line graph, by a constrained Delaunay triangulation of the graph alone. It
+/// is everything not connected to infinity, or what another rule leaves of that, except the components of
 /// hole points.
 ///
-/// The segments become *pieces*: edges between input vertices with none between, each once however many
-/// segments overlap there, and with what lies on either side. O(n log n) in practice.
+/// The segments become *pieces*: edges between input vertices without others between them. Each piece occurs
+/// once, however many segments overlap there, with the faces on either side. O(n log n) in practice.
 template <class Kernel>
 class Input_domain {
 public:
@@ -41,7 +41,7 @@ public:
   struct Piece {
     std::array<std::uint32_t, 2> ends; ///< places, in the direction of `segment`
     Segment_index segment;             ///< the first input segment that covers it
-    bool is_domain_left = false;       ///< seen from `ends[0]` towards `ends[1]`
+    bool is_domain_left = false;       ///< seen from `ends[0]` toward `ends[1]`
     bool is_domain_right = false;
     /// The places that make triangles with the piece, left and right; `none` at infinity.
     std::array<std::uint32_t, 2> apexes{none, none};

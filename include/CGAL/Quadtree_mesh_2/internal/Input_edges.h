@@ -7,7 +7,7 @@
 // The input edges (pieces of input segments between consecutive input vertices) by vertex. Vertices are named by
 // their input numbers, which are the same in every block.
 //
-// One array of (neighbour, edge) pairs, grouped by vertex and sorted by neighbour: O(n) to make, O(log
+// One array of (neighbor, edge) pairs, grouped by vertex and sorted by neighbor: O(n) to make, O(log
 // degree) to look up.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_INPUT_EDGES_H

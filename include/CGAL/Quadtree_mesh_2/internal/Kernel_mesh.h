@@ -4,16 +4,16 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// The triangulation the mesher works in: one array of triangles with neighbours and constraint bits, one of
-// points.
+// The triangulation that the mesher works in: one array of triangles with neighbors and constraint bits, and
+// one of points.
 //
-// Side k of a triangle is opposite its vertex k. What lies across a side is one word: the neighbour, the slot
-// of the common side there, and whether the side is constrained; so a flip touches two triangles and four
-// links, and no search for "which side of the neighbour am I" is ever needed. Dead triangles are kept in a
-// free list. All operations take O(1), or O(degree) for stars.
+// Side k of a triangle is opposite its vertex k. One word describes what is across a side: the neighbor, the
+// slot of the common side there, and whether the side is constrained. So a flip touches two triangles and
+// four links, and never searches for "which side of the neighbor am I". Dead triangles are kept in a free
+// list. All operations take O(1), or O(degree) for stars.
 //
-// A mesh is the whole domain's, or one block of it (Mesh_blocks.h). A block has seams where the rest of the mesh
-// goes on: sides that nothing walks, flips or splits across while the block is apart.
+// A mesh is that of the whole domain, or one block of it (Mesh_blocks.h). A block has seams where the rest of
+// the mesh continues. Nothing walks, flips or splits across a seam while the block is separate.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_KERNEL_MESH_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_KERNEL_MESH_H
@@ -251,7 +251,7 @@ public:
     return Geometry::orientation(point(a), point(b), point(c));
   }
 
-  /// Exchanges the diagonal of the quadrilateral at side k of t. Afterwards t = (a, b, d), its neighbour u =
+  /// Exchanges the diagonal of the quadrilateral at side k of t. Afterward t = (a, b, d), its neighbor u =
   /// (a, d, c).
   void flip(Triangle_id t, int k) {
     Triangle& I = triangle(t);

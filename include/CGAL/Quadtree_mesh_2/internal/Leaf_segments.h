@@ -8,18 +8,19 @@
 //
 // Computes: for each leaf the segments that meet it, by increasing index, and maybe some that pass it within
 //           a unit of the grid.
-// Bound:    O(n + m + c) work besides sorting, for n points, m segments and c pairs of a leaf and a segment
-//           that meets it; a segment's climb is paid for by the leaves that it meets, as leaves are balanced.
+// Bound:    O(n + m + c) work, not counting sorting, for n points, m segments and c pairs of a leaf and a
+//           segment that meets it. The leaves that a segment meets pay for its climb, because leaves are
+//           balanced.
 // Source:   Bern, Eppstein, Teng, section 7: "we can simply walk from one end of each edge to the other,
 //           keeping track of the crossed squares".
 // Deviates: segments are independent of each other, so all walk at the same time, and twice: to count and to
-//           place. A segment does not go from leaf to leaf but, by cross pointers, over the at most four
-//           squares no smaller than itself around one of its ends, and down into what meets it. That needs no
-//           leaving point, so corners and sides of squares are no special cases.
+//           place. A segment does not go from leaf to leaf. By cross pointers it visits the at most four
+//           squares around one of its ends that are no smaller than itself, and goes down into the leaves
+//           that it meets. That needs no leaving point, so corners and sides of squares are no special cases.
 //
-// All is done on the grid. An input point is less than one unit above and to the right of its grid point, so
-// whatever point of the segment lies in a square [x, x') x [y, y'), the segment between the grid points meets
-// the open rectangle (x - 1, x') x (y - 1, y').
+// Everything happens on the grid. An input point is less than one unit above and to the right of its grid
+// point. So if a point of the segment lies in a square [x, x') x [y, y'), the segment between the grid points
+// meets the open rectangle (x - 1, x') x (y - 1, y').
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_LEAF_SEGMENTS_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_LEAF_SEGMENTS_H

@@ -9,10 +9,10 @@
 // Holds:    all squares with parents, children, cross pointers and intervals of points.
 // Source:   Bern, Eppstein, Teng, section 3: the cross pointers of a square follow from those of its parent.
 // Layout:   A family is a split square and its four children. Families are numbered level by level, in
-//           shuffle order within a level; node 0 is the root and nodes 4 f + 1 to 4 f + 4 are the children of
-//           family f. So nodes are in the same order, siblings follow each other, and most of what is known of
-//           a node is kept once, with its family. Only the cross pointers of split squares are stored: those
-//           of leaves follow from their parents'.
+//           shuffle order within a level. Node 0 is the root, and nodes 4 f + 1 to 4 f + 4 are the children
+//           of family f. So nodes are in the same order, and siblings follow each other. Most data of a node
+//           is stored once, with its family. Only split squares store cross pointers; those of leaves follow
+//           from their parents'.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_LINKED_SQUARES_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_LINKED_SQUARES_H
@@ -35,12 +35,12 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-/// How to step from a child to its neighbours.
+/// How to step from a child to its neighbors.
 struct Sibling_steps {
-  /// The directions of the parent's neighbours that the child touches: across the side in x, the side in y and
+  /// The directions of the parent's neighbors that the child touches: across the side in x, the side in y and
   /// the corner.
   std::array<std::uint8_t, 3> outward{};
-  /// By direction: in what the neighbour is, 0 for the parent and i + 1 for the parent's neighbour
+  /// By direction: in what the neighbor is, 0 for the parent and i + 1 for the parent's neighbor
   /// `outward[i]`; and which child of it.
   std::array<std::uint8_t, 8> around{};
   std::array<std::uint8_t, 8> child{};
@@ -116,10 +116,10 @@ public:
     return !n.is_valid() || is_leaf(n) ? n : child(n, q);
   }
 
-  /// All neighbours of a square but the root, in order of their directions; the number of an invalid index
+  /// All neighbors of a square but the root, in order of their directions; the number of an invalid index
   /// outside the root.
   std::array<std::uint32_t, 8> neighbors(Node_index v) const {
-    // A child meets itself and its siblings, two children of a neighbour of its parent across either side, and
+    // A child meets itself and its siblings, two children of a neighbor of its parent across either side, and
     // one across the corner between. What is there may be a leaf in their stead.
     const std::uint32_t f = family_of(v);
     const unsigned q = static_cast<unsigned>(member_of(v));

@@ -4,11 +4,11 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// One block of a mesh, taken out as a mesh on its own.
+// One block of a mesh, taken out as a mesh of its own.
 //
-// Triangles keep the order in which they are given, vertices are numbered as they occur, so a block's memory is
-// its own and small: it stays in the cache while it is worked on. The sides where the rest of the mesh goes on
-// become seams, which remember what they were. O(size of the block), besides sorting vertices at seams.
+// Triangles keep their given order, and vertices are numbered as they occur. So the memory of a block is its
+// own and small, and stays in the cache. The sides where the rest of the mesh continues become seams, which
+// remember what they were. O(size of the block), not counting the sorting of vertices at seams.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_MESH_BLOCK_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_MESH_BLOCK_H

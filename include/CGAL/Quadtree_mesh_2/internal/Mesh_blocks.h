@@ -4,14 +4,14 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// Cuts a mesh into blocks that are worked on apart from each other, in parallel, and puts them back.
+// Cuts a mesh into blocks that are processed separately, in parallel, and puts them back.
 //
-// A block is a run of triangles in the shuffle order of their shortest edges: there refinement begins, however long
-// the rest of the triangle is. Blocks of two rounds are cut along squares shifted against each other by a third of
-// the root, so that what is near a seam of one round is well inside a block of the other: of a quadtree and its
-// shifted copies one has any given disc within a square not much larger (Chan, "Approximate nearest neighbor queries
-// revisited", 1998). How blocks are cut depends on the mesh alone, and they are put back in order; so the result is
-// the same for any number of threads.
+// A block is a run of triangles in the shuffle order of their shortest edges. Refinement begins at these
+// edges, however long the rest of the triangle is. Blocks of two rounds are cut along squares shifted against
+// each other by a third of the root. So what is near a seam of one round is well inside a block of the other:
+// of a quadtree and its shifted copies, one has any given disc within a square not much larger (Chan,
+// "Approximate nearest neighbor queries revisited", 1998). The mesh alone determines how blocks are cut, and
+// they are put back in order. So the result is the same for any number of threads.
 //
 // O(n) work and memory for n triangles in blocks, and O(s log s) for s seams.
 

@@ -31,13 +31,14 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-/// Checks a mesh of double points against its input and writes what is wrong into a `Mesh_quality_2`. Nothing is decided
-/// by rounded numbers.
+/// Checks a mesh of double points against its input and writes its errors into a `Mesh_quality_2`. Rounded
+/// numbers decide nothing.
 ///
-/// Why nothing more is needed for "covers the domain exactly": where all triangles are counterclockwise, how often a
-/// point is covered is the winding number of the mesh's border around it. The border is checked edge by edge to be the
-/// chains along the domain's, and these divide the plane as the straight segments do (Chain_order.h). So each point
-/// is covered once or not at all; areas would say no more. The Euler characteristic is compared on top of that.
+/// This suffices for "covers the domain exactly". If all triangles are counterclockwise, the winding number
+/// of the mesh's border around a point is how often the point is covered. The border is checked edge by edge
+/// to be the chains along the domain's border, and these divide the plane as the straight segments do
+/// (Chain_order.h). So each point is covered once or not at all, and areas would say no more. The Euler
+/// characteristic is compared in addition.
 class Mesh_checker {
 public:
   using Kernel = Exact_predicates_inexact_constructions_kernel;

@@ -16,7 +16,7 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-/// Counts what is wrong with a mesh and writes out the first of it.
+/// Counts the errors of a mesh and writes out the first of them.
 class Mesh_error_log {
 public:
   Mesh_error_log(const Mesh_quality_options_2& options, Mesh_quality_2& quality)

@@ -24,10 +24,11 @@ namespace internal {
 
 /// Angles, lengths and areas of a checked mesh, and the triangles that miss a bound.
 ///
-/// Below the angle bound, a triangle is *exempt* in an acute wedge only: two input segments meet at an input
-/// vertex, an end of at least one of them, at an angle phi < 60 degrees, all three vertices of the triangle
-/// lie on these two segments, and its least angle is at least 0.9 phi. Both angles are known to 1e-11 of them, however
-/// small. Linear, but for the exempt triangles' searches among the segments at their apex.
+/// Below the angle bound, a triangle is *exempt* only in an acute wedge. Two input segments meet there at an
+/// input vertex, an end of at least one of them, at an angle phi < 60 degrees. All three vertices of the
+/// triangle lie on these two segments, and its least angle is at least 0.9 phi. Both angles are known to
+/// 1e-11 of themselves, however small. Takes linear time, except that exempt triangles search among the
+/// segments at their apex.
 class Mesh_statistics {
 public:
   using Point = Mesh_checker::Point;

@@ -216,7 +216,7 @@ struct Meshing_state {
     mesh.for_each_triangle_at(v, [this](Triangle_id t, int) { push_if_suspect(t); });
   }
 
-  /// The side between x and y that are neighbours in the mesh. An input vertex may have several fans, of
+  /// The side between x and y that are neighbors in the mesh. An input vertex may have several fans, of
   /// which the mesh knows one: where both are such, the side is searched everywhere if it is in neither.
   Side side_between(Vertex_id x, Vertex_id y) const {
     const Side s = mesh.find_side(x, y);

@@ -250,7 +250,7 @@ private:
   const Indexed_mesh_2<Point>& mesh_;
   std::size_t number_of_input_vertices_;
   std::vector<char> is_used_, is_chosen_;
-  std::vector<std::uint32_t> border_; // sides without a neighbour
+  std::vector<std::uint32_t> border_; // sides without a neighbor
   Triangulation cdt_;
   std::vector<std::uint32_t> used_at_; // by place
   Segments outside_pieces_;

@@ -4,16 +4,16 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 
-// Segments that overlap: groups of them, cut into pieces that do not.
+// Segments that overlap: groups of them, cut into pieces that do not overlap.
 //
-// Computes: the groups of segments on one line that overlap, one after the other; pieces that cover the same
-//           and overlap nowhere, each with the first segment on it; and, for places on them, the first segment
-//           that has the place in its interior, which the pieces do not tell where one segment ends and
-//           another goes on.
+// Computes: the groups of segments on one line that overlap, one after the other; and pieces that cover the
+//           same and overlap nowhere, each with the first segment on it. Also, for places on them, the first
+//           segment that has the place in its interior. The pieces do not tell that where one segment ends
+//           and another goes on.
 // Bound:    O(k log k) for k segments and places.
-// Method:   Slopes and offsets of lines are enclosed by intervals and sorted, and only segments whose intervals
-//           and ranges of places overlap those of others are sorted exactly by their lines. There are hardly
-//           any but those that overlap.
+// Method:   Slopes and offsets of lines are enclosed by intervals and sorted. Only segments whose intervals
+//           and ranges of places overlap those of others are sorted exactly by their lines. Hardly any but
+//           overlapping segments remain for that.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_OVERLAPPING_SEGMENTS_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_OVERLAPPING_SEGMENTS_H

@@ -8,10 +8,10 @@
 //
 // Computes: the order of places and crossings, on which side of a piece they lie, how two pieces lie to each
 //           other beside a common point, and where two pieces meet.
-// Bound:    O(1) each; besides, O(log c) to look up one of c crossings.
+// Bound:    O(1) each, plus O(log c) to look up one of c crossings.
 // Method:   Pieces end at places, which are numbered in the order of the sweep, and at crossings, which are
-//           numbered after them as they are found. Between places only orientations are asked for. Only
-//           crossings have coordinates that the input has not; these are rational numbers.
+//           numbered after them as they are found. Between places only orientations are needed. Only
+//           crossings have coordinates that are not in the input; these are rational numbers.
 //
 // Pieces are never along the rays: each goes from the left to the right, where rays go up.
 
@@ -35,7 +35,7 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-/// A piece of a segment; of several segments where these overlap, the first of which it names.
+/// A piece of a segment. If several segments overlap there, it names the first of them.
 struct Segment_piece {
   Place left, right;
   Segment_index segment;

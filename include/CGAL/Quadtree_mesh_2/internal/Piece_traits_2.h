@@ -6,9 +6,9 @@
 
 // Traits of arrangements of pieces of segments, each a few indices.
 //
-// A model of ArrangementTraits_2 that hands all predicates on to Piece_geometry.h; so it knows no coordinates,
-// and x and y exchanged are the same type. Input curves are pieces that may be single points: isolated ones.
-// Pieces may cross but not overlap.
+// This is a model of ArrangementTraits_2 that hands all predicates on to Piece_geometry.h. So it knows no
+// coordinates, and exchanging x and y does not change the type. Input curves are pieces, which may be single
+// points: isolated ones. Pieces may cross but not overlap.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_PIECE_TRAITS_2_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_PIECE_TRAITS_2_H

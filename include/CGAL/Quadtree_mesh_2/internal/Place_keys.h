@@ -4,7 +4,7 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// Keys that put places into the shuffle order of the squares of a coarse grid.
+// Keys that sort places into the shuffle order of the squares of a coarse grid.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_PLACE_KEYS_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_PLACE_KEYS_H

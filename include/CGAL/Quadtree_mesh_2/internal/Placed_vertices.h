@@ -4,10 +4,11 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// Vertices of a mesh that is to be made of the leaves of a quadtree, and the pieces of edges between them.
+// The vertices of a mesh made from the leaves of a quadtree, and the pieces of edges between them.
 //
-// Vertices of the graph are all there, as they are. Vertices on edges are rounded so that they stay in the room of their
-// edge (Edge_rooms.h), and left out where there is none; of corners those of leaves that coordinates have no room for.
+// All vertices of the graph are there, unchanged. Vertices on edges are rounded so that they stay in the room
+// of their edge (Edge_rooms.h), and left out if there is none. Corners of leaves are left out if coordinates
+// have no room for the leaves.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_PLACED_VERTICES_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_PLACED_VERTICES_H

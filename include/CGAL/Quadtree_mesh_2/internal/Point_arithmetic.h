@@ -6,7 +6,7 @@
 
 // Exact predicates on input points, and differences of their coordinates as intervals or exactly.
 //
-// Distances are found as intervals first, and as rational numbers where intervals cannot tell them apart.
+// Distances are first found as intervals, and as rational numbers if intervals cannot tell them apart.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_POINT_ARITHMETIC_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_POINT_ARITHMETIC_H
@@ -46,10 +46,10 @@ Exact greatest(const Exact& a, const Exact& b) {
   return a < b ? b : a;
 }
 
-/// Whether the middle of an interval stands for a positive number with a relative error below 2^-40.
+/// Whether the middle of an interval approximates a positive number with a relative error below 2^-40.
 inline bool is_narrow(const Interval& v) { return v.sup() - v.inf() <= 0x1p-41 * v.inf(); }
 
-/// Compares two numbers given by enclosing intervals, by `compare_exactly()` if these do not tell.
+/// Compares two numbers given by enclosing intervals, and calls `compare_exactly()` if these overlap.
 template <class Compare_exactly>
 int compare_filtered(const Interval& a, const Interval& b, const Compare_exactly& compare_exactly) {
   if (a.sup() < b.inf()) return -1;

@@ -17,7 +17,7 @@ namespace Quadtree_mesh_2 {
 namespace internal {
 
 /// Finds which points of a square are in which child. Points are in shuffle order, so children have intervals
-/// (Lemma 1). Takes O(1) time where one child has all points, otherwise O(log n).
+/// (Lemma 1). Takes O(1) time if one child has all points, otherwise O(log n).
 template <class Framework>
 class Point_distribution {
 public:

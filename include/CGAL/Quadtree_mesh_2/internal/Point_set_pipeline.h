@@ -109,7 +109,7 @@ private:
         .run();
   }
 
-  /// Wide ranges bear vertices that are neighbours; and with a few points in a leaf there are fewer to remove.
+  /// Wide ranges bear vertices that are neighbors; and with a few points in a leaf there are fewer to remove.
   static Tile_options tile_options(double least, double largest) {
     Tile_options result;
     const bool is_wide = largest > 88 && least < 31;

@@ -7,11 +7,11 @@
 // The vertices of a graph in the order in which a line sweeps over them.
 //
 // Computes: the places of vertices, sorted by the coordinate across the rays of one axis and then by that
-//           along them; equal vertices share a place. For each segment its two places, the lower one first.
+//           along them. Equal vertices share a place. For each segment, its two places, the lower one first.
 // Bound:    O(n log n) work; that of parallel_sort.h.
 //
-// What a sweep asks about vertices most often, which comes first and whether they lie on one line along the
-// rays, is then a comparison of integers.
+// A sweep mostly asks which of two vertices comes first, and whether they lie on one line along the rays.
+// Both are then comparisons of integers.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_RANKED_PLACES_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_RANKED_PLACES_H

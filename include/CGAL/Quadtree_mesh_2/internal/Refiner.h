@@ -4,19 +4,21 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// Refinement on demand: one worklist of bad triangles, one new vertex at a time.
+// Refinement on demand: one worklist of bad triangles, one new vertex at a time. This is constrained Delaunay
+// refinement by off-centers snapped to quadtree corners.
 //
 // For each bad triangle
 //   a. one of its Steiner vertices is relocated so that its whole star meets the bound, if that is possible;
-//   b. else one vertex is inserted: the quadtree corner next to the triangle's off-centre (Uengoer,
-//   "Off-centers", 2004), of cells
-//      with the side the power of two in (s/8, s/4], s the shortest edge; or, if a constrained edge is in the
-//      way or would be seen from there under more than 120 degrees, a vertex on that edge (Splitter.h).
-// Flips restore the Delaunay property locally, and what they make bad joins the list. The list is empty at
-// the end: that is the proof of the bound, triangle by triangle. Termination is that of off-centre refinement
-// with dyadic shells and locked corners; it is established numerically for bounds up to 20.7 degrees, and
-// enforced by a budget always. In a block of a mesh, what would reach beyond a seam is deferred. Expected O(k) time for
-// k vertices made.
+//   b. otherwise one vertex is inserted. It goes to the quadtree corner next to the triangle's off-center (Uengoer,
+//      "Off-centers", 2004), of cells whose side is the power of two in (s/8, s/4], where s is the shortest edge.
+//      If a constrained edge is in the way, or would be seen from there under more than 120 degrees, the vertex goes
+//      on that edge instead (Splitter.h).
+// Flips restore the Delaunay property locally, and triangles that they make bad join the list. At the end the
+// list is empty, which proves the bound, triangle by triangle.
+//
+// Termination is that of off-center refinement with dyadic shells and locked corners. It is established
+// numerically for bounds up to 20.7 degrees, and a budget always enforces it. In a block of a mesh, anything
+// that would reach beyond a seam is deferred. Expected O(k) time for k vertices made.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_REFINER_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_REFINER_H
@@ -49,7 +51,7 @@ public:
       : state_(state), mesh_(state.mesh), splitter_(splitter), relocator_(state),
         apex_height_(off_center_share * 0.5 / std::tan(state.bounds.angle / 2)) {}
 
-  /// Puts all triangles on the list that may be bad; those of the bulk are not.
+  /// Puts all triangles on the list that may be bad. Those of the bulk are not.
   void push_all() {
     refused_.clear(); // perhaps of another mesh
     for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
@@ -57,8 +59,8 @@ public:
         state_.push_if_suspect(static_cast<Triangle_id>(t));
   }
 
-  /// Works the list off. `shall_go_on()` is asked every 4096 steps; at most `budget` vertices are in the mesh
-  /// afterwards.
+  /// Processes the list until it is empty. Asks `shall_go_on()` every 4096 steps. Afterward at most `budget`
+  /// vertices are in the mesh.
   template <class Continue>
   Refinement_end run(std::size_t budget, Continue&& shall_go_on) {
     for (std::size_t step = 1; !state_.worklist.is_empty() || takes_up_refused(); ++step) {
@@ -76,32 +78,32 @@ public:
   }
 
 private:
-  /// The off-centre sees the shortest edge under an angle a little wider than the bound.
+  /// The off-center sees the shortest edge under an angle a little wider than the bound.
   static constexpr double off_center_share = 0.95;
   static constexpr double cosine2_of_encroachment = 0.25; // 120 degrees
-  /// A triangle slot for which this many vertices were inserted gets vertices that stay: so relocation cannot
+  /// Once this many vertices were inserted for a triangle slot, its new vertices stay. So relocation cannot
   /// cycle.
   static constexpr unsigned char patience = 3;
-  /// No vertex is relocated more often: so relocations without insertions end.
+  /// No vertex is relocated more often, so relocations without insertions end.
   static constexpr unsigned char most_relocations = 32;
 
   Meshing_state<Geometry>& state_;
   Kernel_mesh<Geometry>& mesh_;
   Splitter<Geometry>& splitter_;
   Relocator<Geometry> relocator_;
-  double apex_height_;                     // of the off-centre's triangle over a unit edge
+  double apex_height_;                     // of the off-center's triangle over a unit edge
   std::vector<unsigned char> trials_;      // per triangle slot: vertices inserted for it
   std::vector<unsigned char> relocations_; // per vertex
   std::vector<Triangle_id> refused_;
   std::size_t vertices_when_taken_up_ = 0; // the refused ones
 
-  /// In a Delaunay mesh the place for a triangle is at least its shortest edge away from all vertices, and what is
-  /// in the way is not much shorter. Next to the seams of a block flips are missing: what is shorter than this share
-  /// (squared) has to wait there.
+  /// In a Delaunay mesh the place for a triangle is at least its shortest edge away from all vertices, and
+  /// edges in the way are not much shorter. Next to the seams of a block flips are missing. Edges shorter
+  /// than this share (squared) have to wait there.
   static constexpr double least_distance2 = 0.25;
 
-  /// Puts triangles back on the list for which nothing could be done, if vertices were inserted since: the thin
-  /// triangle may be gone in which a rounded point would have been beside its edge.
+  /// Puts triangles back on the list that could not be cured before, if vertices were inserted since. The
+  /// thin triangle may be gone in which a rounded point would have been beside its edge.
   bool takes_up_refused() {
     if (refused_.empty() || mesh_.number_of_vertices() == vertices_when_taken_up_) return false;
     vertices_when_taken_up_ = mesh_.number_of_vertices();
@@ -128,7 +130,7 @@ private:
     return relocations_[std::size_t(v)];
   }
 
-  /// Inserts one vertex for the bad triangle t, and puts t back on the list if it is bad still.
+  /// Inserts one vertex for the bad triangle t. Puts t back on the list if it is still bad.
   void refine(Triangle_id t) {
     const std::size_t vertices_before = mesh_.number_of_vertices();
     Outcome outcome = splitter_.open_lock_around(t);
@@ -168,8 +170,8 @@ private:
     return insert(end.triangle, q);
   }
 
-  /// The quadtree corner next to the off-centre of a triangle with an angle below the bound; of a triangle
-  /// that is only too large, the one next to its circumcentre.
+  /// The quadtree corner next to the off-center of a triangle with an angle below the bound; of a triangle
+  /// that is only too large, the one next to its circumcenter.
   Point place_for(const typename Kernel_mesh<Geometry>::Triangle& r, const Shape& s, int k) const {
     const Point& a = mesh_.point(r.v[next_slot[k]]);
     const Point& b = mesh_.point(r.v[previous_slot[k]]);

@@ -22,9 +22,9 @@ namespace internal {
 
 /// Files that appear under their names only when all of them are written.
 ///
-/// `add()` writes beside the file it is about to replace, `commit()` renames. If any of that fails, or an exception
-/// passes, what was written is removed and files that were there stay as they were. What is not a regular file (a pipe,
-/// `/dev/stdout`) is written by `commit()`, before it renames.
+/// `add()` writes beside the file that it will replace, and `commit()` renames. If any of that fails, or an
+/// exception passes, the written files are removed and older files stay as they were. If a file is not
+/// regular (a pipe, `/dev/stdout`), `commit()` writes it before it renames.
 class Replaced_files {
 public:
   Replaced_files() = default;

@@ -7,8 +7,9 @@
 // The split squares of an unbalanced quadtree.
 //
 // Computes: the squares that have to be split, whatever balance adds: those that hold more than m points or
-//           are larger than a point's annotation asks for. Level by level and in shuffle order within a level,
-//           so that the split children of a square follow each other and a bit set and one number link them.
+//           are larger than a point's annotation asks for. They are listed level by level, in shuffle order
+//           within a level. So the split children of a square follow each other, and a bit set and one number
+//           link them.
 // Bound:    O(n + k) work for k squares; O(1) rounds over blocks of points, and a pass over the numbers of
 //           squares that each block has on each level.
 // Source:   Bern, Eppstein, Teng, section 2, Theorem 1: each edge of the framework is a path of squares, for

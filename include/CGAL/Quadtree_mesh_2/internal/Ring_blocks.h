@@ -4,16 +4,18 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// Work on a mesh of rings in blocks, at the same time.
+// Processes a mesh of rings in blocks, at the same time.
 //
-// Computes: what a function does to each block of vertices, in a few passes with different blocks.
-// Bound:    O(n) work besides that function, and sorting, for each pass.
-// Method:   Vertices are sorted in shuffle order and cut into runs of equal length; the vertices all of whose
-//           neighbours are in their run are the block's, and nobody writes the others. What is next to seams is left to
-//           the next pass, which sorts in the order of a quadtree that is shifted by a third of the root: of three such
-//           orders one has no seam near (T. M. Chan, "Approximate nearest neighbor queries revisited"). Vertices are
-//           renumbered for each pass, so a block is one stretch of memory, with the vertices that it may add at its end.
-// Blocks depend on the mesh alone, so results are the same bits for any number of threads.
+// Computes: the effect of a function on each block of vertices, in a few passes with different blocks.
+// Bound:    O(n) work for each pass, not counting that function and sorting.
+// Method:   Vertices are sorted in shuffle order and cut into runs of equal length. A block consists of the
+//           vertices whose neighbors are all in their run; the others are not written. Vertices next to seams
+//           wait for the next pass. It sorts in the order of a quadtree shifted by a third of the root: of
+//           three such orders one has no seam near (T. M. Chan, "Approximate nearest neighbor queries
+//           revisited"). Vertices are renumbered for each pass, so a block is one stretch of memory, with the
+//           vertices that it may add at its end.
+//
+// Blocks depend on the mesh alone, so results have the same bits for any number of threads.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_RING_BLOCKS_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_RING_BLOCKS_H
@@ -179,7 +181,7 @@ private:
         1);
   }
 
-  /// Gives the block the vertices all of whose neighbours are in it.
+  /// Gives the block the vertices all of whose neighbors are in it.
   void set_owners(const Ring_block& block) {
     for (Ring_vertex v = block.begin; v < block.end; ++v) {
       Ring& r = mesh_.ring(v);

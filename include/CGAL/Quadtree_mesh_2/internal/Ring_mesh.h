@@ -4,14 +4,14 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// A triangulation kept as the rings of its vertices: what meshes of points are relaxed and coarsened in.
+// A triangulation kept as the rings of its vertices. Meshes of points are relaxed and coarsened in it.
 //
-// The ring of a vertex is its neighbours, counterclockwise; on the border it is open and goes from one border edge
-// to the other. Triangles are implicit: a vertex with two successive members of its ring. So the star of a vertex,
-// which is all that relaxation looks at, is one cache line; a change is undone by putting back a few rings; and
-// there are no numbers of triangles on whose order anything could depend. Degrees are bounded, which costs
-// nothing: with all angles acute and not tiny few vertices have more than ten neighbours.
-// All operations take O(degree) time.
+// The ring of a vertex is its neighbors, counterclockwise. On the border it is open and goes from one border
+// edge to the other. Triangles are implicit: a vertex and two successive members of its ring. So the star of
+// a vertex, which is all that relaxation looks at, is one cache line. A change is undone by restoring a few
+// rings. There are no numbers of triangles on whose order anything could depend. Degrees are bounded, which
+// costs nothing: if all angles are acute and not tiny, few vertices have more than ten neighbors. All
+// operations take O(degree) time.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_RING_MESH_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_RING_MESH_H
@@ -109,7 +109,7 @@ public:
 
   /// Builds the rings of triangles, given counterclockwise, over the present points. Closed rings begin with their
   /// least member, whatever the order of the triangles. Points without triangles count as removed.
-  /// \pre the triangles are those of a disk, every vertex has at most `Ring::max_size` neighbours
+  /// \pre the triangles are those of a disk, every vertex has at most `Ring::max_size` neighbors
   template <class Triangles>
   void set_triangles(const Triangles& triangles) {
     std::vector<std::uint32_t> first(points.size() + 2, 0);

@@ -4,12 +4,12 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// A few rings of vertices around a place that is changed, and the way back.
+// A few rings of vertices around a place that changes, and a way to undo the change.
 //
-// Everything that may fail works on a patch: its members may be moved, and edges between them flipped; whatever is
-// written is saved first, so that undo() leaves every bit as it was. Only members of the patch's block are taken: a
-// vertex belongs to a block if all its neighbours are of that block, too, or of nobody's (Ring_blocks.h), so patches
-// of different blocks may be worked on at the same time.
+// Everything that may fail works on a patch. Its members may move, and edges between them may be flipped.
+// Whatever is written is saved first, so that undo() restores every bit. Only members of the patch's block
+// are used. A vertex belongs to a block if all its neighbors are of that block, too, or of no block
+// (Ring_blocks.h). So patches of different blocks may be processed at the same time.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_RING_PATCH_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_RING_PATCH_H
@@ -78,7 +78,7 @@ public:
     members_.erase(std::find(members_.begin(), members_.end(), v));
   }
 
-  /// Adds the neighbours of the members, and theirs, in all `rings` times.
+  /// Adds the neighbors of the members, and theirs, in all `rings` times.
   void grow(int rings) {
     std::size_t begin = 0;
     for (; rings > 0; --rings) {

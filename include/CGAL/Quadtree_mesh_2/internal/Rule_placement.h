@@ -4,15 +4,15 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// The vertices of a mesh by a quadtree whose leaves are equal at vertices and in columns along edges.
+// The vertices of a mesh from a quadtree whose leaves are equal at vertices and in columns along edges.
 //
-// Computes: points on the edges and corners of leaves, such that a constrained Delaunay triangulation of them and the
-//           graph has no angle below 21.5 degrees, but for acute corners.
+// Computes: points on the edges, and corners of leaves. A constrained Delaunay triangulation of them and the
+//           graph has no angle below 21.5 degrees, except in acute corners.
 // Bound:    O(1) for each piece of an edge and each vertex of the graph.
-// Source:   Bern, Eppstein, Teng, Theorem 5. The rules are ours: Column_rule.h, Column_placement.h along edges, with
-//           a proof; Vertex_placement.h at vertices, established numerically.
-// Deviates: nothing is warped. Sectors below 33 degrees, the acute corners, get no vertices where they are narrow; the
-//           rings put vertices on their legs at equal distances.
+// Source:   Bern, Eppstein, Teng, Theorem 5. The rules are ours: Column_rule.h and Column_placement.h along
+//           edges, with a proof; Vertex_placement.h at vertices, established numerically.
+// Deviates: nothing is warped. Sectors below 33 degrees, the acute corners, get no vertices where they are
+//           narrow. Rings put vertices on their legs at equal distances.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_RULE_PLACEMENT_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_RULE_PLACEMENT_H

@@ -4,19 +4,18 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 
-// What is nearest to the apex of a sector between two segments.
+// Finds the feature nearest to the apex of a sector between two segments.
 //
 // Computes: the vertex or segment of a graph that is nearest to a vertex v within an open convex sector at v.
 // Bound:    O(1) for each leaf, and for each point and segment listed there, that meets the sector within
 //           about three times the distance found (of which there may be many).
-// Method:   The square with v at its center is replaced by a square of the quadtree with v in it and its
-//           eight neighbours: what lies outside is further from v than a side. These blocks grow level by
+// Method:   The square with v at its center is approximated by a square of the quadtree with v in it and its
+//           eight neighbors. Anything outside these is further from v than a side. The blocks grow level by
 //           level, from the leaf of v up, until something is certainly nearer than a side. Squares that are
 //           certainly outside the sector, or too far, are not entered.
 //
-// Segments are clipped to the closed sector by exact orientation predicates; the nearest point of what
-// remains is found in intervals, and exactly where these overlap. Squares are pruned by doubles with error
-// bounds.
+// Exact orientation predicates clip segments to the closed sector. The nearest point of the rest is found in
+// intervals, and exactly where these overlap. Squares are pruned by doubles with error bounds.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_SECTOR_SEARCHER_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_SECTOR_SEARCHER_H
@@ -166,7 +165,7 @@ private:
     return is_right || is_left;
   }
 
-  /// Visits v and its neighbours, without those squares around its child `inner` that have been visited.
+  /// Visits v and its neighbors, without those squares around its child `inner` that have been visited.
   void visit_block(Node_index v, Node_index inner) {
     visit(v, inner);
     for (const Direction d : all_directions()) {

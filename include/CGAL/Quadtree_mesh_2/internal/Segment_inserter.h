@@ -6,10 +6,10 @@
 //
 // Makes segments chains of constrained edges of a triangulation, or of a block of one.
 //
-// Each is recovered by flipping the edges it crosses (Sloan, "A fast algorithm for generating constrained Delaunay
-// triangulations", 1993), then the flipped edges are made Delaunay again. A vertex on the segment splits it; a
-// constrained edge that is crossed is an error. Orientation is exact. O(1) for most segments of maps, which are
-// edges already; O(k^2) flips in the worst case for k edges crossed.
+// A segment is recovered by flipping the edges that it crosses (Sloan, "A fast algorithm for generating
+// constrained Delaunay triangulations", 1993). Then the flipped edges are made Delaunay again. A vertex on
+// the segment splits it. Crossing a constrained edge is an error. Orientation is exact. O(1) for most
+// segments of maps, which are edges already. O(k^2) flips in the worst case for k edges crossed.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_SEGMENT_INSERTER_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_SEGMENT_INSERTER_H

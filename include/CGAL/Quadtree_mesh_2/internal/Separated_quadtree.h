@@ -11,7 +11,7 @@
 //           sides, and in the group of no other point.
 // Bound:    O(n + k) work for k squares, in O(1) rounds, each of which makes a tree.
 // Source:   Bern, Eppstein, Teng, section 5: points are annotated with the size of their leaf, in proportion to the
-//           distance of a near neighbour, and the tree is built again with that.
+//           distance of a near neighbor, and the tree is built again with that.
 // Deviates: the annotations are what is needed in any case, and leaves are split one level at a time where a group
 //           is not what it has to be. That makes a quarter of the squares that annotations alone would need.
 //
@@ -28,7 +28,7 @@
 // there are none for s < e. The group of p lies within 3/2 l of it. If a leaf of side l / 2 or less is in the group or
 // touches it, it is not there because of p but of a point q within 2 l of the leaf, and p and q are less than 4 l
 // apart. If a leaf is in the groups of p and q, these are at most 3 l apart. So leaves of points end up with sides
-// above d / 8, or D / 18.5; they begin with sides of at most 2 D for the Euclidean distance D of a near neighbour. A
+// above d / 8, or D / 18.5; they begin with sides of at most 2 D for the Euclidean distance D of a near neighbor. A
 // leaf larger than l around the corner is split once and has side l then, by balance. Hence the O(1) rounds.
 //
 // No more than needed in the beginning: p is at least l / 2 inside its group, so d >= l / 2, whatever is done.

@@ -6,20 +6,20 @@
 //
 // The quadtrees that separate the features of a planar straight-line graph.
 //
-// Computes: T_B, the balanced quadtree of the vertices; T_B', in which each vertex lies in a leaf as small as its
-//           distance to the nearest other vertex or edge asks for; T_B'', in which edges that bound a common cell
-//           in a leaf are apart; T_B*, in which those in neighbouring leaves are as well.
-// Bound:    O(log n) rounds for each tree and O((n + k) log n) work, for n vertices and k leaves and pieces of
-//           edges in T_B*. Sizes are in proportion to the local feature size, or to the width of what faces an
-//           edge, so k is within a constant of any triangulation's with its angles.
+// Computes: T_B, the balanced quadtree of the vertices. T_B', in which each vertex lies in a leaf as small as
+//           its distance to the nearest other vertex or edge asks for. T_B'', in which edges that bound a
+//           common cell in a leaf are apart. T_B*, in which edges in neighboring leaves are apart as well.
+// Bound:    O(log n) rounds for each tree and O((n + k) log n) work, for n vertices and k leaves and pieces
+//           of edges in T_B*. Sizes are in proportion to the local feature size, or to the width of the gap
+//           in front of an edge. So k is within a constant of the size of any triangulation with such angles.
 // Source:   Bern, Eppstein, Teng, section 6; Lemma 5 for the distances.
-// Deviates: T_B'' and T_B* are made by splitting leaves until nothing is too near, a level at a time, where the
-//           paper finds at once how far to go: rounds are as many as levels are missing. T_B* looks at leaves next
-//           to each other only, and at pairs in sight of each other: what is farther away is balance's concern.
-//           What distances are enough is in Tree_separation_options_2.h and Edge_gaps.h.
+// Deviates: T_B'' and T_B* are made by splitting leaves one level at a time until nothing is too near. The
+//           paper finds at once how far to go. So there are as many rounds as levels are missing. T_B* looks
+//           at adjacent leaves only, and at pairs in sight of each other; balance takes care of what is
+//           farther away. Tree_separation_options_2.h and Edge_gaps.h say which distances suffice.
 //
-// Leaves become no smaller than a few units of the coordinates there: what features nearer to each other need has no
-// place between coordinates that numbers can express (`has_room()`).
+// Leaves become no smaller than a few units of the coordinates there. Features nearer to each other than that
+// have no room for vertices between representable coordinates (`has_room()`).
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_SEPARATION_TREES_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_SEPARATION_TREES_H
@@ -66,7 +66,7 @@ public:
   using Find_hits = Find_nearest_hits<Pslg>;
 
   /// \param graph the vertices and edges of the problem, in its order
-  /// \param find_hits by which model neighbours of vertices are found; null: by the quadtree
+  /// \param find_hits by which model neighbors of vertices are found; null: by the quadtree
   /// \param most_leaves separation stops before there are more, but for those of the last step: `is_exhausted()`
   Separation_trees(const Meshing_problem<Geometry>& problem, const Edge_sides& sides, const Pslg& graph,
                    const Map& map, const Options& options, const Traits& traits, Find_hits find_hits,

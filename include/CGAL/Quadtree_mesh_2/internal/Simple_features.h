@@ -4,14 +4,15 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 
-// Computes: a graph of points, lines and polygons as files of geographic data have them ("simple features"):
-//           vertices at one place are one, a piece of border that two polygons share is one segment, and what no
-//           polygon covers but segments enclose is marked as a hole.
-// Bound:    O(n log n) in practice, by one constrained Delaunay triangulation of the graph if there are polygons.
-// Rule:     a place is inside a polygon if it is behind an odd number of its rings, and in the domain if it is
-//           inside any polygon. So an island in a lake is in the domain, whoever it belongs to, and so is an enclave
-//           that fills the hole of the polygon around it. Without polygons there are no holes: what lines enclose is
-//           the domain.
+// Computes: a graph from points, lines and polygons, as in files of geographic data ("simple features").
+//           Vertices at one place become one. A piece of border that two polygons share becomes one segment.
+//           A component that segments enclose and no polygon covers is marked as a hole.
+// Bound:    O(n log n) in practice, by one constrained Delaunay triangulation of the graph if there are
+//           polygons.
+// Rule:     a place is inside a polygon if it is behind an odd number of its rings, and in the domain if it
+//           is inside any polygon. So an island in a lake is in the domain, whichever polygon it belongs to,
+//           and so is an enclave that fills the hole of the polygon around it. Without polygons there are no
+//           holes, and the domain is what lines enclose.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_SIMPLE_FEATURES_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_SIMPLE_FEATURES_H
@@ -36,7 +37,7 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-/// Collects features one after the other, then makes a graph of them.
+/// Collects features one after the other, then makes a graph from them.
 class Simple_features {
 public:
   using Place = std::array<double, 2>;

@@ -4,15 +4,16 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 
-// Which vertex of a mesh of tiles goes to which site.
+// Assigns vertices of a mesh of tiles to sites.
 //
-// Computes: for sites of kind `on_demand` vertices of their leaves' tiles, all distinct, and not neighbours of
-//           each other if so wanted; the sites for which none is left.
-// Bound:    O(n) work for n sites, besides sorting O(n) pairs.
-// Method:   Greedy. All pairs of a site and a vertex near it are sorted by distance, relative to the side of the
-//           leaf; a pair is taken if site and vertex are still free.
-// Source:   Bern, Eppstein, Teng, section 5, Theorem 3, where squares are split until a point has the vertices
-//           around it for itself. Here it may not.
+// Computes: for sites of kind `on_demand` vertices of their leaves' tiles, all distinct, and on request not
+//           neighbors of each other. Also the sites for which none is left.
+// Bound:    O(n) work for n sites, not counting the sorting of O(n) pairs.
+// Method:   Greedy. All pairs of a site and a vertex near it are sorted by distance, relative to the side of
+//           the leaf. A pair is taken if site and vertex are still free.
+// Source:   Bern, Eppstein, Teng, section 5, Theorem 3. There squares are split until a point has the
+//           vertices around it for itself.
+// Deviates: here a point may share them with others.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_SITE_ASSIGNMENT_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_SITE_ASSIGNMENT_H
@@ -108,7 +109,7 @@ private:
         default_block / 16);
   }
 
-  /// Marks a vertex, and its neighbours if they are not to be taken, too.
+  /// Marks a vertex, and its neighbors if they are not to be taken, too.
   void take(std::int32_t vertex) {
     const std::size_t v = static_cast<std::size_t>(vertex);
     is_free_[v] = 0;

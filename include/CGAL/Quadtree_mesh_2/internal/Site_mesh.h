@@ -4,13 +4,14 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// A mesh on its way from tiles to a mesh of points: some of its vertices, one for each site, have to go to their sites,
-// all triangles into a range of angles, and what is not needed then has to go.
+// A mesh on its way from tiles to a mesh of points. Some of its vertices, one for each site, have to move to
+// their sites. All triangles have to get into a range of angles. Superfluous vertices then have to be
+// removed.
 //
-// Separation on demand: vertices are moved, the mesh is relaxed and repaired, in blocks and then where their seams were;
-// which triangles remain outside the range is the answer, and whose sites are to be blamed. Nothing is guaranteed here:
-// who fills tiles knows when they are so small that nothing can remain (Tile_forest.h).
-// Expected O(n) work besides sorting.
+// Separation on demand: vertices are moved, and the mesh is relaxed and repaired, first in blocks and then
+// near their seams. The answer is the triangles that remain outside the range, and the sites at fault.
+// Nothing is guaranteed here. The code that fills tiles knows when they are so small that no triangle can
+// remain (Tile_forest.h). Expected O(n) work, not counting sorting.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_SITE_MESH_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_SITE_MESH_H

@@ -168,7 +168,7 @@ private:
     return ratio(s.area2, 1) * std::min(per_area2, finest);
   }
 
-  /// The mean of the density that the size field asks for in t, at the centres of k^2 parts of equal area.
+  /// The mean of the density that the size field asks for in t, at the centers of k^2 parts of equal area.
   double field_density(Triangle_id t, const Shape& s) const {
     const auto& r = mesh_.triangle(t);
     const Point& a = mesh_.point(r.v[0]);

@@ -6,15 +6,15 @@
 
 // What vertices of a slab see along the rays, by the trapezoidal decomposition of the segments in it.
 //
-// Computes: for each place of a range, the first segment seen upwards and downwards before the next place on
-//           the same line, and the first segments, not along the rays, that touch it and that go through it.
+// Computes: for each place of a range, the first segment seen upward and downward before the next place on
+//           the same line; and the first segments, not along the rays, that touch it and that go through it.
 // Bound:    O((k + c) log k) for k segments and places in the slab and c crossings of these segments.
 // Source:   Bern, Eppstein, Teng, section 6, Lemma 5; CGAL's Arrangement_2 and decompose().
 //
-// Segments along the rays are left out: they bound no trapezoid. Those in the slab are taken whole, as cutting
-// them would need new points. All places in the range, and the one before and after, are vertices of the
-// arrangement, isolated ones if no segment ends there; so a place sees the next one on its line if there is
-// nothing between.
+// Segments along the rays are left out, because they bound no trapezoid. Segments in the slab are taken
+// whole, because cutting them would need new points. All places in the range, and the ones before and after
+// it, are vertices of the arrangement, isolated ones if no segment ends there. So a place sees the next one
+// on its line if nothing is between them.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_SLAB_DECOMPOSITION_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_SLAB_DECOMPOSITION_H

@@ -6,12 +6,15 @@
 
 // The vertices and segments of a graph in slabs, for rays along one axis, and what the rays hit.
 //
-// Computes: lists of the segments in each slab; what each place sees (Slab_decomposition.h); and from that the
-//           first segments hit upwards and downwards from each place, if none has it in its interior.
-// Bound:    O((n + m + c) log n) work besides sorting, for n vertices, m segments and c crossings: slabs have
-//           a thousand places, or so many more that the lists are a quarter longer than one of all segments.
+// Computes: lists of the segments in each slab; what each place sees (Slab_decomposition.h); and from that
+//           the first segments hit upward and downward from each place, if none has the place in its
+//           interior.
+// Bound:    O((n + m + c) log n) work, not counting sorting, for n vertices, m segments and c crossings.
+//           Slabs have a thousand places, or enough more that the lists are only a quarter longer than one of
+//           all segments.
 //
-// Slabs are for memory near the processor, and for several of them. They are cut by numbers of places alone.
+// Slabs keep memory near the processor, and serve several processors. They are cut by numbers of places
+// alone.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_SLABS_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_SLABS_H

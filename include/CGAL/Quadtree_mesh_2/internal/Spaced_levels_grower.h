@@ -10,10 +10,10 @@
 //           levels log2 n apart the split squares are found by sorting what is required and forced there;
 //           these are the tops of bands, and below them squares are grown from the top down.
 // Bound:    O(n log n + k) work; O(log n) rounds to find all squares and their cross pointers, whatever the
-//           depth. (Leaves are numbered afterwards, in two short rounds for each level.)
+//           depth. (Leaves are numbered afterward, in two short rounds for each level.)
 // Source:   Bern, Eppstein, Teng, Theorem 2. The set of levels is that with the fewest required squares, of
 //           log2 n disjoint ones, so that only O(k / log n) squares are sorted.
-// Deviates: a required square with a split child forces all its eight neighbours, of its own size: then what
+// Deviates: a required square with a split child forces all its eight neighbors, of its own size: then what
 //           is forced on a level depends on the required squares of that level and the next alone, and forces
 //           nothing more. (The three forced squares of the paper can force others: a square at the far side of
 //           its parent forces one next to its grandparent.) No square is split for the sake of its siblings.

@@ -6,14 +6,14 @@
 
 // The linked squares of a quadtree, from the root down.
 //
-// Computes: from the required squares and where each forces its neighbours, all squares with cross pointers,
-//           and the points in each.
-// Bound:    O(k) work besides finding which points are in which child; three rounds for each level.
+// Computes: all squares with cross pointers, and the points in each, from the required squares and the
+//           directions in which each forces its neighbors.
+// Bound:    O(k) work, not counting which points are in which child; three rounds for each level.
 // Source:   Bern, Eppstein, Teng, proof of Theorem 2 (top-down method): the cross pointers of the level above
 //           lead to the squares that are forced.
-// Deviates: what is forced is known beforehand (forcing.h), so that a level is finished before the next one is
-//           begun, and without coordinates: squares of any depth cost the same. Points ride down with their
-//           squares, so that none has to be located.
+// Deviates: forced squares are known in advance (forcing.h). So a level is finished before the next one
+//           begins, and without coordinates: squares of any depth cost the same. Points move down with their
+//           squares, so none has to be located.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_SQUARE_GROWER_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_SQUARE_GROWER_H
@@ -46,7 +46,7 @@ class Square_grower {
 public:
   using Squares = Linked_squares<typename Framework::Word>;
 
-  /// \param forced for each required square the directions in which it forces its neighbours; what is forced
+  /// \param forced for each required square the directions in which it forces its neighbors; what is forced
   ///        together with what is required must be balanced.
   Square_grower(const Framework& framework, const Required_squares& required,
                 const Uninitialized_vector<Direction_set>& forced)
@@ -74,7 +74,7 @@ private:
   /// Set by several threads, always to the same value.
   using Mark = std::atomic<std::uint8_t>;
 
-  /// What is known of a family of the last level but no longer afterwards.
+  /// What is known of a family of the last level but no longer afterward.
   struct Growth {
     std::uint32_t required;  ///< the number of the required square, or none
     std::uint32_t point_end; ///< behind the last point
@@ -153,7 +153,7 @@ private:
   std::uint32_t end_family() const { return squares_.level_begin(squares_.number_of_split_levels()); }
   int level_of_children() const { return squares_.number_of_split_levels() + level_offset_; }
 
-  /// Marks the children of a family that have to be split, and the neighbours that they force.
+  /// Marks the children of a family that have to be split, and the neighbors that they force.
   void mark_children_of(std::uint32_t family) {
     const std::uint32_t square = growth_[family - first_family()].required;
     if (square == Required_squares::none || required_.children[square] == 0) return;

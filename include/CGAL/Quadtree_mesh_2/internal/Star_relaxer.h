@@ -4,13 +4,14 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// Relaxes the members of a patch until all triangles at them keep a range of angles.
+// Relaxes the members of a patch until all triangles at them are in a range of angles.
 //
-// A step moves one vertex by a damped Gauss-Newton step on the energy of its star (Angle_range.h); the gradient of an
-// angle at a fixed corner b is the perpendicular of the spoke over its squared length, so that there is no
-// trigonometry. A star that has a triangle turned over is searched in eight directions. Only stars with energy move,
-// and only what is next to what moved is looked at again, so the motion stays where it is needed. Sweeps may
-// alternate with flips that lower the energy of the two triangles. O(degree) per step; the number of sweeps is bounded.
+// A step moves one vertex by a damped Gauss-Newton step on the energy of its star (Angle_range.h). The
+// gradient of an angle at a fixed corner b is the perpendicular of the spoke over its squared length, so no
+// trigonometry is needed. If a star has an inverted triangle, eight directions are searched. Only stars with
+// energy move, and only the neighborhood of a move is looked at again. So the motion stays where it is
+// needed. Sweeps may alternate with flips that lower the energy of the two triangles. O(degree) per step; the
+// number of sweeps is bounded.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_STAR_RELAXER_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_STAR_RELAXER_H
@@ -121,7 +122,7 @@ private:
     return bits;
   }
 
-  /// Rigid vertices may have neighbours of very different distance, by more than floats can span: near ones count.
+  /// Rigid vertices may have neighbors of very different distance, by more than floats can span: near ones count.
   template <class Geometry>
   static double least_length(const Ring_mesh<Geometry>& mesh, const Ring& r,
                              const typename Geometry::Point& center) {
@@ -132,7 +133,7 @@ private:
   }
   static double length(Vector d) { return std::fabs(d.x) + std::fabs(d.y); }
 
-  /// Far neighbours are in exempt triangles only, with which nothing has to be right, but numbers be finite.
+  /// Far neighbors are in exempt triangles only, with which nothing has to be right, but numbers be finite.
   void shorten(int n) {
     constexpr float farthest = 0x1p28f;
     for (int k = 0; k < n; ++k) {
@@ -353,7 +354,7 @@ private:
 
   Vector newton_step(const Star_vectors& star, const Star_energy& e, Mobility mobility) const {
     constexpr double damping = 0.02, longest_share = 0.4;
-    // Over-relaxed: what neighbours will have to do, too, is anticipated. A quarter fewer steps.
+    // Over-relaxed: what neighbors will have to do, too, is anticipated. A quarter fewer steps.
     constexpr double first_share = 1.7;
     const double lambda = damping * (static_cast<double>(e.hxx) + static_cast<double>(e.hyy)) + 1e-30;
     const double a = e.hxx + lambda, b = e.hxy, c = e.hyy + lambda, determinant = a * c - b * b;

@@ -25,7 +25,8 @@ inline double unit_in_last_place(double x) {
                 : std::ldexp(1., std::max(std::ilogb(x) - fraction_bits, least_exponent));
 }
 
-/// An input segment, and what of a mesh counts as on it. All answers are exact, whatever the coordinates.
+/// An input segment, and which points of a mesh count as on it. All answers are exact, whatever the
+/// coordinates.
 template <class Point>
 class Straight_segment {
 public:

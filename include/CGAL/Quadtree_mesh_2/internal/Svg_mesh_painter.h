@@ -155,7 +155,7 @@ private:
   }
   const Point& corner(std::size_t t, std::size_t k) const { return mesh_.point(mesh_.triangles[t][k]); }
 
-  /// A stroke in the colour of the area closes the hairlines that renderers leave between neighbours.
+  /// A stroke in the color of the area closes the hairlines that renderers leave between neighbors.
   static void paint_area(std::ostream& out, const Svg_path& path, const std::string& color) {
     if (path.is_empty()) return;
     out << "<path fill=\"" << color << "\" stroke=\"" << color
@@ -203,7 +203,7 @@ private:
     return edges;
   }
 
-  // Colours stand for five degrees each: of least angles from 0 on, of largest ones from 120 downwards.
+  // Colors stand for five degrees each: of least angles from 0 on, of largest ones from 120 downwards.
   static constexpr std::array<const char*, 12> colors_{"#67001f", "#b2182b", "#d6604d", "#f4a582",
                                                        "#fdcc8a", "#fee8a0", "#d9ef8b", "#a6d96a",
                                                        "#7fc97f", "#66c2a5", "#5aaec4", "#4393c3"};
@@ -227,7 +227,7 @@ private:
     for (std::size_t i = 0; i < colors_.size(); ++i) paint_area(out, paths[i], colors_[i]);
   }
 
-  // Neighbours in number differ in hue; light, as edges are drawn on them.
+  // Neighbors in number differ in hue; light, as edges are drawn on them.
   static constexpr std::array<const char*, 12> region_colors_{"#a6cee3", "#fdbf6f", "#b2df8a", "#fb9a99",
                                                               "#cab2d6", "#ffff99", "#8dd3c7", "#f4cae4",
                                                               "#d9d9d9", "#80b1d3", "#e6d8ad", "#ccebc5"};
@@ -269,7 +269,7 @@ private:
     out << "</g>\n";
   }
 
-  /// A strip of all colours, each with the angle at which it begins, below the picture and as wide as that allows.
+  /// A strip of all colors, each with the angle at which it begins, below the picture and as wide as that allows.
   void paint_legend(std::ostream& out) const {
     constexpr int n = static_cast<int>(colors_.size());
     const int box = std::min(400, width_ * 3 / 4 / n), font = box * 3 / 10;

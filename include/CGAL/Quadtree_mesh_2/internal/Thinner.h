@@ -4,13 +4,14 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// Thins out a mesh beyond what guarded removal can.
+// Thins out a mesh beyond what guarded removal can do.
 //
-// Removal (Remover.h) keeps to the bound at each step, and so ends where no single vertex can go. Here a round
-// removes with a bound of `thinning_share` of the given one, refines what then is below the given one (relocation
-// first, Refiner.h), and removes under guard. Where vertices stood in each other's way fewer are put back: on maps
-// 4 to 5 percent of the triangles go in the first round, and about one in the second.
-// A round that does not come to rest, or ends with more triangles, is undone. O(k) expected for k triangles.
+// Removal (Remover.h) keeps the bound at each step, so it ends where no single vertex can go. Here a round
+// has three parts. It removes vertices with a bound of `thinning_share` of the given one. It refines
+// triangles below the given bound (relocation first, Refiner.h). It removes under guard. Where vertices stood
+// in each other's way, fewer are put back. On maps 4 to 5 percent of the triangles go in the first round, and
+// about one percent in the second. A round that does not come to rest, or ends with more triangles, is
+// undone. O(k) expected for k triangles.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_THINNER_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_THINNER_H
@@ -82,7 +83,7 @@ private:
     return false;
   }
 
-  /// Removal and smoothing leave sides that are not Delaunay. The circumcentre of a triangle next to one may be a
+  /// Removal and smoothing leave sides that are not Delaunay. The circumcenter of a triangle next to one may be a
   /// vertex, and then refinement gives the triangle up.
   void doubt_all_sides() {
     for_each_triangle([this](Triangle_id t) {

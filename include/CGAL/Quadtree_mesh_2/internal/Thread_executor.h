@@ -19,9 +19,9 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-/// Runs independent tasks on threads of their own for each loop, which is slow. It stands for TBB where the
-/// thread sanitizer looks for races: TBB's library is not built for the sanitizer, which so cannot see that
-/// tasks begin after what was before their loop and end before what comes after it.
+/// Runs independent tasks on threads of their own for each loop, which is slow. It replaces TBB where the
+/// thread sanitizer looks for races. TBB's library is not built for the sanitizer. So the sanitizer cannot
+/// see that tasks begin after everything before their loop, and end before everything after it.
 struct Thread_executor {
   template <class F>
   static void run(std::size_t n, const F& f) {

@@ -6,13 +6,13 @@
 
 // Blocks of equal leaves around sites, and where their vertices move.
 //
-// Computes: for a site and a level the 3 x 3 or 4 x 4 squares around it; which vertex of which square each entry
-//           of a table moves; the places they move to, rounded to the grid.
+// Computes: for a site and a level, the 3 x 3 or 4 x 4 squares around it; the vertex that each entry of a
+//           table moves, and its square; the places they move to, rounded to the grid.
 // Bound:    O(1) for each vertex.
 // Source:   Bern, Eppstein, Teng, section 5, Theorem 3: local warping of the squares around each point, which
 //           moves a vertex to it.
-// Deviates: the paper cites the warping; here it is by tables: places are affine functions of the way that the
-//           vertex moves (warp_table.h, star_table.h).
+// Deviates: the paper cites the warping. Here tables define it: places are affine functions of the
+//           displacement of the vertex (warp_table.h, star_table.h).
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_TILE_BLOCKS_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_TILE_BLOCKS_H

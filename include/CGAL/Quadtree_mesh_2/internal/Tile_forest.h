@@ -4,17 +4,19 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// The meshes of tiles of all quadtrees of some points, put together to one.
+// The meshes of tiles of all quadtrees of some points, joined to one.
 //
-// Computes: a mesh with a vertex for each point, not yet at its place, whose other triangles have angles in
-//           [43.4, 72.7] degrees and around clusters in [17.3, 87.5], or less than 90 between an octagon and its spokes.
-// Bound:    O(n + k) work besides sorting, for k squares. With clusters k = O(n), whatever the distances are.
-// Source:   Bern, Eppstein, Teng, section 5: one quadtree for all points (Theorem 3), or one for each cluster, in whose
-//           parent's quadtree a point stands for it (Theorem 4).
+// Computes: a mesh with a vertex for each point, not yet at its place. Other triangles have angles in [43.4,
+//           72.7] degrees, around clusters in [17.3, 87.5], and less than 90 between an octagon and its
+//           spokes.
+// Bound:    O(n + k) work for k squares, not counting sorting. With clusters k = O(n), whatever the distances
+//           are.
+// Source:   Bern, Eppstein, Teng, section 5: one quadtree for all points (Theorem 3), or one for each
+//           cluster, which a point represents in its parent's quadtree (Theorem 4).
 //
-// Trees are filled anew when some points turn out to need smaller leaves. A point that fails again and again gets a
-// block of leaves for itself that is so small that the warp of warp_table.h can be proven to keep [37.5, 78.6]; so
-// this ends, at the latest when all points have one.
+// Trees are filled anew if some points turn out to need smaller leaves. A point that fails several times gets
+// a block of leaves for itself. The block is so small that the warp of warp_table.h provably keeps [37.5,
+// 78.6]. So this ends, at the latest when all points have such a block.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_TILE_FOREST_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_TILE_FOREST_H
@@ -141,7 +143,7 @@ private:
     }
     std::vector<typename Tree::Cluster_site> children;
     for (std::int32_t k = cluster.first_child; k < cluster.end_child; ++k) {
-      sites.push_back(clusters.frames[std::size_t(k)].centre());
+      sites.push_back(clusters.frames[std::size_t(k)].center());
       children.push_back(
           {static_cast<std::uint32_t>(sites.size() - 1), clusters.tree.clusters[std::size_t(k)].distance});
     }
@@ -200,7 +202,7 @@ private:
   /// Puts the octagon and the collar of a cluster around its window, and takes the vertex in its place away.
   void put_into_parent(std::size_t t, Site_mesh<Geometry>& result) {
     const Tree &tree = trees_[t], &parent = trees_[std::size_t(tree.parent())];
-    const Ring_vertex centre = vertex(tree.parent(), tree.site_in_parent());
+    const Ring_vertex center = vertex(tree.parent(), tree.site_in_parent());
     const std::array<std::int32_t, 8> spokes =
         parent.spokes(tree.site_in_parent(), first_vertex_[std::size_t(tree.parent())]);
     const int log_leaf = parent.log_side_of_leaf(tree.site_in_parent());
@@ -209,7 +211,7 @@ private:
       points[std::size_t(spokes[std::size_t(k)])] = tree.cluster_frame().spoke(k, log_leaf);
       rigid_.push_back(spokes[std::size_t(k)]);
     }
-    replaced_.push_back(centre);
+    replaced_.push_back(center);
     const Octagon_vertices octagon = append_octagon(tree.cluster_frame(), points);
     rigid_.insert(rigid_.end(), octagon.begin(), octagon.end());
     for (const Indexed_triangle& triangle : octagon_triangles(octagon, spokes))

@@ -4,7 +4,7 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 
-// The triangles of the leaves of a quadtree, with what is needed to move their vertices to sites.
+// The triangles of the leaves of a quadtree, with the data needed to move their vertices to sites.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_TILE_MESH_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_TILE_MESH_H
@@ -25,10 +25,10 @@ namespace internal {
 /// The sides of the window on which a vertex lies, as bits.
 enum Window_side : std::uint8_t { left_side = 1, right_side = 2, bottom_side = 4, top_side = 8 };
 
-/// The vertices that are moved along with a star site, without change of shape.
+/// The vertices that move along with a star site, without change of shape.
 struct Star_spokes {
   std::uint32_t site;
-  std::array<std::int32_t, 8> vertices; ///< the neighbours of its vertex, counterclockwise from the east
+  std::array<std::int32_t, 8> vertices; ///< the neighbors of its vertex, counterclockwise from the east
 };
 
 /// A mesh of tiles. Leaves are in shuffle order; vertices are in the shuffle order of the places that the tiles

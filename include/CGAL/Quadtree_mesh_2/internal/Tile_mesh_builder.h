@@ -6,19 +6,19 @@
 
 // The mesh of tiles of a quadtree.
 //
-// Computes: for sites with levels the smallest quadtree, balanced across sides and corners, whose leaves around
-//           the sites have these levels; for each leaf the triangles of its tile; for the blocks of warped and
-//           star sites the places to which their vertices move. All places are integers.
-// Bound:    O(n + k) work for n sites and k squares, besides sorting; rounds as for the quadtree.
-// Source:   Bern, Eppstein, Teng, section 5, Theorem 3: the leaves of a balanced quadtree are cut into triangles
-//           by tiles, which are warped around points.
+// Computes: for sites with levels, the smallest quadtree, balanced across sides and corners, whose leaves
+//           around the sites have these levels. For each leaf, the triangles of its tile. For the blocks of
+//           warped and star sites, the places to which their vertices move. All places are integers.
+// Bound:    O(n + k) work for n sites and k squares, not counting sorting; rounds as for the quadtree.
+// Source:   Bern, Eppstein, Teng, section 5, Theorem 3: tiles cut the leaves of a balanced quadtree into
+//           triangles, and are warped around points.
 // Deviates: a tile depends on one bit for each corner of the leaf, whether a smaller leaf touches it
-//           (tile_tables.h). Balance across corners is enough then: the two rounds of splitting that the paper
-//           adds are not needed.
+//           (tile_tables.h). So balance across corners suffices, and the two rounds of splitting that the
+//           paper adds are not needed.
 //
-// Blocks are forced by points in the middle of their squares, annotated with the level. Vertices of neighbouring
-// tiles are identified by their places: all vertices of all tiles are sorted in shuffle order, which also makes
-// the numbers of vertices local.
+// Points in the middle of their squares, annotated with the level, force the blocks. Vertices of neighboring
+// tiles are identified by their places: all vertices of all tiles are sorted in shuffle order, which also
+// makes the numbers of vertices local.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_TILE_MESH_BUILDER_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_TILE_MESH_BUILDER_H

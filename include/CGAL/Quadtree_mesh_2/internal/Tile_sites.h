@@ -4,7 +4,7 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 
-// What a mesh of tiles is made from: sites with the levels of their leaves, and the squares that are kept.
+// The input of a mesh of tiles: sites with the levels of their leaves, and the squares to keep.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_TILE_SITES_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_TILE_SITES_H
@@ -35,7 +35,7 @@ constexpr int max_tile_level = 50;
 /// Returns the logarithm of the side, in grid units, of squares of level `level`.
 constexpr int tile_log_side(int level) { return Tile_traits::depth - level; }
 
-/// What is made of the leaf of a site.
+/// The treatment of the leaf of a site.
 enum class Site_kind : std::uint8_t {
   on_demand, ///< its tile, whatever it is
   warped, ///< the middle of 3 x 3 equal leaves, of which one vertex is moved to the site, and others after it
@@ -60,7 +60,7 @@ struct Tile_block {
 };
 
 /// The squares of one level that are kept, an axis-parallel rectangle: columns `x0` to `x1 - 1` and rows `y0`
-/// to `y1 - 1`. Leaves in it are not larger than these squares; leaves outside do not count as neighbours.
+/// to `y1 - 1`. Leaves in it are not larger than these squares; leaves outside do not count as neighbors.
 struct Tile_window {
   int level = 0;
   std::uint64_t x0 = 0;

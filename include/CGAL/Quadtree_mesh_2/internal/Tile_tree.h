@@ -4,7 +4,8 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// One quadtree with its tiles, and where it lies: the outermost one in a frame for all points, or that of a cluster.
+// One quadtree with its tiles, and its place: the outermost one in a frame for all points, or that of a
+// cluster.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_TILE_TREE_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_TILE_TREE_H

@@ -10,10 +10,10 @@
 // Bound:    O(1) for each question, by cross pointers; nothing is stored.
 // Source:   Bern, Eppstein, Teng, section 3, for the cross pointers.
 //
-// A corner belongs to the leaf whose lower left corner it is. If it hangs in the middle of a left or lower side
-// it is the lower left corner of none: then it belongs to the leaf to the left, as its lower right corner, or
-// to the leaf below, as its upper left one. So a leaf has up to three corners. Those on the upper and right
-// side of the root are left out.
+// A corner belongs to the leaf whose lower left corner it is. A corner in the middle of a left or lower side
+// is the lower left corner of no leaf. It belongs to the leaf to the left, as its lower right corner, or to
+// the leaf below, as its upper left one. So a leaf has up to three corners. Those on the upper and right side
+// of the root are left out.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_TREE_CORNERS_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_TREE_CORNERS_H

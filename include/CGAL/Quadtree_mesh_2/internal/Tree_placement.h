@@ -4,18 +4,19 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// The vertices of a mesh by a quadtree that separates the features of a graph.
+// The vertices of a mesh from a quadtree that separates the features of a graph.
 //
-// Computes: points on the edges and corners of leaves, such that a constrained Delaunay triangulation of them and
-//           the graph has no small angles, but few.
+// Computes: points on the edges, and corners of leaves. A constrained Delaunay triangulation of them and the
+//           graph has few small angles.
 // Bound:    O(1) for each piece of an edge and each corner.
 // Source:   Bern, Eppstein, Teng, Theorem 5: "local warping". The rule is ours: Column_rule.h.
-// Deviates: nothing is warped. An edge gets a vertex where it crosses the sides of leaves transversal to it, and
-//           corners near edges and vertices are dropped. Where the leaves along an edge are equal the rule of
-//           Column_rule.h holds with its bound; at changes of sizes this is the same rule with its distances for
-//           equal leaves, which does not need columns, and misses the bound here and there: Tree_construction.h.
+// Deviates: nothing is warped. An edge gets a vertex where it crosses the sides of leaves transversal to it,
+//           and corners near edges and vertices are dropped. Where the leaves along an edge are equal, the
+//           rule of Column_rule.h holds with its bound. At changes of sizes the same rule is used with its
+//           distances for equal leaves. It does not need columns there, and sometimes misses the bound: see
+//           Tree_construction.h.
 //
-// Nothing depends on anything further away than a leaf or two, so all is done at the same time.
+// Nothing depends on anything further away than a leaf or two, so everything is done at the same time.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_TREE_PLACEMENT_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_TREE_PLACEMENT_H

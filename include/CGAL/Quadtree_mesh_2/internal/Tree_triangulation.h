@@ -7,11 +7,11 @@
 // The constrained Delaunay triangulation of placed vertices, restricted to the domain.
 //
 // Computes: a mesh of the kernel in which input vertices have their numbers as handles.
-// Bound:    as First_triangulation.h: O(k) expected for k vertices, besides sorting.
-// Source:   Bern, Eppstein, Teng, section 6; "constrained Delaunay" where the paper triangulates each leaf.
+// Bound:    that of First_triangulation.h: O(k) expected for k vertices, not counting sorting.
+// Source:   Bern, Eppstein, Teng, section 6; constrained Delaunay where the paper triangulates each leaf.
 //
-// A corner of a leaf that is at the place of another vertex, or on a piece of an edge, is left out: input vertices and
-// vertices on edges are what they are.
+// A corner of a leaf is left out if it is at the place of another vertex, or on a piece of an edge. Input
+// vertices and vertices on edges stay as they are.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_TREE_TRIANGULATION_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_TREE_TRIANGULATION_H

@@ -4,10 +4,11 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// Repairs triangles that relaxation alone leaves outside the range of angles: a patch around the triangle is relaxed,
-// with a new vertex at the middle of one of its sides or at its centroid, or without one of the vertices near it. The
-// first change after which the whole patch is in the range is kept; if there is none, the one that lowers the energy
-// most, if it does so by a third. A bounded number of relaxations for each triangle.
+// Repairs triangles that relaxation alone leaves outside the range of angles. It relaxes a patch around the
+// triangle, with a new vertex at the middle of one of its sides or at its centroid, or without one of the
+// vertices near it. It keeps the first change after which the whole patch is in the range. If there is none,
+// it keeps the one that lowers the energy most, if that is by a third. A bounded number of relaxations for
+// each triangle.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGLE_REPAIRER_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGLE_REPAIRER_H

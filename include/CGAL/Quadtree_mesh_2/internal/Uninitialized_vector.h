@@ -39,7 +39,7 @@ public:
   }
 };
 
-/// A vector whose `resize()` does not write: what is to be filled by many threads is not filled by one before.
+/// A vector whose `resize()` does not write. So one thread does not fill it before many threads do.
 template <class T>
 using Uninitialized_vector = std::vector<T, Default_init_allocator<T>>;
 

@@ -4,15 +4,14 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 
-// The corners of leaves near a vertex that are no vertices of the mesh, and the leaves that have to be split
+// The corners of leaves near a vertex that are not vertices of the mesh, and the leaves that have to be split
 // first.
 //
-// Computes: dropped corners within 3.2 sides of the vertex's leaf, sector by sector (Vertex_window.h); and where
-//           leaves are not equal in the 7 x 7 squares around the leaf of a vertex.
+// Computes: dropped corners within 3.2 sides of the vertex's leaf, sector by sector (Vertex_window.h); and
+//           where leaves are not equal in the 7 x 7 squares around the leaf of a vertex.
 // Bound:    O(1) for each sector; O(depth) for each vertex to look at leaves. All vertices at the same time.
-// Source:   ours; see Vertex_window.h. Corners are dropped within 1.8 sides of the vertex besides those near
-//           edges, so leaves that lose a corner have their neighbours in the 7 x 7 squares, or in the band of an
-//           edge.
+// Source:   ours; see Vertex_window.h. Corners are dropped within 1.8 sides of the vertex, and near edges. So
+//           leaves that lose a corner have their neighbors in the 7 x 7 squares, or in the band of an edge.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_VERTEX_PLACEMENT_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_VERTEX_PLACEMENT_H

@@ -4,9 +4,10 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// Removes vertices under guard: the hole is triangulated with the least sum of energies, by dynamic programming over
-// its ring, and what that leaves outside the range of angles is relaxed in a patch of a few rings. A removal that does
-// not succeed is undone to the last bit. O(degree^3) time and a bounded number of relaxation steps for each.
+// Removes vertices under guard. The hole is triangulated with the least sum of energies, by dynamic
+// programming over its ring. Triangles that are then outside the range of angles are relaxed in a patch of a
+// few rings. A removal that does not succeed is undone to the last bit. O(degree^3) time and a bounded number
+// of relaxation steps for each.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_VERTEX_REMOVER_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_VERTEX_REMOVER_H
@@ -134,7 +135,7 @@ private:
                        [&](const auto& t) { return is_rigid(t[0]) && is_rigid(t[1]) && is_rigid(t[2]); });
   }
 
-  /// Whether the members of the ring can take the new neighbours in; also those that lose one.
+  /// Whether the members of the ring can take the new neighbors in; also those that lose one.
   bool have_room(const Ring& ring, const std::vector<Ring_triangulation::Diagonal>& edges) const {
     for (int i = 0; i < ring.size; ++i) {
       const Ring& r = patch_.mesh().ring(ring[i]);

@@ -4,22 +4,22 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 
-// The mesh between two edges that follow each other around a vertex, amid equal leaves, in a window of its own.
+// The mesh between two consecutive edges around a vertex, amid equal leaves, in a window of its own.
 //
-// Computes: the points on an edge near its vertex: one on a ring, at the same distance on all edges, then one
-//           halfway to the first crossing with a grid line if that is far. For a sector, the corners of leaves
-//           that are kept for some thresholds, the Delaunay triangulation of all that, its least angle, and which
-//           of a few pairs of thresholds gives the largest one.
+// Computes: the points on an edge near its vertex. One is on a ring, at the same distance on all edges.
+//           Another is halfway to the first crossing with a grid line if that is far. For a sector, the
+//           corners of leaves that are kept for some thresholds, the Delaunay triangulation of all these
+//           points, its least angle, and which of a few pairs of thresholds gives the largest one.
 // Bound:    O(1): at most some 150 points in the window of 6 sides of leaves.
-// Source:   the ring is that of Bern, Eppstein, Teng, section 6 (acute corners); thresholds ours, found by a
-//           search. Bowyer, Watson (1981) for the triangulation.
-// Deviates: numerically established only: random search and descent over positions, directions and sectors of at
-//           least 33 degrees finds no least angle below `least_angle_of_sectors` (test_vertex_window.cpp).
+// Source:   the ring is that of Bern, Eppstein, Teng, section 6 (acute corners). The thresholds are ours,
+//           found by a search. Bowyer, Watson (1981) for the triangulation.
+// Deviates: established numerically only. Random search and descent over positions, directions and sectors of
+//           at least 33 degrees finds no least angle below `least_angle_of_sectors` (test_vertex_window.cpp).
 //
-// Points on an edge depend on that edge and the vertex only, corners on the two edges of their sector. So sectors
-// are independent of each other. Unit of all lengths: the side of the leaves around the vertex.
-// In doubles: what is computed here only chooses. In sectors above 180 degrees the other side of the edges is
-// empty, and edges are sides of triangles if the sectors there are at least 20 degrees.
+// Points on an edge depend only on that edge and the vertex, corners on the two edges of their sector. So
+// sectors are independent of each other. The unit of all lengths is the side of the leaves around the vertex.
+// Computed in doubles, because the results are only choices. In sectors above 180 degrees the other side of
+// the edges is empty, and edges are sides of triangles if the sectors there are at least 20 degrees.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_VERTEX_WINDOW_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_VERTEX_WINDOW_H
@@ -132,10 +132,10 @@ private:
     Window_point p;
     unsigned edges; ///< bit i: on edge i
   };
-  /// With the centre and squared radius of its circle.
+  /// With the center and squared radius of its circle.
   struct Triangle {
     std::array<std::size_t, 3> vertices;
-    Window_point centre;
+    Window_point center;
     double squared_radius;
   };
 
@@ -177,9 +177,9 @@ private:
       edges &= points_[t.vertices[i]].edges;
       sum = {sum.x + point(t, i).x, sum.y + point(t, i).y};
     }
-    const Window_point centre{sum.x / 3, sum.y / 3};
-    return edges == 0 && cross(t) > 1e-10 && is_near(centre.x, centre.y, radius_of_triangles) &&
-           is_in_sector(centre);
+    const Window_point center{sum.x / 3, sum.y / 3};
+    return edges == 0 && cross(t) > 1e-10 && is_near(center.x, center.y, radius_of_triangles) &&
+           is_in_sector(center);
   }
 
   double squared_sine_of_least_angle(const Triangle& t) const {
@@ -215,7 +215,7 @@ private:
     const Window_point& p = points_[v].p;
     sides_.clear();
     const auto removed = std::remove_if(triangles_.begin(), triangles_.end(), [&](const Triangle& t) {
-      const double x = p.x - t.centre.x, y = p.y - t.centre.y;
+      const double x = p.x - t.center.x, y = p.y - t.center.y;
       if (x * x + y * y >= t.squared_radius * (1 - 1e-11)) return false;
       for (std::size_t i = 0; i < 3; ++i) sides_.push_back({t.vertices[i], t.vertices[(i + 1) % 3]});
       return true;

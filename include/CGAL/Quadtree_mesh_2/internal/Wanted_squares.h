@@ -4,19 +4,21 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// The squares that bounds of size ask for, each as what it is: inside the domain and away from all features,
-// outside, or near a feature.
+// The squares that bounds of size ask for, and the kind of each: inside the domain and away from all
+// features, outside, or near a feature.
 //
-// Top down, square by square, with the constrained edges and the triangles of the domain's triangulation that
-// meet the square. A square is near a feature if a constrained edge or a vertex comes within `margin` times
-// its side. One that is not lies wholly inside or wholly outside; it is inside if any triangle of the domain
-// meets it, so nothing has to be located. All tests are made in floating point with closed, widened boxes,
-// which is enough: only what is farther away than `margin` sides counts as away.
+// Works top down, square by square, with the constrained edges and the triangles of the domain's
+// triangulation that meet the square. A square is near a feature if a constrained edge or a vertex comes
+// within `margin` times its side. Any other square lies wholly inside or wholly outside. It is inside if any
+// triangle of the domain meets it, so nothing has to be located. All tests use floating point with closed,
+// widened boxes. That is enough, because a feature counts as away only if it is farther away than `margin`
+// sides.
 //
-// Near squares are split until they are as small as the bounds want, and no further: what happens there is
-// the kernel's. Sizes are looked up at places inside the domain only.
+// Near squares are split until they are as small as the bounds want, and no further: the kernel does the rest
+// there. Sizes are looked up at places inside the domain only.
 //
-// O((n + k) levels) tests for n edges and triangles that each meet O(1) squares of a level, k near squares.
+// O((n + k) levels) tests for n edges and triangles that each meet O(1) squares of a level, and k near
+// squares.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_WANTED_SQUARES_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_WANTED_SQUARES_H
@@ -46,7 +48,7 @@ public:
     std::int32_t first_child = -1; ///< of four; -1: none
     Square_kind kind = Square_kind::outside;
     std::int8_t level = 0;
-    bool has_center = false;   ///< an inside square is small enough with a vertex in its centre only
+    bool has_center = false;   ///< an inside square is small enough with a vertex in its center only
     Triangle_id triangle = -1; ///< one that meets an inside square
   };
 
@@ -56,8 +58,8 @@ public:
       : state_(state), grid_(grid), largest_number_(largest_number) {
     for (int level = 0; level <= Grid_square::depth; ++level) side_[level] = grid.side(level);
     finest_level_ =
-        grid.finest_level() - (state.bounds.is_local() ? 1 : 0); // centres are corners one level below
-    // edges to centres are shorter than sides, and features may be a little nearer than a side
+        grid.finest_level() - (state.bounds.is_local() ? 1 : 0); // centers are corners one level below
+    // edges to centers are shorter than sides, and features may be a little nearer than a side
     while (finest_level_ > 0 &&
            0.5 * side_[finest_level_] * side_[finest_level_] < state.bounds.least_squared_length)
       --finest_level_;
@@ -87,7 +89,7 @@ public:
     return i;
   }
 
-  /// Whether a square in the given node needs a centre.
+  /// Whether a square in the given node needs a center.
   bool has_center(std::size_t i, int level) const { return nodes_[i].has_center && level == nodes_[i].level; }
 
 private:
@@ -327,7 +329,7 @@ private:
     return false;
   }
 
-  /// A place inside triangle t towards the given one.
+  /// A place inside triangle t toward the given one.
   Vector place_in(Triangle_id t, Vector want) const {
     const auto& r = state_.mesh.triangle(t);
     const Vector a = grid_.vector(state_.mesh.point(r.v[0])), b = grid_.vector(state_.mesh.point(r.v[1])),

@@ -17,7 +17,8 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-/// What quadtrees do to the bits of grid coordinates. Words longer than the machine's specialize it.
+/// The operations of quadtrees on the bits of grid coordinates. Words longer than the machine's specialize
+/// it.
 template <class Word>
 struct Word_operations {
   static_assert(std::is_integral<Word>::value, "include Long_words.h for longer words");

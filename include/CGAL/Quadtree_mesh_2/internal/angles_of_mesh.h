@@ -6,8 +6,8 @@
 
 // Whether the angles of triangles are in a range, decided on coordinates.
 //
-// Dot and cross products of differences of coordinates, in doubles, tell all but triangles that are nearly right-angled
-// or nearly flat; the sign of a dot product is decided in rational arithmetic then.
+// Dot and cross products of differences of coordinates, in doubles, decide all triangles except nearly
+// right-angled or nearly flat ones. For these, rational arithmetic decides the sign of a dot product.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_ANGLES_OF_MESH_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_ANGLES_OF_MESH_H

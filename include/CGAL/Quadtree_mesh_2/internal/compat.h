@@ -4,10 +4,10 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// What differs between the versions of CGAL that this package supports (5.5 to 6.1), in one place.
+// The differences between the versions of CGAL that this package supports (5.5 to 6.1), in one place.
 //
-// CGAL 6 has the variants and optionals of std where 5 had those of boost, and Mesh_2 has named parameters since
-// 5.6.
+// CGAL 6 has the variants and optionals of std where CGAL 5 had those of boost. Mesh_2 has named parameters
+// since 5.6.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_COMPAT_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_COMPAT_H

@@ -43,7 +43,7 @@ struct Can_be_asked<Criteria, std::void_t<typename Criteria::Quality,
                                           decltype(std::declval<const Criteria&>().is_bad_object())>>
     : std::true_type {};
 
-/// Whether a class says what triangles shall be like, as the criteria of Mesh_2 do.
+/// Whether a class says what triangles should be like, as the criteria of Mesh_2 do.
 template <class Criteria>
 constexpr bool is_criteria = Has_bound<Criteria>::value || Can_be_asked<Criteria>::value;
 
@@ -53,10 +53,10 @@ constexpr double default_angle_of_Mesh_2 = 20.704811054635429;
 } // namespace internal
 } // namespace Quadtree_mesh_2
 
-/// The options that ask for what criteria of Mesh_2 ask for, as far as these tell it.
+/// The options that ask for the same as criteria of Mesh_2, as far as these tell.
 /// \tparam Criteria may have `bound()`, the squared sine of the least angle, and `size_bound()`, the longest
-/// edge (0: none), as `Delaunay_mesh_criteria_2` and `Delaunay_mesh_size_criteria_2` have. Mesh_2's default,
-/// 1/8, is 20.7048 degrees; what is above 30 degrees becomes 30. A size that holds in some places only
+/// edge (0: none), as `Delaunay_mesh_criteria_2` and `Delaunay_mesh_size_criteria_2` do. Mesh_2's default,
+/// 1/8, is 20.7048 degrees. Bounds above 30 degrees become 30. A size that holds in some places only
 /// (`is_local_size()`) does not become an option.
 template <class Criteria>
 Quality_mesh_options_2 quality_mesh_options_2(const Criteria& criteria) {

@@ -5,7 +5,7 @@
 // Author(s)     : The Quadtree_mesh_2 authors
 //
 // The edges of the Delaunay triangulation of points by increasing length: minimum spanning trees (Kruskal) and
-// nearest neighbours are among them.
+// nearest neighbors are among them.
 //
 // CGAL's triangulation with the predicates of a meshing geometry, which are exact for doubles, for integers and
 // for numbers of exact fields. Lengths are doubles, correct up to a relative 2^-51. O(n log n) after the points'

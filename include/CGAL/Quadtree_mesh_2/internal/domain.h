@@ -6,16 +6,16 @@
 //
 // Restricts the first triangulation to the domain, and labels its components with the input's regions.
 //
-// Components of the plane less the constrained edges are flooded by nesting level: level 0 is what is
-// connected to infinity, level i + 1 what is reached from level i across a constrained edge and is in no
-// lower one (the levels of CGAL's mark_domain_in_triangulation()). The rule of the options then tells which
-// are kept. Holes and regions are located before anything is dropped, so that no walk is blocked. O(n), and a
-// walk for each hole and region.
+// Constrained edges divide the plane into components, which are flooded by nesting level. Level 0 is
+// connected to infinity. Level i + 1 is reached from level i across a constrained edge and is in no lower
+// level (the levels of CGAL's mark_domain_in_triangulation()). The rule of the options then determines which
+// components are kept. Holes and regions are located before anything is dropped, so that no walk is blocked.
+// O(n), and a walk for each hole and region.
 //
-// A hole's or region's point on a segment belongs to the component on both its sides, if that is one; if not, nobody can
-// tell what is meant, and it is refused. Whether it lies there is decided exactly.
+// If the point of a hole or region lies on a segment with the same component on both sides, it belongs to
+// that component. Otherwise it is ambiguous, and refused. Whether it lies on a segment is decided exactly.
 //
-// From here on the mesh is the domain alone, and no walk leaves it: features behind an outside gap, however
+// From here on the mesh is the domain alone, and no walk leaves it. Features behind an outside gap, however
 // thin, are not seen and force nothing (distances are geodesic).
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_DOMAIN_H
@@ -85,7 +85,7 @@ public:
   Domain_finder(Mesh& mesh, std::size_t number_of_auxiliary_vertices)
       : mesh_(mesh), first_auxiliary_(mesh.points.size() - number_of_auxiliary_vertices) {}
 
-  /// Keeps the domain only, in the order it had; the mesh is empty afterwards if there is none. If there are
+  /// Keeps the domain only, in the order it had; the mesh is empty afterward if there is none. If there are
   /// regions, `Kernel_mesh::region_of` tells for each triangle the first one whose point is in its component.
   /// \throws Ambiguous_seed
   void run(Rule rule, const std::vector<Point>& holes, const std::vector<Point>& regions) {

@@ -6,8 +6,8 @@
 
 // The exact map between doubles and the grid of a quadtree.
 //
-// The grid's unit is a power of two and its origin a multiple of a power of two, so that doubles keep their
-// bits and the corners of squares are doubles wherever doubles are as fine as the square.
+// The grid's unit is a power of two, and its origin a multiple of a power of two. So doubles keep their bits.
+// The corners of squares are doubles wherever doubles are as fine as the square.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_DOUBLE_GRID_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_DOUBLE_GRID_H
@@ -28,8 +28,8 @@ inline double greatest_coordinate() { return std::ldexp(1.0, 1000); }
 inline std::int64_t floor_of_scaled(double v, double inverse_unit) {
   const double scaled = v * inverse_unit; // exact, unless it underflows
   if (scaled == 0 && v < 0) return -1;
-  const std::int64_t towards_zero = static_cast<std::int64_t>(scaled); // no call, unlike std::floor()
-  return towards_zero - (static_cast<double>(towards_zero) > scaled ? 1 : 0);
+  const std::int64_t toward_zero = static_cast<std::int64_t>(scaled); // no call, unlike std::floor()
+  return toward_zero - (static_cast<double>(toward_zero) > scaled ? 1 : 0);
 }
 
 /// The side of the root square, and the power of two of which its origin is a multiple.

@@ -7,15 +7,15 @@
 // The mesh of tiles in which every site has a vertex.
 //
 // Computes: levels of leaves, the mesh of tiles that they make, and a vertex for each site.
-// Bound:    O(n + k) work for n sites and k squares in each round, besides sorting. At most as many rounds as
-//           there are levels; a few, because the first levels separate sites.
-// Method:   Leaves start with few sites, and small compared with the distance to a near neighbour. Sites that
-//           get no vertex get smaller leaves: half as large, and at once about as small as the distance to a
-//           near neighbour, as there is no vertex for both before; until all have one.
+// Bound:    O(n + k) work for n sites and k squares in each round, not counting sorting. At most as many
+//           rounds as there are levels; a few in practice, because the first levels separate sites.
+// Method:   Leaves start with few sites, and small compared with the distance to a near neighbor. Sites that
+//           get no vertex get smaller leaves, until all have one: half as large, and at once about as small
+//           as the distance to a near neighbor, because before that there is no vertex for both.
 // Source:   Bern, Eppstein, Teng, section 5, Theorem 3, where each point gets squares so small that there is
 //           room for its warp.
-// Deviates: leaves are split on demand. The result is smaller by an order of magnitude, but vertices on the way
-//           to their sites may meet; whoever moves them has to look.
+// Deviates: leaves are split on demand. The result is smaller by an order of magnitude. But vertices on the
+//           way to their sites may meet, and the code that moves them has to check.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_FILL_TILES_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_FILL_TILES_H
@@ -42,7 +42,7 @@ namespace internal {
 struct Tile_options {
   std::size_t max_points_per_leaf = 1;
   Spacing spacing = Spacing::no_neighbors;
-  /// The largest leaf of a site to begin with, in distances to a near neighbour; or infinity.
+  /// The largest leaf of a site to begin with, in distances to a near neighbor; or infinity.
   double sides_per_distance = std::numeric_limits<double>::infinity();
 };
 
@@ -118,7 +118,7 @@ public:
   Tile_filling result() { return std::move(filling_); }
 
 private:
-  /// Where leaves of sites are larger than this times the distance to a near neighbour, there is hardly a
+  /// Where leaves of sites are larger than this times the distance to a near neighbor, there is hardly a
   /// vertex for both.
   static constexpr double hopeless_ = 2;
   static constexpr double certified_sides_per_distance_ = 0.1178; // 1 / (6 sqrt(2))

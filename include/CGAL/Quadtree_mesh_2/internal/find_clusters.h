@@ -22,7 +22,7 @@
 // definition are found.
 //
 // The least gap. Let d be the distance of a cluster, w its width, R the distance of two sites (points, or clusters
-// with their centres p for points).
+// with their centers p for points).
 // * The cluster's cells have side sigma, a power of two, with 2.5 w <= sigma < 5 w (Cluster_frame.h says why).
 // * p is a multiple of sigma/8 next to the middle of the box: at most sqrt(2) (w/2 + sigma/16 + rounding) < 1.15 w
 //   from each point. Likewise for a site that is a cluster, of width at most D/gap, if D is the distance of the
@@ -55,7 +55,7 @@ namespace internal {
 /// With a smaller gap a cluster may not fit into the place of a vertex.
 constexpr double least_cluster_gap = 2248;
 /// A cluster has 192 triangles more. Without it the quadtree splits about ten squares, with some 400 triangles,
-/// for each factor of two in the gap; few of these remain where a mesh is made coarser afterwards.
+/// for each factor of two in the gap; few of these remain where a mesh is made coarser afterward.
 constexpr double default_cluster_gap = 0x1p14;
 
 /// Components of points that grow together, with their bounding boxes and the topmost clusters in them.

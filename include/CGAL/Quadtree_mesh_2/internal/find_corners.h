@@ -5,14 +5,15 @@
 // Author(s)     : The Quadtree_mesh_2 authors
 //
 // Finds the acute corners of the domain and the radii of their rings (first part of the paper's section 6:
-// "cut off acute angles ... at a distance proportional to the vertex's nearest neighbour, so that cut-off
+// "cut off acute angles ... at a distance proportional to the vertex's nearest neighbor, so that cut-off
 // triangles do not contain other parts of the input, two such triangles on the same edge match up, and the
 // new cutting edges are not unnecessarily short").
 //
-// The radius is as large as that allows: the shortest leg (half of it where the other end has a ring too), or
-// 0.6 of the distance to what intrudes into the corner's sectors. Intruders are found in the constrained
-// Delaunay triangulation, from the apex outwards in sight of it, so nothing is scanned and nothing behind a
-// constraint counts. O(n + triangles of the lopped sectors within the ring), and O(k log k) for k sectors at a vertex.
+// The radius is as large as that allows. It is the shortest leg (half of it if the other end has a ring,
+// too), or 0.6 of the distance to what intrudes into the corner's sectors. Intruders are found in the
+// constrained Delaunay triangulation, from the apex outward in sight of it. So nothing is scanned, and
+// nothing behind a constraint counts. O(n + triangles of the lopped sectors within the ring), and O(k log k)
+// for k sectors at a vertex.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_FIND_CORNERS_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_FIND_CORNERS_H

@@ -4,21 +4,22 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 
-// Which squares of its own size a required square forces to be split, by what is required inside it.
+// Which squares of its own size a required square forces to be split, because of the required squares inside
+// it.
 //
-// Computes: for each required square the set of its eight neighbours of the same size that balance makes
-//           split because of the squares inside it.
+// Computes: for each required square the set of its eight neighbors of the same size that balance splits
+//           because of the squares inside it.
 // Bound:    O(1) for each required square; one round for each level, from the deepest up.
 // Source:   Bern, Eppstein, Teng, section 3, forced squares.
-// Method:   A split square forces the squares of twice its size that touch it, and these in turn force others.
-//           All that a square forces on an upper level lies within one step of the square there that contains
-//           it: on each level the chain gets nearer than a side to that square, and no farther. So what the
-//           inside of a square forces on its own level is a set of directions, and the set follows from the
-//           sets of its children by a table. A square is in the smallest balanced quadtree just if it is
-//           required or a required neighbour's set has it: which needs no look at any coordinates, and no
+// Method:   A split square forces the squares of twice its size that touch it, and these in turn force
+//           others. Everything that a square forces on an upper level lies within one step of the square
+//           there that contains it: on each level the chain gets nearer than a side to that square, and no
+//           farther. So what the inside of a square forces on its own level is a set of directions. A table
+//           gives the set from the sets of its children. A square is in the smallest balanced quadtree just
+//           if it is required, or if a required neighbor's set has it. That needs no coordinates, and no
 //           square is made that would have to be removed.
 // Deviates: the paper sorts the forced squares of all levels, or makes them top-down, and splits all squares
-//           once more; that tree is up to four times as large as the smallest one.
+//           once more. That tree is up to four times as large as the smallest one.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_FORCING_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_FORCING_H

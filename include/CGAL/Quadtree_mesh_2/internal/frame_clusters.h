@@ -13,7 +13,7 @@
 //   coordinates' last bits.
 // * If the leaf is so large that its vertices around the octagon are no coordinates, more cells go between: a
 //   bridge, a cluster whose only site is the cluster, or another bridge. A bridge stands for a factor of 2^43 or
-//   more, so doubles need at most 50 of them for a gap, and mostly none; other coordinates need none. The centre
+//   more, so doubles need at most 50 of them for a gap, and mostly none; other coordinates need none. The center
 //   of a bridge with cells sigma <= D/448 is at most sqrt(2)/16 sigma < D/5000 beside the middle of its box, D
 //   being the distance of the cluster; that is within the bounds of find_clusters.h.
 //

@@ -4,8 +4,8 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// The kernel's mesh in flat arrays, in the user's coordinates and vertex order, and the report's account of
-// every triangle. O(n), in parallel.
+// Converts the kernel's mesh to flat arrays, in the user's coordinates and vertex order. Accounts for
+// every triangle in the report. O(n), in parallel.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_KERNEL_MESH_TO_INDEXED_MESH_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_KERNEL_MESH_TO_INDEXED_MESH_H

@@ -4,11 +4,11 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// Whether a place is far enough from the vertices in sight of it for a new vertex there.
+// Whether a place for a new vertex is far enough from the vertices in sight of it.
 //
-// The edges that an insertion makes go to the vertices of the triangles whose circles hold the place and that
-// are reached from it without crossing a constrained side (Lawson, 1977), the nearest vertex in sight among
-// them: so these are looked at, and no others. O(size of the cavity), a constant on average.
+// The edges that an insertion makes go to the vertices of certain triangles: those whose circles hold the
+// place and that are reached from it without crossing a constrained side (Lawson, 1977). The nearest vertex
+// in sight is among them. So only these vertices are looked at. O(size of the cavity), a constant on average.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_LEAST_EDGE_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_LEAST_EDGE_H

@@ -4,7 +4,7 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// Lists of leaves that blocks made, as one list.
+// Joins lists of leaves that blocks made to one list.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_LEAVES_IN_ORDER_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_LEAVES_IN_ORDER_H

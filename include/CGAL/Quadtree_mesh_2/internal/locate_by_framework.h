@@ -12,15 +12,15 @@
 //           squares; the blocks are independent but are treated one after another here, to save memory.
 // Source:   Bern, Eppstein, Teng, section 4, Lemma 4 and Corollary 1. Some levels, about log2 n apart, have
 //           only O(k / log n) squares, S. In blocks of n squares of S, the points and the lower left corner
-//           b(s) and the centre c(s) of each square s have a framework, in which s is a node. From the
+//           b(s) and the center c(s) of each square s have a framework, in which s is a node. From the
 //           squares of S one goes down through the tree, to the next of these levels, and carries the
 //           smallest framework square that contains the square reached. At a leaf the point is among the
 //           descendants of that one.
 // Deviates: Lemma 4 says that these descendants are O(1). This holds for those in the leaf s: b(s), c(s), and
-//           the points of the leaf; corners and centres of larger squares may coincide with b(s), but with
+//           the points of the leaf; corners and centers of larger squares may coincide with b(s), but with
 //           nothing else in s. The framework square itself may be larger than the leaf and hold many points
-//           outside; so only its child towards the leaf is taken.
-//           Unit squares have no centre on the grid. They are leaves; their level is never in S, they are
+//           outside; so only its child toward the leaf is taken.
+//           Unit squares have no center on the grid. They are leaves; their level is never in S, they are
 //           reached from above. The root is always in S: what is above the first level belongs to no other.
 //           The node of a square of S is found by bisection: O(log n), for O(k / log n) squares.
 //

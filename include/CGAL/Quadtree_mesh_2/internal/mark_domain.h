@@ -6,8 +6,8 @@
 //
 // Which faces of a constrained triangulation are in the domain, by the rules of Mesh_2.
 //
-// Linear in the number of faces, and a walk for each seed. Mesh_2 takes a seed on a constrained edge for one on some side
-// of it, by chance. Here it is refused, unless the component is the same on all sides.
+// Linear in the number of faces, and a walk for each seed. Mesh_2 takes a seed on a constrained edge for one
+// on some side of it, by chance. Here it is refused, unless the component is the same on all sides.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_MARK_DOMAIN_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_MARK_DOMAIN_H

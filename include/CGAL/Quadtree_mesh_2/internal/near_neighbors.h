@@ -4,16 +4,16 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 
-// Near neighbours of the points of a balanced quadtree.
+// Near neighbors of the points of a balanced quadtree.
 //
 // Computes: for a point another one, not farther than sqrt(7 + sqrt(13)) / 2 < 1.6284 times its nearest
-//           neighbour. The factor is sharp for this method.
+//           neighbor. The factor is sharp for this method.
 // Bound:    at most 456 squares for each point, whatever the depth, if squares are split only because they
 //           hold more points than a leaf may, or for balance (about 16 for random points). Where annotations
 //           of points or a size ask for smaller leaves, at most 168 squares for each level from the point's
-//           leaf up to the squares as large as the nearest neighbour is far; the factor is the same.
+//           leaf up to the squares as large as the nearest neighbor is far; the factor is the same.
 // Source:   Bern, Eppstein, Teng, section 5: examine the O(1) squares around the square of a point.
-// Deviates: the paper takes any point in a neighbouring square, and none if all are empty. Here the points in
+// Deviates: the paper takes any point in a neighboring square, and none if all are empty. Here the points in
 //           quarters of these are told apart, and up to two levels above are looked at: there always is a
 //           result.
 //
@@ -25,7 +25,7 @@
 // seen, r, has |pr|^2 <= 5/2 a(j)^2, or up to the child of the root. Other points in s, if it may hold
 // several, are looked at first.
 //
-// Proof of the factor c. Let q be the nearest neighbour of p, d = |pq|. Points outside window j are farther
+// Proof of the factor c. Let q be the nearest neighbor of p, d = |pq|. Points outside window j are farther
 // from p than a(j). If rounds end after round j with q outside window j, then |pr| <= sqrt(5/2) a(j) <
 // sqrt(5/2) d. (After the last possible round nothing is outside.) Else let i be the least number of a window
 // that has q; then i <= j. If q was looked at, r is as near. If not, q is in a split square u of side b =
@@ -81,7 +81,7 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-/// A near neighbour is at most this many times as far as the nearest one: half the square root of 7 +
+/// A near neighbor is at most this many times as far as the nearest one: half the square root of 7 +
 /// sqrt(13), rounded up.
 constexpr double near_neighbor_factor = 1.62830829;
 
@@ -110,7 +110,7 @@ typename Squared_distance<Word>::type squared_distance(const Grid_point_2<Word>&
   return static_cast<Square>(x * x + y * y);
 }
 
-/// The search for a near neighbour of one point; see the head of this file.
+/// The search for a near neighbor of one point; see the head of this file.
 template <class Quadtree>
 class Near_neighbor_search {
 public:
@@ -187,7 +187,7 @@ Point_rank near_neighbor(const Quadtree& tree, Point_rank r) {
   return Near_neighbor_search<Quadtree>(tree, r).find();
 }
 
-/// Returns a near neighbour of each point, by rank.
+/// Returns a near neighbor of each point, by rank.
 /// \pre the tree is balanced across sides and corners
 template <class Concurrency_tag, class Quadtree>
 std::vector<Point_rank> near_neighbors(const Quadtree& tree) {

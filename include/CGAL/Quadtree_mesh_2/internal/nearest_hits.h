@@ -4,8 +4,9 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// Which model of VertexEdgeNeighbors_2 the construction by quadtrees asks, chosen at run time: the mesher then need not
-// be compiled with all of them (that by arrangements costs the compiler as much as the mesher itself).
+// The model of VertexEdgeNeighbors_2 that the construction by quadtrees asks, chosen at run time. So the
+// mesher need not be compiled with all models. (The one by arrangements costs the compiler as much as the
+// mesher itself.)
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_NEAREST_HITS_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_NEAREST_HITS_H

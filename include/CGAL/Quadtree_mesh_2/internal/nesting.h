@@ -6,7 +6,7 @@
 
 // The nesting of intervals that a sequence of levels induces.
 //
-// Computes: given the level of each gap between neighbours of a sequence, the maximal intervals whose inner
+// Computes: given the level of each gap between neighbors of a sequence, the maximal intervals whose inner
 //           gaps are all at least as deep as the shallowest of them, in preorder; for each the end of its
 //           subtree, and for each gap the smallest interval around it.
 // Bound:    O(n) work. O(1) rounds over blocks of gaps, and a pass over blocks that takes O(log n) for each.
@@ -14,7 +14,7 @@
 //           doubly logarithmic parallel algorithms based on finding all nearest smaller values", for cutting
 //           the sequence into blocks that need only the minima around them.
 // Method:   From right to left a stack holds the intervals that are open: their gaps, shallower and shallower
-//           towards the bottom, each the next shallower one to the right of the one above. So the stack with
+//           toward the bottom, each the next shallower one to the right of the one above. So the stack with
 //           which a block begins can be read from the sequence: it is the chain of next shallower gaps from
 //           the block's right end, and the piece of that chain in each block is found without the others.
 

@@ -6,9 +6,9 @@
 
 // Sorting by comparisons, and of sorted ranges the members that differ.
 //
-// Computes: `sort(first, last, less)`, stable; `unique(values)`, which removes equal neighbours.
+// Computes: `sort(first, last, less)`, stable; `unique(values)`, which removes equal neighbors.
 // Bound:    O(n log n) comparisons; O(log n) rounds of tasks of bounded length.
-// Method:   Merge sort. Blocks are sorted one by one, then neighbours merged in rounds. Each merge is cut into
+// Method:   Merge sort. Blocks are sorted one by one, then neighbors merged in rounds. Each merge is cut into
 //           tasks of equal output length, whose inputs two binary searches find (merge path), so that the last
 //           round is as parallel as the first. The order of a stable sort is unique; so results are the same
 //           bits for any number of threads.
@@ -86,7 +86,7 @@ private:
   std::size_t n_;
 };
 
-/// Merges neighbouring sorted runs of length `width` of the `n` values from `from` on into runs of twice the
+/// Merges neighboring sorted runs of length `width` of the `n` values from `from` on into runs of twice the
 /// length from `to` on.
 template <class Concurrency_tag, class From, class To, class Less>
 void merge_runs(From from, To to, std::size_t n, std::size_t width, const Less& less) {

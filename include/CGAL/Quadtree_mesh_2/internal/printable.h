@@ -15,7 +15,7 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-/// Text of a file as a message may have it: the beginning of what is long, and no character that a terminal obeys.
+/// Text of a file for a message: only the beginning of long text, and no character that a terminal obeys.
 inline std::string printable(std::string_view text, std::size_t longest) {
   constexpr char digits[] = "0123456789abcdef";
   std::string result;

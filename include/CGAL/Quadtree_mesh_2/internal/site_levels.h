@@ -23,7 +23,7 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-/// The distances that `near_distances()` finds are not greater than this times those of nearest neighbours.
+/// The distances that `near_distances()` finds are not greater than this times those of nearest neighbors.
 constexpr double near_distance_factor = 1.6284;
 
 /// Returns for each site the level of its leaf in the unbalanced quadtree whose leaves hold at most
@@ -38,7 +38,7 @@ std::vector<int> levels_with_few_sites(const std::vector<Tile_site>& places, std
   return levels;
 }
 
-/// Returns for each site the distance in grid units to a near neighbour, infinity if there is no other site.
+/// Returns for each site the distance in grid units to a near neighbor, infinity if there is no other site.
 template <class Concurrency_tag>
 std::vector<double> near_distances(const std::vector<Tile_site>& places) {
   using Quadtree = Balanced_quadtree<Tile_traits, Concurrency_tag>;

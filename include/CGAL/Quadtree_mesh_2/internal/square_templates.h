@@ -7,12 +7,12 @@
 // How a square of a balanced quadtree is cut into triangles when some of its sides have a vertex in the
 // middle.
 //
-// Without a centre, vertices are corners of squares only. Every triangle is half a square, half a rectangle
+// Without a center, vertices are corners of squares only. Every triangle is half a square, half a rectangle
 // of two to one, or joins vertices in the middle of sides to corners across: the least angle is atan(1/2),
-// 26.56 degrees, or 45 where no side is halved. With a centre, all pieces of the border are joined to it: the
+// 26.56 degrees, or 45 where no side is halved. With a center, all pieces of the border are joined to it: the
 // least angle is 45 degrees, and the longest edge shorter by a factor of sqrt(2). No angle is above 90
 // degrees. All triangles are Delaunay, across the sides of squares too: their circles leave the square by
-// less than a quarter of the side, or are centred on a side of which they hold the ends only.
+// less than a quarter of the side, or are centered on a side of which they hold the ends only.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_SQUARE_TEMPLATES_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_SQUARE_TEMPLATES_H
@@ -28,7 +28,7 @@ namespace Quadtree_mesh_2 {
 namespace internal {
 
 /// Counterclockwise: vertex i is the corner from which side i starts, the lower left one first, vertex 4 + i
-/// the middle of side i, and vertex 8 the centre. Sides are the lower, the right, the upper and the left one.
+/// the middle of side i, and vertex 8 the center. Sides are the lower, the right, the upper and the left one.
 /// Side i consists of piece 2 i, and of piece 2 i + 1 if it is halved.
 struct Square_template {
   static constexpr int number_of_vertices = 9, center = 8;
@@ -67,7 +67,7 @@ constexpr unsigned turned_mask(unsigned mask, unsigned quarters) {
 }
 constexpr int turned_vertex(int v, int quarters) { return (v & 4) | ((v + quarters) & 3); }
 
-/// The piece of the square from vertex a to vertex b, -1 if they are not neighbours on its border.
+/// The piece of the square from vertex a to vertex b, -1 if they are not neighbors on its border.
 constexpr int piece_between(int a, int b, unsigned mask) {
   if (a == Square_template::center || b == Square_template::center) return -1;
   if (a >= 4) return b == ((a + 1) & 3) ? 2 * (a - 4) + 1 : -1;
@@ -97,7 +97,7 @@ constexpr void connect(Square_template& t, unsigned mask) {
     }
 }
 
-/// All pieces of the border joined to the centre.
+/// All pieces of the border joined to the center.
 constexpr Square_template make_star(unsigned mask) {
   Square_template t;
   for (int i = 0; i < 4; ++i) {
@@ -113,7 +113,7 @@ constexpr Square_template make_star(unsigned mask) {
   return t;
 }
 
-/// By the sides that are halved; from 16 on with centres.
+/// By the sides that are halved; from 16 on with centers.
 constexpr std::array<Square_template, 32> make_all() {
   std::array<Square_template, 32> all{};
   for (unsigned mask = 0; mask < 16; ++mask) all[mask + 16] = make_star(mask);
@@ -149,7 +149,7 @@ struct Square_form {
 
 inline const Square_template& square_template(Square_form form) { return square_templates::all[form.bits]; }
 
-/// The squared sine of the least angle of squares with halved sides and no centre.
+/// The squared sine of the least angle of squares with halved sides and no center.
 constexpr double sin2_of_halved_square = 0.2;
 
 } // namespace internal

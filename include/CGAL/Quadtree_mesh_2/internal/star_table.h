@@ -9,7 +9,7 @@
 // Let p be a point, c the corner of its leaf that is nearest to p (any, if there are several), d = p - c, so
 // |d_x| and |d_y| are at most half a side. Let the 4 x 4 squares around c be leaves of the same size that all
 // have the plain tile, tile(0). Its edges at c go into the eight compass directions. The corner and its eight
-// neighbours, the spokes, are translated by d; each other vertex within the block goes to base + offset + A d as
+// neighbors, the spokes, are translated by d; each other vertex within the block goes to base + offset + A d as
 // in warp_table.h; those on the boundary of the block stay.
 //
 // Then a tiny octagon around p, with sides across the spokes, can take the place of the corner: see
@@ -37,7 +37,7 @@ struct Warped_star {
   /// All vertices within the block of 4 x 4 squares, the corner in its middle and the spokes among them;
   /// coordinates are relative to that corner, the unit is 1/1024 of the side of a square.
   std::array<Warped_vertex, 97> vertices;
-  /// The eight neighbours of the corner, counterclockwise from the east, before they are translated.
+  /// The eight neighbors of the corner, counterclockwise from the east, before they are translated.
   std::array<std::array<std::int16_t, 2>, 8> spokes;
 };
 

@@ -6,19 +6,21 @@
 
 // The pieces of segments in the leaves of a quadtree, by centroid trees, all segments in parallel.
 //
-// Computes: for each segment the leaves that it passes, in order (Edge_pieces.h), as walk_edges() does.
-// Bound:    O(log n) rounds for n segments, each on at most about as many items as there are pieces and pairs
-//           of a segment and a part; so O(k log n) work for k pieces and leaves, besides sorting k integers.
+// Computes: for each segment the leaves that it passes through, in order (Edge_pieces.h), as walk_edges()
+//           does.
+// Bound:    O(log n) rounds for n segments. Each round has at most about as many items as there are pieces
+//           and pairs of a segment and a part. So O(k log n) work for k pieces and leaves, not counting the
+//           sorting of k integers.
 // Source:   Bern, Eppstein, Teng, section 6: "test whether the edge misses the square, is contained in the
 //           square, or crosses the square's boundary"; "process all edges in parallel, one level of T_C at a
 //           time"; "partition the quadtree into O(k/n) subtrees, each of O(n) squares".
-// Method:   An item is an interval of a segment at a node of a centroid tree. What of it is in the node's
-//           square goes on inside, what is before or behind goes on outside, as one item each; there is always
-//           something, so the items of a level are not more than the pieces, but for those of them that pass
-//           only squares cut out of a part. These end where the leaf is not met.
-// Deviates: the list of a segment is not split in order but sorted in the end. A segment that ascends in x and
-//           y passes leaves in shuffle order; others pass them in reverse, or in the shuffle order of the
-//           quadtree upside down. So pieces are sorted by integers.
+// Method:   An item is an interval of a segment at a node of a centroid tree. The part in the node's square
+//           goes on inside. The parts before and behind it go on outside, as one item each. There is always
+//           something left. So a level has no more items than pieces, except items that pass only through
+//           squares cut out of a part. These end where they do not meet the leaf.
+// Deviates: the list of a segment is not split in order but sorted at the end. A segment that ascends in x
+//           and y passes through leaves in shuffle order. Others pass through them in reverse, or in the
+//           shuffle order of the quadtree upside down. So pieces are sorted by integers.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_SUBDIVIDE_EDGES_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_SUBDIVIDE_EDGES_H

@@ -12,8 +12,8 @@
 // mirrored. The vertices within a side depend on the bits at its ends only; as fractions of the side, from the
 // corner of the first letter:
 //   LL: 1/2    SL: 17/64, 9/16    LS: 7/16, 47/64    SS: 1/4, 1/2, 3/4
-// So tiles fit together: equal leaves see the same bits at both ends of their common side; a side towards a
-// larger leaf is LL; and a side towards two smaller leaves is SS, which is twice LL at half the size.
+// So tiles fit together: equal leaves see the same bits at both ends of their common side; a side toward a
+// larger leaf is LL; and a side toward two smaller leaves is SS, which is twice LL at half the size.
 //
 // Bound:  all angles are between 43.4 and 72.7 degrees, and a leaf has at most 40 triangles.
 // Source: Bern, Eppstein, Teng, section 5, Theorem 3: tiles with angles from 36 to 80 degrees. These here were

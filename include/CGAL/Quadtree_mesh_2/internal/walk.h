@@ -7,8 +7,8 @@
 // Point location by visibility walks in the kernel's triangulation.
 //
 // A walk goes through any side that has the query strictly behind it. In a Delaunay triangulation it cannot
-// cycle (Devillers, Pion, Teillaud, "Walking in a triangulation", 2002); in others the side that is tried
-// first changes from step to step, and a walk longer than the mesh allows ends where it is.
+// cycle (Devillers, Pion, Teillaud, "Walking in a triangulation", 2002). In other triangulations the side
+// tried first changes from step to step, and a walk longer than the mesh allows ends where it is.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_WALK_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_WALK_H
@@ -50,7 +50,7 @@ Walk_end locate_exactly(const Kernel_mesh<Geometry>& mesh, Triangle_id t, const 
   }
 }
 
-/// Walks from t towards q in sight of it: stops at constrained sides. Each step is decided exactly.
+/// Walks from t toward q in sight of it: stops at constrained sides. Each step is decided exactly.
 template <class Geometry>
 Walk_end walk_in_sight(const Kernel_mesh<Geometry>& mesh, Triangle_id t, const typename Geometry::Point& q) {
   constexpr unsigned longest_walk = 100000;

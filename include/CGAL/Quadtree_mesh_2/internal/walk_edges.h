@@ -6,11 +6,11 @@
 
 // The pieces of segments in the leaves of a quadtree, by walking along the segments.
 //
-// Computes: for each segment the leaves that it passes, in order (Edge_pieces.h).
-// Bound:    O(m + k) work for m segments with k pieces, as a cross pointer leads from leaf to leaf if the tree
-//           is balanced; one parallel round, as long as a block of segments has pieces.
-// Source:   Bern, Eppstein, Teng, Theorem 6: "simply walk from one end of each edge to the other, keeping track
-//           of the crossed squares".
+// Computes: for each segment the leaves that it passes through, in order (Edge_pieces.h).
+// Bound:    O(m + k) work for m segments with k pieces, because a cross pointer leads from leaf to leaf if
+//           the tree is balanced. One parallel round, as long as the pieces of a block of segments.
+// Source:   Bern, Eppstein, Teng, Theorem 6: "simply walk from one end of each edge to the other, keeping
+//           track of the crossed squares".
 // Deviates: segments are independent of each other, so all walk at the same time.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_WALK_EDGES_H

@@ -40,8 +40,8 @@ struct Warped_vertex {
 };
 
 struct Warp {
-  int centre = 0; ///< the vertex of tile(0), in the square in the middle, that goes to the point
-  /// All vertices within the block, and the centre among them; coordinates are relative to the lower left corner
+  int center = 0; ///< the vertex of tile(0), in the square in the middle, that goes to the point
+  /// All vertices within the block, and the center among them; coordinates are relative to the lower left corner
   /// of the square in the middle.
   std::array<Warped_vertex, 52> vertices{};
 };
@@ -240,11 +240,11 @@ constexpr Warped_vertex image(Symmetry symmetry, const Warped_vertex& v) {
 
 constexpr std::array<Warp, 12> make_warps() {
   std::array<Warp, 12> warps{};
-  for (std::size_t centre = 0; centre < warps.size(); ++centre) {
-    const Warp& base = base_warps[images[centre].base_warp];
-    warps[centre].centre = static_cast<int>(centre);
+  for (std::size_t center = 0; center < warps.size(); ++center) {
+    const Warp& base = base_warps[images[center].base_warp];
+    warps[center].center = static_cast<int>(center);
     for (std::size_t i = 0; i < base.vertices.size(); ++i)
-      warps[centre].vertices[i] = image(images[centre].symmetry, base.vertices[i]);
+      warps[center].vertices[i] = image(images[center].symmetry, base.vertices[i]);
   }
   return warps;
 }
