@@ -155,6 +155,24 @@ TEST_CASE("Vertices some units in the last place from a segment leave a valid me
   }
 }
 
+TEST_CASE("Features next to a leg, far from its apex, may be as small as coordinates tell",
+          "[mesher][small]") {
+  for (const char* name :
+       {"hard_vertex_at_far_end_of_leg.poly", "hard_vertex_beside_leg.poly", "hard_tips_of_legs.poly"}) {
+    INFO(name);
+    run_to_the_bound(read(name), to_the_bound());
+  }
+}
+
+TEST_CASE("Subnormal coordinates are kept", "[mesher][small]") {
+  const Pslg pslg = read("subnormal_vertices.poly");
+  const Run r = run_to_the_bound(pslg, to_the_bound());
+  for (std::size_t v = 0; v < pslg.vertices.size(); ++v) CHECK(r.mesh.points[v] == pslg.vertices[v]);
+  const Run half = run_to_the_bound(read("subnormal_hole.poly"), to_the_bound());
+  for (const auto& t : half.mesh.triangles)
+    for (const auto v : t) CHECK(half.mesh.point(v).x() <= 0); // the hole takes the half to the right
+}
+
 TEST_CASE("An edge of one unit in the last place is all that is left unmet", "[mesher][small]") {
   const Run r = run(read("hard_cgal781_tiny_edge.poly"), to_the_bound());
   CHECK(r.report.unmet_triangles.size() <= 1);
@@ -162,14 +180,29 @@ TEST_CASE("An edge of one unit in the last place is all that is left unmet", "[m
 }
 
 TEST_CASE("Vertices nearer than angles can be compared are refused by their names", "[mesher][small]") {
-  const Pslg pslg = read("hard_spiral_to_2e-899.poly");
-  Mesher mesher(to_the_bound());
-  try {
-    mesher(pslg);
-    FAIL("not refused");
-  } catch (const CGAL::Pslg_error_2& error) {
-    const std::string text = error.what();
-    CHECK(text.find("vertex ") != std::string::npos);
-    CHECK(text.find("2^-128 of the extent") != std::string::npos);
+  for (const char* name : {"hard_spiral_to_2e-899.poly", "subnormal_beside_segment.poly"}) {
+    INFO(name);
+    const Pslg pslg = read(name);
+    Mesher mesher(to_the_bound());
+    try {
+      mesher(pslg);
+      FAIL("not refused");
+    } catch (const CGAL::Pslg_error_2& error) {
+      const std::string text = error.what();
+      CHECK(text.find("vertex ") != std::string::npos);
+      CHECK(text.find("2^-420 of the extent") != std::string::npos);
+    }
   }
+}
+
+TEST_CASE("A spiral to 2^-400 of the extent is meshed to the bound", "[mesher][small]") {
+  const Pslg whole = read("hard_spiral_to_2e-899.poly");
+  Pslg part;
+  for (const Point& p : whole.vertices)
+    if (std::max(std::fabs(p.x()), std::fabs(p.y())) > 0x1p-400) part.add_vertex(p);
+  const std::size_t n = part.vertices.size();
+  for (std::size_t k = 0; k < 4; ++k) // the square around it, its last vertices
+    part.add_segment(CGAL::Quadtree_mesh_2::Vertex_index(n - 4 + k),
+                     CGAL::Quadtree_mesh_2::Vertex_index(n - 4 + (k + 1) % 4));
+  run_to_the_bound(part, to_the_bound());
 }

@@ -105,9 +105,10 @@ Verdict judge_distance(const Soak_case& c, const std::string& message) {
         for (const auto v : graph.segments[s]) vertices.push_back(std::size_t(v));
   if (vertices.empty()) return failure("refused: no reason that could be checked", message);
   // Where a kernel says how near is too near.
-  const long double share = c.mode != Mode::pslg        ? 0x1p-40L
-                            : c.kernel == Kernel::exact ? 0x1p-128L
-                                                        : 0x1p-100L;
+  const long double share = c.mode != Mode::pslg           ? 0x1p-40L
+                            : c.kernel == Kernel::exact    ? 0x1p-128L
+                            : c.kernel == Kernel::filtered ? 0x1p-400L
+                                                           : 0x1p-100L;
   const long double extent = extent_of(graph.vertices);
   for (const std::size_t v : vertices) {
     if (v >= graph.vertices.size()) return failure("refused: no such vertex", message);

@@ -65,9 +65,8 @@ public:
     const Number x = s.shortest(), z = s.longest();
     const Number y = std::max(std::min(s.l[0], s.l[1]), std::min(std::max(s.l[0], s.l[1]), s.l[2]));
     const Number n = z - x - y; // -2 sqrt(x y) cos(largest)
-    const Number f = 1 / (x * y * z);
-    ++least_[bins_->least(ratio(s.area2 * s.area2 * x * f, 1))];
-    ++largest_[bins_->largest(ratio(0.25 * n * fabs(n) * z * f, 1))];
+    ++least_[bins_->least(ratio(s.area2 * s.area2, y * z))];
+    ++largest_[bins_->largest(ratio(0.25 * n * fabs(n), x * y))];
   }
 
   /// Adds the numbers of triangles, by bins of 1 degree from 0 and from 60 degrees.

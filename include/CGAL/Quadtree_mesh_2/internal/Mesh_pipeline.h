@@ -72,7 +72,7 @@ public:
   Mesh_pipeline(const Pslg& pslg, const Quality_mesh_options_2& options, const Traits& traits,
                 Find_nearest_hits<Pslg> find_hits, Quality_mesh_report_2& report)
       : pslg_(pslg), options_(options), traits_(traits), find_hits_(find_hits), report_(report),
-        map_(pslg.vertices) {
+        map_(pslg.vertices, seeds_of(pslg)) {
     if (options.coarsening == Quality_mesh_options_2::Coarsening::NONE) finishing_.removal = Removal::none;
     finishing_.smoothing_rounds = options.smoothing_rounds;
     finishing_.thinning_rounds = options.thinning_rounds;
@@ -150,7 +150,7 @@ private:
     std::vector<typename Geometry::Point> points(n);
     for_each_index<Concurrency_tag>(
         n, [&](std::size_t v) { points[v] = map_.to_kernel(pslg_.vertices[order_[v]]); });
-    if constexpr (has_double_coordinates) check_vertices_are_kept();
+    if constexpr (has_double_coordinates) check_points_are_kept();
     First first(state_.mesh, points);
     if (const auto crossing = first.run(kernel_segments())) refuse(first, *crossing);
     is_merged_.resize(n);
@@ -246,7 +246,7 @@ private:
       std::string names;
       for (const Vertex_id v : r.v)
         names += (names.empty() ? "" : ", ") + name_of_vertex(order_[std::size_t(v)]);
-      throw Pslg_error_2(names + ": nearer to each other, or to being on a line, than 2^-128 of the extent");
+      throw Pslg_error_2(names + ": nearer to each other, or to being on a line, than 2^-420 of the extent");
     }
   }
 
@@ -521,18 +521,29 @@ private:
     return mesh;
   }
 
-  /// \throws Pslg_error_2 if a vertex loses bits beside the extent, which is near the greatest of doubles.
-  void check_vertices_are_kept() const {
-    if (!map_.may_round()) return;
+  static std::vector<Point_2> seeds_of(const Pslg& pslg) {
+    std::vector<Point_2> seeds = pslg.holes;
+    for (const auto& region : pslg.regions) seeds.push_back(region.point);
+    return seeds;
+  }
+
+  /// \throws Pslg_error_2 if a vertex or a seed is not in the kernel's range beside the extent.
+  void check_points_are_kept() const {
+    if (map_.are_kept()) return;
+    const auto check = [this](const Point_2& p, const auto& name) {
+      if (map_.is_kept(p)) return;
+      throw Pslg_error_2(name() +
+                         ": too near to 0, or too far from it, for doubles beside the extent; move it");
+    };
     for (std::size_t v = 0; v < pslg_.number_of_vertices(); ++v)
-      if (!map_.is_kept(pslg_.vertices[v]))
-        throw Pslg_error_2(name_of_vertex(v) + ": too near to 0 beside the extent for doubles; "
-                                               "move it to 0, or divide all coordinates by a power of two");
+      check(pslg_.vertices[v], [&] { return name_of_vertex(v); });
+    for (const Point_2& p : seeds_of(pslg_))
+      check(p, [&] { return "the point of a hole or region, " + coordinates_text(p); });
   }
 
   /// \throws Pslg_error_2 if a triangle is not counterclockwise any more after rounding to the least doubles.
   void check_mesh_is_kept(const Indexed_mesh_2<Point_2>& mesh) const {
-    if (!map_.may_round()) return;
+    if (!map_.may_round_mesh()) return;
     for (const auto& t : mesh.triangles)
       if (Geometry::orientation(map_.to_kernel(mesh.point(t[0])), map_.to_kernel(mesh.point(t[1])),
                                 map_.to_kernel(mesh.point(t[2]))) <= 0)

@@ -9,8 +9,8 @@
 // - A subsegment away from corners is split where the caller wants, within its middle 30 percent.
 // - A leg of an acute vertex without a ring is split at dyadic distances from it (Ruppert's concentric
 // shells).
-// - Within a ring the interval between two shells is halved, on all legs of the corner at once (matched
-// shells).
+// - Within a ring the interval between two shells is halved, on all legs of the corner at once (matched shells), or,
+//   where it is too short to tell shells apart, as next to features far from the apex, on its leg alone.
 // - The chord that locks a lopped sector is never split: when something comes too close to it, the lock moves
 // down to the
 //   next shell (a new one at 0.6 of the radius where there is none), and what was behind it becomes ordinary
@@ -74,7 +74,8 @@ public:
     for (const Leg_id l : corners_.legs_of_edge[std::size_t(e)])
       if (l >= 0 && !state_.owns(corners_.leg(l).corner)) return Outcome::deferred;
     for (const Leg_id l : corners_.legs_of_edge[std::size_t(e)])
-      if (l >= 0 && is_within_ring(l, x, y)) return outcome(halve_interval(l, x, y));
+      if (l >= 0 && is_within_ring(l, x, y))
+        return outcome(halve_interval(l, x, y) || split_interval(l, x, y, want));
     return outcome(split_subsegment(side, e, want));
   }
 
@@ -210,6 +211,19 @@ private:
     const Number p = radius_on_leg(leg, x), q = radius_on_leg(leg, y);
     const Number low = std::min(p, q), high = std::max(p, q);
     return insert_shell(leg.corner, low == 0 ? Number(innermost_share * high) : Number((low + high) / 2));
+  }
+
+  /// Splits one leg alone, where an interval is too short for shells to be told apart: features far from the apex may
+  /// be much smaller than the radius. Sectors next to it become ordinary domain there.
+  bool split_interval(Leg_id l, Vertex_id x, Vertex_id y, const Point* want) {
+    const Leg leg = corners_.leg(l);
+    const Number low = std::min(radius_on_leg(leg, x), radius_on_leg(leg, y));
+    if (low == 0) return false;
+    for (const Sector_id s : {leg.before, leg.after})
+      while (s >= 0 && corners_.sector(s).lock_radius > low)
+        if (!lower_lock(s)) return false;
+    const Side side = state_.side_between(x, y);
+    return !side.is_border() && split_subsegment(side, leg.edge, want);
   }
 
   // ---- locks

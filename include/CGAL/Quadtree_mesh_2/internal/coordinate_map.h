@@ -15,7 +15,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
+#include <vector>
 
 namespace CGAL {
 namespace Quadtree_mesh_2 {
@@ -42,19 +42,25 @@ struct Coordinate_ranges {
 template <class Traits, class Geometry>
 class Coordinate_map;
 
-/// Over doubles: the input is scaled by a power of two so that its extent is about 1. Then products of six
-/// differences neither overflow nor underflow down to features of 2^-165 of the extent. Exact but for
-/// subnormal numbers.
+/// Over doubles: the input is scaled by a power of two so that its extent is about 2^200. Then products of four
+/// differences do not overflow, nor underflow down to features of 2^-442 of the extent; and coordinates are scaled
+/// upwards, which does not round subnormal ones, unless the extent is greater yet.
 template <class Traits, class Kernel>
 class Coordinate_map<Traits, Double_geometry_2<Kernel>> {
 public:
   using Point_2 = typename Traits::Point_2;
   using Point = typename Double_geometry_2<Kernel>::Point;
 
+  /// \param seeds points that do not count for the extent, but keep their coordinates too
   template <class PointRange>
-  explicit Coordinate_map(const PointRange& points) {
+  explicit Coordinate_map(const PointRange& points, const std::vector<Point_2>& seeds = {}) {
     const double extent = Coordinate_ranges<double>(points).extent();
-    exponent_ = std::isfinite(extent) && extent > 0 ? std::ilogb(extent) : 0;
+    const int exponent_of_extent = std::isfinite(extent) && extent > 0 ? std::ilogb(extent) : 0;
+    exponent_ = std::max(exponent_of_extent - kernel_exponent_, least_exponent_);
+    const auto are_kept = [this](const auto& some) {
+      return std::all_of(some.begin(), some.end(), [this](const Point_2& p) { return is_kept(p); });
+    };
+    are_kept_ = are_kept(points) && are_kept(seeds);
   }
 
   Point to_kernel(const Point_2& p) const {
@@ -70,13 +76,25 @@ public:
   double length_to_kernel(double length) const { return std::ldexp(length, -exponent_); }
   bool is_in_range() const { return true; }
 
-  /// Whether scaling may round coordinates that are not far below the extent: next to the ends of the range of doubles.
-  bool may_round() const { return std::abs(exponent_) > 900; }
   /// Whether p is as it was when scaled to the kernel and back.
-  bool is_kept(const Point_2& p) const { return to_user(to_kernel(p)) == p; }
+  bool is_kept(const Point_2& p) const { return is_kept(p.x()) && is_kept(p.y()); }
+  /// Whether all points and seeds are.
+  bool are_kept() const { return are_kept_; }
+  /// Whether vertices of the mesh may be rounded on their way back by more than a trifle of their distances: next to the
+  /// least doubles.
+  bool may_round_mesh() const { return exponent_ < -700; }
 
 private:
+  static constexpr int kernel_exponent_ = 200, least_exponent_ = -1000;
   int exponent_ = 0;
+  bool are_kept_ = true;
+
+  bool is_kept(double c) const {
+    const double magnitude = std::fabs(c);
+    const bool is_far_from_limits =
+        magnitude >= std::ldexp(1.0, exponent_ - 900) && magnitude <= std::ldexp(1.0, exponent_ + 900);
+    return is_far_from_limits || c == 0 || std::ldexp(std::ldexp(c, -exponent_), exponent_) == c;
+  }
 };
 
 /// Over words: the same integers, signed.
@@ -87,7 +105,7 @@ public:
   using Point = typename Integer_geometry_2<Word>::Point;
 
   template <class PointRange>
-  explicit Coordinate_map(const PointRange& points) {
+  explicit Coordinate_map(const PointRange& points, const std::vector<Point_2>& = {}) {
     const Coordinate_ranges<Word> ranges(points);
     // differences with the auxiliary vertices of the first triangulation, three extents apart, must fit
     // signed words

@@ -19,6 +19,7 @@
 #include <array>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Quadtree_mesh_2 {
@@ -39,7 +40,7 @@ public:
   using Point = typename Geometry::Point;
 
   template <class PointRange>
-  explicit Coordinate_map(const PointRange& points) {
+  explicit Coordinate_map(const PointRange& points, const std::vector<Point_2>& = {}) {
     if (points.empty()) return;
     std::array<Field, 2> low{exact(points[0], 0), exact(points[0], 1)}, high = low;
     for (const Point_2& p : points)

@@ -14,7 +14,7 @@
 //
 // Coordinates are of the order of 1 (exact_coordinate_map.h), and their differences of any size: refinement computes with
 // `scaled_difference()`, whose products neither overflow nor underflow (Scaled_double.h). Construction by quadtrees and
-// meshes of points compute with `difference()`, in doubles, where products of six underflow below 2^-165; so the former
+// meshes of points compute with `difference()`, in doubles, where products of four underflow below 2^-255; so the former
 // refuses vertices nearer than `least_length`.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_EXACT_GEOMETRY_H
@@ -51,7 +51,7 @@ struct Exact_geometry_2 {
   using Field = typename Exact_field<typename Kernel::FT>::Type;
   using Coordinate = Exact_coordinate<Field>;
   static constexpr bool has_unlimited_coordinates = true;
-  /// Lengths of anything in a mesh, and products of six of them.
+  /// Lengths of anything in a mesh, and products of four of them.
   using Number = Scaled_double;
   using Scaled_vector = Basic_vector<Number>;
   /// Vertices nearer to each other, or to a segment, are not meshed by quadtrees.

@@ -14,9 +14,9 @@
 // of doubles, whose components are correct to half a unit in the last place. What is below a rounding error there is
 // no share of any length: a triangle may be as small as coordinates can tell.
 //
-// Double coordinates are of the order of 1 (coordinate_map.h). Products of six differences, by which angles are
-// compared, do not underflow down to differences of 2^-165; vertices nearer than 2^-128 are refused, so that there is
-// room for the triangles around them.
+// Double coordinates are of the order of 2^200 (coordinate_map.h). Products of four differences, by which angles and
+// circles are compared, keep their bits down to differences of 2^-242; vertices nearer than 2^-220 are refused, so that
+// there is room for the triangles around them.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_MESHING_GEOMETRY_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_MESHING_GEOMETRY_H
@@ -90,12 +90,15 @@ struct Basic_shape {
   /// Slot of the vertex opposite the shortest side.
   int slot_of_shortest() const { return l[0] <= l[1] && l[0] <= l[2] ? 0 : l[1] <= l[2] ? 1 : 2; }
 
-  /// Whether the least angle's squared sine is below `sin2`: area2^2 < sin2 * (product of the two longer
-  /// squared sides).
-  bool is_below(Number sin2) const { return area2 * area2 * shortest() < sin2 * (l[0] * l[1] * l[2]); }
+  /// The product of the two longer squared sides, of which the least angle is between. No product of three: it would
+  /// underflow too soon.
+  Number product_of_longer() const { return std::max(l[0] * l[1], std::max(l[1] * l[2], l[2] * l[0])); }
+
+  /// Whether the least angle's squared sine is below `sin2`.
+  bool is_below(Number sin2) const { return area2 * area2 < sin2 * product_of_longer(); }
 
   /// The squared sine of the least angle.
-  double sin2_of_least_angle() const { return ratio(area2 * area2 * shortest(), l[0] * l[1] * l[2]); }
+  double sin2_of_least_angle() const { return ratio(area2 * area2, product_of_longer()); }
 };
 using Shape = Basic_shape<double>;
 
@@ -112,27 +115,30 @@ public:
         determinant_(al * (p1 - p2) + bl * (p3 - p4) + cl * (p5 - p6)) {}
 
   bool is_positive() const { return determinant_ > 0; }
-  /// Whether a, b, c are nearly collinear, seen from the query.
-  bool is_flat() const { return (p1 - p2) + (p3 - p4) + (p5 - p6) < 1e-10 * (al + bl + cl); }
-  bool is_certainly_inside() const { return determinant_ > 0 && determinant_ > error_bound * permanent(); }
+  /// Whether a, b, c are nearly collinear, seen from the query, or so near to each other that products underflow.
+  bool is_flat() const { return (p1 - p2) + (p3 - p4) + (p5 - p6) < 1e-10 * (al + bl + cl) + least_area; }
+  /// Whether a positive sign is certain.
+  bool is_certainly_inside() const { return determinant_ > 0 && determinant_ > least_certain(); }
   bool is_certain() const {
     using std::fabs;
-    const Number p = permanent();
-    return fabs(determinant_) > error_bound * p && p > least_permanent;
+    return fabs(determinant_) > least_certain();
   }
 
 private:
-  /// Shewchuk's bound for differences rounded once is (10 + 96 eps) eps < 1.2e-15.
+  /// Shewchuk's bound for differences rounded once is (10 + 96 eps) eps < 1.12e-15.
   static constexpr double error_bound = 1.2e-15;
-  /// Below it products of doubles may have underflown; those of numbers without limits never do.
-  static constexpr double least_permanent = std::is_same<Number, double>::value ? 1e-280 : 0;
+  /// Products of doubles that underflow are off by less than 1e-323; those of numbers without limits never do.
+  static constexpr bool is_limited = std::is_same<Number, double>::value;
+  static constexpr double least_product = is_limited ? 1e-300 : 0, least_area = is_limited ? 1e-140 : 0;
 
   Number al, bl, cl, p1, p2, p3, p4, p5, p6;
   Number determinant_;
 
-  Number permanent() const {
+  Number least_certain() const {
     using std::fabs;
-    return al * (fabs(p1) + fabs(p2)) + bl * (fabs(p3) + fabs(p4)) + cl * (fabs(p5) + fabs(p6));
+    return error_bound *
+               (al * (fabs(p1) + fabs(p2)) + bl * (fabs(p3) + fabs(p4)) + cl * (fabs(p5) + fabs(p6))) +
+           least_product * (al + bl + cl + 1);
   }
 };
 using In_circle = Basic_in_circle<double>;
@@ -153,7 +159,7 @@ bool are_corners_of_rectangle(const Point& a, const Point& b, const Point& c, co
 /// What geometries with rounded coordinates decide by vectors of doubles; those with exact ones by the points.
 template <class Geometry>
 struct Rounded_geometry {
-  /// Lengths of anything in a mesh, and products of six of them.
+  /// Lengths of anything in a mesh, and products of four of them.
   using Number = double;
   /// The same as `Geometry::difference()`, which suits all lengths.
   template <class Point>
@@ -209,7 +215,7 @@ struct Double_geometry_2 : Rounded_geometry<Double_geometry_2<Kernel>> {
   using Coordinate = double;
   static constexpr bool has_unlimited_coordinates = false;
   /// Vertices nearer to each other, or to a segment, are not meshed.
-  static constexpr double least_length = 0x1p-128;
+  static constexpr double least_length = 0x1p-220;
   struct Point {
     double x = 0, y = 0;
     friend bool operator==(Point a, Point b) { return a.x == b.x && a.y == b.y; }
