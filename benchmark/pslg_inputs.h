@@ -129,6 +129,35 @@ inline Pslg fan(double degrees) {
   return pslg;
 }
 
+/// A chain of n vertices on a curve over [0, 1), in a box whose corners most edges of the first triangulation meet at.
+template <class Curve>
+Pslg chain(double n, const Curve& curve) {
+  Pslg pslg;
+  for (double i = 0; i < n; ++i) {
+    const Vertex_index v = pslg.add_vertex(curve(i / n));
+    if (i > 0) pslg.add_segment(Vertex_index(std::size_t(v) - 1), v);
+  }
+  add_box(pslg, Point(-1.25, -1.25), Point(1.5, 1.5));
+  return pslg;
+}
+
+inline Pslg line(double n) {
+  return chain(n, [](double t) { return Point(t, 0); });
+}
+inline Pslg upright(double n) {
+  return chain(n, [](double t) { return Point(0, t); });
+}
+inline Pslg parabola(double n) {
+  return chain(n, [](double t) { return Point(t, t * t); });
+}
+inline Pslg circle(double n) {
+  return chain(n, [](double t) { return polar(Point(0, 0), 1, 2 * CGAL_PI * t); });
+}
+/// To and fro between two lines.
+inline Pslg zigzag(double n) {
+  return chain(n, [n](double t) { return Point(t, std::fmod(std::round(n * t), 2)); });
+}
+
 /// Two segments that meet at an angle of so many degrees, in a box.
 inline Pslg wedge(double degrees) {
   Pslg pslg;
@@ -197,6 +226,11 @@ inline const std::vector<Family>& all() {
                                             {"holes", "holes", Size::PARTS, holes},
                                             {"parallel", "gap", Size::MEASURE, parallel},
                                             {"coast", "vertices", Size::VERTICES, coast},
+                                            {"line", "vertices", Size::VERTICES, line},
+                                            {"upright", "vertices", Size::VERTICES, upright},
+                                            {"parabola", "vertices", Size::VERTICES, parabola},
+                                            {"circle", "vertices", Size::VERTICES, circle},
+                                            {"zigzag", "vertices", Size::VERTICES, zigzag},
                                             {"square", "area of triangles", Size::MEASURE, square}};
   return families;
 }
@@ -218,7 +252,7 @@ inline const Family* find_family(const std::string& name) {
 inline bool is_name(const std::string& name) { return find_family(name) != nullptr; }
 
 /// The number in "FAMILY:NUMBER".
-/// 	hrows std::invalid_argument if there is no such family or the number is not positive.
+/// \throws std::invalid_argument if there is no such family or the number is not positive.
 inline double size_of(const std::string& name) {
   const Family* const family = find_family(name);
   if (family == nullptr) throw std::invalid_argument("there is no input '" + name + "'");

@@ -65,7 +65,7 @@ measure maps pslg "${maps[@]}" "$norway" "$data"/syn_*.poly* --repeat "$repeat" 
 measure bounds pslg "${maps[@]}" "$norway" "$holes" --min-angle 18.43 30 --repeat 1 "${triangle[@]}"
 measure synthetic pslg koch:49152 blob:1e4 stars:1e4 comb:500 fan:1 fan:0.1 wedge:1 wedge:0.0001 parallel:1e-4 \
   "segments:$medium" holes:19600 square:1.5e-6 "coast:$medium" --repeat 1 --limit 60 "${triangle[@]}"
-measure growth pslg --growth coast segments blob holes --sizes 1e4 1e5 3e5 --peers none --repeat 1
+measure growth pslg --growth coast segments blob holes line circle parabola zigzag comb --sizes 1e4 1e5 3e5 --peers none --repeat 1
 measure threads pslg "$norway" "coast:$medium" "segments:$medium" square:1e-6 --peers none --repeat "$repeat" \
   --threads $(seq -s ' ' 1 "$(nproc)")
 

@@ -386,7 +386,12 @@ TEST_CASE("errors of GeoJSON tell the line", "[GeoJSON]") {
            {"{\"type\": \"Point\",\n\"coordinates\": [1, 2]}\n7", "3: "},
            {"{\"type\": \"Polygon\", \"coordinates\": [[[0, 0], [9, 0], [9, 9], [0, 0]],\n[[1, 1], [2, 2], "
             "[1, 1], [1, 1]]]}",
-            "2: the geometry, ring 1 has not three"}}) {
+            "2: the geometry, ring 1 has not three"},
+           {"{\"type\": \"Point\",\n\"coordinates\": [1, 2],\n\"coordinates\": [3, 4]}",
+            "3: the key 'coordinates' appears twice in one object"},
+           {"{\"type\": \"Feature\", \"geometry\": {\"type\": \"Point\", \"coordinates\": [1, 2]},\n"
+            "\"properties\": {\"a\": {\"a\": 1,\n\"b\": 2},\n\"b\": 3, \"a\": 4}}",
+            "4: the key 'a' appears twice in one object"}}) {
     CAPTURE(c.text);
     CHECK(error_of([&] { geojson(c.text); }).find("input:" + c.culprit) == 0);
   }

@@ -4,6 +4,7 @@
 // What a run of quality_mesh made, in words for people and in JSON for programs.
 
 #include "mesh_figures.h"
+#include "report_words.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Indexed_mesh_2.h>
@@ -46,36 +47,7 @@ inline bool is_bound_met(const Meshing_run& run) {
 
 namespace meshing_run_internal {
 
-inline const char* name(CGAL::Mesh_quality_2::Bound bound) {
-  switch (bound) {
-  case CGAL::Mesh_quality_2::Bound::ANGLE:
-    return "angle";
-  case CGAL::Mesh_quality_2::Bound::EDGE_LENGTH:
-    return "edge length";
-  case CGAL::Mesh_quality_2::Bound::AREA:
-    return "area";
-  }
-  return "";
-}
-
-inline const char* name(CGAL::Quality_mesh_report_2::Reason reason) {
-  using Reason = CGAL::Quality_mesh_report_2::Reason;
-  switch (reason) {
-  case Reason::BUDGET:
-    return "budget";
-  case Reason::CANCELLED:
-    return "cancelled";
-  case Reason::LEAST_EDGE:
-    return "least edge";
-  case Reason::CORNER:
-    return "corner";
-  case Reason::COORDINATES:
-    return "coordinates";
-  case Reason::CRITERIA:
-    return "criteria";
-  }
-  return "";
-}
+using report_words::name;
 
 /// The places where a bound is unmet, the first of them.
 inline void print_unmet(const CGAL::Mesh_quality_2& quality) {
@@ -108,25 +80,6 @@ inline void print_angle_of_others(const Meshing_run& run) {
   std::printf("%-28s%14s", "least angle of all others", text(run.ours.min_angle_of_others).c_str());
   if (run.peer) std::printf("%14s", text(run.peer->min_angle_of_others).c_str());
   std::printf("\n");
-}
-
-inline const char* name(CGAL::Tree_separation_report_2::End end) {
-  using End = CGAL::Tree_separation_report_2::End;
-  switch (end) {
-  case End::NONE:
-    return "none";
-  case End::DONE:
-    return "done";
-  case End::COORDINATES:
-    return "coordinates";
-  case End::BUDGET:
-    return "budget";
-  case End::CANCELLED:
-    return "cancelled";
-  case End::FAILED:
-    return "failed";
-  }
-  return "";
 }
 
 inline void print_trees(const CGAL::Tree_separation_report_2& trees) {
@@ -163,7 +116,7 @@ inline nlohmann::ordered_json peer_json(const Mesh_figures& peer) {
 /// What the quadtrees of Theorem 5 did; null if there was no such construction.
 inline nlohmann::ordered_json trees_json(const CGAL::Tree_separation_report_2& trees) {
   if (trees.end == CGAL::Tree_separation_report_2::End::NONE) return nullptr;
-  return {{"end", meshing_run_internal::name(trees.end)},
+  return {{"end", report_words::name(trees.end)},
           {"has_taken_over", trees.has_taken_over},
           {"leaves_of_points", trees.leaves_of_points},
           {"leaves_of_vertices", trees.leaves_of_vertices},
@@ -211,7 +164,7 @@ inline nlohmann::ordered_json run_json(const Meshing_run& run) {
                                    {"total", run.read_seconds + run.ours.seconds + run.write_seconds}}},
                                  {"peak_memory_mb", run.peak_memory_mb}};
   for (const auto& unmet : run.quality.unmet_triangles)
-    json["unmet"].push_back({{"bound", meshing_run_internal::name(unmet.bound)},
+    json["unmet"].push_back({{"bound", report_words::name(unmet.bound)},
                              {"x", unmet.centroid[0]},
                              {"y", unmet.centroid[1]},
                              {"least_angle", unmet.least_angle}});
@@ -220,7 +173,7 @@ inline nlohmann::ordered_json run_json(const Meshing_run& run) {
                             {"x", unmet.centroid[0]},
                             {"y", unmet.centroid[1]},
                             {"least_angle", unmet.least_angle},
-                            {"reason", meshing_run_internal::name(unmet.reason)}});
+                            {"reason", report_words::name(unmet.reason)}});
   if (run.is_peer_asked) json["mesh_2"] = run.peer ? peer_json(*run.peer) : nlohmann::ordered_json(nullptr);
   return json;
 }

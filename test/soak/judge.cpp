@@ -10,6 +10,8 @@
 #include "exact_facts.h"
 #include "run_case.h"
 
+#include "report_words.h"
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -30,24 +32,6 @@ using Reason = CGAL::Quality_mesh_report_2::Reason;
 
 /// Bounds up to here are promised.
 constexpr double promised_angle = 20.7;
-
-const char* name(Reason reason) {
-  switch (reason) {
-  case Reason::BUDGET:
-    return "budget";
-  case Reason::CANCELLED:
-    return "cancelled";
-  case Reason::LEAST_EDGE:
-    return "least edge";
-  case Reason::CORNER:
-    return "corner";
-  case Reason::COORDINATES:
-    return "coordinates";
-  case Reason::CRITERIA:
-    return "criteria";
-  }
-  return "";
-}
 
 /// A message without its numbers: the same for the same cause.
 std::string kind_of(const std::string& message) {
@@ -101,7 +85,7 @@ long double reach_of(const Mesh& mesh, std::size_t t) {
 /// Whether the reason for a triangle that misses a bound is true; a failure if it is not.
 std::optional<Verdict> find_fault(const Soak_case& c, const Mesh& mesh,
                                   const CGAL::Quality_mesh_report_2::Unmet_triangle& unmet) {
-  const std::string kind = std::string("unmet: ") + name(unmet.reason);
+  const std::string kind = std::string("unmet: ") + report_words::name(unmet.reason);
   std::ostringstream detail;
   detail.precision(17);
   detail << "triangle " << unmet.triangle.value() << " at (" << unmet.centroid[0] << ", " << unmet.centroid[1]
@@ -145,7 +129,8 @@ Verdict judge_graph_mesh(const Soak_case& c, const Graph_mesh& run) {
   if (is_rounded(c)) // what rounding broke is known to the checker alone, which the program asks, too
     for (const auto& u : quality.unmet_triangles) {
       if (!reported.insert(std::size_t(u.triangle)).second) continue;
-      if (const auto fault = find_fault(c, run.mesh, {u.triangle, u.centroid, u.least_angle, Reason::COORDINATES}))
+      if (const auto fault =
+              find_fault(c, run.mesh, {u.triangle, u.centroid, u.least_angle, Reason::COORDINATES}))
         return *fault;
     }
   for (const auto& u : quality.unmet_triangles) unmet.insert(std::size_t(u.triangle));
@@ -177,7 +162,8 @@ Verdict judge_points_mesh(const Soak_case& c, const Points_mesh& run) {
   for (const std::string& fault :
        point_mesh_test::faults_of(run.mesh, c.graph.vertices, points_options(c), run.report)) {
     if (is_rounded(c) && fault.find(" reported") != std::string::npos) continue;
-    is_unmet = (is_rounded(c) || !run.report.is_met()) && fault.find("outside the range:") != std::string::npos;
+    is_unmet =
+        (is_rounded(c) || !run.report.is_met()) && fault.find("outside the range:") != std::string::npos;
     if (!is_unmet || have_room(c)) return failure("points: " + kind_of(fault), fault);
   }
   return {is_unmet ? Outcome::unmet : Outcome::met, "", ""};

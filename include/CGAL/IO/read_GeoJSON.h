@@ -194,12 +194,17 @@ template <class Point>
 Pslg_2<Point> parse_geojson(const std::string& text, const std::string& name,
                             const std::string& region_property) {
   Simple_features features;
+  std::size_t line = 1;
+  const auto fail = [&](const std::string& what) {
+    throw Pslg_error_2(name + ':' + std::to_string(line) + ": " + what);
+  };
   try {
-    const nlohmann::json root = nlohmann::json::parse(text);
+    const nlohmann::json root = parse_json(text, line);
     Geojson_walker(root, text, name, region_property, features).walk();
+  } catch (const Repeated_json_key& error) {
+    fail(error.what());
   } catch (const nlohmann::json::exception& error) {
-    const std::size_t line = line_of_json_error(text);
-    throw Pslg_error_2(name + ':' + std::to_string(line) + ": " + printable(error.what(), 200));
+    fail(printable(error.what(), 200));
   }
   return features.to_pslg<Point>();
 }
@@ -224,8 +229,8 @@ namespace IO {
 /// \param region_property a numeric property of features; empty for none. Each component that polygons of
 /// features with that property cover gets a region, with the number as its attribute. Where several features
 /// cover it, the first counts. Features without the property get no region.
-/// \throws Pslg_error_2 with the file, the line and the feature if the file is missing or malformed, a ring
-/// is not closed, or no feature has the property; `pslg` is then unchanged.
+/// \throws Pslg_error_2 with the file, the line and the feature if the file is missing or malformed, a key
+/// appears twice in an object, a ring is not closed, or no feature has the property; `pslg` is then unchanged.
 /// \tparam Point can be made from two doubles.
 template <class Point>
 void read_GeoJSON(const std::string& file_name, Pslg_2<Point>& pslg,

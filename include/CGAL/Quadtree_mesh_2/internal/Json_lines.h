@@ -4,18 +4,23 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 
-// Computes: the line of a text of JSON where a value begins, or where the text cannot be parsed: nlohmann-json keeps no
-//           lines, and only who has to report an error wants one.
-// Bound:    linear: one search for the value in what was parsed, one pass over the text up to its place.
+// Computes: what a text of JSON says, and the line where a value begins or where the text cannot be parsed: nlohmann-json
+//           keeps no lines, and only who has to report an error wants one.
+// Bound:    linear: one search for the value in what was parsed, one pass over the text up to its place; parsing takes a
+//           logarithm more for objects with many keys, as they are looked up.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_JSON_LINES_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_JSON_LINES_H
+
+#include <CGAL/Quadtree_mesh_2/internal/printable.h>
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
+#include <set>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -139,7 +144,7 @@ private:
   const char** last_;
 };
 
-/// The line, counted from 1, where the value at the end of a path begins, or an earlier one where the text is broken.
+/// The line, counted from 1, where the value at the end of a path begins.
 inline std::size_t line_in_json(const std::string& text, const Json_path& path) {
   const char* const begin = text.data();
   const char* last = begin;
@@ -149,10 +154,49 @@ inline std::size_t line_in_json(const std::string& text, const Json_path& path) 
   return 1 + static_cast<std::size_t>(std::count(begin, last, '\n'));
 }
 
-/// The line where the text is broken.
-inline std::size_t line_of_json_error(const std::string& text) {
-  const Json_path nowhere{{std::string(), static_cast<std::size_t>(-1)}};
-  return line_in_json(text, nowhere);
+/// A key that an object has twice; the message names it.
+struct Repeated_json_key : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Told of every part as it is parsed: refuses keys that an object has already, of which nlohmann-json would keep one.
+class Json_key_watch {
+public:
+  /// \throws Repeated_json_key
+  void operator()(nlohmann::json::parse_event_t event, const nlohmann::json& part) {
+    using Event = nlohmann::json::parse_event_t;
+    if (event == Event::object_start) keys_of_open_objects_.emplace_back();
+    if (event == Event::object_end) keys_of_open_objects_.pop_back();
+    if (event == Event::key && !keys_of_open_objects_.back().insert(part.get<std::string>()).second)
+      throw Repeated_json_key("the key " + in_quotes(part.get<std::string>()) +
+                              " appears twice in one object");
+  }
+
+private:
+  std::vector<std::set<std::string>> keys_of_open_objects_;
+};
+
+/// Parses a text, in which no key may appear twice in an object.
+/// \param line where parsing ended, counted from 1: that of the culprit if it throws
+/// \throws nlohmann::json::exception, Repeated_json_key
+inline nlohmann::json parse_json(const std::string& text, std::size_t& line) {
+  const char* const begin = text.data();
+  const char* last = begin;
+  const auto count_lines = [&] { line = 1 + static_cast<std::size_t>(std::count(begin, last, '\n')); };
+  Json_key_watch watch;
+  try {
+    nlohmann::json root =
+        nlohmann::json::parse(Watched_character(begin, last), Watched_character(begin + text.size(), last),
+                              [&](int, nlohmann::json::parse_event_t event, const nlohmann::json& part) {
+                                watch(event, part);
+                                return true;
+                              });
+    count_lines();
+    return root;
+  } catch (...) {
+    count_lines();
+    throw;
+  }
 }
 
 } // namespace internal

@@ -1,0 +1,63 @@
+#ifndef QUADTREE_MESH_2_EXAMPLES_REPORT_WORDS_H
+#define QUADTREE_MESH_2_EXAMPLES_REPORT_WORDS_H
+
+// What people and programs read for the enumerations of reports.
+
+#include <CGAL/Quality_mesh_report_2.h>
+#include <CGAL/mesh_quality_2.h>
+
+namespace report_words {
+
+inline const char* name(CGAL::Mesh_quality_2::Bound bound) {
+  switch (bound) {
+  case CGAL::Mesh_quality_2::Bound::ANGLE:
+    return "angle";
+  case CGAL::Mesh_quality_2::Bound::EDGE_LENGTH:
+    return "edge length";
+  case CGAL::Mesh_quality_2::Bound::AREA:
+    return "area";
+  }
+  return "";
+}
+
+inline const char* name(CGAL::Quality_mesh_report_2::Reason reason) {
+  using Reason = CGAL::Quality_mesh_report_2::Reason;
+  switch (reason) {
+  case Reason::BUDGET:
+    return "budget";
+  case Reason::CANCELLED:
+    return "cancelled";
+  case Reason::LEAST_EDGE:
+    return "least edge";
+  case Reason::CORNER:
+    return "corner";
+  case Reason::COORDINATES:
+    return "coordinates";
+  case Reason::CRITERIA:
+    return "criteria";
+  }
+  return "";
+}
+
+inline const char* name(CGAL::Tree_separation_report_2::End end) {
+  using End = CGAL::Tree_separation_report_2::End;
+  switch (end) {
+  case End::NONE:
+    return "none";
+  case End::DONE:
+    return "done";
+  case End::COORDINATES:
+    return "coordinates";
+  case End::BUDGET:
+    return "budget";
+  case End::CANCELLED:
+    return "cancelled";
+  case End::FAILED:
+    return "failed";
+  }
+  return "";
+}
+
+} // namespace report_words
+
+#endif // QUADTREE_MESH_2_EXAMPLES_REPORT_WORDS_H
