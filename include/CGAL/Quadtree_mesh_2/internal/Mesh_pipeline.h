@@ -4,17 +4,23 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// The stages of the mesher, one after the other; nothing flows back (doc/guarantees.md).
+// The stages of the mesher of graphs, one after the other:
 //
 //   shuffle order of the vertices (section 2 of the paper)
-//   -> constrained Delaunay triangulation of the input, restricted to the domain
-//   -> acute corners found, their legs cut, lopped sectors locked (section 6)
-//   -> the bulk filled with squares, where bounds of size rule (Bulk_filler.h)
-//   -> refinement on demand and guarded removal: in blocks, then what is left at their seams -> exact constrained
-//      Delaunay flips
-//   or, where that is wanted or refinement does not come to rest,
-//   -> a mesh by quadtrees (Tree_construction.h), and refinement of what is left of it
+//   -> constrained Delaunay triangulation of the input
+//   -> the domain, and what coordinates can tell apart in it
+//   -> bounds in the kernel's coordinates; an estimate of the size, refused if it is beyond the budget
+//   -> acute corners found (section 6)
+//   -> refinement on demand: legs cut, lopped sectors locked; the bulk filled with squares where bounds of size rule
+//      (Bulk_filler.h); blocks, then what is left at their seams
+//   -> guarded removal, smoothing, thinning
+//   -> exact constrained Delaunay flips
 //   -> flat arrays in the user's coordinates and vertex order
+//
+// Quadtrees (Tree_construction.h) take the place of refinement on demand where that is wanted, or where it does not come
+// to rest. Refinement then cures what is left of their mesh.
+//
+// What flows back: thinning and the exact flips may leave triangles to refine again, within a budget of their own.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_MESH_PIPELINE_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_MESH_PIPELINE_H
@@ -27,6 +33,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/Bulk_filler.h>
 #include <CGAL/Quadtree_mesh_2/internal/Edge_sides.h>
 #include <CGAL/Quadtree_mesh_2/internal/First_triangulation.h>
+#include <CGAL/Quadtree_mesh_2/internal/Input_words.h>
 #include <CGAL/Quadtree_mesh_2/internal/Phase_timer.h>
 #include <CGAL/Quadtree_mesh_2/internal/Refiner.h>
 #include <CGAL/Quadtree_mesh_2/internal/Separation_trees.h>
@@ -52,7 +59,6 @@
 #include <limits>
 #include <mutex>
 #include <optional>
-#include <sstream>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -84,7 +90,12 @@ public:
     report_.input_vertices = pslg_.number_of_vertices();
     report_.input_segments = pslg_.number_of_segments();
     sort_vertices();
-    make_first_mesh();
+    triangulate_input();
+    find_domain();
+    check_distances();
+    set_bounds();
+    estimate_size();
+    find_corners();
     Splitter<Geometry> splitter(state_);
     Refiner<Geometry> refiner(state_, splitter);
     const bool is_by_trees = options_.separation == Quality_mesh_options_2::Separation::THEOREM_5;
@@ -121,7 +132,8 @@ private:
   double share_done_ = 0;
   std::mutex callback_mutex_;
   std::atomic<bool> is_cancelled_{false};
-  Order order_;                 // kernel vertex -> input vertex
+  Order order_; // kernel vertex -> input vertex
+  Input_words<Point_2> words_{pslg_, order_};
   std::vector<char> is_merged_; // kernel vertices that another one stands for
   std::optional<Edge_sides> edge_sides_;
   std::string too_near_for_trees_; // which vertices; empty: none are
@@ -144,7 +156,7 @@ private:
     order_ = shuffle_order<Concurrency_tag>(grid_points);
   }
 
-  void make_first_mesh() {
+  void triangulate_input() {
     Phase_timer timer(report_.seconds.first_mesh);
     const std::size_t n = pslg_.number_of_vertices();
     std::vector<typename Geometry::Point> points(n);
@@ -152,7 +164,7 @@ private:
         n, [&](std::size_t v) { points[v] = map_.to_kernel(pslg_.vertices[order_[v]]); });
     if constexpr (has_double_coordinates) check_points_are_kept();
     First first(state_.mesh, points);
-    if (const auto crossing = first.run(kernel_segments())) refuse(first, *crossing);
+    if (const auto crossing = first.run(kernel_segments())) throw words_.crossing(first.edges(), *crossing);
     is_merged_.resize(n);
     for (std::size_t v = 0; v < n; ++v) {
       is_merged_[v] = first.representative(static_cast<Vertex_id>(v)) != static_cast<Vertex_id>(v) ? 1 : 0;
@@ -162,19 +174,10 @@ private:
     problem_.edges = Input_edges(first.edges(), n);
     problem_.edges.repeat(first.repeated_edges());
     problem_.input_points = std::move(points);
-
-    find_domain();
-    edge_sides_.emplace(state_.mesh, problem_.edges);
-    if constexpr (Geometry::has_unlimited_coordinates)
-      set_least_share_of_leg(), find_what_is_too_near_for_trees();
-    else if constexpr (Geometry::least_length > 0)
-      check_distances();
-    set_bounds();
-    estimate_size();
-    Corner_finder<Concurrency_tag, Geometry>(state_).run();
   }
 
   void find_domain() {
+    Phase_timer timer(report_.seconds.first_mesh);
     Domain_rule<Geometry> domain;
     domain.rule = options_.domain;
     for (const Point_2& p : pslg_.holes) domain.holes.push_back(map_.to_kernel(p));
@@ -182,26 +185,19 @@ private:
     try {
       domain.apply(state_.mesh, First::number_of_auxiliary_vertices);
     } catch (const Ambiguous_seed& seed) {
-      throw seed_error(seed);
+      throw words_.ambiguous_seed(seed, problem_.edges);
     }
-    if (!state_.mesh.triangles.empty()) return;
-    throw Pslg_error_2(pslg_.segments.empty() ? "there are no segments, so there is no domain to mesh"
-                       : options_.domain == Quality_mesh_options_2::Domain::MARKED
-                           ? "no domain: no region's point is in a component that segments enclose"
-                       : pslg_.holes.empty()
-                           ? "the segments enclose no domain: every face is connected to infinity"
-                           : "no domain is left: what the segments enclose, holes take away");
+    if (state_.mesh.triangles.empty()) throw words_.no_domain(options_.domain);
+    edge_sides_.emplace(state_.mesh, problem_.edges);
   }
 
-  Pslg_seed_error_2 seed_error(const Ambiguous_seed& seed) const {
-    const auto kind =
-        seed.of == Ambiguous_seed::Of::HOLE ? Pslg_seed_error_2::Kind::HOLE : Pslg_seed_error_2::Kind::REGION;
-    if (seed.a == seed.b)
-      return make_seed_error(pslg_, kind, seed.number, Vertex_index(order_[std::size_t(seed.a)]),
-                             Segment_index());
-    const Edge_id e = problem_.edges.between(seed.a, seed.b);
-    return make_seed_error(pslg_, kind, seed.number, Vertex_index(),
-                           Segment_index(static_cast<std::size_t>(problem_.edges[e].segment)));
+  /// What is near: what coordinates cannot tell apart is refused, what quadtrees cannot is noted.
+  void check_distances() {
+    Phase_timer timer(report_.seconds.first_mesh);
+    if constexpr (Geometry::has_unlimited_coordinates)
+      set_least_share_of_leg(), find_what_is_too_near_for_trees();
+    else if constexpr (Geometry::least_length > 0)
+      refuse_what_is_too_near();
   }
 
   /// Coordinates are unlimited, and so is what the input may have. Its least distance is a side or height of a triangle;
@@ -221,10 +217,12 @@ private:
   void find_what_is_too_near_for_trees() {
     constexpr double least = Geometry::least_length * Geometry::least_length;
     for_each_first_triangle([&](const auto& r, const auto& s) {
-      if (!too_near_for_trees_.empty() || (s.shortest() >= least && s.area2 * s.area2 >= least * s.longest())) return;
-      for (const Vertex_id v : r.v) too_near_for_trees_ += name_of_vertex(order_[std::size_t(v)]) + ", ";
-      too_near_for_trees_ += "nearer to each other, or to being on a line, than the 2^-128 of the extent that quadtrees "
-                             "can tell: refine without them";
+      if (!too_near_for_trees_.empty() || (s.shortest() >= least && s.area2 * s.area2 >= least * s.longest()))
+        return;
+      too_near_for_trees_ =
+          words_.kernel_vertices(r.v) +
+          ", nearer to each other, or to being on a line, than the 2^-128 of the extent that quadtrees "
+          "can tell: refine without them";
     });
   }
 
@@ -237,16 +235,14 @@ private:
   /// Coordinates tell more apart than the doubles in which angles are compared.
   /// \throws Pslg_error_2 if vertices are nearer to each other, or to segments, than these can tell. Such pairs are
   /// sides and heights of triangles.
-  void check_distances() const {
+  void refuse_what_is_too_near() const {
     constexpr double least = Geometry::least_length * Geometry::least_length;
     for (const auto& r : state_.mesh.triangles) {
       if (r.v[0] < 0) continue;
       const auto s = state_.mesh.shape_of_flat(r.v[0], r.v[1], r.v[2]);
       if (s.shortest() >= least && s.area2 * s.area2 >= least * s.longest()) continue;
-      std::string names;
-      for (const Vertex_id v : r.v)
-        names += (names.empty() ? "" : ", ") + name_of_vertex(order_[std::size_t(v)]);
-      throw Pslg_error_2(names + ": nearer to each other, or to being on a line, than 2^-420 of the extent");
+      throw Pslg_error_2(words_.kernel_vertices(r.v) +
+                         ": nearer to each other, or to being on a line, than 2^-420 of the extent");
     }
   }
 
@@ -274,6 +270,7 @@ private:
 
   /// \throws Pslg_error_2 if the mesh would surely be larger than the budget.
   void estimate_size() {
+    Phase_timer timer(report_.seconds.first_mesh);
     const Size_estimate<Geometry> estimate(state_, Concurrency_tag());
     report_.estimated_triangles = estimate.triangles();
     const Triangle_budget budget(options_.vertex_budget);
@@ -283,9 +280,14 @@ private:
       throw Pslg_error_2(refusal + " for the bounds of size");
     const Narrow_gap<Geometry> gap(state_, estimate.worst_pair());
     const double unit = map_.length_to_kernel(1.0);
-    throw Pslg_gap_error_2(
-        refusal, gap.in_words([this](Vertex_id v) { return name_of_vertex(order_[std::size_t(v)]); }, unit),
-        gap.segments(), ratio(gap.width(), unit));
+    throw Pslg_gap_error_2(refusal,
+                           gap.in_words([this](Vertex_id v) { return words_.kernel_vertex(v); }, unit),
+                           gap.segments(), ratio(gap.width(), unit));
+  }
+
+  void find_corners() {
+    Phase_timer timer(report_.seconds.first_mesh);
+    Corner_finder<Concurrency_tag, Geometry>(state_).run();
   }
 
   void set_region_bounds(double scale) {
@@ -307,34 +309,6 @@ private:
       segments[s] = {kernel_vertex[std::size_t(a)], kernel_vertex[std::size_t(b)]};
     });
     return segments;
-  }
-
-  [[noreturn]] void refuse(const First& first, const Crossing& crossing) const {
-    const auto is_crossed = [&](const Input_edge& e) {
-      return (e.a == crossing.a && e.b == crossing.b) || (e.a == crossing.b && e.b == crossing.a);
-    };
-    const auto& edges = first.edges();
-    const std::int32_t other = std::find_if(edges.begin(), edges.end(), is_crossed)->segment;
-    throw Pslg_crossing_error_2("segment " + std::to_string(crossing.segment) + " (" + name_of_ends(crossing.segment) +
-                                    ") crosses segment " + std::to_string(other) + " (" + name_of_ends(other) + ')',
-                                {Segment_index(std::size_t(crossing.segment)), Segment_index(std::size_t(other))});
-  }
-
-  std::string name_of_ends(std::int32_t segment) const {
-    std::ostringstream text;
-    text.precision(17);
-    const auto& ends = pslg_.segments[std::size_t(segment)];
-    const Point_2 &p = pslg_.point(ends[0]), &q = pslg_.point(ends[1]);
-    text << "vertices " << ends[0] << " at " << p.x() << ' ' << p.y() << " and " << ends[1] << " at " << q.x()
-         << ' ' << q.y();
-    return text.str();
-  }
-
-  std::string name_of_vertex(std::size_t v) const {
-    std::ostringstream text;
-    text.precision(17);
-    text << "vertex " << v << " at " << pslg_.vertices[v].x() << ' ' << pslg_.vertices[v].y();
-    return text.str();
   }
 
   std::size_t vertex_budget() const {
@@ -448,13 +422,13 @@ private:
     std::optional<Separation_trees<Traits, Concurrency_tag>> trees;
     try {
       Phase_timer timer(report_.seconds.trees);
-      trees.emplace(problem_, *edge_sides_, graph, map_, options_.trees, traits_, find_hits_, budget_of_construction(),
-                    report_.trees);
+      trees.emplace(problem_, *edge_sides_, graph, map_, options_.trees, traits_, find_hits_,
+                    budget_of_construction(), report_.trees);
     } catch (const Point_error& error) {
       ++report_.trees.rounds;
       if (report_.trees.has_taken_over) return Tree_separation_report_2::End::FAILED;
-      throw Pslg_error_2(name_of_vertex(order_[error.point().value()]) + " and " +
-                         name_of_vertex(order_[error.other().value()]) +
+      throw Pslg_error_2(words_.vertex(order_[error.point().value()]) + " and " +
+                         words_.vertex(order_[error.other().value()]) +
                          " are nearer to each other than the grid of the quadtrees can tell");
     }
     Phase_timer timer(report_.seconds.construct);
@@ -536,7 +510,7 @@ private:
                          ": too near to 0, or too far from it, for doubles beside the extent; move it");
     };
     for (std::size_t v = 0; v < pslg_.number_of_vertices(); ++v)
-      check(pslg_.vertices[v], [&] { return name_of_vertex(v); });
+      check(pslg_.vertices[v], [&] { return words_.vertex(v); });
     for (const Point_2& p : seeds_of(pslg_))
       check(p, [&] { return "the point of a hole or region, " + coordinates_text(p); });
   }

@@ -4,135 +4,25 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// What all stages of the mesher share: the mesh, the input edges, the acute corners, the bounds, and the
-// worklist of bad triangles.
+// What the stages of the mesher work on: the problem, the mesh of it or of a block, and the worklist of bad triangles.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_MESHING_STATE_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_MESHING_STATE_H
 
-#include <CGAL/Quadtree_mesh_2/internal/Acute_corners.h>
-#include <CGAL/Quadtree_mesh_2/internal/Input_edges.h>
 #include <CGAL/Quadtree_mesh_2/internal/Kernel_mesh.h>
+#include <CGAL/Quadtree_mesh_2/internal/Meshing_problem.h>
+#include <CGAL/Quadtree_mesh_2/internal/Worklist.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <functional>
-#include <limits>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
-
-/// What every triangle shall satisfy, in squared quantities and kernel coordinates.
-template <class Geometry>
-struct Bounds {
-  using Point = typename Geometry::Point;
-  using Shape = typename Kernel_mesh<Geometry>::Shape;
-
-  double angle = 0; ///< radians
-  /// Squared sine of the bound, raised a little so that rounding cannot pass the user's bound.
-  double sin2 = 0;
-  double area2 = std::numeric_limits<double>::infinity();          ///< twice the largest area
-  double squared_length = std::numeric_limits<double>::infinity(); ///< of the longest edge
-  /// The squared length of the longest edge of a triangle with its centroid at the place; empty: no field.
-  /// Called by several threads at once.
-  std::function<double(const Point&)> squared_length_at;
-  /// Whether a triangle counts as too large that meets the bounds of size; empty: none does. Called by several threads
-  /// at once.
-  std::function<bool(const Point&, const Point&, const Point&)> is_refused;
-  /// Twice the largest area in each region of `Kernel_mesh::region_of`; empty: regions have no bounds.
-  std::vector<double> area2_of_region;
-  /// No vertex is inserted nearer than this (squared) to another one.
-  double least_squared_length = 0;
-
-  /// Up to this angle refinement ended by itself on all inputs of the soak (doc/soak.md), which is no proof:
-  /// 20.7048 degrees, whose squared sine, 1/8, is Mesh_2's default.
-  static constexpr double established_angle = 0.3613671239067078 * (1 + 1e-12);
-  bool is_established() const { return angle <= established_angle; }
-  void lower_to_established() {
-    if (!is_established()) set_angle(established_angle);
-  }
-
-  Bounds() = default;
-  Bounds(double radians, double max_area, double max_length) {
-    set_angle(radians);
-    if (max_area > 0) area2 = 2 * max_area * (1 - margin);
-    if (max_length > 0) squared_length = max_length * max_length * (1 - margin);
-  }
-
-  /// By which bounds are tightened, so that rounding cannot pass them.
-  static constexpr double margin = 2e-9;
-
-  bool is_sharp(const Shape& s) const { return s.is_below(sin2); }
-  /// Whether the triangle a, b, c of the given shape and region is larger than wanted.
-  bool is_large(const Shape& s, const Point& a, const Point& b, const Point& c, Region_id region) const {
-    if (s.area2 > area2 || s.longest() > squared_length) return true;
-    if (is_refused && is_refused(a, b, c)) return true;
-    if (!is_local()) return false;
-    if (!area2_of_region.empty() && region >= 0 && s.area2 > area2_of_region[std::size_t(region)])
-      return true;
-    return squared_length_at && s.longest() > squared_length_at(centroid(a, b, c)) * (1 - margin);
-  }
-  /// Whether bounds of size differ from place to place.
-  bool is_local() const { return squared_length_at || !area2_of_region.empty(); }
-  bool is_size_bounded() const {
-    return is_local() || area2 < std::numeric_limits<double>::infinity() ||
-           squared_length < std::numeric_limits<double>::infinity();
-  }
-
-private:
-  void set_angle(double radians) {
-    angle = radians;
-    sin2 = std::sin(angle) * std::sin(angle) * (1 + margin);
-  }
-  static Point centroid(const Point& a, const Point& b, const Point& c) {
-    return Geometry::translate(a, (1.0 / 3) * (Geometry::scaled_difference(b, a) + Geometry::scaled_difference(c, a)));
-  }
-};
-
-/// Triangles that may be bad, last in first out; each stands in it at most once. Whether one is bad is
-/// decided when it is taken out, so that entries need not be withdrawn when flips cure a triangle.
-class Worklist {
-public:
-  bool is_empty() const { return stack_.empty(); }
-
-  void push(Triangle_id t) {
-    if (is_queued_.size() <= std::size_t(t)) is_queued_.resize(std::size_t(t) + std::size_t(t) / 2 + 64, 0);
-    if (is_queued_[std::size_t(t)] != 0) return;
-    is_queued_[std::size_t(t)] = 1;
-    stack_.push_back(t);
-  }
-
-  Triangle_id pop() {
-    const Triangle_id t = stack_.back();
-    stack_.pop_back();
-    is_queued_[std::size_t(t)] = 0;
-    return t;
-  }
-
-private:
-  std::vector<Triangle_id> stack_;
-  std::vector<char> is_queued_;
-};
-
-/// What is the same for the whole mesh and all its blocks.
-template <class Geometry>
-struct Meshing_problem {
-  std::vector<typename Geometry::Point> input_points; ///< by input number
-  Input_edges edges;
-  Acute_corners<Geometry> corners;
-  Bounds<Geometry> bounds;
-  /// Features of the input nearer to a vertex than this share of an edge at it are none that legs are cut for.
-  typename Geometry::Number least_share_of_leg = 0;
-
-  const typename Geometry::Point& input_point(Vertex_id number) const {
-    return input_points[std::size_t(number)];
-  }
-};
 
 /// How an attempt to change the mesh for a bad triangle ended.
 enum class Outcome {
@@ -235,7 +125,8 @@ struct Meshing_state {
       if (o.is_constrained() || !mesh.is_certainly_not_Delaunay(t, s.slot())) continue;
       mesh.flip(t, s.slot());
       const Triangle_id u = o.triangle();
-      for (const Side outer : {Side(t, 0), Side(t, 2), Side(u, 0), Side(u, 1)}) doubtful_sides.push_back(outer);
+      for (const Side outer : {Side(t, 0), Side(t, 2), Side(u, 0), Side(u, 1)})
+        doubtful_sides.push_back(outer);
       push_if_suspect(t), push_if_suspect(u);
     }
   }
@@ -274,8 +165,10 @@ private:
     const Point &a = mesh.point(mesh.source(s)), &b = mesh.point(mesh.target(s));
     for (const Vertex_id v : {mesh.opposite(s), mesh.opposite(mesh.across(s))}) {
       using std::fabs;
-      const auto x = Geometry::scaled_difference(a, mesh.point(v)), y = Geometry::scaled_difference(b, mesh.point(v));
-      constexpr double least = Geometry::has_unlimited_coordinates ? 0 : 1e-280; // of products that are no underflow
+      const auto x = Geometry::scaled_difference(a, mesh.point(v)),
+                 y = Geometry::scaled_difference(b, mesh.point(v));
+      constexpr double least =
+          Geometry::has_unlimited_coordinates ? 0 : 1e-280; // of products that are no underflow
       if (!(dot(x, y) > 1e-15 * (fabs(x.x * y.x) + fabs(x.y * y.y)) + least)) return false;
     }
     return true;
