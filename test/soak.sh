@@ -10,7 +10,7 @@ usage() {
 usage: test/soak.sh [--own-seed] [option of build/bin/soak]...
        test/soak.sh --docs LOG...
 
-  --own-seed  take the seed from the commit's name, 0 without one
+  --own-seed  take the seed from the commit's name, 1 without one
   --docs      write doc/soak.md from logs; nothing is run
 
 Inputs that fail are written to build/soak. The options of build/bin/soak:
@@ -33,7 +33,7 @@ for argument in "$@"; do
 done
 if [[ $own_seed == yes ]]; then
   digits=${commit:0:6}
-  [[ $commit != unknown ]] || digits=0 # not a repository
+  [[ $commit != unknown ]] || digits=1 # not a repository
   arguments+=(--seed "$((16#$digits))")
 fi
 

@@ -38,7 +38,7 @@ TEST_CASE("Graphs of doubles are meshed with each option", "[end_to_end]") {
                       Options().separate(Tree_options().place(Tree_options::Placement::BY_RULE)));
 }
 
-TEST_CASE("A map is meshed in blocks", "[end_to_end]") {
+TEST_CASE("A map is meshed in blocks", "[end_to_end][threads]") {
   const Pslg map = mesher_test::read("gshhg_aegean_h.poly.gz");
   check_graph<Traits>(map, Options());
   check_graph<Traits>(mesher_test::read("syn_square.poly"), Options().max_area(1e-5));

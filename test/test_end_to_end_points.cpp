@@ -16,8 +16,21 @@
 
 #include <string>
 
+namespace {
+
+using point_mesh_test::Options;
+
+void check(const point_sets::Points& points, const Options& options) {
+  CAPTURE(int(options.mode));
+  CGAL::Point_set_mesher_2<CGAL::Filtered_quadtree_traits_2<>, CGAL::Parallel_tag> mesher(options);
+  const auto mesh = mesher(points);
+  for (const std::string& fault : point_mesh_test::faults_of(mesh, points, options, mesher.report()))
+    FAIL_CHECK(fault);
+}
+
+} // namespace
+
 TEST_CASE("Points are meshed in each mode", "[end_to_end]") {
-  using point_mesh_test::Options;
   using Domain = Options::Domain;
   for (const point_sets::Named_points& input :
        {point_sets::Named_points{"uniform", quadtree_inputs::uniform(60, 1)},
@@ -27,11 +40,14 @@ TEST_CASE("Points are meshed in each mode", "[end_to_end]") {
          {Options().bounded_angles().effort(1),
           Options().bounded_angles().effort(1).mesh_domain(Domain::SQUARE), Options().acute().effort(1),
           Options().least_angle(), Options().warped_squares()}) {
-      CAPTURE(input.name, int(options.mode));
-      CGAL::Point_set_mesher_2<CGAL::Filtered_quadtree_traits_2<>, CGAL::Parallel_tag> mesher(options);
-      const auto mesh = mesher(input.points);
-      for (const std::string& fault :
-           point_mesh_test::faults_of(mesh, input.points, options, mesher.report()))
-        FAIL_CHECK(fault);
+      CAPTURE(input.name);
+      check(input.points, options);
     }
+}
+
+TEST_CASE("A few points are meshed on threads", "[end_to_end][threads]") {
+  const point_sets::Points points = quadtree_inputs::uniform(40, 1);
+  for (const Options& options :
+       {Options().bounded_angles().effort(0), Options().acute().effort(0), Options().warped_squares()})
+    check(points, options);
 }

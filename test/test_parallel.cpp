@@ -147,7 +147,8 @@ void check_orders(const std::vector<Grid_point_2<Word>>& points, const internal:
 
 } // namespace
 
-TEMPLATE_TEST_CASE("Blocks make up a range", "[parallel]", CGAL::Sequential_tag, CGAL::Parallel_tag) {
+TEMPLATE_TEST_CASE("Blocks make up a range", "[parallel][threads]", CGAL::Sequential_tag,
+                   CGAL::Parallel_tag) {
   for (std::size_t n : lengths(100)) {
     CAPTURE(n);
     std::vector<std::size_t> block_of(n, n);
@@ -164,8 +165,8 @@ TEMPLATE_TEST_CASE("Blocks make up a range", "[parallel]", CGAL::Sequential_tag,
   }
 }
 
-TEMPLATE_TEST_CASE("Reductions and scans agree with the standard's", "[parallel]", CGAL::Sequential_tag,
-                   CGAL::Parallel_tag) {
+TEMPLATE_TEST_CASE("Reductions and scans agree with the standard's", "[parallel][threads]",
+                   CGAL::Sequential_tag, CGAL::Parallel_tag) {
   for (std::size_t n : lengths(internal::default_block)) {
     CAPTURE(n);
     const std::vector<std::uint64_t> values = random_values(n, 1000);
@@ -225,7 +226,8 @@ TEMPLATE_TEST_CASE("Reductions and scans agree with the standard's", "[parallel]
   }
 }
 
-TEMPLATE_TEST_CASE("Exceptions of tasks arrive", "[parallel]", CGAL::Sequential_tag, CGAL::Parallel_tag) {
+TEMPLATE_TEST_CASE("Exceptions of tasks arrive", "[parallel][threads]", CGAL::Sequential_tag,
+                   CGAL::Parallel_tag) {
   const std::size_t n = 10 * internal::default_block;
   const auto fail_at = [](std::size_t i, std::size_t at) {
     if (i == at) throw std::runtime_error("task");
@@ -245,7 +247,7 @@ TEMPLATE_TEST_CASE("Exceptions of tasks arrive", "[parallel]", CGAL::Sequential_
   }
 }
 
-TEMPLATE_TEST_CASE("Sorting by comparison is stable", "[parallel]", CGAL::Sequential_tag,
+TEMPLATE_TEST_CASE("Sorting by comparison is stable", "[parallel][threads]", CGAL::Sequential_tag,
                    CGAL::Parallel_tag) {
   using Pair = std::pair<std::uint64_t, std::size_t>;
   const auto less = [](const Pair& a, const Pair& b) { return a.first < b.first; };
@@ -272,7 +274,7 @@ TEMPLATE_TEST_CASE("Sorting by comparison is stable", "[parallel]", CGAL::Sequen
     }
 }
 
-TEMPLATE_TEST_CASE("Values that own memory, or cannot be copied, are sorted", "[parallel]",
+TEMPLATE_TEST_CASE("Values that own memory, or cannot be copied, are sorted", "[parallel][threads]",
                    CGAL::Sequential_tag, CGAL::Parallel_tag) {
   const std::size_t n = 5 * internal::sort_block + 7;
   const std::vector<std::uint64_t> keys = random_values(n, 5000);
@@ -297,7 +299,7 @@ TEMPLATE_TEST_CASE("Values that own memory, or cannot be copied, are sorted", "[
   });
 }
 
-TEMPLATE_TEST_CASE("Equal neighbors are removed", "[parallel]", CGAL::Sequential_tag, CGAL::Parallel_tag) {
+TEMPLATE_TEST_CASE("Equal neighbors are removed", "[parallel][threads]", CGAL::Sequential_tag, CGAL::Parallel_tag) {
   for (std::size_t n : lengths(internal::default_block))
     for (std::uint64_t different : {1u, 2u, 1000000000u}) {
       CAPTURE(n, different);
@@ -335,7 +337,7 @@ TEMPLATE_TEST_CASE("Words are sorted by digits", "[parallel]", CGAL::Sequential_
     }
 }
 
-TEST_CASE("Keys of several words are sorted by digits, for any number of threads", "[parallel]") {
+TEST_CASE("Keys of several words are sorted by digits, for any number of threads", "[parallel][threads]") {
   // Words from few values, so that runs go on through all words.
   for (std::size_t n : {1000u, 70000u, 200000u})
     for (std::uint64_t different : {1u, 3u, 1000u}) {

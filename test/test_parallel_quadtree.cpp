@@ -131,7 +131,7 @@ TEMPLATE_TEST_CASE("Quadtrees are the same for any number of threads", "[paralle
   }
 }
 
-TEST_CASE("Refined quadtrees are the same for any number of threads", "[parallel]") {
+TEST_CASE("Refined quadtrees are the same for any number of threads", "[parallel][threads]") {
   const auto points = mixed_points<Fixed_64_traits>(20000);
   CGAL::Balanced_quadtree<Fixed_64_traits, Sequential_tag> sequential(points);
   CGAL::Balanced_quadtree<Fixed_64_traits, Parallel_tag> parallel(points);

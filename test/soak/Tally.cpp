@@ -19,15 +19,24 @@ constexpr const char* outcome_names[] = {"met", "unmet", "refused", "failed"};
 
 } // namespace
 
+void Tally::Counts::add(const Counts& other) {
+  for (std::size_t i = 0; i < of_outcome.size(); ++i) of_outcome[i] += other.of_outcome[i];
+  seconds += other.seconds;
+  worst_seconds = std::max(worst_seconds, other.worst_seconds);
+  worst_megabytes = std::max(worst_megabytes, other.worst_megabytes);
+}
+
 void Tally::add(const Soak_case& c, const Result& result) {
-  Counts& counts =
-      counts_[{c.family, kernel_names()[static_cast<std::size_t>(c.kernel)],
-               c.mode == Mode::pslg ? separation_names()[static_cast<std::size_t>(c.separation)] : "-",
-               mode_names()[static_cast<std::size_t>(c.mode)]}];
-  ++counts.of_outcome[static_cast<std::size_t>(result.verdict.outcome)];
-  counts.seconds += result.seconds;
-  counts.worst_seconds = std::max(counts.worst_seconds, result.seconds);
-  counts.worst_megabytes = std::max(counts.worst_megabytes, result.megabytes);
+  Counts one{{}, result.seconds, result.seconds, result.megabytes};
+  one.of_outcome[static_cast<std::size_t>(result.verdict.outcome)] = 1;
+  counts_[{c.family, kernel_names()[static_cast<std::size_t>(c.kernel)],
+           c.mode == Mode::pslg ? separation_names()[static_cast<std::size_t>(c.separation)] : "-",
+           mode_names()[static_cast<std::size_t>(c.mode)]}]
+      .add(one);
+}
+
+void Tally::add(const Tally& other) {
+  for (const auto& [key, counts] : other.counts_) counts_[key].add(counts);
 }
 
 std::size_t Tally::number_of(Outcome outcome) const {

@@ -24,6 +24,7 @@ namespace soak {
 class Tally {
 public:
   void add(const Soak_case& c, const Result& result);
+  void add(const Tally& other);
   std::size_t number_of_inputs() const;
   std::size_t number_of(Outcome outcome) const;
   /// One line for each family, kernel, separation and mode.
@@ -34,6 +35,7 @@ private:
   struct Counts {
     std::array<std::size_t, 4> of_outcome{};
     double seconds = 0, worst_seconds = 0, worst_megabytes = 0;
+    void add(const Counts& other);
   };
   std::map<Key, Counts> counts_;
 };

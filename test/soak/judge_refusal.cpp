@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdlib>
 #include <regex>
 #include <set>
 #include <string>
@@ -38,7 +39,9 @@ std::vector<Point> places_in(const std::string& message) {
   std::vector<Point> result;
   const std::regex place("\\(([-+.0-9e]+), ([-+.0-9e]+)\\)");
   for (std::sregex_iterator i(message.begin(), message.end(), place), end; i != end; ++i)
-    result.emplace_back(std::stod((*i)[1]), std::stod((*i)[2]));
+    // not stod(), which has no numbers below the least normal one
+    result.emplace_back(std::strtod((*i)[1].str().c_str(), nullptr),
+                        std::strtod((*i)[2].str().c_str(), nullptr));
   return result;
 }
 

@@ -30,6 +30,7 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <thread>
@@ -70,6 +71,7 @@ po::options_description described_options() {
       ("inputs", po::value<std::size_t>(), "how many, whatever the time")
       ("seed", po::value<std::uint64_t>()->default_value(0), "other seeds give other inputs")
       ("family", po::value<std::vector<std::string>>(), "only this one; may be given more than once")
+      ("without", po::value<std::vector<std::string>>(), "not this family; may be given more than once")
       ("kernel", po::value<std::string>(), "filtered, exact, fixed or fixed32")
       ("separation", po::value<std::string>(), "on-demand or theorem-5")
       ("mode", po::value<std::string>(), "pslg, points, bounded, acute or warped")
@@ -96,16 +98,24 @@ std::optional<Enum> chosen(const po::variables_map& given, const char* option,
   return static_cast<Enum>(at - names.begin());
 }
 
+/// The families that are asked for, without those that are not wanted.
 std::vector<soak::Family> chosen_families(const po::variables_map& given) {
   const std::vector<soak::Family> all = families_and_files();
-  if (given.count("family") == 0) return all;
+  const auto named = [&](const char* option) {
+    std::set<std::string> names;
+    if (given.count(option) == 0) return names;
+    for (const std::string& name : given[option].as<std::vector<std::string>>()) {
+      if (std::none_of(all.begin(), all.end(), [&](const soak::Family& f) { return f.name == name; }))
+        throw std::invalid_argument(std::string("--") + option + ": there is no '" + name + "'; see --list");
+      names.insert(name);
+    }
+    return names;
+  };
+  const std::set<std::string> wanted = named("family"), unwanted = named("without");
   std::vector<soak::Family> result;
-  for (const std::string& name : given["family"].as<std::vector<std::string>>()) {
-    const auto at =
-        std::find_if(all.begin(), all.end(), [&](const soak::Family& f) { return f.name == name; });
-    if (at == all.end()) throw std::invalid_argument("--family: there is no '" + name + "'; see --list");
-    result.push_back(*at);
-  }
+  for (const soak::Family& f : all)
+    if ((wanted.empty() || wanted.count(f.name) > 0) && unwanted.count(f.name) == 0) result.push_back(f);
+  if (result.empty()) throw std::invalid_argument("--without: no family is left");
   return result;
 }
 
@@ -175,10 +185,6 @@ public:
     const std::size_t most = s_.inputs > 0 ? s_.inputs : std::numeric_limits<std::size_t>::max();
     for (std::size_t first = 0; first < most && has_time(); first += round_)
       run_round(first, std::min(round_, most - first));
-    if (!s_.log.empty()) {
-      std::ofstream log(s_.log, std::ios::app);
-      tally_.write(log, s_.commit, s_.seed);
-    }
     std::cout << tally_.number_of_inputs() << " inputs: " << tally_.number_of(soak::Outcome::met) << " met, "
               << tally_.number_of(soak::Outcome::unmet) << " unmet, "
               << tally_.number_of(soak::Outcome::refused) << " refused, "
@@ -187,7 +193,8 @@ public:
   }
 
 private:
-  static constexpr std::size_t round_ = 1000, batch_ = 10;
+  /// After so many inputs the log is written and failures are made smaller; a child of this process judges so many.
+  static constexpr std::size_t round_ = 10000, batch_ = 20;
   /// Of failures of one kind, family, kernel, separation and mode so many are written.
   static constexpr std::size_t written_of_a_kind_ = 2;
   struct Failure {
@@ -224,9 +231,10 @@ private:
 
   void run_round(std::size_t first, std::size_t n) {
     std::vector<Failure> failures;
+    soak::Tally tally;
     const auto done = [&](std::size_t i, const soak::Result& result) {
       const soak::Soak_case c = described(first + i);
-      tally_.add(c, result);
+      tally.add(c, result);
       if (result.verdict.outcome != soak::Outcome::failed) return;
       if (written_[c.family + arguments_of_kind(c) + result.verdict.kind]++ < written_of_a_kind_)
         failures.push_back({first + i, result.verdict});
@@ -236,6 +244,11 @@ private:
     soak::run_in_batches(
         n, s_.workers, batch_, s_.limits, [&](std::size_t i) { return judge(first + i); }, done,
         [&] { return has_time(); });
+    tally_.add(tally);
+    if (!s_.log.empty()) {
+      std::ofstream log(s_.log, std::ios::app);
+      tally.write(log, s_.commit, s_.seed);
+    }
     write(failures);
   }
 

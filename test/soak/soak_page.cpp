@@ -47,14 +47,19 @@ struct Row {
 constexpr const char* columns =
     "inputs | met | unmet | refused | failed | longest run, s | most memory, MB |\n";
 
-using Rows = std::map<std::array<std::string, 3>, Row>;
+using Words = std::vector<std::string>;
 
-void write_table(std::ostream& out, const char* what, const Rows& rows) {
-  out << '|' << what << columns << '|';
-  for (int i = 0; i < 10; ++i) out << "---|";
+/// A table with a row for each key; `titles` are those of the cells of a key.
+void write_table(std::ostream& out, const Words& titles, const std::map<Words, Row>& rows) {
+  const auto write_cells = [&](const Words& cells) {
+    for (const std::string& cell : cells) out << "| " << cell << ' ';
+  };
+  write_cells(titles);
+  out << "| " << columns << '|';
+  for (std::size_t i = 0; i < titles.size() + 7; ++i) out << "---|";
   out << '\n';
   for (const auto& [key, row] : rows) {
-    for (const std::string& cell : key) out << "| " << cell << ' ';
+    write_cells(key);
     row.write(out);
   }
 }
@@ -62,8 +67,7 @@ void write_table(std::ostream& out, const char* what, const Rows& rows) {
 } // namespace
 
 void write_page(std::ostream& out, const std::vector<std::string>& logs) {
-  Rows of_kernel, of_family;
-  std::map<std::string, Row> of_commit;
+  std::map<Words, Row> of_commit, of_kernel, of_family;
   for (const std::string& log : logs) {
     std::ifstream in(log);
     if (!in) throw std::runtime_error(log + ": cannot be opened");
@@ -71,8 +75,8 @@ void write_page(std::ostream& out, const std::vector<std::string>& logs) {
       const auto line = nlohmann::json::parse(text);
       const auto word = [&](const char* key) { return line.at(key).get<std::string>(); };
       of_kernel[{word("kernel"), word("separation"), word("mode")}].add(line);
-      of_family[{word("family"), word("kernel"), word("separation")}].add(line);
-      of_commit[word("commit")].add(line);
+      of_family[{word("family")}].add(line);
+      of_commit[{word("commit")}].add(line);
     }
   }
   out << "# Soak\n\n"
@@ -81,17 +85,12 @@ void write_page(std::ostream& out, const std::vector<std::string>& logs) {
          "mesh with all bounds. *Unmet*: a valid mesh that misses a bound where coordinates have no room, or "
          "that asks for more than is\n"
          "promised. *Refused*: with a message that is true. The rest *failed*. All is judged by exact "
-         "predicates (`test/soak`).\n\n"
-         "| commit | "
-      << columns << "|---|---|---|---|---|---|---|---|\n";
-  for (const auto& [commit, row] : of_commit) {
-    out << "| " << commit << ' ';
-    row.write(out);
-  }
+         "predicates (`test/soak`).\n\n";
+  write_table(out, {"commit"}, of_commit);
   out << "\n## By kernel, separation and mode\n\n";
-  write_table(out, " kernel | separation | mode | ", of_kernel);
-  out << "\n## By family\n\n";
-  write_table(out, " family | kernel | separation | ", of_family);
+  write_table(out, {"kernel", "separation", "mode"}, of_kernel);
+  out << "\n## By family, over all of these\n\n";
+  write_table(out, {"family"}, of_family);
 }
 
 } // namespace soak
