@@ -101,14 +101,27 @@ struct Promise {
   }
 };
 
+/// What a mesh was made in, which tells how far from a straight border its vertices may be; a mesh over doubles may have been
+/// rounded from exact numbers.
+enum class Made_in { COORDINATES, EXACT_NUMBERS };
+
+/// For a mesh that was not rounded.
+template <class Point>
+constexpr Made_in numbers_of() {
+  using Coordinate = std::decay_t<decltype(std::declval<Point>().x())>;
+  return std::is_arithmetic_v<Coordinate> ? Made_in::COORDINATES : Made_in::EXACT_NUMBERS;
+}
+
 /// Collects what is wrong with a mesh.
 template <class Mesh>
 class Checker {
 public:
   using Point = typename Mesh::Point_2;
 
-  Checker(const Mesh& mesh, const std::vector<Point>& points, const Options& options, const Report& report)
-      : mesh_(mesh), points_(points), options_(options), report_(report), promise_(Promise::of(options)) {}
+  Checker(const Mesh& mesh, const std::vector<Point>& points, const Options& options, const Report& report,
+          Made_in made_in)
+      : mesh_(mesh), points_(points), options_(options), report_(report), promise_(Promise::of(options)),
+        made_in_(made_in) {}
 
   const std::vector<std::string>& run() {
     check_by_mesh_quality();
@@ -126,6 +139,7 @@ private:
   const Options& options_;
   const Report& report_;
   Promise promise_;
+  Made_in made_in_;
   std::vector<std::string> faults_;
   CGAL::Mesh_quality_2 quality_;
   std::size_t places_ = 0; ///< of input points
@@ -272,7 +286,7 @@ private:
     using CGAL::Quadtree_mesh_2::internal::to_nearest_double;
     using Coordinate = std::decay_t<decltype(points_[0].x())>;
     if (std::is_integral_v<Coordinate>) return 1;
-    if (!std::is_floating_point_v<Coordinate>) return length * 0x1p-30L; // exact ones to a share of the way
+    if (made_in_ == Made_in::EXACT_NUMBERS) return length * 0x1p-30L; // to a share of the way
     Real largest = 0;
     for (const Point& p : mesh_.points)
       largest = std::max(
@@ -319,8 +333,9 @@ private:
 
 template <class Mesh>
 std::vector<std::string> faults_of(const Mesh& mesh, const std::vector<typename Mesh::Point_2>& points,
-                                   const Options& options, const Report& report) {
-  return Checker<Mesh>(mesh, points, options, report).run();
+                                   const Options& options, const Report& report,
+                                   Made_in made_in = numbers_of<typename Mesh::Point_2>()) {
+  return Checker<Mesh>(mesh, points, options, report, made_in).run();
 }
 
 } // namespace point_mesh_test

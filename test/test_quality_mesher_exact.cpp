@@ -26,6 +26,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,7 @@ using pslg_test::Vertex_index;
 
 using Exact = CGAL::Exact_predicates_exact_constructions_kernel;
 using FT = Exact::FT;
+using Field = CGAL::Exact_rational;
 using Exact_point = Exact::Point_2;
 using Exact_pslg = CGAL::Pslg_2<Exact_point>;
 using Exact_mesh = CGAL::Indexed_mesh_2<Exact_point>;
@@ -80,10 +82,11 @@ FT doubled_area(const Exact_mesh& mesh, std::size_t t) {
   return 2 * CGAL::area(mesh.point(v[0]), mesh.point(v[1]), mesh.point(v[2]));
 }
 
+/// Summed in numbers that are not lazy: a sum of many of those is an expression as deep.
 FT area(const Exact_mesh& mesh) {
-  FT sum = 0;
+  Field sum(0);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) sum += CGAL::exact(doubled_area(mesh, t));
-  return sum / 2;
+  return FT(Field(sum / 2));
 }
 
 /// The squared sine of the least angle of a triangle, exactly.
@@ -181,8 +184,10 @@ TEST_CASE("meshes of rational graphs are exact", "[mesher][exact]") {
   }
 }
 
-TEST_CASE("vertices at exact distances", "[mesher][exact]") {
-  for (const int k : {20, 60, 125, 899, 5000}) {
+namespace {
+
+void mesh_vertices_apart(std::initializer_list<int> logarithms) {
+  for (const int k : logarithms) {
     CAPTURE(k);
     CHECK(area(run_exactly(two_vertices_apart(power_of_two(-k))).mesh) == 1);
     Exact_pslg next_to_side = unit_square();
@@ -198,7 +203,20 @@ TEST_CASE("vertices at exact distances", "[mesher][exact]") {
     add_segment(short_leg, 1, 4);
     CHECK(area(run_exactly(short_leg).mesh) == 1);
   }
+}
+
+} // namespace
+
+TEST_CASE("vertices at exact distances", "[mesher][exact]") {
+  mesh_vertices_apart({20, 60, 125, 400});
+  // beyond the range of doubles
+  CHECK(area(run_exactly(two_vertices_apart(power_of_two(-1200))).mesh) == 1);
   run_exactly(two_vertices_apart(FT(1) / FT(1e30)));
+}
+
+TEST_CASE("vertices at exact distances far below the range of doubles", "[mesher][exact][.slow]") {
+  mesh_vertices_apart({899, 2000});
+  CHECK(area(run_exactly(two_vertices_apart(power_of_two(-5000))).mesh) == 1);
 }
 
 TEST_CASE("quadtrees refuse distances beyond doubles, with the input's vertices", "[mesher][exact]") {
@@ -252,7 +270,7 @@ TEST_CASE("corners of any sharpness leave valid meshes, and those that doubles c
       clockwise += doubled_area(r.mesh, t) <= 0 ? 1 : 0;
     CHECK(clockwise == 0);
     for (const auto& e : r.report.exempt_triangles) CHECK(e.corner == Vertex_index(4));
-    if (k > 20) continue;
+    if (k > 40) continue; // shells on the legs match to a share of 2^-50
     CHECK(r.report.is_met());
     check_angles(r, 20.7);
   }
@@ -284,6 +302,12 @@ TEST_CASE("an exact mesh does not depend on the unit, nor on where 0 is", "[mesh
           scaled.points[v].y() != mesh.points[v].y() * power_of_two(k))
         ++different;
     CHECK(different == 0);
+  }
+  const std::size_t triangles = run_exactly(pslg, Options().max_edge(0.3)).mesh.triangles.size();
+  for (const int k : {-1000, -900, 900, 1000}) { // bounds of size are of the same unit
+    CAPTURE(k);
+    const Options options = Options().max_edge(std::ldexp(0.3, k));
+    CHECK(run_exactly(to_exact(pslg, power_of_two(k)), options).mesh.triangles.size() == triangles);
   }
   CHECK(area(run_exactly(to_exact(pslg, 1, power_of_two(3000) / 7)).mesh) == 1);
   CHECK(area(run_exactly(to_exact(pslg, 1, -power_of_two(21))).mesh) == 1);
@@ -381,7 +405,6 @@ TEST_CASE("other kernels for exact meshes", "[mesher][exact]") {
 }
 
 TEST_CASE("exact coordinates", "[mesher][exact]") {
-  using Field = CGAL::Exact_rational;
   using Coordinate = CGAL::Quadtree_mesh_2::internal::Exact_coordinate<Field>;
   const auto power = [](int k) { return CGAL::Quadtree_mesh_2::internal::power_of_two<Field>(k); };
   std::vector<Field> numbers{Field(0), Field(1)};

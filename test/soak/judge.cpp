@@ -158,9 +158,11 @@ bool have_room(const Soak_case& c) {
 
 Verdict judge_points_mesh(const Soak_case& c, const Points_mesh& run) {
   if (const auto fault = find_fault(run.mesh, c.graph.vertices)) return *fault;
+  using point_mesh_test::Made_in;
+  const Made_in made_in = c.kernel == Kernel::exact ? Made_in::EXACT_NUMBERS : Made_in::COORDINATES;
   bool is_unmet = false;
   for (const std::string& fault :
-       point_mesh_test::faults_of(run.mesh, c.graph.vertices, points_options(c), run.report)) {
+       point_mesh_test::faults_of(run.mesh, c.graph.vertices, points_options(c), run.report, made_in)) {
     if (is_rounded(c) && fault.find(" reported") != std::string::npos) continue;
     is_unmet =
         (is_rounded(c) || !run.report.is_met()) && fault.find("outside the range:") != std::string::npos;

@@ -16,6 +16,7 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_SCALED_DOUBLE_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_SCALED_DOUBLE_H
 
+#include <CGAL/Quadtree_mesh_2/internal/Scaled_integer.h>
 #include <CGAL/Quadtree_mesh_2/internal/exact_grid.h>
 #include <CGAL/number_utils.h>
 
@@ -52,7 +53,18 @@ public:
     return scaled(CGAL::to_double(Field(v * power_of_two<Field>(-exponent))), exponent);
   }
 
+  /// The nearest one.
+  static Scaled_double of(const Scaled_integer& v) {
+    const Scaled_integer::Rounded r = v.rounded();
+    return scaled(r.v, r.exponent);
+  }
+
   bool is_zero() const { return mantissa_ == 0; }
+  Scaled_integer to_integer() const {
+    Scaled_integer result(mantissa_);
+    if (!is_zero()) result.exponent += step_ * bits_of_step;
+    return result;
+  }
   /// The number as a double; 0 or infinite beyond the range of doubles.
   double to_double() const {
     if (step_ == 0) return mantissa_;

@@ -92,7 +92,7 @@ public:
     const Number lock_radius = corners_.sector(s).lock_radius;
     // only at the ring may vertices stand in for those of the radius; further in the chord is the limit
     const bool is_at_ring = lock_radius == corners_.corner(c).radius;
-    const Number tolerance = is_at_ring ? ring_tolerance(corners_.corner(c)) : 1e-9 * lock_radius;
+    const Number tolerance = is_at_ring ? ring_tolerance(corners_.corner(c)) : same_radius * lock_radius;
     Number low = lock_radius, high = 0;
     for (const Vertex_id v : r.v) {
       const Number radius = shell_radius(s, v);
@@ -109,6 +109,9 @@ private:
   /// New shells next to the apex lie at this share of the innermost radius: their ratio, 1.67, leaves room
   /// for ring vertices that are not quite matched (Acute_corners.h).
   static constexpr double innermost_share = 0.6;
+  /// Radii of a shell on several legs are one number, so they are the same to units in the last place; further shells may
+  /// be nearly as near, where features beside a leg's end are as small as the distance between legs there.
+  static constexpr double same_radius = 0x1p-50;
   /// A far end or another ring's vertex within this share of the chord stands in for the ring vertex.
   static constexpr double chord_share_to_merge = 0.4;
 
@@ -175,8 +178,8 @@ private:
       Leg& leg = corners_.leg(l);
       if (radius < least_share_of_leg() * leg.length) return false;
       const Interval i = interval_around(leg, radius);
-      if (i.above.vertex < 0 || i.below.radius >= radius * (1 - 1e-9) ||
-          i.above.radius <= radius * (1 + 1e-9))
+      if (i.above.vertex < 0 || i.below.radius >= radius * (1 - same_radius) ||
+          i.above.radius <= radius * (1 + same_radius))
         continue;
       const Vertex_id v = insert_between(i.below.vertex, i.above.vertex, leg.edge, point_on_leg(leg, radius));
       if (v < 0) continue;
@@ -253,7 +256,8 @@ private:
   Number shell_below_on_both(const Sector& s, Number radius) const {
     Number best = 0;
     for (const Shell_vertex& v : corners_.leg(s.right).shells)
-      if (v.radius < radius * (1 - 1e-9) && mesh_.is_used(v.vertex) && vertex_at(s.left, v.radius) >= 0)
+      if (v.radius < radius * (1 - same_radius) && mesh_.is_used(v.vertex) &&
+          vertex_at(s.left, v.radius) >= 0)
         best = std::max(best, v.radius);
     return best;
   }
@@ -264,7 +268,7 @@ private:
     if (radius == corners_.corner(leg.corner).radius)
       return leg.ring >= 0 && mesh_.is_used(leg.ring) ? leg.ring : -1;
     for (const Shell_vertex& v : leg.shells)
-      if (fabs(v.radius - radius) <= 1e-9 * radius && mesh_.is_used(v.vertex)) return v.vertex;
+      if (fabs(v.radius - radius) <= same_radius * radius && mesh_.is_used(v.vertex)) return v.vertex;
     return -1;
   }
 

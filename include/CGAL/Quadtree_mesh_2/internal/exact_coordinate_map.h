@@ -10,6 +10,7 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_EXACT_COORDINATE_MAP_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_EXACT_COORDINATE_MAP_H
 
+#include <CGAL/Quadtree_mesh_2/internal/Scaled_integer.h>
 #include <CGAL/Quadtree_mesh_2/internal/coordinate_map.h>
 #include <CGAL/Quadtree_mesh_2/internal/exact_geometry.h>
 #include <CGAL/Quadtree_mesh_2/internal/exact_grid.h>
@@ -62,9 +63,9 @@ public:
   /// The place in the user's coordinates, rounded; infinite where that is beyond doubles.
   std::array<double, 2> place(const Point& p) const { return {place(p.x, 0), place(p.y, 1)}; }
 
-  /// Lengths are doubles and stay such: of extents beyond 2^400 and 2^-400 they are not meaningful.
+  /// Lengths are doubles and stay such: those of extents that no doubles have are not meaningful.
   double length_to_kernel(double length) const {
-    return std::ldexp(length, -std::min(std::max(exponent_, -400), 400));
+    return std::ldexp(length, -std::min(std::max(exponent_, -1022), 1022));
   }
   bool is_in_range() const { return true; }
 

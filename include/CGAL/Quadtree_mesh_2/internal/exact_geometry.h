@@ -76,9 +76,7 @@ struct Exact_geometry_2 {
                              const Point& c) {
     const Number l = u.x * v.y, r = u.y * v.x;
     if (fabs(l - r) > 1e-11 * (fabs(l) + fabs(r))) return l - r;
-    const Field ax = a.x.exact(), ay = a.y.exact();
-    return Number::of(
-        Field((b.x.exact() - ax) * (c.y.exact() - ay) - (b.y.exact() - ay) * (c.x.exact() - ax)));
+    return Number::of(exact_doubled_area(a, b, c));
   }
   static Number doubled_area_of_flat(const Scaled_vector& u, const Scaled_vector& v, const Point& a,
                                      const Point& b, const Point& c) {
@@ -119,8 +117,7 @@ struct Exact_geometry_2 {
     if (fabs(d) > 3.5e-16 * (fabs(l) + fabs(r))) return d > 0 ? 1 : -1;
     if (a.is_double() && b.is_double() && c.is_double())
       return Doubles::orientation(double_point(a), double_point(b), double_point(c));
-    return static_cast<int>(
-        CGAL::orientationC2(a.x.exact(), a.y.exact(), b.x.exact(), b.y.exact(), c.x.exact(), c.y.exact()));
+    return static_cast<int>(CGAL::sign(exact_doubled_area(a, b, c)));
   }
 
   /// Whether d lies strictly inside the circle through a, b, c (counterclockwise); exact.
@@ -130,8 +127,10 @@ struct Exact_geometry_2 {
     if (test.is_certain()) return test.is_positive();
     if (a.is_double() && b.is_double() && c.is_double() && d.is_double())
       return Doubles::is_in_circle(double_point(a), double_point(b), double_point(c), double_point(d));
-    return CGAL::side_of_oriented_circleC2(a.x.exact(), a.y.exact(), b.x.exact(), b.y.exact(), c.x.exact(),
-                                           c.y.exact(), d.x.exact(), d.y.exact()) == ON_POSITIVE_SIDE;
+    const auto x = [&](const Point& p) { return Coordinate::exact_difference(p.x, d.x); };
+    const auto y = [&](const Point& p) { return Coordinate::exact_difference(p.y, d.y); };
+    return CGAL::side_of_oriented_circleC2(x(a), y(a), x(b), y(b), x(c), y(c), Field(0), Field(0)) ==
+           ON_POSITIVE_SIDE;
   }
 
   /// The corner, next to p, of the quadtree's cells with the given side, a power of two.
@@ -143,6 +142,12 @@ struct Exact_geometry_2 {
 private:
   static constexpr int bits_of_translation = 30;
   static constexpr double infinite_length = 0x1p1000; // coordinates are of the order of 1
+
+  static Field exact_doubled_area(const Point& a, const Point& b, const Point& c) {
+    const auto x = [&](const Point& p) { return Coordinate::exact_difference(p.x, a.x); };
+    const auto y = [&](const Point& p) { return Coordinate::exact_difference(p.y, a.y); };
+    return x(b) * y(c) - y(b) * x(c);
+  }
 
   using Doubles = Double_geometry_2<Exact_predicates_inexact_constructions_kernel>;
   static typename Doubles::Point double_point(const Point& p) { return {p.x.high(), p.y.high()}; }

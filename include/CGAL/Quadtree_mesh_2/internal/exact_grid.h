@@ -19,7 +19,7 @@
 
 #include <cmath>
 #include <cstdint>
-#include <iterator>
+#include <cstdlib>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -45,15 +45,71 @@ inline Long_word floor_of_scaled(double v, int shift) {
   return result;
 }
 
-/// Returns \f$ 2^k \f$.
+/// Whether numbers of a field are quotients of integers that can be divided with remainder.
+template <class Number, bool = Fraction_traits<Number>::Is_fraction::value>
+struct Has_integer_parts : std::false_type {};
+template <class Number>
+struct Has_integer_parts<Number, true> {
+  using Integer = typename Fraction_traits<Number>::Numerator_type;
+  static constexpr bool value =
+      std::is_same<Integer, typename Fraction_traits<Number>::Denominator_type>::value &&
+      std::is_base_of<Euclidean_ring_tag,
+                      typename Algebraic_structure_traits<Integer>::Algebraic_category>::value;
+};
+
+/// Returns \f$ 2^k \f$; for quotients of integers without a common divisor to look for.
 template <class Number>
 Number power_of_two(int k) {
-  Number result(1), square(2);
-  for (unsigned n = static_cast<unsigned>(k < 0 ? -k : k); n != 0; n >>= 1) {
-    if (n % 2 != 0) result *= square;
-    if (n > 1) square *= Number(square);
+  if constexpr (Has_integer_parts<Number>::value) {
+    using Integer = typename Fraction_traits<Number>::Numerator_type;
+    const Integer power = power_of_two<Integer>(std::abs(k));
+    typename Fraction_traits<Number>::Compose compose;
+    return k < 0 ? compose(Integer(1), power) : compose(power, Integer(1));
+  } else {
+    Number result(1), square(2);
+    for (unsigned n = static_cast<unsigned>(std::abs(k)); n != 0; n >>= 1) {
+      if (n % 2 != 0) result *= square;
+      if (n > 1) square *= Number(square);
+    }
+    return k < 0 ? Number(Number(1) / result) : result;
   }
-  return k < 0 ? Number(Number(1) / result) : result;
+}
+
+/// Returns an integer of a CGAL number type as one of ours.
+template <class Integer>
+Long_word to_long_word(const Integer& i) {
+  if constexpr (std::is_same<Integer, Long_word>::value) {
+    return i;
+  } else {
+    const bool is_negative = CGAL::is_negative(i);
+    const Integer base(std::ldexp(1.0, bits_of_piece));
+    Integer rest = is_negative ? Integer(-i) : i;
+    std::vector<std::uint64_t> pieces;
+    while (!CGAL::is_zero(rest)) {
+      Integer quotient, remainder;
+      CGAL::div_mod(rest, base, quotient, remainder);
+      pieces.push_back(static_cast<std::uint64_t>(CGAL::to_double(remainder)));
+      std::swap(rest, quotient);
+    }
+    Long_word result = 0;
+    if (!pieces.empty()) import_bits(result, pieces.begin(), pieces.end(), unsigned(bits_of_piece), false);
+    return is_negative ? Long_word(-result) : result;
+  }
+}
+
+/// Returns a lower bound for the largest `k` with \f$ 2^k \le v \f$, mostly that or one less.
+template <class Number>
+int estimate_logarithm(const Number& v) {
+  const double low = CGAL::to_interval(v).first;
+  if (low > 0x1p-1000 && low < 0x1p1000) return std::ilogb(low);
+  if constexpr (Has_integer_parts<Number>::value) {
+    typename Fraction_traits<Number>::Numerator_type numerator;
+    typename Fraction_traits<Number>::Denominator_type denominator;
+    typename Fraction_traits<Number>::Decompose()(v, numerator, denominator);
+    return static_cast<int>(msb(Long_word(abs(to_long_word(numerator))))) -
+           static_cast<int>(msb(Long_word(abs(to_long_word(denominator))))) - 1;
+  }
+  return 0;
 }
 
 /// Returns the largest `k` with \f$ 2^k \le v \f$, for `v` of any size.
@@ -61,9 +117,7 @@ Number power_of_two(int k) {
 template <class Number>
 int floor_of_logarithm(const Number& v) {
   const auto is_above = [&](int k) { return v < power_of_two<Number>(k); };
-  const double low = CGAL::to_interval(v).first;
-  // Mostly this is the result already; beyond the range of doubles it has to be searched for.
-  int k = low > 0 ? std::ilogb(low) : 0;
+  int k = estimate_logarithm(v);
   for (int step = 1; is_above(k); step *= 2) k -= step;
   int step = 1;
   for (; !is_above(k + step); step *= 2) k += step;
@@ -88,18 +142,6 @@ double floor_of_small(const Number& v, double limit) {
   }
   return low;
 }
-
-/// Whether numbers of a field are quotients of integers that can be divided with remainder.
-template <class Number, bool = Fraction_traits<Number>::Is_fraction::value>
-struct Has_integer_parts : std::false_type {};
-template <class Number>
-struct Has_integer_parts<Number, true> {
-  using Integer = typename Fraction_traits<Number>::Numerator_type;
-  static constexpr bool value =
-      std::is_same<Integer, typename Fraction_traits<Number>::Denominator_type>::value &&
-      std::is_base_of<Euclidean_ring_tag,
-                      typename Algebraic_structure_traits<Integer>::Algebraic_category>::value;
-};
 
 /// The map of `x` to the largest integer not above \f$ x 2^{shift} \f$.
 ///
@@ -165,75 +207,8 @@ public:
 private:
   using Integer = typename Fraction_traits<Number>::Numerator_type;
 
-  static Long_word to_long_word(const Integer& i) {
-    if constexpr (std::is_same<Integer, Long_word>::value) {
-      return i;
-    } else {
-      const bool is_negative = CGAL::is_negative(i);
-      const Integer base(std::ldexp(1.0, bits_of_piece));
-      Integer rest = is_negative ? Integer(-i) : i;
-      std::vector<std::uint64_t> pieces;
-      while (!CGAL::is_zero(rest)) {
-        Integer quotient, remainder;
-        CGAL::div_mod(rest, base, quotient, remainder);
-        pieces.push_back(static_cast<std::uint64_t>(CGAL::to_double(remainder)));
-        std::swap(rest, quotient);
-      }
-      Long_word result = 0;
-      if (!pieces.empty()) import_bits(result, pieces.begin(), pieces.end(), unsigned(bits_of_piece), false);
-      return is_negative ? Long_word(-result) : result;
-    }
-  }
-
   bool is_up_;
   Integer power_;
-};
-
-/// The product of an integer and a power of two.
-struct Scaled_integer {
-  Long_word integer;
-  int exponent;
-
-  /// Whether it is a double that is not subnormal.
-  bool is_double() const {
-    if (integer == 0) return true;
-    const Long_word magnitude = abs(integer);
-    const int high = static_cast<int>(msb(magnitude)), low = static_cast<int>(lsb(magnitude));
-    return high - low < 53 && -1022 <= high + exponent && high + exponent <= 1023;
-  }
-
-  /// Returns the nearest double.
-  double to_double() const {
-    if (integer == 0) return 0;
-    const Long_word magnitude = abs(integer);
-    const int shift = static_cast<int>(msb(magnitude)) - 61;
-    std::int64_t top = 0;
-    if (shift <= 0) {
-      top = static_cast<std::int64_t>(magnitude);
-    } else {
-      // What is cut off counts only if the rest lies in the middle between two doubles: one bit tells.
-      top = static_cast<std::int64_t>(Long_word(magnitude >> shift));
-      if (static_cast<int>(lsb(magnitude)) < shift) top |= 1;
-    }
-    const double result = std::ldexp(static_cast<double>(top), exponent + (shift > 0 ? shift : 0));
-    return integer < 0 ? -result : result;
-  }
-
-  /// Returns it exactly.
-  /// \param unit \f$ 2^{exponent} \f$
-  template <class Number>
-  Number to_exact(const Number& unit) const {
-    const Number base(std::ldexp(1.0, bits_of_piece));
-    std::vector<std::uint64_t> pieces;
-    export_bits(Long_word(abs(integer)), std::back_inserter(pieces), unsigned(bits_of_piece));
-    Number result(0);
-    for (std::uint64_t piece : pieces) {
-      result *= base;
-      result += Number(static_cast<double>(piece));
-    }
-    result *= unit;
-    return integer < 0 ? Number(-result) : result;
-  }
 };
 
 /// The exact field for the arithmetic on numbers of type `FT`: lazy ones would grow expressions.
