@@ -164,6 +164,15 @@ TEST_CASE("Features next to a leg, far from its apex, may be as small as coordin
   }
 }
 
+TEST_CASE(
+    "Triangles in a corner on a segment that runs through its apex are exempt for mesher and checker alike",
+    "[mesher][small]") {
+  const Run r = run(read("hard_segment_through_apex.poly"), to_the_bound());
+  CHECK(r.report.exempt_triangles.size() == r.quality.exempt_triangles);
+  CHECK(r.report.unmet_triangles.size() == r.quality.unmet_triangles.size());
+  check_reasons(r);
+}
+
 TEST_CASE("Subnormal coordinates are kept", "[mesher][small]") {
   const Pslg pslg = read("subnormal_vertices.poly");
   const Run r = run_to_the_bound(pslg, to_the_bound());

@@ -23,12 +23,15 @@ namespace {
 constexpr long double least_room = 256;
 
 using Real = long double;
+using Segment = CGAL::Exact_predicates_inexact_constructions_kernel::Segment_2;
 
 struct Place {
   Real x, y;
   explicit Place(const Point& p) : x(p.x()), y(p.y()) {}
   Place(Real x_, Real y_) : x(x_), y(y_) {}
 };
+/// Of a place that is one of doubles.
+Point point(const Place& p) { return Point(static_cast<double>(p.x), static_cast<double>(p.y)); }
 Real distance(const Place& a, const Place& b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
 /// The nearest place of the segment from `a` to `b`. Differences of doubles are rounded to 64 bits, which is more than
@@ -42,6 +45,38 @@ Place nearest_on(const Place& a, const Place& b, const Place& p) {
 }
 Real distance_to_segment(const Place& a, const Place& b, const Place& p) {
   return distance(nearest_on(a, b, p), p);
+}
+
+/// Where the segment from `a` to `b` is nearest to `p` and, if that is next to an end, as far from the end as it is within
+/// reach: two legs leave no room at their apex where they are too near to each other that far from it.
+std::vector<Place> places_on(const Place& a, const Place& b, const Place& p, Real reach) {
+  const Place nearest = nearest_on(a, b, p);
+  std::vector<Place> places{nearest};
+  const Real share = std::min(Real(1), reach / distance(a, b));
+  if (distance(a, nearest) <= reach)
+    places.emplace_back(a.x + share * (b.x - a.x), a.y + share * (b.y - a.y));
+  if (distance(b, nearest) <= reach)
+    places.emplace_back(b.x + share * (a.x - b.x), b.y + share * (a.y - b.y));
+  return places;
+}
+
+bool is_same(const Place& a, const Place& b) { return a.x == b.x && a.y == b.y; }
+
+/// The distance of the place `q` on the segment from `a` to `b` to the one from `c` to `d`; 0 where it is no more than
+/// what it is rounded by. Of legs of one apex it is found by the angle, which is not rounded so.
+Real width_between(const Place& a, const Place& b, const Place& c, const Place& d, const Place& q) {
+  constexpr Real rounding = 0x1p-61L; // of coordinates; a small share of the steps of doubles
+  const Place &apex = is_same(a, c) || is_same(a, d) ? a : b, &far = &apex == &a ? b : a;
+  if (!is_same(apex, c) && !is_same(apex, d)) {
+    const Real width = distance_to_segment(c, d, q);
+    return width > rounding * std::max(std::fabs(q.x), std::fabs(q.y)) ? width : 0;
+  }
+  const Place& other = is_same(apex, c) ? d : c;
+  if (CGAL::orientation(point(apex), point(far), point(other)) == CGAL::COLLINEAR) return 0;
+  const Real ux = far.x - apex.x, uy = far.y - apex.y, vx = other.x - apex.x, vy = other.y - apex.y;
+  if (ux * vx + uy * vy <= 0) return distance(q, apex);
+  const Real sine = std::fabs(ux * vy - uy * vx) / (std::hypot(ux, uy) * std::hypot(vx, vy));
+  return distance(q, apex) * std::max(sine, std::numeric_limits<Real>::epsilon());
 }
 
 Real least_positive(Real a, Real b) { return b > 0 ? std::min(a, b) : a; }
@@ -80,7 +115,6 @@ bool are_on_a_line(const std::vector<Point>& points) {
 }
 
 bool is_on_a_segment(const Pslg& graph, const Point& p) {
-  using Segment = CGAL::Exact_predicates_inexact_constructions_kernel::Segment_2;
   return std::any_of(graph.segments.begin(), graph.segments.end(),
                      [&](const auto& s) { return Segment(graph.point(s[0]), graph.point(s[1])).has_on(p); });
 }
@@ -88,7 +122,8 @@ bool is_on_a_segment(const Pslg& graph, const Point& p) {
 Real distance_to_nearest_segment(const Pslg& graph, const Point& p) {
   Real least = std::numeric_limits<Real>::infinity();
   for (const auto& s : graph.segments)
-    least = std::min(least, distance_to_segment(Place(graph.point(s[0])), Place(graph.point(s[1])), Place(p)));
+    least =
+        std::min(least, distance_to_segment(Place(graph.point(s[0])), Place(graph.point(s[1])), Place(p)));
   return least;
 }
 
@@ -118,21 +153,24 @@ Real least_feature_distance(const Pslg& graph, const Point& place, Real reach) {
     const auto [a, b] = ends_of(s);
     if (distance_to_segment(a, b, p) <= reach) segments.push_back(s);
   }
+  const auto look = [&](const Point& q, std::size_t s) {
+    const Point &a = graph.point(graph.segments[s][0]), &b = graph.point(graph.segments[s][1]);
+    if (!Segment(a, b).has_on(q))
+      least = least_positive(least, distance_to_segment(Place(a), Place(b), Place(q)));
+  };
   for (const std::size_t v : vertices) {
-    const Place q(graph.vertices[v]);
-    for (const Point& r : graph.vertices) least = least_positive(least, distance(q, Place(r)));
-    for (std::size_t s = 0; s < graph.segments.size(); ++s) {
-      const auto [a, b] = ends_of(s);
-      least = least_positive(least, distance_to_segment(a, b, q));
-    }
+    const Point& q = graph.vertices[v];
+    for (const Point& r : graph.vertices) least = least_positive(least, distance(Place(q), Place(r)));
+    for (std::size_t s = 0; s < graph.segments.size(); ++s) look(q, s);
   }
   for (const std::size_t s : segments) {
+    for (const Point& r : graph.vertices) look(r, s);
     const auto [a, b] = ends_of(s);
-    for (const Point& r : graph.vertices) least = least_positive(least, distance_to_segment(a, b, Place(r)));
-    // From leg to leg, at the place of the one that is nearest.
     for (const std::size_t t : segments) {
+      if (s == t) continue;
       const auto [c, d] = ends_of(t);
-      least = least_positive(least, distance_to_segment(c, d, nearest_on(a, b, p)));
+      for (const Place& q : places_on(a, b, p, reach))
+        least = least_positive(least, width_between(a, b, c, d, q));
     }
   }
   return least;

@@ -9,6 +9,11 @@
 #include "families.h"
 #include "shape_tools.h"
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
 namespace soak {
 
 namespace {
@@ -102,13 +107,48 @@ Pslg near_parallel_legs(std::uint64_t seed) {
   return b.pslg;
 }
 
+/// A few points of a small lattice, most of them twice, 2^-30 to 2^-52 apart, and many segments between: acute corners
+/// whose legs all but coincide, with vertices next to their ends and middles.
+Pslg doubled_lattice(std::uint64_t seed) {
+  Random random(seed);
+  Builder b;
+  const int side = 1 << random.integer(2, 4);
+  std::vector<Point> points;
+  const auto add = [&](const Point& p) {
+    if (std::find(points.begin(), points.end(), p) == points.end()) points.push_back(p);
+  };
+  for (const Point& p : {Point(0, 0), Point(side, 0), Point(side, side), Point(0, side)}) add(p);
+  for (int k = random.integer(3, 7); k > 0; --k) {
+    const int x = random.integer(0, side), y = random.integer(0, side);
+    add(Point(x, y));
+  }
+  const int lattice_points = static_cast<int>(points.size());
+  for (int k = random.integer(1, 5); k > 0; --k) {
+    const Point p = points[static_cast<std::size_t>(random.integer(0, lattice_points - 1))];
+    const double step = std::ldexp(random.integer(1, 3), -random.integer(30, 52));
+    const int i = random.integer(-1, 1), j = random.integer(-1, 1);
+    const Point q(p.x() + i * step, p.y() + j * step);
+    if (q.x() >= 0 && q.x() <= side && q.y() >= 0 && q.y() <= side) add(q);
+  }
+  for (const Point& p : points) b.vertex(p);
+  for (std::size_t i = 0; i < 4; ++i) b.segment(i, (i + 1) % 4);
+  const int last = static_cast<int>(points.size()) - 1;
+  for (int k = random.integer(3, 25); k > 0; --k) {
+    const auto i = static_cast<std::size_t>(random.integer(0, last)),
+               j = static_cast<std::size_t>(random.integer(0, last));
+    if (i != j && !crosses_any(b, points[i], points[j])) b.segment(i, j);
+  }
+  return b.pslg;
+}
+
 } // namespace
 
 std::vector<Family> near_duplicate_families() {
   return {{"offset-duplicates", offset_duplicates},
           {"split-corners", split_corners},
           {"missed-junctions", missed_junctions},
-          {"near-parallel-legs", near_parallel_legs}};
+          {"near-parallel-legs", near_parallel_legs},
+          {"doubled-lattice", doubled_lattice}};
 }
 
 } // namespace soak

@@ -107,8 +107,10 @@ Verdict judge_distance(const Soak_case& c, const std::string& message) {
       if (s < graph.segments.size())
         for (const auto v : graph.segments[s]) vertices.push_back(std::size_t(v));
   if (vertices.empty()) return failure("refused: no reason that could be checked", message);
-  // Where a kernel says how near is too near.
+  // Where a kernel says how near is too near; the quadtrees' grid has 62 bits, but for exact numbers.
+  const bool has_grid = c.separation == Separation::theorem_5 && c.kernel != Kernel::exact;
   const long double share = c.mode != Mode::pslg           ? 0x1p-40L
+                            : has_grid                     ? 0x1p-56L
                             : c.kernel == Kernel::exact    ? 0x1p-128L
                             : c.kernel == Kernel::filtered ? 0x1p-400L
                                                            : 0x1p-100L;

@@ -189,14 +189,15 @@ private:
            (CGAL::collinear(a, b, p) && CGAL::collinear_are_strictly_ordered_along_line(a, p, b));
   }
 
-  /// Where the leg of a wedge along a segment leads to: the segment's other end, or, where the segment goes
-  /// through the apex, the triangle's vertex on it.
+  /// Where the leg of a wedge along a segment leads to: the segment's other end or, where the segment goes through the
+  /// apex, the one on the triangle's side. The triangle's vertex on the leg may be too near to tell its direction.
   const Point& leg_end(std::uint32_t segment, const Point& apex,
                        const std::array<std::uint32_t, 3>& v) const {
     if (end_of(segment, 0) == apex) return end_of(segment, 1);
     if (end_of(segment, 1) == apex) return end_of(segment, 0);
     for (std::uint32_t w : v)
-      if (is_through(w, segment) && mesh_.points[w] != apex) return mesh_.points[w];
+      if (is_through(w, segment) && mesh_.points[w] != apex)
+        return end_of(segment, CGAL::angle(end_of(segment, 0), apex, mesh_.points[w]) == ACUTE ? 0 : 1);
     return apex;
   }
 
