@@ -107,8 +107,10 @@ class Checker {
 public:
   using Point = typename Mesh::Point_2;
 
-  Checker(const Mesh& mesh, const std::vector<Point>& points, const Options& options, const Report& report)
-      : mesh_(mesh), points_(points), options_(options), report_(report), promise_(Promise::of(options)) {}
+  Checker(const Mesh& mesh, const std::vector<Point>& points, const Options& options, const Report& report,
+          Real border_share)
+      : mesh_(mesh), points_(points), options_(options), report_(report), promise_(Promise::of(options)),
+        border_share_(border_share) {}
 
   const std::vector<std::string>& run() {
     check_by_mesh_quality();
@@ -126,6 +128,7 @@ private:
   const Options& options_;
   const Report& report_;
   Promise promise_;
+  Real border_share_;
   std::vector<std::string> faults_;
   CGAL::Mesh_quality_2 quality_;
   std::size_t places_ = 0; ///< of input points
@@ -272,12 +275,12 @@ private:
     using CGAL::Quadtree_mesh_2::internal::to_nearest_double;
     using Coordinate = std::decay_t<decltype(points_[0].x())>;
     if (std::is_integral_v<Coordinate>) return 1;
-    if (!std::is_floating_point_v<Coordinate>) return length * 0x1p-30L; // exact ones to a share of the way
+    if (!std::is_floating_point_v<Coordinate>) return length * border_share_;
     Real largest = 0;
     for (const Point& p : mesh_.points)
       largest = std::max(
           {largest, std::fabs(Real(to_nearest_double(p.x()))), std::fabs(Real(to_nearest_double(p.y())))});
-    return largest * 0x1p-52L;
+    return std::max(largest * 0x1p-52L, length * border_share_);
   }
 
   void check_domain() {
@@ -317,10 +320,18 @@ private:
   }
 };
 
+/// What the exact mesher rounds vertices of the border to: a share of its length.
+constexpr double exact_border_share = 0x1p-30;
+
+/// \param border_share that of the mesher, which is another one than the mesh's points tell if the mesh was rounded
 template <class Mesh>
-std::vector<std::string> faults_of(const Mesh& mesh, const std::vector<typename Mesh::Point_2>& points,
-                                   const Options& options, const Report& report) {
-  return Checker<Mesh>(mesh, points, options, report).run();
+std::vector<std::string>
+faults_of(const Mesh& mesh, const std::vector<typename Mesh::Point_2>& points, const Options& options,
+          const Report& report,
+          double border_share = std::is_arithmetic_v<std::decay_t<decltype(points[0].x())>>
+                                    ? 0
+                                    : exact_border_share) {
+  return Checker<Mesh>(mesh, points, options, report, border_share).run();
 }
 
 } // namespace point_mesh_test
