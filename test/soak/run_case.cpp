@@ -125,12 +125,11 @@ Pslg graph_of_words32(const Pslg& graph) {
     y0 = v == 0 ? graph.vertices[v].y() : std::min(y0, graph.vertices[v].y());
   }
   const double extent = extent_of(graph.vertices);
-  // To the second quarter of the root, which leaves meshes of points room around it.
+  // To the middle quarter of the root, which leaves meshes of points room around it on all sides.
   const double side = 0x1p29;
   const auto word = [&](double v, double low) {
-    if (!(extent > 0)) return side;
-    const double share = std::clamp((v - low) / extent, -0.5, 1.5);
-    return std::round(side + share * side);
+    const double share = extent > 0 ? std::clamp((v - low) / extent, -0.5, 1.5) : 0.5;
+    return std::round(1.5 * side + share * side);
   };
   Pslg result = graph;
   const auto map = [&](Point& p) { p = Point(word(p.x(), x0), word(p.y(), y0)); };
