@@ -8,6 +8,7 @@
 #include "internal/mesh_graph.h"
 #include "internal/point_set_program.h"
 #include "internal/program_steps.h"
+#include "internal/rounding_loss.h"
 
 #include "in_child.h"
 #include "resources.h"
@@ -98,6 +99,8 @@ Exit_status execute(const Command_line& line) {
   timed(run.ours.seconds, [&] { mesh(run, line); });
   check(run, line);
   check_valid(run.quality);
+  if (line.kernel == Command_line::Kernel::exact && run.report.is_met() && !run.quality.is_met())
+    refuse_what_rounding_broke(run.pslg, run.quality.unmet_triangles);
   if (line.kernel != Command_line::Kernel::filtered) note_what_rounding_broke(run);
   if (line.is_comparison_wanted) compare(run, line.options);
   const auto add_mesh = [&](mesh_files::Files& files, const std::string& output) {

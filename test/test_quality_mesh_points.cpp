@@ -90,6 +90,17 @@ CGAL::Mesh_quality_2 quality_of_files(const std::string& stem, const std::vector
 
 } // namespace
 
+TEST_CASE("points ulps apart are refused by name where exact meshes cannot be doubles", "[program][points]") {
+  const std::string mode = GENERATE("points", "bounded", "acute", "warped");
+  const Scratch_folder folder;
+  const Run r = run("--mode " + mode + " " + test_data("hard_points_ulps_apart.xy") + " --kernel exact -o " +
+                    folder.file("out.ele"));
+  CAPTURE(mode, r.out, r.err);
+  CHECK(r.status == 2);
+  CHECK(contains(r.err, "point "));
+  CHECK(folder.number_of_files() == 0);
+}
+
 TEST_CASE("the program meshes points in every mode with every kernel", "[program][points]") {
   struct Case {
     std::string mode;

@@ -311,6 +311,23 @@ TEST_CASE("bad input names the place and writes nothing", "[program]") {
   }
 }
 
+TEST_CASE("exact meshes whose angles doubles would spoil are refused, with what is too near", "[program]") {
+  const std::string separation = GENERATE("on-demand", "theorem-5");
+  for (const std::string name :
+       {"hard_exact_rounding.poly", "hard_cgal781_tiny_edge.poly", "hard_near_pair_2e-40.poly"}) {
+    CAPTURE(name, separation);
+    const Scratch_folder folder;
+    const Run r = run(test_data(name) + " --kernel exact --separation " + separation + " -o " +
+                      folder.file("mesh.ele"));
+    CAPTURE(r.err);
+    CHECK((name == "hard_near_pair_2e-40.poly" ? r.status == 0 : r.status == 2));
+    if (r.status == 0) continue;
+    CHECK(contains(r.err, "vertex "));
+    CHECK(contains(r.err, "merge what is so near"));
+    CHECK(folder.number_of_files() == 0);
+  }
+}
+
 TEST_CASE("an output may not overwrite the input", "[program]") {
   const Scratch_folder folder;
   fs::copy(test_data("syn_square.poly"), folder.file("in.poly"));

@@ -6,6 +6,7 @@
 #include "Progress_line.h"
 #include "mesh_files.h"
 #include "mesh_points.h"
+#include "rounding_loss.h"
 
 #include "by_mesh_2.h"
 #include "in_child.h"
@@ -105,6 +106,8 @@ Exit_status execute_point_set(const Command_line& line) {
   timed(run.ours.seconds, [&] { mesh(run, line); });
   check(run);
   check_valid(run.quality);
+  if (line.kernel == Command_line::Kernel::exact && run.report.is_met() && !run.unmet_triangles.empty())
+    refuse_what_rounding_broke(graph_of(run), run.unmet_triangles);
   if (line.are_lengths_wanted) run.lengths = CGAL::point_set_lengths_2(run.points);
   if (line.is_comparison_wanted) compare(run);
   const auto add_mesh = [&](mesh_files::Files& files, const std::string& output) {

@@ -90,7 +90,7 @@ std::size_t weighted(Random& random, std::initializer_list<int> weights) {
 } // namespace
 
 void prepare(Soak_case& c) {
-  if (c.kernel == Kernel::fixed32) c.graph = graph_of_words32(c.graph);
+  if (c.kernel == Kernel::fixed32) c.graph = graph_of_words32(c.graph, c.mode);
   if (c.mode == Mode::pslg) return;
   c.graph.segments.clear();
   c.graph.holes.clear();

@@ -118,18 +118,21 @@ CGAL::Mesh_quality_options_2 check_options(const Soak_case& c) {
   return check;
 }
 
-Pslg graph_of_words32(const Pslg& graph) {
+Pslg graph_of_words32(const Pslg& graph, Mode mode) {
   double x0 = 0, y0 = 0;
   for (std::size_t v = 0; v < graph.vertices.size(); ++v) {
     x0 = v == 0 ? graph.vertices[v].x() : std::min(x0, graph.vertices[v].x());
     y0 = v == 0 ? graph.vertices[v].y() : std::min(y0, graph.vertices[v].y());
   }
   const double extent = extent_of(graph.vertices);
-  // To the middle quarter of the root, which leaves meshes of points room around it on all sides.
-  const double side = 0x1p29;
+  // To the second quarter of the root, 2^31 wide; for meshes of points to the middle of it, of which they need up to nine times as
+  // much on each side.
+  const double side = mode == Mode::pslg ? 0x1p29 : 0x1p26;
+  const double west = mode == Mode::pslg ? 0x1p29 : 0x1p30 - side / 2;
   const auto word = [&](double v, double low) {
-    const double share = extent > 0 ? std::clamp((v - low) / extent, -0.5, 1.5) : 0.5;
-    return std::round(1.5 * side + share * side);
+    if (!(extent > 0)) return west;
+    const double share = std::clamp((v - low) / extent, -0.5, 1.5);
+    return std::round(west + share * side);
   };
   Pslg result = graph;
   const auto map = [&](Point& p) { p = Point(word(p.x(), x0), word(p.y(), y0)); };

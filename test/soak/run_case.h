@@ -35,7 +35,7 @@ CGAL::Point_set_mesh_options_2 points_options(const Soak_case& c);
 CGAL::Mesh_quality_options_2 check_options(const Soak_case& c);
 
 /// Words of 32 bits have no map from doubles in the package: their input is this one, a graph of integers.
-Pslg graph_of_words32(const Pslg& graph);
+Pslg graph_of_words32(const Pslg& graph, Mode mode);
 
 // Both throw what the meshers throw.
 

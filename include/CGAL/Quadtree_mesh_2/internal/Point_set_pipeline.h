@@ -39,6 +39,7 @@
 #include <cstddef>
 #include <mutex>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -149,8 +150,10 @@ private:
           constexpr std::int64_t end = std::int64_t(1) << Traits::depth;
           if (p.x < 0 || p.y < 0 || p.x > end || p.y > end)
             throw std::invalid_argument(
-                "the square around the points has corners with coordinates that are no words: "
-                "the points should lie in the middle half of the root");
+                "the domain around the points has a corner at (" + std::to_string(p.x) + ", " +
+                std::to_string(p.y) + "), which is out of range: words are from 0 to " + std::to_string(end) +
+                "; points in the middle half of that have room for a square around them, "
+                "those in the middle eighteenth for a row of squares in any direction");
         }
     }
     return frame;
