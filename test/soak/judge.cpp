@@ -157,9 +157,12 @@ bool have_room(const Soak_case& c) {
 }
 
 Verdict judge_points_mesh(const Soak_case& c, const Points_mesh& run) {
+  if (c.graph.vertices.empty() && run.mesh.triangles.empty()) return {};
   if (const auto fault = find_fault(run.mesh, c.graph.vertices)) return *fault;
   bool is_unmet = false;
-  const double border_share = c.kernel == Kernel::exact ? point_mesh_test::exact_border_share : 0;
+  const double border_share = c.kernel == Kernel::exact     ? point_mesh_test::exact_border_share
+                              : c.kernel == Kernel::fixed32 ? 0x1p-28 // a unit of the words
+                                                            : 0;
   for (const std::string& fault :
        point_mesh_test::faults_of(run.mesh, c.graph.vertices, points_options(c), run.report, border_share)) {
     if (is_rounded(c) && fault.find(" reported") != std::string::npos) continue;

@@ -125,11 +125,11 @@ Pslg graph_of_words32(const Pslg& graph) {
     y0 = v == 0 ? graph.vertices[v].y() : std::min(y0, graph.vertices[v].y());
   }
   const double extent = extent_of(graph.vertices);
-  // To the middle quarter of the root, which leaves meshes of points room around it on all sides.
-  const double side = 0x1p29;
+  // To the middle eighth of the root, which leaves meshes of points room around it on all sides.
+  const double side = 0x1p28;
   const auto word = [&](double v, double low) {
     const double share = extent > 0 ? std::clamp((v - low) / extent, -0.5, 1.5) : 0.5;
-    return std::round(1.5 * side + share * side);
+    return std::round(3.5 * side + share * side);
   };
   Pslg result = graph;
   const auto map = [&](Point& p) { p = Point(word(p.x(), x0), word(p.y(), y0)); };
