@@ -101,15 +101,17 @@ struct Promise {
   }
 };
 
-/// What a mesh was made in, which tells how far from a straight border its vertices may be; a mesh over doubles may have been
-/// rounded from exact numbers.
-enum class Made_in { COORDINATES, EXACT_NUMBERS };
+/// What a mesh was made in, which tells how far from a straight border its vertices may be. A mesh over doubles may have
+/// been made in other numbers: of words or exact ones.
+enum class Made_in { COORDINATES, WORDS, EXACT_NUMBERS };
 
 /// For a mesh that was not rounded.
 template <class Point>
 constexpr Made_in numbers_of() {
   using Coordinate = std::decay_t<decltype(std::declval<Point>().x())>;
-  return std::is_arithmetic_v<Coordinate> ? Made_in::COORDINATES : Made_in::EXACT_NUMBERS;
+  return std::is_integral_v<Coordinate>         ? Made_in::WORDS
+         : std::is_floating_point_v<Coordinate> ? Made_in::COORDINATES
+                                                : Made_in::EXACT_NUMBERS;
 }
 
 /// Collects what is wrong with a mesh.
@@ -284,8 +286,7 @@ private:
   /// What vertices of the border are rounded to, once for each time they were moved along it.
   Real unit_of_border(Real length) const {
     using CGAL::Quadtree_mesh_2::internal::to_nearest_double;
-    using Coordinate = std::decay_t<decltype(points_[0].x())>;
-    if (std::is_integral_v<Coordinate>) return 1;
+    if (made_in_ == Made_in::WORDS) return 1;
     if (made_in_ == Made_in::EXACT_NUMBERS) return length * 0x1p-30L; // to a share of the way
     Real largest = 0;
     for (const Point& p : mesh_.points)

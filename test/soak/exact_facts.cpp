@@ -129,9 +129,8 @@ Real distance_to_nearest_segment(const Pslg& graph, const Point& p) {
 
 Resolution::Resolution(const Soak_case& c) : is_of_doubles_(c.kernel != Kernel::fixed32) {
   if (c.kernel == Kernel::filtered || c.kernel == Kernel::exact) return;
-  // Words have the middle half of a root of 2^62 or 2^31 units.
-  const int bits = c.kernel == Kernel::fixed ? 60 : 29;
-  unit_ = std::ldexp(Real(extent_of(c.graph.vertices)), -bits);
+  // Words of 64 bits have the middle half of a root of 2^62 units; a graph for those of 32 bits is one of words.
+  unit_ = c.kernel == Kernel::fixed ? std::ldexp(Real(extent_of(c.graph.vertices)), -60) : 1;
 }
 
 Real Resolution::at(const Point& p) const {

@@ -161,7 +161,9 @@ Verdict judge_points_mesh(const Soak_case& c, const Points_mesh& run) {
   if (c.graph.vertices.empty() && c.mode != Mode::points && run.mesh.triangles.empty()) return {Outcome::met, "", ""};
   if (const auto fault = find_fault(run.mesh, c.graph.vertices)) return *fault;
   using point_mesh_test::Made_in;
-  const Made_in made_in = c.kernel == Kernel::exact ? Made_in::EXACT_NUMBERS : Made_in::COORDINATES;
+  const Made_in made_in = c.kernel == Kernel::exact     ? Made_in::EXACT_NUMBERS
+                          : c.kernel == Kernel::fixed32 ? Made_in::WORDS
+                                                        : Made_in::COORDINATES;
   bool is_unmet = false;
   for (const std::string& fault :
        point_mesh_test::faults_of(run.mesh, c.graph.vertices, points_options(c), run.report, made_in)) {
