@@ -24,7 +24,7 @@ configure_and_build "$root/build" quality_mesh -DCMAKE_BUILD_TYPE=Release
 mkdir -p "$folder"
 
 say "the graph"
-/usr/bin/python3 "$root/benchmark/world_coasts.py" /usr/share/gmt-gshhg/binned_GSHHS_f.nc "$folder/raw.poly"
+/usr/bin/python3 "$root/benchmark/world/world_coasts.py" /usr/share/gmt-gshhg/binned_GSHHS_f.nc "$folder/raw.poly"
 "$root/build/bin/world" "$folder/raw.poly" "$folder/world.poly"
 rm "$folder/raw.poly"
 

@@ -6,7 +6,7 @@
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Fixed_point_quadtree_traits_2.h>
 #include <CGAL/Indexed_mesh_2.h>
-#include <CGAL/Quadtree_mesh_2/internal/Number_text.h>
+#include <CGAL/Quadtree_mesh_2/internal/io/Number_text.h>
 #include <CGAL/Quality_mesh_report_2.h>
 #include <CGAL/centroid.h>
 

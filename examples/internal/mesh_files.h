@@ -10,7 +10,7 @@
 #include <CGAL/Indexed_mesh_2.h>
 #include <CGAL/Points_sizing_field_2.h>
 #include <CGAL/Pslg_2.h>
-#include <CGAL/Quadtree_mesh_2/internal/Replaced_files.h>
+#include <CGAL/Quadtree_mesh_2/internal/io/Replaced_files.h>
 
 #include <string>
 #include <vector>

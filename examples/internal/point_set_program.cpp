@@ -15,7 +15,7 @@
 
 #include <CGAL/Pslg_2.h>
 #include <CGAL/Quadtree_mesh_2/Point_error.h>
-#include <CGAL/Quadtree_mesh_2/internal/points_in_box.h>
+#include <CGAL/Quadtree_mesh_2/internal/frame/points_in_box.h>
 #include <CGAL/mesh_quality_2.h>
 #include <CGAL/point_set_lengths_2.h>
 

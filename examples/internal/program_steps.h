@@ -8,7 +8,7 @@
 
 #include "resources.h"
 
-#include <CGAL/Quadtree_mesh_2/internal/Replaced_files.h>
+#include <CGAL/Quadtree_mesh_2/internal/io/Replaced_files.h>
 #include <CGAL/mesh_quality_2.h>
 
 #include <cerrno>

@@ -25,16 +25,16 @@
 #include <CGAL/Quadtree_mesh_2/Grid_point_2.h>
 #include <CGAL/Quadtree_mesh_2/Index.h>
 #include <CGAL/Quadtree_mesh_2/Leaf_neighbors.h>
-#include <CGAL/Quadtree_mesh_2/internal/Linked_squares.h>
-#include <CGAL/Quadtree_mesh_2/internal/Required_squares.h>
-#include <CGAL/Quadtree_mesh_2/internal/Spaced_levels_grower.h>
-#include <CGAL/Quadtree_mesh_2/internal/Square_grower.h>
-#include <CGAL/Quadtree_mesh_2/internal/forcing.h>
-#include <CGAL/Quadtree_mesh_2/internal/locate_all.h>
-#include <CGAL/Quadtree_mesh_2/internal/near_neighbors.h>
-#include <CGAL/Quadtree_mesh_2/internal/parallel.h>
-#include <CGAL/Quadtree_mesh_2/internal/required_by_marks.h>
-#include <CGAL/Quadtree_mesh_2/internal/required_by_size.h>
+#include <CGAL/Quadtree_mesh_2/internal/quadtree/Linked_squares.h>
+#include <CGAL/Quadtree_mesh_2/internal/quadtree/Required_squares.h>
+#include <CGAL/Quadtree_mesh_2/internal/quadtree/Spaced_levels_grower.h>
+#include <CGAL/Quadtree_mesh_2/internal/quadtree/Square_grower.h>
+#include <CGAL/Quadtree_mesh_2/internal/quadtree/forcing.h>
+#include <CGAL/Quadtree_mesh_2/internal/quadtree/locate_all.h>
+#include <CGAL/Quadtree_mesh_2/internal/quadtree/near_neighbors.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
+#include <CGAL/Quadtree_mesh_2/internal/quadtree/required_by_marks.h>
+#include <CGAL/Quadtree_mesh_2/internal/quadtree/required_by_size.h>
 #include <CGAL/Quadtree_options.h>
 #include <CGAL/assertions.h>
 

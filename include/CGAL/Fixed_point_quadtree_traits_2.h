@@ -10,7 +10,7 @@
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Quadtree_mesh_2/Grid_point_2.h>
 #include <CGAL/Quadtree_mesh_2/Point_error.h>
-#include <CGAL/Quadtree_mesh_2/internal/meshing_geometry_fwd.h>
+#include <CGAL/Quadtree_mesh_2/internal/geometry/meshing_geometry_fwd.h>
 #include <CGAL/assertions.h>
 
 #include <algorithm>

@@ -21,11 +21,11 @@
 #include <CGAL/Quadtree_mesh_2/Grid_point_2.h>
 #include <CGAL/Quadtree_mesh_2/Index.h>
 #include <CGAL/Quadtree_mesh_2/Point_error.h>
-#include <CGAL/Quadtree_mesh_2/internal/Uninitialized_vector.h>
-#include <CGAL/Quadtree_mesh_2/internal/Word_operations.h>
-#include <CGAL/Quadtree_mesh_2/internal/morton.h>
-#include <CGAL/Quadtree_mesh_2/internal/nesting.h>
-#include <CGAL/Quadtree_mesh_2/internal/parallel.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/Uninitialized_vector.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/Word_operations.h>
+#include <CGAL/Quadtree_mesh_2/internal/grid/morton.h>
+#include <CGAL/Quadtree_mesh_2/internal/quadtree/nesting.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/assertions.h>
 #include <CGAL/tags.h>
 

@@ -37,7 +37,7 @@
 // why the lemma needs V.
 //
 // Sectors. Distances are Euclidean, and everything in the sector counts, whatever lies between. The mesher finds
-// the radii of its rings (internal/find_corners.h) geodesically: by walks in the constrained Delaunay triangulation
+// the radii of its rings (internal/refinement/find_corners.h) geodesically: by walks in the constrained Delaunay triangulation
 // of the domain that stop at constraints. The nearest feature in a sector is never hidden, because anything that
 // hides it is nearer. So the two differ only by what they leave out. The mesher ignores what is not in the domain.
 // It also ignores segments that touch the far end of a leg, even if they come back nearer to the apex than that; a
@@ -51,11 +51,11 @@
 #include <CGAL/Pslg_2.h>
 #include <CGAL/Quadtree_mesh_2/Direction.h>
 #include <CGAL/Quadtree_mesh_2/Index.h>
-#include <CGAL/Quadtree_mesh_2/internal/Axis_ray_caster.h>
-#include <CGAL/Quadtree_mesh_2/internal/Axis_rays.h>
-#include <CGAL/Quadtree_mesh_2/internal/Leaf_segments.h>
-#include <CGAL/Quadtree_mesh_2/internal/Sector_searcher.h>
-#include <CGAL/Quadtree_mesh_2/internal/parallel.h>
+#include <CGAL/Quadtree_mesh_2/internal/neighbors/Axis_ray_caster.h>
+#include <CGAL/Quadtree_mesh_2/internal/neighbors/Axis_rays.h>
+#include <CGAL/Quadtree_mesh_2/internal/quadtree/Leaf_segments.h>
+#include <CGAL/Quadtree_mesh_2/internal/neighbors/Sector_searcher.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/vertex_edge_neighbor_types.h>
 #include <CGAL/assertions.h>
 

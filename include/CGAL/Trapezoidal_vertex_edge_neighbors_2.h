@@ -23,9 +23,9 @@
 #include <CGAL/Pslg_2.h>
 #include <CGAL/Quadtree_mesh_2/Direction.h>
 #include <CGAL/Quadtree_mesh_2/Index.h>
-#include <CGAL/Quadtree_mesh_2/internal/Axis_rays.h>
-#include <CGAL/Quadtree_mesh_2/internal/Slabs.h>
-#include <CGAL/Quadtree_mesh_2/internal/parallel.h>
+#include <CGAL/Quadtree_mesh_2/internal/neighbors/Axis_rays.h>
+#include <CGAL/Quadtree_mesh_2/internal/neighbors/Slabs.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/vertex_edge_neighbor_types.h>
 #include <CGAL/assertions.h>
 

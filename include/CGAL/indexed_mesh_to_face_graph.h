@@ -8,7 +8,7 @@
 #define CGAL_INDEXED_MESH_TO_FACE_GRAPH_H
 
 #include <CGAL/Indexed_mesh_2.h>
-#include <CGAL/Quadtree_mesh_2/internal/triangle_angles.h>
+#include <CGAL/Quadtree_mesh_2/internal/geometry/triangle_angles.h>
 
 #include <CGAL/boost/graph/Euler_operations.h>
 #include <CGAL/boost/graph/properties.h>

@@ -9,7 +9,7 @@
 
 #include <CGAL/Indexed_mesh_2.h>
 #include <CGAL/Pslg_2.h>
-#include <CGAL/Quadtree_mesh_2/internal/triangle_angles.h>
+#include <CGAL/Quadtree_mesh_2/internal/geometry/triangle_angles.h>
 #include <CGAL/Quality_mesh_report_2.h>
 
 #include <Eigen/Core>

@@ -15,8 +15,8 @@
 
 #include <CGAL/Indexed_mesh_2.h>
 #include <CGAL/Pslg_2.h>
-#include <CGAL/Quadtree_mesh_2/internal/Outside_triangulation.h>
-#include <CGAL/Quadtree_mesh_2/internal/Triangulation_welder.h>
+#include <CGAL/Quadtree_mesh_2/internal/mesh_2/Outside_triangulation.h>
+#include <CGAL/Quadtree_mesh_2/internal/mesh_2/Triangulation_welder.h>
 
 #include <CGAL/assertions.h>
 

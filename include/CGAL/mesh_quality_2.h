@@ -20,8 +20,8 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Indexed_mesh_2.h>
 #include <CGAL/Pslg_2.h>
-#include <CGAL/Quadtree_mesh_2/internal/Mesh_checker.h>
-#include <CGAL/Quadtree_mesh_2/internal/Mesh_statistics.h>
+#include <CGAL/Quadtree_mesh_2/internal/checker/Mesh_checker.h>
+#include <CGAL/Quadtree_mesh_2/internal/checker/Mesh_statistics.h>
 #include <CGAL/Quadtree_mesh_2/mesh_quality_types.h>
 
 #include <CGAL/number_utils.h>

@@ -17,10 +17,10 @@
 /// triangles.
 
 #include <CGAL/Quadtree_mesh_2/Quality_mesher_2.h>
-#include <CGAL/Quadtree_mesh_2/internal/Cdt_refiner.h>
-#include <CGAL/Quadtree_mesh_2/internal/compat.h>
-#include <CGAL/Quadtree_mesh_2/internal/criteria_options.h>
-#include <CGAL/Quadtree_mesh_2/internal/mark_domain.h>
+#include <CGAL/Quadtree_mesh_2/internal/mesh_2/Cdt_refiner.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/compat.h>
+#include <CGAL/Quadtree_mesh_2/internal/mesh_2/criteria_options.h>
+#include <CGAL/Quadtree_mesh_2/internal/mesh_2/mark_domain.h>
 #include <CGAL/Quality_cdt_mesher_2.h>
 #include <CGAL/Quality_mesh_options_2.h>
 #include <CGAL/Quality_mesh_report_2.h>

@@ -8,7 +8,7 @@
 #define CGAL_REPAIR_PSLG_2_H
 
 #include <CGAL/Pslg_2.h>
-#include <CGAL/Quadtree_mesh_2/internal/arrange_pslg_2.h>
+#include <CGAL/Quadtree_mesh_2/internal/pslg/arrange_pslg_2.h>
 #include <CGAL/Quality_mesh_report_2.h>
 #include <CGAL/validate_pslg_2.h>
 

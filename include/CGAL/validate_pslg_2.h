@@ -9,7 +9,7 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Pslg_2.h>
-#include <CGAL/Quadtree_mesh_2/internal/Number_text.h>
+#include <CGAL/Quadtree_mesh_2/internal/io/Number_text.h>
 #include <CGAL/Quality_mesh_report_2.h>
 #include <CGAL/number_utils.h>
 

@@ -8,8 +8,8 @@
 #define CGAL_IO_MEDIT_H
 
 #include <CGAL/Indexed_mesh_2.h>
-#include <CGAL/Quadtree_mesh_2/internal/Line_writer.h>
-#include <CGAL/Quadtree_mesh_2/internal/Replaced_files.h>
+#include <CGAL/Quadtree_mesh_2/internal/io/Line_writer.h>
+#include <CGAL/Quadtree_mesh_2/internal/io/Replaced_files.h>
 
 #include <cstddef>
 #include <ostream>

@@ -14,8 +14,8 @@
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Indexed_mesh_2.h>
 #include <CGAL/Pslg_2.h>
-#include <CGAL/Quadtree_mesh_2/internal/Replaced_files.h>
-#include <CGAL/Quadtree_mesh_2/internal/Svg_mesh_painter.h>
+#include <CGAL/Quadtree_mesh_2/internal/io/Replaced_files.h>
+#include <CGAL/Quadtree_mesh_2/internal/io/Svg_mesh_painter.h>
 #include <CGAL/Quadtree_mesh_2/svg_options.h>
 
 #include <cstddef>

@@ -10,8 +10,8 @@
 #include <CGAL/IO/io.h>
 #include <CGAL/Indexed_mesh_2.h>
 #include <CGAL/Pslg_2.h>
-#include <CGAL/Quadtree_mesh_2/internal/Replaced_files.h>
-#include <CGAL/Quadtree_mesh_2/internal/Vtu_writer.h>
+#include <CGAL/Quadtree_mesh_2/internal/io/Replaced_files.h>
+#include <CGAL/Quadtree_mesh_2/internal/io/Vtu_writer.h>
 #include <CGAL/Quadtree_mesh_2/triangle_fields.h>
 
 #include <ostream>

@@ -14,9 +14,9 @@
 
 #include <CGAL/Balanced_quadtree.h>
 #include <CGAL/Bbox_2.h>
-#include <CGAL/Quadtree_mesh_2/internal/Replaced_files.h>
-#include <CGAL/Quadtree_mesh_2/internal/Svg_path.h>
-#include <CGAL/Quadtree_mesh_2/internal/triangle_angles.h>
+#include <CGAL/Quadtree_mesh_2/internal/io/Replaced_files.h>
+#include <CGAL/Quadtree_mesh_2/internal/io/Svg_path.h>
+#include <CGAL/Quadtree_mesh_2/internal/geometry/triangle_angles.h>
 
 #include <algorithm>
 #include <array>

@@ -8,10 +8,10 @@
 #define CGAL_IO_READ_WKT_H
 
 #include <CGAL/Pslg_2.h>
-#include <CGAL/Quadtree_mesh_2/internal/Line_scanner.h>
-#include <CGAL/Quadtree_mesh_2/internal/Simple_features.h>
-#include <CGAL/Quadtree_mesh_2/internal/printable.h>
-#include <CGAL/Quadtree_mesh_2/internal/read_whole_file.h>
+#include <CGAL/Quadtree_mesh_2/internal/io/Line_scanner.h>
+#include <CGAL/Quadtree_mesh_2/internal/pslg/Simple_features.h>
+#include <CGAL/Quadtree_mesh_2/internal/io/printable.h>
+#include <CGAL/Quadtree_mesh_2/internal/io/read_whole_file.h>
 
 #include <cctype>
 #include <cstddef>

@@ -7,9 +7,9 @@
 #ifndef CGAL_IO_READ_XY_H
 #define CGAL_IO_READ_XY_H
 
-#include <CGAL/Quadtree_mesh_2/internal/Line_scanner.h>
-#include <CGAL/Quadtree_mesh_2/internal/printable.h>
-#include <CGAL/Quadtree_mesh_2/internal/read_whole_file.h>
+#include <CGAL/Quadtree_mesh_2/internal/io/Line_scanner.h>
+#include <CGAL/Quadtree_mesh_2/internal/io/printable.h>
+#include <CGAL/Quadtree_mesh_2/internal/io/read_whole_file.h>
 
 #include <algorithm>
 #include <array>

@@ -9,8 +9,8 @@
 
 #include <CGAL/Indexed_mesh_2.h>
 #include <CGAL/Pslg_2.h>
-#include <CGAL/Quadtree_mesh_2/internal/Line_writer.h>
-#include <CGAL/Quadtree_mesh_2/internal/Replaced_files.h>
+#include <CGAL/Quadtree_mesh_2/internal/io/Line_writer.h>
+#include <CGAL/Quadtree_mesh_2/internal/io/Replaced_files.h>
 
 #include <array>
 #include <cstddef>

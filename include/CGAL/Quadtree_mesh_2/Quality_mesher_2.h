@@ -12,7 +12,7 @@
 #include <CGAL/Indexed_mesh_2.h>
 #include <CGAL/Pslg_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/Mesh_pipeline.h>
-#include <CGAL/Quadtree_mesh_2/internal/nearest_hits.h>
+#include <CGAL/Quadtree_mesh_2/internal/neighbors/nearest_hits.h>
 #include <CGAL/Quality_mesh_options_2.h>
 #include <CGAL/Quality_mesh_report_2.h>
 #include <CGAL/tags.h>

@@ -8,7 +8,7 @@
 #define CGAL_QUADTREE_MESH_2_TRIANGLE_FIELDS_H
 
 #include <CGAL/Indexed_mesh_2.h>
-#include <CGAL/Quadtree_mesh_2/internal/triangle_angles.h>
+#include <CGAL/Quadtree_mesh_2/internal/geometry/triangle_angles.h>
 
 #include <cstddef>
 #include <string>

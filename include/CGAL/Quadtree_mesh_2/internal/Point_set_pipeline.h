@@ -23,16 +23,16 @@
 #include <CGAL/Point_set_mesh_report_2.h>
 #include <CGAL/Quadtree_mesh_2/Point_error.h>
 #include <CGAL/Quadtree_mesh_2/Quality_mesher_2.h>
-#include <CGAL/Quadtree_mesh_2/internal/Corner_warper.h>
-#include <CGAL/Quadtree_mesh_2/internal/Distinct_points.h>
-#include <CGAL/Quadtree_mesh_2/internal/Phase_timer.h>
-#include <CGAL/Quadtree_mesh_2/internal/Separated_quadtree.h>
-#include <CGAL/Quadtree_mesh_2/internal/Site_mesh.h>
-#include <CGAL/Quadtree_mesh_2/internal/Tile_forest.h>
-#include <CGAL/Quadtree_mesh_2/internal/coordinate_map.h>
-#include <CGAL/Quadtree_mesh_2/internal/find_clusters.h>
-#include <CGAL/Quadtree_mesh_2/internal/points_in_box.h>
-#include <CGAL/Quadtree_mesh_2/internal/site_mesh_to_indexed_mesh.h>
+#include <CGAL/Quadtree_mesh_2/internal/squares/Corner_warper.h>
+#include <CGAL/Quadtree_mesh_2/internal/frame/Distinct_points.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/Phase_timer.h>
+#include <CGAL/Quadtree_mesh_2/internal/squares/Separated_quadtree.h>
+#include <CGAL/Quadtree_mesh_2/internal/relaxation/Site_mesh.h>
+#include <CGAL/Quadtree_mesh_2/internal/tiles/Tile_forest.h>
+#include <CGAL/Quadtree_mesh_2/internal/geometry/coordinate_map.h>
+#include <CGAL/Quadtree_mesh_2/internal/clusters/find_clusters.h>
+#include <CGAL/Quadtree_mesh_2/internal/frame/points_in_box.h>
+#include <CGAL/Quadtree_mesh_2/internal/output/site_mesh_to_indexed_mesh.h>
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,147 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+//
+// Frames for the clusters of some points, and what has to change in their tree so that all of them have one.
+//
+// * A cluster's cells get the least side that its width allows and that is large enough for the coordinates to
+//   hold what is made of it (Cluster_frame.h).
+// * If the leaf in its place cannot be 64 times as large, the cluster is dissolved: its points and clusters become
+//   its parent's. With gaps of at least `least_cluster_gap` this concerns only clusters of about the size of the
+//   coordinates' last bits.
+// * If the leaf is so large that its vertices around the octagon are no coordinates, more cells go between: a
+//   bridge, a cluster whose only site is the cluster, or another bridge. A bridge stands for a factor of 2^43 or
+//   more, so doubles need at most 50 of them for a gap, and mostly none; other coordinates need none. The center
+//   of a bridge with cells sigma <= D/448 is at most sqrt(2)/16 sigma < D/5000 beside the middle of its box, D
+//   being the distance of the cluster; that is within the bounds of find_clusters.h.
+//
+// O(n).
+
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_CLUSTERS_FRAME_CLUSTERS_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_CLUSTERS_FRAME_CLUSTERS_H
+
+#include <CGAL/Quadtree_mesh_2/internal/clusters/Cluster_frame.h>
+#include <CGAL/Quadtree_mesh_2/internal/clusters/Cluster_tree.h>
+#include <CGAL/Quadtree_mesh_2/internal/geometry/dyadic_steps.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Quadtree_mesh_2 {
+namespace internal {
+
+/// Clusters with their frames. The distance of a cluster that is alone in its parent is infinite.
+template <class Geometry>
+struct Framed_clusters {
+  Cluster_tree tree;
+  std::vector<Cluster_frame<Geometry>> frames; ///< by cluster
+};
+
+template <class Geometry>
+class Cluster_framer {
+public:
+  using Point = typename Geometry::Point;
+  using Frame = Cluster_frame<Geometry>;
+  using Room = Dyadic_room<Geometry>;
+
+  Cluster_framer(const std::vector<Point>& points, const Cluster_tree& tree) : points_(points), tree_(tree) {}
+
+  Framed_clusters<Geometry> run() {
+    Framed_clusters<Geometry> result;
+    if (tree_.clusters.empty()) return result;
+    for (const Cluster& c : tree_.clusters) add(c);
+    std::vector<std::int32_t> owners(points_.size());
+    for (std::size_t k = 0; k < tree_.clusters.size(); ++k)
+      for (std::uint32_t i = tree_.clusters[k].first_point; i < tree_.clusters[k].end_point; ++i)
+        owners[tree_.points[i]] = node_[k];
+    result.tree = Cluster_tree(found_, owners);
+    result.tree.nearest = tree_.nearest;
+    for (const Cluster& c : result.tree.clusters)
+      result.frames.push_back(Frame(points_, c.box, exponents_[std::size_t(c.source)]));
+    return result;
+  }
+
+private:
+  const std::vector<Point>& points_;
+  const Cluster_tree& tree_;
+  std::vector<std::int32_t> node_; // by cluster of the tree, that which has its sites now
+  std::vector<Found_cluster> found_;
+  std::vector<int> exponents_; // like `found_`
+
+  /// Parents are added before.
+  void add(const Cluster& c) {
+    const int exponent = exponent_for(c);
+    if (c.parent < 0) {
+      node_.push_back(push(c, -1, c.distance, exponent));
+      return;
+    }
+    const std::int32_t parent = node_[std::size_t(c.parent)];
+    const int log_leaf =
+        std::ilogb(Frame::distance_of_sites * c.distance * Frame::largest_leaf(Cluster_site::cluster));
+    node_.push_back(log_leaf - exponent < Frame::log_least_leaf ? parent
+                                                                : add_bridged(c, parent, exponent, log_leaf));
+  }
+
+  /// Adds bridges from the outermost to the innermost, and the cluster.
+  std::int32_t add_bridged(const Cluster& c, std::int32_t parent, int exponent, int log_leaf) {
+    std::vector<int> bridges; // from inside
+    for (int last = exponent; log_leaf - last > Room::bits_of_spokes; last = bridges.back())
+      bridges.push_back(
+          std::min(last + Room::bits_of_spokes + log_cells_in_leaf, log_leaf - Frame::log_least_leaf));
+    double distance = c.distance;
+    for (std::size_t k = bridges.size(); k-- > 0; distance = std::numeric_limits<double>::infinity())
+      parent = push(c, parent, distance, bridges[k]);
+    return push(c, parent, distance, exponent);
+  }
+  /// The leaf of the only site of a bridge has 2^-3 of the side of its cells.
+  static constexpr int log_cells_in_leaf = Frame::least_level_of_site - Frame::level_of_cells;
+
+  std::int32_t push(Found_cluster c, std::int32_t parent, double distance, int exponent) {
+    c.parent = parent;
+    c.distance = distance;
+    found_.push_back(c);
+    exponents_.push_back(exponent);
+    return static_cast<std::int32_t>(found_.size()) - 1;
+  }
+
+  int exponent_for(const Cluster& c) const {
+    const double largest = largest_coordinate(c.box);
+    const int least = Room::least_exponent(largest);
+    // a point by itself has no width: any size will do
+    const int wanted = c.width > 0   ? Frame::exponent_for_width(c.width)
+                       : largest > 0 ? std::ilogb(largest)
+                                     : 0;
+    return std::max(wanted, least);
+  }
+
+  double largest_coordinate(const Cluster_box& box) const {
+    double largest = 0;
+    for (std::uint32_t i : {box.left, box.right, box.bottom, box.top}) {
+      const Vector v = Geometry::difference(points_[i], Point());
+      largest = std::max({largest, std::fabs(v.x), std::fabs(v.y)});
+    }
+    return largest;
+  }
+};
+
+/// Gives each cluster its frame.
+/// \pre integer coordinates are below 2^56
+template <class Geometry>
+Framed_clusters<Geometry> frame_clusters(const std::vector<typename Geometry::Point>& points,
+                                         const Cluster_tree& tree) {
+  return Cluster_framer<Geometry>(points, tree).run();
+}
+
+} // namespace internal
+} // namespace Quadtree_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_CLUSTERS_FRAME_CLUSTERS_H

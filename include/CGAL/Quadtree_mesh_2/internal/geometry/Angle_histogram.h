@@ -1,0 +1,105 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+//
+// Counts the least and the largest angles of triangles by whole degrees, without an inverse function. Squared
+// sines and signed squared cosines grow with the angles, so they tell the bins apart. O(1) for a triangle.
+
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_GEOMETRY_ANGLE_HISTOGRAM_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_GEOMETRY_ANGLE_HISTOGRAM_H
+
+#include <CGAL/Quadtree_mesh_2/internal/geometry/meshing_geometry.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+namespace CGAL {
+namespace Quadtree_mesh_2 {
+namespace internal {
+
+/// Finds the bin of a number in [low, high] between increasing thresholds: a table leads to one near it.
+/// \tparam NumberOfBins below 256.
+template <std::size_t NumberOfBins>
+class Bin_finder {
+public:
+  /// Bin i begins at `threshold(i)`, for i up to the number of bins, where the last one ends.
+  template <class Threshold>
+  explicit Bin_finder(Threshold threshold) {
+    for (std::size_t i = 0; i <= NumberOfBins; ++i) thresholds_[i] = threshold(i);
+    cells_per_unit_ = (number_of_cells - 1) / (thresholds_[NumberOfBins] - thresholds_[0]);
+    std::size_t bin = 0;
+    for (std::size_t cell = 0; cell < number_of_cells; ++cell) {
+      const double x = thresholds_[0] + (static_cast<double>(cell) - 1e-6) / cells_per_unit_;
+      while (bin + 1 < NumberOfBins && thresholds_[bin + 1] <= x) ++bin;
+      first_[cell] = static_cast<std::uint8_t>(bin);
+    }
+  }
+
+  /// What is not a number is put into the first bin.
+  std::size_t operator()(double x) const {
+    // In this order what is no number, of triangles so small that products underflow, becomes 0.
+    const double cell =
+        std::min(std::max(0.0, (x - thresholds_[0]) * cells_per_unit_), number_of_cells - 1.0);
+    std::size_t bin = first_[static_cast<std::size_t>(cell)];
+    while (bin + 1 < NumberOfBins && x >= thresholds_[bin + 1]) ++bin;
+    return bin;
+  }
+
+private:
+  static constexpr std::size_t number_of_cells = 1024;
+  std::array<double, NumberOfBins + 1> thresholds_;
+  std::array<std::uint8_t, number_of_cells> first_;
+  double cells_per_unit_;
+};
+
+class Angle_histogram {
+public:
+  template <class Number>
+  void add(const Basic_shape<Number>& s) {
+    using std::fabs;
+    const Number x = s.shortest(), z = s.longest();
+    const Number y = std::max(std::min(s.l[0], s.l[1]), std::min(std::max(s.l[0], s.l[1]), s.l[2]));
+    const Number n = z - x - y; // -2 sqrt(x y) cos(largest)
+    ++least_[bins_->least(ratio(s.area2 * s.area2, y * z))];
+    ++largest_[bins_->largest(ratio(0.25 * n * fabs(n), x * y))];
+  }
+
+  /// Adds the numbers of triangles, by bins of 1 degree from 0 and from 60 degrees.
+  void add_to(std::array<std::size_t, 60>& least, std::array<std::size_t, 120>& largest) const {
+    for (std::size_t i = 0; i < least.size(); ++i) least[i] += least_[i];
+    for (std::size_t i = 0; i < largest.size(); ++i) largest[i] += largest_[i];
+  }
+
+private:
+  static constexpr double degree = 3.14159265358979323846 / 180;
+
+  struct Bins {
+    Bin_finder<60> least{[](std::size_t i) {
+      const double sine = std::sin(static_cast<double>(i) * degree);
+      return sine * sine;
+    }};
+    Bin_finder<120> largest{[](std::size_t i) {
+      const double cosine = -std::cos(static_cast<double>(60 + i) * degree);
+      return cosine * std::fabs(cosine);
+    }};
+  };
+  static const Bins& bins() {
+    static const Bins the_bins;
+    return the_bins;
+  }
+
+  const Bins* bins_ = &bins();
+  std::array<std::uint32_t, 60> least_{};
+  std::array<std::uint32_t, 120> largest_{};
+};
+
+} // namespace internal
+} // namespace Quadtree_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_GEOMETRY_ANGLE_HISTOGRAM_H

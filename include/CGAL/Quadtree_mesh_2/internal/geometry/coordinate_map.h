@@ -1,0 +1,132 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+//
+// The user's points to the meshing kernel's and back, without loss.
+
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_GEOMETRY_COORDINATE_MAP_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_GEOMETRY_COORDINATE_MAP_H
+
+#include <CGAL/Quadtree_mesh_2/internal/geometry/meshing_geometry.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Quadtree_mesh_2 {
+namespace internal {
+
+/// The lower and upper ends of the coordinates of some points.
+template <class Coordinate>
+struct Coordinate_ranges {
+  Coordinate low_x, high_x, low_y, high_y;
+
+  /// \pre there is a point
+  template <class PointRange>
+  explicit Coordinate_ranges(const PointRange& points)
+      : low_x(points[0].x()), high_x(low_x), low_y(points[0].y()), high_y(low_y) {
+    for (const auto& p : points) {
+      low_x = std::min<Coordinate>(low_x, p.x()), high_x = std::max<Coordinate>(high_x, p.x());
+      low_y = std::min<Coordinate>(low_y, p.y()), high_y = std::max<Coordinate>(high_y, p.y());
+    }
+  }
+  Coordinate extent() const { return std::max(high_x - low_x, high_y - low_y); }
+  Coordinate largest() const { return std::max(high_x, high_y); }
+};
+
+template <class Traits, class Geometry>
+class Coordinate_map;
+
+/// Over doubles: the input is scaled by a power of two so that its extent is about 2^200. Then products of four
+/// differences do not overflow, nor underflow down to features of 2^-442 of the extent; and coordinates are scaled
+/// upwards, which does not round subnormal ones, unless the extent is greater yet.
+template <class Traits, class Kernel>
+class Coordinate_map<Traits, Double_geometry_2<Kernel>> {
+public:
+  using Point_2 = typename Traits::Point_2;
+  using Point = typename Double_geometry_2<Kernel>::Point;
+
+  /// \param seeds points that do not count for the extent, but keep their coordinates too
+  template <class PointRange>
+  explicit Coordinate_map(const PointRange& points, const std::vector<Point_2>& seeds = {}) {
+    const double extent = Coordinate_ranges<double>(points).extent();
+    const int exponent_of_extent = std::isfinite(extent) && extent > 0 ? std::ilogb(extent) : 0;
+    exponent_ = std::max(exponent_of_extent - kernel_exponent_, least_exponent_);
+    const auto are_kept = [this](const auto& some) {
+      return std::all_of(some.begin(), some.end(), [this](const Point_2& p) { return is_kept(p); });
+    };
+    are_kept_ = are_kept(points) && are_kept(seeds);
+  }
+
+  Point to_kernel(const Point_2& p) const {
+    return {std::ldexp(p.x(), -exponent_), std::ldexp(p.y(), -exponent_)};
+  }
+  Point_2 to_user(const Point& p) const {
+    return Point_2(std::ldexp(p.x, exponent_), std::ldexp(p.y, exponent_));
+  }
+  /// The place in the user's coordinates, rounded.
+  std::array<double, 2> place(const Point& p) const {
+    return {std::ldexp(p.x, exponent_), std::ldexp(p.y, exponent_)};
+  }
+  double length_to_kernel(double length) const { return std::ldexp(length, -exponent_); }
+  bool is_in_range() const { return true; }
+
+  /// Whether p is as it was when scaled to the kernel and back.
+  bool is_kept(const Point_2& p) const { return is_kept(p.x()) && is_kept(p.y()); }
+  /// Whether all points and seeds are.
+  bool are_kept() const { return are_kept_; }
+  /// Whether vertices of the mesh may be rounded on their way back by more than a trifle of their distances: next to the
+  /// least doubles.
+  bool may_round_mesh() const { return exponent_ < -700; }
+
+private:
+  static constexpr int kernel_exponent_ = 200, least_exponent_ = -1000;
+  int exponent_ = 0;
+  bool are_kept_ = true;
+
+  bool is_kept(double c) const {
+    const double magnitude = std::fabs(c);
+    const bool is_far_from_limits =
+        magnitude >= std::ldexp(1.0, exponent_ - 900) && magnitude <= std::ldexp(1.0, exponent_ + 900);
+    return is_far_from_limits || c == 0 || std::ldexp(std::ldexp(c, -exponent_), exponent_) == c;
+  }
+};
+
+/// Over words: the same integers, signed.
+template <class Traits, class Word>
+class Coordinate_map<Traits, Integer_geometry_2<Word>> {
+public:
+  using Point_2 = typename Traits::Point_2;
+  using Point = typename Integer_geometry_2<Word>::Point;
+
+  template <class PointRange>
+  explicit Coordinate_map(const PointRange& points, const std::vector<Point_2>& = {}) {
+    const Coordinate_ranges<Word> ranges(points);
+    // differences with the auxiliary vertices of the first triangulation, three extents apart, must fit
+    // signed words
+    constexpr std::uint64_t largest_extent = std::uint64_t(1) << 61;
+    is_in_range_ = ranges.extent() <= largest_extent && ranges.largest() < 2 * largest_extent;
+  }
+
+  Point to_kernel(const Point_2& p) const { return {std::int64_t(p.x()), std::int64_t(p.y())}; }
+  Point_2 to_user(const Point& p) const { return Point_2{Word(p.x), Word(p.y)}; }
+  std::array<double, 2> place(const Point& p) const {
+    return {static_cast<double>(p.x), static_cast<double>(p.y)};
+  }
+  double length_to_kernel(double length) const { return length; }
+  bool is_in_range() const { return is_in_range_; }
+
+private:
+  bool is_in_range_ = true;
+};
+
+} // namespace internal
+} // namespace Quadtree_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_GEOMETRY_COORDINATE_MAP_H

@@ -1,0 +1,268 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+//
+// Makes the triangles of a mesh with rounded vertices counterclockwise (round_mesh_2.h says what for).
+//
+// A triangle at fault, flat or clockwise by the doubles of its vertices, is tried with, in this order: merging a
+// Steiner vertex of it with another vertex at the same place; another diagonal; other doubles for a Steiner vertex, next
+// to those nearest to its exact place; merging a Steiner vertex with any neighbor. A step is taken if it leaves fewer triangles at fault
+// than there were among those it touches, the last one also if it leaves as many, as it takes away a vertex: so it ends.
+// All is decided by exact predicates on doubles; sizes of angles only choose among steps of equal success.
+//
+// A mesh without such triangles, as nearly all are, costs one predicate per triangle and no memory.
+
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_OUTPUT_ROUNDED_MESH_REPAIRER_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_OUTPUT_ROUNDED_MESH_REPAIRER_H
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Indexed_mesh_2.h>
+#include <CGAL/Quadtree_mesh_2/internal/output/Rounded_mesh_topology.h>
+#include <CGAL/enum.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Quadtree_mesh_2 {
+namespace internal {
+
+/// How well a change does among the triangles that it touches.
+struct Rounding_success {
+  std::size_t at_fault = 0; ///< triangles that are flat or clockwise
+  double quality = 1;       ///< a measure of the least angle among all others, from 0 to 1
+
+  friend bool operator<(const Rounding_success& a, const Rounding_success& b) { // is worse
+    return a.at_fault != b.at_fault ? a.at_fault > b.at_fault : a.quality < b.quality;
+  }
+};
+
+template <class Point>
+class Rounded_mesh_repairer {
+public:
+  /// \param mesh has its points at the nearest doubles
+  explicit Rounded_mesh_repairer(Indexed_mesh_2<Point>& mesh) : mesh_(mesh) {}
+
+  /// Returns an invalid index, or a triangle that is at fault and has no cure.
+  Triangle_index run() {
+    std::vector<Triangle_index> at_fault;
+    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
+      if (is_at_fault(mesh_.triangles[t])) at_fault.push_back(Triangle_index(t));
+    if (at_fault.empty()) return {};
+    topology_.emplace(mesh_);
+    home_ = mesh_.points;
+    for (bool is_changed = true; is_changed && !at_fault.empty();) {
+      is_changed = false;
+      found_.clear();
+      for (const Triangle_index t : at_fault) {
+        if (!is_left(t)) continue;
+        while (is_left(t) && cure(t)) is_changed = true;
+        if (is_left(t)) found_.push_back(t);
+      }
+      std::sort(found_.begin(), found_.end());
+      found_.erase(std::unique(found_.begin(), found_.end()), found_.end());
+      at_fault.clear();
+      for (const Triangle_index t : found_)
+        if (is_left(t)) at_fault.push_back(t);
+    }
+    return at_fault.empty() ? Triangle_index() : at_fault.front();
+  }
+
+  /// Takes out what was merged. Returns the new index of each triangle, invalid for those that are no more.
+  std::vector<Triangle_index> compress() {
+    if (topology_) return topology_->compress();
+    std::vector<Triangle_index> same(mesh_.triangles.size());
+    for (std::size_t t = 0; t < same.size(); ++t) same[t] = Triangle_index(t);
+    return same;
+  }
+
+  std::size_t number_of_moved() const {
+    std::size_t n = 0;
+    for (const Vertex_index v : moved_) n += topology_->is_used(v) ? 1 : 0;
+    return n;
+  }
+  std::size_t number_of_merged() const { return merged_; }
+  std::size_t number_of_flipped() const { return flipped_; }
+
+private:
+  using Corners = std::array<Vertex_index, 3>;
+  using Predicates = Exact_predicates_inexact_constructions_kernel;
+  static constexpr int reach_of_free_vertices = 3; // in units of the last place
+  static constexpr int reach_on_segments = 1;
+
+  Indexed_mesh_2<Point>& mesh_;
+  std::optional<Rounded_mesh_topology<Point>> topology_;
+  std::vector<Point> home_; // the nearest doubles of all vertices
+  std::vector<Triangle_index> found_;
+  std::vector<Vertex_index> moved_;
+  std::size_t merged_ = 0, flipped_ = 0;
+
+  static bool is_counterclockwise(const Point& a, const Point& b, const Point& c) {
+    using P = Predicates::Point_2;
+    return Predicates::Orientation_2()(P(a.x(), a.y()), P(b.x(), b.y()), P(c.x(), c.y())) == LEFT_TURN;
+  }
+  bool is_at_fault(const Corners& r) const {
+    return !is_counterclockwise(mesh_.point(r[0]), mesh_.point(r[1]), mesh_.point(r[2]));
+  }
+  bool is_left(Triangle_index t) const {
+    return topology_->is_alive(t) && is_at_fault(mesh_.triangles[std::size_t(t)]);
+  }
+  bool is_steiner(Vertex_index v) const { return std::size_t(v) >= mesh_.number_of_input_vertices; }
+
+  /// Twice the area over the square of the longest side, whatever the scale.
+  static double quality(const Point& a, const Point& b, const Point& c) {
+    double ux = b.x() - a.x(), uy = b.y() - a.y(), vx = c.x() - a.x(), vy = c.y() - a.y();
+    const double largest = std::max({std::fabs(ux), std::fabs(uy), std::fabs(vx), std::fabs(vy)});
+    if (!(largest > 0) || !std::isfinite(largest)) return 0;
+    const int exponent = -std::ilogb(largest);
+    for (double* d : {&ux, &uy, &vx, &vy}) *d = std::ldexp(*d, exponent);
+    const double wx = vx - ux, wy = vy - uy;
+    return std::fabs(ux * vy - uy * vx) / std::max({ux * ux + uy * uy, vx * vx + vy * vy, wx * wx + wy * wy});
+  }
+
+  void add(Rounding_success& sum, const Corners& r) const {
+    if (is_at_fault(r))
+      ++sum.at_fault;
+    else
+      sum.quality = std::min(sum.quality, quality(mesh_.point(r[0]), mesh_.point(r[1]), mesh_.point(r[2])));
+  }
+
+  Rounding_success success_of(const std::vector<Triangle_index>& star) const {
+    Rounding_success sum;
+    for (const Triangle_index t : star) add(sum, mesh_.triangles[std::size_t(t)]);
+    return sum;
+  }
+
+  /// Whether there is a step for t that leaves fewer triangles at fault; it is taken.
+  bool cure(Triangle_index t) { return merge_at_one_place(t) || flip(t) || move_a_vertex(t) || merge(t); }
+
+  void note(const std::vector<Triangle_index>& changed) {
+    for (const Triangle_index t : changed)
+      if (is_left(t)) found_.push_back(t);
+  }
+
+  bool merge_at_one_place(Triangle_index t) {
+    const Corners r = mesh_.triangles[std::size_t(t)];
+    for (const Vertex_index v : r)
+      for (const Vertex_index w : r) {
+        if (v == w || !(mesh_.point(v) == mesh_.point(w)) || !is_steiner(v)) continue;
+        const std::vector<Triangle_index> star = topology_->star(v);
+        if (!topology_->may_merge(v, w, star)) continue;
+        merge(v, w, star);
+        return true;
+      }
+    return false;
+  }
+
+  void merge(Vertex_index v, Vertex_index w, const std::vector<Triangle_index>& star) {
+    topology_->merge(v, w, star);
+    ++merged_;
+    note(star);
+  }
+
+  bool flip(Triangle_index t) {
+    for (int k = 0; k < 3; ++k) {
+      if (!topology_->may_flip(t, k)) continue;
+      const Triangle_index u = mesh_.neighbors[std::size_t(t)][std::size_t(k)];
+      Rounding_success after;
+      for (const Corners& r : topology_->flipped(t, k)) add(after, r);
+      if (after.at_fault >= success_of({t, u}).at_fault) continue;
+      topology_->flip(t, k);
+      ++flipped_;
+      note({t, u});
+      return true;
+    }
+    return false;
+  }
+
+  /// Tries doubles around the nearest ones, near ones first; among those equally near takes the best.
+  bool move_a_vertex(Triangle_index t) {
+    const Corners r = mesh_.triangles[std::size_t(t)];
+    for (const Vertex_index v : r)
+      if (is_steiner(v) && move_vertex(v)) return true;
+    return false;
+  }
+
+  bool move_vertex(Vertex_index v) {
+    const std::vector<Triangle_index> star = topology_->star(v);
+    const Point before = mesh_.point(v);
+    const std::size_t at_fault_before = success_of(star).at_fault;
+    const int reach = topology_->is_free(v) ? reach_of_free_vertices : reach_on_segments;
+    Point best = before;
+    Rounding_success best_success{at_fault_before, 2};
+    for (int ring = 1; ring <= reach && best_success.at_fault > 0; ++ring)
+      for_each_place_around(home_[std::size_t(v)], ring, [&](const Point& p) {
+        mesh_.points[std::size_t(v)] = p;
+        const Rounding_success success = success_of(star);
+        if (success.at_fault < at_fault_before && best_success < success) best_success = success, best = p;
+      });
+    mesh_.points[std::size_t(v)] = best;
+    if (best_success.at_fault == at_fault_before) return false;
+    if (std::find(moved_.begin(), moved_.end(), v) == moved_.end()) moved_.push_back(v);
+    note(star);
+    return true;
+  }
+
+  /// Places so many units away in the last place, of each coordinate's own and of the larger one.
+  template <class Function>
+  static void for_each_place_around(const Point& p, int ring, const Function& f) {
+    const double x_unit = unit(p.x()), y_unit = unit(p.y()), larger = std::max(x_unit, y_unit);
+    for (int i = -ring; i <= ring; ++i)
+      for (int j = -ring; j <= ring; ++j) {
+        if (std::max(std::abs(i), std::abs(j)) != ring) continue;
+        f(Point(p.x() + i * x_unit, p.y() + j * y_unit));
+        if (x_unit != y_unit) f(Point(p.x() + i * larger, p.y() + j * larger));
+      }
+  }
+  static double unit(double x) {
+    return std::nextafter(std::fabs(x), std::numeric_limits<double>::infinity()) - std::fabs(x);
+  }
+
+  /// Merges a Steiner vertex of t with that neighbor with which it is best, even if as many triangles are at fault
+  /// afterwards: there are fewer vertices then.
+  bool merge(Triangle_index t) {
+    const Corners r = mesh_.triangles[std::size_t(t)];
+    Rounding_success best_success{std::numeric_limits<std::size_t>::max(), 0};
+    Vertex_index best_v, best_w;
+    for (const Vertex_index v : r) {
+      if (!is_steiner(v)) continue;
+      const std::vector<Triangle_index> star = topology_->star(v);
+      const std::size_t at_fault_before = success_of(star).at_fault;
+      for (const Vertex_index w : topology_->neighbors_in(star, v)) {
+        if (!topology_->may_merge(v, w, star)) continue;
+        const Rounding_success success = success_of_merging(v, w, star);
+        if (success.at_fault <= at_fault_before && best_success < success)
+          best_success = success, best_v = v, best_w = w;
+      }
+    }
+    if (!best_v.is_valid()) return false;
+    merge(best_v, best_w, topology_->star(best_v));
+    return true;
+  }
+
+  Rounding_success success_of_merging(Vertex_index v, Vertex_index w,
+                                      const std::vector<Triangle_index>& star) const {
+    Rounding_success sum;
+    for (const Triangle_index t : star) {
+      Corners r = mesh_.triangles[std::size_t(t)];
+      if (std::find(r.begin(), r.end(), w) != r.end()) continue;
+      std::replace(r.begin(), r.end(), v, w);
+      add(sum, r);
+    }
+    return sum;
+  }
+};
+
+} // namespace internal
+} // namespace Quadtree_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_OUTPUT_ROUNDED_MESH_REPAIRER_H

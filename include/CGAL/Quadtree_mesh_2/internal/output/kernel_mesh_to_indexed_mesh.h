@@ -1,0 +1,211 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+//
+// Converts the kernel's mesh to flat arrays, in the user's coordinates and vertex order. Accounts for
+// every triangle in the report. O(n), in parallel.
+
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_OUTPUT_KERNEL_MESH_TO_INDEXED_MESH_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_OUTPUT_KERNEL_MESH_TO_INDEXED_MESH_H
+
+#include <CGAL/Indexed_mesh_2.h>
+#include <CGAL/Pslg_2.h>
+#include <CGAL/Quadtree_mesh_2/internal/geometry/Angle_histogram.h>
+#include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
+#include <CGAL/Quadtree_mesh_2/internal/output/boundary_markers.h>
+#include <CGAL/Quadtree_mesh_2/internal/geometry/coordinate_map.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel/radix_sort.h>
+#include <CGAL/Quality_mesh_report_2.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Quadtree_mesh_2 {
+namespace internal {
+
+template <class Traits, class Concurrency_tag>
+class Kernel_mesh_converter {
+public:
+  using Geometry = typename Traits::Meshing_geometry_2;
+  using Point_2 = typename Traits::Point_2;
+  using Map = Coordinate_map<Traits, Geometry>;
+  using Mesh = Indexed_mesh_2<Point_2>;
+
+  Kernel_mesh_converter(const Meshing_state<Geometry>& state, const Pslg_2<Point_2>& pslg, const Map& map,
+                        const Order& order, Quality_mesh_report_2& report)
+      : state_(state), mesh_(state.mesh), pslg_(pslg), map_(map), order_(order), report_(report) {}
+
+  Mesh run() {
+    Mesh out;
+    make_vertices(out);
+    number_triangles();
+    out.triangles.resize(number_of_triangles_), out.neighbors.resize(number_of_triangles_);
+    if (!mesh_.region_of.empty()) out.region_of_triangle.resize(number_of_triangles_);
+    std::vector<Part> parts((mesh_.triangles.size() + default_block - 1) / default_block);
+    for_each_block<Concurrency_tag>(mesh_.triangles.size(), default_block,
+                                    [&](std::size_t b, std::size_t begin, std::size_t end) {
+                                      for (std::size_t t = begin; t < end; ++t)
+                                        if (mesh_.is_alive(Triangle_id(t)))
+                                          make_triangle(out, Triangle_id(t), parts[b]);
+                                    });
+    for (const Part& part : parts) join(out, part);
+    set_boundary_markers(out, pslg_);
+    report_.triangles = out.triangles.size();
+    return out;
+  }
+
+private:
+  /// What a block of triangles adds to lists and sums.
+  struct Part {
+    std::vector<typename Mesh::Constrained_edge> edges;
+    std::vector<Quality_mesh_report_2::Exempt_triangle> exempt;
+    std::vector<Quality_mesh_report_2::Unmet_triangle> unmet;
+    Angle_histogram angles;
+  };
+
+  const Meshing_state<Geometry>& state_;
+  const Kernel_mesh<Geometry>& mesh_;
+  const Pslg_2<Point_2>& pslg_;
+  const Map& map_;
+  const Order& order_;
+  Quality_mesh_report_2& report_;
+  std::vector<Vertex_index> new_vertex_;
+  std::vector<Triangle_index> new_triangle_;
+  std::size_t number_of_triangles_ = 0;
+
+  /// Input vertices stay where they are, used or not; Steiner vertices that are used follow.
+  void make_vertices(Mesh& out) {
+    const std::size_t n = order_.size(), all = mesh_.number_of_vertices();
+    const auto is_used = [&](std::size_t v) { return mesh_.is_used(static_cast<Vertex_id>(v)); };
+    out.number_of_input_vertices = n;
+    new_vertex_.resize(all);
+    for_each_index<Concurrency_tag>(n, [&](std::size_t v) { new_vertex_[v] = Vertex_index(order_[v]); });
+    const std::size_t steiner = count_allocate_and_place<Concurrency_tag>(
+        all - n,
+        [&](std::size_t begin, std::size_t end) {
+          std::size_t sum = 0;
+          for (std::size_t i = begin; i < end; ++i) sum += is_used(n + i) ? 1 : 0;
+          return sum;
+        },
+        [&](std::size_t sum) {
+          out.points.reserve(n + sum);
+          out.points = pslg_.vertices;
+          out.points.resize(n + sum);
+          out.segment_of_vertex.resize(n + sum);
+        },
+        [&](std::size_t begin, std::size_t end, std::size_t first) {
+          for (std::size_t v = n + begin; v < n + end; ++v)
+            if (is_used(v)) make_steiner_vertex(out, static_cast<Vertex_id>(v), n + first++);
+        });
+    report_.vertices = steiner;
+    for (std::size_t v = 0; v < n; ++v) report_.vertices += is_used(v) ? 1 : 0;
+  }
+
+  void make_steiner_vertex(Mesh& out, Vertex_id v, std::size_t place) {
+    new_vertex_[std::size_t(v)] = Vertex_index(place);
+    out.points[place] = map_.to_user(mesh_.point(v));
+    if (mesh_.edge(v) >= 0)
+      out.segment_of_vertex[place] = Segment_index(std::size_t(state_.edges[mesh_.edge(v)].segment));
+  }
+
+  void number_triangles() {
+    const std::size_t slots = mesh_.triangles.size();
+    number_of_triangles_ = count_allocate_and_place<Concurrency_tag>(
+        slots,
+        [&](std::size_t begin, std::size_t end) {
+          std::size_t sum = 0;
+          for (std::size_t t = begin; t < end; ++t) sum += mesh_.is_alive(Triangle_id(t)) ? 1 : 0;
+          return sum;
+        },
+        [&](std::size_t) { new_triangle_.resize(slots); },
+        [&](std::size_t begin, std::size_t end, std::size_t first) {
+          for (std::size_t t = begin; t < end; ++t)
+            if (mesh_.is_alive(Triangle_id(t))) new_triangle_[t] = Triangle_index(first++);
+        });
+  }
+
+  void make_triangle(Mesh& out, Triangle_id t, Part& part) const {
+    const auto& r = mesh_.triangle(t);
+    const auto place = std::size_t(new_triangle_[std::size_t(t)]);
+    for (int k = 0; k < 3; ++k) {
+      out.triangles[place][std::size_t(k)] = new_vertex_[std::size_t(r.v[k])];
+      const Side o = r.side[k];
+      if (!o.is_border()) out.neighbors[place][std::size_t(k)] = new_triangle_[std::size_t(o.triangle())];
+      if (o.is_border() || (o.is_constrained() && t < o.triangle())) add_constrained_edge(part, Side(t, k));
+    }
+    if (!mesh_.region_of.empty()) out.region_of_triangle[place] = mesh_.region(t);
+    account_for(t, part);
+  }
+
+  void add_constrained_edge(Part& part, Side s) const {
+    const Vertex_id x = mesh_.source(s), y = mesh_.target(s);
+    const Edge_id e = state_.edges.carrying(mesh_, x, y);
+    if (e < 0) return;
+    part.edges.push_back({{new_vertex_[std::size_t(x)], new_vertex_[std::size_t(y)]},
+                          Segment_index(std::size_t(state_.edges[e].segment))});
+  }
+
+  void account_for(Triangle_id t, Part& part) const {
+    const auto& r = mesh_.triangle(t);
+    const auto s = mesh_.shape(r);
+    part.angles.add(s);
+    if (!state_.bounds.is_sharp(s) && !state_.is_large(t, s)) return;
+    if (!state_.is_bad(t)) return add_exempt(t, part);
+    Quality_mesh_report_2::Unmet_triangle unmet{new_triangle_[std::size_t(t)], {0, 0}, 0, reason(t)};
+    for (const Vertex_id v : r.v) {
+      const auto [x, y] = map_.place(mesh_.point(v));
+      unmet.centroid[0] += x / 3, unmet.centroid[1] += y / 3;
+    }
+    unmet.least_angle =
+        std::asin(std::sqrt(std::min(1.0, s.sin2_of_least_angle()))) * 180 / 3.14159265358979323846;
+    part.unmet.push_back(unmet);
+  }
+
+  void add_exempt(Triangle_id t, Part& part) const {
+    const auto& r = mesh_.triangle(t);
+    const Sector_id s = state_.corners.sector_of(mesh_, r.v[0], r.v[1], r.v[2]);
+    const Vertex_id apex = state_.corners.leg(state_.corners.sector(s).right).apex;
+    part.exempt.push_back({new_triangle_[std::size_t(t)], new_vertex_[std::size_t(apex)]});
+  }
+
+  void join(Mesh& out, const Part& part) {
+    const auto append = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
+    append(out.constrained_edges, part.edges);
+    append(report_.exempt_triangles, part.exempt);
+    append(report_.unmet_triangles, part.unmet);
+    part.angles.add_to(report_.least_angle_histogram, report_.largest_angle_histogram);
+  }
+
+  /// Why a bad triangle was left.
+  Quality_mesh_report_2::Reason reason(Triangle_id t) const {
+    using Reason = Quality_mesh_report_2::Reason;
+    if (report_.is_budget_exhausted) return Reason::BUDGET;
+    if (report_.is_cancelled) return Reason::CANCELLED;
+    if (state_.bounds.least_squared_length > 0) return Reason::LEAST_EDGE;
+    if (!state_.bounds.is_established())
+      for (const Vertex_id v : mesh_.triangle(t).v)
+        if (is_at_acute_corner(v)) return Reason::CORNER;
+    return Reason::COORDINATES;
+  }
+
+  bool is_at_acute_corner(Vertex_id v) const {
+    const Edge_id e = mesh_.edge(v);
+    const auto& is_acute = state_.corners.is_acute;
+    if (mesh_.is_input(v)) return is_acute[std::size_t(mesh_.input_number(v))] != 0;
+    return e >= 0 &&
+           (is_acute[std::size_t(state_.edges[e].a)] != 0 || is_acute[std::size_t(state_.edges[e].b)] != 0);
+  }
+};
+
+} // namespace internal
+} // namespace Quadtree_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_OUTPUT_KERNEL_MESH_TO_INDEXED_MESH_H

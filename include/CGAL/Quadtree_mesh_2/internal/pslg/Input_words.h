@@ -1,0 +1,105 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+//
+// Errors about a graph, in the user's numbers and coordinates. The stages number vertices in shuffle order.
+
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_PSLG_INPUT_WORDS_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_PSLG_INPUT_WORDS_H
+
+#include <CGAL/Pslg_2.h>
+#include <CGAL/Quadtree_mesh_2/internal/triangulation/First_triangulation.h>
+#include <CGAL/Quadtree_mesh_2/internal/triangulation/Input_edges.h>
+#include <CGAL/Quadtree_mesh_2/internal/triangulation/domain.h>
+#include <CGAL/Quadtree_mesh_2/internal/grid/morton.h>
+#include <CGAL/Quality_mesh_options_2.h>
+#include <CGAL/Quality_mesh_report_2.h>
+#include <CGAL/validate_pslg_2.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace CGAL {
+namespace Quadtree_mesh_2 {
+namespace internal {
+
+/// What is wrong with a graph, in words for its owner.
+template <class Point>
+class Input_words {
+public:
+  /// \param order the input vertex of each kernel vertex; looked at when an error is made
+  Input_words(const Pslg_2<Point>& pslg, const Order& order) : pslg_(pslg), order_(order) {}
+
+  /// "vertex 3 at 0.5 0.25", by its number in the input
+  std::string vertex(std::size_t v) const {
+    std::ostringstream text;
+    text.precision(17);
+    text << "vertex " << v << " at " << pslg_.vertices[v].x() << ' ' << pslg_.vertices[v].y();
+    return text.str();
+  }
+  /// The same, by its number in the kernel.
+  std::string kernel_vertex(Vertex_id v) const { return vertex(order_[std::size_t(v)]); }
+
+  /// The names of several kernel vertices, with commas between.
+  template <class Vertices>
+  std::string kernel_vertices(const Vertices& vertices) const {
+    std::string names;
+    for (const Vertex_id v : vertices) names += (names.empty() ? "" : ", ") + kernel_vertex(v);
+    return names;
+  }
+
+  /// For two input edges that cross.
+  Pslg_crossing_error_2 crossing(const std::vector<Input_edge>& edges, const Crossing& crossing) const {
+    const auto is_crossed = [&](const Input_edge& e) {
+      return (e.a == crossing.a && e.b == crossing.b) || (e.a == crossing.b && e.b == crossing.a);
+    };
+    const std::int32_t other = std::find_if(edges.begin(), edges.end(), is_crossed)->segment;
+    return Pslg_crossing_error_2(
+        segment(crossing.segment) + " crosses " + segment(other),
+        {Segment_index(std::size_t(crossing.segment)), Segment_index(std::size_t(other))});
+  }
+
+  /// For a hole's or a region's point on a segment or vertex between components.
+  Pslg_seed_error_2 ambiguous_seed(const Ambiguous_seed& seed, const Input_edges& edges) const {
+    const auto kind =
+        seed.of == Ambiguous_seed::Of::HOLE ? Pslg_seed_error_2::Kind::HOLE : Pslg_seed_error_2::Kind::REGION;
+    if (seed.a == seed.b)
+      return make_seed_error(pslg_, kind, seed.number, Vertex_index(order_[std::size_t(seed.a)]),
+                             Segment_index());
+    const Edge_id e = edges.between(seed.a, seed.b);
+    return make_seed_error(pslg_, kind, seed.number, Vertex_index(),
+                           Segment_index(static_cast<std::size_t>(edges[e].segment)));
+  }
+
+  /// For a graph of which nothing is to be meshed.
+  Pslg_error_2 no_domain(Quality_mesh_options_2::Domain rule) const {
+    if (pslg_.segments.empty()) return Pslg_error_2("there are no segments, so there is no domain to mesh");
+    if (rule == Quality_mesh_options_2::Domain::MARKED)
+      return Pslg_error_2("no domain: no region's point is in a component that segments enclose");
+    if (pslg_.holes.empty())
+      return Pslg_error_2("the segments enclose no domain: every face is connected to infinity");
+    return Pslg_error_2("no domain is left: what the segments enclose, holes take away");
+  }
+
+private:
+  const Pslg_2<Point>& pslg_;
+  const Order& order_;
+
+  std::string segment(std::int32_t s) const {
+    const auto& [a, b] = pslg_.segments[std::size_t(s)];
+    const std::string from = vertex(std::size_t(a)), to = vertex(std::size_t(b));
+    return "segment " + std::to_string(s) + " (vertices" + from.substr(6) + " and" + to.substr(6) + ')';
+  }
+};
+
+} // namespace internal
+} // namespace Quadtree_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_PSLG_INPUT_WORDS_H

@@ -1,0 +1,228 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+
+// The split squares of an unbalanced quadtree.
+//
+// Computes: the squares that have to be split, whatever balance adds: those that hold more than m points or
+//           are larger than a point's annotation asks for. They are listed level by level, in shuffle order
+//           within a level. So the split children of a square follow each other, and a bit set and one number
+//           link them.
+// Bound:    O(n + k) work for k squares; O(1) rounds over blocks of points, and a pass over the numbers of
+//           squares that each block has on each level.
+// Source:   Bern, Eppstein, Teng, section 2, Theorem 1: each edge of the framework is a path of squares, for
+//           which room is allocated after counting.
+
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_QUADTREE_REQUIRED_SQUARES_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_QUADTREE_REQUIRED_SQUARES_H
+
+#include <CGAL/Quadtree_mesh_2/Index.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/Uninitialized_vector.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/Word_operations.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <stdexcept>
+#include <vector>
+
+namespace CGAL {
+namespace Quadtree_mesh_2 {
+namespace internal {
+
+/// Returns the number of members of a set of children, given as four bits.
+constexpr unsigned number_of_children(unsigned children) {
+  return (children & 1) + (children >> 1 & 1) + (children >> 2 & 1) + (children >> 3 & 1);
+}
+
+/// The split squares of a quadtree, level by level; see the head of this file.
+struct Required_squares {
+  static constexpr std::uint32_t none = 0xffffffffu;
+
+  /// The squares of level l are those from `level_begin[l]` to `level_begin[l + 1]`.
+  std::vector<std::uint32_t> level_begin{0};
+  /// Bit q says whether child q is split, too.
+  Uninitialized_vector<std::uint8_t> children;
+  /// The first split child; where there is none, the first one of the squares that follow.
+  Uninitialized_vector<std::uint32_t> first_child;
+  /// A point in the square; only for squares that points require.
+  Uninitialized_vector<std::uint32_t> point;
+
+  std::size_t size() const { return children.size(); }
+  int number_of_levels() const { return static_cast<int>(level_begin.size()) - 1; }
+
+  /// Child q of a square, or `none` if it is not split.
+  std::uint32_t child(std::uint32_t i, int q) const {
+    const unsigned all = children[i];
+    if ((all >> q & 1) == 0) return none;
+    return first_child[i] + number_of_children(all & ((1u << q) - 1));
+  }
+
+  /// Links the children: the split children of all squares, in order, are all squares but the root.
+  template <class Concurrency_tag>
+  void link_children() {
+    first_child.resize(size());
+    for_each_index<Concurrency_tag>(size(),
+                                    [&](std::size_t i) { first_child[i] = number_of_children(children[i]); });
+    exclusive_scan<Concurrency_tag>(first_child.data(), size());
+    for_each_index<Concurrency_tag>(size(), [&](std::size_t i) { ++first_child[i]; });
+  }
+};
+
+/// Finds the squares that the points of a framework require.
+template <class Framework, class Concurrency_tag>
+class Required_squares_finder {
+public:
+  Required_squares_finder(const Framework& framework, std::size_t max_points)
+      : framework_(framework), max_points_(max_points), depth_(framework.grid().depth()) {
+    if (framework_.has_annotations() && max_points_ > 1) find_desired_levels();
+  }
+
+  Required_squares find() {
+    const std::size_t n = framework_.number_of_points();
+    std::vector<std::vector<std::uint32_t>> places((n + block_length_ - 1) / block_length_);
+    for_each_block<Concurrency_tag>(n, block_length_, [&](std::size_t b, std::size_t begin, std::size_t end) {
+      count_squares(begin, end, places[b]);
+    });
+    Required_squares squares;
+    allocate(places, squares);
+    for_each_block<Concurrency_tag>(n, block_length_, [&](std::size_t b, std::size_t begin, std::size_t end) {
+      fill_squares(begin, end, places[b], squares);
+    });
+    squares.template link_children<Concurrency_tag>();
+    return squares;
+  }
+
+private:
+  using Node_index = typename Framework::Node_index;
+  using Point_rank = typename Framework::Point_rank;
+  static constexpr std::size_t block_length_ = default_block;
+
+  /// The squares of levels `first` to `last` that contain the same points; none if `last < first`.
+  struct Path {
+    int first;
+    int last;
+  };
+
+  /// The required squares with the points of `v` but not all of its parent's, whose level is `above`.
+  Path path(Node_index v, int above) const {
+    if (framework_.points(v).size() > max_points_) return {above + 1, framework_.level(v)};
+    if (desired_level_.empty()) return {above + 1, above};
+    return {above + 1, std::min(framework_.level(v), desired_level_[std::size_t(v)] - 1)};
+  }
+
+  /// The required squares with no point but `r`, whose smallest node has level `above`.
+  Path path(Point_rank r, int above) const { return {above + 1, framework_.desired_level(r) - 1}; }
+
+  /// The greatest annotation in each node, from the children up.
+  void find_desired_levels() {
+    desired_level_.assign(framework_.number_of_nodes(), 0);
+    for (std::size_t i = framework_.number_of_nodes(); i-- > 0;) {
+      int& level = desired_level_[i];
+      framework_.for_each_child(
+          Node_index(i),
+          [&](Node_index child) { level = std::max(level, desired_level_[std::size_t(child)]); },
+          [&](Point_rank r) { level = std::max(level, framework_.desired_level(r)); });
+    }
+  }
+
+  /// Calls `on_path(path, p, v)` for the nodes v and points p that begin in a range of points and have a path,
+  /// in shuffle order, larger squares first; v is invalid for the path of a point.
+  template <class On_path>
+  void for_each_path(std::size_t begin, std::size_t end, const On_path& on_path) const {
+    std::size_t v = first_node_from(begin);
+    for (std::size_t p = begin; p < end; ++p) {
+      for (; v < framework_.number_of_nodes() && framework_.points(Node_index(v)).begin.value() == p; ++v) {
+        const Path squares = path(Node_index(v), framework_.level_of_parent(Node_index(v)));
+        if (squares.first <= squares.last) on_path(squares, p, Node_index(v));
+      }
+      if (!framework_.has_annotations()) continue;
+      const Path squares = path(Point_rank(p), framework_.level_of_node(Point_rank(p)));
+      if (squares.first <= squares.last) on_path(squares, p, Node_index());
+    }
+  }
+
+  /// The first node whose points begin at `p` or later.
+  std::size_t first_node_from(std::size_t p) const {
+    std::size_t low = 0, high = framework_.number_of_nodes();
+    while (low < high) {
+      const std::size_t middle = low + (high - low) / 2;
+      if (framework_.points(Node_index(middle)).begin.value() < p)
+        low = middle + 1;
+      else
+        high = middle;
+    }
+    return low;
+  }
+
+  void count_squares(std::size_t begin, std::size_t end, std::vector<std::uint32_t>& count) const {
+    for_each_path(begin, end, [&](const Path& squares, std::size_t, Node_index) {
+      if (count.size() <= std::size_t(squares.last)) count.resize(std::size_t(squares.last) + 1, 0);
+      for (int level = squares.first; level <= squares.last; ++level) ++count[std::size_t(level)];
+    });
+  }
+
+  /// Turns the numbers of squares of each block on each level into their places.
+  void allocate(std::vector<std::vector<std::uint32_t>>& places, Required_squares& squares) const {
+    std::size_t levels = 0;
+    for (const auto& block : places) levels = std::max(levels, block.size());
+    std::size_t sum = 0;
+    squares.level_begin.reserve(levels + 1);
+    for (std::size_t level = 0; level < levels; ++level) {
+      for (auto& block : places) {
+        if (block.size() <= level) continue;
+        const std::uint32_t count = block[level];
+        block[level] = static_cast<std::uint32_t>(sum);
+        sum += count;
+      }
+      if (sum >= Required_squares::none) throw std::length_error("Balanced_quadtree: too many squares");
+      squares.level_begin.push_back(static_cast<std::uint32_t>(sum));
+    }
+    squares.children.resize(sum);
+    squares.point.resize(sum);
+  }
+
+  void fill_squares(std::size_t begin, std::size_t end, std::vector<std::uint32_t>& next,
+                    Required_squares& squares) const {
+    for_each_path(begin, end, [&](const Path& path, std::size_t p, Node_index v) {
+      const auto& point = framework_.grid_point(Point_rank(p));
+      const auto fill = [&](int level, unsigned children) {
+        const std::uint32_t i = next[std::size_t(level)]++;
+        squares.children[i] = static_cast<std::uint8_t>(children);
+        squares.point[i] = static_cast<std::uint32_t>(p);
+      };
+      for (int level = path.first; level < path.last; ++level)
+        fill(level, 1u << quadrant(point, level, depth_));
+      fill(path.last, v.is_valid() ? split_children(v, path.last) : 0);
+    });
+  }
+
+  /// The split children of the square of level `level` that has the points of `v`.
+  unsigned split_children(Node_index v, int level) const {
+    if (level < framework_.level(v)) return 0; // the path ends before v for lack of points
+    unsigned children = 0;
+    const auto add = [&](const Path& path, Point_rank first) {
+      if (path.first <= path.last) children |= 1u << quadrant(framework_.grid_point(first), level, depth_);
+    };
+    framework_.for_each_child(
+        v, [&](Node_index child) { add(path(child, level), framework_.points(child).begin); },
+        [&](Point_rank r) {
+          if (framework_.has_annotations()) add(path(r, level), r);
+        });
+    return children;
+  }
+
+  const Framework& framework_;
+  std::size_t max_points_;
+  int depth_;
+  std::vector<int> desired_level_; // by node, if annotations and nodes with few points meet
+};
+
+} // namespace internal
+} // namespace Quadtree_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_QUADTREE_REQUIRED_SQUARES_H

@@ -1,0 +1,299 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+
+// The linked squares of a balanced quadtree, in bands of levels that are grown at the same time.
+//
+// Computes: from the required squares, all squares of a quadtree that is balanced across sides and corners: on
+//           levels log2 n apart the split squares are found by sorting what is required and forced there;
+//           these are the tops of bands, and below them squares are grown from the top down.
+// Bound:    O(n log n + k) work; O(log n) rounds to find all squares and their cross pointers, whatever the
+//           depth. (Leaves are numbered afterward, in two short rounds for each level.)
+// Source:   Bern, Eppstein, Teng, Theorem 2. The set of levels is that with the fewest required squares, of
+//           log2 n disjoint ones, so that only O(k / log n) squares are sorted.
+// Deviates: a required square with a split child forces all its eight neighbors, of its own size: then what
+//           is forced on a level depends on the required squares of that level and the next alone, and forces
+//           nothing more. (The three forced squares of the paper can force others: a square at the far side of
+//           its parent forces one next to its grandparent.) No square is split for the sake of its siblings.
+
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_QUADTREE_SPACED_LEVELS_GROWER_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_QUADTREE_SPACED_LEVELS_GROWER_H
+
+#include <CGAL/Quadtree_mesh_2/Direction.h>
+#include <CGAL/Quadtree_mesh_2/Index.h>
+#include <CGAL/Quadtree_mesh_2/internal/quadtree/Linked_squares.h>
+#include <CGAL/Quadtree_mesh_2/internal/quadtree/Required_squares.h>
+#include <CGAL/Quadtree_mesh_2/internal/quadtree/Square_grower.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/Uninitialized_vector.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/Word_operations.h>
+#include <CGAL/Quadtree_mesh_2/internal/quadtree/forcing.h>
+#include <CGAL/Quadtree_mesh_2/internal/grid/morton.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel/parallel_sort.h>
+#include <CGAL/Quadtree_mesh_2/internal/quadtree/spaced_levels.h>
+#include <CGAL/assertions.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Quadtree_mesh_2 {
+namespace internal {
+
+template <class Framework, class Concurrency_tag>
+class Spaced_levels_grower {
+public:
+  using Grower = Square_grower<Framework, Concurrency_tag>;
+  using Squares = typename Grower::Squares;
+
+  /// \param required the squares that the points of the framework require.
+  Spaced_levels_grower(const Framework& framework, const Required_squares& required)
+      : framework_(framework), required_(required), forced_(all_forced_directions<Concurrency_tag>(required)),
+        depth_(framework.grid().depth()) {}
+
+  /// Returns the squares of the quadtree.
+  Squares grow() {
+    const std::vector<int> levels = spaced_levels();
+    std::vector<Grower> bands;
+    bands.reserve(levels.size() + 1);
+    while (bands.size() <= levels.size()) bands.emplace_back(framework_, required_, forced_);
+    Executor<Concurrency_tag>::run(bands.size(), [&](std::size_t b) {
+      const int end = b < levels.size() ? levels[b] : required_.number_of_levels();
+      if (b == 0) {
+        bands[b].reserve(required_.size()); // for all, as the other bands are appended
+        bands[b].begin_with_root();
+      } else {
+        bands[b].reserve(number_of_required(levels[b - 1], end));
+        begin_with_tops(bands[b], levels[b - 1]);
+      }
+      if (required_.size() > 0) grow_band(bands[b], end);
+    });
+    Squares squares = bands.size() == 1 ? std::move(bands[0].squares_) : join(bands);
+    squares.template number_leaves<Concurrency_tag>(framework_.number_of_points());
+    return squares;
+  }
+
+private:
+  using Grid_point = typename Framework::Grid_point;
+  using Word = typename Framework::Word;
+  using Point_rank = typename Framework::Point_rank;
+
+  /// Levels that are log2 n apart, so chosen that they have the fewest required squares; not the root's.
+  std::vector<int> spaced_levels() const {
+    const int spacing = spacing_of_levels(framework_.number_of_points());
+    const int offset = offset_of_spaced_levels(required_.level_begin, spacing);
+    std::vector<int> result;
+    for (int l = offset > 0 ? offset : spacing; l < required_.number_of_levels(); l += spacing)
+      result.push_back(l);
+    return result;
+  }
+
+  /// The number of required squares on levels `first` to `end`, exclusive.
+  std::size_t number_of_required(int first, int end) const {
+    return required_.level_begin[std::size_t(end)] - required_.level_begin[std::size_t(first)];
+  }
+
+  /// Makes the levels of a band down to level `end`, exclusive, and marks what is split there.
+  static void grow_band(Grower& band, int end) {
+    for (band.mark_children(); band.number_of_marks() > 0 && band.level_of_children() < end;
+         band.mark_children())
+      band.split_marked_children();
+    band.for_each_child([](std::uint32_t, std::size_t) {});
+  }
+
+  /// \name The tops of a band
+  /// A square of a level is given by its lower left corner in units of its side.
+  /// @{
+
+  Grid_point place_of_point(std::uint32_t point, int level) const {
+    const Grid_point& p = framework_.grid_point(Point_rank(point));
+    const int shift = depth_ - level;
+    return {static_cast<Word>(p.x >> shift), static_cast<Word>(p.y >> shift)};
+  }
+
+  /// The square next to `s`; false if it is outside the root.
+  static bool step(const Grid_point& s, Direction d, int level, Grid_point& neighbor) {
+    const Word last = static_cast<Word>(Word_operations<Word>::power_of_two(level) - 1);
+    const int dx = step_x(d), dy = step_y(d);
+    if ((dx < 0 && s.x == 0) || (dx > 0 && s.x == last) || (dy < 0 && s.y == 0) || (dy > 0 && s.y == last))
+      return false;
+    neighbor = s;
+    if (dx > 0) ++neighbor.x;
+    if (dx < 0) --neighbor.x;
+    if (dy > 0) ++neighbor.y;
+    if (dy < 0) --neighbor.y;
+    return true;
+  }
+
+  /// The squares of a level that are required or forced, in shuffle order.
+  std::vector<Grid_point> find_tops(int level) const {
+    const std::uint32_t first = required_.level_begin[std::size_t(level)];
+    const std::uint32_t last = required_.level_begin[std::size_t(level) + 1];
+    std::vector<Grid_point> tops(9 * std::size_t(last - first));
+    for_each_index<Concurrency_tag>(last - first, [&](std::size_t i) {
+      const Grid_point s = place_of_point(required_.point[first + i], level);
+      std::fill_n(tops.begin() + static_cast<std::ptrdiff_t>(9 * i), 9, s);
+      if (forced_[first + i] != 0)
+        for (Direction d : all_directions()) step(s, d, level, tops[9 * i + static_cast<std::size_t>(d)]);
+    });
+    sort<Concurrency_tag>(tops.begin(), tops.end(), Less_shuffle());
+    unique<Concurrency_tag>(tops);
+    return tops;
+  }
+
+  static std::size_t find_top(const std::vector<Grid_point>& tops, const Grid_point& s) {
+    const auto found = std::lower_bound(tops.begin(), tops.end(), s, Less_shuffle());
+    return found != tops.end() && *found == s ? static_cast<std::size_t>(found - tops.begin()) : tops.size();
+  }
+
+  /// Gives a band its first level. Above it is one of squares that stand for the unknown parents, four tops
+  /// each, so that tops are children as all others are.
+  void begin_with_tops(Grower& band, int level) const {
+    const std::vector<Grid_point> tops = find_tops(level);
+    const std::size_t parents = (tops.size() + 3) / 4;
+    Squares& squares = band.squares_;
+    squares.resize(parents + tops.size());
+    squares.level_begin_ = {0, static_cast<std::uint32_t>(parents),
+                            static_cast<std::uint32_t>(parents + tops.size())};
+    band.level_offset_ = level - 1;
+    band.growth_.resize(tops.size());
+    for_each_index<Concurrency_tag>(
+        tops.size(), [&](std::size_t i) { band.growth_[i].required = Required_squares::none; });
+    const std::uint32_t first = required_.level_begin[std::size_t(level)];
+    const std::uint32_t last = required_.level_begin[std::size_t(level) + 1];
+    for_each_index<Concurrency_tag>(last - first, [&](std::size_t i) {
+      const std::size_t top = find_top(tops, place_of_point(required_.point[first + i], level));
+      band.growth_[top].required = first + static_cast<std::uint32_t>(i);
+    });
+    for_each_index<Concurrency_tag>(tops.size(), [&](std::size_t i) { make_top(band, tops, i, level); });
+  }
+
+  void make_top(Grower& band, const std::vector<Grid_point>& tops, std::size_t i, int level) const {
+    Squares& squares = band.squares_;
+    const std::size_t node = 1 + i, family = (tops.size() + 3) / 4 + i;
+    squares.leaf_or_family_[node] = static_cast<std::uint32_t>(family);
+    squares.node_[family] = static_cast<std::uint32_t>(node);
+    squares.family_level_[family] = static_cast<typename Squares::Level>(level);
+    const int shift = depth_ - level;
+    const Grid_point corner{static_cast<Word>(tops[i].x << shift), static_cast<Word>(tops[i].y << shift)};
+    if constexpr (Squares::are_corners_stored) squares.corner_[family] = corner;
+    for (Direction d : all_directions()) {
+      Grid_point neighbor;
+      std::size_t n = tops.size();
+      if (step(tops[i], d, level, neighbor)) n = find_top(tops, neighbor);
+      squares.neighbors_[family][std::size_t(d)] =
+          n < tops.size() ? static_cast<std::uint32_t>(1 + n) : Node_index().value();
+    }
+    squares.point_begin_[node] = first_point_from(corner);
+    band.growth_[i].point_end = end_of_points(squares.point_begin_[node], corner, level);
+    const auto begins =
+        band.points_.child_begins(level, squares.point_begin_[node], band.growth_[i].point_end);
+    std::copy(begins.begin(), begins.end(), &squares.point_begin_[4 * family + 1]);
+  }
+
+  /// The first rank from `begin` on for which `is_before` is false.
+  template <class Is_before>
+  std::uint32_t first_rank(std::size_t begin, const Is_before& is_before) const {
+    std::size_t end = framework_.number_of_points();
+    while (begin < end) {
+      const std::size_t middle = begin + (end - begin) / 2;
+      if (is_before(framework_.grid_point(Point_rank(middle))))
+        begin = middle + 1;
+      else
+        end = middle;
+    }
+    return static_cast<std::uint32_t>(begin);
+  }
+  std::uint32_t first_point_from(const Grid_point& corner) const {
+    return first_rank(0, [&](const Grid_point& p) { return less_shuffle(p, corner); });
+  }
+  std::uint32_t end_of_points(std::uint32_t begin, const Grid_point& corner, int level) const {
+    return first_rank(
+        begin, [&](const Grid_point& p) { return level_of_derived_square(p, corner, depth_) >= level; });
+  }
+
+  /// @}
+
+  /// \name Joining bands
+  /// Levels of different bands are disjoint, so the numbers of one band follow those of the one above.
+  /// @{
+
+  /// Appends all bands to the first one, and takes it.
+  static Squares join(std::vector<Grower>& bands) {
+    Squares& result = bands[0].squares_;
+    std::vector<std::size_t> base(bands.size() + 1, 0); // of the band's families in the result
+    std::vector<std::size_t> tops(bands.size(), 0);     // the band's first family that is not a stand-in
+    for (std::size_t b = 0; b < bands.size(); ++b) {
+      if (b > 0) tops[b] = bands[b].squares_.level_begin(1);
+      base[b + 1] = base[b] + bands[b].squares_.number_of_families() - tops[b];
+    }
+    result.resize(base.back());
+    for (std::size_t b = 1; b < bands.size(); ++b) copy_band(bands[b].squares_, tops[b], base[b], result);
+    for (std::size_t b = 0; b + 1 < bands.size(); ++b)
+      link_tops(bands[b], tops[b], base[b], base[b + 1], result);
+    for (std::size_t b = 1; b < bands.size(); ++b) {
+      const Squares& band = bands[b].squares_;
+      link_neighbors_of_tops(base[b], band.level_begin(2) - band.level_begin(1), result);
+      for (int l = 1; l < band.number_of_split_levels(); ++l)
+        result.level_begin_.push_back(
+            static_cast<std::uint32_t>(base[b] + band.level_begin(l + 1) - tops[b]));
+    }
+    return std::move(result);
+  }
+
+  /// Finds the cross pointers of `n` tops from those of their parents, which were made in another band.
+  static void link_neighbors_of_tops(std::size_t first, std::size_t n, Squares& result) {
+    for_each_index<Concurrency_tag>(n, [&](std::size_t i) {
+      result.neighbors_[first + i] = result.neighbors(Node_index(result.node_[first + i]));
+    });
+  }
+
+  /// Copies the families of a band from number `first` on to those from number `base` on.
+  static void copy_band(const Squares& band, std::size_t first, std::size_t base, Squares& result) {
+    const auto moved_node = [&](std::uint32_t node) {
+      return node == Node_index().value() ? node : static_cast<std::uint32_t>(node + 4 * base - 4 * first);
+    };
+    for_each_index<Concurrency_tag>(band.number_of_families() - first, [&](std::size_t i) {
+      const std::size_t from = first + i, to = base + i;
+      result.node_[to] = moved_node(band.node_[from]);
+      result.family_level_[to] = band.family_level_[from];
+      if constexpr (Squares::are_corners_stored) result.corner_[to] = band.corner_[from];
+      for (std::size_t d = 0; d < 8; ++d) result.neighbors_[to][d] = moved_node(band.neighbors_[from][d]);
+      for (std::size_t q = 1; q <= 4; ++q) {
+        const std::uint32_t child = band.leaf_or_family_[4 * from + q];
+        result.leaf_or_family_[4 * to + q] =
+            (child & Squares::leaf_flag) != 0 ? child : static_cast<std::uint32_t>(child + base - first);
+        result.point_begin_[4 * to + q] = band.point_begin_[4 * from + q];
+      }
+    });
+  }
+
+  /// Links the marked children of a band's last level to the tops of the next band: both are in shuffle order.
+  static void link_tops(Grower& band, std::size_t first, std::size_t base, std::size_t next_base,
+                        Squares& result) {
+    band.for_each_child([&](std::uint32_t node, std::size_t i) {
+      const std::uint32_t f = static_cast<std::uint32_t>(next_base + i);
+      const std::uint32_t moved = static_cast<std::uint32_t>(node + 4 * base - 4 * first);
+      result.leaf_or_family_[moved] = f;
+      result.node_[f] = moved;
+    });
+  }
+
+  /// @}
+
+  const Framework& framework_;
+  const Required_squares& required_;
+  Uninitialized_vector<Direction_set> forced_;
+  int depth_;
+};
+
+} // namespace internal
+} // namespace Quadtree_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_QUADTREE_SPACED_LEVELS_GROWER_H

@@ -1,0 +1,40 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_QUADTREE_SPACED_LEVELS_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_QUADTREE_SPACED_LEVELS_H
+
+#include <CGAL/Quadtree_mesh_2/internal/base/bits.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Quadtree_mesh_2 {
+namespace internal {
+
+/// Returns the distance of spaced levels for `n` points: the logarithm, rounded up, and 2 at least.
+inline int spacing_of_levels(std::size_t n) {
+  return std::max(2, bit_width(std::uint64_t(std::max<std::size_t>(n, 1) - 1)));
+}
+
+/// Returns the offset below `spacing` of the levels, `spacing` apart, that have the fewest squares (Theorem 2:
+/// at most one square in `spacing` is on them). Level l has `level_begin[l + 1] - level_begin[l]` squares.
+template <class Count>
+int offset_of_spaced_levels(const std::vector<Count>& level_begin, int spacing) {
+  std::vector<std::size_t> squares(static_cast<std::size_t>(spacing), 0);
+  for (std::size_t l = 0; l + 1 < level_begin.size(); ++l)
+    squares[l % squares.size()] += level_begin[l + 1] - level_begin[l];
+  return static_cast<int>(std::min_element(squares.begin(), squares.end()) - squares.begin());
+}
+
+} // namespace internal
+} // namespace Quadtree_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_QUADTREE_SPACED_LEVELS_H

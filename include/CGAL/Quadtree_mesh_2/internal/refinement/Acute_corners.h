@@ -1,0 +1,230 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+//
+// The acute corners of the input: which legs meet in them, at which radii the legs are cut, and which
+// triangles they excuse.
+//
+// A sector is the part of the domain between two consecutive input edges (its legs) at an input vertex (its
+// apex). Sectors below 60 degrees that share legs form a corner. A sector below `lopped_factor` times the
+// bound is lopped: no free point enters it within its lock radius. All legs of a corner with a lopped sector
+// are cut at the same radii, the shells, so that a lopped sector is a stack of isosceles trapezoids on one
+// isosceles triangle at the apex; the apex angle is never split.
+//
+// A triangle below the bound is exempt if all its vertices lie on the two legs of a lopped sector of angle
+// phi and its least angle is at least 0.9 phi; nothing else is. With consecutive shells r < R <= 1.9 r the
+// least angle of a trapezoid's triangles is atan(sin(phi) / (R/r - cos(phi))), which is at least min(0.9
+// phi, 20.7 degrees).
+//
+// Data and queries only; find_corners.h finds the corners, Splitter.h cuts the legs. O(log degree) per query.
+
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_ACUTE_CORNERS_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_ACUTE_CORNERS_H
+
+#include <CGAL/Quadtree_mesh_2/internal/triangulation/Input_edges.h>
+#include <CGAL/Quadtree_mesh_2/internal/triangulation/Kernel_mesh.h>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Quadtree_mesh_2 {
+namespace internal {
+
+/// Sectors below this multiple of the bound are lopped (numerically established: above it refinement ends
+/// without).
+constexpr double lopped_factor = 1.6;
+/// An exempt triangle keeps this share of its sector's angle.
+constexpr double exempt_share = 0.9;
+
+using Leg_id = std::int32_t;
+using Sector_id = std::int32_t;
+using Corner_id = std::int32_t;
+
+/// A vertex at a shell's radius on a leg. Far ends of legs may stand in for a ring vertex that would come
+/// close to them.
+template <class Number>
+struct Basic_shell_vertex {
+  Number radius;
+  Vertex_id vertex;
+};
+
+template <class Number>
+struct Basic_leg {
+  Corner_id corner;
+  Edge_id edge;
+  Vertex_id apex, far; ///< input numbers
+  Number length;
+  Sector_id before = -1, after = -1;              ///< lopped sectors clockwise and counterclockwise of it
+  std::vector<Basic_shell_vertex<Number>> shells; ///< by increasing radius
+  /// The vertex at the corner's radius; the far end or another ring's vertex may stand in for one that would
+  /// come close to it.
+  Vertex_id ring = -1;
+  Vertex_id apex_vertex =
+      -1; ///< the apex in the mesh (or block) at hand, as are `ring` and those of `shells`
+};
+
+template <class Number>
+struct Basic_sector {
+  Leg_id right, left; ///< counterclockwise from right to left
+  double angle;
+  Number exempt_sin2;     ///< squared sine of 0.9 times the angle
+  Number lock_radius = 0; ///< the chord between the shells of this radius is locked; 0: none is
+};
+
+template <class Number>
+struct Basic_corner {
+  Vertex_id apex;
+  Number radius = 0;
+  std::vector<Leg_id> legs;
+  std::vector<Sector_id> sectors; ///< the lopped ones
+  double least_angle = 0;
+};
+
+template <class Geometry>
+class Acute_corners {
+public:
+  using Mesh = Kernel_mesh<Geometry>;
+  using Number = typename Geometry::Number;
+  using Shell_vertex = Basic_shell_vertex<Number>;
+  using Leg = Basic_leg<Number>;
+  using Sector = Basic_sector<Number>;
+  using Corner = Basic_corner<Number>;
+
+  std::vector<Leg> legs;
+  std::vector<Sector> sectors;
+  std::vector<Corner> corners;
+  /// Per input edge, the leg it is seen from its end a, from its end b; -1 where the corner has no lopped
+  /// sector.
+  std::vector<std::array<Leg_id, 2>> legs_of_edge;
+  /// Per input vertex: a domain sector below 60 degrees lies at it.
+  std::vector<char> is_acute;
+
+  Leg& leg(Leg_id l) { return legs[std::size_t(l)]; }
+  const Leg& leg(Leg_id l) const { return legs[std::size_t(l)]; }
+  Sector& sector(Sector_id s) { return sectors[std::size_t(s)]; }
+  const Sector& sector(Sector_id s) const { return sectors[std::size_t(s)]; }
+  Corner& corner(Corner_id c) { return corners[std::size_t(c)]; }
+  const Corner& corner(Corner_id c) const { return corners[std::size_t(c)]; }
+  Corner_id corner_of(const Sector& s) const { return leg(s.right).corner; }
+
+  void prepare(const Input_edges& edges, std::size_t number_of_input_vertices) {
+    edges_ = &edges;
+    legs_of_edge.assign(edges.size(), {-1, -1});
+    is_acute.assign(number_of_input_vertices, 0);
+    on_leg_.assign(number_of_input_vertices, 0);
+  }
+
+  /// As before legs were cut, in a mesh that has the input vertices' numbers for handles.
+  void forget_cuts() {
+    for (Leg& l : legs) l.shells.clear(), l.ring = -1, l.apex_vertex = l.apex;
+    for (Sector& s : sectors) s.lock_radius = 0;
+  }
+
+  Leg_id add_leg(Leg leg) {
+    const Leg_id l = static_cast<Leg_id>(legs.size());
+    legs_of_edge[std::size_t(leg.edge)][(*edges_)[leg.edge].a == leg.apex ? 0 : 1] = l;
+    on_leg_[std::size_t(leg.apex)] = on_leg_[std::size_t(leg.far)] = 1;
+    legs.push_back(std::move(leg));
+    return l;
+  }
+
+  /// Whether v lies on a leg of some corner with a lopped sector: only then can its triangles be exempt.
+  bool is_on_leg(const Mesh& mesh, Vertex_id v) const {
+    const Edge_id e = mesh.edge(v);
+    if (e == free_vertex) return false;
+    if (mesh.is_input(v)) return on_leg_[std::size_t(mesh.input_number(v))] != 0;
+    return legs_of_edge[std::size_t(e)][0] >= 0 || legs_of_edge[std::size_t(e)][1] >= 0;
+  }
+
+  /// The leg with the given apex (an input number) that carries v; -1 if none does.
+  Leg_id leg_at(const Mesh& mesh, Vertex_id apex, Vertex_id v) const {
+    const Edge_id e = mesh.is_input(v) ? edges_->between(apex, mesh.input_number(v)) : mesh.edge(v);
+    if (e < 0) return -1;
+    const Input_edge& edge = (*edges_)[e];
+    return edge.a == apex   ? legs_of_edge[std::size_t(e)][0]
+           : edge.b == apex ? legs_of_edge[std::size_t(e)][1]
+                            : -1;
+  }
+
+  /// The lopped sector whose two legs carry a, b and c (the apex lies on both); -1 if there is none.
+  Sector_id sector_of(const Mesh& mesh, Vertex_id a, Vertex_id b, Vertex_id c) const {
+    if (legs.empty() || !is_on_leg(mesh, a) || !is_on_leg(mesh, b) || !is_on_leg(mesh, c)) return -1;
+    const Vertex_id v[3] = {a, b, c};
+    for (int k = 0; k < 3; ++k) {
+      const Vertex_id x = v[next_slot[k]], y = v[previous_slot[k]];
+      const Edge_id e = mesh.edge(v[k]);
+      if (mesh.is_input(v[k])) {
+        const Vertex_id apex = mesh.input_number(v[k]);
+        const Sector_id s = common_sector(leg_at(mesh, apex, x), leg_at(mesh, apex, y));
+        if (s >= 0) return s;
+        continue;
+      }
+      for (const Leg_id l : legs_of_edge[std::size_t(e)]) {
+        const Sector_id s = l < 0 ? -1 : sector_with(mesh, l, x, y);
+        if (s >= 0) return s;
+      }
+    }
+    return -1;
+  }
+
+  /// Calls `f(sector)` for the lopped sectors from one leg to the other of which the chord x-y runs: there may be
+  /// several if x or y is the far end of legs of two corners. Stops when f returns true.
+  template <class Function>
+  void find_sector_of_chord(const Mesh& mesh, Vertex_id x, Vertex_id y, Function f) const {
+    const auto is_wanted = [&](Leg_id l, Vertex_id end) {
+      const Sector_id s = l < 0 ? -1 : common_sector(l, leg_at(mesh, leg(l).apex, end));
+      return s >= 0 && f(s);
+    };
+    for (int pass = 0; pass < 2; ++pass, std::swap(x, y)) {
+      const Edge_id e = mesh.edge(x);
+      if (e >= 0) {
+        for (const Leg_id l : legs_of_edge[std::size_t(e)])
+          if (is_wanted(l, y)) return;
+      } else if (mesh.is_input(x)) {
+        const Vertex_id number = mesh.input_number(x);
+        for (const auto* i = edges_->begin(number); i != edges_->end(number); ++i)
+          if (is_wanted(leg_at(mesh, i->neighbor, x), y)) return;
+      }
+    }
+  }
+
+  /// Whether a triangle below the bound is excused by its corner.
+  bool is_exempt(const Mesh& mesh, Vertex_id a, Vertex_id b, Vertex_id c) const {
+    const Sector_id s = sector_of(mesh, a, b, c);
+    return s >= 0 && !mesh.shape_of_flat(a, b, c).is_below(sector(s).exempt_sin2);
+  }
+
+private:
+  const Input_edges* edges_ = nullptr;
+  std::vector<char> on_leg_; // per input vertex: an apex or the far end of a leg
+
+  Sector_id common_sector(Leg_id l, Leg_id m) const {
+    if (l < 0 || m < 0 || l == m) return -1;
+    const Leg &p = leg(l), &q = leg(m);
+    if (p.after >= 0 && p.after == q.before) return p.after;
+    if (p.before >= 0 && p.before == q.after) return p.before;
+    return -1;
+  }
+
+  /// The lopped sector next to leg l whose legs carry x and y too.
+  Sector_id sector_with(const Mesh& mesh, Leg_id l, Vertex_id x, Vertex_id y) const {
+    const Vertex_id apex = leg(l).apex;
+    const auto carrying = [&](Vertex_id v) {
+      return mesh.edge(v) == input_vertex(apex) ? l : leg_at(mesh, apex, v);
+    };
+    const Leg_id lx = carrying(x), ly = carrying(y);
+    if (lx < 0 || ly < 0) return -1;
+    if (lx == l) return common_sector(l, ly);
+    return ly == l || ly == lx ? common_sector(l, lx) : -1;
+  }
+};
+
+} // namespace internal
+} // namespace Quadtree_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_ACUTE_CORNERS_H

@@ -1,0 +1,256 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+//
+// Refinement and guarded removal by blocks, in parallel.
+//
+// 1. The mesh is cut into blocks (Mesh_blocks.h). Each is refined (Refiner.h) and coarsened (Remover.h) on
+//    its own. Bad triangles that need something beyond a seam wait, and so do vertices at seams.
+// 2. The surroundings of the seams and of waiting triangles are cut into blocks once more, with squares
+//    shifted, and treated in the same way.
+//
+// What is left then lies near seams of both rounds. The caller finishes it in the whole mesh. Blocks are the
+// same for any number of threads, and so is the result. O(n) work in addition to refinement. The two rounds
+// do all but a few hundredths of it.
+
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_BLOCK_REFINEMENT_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_BLOCK_REFINEMENT_H
+
+#include <CGAL/Quadtree_mesh_2/internal/triangulation/Mesh_blocks.h>
+#include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
+#include <CGAL/Quadtree_mesh_2/internal/refinement/Refiner.h>
+#include <CGAL/Quadtree_mesh_2/internal/refinement/Smoother.h>
+#include <CGAL/Quadtree_mesh_2/internal/refinement/Splitter.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Quadtree_mesh_2 {
+namespace internal {
+
+template <class Concurrency_tag, class Geometry>
+class Block_refinement {
+public:
+  using Block = Mesh_block<Geometry>;
+  using Blocks = Mesh_blocks<Concurrency_tag, Geometry>;
+  using Corners = Acute_corners<Geometry>;
+  using Leg = typename Corners::Leg;
+  using Sector = typename Corners::Sector;
+  using Corner = typename Corners::Corner;
+  using Shell_vertex = typename Corners::Shell_vertex;
+
+  static constexpr std::size_t block_size = Block_sizes<Concurrency_tag>::triangles;
+  /// The zone is a network, of which squares cut little; and it is small.
+  static constexpr std::size_t zone_block_size = block_size / 6;
+
+  Block_refinement(Meshing_state<Geometry>& whole, const Finishing& finishing, std::size_t vertex_budget)
+      : whole_(whole), finishing_(finishing), vertex_budget_(vertex_budget) {}
+
+  /// Works off what can be done in blocks; the rest is left on the worklist of the whole mesh. `shall_go_on()` may be
+  /// called by several threads at once.
+  /// \returns false if the mesh is too small for blocks, and nothing was done.
+  template <class Continue>
+  bool run(const Continue& shall_go_on) {
+    if (whole_.mesh.number_of_triangles() - whole_.bulk.number_of_triangles() < 2 * block_size) return false;
+    {
+      Blocks blocks(whole_.mesh, first_cut());
+      work(blocks, shall_go_on);
+    }
+    std::vector<Triangle_id> zone = zone_of_seams();
+    if (zone.empty()) return true;
+    Blocks blocks(whole_.mesh, cut_by_position<Concurrency_tag>(whole_.mesh, std::move(zone), zone_block_size,
+                                                                Square_shift::third_of_root));
+    work(blocks, shall_go_on);
+    return true;
+  }
+
+private:
+  /// How far from a seam triangles are worked on again, in triangles.
+  static constexpr int rings_of_zone = 2;
+
+  Meshing_state<Geometry>& whole_;
+  Finishing finishing_;
+  std::size_t vertex_budget_;
+  std::vector<Triangle_id> near_seams_;
+
+  Block_cut first_cut() const {
+    if (whole_.bulk.has_border)
+      return cut_by_position<Concurrency_tag>(whole_.mesh, triangles_outside_bulk(), block_size,
+                                              Square_shift::none);
+    return cut_by_input_order<Concurrency_tag>(whole_.mesh, whole_.problem.input_points.size(), block_size,
+                                               [&](Edge_id e) { return whole_.edges[e].a; });
+  }
+
+  /// All triangles but those within the bulk, which meet all bounds and are not near its border.
+  std::vector<Triangle_id> triangles_outside_bulk() const {
+    const Kernel_mesh<Geometry>& mesh = whole_.mesh;
+    const auto& bulk = whole_.bulk;
+    std::vector<Triangle_id> outside;
+    outside.reserve(mesh.number_of_triangles() - bulk.number_of_triangles());
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+      const auto& v = mesh.triangles[t].v;
+      if (v[0] < 0 || (bulk.has_within(v[0]) && bulk.has_within(v[1]) && bulk.has_within(v[2]))) continue;
+      outside.push_back(static_cast<Triangle_id>(t));
+    }
+    return outside;
+  }
+
+  template <class Continue>
+  void work(Blocks& blocks, const Continue& shall_go_on) {
+    const std::vector<std::vector<Corner_id>> owned = corners_by_block(blocks);
+    std::vector<std::vector<Triangle_id>> left(blocks.size());
+    const std::size_t room = vertex_budget_ - std::min(vertex_budget_, whole_.mesh.number_of_vertices());
+    blocks.for_each([&](Block& block) {
+      const auto b = std::size_t(block.id());
+      left[b] = work(block, owned[b], room / blocks.size(), shall_go_on);
+    });
+    blocks.put_back();
+    near_seams_.clear();
+    for (std::size_t b = 0; b < blocks.size(); ++b) {
+      name_corner_vertices(owned[b], [&](Vertex_id v) { return blocks[b].whole_vertex(v); });
+      for (const Triangle_id t : left[b]) {
+        if (!whole_.mesh.is_alive(blocks[b].whole_triangle(t))) continue;
+        whole_.worklist.push(blocks[b].whole_triangle(t));
+        near_seams_.push_back(blocks[b].whole_triangle(t));
+      }
+    }
+    for (const Side s : blocks.seam_sides()) {
+      near_seams_.push_back(s.triangle()), near_seams_.push_back(whole_.mesh.across(s).triangle());
+      whole_.doubtful_sides.push_back(s);
+    }
+    whole_.legalize();
+  }
+
+  /// Refines a block and thins it out; returns the triangles left.
+  template <class Continue>
+  std::vector<Triangle_id> work(Block& block, const std::vector<Corner_id>& owned, std::size_t room,
+                                const Continue& shall_go_on) {
+    name_corner_vertices(owned, [&](Vertex_id v) { return block.vertex_in_block(v); });
+    Meshing_state<Geometry> state(whole_.problem, owned);
+    std::swap(state.mesh, block.mesh);
+    Splitter<Geometry> splitter(state);
+    Refiner<Geometry> refiner(state, splitter);
+    refiner.push_all();
+    refiner.run(state.mesh.number_of_vertices() + room, shall_go_on);
+    finish_mesh(state, finishing_, shall_go_on);
+    std::swap(state.mesh, block.mesh);
+    std::vector<Triangle_id> left = std::move(state.deferred);
+    while (!state.worklist.is_empty()) left.push_back(state.worklist.pop());
+    return left;
+  }
+
+  // ---- corners
+
+  /// For each block the acute corners it owns: all pieces of their legs within the ring and all locked chords have
+  /// both their triangles in the block, and so have the Steiner vertices on the legs all of theirs.
+  std::vector<std::vector<Corner_id>> corners_by_block(const Blocks& blocks) const {
+    const auto& corners = whole_.corners.corners;
+    std::vector<Block_id> owner(corners.size());
+    for_each_index<Concurrency_tag>(
+        corners.size(), [&](std::size_t c) { owner[c] = owner_of(corners[c], blocks); }, 64);
+    std::vector<std::vector<Corner_id>> owned(blocks.size());
+    for (std::size_t c = 0; c < owner.size(); ++c)
+      if (owner[c] >= 0) owned[std::size_t(owner[c])].push_back(static_cast<Corner_id>(c));
+    return owned;
+  }
+
+  Block_id owner_of(const Corner& corner, const Blocks& blocks) const {
+    Block_id owner = unknown;
+    for (const Leg_id l : corner.legs) {
+      const Leg& leg = whole_.corners.leg(l);
+      Vertex_id before = leg.apex_vertex;
+      for (const Shell_vertex& s : leg.shells) {
+        if (!whole_.mesh.is_used(s.vertex)) continue;
+        own_side(before, s.vertex, blocks, owner);
+        if (!whole_.mesh.is_input(s.vertex)) own_star(s.vertex, blocks, owner);
+        before = s.vertex;
+      }
+      if (before == leg.apex_vertex) return -1; // a leg that could not be cut: nothing can be said
+    }
+    for (const Sector_id s : corner.sectors) own_chord(whole_.corners.sector(s), blocks, owner);
+    return owner == unknown ? -1 : owner;
+  }
+
+  static constexpr Block_id unknown = -2;
+
+  /// Makes the block of t the owner, or nobody if another one is.
+  static void own(Triangle_id t, const Blocks& blocks, Block_id& owner) {
+    const Block_id b = blocks.block_of(t);
+    owner = owner == unknown || owner == b ? b : -1;
+  }
+  void own_side(Vertex_id x, Vertex_id y, const Blocks& blocks, Block_id& owner) const {
+    const Side s = whole_.side_between(x, y);
+    if (s.is_border()) {
+      owner = -1;
+      return;
+    }
+    own(s.triangle(), blocks, owner);
+    const Side o = whole_.mesh.across(s);
+    if (!o.is_border()) own(o.triangle(), blocks, owner);
+  }
+  void own_star(Vertex_id v, const Blocks& blocks, Block_id& owner) const {
+    whole_.mesh.for_each_triangle_at(v, [&](Triangle_id t, int) { own(t, blocks, owner); });
+  }
+  void own_chord(const Sector& sector, const Blocks& blocks, Block_id& owner) const {
+    if (sector.lock_radius <= 0) return;
+    const auto at_lock = [&](Leg_id l) {
+      using std::fabs;
+      for (const Shell_vertex& s : whole_.corners.leg(l).shells)
+        if (fabs(s.radius - sector.lock_radius) <= 1e-9 * sector.lock_radius) return s.vertex;
+      return whole_.corners.leg(l).ring;
+    };
+    const Vertex_id x = at_lock(sector.right), y = at_lock(sector.left);
+    if (x >= 0 && y >= 0 && x != y) own_side(x, y, blocks, owner);
+  }
+
+  /// Renames the vertices of the corners; shells that are gone (-1) are forgotten.
+  template <class Name>
+  void name_corner_vertices(const std::vector<Corner_id>& corners, const Name& name) {
+    for (const Corner_id c : corners)
+      for (const Leg_id l : whole_.corners.corner(c).legs) {
+        Leg& leg = whole_.corners.leg(l);
+        leg.apex_vertex = name(leg.apex_vertex);
+        if (leg.ring >= 0) leg.ring = name(leg.ring);
+        for (Shell_vertex& s : leg.shells) s.vertex = name(s.vertex);
+        leg.shells.erase(std::remove_if(leg.shells.begin(), leg.shells.end(),
+                                        [](const Shell_vertex& s) { return s.vertex < 0; }),
+                         leg.shells.end());
+      }
+  }
+
+  // ---- the zone of the second round
+
+  std::vector<Triangle_id> zone_of_seams() const {
+    const Kernel_mesh<Geometry>& mesh = whole_.mesh;
+    std::vector<char> is_in_zone(mesh.triangles.size(), 0);
+    std::vector<Triangle_id> zone;
+    const auto add = [&](Triangle_id t) {
+      if (t < 0 || is_in_zone[std::size_t(t)] != 0 || !mesh.is_alive(t)) return;
+      is_in_zone[std::size_t(t)] = 1;
+      zone.push_back(t);
+    };
+    for (const Triangle_id t : near_seams_) add(t);
+    std::size_t begin = 0;
+    for (int ring = 0; ring < rings_of_zone; ++ring) {
+      const std::size_t end = zone.size();
+      for (; begin < end; ++begin)
+        for (const Side o : mesh.triangle(zone[begin]).side)
+          if (!o.is_border()) add(o.triangle());
+    }
+    return zone;
+  }
+};
+
+} // namespace internal
+} // namespace Quadtree_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_BLOCK_REFINEMENT_H

@@ -1,0 +1,94 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+//
+// The domain, given by the edges that bound its components. So every triangulation of the graph has the same
+// domain, wherever rounding puts vertices on edges, and seeds are located once.
+//
+// Computes: for each edge, on which sides the domain is, and in which region. Also the triangles of another
+//           triangulation that are in the domain, with their regions.
+// Bound:    O(n) for n triangles.
+// Source:   ours. Any side of an edge on its boundary identifies a component. A component without edges is
+//           not in the domain.
+
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_EDGE_SIDES_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_EDGE_SIDES_H
+
+#include <CGAL/Quadtree_mesh_2/internal/triangulation/Input_edges.h>
+#include <CGAL/Quadtree_mesh_2/internal/triangulation/Kernel_mesh.h>
+#include <CGAL/Quadtree_mesh_2/internal/triangulation/domain.h>
+
+#include <array>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Quadtree_mesh_2 {
+namespace internal {
+
+/// What is beside the edges.
+class Edge_sides {
+public:
+  /// \pre the mesh is a triangulation of the domain without Steiner vertices
+  template <class Mesh>
+  Edge_sides(const Mesh& mesh, const Input_edges& edges)
+      : labels_(edges.size(), {outside_, outside_}), has_regions_(!mesh.region_of.empty()) {
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+      for (int k = 0; k < 3; ++k) {
+        const Side s(static_cast<Triangle_id>(t), k);
+        if (!mesh.is_alive(s.triangle()) || !mesh.triangle(s.triangle()).side[k].is_constrained()) continue;
+        const Edge_id e = edges.between(mesh.source(s), mesh.target(s));
+        labels_[std::size_t(e)][edges[e].a == mesh.source(s) ? left_ : right_] = mesh.region(s.triangle());
+      }
+  }
+
+  bool is_domain_on_left(Edge_id e) const { return labels_[std::size_t(e)][left_] != outside_; }
+  bool is_domain_on_right(Edge_id e) const { return labels_[std::size_t(e)][right_] != outside_; }
+
+  /// Restricts a triangulation of the whole graph to the domain, and labels its regions.
+  /// \param edge_at gives the edge that a constrained side is a piece of, and whether the side's triangle is on the
+  ///        left of that
+  template <class Mesh, class Edge_at>
+  void restrict(Mesh& mesh, std::size_t number_of_auxiliary_vertices, const Edge_at& edge_at) const {
+    constexpr Region_id unknown = outside_ - 1;
+    std::vector<Region_id> label(mesh.triangles.size(), unknown);
+    std::vector<Triangle_id> stack;
+    for (std::size_t t = 0; t < label.size(); ++t)
+      for (int k = 0; k < 3 && label[t] == unknown; ++k) {
+        const Side s(static_cast<Triangle_id>(t), k);
+        if (mesh.across(s).is_border() || !mesh.across(s).is_constrained()) continue;
+        const auto [e, is_left] = edge_at(s);
+        label[t] = labels_[std::size_t(e)][is_left ? left_ : right_];
+        stack.push_back(s.triangle());
+      }
+    while (!stack.empty()) {
+      const Triangle_id t = stack.back();
+      stack.pop_back();
+      for (const Side o : mesh.triangle(t).side) {
+        if (o.is_border() || o.is_constrained() || label[std::size_t(o.triangle())] != unknown) continue;
+        label[std::size_t(o.triangle())] = label[std::size_t(t)];
+        stack.push_back(o.triangle());
+      }
+    }
+    std::vector<char> is_kept(label.size());
+    for (std::size_t t = 0; t < label.size(); ++t) is_kept[t] = label[t] > outside_ ? 1 : 0;
+    if (has_regions_) mesh.region_of = std::move(label);
+    keep_triangles(mesh, is_kept, mesh.points.size() - number_of_auxiliary_vertices);
+  }
+
+private:
+  static constexpr std::size_t left_ = 0, right_ = 1;
+  static constexpr Region_id outside_ = -2; ///< -1 is the domain without a region
+
+  std::vector<std::array<Region_id, 2>> labels_; // by edge
+  bool has_regions_;
+};
+
+} // namespace internal
+} // namespace Quadtree_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_EDGE_SIDES_H

@@ -1,0 +1,215 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+//
+// What the stages of the mesher work on: the problem, the mesh of it or of a block, and the worklist of bad triangles.
+
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_MESHING_STATE_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_MESHING_STATE_H
+
+#include <CGAL/Quadtree_mesh_2/internal/triangulation/Kernel_mesh.h>
+#include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_problem.h>
+#include <CGAL/Quadtree_mesh_2/internal/refinement/Worklist.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Quadtree_mesh_2 {
+namespace internal {
+
+/// How an attempt to change the mesh for a bad triangle ended.
+enum class Outcome {
+  changed,
+  refused, ///< there is no room, or nothing of the kind to do
+  deferred ///< it needs what lies beyond a seam of the block
+};
+
+/// One mesh, the domain's or a block of it, and what there is to do in it.
+///
+/// The shells of an acute corner and the locks of its sectors belong to one block, that in which all of it
+/// lies, and to the whole mesh when there are no blocks: `owns()` says so. What nobody else may read or write
+/// are `Leg::shells`, `Leg::ring`, `Leg::apex_vertex` and `Sector::lock_radius`; all else of the corners stays as
+/// it is.
+template <class Geometry>
+struct Meshing_state {
+  using Mesh = Kernel_mesh<Geometry>;
+  using Point = typename Geometry::Point;
+  using Shape = typename Mesh::Shape;
+
+  Meshing_problem<Geometry>& problem;
+  const Input_edges& edges = problem.edges;
+  Acute_corners<Geometry>& corners = problem.corners;
+  const Bounds<Geometry>& bounds = problem.bounds;
+
+  Mesh mesh;
+  Worklist worklist;
+  /// What templates filled (Bulk_filler.h): triangles with consecutive handles, and the vertices within.
+  struct Bulk {
+    Triangle_id first_triangle = 0, end_of_triangles = 0;
+    Vertex_id first_vertex = 0, end_of_vertices = 0;
+    bool has_border = false; ///< vertices were inserted on its border
+
+    std::size_t number_of_triangles() const { return std::size_t(end_of_triangles - first_triangle); }
+    bool has(Triangle_id t) const { return t >= first_triangle && t < end_of_triangles; }
+    bool has_within(Vertex_id v) const { return v >= first_vertex && v < end_of_vertices; }
+  };
+  Bulk bulk;
+  /// Bad triangles that are for a later round, in which they lie farther from the seams.
+  std::vector<Triangle_id> deferred;
+
+  explicit Meshing_state(Meshing_problem<Geometry>& p) : problem(p) {}
+  /// The state of a block with the given corners, in order.
+  Meshing_state(Meshing_problem<Geometry>& p, std::vector<Corner_id> owned)
+      : problem(p), is_block_(true), owned_(std::move(owned)) {}
+  Meshing_state(const Meshing_state&) = delete;
+  Meshing_state& operator=(const Meshing_state&) = delete;
+
+  bool owns(Corner_id c) const { return !is_block_ || std::binary_search(owned_.begin(), owned_.end(), c); }
+  bool is_block() const { return is_block_; }
+
+  bool is_exempt(Vertex_id a, Vertex_id b, Vertex_id c) const { return corners.is_exempt(mesh, a, b, c); }
+
+  bool is_large(Triangle_id t, const Shape& s) const {
+    const auto& r = mesh.triangle(t);
+    return bounds.is_large(s, mesh.point(r.v[0]), mesh.point(r.v[1]), mesh.point(r.v[2]), mesh.region(t));
+  }
+
+  /// Whether t misses a bound that no acute corner excuses.
+  bool is_bad(Triangle_id t) const {
+    const auto& r = mesh.triangle(t);
+    const Shape s = mesh.shape(r);
+    return (bounds.is_sharp(s) && !is_exempt(r.v[0], r.v[1], r.v[2])) || is_large(t, s);
+  }
+
+  /// Whether t misses a bound, excused or not.
+  bool is_suspect(Triangle_id t) const {
+    const Shape s = mesh.shape(mesh.triangle(t));
+    return bounds.is_sharp(s) || is_large(t, s);
+  }
+
+  void clear_worklist() {
+    while (!worklist.is_empty()) worklist.pop();
+  }
+
+  void push_if_suspect(Triangle_id t) {
+    if (is_suspect(t)) worklist.push(t);
+  }
+
+  void push_suspects_around(Vertex_id v) {
+    mesh.for_each_triangle_at(v, [this](Triangle_id t, int) { push_if_suspect(t); });
+  }
+
+  /// The side between x and y that are neighbors in the mesh. An input vertex may have several fans, of
+  /// which the mesh knows one: where both are such, the side is searched everywhere if it is in neither.
+  Side side_between(Vertex_id x, Vertex_id y) const {
+    const Side s = mesh.find_side(x, y);
+    return s.is_border() && mesh.is_input(x) && mesh.is_input(y) ? find_side_everywhere(x, y) : s;
+  }
+
+  /// Flips free sides that are certainly not Delaunay, starting from those of `doubtful_sides`; triangles
+  /// that come out of it suspect go to the worklist.
+  void legalize() {
+    while (!doubtful_sides.empty()) {
+      const Side s = doubtful_sides.back();
+      doubtful_sides.pop_back();
+      const Triangle_id t = s.triangle();
+      if (!mesh.is_alive(t)) continue;
+      const Side o = mesh.across(s);
+      if (o.is_constrained() || !mesh.is_certainly_not_Delaunay(t, s.slot())) continue;
+      mesh.flip(t, s.slot());
+      const Triangle_id u = o.triangle();
+      for (const Side outer : {Side(t, 0), Side(t, 2), Side(u, 0), Side(u, 1)})
+        doubtful_sides.push_back(outer);
+      push_if_suspect(t), push_if_suspect(u);
+    }
+  }
+
+  /// Flips until the mesh is constrained Delaunay, decided exactly. Cocircular vertices may be joined either
+  /// way. Ends: each flip lowers the lifted surface. What is to be flipped is found in parallel.
+  template <class Concurrency_tag>
+  void make_Delaunay_exactly() {
+    std::vector<std::vector<Side>> found((mesh.triangles.size() + default_block - 1) / default_block);
+    for_each_block<Concurrency_tag>(
+        mesh.triangles.size(), default_block, [&](std::size_t b, std::size_t begin, std::size_t end) {
+          for (std::size_t i = begin; i < end; ++i)
+            for (int k = 0; k < 3; ++k) {
+              const Side s(static_cast<Triangle_id>(i), k);
+              if (!mesh.is_alive(s.triangle())) break;
+              const Side o = mesh.across(s);
+              if (!o.is_constrained() && s.triangle() < o.triangle() && is_not_Delaunay(s))
+                found[b].push_back(s);
+            }
+        });
+    for (const auto& sides : found)
+      for (const Side s : sides) {
+        doubtful_sides.push_back(s);
+        flip_exactly();
+      }
+  }
+
+  std::vector<Side> doubtful_sides;
+
+private:
+  bool is_block_ = false;
+  std::vector<Corner_id> owned_;
+
+  /// Whether the angles opposite a free side are certainly acute on both sides: then it is Delaunay, as most are.
+  bool is_seen_under_acute_angles(Side s) const {
+    const Point &a = mesh.point(mesh.source(s)), &b = mesh.point(mesh.target(s));
+    for (const Vertex_id v : {mesh.opposite(s), mesh.opposite(mesh.across(s))}) {
+      using std::fabs;
+      const auto x = Geometry::scaled_difference(a, mesh.point(v)),
+                 y = Geometry::scaled_difference(b, mesh.point(v));
+      constexpr double least =
+          Geometry::has_unlimited_coordinates ? 0 : 1e-280; // of products that are no underflow
+      if (!(dot(x, y) > 1e-15 * (fabs(x.x * y.x) + fabs(x.y * y.y)) + least)) return false;
+    }
+    return true;
+  }
+
+  /// Whether the vertex opposite a free side lies in the circle of the side's triangle; exact.
+  bool is_not_Delaunay(Side s) const {
+    if (is_seen_under_acute_angles(s)) return false;
+    const auto& r = mesh.triangle(s.triangle());
+    return Geometry::is_in_circle(mesh.point(r.v[0]), mesh.point(r.v[1]), mesh.point(r.v[2]),
+                                  mesh.point(mesh.opposite(mesh.across(s))));
+  }
+
+  void flip_exactly() {
+    while (!doubtful_sides.empty()) {
+      const Side s = doubtful_sides.back();
+      doubtful_sides.pop_back();
+      const Triangle_id t = s.triangle();
+      const Side o = mesh.across(s);
+      if (o.is_constrained() || !is_not_Delaunay(s)) continue;
+      mesh.flip(t, s.slot());
+      for (const Triangle_id n : {t, o.triangle()}) {
+        for (const int k : {0, n == t ? 2 : 1}) doubtful_sides.push_back(Side(n, k));
+        push_if_suspect(n);
+      }
+    }
+  }
+
+  Side find_side_everywhere(Vertex_id x, Vertex_id y) const {
+    for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+      for (int k = 0; k < 3; ++k) {
+        const Side s(static_cast<Triangle_id>(i), k);
+        if (mesh.is_alive(s.triangle()) && mesh.source(s) == x && mesh.target(s) == y) return s;
+        if (mesh.is_alive(s.triangle()) && mesh.source(s) == y && mesh.target(s) == x) return s;
+      }
+    return Side::border();
+  }
+};
+
+} // namespace internal
+} // namespace Quadtree_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_MESHING_STATE_H

@@ -1,0 +1,266 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+//
+// Refinement on demand: one worklist of bad triangles, one new vertex at a time. This is constrained Delaunay
+// refinement by off-centers snapped to quadtree corners.
+//
+// For each bad triangle
+//   a. one of its Steiner vertices is relocated so that its whole star meets the bound, if that is possible;
+//   b. otherwise one vertex is inserted. It goes to the quadtree corner next to the triangle's off-center (Uengoer,
+//      "Off-centers", 2004), of cells whose side is the power of two in (s/8, s/4], where s is the shortest edge.
+//      If a constrained edge is in the way, or would be seen from there under more than 120 degrees, the vertex goes
+//      on that edge instead (Splitter.h).
+// Flips restore the Delaunay property locally, and triangles that they make bad join the list. At the end the
+// list is empty, which proves the bound, triangle by triangle.
+//
+// Termination is that of off-center refinement with dyadic shells and locked corners. It is established
+// numerically for bounds up to 20.7 degrees, and a budget always enforces it. In a block of a mesh, anything
+// that would reach beyond a seam is deferred. Expected O(k) time for k vertices made.
+
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_REFINER_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_REFINER_H
+
+#include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
+#include <CGAL/Quadtree_mesh_2/internal/refinement/Relocator.h>
+#include <CGAL/Quadtree_mesh_2/internal/refinement/Splitter.h>
+#include <CGAL/Quadtree_mesh_2/internal/triangulation/least_edge.h>
+#include <CGAL/Quadtree_mesh_2/internal/triangulation/walk.h>
+
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Quadtree_mesh_2 {
+namespace internal {
+
+enum class Refinement_end { done, cancelled, out_of_budget };
+
+template <class Geometry>
+class Refiner {
+public:
+  using Point = typename Geometry::Point;
+  using Number = typename Geometry::Number;
+  using Vector = Basic_vector<Number>;
+  using Shape = typename Kernel_mesh<Geometry>::Shape;
+
+  Refiner(Meshing_state<Geometry>& state, Splitter<Geometry>& splitter)
+      : state_(state), mesh_(state.mesh), splitter_(splitter), relocator_(state),
+        apex_height_(off_center_share * 0.5 / std::tan(state.bounds.angle / 2)) {}
+
+  /// Puts all triangles on the list that may be bad. Those of the bulk are not.
+  void push_all() {
+    refused_.clear(); // perhaps of another mesh
+    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
+      if (!state_.bulk.has(static_cast<Triangle_id>(t)) && mesh_.is_alive(static_cast<Triangle_id>(t)))
+        state_.push_if_suspect(static_cast<Triangle_id>(t));
+  }
+
+  /// Processes the list until it is empty. Asks `shall_go_on()` every 4096 steps. Afterward at most `budget`
+  /// vertices are in the mesh.
+  template <class Continue>
+  Refinement_end run(std::size_t budget, Continue&& shall_go_on) {
+    for (std::size_t step = 1; !state_.worklist.is_empty() || takes_up_refused(); ++step) {
+      if ((step & 4095u) == 0 && !shall_go_on()) return Refinement_end::cancelled;
+      const Triangle_id t = state_.worklist.pop();
+      if (!mesh_.is_alive(t) || !state_.is_bad(t)) continue;
+      if (mesh_.number_of_vertices() >= budget) {
+        state_.worklist.push(t);
+        return Refinement_end::out_of_budget;
+      }
+      if (relocate_a_vertex_of(t)) continue;
+      refine(t);
+    }
+    return Refinement_end::done;
+  }
+
+private:
+  /// The off-center sees the shortest edge under an angle a little wider than the bound.
+  static constexpr double off_center_share = 0.95;
+  static constexpr double cosine2_of_encroachment = 0.25; // 120 degrees
+  /// Once this many vertices were inserted for a triangle slot, its new vertices stay. So relocation cannot
+  /// cycle.
+  static constexpr unsigned char patience = 3;
+  /// No vertex is relocated more often, so relocations without insertions end.
+  static constexpr unsigned char most_relocations = 32;
+
+  Meshing_state<Geometry>& state_;
+  Kernel_mesh<Geometry>& mesh_;
+  Splitter<Geometry>& splitter_;
+  Relocator<Geometry> relocator_;
+  double apex_height_;                     // of the off-center's triangle over a unit edge
+  std::vector<unsigned char> trials_;      // per triangle slot: vertices inserted for it
+  std::vector<unsigned char> relocations_; // per vertex
+  std::vector<Triangle_id> refused_;
+  std::size_t vertices_when_taken_up_ = 0; // the refused ones
+
+  /// In a Delaunay mesh the place for a triangle is at least its shortest edge away from all vertices, and
+  /// edges in the way are not much shorter. Next to the seams of a block flips are missing. Edges shorter
+  /// than this share (squared) have to wait there.
+  static constexpr double least_distance2 = 0.25;
+
+  /// Puts triangles back on the list that could not be cured before, if vertices were inserted since. The
+  /// thin triangle may be gone in which a rounded point would have been beside its edge.
+  bool takes_up_refused() {
+    if (refused_.empty() || mesh_.number_of_vertices() == vertices_when_taken_up_) return false;
+    vertices_when_taken_up_ = mesh_.number_of_vertices();
+    for (const Triangle_id t : refused_) state_.worklist.push(t);
+    refused_.clear();
+    return true;
+  }
+
+  bool relocate_a_vertex_of(Triangle_id t) {
+    const auto r = mesh_.triangle(t);
+    if (!state_.bounds.is_sharp(mesh_.shape(r))) return false; // too large: a new vertex is needed anyway
+    for (const Vertex_id v : r.v) {
+      if (mesh_.is_input(v) || number_of_relocations(v) >= most_relocations) continue;
+      if (!relocator_.relocate(v)) continue;
+      ++number_of_relocations(v);
+      return true;
+    }
+    return false;
+  }
+
+  unsigned char& number_of_relocations(Vertex_id v) {
+    if (relocations_.size() <= std::size_t(v))
+      relocations_.resize(mesh_.number_of_vertices() * 3 / 2 + 64, 0);
+    return relocations_[std::size_t(v)];
+  }
+
+  /// Inserts one vertex for the bad triangle t. Puts t back on the list if it is still bad.
+  void refine(Triangle_id t) {
+    const std::size_t vertices_before = mesh_.number_of_vertices();
+    Outcome outcome = splitter_.open_lock_around(t);
+    if (outcome == Outcome::refused) outcome = insert_vertex_for(t);
+    const bool may_go_later = outcome == Outcome::refused && state_.is_block();
+    if (outcome == Outcome::deferred || may_go_later) return state_.deferred.push_back(t);
+    settle_new_vertices(t, vertices_before);
+    if (outcome == Outcome::refused) return refused_.push_back(t);
+    if (mesh_.is_alive(t)) state_.push_if_suspect(t);
+  }
+
+  void settle_new_vertices(Triangle_id t, std::size_t vertices_before) {
+    if (trials_.size() <= std::size_t(t)) trials_.resize(mesh_.triangles.size() * 3 / 2 + 64, 0);
+    unsigned char& trials = trials_[std::size_t(t)];
+    if (trials < patience) ++trials;
+    if (trials < patience) return;
+    for (std::size_t v = vertices_before; v < mesh_.number_of_vertices(); ++v)
+      number_of_relocations(static_cast<Vertex_id>(v)) = most_relocations;
+  }
+
+  /// Refused if nothing could be inserted: the triangle is as small as coordinates allow.
+  Outcome insert_vertex_for(Triangle_id t) {
+    const auto r = mesh_.triangle(t);
+    const Shape s = mesh_.shape(r);
+    const int k = s.slot_of_shortest();
+    if (!Geometry::is_resolved(mesh_.point(r.v[next_slot[k]]), s.l[k])) return Outcome::refused;
+    const Point q = place_for(r, s, k);
+    const Walk_end end = walk_in_sight(mesh_, t, q);
+    const Side in_the_way =
+        end.is_blocked() ? Side(end.triangle, end.blocked_slot) : most_encroached_side(end.triangle, q);
+    const Number distance2 = least_distance2 * s.l[k];
+    if (!in_the_way.is_border())
+      return is_too_short(in_the_way, distance2)
+                 ? Outcome::deferred
+                 : splitter_.split(in_the_way.triangle(), in_the_way.slot(), &q);
+    if (is_too_near(end.triangle, q, distance2)) return Outcome::deferred;
+    return insert(end.triangle, q);
+  }
+
+  /// The quadtree corner next to the off-center of a triangle with an angle below the bound; of a triangle
+  /// that is only too large, the one next to its circumcenter.
+  Point place_for(const typename Kernel_mesh<Geometry>::Triangle& r, const Shape& s, int k) const {
+    const Point& a = mesh_.point(r.v[next_slot[k]]);
+    const Point& b = mesh_.point(r.v[previous_slot[k]]);
+    const Point& c = mesh_.point(r.v[k]);
+    const Vector ab = Geometry::scaled_difference(b, a), ac = Geometry::scaled_difference(c, a),
+                 middle = 0.5 * ab;
+    const Number lb = squared_length(ab), lc = squared_length(ac), f = 0.5 / s.area2;
+    Vector center = {f * (ac.y * lb - ab.y * lc), f * (ab.x * lc - ac.x * lb)};
+    if (state_.bounds.is_sharp(s)) {
+      const Vector off_center = middle + apex_height_ * Vector{-ab.y, ab.x};
+      // not >= : the area of a triangle that is too flat for doubles gives a center that is no number
+      if (!(squared_length(off_center - middle) >= squared_length(center - middle))) center = off_center;
+    }
+    const Point q = Geometry::translate(a, center);
+    using std::sqrt;
+    const Point corner = Geometry::nearest_corner(q, power_of_two_at_most(0.25 * sqrt(s.l[k])));
+    const Basic_in_circle<Number> test(Geometry::scaled_difference(a, corner),
+                                       Geometry::scaled_difference(b, corner),
+                                       Geometry::scaled_difference(c, corner));
+    return test.is_certainly_inside() ? corner : q;
+  }
+
+  bool is_too_short(Side s, Number distance2) const {
+    return state_.is_block() && squared_length(Geometry::scaled_difference(
+                                    mesh_.point(mesh_.source(s)), mesh_.point(mesh_.target(s)))) < distance2;
+  }
+
+  /// Whether a vertex of t, or one opposite to it, is too near to q.
+  bool is_too_near(Triangle_id t, const Point& q, Number distance2) const {
+    if (!state_.is_block()) return false;
+    const auto is_near = [&](Vertex_id v) {
+      return squared_length(Geometry::scaled_difference(mesh_.point(v), q)) < distance2;
+    };
+    const auto& r = mesh_.triangle(t);
+    for (int k = 0; k < 3; ++k)
+      if (is_near(r.v[k]) || (!r.side[k].is_constrained() && is_near(mesh_.opposite(r.side[k])))) return true;
+    return false;
+  }
+
+  /// The constrained side, of t or of a triangle next to it, that q sees under the widest angle above 120
+  /// degrees; else the border.
+  Side most_encroached_side(Triangle_id t, const Point& q) const {
+    Side best = Side::border();
+    double widest = cosine2_of_encroachment;
+    const auto look = [&](Side s) {
+      const Vector x = Geometry::scaled_difference(mesh_.point(mesh_.source(s)), q);
+      const Vector y = Geometry::scaled_difference(mesh_.point(mesh_.target(s)), q);
+      const Number d = dot(x, y);
+      if (d >= 0) return;
+      const double cosine2 = ratio(d * d, squared_length(x) * squared_length(y));
+      if (cosine2 > widest) widest = cosine2, best = s;
+    };
+    for (int k = 0; k < 3; ++k) {
+      const Side o = mesh_.triangle(t).side[k];
+      if (o.is_constrained()) {
+        look(Side(t, k));
+        continue;
+      }
+      for (const int j : {next_slot[o.slot()], previous_slot[o.slot()]})
+        if (mesh_.triangle(o.triangle()).side[j].is_constrained()) look(Side(o.triangle(), j));
+    }
+    return best;
+  }
+
+  /// Puts a vertex at q if that is in t, or on one of its sides, exactly: all triangles made are counterclockwise then.
+  Outcome insert(Triangle_id t, const Point& q) {
+    const auto& r = mesh_.triangle(t);
+    int on_slot = -1, number_on = 0;
+    for (int k = 0; k < 3; ++k) {
+      const int turn =
+          Geometry::orientation(mesh_.point(r.v[next_slot[k]]), mesh_.point(r.v[previous_slot[k]]), q);
+      if (turn < 0) return Outcome::refused; // a walk too long was broken off
+      if (turn == 0) on_slot = k, ++number_on;
+    }
+    if (on_slot >= 0 && r.side[on_slot].is_seam()) return Outcome::deferred;
+    if (number_on > 1 || (on_slot >= 0 && r.side[on_slot].is_constrained())) return Outcome::refused;
+    if (!has_room(mesh_, {t}, q, state_.bounds.least_squared_length)) return Outcome::refused;
+    const Vertex_id v = mesh_.add_vertex(q, free_vertex);
+    if (on_slot >= 0)
+      mesh_.insert_on_side(t, on_slot, v);
+    else
+      mesh_.insert_in_triangle(t, v);
+    state_.push_suspects_around(v);
+    return Outcome::changed;
+  }
+};
+
+} // namespace internal
+} // namespace Quadtree_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_REFINER_H

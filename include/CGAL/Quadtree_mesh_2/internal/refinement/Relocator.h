@@ -1,0 +1,318 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+//
+// Moves a Steiner vertex so that its whole star meets the bound ("warping" on demand).
+//
+// Pattern search for the greatest least angle of the star, from the better of the present place and the
+// centroid of the link: eight directions, the step halved when none is better, given up early when the angle
+// stays far below the bound. The eight candidates of a step are evaluated together in single precision,
+// relative to the vertex, in vectors of four; a step ends as soon as none of them can serve, and begins with
+// the triangle that was worst at the start, so that this is soon. The place found is accepted only by the
+// test in double precision on the final coordinates. A vertex on an edge moves along its edge; one on a leg
+// of an acute corner stays. The same search, with no bound to stop at, smooths. O(degree) a step, at most 8 steps.
+
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_RELOCATOR_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_RELOCATOR_H
+
+#include <CGAL/Quadtree_mesh_2/internal/base/Float_lanes.h>
+#include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
+#include <CGAL/Quadtree_mesh_2/internal/triangulation/Star.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace CGAL {
+namespace Quadtree_mesh_2 {
+namespace internal {
+
+template <class Geometry>
+class Relocator {
+public:
+  using Point = typename Geometry::Point;
+  using Number = typename Geometry::Number;
+  using Vector = Basic_vector<Number>;
+  using Shape = typename Kernel_mesh<Geometry>::Shape;
+
+  explicit Relocator(Meshing_state<Geometry>& state) : state_(state), mesh_(state.mesh) {}
+
+  /// Moves Steiner vertex v to a place where all its triangles meet the bounds, if one is found, and then
+  /// restores the Delaunay property around it (without that an insertion may not destroy the triangle it is
+  /// made for).
+  bool relocate(Vertex_id v) { return move(v, Aim::bound); }
+
+  /// Moves Steiner vertex v to where the least angle of its star is greatest, as far as the search finds it, if all
+  /// its triangles meet the bounds there; and restores the Delaunay property.
+  bool improve(Vertex_id v) {
+    if (!move(v, Aim::best)) return false;
+    for (int i = 0; i < star_.number_of_link_vertices(); ++i) mesh_.is_dirty[std::size_t(star_.link[i])] = 1;
+    mesh_.is_dirty[std::size_t(v)] = 1;
+    return true;
+  }
+
+private:
+  /// What is enough: a star that meets the bound, or nothing but the best one.
+  enum class Aim { bound, best };
+
+  bool move(Vertex_id v, Aim aim) {
+    if (!star_.collect(mesh_, v)) return false;
+    const Edge_id e = mesh_.edge(v);
+    const bool is_moved =
+        e == free_vertex ? star_.is_closed && relocate_free(v, aim) : relocate_on_edge(v, e, aim);
+    if (!is_moved) return false;
+    for (int i = 0; i < star_.size; ++i) {
+      const Side c = star_.corner[i];
+      state_.doubtful_sides.push_back(c);
+      state_.doubtful_sides.push_back(Side(c.triangle(), next_slot[c.slot()]));
+    }
+    state_.legalize();
+    return true;
+  }
+
+  static constexpr int directions = 8;
+  static constexpr int max_steps = 8;
+  static constexpr double first_step = 0.2; // of the mean distance to the link
+  // Given up after step i if the best squared sine is below this share of the bound's.
+  static constexpr float hope[max_steps - 1] = {0.7f, 0.8f, 0.9f, 0.9f, 0.9f, 0.9f, 0.9f};
+
+  Meshing_state<Geometry>& state_;
+  Kernel_mesh<Geometry>& mesh_;
+  Star star_;
+  // The link relative to the vertex, scaled to mean distance 1, and its squared edge lengths.
+  float x_[Star::max_size + 1], y_[Star::max_size + 1], edge2_[Star::max_size];
+  Number scale_ = 1;
+  Vector link_[Star::max_size + 1]; // relative to a vertex on an edge
+
+  static float float_of(const Number& n) { return static_cast<float>(ratio(n, 1)); }
+
+  /// Sets up the scaled link; returns its centroid.
+  Vector prepare_link(Point origin) {
+    using std::sqrt;
+    Number x[Star::max_size], y[Star::max_size], sum = 0;
+    Vector centroid;
+    for (int i = 0; i < star_.size; ++i) {
+      const Vector p = Geometry::scaled_difference(mesh_.point(star_.link[i]), origin);
+      sum += squared_length(p);
+      centroid = centroid + p;
+      x[i] = p.x, y[i] = p.y;
+    }
+    scale_ = sqrt(sum / star_.size);
+    const Number inverse = 1 / scale_;
+    for (int i = 0; i < star_.size; ++i) {
+      x_[i] = float_of(x[i] * inverse);
+      y_[i] = float_of(y[i] * inverse);
+    }
+    x_[star_.size] = x_[0], y_[star_.size] = y_[0];
+    for (int i = 0; i < star_.size; ++i) {
+      const float dx = x_[i + 1] - x_[i], dy = y_[i + 1] - y_[i];
+      edge2_[i] = dx * dx + dy * dy;
+    }
+    return (inverse / star_.size) * centroid;
+  }
+
+  /// From the vertex at four places to a link vertex, and the squares of the distances.
+  struct Spokes {
+    Float_lanes x, y, length2;
+    Spokes(float to_x, float to_y, Float_lanes from_x, Float_lanes from_y)
+        : x(to_x - from_x), y(to_y - from_y), length2(x * x + y * y) {}
+  };
+
+  /// The squared sines of the least angles of the triangles between two consecutive spokes, with the sign of
+  /// the area.
+  static Float_lanes signed_sin2(const Spokes& u, const Spokes& w, Float_lanes edge2) {
+    const Float_lanes area2 = u.x * w.y - u.y * w.x;
+    return area2 * abs(area2) * min(min(u.length2, w.length2), edge2) / (u.length2 * w.length2 * edge2);
+  }
+
+  struct Start {
+    float x, y;
+    float least;     ///< signed squared sine of the least angle of the star there
+    int of_triangle; ///< of the star, with that angle
+  };
+
+  /// The better of the present place and the centroid.
+  Start better_start(Vector centroid) const {
+    const Float_lanes px(0, float_of(centroid.x), 0, 0);
+    const Float_lanes py(0, float_of(centroid.y), 0, 0);
+    Float_lanes least = 2, of_triangle = 0;
+    Spokes u(x_[0], y_[0], px, py);
+    for (int i = 0; i < star_.size; ++i) {
+      const Spokes w(x_[i + 1], y_[i + 1], px, py);
+      const Float_lanes q = signed_sin2(u, w, edge2_[i]);
+      of_triangle = select_where_less(q, least, static_cast<float>(i), of_triangle);
+      least = min(q, least);
+      u = w;
+    }
+    const int k = least[1] > least[0] ? 1 : 0;
+    return {px[k], py[k], least[k], static_cast<int>(of_triangle[k])};
+  }
+
+  /// The signed squared sines of the least angle of the star with the vertex at each of the eight places,
+  /// from triangle `first` on; false as soon as all are below `hopeless`.
+  bool evaluate(const Float_lanes (&px)[2], const Float_lanes (&py)[2], int first, float hopeless,
+                Float_lanes (&least)[2]) const {
+    Spokes u0(x_[first], y_[first], px[0], py[0]), u1(x_[first], y_[first], px[1], py[1]);
+    Float_lanes least0 = 2, least1 = 2;
+    for (int i = first;;) {
+      const float edge2 = edge2_[i++];
+      const Spokes w0(x_[i], y_[i], px[0], py[0]), w1(x_[i], y_[i], px[1], py[1]);
+      least0 = min(signed_sin2(u0, w0, edge2), least0);
+      least1 = min(signed_sin2(u1, w1, edge2), least1);
+      if (!is_any_at_least(least0, least1, hopeless)) return false;
+      if (i == star_.size) i = 0;
+      if (i == first) break;
+      u0 = w0, u1 = w1;
+    }
+    least[0] = least0, least[1] = least1;
+    return true;
+  }
+
+  static int place_of_greatest(const Float_lanes (&a)[2]) {
+    int place = 0;
+    float greatest = a[0][0];
+    for (int k = 1; k < directions; ++k) {
+      const float x = a[k / 4][k % 4];
+      place = x > greatest ? k : place; // no branches: they would be taken at random
+      greatest = x > greatest ? x : greatest;
+    }
+    return place;
+  }
+
+  bool relocate_free(Vertex_id v, Aim aim) {
+    constexpr float d = .70710678f;
+    const Float_lanes cx[2] = {{1, d, 0, -d}, {-1, -d, 0, d}}, cy[2] = {{0, d, 1, d}, {0, -d, -1, -d}};
+    const Point origin = mesh_.point(v);
+    const Start start = better_start(prepare_link(origin));
+    float x = start.x, y = start.y, best = start.least;
+    const float bound = static_cast<float>(state_.bounds.sin2);
+    const float goal = aim == Aim::bound ? bound * (1 + 1e-5f) : 1;
+    float step = static_cast<float>(first_step);
+    for (int i = 0; i < max_steps && best < goal; ++i) {
+      const float hoped = i + 1 < max_steps ? bound * hope[i] : goal;
+      const float needed = aim == Aim::bound ? hoped : 0; // to go on after this step
+      const Float_lanes px[2] = {x + step * cx[0], x + step * cx[1]};
+      const Float_lanes py[2] = {y + step * cy[0], y + step * cy[1]};
+      const float improved = best * 1.0001f;
+      Float_lanes least[2];
+      const bool is_hope = evaluate(px, py, start.of_triangle, best < needed ? needed : improved, least);
+      const int k = is_hope ? place_of_greatest(least) : 0;
+      if (is_hope && least[k / 4][k % 4] > improved)
+        best = least[k / 4][k % 4], x = px[k / 4][k % 4], y = py[k / 4][k % 4];
+      else
+        step *= 0.5f;
+      if (best < needed) return false;
+    }
+    return accept(v, Geometry::translate(origin, Vector{scale_ * double(x), scale_ * double(y)}), aim);
+  }
+
+  /// Moves v to p if all its triangles meet the bounds there and, to be the best, the least angle grows.
+  bool accept(Vertex_id v, Point p, Aim aim) {
+    constexpr double least_gain = 1.001; // of the squared sine
+    if (aim == Aim::best && least_with_vertex_at(p) < least_gain * least_with_vertex_at(mesh_.point(v)))
+      return false;
+    for (int i = 0; i < star_.size; ++i) {
+      const Shape s = mesh_.shape(p, mesh_.point(star_.link[i]), mesh_.point(star_.link[i + 1]));
+      if (!s.is_certainly_counterclockwise() || state_.bounds.is_sharp(s) ||
+          state_.bounds.is_large(s, p, mesh_.point(star_.link[i]), mesh_.point(star_.link[i + 1]),
+                                 mesh_.region(star_.corner[i].triangle())))
+        return false;
+    }
+    if (!is_far_from_link(p)) return false;
+    mesh_.points[std::size_t(v)] = p;
+    return true;
+  }
+
+  /// The least squared sine of the star with the vertex at p, -1 if the star is not one then.
+  double least_with_vertex_at(const Point& p) const {
+    double least = 2;
+    for (int i = 0; i < star_.size; ++i) {
+      const Shape s = mesh_.shape(p, mesh_.point(star_.link[i]), mesh_.point(star_.link[i + 1]));
+      if (s.area2 <= 0) return -1;
+      least = std::min(least, s.sin2_of_least_angle());
+    }
+    return least;
+  }
+
+  /// Whether p keeps the least length of edges, to the link and to what flips may join it with.
+  bool is_far_from_link(const Point& p) const {
+    const double least = state_.bounds.least_squared_length;
+    const auto is_far = [&](Vertex_id w) {
+      return squared_length(Geometry::scaled_difference(mesh_.point(w), p)) >= least;
+    };
+    for (int i = 0; i < star_.number_of_link_vertices() && least > 0; ++i)
+      if (!is_far(star_.link[i])) return false;
+    for (int i = 0; i < star_.size && least > 0; ++i) {
+      const Side o = mesh_.across(star_.corner[i]);
+      if (!o.is_constrained() && !is_far(mesh_.opposite(o))) return false;
+    }
+    return true;
+  }
+
+  /// Searches along the edge with vectors, from the vertex's place; the place found is then made as a share of
+  /// the input edge, so that the vertex is as near to it as it can be however often it has moved.
+  bool relocate_on_edge(Vertex_id v, Edge_id e, Aim aim) {
+    const Input_edge& edge = state_.edges[e];
+    const auto& is_acute = state_.corners.is_acute;
+    if (is_acute[std::size_t(edge.a)] != 0 || is_acute[std::size_t(edge.b)] != 0) return false;
+    const Point &a = state_.problem.input_point(edge.a), &b = state_.problem.input_point(edge.b);
+    const Vector from_a = Geometry::scaled_difference(mesh_.point(v), a),
+                 from_b = Geometry::scaled_difference(mesh_.point(v), b);
+    const Vector d = Geometry::scaled_difference(b, a);
+    const Number whole = length(d);
+    const Number place = place_on_line((1 / whole) * d, mean_distance_of_link(mesh_.point(v)), aim);
+    if (place == 0) return false;
+    // shares are finest near the end from which they are taken
+    const bool is_nearer_to_a = squared_length(from_a) <= squared_length(from_b);
+    const Number share_of_a = dot(from_a, d) / squared_length(d) + place / whole;
+    const Number share_of_b = -dot(from_b, d) / squared_length(d) - place / whole;
+    return accept(
+        v, is_nearer_to_a ? Geometry::between(a, b, share_of_a) : Geometry::between(b, a, share_of_b), aim);
+  }
+
+  /// How far to go from the vertex along a direction for the best star that is found.
+  Number place_on_line(Vector direction, Number mean_distance, Aim aim) const {
+    const double goal = aim == Aim::bound ? state_.bounds.sin2 : 1;
+    double best = least_of_star({0, 0}, -1);
+    Number place = 0, step = first_step * mean_distance;
+    for (int i = 0; i < max_steps && best < goal; ++i) {
+      bool is_better = false;
+      for (const double sign : {-1.0, 1.0}) {
+        const double q = least_of_star((place + sign * step) * direction, best);
+        if (q <= best * 1.0001 + 1e-9) continue;
+        best = q, place = place + sign * step, is_better = true;
+      }
+      if (!is_better) step = 0.5 * step;
+    }
+    return place;
+  }
+
+  /// Sets up the link relative to the vertex; returns its mean distance.
+  Number mean_distance_of_link(const Point& origin) {
+    using std::sqrt;
+    Number sum = 0;
+    for (int i = 0; i <= star_.size; ++i)
+      link_[i] = Geometry::scaled_difference(mesh_.point(star_.link[i]), origin);
+    for (int i = 0; i < star_.number_of_link_vertices(); ++i) sum += squared_length(link_[i]);
+    return sqrt(sum / star_.number_of_link_vertices());
+  }
+
+  /// The least squared sine of the star with the vertex at `p`, relative to its place; something at most `floor` as
+  /// soon as it falls to that.
+  double least_of_star(Vector p, double floor) const {
+    double least = 2;
+    for (int i = 0; i < star_.size && least > floor; ++i) {
+      const Vector u = link_[i] - p, v = link_[i + 1] - link_[i], w = link_[i + 1] - p;
+      const Shape s = {{squared_length(v), squared_length(w), squared_length(u)}, cross(u, v)};
+      least = s.area2 <= 0 ? -1 : std::min(least, s.sin2_of_least_angle());
+    }
+    return least;
+  }
+};
+
+} // namespace internal
+} // namespace Quadtree_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_RELOCATOR_H

@@ -1,0 +1,335 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+//
+// Guarded vertex removal: takes out Steiner vertices whose star can be triangulated without them within the
+// bounds.
+//
+// The star of a free vertex is one polygon, that of a vertex on an edge one or two, closed by the merged
+// subsegment. A polygon none of whose triangles on its shortest side is feasible cannot be triangulated: on
+// maps nine trials out of ten end there, in O(k) for k vertices. Others are triangulated by dynamic
+// programming over their sub-polygons (Klincsek, 1980, for max-min angle) restricted to feasible ones: bit j
+// of `forward[i]` says that the sub-polygon i..j can be triangulated within the bounds; O(k^3). Every
+// triangle made is checked, so the bounds are kept unconditionally.
+//
+// Two passes in order of creation, the second over vertices whose star has changed.
+
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_REMOVER_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_REMOVER_H
+
+#include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
+#include <CGAL/Quadtree_mesh_2/internal/triangulation/Star.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/bits.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Quadtree_mesh_2 {
+namespace internal {
+
+template <class Geometry>
+class Remover {
+public:
+  using Number = typename Geometry::Number;
+  using Vector = Basic_vector<Number>;
+  using Shape = typename Kernel_mesh<Geometry>::Shape;
+
+  explicit Remover(Meshing_state<Geometry>& state) : Remover(state, state.bounds) {}
+  /// Keeps to other bounds than those of the state.
+  Remover(Meshing_state<Geometry>& state, const Bounds<Geometry>& bounds)
+      : state_(state), mesh_(state.mesh), bounds_(bounds) {}
+
+  /// Removes what can be removed, of the vertices whose star has changed since that was last tried.
+  /// \returns the number of vertices removed.
+  template <class Continue>
+  std::size_t run(Continue&& shall_go_on) {
+    constexpr int passes = 2;
+    std::size_t removed = 0;
+    for (int pass = 0; pass < passes; ++pass)
+      for (Vertex_id v = 0; v < static_cast<Vertex_id>(mesh_.number_of_vertices()); ++v) {
+        if ((v & 4095) == 0 && !shall_go_on()) return removed;
+        if (mesh_.is_input(v) || mesh_.is_dirty[std::size_t(v)] == 0 || !mesh_.is_used(v)) continue;
+        if (!star_.collect(mesh_, v)) continue; // perhaps at a seam: another round may do it
+        mesh_.is_dirty[std::size_t(v)] = 0;
+        if (try_to_remove(v)) ++removed;
+      }
+    return removed;
+  }
+
+  /// Removes one vertex, if it is a Steiner vertex whose star can be triangulated without it.
+  bool remove(Vertex_id v) {
+    return !mesh_.is_input(v) && mesh_.is_used(v) && star_.collect(mesh_, v) && try_to_remove(v);
+  }
+
+private:
+  static constexpr int max_polygon = 13;
+
+  /// A polygon of the star, counterclockwise, and the triangles it is cut into.
+  struct Polygon {
+    int size = 0;
+    Region_id region;
+    Vertex_id v[Star::max_size + 2];
+  };
+
+  Meshing_state<Geometry>& state_;
+  Kernel_mesh<Geometry>& mesh_;
+  const Bounds<Geometry> bounds_;
+  Star star_;
+  // the new triangles, and the subsegment a-b that the removed vertex split
+  Vertex_id made_[Star::max_size + 2][3];
+  Region_id region_of_made_[Star::max_size + 2];
+  int number_made_ = 0;
+  Vertex_id merged_a_ = -1, merged_b_ = -1;
+  // the polygon's vertices, relative to its first, and the dynamic programme
+  Vector place_[max_polygon];
+  double quality_[max_polygon][max_polygon];
+  std::int8_t middle_[max_polygon][max_polygon];
+
+  /// \pre the star is that of v
+  bool try_to_remove(Vertex_id v) {
+    number_made_ = 0;
+    merged_a_ = merged_b_ = -1;
+    if (mesh_.edge(v) == free_vertex) {
+      if (!star_.is_closed || !triangulate(polygon(0, star_.size - 1))) return false;
+    } else if (star_.is_closed) {
+      if (!triangulate_both_sides()) return false;
+    } else {
+      if (crosses_constraint()) return false;
+      merged_a_ = star_.link[0], merged_b_ = star_.link[star_.size];
+      if (!triangulate(polygon(0, star_.size))) return false;
+    }
+    replace(v);
+    return true;
+  }
+
+  /// The polygon of the link vertices first..last, indices modulo the size of a closed star.
+  Polygon polygon(int first, int last) const {
+    Polygon p;
+    p.region = mesh_.region(star_.corner[first].triangle());
+    for (int i = first; i <= last; ++i) p.v[p.size++] = star_.link[star_.is_closed ? i % star_.size : i];
+    return p;
+  }
+
+  /// Whether a constrained edge lies within the open star.
+  bool crosses_constraint() const {
+    for (int i = 1; i < star_.size; ++i) {
+      const Side c = star_.corner[i];
+      if (mesh_.triangle(c.triangle()).side[previous_slot[c.slot()]].is_constrained()) return true;
+    }
+    return false;
+  }
+
+  bool triangulate_both_sides() {
+    int a = -1, b = -1;
+    for (int i = 0; i < star_.size; ++i) {
+      const Side c = star_.corner[i];
+      if (!mesh_.triangle(c.triangle()).side[previous_slot[c.slot()]].is_constrained()) continue;
+      if (b >= 0) return false; // more than its own edge meets here
+      (a < 0 ? a : b) = i;
+    }
+    if (b < 0 || b - a < 2 || a + star_.size - b < 2) return false;
+    merged_a_ = star_.link[a], merged_b_ = star_.link[b];
+    return triangulate(polygon(a, b)) && triangulate(polygon(b, a + star_.size));
+  }
+
+  /// Appends a triangulation of the polygon within the bounds to `made_`, if there is one.
+  bool triangulate(const Polygon& p) {
+    const int n = p.size;
+    if (n < 3 || n > max_polygon) return false;
+    for (int i = 0; i < n; ++i)
+      place_[i] = Geometry::scaled_difference(mesh_.point(p.v[i]), mesh_.point(p.v[0]));
+    if (!has_triangle_on_shortest_side(p) || !fill_table(p)) return false;
+    const int first = number_made_;
+    emit(p, 0, n - 1);
+    return is_within_bounds(first) && (!is_near_corner(p) || is_locally_Delaunay(first));
+  }
+
+  /// Whether the new triangles are counterclockwise and within the bounds by their own differences: those of `place_`
+  /// are rounded at the scale of the polygon, and a side may be far shorter.
+  bool is_within_bounds(int first) const {
+    for (int i = first; i < number_made_; ++i) {
+      const Vertex_id* t = made_[i];
+      const Shape s = mesh_.shape(t[0], t[1], t[2]);
+      if (!s.is_certainly_counterclockwise() && mesh_.orientation(t[0], t[1], t[2]) <= 0) return false;
+      if (!keeps_bounds(s, t[0], t[1], t[2], region_of_made_[i], true)) return false;
+    }
+    return true;
+  }
+
+  /// Whether some triangle of the polygon's vertices on its shortest side is feasible: without one the
+  /// polygon is not, and nearly all polygons that are not fail here.
+  bool has_triangle_on_shortest_side(const Polygon& p) const {
+    const int n = p.size;
+    int end = 0; // of the side; the place before it is the other end
+    Number least = squared_length(place_[n - 1]);
+    for (int k = 1; k < n; ++k) {
+      const Number length = squared_length(place_[k] - place_[k - 1]);
+      end = length < least ? k : end; // no branches: they would be taken at random
+      least = length < least ? length : least;
+    }
+    const int i = end == 0 ? 0 : end - 1, j = end == 0 ? n - 1 : end;
+    const bool may_be_exempt =
+        state_.corners.is_on_leg(mesh_, p.v[i]) && state_.corners.is_on_leg(mesh_, p.v[j]);
+    for (int m = 0; m < n; ++m) {
+      if (m == i || m == j) continue;
+      const int a = std::min(i, m), b = m < i ? i : std::min(j, m), c = std::max(j, m);
+      if (is_feasible(shape(a, b, c), p, a, b, c, may_be_exempt)) return true;
+    }
+    return false;
+  }
+
+  bool is_near_corner(const Polygon& p) const {
+    for (int i = 0; i < p.size; ++i)
+      if (state_.corners.is_on_leg(mesh_, p.v[i])) return true;
+    return false;
+  }
+
+  /// Fills the table; whether the whole polygon is feasible.
+  bool fill_table(const Polygon& p) {
+    const int n = p.size;
+    const bool may_be_exempt = is_near_corner(p);
+    std::uint32_t forward[max_polygon],
+        backward[max_polygon]; // bit j of forward[i], bit i of backward[j]: i..j is feasible
+    for (int i = 0; i < n; ++i) {
+      forward[i] = i + 1 < n ? 1u << (i + 1) : 0;
+      backward[i] = i > 0 ? 1u << (i - 1) : 0;
+      if (i + 1 < n) quality_[i][i + 1] = 2;
+    }
+    for (int length = 2; length < n; ++length) {
+      bool is_any = false;
+      for (int i = 0; i + length < n; ++i) {
+        const int j = i + length;
+        double best = 0;
+        int best_middle = -1;
+        for (std::uint32_t middles = forward[i] & backward[j]; middles != 0; middles &= middles - 1) {
+          const int m = lowest_bit(middles);
+          const Shape s = shape(i, m, j);
+          if (!is_feasible(s, p, i, m, j, may_be_exempt)) continue;
+          const double w = std::min(weight(s), std::min(quality_[i][m], quality_[m][j]));
+          if (w > best) best = w, best_middle = m;
+        }
+        if (best_middle < 0) continue;
+        forward[i] |= 1u << j, backward[j] |= 1u << i;
+        quality_[i][j] = best, middle_[i][j] = static_cast<std::int8_t>(best_middle);
+        is_any = true;
+      }
+      if (!is_any && length == 2) return false; // not even an ear
+    }
+    return (forward[0] >> (n - 1) & 1u) != 0;
+  }
+
+  /// The triangle of the polygon's vertices a < b < c.
+  Shape shape(int a, int b, int c) const {
+    const Vector u = place_[b] - place_[a], v = place_[c] - place_[a];
+    return {{squared_length(place_[c] - place_[b]), squared_length(v), squared_length(u)}, cross(u, v)};
+  }
+
+  /// Whether the triangle of the polygon's vertices a < b < c, of shape s, meets the bounds, or a corner
+  /// excuses it.
+  bool is_feasible(const Shape& s, const Polygon& p, int a, int b, int c, bool may_be_exempt) const {
+    const Vertex_id x = p.v[a], y = p.v[b], z = p.v[c];
+    return s.area2 > 0 && keeps_bounds(s, x, y, z, p.region, may_be_exempt);
+  }
+
+  bool keeps_bounds(const Shape& s, Vertex_id x, Vertex_id y, Vertex_id z, Region_id region,
+                    bool may_be_exempt) const {
+    if (bounds_.is_sharp(s) && !(may_be_exempt && state_.is_exempt(x, y, z))) return false;
+    return !bounds_.is_large(s, mesh_.point(x), mesh_.point(y), mesh_.point(z), region);
+  }
+
+  /// The squared sine of the least angle of a feasible triangle. Exempt ones count as better than others, which has no
+  /// say then; among themselves the best are preferred, as they are the Delaunay ones.
+  double weight(const Shape& s) const { return (bounds_.is_sharp(s) ? 1 : 0) + s.sin2_of_least_angle(); }
+
+  void emit(const Polygon& p, int i, int j) {
+    if (j - i < 2) return;
+    const int m = middle_[i][j];
+    region_of_made_[number_made_] = p.region;
+    Vertex_id* t = made_[number_made_++];
+    t[0] = p.v[i], t[1] = p.v[m], t[2] = p.v[j];
+    emit(p, i, m), emit(p, m, j);
+  }
+
+  /// Near a corner the new triangles must be Delaunay, among themselves and with what is around: the last
+  /// flips would otherwise take an exempt triangle apart.
+  bool is_locally_Delaunay(int first) const {
+    for (int i = first; i < number_made_; ++i)
+      for (int k = 0; k < 3; ++k) {
+        const Vertex_id a = made_[i][next_slot[k]], b = made_[i][previous_slot[k]];
+        const Vertex_id d = apex_across(first, a, b);
+        if (d >= 0 && Geometry::is_in_circle(mesh_.point(made_[i][0]), mesh_.point(made_[i][1]),
+                                             mesh_.point(made_[i][2]), mesh_.point(d)))
+          return false;
+      }
+    return true;
+  }
+
+  /// The vertex opposite the edge a-b on its right: of a new triangle, or of the mesh beyond the star; -1
+  /// behind a constraint.
+  Vertex_id apex_across(int first, Vertex_id a, Vertex_id b) const {
+    for (int i = first; i < number_made_; ++i)
+      for (int k = 0; k < 3; ++k)
+        if (made_[i][next_slot[k]] == b && made_[i][previous_slot[k]] == a) return made_[i][k];
+    for (int i = 0; i < star_.size; ++i) {
+      const Vertex_id to = star_.link[i + 1];
+      if (star_.link[i] != a || to != b) continue;
+      const Side o = mesh_.across(star_.corner[i]);
+      return o.is_constrained() ? -1 : mesh_.opposite(o);
+    }
+    return -1;
+  }
+
+  struct Open_side {
+    Vertex_id a, b;
+    Side side;
+  };
+
+  /// Puts the new triangles in place of the star.
+  void replace(Vertex_id v) {
+    Side beyond[Star::max_size];
+    for (int i = 0; i < star_.size; ++i) beyond[i] = mesh_.across(star_.corner[i]);
+    for (int i = number_made_; i < star_.size; ++i) mesh_.kill(star_.corner[i].triangle());
+    for (int i = 0; i < number_made_; ++i) {
+      const Triangle_id t = star_.corner[i].triangle();
+      mesh_.set_region(t, region_of_made_[i]);
+      for (int k = 0; k < 3; ++k) {
+        mesh_.triangle(t).v[k] = made_[i][k];
+        mesh_.triangle_of[std::size_t(made_[i][k])] = t;
+      }
+    }
+    Open_side open[3 * Star::max_size];
+    int number_open = 0;
+    for (int i = 0; i < number_made_; ++i)
+      for (int k = 0; k < 3; ++k) connect(Side(star_.corner[i].triangle(), k), beyond, open, number_open);
+    mesh_.triangle_of[std::size_t(v)] = -1;
+    for (int i = 0; i < star_.number_of_link_vertices(); ++i) mesh_.is_dirty[std::size_t(star_.link[i])] = 1;
+  }
+
+  /// Links a side of a new triangle to the mesh beyond the star, to a new triangle made before, or leaves it
+  /// open for a later one.
+  void connect(Side s, const Side* beyond, Open_side* open, int& number_open) {
+    const Vertex_id a = mesh_.source(s), b = mesh_.target(s);
+    for (int j = 0; j < star_.size; ++j)
+      if (star_.link[j] == a && star_.link[j + 1] == b) return mesh_.link(s.triangle(), s.slot(), beyond[j]);
+    for (int j = 0; j < number_open; ++j)
+      if (open[j].a == b && open[j].b == a) {
+        const bool is_merged = (a == merged_a_ && b == merged_b_) || (a == merged_b_ && b == merged_a_);
+        mesh_.link(s.triangle(), s.slot(), Side(open[j].side.triangle(), open[j].side.slot(), is_merged));
+        open[j] = open[--number_open];
+        return;
+      }
+    mesh_.triangle(s.triangle()).side[s.slot()] = Side::border();
+    open[number_open++] = {a, b, s};
+  }
+};
+
+} // namespace internal
+} // namespace Quadtree_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_REMOVER_H

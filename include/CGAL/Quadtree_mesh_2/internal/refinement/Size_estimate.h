@@ -1,0 +1,329 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+//
+// How many triangles a mesh will need, from the constrained Delaunay triangulation of its domain alone.
+//
+// The number of triangles of any mesh with a bound on the least angle is, up to constants, the integral of
+// 1/lfs^2 over the domain, lfs the local feature size (Ruppert, 1995). These make it large,
+// and each shows in the triangulation:
+//  - each triangle with longest edge L and height h over it asks for about log(L/h) layers, for points as in
+//    Bern, Eppstein and Gilbert (1994);
+//  - two constrained edges that face each other across a gap g over a length l ask for about l/g triangles.
+//    Such a pair meets at some vertex's fan: one is at the vertex (the first or last edge of a sector of its
+//    triangles) and the other closes a triangle of the sector, or two consecutive ones close triangles of it;
+//  - a vertex between two edges that meet makes the wedge beyond it as expensive as its width there asks for;
+//  - bounds of size ask for area over the area of one triangle.
+// Otherwise edges that share a vertex are not counted as facing: wedges are cut off by rings
+// (Acute_corners.h), whose number grows with the logarithm only.
+//
+// O(n), with `field_samples` calls of the size field and a few a triangle. The constants are measured, so
+// that the estimate is within a factor of 4 of the true number on maps, on the hard families of the tests and
+// for bounds of size (test_quality_mesher_budget.cpp), but for needles with short legs in them, which may take
+// more.
+
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_SIZE_ESTIMATE_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_SIZE_ESTIMATE_H
+
+#include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Quadtree_mesh_2 {
+namespace internal {
+
+template <class Geometry>
+class Size_estimate {
+public:
+  using Point = typename Geometry::Point;
+  using Number = typename Geometry::Number;
+  using Vector = Basic_vector<Number>;
+  using Shape = typename Kernel_mesh<Geometry>::Shape;
+
+  /// Two constrained edges that face each other, by their ends, and what they ask for.
+  struct Pair {
+    Vertex_id a[2] = {-1, -1}, b[2] = {-1, -1};
+    double triangles = 0;
+  };
+
+  /// \pre the mesh is the first triangulation, restricted to the domain.
+  template <class Concurrency_tag>
+  Size_estimate(const Meshing_state<Geometry>& state, Concurrency_tag)
+      : state_(state), mesh_(state.mesh), least_(std::sqrt(state.bounds.least_squared_length)) {
+    if (state.bounds.squared_length_at)
+      for (const auto& r : mesh_.triangles) total_area2_ = total_area2_ + mesh_.shape(r).area2;
+    marks_.assign(mesh_.triangles.size(), 0);
+    const Demand all = reduce<Concurrency_tag>(
+        mesh_.triangles.size(), Demand(),
+        [this](std::size_t begin, std::size_t end) {
+          Demand sum;
+          for (std::size_t t = begin; t < end; ++t) add_triangle(static_cast<Triangle_id>(t), sum);
+          return sum;
+        },
+        [](const Demand& a, const Demand& b) {
+          return Demand{a.of_shapes + b.of_shapes, a.of_sizes + b.of_sizes};
+        });
+    of_shapes_ = all.of_shapes, of_sizes_ = all.of_sizes;
+    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
+      for (int k = 0; k < 3 && marks_[t] != 0; ++k)
+        if (is_narrow(static_cast<Triangle_id>(t), k)) add_facing_edges(static_cast<Triangle_id>(t), k);
+  }
+
+  double triangles() const {
+    constexpr double degree = 3.14159265358979323846 / 180;
+    const double above = std::max(0.0, state_.bounds.angle / degree - 20.7);
+    return (1 + per_degree * above) * (of_shapes_ + of_pairs_) + of_sizes_;
+  }
+  /// What bounds of size ask for alone.
+  double triangles_of_sizes() const { return of_sizes_; }
+  /// The pair that asks for most.
+  const Pair& worst_pair() const { return worst_; }
+
+private:
+  static constexpr double per_triangle = 1.5;
+  static constexpr double per_layer = 3;
+  static constexpr double ordinary_aspect = 8, largest_aspect = 0x1p52;
+  static constexpr double per_gap = 2;
+  /// By how much more triangles a bound takes above 20.7 degrees.
+  static constexpr double per_degree = 0.08;
+  /// The area of a triangle that a bound on areas leads to, as a share of the bound.
+  static constexpr double share_of_area = 0.55;
+  /// The same for a bound h on edges, as a share of h^2.
+  static constexpr double share_of_squared_edge = 0.28;
+  static constexpr double field_samples = 20000;
+
+  /// What triangles ask for, each for itself.
+  struct Demand {
+    double of_shapes = 0, of_sizes = 0;
+  };
+
+  const Meshing_state<Geometry>& state_;
+  const Kernel_mesh<Geometry>& mesh_;
+  double least_;
+  Number total_area2_ = 0;
+  double of_shapes_ = 0, of_pairs_ = 0, of_sizes_ = 0;
+  Pair worst_;
+  std::vector<unsigned char>
+      marks_;                  // per triangle: bit k for a narrow side k, 3 + k for a sector begun there
+  std::vector<Side> opposite_; // the narrow sides opposite the apex of a sector
+
+  void add_triangle(Triangle_id t, Demand& demand) {
+    const auto& r = mesh_.triangle(t);
+    const Shape s = mesh_.shape(r);
+    int constrained = 0;
+    for (int k = 0; k < 3; ++k) {
+      if (!r.side[k].is_constrained()) continue;
+      ++constrained;
+      unsigned char& marks = marks_[std::size_t(t)];
+      if (2 * s.area2 < s.l[k]) marks = static_cast<unsigned char>(marks | 1u << k);
+    }
+    demand.of_shapes += per_triangle;
+    if (constrained < 2 && s.longest() > ordinary_aspect * s.area2) {
+      // collinear vertices give no area in doubles
+      double aspect = std::min(ratio(s.longest(), s.area2), largest_aspect);
+      if (least_ > 0)
+        aspect = std::min(aspect, std::max(ordinary_aspect, std::sqrt(ratio(s.longest(), least_ * least_))));
+      demand.of_shapes += per_layer * std::log2(std::min(aspect / ordinary_aspect, growth_around(r, s)));
+    }
+    demand.of_sizes += sizes_demand(t, s);
+  }
+
+  /// How much longer than the shortest edge of a needle the next edges around its apex are, at least 1: of
+  /// needles side by side the layers are in common.
+  double growth_around(const typename Kernel_mesh<Geometry>::Triangle& r, const Shape& s) const {
+    const int k = s.slot_of_shortest();
+    Number next = s.longest();
+    for (const int j : {next_slot[k], previous_slot[k]}) {
+      const Side o = r.side[j];
+      if (o.is_constrained()) continue;
+      const auto& n = mesh_.triangle(o.triangle());
+      const Side base(o.triangle(), Kernel_mesh<Geometry>::slot_of(n, r.v[k]));
+      next = std::min(next, squared_length(Geometry::scaled_difference(mesh_.point(mesh_.source(base)),
+                                                                       mesh_.point(mesh_.target(base)))));
+    }
+    const bool is_needle = s.longest() > 16 * s.shortest();
+    return !is_needle ? std::numeric_limits<double>::infinity()
+                      : std::max(1.0, std::sqrt(ratio(next, s.shortest())));
+  }
+
+  double sizes_demand(Triangle_id t, const Shape& s) const {
+    const Bounds<Geometry>& bounds = state_.bounds;
+    if (!bounds.is_size_bounded()) return 0;
+    double area2 = bounds.area2;
+    if (!bounds.area2_of_region.empty() && mesh_.region(t) >= 0)
+      area2 = std::min(area2, bounds.area2_of_region[std::size_t(mesh_.region(t))]);
+    double per_area2 =
+        std::max(1 / (share_of_area * area2), 0.5 / (share_of_squared_edge * bounds.squared_length));
+    if (bounds.squared_length_at) per_area2 = std::max(per_area2, field_density(t, s));
+    const double finest = least_ > 0 ? 0.5 / (share_of_squared_edge * least_ * least_) : per_area2;
+    return ratio(s.area2, 1) * std::min(per_area2, finest);
+  }
+
+  /// The mean of the density that the size field asks for in t, at the centers of k^2 parts of equal area.
+  double field_density(Triangle_id t, const Shape& s) const {
+    const auto& r = mesh_.triangle(t);
+    const Point& a = mesh_.point(r.v[0]);
+    const Vector ab = Geometry::scaled_difference(mesh_.point(r.v[1]), a),
+                 ac = Geometry::scaled_difference(mesh_.point(r.v[2]), a);
+    const int k = static_cast<int>(std::ceil(std::sqrt(ratio(field_samples * s.area2, total_area2_))));
+    double sum = 0;
+    for (int i = 0; i < k; ++i)
+      for (int j = 0; i + j < k; ++j)
+        for (const double third : {1. / 3, 2. / 3}) {
+          if (third > 0.5 && i + j + 1 == k) continue; // no second part at the border
+          const Point p = Geometry::translate(a, ((i + third) / k) * ab + ((j + third) / k) * ac);
+          sum += 0.5 / (share_of_squared_edge * state_.bounds.squared_length_at(p));
+        }
+    return sum / (static_cast<double>(k) * k);
+  }
+
+  // ---- edges that face each other
+
+  /// Whether side k of t is constrained and longer than twice its distance to the apex: others are not
+  /// looked at, as what they face is narrower from somewhere else, or costs little.
+  bool is_narrow(Triangle_id t, int k) const { return (marks_[std::size_t(t)] >> k & 1u) != 0; }
+
+  /// Marks the sector that begins at slot k of t; false if it was marked already.
+  bool mark_sector(Triangle_id t, int k) {
+    const unsigned char bit = static_cast<unsigned char>(8u << k);
+    if ((marks_[std::size_t(t)] & bit) != 0) return false;
+    marks_[std::size_t(t)] = static_cast<unsigned char>(marks_[std::size_t(t)] | bit);
+    return true;
+  }
+
+  /// Visits the sector of triangles at v[k] of t, from one constrained side to the next, if it is not yet
+  /// done.
+  void add_facing_edges(Triangle_id t, int k) {
+    const Triangle_id start = t;
+    for (;;) {
+      const Side o = mesh_.triangle(t).side[previous_slot[k]];
+      if (o.is_constrained()) {
+        if (mark_sector(t, k)) add_sector(t, k);
+        return;
+      }
+      t = o.triangle();
+      k = previous_slot[o.slot()];
+      if (t == start) break;
+    }
+    const Vertex_id v = mesh_.triangle(t).v[k];
+    t = mesh_.incident_triangle(v);
+    k = Kernel_mesh<Geometry>::slot_of(mesh_.triangle(t), v);
+    if (mark_sector(t, k)) add_whole_star(t, k);
+  }
+
+  /// The sector that begins at the side from v[k] to v[k + 1] of t.
+  void add_sector(Triangle_id t, int k) {
+    const Vertex_id apex = mesh_.triangle(t).v[k];
+    const Vertex_id first[2] = {apex, mesh_.triangle(t).v[next_slot[k]]};
+    opposite_.clear();
+    for (;;) {
+      const auto& r = mesh_.triangle(t);
+      if (is_narrow(t, k)) opposite_.push_back(Side(t, k));
+      const Side next = r.side[next_slot[k]];
+      if (next.is_constrained()) break;
+      t = next.triangle();
+      k = next_slot[next.slot()];
+    }
+    const Vertex_id last[2] = {mesh_.triangle(t).v[previous_slot[k]], apex};
+    for (const Side s : opposite_) {
+      add_pair(first, s);
+      add_pair(last, s);
+    }
+    add_consecutive(apex);
+    if (first[1] == last[0] && opposite_.size() > 1) add_wedge(apex, opposite_.back(), opposite_.front());
+  }
+
+  /// The star of a vertex without constrained sides.
+  void add_whole_star(Triangle_id start, int k) {
+    opposite_.clear();
+    Triangle_id t = start;
+    do {
+      const auto& r = mesh_.triangle(t);
+      if (is_narrow(t, k)) opposite_.push_back(Side(t, k));
+      const Side next = r.side[next_slot[k]];
+      t = next.triangle();
+      k = next_slot[next.slot()];
+    } while (t != start);
+    if (opposite_.size() > 1) opposite_.push_back(opposite_.front());
+    add_consecutive(mesh_.triangle(start).v[k]);
+  }
+
+  void add_consecutive(Vertex_id apex) {
+    for (std::size_t i = 0; i + 1 < opposite_.size(); ++i) {
+      const Vertex_id ends[2] = {mesh_.source(opposite_[i]), mesh_.target(opposite_[i])};
+      // they face each other where one looks past the apex, from behind its projection on
+      add_pair(ends, opposite_[i + 1], projection(apex, ends));
+      add_wedge(apex, opposite_[i], opposite_[i + 1]);
+    }
+  }
+
+  /// If the edges r and s end and begin in one vertex o, with v between them: beyond v the wedge is filled at
+  /// the width that it has there, with a triangle for each angle phi of the way.
+  void add_wedge(Vertex_id v, Side r, Side s) {
+    const Vertex_id o = mesh_.target(r);
+    if (mesh_.source(s) != o) return;
+    using std::fabs, std::log;
+    const Vector a = Geometry::scaled_difference(mesh_.point(mesh_.source(r)), mesh_.point(o));
+    const Vector b = Geometry::scaled_difference(mesh_.point(mesh_.target(s)), mesh_.point(o));
+    const Number cosine = dot(a, b), sine = fabs(cross(a, b));
+    if (cosine <= 2 * sine) return; // above 27 degrees
+    const Number ratio2 = std::min(squared_length(a), squared_length(b)) /
+                          squared_length(Geometry::scaled_difference(mesh_.point(v), mesh_.point(o)));
+    if (ratio2 > 1)
+      add_parts(ratio(0.5 * log(ratio2) * cosine, std::max<Number>(sine, 1e-20 * cosine)),
+                {mesh_.source(r), o}, {o, mesh_.target(s)});
+  }
+
+  void add_parts(double parts, const Vertex_id (&p)[2], const Vertex_id (&q)[2]) {
+    if (parts <= 1) return;
+    of_pairs_ += per_gap * (parts - 1);
+    if (per_gap * parts > worst_.triangles) worst_ = {{p[0], p[1]}, {q[0], q[1]}, per_gap * parts};
+  }
+
+  /// Where v is along the edge p, from 0 to 1 between its ends.
+  double projection(Vertex_id v, const Vertex_id (&p)[2]) const {
+    const Vector u = Geometry::scaled_difference(mesh_.point(p[1]), mesh_.point(p[0]));
+    return ratio(dot(Geometry::scaled_difference(mesh_.point(v), mesh_.point(p[0])), u), squared_length(u));
+  }
+
+  /// Adds the integral of 1 / gap along the part of the edge p from position `begin` on, the domain on its
+  /// left, that faces the edge s.
+  void add_pair(const Vertex_id (&p)[2], Side s, double begin = 0) {
+    const Vertex_id q[2] = {mesh_.source(s), mesh_.target(s)};
+    if (p[0] == q[0] || p[0] == q[1] || p[1] == q[0] || p[1] == q[1]) return;
+    using std::fabs, std::sqrt;
+    const Vector u = Geometry::scaled_difference(mesh_.point(p[1]), mesh_.point(p[0]));
+    const Vector v = Geometry::scaled_difference(mesh_.point(q[0]), mesh_.point(p[0]));
+    const Vector w = Geometry::scaled_difference(mesh_.point(q[1]), mesh_.point(p[0]));
+    const Number l2 = squared_length(u);
+    const Number c0 = cross(u, v), c1 = cross(u, w), d0 = dot(v, u), d1 = dot(w, u);
+    const Number narrowest = std::min(fabs(c0), fabs(c1));
+    if (narrowest >= l2 || narrowest >= fabs(d0 - d1)) return; // wider than long
+    // in units of the edge p: positions along it and distances from it
+    double t0 = ratio(d0, l2), t1 = ratio(d1, l2), g0 = ratio(c0, l2), g1 = ratio(c1, l2);
+    if (t0 > t1) std::swap(t0, t1), std::swap(g0, g1);
+    const double low = std::max({t0, begin, 0.0}), high = std::min(t1, 1.0);
+    if (!(low < high)) return;
+    const double slope = (g1 - g0) / (t1 - t0), floor = std::max(ratio(least_, sqrt(l2)), 1e-20);
+    double a = g0 + slope * (low - t0), b = g0 + slope * (high - t0);
+    if (std::max(a, b) <= 0) return; // behind p
+    a = std::max(a, floor), b = std::max(b, floor);
+    add_parts(std::fabs(a - b) < 1e-3 * a ? (high - low) / a : (high - low) * std::log(b / a) / (b - a), p,
+              q);
+  }
+};
+
+} // namespace internal
+} // namespace Quadtree_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_SIZE_ESTIMATE_H

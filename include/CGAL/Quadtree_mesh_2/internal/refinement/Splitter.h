@@ -1,0 +1,417 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+//
+// Splits constrained edges, and keeps the rings around acute corners while it does.
+//
+// - A subsegment away from corners is split where the caller wants, within its middle 30 percent.
+// - A leg of an acute vertex without a ring is split at dyadic distances from it (Ruppert's concentric
+// shells).
+// - Within a ring the interval between two shells is halved, on all legs of the corner at once (matched shells), or,
+//   where it is too short to tell shells apart, as next to features far from the apex, on its leg alone.
+// - The chord that locks a lopped sector is never split: when something comes too close to it, the lock moves
+// down to the
+//   next shell (a new one at 0.6 of the radius where there is none), and what was behind it becomes ordinary
+//   domain.
+//
+// A split costs O(degree), times the number of legs within a ring.
+
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_SPLITTER_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_SPLITTER_H
+
+#include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
+#include <CGAL/Quadtree_mesh_2/internal/triangulation/least_edge.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Quadtree_mesh_2 {
+namespace internal {
+
+template <class Geometry>
+class Splitter {
+public:
+  using Point = typename Geometry::Point;
+  using Number = typename Geometry::Number;
+  using Leg = typename Acute_corners<Geometry>::Leg;
+  using Sector = typename Acute_corners<Geometry>::Sector;
+  using Corner = typename Acute_corners<Geometry>::Corner;
+  using Shell_vertex = typename Acute_corners<Geometry>::Shell_vertex;
+
+  explicit Splitter(Meshing_state<Geometry>& state)
+      : state_(state), mesh_(state.mesh), corners_(state.corners) {}
+
+  /// Cuts the legs of all corners at their radius and locks the lopped sectors.
+  void cut_rings() {
+    for (std::size_t c = 0; c < corners_.corners.size(); ++c) {
+      Corner& corner = corners_.corner(static_cast<Corner_id>(c));
+      for (const Leg_id l : corner.legs) cut_ring_on_leg(l, corner.radius, ring_tolerance(corner));
+    }
+    for (std::size_t s = 0; s < corners_.sectors.size(); ++s) lock_at_ring(static_cast<Sector_id>(s));
+  }
+
+  /// Unlocks all lopped sectors: removal may then treat shell vertices as any others.
+  void unlock_all() {
+    for (Sector& s : corners_.sectors) {
+      if (s.lock_radius > 0) release_chord(s);
+      s.lock_radius = 0;
+    }
+  }
+
+  /// Splits the constrained edge at side k of t, near `want` where nothing else is prescribed.
+  /// Refused if it cannot be split: it is as short as coordinates allow.
+  Outcome split(Triangle_id t, int k, const Point* want) {
+    const Side side(t, k);
+    if (mesh_.across(side).is_seam()) return Outcome::deferred;
+    const Vertex_id x = mesh_.source(side), y = mesh_.target(side);
+    const Edge_id e = state_.edges.carrying(mesh_, x, y);
+    if (e < 0) return split_chord(x, y);
+    for (const Leg_id l : corners_.legs_of_edge[std::size_t(e)])
+      if (l >= 0 && !state_.owns(corners_.leg(l).corner)) return Outcome::deferred;
+    for (const Leg_id l : corners_.legs_of_edge[std::size_t(e)])
+      if (l >= 0 && is_within_ring(l, x, y))
+        return outcome(halve_interval(l, x, y) || split_interval(l, x, y, want));
+    return outcome(split_subsegment(side, e, want));
+  }
+
+  /// Makes a bad triangle within a locked sector ordinary domain (or, if it touches the apex, halves its
+  /// leg).
+  /// Refused if t is not within a lock, or nothing can be done.
+  Outcome open_lock_around(Triangle_id t) {
+    const auto r = mesh_.triangle(t);
+    const Sector_id s = corners_.sector_of(mesh_, r.v[0], r.v[1], r.v[2]);
+    if (s < 0) return Outcome::refused;
+    const Corner_id c = corners_.corner_of(corners_.sector(s));
+    if (!state_.owns(c)) return Outcome::deferred;
+    if (corners_.sector(s).lock_radius == 0) return Outcome::refused;
+    const Number lock_radius = corners_.sector(s).lock_radius;
+    // only at the ring may vertices stand in for those of the radius; further in the chord is the limit
+    const bool is_at_ring = lock_radius == corners_.corner(c).radius;
+    const Number tolerance = is_at_ring ? ring_tolerance(corners_.corner(c)) : same_radius * lock_radius;
+    Number low = lock_radius, high = 0;
+    for (const Vertex_id v : r.v) {
+      const Number radius = shell_radius(s, v);
+      if (radius < 0 || radius > lock_radius + tolerance) return Outcome::refused;
+      low = std::min(low, radius), high = std::max(high, radius);
+    }
+    if (low >= lock_radius) return outcome(lower_lock(s));
+    return outcome(low == 0 ? insert_shell(c, shell_below(s, high)) : move_lock(s, low));
+  }
+
+private:
+  static Outcome outcome(bool is_changed) { return is_changed ? Outcome::changed : Outcome::refused; }
+
+  /// New shells next to the apex lie at this share of the innermost radius: their ratio, 1.67, leaves room
+  /// for ring vertices that are not quite matched (Acute_corners.h).
+  static constexpr double innermost_share = 0.6;
+  /// Radii of a shell on several legs are one number, so they are the same to units in the last place; further shells may
+  /// be nearly as near, where features beside a leg's end are as small as the distance between legs there.
+  static constexpr double same_radius = 0x1p-50;
+  /// A far end or another ring's vertex within this share of the chord stands in for the ring vertex.
+  static constexpr double chord_share_to_merge = 0.4;
+
+  Meshing_state<Geometry>& state_;
+  Kernel_mesh<Geometry>& mesh_;
+  Acute_corners<Geometry>& corners_;
+
+  /// Nothing is cut nearer to an acute apex than this share of the leg. For bounds that are established only features
+  /// as near as that could ask for it, or coordinates are the limit; above, two corners of one vertex may drive
+  /// each other on without end.
+  Number least_share_of_leg() const {
+    return state_.bounds.is_established() ? state_.problem.least_share_of_leg : Number(0x1p-12);
+  }
+
+  Number distance(Vertex_id a, Vertex_id b) const {
+    return length(Geometry::scaled_difference(mesh_.point(a), mesh_.point(b)));
+  }
+
+  Point point_on_leg(const Leg& leg, Number radius) const {
+    return Geometry::between(state_.problem.input_point(leg.apex), state_.problem.input_point(leg.far),
+                             radius / leg.length);
+  }
+
+  static Number ring_tolerance(const Corner& c) {
+    return chord_share_to_merge * 2 * std::sin(c.least_angle / 2) * c.radius;
+  }
+
+  // ---- shells
+
+  void cut_ring_on_leg(Leg_id l, Number radius, Number tolerance) {
+    Leg& leg = corners_.leg(l);
+    const auto& at = corners_.legs_of_edge[std::size_t(leg.edge)];
+    const Leg_id opposite = at[0] == l ? at[1] : at[0];
+    const Vertex_id opposite_ring = opposite >= 0 ? corners_.leg(opposite).ring : -1;
+    const Vertex_id beyond = opposite_ring >= 0 && opposite_ring != leg.apex ? opposite_ring : leg.far;
+    const Number room = beyond == leg.far ? leg.length : distance(leg.apex, beyond);
+    leg.ring = room <= radius + tolerance
+                   ? beyond
+                   : insert_between(leg.apex, beyond, leg.edge, point_on_leg(leg, radius));
+    if (leg.ring >= 0) leg.shells.push_back({leg.ring == beyond ? room : radius, leg.ring});
+  }
+
+  /// The alive shell vertices around a radius on a leg; the apex below the first, none (-1) above the last.
+  struct Interval {
+    Shell_vertex below, above;
+  };
+  Interval interval_around(const Leg& leg, Number radius) const {
+    Interval i{{0, leg.apex_vertex}, {0, -1}};
+    for (const Shell_vertex& s : leg.shells) {
+      if (!mesh_.is_used(s.vertex)) continue;
+      if (s.radius > radius) {
+        i.above = s;
+        break;
+      }
+      i.below = s;
+    }
+    return i;
+  }
+
+  /// Cuts every leg of the corner at a radius within the ring, where it is not cut there yet.
+  bool insert_shell(Corner_id c, Number radius) {
+    bool is_changed = false;
+    for (const Leg_id l : corners_.corner(c).legs) {
+      Leg& leg = corners_.leg(l);
+      if (radius < least_share_of_leg() * leg.length) return false;
+      const Interval i = interval_around(leg, radius);
+      if (i.above.vertex < 0 || i.below.radius >= radius * (1 - same_radius) ||
+          i.above.radius <= radius * (1 + same_radius))
+        continue;
+      const Vertex_id v = insert_between(i.below.vertex, i.above.vertex, leg.edge, point_on_leg(leg, radius));
+      if (v < 0) continue;
+      const auto place = std::find_if(leg.shells.begin(), leg.shells.end(),
+                                      [&](const Shell_vertex& s) { return s.radius > radius; });
+      leg.shells.insert(place, {radius, v});
+      is_changed = true;
+    }
+    return is_changed;
+  }
+
+  bool is_within_ring(Leg_id l, Vertex_id x, Vertex_id y) const {
+    return radius_on_leg(corners_.leg(l), x) >= 0 && radius_on_leg(corners_.leg(l), y) >= 0;
+  }
+
+  /// The radius of a leg's shell vertex, 0 for the apex, -1 for other vertices.
+  static Number radius_on_leg(const Leg& leg, Vertex_id v) {
+    if (v == leg.apex_vertex) return 0;
+    for (const Shell_vertex& s : leg.shells)
+      if (s.vertex == v) return s.radius;
+    return -1;
+  }
+
+  Number shell_radius(Sector_id s, Vertex_id v) const {
+    const Sector& sector = corners_.sector(s);
+    return std::max(radius_on_leg(corners_.leg(sector.right), v),
+                    radius_on_leg(corners_.leg(sector.left), v));
+  }
+
+  bool halve_interval(Leg_id l, Vertex_id x, Vertex_id y) {
+    const Leg& leg = corners_.leg(l);
+    const Number p = radius_on_leg(leg, x), q = radius_on_leg(leg, y);
+    const Number low = std::min(p, q), high = std::max(p, q);
+    return insert_shell(leg.corner, low == 0 ? Number(innermost_share * high) : Number((low + high) / 2));
+  }
+
+  /// Splits one leg alone, where an interval is too short for shells to be told apart: features far from the apex may
+  /// be much smaller than the radius. Sectors next to it become ordinary domain there.
+  bool split_interval(Leg_id l, Vertex_id x, Vertex_id y, const Point* want) {
+    const Leg leg = corners_.leg(l);
+    const Number low = std::min(radius_on_leg(leg, x), radius_on_leg(leg, y));
+    if (low == 0) return false;
+    for (const Sector_id s : {leg.before, leg.after})
+      while (s >= 0 && corners_.sector(s).lock_radius > low)
+        if (!lower_lock(s)) return false;
+    const Side side = state_.side_between(x, y);
+    return !side.is_border() && split_subsegment(side, leg.edge, want);
+  }
+
+  // ---- locks
+
+  /// Moves the lock that the chord x-y is.
+  Outcome split_chord(Vertex_id x, Vertex_id y) {
+    Sector_id locked = -1;
+    bool is_elsewhere = false;
+    corners_.find_sector_of_chord(mesh_, x, y, [&](Sector_id s) {
+      if (!state_.owns(corners_.corner_of(corners_.sector(s))))
+        is_elsewhere = true;
+      else if (is_locked_by(corners_.sector(s), x, y))
+        locked = s;
+      return locked >= 0;
+    });
+    if (locked >= 0) return outcome(lower_lock(locked));
+    return is_elsewhere ? Outcome::deferred : Outcome::refused;
+  }
+
+  bool is_locked_by(const Sector& s, Vertex_id x, Vertex_id y) const {
+    if (s.lock_radius <= 0) return false;
+    const Vertex_id a = vertex_at(s.right, s.lock_radius), b = vertex_at(s.left, s.lock_radius);
+    return (a == x && b == y) || (a == y && b == x);
+  }
+
+  /// The largest radius below `radius` at which both legs have a shell vertex; 0 if there is none.
+  Number shell_below_on_both(const Sector& s, Number radius) const {
+    Number best = 0;
+    for (const Shell_vertex& v : corners_.leg(s.right).shells)
+      if (v.radius < radius * (1 - same_radius) && mesh_.is_used(v.vertex) &&
+          vertex_at(s.left, v.radius) >= 0)
+        best = std::max(best, v.radius);
+    return best;
+  }
+
+  Vertex_id vertex_at(Leg_id l, Number radius) const {
+    using std::fabs;
+    const Leg& leg = corners_.leg(l);
+    if (radius == corners_.corner(leg.corner).radius)
+      return leg.ring >= 0 && mesh_.is_used(leg.ring) ? leg.ring : -1;
+    for (const Shell_vertex& v : leg.shells)
+      if (fabs(v.radius - radius) <= same_radius * radius && mesh_.is_used(v.vertex)) return v.vertex;
+    return -1;
+  }
+
+  Number shell_below(Sector_id s, Number radius) const {
+    const Number below = shell_below_on_both(corners_.sector(s), radius);
+    return below > 0 ? below : Number(innermost_share * radius);
+  }
+
+  void lock_at_ring(Sector_id s) {
+    Sector& sector = corners_.sector(s);
+    lock(sector, corners_.corner(corners_.leg(sector.right).corner).radius);
+  }
+
+  /// Locks the chord at a shell's radius, if it is an edge of the mesh; otherwise the sector stays ordinary
+  /// domain.
+  void lock(Sector& s, Number radius) {
+    s.lock_radius = 0;
+    const Vertex_id a = vertex_at(s.right, radius), b = vertex_at(s.left, radius);
+    if (a < 0 || b < 0 || a == b) return;
+    const Side chord = state_.side_between(a, b);
+    if (chord.is_border()) return;
+    mesh_.constrain(chord);
+    s.lock_radius = radius;
+  }
+
+  void release_chord(const Sector& s) {
+    const Vertex_id a = vertex_at(s.right, s.lock_radius), b = vertex_at(s.left, s.lock_radius);
+    if (a < 0 || b < 0 || state_.edges.carrying(mesh_, a, b) >= 0)
+      return; // a chord that is an input edge stays
+    const Side chord = state_.side_between(a, b);
+    if (chord.is_border()) return;
+    mesh_.release(chord);
+    mesh_.is_dirty[std::size_t(a)] = mesh_.is_dirty[std::size_t(b)] = 1;
+    const Side o = mesh_.across(chord);
+    state_.doubtful_sides.push_back(chord);
+    for (const Triangle_id t : {chord.triangle(), o.triangle()})
+      if (t >= 0 && !o.is_border()) state_.push_if_suspect(t);
+  }
+
+  /// Moves the lock of a sector down by one shell, making one where there is none.
+  bool lower_lock(Sector_id s) {
+    const Number radius = corners_.sector(s).lock_radius;
+    if (radius <= 0) return false;
+    const Number below = shell_below(s, radius);
+    insert_shell(corners_.leg(corners_.sector(s).right).corner, below);
+    return move_lock(s, below);
+  }
+
+  bool move_lock(Sector_id s, Number radius) {
+    Sector& sector = corners_.sector(s);
+    if (vertex_at(sector.right, radius) < 0 || vertex_at(sector.left, radius) < 0) return false;
+    release_chord(sector);
+    lock(sector, radius);
+    state_.legalize();
+    return true;
+  }
+
+  // ---- single points
+
+  Vertex_id insert_between(Vertex_id x, Vertex_id y, Edge_id e, Point p) {
+    const Side s = state_.side_between(x, y);
+    return s.is_border() ? -1 : insert(s, e, p);
+  }
+
+  /// Puts p on the side; -1 if p is not strictly between its ends as seen from the apexes of its triangles.
+  Vertex_id insert(Side s, Edge_id e, Point p) {
+    if (!is_valid_split(s, p)) return -1;
+    const Side o = mesh_.across(s);
+    if (!o.is_border() && !is_valid_split(o, p)) return -1;
+    const Triangle_id across = o.is_border() ? -1 : o.triangle();
+    if (!has_room(mesh_, {s.triangle(), across}, p, state_.bounds.least_squared_length)) return -1;
+    const Vertex_id v = mesh_.add_vertex(p, e);
+    mesh_.insert_on_side(s.triangle(), s.slot(), v);
+    state_.push_suspects_around(v);
+    return v;
+  }
+
+  /// A rounded point may lie beside its edge: both parts of the triangle must keep their orientation, and the edge be
+  /// long enough for that to be no chance.
+  bool is_valid_split(Side s, const Point& p) const {
+    const Point& apex = mesh_.point(mesh_.opposite(s));
+    for (const Vertex_id end : {mesh_.source(s), mesh_.target(s)})
+      if (!Geometry::is_resolved(p, squared_length(Geometry::scaled_difference(mesh_.point(end), p))))
+        return false;
+    return Geometry::orientation(apex, mesh_.point(mesh_.source(s)), p) > 0 &&
+           Geometry::orientation(apex, p, mesh_.point(mesh_.target(s))) > 0;
+  }
+
+  bool split_subsegment(Side s, Edge_id e, const Point* want) {
+    const Vertex_id x = mesh_.source(s), y = mesh_.target(s);
+    const Vertex_id apex = is_acute_apex(x) ? x : is_acute_apex(y) ? y : -1;
+    if (apex >= 0) {
+      const Number length = distance(x, y), whole = length_of_edge(e);
+      if (length < 2 * least_share_of_leg() * whole) return false;
+      const Number radius = power_of_two_at_most(length * 2 / 3); // of length, in (1/3, 2/3]
+      if (insert(s, e, point_on_edge(e, apex, radius / whole)) >= 0) return true;
+    }
+    const double share = apex >= 0 ? 0.5 : share_of_split(x, y, e, want);
+    for (const double f : {share, 0.5, 0.4, 0.6, 0.45, 0.55})
+      if (insert(s, e, point_on_edge_between(e, x, y, f)) >= 0) return true;
+    return false;
+  }
+
+  Number length_of_edge(Edge_id e) const {
+    return length(Geometry::scaled_difference(state_.problem.input_point(state_.edges[e].a),
+                                              state_.problem.input_point(state_.edges[e].b)));
+  }
+
+  /// The point at a share of the way between two vertices on an input edge. Rounding must not add up from split to
+  /// split: a vertex of an edge is as near to it as one made from the edge's ends.
+  Point point_on_edge_between(Edge_id e, Vertex_id x, Vertex_id y, double share) const {
+    const Input_edge& edge = state_.edges[e];
+    return Geometry::back_to_line(state_.problem.input_point(edge.a), state_.problem.input_point(edge.b),
+                                  Geometry::between(mesh_.point(x), mesh_.point(y), share));
+  }
+
+  /// The point at a share of an input edge, from the end that a vertex of the mesh is.
+  Point point_on_edge(Edge_id e, Vertex_id end, Number share) const {
+    const Vertex_id from = mesh_.input_number(end);
+    return Geometry::between(state_.problem.input_point(from),
+                             state_.problem.input_point(state_.edges.other_end(e, from)), share);
+  }
+
+  bool is_acute_apex(Vertex_id v) const {
+    return mesh_.is_input(v) && corners_.is_acute[std::size_t(mesh_.input_number(v))] != 0;
+  }
+  bool is_leg_without_ring(Edge_id e, int end) const {
+    const Vertex_id apex = end == 0 ? state_.edges[e].a : state_.edges[e].b;
+    return corners_.is_acute[std::size_t(apex)] != 0 &&
+           corners_.legs_of_edge[std::size_t(e)][std::size_t(end)] < 0;
+  }
+
+  /// Where x-y is split, for a wish in its middle 30 percent.
+  double share_of_split(Vertex_id x, Vertex_id y, Edge_id e, const Point* want) const {
+    if (want == nullptr || is_leg_without_ring(e, 0) || is_leg_without_ring(e, 1)) return 0.5;
+    const auto d = Geometry::scaled_difference(mesh_.point(y), mesh_.point(x));
+    const double f = ratio(dot(Geometry::scaled_difference(*want, mesh_.point(x)), d), squared_length(d));
+    return Geometry::short_share(std::min(0.65, std::max(0.35, f)));
+  }
+};
+
+} // namespace internal
+} // namespace Quadtree_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_SPLITTER_H

@@ -1,0 +1,282 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+//
+// Finds the acute corners of the domain and the radii of their rings (first part of the paper's section 6:
+// "cut off acute angles ... at a distance proportional to the vertex's nearest neighbor, so that cut-off
+// triangles do not contain other parts of the input, two such triangles on the same edge match up, and the
+// new cutting edges are not unnecessarily short").
+//
+// The radius is as large as that allows. It is the shortest leg (half of it if the other end has a ring,
+// too), or 0.6 of the distance to what intrudes into the corner's sectors. Intruders are found in the
+// constrained Delaunay triangulation, from the apex outward in sight of it. So nothing is scanned, and
+// nothing behind a constraint counts. O(n + triangles of the lopped sectors within the ring), and O(k log k)
+// for k sectors at a vertex.
+
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_FIND_CORNERS_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_FIND_CORNERS_H
+
+#include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Quadtree_mesh_2 {
+namespace internal {
+
+template <class Concurrency_tag, class Geometry>
+class Corner_finder {
+public:
+  using Number = typename Geometry::Number;
+  using Vector = Basic_vector<Number>;
+  using Leg = typename Acute_corners<Geometry>::Leg;
+  using Corner = typename Acute_corners<Geometry>::Corner;
+
+  explicit Corner_finder(Meshing_state<Geometry>& state)
+      : state_(state), mesh_(state.mesh), corners_(state.corners) {}
+
+  /// Fills in `state.corners`; the mesh is the domain's first triangulation, without Steiner points.
+  void run() {
+    corners_.prepare(state_.edges, mesh_.number_of_vertices());
+    collect_sectors();
+    for (std::size_t i = 0; i < acute_.size();) {
+      std::size_t j = i;
+      while (j < acute_.size() && acute_[j].apex == acute_[i].apex) ++j;
+      link_sectors(i, j);
+      i = j;
+    }
+    visit_of_.assign(mesh_.triangles.size(), 0);
+    for (Corner& c : corners_.corners) set_radius(c);
+  }
+
+private:
+  /// A domain sector below 60 degrees: between two edges, counterclockwise; `first` is its clockwise-most
+  /// triangle.
+  struct Acute_sector {
+    Vertex_id apex;
+    Edge_id right, left;
+    double angle;
+    Triangle_id first;
+  };
+
+  using Leg_of_sector = std::pair<Edge_id, std::size_t>;
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+
+  Meshing_state<Geometry>& state_;
+  Kernel_mesh<Geometry>& mesh_;
+  Acute_corners<Geometry>& corners_;
+  std::vector<Acute_sector> acute_;
+  std::vector<std::vector<Triangle_id>>
+      first_triangles_; // per corner: where the sectors of all its legs begin
+  std::vector<Leg_of_sector> by_right_, by_left_;
+  std::vector<Triangle_id> stack_;
+  std::vector<std::uint32_t> visit_of_; // per triangle: the last visit to it
+  std::uint32_t visit_ = 0;             // the number of the sector that is visited
+
+  Vector direction(Vertex_id from, Vertex_id to) const {
+    return Geometry::scaled_difference(mesh_.point(to), mesh_.point(from));
+  }
+  Number distance(Vertex_id a, Vertex_id b) const { return length(direction(a, b)); }
+
+  void collect_sectors() {
+    const std::size_t n = mesh_.triangles.size();
+    std::vector<std::vector<Acute_sector>> found((n + default_block - 1) / default_block);
+    for_each_block<Concurrency_tag>(n, default_block, [&](std::size_t b, std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i)
+        for (int k = 0; k < 3; ++k)
+          if (mesh_.triangles[i].side[previous_slot[k]].is_constrained())
+            add_sector(static_cast<Triangle_id>(i), k, found[b]);
+    });
+    for (const auto& sectors : found) acute_.insert(acute_.end(), sectors.begin(), sectors.end());
+    for (const Acute_sector& s : acute_) corners_.is_acute[std::size_t(s.apex)] = 1;
+    std::stable_sort(acute_.begin(), acute_.end(),
+                     [](const Acute_sector& a, const Acute_sector& b) { return a.apex < b.apex; });
+  }
+
+  /// Appends the sector whose clockwise-most triangle is t, at its vertex k, if it is acute.
+  void add_sector(Triangle_id first, int k, std::vector<Acute_sector>& sectors) const {
+    const Vertex_id apex = mesh_.triangle(first).v[k], right = mesh_.triangle(first).v[next_slot[k]];
+    const Vector d = direction(apex, right);
+    Triangle_id t = first;
+    int i = k;
+    while (!mesh_.triangle(t).side[next_slot[i]].is_constrained()) {
+      // an acute sector's triangles all begin acute: give up early
+      if (!is_below_60(d, direction(apex, mesh_.triangle(t).v[previous_slot[i]]))) return;
+      const Side o = mesh_.triangle(t).side[next_slot[i]];
+      t = o.triangle(), i = next_slot[o.slot()];
+    }
+    const Vertex_id left = mesh_.triangle(t).v[previous_slot[i]];
+    const Vector e = direction(apex, left);
+    if (left == right || !is_below_60(d, e) || mesh_.orientation(apex, right, left) <= 0) return;
+    const Number area2 =
+        Geometry::doubled_area_of_flat(d, e, mesh_.point(apex), mesh_.point(right), mesh_.point(left));
+    const Number scale = power_of_two_at_most(dot(d, e)); // of the legs' squares, which may be beyond doubles
+    sectors.push_back({apex, state_.edges.between(apex, right), state_.edges.between(apex, left),
+                       std::atan2(ratio(area2, scale), ratio(dot(d, e), scale)), first});
+  }
+
+  static bool is_below_60(Vector d, Vector e) {
+    const Number c = dot(d, e);
+    return c > 0 && c * c > 0.25 * squared_length(d) * squared_length(e);
+  }
+
+  bool is_lopped(const Acute_sector& s) const { return s.angle < lopped_factor * state_.bounds.angle; }
+
+  /// Joins the sectors [i, j), all at one vertex, to corners: maximal runs that share legs. Only a corner
+  /// with a lopped sector is kept.
+  void link_sectors(std::size_t i, std::size_t j) {
+    sort_by_leg(i, j, &Acute_sector::right, by_right_);
+    sort_by_leg(i, j, &Acute_sector::left, by_left_);
+    std::vector<char> is_taken(j - i, 0);
+    for (std::size_t s = i; s < j; ++s) {
+      if (is_taken[s - i] != 0) continue;
+      std::size_t first = s; // go clockwise to the run's first sector, or once around
+      for (std::size_t p = sector_at(by_left_, acute_[s].right); p != none && p != s;) {
+        first = p;
+        p = sector_at(by_left_, acute_[p].right);
+      }
+      std::vector<std::size_t> run;
+      for (std::size_t p = first; p != none && is_taken[p - i] == 0;
+           p = sector_at(by_right_, acute_[p].left)) {
+        is_taken[p - i] = 1;
+        run.push_back(p);
+      }
+      add_corner(run);
+    }
+  }
+
+  /// The sectors [i, j) by one of their legs. An edge is the right leg of one sector at a vertex, and the left of one.
+  void sort_by_leg(std::size_t i, std::size_t j, Edge_id Acute_sector::*leg,
+                   std::vector<Leg_of_sector>& sorted) const {
+    sorted.clear();
+    for (std::size_t s = i; s < j; ++s) sorted.push_back({acute_[s].*leg, s});
+    std::sort(sorted.begin(), sorted.end());
+  }
+
+  static std::size_t sector_at(const std::vector<Leg_of_sector>& sorted, Edge_id leg) {
+    const auto found = std::lower_bound(sorted.begin(), sorted.end(), Leg_of_sector{leg, 0});
+    return found != sorted.end() && found->first == leg ? found->second : none;
+  }
+
+  void add_corner(const std::vector<std::size_t>& run) {
+    if (std::none_of(run.begin(), run.end(), [this](std::size_t s) { return is_lopped(acute_[s]); })) return;
+    Corner corner;
+    corner.apex = acute_[run.front()].apex;
+    corner.least_angle = acute_[run.front()].angle;
+    const Corner_id id = static_cast<Corner_id>(corners_.corners.size());
+    const auto add_leg = [&](Edge_id e) {
+      const Vertex_id far = state_.edges.other_end(e, corner.apex);
+      corner.legs.push_back(corners_.add_leg(
+          {id, e, corner.apex, far, distance(corner.apex, far), -1, -1, {}, -1, corner.apex}));
+    };
+    first_triangles_.emplace_back();
+    add_leg(acute_[run.front()].right);
+    for (const std::size_t s : run) {
+      const bool closes = s == run.back() && run.size() > 1 && acute_[s].left == acute_[run.front()].right;
+      const Leg_id right = corner.legs.back();
+      if (!closes) add_leg(acute_[s].left);
+      const Leg_id left = closes ? corner.legs.front() : corner.legs.back();
+      corner.least_angle = std::min(corner.least_angle, acute_[s].angle);
+      first_triangles_.back().push_back(acute_[s].first);
+      if (is_lopped(acute_[s])) corner.sectors.push_back(add_lopped_sector(right, left, acute_[s].angle));
+    }
+    corners_.corners.push_back(std::move(corner));
+  }
+
+  Sector_id add_lopped_sector(Leg_id right, Leg_id left, double angle) {
+    const Sector_id id = static_cast<Sector_id>(corners_.sectors.size());
+    const Number sine = std::sin(exempt_share * angle);
+    corners_.sectors.push_back({right, left, angle, sine * sine * (1 + 2e-9), 0});
+    corners_.leg(right).after = id;
+    corners_.leg(left).before = id;
+    return id;
+  }
+
+  void set_radius(Corner& corner) {
+    Number r = corners_.leg(corner.legs.front()).length;
+    for (const Leg_id l : corner.legs) {
+      const Leg& leg = corners_.leg(l);
+      const auto& at = corners_.legs_of_edge[std::size_t(leg.edge)];
+      const bool has_ring_at_far_end = at[0] >= 0 && at[1] >= 0;
+      r = std::min<Number>(r, has_ring_at_far_end ? leg.length / 2 : leg.length);
+    }
+    for (const Triangle_id t : first_triangles_[std::size_t(&corner - corners_.corners.data())])
+      r = radius_clear_of_intruders(corner.apex, t, r);
+    corner.radius = r;
+  }
+
+  /// The radius reduced to 0.6 of the distance to what is nearer than it in the sector that begins with
+  /// triangle t.
+  Number radius_clear_of_intruders(Vertex_id apex, Triangle_id first, Number r) {
+    ++visit_;
+    stack_.assign(1, first);
+    const Vertex_id right =
+        mesh_.triangle(first).v[next_slot[Kernel_mesh<Geometry>::slot_of(mesh_.triangle(first), apex)]];
+    const Vertex_id left = left_end(apex, first);
+    while (!stack_.empty()) {
+      const Triangle_id t = stack_.back();
+      stack_.pop_back();
+      if (visit_of_[std::size_t(t)] == visit_) continue;
+      visit_of_[std::size_t(t)] = visit_;
+      const auto& q = mesh_.triangle(t);
+      for (int k = 0; k < 3; ++k) {
+        if (q.v[k] != apex && q.v[k] != right && q.v[k] != left)
+          r = clear_of_vertex(apex, right, left, q.v[k], r);
+        const Vertex_id a = q.v[next_slot[k]], b = q.v[previous_slot[k]];
+        if (a == apex || b == apex) {
+          if (!q.side[k].is_constrained()) stack_.push_back(q.side[k].triangle());
+          continue;
+        }
+        const Number d = distance_to_segment(apex, a, b);
+        if (d >= r * (1 - 1e-9)) continue;
+        if (!q.side[k].is_constrained())
+          stack_.push_back(q.side[k].triangle());
+        else if (a != right && a != left && b != right && b != left)
+          r = 0.6 * d;
+      }
+    }
+    return r;
+  }
+
+  Vertex_id left_end(Vertex_id apex, Triangle_id t) const {
+    for (;;) {
+      const auto& r = mesh_.triangle(t);
+      const int i = Kernel_mesh<Geometry>::slot_of(r, apex);
+      if (r.side[next_slot[i]].is_constrained()) return r.v[previous_slot[i]];
+      t = r.side[next_slot[i]].triangle();
+    }
+  }
+
+  /// A vertex intrudes if it lies within r, or so near the chord between the legs that it sees it under more
+  /// than 105 degrees.
+  Number clear_of_vertex(Vertex_id apex, Vertex_id right, Vertex_id left, Vertex_id v, Number r) const {
+    const Number d = distance(apex, v);
+    if (0.6 * d >= r) return r;
+    if (d < r * (1 - 1e-9)) return 0.6 * d;
+    const Vector p = direction(apex, v), a = direction(apex, right), b = direction(apex, left);
+    const Vector pa = (r / length(a)) * a - p, pb = (r / length(b)) * b - p;
+    const Number c = dot(pa, pb);
+    constexpr double cosine2 = 0.067; // of 105 degrees, squared
+    return c < 0 && c * c > cosine2 * squared_length(pa) * squared_length(pb) ? Number(0.6 * d) : r;
+  }
+
+  Number distance_to_segment(Vertex_id p, Vertex_id a, Vertex_id b) const {
+    const Vector ab = direction(a, b), ap = direction(a, p);
+    const Number f = std::min(1.0, std::max(0.0, ratio(dot(ap, ab), squared_length(ab))));
+    return length(ap - f * ab);
+  }
+};
+
+} // namespace internal
+} // namespace Quadtree_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_FIND_CORNERS_H

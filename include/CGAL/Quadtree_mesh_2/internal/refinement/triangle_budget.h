@@ -1,0 +1,132 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+//
+// How large a mesh may become, and the words for one that would be larger, with the narrow gap that is to
+// blame.
+
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_TRIANGLE_BUDGET_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_TRIANGLE_BUDGET_H
+
+#include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
+#include <CGAL/Quadtree_mesh_2/internal/refinement/Size_estimate.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <sstream>
+#include <string>
+
+#if defined(__unix__) || defined(__APPLE__)
+#include <unistd.h>
+#endif
+
+namespace CGAL {
+namespace Quadtree_mesh_2 {
+namespace internal {
+
+/// The physical memory of the machine in bytes; infinity where it is not known.
+inline double physical_memory() {
+#if defined(_SC_PHYS_PAGES) && defined(_SC_PAGESIZE)
+  const long pages = sysconf(_SC_PHYS_PAGES), size = sysconf(_SC_PAGESIZE);
+  if (pages > 0 && size > 0) return static_cast<double>(pages) * static_cast<double>(size);
+#endif
+  return std::numeric_limits<double>::infinity();
+}
+
+class Triangle_budget {
+public:
+  /// What 32-bit handles allow.
+  static constexpr std::size_t most_vertices = 100000000;
+
+  /// \param vertices the user's budget; 0 for what handles and memory allow.
+  explicit Triangle_budget(std::size_t vertices)
+      : is_given_(vertices > 0),
+        triangles_(2 * static_cast<double>(vertices > 0 ? vertices : most_vertices)) {
+    if (!is_given_) triangles_ = std::min(triangles_, physical_memory() / bytes_per_triangle);
+  }
+
+  /// The estimate may be too large by a factor of 4 and more where it is made of many things at once: only
+  /// what is beyond that is refused, so that nothing is that could be meshed.
+  bool is_surely_exceeded_by(double estimate) const { return estimate > margin * triangles_; }
+
+  std::string refusal_of(double estimate) const {
+    std::ostringstream text;
+    text.precision(2);
+    text << "the mesh would need about " << estimate << " triangles, and "
+         << (is_given_ ? "the vertex budget allows " : "handles and memory allow ") << triangles_ << ':';
+    return text.str();
+  }
+
+private:
+  /// Of the mesher's peak memory: measured on maps, from 100 to 160.
+  static constexpr double bytes_per_triangle = 130;
+  static constexpr double margin = 4;
+
+  bool is_given_;
+  double triangles_;
+};
+
+/// Two edges of the input that face each other across a narrow gap, in words for its owner.
+template <class Geometry>
+class Narrow_gap {
+public:
+  using Number = typename Geometry::Number;
+  using Pair = typename Size_estimate<Geometry>::Pair;
+
+  Narrow_gap(const Meshing_state<Geometry>& state, const Pair& pair) : state_(state), pair_(pair) {}
+
+  /// The least distance of the two edges, in kernel coordinates.
+  Number width() const {
+    Number least = std::numeric_limits<double>::infinity();
+    for (int i = 0; i < 2; ++i)
+      least = std::min({least, distance(pair_.a[i], pair_.b), distance(pair_.b[i], pair_.a)});
+    return least;
+  }
+
+  /// \param name gives the name of an input vertex, with its place.
+  template <class Name>
+  std::string in_words(Name name, double unit) const {
+    std::ostringstream text;
+    text << "segment " << segment(pair_.a) << " (" << name(pair_.a[0]) << " and " << name(pair_.a[1])
+         << ") and segment " << segment(pair_.b) << " (" << name(pair_.b[0]) << " and " << name(pair_.b[1])
+         << ") face each other at a distance of " << ratio(width(), unit);
+    return text.str();
+  }
+
+  /// The indices of the two segments.
+  std::array<Segment_index, 2> segments() const {
+    return {Segment_index(std::size_t(segment(pair_.a))), Segment_index(std::size_t(segment(pair_.b)))};
+  }
+
+private:
+  const Meshing_state<Geometry>& state_;
+  const Pair& pair_;
+
+  std::int32_t segment(const Vertex_id (&ends)[2]) const {
+    return state_.edges[state_.edges.between(ends[0], ends[1])].segment;
+  }
+
+  Number distance(Vertex_id v, const Vertex_id (&ends)[2]) const {
+    const auto& p = state_.mesh.point(v);
+    const auto to = Geometry::scaled_difference(p, state_.mesh.point(ends[0]));
+    const auto along = Geometry::scaled_difference(state_.mesh.point(ends[1]), state_.mesh.point(ends[0]));
+    const double t = ratio(dot(to, along), squared_length(along));
+    if (t <= 0 || t >= 1) return length(to - (t <= 0 ? 0.0 : 1.0) * along);
+    using std::fabs;
+    const auto &a = state_.mesh.point(ends[0]), &b = state_.mesh.point(ends[1]);
+    return fabs(Geometry::doubled_area_of_flat(along, Geometry::scaled_difference(p, b), a, b, p)) /
+           length(along);
+  }
+};
+
+} // namespace internal
+} // namespace Quadtree_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_TRIANGLE_BUDGET_H

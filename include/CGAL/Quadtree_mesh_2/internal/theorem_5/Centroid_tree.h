@@ -1,0 +1,282 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+
+// The accelerated centroid tree of a quadtree: a binary tree over its leaves that is never tall.
+//
+// Computes: for a part of the quadtree (all squares below a node but those below some further nodes) a binary
+//           tree. Each inner node, a split, has a square of the quadtree: its child `inside` is for the leaves
+//           of the part in that square, `outside` for the rest; and so on down to single leaves. The quadtree
+//           may be cut into parts of a given size first, each with a tree of its own.
+// Bound:    a square is chosen that holds more than 1/5 and at most 4/5 of the leaves. So a part of k leaves
+//           has k - 1 splits and a height of at most log k / log 5/4 = 3.11 log_2 k, and parts of at most 5 n
+//           leaves have more than n, if there are several. O(k log k) work in O(log k) rounds.
+// Source:   Bern, Eppstein, Teng, section 6: "this produces a binary tree T_C, which has logarithmic height and
+//           linear size"; "partition the quadtree into O(k/n) subtrees, each of O(n) squares". The technique is
+//           that of Atallah, Cole, Goodrich, "Cascading divide-and-conquer".
+// Method:   the leaves of a part are a slice of an array, in shuffle order, so that those in a square follow
+//           each other. A square with more than half of them contains the one in the middle. Climbing from this
+//           to the first such square u widens a range of the slice. If u has too many, its heaviest child has
+//           more than a fifth and at most a half. The range then moves to the end of the slice, which splits
+//           it into the slices of the two children.
+// Deviates: a slice is split by one thread, in time linear in its length, and short slices are not only split
+//           but finished by one thread. So rounds are not short, but there are few of them.
+
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_CENTROID_TREE_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_CENTROID_TREE_H
+
+#include <CGAL/Quadtree_mesh_2/Grid_point_2.h>
+#include <CGAL/Quadtree_mesh_2/Index.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/Uninitialized_vector.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Quadtree_mesh_2 {
+namespace internal {
+
+/// A node of a centroid tree: a split, or a leaf of the quadtree.
+class Centroid_node {
+public:
+  Centroid_node() = default;
+  static Centroid_node of_leaf(std::uint32_t leaf) { return Centroid_node(leaf | leaf_flag_); }
+  static Centroid_node of_split(std::uint32_t split) { return Centroid_node(split); }
+
+  bool is_leaf() const { return (value_ & leaf_flag_) != 0; }
+  /// \pre `is_leaf()`
+  Leaf_index leaf() const { return Leaf_index(value_ & ~leaf_flag_); }
+  /// \pre `!is_leaf()`
+  std::uint32_t split() const { return value_; }
+
+private:
+  explicit Centroid_node(std::uint32_t value) : value_(value) {}
+
+  static constexpr std::uint32_t leaf_flag_ = 0x80000000u; // trees have less than 2^31 leaves
+  std::uint32_t value_;
+};
+
+/// A number of leaves that no part reaches.
+constexpr std::size_t all_leaves = std::numeric_limits<std::size_t>::max();
+
+/// The centroid trees of the parts of a quadtree.
+template <class Word>
+class Centroid_tree {
+public:
+  using Square = Quadtree_square_2<Word>;
+
+  /// Has a square rather than a node of the quadtree: whoever goes down reads one place, and often the next.
+  struct Split {
+    Square square;
+    Centroid_node inside;
+    Centroid_node outside;
+  };
+
+  /// A part of the quadtree: leaves in a square, not all of them if there are other parts.
+  struct Part {
+    Square square;
+    Centroid_node root;
+  };
+
+  /// Makes the trees of parts with at most `leaves_per_part` leaves; these have more than a fifth of that if
+  /// there are several.
+  /// \pre `leaves_per_part >= 1`
+  template <class Concurrency_tag, class Tree>
+  static Centroid_tree of(const Tree& tree, std::size_t leaves_per_part) {
+    Centroid_tree result;
+    Builder<Concurrency_tag, Tree>(tree, result).build(leaves_per_part);
+    return result;
+  }
+
+  const std::vector<Part>& parts() const { return parts_; }
+  /// \pre `!v.is_leaf()`
+  const Split& split(Centroid_node v) const { return splits_[v.split()]; }
+  /// The greatest number of splits above a leaf, among all parts.
+  int height() const { return height_; }
+  /// The number of rounds in which the quadtree was cut into parts and these into short slices.
+  int rounds() const { return rounds_; }
+
+  /// The greatest height of the tree of a part with `leaves` leaves.
+  static double height_bound(std::size_t leaves) {
+    return std::log(static_cast<double>(leaves)) / std::log(1.25);
+  }
+
+private:
+  template <class Concurrency_tag, class Tree>
+  class Builder;
+
+  Uninitialized_vector<Split> splits_;
+  std::vector<Part> parts_;
+  int height_ = 0;
+  int rounds_ = 0;
+};
+
+template <class Word>
+template <class Concurrency_tag, class Tree>
+class Centroid_tree<Word>::Builder {
+public:
+  Builder(const Tree& tree, Centroid_tree& result)
+      : tree_(tree), result_(result), leaves_(tree.number_of_leaves()) {}
+
+  void build(std::size_t leaves_per_part) {
+    const std::uint32_t k = static_cast<std::uint32_t>(leaves_.size());
+    for_each_index<Concurrency_tag>(k, [&](std::size_t i) { leaves_[i] = static_cast<std::uint32_t>(i); });
+    result_.splits_.resize(k);
+    std::vector<Slice> slices = split_long({{0, k, 0, 0, tree_.root()}}, leaves_per_part, Record::NOTHING);
+    for (Slice& s : slices) {
+      s.first_split = s.begin;
+      s.depth = 0;
+      result_.parts_.push_back({tree_.square(s.square), node_of(s)});
+    }
+    slices = split_long(std::move(slices), short_slice_, Record::SPLITS);
+    std::vector<int> height(slices.size());
+    for_each_index<Concurrency_tag>(
+        slices.size(), [&](std::size_t i) { height[i] = finish(slices[i]); }, 1);
+    result_.height_ = *std::max_element(height.begin(), height.end());
+  }
+
+private:
+  /// The leaves of a part, in shuffle order at some places of the array, and the numbers of their splits: one
+  /// less, its own first, then those of the leaves outside its square, then those of the leaves inside.
+  struct Slice {
+    std::uint32_t begin;
+    std::uint32_t end;
+    std::uint32_t first_split;
+    int depth;         // the number of splits above
+    Node_index square; // holds all leaves
+
+    std::uint32_t size() const { return end - begin; }
+  };
+
+  struct Halves {
+    Slice outside;
+    Slice inside;
+  };
+
+  /// A square and the places of the leaves in it.
+  struct Candidate {
+    Node_index square;
+    std::uint32_t begin;
+    std::uint32_t end;
+
+    std::uint32_t size() const { return end - begin; }
+  };
+
+  /// Whether splits are those of a centroid tree or only cut into parts.
+  enum class Record { NOTHING, SPLITS };
+
+  static constexpr std::size_t short_slice_ = 2048;
+
+  Centroid_node node_of(const Slice& s) const {
+    return s.size() == 1 ? Centroid_node::of_leaf(leaves_[s.begin]) : Centroid_node::of_split(s.first_split);
+  }
+
+  /// Splits slices, in rounds, until none is longer than `most`. Returns all.
+  std::vector<Slice> split_long(std::vector<Slice> open, std::size_t most, Record record) {
+    std::vector<Slice> finished;
+    while (!open.empty()) {
+      std::vector<Slice> long_ones;
+      for (const Slice& s : open) (s.size() > most ? long_ones : finished).push_back(s);
+      open.resize(2 * long_ones.size());
+      for_each_index<Concurrency_tag>(
+          long_ones.size(),
+          [&](std::size_t i) {
+            const Halves halves = split(long_ones[i], record);
+            open[2 * i] = halves.outside;
+            open[2 * i + 1] = halves.inside;
+          },
+          1);
+      ++result_.rounds_;
+    }
+    return finished;
+  }
+
+  /// Splits a slice into single leaves. Returns the greatest number of splits above one.
+  int finish(const Slice& slice) {
+    int height = 0;
+    std::vector<Slice> open(1, slice);
+    while (!open.empty()) {
+      const Slice s = open.back();
+      open.pop_back();
+      height = std::max(height, s.depth);
+      if (s.size() == 1) continue;
+      const Halves halves = split(s, Record::SPLITS);
+      open.push_back(halves.inside);
+      open.push_back(halves.outside);
+    }
+    return height;
+  }
+
+  /// \pre `s.size() >= 2`
+  Halves split(const Slice& s, Record record) {
+    const Candidate c = centroid(s);
+    const auto begin = leaves_.begin();
+    std::rotate(begin + c.begin, begin + c.end, begin + s.end);
+    const std::uint32_t middle = s.end - c.size();
+    const Halves halves{{s.begin, middle, s.first_split + 1, s.depth + 1, s.square},
+                        {middle, s.end, s.first_split + (middle - s.begin), s.depth + 1, c.square}};
+    if (record == Record::SPLITS)
+      result_.splits_[s.first_split] = {tree_.square(c.square), node_of(halves.inside),
+                                        node_of(halves.outside)};
+    return halves;
+  }
+
+  /// Returns a square with more than 1/5 and at most 4/5 of the leaves of a slice.
+  Candidate centroid(const Slice& s) const {
+    const std::uint32_t middle = s.begin + s.size() / 2;
+    Candidate c{tree_.node(Leaf_index(leaves_[middle])), middle, middle + 1};
+    while (2 * std::uint64_t(c.size()) <= s.size()) {
+      c.square = tree_.parent(c.square);
+      widen(c, s);
+    }
+    if (3 * std::uint64_t(c.size()) <= 2 * std::uint64_t(s.size())) return c;
+    const Candidate child = heaviest_child(c);
+    return s.size() - child.size() < c.size() ? child : c;
+  }
+
+  /// Extends a range of leaves to all of the slice that are in the square.
+  void widen(Candidate& c, const Slice& s) const {
+    const auto all = tree_.leaves(c.square);
+    while (c.begin > s.begin && leaves_[c.begin - 1] >= all.begin.value()) --c.begin;
+    while (c.end < s.end && leaves_[c.end] < all.end.value()) ++c.end;
+  }
+
+  /// \pre the square is split
+  Candidate heaviest_child(const Candidate& c) const {
+    Candidate heaviest{c.square, c.begin, c.begin};
+    const auto begin = leaves_.begin();
+    std::uint32_t child_begin = c.begin;
+    for (int q = 0; q < 4; ++q) {
+      const Node_index v = tree_.child(c.square, q);
+      const std::uint32_t child_end = static_cast<std::uint32_t>(
+          std::lower_bound(begin + child_begin, begin + c.end, tree_.leaves(v).end.value()) - begin);
+      if (child_end - child_begin > heaviest.size()) heaviest = {v, child_begin, child_end};
+      child_begin = child_end;
+    }
+    return heaviest;
+  }
+
+  const Tree& tree_;
+  Centroid_tree& result_;
+  std::vector<std::uint32_t> leaves_;
+};
+
+/// Makes the centroid trees of a quadtree, in parts of at most `leaves_per_part` leaves.
+template <class Concurrency_tag, class Tree>
+Centroid_tree<typename Tree::Word> centroid_tree(const Tree& tree, std::size_t leaves_per_part) {
+  return Centroid_tree<typename Tree::Word>::template of<Concurrency_tag>(tree, leaves_per_part);
+}
+
+} // namespace internal
+} // namespace Quadtree_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_CENTROID_TREE_H

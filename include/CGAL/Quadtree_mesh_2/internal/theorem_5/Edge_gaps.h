@@ -1,0 +1,211 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+//
+// Whether two edges are too near each other for a leaf of a quadtree.
+//
+// Computes: the gap between the parts of two edges in a leaf and around it, and whether the leaf has to be
+//           split for it.
+// Bound:    O(1) for a pair.
+// Source:   Bern, Eppstein, Teng, section 6: "each (piece of an original) edge is contained in a sufficiently
+//           small square that no vertex or other edge passes nearby".
+// Deviates: edges that share a vertex may be arbitrarily near each other around it, up to `vertex_window`
+//           sides. So may those of an acute corner that will be cut off, up to where it is `strip_width`
+//           sides wide. Up to there no corner of a leaf is far enough from both legs to become a vertex, so
+//           the corner is a stack of trapezoids between its legs. This is how acute corners are cut off "at a
+//           distance proportional to the nearest neighbor", because the sides of leaves are proportional to
+//           it.
+//
+// Edges on opposite sides of the domain's outside do not count.
+//
+// The arithmetic is rounded. Rounding changes results only in near-ties. It affects sizes, but not the
+// correctness of anything.
+
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_EDGE_GAPS_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_EDGE_GAPS_H
+
+#include <CGAL/Quadtree_mesh_2/internal/refinement/Edge_sides.h>
+#include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
+#include <CGAL/Tree_separation_options_2.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Quadtree_mesh_2 {
+namespace internal {
+
+/// A segment relative to the lower left corner of a leaf.
+struct Local_segment {
+  Vector a, b;
+
+  /// The nearest point to p.
+  Vector nearest_to(Vector p) const {
+    const Vector d = b - a;
+    const double l2 = squared_length(d);
+    const double f = l2 > 0 ? std::min(1.0, std::max(0.0, dot(p - a, d) / l2)) : 0.0;
+    return a + f * d;
+  }
+  double distance_to(Vector p) const { return std::sqrt(squared_length(nearest_to(p) - p)); }
+
+  /// Cuts off what is outside the square [low, high]^2; false if nothing is left.
+  bool clip(double low, double high) {
+    double begin = 0, end = 1;
+    const Vector d = b - a;
+    const auto cut = [&](double slope, double room) {
+      if (slope == 0) return room >= 0;
+      const double t = room / slope;
+      if (slope < 0)
+        begin = std::max(begin, t);
+      else
+        end = std::min(end, t);
+      return begin <= end;
+    };
+    if (!cut(-d.x, a.x - low) || !cut(d.x, high - a.x) || !cut(-d.y, a.y - low) || !cut(d.y, high - a.y))
+      return false;
+    const Vector p = a + begin * d, q = a + end * d;
+    a = p, b = q;
+    return true;
+  }
+};
+
+/// The shortest way from one segment to another.
+struct Local_gap {
+  Vector from, to;
+  double length = std::numeric_limits<double>::infinity();
+
+  static Local_gap between(const Local_segment& s, const Local_segment& t) {
+    Local_gap best;
+    const auto consider = [&](Vector p, Vector q) {
+      const double l = std::sqrt(squared_length(q - p));
+      if (l < best.length) best = {p, q, l};
+    };
+    consider(s.a, t.nearest_to(s.a)), consider(s.b, t.nearest_to(s.b));
+    consider(s.nearest_to(t.a), t.a), consider(s.nearest_to(t.b), t.b);
+    return best;
+  }
+  /// Whether it crosses a segment.
+  bool is_blocked_by(const Local_segment& s) const {
+    const Vector d = to - from, e = s.b - s.a;
+    const double from_side = cross(e, from - s.a), to_side = cross(e, to - s.a);
+    const double a_side = cross(d, s.a - from), b_side = cross(d, s.b - from);
+    return from_side * to_side < 0 && a_side * b_side <= 0;
+  }
+};
+
+template <class Geometry>
+class Edge_gaps {
+public:
+  using Point = typename Geometry::Point;
+
+  Edge_gaps(const Meshing_problem<Geometry>& problem, const Edge_sides& sides,
+            const Tree_separation_options_2& options)
+      : problem_(problem), sides_(sides), options_(options) {}
+
+  /// A leaf, by its lower left corner and its side.
+  struct Leaf {
+    Point corner;
+    double side;
+  };
+  /// How far around a leaf edges are looked at, in its sides.
+  static constexpr double reach = 0.5;
+
+  Local_segment local(Edge_id e, const Leaf& leaf) const {
+    return {Geometry::difference(problem_.input_point(problem_.edges[e].a), leaf.corner),
+            Geometry::difference(problem_.input_point(problem_.edges[e].b), leaf.corner)};
+  }
+
+  /// The gap between the part of an edge in a leaf and that of another one in and around it.
+  Local_gap gap(Edge_id inside, Edge_id other, const Leaf& leaf) const {
+    Local_segment s = local(inside, leaf), t = local(other, leaf);
+    if (!s.clip(0, leaf.side) || !t.clip(-reach * leaf.side, (1 + reach) * leaf.side)) return Local_gap();
+    return Local_gap::between(s, t);
+  }
+
+  /// Whether a leaf is too large for a gap in it.
+  bool is_too_large(const Leaf& leaf, Edge_id e, Edge_id f, const Local_gap& gap) const {
+    if (gap.length >= options_.edge_distance * leaf.side) return false;
+    if (!is_domain_toward(e, gap.to - gap.from, leaf) || !is_domain_toward(f, gap.from - gap.to, leaf))
+      return false;
+    const Vertex_id v = common_vertex(e, f);
+    if (v < 0) return true;
+    if (is_in_window(v, leaf)) return false;
+    return !is_lopped(e, f, v) || width_of_corner(e, f, leaf) > options_.strip_width * leaf.side;
+  }
+
+  /// Whether edges may be as near to each other as they like in a leaf: a vertex that they share is near.
+  bool are_joined_near(const Leaf& leaf, Edge_id e, Edge_id f) const {
+    const Vertex_id v = common_vertex(e, f);
+    return v >= 0 && is_in_window(v, leaf);
+  }
+
+  /// Whether that holds for all of some pieces, whatever their number: they are around one vertex.
+  template <class Pieces>
+  bool are_all_joined_near(const Leaf& leaf, const Pieces& pieces) const {
+    const auto edge = [&](std::size_t i) -> const Input_edge& {
+      return problem_.edges[static_cast<Edge_id>(pieces[i].segment.value())];
+    };
+    for (const Vertex_id v : {edge(0).a, edge(0).b}) {
+      std::size_t i = 1;
+      while (i < pieces.size() && (edge(i).a == v || edge(i).b == v)) ++i;
+      if (i == pieces.size() && is_in_window(v, leaf)) return true;
+    }
+    return false;
+  }
+
+private:
+  const Meshing_problem<Geometry>& problem_;
+  const Edge_sides& sides_;
+  const Tree_separation_options_2& options_;
+
+  /// Whether the domain is on the side of an edge to which a direction leads.
+  bool is_domain_toward(Edge_id e, Vector direction, const Leaf& leaf) const {
+    const Local_segment s = local(e, leaf);
+    const double turn = cross(s.b - s.a, direction);
+    return turn > 0 ? sides_.is_domain_on_left(e) : turn < 0 ? sides_.is_domain_on_right(e) : true;
+  }
+
+  static double square(double x) { return x * x; }
+
+  bool is_in_window(Vertex_id v, const Leaf& leaf) const {
+    const Vector apex = Geometry::difference(problem_.input_point(v), leaf.corner);
+    const Vector middle{leaf.side / 2, leaf.side / 2};
+    return squared_length(apex - middle) < square(options_.vertex_window * leaf.side);
+  }
+
+  Vertex_id common_vertex(Edge_id e, Edge_id f) const {
+    const Input_edge &p = problem_.edges[e], &q = problem_.edges[f];
+    return p.a == q.a || p.a == q.b ? p.a : p.b == q.a || p.b == q.b ? p.b : -1;
+  }
+
+  /// Whether two edges are the legs of a lopped sector at v.
+  bool is_lopped(Edge_id e, Edge_id f, Vertex_id v) const {
+    const auto& corners = problem_.corners;
+    const auto leg = [&](Edge_id x) {
+      return corners.legs_of_edge[std::size_t(x)][problem_.edges[x].a == v ? 0 : 1];
+    };
+    const Leg_id l = leg(e), m = leg(f);
+    if (l < 0 || m < 0) return false;
+    const auto &p = corners.leg(l), &q = corners.leg(m);
+    return (p.after >= 0 && p.after == q.before) || (p.before >= 0 && p.before == q.after);
+  }
+
+  /// How wide a corner between e and f is where e leaves the leaf.
+  double width_of_corner(Edge_id e, Edge_id f, const Leaf& leaf) const {
+    Local_segment s = local(e, leaf);
+    const Local_segment t = local(f, leaf);
+    if (!s.clip(0, leaf.side)) return 0;
+    return std::max(t.distance_to(s.a), t.distance_to(s.b));
+  }
+};
+
+} // namespace internal
+} // namespace Quadtree_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_EDGE_GAPS_H

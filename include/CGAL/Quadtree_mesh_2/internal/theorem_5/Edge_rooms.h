@@ -1,0 +1,160 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+//
+// Where rounded points may stand for points on the edges of a graph.
+//
+// Computes: for each edge a region around it, its room. Edges whose vertices are rounded within their rooms
+//           neither cross nor touch, and no vertex gets to the other side of one.
+// Bound:    that of First_triangulation.h to make, O(1) for a point.
+// Source:   ours.
+//
+// The room of an edge consists of two triangles. Each joins the edge to a point inside one of the two
+// triangles beside it in the constrained Delaunay triangulation of the whole graph, including the outside.
+// Rooms are disjoint except for common ends, and no vertex is in one. Take a chain from one end of the edge
+// to the other, with vertices in the room and monotone in x or y. It stays in the room: where it changes
+// sides, it crosses the edge between the ends. So a graph of such chains is the given graph, bent. All
+// decisions are exact, on the rounded points. Points exactly on the edge need no room.
+
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_EDGE_ROOMS_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_EDGE_ROOMS_H
+
+#include <CGAL/Quadtree_mesh_2/internal/triangulation/First_triangulation.h>
+#include <CGAL/Quadtree_mesh_2/internal/triangulation/Kernel_mesh.h>
+#include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <vector>
+
+namespace CGAL {
+namespace Quadtree_mesh_2 {
+namespace internal {
+
+template <class Geometry>
+class Edge_rooms {
+public:
+  using Point = typename Geometry::Point;
+
+  template <class Concurrency_tag>
+  static Edge_rooms of(const Meshing_problem<Geometry>& problem) {
+    Edge_rooms rooms(problem);
+    if constexpr (!Geometry::has_unlimited_coordinates) rooms.template make<Concurrency_tag>();
+    return rooms;
+  }
+
+  /// Whether p lies between `last`, the vertex before it or the edge's first end, and the second end, so far from both
+  /// that rounding turns no piece of the edge much.
+  bool is_in_order(Edge_id e, const Point& last, const Point& p) const {
+    const Vector d = direction(e), before = Geometry::difference(p, last),
+                 behind = Geometry::difference(problem_.input_point(problem_.edges[e].b), p);
+    const double least = least_distance_ * Geometry::spacing(p);
+    for (const double distance : {along(d, before), along(d, behind)})
+      if (!(distance > 0 && distance >= least)) return false;
+    return true;
+  }
+
+  /// The place in the room of an edge that is p or next to it, if there is one.
+  /// \pre p is a point of the edge, rounded
+  std::optional<Point> place_next_to(Edge_id e, const Point& p) const {
+    if (is_in_room(e, p)) return p;
+    if constexpr (!Geometry::has_unlimited_coordinates) {
+      // On the edge, if that were possible, and to either side of it.
+      const Vector d = direction(e),
+                   from_a = Geometry::difference(p, problem_.input_point(problem_.edges[e].a));
+      const bool is_steep = std::fabs(d.y) > std::fabs(d.x);
+      const double way = cross(d, from_a) / (is_steep ? d.y : -d.x);
+      const double step = std::max(Geometry::spacing(is_steep ? p.x : p.y),
+                                   std::numeric_limits<double>::epsilon() * std::fabs(along(d, from_a)));
+      for (const double f : {0., 1., -1.}) {
+        const Point q =
+            Geometry::translate(p, is_steep ? Vector{way + f * step, 0} : Vector{0, way + f * step});
+        if (is_in_room(e, q)) return q;
+      }
+    }
+    return std::nullopt;
+  }
+
+private:
+  /// Of neighbors on an edge, in units of the coordinates.
+  static constexpr double least_distance_ = 8;
+  static constexpr std::size_t left_ = 0, right_ = 1;
+
+  /// The tip of the triangle that the room is on one side.
+  struct Room {
+    Point tip;
+    bool exists = false;
+  };
+
+  const Meshing_problem<Geometry>& problem_;
+  std::vector<std::array<Room, 2>> rooms_; // by edge
+
+  explicit Edge_rooms(const Meshing_problem<Geometry>& problem) : problem_(problem) {}
+
+  Vector direction(Edge_id e) const {
+    return Geometry::difference(problem_.input_point(problem_.edges[e].b),
+                                problem_.input_point(problem_.edges[e].a));
+  }
+  /// How far a way goes on in x, or in y where d is steep.
+  static double along(Vector d, Vector way) {
+    return std::fabs(d.y) > std::fabs(d.x) ? std::copysign(1.0, d.y) * way.y
+                                           : std::copysign(1.0, d.x) * way.x;
+  }
+
+  bool is_in_room(Edge_id e, const Point& p) const {
+    if (rooms_.empty()) return true; // coordinates are unlimited, so it is on the edge
+    const Point &a = problem_.input_point(problem_.edges[e].a),
+                &b = problem_.input_point(problem_.edges[e].b);
+    const int side = Geometry::orientation(a, b, p);
+    if (side == 0) return true;
+    const Room& room = rooms_[std::size_t(e)][side > 0 ? left_ : right_];
+    return room.exists && side * Geometry::orientation(b, room.tip, p) > 0 &&
+           side * Geometry::orientation(room.tip, a, p) > 0;
+  }
+
+  template <class Concurrency_tag>
+  void make() {
+    using First = First_triangulation<Concurrency_tag, Geometry>;
+    Kernel_mesh<Geometry> mesh;
+    First first(mesh, problem_.input_points);
+    std::vector<typename First::Segment> segments(problem_.edges.size());
+    for (std::size_t e = 0; e < segments.size(); ++e) {
+      const Input_edge& edge = problem_.edges[static_cast<Edge_id>(e)];
+      segments[e] = {edge.a, edge.b};
+    }
+    first.run(segments);
+    rooms_.resize(segments.size());
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+      for (int k = 0; k < 3; ++k) {
+        const Side s(static_cast<Triangle_id>(t), k);
+        if (mesh.across(s).is_border() || !mesh.across(s).is_constrained()) continue;
+        const Edge_id e = problem_.edges.between(mesh.source(s), mesh.target(s));
+        rooms_[std::size_t(e)][problem_.edges[e].a == mesh.source(s) ? left_ : right_] =
+            room_in(mesh.point(mesh.source(s)), mesh.point(mesh.target(s)), mesh.point(mesh.opposite(s)));
+      }
+  }
+
+  /// The tip is the center of the inscribed circle, so that rooms are as wide as they can be, if rounding leaves it
+  /// inside the triangle.
+  static Room room_in(const Point& a, const Point& b, const Point& c) {
+    const Vector ab = Geometry::difference(b, a), ac = Geometry::difference(c, a);
+    const double of_a = std::sqrt(squared_length(ac - ab)), of_b = std::sqrt(squared_length(ac)),
+                 of_c = std::sqrt(squared_length(ab));
+    const Point tip = Geometry::translate(a, (1 / (of_a + of_b + of_c)) * (of_b * ab + of_c * ac));
+    const bool is_inside = Geometry::orientation(a, b, tip) > 0 && Geometry::orientation(b, c, tip) > 0 &&
+                           Geometry::orientation(c, a, tip) > 0;
+    return {tip, is_inside};
+  }
+};
+
+} // namespace internal
+} // namespace Quadtree_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_EDGE_ROOMS_H

@@ -1,0 +1,152 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+//
+// The vertices of a mesh made from the leaves of a quadtree, and the pieces of edges between them.
+//
+// All vertices of the graph are there, unchanged. Vertices on edges are rounded so that they stay in the room
+// of their edge (Edge_rooms.h), and left out if there is none. Corners of leaves are left out if coordinates
+// have no room for the leaves.
+
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_PLACED_VERTICES_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_PLACED_VERTICES_H
+
+#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Edge_rooms.h>
+#include <CGAL/Quadtree_mesh_2/internal/triangulation/Input_edges.h>
+#include <CGAL/Quadtree_mesh_2/internal/triangulation/Kernel_mesh.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Quadtree_mesh_2 {
+namespace internal {
+
+/// A vertex on an edge.
+template <class Geometry>
+struct Edge_crossing {
+  Edge_id edge;
+  typename Geometry::Point point;
+};
+
+/// A point on the edge from a to b, worked out from the nearer end where coordinates may be finer there.
+template <class Geometry>
+struct Point_on_edge {
+  using Point = typename Geometry::Point;
+
+  double share; ///< of the edge that is before it
+  Point point;
+
+  /// With the x of a place, or its y if the edge is steep.
+  static Point_on_edge beside(const Point& place, const Point& a, const Point& b, bool is_steep) {
+    const Vector d = Geometry::difference(b, a), from_a = Geometry::difference(place, a),
+                 from_b = Geometry::difference(place, b);
+    const double share = is_steep ? from_a.y / d.y : from_a.x / d.x;
+    const bool is_finer_at_b =
+        Geometry::has_unlimited_coordinates || Geometry::spacing(b) < Geometry::spacing(a);
+    if (share <= 0.5 || !is_finer_at_b) return {share, Geometry::between(a, b, share)};
+    return {share, Geometry::between(b, a, is_steep ? -from_b.y / d.y : -from_b.x / d.x)};
+  }
+};
+
+template <class Geometry>
+struct Placed_vertices {
+  std::vector<typename Geometry::Point> points; ///< first the input's, then those on edges, then corners
+  std::vector<Edge_id> edge_of;                 ///< as `Kernel_mesh::edge_of`
+  std::vector<std::array<Vertex_id, 2>> segments;
+  std::vector<Edge_id> cramped_edges; ///< those without some of their vertices for want of room; in order
+
+  explicit Placed_vertices(const std::vector<typename Geometry::Point>& input)
+      : points(input), edge_of(input.size()) {
+    for (std::size_t v = 0; v < input.size(); ++v) edge_of[v] = input_vertex(static_cast<Vertex_id>(v));
+  }
+
+  /// \param cut called as `cut(e, crossings)`, maybe for several edges at the same time; appends the vertices on
+  ///        edge e, from its first end to its second
+  template <class Concurrency_tag, class Cut>
+  void append_vertices_of_edges(const Input_edges& edges, const Edge_rooms<Geometry>& rooms, const Cut& cut) {
+    constexpr std::size_t block = 256;
+    std::vector<std::vector<Edge_crossing<Geometry>>> found((edges.size() + block - 1) / block);
+    std::vector<std::vector<Edge_id>> cramped(found.size());
+    for_each_block<Concurrency_tag>(
+        edges.size(), block, [&](std::size_t b, std::size_t begin, std::size_t end) {
+          for (std::size_t e = begin; e < end; ++e) {
+            const std::size_t first = found[b].size();
+            cut(static_cast<Edge_id>(e), found[b]);
+            if (!keep_in_room(edges[static_cast<Edge_id>(e)], rooms, found[b], first))
+              cramped[b].push_back(static_cast<Edge_id>(e));
+          }
+        });
+    for (const auto& list : cramped) cramped_edges.insert(cramped_edges.end(), list.begin(), list.end());
+    Edge_id e = 0;
+    for (const auto& crossings : found)
+      for (const auto& c : crossings) {
+        while (e < c.edge) close_edge(edges, e++);
+        append(edges, c);
+      }
+    while (e < static_cast<Edge_id>(edges.size())) close_edge(edges, e++);
+  }
+
+  /// Appends the corners of leaves that are kept, by name.
+  template <class Concurrency_tag, class Trees, class Corners>
+  void append_corners(const Trees& trees, const Corners& corners, const std::vector<char>& is_kept) {
+    // Other leaves around a corner may be a level further down.
+    const auto has_room = [&](std::size_t c) {
+      return trees.has_room(trees.tree().level(Corners::leaf_of(c)) + 1,
+                            trees.kernel_point(corners.place(c)));
+    };
+    const auto names = pack_values<Concurrency_tag, typename Corners::Name>(
+        is_kept.size(), [&](std::size_t c) { return is_kept[c] != 0 && has_room(c); },
+        [](std::size_t c) { return c; });
+    const std::size_t first = points.size();
+    points.resize(first + names.size());
+    edge_of.resize(first + names.size(), free_vertex);
+    for_each_index<Concurrency_tag>(names.size(), [&](std::size_t i) {
+      points[first + i] = trees.kernel_point(corners.place(names[i]));
+    });
+  }
+
+private:
+  /// Keeps the vertices on an edge, from that at place `first` on, in its room.
+  /// \returns false if one had to be left out for want of room
+  bool keep_in_room(const Input_edge& edge, const Edge_rooms<Geometry>& rooms,
+                    std::vector<Edge_crossing<Geometry>>& crossings, std::size_t first) const {
+    bool are_all_in_room = true;
+    auto kept = crossings.begin() + static_cast<std::ptrdiff_t>(first);
+    const typename Geometry::Point* last = &points[std::size_t(edge.a)];
+    for (auto c = kept; c != crossings.end(); ++c) {
+      if (!rooms.is_in_order(c->edge, *last, c->point)) continue;
+      const auto place = rooms.place_next_to(c->edge, c->point);
+      are_all_in_room = are_all_in_room && place;
+      if (!place) continue;
+      *kept = {c->edge, *place};
+      last = &kept->point;
+      ++kept;
+    }
+    crossings.erase(kept, crossings.end());
+    return are_all_in_room;
+  }
+
+  /// Joins the last vertex on an edge to its end.
+  void close_edge(const Input_edges& edges, Edge_id e) {
+    const Vertex_id last = edge_of.back() == e ? static_cast<Vertex_id>(points.size()) - 1 : edges[e].a;
+    segments.push_back({last, edges[e].b});
+  }
+  void append(const Input_edges& edges, const Edge_crossing<Geometry>& c) {
+    const Vertex_id v = static_cast<Vertex_id>(points.size());
+    segments.push_back({edge_of.back() == c.edge ? v - 1 : edges[c.edge].a, v});
+    points.push_back(c.point);
+    edge_of.push_back(c.edge);
+  }
+};
+
+} // namespace internal
+} // namespace Quadtree_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_PLACED_VERTICES_H

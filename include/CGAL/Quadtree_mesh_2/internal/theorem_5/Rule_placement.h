@@ -1,0 +1,237 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+//
+// The vertices of a mesh from a quadtree whose leaves are equal at vertices and in columns along edges.
+//
+// Computes: points on the edges, and corners of leaves. A constrained Delaunay triangulation of them and the
+//           graph has no angle below 21.5 degrees, except in acute corners.
+// Bound:    O(1) for each piece of an edge and each vertex of the graph.
+// Source:   Bern, Eppstein, Teng, Theorem 5. The rules are ours: Column_rule.h and Column_placement.h along
+//           edges, with a proof; Vertex_placement.h at vertices, established numerically.
+// Deviates: nothing is warped. Sectors below 33 degrees, the acute corners, get no vertices where they are
+//           narrow. Rings put vertices on their legs at equal distances.
+
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_RULE_PLACEMENT_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_RULE_PLACEMENT_H
+
+#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Column_closure.h>
+#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Column_placement.h>
+#include <CGAL/Quadtree_mesh_2/internal/grid/Grid_box.h>
+#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Placed_vertices.h>
+#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Separation_trees.h>
+#include <CGAL/Quadtree_mesh_2/internal/quadtree/Tree_corners.h>
+#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Vertex_placement.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Quadtree_mesh_2 {
+namespace internal {
+
+template <class Traits, class Concurrency_tag>
+class Rule_placement {
+public:
+  using Trees = Separation_trees<Traits, Concurrency_tag>;
+  using Geometry = typename Trees::Geometry;
+  using Point = typename Geometry::Point;
+  using Problem = Meshing_problem<Geometry>;
+
+  /// \pre leaves are equal at vertices, and in columns along edges: `Separation_trees` sees to it
+  Rule_placement(const Problem& problem, const Trees& trees, const Edge_rooms<Geometry>& rooms)
+      : problem_(problem), trees_(trees), rooms_(rooms), tree_(trees.tree()), corners_(trees.tree()),
+        box_(box_of_points<Concurrency_tag>(trees.tree())) {}
+
+  Placed_vertices<Geometry> run() {
+    Placed_vertices<Geometry> placed(problem_.input_points);
+    placed.template append_vertices_of_edges<Concurrency_tag>(
+        problem_.edges, rooms_, [this](Edge_id e, auto& crossings) { cut_edge(e, crossings); });
+    is_kept_.resize(corners_.number_of_names());
+    for_each_index<Concurrency_tag>(is_kept_.size(), [&](std::size_t c) {
+      is_kept_[c] = corners_.exists(c) && box_.contains(corners_.place(c)) ? 1 : 0;
+    });
+    drop_corners(problem_.edges.size(), [this](std::size_t e, auto& names) {
+      Edge edge(*this, static_cast<Edge_id>(e));
+      edge.placement.for_each_dropped_corner([&](const Grid_point& p) { append_name(p, names); });
+    });
+    drop_corners(problem_.input_points.size(),
+                 [this](std::size_t v, auto& names) { find_corners_at(static_cast<Vertex_id>(v), names); });
+    placed.template append_corners<Concurrency_tag>(trees_, corners_, is_kept_);
+    return placed;
+  }
+
+private:
+  using Tree = typename Trees::Tree;
+  using Word = typename Tree::Word;
+  using Grid_point = typename Trees::Grid_point;
+  using Corners = Tree_corners<Tree>;
+  using Name = typename Corners::Name;
+  using Line = Edge_line<Word>;
+  using Columns = std::vector<Edge_column<Word>>;
+
+  /// Corners nearer to a vertex without edges are dropped, in sides of leaves.
+  static constexpr double clear_of_lone_vertex_ = 1.187;
+
+  const Problem& problem_;
+  const Trees& trees_;
+  const Edge_rooms<Geometry>& rooms_;
+  const Tree& tree_;
+  Corners corners_;
+  const Grid_box<Grid_point> box_;
+  std::vector<char> is_kept_; // by name of a corner
+
+  Leaf_index leaf(Vertex_id v) const { return tree_.leaf(Point_index(std::size_t(v))); }
+
+  Vertex_placement<Word> placement_at(Vertex_id v) const {
+    const auto& framework = tree_.framework();
+    return {framework.grid_point(framework.rank(Point_index(std::size_t(v)))),
+            Word_operations<Word>::power_of_two(framework.grid().depth() - tree_.level(leaf(v)))};
+  }
+
+  Window_point direction(Vertex_id from, Vertex_id to) const {
+    const Vector d = Geometry::difference(problem_.input_point(to), problem_.input_point(from));
+    const double length = std::sqrt(squared_length(d));
+    return {d.x / length, d.y / length};
+  }
+
+  /// An edge among its columns.
+  struct Edge {
+    std::array<Edge_start, 2> start;
+    std::array<double, 2> side; // of the leaves of its ends, in the kernel's units
+    Line line;
+    Columns columns;
+    Column_placement<Tree> placement;
+
+    Edge(const Rule_placement& all, Edge_id e)
+        : start{all.start(e, 0), all.start(e, 1)}, side{all.trees_.side(all.leaf(all.problem_.edges[e].a)),
+                                                        all.trees_.side(all.leaf(all.problem_.edges[e].b))},
+          line(line_of_segment(all.tree_, all.ends(e))),
+          columns(columns_along(all.tree_, all.trees_.pieces()[Segment_index(std::size_t(e))], line)),
+          placement(all.tree_, line, columns, Transition_rule::BETTER_OF_TWO, all.reach(e, *this)) {}
+  };
+
+  std::array<Vertex_index, 2> ends(Edge_id e) const {
+    return {Vertex_index(std::size_t(problem_.edges[e].a)), Vertex_index(std::size_t(problem_.edges[e].b))};
+  }
+
+  Edge_start start(Edge_id e, int end) const {
+    const Vertex_id a = problem_.edges[e].a, b = problem_.edges[e].b;
+    return end == 0 ? placement_at(a).start_of_edge(direction(a, b))
+                    : placement_at(b).start_of_edge(direction(b, a));
+  }
+
+  /// Where the ends' rules give way to that of columns, in units of the grid, by increasing u.
+  std::array<Edge_end, 2> reach(Edge_id e, const Edge& edge) const {
+    /// Crossings are where the starts say, but for rounding.
+    constexpr double tolerance = 1e-6;
+    std::array<Edge_end, 2> reach;
+    for (std::size_t i = 0; i < 2; ++i) {
+      const double side = edge.side[i] / trees_.side(tree_.framework().grid().depth());
+      reach[i] = {(edge.start[i].first_crossing - tolerance) * side, vertex_reach * side};
+    }
+    if (is_reversed(e, edge.line)) std::swap(reach[0], reach[1]);
+    return reach;
+  }
+
+  /// Whether u decreases from the edge's first end to its second.
+  bool is_reversed(Edge_id e, const Line& line) const {
+    const auto& framework = tree_.framework();
+    const auto place = [&](Vertex_id v) {
+      return framework.grid_point(framework.rank(Point_index(std::size_t(v))));
+    };
+    return line.u(place(problem_.edges[e].b)) < line.u(place(problem_.edges[e].a));
+  }
+
+  /// The points on the ring of the first end, the crossings, those on the ring of the second end.
+  void cut_edge(Edge_id e, std::vector<Edge_crossing<Geometry>>& crossings) const {
+    const Edge edge(*this, e);
+    const Point &a = problem_.input_point(problem_.edges[e].a),
+                &b = problem_.input_point(problem_.edges[e].b);
+    const double length = std::sqrt(squared_length(Geometry::difference(b, a)));
+    using Vertex = Point_on_edge<Geometry>;
+    std::vector<Vertex> vertices;
+    edge.placement.for_each_crossing([&](const Word& u) {
+      vertices.push_back(
+          Vertex::beside(trees_.kernel_point(edge.line.point(u, Word(0))), a, b, edge.line.is_steep()));
+    });
+    for (std::size_t end = 0; end < 2; ++end)
+      for (std::size_t i = 0; i < edge.start[end].number_of_distances; ++i) {
+        const double share = edge.start[end].distances[i] * edge.side[end] / length;
+        if (share < 0.5)
+          vertices.push_back(end == 0 ? Vertex{share, Geometry::between(a, b, share)}
+                                      : Vertex{1 - share, Geometry::between(b, a, share)});
+      }
+    std::sort(vertices.begin(), vertices.end(),
+              [](const Vertex& p, const Vertex& q) { return p.share < q.share; });
+    for (const Vertex& v : vertices)
+      if (v.share > 0 && v.share < 1) crossings.push_back({e, v.point});
+  }
+
+  /// \param find called as `find(i, names)`, maybe at the same time; appends names of corners to be dropped
+  template <class Find>
+  void drop_corners(std::size_t n, const Find& find) {
+    constexpr std::size_t block = 64;
+    std::vector<std::vector<Name>> found((n + block - 1) / block);
+    for_each_block<Concurrency_tag>(n, block, [&](std::size_t b, std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) find(i, found[b]);
+    });
+    for (const auto& names : found)
+      for (const Name c : names) is_kept_[c] = 0;
+  }
+
+  void append_name(const Grid_point& p, std::vector<Name>& names) const {
+    const Name c = corners_.name(p);
+    if (c != Corners::none) names.push_back(c);
+  }
+
+  /// Sector by sector, counterclockwise.
+  void find_corners_at(Vertex_id v, std::vector<Name>& names) const {
+    struct Ray {
+      double angle;
+      Window_point direction;
+    };
+    std::vector<Ray> rays;
+    for (const auto* i = problem_.edges.begin(v); i != problem_.edges.end(v); ++i) {
+      const Window_point d = direction(v, i->neighbor);
+      rays.push_back({std::atan2(d.y, d.x), d});
+    }
+    if (rays.empty()) return find_corners_at_lone(v, names);
+    std::sort(rays.begin(), rays.end(), [](const Ray& p, const Ray& q) { return p.angle < q.angle; });
+    const auto placement = placement_at(v);
+    for (const Ray& r : rays)
+      placement.for_each_corner_on_edge(r.direction, [&](const Grid_point& p) { append_name(p, names); });
+    for (std::size_t i = 0; i < rays.size(); ++i)
+      placement.for_each_dropped_corner(rays[i].direction, rays[(i + 1) % rays.size()].direction,
+                                        [&](const Grid_point& p) { append_name(p, names); });
+  }
+
+  void find_corners_at_lone(Vertex_id v, std::vector<Name>& names) const {
+    const Leaf_index own = leaf(v);
+    const auto s = tree_.square(own);
+    const double side = trees_.side(own);
+    const Vector low = Geometry::difference(trees_.kernel_point({s.x, s.y}), problem_.input_point(v));
+    const Word step = Word_operations<Word>::power_of_two(tree_.framework().grid().depth() - s.level);
+    for (int i = -1; i <= 2; ++i)
+      for (int j = -1; j <= 2; ++j) {
+        if (std::sqrt(squared_length(low + Vector{i * side, j * side})) >= clear_of_lone_vertex_ * side)
+          continue;
+        const auto at = [&](const Word& w, int k) {
+          return k < 0 ? static_cast<Word>(w - step) : static_cast<Word>(w + static_cast<Word>(k) * step);
+        };
+        append_name({at(s.x, i), at(s.y, j)}, names);
+      }
+  }
+};
+
+} // namespace internal
+} // namespace Quadtree_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_RULE_PLACEMENT_H

@@ -1,0 +1,341 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+//
+// The quadtrees that separate the features of a planar straight-line graph.
+//
+// Computes: T_B, the balanced quadtree of the vertices. T_B', in which each vertex lies in a leaf as small as
+//           its distance to the nearest other vertex or edge asks for. T_B'', in which edges that bound a
+//           common cell in a leaf are apart. T_B*, in which edges in neighboring leaves are apart as well.
+// Bound:    O(log n) rounds for each tree and O((n + k) log n) work, for n vertices and k leaves and pieces
+//           of edges in T_B*. Sizes are in proportion to the local feature size, or to the width of the gap
+//           in front of an edge. So k is within a constant of the size of any triangulation with such angles.
+// Source:   Bern, Eppstein, Teng, section 6; Lemma 5 for the distances.
+// Deviates: T_B'' and T_B* are made by splitting leaves one level at a time until nothing is too near. The
+//           paper finds at once how far to go. So there are as many rounds as levels are missing. T_B* looks
+//           at adjacent leaves only, and at pairs in sight of each other; balance takes care of what is
+//           farther away. Tree_separation_options_2.h and Edge_gaps.h say which distances suffice.
+//
+// Leaves become no smaller than a few units of the coordinates there. Features nearer to each other than that
+// have no room for vertices between representable coordinates (`has_room()`).
+
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_SEPARATION_TREES_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_SEPARATION_TREES_H
+
+#include <CGAL/Balanced_quadtree.h>
+#include <CGAL/Pslg_2.h>
+#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Column_closure.h>
+#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Edge_gaps.h>
+#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Edge_pieces.h>
+#include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
+#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Vertex_placement.h>
+#include <CGAL/Quadtree_mesh_2/internal/geometry/coordinate_map.h>
+#include <CGAL/Quadtree_mesh_2/internal/theorem_5/leaf_cells.h>
+#include <CGAL/Quadtree_mesh_2/internal/neighbors/nearest_hits.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
+#include <CGAL/Quadtree_mesh_2/internal/theorem_5/subdivide_edges.h>
+#include <CGAL/Quadtree_mesh_2/internal/theorem_5/walk_edges.h>
+#include <CGAL/Quadtree_vertex_edge_neighbors_2.h>
+#include <CGAL/Quality_mesh_report_2.h>
+#include <CGAL/Tree_separation_options_2.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Quadtree_mesh_2 {
+namespace internal {
+
+template <class Traits, class Concurrency_tag>
+class Separation_trees {
+public:
+  using Geometry = typename Traits::Meshing_geometry_2;
+  using Point = typename Geometry::Point;
+  using Point_2 = typename Traits::Point_2;
+  using Tree = Balanced_quadtree<Traits, Concurrency_tag>;
+  using Grid_point = typename Tree::Grid_point;
+  using Pslg = Pslg_2<Point_2>;
+  using Map = Coordinate_map<Traits, Geometry>;
+  using Options = Tree_separation_options_2;
+  using Find_hits = Find_nearest_hits<Pslg>;
+
+  /// \param graph the vertices and edges of the problem, in its order
+  /// \param find_hits by which model neighbors of vertices are found; null: by the quadtree
+  /// \param most_leaves separation stops before there are more, but for those of the last step: `is_exhausted()`
+  Separation_trees(const Meshing_problem<Geometry>& problem, const Edge_sides& sides, const Pslg& graph,
+                   const Map& map, const Options& options, const Traits& traits, Find_hits find_hits,
+                   std::size_t most_leaves, Tree_separation_report_2& report)
+      : problem_(problem), graph_(graph), map_(map), options_(options), report_(report),
+        gaps_(problem, sides, options), most_leaves_(most_leaves) {
+    make_tree_of_vertices(traits, find_hits);
+    if (options.placement == Options::Placement::BY_RULE)
+      for (std::size_t v = 0; v < graph.number_of_vertices(); ++v) vertices_.push_back(Vertex_index(v));
+    subdivide_edges();
+    while (split(leaves_with_near_pieces())) {
+    }
+    report_.leaves_of_pieces = tree_.number_of_leaves();
+    separate();
+    report_.leaves_of_edges = tree_.number_of_leaves();
+  }
+
+  const Tree& tree() const { return tree_; }
+  const Edge_pieces& pieces() const { return pieces_; }
+  const Leaf_pieces& pieces_in_leaves() const { return pieces_in_leaves_; }
+
+  /// Splits leaves, and what has to follow for balance and separation. Returns whether there were any.
+  bool refine(std::vector<Leaf_index> leaves) {
+    if (!split(std::move(leaves))) return false;
+    separate();
+    return true;
+  }
+
+  /// Whether separation ended before its time.
+  bool is_exhausted() const { return tree_.number_of_leaves() >= most_leaves_; }
+
+  /// The side of squares of a level, in the kernel's coordinates.
+  double side(int level) const { return std::ldexp(side_of_root_, -level); }
+  double side(Leaf_index l) const { return side(tree_.level(l)); }
+  /// The kernel's point for a grid point, rounded only if it cannot represent it.
+  Point kernel_point(const Grid_point& p) const { return map_.to_kernel(tree_.framework().grid().point(p)); }
+  /// Whether the grid, and the coordinates, have room for the children of a leaf.
+  bool is_splittable(Leaf_index l) const {
+    const auto s = tree_.square(l);
+    return s.level < tree_.framework().grid().depth() && has_room(s.level + 1, kernel_point({s.x, s.y}));
+  }
+  /// Whether squares of a level can have vertices of a mesh on their sides near p, so that rounding them changes no
+  /// angle much.
+  bool has_room(int level, const Point& p) const { return side(level) >= least_side_ * Geometry::spacing(p); }
+
+private:
+  using Framework = typename Tree::Framework;
+
+  static constexpr std::size_t block_of_leaves_ = 256;
+  /// Of leaves that are split off, in units of the coordinates.
+  static constexpr double least_side_ = 16;
+
+  const Meshing_problem<Geometry>& problem_;
+  const Pslg& graph_;
+  const Map& map_;
+  const Options& options_;
+  Tree_separation_report_2& report_;
+  Edge_gaps<Geometry> gaps_;
+  Tree tree_;
+  Edge_pieces pieces_;
+  Leaf_pieces pieces_in_leaves_;
+  std::size_t most_leaves_;
+  double side_of_root_ = 0;
+  std::vector<Vertex_index> vertices_; // all of them, for the placement by rule
+
+  void make_tree_of_vertices(const Traits& traits, Find_hits find_hits) {
+    if (find_hits) {
+      separate_vertices(find_hits(graph_), Tree(graph_.vertices, Quadtree_options(), traits));
+    } else {
+      const Quadtree_vertex_edge_neighbors_2<Traits, Concurrency_tag> neighbors(
+          graph_, Vertex_edge_neighbors_options_2(), traits);
+      separate_vertices(nearest_hit_distances<Concurrency_tag>(neighbors, graph_.number_of_vertices()),
+                        neighbors.quadtree());
+    }
+  }
+
+  /// \param hits how far each vertex is from the nearest edge that it sees along the axes
+  /// \param first the quadtree of the vertices
+  void separate_vertices(const std::vector<double>& hits, const Tree& first) {
+    report_.leaves_of_points = first.number_of_leaves();
+    side_of_root_ = width(first.corners(first.root()));
+    Framework framework = first.framework();
+    framework.annotate(levels_of_vertices(hits, first));
+    tree_ = Tree(std::move(framework));
+    report_.leaves_of_vertices = tree_.number_of_leaves();
+  }
+
+  double width(const std::array<Point_2, 4>& corners) const {
+    return Geometry::difference(map_.to_kernel(corners[1]), map_.to_kernel(corners[0])).x;
+  }
+
+  /// The level of the leaf of each vertex, by rank: from the near vertex and the nearest of the edges that the vertex
+  /// sees along the axes, of which one is within a constant of what is nearest (Lemma 5).
+  std::vector<int> levels_of_vertices(const std::vector<double>& hits, const Tree& first) const {
+    const Framework& framework = first.framework();
+    std::vector<int> levels(framework.number_of_points(), 0);
+    for_each_index<Concurrency_tag>(levels.size(), [&](std::size_t i) {
+      const Point_rank r(i), near = first.near_neighbor(r);
+      const std::size_t v = framework.input_point(r).value();
+      double distance = std::numeric_limits<double>::infinity();
+      if (near.is_valid())
+        distance = std::sqrt(squared_length(Geometry::difference(
+            problem_.input_points[v], problem_.input_points[framework.input_point(near).value()])));
+      if (hits[v] > 0 && std::isfinite(hits[v])) distance = std::min(distance, map_.length_to_kernel(hits[v]));
+      levels[i] =
+          level_for(distance / least_vertex_distance(), framework.grid().depth(), problem_.input_points[v]);
+    });
+    return levels;
+  }
+
+  /// Rules want equal leaves around each vertex, apart from those around others.
+  double least_vertex_distance() const {
+    constexpr double by_rule = 8;
+    return options_.placement == Options::Placement::BY_RULE ? std::max(by_rule, options_.vertex_distance)
+                                                             : options_.vertex_distance;
+  }
+
+  /// The first level with sides of at most a length, or the last one that there is room for at p.
+  int level_for(double length, int depth, const Point& p) const {
+    if (!(length < side_of_root_)) return 0;
+    const double least = std::max(length, least_side_ * Geometry::spacing(p));
+    int level = std::max(0, std::ilogb(side_of_root_) - std::ilogb(least) - 1);
+    while (level < depth && side(level) > length && has_room(level + 1, p)) ++level;
+    return std::min(level, depth);
+  }
+
+  void subdivide_edges() {
+    Subdivision_rounds rounds;
+    pieces_ = options_.subdivision == Options::Subdivision::WALKING
+                  ? walk_edges<Concurrency_tag>(tree_, graph_.segments)
+                  : internal::subdivide_edges<Concurrency_tag>(tree_, graph_.segments, &rounds);
+    report_.subdivision_rounds += rounds.rounds;
+    report_.centroid_height = rounds.height;
+    pieces_in_leaves_ = Leaf_pieces::of<Concurrency_tag>(pieces_, tree_.number_of_leaves());
+  }
+
+  bool split(std::vector<Leaf_index> leaves) {
+    leaves.erase(
+        std::remove_if(leaves.begin(), leaves.end(), [this](Leaf_index l) { return !is_splittable(l); }),
+        leaves.end());
+    if (leaves.empty() || is_exhausted()) return false;
+    tree_.refine(leaves);
+    ++report_.splits;
+    subdivide_edges();
+    return true;
+  }
+
+  void separate() {
+    while (split(leaves_with_near_pieces()) || split(leaves_near_pieces()) ||
+           split(leaves_that_break_rules())) {
+    }
+  }
+
+  /// For the placement by rule: leaves that are not equal at vertices, or not in columns along edges.
+  std::vector<Leaf_index> leaves_that_break_rules() const {
+    if (options_.placement != Options::Placement::BY_RULE) return {};
+    std::vector<Leaf_index> leaves = leaves_to_split_for_vertices<Concurrency_tag>(tree_, vertices_);
+    const auto more = leaves_to_split_for_columns<Concurrency_tag>(tree_, pieces_, graph_.segments,
+                                                                   Column_closure_options());
+    leaves.insert(leaves.end(), more.begin(), more.end());
+    return leaves;
+  }
+
+  typename Edge_gaps<Geometry>::Leaf frame(Leaf_index l) const {
+    const auto s = tree_.square(l);
+    return {kernel_point({s.x, s.y}), side(s.level)};
+  }
+
+  template <class Is_wrong>
+  std::vector<Leaf_index> leaves_that_are(const Is_wrong& is_wrong) const {
+    std::vector<char> is_marked(tree_.number_of_leaves(), 0);
+    for_each_block<Concurrency_tag>(is_marked.size(), block_of_leaves_,
+                                    [&](std::size_t, std::size_t begin, std::size_t end) {
+                                      Scratch scratch;
+                                      for (std::size_t l = begin; l < end; ++l)
+                                        is_marked[l] = is_wrong(Leaf_index(l), scratch) ? 1 : 0;
+                                    });
+    return pack_values<Concurrency_tag, Leaf_index>(
+        is_marked.size(), [&](std::size_t l) { return is_marked[l] != 0; },
+        [](std::size_t l) { return Leaf_index(l); });
+  }
+
+  struct Scratch {
+    Leaf_cells<typename Tree::Word> cells;
+    std::vector<typename Leaf_cells<typename Tree::Word>::Ends> segments;
+    std::vector<Edge_id> own, others;
+    Edge_id hider = -1; ///< among these
+  };
+
+  /// For T_B'': leaves too large for two pieces that bound a common cell in them.
+  std::vector<Leaf_index> leaves_with_near_pieces() const {
+    return leaves_that_are([this](Leaf_index l, Scratch& scratch) {
+      const auto pieces = pieces_in_leaves_[l];
+      if (pieces.size() < 2 || !is_splittable(l)) return false;
+      const auto leaf = frame(l);
+      // A leaf with a vertex in its corner has pieces of all edges there, and all of them in each of its cells.
+      if (gaps_.are_all_joined_near(leaf, pieces)) return false;
+      bool is_any = false;
+      for_each_pair_in_cell(l, scratch, [&](Edge_id e, Edge_id f) {
+        is_any = is_any || (!gaps_.are_joined_near(leaf, e, f) &&
+                            gaps_.is_too_large(leaf, e, f, gaps_.gap(e, f, leaf)));
+      });
+      return is_any;
+    });
+  }
+
+  /// Calls `f` for the pairs of edges on the boundary of a common cell in a leaf.
+  template <class F>
+  void for_each_pair_in_cell(Leaf_index l, Scratch& scratch, const F& f) const {
+    const auto pieces = pieces_in_leaves_[l];
+    if (pieces.size() == 2) return f(edge(pieces[0]), edge(pieces[1]));
+    const Framework& framework = tree_.framework();
+    scratch.segments.clear();
+    for (const Edge_piece& p : pieces) {
+      const auto& ends = graph_.segments[std::size_t(p.segment)];
+      scratch.segments.push_back({framework.grid_point(framework.rank(Point_index(ends[0].value()))),
+                                  framework.grid_point(framework.rank(Point_index(ends[1].value())))});
+    }
+    const auto s = tree_.square(l);
+    scratch.cells.for_each_pair(
+        {s.x, s.y}, Word_operations<typename Tree::Word>::power_of_two(framework.grid().depth() - s.level),
+        scratch.segments, [&](std::uint32_t i, std::uint32_t j) { f(edge(pieces[i]), edge(pieces[j])); });
+  }
+
+  /// For T_B*: leaves too large for a piece in them and one next to them.
+  std::vector<Leaf_index> leaves_near_pieces() const {
+    return leaves_that_are([this](Leaf_index l, Scratch& scratch) {
+      return pieces_in_leaves_[l].size() > 0 && is_splittable(l) && is_near_piece(l, scratch);
+    });
+  }
+
+  bool is_near_piece(Leaf_index l, Scratch& scratch) const {
+    const auto leaf = frame(l);
+    auto &own = scratch.own, &others = scratch.others;
+    own.clear(), others.clear();
+    scratch.hider = -1;
+    for (const Edge_piece& p : pieces_in_leaves_[l]) own.push_back(edge(p));
+    for (const Leaf_index n : tree_.neighbors(l))
+      for (const Edge_piece& p : pieces_in_leaves_[n]) others.push_back(edge(p));
+    std::sort(others.begin(), others.end());
+    others.erase(std::unique(others.begin(), others.end()), others.end());
+    for (const Edge_id f : others)
+      for (const Edge_id e : own) {
+        if (e == f || gaps_.are_joined_near(leaf, e, f)) continue;
+        const Local_gap gap = gaps_.gap(e, f, leaf);
+        if (gaps_.is_too_large(leaf, e, f, gap) && !is_hidden(gap, e, f, scratch, leaf)) return true;
+      }
+    return false;
+  }
+
+  static Edge_id edge(const Edge_piece& p) { return static_cast<Edge_id>(p.segment.value()); }
+
+  /// Whether another edge lies between e and f. The one that did for the last pair is asked first.
+  bool is_hidden(const Local_gap& gap, Edge_id e, Edge_id f, Scratch& scratch,
+                 const typename Edge_gaps<Geometry>::Leaf& leaf) const {
+    const auto hides = [&](Edge_id g) { return g != e && g != f && gap.is_blocked_by(gaps_.local(g, leaf)); };
+    if (scratch.hider >= 0 && hides(scratch.hider)) return true;
+    for (const auto* edges : {&scratch.own, &scratch.others})
+      for (const Edge_id g : *edges)
+        if (hides(g)) {
+          scratch.hider = g;
+          return true;
+        }
+    return false;
+  }
+};
+
+} // namespace internal
+} // namespace Quadtree_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_SEPARATION_TREES_H

@@ -1,0 +1,269 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+//
+// The meshes of tiles of all quadtrees of some points, joined to one.
+//
+// Computes: a mesh with a vertex for each point, not yet at its place. Other triangles have angles in [43.4,
+//           72.7] degrees, around clusters in [17.3, 87.5], and less than 90 between an octagon and its
+//           spokes.
+// Bound:    O(n + k) work for k squares, not counting sorting. With clusters k = O(n), whatever the distances
+//           are.
+// Source:   Bern, Eppstein, Teng, section 5: one quadtree for all points (Theorem 3), or one for each
+//           cluster, which a point represents in its parent's quadtree (Theorem 4).
+//
+// Trees are filled anew if some points turn out to need smaller leaves. A point that fails several times gets
+// a block of leaves for itself. The block is so small that the warp of warp_table.h provably keeps [37.5,
+// 78.6]. So this ends, at the latest when all points have such a block.
+
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_TILES_TILE_FOREST_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_TILES_TILE_FOREST_H
+
+#include <CGAL/Quadtree_mesh_2/internal/clusters/Cluster_collar.h>
+#include <CGAL/Quadtree_mesh_2/internal/clusters/Cluster_frame.h>
+#include <CGAL/Quadtree_mesh_2/internal/frame/Grid_frame.h>
+#include <CGAL/Quadtree_mesh_2/internal/relaxation/Site_mesh.h>
+#include <CGAL/Quadtree_mesh_2/internal/tiles/Tile_tree.h>
+#include <CGAL/Quadtree_mesh_2/internal/clusters/frame_clusters.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Quadtree_mesh_2 {
+namespace internal {
+
+template <class Concurrency_tag, class Geometry>
+class Tile_forest {
+public:
+  using Point = typename Geometry::Point;
+
+  /// One quadtree for all points.
+  Tile_forest(const std::vector<Point>& points, const Grid_frame<Geometry>& frame,
+              const Tile_options& options)
+      : points_(points), tree_of_point_(points.size(), 0), site_of_point_(points.size()),
+        failures_(points.size(), 0), along_(direction_of_rows(frame)) {
+    for (std::size_t i = 0; i < points.size(); ++i) site_of_point_[i] = static_cast<std::uint32_t>(i);
+    trees_.emplace_back(frame, points, options);
+    trees_.front().set_first_levels();
+  }
+
+  /// A quadtree for the points and clusters that are in no other cluster, in `frame`, and one for each cluster.
+  /// \pre `frame` is parallel to the axes
+  Tile_forest(const std::vector<Point>& points, const Grid_frame<Geometry>& frame,
+              const Framed_clusters<Geometry>& clusters, const Tile_options& options)
+      : points_(points), tree_of_point_(points.size()), site_of_point_(points.size()),
+        failures_(points.size(), 0) {
+    for (std::size_t c = 0; c < clusters.tree.clusters.size(); ++c) add_tree(c, frame, clusters, options);
+    for_each_index<Concurrency_tag>(
+        trees_.size(), [&](std::size_t t) { trees_[t].set_first_levels(); }, 1);
+  }
+
+  std::size_t number_of_trees() const { return trees_.size(); }
+  std::size_t number_of_certified_points() const {
+    std::size_t n = 0;
+    for (std::size_t i = 0; i < points_.size(); ++i)
+      n += trees_[std::size_t(tree_of_point_[i])].is_certified(site_of_point_[i]) ? 1 : 0;
+    return n;
+  }
+
+  /// \throws Tile_level_error naming a point to which another one is so near that squares would be too small
+  Site_mesh<Geometry> fill() {
+    for_each_index<Concurrency_tag>(
+        trees_.size(), [&](std::size_t t) { fill(t); }, 1);
+    Site_mesh<Geometry> result;
+    result.mesh.along = along_;
+    copy_trees(result);
+    for (std::size_t t = 1; t < trees_.size(); ++t) put_into_parent(t, result);
+    take_out_replaced_vertices(result);
+    result.mesh.set_triangles(triangles_);
+    triangles_ = {};
+    set_mobilities(result);
+    return result;
+  }
+
+  /// Wants smaller leaves for a point that failed: half as large, and when that did not help, its own block.
+  void refine_for(std::size_t point) {
+    constexpr int most_failures = 3;
+    Tree& tree = trees_[std::size_t(tree_of_point_[point])];
+    const std::size_t site = site_of_point_[point];
+    if (++failures_[point] < most_failures)
+      tree.split(site);
+    else
+      tree.certify(site);
+  }
+  bool is_certified(std::size_t point) const {
+    return trees_[std::size_t(tree_of_point_[point])].is_certified(site_of_point_[point]);
+  }
+
+private:
+  using Tree = Tile_tree<Concurrency_tag, Geometry>;
+
+  const std::vector<Point>& points_;
+  std::vector<std::int32_t> tree_of_point_;
+  std::vector<std::uint32_t> site_of_point_;
+  std::vector<std::uint8_t> failures_;
+  Vector along_{1, 0};
+  std::vector<Tree> trees_; ///< parents before children
+  // While the trees are put together: where the vertices of trees begin; triangles; vertices that must not move, and
+  // vertices in whose places there are clusters.
+  std::vector<Ring_vertex> first_vertex_;
+  std::vector<Indexed_triangle> triangles_;
+  std::vector<Ring_vertex> rigid_, replaced_;
+
+  void fill(std::size_t t) try { trees_[t].fill(); } catch (const Tile_level_error& e) {
+    for (std::size_t i = 0; i < points_.size(); ++i)
+      if (tree_of_point_[i] == static_cast<std::int32_t>(t) && site_of_point_[i] == e.site())
+        throw Tile_level_error(i);
+    throw; // a cluster, which its frame keeps from coming so near to others
+  }
+
+  static Vector direction_of_rows(const Grid_frame<Geometry>& frame) {
+    const auto z = frame.rotation();
+    const Vector v{static_cast<double>(z.a), static_cast<double>(z.b)};
+    return (1 / std::sqrt(squared_length(v))) * v;
+  }
+
+  void add_tree(std::size_t c, const Grid_frame<Geometry>& frame, const Framed_clusters<Geometry>& clusters,
+                const Tile_options& options) {
+    const Cluster& cluster = clusters.tree.clusters[c];
+    std::vector<Point> sites;
+    for (std::uint32_t i = cluster.first_point; i < cluster.end_point; ++i) {
+      const std::uint32_t p = clusters.tree.points[i];
+      tree_of_point_[p] = static_cast<std::int32_t>(c);
+      site_of_point_[p] = static_cast<std::uint32_t>(sites.size());
+      sites.push_back(points_[p]);
+    }
+    std::vector<typename Tree::Cluster_site> children;
+    for (std::int32_t k = cluster.first_child; k < cluster.end_child; ++k) {
+      sites.push_back(clusters.frames[std::size_t(k)].center());
+      children.push_back(
+          {static_cast<std::uint32_t>(sites.size() - 1), clusters.tree.clusters[std::size_t(k)].distance});
+    }
+    if (c == 0)
+      trees_.emplace_back(frame, sites, options);
+    else
+      trees_.emplace_back(clusters.frames[c], sites, options, cluster.parent,
+                          static_cast<std::uint32_t>(number_in_parent(clusters.tree, c)));
+    trees_.back().set_clusters(children);
+  }
+
+  /// Which of the sites of its parent a cluster is.
+  static std::size_t number_in_parent(const Cluster_tree& tree, std::size_t c) {
+    const Cluster& parent = tree.clusters[std::size_t(tree.clusters[c].parent)];
+    return parent.end_point - parent.first_point + c - std::size_t(parent.first_child);
+  }
+
+  void copy_trees(Site_mesh<Geometry>& result) {
+    first_vertex_.clear();
+    std::size_t vertices = 0, triangles = 0;
+    for (const Tree& tree : trees_) {
+      first_vertex_.push_back(static_cast<Ring_vertex>(vertices));
+      vertices += tree.mesh().number_of_vertices();
+      triangles += tree.mesh().number_of_triangles();
+    }
+    if (vertices >= std::size_t(std::numeric_limits<Ring_vertex>::max()) / 2)
+      throw std::length_error("meshes of point sets have at most 2^30 vertices before they are coarsened");
+    result.mesh.points.resize(vertices);
+    triangles_.resize(triangles);
+    std::size_t first_triangle = 0;
+    for (std::size_t t = 0; t < trees_.size(); ++t) {
+      const Tile_mesh& tiles = trees_[t].mesh();
+      const Ring_vertex first = first_vertex_[t];
+      for_each_index<Concurrency_tag>(
+          tiles.number_of_vertices(),
+          [&](std::size_t v) {
+            result.mesh.points[std::size_t(first) + v] = trees_[t].point_at(tiles.places[v]);
+          },
+          default_block / 8);
+      for_each_index<Concurrency_tag>(tiles.number_of_triangles(), [&](std::size_t i) {
+        for (std::size_t k = 0; k < 3; ++k) triangles_[first_triangle + i][k] = first + tiles.triangles[i][k];
+      });
+      first_triangle += tiles.number_of_triangles();
+    }
+    result.sites = points_;
+    result.is_placed.assign(points_.size(), 0);
+    result.vertex_of_site.resize(points_.size());
+    for (std::size_t i = 0; i < points_.size(); ++i)
+      result.vertex_of_site[i] = vertex(tree_of_point_[i], site_of_point_[i]);
+  }
+
+  Ring_vertex vertex(std::int32_t tree, std::uint32_t site) const {
+    return first_vertex_[std::size_t(tree)] + trees_[std::size_t(tree)].mesh().vertex_of_site[site];
+  }
+
+  /// Puts the octagon and the collar of a cluster around its window, and takes the vertex in its place away.
+  void put_into_parent(std::size_t t, Site_mesh<Geometry>& result) {
+    const Tree &tree = trees_[t], &parent = trees_[std::size_t(tree.parent())];
+    const Ring_vertex center = vertex(tree.parent(), tree.site_in_parent());
+    const std::array<std::int32_t, 8> spokes =
+        parent.spokes(tree.site_in_parent(), first_vertex_[std::size_t(tree.parent())]);
+    const int log_leaf = parent.log_side_of_leaf(tree.site_in_parent());
+    std::vector<Point>& points = result.mesh.points;
+    for (int k = 0; k < 8; ++k) {
+      points[std::size_t(spokes[std::size_t(k)])] = tree.cluster_frame().spoke(k, log_leaf);
+      rigid_.push_back(spokes[std::size_t(k)]);
+    }
+    replaced_.push_back(center);
+    const Octagon_vertices octagon = append_octagon(tree.cluster_frame(), points);
+    rigid_.insert(rigid_.end(), octagon.begin(), octagon.end());
+    for (const Indexed_triangle& triangle : octagon_triangles(octagon, spokes))
+      triangles_.push_back(triangle);
+    append_collar(tree.cluster_frame(), octagon, tree.window_vertices(first_vertex_[t]), points, triangles_);
+  }
+
+  void take_out_replaced_vertices(const Site_mesh<Geometry>& result) {
+    if (replaced_.empty()) return;
+    std::vector<std::uint8_t> is_replaced(result.mesh.points.size(), 0);
+    for (const Ring_vertex v : replaced_) is_replaced[std::size_t(v)] = 1;
+    replaced_.clear();
+    triangles_.erase(std::remove_if(triangles_.begin(), triangles_.end(),
+                                    [&](const Indexed_triangle& t) {
+                                      return std::any_of(t.begin(), t.end(), [&](std::int32_t v) {
+                                        return is_replaced[std::size_t(v)] != 0;
+                                      });
+                                    }),
+                     triangles_.end());
+  }
+
+  void set_mobilities(Site_mesh<Geometry>& result) {
+    for (std::size_t t = 0; t < trees_.size(); ++t) {
+      const Tile_mesh& tiles = trees_[t].mesh();
+      if (t > 0 && !trees_[t].has_blocks()) continue; // nothing to set
+      for (std::size_t v = 0; v < tiles.number_of_vertices(); ++v) {
+        const Ring_vertex u = first_vertex_[t] + static_cast<Ring_vertex>(v);
+        Mobility& mobility = result.mesh.ring(u).mobility;
+        if (mobility == Mobility::removed) continue;
+        if (t == 0) mobility = mobility_on(tiles.sides[v]);
+        if (tiles.is_frozen[v] == 0 || mobility != Mobility::free) continue;
+        mobility = Mobility::held;
+      }
+    }
+    // fixed from the beginning, lest one is removed that waits to be moved
+    for (const Ring_vertex v : result.vertex_of_site) result.mesh.ring(v).mobility = Mobility::fixed;
+    for (const Ring_vertex v : rigid_) result.mesh.ring(v).mobility = Mobility::rigid;
+    rigid_.clear();
+  }
+
+  static Mobility mobility_on(std::uint8_t sides) {
+    const bool is_across = (sides & (left_side | right_side)) != 0,
+               is_along = (sides & (bottom_side | top_side)) != 0;
+    return is_across && is_along ? Mobility::fixed
+           : is_across           ? Mobility::slides_across
+           : is_along            ? Mobility::slides_along
+                                 : Mobility::free;
+  }
+};
+
+} // namespace internal
+} // namespace Quadtree_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_TILES_TILE_FOREST_H

@@ -1,0 +1,328 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+//
+// The constrained Delaunay triangulation of the input, in parallel.
+//
+// Vertices come in shuffle order, so walks from one to the next are short: O(1) steps on average for points
+// that are not adversarial. Three auxiliary vertices outside enclose everything. All triangles at them lie
+// outside the domain and are dropped with it.
+// 1. Every 16th vertex is inserted, in rounds of every 16^k-th. Inserting a sample first keeps points along
+//    curves from making ever longer fans (Amenta, Choi, Rote, "Incremental constructions con BRIO", 2003,
+//    with the shuffle order in place of chance). A small input ends here, with every vertex.
+// 2. The other vertices are located in that triangulation, which is cut into blocks (Mesh_blocks.h).
+// 3. Each block gets the vertices located there (Delaunay_inserter.h), and the segments between vertices of
+//    the block (Segment_inserter.h).
+// 4. Blocks are put back, and the sides at seams are made Delaunay. Segments that seams blocked are inserted.
+//
+// The triangulation is constrained Delaunay except for near-ties, and the same for any number of threads.
+// Expected O(n) work after sorting, worst case O(n^2).
+
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_FIRST_TRIANGULATION_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_FIRST_TRIANGULATION_H
+
+#include <CGAL/Quadtree_mesh_2/internal/triangulation/Delaunay_inserter.h>
+#include <CGAL/Quadtree_mesh_2/internal/triangulation/Kernel_mesh.h>
+#include <CGAL/Quadtree_mesh_2/internal/triangulation/Mesh_blocks.h>
+#include <CGAL/Quadtree_mesh_2/internal/triangulation/Segment_inserter.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
+#include <CGAL/Quadtree_mesh_2/internal/triangulation/walk.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <numeric>
+#include <optional>
+#include <vector>
+
+namespace CGAL {
+namespace Quadtree_mesh_2 {
+namespace internal {
+
+template <class Concurrency_tag, class Geometry>
+class First_triangulation {
+public:
+  using Mesh = Kernel_mesh<Geometry>;
+  using Point = typename Geometry::Point;
+  using Segment = std::array<Vertex_id, 2>;
+  static constexpr std::size_t number_of_auxiliary_vertices = 3;
+
+  /// The vertices of the mesh become `points`, in that order, and the three auxiliary ones behind them.
+  First_triangulation(Mesh& mesh, const std::vector<Point>& points)
+      : mesh_(mesh), representative_(points.size(), -1) {
+    start(points);
+  }
+
+  /// Triangulates all vertices and makes the segments chains of constrained edges.
+  /// \returns a crossing of two segments, if there is one; the triangulation is then of no use.
+  std::optional<Crossing> run(const std::vector<Segment>& segments) {
+    const bool has_blocks = representative_.size() >= 2 * vertices_of_block;
+    insert_every(has_blocks ? stride : 1);
+    if (has_blocks) return run_in_blocks(segments);
+    Segment_inserter<Geometry> inserter(mesh_);
+    const auto crossing = catch_crossing([&] {
+      for (std::size_t s = 0; s < segments.size(); ++s)
+        inserter.insert(representative(segments[s][0]), representative(segments[s][1]),
+                        static_cast<std::int32_t>(s));
+    });
+    take_results(inserter);
+    return crossing;
+  }
+
+  /// For each vertex itself, or the one at the same place that stands for it.
+  Vertex_id representative(Vertex_id v) const { return representative_[std::size_t(v)]; }
+  std::size_t number_of_vertices_on_segments() const { return vertices_on_segments_; }
+  const std::vector<Input_edge>& edges() const { return edges_; }
+  /// Edges of segments that overlap others, for each segment but the one in `edges()`.
+  const std::vector<Input_edge>& repeated_edges() const { return repeated_edges_; }
+
+private:
+  static constexpr std::size_t stride = 16;
+  static constexpr std::size_t vertices_of_block = Block_sizes<Concurrency_tag>::vertices;
+
+  using Blocks = Mesh_blocks<Concurrency_tag, Geometry>;
+  using Block = Mesh_block<Geometry>;
+
+  /// A segment, between the vertices up to which it is made.
+  struct Rest_of_segment {
+    Vertex_id from, to;
+    std::int32_t segment;
+  };
+
+  /// What is to be done in a block, and what comes of it.
+  struct Block_work {
+    std::vector<Vertex_id> vertices;
+    std::vector<std::int32_t> segments;
+    std::vector<Vertex_id> vertices_left;
+    std::vector<Rest_of_segment> segments_left;
+    std::optional<Segment_inserter<Geometry>> inserter;
+    std::optional<Crossing> crossing;
+  };
+
+  Mesh& mesh_;
+  std::vector<Vertex_id> representative_;
+  std::vector<Input_edge> edges_, repeated_edges_;
+  std::size_t vertices_on_segments_ = 0;
+  // for blocks: the triangle of the coarse triangulation that holds a vertex, and the vertex's handle in its block
+  std::vector<Triangle_id> coarse_triangle_;
+  std::vector<Vertex_id> vertex_in_block_;
+
+  void start(const std::vector<Point>& points) {
+    const std::size_t n = points.size();
+    mesh_.resize(n, 0);
+    mesh_.points.assign(points.begin(), points.end());
+    std::iota(mesh_.edge_of.rbegin(), mesh_.edge_of.rend(), input_vertex(static_cast<Vertex_id>(n) - 1));
+    Point low = points.front(), high = points.front();
+    for (const Point& p : points) {
+      low.x = std::min(low.x, p.x), low.y = std::min(low.y, p.y);
+      high.x = std::max(high.x, p.x), high.y = std::max(high.y, p.y);
+    }
+    const Vector size = Geometry::difference(high, low);
+    const double extent = std::max(size.x, size.y);
+    // As near as they can be: differences of 62-bit coordinates must not overflow. Nothing inside the domain
+    // sees them.
+    for (const Vector corner : {Vector{-1, -0.1}, Vector{2, -0.1}, Vector{0.5, 2.9}})
+      mesh_.add_vertex(Geometry::translate(low, extent * corner),
+                       input_vertex(static_cast<Vertex_id>(mesh_.number_of_vertices())));
+    const Triangle_id t = mesh_.new_triangle();
+    for (int k = 0; k < 3; ++k) {
+      const Vertex_id v = static_cast<Vertex_id>(n) + k;
+      mesh_.triangle(t).v[k] = v;
+      mesh_.triangle_of[std::size_t(v)] = t;
+    }
+  }
+
+  /// In rounds: every 16^k-th vertex, then every 16^(k-1)-th, and so on, each in order.
+  void insert_every(std::size_t last_step) {
+    const std::size_t n = representative_.size();
+    mesh_.triangles.reserve(2 * (n / last_step) + 16);
+    Delaunay_inserter<Geometry> inserter(mesh_);
+    std::size_t step = last_step;
+    while (step < n) step *= stride;
+    for (Triangle_id hint = 0; step >= last_step; step /= stride)
+      for (std::size_t v = 0; v < n; v += step) {
+        if (representative_[v] < 0) representative_[v] = inserter.insert(static_cast<Vertex_id>(v), hint);
+        hint = mesh_.incident_triangle(representative_[v]);
+      }
+  }
+
+  template <class Work>
+  static std::optional<Crossing> catch_crossing(const Work& work) {
+    try {
+      work();
+    } catch (const Crossing& crossing) {
+      return crossing;
+    }
+    return std::nullopt;
+  }
+
+  void take_results(Segment_inserter<Geometry>& inserter) {
+    edges_.insert(edges_.end(), inserter.edges().begin(), inserter.edges().end());
+    repeated_edges_.insert(repeated_edges_.end(), inserter.repeated_edges().begin(),
+                           inserter.repeated_edges().end());
+    vertices_on_segments_ += inserter.number_of_vertices_on_segments();
+  }
+
+  // ---- in blocks
+
+  std::optional<Crossing> run_in_blocks(const std::vector<Segment>& segments) {
+    locate_vertices();
+    std::vector<Triangle_id> all(mesh_.triangles.size());
+    std::iota(all.begin(), all.end(), Triangle_id(0));
+    Blocks blocks(mesh_, cut_by_position<Concurrency_tag>(
+                             mesh_, std::move(all), 2 * vertices_of_block / stride, Square_shift::none));
+    std::vector<Block_work> works = distribute(blocks, segments);
+    vertex_in_block_.resize(representative_.size());
+    blocks.for_each([&](Block& block) {
+      Block_work& work = works[std::size_t(block.id())];
+      insert_vertices(block, blocks, work);
+      insert_segments(block, blocks, segments, work);
+    });
+    std::optional<Crossing> crossing = first_crossing(works);
+    if (!crossing) {
+      blocks.put_back();
+      std::vector<Side> doubtful = blocks.seam_sides();
+      mesh_.make_Delaunay(doubtful);
+    }
+    for (Block_work& work : works) take_results(*work.inserter);
+    return crossing ? crossing : insert_what_is_left(works);
+  }
+
+  /// Locates the vertices that are not inserted yet.
+  void locate_vertices() {
+    coarse_triangle_.resize(representative_.size());
+    const std::size_t run = 256 * stride;
+    for_each_block<Concurrency_tag>(
+        representative_.size(), run, [&](std::size_t, std::size_t begin, std::size_t end) {
+          Triangle_id t = 0;
+          for (std::size_t v = begin; v < end; ++v) {
+            t = representative_[v] >= 0 ? mesh_.incident_triangle(representative_[v])
+                                        : locate_exactly(mesh_, t, mesh_.points[v]).triangle;
+            coarse_triangle_[v] = t;
+          }
+        });
+  }
+
+  Block_id block_of(const Blocks& blocks, Vertex_id v) const {
+    return blocks.block_of(coarse_triangle_[std::size_t(v)]);
+  }
+
+  static bool is_coarse(Vertex_id v) { return std::size_t(v) % stride == 0; }
+
+  /// Gives each vertex to the block in which it is, each segment to that of its first vertex.
+  std::vector<Block_work> distribute(const Blocks& blocks, const std::vector<Segment>& segments) const {
+    std::vector<Block_work> works(blocks.size());
+    for (std::size_t v = 0; v < representative_.size(); ++v)
+      if (!is_coarse(static_cast<Vertex_id>(v)))
+        works[std::size_t(block_of(blocks, static_cast<Vertex_id>(v)))].vertices.push_back(
+            static_cast<Vertex_id>(v));
+    for (std::size_t s = 0; s < segments.size(); ++s)
+      works[std::size_t(block_of(blocks, segments[s][0]))].segments.push_back(static_cast<std::int32_t>(s));
+    return works;
+  }
+
+  void insert_vertices(Block& block, const Blocks& blocks, Block_work& work) {
+    Mesh& mesh = block.mesh;
+    mesh.triangles.reserve(mesh.triangles.size() + 2 * work.vertices.size());
+    for (const Vertex_id v : work.vertices) vertex_in_block_[std::size_t(v)] = block.add_known_vertex(v);
+    Delaunay_inserter<Geometry> inserter(mesh);
+    Vertex_id last = -1;
+    for (const Vertex_id v : work.vertices) {
+      const Vertex_id here = vertex_in_block_[std::size_t(v)];
+      const Triangle_id coarse = blocks.place_of(coarse_triangle_[std::size_t(v)]);
+      Vertex_id stands = last < 0 ? -1 : inserter.insert(here, mesh.incident_triangle(last));
+      if (stands < 0) stands = inserter.insert(here, coarse);
+      if (stands < 0) {
+        work.vertices_left.push_back(v);
+        continue;
+      }
+      representative_[std::size_t(v)] = mesh.input_number(stands);
+      last = stands;
+    }
+  }
+
+  /// The handle in the block of what stands for a vertex, -1 if it is not there.
+  Vertex_id find_in_block(const Block& block, const Blocks& blocks, Vertex_id v) const {
+    if (!is_coarse(v)) {
+      if (block_of(blocks, v) != block.id() || representative(v) < 0) return -1;
+      if (!is_coarse(representative(v))) return vertex_in_block_[std::size_t(representative(v))];
+    }
+    return block.vertex_in_block(representative(v));
+  }
+
+  void insert_segments(Block& block, const Blocks& blocks, const std::vector<Segment>& segments,
+                       Block_work& work) {
+    work.inserter.emplace(block.mesh);
+    work.crossing = catch_crossing([&] {
+      for (const std::int32_t s : work.segments) {
+        const auto [from, to] = segments[std::size_t(s)];
+        const Vertex_id a = find_in_block(block, blocks, from), b = find_in_block(block, blocks, to);
+        if (a < 0 || b < 0) {
+          work.segments_left.push_back({from, to, s});
+          continue;
+        }
+        const auto rest = work.inserter->insert(a, b, s);
+        if (!rest.is_empty())
+          work.segments_left.push_back(
+              {block.mesh.input_number(rest.from), block.mesh.input_number(rest.to), s});
+      }
+    });
+  }
+
+  static std::optional<Crossing> first_crossing(const std::vector<Block_work>& works) {
+    std::optional<Crossing> first;
+    for (const Block_work& work : works)
+      if (work.crossing && (!first || work.crossing->segment < first->segment)) first = work.crossing;
+    return first;
+  }
+
+  std::optional<Crossing> insert_what_is_left(const std::vector<Block_work>& works) {
+    for (const Block_work& work : works)
+      for (const Vertex_id v : work.vertices_left) insert_late(v);
+    Segment_inserter<Geometry> inserter(mesh_);
+    const auto crossing = catch_crossing([&] {
+      for (const Block_work& work : works)
+        for (const Rest_of_segment& s : work.segments_left)
+          inserter.insert(representative(s.from), representative(s.to), s.segment);
+    });
+    take_results(inserter);
+    return crossing;
+  }
+
+  /// Inserts a vertex when there are segments already, of which one may run through it.
+  void insert_late(Vertex_id v) {
+    const Triangle_id t = locate_exactly(mesh_, coarse_triangle_[std::size_t(v)], mesh_.point(v)).triangle;
+    Side split = Side::border();
+    for (int k = 0; k < 3; ++k) {
+      const Side s(t, k);
+      if (mesh_.across(s).is_constrained() && mesh_.orientation(mesh_.source(s), mesh_.target(s), v) == 0)
+        split = s;
+    }
+    const Vertex_id a = split.is_border() ? -1 : mesh_.source(split);
+    const Vertex_id b = split.is_border() ? -1 : mesh_.target(split);
+    representative_[std::size_t(v)] = Delaunay_inserter<Geometry>(mesh_).insert(v, t);
+    if (a >= 0 && representative(v) == v) split_edge(a, b, v);
+  }
+
+  void split_edge(Vertex_id a, Vertex_id b, Vertex_id v) {
+    for (auto* edges : {&edges_, &repeated_edges_}) {
+      const std::size_t count = edges->size();
+      for (std::size_t i = 0; i < count; ++i) {
+        Input_edge e = (*edges)[i];
+        if (!(e.a == a && e.b == b) && !(e.a == b && e.b == a)) continue;
+        (*edges)[i].b = v;
+        e.a = v;
+        edges->push_back(e);
+        ++vertices_on_segments_;
+      }
+    }
+  }
+};
+
+} // namespace internal
+} // namespace Quadtree_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_FIRST_TRIANGULATION_H

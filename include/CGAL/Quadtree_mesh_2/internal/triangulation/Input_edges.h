@@ -1,0 +1,104 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+//
+// The input edges (pieces of input segments between consecutive input vertices) by vertex. Vertices are named by
+// their input numbers, which are the same in every block.
+//
+// One array of (neighbor, edge) pairs, grouped by vertex and sorted by neighbor: O(n) to make, O(log
+// degree) to look up.
+
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_INPUT_EDGES_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_INPUT_EDGES_H
+
+#include <CGAL/Quadtree_mesh_2/internal/triangulation/Kernel_mesh.h>
+#include <CGAL/Quadtree_mesh_2/internal/triangulation/Segment_inserter.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Quadtree_mesh_2 {
+namespace internal {
+
+class Input_edges {
+public:
+  struct Incidence {
+    Vertex_id neighbor;
+    Edge_id edge;
+    friend bool operator<(const Incidence& a, const Incidence& b) { return a.neighbor < b.neighbor; }
+  };
+
+  Input_edges() = default;
+
+  Input_edges(std::vector<Input_edge> edges, std::size_t number_of_vertices)
+      : edges_(std::move(edges)), first_(number_of_vertices + 1, 0), incidences_(2 * edges_.size()) {
+    for (const Input_edge& e : edges_) ++first_[std::size_t(e.a) + 1], ++first_[std::size_t(e.b) + 1];
+    for (std::size_t v = 0; v < number_of_vertices; ++v) first_[v + 1] += first_[v];
+    std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
+    for (std::size_t i = 0; i < edges_.size(); ++i) {
+      const Input_edge& e = edges_[i];
+      incidences_[next[std::size_t(e.a)]++] = {e.b, static_cast<Edge_id>(i)};
+      incidences_[next[std::size_t(e.b)]++] = {e.a, static_cast<Edge_id>(i)};
+    }
+    for (std::size_t v = 0; v < number_of_vertices; ++v) std::sort(begin(Vertex_id(v)), end(Vertex_id(v)));
+  }
+
+  /// Lets each of these edges belong to the first of the segments that run there.
+  void repeat(const std::vector<Input_edge>& repeated) {
+    for (const Input_edge& r : repeated) {
+      Input_edge& e = edges_[std::size_t(between(r.a, r.b))];
+      e.segment = std::min(e.segment, r.segment);
+    }
+  }
+
+  std::size_t size() const { return edges_.size(); }
+  const Input_edge& operator[](Edge_id e) const { return edges_[std::size_t(e)]; }
+  Vertex_id other_end(Edge_id e, Vertex_id v) const {
+    return (*this)[e].a == v ? (*this)[e].b : (*this)[e].a;
+  }
+
+  const Incidence* begin(Vertex_id v) const { return incidences_.data() + first_[std::size_t(v)]; }
+  const Incidence* end(Vertex_id v) const { return incidences_.data() + first_[std::size_t(v) + 1]; }
+
+  /// The edge between two input vertices, -1 if there is none.
+  Edge_id between(Vertex_id a, Vertex_id b) const {
+    const Incidence* i = std::lower_bound(begin(a), end(a), Incidence{b, 0});
+    return i != end(a) && i->neighbor == b ? i->edge : -1;
+  }
+
+  /// The input edge that carries the constrained mesh edge x-y; -1 if none does (then it is a chord across a
+  /// corner).
+  template <class Mesh>
+  Edge_id carrying(const Mesh& mesh, Vertex_id x, Vertex_id y) const {
+    if (mesh.is_input(x) && mesh.is_input(y)) return between(mesh.input_number(x), mesh.input_number(y));
+    const Edge_id e = mesh.edge(x) >= 0 ? mesh.edge(x) : mesh.edge(y);
+    return is_on(mesh, x, e) && is_on(mesh, y, e) ? e : -1;
+  }
+
+  template <class Mesh>
+  bool is_on(const Mesh& mesh, Vertex_id v, Edge_id e) const {
+    if (e < 0) return false;
+    if (!mesh.is_input(v)) return mesh.edge(v) == e;
+    const Vertex_id number = mesh.input_number(v);
+    return (*this)[e].a == number || (*this)[e].b == number;
+  }
+
+private:
+  std::vector<Input_edge> edges_;
+  std::vector<std::uint32_t> first_;
+  std::vector<Incidence> incidences_;
+
+  Incidence* begin(Vertex_id v) { return incidences_.data() + first_[std::size_t(v)]; }
+  Incidence* end(Vertex_id v) { return incidences_.data() + first_[std::size_t(v) + 1]; }
+};
+
+} // namespace internal
+} // namespace Quadtree_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_INPUT_EDGES_H

@@ -1,0 +1,253 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+//
+// One block of a mesh, taken out as a mesh of its own.
+//
+// Triangles keep their given order, and vertices are numbered as they occur. So the memory of a block is its
+// own and small, and stays in the cache. The sides where the rest of the mesh continues become seams, which
+// remember what they were. O(size of the block), not counting the sorting of vertices at seams.
+
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_MESH_BLOCK_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_MESH_BLOCK_H
+
+#include <CGAL/Quadtree_mesh_2/internal/triangulation/Kernel_mesh.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Quadtree_mesh_2 {
+namespace internal {
+
+using Block_id = std::int32_t;
+
+/// Where the triangles and vertices of the whole mesh go.
+struct Block_assignment {
+  struct Place {
+    Block_id block = -1; ///< -1: none
+    Triangle_id triangle = -1;
+  };
+  std::vector<Place> of_triangle;
+  /// The handle of a vertex in the block of the triangle that the whole mesh knows at it. Written and read by that
+  /// block alone.
+  std::vector<Vertex_id> of_vertex;
+
+  const Place& operator[](Triangle_id t) const { return of_triangle[std::size_t(t)]; }
+};
+
+template <class Geometry>
+class Mesh_block {
+public:
+  using Mesh = Kernel_mesh<Geometry>;
+
+  /// A side beyond which the whole mesh goes on.
+  struct Seam {
+    Side here, beyond; ///< of the whole mesh, as it was when the block was taken out
+    Side now;          ///< of the whole mesh: where the side is in the end; set by `write()`
+  };
+
+  Mesh mesh;
+
+  Mesh_block(const Mesh& whole, Block_assignment& assignment, Block_id id, const Triangle_id* begin,
+             const Triangle_id* end)
+      : whole_(&whole), assignment_(&assignment), id_(id), begin_(begin),
+        taken_(static_cast<std::size_t>(end - begin)) {
+    reserve();
+    mesh.triangles.resize(taken_);
+    if (!whole.region_of.empty()) mesh.region_of.resize(taken_);
+    for (std::size_t t = 0; t < taken_; ++t) take(begin[t], static_cast<Triangle_id>(t));
+    settle_foreign_vertices();
+    mark_shared_vertices();
+  }
+
+  Block_id id() const { return id_; }
+
+  /// The handle in the block of a vertex of the whole mesh, -1 if it is not in the block. Only until blocks are put
+  /// back.
+  Vertex_id vertex_in_block(Vertex_id whole_vertex) const {
+    const Triangle_id t = whole_->incident_triangle(whole_vertex);
+    if (t < 0) return -1;
+    if ((*assignment_)[t].block == id_) return assignment_->of_vertex[std::size_t(whole_vertex)];
+    const auto i = std::lower_bound(foreign_.begin(), foreign_.end(), whole_vertex,
+                                    [](const Foreign& f, Vertex_id v) { return f.whole < v; });
+    return i != foreign_.end() && i->whole == whole_vertex ? i->here : -1;
+  }
+
+  /// Adds a vertex that the whole mesh has, but no triangle of it. \pre no new vertex has been added
+  Vertex_id add_known_vertex(Vertex_id whole_vertex) {
+    whole_vertex_.push_back(whole_vertex);
+    const Vertex_id v = mesh.add_vertex(whole_->point(whole_vertex), whole_->edge(whole_vertex));
+    mesh.is_dirty.back() = whole_->is_dirty[std::size_t(whole_vertex)];
+    return v;
+  }
+
+  // ---- putting back
+
+  /// How many triangles and vertices the whole mesh has to get for this block.
+  std::size_t number_of_new_triangles() const { return mesh.triangles.size() - taken_; }
+  std::size_t number_of_new_vertices() const { return mesh.number_of_vertices() - whole_vertex_.size(); }
+
+  /// The handles in the whole mesh: those taken out keep theirs, new ones get the next from these on.
+  void name_new(Triangle_id first_triangle, Vertex_id first_vertex) {
+    whole_triangle_.resize(mesh.triangles.size());
+    std::iota(std::copy(begin_, begin_ + taken_, whole_triangle_.begin()), whole_triangle_.end(),
+              first_triangle);
+    const auto known = static_cast<std::ptrdiff_t>(whole_vertex_.size());
+    whole_vertex_.resize(mesh.number_of_vertices());
+    std::iota(whole_vertex_.begin() + known, whole_vertex_.end(), first_vertex);
+  }
+  Triangle_id whole_triangle(Triangle_id t) const { return whole_triangle_[std::size_t(t)]; }
+  Vertex_id whole_vertex(Vertex_id v) const { return whole_vertex_[std::size_t(v)]; }
+
+  /// Writes what only this block has. \pre new things are named, and the whole mesh has room.
+  void write(Mesh& whole) {
+    write_triangles(whole);
+    for (Vertex_id v = 0; std::size_t(v) < mesh.number_of_vertices(); ++v) {
+      if (is_shared(v)) continue;
+      const auto w = std::size_t(whole_vertex(v));
+      whole.points[w] = mesh.point(v);
+      whole.edge_of[w] = mesh.edge(v);
+      whole.is_dirty[w] = mesh.is_dirty[std::size_t(v)];
+      whole.triangle_of[w] = mesh.is_used(v) ? whole_triangle(mesh.incident_triangle(v)) : -1;
+    }
+  }
+
+  /// Writes what other blocks may write too; for one block after the other.
+  void write_shared(Mesh& whole) const {
+    for (const Vertex_id v : shared_)
+      whole.triangle_of[std::size_t(whole_vertex(v))] = whole_triangle(mesh.incident_triangle(v));
+    for (const Triangle_id t : dead_) whole.kill(t);
+  }
+
+  const std::vector<Seam>& seams() const { return seams_; }
+
+private:
+  /// An occurrence of a vertex whose triangle in the whole mesh is in another block.
+  struct Foreign {
+    Vertex_id whole, here;
+    Triangle_id triangle;
+    int slot;
+  };
+
+  const Mesh* whole_;
+  Block_assignment* assignment_;
+  Block_id id_;
+  const Triangle_id* begin_; // the triangles taken out
+  std::size_t taken_;
+  // handles in the whole mesh; of vertices that are not new, until new ones are named
+  std::vector<Triangle_id> whole_triangle_;
+  std::vector<Vertex_id> whole_vertex_;
+  std::vector<Seam> seams_;
+  std::vector<Foreign> foreign_; // by handle in the whole mesh
+  std::vector<char> is_shared_;  // of the vertices taken out: other blocks may have them too
+  std::vector<Vertex_id> shared_;
+  std::vector<Triangle_id> dead_;
+
+  bool is_shared(Vertex_id v) const {
+    return std::size_t(v) < is_shared_.size() && is_shared_[std::size_t(v)] != 0;
+  }
+
+  void reserve() {
+    constexpr std::size_t growth = 3; // more is seldom needed
+    mesh.triangles.reserve(growth * taken_);
+    const std::size_t vertices = growth * taken_ / 2;
+    mesh.points.reserve(vertices), mesh.edge_of.reserve(vertices);
+    mesh.triangle_of.reserve(vertices), mesh.is_dirty.reserve(vertices);
+    whole_vertex_.reserve(vertices);
+  }
+
+  void take(Triangle_id t, Triangle_id here) {
+    const auto& from = whole_->triangle(t);
+    auto& to = mesh.triangle(here);
+    mesh.set_region(here, whole_->region(t));
+    for (int k = 0; k < 3; ++k) {
+      to.v[k] = take_vertex(from.v[k], here, k);
+      const Side o = from.side[k];
+      if (o.is_border()) {
+        to.side[k] = o;
+        continue;
+      }
+      const Block_assignment::Place& place = (*assignment_)[o.triangle()];
+      if (place.block == id_) {
+        to.side[k] = o.renamed(place.triangle);
+      } else {
+        to.side[k] = Side::seam(static_cast<std::int32_t>(seams_.size()));
+        seams_.push_back({Side(t, k), o, Side::border()});
+      }
+    }
+  }
+
+  Vertex_id take_vertex(Vertex_id whole_vertex, Triangle_id here, int slot) {
+    if ((*assignment_)[whole_->incident_triangle(whole_vertex)].block != id_) {
+      foreign_.push_back({whole_vertex, -1, here, slot});
+      return -1;
+    }
+    Vertex_id& v = assignment_->of_vertex[std::size_t(whole_vertex)];
+    if (v < 0) {
+      v = add_known_vertex(whole_vertex);
+      mesh.triangle_of[std::size_t(v)] = here;
+    }
+    return v;
+  }
+
+  void settle_foreign_vertices() {
+    std::stable_sort(foreign_.begin(), foreign_.end(),
+                     [](const Foreign& a, const Foreign& b) { return a.whole < b.whole; });
+    for (std::size_t i = 0; i < foreign_.size(); ++i) {
+      Foreign& f = foreign_[i];
+      if (i > 0 && foreign_[i - 1].whole == f.whole) {
+        f.here = foreign_[i - 1].here;
+      } else {
+        f.here = add_known_vertex(f.whole);
+        mesh.triangle_of[std::size_t(f.here)] = f.triangle;
+      }
+      mesh.triangle(f.triangle).v[f.slot] = f.here;
+    }
+  }
+
+  /// Vertices at seams, and input vertices at the border, which may have fans in other blocks.
+  void mark_shared_vertices() {
+    is_shared_.assign(mesh.number_of_vertices(), 0);
+    for (const auto& t : mesh.triangles)
+      for (int k = 0; k < 3; ++k) {
+        if (!t.side[k].is_border()) continue;
+        for (const Vertex_id v : {t.v[next_slot[k]], t.v[previous_slot[k]]}) {
+          if (is_shared(v) || !(t.side[k].is_seam() || mesh.is_input(v))) continue;
+          is_shared_[std::size_t(v)] = 1;
+          shared_.push_back(v);
+        }
+      }
+  }
+
+  void write_triangles(Mesh& whole) {
+    for (Triangle_id t = 0; std::size_t(t) < mesh.triangles.size(); ++t) {
+      const Triangle_id w = whole_triangle(t);
+      if (!mesh.is_alive(t)) {
+        dead_.push_back(w);
+        continue;
+      }
+      const auto& from = mesh.triangle(t);
+      auto& to = whole.triangle(w);
+      whole.set_region(w, mesh.region(t));
+      for (int k = 0; k < 3; ++k) {
+        to.v[k] = whole_vertex(from.v[k]);
+        const Side o = from.side[k];
+        to.side[k] = o.is_border() ? Side::border() : o.renamed(whole_triangle(o.triangle()));
+        if (o.is_seam()) seams_[std::size_t(o.seam_number())].now = Side(w, k);
+      }
+    }
+  }
+};
+
+} // namespace internal
+} // namespace Quadtree_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_MESH_BLOCK_H

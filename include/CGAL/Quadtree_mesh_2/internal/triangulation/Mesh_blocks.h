@@ -1,0 +1,219 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+//
+// Cuts a mesh into blocks that are processed separately, in parallel, and puts them back.
+//
+// A block is a run of triangles in the shuffle order of their shortest edges. Refinement begins at these
+// edges, however long the rest of the triangle is. Blocks of two rounds are cut along squares shifted against
+// each other by a third of the root. So what is near a seam of one round is well inside a block of the other:
+// of a quadtree and its shifted copies, one has any given disc within a square not much larger (Chan,
+// "Approximate nearest neighbor queries revisited", 1998). The mesh alone determines how blocks are cut, and
+// they are put back in order. So the result is the same for any number of threads.
+//
+// O(n) work and memory for n triangles in blocks, and O(s log s) for s seams.
+
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_MESH_BLOCKS_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_MESH_BLOCKS_H
+
+#include <CGAL/Quadtree_mesh_2/internal/triangulation/Kernel_mesh.h>
+#include <CGAL/Quadtree_mesh_2/internal/triangulation/Mesh_block.h>
+#include <CGAL/Quadtree_mesh_2/internal/triangulation/Place_keys.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel/radix_sort.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Quadtree_mesh_2 {
+namespace internal {
+
+/// How much makes a block: large enough that seams are few, small enough that a refined block stays in the cache and
+/// that there are blocks for many threads. Less than two blocks are not worth cutting. Specialized by tests, so
+/// that small inputs are cut too.
+template <class Concurrency_tag>
+struct Block_sizes {
+  static constexpr std::size_t vertices = 16384;  ///< of the input, while it is triangulated
+  static constexpr std::size_t triangles = 24576; ///< before they are refined
+};
+
+/// Triangles by block: those of block b begin at `first[b]`, and `first.back()` is their number.
+struct Block_cut {
+  std::vector<Triangle_id> triangles;
+  std::vector<std::size_t> first;
+
+  std::size_t number_of_blocks() const { return first.size() - 1; }
+};
+
+/// Cuts the given triangles into blocks of about `block_size`, by the places of the middles of their shortest edges.
+template <class Concurrency_tag, class Geometry>
+Block_cut cut_by_position(const Kernel_mesh<Geometry>& mesh, std::vector<Triangle_id> triangles,
+                          std::size_t block_size, Square_shift shift) {
+  const Place_keys<Geometry> key(mesh.points, shift);
+  std::vector<std::uint64_t> words(triangles.size()); // key, triangle
+  for_each_index<Concurrency_tag>(words.size(), [&](std::size_t i) {
+    const auto& r = mesh.triangle(triangles[i]);
+    const int k = mesh.shape(r).slot_of_shortest();
+    const auto &a = mesh.point(r.v[next_slot[k]]), &b = mesh.point(r.v[previous_slot[k]]);
+    const auto middle = Geometry::translate(a, 0.5 * Geometry::difference(b, a));
+    words[i] = key(middle) << 32 | static_cast<std::uint32_t>(triangles[i]);
+  });
+  const auto buffer = uncleared_words(words.size());
+  Word_sorter<Concurrency_tag>::sort(words.data(), buffer.get(), words.size(), true);
+  for_each_index<Concurrency_tag>(words.size(), [&](std::size_t i) {
+    triangles[i] = static_cast<Triangle_id>(static_cast<std::uint32_t>(words[i]));
+  });
+
+  Block_cut cut;
+  const std::size_t n = triangles.size(), blocks = std::max<std::size_t>(1, n / block_size);
+  for (std::size_t b = 0; b <= blocks; ++b) cut.first.push_back(n * b / blocks);
+  cut.triangles = std::move(triangles);
+  return cut;
+}
+
+/// Cuts all triangles of a mesh without free vertices into blocks of about `block_size`, by the numbers of the input
+/// vertices, which are in shuffle order. The middle one of a triangle's three numbers is one of the two that are
+/// close to each other, those of its shortest edge as a rule. `edge_start(e)` is the number of a vertex of input edge
+/// e, for the vertices on it.
+template <class Concurrency_tag, class Geometry, class Edge_start>
+Block_cut cut_by_input_order(const Kernel_mesh<Geometry>& mesh, std::size_t number_of_input_vertices,
+                             std::size_t block_size, const Edge_start& edge_start) {
+  const std::size_t slots = mesh.triangles.size();
+  const std::size_t blocks = std::max<std::size_t>(1, mesh.number_of_triangles() / block_size);
+  const auto number = [&](Vertex_id v) {
+    return mesh.is_input(v) ? mesh.input_number(v) : edge_start(mesh.edge(v));
+  };
+  const auto block_of = [&](Triangle_id t) {
+    const auto& r = mesh.triangle(t);
+    const Vertex_id a = number(r.v[0]), b = number(r.v[1]), c = number(r.v[2]);
+    const Vertex_id middle = std::max(std::min(a, b), std::min(std::max(a, b), c));
+    return std::size_t(middle) * blocks / number_of_input_vertices;
+  };
+  std::vector<std::uint16_t> block(slots);
+  for_each_index<Concurrency_tag>(slots, [&](std::size_t t) {
+    if (mesh.is_alive(static_cast<Triangle_id>(t)))
+      block[t] = static_cast<std::uint16_t>(block_of(static_cast<Triangle_id>(t)));
+  });
+  Block_cut cut;
+  cut.first.assign(blocks + 1, 0);
+  for (std::size_t t = 0; t < slots; ++t)
+    if (mesh.is_alive(static_cast<Triangle_id>(t))) ++cut.first[block[t]];
+  scan_exclusively(cut.first.data(), cut.first.size(), std::size_t(0));
+  cut.triangles.resize(cut.first.back());
+  std::vector<std::size_t> next(cut.first.begin(), cut.first.end() - 1);
+  for (std::size_t t = 0; t < slots; ++t)
+    if (mesh.is_alive(static_cast<Triangle_id>(t)))
+      cut.triangles[next[block[t]]++] = static_cast<Triangle_id>(t);
+  return cut;
+}
+
+template <class Concurrency_tag, class Geometry>
+class Mesh_blocks {
+public:
+  using Mesh = Kernel_mesh<Geometry>;
+  using Block = Mesh_block<Geometry>;
+  using Point = typename Geometry::Point;
+
+  /// Triangles in no block stay where they are. Handles of these triangles and of all vertices stay what they are.
+  Mesh_blocks(Mesh& whole, Block_cut cut)
+      : whole_(whole), cut_(std::move(cut)), blocks_(cut_.number_of_blocks()) {
+    assign_triangles();
+  }
+
+  std::size_t size() const { return blocks_.size(); }
+  const Block& operator[](std::size_t b) const { return *blocks_[b]; }
+  /// The block in which a triangle of the whole mesh is, -1 for none.
+  Block_id block_of(Triangle_id t) const { return assignment_[t].block; }
+  /// The handle that a triangle has in its block, when that is taken out.
+  Triangle_id place_of(Triangle_id t) const { return assignment_[t].triangle; }
+
+  /// Takes the blocks out and calls `work(block)` for each; calls for different blocks may overlap. The whole mesh
+  /// must not be changed meanwhile.
+  template <class Work>
+  void for_each(const Work& work) {
+    Executor<Concurrency_tag>::run(size(), [&](std::size_t b) {
+      const Triangle_id* t = cut_.triangles.data();
+      blocks_[b] = std::make_unique<Block>(whole_, assignment_, static_cast<Block_id>(b), t + cut_.first[b],
+                                           t + cut_.first[b + 1]);
+      work(*blocks_[b]);
+    });
+  }
+
+  /// Puts all blocks back. The sides at seams are left in `seam_sides()`.
+  void put_back() {
+    make_room();
+    Executor<Concurrency_tag>::run(size(), [&](std::size_t b) { blocks_[b]->write(whole_); });
+    for (const auto& block : blocks_) block->write_shared(whole_);
+    close_seams();
+  }
+
+  /// The sides along which blocks were put together.
+  const std::vector<Side>& seam_sides() const { return seam_sides_; }
+
+private:
+  Mesh& whole_;
+  Block_cut cut_;
+  Block_assignment assignment_;
+  std::vector<std::unique_ptr<Block>> blocks_;
+  std::vector<Side> seam_sides_;
+
+  void assign_triangles() {
+    assignment_.of_vertex.resize(whole_.number_of_vertices(), -1);
+    assignment_.of_triangle.resize(whole_.triangles.size());
+    Executor<Concurrency_tag>::run(cut_.number_of_blocks(), [&](std::size_t b) {
+      for (std::size_t i = cut_.first[b]; i < cut_.first[b + 1]; ++i)
+        assignment_.of_triangle[std::size_t(cut_.triangles[i])] = {
+            static_cast<Block_id>(b), static_cast<Triangle_id>(i - cut_.first[b])};
+    });
+  }
+
+  void make_room() {
+    std::size_t triangles = whole_.triangles.size(), vertices = whole_.number_of_vertices();
+    std::vector<std::size_t> first_triangle, first_vertex;
+    for (const auto& block : blocks_) {
+      first_triangle.push_back(triangles), first_vertex.push_back(vertices);
+      triangles += block->number_of_new_triangles(), vertices += block->number_of_new_vertices();
+    }
+    whole_.resize(vertices, triangles);
+    Executor<Concurrency_tag>::run(size(), [&](std::size_t b) {
+      blocks_[b]->name_new(static_cast<Triangle_id>(first_triangle[b]),
+                           static_cast<Vertex_id>(first_vertex[b]));
+    });
+  }
+
+  /// Links what was apart: the two sides of a seam remember the same pair of sides of the whole mesh as it was.
+  void close_seams() {
+    struct Half {
+      Side here, beyond, now;
+    };
+    std::vector<Half> halves;
+    for (const auto& block : blocks_)
+      for (const auto& s : block->seams()) halves.push_back({s.here, s.beyond, s.now});
+    const auto word = [](Side s) { return 4 * std::int64_t(s.triangle()) + s.slot(); };
+    const auto lower = [&](const Half& h) { return std::min(word(h.here), word(h.beyond)); };
+    std::sort(halves.begin(), halves.end(), [&](const Half& g, const Half& h) {
+      return lower(g) != lower(h) ? lower(g) < lower(h) : word(g.here) < word(h.here);
+    });
+    for (std::size_t i = 0; i < halves.size(); ++i) {
+      const Half& h = halves[i];
+      const bool is_pair = i + 1 < halves.size() && lower(halves[i + 1]) == lower(h);
+      const Side other = is_pair ? halves[++i].now : h.beyond; // else a triangle that was in no block
+      whole_.link(h.now.triangle(), h.now.slot(),
+                  Side(other.triangle(), other.slot(), h.beyond.is_constrained()));
+      seam_sides_.push_back(h.now);
+    }
+  }
+};
+
+} // namespace internal
+} // namespace Quadtree_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_MESH_BLOCKS_H

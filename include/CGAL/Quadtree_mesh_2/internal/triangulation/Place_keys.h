@@ -1,0 +1,64 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+//
+// Keys that sort places into the shuffle order of the squares of a coarse grid.
+
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_PLACE_KEYS_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_PLACE_KEYS_H
+
+#include <CGAL/Quadtree_mesh_2/internal/geometry/meshing_geometry.h>
+#include <CGAL/Quadtree_mesh_2/internal/grid/morton.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+namespace CGAL {
+namespace Quadtree_mesh_2 {
+namespace internal {
+
+/// How squares are placed; those of different shifts have no side in common.
+enum class Square_shift { none, third_of_root };
+
+template <class Geometry>
+class Place_keys {
+public:
+  using Point = typename Geometry::Point;
+
+  /// The grid covers the box of the points, with 2^15 squares along its longer side.
+  explicit Place_keys(const std::vector<Point>& points, Square_shift shift = Square_shift::none)
+      : low_(points.front()), offset_(shift == Square_shift::none ? 0 : 65536.0 / 3) {
+    Point high = low_;
+    for (const Point& p : points) {
+      low_.x = std::min(low_.x, p.x), low_.y = std::min(low_.y, p.y);
+      high.x = std::max(high.x, p.x), high.y = std::max(high.y, p.y);
+    }
+    const Vector size = Geometry::difference(high, low_);
+    scale_ = last_square / std::max(std::max(size.x, size.y), 1e-300);
+  }
+
+  /// The key, of 32 bits, of a place; of those outside the box that of the square next to it.
+  std::uint64_t operator()(const Point& p) const {
+    const Vector d = Geometry::difference(p, low_);
+    return interleave(coordinate(d.x), coordinate(d.y));
+  }
+
+private:
+  static constexpr double last_square = 32767;
+
+  Point low_;
+  double offset_, scale_;
+
+  std::uint32_t coordinate(double x) const {
+    return static_cast<std::uint32_t>(std::min(std::max(scale_ * x, 0.0), last_square) + offset_);
+  }
+};
+
+} // namespace internal
+} // namespace Quadtree_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_PLACE_KEYS_H

@@ -1,0 +1,72 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+//
+// The star of a Steiner vertex: its triangles counterclockwise, and the link around it.
+
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_STAR_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_STAR_H
+
+#include <CGAL/Quadtree_mesh_2/internal/triangulation/Kernel_mesh.h>
+
+namespace CGAL {
+namespace Quadtree_mesh_2 {
+namespace internal {
+
+/// Triangle i of a star has the link edge from `link[i]` to `link[i + 1]` opposite the vertex. A closed star
+/// has as many link vertices as triangles (and `link[size]` repeats the first), an open one has one more.
+struct Star {
+  static constexpr int max_size = 28;
+
+  int size = 0; ///< number of triangles
+  bool is_closed = false;
+  Vertex_id link[max_size + 1];
+  Side corner[max_size]; ///< triangle, and slot of the vertex in it
+
+  int number_of_link_vertices() const { return is_closed ? size : size + 1; }
+
+  /// Collects the star of v, a Steiner vertex; false if it has more than `max_size` triangles, or goes on beyond
+  /// a seam.
+  template <class Geometry>
+  bool collect(const Kernel_mesh<Geometry>& mesh, Vertex_id v) {
+    using Mesh = Kernel_mesh<Geometry>;
+    size = 0;
+    const Triangle_id first = mesh.edge(v) >= 0 ? clockwise_most(mesh, v) : mesh.incident_triangle(v);
+    if (first < 0) return false;
+    int i = Mesh::slot_of(mesh.triangle(first), v);
+    for (Triangle_id t = first;;) {
+      if (size == max_size) return false;
+      const auto& r = mesh.triangle(t);
+      link[size] = r.v[next_slot[i]];
+      corner[size++] = Side(t, i);
+      link[size] = r.v[previous_slot[i]];
+      const Side o = r.side[next_slot[i]];
+      is_closed = !o.is_border() && o.triangle() == first;
+      if (o.is_border()) return !o.is_seam();
+      if (is_closed) return true;
+      t = o.triangle();
+      i = next_slot[o.slot()]; // the common side runs from v to the last link vertex, seen from there
+    }
+  }
+
+private:
+  template <class Geometry>
+  static Triangle_id clockwise_most(const Kernel_mesh<Geometry>& mesh, Vertex_id v) {
+    const Triangle_id start = mesh.incident_triangle(v);
+    for (Triangle_id t = start;;) {
+      const auto& r = mesh.triangle(t);
+      const Side o = r.side[previous_slot[Kernel_mesh<Geometry>::slot_of(r, v)]];
+      if (o.is_border()) return o.is_seam() ? -1 : t;
+      t = o.triangle();
+      if (t == start) return t;
+    }
+  }
+};
+
+} // namespace internal
+} // namespace Quadtree_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_STAR_H

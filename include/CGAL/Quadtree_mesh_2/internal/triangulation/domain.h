@@ -1,0 +1,249 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+//
+// Restricts the first triangulation to the domain, and labels its components with the input's regions.
+//
+// Constrained edges divide the plane into components, which are flooded by nesting level. Level 0 is
+// connected to infinity. Level i + 1 is reached from level i across a constrained edge and is in no lower
+// level (the levels of CGAL's mark_domain_in_triangulation()). The rule of the options then determines which
+// components are kept. Holes and regions are located before anything is dropped, so that no walk is blocked.
+// O(n), and a walk for each hole and region.
+//
+// If the point of a hole or region lies on a segment with the same component on both sides, it belongs to
+// that component. Otherwise it is ambiguous, and refused. Whether it lies on a segment is decided exactly.
+//
+// From here on the mesh is the domain alone, and no walk leaves it. Features behind an outside gap, however
+// thin, are not seen and force nothing (distances are geodesic).
+
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_DOMAIN_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_DOMAIN_H
+
+#include <CGAL/Quadtree_mesh_2/internal/triangulation/Kernel_mesh.h>
+#include <CGAL/Quadtree_mesh_2/internal/triangulation/Place_keys.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel/radix_sort.h>
+#include <CGAL/Quadtree_mesh_2/internal/triangulation/walk.h>
+#include <CGAL/Quality_mesh_options_2.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Quadtree_mesh_2 {
+namespace internal {
+
+/// Drops the triangles of a mesh that are not kept, and the vertices from the given one on; keeps the order of the
+/// others.
+template <class Mesh>
+void keep_triangles(Mesh& mesh, const std::vector<char>& is_kept, std::size_t end_of_vertices) {
+  std::vector<Triangle_id> new_id(mesh.triangles.size(), -1);
+  Triangle_id kept = 0;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    if (is_kept[t] != 0) new_id[t] = kept++;
+
+  mesh.points.resize(end_of_vertices), mesh.edge_of.resize(end_of_vertices);
+  mesh.is_dirty.resize(end_of_vertices);
+  mesh.triangle_of.assign(end_of_vertices, -1);
+  for (std::size_t t = 0; t < new_id.size(); ++t) {
+    if (new_id[t] < 0) continue;
+    auto r = mesh.triangles[t];
+    for (int k = 0; k < 3; ++k) {
+      const Side o = r.side[k];
+      const Triangle_id u = o.is_border() ? -1 : new_id[std::size_t(o.triangle())];
+      r.side[k] = u < 0 ? Side::border() : Side(u, o.slot(), o.is_constrained());
+      mesh.triangle_of[std::size_t(r.v[k])] = new_id[t];
+    }
+    mesh.triangle(new_id[t]) = r;
+    mesh.set_region(new_id[t], mesh.region(static_cast<Triangle_id>(t)));
+  }
+  mesh.triangles.resize(std::size_t(kept));
+  if (!mesh.region_of.empty()) mesh.region_of.resize(std::size_t(kept));
+}
+
+/// Thrown if the point of a hole or region lies on a segment, or an end of one, with several components around.
+struct Ambiguous_seed {
+  enum class Of { HOLE, REGION };
+  Of of;
+  std::size_t number;
+  Vertex_id a, b; ///< the point is between these vertices; `a` where they are the same
+};
+
+template <class Geometry>
+class Domain_finder {
+public:
+  using Mesh = Kernel_mesh<Geometry>;
+  using Point = typename Geometry::Point;
+  using Rule = Quality_mesh_options_2::Domain;
+
+  /// The last `number_of_auxiliary_vertices` vertices of the mesh are outside whatever the rule.
+  Domain_finder(Mesh& mesh, std::size_t number_of_auxiliary_vertices)
+      : mesh_(mesh), first_auxiliary_(mesh.points.size() - number_of_auxiliary_vertices) {}
+
+  /// Keeps the domain only, in the order it had; the mesh is empty afterward if there is none. If there are
+  /// regions, `Kernel_mesh::region_of` tells for each triangle the first one whose point is in its component.
+  /// \throws Ambiguous_seed
+  void run(Rule rule, const std::vector<Point>& holes, const std::vector<Point>& regions) {
+    find_levels(rule == Rule::NESTING_PARITY ? std::numeric_limits<std::int32_t>::max() : 1);
+    is_kept_.resize(mesh_.triangles.size());
+    for (std::size_t t = 0; t < is_kept_.size(); ++t) is_kept_[t] = is_kept_by(rule, level_[t]);
+    label(regions);
+    if (rule == Rule::MARKED)
+      for (std::size_t t = 0; t < is_kept_.size(); ++t)
+        is_kept_[t] = level_[t] > 0 && !regions.empty() && mesh_.region_of[t] >= 0;
+    for (const Triangle_id t : triangles_at(holes, Ambiguous_seed::Of::HOLE)) drop_component(t);
+    keep_triangles(mesh_, is_kept_, first_auxiliary_);
+  }
+
+private:
+  Mesh& mesh_;
+  std::size_t first_auxiliary_;
+  std::vector<std::int32_t> level_; // per triangle
+  std::vector<char> is_kept_;       // per triangle
+  std::vector<Triangle_id> stack_;
+
+  static char is_kept_by(Rule rule, std::int32_t level) {
+    return rule == Rule::NESTING_PARITY ? level % 2 == 1 : level > 0;
+  }
+
+  /// The triangle that holds each point, -1 for none, by walks from one to the next in shuffle order.
+  std::vector<Triangle_id> triangles_at(const std::vector<Point>& points, Ambiguous_seed::Of of) {
+    std::vector<Triangle_id> found(points.size(), -1);
+    if (points.empty()) return found;
+    const Place_keys<Geometry> key(mesh_.points);
+    Triangle_id hint = 0;
+    for (const std::uint32_t i :
+         radix_order(points.size(), 1, [&](std::uint32_t p, int) { return key(points[p]) << 32; })) {
+      const Walk_end end = locate_exactly(mesh_, hint, points[i]);
+      hint = end.triangle;
+      if (end.is_blocked()) continue;
+      found[i] = end.triangle;
+      check_place(end.triangle, points[i], {of, i, -1, -1});
+    }
+    return found;
+  }
+
+  /// \throws Ambiguous_seed if a point of the triangle is in the border of several components.
+  void check_place(Triangle_id t, const Point& p, Ambiguous_seed seed) {
+    const auto& r = mesh_.triangle(t);
+    std::vector<int> sides; // that the point is on; two at a vertex
+    for (int k = 0; k < 3; ++k)
+      if (Geometry::orientation(mesh_.point(r.v[next_slot[k]]), mesh_.point(r.v[previous_slot[k]]), p) == 0)
+        sides.push_back(k);
+    std::vector<Triangle_id> around;
+    if (sides.size() == 1) {
+      const Side side(t, sides[0]);
+      if (!mesh_.across(side).is_constrained()) return;
+      seed.a = mesh_.source(side), seed.b = mesh_.target(side);
+      around = {mesh_.across(side).triangle()};
+    } else if (sides.size() == 2) {
+      seed.a = seed.b = r.v[3 - sides[0] - sides[1]];
+      mesh_.for_each_triangle_at(seed.a, [&](Triangle_id u, int) { around.push_back(u); });
+    }
+    if (!is_one_component(t, around)) throw seed;
+  }
+
+  bool is_one_component(Triangle_id first, const std::vector<Triangle_id>& others) {
+    if (others.empty()) return true;
+    std::vector<char> is_reached(mesh_.triangles.size(), 0);
+    is_reached[std::size_t(first)] = 1;
+    stack_.push_back(first);
+    flood([&](Triangle_id t) { return std::exchange(is_reached[std::size_t(t)], char(1)) == 0; },
+          [](Triangle_id) {});
+    return std::all_of(others.begin(), others.end(),
+                       [&](Triangle_id t) { return is_reached[std::size_t(t)] != 0; });
+  }
+
+  /// Calls `visit(t)` for the triangles that are reached from those on the stack without crossing a
+  /// constrained side and for which it returns true, and for those across constrained sides `across(t)`.
+  template <class Visit, class Across>
+  void flood(Visit visit, Across across) {
+    while (!stack_.empty()) {
+      const Triangle_id t = stack_.back();
+      stack_.pop_back();
+      for (const Side o : mesh_.triangle(t).side) {
+        if (o.is_border()) continue;
+        if (o.is_constrained())
+          across(o.triangle());
+        else if (visit(o.triangle()))
+          stack_.push_back(o.triangle());
+      }
+    }
+  }
+
+  /// The levels below `most` by flooding; all that is left has the level `most`.
+  void find_levels(std::int32_t most) {
+    level_.assign(mesh_.triangles.size(), most);
+    std::vector<Triangle_id> seeds, next;
+    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
+      for (const Vertex_id v : mesh_.triangles[t].v)
+        if (std::size_t(v) >= first_auxiliary_) seeds.push_back(static_cast<Triangle_id>(t));
+    for (std::int32_t level = 0; level < most && !seeds.empty(); ++level) {
+      const auto visit = [&](Triangle_id t) {
+        if (level_[std::size_t(t)] < most) return false;
+        level_[std::size_t(t)] = level;
+        return true;
+      };
+      for (const Triangle_id t : seeds)
+        if (visit(t)) stack_.push_back(t);
+      next.clear();
+      flood(visit, [&](Triangle_id t) {
+        if (level_[std::size_t(t)] == most) next.push_back(t);
+      });
+      std::swap(seeds, next);
+    }
+  }
+
+  void label(const std::vector<Point>& regions) {
+    mesh_.region_of.clear();
+    if (regions.empty()) return;
+    mesh_.region_of.assign(mesh_.triangles.size(), -1);
+    const std::vector<Triangle_id> holders = triangles_at(regions, Ambiguous_seed::Of::REGION);
+    for (std::size_t i = 0; i < regions.size(); ++i) {
+      const auto visit = [&](Triangle_id t) {
+        Region_id& region = mesh_.region_of[std::size_t(t)];
+        if (region >= 0) return false;
+        region = static_cast<Region_id>(i);
+        return true;
+      };
+      const Triangle_id first = holders[i];
+      if (first < 0 || level_[std::size_t(first)] == 0 || !visit(first)) continue;
+      stack_.push_back(first);
+      flood(visit, [](Triangle_id) {});
+    }
+  }
+
+  void drop_component(Triangle_id first) {
+    const auto visit = [&](Triangle_id t) {
+      if (is_kept_[std::size_t(t)] == 0) return false;
+      is_kept_[std::size_t(t)] = 0;
+      return true;
+    };
+    if (first < 0 || !visit(first)) return;
+    stack_.push_back(first);
+    flood(visit, [](Triangle_id) {});
+  }
+};
+
+/// What of the plane is meshed.
+template <class Geometry>
+struct Domain_rule {
+  Quality_mesh_options_2::Domain rule = Quality_mesh_options_2::Domain::ENCLOSED;
+  std::vector<typename Geometry::Point> holes, regions;
+
+  template <class Mesh>
+  void apply(Mesh& mesh, std::size_t number_of_auxiliary_vertices) const {
+    Domain_finder<Geometry>(mesh, number_of_auxiliary_vertices).run(rule, holes, regions);
+  }
+};
+
+} // namespace internal
+} // namespace Quadtree_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_DOMAIN_H

@@ -1,0 +1,59 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+//
+// Whether a place for a new vertex is far enough from the vertices in sight of it.
+//
+// The edges that an insertion makes go to the vertices of certain triangles: those whose circles hold the
+// place and that are reached from it without crossing a constrained side (Lawson, 1977). The nearest vertex
+// in sight is among them. So only these vertices are looked at. O(size of the cavity), a constant on average.
+
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_LEAST_EDGE_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_LEAST_EDGE_H
+
+#include <CGAL/Quadtree_mesh_2/internal/triangulation/Kernel_mesh.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <initializer_list>
+#include <vector>
+
+namespace CGAL {
+namespace Quadtree_mesh_2 {
+namespace internal {
+
+/// Whether a vertex at q, inside the first of `holders` or on the side that both share, is no nearer than the
+/// root of `least` to any other one it would be joined with. `-1` among the holders is none.
+template <class Geometry>
+bool has_room(const Kernel_mesh<Geometry>& mesh, std::initializer_list<Triangle_id> holders,
+              const typename Geometry::Point& q, double least) {
+  if (least <= 0) return true;
+  std::vector<Triangle_id> cavity;
+  for (const Triangle_id t : holders)
+    if (t >= 0) cavity.push_back(t);
+  for (std::size_t i = 0; i < cavity.size(); ++i) {
+    const auto& r = mesh.triangle(cavity[i]);
+    for (int k = 0; k < 3; ++k) {
+      if (squared_length(Geometry::scaled_difference(mesh.point(r.v[k]), q)) < least) return false;
+      const Side o = r.side[k];
+      if (o.is_seam()) return false; // nobody knows what lies beyond
+      if (o.is_constrained() || std::find(cavity.begin(), cavity.end(), o.triangle()) != cavity.end())
+        continue;
+      const auto& n = mesh.triangle(o.triangle());
+      const Basic_in_circle<typename Geometry::Number> test(
+          Geometry::scaled_difference(mesh.point(n.v[0]), q),
+          Geometry::scaled_difference(mesh.point(n.v[1]), q),
+          Geometry::scaled_difference(mesh.point(n.v[2]), q));
+      if (test.is_positive()) cavity.push_back(o.triangle());
+    }
+  }
+  return true;
+}
+
+} // namespace internal
+} // namespace Quadtree_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_LEAST_EDGE_H

@@ -1,0 +1,533 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+
+#include "catch.h"
+#include "pslg_test_tools.h"
+#include "scratch_folder.h"
+
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/IO/Triangle_files.h>
+#include <CGAL/Quadtree_mesh_2/internal/output/boundary_markers.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <locale>
+#include <random>
+#include <sstream>
+#include <string>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+using namespace pslg_test;
+using Mesh = CGAL::Indexed_mesh_2<Point>;
+using Triangle_index = CGAL::Quadtree_mesh_2::Triangle_index;
+
+namespace {
+
+Pslg parse(const std::string& text) {
+  Pslg pslg;
+  std::istringstream in(text);
+  CGAL::IO::read_triangle_poly(in, pslg, "test.poly");
+  return pslg;
+}
+
+std::string parse_error(const std::string& text) {
+  return error_of([&] { parse(text); });
+}
+
+bool have_same_bits(double a, double b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+
+bool have_same_bits(const Pslg& a, const Pslg& b) {
+  const auto same_points = [](const Point& p, const Point& q) {
+    return have_same_bits(p.x(), q.x()) && have_same_bits(p.y(), q.y());
+  };
+  const auto same_numbers = [](double x, double y) { return have_same_bits(x, y); };
+  const auto same_regions = [&](const Pslg::Region& r, const Pslg::Region& s) {
+    return same_points(r.point, s.point) && r.attribute == s.attribute && r.max_area == s.max_area;
+  };
+  return std::equal(a.vertices.begin(), a.vertices.end(), b.vertices.begin(), b.vertices.end(),
+                    same_points) &&
+         a.vertex_markers == b.vertex_markers &&
+         a.number_of_vertex_attributes == b.number_of_vertex_attributes &&
+         std::equal(a.vertex_attributes.begin(), a.vertex_attributes.end(), b.vertex_attributes.begin(),
+                    b.vertex_attributes.end(), same_numbers) &&
+         a.segments == b.segments && a.segment_markers == b.segment_markers &&
+         std::equal(a.holes.begin(), a.holes.end(), b.holes.begin(), b.holes.end(), same_points) &&
+         std::equal(a.regions.begin(), a.regions.end(), b.regions.begin(), b.regions.end(), same_regions);
+}
+
+const char* const full_example = R"(# A box with everything.
+5 2 2 1   # vertices, dimension, attributes, markers
+
+ # numbered from 1
+1 +0 0 0.5 1e2 7
+2	4 0	1.5 2e2 8 # a comment behind numbers
+3 4. 4 2.5 3e2 9
+
+4 0 4e0 3.5 -4E+2 -10
+5 1 .5 4.5 5e-2 0
+4 1
+1 1 2 11
+2 2 3 12
+3 3 4 13
+4 4 1 0
+2 # holes
+1 1 1
+2 2.5 +2.5
+2 # regions
+1 3 3 17 0.25
+2 0.5 0.5 -18
+)";
+
+/// A square of two triangles with one Steiner vertex on segment 2 and an input vertex that no triangle uses.
+struct Small_mesh {
+  Pslg pslg = make_pslg<double>({{0, 0}, {1, 0}, {1, 1}, {0, 1}, {9, 9}}, {{0, 1}, {1, 2}, {2, 3}, {3, 0}});
+  Mesh mesh;
+
+  Small_mesh() {
+    mesh.number_of_input_vertices = 5;
+    mesh.points = pslg.vertices;
+    mesh.points.push_back(Point(0.5, 1));
+    mesh.segment_of_vertex.assign(6, Segment_index());
+    mesh.segment_of_vertex[5] = Segment_index(2);
+    add_triangle({0, 1, 5}, {1, 2, -1});
+    add_triangle({1, 2, 5}, {-1, 0, -1});
+    add_triangle({0, 5, 3}, {-1, -1, 0});
+    const std::size_t edges[5][3] = {{0, 1, 0}, {1, 2, 1}, {2, 5, 2}, {5, 3, 2}, {3, 0, 3}};
+    for (const auto& e : edges)
+      mesh.constrained_edges.push_back({{Vertex_index(e[0]), Vertex_index(e[1])}, Segment_index(e[2])});
+  }
+
+private:
+  void add_triangle(std::array<std::size_t, 3> vertices, std::array<int, 3> neighbors) {
+    std::array<Vertex_index, 3> v;
+    std::array<Triangle_index, 3> n;
+    for (std::size_t k = 0; k < 3; ++k) {
+      v[k] = Vertex_index(vertices[k]);
+      if (neighbors[k] >= 0) n[k] = Triangle_index(static_cast<std::size_t>(neighbors[k]));
+    }
+    mesh.triangles.push_back(v);
+    mesh.neighbors.push_back(n);
+  }
+};
+
+/// Writes decimal commas and groups digits.
+struct Odd_punctuation : std::numpunct<char> {
+  char do_decimal_point() const override { return ','; }
+  char do_thousands_sep() const override { return '.'; }
+  std::string do_grouping() const override { return "\3"; }
+};
+
+} // namespace
+
+TEST_CASE("a .poly file with everything is read", "[triangle_files]") {
+  const Pslg pslg = parse(full_example);
+  CHECK(pslg.vertices == std::vector<Point>{{0, 0}, {4, 0}, {4, 4}, {0, 4}, {1, 0.5}});
+  CHECK(pslg.vertex_markers == std::vector<int>{7, 8, 9, -10, 0});
+  CHECK(pslg.number_of_vertex_attributes == 2);
+  CHECK(pslg.vertex_attributes == std::vector<double>{0.5, 100, 1.5, 200, 2.5, 300, 3.5, -400, 4.5, 0.05});
+  const Pslg expected = make_pslg<double>({}, {{0, 1}, {1, 2}, {2, 3}, {3, 0}});
+  CHECK(pslg.segments == expected.segments);
+  CHECK(pslg.segment_markers == std::vector<int>{11, 12, 13, 0});
+  CHECK(pslg.holes == std::vector<Point>{{1, 1}, {2.5, 2.5}});
+  REQUIRE(pslg.regions.size() == 2);
+  CHECK(pslg.regions[0].point == Point(3, 3));
+  CHECK(pslg.regions[0].attribute == 17);
+  CHECK(pslg.regions[0].max_area == 0.25);
+  CHECK(pslg.regions[1].attribute == -18);
+  CHECK(pslg.regions[1].max_area == 0);
+}
+
+TEST_CASE("line ends, numbering and missing columns do not matter", "[triangle_files]") {
+  const Pslg expected = make_pslg<double>({{0, 0}, {1, 0}, {0, 1}}, {{0, 1}, {1, 2}});
+  CHECK(have_same_bits(parse("3 2 0 0\n0 0 0\n1 1 0\n2 0 1\n2 0\n0 0 1\n1 1 2\n0\n"), expected));
+  CHECK(have_same_bits(parse("3 2 0 0\n1 0 0\n2 1 0\n3 0 1\n2 0\n0 1 2\n1 2 3\n0"), expected));
+  CHECK(have_same_bits(parse("3 2 0 0\r\n1 0 0\r\n2 1 0\r\n3 0 1\r\n2 0\r\n1 1 2\r\n2 2 3\r\n0\r\n\r\n"),
+                       expected));
+  CHECK(have_same_bits(parse("\xef\xbb\xbf"
+                             "3 2 0 0\r1 0 0\r2 1 0\r3 0 1\r2 0\r1 1 2\r2 2 3\r0"),
+                       expected));
+  CHECK(have_same_bits(parse("3 2 0 0\n0 0 0\n1\t1\f0\n2\v0 1\n2 0\n0 0 1\n1 1 2\n0"), expected));
+  CHECK(have_same_bits(parse("3\n1 0 0#\n2 1 0#x\n3 0 1 99\n2\n1 1 2 5\n2 2 3 6\n0\n0\n"), expected));
+  CHECK(parse("3\n0 0 0\n1 1 0\n2 0 1\n0\n0\n1\n1 0.1 0.1 5 -1\n").regions[0].max_area == 0);
+}
+
+TEST_CASE("coordinates of other kernels and of words are read", "[triangle_files]") {
+  std::istringstream in("3\n0 0 0\n1 1 0.5\n2 0 1\n0\n0\n");
+  CGAL::Pslg_2<CGAL::Exact_predicates_exact_constructions_kernel::Point_2> exact;
+  CGAL::IO::read_triangle_poly(in, exact);
+  CHECK(exact.vertices[1].y() == 0.5);
+
+  CGAL::Pslg_2<Word_point<std::uint64_t>> words;
+  std::istringstream word_in("3\n0 0 0\n1 18446744073709551615 0\n2 0 +1\n0\n0\n");
+  CGAL::IO::read_triangle_poly(word_in, words);
+  CHECK(words.vertices[1].x() == (std::numeric_limits<std::uint64_t>::max)());
+
+  CGAL::Pslg_2<Word_point<std::uint32_t>> narrow;
+  for (const std::string number : {"-1", "0.5", "4294967296"}) {
+    std::istringstream bad("1\n0 3 " + number + "\n0\n0\n");
+    CHECK(has_text(error_of([&] { CGAL::IO::read_triangle_poly(bad, narrow); }),
+                   "input:2: y of vertex 0: '" + number + "' is "));
+  }
+}
+
+TEST_CASE("a .poly file without vertices takes them from its .node file", "[triangle_files]") {
+  const Scratch_folder folder;
+  const std::string poly = folder.write("box.1.poly", "0 2 0 0\n3 0\n0 1 2\n1 2 3\n2 3 1\n0\n");
+  Pslg pslg;
+  CHECK(has_text(error_of([&] { CGAL::IO::read_triangle_poly(poly, pslg); }),
+                 "box.1.poly:1: no vertices here"));
+
+  folder.write("box.1.node", "3 2 1 1\n1 0 0 0.5 4\n2 1 0 0.25 5\n3 0 1 0.125 6\n");
+  CGAL::IO::read_triangle_poly(poly, pslg);
+  CHECK(pslg.vertices == std::vector<Point>{{0, 0}, {1, 0}, {0, 1}});
+  CHECK(pslg.vertex_markers == std::vector<int>{4, 5, 6});
+  CHECK(pslg.vertex_attributes == std::vector<double>{0.5, 0.25, 0.125});
+  CHECK(pslg.segments == make_pslg<double>({}, {{0, 1}, {1, 2}, {2, 0}}).segments);
+
+  folder.write("box.1.node", "3 2 0 0\n1 0 0\n2 1 0\n3 0 what\n");
+  CHECK(has_text(error_of([&] { CGAL::IO::read_triangle_poly(poly, pslg); }),
+                 "box.1.node:4: y of vertex 3: 'what'"));
+  CHECK(pslg.vertex_markers.size() == 3);
+}
+
+TEST_CASE("what is wrong with a malformed file is told with its line", "[triangle_files]") {
+  const std::string triangle = "3 2 0 0\n0 0 0\n1 1 0\n2 0 1\n";
+  const std::vector<std::pair<std::string, std::string>> cases = {
+      {"", ":1: the file ends where the number of vertices is expected"},
+      {"# nothing\n\n", ":2: the file ends where the number of vertices is expected"},
+      {"lake\n", ":1: the number of vertices: 'lake' is not an integer"},
+      {"-3 2 0 0\n", ":1: the number of vertices is negative"},
+      {"2.5 2 0 0\n", ":1: the number of vertices: '2.5' is not an integer"},
+      {"99999999999999999999 2\n", ":1: the number of vertices: '99999999999999999999' is too large"},
+      {"1000000000000 2 0 0\n0 0 0\n",
+       ":1: the number of vertices, 1000000000000, is more than indices can name"},
+      {std::string("3 2 0 0\n0 0 \0\n", 14), ":2: y of vertex 0: '\\x00' is not a number"},
+      {"3 2 0 0\n0 0 " + std::string(1 << 20, '7') + "x\n",
+       ":2: y of vertex 0: '7777777777777777777777777777777777777777...' is not a number"},
+      {"3 2 0 0\n1 0 0\n1 1 0\n", ":3: vertex 1 stands where vertex 2 is expected"},
+      {triangle + "-1\n", ":5: the number of segments is negative"},
+      {triangle + "0\n-1\n", ":6: the number of holes is negative"},
+      {triangle + "0\n0\n1000000000000\n", ":7: the number of regions, 1000000000000, is more than"},
+      {"5000000000 2 0 0\n", ":1: the number of vertices, 5000000000, is more than indices can name"},
+      {"4000000000 2 0 0\n0 0 0\n", ":2: the file ends where vertex 1 is expected"},
+      {"4000000000 2 4000000000 1\n0 0 0\n", ":2: the line ends where an attribute of vertex 0 is expected"},
+      {"3 3 0 0\n0 0 0 0\n", ":1: the dimension is 3 instead of 2"},
+      {"3 2 0 2\n0 0 0 0\n", ":1: the number of markers is 2 instead of 0 or 1"},
+      {"3 2 0 0 x\n", ":1: a column behind the header: 'x' is not a number"},
+      {"3 2 0 0\n2 0 0\n", ":2: the first vertex has the number 2 instead of 0 or 1"},
+      {"3 2 0 0\n1 0 0\n3 1 0\n", ":3: vertex 3 stands where vertex 2 is expected"},
+      {"3 2 0 0\n0 0 0\n1 1 zero\n", ":3: y of vertex 1: 'zero' is not a number"},
+      {"3 2 0 0\n0 0 0\n1 1.5x 0\n", ":3: x of vertex 1: '1.5x' is not a number"},
+      {"3 2 0 0\n0 0 0\n1 1,5 0\n", ":3: x of vertex 1: '1,5' is not a number"},
+      {"3 2 0 0\n0 0 0\n1 0x10 0\n", ":3: x of vertex 1: '0x10' is not a number"},
+      {"3 2 0 0\n0 0 0\n1 ++1 0\n", ":3: x of vertex 1: '++1' is not a number"},
+      {"3 2 0 0\n0 0 0\n1 +-1 0\n", ":3: x of vertex 1: '+-1' is not a number"},
+      {"3 2 0 0\n0 0 0\n1 + 0\n", ":3: x of vertex 1: '+' is not a number"},
+      {"3 2 0 0\n0 0 0\n1 nan 0\n", ":3: x of vertex 1: 'nan' is not finite"},
+      {"3 2 0 0\n0 0 0\n1 0 -inf\n", ":3: y of vertex 1: '-inf' is not finite"},
+      {"3 2 0 0\n0 0 0\n1 0 Infinity\n", ":3: y of vertex 1: 'Infinity' is not finite"},
+      {"3 2 0 0\n0 0 0\n1 0 1e400\n", ":3: y of vertex 1: '1e400' is too large or too small"},
+      {"3 2 0 0\n0 0 0\n1 0\n", ":3: the line ends where y of vertex 1 is expected"},
+      {"3 2 0 0\n0 0 0\n1 0 # 1\n", ":3: the line ends where y of vertex 1 is expected"},
+      {"3 2 1 0\n0 0 0\n", ":2: the line ends where an attribute of vertex 0 is expected"},
+      {"3 2 0 1\n0 0 0\n", ":2: the line ends where the marker of vertex 0 is expected"},
+      {"3 2 0 1\n0 0 0 1.5\n", ":2: the marker of vertex 0: '1.5' is not an integer"},
+      {"3 2 0 0\n0 0 0 north\n", ":2: a column behind vertex 0: 'north' is not a number"},
+      {"3 2 0 0\n0 0 0\n", ":2: the file ends where vertex 1 is expected"},
+      {triangle, ":4: the file ends where the number of segments is expected"},
+      {triangle + "x\n", ":5: the number of segments: 'x' is not an integer"},
+      {triangle + "2 0\n0 0 1\n", ":6: the file ends where segment 1 is expected"},
+      {triangle + "1 0\n0 0 3\n0\n",
+       ":6: an end of segment 0: there is no vertex 3, the vertices are 0 to 2"},
+      {triangle + "1 0\n0 -1 1\n0\n",
+       ":6: an end of segment 0: there is no vertex -1, the vertices are 0 to 2"},
+      {triangle + "1 0\n0 0\n0\n", ":6: the line ends where an end of segment 0 is expected"},
+      {triangle + "1 1\n0 0 1\n0\n", ":6: the line ends where the marker of segment 0 is expected"},
+      {triangle + "1 1\n0 0 1 3000000000\n0\n", ":6: the marker of segment 0: '3000000000' is too large"},
+      {triangle + "4000000000 1\n0 0 1 3\n0\n", ":7: the line ends where an end of segment 1 is expected"},
+      {triangle + "1 0\n0 0 1\n", ":6: the file ends where the number of holes is expected"},
+      {triangle + "0\n4000000000\n", ":6: the file ends where hole 0 is expected"},
+      {triangle + "0\n1\n0 0.5\n", ":7: the line ends where y of hole 0 is expected"},
+      {triangle + "0\n1\n0 0.5 nan\n", ":7: y of hole 0: 'nan' is not finite"},
+      {triangle + "0\n0\n2\n0 0 0 1\n", ":8: the file ends where region 1 is expected"},
+      {triangle + "0\n0\n1\n0 0.25 0.25\n", ":8: the line ends where the attribute of region 0 is expected"},
+      {triangle + "0\n0\n1\n0 0.25 0.25 1 big\n", ":8: the maximum area of region 0: 'big' is not a number"},
+      {triangle + "0\n0\n0\n17\n", ":8: nothing more is expected"},
+      {"0 2 0 0\n1 0\n0 0 1\n0\n", ":1: no vertices here"},
+  };
+  for (const auto& [text, expected] : cases) {
+    CAPTURE(text, expected, parse_error(text));
+    CHECK(has_text(parse_error(text), "test.poly" + expected));
+  }
+}
+
+TEST_CASE("a vertex is named by the number it has in the file", "[triangle_files]") {
+  CHECK(has_text(parse_error("2 2 0 0\n1 0 0\n2 0 no\n"), "y of vertex 2"));
+  CHECK(has_text(parse_error("2 2 0 0\n1 0 0\n2 0 1\n1 0\n1 0 1\n"), "no vertex 0, the vertices are 1 to 2"));
+}
+
+TEST_CASE("what a header claims is not allocated", "[triangle_files]") {
+  const auto begin = std::chrono::steady_clock::now();
+  CHECK(!parse_error("4294967294 2 4294967294 1\n0 0 0 1\n").empty());
+  CHECK(!parse_error("1 2 0 0\n0 0 0\n4294967294 1\n0 0 0 1\n").empty());
+  CHECK(std::chrono::steady_clock::now() - begin < std::chrono::seconds(1));
+}
+
+TEST_CASE("a failed read leaves its arguments alone", "[triangle_files]") {
+  const Scratch_folder folder;
+  const Pslg before = parse(full_example);
+  Pslg pslg = before;
+  std::istringstream in("3 2 0 0\n0 0 0\n");
+  CHECK_THROWS_AS(CGAL::IO::read_triangle_poly(in, pslg), CGAL::Pslg_error_2);
+  CHECK_THROWS_AS(CGAL::IO::read_triangle_node(folder.write("x.node", "3 2 0 0\n0 0 0\n"), pslg),
+                  CGAL::Pslg_error_2);
+  CHECK(have_same_bits(pslg, before));
+}
+
+TEST_CASE("files that cannot be read are named", "[triangle_files]") {
+  const Scratch_folder folder;
+  Pslg pslg;
+  const auto error = [&](const std::string& name) {
+    return error_of([&] { CGAL::IO::read_triangle_poly(name, pslg); });
+  };
+  CHECK(error(folder.file("none.poly")) ==
+        folder.file("none.poly") + ": cannot be opened: No such file or directory");
+  CHECK(has_text(error(folder.file("")), ": is a folder"));
+  CHECK(has_text(error("/dev/null"), "/dev/null:1: the file ends"));
+  CHECK(
+      has_text(error_of([&] { CGAL::IO::read_triangle_node(folder.file("none.node"), pslg); }), "none.node"));
+}
+
+TEST_CASE("files compressed by gzip are read", "[triangle_files]") {
+  Pslg pslg;
+  CGAL::IO::read_triangle_poly(data_file("us_states_10m.poly.gz"), pslg);
+  CHECK(pslg.number_of_vertices() == 11308);
+  CHECK(pslg.number_of_segments() == 11362);
+
+  const Scratch_folder folder;
+  const std::string packed = content(data_file("us_states_10m.poly.gz"));
+  const std::string half = folder.write("half.poly.gz", packed.substr(0, packed.size() / 2));
+  CHECK(error_of([&] { CGAL::IO::read_triangle_poly(half, pslg); }) ==
+        half + ": the gzip data are damaged or truncated");
+  CHECK_THROWS_AS(CGAL::IO::read_triangle_poly(folder.write("tail.poly.gz", packed + "more"), pslg),
+                  CGAL::Pslg_error_2);
+  CHECK_THROWS_AS(CGAL::IO::read_triangle_poly(
+                      folder.write("no_footer.poly.gz", packed.substr(0, packed.size() - 1)), pslg),
+                  CGAL::Pslg_error_2);
+  std::string damaged = packed;
+  damaged[damaged.size() / 2] = static_cast<char>(damaged[damaged.size() / 2] ^ 0x55);
+  CHECK_THROWS_AS(CGAL::IO::read_triangle_poly(folder.write("damaged.poly.gz", damaged), pslg),
+                  CGAL::Pslg_error_2);
+}
+
+TEST_CASE("all test inputs are read", "[triangle_files]") {
+  struct Input {
+    const char* name;
+    std::size_t vertices, segments, holes;
+  };
+  const Input inputs[] = {
+      {"gshhg_aegean_h.poly.gz", 21093, 21088, 0},
+      {"gshhg_norway_f.poly.gz", 103064, 103050, 0},
+      {"syn_comb.poly", 1003, 1003, 0},
+      {"syn_fan_1deg.poly", 365, 364, 0},
+      {"syn_holes_400.poly.gz", 2404, 2404, 400},
+      {"syn_near_1e-06.poly", 8, 6, 0},
+      {"syn_near_1e-12.poly", 8, 6, 0},
+      {"syn_parallel_0.001.poly", 8, 6, 0},
+      {"syn_sliver_1deg.poly", 3, 3, 0},
+      {"syn_square.poly", 4, 4, 0},
+      {"syn_wedge_0.01deg.poly", 7, 6, 0},
+      {"syn_wedge_10deg.poly", 7, 6, 0},
+      {"syn_wedge_1deg.poly", 7, 6, 0},
+      {"us_states_10m.poly.gz", 11308, 11362, 0},
+  };
+  for (const Input& input : inputs) {
+    CAPTURE(input.name);
+    Pslg pslg;
+    REQUIRE_NOTHROW(CGAL::IO::read_triangle_poly(data_file(input.name), pslg));
+    CHECK(pslg.number_of_vertices() == input.vertices);
+    CHECK(pslg.number_of_segments() == input.segments);
+    CHECK(pslg.holes.size() == input.holes);
+  }
+}
+
+TEST_CASE("a truncated file is an error or ends in a shorter number", "[triangle_files]") {
+  const std::string text = full_example;
+  for (std::size_t size = 0; size < text.size(); ++size) {
+    const std::string error = parse_error(text.substr(0, size)); // nothing but Pslg_error_2 may come out
+    // The last column that has to be there, and the sections behind it that may be left out.
+    const bool may_pass = size >= text.find("+2.5") + 2;
+    CAPTURE(size);
+    CHECK((may_pass || !error.empty()));
+  }
+}
+
+TEST_CASE("damaged files never do worse than an error", "[triangle_files]") {
+  std::mt19937 random(7);
+  const std::string alphabet = "0123456789+-.eE# \n\tnaif\0xyz";
+  for (int i = 0; i < 3000; ++i) {
+    std::string text = full_example;
+    for (int k = 0; k < 1 + i % 4; ++k) text[random() % text.size()] = alphabet[random() % alphabet.size()];
+    const std::string error = parse_error(text);
+    if (!error.empty()) REQUIRE(has_text(error, "test.poly:"));
+  }
+}
+
+TEST_CASE("a written graph comes back bit for bit", "[triangle_files]") {
+  const Scratch_folder folder;
+  const std::string name = folder.file("x.poly");
+  Pslg back;
+  SECTION("with everything") {
+    const Pslg pslg = parse(full_example);
+    CGAL::IO::write_triangle_poly(name, pslg);
+    CGAL::IO::read_triangle_poly(name, back);
+    CHECK(have_same_bits(pslg, back));
+    CGAL::IO::write_triangle_node(folder.file("x.node"), pslg);
+    CGAL::IO::read_triangle_node(folder.file("x.node"), back);
+    CHECK(have_same_bits(pslg.vertices[4].y(), back.vertices[4].y()));
+    CHECK(back.vertex_attributes == pslg.vertex_attributes);
+    CHECK(back.vertex_markers == pslg.vertex_markers);
+    CHECK(back.segments.empty());
+  }
+  SECTION("with any bits in its coordinates") {
+    std::mt19937_64 random(11);
+    const auto any_double = [&random] {
+      double x;
+      do {
+        const std::uint64_t bits = random();
+        std::memcpy(&x, &bits, sizeof x);
+      } while (!std::isfinite(x));
+      return x;
+    };
+    Pslg pslg;
+    using Limits = std::numeric_limits<double>;
+    for (const double x :
+         {-0., Limits::denorm_min(), -Limits::min(), Limits::max(), 0.1, 1e23, 9007199254740993.})
+      pslg.add_vertex(Point(x, -x));
+    for (int i = 0; i < 20000; ++i) pslg.add_vertex(Point(any_double(), any_double()));
+    CGAL::IO::write_triangle_poly(name, pslg);
+    CGAL::IO::read_triangle_poly(name, back);
+    CHECK(have_same_bits(pslg, back));
+  }
+}
+
+TEST_CASE("the locale does not matter", "[triangle_files]") {
+  const Scratch_folder folder;
+  const std::locale odd(std::locale::classic(), new Odd_punctuation);
+  const std::locale before = std::locale::global(odd);
+  Pslg pslg, back;
+  const std::string error = error_of([&] {
+    pslg = parse(full_example);
+    CGAL::IO::write_triangle_poly(folder.file("x.poly"), pslg);
+    CGAL::IO::read_triangle_poly(folder.file("x.poly"), back);
+  });
+  std::locale::global(before);
+  CHECK(error.empty());
+  CHECK(pslg.vertices.at(4) == Point(1, 0.5));
+  CHECK(have_same_bits(pslg, back));
+}
+
+TEST_CASE("a mesh is written as .node, .ele and .poly", "[triangle_files]") {
+  const Scratch_folder folder;
+  Small_mesh small;
+  const std::string stem = folder.file("out");
+  SECTION("of a plain graph: 1 marks the border") {
+    CGAL::Quadtree_mesh_2::internal::set_boundary_markers(small.mesh, small.pslg);
+    CGAL::IO::write_triangle_files(small.mesh, small.pslg, stem);
+    CHECK(content(stem + ".node") == "6 2 0 1\n0 0 0 1\n1 1 0 1\n2 1 1 1\n3 0 1 1\n4 9 9 0\n5 0.5 1 1\n");
+    CHECK(content(stem + ".ele") == "3 3 0\n0 0 1 5\n1 1 2 5\n2 0 5 3\n");
+    CHECK(content(stem + ".poly") == "0 2 0 1\n5 0\n0 0 1\n1 1 2\n2 2 5\n3 5 3\n4 3 0\n0\n");
+  }
+  SECTION("of a graph with markers, holes and regions") {
+    small.pslg.vertex_markers = {0, 21, 0, 0, 24};
+    small.pslg.segment_markers = {0, 11, 12, 13};
+    small.pslg.holes = {Point(5, 0.125)};
+    small.pslg.regions = {{Point(0.5, 0.5), 7.5, 0}, {Point(0.25, 0.5), 8, 0.5}};
+    small.mesh.region_of_triangle = {0, -1, 1};
+    CGAL::Quadtree_mesh_2::internal::set_boundary_markers(small.mesh, small.pslg);
+    CGAL::IO::write_triangle_files(small.mesh, small.pslg, stem);
+    CHECK(content(stem + ".node") ==
+          "6 2 0 1\n0 0 0 13\n1 1 0 21\n2 1 1 11\n3 0 1 12\n4 9 9 24\n5 0.5 1 12\n");
+    CHECK(content(stem + ".ele") == "3 3 1\n0 0 1 5 7.5\n1 1 2 5 0\n2 0 5 3 8\n");
+    CHECK(content(stem + ".poly") == "0 2 0 1\n5 1\n0 0 1 0\n1 1 2 11\n2 2 5 12\n3 5 3 12\n4 3 0 13\n"
+                                     "1\n0 5 0.125\n2\n0 0.5 0.5 7.5 -1\n1 0.25 0.5 8 0.5\n");
+  }
+  SECTION("and comes back") {
+    CGAL::IO::write_triangle_files(small.mesh, small.pslg, stem);
+    Mesh mesh;
+    CGAL::IO::read_triangle_files(stem, mesh);
+    CHECK(mesh.points == small.mesh.points);
+    CHECK(mesh.triangles == small.mesh.triangles);
+    Pslg pslg;
+    CGAL::IO::read_triangle_poly(stem + ".poly", pslg);
+    CHECK(pslg.number_of_vertices() == 6);
+    CHECK(pslg.number_of_segments() == 5);
+    std::ofstream(stem + ".ele") << "1 3 0\n0 0 1 6\n";
+    CHECK(has_text(error_of([&] { CGAL::IO::read_triangle_files(stem, mesh); }),
+                   "out.ele:2: a node of triangle 0"));
+    std::ofstream(stem + ".ele") << "1 6 0\n0 0 1 2 3 4 5\n";
+    CHECK(has_text(error_of([&] { CGAL::IO::read_triangle_files(stem, mesh); }), "6 nodes instead of 3"));
+    CHECK(mesh.triangles == small.mesh.triangles);
+  }
+  SECTION("one file at a time") {
+    CGAL::IO::write_triangle_node(folder.file("a"), small.mesh);
+    CGAL::IO::write_triangle_ele(folder.file("b"), small.mesh, small.pslg);
+    CGAL::IO::write_triangle_poly(folder.file("c"), small.mesh, small.pslg);
+    CGAL::IO::write_triangle_files(small.mesh, small.pslg, stem);
+    CHECK(content(folder.file("a")) == content(stem + ".node"));
+    CHECK(content(folder.file("b")) == content(stem + ".ele"));
+    CHECK(content(folder.file("c")) == content(stem + ".poly"));
+  }
+}
+
+TEST_CASE("a write that fails leaves old files and no rubbish", "[triangle_files]") {
+  const Scratch_folder folder;
+  const Small_mesh small;
+  const std::string stem = folder.file("out");
+  const auto error = [&](const std::string& name) {
+    try {
+      CGAL::IO::write_triangle_files(small.mesh, small.pslg, name);
+    } catch (const std::system_error& e) {
+      return std::string(e.what());
+    }
+    return std::string();
+  };
+  CHECK(has_text(error(folder.file("no/such/folder")),
+                 folder.file("no/such/folder.node") + ": cannot be written"));
+
+  folder.write("out.node", "old");
+  std::filesystem::create_directory(stem + ".ele"); // in the way of the second file
+  CHECK(has_text(error(stem), "out.ele: cannot be written"));
+  CHECK(content(stem + ".node") == "old");
+  CHECK(folder.number_of_files() == 2);
+
+  std::filesystem::remove(stem + ".ele");
+  CHECK(error(stem).empty());
+  CHECK(content(stem + ".node") != "old");
+  CHECK(folder.number_of_files() == 3);
+
+  if (std::filesystem::exists("/dev/full"))
+    CHECK_THROWS_AS(CGAL::IO::write_triangle_poly("/dev/full", small.pslg), std::system_error);
+}
+
+TEST_CASE("a symbolic link stays one when its file is replaced", "[triangle_files]") {
+  const Scratch_folder folder;
+  std::error_code error;
+  std::filesystem::create_symlink(folder.write("target.poly", "old"), folder.file("link.poly"), error);
+  if (error) return; // not every file system has them
+  CGAL::IO::write_triangle_poly(folder.file("link.poly"), unit_square());
+  CHECK(std::filesystem::is_symlink(folder.file("link.poly")));
+  CHECK(content(folder.file("target.poly")).substr(0, 7) == "4 2 0 0");
+}

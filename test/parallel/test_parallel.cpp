@@ -1,0 +1,426 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+
+#include "catch.h"
+
+#include <CGAL/Quadtree_mesh_2/internal/base/Long_words.h>
+#include <CGAL/Quadtree_mesh_2/internal/grid/morton.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel/parallel_sort.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel/radix_sort.h>
+
+#include <CGAL/tags.h>
+
+#include <boost/multiprecision/cpp_int.hpp>
+
+#ifdef CGAL_LINKED_WITH_TBB
+#include <tbb/global_control.h>
+#endif
+
+#include <algorithm>
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <numeric>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace {
+
+namespace internal = CGAL::Quadtree_mesh_2::internal;
+using boost::multiprecision::cpp_int;
+using CGAL::Quadtree_mesh_2::Grid_point_2;
+
+/// Lengths around those of blocks.
+std::vector<std::size_t> lengths(std::size_t block) {
+  return {0, 1, 2, block - 1, block, block + 1, 2 * block, 5 * block, 7 * block + 13};
+}
+
+/// Calls `f()` while 1, 2 and 4 threads may run.
+template <class F>
+void for_numbers_of_threads(const F& f) {
+#ifdef CGAL_LINKED_WITH_TBB
+  for (std::size_t threads : {1u, 2u, 4u}) {
+    CAPTURE(threads);
+    const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+    f();
+  }
+#else
+  f();
+#endif
+}
+
+std::vector<std::uint64_t> random_values(std::size_t n, std::uint64_t different) {
+  std::mt19937_64 random(n + different);
+  std::vector<std::uint64_t> values(n);
+  for (std::uint64_t& v : values) v = random() % different;
+  return values;
+}
+
+enum class Kind { scattered, all_equal, duplicates, one_word, clusters, few_runs, magnitudes, lattice, end };
+
+template <class Word>
+std::vector<Grid_point_2<Word>> points_of_kind(std::size_t n, Kind kind) {
+  constexpr int bits = static_cast<int>(8 * sizeof(Word));
+  std::mt19937_64 random(n + static_cast<unsigned>(kind));
+  const auto coordinate = [&](int length) { return static_cast<Word>(random() >> (64 - length)); };
+  const auto point = [&](int length) {
+    const Word x = coordinate(length);
+    return Grid_point_2<Word>{x, coordinate(length)};
+  };
+  std::vector<Grid_point_2<Word>> centers(300);
+  for (auto& c : centers) c = point(bits);
+  const auto near = [&](const Grid_point_2<Word>& c, int length) {
+    const Grid_point_2<Word> p = point(length);
+    return Grid_point_2<Word>{static_cast<Word>(c.x ^ p.x), static_cast<Word>(c.y ^ p.y)};
+  };
+  std::vector<Grid_point_2<Word>> points(n);
+  for (std::size_t i = 0; i < n; ++i) switch (kind) {
+    case Kind::scattered:
+      points[i] = point(bits);
+      break;
+    case Kind::all_equal:
+      points[i] = centers[0];
+      break;
+    case Kind::duplicates:
+      points[i] = centers[random() % centers.size()];
+      break;
+    case Kind::one_word:
+      points[i] = near(centers[0], 7);
+      break; // differs in the last word alone
+    case Kind::clusters:
+      points[i] = near(centers[random() % centers.size()], 10);
+      break;
+    case Kind::few_runs:
+      points[i] = near(centers[random() % 2], bits / 2 - 2);
+      break;
+    case Kind::magnitudes:
+      points[i] = point(1 + static_cast<int>(random() % std::uint64_t(bits)));
+      break;
+    default:
+      points[i] = {static_cast<Word>(i % 256), static_cast<Word>(Word(i / 256) << (bits / 2))};
+    }
+  return points;
+}
+
+/// The shuffle by its definition, as characters.
+template <class Word>
+std::string shuffle_of(const Grid_point_2<Word>& p, int bits) {
+  std::string shuffle;
+  for (int i = bits - 1; i >= 0; --i) {
+    shuffle += static_cast<int>(p.x >> i & 1) != 0 ? '1' : '0';
+    shuffle += static_cast<int>(p.y >> i & 1) != 0 ? '1' : '0';
+  }
+  return shuffle;
+}
+
+template <class Word>
+internal::Order order_by_definition(const std::vector<Grid_point_2<Word>>& points, int bits) {
+  std::vector<std::string> shuffles;
+  for (const auto& p : points) shuffles.push_back(shuffle_of(p, bits));
+  internal::Order order(points.size());
+  std::iota(order.begin(), order.end(), 0u);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::uint32_t i, std::uint32_t j) { return shuffles[i] < shuffles[j]; });
+  return order;
+}
+
+template <class Concurrency_tag>
+void sort_words(std::vector<std::uint64_t>& words) {
+  std::vector<std::uint64_t> buffer(words.size());
+  internal::Word_sorter<Concurrency_tag>::sort(words.data(), buffer.data(), words.size(), true);
+}
+
+template <class Word>
+void check_orders(const std::vector<Grid_point_2<Word>>& points, const internal::Order& expected) {
+  REQUIRE(expected.size() == points.size());
+  // Vectors are compared in parentheses, lest a failure prints them.
+  CHECK((internal::shuffle_order(points) == expected));
+  for_numbers_of_threads([&] { CHECK((internal::shuffle_order<CGAL::Parallel_tag>(points) == expected)); });
+}
+
+} // namespace
+
+TEMPLATE_TEST_CASE("Blocks make up a range", "[parallel][threads]", CGAL::Sequential_tag,
+                   CGAL::Parallel_tag) {
+  for (std::size_t n : lengths(100)) {
+    CAPTURE(n);
+    std::vector<std::size_t> block_of(n, n);
+    std::vector<int> visits(n, 0);
+    std::atomic<bool> is_wrong(false);
+    internal::for_each_block<TestType>(n, 100, [&](std::size_t block, std::size_t begin, std::size_t end) {
+      if (begin != 100 * block || end != std::min(n, begin + 100)) is_wrong = true;
+      for (std::size_t i = begin; i < end; ++i) block_of[i] = block;
+    });
+    CHECK(!is_wrong);
+    for (std::size_t i = 0; i < n; ++i) REQUIRE(block_of[i] == i / 100);
+    internal::for_each_index<TestType>(n, [&](std::size_t i) { ++visits[i]; });
+    CHECK((visits == std::vector<int>(n, 1)));
+  }
+}
+
+TEMPLATE_TEST_CASE("Reductions and scans agree with the standard's", "[parallel][threads]",
+                   CGAL::Sequential_tag, CGAL::Parallel_tag) {
+  for (std::size_t n : lengths(internal::default_block)) {
+    CAPTURE(n);
+    const std::vector<std::uint64_t> values = random_values(n, 1000);
+    const auto sum_of = [&](std::size_t begin, std::size_t end) {
+      std::uint64_t sum = 0;
+      for (std::size_t i = begin; i < end; ++i) sum += values[i];
+      return sum;
+    };
+    const std::uint64_t sum = std::accumulate(values.begin(), values.end(), std::uint64_t(0));
+    CHECK(internal::reduce<TestType>(n, std::uint64_t(0), sum_of,
+                                     [](std::uint64_t a, std::uint64_t b) { return a + b; }) == sum);
+
+    // Neither commutative nor of an identity that could be left out.
+    const auto text_of = [&](std::size_t begin, std::size_t end) {
+      return std::to_string(sum_of(begin, end));
+    };
+    std::string text = "sums";
+    for (std::size_t b = 0; b < n; b += 64) text += ' ' + text_of(b, std::min(n, b + 64));
+    CHECK(internal::reduce<TestType>(
+              n, std::string("sums"), text_of,
+              [](const std::string& a, const std::string& b) { return a + ' ' + b; }, 64) == text);
+
+    CHECK(internal::reduce<TestType>(
+        n, true, [&](std::size_t b, std::size_t e) { return sum_of(b, e) < 1000 * (e - b); },
+        [](bool a, bool b) { return a && b; }, 16));
+
+    std::vector<std::uint64_t> scanned = values, expected(n);
+    std::exclusive_scan(values.begin(), values.end(), expected.begin(), std::uint64_t(0));
+    CHECK(internal::exclusive_scan<TestType>(scanned.data(), n) == sum);
+    CHECK((scanned == expected));
+
+    std::vector<std::uint32_t> odd;
+    for (std::size_t i = 0; i < n; ++i)
+      if (values[i] % 2 == 1) odd.push_back(static_cast<std::uint32_t>(i));
+    CHECK((internal::pack<TestType>(n, [&](std::size_t i) { return values[i] % 2 == 1; }) == odd));
+    CHECK(internal::pack<TestType>(n, [](std::size_t) { return false; }).empty());
+    CHECK(internal::pack<TestType>(n, [](std::size_t) { return true; }).size() == n);
+
+    // Each value repeated as often as it says, modulo 3.
+    std::vector<std::uint64_t> repeated, repeated_expected;
+    for (std::uint64_t v : values) repeated_expected.insert(repeated_expected.end(), v % 3, v);
+    const std::size_t total = internal::count_allocate_and_place<TestType>(
+        n,
+        [&](std::size_t begin, std::size_t end) {
+          std::size_t count = 0;
+          for (std::size_t i = begin; i < end; ++i) count += values[i] % 3;
+          return count;
+        },
+        [&](std::size_t count) { repeated.resize(count); },
+        [&](std::size_t begin, std::size_t end, std::size_t first) {
+          for (std::size_t i = begin; i < end; ++i)
+            for (std::uint64_t k = 0; k < values[i] % 3; ++k) repeated[first++] = values[i];
+        },
+        500);
+    CHECK(total == repeated_expected.size());
+    CHECK((repeated == repeated_expected));
+  }
+}
+
+TEMPLATE_TEST_CASE("Exceptions of tasks arrive", "[parallel][threads]", CGAL::Sequential_tag,
+                   CGAL::Parallel_tag) {
+  const std::size_t n = 10 * internal::default_block;
+  const auto fail_at = [](std::size_t i, std::size_t at) {
+    if (i == at) throw std::runtime_error("task");
+  };
+  for (std::size_t at : {std::size_t(0), n / 2, n - 1}) {
+    CHECK_THROWS_AS(internal::for_each_index<TestType>(n, [&](std::size_t i) { fail_at(i, at); }),
+                    std::runtime_error);
+    CHECK_THROWS_AS(internal::pack<TestType>(n, [&](std::size_t i) { return fail_at(i, at), true; }),
+                    std::runtime_error);
+    std::vector<std::size_t> values(n);
+    std::iota(values.begin(), values.end(), std::size_t(0));
+    const auto less = [&](std::size_t a, std::size_t b) { return fail_at(a, at), fail_at(b, at), a < b; };
+    CHECK_THROWS_AS(internal::sort<TestType>(values.begin(), values.end(), less), std::runtime_error);
+    CHECK_THROWS_AS(internal::radix_order<TestType>(
+                        n, 1, [&](std::size_t i, int) { return fail_at(i, at), std::uint64_t(i); }),
+                    std::runtime_error);
+  }
+}
+
+TEMPLATE_TEST_CASE("Sorting by comparison is stable", "[parallel][threads]", CGAL::Sequential_tag,
+                   CGAL::Parallel_tag) {
+  using Pair = std::pair<std::uint64_t, std::size_t>;
+  const auto less = [](const Pair& a, const Pair& b) { return a.first < b.first; };
+  const auto greater = [](const Pair& a, const Pair& b) { return a.first > b.first; };
+  for (std::size_t n : lengths(internal::sort_block))
+    for (std::uint64_t different : {1u, 2u, 50u, 1000000000u}) {
+      CAPTURE(n, different);
+      const std::vector<std::uint64_t> keys = random_values(n, different);
+      std::vector<Pair> values(n);
+      for (std::size_t i = 0; i < n; ++i) values[i] = {keys[i], i};
+      std::vector<Pair> expected = values, up = values, down;
+      std::stable_sort(expected.begin(), expected.end(), less);
+      down = expected;
+      std::stable_sort(down.begin(), down.end(), greater);
+      for_numbers_of_threads([&] {
+        std::vector<Pair> sorted = values;
+        internal::sort<TestType>(sorted.begin(), sorted.end(), less);
+        CHECK((sorted == expected));
+        internal::sort<TestType>(sorted.begin(), sorted.end(), less);
+        CHECK((sorted == expected));
+        internal::sort<TestType>(sorted.begin(), sorted.end(), greater);
+        CHECK((sorted == down));
+      });
+    }
+}
+
+TEMPLATE_TEST_CASE("Values that own memory, or cannot be copied, are sorted", "[parallel][threads]",
+                   CGAL::Sequential_tag, CGAL::Parallel_tag) {
+  const std::size_t n = 5 * internal::sort_block + 7;
+  const std::vector<std::uint64_t> keys = random_values(n, 5000);
+  for_numbers_of_threads([&] {
+    std::vector<std::unique_ptr<std::uint64_t>> owners;
+    std::vector<std::string> strings;
+    for (std::uint64_t key : keys) {
+      owners.push_back(std::make_unique<std::uint64_t>(key));
+      strings.push_back("longer than what is stored in the string itself " + std::to_string(key));
+    }
+    internal::sort<TestType>(owners.begin(), owners.end(),
+                             [](const auto& a, const auto& b) { return *a < *b; });
+    CHECK(std::is_sorted(owners.begin(), owners.end(), [](const auto& a, const auto& b) { return *a < *b; }));
+
+    std::vector<std::string> expected = strings;
+    std::sort(expected.begin(), expected.end());
+    internal::sort<TestType>(strings.begin(), strings.end(), std::less<std::string>());
+    CHECK((strings == expected));
+    expected.erase(std::unique(expected.begin(), expected.end()), expected.end());
+    internal::unique<TestType>(strings);
+    CHECK((strings == expected));
+  });
+}
+
+TEMPLATE_TEST_CASE("Equal neighbors are removed", "[parallel][threads]", CGAL::Sequential_tag, CGAL::Parallel_tag) {
+  for (std::size_t n : lengths(internal::default_block))
+    for (std::uint64_t different : {1u, 2u, 1000000000u}) {
+      CAPTURE(n, different);
+      std::vector<std::uint64_t> values = random_values(n, different), expected = values;
+      expected.erase(std::unique(expected.begin(), expected.end()), expected.end());
+      internal::unique<TestType>(values);
+      CHECK((values == expected));
+    }
+}
+
+TEMPLATE_TEST_CASE("Words are sorted by digits", "[parallel]", CGAL::Sequential_tag, CGAL::Parallel_tag) {
+  std::vector<std::size_t> sizes = lengths(internal::longest_short_range);
+  for (std::size_t n : {10u, 47u, 48u, 49u, 50u, 700u, 5000u}) sizes.push_back(n);
+  for (std::size_t n : sizes)
+    for (int shift : {0, 20, 40, 56, 63}) {
+      CAPTURE(n, shift);
+      std::mt19937_64 random(n + static_cast<unsigned>(shift));
+      std::vector<std::uint64_t> words(n);
+      // Few high bits, all low bits; magnitudes of all sizes; bits in the middle.
+      for (int kind = 0; kind < 3; ++kind) {
+        for (std::uint64_t& w : words) {
+          w = random();
+          if (kind == 0) w = (w >> shift << shift) | (random() & 1023);
+          if (kind == 1) w = w >> (random() % 64);
+          if (kind == 2) w = (w >> shift << (shift / 2)) | std::uint64_t(1) << 63;
+        }
+        std::vector<std::uint64_t> expected = words, sorted = words;
+        std::sort(expected.begin(), expected.end());
+        sort_words<TestType>(sorted);
+        CHECK((sorted == expected));
+        std::reverse(sorted.begin(), sorted.end());
+        sort_words<TestType>(sorted);
+        CHECK((sorted == expected));
+      }
+    }
+}
+
+TEST_CASE("Keys of several words are sorted by digits, for any number of threads", "[parallel][threads]") {
+  // Words from few values, so that runs go on through all words.
+  for (std::size_t n : {1000u, 70000u, 200000u})
+    for (std::uint64_t different : {1u, 3u, 1000u}) {
+      CAPTURE(n, different);
+      const std::vector<std::uint64_t> values = random_values(3 * n, different);
+      const auto word_of = [&](std::uint32_t i, int word) {
+        return values[3 * i + static_cast<unsigned>(word)] * 0x9e3779b97f4a7c15u;
+      };
+      internal::Order expected(n);
+      std::iota(expected.begin(), expected.end(), 0u);
+      std::stable_sort(expected.begin(), expected.end(), [&](std::uint32_t i, std::uint32_t j) {
+        for (int word = 0; word < 3; ++word)
+          if (word_of(i, word) != word_of(j, word)) return word_of(i, word) < word_of(j, word);
+        return false;
+      });
+      CHECK((internal::radix_order(n, 3, word_of) == expected));
+      for_numbers_of_threads(
+          [&] { CHECK((internal::radix_order<CGAL::Parallel_tag>(n, 3, word_of) == expected)); });
+    }
+}
+
+TEMPLATE_TEST_CASE("Shuffle order in parallel agrees with its definition", "[parallel]", std::uint32_t,
+                   std::uint64_t) {
+  const int bits = static_cast<int>(8 * sizeof(TestType));
+  for (int kind = 0; kind < static_cast<int>(Kind::end); ++kind)
+    for (std::size_t n : {0u, 1u, 2u, 513u, 8193u, 70000u}) {
+      CAPTURE(kind, n);
+      auto points = points_of_kind<TestType>(n, static_cast<Kind>(kind));
+      const auto order = order_by_definition(points, bits);
+      check_orders(points, order);
+      if (n < 8193) continue;
+
+      // The same points in order and in reverse.
+      const auto unsorted = points;
+      for (std::size_t i = 0; i < n; ++i) points[i] = unsorted[order[i]];
+      internal::Order in_place(n);
+      std::iota(in_place.begin(), in_place.end(), 0u);
+      check_orders(points, in_place);
+      std::reverse(points.begin(), points.end());
+      check_orders(points, order_by_definition(points, bits));
+    }
+}
+
+TEST_CASE("Long runs of a shuffle order are sorted in parallel", "[parallel]") {
+  const std::size_t n = is_full_run() ? 3000000 : 300000;
+  for (int kind = 0; kind < static_cast<int>(Kind::end); ++kind) {
+    CAPTURE(kind);
+    const auto points = points_of_kind<std::uint64_t>(n, static_cast<Kind>(kind));
+    internal::Order expected(n);
+    std::iota(expected.begin(), expected.end(), 0u);
+    std::stable_sort(expected.begin(), expected.end(), [&](std::uint32_t i, std::uint32_t j) {
+      return internal::less_shuffle(points[i], points[j]);
+    });
+    check_orders(points, expected);
+  }
+}
+
+TEST_CASE("Shuffle order of words of any length agrees with its definition", "[parallel]") {
+  const int bits = 1000;
+  std::mt19937_64 random(3);
+  const auto coordinate = [&] {
+    cpp_int c = 0;
+    for (int i = 0; i < bits; i += 50) c = c << 50 | random() >> 14;
+    return c;
+  };
+  for (int kind = 0; kind < 4; ++kind)
+    for (std::size_t n : {0u, 1u, 2u, 700u, kind == 2 ? 9000u : 3000u}) {
+      CAPTURE(kind, n);
+      const Grid_point_2<cpp_int> center{coordinate(), coordinate()};
+      std::vector<Grid_point_2<cpp_int>> points(n);
+      for (auto& p : points) {
+        // Scattered, of all magnitudes, differing in few bits anywhere (hence often equal), all equal.
+        if (kind == 0) p = {coordinate(), coordinate()};
+        if (kind == 1) p = {coordinate() >> (random() % bits), coordinate() >> (random() % bits)};
+        if (kind > 1) p = center;
+        if (kind == 2) {
+          bit_flip(p.x, static_cast<unsigned>(random() % 5) * 200);
+          bit_flip(p.y, static_cast<unsigned>(random() % 5) * 199);
+        }
+      }
+      const auto expected = order_by_definition(points, bits);
+      check_orders(points, expected);
+      for (std::size_t i = 1; i < n; ++i)
+        REQUIRE(!internal::less_shuffle(points[expected[i]], points[expected[i - 1]]));
+    }
+}

@@ -1,0 +1,121 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+
+// Triangulations of placed vertices: what gives way where they coincide, and what the domain is.
+
+#include "catch.h"
+#include "separation_test_tools.h"
+
+#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Tree_triangulation.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace {
+
+using namespace separation_test;
+using Prepared = Prepared_graph<CGAL::Filtered_quadtree_traits_2<>>;
+using Geometry = Prepared::Geometry;
+using Point = Geometry::Point;
+using Placed = internal::Placed_vertices<Geometry>;
+using Mesh = internal::Kernel_mesh<Geometry>;
+using internal::Vertex_id;
+
+/// The unit square with a segment in it, from vertex 4 to vertex 5.
+Prepared::Pslg square_with_segment() {
+  return pslg_test::make_pslg<double>({{0, 0}, {1, 0}, {1, 1}, {0, 1}, {.25, .5}, {.75, .5}},
+                                      {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}});
+}
+
+/// The vertices of a graph, and its edges as they are.
+Placed placed_vertices(const Prepared& graph) {
+  Placed placed(graph.problem().input_points);
+  for (std::size_t e = 0; e < graph.problem().edges.size(); ++e) {
+    const auto& edge = graph.problem().edges[internal::Edge_id(e)];
+    placed.segments.push_back({edge.a, edge.b});
+  }
+  return placed;
+}
+
+void add_corner(Placed& placed, const Point& p) {
+  placed.points.push_back(p);
+  placed.edge_of.push_back(internal::free_vertex);
+}
+
+bool triangulate(const Prepared& graph, const Placed& placed, Mesh& mesh) {
+  const std::vector<char> is_merged(graph.problem().input_points.size(), 0);
+  internal::Tree_triangulation<CGAL::Sequential_tag, Geometry> triangulation(
+      placed, is_merged, graph.problem().edges, graph.sides());
+  return triangulation.run(
+      [](const Point& p) {
+        return CGAL::Quadtree_mesh_2::Grid_point_2<std::uint64_t>{std::uint64_t((p.x + 1) * 0x1p40),
+                                                                  std::uint64_t((p.y + 1) * 0x1p40)};
+      },
+      mesh);
+}
+
+double area(const Mesh& mesh) {
+  double sum = 0;
+  for (const auto& t : mesh.triangles) sum += mesh.shape(t).area2 / 2;
+  return sum;
+}
+
+} // namespace
+
+TEST_CASE("Corners at the place of vertices, or on edges, are left out", "[mesher][theorem5]") {
+  const Prepared graph(square_with_segment());
+  Placed placed = placed_vertices(graph);
+  for (const Point& p : {Point{.25, .5}, Point{.5, .5}, Point{0, .5}, Point{.5, .25}, Point{.5, .25}})
+    add_corner(placed, p);
+  Mesh mesh;
+  REQUIRE(triangulate(graph, placed, mesh));
+  for (Vertex_id v = 0; v < 6; ++v) CHECK(mesh.is_used(v));
+  for (const Vertex_id v : {6, 7, 8}) CHECK_FALSE(mesh.is_used(v));
+  CHECK(mesh.is_used(9) != mesh.is_used(10));
+  CHECK(area(mesh) == Approx(1));
+  for (const auto& t : mesh.triangles) CHECK(mesh.orientation(t.v[0], t.v[1], t.v[2]) > 0);
+}
+
+TEST_CASE("Pieces of edges that cross, or meet, are no mesh", "[mesher][theorem5]") {
+  const Prepared graph(square_with_segment());
+  for (const double y : {-.5, 0.}) {
+    Placed placed = placed_vertices(graph);
+    const internal::Edge_id e = graph.problem().edges.between(4, 5);
+    placed.points.push_back({.5, y}); // on or beyond the lower side of the square
+    placed.edge_of.push_back(e);
+    placed.segments[std::size_t(e)] = {graph.problem().edges[e].a, 6};
+    placed.segments.push_back({6, graph.problem().edges[e].b});
+    Mesh mesh;
+    CHECK_FALSE(triangulate(graph, placed, mesh));
+    CHECK(mesh.triangles.empty());
+  }
+}
+
+TEST_CASE("Components are known by the sides of their edges", "[mesher][theorem5]") {
+  // A frame. The vertices on the inner edges are so far inside that the point of the hole is no longer in it.
+  auto pslg = pslg_test::make_pslg<double>(
+      {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {.25, .25}, {.75, .25}, {.75, .75}, {.25, .75}},
+      {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6}, {6, 7}, {7, 4}});
+  pslg.holes.push_back({.5, .26});
+  const Prepared graph(pslg);
+  Placed placed = placed_vertices(graph);
+  const std::size_t edges = graph.problem().edges.size();
+  for (std::size_t e = 0; e < edges; ++e) {
+    const auto& edge = graph.problem().edges[internal::Edge_id(e)];
+    if (edge.a < 4) continue;
+    const Point p =
+        Geometry::between(graph.problem().input_point(edge.a), graph.problem().input_point(edge.b), .5);
+    placed.points.push_back({p.x * .9 + .05, p.y * .9 + .05});
+    placed.edge_of.push_back(internal::Edge_id(e));
+    const Vertex_id v = static_cast<Vertex_id>(placed.points.size()) - 1;
+    placed.segments[e] = {edge.a, v};
+    placed.segments.push_back({v, edge.b});
+  }
+  Mesh mesh;
+  REQUIRE(triangulate(graph, placed, mesh));
+  CHECK(area(mesh) == Approx(1 - (.25 - 4 * .5 * .025 / 2)));
+}

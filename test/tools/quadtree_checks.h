@@ -1,0 +1,299 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+
+// Quadtrees made by their definition, and what is checked of every quadtree against them.
+
+#ifndef QUADTREE_MESH_2_TEST_QUADTREE_CHECKS_H
+#define QUADTREE_MESH_2_TEST_QUADTREE_CHECKS_H
+
+#include "catch.h"
+
+#include <CGAL/Balanced_quadtree.h>
+#include <CGAL/Quadtree_mesh_2/internal/grid/morton.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <random>
+#include <set>
+#include <tuple>
+#include <vector>
+
+namespace quadtree_test {
+
+using CGAL::Quadtree_mesh_2::all_directions;
+using CGAL::Quadtree_mesh_2::Balance;
+using CGAL::Quadtree_mesh_2::Direction;
+using CGAL::Quadtree_mesh_2::Leaf_index;
+using CGAL::Quadtree_mesh_2::Node_index;
+using CGAL::Quadtree_mesh_2::Point_index;
+using CGAL::Quadtree_mesh_2::Point_rank;
+
+/// A square by level and corner, in units of its side; grids have at most 62 levels here.
+using Key = std::tuple<int, std::uint64_t, std::uint64_t>;
+
+inline Key parent_of(const Key& k) { return {std::get<0>(k) - 1, std::get<1>(k) >> 1, std::get<2>(k) >> 1}; }
+
+inline std::vector<Key> children_of(const Key& k) {
+  std::vector<Key> children;
+  for (std::uint64_t i = 0; i < 2; ++i)
+    for (std::uint64_t j = 0; j < 2; ++j)
+      children.emplace_back(std::get<0>(k) + 1, 2 * std::get<1>(k) + i, 2 * std::get<2>(k) + j);
+  return children;
+}
+
+/// Whether `inner` is `outer` or lies in it.
+inline bool contains(const Key& outer, const Key& inner) {
+  const int levels = std::get<0>(inner) - std::get<0>(outer);
+  return levels >= 0 && std::get<1>(inner) >> levels == std::get<1>(outer) &&
+         std::get<2>(inner) >> levels == std::get<2>(outer);
+}
+
+/// The square of the same size next to `k`; false if it is outside the root.
+inline bool step(const Key& k, Direction d, Key& neighbor) {
+  const int level = std::get<0>(k);
+  const std::uint64_t x = std::get<1>(k) + static_cast<std::uint64_t>(step_x(d));
+  const std::uint64_t y = std::get<2>(k) + static_cast<std::uint64_t>(step_y(d));
+  neighbor = {level, x, y};
+  return x >> level == 0 && y >> level == 0;
+}
+
+/// The corner of a square, or a point, as a key of the given level.
+template <class Corner>
+Key key_of_corner(const Corner& c, int level, int depth) {
+  const std::uint64_t x = static_cast<std::uint64_t>(c.x), y = static_cast<std::uint64_t>(c.y);
+  REQUIRE(x >> (depth - level) << (depth - level) == x);
+  REQUIRE(y >> (depth - level) << (depth - level) == y);
+  return {level, x >> (depth - level), y >> (depth - level)};
+}
+
+/// The distinct points of a framework as unit squares.
+template <class Framework>
+std::vector<Key> point_keys(const Framework& framework) {
+  std::vector<Key> points;
+  const int depth = framework.grid().depth();
+  for (std::size_t i = 0; i < framework.number_of_points(); ++i)
+    points.push_back(key_of_corner(framework.grid_point(Point_rank(i)), depth, depth));
+  return points;
+}
+
+/// A quadtree as the set of its split squares, made by the definition.
+class Naive_tree {
+public:
+  /// Splits squares for which `must_split(square, points)` is true, `points` being those inside, beginning
+  /// with the root.
+  using Must_split = std::function<bool(const Key&, const std::vector<Key>&)>;
+  Naive_tree(const std::vector<Key>& points, const Must_split& must_split) {
+    split({0, 0, 0}, points, must_split);
+  }
+
+  /// Splits a leaf.
+  void split(const Key& k) { split_.insert(k); }
+
+  /// Splits whatever has a neighbor less than half its size, until there is nothing to split.
+  void balance(Balance balance) {
+    if (balance == Balance::NONE) return;
+    for (std::vector<Key> work(split_.begin(), split_.end()); !work.empty();) {
+      const Key k = work.back();
+      work.pop_back();
+      for (const Key& child :
+           children_of(k)) // in doubt as if it was a leaf; if not, its children ask for more
+        for (Direction d : all_directions()) {
+          Key n;
+          if (balance == Balance::SIDES && is_diagonal(d)) continue;
+          if (!step(child, d, n)) continue;
+          const Key leaf = leaf_around(n);
+          if (std::get<0>(leaf) + 1 < std::get<0>(child)) {
+            split_.insert(leaf);
+            work.push_back(leaf);
+            work.push_back(k); // its neighbor may still be too large
+          }
+        }
+    }
+  }
+
+  /// Splits all neighbors of squares with a split child.
+  void split_neighbors() {
+    const std::set<Key> before = split_;
+    for (const Key& k : before) {
+      const std::vector<Key> children = children_of(k);
+      const bool has_split_child =
+          std::any_of(children.begin(), children.end(), [&](const Key& c) { return before.count(c) > 0; });
+      Key n;
+      for (Direction d : all_directions())
+        if (has_split_child && step(k, d, n)) split_.insert(n);
+    }
+  }
+
+  bool is_split(const Key& k) const { return split_.count(k) > 0; }
+  std::size_t number_of_leaves() const { return 3 * split_.size() + 1; }
+
+  /// The square `k`, or the leaf that contains it.
+  Key leaf_around(Key k) const {
+    while (std::get<0>(k) > 0 && !is_split(parent_of(k))) k = parent_of(k);
+    return k;
+  }
+
+private:
+  void split(const Key& k, const std::vector<Key>& points, const Must_split& must_split) {
+    if (!must_split(k, points)) return;
+    split_.insert(k);
+    for (const Key& child : children_of(k)) {
+      std::vector<Key> inside;
+      std::copy_if(points.begin(), points.end(), std::back_inserter(inside),
+                   [&](const Key& p) { return contains(child, p); });
+      split(child, inside, must_split);
+    }
+  }
+
+  std::set<Key> split_;
+};
+
+/// The quadtree in which no leaf has more than `max_points` points, balanced.
+template <class Framework>
+Naive_tree naive_tree(const Framework& framework, std::size_t max_points,
+                      Balance balance = Balance::SIDES_AND_CORNERS) {
+  Naive_tree tree(point_keys(framework),
+                  [&](const Key&, const std::vector<Key>& points) { return points.size() > max_points; });
+  tree.balance(balance);
+  return tree;
+}
+
+template <class Tree, class Index>
+Key key(const Tree& tree, Index v) {
+  const auto s = tree.square(v);
+  return key_of_corner(s, s.level, tree.framework().grid().depth());
+}
+
+template <class Tree>
+std::map<Key, Node_index> nodes_by_square(const Tree& tree) {
+  std::map<Key, Node_index> nodes;
+  for (std::size_t i = 0; i < tree.number_of_nodes(); ++i)
+    REQUIRE(nodes.emplace(key(tree, Node_index(i)), Node_index(i)).second);
+  return nodes;
+}
+
+/// The squares are those of the naive tree: balanced, with no more leaves than needed.
+template <class Tree>
+void check_squares(const Tree& tree, const Naive_tree& expected) {
+  REQUIRE(tree.number_of_leaves() == expected.number_of_leaves());
+  int depth = 0;
+  for (std::size_t i = 0; i < tree.number_of_nodes(); ++i) {
+    const Node_index v(i);
+    depth = std::max(depth, tree.level(v));
+    REQUIRE(tree.is_leaf(v) != expected.is_split(key(tree, v)));
+    if (i > 0) REQUIRE(tree.level(Node_index(i - 1)) <= tree.level(v));
+    if (tree.is_leaf(v)) {
+      REQUIRE(tree.node(tree.leaf(v)) == v);
+      REQUIRE(tree.leaves(v).size() == 1);
+      continue;
+    }
+    std::size_t leaves = 0;
+    for (int q = 0; q < 4; ++q) {
+      const Node_index child = tree.child(v, q);
+      REQUIRE(key(tree, child) == children_of(key(tree, v))[std::size_t(q)]);
+      REQUIRE(tree.parent(child) == v);
+      REQUIRE(tree.leaves(child).begin.value() == tree.leaves(v).begin.value() + leaves);
+      leaves += tree.leaves(child).size();
+    }
+    REQUIRE(tree.leaves(v).size() == leaves);
+  }
+  REQUIRE(tree.depth() == depth);
+  REQUIRE_FALSE(tree.parent(tree.root()).is_valid());
+  for (std::size_t i = 1; i < tree.number_of_leaves(); ++i) {
+    const auto a = tree.square(Leaf_index(i - 1)), b = tree.square(Leaf_index(i));
+    using Grid_point = typename Tree::Grid_point;
+    REQUIRE(CGAL::Quadtree_mesh_2::internal::less_shuffle(Grid_point{a.x, a.y}, Grid_point{b.x, b.y}));
+  }
+}
+
+template <class Tree>
+void check_cross_pointers(const Tree& tree, const Naive_tree& expected) {
+  const auto nodes = nodes_by_square(tree);
+  for (const auto& entry : nodes)
+    for (Direction d : all_directions()) {
+      Key neighbor;
+      const bool is_inside = step(entry.first, d, neighbor);
+      const Node_index n = tree.neighbor(entry.second, d);
+      REQUIRE(n.is_valid() == is_inside);
+      if (is_inside) REQUIRE(n == nodes.at(expected.leaf_around(neighbor)));
+    }
+}
+
+/// Whether two closed squares meet.
+inline bool do_touch(const Key& a, const Key& b, int depth) {
+  const int shift_a = depth - std::get<0>(a), shift_b = depth - std::get<0>(b);
+  const auto overlap = [&](std::uint64_t low_a, std::uint64_t low_b) {
+    return low_a << shift_a <= (low_b + 1) << shift_b && low_b << shift_b <= (low_a + 1) << shift_a;
+  };
+  return overlap(std::get<1>(a), std::get<1>(b)) && overlap(std::get<2>(a), std::get<2>(b));
+}
+
+/// Neighboring leaves against all pairs of leaves whose closed squares meet.
+template <class Tree>
+void check_neighbors(const Tree& tree) {
+  if (tree.number_of_leaves() > 1500) return;
+  std::vector<Key> keys;
+  for (std::size_t i = 0; i < tree.number_of_leaves(); ++i) keys.push_back(key(tree, Leaf_index(i)));
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    const auto range = tree.neighbors(Leaf_index(i));
+    const std::set<Leaf_index> neighbors(range.begin(), range.end());
+    REQUIRE(neighbors.size() == range.size());
+    for (std::size_t j = 0; j < keys.size(); ++j) {
+      const bool is_neighbor = i != j && do_touch(keys[i], keys[j], tree.framework().grid().depth());
+      REQUIRE(is_neighbor == (neighbors.count(Leaf_index(j)) == 1));
+      if (is_neighbor && tree.options().balance() == Balance::SIDES_AND_CORNERS)
+        REQUIRE(std::abs(std::get<0>(keys[i]) - std::get<0>(keys[j])) <= 1);
+    }
+  }
+}
+
+/// Every point is in its leaf, and any query in the leaf that is found.
+template <class Tree, class Points>
+void check_location(const Tree& tree, const Points& points) {
+  const auto& framework = tree.framework();
+  const int depth = framework.grid().depth();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Leaf_index l = tree.leaf(Point_index(i));
+    const auto rank = framework.rank(Point_index(i));
+    REQUIRE(contains(key(tree, l), key_of_corner(framework.grid_point(rank), depth, depth)));
+    REQUIRE(tree.locate(points[i]) == l);
+    const auto inside = tree.points(l);
+    REQUIRE(!(rank < inside.begin));
+    REQUIRE(rank < inside.end);
+  }
+  std::size_t sum = 0;
+  for (std::size_t i = 0; i < tree.number_of_leaves(); ++i) sum += tree.points(Leaf_index(i)).size();
+  REQUIRE(sum == framework.number_of_points());
+  REQUIRE(tree.points(tree.root()).size() == sum);
+
+  std::mt19937_64 random(7);
+  for (int i = 0; i < 200; ++i) {
+    using Word = typename Tree::Word;
+    const std::uint64_t x = random() >> (64 - depth), y = random() >> (64 - depth);
+    const Leaf_index l = tree.locate(typename Tree::Grid_point{static_cast<Word>(x), static_cast<Word>(y)});
+    REQUIRE(contains(key(tree, l), Key{depth, x, y}));
+  }
+}
+
+/// All of the above; few enough points in each leaf.
+template <class Tree, class Points>
+void check_quadtree(const Tree& tree, const Naive_tree& expected, const Points& points) {
+  REQUIRE(tree.is_valid());
+  check_squares(tree, expected);
+  check_cross_pointers(tree, expected);
+  if (tree.options().balance() != Balance::NONE) check_neighbors(tree);
+  check_location(tree, points);
+  for (std::size_t i = 0; i < tree.number_of_leaves(); ++i)
+    REQUIRE(tree.points(Leaf_index(i)).size() <= tree.options().max_points_per_leaf());
+}
+
+} // namespace quadtree_test
+
+#endif // QUADTREE_MESH_2_TEST_QUADTREE_CHECKS_H

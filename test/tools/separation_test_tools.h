@@ -1,0 +1,111 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+
+#ifndef QUADTREE_MESH_2_TEST_SEPARATION_TEST_TOOLS_H
+#define QUADTREE_MESH_2_TEST_SEPARATION_TEST_TOOLS_H
+
+// The quadtrees that separate a graph, without the mesher around them.
+
+#include "pslg_test_tools.h"
+
+#include <CGAL/Filtered_quadtree_traits_2.h>
+#include <CGAL/Quality_mesh_report_2.h>
+#include <CGAL/Tree_separation_options_2.h>
+
+#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Separation_trees.h>
+#include <CGAL/Quadtree_mesh_2/internal/refinement/find_corners.h>
+#include <CGAL/Quality_mesher_2.h>
+
+#include <array>
+#include <cstddef>
+#include <numeric>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace separation_test {
+
+namespace internal = CGAL::Quadtree_mesh_2::internal;
+using CGAL::Quadtree_mesh_2::Leaf_index;
+using CGAL::Quadtree_mesh_2::Point_index;
+using CGAL::Quadtree_mesh_2::Segment_index;
+using CGAL::Quadtree_mesh_2::Vertex_index;
+using Tree_options = CGAL::Tree_separation_options_2;
+
+/// A graph as the mesher prepares it: in the order of its vertices, segments cut where vertices lie on them, the
+/// outside found, acute corners found.
+/// \pre no two vertices are at one place
+template <class Traits, class Concurrency_tag = CGAL::Sequential_tag>
+class Prepared_graph {
+public:
+  using Geometry = typename Traits::Meshing_geometry_2;
+  using Point_2 = typename Traits::Point_2;
+  using Pslg = CGAL::Pslg_2<Point_2>;
+  using Trees = internal::Separation_trees<Traits, Concurrency_tag>;
+  using Map = typename Trees::Map;
+
+  explicit Prepared_graph(const Pslg& pslg) : map_(pslg.vertices) {
+    using First = internal::First_triangulation<Concurrency_tag, Geometry>;
+    std::vector<typename Geometry::Point> points;
+    for (const Point_2& p : pslg.vertices) points.push_back(map_.to_kernel(p));
+    std::vector<typename First::Segment> segments;
+    for (const auto& s : pslg.segments)
+      segments.push_back(
+          {static_cast<internal::Vertex_id>(s[0].value()), static_cast<internal::Vertex_id>(s[1].value())});
+    First first(state_.mesh, points);
+    if (first.run(segments)) throw std::invalid_argument("segments cross");
+    problem_.edges = internal::Input_edges(first.edges(), points.size());
+    problem_.input_points = points;
+    internal::Domain_rule<Geometry> domain;
+    for (const Point_2& p : pslg.holes) domain.holes.push_back(map_.to_kernel(p));
+    domain.apply(state_.mesh, First::number_of_auxiliary_vertices);
+    sides_.emplace(state_.mesh, problem_.edges);
+    problem_.bounds = internal::Bounds<Geometry>(20.7 * 3.14159265358979323846 / 180, 0, 0);
+    internal::Corner_finder<Concurrency_tag, Geometry>(state_).run();
+    graph_.vertices = pslg.vertices;
+    for (std::size_t e = 0; e < problem_.edges.size(); ++e) {
+      const auto& edge = problem_.edges[static_cast<internal::Edge_id>(e)];
+      graph_.add_segment(Vertex_index(std::size_t(edge.a)), Vertex_index(std::size_t(edge.b)));
+    }
+  }
+  Prepared_graph(const Prepared_graph&) = delete;
+  Prepared_graph& operator=(const Prepared_graph&) = delete;
+
+  /// \param options are kept by reference
+  /// \param find_hits null: by the quadtree
+  Trees trees(const Tree_options& options, internal::Find_nearest_hits<Pslg> find_hits = nullptr) {
+    constexpr std::size_t most_leaves = 100000000;
+    report = CGAL::Tree_separation_report_2();
+    return Trees(problem_, *sides_, graph_, map_, options, Traits(), find_hits, most_leaves, report);
+  }
+
+  const internal::Meshing_problem<Geometry>& problem() const { return problem_; }
+  const internal::Edge_sides& sides() const { return *sides_; }
+  const Pslg& graph() const { return graph_; }
+  const Map& map() const { return map_; }
+
+  CGAL::Tree_separation_report_2 report; ///< of the last trees
+
+private:
+  Map map_;
+  internal::Meshing_problem<Geometry> problem_;
+  internal::Meshing_state<Geometry> state_{problem_};
+  std::optional<internal::Edge_sides> sides_;
+  Pslg graph_;
+};
+
+/// The squares of the leaves, which tell all of a tree.
+template <class Tree>
+auto leaves_of(const Tree& tree) {
+  std::vector<typename Tree::Square> squares;
+  for (std::size_t l = 0; l < tree.number_of_leaves(); ++l) squares.push_back(tree.square(Leaf_index(l)));
+  return squares;
+}
+
+} // namespace separation_test
+
+#endif // QUADTREE_MESH_2_TEST_SEPARATION_TEST_TOOLS_H

@@ -1,0 +1,31 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+
+#ifndef QUADTREE_MESH_2_TEST_TINY_BLOCKS_H
+#define QUADTREE_MESH_2_TEST_TINY_BLOCKS_H
+
+#include <CGAL/Quadtree_mesh_2/internal/triangulation/Mesh_blocks.h>
+
+#include <cstddef>
+
+/// A concurrency tag that cuts small inputs into blocks.
+struct Tiny_blocks_tag {};
+
+namespace CGAL {
+namespace Quadtree_mesh_2 {
+namespace internal {
+
+template <>
+struct Block_sizes<Tiny_blocks_tag> {
+  static constexpr std::size_t vertices = 24;
+  static constexpr std::size_t triangles = 24;
+};
+
+} // namespace internal
+} // namespace Quadtree_mesh_2
+} // namespace CGAL
+
+#endif // QUADTREE_MESH_2_TEST_TINY_BLOCKS_H
