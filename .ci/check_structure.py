@@ -106,16 +106,16 @@ def check_heads():
     for header, text in sorted(texts.items()):
         lines = text.splitlines()
         if not lines or not lines[0].startswith('// Copyright (c) ') or 'SPDX-License-Identifier' not in text:
-            errors.append(f'{header}: no copyright and licence at its head')
+            errors.append(f'{header}: no copyright and license at its head')
         if len(lines) > LONGEST_HEADER:
             errors.append(f'{header}: {len(lines)} lines, more than {LONGEST_HEADER}')
         guard = re.sub(r'[^A-Z0-9]', '_', header.upper())
         is_included_again = header.endswith('/compiled_meshers.h')
         if not is_included_again and f'#ifndef {guard}\n#define {guard}\n' not in text:
             errors.append(f'{header}: the guard is not {guard}')
-        # Either a block of its own below the licence or a comment on what it defines.
-        after_licence = text.split('Author(s)', 1)[-1].split('\n', 1)[-1]
-        if not re.search(r'^//(/|\s*\w)', after_licence, re.MULTILINE):
+        # Either a block of its own below the license or a comment on what it defines.
+        after_license = text.split('Author(s)', 1)[-1].split('\n', 1)[-1]
+        if not re.search(r'^//(/|\s*\w)', after_license, re.MULTILINE):
             errors.append(f'{header}: nothing says what it is for')
 
 

@@ -231,7 +231,7 @@ def separation_phases(figures):
     rows = []
     for c in figures("separation")["comparisons"]:
         all_ways = separation_of(c)
-        names = ["Theorem 5", "Theorem 5, neighbours by trapezoids", "Theorem 5, centroid trees"]
+        names = ["Theorem 5", "Theorem 5, neighbors by trapezoids", "Theorem 5, centroid trees"]
         made = [all_ways.get(name) for name in names]
         if None in made:
             continue

@@ -51,7 +51,7 @@ int main() {
     if (ratio == 1) ++nearest_found;
   }
   const double n = static_cast<double>(near.size());
-  std::cout << near.size() << " points; the near neighbour is the nearest of "
+  std::cout << near.size() << " points; the near neighbor is the nearest of "
             << 100 * double(nearest_found) / n << " %, " << sum / n
             << " times as far as that on average, and at most " << worst << " times\n";
   return worst < 1.6284 ? 0 : 1;

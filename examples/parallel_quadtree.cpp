@@ -16,11 +16,11 @@
 using Traits = CGAL::Filtered_quadtree_traits_2<>;
 using Point = Traits::Point_2;
 
-template <class Concurrency_tag>
-CGAL::Balanced_quadtree<Traits, Concurrency_tag> build(const std::vector<Point>& points, const char* name) {
+template <class ConcurrencyTag>
+CGAL::Balanced_quadtree<Traits, ConcurrencyTag> build(const std::vector<Point>& points, const char* name) {
   CGAL::Real_timer timer;
   timer.start();
-  CGAL::Balanced_quadtree<Traits, Concurrency_tag> tree(points);
+  CGAL::Balanced_quadtree<Traits, ConcurrencyTag> tree(points);
   std::cout << name << ": " << tree.number_of_leaves() << " leaves in " << timer.time() << " s\n";
   return tree;
 }

@@ -34,7 +34,7 @@ int main(int argc, char** argv) {
   const Quadtree::Leaf_index leaf = tree.locate(Point(0, 0));
   const auto corners = tree.corners(leaf);
   std::cout << "the origin is in leaf " << leaf << ", from " << corners[0] << " to " << corners[2]
-            << ", with " << tree.points(leaf).size() << " points\nits neighbours, counterclockwise:";
+            << ", with " << tree.points(leaf).size() << " points\nits neighbors, counterclockwise:";
   for (Quadtree::Leaf_index neighbor : tree.neighbors(leaf)) std::cout << ' ' << neighbor;
   std::cout << '\n';
 

@@ -33,13 +33,13 @@ void mesh(Meshing_run& run, const Command_line& line) {
     options.progress([&progress](double share) { return progress.show(share), true; });
 
   switch (line.kernel) {
-  case Command_line::Kernel::filtered:
+  case Command_line::Kernel::FILTERED:
     run.mesh = mesh_graph::with_doubles(run.pslg, options, line.neighbors, run.report);
     return;
-  case Command_line::Kernel::fixed:
+  case Command_line::Kernel::FIXED:
     run.mesh = mesh_graph::in_words(run.pslg, options, line.neighbors, run.report);
     return;
-  case Command_line::Kernel::exact:
+  case Command_line::Kernel::EXACT:
     run.mesh = mesh_graph::exactly(run.pslg, options, line.neighbors, run.report);
     return;
   }
@@ -65,7 +65,7 @@ void check(Meshing_run& run, const Command_line& line) {
                     .max_edge(options.max_edge_length)
                     .max_area(options.max_triangle_area)
                     .check_domain(rule_to_check(options.domain));
-  if (line.kernel == Command_line::Kernel::fixed)
+  if (line.kernel == Command_line::Kernel::FIXED)
     wanted.coordinate_unit = mesh_graph::unit_of_words(run.pslg);
   run.quality = CGAL::mesh_quality_2(run.mesh, run.pslg, wanted);
   run.ours.vertices = run.quality.vertices;
@@ -99,9 +99,9 @@ Exit_status execute(const Command_line& line) {
   timed(run.ours.seconds, [&] { mesh(run, line); });
   check(run, line);
   check_valid(run.quality);
-  if (line.kernel == Command_line::Kernel::exact && run.report.is_met() && !run.quality.is_met())
+  if (line.kernel == Command_line::Kernel::EXACT && run.report.is_met() && !run.quality.is_met())
     refuse_what_rounding_broke(run.pslg, run.quality.unmet_triangles);
-  if (line.kernel != Command_line::Kernel::filtered) note_what_rounding_broke(run);
+  if (line.kernel != Command_line::Kernel::FILTERED) note_what_rounding_broke(run);
   if (line.is_comparison_wanted) compare(run, line.options);
   const auto add_mesh = [&](mesh_files::Files& files, const std::string& output) {
     timed(run.write_seconds, [&] {
@@ -125,14 +125,14 @@ int fail(const std::string& message) {
 int main(int argc, char** argv) try {
   const Command_line line = parse_command_line(argc, argv);
   switch (line.task) {
-  case Command_line::Task::print_help:
+  case Command_line::Task::PRINT_HELP:
     print_help(std::cout);
     return std::cout.flush() ? DONE : REFUSED;
-  case Command_line::Task::print_version:
+  case Command_line::Task::PRINT_VERSION:
     print_version(std::cout);
     return std::cout.flush() ? DONE : REFUSED;
-  case Command_line::Task::mesh:
-    return line.mode == Command_line::Mode::pslg ? execute(line) : execute_point_set(line);
+  case Command_line::Task::MESH:
+    return line.mode == Command_line::Mode::PSLG ? execute(line) : execute_point_set(line);
   }
 } catch (const Usage_error& error) {
   return fail(std::string(error.what()) + " (see quality_mesh --help)");

@@ -60,9 +60,9 @@ struct Outcome {
 };
 
 /// Makes the neighbors, and lets them go.
-template <template <class, class> class Model, class Concurrency_tag>
+template <template <class, class> class Model, class ConcurrencyTag>
 void make(const Pslg& pslg) {
-  const Model<Traits, Concurrency_tag> neighbors(pslg);
+  const Model<Traits, ConcurrencyTag> neighbors(pslg);
 }
 
 std::vector<Method> methods_of(const Settings& settings) {

@@ -91,12 +91,12 @@ void check_mesh(const Mesh& mesh, const Points_task& task, const Mode& mode, Poi
                  quality.max_angle);
 }
 
-template <class Concurrency_tag>
+template <class ConcurrencyTag>
 Points_run mesh(const Points_task& task, Check check, const Mode& mode, unsigned threads) {
   limit_memory(task.limit_gigabytes);
   const Thread_limit limit(threads);
   Points_run run;
-  CGAL::Point_set_mesher_2<Traits, Concurrency_tag> mesher(mode.options);
+  CGAL::Point_set_mesher_2<Traits, ConcurrencyTag> mesher(mode.options);
   const Stopwatch watch;
   const auto mesh = mesher(task.points);
   run.mesh = watch.seconds();
@@ -115,14 +115,14 @@ Points_run mesh(const Points_task& task, Check check, const Mode& mode, unsigned
   return run;
 }
 
-template <class Concurrency_tag>
+template <class ConcurrencyTag>
 Points_method method(const std::string& name, const Mode& mode, unsigned threads) {
   return {name,
           threads,
           {"quadtree", "separate", "coarsen", "convert"},
           "",
           [mode, threads](const Points_task& task, Check check) {
-            return in_child([&] { return mesh<Concurrency_tag>(task, check, mode, threads); },
+            return in_child([&] { return mesh<ConcurrencyTag>(task, check, mode, threads); },
                             task.limit_seconds)
                 .result;
           }};

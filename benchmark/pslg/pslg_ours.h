@@ -45,11 +45,11 @@ inline double seconds_to_triangulation(const Indexed_mesh& mesh, const Pslg& psl
   return watch.seconds().cpu;
 }
 
-template <class Concurrency_tag>
+template <class ConcurrencyTag>
 Pslg_run mesh(const Pslg_task& task, Check check, unsigned threads) {
   const Thread_limit limit(threads);
   Pslg_run run;
-  CGAL::Quality_mesher_2<Traits, Concurrency_tag> mesher(
+  CGAL::Quality_mesher_2<Traits, ConcurrencyTag> mesher(
       CGAL::Quality_mesh_options_2().min_angle(task.min_angle).max_area(task.max_area));
   const Stopwatch watch;
   const Indexed_mesh mesh = mesher(task.pslg);
@@ -67,13 +67,13 @@ Pslg_run mesh(const Pslg_task& task, Check check, unsigned threads) {
   return run;
 }
 
-template <class Concurrency_tag>
+template <class ConcurrencyTag>
 Pslg_method method(const std::string& name, unsigned threads) {
   return {name,
           threads,
           {"quadtree", "first mesh", "refine", "coarsen", "convert"},
           [threads](const Pslg_task& task, Check check) {
-            return in_child([&] { return mesh<Concurrency_tag>(task, check, threads); }, task.limit_seconds)
+            return in_child([&] { return mesh<ConcurrencyTag>(task, check, threads); }, task.limit_seconds)
                 .result;
           }};
 }

@@ -58,23 +58,23 @@ std::vector<CGAL::Fixed_point_2<Word>> points_for(const CGAL::Fixed_point_quadtr
   return fixed;
 }
 
-template <class Traits, class Concurrency_tag>
+template <class Traits, class ConcurrencyTag>
 Run framework(const Points& input, unsigned threads) {
   const Thread_limit limit(threads);
   const auto& points = points_for(Traits(), input);
   Run_recorder recorder;
-  const CGAL::Quadtree_framework<Traits, Concurrency_tag> framework(points);
+  const CGAL::Quadtree_framework<Traits, ConcurrencyTag> framework(points);
   recorder.stop();
   recorder.set_size(framework.number_of_nodes());
   return recorder.run();
 }
 
-template <class Traits, class Concurrency_tag>
+template <class Traits, class ConcurrencyTag>
 Run tree(const Points& input, unsigned threads, const CGAL::Quadtree_options& options) {
   const Thread_limit limit(threads);
   const auto& points = points_for(Traits(), input);
   Run_recorder recorder;
-  const CGAL::Balanced_quadtree<Traits, Concurrency_tag> tree(points, options);
+  const CGAL::Balanced_quadtree<Traits, ConcurrencyTag> tree(points, options);
   recorder.stop();
   recorder.set_size(tree.number_of_leaves());
   recorder.set_depth(tree.depth());
@@ -86,31 +86,31 @@ inline Product product_of(Balance balance) {
   return balance == Balance::SIDES ? Product::SIDES : Product::CORNERS;
 }
 
-template <class Traits, class Concurrency_tag>
+template <class Traits, class ConcurrencyTag>
 Method framework_method(const std::string& name, unsigned threads) {
   return {"ours, " + name,
           {{"framework", Product::FRAMEWORK}},
-          [=](const Points& points) { return framework<Traits, Concurrency_tag>(points, threads); },
+          [=](const Points& points) { return framework<Traits, ConcurrencyTag>(points, threads); },
           threads};
 }
 
-template <class Traits, class Concurrency_tag>
+template <class Traits, class ConcurrencyTag>
 Method tree_method(const std::string& name, unsigned threads, const CGAL::Quadtree_options& options) {
   return {"ours, " + name,
           {{"tree", product_of(options.balance())}},
-          [=](const Points& points) { return tree<Traits, Concurrency_tag>(points, threads, options); },
+          [=](const Points& points) { return tree<Traits, ConcurrencyTag>(points, threads, options); },
           threads};
 }
 
 /// All that is made of one kind of points by one number of threads.
-template <class Traits, class Concurrency_tag>
+template <class Traits, class ConcurrencyTag>
 void append_methods(const std::string& name, unsigned threads, std::vector<Method>& methods) {
   using Options = CGAL::Quadtree_options;
-  methods.push_back(framework_method<Traits, Concurrency_tag>(name, threads));
+  methods.push_back(framework_method<Traits, ConcurrencyTag>(name, threads));
   for (Balance balance : {Balance::NONE, Balance::SIDES, Balance::SIDES_AND_CORNERS})
-    methods.push_back(tree_method<Traits, Concurrency_tag>(name, threads, Options().balance(balance)));
-  methods.push_back(tree_method<Traits, Concurrency_tag>(
-      name + ", spaced levels", threads, Options().schedule(Balance_schedule::SPACED_LEVELS)));
+    methods.push_back(tree_method<Traits, ConcurrencyTag>(name, threads, Options().balance(balance)));
+  methods.push_back(tree_method<Traits, ConcurrencyTag>(name + ", spaced levels", threads,
+                                                        Options().schedule(Balance_schedule::SPACED_LEVELS)));
 }
 
 template <class Traits>

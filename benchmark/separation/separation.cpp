@@ -77,7 +77,7 @@ ordered_json count_rounds(const Settings& settings) {
   std::printf("Parallel rounds of Theorem 5: what is in one may be done at the same time. n vertices, k "
               "triangles of the\n"
               "rule; edges are cut by centroid trees, after each split of leaves.\n\n");
-  Markdown_table table({"input", "n", "leaves of T_B*", "k", "T_B", "neighbours", "splits", "centroid height",
+  Markdown_table table({"input", "n", "leaves of T_B*", "k", "T_B", "neighbors", "splits", "centroid height",
                         "subdivisions", "placings", "all", "log2 k log2 n", "all / that"});
   ordered_json json = ordered_json::array();
   for (const std::string& family : settings.families)

@@ -58,16 +58,16 @@ namespace separation_internal {
 
 using Traits = CGAL::Filtered_quadtree_traits_2<>;
 
-template <class Concurrency_tag>
+template <class ConcurrencyTag>
 Separation_run mesh(const Separation_method& method, const Pslg_task& task, Check check) {
   using Options = CGAL::Quality_mesh_options_2;
   const Thread_limit limit(method.threads);
   Separation_run run;
   Options options = method.options;
   options.min_angle(task.min_angle).max_area(task.max_area);
-  CGAL::Quality_mesher_2<Traits, Concurrency_tag> mesher(options);
+  CGAL::Quality_mesher_2<Traits, ConcurrencyTag> mesher(options);
   if (method.finds_by_trapezoids)
-    mesher.template find_neighbors_by<CGAL::Trapezoidal_vertex_edge_neighbors_2<Traits, Concurrency_tag>>();
+    mesher.template find_neighbors_by<CGAL::Trapezoidal_vertex_edge_neighbors_2<Traits, ConcurrencyTag>>();
   const Stopwatch watch;
   const Indexed_mesh mesh = mesher(task.pslg);
   run.mesh = watch.seconds();
@@ -82,7 +82,7 @@ Separation_run mesh(const Separation_method& method, const Pslg_task& task, Chec
   run.digest = mesh_digest(mesh);
   if (check == Check::NO) return run;
   check_mesh(mesh, task, CGAL::Mesh_quality_options_2::Arrays::ALL, run);
-  CGAL::Quality_mesher_2<Traits, Concurrency_tag> whole(
+  CGAL::Quality_mesher_2<Traits, ConcurrencyTag> whole(
       options.smooth(0).thin(0).coarsen(Options::Coarsening::NONE));
   run.before_removal = whole(task.pslg).triangles.size();
   return run;
@@ -111,7 +111,7 @@ inline std::vector<Separation_method> separation_methods(const std::vector<unsig
       {"on demand", "", 0, Options()},
       {"on demand, smoothed and thinned", "", 0, Options().smooth(2).thin(2)},
       {"Theorem 5", "", 0, Options().separate(walking)},
-      {"Theorem 5", "neighbours by trapezoids", 0, Options().separate(walking), true},
+      {"Theorem 5", "neighbors by trapezoids", 0, Options().separate(walking), true},
       {"Theorem 5", "centroid trees", 0, Options().separate(centroids)}};
   for (const unsigned n : threads) {
     methods.push_back({"on demand", "", n, Options()});

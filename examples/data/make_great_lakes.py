@@ -12,9 +12,9 @@ from collections import defaultdict
 
 REGION = "-93/-75/41/50"
 CENTER = math.radians(45.0), math.radians(-84.5)
-EARTH_RADIUS = 6371007.2  # metres; the sphere with the area of the ellipsoid
+EARTH_RADIUS = 6371007.2  # meters; the sphere with the area of the ellipsoid
 LAKES = 3  # as sheets of water: Superior, Michigan and Huron are one
-TOLERANCE = 70  # metres that a shoreline may move to have fewer vertices
+TOLERANCE = 70  # meters that a shoreline may move to have fewer vertices
 
 
 def gmt(*arguments, lines=None):
@@ -54,7 +54,7 @@ def simplify(rings):
 
 
 def project(ring):
-    """Lambert's azimuthal equal-area projection, to whole metres; drops repeated points."""
+    """Lambert's azimuthal equal-area projection, to whole meters; drops repeated points."""
     lat0, lon0 = CENTER
     points = []
     for lon, lat in ((math.radians(float(x)), math.radians(float(y))) for x, y in ring):
@@ -126,7 +126,7 @@ def main():
     check_disjoint(rings)
 
     count = sum(map(len, rings))
-    lines = ["# The Great Lakes and their islands, from GSHHG 2.3.7 (LGPL), by make_great_lakes.py; metres", f"{count} 2 0 0"]
+    lines = ["# The Great Lakes and their islands, from GSHHG 2.3.7 (LGPL), by make_great_lakes.py; meters", f"{count} 2 0 0"]
     lines += [f"{i} {x} {y}" for i, (x, y) in enumerate(p for ring in rings for p in ring)]
     lines.append(f"{count} 0")
     first = 0

@@ -32,14 +32,14 @@ struct Angle_promise {
 
 inline Angle_promise angle_promise(Command_line::Mode mode, const CGAL::Point_set_mesh_options_2& options) {
   switch (mode) {
-  case Command_line::Mode::bounded:
+  case Command_line::Mode::BOUNDED:
     return {options.least_angle_in_degrees, options.largest_angle_in_degrees};
-  case Command_line::Mode::acute:
+  case Command_line::Mode::ACUTE:
     return {0, 90, true};
-  case Command_line::Mode::warped:
+  case Command_line::Mode::WARPED:
     return {22.47, 112.63};
-  case Command_line::Mode::points:
-  case Command_line::Mode::pslg:
+  case Command_line::Mode::POINTS:
+  case Command_line::Mode::PSLG:
     break;
   }
   return {20.7, 180};
@@ -53,7 +53,7 @@ struct Point_set_run {
     double least_angle, largest_angle; ///< degrees
   };
 
-  Command_line::Mode mode = Command_line::Mode::points;
+  Command_line::Mode mode = Command_line::Mode::POINTS;
   const char* domain = "";
   Angle_promise promise;
   std::vector<Point_2> points;
@@ -219,8 +219,8 @@ inline void print_run(const Point_set_run& run) {
   print_line("least angle", "%14.2f", run.ours.min_angle, theirs(&Mesh_figures::min_angle));
   print_line("largest angle", "%14.2f", run.ours.max_angle, theirs(&Mesh_figures::max_angle));
   print_ours("triangles out of range", run.unmet_triangles.size());
-  if (run.mode == Command_line::Mode::acute) print_ours("clusters", run.report.clusters);
-  if (run.mode == Command_line::Mode::acute || run.mode == Command_line::Mode::bounded) {
+  if (run.mode == Command_line::Mode::ACUTE) print_ours("clusters", run.report.clusters);
+  if (run.mode == Command_line::Mode::ACUTE || run.mode == Command_line::Mode::BOUNDED) {
     print_ours("certified points", run.report.certified_points);
     print_ours("rounds", run.report.rounds);
   }

@@ -26,15 +26,15 @@ using Scale = CGAL::Fixed_point_scale_2<std::uint64_t>;
 
 /// How much of the root of quadtrees the input may fill.
 enum class Room {
-  half, ///< all that quadtrees of the input need
-  eighteenth ///< for domains that reach further, in any direction
+  HALF,      ///< all that quadtrees of the input need
+  EIGHTEENTH ///< for domains that reach further, in any direction
 };
 
 /// Between the doubles of one input and words. Its points lie in the middle of the root of quadtrees.
 template <class Point>
 class Word_map {
 public:
-  explicit Word_map(const std::vector<Point>& points, Room room = Room::half)
+  explicit Word_map(const std::vector<Point>& points, Room room = Room::HALF)
       : box_(bounding_box(points, room)), margin_(extent(box_) / 4), scale_(box_) {}
 
   double unit() const { return scale_.unit(); }
@@ -60,7 +60,7 @@ private:
   static CGAL::Bbox_2 bounding_box(const std::vector<Point>& points, Room room) {
     CGAL::Bbox_2 box;
     for (const Point& p : points) box += p.bbox();
-    if (room == Room::eighteenth) {
+    if (room == Room::EIGHTEENTH) {
       const double more = 4 * extent(box);
       box = CGAL::Bbox_2(box.xmin() - more, box.ymin() - more, box.xmax() + more, box.ymax() + more);
     }

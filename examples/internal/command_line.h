@@ -27,26 +27,26 @@
 #include <vector>
 
 struct Command_line {
-  enum class Task { mesh, print_help, print_version };
-  enum class Kernel { filtered, fixed, exact };
+  enum class Task { MESH, PRINT_HELP, PRINT_VERSION };
+  enum class Kernel { FILTERED, FIXED, EXACT };
   using Neighbors = mesh_graph::Neighbors;
   /// What is meshed, and which angles are wanted: a graph, or points alone.
-  enum class Mode { pslg, points, bounded, acute, warped };
+  enum class Mode { PSLG, POINTS, BOUNDED, ACUTE, WARPED };
 
-  Task task = Task::mesh;
-  Mode mode = Mode::pslg;
+  Task task = Task::MESH;
+  Mode mode = Mode::PSLG;
   std::string input;
   std::vector<std::string> outputs;
   std::string report_file;      ///< empty: none
   std::string size_points_file; ///< empty: none
-  Kernel kernel = Kernel::filtered;
-  CGAL::Quality_mesh_options_2 options;             ///< of Mode::pslg
-  Neighbors neighbors = Neighbors::trapezoidal;     ///< of Mode::pslg, by quadtrees
+  Kernel kernel = Kernel::FILTERED;
+  CGAL::Quality_mesh_options_2 options;             ///< of Mode::PSLG
+  Neighbors neighbors = Neighbors::TRAPEZOIDAL;     ///< of Mode::PSLG, by quadtrees
   CGAL::Point_set_mesh_options_2 point_set_options; ///< of all other modes
   unsigned threads = 1;
   bool is_comparison_wanted = false;
   bool are_lengths_wanted = false;
-  Picture_colors colors = Picture_colors::none;
+  Picture_colors colors = Picture_colors::NONE;
   bool is_quadtree_shown = false;
   std::string region_property; ///< empty: none
   bool is_quiet = false;
@@ -78,7 +78,7 @@ inline po::options_description common_options() {
      "where to write the mesh, more than once if you like: .vtu, .svg, .off, .obj, .msh (Gmsh), .mesh (MEDIT), or .ele, "
      "which writes .node, .ele and .poly")
     ("color", po::value<std::string>()->value_name("C"),
-     "colours of .svg: none, angle or region; angle if not given in the modes for points, else none")
+     "colors of .svg: none, angle or region; angle if not given in the modes for points, else none")
     ("show-quadtree", "draw the quadtree of the input in .svg, and write its levels to .vtu")
     ("kernel", po::value<std::string>()->value_name("K")->default_value("filtered"),
      "arithmetic: filtered (doubles), fixed (64-bit integers) or exact")
@@ -246,7 +246,7 @@ inline CGAL::Tree_separation_options_2 tree_options(const po::variables_map& giv
 
 inline mesh_graph::Neighbors neighbors(const po::variables_map& given) {
   using Neighbors = mesh_graph::Neighbors;
-  constexpr Neighbors models[] = {Neighbors::trapezoidal, Neighbors::quadtree};
+  constexpr Neighbors models[] = {Neighbors::TRAPEZOIDAL, Neighbors::QUADTREE};
   return models[choice(given, "neighbors", {"trapezoidal", "quadtree"})];
 }
 
@@ -281,26 +281,26 @@ struct Option_use {
 inline const std::vector<Option_use>& option_uses() {
   using Mode = Command_line::Mode;
   static const std::vector<Option_use> uses = {
-      {"min-angle", {Mode::pslg, Mode::points}},
-      {"max-edge", {Mode::pslg}},
-      {"max-area", {Mode::pslg}},
-      {"min-edge", {Mode::pslg}},
-      {"region-property", {Mode::pslg}},
-      {"size-points", {Mode::pslg}},
-      {"domain", {Mode::pslg}},
-      {"separation", {Mode::pslg}},
-      {"neighbors", {Mode::pslg}},
-      {"subdivision", {Mode::pslg}},
-      {"placement", {Mode::pslg}},
-      {"smooth", {Mode::pslg}},
-      {"thin", {Mode::pslg}},
-      {"no-coarsening", {Mode::pslg}},
-      {"compare", {Mode::pslg, Mode::points}},
-      {"angles", {Mode::bounded}},
-      {"square", {Mode::bounded}},
-      {"effort", {Mode::points, Mode::bounded, Mode::acute}},
-      {"budget", {Mode::bounded, Mode::acute}},
-      {"lengths", {Mode::points, Mode::bounded, Mode::acute, Mode::warped}}};
+      {"min-angle", {Mode::PSLG, Mode::POINTS}},
+      {"max-edge", {Mode::PSLG}},
+      {"max-area", {Mode::PSLG}},
+      {"min-edge", {Mode::PSLG}},
+      {"region-property", {Mode::PSLG}},
+      {"size-points", {Mode::PSLG}},
+      {"domain", {Mode::PSLG}},
+      {"separation", {Mode::PSLG}},
+      {"neighbors", {Mode::PSLG}},
+      {"subdivision", {Mode::PSLG}},
+      {"placement", {Mode::PSLG}},
+      {"smooth", {Mode::PSLG}},
+      {"thin", {Mode::PSLG}},
+      {"no-coarsening", {Mode::PSLG}},
+      {"compare", {Mode::PSLG, Mode::POINTS}},
+      {"angles", {Mode::BOUNDED}},
+      {"square", {Mode::BOUNDED}},
+      {"effort", {Mode::POINTS, Mode::BOUNDED, Mode::ACUTE}},
+      {"budget", {Mode::BOUNDED, Mode::ACUTE}},
+      {"lengths", {Mode::POINTS, Mode::BOUNDED, Mode::ACUTE, Mode::WARPED}}};
   return uses;
 }
 
@@ -348,20 +348,20 @@ inline CGAL::Point_set_mesh_options_2 point_set_mesh_options(const po::variables
                                                              Command_line::Mode mode) {
   CGAL::Point_set_mesh_options_2 options;
   switch (mode) {
-  case Command_line::Mode::pslg:
+  case Command_line::Mode::PSLG:
     return options;
-  case Command_line::Mode::points:
+  case Command_line::Mode::POINTS:
     if (given["min-angle"].as<double>() != 20.7)
       throw Usage_error("--min-angle cannot be chosen with --mode points: it is 20.7 degrees");
     options.least_angle();
     break;
-  case Command_line::Mode::bounded:
+  case Command_line::Mode::BOUNDED:
     options = bounded_angles(given);
     break;
-  case Command_line::Mode::acute:
+  case Command_line::Mode::ACUTE:
     options.acute();
     break;
-  case Command_line::Mode::warped:
+  case Command_line::Mode::WARPED:
     options.warped_squares();
     break;
   }
@@ -376,16 +376,16 @@ inline CGAL::Point_set_mesh_options_2 point_set_mesh_options(const po::variables
 
 /// Points are colored unless it is forbidden: their angles are what the modes differ in.
 inline Picture_colors colors(const po::variables_map& given, Command_line::Mode mode) {
-  constexpr Picture_colors all[] = {Picture_colors::none, Picture_colors::angle, Picture_colors::region};
-  Picture_colors result = mode == Command_line::Mode::pslg ? Picture_colors::none : Picture_colors::angle;
+  constexpr Picture_colors all[] = {Picture_colors::NONE, Picture_colors::ANGLE, Picture_colors::REGION};
+  Picture_colors result = mode == Command_line::Mode::PSLG ? Picture_colors::NONE : Picture_colors::ANGLE;
   if (given.count("color") > 0) result = all[choice(given, "color", {"none", "angle", "region"})];
-  const bool is_by_largest = result == Picture_colors::angle && mode == Command_line::Mode::acute;
-  return is_by_largest ? Picture_colors::largest_angle : result;
+  const bool is_by_largest = result == Picture_colors::ANGLE && mode == Command_line::Mode::ACUTE;
+  return is_by_largest ? Picture_colors::LARGEST_ANGLE : result;
 }
 
 /// \throws Usage_error if a property is wanted of an input that has none
 inline void check_region_property(const Command_line& line) {
-  if (!line.region_property.empty() && input_format(line.input) != Input_format::geojson)
+  if (!line.region_property.empty() && input_format(line.input) != Input_format::GEOJSON)
     throw Usage_error("--region-property has a meaning for GeoJSON only");
 }
 
@@ -406,14 +406,18 @@ inline po::variables_map parse(int argc, const char* const* argv) {
 
 inline void print_help(std::ostream& out) {
   out << "usage: quality_mesh INPUT [-o OUTPUT]... [option]...\n\n"
-         "Meshes a planar straight-line graph with triangles whose angles meet a bound: .poly of Triangle, .geojson "
+         "Meshes a planar straight-line graph with triangles whose angles meet a bound: .poly of Triangle, "
+         ".geojson "
          "(or .json),\n"
-         ".wkt. Or points alone: any of these without segments, .node, or a table, one 'x y', 'x,y' or 'x;y' a line "
+         ".wkt. Or points alone: any of these without segments, .node, or a table, one 'x y', 'x,y' or 'x;y' "
+         "a line "
          "(.xy, .txt,\n"
          ".csv). Any may be compressed (.gz).\n"
       << command_line_internal::visible_options()
-      << "\nExit status: 0 the mesh is valid and meets all bounds; 1 it is valid and written, but a bound is unmet "
-         "somewhere;\n2 refused, nothing is written: bad usage, bad input, or no valid mesh of it in this arithmetic.\n";
+      << "\nExit status: 0 the mesh is valid and meets all bounds; 1 it is valid and written, but a bound is "
+         "unmet "
+         "somewhere;\n2 refused, nothing is written: bad usage, bad input, or no valid mesh of it in this "
+         "arithmetic.\n";
 }
 
 inline void print_version(std::ostream& out) {
@@ -425,8 +429,8 @@ inline Command_line parse_command_line(int argc, const char* const* argv) try {
   using namespace command_line_internal;
   const po::variables_map given = parse(argc, argv);
   Command_line line;
-  if (given.count("help") > 0) return line.task = Command_line::Task::print_help, line;
-  if (given.count("version") > 0) return line.task = Command_line::Task::print_version, line;
+  if (given.count("help") > 0) return line.task = Command_line::Task::PRINT_HELP, line;
+  if (given.count("version") > 0) return line.task = Command_line::Task::PRINT_VERSION, line;
 
   if (given.count("input") == 0) throw Usage_error("no input given");
   const auto& inputs = given["input"].as<std::vector<std::string>>();
@@ -443,8 +447,8 @@ inline Command_line parse_command_line(int argc, const char* const* argv) try {
   line.neighbors = neighbors(given);
   line.point_set_options = point_set_mesh_options(given, line.mode);
   line.size_points_file = text(given, "size-points");
-  constexpr Command_line::Kernel kernels[] = {Command_line::Kernel::filtered, Command_line::Kernel::fixed,
-                                              Command_line::Kernel::exact};
+  constexpr Command_line::Kernel kernels[] = {Command_line::Kernel::FILTERED, Command_line::Kernel::FIXED,
+                                              Command_line::Kernel::EXACT};
   line.kernel = kernels[choice(given, "kernel", {"filtered", "fixed", "exact"})];
   line.threads = threads(given);
   line.is_comparison_wanted = given.count("compare") > 0;

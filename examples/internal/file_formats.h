@@ -15,17 +15,17 @@ public:
   using std::runtime_error::runtime_error;
 };
 
-enum class Input_format { poly, geojson, wkt, node, table };
-enum class Output_format { triangle, vtu, svg, off, obj, msh, medit };
+enum class Input_format { POLY, GEOJSON, WKT, NODE, TABLE };
+enum class Output_format { TRIANGLE, VTU, SVG, OFF, OBJ, MSH, MEDIT };
 /// What the colors of a picture stand for.
-enum class Picture_colors { none, angle, largest_angle, region };
+enum class Picture_colors { NONE, ANGLE, LARGEST_ANGLE, REGION };
 
 /// By the ending, or by that before `.gz`; without any it is a .poly file, as from a pipe.
 inline Input_format input_format(const std::string& file_name) {
   static const std::vector<std::pair<std::string, Input_format>> endings = {
-      {"", Input_format::poly},         {".poly", Input_format::poly}, {".geojson", Input_format::geojson},
-      {".json", Input_format::geojson}, {".wkt", Input_format::wkt},   {".node", Input_format::node},
-      {".xy", Input_format::table},     {".txt", Input_format::table}, {".csv", Input_format::table}};
+      {"", Input_format::POLY},         {".poly", Input_format::POLY}, {".geojson", Input_format::GEOJSON},
+      {".json", Input_format::GEOJSON}, {".wkt", Input_format::WKT},   {".node", Input_format::NODE},
+      {".xy", Input_format::TABLE},     {".txt", Input_format::TABLE}, {".csv", Input_format::TABLE}};
   std::filesystem::path path(file_name);
   if (path.extension() == ".gz") path.replace_extension();
   for (const auto& [ending, format] : endings)
@@ -36,11 +36,11 @@ inline Input_format input_format(const std::string& file_name) {
 
 inline Output_format output_format(const std::string& file_name) {
   static const std::vector<std::pair<std::string, Output_format>> endings = {
-      {".ele", Output_format::triangle},  {".node", Output_format::triangle},
-      {".poly", Output_format::triangle}, {".vtu", Output_format::vtu},
-      {".svg", Output_format::svg},       {".off", Output_format::off},
-      {".obj", Output_format::obj},       {".msh", Output_format::msh},
-      {".mesh", Output_format::medit}};
+      {".ele", Output_format::TRIANGLE},  {".node", Output_format::TRIANGLE},
+      {".poly", Output_format::TRIANGLE}, {".vtu", Output_format::VTU},
+      {".svg", Output_format::SVG},       {".off", Output_format::OFF},
+      {".obj", Output_format::OBJ},       {".msh", Output_format::MSH},
+      {".mesh", Output_format::MEDIT}};
   for (const auto& [ending, format] : endings)
     if (std::filesystem::path(file_name).extension() == ending) return format;
   throw Usage_error("cannot tell the format of output '" + file_name +
@@ -50,7 +50,7 @@ inline Output_format output_format(const std::string& file_name) {
 /// The files that an output consists of.
 inline std::vector<std::filesystem::path> files_of_output(const std::string& file_name) {
   const std::filesystem::path path(file_name);
-  if (output_format(file_name) != Output_format::triangle) return {path};
+  if (output_format(file_name) != Output_format::TRIANGLE) return {path};
   std::vector<std::filesystem::path> files;
   for (const char* ending : {".node", ".ele", ".poly"})
     files.push_back(std::filesystem::path(path).replace_extension(ending));

@@ -26,19 +26,19 @@ using namespace mesh_files;
 Pslg read(const std::string& file_name, const std::string& region_property) {
   Pslg pslg;
   switch (input_format(file_name)) {
-  case Input_format::poly:
+  case Input_format::POLY:
     CGAL::IO::read_triangle_poly(file_name, pslg);
     break;
-  case Input_format::geojson:
+  case Input_format::GEOJSON:
     CGAL::IO::read_GeoJSON(file_name, pslg, region_property);
     break;
-  case Input_format::wkt:
+  case Input_format::WKT:
     CGAL::IO::read_WKT(file_name, pslg);
     break;
-  case Input_format::node:
+  case Input_format::NODE:
     CGAL::IO::read_triangle_node(file_name, pslg);
     break;
-  case Input_format::table:
+  case Input_format::TABLE:
     CGAL::IO::read_XY(file_name, pslg.vertices);
     break;
   }
@@ -49,15 +49,15 @@ CGAL::IO::Svg_options_2 svg_options(const Picture& picture) {
   using Options = CGAL::IO::Svg_options_2;
   Options options;
   switch (picture.colors) {
-  case Picture_colors::none:
+  case Picture_colors::NONE:
     return options;
-  case Picture_colors::angle:
+  case Picture_colors::ANGLE:
     options.fill_by(Options::Fill::LEAST_ANGLE);
     break;
-  case Picture_colors::largest_angle:
+  case Picture_colors::LARGEST_ANGLE:
     options.fill_by(Options::Fill::LARGEST_ANGLE);
     break;
-  case Picture_colors::region:
+  case Picture_colors::REGION:
     options.fill_by(Options::Fill::REGION);
     break;
   }
@@ -84,19 +84,19 @@ void write_grid(std::ostream& out, const Mesh& mesh, const Pslg& pslg, const Pic
 void write(std::ostream& out, Output_format format, const Mesh& mesh, const Pslg& pslg,
            const Picture& picture) {
   switch (format) {
-  case Output_format::triangle:
+  case Output_format::TRIANGLE:
     return;
-  case Output_format::vtu:
+  case Output_format::VTU:
     return write_grid(out, mesh, pslg, picture);
-  case Output_format::svg:
+  case Output_format::SVG:
     return write_picture(out, mesh, pslg, picture);
-  case Output_format::off:
+  case Output_format::OFF:
     return CGAL::IO::write_OFF(out, mesh);
-  case Output_format::obj:
+  case Output_format::OBJ:
     return CGAL::IO::write_OBJ(out, mesh);
-  case Output_format::msh:
+  case Output_format::MSH:
     return CGAL::IO::write_MSH(out, mesh, pslg);
-  case Output_format::medit:
+  case Output_format::MEDIT:
     return CGAL::IO::write_MEDIT(out, mesh);
   }
 }
@@ -107,7 +107,7 @@ namespace mesh_files {
 
 Pslg read_graph(const std::string& file_name, const std::string& region_property) {
   const Input_format format = input_format(file_name);
-  if (format == Input_format::node || format == Input_format::table)
+  if (format == Input_format::NODE || format == Input_format::TABLE)
     throw Usage_error("'" + file_name +
                       "' is a file of points alone: use --mode points, bounded, acute or warped");
   return read(file_name, region_property);
@@ -134,7 +134,7 @@ CGAL::Points_sizing_field_2 read_sized_points(const std::string& file_name) {
 void add(Files& files, const std::string& file_name, const Mesh& mesh, const Pslg& pslg,
          const Picture& picture) {
   const Output_format format = output_format(file_name);
-  if (format == Output_format::triangle) {
+  if (format == Output_format::TRIANGLE) {
     const std::string stem = std::filesystem::path(file_name).replace_extension().string();
     return CGAL::Quadtree_mesh_2::internal::add_triangle_files(files, mesh, pslg, stem);
   }

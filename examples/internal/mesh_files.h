@@ -33,7 +33,7 @@ CGAL::Points_sizing_field_2 read_sized_points(const std::string& file_name);
 
 /// What pictures show besides the mesh.
 struct Picture {
-  Picture_colors colors = Picture_colors::none;
+  Picture_colors colors = Picture_colors::NONE;
   bool is_quadtree_shown = false; ///< that of the graph's vertices
 };
 using Files = CGAL::Quadtree_mesh_2::internal::Replaced_files;

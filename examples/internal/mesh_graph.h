@@ -19,7 +19,7 @@ using Options = CGAL::Quality_mesh_options_2;
 using Report = CGAL::Quality_mesh_report_2;
 
 /// What finds the edges next to vertices in the construction by quadtrees; the mesh is the same.
-enum class Neighbors { trapezoidal, quadtree };
+enum class Neighbors { TRAPEZOIDAL, QUADTREE };
 
 // All throw std::exception for what cannot be meshed, or what the arithmetic cannot hold.
 

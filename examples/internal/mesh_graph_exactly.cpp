@@ -24,8 +24,8 @@ mesh_graph::Mesh mesh_graph::exactly(const Pslg& pslg, const Options& options, N
   for (const auto& region : pslg.regions)
     graph.regions.push_back({exact(region.point), region.attribute, region.max_area});
 
-  auto rounded = CGAL::round_mesh_2<Point>(mesh_graph_with<Traits>(graph, options, neighbors, report),
-                                           pslg.vertices);
+  auto rounded =
+      CGAL::round_mesh_2<Point>(mesh_graph_with<Traits>(graph, options, neighbors, report), pslg.vertices);
   rounded.renumber(report);
   return std::move(rounded.mesh);
 }

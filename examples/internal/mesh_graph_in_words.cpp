@@ -104,8 +104,8 @@ std::string text_of_vertex(const mesh_graph::Pslg& pslg, Vertex_index v) {
 
 /// The text for a segment, with the user's numbers.
 std::string text_of_segment(const mesh_graph::Pslg& pslg, std::size_t s) {
-  return "segment " + std::to_string(s) + " (vertices " + text_of_vertex(pslg, pslg.segments[s][0]) + " and " +
-         text_of_vertex(pslg, pslg.segments[s][1]) + ')';
+  return "segment " + std::to_string(s) + " (vertices " + text_of_vertex(pslg, pslg.segments[s][0]) +
+         " and " + text_of_vertex(pslg, pslg.segments[s][1]) + ')';
 }
 
 /// Words may put a vertex on a segment that it is next to.

@@ -12,7 +12,7 @@
 mesh_points::Mesh mesh_points::in_words(const std::vector<Point>& points, const Options& options,
                                         Report& report) {
   using namespace mesh_in_words_internal;
-  const Word_map<Point> map(points, Room::eighteenth); // rows of squares are long
+  const Word_map<Point> map(points, Room::EIGHTEENTH); // rows of squares are long
   std::vector<Word_point> words;
   words.reserve(points.size());
   for (const Point& p : points) words.push_back(map.to_word(p));

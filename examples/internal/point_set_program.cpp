@@ -31,8 +31,8 @@ namespace {
 using Mode = Command_line::Mode;
 
 const char* domain_of(const Command_line& line) {
-  if (line.mode == Mode::points) return "box";
-  const bool is_row = line.mode == Mode::bounded &&
+  if (line.mode == Mode::POINTS) return "box";
+  const bool is_row = line.mode == Mode::BOUNDED &&
                       line.point_set_options.domain == CGAL::Point_set_mesh_options_2::Domain::ROW;
   return is_row ? "row" : "square";
 }
@@ -57,13 +57,13 @@ void mesh(Point_set_run& run, const Command_line& line) try {
   if (!line.is_quiet && Progress_line::is_possible())
     options.progress([&progress](double share) { return progress.show(share), true; });
   switch (line.kernel) {
-  case Command_line::Kernel::filtered:
+  case Command_line::Kernel::FILTERED:
     run.mesh = mesh_points::with_doubles(run.points, options, run.report);
     return;
-  case Command_line::Kernel::fixed:
+  case Command_line::Kernel::FIXED:
     run.mesh = mesh_points::in_words(run.points, options, run.report);
     return;
-  case Command_line::Kernel::exact:
+  case Command_line::Kernel::EXACT:
     run.mesh = mesh_points::exactly(run.points, options, run.report);
     return;
   }
@@ -87,7 +87,8 @@ void check(Point_set_run& run) {
 
 void compare(Point_set_run& run) {
   const auto peer = [&] {
-    return figures_by_Mesh_2(CGAL::Quadtree_mesh_2::internal::points_in_box(run.points), run.promise.least, 0);
+    return figures_by_Mesh_2(CGAL::Quadtree_mesh_2::internal::points_in_box(run.points), run.promise.least,
+                             0);
   };
   run.is_peer_asked = true;
   run.peer = in_child(peer, peer_limit_seconds).result;
@@ -106,7 +107,7 @@ Exit_status execute_point_set(const Command_line& line) {
   timed(run.ours.seconds, [&] { mesh(run, line); });
   check(run);
   check_valid(run.quality);
-  if (line.kernel == Command_line::Kernel::exact && run.report.is_met() && !run.unmet_triangles.empty())
+  if (line.kernel == Command_line::Kernel::EXACT && run.report.is_met() && !run.unmet_triangles.empty())
     refuse_what_rounding_broke(graph_of(run), run.unmet_triangles);
   if (line.are_lengths_wanted) run.lengths = CGAL::point_set_lengths_2(run.points);
   if (line.is_comparison_wanted) compare(run);

@@ -57,7 +57,7 @@ inline void check_writable(const fs::path& file) {
 /// there is such a file and an output would overwrite it.
 inline void add_node_file(const std::string& input, const Named_files& outputs, Named_files& inputs) {
   namespace internal = CGAL::Quadtree_mesh_2::internal;
-  if (input_format(input) != Input_format::poly) return;
+  if (input_format(input) != Input_format::POLY) return;
   const std::string node_file = internal::find_node_file(input);
   if (node_file.empty()) return;
   for (const Named_file& output : outputs)

@@ -25,6 +25,7 @@
 #include <CGAL/Quadtree_mesh_2/Grid_point_2.h>
 #include <CGAL/Quadtree_mesh_2/Index.h>
 #include <CGAL/Quadtree_mesh_2/Leaf_neighbors.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/quadtree/Linked_squares.h>
 #include <CGAL/Quadtree_mesh_2/internal/quadtree/Required_squares.h>
 #include <CGAL/Quadtree_mesh_2/internal/quadtree/Spaced_levels_grower.h>
@@ -32,7 +33,6 @@
 #include <CGAL/Quadtree_mesh_2/internal/quadtree/forcing.h>
 #include <CGAL/Quadtree_mesh_2/internal/quadtree/locate_all.h>
 #include <CGAL/Quadtree_mesh_2/internal/quadtree/near_neighbors.h>
-#include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/quadtree/required_by_marks.h>
 #include <CGAL/Quadtree_mesh_2/internal/quadtree/required_by_size.h>
 #include <CGAL/Quadtree_options.h>
@@ -71,8 +71,8 @@ struct Leaf_interval {
 /// Takes O(n + k) time for n points and k squares, not counting sorting, and about 25 bytes per square besides
 /// those of the framework. The result is the same for any number of threads.
 /// \tparam Traits_ a model of `QuadtreeTraits_2`.
-/// \tparam Concurrency_tag `CGAL::Sequential_tag` or `CGAL::Parallel_tag`.
-template <class Traits_, class Concurrency_tag = Sequential_tag>
+/// \tparam ConcurrencyTag `CGAL::Sequential_tag` or `CGAL::Parallel_tag`.
+template <class Traits_, class ConcurrencyTag = Sequential_tag>
 class Balanced_quadtree {
 public:
   /// \name Types
@@ -80,7 +80,7 @@ public:
 
   /// Types of the template arguments, and indices.
   using Traits = Traits_;
-  using Framework = Quadtree_framework<Traits, Concurrency_tag>;
+  using Framework = Quadtree_framework<Traits, ConcurrencyTag>;
   using Point_2 = typename Traits::Point_2;
   using Word = typename Traits::Word;
   using Grid_point = Quadtree_mesh_2::Grid_point_2<Word>;
@@ -113,12 +113,12 @@ public:
       : framework_(std::move(framework)), options_(options) {
     CGAL_precondition(options.max_points_per_leaf() >= 1);
     namespace internal = Quadtree_mesh_2::internal;
-    const Required_squares required = internal::Required_squares_finder<Framework, Concurrency_tag>(
+    const Required_squares required = internal::Required_squares_finder<Framework, ConcurrencyTag>(
                                           framework_, options.max_points_per_leaf())
                                           .find();
     if (options.schedule() == Quadtree_mesh_2::Balance_schedule::SPACED_LEVELS &&
         options.balance() != Quadtree_mesh_2::Balance::NONE)
-      squares_ = internal::Spaced_levels_grower<Framework, Concurrency_tag>(framework_, required).grow();
+      squares_ = internal::Spaced_levels_grower<Framework, ConcurrencyTag>(framework_, required).grow();
     else
       squares_ = smallest_squares(required);
   }
@@ -135,7 +135,7 @@ public:
       : framework_(std::move(framework)), options_(options) {
     CGAL_precondition(options.max_points_per_leaf() >= 1);
     squares_ = smallest_squares(
-        Quadtree_mesh_2::internal::Sized_squares_finder<Framework, Must_split, Concurrency_tag>(
+        Quadtree_mesh_2::internal::Sized_squares_finder<Framework, Must_split, ConcurrencyTag>(
             framework_, options.max_points_per_leaf(), must_split)
             .find());
   }
@@ -167,7 +167,7 @@ public:
       CGAL_precondition(level(l) < framework_.grid().depth());
       is_marked[std::size_t(l)] = true;
     }
-    squares_ = smallest_squares(Quadtree_mesh_2::internal::required_by_marks<Concurrency_tag>(
+    squares_ = smallest_squares(Quadtree_mesh_2::internal::required_by_marks<ConcurrencyTag>(
         squares_, [&](Node_index v) { return is_marked[std::size_t(leaf(v))]; }));
   }
 
@@ -312,7 +312,7 @@ public:
   /// \tparam PointRange a random access range with value type `Point_2`; several threads may read it.
   template <class PointRange>
   std::vector<Leaf_index> locate_all(const PointRange& queries) const {
-    return Quadtree_mesh_2::internal::locate_all<Concurrency_tag>(*this, queries);
+    return Quadtree_mesh_2::internal::locate_all<ConcurrencyTag>(*this, queries);
   }
 
   /// Returns a point at most 1.6284 times as far from the point of rank `r` as its nearest neighbor. It
@@ -327,7 +327,7 @@ public:
   /// \pre the quadtree is balanced across sides and corners
   std::vector<Point_rank> near_neighbors() const {
     CGAL_precondition(options_.balance() == Quadtree_mesh_2::Balance::SIDES_AND_CORNERS);
-    return Quadtree_mesh_2::internal::near_neighbors<Concurrency_tag>(*this);
+    return Quadtree_mesh_2::internal::near_neighbors<ConcurrencyTag>(*this);
   }
 
   /// @}
@@ -368,8 +368,8 @@ private:
   /// The smallest balanced quadtree with the required squares.
   Linked_squares smallest_squares(const Required_squares& required) const {
     namespace internal = Quadtree_mesh_2::internal;
-    const auto forced = internal::least_forced_directions<Concurrency_tag>(required, options_.balance());
-    return internal::Square_grower<Framework, Concurrency_tag>(framework_, required, forced).grow();
+    const auto forced = internal::least_forced_directions<ConcurrencyTag>(required, options_.balance());
+    return internal::Square_grower<Framework, ConcurrencyTag>(framework_, required, forced).grow();
   }
 
   /// Leaves are in shuffle order, so the points of the next leaf follow.

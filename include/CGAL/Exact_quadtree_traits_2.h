@@ -11,10 +11,10 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Quadtree_mesh_2/Grid_point_2.h>
 #include <CGAL/Quadtree_mesh_2/Point_error.h>
-#include <CGAL/Quadtree_mesh_2/internal/grid/Scaled_integer.h>
 #include <CGAL/Quadtree_mesh_2/internal/frame/exact_axis_parallel_grid.h>
 #include <CGAL/Quadtree_mesh_2/internal/geometry/exact_coordinate_map.h>
 #include <CGAL/Quadtree_mesh_2/internal/geometry/exact_dyadic_steps.h>
+#include <CGAL/Quadtree_mesh_2/internal/grid/Scaled_integer.h>
 #include <CGAL/Quadtree_mesh_2/internal/grid/exact_grid.h>
 #include <CGAL/enum.h>
 #include <CGAL/number_utils.h>

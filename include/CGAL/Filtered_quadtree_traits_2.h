@@ -10,8 +10,8 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Quadtree_mesh_2/Grid_point_2.h>
 #include <CGAL/Quadtree_mesh_2/Point_error.h>
-#include <CGAL/Quadtree_mesh_2/internal/grid/double_grid.h>
 #include <CGAL/Quadtree_mesh_2/internal/geometry/meshing_geometry_fwd.h>
+#include <CGAL/Quadtree_mesh_2/internal/grid/double_grid.h>
 #include <CGAL/assertions.h>
 
 #include <algorithm>

@@ -24,8 +24,8 @@
 #include <CGAL/Quadtree_mesh_2/internal/base/Uninitialized_vector.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/Word_operations.h>
 #include <CGAL/Quadtree_mesh_2/internal/grid/morton.h>
-#include <CGAL/Quadtree_mesh_2/internal/quadtree/nesting.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
+#include <CGAL/Quadtree_mesh_2/internal/quadtree/nesting.h>
 #include <CGAL/assertions.h>
 #include <CGAL/tags.h>
 
@@ -80,8 +80,8 @@ struct Duplicate_point {
 /// depends on the depth. Takes about 40 bytes per point besides the grid points. The result is the same for
 /// any number of threads.
 /// \tparam Traits_ a model of `QuadtreeTraits_2`.
-/// \tparam Concurrency_tag `CGAL::Sequential_tag` or `CGAL::Parallel_tag`.
-template <class Traits_, class Concurrency_tag = Sequential_tag>
+/// \tparam ConcurrencyTag `CGAL::Sequential_tag` or `CGAL::Parallel_tag`.
+template <class Traits_, class ConcurrencyTag = Sequential_tag>
 class Quadtree_framework {
 public:
   /// \name Types
@@ -274,7 +274,7 @@ private:
     arrange_points(first, n);
     const Level greatest = static_cast<Level>(grid_.depth()); // of equal points
     const auto begin = nodes_.gap_level.begin();
-    const std::size_t repeated = reduce<Concurrency_tag>(
+    const std::size_t repeated = reduce<ConcurrencyTag>(
         nodes_.gap_level.size(), std::size_t(0),
         [&](std::size_t from, std::size_t to) {
           return static_cast<std::size_t>(std::count(begin + static_cast<std::ptrdiff_t>(from),
@@ -292,13 +292,13 @@ private:
   void arrange_points(Iterator first, std::size_t n) {
     using namespace Quadtree_mesh_2::internal;
     Uninitialized_vector<Grid_point> unsorted(n);
-    for_each_index<Concurrency_tag>(n, [&](std::size_t i) { unsorted[i] = grid_.grid_point(at(first, i)); });
-    input_ = shuffle_order<Concurrency_tag>(unsorted);
+    for_each_index<ConcurrencyTag>(n, [&](std::size_t i) { unsorted[i] = grid_.grid_point(at(first, i)); });
+    input_ = shuffle_order<ConcurrencyTag>(unsorted);
     points_.resize(n);
     rank_.resize(n);
     nodes_.gap_level.resize(n == 0 ? 0 : n - 1);
     // Block by block, while the points are in the cache: most of the time goes into moving memory.
-    for_each_block<Concurrency_tag>(n, default_block, [&](std::size_t, std::size_t begin, std::size_t end) {
+    for_each_block<ConcurrencyTag>(n, default_block, [&](std::size_t, std::size_t begin, std::size_t end) {
       for (std::size_t k = begin; k < end; ++k) points_[k] = unsorted[input_[k]];
       for (std::size_t k = begin; k < end; ++k) rank_[input_[k]] = static_cast<std::uint32_t>(k);
       for (std::size_t k = begin + 1; k < end; ++k) find_gap_level(k - 1);
@@ -319,7 +319,7 @@ private:
     using Quadtree_mesh_2::Point_error;
     duplicates_.clear();
     Point_index kept;
-    for (const std::uint32_t k : Quadtree_mesh_2::internal::pack<Concurrency_tag>(
+    for (const std::uint32_t k : Quadtree_mesh_2::internal::pack<ConcurrencyTag>(
              points_.size(), [&](std::size_t i) { return is_repeated(i); })) {
       if (!is_repeated(k - 1)) kept = Point_index(input_[k - 1]);
       const Point_index i(input_[k]);
@@ -338,7 +338,7 @@ private:
     using namespace Quadtree_mesh_2::internal;
     Uninitialized_vector<Grid_point> points;
     Order input;
-    count_allocate_and_place<Concurrency_tag>(
+    count_allocate_and_place<ConcurrencyTag>(
         points_.size(),
         [&](std::size_t begin, std::size_t end) {
           std::size_t sum = 0;
@@ -361,14 +361,14 @@ private:
         });
     points_.swap(points);
     input_.swap(input);
-    for_each_index<Concurrency_tag>(points_.size() - 1, [&](std::size_t i) { find_gap_level(i); });
+    for_each_index<ConcurrencyTag>(points_.size() - 1, [&](std::size_t i) { find_gap_level(i); });
   }
 
   /// Finds the squares derived from neighbors in the order, and their nesting.
   void find_nodes() {
     if (points_.size() < 2) return;
     nodes_ =
-        Quadtree_mesh_2::internal::Nesting_finder<Concurrency_tag, Level>(std::move(nodes_.gap_level)).find();
+        Quadtree_mesh_2::internal::Nesting_finder<ConcurrencyTag, Level>(std::move(nodes_.gap_level)).find();
   }
 
   Grid_2 grid_;

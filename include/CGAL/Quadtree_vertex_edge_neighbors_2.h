@@ -53,9 +53,9 @@
 #include <CGAL/Quadtree_mesh_2/Index.h>
 #include <CGAL/Quadtree_mesh_2/internal/neighbors/Axis_ray_caster.h>
 #include <CGAL/Quadtree_mesh_2/internal/neighbors/Axis_rays.h>
-#include <CGAL/Quadtree_mesh_2/internal/quadtree/Leaf_segments.h>
 #include <CGAL/Quadtree_mesh_2/internal/neighbors/Sector_searcher.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
+#include <CGAL/Quadtree_mesh_2/internal/quadtree/Leaf_segments.h>
 #include <CGAL/Quadtree_mesh_2/vertex_edge_neighbor_types.h>
 #include <CGAL/assertions.h>
 
@@ -84,9 +84,9 @@ namespace CGAL {
 /// A segment may meet a constant share of all leaves, and each of m long segments may do so. The lists need 4 bytes
 /// per pair of a leaf and a segment, and 24 while they are made.
 /// \tparam Traits_ a model of `QuadtreeTraits_2`: any of those of this package.
-/// \tparam Concurrency_tag `CGAL::Sequential_tag` or `CGAL::Parallel_tag`.
+/// \tparam ConcurrencyTag `CGAL::Sequential_tag` or `CGAL::Parallel_tag`.
 /// \cgalModels{VertexEdgeNeighbors_2}
-template <class Traits_, class Concurrency_tag = Sequential_tag>
+template <class Traits_, class ConcurrencyTag = Sequential_tag>
 class Quadtree_vertex_edge_neighbors_2 {
 public:
   /// \name Types
@@ -96,7 +96,7 @@ public:
   using Traits = Traits_;
   using Point_2 = typename Traits::Point_2;
   using Pslg = Pslg_2<Point_2>;
-  using Quadtree = Balanced_quadtree<Traits, Concurrency_tag>;
+  using Quadtree = Balanced_quadtree<Traits, ConcurrencyTag>;
   using Direction = Quadtree_mesh_2::Direction;
   using Vertex_index = Quadtree_mesh_2::Vertex_index;
   using Segment_index = Quadtree_mesh_2::Segment_index;
@@ -110,7 +110,7 @@ public:
   explicit Quadtree_vertex_edge_neighbors_2(const Pslg& pslg, const Options& options = Options(),
                                             const Traits& traits = Traits())
       : pslg_(&pslg), tree_(pslg.vertices, Quadtree_options(), traits) {
-    lists_ = Lists::template of<Concurrency_tag>(tree_, pslg.segments);
+    lists_ = Lists::template of<ConcurrencyTag>(tree_, pslg.segments);
     for (int i = 0; i < options.max_refinements(); ++i)
       if (!split_long_lists(options.max_segments_per_leaf())) break;
     find_hits();
@@ -192,7 +192,7 @@ private:
   bool split_long_lists(std::size_t max_segments) {
     using namespace Quadtree_mesh_2::internal;
     const int depth = tree_.framework().grid().depth();
-    const auto long_lists = pack_values<Concurrency_tag, Leaf_index>(
+    const auto long_lists = pack_values<ConcurrencyTag, Leaf_index>(
         tree_.number_of_leaves(),
         [&](std::size_t i) {
           const Leaf_index l(i);
@@ -202,7 +202,7 @@ private:
         [](std::size_t i) { return Leaf_index(i); });
     if (long_lists.empty()) return false;
     tree_.refine(long_lists);
-    lists_ = Lists::template of<Concurrency_tag>(tree_, pslg_->segments);
+    lists_ = Lists::template of<ConcurrencyTag>(tree_, pslg_->segments);
     return true;
   }
 
@@ -222,7 +222,7 @@ private:
     const auto& framework = tree_.framework();
     hits_.resize(pslg_->number_of_vertices());
     const Axis_ray_caster<Quadtree, Pslg> caster(tree_, lists_, *pslg_);
-    for_each_index<Concurrency_tag>(
+    for_each_index<ConcurrencyTag>(
         framework.number_of_points(),
         [&](std::size_t r) {
           const Point_index i = framework.input_point(Point_rank(r));

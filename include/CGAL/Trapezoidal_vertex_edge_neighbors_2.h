@@ -48,9 +48,9 @@ namespace CGAL {
 /// vertices, distances, and crossings if there are any. With `Parallel_tag`, slabs of a thousand or more
 /// vertices are processed side by side.
 /// \tparam Traits_ a model of `QuadtreeTraits_2`: any of those of this package.
-/// \tparam Concurrency_tag `CGAL::Sequential_tag` or `CGAL::Parallel_tag`.
+/// \tparam ConcurrencyTag `CGAL::Sequential_tag` or `CGAL::Parallel_tag`.
 /// \cgalModels{VertexEdgeNeighbors_2}
-template <class Traits_, class Concurrency_tag = Sequential_tag>
+template <class Traits_, class ConcurrencyTag = Sequential_tag>
 class Trapezoidal_vertex_edge_neighbors_2 {
 public:
   /// \name Types
@@ -102,7 +102,7 @@ private:
     using namespace Quadtree_mesh_2::internal;
     const Axis_rays<Pslg> rays(*pslg_);
     hits_.resize(pslg_->number_of_vertices());
-    for_each_index<Concurrency_tag>(
+    for_each_index<ConcurrencyTag>(
         hits_.size(),
         [&](std::size_t i) {
           const Vertex_index v(i);
@@ -121,24 +121,24 @@ private:
 };
 
 // Defined outside the class, so not inline: a compiled library spares the compiler the body.
-template <class Traits_, class Concurrency_tag>
-Trapezoidal_vertex_edge_neighbors_2<Traits_, Concurrency_tag>::Trapezoidal_vertex_edge_neighbors_2(
+template <class Traits_, class ConcurrencyTag>
+Trapezoidal_vertex_edge_neighbors_2<Traits_, ConcurrencyTag>::Trapezoidal_vertex_edge_neighbors_2(
     const Pslg& pslg)
     : pslg_(&pslg) {
   using namespace Quadtree_mesh_2::internal;
   std::array<std::optional<Axis_slabs>, 2> axes;
-  Executor<Concurrency_tag>::run(2, [&](std::size_t axis) {
-    axes[axis].emplace(Ranked_places<Point_2>::template of<Concurrency_tag>(pslg, static_cast<int>(axis)),
+  Executor<ConcurrencyTag>::run(2, [&](std::size_t axis) {
+    axes[axis].emplace(Ranked_places<Point_2>::template of<ConcurrencyTag>(pslg, static_cast<int>(axis)),
                        pslg.number_of_segments(), least_slab);
   });
   const std::size_t slabs = axes[0]->size();
-  Executor<Concurrency_tag>::run(slabs + axes[1]->size(), [&](std::size_t i) {
+  Executor<ConcurrencyTag>::run(slabs + axes[1]->size(), [&](std::size_t i) {
     if (i < slabs)
       axes[0]->decompose(i);
     else
       axes[1]->decompose(i - slabs);
   });
-  Executor<Concurrency_tag>::run(2, [&](std::size_t axis) { axes[axis]->find_hits(); });
+  Executor<ConcurrencyTag>::run(2, [&](std::size_t axis) { axes[axis]->find_hits(); });
   collect_hits(*axes[0], *axes[1]);
 }
 

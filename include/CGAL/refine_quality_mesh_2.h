@@ -17,8 +17,8 @@
 /// triangles.
 
 #include <CGAL/Quadtree_mesh_2/Quality_mesher_2.h>
-#include <CGAL/Quadtree_mesh_2/internal/mesh_2/Cdt_refiner.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/compat.h>
+#include <CGAL/Quadtree_mesh_2/internal/mesh_2/Cdt_refiner.h>
 #include <CGAL/Quadtree_mesh_2/internal/mesh_2/criteria_options.h>
 #include <CGAL/Quadtree_mesh_2/internal/mesh_2/mark_domain.h>
 #include <CGAL/Quality_cdt_mesher_2.h>

@@ -9,8 +9,8 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Exact_rational.h>
-#include <CGAL/Quadtree_mesh_2/internal/geometry/exact_geometry.h>
 #include <CGAL/Quadtree_mesh_2/internal/clusters/find_clusters.h>
+#include <CGAL/Quadtree_mesh_2/internal/geometry/exact_geometry.h>
 #include <CGAL/Quadtree_mesh_2/internal/geometry/meshing_geometry.h>
 #include <CGAL/Simple_cartesian.h>
 

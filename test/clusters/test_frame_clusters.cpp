@@ -58,9 +58,9 @@ Block block_of(const Place& place, int level, Cluster_site kind) {
   const std::int64_t side = std::int64_t(1) << (62 - level);
   const auto first = [&](std::uint64_t c) {
     const auto v = static_cast<std::int64_t>(c);
-    return kind == Cluster_site::point ? v / side - 1 : (v + side / 2) / side - 2;
+    return kind == Cluster_site::POINT ? v / side - 1 : (v + side / 2) / side - 2;
   };
-  return {level, first(place.x), first(place.y), kind == Cluster_site::point ? 3 : 4};
+  return {level, first(place.x), first(place.y), kind == Cluster_site::POINT ? 3 : 4};
 }
 
 /// Forces the blocks of all sites. They have to be whole and touched by nothing smaller, like the window's border.
@@ -114,12 +114,12 @@ Checked_frames check_frames(const Points<Geometry>& points, const Framed_cluster
     std::vector<Site> sites;
     for (std::uint32_t i = c.first_point; i < c.end_point; ++i) {
       const std::uint32_t point = framed.tree.points[i];
-      sites.push_back({points[point], framed.tree.nearest[point], Cluster_site::point, 0});
+      sites.push_back({points[point], framed.tree.nearest[point], Cluster_site::POINT, 0});
     }
     number_of_points += sites.size();
     for (auto child = std::size_t(c.first_child); child < std::size_t(c.end_child); ++child)
       sites.push_back({framed.frames[child].center(), framed.tree.clusters[child].distance,
-                       Cluster_site::cluster, framed.frames[child].exponent()});
+                       Cluster_site::CLUSTER, framed.frames[child].exponent()});
     if (c.parent >= 0 && sites.size() == 1) ++result.bridges;
     REQUIRE(!sites.empty());
     std::vector<Block> blocks;
@@ -131,7 +131,7 @@ Checked_frames check_frames(const Points<Geometry>& points, const Framed_cluster
       check_is_in_middle_cell(blocks.back());
       const int log_leaf = frame.log_side(level);
       const double leaf = std::ldexp(1.0, log_leaf);
-      if (site.kind == Cluster_site::cluster) {
+      if (site.kind == Cluster_site::CLUSTER) {
         REQUIRE(log_leaf - site.exponent >= 6);
         check_ring(framed.frames[std::size_t(c.first_child) + i - (c.end_point - c.first_point)], log_leaf);
       }
@@ -139,10 +139,10 @@ Checked_frames check_frames(const Points<Geometry>& points, const Framed_cluster
       for (std::size_t j = 0; j < sites.size(); ++j)
         if (i != j)
           nearest = std::min(nearest, internal::length_of(Geometry::difference(site.p, sites[j].p)));
-      REQUIRE(nearest >= leaf * (site.kind == Cluster_site::point ? 6 : 7));
+      REQUIRE(nearest >= leaf * (site.kind == Cluster_site::POINT ? 6 : 7));
       // not much smaller than it may be
       if (level > 6 && std::isfinite(nearest))
-        REQUIRE(nearest < 2.01 * leaf * (site.kind == Cluster_site::point ? 6 : 7));
+        REQUIRE(nearest < 2.01 * leaf * (site.kind == Cluster_site::POINT ? 6 : 7));
     }
     result.split_squares += check_blocks(blocks);
   }

@@ -8,8 +8,8 @@
 #include "quadtree_inputs.h"
 
 #include <CGAL/Quadtree_mesh_2/internal/frame/Grid_frame.h>
-#include <CGAL/Quadtree_mesh_2/internal/geometry/coordinate_map.h>
 #include <CGAL/Quadtree_mesh_2/internal/frame/exact_axis_parallel_grid.h>
+#include <CGAL/Quadtree_mesh_2/internal/geometry/coordinate_map.h>
 
 #include <CGAL/number_utils.h>
 

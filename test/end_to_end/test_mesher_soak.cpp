@@ -31,7 +31,8 @@ std::string fault_of_mesh(const Pslg& pslg, double min_angle) try {
   if (!quality.is_valid()) return "invalid: " + quality.errors.front();
   if (!quality.is_met()) return "unmet triangles: " + std::to_string(quality.unmet_triangles.size());
   if (!mesher.report().is_met()) return "unmet triangles in the report alone";
-  if (mesher.report().exempt_triangles.size() != quality.exempt_triangles) return "exempt triangles miscounted";
+  if (mesher.report().exempt_triangles.size() != quality.exempt_triangles)
+    return "exempt triangles miscounted";
   return {};
 } catch (const std::exception& error) {
   return std::string("exception: ") + error.what();

@@ -337,7 +337,9 @@ TEST_CASE("Rounding of vertices on segments does not add up", "[mesher]") {
       const double distance = std::ldexp(1., offset > 0 ? -10 - i % 25 : -10 - i % 35);
       const Point p(offset + 0.1, offset + 0.2), q(offset + 0.9, offset + 0.2 + 0.8 * slope);
       const Point beside(p.x() + share * (q.x() - p.x()), p.y() + share * (q.y() - p.y()) + distance);
-      const auto at = [offset](double x, double y) { return std::pair<double, double>(offset + x, offset + y); };
+      const auto at = [offset](double x, double y) {
+        return std::pair<double, double>(offset + x, offset + y);
+      };
       const Pslg pslg = make_pslg<double>(
           {at(0, 0), at(1, 0), at(1, 2), at(0, 2), {p.x(), p.y()}, {q.x(), q.y()}, {beside.x(), beside.y()}},
           {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}});

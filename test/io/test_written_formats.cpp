@@ -141,13 +141,13 @@ void append_sorted(std::string& text, std::vector<std::string> lines) {
 }
 
 /// What read_back.py has to print.
-enum class Vertex_markers { absent, there };
+enum class Vertex_markers { ABSENT, THERE };
 std::string expected_text(const Named_mesh& m, const std::string& reader, const std::string& ending,
                           Vertex_markers markers, const IO::Triangle_fields_2& fields) {
   std::string text = "== " + reader + ' ' + ending + '\n';
   for (std::size_t v = 0; v < m.mesh.points.size(); ++v) {
     text += "p " + bits(m.mesh.points[v].x()) + ' ' + bits(m.mesh.points[v].y());
-    if (markers == Vertex_markers::there) text += ' ' + std::to_string(m.mesh.marker(Vertex_index(v)));
+    if (markers == Vertex_markers::THERE) text += ' ' + std::to_string(m.mesh.marker(Vertex_index(v)));
     text += '\n';
   }
   std::vector<std::string> lines;
@@ -213,13 +213,13 @@ TEST_CASE("MSH, MEDIT and VTU are read back equal by meshio and gmsh", "[MSH][ME
       expected += expected_text(m, reader, suffix.substr(suffix.rfind('.') + 1), markers, fields);
     };
     IO::write_MSH(stem + ".msh", m.mesh, m.pslg);
-    expect("gmsh", ".msh", Vertex_markers::absent);
+    expect("gmsh", ".msh", Vertex_markers::ABSENT);
     IO::write_MEDIT(stem + ".mesh", m.mesh);
     IO::write_VTU(stem + "_text.vtu", m.mesh, m.pslg, IO::ASCII);
     // meshio cannot do with files without cells.
     if (m.mesh.triangles.empty()) continue;
-    expect("meshio", ".msh", Vertex_markers::absent);
-    expect("meshio", ".mesh", Vertex_markers::there);
+    expect("meshio", ".msh", Vertex_markers::ABSENT);
+    expect("meshio", ".mesh", Vertex_markers::THERE);
 
     IO::Triangle_fields_2 fields{
         IO::field_at_centroids("x & <y>", m.mesh, [](double x, double y) { return x / 3 + y; })};
@@ -238,7 +238,7 @@ TEST_CASE("MSH, MEDIT and VTU are read back equal by meshio and gmsh", "[MSH][ME
     all.push_back(angles);
     if (m.name == "all") all.push_back(attributes);
     all.insert(all.end(), fields.begin(), fields.end());
-    const auto markers = m.mesh.vertex_markers.empty() ? Vertex_markers::absent : Vertex_markers::there;
+    const auto markers = m.mesh.vertex_markers.empty() ? Vertex_markers::ABSENT : Vertex_markers::THERE;
     IO::write_VTU(stem + "_text.vtu", m.mesh, m.pslg, fields, IO::ASCII);
     expect("meshio", "_text.vtu", markers, all);
     IO::write_VTU(stem + "_bytes.vtu", m.mesh, m.pslg, fields);

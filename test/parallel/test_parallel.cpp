@@ -63,7 +63,7 @@ std::vector<std::uint64_t> random_values(std::size_t n, std::uint64_t different)
   return values;
 }
 
-enum class Kind { scattered, all_equal, duplicates, one_word, clusters, few_runs, magnitudes, lattice, end };
+enum class Kind { SCATTERED, ALL_EQUAL, DUPLICATES, ONE_WORD, CLUSTERS, FEW_RUNS, MAGNITUDES, LATTICE, END };
 
 template <class Word>
 std::vector<Grid_point_2<Word>> points_of_kind(std::size_t n, Kind kind) {
@@ -82,25 +82,25 @@ std::vector<Grid_point_2<Word>> points_of_kind(std::size_t n, Kind kind) {
   };
   std::vector<Grid_point_2<Word>> points(n);
   for (std::size_t i = 0; i < n; ++i) switch (kind) {
-    case Kind::scattered:
+    case Kind::SCATTERED:
       points[i] = point(bits);
       break;
-    case Kind::all_equal:
+    case Kind::ALL_EQUAL:
       points[i] = centers[0];
       break;
-    case Kind::duplicates:
+    case Kind::DUPLICATES:
       points[i] = centers[random() % centers.size()];
       break;
-    case Kind::one_word:
+    case Kind::ONE_WORD:
       points[i] = near(centers[0], 7);
       break; // differs in the last word alone
-    case Kind::clusters:
+    case Kind::CLUSTERS:
       points[i] = near(centers[random() % centers.size()], 10);
       break;
-    case Kind::few_runs:
+    case Kind::FEW_RUNS:
       points[i] = near(centers[random() % 2], bits / 2 - 2);
       break;
-    case Kind::magnitudes:
+    case Kind::MAGNITUDES:
       points[i] = point(1 + static_cast<int>(random() % std::uint64_t(bits)));
       break;
     default:
@@ -131,10 +131,10 @@ internal::Order order_by_definition(const std::vector<Grid_point_2<Word>>& point
   return order;
 }
 
-template <class Concurrency_tag>
+template <class ConcurrencyTag>
 void sort_words(std::vector<std::uint64_t>& words) {
   std::vector<std::uint64_t> buffer(words.size());
-  internal::Word_sorter<Concurrency_tag>::sort(words.data(), buffer.data(), words.size(), true);
+  internal::Word_sorter<ConcurrencyTag>::sort(words.data(), buffer.data(), words.size(), true);
 }
 
 template <class Word>
@@ -299,7 +299,8 @@ TEMPLATE_TEST_CASE("Values that own memory, or cannot be copied, are sorted", "[
   });
 }
 
-TEMPLATE_TEST_CASE("Equal neighbors are removed", "[parallel][threads]", CGAL::Sequential_tag, CGAL::Parallel_tag) {
+TEMPLATE_TEST_CASE("Equal neighbors are removed", "[parallel][threads]", CGAL::Sequential_tag,
+                   CGAL::Parallel_tag) {
   for (std::size_t n : lengths(internal::default_block))
     for (std::uint64_t different : {1u, 2u, 1000000000u}) {
       CAPTURE(n, different);
@@ -362,7 +363,7 @@ TEST_CASE("Keys of several words are sorted by digits, for any number of threads
 TEMPLATE_TEST_CASE("Shuffle order in parallel agrees with its definition", "[parallel]", std::uint32_t,
                    std::uint64_t) {
   const int bits = static_cast<int>(8 * sizeof(TestType));
-  for (int kind = 0; kind < static_cast<int>(Kind::end); ++kind)
+  for (int kind = 0; kind < static_cast<int>(Kind::END); ++kind)
     for (std::size_t n : {0u, 1u, 2u, 513u, 8193u, 70000u}) {
       CAPTURE(kind, n);
       auto points = points_of_kind<TestType>(n, static_cast<Kind>(kind));
@@ -383,7 +384,7 @@ TEMPLATE_TEST_CASE("Shuffle order in parallel agrees with its definition", "[par
 
 TEST_CASE("Long runs of a shuffle order are sorted in parallel", "[parallel]") {
   const std::size_t n = is_full_run() ? 3000000 : 300000;
-  for (int kind = 0; kind < static_cast<int>(Kind::end); ++kind) {
+  for (int kind = 0; kind < static_cast<int>(Kind::END); ++kind) {
     CAPTURE(kind);
     const auto points = points_of_kind<std::uint64_t>(n, static_cast<Kind>(kind));
     internal::Order expected(n);

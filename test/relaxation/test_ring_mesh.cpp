@@ -341,7 +341,7 @@ TEST_CASE("Undoing restores every bit, and what is of others is not changed", "[
     Twice_changed_mesh m(5, 5, seed);
     Patch patch(m.mesh, m.marks, 0);
     for (Ring& r : m.mesh.rings) {
-      if (r.mobility == Mobility::removed) continue;
+      if (r.mobility == Mobility::REMOVED) continue;
       r.block = random() < 0.15 ? -1 : 0;
       r.tried_rings = std::uint8_t(below(random, 4));
     }

@@ -11,12 +11,12 @@
 #include "random_numbers.h"
 #include "ring_mesh_checks.h"
 
+#include <CGAL/Quadtree_mesh_2/internal/clusters/find_clusters.h>
+#include <CGAL/Quadtree_mesh_2/internal/clusters/frame_clusters.h>
+#include <CGAL/Quadtree_mesh_2/internal/frame/exact_axis_parallel_grid.h>
 #include <CGAL/Quadtree_mesh_2/internal/relaxation/Ring_blocks.h>
 #include <CGAL/Quadtree_mesh_2/internal/relaxation/Site_mesh.h>
 #include <CGAL/Quadtree_mesh_2/internal/tiles/Tile_forest.h>
-#include <CGAL/Quadtree_mesh_2/internal/frame/exact_axis_parallel_grid.h>
-#include <CGAL/Quadtree_mesh_2/internal/clusters/find_clusters.h>
-#include <CGAL/Quadtree_mesh_2/internal/clusters/frame_clusters.h>
 #include <CGAL/tags.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
@@ -39,8 +39,8 @@
 struct Tiny_rings_tag {};
 
 /// In which order it works on them.
-enum class Order_of_blocks { forward, backward, parallel };
-Order_of_blocks order_of_blocks = Order_of_blocks::forward;
+enum class Order_of_blocks { FORWARD, BACKWARD, PARALLEL };
+Order_of_blocks order_of_blocks = Order_of_blocks::FORWARD;
 
 namespace CGAL {
 namespace Quadtree_mesh_2 {
@@ -55,8 +55,8 @@ template <>
 struct Executor<Tiny_rings_tag> {
   template <class F>
   static void run(std::size_t n, const F& f) {
-    if (order_of_blocks == Order_of_blocks::parallel) return Executor<Parallel_tag>::run(n, f);
-    const bool is_forward = order_of_blocks == Order_of_blocks::forward;
+    if (order_of_blocks == Order_of_blocks::PARALLEL) return Executor<Parallel_tag>::run(n, f);
+    const bool is_forward = order_of_blocks == Order_of_blocks::FORWARD;
     for (std::size_t i = 0; i < n; ++i) f(is_forward ? i : n - 1 - i);
   }
 };
@@ -88,7 +88,7 @@ Tile_options options_for(const Bounds& bounds) {
   Tile_options options;
   const bool is_narrow = bounds.high < 85;
   options.max_points_per_leaf = is_narrow ? 1 : 3;
-  options.spacing = is_narrow ? internal::Spacing::no_neighbors : internal::Spacing::distinct;
+  options.spacing = is_narrow ? internal::Spacing::NO_NEIGHBORS : internal::Spacing::DISTINCT;
   return options;
 }
 
@@ -144,7 +144,7 @@ void check_sites(const Site_mesh<Geometry>& mesh, const std::vector<typename Geo
     const Ring_vertex v = mesh.vertex_of_site[i];
     if (!mesh.mesh.is_alive(v)) FAIL("a site's vertex is gone");
     if (!(mesh.mesh.point(v) == points[i])) FAIL("a site's vertex is elsewhere");
-    if (mesh.mesh.ring(v).mobility != Mobility::fixed) FAIL("a site's vertex is not fixed");
+    if (mesh.mesh.ring(v).mobility != Mobility::FIXED) FAIL("a site's vertex is not fixed");
     if (mesh.is_placed[i] == 0) FAIL("a site is not placed");
   }
 }
@@ -184,7 +184,7 @@ void check_covers_root(const Ring_mesh<Geometry>& mesh, const std::vector<typena
 
 bool are_rigid(const Ring_mesh<Doubles>& mesh, const Triangle& t) {
   return std::all_of(t.begin(), t.end(),
-                     [&](Ring_vertex v) { return mesh.ring(v).mobility == Mobility::rigid; });
+                     [&](Ring_vertex v) { return mesh.ring(v).mobility == Mobility::RIGID; });
 }
 
 void check_angles(const Ring_mesh<Doubles>& mesh, const Bounds& bounds) {
@@ -212,7 +212,7 @@ bool are_same(const Site_mesh<Doubles>& a, const Site_mesh<Doubles>& b) {
   for (std::size_t v = 0; v < a.mesh.number_of_vertices(); ++v) {
     const Ring &r = a.mesh.rings[v], &s = b.mesh.rings[v];
     if (r.mobility != s.mobility) return false;
-    if (r.mobility == Mobility::removed) continue;
+    if (r.mobility == Mobility::REMOVED) continue;
     if (std::memcmp(&a.mesh.points[v], &b.mesh.points[v], sizeof(Point)) != 0 || r.is_open != s.is_open ||
         !std::equal(r.neighbor.begin(), r.neighbor.begin() + r.size, s.neighbor.begin(),
                     s.neighbor.begin() + s.size))
@@ -228,9 +228,9 @@ double triangles_per_site(const Site_mesh<Doubles>& mesh) {
 /// Whether `make()` makes the same mesh in tiny blocks one after the other, in reverse order, and at the same time.
 template <class Make>
 void check_in_any_order(const Site_mesh<Doubles>& mesh, const Make& make) {
-  order_of_blocks = Order_of_blocks::backward;
+  order_of_blocks = Order_of_blocks::BACKWARD;
   CHECK(are_same(mesh, make()));
-  order_of_blocks = Order_of_blocks::parallel;
+  order_of_blocks = Order_of_blocks::PARALLEL;
 #ifdef CGAL_LINKED_WITH_TBB
   for (const std::size_t threads : {1u, 2u, 4u}) {
     CAPTURE(threads);
@@ -238,7 +238,7 @@ void check_in_any_order(const Site_mesh<Doubles>& mesh, const Make& make) {
     CHECK(are_same(mesh, make()));
   }
 #endif
-  order_of_blocks = Order_of_blocks::forward;
+  order_of_blocks = Order_of_blocks::FORWARD;
 }
 
 /// \name Inputs
@@ -455,7 +455,7 @@ TEST_CASE("Coarsening leaves a few triangles for each point", "[site_mesh]") {
     check_angles(mesh.mesh, best);
     CHECK(triangles_per_site(mesh) < last);
     last = triangles_per_site(mesh);
-    for (const Ring& r : mesh.mesh.rings) REQUIRE(r.mobility != Mobility::held);
+    for (const Ring& r : mesh.mesh.rings) REQUIRE(r.mobility != Mobility::HELD);
   }
   CHECK(last < 12);
   CHECK(triangles_per_site(mesh_of<CGAL::Sequential_tag>(points, acute)) < 5.5);
@@ -501,7 +501,7 @@ namespace {
 Angle_extremes angles_in_blocks(const Site_mesh<Doubles>& mesh, std::size_t* count) {
   return angle_extremes(mesh.mesh, [&](const Triangle& t) {
     const bool is_held = std::any_of(
-        t.begin(), t.end(), [&](Ring_vertex v) { return mesh.mesh.ring(v).mobility == Mobility::held; });
+        t.begin(), t.end(), [&](Ring_vertex v) { return mesh.mesh.ring(v).mobility == Mobility::HELD; });
     *count += is_held ? 1 : 0;
     return is_held;
   });
@@ -530,7 +530,7 @@ TEST_CASE("A site that fails again and again gets a block in which nothing can f
       const Vector off = Doubles::difference(mesh.mesh.point(v), points[i]);
       CHECK(std::max(std::fabs(off.x), std::fabs(off.y)) < 1e-15);
       const Ring& r = mesh.mesh.ring(v);
-      for (int k = 0; k < r.size; ++k) CHECK(mesh.mesh.ring(r[k]).mobility == Mobility::held);
+      for (int k = 0; k < r.size; ++k) CHECK(mesh.mesh.ring(r[k]).mobility == Mobility::HELD);
       std::size_t count = 0;
       const Angle_extremes e = angles_in_blocks(mesh, &count);
       CHECK(count > 50);

@@ -109,8 +109,8 @@ void shake(Mesh& mesh, Random_numbers& random, double amount) {
   for (std::size_t v = 0; v < mesh.number_of_vertices(); ++v) {
     const Mobility m = mesh.rings[v].mobility;
     const double dx = random.between(-amount, amount), dy = random.between(-amount, amount);
-    if (m == Mobility::free || m == Mobility::slides_along) mesh.points[v].x += dx;
-    if (m == Mobility::free || m == Mobility::slides_across) mesh.points[v].y += dy;
+    if (m == Mobility::FREE || m == Mobility::SLIDES_ALONG) mesh.points[v].x += dx;
+    if (m == Mobility::FREE || m == Mobility::SLIDES_ACROSS) mesh.points[v].y += dy;
   }
 }
 
@@ -118,19 +118,19 @@ void shake(Mesh& mesh, Random_numbers& random, double amount) {
 void check_motion(const Mesh& before, const Mesh& after) {
   for (std::size_t v = 0; v < before.number_of_vertices(); ++v) {
     const Mobility m = before.rings[v].mobility;
-    if (m == Mobility::free || m == Mobility::removed) continue;
-    if (after.rings[v].mobility == Mobility::removed) {
+    if (m == Mobility::FREE || m == Mobility::REMOVED) continue;
+    if (after.rings[v].mobility == Mobility::REMOVED) {
       if (!internal::is_movable(m)) FAIL("a fixed vertex is gone");
       continue;
     }
-    if (m != Mobility::slides_along && before.points[v].x != after.points[v].x) FAIL("moved in x");
-    if (m != Mobility::slides_across && before.points[v].y != after.points[v].y) FAIL("moved in y");
+    if (m != Mobility::SLIDES_ALONG && before.points[v].x != after.points[v].x) FAIL("moved in x");
+    if (m != Mobility::SLIDES_ACROSS && before.points[v].y != after.points[v].y) FAIL("moved in y");
   }
 }
 
 bool are_rigid(const Mesh& mesh, const Triangle& t) {
   return std::all_of(t.begin(), t.end(),
-                     [&](Ring_vertex v) { return mesh.ring(v).mobility == Mobility::rigid; });
+                     [&](Ring_vertex v) { return mesh.ring(v).mobility == Mobility::RIGID; });
 }
 
 /// Whether the triangles at the given vertices are in the range, by trigonometry, up to the rounding of that.
@@ -302,14 +302,14 @@ TEST_CASE("Relaxation says only of meshes in the range that they are", "[star_re
     Mesh mesh = equal_tiles(2);
     shake(mesh, random, 0.03 * double(1 + seed % 8));
     for (Ring& r : mesh.rings) {
-      if (r.mobility != Mobility::free) continue;
-      if (random() < 0.04) r.mobility = random() < 0.5 ? Mobility::fixed : Mobility::held;
+      if (r.mobility != Mobility::FREE) continue;
+      if (random() < 0.04) r.mobility = random() < 0.5 ? Mobility::FIXED : Mobility::HELD;
       if (random() < 0.03) r.block = -1;
     }
     const Mesh before = mesh;
     Workplace work(mesh, range);
     work.begin_with_all();
-    const bool is_relaxed = work.relaxer.relax(30, Patience::much);
+    const bool is_relaxed = work.relaxer.relax(30, Patience::MUCH);
     check_disk(mesh);
     check_motion(before, mesh);
     for (std::size_t v = 0; v < mesh.number_of_vertices(); ++v)
@@ -361,14 +361,14 @@ TEST_CASE("Vertices slide along turned borders", "[star_relaxer]") {
   mesh.along = u;
   Workplace work(mesh, range);
   work.begin_with_all();
-  const bool is_relaxed = work.relaxer.relax(30, Patience::much);
+  const bool is_relaxed = work.relaxer.relax(30, Patience::MUCH);
   CHECK(is_relaxed == are_in_range(mesh, work.patch.members(), {36, 80}));
   for (std::size_t v = 0; v < mesh.number_of_vertices(); ++v) {
     const auto& p = mesh.points[v];
     const double x = u.x * p.x + u.y * p.y, y = u.x * p.y - u.y * p.x;
-    if (mesh.rings[v].mobility == Mobility::slides_along)
+    if (mesh.rings[v].mobility == Mobility::SLIDES_ALONG)
       REQUIRE(std::min(std::fabs(y), std::fabs(y - side)) < 1e-14);
-    if (mesh.rings[v].mobility == Mobility::slides_across)
+    if (mesh.rings[v].mobility == Mobility::SLIDES_ACROSS)
       REQUIRE(std::min(std::fabs(x), std::fabs(x - side)) < 1e-14);
   }
 }
@@ -391,13 +391,13 @@ TEST_CASE("Nothing is asked of triangles of rigid vertices", "[star_relaxer]") {
     const Vector far =
         Doubles::difference(mesh.point(a), mesh.point(b)) + Doubles::difference(mesh.point(a), mesh.point(c));
     mesh.points[std::size_t(a)] = Doubles::translate(mesh.point(a), (-0.25 - 0.01 * double(seed % 5)) * far);
-    for (const Ring_vertex v : {a, b, c}) mesh.ring(v).mobility = Mobility::rigid;
+    for (const Ring_vertex v : {a, b, c}) mesh.ring(v).mobility = Mobility::RIGID;
     const auto angles = angles_of(mesh, {a, b, c});
     REQUIRE(depth_in(angles, bounds) < -0.1);
     const Mesh before = mesh;
     Workplace work(mesh, range);
     work.begin_with_all();
-    const bool is_relaxed = work.relaxer.relax(40, Patience::much);
+    const bool is_relaxed = work.relaxer.relax(40, Patience::MUCH);
     CHECK(is_relaxed == are_in_range(mesh, work.patch.members(), bounds));
     CHECK(angles_of(mesh, {a, b, c}) == angles);
     CHECK(has_triangle(mesh, a, b, c));
@@ -409,7 +409,7 @@ TEST_CASE("Nothing is asked of triangles of rigid vertices", "[star_relaxer]") {
     ++relaxed;
     CHECK(work.repairer.violated(all).empty());
     // with a vertex less of the kind it counts
-    mesh.ring(a).mobility = Mobility::fixed;
+    mesh.ring(a).mobility = Mobility::FIXED;
     CHECK(work.repairer.violated(all) == std::vector<Triangle>{canonical({a, b, c})});
   }
   CHECK(relaxed > 10);
@@ -418,7 +418,7 @@ TEST_CASE("Nothing is asked of triangles of rigid vertices", "[star_relaxer]") {
 TEST_CASE("No new triangles of rigid vertices are made", "[star_relaxer]") {
   const Range range(36, 80);
   const auto set_rigid = [](Mesh& mesh) {
-    for (const Ring_vertex v : {0, 1, 2}) mesh.ring(v).mobility = Mobility::rigid;
+    for (const Ring_vertex v : {0, 1, 2}) mesh.ring(v).mobility = Mobility::RIGID;
   };
   { // by removing the vertex within, with which everything is worse
     Mesh mesh;
@@ -429,7 +429,7 @@ TEST_CASE("No new triangles of rigid vertices are made", "[star_relaxer]") {
     Workplace work(mesh, range);
     CHECK_FALSE(work.remover.remove(3, 1, 9));
     CHECK(triangles_of(mesh) == triangles_of(before));
-    mesh.ring(0).mobility = Mobility::fixed;
+    mesh.ring(0).mobility = Mobility::FIXED;
     work.patch.begin();
     CHECK(work.remover.take_out(3));
   }
@@ -438,17 +438,17 @@ TEST_CASE("No new triangles of rigid vertices are made", "[star_relaxer]") {
     mesh.points = {{-1, 0}, {0, -1.09}, {1, 0}, {0, 1.7}};
     mesh.set_triangles(std::vector<Triangle>{{1, 3, 0}, {3, 1, 2}});
     set_rigid(mesh);
-    mesh.ring(3).mobility = Mobility::fixed;
+    mesh.ring(3).mobility = Mobility::FIXED;
     const Mesh before = mesh;
     Workplace work(mesh, range);
     work.begin_with_all();
-    CHECK_FALSE(work.relaxer.relax(9, Patience::much));
+    CHECK_FALSE(work.relaxer.relax(9, Patience::MUCH));
     CHECK(triangles_of(mesh) == triangles_of(before));
     work.begin_with_all();
     CHECK_FALSE(work.relaxer.flip_anyway(1, 3, 0));
-    mesh.ring(0).mobility = Mobility::fixed;
+    mesh.ring(0).mobility = Mobility::FIXED;
     work.begin_with_all();
-    CHECK_FALSE(work.relaxer.relax(9, Patience::much));
+    CHECK_FALSE(work.relaxer.relax(9, Patience::MUCH));
     CHECK(triangles_of(mesh) == Triangle_set{{0, 1, 2}, {0, 2, 3}});
   }
 }
@@ -464,7 +464,7 @@ TEST_CASE("Rigid vertices may have neighbors of very different distance", "[star
     std::vector<Triangle> triangles;
     for (Ring_vertex k = 1; k < 8; ++k) triangles.push_back({0, k, k % 7 + 1});
     mesh.set_triangles(triangles);
-    for (const Ring_vertex v : {0, 1, 2, 3, 7}) mesh.ring(v).mobility = Mobility::rigid;
+    for (const Ring_vertex v : {0, 1, 2, 3, 7}) mesh.ring(v).mobility = Mobility::RIGID;
     const Range range(36, 80);
     const Star_vectors star(mesh, 0);
     CHECK(star.is_in_range(range));
@@ -569,13 +569,13 @@ TEST_CASE("Removals keep the range or change nothing", "[star_relaxer]") {
     Mesh mesh = equal_tiles(2);
     shake(mesh, random, 0.04);
     for (Ring& r : mesh.rings) {
-      if (r.mobility == Mobility::free && random() < 0.1) r.mobility = Mobility::fixed;
+      if (r.mobility == Mobility::FREE && random() < 0.1) r.mobility = Mobility::FIXED;
       if (random() < 0.05) r.block = -1;
       r.tried_rings = 7;
     }
     Workplace work(mesh, range);
     work.begin_with_all();
-    if (!work.relaxer.relax(60, Patience::much)) continue;
+    if (!work.relaxer.relax(60, Patience::MUCH)) continue;
     const Mesh start = mesh;
     for (int round = 0; round < 3; ++round)
       for (std::size_t i = 0; i < mesh.number_of_vertices(); ++i) {
@@ -619,7 +619,7 @@ TEST_CASE("Repairs leave the triangles that they say, within the block", "[star_
     const Range range(bounds.low, bounds.high);
     Mesh mesh = equal_tiles(2);
     for (Ring& r : mesh.rings) {
-      if (r.mobility == Mobility::free && random() < 0.12) r.mobility = Mobility::fixed;
+      if (r.mobility == Mobility::FREE && random() < 0.12) r.mobility = Mobility::FIXED;
       if (random() < 0.02) r.block = -1;
     }
     // fixed ones are moved, too

@@ -32,7 +32,7 @@ namespace {
 
 /// What a child writes for its parent to read, in memory that they share.
 struct Slot {
-  enum class State { waiting, running, done } state;
+  enum class State { WAITING, RUNNING, DONE } state;
   Outcome outcome;
   double seconds, megabytes;
   char kind[96], detail[600];
@@ -90,7 +90,7 @@ double peak_since_last_call() {
   for (std::size_t i = begin; i < end; ++i) {
     Slot& slot = slots[i];
     peak_since_last_call();
-    slot.state = Slot::State::running;
+    slot.state = Slot::State::RUNNING;
     set_timer(limits.cpu_seconds);
     alarm(static_cast<unsigned>(15 * limits.cpu_seconds) +
           1); // one that waits forever takes no processor time
@@ -105,10 +105,10 @@ double peak_since_last_call() {
     }
     slot.seconds = cpu_seconds() - start;
     slot.megabytes = peak_since_last_call();
-    if (verdict.outcome != Outcome::failed && slot.megabytes > 1024 * limits.gigabytes)
+    if (verdict.outcome != Outcome::FAILED && slot.megabytes > 1024 * limits.gigabytes)
       verdict = failure("memory", std::to_string(slot.megabytes) + " MB");
     slot.set(verdict);
-    slot.state = Slot::State::done;
+    slot.state = Slot::State::DONE;
   }
   _exit(0);
 }
@@ -154,12 +154,12 @@ void run_in_batches(std::size_t n, unsigned workers, std::size_t batch, const Li
     const Range range = at->second;
     children.erase(at);
     std::size_t i = range.begin;
-    while (i < range.end && slots[i].state == Slot::State::done) ++i;
+    while (i < range.end && slots[i].state == Slot::State::DONE) ++i;
     if (i == range.end) return;
     Slot& slot = slots[i];
     slot.set(verdict_of_end(status, limits));
     slot.seconds = slot.seconds > 0 ? slot.seconds : limits.cpu_seconds;
-    slot.state = Slot::State::done;
+    slot.state = Slot::State::DONE;
     if (i + 1 < range.end) left.push_front({i + 1, range.end});
   };
 
@@ -175,7 +175,7 @@ void run_in_batches(std::size_t n, unsigned workers, std::size_t batch, const Li
     }
     if (children.empty()) break;
     wait_for_one();
-    for (; told < n && slots[told].state == Slot::State::done; ++told) done(told, slots[told].result());
+    for (; told < n && slots[told].state == Slot::State::DONE; ++told) done(told, slots[told].result());
   }
 }
 

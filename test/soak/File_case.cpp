@@ -202,7 +202,7 @@ Verdict judge_files(const File_case& c, const Scratch_folder& folder, bool is_me
     if (CGAL::orientation(mesh.point(p), mesh.point(q), mesh.point(r)) != CGAL::LEFT_TURN)
       return failure("program: clockwise triangle", std::to_string(t));
   }
-  if (c.ending != ".poly" || !is_met) return {is_met ? Outcome::met : Outcome::unmet, "", ""};
+  if (c.ending != ".poly" || !is_met) return {is_met ? Outcome::MET : Outcome::UNMET, "", ""};
   const auto is_given = [&](const char* option) {
     return std::find(c.arguments.begin(), c.arguments.end(), option) != c.arguments.end();
   };
@@ -243,7 +243,7 @@ Verdict judge(const File_case& c, double cpu_seconds) {
       return failure("program: no message", run.error);
     if (run.error.find("not enough memory") != std::string::npos)
       return failure("program: memory", run.error);
-    return {Outcome::refused, "program", run.error};
+    return {Outcome::REFUSED, "program", run.error};
   default:
     return failure("program: exit status " + std::to_string(WEXITSTATUS(run.status)), run.error);
   }
@@ -253,7 +253,7 @@ File_case minimized(File_case c, const std::string& kind, double cpu_seconds, do
   const double end = wall_seconds() + seconds;
   const auto take = [&](const File_case& smaller) {
     const Verdict verdict = judge(smaller, cpu_seconds);
-    if (verdict.outcome != Outcome::failed || verdict.kind != kind) return false;
+    if (verdict.outcome != Outcome::FAILED || verdict.kind != kind) return false;
     c = smaller;
     return true;
   };

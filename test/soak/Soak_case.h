@@ -24,9 +24,9 @@ using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_2;
 using Pslg = CGAL::Pslg_2<Point>;
 using Mesh = CGAL::Indexed_mesh_2<Point>;
 
-enum class Kernel { filtered, exact, fixed, fixed32 };
-enum class Separation { on_demand, theorem_5 };
-enum class Mode { pslg, points, bounded, acute, warped };
+enum class Kernel { FILTERED, EXACT, FIXED, FIXED32 };
+enum class Separation { ON_DEMAND, THEOREM_5 };
+enum class Mode { PSLG, POINTS, BOUNDED, ACUTE, WARPED };
 
 inline const std::vector<std::string>& kernel_names() {
   static const std::vector<std::string> names{"filtered", "exact", "fixed", "fixed32"};
@@ -61,9 +61,9 @@ struct Wishes {
 struct Soak_case {
   std::string family;
   std::uint64_t seed = 0;
-  Kernel kernel = Kernel::filtered;
-  Separation separation = Separation::on_demand;
-  Mode mode = Mode::pslg;
+  Kernel kernel = Kernel::FILTERED;
+  Separation separation = Separation::ON_DEMAND;
+  Mode mode = Mode::PSLG;
   unsigned threads = 1;
   Wishes wishes;
   Pslg graph;

@@ -30,7 +30,7 @@ void Tally::add(const Soak_case& c, const Result& result) {
   Counts one{{}, result.seconds, result.seconds, result.megabytes};
   one.of_outcome[static_cast<std::size_t>(result.verdict.outcome)] = 1;
   counts_[{c.family, kernel_names()[static_cast<std::size_t>(c.kernel)],
-           c.mode == Mode::pslg ? separation_names()[static_cast<std::size_t>(c.separation)] : "-",
+           c.mode == Mode::PSLG ? separation_names()[static_cast<std::size_t>(c.separation)] : "-",
            mode_names()[static_cast<std::size_t>(c.mode)]}]
       .add(one);
 }
@@ -46,8 +46,8 @@ std::size_t Tally::number_of(Outcome outcome) const {
 }
 
 std::size_t Tally::number_of_inputs() const {
-  return number_of(Outcome::met) + number_of(Outcome::unmet) + number_of(Outcome::refused) +
-         number_of(Outcome::failed);
+  return number_of(Outcome::MET) + number_of(Outcome::UNMET) + number_of(Outcome::REFUSED) +
+         number_of(Outcome::FAILED);
 }
 
 void Tally::write(std::ostream& out, const std::string& commit, std::uint64_t seed) const {

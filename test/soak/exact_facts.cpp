@@ -127,10 +127,10 @@ Real distance_to_nearest_segment(const Pslg& graph, const Point& p) {
   return least;
 }
 
-Resolution::Resolution(const Soak_case& c) : is_of_doubles_(c.kernel != Kernel::fixed32) {
-  if (c.kernel == Kernel::filtered || c.kernel == Kernel::exact) return;
+Resolution::Resolution(const Soak_case& c) : is_of_doubles_(c.kernel != Kernel::FIXED32) {
+  if (c.kernel == Kernel::FILTERED || c.kernel == Kernel::EXACT) return;
   // Words of 64 bits have the middle half of a root of 2^62 units; a graph for those of 32 bits is one of words.
-  unit_ = c.kernel == Kernel::fixed ? std::ldexp(Real(extent_of(c.graph.vertices)), -60) : 1;
+  unit_ = c.kernel == Kernel::FIXED ? std::ldexp(Real(extent_of(c.graph.vertices)), -60) : 1;
 }
 
 Real Resolution::at(const Point& p) const {

@@ -24,7 +24,7 @@ namespace soak {
 struct Family {
   std::string name;
   random_pslg::Pslg (*make)(std::uint64_t seed);
-  enum class Kind { graphs, points } kind = Kind::graphs;
+  enum class Kind { GRAPHS, POINTS } kind = Kind::GRAPHS;
 };
 
 // By what is hard about them, one file each.

@@ -59,7 +59,7 @@ Pslg far_pairs(std::uint64_t seed) {
 } // namespace
 
 std::vector<Family> point_families() {
-  constexpr Family::Kind points = Family::Kind::points;
+  constexpr Family::Kind points = Family::Kind::POINTS;
   return {{"small-point-sets", small_point_sets, points},
           {"nasty-point-sets", nasty_point_sets, points},
           {"offset-points", offset_points, points},

@@ -114,7 +114,7 @@ std::optional<Verdict> find_fault(const Soak_case& c, const Mesh& mesh,
 }
 
 /// Whether the mesh was made and measured in other numbers than the doubles that are judged.
-bool is_rounded(const Soak_case& c) { return c.kernel == Kernel::exact || c.kernel == Kernel::fixed; }
+bool is_rounded(const Soak_case& c) { return c.kernel == Kernel::EXACT || c.kernel == Kernel::FIXED; }
 
 Verdict judge_graph_mesh(const Soak_case& c, const Graph_mesh& run) {
   if (const auto crossing = find_crossing(c.graph))
@@ -141,7 +141,7 @@ Verdict judge_graph_mesh(const Soak_case& c, const Graph_mesh& run) {
     if (const auto fault = find_fault(c, run.mesh, u)) return *fault;
   if (reported.empty() && (run.report.is_budget_exhausted || run.report.is_cancelled))
     return failure("budget exhausted without need", "");
-  return {reported.empty() ? Outcome::met : Outcome::unmet, "", ""};
+  return {reported.empty() ? Outcome::MET : Outcome::UNMET, "", ""};
 }
 
 /// Whether points are so near to each other that angles outside the range have an excuse.
@@ -158,11 +158,12 @@ bool have_room(const Soak_case& c) {
 
 Verdict judge_points_mesh(const Soak_case& c, const Points_mesh& run) {
   // No points have no mesh, but for the box of least angles.
-  if (c.graph.vertices.empty() && c.mode != Mode::points && run.mesh.triangles.empty()) return {Outcome::met, "", ""};
+  if (c.graph.vertices.empty() && c.mode != Mode::POINTS && run.mesh.triangles.empty())
+    return {Outcome::MET, "", ""};
   if (const auto fault = find_fault(run.mesh, c.graph.vertices)) return *fault;
   using point_mesh_test::Made_in;
-  const Made_in made_in = c.kernel == Kernel::exact     ? Made_in::EXACT_NUMBERS
-                          : c.kernel == Kernel::fixed32 ? Made_in::WORDS
+  const Made_in made_in = c.kernel == Kernel::EXACT     ? Made_in::EXACT_NUMBERS
+                          : c.kernel == Kernel::FIXED32 ? Made_in::WORDS
                                                         : Made_in::COORDINATES;
   bool is_unmet = false;
   for (const std::string& fault :
@@ -172,14 +173,14 @@ Verdict judge_points_mesh(const Soak_case& c, const Points_mesh& run) {
         (is_rounded(c) || !run.report.is_met()) && fault.find("outside the range:") != std::string::npos;
     if (!is_unmet || have_room(c)) return failure("points: " + kind_of(fault), fault);
   }
-  return {is_unmet ? Outcome::unmet : Outcome::met, "", ""};
+  return {is_unmet ? Outcome::UNMET : Outcome::MET, "", ""};
 }
 
 template <class Run, class Judge_mesh>
 Verdict judge_with(const Soak_case& c, Run run, Judge_mesh judge_mesh) {
   const auto first = run(c, 1);
   const Verdict verdict = judge_mesh(c, first);
-  if (verdict.outcome == Outcome::failed || c.threads == 1) return verdict;
+  if (verdict.outcome == Outcome::FAILED || c.threads == 1) return verdict;
   const auto second = run(c, c.threads);
   if (!are_same(first.mesh, second.mesh))
     return failure("other bits with threads", std::to_string(c.threads));
@@ -190,7 +191,7 @@ Verdict judge_with(const Soak_case& c, Run run, Judge_mesh judge_mesh) {
 
 Verdict judge(const Soak_case& c) {
   try {
-    if (c.mode == Mode::pslg) return judge_with(c, mesh_graph_of, judge_graph_mesh);
+    if (c.mode == Mode::PSLG) return judge_with(c, mesh_graph_of, judge_graph_mesh);
     return judge_with(c, mesh_points_of, judge_points_mesh);
   } catch (const std::bad_alloc&) {
     return failure("memory", "std::bad_alloc");

@@ -16,20 +16,20 @@
 namespace soak {
 
 enum class Outcome {
-  met,     ///< a valid mesh that meets all bounds
-  unmet,   ///< a valid mesh that misses some where coordinates have no room, as an exact check confirms
-  refused, ///< with a message that names what is at fault, as an exact check confirms
-  failed
+  MET,     ///< a valid mesh that meets all bounds
+  UNMET,   ///< a valid mesh that misses some where coordinates have no room, as an exact check confirms
+  REFUSED, ///< with a message that names what is at fault, as an exact check confirms
+  FAILED
 };
 
 struct Verdict {
-  Outcome outcome = Outcome::met;
+  Outcome outcome = Outcome::MET;
   std::string kind;   ///< of failure: a word or two, the same for the same cause
   std::string detail; ///< for people
 };
 
 inline Verdict failure(const std::string& kind, const std::string& detail) {
-  return {Outcome::failed, kind, detail};
+  return {Outcome::FAILED, kind, detail};
 }
 
 /// Runs the mesher, with one thread and, if the case has more, with these, and judges what comes out.

@@ -87,14 +87,14 @@ Verdict judge_crossing(const Soak_case& c, const std::string& message) {
   if (segments.size() < 2 || segments[0] >= c.graph.segments.size() || segments[1] >= c.graph.segments.size())
     return failure("refused: crossing without numbers", message);
   if (!do_cross(c.graph, segments[0], segments[1])) return failure("refused: false crossing", message);
-  return {Outcome::refused, "crossing", message};
+  return {Outcome::REFUSED, "crossing", message};
 }
 
 Verdict judge_domain(const Soak_case& c, const std::string& message) {
   const bool is_marked = c.wishes.domain == CGAL::Quality_mesh_options_2::Domain::MARKED;
-  if (is_marked && c.graph.regions.empty()) return {Outcome::refused, "no domain", message};
-  if (is_any_seed_on_a_segment(c.graph)) return {Outcome::refused, "no domain", message};
-  if (is_marked || !has_domain(c.graph)) return {Outcome::refused, "no domain", message};
+  if (is_marked && c.graph.regions.empty()) return {Outcome::REFUSED, "no domain", message};
+  if (is_any_seed_on_a_segment(c.graph)) return {Outcome::REFUSED, "no domain", message};
+  if (is_marked || !has_domain(c.graph)) return {Outcome::REFUSED, "no domain", message};
   return failure("refused: there is a domain", message);
 }
 
@@ -108,18 +108,18 @@ Verdict judge_distance(const Soak_case& c, const std::string& message) {
         for (const auto v : graph.segments[s]) vertices.push_back(std::size_t(v));
   if (vertices.empty()) return failure("refused: no reason that could be checked", message);
   // Where a kernel says how near is too near; the quadtrees' grid has 62 bits, but for exact numbers.
-  const bool has_grid = c.separation == Separation::theorem_5 && c.kernel != Kernel::exact;
-  const long double share = c.mode != Mode::pslg           ? 0x1p-40L
+  const bool has_grid = c.separation == Separation::THEOREM_5 && c.kernel != Kernel::EXACT;
+  const long double share = c.mode != Mode::PSLG           ? 0x1p-40L
                             : has_grid                     ? 0x1p-56L
-                            : c.kernel == Kernel::exact    ? 0x1p-128L
-                            : c.kernel == Kernel::filtered ? 0x1p-400L
+                            : c.kernel == Kernel::EXACT    ? 0x1p-128L
+                            : c.kernel == Kernel::FILTERED ? 0x1p-400L
                                                            : 0x1p-100L;
   const long double extent = extent_of(graph.vertices);
   for (const std::size_t v : vertices) {
     if (v >= graph.vertices.size()) return failure("refused: no such vertex", message);
     const Point& p = graph.vertices[v];
     const long double least = least_feature_distance(graph, p, 0);
-    if (least <= share * extent || is_without_room(c, p, 0)) return {Outcome::refused, "too near", message};
+    if (least <= share * extent || is_without_room(c, p, 0)) return {Outcome::REFUSED, "too near", message};
   }
   return failure("refused: not too near", message);
 }
@@ -131,7 +131,7 @@ Verdict judge_places(const Soak_case& c, const std::string& message) {
   double reach = 0;
   for (const Point& p : places) reach = std::max(reach, std::sqrt(CGAL::squared_distance(p, places.front())));
   for (const Point& p : places)
-    if (is_without_room(c, p, 2 * reach)) return {Outcome::refused, "no room", message};
+    if (is_without_room(c, p, 2 * reach)) return {Outcome::REFUSED, "no room", message};
   return failure("refused: there is room", message);
 }
 
@@ -142,7 +142,7 @@ Verdict judge_size(const std::string& message) {
   const bool has_number = std::regex_search(message, number, std::regex("about ([0-9.e+]+) triangles"));
   if (culprits.empty() || !has_number) return failure("refused: too large, without numbers", message);
   if (std::stod(number[1]) < 1e7) return failure("refused: not too large", message);
-  return {Outcome::refused, "too large", message};
+  return {Outcome::REFUSED, "too large", message};
 }
 
 /// A hole's or region's point on a segment, or as near to it as words can tell.
@@ -152,11 +152,11 @@ Verdict judge_seed(const Soak_case& c, const std::string& message) {
     if (h < c.graph.holes.size()) seeds.push_back(c.graph.holes[h]);
   for (const std::size_t r : numbers_after(message, "region"))
     if (r < c.graph.regions.size()) seeds.push_back(c.graph.regions[r].point);
-  const bool is_of_words = c.kernel == Kernel::fixed || c.kernel == Kernel::fixed32;
+  const bool is_of_words = c.kernel == Kernel::FIXED || c.kernel == Kernel::FIXED32;
   for (const Point& p : seeds)
     if (is_on_a_segment(c.graph, p) ||
         (is_of_words && distance_to_nearest_segment(c.graph, p) <= 4 * Resolution(c).at(p)))
-      return {Outcome::refused, "seed on a segment", message};
+      return {Outcome::REFUSED, "seed on a segment", message};
   return failure("refused: seed is on no segment", message);
 }
 
@@ -168,12 +168,12 @@ Verdict judge_refusal(const Soak_case& c, const std::string& message) {
   if (!numbers_after(message, "hole|region").empty()) return judge_seed(c, message);
   if (has(message, "no vertices") || has(message, "no points") || has(message, "one vertex") ||
       has(message, "one point") || has(message, "on the line"))
-    return are_on_a_line(c.graph.vertices) ? Verdict{Outcome::refused, "on a line", message}
+    return are_on_a_line(c.graph.vertices) ? Verdict{Outcome::REFUSED, "on a line", message}
                                            : failure("refused: not on a line", message);
   if (has(message, "domain") || has(message, "no segments")) return judge_domain(c, message);
   if (has(message, "triangles")) return judge_size(message);
   if (has(message, "too large") || has(message, "span"))
-    return extent_of(c.graph.vertices) > 1e290 ? Verdict{Outcome::refused, "too large", message}
+    return extent_of(c.graph.vertices) > 1e290 ? Verdict{Outcome::REFUSED, "too large", message}
                                                : failure("refused: coordinates are not too large", message);
   return judge_distance(c, message);
 }

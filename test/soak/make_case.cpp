@@ -90,8 +90,8 @@ std::size_t weighted(Random& random, std::initializer_list<int> weights) {
 } // namespace
 
 void prepare(Soak_case& c) {
-  if (c.kernel == Kernel::fixed32) c.graph = graph_of_words32(c.graph, c.mode);
-  if (c.mode == Mode::pslg) return;
+  if (c.kernel == Kernel::FIXED32) c.graph = graph_of_words32(c.graph, c.mode);
+  if (c.mode == Mode::PSLG) return;
   c.graph.segments.clear();
   c.graph.holes.clear();
   c.graph.regions.clear();
@@ -106,7 +106,7 @@ Soak_case make_case(const Family& family, std::uint64_t seed, const Restriction&
   // All chances are taken, so that what is left to chance does not depend on what is not.
   const auto kernel = static_cast<Kernel>(weighted(random, {4, 2, 3, 1}));
   const auto separation = static_cast<Separation>(weighted(random, {3, 1}));
-  const bool is_of_points = family.kind == Family::Kind::points;
+  const bool is_of_points = family.kind == Family::Kind::POINTS;
   const auto mode = static_cast<Mode>(is_of_points ? weighted(random, {0, 1, 1, 1, 1})
                                                    : weighted(random, {20, 1, 1, 1, 1}));
   constexpr unsigned thread_numbers[] = {1, 2, 4};

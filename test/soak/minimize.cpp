@@ -97,7 +97,7 @@ private:
   bool take(const Soak_case& c) {
     if (!has_time()) return false;
     const Result result = run_alone(limits_, [&] { return judge(c); });
-    if (result.verdict.outcome != Outcome::failed || result.verdict.kind != kind_) return false;
+    if (result.verdict.outcome != Outcome::FAILED || result.verdict.kind != kind_) return false;
     best_ = c;
     return true;
   }

@@ -50,7 +50,7 @@ private:
 };
 
 mesh_graph::Neighbors neighbors_of(const Soak_case& c) {
-  return c.wishes.has_trapezoids ? mesh_graph::Neighbors::trapezoidal : mesh_graph::Neighbors::quadtree;
+  return c.wishes.has_trapezoids ? mesh_graph::Neighbors::TRAPEZOIDAL : mesh_graph::Neighbors::QUADTREE;
 }
 
 } // namespace
@@ -69,7 +69,7 @@ CGAL::Quality_mesh_options_2 graph_options(const Soak_case& c) {
       .thin(w.thin)
       .patience(w.patience)
       .coarsen(w.is_coarsened ? Options::Coarsening::GUARDED_REMOVAL : Options::Coarsening::NONE);
-  if (c.separation == Separation::theorem_5)
+  if (c.separation == Separation::THEOREM_5)
     options.separate(Trees().subdivide(w.has_centroid_trees ? Trees::Subdivision::CENTROID_TREE
                                                             : Trees::Subdivision::WALKING));
   else
@@ -86,15 +86,15 @@ CGAL::Point_set_mesh_options_2 points_options(const Soak_case& c) {
   CGAL::Point_set_mesh_options_2 options;
   options.effort(c.wishes.effort);
   switch (c.mode) {
-  case Mode::bounded:
+  case Mode::BOUNDED:
     if (c.wishes.is_square) options.mesh_domain(CGAL::Point_set_mesh_options_2::Domain::SQUARE);
     return c.wishes.is_tightest ? options.bounded_angles(37.5, 78.6) : options.bounded_angles();
-  case Mode::acute:
+  case Mode::ACUTE:
     return options.acute();
-  case Mode::warped:
+  case Mode::WARPED:
     return options.warped_squares();
-  case Mode::points:
-  case Mode::pslg:
+  case Mode::POINTS:
+  case Mode::PSLG:
     break;
   }
   return options.least_angle();
@@ -112,8 +112,8 @@ CGAL::Mesh_quality_options_2 check_options(const Soak_case& c) {
                                            .max_edge(asked.max_edge_length)
                                            .max_area(asked.max_triangle_area)
                                            .check_domain(rule);
-  if (c.kernel == Kernel::fixed32) check.coordinate_unit = 1;
-  if (c.kernel == Kernel::fixed)
+  if (c.kernel == Kernel::FIXED32) check.coordinate_unit = 1;
+  if (c.kernel == Kernel::FIXED)
     check.coordinate_unit = CGAL::Fixed_point_scale_2<std::uint64_t>::of_points(c.graph.vertices).unit();
   return check;
 }
@@ -127,8 +127,8 @@ Pslg graph_of_words32(const Pslg& graph, Mode mode) {
   const double extent = extent_of(graph.vertices);
   // To the second quarter of the root, 2^31 wide; for meshes of points to the middle of it, of which they need up to nine times as
   // much on each side.
-  const double side = mode == Mode::pslg ? 0x1p29 : 0x1p26;
-  const double west = mode == Mode::pslg ? 0x1p29 : 0x1p30 - side / 2;
+  const double side = mode == Mode::PSLG ? 0x1p29 : 0x1p26;
+  const double west = mode == Mode::PSLG ? 0x1p29 : 0x1p30 - side / 2;
   const auto word = [&](double v, double low) {
     if (!(extent > 0)) return west;
     const double share = std::clamp((v - low) / extent, -0.5, 1.5);
@@ -147,16 +147,16 @@ Graph_mesh mesh_graph_of(const Soak_case& c, unsigned threads) {
   const CGAL::Quality_mesh_options_2 options = graph_options(c);
   Graph_mesh result;
   switch (c.kernel) {
-  case Kernel::filtered:
+  case Kernel::FILTERED:
     result.mesh = mesh_graph::with_doubles(c.graph, options, neighbors_of(c), result.report);
     break;
-  case Kernel::exact:
+  case Kernel::EXACT:
     result.mesh = mesh_graph::exactly(c.graph, options, neighbors_of(c), result.report);
     break;
-  case Kernel::fixed:
+  case Kernel::FIXED:
     result.mesh = mesh_graph::in_words(c.graph, options, neighbors_of(c), result.report);
     break;
-  case Kernel::fixed32:
+  case Kernel::FIXED32:
     return mesh_graph_in_words32(c.graph, options);
   }
   return result;
@@ -168,16 +168,16 @@ Points_mesh mesh_points_of(const Soak_case& c, unsigned threads) {
   const std::vector<Point>& points = c.graph.vertices;
   Points_mesh result;
   switch (c.kernel) {
-  case Kernel::filtered:
+  case Kernel::FILTERED:
     result.mesh = mesh_points::with_doubles(points, options, result.report);
     break;
-  case Kernel::exact:
+  case Kernel::EXACT:
     result.mesh = mesh_points::exactly(points, options, result.report);
     break;
-  case Kernel::fixed:
+  case Kernel::FIXED:
     result.mesh = mesh_points::in_words(points, options, result.report);
     break;
-  case Kernel::fixed32:
+  case Kernel::FIXED32:
     return mesh_points_in_words32(points, options);
   }
   return result;

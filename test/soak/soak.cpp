@@ -156,7 +156,7 @@ std::string for_file_name(std::string words) {
 /// Writes an input that fails, smaller if it fails alone as well.
 std::string write_failure(const Settings& s, const soak::Soak_case& c, const soak::Verdict& verdict) {
   const std::string kernel = soak::kernel_names()[static_cast<std::size_t>(c.kernel)];
-  const std::string way = c.mode == soak::Mode::pslg
+  const std::string way = c.mode == soak::Mode::PSLG
                               ? soak::separation_names()[static_cast<std::size_t>(c.separation)]
                               : soak::mode_names()[static_cast<std::size_t>(c.mode)];
   const std::string file = s.folder + '/' + c.family + '_' + kernel + '_' + way + '_' +
@@ -185,11 +185,11 @@ public:
     const std::size_t most = s_.inputs > 0 ? s_.inputs : std::numeric_limits<std::size_t>::max();
     for (std::size_t first = 0; first < most && has_time(); first += round_)
       run_round(first, std::min(round_, most - first));
-    std::cout << tally_.number_of_inputs() << " inputs: " << tally_.number_of(soak::Outcome::met) << " met, "
-              << tally_.number_of(soak::Outcome::unmet) << " unmet, "
-              << tally_.number_of(soak::Outcome::refused) << " refused, "
-              << tally_.number_of(soak::Outcome::failed) << " failed\n";
-    return tally_.number_of(soak::Outcome::failed) == 0 ? 0 : 1;
+    std::cout << tally_.number_of_inputs() << " inputs: " << tally_.number_of(soak::Outcome::MET) << " met, "
+              << tally_.number_of(soak::Outcome::UNMET) << " unmet, "
+              << tally_.number_of(soak::Outcome::REFUSED) << " refused, "
+              << tally_.number_of(soak::Outcome::FAILED) << " failed\n";
+    return tally_.number_of(soak::Outcome::FAILED) == 0 ? 0 : 1;
   }
 
 private:
@@ -235,7 +235,7 @@ private:
     const auto done = [&](std::size_t i, const soak::Result& result) {
       const soak::Soak_case c = described(first + i);
       tally.add(c, result);
-      if (result.verdict.outcome != soak::Outcome::failed) return;
+      if (result.verdict.outcome != soak::Outcome::FAILED) return;
       if (written_[c.family + arguments_of_kind(c) + result.verdict.kind]++ < written_of_a_kind_)
         failures.push_back({first + i, result.verdict});
       std::cout << "failed: " << name_of(c) << ": " << result.verdict.kind << ": " << result.verdict.detail
@@ -271,7 +271,7 @@ private:
     soak::run_in_batches(
         failures.size(), s_.workers, 1, soak::Limits{s_.minimizing_seconds + 600, 4},
         [&](std::size_t i) {
-          return soak::Verdict{soak::Outcome::met, "", write(failures[i])};
+          return soak::Verdict{soak::Outcome::MET, "", write(failures[i])};
         },
         [&](std::size_t, const soak::Result& result) {
           std::cout << "written: " << result.verdict.detail << std::endl;
@@ -288,7 +288,7 @@ int replay(const std::vector<std::string>& written, const soak::Limits& limits) 
     std::cout << file << ": " << words[static_cast<std::size_t>(result.verdict.outcome)] << ' '
               << result.verdict.kind << ": " << result.verdict.detail << " (" << result.seconds << " s, "
               << result.megabytes << " MB)" << std::endl;
-    if (result.verdict.outcome == soak::Outcome::failed) status = 1;
+    if (result.verdict.outcome == soak::Outcome::FAILED) status = 1;
   }
   return status;
 }

@@ -8,8 +8,8 @@
 #include "quadtree_inputs.h"
 
 #include <CGAL/Exact_rational.h>
-#include <CGAL/Quadtree_mesh_2/internal/squares/Corner_warper.h>
 #include <CGAL/Quadtree_mesh_2/internal/frame/Gaussian_rotation.h>
+#include <CGAL/Quadtree_mesh_2/internal/squares/Corner_warper.h>
 
 #include <algorithm>
 #include <array>

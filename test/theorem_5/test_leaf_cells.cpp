@@ -9,8 +9,8 @@
 #include "catch.h"
 #include "random_pslg.h"
 
-#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Grid_path.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/Long_words.h>
+#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Grid_path.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/leaf_cells.h>
 
 #include <CGAL/Arr_segment_traits_2.h>

@@ -19,7 +19,7 @@ using namespace tile_test;
 namespace {
 
 const Tile_options sparse; // as for angles from 36 to 80 degrees
-const Tile_options dense{3, Spacing::distinct,
+const Tile_options dense{3, Spacing::DISTINCT,
                          std::numeric_limits<double>::infinity()}; // as for acute meshes
 
 Tile_sites on_demand(const std::vector<Tile_site>& places, const Tile_window& window = Tile_window()) {
@@ -81,7 +81,7 @@ TEST_CASE("Leaves of sites shrink with the distance to a near neighbor", "[tile_
   const auto places = clustered_sites(15, 4);
   const auto distances = near_distances<CGAL::Sequential_tag>(places);
   for (double beta : {0.6, 1.0, 2.0}) {
-    const Tile_filling f = check_filling(on_demand(places), {1, Spacing::no_neighbors, beta});
+    const Tile_filling f = check_filling(on_demand(places), {1, Spacing::NO_NEIGHBORS, beta});
     for (std::size_t i = 0; i < places.size(); ++i) {
       const int level = f.mesh.leaves[static_cast<std::size_t>(f.mesh.leaf_of_site[i])].level;
       CHECK(std::ldexp(1.0, tile_log_side(level)) <= beta * distances[i]);
@@ -101,7 +101,7 @@ TEST_CASE("Sites very near each other take few rounds", "[tile_mesh]") {
       places.push_back(pair[0]);
     }
     CHECK(check_filling(on_demand(places), sparse).number_of_rounds <= 6);
-    CHECK(check_filling(on_demand(places), {3, Spacing::no_neighbors, sparse.sides_per_distance})
+    CHECK(check_filling(on_demand(places), {3, Spacing::NO_NEIGHBORS, sparse.sides_per_distance})
               .number_of_rounds <= 6);
   }
 }
@@ -164,7 +164,7 @@ TEST_CASE("Warped sites and stars in the middle cell of five by five do not reac
   const Tile_window cells = window_in_the_middle(4, 5, 5);
   const int log_cell = tile_log_side(4);
   for (unsigned seed = 0; seed < 30; ++seed)
-    for (const Site_kind kind : {Site_kind::warped, Site_kind::star}) {
+    for (const Site_kind kind : {Site_kind::WARPED, Site_kind::STAR}) {
       CAPTURE(seed, int(kind));
       std::vector<Tile_site> places;
       for (int i = 0; i < 3; ++i) {
@@ -192,7 +192,7 @@ TEST_CASE("Leaves of sites are split when asked for", "[tile_mesh]") {
     filler.fill();
     CHECK(mesh.leaves[static_cast<std::size_t>(mesh.leaf_of_site[7])].level > before);
     check_conformity(mesh, filler.filling().sites.window);
-    check_vertices_of_sites(mesh, filler.filling().sites, Spacing::no_neighbors);
+    check_vertices_of_sites(mesh, filler.filling().sites, Spacing::NO_NEIGHBORS);
   }
 }
 
@@ -201,7 +201,7 @@ TEST_CASE("Warps of separated sites keep angles between 36 and 80 degrees", "[ti
     CAPTURE(seed);
     for (const auto& places : {uniform_sites(1, seed), uniform_sites(2, seed), uniform_sites(30, seed),
                                clustered_sites(3, seed), sites_on_corners_and_sides(seed)}) {
-      const Tile_sites sites = separated(places, Site_kind::warped, 6);
+      const Tile_sites sites = separated(places, Site_kind::WARPED, 6);
       const Tile_filling f = check_filling(sites, sparse);
       CHECK(f.number_of_rounds == 1);
       CHECK(f.sites.levels == sites.levels);
@@ -216,7 +216,7 @@ TEST_CASE("A site in the middle of a square or in a corner is warped", "[tile_me
   const std::uint64_t side = std::uint64_t(1) << 50, half = side / 2;
   for (const Tile_site& p : {Tile_site{quarter + half, quarter + half}, Tile_site{quarter, quarter},
                              Tile_site{quarter, quarter + half}, Tile_site{quarter + side - 1, quarter}}) {
-    const Tile_sites sites{{p}, {12}, {Site_kind::warped}, Tile_window()};
+    const Tile_sites sites{{p}, {12}, {Site_kind::WARPED}, Tile_window()};
     const Tile_filling f = check_filling(sites, sparse);
     CHECK(f.number_of_rounds == 1);
     std::size_t frozen = 0;
@@ -231,7 +231,7 @@ TEST_CASE("Stars move with their spokes and keep angles bounded", "[tile_mesh]")
     CAPTURE(seed);
     for (const auto& places : {uniform_sites(1, seed), uniform_sites(2, seed), uniform_sites(30, seed),
                                clustered_sites(3, seed), sites_on_corners_and_sides(seed)}) {
-      const Tile_sites sites = separated(places, Site_kind::star, 7);
+      const Tile_sites sites = separated(places, Site_kind::STAR, 7);
       const Tile_filling f = check_filling(sites, sparse);
       CHECK(f.number_of_rounds == 1);
       REQUIRE(f.mesh.stars.size() == places.size());
@@ -259,9 +259,9 @@ TEST_CASE("Blocks without room are moved to smaller leaves", "[tile_mesh]") {
     for (const auto& places : {uniform_sites(40, seed), clustered_sites(4, seed)}) {
       Tile_sites sites = on_demand(places);
       for (std::size_t i = 0; i < places.size(); ++i)
-        sites.kinds.push_back(i % 3 == 0   ? Site_kind::on_demand
-                              : i % 3 == 1 ? Site_kind::warped
-                                           : Site_kind::star);
+        sites.kinds.push_back(i % 3 == 0   ? Site_kind::ON_DEMAND
+                              : i % 3 == 1 ? Site_kind::WARPED
+                                           : Site_kind::STAR);
       sites.levels.assign(places.size(), 2);
       const Tile_filling f = check_filling(sites, sparse);
       CHECK(f.mesh.broken_blocks.empty());
@@ -276,7 +276,7 @@ TEST_CASE("Blocks that overlap or leave the window are broken", "[tile_mesh]") {
     return Tile_mesh_builder<>(sites).build().broken_blocks;
   };
   using Sites = std::vector<std::uint32_t>;
-  const std::vector<Site_kind> warped(2, Site_kind::warped);
+  const std::vector<Site_kind> warped(2, Site_kind::WARPED);
   CHECK(broken({{{quarter, quarter}, {quarter + 2 * side, quarter}}, {10, 10}, warped, Tile_window()}) ==
         Sites{0, 1});
   CHECK(

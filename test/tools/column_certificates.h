@@ -291,7 +291,8 @@ inline bool has_top_row(const Vertex_columns& columns, std::int64_t top) {
 }
 
 /// Whether a vector of thresholds is good for all edges of the box.
-inline bool is_good_for(const Transition_thresholds& t, const Cotangent_range& range, const Parameter_box& box) {
+inline bool is_good_for(const Transition_thresholds& t, const Cotangent_range& range,
+                        const Parameter_box& box) {
   Combinations open;
   do {
     const Vertex_columns columns = kept_vertices(t, box, open);
@@ -332,7 +333,8 @@ inline bool has_good_strip(const std::array<std::vector<Vertex>, 2>& lines, cons
 }
 
 /// Whether the rule for equal leaves of side 1 is good between x = 0 and x = 1.
-inline bool is_good_for_equal_leaves(double threshold, const Cotangent_range& range, const Parameter_box& box) {
+inline bool is_good_for_equal_leaves(double threshold, const Cotangent_range& range,
+                                     const Parameter_box& box) {
   Combinations open;
   const std::int64_t top = top_row(box);
   do {

@@ -111,11 +111,11 @@ struct Pieces_view {
   const std::vector<Leaf_index>& operator[](Segment_index s) const { return pieces.at(s); }
 };
 
-template <class Concurrency_tag>
+template <class ConcurrencyTag>
 std::vector<Leaf_index> to_split(const Tree& tree, const Segments& segments,
                                  const Column_closure_options& options) {
   const Pieces pieces = pieces_of(tree, segments);
-  return leaves_to_split_for_columns<Concurrency_tag>(tree, Pieces_view{pieces}, segments, options);
+  return leaves_to_split_for_columns<ConcurrencyTag>(tree, Pieces_view{pieces}, segments, options);
 }
 
 /// Splits until vertices are amid equal leaves, if they shall be, and edges in columns. Returns the number of

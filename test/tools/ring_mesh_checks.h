@@ -200,11 +200,11 @@ inline Ring_mesh<Doubles> lattice(int columns, int rows) {
     const bool is_on_side = mesh.points[v].x == 0 || mesh.points[v].x == columns,
                is_on_row = mesh.points[v].y == 0 || mesh.points[v].y == mesh.points.back().y;
     if (is_on_side && is_on_row)
-      mesh.rings[v].mobility = Mobility::fixed;
+      mesh.rings[v].mobility = Mobility::FIXED;
     else if (is_on_side)
-      mesh.rings[v].mobility = Mobility::slides_across;
+      mesh.rings[v].mobility = Mobility::SLIDES_ACROSS;
     else if (is_on_row)
-      mesh.rings[v].mobility = Mobility::slides_along;
+      mesh.rings[v].mobility = Mobility::SLIDES_ALONG;
   }
   return mesh;
 }
@@ -226,10 +226,10 @@ inline Ring_mesh<Doubles> equal_tiles(int level) {
   for (std::size_t v = 0; v < mesh.points.size(); ++v) {
     const bool is_on_side = (tiles.sides[v] & (internal::left_side | internal::right_side)) != 0,
                is_on_row = (tiles.sides[v] & (internal::bottom_side | internal::top_side)) != 0;
-    mesh.rings[v].mobility = is_on_side && is_on_row ? Mobility::fixed
-                             : is_on_side            ? Mobility::slides_across
-                             : is_on_row             ? Mobility::slides_along
-                                                     : Mobility::free;
+    mesh.rings[v].mobility = is_on_side && is_on_row ? Mobility::FIXED
+                             : is_on_side            ? Mobility::SLIDES_ACROSS
+                             : is_on_row             ? Mobility::SLIDES_ALONG
+                                                     : Mobility::FREE;
   }
   return mesh;
 }
@@ -239,7 +239,7 @@ template <class Geometry>
 std::vector<Ring_vertex> append_spare(Ring_mesh<Geometry>& mesh, std::size_t n) {
   std::vector<Ring_vertex> spare;
   Ring unused{};
-  unused.mobility = Mobility::removed;
+  unused.mobility = Mobility::REMOVED;
   for (; n > 0; --n) {
     spare.push_back(Ring_vertex(mesh.points.size()));
     mesh.points.emplace_back();

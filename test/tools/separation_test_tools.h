@@ -15,8 +15,8 @@
 #include <CGAL/Quality_mesh_report_2.h>
 #include <CGAL/Tree_separation_options_2.h>
 
-#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Separation_trees.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/find_corners.h>
+#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Separation_trees.h>
 #include <CGAL/Quality_mesher_2.h>
 
 #include <array>
@@ -39,17 +39,17 @@ using Tree_options = CGAL::Tree_separation_options_2;
 /// A graph as the mesher prepares it: in the order of its vertices, segments cut where vertices lie on them, the
 /// outside found, acute corners found.
 /// \pre no two vertices are at one place
-template <class Traits, class Concurrency_tag = CGAL::Sequential_tag>
+template <class Traits, class ConcurrencyTag = CGAL::Sequential_tag>
 class Prepared_graph {
 public:
   using Geometry = typename Traits::Meshing_geometry_2;
   using Point_2 = typename Traits::Point_2;
   using Pslg = CGAL::Pslg_2<Point_2>;
-  using Trees = internal::Separation_trees<Traits, Concurrency_tag>;
+  using Trees = internal::Separation_trees<Traits, ConcurrencyTag>;
   using Map = typename Trees::Map;
 
   explicit Prepared_graph(const Pslg& pslg) : map_(pslg.vertices) {
-    using First = internal::First_triangulation<Concurrency_tag, Geometry>;
+    using First = internal::First_triangulation<ConcurrencyTag, Geometry>;
     std::vector<typename Geometry::Point> points;
     for (const Point_2& p : pslg.vertices) points.push_back(map_.to_kernel(p));
     std::vector<typename First::Segment> segments;
@@ -65,7 +65,7 @@ public:
     domain.apply(state_.mesh, First::number_of_auxiliary_vertices);
     sides_.emplace(state_.mesh, problem_.edges);
     problem_.bounds = internal::Bounds<Geometry>(20.7 * 3.14159265358979323846 / 180, 0, 0);
-    internal::Corner_finder<Concurrency_tag, Geometry>(state_).run();
+    internal::Corner_finder<ConcurrencyTag, Geometry>(state_).run();
     graph_.vertices = pslg.vertices;
     for (std::size_t e = 0; e < problem_.edges.size(); ++e) {
       const auto& edge = problem_.edges[static_cast<internal::Edge_id>(e)];

@@ -143,7 +143,7 @@ inline void check_vertices_of_sites(const Tile_mesh& mesh, const Tile_sites& sit
     is_taken[v] = true;
     REQUIRE(mesh.sides[v] == 0);
     const Difference d = difference(mesh.places[v], {sites.places[i].x(), sites.places[i].y()});
-    if (sites.kind(i) != Site_kind::on_demand) {
+    if (sites.kind(i) != Site_kind::ON_DEMAND) {
       REQUIRE(mesh.is_frozen[v] == 1);
       REQUIRE((d.x == 0 && d.y == 0));
       continue;
@@ -156,7 +156,7 @@ inline void check_vertices_of_sites(const Tile_mesh& mesh, const Tile_sites& sit
     REQUIRE(std::hypot(double(d.x), double(d.y)) <
             0.6000001 * std::ldexp(1.0, tile_log_side(mesh.leaves[leaf].level)));
   }
-  if (spacing == Spacing::distinct) return;
+  if (spacing == Spacing::DISTINCT) return;
   for (const auto& t : mesh.triangles)
     if (is_taken[static_cast<std::size_t>(t[0])] + is_taken[static_cast<std::size_t>(t[1])] +
             is_taken[static_cast<std::size_t>(t[2])] >
@@ -185,7 +185,7 @@ inline Tile_filling check_filling(const Tile_sites& sites, const Tile_options& o
   check_vertices_of_sites(f.mesh, f.sites, options.spacing);
   std::vector<std::size_t> sites_in_leaf(f.mesh.number_of_leaves(), 0);
   for (std::size_t i = 0; i < sites.size(); ++i)
-    if (sites.kind(i) == Site_kind::on_demand)
+    if (sites.kind(i) == Site_kind::ON_DEMAND)
       ++sites_in_leaf[static_cast<std::size_t>(f.mesh.leaf_of_site[i])];
   REQUIRE(*std::max_element(sites_in_leaf.begin(), sites_in_leaf.end()) <= options.max_points_per_leaf);
   const Tile_filling g = fill_tiles<CGAL::Parallel_tag>(sites, options);

@@ -14,9 +14,9 @@
 
 #include <CGAL/Balanced_quadtree.h>
 #include <CGAL/Bbox_2.h>
+#include <CGAL/Quadtree_mesh_2/internal/geometry/triangle_angles.h>
 #include <CGAL/Quadtree_mesh_2/internal/io/Replaced_files.h>
 #include <CGAL/Quadtree_mesh_2/internal/io/Svg_path.h>
-#include <CGAL/Quadtree_mesh_2/internal/geometry/triangle_angles.h>
 
 #include <algorithm>
 #include <array>
@@ -275,17 +275,17 @@ namespace IO {
 /// Squares of less than a fifth of a pixel are shown as if they were leaves. Framework squares inside a leaf
 /// are not shown; they exist if a leaf may hold more than one point.
 /// \tparam Traits `x()` and `y()` of its points are arithmetic or have a `CGAL::to_double()`.
-template <class Traits, class Concurrency_tag>
-void write_SVG(std::ostream& out, const Balanced_quadtree<Traits, Concurrency_tag>& tree,
+template <class Traits, class ConcurrencyTag>
+void write_SVG(std::ostream& out, const Balanced_quadtree<Traits, ConcurrencyTag>& tree,
                const Quadtree_svg_options& options = {}) {
-  using Quadtree = Balanced_quadtree<Traits, Concurrency_tag>;
+  using Quadtree = Balanced_quadtree<Traits, ConcurrencyTag>;
   Quadtree_mesh_2::internal::Svg_quadtree_painter<Quadtree>(tree, options).paint(out);
 }
 
 /// \throws std::system_error (a `std::runtime_error`) naming the file if it cannot be written. An older file of that
 /// name is then unchanged.
-template <class Traits, class Concurrency_tag>
-void write_SVG(const std::string& file_name, const Balanced_quadtree<Traits, Concurrency_tag>& tree,
+template <class Traits, class ConcurrencyTag>
+void write_SVG(const std::string& file_name, const Balanced_quadtree<Traits, ConcurrencyTag>& tree,
                const Quadtree_svg_options& options = {}) {
   std::ostringstream out;
   write_SVG(out, tree, options);

@@ -9,9 +9,9 @@
 
 #include <CGAL/Pslg_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/io/Line_scanner.h>
-#include <CGAL/Quadtree_mesh_2/internal/pslg/Simple_features.h>
 #include <CGAL/Quadtree_mesh_2/internal/io/printable.h>
 #include <CGAL/Quadtree_mesh_2/internal/io/read_whole_file.h>
+#include <CGAL/Quadtree_mesh_2/internal/pslg/Simple_features.h>
 
 #include <cctype>
 #include <cstddef>

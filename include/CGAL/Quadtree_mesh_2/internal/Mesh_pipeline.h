@@ -29,26 +29,26 @@
 #include <CGAL/Pslg_2.h>
 #include <CGAL/Quadtree_mesh_2/Grid_point_2.h>
 #include <CGAL/Quadtree_mesh_2/Point_error.h>
-#include <CGAL/Quadtree_mesh_2/internal/refinement/Block_refinement.h>
-#include <CGAL/Quadtree_mesh_2/internal/squares/Bulk_filler.h>
-#include <CGAL/Quadtree_mesh_2/internal/refinement/Edge_sides.h>
-#include <CGAL/Quadtree_mesh_2/internal/triangulation/First_triangulation.h>
-#include <CGAL/Quadtree_mesh_2/internal/pslg/Input_words.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/Phase_timer.h>
-#include <CGAL/Quadtree_mesh_2/internal/refinement/Refiner.h>
-#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Separation_trees.h>
-#include <CGAL/Quadtree_mesh_2/internal/refinement/Smoother.h>
-#include <CGAL/Quadtree_mesh_2/internal/refinement/Thinner.h>
-#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Tree_construction.h>
-#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Tree_triangulation.h>
 #include <CGAL/Quadtree_mesh_2/internal/geometry/coordinate_map.h>
-#include <CGAL/Quadtree_mesh_2/internal/triangulation/domain.h>
-#include <CGAL/Quadtree_mesh_2/internal/refinement/find_corners.h>
-#include <CGAL/Quadtree_mesh_2/internal/output/kernel_mesh_to_indexed_mesh.h>
 #include <CGAL/Quadtree_mesh_2/internal/grid/morton.h>
 #include <CGAL/Quadtree_mesh_2/internal/neighbors/nearest_hits.h>
+#include <CGAL/Quadtree_mesh_2/internal/output/kernel_mesh_to_indexed_mesh.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
+#include <CGAL/Quadtree_mesh_2/internal/pslg/Input_words.h>
+#include <CGAL/Quadtree_mesh_2/internal/refinement/Block_refinement.h>
+#include <CGAL/Quadtree_mesh_2/internal/refinement/Edge_sides.h>
+#include <CGAL/Quadtree_mesh_2/internal/refinement/Refiner.h>
+#include <CGAL/Quadtree_mesh_2/internal/refinement/Smoother.h>
+#include <CGAL/Quadtree_mesh_2/internal/refinement/Thinner.h>
+#include <CGAL/Quadtree_mesh_2/internal/refinement/find_corners.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/triangle_budget.h>
+#include <CGAL/Quadtree_mesh_2/internal/squares/Bulk_filler.h>
+#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Separation_trees.h>
+#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Tree_construction.h>
+#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Tree_triangulation.h>
+#include <CGAL/Quadtree_mesh_2/internal/triangulation/First_triangulation.h>
+#include <CGAL/Quadtree_mesh_2/internal/triangulation/domain.h>
 #include <CGAL/Quality_mesh_options_2.h>
 #include <CGAL/Quality_mesh_report_2.h>
 #include <CGAL/validate_pslg_2.h>
@@ -67,19 +67,19 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-template <class Traits, class Concurrency_tag>
+template <class Traits, class ConcurrencyTag>
 class Mesh_pipeline {
 public:
   using Geometry = typename Traits::Meshing_geometry_2;
   using Point_2 = typename Traits::Point_2;
   using Pslg = Pslg_2<Point_2>;
 
-  /// \param find_hits by which model the construction by quadtrees finds neighbours of vertices; null: by the quadtree
+  /// \param find_hits by which model the construction by quadtrees finds neighbors of vertices; null: by the quadtree
   Mesh_pipeline(const Pslg& pslg, const Quality_mesh_options_2& options, const Traits& traits,
                 Find_nearest_hits<Pslg> find_hits, Quality_mesh_report_2& report)
       : pslg_(pslg), options_(options), traits_(traits), find_hits_(find_hits), report_(report),
         map_(pslg.vertices, seeds_of(pslg)) {
-    if (options.coarsening == Quality_mesh_options_2::Coarsening::NONE) finishing_.removal = Removal::none;
+    if (options.coarsening == Quality_mesh_options_2::Coarsening::NONE) finishing_.removal = Removal::NONE;
     finishing_.smoothing_rounds = options.smoothing_rounds;
     finishing_.thinning_rounds = options.thinning_rounds;
   }
@@ -100,7 +100,7 @@ public:
     Refiner<Geometry> refiner(state_, splitter);
     const bool is_by_trees = options_.separation == Quality_mesh_options_2::Separation::THEOREM_5;
     if (!(is_by_trees && construct_by_trees(refiner)) &&
-        refine(refiner, splitter) == Refinement_end::out_of_budget)
+        refine(refiner, splitter) == Refinement_end::OUT_OF_BUDGET)
       take_over(refiner, splitter);
     coarsen();
     finish(refiner);
@@ -109,7 +109,7 @@ public:
   }
 
 private:
-  using First = First_triangulation<Concurrency_tag, Geometry>;
+  using First = First_triangulation<ConcurrencyTag, Geometry>;
   /// Quadtrees make four times the triangles that are needed: removal alone leaves half of those too many.
   static constexpr int rounds_after_construction_ = 2;
   static constexpr bool has_double_coordinates = std::is_same_v<typename Geometry::Coordinate, double>;
@@ -151,16 +151,16 @@ private:
     Phase_timer timer(report_.seconds.quadtree);
     const auto grid = traits_.construct_grid_2_object()(pslg_.vertices);
     std::vector<Grid_point_2<typename Traits::Word>> grid_points(pslg_.number_of_vertices());
-    for_each_index<Concurrency_tag>(
+    for_each_index<ConcurrencyTag>(
         grid_points.size(), [&](std::size_t v) { grid_points[v] = grid.grid_point(pslg_.vertices[v]); });
-    order_ = shuffle_order<Concurrency_tag>(grid_points);
+    order_ = shuffle_order<ConcurrencyTag>(grid_points);
   }
 
   void triangulate_input() {
     Phase_timer timer(report_.seconds.first_mesh);
     const std::size_t n = pslg_.number_of_vertices();
     std::vector<typename Geometry::Point> points(n);
-    for_each_index<Concurrency_tag>(
+    for_each_index<ConcurrencyTag>(
         n, [&](std::size_t v) { points[v] = map_.to_kernel(pslg_.vertices[order_[v]]); });
     if constexpr (has_double_coordinates) check_points_are_kept();
     First first(state_.mesh, points);
@@ -271,7 +271,7 @@ private:
   /// \throws Pslg_error_2 if the mesh would surely be larger than the budget.
   void estimate_size() {
     Phase_timer timer(report_.seconds.first_mesh);
-    const Size_estimate<Geometry> estimate(state_, Concurrency_tag());
+    const Size_estimate<Geometry> estimate(state_, ConcurrencyTag());
     report_.estimated_triangles = estimate.triangles();
     const Triangle_budget budget(options_.vertex_budget);
     if (!budget.is_surely_exceeded_by(estimate.triangles())) return;
@@ -287,7 +287,7 @@ private:
 
   void find_corners() {
     Phase_timer timer(report_.seconds.first_mesh);
-    Corner_finder<Concurrency_tag, Geometry>(state_).run();
+    Corner_finder<ConcurrencyTag, Geometry>(state_).run();
   }
 
   void set_region_bounds(double scale) {
@@ -301,10 +301,10 @@ private:
   /// The segments in the kernel's numbering, which is the shuffle order.
   std::vector<typename First::Segment> kernel_segments() const {
     std::vector<Vertex_id> kernel_vertex(order_.size());
-    for_each_index<Concurrency_tag>(
+    for_each_index<ConcurrencyTag>(
         order_.size(), [&](std::size_t i) { kernel_vertex[order_[i]] = static_cast<Vertex_id>(i); });
     std::vector<typename First::Segment> segments(pslg_.number_of_segments());
-    for_each_index<Concurrency_tag>(segments.size(), [&](std::size_t s) {
+    for_each_index<ConcurrencyTag>(segments.size(), [&](std::size_t s) {
       const auto& [a, b] = pslg_.segments[s];
       segments[s] = {kernel_vertex[std::size_t(a)], kernel_vertex[std::size_t(b)]};
     });
@@ -341,14 +341,14 @@ private:
   Refinement_end refine(Refiner<Geometry>& refiner, Splitter<Geometry>& splitter) {
     Phase_timer timer(report_.seconds.refine);
     splitter.cut_rings();
-    Bulk_filler<Concurrency_tag, Geometry>(state_).run(vertex_budget());
-    Block_refinement<Concurrency_tag, Geometry> blocks(state_, finishing_, vertex_budget());
+    Bulk_filler<ConcurrencyTag, Geometry>(state_).run(vertex_budget());
+    Block_refinement<ConcurrencyTag, Geometry> blocks(state_, finishing_, vertex_budget());
     if (blocks.run([this] { return shall_go_on(0.2); }))
       finishing_.smoothing_rounds = 0; // done, and removal is left only at seams
     else
       refiner.push_all();
     const Refinement_end end = run(refiner, vertex_budget());
-    if (end != Refinement_end::out_of_budget) finish_refinement(splitter);
+    if (end != Refinement_end::OUT_OF_BUDGET) finish_refinement(splitter);
     return end;
   }
 
@@ -383,7 +383,7 @@ private:
   }
 
   void run_to_the_end(Refiner<Geometry>& refiner, std::size_t budget) {
-    if (run(refiner, budget) == Refinement_end::out_of_budget) report_.is_budget_exhausted = true;
+    if (run(refiner, budget) == Refinement_end::OUT_OF_BUDGET) report_.is_budget_exhausted = true;
   }
 
   /// Makes a mesh by quadtrees, and refines what is too large in it, or could not be cured.
@@ -419,7 +419,7 @@ private:
   /// \throws Pslg_error_2 if the user wants quadtrees and their grid cannot tell two vertices apart
   Tree_separation_report_2::End make_mesh_by_trees() {
     const Pslg graph = graph_of_edges();
-    std::optional<Separation_trees<Traits, Concurrency_tag>> trees;
+    std::optional<Separation_trees<Traits, ConcurrencyTag>> trees;
     try {
       Phase_timer timer(report_.seconds.trees);
       trees.emplace(problem_, *edge_sides_, graph, map_, options_.trees, traits_, find_hits_,
@@ -432,8 +432,8 @@ private:
                          " are nearer to each other than the grid of the quadtrees can tell");
     }
     Phase_timer timer(report_.seconds.construct);
-    Tree_construction<Traits, Concurrency_tag> construction(state_, *trees, map_, is_merged_, *edge_sides_,
-                                                            report_.trees);
+    Tree_construction<Traits, ConcurrencyTag> construction(state_, *trees, map_, is_merged_, *edge_sides_,
+                                                           report_.trees);
     // Leaves can be split without end for a bound that their rule is not made for: what misses a higher one is
     // refined afterwards.
     const Bounds<Geometry> wanted = problem_.bounds;
@@ -470,11 +470,11 @@ private:
     Phase_timer timer(report_.seconds.refine);
     constexpr int most_rounds = 5;
     for (int round = 0; round < most_rounds; ++round) {
-      state_.template make_Delaunay_exactly<Concurrency_tag>();
+      state_.template make_Delaunay_exactly<ConcurrencyTag>();
       if (!has_bad_on_worklist() || is_cancelled_ || report_.is_budget_exhausted) return;
       run_to_the_end(refiner, budget_of_repair());
     }
-    state_.template make_Delaunay_exactly<Concurrency_tag>();
+    state_.template make_Delaunay_exactly<ConcurrencyTag>();
   }
 
   bool has_bad_on_worklist() {
@@ -489,7 +489,7 @@ private:
 
   Indexed_mesh_2<Point_2> convert() {
     Phase_timer timer(report_.seconds.convert);
-    Kernel_mesh_converter<Traits, Concurrency_tag> converter(state_, pslg_, map_, order_, report_);
+    Kernel_mesh_converter<Traits, ConcurrencyTag> converter(state_, pslg_, map_, order_, report_);
     Indexed_mesh_2<Point_2> mesh = converter.run();
     if constexpr (has_double_coordinates) check_mesh_is_kept(mesh);
     return mesh;

@@ -23,16 +23,16 @@
 #include <CGAL/Point_set_mesh_report_2.h>
 #include <CGAL/Quadtree_mesh_2/Point_error.h>
 #include <CGAL/Quadtree_mesh_2/Quality_mesher_2.h>
-#include <CGAL/Quadtree_mesh_2/internal/squares/Corner_warper.h>
-#include <CGAL/Quadtree_mesh_2/internal/frame/Distinct_points.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/Phase_timer.h>
-#include <CGAL/Quadtree_mesh_2/internal/squares/Separated_quadtree.h>
-#include <CGAL/Quadtree_mesh_2/internal/relaxation/Site_mesh.h>
-#include <CGAL/Quadtree_mesh_2/internal/tiles/Tile_forest.h>
-#include <CGAL/Quadtree_mesh_2/internal/geometry/coordinate_map.h>
 #include <CGAL/Quadtree_mesh_2/internal/clusters/find_clusters.h>
+#include <CGAL/Quadtree_mesh_2/internal/frame/Distinct_points.h>
 #include <CGAL/Quadtree_mesh_2/internal/frame/points_in_box.h>
+#include <CGAL/Quadtree_mesh_2/internal/geometry/coordinate_map.h>
 #include <CGAL/Quadtree_mesh_2/internal/output/site_mesh_to_indexed_mesh.h>
+#include <CGAL/Quadtree_mesh_2/internal/relaxation/Site_mesh.h>
+#include <CGAL/Quadtree_mesh_2/internal/squares/Corner_warper.h>
+#include <CGAL/Quadtree_mesh_2/internal/squares/Separated_quadtree.h>
+#include <CGAL/Quadtree_mesh_2/internal/tiles/Tile_forest.h>
 
 #include <algorithm>
 #include <cmath>
@@ -46,7 +46,7 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-template <class Traits, class Concurrency_tag>
+template <class Traits, class ConcurrencyTag>
 class Point_set_pipeline {
 public:
   using Geometry = typename Traits::Meshing_geometry_2;
@@ -64,7 +64,7 @@ public:
     if (points_.empty()) return Mesh();
     const Coordinate_map<Traits, Geometry> map(points_);
     if (!map.is_in_range()) throw std::invalid_argument("the coordinates span more than 2^61");
-    const Distinct_points<Concurrency_tag, Geometry> distinct(points_, map);
+    const Distinct_points<ConcurrencyTag, Geometry> distinct(points_, map);
     report_.merged_points = points_.size() - distinct.points().size();
     return options_.mode == Mode::WARPED_SQUARES ? warp_squares(distinct, map) : mesh_tiles(distinct, map);
   }
@@ -73,7 +73,7 @@ private:
   using Mode = Point_set_mesh_options_2::Mode;
   using Kernel_point = typename Geometry::Point;
   using Frame = Grid_frame<Geometry>;
-  using Distinct = Distinct_points<Concurrency_tag, Geometry>;
+  using Distinct = Distinct_points<ConcurrencyTag, Geometry>;
   using Map = Coordinate_map<Traits, Geometry>;
   static constexpr double largest_acute_angle = 89.5;
 
@@ -100,13 +100,13 @@ private:
     const double least = is_acute ? 0 : options_.least_angle_in_degrees,
                  largest = is_acute ? largest_acute_angle : options_.largest_angle_in_degrees;
     const Angle_range range(least, largest);
-    Tile_forest<Concurrency_tag, Geometry> forest = plant(distinct.points(), tile_options(least, largest));
+    Tile_forest<ConcurrencyTag, Geometry> forest = plant(distinct.points(), tile_options(least, largest));
     Site_mesh<Geometry> mesh = separate(forest, distinct, range);
     coarsen(mesh, range);
     Phase_timer timer(report_.seconds.convert);
     report_.certified_points = forest.number_of_certified_points();
-    return Site_mesh_converter<Traits, Concurrency_tag>(mesh, points_, distinct, map, least, largest,
-                                                        is_acute, report_)
+    return Site_mesh_converter<Traits, ConcurrencyTag>(mesh, points_, distinct, map, least, largest, is_acute,
+                                                       report_)
         .run();
   }
 
@@ -115,23 +115,23 @@ private:
     Tile_options result;
     const bool is_wide = largest > 88 && least < 31;
     result.max_points_per_leaf = is_wide ? 2 : 1;
-    result.spacing = is_wide ? Spacing::distinct : Spacing::no_neighbors;
+    result.spacing = is_wide ? Spacing::DISTINCT : Spacing::NO_NEIGHBORS;
     result.sides_per_distance = is_wide ? 5 : 3;
     return result;
   }
 
-  Tile_forest<Concurrency_tag, Geometry> plant(const std::vector<Kernel_point>& points,
-                                               const Tile_options& options) {
+  Tile_forest<ConcurrencyTag, Geometry> plant(const std::vector<Kernel_point>& points,
+                                              const Tile_options& options) {
     Phase_timer timer(report_.seconds.quadtree);
-    using Forest = Tile_forest<Concurrency_tag, Geometry>;
+    using Forest = Tile_forest<ConcurrencyTag, Geometry>;
     if (options_.mode == Mode::BOUNDED_ANGLES) {
       const bool is_row = options_.domain == Point_set_mesh_options_2::Domain::ROW;
       return Forest(points,
-                    checked(is_row ? Frame::template along_diameter<Concurrency_tag>(points)
-                                   : Frame::template axis_parallel<Concurrency_tag>(points)),
+                    checked(is_row ? Frame::template along_diameter<ConcurrencyTag>(points)
+                                   : Frame::template axis_parallel<ConcurrencyTag>(points)),
                     options);
     }
-    const Frame frame = checked(Frame::template axis_parallel<Concurrency_tag>(points));
+    const Frame frame = checked(Frame::template axis_parallel<ConcurrencyTag>(points));
     const Framed_clusters<Geometry> clusters =
         frame_clusters<Geometry>(points, find_clusters<Geometry>(points, options_.cluster_gap));
     report_.clusters = clusters.tree.clusters.size() - 1;
@@ -161,13 +161,13 @@ private:
 
   /// Fills tiles and moves vertices to the points until all triangles are in the range. Each round that fails leads to
   /// smaller squares for a point that has not the smallest ones; when all have, nothing is left to fail but coordinates.
-  Site_mesh<Geometry> separate(Tile_forest<Concurrency_tag, Geometry>& forest, const Distinct& distinct,
+  Site_mesh<Geometry> separate(Tile_forest<ConcurrencyTag, Geometry>& forest, const Distinct& distinct,
                                const Angle_range& range) {
     for (;;) {
       ++report_.rounds;
       Site_mesh<Geometry> mesh = fill(forest, distinct);
       Phase_timer timer(report_.seconds.separate);
-      Site_mesh_relaxer<Concurrency_tag, Geometry> relaxer(mesh, range);
+      Site_mesh_relaxer<ConcurrencyTag, Geometry> relaxer(mesh, range);
       const std::vector<std::size_t> to_blame =
           relaxer.place_sites([&forest](std::size_t p) { return !forest.is_certified(p); });
       report_.triangles_before_coarsening = mesh.mesh.number_of_triangles();
@@ -178,7 +178,7 @@ private:
   }
 
   /// \throws Point_error for points that are too near to each other.
-  Site_mesh<Geometry> fill(Tile_forest<Concurrency_tag, Geometry>& forest, const Distinct& distinct) try {
+  Site_mesh<Geometry> fill(Tile_forest<ConcurrencyTag, Geometry>& forest, const Distinct& distinct) try {
     Phase_timer timer(report_.seconds.quadtree);
     return forest.fill();
   } catch (const Tile_level_error& e) {
@@ -207,7 +207,7 @@ private:
     if (options_.removal_budget > 0)
       effort.tries_per_vertex =
           static_cast<double>(options_.removal_budget) / static_cast<double>(mesh.mesh.number_of_vertices());
-    Site_mesh_relaxer<Concurrency_tag, Geometry>(mesh, range).coarsen(effort, [this](double share) {
+    Site_mesh_relaxer<ConcurrencyTag, Geometry>(mesh, range).coarsen(effort, [this](double share) {
       return shall_go_on(0.2 + 0.75 * share);
     });
   }
@@ -220,7 +220,7 @@ private:
     if (options_.coarsening_effort == 0) options.coarsen(Quality_mesh_options_2::Coarsening::NONE);
     if (options_.coarsening_effort == 3) options.smooth(1);
     const Pslg_2<Point_2> pslg = points_in_box(points_);
-    Quality_mesher_2<Traits, Concurrency_tag> mesher(options, traits_);
+    Quality_mesher_2<Traits, ConcurrencyTag> mesher(options, traits_);
     Mesh mesh = mesher(pslg);
     const Quality_mesh_report_2& report = mesher.report();
     // the box is none of the user's
@@ -241,9 +241,9 @@ private:
   }
 
   Mesh warp_squares(const Distinct& distinct, const Map& map) {
-    const Frame frame = checked(Frame::template axis_parallel<Concurrency_tag>(distinct.points()));
+    const Frame frame = checked(Frame::template axis_parallel<ConcurrencyTag>(distinct.points()));
     std::vector<Fixed_point_2<std::uint64_t>> places(distinct.points().size());
-    for_each_index<Concurrency_tag>(places.size(), [&](std::size_t i) {
+    for_each_index<ConcurrencyTag>(places.size(), [&](std::size_t i) {
       const auto g = frame.to_grid(distinct.points()[i]);
       places[i] = {g.x, g.y};
     });
@@ -254,12 +254,12 @@ private:
     }
     Phase_timer timer(report_.seconds.convert);
     std::vector<Kernel_point> vertices(warped.places.size());
-    for_each_index<Concurrency_tag>(vertices.size(),
-                                    [&](std::size_t v) { vertices[v] = frame.to_point(warped.places[v]); });
+    for_each_index<ConcurrencyTag>(vertices.size(),
+                                   [&](std::size_t v) { vertices[v] = frame.to_point(warped.places[v]); });
     std::vector<Ring_vertex> vertex_of_point(places.size());
     for (std::size_t i = 0; i < places.size(); ++i)
       vertex_of_point[i] = static_cast<Ring_vertex>(warped.vertex_of_point[i].value());
-    Point_mesh_builder<Traits, Concurrency_tag> builder(points_, distinct, map, vertex_of_point);
+    Point_mesh_builder<Traits, ConcurrencyTag> builder(points_, distinct, map, vertex_of_point);
     builder.number_vertices(vertices.size(), [](std::size_t) { return true; });
     Mesh mesh = builder.mesh_of(vertices, warped.triangles);
     report_.vertices = mesh.number_of_vertices() - report_.merged_points;
@@ -273,7 +273,7 @@ private:
   /// \throws Point_error for points that are too near to each other.
   static Warped_mesh warped_squares(const std::vector<Fixed_point_2<std::uint64_t>>& places,
                                     const Distinct& distinct) try {
-    Warped_mesh warped = Corner_warper<Concurrency_tag>::run(places);
+    Warped_mesh warped = Corner_warper<ConcurrencyTag>::run(places);
     constexpr std::size_t none = std::size_t(-1);
     std::vector<std::size_t> point_at(warped.places.size(), none);
     for (std::size_t i = 0; i < places.size(); ++i) {
@@ -292,7 +292,7 @@ private:
   /// \throws Point_error naming the points nearest to a triangle that rounding has made flat or turned around.
   void check_orientations(const Mesh& mesh, const Distinct& distinct, const Map& map) const {
     const auto point = [&](Vertex_index v) { return map.to_kernel(mesh.point(v)); };
-    const std::vector<std::uint32_t> wrong = pack<Concurrency_tag>(mesh.triangles.size(), [&](std::size_t t) {
+    const std::vector<std::uint32_t> wrong = pack<ConcurrencyTag>(mesh.triangles.size(), [&](std::size_t t) {
       const auto& v = mesh.triangles[t];
       return Geometry::orientation(point(v[0]), point(v[1]), point(v[2])) <= 0;
     });
@@ -309,10 +309,10 @@ private:
 
   void measure_angles(const Mesh& mesh, const Map& map) {
     std::vector<Kernel_point> points(mesh.points.size());
-    for_each_index<Concurrency_tag>(points.size(),
-                                    [&](std::size_t v) { points[v] = map.to_kernel(mesh.points[v]); });
+    for_each_index<ConcurrencyTag>(points.size(),
+                                   [&](std::size_t v) { points[v] = map.to_kernel(mesh.points[v]); });
     Angle_extremes extremes;
-    extremes.add_all<Concurrency_tag, Geometry>(mesh.triangles, points);
+    extremes.add_all<ConcurrencyTag, Geometry>(mesh.triangles, points);
     report_.least_angle = extremes.least_angle();
     report_.largest_angle = extremes.largest_angle();
   }

@@ -32,8 +32,8 @@
 
 #include <CGAL/Quadtree_mesh_2/Grid_point_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/clusters/Cluster_tree.h>
-#include <CGAL/Quadtree_mesh_2/internal/tables/collar_table.h>
 #include <CGAL/Quadtree_mesh_2/internal/geometry/dyadic_steps.h>
+#include <CGAL/Quadtree_mesh_2/internal/tables/collar_table.h>
 #include <CGAL/Quadtree_mesh_2/internal/tables/star_table.h>
 #include <CGAL/assertions.h>
 
@@ -48,7 +48,7 @@ namespace Quadtree_mesh_2 {
 namespace internal {
 
 /// What a site is: it says how far its leaf is to be from other sites.
-enum class Cluster_site : std::uint8_t { point, cluster };
+enum class Cluster_site : std::uint8_t { POINT, CLUSTER };
 
 template <class Geometry>
 class Cluster_frame {
@@ -69,7 +69,7 @@ public:
   static constexpr double least_cell_in_widths = 2.5;
   /// Sides of leaves are at most this share of the distance to other sites.
   static constexpr double largest_leaf(Cluster_site kind) {
-    return kind == Cluster_site::point ? 1. / 6 : 1. / 7;
+    return kind == Cluster_site::POINT ? 1. / 6 : 1. / 7;
   }
   /// Sites are at least this share of the distance of the clusters apart that they stand for.
   static constexpr double distance_of_sites = 1 - 1. / 512;

@@ -85,7 +85,7 @@ private:
     }
     const std::int32_t parent = node_[std::size_t(c.parent)];
     const int log_leaf =
-        std::ilogb(Frame::distance_of_sites * c.distance * Frame::largest_leaf(Cluster_site::cluster));
+        std::ilogb(Frame::distance_of_sites * c.distance * Frame::largest_leaf(Cluster_site::CLUSTER));
     node_.push_back(log_leaf - exponent < Frame::log_least_leaf ? parent
                                                                 : add_bridged(c, parent, exponent, log_leaf));
   }

@@ -20,8 +20,8 @@
 
 #include <CGAL/Quadtree_mesh_2/Grid_point_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/frame/Gaussian_rotation.h>
-#include <CGAL/Quadtree_mesh_2/internal/grid/double_grid.h>
 #include <CGAL/Quadtree_mesh_2/internal/geometry/meshing_geometry.h>
+#include <CGAL/Quadtree_mesh_2/internal/grid/double_grid.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 
 #include <algorithm>
@@ -72,9 +72,9 @@ struct Place_ranges {
 };
 
 /// The ranges of n places; `place(i, ranges)` adds that of index i.
-template <class Concurrency_tag, class Coordinate, class Add>
+template <class ConcurrencyTag, class Coordinate, class Add>
 Place_ranges<Coordinate> ranges_of_places(std::size_t n, const Add& add) {
-  return reduce<Concurrency_tag>(
+  return reduce<ConcurrencyTag>(
       n, Place_ranges<Coordinate>(),
       [&](std::size_t begin, std::size_t end) {
         Place_ranges<Coordinate> ranges;
@@ -125,9 +125,9 @@ public:
   using Point = typename Double_geometry_2<Kernel>::Point;
 
   /// \param points with finite coordinates below 2^1000; for none the root has side 1
-  template <class Concurrency_tag>
+  template <class ConcurrencyTag>
   static Axis_parallel_grid of(const std::vector<Point>& points) {
-    const auto ranges = ranges_of_places<Concurrency_tag, double>(
+    const auto ranges = ranges_of_places<ConcurrencyTag, double>(
         points.size(), [&](std::size_t i, Place_ranges<double>& r) { r.add(points[i].x, points[i].y); });
     return ranges.is_empty() ? Axis_parallel_grid() : Axis_parallel_grid(ranges);
   }
@@ -189,9 +189,9 @@ public:
   using Point = typename Integer_geometry_2<Word>::Point;
 
   /// \param points with coordinates from 0 to 2^62; for none the root has the least side
-  template <class Concurrency_tag>
+  template <class ConcurrencyTag>
   static Axis_parallel_grid of(const std::vector<Point>& points) {
-    auto ranges = ranges_of_places<Concurrency_tag, std::int64_t>(
+    auto ranges = ranges_of_places<ConcurrencyTag, std::int64_t>(
         points.size(),
         [&](std::size_t i, Place_ranges<std::int64_t>& r) { r.add(points[i].x, points[i].y); });
     if (ranges.is_empty()) ranges.add(least_side / 4, least_side / 4);

@@ -62,29 +62,29 @@ public:
   static constexpr int depth = 62;
 
   /// Parallel to the axes, the window the root.
-  template <class Concurrency_tag>
+  template <class ConcurrencyTag>
   static Grid_frame axis_parallel(const std::vector<Point>& points) {
-    return Grid_frame(Axis_parallel_grid<Geometry>::template of<Concurrency_tag>(points));
+    return Grid_frame(Axis_parallel_grid<Geometry>::template of<ConcurrencyTag>(points));
   }
 
   /// With the direction of z as that of rows.
   /// \pre z is not 0, and its parts are at most `finest_rotation` in magnitude
-  template <class Concurrency_tag>
+  template <class ConcurrencyTag>
   static Grid_frame rotated(const std::vector<Point>& points, Gaussian_integer z, Window_shape shape) {
-    Grid_frame frame = axis_parallel<Concurrency_tag>(points);
+    Grid_frame frame = axis_parallel<ConcurrencyTag>(points);
     if (points.empty() || (z.is_one() && shape == Window_shape::ROOT)) return frame;
     frame.rotation_ = z;
-    frame.template place_window<Concurrency_tag>(points, shape);
+    frame.template place_window<ConcurrencyTag>(points, shape);
     return frame;
   }
 
   /// With rows along a segment that is nearly as long as the points' diameter, up to an angle of 1 / n.
-  template <class Concurrency_tag>
+  template <class ConcurrencyTag>
   static Grid_frame along_diameter(const std::vector<Point>& points) {
-    const Far_pair pair = approximate_diameter<Concurrency_tag, Geometry>(points);
-    if (pair.first == pair.second) return axis_parallel<Concurrency_tag>(points);
+    const Far_pair pair = approximate_diameter<ConcurrencyTag, Geometry>(points);
+    if (pair.first == pair.second) return axis_parallel<ConcurrencyTag>(points);
     const Vector v = Geometry::difference(points[pair.second], points[pair.first]);
-    return rotated<Concurrency_tag>(points, rotation_near(v, points.size()), Window_shape::ROW);
+    return rotated<ConcurrencyTag>(points, rotation_near(v, points.size()), Window_shape::ROW);
   }
 
   /// The grid point at, or less than a unit and its rotation away from, one of the points of the frame.
@@ -136,10 +136,10 @@ private:
     Wide_integer height() const { return high.y - low.y; }
   };
 
-  template <class Concurrency_tag>
+  template <class ConcurrencyTag>
   Ranges ranges_of(const std::vector<Point>& points) const {
     const Wide_vector first = shifted(points[0]);
-    return reduce<Concurrency_tag>(
+    return reduce<ConcurrencyTag>(
         points.size(), Ranges{first, first},
         [&](std::size_t begin, std::size_t end) {
           const Wide_vector v = shifted(points[begin]);
@@ -155,13 +155,13 @@ private:
 
   static Wide_integer floor_to_multiple(Wide_integer v, Wide_integer power) { return v & ~(power - 1); }
 
-  template <class Concurrency_tag>
+  template <class ConcurrencyTag>
   void place_window(const std::vector<Point>& points, Window_shape shape) {
     constexpr Wide_integer root = Wide_integer(1) << depth;
     // A 64-th is for origins that are multiples of it, for the sake of short coordinates.
     const auto fits = [](Wide_integer extent, Wide_integer side) { return extent <= side / 2 - side / 64; };
     is_moved_ = true;
-    Ranges r = ranges_of<Concurrency_tag>(points);
+    Ranges r = ranges_of<ConcurrencyTag>(points);
     while (!fits(std::max(r.width(), r.height()) >> shift_, root - 128)) ++shift_;
     r = {{r.low.x >> shift_, r.low.y >> shift_}, {r.high.x >> shift_, r.high.y >> shift_}};
 

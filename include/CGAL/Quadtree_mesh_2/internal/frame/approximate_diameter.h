@@ -91,9 +91,9 @@ private:
 /// Returns two points that are at least `diameter_factor` times the diameter apart; {0, 0} if all points are in one
 /// place, or there are none. Of pairs equally far apart it is always the same one.
 /// \tparam Geometry a meshing geometry, of whose differences the squares neither overflow nor vanish
-template <class Concurrency_tag, class Geometry>
+template <class ConcurrencyTag, class Geometry>
 Far_pair approximate_diameter(const std::vector<typename Geometry::Point>& points) {
-  const auto extremes = reduce<Concurrency_tag>(
+  const auto extremes = reduce<ConcurrencyTag>(
       points.size(), Axis_extremes(),
       [&](std::size_t begin, std::size_t end) {
         Axis_extremes result;

@@ -69,10 +69,10 @@ class Axis_parallel_grid<Exact_geometry_2<Kernel>> {
 public:
   using Point = typename Exact_geometry_2<Kernel>::Point;
 
-  template <class Concurrency_tag>
+  template <class ConcurrencyTag>
   static Axis_parallel_grid of(const std::vector<Point>& points) {
     const auto ranges =
-        ranges_of_places<Concurrency_tag, double>(points.size(), [&](std::size_t i, Place_ranges<double>& r) {
+        ranges_of_places<ConcurrencyTag, double>(points.size(), [&](std::size_t i, Place_ranges<double>& r) {
           r.add(points[i].x.high(), points[i].y.high());
         });
     return ranges.is_empty() ? Axis_parallel_grid() : Axis_parallel_grid(ranges);

@@ -10,9 +10,9 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_GEOMETRY_EXACT_COORDINATE_MAP_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_GEOMETRY_EXACT_COORDINATE_MAP_H
 
-#include <CGAL/Quadtree_mesh_2/internal/grid/Scaled_integer.h>
 #include <CGAL/Quadtree_mesh_2/internal/geometry/coordinate_map.h>
 #include <CGAL/Quadtree_mesh_2/internal/geometry/exact_geometry.h>
+#include <CGAL/Quadtree_mesh_2/internal/grid/Scaled_integer.h>
 #include <CGAL/Quadtree_mesh_2/internal/grid/exact_grid.h>
 #include <CGAL/number_utils.h>
 

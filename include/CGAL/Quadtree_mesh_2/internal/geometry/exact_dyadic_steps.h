@@ -9,8 +9,8 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_GEOMETRY_EXACT_DYADIC_STEPS_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_GEOMETRY_EXACT_DYADIC_STEPS_H
 
-#include <CGAL/Quadtree_mesh_2/internal/grid/Exact_coordinate.h>
 #include <CGAL/Quadtree_mesh_2/internal/geometry/dyadic_steps.h>
+#include <CGAL/Quadtree_mesh_2/internal/grid/Exact_coordinate.h>
 #include <CGAL/number_utils.h>
 
 #include <cmath>

@@ -21,10 +21,10 @@
 #define CGAL_QUADTREE_MESH_2_INTERNAL_GEOMETRY_EXACT_GEOMETRY_H
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Quadtree_mesh_2/internal/geometry/meshing_geometry.h>
 #include <CGAL/Quadtree_mesh_2/internal/grid/Exact_coordinate.h>
 #include <CGAL/Quadtree_mesh_2/internal/grid/Scaled_double.h>
 #include <CGAL/Quadtree_mesh_2/internal/grid/exact_grid.h>
-#include <CGAL/Quadtree_mesh_2/internal/geometry/meshing_geometry.h>
 #include <CGAL/enum.h>
 #include <CGAL/predicates/kernel_ftC2.h>
 

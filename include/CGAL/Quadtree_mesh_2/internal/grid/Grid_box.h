@@ -35,7 +35,7 @@ struct Grid_box {
 
 /// Beyond it the domain has ended, and maybe the kernel's coordinates.
 /// \pre there are points
-template <class Concurrency_tag, class Tree>
+template <class ConcurrencyTag, class Tree>
 Grid_box<typename Tree::Grid_point> box_of_points(const Tree& tree) {
   using Box = Grid_box<typename Tree::Grid_point>;
   const auto& framework = tree.framework();
@@ -43,7 +43,7 @@ Grid_box<typename Tree::Grid_point> box_of_points(const Tree& tree) {
     const auto p = framework.grid_point(Point_rank(i));
     return Box{p, p};
   };
-  return reduce<Concurrency_tag>(
+  return reduce<ConcurrencyTag>(
       framework.number_of_points(), box_of(0),
       [&](std::size_t begin, std::size_t end) {
         Box box = box_of(begin);

@@ -109,18 +109,18 @@ struct Shuffle_key<std::uint64_t> {
 /// \tparam Word unsigned, of any length; all bits count. `std::uint32_t` and `std::uint64_t` take O(n) time and
 ///         16 bytes per point of scratch memory; others are compared.
 /// \pre `points.size() < 2^32`
-template <class Concurrency_tag = Sequential_tag, class Word, class Allocator>
+template <class ConcurrencyTag = Sequential_tag, class Word, class Allocator>
 Order shuffle_order(const std::vector<Grid_point_2<Word>, Allocator>& points) {
   using Key = Shuffle_key<Word>;
   if constexpr (Key::number_of_words > 0) {
-    return radix_order<Concurrency_tag>(
+    return radix_order<ConcurrencyTag>(
         points.size(), Key::number_of_words,
         [&points](std::uint32_t i, int word) { return Key::word(points[i], word); });
   } else {
     Order order(points.size());
-    for_each_index<Concurrency_tag>(order.size(),
-                                    [&](std::size_t i) { order[i] = static_cast<std::uint32_t>(i); });
-    sort<Concurrency_tag>(order.begin(), order.end(), [&points](std::uint32_t i, std::uint32_t j) {
+    for_each_index<ConcurrencyTag>(order.size(),
+                                   [&](std::size_t i) { order[i] = static_cast<std::uint32_t>(i); });
+    sort<ConcurrencyTag>(order.begin(), order.end(), [&points](std::uint32_t i, std::uint32_t j) {
       return less_shuffle(points[i], points[j]);
     });
     return order;

@@ -10,8 +10,8 @@
 #include <CGAL/IO/io.h>
 #include <CGAL/Indexed_mesh_2.h>
 #include <CGAL/Pslg_2.h>
-#include <CGAL/Quadtree_mesh_2/internal/io/Number_text.h>
 #include <CGAL/Quadtree_mesh_2/internal/geometry/triangle_angles.h>
+#include <CGAL/Quadtree_mesh_2/internal/io/Number_text.h>
 #include <CGAL/Quadtree_mesh_2/triangle_fields.h>
 
 #include <algorithm>

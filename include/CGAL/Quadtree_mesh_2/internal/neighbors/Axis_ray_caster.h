@@ -22,9 +22,9 @@
 #define CGAL_QUADTREE_MESH_2_INTERNAL_NEIGHBORS_AXIS_RAY_CASTER_H
 
 #include <CGAL/Quadtree_mesh_2/Direction.h>
+#include <CGAL/Quadtree_mesh_2/internal/geometry/Point_arithmetic.h>
 #include <CGAL/Quadtree_mesh_2/internal/neighbors/Axis_rays.h>
 #include <CGAL/Quadtree_mesh_2/internal/quadtree/Leaf_segments.h>
-#include <CGAL/Quadtree_mesh_2/internal/geometry/Point_arithmetic.h>
 #include <CGAL/Quadtree_mesh_2/vertex_edge_neighbor_types.h>
 #include <CGAL/assertions.h>
 

@@ -15,8 +15,8 @@
 
 #include <CGAL/Arr_enums.h>
 #include <CGAL/Arr_tags.h>
-#include <CGAL/Quadtree_mesh_2/internal/neighbors/Piece_geometry.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/compat.h>
+#include <CGAL/Quadtree_mesh_2/internal/neighbors/Piece_geometry.h>
 #include <CGAL/enum.h>
 #include <CGAL/tags.h>
 

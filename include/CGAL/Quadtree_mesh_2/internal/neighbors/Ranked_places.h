@@ -44,13 +44,13 @@ public:
   using Ends = std::array<Place, 2>;
 
   /// \param axis that of the rays: 0 for those along x, 1 for those along y.
-  template <class Concurrency_tag, class Graph>
+  template <class ConcurrencyTag, class Graph>
   static Ranked_places of(const Graph& graph, int axis) {
     Ranked_places result;
     result.axis_ = axis;
-    result.rank_vertices<Concurrency_tag>(graph.vertices);
+    result.rank_vertices<ConcurrencyTag>(graph.vertices);
     result.ends_.resize(graph.segments.size());
-    for_each_index<Concurrency_tag>(graph.segments.size(), [&](std::size_t s) {
+    for_each_index<ConcurrencyTag>(graph.segments.size(), [&](std::size_t s) {
       const Place a = result.place(graph.segments[s][0]), b = result.place(graph.segments[s][1]);
       result.ends_[s] = a < b ? Ends{{a, b}} : Ends{{b, a}};
     });
@@ -81,13 +81,13 @@ private:
     std::uint32_t vertex;
   };
 
-  template <class Concurrency_tag>
+  template <class ConcurrencyTag>
   void rank_vertices(const std::vector<Point>& vertices) {
     std::vector<Key> keys(vertices.size());
-    for_each_index<Concurrency_tag>(keys.size(), [&](std::size_t i) {
+    for_each_index<ConcurrencyTag>(keys.size(), [&](std::size_t i) {
       keys[i] = {Arithmetic::bounds(vertices[i], 1 - axis_), static_cast<std::uint32_t>(i)};
     });
-    sort<Concurrency_tag>(keys.begin(), keys.end(), [&](const Key& a, const Key& b) {
+    sort<ConcurrencyTag>(keys.begin(), keys.end(), [&](const Key& a, const Key& b) {
       if (a.across.second < b.across.first) return true;
       if (b.across.second < a.across.first) return false;
       const Point &p = vertices[a.vertex], &q = vertices[b.vertex];

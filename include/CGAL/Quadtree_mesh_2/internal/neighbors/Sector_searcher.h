@@ -21,8 +21,8 @@
 #define CGAL_QUADTREE_MESH_2_INTERNAL_NEIGHBORS_SECTOR_SEARCHER_H
 
 #include <CGAL/Quadtree_mesh_2/Direction.h>
-#include <CGAL/Quadtree_mesh_2/internal/quadtree/Leaf_segments.h>
 #include <CGAL/Quadtree_mesh_2/internal/geometry/Point_arithmetic.h>
+#include <CGAL/Quadtree_mesh_2/internal/quadtree/Leaf_segments.h>
 #include <CGAL/Quadtree_mesh_2/vertex_edge_neighbor_types.h>
 
 #include <algorithm>

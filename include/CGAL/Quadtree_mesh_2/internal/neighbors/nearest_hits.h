@@ -26,10 +26,10 @@ template <class Pslg>
 using Find_nearest_hits = std::vector<double> (*)(const Pslg& graph);
 
 /// \param n the number of vertices
-template <class Concurrency_tag, class Neighbors>
+template <class ConcurrencyTag, class Neighbors>
 std::vector<double> nearest_hit_distances(const Neighbors& neighbors, std::size_t n) {
   std::vector<double> distances(n);
-  for_each_index<Concurrency_tag>(distances.size(), [&](std::size_t v) {
+  for_each_index<ConcurrencyTag>(distances.size(), [&](std::size_t v) {
     distances[v] = neighbors.nearest_hit(Vertex_index(v)).distance;
   });
   return distances;

@@ -13,11 +13,11 @@
 #include <CGAL/Indexed_mesh_2.h>
 #include <CGAL/Pslg_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/geometry/Angle_histogram.h>
-#include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
-#include <CGAL/Quadtree_mesh_2/internal/output/boundary_markers.h>
 #include <CGAL/Quadtree_mesh_2/internal/geometry/coordinate_map.h>
+#include <CGAL/Quadtree_mesh_2/internal/output/boundary_markers.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/radix_sort.h>
+#include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
 #include <CGAL/Quality_mesh_report_2.h>
 
 #include <algorithm>
@@ -30,7 +30,7 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-template <class Traits, class Concurrency_tag>
+template <class Traits, class ConcurrencyTag>
 class Kernel_mesh_converter {
 public:
   using Geometry = typename Traits::Meshing_geometry_2;
@@ -49,12 +49,12 @@ public:
     out.triangles.resize(number_of_triangles_), out.neighbors.resize(number_of_triangles_);
     if (!mesh_.region_of.empty()) out.region_of_triangle.resize(number_of_triangles_);
     std::vector<Part> parts((mesh_.triangles.size() + default_block - 1) / default_block);
-    for_each_block<Concurrency_tag>(mesh_.triangles.size(), default_block,
-                                    [&](std::size_t b, std::size_t begin, std::size_t end) {
-                                      for (std::size_t t = begin; t < end; ++t)
-                                        if (mesh_.is_alive(Triangle_id(t)))
-                                          make_triangle(out, Triangle_id(t), parts[b]);
-                                    });
+    for_each_block<ConcurrencyTag>(mesh_.triangles.size(), default_block,
+                                   [&](std::size_t b, std::size_t begin, std::size_t end) {
+                                     for (std::size_t t = begin; t < end; ++t)
+                                       if (mesh_.is_alive(Triangle_id(t)))
+                                         make_triangle(out, Triangle_id(t), parts[b]);
+                                   });
     for (const Part& part : parts) join(out, part);
     set_boundary_markers(out, pslg_);
     report_.triangles = out.triangles.size();
@@ -86,8 +86,8 @@ private:
     const auto is_used = [&](std::size_t v) { return mesh_.is_used(static_cast<Vertex_id>(v)); };
     out.number_of_input_vertices = n;
     new_vertex_.resize(all);
-    for_each_index<Concurrency_tag>(n, [&](std::size_t v) { new_vertex_[v] = Vertex_index(order_[v]); });
-    const std::size_t steiner = count_allocate_and_place<Concurrency_tag>(
+    for_each_index<ConcurrencyTag>(n, [&](std::size_t v) { new_vertex_[v] = Vertex_index(order_[v]); });
+    const std::size_t steiner = count_allocate_and_place<ConcurrencyTag>(
         all - n,
         [&](std::size_t begin, std::size_t end) {
           std::size_t sum = 0;
@@ -117,7 +117,7 @@ private:
 
   void number_triangles() {
     const std::size_t slots = mesh_.triangles.size();
-    number_of_triangles_ = count_allocate_and_place<Concurrency_tag>(
+    number_of_triangles_ = count_allocate_and_place<ConcurrencyTag>(
         slots,
         [&](std::size_t begin, std::size_t end) {
           std::size_t sum = 0;

@@ -12,11 +12,11 @@
 #include <CGAL/Indexed_mesh_2.h>
 #include <CGAL/Point_set_mesh_report_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/frame/Distinct_points.h>
-#include <CGAL/Quadtree_mesh_2/internal/relaxation/Site_mesh.h>
 #include <CGAL/Quadtree_mesh_2/internal/geometry/angles_of_mesh.h>
 #include <CGAL/Quadtree_mesh_2/internal/geometry/coordinate_map.h>
-#include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/output/triangle_neighbors.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
+#include <CGAL/Quadtree_mesh_2/internal/relaxation/Site_mesh.h>
 
 #include <array>
 #include <cmath>
@@ -32,9 +32,9 @@ namespace internal {
 /// The least and the largest angle of a mesh.
 class Angle_extremes {
 public:
-  template <class Concurrency_tag, class Geometry, class Triangles, class Points>
+  template <class ConcurrencyTag, class Geometry, class Triangles, class Points>
   void add_all(const Triangles& triangles, const Points& points) {
-    *this = reduce<Concurrency_tag>(
+    *this = reduce<ConcurrencyTag>(
         triangles.size(), *this,
         [&](std::size_t begin, std::size_t end) {
           Angle_extremes part;
@@ -65,14 +65,14 @@ private:
 };
 
 /// Makes the flat arrays: the vertices of the input first, in its order.
-template <class Traits, class Concurrency_tag>
+template <class Traits, class ConcurrencyTag>
 class Point_mesh_builder {
 public:
   using Geometry = typename Traits::Meshing_geometry_2;
   using Point_2 = typename Traits::Point_2;
   using Mesh = Indexed_mesh_2<Point_2>;
   using Map = Coordinate_map<Traits, Geometry>;
-  using Distinct = Distinct_points<Concurrency_tag, Geometry>;
+  using Distinct = Distinct_points<ConcurrencyTag, Geometry>;
 
   /// \param vertex_of_point by distinct point.
   Point_mesh_builder(const std::vector<Point_2>& input, const Distinct& distinct, const Map& map,
@@ -87,8 +87,8 @@ public:
     for (std::size_t i = 0; i < vertex_of_point_.size(); ++i)
       new_vertex_[std::size_t(vertex_of_point_[i])] = distinct_.input_point(i);
     const auto is_new = [&](std::size_t v) { return new_vertex_[v] == unknown && is_used(v); };
-    steiner_ = pack<Concurrency_tag>(n, is_new);
-    for_each_index<Concurrency_tag>(steiner_.size(), [&](std::size_t i) {
+    steiner_ = pack<ConcurrencyTag>(n, is_new);
+    for_each_index<ConcurrencyTag>(steiner_.size(), [&](std::size_t i) {
       new_vertex_[steiner_[i]] = static_cast<std::uint32_t>(input_.size() + i);
     });
   }
@@ -101,16 +101,16 @@ public:
     mesh.points.reserve(input_.size() + steiner_.size());
     mesh.points = input_;
     mesh.points.resize(input_.size() + steiner_.size());
-    for_each_index<Concurrency_tag>(steiner_.size(), [&](std::size_t i) {
+    for_each_index<ConcurrencyTag>(steiner_.size(), [&](std::size_t i) {
       mesh.points[input_.size() + i] = map_.to_user(points[steiner_[i]]);
     });
     mesh.segment_of_vertex.resize(mesh.points.size());
     mesh.triangles.resize(triangles.size());
-    for_each_index<Concurrency_tag>(triangles.size(), [&](std::size_t t) {
+    for_each_index<ConcurrencyTag>(triangles.size(), [&](std::size_t t) {
       for (std::size_t k = 0; k < 3; ++k)
         mesh.triangles[t][k] = Vertex_index(new_vertex_[std::size_t(triangles[t][k])]);
     });
-    mesh.neighbors = triangle_neighbors<Concurrency_tag>(mesh.triangles, mesh.points.size());
+    mesh.neighbors = triangle_neighbors<ConcurrencyTag>(mesh.triangles, mesh.points.size());
     mark_border(mesh);
     return mesh;
   }
@@ -134,10 +134,10 @@ private:
   }
 };
 
-template <class Traits, class Concurrency_tag>
+template <class Traits, class ConcurrencyTag>
 class Site_mesh_converter {
 public:
-  using Builder = Point_mesh_builder<Traits, Concurrency_tag>;
+  using Builder = Point_mesh_builder<Traits, ConcurrencyTag>;
   using Geometry = typename Builder::Geometry;
   using Mesh = typename Builder::Mesh;
 
@@ -172,7 +172,7 @@ private:
 
   void list_triangles() {
     const auto& mesh = mesh_.mesh;
-    count_allocate_and_place<Concurrency_tag>(
+    count_allocate_and_place<ConcurrencyTag>(
         mesh.number_of_vertices(),
         [&](std::size_t begin, std::size_t end) {
           std::size_t sum = 0;
@@ -195,7 +195,7 @@ private:
 
   void check_angles() {
     Angle_extremes extremes;
-    extremes.add_all<Concurrency_tag, Geometry>(triangles_, mesh_.mesh.points);
+    extremes.add_all<ConcurrencyTag, Geometry>(triangles_, mesh_.mesh.points);
     report_.least_angle = extremes.least_angle();
     report_.largest_angle = extremes.largest_angle();
     const auto cot = [](double degrees) {
@@ -204,7 +204,7 @@ private:
     };
     const double least_cot = cot(largest_),
                  greatest_cot = least_ > 0 ? cot(least_) : std::numeric_limits<double>::infinity();
-    const std::vector<std::uint32_t> outside = pack<Concurrency_tag>(triangles_.size(), [&](std::size_t t) {
+    const std::vector<std::uint32_t> outside = pack<ConcurrencyTag>(triangles_.size(), [&](std::size_t t) {
       const Cotangents c = Cotangents::of<Geometry>(point(t, 0), point(t, 1), point(t, 2));
       return c.least < least_cot || c.greatest > greatest_cot || c.greatest < 0;
     });

@@ -28,7 +28,7 @@ namespace internal {
 
 /// Neighbor `k` of a triangle is across the side that faces its vertex `k`; invalid on the border.
 /// \pre no edge is a side of more than two triangles.
-template <class Concurrency_tag>
+template <class ConcurrencyTag>
 std::vector<std::array<Triangle_index, 3>>
 triangle_neighbors(const std::vector<std::array<Vertex_index, 3>>& triangles,
                    std::size_t number_of_vertices) {
@@ -55,7 +55,7 @@ triangle_neighbors(const std::vector<std::array<Vertex_index, 3>>& triangles,
     }
 
   std::vector<std::array<Triangle_index, 3>> neighbors(triangles.size());
-  for_each_index<Concurrency_tag>(number_of_vertices, [&](std::size_t v) {
+  for_each_index<ConcurrencyTag>(number_of_vertices, [&](std::size_t v) {
     std::sort(sides.begin() + first[v], sides.begin() + first[v + 1]);
     for (std::uint32_t i = first[v]; i + 1 < first[v + 1]; ++i) {
       if (sides[i].other_vertex != sides[i + 1].other_vertex) continue;

@@ -11,10 +11,10 @@
 // Method:   A range is cut into blocks by its length alone, never by the number of threads, and block results
 //           are combined in order. So results are the same bits for any number of threads, also sequentially.
 //
-// `Concurrency_tag` is `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or `Chosen_tag`. The second runs on TBB if the
+// `ConcurrencyTag` is `CGAL::Sequential_tag`, `CGAL::Parallel_tag` or `Chosen_tag`. The second runs on TBB if the
 // program links it (`CGAL_LINKED_WITH_TBB`) and on one thread otherwise. The third is what the meshers use inside: one
 // of the other two, as the mesher in use says at run time, so that the compiler makes their code once for both. All
-// primitives go through `Executor<Concurrency_tag>`; its specialization for another tag runs them elsewhere, for example
+// primitives go through `Executor<ConcurrencyTag>`; its specialization for another tag runs them elsewhere, for example
 // to count.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_PARALLEL_PARALLEL_H
@@ -72,15 +72,15 @@ using Inner_tag =
                        Chosen_tag, Tag>;
 
 /// Whether loops of this tag run on one thread, which saves what is done to share work.
-template <class Concurrency_tag>
+template <class ConcurrencyTag>
 bool is_sequential() {
-  if (std::is_same<Concurrency_tag, Chosen_tag>::value) return !Concurrency_scope::is_parallel();
-  return std::is_same<Concurrency_tag, Sequential_tag>::value;
+  if (std::is_same<ConcurrencyTag, Chosen_tag>::value) return !Concurrency_scope::is_parallel();
+  return std::is_same<ConcurrencyTag, Sequential_tag>::value;
 }
 
 /// Runs independent tasks. `run(n, f)` calls `f(i)` for all i below n and returns when all calls have.
 /// Exceptions of tasks are passed on, one of them if there are several.
-template <class Concurrency_tag>
+template <class ConcurrencyTag>
 struct Executor {
   template <class F>
   static void run(std::size_t n, const F& f) {
@@ -147,27 +147,27 @@ constexpr std::size_t default_block = 8192;
 
 /// Calls `f(block, begin, end)` for the consecutive blocks of `[0, n)`, all but the last of length
 /// `block_length`.
-template <class Concurrency_tag, class F>
+template <class ConcurrencyTag, class F>
 void for_each_block(std::size_t n, std::size_t block_length, const F& f) {
   const std::size_t blocks = (n + block_length - 1) / block_length;
   if (blocks == 0) return;
-  Executor<Concurrency_tag>::run(blocks, [&](std::size_t b) {
+  Executor<ConcurrencyTag>::run(blocks, [&](std::size_t b) {
     const std::size_t begin = b * block_length;
     f(b, begin, std::min(n, begin + block_length));
   });
 }
 
 /// Calls `f(i)` for all i below `n`.
-template <class Concurrency_tag, class F>
+template <class ConcurrencyTag, class F>
 void for_each_index(std::size_t n, const F& f, std::size_t block_length = default_block) {
-  for_each_block<Concurrency_tag>(n, block_length, [&](std::size_t, std::size_t begin, std::size_t end) {
+  for_each_block<ConcurrencyTag>(n, block_length, [&](std::size_t, std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) f(i);
   });
 }
 
 /// Returns `combine` of the values `of_range(begin, end)` of consecutive ranges that make up `[0, n)`, from
 /// left to right, beginning with `identity`.
-template <class Concurrency_tag, class T, class Of_range, class Combine>
+template <class ConcurrencyTag, class T, class Of_range, class Combine>
 T reduce(std::size_t n, T identity, const Of_range& of_range, const Combine& combine,
          std::size_t block_length = default_block) {
   if (n == 0) return identity;
@@ -176,7 +176,7 @@ T reduce(std::size_t n, T identity, const Of_range& of_range, const Combine& com
     T value;
   };
   std::vector<Partial> partial((n + block_length - 1) / block_length, Partial{identity});
-  for_each_block<Concurrency_tag>(n, block_length, [&](std::size_t b, std::size_t begin, std::size_t end) {
+  for_each_block<ConcurrencyTag>(n, block_length, [&](std::size_t b, std::size_t begin, std::size_t end) {
     partial[b].value = of_range(begin, end);
   });
   T result = identity;
@@ -199,26 +199,26 @@ T scan_exclusively(T* values, std::size_t n, T first) {
 /// Numbers what blocks hold: calls `count(begin, end)` for each block, once `allocate(sum)` with the sum of all
 /// counts, then `place(begin, end, first)` for each block with the sum of the counts of the blocks before.
 /// Returns the sum of all counts.
-template <class Concurrency_tag, class Count, class Allocate, class Place>
+template <class ConcurrencyTag, class Count, class Allocate, class Place>
 std::size_t count_allocate_and_place(std::size_t n, const Count& count, const Allocate& allocate,
                                      const Place& place, std::size_t block_length = default_block) {
   std::vector<std::size_t> first((n + block_length - 1) / block_length);
-  for_each_block<Concurrency_tag>(n, block_length, [&](std::size_t b, std::size_t begin, std::size_t end) {
+  for_each_block<ConcurrencyTag>(n, block_length, [&](std::size_t b, std::size_t begin, std::size_t end) {
     first[b] = count(begin, end);
   });
   const std::size_t sum = scan_exclusively(first.data(), first.size(), std::size_t(0));
   allocate(sum);
-  for_each_block<Concurrency_tag>(n, block_length, [&](std::size_t b, std::size_t begin, std::size_t end) {
+  for_each_block<ConcurrencyTag>(n, block_length, [&](std::size_t b, std::size_t begin, std::size_t end) {
     place(begin, end, first[b]);
   });
   return sum;
 }
 
 /// Replaces each of `n` values by the sum of those before it and returns the sum of all.
-template <class Concurrency_tag, class T>
+template <class ConcurrencyTag, class T>
 T exclusive_scan(T* values, std::size_t n) {
   static_assert(std::is_integral<T>::value, "block sums are kept as integers");
-  return static_cast<T>(count_allocate_and_place<Concurrency_tag>(
+  return static_cast<T>(count_allocate_and_place<ConcurrencyTag>(
       n,
       [&](std::size_t begin, std::size_t end) {
         T sum = 0;
@@ -233,11 +233,11 @@ T exclusive_scan(T* values, std::size_t n) {
 
 /// Returns the values `value(i)` for the indices i below `n` with `is_kept(i)`, in order. `is_kept` is called
 /// twice for each.
-template <class Concurrency_tag, class T, class Is_kept, class Value>
+template <class ConcurrencyTag, class T, class Is_kept, class Value>
 std::vector<T> pack_values(std::size_t n, const Is_kept& is_kept, const Value& value) {
   static_assert(!std::is_same<T, bool>::value, "the members of std::vector<bool> are not independent");
   std::vector<T> kept;
-  count_allocate_and_place<Concurrency_tag>(
+  count_allocate_and_place<ConcurrencyTag>(
       n,
       [&](std::size_t begin, std::size_t end) {
         std::size_t sum = 0;
@@ -254,9 +254,9 @@ std::vector<T> pack_values(std::size_t n, const Is_kept& is_kept, const Value& v
 
 /// Returns the indices i below `n` with `is_kept(i)`, in order.
 /// \pre `n <= 2^32`
-template <class Concurrency_tag, class Is_kept>
+template <class ConcurrencyTag, class Is_kept>
 std::vector<std::uint32_t> pack(std::size_t n, const Is_kept& is_kept) {
-  return pack_values<Concurrency_tag, std::uint32_t>(
+  return pack_values<ConcurrencyTag, std::uint32_t>(
       n, is_kept, [](std::size_t i) { return static_cast<std::uint32_t>(i); });
 }
 

@@ -63,10 +63,10 @@ class Sort_buffer {
   static_assert(std::is_nothrow_move_constructible<T>::value, "values to be sorted move without exceptions");
 
 public:
-  template <class Concurrency_tag, class RandomIt>
-  Sort_buffer(Concurrency_tag, RandomIt first, std::size_t n)
+  template <class ConcurrencyTag, class RandomIt>
+  Sort_buffer(ConcurrencyTag, RandomIt first, std::size_t n)
       : values_(std::allocator<T>().allocate(n)), n_(n) {
-    for_each_block<Concurrency_tag>(n, sort_block, [&](std::size_t, std::size_t begin, std::size_t end) {
+    for_each_block<ConcurrencyTag>(n, sort_block, [&](std::size_t, std::size_t begin, std::size_t end) {
       using Difference = typename std::iterator_traits<RandomIt>::difference_type;
       std::uninitialized_move(first + static_cast<Difference>(begin), first + static_cast<Difference>(end),
                               values_ + begin);
@@ -88,7 +88,7 @@ private:
 
 /// Merges neighboring sorted runs of length `width` of the `n` values from `from` on into runs of twice the
 /// length from `to` on.
-template <class Concurrency_tag, class From, class To, class Less>
+template <class ConcurrencyTag, class From, class To, class Less>
 void merge_runs(From from, To to, std::size_t n, std::size_t width, const Less& less) {
   using From_difference = typename std::iterator_traits<From>::difference_type;
   using To_difference = typename std::iterator_traits<To>::difference_type;
@@ -100,12 +100,12 @@ void merge_runs(From from, To to, std::size_t n, std::size_t width, const Less& 
 
   // All searches come before all moves, lest a search meets a value that has been moved.
   std::vector<std::size_t> from_first((n + sort_block - 1) / sort_block); // of the values before a block
-  for_each_block<Concurrency_tag>(n, sort_block, [&](std::size_t block, std::size_t begin, std::size_t) {
+  for_each_block<ConcurrencyTag>(n, sort_block, [&](std::size_t block, std::size_t begin, std::size_t) {
     const std::size_t merge = begin_of_merge(begin), second = begin_of_second(merge);
     from_first[block] =
         merge_path(at(merge), second - merge, at(second), end_of_merge(merge) - second, begin - merge, less);
   });
-  for_each_block<Concurrency_tag>(n, sort_block, [&](std::size_t block, std::size_t begin, std::size_t end) {
+  for_each_block<ConcurrencyTag>(n, sort_block, [&](std::size_t block, std::size_t begin, std::size_t end) {
     const std::size_t merge = begin_of_merge(begin), second = begin_of_second(merge);
     const std::size_t before = from_first[block];
     const std::size_t after = end == end_of_merge(merge) ? second - merge : from_first[block + 1];
@@ -119,44 +119,44 @@ void merge_runs(From from, To to, std::size_t n, std::size_t width, const Less& 
 /// Sorts `[first, last)`; equivalent values keep their order. If `less` throws, the range holds unspecified
 /// values.
 /// \tparam Less is called by several threads at once.
-template <class Concurrency_tag, class RandomIt, class Less>
+template <class ConcurrencyTag, class RandomIt, class Less>
 void sort(RandomIt first, RandomIt last, Less less) {
   using T = typename std::iterator_traits<RandomIt>::value_type;
   using Difference = typename std::iterator_traits<RandomIt>::difference_type;
   const std::size_t n = static_cast<std::size_t>(last - first);
-  if (n <= sort_block || is_sequential<Concurrency_tag>()) {
+  if (n <= sort_block || is_sequential<ConcurrencyTag>()) {
     std::stable_sort(first, last, less); // the same result
     return;
   }
-  for_each_block<Concurrency_tag>(n, sort_block, [&](std::size_t, std::size_t begin, std::size_t end) {
+  for_each_block<ConcurrencyTag>(n, sort_block, [&](std::size_t, std::size_t begin, std::size_t end) {
     std::stable_sort(first + static_cast<Difference>(begin), first + static_cast<Difference>(end), less);
   });
-  Sort_buffer<T> buffer(Concurrency_tag(), first, n);
+  Sort_buffer<T> buffer(ConcurrencyTag(), first, n);
   bool is_in_buffer = true;
   for (std::size_t width = sort_block; width < n; width *= 2) {
     if (is_in_buffer)
-      merge_runs<Concurrency_tag>(buffer.data(), first, n, width, less);
+      merge_runs<ConcurrencyTag>(buffer.data(), first, n, width, less);
     else
-      merge_runs<Concurrency_tag>(first, buffer.data(), n, width, less);
+      merge_runs<ConcurrencyTag>(first, buffer.data(), n, width, less);
     is_in_buffer = !is_in_buffer;
   }
   if (!is_in_buffer) return;
-  for_each_block<Concurrency_tag>(n, sort_block, [&](std::size_t, std::size_t begin, std::size_t end) {
+  for_each_block<ConcurrencyTag>(n, sort_block, [&](std::size_t, std::size_t begin, std::size_t end) {
     std::move(buffer.data() + begin, buffer.data() + end, first + static_cast<Difference>(begin));
   });
 }
 
 /// Removes all but the first of consecutive equal values.
 /// \tparam T can be default constructed.
-template <class Concurrency_tag, class T>
+template <class ConcurrencyTag, class T>
 void unique(std::vector<T>& values) {
   const std::size_t n = values.size();
-  if (n <= default_block || is_sequential<Concurrency_tag>()) {
+  if (n <= default_block || is_sequential<ConcurrencyTag>()) {
     values.erase(std::unique(values.begin(), values.end()), values.end());
     return;
   }
   // Copied, not moved: the next block may still compare its first value with the last one of a block.
-  values = pack_values<Concurrency_tag, T>(
+  values = pack_values<ConcurrencyTag, T>(
       n, [&](std::size_t i) { return i == 0 || !(values[i] == values[i - 1]); },
       [&](std::size_t i) -> const T& { return values[i]; });
 }

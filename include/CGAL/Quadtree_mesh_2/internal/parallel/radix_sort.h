@@ -51,7 +51,7 @@ inline std::unique_ptr<std::uint64_t[]> uncleared_words(std::size_t n) {
 }
 
 /// Sorts words in parallel.
-template <class Concurrency_tag>
+template <class ConcurrencyTag>
 class Word_sorter {
 public:
   /// Sorts the `n` words from `from` on to `from` if `in_place`, otherwise to `to`. Both ranges are written to.
@@ -147,7 +147,7 @@ private:
   static constexpr std::size_t block_ = std::size_t(1) << 15;
 
   static void sort_long(Word* from, Word* to, std::size_t n, bool in_place) {
-    const int width = bit_width(reduce<Concurrency_tag>(
+    const int width = bit_width(reduce<ConcurrencyTag>(
         n, Word(0),
         [&](std::size_t begin, std::size_t end) {
           Word varying = 0;
@@ -158,7 +158,7 @@ private:
     // Runs shall have some hundred words. Fewer digits would not fill tasks, more would not fill cache lines.
     const int digit = std::min({width, max_digit_, bit_width(n) - 8});
     if (width == 0) {
-      for_each_block<Concurrency_tag>(n, block_, [&](std::size_t, std::size_t begin, std::size_t end) {
+      for_each_block<ConcurrencyTag>(n, block_, [&](std::size_t, std::size_t begin, std::size_t end) {
         put(from + begin, to + begin, end - begin, in_place);
       });
       return;
@@ -174,13 +174,13 @@ private:
     const std::size_t blocks = (n + block_ - 1) / block_;
     // Words with a digit in a block, then the number of such words in the blocks before.
     std::unique_ptr<std::uint32_t[]> counts(new std::uint32_t[blocks * digits]);
-    for_each_block<Concurrency_tag>(n, block_, [&](std::size_t block, std::size_t begin, std::size_t end) {
+    for_each_block<ConcurrencyTag>(n, block_, [&](std::size_t block, std::size_t begin, std::size_t end) {
       std::uint32_t* const count = counts.get() + block * digits;
       std::fill(count, count + digits, 0u);
       for (std::size_t i = begin; i < end; ++i) ++count[(from[i] >> shift) & mask];
     });
     std::vector<std::size_t> begin_of_run(digits + 1);
-    for_each_block<Concurrency_tag>(digits, 128, [&](std::size_t, std::size_t begin, std::size_t end) {
+    for_each_block<ConcurrencyTag>(digits, 128, [&](std::size_t, std::size_t begin, std::size_t end) {
       for (std::size_t block = 0; block < blocks; ++block)
         for (std::size_t d = begin; d < end; ++d) {
           std::uint32_t& count = counts[block * digits + d];
@@ -190,7 +190,7 @@ private:
         }
     });
     scan_exclusively(begin_of_run.data(), digits + 1, std::size_t(0));
-    for_each_block<Concurrency_tag>(n, block_, [&](std::size_t block, std::size_t begin, std::size_t end) {
+    for_each_block<ConcurrencyTag>(n, block_, [&](std::size_t block, std::size_t begin, std::size_t end) {
       std::uint32_t* const place = counts.get() + block * digits;
       for (std::size_t d = 0; d < digits; ++d) place[d] += static_cast<std::uint32_t>(begin_of_run[d]);
       for (std::size_t i = begin; i < end; ++i) to[place[(from[i] >> shift) & mask]++] = from[i];
@@ -204,7 +204,7 @@ private:
     const std::size_t n = begin_of_run.back();
     const std::size_t runs = begin_of_run.size() - 1;
     const auto length = [&](std::size_t run) { return begin_of_run[run + 1] - begin_of_run[run]; };
-    for_each_block<Concurrency_tag>(n, block_, [&](std::size_t, std::size_t begin, std::size_t end) {
+    for_each_block<ConcurrencyTag>(n, block_, [&](std::size_t, std::size_t begin, std::size_t end) {
       const auto first = std::lower_bound(begin_of_run.begin(), begin_of_run.end(), begin);
       for (std::size_t r = static_cast<std::size_t>(first - begin_of_run.begin()); begin_of_run[r] < end; ++r)
         if (length(r) <= longest_short_range)
@@ -218,7 +218,7 @@ private:
 
 /// Sorts indices by keys of several words.
 /// \tparam Word_of see `radix_order()`.
-template <class Concurrency_tag, class Word_of>
+template <class ConcurrencyTag, class Word_of>
 class Key_sorter {
 public:
   Key_sorter(int number_of_words, const Word_of& word_of, std::uint64_t* items, std::uint64_t* buffer)
@@ -226,7 +226,7 @@ public:
 
   /// Sorts the indices 0 to `n - 1`.
   void sort(std::size_t n) {
-    sort_range<Concurrency_tag>(0, n, 0, [](std::size_t i) { return static_cast<std::uint32_t>(i); });
+    sort_range<ConcurrencyTag>(0, n, 0, [](std::size_t i) { return static_cast<std::uint32_t>(i); });
   }
 
   /// Returns the index in place `i`.
@@ -346,14 +346,14 @@ using Order = Uninitialized_vector<std::uint32_t>;
 /// \param word_of called as `word_of(index, i)`, by several threads at once, returns word i of a key, the most
 /// significant one first.
 /// \pre `n <= 2^32`
-template <class Concurrency_tag = Sequential_tag, class Word_of>
+template <class ConcurrencyTag = Sequential_tag, class Word_of>
 Order radix_order(std::size_t n, int number_of_words, const Word_of& word_of) {
   Order order(n);
   if (n == 0) return order;
   const auto items = uncleared_words(n), buffer = uncleared_words(n);
-  Key_sorter<Concurrency_tag, Word_of> sorter(number_of_words, word_of, items.get(), buffer.get());
+  Key_sorter<ConcurrencyTag, Word_of> sorter(number_of_words, word_of, items.get(), buffer.get());
   sorter.sort(n);
-  for_each_index<Concurrency_tag>(n, [&](std::size_t i) { order[i] = sorter.index(i); });
+  for_each_index<ConcurrencyTag>(n, [&](std::size_t i) { order[i] = sorter.index(i); });
   return order;
 }
 

@@ -10,10 +10,10 @@
 #define CGAL_QUADTREE_MESH_2_INTERNAL_PSLG_INPUT_WORDS_H
 
 #include <CGAL/Pslg_2.h>
+#include <CGAL/Quadtree_mesh_2/internal/grid/morton.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/First_triangulation.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Input_edges.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/domain.h>
-#include <CGAL/Quadtree_mesh_2/internal/grid/morton.h>
 #include <CGAL/Quality_mesh_options_2.h>
 #include <CGAL/Quality_mesh_report_2.h>
 #include <CGAL/validate_pslg_2.h>

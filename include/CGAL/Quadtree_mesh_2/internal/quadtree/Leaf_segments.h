@@ -110,11 +110,11 @@ public:
 
   /// Lists the segments of a graph whose vertices are the points of a tree.
   /// \throws std::length_error if the lists have 2^32 members or more in all.
-  template <class Concurrency_tag, class Tree, class Segments>
+  template <class ConcurrencyTag, class Tree, class Segments>
   static Leaf_segments of(const Tree& tree, const Segments& segments) {
     using Key = std::uint64_t;
     std::vector<Key> keys; // the leaf, then the segment
-    count_allocate_and_place<Concurrency_tag>(
+    count_allocate_and_place<ConcurrencyTag>(
         segments.size(),
         [&](std::size_t begin, std::size_t end) {
           std::size_t n = 0;
@@ -132,21 +132,21 @@ public:
                           [&](Leaf_index l) { keys[place++] = Key(l.value()) << 32 | Key(s); });
         },
         block_of_segments);
-    Word_sorter<Concurrency_tag>::sort(keys.data(), uncleared_words(keys.size()).get(), keys.size(), true);
-    return Leaf_segments(Concurrency_tag(), keys, tree.number_of_leaves());
+    Word_sorter<ConcurrencyTag>::sort(keys.data(), uncleared_words(keys.size()).get(), keys.size(), true);
+    return Leaf_segments(ConcurrencyTag(), keys, tree.number_of_leaves());
   }
 
 private:
   static constexpr std::size_t block_of_segments = 256;
 
-  template <class Concurrency_tag>
-  Leaf_segments(Concurrency_tag, const std::vector<std::uint64_t>& keys, std::size_t number_of_leaves)
+  template <class ConcurrencyTag>
+  Leaf_segments(ConcurrencyTag, const std::vector<std::uint64_t>& keys, std::size_t number_of_leaves)
       : begin_(number_of_leaves + 1), segments_(keys.size()) {
     const std::size_t n = keys.size();
-    for_each_index<Concurrency_tag>(
+    for_each_index<ConcurrencyTag>(
         n, [&](std::size_t i) { segments_[i] = Segment_index(keys[i] & 0xffffffffu); });
     // The lists of all leaves after the one of key i - 1, up to that of key i, begin at i.
-    for_each_index<Concurrency_tag>(n + 1, [&](std::size_t i) {
+    for_each_index<ConcurrencyTag>(n + 1, [&](std::size_t i) {
       const std::size_t first = i == 0 ? 0 : static_cast<std::size_t>(keys[i - 1] >> 32) + 1;
       const std::size_t last = i == n ? number_of_leaves : static_cast<std::size_t>(keys[i] >> 32);
       for (std::size_t l = first; l <= last; ++l) begin_[l] = static_cast<std::uint32_t>(i);

@@ -202,7 +202,7 @@ private:
 
   /// Numbers the leaves in shuffle order and finds the leaves of points, which are as many as `points`: counts
   /// leaves from the deepest level up, places them from the root down.
-  template <class Concurrency_tag>
+  template <class ConcurrencyTag>
   void number_leaves(std::size_t points) {
     const std::size_t n = number_of_families();
     first_leaf_.resize(n);
@@ -215,7 +215,7 @@ private:
     }
     auto& count = last_leaf_; // until the place is known
     for (int l = number_of_split_levels(); l-- > 0;)
-      for_each_family_of_level<Concurrency_tag>(l, [&](std::uint32_t f) {
+      for_each_family_of_level<ConcurrencyTag>(l, [&](std::uint32_t f) {
         count[f] = 0;
         for (int q = 0; q < 4; ++q) {
           const Node_index v = member(f, q);
@@ -226,7 +226,7 @@ private:
     first_leaf_[0] = 0;
     point_end[0] = static_cast<std::uint32_t>(points);
     for (int l = 0; l < number_of_split_levels(); ++l)
-      for_each_family_of_level<Concurrency_tag>(l, [&](std::uint32_t f) {
+      for_each_family_of_level<ConcurrencyTag>(l, [&](std::uint32_t f) {
         std::uint32_t next = first_leaf_[f];
         for (int q = 0; q < 4; ++q) {
           const std::uint32_t v = member(f, q).value();
@@ -251,10 +251,10 @@ private:
     for (std::uint32_t r = point_begin; r < point_end; ++r) leaf_of_point_[r] = leaf;
   }
 
-  template <class Concurrency_tag, class F>
+  template <class ConcurrencyTag, class F>
   void for_each_family_of_level(int l, const F& f) const {
     const std::uint32_t first = level_begin(l);
-    for_each_index<Concurrency_tag>(
+    for_each_index<ConcurrencyTag>(
         level_begin(l + 1) - first, [&](std::size_t i) { f(first + static_cast<std::uint32_t>(i)); },
         default_block / 4);
   }

@@ -62,18 +62,18 @@ struct Required_squares {
   }
 
   /// Links the children: the split children of all squares, in order, are all squares but the root.
-  template <class Concurrency_tag>
+  template <class ConcurrencyTag>
   void link_children() {
     first_child.resize(size());
-    for_each_index<Concurrency_tag>(size(),
-                                    [&](std::size_t i) { first_child[i] = number_of_children(children[i]); });
-    exclusive_scan<Concurrency_tag>(first_child.data(), size());
-    for_each_index<Concurrency_tag>(size(), [&](std::size_t i) { ++first_child[i]; });
+    for_each_index<ConcurrencyTag>(size(),
+                                   [&](std::size_t i) { first_child[i] = number_of_children(children[i]); });
+    exclusive_scan<ConcurrencyTag>(first_child.data(), size());
+    for_each_index<ConcurrencyTag>(size(), [&](std::size_t i) { ++first_child[i]; });
   }
 };
 
 /// Finds the squares that the points of a framework require.
-template <class Framework, class Concurrency_tag>
+template <class Framework, class ConcurrencyTag>
 class Required_squares_finder {
 public:
   Required_squares_finder(const Framework& framework, std::size_t max_points)
@@ -84,15 +84,15 @@ public:
   Required_squares find() {
     const std::size_t n = framework_.number_of_points();
     std::vector<std::vector<std::uint32_t>> places((n + block_length_ - 1) / block_length_);
-    for_each_block<Concurrency_tag>(n, block_length_, [&](std::size_t b, std::size_t begin, std::size_t end) {
+    for_each_block<ConcurrencyTag>(n, block_length_, [&](std::size_t b, std::size_t begin, std::size_t end) {
       count_squares(begin, end, places[b]);
     });
     Required_squares squares;
     allocate(places, squares);
-    for_each_block<Concurrency_tag>(n, block_length_, [&](std::size_t b, std::size_t begin, std::size_t end) {
+    for_each_block<ConcurrencyTag>(n, block_length_, [&](std::size_t b, std::size_t begin, std::size_t end) {
       fill_squares(begin, end, places[b], squares);
     });
-    squares.template link_children<Concurrency_tag>();
+    squares.template link_children<ConcurrencyTag>();
     return squares;
   }
 

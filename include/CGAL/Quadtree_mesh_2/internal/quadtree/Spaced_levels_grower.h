@@ -23,15 +23,15 @@
 
 #include <CGAL/Quadtree_mesh_2/Direction.h>
 #include <CGAL/Quadtree_mesh_2/Index.h>
-#include <CGAL/Quadtree_mesh_2/internal/quadtree/Linked_squares.h>
-#include <CGAL/Quadtree_mesh_2/internal/quadtree/Required_squares.h>
-#include <CGAL/Quadtree_mesh_2/internal/quadtree/Square_grower.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/Uninitialized_vector.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/Word_operations.h>
-#include <CGAL/Quadtree_mesh_2/internal/quadtree/forcing.h>
 #include <CGAL/Quadtree_mesh_2/internal/grid/morton.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel_sort.h>
+#include <CGAL/Quadtree_mesh_2/internal/quadtree/Linked_squares.h>
+#include <CGAL/Quadtree_mesh_2/internal/quadtree/Required_squares.h>
+#include <CGAL/Quadtree_mesh_2/internal/quadtree/Square_grower.h>
+#include <CGAL/Quadtree_mesh_2/internal/quadtree/forcing.h>
 #include <CGAL/Quadtree_mesh_2/internal/quadtree/spaced_levels.h>
 #include <CGAL/assertions.h>
 
@@ -45,15 +45,15 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-template <class Framework, class Concurrency_tag>
+template <class Framework, class ConcurrencyTag>
 class Spaced_levels_grower {
 public:
-  using Grower = Square_grower<Framework, Concurrency_tag>;
+  using Grower = Square_grower<Framework, ConcurrencyTag>;
   using Squares = typename Grower::Squares;
 
   /// \param required the squares that the points of the framework require.
   Spaced_levels_grower(const Framework& framework, const Required_squares& required)
-      : framework_(framework), required_(required), forced_(all_forced_directions<Concurrency_tag>(required)),
+      : framework_(framework), required_(required), forced_(all_forced_directions<ConcurrencyTag>(required)),
         depth_(framework.grid().depth()) {}
 
   /// Returns the squares of the quadtree.
@@ -62,7 +62,7 @@ public:
     std::vector<Grower> bands;
     bands.reserve(levels.size() + 1);
     while (bands.size() <= levels.size()) bands.emplace_back(framework_, required_, forced_);
-    Executor<Concurrency_tag>::run(bands.size(), [&](std::size_t b) {
+    Executor<ConcurrencyTag>::run(bands.size(), [&](std::size_t b) {
       const int end = b < levels.size() ? levels[b] : required_.number_of_levels();
       if (b == 0) {
         bands[b].reserve(required_.size()); // for all, as the other bands are appended
@@ -74,7 +74,7 @@ public:
       if (required_.size() > 0) grow_band(bands[b], end);
     });
     Squares squares = bands.size() == 1 ? std::move(bands[0].squares_) : join(bands);
-    squares.template number_leaves<Concurrency_tag>(framework_.number_of_points());
+    squares.template number_leaves<ConcurrencyTag>(framework_.number_of_points());
     return squares;
   }
 
@@ -135,14 +135,14 @@ private:
     const std::uint32_t first = required_.level_begin[std::size_t(level)];
     const std::uint32_t last = required_.level_begin[std::size_t(level) + 1];
     std::vector<Grid_point> tops(9 * std::size_t(last - first));
-    for_each_index<Concurrency_tag>(last - first, [&](std::size_t i) {
+    for_each_index<ConcurrencyTag>(last - first, [&](std::size_t i) {
       const Grid_point s = place_of_point(required_.point[first + i], level);
       std::fill_n(tops.begin() + static_cast<std::ptrdiff_t>(9 * i), 9, s);
       if (forced_[first + i] != 0)
         for (Direction d : all_directions()) step(s, d, level, tops[9 * i + static_cast<std::size_t>(d)]);
     });
-    sort<Concurrency_tag>(tops.begin(), tops.end(), Less_shuffle());
-    unique<Concurrency_tag>(tops);
+    sort<ConcurrencyTag>(tops.begin(), tops.end(), Less_shuffle());
+    unique<ConcurrencyTag>(tops);
     return tops;
   }
 
@@ -162,15 +162,15 @@ private:
                             static_cast<std::uint32_t>(parents + tops.size())};
     band.level_offset_ = level - 1;
     band.growth_.resize(tops.size());
-    for_each_index<Concurrency_tag>(
-        tops.size(), [&](std::size_t i) { band.growth_[i].required = Required_squares::none; });
+    for_each_index<ConcurrencyTag>(tops.size(),
+                                   [&](std::size_t i) { band.growth_[i].required = Required_squares::none; });
     const std::uint32_t first = required_.level_begin[std::size_t(level)];
     const std::uint32_t last = required_.level_begin[std::size_t(level) + 1];
-    for_each_index<Concurrency_tag>(last - first, [&](std::size_t i) {
+    for_each_index<ConcurrencyTag>(last - first, [&](std::size_t i) {
       const std::size_t top = find_top(tops, place_of_point(required_.point[first + i], level));
       band.growth_[top].required = first + static_cast<std::uint32_t>(i);
     });
-    for_each_index<Concurrency_tag>(tops.size(), [&](std::size_t i) { make_top(band, tops, i, level); });
+    for_each_index<ConcurrencyTag>(tops.size(), [&](std::size_t i) { make_top(band, tops, i, level); });
   }
 
   void make_top(Grower& band, const std::vector<Grid_point>& tops, std::size_t i, int level) const {
@@ -248,7 +248,7 @@ private:
 
   /// Finds the cross pointers of `n` tops from those of their parents, which were made in another band.
   static void link_neighbors_of_tops(std::size_t first, std::size_t n, Squares& result) {
-    for_each_index<Concurrency_tag>(n, [&](std::size_t i) {
+    for_each_index<ConcurrencyTag>(n, [&](std::size_t i) {
       result.neighbors_[first + i] = result.neighbors(Node_index(result.node_[first + i]));
     });
   }
@@ -258,7 +258,7 @@ private:
     const auto moved_node = [&](std::uint32_t node) {
       return node == Node_index().value() ? node : static_cast<std::uint32_t>(node + 4 * base - 4 * first);
     };
-    for_each_index<Concurrency_tag>(band.number_of_families() - first, [&](std::size_t i) {
+    for_each_index<ConcurrencyTag>(band.number_of_families() - first, [&](std::size_t i) {
       const std::size_t from = first + i, to = base + i;
       result.node_[to] = moved_node(band.node_[from]);
       result.family_level_[to] = band.family_level_[from];

@@ -19,12 +19,12 @@
 #define CGAL_QUADTREE_MESH_2_INTERNAL_QUADTREE_SQUARE_GROWER_H
 
 #include <CGAL/Quadtree_mesh_2/Index.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/Uninitialized_vector.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/quadtree/Linked_squares.h>
 #include <CGAL/Quadtree_mesh_2/internal/quadtree/Point_distribution.h>
 #include <CGAL/Quadtree_mesh_2/internal/quadtree/Required_squares.h>
-#include <CGAL/Quadtree_mesh_2/internal/base/Uninitialized_vector.h>
 #include <CGAL/Quadtree_mesh_2/internal/quadtree/forcing.h>
-#include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/assertions.h>
 
 #include <algorithm>
@@ -41,7 +41,7 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-template <class Framework, class Concurrency_tag>
+template <class Framework, class ConcurrencyTag>
 class Square_grower {
 public:
   using Squares = Linked_squares<typename Framework::Word>;
@@ -59,7 +59,7 @@ public:
     reserve(required_.size());
     begin_with_root();
     if (required_.size() > 0) grow_levels();
-    squares_.template number_leaves<Concurrency_tag>(framework_.number_of_points());
+    squares_.template number_leaves<ConcurrencyTag>(framework_.number_of_points());
     return std::move(squares_);
   }
 
@@ -110,7 +110,7 @@ private:
   void mark_children() {
     const std::uint32_t first = first_family(), last = end_family();
     clear_marks(4 * std::size_t(last - first));
-    for_each_index<Concurrency_tag>(
+    for_each_index<ConcurrencyTag>(
         last - first, [&](std::size_t i) { mark_children_of(first + static_cast<std::uint32_t>(i)); },
         families_in_block_);
     count_marks();
@@ -137,15 +137,15 @@ private:
   template <class On_marked>
   void for_each_child(const On_marked& on_marked) {
     const std::size_t first_node = 4 * std::size_t(first_family()) + 1;
-    for_each_block<Concurrency_tag>(number_of_children_, 4 * families_in_block_,
-                                    [&](std::size_t b, std::size_t begin, std::size_t end) {
-                                      std::size_t next = marks_before_block_[b];
-                                      for (std::size_t i = begin; i < end; ++i)
-                                        if (marks_[i].load(std::memory_order_relaxed) != 0)
-                                          on_marked(static_cast<std::uint32_t>(first_node + i), next++);
-                                        else
-                                          squares_.leaf_or_family_[first_node + i] = Squares::leaf_flag;
-                                    });
+    for_each_block<ConcurrencyTag>(number_of_children_, 4 * families_in_block_,
+                                   [&](std::size_t b, std::size_t begin, std::size_t end) {
+                                     std::size_t next = marks_before_block_[b];
+                                     for (std::size_t i = begin; i < end; ++i)
+                                       if (marks_[i].load(std::memory_order_relaxed) != 0)
+                                         on_marked(static_cast<std::uint32_t>(first_node + i), next++);
+                                       else
+                                         squares_.leaf_or_family_[first_node + i] = Squares::leaf_flag;
+                                   });
   }
 
   // The families of the last level, and the level of their children.
@@ -181,20 +181,20 @@ private:
       marks_.reset(new Mark[room_for_marks_]);
     }
     number_of_children_ = n;
-    for_each_index<Concurrency_tag>(n, [&](std::size_t i) { marks_[i].store(0, std::memory_order_relaxed); });
+    for_each_index<ConcurrencyTag>(n, [&](std::size_t i) { marks_[i].store(0, std::memory_order_relaxed); });
   }
 
   /// Counts the marks before each block, and all.
   void count_marks() {
     const std::size_t block = 4 * families_in_block_;
     marks_before_block_.assign((number_of_children_ + block - 1) / block + 1, 0);
-    for_each_block<Concurrency_tag>(number_of_children_, block,
-                                    [&](std::size_t b, std::size_t begin, std::size_t end) {
-                                      std::size_t sum = 0;
-                                      for (std::size_t i = begin; i < end; ++i)
-                                        sum += marks_[i].load(std::memory_order_relaxed);
-                                      marks_before_block_[b] = sum;
-                                    });
+    for_each_block<ConcurrencyTag>(number_of_children_, block,
+                                   [&](std::size_t b, std::size_t begin, std::size_t end) {
+                                     std::size_t sum = 0;
+                                     for (std::size_t i = begin; i < end; ++i)
+                                       sum += marks_[i].load(std::memory_order_relaxed);
+                                     marks_before_block_[b] = sum;
+                                   });
     scan_exclusively(marks_before_block_.data(), marks_before_block_.size(), std::size_t(0));
   }
 

@@ -25,9 +25,9 @@
 #define CGAL_QUADTREE_MESH_2_INTERNAL_QUADTREE_FORCING_H
 
 #include <CGAL/Quadtree_mesh_2/Direction.h>
-#include <CGAL/Quadtree_mesh_2/internal/quadtree/Required_squares.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/Uninitialized_vector.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
+#include <CGAL/Quadtree_mesh_2/internal/quadtree/Required_squares.h>
 #include <CGAL/Quadtree_options.h>
 
 #include <array>
@@ -84,7 +84,7 @@ private:
 };
 
 /// Returns for each required square where it forces squares of its size, in the smallest balanced quadtree.
-template <class Concurrency_tag>
+template <class ConcurrencyTag>
 Uninitialized_vector<Direction_set> least_forced_directions(const Required_squares& squares,
                                                             Balance balance) {
   static constexpr Forcing_table across_sides(false), across_corners(true);
@@ -93,7 +93,7 @@ Uninitialized_vector<Direction_set> least_forced_directions(const Required_squar
   for (int level = squares.number_of_levels(); level-- > 0;) {
     const std::uint32_t first = squares.level_begin[std::size_t(level)];
     const std::uint32_t last = squares.level_begin[std::size_t(level) + 1];
-    for_each_index<Concurrency_tag>(last - first, [&](std::size_t i) {
+    for_each_index<ConcurrencyTag>(last - first, [&](std::size_t i) {
       const std::size_t s = first + i;
       Direction_set set = 0;
       std::uint32_t child = squares.first_child[s];
@@ -109,10 +109,10 @@ Uninitialized_vector<Direction_set> least_forced_directions(const Required_squar
 /// Returns for each required square where it forces squares of its size by the paper's rule: everywhere if a
 /// child is split. What is forced so is balanced without any further square, and known without the squares
 /// farther down.
-template <class Concurrency_tag>
+template <class ConcurrencyTag>
 Uninitialized_vector<Direction_set> all_forced_directions(const Required_squares& squares) {
   Uninitialized_vector<Direction_set> forced(squares.size());
-  for_each_index<Concurrency_tag>(squares.size(), [&](std::size_t i) {
+  for_each_index<ConcurrencyTag>(squares.size(), [&](std::size_t i) {
     forced[i] = squares.children[i] != 0 ? all_directions_set : Direction_set(0);
   });
   return forced;

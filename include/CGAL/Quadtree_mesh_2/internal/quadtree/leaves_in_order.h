@@ -21,13 +21,13 @@ namespace Quadtree_mesh_2 {
 namespace internal {
 
 /// Returns the leaves of all lists in order, each once.
-template <class Concurrency_tag>
+template <class ConcurrencyTag>
 std::vector<Leaf_index> in_order(const std::vector<std::vector<Leaf_index>>& lists,
                                  std::size_t number_of_leaves) {
   std::vector<std::uint8_t> is_wanted(number_of_leaves, 0);
   for (const auto& leaves : lists)
     for (const Leaf_index l : leaves) is_wanted[std::size_t(l)] = 1;
-  return pack_values<Concurrency_tag, Leaf_index>(
+  return pack_values<ConcurrencyTag, Leaf_index>(
       number_of_leaves, [&](std::size_t l) { return is_wanted[l] != 0; },
       [](std::size_t l) { return Leaf_index(l); });
 }

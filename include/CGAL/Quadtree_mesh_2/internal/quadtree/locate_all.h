@@ -26,12 +26,12 @@ namespace internal {
 
 /// Returns for each of `queries` the leaf that contains it, invalid if it is outside the root.
 /// \tparam PointRange a random access range with value type `Point_2`; several threads may read it.
-template <class Concurrency_tag, class Quadtree, class PointRange>
+template <class ConcurrencyTag, class Quadtree, class PointRange>
 std::vector<Leaf_index> locate_all(const Quadtree& tree, const PointRange& queries) {
   const auto first = std::begin(queries);
   using Difference = typename std::iterator_traits<decltype(std::begin(queries))>::difference_type;
   std::vector<Leaf_index> result(static_cast<std::size_t>(std::distance(first, std::end(queries))));
-  for_each_index<Concurrency_tag>(
+  for_each_index<ConcurrencyTag>(
       result.size(), [&](std::size_t i) { result[i] = tree.locate(first[static_cast<Difference>(i)]); },
       default_block / 8);
   return result;

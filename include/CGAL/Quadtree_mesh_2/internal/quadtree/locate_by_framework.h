@@ -148,7 +148,7 @@ private:
 };
 
 /// Locates the points of a quadtree in blocks of squares; see the head of this file.
-template <class Quadtree, class Concurrency_tag>
+template <class Quadtree, class ConcurrencyTag>
 class Framework_locator {
 public:
   explicit Framework_locator(const Quadtree& tree)
@@ -170,7 +170,7 @@ private:
   using Word = typename Quadtree::Word;
   using Grid_point = Grid_point_2<Word>;
   using Traits = Grid_point_traits_2<Word>;
-  using Framework = Quadtree_framework<Traits, Concurrency_tag>;
+  using Framework = Quadtree_framework<Traits, ConcurrencyTag>;
 
   /// A square of the tree and the smallest square of the framework that contains it.
   struct Visit {
@@ -183,7 +183,7 @@ private:
   void locate_in_block(const Node_index* squares, std::size_t n) {
     const Framework framework(points_and_corners(squares, n), Traits(depth_));
     Visits visits(n);
-    for_each_index<Concurrency_tag>(
+    for_each_index<ConcurrencyTag>(
         n,
         [&](std::size_t i) {
           const Point_rank corner = framework.rank(Point_index(number_of_points_ + 2 * i));
@@ -196,9 +196,9 @@ private:
   /// The points by rank, then b(s) and c(s) of each square s.
   std::vector<Grid_point> points_and_corners(const Node_index* squares, std::size_t n) const {
     std::vector<Grid_point> result(number_of_points_ + 2 * n);
-    for_each_index<Concurrency_tag>(
+    for_each_index<ConcurrencyTag>(
         number_of_points_, [&](std::size_t i) { result[i] = tree_.framework().grid_point(Point_rank(i)); });
-    for_each_index<Concurrency_tag>(n, [&](std::size_t i) {
+    for_each_index<ConcurrencyTag>(n, [&](std::size_t i) {
       const auto square = tree_.square(squares[i]);
       const Word half = Word_operations<Word>::power_of_two(depth_ - square.level - 1);
       result[number_of_points_ + 2 * i] = {square.x, square.y};
@@ -227,18 +227,18 @@ private:
 
   /// Reads off the points of leaves; returns the children of the others but those from which one has begun.
   Visits go_down(const Framework& framework, const Visits& visits) {
-    for_each_index<Concurrency_tag>(
+    for_each_index<ConcurrencyTag>(
         visits.size(),
         [&](std::size_t i) {
           if (tree_.is_leaf(visits[i].square)) read_off_points(framework, visits[i]);
         },
         visits_in_block_);
-    const std::vector<std::uint32_t> split = pack<Concurrency_tag>(visits.size(), [&](std::size_t i) {
+    const std::vector<std::uint32_t> split = pack<ConcurrencyTag>(visits.size(), [&](std::size_t i) {
       const Node_index v = visits[i].square;
       return !tree_.is_leaf(v) && !levels_.contains(tree_.level(v) + 1);
     });
     Visits next(4 * split.size());
-    for_each_index<Concurrency_tag>(
+    for_each_index<ConcurrencyTag>(
         split.size(),
         [&](std::size_t i) {
           for (int q = 0; q < 4; ++q)
@@ -305,9 +305,9 @@ private:
 };
 
 /// Returns the leaf of each point of a quadtree, by rank: the same as its `leaf(Point_rank)`.
-template <class Concurrency_tag, class Quadtree>
+template <class ConcurrencyTag, class Quadtree>
 std::vector<Leaf_index> locate_by_framework(const Quadtree& tree) {
-  return Framework_locator<Quadtree, Concurrency_tag>(tree).locate();
+  return Framework_locator<Quadtree, ConcurrencyTag>(tree).locate();
 }
 
 } // namespace internal

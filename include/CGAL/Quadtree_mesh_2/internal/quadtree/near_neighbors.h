@@ -189,10 +189,10 @@ Point_rank near_neighbor(const Quadtree& tree, Point_rank r) {
 
 /// Returns a near neighbor of each point, by rank.
 /// \pre the tree is balanced across sides and corners
-template <class Concurrency_tag, class Quadtree>
+template <class ConcurrencyTag, class Quadtree>
 std::vector<Point_rank> near_neighbors(const Quadtree& tree) {
   std::vector<Point_rank> result(tree.framework().number_of_points());
-  for_each_index<Concurrency_tag>(
+  for_each_index<ConcurrencyTag>(
       result.size(), [&](std::size_t i) { result[i] = near_neighbor(tree, Point_rank(i)); },
       default_block / 8);
   return result;

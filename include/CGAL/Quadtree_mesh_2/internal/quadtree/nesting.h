@@ -53,7 +53,7 @@ struct Nested_intervals {
 };
 
 /// Finds the nested intervals, see the head of this file.
-template <class Concurrency_tag, class Level>
+template <class ConcurrencyTag, class Level>
 class Nesting_finder {
 public:
   /// \param levels `levels[i]` is the level of gap i, between members i and i + 1.
@@ -64,12 +64,12 @@ public:
 
   /// Gaps of equal level with no shallower gap between them give the same interval, once.
   Nested_intervals<Level> find() {
-    for_each_block<Concurrency_tag>(
+    for_each_block<ConcurrencyTag>(
         levels_.size(), block_length_,
         [&](std::size_t b, std::size_t begin, std::size_t end) { find_chain(blocks_[b], begin, end); });
     for (std::size_t b = blocks_.size(); b-- > 0;) continue_chain(b);
     result_.of_gap.resize(levels_.size());
-    for_each_block<Concurrency_tag>(
+    for_each_block<ConcurrencyTag>(
         levels_.size(), block_length_,
         [&](std::size_t b, std::size_t begin, std::size_t end) { close_intervals(b, begin, end); });
     place_intervals();
@@ -189,7 +189,7 @@ private:
     result_.begin.resize(sum);
     result_.end.resize(sum);
     result_.level.resize(sum);
-    Executor<Concurrency_tag>::run(blocks_.size(), [&](std::size_t b) {
+    Executor<ConcurrencyTag>::run(blocks_.size(), [&](std::size_t b) {
       std::size_t v = sum - after[b];
       for (const Closed_interval& interval : blocks_[b].closed) {
         --v;
@@ -210,13 +210,13 @@ private:
   void find_subtree_ends() {
     const std::size_t m = result_.size();
     Uninitialized_vector<std::uint32_t> first_from(levels_.size() + 2); // by member: the first from there on
-    for_each_index<Concurrency_tag>(m + 1, [&](std::size_t v) {
+    for_each_index<ConcurrencyTag>(m + 1, [&](std::size_t v) {
       const std::size_t from = v == 0 ? 0 : result_.begin[v - 1] + std::size_t(1);
       const std::size_t to = v == m ? first_from.size() : result_.begin[v] + std::size_t(1);
       for (std::size_t p = from; p < to; ++p) first_from[p] = static_cast<std::uint32_t>(v);
     });
     result_.subtree_end.resize(m);
-    for_each_index<Concurrency_tag>(
+    for_each_index<ConcurrencyTag>(
         m, [&](std::size_t v) { result_.subtree_end[v] = first_from[result_.end[v]]; });
   }
 

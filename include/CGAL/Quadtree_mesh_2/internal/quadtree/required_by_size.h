@@ -13,9 +13,9 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_QUADTREE_REQUIRED_BY_SIZE_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_QUADTREE_REQUIRED_BY_SIZE_H
 
+#include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/quadtree/Point_distribution.h>
 #include <CGAL/Quadtree_mesh_2/internal/quadtree/Required_squares.h>
-#include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 
 #include <array>
 #include <cstddef>
@@ -30,7 +30,7 @@ namespace internal {
 /// Finds the squares that the points of a framework or a predicate require.
 /// \tparam Must_split called as `must_split(lower_left, upper_right)` with the corners of a square, maybe by
 ///         several threads; squares of one grid unit are never split.
-template <class Framework, class Must_split, class Concurrency_tag>
+template <class Framework, class Must_split, class ConcurrencyTag>
 class Sized_squares_finder {
 public:
   Sized_squares_finder(const Framework& framework, std::size_t max_points, const Must_split& must_split)
@@ -45,7 +45,7 @@ public:
       append_level(level_squares, level, squares);
       level_squares = split_children(level_squares, level, squares);
     }
-    squares.template link_children<Concurrency_tag>();
+    squares.template link_children<ConcurrencyTag>();
     return squares;
   }
 
@@ -91,7 +91,7 @@ private:
     if (last >= Required_squares::none) throw std::length_error("Balanced_quadtree: too many squares");
     squares.children.resize(last);
     squares.level_begin.push_back(static_cast<std::uint32_t>(last));
-    for_each_index<Concurrency_tag>(
+    for_each_index<ConcurrencyTag>(
         level_squares.size(),
         [&](std::size_t i) {
           unsigned split = 0;
@@ -108,16 +108,16 @@ private:
     const std::size_t first = squares.level_begin[std::size_t(level)];
     const std::vector<std::size_t> place = place_children(level_squares.size(), first, squares);
     std::vector<Open_square> result(place.back());
-    for_each_block<Concurrency_tag>(level_squares.size(), block_length_,
-                                    [&](std::size_t b, std::size_t begin, std::size_t end) {
-                                      std::size_t next = place[b];
-                                      for (std::size_t i = begin; i < end; ++i) {
-                                        const auto all = children(level_squares[i], level);
-                                        for (unsigned q = 0; q < 4; ++q)
-                                          if ((squares.children[first + i] >> q & 1) != 0)
-                                            result[next++] = all[q];
-                                      }
-                                    });
+    for_each_block<ConcurrencyTag>(level_squares.size(), block_length_,
+                                   [&](std::size_t b, std::size_t begin, std::size_t end) {
+                                     std::size_t next = place[b];
+                                     for (std::size_t i = begin; i < end; ++i) {
+                                       const auto all = children(level_squares[i], level);
+                                       for (unsigned q = 0; q < 4; ++q)
+                                         if ((squares.children[first + i] >> q & 1) != 0)
+                                           result[next++] = all[q];
+                                     }
+                                   });
     return result;
   }
 
@@ -125,7 +125,7 @@ private:
   std::vector<std::size_t> place_children(std::size_t n, std::size_t first,
                                           const Required_squares& squares) const {
     std::vector<std::size_t> place((n + block_length_ - 1) / block_length_ + 1, 0);
-    for_each_block<Concurrency_tag>(n, block_length_, [&](std::size_t b, std::size_t begin, std::size_t end) {
+    for_each_block<ConcurrencyTag>(n, block_length_, [&](std::size_t b, std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) place[b] += number_of_children(squares.children[first + i]);
     });
     scan_exclusively(place.data(), place.size(), std::size_t(0));

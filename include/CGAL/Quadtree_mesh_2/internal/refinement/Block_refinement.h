@@ -18,12 +18,12 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_BLOCK_REFINEMENT_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_BLOCK_REFINEMENT_H
 
-#include <CGAL/Quadtree_mesh_2/internal/triangulation/Mesh_blocks.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Refiner.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Smoother.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Splitter.h>
-#include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
+#include <CGAL/Quadtree_mesh_2/internal/triangulation/Mesh_blocks.h>
 
 #include <algorithm>
 #include <cmath>
@@ -36,18 +36,18 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-template <class Concurrency_tag, class Geometry>
+template <class ConcurrencyTag, class Geometry>
 class Block_refinement {
 public:
   using Block = Mesh_block<Geometry>;
-  using Blocks = Mesh_blocks<Concurrency_tag, Geometry>;
+  using Blocks = Mesh_blocks<ConcurrencyTag, Geometry>;
   using Corners = Acute_corners<Geometry>;
   using Leg = typename Corners::Leg;
   using Sector = typename Corners::Sector;
   using Corner = typename Corners::Corner;
   using Shell_vertex = typename Corners::Shell_vertex;
 
-  static constexpr std::size_t block_size = Block_sizes<Concurrency_tag>::triangles;
+  static constexpr std::size_t block_size = Block_sizes<ConcurrencyTag>::triangles;
   /// The zone is a network, of which squares cut little; and it is small.
   static constexpr std::size_t zone_block_size = block_size / 6;
 
@@ -66,8 +66,8 @@ public:
     }
     std::vector<Triangle_id> zone = zone_of_seams();
     if (zone.empty()) return true;
-    Blocks blocks(whole_.mesh, cut_by_position<Concurrency_tag>(whole_.mesh, std::move(zone), zone_block_size,
-                                                                Square_shift::third_of_root));
+    Blocks blocks(whole_.mesh, cut_by_position<ConcurrencyTag>(whole_.mesh, std::move(zone), zone_block_size,
+                                                               Square_shift::THIRD_OF_ROOT));
     work(blocks, shall_go_on);
     return true;
   }
@@ -83,10 +83,10 @@ private:
 
   Block_cut first_cut() const {
     if (whole_.bulk.has_border)
-      return cut_by_position<Concurrency_tag>(whole_.mesh, triangles_outside_bulk(), block_size,
-                                              Square_shift::none);
-    return cut_by_input_order<Concurrency_tag>(whole_.mesh, whole_.problem.input_points.size(), block_size,
-                                               [&](Edge_id e) { return whole_.edges[e].a; });
+      return cut_by_position<ConcurrencyTag>(whole_.mesh, triangles_outside_bulk(), block_size,
+                                             Square_shift::NONE);
+    return cut_by_input_order<ConcurrencyTag>(whole_.mesh, whole_.problem.input_points.size(), block_size,
+                                              [&](Edge_id e) { return whole_.edges[e].a; });
   }
 
   /// All triangles but those within the bulk, which meet all bounds and are not near its border.
@@ -154,7 +154,7 @@ private:
   std::vector<std::vector<Corner_id>> corners_by_block(const Blocks& blocks) const {
     const auto& corners = whole_.corners.corners;
     std::vector<Block_id> owner(corners.size());
-    for_each_index<Concurrency_tag>(
+    for_each_index<ConcurrencyTag>(
         corners.size(), [&](std::size_t c) { owner[c] = owner_of(corners[c], blocks); }, 64);
     std::vector<std::vector<Corner_id>> owned(blocks.size());
     for (std::size_t c = 0; c < owner.size(); ++c)

@@ -9,10 +9,10 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_MESHING_STATE_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_MESHING_STATE_H
 
-#include <CGAL/Quadtree_mesh_2/internal/triangulation/Kernel_mesh.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_problem.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Worklist.h>
-#include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
+#include <CGAL/Quadtree_mesh_2/internal/triangulation/Kernel_mesh.h>
 
 #include <algorithm>
 #include <cmath>
@@ -26,9 +26,9 @@ namespace internal {
 
 /// How an attempt to change the mesh for a bad triangle ended.
 enum class Outcome {
-  changed,
-  refused, ///< there is no room, or nothing of the kind to do
-  deferred ///< it needs what lies beyond a seam of the block
+  CHANGED,
+  REFUSED, ///< there is no room, or nothing of the kind to do
+  DEFERRED ///< it needs what lies beyond a seam of the block
 };
 
 /// One mesh, the domain's or a block of it, and what there is to do in it.
@@ -133,10 +133,10 @@ struct Meshing_state {
 
   /// Flips until the mesh is constrained Delaunay, decided exactly. Cocircular vertices may be joined either
   /// way. Ends: each flip lowers the lifted surface. What is to be flipped is found in parallel.
-  template <class Concurrency_tag>
+  template <class ConcurrencyTag>
   void make_Delaunay_exactly() {
     std::vector<std::vector<Side>> found((mesh.triangles.size() + default_block - 1) / default_block);
-    for_each_block<Concurrency_tag>(
+    for_each_block<ConcurrencyTag>(
         mesh.triangles.size(), default_block, [&](std::size_t b, std::size_t begin, std::size_t end) {
           for (std::size_t i = begin; i < end; ++i)
             for (int k = 0; k < 3; ++k) {

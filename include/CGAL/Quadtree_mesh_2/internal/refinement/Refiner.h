@@ -37,7 +37,7 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-enum class Refinement_end { done, cancelled, out_of_budget };
+enum class Refinement_end { DONE, CANCELLED, OUT_OF_BUDGET };
 
 template <class Geometry>
 class Refiner {
@@ -64,17 +64,17 @@ public:
   template <class Continue>
   Refinement_end run(std::size_t budget, Continue&& shall_go_on) {
     for (std::size_t step = 1; !state_.worklist.is_empty() || takes_up_refused(); ++step) {
-      if ((step & 4095u) == 0 && !shall_go_on()) return Refinement_end::cancelled;
+      if ((step & 4095u) == 0 && !shall_go_on()) return Refinement_end::CANCELLED;
       const Triangle_id t = state_.worklist.pop();
       if (!mesh_.is_alive(t) || !state_.is_bad(t)) continue;
       if (mesh_.number_of_vertices() >= budget) {
         state_.worklist.push(t);
-        return Refinement_end::out_of_budget;
+        return Refinement_end::OUT_OF_BUDGET;
       }
       if (relocate_a_vertex_of(t)) continue;
       refine(t);
     }
-    return Refinement_end::done;
+    return Refinement_end::DONE;
   }
 
 private:
@@ -134,11 +134,11 @@ private:
   void refine(Triangle_id t) {
     const std::size_t vertices_before = mesh_.number_of_vertices();
     Outcome outcome = splitter_.open_lock_around(t);
-    if (outcome == Outcome::refused) outcome = insert_vertex_for(t);
-    const bool may_go_later = outcome == Outcome::refused && state_.is_block();
-    if (outcome == Outcome::deferred || may_go_later) return state_.deferred.push_back(t);
+    if (outcome == Outcome::REFUSED) outcome = insert_vertex_for(t);
+    const bool may_go_later = outcome == Outcome::REFUSED && state_.is_block();
+    if (outcome == Outcome::DEFERRED || may_go_later) return state_.deferred.push_back(t);
     settle_new_vertices(t, vertices_before);
-    if (outcome == Outcome::refused) return refused_.push_back(t);
+    if (outcome == Outcome::REFUSED) return refused_.push_back(t);
     if (mesh_.is_alive(t)) state_.push_if_suspect(t);
   }
 
@@ -156,7 +156,7 @@ private:
     const auto r = mesh_.triangle(t);
     const Shape s = mesh_.shape(r);
     const int k = s.slot_of_shortest();
-    if (!Geometry::is_resolved(mesh_.point(r.v[next_slot[k]]), s.l[k])) return Outcome::refused;
+    if (!Geometry::is_resolved(mesh_.point(r.v[next_slot[k]]), s.l[k])) return Outcome::REFUSED;
     const Point q = place_for(r, s, k);
     const Walk_end end = walk_in_sight(mesh_, t, q);
     const Side in_the_way =
@@ -164,9 +164,9 @@ private:
     const Number distance2 = least_distance2 * s.l[k];
     if (!in_the_way.is_border())
       return is_too_short(in_the_way, distance2)
-                 ? Outcome::deferred
+                 ? Outcome::DEFERRED
                  : splitter_.split(in_the_way.triangle(), in_the_way.slot(), &q);
-    if (is_too_near(end.triangle, q, distance2)) return Outcome::deferred;
+    if (is_too_near(end.triangle, q, distance2)) return Outcome::DEFERRED;
     return insert(end.triangle, q);
   }
 
@@ -243,19 +243,19 @@ private:
     for (int k = 0; k < 3; ++k) {
       const int turn =
           Geometry::orientation(mesh_.point(r.v[next_slot[k]]), mesh_.point(r.v[previous_slot[k]]), q);
-      if (turn < 0) return Outcome::refused; // a walk too long was broken off
+      if (turn < 0) return Outcome::REFUSED; // a walk too long was broken off
       if (turn == 0) on_slot = k, ++number_on;
     }
-    if (on_slot >= 0 && r.side[on_slot].is_seam()) return Outcome::deferred;
-    if (number_on > 1 || (on_slot >= 0 && r.side[on_slot].is_constrained())) return Outcome::refused;
-    if (!has_room(mesh_, {t}, q, state_.bounds.least_squared_length)) return Outcome::refused;
+    if (on_slot >= 0 && r.side[on_slot].is_seam()) return Outcome::DEFERRED;
+    if (number_on > 1 || (on_slot >= 0 && r.side[on_slot].is_constrained())) return Outcome::REFUSED;
+    if (!has_room(mesh_, {t}, q, state_.bounds.least_squared_length)) return Outcome::REFUSED;
     const Vertex_id v = mesh_.add_vertex(q, free_vertex);
     if (on_slot >= 0)
       mesh_.insert_on_side(t, on_slot, v);
     else
       mesh_.insert_in_triangle(t, v);
     state_.push_suspects_around(v);
-    return Outcome::changed;
+    return Outcome::CHANGED;
   }
 };
 

@@ -41,12 +41,12 @@ public:
   /// Moves Steiner vertex v to a place where all its triangles meet the bounds, if one is found, and then
   /// restores the Delaunay property around it (without that an insertion may not destroy the triangle it is
   /// made for).
-  bool relocate(Vertex_id v) { return move(v, Aim::bound); }
+  bool relocate(Vertex_id v) { return move(v, Aim::BOUND); }
 
   /// Moves Steiner vertex v to where the least angle of its star is greatest, as far as the search finds it, if all
   /// its triangles meet the bounds there; and restores the Delaunay property.
   bool improve(Vertex_id v) {
-    if (!move(v, Aim::best)) return false;
+    if (!move(v, Aim::BEST)) return false;
     for (int i = 0; i < star_.number_of_link_vertices(); ++i) mesh_.is_dirty[std::size_t(star_.link[i])] = 1;
     mesh_.is_dirty[std::size_t(v)] = 1;
     return true;
@@ -54,7 +54,7 @@ public:
 
 private:
   /// What is enough: a star that meets the bound, or nothing but the best one.
-  enum class Aim { bound, best };
+  enum class Aim { BOUND, BEST };
 
   bool move(Vertex_id v, Aim aim) {
     if (!star_.collect(mesh_, v)) return false;
@@ -187,11 +187,11 @@ private:
     const Start start = better_start(prepare_link(origin));
     float x = start.x, y = start.y, best = start.least;
     const float bound = static_cast<float>(state_.bounds.sin2);
-    const float goal = aim == Aim::bound ? bound * (1 + 1e-5f) : 1;
+    const float goal = aim == Aim::BOUND ? bound * (1 + 1e-5f) : 1;
     float step = static_cast<float>(first_step);
     for (int i = 0; i < max_steps && best < goal; ++i) {
       const float hoped = i + 1 < max_steps ? bound * hope[i] : goal;
-      const float needed = aim == Aim::bound ? hoped : 0; // to go on after this step
+      const float needed = aim == Aim::BOUND ? hoped : 0; // to go on after this step
       const Float_lanes px[2] = {x + step * cx[0], x + step * cx[1]};
       const Float_lanes py[2] = {y + step * cy[0], y + step * cy[1]};
       const float improved = best * 1.0001f;
@@ -210,7 +210,7 @@ private:
   /// Moves v to p if all its triangles meet the bounds there and, to be the best, the least angle grows.
   bool accept(Vertex_id v, Point p, Aim aim) {
     constexpr double least_gain = 1.001; // of the squared sine
-    if (aim == Aim::best && least_with_vertex_at(p) < least_gain * least_with_vertex_at(mesh_.point(v)))
+    if (aim == Aim::BEST && least_with_vertex_at(p) < least_gain * least_with_vertex_at(mesh_.point(v)))
       return false;
     for (int i = 0; i < star_.size; ++i) {
       const Shape s = mesh_.shape(p, mesh_.point(star_.link[i]), mesh_.point(star_.link[i + 1]));
@@ -273,7 +273,7 @@ private:
 
   /// How far to go from the vertex along a direction for the best star that is found.
   Number place_on_line(Vector direction, Number mean_distance, Aim aim) const {
-    const double goal = aim == Aim::bound ? state_.bounds.sin2 : 1;
+    const double goal = aim == Aim::BOUND ? state_.bounds.sin2 : 1;
     double best = least_of_star({0, 0}, -1);
     Number place = 0, step = first_step * mean_distance;
     for (int i = 0; i < max_steps && best < goal; ++i) {

@@ -19,9 +19,9 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_REMOVER_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_REMOVER_H
 
+#include <CGAL/Quadtree_mesh_2/internal/base/bits.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Star.h>
-#include <CGAL/Quadtree_mesh_2/internal/base/bits.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -27,8 +27,8 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_SIZE_ESTIMATE_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_SIZE_ESTIMATE_H
 
-#include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
+#include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
 
 #include <algorithm>
 #include <cmath>
@@ -56,13 +56,13 @@ public:
   };
 
   /// \pre the mesh is the first triangulation, restricted to the domain.
-  template <class Concurrency_tag>
-  Size_estimate(const Meshing_state<Geometry>& state, Concurrency_tag)
+  template <class ConcurrencyTag>
+  Size_estimate(const Meshing_state<Geometry>& state, ConcurrencyTag)
       : state_(state), mesh_(state.mesh), least_(std::sqrt(state.bounds.least_squared_length)) {
     if (state.bounds.squared_length_at)
       for (const auto& r : mesh_.triangles) total_area2_ = total_area2_ + mesh_.shape(r).area2;
     marks_.assign(mesh_.triangles.size(), 0);
-    const Demand all = reduce<Concurrency_tag>(
+    const Demand all = reduce<ConcurrencyTag>(
         mesh_.triangles.size(), Demand(),
         [this](std::size_t begin, std::size_t end) {
           Demand sum;

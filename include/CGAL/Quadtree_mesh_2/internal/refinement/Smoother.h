@@ -40,11 +40,11 @@ private:
   Relocator<Geometry> relocator_;
 };
 
-enum class Removal { none, guarded };
+enum class Removal { NONE, GUARDED };
 
 /// What is done to a mesh that meets the bounds.
 struct Finishing {
-  Removal removal = Removal::guarded;
+  Removal removal = Removal::GUARDED;
   int smoothing_rounds = 0;
   int thinning_rounds = 0; ///< Thinner.h; of the whole mesh, at last
 };
@@ -54,7 +54,7 @@ template <class Geometry, class Continue>
 void finish_mesh(Meshing_state<Geometry>& state, const Finishing& finishing, Continue&& shall_go_on) {
   for (int round = 0; round <= finishing.smoothing_rounds; ++round) {
     if (round > 0) Smoother<Geometry>(state).run(shall_go_on);
-    if (finishing.removal == Removal::guarded) Remover<Geometry>(state).run(shall_go_on);
+    if (finishing.removal == Removal::GUARDED) Remover<Geometry>(state).run(shall_go_on);
   }
 }
 

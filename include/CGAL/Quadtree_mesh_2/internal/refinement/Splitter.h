@@ -67,12 +67,12 @@ public:
   /// Refused if it cannot be split: it is as short as coordinates allow.
   Outcome split(Triangle_id t, int k, const Point* want) {
     const Side side(t, k);
-    if (mesh_.across(side).is_seam()) return Outcome::deferred;
+    if (mesh_.across(side).is_seam()) return Outcome::DEFERRED;
     const Vertex_id x = mesh_.source(side), y = mesh_.target(side);
     const Edge_id e = state_.edges.carrying(mesh_, x, y);
     if (e < 0) return split_chord(x, y);
     for (const Leg_id l : corners_.legs_of_edge[std::size_t(e)])
-      if (l >= 0 && !state_.owns(corners_.leg(l).corner)) return Outcome::deferred;
+      if (l >= 0 && !state_.owns(corners_.leg(l).corner)) return Outcome::DEFERRED;
     for (const Leg_id l : corners_.legs_of_edge[std::size_t(e)])
       if (l >= 0 && is_within_ring(l, x, y))
         return outcome(halve_interval(l, x, y) || split_interval(l, x, y, want));
@@ -85,10 +85,10 @@ public:
   Outcome open_lock_around(Triangle_id t) {
     const auto r = mesh_.triangle(t);
     const Sector_id s = corners_.sector_of(mesh_, r.v[0], r.v[1], r.v[2]);
-    if (s < 0) return Outcome::refused;
+    if (s < 0) return Outcome::REFUSED;
     const Corner_id c = corners_.corner_of(corners_.sector(s));
-    if (!state_.owns(c)) return Outcome::deferred;
-    if (corners_.sector(s).lock_radius == 0) return Outcome::refused;
+    if (!state_.owns(c)) return Outcome::DEFERRED;
+    if (corners_.sector(s).lock_radius == 0) return Outcome::REFUSED;
     const Number lock_radius = corners_.sector(s).lock_radius;
     // only at the ring may vertices stand in for those of the radius; further in the chord is the limit
     const bool is_at_ring = lock_radius == corners_.corner(c).radius;
@@ -96,7 +96,7 @@ public:
     Number low = lock_radius, high = 0;
     for (const Vertex_id v : r.v) {
       const Number radius = shell_radius(s, v);
-      if (radius < 0 || radius > lock_radius + tolerance) return Outcome::refused;
+      if (radius < 0 || radius > lock_radius + tolerance) return Outcome::REFUSED;
       low = std::min(low, radius), high = std::max(high, radius);
     }
     if (low >= lock_radius) return outcome(lower_lock(s));
@@ -104,7 +104,7 @@ public:
   }
 
 private:
-  static Outcome outcome(bool is_changed) { return is_changed ? Outcome::changed : Outcome::refused; }
+  static Outcome outcome(bool is_changed) { return is_changed ? Outcome::CHANGED : Outcome::REFUSED; }
 
   /// New shells next to the apex lie at this share of the innermost radius: their ratio, 1.67, leaves room
   /// for ring vertices that are not quite matched (Acute_corners.h).
@@ -243,7 +243,7 @@ private:
       return locked >= 0;
     });
     if (locked >= 0) return outcome(lower_lock(locked));
-    return is_elsewhere ? Outcome::deferred : Outcome::refused;
+    return is_elsewhere ? Outcome::DEFERRED : Outcome::REFUSED;
   }
 
   bool is_locked_by(const Sector& s, Vertex_id x, Vertex_id y) const {

@@ -76,7 +76,7 @@ private:
     state_.legalize();
     refiner.push_all();
     for (int round = 0; round < most_rounds; ++round) {
-      if (refiner.run(vertex_budget, shall_go_on) != Refinement_end::done) return false;
+      if (refiner.run(vertex_budget, shall_go_on) != Refinement_end::DONE) return false;
       state_.legalize(); // and what that makes bad is on the list again
       if (state_.worklist.is_empty()) return !is_any_bad();
     }

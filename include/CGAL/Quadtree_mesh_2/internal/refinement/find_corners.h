@@ -18,8 +18,8 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_FIND_CORNERS_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_FIND_CORNERS_H
 
-#include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
+#include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
 
 #include <algorithm>
 #include <cmath>
@@ -32,7 +32,7 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-template <class Concurrency_tag, class Geometry>
+template <class ConcurrencyTag, class Geometry>
 class Corner_finder {
 public:
   using Number = typename Geometry::Number;
@@ -89,7 +89,7 @@ private:
   void collect_sectors() {
     const std::size_t n = mesh_.triangles.size();
     std::vector<std::vector<Acute_sector>> found((n + default_block - 1) / default_block);
-    for_each_block<Concurrency_tag>(n, default_block, [&](std::size_t b, std::size_t begin, std::size_t end) {
+    for_each_block<ConcurrencyTag>(n, default_block, [&](std::size_t b, std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i)
         for (int k = 0; k < 3; ++k)
           if (mesh_.triangles[i].side[previous_slot[k]].is_constrained())

@@ -21,10 +21,10 @@
 #define CGAL_QUADTREE_MESH_2_INTERNAL_RELAXATION_RING_BLOCKS_H
 
 #include <CGAL/Quadtree_mesh_2/Grid_point_2.h>
-#include <CGAL/Quadtree_mesh_2/internal/relaxation/Ring_patch.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/Uninitialized_vector.h>
 #include <CGAL/Quadtree_mesh_2/internal/grid/morton.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
+#include <CGAL/Quadtree_mesh_2/internal/relaxation/Ring_patch.h>
 
 #include <algorithm>
 #include <cmath>
@@ -45,12 +45,12 @@ struct Ring_block {
 };
 
 /// Sizes of blocks. Tests specialize it for tags of their own, to have seams in small meshes.
-template <class Concurrency_tag>
+template <class ConcurrencyTag>
 struct Ring_block_sizes {
   static constexpr std::size_t vertices = 8192;
 };
 
-template <class Concurrency_tag, class Geometry>
+template <class ConcurrencyTag, class Geometry>
 class Ring_blocks {
 public:
   using Mesh = Ring_mesh<Geometry>;
@@ -65,7 +65,7 @@ public:
   std::size_t number_of_blocks() const { return blocks_.size(); }
 
   /// Cuts the mesh into blocks for pass number `pass`.
-  void cut(int pass) { cut(pass, Ring_block_sizes<Concurrency_tag>::vertices); }
+  void cut(int pass) { cut(pass, Ring_block_sizes<ConcurrencyTag>::vertices); }
   /// Makes the whole mesh one block.
   void join() { cut(0, std::size_t(-1)); }
 
@@ -73,7 +73,7 @@ public:
   template <class F>
   void for_each_block(const F& f) {
     std::vector<Patch_marks> marks(mesh_.number_of_vertices());
-    Executor<Concurrency_tag>::run(blocks_.size(), [&](std::size_t b) { f(blocks_[b], marks); });
+    Executor<ConcurrencyTag>::run(blocks_.size(), [&](std::size_t b) { f(blocks_[b], marks); });
   }
 
 private:
@@ -87,17 +87,17 @@ private:
     const std::vector<std::uint32_t> order = sorted_vertices(pass);
     set_blocks(order.size(), length);
     renumber(order);
-    for_each_index<Concurrency_tag>(
+    for_each_index<ConcurrencyTag>(
         blocks_.size(), [&](std::size_t b) { set_owners(blocks_[b]); }, 1);
   }
 
   /// The vertices in use, in shuffle order.
   std::vector<std::uint32_t> sorted_vertices(int pass) const {
-    std::vector<std::uint32_t> used = pack<Concurrency_tag>(
+    std::vector<std::uint32_t> used = pack<ConcurrencyTag>(
         mesh_.number_of_vertices(), [&](std::size_t v) { return mesh_.is_alive(Ring_vertex(v)); });
     Uninitialized_vector<Place> places(used.size());
     const auto& origin = mesh_.points[used.front()];
-    const Extent e = reduce<Concurrency_tag>(
+    const Extent e = reduce<ConcurrencyTag>(
         used.size(), Extent(),
         [&](std::size_t begin, std::size_t end) {
           Extent part;
@@ -110,14 +110,14 @@ private:
     const double root = std::ldexp(1.0, 60),
                  side = std::max({e.high.x - e.low.x, e.high.y - e.low.y, 1e-300});
     const double shift = root / 3 * pass;
-    for_each_index<Concurrency_tag>(used.size(), [&](std::size_t i) {
+    for_each_index<ConcurrencyTag>(used.size(), [&](std::size_t i) {
       const Vector d = Geometry::difference(mesh_.points[used[i]], origin) - e.low;
       places[i] = {static_cast<std::uint64_t>(d.x / side * (root / 3) + shift),
                    static_cast<std::uint64_t>(d.y / side * (root / 3) + shift)};
     });
-    const Order order = shuffle_order<Concurrency_tag>(places);
+    const Order order = shuffle_order<ConcurrencyTag>(places);
     std::vector<std::uint32_t> sorted(used.size());
-    for_each_index<Concurrency_tag>(used.size(), [&](std::size_t i) { sorted[i] = used[order[i]]; });
+    for_each_index<ConcurrencyTag>(used.size(), [&](std::size_t i) { sorted[i] = used[order[i]]; });
     return sorted;
   }
 
@@ -154,7 +154,7 @@ private:
     new_number_.assign(mesh_.number_of_vertices(), -1);
     const std::size_t count = blocks_.size(), n = order.size();
     const auto first = [&](std::size_t b) { return n * b / count; };
-    for_each_index<Concurrency_tag>(
+    for_each_index<ConcurrencyTag>(
         count,
         [&](std::size_t b) {
           for (std::size_t i = first(b); i < first(b + 1); ++i)
@@ -165,10 +165,10 @@ private:
     old.points.swap(mesh_.points);
     old.rings.swap(mesh_.rings);
     Ring unused;
-    unused.mobility = Mobility::removed;
+    unused.mobility = Mobility::REMOVED;
     mesh_.points.resize(std::size_t(blocks_.back().spare_end));
     mesh_.rings.assign(mesh_.points.size(), unused);
-    for_each_index<Concurrency_tag>(
+    for_each_index<ConcurrencyTag>(
         count,
         [&](std::size_t b) {
           for (std::size_t i = first(b); i < first(b + 1); ++i) {

@@ -32,16 +32,16 @@ namespace internal {
 using Ring_vertex = std::int32_t;
 
 enum class Mobility : std::uint8_t {
-  free,
-  slides_along,  ///< on a border side in the direction of `Ring_mesh::along`
-  slides_across, ///< on a border side perpendicular to it
-  held, ///< fixed for the time being
-  fixed,
-  rigid, ///< fixed, and triangles of rigid vertices only are right by construction: nothing is asked of them
-  removed
+  FREE,
+  SLIDES_ALONG,  ///< on a border side in the direction of `Ring_mesh::along`
+  SLIDES_ACROSS, ///< on a border side perpendicular to it
+  HELD,          ///< fixed for the time being
+  FIXED,
+  RIGID, ///< fixed, and triangles of rigid vertices only are right by construction: nothing is asked of them
+  REMOVED
 };
 
-constexpr bool is_movable(Mobility m) { return m < Mobility::held; }
+constexpr bool is_movable(Mobility m) { return m < Mobility::HELD; }
 
 /// One cache line for each vertex.
 struct alignas(64) Ring {
@@ -49,7 +49,7 @@ struct alignas(64) Ring {
 
   std::array<Ring_vertex, max_size> neighbor;
   std::uint8_t size = 0;
-  Mobility mobility = Mobility::free;
+  Mobility mobility = Mobility::FREE;
   bool is_open = false;
   /// The widest patch with which the vertex could not be removed, since something changed near it.
   std::uint8_t tried_rings = 0;
@@ -98,7 +98,7 @@ public:
   Ring& ring(Ring_vertex v) { return rings[std::size_t(v)]; }
   const Ring& ring(Ring_vertex v) const { return rings[std::size_t(v)]; }
   const Point& point(Ring_vertex v) const { return points[std::size_t(v)]; }
-  bool is_alive(Ring_vertex v) const { return ring(v).mobility != Mobility::removed; }
+  bool is_alive(Ring_vertex v) const { return ring(v).mobility != Mobility::REMOVED; }
 
   /// The vertex across the edge from `a` to the member at position `k` of its ring, to the right of it; -1 on the
   /// border.
@@ -134,7 +134,7 @@ public:
   template <class F>
   void for_each_triangle_of(Ring_vertex v, F f) const {
     const Ring& r = ring(v);
-    if (r.mobility == Mobility::removed) return;
+    if (r.mobility == Mobility::REMOVED) return;
     for (int k = 0; k < r.number_of_triangles(); ++k)
       if (v < r[k] && v < r.next(k)) f(v, r[k], r.next(k));
   }
@@ -142,7 +142,7 @@ public:
   std::size_t number_of_triangles() const {
     std::size_t corners = 0;
     for (const Ring& r : rings)
-      if (r.mobility != Mobility::removed) corners += std::size_t(r.number_of_triangles());
+      if (r.mobility != Mobility::REMOVED) corners += std::size_t(r.number_of_triangles());
     return corners / 3;
   }
 
@@ -153,7 +153,7 @@ private:
   static Ring ring_of_sides(const Side* begin, const Side* end) {
     Ring r;
     if (begin == end) {
-      r.mobility = Mobility::removed;
+      r.mobility = Mobility::REMOVED;
       return r;
     }
     const auto side_from = [&](Ring_vertex v) {

@@ -119,7 +119,7 @@ public:
     save(v);
     const Ring hole = mesh_.ring(v);
     for (int i = 0; i < hole.size; ++i) replace_center(hole, i, v, diagonals);
-    mesh_.ring(v).mobility = Mobility::removed;
+    mesh_.ring(v).mobility = Mobility::REMOVED;
     mesh_.ring(v).size = 0;
   }
 

@@ -40,7 +40,7 @@ struct Site_mesh {
   std::vector<std::uint8_t> is_placed;
 };
 
-template <class Concurrency_tag, class Geometry>
+template <class ConcurrencyTag, class Geometry>
 class Site_mesh_relaxer {
 public:
   Site_mesh_relaxer(Site_mesh<Geometry>& mesh, const Angle_range& range)
@@ -67,7 +67,7 @@ public:
   template <class Shall_go_on>
   void coarsen(const Coarsening_effort& effort, const Shall_go_on& shall_go_on) {
     for (Ring& r : mesh_.mesh.rings)
-      if (r.mobility == Mobility::held) r.mobility = Mobility::free;
+      if (r.mobility == Mobility::HELD) r.mobility = Mobility::FREE;
     if (effort.most_rings == 0) return;
     constexpr double first_share[Blocks::number_of_passes + 1] = {0, 0.7, 0.9, 1}; // of the work, about
     for (int pass = 0; pass < Blocks::number_of_passes; ++pass) {
@@ -83,7 +83,7 @@ public:
   }
 
 private:
-  using Blocks = Ring_blocks<Concurrency_tag, Geometry>;
+  using Blocks = Ring_blocks<ConcurrencyTag, Geometry>;
   using Point = typename Geometry::Point;
 
   Site_mesh<Geometry>& mesh_;
@@ -99,7 +99,7 @@ private:
     follow();
   }
   void follow() {
-    for_each_index<Concurrency_tag>(mesh_.vertex_of_site.size(), [&](std::size_t i) {
+    for_each_index<ConcurrencyTag>(mesh_.vertex_of_site.size(), [&](std::size_t i) {
       mesh_.vertex_of_site[i] = blocks_.new_number(mesh_.vertex_of_site[i]);
     });
   }
@@ -135,8 +135,8 @@ private:
            Star_vectors(mesh_.mesh, Ring_vertex(v)).is_in_range(range_);
   }
   std::vector<std::uint32_t> violated() const {
-    return pack<Concurrency_tag>(mesh_.mesh.number_of_vertices(),
-                                 [this](std::size_t v) { return !is_in_range(v); });
+    return pack<ConcurrencyTag>(mesh_.mesh.number_of_vertices(),
+                                [this](std::size_t v) { return !is_in_range(v); });
   }
   bool is_anything_left() const {
     for (const std::uint8_t p : mesh_.is_placed)

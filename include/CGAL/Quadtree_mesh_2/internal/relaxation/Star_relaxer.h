@@ -44,13 +44,13 @@ struct Star_vectors {
     number_of_triangles = r.number_of_triangles();
     const auto& center = mesh.point(v);
     const Vector first = Geometry::difference(mesh.point(r[0]), center);
-    const double size = r.mobility == Mobility::rigid ? least_length(mesh, r, center) : length(first);
+    const double size = r.mobility == Mobility::RIGID ? least_length(mesh, r, center) : length(first);
     scale = size > 0 ? 1 / size : 1;
     set(0, first);
     for (int k = 1; k < r.size; ++k) set(k, Geometry::difference(mesh.point(r[k]), center));
     int n = r.size;
     if (!r.is_open) x[n] = x[0], y[n] = y[0], ++n;
-    if (r.mobility == Mobility::rigid) {
+    if (r.mobility == Mobility::RIGID) {
       exempt_ = triangles_of_rigid(mesh, r);
       shorten(n);
     }
@@ -117,7 +117,7 @@ private:
   static unsigned triangles_of_rigid(const Mesh& mesh, const Ring& r) {
     unsigned bits = 0;
     for (int k = 0; k < r.number_of_triangles(); ++k)
-      if (mesh.ring(r[k]).mobility == Mobility::rigid && mesh.ring(r.next(k)).mobility == Mobility::rigid)
+      if (mesh.ring(r[k]).mobility == Mobility::RIGID && mesh.ring(r.next(k)).mobility == Mobility::RIGID)
         bits |= 1u << k;
     return bits;
   }
@@ -200,8 +200,8 @@ private:
 
 /// How soon relaxation gives up.
 enum class Patience {
-  little, ///< as soon as success is unlikely, without flips: where another place can be tried instead
-  much    ///< when the energy does not fall any more
+  LITTLE, ///< as soon as success is unlikely, without flips: where another place can be tried instead
+  MUCH    ///< when the energy does not fall any more
 };
 
 template <class Geometry>
@@ -213,19 +213,19 @@ public:
 
   /// Relaxes by at most `stages` times three sweeps and, with much patience, flips. Returns whether all changed stars
   /// are in the range.
-  bool relax(int stages, Patience patience = Patience::much) {
+  bool relax(int stages, Patience patience = Patience::MUCH) {
     double last = 1e300;
     for (int s = 0; s < stages; ++s) {
       double energy = 0;
       for (int sweep = 0; sweep < sweeps_of_stage; ++sweep) {
         energy = this->sweep();
         if (energy == 0) break;
-        if (patience == Patience::little && energy > greatest_hopeful_energy(s * sweeps_of_stage + sweep))
+        if (patience == Patience::LITTLE && energy > greatest_hopeful_energy(s * sweeps_of_stage + sweep))
           return false;
         if (energy < small_energy && sweep + 1 < sweeps_of_stage && are_changed_in_range()) return true;
       }
       if (are_changed_in_range()) return true;
-      const bool is_flipped = patience == Patience::much && flip_all();
+      const bool is_flipped = patience == Patience::MUCH && flip_all();
       if (energy > least_progress * last && !is_flipped) return false;
       last = energy;
     }
@@ -346,9 +346,9 @@ private:
 
   /// What of a step a vertex of the border may do.
   Vector permitted(Vector d, Mobility mobility) const {
-    if (mobility == Mobility::free) return d;
+    if (mobility == Mobility::FREE) return d;
     const Vector u = patch_.mesh().along;
-    const Vector side = mobility == Mobility::slides_along ? u : Vector{-u.y, u.x};
+    const Vector side = mobility == Mobility::SLIDES_ALONG ? u : Vector{-u.y, u.x};
     return dot(d, side) * side;
   }
 
@@ -359,7 +359,7 @@ private:
     const double lambda = damping * (static_cast<double>(e.hxx) + static_cast<double>(e.hyy)) + 1e-30;
     const double a = e.hxx + lambda, b = e.hxy, c = e.hyy + lambda, determinant = a * c - b * b;
     Vector d{-(c * e.gx - b * e.gy) / determinant, -(a * e.gy - b * e.gx) / determinant};
-    if (mobility != Mobility::free) d = sliding_newton_step(e, lambda, mobility);
+    if (mobility != Mobility::FREE) d = sliding_newton_step(e, lambda, mobility);
     const double longest = longest_share * longest_share * static_cast<double>(e.shortest),
                  length = squared_length(d);
     if (length > longest) d = std::sqrt(longest / length) * d;
@@ -418,12 +418,12 @@ private:
   bool can_flip(Ring_vertex a, Ring_vertex b, Ring_vertex c) const {
     const auto& mesh = patch_.mesh();
     if (!patch_.is_member(a) || !patch_.is_member(b) || !patch_.is_member(c)) return false;
-    if (mesh.ring(a).mobility == Mobility::rigid && mesh.ring(b).mobility == Mobility::rigid) return false;
+    if (mesh.ring(a).mobility == Mobility::RIGID && mesh.ring(b).mobility == Mobility::RIGID) return false;
     const Ring_vertex d = mesh.right_of(a, mesh.ring(a).position_of(b));
     if (d < 0 || !patch_.is_member(d)) return false;
     const Ring &rc = mesh.ring(c), &rd = mesh.ring(d);
     // nothing would be asked of a triangle of rigid vertices, so there must be no new one
-    if (rc.mobility == Mobility::rigid && rd.mobility == Mobility::rigid) return false;
+    if (rc.mobility == Mobility::RIGID && rd.mobility == Mobility::RIGID) return false;
     return rc.size < Ring::max_size && rd.size < Ring::max_size && !rc.contains(d);
   }
 

@@ -40,7 +40,7 @@ public:
     std::vector<Triangle> result;
     for (const Ring_vertex v : vertices) {
       const Ring& r = patch_.mesh().ring(v);
-      if (r.mobility == Mobility::removed || relaxer_.is_in_range(v)) continue;
+      if (r.mobility == Mobility::REMOVED || relaxer_.is_in_range(v)) continue;
       patch_.mesh().for_each_triangle_of(v, [&](Ring_vertex a, Ring_vertex b, Ring_vertex c) {
         if (!is_in_range({a, b, c}) && !is_rigid({a, b, c})) result.push_back({a, b, c});
       });
@@ -67,7 +67,7 @@ public:
   }
 
 private:
-  enum class Kind { relax, flip_side, split_side, split_triangle, split_all_sides, remove };
+  enum class Kind { RELAX, FLIP_SIDE, SPLIT_SIDE, SPLIT_TRIANGLE, SPLIT_ALL_SIDES, REMOVE };
   struct Change {
     Kind kind;
     Ring_vertex vertex; ///< to be removed; or the one opposite the side
@@ -82,7 +82,7 @@ private:
 
   bool exists(const Triangle& t) const {
     const Ring& r = patch_.mesh().ring(t[0]);
-    if (r.mobility == Mobility::removed) return false;
+    if (r.mobility == Mobility::REMOVED) return false;
     for (int k = 0; k < r.number_of_triangles(); ++k)
       if (r[k] == t[1] && r.next(k) == t[2]) return true;
     return false;
@@ -99,9 +99,8 @@ private:
   }
 
   bool is_rigid(const Triangle& t) const {
-    return std::all_of(t.begin(), t.end(), [this](Ring_vertex v) {
-      return patch_.mesh().ring(v).mobility == Mobility::rigid;
-    });
+    return std::all_of(t.begin(), t.end(),
+                       [this](Ring_vertex v) { return patch_.mesh().ring(v).mobility == Mobility::RIGID; });
   }
 
   /// Returns whether something became better.
@@ -131,7 +130,7 @@ private:
   }
 
   std::vector<Change> possible_changes(const Triangle& t) {
-    std::vector<Change> changes{{Kind::relax, -1}};
+    std::vector<Change> changes{{Kind::RELAX, -1}};
     const auto& mesh = patch_.mesh();
     const auto length_opposite = [&](std::size_t i) {
       return squared_length(Geometry::difference(mesh.point(t[(i + 1) % 3]), mesh.point(t[(i + 2) % 3])));
@@ -139,15 +138,15 @@ private:
     std::size_t longest = 0;
     for (std::size_t i = 1; i < 3; ++i)
       if (length_opposite(i) > length_opposite(longest)) longest = i;
-    for (std::size_t i = 0; i < 3; ++i) changes.push_back({Kind::flip_side, t[(longest + i) % 3]});
-    for (std::size_t i = 0; i < 3; ++i) changes.push_back({Kind::split_side, t[(longest + i) % 3]});
-    changes.push_back({Kind::split_triangle, -1});
-    changes.push_back({Kind::split_all_sides, -1});
+    for (std::size_t i = 0; i < 3; ++i) changes.push_back({Kind::FLIP_SIDE, t[(longest + i) % 3]});
+    for (std::size_t i = 0; i < 3; ++i) changes.push_back({Kind::SPLIT_SIDE, t[(longest + i) % 3]});
+    changes.push_back({Kind::SPLIT_TRIANGLE, -1});
+    changes.push_back({Kind::SPLIT_ALL_SIDES, -1});
     patch_.begin();
     for (const Ring_vertex v : t) patch_.add(v);
     patch_.grow(1);
     for (const Ring_vertex v : patch_.members())
-      if (is_movable(mesh.ring(v).mobility)) changes.push_back({Kind::remove, v});
+      if (is_movable(mesh.ring(v).mobility)) changes.push_back({Kind::REMOVE, v});
     return changes;
   }
 
@@ -158,28 +157,28 @@ private:
 
   Outcome apply(const Change& change, const Triangle& t, int rings, int stages) {
     number_of_new_ = 0;
-    begin_patch(t, rings, change.kind == Kind::remove ? change.vertex : -1);
+    begin_patch(t, rings, change.kind == Kind::REMOVE ? change.vertex : -1);
     switch (change.kind) {
-    case Kind::relax:
+    case Kind::RELAX:
       break;
-    case Kind::flip_side:
+    case Kind::FLIP_SIDE:
       if (!flip_side_opposite(t, change.vertex)) return {false, 1e300};
       break;
-    case Kind::split_side:
+    case Kind::SPLIT_SIDE:
       if (!split_side_opposite(t, change.vertex)) return {false, 1e300};
       break;
-    case Kind::split_all_sides:
+    case Kind::SPLIT_ALL_SIDES:
       if (!split_all_sides(t)) return {false, 1e300};
       break;
-    case Kind::split_triangle:
+    case Kind::SPLIT_TRIANGLE:
       if (!split_triangle(t)) return {false, 1e300};
       break;
-    case Kind::remove:
+    case Kind::REMOVE:
       if (!remover_.take_out(change.vertex)) return {false, 1e300};
       break;
     }
     for (const Ring_vertex v : patch_.members()) patch_.activate(v);
-    if (relaxer_.relax(stages, Patience::much)) return {true, 0};
+    if (relaxer_.relax(stages, Patience::MUCH)) return {true, 0};
     return {false, energy_of_members()};
   }
 
@@ -222,7 +221,7 @@ private:
 
   bool is_sliding(Ring_vertex v) const {
     const Mobility m = patch_.mesh().ring(v).mobility;
-    return m == Mobility::slides_along || m == Mobility::slides_across;
+    return m == Mobility::SLIDES_ALONG || m == Mobility::SLIDES_ACROSS;
   }
 
   bool flip_side_opposite(const Triangle& t, Ring_vertex v) {
@@ -249,13 +248,13 @@ private:
     auto& mesh = patch_.mesh();
     const Ring_vertex m = next_spare();
     if (m < 0 || !patch_.is_ours(a) || !patch_.is_ours(b) || !mesh.ring(a).contains(b)) return false;
-    if (mesh.ring(a).mobility == Mobility::rigid && mesh.ring(b).mobility == Mobility::rigid) return false;
+    if (mesh.ring(a).mobility == Mobility::RIGID && mesh.ring(b).mobility == Mobility::RIGID) return false;
     const int k = mesh.ring(a).position_of(b);
     if (k == mesh.ring(a).number_of_triangles()) return false; // nothing on its left
     const Ring_vertex left = mesh.ring(a).next(k), right = mesh.right_of(a, k);
     if (!can_take_one_more(left) || (right >= 0 && !can_take_one_more(right))) return false;
     if (right < 0 && !is_sliding(a) && !is_sliding(b)) return false; // a side from corner to corner
-    const Mobility mobility = right >= 0      ? Mobility::free
+    const Mobility mobility = right >= 0      ? Mobility::FREE
                               : is_sliding(a) ? mesh.ring(a).mobility
                                               : mesh.ring(b).mobility;
     patch_.split_edge(m, Geometry::between(mesh.point(a), mesh.point(b), 0.5), a, b, left, right);

@@ -114,7 +114,7 @@ public:
     patch_.begin();
     if (take_out(v)) {
       patch_.grow(rings - 1);
-      if (relaxer_.relax(stages, Patience::little)) {
+      if (relaxer_.relax(stages, Patience::LITTLE)) {
         for (const Ring_vertex u : patch_.members()) patch_.mesh().ring(u).tried_rings = 0;
         return true;
       }
@@ -130,7 +130,7 @@ private:
 
   /// Whether there would be a new triangle of rigid vertices only, of which nothing would be asked.
   bool has_rigid(const Ring& ring, const Ring_triangulation& filling) const {
-    const auto is_rigid = [&](int k) { return patch_.mesh().ring(ring[k]).mobility == Mobility::rigid; };
+    const auto is_rigid = [&](int k) { return patch_.mesh().ring(ring[k]).mobility == Mobility::RIGID; };
     return std::any_of(filling.triangles().begin(), filling.triangles().end(),
                        [&](const auto& t) { return is_rigid(t[0]) && is_rigid(t[1]) && is_rigid(t[2]); });
   }

@@ -24,8 +24,8 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_SQUARES_BULK_FILLER_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_SQUARES_BULK_FILLER_H
 
-#include <CGAL/Quadtree_mesh_2/internal/squares/Bulk_squares.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
+#include <CGAL/Quadtree_mesh_2/internal/squares/Bulk_squares.h>
 #include <CGAL/Quadtree_mesh_2/internal/squares/Square_grid.h>
 #include <CGAL/Quadtree_mesh_2/internal/squares/Wanted_squares.h>
 #include <CGAL/Quadtree_mesh_2/internal/squares/square_templates.h>
@@ -42,7 +42,7 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-template <class Concurrency_tag, class Geometry>
+template <class ConcurrencyTag, class Geometry>
 class Bulk_filler {
 public:
   using Mesh = Kernel_mesh<Geometry>;
@@ -65,13 +65,13 @@ public:
     if (!bounds.is_local() && wanted.finest_level() < grid.given_level()) return;
     if (number_of_vertices_with(wanted.number_of_inside_squares()) > static_cast<double>(budget)) return;
     using Halved_sides = typename Squares::Halved_sides;
-    const Squares squares(wanted, bounds.sin2 < sin2_of_halved_square ? Halved_sides::without_center
-                                                                      : Halved_sides::with_center);
+    const Squares squares(wanted, bounds.sin2 < sin2_of_halved_square ? Halved_sides::WITHOUT_CENTER
+                                                                      : Halved_sides::WITH_CENTER);
     if (is_worth_it(static_cast<double>(squares.number_of_squares()))) fill(squares, wanted, grid);
   }
 
 private:
-  using Squares = Bulk_squares<Concurrency_tag, Geometry>;
+  using Squares = Bulk_squares<ConcurrencyTag, Geometry>;
 
   /// Fewer squares than this, or than input vertices, are not worth the time that it takes to find them.
   static constexpr double least_number_of_squares = 500;

@@ -19,9 +19,9 @@
 
 #include <CGAL/Balanced_quadtree.h>
 #include <CGAL/Fixed_point_quadtree_traits_2.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/bits.h>
 #include <CGAL/Quadtree_mesh_2/internal/squares/Square_grid.h>
 #include <CGAL/Quadtree_mesh_2/internal/squares/Wanted_squares.h>
-#include <CGAL/Quadtree_mesh_2/internal/base/bits.h>
 #include <CGAL/Quadtree_mesh_2/internal/squares/square_templates.h>
 
 #include <cstddef>
@@ -38,12 +38,12 @@ struct Square_piece {
   int piece;
 };
 
-template <class Concurrency_tag, class Geometry>
+template <class ConcurrencyTag, class Geometry>
 class Bulk_squares {
 public:
-  using Tree = Balanced_quadtree<Fixed_point_quadtree_traits_2<std::uint32_t>, Concurrency_tag>;
+  using Tree = Balanced_quadtree<Fixed_point_quadtree_traits_2<std::uint32_t>, ConcurrencyTag>;
 
-  enum class Halved_sides { without_center, with_center };
+  enum class Halved_sides { WITHOUT_CENTER, WITH_CENTER };
 
   Bulk_squares(const Wanted_squares<Geometry>& wanted, Halved_sides rule)
       : tree_(typename Tree::Framework(), Quadtree_options(),
@@ -133,7 +133,7 @@ private:
         mark_inside(wanted, tree_.child(v, c), std::size_t(node.first_child) + std::size_t(c));
       return;
     }
-    if (node.kind != Square_kind::inside) return;
+    if (node.kind != Square_kind::INSIDE) return;
     const Leaf_interval leaves = tree_.leaves(v);
     for (std::size_t l = leaves.begin.value(); l < leaves.end.value(); ++l)
       form_[l].bits = wanted.has_center(i, tree_.level(Leaf_index(l))) ? Square_form::with_center : 0;
@@ -153,7 +153,7 @@ private:
       unsigned halved = 0;
       for (int side = 0; side < 4; ++side)
         if (look_across(l, v, side)) halved |= 1u << side;
-      if (halved != 0 && rule == Halved_sides::with_center) halved |= Square_form::with_center;
+      if (halved != 0 && rule == Halved_sides::WITH_CENTER) halved |= Square_form::with_center;
       form_[i].bits = static_cast<std::uint8_t>(form_[i].bits | halved);
       ++squares_;
       triangles_ += std::size_t(square_template(form_[i]).size);

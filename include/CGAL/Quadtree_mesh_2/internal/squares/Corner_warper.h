@@ -36,9 +36,9 @@
 #include <CGAL/Quadtree_mesh_2/Direction.h>
 #include <CGAL/Quadtree_mesh_2/Grid_point_2.h>
 #include <CGAL/Quadtree_mesh_2/Index.h>
-#include <CGAL/Quadtree_mesh_2/internal/squares/Separated_quadtree.h>
 #include <CGAL/Quadtree_mesh_2/internal/grid/morton.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
+#include <CGAL/Quadtree_mesh_2/internal/squares/Separated_quadtree.h>
 #include <CGAL/Quadtree_mesh_2/internal/squares/square_templates.h>
 #include <CGAL/assertions.h>
 
@@ -67,10 +67,10 @@ enum class Diagonal : std::uint8_t { FROM_LOWER_LEFT, FROM_LOWER_RIGHT };
 /// from that corner. `way` is how far the corner moves away from the square, across the side shared.
 constexpr bool is_joined_beside(std::uint64_t way, std::uint64_t side) { return 24 * way <= 5 * side; }
 
-template <class Concurrency_tag>
+template <class ConcurrencyTag>
 class Corner_warper {
 public:
-  using Separated = Separated_quadtree<Concurrency_tag>;
+  using Separated = Separated_quadtree<ConcurrencyTag>;
   using Point = typename Separated::Point;
 
   /// \pre as for `Separated_quadtree::of()`
@@ -105,14 +105,14 @@ private:
     const std::size_t leaves = tree_.number_of_leaves();
     if (leaves >= std::size_t(1) << 30) throw std::length_error("Corner_warper: too many squares");
     std::vector<Place> places(4 * leaves);
-    for_each_index<Concurrency_tag>(leaves, [&](std::size_t i) {
+    for_each_index<ConcurrencyTag>(leaves, [&](std::size_t i) {
       const auto square = tree_.square(Leaf_index(i));
       for (int c = 0; c < 4; ++c) places[4 * i + std::size_t(c)] = place_of_corner(square, c);
     });
-    const Order order = shuffle_order<Concurrency_tag>(places);
+    const Order order = shuffle_order<ConcurrencyTag>(places);
     const auto is_new = [&](std::size_t k) { return k == 0 || places[order[k]] != places[order[k - 1]]; };
     corners_.resize(leaves);
-    count_allocate_and_place<Concurrency_tag>(
+    count_allocate_and_place<ConcurrencyTag>(
         order.size(),
         [&](std::size_t begin, std::size_t end) {
           std::size_t sum = 0;
@@ -132,10 +132,10 @@ private:
     const auto& framework = tree_.framework();
     diagonal_.assign(tree_.number_of_leaves(), Diagonal::FROM_LOWER_LEFT);
     std::vector<Vertex_index> vertex(framework.number_of_points());
-    for_each_index<Concurrency_tag>(vertex.size(),
-                                    [&](std::size_t i) { vertex[i] = move_corner(Point_rank(i)); });
+    for_each_index<ConcurrencyTag>(vertex.size(),
+                                   [&](std::size_t i) { vertex[i] = move_corner(Point_rank(i)); });
     mesh_.vertex_of_point.resize(number_of_input_points);
-    for_each_index<Concurrency_tag>(number_of_input_points, [&](std::size_t i) {
+    for_each_index<ConcurrencyTag>(number_of_input_points, [&](std::size_t i) {
       mesh_.vertex_of_point[i] = vertex[std::size_t(framework.rank(Point_index(i)))];
     });
   }
@@ -207,7 +207,7 @@ private:
   }
 
   void make_triangles() {
-    count_allocate_and_place<Concurrency_tag>(
+    count_allocate_and_place<ConcurrencyTag>(
         tree_.number_of_leaves(),
         [&](std::size_t begin, std::size_t end) {
           std::size_t sum = 0;

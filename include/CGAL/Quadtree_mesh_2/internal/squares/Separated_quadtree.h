@@ -42,8 +42,8 @@
 #include <CGAL/Fixed_point_quadtree_traits_2.h>
 #include <CGAL/Quadtree_mesh_2/Direction.h>
 #include <CGAL/Quadtree_mesh_2/Index.h>
-#include <CGAL/Quadtree_mesh_2/internal/quadtree/near_neighbors.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
+#include <CGAL/Quadtree_mesh_2/internal/quadtree/near_neighbors.h>
 #include <CGAL/Quadtree_options.h>
 #include <CGAL/assertions.h>
 
@@ -86,12 +86,12 @@ struct Nearest_corner {
   }
 };
 
-template <class Concurrency_tag>
+template <class ConcurrencyTag>
 class Separated_quadtree {
 public:
   using Traits = Fixed_point_quadtree_traits_2<std::uint64_t>;
   using Point = Traits::Point_2;
-  using Tree = Balanced_quadtree<Traits, Concurrency_tag>;
+  using Tree = Balanced_quadtree<Traits, ConcurrencyTag>;
 
   /// \pre points are in the middle half of the root: coordinates are in [2^60, 3 2^60)
   /// \throws Separation_error if distinct points are so near each other, less than 4 units of the grid, that no
@@ -139,7 +139,7 @@ private:
     std::vector<int> result(framework.number_of_points(), least_level);
     if (result.size() < 2) return result;
     const auto near = tree.near_neighbors();
-    for_each_index<Concurrency_tag>(result.size(), [&](std::size_t i) {
+    for_each_index<ConcurrencyTag>(result.size(), [&](std::size_t i) {
       const double squared = static_cast<double>(
           squared_distance(framework.grid_point(Point_rank(i)), framework.grid_point(near[i])));
       result[i] = std::max(least_level, Traits::depth - std::ilogb(2 * std::sqrt(squared)));
@@ -150,7 +150,7 @@ private:
   /// By shuffle order of points; there may be repetitions.
   static std::vector<Leaf_index> leaves_to_split(const Tree& tree) {
     std::vector<Leaf_index> result;
-    count_allocate_and_place<Concurrency_tag>(
+    count_allocate_and_place<ConcurrencyTag>(
         tree.framework().number_of_points(),
         [&](std::size_t begin, std::size_t end) {
           std::size_t sum = 0;

@@ -36,7 +36,7 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-enum class Square_kind : std::int8_t { outside, near_feature, inside };
+enum class Square_kind : std::int8_t { OUTSIDE, NEAR_FEATURE, INSIDE };
 
 template <class Geometry>
 class Wanted_squares {
@@ -46,7 +46,7 @@ public:
   /// A square, or with children the squares in it. An inside square stands for all squares of `level` in it.
   struct Node {
     std::int32_t first_child = -1; ///< of four; -1: none
-    Square_kind kind = Square_kind::outside;
+    Square_kind kind = Square_kind::OUTSIDE;
     std::int8_t level = 0;
     bool has_center = false;   ///< an inside square is small enough with a vertex in its center only
     Triangle_id triangle = -1; ///< one that meets an inside square
@@ -178,7 +178,7 @@ private:
   void visit(std::size_t i, const Grid_square& s, Range features, Range triangles) {
     if (triangles.is_empty() || !is_complete()) return;
     if (features.is_empty()) return visit_inside(i, s, triangle_stack_[triangles.begin]);
-    nodes_[i].kind = Square_kind::near_feature;
+    nodes_[i].kind = Square_kind::NEAR_FEATURE;
     nodes_[i].level = static_cast<std::int8_t>(s.level);
     if (s.level >= finest_level_ || !is_too_large_for_any(s, triangles)) return;
     const std::size_t first = add_children(i);
@@ -192,7 +192,7 @@ private:
 
   /// A square away from features, of which all places lie inside, in the region of triangle t.
   void visit_inside(std::size_t i, const Grid_square& s, Triangle_id t) {
-    nodes_[i].kind = Square_kind::inside;
+    nodes_[i].kind = Square_kind::INSIDE;
     nodes_[i].triangle = t;
     const Region_id region = state_.mesh.region(t);
     int level = s.level;

@@ -188,7 +188,7 @@ constexpr std::array<Warp, 5> base_warps{{
 }};
 
 /// The symmetries of tile(0).
-enum class Symmetry { identity, diagonal_mirror, antidiagonal_mirror, half_turn };
+enum class Symmetry { IDENTITY, DIAGONAL_MIRROR, ANTIDIAGONAL_MIRROR, HALF_TURN };
 
 struct Image {
   std::size_t base_warp;
@@ -196,18 +196,18 @@ struct Image {
 };
 
 /// By the vertex of tile(0) that goes to the point.
-constexpr std::array<Image, 12> images{{{0, Symmetry::identity},
-                                        {1, Symmetry::identity},
-                                        {2, Symmetry::identity},
-                                        {1, Symmetry::antidiagonal_mirror},
-                                        {0, Symmetry::antidiagonal_mirror},
-                                        {1, Symmetry::half_turn},
-                                        {2, Symmetry::diagonal_mirror},
-                                        {1, Symmetry::diagonal_mirror},
-                                        {3, Symmetry::antidiagonal_mirror},
-                                        {3, Symmetry::identity},
-                                        {4, Symmetry::identity},
-                                        {4, Symmetry::diagonal_mirror}}};
+constexpr std::array<Image, 12> images{{{0, Symmetry::IDENTITY},
+                                        {1, Symmetry::IDENTITY},
+                                        {2, Symmetry::IDENTITY},
+                                        {1, Symmetry::ANTIDIAGONAL_MIRROR},
+                                        {0, Symmetry::ANTIDIAGONAL_MIRROR},
+                                        {1, Symmetry::HALF_TURN},
+                                        {2, Symmetry::DIAGONAL_MIRROR},
+                                        {1, Symmetry::DIAGONAL_MIRROR},
+                                        {3, Symmetry::ANTIDIAGONAL_MIRROR},
+                                        {3, Symmetry::IDENTITY},
+                                        {4, Symmetry::IDENTITY},
+                                        {4, Symmetry::DIAGONAL_MIRROR}}};
 
 constexpr Warped_vertex swap_axes(const Warped_vertex& v) {
   return {v.base_y, v.base_x, v.offset_y, v.offset_x, v.yy, v.yx, v.xy, v.xx};
@@ -226,13 +226,13 @@ constexpr Warped_vertex turn_half(const Warped_vertex& v) {
 
 constexpr Warped_vertex image(Symmetry symmetry, const Warped_vertex& v) {
   switch (symmetry) {
-  case Symmetry::identity:
+  case Symmetry::IDENTITY:
     return v;
-  case Symmetry::diagonal_mirror:
+  case Symmetry::DIAGONAL_MIRROR:
     return swap_axes(v);
-  case Symmetry::antidiagonal_mirror:
+  case Symmetry::ANTIDIAGONAL_MIRROR:
     return turn_half(swap_axes(v));
-  case Symmetry::half_turn:
+  case Symmetry::HALF_TURN:
     return turn_half(v);
   }
   return v;

@@ -89,10 +89,10 @@ public:
   /// Makes the trees of parts with at most `leaves_per_part` leaves; these have more than a fifth of that if
   /// there are several.
   /// \pre `leaves_per_part >= 1`
-  template <class Concurrency_tag, class Tree>
+  template <class ConcurrencyTag, class Tree>
   static Centroid_tree of(const Tree& tree, std::size_t leaves_per_part) {
     Centroid_tree result;
-    Builder<Concurrency_tag, Tree>(tree, result).build(leaves_per_part);
+    Builder<ConcurrencyTag, Tree>(tree, result).build(leaves_per_part);
     return result;
   }
 
@@ -110,7 +110,7 @@ public:
   }
 
 private:
-  template <class Concurrency_tag, class Tree>
+  template <class ConcurrencyTag, class Tree>
   class Builder;
 
   Uninitialized_vector<Split> splits_;
@@ -120,7 +120,7 @@ private:
 };
 
 template <class Word>
-template <class Concurrency_tag, class Tree>
+template <class ConcurrencyTag, class Tree>
 class Centroid_tree<Word>::Builder {
 public:
   Builder(const Tree& tree, Centroid_tree& result)
@@ -128,7 +128,7 @@ public:
 
   void build(std::size_t leaves_per_part) {
     const std::uint32_t k = static_cast<std::uint32_t>(leaves_.size());
-    for_each_index<Concurrency_tag>(k, [&](std::size_t i) { leaves_[i] = static_cast<std::uint32_t>(i); });
+    for_each_index<ConcurrencyTag>(k, [&](std::size_t i) { leaves_[i] = static_cast<std::uint32_t>(i); });
     result_.splits_.resize(k);
     std::vector<Slice> slices = split_long({{0, k, 0, 0, tree_.root()}}, leaves_per_part, Record::NOTHING);
     for (Slice& s : slices) {
@@ -138,7 +138,7 @@ public:
     }
     slices = split_long(std::move(slices), short_slice_, Record::SPLITS);
     std::vector<int> height(slices.size());
-    for_each_index<Concurrency_tag>(
+    for_each_index<ConcurrencyTag>(
         slices.size(), [&](std::size_t i) { height[i] = finish(slices[i]); }, 1);
     result_.height_ = *std::max_element(height.begin(), height.end());
   }
@@ -186,7 +186,7 @@ private:
       std::vector<Slice> long_ones;
       for (const Slice& s : open) (s.size() > most ? long_ones : finished).push_back(s);
       open.resize(2 * long_ones.size());
-      for_each_index<Concurrency_tag>(
+      for_each_index<ConcurrencyTag>(
           long_ones.size(),
           [&](std::size_t i) {
             const Halves halves = split(long_ones[i], record);
@@ -270,9 +270,9 @@ private:
 };
 
 /// Makes the centroid trees of a quadtree, in parts of at most `leaves_per_part` leaves.
-template <class Concurrency_tag, class Tree>
+template <class ConcurrencyTag, class Tree>
 Centroid_tree<typename Tree::Word> centroid_tree(const Tree& tree, std::size_t leaves_per_part) {
-  return Centroid_tree<typename Tree::Word>::template of<Concurrency_tag>(tree, leaves_per_part);
+  return Centroid_tree<typename Tree::Word>::template of<ConcurrencyTag>(tree, leaves_per_part);
 }
 
 } // namespace internal

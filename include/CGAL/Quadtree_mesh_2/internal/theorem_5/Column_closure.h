@@ -30,9 +30,9 @@
 #define CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_COLUMN_CLOSURE_H
 
 #include <CGAL/Quadtree_mesh_2/Index.h>
-#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Edge_columns.h>
-#include <CGAL/Quadtree_mesh_2/internal/quadtree/leaves_in_order.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
+#include <CGAL/Quadtree_mesh_2/internal/quadtree/leaves_in_order.h>
+#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Edge_columns.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -249,14 +249,14 @@ Edge_line<typename Tree::Word> line_of_segment(const Tree& tree, const Segment& 
 /// Returns the leaves to be split so that each segment passes the tree in columns, in order; none if all do.
 /// \param pieces gives for a `Segment_index` the range of the leaves that the segment passes
 /// \param segments a random access range of pairs of vertices, which are points of the tree
-template <class Concurrency_tag, class Tree, class Pieces, class Segments>
+template <class ConcurrencyTag, class Tree, class Pieces, class Segments>
 std::vector<Leaf_index> leaves_to_split_for_columns(const Tree& tree, const Pieces& pieces,
                                                     const Segments& segments,
                                                     const Column_closure_options& options) {
   constexpr std::size_t block = 64;
   const Edges_of_leaves edges(tree.number_of_leaves(), pieces, segments.size());
   std::vector<std::vector<Leaf_index>> of_block((segments.size() + block - 1) / block);
-  for_each_block<Concurrency_tag>(
+  for_each_block<ConcurrencyTag>(
       segments.size(), block, [&](std::size_t b, std::size_t begin, std::size_t end) {
         for (std::size_t s = begin; s < end; ++s) {
           const auto line = line_of_segment(tree, segments[s]);
@@ -266,7 +266,7 @@ std::vector<Leaf_index> leaves_to_split_for_columns(const Tree& tree, const Piec
         std::sort(of_block[b].begin(), of_block[b].end());
         of_block[b].erase(std::unique(of_block[b].begin(), of_block[b].end()), of_block[b].end());
       });
-  return in_order<Concurrency_tag>(of_block, tree.number_of_leaves());
+  return in_order<ConcurrencyTag>(of_block, tree.number_of_leaves());
 }
 
 } // namespace internal

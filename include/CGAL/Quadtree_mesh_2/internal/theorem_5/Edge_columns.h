@@ -19,8 +19,8 @@
 #include <CGAL/Quadtree_mesh_2/Direction.h>
 #include <CGAL/Quadtree_mesh_2/Grid_point_2.h>
 #include <CGAL/Quadtree_mesh_2/Index.h>
-#include <CGAL/Quadtree_mesh_2/internal/quadtree/Leaf_segments.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/Word_operations.h>
+#include <CGAL/Quadtree_mesh_2/internal/quadtree/Leaf_segments.h>
 
 #include <algorithm>
 #include <cstddef>

@@ -101,14 +101,14 @@ public:
   /// Of no leaves.
   Leaf_pieces() : begin_(1) {}
 
-  template <class Concurrency_tag>
+  template <class ConcurrencyTag>
   static Leaf_pieces of(const Edge_pieces& pieces, std::size_t number_of_leaves) {
     using Key = std::uint64_t;
     // The leaf, then the number of the piece.
     const auto keys = uncleared_words(pieces.size());
     const auto buffer = uncleared_words(pieces.size());
     Uninitialized_vector<std::uint32_t> segment(pieces.size());
-    for_each_index<Concurrency_tag>(
+    for_each_index<ConcurrencyTag>(
         pieces.number_of_segments(),
         [&](std::size_t s) {
           const std::uint32_t first = pieces.first_piece(Segment_index(s));
@@ -119,15 +119,15 @@ public:
           }
         },
         block_of_segments_);
-    Word_sorter<Concurrency_tag>::sort(keys.get(), buffer.get(), pieces.size(), true);
+    Word_sorter<ConcurrencyTag>::sort(keys.get(), buffer.get(), pieces.size(), true);
     Leaf_pieces result;
     result.pieces_.resize(pieces.size());
-    for_each_index<Concurrency_tag>(pieces.size(), [&](std::size_t i) {
+    for_each_index<ConcurrencyTag>(pieces.size(), [&](std::size_t i) {
       const std::uint32_t p = static_cast<std::uint32_t>(keys[i]);
       const Segment_index s(segment[p]);
       result.pieces_[i] = {s, p - pieces.first_piece(s)};
     });
-    result.begin_ = begin_of_lists<Concurrency_tag>(keys.get(), pieces.size(), number_of_leaves);
+    result.begin_ = begin_of_lists<ConcurrencyTag>(keys.get(), pieces.size(), number_of_leaves);
     return result;
   }
 
@@ -138,12 +138,12 @@ public:
   std::size_t number_of_leaves() const { return begin_.size() - 1; }
 
   /// Returns where the keys with each number in their high half begin, for keys in order, and the end.
-  template <class Concurrency_tag>
+  template <class ConcurrencyTag>
   static std::vector<std::uint32_t> begin_of_lists(const std::uint64_t* keys, std::size_t n,
                                                    std::size_t lists) {
     std::vector<std::uint32_t> begin(lists + 1);
     // The lists of all numbers after that of key i - 1, up to that of key i, begin at i.
-    for_each_index<Concurrency_tag>(n + 1, [&](std::size_t i) {
+    for_each_index<ConcurrencyTag>(n + 1, [&](std::size_t i) {
       const std::size_t first = i == 0 ? 0 : static_cast<std::size_t>(keys[i - 1] >> 32) + 1;
       const std::size_t last = i == n ? lists : static_cast<std::size_t>(keys[i] >> 32);
       for (std::size_t l = first; l <= last; ++l) begin[l] = static_cast<std::uint32_t>(i);

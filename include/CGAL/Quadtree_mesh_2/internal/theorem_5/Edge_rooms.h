@@ -21,9 +21,9 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_EDGE_ROOMS_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_EDGE_ROOMS_H
 
+#include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/First_triangulation.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Kernel_mesh.h>
-#include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
 
 #include <algorithm>
 #include <array>
@@ -42,10 +42,10 @@ class Edge_rooms {
 public:
   using Point = typename Geometry::Point;
 
-  template <class Concurrency_tag>
+  template <class ConcurrencyTag>
   static Edge_rooms of(const Meshing_problem<Geometry>& problem) {
     Edge_rooms rooms(problem);
-    if constexpr (!Geometry::has_unlimited_coordinates) rooms.template make<Concurrency_tag>();
+    if constexpr (!Geometry::has_unlimited_coordinates) rooms.template make<ConcurrencyTag>();
     return rooms;
   }
 
@@ -118,9 +118,9 @@ private:
            side * Geometry::orientation(room.tip, a, p) > 0;
   }
 
-  template <class Concurrency_tag>
+  template <class ConcurrencyTag>
   void make() {
-    using First = First_triangulation<Concurrency_tag, Geometry>;
+    using First = First_triangulation<ConcurrencyTag, Geometry>;
     Kernel_mesh<Geometry> mesh;
     First first(mesh, problem_.input_points);
     std::vector<typename First::Segment> segments(problem_.edges.size());

@@ -13,10 +13,10 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_PLACED_VERTICES_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_PLACED_VERTICES_H
 
+#include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Edge_rooms.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Input_edges.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Kernel_mesh.h>
-#include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 
 #include <array>
 #include <cmath>
@@ -68,12 +68,12 @@ struct Placed_vertices {
 
   /// \param cut called as `cut(e, crossings)`, maybe for several edges at the same time; appends the vertices on
   ///        edge e, from its first end to its second
-  template <class Concurrency_tag, class Cut>
+  template <class ConcurrencyTag, class Cut>
   void append_vertices_of_edges(const Input_edges& edges, const Edge_rooms<Geometry>& rooms, const Cut& cut) {
     constexpr std::size_t block = 256;
     std::vector<std::vector<Edge_crossing<Geometry>>> found((edges.size() + block - 1) / block);
     std::vector<std::vector<Edge_id>> cramped(found.size());
-    for_each_block<Concurrency_tag>(
+    for_each_block<ConcurrencyTag>(
         edges.size(), block, [&](std::size_t b, std::size_t begin, std::size_t end) {
           for (std::size_t e = begin; e < end; ++e) {
             const std::size_t first = found[b].size();
@@ -93,20 +93,20 @@ struct Placed_vertices {
   }
 
   /// Appends the corners of leaves that are kept, by name.
-  template <class Concurrency_tag, class Trees, class Corners>
+  template <class ConcurrencyTag, class Trees, class Corners>
   void append_corners(const Trees& trees, const Corners& corners, const std::vector<char>& is_kept) {
     // Other leaves around a corner may be a level further down.
     const auto has_room = [&](std::size_t c) {
       return trees.has_room(trees.tree().level(Corners::leaf_of(c)) + 1,
                             trees.kernel_point(corners.place(c)));
     };
-    const auto names = pack_values<Concurrency_tag, typename Corners::Name>(
+    const auto names = pack_values<ConcurrencyTag, typename Corners::Name>(
         is_kept.size(), [&](std::size_t c) { return is_kept[c] != 0 && has_room(c); },
         [](std::size_t c) { return c; });
     const std::size_t first = points.size();
     points.resize(first + names.size());
     edge_of.resize(first + names.size(), free_vertex);
-    for_each_index<Concurrency_tag>(names.size(), [&](std::size_t i) {
+    for_each_index<ConcurrencyTag>(names.size(), [&](std::size_t i) {
       points[first + i] = trees.kernel_point(corners.place(names[i]));
     });
   }

@@ -17,14 +17,14 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_RULE_PLACEMENT_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_RULE_PLACEMENT_H
 
+#include <CGAL/Quadtree_mesh_2/internal/grid/Grid_box.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
+#include <CGAL/Quadtree_mesh_2/internal/quadtree/Tree_corners.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Column_closure.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Column_placement.h>
-#include <CGAL/Quadtree_mesh_2/internal/grid/Grid_box.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Placed_vertices.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Separation_trees.h>
-#include <CGAL/Quadtree_mesh_2/internal/quadtree/Tree_corners.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Vertex_placement.h>
-#include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 
 #include <algorithm>
 #include <array>
@@ -36,10 +36,10 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-template <class Traits, class Concurrency_tag>
+template <class Traits, class ConcurrencyTag>
 class Rule_placement {
 public:
-  using Trees = Separation_trees<Traits, Concurrency_tag>;
+  using Trees = Separation_trees<Traits, ConcurrencyTag>;
   using Geometry = typename Trees::Geometry;
   using Point = typename Geometry::Point;
   using Problem = Meshing_problem<Geometry>;
@@ -47,14 +47,14 @@ public:
   /// \pre leaves are equal at vertices, and in columns along edges: `Separation_trees` sees to it
   Rule_placement(const Problem& problem, const Trees& trees, const Edge_rooms<Geometry>& rooms)
       : problem_(problem), trees_(trees), rooms_(rooms), tree_(trees.tree()), corners_(trees.tree()),
-        box_(box_of_points<Concurrency_tag>(trees.tree())) {}
+        box_(box_of_points<ConcurrencyTag>(trees.tree())) {}
 
   Placed_vertices<Geometry> run() {
     Placed_vertices<Geometry> placed(problem_.input_points);
-    placed.template append_vertices_of_edges<Concurrency_tag>(
+    placed.template append_vertices_of_edges<ConcurrencyTag>(
         problem_.edges, rooms_, [this](Edge_id e, auto& crossings) { cut_edge(e, crossings); });
     is_kept_.resize(corners_.number_of_names());
-    for_each_index<Concurrency_tag>(is_kept_.size(), [&](std::size_t c) {
+    for_each_index<ConcurrencyTag>(is_kept_.size(), [&](std::size_t c) {
       is_kept_[c] = corners_.exists(c) && box_.contains(corners_.place(c)) ? 1 : 0;
     });
     drop_corners(problem_.edges.size(), [this](std::size_t e, auto& names) {
@@ -63,7 +63,7 @@ public:
     });
     drop_corners(problem_.input_points.size(),
                  [this](std::size_t v, auto& names) { find_corners_at(static_cast<Vertex_id>(v), names); });
-    placed.template append_corners<Concurrency_tag>(trees_, corners_, is_kept_);
+    placed.template append_corners<ConcurrencyTag>(trees_, corners_, is_kept_);
     return placed;
   }
 
@@ -179,7 +179,7 @@ private:
   void drop_corners(std::size_t n, const Find& find) {
     constexpr std::size_t block = 64;
     std::vector<std::vector<Name>> found((n + block - 1) / block);
-    for_each_block<Concurrency_tag>(n, block, [&](std::size_t b, std::size_t begin, std::size_t end) {
+    for_each_block<ConcurrencyTag>(n, block, [&](std::size_t b, std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) find(i, found[b]);
     });
     for (const auto& names : found)

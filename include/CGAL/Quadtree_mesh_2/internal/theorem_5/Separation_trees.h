@@ -26,15 +26,15 @@
 
 #include <CGAL/Balanced_quadtree.h>
 #include <CGAL/Pslg_2.h>
+#include <CGAL/Quadtree_mesh_2/internal/geometry/coordinate_map.h>
+#include <CGAL/Quadtree_mesh_2/internal/neighbors/nearest_hits.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
+#include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Column_closure.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Edge_gaps.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Edge_pieces.h>
-#include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Vertex_placement.h>
-#include <CGAL/Quadtree_mesh_2/internal/geometry/coordinate_map.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/leaf_cells.h>
-#include <CGAL/Quadtree_mesh_2/internal/neighbors/nearest_hits.h>
-#include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/subdivide_edges.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/walk_edges.h>
 #include <CGAL/Quadtree_vertex_edge_neighbors_2.h>
@@ -52,13 +52,13 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-template <class Traits, class Concurrency_tag>
+template <class Traits, class ConcurrencyTag>
 class Separation_trees {
 public:
   using Geometry = typename Traits::Meshing_geometry_2;
   using Point = typename Geometry::Point;
   using Point_2 = typename Traits::Point_2;
-  using Tree = Balanced_quadtree<Traits, Concurrency_tag>;
+  using Tree = Balanced_quadtree<Traits, ConcurrencyTag>;
   using Grid_point = typename Tree::Grid_point;
   using Pslg = Pslg_2<Point_2>;
   using Map = Coordinate_map<Traits, Geometry>;
@@ -136,9 +136,9 @@ private:
     if (find_hits) {
       separate_vertices(find_hits(graph_), Tree(graph_.vertices, Quadtree_options(), traits));
     } else {
-      const Quadtree_vertex_edge_neighbors_2<Traits, Concurrency_tag> neighbors(
+      const Quadtree_vertex_edge_neighbors_2<Traits, ConcurrencyTag> neighbors(
           graph_, Vertex_edge_neighbors_options_2(), traits);
-      separate_vertices(nearest_hit_distances<Concurrency_tag>(neighbors, graph_.number_of_vertices()),
+      separate_vertices(nearest_hit_distances<ConcurrencyTag>(neighbors, graph_.number_of_vertices()),
                         neighbors.quadtree());
     }
   }
@@ -163,14 +163,15 @@ private:
   std::vector<int> levels_of_vertices(const std::vector<double>& hits, const Tree& first) const {
     const Framework& framework = first.framework();
     std::vector<int> levels(framework.number_of_points(), 0);
-    for_each_index<Concurrency_tag>(levels.size(), [&](std::size_t i) {
+    for_each_index<ConcurrencyTag>(levels.size(), [&](std::size_t i) {
       const Point_rank r(i), near = first.near_neighbor(r);
       const std::size_t v = framework.input_point(r).value();
       double distance = std::numeric_limits<double>::infinity();
       if (near.is_valid())
         distance = std::sqrt(squared_length(Geometry::difference(
             problem_.input_points[v], problem_.input_points[framework.input_point(near).value()])));
-      if (hits[v] > 0 && std::isfinite(hits[v])) distance = std::min(distance, map_.length_to_kernel(hits[v]));
+      if (hits[v] > 0 && std::isfinite(hits[v]))
+        distance = std::min(distance, map_.length_to_kernel(hits[v]));
       levels[i] =
           level_for(distance / least_vertex_distance(), framework.grid().depth(), problem_.input_points[v]);
     });
@@ -196,11 +197,11 @@ private:
   void subdivide_edges() {
     Subdivision_rounds rounds;
     pieces_ = options_.subdivision == Options::Subdivision::WALKING
-                  ? walk_edges<Concurrency_tag>(tree_, graph_.segments)
-                  : internal::subdivide_edges<Concurrency_tag>(tree_, graph_.segments, &rounds);
+                  ? walk_edges<ConcurrencyTag>(tree_, graph_.segments)
+                  : internal::subdivide_edges<ConcurrencyTag>(tree_, graph_.segments, &rounds);
     report_.subdivision_rounds += rounds.rounds;
     report_.centroid_height = rounds.height;
-    pieces_in_leaves_ = Leaf_pieces::of<Concurrency_tag>(pieces_, tree_.number_of_leaves());
+    pieces_in_leaves_ = Leaf_pieces::of<ConcurrencyTag>(pieces_, tree_.number_of_leaves());
   }
 
   bool split(std::vector<Leaf_index> leaves) {
@@ -223,9 +224,9 @@ private:
   /// For the placement by rule: leaves that are not equal at vertices, or not in columns along edges.
   std::vector<Leaf_index> leaves_that_break_rules() const {
     if (options_.placement != Options::Placement::BY_RULE) return {};
-    std::vector<Leaf_index> leaves = leaves_to_split_for_vertices<Concurrency_tag>(tree_, vertices_);
-    const auto more = leaves_to_split_for_columns<Concurrency_tag>(tree_, pieces_, graph_.segments,
-                                                                   Column_closure_options());
+    std::vector<Leaf_index> leaves = leaves_to_split_for_vertices<ConcurrencyTag>(tree_, vertices_);
+    const auto more = leaves_to_split_for_columns<ConcurrencyTag>(tree_, pieces_, graph_.segments,
+                                                                  Column_closure_options());
     leaves.insert(leaves.end(), more.begin(), more.end());
     return leaves;
   }
@@ -238,13 +239,13 @@ private:
   template <class Is_wrong>
   std::vector<Leaf_index> leaves_that_are(const Is_wrong& is_wrong) const {
     std::vector<char> is_marked(tree_.number_of_leaves(), 0);
-    for_each_block<Concurrency_tag>(is_marked.size(), block_of_leaves_,
-                                    [&](std::size_t, std::size_t begin, std::size_t end) {
-                                      Scratch scratch;
-                                      for (std::size_t l = begin; l < end; ++l)
-                                        is_marked[l] = is_wrong(Leaf_index(l), scratch) ? 1 : 0;
-                                    });
-    return pack_values<Concurrency_tag, Leaf_index>(
+    for_each_block<ConcurrencyTag>(is_marked.size(), block_of_leaves_,
+                                   [&](std::size_t, std::size_t begin, std::size_t end) {
+                                     Scratch scratch;
+                                     for (std::size_t l = begin; l < end; ++l)
+                                       is_marked[l] = is_wrong(Leaf_index(l), scratch) ? 1 : 0;
+                                   });
+    return pack_values<ConcurrencyTag, Leaf_index>(
         is_marked.size(), [&](std::size_t l) { return is_marked[l] != 0; },
         [](std::size_t l) { return Leaf_index(l); });
   }

@@ -26,15 +26,15 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_TREE_CONSTRUCTION_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_TREE_CONSTRUCTION_H
 
-#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Edge_rooms.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Edge_sides.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Remover.h>
+#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Edge_rooms.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Rule_placement.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Separation_trees.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Tree_placement.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Tree_triangulation.h>
-#include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quality_mesh_report_2.h>
 
 #include <algorithm>
@@ -48,10 +48,10 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-template <class Traits, class Concurrency_tag>
+template <class Traits, class ConcurrencyTag>
 class Tree_construction {
 public:
-  using Trees = Separation_trees<Traits, Concurrency_tag>;
+  using Trees = Separation_trees<Traits, ConcurrencyTag>;
   using Geometry = typename Trees::Geometry;
   using State = Meshing_state<Geometry>;
   using Report = Tree_separation_report_2;
@@ -62,7 +62,7 @@ public:
   Tree_construction(State& state, Trees& trees, const typename Trees::Map& map,
                     const std::vector<char>& is_merged, const Edge_sides& sides, Report& report)
       : state_(state), mesh_(state.mesh), trees_(trees), map_(map), is_merged_(is_merged), sides_(sides),
-        report_(report), rooms_(Edge_rooms<Geometry>::template of<Concurrency_tag>(state.problem)) {}
+        report_(report), rooms_(Edge_rooms<Geometry>::template of<ConcurrencyTag>(state.problem)) {}
 
   /// Replaces the mesh, unless the first round fails. What is below the bound at the end is on the worklist.
   /// `shall_go_on()` is asked once a round; at most about `budget` vertices are made.
@@ -106,10 +106,10 @@ private:
   bool make_mesh(Tree_separation_options_2::Placement placement) {
     state_.clear_worklist();
     const auto placed = placement == Tree_separation_options_2::Placement::BY_RULE
-                            ? Rule_placement<Traits, Concurrency_tag>(state_.problem, trees_, rooms_).run()
-                            : Tree_placement<Traits, Concurrency_tag>(state_.problem, trees_, rooms_).run();
+                            ? Rule_placement<Traits, ConcurrencyTag>(state_.problem, trees_, rooms_).run()
+                            : Tree_placement<Traits, ConcurrencyTag>(state_.problem, trees_, rooms_).run();
     cramped_edges_ = placed.cramped_edges;
-    Tree_triangulation<Concurrency_tag, Geometry> triangulation(placed, is_merged_, state_.edges, sides_);
+    Tree_triangulation<ConcurrencyTag, Geometry> triangulation(placed, is_merged_, state_.edges, sides_);
     if (!triangulation.run([this](const auto& p) { return grid_point(p); }, mesh_)) return false;
     state_.corners.forget_cuts(); // those of the mesh that is replaced
     return true;
@@ -122,7 +122,7 @@ private:
   }
 
   std::vector<Triangle_id> sharp_triangles() const {
-    return pack_values<Concurrency_tag, Triangle_id>(
+    return pack_values<ConcurrencyTag, Triangle_id>(
         mesh_.triangles.size(), [&](std::size_t t) { return is_sharp(static_cast<Triangle_id>(t)); },
         [](std::size_t t) { return static_cast<Triangle_id>(t); });
   }

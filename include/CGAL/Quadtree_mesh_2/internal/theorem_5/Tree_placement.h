@@ -21,12 +21,12 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_TREE_PLACEMENT_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_TREE_PLACEMENT_H
 
-#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Column_rule.h>
 #include <CGAL/Quadtree_mesh_2/internal/grid/Grid_box.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
+#include <CGAL/Quadtree_mesh_2/internal/quadtree/Tree_corners.h>
+#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Column_rule.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Placed_vertices.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Separation_trees.h>
-#include <CGAL/Quadtree_mesh_2/internal/quadtree/Tree_corners.h>
-#include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 
 #include <algorithm>
 #include <array>
@@ -50,25 +50,25 @@ struct Vertex_clearance {
 };
 constexpr Vertex_clearance vertex_clearance{};
 
-template <class Traits, class Concurrency_tag>
+template <class Traits, class ConcurrencyTag>
 class Tree_placement {
 public:
-  using Trees = Separation_trees<Traits, Concurrency_tag>;
+  using Trees = Separation_trees<Traits, ConcurrencyTag>;
   using Geometry = typename Trees::Geometry;
   using Point = typename Geometry::Point;
   using Problem = Meshing_problem<Geometry>;
 
   Tree_placement(const Problem& problem, const Trees& trees, const Edge_rooms<Geometry>& rooms)
       : problem_(problem), trees_(trees), rooms_(rooms), tree_(trees.tree()), corners_(trees.tree()),
-        box_(box_of_points<Concurrency_tag>(trees.tree())) {}
+        box_(box_of_points<ConcurrencyTag>(trees.tree())) {}
 
   Placed_vertices<Geometry> run() {
     Placed_vertices<Geometry> placed(problem_.input_points);
-    placed.template append_vertices_of_edges<Concurrency_tag>(
+    placed.template append_vertices_of_edges<ConcurrencyTag>(
         problem_.edges, rooms_, [this](Edge_id e, auto& crossings) { cut_edge(e, crossings); });
     find_corners_kept();
     drop_corners_at_vertices();
-    placed.template append_corners<Concurrency_tag>(trees_, corners_, is_kept_);
+    placed.template append_corners<ConcurrencyTag>(trees_, corners_, is_kept_);
     return placed;
   }
 
@@ -130,7 +130,7 @@ private:
 
   void find_corners_kept() {
     is_kept_.assign(corners_.number_of_names(), 0);
-    for_each_index<Concurrency_tag>(
+    for_each_index<ConcurrencyTag>(
         is_kept_.size(),
         [&](std::size_t c) {
           is_kept_[c] =
@@ -171,11 +171,11 @@ private:
   void drop_corners_at_vertices() {
     const std::size_t n = problem_.input_points.size();
     std::vector<std::vector<Name>> found((n + block_of_vertices_ - 1) / block_of_vertices_);
-    for_each_block<Concurrency_tag>(n, block_of_vertices_,
-                                    [&](std::size_t b, std::size_t begin, std::size_t end) {
-                                      for (std::size_t v = begin; v < end; ++v)
-                                        find_corners_at(static_cast<Vertex_id>(v), found[b]);
-                                    });
+    for_each_block<ConcurrencyTag>(n, block_of_vertices_,
+                                   [&](std::size_t b, std::size_t begin, std::size_t end) {
+                                     for (std::size_t v = begin; v < end; ++v)
+                                       find_corners_at(static_cast<Vertex_id>(v), found[b]);
+                                   });
     for (const auto& names : found)
       for (const Name c : names) is_kept_[c] = 0;
   }

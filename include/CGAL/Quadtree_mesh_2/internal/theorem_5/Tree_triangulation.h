@@ -16,13 +16,13 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_TREE_TRIANGULATION_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_TREE_TRIANGULATION_H
 
+#include <CGAL/Quadtree_mesh_2/internal/grid/morton.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Edge_sides.h>
+#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Placed_vertices.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/First_triangulation.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Input_edges.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Kernel_mesh.h>
-#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Placed_vertices.h>
-#include <CGAL/Quadtree_mesh_2/internal/grid/morton.h>
-#include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -37,7 +37,7 @@ namespace internal {
 
 /// Triangulates placed vertices.
 /// \pre what is placed on edges is in their rooms (Edge_rooms.h)
-template <class Concurrency_tag, class Geometry>
+template <class ConcurrencyTag, class Geometry>
 class Tree_triangulation {
 public:
   /// \param is_merged for each input vertex whether another one stands for it
@@ -67,7 +67,7 @@ public:
   }
 
 private:
-  using First = First_triangulation<Concurrency_tag, Geometry>;
+  using First = First_triangulation<ConcurrencyTag, Geometry>;
 
   struct Faults {
     bool are_corners = false, are_others = false;
@@ -84,20 +84,20 @@ private:
   template <class To_grid>
   void sort(const To_grid& to_grid) {
     const std::vector<std::uint32_t> used =
-        pack<Concurrency_tag>(placed_.points.size(), [&](std::size_t v) { return is_out_[v] == 0; });
+        pack<ConcurrencyTag>(placed_.points.size(), [&](std::size_t v) { return is_out_[v] == 0; });
     std::vector<std::decay_t<decltype(to_grid(placed_.points[0]))>> grid_points(used.size());
-    for_each_index<Concurrency_tag>(
-        used.size(), [&](std::size_t i) { grid_points[i] = to_grid(placed_.points[used[i]]); });
-    order_ = shuffle_order<Concurrency_tag>(grid_points);
+    for_each_index<ConcurrencyTag>(used.size(),
+                                   [&](std::size_t i) { grid_points[i] = to_grid(placed_.points[used[i]]); });
+    order_ = shuffle_order<ConcurrencyTag>(grid_points);
     points_.resize(used.size());
     std::vector<Vertex_id> place(placed_.points.size(), -1);
-    for_each_index<Concurrency_tag>(used.size(), [&](std::size_t i) {
+    for_each_index<ConcurrencyTag>(used.size(), [&](std::size_t i) {
       order_[i] = used[order_[i]];
       points_[i] = placed_.points[order_[i]];
       place[order_[i]] = static_cast<Vertex_id>(i);
     });
     segments_.resize(placed_.segments.size());
-    for_each_index<Concurrency_tag>(segments_.size(), [&](std::size_t s) {
+    for_each_index<ConcurrencyTag>(segments_.size(), [&](std::size_t s) {
       const auto [a, b] = placed_.segments[s];
       segments_[s] = {place[std::size_t(a)], place[std::size_t(b)]};
     });
@@ -146,10 +146,10 @@ private:
     mesh.resize(placed_.points.size(), 0);
     mesh.points = placed_.points, mesh.edge_of = placed_.edge_of;
     mesh.triangles = std::move(sorted.triangles), mesh.region_of = std::move(sorted.region_of);
-    for_each_index<Concurrency_tag>(mesh.triangles.size(), [&](std::size_t t) {
+    for_each_index<ConcurrencyTag>(mesh.triangles.size(), [&](std::size_t t) {
       for (Vertex_id& v : mesh.triangles[t].v) v = placed_vertex(v);
     });
-    for_each_index<Concurrency_tag>(
+    for_each_index<ConcurrencyTag>(
         order_.size(), [&](std::size_t i) { mesh.triangle_of[order_[i]] = sorted.triangle_of[i]; });
   }
 };

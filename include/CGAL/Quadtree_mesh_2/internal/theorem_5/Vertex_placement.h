@@ -18,10 +18,10 @@
 
 #include <CGAL/Quadtree_mesh_2/Grid_point_2.h>
 #include <CGAL/Quadtree_mesh_2/Index.h>
-#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Vertex_window.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/Word_operations.h>
-#include <CGAL/Quadtree_mesh_2/internal/quadtree/leaves_in_order.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
+#include <CGAL/Quadtree_mesh_2/internal/quadtree/leaves_in_order.h>
+#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Vertex_window.h>
 
 #include <cmath>
 #include <cstddef>
@@ -100,14 +100,14 @@ private:
 /// Returns the leaves to be split so that all vertices are amid 7 x 7 equal leaves, in order. Squares outside the
 /// root do not count.
 /// \param vertices a random access range of `Vertex_index`, which are points of the tree
-template <class Concurrency_tag, class Tree, class Vertices>
+template <class ConcurrencyTag, class Tree, class Vertices>
 std::vector<Leaf_index> leaves_to_split_for_vertices(const Tree& tree, const Vertices& vertices) {
   using Word = typename Tree::Word;
   constexpr int reach = 3;
   constexpr std::size_t block = 64;
   const int depth = tree.framework().grid().depth();
   std::vector<std::vector<Leaf_index>> of_block((vertices.size() + block - 1) / block);
-  for_each_block<Concurrency_tag>(
+  for_each_block<ConcurrencyTag>(
       vertices.size(), block, [&](std::size_t b, std::size_t begin, std::size_t end) {
         for (std::size_t k = begin; k < end; ++k) {
           const Leaf_index leaf = tree.leaf(Point_index(vertices[k].value()));
@@ -124,7 +124,7 @@ std::vector<Leaf_index> leaves_to_split_for_vertices(const Tree& tree, const Ver
             }
         }
       });
-  return in_order<Concurrency_tag>(of_block, tree.number_of_leaves());
+  return in_order<ConcurrencyTag>(of_block, tree.number_of_leaves());
 }
 
 } // namespace internal

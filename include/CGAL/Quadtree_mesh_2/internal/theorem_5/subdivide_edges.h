@@ -26,13 +26,13 @@
 #define CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_SUBDIVIDE_EDGES_H
 
 #include <CGAL/Quadtree_mesh_2/Index.h>
-#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Centroid_tree.h>
-#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Edge_pieces.h>
-#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Grid_path.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/Uninitialized_vector.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/Word_operations.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/radix_sort.h>
+#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Centroid_tree.h>
+#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Edge_pieces.h>
+#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Grid_path.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -62,7 +62,7 @@ struct Subdivision_rounds {
 /// The places of leaves in shuffle order, and in that of the quadtree upside down.
 class Leaf_orders {
 public:
-  template <class Concurrency_tag, class Tree>
+  template <class ConcurrencyTag, class Tree>
   static Leaf_orders of(const Tree& tree) {
     Leaf_orders result;
     const std::size_t n = tree.number_of_nodes();
@@ -73,7 +73,7 @@ public:
     // Nodes are numbered level by level.
     for (std::size_t begin = 0; begin < n;) {
       const std::size_t end = end_of_level(tree, begin);
-      for_each_index<Concurrency_tag>(
+      for_each_index<ConcurrencyTag>(
           end - begin, [&](std::size_t i) { result.place_below(tree, Node_index(begin + i), place); });
       begin = end;
     }
@@ -135,7 +135,7 @@ private:
 };
 
 /// Subdivides segments by centroid trees.
-template <class Concurrency_tag, class Tree, class Segments>
+template <class ConcurrencyTag, class Tree, class Segments>
 class Edge_subdivider {
 public:
   using Word = typename Tree::Word;
@@ -145,12 +145,12 @@ public:
 
   Edge_subdivider(const Tree& tree, const Centroid_tree<typename Tree::Word>& centroids,
                   const Segments& segments)
-      : tree_(tree), centroids_(centroids), orders_(Leaf_orders::of<Concurrency_tag>(tree)),
+      : tree_(tree), centroids_(centroids), orders_(Leaf_orders::of<ConcurrencyTag>(tree)),
         order_(order_of_first_ends(tree, segments)), paths_(segments.size()) {
     rounds_.parts = centroids.parts().size();
     rounds_.height = centroids.height();
-    for_each_index<Concurrency_tag>(segments.size(),
-                                    [&](std::size_t s) { paths_[s] = path_of_segment(tree, segments[s]); });
+    for_each_index<ConcurrencyTag>(segments.size(),
+                                   [&](std::size_t s) { paths_[s] = path_of_segment(tree, segments[s]); });
   }
 
   Edge_pieces subdivide() {
@@ -186,7 +186,7 @@ private:
 
   /// Segments that begin near each other are tested one after the other, as they go down the same way.
   static Order order_of_first_ends(const Tree& tree, const Segments& segments) {
-    return radix_order<Concurrency_tag>(segments.size(), 1, [&](std::uint32_t s, int) {
+    return radix_order<ConcurrencyTag>(segments.size(), 1, [&](std::uint32_t s, int) {
       return std::uint64_t(tree.leaf(Point_index(segments[s][0].value())).value());
     });
   }
@@ -221,7 +221,7 @@ private:
   template <class Test>
   void run_round(std::size_t n, const Test& test) {
     std::vector<Block> blocks((n + block_length_ - 1) / block_length_);
-    for_each_block<Concurrency_tag>(n, block_length_, [&](std::size_t b, std::size_t begin, std::size_t end) {
+    for_each_block<ConcurrencyTag>(n, block_length_, [&](std::size_t b, std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) test(i, blocks[b]);
     });
     items_.clear();
@@ -234,7 +234,7 @@ private:
 
   template <class T, class Vector>
   static void append(const std::vector<Block>& blocks, std::vector<T> Block::*list, Vector& all) {
-    count_allocate_and_place<Concurrency_tag>(
+    count_allocate_and_place<ConcurrencyTag>(
         blocks.size(), [&](std::size_t b, std::size_t) { return (blocks[b].*list).size(); },
         [&](std::size_t n) { all.resize(all.size() + n); },
         [&, old = all.size()](std::size_t b, std::size_t, std::size_t place) {
@@ -269,12 +269,12 @@ private:
 
   Edge_pieces sorted_pieces() {
     const std::size_t k = pieces_.size();
-    Word_sorter<Concurrency_tag>::sort(pieces_.data(), uncleared_words(k).get(), k, true);
+    Word_sorter<ConcurrencyTag>::sort(pieces_.data(), uncleared_words(k).get(), k, true);
     std::vector<Leaf_index> leaves(k);
-    for_each_index<Concurrency_tag>(k, [&](std::size_t i) {
+    for_each_index<ConcurrencyTag>(k, [&](std::size_t i) {
       leaves[i] = orders_.leaf(paths_[pieces_[i] >> 32], static_cast<std::uint32_t>(pieces_[i]));
     });
-    return Edge_pieces(Leaf_pieces::begin_of_lists<Concurrency_tag>(pieces_.data(), k, paths_.size()),
+    return Edge_pieces(Leaf_pieces::begin_of_lists<ConcurrencyTag>(pieces_.data(), k, paths_.size()),
                        std::move(leaves));
   }
 
@@ -291,22 +291,22 @@ private:
 /// Returns the pieces of segments, each given by its two vertices, which are points of the tree, by centroid
 /// trees of the quadtree.
 /// \throws std::length_error if there are 2^32 pieces or more
-template <class Concurrency_tag, class Tree, class Segments>
+template <class ConcurrencyTag, class Tree, class Segments>
 Edge_pieces subdivide_edges(const Tree& tree, const Centroid_tree<typename Tree::Word>& centroids,
                             const Segments& segments, Subdivision_rounds* rounds = nullptr) {
-  Edge_subdivider<Concurrency_tag, Tree, Segments> subdivider(tree, centroids, segments);
+  Edge_subdivider<ConcurrencyTag, Tree, Segments> subdivider(tree, centroids, segments);
   Edge_pieces result = subdivider.subdivide();
   if (rounds != nullptr) *rounds = subdivider.rounds();
   return result;
 }
 
 /// The same by centroid trees of parts with O(m) leaves for m segments.
-template <class Concurrency_tag, class Tree, class Segments>
+template <class ConcurrencyTag, class Tree, class Segments>
 Edge_pieces subdivide_edges(const Tree& tree, const Segments& segments,
                             Subdivision_rounds* rounds = nullptr) {
   const std::size_t leaves_per_part = std::max<std::size_t>(1, 5 * segments.size());
-  return subdivide_edges<Concurrency_tag>(tree, centroid_tree<Concurrency_tag>(tree, leaves_per_part),
-                                          segments, rounds);
+  return subdivide_edges<ConcurrencyTag>(tree, centroid_tree<ConcurrencyTag>(tree, leaves_per_part), segments,
+                                         rounds);
 }
 
 } // namespace internal

@@ -19,10 +19,10 @@
 #include <CGAL/Quadtree_mesh_2/Direction.h>
 #include <CGAL/Quadtree_mesh_2/Grid_point_2.h>
 #include <CGAL/Quadtree_mesh_2/Index.h>
-#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Edge_pieces.h>
-#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Grid_path.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/Word_operations.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
+#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Edge_pieces.h>
+#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Grid_path.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -118,7 +118,7 @@ void walk_edge(const Tree& tree, const Segment& ends, const F& f) {
 
 /// Returns the pieces of segments, each given by its two vertices, which are points of the tree.
 /// \throws std::length_error if there are 2^32 pieces or more
-template <class Concurrency_tag, class Tree, class Segments>
+template <class ConcurrencyTag, class Tree, class Segments>
 Edge_pieces walk_edges(const Tree& tree, const Segments& segments) {
   constexpr std::size_t block = 256;
   const std::size_t m = segments.size();
@@ -126,7 +126,7 @@ Edge_pieces walk_edges(const Tree& tree, const Segments& segments) {
   std::vector<Leaf_index> leaves;
   // A block walks once, into a list of its own: a second walk would take longer than copying.
   std::vector<std::vector<Leaf_index>> of_block((m + block - 1) / block);
-  const std::size_t sum = count_allocate_and_place<Concurrency_tag>(
+  const std::size_t sum = count_allocate_and_place<ConcurrencyTag>(
       m,
       [&](std::size_t first, std::size_t last) {
         std::vector<Leaf_index>& list = of_block[first / block];

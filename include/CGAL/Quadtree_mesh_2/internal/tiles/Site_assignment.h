@@ -18,11 +18,11 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_TILES_SITE_ASSIGNMENT_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_TILES_SITE_ASSIGNMENT_H
 
+#include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel/radix_sort.h>
 #include <CGAL/Quadtree_mesh_2/internal/tiles/Tile_blocks.h>
 #include <CGAL/Quadtree_mesh_2/internal/tiles/Tile_mesh.h>
 #include <CGAL/Quadtree_mesh_2/internal/tiles/Tile_sites.h>
-#include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
-#include <CGAL/Quadtree_mesh_2/internal/parallel/radix_sort.h>
 
 #include <array>
 #include <cstddef>
@@ -35,14 +35,14 @@ namespace internal {
 
 /// Which vertices may go to different sites.
 enum class Spacing {
-  distinct,    ///< any two
-  no_neighbors ///< two without an edge between them
+  DISTINCT,    ///< any two
+  NO_NEIGHBORS ///< two without an edge between them
 };
 
 /// A site may be taken by vertices nearer than this times the side of its leaf.
 constexpr double reach_of_site = 0.6;
 
-template <class Concurrency_tag = Sequential_tag>
+template <class ConcurrencyTag = Sequential_tag>
 class Site_assignment {
 public:
   Site_assignment(const Tile_sites& sites, Spacing spacing, Tile_mesh& mesh)
@@ -54,7 +54,7 @@ public:
     for (const std::int32_t v : mesh_.vertex_of_site)
       if (v >= 0) take(v);
     list_pairs();
-    const Order order = radix_order<Concurrency_tag>(
+    const Order order = radix_order<ConcurrencyTag>(
         pairs_.size(), 1, [this](std::uint32_t i, int) { return pairs_[i].squared_distance; });
     for (const std::uint32_t i : order) {
       std::int32_t& vertex = mesh_.vertex_of_site[pairs_[i].site];
@@ -62,8 +62,8 @@ public:
       vertex = pairs_[i].vertex;
       take(vertex);
     }
-    return pack<Concurrency_tag>(sites_.size(), [&](std::size_t i) {
-      return mesh_.vertex_of_site[i] < 0 && sites_.kind(i) == Site_kind::on_demand;
+    return pack<ConcurrencyTag>(sites_.size(), [&](std::size_t i) {
+      return mesh_.vertex_of_site[i] < 0 && sites_.kind(i) == Site_kind::ON_DEMAND;
     });
   }
 
@@ -77,7 +77,7 @@ private:
   /// Calls `f(pair)` for the vertices of the leaf of a site that may be moved to it, in the order of the tile.
   template <class F>
   void for_each_pair(std::size_t site, const F& f) const {
-    if (sites_.kind(site) != Site_kind::on_demand) return;
+    if (sites_.kind(site) != Site_kind::ON_DEMAND) return;
     constexpr double side = double(std::uint64_t(1) << log_units_of_place_in_square);
     constexpr auto limit = static_cast<std::uint64_t>(reach_of_site * reach_of_site * side * side);
     const std::size_t leaf = static_cast<std::size_t>(mesh_.leaf_of_site[site]);
@@ -94,7 +94,7 @@ private:
   }
 
   void list_pairs() {
-    count_allocate_and_place<Concurrency_tag>(
+    count_allocate_and_place<ConcurrencyTag>(
         sites_.size(),
         [&](std::size_t begin, std::size_t end) {
           std::size_t sum = 0;
@@ -113,7 +113,7 @@ private:
   void take(std::int32_t vertex) {
     const std::size_t v = static_cast<std::size_t>(vertex);
     is_free_[v] = 0;
-    if (spacing_ == Spacing::distinct) return;
+    if (spacing_ == Spacing::DISTINCT) return;
     for (std::uint32_t i = mesh_.first_instance[v]; i < mesh_.first_instance[v + 1]; ++i) {
       const std::uint32_t instance = mesh_.instances[i];
       const std::size_t leaf = mesh_.leaf_of_instance(instance);

@@ -17,10 +17,10 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_TILES_TILE_BLOCKS_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_TILES_TILE_BLOCKS_H
 
-#include <CGAL/Quadtree_mesh_2/internal/tiles/Tile_sites.h>
 #include <CGAL/Quadtree_mesh_2/internal/tables/star_table.h>
 #include <CGAL/Quadtree_mesh_2/internal/tables/tile_tables.h>
 #include <CGAL/Quadtree_mesh_2/internal/tables/warp_table.h>
+#include <CGAL/Quadtree_mesh_2/internal/tiles/Tile_sites.h>
 #include <CGAL/assertions.h>
 
 #include <algorithm>
@@ -60,11 +60,11 @@ inline std::uint64_t squared_distance(const Place_in_square& p, const std::array
 /// The squares of level `level` that the kind of a site asks for.
 /// \pre the kind is `warped` or `star`
 inline Tile_block tile_block(const Tile_site& p, Site_kind kind, int level) {
-  CGAL_precondition(kind != Site_kind::on_demand);
+  CGAL_precondition(kind != Site_kind::ON_DEMAND);
   const int shift = tile_log_side(level);
   const std::int64_t column = static_cast<std::int64_t>(p.x() >> shift);
   const std::int64_t row = static_cast<std::int64_t>(p.y() >> shift);
-  if (kind == Site_kind::warped) return {column - 1, row - 1, 3, level};
+  if (kind == Site_kind::WARPED) return {column - 1, row - 1, 3, level};
   // The nearest corner has two columns to its left and two rows below.
   const auto half = [shift](std::uint64_t v) { return static_cast<std::int64_t>(v >> (shift - 1) & 1); };
   return {column - 2 + half(p.x()), row - 2 + half(p.y()), 4, level};
@@ -102,12 +102,12 @@ public:
     Target t{};
     const std::int64_t unit = std::int64_t(1) << (tile_log_side(block.level) - 10);
     const std::int64_t side = unit * Tile::units;
-    const int before = kind == Site_kind::warped ? 1 : 2; // squares between the block's corner and the origin
+    const int before = kind == Site_kind::WARPED ? 1 : 2; // squares between the block's corner and the origin
     t.x = (block.column + before) * side;
     t.y = (block.row + before) * side;
     std::int64_t vx = t.x, vy = t.y;
     t.moves = &star_;
-    if (kind == Site_kind::warped) {
+    if (kind == Site_kind::WARPED) {
       const std::size_t v = nearest_vertex(place_in_square(p, block.square(4)));
       vx += unit * tile(0).vertices[v][0];
       vy += unit * tile(0).vertices[v][1];

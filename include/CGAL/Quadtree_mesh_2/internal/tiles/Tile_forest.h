@@ -23,10 +23,10 @@
 
 #include <CGAL/Quadtree_mesh_2/internal/clusters/Cluster_collar.h>
 #include <CGAL/Quadtree_mesh_2/internal/clusters/Cluster_frame.h>
+#include <CGAL/Quadtree_mesh_2/internal/clusters/frame_clusters.h>
 #include <CGAL/Quadtree_mesh_2/internal/frame/Grid_frame.h>
 #include <CGAL/Quadtree_mesh_2/internal/relaxation/Site_mesh.h>
 #include <CGAL/Quadtree_mesh_2/internal/tiles/Tile_tree.h>
-#include <CGAL/Quadtree_mesh_2/internal/clusters/frame_clusters.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -40,7 +40,7 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-template <class Concurrency_tag, class Geometry>
+template <class ConcurrencyTag, class Geometry>
 class Tile_forest {
 public:
   using Point = typename Geometry::Point;
@@ -62,7 +62,7 @@ public:
       : points_(points), tree_of_point_(points.size()), site_of_point_(points.size()),
         failures_(points.size(), 0) {
     for (std::size_t c = 0; c < clusters.tree.clusters.size(); ++c) add_tree(c, frame, clusters, options);
-    for_each_index<Concurrency_tag>(
+    for_each_index<ConcurrencyTag>(
         trees_.size(), [&](std::size_t t) { trees_[t].set_first_levels(); }, 1);
   }
 
@@ -76,7 +76,7 @@ public:
 
   /// \throws Tile_level_error naming a point to which another one is so near that squares would be too small
   Site_mesh<Geometry> fill() {
-    for_each_index<Concurrency_tag>(
+    for_each_index<ConcurrencyTag>(
         trees_.size(), [&](std::size_t t) { fill(t); }, 1);
     Site_mesh<Geometry> result;
     result.mesh.along = along_;
@@ -104,7 +104,7 @@ public:
   }
 
 private:
-  using Tree = Tile_tree<Concurrency_tag, Geometry>;
+  using Tree = Tile_tree<ConcurrencyTag, Geometry>;
 
   const std::vector<Point>& points_;
   std::vector<std::int32_t> tree_of_point_;
@@ -177,13 +177,13 @@ private:
     for (std::size_t t = 0; t < trees_.size(); ++t) {
       const Tile_mesh& tiles = trees_[t].mesh();
       const Ring_vertex first = first_vertex_[t];
-      for_each_index<Concurrency_tag>(
+      for_each_index<ConcurrencyTag>(
           tiles.number_of_vertices(),
           [&](std::size_t v) {
             result.mesh.points[std::size_t(first) + v] = trees_[t].point_at(tiles.places[v]);
           },
           default_block / 8);
-      for_each_index<Concurrency_tag>(tiles.number_of_triangles(), [&](std::size_t i) {
+      for_each_index<ConcurrencyTag>(tiles.number_of_triangles(), [&](std::size_t i) {
         for (std::size_t k = 0; k < 3; ++k) triangles_[first_triangle + i][k] = first + tiles.triangles[i][k];
       });
       first_triangle += tiles.number_of_triangles();
@@ -240,25 +240,25 @@ private:
       for (std::size_t v = 0; v < tiles.number_of_vertices(); ++v) {
         const Ring_vertex u = first_vertex_[t] + static_cast<Ring_vertex>(v);
         Mobility& mobility = result.mesh.ring(u).mobility;
-        if (mobility == Mobility::removed) continue;
+        if (mobility == Mobility::REMOVED) continue;
         if (t == 0) mobility = mobility_on(tiles.sides[v]);
-        if (tiles.is_frozen[v] == 0 || mobility != Mobility::free) continue;
-        mobility = Mobility::held;
+        if (tiles.is_frozen[v] == 0 || mobility != Mobility::FREE) continue;
+        mobility = Mobility::HELD;
       }
     }
     // fixed from the beginning, lest one is removed that waits to be moved
-    for (const Ring_vertex v : result.vertex_of_site) result.mesh.ring(v).mobility = Mobility::fixed;
-    for (const Ring_vertex v : rigid_) result.mesh.ring(v).mobility = Mobility::rigid;
+    for (const Ring_vertex v : result.vertex_of_site) result.mesh.ring(v).mobility = Mobility::FIXED;
+    for (const Ring_vertex v : rigid_) result.mesh.ring(v).mobility = Mobility::RIGID;
     rigid_.clear();
   }
 
   static Mobility mobility_on(std::uint8_t sides) {
     const bool is_across = (sides & (left_side | right_side)) != 0,
                is_along = (sides & (bottom_side | top_side)) != 0;
-    return is_across && is_along ? Mobility::fixed
-           : is_across           ? Mobility::slides_across
-           : is_along            ? Mobility::slides_along
-                                 : Mobility::free;
+    return is_across && is_along ? Mobility::FIXED
+           : is_across           ? Mobility::SLIDES_ACROSS
+           : is_along            ? Mobility::SLIDES_ALONG
+                                 : Mobility::FREE;
   }
 };
 

@@ -9,8 +9,8 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_TILES_TILE_MESH_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_TILES_TILE_MESH_H
 
-#include <CGAL/Quadtree_mesh_2/internal/tiles/Tile_sites.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/Uninitialized_vector.h>
+#include <CGAL/Quadtree_mesh_2/internal/tiles/Tile_sites.h>
 
 #include <algorithm>
 #include <array>

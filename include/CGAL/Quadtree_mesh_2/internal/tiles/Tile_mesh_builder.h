@@ -25,11 +25,11 @@
 
 #include <CGAL/Balanced_quadtree.h>
 #include <CGAL/Quadtree_mesh_2/Direction.h>
+#include <CGAL/Quadtree_mesh_2/internal/grid/morton.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/tiles/Tile_blocks.h>
 #include <CGAL/Quadtree_mesh_2/internal/tiles/Tile_mesh.h>
 #include <CGAL/Quadtree_mesh_2/internal/tiles/Tile_sites.h>
-#include <CGAL/Quadtree_mesh_2/internal/grid/morton.h>
-#include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/assertions.h>
 
 #include <algorithm>
@@ -53,7 +53,7 @@ struct Tile_demands {
 
 /// The demands of sites, first; of the squares of their blocks, where there is room; of the squares of the
 /// window.
-template <class Concurrency_tag>
+template <class ConcurrencyTag>
 Tile_demands tile_demands(const Tile_sites& sites) {
   Tile_demands all;
   const Tile_window& window = sites.window;
@@ -69,10 +69,10 @@ Tile_demands tile_demands(const Tile_sites& sites) {
     return tile_block(sites.places[i], sites.kind(i), sites.level(i));
   };
   const auto squares = [&](std::size_t i) -> std::size_t {
-    if (sites.kind(i) == Site_kind::on_demand || !window.contains_block(block(i))) return 0;
+    if (sites.kind(i) == Site_kind::ON_DEMAND || !window.contains_block(block(i))) return 0;
     return static_cast<std::size_t>(block(i).number_of_squares());
   };
-  const std::size_t in_blocks = count_allocate_and_place<Concurrency_tag>(
+  const std::size_t in_blocks = count_allocate_and_place<ConcurrencyTag>(
       sites.size(),
       [&](std::size_t begin, std::size_t end) {
         std::size_t sum = 0;
@@ -93,7 +93,7 @@ Tile_demands tile_demands(const Tile_sites& sites) {
         }
       });
   const int shift = tile_log_side(window.level);
-  for_each_index<Concurrency_tag>(cells, [&](std::size_t i) {
+  for_each_index<ConcurrencyTag>(cells, [&](std::size_t i) {
     force(sites.size() + in_blocks + i,
           {(window.x0 + i % columns) << shift, (window.y0 + i / columns) << shift, window.level});
   });
@@ -101,13 +101,13 @@ Tile_demands tile_demands(const Tile_sites& sites) {
 }
 
 /// The smallest quadtree that meets the demands of sites.
-template <class Concurrency_tag>
-Balanced_quadtree<Tile_traits, Concurrency_tag> tile_quadtree(const Tile_sites& sites) {
-  using Quadtree = Balanced_quadtree<Tile_traits, Concurrency_tag>;
-  const Tile_demands demands = tile_demands<Concurrency_tag>(sites);
+template <class ConcurrencyTag>
+Balanced_quadtree<Tile_traits, ConcurrencyTag> tile_quadtree(const Tile_sites& sites) {
+  using Quadtree = Balanced_quadtree<Tile_traits, ConcurrencyTag>;
+  const Tile_demands demands = tile_demands<ConcurrencyTag>(sites);
   typename Quadtree::Framework framework(demands.places);
   std::vector<int> levels(framework.number_of_points());
-  for_each_index<Concurrency_tag>(levels.size(), [&](std::size_t r) {
+  for_each_index<ConcurrencyTag>(levels.size(), [&](std::size_t r) {
     levels[r] = demands.levels[std::size_t(framework.input_point(Point_rank(r)))];
   });
   for (const Duplicate_point& d : framework.duplicates()) {
@@ -123,7 +123,7 @@ Balanced_quadtree<Tile_traits, Concurrency_tag> tile_quadtree(const Tile_sites& 
 }
 
 /// Builds the mesh of tiles of sites.
-template <class Concurrency_tag = Sequential_tag>
+template <class ConcurrencyTag = Sequential_tag>
 class Tile_mesh_builder {
 public:
   /// \throws Tile_level_error if a site wants a leaf that would be too small, std::length_error if there are too many
@@ -131,7 +131,7 @@ public:
   explicit Tile_mesh_builder(const Tile_sites& sites) : sites_(sites) { check_tile_sites(sites); }
 
   Tile_mesh build() {
-    tree_ = tile_quadtree<Concurrency_tag>(sites_);
+    tree_ = tile_quadtree<ConcurrencyTag>(sites_);
     number_leaves();
     count_parts();
     identify_vertices();
@@ -142,7 +142,7 @@ public:
   }
 
 private:
-  using Quadtree = Balanced_quadtree<Tile_traits, Concurrency_tag>;
+  using Quadtree = Balanced_quadtree<Tile_traits, ConcurrencyTag>;
   using Places = Uninitialized_vector<Tile_place>;
   static constexpr std::size_t block_length_ =
       default_block / 16; // a leaf has about 16 vertices and triangles
@@ -155,12 +155,12 @@ private:
 
   /// Lists the leaves in the window, and numbers them.
   void number_leaves() {
-    kept_ = pack<Concurrency_tag>(tree_.number_of_leaves(),
-                                  [&](std::size_t l) { return is_in_window(tree_.node(Leaf_index(l))); });
+    kept_ = pack<ConcurrencyTag>(tree_.number_of_leaves(),
+                                 [&](std::size_t l) { return is_in_window(tree_.node(Leaf_index(l))); });
     number_of_leaf_.assign(tree_.number_of_leaves(), outside_);
     mesh_.leaves.resize(kept_.size());
     mesh_.corner_bits.resize(kept_.size());
-    for_each_index<Concurrency_tag>(
+    for_each_index<ConcurrencyTag>(
         kept_.size(),
         [&](std::size_t k) {
           const Node_index v = tree_.node(Leaf_index(kept_[k]));
@@ -197,12 +197,12 @@ private:
     mesh_.first_vertex[n] = mesh_.first_triangle[n] = 0;
     if (n > std::numeric_limits<std::uint32_t>::max() / Tile::max_triangles)
       throw std::length_error("mesh of tiles: too many triangles");
-    for_each_index<Concurrency_tag>(n, [&](std::size_t k) {
+    for_each_index<ConcurrencyTag>(n, [&](std::size_t k) {
       mesh_.first_vertex[k] = static_cast<std::uint32_t>(tile_of(k).number_of_vertices);
       mesh_.first_triangle[k] = static_cast<std::uint32_t>(tile_of(k).number_of_triangles);
     });
-    const auto vertices = exclusive_scan<Concurrency_tag>(mesh_.first_vertex.data(), n + 1);
-    const auto triangles = exclusive_scan<Concurrency_tag>(mesh_.first_triangle.data(), n + 1);
+    const auto vertices = exclusive_scan<ConcurrencyTag>(mesh_.first_vertex.data(), n + 1);
+    const auto triangles = exclusive_scan<ConcurrencyTag>(mesh_.first_triangle.data(), n + 1);
     if (vertices > static_cast<std::uint32_t>(std::numeric_limits<std::int32_t>::max()))
       throw std::length_error("mesh of tiles: too many vertices");
     mesh_.leaf_vertices.resize(vertices);
@@ -212,7 +212,7 @@ private:
   /// Places the vertices of all leaves.
   Places places_of_instances() const {
     Places places(mesh_.leaf_vertices.size());
-    for_each_index<Concurrency_tag>(
+    for_each_index<ConcurrencyTag>(
         mesh_.number_of_leaves(),
         [&](std::size_t k) {
           const Tile& t = tile_of(k);
@@ -230,10 +230,10 @@ private:
   /// Numbers the distinct places, in shuffle order.
   void identify_vertices() {
     const Places places = places_of_instances();
-    mesh_.instances = shuffle_order<Concurrency_tag>(places);
+    mesh_.instances = shuffle_order<ConcurrencyTag>(places);
     const auto place = [&](std::size_t k) -> const Tile_place& { return places[mesh_.instances[k]]; };
     const auto is_first = [&](std::size_t k) { return k == 0 || place(k) != place(k - 1); };
-    count_allocate_and_place<Concurrency_tag>(
+    count_allocate_and_place<ConcurrencyTag>(
         places.size(),
         [&](std::size_t begin, std::size_t end) {
           std::size_t sum = 0;
@@ -268,7 +268,7 @@ private:
   }
 
   void fill_triangles() {
-    for_each_index<Concurrency_tag>(
+    for_each_index<ConcurrencyTag>(
         mesh_.number_of_leaves(),
         [&](std::size_t k) {
           const Tile& t = tile_of(k);
@@ -283,7 +283,7 @@ private:
   void find_leaves_of_sites() {
     mesh_.leaf_of_site.resize(sites_.size());
     mesh_.vertex_of_site.assign(sites_.size(), -1);
-    for_each_index<Concurrency_tag>(sites_.size(), [&](std::size_t i) {
+    for_each_index<ConcurrencyTag>(sites_.size(), [&](std::size_t i) {
       mesh_.leaf_of_site[i] =
           static_cast<std::int32_t>(number_of_leaf_[std::size_t(tree_.leaf(Point_index(i)))]);
     });
@@ -312,12 +312,12 @@ private:
   }
 
   void move_blocks() {
-    const std::vector<std::uint32_t> blocks = pack<Concurrency_tag>(
-        sites_.size(), [&](std::size_t i) { return sites_.kind(i) != Site_kind::on_demand; });
+    const std::vector<std::uint32_t> blocks = pack<ConcurrencyTag>(
+        sites_.size(), [&](std::size_t i) { return sites_.kind(i) != Site_kind::ON_DEMAND; });
     if (blocks.empty()) return;
     std::vector<Block_leaves> leaves(blocks.size());
     std::vector<std::uint8_t> is_whole(blocks.size());
-    for_each_index<Concurrency_tag>(
+    for_each_index<ConcurrencyTag>(
         blocks.size(),
         [&](std::size_t b) { is_whole[b] = find_leaves(block_of(blocks[b]), leaves[b]) ? 1 : 0; },
         block_length_);
@@ -325,10 +325,10 @@ private:
     for (std::size_t b = 0; b < blocks.size(); ++b)
       if (is_whole[b] == 0)
         mesh_.broken_blocks.push_back(blocks[b]);
-      else if (sites_.kind(blocks[b]) == Site_kind::star)
+      else if (sites_.kind(blocks[b]) == Site_kind::STAR)
         mesh_.stars.push_back({blocks[b], {}});
     const Block_moves moves;
-    for_each_index<Concurrency_tag>(
+    for_each_index<ConcurrencyTag>(
         blocks.size(),
         [&](std::size_t b) {
           if (is_whole[b] != 0) move_block(moves, blocks[b], leaves[b]);
@@ -367,7 +367,7 @@ private:
       mesh_.is_frozen[static_cast<std::size_t>(v)] = 1;
       place = Block_moves::moved(target, move, block.level);
     }
-    if (sites_.kind(site) != Site_kind::star) return;
+    if (sites_.kind(site) != Site_kind::STAR) return;
     const auto star = std::lower_bound(mesh_.stars.begin(), mesh_.stars.end(), site,
                                        [](const Star_spokes& s, std::uint32_t i) { return s.site < i; });
     star->vertices = spokes;

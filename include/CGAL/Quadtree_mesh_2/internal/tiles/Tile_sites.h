@@ -37,9 +37,9 @@ constexpr int tile_log_side(int level) { return Tile_traits::depth - level; }
 
 /// The treatment of the leaf of a site.
 enum class Site_kind : std::uint8_t {
-  on_demand, ///< its tile, whatever it is
-  warped, ///< the middle of 3 x 3 equal leaves, of which one vertex is moved to the site, and others after it
-  star    ///< one of the 4 x 4 equal leaves around its corner nearest to the site, likewise
+  ON_DEMAND, ///< its tile, whatever it is
+  WARPED, ///< the middle of 3 x 3 equal leaves, of which one vertex is moved to the site, and others after it
+  STAR    ///< one of the 4 x 4 equal leaves around its corner nearest to the site, likewise
 };
 
 /// Equal squares, as many columns as rows. Columns and rows are counted on their level; some may be outside
@@ -113,7 +113,7 @@ struct Tile_sites {
 
   std::size_t size() const { return places.size(); }
   int level(std::size_t i) const { return levels.empty() ? 0 : levels[i]; }
-  Site_kind kind(std::size_t i) const { return kinds.empty() ? Site_kind::on_demand : kinds[i]; }
+  Site_kind kind(std::size_t i) const { return kinds.empty() ? Site_kind::ON_DEMAND : kinds[i]; }
 };
 
 /// Checks sites.

@@ -31,7 +31,7 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-template <class Concurrency_tag, class Geometry>
+template <class ConcurrencyTag, class Geometry>
 class Tile_tree {
 public:
   using Point = typename Geometry::Point;
@@ -116,7 +116,7 @@ private:
   std::variant<Grid_frame<Geometry>, Cluster_frame_2> frame_;
   std::int32_t parent_ = -1;
   std::uint32_t site_in_parent_ = 0;
-  Tile_filler<Concurrency_tag> filler_;
+  Tile_filler<ConcurrencyTag> filler_;
   bool is_filled_ = false;
 
   bool is_of_cluster() const { return parent_ >= 0; }
@@ -139,7 +139,7 @@ private:
   Tile_sites tile_sites(const std::vector<Point>& sites) const {
     Tile_sites result;
     result.places.resize(sites.size());
-    for_each_index<Concurrency_tag>(sites.size(), [&](std::size_t i) {
+    for_each_index<ConcurrencyTag>(sites.size(), [&](std::size_t i) {
       result.places[i] = std::visit([&](const auto& frame) { return place_in(frame, sites[i]); }, frame_);
     });
     if (const auto* frame = std::get_if<Grid_frame<Geometry>>(&frame_)) {
@@ -184,9 +184,9 @@ private:
   }
 
   int level_of_cluster(double distance) const {
-    if (is_of_cluster()) return cluster_frame().level_of_site(distance, internal::Cluster_site::cluster);
+    if (is_of_cluster()) return cluster_frame().level_of_site(distance, internal::Cluster_site::CLUSTER);
     const double leaf = Cluster_frame_2::distance_of_sites * distance *
-                        Cluster_frame_2::largest_leaf(internal::Cluster_site::cluster);
+                        Cluster_frame_2::largest_leaf(internal::Cluster_site::CLUSTER);
     // at least four leaves have to fit between a cluster and the border
     constexpr int least_level = 4;
     return std::max(least_level, log_side_of_root() - std::ilogb(leaf));

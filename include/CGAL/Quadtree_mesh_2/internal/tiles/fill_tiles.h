@@ -41,7 +41,7 @@ namespace internal {
 /// How tiles are made for sites.
 struct Tile_options {
   std::size_t max_points_per_leaf = 1;
-  Spacing spacing = Spacing::no_neighbors;
+  Spacing spacing = Spacing::NO_NEIGHBORS;
   /// The largest leaf of a site to begin with, in distances to a near neighbor; or infinity.
   double sides_per_distance = std::numeric_limits<double>::infinity();
 };
@@ -54,21 +54,21 @@ struct Tile_filling {
 };
 
 /// Fills tiles, and again with smaller leaves for those sites that turn out to need them.
-template <class Concurrency_tag = Sequential_tag>
+template <class ConcurrencyTag = Sequential_tag>
 class Tile_filler {
 public:
   Tile_filler(Tile_sites sites, const Tile_options& options) : options_(options) {
     filling_.sites = std::move(sites);
-    distances_ = near_distances<Concurrency_tag>(filling_.sites.places);
+    distances_ = near_distances<ConcurrencyTag>(filling_.sites.places);
   }
 
   /// Starts with the levels that separate sites, and not less than the given one.
   void set_first_levels(int least_level = 0) {
     filling_.sites.levels.resize(filling_.sites.size(), 0);
     const std::vector<int> few =
-        levels_with_few_sites<Concurrency_tag>(filling_.sites.places, options_.max_points_per_leaf);
-    for_each_index<Concurrency_tag>(filling_.sites.size(), [&](std::size_t i) {
-      if (filling_.sites.kind(i) != Site_kind::on_demand) return;
+        levels_with_few_sites<ConcurrencyTag>(filling_.sites.places, options_.max_points_per_leaf);
+    for_each_index<ConcurrencyTag>(filling_.sites.size(), [&](std::size_t i) {
+      if (filling_.sites.kind(i) != Site_kind::ON_DEMAND) return;
       raise(i, std::max(least_level, few[i]));
       raise(i, level_for(i, options_.sides_per_distance));
     });
@@ -79,9 +79,9 @@ public:
   void fill() {
     for (;;) {
       ++filling_.number_of_rounds;
-      filling_.mesh = Tile_mesh_builder<Concurrency_tag>(filling_.sites).build();
+      filling_.mesh = Tile_mesh_builder<ConcurrencyTag>(filling_.sites).build();
       const std::vector<std::uint32_t> without_vertex =
-          Site_assignment<Concurrency_tag>(filling_.sites, options_.spacing, filling_.mesh).assign();
+          Site_assignment<ConcurrencyTag>(filling_.sites, options_.spacing, filling_.mesh).assign();
       if (without_vertex.empty() && filling_.mesh.broken_blocks.empty()) return;
       for (const std::uint32_t i : without_vertex) split(i);
       for (const std::uint32_t i : filling_.mesh.broken_blocks) split(i);
@@ -92,27 +92,28 @@ public:
   void split(std::size_t site) {
     const auto& mesh = filling_.mesh;
     const int level = mesh.leaves[static_cast<std::size_t>(mesh.leaf_of_site[site])].level;
-    const bool has_block = filling_.sites.kind(site) != Site_kind::on_demand;
+    const bool has_block = filling_.sites.kind(site) != Site_kind::ON_DEMAND;
     raise(site, has_block ? std::max(filling_.sites.levels[site] + 1, level) : level + 1);
     raise(site, level_for(site, hopeless_));
   }
 
   /// Makes a site a star, with the given level. To be called before `set_first_levels()`.
   void reserve_star(std::size_t site, int level) {
-    filling_.sites.kinds.resize(filling_.sites.size(), Site_kind::on_demand);
+    filling_.sites.kinds.resize(filling_.sites.size(), Site_kind::ON_DEMAND);
     filling_.sites.levels.resize(filling_.sites.size(), 0);
-    filling_.sites.kinds[site] = Site_kind::star;
+    filling_.sites.kinds[site] = Site_kind::STAR;
     filling_.sites.levels[site] = level;
   }
 
   /// Asks for a block of equal leaves around a site, small enough that it is in nobody's way: its triangles have
   /// angles in [37.5, 78.6] degrees then (warp_table.h), whatever others do.
   void certify(std::size_t site) {
-    if (filling_.sites.kinds.empty()) filling_.sites.kinds.resize(filling_.sites.size(), Site_kind::on_demand);
-    filling_.sites.kinds[site] = Site_kind::warped;
+    if (filling_.sites.kinds.empty())
+      filling_.sites.kinds.resize(filling_.sites.size(), Site_kind::ON_DEMAND);
+    filling_.sites.kinds[site] = Site_kind::WARPED;
     raise(site, level_for(site, certified_sides_per_distance_ / near_distance_factor));
   }
-  bool is_certified(std::size_t site) const { return filling_.sites.kind(site) == Site_kind::warped; }
+  bool is_certified(std::size_t site) const { return filling_.sites.kind(site) == Site_kind::WARPED; }
 
   const Tile_filling& filling() const { return filling_; }
   Tile_filling result() { return std::move(filling_); }
@@ -139,9 +140,9 @@ private:
 
 /// Makes a mesh of tiles with a vertex for each site. The levels of warped and star sites are kept where their
 /// blocks have room.
-template <class Concurrency_tag = Sequential_tag>
+template <class ConcurrencyTag = Sequential_tag>
 Tile_filling fill_tiles(Tile_sites sites, const Tile_options& options = Tile_options()) {
-  Tile_filler<Concurrency_tag> filler(std::move(sites), options);
+  Tile_filler<ConcurrencyTag> filler(std::move(sites), options);
   filler.set_first_levels();
   filler.fill();
   return filler.result();

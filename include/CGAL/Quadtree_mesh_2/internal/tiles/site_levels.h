@@ -10,8 +10,8 @@
 #define CGAL_QUADTREE_MESH_2_INTERNAL_TILES_SITE_LEVELS_H
 
 #include <CGAL/Balanced_quadtree.h>
-#include <CGAL/Quadtree_mesh_2/internal/tiles/Tile_sites.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
+#include <CGAL/Quadtree_mesh_2/internal/tiles/Tile_sites.h>
 
 #include <algorithm>
 #include <cmath>
@@ -28,24 +28,24 @@ constexpr double near_distance_factor = 1.6284;
 
 /// Returns for each site the level of its leaf in the unbalanced quadtree whose leaves hold at most
 /// `max_points` sites.
-template <class Concurrency_tag>
+template <class ConcurrencyTag>
 std::vector<int> levels_with_few_sites(const std::vector<Tile_site>& places, std::size_t max_points) {
-  using Quadtree = Balanced_quadtree<Tile_traits, Concurrency_tag>;
+  using Quadtree = Balanced_quadtree<Tile_traits, ConcurrencyTag>;
   const Quadtree tree(places, Quadtree_options().max_points_per_leaf(max_points).balance(Balance::NONE));
   std::vector<int> levels(places.size());
-  for_each_index<Concurrency_tag>(places.size(),
-                                  [&](std::size_t i) { levels[i] = tree.level(tree.leaf(Point_index(i))); });
+  for_each_index<ConcurrencyTag>(places.size(),
+                                 [&](std::size_t i) { levels[i] = tree.level(tree.leaf(Point_index(i))); });
   return levels;
 }
 
 /// Returns for each site the distance in grid units to a near neighbor, infinity if there is no other site.
-template <class Concurrency_tag>
+template <class ConcurrencyTag>
 std::vector<double> near_distances(const std::vector<Tile_site>& places) {
-  using Quadtree = Balanced_quadtree<Tile_traits, Concurrency_tag>;
+  using Quadtree = Balanced_quadtree<Tile_traits, ConcurrencyTag>;
   const Quadtree tree(places);
   const auto neighbors = tree.near_neighbors();
   std::vector<double> distances(places.size(), std::numeric_limits<double>::infinity());
-  for_each_index<Concurrency_tag>(places.size(), [&](std::size_t i) {
+  for_each_index<ConcurrencyTag>(places.size(), [&](std::size_t i) {
     const auto neighbor = neighbors[std::size_t(tree.framework().rank(Point_index(i)))];
     if (!neighbor.is_valid()) return;
     const Tile_place q = tree.framework().grid_point(neighbor);

@@ -23,11 +23,11 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_FIRST_TRIANGULATION_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_FIRST_TRIANGULATION_H
 
+#include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Delaunay_inserter.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Kernel_mesh.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Mesh_blocks.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Segment_inserter.h>
-#include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/walk.h>
 
 #include <algorithm>
@@ -41,7 +41,7 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-template <class Concurrency_tag, class Geometry>
+template <class ConcurrencyTag, class Geometry>
 class First_triangulation {
 public:
   using Mesh = Kernel_mesh<Geometry>;
@@ -80,9 +80,9 @@ public:
 
 private:
   static constexpr std::size_t stride = 16;
-  static constexpr std::size_t vertices_of_block = Block_sizes<Concurrency_tag>::vertices;
+  static constexpr std::size_t vertices_of_block = Block_sizes<ConcurrencyTag>::vertices;
 
-  using Blocks = Mesh_blocks<Concurrency_tag, Geometry>;
+  using Blocks = Mesh_blocks<ConcurrencyTag, Geometry>;
   using Block = Mesh_block<Geometry>;
 
   /// A segment, between the vertices up to which it is made.
@@ -171,8 +171,8 @@ private:
     locate_vertices();
     std::vector<Triangle_id> all(mesh_.triangles.size());
     std::iota(all.begin(), all.end(), Triangle_id(0));
-    Blocks blocks(mesh_, cut_by_position<Concurrency_tag>(
-                             mesh_, std::move(all), 2 * vertices_of_block / stride, Square_shift::none));
+    Blocks blocks(mesh_, cut_by_position<ConcurrencyTag>(mesh_, std::move(all),
+                                                         2 * vertices_of_block / stride, Square_shift::NONE));
     std::vector<Block_work> works = distribute(blocks, segments);
     vertex_in_block_.resize(representative_.size());
     blocks.for_each([&](Block& block) {
@@ -194,7 +194,7 @@ private:
   void locate_vertices() {
     coarse_triangle_.resize(representative_.size());
     const std::size_t run = 256 * stride;
-    for_each_block<Concurrency_tag>(
+    for_each_block<ConcurrencyTag>(
         representative_.size(), run, [&](std::size_t, std::size_t begin, std::size_t end) {
           Triangle_id t = 0;
           for (std::size_t v = begin; v < end; ++v) {

@@ -83,12 +83,13 @@ template <class Mesh>
 class Fan_walk {
 public:
   Fan_walk(const Mesh& mesh, Vertex_id v)
-      : mesh_(mesh), v_(v), start_(mesh.incident_triangle(v)), t_(start_), slot_(Mesh::slot_of(mesh.triangle(t_), v)) {}
+      : mesh_(mesh), v_(v), start_(mesh.incident_triangle(v)), t_(start_),
+        slot_(Mesh::slot_of(mesh.triangle(t_), v)) {}
 
   Triangle_id triangle() const { return t_; }
   int slot() const { return slot_; } ///< of the vertex
   /// Whether it went all around.
-  bool is_closed() const { return state_ == State::closed; }
+  bool is_closed() const { return state_ == State::CLOSED; }
 
   /// The side from the vertex to w, if this triangle has it; else the border.
   Side side_to(Vertex_id w) const {
@@ -100,31 +101,35 @@ public:
 
   /// Goes to the next triangle. \returns false, and stays, if there is none
   bool advance() {
-    if (state_ == State::counterclockwise) {
+    if (state_ == State::COUNTERCLOCKWISE) {
       const Side o = mesh_.triangle(t_).side[next_slot[slot_]];
       if (!o.is_border()) {
-        if (o.triangle() == start_) state_ = State::closed;
-        else t_ = o.triangle(), slot_ = next_slot[o.slot()]; // the common side begins at v, seen from there
-        return state_ != State::closed;
+        if (o.triangle() == start_)
+          state_ = State::CLOSED;
+        else
+          t_ = o.triangle(), slot_ = next_slot[o.slot()]; // the common side begins at v, seen from there
+        return state_ != State::CLOSED;
       }
-      state_ = State::clockwise;
+      state_ = State::CLOCKWISE;
       t_ = start_, slot_ = Mesh::slot_of(mesh_.triangle(t_), v_);
     }
-    if (state_ != State::clockwise) return false;
+    if (state_ != State::CLOCKWISE) return false;
     const Side o = mesh_.triangle(t_).side[previous_slot[slot_]];
-    if (o.is_border()) state_ = State::open;
-    else t_ = o.triangle(), slot_ = previous_slot[o.slot()];
-    return state_ == State::clockwise;
+    if (o.is_border())
+      state_ = State::OPEN;
+    else
+      t_ = o.triangle(), slot_ = previous_slot[o.slot()];
+    return state_ == State::CLOCKWISE;
   }
 
 private:
-  enum class State { counterclockwise, clockwise, closed, open };
+  enum class State { COUNTERCLOCKWISE, CLOCKWISE, CLOSED, OPEN };
 
   const Mesh& mesh_;
   Vertex_id v_;
   Triangle_id start_, t_;
   int slot_;
-  State state_ = State::counterclockwise;
+  State state_ = State::COUNTERCLOCKWISE;
 };
 
 template <class Geometry>
@@ -242,8 +247,8 @@ public:
   Shape shape_of_flat(Vertex_id a, Vertex_id b, Vertex_id c) const {
     Shape s = shape(a, b, c);
     s.area2 = Geometry::doubled_area_of_flat(Geometry::scaled_difference(point(b), point(a)),
-                                             Geometry::scaled_difference(point(c), point(b)), point(a), point(b),
-                                             point(c));
+                                             Geometry::scaled_difference(point(c), point(b)), point(a),
+                                             point(b), point(c));
     return s;
   }
 
@@ -337,8 +342,7 @@ public:
   template <class Function>
   void for_each_triangle_at(Vertex_id v, Function f) const {
     Fan_walk<Kernel_mesh> walk(*this, v);
-    do
-      f(walk.triangle(), walk.slot());
+    do f(walk.triangle(), walk.slot());
     while (walk.advance());
   }
 

@@ -18,11 +18,11 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_MESH_BLOCKS_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_MESH_BLOCKS_H
 
+#include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel/radix_sort.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Kernel_mesh.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Mesh_block.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Place_keys.h>
-#include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
-#include <CGAL/Quadtree_mesh_2/internal/parallel/radix_sort.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -38,7 +38,7 @@ namespace internal {
 /// How much makes a block: large enough that seams are few, small enough that a refined block stays in the cache and
 /// that there are blocks for many threads. Less than two blocks are not worth cutting. Specialized by tests, so
 /// that small inputs are cut too.
-template <class Concurrency_tag>
+template <class ConcurrencyTag>
 struct Block_sizes {
   static constexpr std::size_t vertices = 16384;  ///< of the input, while it is triangulated
   static constexpr std::size_t triangles = 24576; ///< before they are refined
@@ -53,12 +53,12 @@ struct Block_cut {
 };
 
 /// Cuts the given triangles into blocks of about `block_size`, by the places of the middles of their shortest edges.
-template <class Concurrency_tag, class Geometry>
+template <class ConcurrencyTag, class Geometry>
 Block_cut cut_by_position(const Kernel_mesh<Geometry>& mesh, std::vector<Triangle_id> triangles,
                           std::size_t block_size, Square_shift shift) {
   const Place_keys<Geometry> key(mesh.points, shift);
   std::vector<std::uint64_t> words(triangles.size()); // key, triangle
-  for_each_index<Concurrency_tag>(words.size(), [&](std::size_t i) {
+  for_each_index<ConcurrencyTag>(words.size(), [&](std::size_t i) {
     const auto& r = mesh.triangle(triangles[i]);
     const int k = mesh.shape(r).slot_of_shortest();
     const auto &a = mesh.point(r.v[next_slot[k]]), &b = mesh.point(r.v[previous_slot[k]]);
@@ -66,8 +66,8 @@ Block_cut cut_by_position(const Kernel_mesh<Geometry>& mesh, std::vector<Triangl
     words[i] = key(middle) << 32 | static_cast<std::uint32_t>(triangles[i]);
   });
   const auto buffer = uncleared_words(words.size());
-  Word_sorter<Concurrency_tag>::sort(words.data(), buffer.get(), words.size(), true);
-  for_each_index<Concurrency_tag>(words.size(), [&](std::size_t i) {
+  Word_sorter<ConcurrencyTag>::sort(words.data(), buffer.get(), words.size(), true);
+  for_each_index<ConcurrencyTag>(words.size(), [&](std::size_t i) {
     triangles[i] = static_cast<Triangle_id>(static_cast<std::uint32_t>(words[i]));
   });
 
@@ -82,7 +82,7 @@ Block_cut cut_by_position(const Kernel_mesh<Geometry>& mesh, std::vector<Triangl
 /// vertices, which are in shuffle order. The middle one of a triangle's three numbers is one of the two that are
 /// close to each other, those of its shortest edge as a rule. `edge_start(e)` is the number of a vertex of input edge
 /// e, for the vertices on it.
-template <class Concurrency_tag, class Geometry, class Edge_start>
+template <class ConcurrencyTag, class Geometry, class Edge_start>
 Block_cut cut_by_input_order(const Kernel_mesh<Geometry>& mesh, std::size_t number_of_input_vertices,
                              std::size_t block_size, const Edge_start& edge_start) {
   const std::size_t slots = mesh.triangles.size();
@@ -97,7 +97,7 @@ Block_cut cut_by_input_order(const Kernel_mesh<Geometry>& mesh, std::size_t numb
     return std::size_t(middle) * blocks / number_of_input_vertices;
   };
   std::vector<std::uint16_t> block(slots);
-  for_each_index<Concurrency_tag>(slots, [&](std::size_t t) {
+  for_each_index<ConcurrencyTag>(slots, [&](std::size_t t) {
     if (mesh.is_alive(static_cast<Triangle_id>(t)))
       block[t] = static_cast<std::uint16_t>(block_of(static_cast<Triangle_id>(t)));
   });
@@ -114,7 +114,7 @@ Block_cut cut_by_input_order(const Kernel_mesh<Geometry>& mesh, std::size_t numb
   return cut;
 }
 
-template <class Concurrency_tag, class Geometry>
+template <class ConcurrencyTag, class Geometry>
 class Mesh_blocks {
 public:
   using Mesh = Kernel_mesh<Geometry>;
@@ -138,7 +138,7 @@ public:
   /// must not be changed meanwhile.
   template <class Work>
   void for_each(const Work& work) {
-    Executor<Concurrency_tag>::run(size(), [&](std::size_t b) {
+    Executor<ConcurrencyTag>::run(size(), [&](std::size_t b) {
       const Triangle_id* t = cut_.triangles.data();
       blocks_[b] = std::make_unique<Block>(whole_, assignment_, static_cast<Block_id>(b), t + cut_.first[b],
                                            t + cut_.first[b + 1]);
@@ -149,7 +149,7 @@ public:
   /// Puts all blocks back. The sides at seams are left in `seam_sides()`.
   void put_back() {
     make_room();
-    Executor<Concurrency_tag>::run(size(), [&](std::size_t b) { blocks_[b]->write(whole_); });
+    Executor<ConcurrencyTag>::run(size(), [&](std::size_t b) { blocks_[b]->write(whole_); });
     for (const auto& block : blocks_) block->write_shared(whole_);
     close_seams();
   }
@@ -167,7 +167,7 @@ private:
   void assign_triangles() {
     assignment_.of_vertex.resize(whole_.number_of_vertices(), -1);
     assignment_.of_triangle.resize(whole_.triangles.size());
-    Executor<Concurrency_tag>::run(cut_.number_of_blocks(), [&](std::size_t b) {
+    Executor<ConcurrencyTag>::run(cut_.number_of_blocks(), [&](std::size_t b) {
       for (std::size_t i = cut_.first[b]; i < cut_.first[b + 1]; ++i)
         assignment_.of_triangle[std::size_t(cut_.triangles[i])] = {
             static_cast<Block_id>(b), static_cast<Triangle_id>(i - cut_.first[b])};
@@ -182,7 +182,7 @@ private:
       triangles += block->number_of_new_triangles(), vertices += block->number_of_new_vertices();
     }
     whole_.resize(vertices, triangles);
-    Executor<Concurrency_tag>::run(size(), [&](std::size_t b) {
+    Executor<ConcurrencyTag>::run(size(), [&](std::size_t b) {
       blocks_[b]->name_new(static_cast<Triangle_id>(first_triangle[b]),
                            static_cast<Vertex_id>(first_vertex[b]));
     });

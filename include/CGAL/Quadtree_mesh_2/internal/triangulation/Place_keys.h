@@ -21,7 +21,7 @@ namespace Quadtree_mesh_2 {
 namespace internal {
 
 /// How squares are placed; those of different shifts have no side in common.
-enum class Square_shift { none, third_of_root };
+enum class Square_shift { NONE, THIRD_OF_ROOT };
 
 template <class Geometry>
 class Place_keys {
@@ -29,8 +29,8 @@ public:
   using Point = typename Geometry::Point;
 
   /// The grid covers the box of the points, with 2^15 squares along its longer side.
-  explicit Place_keys(const std::vector<Point>& points, Square_shift shift = Square_shift::none)
-      : low_(points.front()), offset_(shift == Square_shift::none ? 0 : 65536.0 / 3) {
+  explicit Place_keys(const std::vector<Point>& points, Square_shift shift = Square_shift::NONE)
+      : low_(points.front()), offset_(shift == Square_shift::NONE ? 0 : 65536.0 / 3) {
     Point high = low_;
     for (const Point& p : points) {
       low_.x = std::min(low_.x, p.x), low_.y = std::min(low_.y, p.y);

@@ -21,9 +21,9 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_DOMAIN_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_DOMAIN_H
 
+#include <CGAL/Quadtree_mesh_2/internal/parallel/radix_sort.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Kernel_mesh.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Place_keys.h>
-#include <CGAL/Quadtree_mesh_2/internal/parallel/radix_sort.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/walk.h>
 #include <CGAL/Quality_mesh_options_2.h>
 
