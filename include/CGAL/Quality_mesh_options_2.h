@@ -69,7 +69,7 @@ struct Quality_mesh_options_2 {
   int smoothing_rounds = 0;
   /// Rounds in which vertices are removed although that makes angles below the bound, and these refined again: on
   /// maps 4 to 5 percent fewer triangles in the first and one in the second, each for about as much time as refinement
-  /// takes.
+  /// takes. Meshes of up to 1000 triangles are thinned and smoothed in any case, unless `coarsening` is `NONE`.
   int thinning_rounds = 0;
   /// Where refinement on demand has not come to rest when the mesh has this many times the vertices expected (and two
   /// million more), the construction by quadtrees takes over, and `Quality_mesh_report_2::trees` says so. With 0 that is

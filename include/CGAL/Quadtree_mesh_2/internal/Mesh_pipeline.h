@@ -487,7 +487,9 @@ private:
     if (is_cancelled_) return;
     finish_mesh(state_, finishing_, [this] { return shall_go_on(0.85); });
     for (int round = 0; round < finishing_.thinning_rounds; ++round)
-      if (!Thinner<Geometry>(state_).run(budget_of_repair(), [this] { return shall_go_on(0.9); })) return;
+      if (!Thinner<Geometry>(state_).run(budget_of_repair(), [this] { return shall_go_on(0.9); })) break;
+    if (finishing_.removal == Removal::guarded && !report_.is_budget_exhausted)
+      thin_small_mesh(state_, [this] { return shall_go_on(0.9); });
   }
 
   /// Makes the mesh exactly constrained Delaunay. Such flips never lower the least angle of a pair; should

@@ -74,7 +74,8 @@ public:
     for (const Leg_id l : corners_.legs_of_edge[std::size_t(e)])
       if (l >= 0 && !state_.owns(corners_.leg(l).corner)) return Outcome::deferred;
     for (const Leg_id l : corners_.legs_of_edge[std::size_t(e)])
-      if (l >= 0 && is_within_ring(l, x, y)) return outcome(halve_interval(l, x, y));
+      if (l >= 0 && state_.leg_rule == Leg_rule::shells && is_within_ring(l, x, y))
+        return outcome(halve_interval(l, x, y));
     return outcome(split_subsegment(side, e, want));
   }
 

@@ -11,6 +11,10 @@
 // first, Refiner.h), and removes under guard. Where vertices stood in each other's way fewer are put back: on maps
 // 4 to 5 percent of the triangles go in the first round, and about one in the second.
 // A round that does not come to rest, or ends with more triangles, is undone. O(k) expected for k triangles.
+//
+// A small mesh can afford more: thin_small_mesh() tries other shares of the bound in turn, down to none, which is to
+// refine anew; and legs of acute corners cut as other edges are (Leg_rule::free). What is tried costs as much as
+// refinement each time; at most 28 are.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_THINNER_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_THINNER_H
@@ -18,11 +22,13 @@
 #include <CGAL/Quadtree_mesh_2/internal/Meshing_state.h>
 #include <CGAL/Quadtree_mesh_2/internal/Refiner.h>
 #include <CGAL/Quadtree_mesh_2/internal/Remover.h>
+#include <CGAL/Quadtree_mesh_2/internal/Smoother.h>
 #include <CGAL/Quadtree_mesh_2/internal/Splitter.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <utility>
 
 namespace CGAL {
@@ -36,8 +42,10 @@ constexpr double thinning_share = 0.72;
 template <class Geometry>
 class Thinner {
 public:
-  explicit Thinner(Meshing_state<Geometry>& state) : state_(state), lower_(state.bounds) {
-    const double sine = std::sin(thinning_share * state.bounds.angle);
+  /// \param share of the bound that removal keeps to
+  explicit Thinner(Meshing_state<Geometry>& state, double share = thinning_share)
+      : state_(state), lower_(state.bounds) {
+    const double sine = std::sin(share * state.bounds.angle);
     lower_.sin2 = sine * sine;
   }
 
@@ -45,6 +53,7 @@ public:
   template <class Continue>
   bool run(std::size_t vertex_budget, Continue&& shall_go_on) {
     Kernel_mesh<Geometry> before = state_.mesh;
+    Acute_corners<Geometry> corners_before = state_.corners; // their shells name vertices of the mesh
     dirty_all();
     Remover<Geometry>(state_, lower_).run(shall_go_on);
     state_.clear_worklist();
@@ -55,6 +64,7 @@ public:
     state_.clear_worklist();
     state_.doubtful_sides.clear();
     state_.mesh = std::move(before);
+    state_.corners = std::move(corners_before);
     push_all_bad();
     return false;
   }
@@ -114,6 +124,45 @@ private:
     return false;
   }
 };
+
+/// What can be tried to make do with fewer triangles.
+struct Thinning_trial {
+  enum class Kind { smoothing, thinning } kind;
+  double share; ///< of the bound, for thinning
+  Leg_rule leg_rule;
+};
+
+/// Tries until nothing that can be tried makes a mesh of at most `most_triangles_of_small` triangles smaller.
+/// \pre as of `Thinner`
+template <class Geometry, class Continue>
+void thin_small_mesh(Meshing_state<Geometry>& state, Continue&& shall_go_on) {
+  constexpr std::size_t most_triangles_of_small = 1000;
+  // above the established bounds refinement takes longer to find that it does not end
+  const int most_trials = state.bounds.is_established() ? 28 : 7;
+  using Kind = Thinning_trial::Kind;
+  static constexpr Thinning_trial trials[] = {
+      {Kind::thinning, 0, Leg_rule::free},     {Kind::thinning, thinning_share, Leg_rule::shells},
+      {Kind::thinning, 0.25, Leg_rule::free},  {Kind::smoothing, 0, Leg_rule::free},
+      {Kind::thinning, 0.5, Leg_rule::shells}, {Kind::thinning, 0.5, Leg_rule::free},
+      {Kind::thinning, 0, Leg_rule::shells}};
+  constexpr int number_of_trials = static_cast<int>(std::size(trials));
+  int failed = 0; // since the last success
+  for (int i = 0; i < most_trials && failed < number_of_trials; ++i) {
+    const std::size_t before = state.mesh.number_of_triangles();
+    if (before > most_triangles_of_small || !shall_go_on()) break;
+    const Thinning_trial& trial = trials[i % number_of_trials];
+    state.leg_rule = trial.leg_rule;
+    if (trial.kind == Kind::smoothing) {
+      Smoother<Geometry>(state).run(shall_go_on);
+      Remover<Geometry>(state).run(shall_go_on);
+    } else {
+      // more vertices than this, and the mesh will hardly end with fewer than before
+      Thinner<Geometry>(state, trial.share).run(state.mesh.number_of_vertices() + before / 2, shall_go_on);
+    }
+    failed = state.mesh.number_of_triangles() < before ? 0 : failed + 1;
+  }
+  state.leg_rule = Leg_rule::shells;
+}
 
 } // namespace internal
 } // namespace Quadtree_mesh_2
