@@ -71,6 +71,7 @@ struct Quality_mesh_options_2 {
   /// Rounds of thinning. A round removes vertices even if angles then miss the bound, and refines these
   /// again. On maps the first round gives 4 to 5 percent fewer triangles and the second one percent, each for
   /// about the time of refinement.
+  /// Meshes of up to 1000 triangles are thinned and smoothed in any case, unless `coarsening` is `NONE`.
   int thinning_rounds = 0;
   /// When the construction by quadtrees takes over because refinement on demand does not come to rest: when
   /// the mesh has this many times the expected vertices, and two million more. `Quality_mesh_report_2::trees`

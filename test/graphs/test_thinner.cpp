@@ -77,6 +77,29 @@ TEST_CASE("Small inputs are thinned, or left as they are", "[mesher][thinning]")
   share_left(read(name), Options().min_angle(18.43), 1);
 }
 
+TEST_CASE("Small inputs take no more triangles than by Shewchuk's Triangle", "[mesher][thinning]") {
+  // with the counts of Triangle 1.6, -pq20.7
+  const auto [name, triangles] = GENERATE(table<std::string, std::size_t>({{"small_lattice_164", 50},
+                                                                           {"small_lattice_275", 16},
+                                                                           {"small_polygon_109", 14},
+                                                                           {"small_polygon_23", 12},
+                                                                           {"small_segments_176", 10},
+                                                                           {"small_segments_242", 5},
+                                                                           {"small_spokes_74", 25},
+                                                                           {"small_star_220", 7},
+                                                                           {"small_star_56", 1},
+                                                                           {"small_star_58", 8},
+                                                                           {"small_walk_112", 24},
+                                                                           {"small_walk_129", 11},
+                                                                           {"small_walk_155", 33},
+                                                                           {"small_walk_219", 10},
+                                                                           {"small_walk_25", 13},
+                                                                           {"small_walk_550", 11}}));
+  CAPTURE(name);
+  const Run r = run_to_the_bound(read(name + ".poly"), Options());
+  CHECK(r.report.triangles <= triangles);
+}
+
 TEST_CASE("Random inputs are thinned to the bound", "[mesher][thinning]") {
   const std::uint64_t seeds = is_full_run() ? 300 : 8;
   for (const random_pslg::Family& family : random_pslg::all_families())

@@ -460,6 +460,8 @@ private:
     Phase_timer timer(report_.seconds.coarsen);
     if (is_cancelled_) return;
     finish_mesh(state_, finishing_, [this] { return shall_go_on(0.85); });
+    if (finishing_.removal == Removal::guarded && !report_.is_budget_exhausted)
+      thin_small_mesh(state_, [this] { return shall_go_on(0.9); });
     for (int round = 0; round < finishing_.thinning_rounds; ++round)
       if (!Thinner<Geometry>(state_).run(budget_of_repair(), [this] { return shall_go_on(0.9); })) return;
   }

@@ -31,6 +31,16 @@ enum class Outcome {
   DEFERRED ///< it needs what lies beyond a seam of the block
 };
 
+/// How edges of the input are cut.
+enum class Leg_rule {
+  /// Legs of lopped corners at matched radii, where their vertices stay, and edges that are seen from a new vertex under
+  /// 120 degrees: by that refinement is established to end.
+  shells,
+  /// All alike, and where a new vertex could not be but below the bound (Shewchuk's lenses): fewer vertices, but nothing
+  /// but a budget makes refinement end.
+  free
+};
+
 /// One mesh, the domain's or a block of it, and what there is to do in it.
 ///
 /// The shells of an acute corner and the locks of its sectors belong to one block, that in which all of it
@@ -50,6 +60,7 @@ struct Meshing_state {
 
   Mesh mesh;
   Worklist worklist;
+  Leg_rule leg_rule = Leg_rule::shells;
   /// What templates filled (Bulk_filler.h): triangles with consecutive handles, and the vertices within.
   struct Bulk {
     Triangle_id first_triangle = 0, end_of_triangles = 0;

@@ -49,7 +49,9 @@ public:
 
   Refiner(Meshing_state<Geometry>& state, Splitter<Geometry>& splitter)
       : state_(state), mesh_(state.mesh), splitter_(splitter), relocator_(state),
-        apex_height_(off_center_share * 0.5 / std::tan(state.bounds.angle / 2)) {}
+        apex_height_(off_center_share * 0.5 / std::tan(state.bounds.angle / 2)),
+        cosine2_of_encroachment_(state.leg_rule == Leg_rule::free ? cosine2_of_lens(state.bounds.angle)
+                                                                  : cosine2_of_120_degrees) {}
 
   /// Puts all triangles on the list that may be bad. Those of the bulk are not.
   void push_all() {
@@ -80,7 +82,9 @@ public:
 private:
   /// The off-center sees the shortest edge under an angle a little wider than the bound.
   static constexpr double off_center_share = 0.95;
-  static constexpr double cosine2_of_encroachment = 0.25; // 120 degrees
+  static constexpr double cosine2_of_120_degrees = 0.25;
+  /// Of 180 degrees less twice the bound. A vertex that sees an edge so makes a triangle below the bound on it.
+  static double cosine2_of_lens(double bound) { return std::cos(2 * bound) * std::cos(2 * bound); }
   /// Once this many vertices were inserted for a triangle slot, its new vertices stay. So relocation cannot
   /// cycle.
   static constexpr unsigned char patience = 3;
@@ -92,6 +96,7 @@ private:
   Splitter<Geometry>& splitter_;
   Relocator<Geometry> relocator_;
   double apex_height_;                     // of the off-center's triangle over a unit edge
+  double cosine2_of_encroachment_;
   std::vector<unsigned char> trials_;      // per triangle slot: vertices inserted for it
   std::vector<unsigned char> relocations_; // per vertex
   std::vector<Triangle_id> refused_;
@@ -211,11 +216,11 @@ private:
     return false;
   }
 
-  /// The constrained side, of t or of a triangle next to it, that q sees under the widest angle above 120
-  /// degrees; else the border.
+  /// The constrained side, of t or of a triangle next to it, that q sees under the widest angle above that of
+  /// encroachment; else the border.
   Side most_encroached_side(Triangle_id t, const Point& q) const {
     Side best = Side::border();
-    double widest = cosine2_of_encroachment;
+    double widest = cosine2_of_encroachment_;
     const auto look = [&](Side s) {
       const Vector x = Geometry::scaled_difference(mesh_.point(mesh_.source(s)), q);
       const Vector y = Geometry::scaled_difference(mesh_.point(mesh_.target(s)), q);

@@ -12,7 +12,7 @@
 // relative to the vertex, in vectors of four; a step ends as soon as none of them can serve, and begins with
 // the triangle that was worst at the start, so that this is soon. The place found is accepted only by the
 // test in double precision on the final coordinates. A vertex on an edge moves along its edge; one on a leg
-// of an acute corner stays. The same search, with no bound to stop at, smooths. O(degree) a step, at most 8 steps.
+// of an acute corner stays, unless legs are free. The same search, with no bound to stop at, smooths. O(degree) a step, at most 8 steps.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_RELOCATOR_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_RELOCATOR_H
@@ -255,7 +255,9 @@ private:
   bool relocate_on_edge(Vertex_id v, Edge_id e, Aim aim) {
     const Input_edge& edge = state_.edges[e];
     const auto& is_acute = state_.corners.is_acute;
-    if (is_acute[std::size_t(edge.a)] != 0 || is_acute[std::size_t(edge.b)] != 0) return false;
+    if (state_.leg_rule == Leg_rule::shells &&
+        (is_acute[std::size_t(edge.a)] != 0 || is_acute[std::size_t(edge.b)] != 0))
+      return false;
     const Point &a = state_.problem.input_point(edge.a), &b = state_.problem.input_point(edge.b);
     const Vector from_a = Geometry::scaled_difference(mesh_.point(v), a),
                  from_b = Geometry::scaled_difference(mesh_.point(v), b);

@@ -146,7 +146,7 @@ private:
     if (!has_triangle_on_shortest_side(p) || !fill_table(p)) return false;
     const int first = number_made_;
     emit(p, 0, n - 1);
-    return is_within_bounds(first) && (!is_near_corner(p) || is_locally_Delaunay(first));
+    return is_within_bounds(first) && (!is_near_corner(p) || withstands_flips(first));
   }
 
   /// Whether the new triangles are counterclockwise and within the bounds by their own differences: those of `place_`
@@ -255,15 +255,19 @@ private:
     emit(p, i, m), emit(p, m, j);
   }
 
-  /// Near a corner the new triangles must be Delaunay, among themselves and with what is around: the last
-  /// flips would otherwise take an exempt triangle apart.
-  bool is_locally_Delaunay(int first) const {
+  /// Near a corner the last flips, which make the mesh Delaunay, could take an exempt triangle apart: whether those that
+  /// come first, among the new triangles and with what is around, leave triangles within the bounds. Where four vertices
+  /// are on a circle but for rounding, as in lattices, any diagonal will do.
+  bool withstands_flips(int first) const {
     for (int i = first; i < number_made_; ++i)
       for (int k = 0; k < 3; ++k) {
-        const Vertex_id a = made_[i][next_slot[k]], b = made_[i][previous_slot[k]];
+        const Vertex_id a = made_[i][next_slot[k]], b = made_[i][previous_slot[k]], c = made_[i][k];
         const Vertex_id d = apex_across(first, a, b);
-        if (d >= 0 && Geometry::is_in_circle(mesh_.point(made_[i][0]), mesh_.point(made_[i][1]),
-                                             mesh_.point(made_[i][2]), mesh_.point(d)))
+        if (d < 0 || !Geometry::is_in_circle(mesh_.point(c), mesh_.point(a), mesh_.point(b), mesh_.point(d)))
+          continue;
+        const Region_id region = region_of_made_[i];
+        if (!keeps_bounds(mesh_.shape(a, d, c), a, d, c, region, true) ||
+            !keeps_bounds(mesh_.shape(d, b, c), d, b, c, region, true))
           return false;
       }
     return true;

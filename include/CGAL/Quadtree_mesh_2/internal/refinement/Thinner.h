@@ -12,6 +12,10 @@
 // in each other's way, fewer are put back. On maps 4 to 5 percent of the triangles go in the first round, and
 // about one percent in the second. A round that does not come to rest, or ends with more triangles, is
 // undone. O(k) expected for k triangles.
+//
+// A small mesh can afford more. thin_small_mesh() tries other shares of the bound in turn, down to none, which is to
+// refine anew. It also tries to cut legs of acute corners as other edges are cut (Leg_rule::FREE). Each trial costs as
+// much as refinement. There are at most 28.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_THINNER_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_THINNER_H
@@ -19,11 +23,13 @@
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Refiner.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Remover.h>
+#include <CGAL/Quadtree_mesh_2/internal/refinement/Smoother.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Splitter.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 #include <utility>
 
 namespace CGAL {
@@ -37,8 +43,10 @@ constexpr double thinning_share = 0.72;
 template <class Geometry>
 class Thinner {
 public:
-  explicit Thinner(Meshing_state<Geometry>& state) : state_(state), lower_(state.bounds) {
-    const double sine = std::sin(thinning_share * state.bounds.angle);
+  /// \param share of the bound that removal keeps to
+  explicit Thinner(Meshing_state<Geometry>& state, double share = thinning_share)
+      : state_(state), lower_(state.bounds) {
+    const double sine = std::sin(share * state.bounds.angle);
     lower_.sin2 = sine * sine;
   }
 
@@ -46,6 +54,7 @@ public:
   template <class Continue>
   bool run(std::size_t vertex_budget, Continue&& shall_go_on) {
     Kernel_mesh<Geometry> before = state_.mesh;
+    Acute_corners<Geometry> corners_before = state_.corners; // their shells name vertices of the mesh
     dirty_all();
     Remover<Geometry>(state_, lower_).run(shall_go_on);
     state_.clear_worklist();
@@ -56,6 +65,7 @@ public:
     state_.clear_worklist();
     state_.doubtful_sides.clear();
     state_.mesh = std::move(before);
+    state_.corners = std::move(corners_before);
     push_all_bad();
     return false;
   }
@@ -115,6 +125,45 @@ private:
     return false;
   }
 };
+
+/// What can be tried to make do with fewer triangles.
+struct Thinning_trial {
+  enum class Kind { smoothing, thinning } kind;
+  double share; ///< of the bound, for thinning
+  Leg_rule leg_rule;
+};
+
+/// Tries until nothing that can be tried makes a mesh of at most `most_triangles_of_small` triangles smaller.
+/// \pre as of `Thinner`
+template <class Geometry, class Continue>
+void thin_small_mesh(Meshing_state<Geometry>& state, Continue&& shall_go_on) {
+  constexpr std::size_t most_triangles_of_small = 1000;
+  // above the established bounds refinement takes longer to find that it does not end
+  const int most_trials = state.bounds.is_established() ? 28 : 7;
+  using Kind = Thinning_trial::Kind;
+  static constexpr Thinning_trial trials[] = {
+      {Kind::thinning, 0, Leg_rule::free},     {Kind::thinning, thinning_share, Leg_rule::shells},
+      {Kind::thinning, 0.25, Leg_rule::free},  {Kind::smoothing, 0, Leg_rule::free},
+      {Kind::thinning, 0.5, Leg_rule::shells}, {Kind::thinning, 0.5, Leg_rule::free},
+      {Kind::thinning, 0, Leg_rule::shells}};
+  constexpr int number_of_trials = static_cast<int>(std::size(trials));
+  int failed = 0; // since the last success
+  for (int i = 0; i < most_trials && failed < number_of_trials; ++i) {
+    const std::size_t before = state.mesh.number_of_triangles();
+    if (before > most_triangles_of_small || !shall_go_on()) break;
+    const Thinning_trial& trial = trials[i % number_of_trials];
+    state.leg_rule = trial.leg_rule;
+    if (trial.kind == Kind::smoothing) {
+      Smoother<Geometry>(state).run(shall_go_on);
+      Remover<Geometry>(state).run(shall_go_on);
+    } else {
+      // more vertices than this, and the mesh will hardly end with fewer than before
+      Thinner<Geometry>(state, trial.share).run(state.mesh.number_of_vertices() + before / 2, shall_go_on);
+    }
+    failed = state.mesh.number_of_triangles() < before ? 0 : failed + 1;
+  }
+  state.leg_rule = Leg_rule::shells;
+}
 
 } // namespace internal
 } // namespace Quadtree_mesh_2
