@@ -35,10 +35,10 @@ enum class Outcome {
 enum class Leg_rule {
   /// Legs of lopped corners at matched radii, where their vertices stay, and edges that are seen from a new vertex under
   /// 120 degrees: by that refinement is established to end.
-  shells,
+  SHELLS,
   /// All alike, and where a new vertex could not be but below the bound (Shewchuk's lenses): fewer vertices, but nothing
   /// but a budget makes refinement end.
-  free
+  FREE
 };
 
 /// One mesh, the domain's or a block of it, and what there is to do in it.
@@ -60,7 +60,7 @@ struct Meshing_state {
 
   Mesh mesh;
   Worklist worklist;
-  Leg_rule leg_rule = Leg_rule::shells;
+  Leg_rule leg_rule = Leg_rule::SHELLS;
   /// What templates filled (Bulk_filler.h): triangles with consecutive handles, and the vertices within.
   struct Bulk {
     Triangle_id first_triangle = 0, end_of_triangles = 0;

@@ -50,7 +50,7 @@ public:
   Refiner(Meshing_state<Geometry>& state, Splitter<Geometry>& splitter)
       : state_(state), mesh_(state.mesh), splitter_(splitter), relocator_(state),
         apex_height_(off_center_share * 0.5 / std::tan(state.bounds.angle / 2)),
-        cosine2_of_encroachment_(state.leg_rule == Leg_rule::free ? cosine2_of_lens(state.bounds.angle)
+        cosine2_of_encroachment_(state.leg_rule == Leg_rule::FREE ? cosine2_of_lens(state.bounds.angle)
                                                                   : cosine2_of_120_degrees) {}
 
   /// Puts all triangles on the list that may be bad. Those of the bulk are not.
@@ -95,7 +95,7 @@ private:
   Kernel_mesh<Geometry>& mesh_;
   Splitter<Geometry>& splitter_;
   Relocator<Geometry> relocator_;
-  double apex_height_;                     // of the off-center's triangle over a unit edge
+  double apex_height_; // of the off-center's triangle over a unit edge
   double cosine2_of_encroachment_;
   std::vector<unsigned char> trials_;      // per triangle slot: vertices inserted for it
   std::vector<unsigned char> relocations_; // per vertex

@@ -255,7 +255,7 @@ private:
   bool relocate_on_edge(Vertex_id v, Edge_id e, Aim aim) {
     const Input_edge& edge = state_.edges[e];
     const auto& is_acute = state_.corners.is_acute;
-    if (state_.leg_rule == Leg_rule::shells &&
+    if (state_.leg_rule == Leg_rule::SHELLS &&
         (is_acute[std::size_t(edge.a)] != 0 || is_acute[std::size_t(edge.b)] != 0))
       return false;
     const Point &a = state_.problem.input_point(edge.a), &b = state_.problem.input_point(edge.b);

@@ -74,7 +74,7 @@ public:
     for (const Leg_id l : corners_.legs_of_edge[std::size_t(e)])
       if (l >= 0 && !state_.owns(corners_.leg(l).corner)) return Outcome::DEFERRED;
     for (const Leg_id l : corners_.legs_of_edge[std::size_t(e)])
-      if (l >= 0 && state_.leg_rule == Leg_rule::shells && is_within_ring(l, x, y))
+      if (l >= 0 && state_.leg_rule == Leg_rule::SHELLS && is_within_ring(l, x, y))
         return outcome(halve_interval(l, x, y) || split_interval(l, x, y, want));
     return outcome(split_subsegment(side, e, want));
   }

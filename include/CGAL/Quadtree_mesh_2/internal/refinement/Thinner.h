@@ -128,7 +128,7 @@ private:
 
 /// What can be tried to make do with fewer triangles.
 struct Thinning_trial {
-  enum class Kind { smoothing, thinning } kind;
+  enum class Kind { SMOOTHING, THINNING } kind;
   double share; ///< of the bound, for thinning
   Leg_rule leg_rule;
 };
@@ -142,10 +142,10 @@ void thin_small_mesh(Meshing_state<Geometry>& state, Continue&& shall_go_on) {
   const int most_trials = state.bounds.is_established() ? 28 : 7;
   using Kind = Thinning_trial::Kind;
   static constexpr Thinning_trial trials[] = {
-      {Kind::thinning, 0, Leg_rule::free},     {Kind::thinning, thinning_share, Leg_rule::shells},
-      {Kind::thinning, 0.25, Leg_rule::free},  {Kind::smoothing, 0, Leg_rule::free},
-      {Kind::thinning, 0.5, Leg_rule::shells}, {Kind::thinning, 0.5, Leg_rule::free},
-      {Kind::thinning, 0, Leg_rule::shells}};
+      {Kind::THINNING, 0, Leg_rule::FREE},     {Kind::THINNING, thinning_share, Leg_rule::SHELLS},
+      {Kind::THINNING, 0.25, Leg_rule::FREE},  {Kind::SMOOTHING, 0, Leg_rule::FREE},
+      {Kind::THINNING, 0.5, Leg_rule::SHELLS}, {Kind::THINNING, 0.5, Leg_rule::FREE},
+      {Kind::THINNING, 0, Leg_rule::SHELLS}};
   constexpr int number_of_trials = static_cast<int>(std::size(trials));
   int failed = 0; // since the last success
   for (int i = 0; i < most_trials && failed < number_of_trials; ++i) {
@@ -153,7 +153,7 @@ void thin_small_mesh(Meshing_state<Geometry>& state, Continue&& shall_go_on) {
     if (before > most_triangles_of_small || !shall_go_on()) break;
     const Thinning_trial& trial = trials[i % number_of_trials];
     state.leg_rule = trial.leg_rule;
-    if (trial.kind == Kind::smoothing) {
+    if (trial.kind == Kind::SMOOTHING) {
       Smoother<Geometry>(state).run(shall_go_on);
       Remover<Geometry>(state).run(shall_go_on);
     } else {
@@ -162,7 +162,7 @@ void thin_small_mesh(Meshing_state<Geometry>& state, Continue&& shall_go_on) {
     }
     failed = state.mesh.number_of_triangles() < before ? 0 : failed + 1;
   }
-  state.leg_rule = Leg_rule::shells;
+  state.leg_rule = Leg_rule::SHELLS;
 }
 
 } // namespace internal
