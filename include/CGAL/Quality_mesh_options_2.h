@@ -85,7 +85,7 @@ struct Quality_mesh_options_2 {
   /// over exact numbers). But it does not end below 10 times the expected vertices and two million more.
   double memory_of_patience = 2e9;
   /// Refinement stops when the mesh has this many vertices, and what is left is reported. 0 means no bound
-  /// but that of memory.
+  /// but that of memory; for graphs of fewer than 1000 vertices without bounds of size it means two million.
   std::size_t vertex_budget = 0;
   /// Called now and then with the share of work done, in [0, 1]. Returning false stops with the mesh so far.
   /// With `Parallel_tag` any thread may call it, one at a time.

@@ -39,9 +39,10 @@
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Block_refinement.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Edge_sides.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Refiner.h>
-#include <CGAL/Quadtree_mesh_2/internal/refinement/Smoother.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Thinner.h>
+#include <CGAL/Quadtree_mesh_2/internal/refinement/Vertex_budgets.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/find_corners.h>
+#include <CGAL/Quadtree_mesh_2/internal/refinement/finish_mesh.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/triangle_budget.h>
 #include <CGAL/Quadtree_mesh_2/internal/squares/Bulk_filler.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Separation_trees.h>
@@ -113,11 +114,6 @@ private:
   /// Quadtrees make four times the triangles that are needed: removal alone leaves half of those too many.
   static constexpr int rounds_after_construction_ = 2;
   static constexpr bool has_double_coordinates = std::is_same_v<typename Geometry::Coordinate, double>;
-  /// Refinement that is expected to end may take so many times the vertices expected, whatever memory that needs.
-  static constexpr double least_patience_ = 10;
-  /// Of a vertex and its two triangles, in arrays of twice the size; and of what refinement notes about them.
-  static constexpr double bytes_of_vertex_ =
-      2 * (sizeof(typename Geometry::Point) + 2 * sizeof(typename Kernel_mesh<Geometry>::Triangle) + 64);
   static constexpr double degree = 3.14159265358979323846 / 180;
 
   const Pslg& pslg_;
@@ -311,43 +307,24 @@ private:
     return segments;
   }
 
-  std::size_t vertex_budget() const {
-    if (options_.vertex_budget > 0) return options_.vertex_budget;
-    // What 32-bit handles allow, and a large multiple of what is to be expected: no proof says that refinement ends.
-    // What a rule of the user's asks for cannot be expected.
-    const double unexpected = options_.refined_where ? 2e7 : allowance();
-    const double patience =
-        may_construct_instead() ? options_.refinement_patience : Quality_mesh_options_2().refinement_patience;
-    if (!(patience > 0)) return 0;
-    const double affordable = std::max(least_patience_ * expected_vertices() + unexpected,
-                                       options_.memory_of_patience / bytes_of_vertex_);
-    return at_most_handles(std::min(patience * expected_vertices() + unexpected, affordable));
-  }
-
-  double expected_vertices() const {
-    return static_cast<double>(pslg_.number_of_vertices()) + report_.estimated_triangles;
-  }
-  static std::size_t at_most_handles(double vertices) {
-    return static_cast<std::size_t>(std::min(static_cast<double>(Triangle_budget::most_vertices), vertices));
-  }
-
-  /// Quadtrees make ten times the triangles needed, a hundred times with the placement by rule.
-  std::size_t budget_of_construction() const {
-    if (options_.vertex_budget > 0) return options_.vertex_budget;
-    return at_most_handles(1000 * expected_vertices() + 1e6);
+  /// To be asked once the size is estimated.
+  Vertex_budgets<Geometry> budgets() const {
+    return {options_, problem_.bounds, pslg_.number_of_vertices(),
+            static_cast<double>(pslg_.number_of_vertices()) + report_.estimated_triangles};
   }
 
   /// Refines on demand. Where it runs out of budget, the mesh is as it was left.
   Refinement_end refine(Refiner<Geometry>& refiner, Splitter<Geometry>& splitter) {
     Phase_timer timer(report_.seconds.refine);
     splitter.cut_rings();
-    Bulk_filler<ConcurrencyTag, Geometry>(state_).run(vertex_budget());
-    Block_refinement<ConcurrencyTag, Geometry> blocks(state_, finishing_, vertex_budget());
+    Bulk_filler<ConcurrencyTag, Geometry>(state_).run(budgets().of_refinement(may_construct_instead()));
+    Block_refinement<ConcurrencyTag, Geometry> blocks(state_, finishing_,
+                                                      budgets().of_refinement(may_construct_instead()));
     if (blocks.run([this] { return shall_go_on(0.2); }))
       finishing_.smoothing_rounds = 0; // done, and removal is left only at seams
     else
       refiner.push_all();
-    const Refinement_end end = run(refiner, vertex_budget());
+    const Refinement_end end = run(refiner, budgets().of_refinement(may_construct_instead()));
     if (end != Refinement_end::OUT_OF_BUDGET) finish_refinement(splitter);
     return end;
   }
@@ -362,7 +339,7 @@ private:
   bool may_construct_instead() const {
     return options_.vertex_budget == 0 && options_.min_edge_length == 0 && !options_.refined_where &&
            too_near_for_trees_.empty() && problem_.bounds.is_established() &&
-           report_.trees.end == Tree_separation_report_2::End::NONE;
+           report_.trees.end == Tree_separation_report_2::End::NONE && budgets().allows_quadtrees();
   }
 
   /// Has quadtrees make the mesh that refinement did not, if they may and can.
@@ -397,24 +374,13 @@ private:
     if (report_.trees.end == End::BUDGET) report_.is_budget_exhausted = true;
     Phase_timer timer(report_.seconds.refine);
     refiner.push_all();
-    run_to_the_end(refiner, budget_of_repair());
+    run_to_the_end(refiner, budgets().of_repair(state_.mesh.number_of_vertices()));
     state_.legalize();
     if (options_.coarsening == Quality_mesh_options_2::Coarsening::NONE) return true;
     finishing_.smoothing_rounds = std::max(options_.smoothing_rounds, rounds_after_construction_);
     finishing_.thinning_rounds = std::max(options_.thinning_rounds, rounds_after_construction_);
     return true;
   }
-
-  /// For what refinement has to do in a mesh that is made.
-  std::size_t budget_of_repair() const {
-    if (options_.vertex_budget > 0) return options_.vertex_budget;
-    return at_most_handles(static_cast<double>(state_.mesh.number_of_vertices()) + 10 * expected_vertices() +
-                           allowance());
-  }
-
-  /// Of vertices beside what is expected, for graphs that are small and hard: more where refinement is established to
-  /// end, as it goes on to the allowance where it does not.
-  double allowance() const { return problem_.bounds.is_established() ? 2e6 : 2e5; }
 
   /// \throws Pslg_error_2 if the user wants quadtrees and their grid cannot tell two vertices apart
   Tree_separation_report_2::End make_mesh_by_trees() {
@@ -423,7 +389,7 @@ private:
     try {
       Phase_timer timer(report_.seconds.trees);
       trees.emplace(problem_, *edge_sides_, graph, map_, options_.trees, traits_, find_hits_,
-                    budget_of_construction(), report_.trees);
+                    budgets().of_construction(), report_.trees);
     } catch (const Point_error& error) {
       ++report_.trees.rounds;
       if (report_.trees.has_taken_over) return Tree_separation_report_2::End::FAILED;
@@ -438,7 +404,7 @@ private:
     // refined afterwards.
     const Bounds<Geometry> wanted = problem_.bounds;
     problem_.bounds.lower_to_established();
-    const auto end = construction.run(options_.trees.placement, budget_of_construction(),
+    const auto end = construction.run(options_.trees.placement, budgets().of_construction(),
                                       [this] { return shall_go_on(0.3); });
     problem_.bounds = wanted;
     return end;
@@ -460,10 +426,12 @@ private:
     Phase_timer timer(report_.seconds.coarsen);
     if (is_cancelled_) return;
     finish_mesh(state_, finishing_, [this] { return shall_go_on(0.85); });
-    if (finishing_.removal == Removal::guarded && !report_.is_budget_exhausted)
+    if (finishing_.removal == Removal::GUARDED && !report_.is_budget_exhausted)
       thin_small_mesh(state_, [this] { return shall_go_on(0.9); });
     for (int round = 0; round < finishing_.thinning_rounds; ++round)
-      if (!Thinner<Geometry>(state_).run(budget_of_repair(), [this] { return shall_go_on(0.9); })) return;
+      if (!Thinner<Geometry>(state_).run(budgets().of_repair(state_.mesh.number_of_vertices()),
+                                         [this] { return shall_go_on(0.9); }))
+        return;
   }
 
   /// Makes the mesh exactly constrained Delaunay. Such flips never lower the least angle of a pair; should
@@ -474,7 +442,7 @@ private:
     for (int round = 0; round < most_rounds; ++round) {
       state_.template make_Delaunay_exactly<ConcurrencyTag>();
       if (!has_bad_on_worklist() || is_cancelled_ || report_.is_budget_exhausted) return;
-      run_to_the_end(refiner, budget_of_repair());
+      run_to_the_end(refiner, budgets().of_repair(state_.mesh.number_of_vertices()));
     }
     state_.template make_Delaunay_exactly<ConcurrencyTag>();
   }

@@ -21,8 +21,8 @@
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Refiner.h>
-#include <CGAL/Quadtree_mesh_2/internal/refinement/Smoother.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Splitter.h>
+#include <CGAL/Quadtree_mesh_2/internal/refinement/finish_mesh.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Mesh_blocks.h>
 
 #include <algorithm>

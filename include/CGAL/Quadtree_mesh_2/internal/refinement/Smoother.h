@@ -13,7 +13,6 @@
 
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Relocator.h>
-#include <CGAL/Quadtree_mesh_2/internal/refinement/Remover.h>
 
 #include <cstddef>
 
@@ -39,24 +38,6 @@ private:
   Kernel_mesh<Geometry>& mesh_;
   Relocator<Geometry> relocator_;
 };
-
-enum class Removal { NONE, GUARDED };
-
-/// What is done to a mesh that meets the bounds.
-struct Finishing {
-  Removal removal = Removal::GUARDED;
-  int smoothing_rounds = 0;
-  int thinning_rounds = 0; ///< Thinner.h; of the whole mesh, at last
-};
-
-/// Removes Steiner vertices and smooths, as is wanted.
-template <class Geometry, class Continue>
-void finish_mesh(Meshing_state<Geometry>& state, const Finishing& finishing, Continue&& shall_go_on) {
-  for (int round = 0; round <= finishing.smoothing_rounds; ++round) {
-    if (round > 0) Smoother<Geometry>(state).run(shall_go_on);
-    if (finishing.removal == Removal::GUARDED) Remover<Geometry>(state).run(shall_go_on);
-  }
-}
 
 } // namespace internal
 } // namespace Quadtree_mesh_2

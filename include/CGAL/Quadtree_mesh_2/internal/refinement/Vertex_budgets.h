@@ -1,0 +1,94 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_VERTEX_BUDGETS_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_VERTEX_BUDGETS_H
+
+#include <CGAL/Quadtree_mesh_2/internal/refinement/Bounds.h>
+#include <CGAL/Quadtree_mesh_2/internal/refinement/triangle_budget.h>
+#include <CGAL/Quadtree_mesh_2/internal/triangulation/Kernel_mesh.h>
+#include <CGAL/Quality_mesh_options_2.h>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace CGAL {
+namespace Quadtree_mesh_2 {
+namespace internal {
+
+/// How many vertices a mesh may have before what is being done to it is given up: the user's budget, or else multiples
+/// of what is expected, as no proof says that refinement ends.
+template <class Geometry>
+class Vertex_budgets {
+public:
+  /// \param expected the vertices that the mesh is expected to have
+  Vertex_budgets(const Quality_mesh_options_2& options, const Bounds<Geometry>& bounds,
+                 std::size_t input_vertices, double expected)
+      : options_(options), is_established_(bounds.is_established()),
+        is_capped_(input_vertices < small_graph && !bounds.is_size_bounded() && !options.refined_where),
+        expected_(expected) {}
+
+  /// Quadtrees make ten times the triangles needed.
+  bool allows_quadtrees() const { return !is_capped_ || 10 * expected_ < cap_of_small_graphs; }
+
+  /// \param may_construct_instead whether quadtrees take over when patience ends
+  std::size_t of_refinement(bool may_construct_instead) const {
+    if (options_.vertex_budget > 0) return options_.vertex_budget;
+    const double unexpected = options_.refined_where ? unexpected_by_users_rule : allowance();
+    const double patience =
+        may_construct_instead ? options_.refinement_patience : Quality_mesh_options_2().refinement_patience;
+    if (!(patience > 0)) return 0;
+    const double affordable =
+        std::max(least_patience * expected_ + unexpected, options_.memory_of_patience / bytes_of_vertex);
+    return limited(std::min(patience * expected_ + unexpected, affordable));
+  }
+
+  /// Quadtrees make ten times the triangles needed, a hundred times with the placement by rule.
+  std::size_t of_construction() const {
+    if (options_.vertex_budget > 0) return options_.vertex_budget;
+    return limited(1000 * expected_ + 1e6);
+  }
+
+  /// For what refinement has to do in a mesh that is made.
+  std::size_t of_repair(std::size_t vertices_of_mesh) const {
+    if (options_.vertex_budget > 0) return options_.vertex_budget;
+    return std::max(vertices_of_mesh,
+                    limited(static_cast<double>(vertices_of_mesh) + 10 * expected_ + allowance()));
+  }
+
+private:
+  /// Refinement that is expected to end may take so many times the vertices expected, whatever memory that needs.
+  static constexpr double least_patience = 10;
+  /// A graph of fewer vertices without bounds of size is given up at a mesh of some seconds and half a gigabyte: it has
+  /// gaps so narrow that its owner should know of them.
+  static constexpr std::size_t small_graph = 1000;
+  static constexpr double cap_of_small_graphs = 2e6;
+  /// What a user's rule asks for cannot be expected.
+  static constexpr double unexpected_by_users_rule = 2e7;
+  /// Of a vertex and its two triangles, in arrays of twice the size, and of what refinement notes about them.
+  static constexpr double bytes_of_vertex =
+      2 * (sizeof(typename Geometry::Point) + 2 * sizeof(typename Kernel_mesh<Geometry>::Triangle) + 64);
+
+  const Quality_mesh_options_2& options_;
+  bool is_established_, is_capped_;
+  double expected_;
+
+  /// Vertices beside what is expected, for graphs that are small and hard: more where refinement is established to end,
+  /// as it goes on to the allowance where it does not.
+  double allowance() const { return is_established_ ? 2e6 : 2e5; }
+
+  std::size_t limited(double vertices) const {
+    const double most =
+        is_capped_ ? cap_of_small_graphs : static_cast<double>(Triangle_budget::most_vertices);
+    return static_cast<std::size_t>(std::min(most, vertices));
+  }
+};
+
+} // namespace internal
+} // namespace Quadtree_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_VERTEX_BUDGETS_H
