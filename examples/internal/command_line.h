@@ -119,6 +119,9 @@ inline po::options_description graph_options() {
      "rounds of smoothing, up to 1000: about a percent fewer triangles each, and better angles")
     ("thin", po::value<int>()->value_name("N")->default_value(0),
      "rounds of thinning, up to 1000: fewer triangles still, each takes about as long as refinement")
+    ("max-vertices", po::value<long long>()->value_name("N"),
+     "stop refining at so many vertices, and report what is left; if not given, what memory allows, and 2000000 for "
+     "graphs of fewer than 1000 vertices without bounds of size")
     ("no-coarsening", "keep the vertices that are not needed in the end");
   return options;
 }
@@ -203,6 +206,15 @@ inline int rounds(const po::variables_map& given, const std::string& option) {
   const int n = given[option].as<int>();
   if (n < 0 || n > most) throw Usage_error("--" + option + " has to be from 0 to " + std::to_string(most));
   return n;
+}
+
+/// 0 if nothing is said.
+/// \throws Usage_error if it is not positive.
+inline std::size_t most_vertices(const po::variables_map& given) {
+  if (given.count("max-vertices") == 0) return 0;
+  const long long n = given["max-vertices"].as<long long>();
+  if (n < 1) throw Usage_error("--max-vertices has to be at least 1");
+  return static_cast<std::size_t>(n);
 }
 
 /// \throws Usage_error if thinning is wanted and removal is not.
@@ -294,6 +306,7 @@ inline const std::vector<Option_use>& option_uses() {
       {"placement", {Mode::PSLG}},
       {"smooth", {Mode::PSLG}},
       {"thin", {Mode::PSLG}},
+      {"max-vertices", {Mode::PSLG}},
       {"no-coarsening", {Mode::PSLG}},
       {"compare", {Mode::PSLG, Mode::POINTS}},
       {"angles", {Mode::BOUNDED}},
@@ -325,6 +338,7 @@ inline CGAL::Quality_mesh_options_2 quality_mesh_options(const po::variables_map
       .mesh_domain(domain(given))
       .smooth(rounds(given, "smooth"))
       .thin(thinning_rounds(given))
+      .max_vertices(most_vertices(given))
       .separate(tree_options(given))
       .separate(separation(given));
   if (given.count("no-coarsening") > 0) options.coarsen(CGAL::Quality_mesh_options_2::Coarsening::NONE);

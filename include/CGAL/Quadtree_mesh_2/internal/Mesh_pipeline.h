@@ -30,6 +30,7 @@
 #include <CGAL/Quadtree_mesh_2/Grid_point_2.h>
 #include <CGAL/Quadtree_mesh_2/Point_error.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/Phase_timer.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/Progress.h>
 #include <CGAL/Quadtree_mesh_2/internal/geometry/coordinate_map.h>
 #include <CGAL/Quadtree_mesh_2/internal/grid/morton.h>
 #include <CGAL/Quadtree_mesh_2/internal/neighbors/nearest_hits.h>
@@ -55,10 +56,8 @@
 #include <CGAL/validate_pslg_2.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cstddef>
 #include <limits>
-#include <mutex>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -105,7 +104,7 @@ public:
       take_over(refiner, splitter);
     coarsen();
     finish(refiner);
-    report_.is_cancelled = is_cancelled_;
+    report_.is_cancelled = progress_.is_cancelled();
     return convert();
   }
 
@@ -125,23 +124,12 @@ private:
   Finishing finishing_;
   Meshing_problem<Geometry> problem_;
   Meshing_state<Geometry> state_{problem_};
-  double share_done_ = 0;
-  std::mutex callback_mutex_;
-  std::atomic<bool> is_cancelled_{false};
+  Progress progress_{options_.callback};
   Order order_; // kernel vertex -> input vertex
   Input_words<Point_2> words_{pslg_, order_};
   std::vector<char> is_merged_; // kernel vertices that another one stands for
   std::optional<Edge_sides> edge_sides_;
   std::string too_near_for_trees_; // which vertices; empty: none are
-
-  /// Whether the user wants to go on; about `share` of the work is done. What the user is told never falls.
-  bool shall_go_on(double share) {
-    if (!options_.callback || is_cancelled_) return !is_cancelled_;
-    const std::lock_guard<std::mutex> lock(callback_mutex_);
-    share_done_ = std::max(share_done_, share);
-    if (!is_cancelled_ && !options_.callback(share_done_)) is_cancelled_ = true;
-    return !is_cancelled_;
-  }
 
   void sort_vertices() {
     Phase_timer timer(report_.seconds.quadtree);
@@ -320,7 +308,7 @@ private:
     Bulk_filler<ConcurrencyTag, Geometry>(state_).run(budgets().of_refinement(may_construct_instead()));
     Block_refinement<ConcurrencyTag, Geometry> blocks(state_, finishing_,
                                                       budgets().of_refinement(may_construct_instead()));
-    if (blocks.run([this] { return shall_go_on(0.2); }))
+    if (blocks.run([this] { return progress_.shall_go_on(0.2); }))
       finishing_.smoothing_rounds = 0; // done, and removal is left only at seams
     else
       refiner.push_all();
@@ -355,7 +343,7 @@ private:
     const std::size_t n = pslg_.number_of_vertices();
     return refiner.run(budget, [this, n] {
       const double made = static_cast<double>(state_.mesh.number_of_vertices() - n) + 1;
-      return shall_go_on(0.2 + 0.6 * made / (made + 3 * static_cast<double>(n)));
+      return progress_.shall_go_on(0.2 + 0.6 * made / (made + 3 * static_cast<double>(n)));
     });
   }
 
@@ -405,7 +393,7 @@ private:
     const Bounds<Geometry> wanted = problem_.bounds;
     problem_.bounds.lower_to_established();
     const auto end = construction.run(options_.trees.placement, budgets().of_construction(),
-                                      [this] { return shall_go_on(0.3); });
+                                      [this] { return progress_.shall_go_on(0.3); });
     problem_.bounds = wanted;
     return end;
   }
@@ -424,13 +412,13 @@ private:
 
   void coarsen() {
     Phase_timer timer(report_.seconds.coarsen);
-    if (is_cancelled_) return;
-    finish_mesh(state_, finishing_, [this] { return shall_go_on(0.85); });
+    if (progress_.is_cancelled()) return;
+    finish_mesh(state_, finishing_, [this] { return progress_.shall_go_on(0.85); });
     if (finishing_.removal == Removal::GUARDED && !report_.is_budget_exhausted)
-      thin_small_mesh(state_, [this] { return shall_go_on(0.9); });
+      thin_small_mesh(state_, [this] { return progress_.shall_go_on(0.9); });
     for (int round = 0; round < finishing_.thinning_rounds; ++round)
       if (!Thinner<Geometry>(state_).run(budgets().of_repair(state_.mesh.number_of_vertices()),
-                                         [this] { return shall_go_on(0.9); }))
+                                         [this] { return progress_.shall_go_on(0.9); }))
         return;
   }
 
@@ -441,7 +429,7 @@ private:
     constexpr int most_rounds = 5;
     for (int round = 0; round < most_rounds; ++round) {
       state_.template make_Delaunay_exactly<ConcurrencyTag>();
-      if (!has_bad_on_worklist() || is_cancelled_ || report_.is_budget_exhausted) return;
+      if (!has_bad_on_worklist() || progress_.is_cancelled() || report_.is_budget_exhausted) return;
       run_to_the_end(refiner, budgets().of_repair(state_.mesh.number_of_vertices()));
     }
     state_.template make_Delaunay_exactly<ConcurrencyTag>();

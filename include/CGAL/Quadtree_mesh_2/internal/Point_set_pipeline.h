@@ -24,6 +24,7 @@
 #include <CGAL/Quadtree_mesh_2/Point_error.h>
 #include <CGAL/Quadtree_mesh_2/Quality_mesher_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/Phase_timer.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/Progress.h>
 #include <CGAL/Quadtree_mesh_2/internal/clusters/find_clusters.h>
 #include <CGAL/Quadtree_mesh_2/internal/frame/Distinct_points.h>
 #include <CGAL/Quadtree_mesh_2/internal/frame/points_in_box.h>
@@ -37,9 +38,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <mutex>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -66,7 +67,10 @@ public:
     if (!map.is_in_range()) throw std::invalid_argument("the coordinates span more than 2^61");
     const Distinct_points<ConcurrencyTag, Geometry> distinct(points_, map);
     report_.merged_points = points_.size() - distinct.points().size();
-    return options_.mode == Mode::WARPED_SQUARES ? warp_squares(distinct, map) : mesh_tiles(distinct, map);
+    Mesh mesh =
+        options_.mode == Mode::WARPED_SQUARES ? warp_squares(distinct, map) : mesh_tiles(distinct, map);
+    report_.is_cancelled = progress_.is_cancelled();
+    return mesh;
   }
 
 private:
@@ -81,17 +85,7 @@ private:
   const Point_set_mesh_options_2& options_;
   const Traits& traits_;
   Point_set_mesh_report_2& report_;
-  std::mutex callback_mutex_;
-  double share_done_ = 0;
-
-  /// Tells the user; what he is told never falls. Returns whether he wants to go on.
-  bool shall_go_on(double share) {
-    if (!options_.callback) return true;
-    const std::lock_guard<std::mutex> lock(callback_mutex_);
-    share_done_ = std::max(share_done_, share);
-    if (!report_.is_cancelled && !options_.callback(share_done_)) report_.is_cancelled = true;
-    return !report_.is_cancelled;
-  }
+  Progress progress_{options_.callback};
 
   // --- Theorems 3 and 4 ---
 
@@ -171,7 +165,7 @@ private:
       const std::vector<std::size_t> to_blame =
           relaxer.place_sites([&forest](std::size_t p) { return !forest.is_certified(p); });
       report_.triangles_before_coarsening = mesh.mesh.number_of_triangles();
-      shall_go_on(0.2);
+      progress_.shall_go_on(0.2);
       if (to_blame.empty()) return mesh;
       for (const std::size_t p : to_blame) forest.refine_for(p);
     }
@@ -208,19 +202,29 @@ private:
       effort.tries_per_vertex =
           static_cast<double>(options_.removal_budget) / static_cast<double>(mesh.mesh.number_of_vertices());
     Site_mesh_relaxer<ConcurrencyTag, Geometry>(mesh, range).coarsen(effort, [this](double share) {
-      return shall_go_on(0.2 + 0.75 * share);
+      return progress_.shall_go_on(0.2 + 0.75 * share);
     });
   }
 
   // --- the other triangulations ---
 
+  /// By the mesher of graphs; the library has it for the two tags of users.
   Mesh mesh_in_box() {
+    if constexpr (!std::is_same_v<ConcurrencyTag, Chosen_tag>)
+      return mesh_in_box_by<ConcurrencyTag>();
+    else
+      return Concurrency_scope::is_parallel() ? mesh_in_box_by<Parallel_tag>()
+                                              : mesh_in_box_by<Sequential_tag>();
+  }
+
+  template <class Tag>
+  Mesh mesh_in_box_by() {
     Quality_mesh_options_2 options;
     if (options_.callback) options.progress(options_.callback);
     if (options_.coarsening_effort == 0) options.coarsen(Quality_mesh_options_2::Coarsening::NONE);
     if (options_.coarsening_effort == 3) options.smooth(1);
     const Pslg_2<Point_2> pslg = points_in_box(points_);
-    Quality_mesher_2<Traits, ConcurrencyTag> mesher(options, traits_);
+    Quality_mesher_2<Traits, Tag> mesher(options, traits_);
     Mesh mesh = mesher(pslg);
     const Quality_mesh_report_2& report = mesher.report();
     // the box is none of the user's

@@ -40,12 +40,15 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
+/// Sequential or parallel, as the `Concurrency_scope` says.
+struct Chosen_tag {};
+
 /// While it lives, loops by `Chosen_tag` that this thread begins run as its tag says.
 class Concurrency_scope {
 public:
   template <class Tag>
   explicit Concurrency_scope(Tag) : before_(current()) {
-    current() = std::is_same<Tag, Parallel_tag>::value;
+    if (!std::is_same<Tag, Chosen_tag>::value) current() = std::is_same<Tag, Parallel_tag>::value;
   }
   ~Concurrency_scope() { current() = before_; }
   Concurrency_scope(const Concurrency_scope&) = delete;
@@ -61,9 +64,6 @@ private:
 
   bool before_;
 };
-
-/// Sequential or parallel, as the `Concurrency_scope` says.
-struct Chosen_tag {};
 
 /// What meshers with a tag of the user use inside.
 template <class Tag>

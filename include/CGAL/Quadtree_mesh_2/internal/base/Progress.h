@@ -1,0 +1,49 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_BASE_PROGRESS_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_BASE_PROGRESS_H
+
+#include <algorithm>
+#include <atomic>
+#include <functional>
+#include <mutex>
+
+namespace CGAL {
+namespace Quadtree_mesh_2 {
+namespace internal {
+
+/// Tells the user how far the work is, and asks whether to go on. Any thread may call; the user's function is called by
+/// one at a time, and what it is told never falls.
+class Progress {
+public:
+  using Callback = std::function<bool(double)>;
+
+  /// \param callback empty: goes on always. It has to outlive this.
+  explicit Progress(const Callback& callback) : callback_(callback) {}
+
+  /// Whether the user wants to go on; about `share` of the work is done.
+  bool shall_go_on(double share) {
+    if (!callback_ || is_cancelled_) return !is_cancelled_;
+    const std::lock_guard<std::mutex> lock(mutex_);
+    share_done_ = std::max(share_done_, share);
+    if (!is_cancelled_ && !callback_(share_done_)) is_cancelled_ = true;
+    return !is_cancelled_;
+  }
+  bool is_cancelled() const { return is_cancelled_; }
+
+private:
+  const Callback& callback_;
+  std::mutex mutex_;
+  double share_done_ = 0;
+  std::atomic<bool> is_cancelled_{false};
+};
+
+} // namespace internal
+} // namespace Quadtree_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_BASE_PROGRESS_H
