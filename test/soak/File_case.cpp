@@ -6,9 +6,9 @@
 
 #include "File_case.h"
 
-#include "../mutate_text.h"
-#include "../scratch_folder.h"
 #include "families.h"
+#include "mutate_text.h"
+#include "scratch_folder.h"
 #include "shape_tools.h"
 
 #include "resources.h"

@@ -6,7 +6,7 @@
 
 #include "families.h"
 
-#include "../random_pslg_shapes.h"
+#include "random_pslg_shapes.h"
 
 #include <algorithm>
 

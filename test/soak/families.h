@@ -13,7 +13,7 @@
 // machine; the families of the tests (random_pslg.h) use sines, which are as exact as the C library has them. Where
 // rounding can make segments cross, they may: the judge finds out by exact predicates.
 
-#include "../random_pslg.h"
+#include "random_pslg.h"
 
 #include <cstdint>
 #include <string>

@@ -9,7 +9,7 @@
 #include "families.h"
 #include "shape_tools.h"
 
-#include "../point_sets.h"
+#include "point_sets.h"
 
 namespace soak {
 

@@ -9,7 +9,7 @@
 #include "families.h"
 #include "shape_tools.h"
 
-#include "../random_pslg_shapes.h"
+#include "random_pslg_shapes.h"
 
 namespace soak {
 

@@ -6,8 +6,8 @@
 
 #include "judge.h"
 
-#include "../point_mesh_checks.h"
 #include "exact_facts.h"
+#include "point_mesh_checks.h"
 #include "run_case.h"
 
 #include "report_words.h"

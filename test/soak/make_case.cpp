@@ -8,7 +8,7 @@
 
 #include "run_case.h"
 
-#include "../random_pslg.h"
+#include "random_pslg.h"
 
 #include <cstddef>
 #include <initializer_list>

@@ -9,7 +9,7 @@
 
 // What families are made of. Nothing here takes a sine or a power of the C library, which may differ in a bit.
 
-#include "../random_pslg.h"
+#include "random_pslg.h"
 
 #include <algorithm>
 #include <cmath>
