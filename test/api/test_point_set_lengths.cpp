@@ -5,7 +5,7 @@
 // Author(s)     : The Quadtree_mesh_2 authors
 
 #include "catch.h"
-#include "quadtree_inputs.h"
+#include "quadtree_test_inputs.h"
 
 #include <CGAL/Quadtree_mesh_2/internal/frame/points_in_box.h>
 #include <CGAL/Quality_mesher_2.h>

@@ -5,7 +5,7 @@
 // Author(s)     : The Quadtree_mesh_2 authors
 
 #include "catch.h"
-#include "quadtree_inputs.h"
+#include "quadtree_test_inputs.h"
 
 #include <CGAL/Balanced_quadtree.h>
 #include <CGAL/Quadtree_framework.h>

@@ -10,7 +10,7 @@
 #include "catch.h"
 #include "scratch_folder.h"
 
-#include "../benchmark/quadtree_inputs.h"
+#include "quadtree_inputs.h"
 
 #include <sys/wait.h>
 

@@ -5,7 +5,7 @@
 // Author(s)     : The Quadtree_mesh_2 authors
 
 #include "catch.h"
-#include "quadtree_inputs.h"
+#include "quadtree_test_inputs.h"
 #include "scratch_folder.h"
 
 #include <CGAL/IO/quadtree_SVG.h>

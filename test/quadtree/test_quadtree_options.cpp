@@ -6,7 +6,7 @@
 
 #include "catch.h"
 #include "quadtree_checks.h"
-#include "quadtree_inputs.h"
+#include "quadtree_test_inputs.h"
 
 #include <CGAL/Balanced_quadtree.h>
 

@@ -7,7 +7,7 @@
 // The corners of leaves: their names, places and leaves against the set of all corners of all leaves.
 
 #include "catch.h"
-#include "quadtree_inputs.h"
+#include "quadtree_test_inputs.h"
 #include "random_pslg.h"
 
 #include <CGAL/Balanced_quadtree.h>

@@ -8,7 +8,7 @@
 
 #include "catch.h"
 #include "edge_pieces_brute_force.h"
-#include "quadtree_inputs.h"
+#include "quadtree_test_inputs.h"
 #include "random_pslg_shapes.h"
 
 #include <CGAL/Balanced_quadtree.h>

@@ -7,7 +7,7 @@
 // The quadtrees that separate the features of a graph: what they promise, against all pairs of features.
 
 #include "catch.h"
-#include "quadtree_inputs.h"
+#include "quadtree_test_inputs.h"
 #include "random_pslg_shapes.h"
 #include "separation_test_tools.h"
 #include "vertex_edge_brute_force.h"

@@ -9,7 +9,7 @@
 
 // Point sets for meshes: those of the benchmarks, nasty ones, and small ones at random.
 
-#include "../benchmark/quadtree_inputs.h"
+#include "quadtree_inputs.h"
 #include "random_numbers.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

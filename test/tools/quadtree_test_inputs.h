@@ -6,8 +6,8 @@
 
 // Point sets on which quadtrees are compared with brute force, for all models of QuadtreeTraits_2.
 
-#ifndef QUADTREE_MESH_2_TEST_QUADTREE_INPUTS_H
-#define QUADTREE_MESH_2_TEST_QUADTREE_INPUTS_H
+#ifndef QUADTREE_MESH_2_TEST_QUADTREE_TEST_INPUTS_H
+#define QUADTREE_MESH_2_TEST_QUADTREE_TEST_INPUTS_H
 
 #include <CGAL/Exact_quadtree_traits_2.h>
 #include <CGAL/Filtered_quadtree_traits_2.h>
@@ -182,4 +182,4 @@ inline std::vector<Input> all_inputs() {
 
 } // namespace quadtree_test
 
-#endif // QUADTREE_MESH_2_TEST_QUADTREE_INPUTS_H
+#endif // QUADTREE_MESH_2_TEST_QUADTREE_TEST_INPUTS_H
