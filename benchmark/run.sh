@@ -82,6 +82,9 @@ measure points_peers points uniform --n "$medium" "$large" --modes points --repe
 measure quadtree quadtree --n "$large" --repeat "$repeat" --limit 10 --threads "$(nproc)"
 measure quadtree_rounds quadtree uniform spiral --rounds --n "$medium" "$large" --repeat "$repeat"
 
+say compile_times
+"$root/benchmark/compile_times.sh" --repeat "$repeat"
+
 "$root/benchmark/tables.py" print "$figures"
 if [[ $shall_write == yes ]]; then
   rm -rf "$root/doc/figures"
