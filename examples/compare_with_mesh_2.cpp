@@ -97,7 +97,7 @@ int main(int argc, char** argv) try {
   CGAL::Quality_mesher_2<> mesher;
   const Mesh theirs = make_and_print("CGAL Mesh_2:      ", [&] { return mesh_by_Mesh_2(pslg); }),
              ours = make_and_print("Quality_mesher_2: ", [&] { return mesher(pslg); });
-  std::cout << "No angle of ours is below 20.7 degrees, but of " << mesher.report().exempt_triangles.size()
+  std::cout << "No angle of ours is below 20.7 degrees, except in " << mesher.report().exempt_triangles.size()
             << " triangles in corners where the input is sharper.\n";
   if (argc > 2) draw(argv[2], pslg, theirs, ours);
   if (argc > 3) CGAL::IO::write_VTU(argv[3], ours, pslg);

@@ -17,6 +17,7 @@
 
 #include <cstddef>
 #include <cstdio>
+#include <map>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -59,6 +60,14 @@ inline void print_unmet(const CGAL::Mesh_quality_2& quality) {
   }
   if (quality.unmet_triangles.size() > max_lines)
     std::printf("unmet: %zu more\n", quality.unmet_triangles.size() - max_lines);
+}
+
+/// Why bounds are unmet, as the mesher reports it, and in how many triangles for each reason.
+inline void print_reasons(const CGAL::Quality_mesh_report_2& report) {
+  std::map<CGAL::Quality_mesh_report_2::Reason, std::size_t> triangles;
+  for (const auto& unmet : report.unmet_triangles) ++triangles[unmet.reason];
+  for (const auto& [reason, n] : triangles)
+    std::printf("unmet: reason for %zu: %s\n", n, report_words::explanation(reason));
 }
 
 /// One line of the table: ours and, if Mesh_2 gave a mesh, its figure.
@@ -200,6 +209,7 @@ inline void print_run(const Meshing_run& run, const CGAL::Quality_mesh_options_2
   print_trees(run.report.trees);
   if (run.is_peer_asked && !run.peer) std::printf("CGAL Mesh_2 gave no mesh\n");
   print_unmet(run.quality);
+  print_reasons(run.report);
 }
 
 #endif // QUADTREE_MESH_2_EXAMPLES_MESHING_RUN_H

@@ -269,7 +269,8 @@ inline void check_files(const Command_line& line) {
     inputs.push_back({"the file of --size-points, '" + line.size_points_file + "'", line.size_points_file});
   for (const std::string& output : line.outputs)
     for (const std::filesystem::path& file : files_of_output(output))
-      outputs.push_back({"output '" + file.string() + "'", file});
+      outputs.push_back(
+          {(file == output ? "" : "'" + file.string() + "' of ") + ("output '" + output + "'"), file});
   if (!line.report_file.empty())
     outputs.push_back({"the file of --report, '" + line.report_file + "',", line.report_file});
   add_node_file(line.input, outputs, inputs);

@@ -39,6 +39,27 @@ inline const char* name(CGAL::Quality_mesh_report_2::Reason reason) {
   return "";
 }
 
+/// The reason in words for people, with the option of the program that has to do with it.
+inline const char* explanation(CGAL::Quality_mesh_report_2::Reason reason) {
+  using Reason = CGAL::Quality_mesh_report_2::Reason;
+  switch (reason) {
+  case Reason::BUDGET:
+    return "the budget of vertices is used up; --max-vertices sets another";
+  case Reason::CANCELLED:
+    return "the run was stopped";
+  case Reason::LEAST_EDGE:
+    return "a vertex would be nearer to another than --min-edge allows";
+  case Reason::CORNER:
+    return "they are in a corner of the input, whose legs are not cut without end for a bound above 20.7 "
+           "degrees";
+  case Reason::COORDINATES:
+    return "the coordinates have no room for a vertex";
+  case Reason::CRITERIA:
+    return "the criteria ask for more";
+  }
+  return "";
+}
+
 inline const char* name(CGAL::Tree_separation_report_2::End end) {
   using End = CGAL::Tree_separation_report_2::End;
   switch (end) {

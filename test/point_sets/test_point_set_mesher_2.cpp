@@ -91,6 +91,18 @@ TEST_CASE("No points make no mesh, and least angles an empty box", "[point_set_m
   }
 }
 
+TEST_CASE("One place, wherever it is and however often it is given, is meshed as promised",
+          "[point_set_mesher]") {
+  for (const auto& [name, options] : all_modes())
+    for (const double x : {0.0, 3.0, -1e-60, 1e10, 1e17, -1e20, 1e100})
+      for (const std::size_t n : {std::size_t(1), std::size_t(10)}) {
+        CAPTURE(name, x, n);
+        const Run r = run(Points(n, Point(x, 4)), options);
+        CHECK(r.report.is_met());
+        CHECK(r.mesh.number_of_triangles() > 0);
+      }
+}
+
 TEST_CASE("Options out of range of point meshes are refused", "[point_set_mesher]") {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (const double least : {-1., 37.6, 60., nan})

@@ -337,6 +337,32 @@ TEST_CASE("an output may not overwrite the input", "[program]") {
   CHECK(content(folder.file("in.poly")) == content(test_data("syn_square.poly")));
 }
 
+TEST_CASE("outputs with a file in common are refused by what the user wrote", "[program]") {
+  const Scratch_folder folder;
+  const Run r =
+      run(test_data("syn_square.poly") + " -o " + folder.file("a.ele") + " -o " + folder.file("a.node"));
+  CAPTURE(r.err);
+  CHECK(r.status == 2);
+  CHECK(contains(r.err, "of output '" + folder.file("a.ele") + "'"));
+  CHECK(contains(r.err, "output '" + folder.file("a.node") + "'"));
+}
+
+TEST_CASE("a run that is out of vertices says why and which option sets how many", "[program]") {
+  const Run r = run(test_data("us_states_10m.poly.gz") + " --max-vertices 12000");
+  CAPTURE(r.out, r.err);
+  CHECK(r.status == 1);
+  CHECK(contains(r.out, "unmet: reason for "));
+  CHECK(contains(r.out, "--max-vertices"));
+}
+
+TEST_CASE("points all in one place are meshed", "[program][points]") {
+  const std::string mode = GENERATE("points", "bounded", "acute", "warped");
+  const std::string kernel = GENERATE("filtered", "fixed", "exact");
+  const Run r = run(test_data("one_place_ten_times.xy") + " --mode " + mode + " --kernel " + kernel);
+  CAPTURE(mode, kernel, r.out, r.err);
+  CHECK(r.status == 0);
+}
+
 TEST_CASE("help and version", "[program]") {
   CHECK(run("--version").out.rfind("quality_mesh ", 0) == 0);
   const Run help = run("--help");

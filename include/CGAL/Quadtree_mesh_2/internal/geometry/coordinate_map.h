@@ -44,7 +44,8 @@ class Coordinate_map;
 
 /// Over doubles: the input is scaled by a power of two so that its extent is about 2^200. Then products of four
 /// differences do not overflow, nor underflow down to features of 2^-442 of the extent; and coordinates are scaled
-/// upwards, which does not round subnormal ones, unless the extent is greater yet.
+/// upwards, which does not round subnormal ones, unless the extent is greater yet. Points all in one place have no extent.
+/// Their root has the side 1 (`Root_side`), so they are scaled until doubles have room for vertices in it.
 template <class Traits, class Kernel>
 class Coordinate_map<Traits, Double_geometry_2<Kernel>> {
 public:
@@ -54,9 +55,13 @@ public:
   /// \param seeds points that do not count for the extent, but keep their coordinates too
   template <class PointRange>
   explicit Coordinate_map(const PointRange& points, const std::vector<Point_2>& seeds = {}) {
-    const double extent = Coordinate_ranges<double>(points).extent();
-    const int exponent_of_extent = std::isfinite(extent) && extent > 0 ? std::ilogb(extent) : 0;
-    exponent_ = std::max(exponent_of_extent - kernel_exponent_, least_exponent_);
+    const Coordinate_ranges<double> ranges(points);
+    const double extent = ranges.extent();
+    if (extent == 0)
+      exponent_ = exponent_of_place(std::max(std::fabs(ranges.low_x), std::fabs(ranges.low_y)));
+    else
+      exponent_ =
+          std::max((std::isfinite(extent) ? std::ilogb(extent) : 0) - kernel_exponent_, least_exponent_);
     const auto are_kept = [this](const auto& some) {
       return std::all_of(some.begin(), some.end(), [this](const Point_2& p) { return is_kept(p); });
     };
@@ -85,9 +90,15 @@ public:
   bool may_round_mesh() const { return exponent_ < -700; }
 
 private:
-  static constexpr int kernel_exponent_ = 200, least_exponent_ = -1000;
+  static constexpr int kernel_exponent_ = 200, least_exponent_ = -1000, greatest_exponent_of_place_ = 32;
   int exponent_ = 0;
   bool are_kept_ = true;
+
+  /// Leaves coordinates of one place below 2^33, where a square of side 1 has a million steps.
+  static int exponent_of_place(double magnitude) {
+    if (!(magnitude > 0 && std::isfinite(magnitude))) return 0;
+    return std::max(0, std::ilogb(magnitude) - greatest_exponent_of_place_);
+  }
 
   bool is_kept(double c) const {
     const double magnitude = std::fabs(c);
