@@ -121,6 +121,18 @@ TEST_CASE("A gap below a unit in the last place is refused as any other that is 
     CHECK(has_text(text, part));
 }
 
+TEST_CASE("A small graph that asks for more than it is given is refused, unless it has a budget",
+          "[mesher][budget]") {
+  const Pslg pslg = read("hard_leg_in_narrow_wedge.poly");
+  const std::string text = error(pslg);
+  CAPTURE(text);
+  for (const char* part : {"a graph of fewer than 1000 vertices is allowed 4e+06", "segment 4", "segment 6",
+                           "vertex 4 at 0.22974410203660989", "meet at an angle of 1.3"})
+    CHECK(has_text(text, part));
+  CHECK(has_text(error(pslg, Options().max_vertices(1000000)), "the vertex budget allows 2e+06"));
+  CHECK(error(pslg, Options().min_edge(1e-3)).empty());
+}
+
 TEST_CASE("Vertices units in the last place from a segment do not spoil the estimate", "[mesher][budget]") {
   random_pslg::Builder b;
   b.loop({Point(-4, -4), Point(4, -4), Point(4, 4), Point(-4, 4)});

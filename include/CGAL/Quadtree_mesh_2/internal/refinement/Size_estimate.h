@@ -287,7 +287,8 @@ private:
     const Number v2 = squared_length(Geometry::scaled_difference(mesh_.point(v), mesh_.point(o)));
     const Number ratio2 = std::min(squared_length(a), squared_length(b)) / v2;
     if (ratio2 <= 1) return;
-    const double narrowest = std::max(ratio(Geometry::spacing(mesh_.point(v)), sqrt(v2)), least_gap);
+    const double narrowest =
+        std::max(ratio(std::max(least_, Geometry::spacing(mesh_.point(v))), sqrt(v2)), least_gap);
     add_parts(ratio(0.5 * log(ratio2) * cosine, std::max<Number>(sine, narrowest * cosine)),
               {mesh_.source(r), o}, {o, mesh_.target(s)});
   }
