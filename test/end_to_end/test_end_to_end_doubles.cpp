@@ -49,7 +49,7 @@ TEST_CASE("A triangulation is refined in place, end to end", "[end_to_end]") {
   using Cdt = CGAL::Constrained_Delaunay_triangulation_2<
       Kernel, CGAL::Triangulation_data_structure_2<CGAL::Triangulation_vertex_base_2<Kernel>,
                                                    CGAL::Delaunay_mesh_face_base_2<Kernel>>>;
-  const Pslg pslg = mesher_test::read("hard_visibility_graph_2608.poly");
+  const Pslg pslg = mesher_test::read("syn_parallel_0.001.poly");
   Cdt cdt;
   for (const auto& [a, b] : pslg.segments) cdt.insert_constraint(pslg.point(a), pslg.point(b));
   const std::size_t before = cdt.number_of_vertices();

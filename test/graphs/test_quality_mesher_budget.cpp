@@ -110,6 +110,42 @@ TEST_CASE("A gap that memory cannot hold is refused at once, and named", "[meshe
   CHECK(error(parallel_segments(1e-9), Options().min_edge(1e-3)).empty());
 }
 
+TEST_CASE("A gap below a unit in the last place is refused as any other that is too long",
+          "[mesher][budget]") {
+  const auto start = std::chrono::steady_clock::now();
+  const std::string text = error(read("hard_overlap_ulps_apart.poly"));
+  CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(1));
+  CAPTURE(text);
+  for (const char* part :
+       {"segment 4", "segment 5", "vertex 6 at -709482.2202024617", "at a distance of 4.8"})
+    CHECK(has_text(text, part));
+}
+
+TEST_CASE("A small graph that asks for more than it is given is refused, unless it has a budget",
+          "[mesher][budget]") {
+  const Pslg pslg = read("hard_leg_in_narrow_wedge.poly");
+  const std::string text = error(pslg);
+  CAPTURE(text);
+  for (const char* part : {"a graph of fewer than 1000 vertices is allowed 4e+06", "segment 4", "segment 6",
+                           "vertex 4 at 0.22974410203660989", "meet at an angle of 1.3"})
+    CHECK(has_text(text, part));
+  CHECK(has_text(error(pslg, Options().max_vertices(1000000)), "the vertex budget allows 2e+06"));
+  CHECK(error(pslg, Options().min_edge(1e-3)).empty());
+}
+
+TEST_CASE("Vertices units in the last place from a segment do not spoil the estimate", "[mesher][budget]") {
+  random_pslg::Builder b;
+  b.loop({Point(-4, -4), Point(4, -4), Point(4, 4), Point(-4, 4)});
+  const double slope = 0.7;
+  const auto from = b.vertex(Point(-3, -3 * slope)), to = b.vertex(Point(3, 3 * slope));
+  b.segment(from, to);
+  for (int k = -5; k <= 5; ++k) // on either side, or on the segment
+    b.vertex(Point(0.3 * k + 0.1, (0.3 * k + 0.1) * slope));
+  const Run r = run(b.pslg, Options());
+  CHECK(ratio(r) < 4);
+  CHECK(ratio(r) > 0.25);
+}
+
 TEST_CASE("Sizes that memory cannot hold are refused", "[mesher][budget]") {
   const auto is_refused = [](const Options& options) {
     return has_text(error(unit_square(), options), "for the bounds of size");

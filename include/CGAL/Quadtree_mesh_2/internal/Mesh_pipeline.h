@@ -257,7 +257,7 @@ private:
     Phase_timer timer(report_.seconds.first_mesh);
     const Size_estimate<Geometry> estimate(state_, ConcurrencyTag());
     report_.estimated_triangles = estimate.triangles();
-    const Triangle_budget budget(options_.vertex_budget);
+    const Triangle_budget budget = budgets().of_triangles();
     if (!budget.is_surely_exceeded_by(estimate.triangles())) return;
     const std::string refusal = budget.refusal_of(estimate.triangles());
     if (estimate.worst_pair().triangles <= estimate.triangles_of_sizes())

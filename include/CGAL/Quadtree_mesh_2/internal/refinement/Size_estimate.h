@@ -93,6 +93,8 @@ private:
   static constexpr double per_layer = 3;
   static constexpr double ordinary_aspect = 8, largest_aspect = 0x1p52;
   static constexpr double per_gap = 2;
+  /// No gap is taken for narrower than this share of its length.
+  static constexpr double least_gap = 1e-20;
   /// By how much more triangles a bound takes above 20.7 degrees.
   static constexpr double per_degree = 0.08;
   /// The area of a triangle that a bound on areas leads to, as a share of the bound.
@@ -118,7 +120,7 @@ private:
 
   void add_triangle(Triangle_id t, Demand& demand) {
     const auto& r = mesh_.triangle(t);
-    const Shape s = mesh_.shape(r);
+    const Shape s = reliable_shape(r);
     int constrained = 0;
     for (int k = 0; k < 3; ++k) {
       if (!r.side[k].is_constrained()) continue;
@@ -135,6 +137,12 @@ private:
       demand.of_shapes += per_layer * std::log2(std::min(aspect / ordinary_aspect, growth_around(r, s)));
     }
     demand.of_sizes += sizes_demand(t, s);
+  }
+
+  /// Vertices units in the last place from a line give any area in doubles, also a negative one.
+  Shape reliable_shape(const typename Kernel_mesh<Geometry>::Triangle& r) const {
+    const Shape s = mesh_.shape(r);
+    return s.is_certainly_counterclockwise() ? s : mesh_.shape_of_flat(r.v[0], r.v[1], r.v[2]);
   }
 
   /// How much longer than the shortest edge of a needle the next edges around its apex are, at least 1: of
@@ -271,22 +279,29 @@ private:
   void add_wedge(Vertex_id v, Side r, Side s) {
     const Vertex_id o = mesh_.target(r);
     if (mesh_.source(s) != o) return;
-    using std::fabs, std::log;
+    using std::fabs, std::log, std::sqrt;
     const Vector a = Geometry::scaled_difference(mesh_.point(mesh_.source(r)), mesh_.point(o));
     const Vector b = Geometry::scaled_difference(mesh_.point(mesh_.target(s)), mesh_.point(o));
-    const Number cosine = dot(a, b), sine = fabs(cross(a, b));
+    const Number cosine = dot(a, b), sine = fabs(area2_beside(a, b, {o, mesh_.source(r)}, mesh_.target(s)));
     if (cosine <= 2 * sine) return; // above 27 degrees
-    const Number ratio2 = std::min(squared_length(a), squared_length(b)) /
-                          squared_length(Geometry::scaled_difference(mesh_.point(v), mesh_.point(o)));
-    if (ratio2 > 1)
-      add_parts(ratio(0.5 * log(ratio2) * cosine, std::max<Number>(sine, 1e-20 * cosine)),
-                {mesh_.source(r), o}, {o, mesh_.target(s)});
+    const Number v2 = squared_length(Geometry::scaled_difference(mesh_.point(v), mesh_.point(o)));
+    const Number ratio2 = std::min(squared_length(a), squared_length(b)) / v2;
+    if (ratio2 <= 1) return;
+    const double narrowest =
+        std::max(ratio(std::max(least_, Geometry::spacing(mesh_.point(v))), sqrt(v2)), least_gap);
+    add_parts(ratio(0.5 * log(ratio2) * cosine, std::max<Number>(sine, narrowest * cosine)),
+              {mesh_.source(r), o}, {o, mesh_.target(s)});
   }
 
   void add_parts(double parts, const Vertex_id (&p)[2], const Vertex_id (&q)[2]) {
     if (parts <= 1) return;
     of_pairs_ += per_gap * (parts - 1);
     if (per_gap * parts > worst_.triangles) worst_ = {{p[0], p[1]}, {q[0], q[1]}, per_gap * parts};
+  }
+
+  /// The cross product of u and w, from p[0] to p[1] and to v: twice the area of their triangle, however flat.
+  Number area2_beside(const Vector& u, const Vector& w, const Vertex_id (&p)[2], Vertex_id v) const {
+    return Geometry::doubled_area_of_flat(u, w, mesh_.point(p[0]), mesh_.point(p[1]), mesh_.point(v));
   }
 
   /// Where v is along the edge p, from 0 to 1 between its ends.
@@ -305,7 +320,8 @@ private:
     const Vector v = Geometry::scaled_difference(mesh_.point(q[0]), mesh_.point(p[0]));
     const Vector w = Geometry::scaled_difference(mesh_.point(q[1]), mesh_.point(p[0]));
     const Number l2 = squared_length(u);
-    const Number c0 = cross(u, v), c1 = cross(u, w), d0 = dot(v, u), d1 = dot(w, u);
+    const Number c0 = area2_beside(u, v, p, q[0]), c1 = area2_beside(u, w, p, q[1]);
+    const Number d0 = dot(v, u), d1 = dot(w, u);
     const Number narrowest = std::min(fabs(c0), fabs(c1));
     if (narrowest >= l2 || narrowest >= fabs(d0 - d1)) return; // wider than long
     // in units of the edge p: positions along it and distances from it
@@ -313,7 +329,9 @@ private:
     if (t0 > t1) std::swap(t0, t1), std::swap(g0, g1);
     const double low = std::max({t0, begin, 0.0}), high = std::min(t1, 1.0);
     if (!(low < high)) return;
-    const double slope = (g1 - g0) / (t1 - t0), floor = std::max(ratio(least_, sqrt(l2)), 1e-20);
+    const double spacing = Geometry::spacing(mesh_.point(q[0])); // shorter edges do not come of it
+    const double slope = (g1 - g0) / (t1 - t0),
+                 floor = std::max(ratio(std::max(least_, spacing), sqrt(l2)), least_gap);
     double a = g0 + slope * (low - t0), b = g0 + slope * (high - t0);
     if (std::max(a, b) <= 0) return; // behind p
     a = std::max(a, floor), b = std::max(b, floor);

@@ -31,6 +31,14 @@ public:
         is_capped_(input_vertices < small_graph && !bounds.is_size_bounded() && !options.refined_where),
         expected_(expected) {}
 
+  /// How many triangles the mesh may be expected to have for it to be begun.
+  Triangle_budget of_triangles() const {
+    if (options_.vertex_budget > 0)
+      return {static_cast<double>(options_.vertex_budget), "the vertex budget allows"};
+    const Triangle_budget machine = Triangle_budget::of_machine();
+    return is_capped_ ? machine.smaller({cap_of_small_graphs, limit_of_small_graphs}) : machine;
+  }
+
   /// Quadtrees make ten times the triangles needed.
   bool allows_quadtrees() const { return !is_capped_ || 10 * expected_ < cap_of_small_graphs; }
 
@@ -66,6 +74,8 @@ private:
   /// gaps so narrow that its owner should know of them.
   static constexpr std::size_t small_graph = 1000;
   static constexpr double cap_of_small_graphs = 2e6;
+  static constexpr const char* limit_of_small_graphs =
+      "without a vertex budget a graph of fewer than 1000 vertices is allowed";
   /// What a user's rule asks for cannot be expected.
   static constexpr double unexpected_by_users_rule = 2e7;
   /// Of a vertex and its two triangles, in arrays of twice the size, and of what refinement notes about them.

@@ -44,11 +44,17 @@ public:
   /// What 32-bit handles allow.
   static constexpr std::size_t most_vertices = 100000000;
 
-  /// \param vertices the user's budget; 0 for what handles and memory allow.
-  explicit Triangle_budget(std::size_t vertices)
-      : is_given_(vertices > 0),
-        triangles_(2 * static_cast<double>(vertices > 0 ? vertices : most_vertices)) {
-    if (!is_given_) triangles_ = std::min(triangles_, physical_memory() / bytes_per_triangle);
+  /// \param limit in words: what sets the limit, and its verb
+  Triangle_budget(double vertices, const char* limit) : limit_(limit), triangles_(2 * vertices) {}
+
+  /// What handles and memory allow.
+  static Triangle_budget of_machine() {
+    const double vertices =
+        std::min(static_cast<double>(most_vertices), physical_memory() / (2 * bytes_per_triangle));
+    return {vertices, "handles and memory allow"};
+  }
+  Triangle_budget smaller(const Triangle_budget& other) const {
+    return other.triangles_ < triangles_ ? other : *this;
   }
 
   /// The estimate may be too large by a factor of 4 and more where it is made of many things at once: only
@@ -58,8 +64,8 @@ public:
   std::string refusal_of(double estimate) const {
     std::ostringstream text;
     text.precision(2);
-    text << "the mesh would need about " << estimate << " triangles, and "
-         << (is_given_ ? "the vertex budget allows " : "handles and memory allow ") << triangles_ << ':';
+    text << "the mesh would need about " << estimate << " triangles, and " << limit_ << ' ' << triangles_
+         << ':';
     return text.str();
   }
 
@@ -68,7 +74,7 @@ private:
   static constexpr double bytes_per_triangle = 130;
   static constexpr double margin = 4;
 
-  bool is_given_;
+  const char* limit_;
   double triangles_;
 };
 
@@ -95,7 +101,11 @@ public:
     std::ostringstream text;
     text << "segment " << segment(pair_.a) << " (" << name(pair_.a[0]) << " and " << name(pair_.a[1])
          << ") and segment " << segment(pair_.b) << " (" << name(pair_.b[0]) << " and " << name(pair_.b[1])
-         << ") face each other at a distance of " << ratio(width(), unit);
+         << ") ";
+    if (is_wedge())
+      text << "meet at an angle of " << angle_of_wedge() << " degrees, with something between them";
+    else
+      text << "face each other at a distance of " << ratio(width(), unit);
     return text.str();
   }
 
@@ -107,6 +117,17 @@ public:
 private:
   const Meshing_state<Geometry>& state_;
   const Pair& pair_;
+
+  /// Wedges begin where the first edge ends and the second begins.
+  bool is_wedge() const { return pair_.a[1] == pair_.b[0]; }
+
+  double angle_of_wedge() const {
+    constexpr double degree = 3.14159265358979323846 / 180;
+    const auto &o = state_.mesh.point(pair_.b[0]), &p = state_.mesh.point(pair_.b[1]),
+               &q = state_.mesh.point(pair_.a[0]);
+    const auto u = Geometry::scaled_difference(p, o), v = Geometry::scaled_difference(q, o);
+    return std::fabs(std::atan(ratio(Geometry::doubled_area_of_flat(u, v, o, p, q), dot(u, v)))) / degree;
+  }
 
   std::int32_t segment(const Vertex_id (&ends)[2]) const {
     return state_.edges[state_.edges.between(ends[0], ends[1])].segment;
