@@ -154,8 +154,8 @@ Real least_feature_distance(const Pslg& graph, const Point& place, Real reach) {
   }
   const auto look = [&](const Point& q, std::size_t s) {
     const Point &a = graph.point(graph.segments[s][0]), &b = graph.point(graph.segments[s][1]);
-    if (!Segment(a, b).has_on(q))
-      least = least_positive(least, distance_to_segment(Place(a), Place(b), Place(q)));
+    // a distance of 0 is one too small to be told from 0
+    if (!Segment(a, b).has_on(q)) least = std::min(least, distance_to_segment(Place(a), Place(b), Place(q)));
   };
   for (const std::size_t v : vertices) {
     const Point& q = graph.vertices[v];
