@@ -59,7 +59,7 @@ struct Cotangent_range {
 
 private:
   static double cotangent(double degrees) {
-    return static_cast<double>(units) / std::tan(degrees * std::acos(-1.) / 180);
+    return static_cast<double>(units) / std::tan(degrees * CGAL_PI / 180);
   }
 };
 

@@ -165,7 +165,7 @@ private:
       const std::vector<std::size_t> to_blame =
           relaxer.place_sites([&forest](std::size_t p) { return !forest.is_certified(p); });
       report_.triangles_before_coarsening = mesh.mesh.number_of_triangles();
-      progress_.shall_go_on(0.2);
+      progress_.shall_go_on(Progress_shares::placing);
       if (to_blame.empty()) return mesh;
       for (const std::size_t p : to_blame) forest.refine_for(p);
     }
@@ -202,7 +202,7 @@ private:
       effort.tries_per_vertex =
           static_cast<double>(options_.removal_budget) / static_cast<double>(mesh.mesh.number_of_vertices());
     Site_mesh_relaxer<ConcurrencyTag, Geometry>(mesh, range).coarsen(effort, [this](double share) {
-      return progress_.shall_go_on(0.2 + 0.75 * share);
+      return progress_.shall_go_on(Progress_shares::placing + Progress_shares::coarsening * share);
     });
   }
 

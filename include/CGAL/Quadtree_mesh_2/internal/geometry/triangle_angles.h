@@ -7,6 +7,7 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_GEOMETRY_TRIANGLE_ANGLES_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_GEOMETRY_TRIANGLE_ANGLES_H
 
+#include <CGAL/Quadtree_mesh_2/internal/base/angle_units.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
@@ -52,7 +53,7 @@ public:
   double angle(std::size_t k) const {
     const std::size_t i = (k + 1) % 3, j = (k + 2) % 3; // side `j` begins at the corner, side `i` ends there
     const double sine = dx_[i] * dy_[j] - dy_[i] * dx_[j], cosine = -dx_[i] * dx_[j] - dy_[i] * dy_[j];
-    return std::atan2(std::abs(sine), cosine) * 180 / CGAL_PI;
+    return std::atan2(std::abs(sine), cosine) * 180 / pi;
   }
   /// Opposite the shortest side.
   double least_angle() const {

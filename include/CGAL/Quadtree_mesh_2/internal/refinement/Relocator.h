@@ -74,6 +74,8 @@ private:
   static constexpr int directions = 8;
   static constexpr int max_steps = 8;
   static constexpr double first_step = 0.2; // of the mean distance to the link
+  /// Of the squared sine, for a step to be taken: by this factor and this difference.
+  static constexpr double least_gain_of_step = 1.0001, least_difference = 1e-9;
   // Given up after step i if the best squared sine is below this share of the bound's.
   static constexpr float hope[max_steps - 1] = {0.7f, 0.8f, 0.9f, 0.9f, 0.9f, 0.9f, 0.9f};
 
@@ -282,7 +284,7 @@ private:
       bool is_better = false;
       for (const double sign : {-1.0, 1.0}) {
         const double q = least_of_star((place + sign * step) * direction, best);
-        if (q <= best * 1.0001 + 1e-9) continue;
+        if (q <= best * least_gain_of_step + least_difference) continue;
         best = q, place = place + sign * step, is_better = true;
       }
       if (!is_better) step = 0.5 * step;

@@ -19,6 +19,7 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_REMOVER_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_REMOVER_H
 
+#include <CGAL/Quadtree_mesh_2/internal/base/Progress.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/bits.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Star.h>
@@ -52,7 +53,7 @@ public:
     std::size_t removed = 0;
     for (int pass = 0; pass < passes; ++pass)
       for (Vertex_id v = 0; v < static_cast<Vertex_id>(mesh_.number_of_vertices()); ++v) {
-        if ((v & 4095) == 0 && !shall_go_on()) return removed;
+        if (is_time_to_ask(std::size_t(v)) && !shall_go_on()) return removed;
         if (mesh_.is_input(v) || mesh_.is_dirty[std::size_t(v)] == 0 || !mesh_.is_used(v)) continue;
         if (!star_.collect(mesh_, v)) continue; // perhaps at a seam: another round may do it
         mesh_.is_dirty[std::size_t(v)] = 0;

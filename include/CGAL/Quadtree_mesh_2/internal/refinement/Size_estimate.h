@@ -27,6 +27,7 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_SIZE_ESTIMATE_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_SIZE_ESTIMATE_H
 
+#include <CGAL/Quadtree_mesh_2/internal/base/angle_units.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
 
@@ -79,8 +80,7 @@ public:
   }
 
   double triangles() const {
-    constexpr double degree = 3.14159265358979323846 / 180;
-    const double above = std::max(0.0, state_.bounds.angle / degree - 20.7);
+    const double above = std::max(0.0, state_.bounds.angle / radians_per_degree - 20.7);
     return (1 + per_degree * above) * (of_shapes_ + of_pairs_) + of_sizes_;
   }
   /// What bounds of size ask for alone.

@@ -11,6 +11,7 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_SMOOTHER_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_SMOOTHER_H
 
+#include <CGAL/Quadtree_mesh_2/internal/base/Progress.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Relocator.h>
 
@@ -29,7 +30,7 @@ public:
   template <class Continue>
   void run(Continue&& shall_go_on) {
     for (Vertex_id v = 0; v < static_cast<Vertex_id>(mesh_.number_of_vertices()); ++v) {
-      if ((v & 4095) == 0 && !shall_go_on()) return;
+      if (is_time_to_ask(std::size_t(v)) && !shall_go_on()) return;
       if (!mesh_.is_input(v) && mesh_.is_used(v)) relocator_.improve(v);
     }
   }
