@@ -184,7 +184,6 @@ private:
   using Hits = Quadtree_mesh_2::internal::Vertex_edge_hits;
 
   static constexpr std::size_t block_of_vertices = 64;
-  static constexpr std::size_t block_of_leaves = 1024;
 
   Point_rank rank(Vertex_index v) const { return tree_.framework().rank(Point_index(v.value())); }
 

@@ -74,8 +74,8 @@ public:
   bool number_float(nlohmann::json::number_float_t, const std::string&) { return shall_go_on(); }
   bool string(std::string&) { return shall_go_on(); }
   bool binary(nlohmann::json::binary_t&) { return shall_go_on(); }
-  bool start_object(std::size_t) { return begin_part(IN_OBJECT); }
-  bool start_array(std::size_t) { return begin_part(IN_ARRAY); }
+  bool start_object(std::size_t) { return begin_part(Part::OBJECT); }
+  bool start_array(std::size_t) { return begin_part(Part::ARRAY); }
   bool key(std::string& key) {
     place_.back().key = key;
     return true;
@@ -85,7 +85,7 @@ public:
   bool parse_error(std::size_t, const std::string&, const nlohmann::json::exception&) { return false; }
 
 private:
-  enum Kind { IN_OBJECT, IN_ARRAY };
+  enum class Part { OBJECT, ARRAY };
 
   /// At a value: false if it is the one.
   bool shall_go_on() {
@@ -94,26 +94,26 @@ private:
     go_to_next();
     return true;
   }
-  bool begin_part(Kind kind) {
+  bool begin_part(Part part) {
     if (place_.size() == path_.size() && std::equal(place_.begin(), place_.end(), path_.begin()))
       return false;
     place_.emplace_back();
-    kinds_.push_back(kind);
+    parts_.push_back(part);
     return true;
   }
   bool end_part() {
     place_.pop_back();
-    kinds_.pop_back();
+    parts_.pop_back();
     go_to_next();
     return true;
   }
   void go_to_next() {
-    if (!kinds_.empty() && kinds_.back() == IN_ARRAY) ++place_.back().index;
+    if (!parts_.empty() && parts_.back() == Part::ARRAY) ++place_.back().index;
   }
 
   const Json_path& path_;
   Json_path place_;
-  std::vector<Kind> kinds_;
+  std::vector<Part> parts_;
 };
 
 /// Reads characters and tells how far.
