@@ -13,6 +13,7 @@
 
 #include <CGAL/Quadtree_mesh_2/internal/clusters/find_clusters.h>
 #include <CGAL/Quadtree_mesh_2/internal/clusters/frame_clusters.h>
+#include <CGAL/Quadtree_mesh_2/internal/frame/exact_axis_parallel_grid.h>
 #include <CGAL/Quadtree_mesh_2/internal/relaxation/Site_mesh.h>
 #include <CGAL/tags.h>
 

@@ -9,7 +9,6 @@
 #include "catch.h"
 #include "site_mesh_tools.h"
 
-#include <CGAL/Quadtree_mesh_2/internal/frame/exact_axis_parallel_grid.h>
 #include <CGAL/Quadtree_mesh_2/internal/relaxation/Site_mesh.h>
 #include <CGAL/Quadtree_mesh_2/internal/tiles/Tile_forest.h>
 #include <CGAL/tags.h>

@@ -4,7 +4,7 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// Angles are in degrees where users and tables give or read them, and in radians where functions of them are computed.
+// Units of angles. Users and tables give and read degrees. Functions of angles are computed in radians.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_BASE_ANGLE_UNITS_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_BASE_ANGLE_UNITS_H

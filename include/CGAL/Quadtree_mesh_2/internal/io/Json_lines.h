@@ -4,10 +4,12 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 
-// Computes: what a text of JSON says, and the line where a value begins or where the text cannot be parsed: nlohmann-json
-//           keeps no lines, and only who has to report an error wants one.
-// Bound:    linear: one search for the value in what was parsed, one pass over the text up to its place; parsing takes a
-//           logarithm more for objects with many keys, as they are looked up.
+// Where the values of a JSON text are.
+//
+// Computes: what a text of JSON says, and the line where a value begins or where the text cannot be parsed.
+//           nlohmann-json keeps no lines, and they are wanted only to report an error.
+// Bound:    Linear: one search for the value in what was parsed, and one pass over the text up to its place.
+//           Parsing takes a logarithm more for objects with many keys, because keys are looked up.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_IO_JSON_LINES_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_IO_JSON_LINES_H

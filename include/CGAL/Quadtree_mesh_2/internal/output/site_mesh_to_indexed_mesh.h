@@ -4,7 +4,7 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// From a mesh of sites to the user's flat arrays, and every triangle looked at on the way. O(k).
+// Converts a mesh of sites to the user's flat arrays, and checks every triangle on the way. O(k).
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_OUTPUT_SITE_MESH_TO_INDEXED_MESH_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_OUTPUT_SITE_MESH_TO_INDEXED_MESH_H

@@ -6,13 +6,17 @@
 //
 // Moves a Steiner vertex so that its whole star meets the bound ("warping" on demand).
 //
-// Pattern search for the greatest least angle of the star, from the better of the present place and the
-// centroid of the link: eight directions, the step halved when none is better, given up early when the angle
-// stays far below the bound. The eight candidates of a step are evaluated together in single precision,
-// relative to the vertex, in vectors of four; a step ends as soon as none of them can serve, and begins with
-// the triangle that was worst at the start, so that this is soon. The place found is accepted only by the
-// test in double precision on the final coordinates. A vertex on an edge moves along its edge; one on a leg
-// of an acute corner stays, unless legs are free. The same search, with no bound to stop at, smooths. O(degree) a step, at most 8 steps.
+// Computes: the place with the greatest least angle of the star, by pattern search. The search starts from
+//           the better of the present place and the centroid of the link. It tries eight directions, and
+//           halves the step if none is better. It gives up early if the angle stays far below the bound.
+// Bound:    O(degree) for a step, at most 8 steps.
+// Method:   The eight candidates of a step are evaluated together in single precision, relative to the
+//           vertex, in vectors of four. A step ends as soon as none of them can serve. It begins with the
+//           triangle that was worst at the start, so this is soon. The place found is accepted only by a test
+//           in double precision on the final coordinates.
+//
+// A vertex on an edge moves along its edge. One on a leg of an acute corner stays, unless legs are free. The
+// same search smooths if it has no bound to stop at.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_RELOCATOR_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_RELOCATOR_H

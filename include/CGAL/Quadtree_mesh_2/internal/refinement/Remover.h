@@ -4,17 +4,19 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// Guarded vertex removal: takes out Steiner vertices whose star can be triangulated without them within the
-// bounds.
+// Guarded removal of vertices. Takes out Steiner vertices whose star can be triangulated without them within
+// the bounds.
 //
-// The star of a free vertex is one polygon, that of a vertex on an edge one or two, closed by the merged
-// subsegment. A polygon none of whose triangles on its shortest side is feasible cannot be triangulated: on
-// maps nine trials out of ten end there, in O(k) for k vertices. Others are triangulated by dynamic
-// programming over their sub-polygons (Klincsek, 1980, for max-min angle) restricted to feasible ones: bit j
-// of `forward[i]` says that the sub-polygon i..j can be triangulated within the bounds; O(k^3). Every
-// triangle made is checked, so the bounds are kept unconditionally.
+// Computes: the star of a free vertex is one polygon. That of a vertex on an edge is one or two, closed by
+//           the merged subsegment. A vertex is removed if all its polygons can be triangulated within the
+//           bounds. Every triangle made is checked, so the bounds are kept unconditionally.
+// Bound:    O(k^3) for a polygon of k vertices. Mostly O(k): if no triangle on its shortest side is feasible,
+//           a polygon cannot be triangulated. On maps, nine trials out of ten end there.
+// Source:   Klincsek (1980): dynamic programming over sub-polygons for the greatest least angle.
+// Deviates: restricted to feasible triangles. Bit j of `forward[i]` says that the sub-polygon i..j can be
+//           triangulated within the bounds.
 //
-// Two passes in order of creation, the second over vertices whose star has changed.
+// There are two passes in order of creation. The second is over vertices whose star has changed.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_REMOVER_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_REMOVER_H

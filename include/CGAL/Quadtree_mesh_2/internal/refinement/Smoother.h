@@ -4,9 +4,9 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// Smoothing: moves every Steiner vertex once to where the least angle of its star is greatest ("optimal" smoothing,
-// Freitag, Jones and Plassmann, 1995, by pattern search), with flips. No bound that is met is given up. It makes room
-// for guarded removal, and better angles besides. O(n).
+// Smoothing. Moves every Steiner vertex once to where the least angle of its star is greatest ("optimal"
+// smoothing, Freitag, Jones and Plassmann, 1995, here by pattern search), with flips. It gives up no bound
+// that is met. It makes room for guarded removal, and also makes angles better. O(n).
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_SMOOTHER_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_SMOOTHER_H

@@ -6,17 +6,24 @@
 //
 // Splits constrained edges, and keeps the rings around acute corners while it does.
 //
-// - A subsegment away from corners is split where the caller wants, within its middle 30 percent.
-// - A leg of an acute vertex without a ring is split at dyadic distances from it (Ruppert's concentric
-// shells).
-// - Within a ring the interval between two shells is halved, on all legs of the corner at once (matched shells), or,
-//   where it is too short to tell shells apart, as next to features far from the apex, on its leg alone.
-// - The chord that locks a lopped sector is never split: when something comes too close to it, the lock moves
-// down to the
-//   next shell (a new one at 0.6 of the radius where there is none), and what was behind it becomes ordinary
-//   domain.
-//
-// A split costs O(degree), times the number of legs within a ring.
+// Computes: a new vertex on a constrained edge, and what the corner at an end of the edge needs with it.
+//           - A subsegment away from acute corners is split where the caller wants, within its middle 30
+//             percent.
+//           - A leg of an acute vertex without a ring is split at a dyadic distance from that vertex
+//             (Ruppert's concentric shells).
+//           - Within a ring, the interval between two shells is halved on all legs of the corner at once, so
+//             shells stay matched. If the interval is too short to tell shells apart, it is halved on its own
+//             leg alone. This happens next to features far from the apex.
+//           - The chord that locks a lopped sector is never split. When something comes too close to it, the
+//             lock moves down to the next shell. If there is none, a shell is made at 0.6 of the radius. What
+//             was behind the chord becomes ordinary domain.
+// Bound:    O(degree) for a split, times the number of legs within a ring.
+// Source:   Bern, Eppstein, Teng, section 6: "We can ignore the cut-off triangles for the remainder of the
+//           algorithm, simply reattaching them (with appropriately subdivided cutting edges) after the final
+//           warping step." The radii of the cuts are those of find_corners.h, which quotes how the paper
+//           chooses them.
+// Deviates: cut-off triangles stay in the mesh, behind their chords. A cutting edge is not subdivided.
+//           Instead the cut moves toward the apex.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_SPLITTER_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_SPLITTER_H

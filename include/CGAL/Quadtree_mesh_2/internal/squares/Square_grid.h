@@ -6,8 +6,8 @@
 //
 // The grid of the squares that fill the bulk of a mesh: where the root square lies and how large it is.
 //
-// Sides have at most 20 significant bits and the origin is a multiple of the last of them, so all corners
-// down to the finest level are exact coordinates: squares are exactly square, and their corners exactly
+// Sides have at most 20 significant bits, and the origin is a multiple of the last of them. So all corners
+// down to the finest level are exact coordinates. Squares are exactly square, and their corners are exactly
 // cocircular.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_SQUARES_SQUARE_GRID_H

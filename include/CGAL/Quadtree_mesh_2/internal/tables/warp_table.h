@@ -4,19 +4,19 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// How to move a vertex of a tile to a given point, with the tiles around.
+// How to move a vertex of a tile to a given point, together with the tiles around it.
 //
-// Let the leaf around a point p be in the middle of a block of 3 x 3 leaves of the same size that all have the
-// plain tile, tile(0). Let v be the vertex of the middle tile that is nearest to p (any, if there are several),
-// and d = p - v, which is at most 0.281 sides long. Then v goes to p, and each vertex within the block goes to
+// Let the leaf around a point p be in the middle of a block of 3 x 3 leaves of the same size that all have
+// the plain tile, tile(0). Let v be a nearest vertex of the middle tile, and d = p - v. So |d| is at most
+// 0.281 sides. Then v goes to p, and each vertex inside the block goes to
 //   base + offset + A d
-// with offset and the matrix A from the table of v. Vertices on the boundary of the block stay. So blocks that do
-// not overlap can be warped independently.
+// with offset and the matrix A from the table of v. Vertices on the boundary of the block stay. So blocks
+// that do not overlap can be warped independently of each other.
 //
-// Bound:  for each p of the closed square in the middle, all angles in the block are between 37.5 and 78.6
-//         degrees, if vertices are at these places exactly.
-// Source: Bern, Eppstein, Teng, section 5, Theorem 3: warping for angles from 36 to 80 degrees. The tables were
-//         found by optimization; test_tile_certificates.cpp proves the bound.
+// Bound:    For each p of the closed square in the middle, all angles in the block are between 37.5 and 78.6
+//           degrees, if vertices are at these places exactly.
+// Source:   Bern, Eppstein, Teng, section 5, Theorem 3: warping for angles from 36 to 80 degrees. The tables
+//           were found by optimization. test_tile_certificates.cpp proves the bound.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_TABLES_WARP_TABLE_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_TABLES_WARP_TABLE_H
