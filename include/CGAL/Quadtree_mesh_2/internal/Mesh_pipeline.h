@@ -184,8 +184,8 @@ private:
       refuse_what_is_too_near();
   }
 
-  /// Coordinates are unlimited, and so is what the input may have. Its least distance is a side or height of a triangle;
-  /// what is in the way of a leg is no nearer.
+  /// Coordinates are unlimited, and so are the distances that an input may have. Its least distance is a side
+  /// or a height of a triangle. Nothing in the way of a leg is nearer.
   void set_least_share_of_leg() {
     constexpr double clearance = 0x1p-34; // squared
     typename Geometry::Number least = 1;
@@ -322,8 +322,9 @@ private:
     state_.legalize();
   }
 
-  /// Above the bounds that are established for refinement, triangles left are no sign that quadtrees do better; and they
-  /// know no least edge, nor rules of the user's. What they failed at once they are not asked again.
+  /// Whether quadtrees may take the place of refinement. Above the bounds that are established for
+  /// refinement, triangles left over are no sign that quadtrees do better. Quadtrees know neither a least
+  /// edge nor the user's rules. If they failed before, they are not asked again.
   bool may_construct_instead() const {
     return options_.vertex_budget == 0 && options_.min_edge_length == 0 && !options_.refined_where &&
            too_near_for_trees_.empty() && problem_.bounds.is_established() &&

@@ -153,8 +153,9 @@ private:
     return frame;
   }
 
-  /// Fills tiles and moves vertices to the points until all triangles are in the range. Each round that fails leads to
-  /// smaller squares for a point that has not the smallest ones; when all have, nothing is left to fail but coordinates.
+  /// Fills tiles and moves vertices to the points until all triangles are in the range. Each round that fails
+  /// gives smaller squares to a point that does not have the smallest ones yet. Once all points have these,
+  /// only coordinates can fail.
   Site_mesh<Geometry> separate(Tile_forest<ConcurrencyTag, Geometry>& forest, const Distinct& distinct,
                                const Angle_range& range) {
     for (;;) {

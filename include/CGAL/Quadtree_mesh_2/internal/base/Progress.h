@@ -31,8 +31,8 @@ constexpr bool is_time_to_ask(std::size_t step) {
   return step % steps_between_questions == 0;
 }
 
-/// Tells the user how far the work is, and asks whether to go on. Any thread may call; the user's function is called by
-/// one at a time, and what it is told never falls.
+/// Tells the user how far the work is, and asks whether to go on. Any thread may call. The user's function is
+/// called by one thread at a time, and the share that it gets never falls.
 class Progress {
 public:
   using Callback = std::function<bool(double)>;

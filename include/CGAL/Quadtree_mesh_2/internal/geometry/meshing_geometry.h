@@ -82,9 +82,9 @@ struct Basic_shape {
   Number shortest() const { return std::min(l[0], std::min(l[1], l[2])); }
   Number longest() const { return std::max(l[0], std::max(l[1], l[2])); }
 
-  /// Whether the area is positive for certain, if it was computed from differences of coordinates that were rounded
-  /// once: their cross product is then correct to 5 half units in the last place of the sum of its two products, which
-  /// is at most the longest squared side.
+  /// Whether the area is positive for certain, if it was computed from differences of coordinates that were
+  /// rounded once. Their cross product is then correct to 5 half units in the last place of the sum of its
+  /// two products. That sum is at most the longest squared side.
   bool is_certainly_counterclockwise() const { return area2 > 1e-15 * longest(); }
 
   /// Slot of the vertex opposite the shortest side.

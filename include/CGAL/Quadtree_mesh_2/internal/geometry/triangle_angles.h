@@ -31,7 +31,8 @@ double as_double(const Number& x) {
     return CGAL::to_double(x);
 }
 
-/// The sides of a triangle of any size that doubles have, seen from one corner after the other; the longest extent is 1.
+/// The sides of a triangle of any size that doubles have, seen from one corner after the other. They are
+/// scaled so that the longest extent is 1.
 class Scaled_triangle {
 public:
   template <class Point>

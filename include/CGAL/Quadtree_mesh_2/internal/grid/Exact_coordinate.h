@@ -117,13 +117,14 @@ public:
   friend bool operator<(const Exact_coordinate& a, const Exact_coordinate& b) { return compare(a, b) < 0; }
 
 private:
-  /// A number from `floor` on, below the next multiple of the same power of two; `floor` itself if there is no `field`.
+  /// A number that is at least `floor` and below the next multiple of the same power of two. It is `floor`
+  /// itself if there is no `field`.
   struct Long_number {
     Scaled_integer floor;
     std::optional<Field> field;
 
-    /// Of numbers that are no multiples of powers of two the floor has this many bits more than the denominator: so it tells
-    /// differences from numbers that are about as long.
+    /// If a number is not a multiple of a power of two, its floor has this many bits more than its
+    /// denominator. So the floor tells it apart from numbers that are about as long.
     static constexpr int bits_below = 256;
 
     static Long_number of(Field value) {

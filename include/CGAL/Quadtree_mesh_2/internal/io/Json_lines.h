@@ -161,7 +161,8 @@ struct Repeated_json_key : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Told of every part as it is parsed: refuses keys that an object has already, of which nlohmann-json would keep one.
+/// Refuses keys that an object already has. nlohmann-json would keep one of them. It is told of every part as
+/// it is parsed.
 class Json_key_watch {
 public:
   /// \throws Repeated_json_key

@@ -242,7 +242,8 @@ private:
     return best;
   }
 
-  /// Puts a vertex at q if that is in t, or on one of its sides, exactly: all triangles made are counterclockwise then.
+  /// Puts a vertex at q if that is in t or on one of its sides, exactly. Then all triangles made are
+  /// counterclockwise.
   Outcome insert(Triangle_id t, const Point& q) {
     const auto& r = mesh_.triangle(t);
     int on_slot = -1, number_on = 0;

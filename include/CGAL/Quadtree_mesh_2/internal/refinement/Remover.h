@@ -245,8 +245,8 @@ private:
     return !bounds_.is_large(s, mesh_.point(x), mesh_.point(y), mesh_.point(z), region);
   }
 
-  /// The squared sine of the least angle of a feasible triangle. Exempt ones count as better than others, which has no
-  /// say then; among themselves the best are preferred, as they are the Delaunay ones.
+  /// The squared sine of the least angle of a feasible triangle. Exempt ones count as better than others,
+  /// which then have no say. Among exempt ones the best are preferred, because they are the Delaunay ones.
   double weight(const Shape& s) const { return (bounds_.is_sharp(s) ? 1 : 0) + s.sin2_of_least_angle(); }
 
   void emit(const Polygon& p, int i, int j) {
@@ -258,9 +258,10 @@ private:
     emit(p, i, m), emit(p, m, j);
   }
 
-  /// Near a corner the last flips, which make the mesh Delaunay, could take an exempt triangle apart: whether those that
-  /// come first, among the new triangles and with what is around, leave triangles within the bounds. Where four vertices
-  /// are on a circle but for rounding, as in lattices, any diagonal will do.
+  /// Whether the flips that follow leave triangles within the bounds. Near a corner, the last flips, which
+  /// make the mesh Delaunay, could take an exempt triangle apart. This looks at the flips that come first:
+  /// those among the new triangles and with what is around. Where four vertices are on a circle up to
+  /// rounding, as in lattices, any diagonal will do.
   bool withstands_flips(int first) const {
     for (int i = first; i < number_made_; ++i)
       for (int k = 0; k < 3; ++k) {

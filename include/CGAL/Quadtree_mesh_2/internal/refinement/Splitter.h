@@ -113,11 +113,12 @@ public:
 private:
   static Outcome outcome(bool is_changed) { return is_changed ? Outcome::CHANGED : Outcome::REFUSED; }
 
-  /// New shells next to the apex lie at this share of the innermost radius: their ratio, 1.67, leaves room
+  /// New shells next to the apex lie at this share of the innermost radius. Their ratio, 1.67, leaves room
   /// for ring vertices that are not quite matched (Acute_corners.h).
   static constexpr double innermost_share = 0.6;
-  /// Radii of a shell on several legs are one number, so they are the same to units in the last place; further shells may
-  /// be nearly as near, where features beside a leg's end are as small as the distance between legs there.
+  /// Radii of a shell on several legs come from one number, so they are the same to units in the last place.
+  /// Other shells may be nearly as near, if features beside a leg's end are as small as the distance between
+  /// legs there.
   static constexpr double same_radius = 0x1p-50;
   /// A far end or another ring's vertex within this share of the chord stands in for the ring vertex.
   static constexpr double chord_share_to_merge = 0.4;
@@ -126,9 +127,9 @@ private:
   Kernel_mesh<Geometry>& mesh_;
   Acute_corners<Geometry>& corners_;
 
-  /// Nothing is cut nearer to an acute apex than this share of the leg. For bounds that are established only features
-  /// as near as that could ask for it, or coordinates are the limit; above, two corners of one vertex may drive
-  /// each other on without end.
+  /// Nothing is cut nearer to an acute apex than this share of the leg. For bounds that are established, only
+  /// features as near as that could ask for it, or coordinates are the limit. Above these bounds, two corners
+  /// of one vertex may drive each other on without end.
   Number least_share_of_leg() const {
     return state_.bounds.is_established() ? state_.problem.least_share_of_leg : Number(0x1p-12);
   }
@@ -353,8 +354,8 @@ private:
     return v;
   }
 
-  /// A rounded point may lie beside its edge: both parts of the triangle must keep their orientation, and the edge be
-  /// long enough for that to be no chance.
+  /// A rounded point may lie beside its edge. Both parts of the triangle must keep their orientation, and the
+  /// edge must be so long that this does not depend on rounding.
   bool is_valid_split(Side s, const Point& p) const {
     const Point& apex = mesh_.point(mesh_.opposite(s));
     for (const Vertex_id end : {mesh_.source(s), mesh_.target(s)})

@@ -157,7 +157,8 @@ private:
     }
   }
 
-  /// The sectors [i, j) by one of their legs. An edge is the right leg of one sector at a vertex, and the left of one.
+  /// Sorts the sectors [i, j) by one of their legs. An edge is the right leg of one sector at a vertex, and
+  /// the left leg of one.
   void sort_by_leg(std::size_t i, std::size_t j, Edge_id Acute_sector::*leg,
                    std::vector<Leg_of_sector>& sorted) const {
     sorted.clear();

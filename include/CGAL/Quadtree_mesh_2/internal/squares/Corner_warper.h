@@ -154,8 +154,9 @@ private:
     const int corner = nearest.is_right ? (nearest.is_upper ? 2 : 1) : (nearest.is_upper ? 3 : 0);
     const auto [beside, across, above] = nearest.directions();
 
-    // A diagonal of the point's own square from the corner has the direction of that from the lower left if the corner
-    // is there or opposite; squares on both sides of a line have corners of different kinds at its ends.
+    // In the point's own square, the diagonal from the corner has the direction of the one from the lower
+    // left if the corner is there or opposite. Squares on both sides of a line have corners of different
+    // kinds at its ends.
     const bool is_even = corner % 2 == 0;
     set_diagonal(own, is_even);
     set_diagonal(neighbor(own, across), !is_even);

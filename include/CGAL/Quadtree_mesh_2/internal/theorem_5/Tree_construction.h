@@ -160,8 +160,8 @@ private:
            });
   }
 
-  /// The leaves around the vertices of each triangle: the largest, or all. Where one of them has no room, the triangle is
-  /// left to refinement.
+  /// The leaves around the vertices of each triangle: the largest ones, or all. If one of them has no room,
+  /// the triangle is left to refinement.
   std::vector<Leaf_index> leaves_to_blame(const std::vector<Triangle_id>& sharp) {
     std::vector<Leaf_index> leaves, around;
     const auto& tree = trees_.tree();
