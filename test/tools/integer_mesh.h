@@ -9,6 +9,8 @@
 
 // Triangles with integer coordinates, and what can be said of them exactly.
 
+#include <CGAL/number_type_config.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>

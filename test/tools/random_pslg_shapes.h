@@ -12,6 +12,8 @@
 
 #include "random_pslg.h"
 
+#include <CGAL/number_type_config.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
