@@ -112,28 +112,32 @@ Exit_status execute(const Command_line& line) {
   run.peak_memory_mb = peak_memory_mb();
   write_all(
       line, add_mesh, [&] { return run_json(run); }, [&] { print_run(run, line.options); });
-  return is_bound_met(run) ? DONE : BOUND_UNMET;
+  return is_bound_met(run) ? Exit_status::DONE : Exit_status::BOUND_UNMET;
+}
+
+Exit_status run(const Command_line& line) {
+  switch (line.task) {
+  case Command_line::Task::PRINT_HELP:
+    print_help(std::cout);
+    break;
+  case Command_line::Task::PRINT_VERSION:
+    print_version(std::cout);
+    break;
+  case Command_line::Task::MESH:
+    return line.mode == Command_line::Mode::PSLG ? execute(line) : execute_point_set(line);
+  }
+  return std::cout.flush() ? Exit_status::DONE : Exit_status::REFUSED;
 }
 
 int fail(const std::string& message) {
   std::cerr << "quality_mesh: error: " << message << '\n';
-  return REFUSED;
+  return static_cast<int>(Exit_status::REFUSED);
 }
 
 } // namespace
 
 int main(int argc, char** argv) try {
-  const Command_line line = parse_command_line(argc, argv);
-  switch (line.task) {
-  case Command_line::Task::PRINT_HELP:
-    print_help(std::cout);
-    return std::cout.flush() ? DONE : REFUSED;
-  case Command_line::Task::PRINT_VERSION:
-    print_version(std::cout);
-    return std::cout.flush() ? DONE : REFUSED;
-  case Command_line::Task::MESH:
-    return line.mode == Command_line::Mode::PSLG ? execute(line) : execute_point_set(line);
-  }
+  return static_cast<int>(run(parse_command_line(argc, argv)));
 } catch (const Usage_error& error) {
   return fail(std::string(error.what()) + " (see quality_mesh --help)");
 } catch (const std::bad_alloc&) {

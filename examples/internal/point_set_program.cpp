@@ -120,5 +120,5 @@ Exit_status execute_point_set(const Command_line& line) {
   run.peak_memory_mb = peak_memory_mb();
   write_all(
       line, add_mesh, [&] { return run_json(run); }, [&] { print_run(run); });
-  return is_bound_met(run) ? DONE : BOUND_UNMET;
+  return is_bound_met(run) ? Exit_status::DONE : Exit_status::BOUND_UNMET;
 }

@@ -18,7 +18,7 @@
 #include <system_error>
 
 /// As the user manual has it, where what each means is said.
-enum Exit_status { DONE = 0, BOUND_UNMET = 1, REFUSED = 2 };
+enum class Exit_status { DONE = 0, BOUND_UNMET = 1, REFUSED = 2 };
 
 /// How long Mesh_2, which has inputs on which it does not end, may try.
 constexpr unsigned peer_limit_seconds = 600;

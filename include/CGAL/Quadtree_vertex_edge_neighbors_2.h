@@ -36,13 +36,14 @@
 // The nearest hit alone, H, does not approximate D: all four rays may miss a segment that ends next to v. That is
 // why the lemma needs V.
 //
-// Sectors. Distances are Euclidean, and everything in the sector counts, whatever lies between. The mesher finds
-// the radii of its rings (internal/refinement/find_corners.h) geodesically: by walks in the constrained Delaunay triangulation
-// of the domain that stop at constraints. The nearest feature in a sector is never hidden, because anything that
-// hides it is nearer. So the two differ only by what they leave out. The mesher ignores what is not in the domain.
-// It also ignores segments that touch the far end of a leg, even if they come back nearer to the apex than that; a
-// ring may then end close to such a segment, and refinement copes with it. The mesher also counts a vertex just
-// beyond the ring that sees the ring's chord under a large angle. doc/guarantees.md says why it keeps its walks.
+// Sectors. Distances are Euclidean, and everything in the sector counts, whatever lies between. The mesher
+// finds the radii of its rings (internal/refinement/find_corners.h) geodesically: by walks in the constrained
+// Delaunay triangulation of the domain that stop at constraints. The nearest feature in a sector is never
+// hidden, because anything that hides it is nearer. So the two differ only by what they leave out. The mesher
+// ignores what is not in the domain. It also ignores segments that touch the far end of a leg, even if they
+// come back nearer to the apex than that; a ring may then end close to such a segment, and refinement copes
+// with it. The mesher also counts a vertex just beyond the ring that sees the ring's chord under a large
+// angle. doc/guarantees.md says why it keeps its walks.
 
 #ifndef CGAL_QUADTREE_VERTEX_EDGE_NEIGHBORS_2_H
 #define CGAL_QUADTREE_VERTEX_EDGE_NEIGHBORS_2_H
@@ -184,7 +185,6 @@ private:
   using Hits = Quadtree_mesh_2::internal::Vertex_edge_hits;
 
   static constexpr std::size_t block_of_vertices = 64;
-  static constexpr std::size_t block_of_leaves = 1024;
 
   Point_rank rank(Vertex_index v) const { return tree_.framework().rank(Point_index(v.value())); }
 

@@ -120,7 +120,7 @@ void check_input_is_kept(const Exact_mesh& mesh, const Exact_pslg& pslg) {
 }
 
 void check_angles(const Exact_run& run, double degrees) {
-  const double sine = std::sin(degrees * 3.14159265358979323846 / 180);
+  const double sine = std::sin(degrees * CGAL_PI / 180);
   std::vector<char> is_exempt(run.mesh.triangles.size(), 0);
   for (const auto& e : run.report.exempt_triangles) is_exempt[std::size_t(e.triangle)] = 1;
   std::size_t clockwise = 0, sharp = 0;

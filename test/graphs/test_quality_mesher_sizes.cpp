@@ -248,7 +248,7 @@ TEST_CASE("The report counts angles by degrees", "[mesher][sizes]") {
       const auto& corners = r.mesh.triangles[t];
       const Point& apex = r.mesh.point(corners[k]);
       const auto u = r.mesh.point(corners[(k + 1) % 3]) - apex, v = r.mesh.point(corners[(k + 2) % 3]) - apex;
-      const double angle = std::atan2(u.x() * v.y() - u.y() * v.x(), u * v) * 180 / 3.14159265358979323846;
+      const double angle = std::atan2(u.x() * v.y() - u.y() * v.x(), u * v) * 180 / CGAL_PI;
       low = std::min(low, angle), high = std::max(high, angle);
     }
     on_border += (is_on_border(low) ? 1 : 0) + (is_on_border(high) ? 1 : 0);

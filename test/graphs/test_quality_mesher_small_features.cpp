@@ -81,7 +81,7 @@ void add_small_feature(Pslg& pslg, double size, Random& random) {
   const int n = 2 + static_cast<int>(random() % 4), kind = static_cast<int>(random() % 3);
   std::vector<CGAL::Quadtree_mesh_2::Vertex_index> v;
   for (int i = 0; i < n; ++i) {
-    const double angle = turn + i * 6.283185307179586 / n;
+    const double angle = turn + 2 * CGAL_PI * i / n;
     v.push_back(pslg.add_vertex(Point(x + size / 2 * std::cos(angle), y + size / 2 * std::sin(angle))));
   }
   for (std::size_t i = 0; kind > 0 && i + 1 < v.size(); ++i) pslg.add_segment(v[i], v[i + 1]);

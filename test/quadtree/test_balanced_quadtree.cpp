@@ -102,7 +102,7 @@ TEST_CASE("Neighbors of a leaf come counterclockwise", "[balanced]") {
       CHECK(angle > 0);
       turn += angle;
     }
-    CHECK(turn == Approx(6.283185307179586));
+    CHECK(turn == Approx(2 * CGAL_PI));
   }
   CHECK(inner > 100);
 }

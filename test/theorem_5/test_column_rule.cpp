@@ -44,7 +44,7 @@ double least_angle_by_cgal(const Column_window& window) {
       least = std::min(least, std::acos(u * v / std::sqrt(u.squared_length() * v.squared_length())));
     }
   }
-  return least * 180 / std::acos(-1.);
+  return least * 180 / CGAL_PI;
 }
 
 struct Random_line {

@@ -89,7 +89,7 @@ Case fan(std::uint64_t x, std::uint64_t y, std::uint64_t radius) {
         static_cast<std::int64_t>(std::llround(factor * static_cast<double>(radius))));
   };
   for (int i = 0; i < 360; ++i) {
-    const double angle = i * random_pslg::pi / 180;
+    const double angle = i * CGAL_PI / 180;
     c.input.points.push_back({shifted(x, std::cos(angle)), shifted(y, std::sin(angle))});
     add(c.segments, i % 2 == 0 ? 0 : std::size_t(i + 1), i % 2 == 0 ? std::size_t(i + 1) : 0);
   }

@@ -223,7 +223,7 @@ TEST_CASE("cells of fans", "[leaf_cells]") {
       const auto at = [&](std::uint64_t c, double d) {
         return static_cast<std::uint64_t>(std::llround(static_cast<double>(c) + 250 * d));
       };
-      const double angle = i * random_pslg::pi / 180;
+      const double angle = i * CGAL_PI / 180;
       add_if_compatible(segments, {{center, {at(center.x, std::cos(angle)), at(center.y, std::sin(angle))}}});
     }
     check_squares(segments, random, 10);

@@ -26,8 +26,6 @@ using CGAL::Quadtree_mesh_2::Leaf_index;
 using CGAL::Quadtree_mesh_2::Point_index;
 using CGAL::Quadtree_mesh_2::Vertex_index;
 
-const double pi = std::acos(-1.);
-
 /// A vertex near the center of the root, and edges from it, in counterclockwise order.
 Case random_star(Random& random) {
   const auto point = [](double x, double y) {
@@ -35,11 +33,12 @@ Case random_star(Random& random) {
     return Point{on_grid(x), on_grid(y)};
   };
   const double x = extent / 2 + 8 * random(), y = extent / 2 + 8 * random(),
-               step = (least_sector + 0.1) * pi / 180;
+               step = (least_sector + 0.1) * CGAL_PI / 180;
   Case c;
   c.points.push_back(point(x, y));
-  const double first = random.below(4) == 0 ? random.below(8) * pi / 4 : 2 * pi * random();
-  for (double a = first; a < first + 2 * pi - step; a += step + (random.below(2) == 0 ? 0 : 2 * random())) {
+  const double first = random.below(4) == 0 ? random.below(8) * CGAL_PI / 4 : 2 * CGAL_PI * random();
+  for (double a = first; a < first + 2 * CGAL_PI - step;
+       a += step + (random.below(2) == 0 ? 0 : 2 * random())) {
     const double length = 65 + 30 * random();
     c.segments.push_back({Vertex_index(0), Vertex_index(c.points.size())});
     c.points.push_back(point(x + length * std::cos(a), y + length * std::sin(a)));

@@ -28,8 +28,6 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Cdt = CGAL::Constrained_Delaunay_triangulation_2<Kernel>;
 using Point = Kernel::Point_2;
 
-const double pi = std::acos(-1.);
-
 Window_point direction_of(double angle) { return {std::cos(angle), std::sin(angle)}; }
 
 /// A sector, or with the other directions a whole vertex; angles in radians.
@@ -52,11 +50,11 @@ struct Random {
     if (kind == 3) v = {0, 0};
     return v;
   }
-  double direction() { return below(4) == 0 ? double(below(8)) * pi / 4 : 2 * pi * (*this)(); }
+  double direction() { return below(4) == 0 ? double(below(8)) * CGAL_PI / 4 : 2 * CGAL_PI * (*this)(); }
   Sector sector(double least, double greatest) {
     const double share = (*this)();
     const double size = below(6) == 0 ? least : least + (greatest - least) * share * share;
-    return {vertex(), direction(), size * pi / 180};
+    return {vertex(), direction(), size * CGAL_PI / 180};
   }
   Sector near(Sector s, double step, double least, double greatest) {
     const auto move = [&](double& value) { value += step * ((*this)() - 0.5); };
@@ -64,7 +62,7 @@ struct Random {
     move(s.vertex.y);
     move(s.first);
     if (below(3) > 0) move(s.size);
-    s.size = std::min(std::max(s.size, least * pi / 180), greatest * pi / 180);
+    s.size = std::min(std::max(s.size, least * CGAL_PI / 180), greatest * CGAL_PI / 180);
     return s;
   }
 };
@@ -103,14 +101,14 @@ struct Vertex {
 
 Vertex random_vertex(Random& random, double least) {
   Vertex v{random.vertex(), {random.direction()}};
-  const double step = least * pi / 180, end = v.directions[0] + 2 * pi - step;
+  const double step = least * CGAL_PI / 180, end = v.directions[0] + 2 * CGAL_PI - step;
   for (double a = v.directions[0];;) {
     a += step + (random.below(2) == 0 ? 0 : 2 * random());
     if (a > end) break;
     v.directions.push_back(a);
     if (random.below(4) == 0) break;
   }
-  if (v.directions.size() == 1) v.directions.push_back(v.directions[0] + pi);
+  if (v.directions.size() == 1) v.directions.push_back(v.directions[0] + CGAL_PI);
   return v;
 }
 
@@ -146,7 +144,7 @@ Cdt triangulation(const Vertex& v, const Radii& radii = {}) {
 }
 
 double least_angle(const Vertex& v, const Cdt& cdt, const Radii& radii = {}) {
-  double least = pi;
+  double least = CGAL_PI;
   for (auto f = cdt.finite_faces_begin(); f != cdt.finite_faces_end(); ++f) {
     const Point center = CGAL::centroid(cdt.triangle(f));
     if (std::hypot(center.x() - v.place.x, center.y() - v.place.y) > radii.triangles) continue;
@@ -157,7 +155,7 @@ double least_angle(const Vertex& v, const Cdt& cdt, const Radii& radii = {}) {
       least = std::min(least, std::acos(a * b / std::sqrt(a.squared_length() * b.squared_length())));
     }
   }
-  return least * 180 / pi;
+  return least * 180 / CGAL_PI;
 }
 
 } // namespace

@@ -156,7 +156,7 @@ inline double least_angle(const Cdt& cdt, double margin) {
       least = std::min(least, std::acos(u * v / std::sqrt(u.squared_length() * v.squared_length())));
     }
   }
-  return least * 180 / std::acos(-1.);
+  return least * 180 / CGAL_PI;
 }
 
 } // namespace column_test

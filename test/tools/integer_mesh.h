@@ -9,6 +9,8 @@
 
 // Triangles with integer coordinates, and what can be said of them exactly.
 
+#include <CGAL/number_type_config.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -59,7 +61,7 @@ struct Cotangent_range {
 
 private:
   static double cotangent(double degrees) {
-    return static_cast<double>(units) / std::tan(degrees * std::acos(-1.) / 180);
+    return static_cast<double>(units) / std::tan(degrees * CGAL_PI / 180);
   }
 };
 

@@ -27,8 +27,6 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_2;
 using Pslg = CGAL::Pslg_2<Point>;
 
-constexpr double pi = 3.14159265358979323846;
-
 /// Numbers that are the same with every standard library (splitmix64).
 class Random {
 public:
@@ -90,10 +88,10 @@ inline Point polar(const Point& c, double r, double angle) {
 
 /// A rotated square around what follows.
 inline void add_box(Builder& b, Random& random, double half) {
-  const double angle = random.between(0, 2 * pi);
+  const double angle = random.between(0, 2 * CGAL_PI);
   std::vector<Point> corners;
   for (int i = 0; i < 4; ++i)
-    corners.push_back(polar(Point(0, 0), half * std::sqrt(2.0), angle + i * pi / 2));
+    corners.push_back(polar(Point(0, 0), half * std::sqrt(2.0), angle + i * CGAL_PI / 2));
   b.loop(corners);
 }
 
@@ -105,21 +103,21 @@ inline Pslg fans_and_pairs(std::uint64_t seed) {
   for (int k = random.integer(1, 3); k > 0; --k) {
     const Point o(random.between(-1.2, 1.2), random.between(-1.2, 1.2));
     const std::size_t center = b.vertex(o);
-    const double begin = random.between(0, 2 * pi);
-    for (double angle = begin; angle < begin + 2 * pi - 0.02;) {
+    const double begin = random.between(0, 2 * CGAL_PI);
+    for (double angle = begin; angle < begin + 2 * CGAL_PI - 0.02;) {
       const Point q = polar(o, random.between(0, 1) < 0.7 ? random.between(0.1, 0.9) : 0.5, angle);
       if (b.is_free(o, q, center)) b.segment(center, b.vertex(q));
       const double ranges[5] = {0.1, 5, 30, 60, 170};
       const int r = random.integer(0, 3);
-      angle += random.between(ranges[r], ranges[r + 1]) * pi / 180;
+      angle += random.between(ranges[r], ranges[r + 1]) * CGAL_PI / 180;
     }
   }
   for (int k = random.integer(0, 6); k > 0; --k) {
     const Point p(random.between(-1.5, 1.5), random.between(-1.5, 1.5));
-    const double angle = random.between(0, 2 * pi), length = random.between(0.1, 0.8);
+    const double angle = random.between(0, 2 * CGAL_PI), length = random.between(0.1, 0.8);
     const double gap = std::pow(10, random.between(-3, -1));
     for (const double g : {0.0, gap}) {
-      const Point a = polar(p, g, angle + pi / 2), c = polar(a, length, angle + 0.5 * g);
+      const Point a = polar(p, g, angle + CGAL_PI / 2), c = polar(a, length, angle + 0.5 * g);
       if (b.is_free(a, c, no_vertex)) {
         const std::size_t v = b.vertex(a);
         b.segment(v, b.vertex(c));
@@ -138,7 +136,7 @@ inline Pslg star(std::uint64_t seed) {
     std::vector<Point> points;
     for (int i = 0; i < 2 * tips; ++i)
       points.push_back(polar(Point(0, 0), scale * (i % 2 ? random.between(0.2, 0.3) : random.between(0.5, 3)),
-                             pi * (i + 0.3 * random.between(0, 1)) / tips));
+                             CGAL_PI * (i + 0.3 * random.between(0, 1)) / tips));
     b.loop(points);
   }
   if (random.integer(0, 1) == 1) b.pslg.holes.push_back(Point(0, 0));
@@ -169,7 +167,7 @@ inline Pslg segments(std::uint64_t seed) {
   add_box(b, random, 1.5);
   for (int k = random.integer(1, 60); k > 0; --k) {
     const Point p(random.between(-1, 1), random.between(-1, 1));
-    const Point q = polar(p, std::pow(10, random.between(-4, -0.5)), random.between(0, 2 * pi));
+    const Point q = polar(p, std::pow(10, random.between(-4, -0.5)), random.between(0, 2 * CGAL_PI));
     if (!b.is_free(p, q, no_vertex)) continue;
     const std::size_t v = b.vertex(p);
     b.segment(v, b.vertex(q));
@@ -207,7 +205,7 @@ inline Pslg fractal(std::uint64_t seed) {
   Random random(seed);
   std::vector<Point> curve;
   const int sides = random.integer(3, 6);
-  for (int i = 0; i < sides; ++i) curve.push_back(polar(Point(0, 0), 1, 2 * pi * i / sides));
+  for (int i = 0; i < sides; ++i) curve.push_back(polar(Point(0, 0), 1, 2 * CGAL_PI * i / sides));
   const double bump = random.between(0.02, 0.28);
   for (int level = random.integer(1, 4); level > 0; --level) {
     std::vector<Point> next;
@@ -230,10 +228,10 @@ inline Pslg wedge(std::uint64_t seed) {
   add_box(b, random, 2);
   const std::size_t apex = b.vertex(Point(random.between(-0.2, 0.2), random.between(-0.2, 0.2)));
   const Point o = b.pslg.vertices[apex];
-  double angle = random.between(0, 2 * pi), length = random.between(0.1, 1);
+  double angle = random.between(0, 2 * CGAL_PI), length = random.between(0.1, 1);
   for (int legs = random.integer(2, 5); legs > 0; --legs) {
     b.segment(apex, b.vertex(polar(o, length, angle)));
-    angle += std::pow(10, random.between(-4, 1)) * pi / 180;
+    angle += std::pow(10, random.between(-4, 1)) * CGAL_PI / 180;
     length = random.integer(0, 1) == 0 ? length * (1 + std::pow(10, random.between(-9, -1)))
                                        : random.between(0.1, 1);
   }

@@ -12,6 +12,8 @@
 
 #include "random_pslg.h"
 
+#include <CGAL/number_type_config.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -70,10 +72,10 @@ inline Pslg fan(std::uint64_t seed) {
   add_box(b, random, 2);
   const std::size_t center = b.vertex(Point(random.between(-0.1, 0.1), random.between(-0.1, 0.1)));
   const Point o = b.pslg.vertices[center];
-  const double step = power_of_ten(random, -1, 1.48) * pi / 180;
-  const int spokes = std::min(random.integer(3, 400), static_cast<int>(2 * pi / step));
+  const double step = power_of_ten(random, -1, 1.48) * CGAL_PI / 180;
+  const int spokes = std::min(random.integer(3, 400), static_cast<int>(2 * CGAL_PI / step));
   const int kind = random.integer(0, 2);
-  const double begin = random.between(0, 2 * pi), ratio = random.between(0.3, 0.99);
+  const double begin = random.between(0, 2 * CGAL_PI), ratio = random.between(0.3, 0.99);
   for (int i = 0; i < spokes; ++i) {
     const double length = kind == 0 ? 1 : kind == 1 ? (i % 2 == 0 ? 1 : ratio) : random.between(0.05, 1);
     b.segment(center, b.vertex(polar(o, length, begin + i * step)));
@@ -89,12 +91,12 @@ inline Pslg near_parallel(std::uint64_t seed) {
   add_box(b, random, 2);
   for (int bundles = random.integer(1, 3); bundles > 0; --bundles) {
     Point p(random.between(-1, 1), random.between(-1, 1));
-    const double angle = random.between(0, 2 * pi), length = power_of_ten(random, -1, 0);
+    const double angle = random.between(0, 2 * CGAL_PI), length = power_of_ten(random, -1, 0);
     const double gap = length * power_of_ten(random, -3.3, -1);
     const double turn = random.integer(0, 1) == 0 ? 0 : gap * random.between(-0.5, 0.5);
     for (int k = random.integer(2, 6); k > 0; --k) {
       add_if_free(b, p, polar(p, length * random.between(0.7, 1), angle + k * turn));
-      p = polar(polar(p, gap, angle + pi / 2), length * random.between(-0.3, 0.3), angle);
+      p = polar(polar(p, gap, angle + CGAL_PI / 2), length * random.between(-0.3, 0.3), angle);
     }
   }
   return b.pslg;
@@ -107,10 +109,10 @@ inline Pslg near_touching(std::uint64_t seed) {
   add_box(b, random, 2);
   for (int k = random.integer(1, 4); k > 0; --k) {
     const Point p(random.between(-1, 1), random.between(-1, 1));
-    const double angle = random.between(0, 2 * pi), length = random.between(0.2, 1);
+    const double angle = random.between(0, 2 * CGAL_PI), length = random.between(0.2, 1);
     add_if_free(b, p, polar(p, length, angle));
     for (int others = random.integer(1, 3); others > 0; --others) {
-      const double side = random.integer(0, 1) == 0 ? pi / 2 : -pi / 2;
+      const double side = random.integer(0, 1) == 0 ? CGAL_PI / 2 : -CGAL_PI / 2;
       const Point foot = polar(p, length * random.between(-0.01, 1.01), angle);
       const Point tip = polar(foot, power_of_ten(random, -12, -1), angle + side);
       const double leave = angle + side * random.between(0.1, 1.9);
@@ -128,8 +130,8 @@ inline Pslg near_touching(std::uint64_t seed) {
 inline Pslg koch(std::uint64_t seed) {
   Random random(seed);
   std::vector<Point> curve;
-  const double turn = random.between(0, 2 * pi), scale = power_of_ten(random, -6, 6);
-  for (int i = 0; i < 3; ++i) curve.push_back(polar(Point(0, 0), scale, turn + 2 * pi * i / 3));
+  const double turn = random.between(0, 2 * CGAL_PI), scale = power_of_ten(random, -6, 6);
+  for (int i = 0; i < 3; ++i) curve.push_back(polar(Point(0, 0), scale, turn + 2 * CGAL_PI * i / 3));
   const int kind = random.integer(0, 2);
   // Above a half of the height of an equilateral triangle, bumps on both sides could meet.
   const double height = kind == 0 ? std::sqrt(0.75) / 3 : 0.22;
@@ -189,8 +191,8 @@ inline Pslg visibility_graph(std::uint64_t seed) {
 inline Pslg needle(std::uint64_t seed) {
   Random random(seed);
   Builder b;
-  const double turn = random.between(0, 2 * pi), length = power_of_ten(random, -3, 3);
-  const double angle = power_of_ten(random, -4, 0) * pi / 180;
+  const double turn = random.between(0, 2 * CGAL_PI), length = power_of_ten(random, -3, 3);
+  const double angle = power_of_ten(random, -4, 0) * CGAL_PI / 180;
   const Point apex(random.between(-1, 1), random.between(-1, 1));
   const Point p = polar(apex, length, turn);
   const Point q = polar(apex, length * random.between(0.3, 1), turn + angle);
@@ -214,8 +216,8 @@ inline Pslg holes(std::uint64_t seed) {
     for (int j = 0; j < rows; ++j) {
       const Point center(i + 0.5, j + 0.5);
       std::vector<Point> points;
-      const double begin = random.integer(0, 1) == 0 ? 0 : random.between(0, 2 * pi);
-      for (int k = 0; k < 6; ++k) points.push_back(polar(center, radius, begin + k * pi / 3));
+      const double begin = random.integer(0, 1) == 0 ? 0 : random.between(0, 2 * CGAL_PI);
+      for (int k = 0; k < 6; ++k) points.push_back(polar(center, radius, begin + k * CGAL_PI / 3));
       b.loop(points);
       if (random.integer(0, 3) > 0) b.pslg.holes.push_back(center);
     }

@@ -126,6 +126,8 @@ inline std::pair<std::int64_t, std::int64_t> doubled_areas(const Ring_mesh<Integ
   return {area, area_in_border};
 }
 
+constexpr double degree = CGAL_PI / 180;
+
 /// In degrees.
 template <class Geometry>
 std::array<double, 3> angles_of(const Ring_mesh<Geometry>& mesh, const Triangle& t) {
@@ -134,10 +136,15 @@ std::array<double, 3> angles_of(const Ring_mesh<Geometry>& mesh, const Triangle&
     const auto& p = mesh.point(t[i]);
     const Vector u = Geometry::difference(mesh.point(t[(i + 1) % 3]), p),
                  v = Geometry::difference(mesh.point(t[(i + 2) % 3]), p);
-    angles[i] = std::atan2(cross(u, v), dot(u, v)) * 57.295779513082321;
+    angles[i] = std::atan2(cross(u, v), dot(u, v)) / degree;
   }
   return angles;
 }
+
+/// Degrees that angles are to keep.
+struct Bounds {
+  double low, high;
+};
 
 struct Angle_extremes {
   double least = 180, greatest = -180;
@@ -160,6 +167,13 @@ Angle_extremes angle_extremes(const Ring_mesh<Geometry>& mesh, const Is_asked& i
 template <class Geometry>
 Angle_extremes angle_extremes(const Ring_mesh<Geometry>& mesh) {
   return angle_extremes(mesh, [](const Triangle&) { return true; });
+}
+
+/// Whether nothing is asked of a triangle.
+template <class Geometry>
+bool are_rigid(const Ring_mesh<Geometry>& mesh, const Triangle& t) {
+  return std::all_of(t.begin(), t.end(),
+                     [&](Ring_vertex v) { return mesh.ring(v).mobility == Mobility::RIGID; });
 }
 
 static_assert(sizeof(Ring) == 64, "compared as bytes, so without gaps");

@@ -64,7 +64,7 @@ public:
     for (const Point_2& p : pslg.holes) domain.holes.push_back(map_.to_kernel(p));
     domain.apply(state_.mesh, First::number_of_auxiliary_vertices);
     sides_.emplace(state_.mesh, problem_.edges);
-    problem_.bounds = internal::Bounds<Geometry>(20.7 * 3.14159265358979323846 / 180, 0, 0);
+    problem_.bounds = internal::Bounds<Geometry>(20.7 * CGAL_PI / 180, 0, 0);
     internal::Corner_finder<ConcurrencyTag, Geometry>(state_).run();
     graph_.vertices = pslg.vertices;
     for (std::size_t e = 0; e < problem_.edges.size(); ++e) {

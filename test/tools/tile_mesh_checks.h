@@ -56,7 +56,7 @@ inline Least_and_greatest_angle angles(const Tile_mesh& mesh) {
       const Tile_place a = place(mesh, t[i]);
       const Difference u = difference(a, place(mesh, t[(i + 1) % 3])),
                        v = difference(a, place(mesh, t[(i + 2) % 3]));
-      const double angle = std::atan2(double(cross(u, v)), double(dot(u, v))) * 57.29577951308232;
+      const double angle = std::atan2(double(cross(u, v)), double(dot(u, v))) * (180 / CGAL_PI);
       range.least = std::min(range.least, angle);
       range.greatest = std::max(range.greatest, angle);
     }

@@ -31,6 +31,7 @@
 #include <CGAL/Quadtree_mesh_2/Point_error.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/Phase_timer.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/Progress.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/angle_units.h>
 #include <CGAL/Quadtree_mesh_2/internal/geometry/coordinate_map.h>
 #include <CGAL/Quadtree_mesh_2/internal/grid/morton.h>
 #include <CGAL/Quadtree_mesh_2/internal/neighbors/nearest_hits.h>
@@ -113,7 +114,6 @@ private:
   /// Quadtrees make four times the triangles that are needed: removal alone leaves half of those too many.
   static constexpr int rounds_after_construction_ = 2;
   static constexpr bool has_double_coordinates = std::is_same_v<typename Geometry::Coordinate, double>;
-  static constexpr double degree = 3.14159265358979323846 / 180;
 
   const Pslg& pslg_;
   const Quality_mesh_options_2& options_;
@@ -184,8 +184,8 @@ private:
       refuse_what_is_too_near();
   }
 
-  /// Coordinates are unlimited, and so is what the input may have. Its least distance is a side or height of a triangle;
-  /// what is in the way of a leg is no nearer.
+  /// Coordinates are unlimited, and so are the distances that an input may have. Its least distance is a side
+  /// or a height of a triangle. Nothing in the way of a leg is nearer.
   void set_least_share_of_leg() {
     constexpr double clearance = 0x1p-34; // squared
     typename Geometry::Number least = 1;
@@ -233,7 +233,7 @@ private:
   void set_bounds() {
     const double scale = map_.length_to_kernel(1.0);
     Bounds<Geometry>& bounds = problem_.bounds;
-    bounds = Bounds<Geometry>(options_.min_angle_in_degrees * degree,
+    bounds = Bounds<Geometry>(options_.min_angle_in_degrees * radians_per_degree,
                               options_.max_triangle_area * scale * scale, scale * options_.max_edge_length);
     const double least_length = scale * options_.min_edge_length;
     bounds.least_squared_length = least_length * least_length;
@@ -308,7 +308,7 @@ private:
     Bulk_filler<ConcurrencyTag, Geometry>(state_).run(budgets().of_refinement(may_construct_instead()));
     Block_refinement<ConcurrencyTag, Geometry> blocks(state_, finishing_,
                                                       budgets().of_refinement(may_construct_instead()));
-    if (blocks.run([this] { return progress_.shall_go_on(0.2); }))
+    if (blocks.run([this] { return progress_.shall_go_on(Progress_shares::blocks); }))
       finishing_.smoothing_rounds = 0; // done, and removal is left only at seams
     else
       refiner.push_all();
@@ -322,8 +322,9 @@ private:
     state_.legalize();
   }
 
-  /// Above the bounds that are established for refinement, triangles left are no sign that quadtrees do better; and they
-  /// know no least edge, nor rules of the user's. What they failed at once they are not asked again.
+  /// Whether quadtrees may take the place of refinement. Above the bounds that are established for
+  /// refinement, triangles left over are no sign that quadtrees do better. Quadtrees know neither a least
+  /// edge nor the user's rules. If they failed before, they are not asked again.
   bool may_construct_instead() const {
     return options_.vertex_budget == 0 && options_.min_edge_length == 0 && !options_.refined_where &&
            too_near_for_trees_.empty() && problem_.bounds.is_established() &&
@@ -343,7 +344,8 @@ private:
     const std::size_t n = pslg_.number_of_vertices();
     return refiner.run(budget, [this, n] {
       const double made = static_cast<double>(state_.mesh.number_of_vertices() - n) + 1;
-      return progress_.shall_go_on(0.2 + 0.6 * made / (made + 3 * static_cast<double>(n)));
+      return progress_.shall_go_on(Progress_shares::blocks +
+                                   Progress_shares::refinement * made / (made + 3 * static_cast<double>(n)));
     });
   }
 
@@ -393,7 +395,7 @@ private:
     const Bounds<Geometry> wanted = problem_.bounds;
     problem_.bounds.lower_to_established();
     const auto end = construction.run(options_.trees.placement, budgets().of_construction(),
-                                      [this] { return progress_.shall_go_on(0.3); });
+                                      [this] { return progress_.shall_go_on(Progress_shares::quadtrees); });
     problem_.bounds = wanted;
     return end;
   }
@@ -413,12 +415,12 @@ private:
   void coarsen() {
     Phase_timer timer(report_.seconds.coarsen);
     if (progress_.is_cancelled()) return;
-    finish_mesh(state_, finishing_, [this] { return progress_.shall_go_on(0.85); });
+    finish_mesh(state_, finishing_, [this] { return progress_.shall_go_on(Progress_shares::removal); });
     if (finishing_.removal == Removal::GUARDED && !report_.is_budget_exhausted)
-      thin_small_mesh(state_, [this] { return progress_.shall_go_on(0.9); });
+      thin_small_mesh(state_, [this] { return progress_.shall_go_on(Progress_shares::thinning); });
     for (int round = 0; round < finishing_.thinning_rounds; ++round)
       if (!Thinner<Geometry>(state_).run(budgets().of_repair(state_.mesh.number_of_vertices()),
-                                         [this] { return progress_.shall_go_on(0.9); }))
+                                         [this] { return progress_.shall_go_on(Progress_shares::thinning); }))
         return;
   }
 

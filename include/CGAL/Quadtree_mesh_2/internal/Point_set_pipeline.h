@@ -153,8 +153,9 @@ private:
     return frame;
   }
 
-  /// Fills tiles and moves vertices to the points until all triangles are in the range. Each round that fails leads to
-  /// smaller squares for a point that has not the smallest ones; when all have, nothing is left to fail but coordinates.
+  /// Fills tiles and moves vertices to the points until all triangles are in the range. Each round that fails
+  /// gives smaller squares to a point that does not have the smallest ones yet. Once all points have these,
+  /// only coordinates can fail.
   Site_mesh<Geometry> separate(Tile_forest<ConcurrencyTag, Geometry>& forest, const Distinct& distinct,
                                const Angle_range& range) {
     for (;;) {
@@ -165,7 +166,7 @@ private:
       const std::vector<std::size_t> to_blame =
           relaxer.place_sites([&forest](std::size_t p) { return !forest.is_certified(p); });
       report_.triangles_before_coarsening = mesh.mesh.number_of_triangles();
-      progress_.shall_go_on(0.2);
+      progress_.shall_go_on(Progress_shares::placing);
       if (to_blame.empty()) return mesh;
       for (const std::size_t p : to_blame) forest.refine_for(p);
     }
@@ -202,7 +203,7 @@ private:
       effort.tries_per_vertex =
           static_cast<double>(options_.removal_budget) / static_cast<double>(mesh.mesh.number_of_vertices());
     Site_mesh_relaxer<ConcurrencyTag, Geometry>(mesh, range).coarsen(effort, [this](double share) {
-      return progress_.shall_go_on(0.2 + 0.75 * share);
+      return progress_.shall_go_on(Progress_shares::placing + Progress_shares::coarsening * share);
     });
   }
 

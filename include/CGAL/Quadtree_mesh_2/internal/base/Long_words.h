@@ -4,7 +4,7 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 
-// Grid coordinates of unlimited length.
+// Words of unlimited length, for the grid coordinates of exact quadtrees.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_BASE_LONG_WORDS_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_BASE_LONG_WORDS_H

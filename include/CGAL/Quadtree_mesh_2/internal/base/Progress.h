@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cstddef>
 #include <functional>
 #include <mutex>
 
@@ -16,8 +17,22 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-/// Tells the user how far the work is, and asks whether to go on. Any thread may call; the user's function is called by
-/// one at a time, and what it is told never falls.
+/// About which share of the work is done where a pipeline asks whether to go on.
+struct Progress_shares {
+  // graphs: refinement goes on from the blocks' share
+  static constexpr double blocks = 0.2, refinement = 0.6, quadtrees = 0.3, removal = 0.85, thinning = 0.9;
+  // sets of points: coarsening goes on from the share of placing
+  static constexpr double placing = 0.2, coarsening = 0.75;
+};
+
+/// Whether a loop of many short steps asks now if it shall go on.
+constexpr bool is_time_to_ask(std::size_t step) {
+  constexpr std::size_t steps_between_questions = 4096;
+  return step % steps_between_questions == 0;
+}
+
+/// Tells the user how far the work is, and asks whether to go on. Any thread may call. The user's function is
+/// called by one thread at a time, and the share that it gets never falls.
 class Progress {
 public:
   using Callback = std::function<bool(double)>;

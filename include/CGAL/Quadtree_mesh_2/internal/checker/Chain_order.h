@@ -99,7 +99,8 @@ private:
     return true;
   }
 
-  /// Whether `v`, on the left of a side from `a` to `b`, is within the third at that side of the triangle with the apex.
+  /// Whether `v`, which is on the left of the side from `a` to `b`, is within the third at that side of the
+  /// triangle `a`, `b`, `apex`.
   bool is_in_third(const Point& a, const Point& b, std::uint32_t apex, const Point& v) const {
     if (apex == Domain::none) return true;
     return turn_from_centroid(a, b, point(apex), v) == NEGATIVE &&

@@ -101,7 +101,6 @@ public:
 
   bool is_reversed(std::uint32_t a, std::uint32_t b) const { return degrees_[place(b)] < degrees_[place(a)]; }
   std::uint32_t place(std::uint32_t i) const { return handles_[i]->info(); }
-  Vertex_handle handle(std::uint32_t i) const { return handles_[i]; }
   /// Whether segments cross and the tag keeps that from being constructed: some segments are missing then.
   bool is_stopped_by_crossing() const { return is_stopped_by_crossing_; }
   bool has_crossings() const { return is_stopped_by_crossing_ || cdt_.number_of_vertices() > distinct_; }

@@ -148,7 +148,8 @@ private:
     return false;
   }
 
-  /// Whether `v`, on segment `s` with its first vertex, is in a wedge of `s` and another segment that excuses the angle.
+  /// Whether `v`, on segment `s` with its first vertex, is in a wedge of `s` and another segment that excuses
+  /// the angle.
   bool is_in_wedge(const std::array<std::uint32_t, 3>& v, std::uint32_t s, double least) const {
     for (std::size_t k :
          {1u, 2u}) { // a vertex of the triangle that is not on s has to be on the other segment
@@ -189,8 +190,9 @@ private:
            (CGAL::collinear(a, b, p) && CGAL::collinear_are_strictly_ordered_along_line(a, p, b));
   }
 
-  /// Where the leg of a wedge along a segment leads to: the segment's other end or, where the segment goes through the
-  /// apex, the one on the triangle's side. The triangle's vertex on the leg may be too near to tell its direction.
+  /// Where the leg of a wedge along a segment leads to. This is the segment's other end or, if the segment
+  /// goes through the apex, its end on the triangle's side. The triangle's vertex on the leg may be too near
+  /// to tell the direction.
   const Point& leg_end(std::uint32_t segment, const Point& apex,
                        const std::array<std::uint32_t, 3>& v) const {
     if (end_of(segment, 0) == apex) return end_of(segment, 1);

@@ -21,8 +21,8 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-/// \param polynomial called with a number of some type, evaluates itself in numbers of that type, and returns one, not an
-/// expression of such.
+/// \param polynomial called with a number of some type. It evaluates itself in numbers of that type, and
+///         returns such a number, not an expression.
 template <class Polynomial>
 Sign exact_sign(const Polynomial& polynomial) {
   {

@@ -32,8 +32,6 @@ using Octagon_vertices = std::array<std::int32_t, Collar::number_of_octagon_vert
 using Window_vertices = std::array<std::int32_t, Collar::number_of_window_vertices>;
 
 constexpr int number_of_octagon_triangles = 16;
-constexpr int number_of_inner_collar_vertices =
-    Collar::number_of_vertices - Collar::number_of_octagon_vertices - Collar::number_of_window_vertices;
 
 /// The triangles around an octagon, counterclockwise.
 /// \param octagon its vertices, \param spokes those around it; both in the order of `Cluster_frame`.

@@ -6,26 +6,29 @@
 //
 // Where the quadtree of a cluster lies: its squares in the plane, and the octagon around it.
 //
-// The root is a square of 8 x 8 cells with the side sigma, a power of two, of which the window of 5 x 5 in columns
-// and rows 1 to 5 is kept (collar_table.h). The sites of the cluster, its own points and one for each cluster in
-// it, lie in the middle cell, number 3, with the blocks of leaves that are forced around them. The center p of the
-// window is a multiple of sigma/8 and stands for the cluster in its parent's quadtree.
+// The root is a square of 8 x 8 cells. The side of a cell, sigma, is a power of two. A window of 5 x 5 cells,
+// in columns and rows 1 to 5, is kept (collar_table.h). The sites of the cluster are its own points, and one
+// point for each cluster inside it. All sites lie in the middle cell, number 3, and so do the blocks of
+// leaves that are forced around them. The center p of the window is a multiple of sigma/8. It stands for the
+// cluster in its parent's quadtree.
 //
-// How large sigma is. Let w be the width of the cluster. A site's leaf has a side l of at most E/6 (a point: its
-// block reaches at most 2 l from it) or E/7 (a cluster: its block reaches at most 2.5 l), E <= sqrt(2) w being its
-// distance to another site: so blocks reach at most sqrt(2) 2.5/7 w = 0.5051 w from their sites. These are at most
-// w/2 + sigma/16 from p, in each coordinate, points by the choice of p, and the centers of clusters but for 0.0003
-// w (a share of their widths, find_clusters.h). Together 1.0054 w + sigma/16 <= sigma/2 if sigma >= 2.2982 w:
-// sigma is the least power of two with sigma >= 2.5 w, which leaves room for rounding, and l <= 0.2358 w <
-// sigma/8. A larger one does as well, if the parent's leaf has room for it.
+// How large sigma is. Let w be the width of the cluster, and E <= sqrt(2) w the distance from a site to
+// another one. A point has a leaf of side l <= E/6, and its block reaches at most 2 l from it. A cluster has
+// a leaf of side l <= E/7, and its block reaches at most 2.5 l from it. So a block reaches at most sqrt(2)
+// 2.5/7 w = 0.5051 w from its site. In each coordinate, a site is at most w/2 + sigma/16 from p. For points,
+// this is so by the choice of p. Centers of clusters may be 0.0003 w farther away (a share of their widths,
+// find_clusters.h). Together a block reaches at most 1.0054 w + sigma/16 from p. That is at most sigma/2,
+// half of the middle cell, if sigma >= 2.2982 w. So sigma is the least power of two with sigma >= 2.5 w,
+// which leaves room for rounding. Then l <= 0.2358 w < sigma/8. A larger sigma does as well, if the parent's
+// leaf has room for it.
 //
-// Exactness. The octagon's vertices are multiples of sigma/512, the collar's of sigma/1024, all within 12 sigma of
-// p. The spokes of the leaf with side s >= 64 sigma around the octagon are multiples of s/1024 from p. So all of
-// them are
+// Exactness. The octagon's vertices are multiples of sigma/512, and the collar's are multiples of sigma/1024.
+// All are within 12 sigma of p. The leaf around the octagon has a side s >= 64 sigma, and its spokes are
+// multiples of s/1024 from p. So all these vertices are
 // - doubles, if coordinates are below 2^42 sigma and s <= 2^48 sigma;
 // - integers, if sigma >= 1024 (and all of the root is below 2^62);
-// - coordinates of exact fields always.
-// What else is in the window is at places of the grid, rounded to coordinates.
+// - coordinates of exact fields, always.
+// Everything else in the window is at places of the grid, rounded to coordinates.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_CLUSTERS_CLUSTER_FRAME_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_CLUSTERS_CLUSTER_FRAME_H

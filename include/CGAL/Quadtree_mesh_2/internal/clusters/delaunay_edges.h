@@ -4,12 +4,12 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// The edges of the Delaunay triangulation of points by increasing length: minimum spanning trees (Kruskal) and
-// nearest neighbors are among them.
+// The edges of the Delaunay triangulation of points by increasing length. Among them are the edges of the
+// minimum spanning tree (Kruskal) and those to nearest neighbors.
 //
-// CGAL's triangulation with the predicates of a meshing geometry, which are exact for doubles, for integers and
-// for numbers of exact fields. Lengths are doubles, correct up to a relative 2^-51. O(n log n) after the points'
-// spatial sort in practice.
+// CGAL's triangulation uses the predicates of a meshing geometry. They are exact for doubles, for integers
+// and for numbers of exact fields. Lengths are doubles, correct up to a relative 2^-51. After the points'
+// spatial sort it takes O(n log n) in practice.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_CLUSTERS_DELAUNAY_EDGES_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_CLUSTERS_DELAUNAY_EDGES_H

@@ -6,33 +6,35 @@
 //
 // The clusters of a set of points (section 5 of the paper, before Theorem 4).
 //
-// A cluster is a set C of at least two points, but not all, with
-//     distance(C, other points) >= gap * width(C),
-// where the width is the larger side of the bounding box. For a gap above sqrt(2), clusters are disjoint or nested:
-// at most n - 1 of them, the nodes of a tree whose root is the set of all points. A cluster with its own points and
-// the clusters in it, each replaced by a point, becomes a quadtree of its own, which is put into its parent's in the
-// place of one vertex (Cluster_frame.h).
+// Computes: the tree of all clusters. A cluster is a set C of at least two points, but not all, with
+//               distance(C, other points) >= gap * width(C),
+//           where the width is the larger side of the bounding box. For a gap above sqrt(2), clusters are
+//           disjoint or nested. So there are at most n - 1 of them. They are the nodes of a tree whose root
+//           is the set of all points. A cluster becomes a quadtree of its own, in which a point stands for
+//           each cluster inside it. That quadtree takes the place of one vertex of its parent's
+//           (Cluster_frame.h).
+// Bound:    O(n log n).
+// Method:   Single linkage. Kruskal's algorithm makes the points' minimum spanning tree from the edges of
+//           their Delaunay triangulation. When it is about to link a component by an edge, the length of the
+//           edge is the component's distance to all other points. Each cluster is a component at some time.
+// Deviates: the paper finds candidates in the framework tree. It then merges up to four candidates or points
+//           near a common corner of their squares. Distances know nothing of squares, so nothing has to be
+//           merged here. Exactly the sets of the definition are found.
 //
-// Method: single linkage. Kruskal's algorithm makes the points' minimum spanning tree out of the edges of their
-// Delaunay triangulation; when it is about to link a component by an edge, the length of that is the component's
-// distance to all other points, and each cluster is a component at some time. O(n log n).
-//
-// Deviates: the paper finds candidates in the framework tree, then merges up to four candidates or points near a
-// common corner of their squares. Distances know no squares, so here is nothing to merge: exactly the sets of the
-// definition are found.
-//
-// The least gap. Let d be the distance of a cluster, w its width, R the distance of two sites (points, or clusters
-// with their centers p for points).
-// * The cluster's cells have side sigma, a power of two, with 2.5 w <= sigma < 5 w (Cluster_frame.h says why).
-// * p is a multiple of sigma/8 next to the middle of the box: at most sqrt(2) (w/2 + sigma/16 + rounding) < 1.15 w
-//   from each point. Likewise for a site that is a cluster, of width at most D/gap, if D is the distance of the
-//   two sets. So |R - D| <= 2 * 1.15 D/gap < D/512 for gap >= 1178: what follows uses (1 - 1/512) D instead of R.
-// * The leaf in the place of the cluster, whose vertex the octagon replaces, has the side s, the greatest power of
-//   two with s <= (1 - 1/512) d/7; the octagon with its triangles fits into the vertex's star if 5 * 10.8125 sigma
-//   <= s, that is, as both are powers of two, 64 sigma <= s. This is so if (1 - 1/512) d >= 7 * 64 sigma, hence if
-//   d >= 7 * 64 * 5/(1 - 1/512) w = 2244.4 w.
-// 2248 leaves room for the rounding of lengths. Replacing the clusters in a cluster by points thus never makes a
-// cluster inadmissible, and none has to be taken back on that account.
+// The least gap. Let d be the distance of a cluster to all other points, and w its width. Let R be the
+// distance of two sites. Sites are points, and the centers p of clusters.
+// * The cluster's cells have side sigma, a power of two, with 2.5 w <= sigma < 5 w (Cluster_frame.h says
+//   why).
+// * The center p is a multiple of sigma/8 next to the middle of the box. So it is at most sqrt(2) (w/2 +
+//   sigma/16 + rounding) < 1.15 w from each point. The same holds for a site that is a cluster. Its width is
+//   at most D/gap, if D is the distance of the two sets. So |R - D| <= 2 * 1.15 D/gap < D/512 for gap >=
+//   1178. What follows uses (1 - 1/512) D instead of R.
+// * The leaf in the place of the cluster has a side s, the greatest power of two with s <= (1 - 1/512) d/7.
+//   The octagon replaces a vertex of this leaf. With its triangles, it fits into the vertex's star if 5 *
+//   10.8125 sigma <= s. As both are powers of two, this means 64 sigma <= s. It holds if (1 - 1/512) d >= 7 *
+//   64 sigma, hence if d >= 7 * 64 * 5/(1 - 1/512) w = 2244.4 w.
+// A gap of 2248 leaves room for the rounding of lengths. So replacing the clusters inside a cluster by points
+// never makes that cluster inadmissible, and none has to be dissolved for that reason.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_CLUSTERS_FIND_CLUSTERS_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_CLUSTERS_FIND_CLUSTERS_H

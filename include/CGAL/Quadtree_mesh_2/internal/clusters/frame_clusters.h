@@ -4,18 +4,19 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// Frames for the clusters of some points, and what has to change in their tree so that all of them have one.
+// Frames for the clusters of some points, and the changes to their tree that give each of them a frame.
 //
-// * A cluster's cells get the least side that its width allows and that is large enough for the coordinates to
-//   hold what is made of it (Cluster_frame.h).
-// * If the leaf in its place cannot be 64 times as large, the cluster is dissolved: its points and clusters become
-//   its parent's. With gaps of at least `least_cluster_gap` this concerns only clusters of about the size of the
-//   coordinates' last bits.
-// * If the leaf is so large that its vertices around the octagon are no coordinates, more cells go between: a
-//   bridge, a cluster whose only site is the cluster, or another bridge. A bridge stands for a factor of 2^43 or
-//   more, so doubles need at most 50 of them for a gap, and mostly none; other coordinates need none. The center
-//   of a bridge with cells sigma <= D/448 is at most sqrt(2)/16 sigma < D/5000 beside the middle of its box, D
-//   being the distance of the cluster; that is within the bounds of find_clusters.h.
+// * A cluster's cells get the least side that its width allows and for which coordinates can hold what is
+//   made of the cluster (Cluster_frame.h).
+// * The leaf in a cluster's place has to be 64 times as large. If it cannot be, the cluster is dissolved: its
+//   points and clusters become its parent's. With gaps of at least `least_cluster_gap`, this happens only to
+//   clusters of about the size of the coordinates' last bits.
+// * The leaf may be so large that its vertices around the octagon are not coordinates. Then more cells go
+//   between, a bridge. A bridge is a cluster whose only site is the cluster, or another bridge. It stands for
+//   a factor of 2^43 or more. So doubles need at most 50 bridges for a gap, and mostly none. Other
+//   coordinates need none. Let D be the distance of the cluster. The center of a bridge with cells sigma <=
+//   D/448 is at most sqrt(2)/16 sigma < D/5000 from the middle of its box. This is within the bounds of
+//   find_clusters.h.
 //
 // O(n).
 

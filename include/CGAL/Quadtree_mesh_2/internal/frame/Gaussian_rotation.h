@@ -6,17 +6,18 @@
 //
 // Rotations by complex integers.
 //
-// Computes: for a vector and a number n a complex integer a + bi, a and b without a common factor and less than
-//           max(n, 16), whose direction, without sign, differs from the vector's by at most 1 / n.
+// Computes: for a vector and a number n, a complex integer a + bi whose direction differs from the vector's
+//           by at most 1 / n, without sign. Here a and b have no common factor and are less than max(n, 16).
 // Bound:    O(log n) operations.
-// Source:   Bern, Eppstein, Teng, section 5: points are treated as complex integers and multiplied by another such
-//           number, of size O(n).
-// Deviates: the number is a convergent of the continued fraction of the vector's slope, the first one that is near
-//           enough: mostly it has size O(sqrt(n)), and costs half as many bits.
+// Source:   Bern, Eppstein, Teng, section 5: points are treated as complex integers and multiplied by another
+//           such number, of size O(n).
+// Deviates: the number is a convergent of the continued fraction of the vector's slope, the first one that is
+//           near enough. Mostly it has size O(sqrt(n)), and costs half as many bits.
 //
-// Proof. A convergent h / k differs from the slope t by at most 1 / (k k'), where k' is the denominator of the next
-// one, or is the slope. The first one with k k' >= n is taken, so k times the denominator before it is below n. The
-// directions of (k, h) and (1, t) differ by at most |h / k - t|, the tangents being at most 1.
+// Proof. A convergent h / k is the slope t, or differs from it by at most 1 / (k k'), where k' is the
+// denominator of the next convergent. The first convergent with k k' >= n is taken, so k times the
+// denominator before it is below n. Tangents are at most 1. So the directions of (k, h) and (1, t) differ by
+// at most |h / k - t|.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_FRAME_GAUSSIAN_ROTATION_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_FRAME_GAUSSIAN_ROTATION_H

@@ -94,8 +94,8 @@ public:
     return {static_cast<std::uint64_t>(v.x - origin_.x), static_cast<std::uint64_t>(v.y - origin_.y)};
   }
 
-  /// The point at a place of the grid, or next to it; exact if there is one, in frames that are not rotated; for exact
-  /// geometries less than 2^-20 of a unit beside it.
+  /// The point at a place of the grid, or next to it. In frames that are not rotated it is exact if there is
+  /// such a point. For exact geometries it is less than 2^-20 of a unit away.
   Point to_point(const Grid_point& g) const {
     if (!is_moved_) return grid_.to_point(g);
     const Wide_integer scale = Wide_integer(1) << shift_;

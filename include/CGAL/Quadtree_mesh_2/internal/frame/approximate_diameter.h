@@ -6,16 +6,17 @@
 //
 // Two points about as far apart as any two.
 //
-// Computes: of n points a pair whose distance is at least cos(pi / 32) > 0.9951 of the diameter, less 1e-14 of it for
-//           roundings.
+// Computes: of n points, a pair whose distance is at least cos(pi / 32) > 0.9951 of the diameter, less 1e-14
+//           of it for rounding.
 // Bound:    O(n) work, in one pass over blocks.
-// Source:   Bern, Eppstein, Teng, section 5: project the points onto O(1) axes, and of the pairs of extreme points on
-//           each choose the longest.
-// Deviates: not; 16 axes, where the factor of 0.95 that the paper has in mind needs 5.
+// Source:   Bern, Eppstein, Teng, section 5: project the points onto O(1) axes. Of the pairs of extreme
+//           points, one on each axis, take the longest.
+// Deviates: not at all. We use 16 axes. The factor of 0.95 that the paper has in mind needs 5.
 //
-// Proof of the factor. The axes have directions 0, pi / 16, .. 15 pi / 16. Let d be the diameter, of points p and q.
-// The direction of pq is at most pi / 32 away from that of an axis (both without sign), so the projections of p and q
-// onto it are at least d cos(pi / 32) apart, the extreme points' projections no less, and they themselves no less.
+// Proof of the factor. The axes have the directions 0, pi / 16, ..., 15 pi / 16. Let d be the diameter, the
+// distance of points p and q. Without sign, the direction of pq is at most pi / 32 away from that of some
+// axis. So the projections of p and q onto this axis are at least d cos(pi / 32) apart. The projections of
+// the extreme points are no less far apart, and neither are the points themselves.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_FRAME_APPROXIMATE_DIAMETER_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_FRAME_APPROXIMATE_DIAMETER_H

@@ -4,9 +4,11 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// Points with exact coordinates on a grid of 2^62 units to a side, see Axis_parallel_grid.h. Points go to the grid
-// lines at or next below them, without rounding, and places of the grid to points exactly; fractions of units are rounded
-// to 2^-20. So all coordinates but the user's have at most 106 bits, which two doubles hold, and none needs long numbers.
+// Points with exact coordinates on a grid of 2^62 units to a side (see Axis_parallel_grid.h).
+//
+// Points go to the grid lines at or next below them, without rounding. Places of the grid go to points
+// exactly. Fractions of units are rounded to 2^-20. So all coordinates but the user's have at most 106 bits.
+// Two doubles hold these, and none needs long numbers.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_FRAME_EXACT_AXIS_PARALLEL_GRID_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_FRAME_EXACT_AXIS_PARALLEL_GRID_H

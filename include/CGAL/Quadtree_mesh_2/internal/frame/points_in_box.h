@@ -6,16 +6,18 @@
 //
 // Points in a box, as a planar straight-line graph.
 //
-// Computes: for points alone a domain to mesh: a rectangle around them. The points come first, in their order; the
-//           rectangle's corners, counterclockwise from the lower left one, and its sides come last.
+// Computes: for points alone a domain to mesh, a rectangle around them. The points come first, in their
+//           order. The rectangle's corners, counterclockwise from the lower left one, and its sides come
+//           last.
 // Bound:    O(n) work.
 //
-// How far the box is from the points. A side nearer to the outermost points than these are to each other makes
-// features smaller than those of the points, and triangles to fill them; a side farther away has to be filled,
-// too. The best distance is the mean spacing of points that fill the box evenly, its extent over sqrt(n): with it
-// uniform points and grids, of 3 to 10^4 points, need the fewest triangles, within 1 percent, and point sets of
-// other kinds (clusters, lines, spirals) do not care by more than 2 percent unless they are tiny. The distance is
-// the power of two next to that, the same on all four sides, so that the corners have few bits.
+// How far the box is from the points. If a side is nearer to the outermost points than these are to each
+// other, it makes features smaller than those of the points, and triangles to fill them. If it is farther
+// away, the space between has to be filled, too. The best distance is the mean spacing of points that fill
+// the box evenly, its extent over sqrt(n). With it, uniform points and grids of 3 to 10^4 points need the
+// fewest triangles, within 1 percent. Sets of other kinds (clusters, lines, spirals) change by no more than 2
+// percent, unless they are tiny. The distance is the power of two next to that, and the same on all four
+// sides, so that the corners have few bits.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_FRAME_POINTS_IN_BOX_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_FRAME_POINTS_IN_BOX_H

@@ -10,6 +10,7 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_GEOMETRY_ANGLE_HISTOGRAM_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_GEOMETRY_ANGLE_HISTOGRAM_H
 
+#include <CGAL/Quadtree_mesh_2/internal/base/angle_units.h>
 #include <CGAL/Quadtree_mesh_2/internal/geometry/meshing_geometry.h>
 
 #include <algorithm>
@@ -76,15 +77,13 @@ public:
   }
 
 private:
-  static constexpr double degree = 3.14159265358979323846 / 180;
-
   struct Bins {
     Bin_finder<60> least{[](std::size_t i) {
-      const double sine = std::sin(static_cast<double>(i) * degree);
+      const double sine = std::sin(static_cast<double>(i) * radians_per_degree);
       return sine * sine;
     }};
     Bin_finder<120> largest{[](std::size_t i) {
-      const double cosine = -std::cos(static_cast<double>(60 + i) * degree);
+      const double cosine = -std::cos(static_cast<double>(60 + i) * radians_per_degree);
       return cosine * std::fabs(cosine);
     }};
   };

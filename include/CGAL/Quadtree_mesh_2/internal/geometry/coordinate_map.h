@@ -85,8 +85,8 @@ public:
   bool is_kept(const Point_2& p) const { return is_kept(p.x()) && is_kept(p.y()); }
   /// Whether all points and seeds are.
   bool are_kept() const { return are_kept_; }
-  /// Whether vertices of the mesh may be rounded on their way back by more than a trifle of their distances: next to the
-  /// least doubles.
+  /// Whether vertices of the mesh may be rounded on their way back by more than a trifle of their distances.
+  /// This happens next to the least doubles.
   bool may_round_mesh() const { return exponent_ < -700; }
 
 private:

@@ -4,12 +4,13 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// Coordinates and integer multiples of powers of two, without loss where the result is a coordinate: for doubles
-// and integers (for exact ones: exact_dyadic_steps.h).
+// Coordinates and integer multiples of powers of two, without loss if the result is a coordinate. For doubles
+// and integers (for exact coordinates: exact_dyadic_steps.h).
 //
-// `add_steps(p, n, e)` is p + n 2^e, rounded if that is no coordinate; for |n| < 2^53, or for |n| < 2^62 and a p
-// that is a multiple of 2^e. `count_steps(c, p, e)` is (c - p)/2^e, rounded down, for |c - p| < 2^62 2^e.
-// `middle_multiple(a, b, e)` is a multiple of 2^e next to (a + b)/2.
+// - `add_steps(p, n, e)` is p + n 2^e, rounded if that is not a coordinate. It takes |n| < 2^53, or |n| <
+//   2^62 if p is a multiple of 2^e.
+// - `count_steps(c, p, e)` is (c - p)/2^e, rounded down, for |c - p| < 2^62 2^e.
+// - `middle_multiple(a, b, e)` is a multiple of 2^e next to (a + b)/2.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_GEOMETRY_DYADIC_STEPS_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_GEOMETRY_DYADIC_STEPS_H

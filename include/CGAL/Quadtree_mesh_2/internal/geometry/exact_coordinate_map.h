@@ -4,8 +4,8 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// Points of an exact kernel, of any scale and anywhere, to the meshing kernel's, which are of the order of 1, and
-// back. Exact.
+// The points of an exact kernel, of any scale and anywhere, to the meshing kernel's points and back, exactly.
+// The meshing kernel's coordinates are of the order of 1.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_GEOMETRY_EXACT_COORDINATE_MAP_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_GEOMETRY_EXACT_COORDINATE_MAP_H

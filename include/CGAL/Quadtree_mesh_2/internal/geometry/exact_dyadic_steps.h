@@ -4,7 +4,7 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// Coordinates of an exact field and integer multiples of powers of two: dyadic_steps.h.
+// The functions of dyadic_steps.h for coordinates of an exact field.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_GEOMETRY_EXACT_DYADIC_STEPS_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_GEOMETRY_EXACT_DYADIC_STEPS_H

@@ -6,16 +6,17 @@
 //
 // The arithmetic of the meshing kernel over an exact field.
 //
-// Points between others (`between()`) are exact, so what is made on an input edge lies on it. Points that may be
-// anywhere (`translate()`, `nearest_corner()`) are multiples of a power of two near the length of the way to
-// them, so that they have few bits, mostly those of a double, and no history. Predicates are exact: on differences
-// rounded to doubles where the sign is certain, in the field else. Differences are rounded once, up to a relative
-// 2^-60, as the filters of the kernel's in-circle test want.
+// Points between others (`between()`) are exact, so what is made on an input edge lies on it. Points that may
+// be anywhere (`translate()`, `nearest_corner()`) are multiples of a power of two near the length of the way
+// to them. So they have few bits, mostly those of a double, and no history. Predicates are exact. They use
+// differences rounded to doubles if these make the sign certain, and the field if not. Differences are
+// rounded once, up to a relative 2^-60, as the filters of the kernel's in-circle test want.
 //
-// Coordinates are of the order of 1 (exact_coordinate_map.h), and their differences of any size: refinement computes with
-// `scaled_difference()`, whose products neither overflow nor underflow (Scaled_double.h). Construction by quadtrees and
-// meshes of points compute with `difference()`, in doubles, where products of four underflow below 2^-255; so the former
-// refuses vertices nearer than `least_length`.
+// Coordinates are of the order of 1 (exact_coordinate_map.h), but their differences may be of any size.
+// Refinement computes with `scaled_difference()`, whose products neither overflow nor underflow
+// (Scaled_double.h). The construction by quadtrees and meshes of points compute with `difference()`, in
+// doubles. Products of four of these underflow below 2^-255. So the construction refuses vertices nearer to
+// each other than `least_length`.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_GEOMETRY_EXACT_GEOMETRY_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_GEOMETRY_EXACT_GEOMETRY_H

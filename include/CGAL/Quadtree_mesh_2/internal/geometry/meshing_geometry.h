@@ -7,16 +7,16 @@
 // The arithmetic of the meshing kernel, over double and over integer coordinates (over exact ones:
 // exact_geometry.h).
 //
-// A geometry gives points, their differences as vectors of doubles and of numbers of any size (the same where coordinates
-// are limited), an exact orientation, an exact in-circle
-// test, and the corners of the quadtree's cells. Everything that is certain (which side, inside which circle)
-// is decided on the points; everything that is only better or worse (angles, places of new points) on vectors
-// of doubles, whose components are correct to half a unit in the last place. What is below a rounding error there is
-// no share of any length: a triangle may be as small as coordinates can tell.
+// A geometry gives points, their differences, an exact orientation, an exact in-circle test, and the corners
+// of the quadtree's cells. Differences are vectors of doubles, and vectors of numbers of any size. The two
+// are the same if coordinates are limited. Everything that is certain (which side, inside which circle) is
+// decided on the points. Everything that is only better or worse (angles, places of new points) is decided on
+// vectors of doubles. Their components are correct to half a unit in the last place. What is below a rounding
+// error there is not a share of any length: a triangle may be as small as coordinates can tell.
 //
-// Double coordinates are of the order of 2^200 (coordinate_map.h). Products of four differences, by which angles and
-// circles are compared, keep their bits down to differences of 2^-242; vertices nearer than 2^-220 are refused, so that
-// there is room for the triangles around them.
+// Double coordinates are of the order of 2^200 (coordinate_map.h). Angles and circles are compared by
+// products of four differences. These products keep their bits down to differences of 2^-242. Vertices nearer
+// to each other than 2^-220 are refused, so there is room for the triangles around them.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_GEOMETRY_MESHING_GEOMETRY_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_GEOMETRY_MESHING_GEOMETRY_H
@@ -82,9 +82,9 @@ struct Basic_shape {
   Number shortest() const { return std::min(l[0], std::min(l[1], l[2])); }
   Number longest() const { return std::max(l[0], std::max(l[1], l[2])); }
 
-  /// Whether the area is positive for certain, if it was computed from differences of coordinates that were rounded
-  /// once: their cross product is then correct to 5 half units in the last place of the sum of its two products, which
-  /// is at most the longest squared side.
+  /// Whether the area is positive for certain, if it was computed from differences of coordinates that were
+  /// rounded once. Their cross product is then correct to 5 half units in the last place of the sum of its
+  /// two products. That sum is at most the longest squared side.
   bool is_certainly_counterclockwise() const { return area2 > 1e-15 * longest(); }
 
   /// Slot of the vertex opposite the shortest side.

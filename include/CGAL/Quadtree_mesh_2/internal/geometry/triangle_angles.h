@@ -7,6 +7,7 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_GEOMETRY_TRIANGLE_ANGLES_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_GEOMETRY_TRIANGLE_ANGLES_H
 
+#include <CGAL/Quadtree_mesh_2/internal/base/angle_units.h>
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
@@ -30,7 +31,8 @@ double as_double(const Number& x) {
     return CGAL::to_double(x);
 }
 
-/// The sides of a triangle of any size that doubles have, seen from one corner after the other; the longest extent is 1.
+/// The sides of a triangle of any size that doubles have, seen from one corner after the other. They are
+/// scaled so that the longest extent is 1.
 class Scaled_triangle {
 public:
   template <class Point>
@@ -52,7 +54,7 @@ public:
   double angle(std::size_t k) const {
     const std::size_t i = (k + 1) % 3, j = (k + 2) % 3; // side `j` begins at the corner, side `i` ends there
     const double sine = dx_[i] * dy_[j] - dy_[i] * dx_[j], cosine = -dx_[i] * dx_[j] - dy_[i] * dy_[j];
-    return std::atan2(std::abs(sine), cosine) * 180 / CGAL_PI;
+    return std::atan2(std::abs(sine), cosine) * 180 / pi;
   }
   /// Opposite the shortest side.
   double least_angle() const {

@@ -4,15 +4,17 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// A number of an exact field, with the sum of two doubles that is nearest to it (Dekker, 1971) at hand.
+// A number of an exact field that also keeps the nearest sum of two doubles (Dekker, 1971).
 //
-// Most numbers of a mesh are doubles or such sums exactly. Most others are multiples of powers of two (Scaled_integer.h):
-// corners of small squares far from 0, and what is made between them. The rest, as 1/3, has a number of the field,
-// and beside it the multiple of a power of two below it, which tells differences wherever it is fine enough. So
-// common divisors are hardly ever looked for, which is what numbers of thousands of bits would spend their time on.
+// Most numbers of a mesh are exactly doubles or such sums. Most others are multiples of powers of two
+// (Scaled_integer.h): corners of small squares far from 0, and what is made between them. The rest, for
+// example 1/3, has a number of the field, and beside it the multiple of a power of two below it. This
+// multiple tells numbers apart wherever it is fine enough. So common divisors are hardly ever computed. With
+// numbers of thousands of bits, these would take most of the time.
 //
-// What belongs to a number is not changed any more once it is made. So numbers may be copied and read by several threads at
-// once whatever the field is, as long as that allows its arithmetic on different results, and there are no lazy expressions.
+// Once a number is made, what belongs to it never changes. There are no lazy expressions. So several threads
+// may copy and read numbers at once. The field only has to allow its arithmetic on different results at the
+// same time.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_GRID_EXACT_COORDINATE_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_GRID_EXACT_COORDINATE_H
@@ -115,13 +117,14 @@ public:
   friend bool operator<(const Exact_coordinate& a, const Exact_coordinate& b) { return compare(a, b) < 0; }
 
 private:
-  /// A number from `floor` on, below the next multiple of the same power of two; `floor` itself if there is no `field`.
+  /// A number that is at least `floor` and below the next multiple of the same power of two. It is `floor`
+  /// itself if there is no `field`.
   struct Long_number {
     Scaled_integer floor;
     std::optional<Field> field;
 
-    /// Of numbers that are no multiples of powers of two the floor has this many bits more than the denominator: so it tells
-    /// differences from numbers that are about as long.
+    /// If a number is not a multiple of a power of two, its floor has this many bits more than its
+    /// denominator. So the floor tells it apart from numbers that are about as long.
     static constexpr int bits_below = 256;
 
     static Long_number of(Field value) {

@@ -4,14 +4,14 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// A double with an exponent of its own, for products of lengths that neither overflow nor underflow, whatever the
+// A double with an exponent of its own. Products of lengths neither overflow nor underflow, whatever the
 // lengths are.
 //
 // Computes: the arithmetic of doubles, rounded as theirs, over a range of 2^(2^38) and its inverse.
-// Bound: numbers near 1 take the operation on doubles and a comparison.
-// Source: the usual representation by mantissa and exponent, as in MPFR or CGAL's Gmpzf.
-// Deviates: the exponent goes in steps of 2^512, so that it rarely changes and numbers of one step are added as they
-//   are; a mantissa is from 2^-256 to 2^256, so that a product of two mantissas is a double.
+// Bound:    For numbers near 1, the operation on doubles and a comparison.
+// Source:   the usual representation by mantissa and exponent, as in MPFR or CGAL's Gmpzf.
+// Deviates: the exponent goes in steps of 2^512. So it rarely changes, and numbers of one step are added as
+//           they are. A mantissa is from 2^-256 to 2^256, so the product of two mantissas is a double.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_GRID_SCALED_DOUBLE_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_GRID_SCALED_DOUBLE_H

@@ -4,8 +4,8 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// The product of an integer of unlimited length and a power of two: all numbers that doubles and sums of them can be, of any
-// size, with differences and products that need no common divisors.
+// The product of an integer of unlimited length and a power of two. All doubles and their sums, of any size,
+// are such numbers. Their differences and products need no common divisors.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_GRID_SCALED_INTEGER_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_GRID_SCALED_INTEGER_H

@@ -6,7 +6,7 @@
 
 // From numbers of exact fields to integers of unlimited length and back.
 //
-// All scales are powers of two, given by their exponents: these do not overflow where the numbers would.
+// All scales are powers of two, given by their exponents. Exponents do not overflow where the numbers would.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_GRID_EXACT_GRID_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_GRID_EXACT_GRID_H

@@ -4,20 +4,21 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 
-// The shuffle order (Morton order, z-order) of grid points, in which every square of a quadtree holds an
-// interval.
+// The shuffle order (Morton order, z-order) of grid points. Every square of a quadtree holds an interval of
+// it.
 //
 // Computes: `less_shuffle(p, q)` in O(1) without making the shuffle; keys with interleaved bits;
-//           `shuffle_order(points)`, the permutation that sorts points, stable (equal points keep their order).
-// Bound:    O(n) work for words of 32 or 64 bits, in a constant number of rounds, and that again for each long
-//           run of points that agree in some digits; O(n log n) comparisons for other words, see
-//           parallel_sort.h.
+//           `shuffle_order(points)`, the permutation that sorts points. It is stable: equal points keep their
+//           order.
+// Bound:    For words of 32 or 64 bits O(n) work, in a constant number of rounds, and that again for each
+//           long run of points that agree in some digits. For other words O(n log n) comparisons
+//           (parallel_sort.h).
 // Source:   Bern, Eppstein, Teng, "Parallel Construction of Quadtrees and Quality Triangulations", section 2
 //           (the shuffle Sh(x, y), x before y, represented implicitly); T. M. Chan, "Closest-point problems
 //           simplified on the RAM", for the comparison by exclusive or.
-// Deviates: the paper sorts by comparisons only; here words of 32 or 64 bits are shuffled explicitly and sorted
-//           by digits, see radix_sort.h. A comparison takes O(1) operations on words, hence for words longer
-//           than the machine's time in proportion to their length.
+// Deviates: the paper sorts by comparisons only. Here words of 32 or 64 bits are shuffled explicitly and
+//           sorted by digits (radix_sort.h). A comparison takes O(1) operations on words. So words longer
+//           than the machine's take time in proportion to their length.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_GRID_MORTON_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_GRID_MORTON_H

@@ -4,10 +4,12 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 
-// Computes: what a text of JSON says, and the line where a value begins or where the text cannot be parsed: nlohmann-json
-//           keeps no lines, and only who has to report an error wants one.
-// Bound:    linear: one search for the value in what was parsed, one pass over the text up to its place; parsing takes a
-//           logarithm more for objects with many keys, as they are looked up.
+// Where the values of a JSON text are.
+//
+// Computes: what a text of JSON says, and the line where a value begins or where the text cannot be parsed.
+//           nlohmann-json keeps no lines, and they are wanted only to report an error.
+// Bound:    Linear: one search for the value in what was parsed, and one pass over the text up to its place.
+//           Parsing takes a logarithm more for objects with many keys, because keys are looked up.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_IO_JSON_LINES_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_IO_JSON_LINES_H
@@ -74,8 +76,8 @@ public:
   bool number_float(nlohmann::json::number_float_t, const std::string&) { return shall_go_on(); }
   bool string(std::string&) { return shall_go_on(); }
   bool binary(nlohmann::json::binary_t&) { return shall_go_on(); }
-  bool start_object(std::size_t) { return begin_part(IN_OBJECT); }
-  bool start_array(std::size_t) { return begin_part(IN_ARRAY); }
+  bool start_object(std::size_t) { return begin_part(Part::OBJECT); }
+  bool start_array(std::size_t) { return begin_part(Part::ARRAY); }
   bool key(std::string& key) {
     place_.back().key = key;
     return true;
@@ -85,7 +87,7 @@ public:
   bool parse_error(std::size_t, const std::string&, const nlohmann::json::exception&) { return false; }
 
 private:
-  enum Kind { IN_OBJECT, IN_ARRAY };
+  enum class Part { OBJECT, ARRAY };
 
   /// At a value: false if it is the one.
   bool shall_go_on() {
@@ -94,26 +96,26 @@ private:
     go_to_next();
     return true;
   }
-  bool begin_part(Kind kind) {
+  bool begin_part(Part part) {
     if (place_.size() == path_.size() && std::equal(place_.begin(), place_.end(), path_.begin()))
       return false;
     place_.emplace_back();
-    kinds_.push_back(kind);
+    parts_.push_back(part);
     return true;
   }
   bool end_part() {
     place_.pop_back();
-    kinds_.pop_back();
+    parts_.pop_back();
     go_to_next();
     return true;
   }
   void go_to_next() {
-    if (!kinds_.empty() && kinds_.back() == IN_ARRAY) ++place_.back().index;
+    if (!parts_.empty() && parts_.back() == Part::ARRAY) ++place_.back().index;
   }
 
   const Json_path& path_;
   Json_path place_;
-  std::vector<Kind> kinds_;
+  std::vector<Part> parts_;
 };
 
 /// Reads characters and tells how far.
@@ -159,7 +161,8 @@ struct Repeated_json_key : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Told of every part as it is parsed: refuses keys that an object has already, of which nlohmann-json would keep one.
+/// Refuses keys that an object already has. nlohmann-json would keep one of them. It is told of every part as
+/// it is parsed.
 class Json_key_watch {
 public:
   /// \throws Repeated_json_key

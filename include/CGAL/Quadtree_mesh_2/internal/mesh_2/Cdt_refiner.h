@@ -4,13 +4,14 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// Meshes a constrained triangulation in place, until a criteria object of Mesh_2 is content or cannot be made so.
+// Meshes a constrained triangulation in place, until a criteria object of Mesh_2 accepts every face or
+// nothing more can be done.
 //
-// The mesher knows bounds of angles and lengths. The criteria's bounds, where it tells them, are given to the
-// mesher; then it is asked for every face. For faces that it calls bad all the same it is found out what it
-// wants there (Criteria_oracle.h), and the triangulation is meshed again with that: from its own vertices, so
-// that nothing is left of attempts. Mesh_2 does not end where a criterion cannot be met; here the number of
-// attempts is bounded, and faces that stay bad are reported.
+// The mesher knows bounds of angles and lengths. If the criteria object tells its bounds, they are given to
+// the mesher. Then the object is asked about every face. If it still calls a face bad, Criteria_oracle.h
+// finds out what it wants there. The triangulation is meshed again with that. This starts from its own
+// vertices, so nothing is left of earlier attempts. If a criterion cannot be met, Mesh_2 does not end. Here
+// the number of attempts is bounded, and faces that stay bad are reported.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_MESH_2_CDT_REFINER_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_MESH_2_CDT_REFINER_H

@@ -14,6 +14,7 @@
 #define CGAL_QUADTREE_MESH_2_INTERNAL_MESH_2_CRITERIA_ORACLE_H
 
 #include <CGAL/Mesh_2/Face_badness.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/angle_units.h>
 #include <CGAL/Quadtree_mesh_2/internal/mesh_2/Flat_points.h>
 #include <CGAL/number_utils.h>
 
@@ -43,7 +44,7 @@ struct Plane_triangle {
     double least = 180;
     for (std::size_t k = 0; k < 3; ++k) {
       const double cosine2 = squared_side((k + 1) % 3) + squared_side((k + 2) % 3) - squared_side(k);
-      least = std::min(least, std::atan2(2 * std::fabs(area2), cosine2) * 180 / 3.14159265358979323846);
+      least = std::min(least, std::atan2(2 * std::fabs(area2), cosine2) * 180 / pi);
     }
     return least;
   }
@@ -119,7 +120,7 @@ private:
 
   bool is_bad_isosceles(const Plane_triangle& t, double degrees) {
     const auto [x, y] = t.centroid();
-    const double half = degrees * 3.14159265358979323846 / 360, leg = t.longest();
+    const double half = degrees * pi / 360, leg = t.longest();
     const double height = leg * std::cos(half), width = leg * std::sin(half);
     return is_bad_sample(
         {{{{x, y + 2 * height / 3}, {x - width, y - height / 3}, {x + width, y - height / 3}}}});

@@ -7,6 +7,7 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_MESH_2_CRITERIA_OPTIONS_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_MESH_2_CRITERIA_OPTIONS_H
 
+#include <CGAL/Quadtree_mesh_2/internal/base/angle_units.h>
 #include <CGAL/Quality_mesh_options_2.h>
 
 #include <algorithm>
@@ -62,10 +63,10 @@ template <class Criteria>
 Quality_mesh_options_2 quality_mesh_options_2(const Criteria& criteria) {
   Quality_mesh_options_2 options;
   if constexpr (Quadtree_mesh_2::internal::Has_bound<Criteria>::value) {
-    constexpr double degrees = 180 / 3.14159265358979323846, largest = 30;
+    constexpr double largest = 30;
     const double bound = criteria.bound();
-    options.min_angle(
-        std::min(largest, std::asin(std::sqrt(std::min(0.25, std::max(0.0, bound)))) * degrees));
+    options.min_angle(std::min(largest, std::asin(std::sqrt(std::min(0.25, std::max(0.0, bound)))) *
+                                            Quadtree_mesh_2::internal::degrees_per_radian));
   }
   if constexpr (Quadtree_mesh_2::internal::Has_size_bound<Criteria>::value) {
     bool is_local = false;

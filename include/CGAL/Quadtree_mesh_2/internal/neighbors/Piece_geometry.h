@@ -127,7 +127,7 @@ private:
   using Segment_pair = std::pair<Segment_index, Segment_index>;
   using Vector = std::array<Exact, 2>; ///< across the rays, and along them
 
-  struct Crossing {
+  struct Crossing_point {
     Vector position;
     std::array<std::pair<double, double>, 2> bounds;
     std::array<Segment_index, 2> segments;
@@ -138,7 +138,7 @@ private:
     return a < b ? -1 : b < a ? 1 : 0;
   }
 
-  const Crossing& crossing(Place p) const { return crossings_[std::size_t(p) - places_.size()]; }
+  const Crossing_point& crossing(Place p) const { return crossings_[std::size_t(p) - places_.size()]; }
 
   /// Two vertices on the line of a piece, the left one first.
   typename Places::Ends ends(const Segment_piece& c) const {
@@ -175,7 +175,7 @@ private:
     const auto &a = places_.ends(s), &b = places_.ends(t);
     const Vector u = from_to(a[0], a[1]), v = from_to(b[0], b[1]);
     const Exact part(cross(from_to(a[0], b[0]), v) / cross(u, v));
-    Crossing c;
+    Crossing_point c;
     for (int i = 0; i < 2; ++i) {
       const std::size_t k = static_cast<std::size_t>(i);
       c.position[k] = Exact(coordinate(a[0], i) + part * u[k]);
@@ -189,7 +189,7 @@ private:
   }
 
   const Places& places_;
-  std::deque<Crossing> crossings_;
+  std::deque<Crossing_point> crossings_;
   std::map<Segment_pair, Place> place_of_crossing_;
 };
 

@@ -21,7 +21,8 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-/// How far each vertex of a graph is from the nearest segment that it sees along the axes; infinite where there is none.
+/// The distance from each vertex of a graph to the nearest segment that it sees along the axes. It is
+/// infinite if there is none.
 template <class Pslg>
 using Find_nearest_hits = std::vector<double> (*)(const Pslg& graph);
 

@@ -6,13 +6,19 @@
 //
 // Makes the triangles of a mesh with rounded vertices counterclockwise (round_mesh_2.h says what for).
 //
-// A triangle at fault, flat or clockwise by the doubles of its vertices, is tried with, in this order: merging a
-// Steiner vertex of it with another vertex at the same place; another diagonal; other doubles for a Steiner vertex, next
-// to those nearest to its exact place; merging a Steiner vertex with any neighbor. A step is taken if it leaves fewer triangles at fault
-// than there were among those it touches, the last one also if it leaves as many, as it takes away a vertex: so it ends.
-// All is decided by exact predicates on doubles; sizes of angles only choose among steps of equal success.
+// Computes: a mesh without triangles at fault. These are the triangles that are flat or clockwise by the
+//           doubles of their vertices. A triangle at fault is tried with, in this order:
+//           1. merging a Steiner vertex of it with another vertex at the same place;
+//           2. another diagonal;
+//           3. other doubles for a Steiner vertex, next to those nearest to its exact place;
+//           4. merging a Steiner vertex with any neighbor.
+//           A step is taken if it leaves fewer triangles at fault than were among those it touches. The last
+//           kind is also taken if it leaves as many, because it takes away a vertex. So this ends.
+// Bound:    One predicate for each triangle and no memory, if no triangle is at fault, as in nearly all
+//           meshes.
 //
-// A mesh without such triangles, as nearly all are, costs one predicate per triangle and no memory.
+// Everything is decided by exact predicates on doubles. Sizes of angles only choose among steps of equal
+// success.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_OUTPUT_ROUNDED_MESH_REPAIRER_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_OUTPUT_ROUNDED_MESH_REPAIRER_H

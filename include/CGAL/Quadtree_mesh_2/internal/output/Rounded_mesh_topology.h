@@ -4,11 +4,12 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// Changes of a mesh in flat arrays that keep it conforming: other diagonals, and merging of a Steiner vertex with a
-// neighbor. Which of them are good is the caller's business (Rounded_mesh_repairer.h); here is which are possible.
+// Changes of a mesh in flat arrays that keep it conforming: other diagonals, and merging a Steiner vertex
+// with a neighbor. This header says which changes are possible. The caller decides which are good
+// (Rounded_mesh_repairer.h).
 //
-// Making the tables takes O(n), a change time by the degrees of its vertices. What merging takes away stays in the
-// arrays until compress().
+// Making the tables takes O(n). A change takes time in proportion to the degrees of its vertices. What
+// merging takes away stays in the arrays until compress().
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_OUTPUT_ROUNDED_MESH_TOPOLOGY_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_OUTPUT_ROUNDED_MESH_TOPOLOGY_H

@@ -12,6 +12,7 @@
 
 #include <CGAL/Indexed_mesh_2.h>
 #include <CGAL/Pslg_2.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/angle_units.h>
 #include <CGAL/Quadtree_mesh_2/internal/geometry/Angle_histogram.h>
 #include <CGAL/Quadtree_mesh_2/internal/geometry/coordinate_map.h>
 #include <CGAL/Quadtree_mesh_2/internal/output/boundary_markers.h>
@@ -163,8 +164,7 @@ private:
       const auto [x, y] = map_.place(mesh_.point(v));
       unmet.centroid[0] += x / 3, unmet.centroid[1] += y / 3;
     }
-    unmet.least_angle =
-        std::asin(std::sqrt(std::min(1.0, s.sin2_of_least_angle()))) * 180 / 3.14159265358979323846;
+    unmet.least_angle = std::asin(std::sqrt(std::min(1.0, s.sin2_of_least_angle()))) * 180 / pi;
     part.unmet.push_back(unmet);
   }
 

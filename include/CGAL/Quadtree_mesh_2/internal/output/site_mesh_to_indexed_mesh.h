@@ -4,13 +4,14 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// From a mesh of sites to the user's flat arrays, and every triangle looked at on the way. O(k).
+// Converts a mesh of sites to the user's flat arrays, and checks every triangle on the way. O(k).
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_OUTPUT_SITE_MESH_TO_INDEXED_MESH_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_OUTPUT_SITE_MESH_TO_INDEXED_MESH_H
 
 #include <CGAL/Indexed_mesh_2.h>
 #include <CGAL/Point_set_mesh_report_2.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/angle_units.h>
 #include <CGAL/Quadtree_mesh_2/internal/frame/Distinct_points.h>
 #include <CGAL/Quadtree_mesh_2/internal/geometry/angles_of_mesh.h>
 #include <CGAL/Quadtree_mesh_2/internal/geometry/coordinate_map.h>
@@ -61,7 +62,7 @@ public:
 private:
   double least_cot_ = std::numeric_limits<double>::infinity(), greatest_cot_ = -least_cot_;
 
-  static double angle(double cot) { return std::atan2(1, cot) * 180 / 3.14159265358979323846; }
+  static double angle(double cot) { return std::atan2(1, cot) * 180 / pi; }
 };
 
 /// Makes the flat arrays: the vertices of the input first, in its order.
@@ -199,7 +200,7 @@ private:
     report_.least_angle = extremes.least_angle();
     report_.largest_angle = extremes.largest_angle();
     const auto cot = [](double degrees) {
-      const double radians = degrees * 3.14159265358979323846 / 180;
+      const double radians = degrees * pi / 180;
       return std::cos(radians) / std::sin(radians);
     };
     const double least_cot = cot(largest_),

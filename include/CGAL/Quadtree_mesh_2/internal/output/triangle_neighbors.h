@@ -4,10 +4,12 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
+// Which triangles of a mesh are next to each other.
+//
 // Computes: the neighbors of each triangle of a conforming mesh.
-// Bound:    O(k log d) work for k triangles, d the largest degree; O(k) where degrees are bounded.
-// Method:   each side goes to the lesser of its two vertices. At a vertex the sides are sorted by their other vertex, so
-//           that the two sides of an edge meet.
+// Bound:    O(k log d) work for k triangles, where d is the largest degree; O(k) if degrees are bounded.
+// Method:   Each side goes to the lesser of its two vertices. At a vertex, sides are sorted by their other
+//           vertex, so the two sides of an edge meet.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_OUTPUT_TRIANGLE_NEIGHBORS_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_OUTPUT_TRIANGLE_NEIGHBORS_H

@@ -4,18 +4,19 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 
-// Sorting by comparisons, and of sorted ranges the members that differ.
+// Sorting by comparisons, and removing equal neighbors from sorted ranges.
 //
 // Computes: `sort(first, last, less)`, stable; `unique(values)`, which removes equal neighbors.
 // Bound:    O(n log n) comparisons; O(log n) rounds of tasks of bounded length.
-// Method:   Merge sort. Blocks are sorted one by one, then neighbors merged in rounds. Each merge is cut into
-//           tasks of equal output length, whose inputs two binary searches find (merge path), so that the last
-//           round is as parallel as the first. The order of a stable sort is unique; so results are the same
-//           bits for any number of threads.
+// Method:   Merge sort. Blocks are sorted one by one, and neighbors are then merged in rounds. Each merge is
+//           cut into tasks of equal output length. Two binary searches find the inputs of a task (merge
+//           path). So the last round is as parallel as the first. The order of a stable sort is unique, so
+//           results are the same bits for any number of threads.
 // Source:   S. Odeh, O. Green, Z. Mwassi, O. Shmueli, Y. Birk, "Merge Path - Parallel Merging Made Simple".
-//           The paper of the quadtrees asks for a sort of O(log n) time on O(n) processors (section 2, Cole's).
-// Deviates: from Cole's sort, whose merges are pipelined: here there are O(log n) rounds, each with a search of
-//           O(log n) steps, which is O(log^2 n) time with as many processors as points, and O(n log n) work.
+//           The paper of the quadtrees asks for a sort of O(log n) time on O(n) processors (section 2,
+//           Cole's).
+// Deviates: Cole's sort pipelines its merges. Here there are O(log n) rounds, each with a search of O(log n)
+//           steps. This is O(log^2 n) time with as many processors as points, and O(n log n) work.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_PARALLEL_PARALLEL_SORT_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_PARALLEL_PARALLEL_SORT_H

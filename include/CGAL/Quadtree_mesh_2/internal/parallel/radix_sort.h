@@ -7,19 +7,19 @@
 // Sorting of keys of one or more 64-bit words by their digits.
 //
 // Computes: the stable order of items by keys of several words.
-// Bound:    O(n w) for keys of w words; a constant number of rounds of tasks of bounded length, and that again
-//           for each long run of keys that agree in a digit. Random keys move two or three times, whatever
-//           their length.
-// Method:   A long range is split by the highest digit that varies: blocks count their digits, the counts are
-//           summed up in the order of digits and then of blocks, and blocks scatter their members. Runs that
-//           agree in the digit are short as a rule; those are sorted independently of each other, in cache, by
-//           a window of about log2(n) + 2 bits, least significant digit first, and runs that agree in their
-//           window likewise. Runs that are still long are split one after another.
-//           Of longer keys, 32 bits and the index of the item make the word that is sorted, so that a pass
-//           moves 8 bytes an item; runs that agree in the 32 bits load the next ones that vary. The recursion
+// Bound:    O(n w) work for keys of w words. A constant number of rounds of tasks of bounded length, and that
+//           again for each long run of keys that agree in a digit. Random keys move two or three times,
+//           whatever their length.
+// Method:   A long range is split by the highest digit that varies. Blocks count their digits. The counts are
+//           summed up in the order of digits and then of blocks. Blocks then scatter their members. Runs that
+//           agree in the digit are short as a rule. They are sorted independently of each other, in cache, by
+//           a window of about log2(n) + 2 bits, least significant digit first. Runs that agree in their
+//           window are treated likewise. Runs that are still long are split one after another.
+//           For longer keys, 32 bits and the index of the item make the word that is sorted. So a pass moves
+//           8 bytes for each item. Runs that agree in the 32 bits load the next bits that vary. The recursion
 //           is as deep as there are digits in a key, a small constant.
-//           Blocks depend on lengths alone and equal words cannot be told apart; so results are the same bits
-//           for any number of threads.
+//           Blocks depend on lengths alone, and equal words cannot be told apart. So results are the same
+//           bits for any number of threads.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_PARALLEL_RADIX_SORT_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_PARALLEL_RADIX_SORT_H

@@ -6,17 +6,18 @@
 
 // The linked squares of a balanced quadtree, in bands of levels that are grown at the same time.
 //
-// Computes: from the required squares, all squares of a quadtree that is balanced across sides and corners: on
-//           levels log2 n apart the split squares are found by sorting what is required and forced there;
-//           these are the tops of bands, and below them squares are grown from the top down.
-// Bound:    O(n log n + k) work; O(log n) rounds to find all squares and their cross pointers, whatever the
+// Computes: all squares of a quadtree that is balanced across sides and corners, from the required squares.
+//           On levels log2 n apart, the split squares are found by sorting what is required and forced there.
+//           These are the tops of bands. Below them squares are grown from the top down.
+// Bound:    O(n log n + k) work. O(log n) rounds to find all squares and their cross pointers, whatever the
 //           depth. (Leaves are numbered afterward, in two short rounds for each level.)
-// Source:   Bern, Eppstein, Teng, Theorem 2. The set of levels is that with the fewest required squares, of
-//           log2 n disjoint ones, so that only O(k / log n) squares are sorted.
-// Deviates: a required square with a split child forces all its eight neighbors, of its own size: then what
-//           is forced on a level depends on the required squares of that level and the next alone, and forces
-//           nothing more. (The three forced squares of the paper can force others: a square at the far side of
-//           its parent forces one next to its grandparent.) No square is split for the sake of its siblings.
+// Source:   Bern, Eppstein, Teng, Theorem 2. There are log2 n disjoint sets of such levels. The one with the
+//           fewest required squares is taken, so only O(k / log n) squares are sorted.
+// Deviates: a required square with a split child forces all its eight neighbors of its own size. Then what is
+//           forced on a level depends only on the required squares of that level and the next, and it forces
+//           nothing more. (The three forced squares of the paper can force others: a square at the far side
+//           of its parent forces one next to its grandparent.) No square is split for the sake of its
+//           siblings.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_QUADTREE_SPACED_LEVELS_GROWER_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_QUADTREE_SPACED_LEVELS_GROWER_H

@@ -7,8 +7,9 @@
 // The leaves that contain many points, which need not be those of the quadtree.
 //
 // Computes: for each point the leaf that contains it, by descents from the root, in parallel.
-// Bound:    O(depth) for each point; one round. Deviates: the paper locates the quadtree's own points only,
-// which in our trees ride down with their squares; its way is in locate_by_framework.h.
+// Bound:    O(depth) for each point; one round.
+// Deviates: the paper locates the quadtree's own points only. In our trees these ride down with their
+//           squares. The paper's way is in locate_by_framework.h.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_QUADTREE_LOCATE_ALL_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_QUADTREE_LOCATE_ALL_H

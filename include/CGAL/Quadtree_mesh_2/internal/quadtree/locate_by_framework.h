@@ -8,26 +8,27 @@
 //
 // Computes: for each point of a quadtree's framework the leaf that contains it, from the squares of the tree
 //           and the grid points alone.
-// Bound:    O(n + k) work for n points and k squares besides sorting, O(log n) rounds for each block of n
-//           squares; the blocks are independent but are treated one after another here, to save memory.
-// Source:   Bern, Eppstein, Teng, section 4, Lemma 4 and Corollary 1. Some levels, about log2 n apart, have
-//           only O(k / log n) squares, S. In blocks of n squares of S, the points and the lower left corner
-//           b(s) and the center c(s) of each square s have a framework, in which s is a node. From the
-//           squares of S one goes down through the tree, to the next of these levels, and carries the
-//           smallest framework square that contains the square reached. At a leaf the point is among the
-//           descendants of that one.
+// Bound:    O(n + k) work for n points and k squares, not counting sorting. O(log n) rounds for each block of
+//           n squares. The blocks are independent, but are treated one after another here to save memory.
+// Source:   Bern, Eppstein, Teng, section 4, Lemma 4 and Corollary 1. On some levels, about log2 n apart,
+//           there are only O(k / log n) squares, S. In blocks of n squares of S, the points have a framework,
+//           together with the lower left corner b(s) and the center c(s) of each square s. So s is a node of
+//           it. From the squares of S one goes down through the tree, to the next of these levels. On the way
+//           one carries the smallest framework square that contains the square reached. At a leaf, the point
+//           is among the descendants of that one.
 // Deviates: Lemma 4 says that these descendants are O(1). This holds for those in the leaf s: b(s), c(s), and
-//           the points of the leaf; corners and centers of larger squares may coincide with b(s), but with
+//           the points of the leaf. Corners and centers of larger squares may coincide with b(s), but with
 //           nothing else in s. The framework square itself may be larger than the leaf and hold many points
-//           outside; so only its child toward the leaf is taken.
-//           Unit squares have no center on the grid. They are leaves; their level is never in S, they are
-//           reached from above. The root is always in S: what is above the first level belongs to no other.
-//           The node of a square of S is found by bisection: O(log n), for O(k / log n) squares.
+//           outside. So only its child toward the leaf is taken.
+//           Unit squares have no center on the grid. They are leaves. Their level is never in S, and they are
+//           reached from above. The root is always in S, because what is above the first level belongs to no
+//           other square. The node of a square of S is found by bisection, O(log n) for each of O(k / log n)
+//           squares.
 //
-// It is here to be compared with. By default points ride down with their squares while the tree grows, and
-// there is nothing to locate. Measured with 10^5 and 10^6 uniform points on one thread: 1.0 to 1.2 times as
-// slow as growing the whole balanced tree from its framework, points included, and 4 and 1 to 1.6 times as
-// slow as descents from the root (locate_all.h).
+// This header is here to be compared with. By default points ride down with their squares while the tree
+// grows, and there is nothing to locate. It was measured with 10^5 and 10^6 uniform points on one thread. It
+// takes 1.0 to 1.2 times as long as growing the whole balanced tree from its framework, points included. It
+// takes 4 and 1 to 1.6 times as long as descents from the root (locate_all.h).
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_QUADTREE_LOCATE_BY_FRAMEWORK_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_QUADTREE_LOCATE_BY_FRAMEWORK_H

@@ -6,61 +6,62 @@
 
 // Near neighbors of the points of a balanced quadtree.
 //
-// Computes: for a point another one, not farther than sqrt(7 + sqrt(13)) / 2 < 1.6284 times its nearest
-//           neighbor. The factor is sharp for this method.
-// Bound:    at most 456 squares for each point, whatever the depth, if squares are split only because they
-//           hold more points than a leaf may, or for balance (about 16 for random points). Where annotations
-//           of points or a size ask for smaller leaves, at most 168 squares for each level from the point's
-//           leaf up to the squares as large as the nearest neighbor is far; the factor is the same.
+// Computes: for each point another one, at most sqrt(7 + sqrt(13)) / 2 < 1.6284 times as far away as its
+//           nearest neighbor. The factor is sharp for this method.
+// Bound:    at most 456 squares for each point, whatever the depth, if squares are split only for balance or
+//           because they hold more points than a leaf may (about 16 for random points). If annotations of
+//           points or a size ask for smaller leaves, at most 168 squares for each level from the point's leaf
+//           up to the squares as large as the nearest neighbor is far. The factor is the same.
 // Source:   Bern, Eppstein, Teng, section 5: examine the O(1) squares around the square of a point.
 // Deviates: the paper takes any point in a neighboring square, and none if all are empty. Here the points in
-//           quarters of these are told apart, and up to two levels above are looked at: there always is a
-//           result.
+//           quarters of these squares are told apart, and up to two levels above are looked at. So there
+//           always is a result.
 //
-// Method. Let s be the leaf of p, s = A(0), A(1), ... the squares around it, up to the root, and a(j) the
-// side of A(j). Window j is the square of side 3 a(j) around A(j). Round j looks at the up to eight squares
-// of the size of A(j) around it, by the cross pointers, at their children and at the children of these: at
-// all points of those that are leaves (or in larger leaves), and at the first point of each square of side
-// a(j) / 4 that is split. Rounds are made for j = 0, 1, ... up to the first after which the nearest point
-// seen, r, has |pr|^2 <= 5/2 a(j)^2, or up to the child of the root. Other points in s, if it may hold
-// several, are looked at first.
+// Method. Let s be the leaf of p. The squares around p, up to the root, are s = A(0), A(1), ..., with sides
+// a(0), a(1), .... Window j is the square of side 3 a(j) around A(j). Round j looks at the squares of the
+// size of A(j) around it, up to eight, by the cross pointers. It also looks at their children and
+// grandchildren. Of those that are leaves, or lie in larger leaves, it looks at all points. Of each square of
+// side a(j) / 4 that is split, it looks at the first point. Rounds are made for j = 0, 1, .... They end when
+// |pr|^2 <= 5/2 a(j)^2, where r is the nearest point seen so far, or with the child of the root. If s may
+// hold several points, the other points in s are looked at first.
 //
-// Proof of the factor c. Let q be the nearest neighbor of p, d = |pq|. Points outside window j are farther
-// from p than a(j). If rounds end after round j with q outside window j, then |pr| <= sqrt(5/2) a(j) <
-// sqrt(5/2) d. (After the last possible round nothing is outside.) Else let i be the least number of a window
-// that has q; then i <= j. If q was looked at, r is as near. If not, q is in a split square u of side b =
-// a(i) / 4 of which another point, r', was looked at; u is a child of a square w of side 2 b. Along one of
-// the axes p is at least 2 b from w, and from u:
-//  - for i > 0, because w is not in window i - 1, which consists of squares of the size of w and reaches as
-//    far as that, a(i - 1) = 2 b, around A(i - 1);
-//  - for i = 0, because otherwise w would touch s and have half its size; as it is split, a leaf with at most
-//    a quarter of the side of s would touch s, and the tree would not be balanced across sides and corners.
+// Proof of the factor c. Let q be the nearest neighbor of p, and d = |pq|. Points outside window j are
+// farther from p than a(j). If rounds end after round j with q outside window j, then |pr| <= sqrt(5/2) a(j)
+// < sqrt(5/2) d. (After the last possible round nothing is outside.) Otherwise let i be the least number of a
+// window that has q. So i <= j. If q was looked at, r is as near. If not, q is in a split square u of side b
+// = a(i) / 4, of which another point r' was looked at. The parent of u is a square w of side 2 b. Along one
+// of the axes p is at least 2 b from w, and so from u:
+//  - For i > 0, w is not in window i - 1. That window consists of squares of the size of w. It reaches as far
+//    as the side of w, a(i - 1) = 2 b, around A(i - 1).
+//  - For i = 0, w would otherwise touch s and have half its size. As w is split, a leaf with at most a
+//    quarter of the side of s would touch s. The tree would not be balanced across sides and corners.
 // Let h >= 2 b and v <= h be the distances from p to u along the axes. The quotient of the distances is
 // greatest if q is in the corner of u nearest to p and r' in the farthest one:
 //
 //     |pr'|^2 / d^2 <= ((h + b)^2 + (v + b)^2) / (h^2 + v^2)
 //
-// While v <= h this decreases in h: its derivative has the sign of -(h^2 + 2 h b + 2 h v - v^2). If v > 2 b
-// it is therefore at most what it is for h = v, (1 + b / v)^2 < 9/4. If v <= 2 b it is at most what it is for
-// h = 2 b: in units of b, 1 + (6 + 2 v) / (4 + v^2), which is greatest for v = sqrt(13) - 3; there it is (7 +
-// sqrt(13)) / 4 = c^2.
+// While v <= h, this decreases in h, because its derivative has the sign of -(h^2 + 2 h b + 2 h v - v^2). If
+// v > 2 b, it is therefore at most its value for h = v, (1 + b / v)^2 < 9/4. If v <= 2 b, it is at most its
+// value for h = 2 b. In units of b, this is 1 + (6 + 2 v) / (4 + v^2). It is greatest for v = sqrt(13) - 3,
+// where it is (7 + sqrt(13)) / 4 = c^2.
 //
-// The factor is reached, in round 1: s = [0, 1)^2 is in A(1) = [0, 2)^2, u = [-3/2, -1) x [0, 1/2) has r' in
-// its lower left corner and q next to its upper right one, p = (0, 1/2 + (sqrt(13) - 3) / 2).
+// The factor is reached in round 1. There s = [0, 1)^2 is in A(1) = [0, 2)^2, and u = [-3/2, -1) x [0, 1/2)
+// has r' in its lower left corner and q next to its upper right one. The point p is (0, 1/2 + (sqrt(13) - 3)
+// / 2).
 //
 // Proof of the bound. If the parent A(1) is split because it holds more points than a leaf may, one of them
-// is in a sibling of s: round 0 finds one. If A(1) is split for balance, by either schedule, then because of
-// a square of its own size next to it that is split for its points (forcing.h): round 1 finds one of these.
-// What is found in round i is nearer than sqrt(8) a(i) = sqrt(2) a(i + 1), so round i + 1 is the last one:
-// three rounds at most. Round 0 looks at 8 squares, 32 children and 80 of theirs, as 12 children touch s and
-// are not split; the others look at 8 + 32 + 128.
+// is in a sibling of s. Round 0 finds one. If A(1) is split for balance, by either schedule, the cause is a
+// square of its own size next to it that is split for its points (forcing.h). Round 1 finds one of these.
+// What is found in round i is nearer than sqrt(8) a(i) = sqrt(2) a(i + 1), so round i + 1 is the last one.
+// Hence there are at most three rounds. Round 0 looks at 8 squares, 32 children, and 80 grandchildren,
+// because 12 children touch s and are not split. Each of the others looks at 8 + 32 + 128.
 //
-// Grid points. The traits may map points to the grid square that contains them. All of the above holds for
-// the points as well as for their grid points, except for comparisons, which are made on grid points,
-// exactly; the distances of points differ from these by less than sqrt(2) units. So for points the result is
-// nearer than c d + sqrt(2) (1 + c) < c d + 3.72, in units of the grid. Nothing is added for integers, nor
-// for doubles that are multiples of the unit, as all are that have a magnitude of 2^-10 times the root's side
-// or more.
+// Grid points. The traits may map points to the grid squares that contain them. All of the above holds for
+// the points as well as for their grid points, except for comparisons. These are made on grid points,
+// exactly. The distances of points differ from those by less than sqrt(2) units. So for points the result is
+// nearer than c d + sqrt(2) (1 + c) < c d + 3.72, in units of the grid. For integers, nothing is added.
+// Nothing is added either for doubles that are multiples of the unit. All doubles are whose magnitude is at
+// least 2^-10 times the root's side.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_QUADTREE_NEAR_NEIGHBORS_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_QUADTREE_NEAR_NEIGHBORS_H

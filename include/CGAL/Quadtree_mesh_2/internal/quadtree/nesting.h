@@ -6,17 +6,19 @@
 
 // The nesting of intervals that a sequence of levels induces.
 //
-// Computes: given the level of each gap between neighbors of a sequence, the maximal intervals whose inner
-//           gaps are all at least as deep as the shallowest of them, in preorder; for each the end of its
-//           subtree, and for each gap the smallest interval around it.
+// Computes: from the level of each gap between neighbors in a sequence, the intervals that these levels
+//           induce. The interval of a gap is the largest one around it in which no gap is shallower.
+//           Intervals are listed in preorder, each with the end of its subtree. For each gap, its interval is
+//           the smallest one around it.
 // Bound:    O(n) work. O(1) rounds over blocks of gaps, and a pass over blocks that takes O(log n) for each.
 // Source:   Bern, Eppstein, Teng, Lemma 3: all nearest larger values. Berkman, Schieber, Vishkin, "Optimal
 //           doubly logarithmic parallel algorithms based on finding all nearest smaller values", for cutting
 //           the sequence into blocks that need only the minima around them.
-// Method:   From right to left a stack holds the intervals that are open: their gaps, shallower and shallower
-//           toward the bottom, each the next shallower one to the right of the one above. So the stack with
-//           which a block begins can be read from the sequence: it is the chain of next shallower gaps from
-//           the block's right end, and the piece of that chain in each block is found without the others.
+// Method:   From right to left, a stack holds the gaps of the intervals that are open. Each gap is the next
+//           shallower one to the right of the gap above it. So gaps get shallower toward the bottom. The
+//           stack with which a block begins can be read from the sequence: it is the chain of next shallower
+//           gaps from the block's right end. The piece of that chain in a block is found without the other
+//           blocks.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_QUADTREE_NESTING_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_QUADTREE_NESTING_H

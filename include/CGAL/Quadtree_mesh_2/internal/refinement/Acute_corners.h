@@ -7,18 +7,19 @@
 // The acute corners of the input: which legs meet in them, at which radii the legs are cut, and which
 // triangles they excuse.
 //
-// A sector is the part of the domain between two consecutive input edges (its legs) at an input vertex (its
-// apex). Sectors below 60 degrees that share legs form a corner. A sector below `lopped_factor` times the
+// A sector is the part of the domain between two consecutive input edges, its legs, at an input vertex, its
+// apex. Sectors below 60 degrees that share legs form a corner. A sector below `lopped_factor` times the
 // bound is lopped: no free point enters it within its lock radius. All legs of a corner with a lopped sector
-// are cut at the same radii, the shells, so that a lopped sector is a stack of isosceles trapezoids on one
-// isosceles triangle at the apex; the apex angle is never split.
+// are cut at the same radii, the shells. So a lopped sector is a stack of isosceles trapezoids on one
+// isosceles triangle at the apex. The apex angle is never split.
 //
 // A triangle below the bound is exempt if all its vertices lie on the two legs of a lopped sector of angle
-// phi and its least angle is at least 0.9 phi; nothing else is. With consecutive shells r < R <= 1.9 r the
-// least angle of a trapezoid's triangles is atan(sin(phi) / (R/r - cos(phi))), which is at least min(0.9
+// phi and its least angle is at least 0.9 phi. No other triangle is. For consecutive shells r < R <= 1.9 r,
+// the least angle of a trapezoid's triangles is atan(sin(phi) / (R/r - cos(phi))). This is at least min(0.9
 // phi, 20.7 degrees).
 //
-// Data and queries only; find_corners.h finds the corners, Splitter.h cuts the legs. O(log degree) per query.
+// Data and queries only. find_corners.h finds the corners, and Splitter.h cuts the legs. O(log degree) for a
+// query.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_ACUTE_CORNERS_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_ACUTE_CORNERS_H

@@ -201,10 +201,11 @@ private:
   }
   void own_chord(const Sector& sector, const Blocks& blocks, Block_id& owner) const {
     if (sector.lock_radius <= 0) return;
+    constexpr double same_radius = 1e-9; // of the radius: shells of other radii are much further apart
     const auto at_lock = [&](Leg_id l) {
       using std::fabs;
       for (const Shell_vertex& s : whole_.corners.leg(l).shells)
-        if (fabs(s.radius - sector.lock_radius) <= 1e-9 * sector.lock_radius) return s.vertex;
+        if (fabs(s.radius - sector.lock_radius) <= same_radius * sector.lock_radius) return s.vertex;
       return whole_.corners.leg(l).ring;
     };
     const Vertex_id x = at_lock(sector.right), y = at_lock(sector.left);

@@ -33,11 +33,11 @@ enum class Outcome {
 
 /// How edges of the input are cut.
 enum class Leg_rule {
-  /// Legs of lopped corners at matched radii, where their vertices stay, and edges that are seen from a new vertex under
-  /// 120 degrees: by that refinement is established to end.
+  /// Legs of lopped corners are split at matched radii, where their vertices stay. Other edges are split if a
+  /// new vertex would see them under more than 120 degrees. With this rule, refinement is established to end.
   SHELLS,
-  /// All alike, and where a new vertex could not be but below the bound (Shewchuk's lenses): fewer vertices, but nothing
-  /// but a budget makes refinement end.
+  /// All edges are split alike, where a new vertex would make a triangle below the bound (Shewchuk's lenses).
+  /// This needs fewer vertices, but only a budget makes refinement end.
   FREE
 };
 

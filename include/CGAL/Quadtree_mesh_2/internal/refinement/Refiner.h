@@ -23,6 +23,7 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_REFINER_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_REFINER_H
 
+#include <CGAL/Quadtree_mesh_2/internal/base/Progress.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Relocator.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Splitter.h>
@@ -66,7 +67,7 @@ public:
   template <class Continue>
   Refinement_end run(std::size_t budget, Continue&& shall_go_on) {
     for (std::size_t step = 1; !state_.worklist.is_empty() || takes_up_refused(); ++step) {
-      if ((step & 4095u) == 0 && !shall_go_on()) return Refinement_end::CANCELLED;
+      if (is_time_to_ask(step) && !shall_go_on()) return Refinement_end::CANCELLED;
       const Triangle_id t = state_.worklist.pop();
       if (!mesh_.is_alive(t) || !state_.is_bad(t)) continue;
       if (mesh_.number_of_vertices() >= budget) {
@@ -241,7 +242,8 @@ private:
     return best;
   }
 
-  /// Puts a vertex at q if that is in t, or on one of its sides, exactly: all triangles made are counterclockwise then.
+  /// Puts a vertex at q if that is in t or on one of its sides, exactly. Then all triangles made are
+  /// counterclockwise.
   Outcome insert(Triangle_id t, const Point& q) {
     const auto& r = mesh_.triangle(t);
     int on_slot = -1, number_on = 0;

@@ -6,13 +6,17 @@
 //
 // Moves a Steiner vertex so that its whole star meets the bound ("warping" on demand).
 //
-// Pattern search for the greatest least angle of the star, from the better of the present place and the
-// centroid of the link: eight directions, the step halved when none is better, given up early when the angle
-// stays far below the bound. The eight candidates of a step are evaluated together in single precision,
-// relative to the vertex, in vectors of four; a step ends as soon as none of them can serve, and begins with
-// the triangle that was worst at the start, so that this is soon. The place found is accepted only by the
-// test in double precision on the final coordinates. A vertex on an edge moves along its edge; one on a leg
-// of an acute corner stays, unless legs are free. The same search, with no bound to stop at, smooths. O(degree) a step, at most 8 steps.
+// Computes: the place with the greatest least angle of the star, by pattern search. The search starts from
+//           the better of the present place and the centroid of the link. It tries eight directions, and
+//           halves the step if none is better. It gives up early if the angle stays far below the bound.
+// Bound:    O(degree) for a step, at most 8 steps.
+// Method:   The eight candidates of a step are evaluated together in single precision, relative to the
+//           vertex, in vectors of four. A step ends as soon as none of them can serve. It begins with the
+//           triangle that was worst at the start, so this is soon. The place found is accepted only by a test
+//           in double precision on the final coordinates.
+//
+// A vertex on an edge moves along its edge. One on a leg of an acute corner stays, unless legs are free. The
+// same search smooths if it has no bound to stop at.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_RELOCATOR_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_RELOCATOR_H
@@ -74,6 +78,8 @@ private:
   static constexpr int directions = 8;
   static constexpr int max_steps = 8;
   static constexpr double first_step = 0.2; // of the mean distance to the link
+  /// Of the squared sine, for a step to be taken: by this factor and this difference.
+  static constexpr double least_gain_of_step = 1.0001, least_difference = 1e-9;
   // Given up after step i if the best squared sine is below this share of the bound's.
   static constexpr float hope[max_steps - 1] = {0.7f, 0.8f, 0.9f, 0.9f, 0.9f, 0.9f, 0.9f};
 
@@ -282,7 +288,7 @@ private:
       bool is_better = false;
       for (const double sign : {-1.0, 1.0}) {
         const double q = least_of_star((place + sign * step) * direction, best);
-        if (q <= best * 1.0001 + 1e-9) continue;
+        if (q <= best * least_gain_of_step + least_difference) continue;
         best = q, place = place + sign * step, is_better = true;
       }
       if (!is_better) step = 0.5 * step;

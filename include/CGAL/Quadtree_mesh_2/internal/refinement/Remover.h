@@ -4,21 +4,24 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// Guarded vertex removal: takes out Steiner vertices whose star can be triangulated without them within the
-// bounds.
+// Guarded removal of vertices. Takes out Steiner vertices whose star can be triangulated without them within
+// the bounds.
 //
-// The star of a free vertex is one polygon, that of a vertex on an edge one or two, closed by the merged
-// subsegment. A polygon none of whose triangles on its shortest side is feasible cannot be triangulated: on
-// maps nine trials out of ten end there, in O(k) for k vertices. Others are triangulated by dynamic
-// programming over their sub-polygons (Klincsek, 1980, for max-min angle) restricted to feasible ones: bit j
-// of `forward[i]` says that the sub-polygon i..j can be triangulated within the bounds; O(k^3). Every
-// triangle made is checked, so the bounds are kept unconditionally.
+// Computes: the star of a free vertex is one polygon. That of a vertex on an edge is one or two, closed by
+//           the merged subsegment. A vertex is removed if all its polygons can be triangulated within the
+//           bounds. Every triangle made is checked, so the bounds are kept unconditionally.
+// Bound:    O(k^3) for a polygon of k vertices. Mostly O(k): if no triangle on its shortest side is feasible,
+//           a polygon cannot be triangulated. On maps, nine trials out of ten end there.
+// Source:   Klincsek (1980): dynamic programming over sub-polygons for the greatest least angle.
+// Deviates: restricted to feasible triangles. Bit j of `forward[i]` says that the sub-polygon i..j can be
+//           triangulated within the bounds.
 //
-// Two passes in order of creation, the second over vertices whose star has changed.
+// There are two passes in order of creation. The second is over vertices whose star has changed.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_REMOVER_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_REMOVER_H
 
+#include <CGAL/Quadtree_mesh_2/internal/base/Progress.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/bits.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Star.h>
@@ -52,7 +55,7 @@ public:
     std::size_t removed = 0;
     for (int pass = 0; pass < passes; ++pass)
       for (Vertex_id v = 0; v < static_cast<Vertex_id>(mesh_.number_of_vertices()); ++v) {
-        if ((v & 4095) == 0 && !shall_go_on()) return removed;
+        if (is_time_to_ask(std::size_t(v)) && !shall_go_on()) return removed;
         if (mesh_.is_input(v) || mesh_.is_dirty[std::size_t(v)] == 0 || !mesh_.is_used(v)) continue;
         if (!star_.collect(mesh_, v)) continue; // perhaps at a seam: another round may do it
         mesh_.is_dirty[std::size_t(v)] = 0;
@@ -242,8 +245,8 @@ private:
     return !bounds_.is_large(s, mesh_.point(x), mesh_.point(y), mesh_.point(z), region);
   }
 
-  /// The squared sine of the least angle of a feasible triangle. Exempt ones count as better than others, which has no
-  /// say then; among themselves the best are preferred, as they are the Delaunay ones.
+  /// The squared sine of the least angle of a feasible triangle. Exempt ones count as better than others,
+  /// which then have no say. Among exempt ones the best are preferred, because they are the Delaunay ones.
   double weight(const Shape& s) const { return (bounds_.is_sharp(s) ? 1 : 0) + s.sin2_of_least_angle(); }
 
   void emit(const Polygon& p, int i, int j) {
@@ -255,9 +258,10 @@ private:
     emit(p, i, m), emit(p, m, j);
   }
 
-  /// Near a corner the last flips, which make the mesh Delaunay, could take an exempt triangle apart: whether those that
-  /// come first, among the new triangles and with what is around, leave triangles within the bounds. Where four vertices
-  /// are on a circle but for rounding, as in lattices, any diagonal will do.
+  /// Whether the flips that follow leave triangles within the bounds. Near a corner, the last flips, which
+  /// make the mesh Delaunay, could take an exempt triangle apart. This looks at the flips that come first:
+  /// those among the new triangles and with what is around. Where four vertices are on a circle up to
+  /// rounding, as in lattices, any diagonal will do.
   bool withstands_flips(int first) const {
     for (int i = first; i < number_made_; ++i)
       for (int k = 0; k < 3; ++k) {

@@ -6,27 +6,30 @@
 //
 // How many triangles a mesh will need, from the constrained Delaunay triangulation of its domain alone.
 //
-// The number of triangles of any mesh with a bound on the least angle is, up to constants, the integral of
-// 1/lfs^2 over the domain, lfs the local feature size (Ruppert, 1995). These make it large,
-// and each shows in the triangulation:
-//  - each triangle with longest edge L and height h over it asks for about log(L/h) layers, for points as in
-//    Bern, Eppstein and Gilbert (1994);
-//  - two constrained edges that face each other across a gap g over a length l ask for about l/g triangles.
-//    Such a pair meets at some vertex's fan: one is at the vertex (the first or last edge of a sector of its
-//    triangles) and the other closes a triangle of the sector, or two consecutive ones close triangles of it;
-//  - a vertex between two edges that meet makes the wedge beyond it as expensive as its width there asks for;
-//  - bounds of size ask for area over the area of one triangle.
-// Otherwise edges that share a vertex are not counted as facing: wedges are cut off by rings
-// (Acute_corners.h), whose number grows with the logarithm only.
-//
-// O(n), with `field_samples` calls of the size field and a few a triangle. The constants are measured, so
-// that the estimate is within a factor of 4 of the true number on maps, on the hard families of the tests and
-// for bounds of size (test_quality_mesher_budget.cpp), but for needles with short legs in them, which may take
-// more.
+// Computes: an estimate that is within a factor of 4 of the true number on maps, on the hard families of the
+//           tests, and for bounds of size (test_quality_mesher_budget.cpp). Needles with short legs in them
+//           may take more.
+// Bound:    O(n), with `field_samples` calls of the size field and a few for each triangle.
+// Source:   Ruppert (1995): up to constants, any mesh with a bound on the least angle has as many triangles
+//           as the integral of 1/lfs^2 over the domain, where lfs is the local feature size. Bern, Eppstein
+//           and Gilbert (1994) for the layers around points.
+// Method:   Four things make the integral large, and each shows in the triangulation. The constants are
+//           measured.
+//           - A triangle with longest edge L and height h over it asks for about log(L/h) layers.
+//           - Two constrained edges that face each other across a gap g, over a length l, ask for about l/g
+//             triangles. Such a pair meets in the fan of some vertex, in a sector of its triangles. Either
+//             one edge is at the vertex, first or last in the sector, and the other closes a triangle of the
+//             sector. Or two consecutive edges close triangles of it.
+//           - A vertex between two edges that meet makes the wedge beyond it as expensive as the wedge's
+//             width there asks for.
+//           - Bounds of size ask for the quotient of the area and the area of one triangle.
+//           Otherwise edges that share a vertex do not count as facing each other. Rings cut off wedges
+//           (Acute_corners.h), and their number grows with the logarithm only.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_SIZE_ESTIMATE_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_SIZE_ESTIMATE_H
 
+#include <CGAL/Quadtree_mesh_2/internal/base/angle_units.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
 
@@ -79,8 +82,7 @@ public:
   }
 
   double triangles() const {
-    constexpr double degree = 3.14159265358979323846 / 180;
-    const double above = std::max(0.0, state_.bounds.angle / degree - 20.7);
+    const double above = std::max(0.0, state_.bounds.angle / radians_per_degree - 20.7);
     return (1 + per_degree * above) * (of_shapes_ + of_pairs_) + of_sizes_;
   }
   /// What bounds of size ask for alone.

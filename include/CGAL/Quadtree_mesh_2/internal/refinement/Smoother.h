@@ -4,13 +4,14 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// Smoothing: moves every Steiner vertex once to where the least angle of its star is greatest ("optimal" smoothing,
-// Freitag, Jones and Plassmann, 1995, by pattern search), with flips. No bound that is met is given up. It makes room
-// for guarded removal, and better angles besides. O(n).
+// Smoothing. Moves every Steiner vertex once to where the least angle of its star is greatest ("optimal"
+// smoothing, Freitag, Jones and Plassmann, 1995, here by pattern search), with flips. It gives up no bound
+// that is met. It makes room for guarded removal, and also makes angles better. O(n).
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_SMOOTHER_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_SMOOTHER_H
 
+#include <CGAL/Quadtree_mesh_2/internal/base/Progress.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Relocator.h>
 
@@ -29,7 +30,7 @@ public:
   template <class Continue>
   void run(Continue&& shall_go_on) {
     for (Vertex_id v = 0; v < static_cast<Vertex_id>(mesh_.number_of_vertices()); ++v) {
-      if ((v & 4095) == 0 && !shall_go_on()) return;
+      if (is_time_to_ask(std::size_t(v)) && !shall_go_on()) return;
       if (!mesh_.is_input(v) && mesh_.is_used(v)) relocator_.improve(v);
     }
   }

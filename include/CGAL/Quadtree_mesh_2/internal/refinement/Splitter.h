@@ -6,17 +6,24 @@
 //
 // Splits constrained edges, and keeps the rings around acute corners while it does.
 //
-// - A subsegment away from corners is split where the caller wants, within its middle 30 percent.
-// - A leg of an acute vertex without a ring is split at dyadic distances from it (Ruppert's concentric
-// shells).
-// - Within a ring the interval between two shells is halved, on all legs of the corner at once (matched shells), or,
-//   where it is too short to tell shells apart, as next to features far from the apex, on its leg alone.
-// - The chord that locks a lopped sector is never split: when something comes too close to it, the lock moves
-// down to the
-//   next shell (a new one at 0.6 of the radius where there is none), and what was behind it becomes ordinary
-//   domain.
-//
-// A split costs O(degree), times the number of legs within a ring.
+// Computes: a new vertex on a constrained edge, and what the corner at an end of the edge needs with it.
+//           - A subsegment away from acute corners is split where the caller wants, within its middle 30
+//             percent.
+//           - A leg of an acute vertex without a ring is split at a dyadic distance from that vertex
+//             (Ruppert's concentric shells).
+//           - Within a ring, the interval between two shells is halved on all legs of the corner at once, so
+//             shells stay matched. If the interval is too short to tell shells apart, it is halved on its own
+//             leg alone. This happens next to features far from the apex.
+//           - The chord that locks a lopped sector is never split. When something comes too close to it, the
+//             lock moves down to the next shell. If there is none, a shell is made at 0.6 of the radius. What
+//             was behind the chord becomes ordinary domain.
+// Bound:    O(degree) for a split, times the number of legs within a ring.
+// Source:   Bern, Eppstein, Teng, section 6: "We can ignore the cut-off triangles for the remainder of the
+//           algorithm, simply reattaching them (with appropriately subdivided cutting edges) after the final
+//           warping step." The radii of the cuts are those of find_corners.h, which quotes how the paper
+//           chooses them.
+// Deviates: cut-off triangles stay in the mesh, behind their chords. A cutting edge is not subdivided.
+//           Instead the cut moves toward the apex.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_SPLITTER_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_SPLITTER_H
@@ -106,11 +113,12 @@ public:
 private:
   static Outcome outcome(bool is_changed) { return is_changed ? Outcome::CHANGED : Outcome::REFUSED; }
 
-  /// New shells next to the apex lie at this share of the innermost radius: their ratio, 1.67, leaves room
+  /// New shells next to the apex lie at this share of the innermost radius. Their ratio, 1.67, leaves room
   /// for ring vertices that are not quite matched (Acute_corners.h).
   static constexpr double innermost_share = 0.6;
-  /// Radii of a shell on several legs are one number, so they are the same to units in the last place; further shells may
-  /// be nearly as near, where features beside a leg's end are as small as the distance between legs there.
+  /// Radii of a shell on several legs come from one number, so they are the same to units in the last place.
+  /// Other shells may be nearly as near, if features beside a leg's end are as small as the distance between
+  /// legs there.
   static constexpr double same_radius = 0x1p-50;
   /// A far end or another ring's vertex within this share of the chord stands in for the ring vertex.
   static constexpr double chord_share_to_merge = 0.4;
@@ -119,9 +127,9 @@ private:
   Kernel_mesh<Geometry>& mesh_;
   Acute_corners<Geometry>& corners_;
 
-  /// Nothing is cut nearer to an acute apex than this share of the leg. For bounds that are established only features
-  /// as near as that could ask for it, or coordinates are the limit; above, two corners of one vertex may drive
-  /// each other on without end.
+  /// Nothing is cut nearer to an acute apex than this share of the leg. For bounds that are established, only
+  /// features as near as that could ask for it, or coordinates are the limit. Above these bounds, two corners
+  /// of one vertex may drive each other on without end.
   Number least_share_of_leg() const {
     return state_.bounds.is_established() ? state_.problem.least_share_of_leg : Number(0x1p-12);
   }
@@ -346,8 +354,8 @@ private:
     return v;
   }
 
-  /// A rounded point may lie beside its edge: both parts of the triangle must keep their orientation, and the edge be
-  /// long enough for that to be no chance.
+  /// A rounded point may lie beside its edge. Both parts of the triangle must keep their orientation, and the
+  /// edge must be so long that this does not depend on rounding.
   bool is_valid_split(Side s, const Point& p) const {
     const Point& apex = mesh_.point(mesh_.opposite(s));
     for (const Vertex_id end : {mesh_.source(s), mesh_.target(s)})

@@ -19,8 +19,8 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-/// How many vertices a mesh may have before what is being done to it is given up: the user's budget, or else multiples
-/// of what is expected, as no proof says that refinement ends.
+/// How many vertices a mesh may have before work on it is given up. This is the user's budget, or else a
+/// multiple of what is expected, because no proof says that refinement ends.
 template <class Geometry>
 class Vertex_budgets {
 public:
@@ -70,8 +70,8 @@ public:
 private:
   /// Refinement that is expected to end may take so many times the vertices expected, whatever memory that needs.
   static constexpr double least_patience = 10;
-  /// A graph of fewer vertices without bounds of size is given up at a mesh of some seconds and half a gigabyte: it has
-  /// gaps so narrow that its owner should know of them.
+  /// A graph of fewer vertices without bounds of size is given up at a mesh of some seconds and half a
+  /// gigabyte. Its gaps are so narrow that its owner should know of them.
   static constexpr std::size_t small_graph = 1000;
   static constexpr double cap_of_small_graphs = 2e6;
   static constexpr const char* limit_of_small_graphs =
@@ -86,8 +86,8 @@ private:
   bool is_established_, is_capped_;
   double expected_;
 
-  /// Vertices beside what is expected, for graphs that are small and hard: more where refinement is established to end,
-  /// as it goes on to the allowance where it does not.
+  /// Vertices beyond what is expected, for graphs that are small and hard. There are more where refinement is
+  /// established to end. Elsewhere it goes on until the allowance is used up.
   double allowance() const { return is_established_ ? 2e6 : 2e5; }
 
   std::size_t limited(double vertices) const {

@@ -69,6 +69,10 @@ private:
 
   using Leg_of_sector = std::pair<Edge_id, std::size_t>;
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
+  /// A ring is cut at this share of the distance to what intrudes.
+  static constexpr double clear_share = 0.6;
+  /// What is as far as the ring up to this share of its radius does not intrude.
+  static constexpr double rounding = 1e-9;
 
   Meshing_state<Geometry>& state_;
   Kernel_mesh<Geometry>& mesh_;
@@ -153,7 +157,8 @@ private:
     }
   }
 
-  /// The sectors [i, j) by one of their legs. An edge is the right leg of one sector at a vertex, and the left of one.
+  /// Sorts the sectors [i, j) by one of their legs. An edge is the right leg of one sector at a vertex, and
+  /// the left leg of one.
   void sort_by_leg(std::size_t i, std::size_t j, Edge_id Acute_sector::*leg,
                    std::vector<Leg_of_sector>& sorted) const {
     sorted.clear();
@@ -236,11 +241,11 @@ private:
           continue;
         }
         const Number d = distance_to_segment(apex, a, b);
-        if (d >= r * (1 - 1e-9)) continue;
+        if (d >= r * (1 - rounding)) continue;
         if (!q.side[k].is_constrained())
           stack_.push_back(q.side[k].triangle());
         else if (a != right && a != left && b != right && b != left)
-          r = 0.6 * d;
+          r = clear_share * d;
       }
     }
     return r;
@@ -259,13 +264,13 @@ private:
   /// than 105 degrees.
   Number clear_of_vertex(Vertex_id apex, Vertex_id right, Vertex_id left, Vertex_id v, Number r) const {
     const Number d = distance(apex, v);
-    if (0.6 * d >= r) return r;
-    if (d < r * (1 - 1e-9)) return 0.6 * d;
+    if (clear_share * d >= r) return r;
+    if (d < r * (1 - rounding)) return clear_share * d;
     const Vector p = direction(apex, v), a = direction(apex, right), b = direction(apex, left);
     const Vector pa = (r / length(a)) * a - p, pb = (r / length(b)) * b - p;
     const Number c = dot(pa, pb);
     constexpr double cosine2 = 0.067; // of 105 degrees, squared
-    return c < 0 && c * c > cosine2 * squared_length(pa) * squared_length(pb) ? Number(0.6 * d) : r;
+    return c < 0 && c * c > cosine2 * squared_length(pa) * squared_length(pb) ? Number(clear_share * d) : r;
   }
 
   Number distance_to_segment(Vertex_id p, Vertex_id a, Vertex_id b) const {

@@ -10,6 +10,7 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_TRIANGLE_BUDGET_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_TRIANGLE_BUDGET_H
 
+#include <CGAL/Quadtree_mesh_2/internal/base/angle_units.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Size_estimate.h>
 
@@ -122,11 +123,11 @@ private:
   bool is_wedge() const { return pair_.a[1] == pair_.b[0]; }
 
   double angle_of_wedge() const {
-    constexpr double degree = 3.14159265358979323846 / 180;
     const auto &o = state_.mesh.point(pair_.b[0]), &p = state_.mesh.point(pair_.b[1]),
                &q = state_.mesh.point(pair_.a[0]);
     const auto u = Geometry::scaled_difference(p, o), v = Geometry::scaled_difference(q, o);
-    return std::fabs(std::atan(ratio(Geometry::doubled_area_of_flat(u, v, o, p, q), dot(u, v)))) / degree;
+    return std::fabs(std::atan(ratio(Geometry::doubled_area_of_flat(u, v, o, p, q), dot(u, v)))) /
+           radians_per_degree;
   }
 
   std::int32_t segment(const Vertex_id (&ends)[2]) const {

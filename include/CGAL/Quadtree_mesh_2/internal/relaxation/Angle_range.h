@@ -17,6 +17,7 @@
 #define CGAL_QUADTREE_MESH_2_INTERNAL_RELAXATION_ANGLE_RANGE_H
 
 #include <CGAL/Quadtree_mesh_2/internal/base/Float_lanes.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/angle_units.h>
 
 #include <cmath>
 
@@ -28,10 +29,11 @@ class Angle_range {
 public:
   /// In degrees; `low` may be 0, for no lower bound.
   Angle_range(double low, double high, double margin = 1) {
-    constexpr double degree = 3.14159265358979323846 / 180;
-    const auto cot = [](double degrees) { return std::cos(degrees * degree) / std::sin(degrees * degree); };
+    const auto cot = [](double degrees) {
+      return std::cos(degrees * radians_per_degree) / std::sin(degrees * radians_per_degree);
+    };
     const auto squared_sine = [](double degrees) {
-      return std::sin(degrees * degree) * std::sin(degrees * degree);
+      return std::sin(degrees * radians_per_degree) * std::sin(degrees * radians_per_degree);
     };
     least_cot = static_cast<float>(cot(high - margin));
     high_weight = static_cast<float>(squared_sine(high));

@@ -6,29 +6,31 @@
 //
 // Triangulations of points by warped quadtree squares, the classical way.
 //
-// Computes: a triangulation of the root square, of points in its middle half, with each point as a vertex and all
-//           angles between 22.47 and 112.63 degrees.
-// Bound:    O(n + k) work for k triangles, besides sorting; k is within a constant factor of the least number for any
-//           constant bound on the least angle.
-// Source:   Bern, Eppstein, Gilbert, "Provably good mesh generation", 1994, as told in the first paragraph of section 5
-//           of Bern, Eppstein, Teng: with no angles smaller than about 20 degrees.
-// Deviates: points are separated so (Separated_quadtree.h) that the squares that are warped have no vertices in the
-//           middle of their sides. Which diagonal these get is told by one comparison.
+// Computes: a triangulation of the root square that has the given points, which lie in its middle half, as
+//           vertices. All angles are between 22.47 and 112.63 degrees.
+// Bound:    O(n + k) work for k triangles, not counting sorting. For any constant bound on the least angle, k
+//           is within a constant factor of the least number of triangles.
+// Source:   Bern, Eppstein, Gilbert, "Provably good mesh generation", 1994. Bern, Eppstein, Teng, section 5,
+//           first paragraph, about the warping steps: "no angles smaller than about 20 degrees".
+// Deviates: points are separated so well (Separated_quadtree.h) that warped squares have no vertices in the
+//           middle of their sides. One comparison tells which diagonal a warped square gets.
 //
-// Method. The nearest corner of each point's leaf is moved to the point. Four squares share the corner, of equal
-// size, with whole sides, and with no other corner that is moved. Let their side be 1, the corner the origin, and
-// the point's own square the upper right one; the corner moves to (x, y), 0 <= x, y <= 1/2. Each is cut into two
-// triangles:
-//   - the point's own one from the moved corner;
-//   - the opposite one, lower left, not from the moved corner;
-//   - the upper left one from the moved corner if x <= 5/24, else not; the lower right one if y <= 5/24.
-// All other squares are cut by the templates of square_templates.h, with angles from atan(1/2) to 90 degrees.
+// Method. The nearest corner of each point's leaf moves to the point. Four squares share this corner. They
+// have equal sizes and whole sides, and none of their other corners moves. Let their side be 1, let the
+// corner be the origin, and let the point's own square be the upper right one. The corner moves to (x, y), 0
+// <= x, y <= 1/2. A diagonal cuts each square into two triangles:
+//   - In the point's own square, it starts at the moved corner.
+//   - In the opposite square, at the lower left, it does not.
+//   - In the upper left square, it does if x <= 5/24. In the lower right one, it does if y <= 5/24.
+// All other squares are cut by the templates of square_templates.h. Their angles are between atan(1/2) and 90
+// degrees.
 //
-// The least angle is atan(12/29) > 22.47 degrees: that at (-1, 1) for (x, y) = (5/24, 1/2). The largest one, at (0, 1)
-// for the same, is 90 degrees and atan(5/12), less than 112.63. Proof: that no angle of a triangle with a vertex at
-// (x, y) is beyond these means that certain quadratics in x and y are not negative. The test of this header shows
-// that with their Bernstein coefficients, in rational arithmetic, for the whole square of (x, y). So the bounds hold
-// for the integer places of the mesh as they are, not up to roundings.
+// The least angle is atan(12/29) > 22.47 degrees. It is at (-1, 1) for (x, y) = (5/24, 1/2). The largest
+// angle, at (0, 1) for the same (x, y), is 90 degrees plus atan(5/12), which is less than 112.63. Proof: the
+// angles of all triangles with a vertex at (x, y) are within these bounds if certain quadratics in x and y
+// are not negative. The test of this header shows that with their Bernstein coefficients, in rational
+// arithmetic, for the whole square of (x, y). So the bounds hold for the integer places of the mesh as they
+// are, not just up to rounding.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_SQUARES_CORNER_WARPER_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_SQUARES_CORNER_WARPER_H
@@ -152,8 +154,9 @@ private:
     const int corner = nearest.is_right ? (nearest.is_upper ? 2 : 1) : (nearest.is_upper ? 3 : 0);
     const auto [beside, across, above] = nearest.directions();
 
-    // A diagonal of the point's own square from the corner has the direction of that from the lower left if the corner
-    // is there or opposite; squares on both sides of a line have corners of different kinds at its ends.
+    // In the point's own square, the diagonal from the corner has the direction of the one from the lower
+    // left if the corner is there or opposite. Squares on both sides of a line have corners of different
+    // kinds at its ends.
     const bool is_even = corner % 2 == 0;
     set_diagonal(own, is_even);
     set_diagonal(neighbor(own, across), !is_even);

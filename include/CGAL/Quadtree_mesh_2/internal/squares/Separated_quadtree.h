@@ -4,36 +4,48 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// A balanced quadtree in which points are so well separated that a corner of each one's leaf can be moved to it.
+// A balanced quadtree that separates points so well that a corner of each point's leaf can move to the point.
 //
-// Computes: the tree, from points in the middle half of the root. Around the corner nearest to a point of the point's
-//           leaf there are four leaves of equal size, the point's group: with no vertices in the middle of their
-//           sides, and in the group of no other point.
-// Bound:    O(n + k) work for k squares, in O(1) rounds, each of which makes a tree.
-// Source:   Bern, Eppstein, Teng, section 5: points are annotated with the size of their leaf, in proportion to the
-//           distance of a near neighbor, and the tree is built again with that.
-// Deviates: the annotations are what is needed in any case, and leaves are split one level at a time where a group
-//           is not what it has to be. That makes a quarter of the squares that annotations alone would need.
+// Computes: the tree, from points in the middle half of the root. Consider the corner of a point's leaf that
+//           is nearest to the point. The four leaves around it are the point's group. They have equal sizes,
+//           no vertices in the middle of their sides, and are in the group of no other point.
+// Bound:    O(n + k) work for k squares, in O(1) rounds. Each round makes a tree.
+// Source:   Bern, Eppstein, Teng, section 5: points are annotated with the size of their leaf, in proportion
+//           to the distance of a near neighbor. The tree is built again with these annotations.
+// Deviates: annotations ask only for what is needed in any case. Where a group is not yet what it has to be,
+//           leaves are split one level at a time. This makes a quarter of the squares that annotations alone
+//           would need.
 //
-// A round splits the larger leaves among the four around the corner of a point, and the leaf of the point itself if
-// one of the four is split already, or has a smaller leaf on one of its outer sides, or is in another point's group.
+// Method. A round splits the larger leaves among the four around the corner of a point. It splits the leaf of
+// the point itself if one of the four is split already, has a smaller leaf on one of its outer sides, or is
+// in another point's group.
 //
-// Proof that rounds end. Let d be the distance of p to the nearest other point, by the larger difference of
-// coordinates, as all distances here, and l the side of the leaf of p: that is split in a round only if 4 l > d.
-// Every leaf is there because of one point q: its square's parent was split because it held q and another point, or q
-// and a leaf too large for it, or a leaf of the group of q in some round; or for balance, because it touched a leaf
-// less than half as large. Let e be the side of the leaf of q now. Leaves of side s that are there because of q
-// lie within R(s) of q: squares of side s in a group, and their siblings, within 3 s; and those in a square of side
-// 2 s that was split because it touched a leaf of side s / 2, within R(s / 2) + 2 s. So R(s) <= 4 s - e for s >= e, and
-// there are none for s < e. The group of p lies within 3/2 l of it. If a leaf of side l / 2 or less is in the group or
-// touches it, it is not there because of p but of a point q within 2 l of the leaf, and p and q are less than 4 l
-// apart. If a leaf is in the groups of p and q, these are at most 3 l apart. So leaves of points end up with sides
-// above d / 8, or D / 18.5; they begin with sides of at most 2 D for the Euclidean distance D of a near neighbor. A
-// leaf larger than l around the corner is split once and has side l then, by balance. Hence the O(1) rounds.
+// Proof that rounds end. All distances are by the larger difference of coordinates, unless said otherwise.
+// Let d be the distance of p to the nearest other point, and l the side of the leaf of p. We show that this
+// leaf is split in a round only if 4 l > d.
 //
-// No more than needed in the beginning: p is at least l / 2 inside its group, so d >= l / 2, whatever is done.
+// Each leaf is there because of one point q. Its square's parent was split for one of these reasons:
+//   - It held q and another point.
+//   - It held q and was too large for it.
+//   - It held a leaf of the group of q in some round.
+//   - It was out of balance: it touched a leaf less than half as large, which is there because of q.
+// Let e be the side of the leaf of q now. Leaves of side s that are there because of q lie within R(s) of q.
+// Squares of side s in a group, and their siblings, lie within 3 s. Squares of side 2 s that were split for
+// balance touched a leaf of side s / 2, so their children lie within R(s / 2) + 2 s. So R(s) <= 4 s - e for s
+// >= e, and there are no such leaves for s < e.
 //
-// Groups are in the root: leaves of points have at most an eighth of its side.
+// The group of p lies within 3/2 l of it. Suppose that a leaf of side l / 2 or less is in the group or
+// touches it. It is not there because of p, but because of a point q within 2 l of the leaf. So p and q are
+// less than 4 l apart. If a leaf is in the groups of both p and q, these are at most 3 l apart.
+//
+// So leaves of points end up with sides above d / 8. For the Euclidean distance D of a near neighbor that is
+// above D / 18.5, and they begin with sides of at most 2 D. A leaf larger than l around the corner is split
+// once. By balance it then has side l. Hence the number of rounds is O(1).
+//
+// The beginning asks for no more than is needed: whatever is done, p is at least l / 2 inside its group, so d
+// >= l / 2.
+//
+// Groups are inside the root, because leaves of points have at most an eighth of its side.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_SQUARES_SEPARATED_QUADTREE_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_SQUARES_SEPARATED_QUADTREE_H

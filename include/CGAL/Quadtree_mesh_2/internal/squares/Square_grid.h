@@ -6,8 +6,8 @@
 //
 // The grid of the squares that fill the bulk of a mesh: where the root square lies and how large it is.
 //
-// Sides have at most 20 significant bits and the origin is a multiple of the last of them, so all corners
-// down to the finest level are exact coordinates: squares are exactly square, and their corners exactly
+// Sides have at most 20 significant bits, and the origin is a multiple of the last of them. So all corners
+// down to the finest level are exact coordinates. Squares are exactly square, and their corners are exactly
 // cocircular.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_SQUARES_SQUARE_GRID_H
@@ -59,7 +59,7 @@ public:
         std::min(significant_bits, exact_bits > 2 * spare_levels ? exact_bits - spare_levels : exact_bits);
     int exponent = 0;
     const double significand = std::floor(std::ldexp(std::frexp(side, &exponent), bits));
-    while (std::ldexp(1.0, given_level_) < number * (1 - 1e-9)) ++given_level_;
+    while (std::ldexp(1.0, given_level_) < number * (1 - rounding)) ++given_level_;
     exponent += given_level_ - bits;
     root_ = std::ldexp(significand, exponent);
     unit_ = std::ldexp(root_, -Grid_square::depth);
@@ -86,6 +86,8 @@ private:
   /// Finer than the given one, for which coordinates leave room rather than for more significant bits.
   static constexpr int spare_levels = 4;
   static constexpr int finest_possible_level = 28;
+  /// A side that divides the extent up to this share of it divides it.
+  static constexpr double rounding = 1e-9;
   /// Of squares along the box, from which on the side may shrink for a whole number of them to fit.
   static constexpr double least_number_to_fit = 32;
 

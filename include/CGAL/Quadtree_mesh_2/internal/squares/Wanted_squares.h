@@ -97,6 +97,7 @@ private:
   static constexpr double margin = 0.9;
   /// Sizes are looked up at distances of at most this share of the extent.
   static constexpr double widest_step = 1.0 / 32;
+  /// Of the side: what counts as near beyond the margin, so that rounding loses nothing.
   static constexpr double slack = 1e-9;
 
   struct Range {
@@ -197,9 +198,9 @@ private:
     const Region_id region = state_.mesh.region(t);
     int level = s.level;
     if (!state_.bounds.is_local()) {
-      while (level < finest_level_ && is_too_large_everywhere({level, without_center}, region)) ++level;
-    } else if (is_too_large_somewhere(s, without_center, region)) {
-      if (s.level < finest_level_ && is_complete() && is_too_large_somewhere(s, with_center, region)) {
+      while (level < finest_level_ && is_too_large_everywhere({level, Center::WITHOUT}, region)) ++level;
+    } else if (is_too_large_somewhere(s, Center::WITHOUT, region)) {
+      if (s.level < finest_level_ && is_complete() && is_too_large_somewhere(s, Center::WITH, region)) {
         const std::size_t first = add_children(i);
         for (int c = 0; c < 4; ++c) visit_inside(first + std::size_t(c), s.child(c), t);
         return;
@@ -267,7 +268,8 @@ private:
 
   // ---- sizes
 
-  enum Center { without_center, with_center };
+  /// Whether squares have triangles around a center instead of two at a diagonal.
+  enum class Center { WITHOUT, WITH };
   /// The triangles of squares of a level.
   struct Triangles_of_squares {
     int level;
@@ -275,7 +277,7 @@ private:
   };
 
   double squared_length(Triangles_of_squares q) const {
-    return (q.center == with_center ? 1 : 2) * side_[q.level] * side_[q.level];
+    return (q.center == Center::WITH ? 1 : 2) * side_[q.level] * side_[q.level];
   }
 
   /// Whether such triangles are too large whatever the place.
@@ -306,8 +308,8 @@ private:
           if (is_too_large_at(q, low + side / steps * Vector{double(i), double(j)})) return true;
       return false;
     }
-    const double f = center == with_center ? 1.0 / 6 : 1.0 / 3;
-    if (center == without_center)
+    const double f = center == Center::WITH ? 1.0 / 6 : 1.0 / 3;
+    if (center == Center::WITHOUT)
       return is_too_large_at(q, low + side * Vector{1 - f, f}) ||
              is_too_large_at(q, low + side * Vector{f, 1 - f});
     for (const Vector v : {Vector{0.5, f}, Vector{1 - f, 0.5}, Vector{0.5, 1 - f}, Vector{f, 0.5}})
@@ -317,7 +319,7 @@ private:
 
   /// Whether a square near features is too large for one of the triangles of the domain that meet it.
   bool is_too_large_for_any(const Grid_square& s, Range triangles) const {
-    const Triangles_of_squares q{s.level, state_.bounds.is_local() ? with_center : without_center};
+    const Triangles_of_squares q{s.level, state_.bounds.is_local() ? Center::WITH : Center::WITHOUT};
     if (is_too_large_everywhere(q, -1)) return true;
     if (!state_.bounds.is_local()) return false;
     const Box b = box(s);

@@ -4,15 +4,16 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// How a square of a balanced quadtree is cut into triangles when some of its sides have a vertex in the
-// middle.
+// How a square of a balanced quadtree is cut into triangles if some of its sides have a vertex in the middle.
 //
-// Without a center, vertices are corners of squares only. Every triangle is half a square, half a rectangle
-// of two to one, or joins vertices in the middle of sides to corners across: the least angle is atan(1/2),
-// 26.56 degrees, or 45 where no side is halved. With a center, all pieces of the border are joined to it: the
-// least angle is 45 degrees, and the longest edge shorter by a factor of sqrt(2). No angle is above 90
-// degrees. All triangles are Delaunay, across the sides of squares too: their circles leave the square by
-// less than a quarter of the side, or are centered on a side of which they hold the ends only.
+// Without a center, vertices are corners of squares only. Each triangle is half of a square, or half of a
+// rectangle of two to one, or joins vertices in the middle of sides to corners across. The least angle is
+// atan(1/2), 26.56 degrees, or 45 if no side is halved. With a center, all pieces of the border are joined to
+// it. The least angle is then 45 degrees, and the longest edge is shorter by a factor of sqrt(2). No angle is
+// above 90 degrees.
+//
+// All triangles are Delaunay, also across the sides of squares. Their circles leave the square by less than a
+// quarter of the side, or are centered on a side and hold only its ends.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_SQUARES_SQUARE_TEMPLATES_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_SQUARES_SQUARE_TEMPLATES_H

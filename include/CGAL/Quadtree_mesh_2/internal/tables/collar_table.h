@@ -4,29 +4,32 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// The mesh between an octagon and a window of 5 x 5 equal squares: the outermost ring of a cluster of points.
+// The collar: the mesh between an octagon and a window of 5 x 5 equal squares. It is the outermost ring of a
+// cluster of points.
 //
 // A cluster has a quadtree of its own. Its mesh is that of a window of 5 x 5 squares of equal size, its inner
-// cells, of which the border has the pattern LL of tile_tables.h: a vertex at the middle of each cell's outer
-// side. The collar joins this border to an octagon, which takes the place of a vertex in the mesh outside, see
-// star_table.h.
+// cells. The border of this mesh has the pattern LL of tile_tables.h: a vertex at the middle of each cell's
+// outer side. The collar joins this border to an octagon. The octagon takes the place of a vertex in the mesh
+// outside (star_table.h).
 //
-// The octagon around the origin has sides with normals in the eight compass directions: its vertices are
-// (R, -tR), (R, tR), (tR, R), (-tR, R), (-R, tR), (-R, -tR), (-tR, -R), (tR, -R) with t = 13/32. Here R is
-// 10.8125 sides of an inner cell; in the mesh outside it is rho sides of a leaf. Octagon vertices i and i + 1 and
-// spoke i are a triangle (i, spoke i, i + 1), and so are (i + 1, spoke i, spoke i + 1), for each i modulo 8: all
-// 16 are acute for 0 < rho <= 1/5. So the leaf outside must have at least 5 R = 54.0625 times the side of an
-// inner cell.
+// The octagon. Its center is the origin, and its sides have normals in the eight compass directions. With t =
+// 13/32, its vertices are
+//   (R, -tR), (R, tR), (tR, R), (-tR, R), (-R, tR), (-R, -tR), (-tR, -R), (tR, -R).
+// Here R is 10.8125 sides of an inner cell. In the mesh outside, it is rho sides of a leaf. Let i and i + 1,
+// modulo 8, be vertices of the octagon. Then (i, spoke i, i + 1) and (i + 1, spoke i, spoke i + 1) are
+// triangles. All 16 are acute for 0 < rho <= 1/5. So the leaf outside must have at least 5 R = 54.0625 times
+// the side of an inner cell.
 //
-// The border is LL if every square that is split for another reason than balance over corners lies in the middle
-// cell: squares of side s < 1 cell then reach at most 2 s beyond it. (Squares that are split for the sake of
-// balance touch a split square of half their side; by induction, and as they are aligned, those of side 2 s
-// reach at most 2 s beyond.) So the 16 cells at the border are leaves, and nothing smaller touches the border.
+// The border. It is LL if every square that is split for another reason than balance across corners lies in
+// the middle cell. Proof: squares that are split for the sake of balance touch a split square of half their
+// side. By induction, and because squares are aligned, split squares of side 2 s reach at most 2 s beyond the
+// middle cell. So do all squares of side s < 1 cell. Hence the 16 cells at the border are leaves, and nothing
+// smaller touches the border.
 //
-// Bound:  all angles of the collar are between 17.3 and 81.4 degrees; 176 triangles.
-// Source: Bern, Eppstein, Teng, section 5, Theorem 4; the collar was found by optimization. With an octagon, and
-//         not a square, as a convex polygon without vertices within its sides has an acute triangulation only if
-//         it has five sides or more.
+// Bound:    All angles of the collar are between 17.3 and 81.4 degrees. It has 176 triangles.
+// Source:   Bern, Eppstein, Teng, section 5, Theorem 4. The collar was found by optimization. A square would
+//           not do instead of the octagon: a convex polygon without vertices inside its sides has an acute
+//           triangulation only if it has five sides or more.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_TABLES_COLLAR_TABLE_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_TABLES_COLLAR_TABLE_H

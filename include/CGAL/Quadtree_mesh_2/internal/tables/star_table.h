@@ -6,20 +6,20 @@
 //
 // How to move a corner of the grid to a given point so that the eight edges there keep their directions.
 //
-// Let p be a point, c the corner of its leaf that is nearest to p (any, if there are several), d = p - c, so
-// |d_x| and |d_y| are at most half a side. Let the 4 x 4 squares around c be leaves of the same size that all
-// have the plain tile, tile(0). Its edges at c go into the eight compass directions. The corner and its eight
-// neighbors, the spokes, are translated by d; each other vertex within the block goes to base + offset + A d as
-// in warp_table.h; those on the boundary of the block stay.
+// Let p be a point, c a nearest corner of its leaf, and d = p - c. So |d_x| and |d_y| are at most half a
+// side. Let the 4 x 4 squares around c be leaves of the same size that all have the plain tile, tile(0). The
+// edges of these tiles at c go into the eight compass directions. The corner and its eight neighbors, the
+// spokes, are translated by d. Each other vertex inside the block goes to base + offset + A d, as in
+// warp_table.h. Vertices on the boundary of the block stay.
 //
-// Then a tiny octagon around p, with sides across the spokes, can take the place of the corner: see
-// collar_table.h.
+// A tiny octagon around p, with sides across the spokes, can then take the place of the corner
+// (collar_table.h).
 //
-// Bound:  for each such d, all angles in the block are between 18.3 and 87.5 degrees, if vertices are at these
-//         places exactly.
-// Source: Bern, Eppstein, Teng, section 5, Theorem 4, where clusters of points are treated as single points of
-//         the quadtree around them. The paper leaves the joint between both to "local rules", of which this is
-//         one. The table was found by optimization; test_tile_certificates.cpp proves the bound.
+// Bound:    For each such d, all angles in the block are between 18.3 and 87.5 degrees, if vertices are at
+//           these places exactly.
+// Source:   Bern, Eppstein, Teng, section 5, Theorem 4, treats a cluster of points as a single point of the
+//           quadtree around it. The paper leaves the joint between the two to "local rules". This is one of
+//           them. The table was found by optimization. test_tile_certificates.cpp proves the bound.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_TABLES_STAR_TABLE_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_TABLES_STAR_TABLE_H

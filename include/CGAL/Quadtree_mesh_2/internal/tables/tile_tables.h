@@ -6,20 +6,20 @@
 //
 // The sixteen tiles: how a leaf of a quadtree is cut into acute triangles.
 //
-// The quadtree must be balanced over corners: leaves that touch, be it in a corner only, differ in size by at
-// most a factor of two. Each corner of a leaf has one bit: S if a leaf smaller than this one touches the
-// corner, else L. The four bits determine the tile; six tiles are written out, the others are turned or
-// mirrored. The vertices within a side depend on the bits at its ends only; as fractions of the side, from the
-// corner of the first letter:
+// The quadtree must be balanced across corners: leaves that touch, even if only at a corner, differ in size
+// by at most a factor of two. Each corner of a leaf has one bit. It is S if a leaf smaller than this one
+// touches the corner, and L if not. The four bits determine the tile. Six tiles are written out; the others
+// are turned or mirrored. The vertices inside a side depend only on the bits at its ends. As fractions of the
+// side, from the corner of the first letter, they are
 //   LL: 1/2    SL: 17/64, 9/16    LS: 7/16, 47/64    SS: 1/4, 1/2, 3/4
-// So tiles fit together: equal leaves see the same bits at both ends of their common side; a side toward a
-// larger leaf is LL; and a side toward two smaller leaves is SS, which is twice LL at half the size.
+// So tiles fit together. Equal leaves see the same bits at both ends of their common side. A side toward a
+// larger leaf is LL. A side toward two smaller leaves is SS, which is twice LL at half the size.
 //
-// Bound:  all angles are between 43.4 and 72.7 degrees, and a leaf has at most 40 triangles.
-// Source: Bern, Eppstein, Teng, section 5, Theorem 3: tiles with angles from 36 to 80 degrees. These here were
-//         found by optimization and have room for moving vertices, see warp_table.h. Balance over corners is
-//         the strong balance condition of the paper. There are always vertices within sides: else four
-//         sides would need more base angle than the four corners have.
+// Bound:    All angles are between 43.4 and 72.7 degrees, and a leaf has at most 40 triangles.
+// Source:   Bern, Eppstein, Teng, section 5, Theorem 3: tiles with angles from 36 to 80 degrees. These were
+//           found by optimization and have room for moving vertices (warp_table.h). Balance across corners is
+//           the strong balance condition of the paper. There are always vertices inside sides: otherwise four
+//           sides would need more base angle than the four corners have.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_TABLES_TILE_TABLES_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_TABLES_TILE_TABLES_H

@@ -4,19 +4,19 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// How to move a vertex of a tile to a given point, with the tiles around.
+// How to move a vertex of a tile to a given point, together with the tiles around it.
 //
-// Let the leaf around a point p be in the middle of a block of 3 x 3 leaves of the same size that all have the
-// plain tile, tile(0). Let v be the vertex of the middle tile that is nearest to p (any, if there are several),
-// and d = p - v, which is at most 0.281 sides long. Then v goes to p, and each vertex within the block goes to
+// Let the leaf around a point p be in the middle of a block of 3 x 3 leaves of the same size that all have
+// the plain tile, tile(0). Let v be a nearest vertex of the middle tile, and d = p - v. So |d| is at most
+// 0.281 sides. Then v goes to p, and each vertex inside the block goes to
 //   base + offset + A d
-// with offset and the matrix A from the table of v. Vertices on the boundary of the block stay. So blocks that do
-// not overlap can be warped independently.
+// with offset and the matrix A from the table of v. Vertices on the boundary of the block stay. So blocks
+// that do not overlap can be warped independently of each other.
 //
-// Bound:  for each p of the closed square in the middle, all angles in the block are between 37.5 and 78.6
-//         degrees, if vertices are at these places exactly.
-// Source: Bern, Eppstein, Teng, section 5, Theorem 3: warping for angles from 36 to 80 degrees. The tables were
-//         found by optimization; test_tile_certificates.cpp proves the bound.
+// Bound:    For each p of the closed square in the middle, all angles in the block are between 37.5 and 78.6
+//           degrees, if vertices are at these places exactly.
+// Source:   Bern, Eppstein, Teng, section 5, Theorem 3: warping for angles from 36 to 80 degrees. The tables
+//           were found by optimization. test_tile_certificates.cpp proves the bound.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_TABLES_WARP_TABLE_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_TABLES_WARP_TABLE_H
@@ -188,26 +188,26 @@ constexpr std::array<Warp, 5> base_warps{{
 }};
 
 /// The symmetries of tile(0).
-enum class Symmetry { IDENTITY, DIAGONAL_MIRROR, ANTIDIAGONAL_MIRROR, HALF_TURN };
+enum class Diagonal_symmetry { IDENTITY, DIAGONAL_MIRROR, ANTIDIAGONAL_MIRROR, HALF_TURN };
 
 struct Image {
   std::size_t base_warp;
-  Symmetry symmetry;
+  Diagonal_symmetry symmetry;
 };
 
 /// By the vertex of tile(0) that goes to the point.
-constexpr std::array<Image, 12> images{{{0, Symmetry::IDENTITY},
-                                        {1, Symmetry::IDENTITY},
-                                        {2, Symmetry::IDENTITY},
-                                        {1, Symmetry::ANTIDIAGONAL_MIRROR},
-                                        {0, Symmetry::ANTIDIAGONAL_MIRROR},
-                                        {1, Symmetry::HALF_TURN},
-                                        {2, Symmetry::DIAGONAL_MIRROR},
-                                        {1, Symmetry::DIAGONAL_MIRROR},
-                                        {3, Symmetry::ANTIDIAGONAL_MIRROR},
-                                        {3, Symmetry::IDENTITY},
-                                        {4, Symmetry::IDENTITY},
-                                        {4, Symmetry::DIAGONAL_MIRROR}}};
+constexpr std::array<Image, 12> images{{{0, Diagonal_symmetry::IDENTITY},
+                                        {1, Diagonal_symmetry::IDENTITY},
+                                        {2, Diagonal_symmetry::IDENTITY},
+                                        {1, Diagonal_symmetry::ANTIDIAGONAL_MIRROR},
+                                        {0, Diagonal_symmetry::ANTIDIAGONAL_MIRROR},
+                                        {1, Diagonal_symmetry::HALF_TURN},
+                                        {2, Diagonal_symmetry::DIAGONAL_MIRROR},
+                                        {1, Diagonal_symmetry::DIAGONAL_MIRROR},
+                                        {3, Diagonal_symmetry::ANTIDIAGONAL_MIRROR},
+                                        {3, Diagonal_symmetry::IDENTITY},
+                                        {4, Diagonal_symmetry::IDENTITY},
+                                        {4, Diagonal_symmetry::DIAGONAL_MIRROR}}};
 
 constexpr Warped_vertex swap_axes(const Warped_vertex& v) {
   return {v.base_y, v.base_x, v.offset_y, v.offset_x, v.yy, v.yx, v.xy, v.xx};
@@ -224,15 +224,15 @@ constexpr Warped_vertex turn_half(const Warped_vertex& v) {
           v.yy};
 }
 
-constexpr Warped_vertex image(Symmetry symmetry, const Warped_vertex& v) {
+constexpr Warped_vertex image(Diagonal_symmetry symmetry, const Warped_vertex& v) {
   switch (symmetry) {
-  case Symmetry::IDENTITY:
+  case Diagonal_symmetry::IDENTITY:
     return v;
-  case Symmetry::DIAGONAL_MIRROR:
+  case Diagonal_symmetry::DIAGONAL_MIRROR:
     return swap_axes(v);
-  case Symmetry::ANTIDIAGONAL_MIRROR:
+  case Diagonal_symmetry::ANTIDIAGONAL_MIRROR:
     return turn_half(swap_axes(v));
-  case Symmetry::HALF_TURN:
+  case Diagonal_symmetry::HALF_TURN:
     return turn_half(v);
   }
   return v;

@@ -6,23 +6,24 @@
 
 // The accelerated centroid tree of a quadtree: a binary tree over its leaves that is never tall.
 //
-// Computes: for a part of the quadtree (all squares below a node but those below some further nodes) a binary
-//           tree. Each inner node, a split, has a square of the quadtree: its child `inside` is for the leaves
-//           of the part in that square, `outside` for the rest; and so on down to single leaves. The quadtree
-//           may be cut into parts of a given size first, each with a tree of its own.
-// Bound:    a square is chosen that holds more than 1/5 and at most 4/5 of the leaves. So a part of k leaves
-//           has k - 1 splits and a height of at most log k / log 5/4 = 3.11 log_2 k, and parts of at most 5 n
-//           leaves have more than n, if there are several. O(k log k) work in O(log k) rounds.
-// Source:   Bern, Eppstein, Teng, section 6: "this produces a binary tree T_C, which has logarithmic height and
-//           linear size"; "partition the quadtree into O(k/n) subtrees, each of O(n) squares". The technique is
-//           that of Atallah, Cole, Goodrich, "Cascading divide-and-conquer".
-// Method:   the leaves of a part are a slice of an array, in shuffle order, so that those in a square follow
-//           each other. A square with more than half of them contains the one in the middle. Climbing from this
-//           to the first such square u widens a range of the slice. If u has too many, its heaviest child has
-//           more than a fifth and at most a half. The range then moves to the end of the slice, which splits
-//           it into the slices of the two children.
-// Deviates: a slice is split by one thread, in time linear in its length, and short slices are not only split
-//           but finished by one thread. So rounds are not short, but there are few of them.
+// Computes: a binary tree for a part of the quadtree. A part is all squares below a node except those below
+//           some further nodes. Each inner node of the tree, a split, has a square of the quadtree. Its child
+//           `inside` is for the leaves of the part in that square, and `outside` is for the rest. This goes
+//           on down to single leaves. The quadtree may be cut into parts of a given size first, each with a
+//           tree of its own.
+// Bound:    O(k log k) work in O(log k) rounds. Each chosen square holds more than 1/5 and at most 4/5 of the
+//           leaves. So a part of k leaves has k - 1 splits and a height of at most log k / log 5/4 = 3.11
+//           log_2 k. Parts have at most 5 n leaves. If there are several, each has more than n.
+// Source:   Bern, Eppstein, Teng, section 6: "this produces a binary tree T_C, which has logarithmic height
+//           and linear size"; "partition the quadtree into O(k/n) subtrees, each of O(n) squares". The
+//           technique is that of Atallah, Cole, Goodrich, "Cascading divide-and-conquer".
+// Method:   The leaves of a part are a slice of an array in shuffle order. So those in a square follow each
+//           other. A square with more than half of them contains the one in the middle. Climbing from this
+//           leaf to the first such square u widens a range of the slice. If u has too many leaves, its
+//           heaviest child has more than a fifth and at most a half. The range then moves to the end of the
+//           slice, which splits the slice into those of the two children.
+// Deviates: one thread splits a slice, in time linear in its length. It also finishes short slices. So rounds
+//           are not short, but there are few of them.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_CENTROID_TREE_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_CENTROID_TREE_H

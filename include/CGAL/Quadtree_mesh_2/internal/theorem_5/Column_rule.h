@@ -36,6 +36,9 @@ namespace internal {
 /// Between equal columns a corner is kept if its distance to the edge is at least this times their width.
 constexpr double equal_leaves_threshold = 0.625;
 
+/// Of two least angles in degrees, the second is the larger one if it leads by this: more than rounding errors are.
+constexpr double least_lead = 1e-9;
+
 /// Least distances of kept corners to the edge at a change of sizes, in widths of the coarse columns. Let u be
 /// the signed distance of a corner from the line between the columns, positive on the fine side.
 struct Transition_thresholds {

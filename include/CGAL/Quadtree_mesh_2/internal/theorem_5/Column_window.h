@@ -22,6 +22,7 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_COLUMN_WINDOW_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_COLUMN_WINDOW_H
 
+#include <CGAL/Quadtree_mesh_2/internal/base/angle_units.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Column_rule.h>
 #include <CGAL/assertions.h>
 
@@ -69,6 +70,8 @@ public:
     std::array<std::uint8_t, 3> neighbors; ///< opposite to the vertices; `none` at the boundary
   };
   static constexpr std::uint8_t none = 255;
+  /// Of the determinant that tells circles' insides: four vertices up to this are on one circle.
+  static constexpr double least_determinant = 1e-9;
 
   /// The abscissae of grid lines.
   static constexpr double column(std::size_t c) { return c < 3 ? double(c) - 2 : (double(c) - 2) / 2; }
@@ -112,7 +115,7 @@ public:
     double least = 1;
     for (std::size_t t = 0; t < number_of_triangles_; ++t)
       least = std::min(least, squared_sine_of_least_angle(triangles_[t]));
-    return std::asin(std::sqrt(least)) * 57.29577951308232;
+    return std::asin(std::sqrt(least)) * degrees_per_radian;
   }
 
 private:
@@ -210,7 +213,7 @@ private:
     const Point a = from_d(0), b = from_d(1), c = from_d(2);
     const auto square = [](const Point& p) { return p.x * p.x + p.y * p.y; };
     const auto cross = [](const Point& p, const Point& q) { return p.x * q.y - p.y * q.x; };
-    return square(a) * cross(b, c) + square(b) * cross(c, a) + square(c) * cross(a, b) > 1e-9;
+    return square(a) * cross(b, c) + square(b) * cross(c, a) + square(c) * cross(a, b) > least_determinant;
   }
 
   /// Replaces the side opposite to vertex `i` by the other diagonal.
@@ -256,7 +259,7 @@ inline const Transition_thresholds& better_of(const Transition_thresholds& first
                                               double offset) {
   const double lead =
       least_angle_in_window(second, slope, offset) - least_angle_in_window(first, slope, offset);
-  return lead > 1e-9 ? second : first; // not by rounding errors
+  return lead > least_lead ? second : first;
 }
 
 } // namespace internal

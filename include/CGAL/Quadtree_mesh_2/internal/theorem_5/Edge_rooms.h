@@ -49,8 +49,8 @@ public:
     return rooms;
   }
 
-  /// Whether p lies between `last`, the vertex before it or the edge's first end, and the second end, so far from both
-  /// that rounding turns no piece of the edge much.
+  /// Whether p lies between `last` and the edge's second end, so far from both that rounding turns no piece
+  /// of the edge much. Here `last` is the vertex before p, or the edge's first end.
   bool is_in_order(Edge_id e, const Point& last, const Point& p) const {
     const Vector d = direction(e), before = Geometry::difference(p, last),
                  behind = Geometry::difference(problem_.input_point(problem_.edges[e].b), p);

@@ -33,11 +33,11 @@ namespace internal {
 template <class Coordinate>
 struct Path_cut {
   /// Before the point, or behind it.
-  enum class Side : std::uint8_t { BEFORE, BEHIND };
+  enum class Position : std::uint8_t { BEFORE, BEHIND };
 
   Coordinate offset; ///< of the point from the first end, along `axis`, in the direction of the path
   std::uint8_t axis;
-  Side side;
+  Position position;
 };
 
 /// The points of a path between two cuts.
@@ -78,7 +78,8 @@ public:
   /// The cut at the line on which the coordinate of `axis` is `at`.
   Cut cut(std::size_t axis, const Coordinate& at) const {
     return {is_ascending_[axis] ? Coordinate(at - begin_[axis]) : Coordinate(begin_[axis] - at),
-            static_cast<std::uint8_t>(axis), is_ascending_[axis] ? Cut::Side::BEFORE : Cut::Side::BEHIND};
+            static_cast<std::uint8_t>(axis),
+            is_ascending_[axis] ? Cut::Position::BEFORE : Cut::Position::BEHIND};
   }
   /// The cut where the path leaves a column (`axis` 0) or row of squares.
   Cut exit(std::size_t axis, const Coordinate& low, const Coordinate& side) const {
@@ -98,14 +99,14 @@ public:
       const Product of_c = Product(c.offset) * extent_[d.axis], of_d = Product(d.offset) * extent_[c.axis];
       if (of_c != of_d) return of_c < of_d ? -1 : 1;
     }
-    return static_cast<int>(c.side) - static_cast<int>(d.side);
+    return static_cast<int>(c.position) - static_cast<int>(d.position);
   }
   bool is_before(const Cut& c, const Cut& d) const { return compare(c, d) < 0; }
 
   /// All points.
   Interval whole() const {
     const std::uint8_t axis = extent_[0] < extent_[1] ? 1 : 0; // not one that is parallel to the lines
-    return {{Coordinate(0), axis, Cut::Side::BEFORE}, {extent_[axis], axis, Cut::Side::BEHIND}};
+    return {{Coordinate(0), axis, Cut::Position::BEFORE}, {extent_[axis], axis, Cut::Position::BEHIND}};
   }
 
   bool is_empty(const Interval& i) const { return !is_before(i.first, i.last); }

@@ -6,22 +6,25 @@
 //
 // A mesh by quadtrees that separate the features of a planar straight-line graph.
 //
-// Computes: a triangulation of the domain with no angle below the bound but those of acute corners, from the
-//           quadtree T_B*, vertices placed by a rule, and their constrained Delaunay triangulation.
-// Bound:    k triangles, within a constant of what any triangulation with such angles needs, in O(n log n + k)
-//           work for each round; a round is O(log^2 n) parallel steps.
+// Computes: a triangulation of the domain with no angle below the bound except in acute corners. It is made
+//           from the quadtree T_B*, vertices placed by a rule, and their constrained Delaunay triangulation.
+// Bound:    k triangles, within a constant of what any triangulation with such angles needs. O(n log n + k)
+//           work for each round. A round is O(log^2 n) parallel steps.
 // Source:   Bern, Eppstein, Teng, Theorem 5 (Theorem 6 with one thread).
-// Deviates: the paper's constants separate features so far that warping is bound to succeed; ours are what mostly
-//           suffices (Tree_separation_options_2.h), and what they miss is found in the mesh:
-//   1. A triangle below the bound is cured, if that is possible, by leaving out one of its vertices: which corners near a
-//      feature become vertices is a choice. On maps the rule first misses the bound at two or three triangles in a
-//      hundred, and two thirds of these are cured.
-//   2. Where it is not, the largest leaves at the triangle's vertices are split, later all of them, and the mesh is made anew. So the
-//      features of a place are as far apart, in sides of its leaves, as the bound needs.
-// The bound is met when a round finds no triangle below it: that is the proof, triangle by triangle. Leaves along an
-// edge away from its ends that are equal, and those in columns, keep to it by certificate (Column_rule.h). That
-// splitting ends elsewhere is established numerically (doc/guarantees.md); the budget and the coordinates end it at any
-// rate: triangles at leaves that these have no room to split are left to refinement, and the rest goes on.
+// Deviates: the paper's constants separate features so far that warping is bound to succeed. Ours are what
+//           mostly suffices (Tree_separation_options_2.h). What they miss is found in the mesh:
+//           1. A triangle below the bound is cured, if possible, by leaving out one of its vertices, because
+//              which corners near a feature become vertices is a choice. On maps the rule first misses the
+//              bound at two or three triangles in a hundred. Two thirds of these are cured.
+//           2. If that is not possible, the largest leaves at the triangle's vertices are split, and later
+//              all of them. The mesh is then made anew. So the features of a place are as far apart, in sides
+//              of its leaves, as the bound needs.
+//
+// The bound is met when a round finds no triangle below it. That is the proof, triangle by triangle. Some
+// leaves along an edge, away from its ends, keep to the bound by certificate: those that are equal, and those
+// in columns (Column_rule.h). That splitting ends elsewhere is established numerically (doc/guarantees.md).
+// In any case the budget and the coordinates end it. Triangles at leaves that these leave no room to split
+// are left to refinement, and the rest goes on.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_TREE_CONSTRUCTION_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_TREE_CONSTRUCTION_H
@@ -157,8 +160,8 @@ private:
            });
   }
 
-  /// The leaves around the vertices of each triangle: the largest, or all. Where one of them has no room, the triangle is
-  /// left to refinement.
+  /// The leaves around the vertices of each triangle: the largest ones, or all. If one of them has no room,
+  /// the triangle is left to refinement.
   std::vector<Leaf_index> leaves_to_blame(const std::vector<Triangle_id>& sharp) {
     std::vector<Leaf_index> leaves, around;
     const auto& tree = trees_.tree();

@@ -24,6 +24,7 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_VERTEX_WINDOW_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_VERTEX_WINDOW_H
 
+#include <CGAL/Quadtree_mesh_2/internal/base/angle_units.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Column_rule.h>
 
 #include <algorithm>
@@ -107,7 +108,7 @@ public:
     double least = 1;
     for (const Triangle& triangle : triangles_)
       if (is_in_mesh(triangle)) least = std::min(least, squared_sine_of_least_angle(triangle));
-    return std::asin(std::sqrt(least)) * 57.29577951308232;
+    return std::asin(std::sqrt(least)) * degrees_per_radian;
   }
 
   /// The first thresholds with a least angle that is large enough, by their place in the list; if there are none
@@ -118,7 +119,7 @@ public:
     double angle = 0;
     for (std::size_t i = 0; i < list.size() && angle < large_enough; ++i) {
       const double a = least_angle(list[i]);
-      if (a < angle + 1e-9) continue; // not by rounding errors
+      if (a < angle + least_lead) continue;
       angle = a;
       best = i;
     }
@@ -222,17 +223,17 @@ private:
     });
     triangles_.erase(removed, triangles_.end());
     for (const auto& s : sides_)
-      if (std::find(sides_.begin(), sides_.end(), Side{s[1], s[0]}) == sides_.end())
+      if (std::find(sides_.begin(), sides_.end(), Point_pair{s[1], s[0]}) == sides_.end())
         append_triangle({s[0], s[1], v});
   }
 
-  using Side = std::array<std::size_t, 2>;
+  using Point_pair = std::array<std::size_t, 2>;
 
   Window_point vertex_;
   std::array<Window_point, 2> edges_;
   std::vector<Point> edge_points_, points_;
   std::vector<Triangle> triangles_;
-  std::vector<Side> sides_;
+  std::vector<Point_pair> sides_;
 };
 
 } // namespace internal

@@ -6,21 +6,23 @@
 
 // The cells into which pieces of segments cut a leaf.
 //
-// Computes: for each cell of the arrangement of segments in a square, bounded by its sides too, the segments on
-//           its boundary.
-// Bound:    O(p log p) time for p segments, with divisions of products of two coordinates, besides the lengths
-//           of the cells' lists. A segment is listed in at most two cells, but for those in no way connected to
-//           the sides, and those with a single point, on a side, which are listed in all cells at this point.
-// Source:   Bern, Eppstein, Teng, section 6: "the arrangement of edges in a single square"; "each pair of edge
-//           pieces that bound a common cell".
-// Method:   The half-edges of a plane graph: its vertices are the places where segments meet the sides of the
-//           closed square, and their ends inside. Around each its edges are sorted by direction. The faces are
-//           the cycles of half-edges.
-// Deviates: where a group of segments inside meets no side, which face it lies in is not searched for: it is
-//           listed as a cell with all segments. Squares with one vertex of the graph have no such groups.
+// Computes: for each cell of the arrangement of segments in a square, the segments on its boundary. The sides
+//           of the square bound cells, too.
+// Bound:    O(p log p) time for p segments, with divisions of products of two coordinates, not counting the
+//           lengths of the cells' lists. A segment is listed in at most two cells, with two exceptions. One
+//           is segments that are in no way connected to the sides. The other is segments with a single point,
+//           on a side: these are listed in all cells at this point.
+// Source:   Bern, Eppstein, Teng, section 6: "the arrangement of edges in a single square"; "each pair of
+//           edge pieces that bound a common cell".
+// Method:   The half-edges of a plane graph. Its vertices are the places where segments meet the sides of the
+//           closed square, and the ends of segments inside. Around each vertex, edges are sorted by
+//           direction. Faces are cycles of half-edges.
+// Deviates: a group of segments inside may meet no side. The face that it lies in is not searched for.
+//           Instead the group is listed as a cell with all segments. Squares with one vertex of the graph
+//           have no such groups.
 //
-// Segments go between grid points and must not cross there. If rounding to the grid has made some cross, there
-// are faces nevertheless, though maybe not those of the arrangement.
+// Segments go between grid points and must not cross there. If rounding to the grid has made some cross,
+// there still are faces, though maybe not those of the arrangement.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_LEAF_CELLS_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_LEAF_CELLS_H

@@ -141,7 +141,7 @@ private:
       site_of_point_[p] = static_cast<std::uint32_t>(sites.size());
       sites.push_back(points_[p]);
     }
-    std::vector<typename Tree::Cluster_site> children;
+    std::vector<typename Tree::Child_cluster> children;
     for (std::int32_t k = cluster.first_child; k < cluster.end_child; ++k) {
       sites.push_back(clusters.frames[std::size_t(k)].center());
       children.push_back(

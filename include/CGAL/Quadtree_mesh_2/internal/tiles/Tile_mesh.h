@@ -22,8 +22,8 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-/// The sides of the window on which a vertex lies, as bits.
-enum Window_side : std::uint8_t { left_side = 1, right_side = 2, bottom_side = 4, top_side = 8 };
+/// The sides of the window, as bits: a vertex may lie on two.
+constexpr std::uint8_t left_side = 1, right_side = 2, bottom_side = 4, top_side = 8;
 
 /// The vertices that move along with a star site, without change of shape.
 struct Star_spokes {
@@ -37,7 +37,7 @@ struct Tile_mesh {
   /// \name By vertex
   /// @{
   Uninitialized_vector<Tile_place> places;  ///< those in blocks are moved already
-  Uninitialized_vector<std::uint8_t> sides; ///< a set of `Window_side`
+  Uninitialized_vector<std::uint8_t> sides; ///< on which it lies, as bits
   Uninitialized_vector<std::uint8_t>
       is_frozen; ///< 1 for interior vertices of blocks of warped and star sites
   /// The instances of vertex v, its places in `leaf_vertices`, are those from `first_instance[v]` on.

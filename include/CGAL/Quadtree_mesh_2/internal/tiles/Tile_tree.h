@@ -38,7 +38,7 @@ public:
   using Cluster_frame_2 = Cluster_frame<Geometry>;
 
   /// A site in whose place there will be a cluster, and the distance of that from all other points.
-  struct Cluster_site {
+  struct Child_cluster {
     std::uint32_t site;
     double distance;
   };
@@ -58,8 +58,8 @@ public:
   const Tile_mesh& mesh() const { return filler_.filling().mesh; }
 
   /// Gives clusters blocks of leaves as large as other points allow. They are never smaller.
-  void set_clusters(const std::vector<Cluster_site>& clusters) {
-    for (const Cluster_site& c : clusters) filler_.reserve_star(c.site, level_of_cluster(c.distance));
+  void set_clusters(const std::vector<Child_cluster>& clusters) {
+    for (const Child_cluster& c : clusters) filler_.reserve_star(c.site, level_of_cluster(c.distance));
   }
   void set_first_levels() {
     filler_.set_first_levels(is_of_cluster() ? Cluster_frame_2::least_level_of_site : 0);
@@ -184,9 +184,9 @@ private:
   }
 
   int level_of_cluster(double distance) const {
-    if (is_of_cluster()) return cluster_frame().level_of_site(distance, internal::Cluster_site::CLUSTER);
-    const double leaf = Cluster_frame_2::distance_of_sites * distance *
-                        Cluster_frame_2::largest_leaf(internal::Cluster_site::CLUSTER);
+    if (is_of_cluster()) return cluster_frame().level_of_site(distance, Cluster_site::CLUSTER);
+    const double leaf =
+        Cluster_frame_2::distance_of_sites * distance * Cluster_frame_2::largest_leaf(Cluster_site::CLUSTER);
     // at least four leaves have to fit between a cluster and the border
     constexpr int least_level = 4;
     return std::max(least_level, log_side_of_root() - std::ilogb(leaf));

@@ -4,11 +4,11 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// The input edges (pieces of input segments between consecutive input vertices) by vertex. Vertices are named by
-// their input numbers, which are the same in every block.
+// The input edges by vertex. An input edge is a piece of an input segment between consecutive input vertices.
+// Vertices are named by their input numbers, which are the same in every block.
 //
-// One array of (neighbor, edge) pairs, grouped by vertex and sorted by neighbor: O(n) to make, O(log
-// degree) to look up.
+// One array of (neighbor, edge) pairs, grouped by vertex and sorted by neighbor. It takes O(n) to make, and
+// O(log degree) to look up.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_INPUT_EDGES_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_INPUT_EDGES_H
