@@ -11,6 +11,7 @@
 #include <CGAL/Fixed_point_quadtree_traits_2.h>
 #include <CGAL/Indexed_mesh_2.h>
 #include <CGAL/Pslg_2.h>
+#include <CGAL/Pslg_error_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/Mesh_pipeline.h>
 #include <CGAL/Quadtree_mesh_2/internal/neighbors/nearest_hits.h>
 #include <CGAL/Quality_mesh_options_2.h>
@@ -80,7 +81,7 @@ public:
   }
 
   /// Returns the mesh of the domain of `pslg`.
-  /// \throws Pslg_error_2 if there is nothing to mesh or segments cross; the message names the culprit.
+  /// \throws Pslg_error_2 for input that cannot be meshed, see its kinds.
   Mesh operator()(const Pslg& pslg);
 
   /// Sets the model of `VertexEdgeNeighbors_2` by which the construction by quadtrees (Theorem 5) finds the

@@ -16,6 +16,7 @@
 #define CGAL_QUADTREE_MESH_2_INTERNAL_MESH_2_CDT_REFINER_H
 
 #include <CGAL/Points_sizing_field_2.h>
+#include <CGAL/Pslg_error_2.h>
 #include <CGAL/Quadtree_mesh_2/Quality_mesher_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/mesh_2/Cdt_input.h>
 #include <CGAL/Quadtree_mesh_2/internal/mesh_2/Cdt_replacer.h>
@@ -105,7 +106,8 @@ private:
     Mesher mesher(options_);
     auto mesh = mesher(input_.pslg());
     if (mesher.report().merged_vertices > 0)
-      throw Pslg_error_2("vertices of the triangulation are at one place after projection and rounding");
+      throw Pslg_error_2(Pslg_error_2::Kind::ROUNDING,
+                         "vertices of the triangulation are at one place after projection and rounding");
     faces_ = replacer_.put(mesh);
     mesh_ = std::move(mesh), report_ = mesher.report();
   }
