@@ -90,6 +90,14 @@ Parts of_segments(std::vector<std::size_t> segments) { return {{}, std::move(seg
 Parts of_holes(std::vector<std::size_t> holes) { return {{}, {}, std::move(holes), {}, {}}; }
 Parts of_regions(std::vector<std::size_t> regions) { return {{}, {}, {}, std::move(regions), {}}; }
 
+/// A triangle of words.
+CGAL::Pslg_2<Words::Point_2> triangle(const std::vector<Words::Point_2>& corners) {
+  CGAL::Pslg_2<Words::Point_2> pslg;
+  pslg.vertices = corners;
+  for (std::size_t i = 0; i < 3; ++i) pslg.add_segment(Vertex_index(i), Vertex_index((i + 1) % 3));
+  return pslg;
+}
+
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 } // namespace
@@ -149,24 +157,23 @@ TEST_CASE("What is not finite is named by its index", "[pslg_errors]") {
 
 TEST_CASE("Coordinates beyond the limits of the arithmetic are named with the limit", "[pslg_errors]") {
   SECTION("doubles") {
-    const auto error = refusal(make_pslg<double>({{0, 0}, {1e305, 0}, {0, 1}}, {{0, 1}, {1, 2}, {2, 0}}));
+    const auto error = refusal(make_pslg<double>({{0, 0}, {0x1p1000, 0}, {0, 1}}, {{0, 1}, {1, 2}, {2, 0}}));
     check(error, Kind::OUT_OF_RANGE, of_vertices({1}));
     CHECK(
         std::string(error.what()) ==
-        "vertex 1 at 1.0000000000000001e+305 0 has a coordinate that is too large for the grid; it has to be "
+        "vertex 1 at 1.0715086071862673e+301 0 has a coordinate that is too large for the grid; it has to be "
         "below 2^1000 in magnitude");
   }
   SECTION("words") {
     constexpr std::uint64_t end = std::uint64_t(1) << 62;
-    const auto error = refusal<Words>(make_pslg<std::uint64_t, Words::Point_2>({{0, 0}, {1, 0}, {0, end}}));
+    const auto error = refusal<Words>(triangle({{0, 0}, {1, 0}, {0, end}}));
     check(error, Kind::OUT_OF_RANGE, of_vertices({2}));
     CHECK(has_text(error.what(), "vertex 2 at 0 4611686018427387904 "));
     CHECK(has_text(error.what(), "below 2^62"));
   }
   SECTION("words that are too far apart") {
     constexpr std::uint64_t end = std::uint64_t(1) << 62;
-    const auto error = refusal<Words>(
-        make_pslg<std::uint64_t, Words::Point_2>({{7, 4}, {7, end - 1}, {9, 3}}, {{0, 1}, {1, 2}, {2, 0}}));
+    const auto error = refusal<Words>(triangle({{7, 4}, {7, end - 1}, {9, 3}}));
     check(error, Kind::OUT_OF_RANGE, of_vertices({2, 1}));
     CHECK(has_text(error.what(), "2^61"));
   }
