@@ -40,15 +40,15 @@ CGAL::Pslg_2<Word_point> to_words(const mesh_graph::Pslg& pslg, const Word_map<P
 
 mesh_graph::Options to_words(mesh_graph::Options options, const Word_map<Point>& map) {
   const double unit = map.unit();
-  if (options.size_field)
-    options.size([map, field = options.size_field](double x, double y) {
+  if (options.size())
+    options.size([map, field = options.size()](double x, double y) {
       using Word = std::uint64_t;
       const Point p = map.to_double(Word_point{static_cast<Word>(x), static_cast<Word>(y)});
       return field(p.x(), p.y()) / map.unit();
     });
-  return options.max_edge(options.max_edge_length / unit)
-      .max_area(options.max_triangle_area / unit / unit)
-      .min_edge(options.min_edge_length / unit);
+  return options.max_edge(options.max_edge() / unit)
+      .max_area(options.max_area() / unit / unit)
+      .min_edge(options.min_edge() / unit);
 }
 
 /// The seeds of holes and regions, and what an error calls them.

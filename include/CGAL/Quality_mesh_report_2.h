@@ -28,8 +28,9 @@ struct Tree_separation_report_2 {
     FAILED       ///< the last round gave no mesh; the mesh is that of the round before, or of refinement
   };
 
-  End end = End::NONE;         ///< how it ended
-  bool has_taken_over = false; ///< whether refinement on demand did not come to rest (`refinement_patience`)
+  End end = End::NONE; ///< how it ended
+  bool has_taken_over =
+      false; ///< whether refinement on demand did not come to rest (`Quality_mesh_options_2::patience()`)
   std::size_t leaves_of_points = 0;   ///< leaves of T_B, the quadtree of the vertices
   std::size_t leaves_of_vertices = 0; ///< leaves of T_B', in which vertices are separated
   std::size_t leaves_of_pieces = 0;   ///< leaves of T_B'', in which edges within leaves are separated
@@ -52,10 +53,10 @@ struct Tree_separation_report_2 {
 struct Quality_mesh_report_2 {
   /// What kept refinement from meeting a bound in a triangle.
   enum class Reason {
-    BUDGET,     ///< the vertex budget was used up
-    CANCELLED,  ///< the callback stopped refinement
-    LEAST_EDGE, ///< a vertex would have come nearer to another than `Quality_mesh_options_2::min_edge_length`
-    CORNER,     ///< above 20.7 degrees: the legs of an acute corner are split no nearer to its apex
+    BUDGET,      ///< the vertex budget was used up
+    CANCELLED,   ///< the callback stopped refinement
+    LEAST_EDGE,  ///< a vertex would have come nearer to another than `Quality_mesh_options_2::min_edge()`
+    CORNER,      ///< above 20.7 degrees: the legs of an acute corner are split no nearer to its apex
     COORDINATES, ///< there is no room for a vertex between representable coordinates
     CRITERIA     ///< the user's criteria call it bad
   };

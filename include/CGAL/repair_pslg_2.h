@@ -45,9 +45,16 @@ enum class Pslg_crossing_rule_2 {
 };
 
 /// \ingroup PkgQuadtreeMesh2Data
-/// Options of `repair_pslg_2()`.
-struct Pslg_repair_options_2 {
-  Pslg_crossing_rule_2 crossings = Pslg_crossing_rule_2::THROW; ///< what to do with crossings
+/// Options of `repair_pslg_2()`. Each option is set by the function of its name, which returns the options.
+/// Without an argument the function returns the value.
+class Pslg_repair_options_2 {
+public:
+  /// What to do with crossings; THROW by default.
+  Pslg_repair_options_2& crossings(Pslg_crossing_rule_2 value) { return crossings_ = value, *this; }
+  Pslg_crossing_rule_2 crossings() const { return crossings_; } ///< the value set
+
+private:
+  Pslg_crossing_rule_2 crossings_ = Pslg_crossing_rule_2::THROW;
 };
 
 /// \ingroup PkgQuadtreeMesh2Data
@@ -267,7 +274,7 @@ Pslg_2<Point> repair_pslg_2(const Pslg_2<Point>& pslg, const Pslg_repair_options
   for (int pass = 0; pass < most_passes; ++pass) {
     Pslg_repair_report_2 step;
     const auto crossing = internal::repair_pslg_once<internal::Crossing_free_triangulation_2>(result, step);
-    if (crossing && options.crossings == Pslg_crossing_rule_2::THROW)
+    if (crossing && options.crossings() == Pslg_crossing_rule_2::THROW)
       internal::throw_crossing(pslg, *crossing);
     if (crossing) internal::repair_pslg_once<internal::Exact_triangulation_2>(result, step);
     if (pass == 0)

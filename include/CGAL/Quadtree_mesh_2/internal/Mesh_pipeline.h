@@ -81,9 +81,9 @@ public:
                 Find_nearest_hits<Pslg> find_hits, Quality_mesh_report_2& report)
       : pslg_(pslg), options_(options), traits_(traits), find_hits_(find_hits), report_(report),
         map_(pslg.vertices, seeds_of(pslg)) {
-    if (options.coarsening == Quality_mesh_options_2::Coarsening::NONE) finishing_.removal = Removal::NONE;
-    finishing_.smoothing_rounds = options.smoothing_rounds;
-    finishing_.thinning_rounds = options.thinning_rounds;
+    if (options.coarsen() == Quality_mesh_options_2::Coarsening::NONE) finishing_.removal = Removal::NONE;
+    finishing_.smoothing_rounds = options.smooth();
+    finishing_.thinning_rounds = options.thin();
   }
 
   Indexed_mesh_2<Point_2> run() {
@@ -99,7 +99,7 @@ public:
     find_corners();
     Splitter<Geometry> splitter(state_);
     Refiner<Geometry> refiner(state_, splitter);
-    const bool is_by_trees = options_.separation == Quality_mesh_options_2::Separation::THEOREM_5;
+    const bool is_by_trees = options_.separate() == Quality_mesh_options_2::Separation::THEOREM_5;
     if (!(is_by_trees && construct_by_trees(refiner)) &&
         refine(refiner, splitter) == Refinement_end::OUT_OF_BUDGET)
       take_over(refiner, splitter);
@@ -125,7 +125,7 @@ private:
   Finishing finishing_;
   Meshing_problem<Geometry> problem_;
   Meshing_state<Geometry> state_{problem_};
-  Progress progress_{options_.callback};
+  Progress progress_{options_.progress()};
   Order order_; // kernel vertex -> input vertex
   Input_words<Point_2> words_{pslg_, order_};
   std::vector<char> is_merged_; // kernel vertices that another one stands for
@@ -170,7 +170,7 @@ private:
   void find_domain() {
     Phase_timer timer(report_.seconds.first_mesh);
     Domain_rule<Geometry> domain;
-    domain.rule = options_.domain;
+    domain.rule = options_.mesh_domain();
     for (const Point_2& p : pslg_.holes) domain.holes.push_back(map_.to_kernel(p));
     for (const auto& region : pslg_.regions) domain.regions.push_back(map_.to_kernel(region.point));
     try {
@@ -178,7 +178,7 @@ private:
     } catch (const Ambiguous_seed& seed) {
       throw words_.ambiguous_seed(seed, problem_.edges);
     }
-    if (state_.mesh.triangles.empty()) throw words_.no_domain(options_.domain);
+    if (state_.mesh.triangles.empty()) throw words_.no_domain(options_.mesh_domain());
     edge_sides_.emplace(state_.mesh, problem_.edges);
   }
 
@@ -237,21 +237,21 @@ private:
   void set_bounds() {
     const double scale = map_.length_to_kernel(1.0);
     Bounds<Geometry>& bounds = problem_.bounds;
-    bounds = Bounds<Geometry>(options_.min_angle_in_degrees * degree,
-                              options_.max_triangle_area * scale * scale, scale * options_.max_edge_length);
-    const double least_length = scale * options_.min_edge_length;
+    bounds = Bounds<Geometry>(options_.min_angle() * degree, options_.max_area() * scale * scale,
+                              scale * options_.max_edge());
+    const double least_length = scale * options_.min_edge();
     bounds.least_squared_length = least_length * least_length;
     if (std::any_of(pslg_.regions.begin(), pslg_.regions.end(),
                     [](const auto& region) { return region.max_area > 0; }))
       set_region_bounds(scale);
-    if (options_.refined_where)
+    if (options_.refine_where())
       bounds.is_refused = [this](const auto& a, const auto& b, const auto& c) {
-        return options_.refined_where({map_.place(a), map_.place(b), map_.place(c)});
+        return options_.refine_where()({map_.place(a), map_.place(b), map_.place(c)});
       };
-    if (options_.size_field)
+    if (options_.size())
       bounds.squared_length_at = [this, scale](const typename Geometry::Point& p) {
         const auto [x, y] = map_.place(p);
-        const double size = scale * options_.size_field(x, y);
+        const double size = scale * options_.size()(x, y);
         return size * size;
       };
   }
@@ -329,7 +329,7 @@ private:
   /// Above the bounds that are established for refinement, triangles left are no sign that quadtrees do better; and they
   /// know no least edge, nor rules of the user's. What they failed at once they are not asked again.
   bool may_construct_instead() const {
-    return options_.vertex_budget == 0 && options_.min_edge_length == 0 && !options_.refined_where &&
+    return options_.max_vertices() == 0 && options_.min_edge() == 0 && !options_.refine_where() &&
            !too_near_for_trees_ && problem_.bounds.is_established() &&
            report_.trees.end == Tree_separation_report_2::End::NONE && budgets().allows_quadtrees();
   }
@@ -368,9 +368,9 @@ private:
     refiner.push_all();
     run_to_the_end(refiner, budgets().of_repair(state_.mesh.number_of_vertices()));
     state_.legalize();
-    if (options_.coarsening == Quality_mesh_options_2::Coarsening::NONE) return true;
-    finishing_.smoothing_rounds = std::max(options_.smoothing_rounds, rounds_after_construction_);
-    finishing_.thinning_rounds = std::max(options_.thinning_rounds, rounds_after_construction_);
+    if (options_.coarsen() == Quality_mesh_options_2::Coarsening::NONE) return true;
+    finishing_.smoothing_rounds = std::max(options_.smooth(), rounds_after_construction_);
+    finishing_.thinning_rounds = std::max(options_.thin(), rounds_after_construction_);
     return true;
   }
 
@@ -380,7 +380,7 @@ private:
     std::optional<Separation_trees<Traits, ConcurrencyTag>> trees;
     try {
       Phase_timer timer(report_.seconds.trees);
-      trees.emplace(problem_, *edge_sides_, graph, map_, options_.trees, traits_, find_hits_,
+      trees.emplace(problem_, *edge_sides_, graph, map_, options_.trees(), traits_, find_hits_,
                     budgets().of_construction(), report_.trees);
     } catch (const Point_error& error) {
       ++report_.trees.rounds;
@@ -396,7 +396,7 @@ private:
     // refined afterwards.
     const Bounds<Geometry> wanted = problem_.bounds;
     problem_.bounds.lower_to_established();
-    const auto end = construction.run(options_.trees.placement, budgets().of_construction(),
+    const auto end = construction.run(options_.trees().place(), budgets().of_construction(),
                                       [this] { return progress_.shall_go_on(0.3); });
     problem_.bounds = wanted;
     return end;

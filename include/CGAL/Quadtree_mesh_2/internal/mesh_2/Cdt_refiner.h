@@ -98,8 +98,8 @@ private:
 
   void set_options(const Quality_mesh_options_2& options) {
     options_ = options;
-    options_.domain = input_.rule();
-    users_field_ = options.size_field;
+    options_.mesh_domain(input_.rule());
+    users_field_ = options.size();
   }
 
   void make_mesh() {
@@ -133,7 +133,7 @@ private:
   template <class Oracle>
   bool ask_for_more(Oracle& oracle) {
     const std::size_t before = wanted_.size();
-    double angle = options_.min_angle_in_degrees;
+    double angle = options_.min_angle();
     for (const std::size_t t : bad_) {
       const Plane_triangle triangle = oracle.triangle(faces_[t]);
       const double size = oracle.wanted_size(triangle);
@@ -142,8 +142,8 @@ private:
       else if (size > 0 && angle < greatest_angle_)
         angle = std::max(angle, oracle.wanted_angle(triangle, greatest_angle_));
     }
-    const bool is_more = wanted_.size() > before || angle > options_.min_angle_in_degrees;
-    options_.min_angle_in_degrees = angle;
+    const bool is_more = wanted_.size() > before || angle > options_.min_angle();
+    options_.min_angle(angle);
     if (wanted_.size() > before) set_field();
     return is_more;
   }
@@ -155,11 +155,11 @@ private:
   }
 
   void set_field() {
-    options_.size_field = [users = users_field_,
-                           wanted = Points_sizing_field_2(wanted_, gradation_)](double x, double y) {
-      const double size = wanted(x, y);
-      return users ? std::min(size, users(x, y)) : size;
-    };
+    options_.size(
+        [users = users_field_, wanted = Points_sizing_field_2(wanted_, gradation_)](double x, double y) {
+          const double size = wanted(x, y);
+          return users ? std::min(size, users(x, y)) : size;
+        });
   }
 
   template <class Oracle>
