@@ -61,15 +61,14 @@ CGAL::Mesh_quality_options_2::Domain rule_to_check(CGAL::Quality_mesh_options_2:
 void check(Meshing_run& run, const Command_line& line) {
   const CGAL::Quality_mesh_options_2& options = line.options;
   auto wanted = CGAL::Mesh_quality_options_2()
-                    .min_angle(options.min_angle_in_degrees)
-                    .max_edge(options.max_edge_length)
-                    .max_area(options.max_triangle_area)
-                    .check_domain(rule_to_check(options.domain));
-  if (line.kernel == Command_line::Kernel::FIXED)
-    wanted.coordinate_unit = mesh_graph::unit_of_words(run.pslg);
+                    .min_angle(options.min_angle())
+                    .max_edge(options.max_edge())
+                    .max_area(options.max_area())
+                    .check_domain(rule_to_check(options.mesh_domain()));
+  if (line.kernel == Command_line::Kernel::FIXED) wanted.coordinate_unit(mesh_graph::unit_of_words(run.pslg));
   run.quality = CGAL::mesh_quality_2(run.mesh, run.pslg, wanted);
   run.ours.vertices = run.quality.vertices;
-  Mesh_figures_builder(run.ours, options.min_angle_in_degrees).add_triangles_of(run.mesh);
+  Mesh_figures_builder(run.ours, options.min_angle()).add_triangles_of(run.mesh);
 }
 
 /// Reports bounds that the mesher met but that rounding the mesh to doubles broke: the coordinates are the reason.
@@ -84,9 +83,7 @@ void note_what_rounding_broke(Meshing_run& run) {
 }
 
 void compare(Meshing_run& run, const CGAL::Quality_mesh_options_2& options) {
-  const auto peer = [&] {
-    return figures_by_Mesh_2(run.pslg, options.min_angle_in_degrees, options.max_edge_length);
-  };
+  const auto peer = [&] { return figures_by_Mesh_2(run.pslg, options.min_angle(), options.max_edge()); };
   run.is_peer_asked = true;
   run.peer = in_child(peer, peer_limit_seconds).result;
 }

@@ -91,7 +91,7 @@ private:
       bin.add_segment(from, to);
     }
     CGAL::Pslg_repair_options_2 options;
-    options.crossings = CGAL::Pslg_crossing_rule_2::SPLIT;
+    options.crossings(CGAL::Pslg_crossing_rule_2::SPLIT);
     CGAL::Pslg_repair_report_2 report;
     const Pslg repaired = CGAL::repair_pslg_2(bin, options, report);
     for (std::size_t v = global.size(); v < repaired.vertices.size(); ++v)

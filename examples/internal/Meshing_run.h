@@ -196,7 +196,7 @@ inline void print_run(const Meshing_run& run, const CGAL::Quality_mesh_options_2
   };
   std::printf("input: %zu vertices, %zu segments, %zu holes; bound: %g degrees\n",
               run.pslg.number_of_vertices(), run.pslg.number_of_segments(), run.pslg.holes.size(),
-              options.min_angle_in_degrees);
+              options.min_angle());
   if (run.peer) std::printf("%-28s%14s%14s\n", "", "quality_mesh", "CGAL Mesh_2");
   print_line("vertices", "%14zu", run.ours.vertices, theirs(&Mesh_figures::vertices));
   print_line("triangles", "%14zu", run.ours.triangles, theirs(&Mesh_figures::triangles));

@@ -33,7 +33,7 @@ struct Angle_promise {
 inline Angle_promise angle_promise(Command_line::Mode mode, const CGAL::Point_set_mesh_options_2& options) {
   switch (mode) {
   case Command_line::Mode::BOUNDED:
-    return {options.least_angle_in_degrees, options.largest_angle_in_degrees};
+    return {options.least_angle_in_degrees(), options.largest_angle_in_degrees()};
   case Command_line::Mode::ACUTE:
     return {0, 90, true};
   case Command_line::Mode::WARPED:

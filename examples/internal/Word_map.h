@@ -6,8 +6,8 @@
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Fixed_point_quadtree_traits_2.h>
 #include <CGAL/Indexed_mesh_2.h>
+#include <CGAL/Pslg_error_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/io/Number_text.h>
-#include <CGAL/Quality_mesh_report_2.h>
 #include <CGAL/centroid.h>
 
 #include <algorithm>
@@ -65,9 +65,23 @@ private:
       box = CGAL::Bbox_2(box.xmin() - more, box.ymin() - more, box.xmax() + more, box.ymax() + more);
     }
     const double largest = (std::max)({-box.xmin(), box.xmax(), -box.ymin(), box.ymax()});
-    if (!(largest < std::ldexp(1.0, 999)))
-      throw CGAL::Pslg_error_2("coordinates are too large for fixed-point words");
+    if (!(largest < std::ldexp(1.0, 999))) refuse_largest(points);
     return box;
+  }
+
+  /// \throws CGAL::Pslg_error_2 naming the vertex with the coordinate of the largest magnitude
+  [[noreturn]] static void refuse_largest(const std::vector<Point>& points) {
+    const auto magnitude = [](const Point& p) { return (std::max)(std::fabs(p.x()), std::fabs(p.y())); };
+    const auto worst = std::max_element(points.begin(), points.end(), [&](const Point& p, const Point& q) {
+      return magnitude(p) < magnitude(q);
+    });
+    const auto v = static_cast<std::size_t>(worst - points.begin());
+    throw CGAL::Pslg_error_2(
+        CGAL::Pslg_error_2::Kind::OUT_OF_RANGE,
+        "vertex " + std::to_string(v) + ' ' + CGAL::Quadtree_mesh_2::internal::coordinates_text(*worst) +
+            " has a coordinate that is too large for fixed-point words; the input with room "
+            "around it has to end below 2^999",
+        CGAL::Pslg_parts_2().vertex(CGAL::Quadtree_mesh_2::Vertex_index(v)));
   }
 
   double clamped(double v, double low, double high) const {
@@ -86,6 +100,7 @@ inline const char* advice() { return "; use --kernel exact, or move or merge wha
 /// \throws CGAL::Pslg_error_2 naming the points.
 template <class Point>
 void check_told_apart(const std::vector<Point>& points, const std::vector<Word_point>& words) {
+  using CGAL::Quadtree_mesh_2::Vertex_index;
   using CGAL::Quadtree_mesh_2::internal::coordinates_text;
   std::vector<std::size_t> order(words.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
@@ -93,9 +108,11 @@ void check_told_apart(const std::vector<Point>& points, const std::vector<Word_p
   for (std::size_t i = 1; i < order.size(); ++i) {
     const auto [a, b] = std::minmax(order[i - 1], order[i]);
     if (words[a] == words[b] && points[a] != points[b])
-      throw CGAL::Pslg_error_2("64-bit words cannot tell vertices " + std::to_string(a) + ' ' +
-                               coordinates_text(points[a]) + " and " + std::to_string(b) + ' ' +
-                               coordinates_text(points[b]) + " apart" + advice());
+      throw CGAL::Pslg_error_2(CGAL::Pslg_error_2::Kind::TOO_NEAR,
+                               "64-bit words cannot tell vertices " + std::to_string(a) + ' ' +
+                                   coordinates_text(points[a]) + " and " + std::to_string(b) + ' ' +
+                                   coordinates_text(points[b]) + " apart" + advice(),
+                               CGAL::Pslg_parts_2().vertex(Vertex_index(a)).vertex(Vertex_index(b)));
   }
 }
 

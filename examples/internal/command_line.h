@@ -41,7 +41,7 @@ struct Command_line {
   std::string size_points_file; ///< empty: none
   Kernel kernel = Kernel::FILTERED;
   CGAL::Quality_mesh_options_2 options;             ///< of Mode::PSLG
-  Neighbors neighbors = Neighbors::TRAPEZOIDAL;     ///< of Mode::PSLG, by quadtrees
+  Neighbors neighbors = Neighbors::QUADTREE;        ///< of Mode::PSLG, by quadtrees
   CGAL::Point_set_mesh_options_2 point_set_options; ///< of all other modes
   unsigned threads = 1;
   bool is_comparison_wanted = false;
@@ -109,8 +109,8 @@ inline po::options_description graph_options() {
      "what is meshed: enclosed, marked (components with a region's point) or parity (of nested borders)")
     ("separation", po::value<std::string>()->value_name("S")->default_value("on-demand"),
      "how features are kept apart: on-demand, or theorem-5 (by quadtrees, in parallel rounds)")
-    ("neighbors", po::value<std::string>()->value_name("N")->default_value("trapezoidal"),
-     "with theorem-5: what finds the edges next to vertices, trapezoidal or quadtree; the mesh is the same")
+    ("neighbors", po::value<std::string>()->value_name("N")->default_value("quadtree"),
+     "with theorem-5: what finds the edges next to vertices, quadtree or trapezoidal; the mesh is the same")
     ("subdivision", po::value<std::string>()->value_name("S")->default_value("walking"),
      "with theorem-5: what cuts edges into pieces, walking or centroid-tree; the mesh is the same")
     ("placement", po::value<std::string>()->value_name("P")->default_value("chosen"),
@@ -258,8 +258,8 @@ inline CGAL::Tree_separation_options_2 tree_options(const po::variables_map& giv
 
 inline mesh_graph::Neighbors neighbors(const po::variables_map& given) {
   using Neighbors = mesh_graph::Neighbors;
-  constexpr Neighbors models[] = {Neighbors::TRAPEZOIDAL, Neighbors::QUADTREE};
-  return models[choice(given, "neighbors", {"trapezoidal", "quadtree"})];
+  constexpr Neighbors models[] = {Neighbors::QUADTREE, Neighbors::TRAPEZOIDAL};
+  return models[choice(given, "neighbors", {"quadtree", "trapezoidal"})];
 }
 
 /// \throws Usage_error if a file would be destroyed or cannot be written

@@ -16,7 +16,9 @@ namespace {
 
 using namespace mesh_in_words_internal;
 
+using CGAL::Quadtree_mesh_2::Segment_index;
 using CGAL::Quadtree_mesh_2::Vertex_index;
+using Kind = CGAL::Pslg_error_2::Kind;
 using mesh_graph::Point;
 
 CGAL::Pslg_2<Word_point> to_words(const mesh_graph::Pslg& pslg, const Word_map<Point>& map) {
@@ -38,29 +40,31 @@ CGAL::Pslg_2<Word_point> to_words(const mesh_graph::Pslg& pslg, const Word_map<P
 
 mesh_graph::Options to_words(mesh_graph::Options options, const Word_map<Point>& map) {
   const double unit = map.unit();
-  if (options.size_field)
-    options.size([map, field = options.size_field](double x, double y) {
+  if (options.size())
+    options.size([map, field = options.size()](double x, double y) {
       using Word = std::uint64_t;
       const Point p = map.to_double(Word_point{static_cast<Word>(x), static_cast<Word>(y)});
       return field(p.x(), p.y()) / map.unit();
     });
-  return options.max_edge(options.max_edge_length / unit)
-      .max_area(options.max_triangle_area / unit / unit)
-      .min_edge(options.min_edge_length / unit);
+  return options.max_edge(options.max_edge() / unit)
+      .max_area(options.max_area() / unit / unit)
+      .min_edge(options.min_edge() / unit);
 }
 
 /// The seeds of holes and regions, and what an error calls them.
 struct Seed {
   Point point;
   std::string name;
+  CGAL::Pslg_parts_2 part; // itself
 };
 
 std::vector<Seed> seeds_of(const mesh_graph::Pslg& pslg) {
   std::vector<Seed> seeds;
   for (std::size_t i = 0; i < pslg.holes.size(); ++i)
-    seeds.push_back({pslg.holes[i], "the point of hole " + std::to_string(i)});
+    seeds.push_back({pslg.holes[i], "the point of hole " + std::to_string(i), CGAL::Pslg_parts_2().hole(i)});
   for (std::size_t i = 0; i < pslg.regions.size(); ++i)
-    seeds.push_back({pslg.regions[i].point, "the point of region " + std::to_string(i)});
+    seeds.push_back(
+        {pslg.regions[i].point, "the point of region " + std::to_string(i), CGAL::Pslg_parts_2().region(i)});
   return seeds;
 }
 
@@ -88,10 +92,13 @@ void check_sides_of_seeds(const mesh_graph::Pslg& pslg, const Word_map<Point>& m
       if (!is_near(seed.point, a, b, 2 * map.unit())) continue;
       const int side = Geometry::orientation(signed_words(a), signed_words(b), signed_words(seed.point));
       if (side == static_cast<int>(CGAL::orientation(a, b, seed.point))) continue;
-      throw CGAL::Pslg_error_2("64-bit words cannot tell on which side of segment " + std::to_string(s) +
-                               " (from " + coordinates_text(a) + " to " + coordinates_text(b) + ") " +
-                               seed.name + " is, " + coordinates_text(seed.point) +
-                               "; move it away from the segment");
+      CGAL::Pslg_parts_2 parts = seed.part;
+      throw CGAL::Pslg_error_2(Kind::TOO_NEAR,
+                               "64-bit words cannot tell on which side of segment " + std::to_string(s) +
+                                   " (from " + coordinates_text(a) + " to " + coordinates_text(b) + ") " +
+                                   seed.name + " is, " + coordinates_text(seed.point) +
+                                   "; move it away from the segment",
+                               parts.segment(Segment_index(s)));
     }
   }
 }
@@ -116,8 +123,10 @@ void check_vertices_on_segments(const mesh_graph::Pslg& pslg, const mesh_graph::
       if (std::size_t(v) >= pslg.vertices.size()) continue;
       const auto& ends = pslg.segments[std::size_t(edge.segment)];
       if (CGAL::collinear(pslg.point(ends[0]), pslg.point(ends[1]), pslg.vertices[std::size_t(v)])) continue;
-      throw CGAL::Pslg_error_2("64-bit words cannot tell vertex " + text_of_vertex(pslg, v) + " and " +
-                               text_of_segment(pslg, std::size_t(edge.segment)) + " apart" + advice());
+      throw CGAL::Pslg_error_2(Kind::TOO_NEAR,
+                               "64-bit words cannot tell vertex " + text_of_vertex(pslg, v) + " and " +
+                                   text_of_segment(pslg, std::size_t(edge.segment)) + " apart" + advice(),
+                               CGAL::Pslg_parts_2().vertex(v).segment(edge.segment));
     }
 }
 
@@ -134,17 +143,19 @@ bool has_ends_on_both_sides(const mesh_graph::Pslg& pslg, std::size_t s, std::si
   const std::size_t s(error.segments[0]), t(error.segments[1]);
   const std::string first = text_of_segment(pslg, s), second = text_of_segment(pslg, t);
   if (has_ends_on_both_sides(pslg, s, t) && has_ends_on_both_sides(pslg, t, s))
-    throw CGAL::Pslg_error_2(first + " crosses " + second);
-  throw CGAL::Pslg_error_2("64-bit words cannot tell " + first + " and " + second + " apart" + advice());
+    throw CGAL::Pslg_crossing_error_2(first + " crosses " + second, error.segments);
+  throw CGAL::Pslg_error_2(Kind::TOO_NEAR,
+                           "64-bit words cannot tell " + first + " and " + second + " apart" + advice(),
+                           error.parts());
 }
 
 /// The same for segments that face each other across too narrow a gap.
 [[noreturn]] void refuse(const mesh_graph::Pslg& pslg, const CGAL::Pslg_gap_error_2& error, double unit) {
-  std::string distance;
-  CGAL::Quadtree_mesh_2::internal::append_number(distance, error.distance * unit);
-  throw CGAL::Pslg_error_2(error.demand + ' ' + text_of_segment(pslg, std::size_t(error.segments[0])) +
-                           " and " + text_of_segment(pslg, std::size_t(error.segments[1])) +
-                           " face each other at a distance of " + distance);
+  std::string text = text_of_segment(pslg, std::size_t(error.segments[0])) + " and " +
+                     text_of_segment(pslg, std::size_t(error.segments[1])) +
+                     " face each other at a distance of ";
+  CGAL::Quadtree_mesh_2::internal::append_number(text, error.distance * unit);
+  throw CGAL::Pslg_gap_error_2(error.demand, text, error.segments, error.distance * unit);
 }
 
 } // namespace

@@ -33,7 +33,7 @@ using Mode = Command_line::Mode;
 const char* domain_of(const Command_line& line) {
   if (line.mode == Mode::POINTS) return "box";
   const bool is_row = line.mode == Mode::BOUNDED &&
-                      line.point_set_options.domain == CGAL::Point_set_mesh_options_2::Domain::ROW;
+                      line.point_set_options.mesh_domain() == CGAL::Point_set_mesh_options_2::Domain::ROW;
   return is_row ? "row" : "square";
 }
 

@@ -216,7 +216,7 @@ public:
         // Corners of the root have to be finite.
         const double limit = std::ldexp(1.0, 1000);
         if (!(std::fabs(p.x()) < limit && std::fabs(p.y()) < limit))
-          throw Point_error(Point_error::Kind::OUT_OF_RANGE, i);
+          throw Point_error(i, "below 2^1000 in magnitude");
       }
     }
   };

@@ -131,7 +131,7 @@ public:
         if (!std::isfinite(p.x()) || !std::isfinite(p.y()))
           throw Point_error(Point_error::Kind::NOT_FINITE, index);
         if (magnitude >= Quadtree_mesh_2::internal::greatest_coordinate())
-          throw Point_error(Point_error::Kind::OUT_OF_RANGE, index);
+          throw Point_error(index, "below 2^1000 in magnitude");
       }
       CGAL_unreachable();
     }

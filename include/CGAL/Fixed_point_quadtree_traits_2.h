@@ -20,6 +20,7 @@
 #include <cstdint>
 #include <ostream>
 #include <stdexcept>
+#include <string>
 #include <type_traits>
 
 namespace CGAL {
@@ -100,7 +101,8 @@ public:
       std::size_t i = 0;
       for (const Point_2& p : points) {
         if (!grid.is_in_root(p))
-          throw Point_error(Point_error::Kind::OUT_OF_RANGE, Quadtree_mesh_2::Point_index(i));
+          throw Point_error(Quadtree_mesh_2::Point_index(i),
+                            "below 2^" + std::to_string(Fixed_point_quadtree_traits_2::depth));
         ++i;
       }
       return grid;

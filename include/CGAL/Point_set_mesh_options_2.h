@@ -14,9 +14,11 @@
 namespace CGAL {
 
 /// \ingroup PkgQuadtreeMesh2Meshers
-/// Options of `Point_set_mesher_2`. Every field has a default. Set fields directly or by chained calls:
+/// Options of `Point_set_mesher_2`. Each option is set by the function of its name, which returns the
+/// options, so that calls can be chained. Without an argument the function returns the value:
 /// `Point_set_mesh_options_2().bounded_angles(36, 80).effort(1)`.
-struct Point_set_mesh_options_2 {
+class Point_set_mesh_options_2 {
+public:
   /// Which triangulation is wanted.
   enum class Mode {
     /// All angles in a range: [36, 80] degrees by default, at the tightest [37.5, 78.6] (Theorem 3).
@@ -42,46 +44,66 @@ struct Point_set_mesh_options_2 {
     SQUARE
   };
 
-  Mode mode = Mode::BOUNDED_ANGLES; ///< which triangulation
-  /// The least angle in degrees with BOUNDED_ANGLES, in [0, 37.5]. The largest is in [78.6, 89.5]. ACUTE
-  /// ignores both: it seeks largest angles up to 89.5, and only triangles around clusters of points come
-  /// nearer to 90.
-  double least_angle_in_degrees = 36;
-  double largest_angle_in_degrees = 80; ///< the largest angle in degrees
-  Domain domain = Domain::ROW;          ///< what the mesh covers
-  /// How much effort to spend on removing vertices. 0: none. 1: mostly in the neighborhood of one ring. 2:
-  /// well. 3: for some percent more. The promised angles are the same at any effort.
-  int coarsening_effort = 2;
-  /// An upper bound, roughly, on how many vertices the mesher tries to remove. Each takes some ten
-  /// microseconds. 0 means no bound.
-  std::size_t removal_budget = 0;
-  /// With ACUTE, points that are this many times nearer to each other than to any other point get a quadtree
-  /// of their own. At least 2248. Clusters save time before coarsening, and save triangles beyond about a
-  /// million.
-  double cluster_gap = 0x1p20;
-  /// Called now and then with the share of work done, in [0, 1], by any thread, one at a time. After it
-  /// returns false no more vertices are removed. The mesh is then valid but larger.
-  std::function<bool(double)> callback;
+  using Callback = std::function<bool(double)>; ///< of the share of work done
 
-  /// \name Setters
-  /// @{
-
-  /// Each sets what its name says and returns the options, so that calls can be chained.
+  /// Chooses BOUNDED_ANGLES, the default, with angles in degrees.
+  /// \param least the least angle, in [0, 37.5]
+  /// \param largest the largest angle, in [78.6, 89.5]
   Point_set_mesh_options_2& bounded_angles(double least = 36, double largest = 80) {
-    mode = Mode::BOUNDED_ANGLES;
-    least_angle_in_degrees = least;
-    largest_angle_in_degrees = largest;
-    return *this;
+    least_angle_in_degrees_ = least;
+    largest_angle_in_degrees_ = largest;
+    return choose(Mode::BOUNDED_ANGLES);
   }
-  Point_set_mesh_options_2& acute() { return mode = Mode::ACUTE, *this; }
-  Point_set_mesh_options_2& least_angle() { return mode = Mode::LEAST_ANGLE, *this; }
-  Point_set_mesh_options_2& warped_squares() { return mode = Mode::WARPED_SQUARES, *this; }
-  Point_set_mesh_options_2& mesh_domain(Domain d) { return domain = d, *this; }
-  Point_set_mesh_options_2& effort(int e) { return coarsening_effort = e, *this; }
-  Point_set_mesh_options_2& max_removals(std::size_t n) { return removal_budget = n, *this; }
-  Point_set_mesh_options_2& clusters(double gap) { return cluster_gap = gap, *this; }
-  Point_set_mesh_options_2& progress(std::function<bool(double)> f) { return callback = std::move(f), *this; }
-  /// @}
+  /// Chooses ACUTE. It seeks largest angles up to 89.5 degrees, and only triangles around clusters of points
+  /// come nearer to 90.
+  Point_set_mesh_options_2& acute() { return choose(Mode::ACUTE); }
+  /// Chooses LEAST_ANGLE.
+  Point_set_mesh_options_2& least_angle() { return choose(Mode::LEAST_ANGLE); }
+  /// Chooses WARPED_SQUARES.
+  Point_set_mesh_options_2& warped_squares() { return choose(Mode::WARPED_SQUARES); }
+  Mode mode() const { return mode_; } ///< the one chosen last
+  /// The least angle that BOUNDED_ANGLES was chosen with last.
+  double least_angle_in_degrees() const { return least_angle_in_degrees_; }
+  /// The largest angle that BOUNDED_ANGLES was chosen with last.
+  double largest_angle_in_degrees() const { return largest_angle_in_degrees_; }
+
+  /// What the mesh covers; ROW by default.
+  Point_set_mesh_options_2& mesh_domain(Domain value) { return mesh_domain_ = value, *this; }
+  Domain mesh_domain() const { return mesh_domain_; } ///< the value set
+
+  /// How much effort to spend on removing vertices. 0: none. 1: mostly in the neighborhood of one ring. 2,
+  /// the default: well. 3: for some percent more. The promised angles are the same at any effort.
+  Point_set_mesh_options_2& effort(int value) { return effort_ = value, *this; }
+  int effort() const { return effort_; } ///< the value set
+
+  /// An upper bound, roughly, on how many vertices the mesher tries to remove. Each takes some ten
+  /// microseconds. 0, the default, means no bound.
+  Point_set_mesh_options_2& max_removals(std::size_t value) { return max_removals_ = value, *this; }
+  std::size_t max_removals() const { return max_removals_; } ///< the value set
+
+  /// With ACUTE, points that are this many times nearer to each other than to any other point get a quadtree
+  /// of their own. At least 2248; 2^20 by default. Clusters save time before coarsening, and save triangles
+  /// beyond about a million.
+  Point_set_mesh_options_2& clusters(double value) { return clusters_ = value, *this; }
+  double clusters() const { return clusters_; } ///< the value set
+
+  /// Called now and then with the share of work done, in [0, 1], by any thread, one at a time. After it
+  /// returns false no more vertices are removed. The mesh is then valid but larger. An empty function, the
+  /// default, is not called.
+  Point_set_mesh_options_2& progress(Callback value) { return progress_ = std::move(value), *this; }
+  const Callback& progress() const { return progress_; } ///< the value set
+
+private:
+  Domain mesh_domain_ = Domain::ROW;
+  int effort_ = 2;
+  std::size_t max_removals_ = 0;
+  double clusters_ = 0x1p20;
+  Callback progress_;
+  Mode mode_ = Mode::BOUNDED_ANGLES;
+  double least_angle_in_degrees_ = 36;
+  double largest_angle_in_degrees_ = 80;
+
+  Point_set_mesh_options_2& choose(Mode value) { return mode_ = value, *this; }
 };
 
 } // namespace CGAL

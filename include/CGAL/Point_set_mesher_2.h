@@ -52,14 +52,14 @@ public:
   explicit Point_set_mesher_2(Point_set_mesh_options_2 options = {}, const Traits& traits = Traits())
       : options_(std::move(options)), traits_(traits) {
     using Mode = Point_set_mesh_options_2::Mode;
-    const double least = options_.least_angle_in_degrees, largest = options_.largest_angle_in_degrees;
-    if (options_.mode == Mode::BOUNDED_ANGLES && !(least >= 0 && least <= 37.5))
+    const double least = options_.least_angle_in_degrees(), largest = options_.largest_angle_in_degrees();
+    if (options_.mode() == Mode::BOUNDED_ANGLES && !(least >= 0 && least <= 37.5))
       throw std::invalid_argument("the least angle must be between 0 and 37.5 degrees");
-    if (options_.mode == Mode::BOUNDED_ANGLES && !(largest >= 78.6 && largest <= 89.5))
+    if (options_.mode() == Mode::BOUNDED_ANGLES && !(largest >= 78.6 && largest <= 89.5))
       throw std::invalid_argument("the largest angle must be between 78.6 and 89.5 degrees");
-    if (options_.coarsening_effort < 0 || options_.coarsening_effort > 3)
+    if (options_.effort() < 0 || options_.effort() > 3)
       throw std::invalid_argument("the effort must be 0, 1, 2 or 3");
-    if (!(options_.cluster_gap >= Quadtree_mesh_2::internal::least_cluster_gap))
+    if (!(options_.clusters() >= Quadtree_mesh_2::internal::least_cluster_gap))
       throw std::invalid_argument("the gap around clusters must be at least 2248 times their width");
   }
 

@@ -38,7 +38,8 @@ enum class Balance_schedule {
 } // namespace Quadtree_mesh_2
 
 /// \ingroup PkgQuadtreeMesh2Quadtrees
-/// Options of `Balanced_quadtree`. Each setter returns the options, so that calls can be chained.
+/// Options of `Balanced_quadtree`. Each option is set by the function of its name, which returns the options,
+/// so that calls can be chained. Without an argument the function returns the value.
 class Quadtree_options {
 public:
   /// \name Types
@@ -50,28 +51,16 @@ public:
   /// @}
 
   /// The most points that a leaf may hold, at least 1; 1 by default.
-  Quadtree_options& max_points_per_leaf(std::size_t n) {
-    max_points_per_leaf_ = n;
-    return *this;
-  }
-  /// The value set.
-  std::size_t max_points_per_leaf() const { return max_points_per_leaf_; }
+  Quadtree_options& max_points_per_leaf(std::size_t value) { return max_points_per_leaf_ = value, *this; }
+  std::size_t max_points_per_leaf() const { return max_points_per_leaf_; } ///< the value set
 
   /// Which neighbors are balanced, `Balance::SIDES_AND_CORNERS` by default.
-  Quadtree_options& balance(Balance b) {
-    balance_ = b;
-    return *this;
-  }
-  /// The value set.
-  Balance balance() const { return balance_; }
+  Quadtree_options& balance(Balance value) { return balance_ = value, *this; }
+  Balance balance() const { return balance_; } ///< the value set
 
   /// How balance is reached, `Balance_schedule::LEVEL_BY_LEVEL` by default.
-  Quadtree_options& schedule(Balance_schedule s) {
-    schedule_ = s;
-    return *this;
-  }
-  /// The value set.
-  Balance_schedule schedule() const { return schedule_; }
+  Quadtree_options& schedule(Balance_schedule value) { return schedule_ = value, *this; }
+  Balance_schedule schedule() const { return schedule_; } ///< the value set
 
 private:
   std::size_t max_points_per_leaf_ = 1;

@@ -199,17 +199,16 @@ private:
 
   /// Whether the options bound sizes, which the criteria do not know.
   bool has_wishes_of_its_own() const {
-    return options_.max_triangle_area > 0 || options_.max_edge_length > 0 || options_.size_field ||
-           options_.refined_where;
+    return options_.max_area() > 0 || options_.max_edge() > 0 || options_.size() || options_.refine_where();
   }
 
   Quality_mesh_options_2 combined_options() const {
     const Quality_mesh_options_2 of_criteria = quality_mesh_options_2(criteria_);
     Quality_mesh_options_2 options = options_;
-    options.min_angle(of_criteria.min_angle_in_degrees);
-    if (of_criteria.max_edge_length > 0 &&
-        !(options.max_edge_length > 0 && options.max_edge_length < of_criteria.max_edge_length))
-      options.max_edge(of_criteria.max_edge_length);
+    options.min_angle(of_criteria.min_angle());
+    if (of_criteria.max_edge() > 0 &&
+        !(options.max_edge() > 0 && options.max_edge() < of_criteria.max_edge()))
+      options.max_edge(of_criteria.max_edge());
     return options;
   }
 };

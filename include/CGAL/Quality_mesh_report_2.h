@@ -11,65 +11,9 @@
 
 #include <array>
 #include <cstddef>
-#include <stdexcept>
-#include <string>
 #include <vector>
 
 namespace CGAL {
-
-/// \ingroup PkgQuadtreeMesh2Meshers
-/// The input cannot be meshed. `what()` names the vertex, segment or line at fault.
-class Pslg_error_2 : public std::runtime_error {
-public:
-  using std::runtime_error::runtime_error;
-};
-
-/// \ingroup PkgQuadtreeMesh2Meshers
-/// Two segments cross. Callers that know the vertices by other coordinates than the mesher can name them by
-/// index.
-class Pslg_crossing_error_2 : public Pslg_error_2 {
-public:
-  /// \param text the text of `what()`
-  /// \param crossing the crossing segments
-  Pslg_crossing_error_2(const std::string& text, std::array<Quadtree_mesh_2::Segment_index, 2> crossing)
-      : Pslg_error_2(text), segments(crossing) {}
-
-  std::array<Quadtree_mesh_2::Segment_index, 2> segments; ///< their indices in the graph
-};
-
-/// \ingroup PkgQuadtreeMesh2Meshers
-/// Two segments face each other across a gap so narrow that the mesh would be too large. Callers can name the
-/// segments by index.
-class Pslg_gap_error_2 : public Pslg_error_2 {
-public:
-  /// The texts make up `what()`: first `of_mesh`, then `of_segments`.
-  Pslg_gap_error_2(const std::string& of_mesh, const std::string& of_segments,
-                   std::array<Quadtree_mesh_2::Segment_index, 2> facing, double width)
-      : Pslg_error_2(of_mesh + ' ' + of_segments), demand(of_mesh), segments(facing), distance(width) {}
-
-  std::string demand;                                     ///< the text about the size of the mesh
-  std::array<Quadtree_mesh_2::Segment_index, 2> segments; ///< their indices in the graph
-  double distance;                                        ///< the distance between them
-};
-
-/// \ingroup PkgQuadtreeMesh2Meshers
-/// The point of a hole or region lies on a segment, or on a vertex with segments, between several components
-/// of the plane. It does not tell which one is meant.
-class Pslg_seed_error_2 : public Pslg_error_2 {
-public:
-  /// What the point marks.
-  enum class Kind { HOLE, REGION };
-
-  /// \param text the text of `what()`; the other parameters become the members.
-  Pslg_seed_error_2(const std::string& text, Kind of, std::size_t number, Quadtree_mesh_2::Vertex_index at,
-                    Quadtree_mesh_2::Segment_index on)
-      : Pslg_error_2(text), kind(of), seed(number), vertex(at), segment(on) {}
-
-  Kind kind;                              ///< what the point marks
-  std::size_t seed;                       ///< its index in `Pslg_2::holes` or `Pslg_2::regions`
-  Quadtree_mesh_2::Vertex_index vertex;   ///< the vertex that it is on; invalid inside a segment
-  Quadtree_mesh_2::Segment_index segment; ///< the segment that it is on; invalid on a vertex
-};
 
 /// \ingroup PkgQuadtreeMesh2Meshers
 /// What a construction by quadtrees did (Theorem 5); all 0 if there was none.
@@ -84,8 +28,9 @@ struct Tree_separation_report_2 {
     FAILED       ///< the last round gave no mesh; the mesh is that of the round before, or of refinement
   };
 
-  End end = End::NONE;         ///< how it ended
-  bool has_taken_over = false; ///< whether refinement on demand did not come to rest (`refinement_patience`)
+  End end = End::NONE; ///< how it ended
+  bool has_taken_over =
+      false; ///< whether refinement on demand did not come to rest (`Quality_mesh_options_2::patience()`)
   std::size_t leaves_of_points = 0;   ///< leaves of T_B, the quadtree of the vertices
   std::size_t leaves_of_vertices = 0; ///< leaves of T_B', in which vertices are separated
   std::size_t leaves_of_pieces = 0;   ///< leaves of T_B'', in which edges within leaves are separated
@@ -108,10 +53,10 @@ struct Tree_separation_report_2 {
 struct Quality_mesh_report_2 {
   /// What kept refinement from meeting a bound in a triangle.
   enum class Reason {
-    BUDGET,     ///< the vertex budget was used up
-    CANCELLED,  ///< the callback stopped refinement
-    LEAST_EDGE, ///< a vertex would have come nearer to another than `Quality_mesh_options_2::min_edge_length`
-    CORNER,     ///< above 20.7 degrees: the legs of an acute corner are split no nearer to its apex
+    BUDGET,      ///< the vertex budget was used up
+    CANCELLED,   ///< the callback stopped refinement
+    LEAST_EDGE,  ///< a vertex would have come nearer to another than `Quality_mesh_options_2::min_edge()`
+    CORNER,      ///< above 20.7 degrees: the legs of an acute corner are split no nearer to its apex
     COORDINATES, ///< there is no room for a vertex between representable coordinates
     CRITERIA     ///< the user's criteria call it bad
   };

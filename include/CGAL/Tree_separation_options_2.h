@@ -12,9 +12,11 @@
 namespace CGAL {
 
 /// \ingroup PkgQuadtreeMesh2Meshers
-/// Options of the construction by quadtrees of Bern, Eppstein and Teng, section 6. All lengths are in sides of
-/// leaves. Each setter returns the object, so that calls can be chained.
-struct Tree_separation_options_2 {
+/// Options of the construction by quadtrees of Bern, Eppstein and Teng, section 6. All lengths are in sides
+/// of leaves. Each option is set by the function of its name, which returns the options, so that calls can be
+/// chained. Without an argument the function returns the value.
+class Tree_separation_options_2 {
+public:
   /// How edges are cut into pieces. The pieces are the same.
   enum class Subdivision {
     WALKING,      ///< from leaf to leaf (Theorem 6)
@@ -30,34 +32,49 @@ struct Tree_separation_options_2 {
     BY_RULE
   };
 
-  /// The side of a vertex's leaf is at most the distance to the nearest feature divided by this.
-  double vertex_distance = 0.7;
-  /// Two edges in a leaf, or in adjacent leaves, that see each other are at least this far apart.
-  double edge_distance = 0.5;
-  /// Edges that share a vertex may be nearer to each other within this distance from it.
-  double vertex_window = 3;
-  /// Edges of an acute corner may also be nearer where the corner is at most this wide. No vertex is placed
-  /// between them there.
-  double strip_width = 1.25;
+  /// The side of a vertex's leaf is at most the distance to the nearest feature divided by this; 0.7 by
+  /// default.
+  Tree_separation_options_2& vertex_distance(double value) { return vertex_distance_ = value, *this; }
+  double vertex_distance() const { return vertex_distance_; } ///< the value set
 
-  Subdivision subdivision = Subdivision::WALKING; ///< how edges are cut
-  Placement placement = Placement::CHOSEN;        ///< where vertices are placed
+  /// Two edges in a leaf, or in adjacent leaves, that see each other are at least this far apart; 0.5 by
+  /// default.
+  Tree_separation_options_2& edge_distance(double value) { return edge_distance_ = value, *this; }
+  double edge_distance() const { return edge_distance_; } ///< the value set
 
-  /// \name Setters
-  /// @{
-
-  /// Each sets what its name says and returns the options, so that calls can be chained.
+  /// Sets both distances.
   Tree_separation_options_2& distances(double of_vertices, double of_edges) {
-    vertex_distance = of_vertices, edge_distance = of_edges;
-    return *this;
+    return vertex_distance(of_vertices).edge_distance(of_edges);
   }
-  Tree_separation_options_2& subdivide(Subdivision s) { return subdivision = s, *this; }
-  Tree_separation_options_2& place(Placement p) { return placement = p, *this; }
-  /// @}
+
+  /// Edges that share a vertex may be nearer to each other within this distance from it; 3 by default.
+  Tree_separation_options_2& vertex_window(double value) { return vertex_window_ = value, *this; }
+  double vertex_window() const { return vertex_window_; } ///< the value set
+
+  /// Edges of an acute corner may also be nearer where the corner is at most this wide; 1.25 by default. No
+  /// vertex is placed between them there.
+  Tree_separation_options_2& strip_width(double value) { return strip_width_ = value, *this; }
+  double strip_width() const { return strip_width_; } ///< the value set
+
+  /// How edges are cut; WALKING by default.
+  Tree_separation_options_2& subdivide(Subdivision value) { return subdivide_ = value, *this; }
+  Subdivision subdivide() const { return subdivide_; } ///< the value set
+
+  /// Where vertices are placed; CHOSEN by default.
+  Tree_separation_options_2& place(Placement value) { return place_ = value, *this; }
+  Placement place() const { return place_; } ///< the value set
 
   /// The constant that the paper names as an example: a square of an edge is at least three times its side
   /// away from any vertex or other edge.
   static Tree_separation_options_2 of_paper() { return Tree_separation_options_2().distances(3, 3); }
+
+private:
+  double vertex_distance_ = 0.7;
+  double edge_distance_ = 0.5;
+  double vertex_window_ = 3;
+  double strip_width_ = 1.25;
+  Subdivision subdivide_ = Subdivision::WALKING;
+  Placement place_ = Placement::CHOSEN;
 };
 
 } // namespace CGAL

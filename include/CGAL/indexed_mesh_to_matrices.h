@@ -9,8 +9,8 @@
 
 #include <CGAL/Indexed_mesh_2.h>
 #include <CGAL/Pslg_2.h>
+#include <CGAL/Pslg_error_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/geometry/triangle_angles.h>
-#include <CGAL/Quality_mesh_report_2.h>
 
 #include <Eigen/Core>
 
@@ -44,8 +44,9 @@ void set_index_row(Eigen::PlainObjectBase<Matrix>& matrix, std::size_t row, cons
 template <class Derived>
 void check_columns(const Eigen::DenseBase<Derived>& matrix, Eigen::Index columns, const std::string& name) {
   if (matrix.rows() > 0 && matrix.cols() != columns)
-    throw Pslg_error_2("the matrix of " + name + " has " + std::to_string(matrix.cols()) +
-                       " columns instead of " + std::to_string(columns));
+    throw Pslg_error_2(Pslg_error_2::Kind::ARRAY_LENGTH,
+                       "the matrix of " + name + " has " + std::to_string(matrix.cols()) +
+                           " columns instead of " + std::to_string(columns));
 }
 
 } // namespace internal
@@ -122,7 +123,9 @@ void matrices_to_pslg(const Eigen::DenseBase<Vertices>& vertices, const Eigen::D
   const auto index = [&](Eigen::Index row, Eigen::Index column) {
     const auto i = static_cast<std::int64_t>(segments.derived()(row, column));
     if (i < 0 || i >= vertices.rows())
-      throw Pslg_error_2("segment " + std::to_string(row) + ": there is no vertex " + std::to_string(i));
+      throw Pslg_error_2(Pslg_error_2::Kind::NO_SUCH_VERTEX,
+                         "segment " + std::to_string(row) + ": there is no vertex " + std::to_string(i),
+                         Pslg_parts_2().segment(Quadtree_mesh_2::Segment_index(std::size_t(row))));
     return Vertex_index(static_cast<std::size_t>(i));
   };
   result.segments.reserve(static_cast<std::size_t>(segments.rows()));

@@ -122,7 +122,7 @@ Pslg_2<Quadtree_mesh_2::internal::Double_point> convert_to_double_points(const P
 /// - there are no unused Steiner vertices
 /// - the domain is covered exactly
 /// - every input segment with the domain on a side is a chain of edges, within rounding
-///   (`Mesh_quality_options_2::coordinate_unit`)
+///   (`Mesh_quality_options_2::coordinate_unit()`)
 /// - the constrained edges, the segments of the vertices, and the regions
 ///
 /// Points other than CGAL points over double are first converted by `convert_to_double_points()`.
@@ -132,7 +132,7 @@ Mesh_quality_2 mesh_quality_2(const Indexed_mesh_2<Point>& mesh, const Pslg_2<Po
   if constexpr (!std::is_same_v<Point, Quadtree_mesh_2::internal::Double_point>) {
     Mesh_quality_options_2 of_doubles = options;
     if (std::is_integral_v<std::decay_t<decltype(std::declval<const Point&>().x())>>)
-      of_doubles.coordinate_unit = std::max(1., options.coordinate_unit);
+      of_doubles.coordinate_unit(std::max(1., options.coordinate_unit()));
     return mesh_quality_2(convert_to_double_points(mesh), convert_to_double_points(pslg), of_doubles);
   } else {
     Mesh_quality_2 quality;

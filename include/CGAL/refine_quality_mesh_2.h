@@ -58,7 +58,7 @@ Quality_mesh_report_2 refine_marked_domain(Cdt& cdt, const Criteria& criteria) {
 template <class Cdt, class Seeds, class = decltype(std::begin(std::declval<const Seeds&>()))>
 Quality_mesh_report_2 refine_quality_mesh_2(Cdt& cdt, const Seeds& seeds,
                                             const Quality_mesh_options_2& options = {}) {
-  Quadtree_mesh_2::internal::mark_by_rule(cdt, std::begin(seeds), std::end(seeds), options.domain);
+  Quadtree_mesh_2::internal::mark_by_rule(cdt, std::begin(seeds), std::end(seeds), options.mesh_domain());
   return Quadtree_mesh_2::internal::Cdt_refiner<Cdt>(cdt).refine(options);
 }
 

@@ -8,8 +8,8 @@
 #define CGAL_REPAIR_PSLG_2_H
 
 #include <CGAL/Pslg_2.h>
+#include <CGAL/Pslg_error_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/pslg/arrange_pslg_2.h>
-#include <CGAL/Quality_mesh_report_2.h>
 #include <CGAL/validate_pslg_2.h>
 
 #include <algorithm>
@@ -40,14 +40,21 @@ namespace CGAL {
 /// \ingroup PkgQuadtreeMesh2Data
 /// What `repair_pslg_2()` does where segments cross without a common vertex.
 enum class Pslg_crossing_rule_2 {
-  THROW, ///< a `Pslg_error_2` names both segments and the place, as crossings are often mistakes
+  THROW, ///< a `Pslg_crossing_error_2` names both segments and the place, as crossings are often mistakes
   SPLIT  ///< a new vertex splits both
 };
 
 /// \ingroup PkgQuadtreeMesh2Data
-/// Options of `repair_pslg_2()`.
-struct Pslg_repair_options_2 {
-  Pslg_crossing_rule_2 crossings = Pslg_crossing_rule_2::THROW; ///< what to do with crossings
+/// Options of `repair_pslg_2()`. Each option is set by the function of its name, which returns the options.
+/// Without an argument the function returns the value.
+class Pslg_repair_options_2 {
+public:
+  /// What to do with crossings; THROW by default.
+  Pslg_repair_options_2& crossings(Pslg_crossing_rule_2 value) { return crossings_ = value, *this; }
+  Pslg_crossing_rule_2 crossings() const { return crossings_; } ///< the value set
+
+private:
+  Pslg_crossing_rule_2 crossings_ = Pslg_crossing_rule_2::THROW;
 };
 
 /// \ingroup PkgQuadtreeMesh2Data
@@ -206,10 +213,14 @@ private:
 template <class Point>
 [[noreturn]] void throw_crossing(const Pslg_2<Point>& pslg, Segment_index s) {
   const std::optional<Segment_index> crossed = find_crossed_segment(pslg, s);
-  if (!crossed) throw Pslg_error_2(segment_text(pslg, std::size_t(s)) + " crosses another one");
+  if (!crossed)
+    throw Pslg_error_2(Pslg_error_2::Kind::CROSSING,
+                       segment_text(pslg, std::size_t(s)) + " crosses another one",
+                       Pslg_parts_2().segment(s));
   const std::array<double, 2> p = crossing_of_segments(pslg, *crossed, s);
-  throw Pslg_error_2(segment_text(pslg, std::size_t(*crossed)) + " and " +
-                     segment_text(pslg, std::size_t(s)) + " cross at " + place_text(p));
+  throw Pslg_crossing_error_2(segment_text(pslg, std::size_t(*crossed)) + " and " +
+                                  segment_text(pslg, std::size_t(s)) + " cross at " + place_text(p),
+                              {*crossed, s});
 }
 
 /// One pass: cures all defects, but rounded crossings may make new ones.
@@ -263,7 +274,7 @@ Pslg_2<Point> repair_pslg_2(const Pslg_2<Point>& pslg, const Pslg_repair_options
   for (int pass = 0; pass < most_passes; ++pass) {
     Pslg_repair_report_2 step;
     const auto crossing = internal::repair_pslg_once<internal::Crossing_free_triangulation_2>(result, step);
-    if (crossing && options.crossings == Pslg_crossing_rule_2::THROW)
+    if (crossing && options.crossings() == Pslg_crossing_rule_2::THROW)
       internal::throw_crossing(pslg, *crossing);
     if (crossing) internal::repair_pslg_once<internal::Exact_triangulation_2>(result, step);
     if (pass == 0)
@@ -275,6 +286,7 @@ Pslg_2<Point> repair_pslg_2(const Pslg_2<Point>& pslg, const Pslg_repair_options
     return result;
   }
   throw Pslg_error_2(
+      Pslg_error_2::Kind::ROUNDING,
       "segments lie so close together that rounding their crossings makes new ones without end");
 }
 

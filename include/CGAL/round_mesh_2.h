@@ -23,6 +23,7 @@
 
 #include <CGAL/Indexed_mesh_2.h>
 #include <CGAL/Point_set_mesh_report_2.h>
+#include <CGAL/Pslg_error_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/grid/exact_grid.h>
 #include <CGAL/Quadtree_mesh_2/internal/io/Number_text.h>
 #include <CGAL/Quadtree_mesh_2/internal/output/Rounded_mesh_repairer.h>
@@ -45,7 +46,10 @@ namespace CGAL {
 /// Doubles cannot express the mesh. `what()` names a place and its vertices.
 class Mesh_rounding_error_2 : public Pslg_error_2 {
 public:
-  using Pslg_error_2::Pslg_error_2;
+  /// \param text the text of `what()`
+  /// \param parts the vertices of the graph that it names
+  Mesh_rounding_error_2(const std::string& text, Pslg_parts_2 parts)
+      : Pslg_error_2(Kind::ROUNDING, text, std::move(parts)) {}
 };
 
 /// \ingroup PkgQuadtreeMesh2Data
@@ -123,17 +127,19 @@ Indexed_mesh_2<Point> mesh_without_points(Indexed_mesh_2<Other_point>&& other) {
 }
 
 template <class Point>
-std::string text_of_unrounded(const Indexed_mesh_2<Point>& mesh, Triangle_index t) {
+Mesh_rounding_error_2 make_rounding_error(const Indexed_mesh_2<Point>& mesh, Triangle_index t) {
   std::string text = "doubles cannot express the mesh: the triangle of";
-  for (const auto v : mesh.triangles[std::size_t(t)]) {
-    const Point& p = mesh.point(v);
-    text += std::size_t(v) < mesh.number_of_input_vertices ? " vertex " + std::to_string(v.value())
-                                                           : std::string(" a Steiner vertex");
-    text += " at " + coordinates_text(p) + ',';
+  Pslg_parts_2 parts;
+  for (const Vertex_index v : mesh.triangles[std::size_t(t)]) {
+    const bool is_of_input = std::size_t(v) < mesh.number_of_input_vertices;
+    if (is_of_input) parts.vertex(v);
+    text += is_of_input ? " vertex " + std::to_string(v.value()) : std::string(" a Steiner vertex");
+    text += " at " + coordinates_text(mesh.point(v)) + ',';
   }
-  return text +
-         " counterclockwise before rounding, would be flat or clockwise; features of the input are as "
-         "small as the last digit of its coordinates: move it nearer to the origin, or merge what is so near";
+  text +=
+      " counterclockwise before rounding, would be flat or clockwise; features of the input are as "
+      "small as the last digit of its coordinates: move it nearer to the origin, or merge what is so near";
+  return {text, std::move(parts)};
 }
 
 } // namespace internal
@@ -167,8 +173,7 @@ Rounded_mesh_2<Point> round_mesh_2(Indexed_mesh_2<Other_point> mesh, const std::
   result.mesh.points = std::move(points);
   Quadtree_mesh_2::internal::Rounded_mesh_repairer<Point> repairer(result.mesh);
   const Quadtree_mesh_2::Triangle_index left = repairer.run();
-  if (left.is_valid())
-    throw Mesh_rounding_error_2(Quadtree_mesh_2::internal::text_of_unrounded(result.mesh, left));
+  if (left.is_valid()) throw Quadtree_mesh_2::internal::make_rounding_error(result.mesh, left);
   result.new_triangle = repairer.compress();
   result.moved_vertices = repairer.number_of_moved();
   result.merged_vertices = repairer.number_of_merged();

@@ -9,8 +9,8 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Pslg_2.h>
+#include <CGAL/Pslg_error_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/io/Number_text.h>
-#include <CGAL/Quality_mesh_report_2.h>
 #include <CGAL/number_utils.h>
 
 #include <cmath>
@@ -85,6 +85,16 @@ std::string vertex_text(const Pslg_2<Point>& pslg, std::size_t v) {
   return "vertex " + std::to_string(v) + ' ' + coordinates_text(pslg.vertices[v]);
 }
 
+template <class Point>
+std::string hole_text(const Pslg_2<Point>& pslg, std::size_t h) {
+  return "hole " + std::to_string(h) + ' ' + coordinates_text(pslg.holes[h]);
+}
+
+template <class Point>
+std::string region_text(const Pslg_2<Point>& pslg, std::size_t r) {
+  return "region " + std::to_string(r) + ' ' + coordinates_text(pslg.regions[r].point);
+}
+
 /// "segment 3 from vertex 0 (0, 0) to vertex 1 (1, 0)"
 template <class Point>
 std::string segment_text(const Pslg_2<Point>& pslg, std::size_t s) {
@@ -97,9 +107,7 @@ template <class Point>
 Pslg_seed_error_2 make_seed_error(const Pslg_2<Point>& pslg, Pslg_seed_error_2::Kind kind, std::size_t seed,
                                   Vertex_index vertex, Segment_index segment) {
   const bool is_hole = kind == Pslg_seed_error_2::Kind::HOLE;
-  const Point& p = is_hole ? pslg.holes[seed] : pslg.regions[seed].point;
-  const std::string what = (is_hole ? "the point of hole " : "the point of region ") + std::to_string(seed) +
-                           ' ' + coordinates_text(p);
+  const std::string what = "the point of " + (is_hole ? hole_text(pslg, seed) : region_text(pslg, seed));
   const std::string where =
       vertex.is_valid() ? vertex_text(pslg, std::size_t(vertex)) : segment_text(pslg, std::size_t(segment));
   return Pslg_seed_error_2(what + " lies on " + where +
@@ -109,8 +117,9 @@ Pslg_seed_error_2 make_seed_error(const Pslg_2<Point>& pslg, Pslg_seed_error_2::
 
 inline void check_length(std::size_t length, std::size_t expected, const char* array) {
   if (length != expected)
-    throw Pslg_error_2(std::string(array) + " has " + std::to_string(length) + " entries instead of " +
-                       std::to_string(expected));
+    throw Pslg_error_2(Pslg_error_2::Kind::ARRAY_LENGTH, std::string(array) + " has " +
+                                                             std::to_string(length) + " entries instead of " +
+                                                             std::to_string(expected));
 }
 
 template <class Point>
@@ -118,7 +127,8 @@ void check_pslg_lengths(const Pslg_2<Point>& pslg) {
   const std::size_t n = pslg.vertices.size();
   const std::size_t limit = (std::numeric_limits<Vertex_index::size_type>::max)(); // itself the invalid index
   if (n >= limit || pslg.segments.size() >= limit)
-    throw Pslg_error_2("more vertices or segments than 32-bit indices can name");
+    throw Pslg_error_2(Pslg_error_2::Kind::ARRAY_LENGTH,
+                       "more vertices or segments than 32-bit indices can name");
   if (!pslg.vertex_markers.empty()) check_length(pslg.vertex_markers.size(), n, "vertex_markers");
   if (!pslg.segment_markers.empty())
     check_length(pslg.segment_markers.size(), pslg.segments.size(), "segment_markers");
@@ -127,24 +137,29 @@ void check_pslg_lengths(const Pslg_2<Point>& pslg) {
   if (n == 0 || k == 0)
     check_length(pslg.vertex_attributes.size(), 0, "vertex_attributes");
   else if (pslg.vertex_attributes.size() % k != 0 || pslg.vertex_attributes.size() / k != n)
-    throw Pslg_error_2("vertex_attributes has " + std::to_string(pslg.vertex_attributes.size()) +
-                       " entries instead of " + std::to_string(k) + " for each of " + std::to_string(n) +
-                       " vertices");
+    throw Pslg_error_2(Pslg_error_2::Kind::ARRAY_LENGTH,
+                       "vertex_attributes has " + std::to_string(pslg.vertex_attributes.size()) +
+                           " entries instead of " + std::to_string(k) + " for each of " + std::to_string(n) +
+                           " vertices");
 }
 
 template <class Point>
 void check_pslg_coordinates(const Pslg_2<Point>& pslg) {
-  const auto check = [](const char* kind, std::size_t i, const Point& p) {
-    if (!is_finite_point(p))
-      throw Pslg_error_2(kind + (' ' + std::to_string(i)) + ' ' + coordinates_text(p) + " is not finite");
-  };
-  for (std::size_t v = 0; v < pslg.vertices.size(); ++v) check("vertex", v, pslg.vertices[v]);
-  for (std::size_t h = 0; h < pslg.holes.size(); ++h) check("hole", h, pslg.holes[h]);
+  constexpr auto kind = Pslg_error_2::Kind::NOT_FINITE;
+  for (std::size_t v = 0; v < pslg.vertices.size(); ++v)
+    if (!is_finite_point(pslg.vertices[v]))
+      throw Pslg_error_2(kind, vertex_text(pslg, v) + " is not finite",
+                         Pslg_parts_2().vertex(Vertex_index(v)));
+  for (std::size_t h = 0; h < pslg.holes.size(); ++h)
+    if (!is_finite_point(pslg.holes[h]))
+      throw Pslg_error_2(kind, hole_text(pslg, h) + " is not finite", Pslg_parts_2().hole(h));
   for (std::size_t r = 0; r < pslg.regions.size(); ++r) {
-    check("region", r, pslg.regions[r].point);
-    if (!std::isfinite(pslg.regions[r].attribute) || !std::isfinite(pslg.regions[r].max_area))
-      throw Pslg_error_2("region " + std::to_string(r) + ' ' + coordinates_text(pslg.regions[r].point) +
-                         " has an attribute or an area bound that is not finite");
+    const auto& region = pslg.regions[r];
+    if (!is_finite_point(region.point))
+      throw Pslg_error_2(kind, region_text(pslg, r) + " is not finite", Pslg_parts_2().region(r));
+    if (!std::isfinite(region.attribute) || !std::isfinite(region.max_area))
+      throw Pslg_error_2(kind, region_text(pslg, r) + " has an attribute or an area bound that is not finite",
+                         Pslg_parts_2().region(r));
   }
 }
 
@@ -153,28 +168,34 @@ void check_pslg_indices(const Pslg_2<Point>& pslg) {
   for (std::size_t s = 0; s < pslg.segments.size(); ++s)
     for (const Vertex_index v : pslg.segments[s])
       if (std::size_t(v) >= pslg.vertices.size())
-        throw Pslg_error_2("segment " + std::to_string(s) + " ends at vertex " + std::to_string(v.value()) +
-                           (pslg.vertices.empty()
-                                ? std::string(", but there are no vertices")
-                                : ", but the vertices are 0 to " + std::to_string(pslg.vertices.size() - 1)));
+        throw Pslg_error_2(Pslg_error_2::Kind::NO_SUCH_VERTEX,
+                           "segment " + std::to_string(s) + " ends at vertex " + std::to_string(v.value()) +
+                               (pslg.vertices.empty() ? std::string(", but there are no vertices")
+                                                      : ", but the vertices are 0 to " +
+                                                            std::to_string(pslg.vertices.size() - 1)),
+                           Pslg_parts_2().segment(Segment_index(s)));
 }
 
 /// Throws unless three vertices span a triangle.
 template <class Point>
 void check_pslg_extent(const Pslg_2<Point>& pslg) {
+  constexpr auto kind = Pslg_error_2::Kind::NO_AREA;
   const std::size_t n = pslg.vertices.size();
-  if (n == 0) throw Pslg_error_2("there are no vertices");
+  if (n == 0) throw Pslg_error_2(kind, "there are no vertices");
   std::size_t other = 1;
   while (other < n && are_same_point(pslg.vertices[other], pslg.vertices[0])) ++other;
   if (other >= n) {
-    if (n == 1) throw Pslg_error_2("there is only one vertex, " + vertex_text(pslg, 0));
-    throw Pslg_error_2("all " + std::to_string(n) + " vertices are one point, " +
-                       coordinates_text(pslg.vertices[0]));
+    const std::string text = n == 1 ? "there is only one vertex, " + vertex_text(pslg, 0)
+                                    : "all " + std::to_string(n) + " vertices are one point, " +
+                                          coordinates_text(pslg.vertices[0]);
+    throw Pslg_error_2(kind, text, Pslg_parts_2().vertex(Vertex_index(0)));
   }
   for (std::size_t v = other + 1; v < n; ++v)
     if (!are_collinear(pslg.vertices[0], pslg.vertices[other], pslg.vertices[v])) return;
-  throw Pslg_error_2("all " + std::to_string(n) + " vertices lie on the line through " +
-                     vertex_text(pslg, 0) + " and " + vertex_text(pslg, other));
+  throw Pslg_error_2(kind,
+                     "all " + std::to_string(n) + " vertices lie on the line through " +
+                         vertex_text(pslg, 0) + " and " + vertex_text(pslg, other),
+                     Pslg_parts_2().vertex(Vertex_index(0)).vertex(Vertex_index(other)));
 }
 
 } // namespace internal
@@ -186,7 +207,7 @@ void check_pslg_extent(const Pslg_2<Point>& pslg) {
 ///
 /// Segments of length zero and vertices at the same place pass: see `validate_pslg_2()`. Crossing segments
 /// pass, too: see `find_pslg_defects()`. O(n) time, no memory.
-/// \throws Pslg_error_2 whose message names the first culprit by its 0-based index and its coordinates.
+/// \throws Pslg_error_2 that names the first culprit by its 0-based index, and in its text by its coordinates.
 template <class Point>
 void check_pslg_structure(const Pslg_2<Point>& pslg) {
   namespace internal = Quadtree_mesh_2::internal;
@@ -199,14 +220,18 @@ void check_pslg_structure(const Pslg_2<Point>& pslg) {
 /// \ingroup PkgQuadtreeMesh2Data
 /// The strict form of `check_pslg_structure()`. No segment may have length zero either, whether its ends are
 /// one vertex or two vertices at the same place. O(n) time, no memory.
-/// \throws Pslg_error_2 whose message names the first culprit by its 0-based index and its coordinates.
+/// \throws Pslg_error_2 that names the first culprit by its 0-based index, and in its text by its coordinates.
 template <class Point>
 void validate_pslg_2(const Pslg_2<Point>& pslg) {
   namespace internal = Quadtree_mesh_2::internal;
   check_pslg_structure(pslg);
-  for (std::size_t s = 0; s < pslg.segments.size(); ++s)
-    if (internal::are_same_point(pslg.point(pslg.segments[s][0]), pslg.point(pslg.segments[s][1])))
-      throw Pslg_error_2(internal::segment_text(pslg, s) + " has length zero");
+  for (std::size_t s = 0; s < pslg.segments.size(); ++s) {
+    const auto& [a, b] = pslg.segments[s];
+    if (internal::are_same_point(pslg.point(a), pslg.point(b)))
+      throw Pslg_error_2(Pslg_error_2::Kind::ZERO_LENGTH,
+                         internal::segment_text(pslg, s) + " has length zero",
+                         Pslg_parts_2().segment(Quadtree_mesh_2::Segment_index(s)).vertex(a).vertex(b));
+  }
 }
 
 } // namespace CGAL

@@ -112,7 +112,8 @@ TEST_CASE("Meshes of points become Delaunay triangulations", "[indexed_mesh_to_t
       const std::size_t n = convert<CGAL::Delaunay_triangulation_2<Epick>>(mesh);
       CHECK(convert<CGAL::Triangulation_2<Epick>>(mesh) == n);
       CHECK(convert<CGAL::Delaunay_triangulation_2<Epeck>>(exact(mesh)) == n);
-      const bool is_row = options.mode == Options::Mode::BOUNDED_ANGLES && options.domain == Domain::ROW;
+      const bool is_row =
+          options.mode() == Options::Mode::BOUNDED_ANGLES && options.mesh_domain() == Domain::ROW;
       if (!is_row) CHECK(n == 0);
       pockets += n;
     }

@@ -43,7 +43,7 @@ void require_valid(const Mesh& mesh, const Pslg& pslg, const Options& options = 
 
 /// Requires that the mesh is refused with an error that contains `text`.
 void require_error(const Mesh& mesh, const Pslg& pslg, const std::string& text, Options options = {}) {
-  options.max_errors = 100000;
+  options.max_errors(100000);
   const auto quality = mesh_quality_2(mesh, pslg, options);
   INFO("expected: " << text << ", first of " << quality.number_of_errors
                     << " errors: " << (quality.errors.empty() ? "none" : quality.errors.front()));

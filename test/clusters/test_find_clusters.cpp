@@ -187,7 +187,7 @@ Points distinct(Points points) {
 } // namespace
 
 TEST_CASE("Few points have the clusters they should have", "[clusters]") {
-  CHECK(internal::find_clusters<Doubles>({}).clusters.empty());
+  CHECK(internal::find_clusters<Doubles>({}, 100).clusters.empty());
   CHECK(check_clusters<Doubles>({{3, 4}}, 100).clusters.size() == 1);
   CHECK(check_clusters<Doubles>({{3, 4}, {5, 4}}, 100).clusters.size() == 1);
   CHECK(check_clusters<Doubles>({{0, 0}, {1, 0}, {0, 1}, {1, 1}}, 100).clusters.size() == 1);
@@ -202,11 +202,11 @@ TEST_CASE("Few points have the clusters they should have", "[clusters]") {
 TEST_CASE("Points around a corner of squares are a cluster", "[clusters]") {
   const double e = 0x1p-30;
   Points four{{0.5 - e, 0.5 - e}, {0.5 + e, 0.5 - e}, {0.5 - e, 0.5 + e}, {0.5 + e, 0.5 + e}, {0, 0}, {1, 1}};
-  CHECK(check_clusters<Doubles>(four, internal::default_cluster_gap).clusters.size() == 2);
+  CHECK(check_clusters<Doubles>(four, 0x1p14).clusters.size() == 2);
   // four pairs around it, clusters in a cluster
   const std::size_t n = four.size();
   for (std::size_t i = 0; i < n; ++i) four.push_back({four[i].x, four[i].y + 0x1p-50});
-  const Cluster_tree tree = check_clusters<Doubles>(four, internal::default_cluster_gap);
+  const Cluster_tree tree = check_clusters<Doubles>(four, 0x1p14);
   CHECK(tree.clusters.size() == 8);
   CHECK(tree.clusters[1].number_of_sites() == 4);
 }

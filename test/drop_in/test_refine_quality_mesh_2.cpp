@@ -257,7 +257,7 @@ TEST_CASE("criteria are asked", "[refine_quality_mesh_2]") {
   SECTION("a size near a segment") {
     using Criteria = CGAL::Delaunay_mesh_local_size_criteria_2<Cdt>;
     const Criteria criteria(0.125, 0.1, true, Kernel::Segment_2(Point(-2, -2), Point(-1.5, -2)));
-    CHECK(CGAL::quality_mesh_options_2(criteria).max_edge_length == 0);
+    CHECK(CGAL::quality_mesh_options_2(criteria).max_edge() == 0);
     const auto report = CGAL::refine_quality_mesh_2(cdt, criteria);
     CHECK(report.is_met());
     CHECK(number_of_bad(cdt, criteria) == 0);

@@ -21,7 +21,7 @@ namespace {
 using point_mesh_test::Options;
 
 void check(const point_sets::Points& points, const Options& options) {
-  CAPTURE(int(options.mode));
+  CAPTURE(int(options.mode()));
   CGAL::Point_set_mesher_2<CGAL::Filtered_quadtree_traits_2<>, CGAL::Parallel_tag> mesher(options);
   const auto mesh = mesher(points);
   for (const std::string& fault : point_mesh_test::faults_of(mesh, points, options, mesher.report()))

@@ -49,11 +49,12 @@ bool are_same(const Mesh& a, const Mesh& b) {
 Mesh mesh_in_tiny_blocks(const Pslg& pslg, const Options& options) {
   Mesher_of<Tiny_blocks_tag> mesher(options);
   const Mesh mesh = mesher(pslg);
-  const CGAL::Mesh_quality_2 quality = CGAL::mesh_quality_2(mesh, pslg,
-                                                            CGAL::Mesh_quality_options_2()
-                                                                .min_angle(options.min_angle_in_degrees)
-                                                                .max_area(options.max_triangle_area)
-                                                                .check_domain(rule_to_check(options.domain)));
+  const CGAL::Mesh_quality_2 quality =
+      CGAL::mesh_quality_2(mesh, pslg,
+                           CGAL::Mesh_quality_options_2()
+                               .min_angle(options.min_angle())
+                               .max_area(options.max_area())
+                               .check_domain(rule_to_check(options.mesh_domain())));
   for (const std::string& error : quality.errors) UNSCOPED_INFO(error);
   CHECK(quality.is_valid());
   CHECK(quality.is_met());

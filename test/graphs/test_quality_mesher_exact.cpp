@@ -150,7 +150,7 @@ Exact_run run_exactly(const Exact_pslg& pslg, const Options& options = Options()
   r.report = mesher.report();
   CHECK(r.report.is_met());
   check_input_is_kept(r.mesh, pslg);
-  check_angles(r, options.min_angle_in_degrees);
+  check_angles(r, options.min_angle());
   check_triangulation(r.mesh, pslg);
   return r;
 }

@@ -133,14 +133,16 @@ std::vector<Line> lines_with(const std::string& text, const std::string& stroke)
   return lines;
 }
 
-std::vector<Line> edges_of(const std::string& text) { return lines_with(text, Options().edge_color); }
-std::size_t number_of_dots(const std::string& text) { return lines_with(text, Options().point_color).size(); }
+std::vector<Line> edges_of(const std::string& text) { return lines_with(text, Options().edge_color()); }
+std::size_t number_of_dots(const std::string& text) {
+  return lines_with(text, Options().point_color()).size();
+}
 
 } // namespace
 
 TEST_CASE("The picture of a quadtree of no points is its root", "[SVG][balanced]") {
   Options options;
-  options.width(100).margin_in_pixels = 0;
+  options.width(100).margin(0);
   const std::string text = svg(Filtered_quadtree(), options);
   CHECK(elements_of(text).front().attributes.at("viewBox") == "0 0 1000 1000");
   CHECK(edges_of(text) ==
@@ -164,8 +166,8 @@ TEMPLATE_TEST_CASE("A picture has a cross for each split square, and no edge twi
   const CGAL::Balanced_quadtree<TestType> tree(points);
   REQUIRE(tree.depth() < 12);
   Options options;
-  options.margin_in_pixels = 0;
-  options.width_in_pixels = 8192; // a power of two: nothing is rounded
+  options.margin(0);
+  options.width(8192); // a power of two: nothing is rounded
   const std::string text = svg(tree, options);
   const std::vector<Line> edges = edges_of(text);
   const std::size_t split = tree.number_of_nodes() - tree.number_of_leaves();
@@ -207,7 +209,7 @@ TEST_CASE("Leaves are colored by level", "[SVG][balanced]") {
   CHECK(colors.count("#317a99") == 1); // the smallest
   // A plain fill has the same areas in one color.
   Options plain;
-  plain.width(4096).fill_color = "#eeeeee";
+  plain.width(4096).fill_color("#eeeeee");
   CHECK(lines_with(svg(tree, plain), "#eeeeee").size() == 4 * areas);
 }
 
@@ -215,7 +217,7 @@ TEST_CASE("Squares of the framework are emphasized where asked", "[SVG][balanced
   const Filtered_quadtree tree(make_points<Filtered_traits>(uniform(50, 3)));
   REQUIRE(tree.depth() < 12);
   CHECK(lines_with(svg(tree, Options().width(8192)), "#12263a").empty());
-  CHECK(lines_with(svg(tree, Options().width(8192).emphasize_framework()), "#12263a").size() ==
+  CHECK(lines_with(svg(tree, Options().width(8192).framework_color("#12263a")), "#12263a").size() ==
         4 * tree.framework().number_of_nodes());
 }
 
@@ -230,9 +232,7 @@ TEST_CASE("What cannot be seen does not make a picture of a quadtree larger", "[
   REQUIRE(deep.depth() > 40);
   CHECK(edges_of(svg(deep)).size() < 4 + 2 * 30 * 12); // twelve levels can be seen, of sixty
   CHECK(svg(large, Options().width(80)).size() < text.size() * 2 / 3);
-  for (const std::string color : {"edge", "point"}) {
-    Options options;
-    (color == "edge" ? options.edge_color : options.point_color) = "none";
+  for (const Options& options : {Options().edge_color("none"), Options().point_color("none")}) {
     CHECK(elements_of(svg(large, options)).size() == elements_of(text).size() - 1);
   }
 }
@@ -242,7 +242,7 @@ TEST_CASE("Pictures of quadtrees have a window", "[SVG][balanced]") {
   const auto corners = tree.corners(tree.locate(tree.framework().grid().point({1ull << 61, 1ull << 61})));
   const CGAL::Bbox_2 window(corners[0].x(), corners[0].y(), corners[2].x(), corners[2].y());
   Options options;
-  options.width(100).clip_to(window).margin_in_pixels = 0;
+  options.width(100).clip_to(window).margin(0);
   const std::string text = svg(tree, options);
   const Element picture = elements_of(text).front();
   CHECK(picture.attributes.at("width") == "100");

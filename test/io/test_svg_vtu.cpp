@@ -76,7 +76,7 @@ TEST_CASE("SVG of one triangle", "[SVG]") {
   Pslg pslg;
   add_polygon(pslg, {Point(0, 0), Point(1, 0), Point(0, 1)});
   IO::Svg_options_2 options;
-  options.width(100).margin_in_pixels = 0;
+  options.width(100).margin(0);
   const std::string text = svg(mesh_of(pslg), pslg, options);
   CHECK(text.find("width=\"100\" height=\"100\" viewBox=\"0 0 1000 1000\"") != std::string::npos);
   CHECK(count(text, "<path") == 3);           // area, edges, segments
@@ -106,7 +106,7 @@ TEST_CASE("SVG options", "[SVG]") {
   const std::string part = svg(mesh, pslg, IO::Svg_options_2().clip_to(CGAL::Bbox_2(-2, -2, -1, -1.5)));
   CHECK(part.size() < plain.size() / 3);
   IO::Svg_options_2 bare;
-  bare.background_color = bare.fill_color = bare.edge_color = "none";
+  bare.background_color("none").fill_color("none").edge_color("none");
   CHECK(count(svg(mesh, pslg, bare), "<path") == 2);
 }
 

@@ -87,7 +87,7 @@ TEST_CASE("Points of all kinds are meshed as promised", "[point_set_mesher]") {
 TEST_CASE("No points make no mesh, and least angles an empty box", "[point_set_mesher]") {
   for (const auto& [name, options] : all_modes()) {
     const Run r = run({}, options);
-    CHECK(r.mesh.triangles.empty() == (options.mode != Mode::LEAST_ANGLE));
+    CHECK(r.mesh.triangles.empty() == (options.mode() != Mode::LEAST_ANGLE));
   }
 }
 
@@ -132,9 +132,9 @@ TEST_CASE("Points that are no places are named", "[point_set_mesher]") {
 
 TEST_CASE("Points that are too near to each other are named, also after duplicates", "[point_set_mesher]") {
   for (const auto& [name, options] : all_modes()) {
-    if (options.mode == Mode::LEAST_ANGLE || options.mode == Mode::ACUTE) continue; // take them
+    if (options.mode() == Mode::LEAST_ANGLE || options.mode() == Mode::ACUTE) continue; // take them
     for (const double gap : {0x1p-50, 0x1p-53}) {
-      if (options.mode == Mode::WARPED_SQUARES && gap > 0x1p-53) continue; // takes them
+      if (options.mode() == Mode::WARPED_SQUARES && gap > 0x1p-53) continue; // takes them
       CAPTURE(name, gap);
       Points points = point_sets::joined({{0, 0}, {0, 0}, {1, 1}, {0, 0}}, quadtree_inputs::uniform(20, 1));
       points[9] = Point(0.75, 0.75);
@@ -151,9 +151,9 @@ TEST_CASE("Points that are too near to each other are named, also after duplicat
 TEST_CASE("Points at one place of the grid are named, also after duplicates", "[point_set_mesher]") {
   const Points points{{1, 0}, {0.5, 0.5}, {1, 0}, {0, 0}, {0.5, 0.5}, {1e-300, 1e-300}, {1, 1}};
   for (const auto& [name, options] : all_modes()) {
-    if (options.mode == Mode::LEAST_ANGLE) continue;
+    if (options.mode() == Mode::LEAST_ANGLE) continue;
     CAPTURE(name);
-    if (options.mode == Mode::ACUTE) { // clusters, with grids of their own
+    if (options.mode() == Mode::ACUTE) { // clusters, with grids of their own
       CHECK(run(points, options).report.clusters >= 1);
       continue;
     }
@@ -161,7 +161,7 @@ TEST_CASE("Points at one place of the grid are named, also after duplicates", "[
     const std::size_t p(error.point()), q(error.other());
     CHECK(std::min(p, q) == 3);
     CHECK(std::max(p, q) == 5);
-    if (options.mode == Mode::WARPED_SQUARES) {
+    if (options.mode() == Mode::WARPED_SQUARES) {
       CHECK(error.kind() == Point_error::Kind::INDISTINGUISHABLE);
     } else {
       CHECK(error.kind() == Point_error::Kind::TOO_NEAR);

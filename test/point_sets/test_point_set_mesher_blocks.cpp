@@ -40,7 +40,7 @@ void mesh_in_tiny_blocks(const point_sets::Points& points) {
                                  Options().bounded_angles().mesh_domain(Domain::SQUARE)}) {
     CGAL::Point_set_mesher_2<CGAL::Filtered_quadtree_traits_2<>, Tiny_ring_blocks_tag> mesher(options);
     const auto mesh = mesher(points);
-    CAPTURE(int(options.mode), int(options.domain));
+    CAPTURE(int(options.mode()), int(options.mesh_domain()));
     for (const std::string& fault : point_mesh_test::faults_of(mesh, points, options, mesher.report()))
       FAIL_CHECK(fault);
   }

@@ -124,7 +124,7 @@ TEST_CASE("Words are refused that have no room around them", "[point_set_mesher]
   for (const auto& [name, options] : all_modes()) {
     CAPTURE(name);
     CGAL::Point_set_mesher_2<Words_64> mesher(options);
-    if (options.mode == Mode::LEAST_ANGLE) continue; // its box may touch points
+    if (options.mode() == Mode::LEAST_ANGLE) continue; // its box may touch points
     CHECK_THROWS_AS(mesher(Words{{0, 0}, {end / 2, 5}}), std::invalid_argument);
     CHECK_THROWS_AS(mesher(Words{{end - 1, end / 2}, {end / 2, end - 1}}), std::invalid_argument);
   }

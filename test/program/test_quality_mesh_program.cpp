@@ -264,7 +264,7 @@ TEST_CASE("the program separates by quadtrees and says what they did", "[program
   for (const char* name : {"trees", "construct"}) CHECK(json.at("seconds").at(name).is_number());
 
   // However neighbors are found and edges are cut.
-  for (const char* how : {"--neighbors quadtree", "--subdivision centroid-tree --threads 1"}) {
+  for (const char* how : {"--neighbors trapezoidal", "--subdivision centroid-tree --threads 1"}) {
     CHECK(report_of(std::string("--separation theorem-5 ") + how).at("trees") == trees);
     CHECK(content(folder.file("out.ele")) + content(folder.file("out.node")) == mesh);
   }

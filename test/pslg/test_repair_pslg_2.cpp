@@ -30,7 +30,7 @@ using Defects = std::vector<CGAL::Pslg_defect_2>;
 
 namespace {
 
-const CGAL::Pslg_repair_options_2 splitting{CGAL::Pslg_crossing_rule_2::SPLIT};
+const auto splitting = CGAL::Pslg_repair_options_2().crossings(CGAL::Pslg_crossing_rule_2::SPLIT);
 
 std::vector<std::string> texts(const Defects& defects) {
   std::vector<std::string> result;

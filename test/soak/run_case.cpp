@@ -104,17 +104,17 @@ CGAL::Mesh_quality_options_2 check_options(const Soak_case& c) {
   using Rule = CGAL::Mesh_quality_options_2::Domain;
   using Domain = CGAL::Quality_mesh_options_2::Domain;
   const CGAL::Quality_mesh_options_2 asked = graph_options(c);
-  const Rule rule = asked.domain == Domain::MARKED           ? Rule::MARKED_BY_REGIONS
-                    : asked.domain == Domain::NESTING_PARITY ? Rule::NESTING_PARITY
-                                                             : Rule::ENCLOSED_BY_SEGMENTS;
+  const Rule rule = asked.mesh_domain() == Domain::MARKED           ? Rule::MARKED_BY_REGIONS
+                    : asked.mesh_domain() == Domain::NESTING_PARITY ? Rule::NESTING_PARITY
+                                                                    : Rule::ENCLOSED_BY_SEGMENTS;
   CGAL::Mesh_quality_options_2 check = CGAL::Mesh_quality_options_2()
-                                           .min_angle(asked.min_angle_in_degrees)
-                                           .max_edge(asked.max_edge_length)
-                                           .max_area(asked.max_triangle_area)
+                                           .min_angle(asked.min_angle())
+                                           .max_edge(asked.max_edge())
+                                           .max_area(asked.max_area())
                                            .check_domain(rule);
-  if (c.kernel == Kernel::FIXED32) check.coordinate_unit = 1;
+  if (c.kernel == Kernel::FIXED32) check.coordinate_unit(1);
   if (c.kernel == Kernel::FIXED)
-    check.coordinate_unit = CGAL::Fixed_point_scale_2<std::uint64_t>::of_points(c.graph.vertices).unit();
+    check.coordinate_unit(CGAL::Fixed_point_scale_2<std::uint64_t>::of_points(c.graph.vertices).unit());
   return check;
 }
 

@@ -53,7 +53,7 @@ std::size_t number_of_long_triangles(const Mesh& mesh, const Options& options) {
       x += p.x() / 3, y += p.y() / 3;
       longest = std::max(longest, CGAL::squared_distance(p, q));
     }
-    if (std::sqrt(longest) > options.size_field(x, y) * (1 + 1e-12)) ++count;
+    if (std::sqrt(longest) > options.size()(x, y) * (1 + 1e-12)) ++count;
   }
   return count;
 }
@@ -89,15 +89,15 @@ Mesh run(const Pslg& pslg, const Options& options) {
   Mesh mesh = mesher(pslg);
   const auto quality = CGAL::mesh_quality_2(mesh, pslg,
                                             CGAL::Mesh_quality_options_2()
-                                                .min_angle(options.min_angle_in_degrees)
-                                                .max_edge(options.max_edge_length)
-                                                .max_area(options.max_triangle_area));
+                                                .min_angle(options.min_angle())
+                                                .max_edge(options.max_edge())
+                                                .max_area(options.max_area()));
   for (const std::string& error : quality.errors) UNSCOPED_INFO(error);
   CHECK(quality.is_valid());
   CHECK(mesher.report().triangles == quality.triangles);
   if (mesher.report().is_met()) {
     CHECK(quality.unmet_triangles.empty());
-    if (options.size_field) CHECK(number_of_long_triangles(mesh, options) == 0);
+    if (options.size()) CHECK(number_of_long_triangles(mesh, options) == 0);
   }
   CHECK(number_of_edges_not_Delaunay(mesh) == 0);
   const Mesh again = Mesher(options)(pslg);

@@ -34,9 +34,9 @@ void check_graph(const CGAL::Pslg_2<typename Traits::Point_2>& pslg, const Optio
   const auto mesh = mesher(pslg);
   const auto quality = CGAL::mesh_quality_2(mesh, pslg,
                                             CGAL::Mesh_quality_options_2()
-                                                .min_angle(options.min_angle_in_degrees)
-                                                .max_edge(options.max_edge_length)
-                                                .max_area(options.max_triangle_area));
+                                                .min_angle(options.min_angle())
+                                                .max_edge(options.max_edge())
+                                                .max_area(options.max_area()));
   for (const std::string& error : quality.errors) UNSCOPED_INFO(error);
   CHECK(quality.is_valid());
   CHECK(quality.unmet_triangles.empty());

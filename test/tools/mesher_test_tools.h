@@ -53,10 +53,10 @@ inline Run run(const Pslg& pslg, const Options& options) {
   r.report = mesher.report();
   r.quality = CGAL::mesh_quality_2(r.mesh, pslg,
                                    CGAL::Mesh_quality_options_2()
-                                       .min_angle(options.min_angle_in_degrees)
-                                       .max_edge(options.max_edge_length)
-                                       .max_area(options.max_triangle_area)
-                                       .check_domain(rule_to_check(options.domain)));
+                                       .min_angle(options.min_angle())
+                                       .max_edge(options.max_edge())
+                                       .max_area(options.max_area())
+                                       .check_domain(rule_to_check(options.mesh_domain())));
   for (const std::string& error : r.quality.errors) UNSCOPED_INFO(error);
   CHECK(r.quality.is_valid());
   CHECK(r.report.triangles == r.quality.triangles);

@@ -84,9 +84,9 @@ struct Promise {
   bool is_acute = false;
 
   static Promise of(const Options& o) {
-    switch (o.mode) {
+    switch (o.mode()) {
     case Mode::BOUNDED_ANGLES:
-      return {o.least_angle_in_degrees, o.largest_angle_in_degrees, true};
+      return {o.least_angle_in_degrees(), o.largest_angle_in_degrees(), true};
     case Mode::ACUTE:
       return {0, 90, true};
     case Mode::LEAST_ANGLE:
@@ -212,7 +212,7 @@ private:
                                                         text(report_.unmet_triangles.size()) + " reported");
     expect(unmet == 0,
            text(unmet) + " triangles outside the range: angles " + text(least) + " to " + text(largest));
-    if (options_.mode == Mode::ACUTE)
+    if (options_.mode() == Mode::ACUTE)
       expect(thin <= report_.thin_triangles && report_.thin_triangles <= nearly_thin,
              text(thin) + " thin triangles, " + text(report_.thin_triangles) + " reported");
     else
@@ -227,7 +227,7 @@ private:
     expect(report_.triangles == quality_.triangles, "triangles miscounted");
     expect(report_.triangles <= report_.triangles_before_coarsening, "coarsening made triangles");
     expect(report_.certified_points <= places_, "more certified points than points");
-    expect(options_.mode == Mode::ACUTE || report_.clusters == 0, "clusters where there can be none");
+    expect(options_.mode() == Mode::ACUTE || report_.clusters == 0, "clusters where there can be none");
     expect(report_.clusters > 0 || report_.thin_triangles == 0, "thin triangles without clusters");
     expect(report_.is_met() == report_.unmet_triangles.empty(), "is_met() is wrong");
     for (const double s : {report_.seconds.quadtree, report_.seconds.separate, report_.seconds.coarsen,
@@ -321,8 +321,9 @@ private:
   }
 
   void check_shape(Real length, Real width, Real slack) {
-    if (options_.mode == Mode::LEAST_ANGLE) return;
-    const bool is_row = options_.mode == Mode::BOUNDED_ANGLES && options_.domain == Options::Domain::ROW;
+    if (options_.mode() == Mode::LEAST_ANGLE) return;
+    const bool is_row =
+        options_.mode() == Mode::BOUNDED_ANGLES && options_.mesh_domain() == Options::Domain::ROW;
     const Real squares = std::max(length, width) / std::min(length, width);
     if (is_row)
       expect(std::fabs(squares - std::round(squares)) <= 4 * squares * slack / std::min(length, width),

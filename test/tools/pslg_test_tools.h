@@ -9,7 +9,7 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Pslg_2.h>
-#include <CGAL/Quality_mesh_report_2.h>
+#include <CGAL/Pslg_error_2.h>
 
 #include <cstddef>
 #include <initializer_list>

@@ -74,7 +74,7 @@ void require_mesh(
     CGAL::Mesh_quality_options_2::Domain rule = CGAL::Mesh_quality_options_2::Domain::ENCLOSED_BY_SEGMENTS) {
   REQUIRE(cdt.is_valid());
   CGAL::Mesh_quality_options_2 options = CGAL::Mesh_quality_options_2().min_angle(least_angle);
-  options.domain = rule;
+  options.check_domain(rule);
   const auto quality = CGAL::mesh_quality_2(mesh_from_cdt(cdt, pslg), pslg, options);
   INFO(quality);
   CHECK(quality.is_valid());

@@ -33,40 +33,83 @@
 namespace CGAL {
 namespace IO {
 
-/// Options of `write_SVG()` for quadtrees. A color is any color of SVG; "none" omits the item.
-struct Quadtree_svg_options {
+/// Options of `write_SVG()` for quadtrees. Each option is set by the function of its name, which returns the
+/// options, so that calls can be chained. Without an argument the function returns the value. A color is any
+/// color of SVG; "none" omits the item.
+class Quadtree_svg_options {
+public:
   /// What determines the colors of areas.
   enum class Fill {
-    PLAIN, ///< all leaves in `fill_color`
+    PLAIN, ///< all leaves in `fill_color()`
     LEVEL  ///< from light (large leaves) to dark (small ones)
   };
 
-  int width_in_pixels = 800;          ///< of the picture; the height follows
-  double margin_in_pixels = 4;        ///< on all sides
-  double edge_width = 0.4;            ///< pixels, as all widths
-  double framework_width = 1.4;       ///< of the framework's squares
-  double point_diameter = 2.4;        ///< of points
-  Fill fill = Fill::PLAIN;            ///< what determines the colors of areas
-  std::string edge_color = "#4a6b8a"; ///< of edges, or none
-  /// Of the outlines of the framework's squares, or none. More than one child of such a square holds points.
-  std::string framework_color = "none";
-  std::string point_color = "#b2182b";      ///< of points, or none
-  std::string fill_color = "none";          ///< of areas, or none
-  std::string background_color = "#ffffff"; ///< of the background, or none
-  /// The part of the plane to show; the root if empty.
-  std::optional<Bbox_2> clip;
+  /// Width of the picture in pixels, 800 by default; the height follows.
+  Quadtree_svg_options& width(int value) { return width_ = value, *this; }
+  int width() const { return width_; } ///< the value set
 
-  /// \name Setters
-  /// @{
+  /// Pixels on all sides, 4 by default.
+  Quadtree_svg_options& margin(double value) { return margin_ = value, *this; }
+  double margin() const { return margin_; } ///< the value set
 
-  /// Each sets what its name says and returns the options, so that calls can be chained.
-  Quadtree_svg_options& width(int pixels) { return width_in_pixels = pixels, *this; }
-  Quadtree_svg_options& fill_by(Fill f) { return fill = f, *this; }
-  Quadtree_svg_options& emphasize_framework(std::string color = "#12263a") {
-    return framework_color = std::move(color), *this;
+  /// Width of edges in pixels, 0.4 by default.
+  Quadtree_svg_options& edge_width(double value) { return edge_width_ = value, *this; }
+  double edge_width() const { return edge_width_; } ///< the value set
+
+  /// Width of the outlines of the framework's squares in pixels, 1.4 by default.
+  Quadtree_svg_options& framework_width(double value) { return framework_width_ = value, *this; }
+  double framework_width() const { return framework_width_; } ///< the value set
+
+  /// Diameter of points in pixels, 2.4 by default.
+  Quadtree_svg_options& point_diameter(double value) { return point_diameter_ = value, *this; }
+  double point_diameter() const { return point_diameter_; } ///< the value set
+
+  /// What determines the colors of areas; PLAIN by default.
+  Quadtree_svg_options& fill_by(Fill value) { return fill_by_ = value, *this; }
+  Fill fill_by() const { return fill_by_; } ///< the value set
+
+  /// Color of edges, or none.
+  Quadtree_svg_options& edge_color(std::string value) { return edge_color_ = std::move(value), *this; }
+  const std::string& edge_color() const { return edge_color_; } ///< the value set
+
+  /// Color of the outlines of the framework's squares, or none, the default. More than one child of such a
+  /// square holds points.
+  Quadtree_svg_options& framework_color(std::string value) {
+    return framework_color_ = std::move(value), *this;
   }
-  Quadtree_svg_options& clip_to(const Bbox_2& window) { return clip = window, *this; }
-  /// @}
+  const std::string& framework_color() const { return framework_color_; } ///< the value set
+
+  /// Color of points, or none.
+  Quadtree_svg_options& point_color(std::string value) { return point_color_ = std::move(value), *this; }
+  const std::string& point_color() const { return point_color_; } ///< the value set
+
+  /// Color of areas, or none, the default.
+  Quadtree_svg_options& fill_color(std::string value) { return fill_color_ = std::move(value), *this; }
+  const std::string& fill_color() const { return fill_color_; } ///< the value set
+
+  /// Color of the background, or none.
+  Quadtree_svg_options& background_color(std::string value) {
+    return background_color_ = std::move(value), *this;
+  }
+  const std::string& background_color() const { return background_color_; } ///< the value set
+
+  /// Shows this part of the plane only. By default it is the root.
+  Quadtree_svg_options& clip_to(const Bbox_2& window) { return clip_to_ = window, *this; }
+  const std::optional<Bbox_2>& clip_to() const { return clip_to_; } ///< the value set
+
+private:
+  int width_ = 800;
+  double margin_ = 4;
+  double edge_width_ = 0.4;
+  double framework_width_ = 1.4;
+  double point_diameter_ = 2.4;
+  Fill fill_by_ = Fill::PLAIN;
+  std::string edge_color_ = "#4a6b8a";
+  std::string framework_color_ = "none";
+  std::string point_color_ = "#b2182b";
+  std::string fill_color_ = "none";
+  std::string background_color_ = "#ffffff";
+  std::optional<Bbox_2> clip_to_;
 };
 
 } // namespace IO
@@ -89,14 +132,14 @@ public:
   void paint(std::ostream& out) const {
     out << "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" << (width_ + 9) / 10 << "\" height=\""
         << (height_ + 9) / 10 << "\" viewBox=\"0 0 " << width_ << ' ' << height_ << "\">\n";
-    if (options_.background_color != "none")
+    if (options_.background_color() != "none")
       out << "<rect width=\"" << width_ << "\" height=\"" << height_ << "\" fill=\""
-          << options_.background_color << "\"/>\n";
+          << options_.background_color() << "\"/>\n";
     for (std::size_t level = 0; level < areas_.size(); ++level) paint_area(out, level);
     out << "<g fill=\"none\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n";
-    paint_lines(out, edges_, options_.edge_color, options_.edge_width);
-    paint_lines(out, framework_, options_.framework_color, options_.framework_width);
-    paint_lines(out, points_, options_.point_color, options_.point_diameter);
+    paint_lines(out, edges_, options_.edge_color(), options_.edge_width());
+    paint_lines(out, framework_, options_.framework_color(), options_.framework_width());
+    paint_lines(out, points_, options_.point_color(), options_.point_diameter());
     out << "</g>\n</svg>\n";
   }
 
@@ -119,16 +162,16 @@ private:
 
   void set_window() {
     window_ = box(tree_.root());
-    if (options_.clip)
-      window_ = {options_.clip->xmin(), options_.clip->ymin(), options_.clip->xmax(), options_.clip->ymax()};
+    if (options_.clip_to())
+      window_ = {options_.clip_to()->xmin(), options_.clip_to()->ymin(), options_.clip_to()->xmax(),
+                 options_.clip_to()->ymax()};
     const double width = window_.x1 - window_.x0, height = window_.y1 - window_.y0;
-    const double pixels = std::max(1., options_.width_in_pixels - 2 * options_.margin_in_pixels);
+    const double pixels = std::max(1., options_.width() - 2 * options_.margin());
     const double extent = std::max(width, height / 4); // a tall picture gets narrower
     scale_ = 10 * pixels / extent;
     if (!(extent > 0) || !std::isfinite(scale_)) scale_ = 1;
-    width_ = 10 * std::max(1, options_.width_in_pixels);
-    height_ =
-        static_cast<int>(std::ceil(std::clamp(height * scale_, 0., 1e8) + 20 * options_.margin_in_pixels));
+    width_ = 10 * std::max(1, options_.width());
+    height_ = static_cast<int>(std::ceil(std::clamp(height * scale_, 0., 1e8) + 20 * options_.margin()));
     height_ = std::max(1, height_);
     center_x_ = window_.x0 + width / 2;
     center_y_ = window_.y0 + height / 2;
@@ -165,7 +208,7 @@ private:
         continue;
       }
       add_cross(b, frame);
-      if (options_.framework_color != "none" && is_in_framework(v)) add_frame(framework_, frame);
+      if (options_.framework_color() != "none" && is_in_framework(v)) add_frame(framework_, frame);
       for (int q = 4; q-- > 0;) open.push_back(tree_.child(v, q));
     }
   }
@@ -178,8 +221,8 @@ private:
   }
 
   void add_area(const Frame& f, std::size_t level) {
-    if (options_.fill == Options::Fill::PLAIN) {
-      if (options_.fill_color == "none") return;
+    if (options_.fill_by() == Options::Fill::PLAIN) {
+      if (options_.fill_color() == "none") return;
       level = 0;
     }
     if (level >= areas_.size()) areas_.resize(level + 1);
@@ -222,7 +265,7 @@ private:
   void paint_area(std::ostream& out, std::size_t level) const {
     if (areas_[level].is_empty()) return;
     const std::string color =
-        options_.fill == Options::Fill::PLAIN ? options_.fill_color : color_of_level(level);
+        options_.fill_by() == Options::Fill::PLAIN ? options_.fill_color() : color_of_level(level);
     out << "<path fill=\"" << color << "\" stroke=\"" << color << "\" stroke-width=\"2\" d=\""
         << areas_[level].text() << "\"/>\n";
   }
@@ -231,7 +274,7 @@ private:
 
   /// A dot is a line of no length with round ends. Indistinguishable points share one.
   void list_points() {
-    if (options_.point_color == "none") return;
+    if (options_.point_color() == "none") return;
     const auto& framework = tree_.framework();
     std::vector<std::pair<std::int32_t, std::int32_t>> dots;
     for (std::size_t r = 0; r < framework.number_of_points(); ++r) {

@@ -8,11 +8,11 @@
 #define CGAL_IO_READ_GEOJSON_H
 
 #include <CGAL/Pslg_2.h>
+#include <CGAL/Pslg_error_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/io/Json_lines.h>
 #include <CGAL/Quadtree_mesh_2/internal/io/printable.h>
 #include <CGAL/Quadtree_mesh_2/internal/io/read_whole_file.h>
 #include <CGAL/Quadtree_mesh_2/internal/pslg/Simple_features.h>
-#include <CGAL/Quality_mesh_report_2.h>
 
 #include <nlohmann/json.hpp>
 
@@ -59,7 +59,7 @@ private:
   static constexpr int max_depth_ = 100; // of collections in collections
 
   [[noreturn]] void fail(const Json& culprit, const std::string& what) const {
-    throw Pslg_error_2(line_of(culprit) + what);
+    throw Pslg_error_2(Pslg_error_2::Kind::UNREADABLE_FILE, line_of(culprit) + what);
   }
   /// The line of a value, for the beginning of messages.
   std::string line_of(const Json& value) const {
@@ -196,7 +196,7 @@ Pslg_2<Point> parse_geojson(const std::string& text, const std::string& name,
   Simple_features features;
   std::size_t line = 1;
   const auto fail = [&](const std::string& what) {
-    throw Pslg_error_2(name + ':' + std::to_string(line) + ": " + what);
+    throw Pslg_error_2(Pslg_error_2::Kind::UNREADABLE_FILE, name + ':' + std::to_string(line) + ": " + what);
   };
   try {
     const nlohmann::json root = parse_json(text, line);

@@ -9,10 +9,10 @@
 
 #include <CGAL/Indexed_mesh_2.h>
 #include <CGAL/Pslg_2.h>
+#include <CGAL/Pslg_error_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/io/Line_scanner.h>
 #include <CGAL/Quadtree_mesh_2/internal/io/Number_text.h>
 #include <CGAL/Quadtree_mesh_2/internal/io/read_whole_file.h>
-#include <CGAL/Quality_mesh_report_2.h>
 
 #include <algorithm>
 #include <array>

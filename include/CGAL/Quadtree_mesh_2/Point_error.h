@@ -32,13 +32,15 @@ public:
   };
 
   /// An error of one point.
-  Point_error(Kind kind, Point_index point)
-      : Point_error(kind, point, Point_index(), "point " + std::to_string(point.value()) + message(kind)) {}
+  Point_error(Kind kind, Point_index point) : Point_error(kind, point, Point_index(), message(kind)) {}
   /// An error of two points.
   Point_error(Kind kind, Point_index point, Point_index other)
-      : Point_error(kind, point, other,
-                    "points " + std::to_string(point.value()) + " and " + std::to_string(other.value()) +
-                        message(kind)) {}
+      : Point_error(kind, point, other, message(kind)) {}
+  /// A point that is out of range.
+  /// \param limit what the coordinates have to be, such as "below 2^62"
+  Point_error(Point_index point, const std::string& limit)
+      : Point_error(Kind::OUT_OF_RANGE, point, Point_index(),
+                    message(Kind::OUT_OF_RANGE) + ("; it has to be " + limit)) {}
 
   /// What is wrong.
   Kind kind() const { return kind_; }
@@ -46,28 +48,37 @@ public:
   Point_index point() const { return point_; }
   /// The second of two points that are indistinguishable or too near to each other; otherwise invalid.
   Point_index other() const { return other_; }
+  /// The part of `what()` behind the names of the points, for callers with other names for them.
+  const std::string& reason() const { return reason_; }
 
 private:
-  Point_error(Kind kind, Point_index point, Point_index other, const std::string& what)
-      : std::invalid_argument(what), kind_(kind), point_(point), other_(other) {}
+  Point_error(Kind kind, Point_index point, Point_index other, const std::string& reason)
+      : std::invalid_argument(names(point, other) + ' ' + reason), kind_(kind), point_(point), other_(other),
+        reason_(reason) {}
+
+  static std::string names(Point_index point, Point_index other) {
+    if (!other.is_valid()) return "point " + std::to_string(point.value());
+    return "points " + std::to_string(point.value()) + " and " + std::to_string(other.value());
+  }
 
   static const char* message(Kind kind) {
     switch (kind) {
     case Kind::NOT_FINITE:
-      return " has a coordinate that is not a finite number";
+      return "has a coordinate that is not a finite number";
     case Kind::OUT_OF_RANGE:
-      return " has a coordinate that is too large for the grid";
+      return "has a coordinate that is too large for the grid";
     case Kind::INDISTINGUISHABLE:
       break;
     case Kind::TOO_NEAR:
-      return " are too near to each other: there are no squares small enough to separate them";
+      return "are too near to each other: there are no squares small enough to separate them";
     }
-    return " are distinct but fall on the same grid point";
+    return "are distinct but fall on the same grid point";
   }
 
   Kind kind_;
   Point_index point_;
   Point_index other_;
+  std::string reason_;
 };
 
 } // namespace Quadtree_mesh_2

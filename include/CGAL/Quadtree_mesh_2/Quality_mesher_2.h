@@ -11,6 +11,7 @@
 #include <CGAL/Fixed_point_quadtree_traits_2.h>
 #include <CGAL/Indexed_mesh_2.h>
 #include <CGAL/Pslg_2.h>
+#include <CGAL/Pslg_error_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/Mesh_pipeline.h>
 #include <CGAL/Quadtree_mesh_2/internal/neighbors/nearest_hits.h>
 #include <CGAL/Quality_mesh_options_2.h>
@@ -64,23 +65,21 @@ public:
   /// \throws std::invalid_argument if an option is out of its range.
   explicit Quality_mesher_2(Quality_mesh_options_2 options = {}, const Traits& traits = Traits())
       : options_(std::move(options)), traits_(traits) {
-    if (!(options_.min_angle_in_degrees >= 0 && options_.min_angle_in_degrees <= 30))
+    if (!(options_.min_angle() >= 0 && options_.min_angle() <= 30))
       throw std::invalid_argument("the least angle must be between 0 and 30 degrees");
-    if (!(options_.max_edge_length >= 0))
-      throw std::invalid_argument("the longest edge must not be negative");
-    if (!(options_.max_triangle_area >= 0))
-      throw std::invalid_argument("the largest area must not be negative");
-    if (options_.smoothing_rounds < 0)
+    if (!(options_.max_edge() >= 0)) throw std::invalid_argument("the longest edge must not be negative");
+    if (!(options_.max_area() >= 0)) throw std::invalid_argument("the largest area must not be negative");
+    if (options_.smooth() < 0)
       throw std::invalid_argument("the number of smoothing rounds must not be negative");
-    if (options_.thinning_rounds < 0)
+    if (options_.thin() < 0)
       throw std::invalid_argument("the number of thinning rounds must not be negative");
-    if (!(options_.min_edge_length >= 0)) throw std::invalid_argument("the least edge must not be negative");
-    if (options_.min_edge_length > 0 && options_.separation == Quality_mesh_options_2::Separation::THEOREM_5)
+    if (!(options_.min_edge() >= 0)) throw std::invalid_argument("the least edge must not be negative");
+    if (options_.min_edge() > 0 && options_.separate() == Quality_mesh_options_2::Separation::THEOREM_5)
       throw std::invalid_argument("the construction by quadtrees keeps to no least edge");
   }
 
   /// Returns the mesh of the domain of `pslg`.
-  /// \throws Pslg_error_2 if there is nothing to mesh or segments cross; the message names the culprit.
+  /// \throws Pslg_error_2 for input that cannot be meshed, see its kinds.
   Mesh operator()(const Pslg& pslg);
 
   /// Sets the model of `VertexEdgeNeighbors_2` by which the construction by quadtrees (Theorem 5) finds the

@@ -18,8 +18,11 @@
 namespace CGAL {
 
 /// \ingroup PkgQuadtreeMesh2Data
-/// Options of `mesh_quality_2()`: what it checks, and against which bounds.
-struct Mesh_quality_options_2 {
+/// Options of `mesh_quality_2()`: what it checks, and against which bounds. Each option is set by the
+/// function of its name, which returns the options, so that calls can be chained. Without an argument the
+/// function returns the value.
+class Mesh_quality_options_2 {
+public:
   /// What the mesh has to cover.
   enum class Domain {
     ENCLOSED_BY_SEGMENTS, ///< everything not connected to infinity, except the components of hole points
@@ -34,14 +37,21 @@ struct Mesh_quality_options_2 {
     POINTS_AND_TRIANGLES ///< for meshes from files without the rest; edges along segments are searched for
   };
 
-  /// Least angle in degrees; 0 means no bound.
-  double min_angle_in_degrees = 0;
-  /// Longest edge; 0 means no bound.
-  double max_edge_length = 0;
-  /// Largest area of a triangle; 0 means no bound. The bounds of regions are checked, too.
-  double max_triangle_area = 0;
+  /// Least angle in degrees; 0, the default, means no bound.
+  Mesh_quality_options_2& min_angle(double value) { return min_angle_ = value, *this; }
+  double min_angle() const { return min_angle_; } ///< the value set
+
+  /// Longest edge; 0, the default, means no bound.
+  Mesh_quality_options_2& max_edge(double value) { return max_edge_ = value, *this; }
+  double max_edge() const { return max_edge_; } ///< the value set
+
+  /// Largest area of a triangle; 0, the default, means no bound. The bounds of regions are checked, too.
+  Mesh_quality_options_2& max_area(double value) { return max_area_ = value, *this; }
+  double max_area() const { return max_area_; } ///< the value set
+
   /// The unit of the mesh's coordinates, if it is coarser than that of doubles: the last decimal of a file,
-  /// or the grid of fixed-point words. If the words themselves are checked, 1 is taken automatically.
+  /// or the grid of fixed-point words. 0, the default, means none. If the words themselves are checked, 1 is
+  /// taken automatically.
   ///
   /// Vertices on segments are rounded. A vertex counts as on its segment if some point of the segment's line
   /// is within four units of it along each axis. Along an axis, the unit is this one, or that in the last
@@ -55,22 +65,29 @@ struct Mesh_quality_options_2 {
   ///
   /// However near other features are, the vertices of a segment follow each other along it. The chain neither
   /// passes over an input vertex nor crosses another segment. That is decided exactly.
-  double coordinate_unit = 0;
-  /// At most this many errors are written out; all are counted.
-  std::size_t max_errors = 20;
-  Domain domain = Domain::ENCLOSED_BY_SEGMENTS; ///< what the mesh has to cover
-  Arrays arrays = Arrays::ALL;                  ///< which arrays are checked
+  Mesh_quality_options_2& coordinate_unit(double value) { return coordinate_unit_ = value, *this; }
+  double coordinate_unit() const { return coordinate_unit_; } ///< the value set
 
-  /// \name Setters
-  /// @{
+  /// At most this many errors are written out, 20 by default; all are counted.
+  Mesh_quality_options_2& max_errors(std::size_t value) { return max_errors_ = value, *this; }
+  std::size_t max_errors() const { return max_errors_; } ///< the value set
 
-  /// Each sets what its name says and returns the options, so that calls can be chained.
-  Mesh_quality_options_2& min_angle(double degrees) { return min_angle_in_degrees = degrees, *this; }
-  Mesh_quality_options_2& max_edge(double length) { return max_edge_length = length, *this; }
-  Mesh_quality_options_2& max_area(double area) { return max_triangle_area = area, *this; }
-  Mesh_quality_options_2& check_domain(Domain d) { return domain = d, *this; }
-  Mesh_quality_options_2& check_arrays(Arrays a) { return arrays = a, *this; }
-  /// @}
+  /// What the mesh has to cover; ENCLOSED_BY_SEGMENTS by default.
+  Mesh_quality_options_2& check_domain(Domain value) { return check_domain_ = value, *this; }
+  Domain check_domain() const { return check_domain_; } ///< the value set
+
+  /// Which arrays are checked; ALL by default.
+  Mesh_quality_options_2& check_arrays(Arrays value) { return check_arrays_ = value, *this; }
+  Arrays check_arrays() const { return check_arrays_; } ///< the value set
+
+private:
+  double min_angle_ = 0;
+  double max_edge_ = 0;
+  double max_area_ = 0;
+  double coordinate_unit_ = 0;
+  std::size_t max_errors_ = 20;
+  Domain check_domain_ = Domain::ENCLOSED_BY_SEGMENTS;
+  Arrays check_arrays_ = Arrays::ALL;
 };
 
 /// \ingroup PkgQuadtreeMesh2Data
@@ -89,7 +106,7 @@ struct Mesh_quality_2 {
     double least_angle;                       ///< degrees
   };
 
-  /// One line per error, the first `Mesh_quality_options_2::max_errors` of them.
+  /// One line per error, the first `Mesh_quality_options_2::max_errors()` of them.
   std::vector<std::string> errors;
   std::size_t number_of_errors = 0; ///< including errors not written out
 

@@ -41,25 +41,20 @@ struct Sector_neighbor_2 {
 
 /// \ingroup PkgQuadtreeMesh2Neighbors
 /// Options of `Quadtree_vertex_edge_neighbors_2`. They change the time of queries, never the answers. Each
-/// setter returns the options, so that calls can be chained.
+/// option is set by the function of its name, which returns the options, so that calls can be chained.
+/// Without an argument the function returns the value.
 class Vertex_edge_neighbors_options_2 {
 public:
   /// A leaf is split while more segments than this meet it without ending in it; 64 by default.
-  Vertex_edge_neighbors_options_2& max_segments_per_leaf(std::size_t n) {
-    max_segments_per_leaf_ = n;
-    return *this;
+  Vertex_edge_neighbors_options_2& max_segments_per_leaf(std::size_t value) {
+    return max_segments_per_leaf_ = value, *this;
   }
-  /// The value set.
-  std::size_t max_segments_per_leaf() const { return max_segments_per_leaf_; }
+  std::size_t max_segments_per_leaf() const { return max_segments_per_leaf_; } ///< the value set
 
   /// The most times that leaves are halved for `max_segments_per_leaf()`, 0 by default: halving did not pay
   /// on any input measured (doc/quadtrees.md). Each time may double the total length of the lists.
-  Vertex_edge_neighbors_options_2& max_refinements(int n) {
-    max_refinements_ = n;
-    return *this;
-  }
-  /// The value set.
-  int max_refinements() const { return max_refinements_; }
+  Vertex_edge_neighbors_options_2& max_refinements(int value) { return max_refinements_ = value, *this; }
+  int max_refinements() const { return max_refinements_; } ///< the value set
 
 private:
   std::size_t max_segments_per_leaf_ = 64;

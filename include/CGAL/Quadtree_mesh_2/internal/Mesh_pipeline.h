@@ -27,6 +27,7 @@
 
 #include <CGAL/Indexed_mesh_2.h>
 #include <CGAL/Pslg_2.h>
+#include <CGAL/Pslg_error_2.h>
 #include <CGAL/Quadtree_mesh_2/Grid_point_2.h>
 #include <CGAL/Quadtree_mesh_2/Point_error.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/Phase_timer.h>
@@ -57,6 +58,7 @@
 #include <CGAL/validate_pslg_2.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <limits>
 #include <optional>
@@ -80,17 +82,16 @@ public:
                 Find_nearest_hits<Pslg> find_hits, Quality_mesh_report_2& report)
       : pslg_(pslg), options_(options), traits_(traits), find_hits_(find_hits), report_(report),
         map_(pslg.vertices, seeds_of(pslg)) {
-    if (options.coarsening == Quality_mesh_options_2::Coarsening::NONE) finishing_.removal = Removal::NONE;
-    finishing_.smoothing_rounds = options.smoothing_rounds;
-    finishing_.thinning_rounds = options.thinning_rounds;
+    if (options.coarsen() == Quality_mesh_options_2::Coarsening::NONE) finishing_.removal = Removal::NONE;
+    finishing_.smoothing_rounds = options.smooth();
+    finishing_.thinning_rounds = options.thin();
   }
 
   Indexed_mesh_2<Point_2> run() {
-    if (!map_.is_in_range())
-      throw Pslg_error_2("the coordinates span more than 2^61: too much for 64-bit fixed point");
     report_.input_vertices = pslg_.number_of_vertices();
     report_.input_segments = pslg_.number_of_segments();
     sort_vertices();
+    if (!map_.is_in_range()) throw words_.too_wide("the 2^61 of 64-bit fixed point");
     triangulate_input();
     find_domain();
     check_distances();
@@ -99,7 +100,7 @@ public:
     find_corners();
     Splitter<Geometry> splitter(state_);
     Refiner<Geometry> refiner(state_, splitter);
-    const bool is_by_trees = options_.separation == Quality_mesh_options_2::Separation::THEOREM_5;
+    const bool is_by_trees = options_.separate() == Quality_mesh_options_2::Separation::THEOREM_5;
     if (!(is_by_trees && construct_by_trees(refiner)) &&
         refine(refiner, splitter) == Refinement_end::OUT_OF_BUDGET)
       take_over(refiner, splitter);
@@ -124,20 +125,26 @@ private:
   Finishing finishing_;
   Meshing_problem<Geometry> problem_;
   Meshing_state<Geometry> state_{problem_};
-  Progress progress_{options_.callback};
+  Progress progress_{options_.progress()};
   Order order_; // kernel vertex -> input vertex
   Input_words<Point_2> words_{pslg_, order_};
   std::vector<char> is_merged_; // kernel vertices that another one stands for
   std::optional<Edge_sides> edge_sides_;
-  std::string too_near_for_trees_; // which vertices; empty: none are
+  std::optional<Pslg_error_2> too_near_for_trees_; // the error for the first of them
 
   void sort_vertices() {
     Phase_timer timer(report_.seconds.quadtree);
-    const auto grid = traits_.construct_grid_2_object()(pslg_.vertices);
+    const auto grid = make_grid();
     std::vector<Grid_point_2<typename Traits::Word>> grid_points(pslg_.number_of_vertices());
     for_each_index<ConcurrencyTag>(
         grid_points.size(), [&](std::size_t v) { grid_points[v] = grid.grid_point(pslg_.vertices[v]); });
     order_ = shuffle_order<ConcurrencyTag>(grid_points);
+  }
+
+  auto make_grid() const try {
+    return traits_.construct_grid_2_object()(pslg_.vertices);
+  } catch (const Point_error& error) {
+    throw words_.out_of_range(error);
   }
 
   void triangulate_input() {
@@ -163,7 +170,7 @@ private:
   void find_domain() {
     Phase_timer timer(report_.seconds.first_mesh);
     Domain_rule<Geometry> domain;
-    domain.rule = options_.domain;
+    domain.rule = options_.mesh_domain();
     for (const Point_2& p : pslg_.holes) domain.holes.push_back(map_.to_kernel(p));
     for (const auto& region : pslg_.regions) domain.regions.push_back(map_.to_kernel(region.point));
     try {
@@ -171,7 +178,7 @@ private:
     } catch (const Ambiguous_seed& seed) {
       throw words_.ambiguous_seed(seed, problem_.edges);
     }
-    if (state_.mesh.triangles.empty()) throw words_.no_domain(options_.domain);
+    if (state_.mesh.triangles.empty()) throw words_.no_domain(options_.mesh_domain());
     edge_sides_.emplace(state_.mesh, problem_.edges);
   }
 
@@ -201,12 +208,10 @@ private:
   void find_what_is_too_near_for_trees() {
     constexpr double least = Geometry::least_length * Geometry::least_length;
     for_each_first_triangle([&](const auto& r, const auto& s) {
-      if (!too_near_for_trees_.empty() || (s.shortest() >= least && s.area2 * s.area2 >= least * s.longest()))
-        return;
-      too_near_for_trees_ =
-          words_.kernel_vertices(r.v) +
-          ", nearer to each other, or to being on a line, than the 2^-128 of the extent that quadtrees "
-          "can tell: refine without them";
+      if (too_near_for_trees_ || (s.shortest() >= least && s.area2 * s.area2 >= least * s.longest())) return;
+      too_near_for_trees_ = words_.too_near(
+          r.v, ", nearer to each other, or to being on a line, than the 2^-128 of the extent that quadtrees "
+               "can tell: refine without them");
     });
   }
 
@@ -225,29 +230,28 @@ private:
       if (r.v[0] < 0) continue;
       const auto s = state_.mesh.shape_of_flat(r.v[0], r.v[1], r.v[2]);
       if (s.shortest() >= least && s.area2 * s.area2 >= least * s.longest()) continue;
-      throw Pslg_error_2(words_.kernel_vertices(r.v) +
-                         ": nearer to each other, or to being on a line, than 2^-420 of the extent");
+      throw words_.too_near(r.v, ": nearer to each other, or to being on a line, than 2^-420 of the extent");
     }
   }
 
   void set_bounds() {
     const double scale = map_.length_to_kernel(1.0);
     Bounds<Geometry>& bounds = problem_.bounds;
-    bounds = Bounds<Geometry>(options_.min_angle_in_degrees * radians_per_degree,
-                              options_.max_triangle_area * scale * scale, scale * options_.max_edge_length);
-    const double least_length = scale * options_.min_edge_length;
+    bounds = Bounds<Geometry>(options_.min_angle() * radians_per_degree, options_.max_area() * scale * scale,
+                              scale * options_.max_edge());
+    const double least_length = scale * options_.min_edge();
     bounds.least_squared_length = least_length * least_length;
     if (std::any_of(pslg_.regions.begin(), pslg_.regions.end(),
                     [](const auto& region) { return region.max_area > 0; }))
       set_region_bounds(scale);
-    if (options_.refined_where)
+    if (options_.refine_where())
       bounds.is_refused = [this](const auto& a, const auto& b, const auto& c) {
-        return options_.refined_where({map_.place(a), map_.place(b), map_.place(c)});
+        return options_.refine_where()({map_.place(a), map_.place(b), map_.place(c)});
       };
-    if (options_.size_field)
+    if (options_.size())
       bounds.squared_length_at = [this, scale](const typename Geometry::Point& p) {
         const auto [x, y] = map_.place(p);
-        const double size = scale * options_.size_field(x, y);
+        const double size = scale * options_.size()(x, y);
         return size * size;
       };
   }
@@ -261,7 +265,7 @@ private:
     if (!budget.is_surely_exceeded_by(estimate.triangles())) return;
     const std::string refusal = budget.refusal_of(estimate.triangles());
     if (estimate.worst_pair().triangles <= estimate.triangles_of_sizes())
-      throw Pslg_error_2(refusal + " for the bounds of size");
+      throw Pslg_error_2(Pslg_error_2::Kind::TOO_MANY_TRIANGLES, refusal + " for the bounds of size");
     const Narrow_gap<Geometry> gap(state_, estimate.worst_pair());
     const double unit = map_.length_to_kernel(1.0);
     throw Pslg_gap_error_2(refusal,
@@ -326,8 +330,8 @@ private:
   /// refinement, triangles left over are no sign that quadtrees do better. Quadtrees know neither a least
   /// edge nor the user's rules. If they failed before, they are not asked again.
   bool may_construct_instead() const {
-    return options_.vertex_budget == 0 && options_.min_edge_length == 0 && !options_.refined_where &&
-           too_near_for_trees_.empty() && problem_.bounds.is_established() &&
+    return options_.max_vertices() == 0 && options_.min_edge() == 0 && !options_.refine_where() &&
+           !too_near_for_trees_ && problem_.bounds.is_established() &&
            report_.trees.end == Tree_separation_report_2::End::NONE && budgets().allows_quadtrees();
   }
 
@@ -357,7 +361,7 @@ private:
   /// \returns false if there is none; the mesh is as it was then
   bool construct_by_trees(Refiner<Geometry>& refiner) {
     using End = Tree_separation_report_2::End;
-    if (!too_near_for_trees_.empty()) throw Pslg_error_2(too_near_for_trees_);
+    if (too_near_for_trees_) throw *too_near_for_trees_;
     report_.trees.end = make_mesh_by_trees();
     const std::size_t meshes = report_.trees.rounds - (report_.trees.end == End::FAILED ? 1 : 0);
     if (meshes == 0) return false;
@@ -366,9 +370,9 @@ private:
     refiner.push_all();
     run_to_the_end(refiner, budgets().of_repair(state_.mesh.number_of_vertices()));
     state_.legalize();
-    if (options_.coarsening == Quality_mesh_options_2::Coarsening::NONE) return true;
-    finishing_.smoothing_rounds = std::max(options_.smoothing_rounds, rounds_after_construction_);
-    finishing_.thinning_rounds = std::max(options_.thinning_rounds, rounds_after_construction_);
+    if (options_.coarsen() == Quality_mesh_options_2::Coarsening::NONE) return true;
+    finishing_.smoothing_rounds = std::max(options_.smooth(), rounds_after_construction_);
+    finishing_.thinning_rounds = std::max(options_.thin(), rounds_after_construction_);
     return true;
   }
 
@@ -378,14 +382,14 @@ private:
     std::optional<Separation_trees<Traits, ConcurrencyTag>> trees;
     try {
       Phase_timer timer(report_.seconds.trees);
-      trees.emplace(problem_, *edge_sides_, graph, map_, options_.trees, traits_, find_hits_,
+      trees.emplace(problem_, *edge_sides_, graph, map_, options_.trees(), traits_, find_hits_,
                     budgets().of_construction(), report_.trees);
     } catch (const Point_error& error) {
       ++report_.trees.rounds;
       if (report_.trees.has_taken_over) return Tree_separation_report_2::End::FAILED;
-      throw Pslg_error_2(words_.vertex(order_[error.point().value()]) + " and " +
-                         words_.vertex(order_[error.other().value()]) +
-                         " are nearer to each other than the grid of the quadtrees can tell");
+      throw words_.too_near(std::array{static_cast<Vertex_id>(error.point().value()),
+                                       static_cast<Vertex_id>(error.other().value())},
+                            " are nearer to each other than the grid of the quadtrees can tell");
     }
     Phase_timer timer(report_.seconds.construct);
     Tree_construction<Traits, ConcurrencyTag> construction(state_, *trees, map_, is_merged_, *edge_sides_,
@@ -394,7 +398,7 @@ private:
     // refined afterwards.
     const Bounds<Geometry> wanted = problem_.bounds;
     problem_.bounds.lower_to_established();
-    const auto end = construction.run(options_.trees.placement, budgets().of_construction(),
+    const auto end = construction.run(options_.trees().place(), budgets().of_construction(),
                                       [this] { return progress_.shall_go_on(Progress_shares::quadtrees); });
     problem_.bounds = wanted;
     return end;
@@ -464,15 +468,15 @@ private:
   /// \throws Pslg_error_2 if a vertex or a seed is not in the kernel's range beside the extent.
   void check_points_are_kept() const {
     if (map_.are_kept()) return;
-    const auto check = [this](const Point_2& p, const auto& name) {
-      if (map_.is_kept(p)) return;
-      throw Pslg_error_2(name() +
-                         ": too near to 0, or too far from it, for doubles beside the extent; move it");
-    };
     for (std::size_t v = 0; v < pslg_.number_of_vertices(); ++v)
-      check(pslg_.vertices[v], [&] { return words_.vertex(v); });
-    for (const Point_2& p : seeds_of(pslg_))
-      check(p, [&] { return "the point of a hole or region, " + coordinates_text(p); });
+      if (!map_.is_kept(pslg_.vertices[v]))
+        throw words_.out_of_range(words_.vertex(v), Pslg_parts_2().vertex(Vertex_index(v)));
+    for (std::size_t h = 0; h < pslg_.holes.size(); ++h)
+      if (!map_.is_kept(pslg_.holes[h]))
+        throw words_.out_of_range("the point of " + hole_text(pslg_, h), Pslg_parts_2().hole(h));
+    for (std::size_t r = 0; r < pslg_.regions.size(); ++r)
+      if (!map_.is_kept(pslg_.regions[r].point))
+        throw words_.out_of_range("the point of " + region_text(pslg_, r), Pslg_parts_2().region(r));
   }
 
   /// \throws Pslg_error_2 if a triangle is not counterclockwise any more after rounding to the least doubles.
@@ -481,7 +485,8 @@ private:
     for (const auto& t : mesh.triangles)
       if (Geometry::orientation(map_.to_kernel(mesh.point(t[0])), map_.to_kernel(mesh.point(t[1])),
                                 map_.to_kernel(mesh.point(t[2]))) <= 0)
-        throw Pslg_error_2("the coordinates are next to the least doubles, which cannot hold the mesh: "
+        throw Pslg_error_2(Pslg_error_2::Kind::ROUNDING,
+                           "the coordinates are next to the least doubles, which cannot hold the mesh: "
                            "multiply them by a power of two");
   }
 };

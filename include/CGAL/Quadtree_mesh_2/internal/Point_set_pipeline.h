@@ -61,14 +61,14 @@ public:
   Mesh run() {
     report_.input_points = points_.size();
     traits_.construct_grid_2_object()(points_); // throws if one is no place
-    if (options_.mode == Mode::LEAST_ANGLE) return mesh_in_box();
+    if (options_.mode() == Mode::LEAST_ANGLE) return mesh_in_box();
     if (points_.empty()) return Mesh();
     const Coordinate_map<Traits, Geometry> map(points_);
     if (!map.is_in_range()) throw std::invalid_argument("the coordinates span more than 2^61");
     const Distinct_points<ConcurrencyTag, Geometry> distinct(points_, map);
     report_.merged_points = points_.size() - distinct.points().size();
     Mesh mesh =
-        options_.mode == Mode::WARPED_SQUARES ? warp_squares(distinct, map) : mesh_tiles(distinct, map);
+        options_.mode() == Mode::WARPED_SQUARES ? warp_squares(distinct, map) : mesh_tiles(distinct, map);
     report_.is_cancelled = progress_.is_cancelled();
     return mesh;
   }
@@ -85,14 +85,14 @@ private:
   const Point_set_mesh_options_2& options_;
   const Traits& traits_;
   Point_set_mesh_report_2& report_;
-  Progress progress_{options_.callback};
+  Progress progress_{options_.progress()};
 
   // --- Theorems 3 and 4 ---
 
   Mesh mesh_tiles(const Distinct& distinct, const Map& map) {
-    const bool is_acute = options_.mode == Mode::ACUTE;
-    const double least = is_acute ? 0 : options_.least_angle_in_degrees,
-                 largest = is_acute ? largest_acute_angle : options_.largest_angle_in_degrees;
+    const bool is_acute = options_.mode() == Mode::ACUTE;
+    const double least = is_acute ? 0 : options_.least_angle_in_degrees(),
+                 largest = is_acute ? largest_acute_angle : options_.largest_angle_in_degrees();
     const Angle_range range(least, largest);
     Tile_forest<ConcurrencyTag, Geometry> forest = plant(distinct.points(), tile_options(least, largest));
     Site_mesh<Geometry> mesh = separate(forest, distinct, range);
@@ -118,8 +118,8 @@ private:
                                               const Tile_options& options) {
     Phase_timer timer(report_.seconds.quadtree);
     using Forest = Tile_forest<ConcurrencyTag, Geometry>;
-    if (options_.mode == Mode::BOUNDED_ANGLES) {
-      const bool is_row = options_.domain == Point_set_mesh_options_2::Domain::ROW;
+    if (options_.mode() == Mode::BOUNDED_ANGLES) {
+      const bool is_row = options_.mesh_domain() == Point_set_mesh_options_2::Domain::ROW;
       return Forest(points,
                     checked(is_row ? Frame::template along_diameter<ConcurrencyTag>(points)
                                    : Frame::template axis_parallel<ConcurrencyTag>(points)),
@@ -127,7 +127,7 @@ private:
     }
     const Frame frame = checked(Frame::template axis_parallel<ConcurrencyTag>(points));
     const Framed_clusters<Geometry> clusters =
-        frame_clusters<Geometry>(points, find_clusters<Geometry>(points, options_.cluster_gap));
+        frame_clusters<Geometry>(points, find_clusters<Geometry>(points, options_.clusters()));
     report_.clusters = clusters.tree.clusters.size() - 1;
     return clusters.tree.clusters.size() > 1 ? Forest(points, frame, clusters, options)
                                              : Forest(points, frame, options);
@@ -198,10 +198,10 @@ private:
   void coarsen(Site_mesh<Geometry>& mesh, const Angle_range& range) {
     Phase_timer timer(report_.seconds.coarsen);
     Coarsening_effort effort;
-    effort.most_rings = options_.coarsening_effort;
-    if (options_.removal_budget > 0)
+    effort.most_rings = options_.effort();
+    if (options_.max_removals() > 0)
       effort.tries_per_vertex =
-          static_cast<double>(options_.removal_budget) / static_cast<double>(mesh.mesh.number_of_vertices());
+          static_cast<double>(options_.max_removals()) / static_cast<double>(mesh.mesh.number_of_vertices());
     Site_mesh_relaxer<ConcurrencyTag, Geometry>(mesh, range).coarsen(effort, [this](double share) {
       return progress_.shall_go_on(Progress_shares::placing + Progress_shares::coarsening * share);
     });
@@ -221,9 +221,9 @@ private:
   template <class Tag>
   Mesh mesh_in_box_by() {
     Quality_mesh_options_2 options;
-    if (options_.callback) options.progress(options_.callback);
-    if (options_.coarsening_effort == 0) options.coarsen(Quality_mesh_options_2::Coarsening::NONE);
-    if (options_.coarsening_effort == 3) options.smooth(1);
+    if (options_.progress()) options.progress(options_.progress());
+    if (options_.effort() == 0) options.coarsen(Quality_mesh_options_2::Coarsening::NONE);
+    if (options_.effort() == 3) options.smooth(1);
     const Pslg_2<Point_2> pslg = points_in_box(points_);
     Quality_mesher_2<Traits, Tag> mesher(options, traits_);
     Mesh mesh = mesher(pslg);

@@ -51,7 +51,7 @@ public:
 
   Line line(Segment_index s) const {
     const auto& ends = pslg_.segments[std::size_t(s)];
-    return Line(pslg_.point(ends[0]), pslg_.point(ends[1]), options_.coordinate_unit);
+    return Line(pslg_.point(ends[0]), pslg_.point(ends[1]), options_.coordinate_unit());
   }
 
   /// \param piece a part of an input segment without an input vertex inside, in the segment's direction
@@ -100,7 +100,9 @@ private:
     }
   };
 
-  bool has_constrained_edges() const { return options_.arrays == Mesh_quality_options_2::Arrays::ALL; }
+  bool has_constrained_edges() const {
+    return options_.check_arrays() == Mesh_quality_options_2::Arrays::ALL;
+  }
   const Point& point(std::uint32_t v) const { return mesh_.points[v]; }
   bool is_input(std::uint32_t v) const { return v < pslg_.vertices.size(); }
 

@@ -105,8 +105,8 @@ private:
   void error(const Parts&... parts) {
     log_.add(parts...);
   }
-  bool has_all_arrays() const { return options_.arrays == Mesh_quality_options_2::Arrays::ALL; }
-  bool has_domain() const { return options_.domain != Mesh_quality_options_2::Domain::ANY; }
+  bool has_all_arrays() const { return options_.check_arrays() == Mesh_quality_options_2::Arrays::ALL; }
+  bool has_domain() const { return options_.check_domain() != Mesh_quality_options_2::Domain::ANY; }
 
   void check_sizes() {
     const std::size_t n = pslg_.vertices.size();
@@ -203,7 +203,7 @@ private:
 
   void check_against_input() {
     const std::vector<Point> marks = region_points();
-    const Domain domain(pslg_.vertices, pslg_.segments, pslg_.holes, options_.domain, marks);
+    const Domain domain(pslg_.vertices, pslg_.segments, pslg_.holes, options_.check_domain(), marks);
     if (domain.has_crossings()) return error("input segments cross; this is no planar straight-line graph");
     for (std::size_t h : domain.ambiguous_holes()) ambiguous_error("hole ", h, pslg_.holes[h]);
     for (std::size_t r : domain.ambiguous_marks()) ambiguous_error("region ", r, marks[r]);

@@ -20,7 +20,7 @@ namespace internal {
 class Mesh_error_log {
 public:
   Mesh_error_log(const Mesh_quality_options_2& options, Mesh_quality_2& quality)
-      : most_(options.max_errors), quality_(quality) {}
+      : most_(options.max_errors()), quality_(quality) {}
 
   template <class... Parts>
   void add(const Parts&... parts) {

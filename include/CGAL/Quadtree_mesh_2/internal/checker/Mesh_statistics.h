@@ -92,11 +92,10 @@ private:
 
   void compare_with_bounds(std::uint32_t t, const Sides& sides, double least) {
     using Bound = Mesh_quality_2::Bound;
-    if (options_.max_edge_length > 0 &&
-        sides.longest() > options_.max_edge_length * (1 + relative_tolerance_))
+    if (options_.max_edge() > 0 && sides.longest() > options_.max_edge() * (1 + relative_tolerance_))
       add_unmet(t, Bound::EDGE_LENGTH, least);
     if (sides.area() > max_area(t) * (1 + relative_tolerance_)) add_unmet(t, Bound::AREA, least);
-    if (least >= std::min(options_.min_angle_in_degrees, 90.) - tolerance_) return;
+    if (least >= std::min(options_.min_angle(), 90.) - tolerance_) return;
     if (is_exempt(t, least))
       ++quality_.exempt_triangles;
     else
@@ -106,7 +105,7 @@ private:
   /// Of the options and of the triangle's region.
   double max_area(std::uint32_t t) const {
     double area = std::numeric_limits<double>::infinity();
-    if (options_.max_triangle_area > 0) area = options_.max_triangle_area;
+    if (options_.max_area() > 0) area = options_.max_area();
     if (t >= mesh_.region_of_triangle.size() || mesh_.region_of_triangle[t] < 0) return area;
     const std::size_t r = std::size_t(mesh_.region_of_triangle[t]);
     return r < pslg_.regions.size() && pslg_.regions[r].max_area > 0

@@ -31,7 +31,7 @@ template <class Point>
 class Straight_segment {
 public:
   /// A vertex may be this many units of each coordinate away from a point of the segment, see
-  /// `Mesh_quality_options_2::coordinate_unit`.
+  /// `Mesh_quality_options_2::coordinate_unit()`.
   static constexpr double units_of_rounding = 4;
 
   /// \param coordinate_unit that of the mesh's coordinates; at least that of doubles as large as those of the ends is

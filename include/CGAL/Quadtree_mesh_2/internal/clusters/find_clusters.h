@@ -56,9 +56,6 @@ namespace internal {
 
 /// With a smaller gap a cluster may not fit into the place of a vertex.
 constexpr double least_cluster_gap = 2248;
-/// A cluster has 192 triangles more. Without it the quadtree splits about ten squares, with some 400 triangles,
-/// for each factor of two in the gap; few of these remain where a mesh is made coarser afterward.
-constexpr double default_cluster_gap = 0x1p14;
 
 /// Components of points that grow together, with their bounding boxes and the topmost clusters in them.
 template <class Geometry>
@@ -145,8 +142,7 @@ private:
 /// \param gap at least `least_cluster_gap` if the clusters shall be meshed.
 /// \pre the points are distinct
 template <class Geometry>
-Cluster_tree find_clusters(const std::vector<typename Geometry::Point>& points,
-                           double gap = default_cluster_gap) {
+Cluster_tree find_clusters(const std::vector<typename Geometry::Point>& points, double gap) {
   CGAL_precondition(gap > 2);
   Linked_components<Geometry> components(points, gap);
   std::vector<double> nearest(points.size(), std::numeric_limits<double>::infinity());

@@ -7,8 +7,8 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_IO_LINE_SCANNER_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_IO_LINE_SCANNER_H
 
+#include <CGAL/Pslg_error_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/io/printable.h>
-#include <CGAL/Quality_mesh_report_2.h>
 
 #include <algorithm>
 #include <charconv>
@@ -144,7 +144,9 @@ public:
   /// The line, as messages begin: "name:line".
   std::string place() const { return name_ + ":" + std::to_string(line_number()); }
   std::size_t line_number() const { return (std::max)(line_number_, std::size_t(1)); }
-  [[noreturn]] void fail(const std::string& what) const { throw Pslg_error_2(place() + ": " + what); }
+  [[noreturn]] void fail(const std::string& what) const {
+    throw Pslg_error_2(Pslg_error_2::Kind::UNREADABLE_FILE, place() + ": " + what);
+  }
   [[noreturn]] void fail_at_end(const std::string& expected) const {
     fail("the file ends where " + expected + " is expected");
   }

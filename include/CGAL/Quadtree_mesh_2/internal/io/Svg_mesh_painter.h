@@ -58,26 +58,27 @@ public:
 
   void paint(std::ostream& out) const {
     const bool has_legend =
-        options_.legend_place == Options::Legend::BELOW && options_.fill != Options::Fill::PLAIN;
+        options_.legend() == Options::Legend::BELOW && options_.fill_by() != Options::Fill::PLAIN;
     const int full_height = height_ + (has_legend ? legend_height : 0);
-    out << "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" << options_.width_in_pixels << "\" height=\""
+    out << "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" << options_.width() << "\" height=\""
         << (full_height + 9) / 10 << "\" viewBox=\"0 0 " << width_ << ' ' << full_height << "\">\n";
-    if (options_.background_color != "none")
+    if (options_.background_color() != "none")
       out << "<rect width=\"" << width_ << "\" height=\"" << full_height << "\" fill=\""
-          << options_.background_color << "\"/>\n";
-    if (options_.fill == Options::Fill::REGION)
+          << options_.background_color() << "\"/>\n";
+    if (options_.fill_by() == Options::Fill::REGION)
       paint_areas_by_region(out);
-    else if (options_.fill != Options::Fill::PLAIN)
+    else if (options_.fill_by() != Options::Fill::PLAIN)
       paint_areas_by_angle(out);
-    else if (options_.fill_color != "none")
+    else if (options_.fill_color() != "none")
       paint_areas(out);
     out << "<g fill=\"none\" stroke-linejoin=\"round\" stroke-linecap=\"round\">\n";
     paint_squares(out);
-    paint_lines(out, mesh_edges(), mesh_.points, options_.edge_color, options_.edge_width);
-    paint_lines(out, constrained_edges(), mesh_.points, options_.segment_color, options_.segment_width);
-    paint_lines(out, outside_segments(), pslg_.vertices, options_.segment_color, options_.segment_width);
+    paint_lines(out, mesh_edges(), mesh_.points, options_.edge_color(), options_.edge_width());
+    paint_lines(out, constrained_edges(), mesh_.points, options_.segment_color(), options_.segment_width());
+    paint_lines(out, outside_segments(), pslg_.vertices, options_.segment_color(), options_.segment_width());
     out << "</g>\n";
-    if (has_legend) options_.fill == Options::Fill::REGION ? paint_legend_of_regions(out) : paint_legend(out);
+    if (has_legend)
+      options_.fill_by() == Options::Fill::REGION ? paint_legend_of_regions(out) : paint_legend(out);
     out << "</svg>\n";
   }
 
@@ -92,9 +93,9 @@ private:
       y0 = std::min(y0, as_double(p.y()));
       y1 = std::max(y1, as_double(p.y()));
     };
-    if (options_.clip) {
-      x0 = options_.clip->xmin(), x1 = options_.clip->xmax(), y0 = options_.clip->ymin(),
-      y1 = options_.clip->ymax();
+    if (options_.clip_to()) {
+      x0 = options_.clip_to()->xmin(), x1 = options_.clip_to()->xmax(), y0 = options_.clip_to()->ymin(),
+      y1 = options_.clip_to()->ymax();
     } else {
       for (const auto& t : mesh_.triangles)
         for (Vertex_index v : t) extend(mesh_.point(v));
@@ -102,12 +103,12 @@ private:
         for (Vertex_index v : s) extend(pslg_.point(v));
     }
     if (!(x0 <= x1)) x0 = x1 = y0 = y1 = 0; // nothing to show
-    const double pixels = std::max(1., options_.width_in_pixels - 2 * options_.margin_in_pixels);
+    const double pixels = std::max(1., options_.width() - 2 * options_.margin());
     const double extent =
         std::max(x1 - x0, (y1 - y0) / 4); // a tall picture gets narrower rather than endless
     scale_ = extent > 0 ? 10 * pixels / extent : 1;
-    width_ = 10 * std::max(1, options_.width_in_pixels);
-    height_ = std::max(1, static_cast<int>(std::ceil((y1 - y0) * scale_ + 20 * options_.margin_in_pixels)));
+    width_ = 10 * std::max(1, options_.width());
+    height_ = std::max(1, static_cast<int>(std::ceil((y1 - y0) * scale_ + 20 * options_.margin())));
     window_ = Bbox_2(x0, y0, x1, y1);
     left_ = (x0 + x1) / 2 - width_ / (2 * scale_);
     top_ = (y0 + y1) / 2 + height_ / (2 * scale_);
@@ -122,7 +123,7 @@ private:
 
   /// Whether the bounding box of the points meets the window and its margin. Without a clip window all does.
   bool is_in_window(std::initializer_list<Point> points) const {
-    if (!options_.clip) return true;
+    if (!options_.clip_to()) return true;
     Bbox_2 box;
     for (const Point& p : points)
       box += Bbox_2(as_double(p.x()), as_double(p.y()), as_double(p.x()), as_double(p.y()));
@@ -136,10 +137,10 @@ private:
   }
 
   void paint_squares(std::ostream& out) const {
-    if (squares_.is_empty() || options_.quadtree_color == "none") return;
+    if (squares_.is_empty() || options_.quadtree_color() == "none") return;
     // An inner picture cuts off what goes beyond it, which would run into a legend.
     out << "<svg width=\"" << width_ << "\" height=\"" << height_ << "\"><path stroke=\""
-        << options_.quadtree_color << "\" stroke-width=\"" << 10 * options_.quadtree_width << "\" d=\""
+        << options_.quadtree_color() << "\" stroke-width=\"" << 10 * options_.quadtree_width() << "\" d=\""
         << squares_.text() << "\"/></svg>\n";
   }
 
@@ -190,7 +191,7 @@ private:
       path.close(start);
     }
     if (!path.is_empty())
-      out << "<path fill=\"" << options_.fill_color << "\" fill-rule=\"evenodd\" d=\"" << path.text()
+      out << "<path fill=\"" << options_.fill_color() << "\" fill-rule=\"evenodd\" d=\"" << path.text()
           << "\"/>\n";
   }
 
@@ -210,7 +211,7 @@ private:
   static constexpr int degrees_per_color = 5, largest_colored_angle = 120;
   static constexpr int legend_height = 260; // tenths of pixels
 
-  bool is_by_largest_angle() const { return options_.fill == Options::Fill::LARGEST_ANGLE; }
+  bool is_by_largest_angle() const { return options_.fill_by() == Options::Fill::LARGEST_ANGLE; }
 
   std::size_t color_of(std::size_t t) const {
     const Scaled_triangle triangle(corner(t, 0), corner(t, 1), corner(t, 2));
@@ -243,7 +244,7 @@ private:
         add_triangle(
             paths[region(t) < 0 ? region_colors_.size() : std::size_t(region(t)) % region_colors_.size()], t);
     for (std::size_t i = 0; i < region_colors_.size(); ++i) paint_area(out, paths[i], region_colors_[i]);
-    if (options_.fill_color != "none") paint_area(out, paths.back(), options_.fill_color);
+    if (options_.fill_color() != "none") paint_area(out, paths.back(), options_.fill_color());
   }
 
   /// As many boxes as there are regions, twelve at most: number, and attribute if the graph has it.

@@ -7,7 +7,7 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_IO_READ_WHOLE_FILE_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_IO_READ_WHOLE_FILE_H
 
-#include <CGAL/Quality_mesh_report_2.h>
+#include <CGAL/Pslg_error_2.h>
 
 // gzip needs the compiled part of Boost.Iostreams, so it is there only for programs that link it: through
 // CGAL's target (the first macro) or through Boost's own.
@@ -49,7 +49,8 @@ inline std::string read_bytes(std::istream& in, const std::string& name) {
     in.read(&text[size], static_cast<std::streamsize>(chunk));
     text.resize(size + static_cast<std::size_t>(in.gcount()));
   }
-  if (in.bad() || !in.eof()) throw Pslg_error_2(name + ": cannot be read");
+  if (in.bad() || !in.eof())
+    throw Pslg_error_2(Pslg_error_2::Kind::UNREADABLE_FILE, name + ": cannot be read");
   return text;
 }
 
@@ -66,11 +67,13 @@ inline std::string unpack_gzip(std::string text, const std::string& name) {
     in.push(io::array_source(text.data(), text.size()));
     io::copy(in, io::back_inserter(unpacked));
   } catch (const std::ios_base::failure&) { // gzip_error is one
-    throw Pslg_error_2(name + ": the gzip data are damaged or truncated");
+    throw Pslg_error_2(Pslg_error_2::Kind::UNREADABLE_FILE,
+                       name + ": the gzip data are damaged or truncated");
   }
   return unpacked;
 #else
-  throw Pslg_error_2(name + ": is compressed by gzip, and this program is built without Boost.Iostreams");
+  throw Pslg_error_2(Pslg_error_2::Kind::UNREADABLE_FILE,
+                     name + ": is compressed by gzip, and this program is built without Boost.Iostreams");
 #endif
 }
 
@@ -78,7 +81,9 @@ inline std::string unpack_gzip(std::string text, const std::string& name) {
 /// \throws Pslg_error_2 for text of 16 bits a character
 inline std::string without_byte_order_mark(std::string text, const std::string& name) {
   for (const char* const mark : {"\xff\xfe", "\xfe\xff"})
-    if (text.compare(0, 2, mark) == 0) throw Pslg_error_2(name + ":1: is text in UTF-16; UTF-8 is expected");
+    if (text.compare(0, 2, mark) == 0)
+      throw Pslg_error_2(Pslg_error_2::Kind::UNREADABLE_FILE,
+                         name + ":1: is text in UTF-16; UTF-8 is expected");
   if (text.compare(0, 3, "\xef\xbb\xbf") == 0) text.erase(0, 3);
   return text;
 }
@@ -93,9 +98,12 @@ inline std::string read_whole_stream(std::istream& in, const std::string& name) 
 inline std::string read_whole_file(const std::string& file_name) {
   errno = 0;
   std::ifstream in(file_name, std::ios::binary);
-  if (!in) throw Pslg_error_2(file_name + ": cannot be opened: " + std::generic_category().message(errno));
+  if (!in)
+    throw Pslg_error_2(Pslg_error_2::Kind::UNREADABLE_FILE,
+                       file_name + ": cannot be opened: " + std::generic_category().message(errno));
   std::error_code ignored;
-  if (std::filesystem::is_directory(file_name, ignored)) throw Pslg_error_2(file_name + ": is a folder");
+  if (std::filesystem::is_directory(file_name, ignored))
+    throw Pslg_error_2(Pslg_error_2::Kind::UNREADABLE_FILE, file_name + ": is a folder");
   return read_whole_stream(in, file_name);
 }
 

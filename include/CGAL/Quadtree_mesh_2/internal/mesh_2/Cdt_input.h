@@ -13,10 +13,10 @@
 #define CGAL_QUADTREE_MESH_2_INTERNAL_MESH_2_CDT_INPUT_H
 
 #include <CGAL/Pslg_2.h>
+#include <CGAL/Pslg_error_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/mesh_2/Flat_points.h>
 #include <CGAL/Quadtree_mesh_2/internal/mesh_2/mark_domain.h>
 #include <CGAL/Quality_mesh_options_2.h>
-#include <CGAL/Quality_mesh_report_2.h>
 
 #include <array>
 #include <cstddef>
@@ -128,6 +128,7 @@ private:
           [](Face_handle) {});
       if (!has_point)
         throw Pslg_error_2(
+            Pslg_error_2::Kind::ROUNDING,
             "a component of the domain is too thin: the coordinates have no room for a point in it");
       pslg_.regions.push_back({inside, 0, 0});
     }

@@ -17,6 +17,7 @@
 #define CGAL_QUADTREE_MESH_2_INTERNAL_MESH_2_CDT_REFINER_H
 
 #include <CGAL/Points_sizing_field_2.h>
+#include <CGAL/Pslg_error_2.h>
 #include <CGAL/Quadtree_mesh_2/Quality_mesher_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/mesh_2/Cdt_input.h>
 #include <CGAL/Quadtree_mesh_2/internal/mesh_2/Cdt_replacer.h>
@@ -98,15 +99,16 @@ private:
 
   void set_options(const Quality_mesh_options_2& options) {
     options_ = options;
-    options_.domain = input_.rule();
-    users_field_ = options.size_field;
+    options_.mesh_domain(input_.rule());
+    users_field_ = options.size();
   }
 
   void make_mesh() {
     Mesher mesher(options_);
     auto mesh = mesher(input_.pslg());
     if (mesher.report().merged_vertices > 0)
-      throw Pslg_error_2("vertices of the triangulation are at one place after projection and rounding");
+      throw Pslg_error_2(Pslg_error_2::Kind::ROUNDING,
+                         "vertices of the triangulation are at one place after projection and rounding");
     faces_ = replacer_.put(mesh);
     mesh_ = std::move(mesh), report_ = mesher.report();
   }
@@ -132,7 +134,7 @@ private:
   template <class Oracle>
   bool ask_for_more(Oracle& oracle) {
     const std::size_t before = wanted_.size();
-    double angle = options_.min_angle_in_degrees;
+    double angle = options_.min_angle();
     for (const std::size_t t : bad_) {
       const Plane_triangle triangle = oracle.triangle(faces_[t]);
       const double size = oracle.wanted_size(triangle);
@@ -141,8 +143,8 @@ private:
       else if (size > 0 && angle < greatest_angle_)
         angle = std::max(angle, oracle.wanted_angle(triangle, greatest_angle_));
     }
-    const bool is_more = wanted_.size() > before || angle > options_.min_angle_in_degrees;
-    options_.min_angle_in_degrees = angle;
+    const bool is_more = wanted_.size() > before || angle > options_.min_angle();
+    options_.min_angle(angle);
     if (wanted_.size() > before) set_field();
     return is_more;
   }
@@ -154,11 +156,11 @@ private:
   }
 
   void set_field() {
-    options_.size_field = [users = users_field_,
-                           wanted = Points_sizing_field_2(wanted_, gradation_)](double x, double y) {
-      const double size = wanted(x, y);
-      return users ? std::min(size, users(x, y)) : size;
-    };
+    options_.size(
+        [users = users_field_, wanted = Points_sizing_field_2(wanted_, gradation_)](double x, double y) {
+          const double size = wanted(x, y);
+          return users ? std::min(size, users(x, y)) : size;
+        });
   }
 
   template <class Oracle>

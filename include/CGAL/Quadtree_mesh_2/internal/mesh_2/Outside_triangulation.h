@@ -9,8 +9,8 @@
 
 #include <CGAL/Indexed_mesh_2.h>
 #include <CGAL/Pslg_2.h>
+#include <CGAL/Pslg_error_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/checker/Indexed_cdt.h>
-#include <CGAL/Quality_mesh_report_2.h>
 
 #include <algorithm>
 #include <array>
@@ -87,7 +87,8 @@ private:
   void build() {
     insert_segments();
     if (cdt_.has_crossings())
-      throw Pslg_error_2("border edges of the mesh and input segments outside it cross after rounding");
+      throw Pslg_error_2(Pslg_error_2::Kind::ROUNDING,
+                         "border edges of the mesh and input segments outside it cross after rounding");
     if (dimension() == 2) mark_inside();
   }
 
@@ -160,8 +161,13 @@ private:
     std::iota(all.begin(), all.end(), std::size_t(0));
     Input_cdt input(pslg.vertices, std::move(all));
     for (const auto& s : pslg.segments) input.count_segment(s[0].value(), s[1].value());
-    for (const auto& s : pslg.segments) input.insert_segment(s[0].value(), s[1].value());
-    if (input.has_crossings()) throw Pslg_error_2("input segments cross");
+    for (std::size_t s = 0; s < pslg.segments.size(); ++s) {
+      input.insert_segment(pslg.segments[s][0].value(), pslg.segments[s][1].value());
+      if (input.has_crossings())
+        throw Pslg_error_2(Pslg_error_2::Kind::CROSSING,
+                           "input segment " + std::to_string(s) + " crosses an earlier one",
+                           Pslg_parts_2().segment(Segment_index(s)));
+    }
     for (std::uint32_t v = 0; v < pslg.vertices.size(); ++v) input_place_.push_back(input.place(v));
 
     std::vector<Piece> pieces;
@@ -232,9 +238,7 @@ private:
         g->info().mesh_side[std::size_t(j)] = side;
         stack.push_back(is_left_of_walk != cdt_.is_reversed(a, b) ? f : g);
       });
-      if (!is_path || steps != 1)
-        throw Pslg_error_2("vertices outside the domain lie on edge " + std::to_string(a) + " " +
-                           std::to_string(b) + " of the mesh's border after rounding");
+      if (!is_path || steps != 1) throw border_is_hit(a, b);
     }
     while (!stack.empty()) {
       const Face_handle f = stack.back();
@@ -245,6 +249,16 @@ private:
       for (int i = 0; i < 3; ++i)
         if (f->info().mesh_side[std::size_t(i)] == none) stack.push_back(f->neighbor(i));
     }
+  }
+
+  Pslg_error_2 border_is_hit(std::uint32_t a, std::uint32_t b) const {
+    Pslg_parts_2 parts;
+    for (const std::uint32_t v : {a, b})
+      if (v < number_of_input_vertices_) parts.vertex(Vertex_index(v));
+    return {Pslg_error_2::Kind::ROUNDING,
+            "vertices outside the domain lie on edge " + std::to_string(a) + " " + std::to_string(b) +
+                " of the mesh's border after rounding",
+            std::move(parts)};
   }
 
   const Indexed_mesh_2<Point>& mesh_;

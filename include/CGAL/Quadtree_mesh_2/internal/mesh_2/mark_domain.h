@@ -12,8 +12,8 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_MESH_2_MARK_DOMAIN_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_MESH_2_MARK_DOMAIN_H
 
+#include <CGAL/Pslg_error_2.h>
 #include <CGAL/Quality_mesh_options_2.h>
-#include <CGAL/Quality_mesh_report_2.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -114,7 +114,7 @@ typename Cdt::Face_handle locate_seed(const Cdt& cdt, const typename Cdt::Point&
   text << "seed " << number << " (" << seed << ") lies on "
        << (type == Cdt::EDGE ? "a constrained edge" : "an end of a constrained edge")
        << ", between several components of the plane; move it into one";
-  throw Pslg_error_2(text.str());
+  throw Pslg_error_2(Pslg_error_2::Kind::AMBIGUOUS_SEED, text.str(), Pslg_parts_2().seed(number));
 }
 
 /// The components with a seed get the mark, the others the opposite; without seeds all are in the domain. What is

@@ -10,19 +10,22 @@
 #define CGAL_QUADTREE_MESH_2_INTERNAL_PSLG_INPUT_WORDS_H
 
 #include <CGAL/Pslg_2.h>
+#include <CGAL/Pslg_error_2.h>
+#include <CGAL/Quadtree_mesh_2/Point_error.h>
 #include <CGAL/Quadtree_mesh_2/internal/grid/morton.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/First_triangulation.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Input_edges.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/domain.h>
 #include <CGAL/Quality_mesh_options_2.h>
-#include <CGAL/Quality_mesh_report_2.h>
 #include <CGAL/validate_pslg_2.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -46,12 +49,50 @@ public:
   /// The same, by its number in the kernel.
   std::string kernel_vertex(Vertex_id v) const { return vertex(order_[std::size_t(v)]); }
 
-  /// The names of several kernel vertices, with commas between.
+  /// For a vertex that has no place in the grid of quadtrees.
+  Pslg_error_2 out_of_range(const Point_error& error) const {
+    const std::size_t v(error.point());
+    return {Pslg_error_2::Kind::OUT_OF_RANGE, vertex(v) + ' ' + error.reason(),
+            Pslg_parts_2().vertex(Vertex_index(v))};
+  }
+
+  /// For a vertex or seed that doubles cannot scale together with the others.
+  /// \param name the name of the point
+  Pslg_error_2 out_of_range(const std::string& name, Pslg_parts_2 point) const {
+    return {Pslg_error_2::Kind::OUT_OF_RANGE,
+            name + ": too near to 0, or too far from it, for doubles beside the extent; move it",
+            std::move(point)};
+  }
+
+  /// For vertices that are too far apart.
+  /// \param limit the limit and its owner
+  Pslg_error_2 too_wide(const std::string& limit) const {
+    const auto& all = pslg_.vertices;
+    const auto x = std::minmax_element(all.begin(), all.end(),
+                                       [](const Point& p, const Point& q) { return p.x() < q.x(); });
+    const auto y = std::minmax_element(all.begin(), all.end(),
+                                       [](const Point& p, const Point& q) { return p.y() < q.y(); });
+    const bool is_wide = y.second->y() - y.first->y() < x.second->x() - x.first->x();
+    const auto [low, high] = is_wide ? x : y;
+    const auto a = static_cast<std::size_t>(low - all.begin()),
+               b = static_cast<std::size_t>(high - all.begin());
+    return {Pslg_error_2::Kind::OUT_OF_RANGE,
+            "the coordinates span more than " + limit + ": from " + vertex(a) + " to " + vertex(b),
+            Pslg_parts_2().vertex(Vertex_index(a)).vertex(Vertex_index(b))};
+  }
+
+  /// For kernel vertices that are too near to each other, or to being on a line.
+  /// \param fault what is wrong with them
   template <class Vertices>
-  std::string kernel_vertices(const Vertices& vertices) const {
-    std::string names;
-    for (const Vertex_id v : vertices) names += (names.empty() ? "" : ", ") + kernel_vertex(v);
-    return names;
+  Pslg_error_2 too_near(const Vertices& vertices, const std::string& fault) const {
+    std::string text;
+    Pslg_parts_2 parts;
+    for (const Vertex_id v : vertices) {
+      const bool is_last = parts.vertices.size() + 1 == std::size(vertices);
+      text += (parts.vertices.empty() ? "" : is_last ? " and " : ", ") + kernel_vertex(v);
+      parts.vertex(Vertex_index(order_[std::size_t(v)]));
+    }
+    return {Pslg_error_2::Kind::TOO_NEAR, text + fault, std::move(parts)};
   }
 
   /// For two input edges that cross.
@@ -79,12 +120,13 @@ public:
 
   /// For a graph of which nothing is to be meshed.
   Pslg_error_2 no_domain(Quality_mesh_options_2::Domain rule) const {
-    if (pslg_.segments.empty()) return Pslg_error_2("there are no segments, so there is no domain to mesh");
+    constexpr auto kind = Pslg_error_2::Kind::NO_DOMAIN;
+    if (pslg_.segments.empty()) return {kind, "there are no segments, so there is no domain to mesh"};
     if (rule == Quality_mesh_options_2::Domain::MARKED)
-      return Pslg_error_2("no domain: no region's point is in a component that segments enclose");
+      return {kind, "no domain: no region's point is in a component that segments enclose"};
     if (pslg_.holes.empty())
-      return Pslg_error_2("the segments enclose no domain: every face is connected to infinity");
-    return Pslg_error_2("no domain is left: what the segments enclose, holes take away");
+      return {kind, "the segments enclose no domain: every face is connected to infinity"};
+    return {kind, "no domain is left: what the segments enclose, holes take away"};
   }
 
 private:

@@ -18,8 +18,8 @@
 #define CGAL_QUADTREE_MESH_2_INTERNAL_PSLG_SIMPLE_FEATURES_H
 
 #include <CGAL/Pslg_2.h>
+#include <CGAL/Pslg_error_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/pslg/Covered_components.h>
-#include <CGAL/Quality_mesh_report_2.h>
 
 #include <algorithm>
 #include <array>
@@ -59,7 +59,8 @@ public:
         segments_.push_back({first + i - 1, first + i, no_polygon_});
         ++segments;
       }
-    if (segments == 0) throw Pslg_error_2(name() + " has not two different places");
+    if (segments == 0)
+      throw Pslg_error_2(Pslg_error_2::Kind::UNREADABLE_FILE, name() + " has not two different places");
   }
 
   /// The rings added from now on are those of one new polygon.
@@ -74,7 +75,8 @@ public:
     Line distinct = ring;
     std::sort(distinct.begin(), distinct.end());
     distinct.erase(std::unique(distinct.begin(), distinct.end()), distinct.end());
-    if (distinct.size() < 3) throw Pslg_error_2(name() + " has not three different places");
+    if (distinct.size() < 3)
+      throw Pslg_error_2(Pslg_error_2::Kind::UNREADABLE_FILE, name() + " has not three different places");
     const auto polygon = static_cast<std::uint32_t>(attributes_.size() - 1);
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const std::size_t next = i + 1 < ring.size() ? i + 1 : 0;
@@ -114,7 +116,8 @@ private:
   template <class Name>
   std::uint32_t add_vertices(const Line& line, const Name& name) {
     if (vertices_.size() + line.size() >= std::numeric_limits<std::uint32_t>::max())
-      throw Pslg_error_2(name() + ": more vertices than indices can name");
+      throw Pslg_error_2(Pslg_error_2::Kind::UNREADABLE_FILE,
+                         name() + ": more vertices than indices can name");
     const auto first = static_cast<std::uint32_t>(vertices_.size());
     for (const Place& p : line) add_vertex(p);
     return first;

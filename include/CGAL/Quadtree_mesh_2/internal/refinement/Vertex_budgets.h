@@ -28,13 +28,13 @@ public:
   Vertex_budgets(const Quality_mesh_options_2& options, const Bounds<Geometry>& bounds,
                  std::size_t input_vertices, double expected)
       : options_(options), is_established_(bounds.is_established()),
-        is_capped_(input_vertices < small_graph && !bounds.is_size_bounded() && !options.refined_where),
+        is_capped_(input_vertices < small_graph && !bounds.is_size_bounded() && !options.refine_where()),
         expected_(expected) {}
 
   /// How many triangles the mesh may be expected to have for it to be begun.
   Triangle_budget of_triangles() const {
-    if (options_.vertex_budget > 0)
-      return {static_cast<double>(options_.vertex_budget), "the vertex budget allows"};
+    if (options_.max_vertices() > 0)
+      return {static_cast<double>(options_.max_vertices()), "the vertex budget allows"};
     const Triangle_budget machine = Triangle_budget::of_machine();
     return is_capped_ ? machine.smaller({cap_of_small_graphs, limit_of_small_graphs}) : machine;
   }
@@ -44,25 +44,24 @@ public:
 
   /// \param may_construct_instead whether quadtrees take over when patience ends
   std::size_t of_refinement(bool may_construct_instead) const {
-    if (options_.vertex_budget > 0) return options_.vertex_budget;
-    const double unexpected = options_.refined_where ? unexpected_by_users_rule : allowance();
-    const double patience =
-        may_construct_instead ? options_.refinement_patience : Quality_mesh_options_2().refinement_patience;
+    if (options_.max_vertices() > 0) return options_.max_vertices();
+    const double unexpected = options_.refine_where() ? unexpected_by_users_rule : allowance();
+    const double patience = may_construct_instead ? options_.patience() : Quality_mesh_options_2().patience();
     if (!(patience > 0)) return 0;
     const double affordable =
-        std::max(least_patience * expected_ + unexpected, options_.memory_of_patience / bytes_of_vertex);
+        std::max(least_patience * expected_ + unexpected, options_.patience_memory() / bytes_of_vertex);
     return limited(std::min(patience * expected_ + unexpected, affordable));
   }
 
   /// Quadtrees make ten times the triangles needed, a hundred times with the placement by rule.
   std::size_t of_construction() const {
-    if (options_.vertex_budget > 0) return options_.vertex_budget;
+    if (options_.max_vertices() > 0) return options_.max_vertices();
     return limited(1000 * expected_ + 1e6);
   }
 
   /// For what refinement has to do in a mesh that is made.
   std::size_t of_repair(std::size_t vertices_of_mesh) const {
-    if (options_.vertex_budget > 0) return options_.vertex_budget;
+    if (options_.max_vertices() > 0) return options_.max_vertices();
     return std::max(vertices_of_mesh,
                     limited(static_cast<double>(vertices_of_mesh) + 10 * expected_ + allowance()));
   }

@@ -129,13 +129,13 @@ public:
 
   /// Whether a leaf is too large for a gap in it.
   bool is_too_large(const Leaf& leaf, Edge_id e, Edge_id f, const Local_gap& gap) const {
-    if (gap.length >= options_.edge_distance * leaf.side) return false;
+    if (gap.length >= options_.edge_distance() * leaf.side) return false;
     if (!is_domain_toward(e, gap.to - gap.from, leaf) || !is_domain_toward(f, gap.from - gap.to, leaf))
       return false;
     const Vertex_id v = common_vertex(e, f);
     if (v < 0) return true;
     if (is_in_window(v, leaf)) return false;
-    return !is_lopped(e, f, v) || width_of_corner(e, f, leaf) > options_.strip_width * leaf.side;
+    return !is_lopped(e, f, v) || width_of_corner(e, f, leaf) > options_.strip_width() * leaf.side;
   }
 
   /// Whether edges may be as near to each other as they like in a leaf: a vertex that they share is near.
@@ -175,7 +175,7 @@ private:
   bool is_in_window(Vertex_id v, const Leaf& leaf) const {
     const Vector apex = Geometry::difference(problem_.input_point(v), leaf.corner);
     const Vector middle{leaf.side / 2, leaf.side / 2};
-    return squared_length(apex - middle) < square(options_.vertex_window * leaf.side);
+    return squared_length(apex - middle) < square(options_.vertex_window() * leaf.side);
   }
 
   Vertex_id common_vertex(Edge_id e, Edge_id f) const {

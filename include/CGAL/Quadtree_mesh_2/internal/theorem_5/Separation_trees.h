@@ -74,7 +74,7 @@ public:
       : problem_(problem), graph_(graph), map_(map), options_(options), report_(report),
         gaps_(problem, sides, options), most_leaves_(most_leaves) {
     make_tree_of_vertices(traits, find_hits);
-    if (options.placement == Options::Placement::BY_RULE)
+    if (options.place() == Options::Placement::BY_RULE)
       for (std::size_t v = 0; v < graph.number_of_vertices(); ++v) vertices_.push_back(Vertex_index(v));
     subdivide_edges();
     while (split(leaves_with_near_pieces())) {
@@ -181,8 +181,8 @@ private:
   /// Rules want equal leaves around each vertex, apart from those around others.
   double least_vertex_distance() const {
     constexpr double by_rule = 8;
-    return options_.placement == Options::Placement::BY_RULE ? std::max(by_rule, options_.vertex_distance)
-                                                             : options_.vertex_distance;
+    return options_.place() == Options::Placement::BY_RULE ? std::max(by_rule, options_.vertex_distance())
+                                                           : options_.vertex_distance();
   }
 
   /// The first level with sides of at most a length, or the last one that there is room for at p.
@@ -196,7 +196,7 @@ private:
 
   void subdivide_edges() {
     Subdivision_rounds rounds;
-    pieces_ = options_.subdivision == Options::Subdivision::WALKING
+    pieces_ = options_.subdivide() == Options::Subdivision::WALKING
                   ? walk_edges<ConcurrencyTag>(tree_, graph_.segments)
                   : internal::subdivide_edges<ConcurrencyTag>(tree_, graph_.segments, &rounds);
     report_.subdivision_rounds += rounds.rounds;
@@ -223,7 +223,7 @@ private:
 
   /// For the placement by rule: leaves that are not equal at vertices, or not in columns along edges.
   std::vector<Leaf_index> leaves_that_break_rules() const {
-    if (options_.placement != Options::Placement::BY_RULE) return {};
+    if (options_.place() != Options::Placement::BY_RULE) return {};
     std::vector<Leaf_index> leaves = leaves_to_split_for_vertices<ConcurrencyTag>(tree_, vertices_);
     const auto more = leaves_to_split_for_columns<ConcurrencyTag>(tree_, pieces_, graph_.segments,
                                                                   Column_closure_options());
