@@ -41,9 +41,13 @@ Placed placed_vertices(const Prepared& graph) {
   return placed;
 }
 
-void add_corner(Placed& placed, const Point& p) {
-  placed.points.push_back(p);
-  placed.edge_of.push_back(internal::free_vertex);
+/// A point of the graph's coordinates, in the kernel's.
+Point kernel_point(const Prepared& graph, double x, double y) { return graph.map().to_kernel({x, y}); }
+
+/// Puts a vertex at a place of the graph's coordinates.
+void add_vertex(const Prepared& graph, Placed& placed, double x, double y, internal::Edge_id edge) {
+  placed.points.push_back(kernel_point(graph, x, y));
+  placed.edge_of.push_back(edge);
 }
 
 bool triangulate(const Prepared& graph, const Placed& placed, Mesh& mesh) {
@@ -51,16 +55,19 @@ bool triangulate(const Prepared& graph, const Placed& placed, Mesh& mesh) {
   internal::Tree_triangulation<CGAL::Sequential_tag, Geometry> triangulation(
       placed, is_merged, graph.problem().edges, graph.sides());
   return triangulation.run(
-      [](const Point& p) {
-        return CGAL::Quadtree_mesh_2::Grid_point_2<std::uint64_t>{std::uint64_t((p.x + 1) * 0x1p40),
-                                                                  std::uint64_t((p.y + 1) * 0x1p40)};
+      [&graph](const Point& p) {
+        const auto place = graph.map().place(p);
+        return CGAL::Quadtree_mesh_2::Grid_point_2<std::uint64_t>{std::uint64_t((place[0] + 1) * 0x1p40),
+                                                                  std::uint64_t((place[1] + 1) * 0x1p40)};
       },
       mesh);
 }
 
-double area(const Mesh& mesh) {
+/// The area of the mesh in the graph's coordinates.
+double area(const Prepared& graph, const Mesh& mesh) {
+  const double unit = kernel_point(graph, 1, 0).x;
   double sum = 0;
-  for (const auto& t : mesh.triangles) sum += mesh.shape(t).area2 / 2;
+  for (const auto& t : mesh.triangles) sum += mesh.shape(t).area2 / 2 / (unit * unit);
   return sum;
 }
 
@@ -70,13 +77,13 @@ TEST_CASE("Corners at the place of vertices, or on edges, are left out", "[meshe
   const Prepared graph(square_with_segment());
   Placed placed = placed_vertices(graph);
   for (const Point& p : {Point{.25, .5}, Point{.5, .5}, Point{0, .5}, Point{.5, .25}, Point{.5, .25}})
-    add_corner(placed, p);
+    add_vertex(graph, placed, p.x, p.y, internal::free_vertex);
   Mesh mesh;
   REQUIRE(triangulate(graph, placed, mesh));
   for (Vertex_id v = 0; v < 6; ++v) CHECK(mesh.is_used(v));
   for (const Vertex_id v : {6, 7, 8}) CHECK_FALSE(mesh.is_used(v));
   CHECK(mesh.is_used(9) != mesh.is_used(10));
-  CHECK(area(mesh) == Approx(1));
+  CHECK(area(graph, mesh) == Approx(1));
   for (const auto& t : mesh.triangles) CHECK(mesh.orientation(t.v[0], t.v[1], t.v[2]) > 0);
 }
 
@@ -85,8 +92,7 @@ TEST_CASE("Pieces of edges that cross, or meet, are no mesh", "[mesher][theorem5
   for (const double y : {-.5, 0.}) {
     Placed placed = placed_vertices(graph);
     const internal::Edge_id e = graph.problem().edges.between(4, 5);
-    placed.points.push_back({.5, y}); // on or beyond the lower side of the square
-    placed.edge_of.push_back(e);
+    add_vertex(graph, placed, .5, y, e); // on or beyond the lower side of the square
     placed.segments[std::size_t(e)] = {graph.problem().edges[e].a, 6};
     placed.segments.push_back({6, graph.problem().edges[e].b});
     Mesh mesh;
@@ -107,15 +113,14 @@ TEST_CASE("Components are known by the sides of their edges", "[mesher][theorem5
   for (std::size_t e = 0; e < edges; ++e) {
     const auto& edge = graph.problem().edges[internal::Edge_id(e)];
     if (edge.a < 4) continue;
-    const Point p =
-        Geometry::between(graph.problem().input_point(edge.a), graph.problem().input_point(edge.b), .5);
-    placed.points.push_back({p.x * .9 + .05, p.y * .9 + .05});
-    placed.edge_of.push_back(internal::Edge_id(e));
+    const auto middle = graph.map().place(
+        Geometry::between(graph.problem().input_point(edge.a), graph.problem().input_point(edge.b), .5));
+    add_vertex(graph, placed, middle[0] * .9 + .05, middle[1] * .9 + .05, internal::Edge_id(e));
     const Vertex_id v = static_cast<Vertex_id>(placed.points.size()) - 1;
     placed.segments[e] = {edge.a, v};
     placed.segments.push_back({v, edge.b});
   }
   Mesh mesh;
   REQUIRE(triangulate(graph, placed, mesh));
-  CHECK(area(mesh) == Approx(1 - (.25 - 4 * .5 * .025 / 2)));
+  CHECK(area(graph, mesh) == Approx(1 - (.25 - 4 * .5 * .025 / 2)));
 }
