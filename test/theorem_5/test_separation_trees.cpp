@@ -263,7 +263,7 @@ TEST_CASE("Edges stay apart when leaves are split", "[trees][separation]") {
 TEST_CASE("Leaves are looked at as often as they change, however many levels are missing",
           "[trees][separation]") {
   // Each leaf that there ever is once by itself; with its neighbors again when one of these is split.
-  constexpr std::size_t times = 12;
+  constexpr std::size_t times = 3;
   for (const std::string name :
        {"hard_legs_at_2e-63.poly", "syn_wedge_0.01deg.poly", "syn_near_1e-12.poly"}) {
     CAPTURE(name);
