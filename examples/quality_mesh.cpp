@@ -97,7 +97,7 @@ Exit_status execute(const Command_line& line) {
   check(run, line);
   check_valid(run.quality);
   if (line.kernel == Command_line::Kernel::EXACT && run.report.is_met() && !run.quality.is_met())
-    refuse_what_rounding_broke(run.pslg, run.quality.unmet_triangles);
+    refuse_what_rounding_broke(run.pslg, run.quality.unmet_triangles, "exact numbers");
   if (line.kernel != Command_line::Kernel::FILTERED) note_what_rounding_broke(run);
   if (line.is_comparison_wanted) compare(run, line.options);
   const auto add_mesh = [&](mesh_files::Files& files, const std::string& output) {

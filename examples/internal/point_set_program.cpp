@@ -11,6 +11,7 @@
 #include "by_mesh_2.h"
 #include "in_child.h"
 #include "resources.h"
+#include "room_in_doubles.h"
 #include "thread_limit.h"
 
 #include <CGAL/Pslg_2.h>
@@ -104,11 +105,18 @@ Exit_status execute_point_set(const Command_line& line) {
   run.threads = line.threads;
   const Thread_limit limit(line.threads);
   timed(run.read_seconds, [&] { run.points = mesh_files::read_points(line.input); });
-  timed(run.ours.seconds, [&] { mesh(run, line); });
+  timed(run.ours.seconds, [&] {
+    if (line.kernel != Command_line::Kernel::FILTERED &&
+        (line.mode == Mode::BOUNDED || line.mode == Mode::ACUTE))
+      check_room_in_doubles(run.points);
+    mesh(run, line);
+  });
   check(run);
   check_valid(run.quality);
-  if (line.kernel == Command_line::Kernel::EXACT && run.report.is_met() && !run.unmet_triangles.empty())
-    refuse_what_rounding_broke(graph_of(run), run.unmet_triangles);
+  if (line.kernel != Command_line::Kernel::FILTERED && run.report.is_met() && !run.unmet_triangles.empty())
+    refuse_what_rounding_broke(graph_of(run), run.unmet_triangles,
+                               line.kernel == Command_line::Kernel::EXACT ? "exact numbers"
+                                                                          : "words of 64 bits");
   if (line.are_lengths_wanted) run.lengths = CGAL::point_set_lengths_2(run.points);
   if (line.is_comparison_wanted) compare(run);
   const auto add_mesh = [&](mesh_files::Files& files, const std::string& output) {

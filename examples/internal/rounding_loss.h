@@ -7,7 +7,7 @@
 #ifndef QUADTREE_MESH_2_EXAMPLES_ROUNDING_LOSS_H
 #define QUADTREE_MESH_2_EXAMPLES_ROUNDING_LOSS_H
 
-// Meshes that meet all bounds in exact numbers and not in the doubles that files have.
+// Meshes that meet all bounds in finer arithmetic and not in the doubles that files have.
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -73,14 +73,16 @@ inline std::string text_of(const Graph& graph, const Feature& f) {
 /// the last place of the coordinates apart.
 ///
 /// \param unmet entries with `centroid` and `least_angle`; there is one
+/// \param arithmetic in which the mesh is right, in words
 template <class Unmet_list>
 [[noreturn]] void refuse_what_rounding_broke(const CGAL::Pslg_2<rounding_loss_internal::Point>& graph,
-                                             const Unmet_list& unmet) {
+                                             const Unmet_list& unmet, const std::string& arithmetic) {
   using namespace rounding_loss_internal;
   const auto& worst = *std::min_element(
       unmet.begin(), unmet.end(), [](const auto& a, const auto& b) { return a.least_angle < b.least_angle; });
   const std::array<double, 2> place = worst.centroid;
-  std::string message = "in exact numbers the mesh meets all bounds, but in doubles, which files have, " +
+  std::string message = "in " + arithmetic +
+                        " the mesh meets all bounds, but in doubles, which files have, " +
                         std::to_string(unmet.size()) + " of its triangles do not, the worst at " +
                         CGAL::Quadtree_mesh_2::internal::place_text(place);
   if (const auto vertex = nearest_feature(graph, Exact::Point_2(place[0], place[1]))) {

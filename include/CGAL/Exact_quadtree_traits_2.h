@@ -108,6 +108,13 @@ public:
     /// Returns the point at `g`, exactly if the kernel is exact.
     Point_2 point(const Grid_point& g) const { return Point_2(number(g.x, 0), number(g.y, 1)); }
 
+    /// \cond SKIP_IN_MANUAL
+    /// The same as integers times powers of two.
+    std::array<Quadtree_mesh_2::internal::Scaled_integer, 2> place(const Grid_point& g) const {
+      return {place(g.x, 0), place(g.y, 1)};
+    }
+    /// \endcond
+
   private:
     friend class Exact_quadtree_traits_2;
 
@@ -144,9 +151,12 @@ public:
       return w == 0 || (w > 0 && static_cast<int>(msb(w)) < depth_);
     }
 
+    Quadtree_mesh_2::internal::Scaled_integer place(const Word& w, int axis) const {
+      return {w + origin_[static_cast<std::size_t>(axis)], exponent_ - depth_};
+    }
+
     FT number(const Word& w, int axis) const {
-      const Quadtree_mesh_2::internal::Scaled_integer v{w + origin_[static_cast<std::size_t>(axis)],
-                                                        exponent_ - depth_};
+      const Quadtree_mesh_2::internal::Scaled_integer v = place(w, axis);
       if constexpr (is_over_double)
         return v.to_double();
       else

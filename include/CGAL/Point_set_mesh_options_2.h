@@ -23,8 +23,7 @@ public:
   enum class Mode {
     /// All angles in a range: [36, 80] degrees by default, at the tightest [37.5, 78.6] (Theorem 3).
     BOUNDED_ANGLES,
-    /// All angles less than 90 degrees, with O(n) triangles however near to each other points are (Theorem
-    /// 4).
+    /// All angles less than 90 degrees, with O(n) triangles however small clusters of points are (Theorem 4).
     ACUTE,
     /// All angles at least 20.7 degrees, with the fewest triangles we know how to make.
     LEAST_ANGLE,

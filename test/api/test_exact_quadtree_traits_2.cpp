@@ -10,12 +10,14 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Exact_rational.h>
 #include <CGAL/MP_Float.h>
+#include <CGAL/Quadtree_mesh_2/internal/geometry/exact_coordinate_map.h>
 #include <CGAL/Quotient.h>
 #include <CGAL/Simple_cartesian.h>
 #ifdef CGAL_USE_GMP
 #include <CGAL/Gmpq.h>
 #endif
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -306,6 +308,62 @@ TEST_CASE("Exact grids tell all rationals apart", "[traits]") {
   CHECK((left.x == zero.x - 1 && left.y == zero.y));
   CHECK(left == grid.grid_point(points[4]));
   CHECK(depth_that_separates(grid, points[3], points[4]) > 5000);
+}
+
+TEST_CASE("Grid points have the same places in the meshing kernel by integers and by the numbers of theirs",
+          "[traits]") {
+  using Traits = CGAL::Exact_quadtree_traits_2<CGAL::Epeck>;
+  using Geometry = Traits::Meshing_geometry_2;
+  std::mt19937_64 random(7);
+  for (const int offset : {-1, 0, 60}) // the logarithm of how far away; the map moves what is very far
+    for (int refinements = 0; refinements <= 2; ++refinements) {
+      const FT far = offset < 0 ? FT(0) : power<FT>(2, offset) + FT(1) / FT(3);
+      const std::vector<Point> points{{far, -far}, {far + 1, FT(1) / 7 - far}};
+      const internal::Coordinate_map<Traits, Geometry> map(points);
+      auto grid = Traits().construct_grid_2_object()(points);
+      for (int i = 0; i < refinements; ++i) grid.refine();
+      for (int i = 0; i < 50; ++i) {
+        // multiples of large and of small powers of two: doubles, sums of doubles, and longer ones
+        const int zeros = static_cast<int>(random() % static_cast<unsigned>(grid.depth()));
+        const auto word = [&] {
+          return Long_word(((Long_word(random()) << grid.depth()) + random()) %
+                           (Long_word(1) << (grid.depth() - zeros)))
+                 << zeros;
+        };
+        const Traits::Grid_point g{word(), word()};
+        const Geometry::Point by_integers = map.to_kernel(grid, g), by_numbers = map.to_kernel(grid.point(g));
+        CHECK(by_integers == by_numbers);
+        CHECK(by_integers.x.high() == by_numbers.x.high());
+        CHECK(by_integers.is_double() == by_numbers.is_double());
+      }
+    }
+}
+
+TEST_CASE("Exact predicates of the meshing kernel are right at any size", "[traits]") {
+  using Geometry = internal::Exact_geometry_2<CGAL::Simple_cartesian<CGAL::Exact_rational>>;
+  using Number = CGAL::Exact_rational;
+  const auto coordinate = [](const Number& v) { return Geometry::Coordinate(v); };
+  std::mt19937_64 random(11);
+  for (const int exponent : {0, -40, -300, -700, -2000}) { // products of doubles underflow from -512 on
+    CAPTURE(exponent);
+    const Number unit = scaled(Number(1), exponent);
+    for (int i = 0; i < 200; ++i) {
+      std::vector<std::array<Number, 2>> places;
+      for (int k = 0; k < 4; ++k) // a small lattice: many ties
+        places.push_back({Number(int(random() % 5)) * unit, Number(int(random() % 5)) * unit});
+      if (i % 3 == 0) places[0] = {places[0][0] + Number(1), places[0][1] + Number(1)}; // far from the others
+      std::vector<Geometry::Point> p;
+      for (const auto& place : places) p.push_back({coordinate(place[0]), coordinate(place[1])});
+      const Number area = (places[1][0] - places[0][0]) * (places[2][1] - places[0][1]) -
+                          (places[1][1] - places[0][1]) * (places[2][0] - places[0][0]);
+      CHECK(Geometry::orientation(p[0], p[1], p[2]) == static_cast<int>(CGAL::sign(area)));
+      if (area > 0)
+        CHECK(Geometry::is_in_circle(p[0], p[1], p[2], p[3]) ==
+              (CGAL::side_of_oriented_circleC2(places[0][0], places[0][1], places[1][0], places[1][1],
+                                               places[2][0], places[2][1], places[3][0],
+                                               places[3][1]) == CGAL::ON_POSITIVE_SIDE));
+    }
+  }
 }
 
 TEST_CASE("Exact grids know what lies outside the root", "[traits]") {

@@ -239,6 +239,29 @@ TEST_CASE("Edges of rows are as long in all as any mesh's, up to a constant", "[
     }
 }
 
+TEST_CASE("Each factor of two between distances costs meshes with bounded angles the same",
+          "[point_set_mesher]") {
+  // In the smallest tree with balance across corners 27 squares of each size are around a group of points; their tiles
+  // have 578 triangles.
+  constexpr int groups = 4, factors = 10;
+  std::vector<double> before, after;
+  for (int exponent = -factors; exponent >= -3 * factors; exponent -= factors) {
+    Points points;
+    for (int ring = 0; ring < 3; ++ring)
+      for (int group = 0; group < groups; ++group) {
+        const double r = 1 + std::ldexp(ring, exponent), angle = 0.3 + 1.5707963267948966 * group;
+        points.emplace_back(r * std::cos(angle), r * std::sin(angle));
+      }
+    const Run r = run(points, Options());
+    before.push_back(double(r.report.triangles_before_coarsening));
+    after.push_back(double(r.mesh.number_of_triangles()));
+  }
+  for (std::size_t i = 1; i < before.size(); ++i) {
+    CHECK(before[i] - before[i - 1] < 600 * groups * factors);
+    CHECK(after[i] - after[i - 1] < 36 * groups * factors);
+  }
+}
+
 TEST_CASE("However near points are, acute meshes have a constant number of triangles for each",
           "[point_set_mesher]") {
   std::vector<std::size_t> sizes{100};

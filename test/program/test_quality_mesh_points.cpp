@@ -98,7 +98,19 @@ TEST_CASE("points ulps apart are refused by name where exact meshes cannot be do
   CAPTURE(mode, r.out, r.err);
   CHECK(r.status == 2);
   CHECK(contains(r.err, "point "));
+  if (mode == "bounded" || mode == "acute") // before they are meshed
+    CHECK(contains(r.err, "units in the last place apart"));
   CHECK(folder.number_of_files() == 0);
+}
+
+TEST_CASE("clusters of points a few hundred ulps wide are meshed to the bound in doubles or refused by name",
+          "[program][points]") {
+  const std::string kernel = GENERATE("filtered", "fixed", "exact");
+  const Scratch_folder folder;
+  const Run r = run("--mode bounded " + test_data("points_clusters_1e-12.xy") + " --kernel " + kernel +
+                    " -o " + folder.file("out.ele"));
+  CAPTURE(kernel, r.out, r.err);
+  CHECK((r.status == 0 || (r.status == 2 && contains(r.err, "point") && folder.number_of_files() == 0)));
 }
 
 TEST_CASE("the program meshes points in every mode with every kernel", "[program][points]") {

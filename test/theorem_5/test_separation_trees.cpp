@@ -260,6 +260,21 @@ TEST_CASE("Edges stay apart when leaves are split", "[trees][separation]") {
   });
 }
 
+TEST_CASE("Leaves are looked at as often as they change, however many levels are missing",
+          "[trees][separation]") {
+  // Each leaf that there ever is once by itself; with its neighbors again when one of these is split.
+  constexpr std::size_t times = 3;
+  for (const std::string name :
+       {"hard_legs_at_2e-63.poly", "syn_wedge_0.01deg.poly", "syn_near_1e-12.poly"}) {
+    CAPTURE(name);
+    const Tree_options options;
+    Prepared graph(read(name));
+    const std::size_t leaves = graph.trees(options).tree().number_of_leaves();
+    CAPTURE(leaves, graph.report.splits);
+    CHECK(graph.report.leaf_tests <= times * leaves);
+  }
+}
+
 TEST_CASE("Pieces by walking and by centroid trees give the same trees", "[trees][separation]") {
   for_each_graph(is_full_run() ? 30 : 3, [](const Pslg& pslg) {
     Tree_options options;

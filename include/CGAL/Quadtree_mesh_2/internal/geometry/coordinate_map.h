@@ -71,6 +71,11 @@ public:
   Point to_kernel(const Point_2& p) const {
     return {std::ldexp(p.x(), -exponent_), std::ldexp(p.y(), -exponent_)};
   }
+  /// The kernel's point at a grid point.
+  template <class Grid>
+  Point to_kernel(const Grid& grid, const typename Traits::Grid_point& g) const {
+    return to_kernel(grid.point(g));
+  }
   Point_2 to_user(const Point& p) const {
     return Point_2(std::ldexp(p.x, exponent_), std::ldexp(p.y, exponent_));
   }
@@ -125,6 +130,11 @@ public:
   }
 
   Point to_kernel(const Point_2& p) const { return {std::int64_t(p.x()), std::int64_t(p.y())}; }
+  /// The kernel's point at a grid point.
+  template <class Grid>
+  Point to_kernel(const Grid& grid, const typename Traits::Grid_point& g) const {
+    return to_kernel(grid.point(g));
+  }
   Point_2 to_user(const Point& p) const { return Point_2{Word(p.x), Word(p.y)}; }
   std::array<double, 2> place(const Point& p) const {
     return {static_cast<double>(p.x), static_cast<double>(p.y)};

@@ -54,10 +54,19 @@ public:
     const Field& extent = width < height ? height : width;
     if (!CGAL::is_zero(extent)) exponent_ = floor_of_logarithm(extent);
     unit_ = power_of_two<Field>(exponent_), inverse_unit_ = power_of_two<Field>(-exponent_);
-    for (std::size_t axis = 0; axis < 2; ++axis) origin_[axis] = origin_for(low[axis]);
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      origin_integer_[axis] = origin_for(low[axis]);
+      origin_[axis] = origin_integer_[axis].to_exact(unit_);
+    }
   }
 
   Point to_kernel(const Point_2& p) const { return {to_kernel(p, 0), to_kernel(p, 1)}; }
+  /// The kernel's point at a grid point, by integers alone.
+  template <class Grid>
+  Point to_kernel(const Grid& grid, const typename Traits::Grid_point& g) const {
+    const std::array<Scaled_integer, 2> place = grid.place(g);
+    return {to_kernel(place[0], 0), to_kernel(place[1], 1)};
+  }
   Point_2 to_user(const Point& p) const { return Point_2(to_user(p.x, 0), to_user(p.y, 1)); }
 
   /// The place in the user's coordinates, rounded; infinite where that is beyond doubles.
@@ -72,15 +81,15 @@ public:
 private:
   int exponent_ = 0;
   Field unit_ = Field(1), inverse_unit_ = Field(1); // 2^exponent_ and its inverse
-  std::array<Field, 2> origin_{Field(0), Field(0)};
+  std::array<Scaled_integer, 2> origin_integer_;
+  std::array<Field, 2> origin_{Field(0), Field(0)}; // the same
 
   static Field exact(const Point_2& p, int axis) { return Coordinate_reader<Kernel>::exact(p, axis); }
 
-  Field origin_for(const Field& low) const {
+  Scaled_integer origin_for(const Field& low) const {
     const Field magnitude = CGAL::is_negative(low) ? Field(-low) : low;
-    if (magnitude < power_of_two<Field>(20) * unit_) return Field(0);
-    const Scaled_integer multiple{Floor_of_scaled<Field>(-exponent_)(low), exponent_};
-    return multiple.to_exact(unit_);
+    if (magnitude < power_of_two<Field>(20) * unit_) return {0, exponent_};
+    return {Floor_of_scaled<Field>(-exponent_)(low), exponent_};
   }
 
   bool is_moved(int axis) const { return !CGAL::is_zero(origin_[std::size_t(axis)]); }
@@ -90,6 +99,12 @@ private:
     if (v.first == v.second && !is_moved(axis) && is_scaled_exactly(v.first, -exponent_))
       return Coordinate(std::ldexp(v.first, -exponent_));
     return Coordinate(Field((exact(p, axis) - origin_[std::size_t(axis)]) * inverse_unit_));
+  }
+
+  Coordinate to_kernel(const Scaled_integer& v, int axis) const {
+    Scaled_integer moved = is_moved(axis) ? v - origin_integer_[std::size_t(axis)] : v;
+    moved.exponent -= exponent_;
+    return Coordinate(moved);
   }
 
   FT to_user(const Coordinate& c, int axis) const {

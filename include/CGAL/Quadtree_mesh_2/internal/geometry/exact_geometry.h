@@ -111,11 +111,11 @@ struct Exact_geometry_2 {
   static const Point& back_to_line(const Point&, const Point&, const Point& m) { return m; }
   static double short_share(double share) { return 0x1p-10 * std::floor(0x1p10 * share + 0.5); }
 
-  /// Sign of the turn a, b, c; exact.
+  /// Sign of the turn a, b, c; exact. Doubles decide mostly, longer ones where products of doubles underflow.
   static int orientation(const Point& a, const Point& b, const Point& c) {
-    const Scaled_vector ab = scaled_difference(b, a), ac = scaled_difference(c, a);
-    const Number l = ab.x * ac.y, r = ab.y * ac.x, d = l - r;
-    if (fabs(d) > 3.5e-16 * (fabs(l) + fabs(r))) return d > 0 ? 1 : -1;
+    if (const int sign = certain_sign(difference(b, a), difference(c, a), least_product)) return sign;
+    if (const int sign = certain_sign(scaled_difference(b, a), scaled_difference(c, a), Number(0)))
+      return sign;
     if (a.is_double() && b.is_double() && c.is_double())
       return Doubles::orientation(double_point(a), double_point(b), double_point(c));
     return static_cast<int>(CGAL::sign(exact_doubled_area(a, b, c)));
@@ -123,6 +123,8 @@ struct Exact_geometry_2 {
 
   /// Whether d lies strictly inside the circle through a, b, c (counterclockwise); exact.
   static bool is_in_circle(const Point& a, const Point& b, const Point& c, const Point& d) {
+    const In_circle by_doubles(difference(a, d), difference(b, d), difference(c, d));
+    if (by_doubles.is_certain()) return by_doubles.is_positive();
     const Basic_in_circle<Number> test(scaled_difference(a, d), scaled_difference(b, d),
                                        scaled_difference(c, d));
     if (test.is_certain()) return test.is_positive();
@@ -143,6 +145,16 @@ struct Exact_geometry_2 {
 private:
   static constexpr int bits_of_translation = 30;
   static constexpr double infinite_length = 0x1p1000; // coordinates are of the order of 1
+  /// Differences and products of doubles that underflow are off by less.
+  static constexpr double least_product = 1e-290;
+
+  /// Sign of the cross product of differences that were rounded once; 0 if that is not certain.
+  template <class N>
+  static int certain_sign(const Basic_vector<N>& u, const Basic_vector<N>& v, const N& underflow) {
+    using std::fabs;
+    const N l = u.x * v.y, r = u.y * v.x, d = l - r;
+    return fabs(d) > 3.5e-16 * (fabs(l) + fabs(r)) + underflow ? (d > N(0) ? 1 : -1) : 0;
+  }
 
   static Field exact_doubled_area(const Point& a, const Point& b, const Point& c) {
     const auto x = [&](const Point& p) { return Coordinate::exact_difference(p.x, a.x); };

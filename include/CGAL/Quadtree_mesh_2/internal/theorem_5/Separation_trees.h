@@ -14,8 +14,8 @@
 //           in front of an edge. So k is within a constant of the size of any triangulation with such angles.
 // Source:   Bern, Eppstein, Teng, section 6; Lemma 5 for the distances.
 // Deviates: T_B'' and T_B* are made by splitting leaves one level at a time until nothing is too near. The
-//           paper finds at once how far to go. So there are as many rounds as levels are missing. T_B* looks
-//           at adjacent leaves only, and at pairs in sight of each other; balance takes care of what is
+//           paper finds at once how far to go. So there are as many rounds as levels are missing, but a
+//           leaf is looked at again only when it or one next to it was split (Passed_leaves.h). T_B* looks at adjacent leaves only, and at pairs in sight of each other; balance takes care of what is
 //           farther away. Tree_separation_options_2.h and Edge_gaps.h say which distances suffice.
 //
 // Leaves become no smaller than a few units of the coordinates there. Features nearer to each other than that
@@ -33,6 +33,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Column_closure.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Edge_gaps.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Edge_pieces.h>
+#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Passed_leaves.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Vertex_placement.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/leaf_cells.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/subdivide_edges.h>
@@ -77,6 +78,7 @@ public:
     if (options.place() == Options::Placement::BY_RULE)
       for (std::size_t v = 0; v < graph.number_of_vertices(); ++v) vertices_.push_back(Vertex_index(v));
     subdivide_edges();
+    passed_.follow(tree_);
     while (split(leaves_with_near_pieces())) {
     }
     report_.leaves_of_pieces = tree_.number_of_leaves();
@@ -102,7 +104,7 @@ public:
   double side(int level) const { return std::ldexp(side_of_root_, -level); }
   double side(Leaf_index l) const { return side(tree_.level(l)); }
   /// The kernel's point for a grid point, rounded only if it cannot represent it.
-  Point kernel_point(const Grid_point& p) const { return map_.to_kernel(tree_.framework().grid().point(p)); }
+  Point kernel_point(const Grid_point& p) const { return map_.to_kernel(tree_.framework().grid(), p); }
   /// Whether the grid, and the coordinates, have room for the children of a leaf.
   bool is_splittable(Leaf_index l) const {
     const auto s = tree_.square(l);
@@ -128,6 +130,7 @@ private:
   Tree tree_;
   Edge_pieces pieces_;
   Leaf_pieces pieces_in_leaves_;
+  Passed_leaves passed_; // whose edges are apart
   std::size_t most_leaves_;
   double side_of_root_ = 0;
   std::vector<Vertex_index> vertices_; // all of them, for the placement by rule
@@ -210,6 +213,7 @@ private:
         leaves.end());
     if (leaves.empty() || is_exhausted()) return false;
     tree_.refine(leaves);
+    passed_.follow(tree_);
     ++report_.splits;
     subdivide_edges();
     return true;
@@ -236,18 +240,22 @@ private:
     return {kernel_point({s.x, s.y}), side(s.level)};
   }
 
+  /// The leaves that do not pass a test. It is made of those only that have not passed it yet.
   template <class Is_wrong>
-  std::vector<Leaf_index> leaves_that_are(const Is_wrong& is_wrong) const {
-    std::vector<char> is_marked(tree_.number_of_leaves(), 0);
-    for_each_block<ConcurrencyTag>(is_marked.size(), block_of_leaves_,
+  std::vector<Leaf_index> leaves_that_fail(Leaf_test test, const Is_wrong& is_wrong) {
+    const std::vector<Leaf_index> leaves = pack_values<ConcurrencyTag, Leaf_index>(
+        tree_.number_of_leaves(), [&](std::size_t l) { return !passed_.has_passed(Leaf_index(l), test); },
+        [](std::size_t l) { return Leaf_index(l); });
+    report_.leaf_tests += leaves.size();
+    for_each_block<ConcurrencyTag>(leaves.size(), block_of_leaves_,
                                    [&](std::size_t, std::size_t begin, std::size_t end) {
                                      Scratch scratch;
-                                     for (std::size_t l = begin; l < end; ++l)
-                                       is_marked[l] = is_wrong(Leaf_index(l), scratch) ? 1 : 0;
+                                     for (std::size_t i = begin; i < end; ++i)
+                                       if (!is_wrong(leaves[i], scratch)) passed_.pass(leaves[i], test);
                                    });
     return pack_values<ConcurrencyTag, Leaf_index>(
-        is_marked.size(), [&](std::size_t l) { return is_marked[l] != 0; },
-        [](std::size_t l) { return Leaf_index(l); });
+        leaves.size(), [&](std::size_t i) { return !passed_.has_passed(leaves[i], test); },
+        [&](std::size_t i) { return leaves[i]; });
   }
 
   struct Scratch {
@@ -258,8 +266,8 @@ private:
   };
 
   /// For T_B'': leaves too large for two pieces that bound a common cell in them.
-  std::vector<Leaf_index> leaves_with_near_pieces() const {
-    return leaves_that_are([this](Leaf_index l, Scratch& scratch) {
+  std::vector<Leaf_index> leaves_with_near_pieces() {
+    return leaves_that_fail(Leaf_test::OF_LEAF_ALONE, [this](Leaf_index l, Scratch& scratch) {
       const auto pieces = pieces_in_leaves_[l];
       if (pieces.size() < 2 || !is_splittable(l)) return false;
       const auto leaf = frame(l);
@@ -293,8 +301,8 @@ private:
   }
 
   /// For T_B*: leaves too large for a piece in them and one next to them.
-  std::vector<Leaf_index> leaves_near_pieces() const {
-    return leaves_that_are([this](Leaf_index l, Scratch& scratch) {
+  std::vector<Leaf_index> leaves_near_pieces() {
+    return leaves_that_fail(Leaf_test::OF_LEAF_AND_NEIGHBORS, [this](Leaf_index l, Scratch& scratch) {
       return pieces_in_leaves_[l].size() > 0 && is_splittable(l) && is_near_piece(l, scratch);
     });
   }

@@ -1,0 +1,79 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+//
+// Which leaves of a quadtree have passed which tests, while the tree is refined.
+//
+// Computes: the leaves for which a test has to be made. One that looks at a leaf alone has the same answer
+//           until the leaf is split. One that looks at the leaves next to it, too, has the same answer until
+//           one of these is split.
+// Bound:    O(k) work for a tree of k leaves each time it is refined, whatever the length of its coordinates.
+//           If a tree gets k leaves in any number of rounds, O(k) tests are made of leaves alone.
+// Method:   Refinement numbers leaves anew, but in the same order. So the levels, read along the order, tell
+//           which leaves are still there, and which are in the place of another.
+
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_PASSED_LEAVES_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_PASSED_LEAVES_H
+
+#include <CGAL/Quadtree_mesh_2/Index.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Quadtree_mesh_2 {
+namespace internal {
+
+/// What a test of a leaf looks at; one bit each.
+enum class Leaf_test : std::uint8_t { OF_LEAF_ALONE = 1, OF_LEAF_AND_NEIGHBORS = 2 };
+
+class Passed_leaves {
+public:
+  bool has_passed(Leaf_index l, Leaf_test test) const {
+    return (passed_[std::size_t(l)] & static_cast<std::uint8_t>(test)) != 0;
+  }
+  /// Several threads may tell of different leaves at once.
+  void pass(Leaf_index l, Leaf_test test) { passed_[std::size_t(l)] |= static_cast<std::uint8_t>(test); }
+
+  /// Follows a tree, of which nothing was known, or all leaves of which are the same as before or were split.
+  template <class Tree>
+  void follow(const Tree& tree) {
+    std::vector<int> levels(tree.number_of_leaves());
+    for (std::size_t l = 0; l < levels.size(); ++l) levels[l] = tree.level(Leaf_index(l));
+    std::vector<std::uint8_t> passed(levels.size(), 0);
+    std::vector<Leaf_index> fresh;
+    std::size_t next = 0;
+    for (std::size_t old = 0; old < levels_.size(); ++old)
+      if (levels[next] == levels_[old])
+        passed[next++] = passed_[old];
+      else
+        for (const std::size_t end = end_of_square(levels, next, levels_[old]); next < end; ++next)
+          fresh.push_back(Leaf_index(next));
+    levels_ = std::move(levels);
+    passed_ = std::move(passed);
+    for (const Leaf_index l : fresh)
+      for (const Leaf_index n : tree.neighbors(l))
+        passed_[std::size_t(n)] &= static_cast<std::uint8_t>(Leaf_test::OF_LEAF_ALONE);
+  }
+
+private:
+  std::vector<int> levels_;
+  std::vector<std::uint8_t> passed_; // a set of `Leaf_test`
+
+  /// The first leaf that is not in the square of a level in which leaf `begin` is the first one.
+  static std::size_t end_of_square(const std::vector<int>& levels, std::size_t begin, int level) {
+    if (levels[begin] == level) return begin + 1;
+    for (int child = 0; child < 4; ++child) begin = end_of_square(levels, begin, level + 1);
+    return begin;
+  }
+};
+
+} // namespace internal
+} // namespace Quadtree_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_PASSED_LEAVES_H
