@@ -14,8 +14,9 @@
 //           in front of an edge. So k is within a constant of the size of any triangulation with such angles.
 // Source:   Bern, Eppstein, Teng, section 6; Lemma 5 for the distances.
 // Deviates: T_B'' and T_B* are made by splitting leaves one level at a time until nothing is too near. The
-//           paper finds at once how far to go. So there are as many rounds as levels are missing, but a
-//           leaf is looked at again only when it or one next to it was split (Passed_leaves.h). T_B* looks at adjacent leaves only, and at pairs in sight of each other; balance takes care of what is
+//           paper finds at once how far to go. So there are as many rounds as levels are missing, but a leaf
+//           is looked at again only when it or one next to it was split (Passed_leaves.h). T_B* looks at
+//           adjacent leaves only, and at pairs in sight of each other; balance takes care of what is
 //           farther away. Tree_separation_options_2.h and Edge_gaps.h say which distances suffice.
 //
 // Leaves become no smaller than a few units of the coordinates there. Features nearer to each other than that
