@@ -12,7 +12,9 @@
 // relative to the vertex, in vectors of four; a step ends as soon as none of them can serve, and begins with
 // the triangle that was worst at the start, so that this is soon. The place found is accepted only by the
 // test in double precision on the final coordinates. A vertex on an edge moves along its edge; one on a leg
-// of an acute corner stays, unless legs are free. The same search, with no bound to stop at, smooths. O(degree) a step, at most 8 steps.
+// of an acute corner stays, unless legs are free. Large stars, and those that start far below the bound, are hardly
+// ever cured: in a mesh that is not small they are not tried. The same search, with no bound to stop at, smooths.
+// O(degree) a step, at most 8 steps.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_RELOCATOR_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_RELOCATOR_H
@@ -57,7 +59,7 @@ private:
   enum class Aim { BOUND, BEST };
 
   bool move(Vertex_id v, Aim aim) {
-    if (!star_.collect(mesh_, v)) return false;
+    if (!star_.collect(mesh_, v, is_hurried(aim) ? largest_star : Star::max_size)) return false;
     const Edge_id e = mesh_.edge(v);
     const bool is_moved =
         e == free_vertex ? star_.is_closed && relocate_free(v, aim) : relocate_on_edge(v, e, aim);
@@ -73,6 +75,10 @@ private:
 
   static constexpr int directions = 8;
   static constexpr int max_steps = 8;
+  // Of larger stars hardly one in 200 is cured.
+  static constexpr int largest_star = 9;
+  // Given up before the first step if the squared sine is below this share of the bound's: one in 500 would be cured.
+  static constexpr float hope_at_start = 0.3f;
   static constexpr double first_step = 0.2; // of the mean distance to the link
   // Given up after step i if the best squared sine is below this share of the bound's.
   static constexpr float hope[max_steps - 1] = {0.7f, 0.8f, 0.9f, 0.9f, 0.9f, 0.9f, 0.9f};
@@ -84,6 +90,8 @@ private:
   float x_[Star::max_size + 1], y_[Star::max_size + 1], edge2_[Star::max_size];
   Number scale_ = 1;
   Vector link_[Star::max_size + 1]; // relative to a vertex on an edge
+
+  bool is_hurried(Aim aim) const { return aim == Aim::BOUND && !state_.is_small(); }
 
   static float float_of(const Number& n) { return static_cast<float>(ratio(n, 1)); }
 
@@ -188,6 +196,7 @@ private:
     float x = start.x, y = start.y, best = start.least;
     const float bound = static_cast<float>(state_.bounds.sin2);
     const float goal = aim == Aim::BOUND ? bound * (1 + 1e-5f) : 1;
+    if (is_hurried(aim) && best < hope_at_start * bound) return false;
     float step = static_cast<float>(first_step);
     for (int i = 0; i < max_steps && best < goal; ++i) {
       const float hoped = i + 1 < max_steps ? bound * hope[i] : goal;

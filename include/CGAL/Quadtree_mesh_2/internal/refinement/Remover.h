@@ -14,7 +14,8 @@
 // of `forward[i]` says that the sub-polygon i..j can be triangulated within the bounds; O(k^3). Every
 // triangle made is checked, so the bounds are kept unconditionally.
 //
-// Two passes in order of creation, the second over vertices whose star has changed.
+// Two passes in order of creation, the second over vertices whose star has changed. Large stars are tried in small
+// meshes alone: of others hardly one can be triangulated.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_REMOVER_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_REMOVER_H
@@ -54,9 +55,11 @@ public:
       for (Vertex_id v = 0; v < static_cast<Vertex_id>(mesh_.number_of_vertices()); ++v) {
         if ((v & 4095) == 0 && !shall_go_on()) return removed;
         if (mesh_.is_input(v) || mesh_.is_dirty[std::size_t(v)] == 0 || !mesh_.is_used(v)) continue;
-        if (!star_.collect(mesh_, v)) continue; // perhaps at a seam: another round may do it
+        const int largest = state_.is_small() ? Star::max_size : largest_star;
+        const bool is_collected = star_.collect(mesh_, v, largest);
+        if (!is_collected && star_.size < largest) continue; // perhaps at a seam: another round may do it
         mesh_.is_dirty[std::size_t(v)] = 0;
-        if (try_to_remove(v)) ++removed;
+        if (is_collected && try_to_remove(v)) ++removed;
       }
     return removed;
   }
@@ -68,6 +71,7 @@ public:
 
 private:
   static constexpr int max_polygon = 13;
+  static constexpr int largest_star = 9; // of a mesh that is not small
 
   /// A polygon of the star, counterclockwise, and the triangles it is cut into.
   struct Polygon {
