@@ -207,6 +207,13 @@ public:
     if (!region_of.empty()) region_of.resize(number_of_slots, -1);
   }
 
+  /// Room for this many in the end, so that they are copied less often.
+  void reserve(std::size_t vertices, std::size_t number_of_slots) {
+    points.reserve(vertices), edge_of.reserve(vertices), triangle_of.reserve(vertices);
+    is_dirty.reserve(vertices), triangles.reserve(number_of_slots);
+    if (!region_of.empty()) region_of.reserve(number_of_slots);
+  }
+
   void kill(Triangle_id t) {
     triangle(t).v[0] = -1;
     free_.push_back(t);
