@@ -127,8 +127,7 @@ private:
   Progress progress_{options_.callback};
   Order order_; // kernel vertex -> input vertex
   Input_words<Point_2> words_{pslg_, order_};
-  std::vector<char> is_merged_; // kernel vertices that another one stands for
-  std::optional<Edge_sides> edge_sides_;
+  std::vector<char> is_merged_;    // kernel vertices that another one stands for
   std::string too_near_for_trees_; // which vertices; empty: none are
 
   void sort_vertices() {
@@ -172,7 +171,6 @@ private:
       throw words_.ambiguous_seed(seed, problem_.edges);
     }
     if (state_.mesh.triangles.empty()) throw words_.no_domain(options_.domain);
-    edge_sides_.emplace(state_.mesh, problem_.edges);
   }
 
   /// What is near: what coordinates cannot tell apart is refused, what quadtrees cannot is noted.
@@ -373,10 +371,11 @@ private:
   /// \throws Pslg_error_2 if the user wants quadtrees and their grid cannot tell two vertices apart
   Tree_separation_report_2::End make_mesh_by_trees() {
     const Pslg graph = graph_of_edges();
+    const Edge_sides sides(state_.mesh, problem_.edges);
     std::optional<Separation_trees<Traits, ConcurrencyTag>> trees;
     try {
       Phase_timer timer(report_.seconds.trees);
-      trees.emplace(problem_, *edge_sides_, graph, map_, options_.trees, traits_, find_hits_,
+      trees.emplace(problem_, sides, graph, map_, options_.trees, traits_, find_hits_,
                     budgets().of_construction(), report_.trees);
     } catch (const Point_error& error) {
       ++report_.trees.rounds;
@@ -386,7 +385,7 @@ private:
                          " are nearer to each other than the grid of the quadtrees can tell");
     }
     Phase_timer timer(report_.seconds.construct);
-    Tree_construction<Traits, ConcurrencyTag> construction(state_, *trees, map_, is_merged_, *edge_sides_,
+    Tree_construction<Traits, ConcurrencyTag> construction(state_, *trees, map_, is_merged_, sides,
                                                            report_.trees);
     // Leaves can be split without end for a bound that their rule is not made for: what misses a higher one is
     // refined afterwards.
