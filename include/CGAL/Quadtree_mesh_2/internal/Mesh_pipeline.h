@@ -39,6 +39,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/pslg/Input_words.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Block_refinement.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Edge_sides.h>
+#include <CGAL/Quadtree_mesh_2/internal/refinement/Exact_legalizer.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Refiner.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Thinner.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Vertex_budgets.h>
@@ -103,9 +104,9 @@ public:
         refine(refiner, splitter) == Refinement_end::OUT_OF_BUDGET)
       take_over(refiner, splitter);
     coarsen();
-    finish(refiner);
+    const Triangle_account account = finish(refiner);
     report_.is_cancelled = progress_.is_cancelled();
-    return convert();
+    return convert(account);
   }
 
 private:
@@ -423,15 +424,16 @@ private:
 
   /// Makes the mesh exactly constrained Delaunay. Such flips never lower the least angle of a pair; should
   /// one take apart an exempt triangle all the same, what it leaves is refined again.
-  void finish(Refiner<Geometry>& refiner) {
+  Triangle_account finish(Refiner<Geometry>& refiner) {
     Phase_timer timer(report_.seconds.refine);
     constexpr int most_rounds = 5;
+    Exact_legalizer<ConcurrencyTag, Geometry> legalizer(state_);
     for (int round = 0; round < most_rounds; ++round) {
-      state_.template make_Delaunay_exactly<ConcurrencyTag>();
-      if (!has_bad_on_worklist() || progress_.is_cancelled() || report_.is_budget_exhausted) return;
+      Triangle_account account = legalizer.run();
+      if (!has_bad_on_worklist() || progress_.is_cancelled() || report_.is_budget_exhausted) return account;
       run_to_the_end(refiner, budgets().of_repair(state_.mesh.number_of_vertices()));
     }
-    state_.template make_Delaunay_exactly<ConcurrencyTag>();
+    return legalizer.run();
   }
 
   bool has_bad_on_worklist() {
@@ -444,10 +446,10 @@ private:
     return !bad.empty();
   }
 
-  Indexed_mesh_2<Point_2> convert() {
+  Indexed_mesh_2<Point_2> convert(const Triangle_account& account) {
     Phase_timer timer(report_.seconds.convert);
     Kernel_mesh_converter<Traits, ConcurrencyTag> converter(state_, pslg_, map_, order_, report_);
-    Indexed_mesh_2<Point_2> mesh = converter.run();
+    Indexed_mesh_2<Point_2> mesh = converter.run(account);
     if constexpr (has_double_coordinates) check_mesh_is_kept(mesh);
     return mesh;
   }

@@ -9,7 +9,6 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_MESHING_STATE_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_MESHING_STATE_H
 
-#include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_problem.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Worklist.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Kernel_mesh.h>
@@ -97,17 +96,15 @@ struct Meshing_state {
   }
 
   /// Whether t misses a bound that no acute corner excuses.
-  bool is_bad(Triangle_id t) const {
+  bool is_bad(Triangle_id t) const { return is_bad(t, mesh.shape(mesh.triangle(t))); }
+  bool is_bad(Triangle_id t, const Shape& s) const {
     const auto& r = mesh.triangle(t);
-    const Shape s = mesh.shape(r);
     return (bounds.is_sharp(s) && !is_exempt(r.v[0], r.v[1], r.v[2])) || is_large(t, s);
   }
 
   /// Whether t misses a bound, excused or not.
-  bool is_suspect(Triangle_id t) const {
-    const Shape s = mesh.shape(mesh.triangle(t));
-    return bounds.is_sharp(s) || is_large(t, s);
-  }
+  bool is_suspect(Triangle_id t) const { return is_suspect(t, mesh.shape(mesh.triangle(t))); }
+  bool is_suspect(Triangle_id t, const Shape& s) const { return bounds.is_sharp(s) || is_large(t, s); }
 
   void clear_worklist() {
     while (!worklist.is_empty()) worklist.pop();
@@ -146,71 +143,11 @@ struct Meshing_state {
     }
   }
 
-  /// Flips until the mesh is constrained Delaunay, decided exactly. Cocircular vertices may be joined either
-  /// way. Ends: each flip lowers the lifted surface. What is to be flipped is found in parallel.
-  template <class ConcurrencyTag>
-  void make_Delaunay_exactly() {
-    std::vector<std::vector<Side>> found((mesh.triangles.size() + default_block - 1) / default_block);
-    for_each_block<ConcurrencyTag>(
-        mesh.triangles.size(), default_block, [&](std::size_t b, std::size_t begin, std::size_t end) {
-          for (std::size_t i = begin; i < end; ++i)
-            for (int k = 0; k < 3; ++k) {
-              const Side s(static_cast<Triangle_id>(i), k);
-              if (!mesh.is_alive(s.triangle())) break;
-              const Side o = mesh.across(s);
-              if (!o.is_constrained() && s.triangle() < o.triangle() && is_not_Delaunay(s))
-                found[b].push_back(s);
-            }
-        });
-    for (const auto& sides : found)
-      for (const Side s : sides) {
-        doubtful_sides.push_back(s);
-        flip_exactly();
-      }
-  }
-
   std::vector<Side> doubtful_sides;
 
 private:
   bool is_block_ = false;
   std::vector<Corner_id> owned_;
-
-  /// Whether the angles opposite a free side are certainly acute on both sides: then it is Delaunay, as most are.
-  bool is_seen_under_acute_angles(Side s) const {
-    const Point &a = mesh.point(mesh.source(s)), &b = mesh.point(mesh.target(s));
-    for (const Vertex_id v : {mesh.opposite(s), mesh.opposite(mesh.across(s))}) {
-      using std::fabs;
-      const auto x = Geometry::scaled_difference(a, mesh.point(v)),
-                 y = Geometry::scaled_difference(b, mesh.point(v));
-      constexpr double least =
-          Geometry::has_unlimited_coordinates ? 0 : 1e-280; // of products that are no underflow
-      if (!(dot(x, y) > 1e-15 * (fabs(x.x * y.x) + fabs(x.y * y.y)) + least)) return false;
-    }
-    return true;
-  }
-
-  /// Whether the vertex opposite a free side lies in the circle of the side's triangle; exact.
-  bool is_not_Delaunay(Side s) const {
-    if (is_seen_under_acute_angles(s)) return false;
-    const auto& r = mesh.triangle(s.triangle());
-    return Geometry::is_in_circle(mesh.point(r.v[0]), mesh.point(r.v[1]), mesh.point(r.v[2]),
-                                  mesh.point(mesh.opposite(mesh.across(s))));
-  }
-
-  void flip_exactly() {
-    while (!doubtful_sides.empty()) {
-      const Side s = doubtful_sides.back();
-      doubtful_sides.pop_back();
-      const Triangle_id t = s.triangle();
-      const Side o = mesh.across(s);
-      if (o.is_constrained() || !is_not_Delaunay(s)) continue;
-      mesh.flip(t, s.slot());
-      for (const Triangle_id n : {t, o.triangle()}) {
-        for (const int k : {0, n == t ? 2 : 1}) doubtful_sides.push_back(Side(n, k));
-        push_if_suspect(n);
-      }
-    }
-  }
 
   Side find_side_everywhere(Vertex_id x, Vertex_id y) const {
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
