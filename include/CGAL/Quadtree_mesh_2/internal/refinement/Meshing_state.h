@@ -114,8 +114,13 @@ struct Meshing_state {
     if (is_suspect(t)) worklist.push(t);
   }
 
+  /// Pushes the triangles at v that may miss a bound: where sizes have none, by angles that are computed with one
+  /// difference a triangle and a little to spare.
   void push_suspects_around(Vertex_id v) {
-    mesh.for_each_triangle_at(v, [this](Triangle_id t, int) { push_if_suspect(t); });
+    if (bounds.is_size_bounded() || bounds.is_refused)
+      mesh.for_each_triangle_at(v, [this](Triangle_id t, int) { push_if_suspect(t); });
+    else
+      push_sharp_around(v);
   }
 
   /// The side between x and y that are neighbors in the mesh. An input vertex may have several fans, of
@@ -148,6 +153,29 @@ struct Meshing_state {
 private:
   bool is_block_ = false;
   std::vector<Corner_id> owned_;
+
+  void push_sharp_around(Vertex_id v) {
+    using Vector = Basic_vector<typename Geometry::Number>;
+    const double least_sin2 = bounds.sin2 * (1 + 1e-9);
+    const Point& origin = mesh.point(v);
+    Vertex_id end = -1; // of the last spoke
+    Vector spoke;
+    auto length2 = squared_length(spoke);
+    mesh.for_each_triangle_at(v, [&](Triangle_id t, int slot) {
+      const auto& r = mesh.triangle(t);
+      const Vertex_id right = r.v[next_slot[slot]];
+      if (right != end) { // the first triangle, or one clockwise of it
+        spoke = Geometry::scaled_difference(mesh.point(right), origin);
+        length2 = squared_length(spoke);
+      }
+      end = r.v[previous_slot[slot]];
+      const Vector next = Geometry::scaled_difference(mesh.point(end), origin);
+      const auto next_length2 = squared_length(next);
+      const Shape s = {{squared_length(next - spoke), next_length2, length2}, cross(spoke, next)};
+      if (s.is_below(least_sin2)) worklist.push(t);
+      spoke = next, length2 = next_length2;
+    });
+  }
 
   Side find_side_everywhere(Vertex_id x, Vertex_id y) const {
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
