@@ -6,15 +6,14 @@
 //
 // Moves a Steiner vertex so that its whole star meets the bound ("warping" on demand).
 //
-// Pattern search for the greatest least angle of the star, from the better of the present place and the
-// centroid of the link: eight directions, the step halved when none is better, given up early when the angle
-// stays far below the bound. The eight candidates of a step are evaluated together in single precision,
-// relative to the vertex, in vectors of four; a step ends as soon as none of them can serve, and begins with
-// the triangle that was worst at the start, so that this is soon. The place found is accepted only by the
-// test in double precision on the final coordinates. A vertex on an edge moves along its edge; one on a leg
-// of an acute corner stays, unless legs are free. Large stars, and those that start far below the bound, are hardly
-// ever cured: in a mesh that is not small they are not tried. The same search, with no bound to stop at, smooths.
-// O(degree) a step, at most 8 steps.
+// Pattern search for the greatest least angle of the star, from the best of the present place, the centroid of the
+// link, and two more places on the line through them: eight directions, the step halved when none is better, given up
+// early when the angle stays far below the bound. The eight candidates of a step are evaluated together in single
+// precision, relative to the vertex, in vectors of four; a step ends as soon as none of them can serve, and begins with
+// the triangle that was worst at the start, so that this is soon. The place found is accepted only by the test in double
+// precision on the final coordinates. A vertex on an edge moves along its edge; one on a leg of an acute corner stays,
+// unless legs are free. Large stars, and those that start far below the bound, are hardly ever cured: in a mesh that is
+// not small they are not tried. The same search, with no bound to stop at, smooths. O(degree) a step, at most 8 steps.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_RELOCATOR_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_RELOCATOR_H
@@ -140,10 +139,11 @@ private:
     int of_triangle; ///< of the star, with that angle
   };
 
-  /// The better of the present place and the centroid.
-  Start better_start(Vector centroid) const {
-    const Float_lanes px(0, float_of(centroid.x), 0, 0);
-    const Float_lanes py(0, float_of(centroid.y), 0, 0);
+  /// The best of the present place, the centroid, the middle between them, and as far beyond the centroid.
+  Start best_start(Vector centroid) const {
+    const float cx = float_of(centroid.x), cy = float_of(centroid.y);
+    const Float_lanes px(0, cx, 0.5f * cx, 1.5f * cx);
+    const Float_lanes py(0, cy, 0.5f * cy, 1.5f * cy);
     Float_lanes least = 2, of_triangle = 0;
     Spokes u(x_[0], y_[0], px, py);
     for (int i = 0; i < star_.size; ++i) {
@@ -153,7 +153,8 @@ private:
       least = min(q, least);
       u = w;
     }
-    const int k = least[1] > least[0] ? 1 : 0;
+    int k = 0;
+    for (const int other : {1, 2, 3}) k = least[other] > least[k] ? other : k;
     return {px[k], py[k], least[k], static_cast<int>(of_triangle[k])};
   }
 
@@ -192,7 +193,7 @@ private:
     constexpr float d = .70710678f;
     const Float_lanes cx[2] = {{1, d, 0, -d}, {-1, -d, 0, d}}, cy[2] = {{0, d, 1, d}, {0, -d, -1, -d}};
     const Point origin = mesh_.point(v);
-    const Start start = better_start(prepare_link(origin));
+    const Start start = best_start(prepare_link(origin));
     float x = start.x, y = start.y, best = start.least;
     const float bound = static_cast<float>(state_.bounds.sin2);
     const float goal = aim == Aim::BOUND ? bound * (1 + 1e-5f) : 1;
