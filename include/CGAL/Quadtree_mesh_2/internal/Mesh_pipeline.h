@@ -95,8 +95,7 @@ public:
     find_domain();
     check_distances();
     set_bounds();
-    estimate_size();
-    find_corners();
+    find_corners(estimate_size());
     Splitter<Geometry> splitter(state_);
     Refiner<Geometry> refiner(state_, splitter);
     const bool is_by_trees = options_.separation == Quality_mesh_options_2::Separation::THEOREM_5;
@@ -251,13 +250,14 @@ private:
       };
   }
 
+  /// \returns where acute sectors may begin, which is found on the way
   /// \throws Pslg_error_2 if the mesh would surely be larger than the budget.
-  void estimate_size() {
+  Acute_starts estimate_size() {
     Phase_timer timer(report_.seconds.first_mesh);
-    const Size_estimate<Geometry> estimate(state_, ConcurrencyTag());
+    Size_estimate<Geometry> estimate(state_, ConcurrencyTag());
     report_.estimated_triangles = estimate.triangles();
     const Triangle_budget budget = budgets().of_triangles();
-    if (!budget.is_surely_exceeded_by(estimate.triangles())) return;
+    if (!budget.is_surely_exceeded_by(estimate.triangles())) return estimate.take_acute_starts();
     const std::string refusal = budget.refusal_of(estimate.triangles());
     if (estimate.worst_pair().triangles <= estimate.triangles_of_sizes())
       throw Pslg_error_2(refusal + " for the bounds of size");
@@ -268,9 +268,9 @@ private:
                            gap.segments(), ratio(gap.width(), unit));
   }
 
-  void find_corners() {
+  void find_corners(const Acute_starts& starts) {
     Phase_timer timer(report_.seconds.first_mesh);
-    Corner_finder<ConcurrencyTag, Geometry>(state_).run();
+    Corner_finder<ConcurrencyTag, Geometry>(state_, starts).run();
   }
 
   void set_region_bounds(double scale) {

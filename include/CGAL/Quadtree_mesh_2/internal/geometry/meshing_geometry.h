@@ -92,6 +92,12 @@ struct Basic_shape {
   bool is_certainly_acute(int k) const { return twice_dot(k) > error_of_twice_dot(); }
   bool is_certainly_obtuse(int k) const { return twice_dot(k) < -error_of_twice_dot(); }
 
+  /// Whether the angle at vertex k is below 60 degrees, or so near that it cannot be told.
+  bool may_be_below_60_degrees(int k) const {
+    const Number c = twice_dot(k) + error_of_twice_dot();
+    return c > 0 && c * c > (1 - 1e-9) * (l[k == 2 ? 0 : k + 1] * l[k == 0 ? 2 : k - 1]);
+  }
+
   /// Slot of the vertex opposite the shortest side.
   int slot_of_shortest() const { return l[0] <= l[1] && l[0] <= l[2] ? 0 : l[1] <= l[2] ? 1 : 2; }
 
