@@ -51,6 +51,7 @@ struct Meshing_state {
   using Mesh = Kernel_mesh<Geometry>;
   using Point = typename Geometry::Point;
   using Shape = typename Mesh::Shape;
+  using Vector = Basic_vector<typename Geometry::Number>;
 
   Meshing_problem<Geometry>& problem;
   const Input_edges& edges = problem.edges;
@@ -155,7 +156,6 @@ private:
   std::vector<Corner_id> owned_;
 
   void push_sharp_around(Vertex_id v) {
-    using Vector = Basic_vector<typename Geometry::Number>;
     const double least_sin2 = bounds.sin2 * (1 + 1e-9);
     const Point& origin = mesh.point(v);
     Vertex_id end = -1; // of the last spoke
