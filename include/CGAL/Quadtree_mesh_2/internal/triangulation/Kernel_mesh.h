@@ -212,6 +212,12 @@ public:
     if (!region_of.empty()) region_of.resize(number_of_slots, -1);
   }
 
+  /// Empties the mesh, which keeps its memory.
+  void clear() {
+    triangles.clear(), points.clear(), triangle_of.clear(), edge_of.clear(), is_dirty.clear();
+    region_of.clear(), free_.clear(), star_.clear();
+  }
+
   /// Room for this many in the end, so that they are copied less often.
   void reserve(std::size_t vertices, std::size_t number_of_slots) {
     points.reserve(vertices), edge_of.reserve(vertices), triangle_of.reserve(vertices);

@@ -8,7 +8,7 @@
 //
 // Triangles keep their given order, and vertices are numbered as they occur. So the memory of a block is its
 // own and small, and stays in the cache. The sides where the rest of the mesh continues become seams, which
-// remember what they were. Once the block is written back, its memory is freed, but for what is at seams. O(size of
+// remember what they were. Once the block is written back, it keeps what is at seams alone. O(size of
 // the block), not counting the sorting of vertices at seams.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_MESH_BLOCK_H
@@ -58,9 +58,10 @@ public:
 
   Mesh mesh;
 
+  /// \param spare a mesh without triangles, whose memory is used
   Mesh_block(const Mesh& whole, Block_assignment& assignment, Block_id id, const Triangle_id* begin,
-             const Triangle_id* end)
-      : whole_(&whole), assignment_(&assignment), id_(id), begin_(begin),
+             const Triangle_id* end, Mesh spare)
+      : mesh(std::move(spare)), whole_(&whole), assignment_(&assignment), id_(id), begin_(begin),
         taken_(static_cast<std::size_t>(end - begin)) {
     reserve();
     mesh.triangles.resize(taken_);
@@ -126,9 +127,11 @@ public:
   }
 
   /// Frees all but what `write_shared()` and `seams()` need. \pre it is written
-  void free() {
-    mesh = Mesh();
+  /// \returns the mesh, emptied, whose memory another block may use
+  Mesh release() {
     whole_triangle_ = {}, whole_vertex_ = {}, foreign_ = {}, is_shared_ = {}, shared_ = {};
+    mesh.clear();
+    return std::exchange(mesh, Mesh());
   }
 
   /// Writes what other blocks may write too; for one block after the other.

@@ -12,7 +12,7 @@
 // of a quadtree and its shifted copies, one has any given disc within a square not much larger (Chan,
 // "Approximate nearest neighbor queries revisited", 1998). The mesh alone determines how blocks are cut, and
 // new things are named in the order of blocks. So the result is the same for any number of threads. A single thread
-// writes and frees each block before it takes out the next, whose memory is in the cache then.
+// writes each block before it takes out the next, which gets its memory.
 //
 // O(n) work and memory for n triangles in blocks, and O(s log s) for s seams.
 
@@ -140,15 +140,18 @@ public:
   template <class Work, class TakeResults>
   void for_each(const Work& work, const TakeResults& take_results) {
     const std::size_t batch = is_sequential<ConcurrencyTag>() ? 1 : size();
+    std::vector<Mesh> spare(batch);
     for (std::size_t begin = 0; begin < size(); begin += batch) {
-      Executor<ConcurrencyTag>::run(batch, [&](std::size_t i) { work(take_out(begin + i)); });
+      Executor<ConcurrencyTag>::run(batch,
+                                    [&](std::size_t i) { work(take_out(begin + i, std::move(spare[i]))); });
       const std::vector<First_names> names = make_room(begin, begin + batch);
       Executor<ConcurrencyTag>::run(batch, [&](std::size_t i) {
         Block& block = *blocks_[begin + i];
         block.name_new(names[i].triangle, names[i].vertex);
         block.write(whole_);
         take_results(block);
-        block.free();
+        Mesh rest = block.release();
+        if (begin + batch < size()) spare[i] = std::move(rest);
       });
     }
   }
@@ -179,10 +182,10 @@ private:
     });
   }
 
-  Block& take_out(std::size_t b) {
+  Block& take_out(std::size_t b, Mesh spare) {
     const Triangle_id* t = cut_.triangles.data();
     blocks_[b] = std::make_unique<Block>(whole_, assignment_, static_cast<Block_id>(b), t + cut_.first[b],
-                                         t + cut_.first[b + 1]);
+                                         t + cut_.first[b + 1], std::move(spare));
     return *blocks_[b];
   }
 
