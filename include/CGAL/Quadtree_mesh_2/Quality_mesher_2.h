@@ -64,8 +64,9 @@ public:
   /// \throws std::invalid_argument if an option is out of its range.
   explicit Quality_mesher_2(Quality_mesh_options_2 options = {}, const Traits& traits = Traits())
       : options_(std::move(options)), traits_(traits) {
-    if (!(options_.min_angle_in_degrees >= 0 && options_.min_angle_in_degrees <= 30))
-      throw std::invalid_argument("the least angle must be between 0 and 30 degrees");
+    if (!(options_.min_angle_in_degrees >= 0 &&
+          options_.min_angle_in_degrees <= Quality_mesh_options_2::greatest_min_angle_in_degrees))
+      throw std::invalid_argument("the least angle must be between 0 and 34 degrees");
     if (!(options_.max_edge_length >= 0))
       throw std::invalid_argument("the longest edge must not be negative");
     if (!(options_.max_triangle_area >= 0))
