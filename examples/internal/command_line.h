@@ -96,7 +96,7 @@ inline po::options_description graph_options() {
   po::options_description options("Options of --mode pslg");
   options.add_options()
     ("min-angle", po::value<double>()->value_name("DEG")->default_value(20.7, "20.7"),
-     "least angle in degrees; up to 20.7 reached on every input tried, accepted up to 30")
+     "least angle in degrees; up to 20.7 reached on every input tried, tried and reported up to 34")
     ("max-edge", po::value<double>()->value_name("H"), "longest edge")
     ("max-area", po::value<double>()->value_name("A"), "largest area of a triangle")
     ("min-edge", po::value<double>()->value_name("H"),
@@ -173,7 +173,8 @@ inline double least_edge(const po::variables_map& given) {
 
 inline double min_angle(const po::variables_map& given) {
   const double value = given["min-angle"].as<double>();
-  if (!(value >= 0 && value <= 30)) throw Usage_error("--min-angle has to be from 0 to 30 degrees");
+  if (!(value >= 0 && value <= CGAL::Quality_mesh_options_2::greatest_min_angle))
+    throw Usage_error("--min-angle has to be from 0 to 34 degrees");
   return value;
 }
 

@@ -28,7 +28,7 @@ namespace CGAL {
 /// The domain is everything that constrained edges separate from infinity, except components with a seed.
 /// Alternatively it is only the components with a seed, or the faces that the user has marked.
 /// `refine_mesh()` makes a mesh in which the criteria call no face bad. `report()` lists the places where
-/// that is impossible: near acute corners of the input (as in Mesh_2), for angles above 30 degrees, and for
+/// that is impossible: near acute corners of the input (as in Mesh_2), for angles above 34 degrees, and for
 /// criteria that no triangle can meet (Mesh_2 does not end then).
 ///
 /// Vertex handles stay valid, and so does what users keep in vertices. A new vertex is as the default

@@ -275,11 +275,11 @@ TEST_CASE("criteria are asked", "[refine_quality_mesh_2]") {
     CHECK(report.unmet_triangles.front().reason == Reason::CRITERIA);
     require_mesh(cdt, pslg, 20.7);
   }
-  SECTION("angles above 30 degrees") {
+  SECTION("angles above 34 degrees") {
     const CGAL::Delaunay_mesh_criteria_2<Cdt> criteria(0.4);
     const auto report = CGAL::refine_quality_mesh_2(cdt, criteria);
     CHECK(report.unmet_triangles.size() == number_of_bad(cdt, criteria));
-    require_mesh(cdt, pslg, 30);
+    require_mesh(cdt, pslg, 34);
   }
 }
 

@@ -321,7 +321,7 @@ TEST_CASE("Criteria of Mesh_2 become options", "[mesher][domain]") {
   CHECK(CGAL::quality_mesh_options_2(Criteria()).min_angle() == Approx(20.704811).epsilon(1e-7));
   CHECK(CGAL::quality_mesh_options_2(Criteria(0.125, 3)).max_edge() == 3);
   CHECK(CGAL::quality_mesh_options_2(Criteria(0.25)).min_angle() == Approx(30));
-  CHECK(CGAL::quality_mesh_options_2(Criteria(0.5)).min_angle() == Approx(30));
+  CHECK(CGAL::quality_mesh_options_2(Criteria(0.5)).min_angle() == 34);
   CHECK(CGAL::quality_mesh_options_2(Criteria(0)).min_angle() == 0);
   CHECK(CGAL::quality_mesh_options_2(CGAL::Delaunay_mesh_criteria_2<Cdt>(0.1)).min_angle() ==
         Approx(std::asin(std::sqrt(0.1)) * 180 / CGAL_PI));

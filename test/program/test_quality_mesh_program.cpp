@@ -196,7 +196,7 @@ TEST_CASE("bad usage names the culprit and writes nothing", "[program]") {
                                    {square + " " + square, "one input"},
                                    {square + " -o x.xyz", "x.xyz"},
                                    {square + " -o " + folder.file("none/x.ele"), "none"},
-                                   {square + " --min-angle 31", "--min-angle"},
+                                   {square + " --min-angle 35", "--min-angle"},
                                    {square + " --min-angle nan", "--min-angle"},
                                    {square + " --min-angle two", "two"},
                                    {square + " --max-edge 0", "--max-edge"},

@@ -84,7 +84,7 @@ using Words = std::vector<std::string>;
 /// Options with values of which about half are in range.
 const std::vector<std::pair<std::string, Words>>& options() {
   static const std::vector<std::pair<std::string, Words>> all{
-      {"--min-angle", {"20.7", "25", "0", "5", "30", "30.1", "-1", "nan", "inf", "x", "1e999"}},
+      {"--min-angle", {"20.7", "25", "0", "5", "34", "34.1", "-1", "nan", "inf", "x", "1e999"}},
       {"--max-area", {"1e300", "1e9", "0", "-1", "nan", "-inf", "x"}},
       {"--max-edge", {"1e300", "1e9", "0", "-1", "nan", "1e999"}},
       {"--min-edge", {"1e-9", "1e-3", "1e300", "0", "-1", "nan"}},

@@ -54,7 +54,7 @@ Wishes random_wishes(Random& random) {
     w.domain = CGAL::Quality_mesh_options_2::Domain::NESTING_PARITY;
     break;
   case 9:
-    w.min_angle = random.integer(22, 30);
+    w.min_angle = random.integer(22, 34);
     break;
   default:
     break;

@@ -65,7 +65,8 @@ public:
     domain.apply(state_.mesh, First::number_of_auxiliary_vertices);
     sides_.emplace(state_.mesh, problem_.edges);
     problem_.bounds = internal::Bounds<Geometry>(20.7 * CGAL_PI / 180, 0, 0);
-    internal::Corner_finder<ConcurrencyTag, Geometry>(state_).run();
+    internal::Size_estimate<Geometry> estimate(state_, ConcurrencyTag());
+    internal::Corner_finder<ConcurrencyTag, Geometry>(state_, estimate.take_acute_starts()).run();
     graph_.vertices = pslg.vertices;
     for (std::size_t e = 0; e < problem_.edges.size(); ++e) {
       const auto& edge = problem_.edges[static_cast<internal::Edge_id>(e)];

@@ -65,8 +65,8 @@ public:
   /// \throws std::invalid_argument if an option is out of its range.
   explicit Quality_mesher_2(Quality_mesh_options_2 options = {}, const Traits& traits = Traits())
       : options_(std::move(options)), traits_(traits) {
-    if (!(options_.min_angle() >= 0 && options_.min_angle() <= 30))
-      throw std::invalid_argument("the least angle must be between 0 and 30 degrees");
+    if (!(options_.min_angle() >= 0 && options_.min_angle() <= Quality_mesh_options_2::greatest_min_angle))
+      throw std::invalid_argument("the least angle must be between 0 and 34 degrees");
     if (!(options_.max_edge() >= 0)) throw std::invalid_argument("the longest edge must not be negative");
     if (!(options_.max_area() >= 0)) throw std::invalid_argument("the largest area must not be negative");
     if (options_.smooth() < 0)

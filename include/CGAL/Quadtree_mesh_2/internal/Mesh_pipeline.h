@@ -41,6 +41,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/pslg/Input_words.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Block_refinement.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Edge_sides.h>
+#include <CGAL/Quadtree_mesh_2/internal/refinement/Exact_legalizer.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Refiner.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Thinner.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Vertex_budgets.h>
@@ -96,8 +97,7 @@ public:
     find_domain();
     check_distances();
     set_bounds();
-    estimate_size();
-    find_corners();
+    find_corners(estimate_size());
     Splitter<Geometry> splitter(state_);
     Refiner<Geometry> refiner(state_, splitter);
     const bool is_by_trees = options_.separate() == Quality_mesh_options_2::Separation::THEOREM_5;
@@ -105,9 +105,9 @@ public:
         refine(refiner, splitter) == Refinement_end::OUT_OF_BUDGET)
       take_over(refiner, splitter);
     coarsen();
-    finish(refiner);
+    const Triangle_account account = finish(refiner);
     report_.is_cancelled = progress_.is_cancelled();
-    return convert();
+    return convert(account);
   }
 
 private:
@@ -128,8 +128,7 @@ private:
   Progress progress_{options_.progress()};
   Order order_; // kernel vertex -> input vertex
   Input_words<Point_2> words_{pslg_, order_};
-  std::vector<char> is_merged_; // kernel vertices that another one stands for
-  std::optional<Edge_sides> edge_sides_;
+  std::vector<char> is_merged_;                    // kernel vertices that another one stands for
   std::optional<Pslg_error_2> too_near_for_trees_; // the error for the first of them
 
   void sort_vertices() {
@@ -179,7 +178,6 @@ private:
       throw words_.ambiguous_seed(seed, problem_.edges);
     }
     if (state_.mesh.triangles.empty()) throw words_.no_domain(options_.mesh_domain());
-    edge_sides_.emplace(state_.mesh, problem_.edges);
   }
 
   /// What is near: what coordinates cannot tell apart is refused, what quadtrees cannot is noted.
@@ -256,13 +254,14 @@ private:
       };
   }
 
+  /// \returns where acute sectors may begin, which is found on the way
   /// \throws Pslg_error_2 if the mesh would surely be larger than the budget.
-  void estimate_size() {
+  Acute_starts estimate_size() {
     Phase_timer timer(report_.seconds.first_mesh);
-    const Size_estimate<Geometry> estimate(state_, ConcurrencyTag());
+    Size_estimate<Geometry> estimate(state_, ConcurrencyTag());
     report_.estimated_triangles = estimate.triangles();
     const Triangle_budget budget = budgets().of_triangles();
-    if (!budget.is_surely_exceeded_by(estimate.triangles())) return;
+    if (!budget.is_surely_exceeded_by(estimate.triangles())) return estimate.take_acute_starts();
     const std::string refusal = budget.refusal_of(estimate.triangles());
     if (estimate.worst_pair().triangles <= estimate.triangles_of_sizes())
       throw Pslg_error_2(Pslg_error_2::Kind::TOO_MANY_TRIANGLES, refusal + " for the bounds of size");
@@ -273,9 +272,9 @@ private:
                            gap.segments(), ratio(gap.width(), unit));
   }
 
-  void find_corners() {
+  void find_corners(const Acute_starts& starts) {
     Phase_timer timer(report_.seconds.first_mesh);
-    Corner_finder<ConcurrencyTag, Geometry>(state_).run();
+    Corner_finder<ConcurrencyTag, Geometry>(state_, starts).run();
   }
 
   void set_region_bounds(double scale) {
@@ -379,10 +378,11 @@ private:
   /// \throws Pslg_error_2 if the user wants quadtrees and their grid cannot tell two vertices apart
   Tree_separation_report_2::End make_mesh_by_trees() {
     const Pslg graph = graph_of_edges();
+    const Edge_sides sides(state_.mesh, problem_.edges);
     std::optional<Separation_trees<Traits, ConcurrencyTag>> trees;
     try {
       Phase_timer timer(report_.seconds.trees);
-      trees.emplace(problem_, *edge_sides_, graph, map_, options_.trees(), traits_, find_hits_,
+      trees.emplace(problem_, sides, graph, map_, options_.trees(), traits_, find_hits_,
                     budgets().of_construction(), report_.trees);
     } catch (const Point_error& error) {
       ++report_.trees.rounds;
@@ -392,7 +392,7 @@ private:
                             " are nearer to each other than the grid of the quadtrees can tell");
     }
     Phase_timer timer(report_.seconds.construct);
-    Tree_construction<Traits, ConcurrencyTag> construction(state_, *trees, map_, is_merged_, *edge_sides_,
+    Tree_construction<Traits, ConcurrencyTag> construction(state_, *trees, map_, is_merged_, sides,
                                                            report_.trees);
     // Leaves can be split without end for a bound that their rule is not made for: what misses a higher one is
     // refined afterwards.
@@ -430,15 +430,16 @@ private:
 
   /// Makes the mesh exactly constrained Delaunay. Such flips never lower the least angle of a pair; should
   /// one take apart an exempt triangle all the same, what it leaves is refined again.
-  void finish(Refiner<Geometry>& refiner) {
+  Triangle_account finish(Refiner<Geometry>& refiner) {
     Phase_timer timer(report_.seconds.refine);
     constexpr int most_rounds = 5;
+    Exact_legalizer<ConcurrencyTag, Geometry> legalizer(state_);
     for (int round = 0; round < most_rounds; ++round) {
-      state_.template make_Delaunay_exactly<ConcurrencyTag>();
-      if (!has_bad_on_worklist() || progress_.is_cancelled() || report_.is_budget_exhausted) return;
+      Triangle_account account = legalizer.run();
+      if (!has_bad_on_worklist() || progress_.is_cancelled() || report_.is_budget_exhausted) return account;
       run_to_the_end(refiner, budgets().of_repair(state_.mesh.number_of_vertices()));
     }
-    state_.template make_Delaunay_exactly<ConcurrencyTag>();
+    return legalizer.run();
   }
 
   bool has_bad_on_worklist() {
@@ -451,10 +452,10 @@ private:
     return !bad.empty();
   }
 
-  Indexed_mesh_2<Point_2> convert() {
+  Indexed_mesh_2<Point_2> convert(const Triangle_account& account) {
     Phase_timer timer(report_.seconds.convert);
     Kernel_mesh_converter<Traits, ConcurrencyTag> converter(state_, pslg_, map_, order_, report_);
-    Indexed_mesh_2<Point_2> mesh = converter.run();
+    Indexed_mesh_2<Point_2> mesh = converter.run(account);
     if constexpr (has_double_coordinates) check_mesh_is_kept(mesh);
     return mesh;
   }

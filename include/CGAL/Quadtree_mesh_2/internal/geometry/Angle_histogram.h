@@ -47,8 +47,9 @@ public:
     const double cell =
         std::min(std::max(0.0, (x - thresholds_[0]) * cells_per_unit_), number_of_cells - 1.0);
     std::size_t bin = first_[static_cast<std::size_t>(cell)];
+    bin += x >= thresholds_[bin + 1] ? 1 : 0; // no branch: it would be taken at random
     while (bin + 1 < NumberOfBins && x >= thresholds_[bin + 1]) ++bin;
-    return bin;
+    return std::min(bin, NumberOfBins - 1);
   }
 
 private:
@@ -62,12 +63,18 @@ class Angle_histogram {
 public:
   template <class Number>
   void add(const Basic_shape<Number>& s) {
-    using std::fabs;
-    const Number x = s.shortest(), z = s.longest();
-    const Number y = std::max(std::min(s.l[0], s.l[1]), std::min(std::max(s.l[0], s.l[1]), s.l[2]));
-    const Number n = z - x - y; // -2 sqrt(x y) cos(largest)
-    ++least_[bins_->least(ratio(s.area2 * s.area2, y * z))];
-    ++largest_[bins_->largest(ratio(0.25 * n * fabs(n), x * y))];
+    const Places at = places(s);
+    ++least_[at.least], ++largest_[at.largest];
+  }
+  /// Takes a triangle out again.
+  template <class Number>
+  void take(const Basic_shape<Number>& s) {
+    const Places at = places(s);
+    --least_[at.least], --largest_[at.largest];
+  }
+  void add(const Angle_histogram& other) {
+    for (std::size_t i = 0; i < least_.size(); ++i) least_[i] += other.least_[i];
+    for (std::size_t i = 0; i < largest_.size(); ++i) largest_[i] += other.largest_[i];
   }
 
   /// Adds the numbers of triangles, by bins of 1 degree from 0 and from 60 degrees.
@@ -77,6 +84,18 @@ public:
   }
 
 private:
+  struct Places {
+    std::size_t least, largest;
+  };
+  template <class Number>
+  Places places(const Basic_shape<Number>& s) const {
+    using std::fabs;
+    const Number x = s.shortest(), z = s.longest();
+    const Number y = std::max(std::min(s.l[0], s.l[1]), std::min(std::max(s.l[0], s.l[1]), s.l[2]));
+    const Number n = z - x - y; // -2 sqrt(x y) cos(largest)
+    return {bins_->least(ratio(s.area2 * s.area2, y * z)), bins_->largest(ratio(0.25 * n * fabs(n), x * y))};
+  }
+
   struct Bins {
     Bin_finder<60> least{[](std::size_t i) {
       const double sine = std::sin(static_cast<double>(i) * radians_per_degree);

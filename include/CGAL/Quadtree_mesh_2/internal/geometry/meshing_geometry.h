@@ -87,6 +87,17 @@ struct Basic_shape {
   /// two products. That sum is at most the longest squared side.
   bool is_certainly_counterclockwise() const { return area2 > 1e-15 * longest(); }
 
+  /// Whether the angle at vertex k is certainly below, or above, 90 degrees, on the same condition: each squared side is
+  /// correct to 4 half units in its last place.
+  bool is_certainly_acute(int k) const { return twice_dot(k) > error_of_twice_dot(); }
+  bool is_certainly_obtuse(int k) const { return twice_dot(k) < -error_of_twice_dot(); }
+
+  /// Whether the angle at vertex k is below 60 degrees, or so near that it cannot be told.
+  bool may_be_below_60_degrees(int k) const {
+    const Number c = twice_dot(k) + error_of_twice_dot();
+    return c > 0 && c * c > (1 - 1e-9) * (l[k == 2 ? 0 : k + 1] * l[k == 0 ? 2 : k - 1]);
+  }
+
   /// Slot of the vertex opposite the shortest side.
   int slot_of_shortest() const { return l[0] <= l[1] && l[0] <= l[2] ? 0 : l[1] <= l[2] ? 1 : 2; }
 
@@ -99,6 +110,14 @@ struct Basic_shape {
 
   /// The squared sine of the least angle.
   double sin2_of_least_angle() const { return ratio(area2 * area2, product_of_longer()); }
+
+private:
+  /// Twice the scalar product of the sides at vertex k.
+  Number twice_dot(int k) const { return l[k == 2 ? 0 : k + 1] + l[k == 0 ? 2 : k - 1] - l[k]; }
+  Number error_of_twice_dot() const {
+    constexpr double least = std::is_same<Number, double>::value ? 1e-280 : 0; // of products that underflow
+    return 1e-14 * longest() + least;
+  }
 };
 using Shape = Basic_shape<double>;
 

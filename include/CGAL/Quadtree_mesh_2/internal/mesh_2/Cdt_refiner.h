@@ -81,7 +81,6 @@ private:
   /// On all cores if the program links TBB: the mesh is the same.
   using Mesher = Quality_mesher_2<typename Flat::Traits, Parallel_tag>;
   static constexpr int most_attempts_ = 12;
-  static constexpr double greatest_angle_ = 30;
   static constexpr double gradation_ = 0.5;
 
   Cdt& cdt_;
@@ -134,14 +133,15 @@ private:
   template <class Oracle>
   bool ask_for_more(Oracle& oracle) {
     const std::size_t before = wanted_.size();
+    constexpr double greatest_angle = Quality_mesh_options_2::greatest_min_angle;
     double angle = options_.min_angle();
     for (const std::size_t t : bad_) {
       const Plane_triangle triangle = oracle.triangle(faces_[t]);
       const double size = oracle.wanted_size(triangle);
       if (size > 0 && size < triangle.longest())
         want_size(triangle, size);
-      else if (size > 0 && angle < greatest_angle_)
-        angle = std::max(angle, oracle.wanted_angle(triangle, greatest_angle_));
+      else if (size > 0 && angle < greatest_angle)
+        angle = std::max(angle, oracle.wanted_angle(triangle, greatest_angle));
     }
     const bool is_more = wanted_.size() > before || angle > options_.min_angle();
     options_.min_angle(angle);

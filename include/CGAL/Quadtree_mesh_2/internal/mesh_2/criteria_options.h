@@ -57,16 +57,16 @@ constexpr double default_angle_of_Mesh_2 = 20.704811054635429;
 /// The options that ask for the same as criteria of Mesh_2, as far as these tell.
 /// \tparam Criteria may have `bound()`, the squared sine of the least angle, and `size_bound()`, the longest
 /// edge (0: none), as `Delaunay_mesh_criteria_2` and `Delaunay_mesh_size_criteria_2` do. Mesh_2's default,
-/// 1/8, is 20.7048 degrees. Bounds above 30 degrees become 30. A size that holds in some places only
+/// 1/8, is 20.7048 degrees. Bounds above 34 degrees become 34. A size that holds in some places only
 /// (`is_local_size()`) does not become an option.
 template <class Criteria>
 Quality_mesh_options_2 quality_mesh_options_2(const Criteria& criteria) {
   Quality_mesh_options_2 options;
   if constexpr (Quadtree_mesh_2::internal::Has_bound<Criteria>::value) {
-    constexpr double largest = 30;
-    const double bound = criteria.bound();
-    options.min_angle(std::min(largest, std::asin(std::sqrt(std::min(0.25, std::max(0.0, bound)))) *
-                                            Quadtree_mesh_2::internal::degrees_per_radian));
+    constexpr double greatest = Quality_mesh_options_2::greatest_min_angle;
+    const double bound = std::min(1.0, std::max(0.0, criteria.bound()));
+    options.min_angle(
+        std::min(greatest, std::asin(std::sqrt(bound)) * Quadtree_mesh_2::internal::degrees_per_radian));
   }
   if constexpr (Quadtree_mesh_2::internal::Has_size_bound<Criteria>::value) {
     bool is_local = false;

@@ -4,8 +4,8 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// Converts the kernel's mesh to flat arrays, in the user's coordinates and vertex order. Accounts for
-// every triangle in the report. O(n), in parallel.
+// Converts the kernel's mesh to flat arrays, in the user's coordinates and vertex order, and the account of its
+// triangles to the report. O(n), in parallel.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_OUTPUT_KERNEL_MESH_TO_INDEXED_MESH_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_OUTPUT_KERNEL_MESH_TO_INDEXED_MESH_H
@@ -13,11 +13,11 @@
 #include <CGAL/Indexed_mesh_2.h>
 #include <CGAL/Pslg_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/angle_units.h>
-#include <CGAL/Quadtree_mesh_2/internal/geometry/Angle_histogram.h>
 #include <CGAL/Quadtree_mesh_2/internal/geometry/coordinate_map.h>
 #include <CGAL/Quadtree_mesh_2/internal/output/boundary_markers.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/radix_sort.h>
+#include <CGAL/Quadtree_mesh_2/internal/refinement/Exact_legalizer.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
 #include <CGAL/Quality_mesh_report_2.h>
 
@@ -43,33 +43,31 @@ public:
                         const Order& order, Quality_mesh_report_2& report)
       : state_(state), mesh_(state.mesh), pslg_(pslg), map_(map), order_(order), report_(report) {}
 
-  Mesh run() {
+  /// \param account of the mesh as it is
+  Mesh run(const Triangle_account& account) {
     Mesh out;
     make_vertices(out);
     number_triangles();
     out.triangles.resize(number_of_triangles_), out.neighbors.resize(number_of_triangles_);
     if (!mesh_.region_of.empty()) out.region_of_triangle.resize(number_of_triangles_);
-    std::vector<Part> parts((mesh_.triangles.size() + default_block - 1) / default_block);
+    std::vector<Edges> parts((mesh_.triangles.size() + default_block - 1) / default_block);
     for_each_block<ConcurrencyTag>(mesh_.triangles.size(), default_block,
                                    [&](std::size_t b, std::size_t begin, std::size_t end) {
                                      for (std::size_t t = begin; t < end; ++t)
                                        if (mesh_.is_alive(Triangle_id(t)))
                                          make_triangle(out, Triangle_id(t), parts[b]);
                                    });
-    for (const Part& part : parts) join(out, part);
+    for (const Edges& edges : parts)
+      out.constrained_edges.insert(out.constrained_edges.end(), edges.begin(), edges.end());
+    account.angles.add_to(report_.least_angle_histogram, report_.largest_angle_histogram);
+    for (const Triangle_id t : account.suspects) report(t);
     set_boundary_markers(out, pslg_);
     report_.triangles = out.triangles.size();
     return out;
   }
 
 private:
-  /// What a block of triangles adds to lists and sums.
-  struct Part {
-    std::vector<typename Mesh::Constrained_edge> edges;
-    std::vector<Quality_mesh_report_2::Exempt_triangle> exempt;
-    std::vector<Quality_mesh_report_2::Unmet_triangle> unmet;
-    Angle_histogram angles;
-  };
+  using Edges = std::vector<typename Mesh::Constrained_edge>;
 
   const Meshing_state<Geometry>& state_;
   const Kernel_mesh<Geometry>& mesh_;
@@ -132,55 +130,45 @@ private:
         });
   }
 
-  void make_triangle(Mesh& out, Triangle_id t, Part& part) const {
+  void make_triangle(Mesh& out, Triangle_id t, Edges& edges) const {
     const auto& r = mesh_.triangle(t);
     const auto place = std::size_t(new_triangle_[std::size_t(t)]);
     for (int k = 0; k < 3; ++k) {
       out.triangles[place][std::size_t(k)] = new_vertex_[std::size_t(r.v[k])];
       const Side o = r.side[k];
       if (!o.is_border()) out.neighbors[place][std::size_t(k)] = new_triangle_[std::size_t(o.triangle())];
-      if (o.is_border() || (o.is_constrained() && t < o.triangle())) add_constrained_edge(part, Side(t, k));
+      if (o.is_border() || (o.is_constrained() && t < o.triangle())) add_constrained_edge(edges, Side(t, k));
     }
     if (!mesh_.region_of.empty()) out.region_of_triangle[place] = mesh_.region(t);
-    account_for(t, part);
   }
 
-  void add_constrained_edge(Part& part, Side s) const {
+  void add_constrained_edge(Edges& edges, Side s) const {
     const Vertex_id x = mesh_.source(s), y = mesh_.target(s);
     const Edge_id e = state_.edges.carrying(mesh_, x, y);
     if (e < 0) return;
-    part.edges.push_back({{new_vertex_[std::size_t(x)], new_vertex_[std::size_t(y)]},
-                          Segment_index(std::size_t(state_.edges[e].segment))});
+    edges.push_back({{new_vertex_[std::size_t(x)], new_vertex_[std::size_t(y)]},
+                     Segment_index(std::size_t(state_.edges[e].segment))});
   }
 
-  void account_for(Triangle_id t, Part& part) const {
+  /// Reports a triangle that misses a bound.
+  void report(Triangle_id t) {
     const auto& r = mesh_.triangle(t);
     const auto s = mesh_.shape(r);
-    part.angles.add(s);
-    if (!state_.bounds.is_sharp(s) && !state_.is_large(t, s)) return;
-    if (!state_.is_bad(t)) return add_exempt(t, part);
+    if (!state_.is_bad(t, s)) return report_exempt(t);
     Quality_mesh_report_2::Unmet_triangle unmet{new_triangle_[std::size_t(t)], {0, 0}, 0, reason(t)};
     for (const Vertex_id v : r.v) {
       const auto [x, y] = map_.place(mesh_.point(v));
       unmet.centroid[0] += x / 3, unmet.centroid[1] += y / 3;
     }
     unmet.least_angle = std::asin(std::sqrt(std::min(1.0, s.sin2_of_least_angle()))) * 180 / pi;
-    part.unmet.push_back(unmet);
+    report_.unmet_triangles.push_back(unmet);
   }
 
-  void add_exempt(Triangle_id t, Part& part) const {
+  void report_exempt(Triangle_id t) {
     const auto& r = mesh_.triangle(t);
     const Sector_id s = state_.corners.sector_of(mesh_, r.v[0], r.v[1], r.v[2]);
     const Vertex_id apex = state_.corners.leg(state_.corners.sector(s).right).apex;
-    part.exempt.push_back({new_triangle_[std::size_t(t)], new_vertex_[std::size_t(apex)]});
-  }
-
-  void join(Mesh& out, const Part& part) {
-    const auto append = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
-    append(out.constrained_edges, part.edges);
-    append(report_.exempt_triangles, part.exempt);
-    append(report_.unmet_triangles, part.unmet);
-    part.angles.add_to(report_.least_angle_histogram, report_.largest_angle_histogram);
+    report_.exempt_triangles.push_back({new_triangle_[std::size_t(t)], new_vertex_[std::size_t(apex)]});
   }
 
   /// Why a bad triangle was left.

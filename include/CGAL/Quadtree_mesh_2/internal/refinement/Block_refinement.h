@@ -108,20 +108,24 @@ private:
     const std::vector<std::vector<Corner_id>> owned = corners_by_block(blocks);
     std::vector<std::vector<Triangle_id>> left(blocks.size());
     const std::size_t room = vertex_budget_ - std::min(vertex_budget_, whole_.mesh.number_of_vertices());
-    blocks.for_each([&](Block& block) {
-      const auto b = std::size_t(block.id());
-      left[b] = work(block, owned[b], room / blocks.size(), shall_go_on);
-    });
-    blocks.put_back();
+    blocks.for_each(
+        [&](Block& block) {
+          const auto b = std::size_t(block.id());
+          left[b] = work(block, owned[b], room / blocks.size(), shall_go_on);
+        },
+        [&](const Block& block) {
+          const auto b = std::size_t(block.id());
+          name_corner_vertices(owned[b], [&](Vertex_id v) { return block.whole_vertex(v); });
+          for (Triangle_id& t : left[b]) t = block.whole_triangle(t);
+        });
+    blocks.put_together();
     near_seams_.clear();
-    for (std::size_t b = 0; b < blocks.size(); ++b) {
-      name_corner_vertices(owned[b], [&](Vertex_id v) { return blocks[b].whole_vertex(v); });
-      for (const Triangle_id t : left[b]) {
-        if (!whole_.mesh.is_alive(blocks[b].whole_triangle(t))) continue;
-        whole_.worklist.push(blocks[b].whole_triangle(t));
-        near_seams_.push_back(blocks[b].whole_triangle(t));
+    for (const auto& triangles : left)
+      for (const Triangle_id t : triangles) {
+        if (!whole_.mesh.is_alive(t)) continue;
+        whole_.worklist.push(t);
+        near_seams_.push_back(t);
       }
-    }
     for (const Side s : blocks.seam_sides()) {
       near_seams_.push_back(s.triangle()), near_seams_.push_back(whole_.mesh.across(s).triangle());
       whole_.doubtful_sides.push_back(s);

@@ -32,16 +32,17 @@ namespace internal {
 /// What is beside the edges.
 class Edge_sides {
 public:
-  /// \pre the mesh is a triangulation of the domain without Steiner vertices
-  template <class Mesh>
-  Edge_sides(const Mesh& mesh, const Input_edges& edges)
+  /// \pre the mesh is one of the domain, whole and refined or not
+  template <class Geometry>
+  Edge_sides(const Kernel_mesh<Geometry>& mesh, const Input_edges& edges)
       : labels_(edges.size(), {outside_, outside_}), has_regions_(!mesh.region_of.empty()) {
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
       for (int k = 0; k < 3; ++k) {
         const Side s(static_cast<Triangle_id>(t), k);
         if (!mesh.is_alive(s.triangle()) || !mesh.triangle(s.triangle()).side[k].is_constrained()) continue;
-        const Edge_id e = edges.between(mesh.source(s), mesh.target(s));
-        labels_[std::size_t(e)][edges[e].a == mesh.source(s) ? left_ : right_] = mesh.region(s.triangle());
+        const Edge_id e = edges.carrying(mesh, mesh.source(s), mesh.target(s));
+        if (e < 0) continue; // a chord across a corner
+        labels_[std::size_t(e)][is_along(mesh, s, edges[e]) ? left_ : right_] = mesh.region(s.triangle());
       }
   }
 
@@ -85,6 +86,15 @@ private:
 
   std::vector<std::array<Region_id, 2>> labels_; // by edge
   bool has_regions_;
+
+  /// Whether a side on an edge runs from `edge.a` to `edge.b`.
+  template <class Geometry>
+  static bool is_along(const Kernel_mesh<Geometry>& mesh, Side s, const Input_edge& edge) {
+    const auto along = [&mesh](Vertex_id from, Vertex_id to) {
+      return Geometry::scaled_difference(mesh.point(to), mesh.point(from));
+    };
+    return dot(along(mesh.source(s), mesh.target(s)), along(edge.a, edge.b)) > 0;
+  }
 };
 
 } // namespace internal

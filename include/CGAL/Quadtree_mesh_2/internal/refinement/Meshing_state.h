@@ -9,7 +9,6 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_MESHING_STATE_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_MESHING_STATE_H
 
-#include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_problem.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Worklist.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Kernel_mesh.h>
@@ -52,6 +51,7 @@ struct Meshing_state {
   using Mesh = Kernel_mesh<Geometry>;
   using Point = typename Geometry::Point;
   using Shape = typename Mesh::Shape;
+  using Vector = Basic_vector<typename Geometry::Number>;
 
   Meshing_problem<Geometry>& problem;
   const Input_edges& edges = problem.edges;
@@ -85,6 +85,10 @@ struct Meshing_state {
   bool owns(Corner_id c) const { return !is_block_ || std::binary_search(owned_.begin(), owned_.end(), c); }
   bool is_block() const { return is_block_; }
 
+  /// A mesh up to this size is worth any effort. In larger ones what seldom helps is not tried.
+  static constexpr std::size_t most_triangles_of_small = 1000;
+  bool is_small() const { return mesh.number_of_triangles() <= most_triangles_of_small; }
+
   bool is_exempt(Vertex_id a, Vertex_id b, Vertex_id c) const { return corners.is_exempt(mesh, a, b, c); }
 
   bool is_large(Triangle_id t, const Shape& s) const {
@@ -93,17 +97,15 @@ struct Meshing_state {
   }
 
   /// Whether t misses a bound that no acute corner excuses.
-  bool is_bad(Triangle_id t) const {
+  bool is_bad(Triangle_id t) const { return is_bad(t, mesh.shape(mesh.triangle(t))); }
+  bool is_bad(Triangle_id t, const Shape& s) const {
     const auto& r = mesh.triangle(t);
-    const Shape s = mesh.shape(r);
     return (bounds.is_sharp(s) && !is_exempt(r.v[0], r.v[1], r.v[2])) || is_large(t, s);
   }
 
   /// Whether t misses a bound, excused or not.
-  bool is_suspect(Triangle_id t) const {
-    const Shape s = mesh.shape(mesh.triangle(t));
-    return bounds.is_sharp(s) || is_large(t, s);
-  }
+  bool is_suspect(Triangle_id t) const { return is_suspect(t, mesh.shape(mesh.triangle(t))); }
+  bool is_suspect(Triangle_id t, const Shape& s) const { return bounds.is_sharp(s) || is_large(t, s); }
 
   void clear_worklist() {
     while (!worklist.is_empty()) worklist.pop();
@@ -113,8 +115,13 @@ struct Meshing_state {
     if (is_suspect(t)) worklist.push(t);
   }
 
+  /// Pushes the triangles at v that may miss a bound: where sizes have none, by angles that are computed with one
+  /// difference a triangle and a little to spare.
   void push_suspects_around(Vertex_id v) {
-    mesh.for_each_triangle_at(v, [this](Triangle_id t, int) { push_if_suspect(t); });
+    if (bounds.is_size_bounded() || bounds.is_refused)
+      mesh.for_each_triangle_at(v, [this](Triangle_id t, int) { push_if_suspect(t); });
+    else
+      push_sharp_around(v);
   }
 
   /// The side between x and y that are neighbors in the mesh. An input vertex may have several fans, of
@@ -142,70 +149,32 @@ struct Meshing_state {
     }
   }
 
-  /// Flips until the mesh is constrained Delaunay, decided exactly. Cocircular vertices may be joined either
-  /// way. Ends: each flip lowers the lifted surface. What is to be flipped is found in parallel.
-  template <class ConcurrencyTag>
-  void make_Delaunay_exactly() {
-    std::vector<std::vector<Side>> found((mesh.triangles.size() + default_block - 1) / default_block);
-    for_each_block<ConcurrencyTag>(
-        mesh.triangles.size(), default_block, [&](std::size_t b, std::size_t begin, std::size_t end) {
-          for (std::size_t i = begin; i < end; ++i)
-            for (int k = 0; k < 3; ++k) {
-              const Side s(static_cast<Triangle_id>(i), k);
-              if (!mesh.is_alive(s.triangle())) break;
-              const Side o = mesh.across(s);
-              if (!o.is_constrained() && s.triangle() < o.triangle() && is_not_Delaunay(s))
-                found[b].push_back(s);
-            }
-        });
-    for (const auto& sides : found)
-      for (const Side s : sides) {
-        doubtful_sides.push_back(s);
-        flip_exactly();
-      }
-  }
-
   std::vector<Side> doubtful_sides;
 
 private:
   bool is_block_ = false;
   std::vector<Corner_id> owned_;
 
-  /// Whether the angles opposite a free side are certainly acute on both sides: then it is Delaunay, as most are.
-  bool is_seen_under_acute_angles(Side s) const {
-    const Point &a = mesh.point(mesh.source(s)), &b = mesh.point(mesh.target(s));
-    for (const Vertex_id v : {mesh.opposite(s), mesh.opposite(mesh.across(s))}) {
-      using std::fabs;
-      const auto x = Geometry::scaled_difference(a, mesh.point(v)),
-                 y = Geometry::scaled_difference(b, mesh.point(v));
-      constexpr double least =
-          Geometry::has_unlimited_coordinates ? 0 : 1e-280; // of products that are no underflow
-      if (!(dot(x, y) > 1e-15 * (fabs(x.x * y.x) + fabs(x.y * y.y)) + least)) return false;
-    }
-    return true;
-  }
-
-  /// Whether the vertex opposite a free side lies in the circle of the side's triangle; exact.
-  bool is_not_Delaunay(Side s) const {
-    if (is_seen_under_acute_angles(s)) return false;
-    const auto& r = mesh.triangle(s.triangle());
-    return Geometry::is_in_circle(mesh.point(r.v[0]), mesh.point(r.v[1]), mesh.point(r.v[2]),
-                                  mesh.point(mesh.opposite(mesh.across(s))));
-  }
-
-  void flip_exactly() {
-    while (!doubtful_sides.empty()) {
-      const Side s = doubtful_sides.back();
-      doubtful_sides.pop_back();
-      const Triangle_id t = s.triangle();
-      const Side o = mesh.across(s);
-      if (o.is_constrained() || !is_not_Delaunay(s)) continue;
-      mesh.flip(t, s.slot());
-      for (const Triangle_id n : {t, o.triangle()}) {
-        for (const int k : {0, n == t ? 2 : 1}) doubtful_sides.push_back(Side(n, k));
-        push_if_suspect(n);
+  void push_sharp_around(Vertex_id v) {
+    const double least_sin2 = bounds.sin2 * (1 + 1e-9);
+    const Point& origin = mesh.point(v);
+    Vertex_id end = -1; // of the last spoke
+    Vector spoke;
+    auto length2 = squared_length(spoke);
+    mesh.for_each_triangle_at(v, [&](Triangle_id t, int slot) {
+      const auto& r = mesh.triangle(t);
+      const Vertex_id right = r.v[next_slot[slot]];
+      if (right != end) { // the first triangle, or one clockwise of it
+        spoke = Geometry::scaled_difference(mesh.point(right), origin);
+        length2 = squared_length(spoke);
       }
-    }
+      end = r.v[previous_slot[slot]];
+      const Vector next = Geometry::scaled_difference(mesh.point(end), origin);
+      const auto next_length2 = squared_length(next);
+      const Shape s = {{squared_length(next - spoke), next_length2, length2}, cross(spoke, next)};
+      if (s.is_below(least_sin2)) worklist.push(t);
+      spoke = next, length2 = next_length2;
+    });
   }
 
   Side find_side_everywhere(Vertex_id x, Vertex_id y) const {

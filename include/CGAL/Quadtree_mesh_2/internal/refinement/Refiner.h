@@ -69,13 +69,15 @@ public:
     for (std::size_t step = 1; !state_.worklist.is_empty() || takes_up_refused(); ++step) {
       if (is_time_to_ask(step) && !shall_go_on()) return Refinement_end::CANCELLED;
       const Triangle_id t = state_.worklist.pop();
-      if (!mesh_.is_alive(t) || !state_.is_bad(t)) continue;
+      if (!mesh_.is_alive(t)) continue;
+      const Shape shape = mesh_.shape(mesh_.triangle(t));
+      if (!state_.is_bad(t, shape)) continue;
       if (mesh_.number_of_vertices() >= budget) {
         state_.worklist.push(t);
         return Refinement_end::OUT_OF_BUDGET;
       }
-      if (relocate_a_vertex_of(t)) continue;
-      refine(t);
+      if (relocate_a_vertex_of(t, shape)) continue;
+      refine(t, shape);
     }
     return Refinement_end::DONE;
   }
@@ -118,9 +120,9 @@ private:
     return true;
   }
 
-  bool relocate_a_vertex_of(Triangle_id t) {
+  bool relocate_a_vertex_of(Triangle_id t, const Shape& shape) {
     const auto r = mesh_.triangle(t);
-    if (!state_.bounds.is_sharp(mesh_.shape(r))) return false; // too large: a new vertex is needed anyway
+    if (!state_.bounds.is_sharp(shape)) return false; // too large: a new vertex is needed anyway
     for (const Vertex_id v : r.v) {
       if (mesh_.is_input(v) || number_of_relocations(v) >= most_relocations) continue;
       if (!relocator_.relocate(v)) continue;
@@ -137,10 +139,10 @@ private:
   }
 
   /// Inserts one vertex for the bad triangle t. Puts t back on the list if it is still bad.
-  void refine(Triangle_id t) {
+  void refine(Triangle_id t, const Shape& shape) {
     const std::size_t vertices_before = mesh_.number_of_vertices();
     Outcome outcome = splitter_.open_lock_around(t);
-    if (outcome == Outcome::REFUSED) outcome = insert_vertex_for(t);
+    if (outcome == Outcome::REFUSED) outcome = insert_vertex_for(t, shape);
     const bool may_go_later = outcome == Outcome::REFUSED && state_.is_block();
     if (outcome == Outcome::DEFERRED || may_go_later) return state_.deferred.push_back(t);
     settle_new_vertices(t, vertices_before);
@@ -158,9 +160,8 @@ private:
   }
 
   /// Refused if nothing could be inserted: the triangle is as small as coordinates allow.
-  Outcome insert_vertex_for(Triangle_id t) {
+  Outcome insert_vertex_for(Triangle_id t, const Shape& s) {
     const auto r = mesh_.triangle(t);
-    const Shape s = mesh_.shape(r);
     const int k = s.slot_of_shortest();
     if (!Geometry::is_resolved(mesh_.point(r.v[next_slot[k]]), s.l[k])) return Outcome::REFUSED;
     const Point q = place_for(r, s, k);

@@ -16,7 +16,8 @@
 // Deviates: restricted to feasible triangles. Bit j of `forward[i]` says that the sub-polygon i..j can be
 //           triangulated within the bounds.
 //
-// There are two passes in order of creation. The second is over vertices whose star has changed.
+// There are two passes in order of creation. The second is over vertices whose star has changed. Large stars
+// are tried in small meshes alone. Of others hardly one can be triangulated.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_REMOVER_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_REMOVER_H
@@ -57,9 +58,11 @@ public:
       for (Vertex_id v = 0; v < static_cast<Vertex_id>(mesh_.number_of_vertices()); ++v) {
         if (is_time_to_ask(std::size_t(v)) && !shall_go_on()) return removed;
         if (mesh_.is_input(v) || mesh_.is_dirty[std::size_t(v)] == 0 || !mesh_.is_used(v)) continue;
-        if (!star_.collect(mesh_, v)) continue; // perhaps at a seam: another round may do it
+        const int largest = state_.is_small() ? Star::max_size : largest_star;
+        const bool is_collected = star_.collect(mesh_, v, largest);
+        if (!is_collected && star_.size < largest) continue; // perhaps at a seam: another round may do it
         mesh_.is_dirty[std::size_t(v)] = 0;
-        if (try_to_remove(v)) ++removed;
+        if (is_collected && try_to_remove(v)) ++removed;
       }
     return removed;
   }
@@ -71,6 +74,7 @@ public:
 
 private:
   static constexpr int max_polygon = 13;
+  static constexpr int largest_star = 9; // of a mesh that is not small
 
   /// A polygon of the star, counterclockwise, and the triangles it is cut into.
   struct Polygon {
@@ -114,7 +118,8 @@ private:
   Polygon polygon(int first, int last) const {
     Polygon p;
     p.region = mesh_.region(star_.corner[first].triangle());
-    for (int i = first; i <= last; ++i) p.v[p.size++] = star_.link[star_.is_closed ? i % star_.size : i];
+    for (int i = first; i <= last; ++i)
+      p.v[p.size++] = star_.link[star_.is_closed && i >= star_.size ? i - star_.size : i];
     return p;
   }
 
@@ -164,26 +169,30 @@ private:
     return true;
   }
 
-  /// Whether some triangle of the polygon's vertices on its shortest side is feasible: without one the
-  /// polygon is not, and nearly all polygons that are not fail here.
+  /// Whether some triangle of the polygon's vertices on its shortest side is not below the bound, with a little to
+  /// spare, or may be excused: without one the polygon is not feasible, and nearly all polygons that are not fail here.
+  /// No branches: they would be taken at random.
   bool has_triangle_on_shortest_side(const Polygon& p) const {
+    constexpr double to_spare = 1 - 1e-9;
     const int n = p.size;
     int end = 0; // of the side; the place before it is the other end
     Number least = squared_length(place_[n - 1]);
     for (int k = 1; k < n; ++k) {
       const Number length = squared_length(place_[k] - place_[k - 1]);
-      end = length < least ? k : end; // no branches: they would be taken at random
+      end = length < least ? k : end;
       least = length < least ? length : least;
     }
-    const int i = end == 0 ? 0 : end - 1, j = end == 0 ? n - 1 : end;
-    const bool may_be_exempt =
-        state_.corners.is_on_leg(mesh_, p.v[i]) && state_.corners.is_on_leg(mesh_, p.v[j]);
-    for (int m = 0; m < n; ++m) {
-      if (m == i || m == j) continue;
-      const int a = std::min(i, m), b = m < i ? i : std::min(j, m), c = std::max(j, m);
-      if (is_feasible(shape(a, b, c), p, a, b, c, may_be_exempt)) return true;
+    const int begin = end == 0 ? n - 1 : end - 1;
+    const Vector from = place_[begin], side = place_[end] - from;
+    int found = 0;
+    for (int m = 0; m < n; ++m) { // the ends themselves have no area
+      const Vector u = place_[m] - from, v = u - side;
+      const Shape s = {{squared_length(v), squared_length(u), least}, cross(side, u)};
+      const int is_left = s.area2 > 0 ? 1 : 0, is_wide = s.is_below(to_spare * bounds_.sin2) ? 0 : 1;
+      found |= is_left & is_wide;
     }
-    return false;
+    return found != 0 ||
+           (state_.corners.is_on_leg(mesh_, p.v[begin]) && state_.corners.is_on_leg(mesh_, p.v[end]));
   }
 
   bool is_near_corner(const Polygon& p) const {

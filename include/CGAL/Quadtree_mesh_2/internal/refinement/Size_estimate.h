@@ -25,6 +25,8 @@
 //           - Bounds of size ask for the quotient of the area and the area of one triangle.
 //           Otherwise edges that share a vertex do not count as facing each other. Rings cut off wedges
 //           (Acute_corners.h), and their number grows with the logarithm only.
+//
+// The same look at each triangle finds where acute sectors may begin (find_corners.h).
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_SIZE_ESTIMATE_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_SIZE_ESTIMATE_H
@@ -43,6 +45,15 @@
 namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
+
+/// Per triangle of the first triangulation, bit k: an acute sector may begin at its vertex k, which is the first end of
+/// a constrained side then.
+struct Acute_starts {
+  std::vector<unsigned char> slots_of_triangle;
+
+  bool is_any(std::size_t t) const { return slots_of_triangle[t] != 0; }
+  bool has(std::size_t t, int k) const { return (slots_of_triangle[t] >> k & 1u) != 0; }
+};
 
 template <class Geometry>
 class Size_estimate {
@@ -65,6 +76,7 @@ public:
     if (state.bounds.squared_length_at)
       for (const auto& r : mesh_.triangles) total_area2_ = total_area2_ + mesh_.shape(r).area2;
     marks_.assign(mesh_.triangles.size(), 0);
+    acute_starts_.slots_of_triangle.assign(mesh_.triangles.size(), 0);
     const Demand all = reduce<ConcurrencyTag>(
         mesh_.triangles.size(), Demand(),
         [this](std::size_t begin, std::size_t end) {
@@ -77,7 +89,7 @@ public:
         });
     of_shapes_ = all.of_shapes, of_sizes_ = all.of_sizes;
     for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
-      for (int k = 0; k < 3 && marks_[t] != 0; ++k)
+      for (int k = 0; k < 3 && (marks_[t] & narrow_sides) != 0; ++k)
         if (is_narrow(static_cast<Triangle_id>(t), k)) add_facing_edges(static_cast<Triangle_id>(t), k);
   }
 
@@ -89,6 +101,8 @@ public:
   double triangles_of_sizes() const { return of_sizes_; }
   /// The pair that asks for most.
   const Pair& worst_pair() const { return worst_; }
+  /// Where acute sectors may begin: the slots that can be the apex in the clockwise-most triangle of one.
+  Acute_starts take_acute_starts() { return std::move(acute_starts_); }
 
 private:
   static constexpr double per_triangle = 1.5;
@@ -116,20 +130,26 @@ private:
   Number total_area2_ = 0;
   double of_shapes_ = 0, of_pairs_ = 0, of_sizes_ = 0;
   Pair worst_;
+  static constexpr unsigned narrow_sides = 7;
   std::vector<unsigned char>
-      marks_;                  // per triangle: bit k for a narrow side k, 3 + k for a sector begun there
+      marks_; // per triangle: bit k for a narrow side k, 3 + k for a sector begun there
+  Acute_starts acute_starts_;
   std::vector<Side> opposite_; // the narrow sides opposite the apex of a sector
 
   void add_triangle(Triangle_id t, Demand& demand) {
     const auto& r = mesh_.triangle(t);
     const Shape s = reliable_shape(r);
     int constrained = 0;
+    unsigned narrow = 0, starts = 0;
     for (int k = 0; k < 3; ++k) {
       if (!r.side[k].is_constrained()) continue;
       ++constrained;
-      unsigned char& marks = marks_[std::size_t(t)];
-      if (2 * s.area2 < s.l[k]) marks = static_cast<unsigned char>(marks | 1u << k);
+      if (2 * s.area2 < s.l[k]) narrow |= 1u << k;
+      const int apex = next_slot[k]; // of the sector to the left of side k
+      if (s.may_be_below_60_degrees(apex)) starts |= 1u << apex;
     }
+    marks_[std::size_t(t)] = static_cast<unsigned char>(narrow);
+    acute_starts_.slots_of_triangle[std::size_t(t)] = static_cast<unsigned char>(starts);
     demand.of_shapes += per_triangle;
     if (constrained < 2 && s.longest() > ordinary_aspect * s.area2) {
       // collinear vertices give no area in doubles

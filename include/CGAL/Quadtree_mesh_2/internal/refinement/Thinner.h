@@ -133,11 +133,10 @@ struct Thinning_trial {
   Leg_rule leg_rule;
 };
 
-/// Tries until nothing that can be tried makes a mesh of at most `most_triangles_of_small` triangles smaller.
+/// Tries until nothing that can be tried makes a small mesh smaller.
 /// \pre as of `Thinner`
 template <class Geometry, class Continue>
 void thin_small_mesh(Meshing_state<Geometry>& state, Continue&& shall_go_on) {
-  constexpr std::size_t most_triangles_of_small = 1000;
   // above the established bounds refinement takes longer to find that it does not end
   const int most_trials = state.bounds.is_established() ? 28 : 7;
   using Kind = Thinning_trial::Kind;
@@ -150,7 +149,7 @@ void thin_small_mesh(Meshing_state<Geometry>& state, Continue&& shall_go_on) {
   int failed = 0; // since the last success
   for (int i = 0; i < most_trials && failed < number_of_trials; ++i) {
     const std::size_t before = state.mesh.number_of_triangles();
-    if (before > most_triangles_of_small || !shall_go_on()) break;
+    if (!state.is_small() || !shall_go_on()) break;
     const Thinning_trial& trial = trials[i % number_of_trials];
     state.leg_rule = trial.leg_rule;
     if (trial.kind == Kind::SMOOTHING) {

@@ -20,6 +20,7 @@
 
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
+#include <CGAL/Quadtree_mesh_2/internal/refinement/Size_estimate.h>
 
 #include <algorithm>
 #include <cmath>
@@ -40,8 +41,8 @@ public:
   using Leg = typename Acute_corners<Geometry>::Leg;
   using Corner = typename Acute_corners<Geometry>::Corner;
 
-  explicit Corner_finder(Meshing_state<Geometry>& state)
-      : state_(state), mesh_(state.mesh), corners_(state.corners) {}
+  Corner_finder(Meshing_state<Geometry>& state, const Acute_starts& starts)
+      : state_(state), mesh_(state.mesh), corners_(state.corners), starts_(starts) {}
 
   /// Fills in `state.corners`; the mesh is the domain's first triangulation, without Steiner points.
   void run() {
@@ -77,6 +78,7 @@ private:
   Meshing_state<Geometry>& state_;
   Kernel_mesh<Geometry>& mesh_;
   Acute_corners<Geometry>& corners_;
+  const Acute_starts& starts_;
   std::vector<Acute_sector> acute_;
   std::vector<std::vector<Triangle_id>>
       first_triangles_; // per corner: where the sectors of all its legs begin
@@ -94,10 +96,9 @@ private:
     const std::size_t n = mesh_.triangles.size();
     std::vector<std::vector<Acute_sector>> found((n + default_block - 1) / default_block);
     for_each_block<ConcurrencyTag>(n, default_block, [&](std::size_t b, std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i)
-        for (int k = 0; k < 3; ++k)
-          if (mesh_.triangles[i].side[previous_slot[k]].is_constrained())
-            add_sector(static_cast<Triangle_id>(i), k, found[b]);
+      for (std::size_t t = begin; t < end; ++t)
+        for (int k = 0; k < 3 && starts_.is_any(t); ++k)
+          if (starts_.has(t, k)) add_sector(static_cast<Triangle_id>(t), k, found[b]);
     });
     for (const auto& sectors : found) acute_.insert(acute_.end(), sectors.begin(), sectors.end());
     for (const Acute_sector& s : acute_) corners_.is_acute[std::size_t(s.apex)] = 1;

@@ -67,7 +67,7 @@ public:
         inserter.insert(representative(segments[s][0]), representative(segments[s][1]),
                         static_cast<std::int32_t>(s));
     });
-    take_results(inserter);
+    add(inserter.take());
     return crossing;
   }
 
@@ -97,7 +97,7 @@ private:
     std::vector<std::int32_t> segments;
     std::vector<Vertex_id> vertices_left;
     std::vector<Rest_of_segment> segments_left;
-    std::optional<Segment_inserter<Geometry>> inserter;
+    Segments_made segments_made;
     std::optional<Crossing> crossing;
   };
 
@@ -158,11 +158,10 @@ private:
     return std::nullopt;
   }
 
-  void take_results(Segment_inserter<Geometry>& inserter) {
-    edges_.insert(edges_.end(), inserter.edges().begin(), inserter.edges().end());
-    repeated_edges_.insert(repeated_edges_.end(), inserter.repeated_edges().begin(),
-                           inserter.repeated_edges().end());
-    vertices_on_segments_ += inserter.number_of_vertices_on_segments();
+  void add(const Segments_made& made) {
+    edges_.insert(edges_.end(), made.edges.begin(), made.edges.end());
+    repeated_edges_.insert(repeated_edges_.end(), made.repeated_edges.begin(), made.repeated_edges.end());
+    vertices_on_segments_ += made.vertices_on_segments;
   }
 
   // ---- in blocks
@@ -175,18 +174,20 @@ private:
                                                          2 * vertices_of_block / stride, Square_shift::NONE));
     std::vector<Block_work> works = distribute(blocks, segments);
     vertex_in_block_.resize(representative_.size());
-    blocks.for_each([&](Block& block) {
-      Block_work& work = works[std::size_t(block.id())];
-      insert_vertices(block, blocks, work);
-      insert_segments(block, blocks, segments, work);
-    });
+    blocks.for_each(
+        [&](Block& block) {
+          Block_work& work = works[std::size_t(block.id())];
+          insert_vertices(block, blocks, work);
+          insert_segments(block, blocks, segments, work);
+        },
+        [](const Block&) {});
     std::optional<Crossing> crossing = first_crossing(works);
     if (!crossing) {
-      blocks.put_back();
+      blocks.put_together();
       std::vector<Side> doubtful = blocks.seam_sides();
       mesh_.make_Delaunay(doubtful);
     }
-    for (Block_work& work : works) take_results(*work.inserter);
+    for (const Block_work& work : works) add(work.segments_made);
     return crossing ? crossing : insert_what_is_left(works);
   }
 
@@ -254,7 +255,7 @@ private:
 
   void insert_segments(Block& block, const Blocks& blocks, const std::vector<Segment>& segments,
                        Block_work& work) {
-    work.inserter.emplace(block.mesh);
+    Segment_inserter<Geometry> inserter(block.mesh);
     work.crossing = catch_crossing([&] {
       for (const std::int32_t s : work.segments) {
         const auto [from, to] = segments[std::size_t(s)];
@@ -263,12 +264,13 @@ private:
           work.segments_left.push_back({from, to, s});
           continue;
         }
-        const auto rest = work.inserter->insert(a, b, s);
+        const auto rest = inserter.insert(a, b, s);
         if (!rest.is_empty())
           work.segments_left.push_back(
               {block.mesh.input_number(rest.from), block.mesh.input_number(rest.to), s});
       }
     });
+    work.segments_made = inserter.take();
   }
 
   static std::optional<Crossing> first_crossing(const std::vector<Block_work>& works) {
@@ -287,7 +289,7 @@ private:
         for (const Rest_of_segment& s : work.segments_left)
           inserter.insert(representative(s.from), representative(s.to), s.segment);
     });
-    take_results(inserter);
+    add(inserter.take());
     return crossing;
   }
 

@@ -101,25 +101,14 @@ public:
 
   /// Goes to the next triangle. \returns false, and stays, if there is none
   bool advance() {
-    if (state_ == State::COUNTERCLOCKWISE) {
-      const Side o = mesh_.triangle(t_).side[next_slot[slot_]];
-      if (!o.is_border()) {
-        if (o.triangle() == start_)
-          state_ = State::CLOSED;
-        else
-          t_ = o.triangle(), slot_ = next_slot[o.slot()]; // the common side begins at v, seen from there
-        return state_ != State::CLOSED;
-      }
-      state_ = State::CLOCKWISE;
-      t_ = start_, slot_ = Mesh::slot_of(mesh_.triangle(t_), v_);
-    }
-    if (state_ != State::CLOCKWISE) return false;
-    const Side o = mesh_.triangle(t_).side[previous_slot[slot_]];
-    if (o.is_border())
-      state_ = State::OPEN;
+    if (state_ != State::COUNTERCLOCKWISE) return advance_clockwise();
+    const Side o = mesh_.triangle(t_).side[next_slot[slot_]];
+    if (o.is_border()) return turn_around();
+    if (o.triangle() == start_)
+      state_ = State::CLOSED;
     else
-      t_ = o.triangle(), slot_ = previous_slot[o.slot()];
-    return state_ == State::CLOCKWISE;
+      t_ = o.triangle(), slot_ = next_slot[o.slot()]; // the common side begins at v, seen from there
+    return state_ != State::CLOSED;
   }
 
 private:
@@ -130,6 +119,22 @@ private:
   Triangle_id start_, t_;
   int slot_;
   State state_ = State::COUNTERCLOCKWISE;
+
+  bool turn_around() {
+    state_ = State::CLOCKWISE;
+    t_ = start_, slot_ = Mesh::slot_of(mesh_.triangle(t_), v_);
+    return advance_clockwise();
+  }
+
+  bool advance_clockwise() {
+    if (state_ != State::CLOCKWISE) return false;
+    const Side o = mesh_.triangle(t_).side[previous_slot[slot_]];
+    if (o.is_border())
+      state_ = State::OPEN;
+    else
+      t_ = o.triangle(), slot_ = previous_slot[o.slot()];
+    return state_ == State::CLOCKWISE;
+  }
 };
 
 template <class Geometry>
@@ -205,6 +210,19 @@ public:
     is_dirty.resize(vertices, 1);
     triangles.resize(number_of_slots);
     if (!region_of.empty()) region_of.resize(number_of_slots, -1);
+  }
+
+  /// Empties the mesh, which keeps its memory.
+  void clear() {
+    triangles.clear(), points.clear(), triangle_of.clear(), edge_of.clear(), is_dirty.clear();
+    region_of.clear(), free_.clear(), star_.clear();
+  }
+
+  /// Room for this many in the end, so that they are copied less often.
+  void reserve(std::size_t vertices, std::size_t number_of_slots) {
+    points.reserve(vertices), edge_of.reserve(vertices), triangle_of.reserve(vertices);
+    is_dirty.reserve(vertices), triangles.reserve(number_of_slots);
+    if (!region_of.empty()) region_of.reserve(number_of_slots);
   }
 
   void kill(Triangle_id t) {

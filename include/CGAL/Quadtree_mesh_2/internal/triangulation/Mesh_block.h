@@ -8,7 +8,8 @@
 //
 // Triangles keep their given order, and vertices are numbered as they occur. So the memory of a block is its
 // own and small, and stays in the cache. The sides where the rest of the mesh continues become seams, which
-// remember what they were. O(size of the block), not counting the sorting of vertices at seams.
+// remember what they were. Once the block is written back, it keeps what is at seams alone. O(size of
+// the block), not counting the sorting of vertices at seams.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_MESH_BLOCK_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_MESH_BLOCK_H
@@ -40,6 +41,8 @@ struct Block_assignment {
   std::vector<Vertex_id> of_vertex;
 
   const Place& operator[](Triangle_id t) const { return of_triangle[std::size_t(t)]; }
+  /// Whether a block has made the triangle, one that is written already.
+  bool is_new(Triangle_id t) const { return std::size_t(t) >= of_triangle.size(); }
 };
 
 template <class Geometry>
@@ -55,9 +58,10 @@ public:
 
   Mesh mesh;
 
+  /// \param spare a mesh without triangles, whose memory is used
   Mesh_block(const Mesh& whole, Block_assignment& assignment, Block_id id, const Triangle_id* begin,
-             const Triangle_id* end)
-      : whole_(&whole), assignment_(&assignment), id_(id), begin_(begin),
+             const Triangle_id* end, Mesh spare)
+      : mesh(std::move(spare)), whole_(&whole), assignment_(&assignment), id_(id), begin_(begin),
         taken_(static_cast<std::size_t>(end - begin)) {
     reserve();
     mesh.triangles.resize(taken_);
@@ -69,11 +73,11 @@ public:
 
   Block_id id() const { return id_; }
 
-  /// The handle in the block of a vertex of the whole mesh, -1 if it is not in the block. Only until blocks are put
-  /// back.
+  /// The handle in the block of a vertex of the whole mesh, -1 if it is not in the block. Only until the block is
+  /// written.
   Vertex_id vertex_in_block(Vertex_id whole_vertex) const {
     const Triangle_id t = whole_->incident_triangle(whole_vertex);
-    if (t < 0) return -1;
+    if (t < 0 || assignment_->is_new(t)) return -1;
     if ((*assignment_)[t].block == id_) return assignment_->of_vertex[std::size_t(whole_vertex)];
     const auto i = std::lower_bound(foreign_.begin(), foreign_.end(), whole_vertex,
                                     [](const Foreign& f, Vertex_id v) { return f.whole < v; });
@@ -109,6 +113,9 @@ public:
   /// Writes what only this block has. \pre new things are named, and the whole mesh has room.
   void write(Mesh& whole) {
     write_triangles(whole);
+    fans_.reserve(shared_.size());
+    for (const Vertex_id v : shared_)
+      fans_.push_back({whole_vertex(v), whole_triangle(mesh.incident_triangle(v))});
     for (Vertex_id v = 0; std::size_t(v) < mesh.number_of_vertices(); ++v) {
       if (is_shared(v)) continue;
       const auto w = std::size_t(whole_vertex(v));
@@ -119,10 +126,17 @@ public:
     }
   }
 
+  /// Frees all but what `write_shared()` and `seams()` need. \pre it is written
+  /// \returns the mesh, emptied, whose memory another block may use
+  Mesh release() {
+    whole_triangle_ = {}, whole_vertex_ = {}, foreign_ = {}, is_shared_ = {}, shared_ = {};
+    mesh.clear();
+    return std::exchange(mesh, Mesh());
+  }
+
   /// Writes what other blocks may write too; for one block after the other.
   void write_shared(Mesh& whole) const {
-    for (const Vertex_id v : shared_)
-      whole.triangle_of[std::size_t(whole_vertex(v))] = whole_triangle(mesh.incident_triangle(v));
+    for (const Fan& f : fans_) whole.triangle_of[std::size_t(f.vertex)] = f.triangle;
     for (const Triangle_id t : dead_) whole.kill(t);
   }
 
@@ -134,6 +148,12 @@ private:
     Vertex_id whole, here;
     Triangle_id triangle;
     int slot;
+  };
+
+  /// What the whole mesh will know at a vertex that other blocks may have, too; by its handles.
+  struct Fan {
+    Vertex_id vertex;
+    Triangle_id triangle;
   };
 
   const Mesh* whole_;
@@ -148,6 +168,7 @@ private:
   std::vector<Foreign> foreign_; // by handle in the whole mesh
   std::vector<char> is_shared_;  // of the vertices taken out: other blocks may have them too
   std::vector<Vertex_id> shared_;
+  std::vector<Fan> fans_; // of the shared ones
   std::vector<Triangle_id> dead_;
 
   bool is_shared(Vertex_id v) const {

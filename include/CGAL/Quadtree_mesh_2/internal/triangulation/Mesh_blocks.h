@@ -11,7 +11,8 @@
 // each other by a third of the root. So what is near a seam of one round is well inside a block of the other:
 // of a quadtree and its shifted copies, one has any given disc within a square not much larger (Chan,
 // "Approximate nearest neighbor queries revisited", 1998). The mesh alone determines how blocks are cut, and
-// they are put back in order. So the result is the same for any number of threads.
+// new things are named in the order of blocks. So the result is the same for any number of threads. A single thread
+// writes each block before it takes out the next, which gets its memory.
 //
 // O(n) work and memory for n triangles in blocks, and O(s log s) for s seams.
 
@@ -128,28 +129,35 @@ public:
   }
 
   std::size_t size() const { return blocks_.size(); }
-  const Block& operator[](std::size_t b) const { return *blocks_[b]; }
   /// The block in which a triangle of the whole mesh is, -1 for none.
   Block_id block_of(Triangle_id t) const { return assignment_[t].block; }
   /// The handle that a triangle has in its block, when that is taken out.
   Triangle_id place_of(Triangle_id t) const { return assignment_[t].triangle; }
 
-  /// Takes the blocks out and calls `work(block)` for each; calls for different blocks may overlap. The whole mesh
-  /// must not be changed meanwhile.
-  template <class Work>
-  void for_each(const Work& work) {
-    Executor<ConcurrencyTag>::run(size(), [&](std::size_t b) {
-      const Triangle_id* t = cut_.triangles.data();
-      blocks_[b] = std::make_unique<Block>(whole_, assignment_, static_cast<Block_id>(b), t + cut_.first[b],
-                                           t + cut_.first[b + 1]);
-      work(*blocks_[b]);
-    });
+  /// Takes the blocks out, calls `work(block)` for each, and writes them into the whole mesh. Then calls
+  /// `take_results(block)` for each, which may ask for handles in the whole mesh; afterward the block is empty. Calls
+  /// for different blocks may overlap. Nobody else may use the whole mesh until the blocks are put together.
+  template <class Work, class TakeResults>
+  void for_each(const Work& work, const TakeResults& take_results) {
+    const std::size_t batch = is_sequential<ConcurrencyTag>() ? 1 : size();
+    std::vector<Mesh> spare(batch);
+    for (std::size_t begin = 0; begin < size(); begin += batch) {
+      Executor<ConcurrencyTag>::run(batch,
+                                    [&](std::size_t i) { work(take_out(begin + i, std::move(spare[i]))); });
+      const std::vector<First_names> names = make_room(begin, begin + batch);
+      Executor<ConcurrencyTag>::run(batch, [&](std::size_t i) {
+        Block& block = *blocks_[begin + i];
+        block.name_new(names[i].triangle, names[i].vertex);
+        block.write(whole_);
+        take_results(block);
+        Mesh rest = block.release();
+        if (begin + batch < size()) spare[i] = std::move(rest);
+      });
+    }
   }
 
-  /// Puts all blocks back. The sides at seams are left in `seam_sides()`.
-  void put_back() {
-    make_room();
-    Executor<ConcurrencyTag>::run(size(), [&](std::size_t b) { blocks_[b]->write(whole_); });
+  /// Links the blocks to each other. The sides at seams are left in `seam_sides()`.
+  void put_together() {
     for (const auto& block : blocks_) block->write_shared(whole_);
     close_seams();
   }
@@ -174,18 +182,38 @@ private:
     });
   }
 
-  void make_room() {
-    std::size_t triangles = whole_.triangles.size(), vertices = whole_.number_of_vertices();
-    std::vector<std::size_t> first_triangle, first_vertex;
-    for (const auto& block : blocks_) {
-      first_triangle.push_back(triangles), first_vertex.push_back(vertices);
-      triangles += block->number_of_new_triangles(), vertices += block->number_of_new_vertices();
+  Block& take_out(std::size_t b, Mesh spare) {
+    const Triangle_id* t = cut_.triangles.data();
+    blocks_[b] = std::make_unique<Block>(whole_, assignment_, static_cast<Block_id>(b), t + cut_.first[b],
+                                         t + cut_.first[b + 1], std::move(spare));
+    return *blocks_[b];
+  }
+
+  /// The first handles in the whole mesh that what is new in a block gets.
+  struct First_names {
+    Triangle_id triangle;
+    Vertex_id vertex;
+  };
+
+  /// Makes room in the whole mesh for what is new in the blocks [begin, end).
+  std::vector<First_names> make_room(std::size_t begin, std::size_t end) {
+    const std::size_t triangles_before = whole_.triangles.size(),
+                      vertices_before = whole_.number_of_vertices();
+    std::size_t triangles = triangles_before, vertices = vertices_before;
+    std::vector<First_names> names;
+    for (std::size_t b = begin; b < end; ++b) {
+      names.push_back({static_cast<Triangle_id>(triangles), static_cast<Vertex_id>(vertices)});
+      triangles += blocks_[b]->number_of_new_triangles(), vertices += blocks_[b]->number_of_new_vertices();
+    }
+    if (begin == 0) { // others will need as much, or a little more
+      const double others = 1.25 * static_cast<double>(size() - end) / static_cast<double>(end);
+      const auto with_others = [&](std::size_t before, std::size_t now) {
+        return now + static_cast<std::size_t>(others * static_cast<double>(now - before));
+      };
+      whole_.reserve(with_others(vertices_before, vertices), with_others(triangles_before, triangles));
     }
     whole_.resize(vertices, triangles);
-    Executor<ConcurrencyTag>::run(size(), [&](std::size_t b) {
-      blocks_[b]->name_new(static_cast<Triangle_id>(first_triangle[b]),
-                           static_cast<Vertex_id>(first_vertex[b]));
-    });
+    return names;
   }
 
   /// Links what was apart: the two sides of a seam remember the same pair of sides of the whole mesh as it was.

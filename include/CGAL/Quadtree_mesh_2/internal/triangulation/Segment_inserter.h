@@ -20,6 +20,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -36,6 +37,13 @@ struct Input_edge {
 struct Crossing {
   std::int32_t segment;
   Vertex_id a, b; ///< input numbers of the ends of the constrained edge that is crossed
+};
+
+/// What came of segments.
+struct Segments_made {
+  std::vector<Input_edge> edges;
+  std::vector<Input_edge> repeated_edges; ///< those that were there already, for an earlier segment
+  std::size_t vertices_on_segments = 0;
 };
 
 template <class Geometry>
@@ -62,11 +70,8 @@ public:
     return rest;
   }
 
-  /// The pieces made.
-  std::vector<Input_edge>& edges() { return edges_; }
-  /// Pieces that were there already, for an earlier segment.
-  std::vector<Input_edge>& repeated_edges() { return repeated_edges_; }
-  std::size_t number_of_vertices_on_segments() const { return vertices_on_segments_; }
+  /// Hands over what was made; it starts anew.
+  Segments_made take() { return std::exchange(result_, {}); }
 
 private:
   /// How a segment leaves its first vertex.
@@ -77,8 +82,7 @@ private:
   };
 
   Mesh& mesh_;
-  std::vector<Input_edge> edges_, repeated_edges_;
-  std::size_t vertices_on_segments_ = 0;
+  Segments_made result_;
   std::vector<std::array<Vertex_id, 2>> crossed_, made_;
   std::vector<Side> doubtful_;
 
@@ -142,7 +146,7 @@ private:
     const Vertex_id end = is_from_first_end ? make_piece(from, to, way->exit, segment)
                                             : make_piece(to, from, way->exit, segment);
     if (end < 0) return false;
-    if (end != (is_from_first_end ? to : from)) ++vertices_on_segments_;
+    if (end != (is_from_first_end ? to : from)) ++result_.vertices_on_segments;
     (is_from_first_end ? rest.from : rest.to) = end;
     return true;
   }
@@ -169,11 +173,11 @@ private:
     const Side o = mesh_.across(s);
     if (o.is_seam()) return false;
     if (o.is_constrained()) {
-      repeated_edges_.push_back(named(a, b, segment));
+      result_.repeated_edges.push_back(named(a, b, segment));
       return true;
     }
     mesh_.constrain(s);
-    edges_.push_back(named(a, b, segment));
+    result_.edges.push_back(named(a, b, segment));
     return true;
   }
 

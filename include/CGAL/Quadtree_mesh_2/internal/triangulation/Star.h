@@ -27,17 +27,17 @@ struct Star {
 
   int number_of_link_vertices() const { return is_closed ? size : size + 1; }
 
-  /// Collects the star of v, a Steiner vertex; false if it has more than `max_size` triangles, or goes on beyond
-  /// a seam.
+  /// Collects the star of v, a Steiner vertex; false if it has more than `most` triangles, at most `max_size`, or
+  /// goes on beyond a seam.
   template <class Geometry>
-  bool collect(const Kernel_mesh<Geometry>& mesh, Vertex_id v) {
+  bool collect(const Kernel_mesh<Geometry>& mesh, Vertex_id v, int most = max_size) {
     using Mesh = Kernel_mesh<Geometry>;
     size = 0;
     const Triangle_id first = mesh.edge(v) >= 0 ? clockwise_most(mesh, v) : mesh.incident_triangle(v);
     if (first < 0) return false;
     int i = Mesh::slot_of(mesh.triangle(first), v);
     for (Triangle_id t = first;;) {
-      if (size == max_size) return false;
+      if (size == most) return false;
       const auto& r = mesh.triangle(t);
       link[size] = r.v[next_slot[i]];
       corner[size++] = Side(t, i);

@@ -1,0 +1,139 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+//
+// Makes the mesh constrained Delaunay, decided exactly, and accounts for its triangles on the way.
+//
+// A side that is not Delaunay is seen under an obtuse angle from at least one of its triangles. So each triangle is
+// looked at once: its side opposite an angle that is not certainly acute is tested in exact arithmetic, and from its
+// squared sides come its place in the histogram of angles and whether it may miss a bound. Sides that fail are flipped
+// then, and the account follows. Cocircular vertices may be joined either way. Ends: each flip lowers the lifted
+// surface. O(n) for n triangles, with the look in parallel, and flips, which are few after refinement.
+
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_EXACT_LEGALIZER_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_EXACT_LEGALIZER_H
+
+#include <CGAL/Quadtree_mesh_2/internal/geometry/Angle_histogram.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
+#include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Quadtree_mesh_2 {
+namespace internal {
+
+/// The triangles of a mesh by their angles, and those that miss a bound, excused or not, by their handles.
+struct Triangle_account {
+  Angle_histogram angles;
+  std::vector<Triangle_id> suspects;
+};
+
+template <class ConcurrencyTag, class Geometry>
+class Exact_legalizer {
+public:
+  explicit Exact_legalizer(Meshing_state<Geometry>& state) : state_(state), mesh_(state.mesh) {}
+
+  /// Makes the mesh constrained Delaunay. Triangles that flips make suspect go to the worklist.
+  Triangle_account run() {
+    const std::size_t n = mesh_.triangles.size();
+    std::vector<Part> parts((n + default_block - 1) / default_block);
+    for_each_block<ConcurrencyTag>(n, default_block, [&](std::size_t b, std::size_t begin, std::size_t end) {
+      for (std::size_t t = begin; t < end; ++t)
+        if (mesh_.is_alive(static_cast<Triangle_id>(t))) look_at(static_cast<Triangle_id>(t), parts[b]);
+    });
+    Triangle_account account;
+    for (const Part& part : parts) {
+      account.angles.add(part.account.angles);
+      account.suspects.insert(account.suspects.end(), part.account.suspects.begin(),
+                              part.account.suspects.end());
+    }
+    bool is_any_flipped = false;
+    for (const Part& part : parts)
+      for (const Side s : part.doubtful) is_any_flipped |= flip_from(s, account);
+    if (is_any_flipped) drop_cured_suspects(account.suspects);
+    return account;
+  }
+
+private:
+  using Shape = typename Kernel_mesh<Geometry>::Shape;
+
+  /// What is found in a run of triangles.
+  struct Part {
+    Triangle_account account;
+    std::vector<Side> doubtful;
+  };
+
+  Meshing_state<Geometry>& state_;
+  Kernel_mesh<Geometry>& mesh_;
+  std::vector<Side> doubtful_;
+
+  void look_at(Triangle_id t, Part& part) const {
+    const auto& r = mesh_.triangle(t);
+    const Shape s = mesh_.shape(r);
+    part.account.angles.add(s);
+    if (state_.is_suspect(t, s)) part.account.suspects.push_back(t);
+    for (int k = 0; k < 3; ++k)
+      if (!s.is_certainly_acute(k) && !r.side[k].is_constrained() && !is_looked_at_from_beyond(t, s, k) &&
+          is_not_Delaunay(Side(t, k)))
+        part.doubtful.push_back(Side(t, k));
+  }
+
+  /// Of two angles that may be right, as those on the diagonals of squares, one is enough.
+  bool is_looked_at_from_beyond(Triangle_id t, const Shape& s, int k) const {
+    const Side o = mesh_.triangle(t).side[k];
+    return o.triangle() < t && !s.is_certainly_obtuse(k) &&
+           !mesh_.shape(mesh_.triangle(o.triangle())).is_certainly_acute(o.slot());
+  }
+
+  /// Whether the vertex opposite a free side lies in the circle of the side's triangle; exact.
+  bool is_not_Delaunay(Side s) const {
+    const auto& r = mesh_.triangle(s.triangle());
+    return Geometry::is_in_circle(mesh_.point(r.v[0]), mesh_.point(r.v[1]), mesh_.point(r.v[2]),
+                                  mesh_.point(mesh_.opposite(mesh_.across(s))));
+  }
+
+  /// Flips the side and what becomes doubtful by that. \returns whether anything was flipped
+  bool flip_from(Side side, Triangle_account& account) {
+    bool is_any_flipped = false;
+    doubtful_.assign(1, side);
+    while (!doubtful_.empty()) {
+      const Side s = doubtful_.back();
+      doubtful_.pop_back();
+      const Triangle_id t = s.triangle();
+      const Side o = mesh_.across(s);
+      if (o.is_constrained() || !is_not_Delaunay(s)) continue;
+      is_any_flipped = true;
+      for (const Triangle_id n : {t, o.triangle()}) account.angles.take(mesh_.shape(mesh_.triangle(n)));
+      mesh_.flip(t, s.slot());
+      for (const Triangle_id n : {t, o.triangle()}) {
+        const Shape shape = mesh_.shape(mesh_.triangle(n));
+        account.angles.add(shape);
+        for (const int k : {0, n == t ? 2 : 1}) doubtful_.push_back(Side(n, k));
+        if (!state_.is_suspect(n, shape)) continue;
+        account.suspects.push_back(n);
+        state_.worklist.push(n);
+      }
+    }
+    return is_any_flipped;
+  }
+
+  /// Flips may have cured some, and named others more than once.
+  void drop_cured_suspects(std::vector<Triangle_id>& suspects) const {
+    std::sort(suspects.begin(), suspects.end());
+    suspects.erase(std::unique(suspects.begin(), suspects.end()), suspects.end());
+    suspects.erase(std::remove_if(suspects.begin(), suspects.end(),
+                                  [this](Triangle_id t) { return !state_.is_suspect(t); }),
+                   suspects.end());
+  }
+};
+
+} // namespace internal
+} // namespace Quadtree_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_EXACT_LEGALIZER_H
