@@ -7,7 +7,7 @@
 #include <CGAL/Fixed_point_quadtree_traits_2.h>
 #include <CGAL/Indexed_mesh_2.h>
 #include <CGAL/Pslg_error_2.h>
-#include <CGAL/Quadtree_mesh_2/internal/io/Number_text.h>
+#include <CGAL/Quadtree_mesh_2/internal/io/number_text.h>
 #include <CGAL/centroid.h>
 
 #include <algorithm>

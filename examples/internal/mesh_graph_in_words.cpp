@@ -1,7 +1,7 @@
 #include "Word_map.h"
 #include "mesh_graph_with.h"
 
-#include <CGAL/Quadtree_mesh_2/internal/io/Number_text.h>
+#include <CGAL/Quadtree_mesh_2/internal/io/number_text.h>
 #include <CGAL/round_mesh_2.h>
 #include <CGAL/validate_pslg_2.h>
 

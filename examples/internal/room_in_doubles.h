@@ -14,7 +14,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Filtered_quadtree_traits_2.h>
 #include <CGAL/Quadtree_mesh_2/Index.h>
-#include <CGAL/Quadtree_mesh_2/internal/io/Number_text.h>
+#include <CGAL/Quadtree_mesh_2/internal/io/number_text.h>
 #include <CGAL/tags.h>
 
 #include <algorithm>

@@ -12,7 +12,7 @@
 // Source:   Bern, Eppstein, Teng, section 2, Lemmas 1-3 and the first half of Theorem 1. Each pair of
 //           neighbors in the order gives a square. Its parent is the smaller of the nearest larger squares to
 //           either side. Annotations: section 5.
-// Deviates: squares derived more than once are merged while the nearest larger ones are found (nesting.h).
+// Deviates: squares derived more than once are merged while the nearest larger ones are found (Nesting_finder.h).
 //           Equal points, which the paper excludes, are merged and reported.
 
 #ifndef CGAL_QUADTREE_FRAMEWORK_H
@@ -25,7 +25,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/base/Word_operations.h>
 #include <CGAL/Quadtree_mesh_2/internal/grid/morton.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
-#include <CGAL/Quadtree_mesh_2/internal/quadtree/nesting.h>
+#include <CGAL/Quadtree_mesh_2/internal/quadtree/Nesting_finder.h>
 #include <CGAL/assertions.h>
 #include <CGAL/tags.h>
 

@@ -37,7 +37,7 @@
 // why the lemma needs V.
 //
 // Sectors. Distances are Euclidean, and everything in the sector counts, whatever lies between. The mesher
-// finds the radii of its rings (internal/refinement/find_corners.h) geodesically: by walks in the constrained
+// finds the radii of its rings (internal/refinement/Corner_finder.h) geodesically: by walks in the constrained
 // Delaunay triangulation of the domain that stop at constraints. The nearest feature in a sector is never
 // hidden, because anything that hides it is nearer. So the two differ only by what they leave out. The mesher
 // ignores what is not in the domain. It also ignores segments that touch the far end of a leg, even if they

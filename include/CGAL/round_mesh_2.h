@@ -25,7 +25,7 @@
 #include <CGAL/Point_set_mesh_report_2.h>
 #include <CGAL/Pslg_error_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/grid/exact_grid.h>
-#include <CGAL/Quadtree_mesh_2/internal/io/Number_text.h>
+#include <CGAL/Quadtree_mesh_2/internal/io/number_text.h>
 #include <CGAL/Quadtree_mesh_2/internal/output/Rounded_mesh_repairer.h>
 #include <CGAL/Quality_mesh_report_2.h>
 

@@ -8,7 +8,7 @@
 #include "quadtree_test_inputs.h"
 
 #include <CGAL/Exact_rational.h>
-#include <CGAL/Quadtree_mesh_2/internal/frame/Gaussian_rotation.h>
+#include <CGAL/Quadtree_mesh_2/internal/frame/Gaussian_integer.h>
 #include <CGAL/Quadtree_mesh_2/internal/squares/Corner_warper.h>
 
 #include <algorithm>

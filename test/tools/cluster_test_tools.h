@@ -12,8 +12,8 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Exact_rational.h>
-#include <CGAL/Quadtree_mesh_2/internal/clusters/Cluster_collar.h>
 #include <CGAL/Quadtree_mesh_2/internal/clusters/Cluster_frame.h>
+#include <CGAL/Quadtree_mesh_2/internal/clusters/cluster_collar.h>
 #include <CGAL/Quadtree_mesh_2/internal/geometry/exact_dyadic_steps.h>
 #include <CGAL/Quadtree_mesh_2/internal/geometry/exact_geometry.h>
 #include <CGAL/Quadtree_mesh_2/internal/geometry/meshing_geometry.h>

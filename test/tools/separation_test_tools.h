@@ -15,7 +15,7 @@
 #include <CGAL/Quality_mesh_report_2.h>
 #include <CGAL/Tree_separation_options_2.h>
 
-#include <CGAL/Quadtree_mesh_2/internal/refinement/find_corners.h>
+#include <CGAL/Quadtree_mesh_2/internal/refinement/Corner_finder.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Separation_trees.h>
 #include <CGAL/Quality_mesher_2.h>
 

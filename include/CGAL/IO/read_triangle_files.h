@@ -11,7 +11,7 @@
 #include <CGAL/Pslg_2.h>
 #include <CGAL/Pslg_error_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/io/Line_scanner.h>
-#include <CGAL/Quadtree_mesh_2/internal/io/Number_text.h>
+#include <CGAL/Quadtree_mesh_2/internal/io/number_text.h>
 #include <CGAL/Quadtree_mesh_2/internal/io/read_whole_file.h>
 
 #include <algorithm>

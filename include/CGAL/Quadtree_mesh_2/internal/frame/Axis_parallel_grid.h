@@ -19,7 +19,7 @@
 #define CGAL_QUADTREE_MESH_2_INTERNAL_FRAME_AXIS_PARALLEL_GRID_H
 
 #include <CGAL/Quadtree_mesh_2/Grid_point_2.h>
-#include <CGAL/Quadtree_mesh_2/internal/frame/Gaussian_rotation.h>
+#include <CGAL/Quadtree_mesh_2/internal/frame/Gaussian_integer.h>
 #include <CGAL/Quadtree_mesh_2/internal/geometry/meshing_geometry.h>
 #include <CGAL/Quadtree_mesh_2/internal/grid/double_grid.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>

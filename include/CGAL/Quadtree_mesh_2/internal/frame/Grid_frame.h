@@ -27,7 +27,7 @@
 #define CGAL_QUADTREE_MESH_2_INTERNAL_FRAME_GRID_FRAME_H
 
 #include <CGAL/Quadtree_mesh_2/internal/frame/Axis_parallel_grid.h>
-#include <CGAL/Quadtree_mesh_2/internal/frame/Gaussian_rotation.h>
+#include <CGAL/Quadtree_mesh_2/internal/frame/Gaussian_integer.h>
 #include <CGAL/Quadtree_mesh_2/internal/frame/approximate_diameter.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 

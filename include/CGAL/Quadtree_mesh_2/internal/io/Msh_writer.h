@@ -11,7 +11,7 @@
 #include <CGAL/Pslg_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/geometry/triangle_angles.h>
 #include <CGAL/Quadtree_mesh_2/internal/io/Line_writer.h>
-#include <CGAL/Quadtree_mesh_2/internal/io/Number_text.h>
+#include <CGAL/Quadtree_mesh_2/internal/io/number_text.h>
 
 #include <algorithm>
 #include <array>

@@ -13,9 +13,9 @@
 #include <CGAL/Pslg_error_2.h>
 #include <CGAL/Quadtree_mesh_2/Point_error.h>
 #include <CGAL/Quadtree_mesh_2/internal/grid/morton.h>
+#include <CGAL/Quadtree_mesh_2/internal/triangulation/Domain_rule.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/First_triangulation.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Input_edges.h>
-#include <CGAL/Quadtree_mesh_2/internal/triangulation/domain.h>
 #include <CGAL/Quality_mesh_options_2.h>
 #include <CGAL/validate_pslg_2.h>
 

@@ -18,7 +18,7 @@
 // the least angle of a trapezoid's triangles is atan(sin(phi) / (R/r - cos(phi))). This is at least min(0.9
 // phi, 20.7 degrees).
 //
-// Data and queries only. find_corners.h finds the corners, and Splitter.h cuts the legs. O(log degree) for a
+// Data and queries only. Corner_finder.h finds the corners, and Splitter.h cuts the legs. O(log degree) for a
 // query.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_ACUTE_CORNERS_H

@@ -16,9 +16,9 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_EDGE_SIDES_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_EDGE_SIDES_H
 
+#include <CGAL/Quadtree_mesh_2/internal/triangulation/Domain_rule.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Input_edges.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Kernel_mesh.h>
-#include <CGAL/Quadtree_mesh_2/internal/triangulation/domain.h>
 
 #include <array>
 #include <cstddef>

@@ -26,7 +26,7 @@
 //           Otherwise edges that share a vertex do not count as facing each other. Rings cut off wedges
 //           (Acute_corners.h), and their number grows with the logarithm only.
 //
-// The same look at each triangle finds where acute sectors may begin (find_corners.h).
+// The same look at each triangle finds where acute sectors may begin (Corner_finder.h).
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_SIZE_ESTIMATE_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_SIZE_ESTIMATE_H

@@ -20,7 +20,7 @@
 // Bound:    O(degree) for a split, times the number of legs within a ring.
 // Source:   Bern, Eppstein, Teng, section 6: "We can ignore the cut-off triangles for the remainder of the
 //           algorithm, simply reattaching them (with appropriately subdivided cutting edges) after the final
-//           warping step." The radii of the cuts are those of find_corners.h, which quotes how the paper
+//           warping step." The radii of the cuts are those of Corner_finder.h, which quotes how the paper
 //           chooses them.
 // Deviates: cut-off triangles stay in the mesh, behind their chords. A cutting edge is not subdivided.
 //           Instead the cut moves toward the apex.

@@ -20,9 +20,9 @@
 
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/radix_sort.h>
-#include <CGAL/Quadtree_mesh_2/internal/tiles/Tile_blocks.h>
 #include <CGAL/Quadtree_mesh_2/internal/tiles/Tile_mesh.h>
 #include <CGAL/Quadtree_mesh_2/internal/tiles/Tile_sites.h>
+#include <CGAL/Quadtree_mesh_2/internal/tiles/tile_blocks.h>
 
 #include <array>
 #include <cstddef>

@@ -21,8 +21,8 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_TILES_TILE_FOREST_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_TILES_TILE_FOREST_H
 
-#include <CGAL/Quadtree_mesh_2/internal/clusters/Cluster_collar.h>
 #include <CGAL/Quadtree_mesh_2/internal/clusters/Cluster_frame.h>
+#include <CGAL/Quadtree_mesh_2/internal/clusters/cluster_collar.h>
 #include <CGAL/Quadtree_mesh_2/internal/clusters/frame_clusters.h>
 #include <CGAL/Quadtree_mesh_2/internal/frame/Grid_frame.h>
 #include <CGAL/Quadtree_mesh_2/internal/relaxation/Site_mesh.h>

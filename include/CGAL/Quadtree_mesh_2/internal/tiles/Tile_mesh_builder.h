@@ -27,9 +27,9 @@
 #include <CGAL/Quadtree_mesh_2/Direction.h>
 #include <CGAL/Quadtree_mesh_2/internal/grid/morton.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
-#include <CGAL/Quadtree_mesh_2/internal/tiles/Tile_blocks.h>
 #include <CGAL/Quadtree_mesh_2/internal/tiles/Tile_mesh.h>
 #include <CGAL/Quadtree_mesh_2/internal/tiles/Tile_sites.h>
+#include <CGAL/Quadtree_mesh_2/internal/tiles/tile_blocks.h>
 #include <CGAL/assertions.h>
 
 #include <algorithm>

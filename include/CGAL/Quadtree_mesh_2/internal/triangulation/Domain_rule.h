@@ -18,8 +18,8 @@
 // From here on the mesh is the domain alone, and no walk leaves it. Features behind an outside gap, however
 // thin, are not seen and force nothing (distances are geodesic).
 
-#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_DOMAIN_H
-#define CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_DOMAIN_H
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_DOMAIN_RULE_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_DOMAIN_RULE_H
 
 #include <CGAL/Quadtree_mesh_2/internal/parallel/radix_sort.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Kernel_mesh.h>
@@ -246,4 +246,4 @@ struct Domain_rule {
 } // namespace Quadtree_mesh_2
 } // namespace CGAL
 
-#endif // CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_DOMAIN_H
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_DOMAIN_RULE_H

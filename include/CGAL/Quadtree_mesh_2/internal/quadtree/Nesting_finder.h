@@ -20,8 +20,8 @@
 //           gaps from the block's right end. The piece of that chain in a block is found without the other
 //           blocks.
 
-#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_QUADTREE_NESTING_H
-#define CGAL_QUADTREE_MESH_2_INTERNAL_QUADTREE_NESTING_H
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_QUADTREE_NESTING_FINDER_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_QUADTREE_NESTING_FINDER_H
 
 #include <CGAL/Quadtree_mesh_2/internal/base/Uninitialized_vector.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
@@ -231,4 +231,4 @@ private:
 } // namespace Quadtree_mesh_2
 } // namespace CGAL
 
-#endif // CGAL_QUADTREE_MESH_2_INTERNAL_QUADTREE_NESTING_H
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_QUADTREE_NESTING_FINDER_H

@@ -19,8 +19,8 @@
 // denominator before it is below n. Tangents are at most 1. So the directions of (k, h) and (1, t) differ by
 // at most |h / k - t|.
 
-#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_FRAME_GAUSSIAN_ROTATION_H
-#define CGAL_QUADTREE_MESH_2_INTERNAL_FRAME_GAUSSIAN_ROTATION_H
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_FRAME_GAUSSIAN_INTEGER_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_FRAME_GAUSSIAN_INTEGER_H
 
 #include <CGAL/Quadtree_mesh_2/internal/geometry/meshing_geometry.h>
 
@@ -96,4 +96,4 @@ inline Gaussian_integer rotation_near(Vector v, std::size_t n) {
 } // namespace Quadtree_mesh_2
 } // namespace CGAL
 
-#endif // CGAL_QUADTREE_MESH_2_INTERNAL_FRAME_GAUSSIAN_ROTATION_H
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_FRAME_GAUSSIAN_INTEGER_H

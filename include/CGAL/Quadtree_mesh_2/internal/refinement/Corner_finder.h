@@ -15,8 +15,8 @@
 // nothing behind a constraint counts. O(n + triangles of the lopped sectors within the ring), and O(k log k)
 // for k sectors at a vertex.
 
-#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_FIND_CORNERS_H
-#define CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_FIND_CORNERS_H
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_CORNER_FINDER_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_CORNER_FINDER_H
 
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
@@ -285,4 +285,4 @@ private:
 } // namespace Quadtree_mesh_2
 } // namespace CGAL
 
-#endif // CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_FIND_CORNERS_H
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_CORNER_FINDER_H
