@@ -215,15 +215,3 @@ TEST_CASE("A spiral to 2^-400 of the extent is meshed to the bound", "[mesher][s
                      CGAL::Quadtree_mesh_2::Vertex_index(n - 4 + (k + 1) % 4));
   run_to_the_bound(part, to_the_bound());
 }
-
-TEST_CASE("Legs that rounding does not tell apart are found in meshes of points and triangles alone",
-          "[mesher][small]") {
-  const Pslg pslg = read("hard_legs_an_ulp_apart.poly");
-  const Run r = run_to_the_bound(pslg, to_the_bound());
-  using Checks = CGAL::Mesh_quality_options_2;
-  const auto quality = CGAL::mesh_quality_2(
-      r.mesh, pslg, Checks().min_angle(20.7).check_arrays(Checks::Arrays::POINTS_AND_TRIANGLES));
-  INFO(quality);
-  CHECK(quality.is_valid());
-  CHECK(quality.unmet_triangles.empty());
-}

@@ -22,14 +22,18 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
+#include <cmath>
 #include <cstddef>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <sstream>
 #include <system_error>
+#include <vector>
 
 namespace soak {
 
@@ -193,6 +197,28 @@ Run_of_program run_program(const File_case& c, const Scratch_folder& folder, con
   return {status, content(error_file)};
 }
 
+/// Whether two segments with a common end are so near to each other in direction that rounding puts vertices of one on
+/// the other. Files do not say which of the two such a vertex belongs to.
+bool has_legs_within_rounding(const Pslg& graph) {
+  constexpr long double least_sine = 0x1p-46L;
+  using Vector = std::array<long double, 2>;
+  std::map<std::size_t, std::vector<Vector>> legs;
+  for (const auto& segment : graph.segments)
+    for (const std::size_t end : {0, 1}) {
+      const auto &p = graph.point(segment[end]), &q = graph.point(segment[1 - end]);
+      const long double x = (long double)(q.x()) - p.x(), y = (long double)(q.y()) - p.y(),
+                        length = std::hypot(x, y);
+      if (length > 0) legs[std::size_t(segment[end])].push_back({x / length, y / length});
+    }
+  for (const auto& [apex, directions] : legs)
+    for (std::size_t i = 0; i < directions.size(); ++i)
+      for (std::size_t j = i + 1; j < directions.size(); ++j) {
+        const auto& [ux, uy] = directions[i], &[ vx, vy ] = directions[j];
+        if (ux * vx + uy * vy > 0 && std::fabs(ux * vy - uy * vx) < least_sine) return true;
+      }
+  return false;
+}
+
 /// Whether what was written is a mesh, and one that the exit status tells the truth about.
 Verdict judge_files(const File_case& c, const Scratch_folder& folder, bool is_met) {
   Mesh mesh;
@@ -209,6 +235,7 @@ Verdict judge_files(const File_case& c, const Scratch_folder& folder, bool is_me
   if (is_given("--mode") || is_given("--min-angle") || is_given("--domain")) return {};
   Pslg graph;
   CGAL::IO::read_triangle_poly(folder.file("input.poly"), graph);
+  if (has_legs_within_rounding(graph)) return {};
   using Options = CGAL::Mesh_quality_options_2;
   const auto quality = CGAL::mesh_quality_2(
       mesh, graph, Options().min_angle(20.7).check_arrays(Options::Arrays::POINTS_AND_TRIANGLES));

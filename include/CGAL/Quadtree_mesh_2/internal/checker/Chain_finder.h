@@ -158,19 +158,11 @@ private:
       }
       if (!along.passes_by(point(v)))
         log_.add("vertex ", v, " is not on input segment ", segment, ", by more than rounding");
-      if (segment_of_vertex_[v] != Half_edges::none &&
-          (has_constrained_edges() || !runs_along(segment_of_vertex_[v], chain[i - 1], chain[i + 1])))
+      if (segment_of_vertex_[v] != Half_edges::none)
         log_.add("input segments ", segment_of_vertex_[v], " and ", segment, " meet at vertex ", v,
                  ", which is none of the input's");
       segment_of_vertex_[v] = segment.value();
     }
-  }
-
-  /// Whether the input segment cannot be told from a chain through one of its vertices, as the chain's vertex before or
-  /// after that one is on it too, up to rounding. Which of the two a vertex belongs to is known by constrained edges only.
-  bool runs_along(std::uint32_t segment, std::uint32_t before, std::uint32_t after) const {
-    const Line other = line(Segment_index(std::size_t(segment)));
-    return other.passes_by(point(before)) || other.passes_by(point(after));
   }
 
   /// Depth first, the nearest neighbors ahead first; no vertex is looked at twice.
