@@ -206,15 +206,15 @@ bool has_legs_within_rounding(const Pslg& graph) {
   for (const auto& segment : graph.segments)
     for (const std::size_t end : {0, 1}) {
       const auto &p = graph.point(segment[end]), &q = graph.point(segment[1 - end]);
-      const long double x = (long double)(q.x()) - p.x(), y = (long double)(q.y()) - p.y(),
-                        length = std::hypot(x, y);
+      const long double x = static_cast<long double>(q.x()) - p.x(),
+                        y = static_cast<long double>(q.y()) - p.y(), length = std::hypot(x, y);
       if (length > 0) legs[std::size_t(segment[end])].push_back({x / length, y / length});
     }
   for (const auto& [apex, directions] : legs)
     for (std::size_t i = 0; i < directions.size(); ++i)
       for (std::size_t j = i + 1; j < directions.size(); ++j) {
-        const auto& [ux, uy] = directions[i], &[ vx, vy ] = directions[j];
-        if (ux * vx + uy * vy > 0 && std::fabs(ux * vy - uy * vx) < least_sine) return true;
+        const Vector &u = directions[i], &v = directions[j];
+        if (u[0] * v[0] + u[1] * v[1] > 0 && std::fabs(u[0] * v[1] - u[1] * v[0]) < least_sine) return true;
       }
   return false;
 }
