@@ -9,7 +9,6 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_GRID_GRID_BOX_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_GRID_GRID_BOX_H
 
-#include <CGAL/Quadtree_mesh_2/Index.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 
 #include <algorithm>
@@ -40,7 +39,7 @@ Grid_box<typename Tree::Grid_point> box_of_points(const Tree& tree) {
   using Box = Grid_box<typename Tree::Grid_point>;
   const auto& framework = tree.framework();
   const auto box_of = [&](std::size_t i) {
-    const auto p = framework.grid_point(Point_rank(i));
+    const auto p = framework.grid_point(typename Tree::Point_rank(i));
     return Box{p, p};
   };
   return reduce<ConcurrencyTag>(

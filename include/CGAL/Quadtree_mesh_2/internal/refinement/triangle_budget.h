@@ -10,6 +10,7 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_TRIANGLE_BUDGET_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_TRIANGLE_BUDGET_H
 
+#include <CGAL/Quadtree_mesh_2/Index.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/angle_units.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Size_estimate.h>
