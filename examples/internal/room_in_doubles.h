@@ -7,8 +7,8 @@
 #ifndef QUADTREE_MESH_2_EXAMPLES_ROOM_IN_DOUBLES_H
 #define QUADTREE_MESH_2_EXAMPLES_ROOM_IN_DOUBLES_H
 
-// Points so near to each other that no mesh between them can be written: coordinates in files are doubles. Arithmetic that is
-// finer than these would find out only when its mesh is done.
+// Points so near to each other that no mesh between them can be written: coordinates in files are doubles.
+// Arithmetic that is finer than these would find out only when its mesh is done.
 
 #include <CGAL/Balanced_quadtree.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

@@ -44,8 +44,8 @@ class Coordinate_map;
 
 /// Over doubles: the input is scaled by a power of two so that its extent is about 2^200. Then products of four
 /// differences do not overflow, nor underflow down to features of 2^-442 of the extent; and coordinates are scaled
-/// upwards, which does not round subnormal ones, unless the extent is greater yet. Points all in one place have no extent.
-/// Their root has the side 1 (`Root_side`), so they are scaled until doubles have room for vertices in it.
+/// upwards, which does not round subnormal ones, unless the extent is greater yet. Points all in one place have no
+/// extent. Their root has the side 1 (`Root_side`), so they are scaled until doubles have room for vertices in it.
 template <class Traits, class Kernel>
 class Coordinate_map<Traits, Double_geometry_2<Kernel>> {
 public:

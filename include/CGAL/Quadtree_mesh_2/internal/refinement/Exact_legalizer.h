@@ -6,11 +6,14 @@
 //
 // Makes the mesh constrained Delaunay, decided exactly, and accounts for its triangles on the way.
 //
-// A side that is not Delaunay is seen under an obtuse angle from at least one of its triangles. So each triangle is
-// looked at once: its side opposite an angle that is not certainly acute is tested in exact arithmetic, and from its
-// squared sides come its place in the histogram of angles and whether it may miss a bound. Sides that fail are flipped
-// then, and the account follows. Cocircular vertices may be joined either way. Ends: each flip lowers the lifted
-// surface. O(n) for n triangles, with the look in parallel, and flips, which are few after refinement.
+// Computes: the constrained Delaunay triangulation of the mesh's vertices, its histogram of angles, and the
+//           triangles that may miss a bound. Cocircular vertices may be joined either way.
+// Bound:    O(n) for n triangles, in parallel, and the flips, one after the other. They are few after
+//           refinement. They end, because each lowers the surface lifted to the paraboloid.
+// Source:   Lawson (1977): flips of sides that are not locally Delaunay.
+// Method:   A side that is not Delaunay is seen under an obtuse angle from at least one of its triangles. So
+//           each triangle is looked at once, and only its side opposite an angle that is not certainly acute
+//           is tested in exact arithmetic. The same look puts the triangle into the account. Flips correct it.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_EXACT_LEGALIZER_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_EXACT_LEGALIZER_H

@@ -16,9 +16,9 @@
 //           triangle that was worst at the start, so this is soon. The place found is accepted only by a test
 //           in double precision on the final coordinates.
 //
-// Large stars, and those that start far below the bound, are hardly ever cured. In a mesh that is not small they
-// are not tried. A vertex on an edge moves along its edge. One on a leg of an acute corner stays, unless legs are free. The
-// same search smooths if it has no bound to stop at.
+// Large stars, and those that start far below the bound, are hardly ever cured. In a mesh that is not small
+// they are not tried. A vertex on an edge moves along its edge. One on a leg of an acute corner stays, unless
+// legs are free. The same search smooths if it has no bound to stop at.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_RELOCATOR_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_RELOCATOR_H
