@@ -11,6 +11,7 @@
 #include <CGAL/Indexed_mesh_2.h>
 #include <CGAL/Point_set_mesh_options_2.h>
 #include <CGAL/Point_set_mesh_report_2.h>
+#include <CGAL/Pslg_2.h>
 #include <CGAL/mesh_quality_2.h>
 #include <CGAL/point_set_lengths_2.h>
 
@@ -56,7 +57,7 @@ struct Point_set_run {
   Command_line::Mode mode = Command_line::Mode::POINTS;
   const char* domain = "";
   Angle_promise promise;
-  std::vector<Point_2> points;
+  CGAL::Pslg_2<Point_2> input; ///< points alone
   CGAL::Indexed_mesh_2<Point_2> mesh;
   CGAL::Point_set_mesh_report_2 report;
   /// What the checker says, and the angles once more, counted by neither it nor the mesher.
@@ -74,7 +75,7 @@ struct Point_set_run {
 
   double triangles_per_point() const {
     return static_cast<double>(ours.triangles) /
-           static_cast<double>(points.size() - report.merged_points); // there is a point
+           static_cast<double>(input.vertices.size() - report.merged_points); // there is a point
   }
 };
 
@@ -164,7 +165,7 @@ inline nlohmann::ordered_json run_json(const Point_set_run& run) {
   const CGAL::Point_set_mesh_report_2& report = run.report;
   nlohmann::ordered_json json = {{"mode", name(run.mode)},
                                  {"domain", run.domain},
-                                 {"input_points", run.points.size()},
+                                 {"input_points", run.input.vertices.size()},
                                  {"merged_points", report.merged_points},
                                  {"vertices", run.quality.vertices},
                                  {"triangles", run.quality.triangles},
@@ -210,7 +211,7 @@ inline void print_run(const Point_set_run& run) {
   const auto print_ours = [](const char* name, std::size_t number) {
     print_line(name, "%14zu", number, std::optional<std::size_t>());
   };
-  std::printf("input: %zu points, %zu merged; domain: %s; angles: %s\n", run.points.size(),
+  std::printf("input: %zu points, %zu merged; domain: %s; angles: %s\n", run.input.vertices.size(),
               run.report.merged_points, run.domain, point_set_run_internal::words_for(run.promise).c_str());
   if (run.peer) std::printf("%-28s%14s%14s\n", "", "quality_mesh", "CGAL Mesh_2");
   print_line("vertices", "%14zu", run.ours.vertices, theirs(&Mesh_figures::vertices));

@@ -113,11 +113,11 @@ Pslg read_graph(const std::string& file_name, const std::string& region_property
   return read(file_name, region_property);
 }
 
-std::vector<Point> read_points(const std::string& file_name) {
+Pslg read_points(const std::string& file_name) {
   Pslg pslg = read(file_name, "");
   if (pslg.number_of_segments() > 0) throw std::runtime_error(file_name + ": has segments: use --mode pslg");
   if (pslg.vertices.empty()) throw std::runtime_error(file_name + ": no points");
-  return std::move(pslg.vertices);
+  return pslg;
 }
 
 CGAL::Points_sizing_field_2 read_sized_points(const std::string& file_name) {

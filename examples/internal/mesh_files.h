@@ -27,7 +27,7 @@ using Pslg = CGAL::Pslg_2<Point>;
 /// \throws Usage_error if the format is one of points alone
 Pslg read_graph(const std::string& file_name, const std::string& region_property);
 /// \throws std::runtime_error if there are segments, or no points, too
-std::vector<Point> read_points(const std::string& file_name);
+Pslg read_points(const std::string& file_name);
 /// Points with the sizes of triangles there: the first three columns of a table, or `x`, `y` and `size`.
 CGAL::Points_sizing_field_2 read_sized_points(const std::string& file_name);
 

@@ -19,6 +19,7 @@ mesh_graph::Mesh mesh_graph::exactly(const Pslg& pslg, const Options& options, N
   for (const Point& p : pslg.vertices) graph.vertices.push_back(exact(p));
   graph.vertex_markers = pslg.vertex_markers;
   graph.segments = pslg.segments;
+  graph.first_number = pslg.first_number;
   graph.segment_markers = pslg.segment_markers;
   for (const Point& p : pslg.holes) graph.holes.push_back(exact(p));
   for (const auto& region : pslg.regions)

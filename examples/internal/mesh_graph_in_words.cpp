@@ -2,6 +2,7 @@
 #include "mesh_graph_with.h"
 
 #include <CGAL/Quadtree_mesh_2/internal/io/number_text.h>
+#include <CGAL/Quadtree_mesh_2/internal/pslg/part_names.h>
 #include <CGAL/round_mesh_2.h>
 #include <CGAL/validate_pslg_2.h>
 
@@ -18,6 +19,10 @@ using namespace mesh_in_words_internal;
 
 using CGAL::Quadtree_mesh_2::Segment_index;
 using CGAL::Quadtree_mesh_2::Vertex_index;
+using CGAL::Quadtree_mesh_2::internal::hole_text;
+using CGAL::Quadtree_mesh_2::internal::region_text;
+using CGAL::Quadtree_mesh_2::internal::segment_text;
+using CGAL::Quadtree_mesh_2::internal::vertex_text;
 using Kind = CGAL::Pslg_error_2::Kind;
 using mesh_graph::Point;
 
@@ -30,6 +35,7 @@ CGAL::Pslg_2<Word_point> to_words(const mesh_graph::Pslg& pslg, const Word_map<P
   words.number_of_vertex_attributes = pslg.number_of_vertex_attributes;
   words.vertex_attributes = pslg.vertex_attributes;
   words.segments = pslg.segments;
+  words.first_number = pslg.first_number;
   words.segment_markers = pslg.segment_markers;
   for (const Point& p : pslg.holes) words.holes.push_back(map.to_word_inside_root(p));
   for (const auto& region : pslg.regions)
@@ -61,10 +67,10 @@ struct Seed {
 std::vector<Seed> seeds_of(const mesh_graph::Pslg& pslg) {
   std::vector<Seed> seeds;
   for (std::size_t i = 0; i < pslg.holes.size(); ++i)
-    seeds.push_back({pslg.holes[i], "the point of hole " + std::to_string(i), CGAL::Pslg_parts_2().hole(i)});
+    seeds.push_back({pslg.holes[i], "the point of " + hole_text(pslg, i), CGAL::Pslg_parts_2().hole(i)});
   for (std::size_t i = 0; i < pslg.regions.size(); ++i)
     seeds.push_back(
-        {pslg.regions[i].point, "the point of region " + std::to_string(i), CGAL::Pslg_parts_2().region(i)});
+        {pslg.regions[i].point, "the point of " + region_text(pslg, i), CGAL::Pslg_parts_2().region(i)});
   return seeds;
 }
 
@@ -79,7 +85,6 @@ bool is_near(const Point& p, const Point& a, const Point& b, double distance) {
 /// Rounding must not put a seed to the other side of a segment.
 /// \throws CGAL::Pslg_error_2 naming the two.
 void check_sides_of_seeds(const mesh_graph::Pslg& pslg, const Word_map<Point>& map) {
-  using CGAL::Quadtree_mesh_2::internal::coordinates_text;
   using Geometry = Traits::Meshing_geometry_2;
   const auto signed_words = [&map](const Point& p) {
     const Word_point w = map.to_word_inside_root(p);
@@ -94,25 +99,11 @@ void check_sides_of_seeds(const mesh_graph::Pslg& pslg, const Word_map<Point>& m
       if (side == static_cast<int>(CGAL::orientation(a, b, seed.point))) continue;
       CGAL::Pslg_parts_2 parts = seed.part;
       throw CGAL::Pslg_error_2(Kind::TOO_NEAR,
-                               "64-bit words cannot tell on which side of segment " + std::to_string(s) +
-                                   " (from " + coordinates_text(a) + " to " + coordinates_text(b) + ") " +
-                                   seed.name + " is, " + coordinates_text(seed.point) +
-                                   "; move it away from the segment",
+                               "64-bit words cannot tell on which side of " + segment_text(pslg, s) + ' ' +
+                                   seed.name + " is; move it away from the segment",
                                parts.segment(Segment_index(s)));
     }
   }
-}
-
-/// The number and the place of a vertex.
-std::string text_of_vertex(const mesh_graph::Pslg& pslg, Vertex_index v) {
-  return std::to_string(v.value()) + ' ' +
-         CGAL::Quadtree_mesh_2::internal::coordinates_text(pslg.vertices[std::size_t(v)]);
-}
-
-/// The text for a segment, with the user's numbers.
-std::string text_of_segment(const mesh_graph::Pslg& pslg, std::size_t s) {
-  return "segment " + std::to_string(s) + " (vertices " + text_of_vertex(pslg, pslg.segments[s][0]) +
-         " and " + text_of_vertex(pslg, pslg.segments[s][1]) + ')';
 }
 
 /// Words may put a vertex on a segment that it is next to.
@@ -124,8 +115,8 @@ void check_vertices_on_segments(const mesh_graph::Pslg& pslg, const mesh_graph::
       const auto& ends = pslg.segments[std::size_t(edge.segment)];
       if (CGAL::collinear(pslg.point(ends[0]), pslg.point(ends[1]), pslg.vertices[std::size_t(v)])) continue;
       throw CGAL::Pslg_error_2(Kind::TOO_NEAR,
-                               "64-bit words cannot tell vertex " + text_of_vertex(pslg, v) + " and " +
-                                   text_of_segment(pslg, std::size_t(edge.segment)) + " apart" + advice(),
+                               "64-bit words cannot tell " + vertex_text(pslg, std::size_t(v)) + " and " +
+                                   segment_text(pslg, std::size_t(edge.segment)) + " apart" + advice(),
                                CGAL::Pslg_parts_2().vertex(v).segment(edge.segment));
     }
 }
@@ -141,7 +132,7 @@ bool has_ends_on_both_sides(const mesh_graph::Pslg& pslg, std::size_t s, std::si
 /// Segments that cross in words: whether they do so by their doubles decides what is to blame.
 [[noreturn]] void refuse(const mesh_graph::Pslg& pslg, const CGAL::Pslg_crossing_error_2& error) {
   const std::size_t s(error.segments[0]), t(error.segments[1]);
-  const std::string first = text_of_segment(pslg, s), second = text_of_segment(pslg, t);
+  const std::string first = segment_text(pslg, s), second = segment_text(pslg, t);
   if (has_ends_on_both_sides(pslg, s, t) && has_ends_on_both_sides(pslg, t, s))
     throw CGAL::Pslg_crossing_error_2(first + " crosses " + second, error.segments);
   throw CGAL::Pslg_error_2(Kind::TOO_NEAR,
@@ -151,8 +142,8 @@ bool has_ends_on_both_sides(const mesh_graph::Pslg& pslg, std::size_t s, std::si
 
 /// The same for segments that face each other across too narrow a gap.
 [[noreturn]] void refuse(const mesh_graph::Pslg& pslg, const CGAL::Pslg_gap_error_2& error, double unit) {
-  std::string text = text_of_segment(pslg, std::size_t(error.segments[0])) + " and " +
-                     text_of_segment(pslg, std::size_t(error.segments[1])) +
+  std::string text = segment_text(pslg, std::size_t(error.segments[0])) + " and " +
+                     segment_text(pslg, std::size_t(error.segments[1])) +
                      " face each other at a distance of ";
   CGAL::Quadtree_mesh_2::internal::append_number(text, error.distance * unit);
   throw CGAL::Pslg_gap_error_2(error.demand, text, error.segments, error.distance * unit);

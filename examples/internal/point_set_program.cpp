@@ -17,15 +17,13 @@
 #include <CGAL/Pslg_2.h>
 #include <CGAL/Quadtree_mesh_2/Point_error.h>
 #include <CGAL/Quadtree_mesh_2/internal/frame/points_in_box.h>
+#include <CGAL/Quadtree_mesh_2/internal/pslg/part_names.h>
 #include <CGAL/mesh_quality_2.h>
 #include <CGAL/point_set_lengths_2.h>
 
 #include <cstddef>
-#include <limits>
-#include <sstream>
 #include <stdexcept>
 #include <string>
-#include <vector>
 
 namespace {
 
@@ -40,16 +38,14 @@ const char* domain_of(const Command_line& line) {
 
 /// An error of points as the user wrote them: the arithmetic may have scaled them.
 std::runtime_error with_coordinates(const CGAL::Quadtree_mesh_2::Point_error& error,
-                                    const std::vector<Point_set_run::Point_2>& points) {
-  std::ostringstream message;
-  message.precision(std::numeric_limits<double>::max_digits10);
-  message << error.what();
-  for (const auto p : {error.point(), error.other()})
-    if (p.is_valid())
-      message << (p == error.point() ? " (" : ", ") << "point " << p.value() << " is at "
-              << points[std::size_t(p)];
-  message << ')';
-  return std::runtime_error(message.str());
+                                    const CGAL::Pslg_2<Point_set_run::Point_2>& input) {
+  const auto name = [&input](std::size_t p) {
+    return CGAL::Quadtree_mesh_2::internal::numbered_place(input, p, input.vertices[p]);
+  };
+  const std::string first = name(std::size_t(error.point()));
+  if (!error.other().is_valid()) return std::runtime_error("point " + first + ' ' + error.reason());
+  return std::runtime_error("points " + first + " and " + name(std::size_t(error.other())) + ' ' +
+                            error.reason());
 }
 
 void mesh(Point_set_run& run, const Command_line& line) try {
@@ -59,37 +55,30 @@ void mesh(Point_set_run& run, const Command_line& line) try {
     options.progress([&progress](double share) { return progress.show(share), true; });
   switch (line.kernel) {
   case Command_line::Kernel::FILTERED:
-    run.mesh = mesh_points::with_doubles(run.points, options, run.report);
+    run.mesh = mesh_points::with_doubles(run.input.vertices, options, run.report);
     return;
   case Command_line::Kernel::FIXED:
-    run.mesh = mesh_points::in_words(run.points, options, run.report);
+    run.mesh = mesh_points::in_words(run.input.vertices, options, run.report);
     return;
   case Command_line::Kernel::EXACT:
-    run.mesh = mesh_points::exactly(run.points, options, run.report);
+    run.mesh = mesh_points::exactly(run.input.vertices, options, run.report);
     return;
   }
 } catch (const CGAL::Quadtree_mesh_2::Point_error& error) {
-  throw with_coordinates(error, run.points);
-}
-
-/// The input as the checker and the writers want it.
-CGAL::Pslg_2<Point_set_run::Point_2> graph_of(const Point_set_run& run) {
-  CGAL::Pslg_2<Point_set_run::Point_2> graph;
-  graph.vertices = run.points;
-  return graph;
+  throw with_coordinates(error, run.input);
 }
 
 void check(Point_set_run& run) {
   using Options = CGAL::Mesh_quality_options_2;
-  run.quality = CGAL::mesh_quality_2(run.mesh, graph_of(run), Options().check_domain(Options::Domain::ANY));
+  run.quality = CGAL::mesh_quality_2(run.mesh, run.input, Options().check_domain(Options::Domain::ANY));
   run.ours.vertices = run.quality.vertices;
   count_angles(run);
 }
 
 void compare(Point_set_run& run) {
   const auto peer = [&] {
-    return figures_by_Mesh_2(CGAL::Quadtree_mesh_2::internal::points_in_box(run.points), run.promise.least,
-                             0);
+    return figures_by_Mesh_2(CGAL::Quadtree_mesh_2::internal::points_in_box(run.input.vertices),
+                             run.promise.least, 0);
   };
   run.is_peer_asked = true;
   run.peer = in_child(peer, peer_limit_seconds).result;
@@ -104,24 +93,24 @@ Exit_status execute_point_set(const Command_line& line) {
   run.promise = angle_promise(line.mode, line.point_set_options);
   run.threads = line.threads;
   const Thread_limit limit(line.threads);
-  timed(run.read_seconds, [&] { run.points = mesh_files::read_points(line.input); });
+  timed(run.read_seconds, [&] { run.input = mesh_files::read_points(line.input); });
   timed(run.ours.seconds, [&] {
     if (line.kernel != Command_line::Kernel::FILTERED &&
         (line.mode == Mode::BOUNDED || line.mode == Mode::ACUTE))
-      check_room_in_doubles(run.points);
+      check_room_in_doubles(run.input);
     mesh(run, line);
   });
   check(run);
   check_valid(run.quality);
   if (line.kernel != Command_line::Kernel::FILTERED && run.report.is_met() && !run.unmet_triangles.empty())
-    refuse_what_rounding_broke(graph_of(run), run.unmet_triangles,
+    refuse_what_rounding_broke(run.input, run.unmet_triangles,
                                line.kernel == Command_line::Kernel::EXACT ? "exact numbers"
                                                                           : "words of 64 bits");
-  if (line.are_lengths_wanted) run.lengths = CGAL::point_set_lengths_2(run.points);
+  if (line.are_lengths_wanted) run.lengths = CGAL::point_set_lengths_2(run.input.vertices);
   if (line.is_comparison_wanted) compare(run);
   const auto add_mesh = [&](mesh_files::Files& files, const std::string& output) {
     timed(run.write_seconds, [&] {
-      mesh_files::add(files, output, run.mesh, graph_of(run), {line.colors, line.is_quadtree_shown});
+      mesh_files::add(files, output, run.mesh, run.input, {line.colors, line.is_quadtree_shown});
     });
     run.peak_memory_mb = peak_memory_mb();
   };

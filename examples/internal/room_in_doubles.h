@@ -13,8 +13,9 @@
 #include <CGAL/Balanced_quadtree.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Filtered_quadtree_traits_2.h>
+#include <CGAL/Pslg_2.h>
 #include <CGAL/Quadtree_mesh_2/Index.h>
-#include <CGAL/Quadtree_mesh_2/internal/io/number_text.h>
+#include <CGAL/Quadtree_mesh_2/internal/pslg/part_names.h>
 #include <CGAL/tags.h>
 
 #include <algorithm>
@@ -23,7 +24,6 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
-#include <vector>
 
 namespace room_in_doubles_internal {
 
@@ -45,11 +45,12 @@ inline double units_between(const Point& p, const Point& q) {
 
 /// Points that not even the quadtree can tell are left to the mesher, which has words for them.
 /// \throws std::runtime_error naming two points with less than 15 units in the last place between them.
-inline void check_room_in_doubles(const std::vector<room_in_doubles_internal::Point>& points) try {
+inline void check_room_in_doubles(const CGAL::Pslg_2<room_in_doubles_internal::Point>& input) try {
   using namespace room_in_doubles_internal;
   using CGAL::Quadtree_mesh_2::Point_rank;
-  using CGAL::Quadtree_mesh_2::internal::coordinates_text;
+  using CGAL::Quadtree_mesh_2::internal::numbered_place;
   using Quadtree = CGAL::Balanced_quadtree<CGAL::Filtered_quadtree_traits_2<>, CGAL::Parallel_tag>;
+  const auto& points = input.vertices;
   if (points.empty()) return;
   const Quadtree tree(points);
   const auto& framework = tree.framework();
@@ -59,8 +60,8 @@ inline void check_room_in_doubles(const std::vector<room_in_doubles_internal::Po
     const auto [a, b] = std::minmax(
         {std::size_t(framework.input_point(Point_rank(r))), std::size_t(framework.input_point(near[r]))});
     if (!(units_between(points[a], points[b]) < least_units)) continue;
-    throw std::runtime_error("point " + std::to_string(a) + ' ' + coordinates_text(points[a]) +
-                             " and point " + std::to_string(b) + ' ' + coordinates_text(points[b]) +
+    throw std::runtime_error("points " + numbered_place(input, a, points[a]) + " and " +
+                             numbered_place(input, b, points[b]) +
                              " are less than 15 units in the last place apart: doubles, which files have, "
                              "leave no room for a mesh between them; merge what is so near, or move the "
                              "input nearer to the origin");

@@ -13,6 +13,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Pslg_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/io/number_text.h>
+#include <CGAL/Quadtree_mesh_2/internal/pslg/part_names.h>
 
 #include <algorithm>
 #include <array>
@@ -57,14 +58,10 @@ inline std::optional<Feature> nearest_feature(const Graph& graph, const Exact::P
 }
 
 inline std::string text_of(const Graph& graph, const Feature& f) {
-  using CGAL::Quadtree_mesh_2::internal::coordinates_text;
-  const std::string number = std::to_string(f.number);
-  if (!f.is_segment)
-    return (graph.segments.empty() ? "point " : "vertex ") + number + ' ' +
-           coordinates_text(graph.vertices[f.number]);
-  const auto& ends = graph.segments[f.number];
-  return "segment " + number + " from " + coordinates_text(graph.point(ends[0])) + " to " +
-         coordinates_text(graph.point(ends[1]));
+  using namespace CGAL::Quadtree_mesh_2::internal;
+  if (f.is_segment) return segment_text(graph, f.number);
+  if (!graph.segments.empty()) return vertex_text(graph, f.number);
+  return "point " + numbered_place(graph, f.number, graph.vertices[f.number]);
 }
 
 } // namespace rounding_loss_internal

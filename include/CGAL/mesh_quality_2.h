@@ -94,6 +94,7 @@ Pslg_2<Quadtree_mesh_2::internal::Double_point> convert_to_double_points(const P
   result.number_of_vertex_attributes = pslg.number_of_vertex_attributes;
   result.vertex_attributes = pslg.vertex_attributes;
   result.segments = pslg.segments;
+  result.first_number = pslg.first_number;
   result.segment_markers = pslg.segment_markers;
   result.holes = Quadtree_mesh_2::internal::to_double_points(pslg.holes);
   for (const auto& r : pslg.regions)

@@ -133,8 +133,9 @@ Mesh_rounding_error_2 make_rounding_error(const Indexed_mesh_2<Point>& mesh, Tri
   for (const Vertex_index v : mesh.triangles[std::size_t(t)]) {
     const bool is_of_input = std::size_t(v) < mesh.number_of_input_vertices;
     if (is_of_input) parts.vertex(v);
-    text += is_of_input ? " vertex " + std::to_string(v.value()) : std::string(" a Steiner vertex");
-    text += " at " + coordinates_text(mesh.point(v)) + ',';
+    // By its place alone: owners of graphs may number from 1.
+    text += (is_of_input ? " the input's vertex at " : " a Steiner vertex at ") +
+            coordinates_text(mesh.point(v)) + ',';
   }
   text +=
       " counterclockwise before rounding, would be flat or clockwise; features of the input are as "

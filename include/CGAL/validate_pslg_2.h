@@ -11,6 +11,7 @@
 #include <CGAL/Pslg_2.h>
 #include <CGAL/Pslg_error_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/io/number_text.h>
+#include <CGAL/Quadtree_mesh_2/internal/pslg/part_names.h>
 #include <CGAL/number_utils.h>
 
 #include <cmath>
@@ -80,28 +81,6 @@ bool are_same_point(const Point& p, const Point& q) {
   return p.x() == q.x() && p.y() == q.y();
 }
 
-template <class Point>
-std::string vertex_text(const Pslg_2<Point>& pslg, std::size_t v) {
-  return "vertex " + std::to_string(v) + ' ' + coordinates_text(pslg.vertices[v]);
-}
-
-template <class Point>
-std::string hole_text(const Pslg_2<Point>& pslg, std::size_t h) {
-  return "hole " + std::to_string(h) + ' ' + coordinates_text(pslg.holes[h]);
-}
-
-template <class Point>
-std::string region_text(const Pslg_2<Point>& pslg, std::size_t r) {
-  return "region " + std::to_string(r) + ' ' + coordinates_text(pslg.regions[r].point);
-}
-
-/// "segment 3 from vertex 0 (0, 0) to vertex 1 (1, 0)"
-template <class Point>
-std::string segment_text(const Pslg_2<Point>& pslg, std::size_t s) {
-  return "segment " + std::to_string(s) + " from " + vertex_text(pslg, std::size_t(pslg.segments[s][0])) +
-         " to " + vertex_text(pslg, std::size_t(pslg.segments[s][1]));
-}
-
 /// The error for the point of a hole or region that lies on a vertex or, if that is invalid, on a segment.
 template <class Point>
 Pslg_seed_error_2 make_seed_error(const Pslg_2<Point>& pslg, Pslg_seed_error_2::Kind kind, std::size_t seed,
@@ -168,12 +147,13 @@ void check_pslg_indices(const Pslg_2<Point>& pslg) {
   for (std::size_t s = 0; s < pslg.segments.size(); ++s)
     for (const Vertex_index v : pslg.segments[s])
       if (std::size_t(v) >= pslg.vertices.size())
-        throw Pslg_error_2(Pslg_error_2::Kind::NO_SUCH_VERTEX,
-                           "segment " + std::to_string(s) + " ends at vertex " + std::to_string(v.value()) +
-                               (pslg.vertices.empty() ? std::string(", but there are no vertices")
-                                                      : ", but the vertices are 0 to " +
-                                                            std::to_string(pslg.vertices.size() - 1)),
-                           Pslg_parts_2().segment(Segment_index(s)));
+        throw Pslg_error_2(
+            Pslg_error_2::Kind::NO_SUCH_VERTEX,
+            "segment " + number_of_part(pslg, s) + " ends at vertex " + number_of_part(pslg, std::size_t(v)) +
+                (pslg.vertices.empty() ? std::string(", but there are no vertices")
+                                       : ", but the vertices are " + number_of_part(pslg, 0) + " to " +
+                                             number_of_part(pslg, pslg.vertices.size() - 1)),
+            Pslg_parts_2().segment(Segment_index(s)));
 }
 
 /// Throws unless three vertices span a triangle.
@@ -207,7 +187,7 @@ void check_pslg_extent(const Pslg_2<Point>& pslg) {
 ///
 /// Segments of length zero and vertices at the same place pass: see `validate_pslg_2()`. Crossing segments
 /// pass, too: see `find_pslg_defects()`. O(n) time, no memory.
-/// \throws Pslg_error_2 that names the first culprit by its 0-based index, and in its text by its coordinates.
+/// \throws Pslg_error_2 that names the first culprit by its 0-based index, and in its text by its number and coordinates.
 template <class Point>
 void check_pslg_structure(const Pslg_2<Point>& pslg) {
   namespace internal = Quadtree_mesh_2::internal;
@@ -220,7 +200,7 @@ void check_pslg_structure(const Pslg_2<Point>& pslg) {
 /// \ingroup PkgQuadtreeMesh2Data
 /// The strict form of `check_pslg_structure()`. No segment may have length zero either, whether its ends are
 /// one vertex or two vertices at the same place. O(n) time, no memory.
-/// \throws Pslg_error_2 that names the first culprit by its 0-based index, and in its text by its coordinates.
+/// \throws Pslg_error_2 that names the first culprit by its 0-based index, and in its text by its number and coordinates.
 template <class Point>
 void validate_pslg_2(const Pslg_2<Point>& pslg) {
   namespace internal = Quadtree_mesh_2::internal;

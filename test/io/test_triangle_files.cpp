@@ -10,6 +10,7 @@
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/IO/Triangle_files.h>
+#include <CGAL/validate_pslg_2.h>
 
 #include <chrono>
 #include <cstddef>
@@ -92,6 +93,23 @@ TEST_CASE("a .poly file without vertices takes them from its .node file", "[tria
   CHECK(has_text(error_of([&] { CGAL::IO::read_triangle_poly(poly, pslg); }),
                  "box.1.node:4: y of vertex 3: 'what'"));
   CHECK(pslg.vertex_markers.size() == 3);
+}
+
+TEST_CASE("messages about a graph have the numbers of its file", "[triangle_files]") {
+  const auto message = [](const std::string& first, const std::string& second, const std::string& ends) {
+    std::istringstream in("4 2 0 0\n" + first + " 0 0\n" + second + " 1 0\n" + ends + "0\n0\n");
+    Pslg pslg;
+    return error_of([&] {
+      CGAL::IO::read_triangle_poly(in, pslg);
+      CGAL::validate_pslg_2(pslg);
+    });
+  };
+  CHECK(message("0", "1", "2 0 1\n3 1 1\n2\n0 0 1\n1 3 3\n") ==
+        "segment 1 from vertex 3 (1, 1) to vertex 3 (1, 1) has length zero");
+  CHECK(message("1", "2", "3 0 1\n4 1 1\n2\n1 1 2\n2 4 4\n") ==
+        "segment 2 from vertex 4 (1, 1) to vertex 4 (1, 1) has length zero");
+  CHECK(message("1", "2", "3 0 1\n4 1 1\n2\n1 1 2\n2 4\n") ==
+        "input:8: the line ends where an end of segment 2 is expected");
 }
 
 TEST_CASE("what is wrong with a malformed file is told with its line", "[triangle_files]") {

@@ -297,6 +297,7 @@ TEST_CASE("bad input names the place and writes nothing", "[program]") {
       {"3 2 0 0\n0 0 0\n1 1 inf\n2 0 1\n3 0\n0 0 1\n1 1 2\n2 2 0\n0\n", "vertex 1"},
       {corners + "1 0\n0 0 7\n0\n", "segment 0"},
       {corners + "2 0\n0 0 2\n1 1 3\n0\n", "segment"},
+      {"4 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n2 0\n1 1 3\n2 2 4\n0\n", "segment 2 from vertex 2 (1, 0)"},
       {corners + "1 0\n0 0 1\n0\n", ""},
       {"3 2 0 0\n0 0 0\n1 1 1\n2 2 2\n2 0\n0 0 1\n1 1 2\n0\n", ""},
       {"1 2 0 0\n0 0 0\n0 0\n0\n", ""}};

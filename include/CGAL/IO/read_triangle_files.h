@@ -40,10 +40,6 @@ class Triangle_parser {
 public:
   Triangle_parser(Line_scanner& scanner, Pslg_2<Point>& pslg) : scanner_(scanner), pslg_(pslg) {}
 
-  /// The number that the file gives to its first vertex: 0 or 1.
-  std::size_t first_index() const { return first_index_; }
-  void set_first_index(std::size_t i) { first_index_ = i; }
-
   /// <# of vertices> <dimension (2)> <# of attributes> <# of markers (0 or 1)>, then
   /// <vertex #> <x> <y> [attributes] [marker]
   void read_vertices() {
@@ -73,14 +69,15 @@ public:
     pslg_.segments.reserve(believable);
     if (has_markers) pslg_.segment_markers.reserve(believable);
     for (std::size_t i = 0; i < n; ++i) {
-      scanner_.next_line({"segment", i});
-      scanner_.template read<std::int64_t>({"the number of segment", i}); // Triangle ignores it, too
-      const Vertex_index a = read_vertex_index({"an end of segment", i});
-      const Vertex_index b = read_vertex_index({"an end of segment", i});
+      const std::size_t number = pslg_.first_number + i;
+      scanner_.next_line({"segment", number});
+      scanner_.template read<std::int64_t>({"the number of segment", number}); // Triangle ignores it, too
+      const Vertex_index a = read_vertex_index({"an end of segment", number});
+      const Vertex_index b = read_vertex_index({"an end of segment", number});
       pslg_.segments.push_back({a, b});
       if (has_markers)
-        pslg_.segment_markers.push_back(scanner_.template read<int>({"the marker of segment", i}));
-      scanner_.skip_more_columns({"a column behind segment", i});
+        pslg_.segment_markers.push_back(scanner_.template read<int>({"the marker of segment", number}));
+      scanner_.skip_more_columns({"a column behind segment", number});
     }
   }
 
@@ -90,10 +87,11 @@ public:
     const std::size_t n = read_count("the number of holes", index_limit);
     scanner_.skip_more_columns({"a column behind the header"});
     for (std::size_t i = 0; i < n; ++i) {
-      scanner_.next_line({"hole", i});
-      scanner_.template read<std::int64_t>({"the number of hole", i});
-      pslg_.holes.push_back(read_point({"x of hole", i}, {"y of hole", i}));
-      scanner_.skip_more_columns({"a column behind hole", i});
+      const std::size_t number = pslg_.first_number + i;
+      scanner_.next_line({"hole", number});
+      scanner_.template read<std::int64_t>({"the number of hole", number});
+      pslg_.holes.push_back(read_point({"x of hole", number}, {"y of hole", number}));
+      scanner_.skip_more_columns({"a column behind hole", number});
     }
   }
 
@@ -103,16 +101,17 @@ public:
     const std::size_t n = read_count("the number of regions", index_limit);
     scanner_.skip_more_columns({"a column behind the header"});
     for (std::size_t i = 0; i < n; ++i) {
-      scanner_.next_line({"region", i});
-      scanner_.template read<std::int64_t>({"the number of region", i});
-      const Point point = read_point({"x of region", i}, {"y of region", i});
-      const double attribute = scanner_.template read<double>({"the attribute of region", i});
+      const std::size_t number = pslg_.first_number + i;
+      scanner_.next_line({"region", number});
+      scanner_.template read<std::int64_t>({"the number of region", number});
+      const Point point = read_point({"x of region", number}, {"y of region", number});
+      const double attribute = scanner_.template read<double>({"the attribute of region", number});
       double max_area = 0;
       if (scanner_.has_more_columns())
-        max_area = scanner_.template read<double>({"the maximum area of region", i});
+        max_area = scanner_.template read<double>({"the maximum area of region", number});
       // Triangle writes -1 for none.
       pslg_.regions.push_back({point, attribute, (std::max)(max_area, 0.)});
-      scanner_.skip_more_columns({"a column behind region", i});
+      scanner_.skip_more_columns({"a column behind region", number});
     }
   }
 
@@ -126,12 +125,13 @@ public:
     scanner_.skip_more_columns({"a column behind the header"});
     triangles.reserve((std::min)(n, scanner_.remaining() / shortest_triangle + 1));
     for (std::size_t i = 0; i < n; ++i) {
-      scanner_.next_line({"triangle", i});
-      scanner_.template read<std::int64_t>({"the number of triangle", i});
+      const std::size_t number = pslg_.first_number + i;
+      scanner_.next_line({"triangle", number});
+      scanner_.template read<std::int64_t>({"the number of triangle", number});
       std::array<Vertex_index, 3> t;
-      for (Vertex_index& v : t) v = read_vertex_index({"a node of triangle", i});
+      for (Vertex_index& v : t) v = read_vertex_index({"a node of triangle", number});
       triangles.push_back(t);
-      scanner_.skip_more_columns({"an attribute of triangle", i});
+      scanner_.skip_more_columns({"an attribute of triangle", number});
     }
   }
 
@@ -175,19 +175,20 @@ private:
     if (i == 0) {
       if (number != 0 && number != 1)
         scanner_.fail("the first vertex has the number " + std::to_string(number) + " instead of 0 or 1");
-      first_index_ = static_cast<std::size_t>(number);
+      pslg_.first_number = static_cast<std::size_t>(number);
     }
-    if (number != static_cast<std::int64_t>(first_index_ + i))
+    if (number != static_cast<std::int64_t>(pslg_.first_number + i))
       scanner_.fail("vertex " + std::to_string(number) + " stands where vertex " +
-                    std::to_string(first_index_ + i) + " is expected");
+                    std::to_string(pslg_.first_number + i) + " is expected");
     pslg_.vertices.push_back(
-        read_point({"x of vertex", first_index_ + i}, {"y of vertex", first_index_ + i}));
+        read_point({"x of vertex", pslg_.first_number + i}, {"y of vertex", pslg_.first_number + i}));
     for (std::size_t k = 0; k < attributes; ++k)
       pslg_.vertex_attributes.push_back(
-          scanner_.template read<double>({"an attribute of vertex", first_index_ + i}));
+          scanner_.template read<double>({"an attribute of vertex", pslg_.first_number + i}));
     if (has_markers)
-      pslg_.vertex_markers.push_back(scanner_.template read<int>({"the marker of vertex", first_index_ + i}));
-    scanner_.skip_more_columns({"a column behind vertex", first_index_ + i});
+      pslg_.vertex_markers.push_back(
+          scanner_.template read<int>({"the marker of vertex", pslg_.first_number + i}));
+    scanner_.skip_more_columns({"a column behind vertex", pslg_.first_number + i});
   }
 
   Point read_point(Column_name x_name, Column_name y_name) {
@@ -202,18 +203,18 @@ private:
   Vertex_index read_vertex_index(Column_name column) {
     const std::size_t number_of_vertices = pslg_.vertices.size();
     const std::int64_t number = scanner_.template read<std::int64_t>(column);
-    const std::int64_t first = static_cast<std::int64_t>(first_index_);
+    const std::int64_t first = static_cast<std::int64_t>(pslg_.first_number);
     if (number < first || number - first >= static_cast<std::int64_t>(number_of_vertices))
       scanner_.fail(column.to_string() + ": there is no vertex " + std::to_string(number) +
-                    (number_of_vertices == 0 ? std::string(", there are no vertices at all")
-                                             : ", the vertices are " + std::to_string(first_index_) + " to " +
-                                                   std::to_string(first_index_ + number_of_vertices - 1)));
+                    (number_of_vertices == 0
+                         ? std::string(", there are no vertices at all")
+                         : ", the vertices are " + std::to_string(pslg_.first_number) + " to " +
+                               std::to_string(pslg_.first_number + number_of_vertices - 1)));
     return Vertex_index(static_cast<std::size_t>(number - first));
   }
 
   Line_scanner& scanner_;
   Pslg_2<Point>& pslg_;
-  std::size_t first_index_ = 0;
 };
 
 /// The .node file of a .poly file, or nothing if there is none. Either may be compressed (.gz).
@@ -240,14 +241,13 @@ inline bool has_no_vertices(const std::string& file_name) {
   return scanner.read<std::int64_t>({"the number of vertices"}) == 0;
 }
 
-/// Reads the vertices of a .node file; returns the number of its first vertex.
+/// Reads the vertices of a .node file.
 template <class Point>
-std::size_t parse_triangle_node(const std::string& text, const std::string& name, Pslg_2<Point>& pslg) {
+void parse_triangle_node(const std::string& text, const std::string& name, Pslg_2<Point>& pslg) {
   Line_scanner scanner(text, name);
   Triangle_parser<Point> parser(scanner, pslg);
   parser.read_vertices();
   parser.read_end();
-  return parser.first_index();
 }
 
 /// \param node_name the file with the vertices if `text` has none; may be empty.
@@ -261,7 +261,7 @@ Pslg_2<Point> parse_triangle_poly(const std::string& text, const std::string& na
   if (pslg.vertices.empty()) {
     if (node_name.empty()) scanner.fail("no vertices here, and no .node file beside it that has them");
     pslg.number_of_vertex_attributes = 0;
-    parser.set_first_index(parse_triangle_node(read_whole_file(node_name), node_name, pslg));
+    parse_triangle_node(read_whole_file(node_name), node_name, pslg);
   }
   parser.read_segments();
   parser.read_holes();
@@ -278,7 +278,7 @@ namespace IO {
 /// Reads a planar straight-line graph from a `.poly` file of Triangle, also from one compressed by gzip
 /// (which needs a program linked with Boost.Iostreams).
 ///
-/// Vertices may be numbered from 0 or from 1, and become 0-based. If the file has 0 vertices, they are taken
+/// Vertices may be numbered from 0 or from 1, and become 0-based. `Pslg_2::first_number` keeps it for messages. If the file has 0 vertices, they are taken
 /// from the `.node` file of the same stem. A comment reaches from `#` to the end of its line. Regions have an
 /// attribute and, if there is one more column, a largest area. Coordinates are the doubles nearest to the
 /// decimals, or words if the coordinates of `Point` are integers. Only the indices of segments are checked;
@@ -319,12 +319,10 @@ void read_triangle_files(const std::string& stem, Indexed_mesh_2<Point>& mesh) {
   namespace internal = Quadtree_mesh_2::internal;
   const std::string node_name = stem + ".node", ele_name = stem + ".ele";
   Pslg_2<Point> nodes;
-  const std::size_t first_index =
-      internal::parse_triangle_node(internal::read_whole_file(node_name), node_name, nodes);
+  internal::parse_triangle_node(internal::read_whole_file(node_name), node_name, nodes);
   const std::string text = internal::read_whole_file(ele_name);
   internal::Line_scanner scanner(text, ele_name);
   internal::Triangle_parser<Point> parser(scanner, nodes);
-  parser.set_first_index(first_index);
   Indexed_mesh_2<Point> result;
   parser.read_triangles(result.triangles);
   parser.read_end();

@@ -267,9 +267,9 @@ private:
       throw Pslg_error_2(Pslg_error_2::Kind::TOO_MANY_TRIANGLES, refusal + " for the bounds of size");
     const Narrow_gap<Geometry> gap(state_, estimate.worst_pair());
     const double unit = map_.length_to_kernel(1.0);
-    throw Pslg_gap_error_2(refusal,
-                           gap.in_words([this](Vertex_id v) { return words_.kernel_vertex(v); }, unit),
-                           gap.segments(), ratio(gap.width(), unit));
+    throw Pslg_gap_error_2(
+        refusal, gap.in_words([this](Segment_index s) { return segment_text(pslg_, std::size_t(s)); }, unit),
+        gap.segments(), ratio(gap.width(), unit));
   }
 
   void find_corners(const Acute_starts& starts) {

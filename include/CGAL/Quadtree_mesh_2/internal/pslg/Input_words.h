@@ -13,6 +13,7 @@
 #include <CGAL/Pslg_error_2.h>
 #include <CGAL/Quadtree_mesh_2/Point_error.h>
 #include <CGAL/Quadtree_mesh_2/internal/grid/morton.h>
+#include <CGAL/Quadtree_mesh_2/internal/pslg/part_names.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Domain_rule.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/First_triangulation.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Input_edges.h>
@@ -23,7 +24,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
-#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -39,13 +39,8 @@ public:
   /// \param order the input vertex of each kernel vertex; looked at when an error is made
   Input_words(const Pslg_2<Point>& pslg, const Order& order) : pslg_(pslg), order_(order) {}
 
-  /// "vertex 3 at 0.5 0.25", by its number in the input
-  std::string vertex(std::size_t v) const {
-    std::ostringstream text;
-    text.precision(17);
-    text << "vertex " << v << " at " << pslg_.vertices[v].x() << ' ' << pslg_.vertices[v].y();
-    return text.str();
-  }
+  /// "vertex 3 (0.5, 0.25)", by its number in the input
+  std::string vertex(std::size_t v) const { return vertex_text(pslg_, v); }
   /// The same, by its number in the kernel.
   std::string kernel_vertex(Vertex_id v) const { return vertex(order_[std::size_t(v)]); }
 
@@ -133,11 +128,7 @@ private:
   const Pslg_2<Point>& pslg_;
   const Order& order_;
 
-  std::string segment(std::int32_t s) const {
-    const auto& [a, b] = pslg_.segments[std::size_t(s)];
-    const std::string from = vertex(std::size_t(a)), to = vertex(std::size_t(b));
-    return "segment " + std::to_string(s) + " (vertices" + from.substr(6) + " and" + to.substr(6) + ')';
-  }
+  std::string segment(std::int32_t s) const { return segment_text(pslg_, std::size_t(s)); }
 };
 
 } // namespace internal

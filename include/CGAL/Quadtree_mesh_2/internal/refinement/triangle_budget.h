@@ -97,13 +97,11 @@ public:
     return least;
   }
 
-  /// \param name gives the name of an input vertex, with its place.
+  /// \param name gives the name of a segment by its index.
   template <class Name>
   std::string in_words(Name name, double unit) const {
     std::ostringstream text;
-    text << "segment " << segment(pair_.a) << " (" << name(pair_.a[0]) << " and " << name(pair_.a[1])
-         << ") and segment " << segment(pair_.b) << " (" << name(pair_.b[0]) << " and " << name(pair_.b[1])
-         << ") ";
+    text << name(segments()[0]) << " and " << name(segments()[1]) << ' ';
     if (is_wedge())
       text << "meet at an angle of " << angle_of_wedge() << " degrees, with something between them";
     else
