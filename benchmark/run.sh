@@ -87,8 +87,7 @@ say compile_times
 
 "$root/benchmark/tables.py" print "$figures"
 if [[ $shall_write == yes ]]; then
-  rm -rf "$root/doc/figures"
-  mkdir "$root/doc/figures"
+  rm -f "$root/doc/figures"/*.json # those of benchmark/world.sh stay, in a folder of their own
   cp "$figures"/*.json "$root/doc/figures"
   "$root/benchmark/tables.py" write "$root/doc/figures"
   say "the documents have these figures"

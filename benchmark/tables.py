@@ -269,6 +269,21 @@ def neighbors(figures):
     return table(["input", "vertices", "by", "wall, ms", "µs a vertex", "to CGAL's"], rows)
 
 
+def world(figures):
+    """The coasts of the world; over words there are only the program's own figures."""
+    words = figures("world/words")
+    rows = [["ours over 64-bit words", words["triangles"], words["unmet_triangles"], fixed(words["seconds"]["mesh"], 0)]]
+    rows[0].append(fixed(words["peak_memory_mb"] / 1e3, 1))
+    for c in figures("world/world")["comparisons"]:
+        for name, m in sorted(by_mesher(c).items(), reverse=True):
+            row = [name, m["triangles"], m["below_bound"], fixed(m["cpu_seconds"], 0)]
+            rows.insert(0, [*row, fixed(m["peak_memory_mb"] / 1e3, 1)])
+    return (
+        f'{words["input_vertices"]} vertices and {words["input_segments"]} segments. {measured(figures("world/stamp"))}; '
+        "one run.\n\n" + table(["mesher", "triangles", "below the bound", "CPU s", "GB"], rows)
+    )
+
+
 # ---- points
 
 MODES = {
@@ -391,11 +406,17 @@ def compile_times(figures):
         ["what", "flags", "processor seconds", "object in MB"], rows)
 
 
+def measured(s):
+    return (
+        f'Measured on {s["date"]} at commit {s["commit"]}: {s["machine"]}, {s["cores"]} cores, {s["memory_gb"]} GB, '
+        f'{s["compiler"]}'
+    )
+
+
 def stamp_sentence(figures):
     s = figures("stamp")
     return (
-        f'Measured on {s["date"]} at commit {s["commit"]}: {s["machine"]}, {s["cores"]} cores, {s["memory_gb"]} GB, '
-        f'{s["compiler"]}, CGAL {figures("maps")["cgal"]}; medians of {s["repetitions"]}, alternately where there are '
+        f'{measured(s)}, CGAL {figures("maps")["cgal"]}; medians of {s["repetitions"]}, alternately where there are '
         "peers."
     )
 
@@ -406,6 +427,7 @@ TABLES = {
     "number of triangles": number_of_triangles,
     "maps": lambda figures: mesh_table(figures("maps")["comparisons"]),
     "synthetic": lambda figures: mesh_table(figures("synthetic")["comparisons"]),
+    "world": world,
     "bounds": lambda figures: mesh_table(figures("bounds")["comparisons"], has_bound=True),
     "phases": phases,
     "threads": threads,

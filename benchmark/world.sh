@@ -1,41 +1,59 @@
 #!/usr/bin/env bash
-# Meshes all coastlines of the world, at GSHHG's full resolution, in one run: `benchmark/world.sh [--folder F]
-# [--kernels "filtered fixed"] [--triangle PATH]`. Wants Debian's packages gmt-gshhg-full and python3-netcdf4, about
-# 4 GB of disk in the folder (build/world) and 16 GB of memory. The checker of quality_mesh judges the mesh.
+# Meshes all coastlines of the world, at GSHHG's full resolution, in one run, by doubles and by 64-bit words. See --help.
 set -euo pipefail
 
 # shellcheck source-path=SCRIPTDIR source=../.ci/common.sh
 . "$(dirname "${BASH_SOURCE[0]}")/../.ci/common.sh"
 
-folder=$root/build/world kernels='filtered fixed' triangle=''
+usage() {
+  cat <<'HELP'
+usage: benchmark/world.sh [--docs] [--folder F] [--triangle PATH]
+
+Takes about fifteen minutes, 2 GB of disk and 24 GB of memory, and installs Debian's packages gmt-gshhg-full and
+python3-netcdf4. Each mesh is checked.
+
+  --docs           put the figures into doc/figures/world and the table into the documents
+  --folder F       where the graph is written, build/world by default
+  --triangle PATH  compare with the program Triangle, too, which is not free software
+HELP
+}
+
+folder=$root/build/world
+shall_write=no
+peers=(--peers none)
 while [[ $# -gt 0 ]]; do
   case $1 in
-    --folder) folder=$2 ;;
-    --kernels) kernels=$2 ;;
-    --triangle) triangle=$2 ;;
-    *) fail "usage: benchmark/world.sh [--folder F] [--kernels K] [--triangle PATH]" ;;
+    --folder | --triangle) [[ $# -ge 2 ]] || fail "$1 needs a value" ;;&
+    --docs) shall_write=yes ;;
+    --folder) folder=$2 && shift ;;
+    --triangle) peers=(--peers triangle --triangle "$2") && shift ;;
+    --help | -h) usage && exit 0 ;;
+    *) usage >&2 && fail "unknown argument '$1'" ;;
   esac
-  shift 2
+  shift
 done
 
-install_packages "${build_packages[@]}" gmt-gshhg-full python3-netcdf4 time
-configure_and_build "$root/build" world -DCMAKE_BUILD_TYPE=Release
-configure_and_build "$root/build" quality_mesh -DCMAKE_BUILD_TYPE=Release
-mkdir -p "$folder"
+install_packages "${build_packages[@]}" gmt-gshhg-full python3-netcdf4
+for program in world pslg quality_mesh; do
+  configure_and_build "$root/build" "$program" -DCMAKE_BUILD_TYPE=Release
+done
+figures=$folder/figures
+mkdir -p "$figures"
+"$root/benchmark/tables.py" stamp "$figures" 1
 
 say "the graph"
 /usr/bin/python3 "$root/benchmark/world/world_coasts.py" /usr/share/gmt-gshhg/binned_GSHHS_f.nc "$folder/raw.poly"
 "$root/build/bin/world" "$folder/raw.poly" "$folder/world.poly"
 rm "$folder/raw.poly"
 
-usage='%U processor seconds and %S of the system, %M kB at most'
-for kernel in $kernels; do
-  say "quality_mesh --kernel $kernel"
-  /usr/bin/time -f "$usage" "$root/build/bin/quality_mesh" "$folder/world.poly" --kernel "$kernel" \
-    --report "$folder/$kernel.json"
-done
+say "by doubles"
+"$root/build/bin/pslg" "$folder/world.poly" "${peers[@]}" --repeat 1 --limit 3600 --json "$figures/world.json"
+say "by 64-bit words"
+"$root/build/bin/quality_mesh" "$folder/world.poly" --kernel fixed --report "$figures/words.json"
 
-if [[ -n $triangle ]]; then
-  say "Triangle -pq20.7"
-  /usr/bin/time -f "$usage" "$triangle" -pq20.7 "$folder/world.poly" || say "Triangle did not survive it"
+if [[ $shall_write == yes ]]; then
+  rm -rf "$root/doc/figures/world"
+  cp -r "$figures" "$root/doc/figures/world"
+  "$root/benchmark/tables.py" write "$root/doc/figures"
+  say "the documents have these figures"
 fi
