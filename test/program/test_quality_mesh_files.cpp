@@ -26,6 +26,8 @@
 #include <thread>
 #include <vector>
 
+namespace test_quality_mesh_files {
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -216,5 +218,7 @@ TEST_CASE("points that are too near to each other are named with their coordinat
       CHECK(contains(r.err, "point 3 is at "));
     }
 }
+
+} // namespace test_quality_mesh_files
 
 #endif // QUADTREE_MESH_PROGRAM
