@@ -19,7 +19,7 @@ while [[ $# -gt 0 ]]; do
 done
 
 install_packages "${build_packages[@]}" gmt-gshhg-full python3-netcdf4 time
-configure_and_build "$root/build" world -DCMAKE_BUILD_TYPE=Release -DQUADTREE_MESH_2_QUICK_PROGRAMS=OFF
+configure_and_build "$root/build" world -DCMAKE_BUILD_TYPE=Release -DQUADTREE_MESH_2_QUICK_BENCHMARK=OFF
 configure_and_build "$root/build" quality_mesh -DCMAKE_BUILD_TYPE=Release
 mkdir -p "$folder"
 
