@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Checks the order of the house: layers, heads, guards, and that the checker is independent of the meshers.
+"""Checks the order of the house: layers, heads, guards, tests' namespaces, and that the checker is independent of the
+meshers.
 
 The layers are the table of rooms in doc/development.md: a header below include/CGAL/Quadtree_mesh_2/internal includes
 headers of its own room and of rooms on lower levels only, be it through public headers. Prints what is wrong, one line
@@ -119,8 +120,23 @@ def check_heads():
             errors.append(f'{header}: nothing says what it is for')
 
 
+def check_tests():
+    """Tests of several rooms are compiled as one: a namespace of its own keeps each file's names from the others."""
+    for at, _, names in os.walk(os.path.join(ROOT, 'test')):
+        for name in sorted(names):
+            if not re.fullmatch(r'test_\w+\.cpp', name):
+                continue
+            with open(os.path.join(at, name), encoding='utf-8') as file:
+                text = file.read()
+            own = name[:-len('.cpp')]
+            inside = text.partition(f'\nnamespace {own} {{\n')[2].rpartition(f'\n}} // namespace {own}\n')
+            if 'TEST_CASE' not in inside[0] or 'TEST_CASE' in inside[2]:
+                errors.append(f'{os.path.relpath(os.path.join(at, name), ROOT)}: its tests are not in a namespace {own}')
+
+
 check_layers()
 check_checker()
+check_tests()
 check_cycles()
 check_heads()
 for error in errors:

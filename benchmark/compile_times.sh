@@ -94,7 +94,7 @@ for unit in json.load(open(sys.argv[1])):
         print(unit['file'], re.findall(r' (-O\d)', unit['command'])[-1])
 EOF
   while read -r source flag; do
-    figure "library: $(basename "$source" .cpp)" "$source" "$flag" -DCGAL_LINKED_WITH_TBB
+    figure "library: $(basename "$source" .cpp)" "$source" "$flag" -DCGAL_LINKED_WITH_TBB -DCGAL_QUADTREE_MESH_2_COMPILED
   done <"$work/library"
 } | tee /dev/stderr | python3 -c '
 import json, sys

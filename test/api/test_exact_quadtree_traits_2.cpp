@@ -26,6 +26,8 @@
 #include <type_traits>
 #include <vector>
 
+namespace test_exact_quadtree_traits_2 {
+
 using namespace quadtree_test;
 using CGAL::Quadtree_mesh_2::Point_error;
 using CGAL::Quadtree_mesh_2::Point_index;
@@ -401,3 +403,5 @@ TEST_CASE("Several threads may use one exact grid", "[traits]") {
   for (std::thread& t : threads) t.join();
   for (const auto& result : results) CHECK(result == results[0]);
 }
+
+} // namespace test_exact_quadtree_traits_2

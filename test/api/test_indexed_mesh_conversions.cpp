@@ -24,6 +24,8 @@
 #include <utility>
 #include <vector>
 
+namespace test_indexed_mesh_conversions {
+
 using namespace test_meshes;
 
 namespace {
@@ -158,3 +160,5 @@ TEST_CASE("meshes and graphs go into and out of matrices", "[Eigen]") {
   CHECK(back.vertices.empty());
 }
 #endif
+
+} // namespace test_indexed_mesh_conversions

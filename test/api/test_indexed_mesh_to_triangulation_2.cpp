@@ -18,6 +18,8 @@
 #include <set>
 #include <vector>
 
+namespace test_indexed_mesh_to_triangulation_2 {
+
 using namespace test_meshes;
 
 namespace {
@@ -268,3 +270,5 @@ TEST_CASE("a triangulation becomes a graph", "[indexed_mesh_to_triangulation_2]"
   CHECK(edges(triangulate(again), true) == edges(cdt, true));
   CHECK(CGAL::pslg_from_triangulation_2(cdt).holes.empty());
 }
+
+} // namespace test_indexed_mesh_to_triangulation_2

@@ -14,6 +14,8 @@
 #include <CGAL/Quality_mesh_options_2.h>
 #include <CGAL/Tree_separation_options_2.h>
 
+namespace test_options {
+
 TEST_CASE("Options of meshes of graphs are what was set", "[options]") {
   using Options = CGAL::Quality_mesh_options_2;
   CHECK(Options().min_angle() == 20.7);
@@ -112,3 +114,5 @@ TEST_CASE("Options of checks and pictures are what was set", "[options]") {
   CHECK(picture.clip_to()->ymax() == 3);
   CHECK_FALSE(Picture().clip_to());
 }
+
+} // namespace test_options

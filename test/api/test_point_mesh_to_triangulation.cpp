@@ -20,6 +20,8 @@
 #include <string>
 #include <vector>
 
+namespace test_point_mesh_to_triangulation {
+
 namespace {
 
 using Epick = CGAL::Exact_predicates_inexact_constructions_kernel;
@@ -172,3 +174,5 @@ TEST_CASE("Pockets along a border that is straight up to rounding are filled",
   CHECK(convert<CGAL::Delaunay_triangulation_2<Epick>>(mesh) == 1);
   CHECK(convert<CGAL::Delaunay_triangulation_2<Epeck>>(exact(mesh)) == 1);
 }
+
+} // namespace test_point_mesh_to_triangulation

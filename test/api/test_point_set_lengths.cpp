@@ -20,6 +20,8 @@
 #include <utility>
 #include <vector>
 
+namespace test_point_set_lengths {
+
 namespace {
 
 using namespace quadtree_test;
@@ -122,3 +124,5 @@ TEMPLATE_TEST_CASE("A mesh is at least as long as its points demand", "[point_se
   CHECK(length == Approx(CGAL::mesh_quality_2(mesh, pslg).total_length));
   CHECK(length >= point_set_lengths_2(points).least_mesh());
 }
+
+} // namespace test_point_set_lengths

@@ -17,6 +17,8 @@
 #include <random>
 #include <string>
 
+namespace test_pslg_2 {
+
 using namespace pslg_test;
 
 namespace {
@@ -193,3 +195,5 @@ TEST_CASE("only the strict check refuses segments of length zero", "[pslg]") {
   }
   CHECK(structure_error(pslg).empty());
 }
+
+} // namespace test_pslg_2

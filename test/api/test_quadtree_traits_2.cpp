@@ -19,6 +19,8 @@
 #include <sstream>
 #include <vector>
 
+namespace test_quadtree_traits_2 {
+
 using namespace quadtree_test;
 using CGAL::Quadtree_mesh_2::Point_error;
 using CGAL::Quadtree_mesh_2::Point_index;
@@ -294,3 +296,5 @@ TEMPLATE_TEST_CASE("The fixed-point scale is exact where doubles allow it", "[tr
   CHECK_THROWS_AS(Scale(CGAL::Bbox_2(0, 0, std::numeric_limits<double>::infinity(), 1)),
                   std::invalid_argument);
 }
+
+} // namespace test_quadtree_traits_2

@@ -27,6 +27,8 @@
 #include <string>
 #include <vector>
 
+namespace test_round_mesh_2 {
+
 namespace {
 
 using mesher_test::read;
@@ -175,3 +177,5 @@ TEST_CASE("words far from the origin keep all digits of doubles", "[round][fixed
   };
   check(CGAL::round_mesh_2<Point>(mesher(words), pslg.vertices, to_double), pslg);
 }
+
+} // namespace test_round_mesh_2

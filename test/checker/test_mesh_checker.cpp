@@ -21,6 +21,8 @@
 #include <utility>
 #include <vector>
 
+namespace test_mesh_checker {
+
 using namespace test_meshes;
 using CGAL::mesh_quality_2;
 using CGAL::Quadtree_mesh_2::internal::unit_in_last_place;
@@ -397,3 +399,5 @@ TEST_CASE("A triangle of 2^-900 beside one of 1", "[mesh_checker]") {
   CHECK(quality.shortest_edge == tiny);
   CHECK(quality.is_met());
 }
+
+} // namespace test_mesh_checker

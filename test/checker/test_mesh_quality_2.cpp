@@ -14,6 +14,8 @@
 #include <sstream>
 #include <string>
 
+namespace test_mesh_quality_2 {
+
 using namespace test_meshes;
 using CGAL::mesh_quality_2;
 using Options = CGAL::Mesh_quality_options_2;
@@ -403,3 +405,5 @@ TEST_CASE("integer points are converted", "[mesh_quality_2]") {
   CHECK(quality.is_valid());
   CHECK(quality.area == std::ldexp(1., 123));
 }
+
+} // namespace test_mesh_quality_2

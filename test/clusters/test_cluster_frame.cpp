@@ -15,6 +15,8 @@
 #include <cmath>
 #include <cstdint>
 
+namespace test_cluster_frame {
+
 using namespace cluster_tests;
 
 TEST_CASE("Steps of powers of two lose nothing", "[clusters]") {
@@ -96,3 +98,5 @@ TEST_CASE("The ring around a cluster is exact and acute", "[clusters]") {
     check_ring(of_exacts, exponent + 6 + int(random() * 400));
   }
 }
+
+} // namespace test_cluster_frame

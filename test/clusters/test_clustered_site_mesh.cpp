@@ -23,6 +23,8 @@
 #include <string>
 #include <vector>
 
+namespace test_clustered_site_mesh {
+
 using namespace site_mesh_test;
 
 namespace {
@@ -143,3 +145,5 @@ TEST_CASE("Integers and exact numbers with clusters have strictly acute meshes",
     CHECK(are_all_acute(mesh.mesh));
   }
 }
+
+} // namespace test_clustered_site_mesh

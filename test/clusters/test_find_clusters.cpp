@@ -21,6 +21,8 @@
 #include <set>
 #include <vector>
 
+namespace test_find_clusters {
+
 namespace {
 
 namespace internal = CGAL::Quadtree_mesh_2::internal;
@@ -330,3 +332,5 @@ TEST_CASE("Many points have at most as many clusters", "[clusters]") {
   }
   CHECK(sets == others);
 }
+
+} // namespace test_find_clusters

@@ -19,6 +19,8 @@
 #include <tuple>
 #include <vector>
 
+namespace test_frame_clusters {
+
 using namespace cluster_tests;
 using internal::Cluster;
 using internal::Cluster_site;
@@ -288,3 +290,5 @@ TEST_CASE("None, one and two points have frames", "[clusters]") {
   const Points<Integers> one{{7, -7}};
   check_frames<Integers>(one, framed<Integers>(one));
 }
+
+} // namespace test_frame_clusters

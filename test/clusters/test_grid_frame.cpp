@@ -21,6 +21,8 @@
 #include <random>
 #include <vector>
 
+namespace test_grid_frame {
+
 namespace {
 
 using namespace quadtree_test;
@@ -305,3 +307,5 @@ TEST_CASE("Exact frames turn up to 2^-18 of a unit", "[grid_frame]") {
     CHECK(is_near(bx * Field(double(z.b)) / Field(double(z.a)), by));
   }
 }
+
+} // namespace test_grid_frame

@@ -18,6 +18,8 @@
 #include <limits>
 #include <vector>
 
+namespace test_points_in_box {
+
 namespace {
 
 using namespace quadtree_test;
@@ -135,3 +137,5 @@ TEST_CASE("Boxes of doubles are apart from the points wherever they are", "[poin
   const double none = std::numeric_limits<double>::quiet_NaN();
   CHECK_THROWS(CGAL::check_pslg_structure(points_in_box(std::vector<Point>{Point(0, 0), Point(1, none)})));
 }
+
+} // namespace test_points_in_box

@@ -24,6 +24,8 @@
 #include <fstream>
 #include <string>
 
+namespace test_document_figures {
+
 namespace {
 
 using nlohmann::json;
@@ -103,5 +105,7 @@ TEST_CASE("Numbers of triangles of points are those of the documents", "[documen
       CHECK(mesher(points).number_of_triangles() == made.at("triangles").get<std::size_t>());
     }
 }
+
+} // namespace test_document_figures
 
 #endif

@@ -26,6 +26,8 @@
 #include <nlohmann/json.hpp>
 #endif
 
+namespace test_points_benchmark {
+
 namespace {
 
 Points make(const std::string& family, std::size_t n) { return quadtree_inputs::by_name(family).make(n, n); }
@@ -169,3 +171,5 @@ TEST_CASE("The benchmark of meshes of points runs", "[benchmark][program]") {
 }
 
 #endif
+
+} // namespace test_points_benchmark

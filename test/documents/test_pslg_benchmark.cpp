@@ -22,6 +22,8 @@
 #include <nlohmann/json.hpp>
 #endif
 
+namespace test_pslg_benchmark {
+
 namespace {
 
 const std::string printed = R"(Opening in.poly.
@@ -143,3 +145,5 @@ TEST_CASE("The benchmark of meshers runs", "[benchmark][program]") {
 }
 
 #endif
+
+} // namespace test_pslg_benchmark

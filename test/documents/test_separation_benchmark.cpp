@@ -18,6 +18,8 @@
 #include <cstdlib>
 #include <string>
 
+namespace test_separation_benchmark {
+
 TEST_CASE("The benchmark of separations runs", "[benchmark][program]") {
   const Scratch_folder folder;
   const std::string json_file = folder.file("json");
@@ -54,5 +56,7 @@ TEST_CASE("The benchmark of separations runs", "[benchmark][program]") {
        {"no_such_file.poly", "square:x", "--rounds wedge:1", "--rounds --sizes many", "--nothing"})
     CHECK(status_of(arguments) == 2);
 }
+
+} // namespace test_separation_benchmark
 
 #endif // QUADTREE_MESH_SEPARATION_BENCHMARK

@@ -12,6 +12,8 @@
 #include <set>
 #include <vector>
 
+namespace test_quality_cdt_mesher_2 {
+
 using namespace test_meshes;
 using Criteria = CGAL::Delaunay_mesh_size_criteria_2<Cdt>;
 using Mesher = CGAL::Quality_cdt_mesher_2<Cdt, Criteria>;
@@ -125,3 +127,5 @@ TEST_CASE("options besides criteria", "[quality_cdt_mesher_2]") {
   CHECK(mesher.report().is_cancelled);
   CHECK(cdt.is_valid());
 }
+
+} // namespace test_quality_cdt_mesher_2

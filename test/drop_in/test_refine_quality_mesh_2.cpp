@@ -25,6 +25,8 @@
 #include <string>
 #include <vector>
 
+namespace test_refine_quality_mesh_2 {
+
 using namespace test_meshes;
 using Options = CGAL::Quality_mesh_options_2;
 using Reason = CGAL::Quality_mesh_report_2::Reason;
@@ -349,3 +351,5 @@ TEST_CASE("what works on meshes of Mesh_2 works on these", "[refine_quality_mesh
     CHECK(edges == cdt.number_of_vertices() + cdt.number_of_faces() - 1); // Euler
   }
 }
+
+} // namespace test_refine_quality_mesh_2

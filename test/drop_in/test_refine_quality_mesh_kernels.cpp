@@ -18,6 +18,8 @@
 
 #include <vector>
 
+namespace test_refine_quality_mesh_kernels {
+
 using namespace test_meshes;
 
 namespace {
@@ -94,3 +96,5 @@ TEST_CASE("surfaces are meshed in a projection", "[refine_quality_mesh_2]") {
                 [](double u, double v, double h) { return Point_3(u, -h, v); });
   }
 }
+
+} // namespace test_refine_quality_mesh_kernels

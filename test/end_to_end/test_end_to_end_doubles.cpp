@@ -18,6 +18,8 @@
 
 #include <cmath>
 
+namespace test_end_to_end_doubles {
+
 using namespace end_to_end;
 using Traits = CGAL::Filtered_quadtree_traits_2<>;
 
@@ -57,3 +59,5 @@ TEST_CASE("A triangulation is refined in place, end to end", "[end_to_end]") {
   CHECK(cdt.is_valid());
   CHECK(cdt.number_of_vertices() > before);
 }
+
+} // namespace test_end_to_end_doubles

@@ -11,6 +11,8 @@
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_quadtree_traits_2.h>
 
+namespace test_end_to_end_exact {
+
 using namespace end_to_end;
 
 namespace {
@@ -40,3 +42,5 @@ TEST_CASE("A graph of rational numbers is meshed on threads", "[end_to_end][thre
   check_graph<Traits>(graph, Options().max_area(1e-3));
   check_graph<Traits>(graph, Options().separate(Options::Separation::THEOREM_5));
 }
+
+} // namespace test_end_to_end_exact

@@ -16,6 +16,8 @@
 
 #include <string>
 
+namespace test_end_to_end_points {
+
 namespace {
 
 using point_mesh_test::Options;
@@ -51,3 +53,5 @@ TEST_CASE("A few points are meshed on threads", "[end_to_end][threads]") {
        {Options().bounded_angles().effort(0), Options().acute().effort(0), Options().warped_squares()})
     check(points, options);
 }
+
+} // namespace test_end_to_end_points

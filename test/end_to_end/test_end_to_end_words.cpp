@@ -12,6 +12,8 @@
 
 #include <cstdint>
 
+namespace test_end_to_end_words {
+
 using namespace end_to_end;
 
 TEST_CASE("Graphs of words are meshed", "[end_to_end]") {
@@ -25,3 +27,5 @@ TEST_CASE("Graphs of words are meshed", "[end_to_end]") {
     return fixed;
   });
 }
+
+} // namespace test_end_to_end_words

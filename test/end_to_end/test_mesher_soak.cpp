@@ -18,6 +18,8 @@
 #include <string>
 #include <vector>
 
+namespace test_mesher_soak {
+
 namespace {
 
 using random_pslg::Family;
@@ -69,3 +71,5 @@ TEST_CASE("Random inputs of all families are planar", "[mesher]") {
 TEST_CASE("Some random inputs of every family are meshed to the bound", "[mesher]") {
   check_seeds(0, 25 * random_pslg::all_families().size());
 }
+
+} // namespace test_mesher_soak

@@ -19,6 +19,8 @@
 #include <utility>
 #include <vector>
 
+namespace test_point_set_mesher_soak {
+
 namespace {
 
 using point_mesh_test::Options;
@@ -59,3 +61,5 @@ TEST_CASE("Some random point sets are meshed as promised", "[point_set_mesher]")
     }
   }
 }
+
+} // namespace test_point_set_mesher_soak

@@ -18,6 +18,8 @@
 #include <string>
 #include <vector>
 
+namespace test_theorem_5_soak {
+
 namespace {
 
 using random_pslg::Family;
@@ -62,3 +64,5 @@ void check_seeds(std::uint64_t first, std::uint64_t last) {
 TEST_CASE("Some random inputs of every family are meshed by quadtrees to the bound", "[mesher][theorem5]") {
   check_seeds(0, 4 * random_pslg::all_families().size());
 }
+
+} // namespace test_theorem_5_soak

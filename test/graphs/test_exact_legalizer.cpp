@@ -20,6 +20,8 @@
 #include <utility>
 #include <vector>
 
+namespace test_exact_legalizer {
+
 namespace {
 
 namespace internal = CGAL::Quadtree_mesh_2::internal;
@@ -108,3 +110,5 @@ TEST_CASE("The last flips leave a Delaunay mesh and an account of it", "[mesher]
     CHECK(account.suspects == suspects);
   }
 }
+
+} // namespace test_exact_legalizer

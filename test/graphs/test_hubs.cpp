@@ -15,6 +15,8 @@
 #include <cstddef>
 #include <string>
 
+namespace test_hubs {
+
 using namespace mesher_test;
 
 TEST_CASE("Vertices of huge degree are meshed to the bound", "[quality_mesher_2][hubs]") {
@@ -34,3 +36,5 @@ TEST_CASE("Vertices of huge degree cost no quadratic time", "[quality_mesher_2][
   CHECK(mesher.report().is_met());
   CHECK(mesher.report().triangles < 6 * graph.number_of_vertices());
 }
+
+} // namespace test_hubs

@@ -28,6 +28,8 @@
 #include <utility>
 #include <vector>
 
+namespace test_quality_mesher_2 {
+
 namespace {
 
 using pslg_test::make_pslg;
@@ -381,3 +383,5 @@ TEST_CASE("Meshes of the maps are valid CGAL triangulations", "[mesher]") {
   CGAL::indexed_mesh_to_constrained_Delaunay_triangulation_2(Mesher()(pslg), pslg, cdt);
   CHECK(cdt.is_valid());
 }
+
+} // namespace test_quality_mesher_2

@@ -27,6 +27,8 @@
 #include <cstdint>
 #include <string>
 
+namespace test_quality_mesher_blocks {
+
 namespace {
 
 using namespace mesher_test;
@@ -194,3 +196,5 @@ TEST_CASE("A budget is kept in blocks", "[mesher]") {
     CHECK(has_text(refusal, "budget"));
   }
 }
+
+} // namespace test_quality_mesher_blocks

@@ -19,6 +19,8 @@
 #include <limits>
 #include <string>
 
+namespace test_quality_mesher_budget {
+
 namespace {
 
 using namespace mesher_test;
@@ -174,3 +176,5 @@ TEST_CASE("A callback that returns false stops with a valid mesh wherever it doe
     CHECK(r.report.unmet_triangles.size() == r.quality.unmet_triangles.size());
   }
 }
+
+} // namespace test_quality_mesher_budget

@@ -26,6 +26,8 @@
 #include <string>
 #include <vector>
 
+namespace test_quality_mesher_domain {
+
 namespace {
 
 using namespace mesher_test;
@@ -326,3 +328,5 @@ TEST_CASE("Criteria of Mesh_2 become options", "[mesher][domain]") {
   CHECK(CGAL::quality_mesh_options_2(CGAL::Delaunay_mesh_criteria_2<Cdt>(0.1)).min_angle() ==
         Approx(std::asin(std::sqrt(0.1)) * 180 / CGAL_PI));
 }
+
+} // namespace test_quality_mesher_domain

@@ -30,6 +30,8 @@
 #include <string>
 #include <vector>
 
+namespace test_quality_mesher_exact {
+
 namespace {
 
 using mesher_test::Options;
@@ -441,3 +443,5 @@ TEST_CASE("exact coordinates", "[mesher][exact]") {
       }
   }
 }
+
+} // namespace test_quality_mesher_exact

@@ -29,6 +29,8 @@
 #include <string>
 #include <vector>
 
+namespace test_quality_mesher_sizes {
+
 namespace {
 
 using namespace mesher_test;
@@ -295,3 +297,5 @@ TEST_CASE("Unmet triangles say why", "[mesher][sizes]") {
   CHECK_FALSE(stopped.report.unmet_triangles.empty());
   for (const auto& unmet : stopped.report.unmet_triangles) CHECK(unmet.reason == Reason::CANCELLED);
 }
+
+} // namespace test_quality_mesher_sizes

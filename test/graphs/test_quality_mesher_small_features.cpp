@@ -21,6 +21,8 @@
 #include <string>
 #include <vector>
 
+namespace test_quality_mesher_small_features {
+
 using namespace mesher_test;
 
 namespace {
@@ -215,3 +217,5 @@ TEST_CASE("A spiral to 2^-400 of the extent is meshed to the bound", "[mesher][s
                      CGAL::Quadtree_mesh_2::Vertex_index(n - 4 + (k + 1) % 4));
   run_to_the_bound(part, to_the_bound());
 }
+
+} // namespace test_quality_mesher_small_features

@@ -23,6 +23,8 @@
 #include <cstdint>
 #include <string>
 
+namespace test_thinner {
+
 namespace {
 
 using namespace mesher_test;
@@ -206,3 +208,5 @@ TEST_CASE("Cancelled thinning, or with a budget, leaves a valid mesh", "[mesher]
     CHECK(r.report.vertices <= budget);
   }
 }
+
+} // namespace test_thinner

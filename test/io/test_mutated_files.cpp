@@ -30,6 +30,8 @@
 #include <string>
 #include <vector>
 
+namespace test_mutated_files {
+
 namespace {
 
 using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_2;
@@ -249,3 +251,5 @@ TEST_CASE("mutated gzip data are read or refused", "[mutated]") {
   }
 }
 #endif
+
+} // namespace test_mutated_files

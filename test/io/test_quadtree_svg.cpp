@@ -25,6 +25,8 @@
 #include <tuple>
 #include <vector>
 
+namespace test_quadtree_svg {
+
 using namespace quadtree_test;
 using CGAL::Quadtree_mesh_2::Leaf_index;
 using CGAL::Quadtree_mesh_2::Node_index;
@@ -273,3 +275,5 @@ TEST_CASE("Picture files of quadtrees are replaced as a whole, and errors name t
   CHECK_THROWS_AS(IO::write_SVG(folder.file("folder.svg"), tree), std::runtime_error);
   CHECK(folder.number_of_files() == 2);
 }
+
+} // namespace test_quadtree_svg

@@ -21,6 +21,8 @@
 #include <string>
 #include <vector>
 
+namespace test_read_formats {
+
 using namespace test_meshes;
 namespace IO = CGAL::IO;
 
@@ -445,3 +447,5 @@ TEST_CASE("points from text of many kinds", "[XY]") {
         }).find("2: ") != std::string::npos);
   CHECK(sizes.size() == 2);
 }
+
+} // namespace test_read_formats

@@ -13,6 +13,8 @@
 #include <string>
 #include <system_error>
 
+namespace test_replaced_files {
+
 using CGAL::Quadtree_mesh_2::internal::Replaced_files;
 namespace fs = std::filesystem;
 
@@ -74,3 +76,5 @@ TEST_CASE("a device that takes nothing stops all files", "[replaced_files]") {
   }
   CHECK(folder.number_of_files() == 1);
 }
+
+} // namespace test_replaced_files

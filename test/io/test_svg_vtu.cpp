@@ -24,6 +24,8 @@
 #include <stdexcept>
 #include <string>
 
+namespace test_svg_vtu {
+
 using namespace test_meshes;
 namespace IO = CGAL::IO;
 namespace fs = std::filesystem;
@@ -226,3 +228,5 @@ TEST_CASE("VTU has the triangles of the domain", "[VTU]") {
     CHECK(text.find("AppendedData") != std::string::npos);
   }
 }
+
+} // namespace test_svg_vtu

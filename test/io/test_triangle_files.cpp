@@ -22,6 +22,8 @@
 #include <utility>
 #include <vector>
 
+namespace test_triangle_files {
+
 using namespace triangle_files_test;
 
 TEST_CASE("a .poly file with everything is read", "[triangle_files]") {
@@ -294,3 +296,5 @@ TEST_CASE("damaged files never do worse than an error", "[triangle_files]") {
     if (!error.empty()) REQUIRE(has_text(error, "test.poly:"));
   }
 }
+
+} // namespace test_triangle_files

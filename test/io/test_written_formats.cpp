@@ -34,6 +34,8 @@
 #include <utility>
 #include <vector>
 
+namespace test_written_formats {
+
 using namespace test_meshes;
 namespace IO = CGAL::IO;
 
@@ -327,3 +329,5 @@ TEST_CASE("meshes of nothing are files, too", "[OFF][OBJ][MSH][MEDIT][VTU]") {
   CHECK(medit.str().find("Vertices\n0\n") != std::string::npos);
   CHECK(vtu.str().find("NumberOfCells=\"0\"") != std::string::npos);
 }
+
+} // namespace test_written_formats

@@ -24,6 +24,8 @@
 #include <string>
 #include <system_error>
 
+namespace test_written_triangle_files {
+
 using namespace triangle_files_test;
 using Mesh = CGAL::Indexed_mesh_2<Point>;
 using Triangle_index = CGAL::Quadtree_mesh_2::Triangle_index;
@@ -217,3 +219,5 @@ TEST_CASE("a symbolic link stays one when its file is replaced", "[triangle_file
   CHECK(std::filesystem::is_symlink(folder.file("link.poly")));
   CHECK(content(folder.file("target.poly")).substr(0, 7) == "4 2 0 0");
 }
+
+} // namespace test_written_triangle_files

@@ -24,6 +24,8 @@
 #include <utility>
 #include <vector>
 
+namespace test_quadtree_vertex_edge_neighbors_2 {
+
 using namespace vertex_edge_test;
 using CGAL::Quadtree_vertex_edge_neighbors_2;
 using CGAL::Sector_neighbor_2;
@@ -247,3 +249,5 @@ TEST_CASE("the clear radius of a corner", "[neighbors]") {
   CHECK(radius(-1, -1, -2, -5) == infinity);              // outside
   CHECK(radius(-3, -3, 2, 2) == 0);                       // through the apex
 }
+
+} // namespace test_quadtree_vertex_edge_neighbors_2

@@ -27,6 +27,8 @@
 #include <utility>
 #include <vector>
 
+namespace test_trapezoidal_vertex_edge_neighbors_2 {
+
 using namespace vertex_edge_test;
 using CGAL::Quadtree_vertex_edge_neighbors_2;
 using CGAL::Trapezoidal_vertex_edge_neighbors_2;
@@ -266,3 +268,5 @@ TEST_CASE("trapezoids: maps", "[trapezoids][.slow]") {
     check_graph<Filtered_traits>(read_map(name), 300);
   }
 }
+
+} // namespace test_trapezoidal_vertex_edge_neighbors_2

@@ -15,6 +15,8 @@
 #include <cstddef>
 #include <vector>
 
+namespace test_scaled_double {
+
 namespace {
 
 using Field = CGAL::Exact_rational;
@@ -61,3 +63,5 @@ TEST_CASE("scaled doubles compute like rationals, rounded, at any size", "[scale
     }
   }
 }
+
+} // namespace test_scaled_double

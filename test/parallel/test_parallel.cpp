@@ -31,6 +31,8 @@
 #include <utility>
 #include <vector>
 
+namespace test_parallel {
+
 namespace {
 
 namespace internal = CGAL::Quadtree_mesh_2::internal;
@@ -425,3 +427,5 @@ TEST_CASE("Shuffle order of words of any length agrees with its definition", "[p
         REQUIRE(!internal::less_shuffle(points[expected[i]], points[expected[i - 1]]));
     }
 }
+
+} // namespace test_parallel

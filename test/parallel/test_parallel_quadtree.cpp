@@ -22,6 +22,8 @@
 #include <random>
 #include <vector>
 
+namespace test_parallel_quadtree {
+
 using namespace quadtree_test;
 using CGAL::Parallel_tag;
 using CGAL::Quadtree_options;
@@ -174,3 +176,5 @@ TEST_CASE("A spiral to 2^-900 has squares in proportion to its points and levels
       CHECK(tree.locate(points[i]) == tree.leaf(CGAL::Quadtree_mesh_2::Point_index(i)));
   }
 }
+
+} // namespace test_parallel_quadtree

@@ -21,6 +21,8 @@
 #include <utility>
 #include <vector>
 
+namespace test_point_set_mesher_2 {
+
 namespace {
 
 using point_mesh_test::Mode;
@@ -280,3 +282,5 @@ TEST_CASE("However near points are, acute meshes have a constant number of trian
       CHECK(per_point < 50); // a cluster of two costs about 80
     }
 }
+
+} // namespace test_point_set_mesher_2

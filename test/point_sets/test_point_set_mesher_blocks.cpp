@@ -30,6 +30,8 @@ struct Ring_block_sizes<Tiny_ring_blocks_tag> {
 } // namespace Quadtree_mesh_2
 } // namespace CGAL
 
+namespace test_point_set_mesher_blocks {
+
 namespace {
 
 using point_mesh_test::Options;
@@ -64,3 +66,5 @@ TEST_CASE("Some random point sets are meshed as promised in tiny blocks", "[poin
     mesh_in_tiny_blocks(points);
   }
 }
+
+} // namespace test_point_set_mesher_blocks

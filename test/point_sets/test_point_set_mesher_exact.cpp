@@ -20,6 +20,8 @@
 #include <utility>
 #include <vector>
 
+namespace test_point_set_mesher_exact {
+
 namespace {
 
 using point_mesh_test::Mode;
@@ -129,3 +131,5 @@ TEST_CASE("Words are refused that have no room around them", "[point_set_mesher]
     CHECK_THROWS_AS(mesher(Words{{end - 1, end / 2}, {end / 2, end - 1}}), std::invalid_argument);
   }
 }
+
+} // namespace test_point_set_mesher_exact

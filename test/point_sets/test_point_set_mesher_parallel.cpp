@@ -20,6 +20,8 @@
 #include <utility>
 #include <vector>
 
+namespace test_point_set_mesher_parallel {
+
 namespace {
 
 using point_mesh_test::Options;
@@ -89,3 +91,5 @@ TEST_CASE("Cancelling meshes of points from several threads leaves valid ones",
       FAIL_CHECK(fault);
   }
 }
+
+} // namespace test_point_set_mesher_parallel

@@ -26,6 +26,8 @@
 #include <thread>
 #include <vector>
 
+namespace test_quality_mesh_files {
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -215,5 +217,7 @@ TEST_CASE("points that are too near to each other are named with their coordinat
       CHECK(contains(r.err, "points 1 (0, 0) and 3 ("));
     }
 }
+
+} // namespace test_quality_mesh_files
 
 #endif // QUADTREE_MESH_PROGRAM

@@ -28,6 +28,8 @@
 #include <string>
 #include <vector>
 
+namespace test_quality_mesh_points {
+
 namespace {
 
 using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_2;
@@ -360,5 +362,7 @@ TEST_CASE("one point, at the origin or far from it, is meshed in every mode by e
   CAPTURE(place, mode, kernel, r.err);
   CHECK(r.status == 0);
 }
+
+} // namespace test_quality_mesh_points
 
 #endif // QUADTREE_MESH_PROGRAM

@@ -19,6 +19,8 @@
 #include <string>
 #include <vector>
 
+namespace test_quality_mesh_program {
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -376,5 +378,7 @@ TEST_CASE("help and version", "[program]") {
         "--budget",    "--lengths",     "--color",     "--show-quadtree", "--region-property"})
     CHECK(contains(help.out, option));
 }
+
+} // namespace test_quality_mesh_program
 
 #endif // QUADTREE_MESH_PROGRAM

@@ -33,6 +33,8 @@
 #include <utility>
 #include <vector>
 
+namespace test_pslg_errors {
+
 namespace {
 
 using namespace pslg_test;
@@ -303,3 +305,5 @@ TEST_CASE("The vertices between which doubles have no room are in the error", "[
   CHECK(has_text(error.what(), "vertex at (1, 0)"));
   CHECK_THROWS_AS(CGAL::round_mesh_2<Point>(mesh, rounded), CGAL::Mesh_rounding_error_2);
 }
+
+} // namespace test_pslg_errors

@@ -17,6 +17,8 @@
 #include <string>
 #include <vector>
 
+namespace test_pslg_inputs {
+
 namespace {
 
 std::size_t defects(const pslg_inputs::Pslg& pslg) {
@@ -72,3 +74,5 @@ TEST_CASE("Names of inputs that make no sense are refused", "[benchmark]") {
   CHECK(!pslg_inputs::is_name("coast.poly"));
   CHECK(!pslg_inputs::is_name("coast"));
 }
+
+} // namespace test_pslg_inputs

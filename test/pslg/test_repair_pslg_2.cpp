@@ -24,6 +24,8 @@
 #include <utility>
 #include <vector>
 
+namespace test_repair_pslg_2 {
+
 using namespace pslg_test;
 using Kind = CGAL::Pslg_defect_kind_2;
 using Defects = std::vector<CGAL::Pslg_defect_2>;
@@ -484,3 +486,5 @@ TEST_CASE("a cut through many segments is repaired", "[repair]") {
   CHECK(result.segments.size() == pslg.segments.size() + 2 * crossings);
   CHECK(std::equal(pslg.vertices.begin(), pslg.vertices.end(), result.vertices.begin()));
 }
+
+} // namespace test_repair_pslg_2

@@ -27,6 +27,8 @@
 #include <type_traits>
 #include <vector>
 
+namespace test_seeds {
+
 namespace {
 
 using namespace mesher_test;
@@ -196,3 +198,5 @@ TEST_CASE("Seeds on constraints of a triangulation", "[mesher][domain][seeds]") 
     CHECK(error_with(Point(2, 2), domain).empty());
   }
 }
+
+} // namespace test_seeds

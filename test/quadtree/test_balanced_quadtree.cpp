@@ -16,6 +16,8 @@
 #include <random>
 #include <vector>
 
+namespace test_balanced_quadtree {
+
 using namespace quadtree_test;
 
 TEMPLATE_TEST_CASE("The balanced quadtree is the smallest one", "[balanced]", Filtered_traits,
@@ -121,3 +123,5 @@ TEST_CASE("A large quadtree satisfies the cheap invariants", "[balanced]") {
   CHECK(in_leaves == 20000);
   CHECK(tree.is_valid());
 }
+
+} // namespace test_balanced_quadtree

@@ -15,6 +15,8 @@
 #include <set>
 #include <vector>
 
+namespace test_quadtree_framework {
+
 using namespace quadtree_test;
 
 namespace {
@@ -173,3 +175,5 @@ TEST_CASE("A framework can be built from other ranges", "[framework]") {
   const CGAL::Quadtree_framework<Fixed_32_traits> framework(points);
   CHECK(framework.number_of_points() == 3);
 }
+
+} // namespace test_quadtree_framework

@@ -15,6 +15,8 @@
 #include <random>
 #include <vector>
 
+namespace test_quadtree_options {
+
 using namespace quadtree_test;
 using CGAL::Quadtree_options;
 using CGAL::Quadtree_mesh_2::Balance_schedule;
@@ -209,3 +211,5 @@ TEST_CASE("Traversal is in preorder and stops where it is told to", "[options]")
       tree.child(tree.root(), 3));
   CHECK(visited.size() == 5);
 }
+
+} // namespace test_quadtree_options

@@ -21,6 +21,8 @@
 #include <random>
 #include <vector>
 
+namespace test_quadtree_queries {
+
 using namespace quadtree_test;
 using CGAL::Quadtree_options;
 using CGAL::Quadtree_mesh_2::Balance;
@@ -276,3 +278,5 @@ TEST_CASE("Queries give the same results with any number of threads", "[queries]
     for (std::size_t r = 0; r < leaves.size(); ++r) REQUIRE(leaves[r] == sequential.leaf(Point_rank(r)));
   }
 }
+
+} // namespace test_quadtree_queries

@@ -21,6 +21,8 @@
 #include <utility>
 #include <vector>
 
+namespace test_tree_corners {
+
 namespace {
 
 using namespace quadtree_test;
@@ -202,3 +204,5 @@ TEST_CASE("The root has one corner", "[quadtree][trees]") {
   CHECK(leaves[0] == Leaf_index(0));
   for (std::size_t i = 1; i < 4; ++i) CHECK_FALSE(leaves[i].is_valid());
 }
+
+} // namespace test_tree_corners

@@ -19,6 +19,8 @@
 #include <utility>
 #include <vector>
 
+namespace test_ring_blocks {
+
 using namespace site_mesh_test;
 
 TEST_CASE("Blocks renumber vertices and own what is inside", "[site_mesh]") {
@@ -100,3 +102,5 @@ TEST_CASE("Seams of different passes are in different places", "[site_mesh]") {
   for (const auto& t : times_owned) never += t.second == 0 ? 1 : 0;
   CHECK(never < times_owned.size() / 20);
 }
+
+} // namespace test_ring_blocks

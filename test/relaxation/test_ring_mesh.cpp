@@ -22,6 +22,8 @@
 #include <utility>
 #include <vector>
 
+namespace test_ring_mesh {
+
 using namespace ring_test;
 using internal::Patch_marks;
 
@@ -416,3 +418,5 @@ TEST_CASE("A patch grows by rings within its block", "[ring_mesh]") {
     }
   }
 }
+
+} // namespace test_ring_mesh

@@ -21,6 +21,8 @@
 #include <cstdint>
 #include <vector>
 
+namespace test_site_mesh {
+
 using namespace site_mesh_test;
 
 TEST_CASE("Meshes of sites keep the range, with the same bits by any tag", "[site_mesh]") {
@@ -135,3 +137,5 @@ TEST_CASE("Many sites of all kinds", "[.slow][site_mesh]") {
       check_angles(in_blocks.mesh, bounds);
     }
 }
+
+} // namespace test_site_mesh

@@ -20,6 +20,8 @@
 #include <cstdint>
 #include <vector>
 
+namespace test_star_relaxer {
+
 using namespace relaxation_test;
 
 namespace {
@@ -336,3 +338,5 @@ TEST_CASE("Rigid vertices may have neighbors of very different distance", "[star
     CHECK(bad.energy(range, 0, 0) < 10);
   }
 }
+
+} // namespace test_star_relaxer

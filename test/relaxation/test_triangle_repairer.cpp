@@ -16,6 +16,8 @@
 #include <cstdint>
 #include <vector>
 
+namespace test_triangle_repairer {
+
 using namespace relaxation_test;
 
 TEST_CASE("Repairs leave the triangles that they say, within the block", "[star_relaxer]") {
@@ -71,3 +73,5 @@ TEST_CASE("Repairs leave the triangles that they say, within the block", "[star_
   CHECK(ended < started / 10);
   CHECK(inserted > 10);
 }
+
+} // namespace test_triangle_repairer

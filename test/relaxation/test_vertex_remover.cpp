@@ -20,6 +20,8 @@
 #include <utility>
 #include <vector>
 
+namespace test_vertex_remover {
+
 using namespace relaxation_test;
 
 namespace {
@@ -191,3 +193,5 @@ TEST_CASE("No new triangles of rigid vertices are made", "[star_relaxer]") {
     CHECK(triangles_of(mesh) == Triangle_set{{0, 1, 2}, {0, 2, 3}});
   }
 }
+
+} // namespace test_vertex_remover

@@ -25,6 +25,8 @@
 #include <string>
 #include <vector>
 
+namespace test_bulk_of_squares {
+
 namespace {
 
 using pslg_test::data_file;
@@ -392,3 +394,5 @@ TEST_CASE("Squares of a few integers", "[bulk]") {
   CHECK(CGAL::mesh_quality_2(mesh, pslg, CGAL::Mesh_quality_options_2().min_angle(20.7).max_area(19))
             .is_valid());
 }
+
+} // namespace test_bulk_of_squares

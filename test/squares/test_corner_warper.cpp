@@ -21,6 +21,8 @@
 #include <utility>
 #include <vector>
 
+namespace test_corner_warper {
+
 namespace {
 
 using namespace quadtree_test;
@@ -289,3 +291,5 @@ TEST_CASE("Points are refused that are too near each other for the grid", "[corn
   const std::vector<Point> points{{root / 2 - 3, root / 2 + 5}, {root / 2 + 1, root / 2 + 5}};
   check_mesh(internal::Corner_warper<Sequential_tag>::run(points), points);
 }
+
+} // namespace test_corner_warper

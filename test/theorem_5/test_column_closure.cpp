@@ -19,6 +19,8 @@
 #include <utility>
 #include <vector>
 
+namespace test_column_closure {
+
 namespace {
 
 using namespace column_test;
@@ -233,3 +235,5 @@ TEST_CASE("Edges through many random trees have the angles of the column rule", 
   CHECK(least.one_rule >= 21.5);
   CHECK(least.better_of_two >= 26.3);
 }
+
+} // namespace test_column_closure

@@ -18,6 +18,8 @@
 #include <cstddef>
 #include <random>
 
+namespace test_column_rule {
+
 namespace {
 
 using namespace CGAL::Quadtree_mesh_2::internal;
@@ -127,3 +129,5 @@ TEST_CASE("Windows have the angles of the Delaunay triangulation", "[columns]") 
   CHECK(least_of_better >= 26.3);
   if (is_full_run()) WARN("least angles of random edges: " << least << ", " << least_of_better);
 }
+
+} // namespace test_column_rule

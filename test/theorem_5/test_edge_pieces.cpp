@@ -29,6 +29,8 @@
 #include <string>
 #include <vector>
 
+namespace test_edge_pieces {
+
 using namespace edge_pieces_test;
 using namespace quadtree_test;
 using CGAL::Balanced_quadtree;
@@ -352,3 +354,5 @@ TEST_CASE("pieces are the same for any number of threads", "[edge_pieces]") {
   }
 #endif
 }
+
+} // namespace test_edge_pieces

@@ -20,6 +20,8 @@
 #include <cstdint>
 #include <vector>
 
+namespace test_edge_rooms {
+
 namespace {
 
 namespace internal = CGAL::Quadtree_mesh_2::internal;
@@ -142,3 +144,5 @@ TEST_CASE("Edges bent within their rooms are the same graph", "[mesher][theorem5
   CHECK(graphs > 10);
   CHECK(vertices > 100 * graphs);
 }
+
+} // namespace test_edge_rooms

@@ -28,6 +28,8 @@
 #include <utility>
 #include <vector>
 
+namespace test_leaf_cells {
+
 using CGAL::Quadtree_mesh_2::Grid_point_2;
 using CGAL::Quadtree_mesh_2::internal::Grid_path;
 using CGAL::Quadtree_mesh_2::internal::Leaf_cells;
@@ -255,3 +257,5 @@ TEST_CASE("cells of few segments", "[leaf_cells]") {
   // An end on the left side with segments to both sides.
   REQUIRE(pairs_in(square, {{{{8, 12}, {4, 12}}}, {{{8, 12}, {12, 13}}}}) == Pairs{{0, 1}});
 }
+
+} // namespace test_leaf_cells

@@ -13,6 +13,8 @@
 #include <string>
 #include <vector>
 
+namespace test_rule_placement {
+
 namespace {
 
 using namespace theorem_5_test;
@@ -69,3 +71,5 @@ TEST_CASE("Random inputs by rule alone", "[mesher][theorem5][columns]") {
 TEST_CASE("A map by rule alone", "[mesher][theorem5][columns][.slow]") {
   run_by_rule(read("us_states_10m.poly.gz"), by_rule());
 }
+
+} // namespace test_rule_placement

@@ -30,6 +30,8 @@
 #include <utility>
 #include <vector>
 
+namespace test_separation_trees {
+
 namespace {
 
 using namespace separation_test;
@@ -360,3 +362,5 @@ TEST_CASE("The domain is on the sides of edges where it is", "[trees][separation
     CHECK((is_turned ? sides.is_domain_on_left(e) : sides.is_domain_on_right(e)) == (i == 4));
   }
 }
+
+} // namespace test_separation_trees

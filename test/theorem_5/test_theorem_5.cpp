@@ -25,6 +25,8 @@
 #include <string>
 #include <vector>
 
+namespace test_theorem_5 {
+
 namespace {
 
 using namespace theorem_5_test;
@@ -397,3 +399,5 @@ TEST_CASE("Random inputs without patience", "[mesher][theorem5]") {
       run_to_the_bound(family.make(seed), Options().patience(0));
     }
 }
+
+} // namespace test_theorem_5

@@ -18,6 +18,8 @@
 #include <cstdint>
 #include <string>
 
+namespace test_theorem_5_traits {
+
 namespace {
 
 using namespace theorem_5_test;
@@ -99,3 +101,5 @@ TEST_CASE("Rational random graphs are meshed by quadtrees", "[mesher][theorem5][
       check_mesh<Exact_traits>(three_quarters_of(pslg));
     }
 }
+
+} // namespace test_theorem_5_traits

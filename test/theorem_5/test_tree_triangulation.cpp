@@ -15,6 +15,8 @@
 #include <cstdint>
 #include <vector>
 
+namespace test_tree_triangulation {
+
 namespace {
 
 using namespace separation_test;
@@ -124,3 +126,5 @@ TEST_CASE("Components are known by the sides of their edges", "[mesher][theorem5
   REQUIRE(triangulate(graph, placed, mesh));
   CHECK(area(graph, mesh) == Approx(1 - (.25 - 4 * .5 * .025 / 2)));
 }
+
+} // namespace test_tree_triangulation

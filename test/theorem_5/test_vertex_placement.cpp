@@ -18,6 +18,8 @@
 #include <random>
 #include <vector>
 
+namespace test_vertex_placement {
+
 namespace {
 
 using namespace column_test;
@@ -174,3 +176,5 @@ TEST_CASE("Stars of edges through random trees have no small angles", "[columns]
 TEST_CASE("Stars of edges through many random trees have no small angles", "[columns][.slow]") {
   sweep(500, 2);
 }
+
+} // namespace test_vertex_placement

@@ -21,6 +21,8 @@
 #include <utility>
 #include <vector>
 
+namespace test_vertex_window {
+
 namespace {
 
 using namespace CGAL::Quadtree_mesh_2::internal;
@@ -235,3 +237,5 @@ TEST_CASE("A search for sectors with small angles finds none", "[columns][.slow]
     CHECK(worst >= least_angle_of_sectors);
   }
 }
+
+} // namespace test_vertex_window

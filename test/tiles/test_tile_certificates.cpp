@@ -38,6 +38,8 @@
 #include <utility>
 #include <vector>
 
+namespace test_tile_certificates {
+
 namespace {
 
 using CGAL::Quadtree_mesh_2::internal::star;
@@ -244,3 +246,5 @@ TEST_CASE("Certificates fail where some angle is outside the range", "[tiles]") 
   CHECK_FALSE(is_certain_for_star(Cotangent_range(18.5, 89)));
   CHECK_FALSE(is_certain_for_star(Cotangent_range(18, 87.3)));
 }
+
+} // namespace test_tile_certificates

@@ -17,6 +17,8 @@
 #include <cmath>
 #include <cstddef>
 
+namespace test_tile_forest {
+
 using namespace site_mesh_test;
 
 namespace {
@@ -92,3 +94,5 @@ TEST_CASE("When all sites have blocks nothing is left to do", "[site_mesh]") {
     check_covers_root(mesh.mesh, points);
   }
 }
+
+} // namespace test_tile_forest

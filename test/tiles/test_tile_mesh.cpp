@@ -14,6 +14,8 @@
 #include <string>
 #include <vector>
 
+namespace test_tile_mesh {
+
 using namespace tile_test;
 
 namespace {
@@ -292,3 +294,5 @@ TEST_CASE("Many sites", "[tile_mesh]") {
   CHECK(f.mesh.number_of_triangles() < 85 * 3000);
   CHECK(check_filling(on_demand(uniform_sites(3000, 5)), dense).mesh.number_of_triangles() < 20 * 3000);
 }
+
+} // namespace test_tile_mesh

@@ -33,6 +33,8 @@
 #include <utility>
 #include <vector>
 
+namespace test_tile_tables {
+
 namespace {
 
 using CGAL::Quadtree_mesh_2::internal::Collar;
@@ -416,3 +418,5 @@ TEST_CASE("The ring between octagon and spokes is acute for every size of the oc
       for (const Rational& rho : samples) CHECK((value(d, rho) > 0 && value(c, rho) > 0));
     }
 }
+
+} // namespace test_tile_tables
