@@ -30,8 +30,9 @@
 // angles of all triangles with a vertex at (x, y) are within these bounds if certain quadratics in x and y
 // are not negative. The test of this header shows that with their Bernstein coefficients, in rational
 // arithmetic, for the whole square of (x, y). So the bounds hold for the integer places of the mesh as they
-// are, not just up to rounding. A point that is no such place is less than a unit from its own. Then its
-// triangles may miss the bounds where squares have only some thousands of units to a side.
+// are, not just up to rounding. A point that is no such place is less than a unit from its own in each
+// coordinate. The bounds have room for that where squares have 2^16 units or more to a side. Smaller squares'
+// triangles at the point may miss them.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_SQUARES_CORNER_WARPER_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_SQUARES_CORNER_WARPER_H
