@@ -8,6 +8,7 @@
 #include "point_mesh_checks.h"
 #include "point_sets.h"
 
+#include <CGAL/IO/read_XY.h>
 #include <CGAL/Point_set_mesher_2.h>
 #include <CGAL/point_set_lengths_2.h>
 
@@ -130,6 +131,24 @@ TEST_CASE("Points that are no places are named", "[point_set_mesher]") {
       CHECK(error.kind() == Point_error::Kind::NOT_FINITE);
       CHECK(std::size_t(error.point()) == 7);
     }
+}
+
+TEST_CASE("Angles that the grid of warped squares has no room for are in the report", "[point_set_mesher]") {
+  Points points;
+  CGAL::IO::read_XY(QUADTREE_MESH_TEST_DATA_DIR "/hard_points_2e-58_apart.xy", points);
+  for (const double scale : {1.0, 0x1p8, 0x1p14, 0x1p20}) {
+    Points scaled = points;
+    for (std::size_t i = 2; i < 4; ++i) scaled[i] = Point(points[i].x() * scale, points[i].y() * scale);
+    CAPTURE(scale);
+    Mesher mesher(Options().warped_squares());
+    const Mesher::Mesh mesh = mesher(scaled);
+    const Report& report = mesher.report();
+    if (scale > 0x1p18) CHECK(report.is_met()); // there is room
+    for (const std::string& fault : point_mesh_test::faults_of(mesh, scaled, mesher.options(), report)) {
+      const bool is_excused = !report.is_met() && fault.find("outside the range:") != std::string::npos;
+      if (!is_excused) FAIL_CHECK(fault);
+    }
+  }
 }
 
 TEST_CASE("Points that are too near to each other are named, also after duplicates", "[point_set_mesher]") {

@@ -10,7 +10,9 @@
 
 #include <CGAL/Exact_quadtree_traits_2.h>
 #include <CGAL/Fixed_point_quadtree_traits_2.h>
+#include <CGAL/IO/read_XY.h>
 #include <CGAL/Point_set_mesher_2.h>
+#include <CGAL/round_mesh_2.h>
 
 #include <cmath>
 #include <cstddef>
@@ -117,6 +119,25 @@ TEST_CASE("Exact acute meshes of points nearer than any word or double tells", "
     if (kind == 2)
       for (const int k : {1, 2, 3}) points.emplace_back(gap * k, gap * k * k / 3);
     run<Exact>(points, Options().acute());
+  }
+}
+
+TEST_CASE("Exact meshes far from the origin that are rounded to doubles cover what they shall",
+          "[point_set_mesher]") {
+  point_sets::Points points;
+  CGAL::IO::read_XY(QUADTREE_MESH_TEST_DATA_DIR "/hard_points_at_1e12.xy", points);
+  std::vector<Exact::Point_2> exact;
+  for (const point_sets::Point& p : points) exact.emplace_back(p.x(), p.y());
+  for (const auto& [name, options] : all_modes()) {
+    CAPTURE(name);
+    CGAL::Point_set_mesher_2<Exact> mesher(options);
+    const auto rounded = CGAL::round_mesh_2<point_sets::Point>(mesher(exact), points);
+    for (const std::string& fault : point_mesh_test::faults_of(rounded.mesh, points, options, mesher.report(),
+                                                               point_mesh_test::Made_in::EXACT_NUMBERS)) {
+      const bool is_of_angles = fault.find(" reported") != std::string::npos || // before they were rounded
+                                fault.find("outside the range:") != std::string::npos;
+      if (!is_of_angles) FAIL_CHECK(fault);
+    }
   }
 }
 

@@ -119,6 +119,7 @@ template <class Mesh>
 class Checker {
 public:
   using Point = typename Mesh::Point_2;
+  using Coordinate = std::decay_t<decltype(std::declval<Point>().x())>;
 
   Checker(const Mesh& mesh, const std::vector<Point>& points, const Options& options, const Report& report,
           Made_in made_in)
@@ -283,15 +284,26 @@ private:
             farthest([&](Place p) { return cross(a, c, p); })};
   }
 
-  /// What vertices of the border are rounded to, once for each time they were moved along it.
+  /// What vertices of the border are rounded to, once for each time they were moved along it, and once more if the
+  /// mesh was rounded to doubles.
   Real unit_of_border(Real length) const {
-    using CGAL::Quadtree_mesh_2::internal::to_nearest_double;
-    if (made_in_ == Made_in::WORDS) return 1;
-    if (made_in_ == Made_in::EXACT_NUMBERS) return length * 0x1p-30L; // to a share of the way
+    switch (made_in_) {
+    case Made_in::WORDS:
+      return 1;
+    case Made_in::EXACT_NUMBERS: // to a share of the way
+      return length * 0x1p-30L + step_of_doubles();
+    case Made_in::COORDINATES:
+      break;
+    }
+    return step_of_doubles();
+  }
+
+  /// Between doubles at the vertex that is farthest from the origin; 0 if coordinates are no doubles.
+  Real step_of_doubles() const {
     Real largest = 0;
-    for (const Point& p : mesh_.points)
-      largest = std::max(
-          {largest, std::fabs(Real(to_nearest_double(p.x()))), std::fabs(Real(to_nearest_double(p.y())))});
+    if constexpr (std::is_floating_point_v<Coordinate>)
+      for (const Point& p : mesh_.points)
+        largest = std::max({largest, std::fabs(Real(p.x())), std::fabs(Real(p.y()))});
     return largest * 0x1p-52L;
   }
 

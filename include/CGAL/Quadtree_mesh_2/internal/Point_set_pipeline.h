@@ -38,6 +38,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -271,7 +272,12 @@ private:
     report_.triangles = report_.triangles_before_coarsening = mesh.number_of_triangles();
     report_.rounds = 1;
     check_orientations(mesh, distinct, map);
-    measure_angles(mesh, map);
+    const std::vector<Kernel_point> points = measure_angles(mesh, map);
+    const Range_check<Geometry> range(least_warped_angle, largest_warped_angle);
+    for (const std::uint32_t t : range.template outside<ConcurrencyTag>(mesh.triangles, points)) {
+      const auto p = [&](std::size_t k) { return points[std::size_t(mesh.triangles[t][k])]; };
+      report_.unmet_triangles.push_back({Triangle_index(t), centroid_of(map, p(0), p(1), p(2))});
+    }
     return mesh;
   }
 
@@ -312,7 +318,8 @@ private:
     throw too_near(distinct, nearest);
   }
 
-  void measure_angles(const Mesh& mesh, const Map& map) {
+  /// \return the kernel's points of the mesh
+  std::vector<Kernel_point> measure_angles(const Mesh& mesh, const Map& map) {
     std::vector<Kernel_point> points(mesh.points.size());
     for_each_index<ConcurrencyTag>(points.size(),
                                    [&](std::size_t v) { points[v] = map.to_kernel(mesh.points[v]); });
@@ -320,6 +327,7 @@ private:
     extremes.add_all<ConcurrencyTag, Geometry>(mesh.triangles, points);
     report_.least_angle = extremes.least_angle();
     report_.largest_angle = extremes.largest_angle();
+    return points;
   }
 };
 

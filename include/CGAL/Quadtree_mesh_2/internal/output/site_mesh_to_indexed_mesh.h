@@ -65,6 +65,44 @@ private:
   static double angle(double cot) { return std::atan2(1, cot) * 180 / pi; }
 };
 
+/// The triangles with an angle outside a range.
+template <class Geometry>
+class Range_check {
+public:
+  /// In degrees; `least` may be 0, for no lower bound.
+  Range_check(double least, double largest)
+      : least_cot_(cot(largest)),
+        greatest_cot_(least > 0 ? cot(least) : std::numeric_limits<double>::infinity()) {}
+
+  template <class ConcurrencyTag, class Triangles, class Points>
+  std::vector<std::uint32_t> outside(const Triangles& triangles, const Points& points) const {
+    return pack<ConcurrencyTag>(triangles.size(), [&](std::size_t t) {
+      const auto p = [&](std::size_t k) { return points[std::size_t(triangles[t][k])]; };
+      const Cotangents c = Cotangents::of<Geometry>(p(0), p(1), p(2));
+      return c.least < least_cot_ || c.greatest > greatest_cot_ || c.greatest < 0;
+    });
+  }
+
+private:
+  double least_cot_, greatest_cot_;
+
+  static double cot(double degrees) {
+    const double radians = degrees * pi / 180;
+    return std::cos(radians) / std::sin(radians);
+  }
+};
+
+/// The centroid of a triangle in the user's coordinates, rounded.
+template <class Map, class Point>
+std::array<double, 2> centroid_of(const Map& map, const Point& a, const Point& b, const Point& c) {
+  std::array<double, 2> sum{};
+  for (const Point* corner : {&a, &b, &c}) {
+    const std::array<double, 2> p = map.place(*corner);
+    sum[0] += p[0] / 3, sum[1] += p[1] / 3;
+  }
+  return sum;
+}
+
 /// Makes the flat arrays: the vertices of the input first, in its order.
 template <class Traits, class ConcurrencyTag>
 class Point_mesh_builder {
@@ -199,30 +237,15 @@ private:
     extremes.add_all<ConcurrencyTag, Geometry>(triangles_, mesh_.mesh.points);
     report_.least_angle = extremes.least_angle();
     report_.largest_angle = extremes.largest_angle();
-    const auto cot = [](double degrees) {
-      const double radians = degrees * pi / 180;
-      return std::cos(radians) / std::sin(radians);
-    };
-    const double least_cot = cot(largest_),
-                 greatest_cot = least_ > 0 ? cot(least_) : std::numeric_limits<double>::infinity();
-    const std::vector<std::uint32_t> outside = pack<ConcurrencyTag>(triangles_.size(), [&](std::size_t t) {
-      const Cotangents c = Cotangents::of<Geometry>(point(t, 0), point(t, 1), point(t, 2));
-      return c.least < least_cot || c.greatest > greatest_cot || c.greatest < 0;
-    });
+    const std::vector<std::uint32_t> outside =
+        Range_check<Geometry>(least_, largest_)
+            .template outside<ConcurrencyTag>(triangles_, mesh_.mesh.points);
     for (const std::uint32_t t : outside)
       if (is_acute_ && is_acute<Geometry>(point(t, 0), point(t, 1), point(t, 2)))
         ++report_.thin_triangles;
       else
-        report_.unmet_triangles.push_back({Triangle_index(t), centroid(t)});
-  }
-
-  std::array<double, 2> centroid(std::size_t t) const {
-    std::array<double, 2> sum{};
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::array<double, 2> p = map_.place(point(t, k));
-      sum[0] += p[0] / 3, sum[1] += p[1] / 3;
-    }
-    return sum;
+        report_.unmet_triangles.push_back(
+            {Triangle_index(t), centroid_of(map_, point(t, 0), point(t, 1), point(t, 2))});
   }
 };
 

@@ -30,7 +30,9 @@
 // angles of all triangles with a vertex at (x, y) are within these bounds if certain quadratics in x and y
 // are not negative. The test of this header shows that with their Bernstein coefficients, in rational
 // arithmetic, for the whole square of (x, y). So the bounds hold for the integer places of the mesh as they
-// are, not just up to rounding.
+// are, not just up to rounding. A point that is no such place is less than a unit from its own in each
+// coordinate. The bounds have room for that where squares have 2^16 units or more to a side. Smaller squares'
+// triangles at the point may miss them.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_SQUARES_CORNER_WARPER_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_SQUARES_CORNER_WARPER_H
@@ -61,6 +63,9 @@ struct Warped_mesh {
   std::vector<std::array<Vertex_index, 3>> triangles; ///< counterclockwise
   std::vector<Vertex_index> vertex_of_point;          ///< by the points' order in the input
 };
+
+/// The bounds, in degrees.
+constexpr double least_warped_angle = 22.47, largest_warped_angle = 112.63;
 
 /// How a square without vertices on its sides is cut.
 enum class Diagonal : std::uint8_t { FROM_LOWER_LEFT, FROM_LOWER_RIGHT };
