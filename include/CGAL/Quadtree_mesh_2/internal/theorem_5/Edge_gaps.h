@@ -28,6 +28,7 @@
 
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Edge_sides.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
+#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Near_segment.h>
 #include <CGAL/Tree_separation_options_2.h>
 
 #include <algorithm>
@@ -39,40 +40,6 @@
 namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
-
-/// A segment relative to the lower left corner of a leaf.
-struct Local_segment {
-  Vector a, b;
-
-  /// The nearest point to p.
-  Vector nearest_to(Vector p) const {
-    const Vector d = b - a;
-    const double l2 = squared_length(d);
-    const double f = l2 > 0 ? std::min(1.0, std::max(0.0, dot(p - a, d) / l2)) : 0.0;
-    return a + f * d;
-  }
-  double distance_to(Vector p) const { return std::sqrt(squared_length(nearest_to(p) - p)); }
-
-  /// Cuts off what is outside the square [low, high]^2; false if nothing is left.
-  bool clip(double low, double high) {
-    double begin = 0, end = 1;
-    const Vector d = b - a;
-    const auto cut = [&](double slope, double room) {
-      if (slope == 0) return room >= 0;
-      const double t = room / slope;
-      if (slope < 0)
-        begin = std::max(begin, t);
-      else
-        end = std::min(end, t);
-      return begin <= end;
-    };
-    if (!cut(-d.x, a.x - low) || !cut(d.x, high - a.x) || !cut(-d.y, a.y - low) || !cut(d.y, high - a.y))
-      return false;
-    const Vector p = a + begin * d, q = a + end * d;
-    a = p, b = q;
-    return true;
-  }
-};
 
 /// The shortest way from one segment to another.
 struct Local_gap {
@@ -115,9 +82,11 @@ public:
   /// How far around a leaf edges are looked at, in its sides.
   static constexpr double reach = 0.5;
 
+  /// An edge relative to the corner of a leaf.
   Local_segment local(Edge_id e, const Leaf& leaf) const {
-    return {Geometry::difference(problem_.input_point(problem_.edges[e].a), leaf.corner),
-            Geometry::difference(problem_.input_point(problem_.edges[e].b), leaf.corner)};
+    const Input_edge& edge = problem_.edges[e];
+    return Near_segment<Geometry>::of(problem_.input_point(edge.a), problem_.input_point(edge.b), leaf.corner,
+                                      leaf.side);
   }
 
   /// The gap between the part of an edge in a leaf and that of another one in and around it.

@@ -39,18 +39,40 @@ template <class Geometry>
 struct Point_on_edge {
   using Point = typename Geometry::Point;
 
-  double share; ///< of the edge that is before it
+  double share, rest; ///< of the edge: what is before the point, and what is behind it
   Point point;
 
   /// With the x of a place, or its y if the edge is steep.
-  static Point_on_edge beside(const Point& place, const Point& a, const Point& b, bool is_steep) {
+  /// \param side of the leaves there
+  static Point_on_edge beside(const Point& place, const Point& a, const Point& b, bool is_steep,
+                              double side) {
     const Vector d = Geometry::difference(b, a), from_a = Geometry::difference(place, a),
-                 from_b = Geometry::difference(place, b);
-    const double share = is_steep ? from_a.y / d.y : from_a.x / d.x;
+                 to_b = Geometry::difference(b, place);
+    const double share = along(from_a, is_steep) / along(d, is_steep),
+                 rest = along(to_b, is_steep) / along(d, is_steep);
     const bool is_finer_at_b =
         Geometry::has_unlimited_coordinates || Geometry::spacing(b) < Geometry::spacing(a);
-    if (share <= 0.5 || !is_finer_at_b) return {share, Geometry::between(a, b, share)};
-    return {share, Geometry::between(b, a, is_steep ? -from_b.y / d.y : -from_b.x / d.x)};
+    Point p = share <= 0.5 || !is_finer_at_b ? Geometry::between(a, b, share) : Geometry::between(b, a, rest);
+    if constexpr (Geometry::has_unlimited_coordinates) bring_beside(place, a, b, is_steep, side, p);
+    return {share, rest, p};
+  }
+
+private:
+  static double along(Vector v, bool is_steep) { return is_steep ? v.y : v.x; }
+
+  /// Shares are rounded to doubles, and leaves may be finer than that where they are far from both ends: adds shares
+  /// of the rest of the way until the point is beside the place as leaves see it.
+  static void bring_beside(const Point& place, const Point& a, const Point& b, bool is_steep, double side,
+                           Point& p) {
+    constexpr double tolerance = 0x1p-20; // in sides
+    for (;;) {
+      const double way = along(Geometry::difference(place, p), is_steep);
+      if (std::fabs(way) <= tolerance * side) return;
+      const double to_a = along(Geometry::difference(a, p), is_steep),
+                   to_b = along(Geometry::difference(b, p), is_steep);
+      const bool is_toward_b = way > 0 == to_b > 0;
+      p = Geometry::between(p, is_toward_b ? b : a, way / (is_toward_b ? to_b : to_a));
+    }
   }
 };
 

@@ -30,6 +30,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -149,24 +150,32 @@ private:
     return line.u(place(problem_.edges[e].b)) < line.u(place(problem_.edges[e].a));
   }
 
+  double least_side_along(Edge_id e) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Leaf_index l : trees_.pieces()[Segment_index(std::size_t(e))])
+      least = std::min(least, trees_.side(l));
+    return least;
+  }
+
   /// The points on the ring of the first end, the crossings, those on the ring of the second end.
   void cut_edge(Edge_id e, std::vector<Edge_crossing<Geometry>>& crossings) const {
     const Edge edge(*this, e);
     const Point &a = problem_.input_point(problem_.edges[e].a),
                 &b = problem_.input_point(problem_.edges[e].b);
     const double length = std::sqrt(squared_length(Geometry::difference(b, a)));
+    const double least_side = least_side_along(e);
     using Vertex = Point_on_edge<Geometry>;
     std::vector<Vertex> vertices;
     edge.placement.for_each_crossing([&](const Word& u) {
-      vertices.push_back(
-          Vertex::beside(trees_.kernel_point(edge.line.point(u, Word(0))), a, b, edge.line.is_steep()));
+      vertices.push_back(Vertex::beside(trees_.kernel_point(edge.line.point(u, Word(0))), a, b,
+                                        edge.line.is_steep(), least_side));
     });
     for (std::size_t end = 0; end < 2; ++end)
       for (std::size_t i = 0; i < edge.start[end].number_of_distances; ++i) {
         const double share = edge.start[end].distances[i] * edge.side[end] / length;
         if (share < 0.5)
-          vertices.push_back(end == 0 ? Vertex{share, Geometry::between(a, b, share)}
-                                      : Vertex{1 - share, Geometry::between(b, a, share)});
+          vertices.push_back(end == 0 ? Vertex{share, 1 - share, Geometry::between(a, b, share)}
+                                      : Vertex{1 - share, share, Geometry::between(b, a, share)});
       }
     std::sort(vertices.begin(), vertices.end(),
               [](const Vertex& p, const Vertex& q) { return p.share < q.share; });

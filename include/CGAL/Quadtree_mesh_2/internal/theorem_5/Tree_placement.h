@@ -25,6 +25,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/quadtree/Tree_corners.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Column_rule.h>
+#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Near_segment.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Placed_vertices.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Separation_trees.h>
 
@@ -98,14 +99,15 @@ private:
     const Vector d = Geometry::difference(b, a);
     const bool is_steep = std::fabs(d.y) > std::fabs(d.x);
     const double length = std::sqrt(squared_length(d));
-    const double least = clearance(edge.a) / length, most = 1 - clearance(edge.b) / length;
+    const double of_a = clearance(edge.a) / length, of_b = clearance(edge.b) / length;
     const auto leaves = trees_.pieces()[Segment_index(std::size_t(e))];
     for (std::size_t i = 1; i < leaves.size(); ++i) {
       const Leaf_index behind = side_crossed(leaves[i - 1], leaves[i], is_steep);
       if (!behind.is_valid()) continue;
       const auto s = tree_.square(behind);
-      const auto crossing = Point_on_edge<Geometry>::beside(trees_.kernel_point({s.x, s.y}), a, b, is_steep);
-      if (crossing.share >= least && crossing.share <= most) crossings.push_back({e, crossing.point});
+      const auto crossing = Point_on_edge<Geometry>::beside(trees_.kernel_point({s.x, s.y}), a, b, is_steep,
+                                                            trees_.side(behind));
+      if (crossing.share >= of_a && crossing.rest >= of_b) crossings.push_back({e, crossing.point});
     }
   }
 
@@ -158,8 +160,9 @@ private:
 
   bool is_clear_of(Edge_id e, const Point& p, double side) const {
     const Input_edge& edge = problem_.edges[e];
-    const Vector a = Geometry::difference(problem_.input_point(edge.a), p);
-    const Vector d = Geometry::difference(problem_.input_point(edge.b), problem_.input_point(edge.a));
+    const auto near =
+        Near_segment<Geometry>::of(problem_.input_point(edge.a), problem_.input_point(edge.b), p, side);
+    const Vector a = near.a, d = near.b - near.a;
     const double l2 = squared_length(d), foot = -dot(a, d);
     if (foot < 0 || foot > l2) return true; // that is for the rule at vertices
     const double length = std::sqrt(l2), from_end = std::min(foot, l2 - foot) / length;
