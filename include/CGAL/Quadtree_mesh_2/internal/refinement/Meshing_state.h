@@ -33,7 +33,8 @@ enum class Outcome {
 /// How edges of the input are cut.
 enum class Leg_rule {
   /// Legs of lopped corners are split at matched radii, where their vertices stay. Other edges are split if a
-  /// new vertex would see them under more than 120 degrees. With this rule, refinement is established to end.
+  /// new vertex would see them under more than 120 degrees, or make a triangle below a bound above 30 degrees.
+  /// With this rule, refinement is established to end.
   SHELLS,
   /// All edges are split alike, where a new vertex would make a triangle below the bound (Shewchuk's lenses).
   /// This needs fewer vertices, but only a budget makes refinement end.

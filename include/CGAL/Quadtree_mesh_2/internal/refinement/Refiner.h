@@ -11,8 +11,8 @@
 //   a. one of its Steiner vertices is relocated so that its whole star meets the bound, if that is possible;
 //   b. otherwise one vertex is inserted. It goes to the quadtree corner next to the triangle's off-center (Uengoer,
 //      "Off-centers", 2004), of cells whose side is the power of two in (s/8, s/4], where s is the shortest edge.
-//      If a constrained edge is in the way, or would be seen from there under more than 120 degrees, the vertex goes
-//      on that edge instead (Splitter.h).
+//      If a constrained edge is in the way, or would be seen from there under more than 120 degrees (180 less twice
+//      the bound, where that is less), the vertex goes on that edge instead (Splitter.h).
 // Flips restore the Delaunay property locally, and triangles that they make bad join the list. At the end the
 // list is empty, which proves the bound, triangle by triangle.
 //
@@ -30,6 +30,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/least_edge.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/walk.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -51,8 +52,7 @@ public:
   Refiner(Meshing_state<Geometry>& state, Splitter<Geometry>& splitter)
       : state_(state), mesh_(state.mesh), splitter_(splitter), relocator_(state),
         apex_height_(off_center_share * 0.5 / std::tan(state.bounds.angle / 2)),
-        cosine2_of_encroachment_(state.leg_rule == Leg_rule::FREE ? cosine2_of_lens(state.bounds.angle)
-                                                                  : cosine2_of_120_degrees) {}
+        cosine2_of_encroachment_(cosine2_of_encroachment(state.leg_rule, state.bounds.angle)) {}
 
   /// Puts all triangles on the list that may be bad. Those of the bulk are not.
   void push_all() {
@@ -85,9 +85,14 @@ public:
 private:
   /// The off-center sees the shortest edge under an angle a little wider than the bound.
   static constexpr double off_center_share = 0.95;
-  static constexpr double cosine2_of_120_degrees = 0.25;
-  /// Of 180 degrees less twice the bound. A vertex that sees an edge so makes a triangle below the bound on it.
-  static double cosine2_of_lens(double bound) { return std::cos(2 * bound) * std::cos(2 * bound); }
+  /// Of the angle from which on a vertex must not see an edge. A vertex that sees it under more than 180 degrees less
+  /// twice the bound makes a triangle below the bound on it. For bounds above 30 degrees, 120 degrees are more than
+  /// that: next to a corner, such triangles would follow each other, each similar to the one before.
+  static double cosine2_of_encroachment(Leg_rule rule, double bound) {
+    constexpr double cosine2_of_120_degrees = 0.25;
+    const double cosine2_of_lens = std::cos(2 * bound) * std::cos(2 * bound);
+    return rule == Leg_rule::FREE ? cosine2_of_lens : std::min(cosine2_of_lens, cosine2_of_120_degrees);
+  }
   /// Once this many vertices were inserted for a triangle slot, its new vertices stay. So relocation cannot
   /// cycle.
   static constexpr unsigned char patience = 3;
