@@ -95,6 +95,9 @@ inline void print_trees(const CGAL::Tree_separation_report_2& trees) {
   using End = CGAL::Tree_separation_report_2::End;
   if (trees.end == End::NONE) return;
   if (trees.has_taken_over) std::printf("quadtrees took over, as refinement did not come to rest\n");
+  if (trees.end == End::BUDGET)
+    std::printf("quadtrees took more than their budget: refined on demand %s\n",
+                trees.rounds == 0 ? "instead" : "from there on");
   print_line("construction by quadtrees", "%14s", name(trees.end), std::optional<const char*>());
   const auto print = [](const char* name, std::size_t n) {
     print_line(name, "%14zu", n, std::optional<std::size_t>());

@@ -135,6 +135,20 @@ TEST_CASE("A small graph that asks for more than it is given is refused, unless 
   CHECK(error(pslg, Options().min_edge(1e-3)).empty());
 }
 
+TEST_CASE("Bounds of size give a small graph no more for its gaps", "[mesher][budget]") {
+  const Pslg pslg = read("hard_overlaps_in_words.poly");
+  const double extent = 0x1p29;
+  for (const Options& options :
+       {Options(), Options().max_area(0.005 * extent * extent), Options().max_edge(0.04 * extent)}) {
+    const std::string text = error(pslg, options);
+    CAPTURE(text);
+    CHECK(has_text(text, "a graph of fewer than 1000 vertices is allowed 4e+06"));
+    CHECK(has_text(text, "segment 4"));
+  }
+  // What bounds of size ask for themselves is not refused.
+  CHECK(error(unit_square(), Options().max_area(1e-6)).empty());
+}
+
 TEST_CASE("Vertices units in the last place from a segment do not spoil the estimate", "[mesher][budget]") {
   random_pslg::Builder b;
   b.loop({Point(-4, -4), Point(4, -4), Point(4, 4), Point(-4, 4)});

@@ -228,18 +228,34 @@ TEST_CASE("A callback that returns false stops construction by quadtrees", "[mes
   }
 }
 
-TEST_CASE("A budget that quadtrees exhaust is reported", "[mesher][theorem5]") {
-  // More than is needed in the end, but less than the quadtrees make.
+TEST_CASE("Where quadtrees exhaust a budget refinement makes the mesh", "[mesher][theorem5]") {
+  // The trees alone have 97 000 leaves. Refinement on demand needs 23 000 vertices, not as few as the first budget.
   const Pslg pslg = read("us_states_10m.poly.gz");
   for (const std::size_t budget : {15000u, 30000u}) {
     CAPTURE(budget);
     const Run r = run(pslg, by_quadtrees().max_vertices(budget));
-    CHECK(r.report.is_budget_exhausted);
     CHECK(r.report.trees.end == End::BUDGET);
+    CHECK(r.report.trees.rounds == 0);
+    CHECK(r.report.is_budget_exhausted == (budget == 15000u));
+    CHECK(r.report.is_met() == (budget == 30000u));
+    CHECK(are_same(r.mesh, Mesher(Options().max_vertices(budget))(pslg)));
     CHECK(r.report.unmet_triangles.size() == r.quality.unmet_triangles.size());
     for (const auto& unmet : r.report.unmet_triangles)
       CHECK(unmet.reason == CGAL::Quality_mesh_report_2::Reason::BUDGET);
   }
+}
+
+TEST_CASE("Small graphs whose trees would take seconds are refined on demand", "[mesher][theorem5]") {
+  Pslg pslg = unit_square(); // a bundle of legs, with a short one between each two
+  constexpr int legs = 60;
+  for (int i = 0; i < legs; ++i) {
+    const double y = 0.5 * std::tan(1e-3 * (i + 1) / legs), length = i % 2 == 0 ? 0.9 : 0.3;
+    pslg.add_segment(pslg_test::Vertex_index(0), pslg.add_vertex(Point(length, 2 * length * y)));
+  }
+  const Run r = run(pslg, by_quadtrees());
+  CHECK(r.report.trees.end == End::BUDGET);
+  CHECK(r.report.trees.leaves_of_edges < 4000000);
+  CHECK(r.report.is_met());
 }
 
 TEST_CASE("Errors of the input are the same whatever separates features", "[mesher][theorem5]") {

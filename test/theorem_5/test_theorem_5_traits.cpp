@@ -14,6 +14,7 @@
 #include <CGAL/Quality_mesher_2.h>
 #include <CGAL/mesh_quality_2.h>
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -53,6 +54,25 @@ CGAL::Pslg_2<Exact_traits::Point_2> three_quarters_of(const Pslg& pslg) {
   for (const auto& p : pslg.vertices) result.add_vertex(map(p));
   for (const auto& p : pslg.holes) result.holes.push_back(map(p));
   result.segments = pslg.segments;
+  return result;
+}
+
+/// The graph as it is, in exact numbers.
+CGAL::Pslg_2<Exact_traits::Point_2> exactly(const Pslg& pslg) {
+  CGAL::Pslg_2<Exact_traits::Point_2> result;
+  for (const auto& p : pslg.vertices) result.add_vertex({p.x(), p.y()});
+  result.segments = pslg.segments;
+  return result;
+}
+
+/// A box with a vertex at a distance from the middle of an edge.
+CGAL::Pslg_2<Exact_traits::Point_2> vertex_beside_middle(int exponent) {
+  CGAL::Pslg_2<Exact_traits::Point_2> result = exactly(pslg_test::unit_square());
+  const CGAL::Epeck::FT distance(std::ldexp(1.0, exponent));
+  const auto a = result.add_vertex({CGAL::Epeck::FT(1) / 4, CGAL::Epeck::FT(1) / 8}),
+             b = result.add_vertex({CGAL::Epeck::FT(3) / 4, CGAL::Epeck::FT(5) / 8});
+  result.add_segment(a, b);
+  result.add_vertex({CGAL::Epeck::FT(1) / 2, CGAL::Epeck::FT(3) / 8 + distance});
   return result;
 }
 
@@ -100,6 +120,21 @@ TEST_CASE("Rational random graphs are meshed by quadtrees", "[mesher][theorem5][
       CAPTURE(family.name, seed);
       check_mesh<Exact_traits>(three_quarters_of(pslg));
     }
+}
+
+TEST_CASE("Vertices as near as may be to the middle of an edge are meshed by quadtrees",
+          "[mesher][theorem5][exact]") {
+  for (const int exponent : {-20, -50, -60, -90}) {
+    CAPTURE(exponent);
+    check_mesh<Exact_traits>(vertex_beside_middle(exponent));
+  }
+}
+
+TEST_CASE("Leaves far below the length of the edges that pass them end", "[mesher][theorem5][exact]") {
+  for (const std::string name : {"hard_legs_in_one_strip.poly", "hard_lattice_of_all_edges.poly"}) {
+    CAPTURE(name);
+    check_mesh<Exact_traits>(exactly(read(name)));
+  }
 }
 
 } // namespace test_theorem_5_traits

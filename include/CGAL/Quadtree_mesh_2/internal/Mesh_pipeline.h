@@ -18,7 +18,8 @@
 //   -> flat arrays in the user's coordinates and vertex order
 //
 // Quadtrees (Tree_construction.h) take the place of refinement on demand where that is wanted, or where it does not come
-// to rest. Refinement then cures what is left of their mesh.
+// to rest. Refinement then cures what is left of their mesh. Where they cannot be made within their budget, refinement
+// makes the mesh.
 //
 // What flows back: thinning and the exact flips may leave triangles to refine again, within a budget of their own.
 
@@ -130,6 +131,7 @@ private:
   Input_words<Point_2> words_{pslg_, order_};
   std::vector<char> is_merged_;                    // kernel vertices that another one stands for
   std::optional<Pslg_error_2> too_near_for_trees_; // the error for the first of them
+  double triangles_of_sizes_ = 0;                  // what bounds of size ask for, as estimated
 
   void sort_vertices() {
     Phase_timer timer(report_.seconds.quadtree);
@@ -260,6 +262,7 @@ private:
     Phase_timer timer(report_.seconds.first_mesh);
     Size_estimate<Geometry> estimate(state_, ConcurrencyTag());
     report_.estimated_triangles = estimate.triangles();
+    triangles_of_sizes_ = estimate.triangles_of_sizes();
     const Triangle_budget budget = budgets().of_triangles();
     if (!budget.is_surely_exceeded_by(estimate.triangles())) return estimate.take_acute_starts();
     const std::string refusal = budget.refusal_of(estimate.triangles());
@@ -301,7 +304,8 @@ private:
   /// To be asked once the size is estimated.
   Vertex_budgets<Geometry> budgets() const {
     return {options_, problem_.bounds, pslg_.number_of_vertices(),
-            static_cast<double>(pslg_.number_of_vertices()) + report_.estimated_triangles};
+            static_cast<double>(pslg_.number_of_vertices()) + report_.estimated_triangles,
+            triangles_of_sizes_};
   }
 
   /// Refines on demand. Where it runs out of budget, the mesh is as it was left.
@@ -364,7 +368,6 @@ private:
     report_.trees.end = make_mesh_by_trees();
     const std::size_t meshes = report_.trees.rounds - (report_.trees.end == End::FAILED ? 1 : 0);
     if (meshes == 0) return false;
-    if (report_.trees.end == End::BUDGET) report_.is_budget_exhausted = true;
     Phase_timer timer(report_.seconds.refine);
     refiner.push_all();
     run_to_the_end(refiner, budgets().of_repair(state_.mesh.number_of_vertices()));
@@ -383,7 +386,7 @@ private:
     try {
       Phase_timer timer(report_.seconds.trees);
       trees.emplace(problem_, sides, graph, map_, options_.trees(), traits_, find_hits_,
-                    budgets().of_construction(), report_.trees);
+                    budgets().of_construction().leaves, report_.trees);
     } catch (const Point_error& error) {
       ++report_.trees.rounds;
       if (report_.trees.has_taken_over) return Tree_separation_report_2::End::FAILED;
@@ -391,6 +394,7 @@ private:
                                        static_cast<Vertex_id>(error.other().value())},
                             " are nearer to each other than the grid of the quadtrees can tell");
     }
+    if (trees->is_exhausted()) return Tree_separation_report_2::End::BUDGET;
     Phase_timer timer(report_.seconds.construct);
     Tree_construction<Traits, ConcurrencyTag> construction(state_, *trees, map_, is_merged_, sides,
                                                            report_.trees);

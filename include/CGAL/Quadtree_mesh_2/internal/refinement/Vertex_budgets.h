@@ -14,10 +14,17 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 
 namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
+
+/// What the construction by quadtrees may take before refinement on demand takes over.
+struct Construction_budget {
+  std::size_t leaves;                 ///< of the trees, and vertices of a round
+  std::size_t vertices_of_all_rounds; ///< together
+};
 
 /// How many vertices a mesh may have before work on it is given up. This is the user's budget, or else a
 /// multiple of what is expected, because no proof says that refinement ends.
@@ -25,22 +32,23 @@ template <class Geometry>
 class Vertex_budgets {
 public:
   /// \param expected the vertices that the mesh is expected to have
+  /// \param expected_of_sizes those of them that bounds of size ask for
   Vertex_budgets(const Quality_mesh_options_2& options, const Bounds<Geometry>& bounds,
-                 std::size_t input_vertices, double expected)
+                 std::size_t input_vertices, double expected, double expected_of_sizes)
       : options_(options), is_established_(bounds.is_established()),
-        is_capped_(input_vertices < small_graph && !bounds.is_size_bounded() && !options.refine_where()),
-        expected_(expected) {}
+        is_capped_(input_vertices < small_graph && !options.size() && !options.refine_where()),
+        expected_(expected), cap_(cap_of_small_graphs + margin_of_sizes * expected_of_sizes) {}
 
   /// How many triangles the mesh may be expected to have for it to be begun.
   Triangle_budget of_triangles() const {
     if (options_.max_vertices() > 0)
       return {static_cast<double>(options_.max_vertices()), "the vertex budget allows"};
     const Triangle_budget machine = Triangle_budget::of_machine();
-    return is_capped_ ? machine.smaller({cap_of_small_graphs, limit_of_small_graphs}) : machine;
+    return is_capped_ ? machine.smaller({cap_, limit_of_small_graphs}) : machine;
   }
 
   /// Quadtrees make ten times the triangles needed.
-  bool allows_quadtrees() const { return !is_capped_ || 10 * expected_ < cap_of_small_graphs; }
+  bool allows_quadtrees() const { return !is_capped_ || 10 * expected_ < cap_; }
 
   /// \param may_construct_instead whether quadtrees take over when patience ends
   std::size_t of_refinement(bool may_construct_instead) const {
@@ -54,9 +62,14 @@ public:
   }
 
   /// Quadtrees make ten times the triangles needed, a hundred times with the placement by rule.
-  std::size_t of_construction() const {
-    if (options_.max_vertices() > 0) return options_.max_vertices();
-    return limited(1000 * expected_ + 1e6);
+  Construction_budget of_construction() const {
+    constexpr std::size_t any = std::numeric_limits<std::size_t>::max();
+    if (options_.max_vertices() > 0) return {options_.max_vertices(), any};
+    const std::size_t leaves = limited(1000 * expected_ + 1e6);
+    if (!is_capped_) return {leaves, any};
+    constexpr double cost = Geometry::has_unlimited_coordinates ? cost_of_exact_leaves : cost_of_leaves;
+    const std::size_t affordable = std::min(leaves, static_cast<std::size_t>(cap_ / cost));
+    return {affordable, 2 * affordable};
   }
 
   /// For what refinement has to do in a mesh that is made.
@@ -69,12 +82,16 @@ public:
 private:
   /// Refinement that is expected to end may take so many times the vertices expected, whatever memory that needs.
   static constexpr double least_patience = 10;
-  /// A graph of fewer vertices without bounds of size is given up at a mesh of some seconds and half a
-  /// gigabyte. Its gaps are so narrow that its owner should know of them.
+  /// A graph of fewer vertices is given up at a mesh of some seconds and half a gigabyte, not counting what bounds of
+  /// size ask for. Its gaps are so narrow that its owner should know of them.
   static constexpr std::size_t small_graph = 1000;
   static constexpr double cap_of_small_graphs = 2e6;
   static constexpr const char* limit_of_small_graphs =
       "without a vertex budget a graph of fewer than 1000 vertices is allowed";
+  /// What bounds of size ask for is estimated; it may be so many times that.
+  static constexpr double margin_of_sizes = 4;
+  /// Time and memory of a leaf of quadtrees, in those of a vertex of refinement.
+  static constexpr double cost_of_leaves = 2, cost_of_exact_leaves = 8;
   /// What a user's rule asks for cannot be expected.
   static constexpr double unexpected_by_users_rule = 2e7;
   /// Of a vertex and its two triangles, in arrays of twice the size, and of what refinement notes about them.
@@ -83,15 +100,14 @@ private:
 
   const Quality_mesh_options_2& options_;
   bool is_established_, is_capped_;
-  double expected_;
+  double expected_, cap_;
 
   /// Vertices beyond what is expected, for graphs that are small and hard. There are more where refinement is
   /// established to end. Elsewhere it goes on until the allowance is used up.
   double allowance() const { return is_established_ ? 2e6 : 2e5; }
 
   std::size_t limited(double vertices) const {
-    const double most =
-        is_capped_ ? cap_of_small_graphs : static_cast<double>(Triangle_budget::most_vertices);
+    const double most = is_capped_ ? cap_ : static_cast<double>(Triangle_budget::most_vertices);
     return static_cast<std::size_t>(std::min(most, vertices));
   }
 };

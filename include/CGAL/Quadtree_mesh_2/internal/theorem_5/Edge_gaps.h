@@ -20,8 +20,8 @@
 //
 // Edges on opposite sides of the domain's outside do not count.
 //
-// The arithmetic is rounded. Rounding changes results only in near-ties. It affects sizes, but not the
-// correctness of anything.
+// The arithmetic is rounded, relative to the side of the leaf (Near_segment.h). Rounding changes results only in
+// near-ties. It affects sizes, but not the correctness of anything.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_EDGE_GAPS_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_EDGE_GAPS_H

@@ -69,7 +69,8 @@ public:
 
   /// \param graph the vertices and edges of the problem, in its order
   /// \param find_hits by which model neighbors of vertices are found; null: by the quadtree
-  /// \param most_leaves separation stops before there are more, but for those of the last step: `is_exhausted()`
+  /// \param most_leaves separation stops before there are more, but for those of the last step: `is_exhausted()`. Then
+  ///        edges are not all apart.
   Separation_trees(const Meshing_problem<Geometry>& problem, const Edge_sides& sides, const Pslg& graph,
                    const Map& map, const Options& options, const Traits& traits, Find_hits find_hits,
                    std::size_t most_leaves, Tree_separation_report_2& report)
@@ -80,7 +81,7 @@ public:
       for (std::size_t v = 0; v < graph.number_of_vertices(); ++v) vertices_.push_back(Vertex_index(v));
     subdivide_edges();
     passed_.follow(tree_);
-    while (split(leaves_with_near_pieces())) {
+    while (!is_exhausted() && split(leaves_with_near_pieces())) {
     }
     report_.leaves_of_pieces = tree_.number_of_leaves();
     separate();
@@ -212,7 +213,7 @@ private:
     leaves.erase(
         std::remove_if(leaves.begin(), leaves.end(), [this](Leaf_index l) { return !is_splittable(l); }),
         leaves.end());
-    if (leaves.empty() || is_exhausted()) return false;
+    if (leaves.empty()) return false;
     tree_.refine(leaves);
     passed_.follow(tree_);
     ++report_.splits;
@@ -221,8 +222,8 @@ private:
   }
 
   void separate() {
-    while (split(leaves_with_near_pieces()) || split(leaves_near_pieces()) ||
-           split(leaves_that_break_rules())) {
+    while (!is_exhausted() && (split(leaves_with_near_pieces()) || split(leaves_near_pieces()) ||
+                               split(leaves_that_break_rules()))) {
     }
   }
 

@@ -24,7 +24,8 @@
 // leaves along an edge, away from its ends, keep to the bound by certificate: those that are equal, and those
 // in columns (Column_rule.h). That splitting ends elsewhere is established numerically (doc/guarantees.md).
 // In any case the budget and the coordinates end it. Triangles at leaves that these leave no room to split
-// are left to refinement, and the rest goes on.
+// are left to refinement, and the rest goes on. The budget bounds the vertices of a round, and those of all
+// rounds together, each of which is a mesh of its own.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_TREE_CONSTRUCTION_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_TREE_CONSTRUCTION_H
@@ -33,6 +34,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Edge_sides.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Remover.h>
+#include <CGAL/Quadtree_mesh_2/internal/refinement/Vertex_budgets.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Edge_rooms.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Rule_placement.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Separation_trees.h>
@@ -68,9 +70,12 @@ public:
         report_(report), rooms_(Edge_rooms<Geometry>::template of<ConcurrencyTag>(state.problem)) {}
 
   /// Replaces the mesh, unless the first round fails. What is below the bound at the end is on the worklist.
-  /// `shall_go_on()` is asked once a round; at most about `budget` vertices are made.
+  /// `shall_go_on()` is asked once a round. The round that uses up the budget is the last.
+  /// \pre the trees are not exhausted
   template <class Continue>
-  End run(Tree_separation_options_2::Placement placement, std::size_t budget, const Continue& shall_go_on) {
+  End run(Tree_separation_options_2::Placement placement, const Construction_budget& budget,
+          const Continue& shall_go_on) {
+    std::size_t vertices_of_all_rounds = 0;
     for (;;) {
       ++report_.rounds;
       report_.handed_over = 0;
@@ -84,7 +89,10 @@ public:
       for (const Triangle_id t : sharp) state_.worklist.push(t);
       if (sharp.empty()) return End::DONE;
       if (!shall_go_on()) return End::CANCELLED;
-      if (mesh_.number_of_vertices() >= budget || trees_.is_exhausted()) return End::BUDGET;
+      vertices_of_all_rounds += mesh_.number_of_vertices();
+      if (mesh_.number_of_vertices() >= budget.leaves || trees_.is_exhausted() ||
+          vertices_of_all_rounds >= budget.vertices_of_all_rounds)
+        return End::BUDGET;
       if (!trees_.refine(leaves_to_blame(sharp))) return End::COORDINATES;
     }
   }
