@@ -173,7 +173,7 @@ private:
     for (const Point_2& p : pslg_.holes) domain.holes.push_back(map_.to_kernel(p));
     for (const auto& region : pslg_.regions) domain.regions.push_back(map_.to_kernel(region.point));
     try {
-      domain.apply(state_.mesh, First::number_of_auxiliary_vertices);
+      problem_.set_outside(domain.apply(state_.mesh, First::number_of_auxiliary_vertices));
     } catch (const Ambiguous_seed& seed) {
       throw words_.ambiguous_seed(seed, problem_.edges);
     }
