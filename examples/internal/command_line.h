@@ -120,7 +120,7 @@ inline po::options_description graph_options() {
     ("thin", po::value<int>()->value_name("N")->default_value(0),
      "rounds of thinning, up to 1000: fewer triangles still, each takes about as long as refinement")
     ("max-vertices", po::value<long long>()->value_name("N"),
-     "stop refining at so many vertices, and report what is left; if not given, what memory allows, and 2000000 for "
+     "stop refining at so many vertices, and report what is left; if not given, what memory allows, and 1000000 for "
      "graphs of fewer than 1000 vertices without bounds of size")
     ("no-coarsening", "keep the vertices that are not needed in the end");
   return options;

@@ -133,7 +133,7 @@ public:
 
   /// Refinement stops when the mesh has this many vertices, and what is left is reported. 0, the default,
   /// means no bound but that of memory; for graphs of fewer than 1000 vertices without bounds of size it
-  /// means two million.
+  /// means one million, and a graph that needs more is refused.
   Quality_mesh_options_2& max_vertices(std::size_t value) { return max_vertices_ = value, *this; }
   std::size_t max_vertices() const { return max_vertices_; } ///< the value set
 

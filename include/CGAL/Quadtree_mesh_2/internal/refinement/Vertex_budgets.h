@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 
 namespace CGAL {
 namespace Quadtree_mesh_2 {
@@ -36,7 +37,14 @@ public:
     if (options_.max_vertices() > 0)
       return {static_cast<double>(options_.max_vertices()), "the vertex budget allows"};
     const Triangle_budget machine = Triangle_budget::of_machine();
-    return is_capped_ ? machine.smaller({cap_of_small_graphs, limit_of_small_graphs}) : machine;
+    const std::optional<Triangle_budget> limit = of_small_graph();
+    return limit ? machine.smaller(*limit) : machine;
+  }
+
+  /// The limit of a small graph, if this is one and its user has not set another.
+  std::optional<Triangle_budget> of_small_graph() const {
+    if (!is_capped_ || options_.max_vertices() > 0) return std::nullopt;
+    return Triangle_budget(cap_of_small_graphs, limit_of_small_graphs);
   }
 
   /// Quadtrees make ten times the triangles needed.
@@ -56,7 +64,7 @@ public:
   /// Quadtrees make ten times the triangles needed, a hundred times with the placement by rule.
   std::size_t of_construction() const {
     if (options_.max_vertices() > 0) return options_.max_vertices();
-    return limited(1000 * expected_ + 1e6);
+    return limited(1000 * expected_ + 1e6, 2 * cap_of_small_graphs);
   }
 
   /// For what refinement has to do in a mesh that is made.
@@ -69,10 +77,10 @@ public:
 private:
   /// Refinement that is expected to end may take so many times the vertices expected, whatever memory that needs.
   static constexpr double least_patience = 10;
-  /// A graph of fewer vertices without bounds of size is given up at a mesh of some seconds and half a
-  /// gigabyte. Its gaps are so narrow that its owner should know of them.
+  /// A graph of fewer vertices without bounds of size is given up at a mesh of some seconds and, together with what
+  /// checks it, half a gigabyte. Its gaps are so narrow that its owner should know of them.
   static constexpr std::size_t small_graph = 1000;
-  static constexpr double cap_of_small_graphs = 2e6;
+  static constexpr double cap_of_small_graphs = 1e6;
   static constexpr const char* limit_of_small_graphs =
       "without a vertex budget a graph of fewer than 1000 vertices is allowed";
   /// What a user's rule asks for cannot be expected.
@@ -89,9 +97,8 @@ private:
   /// established to end. Elsewhere it goes on until the allowance is used up.
   double allowance() const { return is_established_ ? 2e6 : 2e5; }
 
-  std::size_t limited(double vertices) const {
-    const double most =
-        is_capped_ ? cap_of_small_graphs : static_cast<double>(Triangle_budget::most_vertices);
+  std::size_t limited(double vertices, double cap = cap_of_small_graphs) const {
+    const double most = is_capped_ ? cap : static_cast<double>(Triangle_budget::most_vertices);
     return static_cast<std::size_t>(std::min(most, vertices));
   }
 };
