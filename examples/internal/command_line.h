@@ -121,7 +121,7 @@ inline po::options_description graph_options() {
      "rounds of thinning, up to 1000: fewer triangles still, each takes about as long as refinement")
     ("max-vertices", po::value<long long>()->value_name("N"),
      "stop refining at so many vertices, and report what is left; if not given, what memory allows, and for graphs "
-     "of fewer than 1000 vertices 2000000 besides what bounds of size ask for")
+     "of fewer than 1000 vertices 1000000 besides what bounds of size ask for")
     ("no-coarsening", "keep the vertices that are not needed in the end");
   return options;
 }

@@ -128,11 +128,21 @@ TEST_CASE("A small graph that asks for more than it is given is refused, unless 
   const Pslg pslg = read("hard_leg_in_narrow_wedge.poly");
   const std::string text = error(pslg);
   CAPTURE(text);
-  for (const char* part : {"a graph of fewer than 1000 vertices is allowed 4e+06", "segment 4", "segment 6",
+  for (const char* part : {"a graph of fewer than 1000 vertices is allowed 2e+06", "segment 4", "segment 6",
                            "vertex 4 (0.22974410203660989, ", "meet at an angle of 1.3"})
     CHECK(has_text(text, part));
   CHECK(has_text(error(pslg, Options().max_vertices(1000000)), "the vertex budget allows 2e+06"));
   CHECK(error(pslg, Options().min_edge(1e-3)).empty());
+  CHECK(has_text(error(read("hard_stretched_polygon.poly")), "is allowed 2e+06"));
+}
+
+TEST_CASE("A small graph whose mesh turns out too large is refused, too", "[mesher][budget]") {
+  const Pslg pslg = parallel_segments(2e-6);
+  const std::string text = error(pslg);
+  CAPTURE(text);
+  for (const char* part :
+       {"not done with 2e+06 triangles", "segment 4", "segment 5", "face each other at a distance of 2e-06"})
+    CHECK(has_text(text, part));
 }
 
 TEST_CASE("Bounds of size give a small graph no more for its gaps", "[mesher][budget]") {
@@ -142,7 +152,7 @@ TEST_CASE("Bounds of size give a small graph no more for its gaps", "[mesher][bu
        {Options(), Options().max_area(0.005 * extent * extent), Options().max_edge(0.04 * extent)}) {
     const std::string text = error(pslg, options);
     CAPTURE(text);
-    CHECK(has_text(text, "a graph of fewer than 1000 vertices is allowed 4e+06"));
+    CHECK(has_text(text, "a graph of fewer than 1000 vertices is allowed 2e+06"));
     CHECK(has_text(text, "segment 4"));
   }
   // What bounds of size ask for themselves is not refused.

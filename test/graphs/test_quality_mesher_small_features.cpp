@@ -175,6 +175,20 @@ TEST_CASE(
   check_reasons(r);
 }
 
+TEST_CASE("Rounded vertices of the border keep clear of what is outside", "[mesher][small]") {
+  run_to_the_bound(read("hard_wedge_outside.poly"), to_the_bound());
+}
+
+TEST_CASE("Between edges within rounding of each other nothing but triangles without room is left",
+          "[mesher][small]") {
+  for (const char* name : {"hard_overlap_on_border.poly", "hard_overlap_beside_border.poly"}) {
+    INFO(name);
+    const Run r = run(read(name), to_the_bound());
+    CHECK_FALSE(r.report.is_budget_exhausted);
+    check_reasons(r);
+  }
+}
+
 TEST_CASE("Subnormal coordinates are kept", "[mesher][small]") {
   const Pslg pslg = read("subnormal_vertices.poly");
   const Run r = run_to_the_bound(pslg, to_the_bound());

@@ -47,28 +47,42 @@ std::vector<Point> places_in(const std::string& message) {
 
 bool has(const std::string& message, const char* part) { return message.find(part) != std::string::npos; }
 
-/// Whether segments enclose anything that holes leave, by a triangulation of CGAL's with exact predicates.
-bool has_domain(const Pslg& graph) {
+/// Whether the rule and the holes leave anything of what segments enclose, by a triangulation of CGAL's with exact
+/// predicates. Nested borders count by parity, or else are all inside.
+bool has_domain(const Pslg& graph, bool is_by_parity) {
   using Cdt = CGAL::Constrained_Delaunay_triangulation_2<Kernel_2, CGAL::Default, CGAL::Exact_predicates_tag>;
   Cdt cdt;
   for (const auto& s : graph.segments)
     if (graph.point(s[0]) != graph.point(s[1])) cdt.insert_constraint(graph.point(s[0]), graph.point(s[1]));
   if (cdt.dimension() < 2) return false;
-  std::set<Cdt::Face_handle> outside;
-  const auto flood = [&](Cdt::Face_handle first) {
-    std::vector<Cdt::Face_handle> stack{first};
+  using Faces = std::vector<Cdt::Face_handle>;
+  // those that are reached without crossing a segment and were not before, and those across segments
+  const auto flood = [](Faces stack, std::set<Cdt::Face_handle>& reached, Faces& across) {
     while (!stack.empty()) {
       const Cdt::Face_handle f = stack.back();
       stack.pop_back();
-      if (!outside.insert(f).second) continue;
-      for (int i = 0; i < 3; ++i)
-        if (!f->is_constrained(i)) stack.push_back(f->neighbor(i));
+      if (!reached.insert(f).second) continue;
+      for (int i = 0; i < 3; ++i) (f->is_constrained(i) ? across : stack).push_back(f->neighbor(i));
     }
   };
-  flood(cdt.infinite_face());
-  for (const Point& p : graph.holes) flood(cdt.locate(p));
+  std::set<Cdt::Face_handle> reached, outside;
+  Faces level{cdt.infinite_face()}, next;
+  for (bool is_outside = true; !level.empty(); is_outside = is_by_parity && !is_outside) {
+    std::set<Cdt::Face_handle> before = reached;
+    next.clear();
+    flood(level, reached, next);
+    for (const Cdt::Face_handle f : reached)
+      if (is_outside && before.count(f) == 0) outside.insert(f);
+    level.clear();
+    for (const Cdt::Face_handle f : next)
+      if (reached.count(f) == 0) level.push_back(f);
+  }
+  std::set<Cdt::Face_handle> of_holes;
+  Faces holes;
+  for (const Point& p : graph.holes) holes.push_back(cdt.locate(p));
+  flood(holes, of_holes, next);
   for (const Cdt::Face_handle f : cdt.finite_face_handles())
-    if (outside.count(f) == 0) return true;
+    if (outside.count(f) == 0 && of_holes.count(f) == 0) return true;
   return false;
 }
 
@@ -94,7 +108,8 @@ Verdict judge_domain(const Soak_case& c, const std::string& message) {
   const bool is_marked = c.wishes.domain == CGAL::Quality_mesh_options_2::Domain::MARKED;
   if (is_marked && c.graph.regions.empty()) return {Outcome::REFUSED, "no domain", message};
   if (is_any_seed_on_a_segment(c.graph)) return {Outcome::REFUSED, "no domain", message};
-  if (is_marked || !has_domain(c.graph)) return {Outcome::REFUSED, "no domain", message};
+  const bool is_by_parity = c.wishes.domain == CGAL::Quality_mesh_options_2::Domain::NESTING_PARITY;
+  if (is_marked || !has_domain(c.graph, is_by_parity)) return {Outcome::REFUSED, "no domain", message};
   return failure("refused: there is a domain", message);
 }
 
@@ -135,13 +150,27 @@ Verdict judge_places(const Soak_case& c, const std::string& message) {
   return failure("refused: there is room", message);
 }
 
-/// Where a gap is so narrow for its length that no memory has room for the triangles.
-Verdict judge_size(const std::string& message) {
-  const std::vector<std::size_t> culprits = numbers_after(message, "segments?|vertex|vertices");
+/// Whether the segments have an end, or one of two, that is near to something else for the extent.
+bool has_narrow_gap(const Pslg& graph, const std::vector<std::size_t>& segments) {
+  const long double narrow = 1e-3L * extent_of(graph.vertices);
+  return std::any_of(segments.begin(), segments.end(), [&](std::size_t s) {
+    return s < graph.segments.size() &&
+           std::any_of(graph.segments[s].begin(), graph.segments[s].end(),
+                       [&](auto v) { return least_feature_distance(graph, graph.point(v), 0) <= narrow; });
+  });
+}
+
+/// Where a gap is so narrow for its length that there is no room for the triangles: in memory, or in what small graphs
+/// have. The estimate has to be four times what there is, a mesh that was begun has to have used it up.
+Verdict judge_size(const Soak_case& c, const std::string& message) {
+  const std::vector<std::size_t> segments = numbers_after(message, "segments?");
   std::smatch number;
-  const bool has_number = std::regex_search(message, number, std::regex("about ([0-9.e+]+) triangles"));
-  if (culprits.empty() || !has_number) return failure("refused: too large, without numbers", message);
-  if (std::stod(number[1]) < 1e7) return failure("refused: not too large", message);
+  const std::regex words("(about|not done with) ([0-9.e+]+) triangles");
+  if (segments.empty() || !std::regex_search(message, number, words))
+    return failure("refused: too large, without numbers", message);
+  if (std::stod(number[2]) < (number[1] == "about" ? 8e6 : 2e6))
+    return failure("refused: not too large", message);
+  if (!has_narrow_gap(c.graph, segments)) return failure("refused: no narrow gap", message);
   return {Outcome::REFUSED, "too large", message};
 }
 
@@ -171,7 +200,7 @@ Verdict judge_refusal(const Soak_case& c, const std::string& message) {
     return are_on_a_line(c.graph.vertices) ? Verdict{Outcome::REFUSED, "on a line", message}
                                            : failure("refused: not on a line", message);
   if (has(message, "domain") || has(message, "no segments")) return judge_domain(c, message);
-  if (has(message, "triangles")) return judge_size(message);
+  if (has(message, "triangles")) return judge_size(c, message);
   if (has(message, "too large") || has(message, "span"))
     return extent_of(c.graph.vertices) > 1e290 ? Verdict{Outcome::REFUSED, "too large", message}
                                                : failure("refused: coordinates are not too large", message);

@@ -129,6 +129,7 @@ private:
   Progress progress_{options_.progress()};
   Order order_; // kernel vertex -> input vertex
   Input_words<Point_2> words_{pslg_, order_};
+  typename Size_estimate<Geometry>::Pair worst_pair_;
   std::vector<char> is_merged_;                    // kernel vertices that another one stands for
   std::optional<Pslg_error_2> too_near_for_trees_; // the error for the first of them
   double triangles_of_sizes_ = 0;                  // what bounds of size ask for, as estimated
@@ -175,7 +176,7 @@ private:
     for (const Point_2& p : pslg_.holes) domain.holes.push_back(map_.to_kernel(p));
     for (const auto& region : pslg_.regions) domain.regions.push_back(map_.to_kernel(region.point));
     try {
-      domain.apply(state_.mesh, First::number_of_auxiliary_vertices);
+      problem_.set_outside(domain.apply(state_.mesh, First::number_of_auxiliary_vertices));
     } catch (const Ambiguous_seed& seed) {
       throw words_.ambiguous_seed(seed, problem_.edges);
     }
@@ -263,16 +264,13 @@ private:
     Size_estimate<Geometry> estimate(state_, ConcurrencyTag());
     report_.estimated_triangles = estimate.triangles();
     triangles_of_sizes_ = estimate.triangles_of_sizes();
+    worst_pair_ = estimate.worst_pair();
     const Triangle_budget budget = budgets().of_triangles();
     if (!budget.is_surely_exceeded_by(estimate.triangles())) return estimate.take_acute_starts();
     const std::string refusal = budget.refusal_of(estimate.triangles());
-    if (estimate.worst_pair().triangles <= estimate.triangles_of_sizes())
+    if (worst_pair_.triangles <= estimate.triangles_of_sizes())
       throw Pslg_error_2(Pslg_error_2::Kind::TOO_MANY_TRIANGLES, refusal + " for the bounds of size");
-    const Narrow_gap<Geometry> gap(state_, estimate.worst_pair());
-    const double unit = map_.length_to_kernel(1.0);
-    throw Pslg_gap_error_2(
-        refusal, gap.in_words([this](Segment_index s) { return segment_text(pslg_, std::size_t(s)); }, unit),
-        gap.segments(), ratio(gap.width(), unit));
+    throw gap_error(refusal);
   }
 
   void find_corners(const Acute_starts& starts) {
@@ -342,7 +340,8 @@ private:
   void take_over(Refiner<Geometry>& refiner, Splitter<Geometry>& splitter) {
     report_.trees.has_taken_over = may_construct_instead();
     if (report_.trees.has_taken_over && construct_by_trees(refiner)) return;
-    report_.is_budget_exhausted = true;
+    // Where quadtrees gave no mesh, the user's patience with refinement was in vain: it has the usual one.
+    run_to_the_end(refiner, budgets().of_refinement(may_construct_instead()));
     finish_refinement(splitter);
   }
 
@@ -356,8 +355,19 @@ private:
     });
   }
 
+  Pslg_gap_error_2 gap_error(const std::string& refusal) const {
+    return words_.gap(refusal, Narrow_gap<Geometry>(state_, worst_pair_), map_.length_to_kernel(1.0));
+  }
+
+  /// \throws Pslg_error_2 if it ends at the limit of small graphs: its user did not ask for a part of a mesh
   void run_to_the_end(Refiner<Geometry>& refiner, std::size_t budget) {
-    if (run(refiner, budget) == Refinement_end::OUT_OF_BUDGET) report_.is_budget_exhausted = true;
+    if (run(refiner, budget) != Refinement_end::OUT_OF_BUDGET) return;
+    report_.is_budget_exhausted = true;
+    const auto limit = budgets().of_small_graph();
+    if (!limit || !limit->is_used_up_by(state_.mesh.number_of_vertices())) return;
+    if (worst_pair_.triangles > 0) throw gap_error(limit->refusal_when_used_up());
+    const auto& place = state_.mesh.point(state_.mesh.triangle(state_.worklist.pop()).v[0]);
+    throw words_.endless(limit->refusal_when_used_up(), problem_.nearest_input_vertex(place));
   }
 
   /// Makes a mesh by quadtrees, and refines what is too large in it, or could not be cured.
@@ -440,20 +450,11 @@ private:
     Exact_legalizer<ConcurrencyTag, Geometry> legalizer(state_);
     for (int round = 0; round < most_rounds; ++round) {
       Triangle_account account = legalizer.run();
-      if (!has_bad_on_worklist() || progress_.is_cancelled() || report_.is_budget_exhausted) return account;
+      const bool is_stopped = progress_.is_cancelled() || report_.is_budget_exhausted;
+      if (!state_.has_bad_on_worklist() || is_stopped) return account;
       run_to_the_end(refiner, budgets().of_repair(state_.mesh.number_of_vertices()));
     }
     return legalizer.run();
-  }
-
-  bool has_bad_on_worklist() {
-    std::vector<Triangle_id> bad;
-    while (!state_.worklist.is_empty()) {
-      const Triangle_id t = state_.worklist.pop();
-      if (state_.mesh.is_alive(t) && state_.is_bad(t)) bad.push_back(t);
-    }
-    for (const Triangle_id t : bad) state_.worklist.push(t);
-    return !bad.empty();
   }
 
   Indexed_mesh_2<Point_2> convert(const Triangle_account& account) {

@@ -113,6 +113,21 @@ public:
                            Segment_index(static_cast<std::size_t>(edges[e].segment)));
   }
 
+  /// For a graph that asks for too many triangles.
+  /// \param gap the narrow gap that asks for most of them
+  /// \param unit of the input, in the coordinates of the gap
+  template <class Gap>
+  Pslg_gap_error_2 gap(const std::string& refusal, const Gap& gap, double unit) const {
+    const auto name = [this](Segment_index s) { return segment_text(pslg_, std::size_t(s)); };
+    return Pslg_gap_error_2(refusal, gap.in_words(name, unit), gap.segments(), ratio(gap.width(), unit));
+  }
+  /// The same where no gap is to blame.
+  /// \param v the kernel vertex next to the triangles that are left
+  Pslg_error_2 endless(const std::string& refusal, Vertex_id v) const {
+    return {Pslg_error_2::Kind::TOO_MANY_TRIANGLES, refusal + " what is left is next to " + kernel_vertex(v),
+            Pslg_parts_2().vertex(Vertex_index(order_[std::size_t(v)]))};
+  }
+
   /// For a graph of which nothing is to be meshed.
   Pslg_error_2 no_domain(Quality_mesh_options_2::Domain rule) const {
     constexpr auto kind = Pslg_error_2::Kind::NO_DOMAIN;

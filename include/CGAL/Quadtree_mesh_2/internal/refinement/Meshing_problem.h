@@ -9,8 +9,11 @@
 
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Acute_corners.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Bounds.h>
+#include <CGAL/Quadtree_mesh_2/internal/triangulation/Domain_rule.h>
+#include <CGAL/Quadtree_mesh_2/internal/triangulation/Edge_room.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Input_edges.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -31,6 +34,36 @@ struct Meshing_problem {
   const typename Geometry::Point& input_point(Vertex_id number) const {
     return input_points[std::size_t(number)];
   }
+
+  Vertex_id nearest_input_vertex(const typename Geometry::Point& p) const {
+    const auto distance2 = [&p](const auto& q) { return squared_length(Geometry::scaled_difference(q, p)); };
+    const auto nearest =
+        std::min_element(input_points.begin(), input_points.end(),
+                         [&](const auto& a, const auto& b) { return distance2(a) < distance2(b); });
+    return static_cast<Vertex_id>(nearest - input_points.begin());
+  }
+
+  /// \param outer the triangles outside along the border
+  void set_outside(const std::vector<Outer_triangle>& outer) {
+    outer_of_edge_.assign(edges.size(), {});
+    for (const Outer_triangle& t : outer) outer_of_edge_[std::size_t(edges.between(t.a, t.b))] = t;
+  }
+
+  /// Whether p, a rounded point of an edge, stays clear of what is outside of the border. The mesh does not know it.
+  bool is_clear_of_outside(Edge_id e, const typename Geometry::Point& p) const {
+    if constexpr (Geometry::has_unlimited_coordinates) {
+      static_cast<void>(e), static_cast<void>(p); // what is made on an edge lies on it
+      return true;
+    } else {
+      const Outer_triangle& t = outer_of_edge_[std::size_t(e)];
+      if (t.apex < 0) return true;
+      const auto &a = input_point(t.a), &b = input_point(t.b);
+      return Edge_room<Geometry>(a, b, input_point(t.apex)).has(a, b, p);
+    }
+  }
+
+private:
+  std::vector<Outer_triangle> outer_of_edge_; // none where it is not at the border, or has nothing beyond
 };
 
 } // namespace internal

@@ -112,6 +112,17 @@ struct Meshing_state {
     while (!worklist.is_empty()) worklist.pop();
   }
 
+  /// Whether the worklist has bad triangles; takes the others off it.
+  bool has_bad_on_worklist() {
+    std::vector<Triangle_id> bad;
+    while (!worklist.is_empty()) {
+      const Triangle_id t = worklist.pop();
+      if (mesh.is_alive(t) && is_bad(t)) bad.push_back(t);
+    }
+    for (const Triangle_id t : bad) worklist.push(t);
+    return !bad.empty();
+  }
+
   void push_if_suspect(Triangle_id t) {
     if (is_suspect(t)) worklist.push(t);
   }

@@ -27,6 +27,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Relocator.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Splitter.h>
+#include <CGAL/Quadtree_mesh_2/internal/triangulation/edge_next_to.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/least_edge.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/walk.h>
 
@@ -177,7 +178,8 @@ private:
     if (!in_the_way.is_border())
       return is_too_short(in_the_way, distance2)
                  ? Outcome::DEFERRED
-                 : splitter_.split(in_the_way.triangle(), in_the_way.slot(), &q);
+                 : splitter_.split(in_the_way.triangle(), in_the_way.slot(), &q,
+                                   is_within_rounding<Geometry>(s, q) ? Asker::NARROW : Asker::ORDINARY);
     if (is_too_near(end.triangle, q, distance2)) return Outcome::DEFERRED;
     return insert(end.triangle, q);
   }

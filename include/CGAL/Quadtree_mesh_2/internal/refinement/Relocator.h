@@ -286,8 +286,9 @@ private:
     const bool is_nearer_to_a = squared_length(from_a) <= squared_length(from_b);
     const Number share_of_a = dot(from_a, d) / squared_length(d) + place / whole;
     const Number share_of_b = -dot(from_b, d) / squared_length(d) - place / whole;
-    return accept(
-        v, is_nearer_to_a ? Geometry::between(a, b, share_of_a) : Geometry::between(b, a, share_of_b), aim);
+    const Point p =
+        is_nearer_to_a ? Geometry::between(a, b, share_of_a) : Geometry::between(b, a, share_of_b);
+    return state_.problem.is_clear_of_outside(e, p) && accept(v, p, aim);
   }
 
   /// How far to go from the vertex along a direction for the best star that is found.

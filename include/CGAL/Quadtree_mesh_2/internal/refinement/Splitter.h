@@ -29,6 +29,7 @@
 #define CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_SPLITTER_H
 
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
+#include <CGAL/Quadtree_mesh_2/internal/triangulation/edge_next_to.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/least_edge.h>
 
 #include <algorithm>
@@ -39,6 +40,9 @@
 namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
+
+/// For what triangle an edge is to be split: an ordinary one, or one that is narrower than coordinates are rounded.
+enum class Asker { ORDINARY, NARROW };
 
 template <class Geometry>
 class Splitter {
@@ -71,8 +75,9 @@ public:
   }
 
   /// Splits the constrained edge at side k of t, near `want` where nothing else is prescribed.
-  /// Refused if it cannot be split: it is as short as coordinates allow.
-  Outcome split(Triangle_id t, int k, const Point* want) {
+  /// Refused if it cannot be split: it is as short as coordinates allow, or it is for the sake of a triangle between two
+  /// edges that coordinates hardly tell apart. There would be no end of these.
+  Outcome split(Triangle_id t, int k, const Point* want, Asker asker) {
     const Side side(t, k);
     if (mesh_.across(side).is_seam()) return Outcome::DEFERRED;
     const Vertex_id x = mesh_.source(side), y = mesh_.target(side);
@@ -82,8 +87,8 @@ public:
       if (l >= 0 && !state_.owns(corners_.leg(l).corner)) return Outcome::DEFERRED;
     for (const Leg_id l : corners_.legs_of_edge[std::size_t(e)])
       if (l >= 0 && state_.leg_rule == Leg_rule::SHELLS && is_within_ring(l, x, y))
-        return outcome(halve_interval(l, x, y) || split_interval(l, x, y, want));
-    return outcome(split_subsegment(side, e, want));
+        return outcome(halve_interval(l, x, y, asker) || split_interval(l, x, y, want, asker));
+    return outcome(split_subsegment(side, e, want, asker));
   }
 
   /// Makes a bad triangle within a locked sector ordinary domain (or, if it touches the apex, halves its
@@ -180,8 +185,9 @@ private:
   }
 
   /// Cuts every leg of the corner at a radius within the ring, where it is not cut there yet.
-  bool insert_shell(Corner_id c, Number radius) {
+  bool insert_shell(Corner_id c, Number radius, Asker asker = Asker::ORDINARY) {
     bool is_changed = false;
+    if (is_cut_on_all_legs(corners_.corner(c))) asker = Asker::ORDINARY;
     for (const Leg_id l : corners_.corner(c).legs) {
       Leg& leg = corners_.leg(l);
       if (radius < least_share_of_leg() * leg.length) return false;
@@ -189,7 +195,9 @@ private:
       if (i.above.vertex < 0 || i.below.radius >= radius * (1 - same_radius) ||
           i.above.radius <= radius * (1 + same_radius))
         continue;
-      const Vertex_id v = insert_between(i.below.vertex, i.above.vertex, leg.edge, point_on_leg(leg, radius));
+      const Point p = point_on_leg(leg, radius);
+      if (!may_insert_for(asker, state_.side_between(i.below.vertex, i.above.vertex), p)) continue;
+      const Vertex_id v = insert_between(i.below.vertex, i.above.vertex, leg.edge, p);
       if (v < 0) continue;
       const auto place = std::find_if(leg.shells.begin(), leg.shells.end(),
                                       [&](const Shell_vertex& s) { return s.radius > radius; });
@@ -197,6 +205,11 @@ private:
       is_changed = true;
     }
     return is_changed;
+  }
+
+  /// Whether all legs have a ring vertex. Otherwise sectors are ordinary domain, however narrow.
+  bool is_cut_on_all_legs(const Corner& c) const {
+    return std::all_of(c.legs.begin(), c.legs.end(), [this](Leg_id l) { return corners_.leg(l).ring >= 0; });
   }
 
   bool is_within_ring(Leg_id l, Vertex_id x, Vertex_id y) const {
@@ -217,16 +230,17 @@ private:
                     radius_on_leg(corners_.leg(sector.left), v));
   }
 
-  bool halve_interval(Leg_id l, Vertex_id x, Vertex_id y) {
+  bool halve_interval(Leg_id l, Vertex_id x, Vertex_id y, Asker asker) {
     const Leg& leg = corners_.leg(l);
     const Number p = radius_on_leg(leg, x), q = radius_on_leg(leg, y);
     const Number low = std::min(p, q), high = std::max(p, q);
-    return insert_shell(leg.corner, low == 0 ? Number(innermost_share * high) : Number((low + high) / 2));
+    return insert_shell(leg.corner, low == 0 ? Number(innermost_share * high) : Number((low + high) / 2),
+                        asker);
   }
 
   /// Splits one leg alone, where an interval is too short for shells to be told apart: features far from the apex may
   /// be much smaller than the radius. Sectors next to it become ordinary domain there.
-  bool split_interval(Leg_id l, Vertex_id x, Vertex_id y, const Point* want) {
+  bool split_interval(Leg_id l, Vertex_id x, Vertex_id y, const Point* want, Asker asker) {
     const Leg leg = corners_.leg(l);
     const Number low = std::min(radius_on_leg(leg, x), radius_on_leg(leg, y));
     if (low == 0) return false;
@@ -234,7 +248,7 @@ private:
       while (s >= 0 && corners_.sector(s).lock_radius > low)
         if (!lower_lock(s)) return false;
     const Side side = state_.side_between(x, y);
-    return !side.is_border() && split_subsegment(side, leg.edge, want);
+    return !side.is_border() && split_subsegment(side, leg.edge, want, asker);
   }
 
   // ---- locks
@@ -341,11 +355,13 @@ private:
     return s.is_border() ? -1 : insert(s, e, p);
   }
 
-  /// Puts p on the side; -1 if p is not strictly between its ends as seen from the apexes of its triangles.
+  /// Puts p on the side; -1 if p is not strictly between its ends as seen from the apexes of its triangles, or not clear
+  /// of what is outside.
   Vertex_id insert(Side s, Edge_id e, Point p) {
     if (!is_valid_split(s, p)) return -1;
     const Side o = mesh_.across(s);
     if (!o.is_border() && !is_valid_split(o, p)) return -1;
+    if (!state_.problem.is_clear_of_outside(e, p)) return -1;
     const Triangle_id across = o.is_border() ? -1 : o.triangle();
     if (!has_room(mesh_, {s.triangle(), across}, p, state_.bounds.least_squared_length)) return -1;
     const Vertex_id v = mesh_.add_vertex(p, e);
@@ -365,19 +381,27 @@ private:
            Geometry::orientation(apex, p, mesh_.point(mesh_.target(s))) > 0;
   }
 
-  bool split_subsegment(Side s, Edge_id e, const Point* want) {
+  bool split_subsegment(Side s, Edge_id e, const Point* want, Asker asker) {
     const Vertex_id x = mesh_.source(s), y = mesh_.target(s);
     const Vertex_id apex = is_acute_apex(x) ? x : is_acute_apex(y) ? y : -1;
     if (apex >= 0) {
       const Number length = distance(x, y), whole = length_of_edge(e);
       if (length < 2 * least_share_of_leg() * whole) return false;
       const Number radius = power_of_two_at_most(length * 2 / 3); // of length, in (1/3, 2/3]
-      if (insert(s, e, point_on_edge(e, apex, radius / whole)) >= 0) return true;
+      if (insert_for(asker, s, e, point_on_edge(e, apex, radius / whole))) return true;
     }
     const double share = apex >= 0 ? 0.5 : share_of_split(x, y, e, want);
     for (const double f : {share, 0.5, 0.4, 0.6, 0.45, 0.55})
-      if (insert(s, e, point_on_edge_between(e, x, y, f)) >= 0) return true;
+      if (insert_for(asker, s, e, point_on_edge_between(e, x, y, f))) return true;
     return false;
+  }
+
+  bool insert_for(Asker asker, Side s, Edge_id e, const Point& p) {
+    return may_insert_for(asker, s, p) && insert(s, e, p) >= 0;
+  }
+
+  bool may_insert_for(Asker asker, Side s, const Point& p) const {
+    return asker == Asker::ORDINARY || s.is_border() || edge_next_to(mesh_, s, p).is_border();
   }
 
   Number length_of_edge(Edge_id e) const {

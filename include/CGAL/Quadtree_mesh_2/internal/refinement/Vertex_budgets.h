@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <optional>
 
 namespace CGAL {
 namespace Quadtree_mesh_2 {
@@ -44,7 +45,14 @@ public:
     if (options_.max_vertices() > 0)
       return {static_cast<double>(options_.max_vertices()), "the vertex budget allows"};
     const Triangle_budget machine = Triangle_budget::of_machine();
-    return is_capped_ ? machine.smaller({cap_, limit_of_small_graphs}) : machine;
+    const std::optional<Triangle_budget> limit = of_small_graph();
+    return limit ? machine.smaller(*limit) : machine;
+  }
+
+  /// The limit of a small graph, if this is one and its user has not set another.
+  std::optional<Triangle_budget> of_small_graph() const {
+    if (!is_capped_ || options_.max_vertices() > 0) return std::nullopt;
+    return Triangle_budget(cap_, limit_of_small_graphs);
   }
 
   /// Quadtrees make ten times the triangles needed.
@@ -67,7 +75,7 @@ public:
     if (options_.max_vertices() > 0) return {options_.max_vertices(), any};
     const std::size_t leaves = limited(1000 * expected_ + 1e6);
     if (!is_capped_) return {leaves, any};
-    constexpr double cost = Geometry::has_unlimited_coordinates ? cost_of_exact_leaves : cost_of_leaves;
+    constexpr double cost = Geometry::has_unlimited_coordinates ? cost_of_exact_leaves : 1;
     const std::size_t affordable = std::min(leaves, static_cast<std::size_t>(cap_ / cost));
     return {affordable, 2 * affordable};
   }
@@ -82,16 +90,16 @@ public:
 private:
   /// Refinement that is expected to end may take so many times the vertices expected, whatever memory that needs.
   static constexpr double least_patience = 10;
-  /// A graph of fewer vertices is given up at a mesh of some seconds and half a gigabyte, not counting what bounds of
-  /// size ask for. Its gaps are so narrow that its owner should know of them.
+  /// A graph of fewer vertices is given up at a mesh of some seconds and, together with what checks it, half a
+  /// gigabyte, not counting what bounds of size ask for. Its gaps are so narrow that its owner should know of them.
   static constexpr std::size_t small_graph = 1000;
-  static constexpr double cap_of_small_graphs = 2e6;
+  static constexpr double cap_of_small_graphs = 1e6;
   static constexpr const char* limit_of_small_graphs =
       "without a vertex budget a graph of fewer than 1000 vertices is allowed";
   /// What bounds of size ask for is estimated; it may be so many times that.
   static constexpr double margin_of_sizes = 4;
-  /// Time and memory of a leaf of quadtrees, in those of a vertex of refinement.
-  static constexpr double cost_of_leaves = 2, cost_of_exact_leaves = 8;
+  /// Time of a leaf of quadtrees over exact numbers, in that of one over doubles.
+  static constexpr double cost_of_exact_leaves = 4;
   /// What a user's rule asks for cannot be expected.
   static constexpr double unexpected_by_users_rule = 2e7;
   /// Of a vertex and its two triangles, in arrays of twice the size, and of what refinement notes about them.

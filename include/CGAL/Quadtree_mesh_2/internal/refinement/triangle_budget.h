@@ -71,6 +71,15 @@ public:
     return text.str();
   }
 
+  bool is_used_up_by(std::size_t vertices) const { return 2 * static_cast<double>(vertices) >= triangles_; }
+
+  std::string refusal_when_used_up() const {
+    std::ostringstream text;
+    text.precision(2);
+    text << "the mesh is not done with " << triangles_ << " triangles, and " << limit_ << " no more:";
+    return text.str();
+  }
+
 private:
   /// Of the mesher's peak memory: measured on maps, from 100 to 160.
   static constexpr double bytes_per_triangle = 130;

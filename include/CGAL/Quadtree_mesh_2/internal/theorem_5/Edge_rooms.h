@@ -6,22 +6,16 @@
 //
 // Where rounded points may stand for points on the edges of a graph.
 //
-// Computes: for each edge a region around it, its room. Edges whose vertices are rounded within their rooms
-//           neither cross nor touch, and no vertex gets to the other side of one.
+// Computes: for each edge the rooms on both sides of it (Edge_room.h). Edges whose vertices are rounded within their
+//           rooms neither cross nor touch, and no vertex gets to the other side of one.
 // Bound:    that of First_triangulation.h to make, O(1) for a point.
 // Source:   ours.
-//
-// The room of an edge consists of two triangles. Each joins the edge to a point inside one of the two
-// triangles beside it in the constrained Delaunay triangulation of the whole graph, including the outside.
-// Rooms are disjoint except for common ends, and no vertex is in one. Take a chain from one end of the edge
-// to the other, with vertices in the room and monotone in x or y. It stays in the room: where it changes
-// sides, it crosses the edge between the ends. So a graph of such chains is the given graph, bent. All
-// decisions are exact, on the rounded points. Points exactly on the edge need no room.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_EDGE_ROOMS_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_EDGE_ROOMS_H
 
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
+#include <CGAL/Quadtree_mesh_2/internal/triangulation/Edge_room.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/First_triangulation.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Kernel_mesh.h>
 
@@ -86,11 +80,7 @@ private:
   static constexpr double least_distance_ = 8;
   static constexpr std::size_t left_ = 0, right_ = 1;
 
-  /// The tip of the triangle that the room is on one side.
-  struct Room {
-    Point tip;
-    bool exists = false;
-  };
+  using Room = Edge_room<Geometry>;
 
   const Meshing_problem<Geometry>& problem_;
   std::vector<std::array<Room, 2>> rooms_; // by edge
@@ -113,9 +103,8 @@ private:
                 &b = problem_.input_point(problem_.edges[e].b);
     const int side = Geometry::orientation(a, b, p);
     if (side == 0) return true;
-    const Room& room = rooms_[std::size_t(e)][side > 0 ? left_ : right_];
-    return room.exists && side * Geometry::orientation(b, room.tip, p) > 0 &&
-           side * Geometry::orientation(room.tip, a, p) > 0;
+    return side > 0 ? rooms_[std::size_t(e)][left_].has(a, b, p)
+                    : rooms_[std::size_t(e)][right_].has(b, a, p);
   }
 
   template <class ConcurrencyTag>
@@ -136,20 +125,8 @@ private:
         if (mesh.across(s).is_border() || !mesh.across(s).is_constrained()) continue;
         const Edge_id e = problem_.edges.between(mesh.source(s), mesh.target(s));
         rooms_[std::size_t(e)][problem_.edges[e].a == mesh.source(s) ? left_ : right_] =
-            room_in(mesh.point(mesh.source(s)), mesh.point(mesh.target(s)), mesh.point(mesh.opposite(s)));
+            Room(mesh.point(mesh.source(s)), mesh.point(mesh.target(s)), mesh.point(mesh.opposite(s)));
       }
-  }
-
-  /// The tip is the center of the inscribed circle, so that rooms are as wide as they can be, if rounding leaves it
-  /// inside the triangle.
-  static Room room_in(const Point& a, const Point& b, const Point& c) {
-    const Vector ab = Geometry::difference(b, a), ac = Geometry::difference(c, a);
-    const double of_a = std::sqrt(squared_length(ac - ab)), of_b = std::sqrt(squared_length(ac)),
-                 of_c = std::sqrt(squared_length(ab));
-    const Point tip = Geometry::translate(a, (1 / (of_a + of_b + of_c)) * (of_b * ab + of_c * ac));
-    const bool is_inside = Geometry::orientation(a, b, tip) > 0 && Geometry::orientation(b, c, tip) > 0 &&
-                           Geometry::orientation(c, a, tip) > 0;
-    return {tip, is_inside};
   }
 };
 

@@ -16,7 +16,8 @@
 // that component. Otherwise it is ambiguous, and refused. Whether it lies on a segment is decided exactly.
 //
 // From here on the mesh is the domain alone, and no walk leaves it. Features behind an outside gap, however
-// thin, are not seen and force nothing (distances are geodesic).
+// thin, are not seen and force nothing (distances are geodesic). All that remains of the outside are the triangles at the
+// border, whose rooms rounded vertices of the border may not leave (Edge_room.h).
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_DOMAIN_RULE_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_DOMAIN_RULE_H
@@ -66,6 +67,11 @@ void keep_triangles(Mesh& mesh, const std::vector<char>& is_kept, std::size_t en
   if (!mesh.region_of.empty()) mesh.region_of.resize(std::size_t(kept));
 }
 
+/// A triangle outside, at a side of the domain's border that has the outside on its left.
+struct Outer_triangle {
+  Vertex_id a = -1, b = -1, apex = -1;
+};
+
 /// Thrown if the point of a hole or region lies on a segment, or an end of one, with several components around.
 struct Ambiguous_seed {
   enum class Of { HOLE, REGION };
@@ -87,8 +93,10 @@ public:
 
   /// Keeps the domain only, in the order it had; the mesh is empty afterward if there is none. If there are
   /// regions, `Kernel_mesh::region_of` tells for each triangle the first one whose point is in its component.
+  /// \returns the triangles outside along the border, but for those at auxiliary vertices, beyond which nothing is
   /// \throws Ambiguous_seed
-  void run(Rule rule, const std::vector<Point>& holes, const std::vector<Point>& regions) {
+  std::vector<Outer_triangle> run(Rule rule, const std::vector<Point>& holes,
+                                  const std::vector<Point>& regions) {
     find_levels(rule == Rule::NESTING_PARITY ? std::numeric_limits<std::int32_t>::max() : 1);
     is_kept_.resize(mesh_.triangles.size());
     for (std::size_t t = 0; t < is_kept_.size(); ++t) is_kept_[t] = is_kept_by(rule, level_[t]);
@@ -97,7 +105,9 @@ public:
       for (std::size_t t = 0; t < is_kept_.size(); ++t)
         is_kept_[t] = level_[t] > 0 && !regions.empty() && mesh_.region_of[t] >= 0;
     for (const Triangle_id t : triangles_at(holes, Ambiguous_seed::Of::HOLE)) drop_component(t);
+    std::vector<Outer_triangle> outer = outer_triangles();
     keep_triangles(mesh_, is_kept_, first_auxiliary_);
+    return outer;
   }
 
 private:
@@ -218,6 +228,18 @@ private:
     }
   }
 
+  std::vector<Outer_triangle> outer_triangles() const {
+    std::vector<Outer_triangle> outer;
+    for (std::size_t t = 0; t < is_kept_.size(); ++t)
+      for (int k = 0; k < 3 && is_kept_[t] == 0; ++k) {
+        const Side s(static_cast<Triangle_id>(t), k), o = mesh_.across(s);
+        if (o.is_border() || is_kept_[std::size_t(o.triangle())] == 0) continue;
+        const Vertex_id apex = mesh_.opposite(s);
+        if (std::size_t(apex) < first_auxiliary_) outer.push_back({mesh_.source(s), mesh_.target(s), apex});
+      }
+    return outer;
+  }
+
   void drop_component(Triangle_id first) {
     const auto visit = [&](Triangle_id t) {
       if (is_kept_[std::size_t(t)] == 0) return false;
@@ -236,9 +258,10 @@ struct Domain_rule {
   Quality_mesh_options_2::Domain rule = Quality_mesh_options_2::Domain::ENCLOSED;
   std::vector<typename Geometry::Point> holes, regions;
 
+  /// \returns the triangles outside along the border
   template <class Mesh>
-  void apply(Mesh& mesh, std::size_t number_of_auxiliary_vertices) const {
-    Domain_finder<Geometry>(mesh, number_of_auxiliary_vertices).run(rule, holes, regions);
+  std::vector<Outer_triangle> apply(Mesh& mesh, std::size_t number_of_auxiliary_vertices) const {
+    return Domain_finder<Geometry>(mesh, number_of_auxiliary_vertices).run(rule, holes, regions);
   }
 };
 
