@@ -174,7 +174,6 @@ TEST_CASE("a report's triangles are found in the rounded mesh", "[round]") {
 }
 
 TEST_CASE("words far from the origin keep all digits of doubles", "[round][fixed]") {
-  using Traits = CGAL::Fixed_point_quadtree_traits_2<std::uint64_t>;
   Pslg pslg = read("hard_false_crossing.poly");
   pslg.segments.clear(); // they are so near to each other that meshes would be too large
   for (const auto& [x, y] :
@@ -199,6 +198,21 @@ TEST_CASE("pieces of segments go ahead after rounding", "[round][fixed]") {
     check(rounded, pslg), check(rounded_by_trees, pslg);
   }
   CHECK(round_exact_mesh(read("hard_round_vertex_beside_side.poly"), fine));
+}
+
+TEST_CASE("rounding spoils angles only beside features of ulps", "[round]") {
+  const Pslg pslg = read("hard_far_end_two_ulps.poly");
+  const Exact_run run = mesh_exactly(pslg);
+  CHECK(run.report.is_met());
+  const Rounded rounded = CGAL::round_mesh_2<Point>(run.mesh);
+  check(rounded, pslg);
+  const auto quality =
+      CGAL::mesh_quality_2(rounded.mesh, pslg, CGAL::Mesh_quality_options_2().min_angle(20.7));
+  for (const auto& unmet : quality.unmet_triangles) {
+    const Point place(unmet.centroid[0], unmet.centroid[1]);
+    CHECK(std::any_of(pslg.vertices.begin(), pslg.vertices.end(),
+                      [&](const Point& p) { return CGAL::squared_distance(p, place) < 1e-16; }));
+  }
 }
 
 TEST_CASE("a mesh beside subnormal features is rounded, or refused by a place", "[round]") {
