@@ -56,21 +56,22 @@ private:
     return (std::max)(box.xmax() - box.xmin(), box.ymax() - box.ymin());
   }
 
-  /// The box of the points, or, where they shall have room, nine times as large.
+  /// The box of the points, or, where they shall have room, nine times as large. That of no points is the origin.
   static CGAL::Bbox_2 bounding_box(const std::vector<Point>& points, Room room) {
-    CGAL::Bbox_2 box;
+    CGAL::Bbox_2 box = points.empty() ? CGAL::Bbox_2(0, 0, 0, 0) : CGAL::Bbox_2();
     for (const Point& p : points) box += p.bbox();
     if (room == Room::EIGHTEENTH) {
       const double more = 4 * extent(box);
       box = CGAL::Bbox_2(box.xmin() - more, box.ymin() - more, box.xmax() + more, box.ymax() + more);
     }
     const double largest = (std::max)({-box.xmin(), box.xmax(), -box.ymin(), box.ymax()});
-    if (!(largest < std::ldexp(1.0, 999))) refuse_largest(points);
+    if (!(largest < std::ldexp(1.0, 999))) refuse_largest(points, room);
     return box;
   }
 
   /// \throws CGAL::Pslg_error_2 naming the vertex with the coordinate of the largest magnitude
-  [[noreturn]] static void refuse_largest(const std::vector<Point>& points) {
+  [[noreturn]] static void refuse_largest(const std::vector<Point>& points, Room room) {
+    using CGAL::Quadtree_mesh_2::internal::coordinates_text;
     const auto magnitude = [](const Point& p) { return (std::max)(std::fabs(p.x()), std::fabs(p.y())); };
     const auto worst = std::max_element(points.begin(), points.end(), [&](const Point& p, const Point& q) {
       return magnitude(p) < magnitude(q);
@@ -78,9 +79,9 @@ private:
     const auto v = static_cast<std::size_t>(worst - points.begin());
     throw CGAL::Pslg_error_2(
         CGAL::Pslg_error_2::Kind::OUT_OF_RANGE,
-        "vertex " + std::to_string(v) + ' ' + CGAL::Quadtree_mesh_2::internal::coordinates_text(*worst) +
-            " has a coordinate that is too large for fixed-point words; the input with room "
-            "around it has to end below 2^999",
+        "vertex " + std::to_string(v) + ' ' + coordinates_text(*worst) +
+            " has a coordinate that is too large for 64-bit words; it has to be below 2^999 in magnitude" +
+            (room == Room::HALF ? "" : ", with four times the extent of the points added"),
         CGAL::Pslg_parts_2().vertex(CGAL::Quadtree_mesh_2::Vertex_index(v)));
   }
 

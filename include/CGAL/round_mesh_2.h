@@ -11,8 +11,9 @@
 /// Turns a mesh over exact numbers or words into one over doubles in which all triangles are
 /// counterclockwise.
 ///
-/// Computes: every vertex at its nearest double. If triangles then are flat or clockwise, it tries other
-///           doubles nearby, other diagonals, or fewer Steiner vertices, until no triangle is.
+/// Computes: every vertex at its nearest double. If triangles then are flat or clockwise, or pieces of a
+///           segment go back, it tries other doubles nearby, other diagonals, or fewer Steiner vertices, until
+///           none does.
 /// Bound: O(n), plus time by the degrees of nearby vertices for each triangle at fault. It ends because each
 ///        step leaves fewer triangles at fault, or fewer vertices.
 /// Source: the idea of snap rounding, that vertices at one place become one vertex (Hobby, Computational
@@ -138,7 +139,8 @@ Mesh_rounding_error_2 make_rounding_error(const Indexed_mesh_2<Point>& mesh, Tri
             coordinates_text(mesh.point(v)) + ',';
   }
   text +=
-      " counterclockwise before rounding, would be flat or clockwise; features of the input are as "
+      " counterclockwise before rounding, would be flat or clockwise, or go back along a segment; features "
+      "of the input are as "
       "small as the last digit of its coordinates: move it nearer to the origin, or merge what is so near";
   return {text, std::move(parts)};
 }

@@ -13,7 +13,10 @@
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_quadtree_traits_2.h>
 #include <CGAL/Fixed_point_quadtree_traits_2.h>
+#include <CGAL/Quadtree_mesh_2/internal/output/Rounded_mesh_topology.h>
+#include <CGAL/Quadtree_mesh_2/internal/output/Segment_chains.h>
 #include <CGAL/Quality_mesher_2.h>
+#include <CGAL/Tree_separation_options_2.h>
 #include <CGAL/mesh_quality_2.h>
 #include <CGAL/round_mesh_2.h>
 
@@ -48,11 +51,11 @@ struct Exact_run {
   CGAL::Quality_mesh_report_2 report;
 };
 
-Exact_run mesh_exactly(const Pslg& pslg) {
+Exact_run mesh_exactly(const Pslg& pslg, const CGAL::Quality_mesh_options_2& options = {}) {
   CGAL::Pslg_2<Exact_point> graph;
   for (const Point& p : pslg.vertices) graph.add_vertex(Exact_point(p.x(), p.y()));
   graph.segments = pslg.segments;
-  CGAL::Quality_mesher_2<CGAL::Exact_quadtree_traits_2<>> mesher;
+  CGAL::Quality_mesher_2<CGAL::Exact_quadtree_traits_2<>> mesher(options);
   Exact_run run;
   run.mesh = mesher(graph);
   run.report = mesher.report();
@@ -76,14 +79,31 @@ void check(const Rounded& rounded, const Pslg& pslg) {
 }
 
 /// Rounds the exact mesh; nothing if there is none over doubles, or it would be too large.
-std::optional<Rounded> round_exact_mesh(const Pslg& pslg) {
+std::optional<Rounded> round_exact_mesh(const Pslg& pslg, const CGAL::Quality_mesh_options_2& options = {}) {
   std::optional<Rounded> rounded;
-  const std::string error = error_of([&] { rounded = CGAL::round_mesh_2<Point>(mesh_exactly(pslg).mesh); });
+  const std::string error =
+      error_of([&] { rounded = CGAL::round_mesh_2<Point>(mesh_exactly(pslg, options).mesh); });
   if (rounded)
     check(*rounded, pslg);
   else
     CHECK(has_text(error, " at "));
   return rounded;
+}
+
+using Words = CGAL::Fixed_point_quadtree_traits_2<std::uint64_t>;
+using Scale = CGAL::Fixed_point_scale_2<std::uint64_t>;
+
+/// The mesh over words, brought back to doubles.
+Rounded round_mesh_in_words(const Pslg& pslg, const CGAL::Quality_mesh_options_2& options = {}) {
+  const Scale scale = Scale::of_points(pslg.vertices);
+  CGAL::Pslg_2<Words::Point_2> words;
+  words.segments = pslg.segments;
+  for (const Point& p : pslg.vertices) words.add_vertex(scale.to_fixed(p.x(), p.y()));
+  CGAL::Quality_mesher_2<Words> mesher(options);
+  return CGAL::round_mesh_2<Point>(mesher(words), pslg.vertices, [&scale](const Words::Point_2& p) {
+    const auto [x, y] = scale.to_double(p);
+    return Point(x, y);
+  });
 }
 
 /// A box with a segment in it, and a vertex so many ulps above the middle of the segment.
@@ -156,26 +176,78 @@ TEST_CASE("a report's triangles are found in the rounded mesh", "[round]") {
 }
 
 TEST_CASE("words far from the origin keep all digits of doubles", "[round][fixed]") {
-  using Traits = CGAL::Fixed_point_quadtree_traits_2<std::uint64_t>;
   Pslg pslg = read("hard_false_crossing.poly");
   pslg.segments.clear(); // they are so near to each other that meshes would be too large
   for (const auto& [x, y] :
        std::vector<std::array<double, 2>>{{-6378160, -10}, {-6378130, -10}, {-6378130, 40}, {-6378160, 40}})
     pslg.add_vertex(Point(x, y));
   for (std::size_t i = 0; i < 4; ++i) pslg.add_segment(Vertex_index(4 + i), Vertex_index(4 + (i + 1) % 4));
-  const auto scale = CGAL::Fixed_point_scale_2<std::uint64_t>::of_points(pslg.vertices);
-  CGAL::Pslg_2<Traits::Point_2> words;
-  words.segments = pslg.segments;
-  for (const Point& p : pslg.vertices) {
-    CHECK(scale.is_exact(p.x(), p.y()));
-    words.add_vertex(scale.to_fixed(p.x(), p.y()));
+  const Scale scale = Scale::of_points(pslg.vertices);
+  for (const Point& p : pslg.vertices) CHECK(scale.is_exact(p.x(), p.y()));
+  check(round_mesh_in_words(pslg), pslg);
+}
+
+TEST_CASE("pieces of segments go ahead after rounding", "[round][fixed]") {
+  CGAL::Quality_mesh_options_2 by_trees, fine;
+  by_trees.separate(CGAL::Tree_separation_options_2());
+  fine.max_edge(0.1);
+  for (const std::string name : {"hard_round_vertex_beside_side.poly", "hard_round_tiny_square.poly",
+                                 "hard_round_split_corners.poly"}) {
+    CAPTURE(name);
+    const Pslg pslg = read(name);
+    CHECK(round_exact_mesh(pslg));
+    const Rounded rounded = round_mesh_in_words(pslg), rounded_by_trees = round_mesh_in_words(pslg, by_trees);
+    check(rounded, pslg), check(rounded_by_trees, pslg);
   }
-  CGAL::Quality_mesher_2<Traits> mesher;
-  const auto to_double = [&scale](const Traits::Point_2& p) {
-    const auto [x, y] = scale.to_double(p);
-    return Point(x, y);
-  };
-  check(CGAL::round_mesh_2<Point>(mesher(words), pslg.vertices, to_double), pslg);
+  CHECK(round_exact_mesh(read("hard_round_vertex_beside_side.poly"), fine));
+}
+
+TEST_CASE("rounding spoils angles only beside features of ulps", "[round]") {
+  const Pslg pslg = read("hard_far_end_two_ulps.poly");
+  const Exact_run run = mesh_exactly(pslg);
+  CHECK(run.report.is_met());
+  const Rounded rounded = CGAL::round_mesh_2<Point>(run.mesh);
+  check(rounded, pslg);
+  const auto quality =
+      CGAL::mesh_quality_2(rounded.mesh, pslg, CGAL::Mesh_quality_options_2().min_angle(20.7));
+  for (const auto& unmet : quality.unmet_triangles) {
+    const Point place(unmet.centroid[0], unmet.centroid[1]);
+    CHECK(std::any_of(pslg.vertices.begin(), pslg.vertices.end(),
+                      [&](const Point& p) { return CGAL::squared_distance(p, place) < 1e-16; }));
+  }
+}
+
+TEST_CASE("a mesh beside subnormal features is rounded, or refused by a place", "[round]") {
+  round_exact_mesh(read("hard_round_subnormal.poly"));
+}
+
+TEST_CASE("no edge is made twice, whatever triangles are at fault", "[round]") {
+  using CGAL::Quadtree_mesh_2::Triangle_index;
+  Mesh mesh; // a triangle with a Steiner vertex in it
+  mesh.number_of_input_vertices = 3;
+  for (const auto& [x, y] : std::vector<std::array<double, 2>>{{0, 0}, {3, 0}, {0, 3}, {1, 1}})
+    mesh.points.emplace_back(x, y);
+  for (std::size_t k = 0; k < 3; ++k) {
+    mesh.triangles.push_back({Vertex_index(k), Vertex_index((k + 1) % 3), Vertex_index(3)});
+    mesh.neighbors.push_back({Triangle_index((k + 1) % 3), Triangle_index((k + 2) % 3), Triangle_index()});
+  }
+  mesh.segment_of_vertex.resize(mesh.points.size());
+  CGAL::Quadtree_mesh_2::internal::Segment_chains<Point> chains(mesh);
+  const CGAL::Quadtree_mesh_2::internal::Rounded_mesh_topology<Point> topology(mesh, chains);
+  for (std::size_t t = 0; t < 3; ++t)
+    for (int k = 0; k < 3; ++k) CHECK_FALSE(topology.may_flip(Triangle_index(t), k));
+}
+
+TEST_CASE("pieces go ahead as chains of their segments say", "[round]") {
+  using CGAL::Quadtree_mesh_2::Segment_index;
+  Mesh mesh; // a segment with three Steiner vertices, of which the second and third changed places
+  mesh.number_of_input_vertices = 2;
+  for (const double x : {0., 8., 2., 5., 4.}) mesh.points.emplace_back(x, 0);
+  for (const auto& [a, b] : std::vector<std::array<std::size_t, 2>>{{3, 4}, {2, 0}, {1, 4}, {2, 3}})
+    mesh.constrained_edges.push_back({{Vertex_index(a), Vertex_index(b)}, Segment_index(0)});
+  CGAL::Quadtree_mesh_2::internal::Segment_chains<Point> chains(mesh);
+  CHECK_FALSE(chains.goes_ahead(0));
+  for (const std::size_t e : {1, 2, 3}) CHECK(chains.goes_ahead(e));
 }
 
 } // namespace test_round_mesh_2

@@ -189,6 +189,19 @@ TEST_CASE("Between edges within rounding of each other nothing but triangles wit
   }
 }
 
+TEST_CASE("A feature at a leg's far end finds none at the same radius on other legs", "[mesher][small]") {
+  run_to_the_bound(read("hard_far_end_beside_apex.poly"), to_the_bound());
+}
+
+TEST_CASE("Legs as near as their ends are cut at the same radii", "[mesher][small]") {
+  const Run r = run(read("hard_legs_end_beside.poly"), to_the_bound());
+  constexpr double angle = 7.3e-13, unit = 0x1p-50, least_room = 256; // between the legs, at their apex
+  for (const auto& unmet : r.report.unmet_triangles) {
+    CHECK(unmet.reason == Reason::COORDINATES);
+    CHECK(std::hypot(unmet.centroid[0] - 4, unmet.centroid[1] - 3) * angle < least_room * unit);
+  }
+}
+
 TEST_CASE("Subnormal coordinates are kept", "[mesher][small]") {
   const Pslg pslg = read("subnormal_vertices.poly");
   const Run r = run_to_the_bound(pslg, to_the_bound());

@@ -100,6 +100,7 @@ std::optional<Verdict> find_fault(const Soak_case& c, const Mesh& mesh,
     if (!is_promised) return {};
     break;
   case Reason::COORDINATES: {
+    if (!is_promised) return {}; // refinement may descend to where there is no room, without need
     const auto& t = mesh.triangles[std::size_t(unmet.triangle)];
     const Point &p = mesh.point(t[0]), &q = mesh.point(t[1]), &r = mesh.point(t[2]);
     const Point centroid(p.x() / 3 + q.x() / 3 + r.x() / 3, p.y() / 3 + q.y() / 3 + r.y() / 3);

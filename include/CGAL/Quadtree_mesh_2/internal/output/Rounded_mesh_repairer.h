@@ -4,18 +4,19 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// Makes the triangles of a mesh with rounded vertices counterclockwise (round_mesh_2.h says what for).
+// Makes the triangles of a mesh with rounded vertices counterclockwise, and the pieces of its segments go
+// ahead (round_mesh_2.h says what for).
 //
 // Computes: a mesh without triangles at fault. These are the triangles that are flat or clockwise by the
-//           doubles of their vertices. A triangle at fault is tried with, in this order:
+//           doubles of their vertices, and those with a side that goes back along its segment. A triangle at fault is tried with, in this order:
 //           1. merging a Steiner vertex of it with another vertex at the same place;
 //           2. another diagonal;
 //           3. other doubles for a Steiner vertex, next to those nearest to its exact place;
 //           4. merging a Steiner vertex with any neighbor.
 //           A step is taken if it leaves fewer triangles at fault than were among those it touches. The last
 //           kind is also taken if it leaves as many, because it takes away a vertex. So this ends.
-// Bound:    One predicate for each triangle and no memory, if no triangle is at fault, as in nearly all
-//           meshes.
+// Bound:    One predicate for each triangle and each piece of a segment, if no triangle is at fault, as in
+//           nearly all meshes.
 //
 // Everything is decided by exact predicates on doubles. Sizes of angles only choose among steps of equal
 // success.
@@ -26,12 +27,14 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Indexed_mesh_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/output/Rounded_mesh_topology.h>
+#include <CGAL/Quadtree_mesh_2/internal/output/Segment_chains.h>
 #include <CGAL/enum.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdlib>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -43,7 +46,7 @@ namespace internal {
 
 /// How well a change does among the triangles that it touches.
 struct Rounding_success {
-  std::size_t at_fault = 0; ///< triangles that are flat or clockwise
+  std::size_t at_fault = 0; ///< triangles that are flat or clockwise, or go back along a segment
   double quality = 1;       ///< a measure of the least angle among all others, from 0 to 1
 
   friend bool operator<(const Rounding_success& a, const Rounding_success& b) { // is worse
@@ -55,15 +58,12 @@ template <class Point>
 class Rounded_mesh_repairer {
 public:
   /// \param mesh has its points at the nearest doubles
-  explicit Rounded_mesh_repairer(Indexed_mesh_2<Point>& mesh) : mesh_(mesh) {}
+  explicit Rounded_mesh_repairer(Indexed_mesh_2<Point>& mesh) : mesh_(mesh), chains_(mesh) {}
 
   /// Returns an invalid index, or a triangle that is at fault and has no cure.
   Triangle_index run() {
-    std::vector<Triangle_index> at_fault;
-    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
-      if (is_at_fault(mesh_.triangles[t])) at_fault.push_back(Triangle_index(t));
+    std::vector<Triangle_index> at_fault = find_faults();
     if (at_fault.empty()) return {};
-    topology_.emplace(mesh_);
     home_ = mesh_.points;
     for (bool is_changed = true; is_changed && !at_fault.empty();) {
       is_changed = false;
@@ -105,6 +105,7 @@ private:
   static constexpr int reach_on_segments = 1;
 
   Indexed_mesh_2<Point>& mesh_;
+  Segment_chains<Point> chains_;
   std::optional<Rounded_mesh_topology<Point>> topology_;
   std::vector<Point> home_; // the nearest doubles of all vertices
   std::vector<Triangle_index> found_;
@@ -115,13 +116,31 @@ private:
     using P = Predicates::Point_2;
     return Predicates::Orientation_2()(P(a.x(), a.y()), P(b.x(), b.y()), P(c.x(), c.y())) == LEFT_TURN;
   }
-  bool is_at_fault(const Corners& r) const {
-    return !is_counterclockwise(mesh_.point(r[0]), mesh_.point(r[1]), mesh_.point(r[2]));
+  bool is_counterclockwise(const Corners& r) const {
+    return is_counterclockwise(mesh_.point(r[0]), mesh_.point(r[1]), mesh_.point(r[2]));
   }
+  bool is_at_fault(const Corners& r) const { return !is_counterclockwise(r) || !topology_->goes_ahead(r); }
   bool is_left(Triangle_index t) const {
     return topology_->is_alive(t) && is_at_fault(mesh_.triangles[std::size_t(t)]);
   }
   bool is_steiner(Vertex_index v) const { return std::size_t(v) >= mesh_.number_of_input_vertices; }
+
+  /// All triangles at fault. The tables of the topology are made if there is one.
+  std::vector<Triangle_index> find_faults() {
+    std::vector<Triangle_index> at_fault;
+    std::vector<std::size_t> back;
+    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
+      if (!is_counterclockwise(mesh_.triangles[t])) at_fault.push_back(Triangle_index(t));
+    for (std::size_t e = 0; e < mesh_.constrained_edges.size(); ++e)
+      if (!chains_.goes_ahead(e)) back.push_back(e);
+    if (at_fault.empty() && back.empty()) return at_fault;
+    topology_.emplace(mesh_, chains_);
+    for (const std::size_t e : back)
+      for (const Triangle_index t : topology_->triangles_at(e)) at_fault.push_back(t);
+    std::sort(at_fault.begin(), at_fault.end());
+    at_fault.erase(std::unique(at_fault.begin(), at_fault.end()), at_fault.end());
+    return at_fault;
+  }
 
   /// Twice the area over the square of the longest side, whatever the scale.
   static double quality(const Point& a, const Point& b, const Point& c) {
@@ -202,10 +221,11 @@ private:
     const Point before = mesh_.point(v);
     const std::size_t at_fault_before = success_of(star).at_fault;
     const int reach = topology_->is_free(v) ? reach_of_free_vertices : reach_on_segments;
+    const Steps steps = steps_of(v, star);
     Point best = before;
     Rounding_success best_success{at_fault_before, 2};
     for (int ring = 1; ring <= reach && best_success.at_fault > 0; ++ring)
-      for_each_place_around(home_[std::size_t(v)], ring, [&](const Point& p) {
+      for_each_place_around(home_[std::size_t(v)], steps, ring, [&](const Point& p) {
         mesh_.points[std::size_t(v)] = p;
         const Rounding_success success = success_of(star);
         if (success.at_fault < at_fault_before && best_success < success) best_success = success, best = p;
@@ -217,19 +237,30 @@ private:
     return true;
   }
 
-  /// Places so many units away in the last place, of each coordinate's own and of the larger one.
+  /// How far apart the places are that are tried for a vertex, along each axis.
+  struct Steps {
+    std::array<double, 2> own, larger;
+  };
+
+  /// Its own units in the last place, and larger ones. A vertex on a segment takes those of the segment, so that it stays
+  /// on the segment up to rounding; others take the unit of their larger coordinate.
+  Steps steps_of(Vertex_index v, const std::vector<Triangle_index>& star) const {
+    const Point& p = home_[std::size_t(v)];
+    const std::array<double, 2> own{unit_in_last_place_of(p.x()), unit_in_last_place_of(p.y())};
+    const double larger = std::max(own[0], own[1]);
+    return {own, topology_->is_on_segment(v) ? topology_->units_of_segment(v, star)
+                                             : std::array<double, 2>{larger, larger}};
+  }
+
+  /// Places so many steps away.
   template <class Function>
-  static void for_each_place_around(const Point& p, int ring, const Function& f) {
-    const double x_unit = unit(p.x()), y_unit = unit(p.y()), larger = std::max(x_unit, y_unit);
+  static void for_each_place_around(const Point& p, const Steps& steps, int ring, const Function& f) {
     for (int i = -ring; i <= ring; ++i)
       for (int j = -ring; j <= ring; ++j) {
         if (std::max(std::abs(i), std::abs(j)) != ring) continue;
-        f(Point(p.x() + i * x_unit, p.y() + j * y_unit));
-        if (x_unit != y_unit) f(Point(p.x() + i * larger, p.y() + j * larger));
+        f(Point(p.x() + i * steps.own[0], p.y() + j * steps.own[1]));
+        if (steps.own != steps.larger) f(Point(p.x() + i * steps.larger[0], p.y() + j * steps.larger[1]));
       }
-  }
-  static double unit(double x) {
-    return std::nextafter(std::fabs(x), std::numeric_limits<double>::infinity()) - std::fabs(x);
   }
 
   /// Merges a Steiner vertex of t with that neighbor with which it is best, even if as many triangles are at fault
@@ -254,15 +285,17 @@ private:
     return true;
   }
 
+  /// Merged vertices have no triangles in common any more, and the others are as if v were at the place of w.
   Rounding_success success_of_merging(Vertex_index v, Vertex_index w,
-                                      const std::vector<Triangle_index>& star) const {
+                                      const std::vector<Triangle_index>& star) {
+    const Point before = mesh_.point(v);
+    mesh_.points[std::size_t(v)] = mesh_.point(w);
     Rounding_success sum;
     for (const Triangle_index t : star) {
-      Corners r = mesh_.triangles[std::size_t(t)];
-      if (std::find(r.begin(), r.end(), w) != r.end()) continue;
-      std::replace(r.begin(), r.end(), v, w);
-      add(sum, r);
+      const Corners& r = mesh_.triangles[std::size_t(t)];
+      if (std::find(r.begin(), r.end(), w) == r.end()) add(sum, r);
     }
+    mesh_.points[std::size_t(v)] = before;
     return sum;
   }
 };

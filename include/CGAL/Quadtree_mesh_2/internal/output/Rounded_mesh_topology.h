@@ -15,6 +15,7 @@
 #define CGAL_QUADTREE_MESH_2_INTERNAL_OUTPUT_ROUNDED_MESH_TOPOLOGY_H
 
 #include <CGAL/Indexed_mesh_2.h>
+#include <CGAL/Quadtree_mesh_2/internal/output/Segment_chains.h>
 
 #include <algorithm>
 #include <array>
@@ -35,8 +36,8 @@ public:
   using Corners = std::array<Vertex_index, 3>;
   using Star = std::vector<Triangle_index>;
 
-  explicit Rounded_mesh_topology(Indexed_mesh_2<Point>& mesh)
-      : mesh_(mesh), triangle_of_(mesh.points.size()), border_edges_(mesh.points.size(), 0),
+  Rounded_mesh_topology(Indexed_mesh_2<Point>& mesh, Segment_chains<Point>& chains)
+      : mesh_(mesh), chains_(chains), triangle_of_(mesh.points.size()), border_edges_(mesh.points.size(), 0),
         is_dead_(mesh.triangles.size(), 0), is_piece_dead_(mesh.constrained_edges.size(), 0) {
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
       for (std::size_t k = 0; k < 3; ++k) {
@@ -55,7 +56,8 @@ public:
   bool is_alive(Triangle_index t) const { return is_dead_[std::size_t(t)] == 0; }
   bool is_used(Vertex_index v) const { return triangle_of_[std::size_t(v)].is_valid(); }
   /// Whether a Steiner vertex is neither on a segment nor on the border.
-  bool is_free(Vertex_index v) const { return border_edges_[std::size_t(v)] == 0 && !segment(v).is_valid(); }
+  bool is_free(Vertex_index v) const { return border_edges_[std::size_t(v)] == 0 && !is_on_segment(v); }
+  bool is_on_segment(Vertex_index v) const { return segment(v).is_valid(); }
 
   /// The triangles at v, those of one fan if v is an input vertex where parts of the domain merely touch.
   Star star(Vertex_index v) const {
@@ -73,6 +75,36 @@ public:
     return result;
   }
 
+  /// The triangles at a piece of a segment, of which an end is a Steiner vertex.
+  Star triangles_at(std::size_t piece) const {
+    const auto& ends = mesh_.constrained_edges[piece].vertices;
+    const std::size_t slot = is_input(ends[0]) ? 1 : 0;
+    Star result;
+    for (const Triangle_index t : star(ends[slot]))
+      if (has(t, ends[1 - slot])) result.push_back(t);
+    return result;
+  }
+
+  /// Whether no side of r is a piece of a segment that goes back.
+  bool goes_ahead(const Corners& r) const {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto piece = piece_of_.find(key(r[k], r[next(k)]));
+      if (piece != piece_of_.end() && !chains_.goes_ahead(piece->second)) return false;
+    }
+    return true;
+  }
+
+  /// How far apart doubles are along each axis where the segment of v is farthest from zero; zero for a vertex that is
+  /// on no segment.
+  std::array<double, 2> units_of_segment(Vertex_index v, const Star& star_of_v) const {
+    for (const Triangle_index t : star_of_v)
+      for (const Vertex_index w : corners(t)) {
+        const auto piece = piece_of_.find(key(v, w));
+        if (piece != piece_of_.end()) return chains_.units(piece->second);
+      }
+    return {0, 0};
+  }
+
   std::vector<Vertex_index> neighbors_in(const Star& star, Vertex_index v) const {
     std::vector<Vertex_index> result;
     for (const Triangle_index t : star)
@@ -83,9 +115,13 @@ public:
     return result;
   }
 
+  /// Whether the quadrilateral at side k of t may have its other diagonal. That must not be an edge already, which it
+  /// may be where triangles are flat or clockwise.
   bool may_flip(Triangle_index t, int k) const {
     const auto slot = static_cast<std::size_t>(k);
-    return across(t, slot).is_valid() && !is_constrained(corners(t)[next(slot)], corners(t)[previous(slot)]);
+    if (!across(t, slot).is_valid()) return false;
+    const Quadrilateral q = quadrilateral(t, slot);
+    return !is_constrained(q.b, q.c) && !may_be_edge(q.a, q.d);
   }
 
   /// The two triangles that come of the quadrilateral at side k of t.
@@ -111,7 +147,7 @@ public:
   /// Whether Steiner vertex v can become its neighbor w: segments stay chains of edges, the border stays one, and
   /// no two triangles come to share two sides.
   bool may_merge(Vertex_index v, Vertex_index w, const Star& star_of_v) const {
-    if (border_edges_[std::size_t(w)] > 2) return false; // several fans
+    if (has_several_fans(w)) return false;
     if (segment(v).is_valid()) {
       if (!is_constrained(v, w)) return false;
       if (segment(w).is_valid() ? segment(w) != segment(v) : !is_input(w)) return false;
@@ -172,6 +208,7 @@ private:
   };
 
   Indexed_mesh_2<Point>& mesh_;
+  Segment_chains<Point>& chains_;
   std::vector<Triangle_index> triangle_of_;
   std::vector<std::uint32_t> border_edges_; // at each vertex
   std::vector<char> is_dead_, is_piece_dead_;
@@ -190,6 +227,14 @@ private:
   Segment_index segment(Vertex_index v) const { return mesh_.segment_of_vertex[std::size_t(v)]; }
   bool is_input(Vertex_index v) const { return std::size_t(v) < mesh_.number_of_input_vertices; }
   bool is_constrained(Vertex_index v, Vertex_index w) const { return piece_of_.count(key(v, w)) > 0; }
+  bool has_several_fans(Vertex_index v) const { return border_edges_[std::size_t(v)] > 2; }
+  /// Whether v and w are neighbors, or both of several fans, which star() does not all know.
+  bool may_be_edge(Vertex_index v, Vertex_index w) const {
+    if (has_several_fans(v)) std::swap(v, w);
+    if (has_several_fans(v)) return true;
+    const Star star_of_v = star(v);
+    return std::any_of(star_of_v.begin(), star_of_v.end(), [&](Triangle_index t) { return has(t, w); });
+  }
   bool has(Triangle_index t, Vertex_index v) const {
     return std::find(corners(t).begin(), corners(t).end(), v) != corners(t).end();
   }
@@ -234,6 +279,7 @@ private:
     is_piece_dead_[gone->second] = 1;
     auto& ends = mesh_.constrained_edges[kept->second].vertices;
     std::replace(ends.begin(), ends.end(), v, w);
+    chains_.replace_end(kept->second, v, w);
     piece_of_.emplace(key(w, x), kept->second);
     piece_of_.erase(key(v, w)), piece_of_.erase(key(v, x));
   }

@@ -12,8 +12,9 @@
 //           - A leg of an acute vertex without a ring is split at a dyadic distance from that vertex
 //             (Ruppert's concentric shells).
 //           - Within a ring, the interval between two shells is halved on all legs of the corner at once, so
-//             shells stay matched. If the interval is too short to tell shells apart, it is halved on its own
-//             leg alone. This happens next to features far from the apex.
+//             shells stay matched. An interval much shorter than the distance between legs there is halved on
+//             its own leg alone. This happens next to features far from the apex. Other legs at the same radius
+//             have no part in them.
 //           - The chord that locks a lopped sector is never split. When something comes too close to it, the
 //             lock moves down to the next shell. If there is none, a shell is made at 0.6 of the radius. What
 //             was behind the chord becomes ordinary domain.
@@ -61,6 +62,7 @@ public:
   void cut_rings() {
     for (std::size_t c = 0; c < corners_.corners.size(); ++c) {
       Corner& corner = corners_.corner(static_cast<Corner_id>(c));
+      corner.radius = radius_of_ring(corner);
       for (const Leg_id l : corner.legs) cut_ring_on_leg(l, corner.radius, ring_tolerance(corner));
     }
     for (std::size_t s = 0; s < corners_.sectors.size(); ++s) lock_at_ring(static_cast<Sector_id>(s));
@@ -87,7 +89,8 @@ public:
       if (l >= 0 && !state_.owns(corners_.leg(l).corner)) return Outcome::DEFERRED;
     for (const Leg_id l : corners_.legs_of_edge[std::size_t(e)])
       if (l >= 0 && state_.leg_rule == Leg_rule::SHELLS && is_within_ring(l, x, y))
-        return outcome(halve_interval(l, x, y, asker) || split_interval(l, x, y, want, asker));
+        return outcome((is_of_one_leg(l, x, y) && split_interval(l, x, y, want, asker)) ||
+                       halve_interval(l, x, y, asker) || split_interval(l, x, y, want, asker));
     return outcome(split_subsegment(side, e, want, asker));
   }
 
@@ -125,6 +128,9 @@ private:
   /// Other shells may be nearly as near, if features beside a leg's end are as small as the distance between
   /// legs there.
   static constexpr double same_radius = 0x1p-50;
+  /// Shells nearer to each other than this share of the distance between legs are not matched. Copies of a feature at
+  /// one leg's end would find features, and corners without room, at the same radius on other legs.
+  static constexpr double least_share_of_chord = 0x1p-5;
   /// A far end or another ring's vertex within this share of the chord stands in for the ring vertex.
   static constexpr double chord_share_to_merge = 0.4;
 
@@ -148,23 +154,60 @@ private:
                              radius / leg.length);
   }
 
-  static Number ring_tolerance(const Corner& c) {
-    return chord_share_to_merge * 2 * std::sin(c.least_angle / 2) * c.radius;
+  static Number ring_tolerance(const Corner& c) { return ring_tolerance(c.least_angle, c.radius); }
+  static Number ring_tolerance(double angle, Number radius) {
+    return chord_share_to_merge * chord(angle, radius);
   }
+  /// The distance between legs at a radius.
+  static Number chord(double angle, Number radius) { return 2 * std::sin(angle / 2) * radius; }
 
   // ---- shells
 
-  void cut_ring_on_leg(Leg_id l, Number radius, Number tolerance) {
-    Leg& leg = corners_.leg(l);
+  /// Where the ring meets a leg: at the vertex `beyond`, if that stands in for a new one, else before it.
+  struct Ring_place {
+    Vertex_id beyond;
+    Number room; ///< its distance from the apex
+    bool is_stand_in;
+  };
+  Ring_place ring_place(Leg_id l, Number radius, Number tolerance) const {
+    const Leg& leg = corners_.leg(l);
     const auto& at = corners_.legs_of_edge[std::size_t(leg.edge)];
     const Leg_id opposite = at[0] == l ? at[1] : at[0];
     const Vertex_id opposite_ring = opposite >= 0 ? corners_.leg(opposite).ring : -1;
     const Vertex_id beyond = opposite_ring >= 0 && opposite_ring != leg.apex ? opposite_ring : leg.far;
     const Number room = beyond == leg.far ? leg.length : distance(leg.apex, beyond);
-    leg.ring = room <= radius + tolerance
-                   ? beyond
-                   : insert_between(leg.apex, beyond, leg.edge, point_on_leg(leg, radius));
-    if (leg.ring >= 0) leg.shells.push_back({leg.ring == beyond ? room : radius, leg.ring});
+    return {beyond, room, room <= radius + tolerance};
+  }
+
+  /// The greatest radius, of few below that of the corner, at which all legs can be cut; if there is none, that of the
+  /// corner.
+  Number radius_of_ring(const Corner& corner) const {
+    constexpr double least_share = 0.1;
+    for (double share = 1; share > least_share; share *= innermost_share)
+      if (may_cut_ring(corner, share * corner.radius)) return share * corner.radius;
+    return corner.radius;
+  }
+
+  /// Whether all legs can be cut at a radius. Rounding may put a vertex next to the far end of a leg beside the thin
+  /// triangle there.
+  bool may_cut_ring(const Corner& corner, Number radius) const {
+    const Number tolerance = ring_tolerance(corner.least_angle, radius);
+    return std::all_of(corner.legs.begin(), corner.legs.end(), [&](Leg_id l) {
+      const Ring_place place = ring_place(l, radius, tolerance);
+      if (place.is_stand_in) return true;
+      const Leg& leg = corners_.leg(l);
+      const Side s = state_.side_between(leg.apex, place.beyond);
+      return !s.is_border() && is_valid_split_of_both(s, point_on_leg(leg, radius));
+    });
+  }
+
+  void cut_ring_on_leg(Leg_id l, Number radius, Number tolerance) {
+    Leg& leg = corners_.leg(l);
+    const Ring_place place = ring_place(l, radius, tolerance);
+    leg.ring = place.is_stand_in
+                   ? place.beyond
+                   : insert_between(leg.apex, place.beyond, leg.edge, point_on_leg(leg, radius));
+    if (leg.ring >= 0) leg.shells.push_back({place.is_stand_in ? place.room : radius, leg.ring});
   }
 
   /// The alive shell vertices around a radius on a leg; the apex below the first, none (-1) above the last.
@@ -230,6 +273,14 @@ private:
                     radius_on_leg(corners_.leg(sector.left), v));
   }
 
+  /// Whether an interval is so short that shells in it mean nothing to other legs.
+  bool is_of_one_leg(Leg_id l, Vertex_id x, Vertex_id y) const {
+    const Leg& leg = corners_.leg(l);
+    const Number p = radius_on_leg(leg, x), q = radius_on_leg(leg, y);
+    const Number low = std::min(p, q), high = std::max(p, q);
+    return high - low < least_share_of_chord * chord(corners_.corner(leg.corner).least_angle, low);
+  }
+
   bool halve_interval(Leg_id l, Vertex_id x, Vertex_id y, Asker asker) {
     const Leg& leg = corners_.leg(l);
     const Number p = radius_on_leg(leg, x), q = radius_on_leg(leg, y);
@@ -238,8 +289,8 @@ private:
                         asker);
   }
 
-  /// Splits one leg alone, where an interval is too short for shells to be told apart: features far from the apex may
-  /// be much smaller than the radius. Sectors next to it become ordinary domain there.
+  /// Splits one leg alone: features far from the apex may be much smaller than the radius. Sectors next to it become
+  /// ordinary domain there.
   bool split_interval(Leg_id l, Vertex_id x, Vertex_id y, const Point* want, Asker asker) {
     const Leg leg = corners_.leg(l);
     const Number low = std::min(radius_on_leg(leg, x), radius_on_leg(leg, y));
@@ -358,9 +409,8 @@ private:
   /// Puts p on the side; -1 if p is not strictly between its ends as seen from the apexes of its triangles, or not clear
   /// of what is outside.
   Vertex_id insert(Side s, Edge_id e, Point p) {
-    if (!is_valid_split(s, p)) return -1;
+    if (!is_valid_split_of_both(s, p)) return -1;
     const Side o = mesh_.across(s);
-    if (!o.is_border() && !is_valid_split(o, p)) return -1;
     if (!state_.problem.is_clear_of_outside(e, p)) return -1;
     const Triangle_id across = o.is_border() ? -1 : o.triangle();
     if (!has_room(mesh_, {s.triangle(), across}, p, state_.bounds.least_squared_length)) return -1;
@@ -368,6 +418,11 @@ private:
     mesh_.insert_on_side(s.triangle(), s.slot(), v);
     state_.push_suspects_around(v);
     return v;
+  }
+
+  bool is_valid_split_of_both(Side s, const Point& p) const {
+    const Side o = mesh_.across(s);
+    return is_valid_split(s, p) && (o.is_border() || is_valid_split(o, p));
   }
 
   /// A rounded point may lie beside its edge. Both parts of the triangle must keep their orientation, and the
