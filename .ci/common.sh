@@ -40,11 +40,11 @@ install_packages() {
     apt-get -qq -o Dpkg::Use-Pty=0 install --yes --no-install-recommends "${missing[@]}" >/dev/null
 }
 
-# Compilers of this code take about a gigabyte each, so the number of cores alone does not decide.
+# Compilers of this code take up to three gigabytes each, so the number of cores alone does not decide.
 build_jobs() {
   local cores gigabytes
   cores=$(nproc)
-  gigabytes=$(awk '/^MemAvailable/ { print int($2 / 1.5e6) }' /proc/meminfo)
+  gigabytes=$(awk '/^MemAvailable/ { print int($2 / 3e6) }' /proc/meminfo)
   ((gigabytes >= 1)) || gigabytes=1
   echo $((cores < gigabytes ? cores : gigabytes))
 }
