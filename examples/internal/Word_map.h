@@ -6,8 +6,8 @@
 #include <CGAL/Bbox_2.h>
 #include <CGAL/Fixed_point_quadtree_traits_2.h>
 #include <CGAL/Indexed_mesh_2.h>
-#include <CGAL/Pslg_error_2.h>
-#include <CGAL/Quadtree_mesh_2/internal/io/number_text.h>
+#include <CGAL/Quadtree_mesh_2/Index.h>
+#include <CGAL/Quadtree_mesh_2/Point_error.h>
 #include <CGAL/centroid.h>
 
 #include <algorithm>
@@ -69,20 +69,16 @@ private:
     return box;
   }
 
-  /// \throws CGAL::Pslg_error_2 naming the vertex with the coordinate of the largest magnitude
+  /// \throws CGAL::Quadtree_mesh_2::Point_error for the point with the coordinate of the largest magnitude
   [[noreturn]] static void refuse_largest(const std::vector<Point>& points, Room room) {
-    using CGAL::Quadtree_mesh_2::internal::coordinates_text;
     const auto magnitude = [](const Point& p) { return (std::max)(std::fabs(p.x()), std::fabs(p.y())); };
     const auto worst = std::max_element(points.begin(), points.end(), [&](const Point& p, const Point& q) {
       return magnitude(p) < magnitude(q);
     });
-    const auto v = static_cast<std::size_t>(worst - points.begin());
-    throw CGAL::Pslg_error_2(
-        CGAL::Pslg_error_2::Kind::OUT_OF_RANGE,
-        "vertex " + std::to_string(v) + ' ' + coordinates_text(*worst) +
-            " has a coordinate that is too large for 64-bit words; it has to be below 2^999 in magnitude" +
-            (room == Room::HALF ? "" : ", with four times the extent of the points added"),
-        CGAL::Pslg_parts_2().vertex(CGAL::Quadtree_mesh_2::Vertex_index(v)));
+    const CGAL::Quadtree_mesh_2::Point_index p(static_cast<std::size_t>(worst - points.begin()));
+    const std::string limit = "below 2^999 in magnitude for 64-bit words";
+    throw CGAL::Quadtree_mesh_2::Point_error(
+        p, room == Room::HALF ? limit : limit + ", with four times the extent of the points added");
   }
 
   double clamped(double v, double low, double high) const {
@@ -98,22 +94,17 @@ private:
 inline const char* advice() { return "; use --kernel exact, or move or merge what is so near"; }
 
 /// Words cannot tell points that are closer than their unit; merging them in silence would change the input.
-/// \throws CGAL::Pslg_error_2 naming the points.
+/// \throws CGAL::Quadtree_mesh_2::Point_error for two of them
 template <class Point>
 void check_told_apart(const std::vector<Point>& points, const std::vector<Word_point>& words) {
-  using CGAL::Quadtree_mesh_2::Vertex_index;
-  using CGAL::Quadtree_mesh_2::internal::coordinates_text;
+  using namespace CGAL::Quadtree_mesh_2;
   std::vector<std::size_t> order(words.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return words[a] < words[b]; });
   for (std::size_t i = 1; i < order.size(); ++i) {
     const auto [a, b] = std::minmax(order[i - 1], order[i]);
     if (words[a] == words[b] && points[a] != points[b])
-      throw CGAL::Pslg_error_2(CGAL::Pslg_error_2::Kind::TOO_NEAR,
-                               "64-bit words cannot tell vertices " + std::to_string(a) + ' ' +
-                                   coordinates_text(points[a]) + " and " + std::to_string(b) + ' ' +
-                                   coordinates_text(points[b]) + " apart" + advice(),
-                               CGAL::Pslg_parts_2().vertex(Vertex_index(a)).vertex(Vertex_index(b)));
+      throw Point_error(Point_error::Kind::INDISTINGUISHABLE, Point_index(a), Point_index(b));
   }
 }
 

@@ -1,6 +1,7 @@
 #include "Word_map.h"
 #include "mesh_graph_with.h"
 
+#include <CGAL/Quadtree_mesh_2/Point_error.h>
 #include <CGAL/Quadtree_mesh_2/internal/io/number_text.h>
 #include <CGAL/Quadtree_mesh_2/internal/pslg/part_names.h>
 #include <CGAL/round_mesh_2.h>
@@ -149,14 +150,33 @@ bool has_ends_on_both_sides(const mesh_graph::Pslg& pslg, std::size_t s, std::si
   throw CGAL::Pslg_gap_error_2(error.demand, text, error.segments, error.distance * unit);
 }
 
+/// Vertices that words cannot hold, or tell apart.
+[[noreturn]] void refuse(const mesh_graph::Pslg& pslg, const CGAL::Quadtree_mesh_2::Point_error& error) {
+  const std::size_t a(error.point());
+  if (!error.other().is_valid())
+    throw CGAL::Pslg_error_2(Kind::OUT_OF_RANGE, vertex_text(pslg, a) + ' ' + error.reason(),
+                             CGAL::Pslg_parts_2().vertex(Vertex_index(a)));
+  const std::size_t b(error.other());
+  throw CGAL::Pslg_error_2(Kind::TOO_NEAR,
+                           "64-bit words cannot tell " + vertex_text(pslg, a) + " and " +
+                               vertex_text(pslg, b) + " apart" + advice(),
+                           CGAL::Pslg_parts_2().vertex(Vertex_index(a)).vertex(Vertex_index(b)));
+}
+
+Word_map<Point> map_of(const mesh_graph::Pslg& pslg) try {
+  return Word_map<Point>(pslg.vertices);
+} catch (const CGAL::Quadtree_mesh_2::Point_error& error) {
+  refuse(pslg, error);
+}
+
 } // namespace
 
-double mesh_graph::unit_of_words(const Pslg& pslg) { return Word_map<Point>(pslg.vertices).unit(); }
+double mesh_graph::unit_of_words(const Pslg& pslg) { return map_of(pslg).unit(); }
 
 mesh_graph::Mesh mesh_graph::in_words(const Pslg& pslg, const Options& options, Neighbors neighbors,
                                       Report& report) {
   CGAL::check_pslg_structure(pslg); // the scale wants finite coordinates
-  const Word_map<Point> map(pslg.vertices);
+  const Word_map<Point> map = map_of(pslg);
   check_sides_of_seeds(pslg, map);
   try {
     auto rounded = CGAL::round_mesh_2<Point>(
@@ -166,6 +186,8 @@ mesh_graph::Mesh mesh_graph::in_words(const Pslg& pslg, const Options& options, 
     to_doubles(report, rounded.mesh);
     check_vertices_on_segments(pslg, rounded.mesh);
     return std::move(rounded.mesh);
+  } catch (const CGAL::Quadtree_mesh_2::Point_error& error) {
+    refuse(pslg, error);
   } catch (const CGAL::Pslg_crossing_error_2& error) {
     refuse(pslg, error);
   } catch (const CGAL::Pslg_gap_error_2& error) {

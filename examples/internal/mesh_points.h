@@ -18,7 +18,7 @@ using Mesh = CGAL::Indexed_mesh_2<Point>;
 using Options = CGAL::Point_set_mesh_options_2;
 using Report = CGAL::Point_set_mesh_report_2;
 
-// All throw std::exception for what the arithmetic cannot hold.
+// All throw CGAL::Quadtree_mesh_2::Point_error for points that the arithmetic cannot hold or tell apart.
 
 Mesh with_doubles(const std::vector<Point>& points, const Options& options, Report& report);
 /// Scaled to 64-bit words, meshed there, mapped back.

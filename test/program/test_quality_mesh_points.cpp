@@ -349,7 +349,7 @@ TEST_CASE("points that words cannot tell are refused", "[program][points]") {
   const Scratch_folder folder;
   const Run r = run(folder.write("in.xy", "0 0\n1e-30 0\n1 1\n") + " --mode acute --kernel fixed");
   CHECK(r.status == 2);
-  CHECK(contains(r.err, "vertices 0 (0, 0) and 1 (1e-30, 0)"));
+  CHECK(contains(r.err, "points 0 (0, 0) and 1 (1e-30, 0)"));
 }
 
 TEST_CASE("one point, at the origin or far from it, is meshed in every mode by every kernel",

@@ -28,7 +28,7 @@ TEST_CASE("Coordinates too large for words are refused by vertex and limit", "[f
   for (const Room room : {Room::HALF, Room::EIGHTEENTH}) {
     const std::vector<Point> points{Point(0, 0), Point(1, 2), Point(3, -1e308)};
     const std::string error = pslg_test::error_of([&] { Word_map<Point>(points, room); });
-    CHECK(pslg_test::has_text(error, "vertex 2 (3, -1e+308)"));
+    CHECK(pslg_test::has_text(error, "point 2 "));
     CHECK(pslg_test::has_text(error, "2^999"));
   }
 }
