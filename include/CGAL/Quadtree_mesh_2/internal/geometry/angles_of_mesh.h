@@ -65,18 +65,25 @@ struct Cotangents {
                        const typename Geometry::Point& c) {
     const Vector ab = Geometry::difference(b, a), ac = Geometry::difference(c, a),
                  bc = Geometry::difference(c, b);
-    const double area2 = cross(ab, ac);
+    const double area2 = doubled_area(ab, ac, bc);
     constexpr double least_certain_area = 1e-280; // products of smaller vectors underflow
     if (area2 > least_certain_area) return of_vectors(ab, ac, bc, area2);
     const double scale = std::max({std::fabs(ab.x), std::fabs(ab.y), std::fabs(ac.x), std::fabs(ac.y)});
     if (!(scale > 0 && scale < 1e-120)) return area2 > 0 ? of_vectors(ab, ac, bc, area2) : Cotangents{0, -1};
     const auto scaled = [&](Vector v) { return Vector{v.x / scale, v.y / scale}; };
-    const double scaled_area = cross(scaled(ab), scaled(ac));
+    const double scaled_area = doubled_area(scaled(ab), scaled(ac), scaled(bc));
     if (!(scaled_area > 0)) return {0, -1};
     return of_vectors(scaled(ab), scaled(ac), scaled(bc), scaled_area);
   }
 
 private:
+  /// By the two shorter sides: the products of two long ones at a small angle would cancel each other.
+  static double doubled_area(Vector ab, Vector ac, Vector bc) {
+    const double c = squared_length(ab), b = squared_length(ac), a = squared_length(bc);
+    if (a >= b && a >= c) return cross(ab, ac);
+    return b >= c ? cross(ab, bc) : cross(ac, bc);
+  }
+
   static Cotangents of_vectors(Vector ab, Vector ac, Vector bc, double area2) {
     const double at_a = dot(ab, ac) / area2, at_b = -dot(ab, bc) / area2, at_c = dot(ac, bc) / area2;
     return {std::min({at_a, at_b, at_c}), std::max({at_a, at_b, at_c})};
