@@ -245,7 +245,7 @@ TEST_CASE("Where quadtrees exhaust a budget refinement makes the mesh", "[mesher
   }
 }
 
-TEST_CASE("Small graphs whose trees would take seconds are refined on demand", "[mesher][theorem5]") {
+TEST_CASE("Small graphs whose trees would take seconds are refined on demand", "[mesher][theorem5][.slow]") {
   Pslg pslg = unit_square(); // a bundle of legs, with a short one between each two
   constexpr int legs = 60;
   for (int i = 0; i < legs; ++i) {

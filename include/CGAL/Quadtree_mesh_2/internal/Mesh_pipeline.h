@@ -18,8 +18,7 @@
 //   -> flat arrays in the user's coordinates and vertex order
 //
 // Quadtrees (Tree_construction.h) take the place of refinement on demand where that is wanted, or where it does not come
-// to rest. Refinement then cures what is left of their mesh. Where they cannot be made within their budget, refinement
-// makes the mesh.
+// to rest. Refinement then cures what is left of their mesh, and makes it where they are beyond their budget.
 //
 // What flows back: thinning and the exact flips may leave triangles to refine again, within a budget of their own.
 
@@ -406,10 +405,8 @@ private:
     }
     if (trees->is_exhausted()) return Tree_separation_report_2::End::BUDGET;
     Phase_timer timer(report_.seconds.construct);
-    Tree_construction<Traits, ConcurrencyTag> construction(state_, *trees, map_, is_merged_, sides,
-                                                           report_.trees);
-    // Leaves can be split without end for a bound that their rule is not made for: what misses a higher one is
-    // refined afterwards.
+    Tree_construction construction(state_, *trees, map_, is_merged_, sides, report_.trees);
+    // Leaves can be split without end for a bound that their rule is not made for: refinement meets a higher one.
     const Bounds<Geometry> wanted = problem_.bounds;
     problem_.bounds.lower_to_established();
     const auto end = construction.run(options_.trees().place(), budgets().of_construction(),
