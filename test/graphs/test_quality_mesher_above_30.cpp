@@ -15,6 +15,8 @@
 #include <limits>
 #include <string>
 
+namespace test_quality_mesher_above_30 {
+
 namespace {
 
 using namespace mesher_test;
@@ -71,3 +73,5 @@ TEST_CASE("Plain plans are meshed to bounds above 30 degrees without tiny triang
                                                          : Options(options).max_edge(size));
     }
 }
+
+} // namespace test_quality_mesher_above_30

@@ -14,6 +14,8 @@
 #include <string>
 #include <vector>
 
+namespace test_word_map {
+
 using namespace mesh_in_words_internal;
 using pslg_test::Point;
 
@@ -32,3 +34,5 @@ TEST_CASE("Coordinates too large for words are refused by vertex and limit", "[f
     CHECK(pslg_test::has_text(error, "2^999"));
   }
 }
+
+} // namespace test_word_map

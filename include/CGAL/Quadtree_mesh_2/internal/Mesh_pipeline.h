@@ -326,9 +326,8 @@ private:
     state_.legalize();
   }
 
-  /// Whether quadtrees may take the place of refinement. Above the bounds that are established for
-  /// refinement, triangles left over are no sign that quadtrees do better. Quadtrees know neither a least
-  /// edge nor the user's rules. If they failed before, they are not asked again.
+  /// Whether quadtrees may take the place of refinement. Above the bounds established for it, triangles left over are
+  /// no sign that quadtrees do better. Quadtrees know neither a least edge nor the user's rules, and are asked once.
   bool may_construct_instead() const {
     return options_.max_vertices() == 0 && options_.min_edge() == 0 && !options_.refine_where() &&
            !too_near_for_trees_ && problem_.bounds.is_established() &&

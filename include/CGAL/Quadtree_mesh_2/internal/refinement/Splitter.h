@@ -30,6 +30,7 @@
 #define CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_SPLITTER_H
 
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
+#include <CGAL/Quadtree_mesh_2/internal/refinement/keeps_orientation.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/edge_next_to.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/least_edge.h>
 
@@ -197,7 +198,7 @@ private:
       if (place.is_stand_in) return true;
       const Leg& leg = corners_.leg(l);
       const Side s = state_.side_between(leg.apex, place.beyond);
-      return !s.is_border() && is_valid_split_of_both(s, point_on_leg(leg, radius));
+      return !s.is_border() && keeps_orientation(mesh_, s, point_on_leg(leg, radius));
     });
   }
 
@@ -409,31 +410,14 @@ private:
   /// Puts p on the side; -1 if p is not strictly between its ends as seen from the apexes of its triangles, or not clear
   /// of what is outside.
   Vertex_id insert(Side s, Edge_id e, Point p) {
-    if (!is_valid_split_of_both(s, p)) return -1;
+    if (!keeps_orientation(mesh_, s, p) || !state_.problem.is_clear_of_outside(e, p)) return -1;
     const Side o = mesh_.across(s);
-    if (!state_.problem.is_clear_of_outside(e, p)) return -1;
     const Triangle_id across = o.is_border() ? -1 : o.triangle();
     if (!has_room(mesh_, {s.triangle(), across}, p, state_.bounds.least_squared_length)) return -1;
     const Vertex_id v = mesh_.add_vertex(p, e);
     mesh_.insert_on_side(s.triangle(), s.slot(), v);
     state_.push_suspects_around(v);
     return v;
-  }
-
-  bool is_valid_split_of_both(Side s, const Point& p) const {
-    const Side o = mesh_.across(s);
-    return is_valid_split(s, p) && (o.is_border() || is_valid_split(o, p));
-  }
-
-  /// A rounded point may lie beside its edge. Both parts of the triangle must keep their orientation, and the
-  /// edge must be so long that this does not depend on rounding.
-  bool is_valid_split(Side s, const Point& p) const {
-    const Point& apex = mesh_.point(mesh_.opposite(s));
-    for (const Vertex_id end : {mesh_.source(s), mesh_.target(s)})
-      if (!Geometry::is_resolved(p, squared_length(Geometry::scaled_difference(mesh_.point(end), p))))
-        return false;
-    return Geometry::orientation(apex, mesh_.point(mesh_.source(s)), p) > 0 &&
-           Geometry::orientation(apex, p, mesh_.point(mesh_.target(s))) > 0;
   }
 
   bool split_subsegment(Side s, Edge_id e, const Point* want, Asker asker) {
