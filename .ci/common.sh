@@ -40,7 +40,7 @@ install_packages() {
     apt-get -qq -o Dpkg::Use-Pty=0 install --yes --no-install-recommends "${missing[@]}" >/dev/null
 }
 
-# Compilers of this code take up to three gigabytes each, so the number of cores alone does not decide.
+# Compilers of this code take about three gigabytes each, so the number of cores alone does not decide.
 build_jobs() {
   local cores gigabytes
   cores=$(nproc)
