@@ -21,6 +21,7 @@
 #include <CGAL/mesh_quality_2.h>
 #include <CGAL/point_set_lengths_2.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <stdexcept>
 #include <string>
@@ -42,10 +43,10 @@ std::runtime_error with_coordinates(const CGAL::Quadtree_mesh_2::Point_error& er
   const auto name = [&input](std::size_t p) {
     return CGAL::Quadtree_mesh_2::internal::numbered_place(input, p, input.vertices[p]);
   };
-  const std::string first = name(std::size_t(error.point()));
-  if (!error.other().is_valid()) return std::runtime_error("point " + first + ' ' + error.reason());
-  return std::runtime_error("points " + first + " and " + name(std::size_t(error.other())) + ' ' +
-                            error.reason());
+  const std::size_t p(error.point());
+  if (!error.other().is_valid()) return std::runtime_error("point " + name(p) + ' ' + error.reason());
+  const auto [a, b] = std::minmax({p, std::size_t(error.other())});
+  return std::runtime_error("points " + name(a) + " and " + name(b) + ' ' + error.reason());
 }
 
 void mesh(Point_set_run& run, const Command_line& line) try {
