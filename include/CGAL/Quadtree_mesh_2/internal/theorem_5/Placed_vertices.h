@@ -70,7 +70,7 @@ private:
       if (std::fabs(way) <= tolerance * side) return;
       const double to_a = along(Geometry::difference(a, p), is_steep),
                    to_b = along(Geometry::difference(b, p), is_steep);
-      const bool is_toward_b = way > 0 == to_b > 0;
+      const bool is_toward_b = (way > 0) == (to_b > 0);
       p = Geometry::between(p, is_toward_b ? b : a, way / (is_toward_b ? to_b : to_a));
     }
   }
