@@ -189,6 +189,11 @@ TEST_CASE("Between edges within rounding of each other nothing but triangles wit
   }
 }
 
+TEST_CASE("A square of two units in the last place is meshed", "[mesher][small]") {
+  const Run r = run(read("hard_square_of_ulps.poly"), to_the_bound());
+  CHECK(r.report.triangles == 2);
+}
+
 TEST_CASE("A feature at a leg's far end finds none at the same radius on other legs", "[mesher][small]") {
   run_to_the_bound(read("hard_far_end_beside_apex.poly"), to_the_bound());
 }

@@ -81,6 +81,24 @@ Real width_between(const Place& a, const Place& b, const Place& c, const Place& 
 
 Real least_positive(Real a, Real b) { return b > 0 ? std::min(a, b) : a; }
 
+/// The graph with segments cut at the vertices on them, so that segments that meet there have a common end.
+Pslg cut_at_vertices(const Pslg& graph) {
+  Pslg result;
+  result.vertices = graph.vertices;
+  for (const auto& [a, b] : graph.segments) {
+    const Segment segment(graph.point(a), graph.point(b));
+    std::vector<Pslg::Vertex_index> on{a};
+    for (std::size_t v = 0; v < graph.vertices.size(); ++v)
+      if (segment.has_on(graph.vertices[v]) && graph.vertices[v] != graph.point(a)) on.emplace_back(v);
+    std::sort(on.begin() + 1, on.end(), [&](auto v, auto w) {
+      return CGAL::has_smaller_distance_to_point(graph.point(a), graph.point(v), graph.point(w));
+    });
+    for (std::size_t i = 1; i < on.size(); ++i)
+      if (graph.point(on[i - 1]) != graph.point(on[i])) result.add_segment(on[i - 1], on[i]);
+  }
+  return result;
+}
+
 } // namespace
 
 bool do_cross(const Pslg& graph, std::size_t s, std::size_t t) {
@@ -139,7 +157,8 @@ Real Resolution::at(const Point& p) const {
   return is_of_doubles_ ? std::max(step, unit_) : unit_;
 }
 
-Real least_feature_distance(const Pslg& graph, const Point& place, Real reach) {
+Real least_feature_distance(const Pslg& uncut, const Point& place, Real reach) {
+  const Pslg graph = cut_at_vertices(uncut);
   const Place p(place);
   std::vector<std::size_t> vertices, segments;
   for (std::size_t v = 0; v < graph.vertices.size(); ++v)

@@ -82,6 +82,18 @@ long double reach_of(const Mesh& mesh, std::size_t t) {
   return 2 * longest;
 }
 
+/// Whether the mesh was made and measured in other numbers than the doubles that are judged.
+bool is_rounded(const Soak_case& c) { return c.kernel == Kernel::EXACT || c.kernel == Kernel::FIXED; }
+
+/// The degrees by which an angle may be smaller after its vertices were rounded, or moved by a step, to doubles.
+double lost_by_rounding(const Point& p, const Point& q, const Point& r) {
+  double largest = 0, shortest = std::sqrt(CGAL::squared_distance(p, q));
+  for (const Point& v : {p, q, r}) largest = std::max({largest, std::fabs(v.x()), std::fabs(v.y())});
+  for (const Point& v : {p, q}) shortest = std::min(shortest, std::sqrt(CGAL::squared_distance(v, r)));
+  const double step = std::nextafter(largest, std::numeric_limits<double>::infinity()) - largest;
+  return 180 / CGAL_PI * 4 * step / shortest;
+}
+
 /// Whether the reason for a triangle that misses a bound is true; a failure if it is not.
 std::optional<Verdict> find_fault(const Soak_case& c, const Mesh& mesh,
                                   const CGAL::Quality_mesh_report_2::Unmet_triangle& unmet) {
@@ -105,6 +117,7 @@ std::optional<Verdict> find_fault(const Soak_case& c, const Mesh& mesh,
     const Point &p = mesh.point(t[0]), &q = mesh.point(t[1]), &r = mesh.point(t[2]);
     const Point centroid(p.x() / 3 + q.x() / 3 + r.x() / 3, p.y() / 3 + q.y() / 3 + r.y() / 3);
     if (is_without_room(c, centroid, reach_of(mesh, std::size_t(unmet.triangle)))) return {};
+    if (is_rounded(c) && unmet.least_angle + lost_by_rounding(p, q, r) >= c.wishes.min_angle) return {};
     break;
   }
   case Reason::CANCELLED:
@@ -113,9 +126,6 @@ std::optional<Verdict> find_fault(const Soak_case& c, const Mesh& mesh,
   }
   return failure(kind, detail.str());
 }
-
-/// Whether the mesh was made and measured in other numbers than the doubles that are judged.
-bool is_rounded(const Soak_case& c) { return c.kernel == Kernel::EXACT || c.kernel == Kernel::FIXED; }
 
 Verdict judge_graph_mesh(const Soak_case& c, const Graph_mesh& run) {
   if (const auto crossing = find_crossing(c.graph))

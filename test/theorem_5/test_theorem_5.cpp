@@ -245,6 +245,20 @@ TEST_CASE("Where quadtrees exhaust a budget refinement makes the mesh", "[mesher
   }
 }
 
+TEST_CASE("Vertices of edges a few steps apart stay within rounding of their edges", "[mesher][theorem5]") {
+  for (const char* name : {"hard_legs_a_few_steps_apart.poly", "hard_lattice_doubled_by_steps.poly"}) {
+    CAPTURE(name);
+    const Run r = run(read(name), by_quadtrees());
+    CHECK(r.report.trees.triangles > 0);
+  }
+}
+
+TEST_CASE("Many steps in large trees use up a budget, too", "[mesher][theorem5][.slow]") {
+  const Run r = run(read("hard_legs_for_many_leaves.poly"), by_quadtrees());
+  CHECK(r.report.trees.end == End::BUDGET);
+  CHECK(r.report.trees.rounds == 0);
+}
+
 TEST_CASE("Small graphs whose trees would take seconds are refined on demand", "[mesher][theorem5][.slow]") {
   Pslg pslg = unit_square(); // a bundle of legs, with a short one between each two
   constexpr int legs = 60;

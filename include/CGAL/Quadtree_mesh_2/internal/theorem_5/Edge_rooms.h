@@ -59,18 +59,20 @@ public:
   std::optional<Point> place_next_to(Edge_id e, const Point& p) const {
     if (is_in_room(e, p)) return p;
     if constexpr (!Geometry::has_unlimited_coordinates) {
-      // On the edge, if that were possible, and to either side of it.
+      // On the edge, if that were possible, and to either side of it, no further than how p was rounded.
       const Vector d = direction(e),
                    from_a = Geometry::difference(p, problem_.input_point(problem_.edges[e].a));
       const bool is_steep = std::fabs(d.y) > std::fabs(d.x);
       const double way = cross(d, from_a) / (is_steep ? d.y : -d.x);
-      const double step = std::max(Geometry::spacing(is_steep ? p.x : p.y),
-                                   std::numeric_limits<double>::epsilon() * std::fabs(along(d, from_a)));
-      for (const double f : {0., 1., -1.}) {
-        const Point q =
-            Geometry::translate(p, is_steep ? Vector{way + f * step, 0} : Vector{0, way + f * step});
-        if (is_in_room(e, q)) return q;
-      }
+      const double spacing = Geometry::spacing(is_steep ? p.x : p.y),
+                   rounding = std::numeric_limits<double>::epsilon() * std::fabs(along(d, from_a));
+      const auto beside = [&](double f) {
+        return Geometry::translate(p, is_steep ? Vector{way + f, 0} : Vector{0, way + f});
+      };
+      if (const Point q = beside(0); is_in_room(e, q)) return q;
+      for (double step = spacing; step < 2 * std::max(spacing, rounding); step *= 2)
+        for (const double f : {step, -step})
+          if (const Point q = beside(f); is_in_room(e, q)) return q;
     }
     return std::nullopt;
   }

@@ -69,8 +69,8 @@ public:
 
   /// \param graph the vertices and edges of the problem, in its order
   /// \param find_hits by which model neighbors of vertices are found; null: by the quadtree
-  /// \param most_leaves separation stops before there are more, but for those of the last step: `is_exhausted()`. Then
-  ///        edges are not all apart.
+  /// \param most_leaves separation stops before there are more, but for those of the last step, or before its steps have
+  ///        looked at 25 times as many: `is_exhausted()`. Then edges are not all apart.
   Separation_trees(const Meshing_problem<Geometry>& problem, const Edge_sides& sides, const Pslg& graph,
                    const Map& map, const Options& options, const Traits& traits, Find_hits find_hits,
                    std::size_t most_leaves, Tree_separation_report_2& report)
@@ -100,7 +100,9 @@ public:
   }
 
   /// Whether separation ended before its time.
-  bool is_exhausted() const { return tree_.number_of_leaves() >= most_leaves_; }
+  bool is_exhausted() const {
+    return tree_.number_of_leaves() >= most_leaves_ || leaves_of_steps_ / most_steps_ >= most_leaves_;
+  }
 
   /// The side of squares of a level, in the kernel's coordinates.
   double side(int level) const { return std::ldexp(side_of_root_, -level); }
@@ -120,6 +122,8 @@ private:
   using Framework = typename Tree::Framework;
 
   static constexpr std::size_t block_of_leaves_ = 256;
+  /// How many steps may be taken in a tree of as many leaves as there may be.
+  static constexpr std::size_t most_steps_ = 25;
   /// Of leaves that are split off, in units of the coordinates.
   static constexpr double least_side_ = 16;
 
@@ -134,6 +138,7 @@ private:
   Leaf_pieces pieces_in_leaves_;
   Passed_leaves passed_; // whose edges are apart
   std::size_t most_leaves_;
+  std::size_t leaves_of_steps_ = 0; // together: each step takes time for all leaves that there are
   double side_of_root_ = 0;
   std::vector<Vertex_index> vertices_; // all of them, for the placement by rule
 
@@ -216,6 +221,7 @@ private:
     if (leaves.empty()) return false;
     tree_.refine(leaves);
     passed_.follow(tree_);
+    leaves_of_steps_ += tree_.number_of_leaves();
     ++report_.splits;
     subdivide_edges();
     return true;

@@ -120,7 +120,9 @@ private:
       high.x = std::max(high.x, p.x), high.y = std::max(high.y, p.y);
     }
     const Vector size = Geometry::difference(high, low);
-    const double extent = std::max(size.x, size.y);
+    // A box of a few units in the last place has no room for a tenth of it.
+    const double least_extent = 64 * std::max(Geometry::spacing(low), Geometry::spacing(high));
+    const double extent = std::max({double(size.x), double(size.y), least_extent});
     // As near as they can be: differences of 62-bit coordinates must not overflow. Nothing inside the domain
     // sees them.
     for (const Vector corner : {Vector{-1, -0.1}, Vector{2, -0.1}, Vector{0.5, 2.9}})
