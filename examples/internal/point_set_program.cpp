@@ -7,6 +7,7 @@
 #include "mesh_files.h"
 #include "mesh_points.h"
 #include "rounding_loss.h"
+#include "what_to_do.h"
 
 #include "by_mesh_2.h"
 #include "in_child.h"
@@ -38,14 +39,15 @@ const char* domain_of(const Command_line& line) {
 
 /// An error of points as the user wrote them: the arithmetic may have scaled them.
 std::runtime_error with_coordinates(const CGAL::Quadtree_mesh_2::Point_error& error,
-                                    const CGAL::Pslg_2<Point_set_run::Point_2>& input) {
+                                    const CGAL::Pslg_2<Point_set_run::Point_2>& input,
+                                    const Command_line& line) {
   const auto name = [&input](std::size_t p) {
     return CGAL::Quadtree_mesh_2::internal::numbered_place(input, p, input.vertices[p]);
   };
-  const std::string first = name(std::size_t(error.point()));
-  if (!error.other().is_valid()) return std::runtime_error("point " + first + ' ' + error.reason());
-  return std::runtime_error("points " + first + " and " + name(std::size_t(error.other())) + ' ' +
-                            error.reason());
+  std::string names = name(std::size_t(error.point()));
+  if (error.other().is_valid()) names += " and " + name(std::size_t(error.other()));
+  return std::runtime_error((error.other().is_valid() ? "points " : "point ") + names + ' ' + error.reason() +
+                            what_to_do(error, line));
 }
 
 void mesh(Point_set_run& run, const Command_line& line) try {
@@ -65,12 +67,13 @@ void mesh(Point_set_run& run, const Command_line& line) try {
     return;
   }
 } catch (const CGAL::Quadtree_mesh_2::Point_error& error) {
-  throw with_coordinates(error, run.input);
+  throw with_coordinates(error, run.input, line);
 }
 
 void check(Point_set_run& run) {
   using Options = CGAL::Mesh_quality_options_2;
   run.quality = CGAL::mesh_quality_2(run.mesh, run.input, Options().check_domain(Options::Domain::ANY));
+  check_valid(run.quality); // before angles are measured, which need places
   run.ours.vertices = run.quality.vertices;
   count_angles(run);
 }
@@ -101,7 +104,6 @@ Exit_status execute_point_set(const Command_line& line) {
     mesh(run, line);
   });
   check(run);
-  check_valid(run.quality);
   if (line.kernel != Command_line::Kernel::FILTERED && run.report.is_met() && !run.unmet_triangles.empty())
     refuse_what_rounding_broke(run.input, run.unmet_triangles,
                                line.kernel == Command_line::Kernel::EXACT ? "exact numbers"
