@@ -22,6 +22,7 @@
 #include <CGAL/mesh_quality_2.h>
 #include <CGAL/point_set_lengths_2.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <stdexcept>
 #include <string>
@@ -44,10 +45,12 @@ std::runtime_error with_coordinates(const CGAL::Quadtree_mesh_2::Point_error& er
   const auto name = [&input](std::size_t p) {
     return CGAL::Quadtree_mesh_2::internal::numbered_place(input, p, input.vertices[p]);
   };
-  std::string names = name(std::size_t(error.point()));
-  if (error.other().is_valid()) names += " and " + name(std::size_t(error.other()));
-  return std::runtime_error((error.other().is_valid() ? "points " : "point ") + names + ' ' + error.reason() +
-                            what_to_do(error, line));
+  const std::string advice = what_to_do(error, line);
+  const std::size_t p(error.point());
+  if (!error.other().is_valid())
+    return std::runtime_error("point " + name(p) + ' ' + error.reason() + advice);
+  const auto [a, b] = std::minmax({p, std::size_t(error.other())});
+  return std::runtime_error("points " + name(a) + " and " + name(b) + ' ' + error.reason() + advice);
 }
 
 void mesh(Point_set_run& run, const Command_line& line) try {
