@@ -41,9 +41,8 @@ struct Feature {
 /// Also where its square is below all doubles.
 inline double distance_of(const Feature& f) {
   constexpr int halvings = 1000;
-  const bool is_small = f.squared_distance < std::ldexp(1.0, -halvings);
-  if (!is_small) return std::sqrt(CGAL::to_double(f.squared_distance));
-  const Exact::FT scale = std::ldexp(1.0, halvings);
+  const Exact::FT scale(std::ldexp(1.0, halvings)), least(std::ldexp(1.0, -halvings));
+  if (f.squared_distance >= least) return std::sqrt(CGAL::to_double(f.squared_distance));
   return std::ldexp(std::sqrt(CGAL::to_double(f.squared_distance * scale * scale)), -halvings);
 }
 
