@@ -31,11 +31,12 @@ inline std::string or_exactly(const std::string& advice, const Command_line& lin
   return line.kernel == Command_line::Kernel::EXACT ? advice : advice + ", or use --kernel exact";
 }
 
+/// Only refinement over exact numbers has no limit.
 inline std::string about_distances(const Command_line& line) {
-  const std::string merge = "; merge what is so near";
-  const bool are_words_to_blame = line.kernel == Command_line::Kernel::FIXED;
-  if (is_by_quadtrees(line) && !are_words_to_blame) return merge + ", or use --separation on-demand";
-  return or_exactly(merge, line);
+  const std::string advice = or_exactly("; merge what is so near", line);
+  if (!is_by_quadtrees(line)) return advice;
+  const bool is_exact = line.kernel == Command_line::Kernel::EXACT;
+  return advice + (is_exact ? ", or use --separation on-demand" : " with --separation on-demand");
 }
 
 inline std::string about_domain(const mesh_graph::Pslg& graph, const Command_line& line) {

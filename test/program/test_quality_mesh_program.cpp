@@ -334,7 +334,7 @@ TEST_CASE("messages about graphs say what the user can do", "[program]") {
       {parallels, "--max-vertices 1000", "--max-vertices"},
       {parallels, "--separation theorem-5", "widen or remove what is so narrow"},
       {pair, "--kernel fixed", "merge what is so near, or use --kernel exact"},
-      {pair, "--separation theorem-5", "merge what is so near, or use --separation on-demand"},
+      {pair, "--separation theorem-5", "or use --kernel exact with --separation on-demand"},
       {"3 2 0 0\n0 0 0\n1 1e308 0\n2 0 1e308\n3 0\n0 0 1\n1 1 2\n2 2 0\n0\n", "", "or use --kernel exact"}};
   for (const Case& c : cases) {
     const Run r = run(folder.write("in.poly", c.text) + ' ' + c.arguments);
