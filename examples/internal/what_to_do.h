@@ -48,11 +48,11 @@ inline std::string about_domain(const mesh_graph::Pslg& graph, const Command_lin
 
 inline std::string about_size(const CGAL::Pslg_error_2& error, const Command_line& line) {
   const bool is_gap = !error.parts().segments.empty(), is_place = !error.parts().vertices.empty();
-  const std::string more = ", or allow more by --max-vertices";
-  if (is_gap && is_by_quadtrees(line)) return "; widen or remove what is so narrow" + more;
-  if (is_gap) return "; widen or remove what is so narrow, pass over it by --min-edge" + more;
-  if (is_place) return more;
-  return "; raise these" + (line.options.max_vertices() > 0 ? more : std::string());
+  const std::string more = "allow more by --max-vertices";
+  if (is_gap && is_by_quadtrees(line)) return "; widen or remove what is so narrow, or " + more;
+  if (is_gap) return "; widen or remove what is so narrow, pass over it by --min-edge, or " + more;
+  if (is_place) return "; " + more;
+  return line.options.max_vertices() > 0 ? "; raise these, or " + more : "; raise these";
 }
 
 } // namespace what_to_do_internal
