@@ -21,9 +21,11 @@ import os
 import re
 import subprocess
 import sys
+import textwrap
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
+WIDTH = 110  # of text, as of code
 DOCUMENTS = [ROOT / "README.md", *sorted((ROOT / "doc").glob("*.md"))]
 NAMES = {
     "great_lakes": "The Great Lakes (GSHHG)",
@@ -73,8 +75,14 @@ class Figures:
     def __init__(self, folder):
         self.folder, self.files = Path(folder), {}
 
+    def file(self, name):
+        return self.folder / f"{name}.json"
+
+    def __contains__(self, name):
+        return self.file(name).exists()
+
     def __call__(self, name):
-        file = self.folder / f"{name}.json"
+        file = self.file(name)
         if not file.exists():
             sys.exit(f"error: there is no {file}: benchmark/run.sh --docs")
         if name not in self.files:
@@ -270,7 +278,9 @@ def neighbors(figures):
 
 
 def world(figures):
-    """The coasts of the world; over words there are only the program's own figures."""
+    """The coasts of the world; over words there are only the program's own figures. Not every machine has the memory."""
+    if "world/world" not in figures:
+        return "There are no figures yet: `benchmark/world.sh --docs` writes them here."
     rows = []
     for c in figures("world/world")["comparisons"]:
         for name, m in by_mesher(c).items():
@@ -416,10 +426,9 @@ def measured(s):
 
 def stamp_sentence(figures):
     s = figures("stamp")
-    return (
-        f'{measured(s)}, CGAL {figures("maps")["cgal"]}; medians of {s["repetitions"]}, alternately where there are '
-        "peers."
-    )
+    runs = "one run each" if s["repetitions"] == 1 else f'medians of {s["repetitions"]} runs'
+    sentence = f'{measured(s)}, CGAL {figures("maps")["cgal"]}; {runs}, alternately where there are peers.'
+    return textwrap.fill(sentence, WIDTH, break_on_hyphens=False)
 
 
 TABLES = {

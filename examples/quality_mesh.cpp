@@ -9,11 +9,13 @@
 #include "internal/point_set_program.h"
 #include "internal/program_steps.h"
 #include "internal/rounding_loss.h"
+#include "internal/what_to_do.h"
 
 #include "in_child.h"
 #include "resources.h"
 #include "thread_limit.h"
 
+#include <CGAL/Pslg_error_2.h>
 #include <CGAL/mesh_quality_2.h>
 
 #include <cstddef>
@@ -21,11 +23,12 @@
 #include <iostream>
 #include <new>
 #include <set>
+#include <stdexcept>
 #include <string>
 
 namespace {
 
-void mesh(Meshing_run& run, const Command_line& line) {
+void mesh(Meshing_run& run, const Command_line& line) try {
   Progress_line progress;
   CGAL::Quality_mesh_options_2 options = line.options;
   if (!line.size_points_file.empty()) options.size(mesh_files::read_sized_points(line.size_points_file));
@@ -43,6 +46,8 @@ void mesh(Meshing_run& run, const Command_line& line) {
     run.mesh = mesh_graph::exactly(run.pslg, options, line.neighbors, run.report);
     return;
   }
+} catch (const CGAL::Pslg_error_2& error) {
+  throw std::runtime_error(error.what() + what_to_do(error, run.pslg, line));
 }
 
 CGAL::Mesh_quality_options_2::Domain rule_to_check(CGAL::Quality_mesh_options_2::Domain domain) {

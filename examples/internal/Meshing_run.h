@@ -79,14 +79,14 @@ void print_line(const char* name, const char* format, Number ours, std::optional
   std::printf("\n");
 }
 
-/// The least angle outside acute corners; 180 stands for none there.
+/// The least angle of the triangles that are not below the bound; 180 stands for none of these.
 inline void print_angle_of_others(const Meshing_run& run) {
   const auto text = [](double angle) {
     char digits[32];
     std::snprintf(digits, sizeof digits, "%.2f", angle);
     return std::string(angle < 180 ? digits : "-");
   };
-  std::printf("%-28s%14s", "least angle of all others", text(run.ours.min_angle_of_others).c_str());
+  std::printf("%-28s%14s", "least angle above the bound", text(run.ours.min_angle_of_others).c_str());
   if (run.peer) std::printf("%14s", text(run.peer->min_angle_of_others).c_str());
   std::printf("\n");
 }

@@ -90,9 +90,6 @@ private:
   Scale scale_;
 };
 
-/// What to do where words are too short.
-inline const char* advice() { return "; use --kernel exact, or move or merge what is so near"; }
-
 /// Words cannot tell points that are closer than their unit; merging them in silence would change the input.
 /// \throws CGAL::Quadtree_mesh_2::Point_error for two of them
 template <class Point>

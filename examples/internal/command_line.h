@@ -96,7 +96,7 @@ inline po::options_description graph_options() {
   po::options_description options("Options of --mode pslg");
   options.add_options()
     ("min-angle", po::value<double>()->value_name("DEG")->default_value(20.7, "20.7"),
-     "least angle in degrees; up to 20.7 reached on every input tried, tried and reported up to 34")
+     "least angle in degrees, up to 34; where it is missed is reported")
     ("max-edge", po::value<double>()->value_name("H"), "longest edge")
     ("max-area", po::value<double>()->value_name("A"), "largest area of a triangle")
     ("min-edge", po::value<double>()->value_name("H"),
@@ -114,14 +114,15 @@ inline po::options_description graph_options() {
     ("subdivision", po::value<std::string>()->value_name("S")->default_value("walking"),
      "with theorem-5: what cuts edges into pieces, walking or centroid-tree; the mesh is the same")
     ("placement", po::value<std::string>()->value_name("P")->default_value("chosen"),
-     "with theorem-5: chosen, or by-rule (a hundred times the triangles before removal)")
+     "with theorem-5: chosen, or by-rule (many times the triangles before removal)")
     ("smooth", po::value<int>()->value_name("N")->default_value(0),
      "rounds of smoothing, up to 1000: about a percent fewer triangles each, and better angles")
     ("thin", po::value<int>()->value_name("N")->default_value(0),
      "rounds of thinning, up to 1000: fewer triangles still, each takes about as long as refinement")
     ("max-vertices", po::value<long long>()->value_name("N"),
-     "stop refining at so many vertices, and report what is left; if not given, what memory allows, and for graphs "
-     "of fewer than 1000 vertices 1000000 besides what bounds of size ask for")
+     "stop refining at so many vertices, and report what is left; what surely needs four times as many is refused. If "
+     "not given: what memory allows, and for graphs of fewer than 1000 vertices 1000000 besides what bounds of size "
+     "ask for")
     ("no-coarsening", "keep the vertices that are not needed in the end");
   return options;
 }
@@ -295,7 +296,7 @@ struct Option_use {
 inline const std::vector<Option_use>& option_uses() {
   using Mode = Command_line::Mode;
   static const std::vector<Option_use> uses = {
-      {"min-angle", {Mode::PSLG, Mode::POINTS}},
+      {"min-angle", {Mode::PSLG}},
       {"max-edge", {Mode::PSLG}},
       {"max-area", {Mode::PSLG}},
       {"min-edge", {Mode::PSLG}},
@@ -367,8 +368,6 @@ inline CGAL::Point_set_mesh_options_2 point_set_mesh_options(const po::variables
   case Command_line::Mode::PSLG:
     return options;
   case Command_line::Mode::POINTS:
-    if (given["min-angle"].as<double>() != 20.7)
-      throw Usage_error("--min-angle cannot be chosen with --mode points: it is 20.7 degrees");
     options.least_angle();
     break;
   case Command_line::Mode::BOUNDED:
@@ -432,8 +431,9 @@ inline void print_help(std::ostream& out) {
       << command_line_internal::visible_options()
       << "\nExit status: 0 the mesh is valid and meets all bounds; 1 it is valid and written, but a bound is "
          "unmet "
-         "somewhere;\n2 refused, nothing is written: bad usage, bad input, or no valid mesh of it in this "
-         "arithmetic.\n";
+         "somewhere;\n2 nothing is written: bad usage, bad input, no valid mesh of it in this arithmetic, or "
+         "too "
+         "little memory or disk.\n";
 }
 
 inline void print_version(std::ostream& out) {
@@ -476,6 +476,8 @@ inline Command_line parse_command_line(int argc, const char* const* argv) try {
   line.is_quiet = given.count("quiet") > 0;
   check_files(line);
   return line;
+} catch (const boost::program_options::unknown_option& error) {
+  throw Usage_error("unrecognized option '" + error.get_option_name() + "'");
 } catch (const boost::program_options::error& error) {
   throw Usage_error(error.what());
 }

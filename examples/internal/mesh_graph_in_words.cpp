@@ -101,7 +101,7 @@ void check_sides_of_seeds(const mesh_graph::Pslg& pslg, const Word_map<Point>& m
       CGAL::Pslg_parts_2 parts = seed.part;
       throw CGAL::Pslg_error_2(Kind::TOO_NEAR,
                                "64-bit words cannot tell on which side of " + segment_text(pslg, s) + ' ' +
-                                   seed.name + " is; move it away from the segment",
+                                   seed.name + " is",
                                parts.segment(Segment_index(s)));
     }
   }
@@ -117,7 +117,7 @@ void check_vertices_on_segments(const mesh_graph::Pslg& pslg, const mesh_graph::
       if (CGAL::collinear(pslg.point(ends[0]), pslg.point(ends[1]), pslg.vertices[std::size_t(v)])) continue;
       throw CGAL::Pslg_error_2(Kind::TOO_NEAR,
                                "64-bit words cannot tell " + vertex_text(pslg, std::size_t(v)) + " and " +
-                                   segment_text(pslg, std::size_t(edge.segment)) + " apart" + advice(),
+                                   segment_text(pslg, std::size_t(edge.segment)) + " apart",
                                CGAL::Pslg_parts_2().vertex(v).segment(edge.segment));
     }
 }
@@ -136,8 +136,7 @@ bool has_ends_on_both_sides(const mesh_graph::Pslg& pslg, std::size_t s, std::si
   const std::string first = segment_text(pslg, s), second = segment_text(pslg, t);
   if (has_ends_on_both_sides(pslg, s, t) && has_ends_on_both_sides(pslg, t, s))
     throw CGAL::Pslg_crossing_error_2(first + " crosses " + second, error.segments);
-  throw CGAL::Pslg_error_2(Kind::TOO_NEAR,
-                           "64-bit words cannot tell " + first + " and " + second + " apart" + advice(),
+  throw CGAL::Pslg_error_2(Kind::TOO_NEAR, "64-bit words cannot tell " + first + " and " + second + " apart",
                            error.parts());
 }
 
@@ -159,7 +158,7 @@ bool has_ends_on_both_sides(const mesh_graph::Pslg& pslg, std::size_t s, std::si
   const std::size_t b(error.other());
   throw CGAL::Pslg_error_2(Kind::TOO_NEAR,
                            "64-bit words cannot tell " + vertex_text(pslg, a) + " and " +
-                               vertex_text(pslg, b) + " apart" + advice(),
+                               vertex_text(pslg, b) + " apart",
                            CGAL::Pslg_parts_2().vertex(Vertex_index(a)).vertex(Vertex_index(b)));
 }
 

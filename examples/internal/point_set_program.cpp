@@ -7,6 +7,7 @@
 #include "mesh_files.h"
 #include "mesh_points.h"
 #include "rounding_loss.h"
+#include "what_to_do.h"
 
 #include "by_mesh_2.h"
 #include "in_child.h"
@@ -39,14 +40,17 @@ const char* domain_of(const Command_line& line) {
 
 /// An error of points as the user wrote them: the arithmetic may have scaled them.
 std::runtime_error with_coordinates(const CGAL::Quadtree_mesh_2::Point_error& error,
-                                    const CGAL::Pslg_2<Point_set_run::Point_2>& input) {
+                                    const CGAL::Pslg_2<Point_set_run::Point_2>& input,
+                                    const Command_line& line) {
   const auto name = [&input](std::size_t p) {
     return CGAL::Quadtree_mesh_2::internal::numbered_place(input, p, input.vertices[p]);
   };
+  const std::string advice = what_to_do(error, line);
   const std::size_t p(error.point());
-  if (!error.other().is_valid()) return std::runtime_error("point " + name(p) + ' ' + error.reason());
+  if (!error.other().is_valid())
+    return std::runtime_error("point " + name(p) + ' ' + error.reason() + advice);
   const auto [a, b] = std::minmax({p, std::size_t(error.other())});
-  return std::runtime_error("points " + name(a) + " and " + name(b) + ' ' + error.reason());
+  return std::runtime_error("points " + name(a) + " and " + name(b) + ' ' + error.reason() + advice);
 }
 
 void mesh(Point_set_run& run, const Command_line& line) try {
@@ -66,12 +70,13 @@ void mesh(Point_set_run& run, const Command_line& line) try {
     return;
   }
 } catch (const CGAL::Quadtree_mesh_2::Point_error& error) {
-  throw with_coordinates(error, run.input);
+  throw with_coordinates(error, run.input, line);
 }
 
 void check(Point_set_run& run) {
   using Options = CGAL::Mesh_quality_options_2;
   run.quality = CGAL::mesh_quality_2(run.mesh, run.input, Options().check_domain(Options::Domain::ANY));
+  check_valid(run.quality); // before angles are measured, which need places
   run.ours.vertices = run.quality.vertices;
   count_angles(run);
 }
@@ -102,7 +107,6 @@ Exit_status execute_point_set(const Command_line& line) {
     mesh(run, line);
   });
   check(run);
-  check_valid(run.quality);
   if (line.kernel != Command_line::Kernel::FILTERED && run.report.is_met() && !run.unmet_triangles.empty())
     refuse_what_rounding_broke(run.input, run.unmet_triangles,
                                line.kernel == Command_line::Kernel::EXACT ? "exact numbers"

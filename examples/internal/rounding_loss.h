@@ -38,6 +38,14 @@ struct Feature {
   Exact::FT squared_distance;
 };
 
+/// Also where its square is below all doubles.
+inline double distance_of(const Feature& f) {
+  constexpr int halvings = 1000;
+  const Exact::FT scale(std::ldexp(1.0, halvings)), least(std::ldexp(1.0, -halvings));
+  if (f.squared_distance >= least) return std::sqrt(CGAL::to_double(f.squared_distance));
+  return std::ldexp(std::sqrt(CGAL::to_double(f.squared_distance * scale * scale)), -halvings);
+}
+
 inline std::optional<Feature> nearest_feature(const Graph& graph, const Exact::Point_2& p,
                                               const Point* except = nullptr) {
   std::optional<Feature> best;
@@ -86,10 +94,9 @@ template <class Unmet_list>
     const Point& p = graph.vertices[vertex->number];
     message += ": next to it is " + text_of(graph, *vertex);
     if (const auto other = nearest_feature(graph, exact(p), &p)) {
-      message += ", and ";
-      CGAL::Quadtree_mesh_2::internal::append_number(message,
-                                                     std::sqrt(CGAL::to_double(other->squared_distance)));
-      message += " from that " + text_of(graph, *other);
+      message += ", which is ";
+      CGAL::Quadtree_mesh_2::internal::append_number(message, distance_of(*other));
+      message += " from " + text_of(graph, *other);
     }
   }
   message += "; merge what is so near, or move the input nearer to the origin";

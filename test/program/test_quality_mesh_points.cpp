@@ -337,6 +337,19 @@ TEST_CASE("bad points name their line", "[program][points]") {
   CHECK(contains(r.err, "no points"));
 }
 
+TEST_CASE("points whose mesh leaves the numbers there are, are refused by name", "[program][points]") {
+  const std::string mode = GENERATE("points", "bounded", "acute", "warped");
+  const std::string kernel = GENERATE("filtered", "fixed", "exact");
+  const Scratch_folder folder;
+  const Run r = run(test_data("points_at_1e308.xy") + " --mode " + mode + " --kernel " + kernel + " -o " +
+                    folder.file("out.ele"));
+  CAPTURE(mode, kernel, r.err);
+  CHECK(r.status == 2);
+  CHECK(contains(r.err, "point 1 (1e+308, 1e+308)"));
+  CHECK(contains(r.err, "scale or move the input"));
+  CHECK(folder.number_of_files() == 0);
+}
+
 TEST_CASE("words have room for a row along the diagonal of a square", "[program][points]") {
   const Scratch_folder folder;
   const Run r =
@@ -350,6 +363,7 @@ TEST_CASE("points that words cannot tell are refused", "[program][points]") {
   const Run r = run(folder.write("in.xy", "0 0\n1e-30 0\n1 1\n") + " --mode acute --kernel fixed");
   CHECK(r.status == 2);
   CHECK(contains(r.err, "points 0 (0, 0) and 1 (1e-30, 0)"));
+  CHECK(contains(r.err, "--kernel exact"));
 }
 
 TEST_CASE("one point, at the origin or far from it, is meshed in every mode by every kernel",

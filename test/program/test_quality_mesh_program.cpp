@@ -185,7 +185,7 @@ TEST_CASE("the program keeps a least edge and says what is left for it", "[progr
 
 TEST_CASE("the program prints no angle where there is none", "[program]") {
   const Run r = run(test_data("syn_sliver_1deg.poly")); // one triangle, exempt
-  CHECK(contains(r.out, "least angle of all others                -\n"));
+  CHECK(contains(r.out, "least angle above the bound              -\n"));
 }
 
 TEST_CASE("bad usage names the culprit and writes nothing", "[program]") {
@@ -224,7 +224,7 @@ TEST_CASE("bad usage names the culprit and writes nothing", "[program]") {
                                    {square + " --region-property depth", "--region-property"},
                                    {test_data("island.geojson") + " --region-property height", "height"},
                                    {test_data("README.md"), "README.md"},
-                                   {square + " --no-such-option", "--no-such-option"},
+                                   {square + " --no-such-option", "unrecognized option '--no-such-option'"},
                                    {folder.file("missing.poly"), "missing.poly"}};
   for (const Case& c : cases) {
     const Run r = run(c.arguments + " -o " + folder.file("mesh.ele"));
@@ -311,6 +311,36 @@ TEST_CASE("bad input names the place and writes nothing", "[program]") {
     CHECK(contains(r.err, c.culprit));
     CHECK(r.err.size() > 20);
     CHECK(folder.number_of_files() == 1);
+  }
+}
+
+TEST_CASE("messages about graphs say what the user can do", "[program]") {
+  const Scratch_folder folder;
+  struct Case {
+    std::string text, arguments, advice;
+  };
+  const std::string box = "0 -9 -9\n1 9 -9\n2 9 9\n3 -9 9\n", sides = "0 0 1\n1 1 2\n2 2 3\n3 3 0\n",
+                    corners = "4 2 0 0\n" + box, square = corners + "4 0\n" + sides + "0\n";
+  const std::string parallels =
+      "8 2 0 0\n" + box + "4 -1 0\n5 1 0\n6 -1 1e-9\n7 1 1e-9\n6 0\n" + sides + "4 4 5\n5 6 7\n0\n";
+  const std::string pair = "6 2 0 0\n" + box + "4 0 0\n5 0 1e-300\n4 0\n" + sides + "0\n";
+  const std::vector<Case> cases = {
+      {corners + "0 0\n0\n", "", "use --mode points"},
+      {corners + "3 0\n0 0 1\n1 1 2\n2 2 3\n0\n", "", "close the border"},
+      {square, "--domain marked", "--domain enclosed"},
+      {corners + "2 0\n0 0 2\n1 1 3\n0\n", "", "give both a vertex where they cross"},
+      {square, "--max-area 1e-300", "for the bounds of size; raise these"},
+      {parallels, "", "pass over it by --min-edge"},
+      {parallels, "--max-vertices 1000", "--max-vertices"},
+      {parallels, "--separation theorem-5", "widen or remove what is so narrow"},
+      {pair, "--kernel fixed", "merge what is so near, or use --kernel exact"},
+      {pair, "--separation theorem-5", "or use --kernel exact with --separation on-demand"},
+      {"3 2 0 0\n0 0 0\n1 1e308 0\n2 0 1e308\n3 0\n0 0 1\n1 1 2\n2 2 0\n0\n", "", "or use --kernel exact"}};
+  for (const Case& c : cases) {
+    const Run r = run(folder.write("in.poly", c.text) + ' ' + c.arguments);
+    CAPTURE(c.text, c.arguments, r.err);
+    CHECK(r.status == 2);
+    CHECK(contains(r.err, c.advice));
   }
 }
 

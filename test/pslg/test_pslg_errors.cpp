@@ -228,8 +228,7 @@ TEST_CASE("Vertices that are too near to each other are in the error", "[pslg_er
     CHECK(std::count(vertices.begin(), vertices.end(), 0) == 1);
     CHECK(std::count(vertices.begin(), vertices.end(), 4) == 1);
     CHECK(vertices.size() <= 3);
-    for (const std::size_t v : vertices)
-      CHECK(has_text(error.what(), "vertex " + std::to_string(v) + " ("));
+    for (const std::size_t v : vertices) CHECK(has_text(error.what(), "vertex " + std::to_string(v) + " ("));
   };
   const auto square_with = [](double x, double y) {
     Pslg pslg = make_pslg<double>({{0, 0}, {1, -1}, {2, 0}, {1, 1}}, {{0, 1}, {1, 2}, {2, 3}, {3, 0}});

@@ -150,27 +150,35 @@ Verdict judge_places(const Soak_case& c, const std::string& message) {
   return failure("refused: there is room", message);
 }
 
-/// Whether the segments have an end, or one of two, that is near to something else for the extent.
-bool has_narrow_gap(const Pslg& graph, const std::vector<std::size_t>& segments) {
+/// The vertices that a message names, or the ends of its segments.
+std::vector<std::size_t> named_vertices(const Pslg& graph, const std::string& message) {
+  std::vector<std::size_t> vertices;
+  for (const std::size_t s : numbers_after(message, "segments?"))
+    if (s < graph.segments.size())
+      for (const auto v : graph.segments[s]) vertices.push_back(std::size_t(v));
+  if (vertices.empty()) vertices = numbers_after(message, "vertex|vertices");
+  return vertices;
+}
+
+/// Whether a vertex is near to something else for the extent.
+bool has_narrow_gap(const Pslg& graph, const std::vector<std::size_t>& vertices) {
   const long double narrow = 1e-3L * extent_of(graph.vertices);
-  return std::any_of(segments.begin(), segments.end(), [&](std::size_t s) {
-    return s < graph.segments.size() &&
-           std::any_of(graph.segments[s].begin(), graph.segments[s].end(),
-                       [&](auto v) { return least_feature_distance(graph, graph.point(v), 0) <= narrow; });
+  return std::any_of(vertices.begin(), vertices.end(), [&](std::size_t v) {
+    return v < graph.vertices.size() && least_feature_distance(graph, graph.vertices[v], 0) <= narrow;
   });
 }
 
 /// Where a gap is so narrow for its length that there is no room for the triangles: in memory, or in what small graphs
 /// have. The estimate has to be four times what there is, a mesh that was begun has to have used it up.
 Verdict judge_size(const Soak_case& c, const std::string& message) {
-  const std::vector<std::size_t> segments = numbers_after(message, "segments?");
+  const std::vector<std::size_t> vertices = named_vertices(c.graph, message);
   std::smatch number;
   const std::regex words("(about|not done with) ([0-9.e+]+) triangles");
-  if (segments.empty() || !std::regex_search(message, number, words))
+  if (vertices.empty() || !std::regex_search(message, number, words))
     return failure("refused: too large, without numbers", message);
   if (std::stod(number[2]) < (number[1] == "about" ? 8e6 : 2e6))
     return failure("refused: not too large", message);
-  if (!has_narrow_gap(c.graph, segments)) return failure("refused: no narrow gap", message);
+  if (!has_narrow_gap(c.graph, vertices)) return failure("refused: no narrow gap", message);
   return {Outcome::REFUSED, "too large", message};
 }
 

@@ -80,12 +80,13 @@ void write_page(std::ostream& out, const std::vector<std::string>& logs) {
     }
   }
   out << "# Soak\n\n"
-         "How many generated inputs ran, and how they ended. Written by `test/soak.sh --docs LOG...`; do not "
-         "edit. *Met*: a valid\n"
-         "mesh with all bounds. *Unmet*: a valid mesh that misses a bound where coordinates have no room, or "
-         "that asks for more than is\n"
-         "promised. *Refused*: with a message that is true. The rest *failed*. All is judged by exact "
-         "predicates (`test/soak`).\n\n";
+         "How many generated inputs ran, and how they ended. Written by `test/soak.sh --docs LOG...`; do\n"
+         "not edit. All is judged by exact predicates (`test/soak`).\n\n"
+         "- *Met*: a valid mesh with all bounds\n"
+         "- *Unmet*: a valid mesh that misses a bound where coordinates have no room, or of an input that\n"
+         "  asks for more than is promised\n"
+         "- *Refused*: no mesh, but a message that is true\n"
+         "- *Failed*: all others\n\n";
   write_table(out, {"commit"}, of_commit);
   out << "\n## By kernel, separation and mode\n\n";
   write_table(out, {"kernel", "separation", "mode"}, of_kernel);
