@@ -35,7 +35,7 @@ void timed(double& seconds, F work) {
 /// \throws std::runtime_error with the errors
 inline void check_valid(const CGAL::Mesh_quality_2& quality) {
   if (quality.is_valid()) return;
-  std::string message = "the mesh came out wrong, so nothing is written";
+  std::string message = "the mesh came out wrong, so nothing is written (numbers count from 0)";
   for (const std::string& error : quality.errors) message += "; " + error;
   throw std::runtime_error(message);
 }

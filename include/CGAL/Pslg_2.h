@@ -68,8 +68,8 @@ public:
   /// also determine the domain.
   std::vector<Region> regions;
 
-  /// What messages count vertices, segments, holes and regions from: 1 if the file that the graph was read
-  /// from does. Indices count from 0 all the same.
+  /// What messages and written files count vertices, segments, holes and regions from: 1 if the file that the
+  /// graph was read from does. Indices count from 0 all the same.
   std::size_t first_number = 0;
 
   /// Appends a vertex. If there are markers or attributes, the caller appends those.

@@ -82,6 +82,7 @@ TEST_CASE("a written graph comes back bit for bit", "[triangle_files]") {
     CGAL::IO::write_triangle_poly(name, pslg);
     CGAL::IO::read_triangle_poly(name, back);
     CHECK(have_same_bits(pslg, back));
+    CHECK(back.first_number == pslg.first_number);
     CGAL::IO::write_triangle_node(folder.file("x.node"), pslg);
     CGAL::IO::read_triangle_node(folder.file("x.node"), back);
     CHECK(have_same_bits(pslg.vertices[4].y(), back.vertices[4].y()));
@@ -151,6 +152,24 @@ TEST_CASE("a mesh is written as .node, .ele and .poly", "[triangle_files]") {
     CHECK(content(stem + ".ele") == "3 3 1\n0 0 1 5 7.5\n1 1 2 5 0\n2 0 5 3 8\n");
     CHECK(content(stem + ".poly") == "0 2 0 1\n5 1\n0 0 1 0\n1 1 2 11\n2 2 5 12\n3 5 3 12\n4 3 0 13\n"
                                      "1\n0 5 0.125\n2\n0 0.5 0.5 7.5 -1\n1 0.25 0.5 8 0.5\n");
+  }
+  SECTION("of a graph whose owner counts from 1") {
+    small.pslg.first_number = 1;
+    small.pslg.holes = {Point(5, 0.125)};
+    small.pslg.regions = {{Point(0.5, 0.5), 7.5, 0}};
+    CGAL::Quadtree_mesh_2::internal::set_boundary_markers(small.mesh, small.pslg);
+    CGAL::IO::write_triangle_files(small.mesh, small.pslg, stem);
+    CHECK(content(stem + ".node") == "6 2 0 1\n1 0 0 1\n2 1 0 1\n3 1 1 1\n4 0 1 1\n5 9 9 0\n6 0.5 1 1\n");
+    CHECK(content(stem + ".ele") == "3 3 0\n1 1 2 6\n2 2 3 6\n3 1 6 4\n");
+    CHECK(content(stem + ".poly") ==
+          "0 2 0 1\n5 0\n1 1 2\n2 2 3\n3 3 6\n4 6 4\n5 4 1\n1\n1 5 0.125\n1\n1 0.5 0.5 7.5 -1\n");
+    Mesh mesh;
+    CGAL::IO::read_triangle_files(stem, mesh);
+    CHECK(mesh.triangles == small.mesh.triangles);
+    Pslg pslg;
+    CGAL::IO::read_triangle_poly(stem + ".poly", pslg);
+    CHECK(pslg.first_number == 1);
+    CHECK(pslg.segments.front() == small.pslg.segments.front());
   }
   SECTION("and comes back") {
     CGAL::IO::write_triangle_files(small.mesh, small.pslg, stem);

@@ -204,7 +204,7 @@ Pslg_2<Point> parse_geojson(const std::string& text, const std::string& name,
   } catch (const Repeated_json_key& error) {
     fail(error.what());
   } catch (const nlohmann::json::exception& error) {
-    fail(printable(error.what(), 200));
+    fail(printable(json_error_text(error), 200));
   }
   return features.to_pslg<Point>();
 }

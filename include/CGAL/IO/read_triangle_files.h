@@ -278,9 +278,10 @@ namespace IO {
 /// Reads a planar straight-line graph from a `.poly` file of Triangle, also from one compressed by gzip
 /// (which needs a program linked with Boost.Iostreams).
 ///
-/// Vertices may be numbered from 0 or from 1, and become 0-based. `Pslg_2::first_number` keeps it for messages. If the file has 0 vertices, they are taken
-/// from the `.node` file of the same stem. A comment reaches from `#` to the end of its line. Regions have an
-/// attribute and, if there is one more column, a largest area. Coordinates are the doubles nearest to the
+/// Vertices may be numbered from 0 or from 1, which `Pslg_2::first_number` keeps for messages and for written
+/// files; indices are 0-based. If the file has 0 vertices, they are taken from the `.node` file of the same
+/// stem. A comment reaches from `#` to the end of its line. Regions have an attribute and, if there is one more
+/// column, a largest area. Coordinates are the doubles nearest to the
 /// decimals, or words if the coordinates of `Point` are integers. Only the indices of segments are checked;
 /// see `check_pslg_structure()` and `repair_pslg_2()`. Takes linear time.
 /// \throws Pslg_error_2 with file, line and culprit if the file is missing, truncated or malformed; `pslg` is

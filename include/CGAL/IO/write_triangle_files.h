@@ -18,9 +18,9 @@
 #include <vector>
 
 // Writes the files of Jonathan Shewchuk's Triangle: .poly, .node and .ele
-// (https://www.cs.cmu.edu/~quake/triangle.html). All numbers count from 0. Coordinates have the fewest digits
-// that give the same bits back. Each file is made in memory, in linear time, and appears under its name only
-// when it is complete.
+// (https://www.cs.cmu.edu/~quake/triangle.html). Numbers count from 0 or from 1, as in the file that the graph was read
+// from (`Pslg_2::first_number`). Coordinates have the fewest digits that give the same bits back. Each file is made in
+// memory, in linear time, and appears under its name only when it is complete.
 
 namespace CGAL {
 namespace Quadtree_mesh_2 {
@@ -33,7 +33,7 @@ void write_vertices(Line_writer& out, const Pslg_2<Point>& pslg) {
   const bool has_markers = !pslg.vertex_markers.empty();
   (out << pslg.vertices.size() << 2 << k << int(has_markers)).end_line();
   for (std::size_t v = 0; v < pslg.vertices.size(); ++v) {
-    (out << v).write_point(pslg.vertices[v]);
+    (out << pslg.first_number + v).write_point(pslg.vertices[v]);
     for (std::size_t i = 0; i < k; ++i) out << pslg.vertex_attributes[v * k + i];
     if (has_markers) out << pslg.vertex_markers[v];
     out.end_line();
@@ -43,36 +43,40 @@ void write_vertices(Line_writer& out, const Pslg_2<Point>& pslg) {
 template <class Point>
 void write_holes_and_regions(Line_writer& out, const Pslg_2<Point>& pslg) {
   (out << pslg.holes.size()).end_line();
-  for (std::size_t h = 0; h < pslg.holes.size(); ++h) (out << h).write_point(pslg.holes[h]).end_line();
+  for (std::size_t h = 0; h < pslg.holes.size(); ++h)
+    (out << pslg.first_number + h).write_point(pslg.holes[h]).end_line();
   if (pslg.regions.empty()) return; // the section is optional
   (out << pslg.regions.size()).end_line();
   for (std::size_t r = 0; r < pslg.regions.size(); ++r) {
     const auto& region = pslg.regions[r];
     // Without the last column, Triangle would take the attribute for the area. -1 means no bound.
-    (out << r).write_point(region.point) << region.attribute << (region.max_area > 0 ? region.max_area : -1.);
+    (out << pslg.first_number + r).write_point(region.point)
+        << region.attribute << (region.max_area > 0 ? region.max_area : -1.);
     out.end_line();
   }
 }
 
 template <class Point>
-Line_writer mesh_node_text(const Indexed_mesh_2<Point>& mesh) {
+Line_writer mesh_node_text(const Indexed_mesh_2<Point>& mesh, std::size_t first_number) {
   Line_writer out;
   out.reserve(48 * mesh.points.size() + 32);
   (out << mesh.points.size() << 2 << 0 << 1).end_line();
   for (std::size_t v = 0; v < mesh.points.size(); ++v)
-    ((out << v).write_point(mesh.points[v]) << mesh.marker(Vertex_index(v))).end_line();
+    ((out << first_number + v).write_point(mesh.points[v]) << mesh.marker(Vertex_index(v))).end_line();
   return out;
 }
 
 template <class Point>
 Line_writer mesh_ele_text(const Indexed_mesh_2<Point>& mesh, const Pslg_2<Point>& pslg) {
   const bool has_regions = !pslg.regions.empty() && !mesh.region_of_triangle.empty();
+  const std::size_t first = pslg.first_number;
   Line_writer out;
   out.reserve(32 * mesh.triangles.size() + 32);
   (out << mesh.triangles.size() << 3 << int(has_regions)).end_line();
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const auto& triangle = mesh.triangles[t];
-    out << t << triangle[0] << triangle[1] << triangle[2];
+    out << first + t;
+    for (const Vertex_index v : triangle) out << first + std::size_t(v);
     if (has_regions) {
       const int region = mesh.region_of_triangle[t];
       out << (region < 0 ? 0. : pslg.regions[static_cast<std::size_t>(region)].attribute);
@@ -85,12 +89,13 @@ Line_writer mesh_ele_text(const Indexed_mesh_2<Point>& mesh, const Pslg_2<Point>
 template <class Point>
 Line_writer mesh_poly_text(const Indexed_mesh_2<Point>& mesh, const Pslg_2<Point>& pslg) {
   const bool has_markers = !pslg.segment_markers.empty();
+  const std::size_t first = pslg.first_number;
   Line_writer out;
   (out << 0 << 2 << 0 << 1).end_line();
   (out << mesh.constrained_edges.size() << int(has_markers)).end_line();
   for (std::size_t e = 0; e < mesh.constrained_edges.size(); ++e) {
     const auto& edge = mesh.constrained_edges[e];
-    out << e << edge.vertices[0] << edge.vertices[1];
+    out << first + e << first + std::size_t(edge.vertices[0]) << first + std::size_t(edge.vertices[1]);
     if (has_markers) out << edge.marker;
     out.end_line();
   }
@@ -102,7 +107,7 @@ Line_writer mesh_poly_text(const Indexed_mesh_2<Point>& mesh, const Pslg_2<Point
 template <class Point>
 void add_triangle_files(Replaced_files& files, const Indexed_mesh_2<Point>& mesh, const Pslg_2<Point>& pslg,
                         const std::string& stem) {
-  files.add(stem + ".node", mesh_node_text(mesh).take());
+  files.add(stem + ".node", mesh_node_text(mesh, pslg.first_number).take());
   files.add(stem + ".ele", mesh_ele_text(mesh, pslg).take());
   files.add(stem + ".poly", mesh_poly_text(mesh, pslg).take());
 }
@@ -131,9 +136,10 @@ void write_triangle_poly(const std::string& file_name, const Pslg_2<Point>& pslg
   internal::Line_writer out;
   internal::write_vertices(out, pslg);
   const bool has_markers = !pslg.segment_markers.empty();
+  const std::size_t first = pslg.first_number;
   (out << pslg.segments.size() << int(has_markers)).end_line();
   for (std::size_t s = 0; s < pslg.segments.size(); ++s) {
-    out << s << pslg.segments[s][0] << pslg.segments[s][1];
+    out << first + s << first + std::size_t(pslg.segments[s][0]) << first + std::size_t(pslg.segments[s][1]);
     if (has_markers) out << pslg.segment_markers[s];
     out.end_line();
   }
@@ -143,10 +149,12 @@ void write_triangle_poly(const std::string& file_name, const Pslg_2<Point>& pslg
 
 /// Writes all vertices of a mesh to a `.node` file, in their order, used or not, with their markers
 /// (`Indexed_mesh_2::vertex_markers`).
+/// \param first_number of the first vertex: 0 or 1, the same as for the other files of the mesh
 template <class Point>
-void write_triangle_node(const std::string& file_name, const Indexed_mesh_2<Point>& mesh) {
+void write_triangle_node(const std::string& file_name, const Indexed_mesh_2<Point>& mesh,
+                         std::size_t first_number = 0) {
   namespace internal = Quadtree_mesh_2::internal;
-  internal::replace_file(file_name, internal::mesh_node_text(mesh).take());
+  internal::replace_file(file_name, internal::mesh_node_text(mesh, first_number).take());
 }
 
 /// Writes the triangles of a mesh to an `.ele` file. If `pslg` has regions, triangles have the attributes of

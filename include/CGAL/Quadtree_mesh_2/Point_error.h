@@ -27,7 +27,8 @@ public:
     OUT_OF_RANGE,
     /// Two distinct points fall on the same grid point: the words of the traits are too short.
     INDISTINGUISHABLE,
-    /// Two points are nearer to each other than meshes of tiles allow, about 2^-46 of the extent.
+    /// Two points are nearer to each other than meshes of tiles allow: about 2^-45 of the extent over doubles, and
+    /// 2^-49 with words.
     TOO_NEAR
   };
 

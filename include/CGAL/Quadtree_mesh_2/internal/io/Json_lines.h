@@ -24,6 +24,7 @@
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace CGAL {
@@ -178,6 +179,15 @@ public:
 private:
   std::vector<std::set<std::string>> keys_of_open_objects_;
 };
+
+/// What nlohmann-json says of an error, without its own name for it and without the line, which the caller tells.
+inline std::string json_error_text(const nlohmann::json::exception& error) {
+  const std::string_view text =
+      error.what(); // "[json.exception.parse_error.101] parse error at line 2, column 7: ..."
+  const std::string_view words = text.substr(text.find("] ") + 2);
+  const std::size_t column = words.find("column ");
+  return std::string(words.rfind("parse error at line ", 0) == 0 ? words.substr(column) : words);
+}
 
 /// Parses a text, in which no key may appear twice in an object.
 /// \param line where parsing ended, counted from 1: that of the culprit if it throws

@@ -42,9 +42,9 @@ public:
 
   /// How many triangles the mesh may be expected to have for it to be begun.
   Triangle_budget of_triangles() const {
-    if (options_.max_vertices() > 0)
-      return {static_cast<double>(options_.max_vertices()), "the vertex budget allows"};
     const Triangle_budget machine = Triangle_budget::of_machine();
+    if (options_.max_vertices() > 0)
+      return machine.smaller({static_cast<double>(options_.max_vertices()), "the vertex budget allows"});
     const std::optional<Triangle_budget> limit = of_small_graph();
     return limit ? machine.smaller(*limit) : machine;
   }
@@ -60,7 +60,7 @@ public:
 
   /// \param may_construct_instead whether quadtrees take over when patience ends
   std::size_t of_refinement(bool may_construct_instead) const {
-    if (options_.max_vertices() > 0) return options_.max_vertices();
+    if (options_.max_vertices() > 0) return of_user();
     const double unexpected = options_.refine_where() ? unexpected_by_users_rule : allowance();
     const double patience = may_construct_instead ? options_.patience() : Quality_mesh_options_2().patience();
     if (!(patience > 0)) return 0;
@@ -72,7 +72,7 @@ public:
   /// Quadtrees make ten times the triangles needed, a hundred times with the placement by rule.
   Construction_budget of_construction() const {
     constexpr std::size_t any = std::numeric_limits<std::size_t>::max();
-    if (options_.max_vertices() > 0) return {options_.max_vertices(), any};
+    if (options_.max_vertices() > 0) return {of_user(), any};
     const std::size_t leaves = limited(1000 * expected_ + 1e6);
     if (!is_capped_) return {leaves, any};
     constexpr double cost = Geometry::has_unlimited_coordinates ? cost_of_exact_leaves : 1;
@@ -82,7 +82,7 @@ public:
 
   /// For what refinement has to do in a mesh that is made.
   std::size_t of_repair(std::size_t vertices_of_mesh) const {
-    if (options_.max_vertices() > 0) return options_.max_vertices();
+    if (options_.max_vertices() > 0) return of_user();
     return std::max(vertices_of_mesh,
                     limited(static_cast<double>(vertices_of_mesh) + 10 * expected_ + allowance()));
   }
@@ -114,6 +114,7 @@ private:
   /// established to end. Elsewhere it goes on until the allowance is used up.
   double allowance() const { return is_established_ ? 2e6 : 2e5; }
 
+  std::size_t of_user() const { return std::min(options_.max_vertices(), Triangle_budget::most_vertices); }
   std::size_t limited(double vertices) const {
     const double most = is_capped_ ? cap_ : static_cast<double>(Triangle_budget::most_vertices);
     return static_cast<std::size_t>(std::min(most, vertices));
