@@ -198,4 +198,36 @@ bool is_without_room(const Soak_case& c, const Point& p, Real reach) {
   return least_feature_distance(c.graph, p, reach) <= least_room * Resolution(c).at(p);
 }
 
+bool is_within_needle(const Soak_case& c, const Point& point) {
+  const Place p(point);
+  const Pslg graph = cut_at_vertices(c.graph);
+  for (std::size_t v = 0; v < graph.vertices.size(); ++v) {
+    const Place apex(graph.vertices[v]);
+    std::vector<Place> ends;
+    for (const auto& [a, b] : graph.segments)
+      if (graph.point(a) == graph.vertices[v] || graph.point(b) == graph.vertices[v])
+        ends.emplace_back(graph.point(graph.point(a) == graph.vertices[v] ? b : a));
+    const Real room = least_room * Resolution(c).at(graph.vertices[v]);
+    for (const Place& end : ends)
+      for (const Place& other : ends) {
+        const Real reach = std::min(distance(apex, end), distance(apex, other));
+        if (distance(apex, p) > reach) continue;
+        const Real share = distance(apex, p) / distance(apex, end);
+        const Place at(apex.x + share * (end.x - apex.x), apex.y + share * (end.y - apex.y));
+        const Real width = width_between(apex, end, apex, other, at);
+        if (width > 0 && width <= room) return true;
+      }
+  }
+  return false;
+}
+
+bool do_sizes_lack_room(const Soak_case& c, const Point& p) {
+  const Real extent = extent_of(c.graph.vertices), room = least_room * Resolution(c).at(p);
+  const auto is_short = [&](Real side) { return side > 0 && side <= room; };
+  return is_short(c.wishes.max_edge * extent) || is_short(std::sqrt(Real(c.wishes.max_area)) * extent) ||
+         is_short(c.wishes.size * extent) ||
+         std::any_of(c.graph.regions.begin(), c.graph.regions.end(),
+                     [&](const auto& r) { return is_short(std::sqrt(Real(r.max_area))); });
+}
+
 } // namespace soak

@@ -49,6 +49,11 @@ private:
 long double least_feature_distance(const Pslg& graph, const Point& p, long double reach);
 /// The same in steps of a resolution at the place.
 bool is_without_room(const Soak_case& c, const Point& p, long double reach);
+/// Whether two legs of a vertex have no room between them as far from it as `p` is. Neither can have a vertex there. Each is
+/// a long side of the triangles next to it, however small others have to be at that vertex, on its other side too.
+bool is_within_needle(const Soak_case& c, const Point& p);
+/// Whether bounds of size ask for sides of so few steps of the coordinates that triangles lose their shape.
+bool do_sizes_lack_room(const Soak_case& c, const Point& p);
 
 } // namespace soak
 

@@ -117,6 +117,7 @@ std::optional<Verdict> find_fault(const Soak_case& c, const Mesh& mesh,
     const Point &p = mesh.point(t[0]), &q = mesh.point(t[1]), &r = mesh.point(t[2]);
     const Point centroid(p.x() / 3 + q.x() / 3 + r.x() / 3, p.y() / 3 + q.y() / 3 + r.y() / 3);
     if (is_without_room(c, centroid, reach_of(mesh, std::size_t(unmet.triangle)))) return {};
+    if (is_within_needle(c, centroid) || do_sizes_lack_room(c, centroid)) return {};
     if (is_rounded(c) && unmet.least_angle + lost_by_rounding(p, q, r) >= c.wishes.min_angle) return {};
     break;
   }

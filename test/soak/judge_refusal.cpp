@@ -113,14 +113,20 @@ Verdict judge_domain(const Soak_case& c, const std::string& message) {
   return failure("refused: there is a domain", message);
 }
 
-/// Features whose vertices or segments a message names.
-Verdict judge_distance(const Soak_case& c, const std::string& message) {
-  const Pslg& graph = c.graph;
+/// The vertices that a message names, or else the ends of its segments.
+std::vector<std::size_t> named_vertices(const Pslg& graph, const std::string& message) {
   std::vector<std::size_t> vertices = numbers_after(message, "vertex|vertices|points?");
   if (vertices.empty())
     for (const std::size_t s : numbers_after(message, "segments?"))
       if (s < graph.segments.size())
         for (const auto v : graph.segments[s]) vertices.push_back(std::size_t(v));
+  return vertices;
+}
+
+/// Features whose vertices or segments a message names.
+Verdict judge_distance(const Soak_case& c, const std::string& message) {
+  const Pslg& graph = c.graph;
+  const std::vector<std::size_t> vertices = named_vertices(graph, message);
   if (vertices.empty()) return failure("refused: no reason that could be checked", message);
   // Where a kernel says how near is too near; the quadtrees' grid has 62 bits, but for exact numbers.
   const bool has_grid = c.separation == Separation::THEOREM_5 && c.kernel != Kernel::EXACT;
@@ -148,16 +154,6 @@ Verdict judge_places(const Soak_case& c, const std::string& message) {
   for (const Point& p : places)
     if (is_without_room(c, p, 2 * reach)) return {Outcome::REFUSED, "no room", message};
   return failure("refused: there is room", message);
-}
-
-/// The vertices that a message names, or the ends of its segments.
-std::vector<std::size_t> named_vertices(const Pslg& graph, const std::string& message) {
-  std::vector<std::size_t> vertices;
-  for (const std::size_t s : numbers_after(message, "segments?"))
-    if (s < graph.segments.size())
-      for (const auto v : graph.segments[s]) vertices.push_back(std::size_t(v));
-  if (vertices.empty()) vertices = numbers_after(message, "vertex|vertices");
-  return vertices;
 }
 
 /// Whether a vertex is near to something else for the extent.
