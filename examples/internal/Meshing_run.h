@@ -35,8 +35,8 @@ struct Meshing_run {
   std::optional<Mesh_figures> peer; ///< Mesh_2 on the same input; nothing if it gave no mesh
 
   unsigned threads = 1;
-  double read_seconds = 0; ///< processor seconds
-  double write_seconds = 0;
+  Seconds read_seconds;
+  Seconds write_seconds;
   double peak_memory_mb = 0;
 };
 
@@ -91,6 +91,18 @@ inline void print_angle_of_others(const Meshing_run& run) {
   std::printf("\n");
 }
 
+/// Time by the clock is another one where there are threads.
+/// \tparam Run has `ours`, `peer` and `threads`
+template <class Run>
+void print_seconds(const Run& run) {
+  const auto print = [&](const char* name, double Seconds::*kind) {
+    print_line(name, "%14.3f", run.ours.seconds.*kind,
+               run.peer ? std::optional<double>(run.peer->seconds.*kind) : std::nullopt);
+  };
+  print("processor seconds", &Seconds::cpu);
+  if (run.threads > 1) print("seconds by the clock", &Seconds::wall);
+}
+
 inline void print_trees(const CGAL::Tree_separation_report_2& trees) {
   using End = CGAL::Tree_separation_report_2::End;
   if (trees.end == End::NONE) return;
@@ -122,7 +134,8 @@ inline nlohmann::ordered_json peer_json(const Mesh_figures& peer) {
           {"min_angle", peer.min_angle},
           {"max_angle", peer.max_angle},
           {"triangles_below_bound", peer.below_bound},
-          {"seconds", {{"mesh", peer.seconds}}}};
+          {"seconds", {{"mesh", peer.seconds.cpu}}},
+          {"wall_seconds", {{"mesh", peer.seconds.wall}}}};
 }
 
 /// What the quadtrees of Theorem 5 did; null if there was no such construction.
@@ -143,8 +156,25 @@ inline nlohmann::ordered_json trees_json(const CGAL::Tree_separation_report_2& t
           {"handed_over", trees.handed_over}};
 }
 
+/// \param kind of time, that of `phases`
+inline nlohmann::ordered_json seconds_json(const Meshing_run& run,
+                                           const CGAL::Quality_mesh_report_2::Seconds& phases,
+                                           double Seconds::*kind) {
+  const double read = run.read_seconds.*kind, mesh = run.ours.seconds.*kind, write = run.write_seconds.*kind;
+  return {{"read", read},
+          {"quadtree", phases.quadtree},
+          {"first_mesh", phases.first_mesh},
+          {"trees", phases.trees},
+          {"construct", phases.construct},
+          {"refine", phases.refine},
+          {"coarsen", phases.coarsen},
+          {"convert", phases.convert},
+          {"write", write},
+          {"mesh", mesh},
+          {"total", read + mesh + write}};
+}
+
 inline nlohmann::ordered_json run_json(const Meshing_run& run) {
-  const CGAL::Quality_mesh_report_2::Seconds& phases = run.report.seconds;
   nlohmann::ordered_json json = {{"input_vertices", run.pslg.number_of_vertices()},
                                  {"input_segments", run.pslg.number_of_segments()},
                                  {"merged_vertices", run.report.merged_vertices},
@@ -162,18 +192,8 @@ inline nlohmann::ordered_json run_json(const Meshing_run& run) {
                                  {"rounds", run.report.rounds},
                                  {"trees", trees_json(run.report.trees)},
                                  {"threads", run.threads},
-                                 {"seconds",
-                                  {{"read", run.read_seconds},
-                                   {"quadtree", phases.quadtree},
-                                   {"first_mesh", phases.first_mesh},
-                                   {"trees", phases.trees},
-                                   {"construct", phases.construct},
-                                   {"refine", phases.refine},
-                                   {"coarsen", phases.coarsen},
-                                   {"convert", phases.convert},
-                                   {"write", run.write_seconds},
-                                   {"mesh", run.ours.seconds},
-                                   {"total", run.read_seconds + run.ours.seconds + run.write_seconds}}},
+                                 {"seconds", seconds_json(run, run.report.seconds, &Seconds::cpu)},
+                                 {"wall_seconds", seconds_json(run, run.report.wall_seconds, &Seconds::wall)},
                                  {"peak_memory_mb", run.peak_memory_mb}};
   for (const auto& unmet : run.quality.unmet_triangles)
     json["unmet"].push_back({{"bound", report_words::name(unmet.bound)},
@@ -208,7 +228,7 @@ inline void print_run(const Meshing_run& run, const CGAL::Quality_mesh_options_2
   print_line("triangles below the bound", "%14zu", run.ours.below_bound, theirs(&Mesh_figures::below_bound));
   print_line("  in acute input corners", "%14zu", run.quality.exempt_triangles, std::optional<std::size_t>());
   print_angle_of_others(run);
-  print_line("processor seconds", "%14.3f", run.ours.seconds, theirs(&Mesh_figures::seconds));
+  meshing_run_internal::print_seconds(run);
   print_trees(run.report.trees);
   if (run.is_peer_asked && !run.peer) std::printf("CGAL Mesh_2 gave no mesh\n");
   print_unmet(run.quality);

@@ -69,8 +69,8 @@ struct Point_set_run {
   std::optional<Mesh_figures> peer; ///< Mesh_2 in the same box; nothing if it gave no mesh
 
   unsigned threads = 1;
-  double read_seconds = 0; ///< processor seconds
-  double write_seconds = 0;
+  Seconds read_seconds;
+  Seconds write_seconds;
   double peak_memory_mb = 0;
 
   double triangles_per_point() const {
@@ -160,6 +160,21 @@ inline std::string words_for(const Angle_promise& promise) {
 
 } // namespace point_set_run_internal
 
+/// \param kind of time, that of `phases`
+inline nlohmann::ordered_json seconds_json(const Point_set_run& run,
+                                           const CGAL::Point_set_mesh_report_2::Seconds& phases,
+                                           double Seconds::*kind) {
+  const double read = run.read_seconds.*kind, mesh = run.ours.seconds.*kind, write = run.write_seconds.*kind;
+  return {{"read", read},
+          {"quadtree", phases.quadtree},
+          {"separate", phases.separate},
+          {"coarsen", phases.coarsen},
+          {"convert", phases.convert},
+          {"write", write},
+          {"mesh", mesh},
+          {"total", read + mesh + write}};
+}
+
 inline nlohmann::ordered_json run_json(const Point_set_run& run) {
   using namespace point_set_run_internal;
   const CGAL::Point_set_mesh_report_2& report = run.report;
@@ -181,15 +196,8 @@ inline nlohmann::ordered_json run_json(const Point_set_run& run) {
                                  {"rounds", report.rounds},
                                  {"angle_histogram", run.quality.angle_histogram},
                                  {"threads", run.threads},
-                                 {"seconds",
-                                  {{"read", run.read_seconds},
-                                   {"quadtree", report.seconds.quadtree},
-                                   {"separate", report.seconds.separate},
-                                   {"coarsen", report.seconds.coarsen},
-                                   {"convert", report.seconds.convert},
-                                   {"write", run.write_seconds},
-                                   {"mesh", run.ours.seconds},
-                                   {"total", run.read_seconds + run.ours.seconds + run.write_seconds}}},
+                                 {"seconds", seconds_json(run, report.seconds, &Seconds::cpu)},
+                                 {"wall_seconds", seconds_json(run, report.wall_seconds, &Seconds::wall)},
                                  {"peak_memory_mb", run.peak_memory_mb}};
   for (const auto& unmet : run.unmet_triangles)
     json["unmet"].push_back({{"triangle", unmet.triangle},
@@ -225,7 +233,7 @@ inline void print_run(const Point_set_run& run) {
     print_ours("certified points", run.report.certified_points);
     print_ours("rounds", run.report.rounds);
   }
-  print_line("processor seconds", "%14.3f", run.ours.seconds, theirs(&Mesh_figures::seconds));
+  meshing_run_internal::print_seconds(run);
   const CGAL::Point_set_mesh_report_2::Seconds& seconds = run.report.seconds;
   std::printf("  quadtree %.3f, separate %.3f, coarsen %.3f, convert %.3f\n", seconds.quadtree,
               seconds.separate, seconds.coarsen, seconds.convert);

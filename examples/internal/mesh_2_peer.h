@@ -71,7 +71,8 @@ Mesh_figures mesh_by_Mesh_2(const CGAL::Pslg_2<Point>& pslg, double min_angle_in
   Mesh_2_peer<Point> peer(pslg);
   peer.refine(pslg.holes, min_angle_in_degrees, max_edge_length);
   Mesh_figures figures;
-  figures.seconds = peer.insertion().cpu + peer.refinement().cpu;
+  figures.seconds = peer.insertion();
+  figures.seconds += peer.refinement();
   figures.vertices = peer.cdt().number_of_vertices();
   Mesh_figures_builder builder(figures, min_angle_in_degrees);
   for (auto f = peer.cdt().finite_faces_begin(); f != peer.cdt().finite_faces_end(); ++f)

@@ -7,6 +7,8 @@
 #ifndef QUADTREE_MESH_2_BENCHMARK_MESH_FIGURES_H
 #define QUADTREE_MESH_2_BENCHMARK_MESH_FIGURES_H
 
+#include "measurement.h"
+
 #include <CGAL/number_utils.h>
 
 #include <algorithm>
@@ -16,7 +18,7 @@
 
 /// What two meshers are compared by. The same code makes these figures for both.
 struct Mesh_figures {
-  double seconds = 0; ///< processor seconds from points and segments in memory to a mesh in memory
+  Seconds seconds; ///< from points and segments in memory to a mesh in memory
   std::size_t vertices = 0;
   std::size_t triangles = 0;
   std::size_t below_bound = 0;      ///< triangles with an angle below the bound, whatever the reason

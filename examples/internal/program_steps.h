@@ -6,7 +6,7 @@
 #include "Deferred_signals.h"
 #include "command_line.h"
 
-#include "resources.h"
+#include "measurement.h"
 
 #include <CGAL/Quadtree_mesh_2/internal/io/Replaced_files.h>
 #include <CGAL/mesh_quality_2.h>
@@ -23,12 +23,12 @@ enum class Exit_status { DONE = 0, BOUND_UNMET = 1, REFUSED = 2 };
 /// How long Mesh_2, which has inputs on which it does not end, may try.
 constexpr unsigned peer_limit_seconds = 600;
 
-/// Calls `work` and adds the processor seconds it took to `seconds`.
+/// Calls `work` and adds the time it took to `seconds`.
 template <class F>
-void timed(double& seconds, F work) {
-  const double start = cpu_seconds();
+void timed(Seconds& seconds, F work) {
+  const Stopwatch watch;
   work();
-  seconds += cpu_seconds() - start;
+  seconds += watch.seconds();
 }
 
 /// A mesh with errors would be our mistake and none of the user's, who had better not get it.

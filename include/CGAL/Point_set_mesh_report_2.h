@@ -24,7 +24,7 @@ struct Point_set_mesh_report_2 {
     Quadtree_mesh_2::Triangle_index triangle; ///< its index in the mesh
     std::array<double, 2> centroid;           ///< where it is
   };
-  /// Seconds of CPU time by phase.
+  /// Seconds by phase.
   struct Seconds {
     double quadtree = 0; ///< including the tiles
     double separate = 0; ///< vertices moved to the points, relaxation and repair
@@ -50,7 +50,8 @@ struct Point_set_mesh_report_2 {
   double largest_angle = 0;                    ///< the largest angle of all triangles, likewise
   std::vector<Unmet_triangle> unmet_triangles; ///< those with an angle outside the range
   bool is_cancelled = false;                   ///< whether the callback stopped coarsening
-  Seconds seconds;                             ///< the time of each phase
+  Seconds seconds;                             ///< of processors
+  Seconds wall_seconds;                        ///< by the clock
 
   /// Whether all angles are in the range.
   bool is_met() const { return unmet_triangles.empty(); }

@@ -73,7 +73,7 @@ struct Quality_mesh_report_2 {
     Quadtree_mesh_2::Triangle_index triangle; ///< its index in the mesh
     Quadtree_mesh_2::Vertex_index corner;     ///< the input vertex in which the two segments meet
   };
-  /// Seconds of CPU time by phase.
+  /// Seconds by phase.
   struct Seconds {
     double quadtree = 0;   ///< shuffle order
     double first_mesh = 0; ///< constrained Delaunay triangulation of the input, domain, corners
@@ -105,7 +105,8 @@ struct Quality_mesh_report_2 {
   Tree_separation_report_2 trees;   ///< what the construction by quadtrees did
   bool is_cancelled = false;        ///< whether the callback stopped refinement
   bool is_budget_exhausted = false; ///< whether the bound on the number of vertices stopped it
-  Seconds seconds;                  ///< what took how long
+  Seconds seconds;                  ///< of processors
+  Seconds wall_seconds;             ///< by the clock
 
   /// Whether every triangle meets all bounds or is exempt.
   bool is_met() const { return unmet_triangles.empty(); }

@@ -156,8 +156,10 @@ TEST_CASE("the program meshes points in every mode with every kernel", "[program
   CHECK(json.at("unmet_triangles") == 0);
   for (const char* name : {"clusters", "certified_points", "rounds", "threads", "thin_triangles"})
     CHECK(json.at(name).is_number());
-  for (const char* name : {"read", "quadtree", "separate", "coarsen", "convert", "write", "mesh", "total"})
+  for (const char* name : {"read", "quadtree", "separate", "coarsen", "convert", "write", "mesh", "total"}) {
     CHECK(json.at("seconds").at(name).is_number());
+    CHECK(json.at("wall_seconds").at(name) >= 0);
+  }
   CHECK(contains(r.out, "triangles per point"));
   CHECK(contains(r.out, c.domain));
 }

@@ -119,8 +119,10 @@ TEST_CASE("the program reports in JSON", "[program]") {
                            "rounds", "peak_memory_mb"})
     CHECK(json.at(name).is_number());
   for (const char* name :
-       {"read", "quadtree", "first_mesh", "refine", "coarsen", "convert", "write", "mesh", "total"})
+       {"read", "quadtree", "first_mesh", "refine", "coarsen", "convert", "write", "mesh", "total"}) {
     CHECK(json.at("seconds").at(name).is_number());
+    CHECK(json.at("wall_seconds").at(name) >= 0);
+  }
 }
 
 TEST_CASE("the program keeps bounds of edges and areas", "[program]") {

@@ -112,6 +112,7 @@ public:
 
 private:
   using First = First_triangulation<ConcurrencyTag, Geometry>;
+  using Seconds = Quality_mesh_report_2::Seconds;
   /// Quadtrees make four times the triangles that are needed: removal alone leaves half of those too many.
   static constexpr int rounds_after_construction_ = 2;
   static constexpr bool has_double_coordinates = std::is_same_v<typename Geometry::Coordinate, double>;
@@ -134,7 +135,7 @@ private:
   double triangles_of_sizes_ = 0;                  // what bounds of size ask for, as estimated
 
   void sort_vertices() {
-    Phase_timer timer(report_.seconds.quadtree);
+    Phase_timer timer(report_, &Seconds::quadtree);
     const auto grid = make_grid();
     std::vector<Grid_point_2<typename Traits::Word>> grid_points(pslg_.number_of_vertices());
     for_each_index<ConcurrencyTag>(
@@ -149,7 +150,7 @@ private:
   }
 
   void triangulate_input() {
-    Phase_timer timer(report_.seconds.first_mesh);
+    Phase_timer timer(report_, &Seconds::first_mesh);
     const std::size_t n = pslg_.number_of_vertices();
     std::vector<typename Geometry::Point> points(n);
     for_each_index<ConcurrencyTag>(
@@ -169,7 +170,7 @@ private:
   }
 
   void find_domain() {
-    Phase_timer timer(report_.seconds.first_mesh);
+    Phase_timer timer(report_, &Seconds::first_mesh);
     Domain_rule<Geometry> domain;
     domain.rule = options_.mesh_domain();
     for (const Point_2& p : pslg_.holes) domain.holes.push_back(map_.to_kernel(p));
@@ -184,7 +185,7 @@ private:
 
   /// What is near: what coordinates cannot tell apart is refused, what quadtrees cannot is noted.
   void check_distances() {
-    Phase_timer timer(report_.seconds.first_mesh);
+    Phase_timer timer(report_, &Seconds::first_mesh);
     if constexpr (Geometry::has_unlimited_coordinates)
       set_least_share_of_leg(), find_what_is_too_near_for_trees();
     else if constexpr (Geometry::least_length > 0)
@@ -259,7 +260,7 @@ private:
   /// \returns where acute sectors may begin, which is found on the way
   /// \throws Pslg_error_2 if the mesh would surely be larger than the budget.
   Acute_starts estimate_size() {
-    Phase_timer timer(report_.seconds.first_mesh);
+    Phase_timer timer(report_, &Seconds::first_mesh);
     Size_estimate<Geometry> estimate(state_, ConcurrencyTag());
     report_.estimated_triangles = estimate.triangles();
     triangles_of_sizes_ = estimate.triangles_of_sizes();
@@ -273,7 +274,7 @@ private:
   }
 
   void find_corners(const Acute_starts& starts) {
-    Phase_timer timer(report_.seconds.first_mesh);
+    Phase_timer timer(report_, &Seconds::first_mesh);
     Corner_finder<ConcurrencyTag, Geometry>(state_, starts).run();
   }
 
@@ -307,7 +308,7 @@ private:
 
   /// Refines on demand. Where it runs out of budget, the mesh is as it was left.
   Refinement_end refine(Refiner<Geometry>& refiner, Splitter<Geometry>& splitter) {
-    Phase_timer timer(report_.seconds.refine);
+    Phase_timer timer(report_, &Seconds::refine);
     splitter.cut_rings();
     Bulk_filler<ConcurrencyTag, Geometry>(state_).run(budgets().of_refinement(may_construct_instead()));
     Block_refinement<ConcurrencyTag, Geometry> blocks(state_, finishing_,
@@ -376,7 +377,7 @@ private:
     report_.trees.end = make_mesh_by_trees();
     const std::size_t meshes = report_.trees.rounds - (report_.trees.end == End::FAILED ? 1 : 0);
     if (meshes == 0) return false;
-    Phase_timer timer(report_.seconds.refine);
+    Phase_timer timer(report_, &Seconds::refine);
     refiner.push_all();
     run_to_the_end(refiner, budgets().of_repair(state_.mesh.number_of_vertices()));
     state_.legalize();
@@ -392,7 +393,7 @@ private:
     const Edge_sides sides(state_.mesh, problem_.edges);
     std::optional<Separation_trees<Traits, ConcurrencyTag>> trees;
     try {
-      Phase_timer timer(report_.seconds.trees);
+      Phase_timer timer(report_, &Seconds::trees);
       trees.emplace(problem_, sides, graph, map_, options_.trees(), traits_, find_hits_,
                     budgets().of_construction().leaves, report_.trees);
     } catch (const Point_error& error) {
@@ -403,7 +404,7 @@ private:
                             " are nearer to each other than the grid of the quadtrees can tell");
     }
     if (trees->is_exhausted()) return Tree_separation_report_2::End::BUDGET;
-    Phase_timer timer(report_.seconds.construct);
+    Phase_timer timer(report_, &Seconds::construct);
     Tree_construction construction(state_, *trees, map_, is_merged_, sides, report_.trees);
     // Leaves can be split without end for a bound that their rule is not made for: refinement meets a higher one.
     const Bounds<Geometry> wanted = problem_.bounds;
@@ -427,7 +428,7 @@ private:
   }
 
   void coarsen() {
-    Phase_timer timer(report_.seconds.coarsen);
+    Phase_timer timer(report_, &Seconds::coarsen);
     if (progress_.is_cancelled()) return;
     finish_mesh(state_, finishing_, [this] { return progress_.shall_go_on(Progress_shares::removal); });
     if (finishing_.removal == Removal::GUARDED && !report_.is_budget_exhausted)
@@ -441,7 +442,7 @@ private:
   /// Makes the mesh exactly constrained Delaunay. Such flips never lower the least angle of a pair; should
   /// one take apart an exempt triangle all the same, what it leaves is refined again.
   Triangle_account finish(Refiner<Geometry>& refiner) {
-    Phase_timer timer(report_.seconds.refine);
+    Phase_timer timer(report_, &Seconds::refine);
     constexpr int most_rounds = 5;
     Exact_legalizer<ConcurrencyTag, Geometry> legalizer(state_);
     for (int round = 0; round < most_rounds; ++round) {
@@ -454,7 +455,7 @@ private:
   }
 
   Indexed_mesh_2<Point_2> convert(const Triangle_account& account) {
-    Phase_timer timer(report_.seconds.convert);
+    Phase_timer timer(report_, &Seconds::convert);
     Kernel_mesh_converter<Traits, ConcurrencyTag> converter(state_, pslg_, map_, order_, report_);
     Indexed_mesh_2<Point_2> mesh = converter.run(account);
     if constexpr (has_double_coordinates) check_mesh_is_kept(mesh);

@@ -76,6 +76,7 @@ public:
 
 private:
   using Mode = Point_set_mesh_options_2::Mode;
+  using Seconds = Point_set_mesh_report_2::Seconds;
   using Kernel_point = typename Geometry::Point;
   using Frame = Grid_frame<Geometry>;
   using Distinct = Distinct_points<ConcurrencyTag, Geometry>;
@@ -98,7 +99,7 @@ private:
     Tile_forest<ConcurrencyTag, Geometry> forest = plant(distinct.points(), tile_options(least, largest));
     Site_mesh<Geometry> mesh = separate(forest, distinct, range);
     coarsen(mesh, range);
-    Phase_timer timer(report_.seconds.convert);
+    Phase_timer timer(report_, &Seconds::convert);
     report_.certified_points = forest.number_of_certified_points();
     return Site_mesh_converter<Traits, ConcurrencyTag>(mesh, points_, distinct, map, least, largest, is_acute,
                                                        report_)
@@ -117,7 +118,7 @@ private:
 
   Tile_forest<ConcurrencyTag, Geometry> plant(const std::vector<Kernel_point>& points,
                                               const Tile_options& options) {
-    Phase_timer timer(report_.seconds.quadtree);
+    Phase_timer timer(report_, &Seconds::quadtree);
     using Forest = Tile_forest<ConcurrencyTag, Geometry>;
     if (options_.mode() == Mode::BOUNDED_ANGLES) {
       const bool is_row = options_.mesh_domain() == Point_set_mesh_options_2::Domain::ROW;
@@ -162,7 +163,7 @@ private:
     for (;;) {
       ++report_.rounds;
       Site_mesh<Geometry> mesh = fill(forest, distinct);
-      Phase_timer timer(report_.seconds.separate);
+      Phase_timer timer(report_, &Seconds::separate);
       Site_mesh_relaxer<ConcurrencyTag, Geometry> relaxer(mesh, range);
       const std::vector<std::size_t> to_blame =
           relaxer.place_sites([&forest](std::size_t p) { return !forest.is_certified(p); });
@@ -175,7 +176,7 @@ private:
 
   /// \throws Point_error for points that are too near to each other.
   Site_mesh<Geometry> fill(Tile_forest<ConcurrencyTag, Geometry>& forest, const Distinct& distinct) try {
-    Phase_timer timer(report_.seconds.quadtree);
+    Phase_timer timer(report_, &Seconds::quadtree);
     return forest.fill();
   } catch (const Tile_level_error& e) {
     throw too_near(distinct, e.site());
@@ -197,7 +198,7 @@ private:
   }
 
   void coarsen(Site_mesh<Geometry>& mesh, const Angle_range& range) {
-    Phase_timer timer(report_.seconds.coarsen);
+    Phase_timer timer(report_, &Seconds::coarsen);
     Coarsening_effort effort;
     effort.most_rings = options_.effort();
     if (options_.max_removals() > 0)
@@ -238,12 +239,14 @@ private:
     report_.triangles = report_.triangles_before_coarsening = report.triangles;
     report_.is_cancelled = report.is_cancelled;
     for (const auto& t : report.unmet_triangles) report_.unmet_triangles.push_back({t.triangle, t.centroid});
-    report_.seconds.quadtree = report.seconds.quadtree + report.seconds.first_mesh;
-    report_.seconds.separate = report.seconds.refine;
-    report_.seconds.coarsen = report.seconds.coarsen;
-    report_.seconds.convert = report.seconds.convert;
+    report_.seconds = seconds_of(report.seconds);
+    report_.wall_seconds = seconds_of(report.wall_seconds);
     measure_angles(mesh, Map(pslg.vertices));
     return mesh;
+  }
+
+  static Seconds seconds_of(const Quality_mesh_report_2::Seconds& phases) {
+    return {phases.quadtree + phases.first_mesh, phases.refine, phases.coarsen, phases.convert};
   }
 
   Mesh warp_squares(const Distinct& distinct, const Map& map) {
@@ -255,10 +258,10 @@ private:
     });
     Warped_mesh warped;
     {
-      Phase_timer timer(report_.seconds.quadtree);
+      Phase_timer timer(report_, &Seconds::quadtree);
       warped = warped_squares(places, distinct);
     }
-    Phase_timer timer(report_.seconds.convert);
+    Phase_timer timer(report_, &Seconds::convert);
     std::vector<Kernel_point> vertices(warped.places.size());
     for_each_index<ConcurrencyTag>(vertices.size(),
                                    [&](std::size_t v) { vertices[v] = frame.to_point(warped.places[v]); });
