@@ -30,7 +30,7 @@
 #include <CGAL/Pslg_error_2.h>
 #include <CGAL/Quadtree_mesh_2/Grid_point_2.h>
 #include <CGAL/Quadtree_mesh_2/Point_error.h>
-#include <CGAL/Quadtree_mesh_2/internal/base/Phase_timer.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/Phase_clock.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/Progress.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/angle_units.h>
 #include <CGAL/Quadtree_mesh_2/internal/geometry/coordinate_map.h>
@@ -122,6 +122,7 @@ private:
   const Traits& traits_;
   Find_nearest_hits<Pslg> find_hits_;
   Quality_mesh_report_2& report_;
+  Phase_clock<Quality_mesh_report_2> clock_{report_};
   Coordinate_map<Traits, Geometry> map_;
   Finishing finishing_;
   Meshing_problem<Geometry> problem_;
@@ -135,7 +136,7 @@ private:
   double triangles_of_sizes_ = 0;                  // what bounds of size ask for, as estimated
 
   void sort_vertices() {
-    Phase_timer timer(report_, &Seconds::quadtree);
+    clock_.enter(&Seconds::quadtree);
     const auto grid = make_grid();
     std::vector<Grid_point_2<typename Traits::Word>> grid_points(pslg_.number_of_vertices());
     for_each_index<ConcurrencyTag>(
@@ -150,7 +151,7 @@ private:
   }
 
   void triangulate_input() {
-    Phase_timer timer(report_, &Seconds::first_mesh);
+    clock_.enter(&Seconds::first_mesh);
     const std::size_t n = pslg_.number_of_vertices();
     std::vector<typename Geometry::Point> points(n);
     for_each_index<ConcurrencyTag>(
@@ -170,7 +171,7 @@ private:
   }
 
   void find_domain() {
-    Phase_timer timer(report_, &Seconds::first_mesh);
+    clock_.enter(&Seconds::first_mesh);
     Domain_rule<Geometry> domain;
     domain.rule = options_.mesh_domain();
     for (const Point_2& p : pslg_.holes) domain.holes.push_back(map_.to_kernel(p));
@@ -185,7 +186,7 @@ private:
 
   /// What is near: what coordinates cannot tell apart is refused, what quadtrees cannot is noted.
   void check_distances() {
-    Phase_timer timer(report_, &Seconds::first_mesh);
+    clock_.enter(&Seconds::first_mesh);
     if constexpr (Geometry::has_unlimited_coordinates)
       set_least_share_of_leg(), find_what_is_too_near_for_trees();
     else if constexpr (Geometry::least_length > 0)
@@ -260,7 +261,7 @@ private:
   /// \returns where acute sectors may begin, which is found on the way
   /// \throws Pslg_error_2 if the mesh would surely be larger than the budget.
   Acute_starts estimate_size() {
-    Phase_timer timer(report_, &Seconds::first_mesh);
+    clock_.enter(&Seconds::first_mesh);
     Size_estimate<Geometry> estimate(state_, ConcurrencyTag());
     report_.estimated_triangles = estimate.triangles();
     triangles_of_sizes_ = estimate.triangles_of_sizes();
@@ -274,7 +275,7 @@ private:
   }
 
   void find_corners(const Acute_starts& starts) {
-    Phase_timer timer(report_, &Seconds::first_mesh);
+    clock_.enter(&Seconds::first_mesh);
     Corner_finder<ConcurrencyTag, Geometry>(state_, starts).run();
   }
 
@@ -308,7 +309,7 @@ private:
 
   /// Refines on demand. Where it runs out of budget, the mesh is as it was left.
   Refinement_end refine(Refiner<Geometry>& refiner, Splitter<Geometry>& splitter) {
-    Phase_timer timer(report_, &Seconds::refine);
+    clock_.enter(&Seconds::refine);
     splitter.cut_rings();
     Bulk_filler<ConcurrencyTag, Geometry>(state_).run(budgets().of_refinement(may_construct_instead()));
     Block_refinement<ConcurrencyTag, Geometry> blocks(state_, finishing_,
@@ -377,7 +378,7 @@ private:
     report_.trees.end = make_mesh_by_trees();
     const std::size_t meshes = report_.trees.rounds - (report_.trees.end == End::FAILED ? 1 : 0);
     if (meshes == 0) return false;
-    Phase_timer timer(report_, &Seconds::refine);
+    clock_.enter(&Seconds::refine);
     refiner.push_all();
     run_to_the_end(refiner, budgets().of_repair(state_.mesh.number_of_vertices()));
     state_.legalize();
@@ -393,7 +394,7 @@ private:
     const Edge_sides sides(state_.mesh, problem_.edges);
     std::optional<Separation_trees<Traits, ConcurrencyTag>> trees;
     try {
-      Phase_timer timer(report_, &Seconds::trees);
+      clock_.enter(&Seconds::trees);
       trees.emplace(problem_, sides, graph, map_, options_.trees(), traits_, find_hits_,
                     budgets().of_construction().leaves, report_.trees);
     } catch (const Point_error& error) {
@@ -404,7 +405,7 @@ private:
                             " are nearer to each other than the grid of the quadtrees can tell");
     }
     if (trees->is_exhausted()) return Tree_separation_report_2::End::BUDGET;
-    Phase_timer timer(report_, &Seconds::construct);
+    clock_.enter(&Seconds::construct);
     Tree_construction construction(state_, *trees, map_, is_merged_, sides, report_.trees);
     // Leaves can be split without end for a bound that their rule is not made for: refinement meets a higher one.
     const Bounds<Geometry> wanted = problem_.bounds;
@@ -428,7 +429,7 @@ private:
   }
 
   void coarsen() {
-    Phase_timer timer(report_, &Seconds::coarsen);
+    clock_.enter(&Seconds::coarsen);
     if (progress_.is_cancelled()) return;
     finish_mesh(state_, finishing_, [this] { return progress_.shall_go_on(Progress_shares::removal); });
     if (finishing_.removal == Removal::GUARDED && !report_.is_budget_exhausted)
@@ -442,7 +443,7 @@ private:
   /// Makes the mesh exactly constrained Delaunay. Such flips never lower the least angle of a pair; should
   /// one take apart an exempt triangle all the same, what it leaves is refined again.
   Triangle_account finish(Refiner<Geometry>& refiner) {
-    Phase_timer timer(report_, &Seconds::refine);
+    clock_.enter(&Seconds::refine);
     constexpr int most_rounds = 5;
     Exact_legalizer<ConcurrencyTag, Geometry> legalizer(state_);
     for (int round = 0; round < most_rounds; ++round) {
@@ -455,7 +456,7 @@ private:
   }
 
   Indexed_mesh_2<Point_2> convert(const Triangle_account& account) {
-    Phase_timer timer(report_, &Seconds::convert);
+    clock_.enter(&Seconds::convert);
     Kernel_mesh_converter<Traits, ConcurrencyTag> converter(state_, pslg_, map_, order_, report_);
     Indexed_mesh_2<Point_2> mesh = converter.run(account);
     if constexpr (has_double_coordinates) check_mesh_is_kept(mesh);

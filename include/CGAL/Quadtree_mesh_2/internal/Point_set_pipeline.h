@@ -23,7 +23,7 @@
 #include <CGAL/Point_set_mesh_report_2.h>
 #include <CGAL/Quadtree_mesh_2/Point_error.h>
 #include <CGAL/Quadtree_mesh_2/Quality_mesher_2.h>
-#include <CGAL/Quadtree_mesh_2/internal/base/Phase_timer.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/Phase_clock.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/Progress.h>
 #include <CGAL/Quadtree_mesh_2/internal/clusters/find_clusters.h>
 #include <CGAL/Quadtree_mesh_2/internal/frame/Distinct_points.h>
@@ -87,6 +87,7 @@ private:
   const Point_set_mesh_options_2& options_;
   const Traits& traits_;
   Point_set_mesh_report_2& report_;
+  Phase_clock<Point_set_mesh_report_2> clock_{report_};
   Progress progress_{options_.progress()};
 
   // --- Theorems 3 and 4 ---
@@ -99,7 +100,7 @@ private:
     Tile_forest<ConcurrencyTag, Geometry> forest = plant(distinct.points(), tile_options(least, largest));
     Site_mesh<Geometry> mesh = separate(forest, distinct, range);
     coarsen(mesh, range);
-    Phase_timer timer(report_, &Seconds::convert);
+    clock_.enter(&Seconds::convert);
     report_.certified_points = forest.number_of_certified_points();
     return Site_mesh_converter<Traits, ConcurrencyTag>(mesh, points_, distinct, map, least, largest, is_acute,
                                                        report_)
@@ -118,7 +119,7 @@ private:
 
   Tile_forest<ConcurrencyTag, Geometry> plant(const std::vector<Kernel_point>& points,
                                               const Tile_options& options) {
-    Phase_timer timer(report_, &Seconds::quadtree);
+    clock_.enter(&Seconds::quadtree);
     using Forest = Tile_forest<ConcurrencyTag, Geometry>;
     if (options_.mode() == Mode::BOUNDED_ANGLES) {
       const bool is_row = options_.mesh_domain() == Point_set_mesh_options_2::Domain::ROW;
@@ -163,7 +164,7 @@ private:
     for (;;) {
       ++report_.rounds;
       Site_mesh<Geometry> mesh = fill(forest, distinct);
-      Phase_timer timer(report_, &Seconds::separate);
+      clock_.enter(&Seconds::separate);
       Site_mesh_relaxer<ConcurrencyTag, Geometry> relaxer(mesh, range);
       const std::vector<std::size_t> to_blame =
           relaxer.place_sites([&forest](std::size_t p) { return !forest.is_certified(p); });
@@ -176,7 +177,7 @@ private:
 
   /// \throws Point_error for points that are too near to each other.
   Site_mesh<Geometry> fill(Tile_forest<ConcurrencyTag, Geometry>& forest, const Distinct& distinct) try {
-    Phase_timer timer(report_, &Seconds::quadtree);
+    clock_.enter(&Seconds::quadtree);
     return forest.fill();
   } catch (const Tile_level_error& e) {
     throw too_near(distinct, e.site());
@@ -198,7 +199,7 @@ private:
   }
 
   void coarsen(Site_mesh<Geometry>& mesh, const Angle_range& range) {
-    Phase_timer timer(report_, &Seconds::coarsen);
+    clock_.enter(&Seconds::coarsen);
     Coarsening_effort effort;
     effort.most_rings = options_.effort();
     if (options_.max_removals() > 0)
@@ -256,12 +257,9 @@ private:
       const auto g = frame.to_grid(distinct.points()[i]);
       places[i] = {g.x, g.y};
     });
-    Warped_mesh warped;
-    {
-      Phase_timer timer(report_, &Seconds::quadtree);
-      warped = warped_squares(places, distinct);
-    }
-    Phase_timer timer(report_, &Seconds::convert);
+    clock_.enter(&Seconds::quadtree);
+    const Warped_mesh warped = warped_squares(places, distinct);
+    clock_.enter(&Seconds::convert);
     std::vector<Kernel_point> vertices(warped.places.size());
     for_each_index<ConcurrencyTag>(vertices.size(),
                                    [&](std::size_t v) { vertices[v] = frame.to_point(warped.places[v]); });
