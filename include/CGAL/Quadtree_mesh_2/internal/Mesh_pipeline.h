@@ -171,7 +171,6 @@ private:
   }
 
   void find_domain() {
-    clock_.enter(&Seconds::first_mesh);
     Domain_rule<Geometry> domain;
     domain.rule = options_.mesh_domain();
     for (const Point_2& p : pslg_.holes) domain.holes.push_back(map_.to_kernel(p));
@@ -186,7 +185,6 @@ private:
 
   /// What is near: what coordinates cannot tell apart is refused, what quadtrees cannot is noted.
   void check_distances() {
-    clock_.enter(&Seconds::first_mesh);
     if constexpr (Geometry::has_unlimited_coordinates)
       set_least_share_of_leg(), find_what_is_too_near_for_trees();
     else if constexpr (Geometry::least_length > 0)
@@ -261,7 +259,6 @@ private:
   /// \returns where acute sectors may begin, which is found on the way
   /// \throws Pslg_error_2 if the mesh would surely be larger than the budget.
   Acute_starts estimate_size() {
-    clock_.enter(&Seconds::first_mesh);
     Size_estimate<Geometry> estimate(state_, ConcurrencyTag());
     report_.estimated_triangles = estimate.triangles();
     triangles_of_sizes_ = estimate.triangles_of_sizes();
@@ -275,7 +272,6 @@ private:
   }
 
   void find_corners(const Acute_starts& starts) {
-    clock_.enter(&Seconds::first_mesh);
     Corner_finder<ConcurrencyTag, Geometry>(state_, starts).run();
   }
 
