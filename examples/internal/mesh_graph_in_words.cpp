@@ -192,6 +192,6 @@ mesh_graph::Mesh mesh_graph::in_words(const Pslg& pslg, const Options& options, 
   } catch (const CGAL::Pslg_gap_error_2& error) {
     refuse(pslg, error, map.unit());
   } catch (const CGAL::Pslg_seed_error_2& e) { // in words; the user knows the doubles
-    throw CGAL::Quadtree_mesh_2::internal::make_seed_error(pslg, e.kind, e.seed, e.vertex, e.segment);
+    throw CGAL::Quadtree_mesh_2::internal::make_seed_error(pslg, e.mark, e.seed, e.vertex, e.segment);
   }
 }

@@ -141,25 +141,25 @@ public:
 /// of the plane. It does not tell which one is meant.
 class Pslg_seed_error_2 : public Pslg_error_2 {
 public:
-  /// What the point marks. The kind of the error itself, `Pslg_error_2::kind()`, is always `AMBIGUOUS_SEED`.
-  enum class Kind { HOLE, REGION };
+  /// What the point marks.
+  enum class Mark { HOLE, REGION };
 
   /// \param text the text of `what()`; the other parameters become the members.
-  Pslg_seed_error_2(const std::string& text, Kind of, std::size_t number, Quadtree_mesh_2::Vertex_index at,
+  Pslg_seed_error_2(const std::string& text, Mark of, std::size_t number, Quadtree_mesh_2::Vertex_index at,
                     Quadtree_mesh_2::Segment_index on)
-      : Pslg_error_2(Pslg_error_2::Kind::AMBIGUOUS_SEED, text, parts_of(of, number, at, on)), kind(of),
-        seed(number), vertex(at), segment(on) {}
+      : Pslg_error_2(Kind::AMBIGUOUS_SEED, text, parts_of(of, number, at, on)), mark(of), seed(number),
+        vertex(at), segment(on) {}
 
-  Kind kind;                              ///< what the point marks
+  Mark mark;                              ///< what the point marks
   std::size_t seed;                       ///< its index in `Pslg_2::holes` or `Pslg_2::regions`
   Quadtree_mesh_2::Vertex_index vertex;   ///< the vertex that it is on; invalid inside a segment
   Quadtree_mesh_2::Segment_index segment; ///< the segment that it is on; invalid on a vertex
 
 private:
-  static Pslg_parts_2 parts_of(Kind of, std::size_t number, Quadtree_mesh_2::Vertex_index at,
+  static Pslg_parts_2 parts_of(Mark of, std::size_t number, Quadtree_mesh_2::Vertex_index at,
                                Quadtree_mesh_2::Segment_index on) {
     Pslg_parts_2 parts;
-    of == Kind::HOLE ? parts.hole(number) : parts.region(number);
+    of == Mark::HOLE ? parts.hole(number) : parts.region(number);
     return at.is_valid() ? parts.vertex(at) : parts.segment(on);
   }
 };

@@ -83,15 +83,15 @@ bool are_same_point(const Point& p, const Point& q) {
 
 /// The error for the point of a hole or region that lies on a vertex or, if that is invalid, on a segment.
 template <class Point>
-Pslg_seed_error_2 make_seed_error(const Pslg_2<Point>& pslg, Pslg_seed_error_2::Kind kind, std::size_t seed,
+Pslg_seed_error_2 make_seed_error(const Pslg_2<Point>& pslg, Pslg_seed_error_2::Mark mark, std::size_t seed,
                                   Vertex_index vertex, Segment_index segment) {
-  const bool is_hole = kind == Pslg_seed_error_2::Kind::HOLE;
+  const bool is_hole = mark == Pslg_seed_error_2::Mark::HOLE;
   const std::string what = "the point of " + (is_hole ? hole_text(pslg, seed) : region_text(pslg, seed));
   const std::string where =
       vertex.is_valid() ? vertex_text(pslg, std::size_t(vertex)) : segment_text(pslg, std::size_t(segment));
   return Pslg_seed_error_2(what + " lies on " + where +
                                ", between several components of the plane; move it into one",
-                           kind, seed, vertex, segment);
+                           mark, seed, vertex, segment);
 }
 
 inline void check_length(std::size_t length, std::size_t expected, const char* array) {

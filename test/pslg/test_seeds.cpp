@@ -36,7 +36,7 @@ using CGAL::Pslg_seed_error_2;
 using pslg_test::make_pslg;
 using pslg_test::Point;
 using Domain = Options::Domain;
-using Kind = Pslg_seed_error_2::Kind;
+using Mark = Pslg_seed_error_2::Mark;
 
 using Doubles = CGAL::Filtered_quadtree_traits_2<>;
 using Words = CGAL::Fixed_point_quadtree_traits_2<std::uint64_t>;
@@ -95,7 +95,7 @@ TEMPLATE_TEST_CASE("Points on segments between components are refused by name", 
     pslg.holes = {Point(2, 2), Point(12, 10)};
     const auto error = refusal<TestType>(pslg);
     REQUIRE(error);
-    CHECK(error->kind == Kind::HOLE);
+    CHECK(error->mark == Mark::HOLE);
     CHECK(error->seed == 1);
     CHECK(error->segment == pslg_test::Segment_index(4));
     CHECK_FALSE(error->vertex.is_valid());
@@ -105,7 +105,7 @@ TEMPLATE_TEST_CASE("Points on segments between components are refused by name", 
     pslg.regions = {{Point(12, 14), 0, 0}, {Point(24, 16), 0, 0}};
     const auto error = refusal<TestType>(pslg);
     REQUIRE(error);
-    CHECK(error->kind == Kind::REGION);
+    CHECK(error->mark == Mark::REGION);
     CHECK(error->seed == 1);
     CHECK(error->vertex == pslg_test::Vertex_index(5));
     CHECK_FALSE(error->segment.is_valid());

@@ -103,13 +103,13 @@ public:
 
   /// For a hole's or a region's point on a segment or vertex between components.
   Pslg_seed_error_2 ambiguous_seed(const Ambiguous_seed& seed, const Input_edges& edges) const {
-    const auto kind =
-        seed.of == Ambiguous_seed::Of::HOLE ? Pslg_seed_error_2::Kind::HOLE : Pslg_seed_error_2::Kind::REGION;
+    using Mark = Pslg_seed_error_2::Mark;
+    const Mark mark = seed.of == Ambiguous_seed::Of::HOLE ? Mark::HOLE : Mark::REGION;
     if (seed.a == seed.b)
-      return make_seed_error(pslg_, kind, seed.number, Vertex_index(order_[std::size_t(seed.a)]),
+      return make_seed_error(pslg_, mark, seed.number, Vertex_index(order_[std::size_t(seed.a)]),
                              Segment_index());
     const Edge_id e = edges.between(seed.a, seed.b);
-    return make_seed_error(pslg_, kind, seed.number, Vertex_index(),
+    return make_seed_error(pslg_, mark, seed.number, Vertex_index(),
                            Segment_index(static_cast<std::size_t>(edges[e].segment)));
   }
 
