@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Checks the order of the house: layers, heads, guards, tests' namespaces, and that the checker is independent of the
-meshers.
+"""Checks the order of the house: layers, heads, guards, tests' namespaces, the width of lines, and that the checker is
+independent of the meshers.
 
 The layers are the table of rooms in doc/development.md: a header below include/CGAL/Quadtree_mesh_2/internal includes
 headers of its own room and of rooms on lower levels only, be it through public headers. Prints what is wrong, one line
@@ -17,6 +17,7 @@ INTERNAL = 'CGAL/Quadtree_mesh_2/internal/'
 ROOM_LINE = re.compile(r'^\| (\d+) \| `([a-z_0-9]+|\.)/` \|', re.MULTILINE)
 MOST_HEADERS_IN_A_ROOM = 25
 LONGEST_HEADER = 500
+WIDEST_LINE = 120  # clang-format leaves comments as they are
 # What a mesh and its input are: all that meshers and checker may share.
 VOCABULARY = {
     'CGAL/Indexed_mesh_2.h', 'CGAL/Pslg_2.h', 'CGAL/Quadtree_mesh_2/Index.h',
@@ -134,11 +135,25 @@ def check_tests():
                 errors.append(f'{os.path.relpath(os.path.join(at, name), ROOT)}: its tests are not in a namespace {own}')
 
 
+def check_width():
+    for folder in ('include', 'examples', 'test', 'benchmark'):
+        for at, _, names in os.walk(os.path.join(ROOT, folder)):
+            for name in sorted(names):
+                if not name.endswith(('.h', '.cpp')):
+                    continue
+                path = os.path.join(at, name)
+                with open(path, encoding='utf-8') as file:
+                    for number, line in enumerate(file, 1):
+                        if len(line.rstrip('\n')) > WIDEST_LINE:
+                            errors.append(f'{os.path.relpath(path, ROOT)}:{number}: wider than {WIDEST_LINE} columns')
+
+
 check_layers()
 check_checker()
 check_tests()
 check_cycles()
 check_heads()
+check_width()
 for error in errors:
     print(error)
 print(f'{len(texts)} headers, {len(errors)} errors')

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Meshes all coastlines of the world, at GSHHG's full resolution, in one run, by doubles and by 64-bit words. See --help.
+# Meshes all coastlines of the world, at GSHHG's full resolution, in one run, by doubles and by 64-bit words. See
+# --help.
 set -euo pipefail
 
 # shellcheck source-path=SCRIPTDIR source=../.ci/common.sh

@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Runs the meshers on generated inputs and judges what they make; installs missing Debian packages and builds first. See --help.
+# Runs the meshers on generated inputs and judges what they make; installs missing Debian packages and builds first. See
+# --help.
 set -euo pipefail
 
 # shellcheck source-path=SCRIPTDIR source=../.ci/common.sh

@@ -74,8 +74,8 @@ inline std::string text_of(const Graph& graph, const Feature& f) {
 
 } // namespace rounding_loss_internal
 
-/// Says what the user can do about a mesh whose angles rounding to doubles spoils, as only features do that are a few units in
-/// the last place of the coordinates apart.
+/// Says what the user can do about a mesh whose angles rounding to doubles spoils, as only features do that are a few
+/// units in the last place of the coordinates apart.
 ///
 /// \param unmet entries with `centroid` and `least_angle`; there is one
 /// \param arithmetic in which the mesh is right, in words

@@ -187,7 +187,8 @@ void check_pslg_extent(const Pslg_2<Point>& pslg) {
 ///
 /// Segments of length zero and vertices at the same place pass: see `validate_pslg_2()`. Crossing segments
 /// pass, too: see `find_pslg_defects()`. O(n) time, no memory.
-/// \throws Pslg_error_2 that names the first culprit by its 0-based index, and in its text by its number and coordinates.
+/// \throws Pslg_error_2 that names the first culprit by its 0-based index, and in its text by its number and
+/// coordinates.
 template <class Point>
 void check_pslg_structure(const Pslg_2<Point>& pslg) {
   namespace internal = Quadtree_mesh_2::internal;
@@ -200,7 +201,8 @@ void check_pslg_structure(const Pslg_2<Point>& pslg) {
 /// \ingroup PkgQuadtreeMesh2Data
 /// The strict form of `check_pslg_structure()`. No segment may have length zero either, whether its ends are
 /// one vertex or two vertices at the same place. O(n) time, no memory.
-/// \throws Pslg_error_2 that names the first culprit by its 0-based index, and in its text by its number and coordinates.
+/// \throws Pslg_error_2 that names the first culprit by its 0-based index, and in its text by its number and
+/// coordinates.
 template <class Point>
 void validate_pslg_2(const Pslg_2<Point>& pslg) {
   namespace internal = Quadtree_mesh_2::internal;

@@ -4,8 +4,8 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 
-// Graphs over doubles from files and families to meshes, with all that the options know; maps in blocks, on threads; and
-// a CGAL triangulation refined in place.
+// Graphs over doubles from files and families to meshes, with all that the options know; maps in blocks, on threads;
+// and a CGAL triangulation refined in place.
 
 #include "end_to_end.h"
 

@@ -35,7 +35,8 @@ using Random = std::mt19937_64;
 
 double uniform(Random& random) { return std::uniform_real_distribution<double>(0, 1)(random); }
 
-/// At random; on a lattice, so that many are on one circle; or in rows so near to each other that triangles are needles.
+/// At random; on a lattice, so that many are on one circle; or in rows so near to each other that triangles are
+/// needles.
 enum class Places { RANDOM, LATTICE, NEEDLES };
 
 std::vector<Point> points(Places places, Random& random) {

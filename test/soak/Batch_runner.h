@@ -7,8 +7,8 @@
 #ifndef QUADTREE_MESH_2_TEST_SOAK_BATCH_RUNNER_H
 #define QUADTREE_MESH_2_TEST_SOAK_BATCH_RUNNER_H
 
-// Runs cases in child processes, several in each: one that crashes, does not end or takes all memory ends with its child,
-// and the rest of its batch goes on in another.
+// Runs cases in child processes, several in each: one that crashes, does not end or takes all memory ends with its
+// child, and the rest of its batch goes on in another.
 
 #include "judge.h"
 
@@ -30,8 +30,8 @@ struct Result {
   double megabytes = 0;
 };
 
-/// Runs what `run` does for the numbers 0 to n - 1, in this process' children, and calls `done` for each in this process, in
-/// order.
+/// Runs what `run` does for the numbers 0 to n - 1, in this process' children, and calls `done` for each in this
+/// process, in order.
 /// \param workers how many children there are at a time
 /// \param batch how many cases a child has
 /// \param shall_go_on asked before each batch; after false no more is begun

@@ -27,8 +27,8 @@ struct File_case {
 /// The case of a number: the same whenever it is made.
 File_case make_file_case(std::uint64_t seed);
 
-/// Runs the program and judges it by the contract of its exit status: 0 is a valid mesh that meets the bounds, 1 a mesh, 2 a
-/// message and no file, and there is no other.
+/// Runs the program and judges it by the contract of its exit status: 0 is a valid mesh that meets the bounds, 1 a
+/// mesh, 2 a message and no file, and there is no other.
 Verdict judge(const File_case& c, double cpu_seconds);
 
 /// Without lines that it fails without in the same way.

@@ -72,7 +72,8 @@ struct Soak_case {
 /// The longer side of the bounding box; 0 if there are no points, and infinite if it is too large for a double.
 double extent_of(const std::vector<Point>& points);
 
-/// What says the same on the soak's command line: kernel, separation, mode, threads and wishes that are not the default.
+/// What says the same on the soak's command line: kernel, separation, mode, threads and wishes that are not the
+/// default.
 std::string arguments_of(const Soak_case& c);
 /// Sets in `c` what `arguments_of()` says.
 /// \throws std::invalid_argument for what it does not know

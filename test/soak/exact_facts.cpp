@@ -18,8 +18,8 @@ namespace soak {
 
 namespace {
 
-/// Features nearer to each other than this many steps of the coordinates may be left as they are: a vertex between them and
-/// the angles around it are rounded by as much as their size.
+/// Features nearer to each other than this many steps of the coordinates may be left as they are: a vertex between them
+/// and the angles around it are rounded by as much as their size.
 constexpr long double least_room = 256;
 
 using Real = long double;
@@ -47,8 +47,8 @@ Real distance_to_segment(const Place& a, const Place& b, const Place& p) {
   return distance(nearest_on(a, b, p), p);
 }
 
-/// Where the segment from `a` to `b` is nearest to `p` and, if that is next to an end, as far from the end as it is within
-/// reach: two legs leave no room at their apex where they are too near to each other that far from it.
+/// Where the segment from `a` to `b` is nearest to `p` and, if that is next to an end, as far from the end as it is
+/// within reach: two legs leave no room at their apex where they are too near to each other that far from it.
 std::vector<Place> places_on(const Place& a, const Place& b, const Place& p, Real reach) {
   const Place nearest = nearest_on(a, b, p);
   std::vector<Place> places{nearest};

@@ -31,8 +31,8 @@ bool is_on_a_segment(const Pslg& graph, const Point& p);
 /// The distance to the nearest segment; infinity if there is none.
 long double distance_to_nearest_segment(const Pslg& graph, const Point& p);
 
-/// What lies between neighboring numbers that a kernel can express at a place: the step of doubles there, or the unit of
-/// words; 0 for exact numbers.
+/// What lies between neighboring numbers that a kernel can express at a place: the step of doubles there, or the unit
+/// of words; 0 for exact numbers.
 class Resolution {
 public:
   explicit Resolution(const Soak_case& c);
@@ -49,8 +49,9 @@ private:
 long double least_feature_distance(const Pslg& graph, const Point& p, long double reach);
 /// The same in steps of a resolution at the place.
 bool is_without_room(const Soak_case& c, const Point& p, long double reach);
-/// Whether two legs of a vertex have no room between them as far from it as `p` is. Neither can have a vertex there. Each is
-/// a long side of the triangles next to it, however small others have to be at that vertex, on its other side too.
+/// Whether two legs of a vertex have no room between them as far from it as `p` is. Neither can have a vertex there.
+/// Each is a long side of the triangles next to it, however small others have to be at that vertex, on its other side
+/// too.
 bool is_within_needle(const Soak_case& c, const Point& p);
 /// Whether bounds of size ask for sides of so few steps of the coordinates that triangles lose their shape.
 bool do_sizes_lack_room(const Soak_case& c, const Point& p);

@@ -13,8 +13,8 @@ namespace soak {
 
 namespace {
 
-/// Corners of 60, 45, 30, 20.7048 and 18.43 degrees and near them, with legs of the same or of other lengths, alone or in a
-/// frame.
+/// Corners of 60, 45, 30, 20.7048 and 18.43 degrees and near them, with legs of the same or of other lengths, alone or
+/// in a frame.
 Pslg exact_angles(std::uint64_t seed) {
   Random random(seed);
   Builder b;

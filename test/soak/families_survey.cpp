@@ -15,8 +15,8 @@ namespace {
 
 double rounded(double v, double units_of_one) { return std::round(v * units_of_one) / units_of_one; }
 
-/// Rows of parcels with common borders, in degrees; corners of one row are not those of the next, but lie on its border, but
-/// for rounding.
+/// Rows of parcels with common borders, in degrees; corners of one row are not those of the next, but lie on its
+/// border, but for rounding.
 Pslg cadastre(std::uint64_t seed) {
   Random random(seed);
   Builder b;

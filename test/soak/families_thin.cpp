@@ -4,8 +4,8 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 
-// Hundreds to thousands of vertices on a line, a circle, a parabola, or in a thin box: what fans of long triangles are made
-// of.
+// Hundreds to thousands of vertices on a line, a circle, a parabola, or in a thin box: what fans of long triangles are
+// made of.
 
 #include "families.h"
 #include "shape_tools.h"

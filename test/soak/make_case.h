@@ -29,7 +29,8 @@ struct Restriction {
 /// The case of a family and a number: the same whenever it is made.
 Soak_case make_case(const Family& family, std::uint64_t seed, const Restriction& restriction);
 
-/// Adapts the graph of a case to its kernel and mode: what `make_case()` does, and must be done to a graph that is read.
+/// Adapts the graph of a case to its kernel and mode: what `make_case()` does, and must be done to a graph that is
+/// read.
 void prepare(Soak_case& c);
 
 } // namespace soak

@@ -125,8 +125,8 @@ Pslg graph_of_words32(const Pslg& graph, Mode mode) {
     y0 = v == 0 ? graph.vertices[v].y() : std::min(y0, graph.vertices[v].y());
   }
   const double extent = extent_of(graph.vertices);
-  // To the second quarter of the root, 2^31 wide; for meshes of points to the middle of it, of which they need up to nine times as
-  // much on each side.
+  // To the second quarter of the root, 2^31 wide; for meshes of points to the middle of it, of which they need up to
+  // nine times as much on each side.
   const double side = mode == Mode::PSLG ? 0x1p29 : 0x1p26;
   const double west = mode == Mode::PSLG ? 0x1p29 : 0x1p30 - side / 2;
   const auto word = [&](double v, double low) {

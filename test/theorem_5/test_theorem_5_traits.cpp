@@ -44,8 +44,8 @@ void check_mesh(const CGAL::Pslg_2<typename Traits::Point_2>& pslg, const Option
   CHECK(quality.exempt_triangles == mesher.report().exempt_triangles.size());
 }
 
-/// The graph with its coordinates times 3/4: doubles have the lattices of that exactly, so that the checker sees vertices
-/// of segments on them.
+/// The graph with its coordinates times 3/4: doubles have the lattices of that exactly, so that the checker sees
+/// vertices of segments on them.
 CGAL::Pslg_2<Exact_traits::Point_2> three_quarters_of(const Pslg& pslg) {
   using FT = CGAL::Epeck::FT;
   const auto map = [](const auto& p) {

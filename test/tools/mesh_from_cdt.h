@@ -83,8 +83,8 @@ inline Cdt triangulate(const Pslg& pslg, double size = 0, double bound = 0.125) 
   return cdt;
 }
 
-/// The constrained edges along an input segment, each as a pair of vertices: always on in the direction nearest to that of
-/// the segment, as vertices are rounded.
+/// The constrained edges along an input segment, each as a pair of vertices: always on in the direction nearest to that
+/// of the segment, as vertices are rounded.
 inline std::vector<std::pair<std::size_t, std::size_t>>
 edges_along(const std::vector<Point>& points, const std::vector<std::vector<std::size_t>>& adjacent,
             std::size_t a, std::size_t b) {

@@ -101,8 +101,8 @@ struct Promise {
   }
 };
 
-/// What a mesh was made in, which tells how far from a straight border its vertices may be. A mesh over doubles may have
-/// been made in other numbers: of words or exact ones.
+/// What a mesh was made in, which tells how far from a straight border its vertices may be. A mesh over doubles may
+/// have been made in other numbers: of words or exact ones.
 enum class Made_in { COORDINATES, WORDS, EXACT_NUMBERS };
 
 /// For a mesh that was not rounded.

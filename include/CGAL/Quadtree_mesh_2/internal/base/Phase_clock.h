@@ -14,9 +14,9 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-/// Tells the times of the phases of a report that follow each other: the processors' in `seconds`, those by the clock in
-/// `wall_seconds`. Asking for processor time takes longer than a phase of a small input, so it is asked for only where a
-/// phase ends.
+/// Tells the times of the phases of a report that follow each other: the processors' in `seconds`, those by the clock
+/// in `wall_seconds`. Asking for processor time takes longer than a phase of a small input, so it is asked for only
+/// where a phase ends.
 template <class Report>
 class Phase_clock {
 public:

@@ -87,8 +87,8 @@ struct Basic_shape {
   /// two products. That sum is at most the longest squared side.
   bool is_certainly_counterclockwise() const { return area2 > 1e-15 * longest(); }
 
-  /// Whether the angle at vertex k is certainly below, or above, 90 degrees, on the same condition: each squared side is
-  /// correct to 4 half units in its last place.
+  /// Whether the angle at vertex k is certainly below, or above, 90 degrees, on the same condition: each squared side
+  /// is correct to 4 half units in its last place.
   bool is_certainly_acute(int k) const { return twice_dot(k) > error_of_twice_dot(); }
   bool is_certainly_obtuse(int k) const { return twice_dot(k) < -error_of_twice_dot(); }
 

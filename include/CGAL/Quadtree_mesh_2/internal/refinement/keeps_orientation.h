@@ -15,8 +15,8 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-/// Whether both parts of the triangle at a side keep their orientation if the side is split at p. Its parts have to be so
-/// long that this does not depend on rounding.
+/// Whether both parts of the triangle at a side keep their orientation if the side is split at p. Its parts have to be
+/// so long that this does not depend on rounding.
 template <class Geometry>
 bool keeps_orientation_of_one(const Kernel_mesh<Geometry>& mesh, Side s, const typename Geometry::Point& p) {
   const auto& apex = mesh.point(mesh.opposite(s));

@@ -69,8 +69,8 @@ public:
 
   /// \param graph the vertices and edges of the problem, in its order
   /// \param find_hits by which model neighbors of vertices are found; null: by the quadtree
-  /// \param most_leaves separation stops before there are more, but for those of the last step, or before its steps have
-  ///        looked at 25 times as many: `is_exhausted()`. Then edges are not all apart.
+  /// \param most_leaves separation stops before there are more, but for those of the last step, or before its steps
+  ///        have looked at 25 times as many: `is_exhausted()`. Then edges are not all apart.
   Separation_trees(const Meshing_problem<Geometry>& problem, const Edge_sides& sides, const Pslg& graph,
                    const Map& map, const Options& options, const Traits& traits, Find_hits find_hits,
                    std::size_t most_leaves, Tree_separation_report_2& report)

@@ -16,8 +16,8 @@
 // that component. Otherwise it is ambiguous, and refused. Whether it lies on a segment is decided exactly.
 //
 // From here on the mesh is the domain alone, and no walk leaves it. Features behind an outside gap, however
-// thin, are not seen and force nothing (distances are geodesic). All that remains of the outside are the triangles at the
-// border, whose rooms rounded vertices of the border may not leave (Edge_room.h).
+// thin, are not seen and force nothing (distances are geodesic). All that remains of the outside are the triangles at
+// the border, whose rooms rounded vertices of the border may not leave (Edge_room.h).
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_DOMAIN_RULE_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_DOMAIN_RULE_H

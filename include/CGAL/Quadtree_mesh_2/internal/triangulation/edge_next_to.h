@@ -23,8 +23,8 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-/// Vertices of an edge are rounded by up to 0.71 units of the coordinates, and those of an input that was turned by a unit
-/// more. Edges nearer to each other than this are as good as one.
+/// Vertices of an edge are rounded by up to 0.71 units of the coordinates, and those of an input that was turned by a
+/// unit more. Edges nearer to each other than this are as good as one.
 constexpr double units_of_rounding = 4;
 
 /// Whether a triangle near p is narrower than that.
