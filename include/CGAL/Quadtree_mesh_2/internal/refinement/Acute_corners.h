@@ -24,6 +24,7 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_ACUTE_CORNERS_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_ACUTE_CORNERS_H
 
+#include <CGAL/Quadtree_mesh_2/internal/refinement/Shells.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Input_edges.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Kernel_mesh.h>
 
@@ -45,22 +46,15 @@ using Leg_id = std::int32_t;
 using Sector_id = std::int32_t;
 using Corner_id = std::int32_t;
 
-/// A vertex at a shell's radius on a leg. Far ends of legs may stand in for a ring vertex that would come
-/// close to them.
-template <class Number>
-struct Basic_shell_vertex {
-  Number radius;
-  Vertex_id vertex;
-};
-
 template <class Number>
 struct Basic_leg {
   Corner_id corner;
   Edge_id edge;
   Vertex_id apex, far; ///< input numbers
   Number length;
-  Sector_id before = -1, after = -1;              ///< lopped sectors clockwise and counterclockwise of it
-  std::vector<Basic_shell_vertex<Number>> shells; ///< by increasing radius
+  Sector_id before = -1, after = -1; ///< lopped sectors clockwise and counterclockwise of it
+  /// Where it is cut. A far end may stand in for a ring vertex that would come close to it.
+  Shells<Number> shells;
   /// The vertex at the corner's radius; the far end or another ring's vertex may stand in for one that would
   /// come close to it.
   Vertex_id ring = -1;
@@ -90,7 +84,6 @@ class Acute_corners {
 public:
   using Mesh = Kernel_mesh<Geometry>;
   using Number = typename Geometry::Number;
-  using Shell_vertex = Basic_shell_vertex<Number>;
   using Leg = Basic_leg<Number>;
   using Sector = Basic_sector<Number>;
   using Corner = Basic_corner<Number>;

@@ -18,7 +18,7 @@
 //           - The chord that locks a lopped sector is never split. When something comes too close to it, the
 //             lock moves down to the next shell. If there is none, a shell is made at 0.6 of the radius. What
 //             was behind the chord becomes ordinary domain.
-// Bound:    O(degree) for a split, times the number of legs within a ring.
+// Bound:    O(degree + log n) for a split, times the number of legs within a ring, for n shells on a leg.
 // Source:   Bern, Eppstein, Teng, section 6: "We can ignore the cut-off triangles for the remainder of the
 //           algorithm, simply reattaching them (with appropriately subdivided cutting edges) after the final
 //           warping step." The radii of the cuts are those of Corner_finder.h, which quotes how the paper
@@ -54,7 +54,6 @@ public:
   using Leg = typename Acute_corners<Geometry>::Leg;
   using Sector = typename Acute_corners<Geometry>::Sector;
   using Corner = typename Acute_corners<Geometry>::Corner;
-  using Shell_vertex = typename Acute_corners<Geometry>::Shell_vertex;
 
   explicit Splitter(Meshing_state<Geometry>& state)
       : state_(state), mesh_(state.mesh), corners_(state.corners) {}
@@ -208,24 +207,7 @@ private:
     leg.ring = place.is_stand_in
                    ? place.beyond
                    : insert_between(leg.apex, place.beyond, leg.edge, point_on_leg(leg, radius));
-    if (leg.ring >= 0) leg.shells.push_back({place.is_stand_in ? place.room : radius, leg.ring});
-  }
-
-  /// The alive shell vertices around a radius on a leg; the apex below the first, none (-1) above the last.
-  struct Interval {
-    Shell_vertex below, above;
-  };
-  Interval interval_around(const Leg& leg, Number radius) const {
-    Interval i{{0, leg.apex_vertex}, {0, -1}};
-    for (const Shell_vertex& s : leg.shells) {
-      if (!mesh_.is_used(s.vertex)) continue;
-      if (s.radius > radius) {
-        i.above = s;
-        break;
-      }
-      i.below = s;
-    }
-    return i;
+    if (leg.ring >= 0) leg.shells.insert(place.is_stand_in ? place.room : radius, leg.ring);
   }
 
   /// Cuts every leg of the corner at a radius within the ring, where it is not cut there yet.
@@ -235,17 +217,16 @@ private:
     for (const Leg_id l : corners_.corner(c).legs) {
       Leg& leg = corners_.leg(l);
       if (radius < least_share_of_leg() * leg.length) return false;
-      const Interval i = interval_around(leg, radius);
-      if (i.above.vertex < 0 || i.below.radius >= radius * (1 - same_radius) ||
-          i.above.radius <= radius * (1 + same_radius))
+      const auto around =
+          leg.shells.around(radius, leg.apex_vertex, [this](Vertex_id v) { return mesh_.is_used(v); });
+      if (around.above.vertex < 0 || around.below.radius >= radius * (1 - same_radius) ||
+          around.above.radius <= radius * (1 + same_radius))
         continue;
       const Point p = point_on_leg(leg, radius);
-      if (!may_insert_for(asker, state_.side_between(i.below.vertex, i.above.vertex), p)) continue;
-      const Vertex_id v = insert_between(i.below.vertex, i.above.vertex, leg.edge, p);
+      if (!may_insert_for(asker, state_.side_between(around.below.vertex, around.above.vertex), p)) continue;
+      const Vertex_id v = insert_between(around.below.vertex, around.above.vertex, leg.edge, p);
       if (v < 0) continue;
-      const auto place = std::find_if(leg.shells.begin(), leg.shells.end(),
-                                      [&](const Shell_vertex& s) { return s.radius > radius; });
-      leg.shells.insert(place, {radius, v});
+      leg.shells.insert(radius, v);
       is_changed = true;
     }
     return is_changed;
@@ -262,10 +243,7 @@ private:
 
   /// The radius of a leg's shell vertex, 0 for the apex, -1 for other vertices.
   static Number radius_on_leg(const Leg& leg, Vertex_id v) {
-    if (v == leg.apex_vertex) return 0;
-    for (const Shell_vertex& s : leg.shells)
-      if (s.vertex == v) return s.radius;
-    return -1;
+    return v == leg.apex_vertex ? Number(0) : leg.shells.radius_of(v);
   }
 
   Number shell_radius(Sector_id s, Vertex_id v) const {
@@ -326,14 +304,15 @@ private:
     return (a == x && b == y) || (a == y && b == x);
   }
 
-  /// The largest radius below `radius` at which both legs have a shell vertex; 0 if there is none.
-  Number shell_below_on_both(const Sector& s, Number radius) const {
-    Number best = 0;
-    for (const Shell_vertex& v : corners_.leg(s.right).shells)
-      if (v.radius < radius * (1 - same_radius) && mesh_.is_used(v.vertex) &&
-          vertex_at(s.left, v.radius) >= 0)
-        best = std::max(best, v.radius);
-    return best;
+  /// The largest radius below `radius` at which both legs have a shell vertex; 0 if there is none. Almost always that
+  /// is the first one tried. Locks move down, past each unmatched one once.
+  Number shell_below_on_both(const Sector& sector, Number radius) const {
+    const auto& shells = corners_.leg(sector.right).shells;
+    for (auto s = shells.from(radius * (1 - same_radius)); s != shells.begin();) {
+      --s;
+      if (mesh_.is_used(s->second) && vertex_at(sector.left, s->first) >= 0) return s->first;
+    }
+    return 0;
   }
 
   Vertex_id vertex_at(Leg_id l, Number radius) const {
@@ -341,8 +320,11 @@ private:
     const Leg& leg = corners_.leg(l);
     if (radius == corners_.corner(leg.corner).radius)
       return leg.ring >= 0 && mesh_.is_used(leg.ring) ? leg.ring : -1;
-    for (const Shell_vertex& v : leg.shells)
-      if (fabs(v.radius - radius) <= same_radius * radius && mesh_.is_used(v.vertex)) return v.vertex;
+    const Number tolerance = same_radius * radius;
+    for (auto s = leg.shells.from(radius - 2 * tolerance); s != leg.shells.end(); ++s) {
+      if (s->first > radius + 2 * tolerance) break;
+      if (fabs(s->first - radius) <= tolerance && mesh_.is_used(s->second)) return s->second;
+    }
     return -1;
   }
 
