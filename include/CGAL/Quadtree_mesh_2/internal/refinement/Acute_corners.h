@@ -28,8 +28,12 @@
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Input_edges.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Kernel_mesh.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -74,10 +78,22 @@ template <class Number>
 struct Basic_corner {
   Vertex_id apex;
   Number radius = 0;
-  std::vector<Leg_id> legs;
+  std::vector<Leg_id> legs;   ///< counterclockwise
+  std::vector<double> angles; ///< from each leg to the next; as many as legs if sectors go around the apex
   std::vector<Sector_id> sectors; ///< the lopped ones
   double least_angle = 0;
 };
+
+/// Legs of a corner that follow each other counterclockwise.
+struct Leg_run {
+  std::size_t first, size; ///< the place of the first in the corner
+};
+
+/// The distance between the legs of a sector at a radius.
+template <class Number>
+Number chord_of_sector(double angle, Number radius) {
+  return 2 * std::sin(angle / 2) * radius;
+}
 
 template <class Geometry>
 class Acute_corners {
@@ -124,6 +140,20 @@ public:
     on_leg_[std::size_t(leg.apex)] = on_leg_[std::size_t(leg.far)] = 1;
     legs.push_back(std::move(leg));
     return l;
+  }
+
+  /// The legs to which one comes from leg l over sectors whose legs are not farther apart than a distance at a radius.
+  Leg_run legs_reached_from(Leg_id l, Number radius, Number distance) const {
+    const Corner& around = corner(leg(l).corner);
+    const std::size_t n = around.legs.size();
+    const auto is_narrow = [&](std::size_t sector) {
+      return sector < around.angles.size() && chord_of_sector(around.angles[sector], radius) <= distance;
+    };
+    const auto place = std::find(around.legs.begin(), around.legs.end(), l);
+    Leg_run run{static_cast<std::size_t>(place - around.legs.begin()), 1};
+    while (run.size < n && is_narrow((run.first + n - 1) % n)) run = {(run.first + n - 1) % n, run.size + 1};
+    while (run.size < n && is_narrow((run.first + run.size - 1) % n)) ++run.size;
+    return run.size == n ? Leg_run{0, n} : run;
   }
 
   /// Whether v lies on a leg of some corner with a lopped sector: only then can its triangles be exempt.

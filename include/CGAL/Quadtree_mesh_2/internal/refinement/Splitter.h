@@ -12,9 +12,9 @@
 //           - A leg of an acute vertex without a ring is split at a dyadic distance from that vertex
 //             (Ruppert's concentric shells).
 //           - Within a ring, the interval between two shells is halved on all legs of the corner at once, so
-//             shells stay matched. An interval much shorter than the distance between legs there is halved on
-//             its own leg alone. This happens next to features far from the apex. Other legs at the same radius
-//             have no part in them.
+//             shells stay matched. But a shell does not pass over a sector in which the distance between legs
+//             is much greater than the interval. This happens next to features far from the apex. Legs beyond
+//             such a sector have no part in them.
 //           - The chord that locks a lopped sector is never split. When something comes too close to it, the
 //             lock moves down to the next shell. If there is none, a shell is made at 0.6 of the radius. What
 //             was behind the chord becomes ordinary domain.
@@ -35,6 +35,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/least_edge.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -89,8 +90,7 @@ public:
       if (l >= 0 && !state_.owns(corners_.leg(l).corner)) return Outcome::DEFERRED;
     for (const Leg_id l : corners_.legs_of_edge[std::size_t(e)])
       if (l >= 0 && state_.leg_rule == Leg_rule::SHELLS && is_within_ring(l, x, y))
-        return outcome((is_of_one_leg(l, x, y) && split_interval(l, x, y, want, asker)) ||
-                       halve_interval(l, x, y, asker) || split_interval(l, x, y, want, asker));
+        return outcome(split_within_ring(l, x, y, want, asker));
     return outcome(split_subsegment(side, e, want, asker));
   }
 
@@ -128,8 +128,8 @@ private:
   /// Other shells may be nearly as near, if features beside a leg's end are as small as the distance between
   /// legs there.
   static constexpr double same_radius = 0x1p-50;
-  /// Shells nearer to each other than this share of the distance between legs are not matched. Copies of a feature at
-  /// one leg's end would find features, and corners without room, at the same radius on other legs.
+  /// Shells nearer to each other than this share of the distance between two legs are not matched there. Copies of a
+  /// feature at one leg's end would find features, and corners without room, at the same radius on other legs.
   static constexpr double least_share_of_chord = 0x1p-5;
   /// A far end or another ring's vertex within this share of the chord stands in for the ring vertex.
   static constexpr double chord_share_to_merge = 0.4;
@@ -156,10 +156,8 @@ private:
 
   static Number ring_tolerance(const Corner& c) { return ring_tolerance(c.least_angle, c.radius); }
   static Number ring_tolerance(double angle, Number radius) {
-    return chord_share_to_merge * chord(angle, radius);
+    return chord_share_to_merge * chord_of_sector(angle, radius);
   }
-  /// The distance between legs at a radius.
-  static Number chord(double angle, Number radius) { return 2 * std::sin(angle / 2) * radius; }
 
   // ---- shells
 
@@ -212,10 +210,15 @@ private:
 
   /// Cuts every leg of the corner at a radius within the ring, where it is not cut there yet.
   bool insert_shell(Corner_id c, Number radius, Asker asker = Asker::ORDINARY) {
+    return insert_shell(c, {0, corners_.corner(c).legs.size()}, radius, asker);
+  }
+
+  bool insert_shell(Corner_id c, Leg_run run, Number radius, Asker asker) {
     bool is_changed = false;
-    if (is_cut_on_all_legs(corners_.corner(c))) asker = Asker::ORDINARY;
-    for (const Leg_id l : corners_.corner(c).legs) {
-      Leg& leg = corners_.leg(l);
+    const Corner& corner = corners_.corner(c);
+    if (is_cut_on_all_legs(corner)) asker = Asker::ORDINARY;
+    for (std::size_t i = 0; i < run.size; ++i) {
+      Leg& leg = corners_.leg(corner.legs[(run.first + i) % corner.legs.size()]);
       if (radius < least_share_of_leg() * leg.length) return false;
       const auto around =
           leg.shells.around(radius, leg.apex_vertex, [this](Vertex_id v) { return mesh_.is_used(v); });
@@ -252,31 +255,40 @@ private:
                     radius_on_leg(corners_.leg(sector.left), v));
   }
 
-  /// Whether an interval is so short that shells in it mean nothing to other legs.
-  bool is_of_one_leg(Leg_id l, Vertex_id x, Vertex_id y) const {
-    const Leg& leg = corners_.leg(l);
-    const Number p = radius_on_leg(leg, x), q = radius_on_leg(leg, y);
+  /// Splits the interval x-y of a leg, and with it all legs to which that matters.
+  bool split_within_ring(Leg_id l, Vertex_id x, Vertex_id y, const Point* want, Asker asker) {
+    const Corner_id c = corners_.leg(l).corner;
+    const Number p = radius_on_leg(corners_.leg(l), x), q = radius_on_leg(corners_.leg(l), y);
     const Number low = std::min(p, q), high = std::max(p, q);
-    return high - low < least_share_of_chord * chord(corners_.corner(leg.corner).least_angle, low);
+    Leg_run run = corners_.legs_reached_from(l, low, (high - low) / least_share_of_chord);
+    if (run.size == 1 && split_interval(l, x, y, want, asker)) return true;
+    const Leg_run all{0, corners_.corner(c).legs.size()};
+    if (run.size == 1 || (run.size < all.size && !lower_locks_beside(c, run, low))) run = all;
+    const Number radius = low == 0 ? Number(innermost_share * high) : Number((low + high) / 2);
+    return insert_shell(c, run, radius, asker) || split_interval(l, x, y, want, asker);
   }
 
-  bool halve_interval(Leg_id l, Vertex_id x, Vertex_id y, Asker asker) {
-    const Leg& leg = corners_.leg(l);
-    const Number p = radius_on_leg(leg, x), q = radius_on_leg(leg, y);
-    const Number low = std::min(p, q), high = std::max(p, q);
-    return insert_shell(leg.corner, low == 0 ? Number(innermost_share * high) : Number((low + high) / 2),
-                        asker);
+  /// Makes sectors from a run to legs beside it ordinary domain beyond a radius, since their legs will not match.
+  bool lower_locks_beside(Corner_id c, Leg_run run, Number low) {
+    const auto& legs = corners_.corner(c).legs;
+    const Leg_id right = legs[run.first], left = legs[(run.first + run.size - 1) % legs.size()];
+    return lower_locks({corners_.leg(right).before, corners_.leg(left).after}, low);
+  }
+
+  /// Moves the locks of two sectors (or none, -1) down to a radius or below.
+  bool lower_locks(const std::array<Sector_id, 2>& sectors, Number low) {
+    for (const Sector_id s : sectors)
+      while (s >= 0 && corners_.sector(s).lock_radius > low)
+        if (!lower_lock(s)) return false;
+    return true;
   }
 
   /// Splits one leg alone: features far from the apex may be much smaller than the radius. Sectors next to it become
   /// ordinary domain there.
   bool split_interval(Leg_id l, Vertex_id x, Vertex_id y, const Point* want, Asker asker) {
-    const Leg leg = corners_.leg(l);
+    const Leg& leg = corners_.leg(l);
     const Number low = std::min(radius_on_leg(leg, x), radius_on_leg(leg, y));
-    if (low == 0) return false;
-    for (const Sector_id s : {leg.before, leg.after})
-      while (s >= 0 && corners_.sector(s).lock_radius > low)
-        if (!lower_lock(s)) return false;
+    if (low == 0 || !lower_locks({leg.before, leg.after}, low)) return false;
     const Side side = state_.side_between(x, y);
     return !side.is_border() && split_subsegment(side, leg.edge, want, asker);
   }
