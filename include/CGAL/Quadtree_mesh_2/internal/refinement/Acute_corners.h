@@ -24,11 +24,16 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_ACUTE_CORNERS_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_ACUTE_CORNERS_H
 
+#include <CGAL/Quadtree_mesh_2/internal/refinement/Shells.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Input_edges.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Kernel_mesh.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -45,22 +50,15 @@ using Leg_id = std::int32_t;
 using Sector_id = std::int32_t;
 using Corner_id = std::int32_t;
 
-/// A vertex at a shell's radius on a leg. Far ends of legs may stand in for a ring vertex that would come
-/// close to them.
-template <class Number>
-struct Basic_shell_vertex {
-  Number radius;
-  Vertex_id vertex;
-};
-
 template <class Number>
 struct Basic_leg {
   Corner_id corner;
   Edge_id edge;
   Vertex_id apex, far; ///< input numbers
   Number length;
-  Sector_id before = -1, after = -1;              ///< lopped sectors clockwise and counterclockwise of it
-  std::vector<Basic_shell_vertex<Number>> shells; ///< by increasing radius
+  Sector_id before = -1, after = -1; ///< lopped sectors clockwise and counterclockwise of it
+  /// Where it is cut. A far end may stand in for a ring vertex that would come close to it.
+  Shells<Number> shells;
   /// The vertex at the corner's radius; the far end or another ring's vertex may stand in for one that would
   /// come close to it.
   Vertex_id ring = -1;
@@ -80,17 +78,28 @@ template <class Number>
 struct Basic_corner {
   Vertex_id apex;
   Number radius = 0;
-  std::vector<Leg_id> legs;
+  std::vector<Leg_id> legs;   ///< counterclockwise
+  std::vector<double> angles; ///< from each leg to the next; as many as legs if sectors go around the apex
   std::vector<Sector_id> sectors; ///< the lopped ones
   double least_angle = 0;
 };
+
+/// Legs of a corner that follow each other counterclockwise.
+struct Leg_run {
+  std::size_t first, size; ///< the place of the first in the corner
+};
+
+/// The distance between the legs of a sector at a radius.
+template <class Number>
+Number chord_of_sector(double angle, Number radius) {
+  return 2 * std::sin(angle / 2) * radius;
+}
 
 template <class Geometry>
 class Acute_corners {
 public:
   using Mesh = Kernel_mesh<Geometry>;
   using Number = typename Geometry::Number;
-  using Shell_vertex = Basic_shell_vertex<Number>;
   using Leg = Basic_leg<Number>;
   using Sector = Basic_sector<Number>;
   using Corner = Basic_corner<Number>;
@@ -131,6 +140,20 @@ public:
     on_leg_[std::size_t(leg.apex)] = on_leg_[std::size_t(leg.far)] = 1;
     legs.push_back(std::move(leg));
     return l;
+  }
+
+  /// The legs to which one comes from leg l over sectors whose legs are not farther apart than a distance at a radius.
+  Leg_run legs_reached_from(Leg_id l, Number radius, Number distance) const {
+    const Corner& around = corner(leg(l).corner);
+    const std::size_t n = around.legs.size();
+    const auto is_narrow = [&](std::size_t sector) {
+      return sector < around.angles.size() && chord_of_sector(around.angles[sector], radius) <= distance;
+    };
+    const auto place = std::find(around.legs.begin(), around.legs.end(), l);
+    Leg_run run{static_cast<std::size_t>(place - around.legs.begin()), 1};
+    while (run.size < n && is_narrow((run.first + n - 1) % n)) run = {(run.first + n - 1) % n, run.size + 1};
+    while (run.size < n && is_narrow((run.first + run.size - 1) % n)) ++run.size;
+    return run.size == n ? Leg_run{0, n} : run;
   }
 
   /// Whether v lies on a leg of some corner with a lopped sector: only then can its triangles be exempt.

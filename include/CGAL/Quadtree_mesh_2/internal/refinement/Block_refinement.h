@@ -45,7 +45,6 @@ public:
   using Leg = typename Corners::Leg;
   using Sector = typename Corners::Sector;
   using Corner = typename Corners::Corner;
-  using Shell_vertex = typename Corners::Shell_vertex;
 
   static constexpr std::size_t block_size = Block_sizes<ConcurrencyTag>::triangles;
   /// The zone is a network, of which squares cut little; and it is small.
@@ -171,11 +170,12 @@ private:
     for (const Leg_id l : corner.legs) {
       const Leg& leg = whole_.corners.leg(l);
       Vertex_id before = leg.apex_vertex;
-      for (const Shell_vertex& s : leg.shells) {
-        if (!whole_.mesh.is_used(s.vertex)) continue;
-        own_side(before, s.vertex, blocks, owner);
-        if (!whole_.mesh.is_input(s.vertex)) own_star(s.vertex, blocks, owner);
-        before = s.vertex;
+      for (const auto& [radius, v] : leg.shells) {
+        static_cast<void>(radius);
+        if (!whole_.mesh.is_used(v)) continue;
+        own_side(before, v, blocks, owner);
+        if (!whole_.mesh.is_input(v)) own_star(v, blocks, owner);
+        before = v;
       }
       if (before == leg.apex_vertex) return -1; // a leg that could not be cut: nothing can be said
     }
@@ -208,8 +208,8 @@ private:
     constexpr double same_radius = 1e-9; // of the radius: shells of other radii are much further apart
     const auto at_lock = [&](Leg_id l) {
       using std::fabs;
-      for (const Shell_vertex& s : whole_.corners.leg(l).shells)
-        if (fabs(s.radius - sector.lock_radius) <= same_radius * sector.lock_radius) return s.vertex;
+      for (const auto& [radius, v] : whole_.corners.leg(l).shells)
+        if (fabs(radius - sector.lock_radius) <= same_radius * sector.lock_radius) return v;
       return whole_.corners.leg(l).ring;
     };
     const Vertex_id x = at_lock(sector.right), y = at_lock(sector.left);
@@ -224,10 +224,7 @@ private:
         Leg& leg = whole_.corners.leg(l);
         leg.apex_vertex = name(leg.apex_vertex);
         if (leg.ring >= 0) leg.ring = name(leg.ring);
-        for (Shell_vertex& s : leg.shells) s.vertex = name(s.vertex);
-        leg.shells.erase(std::remove_if(leg.shells.begin(), leg.shells.end(),
-                                        [](const Shell_vertex& s) { return s.vertex < 0; }),
-                         leg.shells.end());
+        leg.shells.rename(name);
       }
   }
 

@@ -190,6 +190,7 @@ private:
       const Leg_id right = corner.legs.back();
       if (!closes) add_leg(acute_[s].left);
       const Leg_id left = closes ? corner.legs.front() : corner.legs.back();
+      corner.angles.push_back(acute_[s].angle);
       corner.least_angle = std::min(corner.least_angle, acute_[s].angle);
       first_triangles_.back().push_back(acute_[s].first);
       if (is_lopped(acute_[s])) corner.sectors.push_back(add_lopped_sector(right, left, acute_[s].angle));

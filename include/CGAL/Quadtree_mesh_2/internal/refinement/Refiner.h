@@ -116,6 +116,15 @@ private:
   /// than this share (squared) have to wait there.
   static constexpr double least_distance2 = 0.25;
 
+  /// A walk through a fan to the edge behind it is as long as the fan, and the vertex made there halves the fan. But
+  /// where the edge is beyond a seam, all triangles of the fan would walk to the seam in vain. In a block, they wait
+  /// after this many steps. Walks in coastlines take at most 15.
+  static constexpr std::size_t longest_walk_in_block = 64;
+  /// Elsewhere a walk that meets no triangle twice ends.
+  std::size_t longest_walk() const {
+    return state_.is_block() ? longest_walk_in_block : mesh_.triangles.size();
+  }
+
   /// Puts triangles back on the list that could not be cured before, if vertices were inserted since. The
   /// thin triangle may be gone in which a rounded point would have been beside its edge.
   bool takes_up_refused() {
@@ -171,7 +180,8 @@ private:
     const int k = s.slot_of_shortest();
     if (!Geometry::is_resolved(mesh_.point(r.v[next_slot[k]]), s.l[k])) return Outcome::REFUSED;
     const Point q = place_for(r, s, k);
-    const Walk_end end = walk_in_sight(mesh_, t, q);
+    const Walk_end end = walk_in_sight(mesh_, t, q, longest_walk());
+    if (end.is_broken_off) return state_.is_block() ? Outcome::DEFERRED : Outcome::REFUSED;
     const Side in_the_way =
         end.is_blocked() ? Side(end.triangle, end.blocked_slot) : most_encroached_side(end.triangle, q);
     const Number distance2 = least_distance2 * s.l[k];
@@ -250,17 +260,14 @@ private:
     return best;
   }
 
-  /// Puts a vertex at q if that is in t or on one of its sides, exactly. Then all triangles made are
+  /// Puts a vertex at q, where a walk found that it is in t or on one of its sides, exactly: so all triangles made are
   /// counterclockwise.
   Outcome insert(Triangle_id t, const Point& q) {
     const auto& r = mesh_.triangle(t);
     int on_slot = -1, number_on = 0;
-    for (int k = 0; k < 3; ++k) {
-      const int turn =
-          Geometry::orientation(mesh_.point(r.v[next_slot[k]]), mesh_.point(r.v[previous_slot[k]]), q);
-      if (turn < 0) return Outcome::REFUSED; // a walk too long was broken off
-      if (turn == 0) on_slot = k, ++number_on;
-    }
+    for (int k = 0; k < 3; ++k)
+      if (Geometry::orientation(mesh_.point(r.v[next_slot[k]]), mesh_.point(r.v[previous_slot[k]]), q) == 0)
+        on_slot = k, ++number_on;
     if (on_slot >= 0 && r.side[on_slot].is_seam()) return Outcome::DEFERRED;
     if (number_on > 1 || (on_slot >= 0 && r.side[on_slot].is_constrained())) return Outcome::REFUSED;
     if (!has_room(mesh_, {t}, q, state_.bounds.least_squared_length)) return Outcome::REFUSED;

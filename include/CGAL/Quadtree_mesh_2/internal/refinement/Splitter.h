@@ -12,13 +12,13 @@
 //           - A leg of an acute vertex without a ring is split at a dyadic distance from that vertex
 //             (Ruppert's concentric shells).
 //           - Within a ring, the interval between two shells is halved on all legs of the corner at once, so
-//             shells stay matched. An interval much shorter than the distance between legs there is halved on
-//             its own leg alone. This happens next to features far from the apex. Other legs at the same radius
-//             have no part in them.
+//             shells stay matched. But a shell does not pass over a sector in which the distance between legs
+//             is much greater than the interval. This happens next to features far from the apex. Legs beyond
+//             such a sector have no part in them.
 //           - The chord that locks a lopped sector is never split. When something comes too close to it, the
 //             lock moves down to the next shell. If there is none, a shell is made at 0.6 of the radius. What
 //             was behind the chord becomes ordinary domain.
-// Bound:    O(degree) for a split, times the number of legs within a ring.
+// Bound:    O(degree + log n) for a split, times the number of legs within a ring, for n shells on a leg.
 // Source:   Bern, Eppstein, Teng, section 6: "We can ignore the cut-off triangles for the remainder of the
 //           algorithm, simply reattaching them (with appropriately subdivided cutting edges) after the final
 //           warping step." The radii of the cuts are those of Corner_finder.h, which quotes how the paper
@@ -35,6 +35,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/least_edge.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -54,7 +55,6 @@ public:
   using Leg = typename Acute_corners<Geometry>::Leg;
   using Sector = typename Acute_corners<Geometry>::Sector;
   using Corner = typename Acute_corners<Geometry>::Corner;
-  using Shell_vertex = typename Acute_corners<Geometry>::Shell_vertex;
 
   explicit Splitter(Meshing_state<Geometry>& state)
       : state_(state), mesh_(state.mesh), corners_(state.corners) {}
@@ -90,8 +90,7 @@ public:
       if (l >= 0 && !state_.owns(corners_.leg(l).corner)) return Outcome::DEFERRED;
     for (const Leg_id l : corners_.legs_of_edge[std::size_t(e)])
       if (l >= 0 && state_.leg_rule == Leg_rule::SHELLS && is_within_ring(l, x, y))
-        return outcome((is_of_one_leg(l, x, y) && split_interval(l, x, y, want, asker)) ||
-                       halve_interval(l, x, y, asker) || split_interval(l, x, y, want, asker));
+        return outcome(split_within_ring(l, x, y, want, asker));
     return outcome(split_subsegment(side, e, want, asker));
   }
 
@@ -129,8 +128,8 @@ private:
   /// Other shells may be nearly as near, if features beside a leg's end are as small as the distance between
   /// legs there.
   static constexpr double same_radius = 0x1p-50;
-  /// Shells nearer to each other than this share of the distance between legs are not matched. Copies of a feature at
-  /// one leg's end would find features, and corners without room, at the same radius on other legs.
+  /// Shells nearer to each other than this share of the distance between two legs are not matched there. Copies of a
+  /// feature at one leg's end would find features, and corners without room, at the same radius on other legs.
   static constexpr double least_share_of_chord = 0x1p-5;
   /// A far end or another ring's vertex within this share of the chord stands in for the ring vertex.
   static constexpr double chord_share_to_merge = 0.4;
@@ -157,10 +156,8 @@ private:
 
   static Number ring_tolerance(const Corner& c) { return ring_tolerance(c.least_angle, c.radius); }
   static Number ring_tolerance(double angle, Number radius) {
-    return chord_share_to_merge * chord(angle, radius);
+    return chord_share_to_merge * chord_of_sector(angle, radius);
   }
-  /// The distance between legs at a radius.
-  static Number chord(double angle, Number radius) { return 2 * std::sin(angle / 2) * radius; }
 
   // ---- shells
 
@@ -208,44 +205,31 @@ private:
     leg.ring = place.is_stand_in
                    ? place.beyond
                    : insert_between(leg.apex, place.beyond, leg.edge, point_on_leg(leg, radius));
-    if (leg.ring >= 0) leg.shells.push_back({place.is_stand_in ? place.room : radius, leg.ring});
-  }
-
-  /// The alive shell vertices around a radius on a leg; the apex below the first, none (-1) above the last.
-  struct Interval {
-    Shell_vertex below, above;
-  };
-  Interval interval_around(const Leg& leg, Number radius) const {
-    Interval i{{0, leg.apex_vertex}, {0, -1}};
-    for (const Shell_vertex& s : leg.shells) {
-      if (!mesh_.is_used(s.vertex)) continue;
-      if (s.radius > radius) {
-        i.above = s;
-        break;
-      }
-      i.below = s;
-    }
-    return i;
+    if (leg.ring >= 0) leg.shells.insert(place.is_stand_in ? place.room : radius, leg.ring);
   }
 
   /// Cuts every leg of the corner at a radius within the ring, where it is not cut there yet.
   bool insert_shell(Corner_id c, Number radius, Asker asker = Asker::ORDINARY) {
+    return insert_shell(c, {0, corners_.corner(c).legs.size()}, radius, asker);
+  }
+
+  bool insert_shell(Corner_id c, Leg_run run, Number radius, Asker asker) {
     bool is_changed = false;
-    if (is_cut_on_all_legs(corners_.corner(c))) asker = Asker::ORDINARY;
-    for (const Leg_id l : corners_.corner(c).legs) {
-      Leg& leg = corners_.leg(l);
+    const Corner& corner = corners_.corner(c);
+    if (is_cut_on_all_legs(corner)) asker = Asker::ORDINARY;
+    for (std::size_t i = 0; i < run.size; ++i) {
+      Leg& leg = corners_.leg(corner.legs[(run.first + i) % corner.legs.size()]);
       if (radius < least_share_of_leg() * leg.length) return false;
-      const Interval i = interval_around(leg, radius);
-      if (i.above.vertex < 0 || i.below.radius >= radius * (1 - same_radius) ||
-          i.above.radius <= radius * (1 + same_radius))
+      const auto around =
+          leg.shells.around(radius, leg.apex_vertex, [this](Vertex_id v) { return mesh_.is_used(v); });
+      if (around.above.vertex < 0 || around.below.radius >= radius * (1 - same_radius) ||
+          around.above.radius <= radius * (1 + same_radius))
         continue;
       const Point p = point_on_leg(leg, radius);
-      if (!may_insert_for(asker, state_.side_between(i.below.vertex, i.above.vertex), p)) continue;
-      const Vertex_id v = insert_between(i.below.vertex, i.above.vertex, leg.edge, p);
+      if (!may_insert_for(asker, state_.side_between(around.below.vertex, around.above.vertex), p)) continue;
+      const Vertex_id v = insert_between(around.below.vertex, around.above.vertex, leg.edge, p);
       if (v < 0) continue;
-      const auto place = std::find_if(leg.shells.begin(), leg.shells.end(),
-                                      [&](const Shell_vertex& s) { return s.radius > radius; });
-      leg.shells.insert(place, {radius, v});
+      leg.shells.insert(radius, v);
       is_changed = true;
     }
     return is_changed;
@@ -262,10 +246,7 @@ private:
 
   /// The radius of a leg's shell vertex, 0 for the apex, -1 for other vertices.
   static Number radius_on_leg(const Leg& leg, Vertex_id v) {
-    if (v == leg.apex_vertex) return 0;
-    for (const Shell_vertex& s : leg.shells)
-      if (s.vertex == v) return s.radius;
-    return -1;
+    return v == leg.apex_vertex ? Number(0) : leg.shells.radius_of(v);
   }
 
   Number shell_radius(Sector_id s, Vertex_id v) const {
@@ -274,31 +255,40 @@ private:
                     radius_on_leg(corners_.leg(sector.left), v));
   }
 
-  /// Whether an interval is so short that shells in it mean nothing to other legs.
-  bool is_of_one_leg(Leg_id l, Vertex_id x, Vertex_id y) const {
-    const Leg& leg = corners_.leg(l);
-    const Number p = radius_on_leg(leg, x), q = radius_on_leg(leg, y);
+  /// Splits the interval x-y of a leg, and with it all legs to which that matters.
+  bool split_within_ring(Leg_id l, Vertex_id x, Vertex_id y, const Point* want, Asker asker) {
+    const Corner_id c = corners_.leg(l).corner;
+    const Number p = radius_on_leg(corners_.leg(l), x), q = radius_on_leg(corners_.leg(l), y);
     const Number low = std::min(p, q), high = std::max(p, q);
-    return high - low < least_share_of_chord * chord(corners_.corner(leg.corner).least_angle, low);
+    Leg_run run = corners_.legs_reached_from(l, low, (high - low) / least_share_of_chord);
+    if (run.size == 1 && split_interval(l, x, y, want, asker)) return true;
+    const Leg_run all{0, corners_.corner(c).legs.size()};
+    if (run.size == 1 || (run.size < all.size && !lower_locks_beside(c, run, low))) run = all;
+    const Number radius = low == 0 ? Number(innermost_share * high) : Number((low + high) / 2);
+    return insert_shell(c, run, radius, asker) || split_interval(l, x, y, want, asker);
   }
 
-  bool halve_interval(Leg_id l, Vertex_id x, Vertex_id y, Asker asker) {
-    const Leg& leg = corners_.leg(l);
-    const Number p = radius_on_leg(leg, x), q = radius_on_leg(leg, y);
-    const Number low = std::min(p, q), high = std::max(p, q);
-    return insert_shell(leg.corner, low == 0 ? Number(innermost_share * high) : Number((low + high) / 2),
-                        asker);
+  /// Makes sectors from a run to legs beside it ordinary domain beyond a radius, since their legs will not match.
+  bool lower_locks_beside(Corner_id c, Leg_run run, Number low) {
+    const auto& legs = corners_.corner(c).legs;
+    const Leg_id right = legs[run.first], left = legs[(run.first + run.size - 1) % legs.size()];
+    return lower_locks({corners_.leg(right).before, corners_.leg(left).after}, low);
+  }
+
+  /// Moves the locks of two sectors (or none, -1) down to a radius or below.
+  bool lower_locks(const std::array<Sector_id, 2>& sectors, Number low) {
+    for (const Sector_id s : sectors)
+      while (s >= 0 && corners_.sector(s).lock_radius > low)
+        if (!lower_lock(s)) return false;
+    return true;
   }
 
   /// Splits one leg alone: features far from the apex may be much smaller than the radius. Sectors next to it become
   /// ordinary domain there.
   bool split_interval(Leg_id l, Vertex_id x, Vertex_id y, const Point* want, Asker asker) {
-    const Leg leg = corners_.leg(l);
+    const Leg& leg = corners_.leg(l);
     const Number low = std::min(radius_on_leg(leg, x), radius_on_leg(leg, y));
-    if (low == 0) return false;
-    for (const Sector_id s : {leg.before, leg.after})
-      while (s >= 0 && corners_.sector(s).lock_radius > low)
-        if (!lower_lock(s)) return false;
+    if (low == 0 || !lower_locks({leg.before, leg.after}, low)) return false;
     const Side side = state_.side_between(x, y);
     return !side.is_border() && split_subsegment(side, leg.edge, want, asker);
   }
@@ -326,14 +316,15 @@ private:
     return (a == x && b == y) || (a == y && b == x);
   }
 
-  /// The largest radius below `radius` at which both legs have a shell vertex; 0 if there is none.
-  Number shell_below_on_both(const Sector& s, Number radius) const {
-    Number best = 0;
-    for (const Shell_vertex& v : corners_.leg(s.right).shells)
-      if (v.radius < radius * (1 - same_radius) && mesh_.is_used(v.vertex) &&
-          vertex_at(s.left, v.radius) >= 0)
-        best = std::max(best, v.radius);
-    return best;
+  /// The largest radius below `radius` at which both legs have a shell vertex; 0 if there is none. Almost always that
+  /// is the first one tried. Locks move down, past each unmatched one once.
+  Number shell_below_on_both(const Sector& sector, Number radius) const {
+    const auto& shells = corners_.leg(sector.right).shells;
+    for (auto s = shells.from(radius * (1 - same_radius)); s != shells.begin();) {
+      --s;
+      if (mesh_.is_used(s->second) && vertex_at(sector.left, s->first) >= 0) return s->first;
+    }
+    return 0;
   }
 
   Vertex_id vertex_at(Leg_id l, Number radius) const {
@@ -341,8 +332,11 @@ private:
     const Leg& leg = corners_.leg(l);
     if (radius == corners_.corner(leg.corner).radius)
       return leg.ring >= 0 && mesh_.is_used(leg.ring) ? leg.ring : -1;
-    for (const Shell_vertex& v : leg.shells)
-      if (fabs(v.radius - radius) <= same_radius * radius && mesh_.is_used(v.vertex)) return v.vertex;
+    const Number tolerance = same_radius * radius;
+    for (auto s = leg.shells.from(radius - 2 * tolerance); s != leg.shells.end(); ++s) {
+      if (s->first > radius + 2 * tolerance) break;
+      if (fabs(s->first - radius) <= tolerance && mesh_.is_used(s->second)) return s->second;
+    }
     return -1;
   }
 

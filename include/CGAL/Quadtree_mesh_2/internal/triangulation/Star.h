@@ -28,12 +28,12 @@ struct Star {
   int number_of_link_vertices() const { return is_closed ? size : size + 1; }
 
   /// Collects the star of v, a Steiner vertex; false if it has more than `most` triangles, at most `max_size`, or
-  /// goes on beyond a seam.
+  /// goes on beyond a seam. It goes past no more than twice as many.
   template <class Geometry>
   bool collect(const Kernel_mesh<Geometry>& mesh, Vertex_id v, int most = max_size) {
     using Mesh = Kernel_mesh<Geometry>;
     size = 0;
-    const Triangle_id first = mesh.edge(v) >= 0 ? clockwise_most(mesh, v) : mesh.incident_triangle(v);
+    const Triangle_id first = mesh.edge(v) >= 0 ? clockwise_most(mesh, v, most) : mesh.incident_triangle(v);
     if (first < 0) return false;
     int i = Mesh::slot_of(mesh.triangle(first), v);
     for (Triangle_id t = first;;) {
@@ -52,16 +52,20 @@ struct Star {
   }
 
 private:
+  /// -1 if there are more than `most` triangles, which are then the size, or a seam.
   template <class Geometry>
-  static Triangle_id clockwise_most(const Kernel_mesh<Geometry>& mesh, Vertex_id v) {
+  Triangle_id clockwise_most(const Kernel_mesh<Geometry>& mesh, Vertex_id v, int most) {
     const Triangle_id start = mesh.incident_triangle(v);
-    for (Triangle_id t = start;;) {
+    Triangle_id t = start;
+    for (int passed = 0; passed < most; ++passed) {
       const auto& r = mesh.triangle(t);
       const Side o = r.side[previous_slot[Kernel_mesh<Geometry>::slot_of(r, v)]];
       if (o.is_border()) return o.is_seam() ? -1 : t;
       t = o.triangle();
       if (t == start) return t;
     }
+    size = most;
+    return -1;
   }
 };
 
