@@ -12,8 +12,8 @@
 /// counterclockwise.
 ///
 /// Computes: every vertex at its nearest double. If triangles then are flat or clockwise, or pieces of a
-///           segment go back, it tries other doubles nearby, other diagonals, or fewer Steiner vertices, until
-///           none does.
+///           segment go back or reach into a gap outside that is too narrow for them, it tries other doubles nearby,
+///           other diagonals, or fewer Steiner vertices, until none does.
 /// Bound: O(n), plus time by the degrees of nearby vertices for each triangle at fault. It ends because each
 ///        step leaves fewer triangles at fault, or fewer vertices.
 /// Source: the idea of snap rounding, that vertices at one place become one vertex (Hobby, Computational
@@ -120,7 +120,7 @@ Indexed_mesh_2<Point> mesh_without_points(Indexed_mesh_2<Other_point>&& other) {
   mesh.neighbors = std::move(other.neighbors);
   mesh.constrained_edges.reserve(other.constrained_edges.size());
   for (const auto& e : other.constrained_edges)
-    mesh.constrained_edges.push_back({e.vertices, e.segment, e.marker});
+    mesh.constrained_edges.push_back({e.vertices, e.segment, e.marker, e.outer_vertex});
   mesh.region_of_triangle = std::move(other.region_of_triangle);
   mesh.segment_of_vertex = std::move(other.segment_of_vertex);
   mesh.vertex_markers = std::move(other.vertex_markers);
@@ -139,8 +139,8 @@ Mesh_rounding_error_2 make_rounding_error(const Indexed_mesh_2<Point>& mesh, Tri
             coordinates_text(mesh.point(v)) + ',';
   }
   text +=
-      " counterclockwise before rounding, would be flat or clockwise, or go back along a segment; features "
-      "of the input are as "
+      " counterclockwise before rounding, would be flat or clockwise, go back along a segment, or reach "
+      "across a gap outside of the domain; features of the input are as "
       "small as the last digit of its coordinates: move it nearer to the origin, or merge what is so near";
   return {text, std::move(parts)};
 }
@@ -149,8 +149,8 @@ Mesh_rounding_error_2 make_rounding_error(const Indexed_mesh_2<Point>& mesh, Tri
 } // namespace Quadtree_mesh_2
 
 /// \ingroup PkgQuadtreeMesh2Data
-/// Returns the mesh over doubles. It is valid as before: all triangles are counterclockwise, and segments are
-/// chains of edges.
+/// Returns the mesh over doubles. It is valid as before: all triangles are counterclockwise, segments are
+/// chains of edges, and edges on both sides of a gap outside of the domain do not cross.
 ///
 /// Input vertices are at the given doubles, and Steiner vertices normally at the nearest ones. If triangles
 /// would be flat or clockwise, some Steiner vertices move to other doubles nearby, edges are flipped, and
@@ -158,7 +158,8 @@ Mesh_rounding_error_2 make_rounding_error(const Indexed_mesh_2<Point>& mesh, Tri
 /// `mesh_quality_2()` tells. A Steiner vertex in a segment is next to the segment, as always over doubles. It
 /// merges only with other vertices in that segment or with its ends.
 ///
-/// \param mesh with all its arrays, over a kernel with exact numbers or over words
+/// \param mesh with all its arrays, over a kernel with exact numbers or over words; gaps outside are known by
+///        `Constrained_edge::outer_vertex`, which meshers set
 /// \param input_points the doubles of the input vertices
 /// \param to_double the nearest place of a Steiner vertex, a `Point`
 /// \throws Mesh_rounding_error_2 if there is a triangle that none of this makes counterclockwise

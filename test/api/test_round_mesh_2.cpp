@@ -71,8 +71,10 @@ std::size_t number_not_counterclockwise(const Mesh& mesh) {
 }
 
 /// What must hold for every rounded mesh.
-void check(const Rounded& rounded, const Pslg& pslg) {
-  const CGAL::Mesh_quality_2 quality = CGAL::mesh_quality_2(rounded.mesh, pslg);
+void check(const Rounded& rounded, const Pslg& pslg, const CGAL::Quality_mesh_options_2& options = {}) {
+  const auto rule = mesher_test::rule_to_check(options.mesh_domain());
+  const CGAL::Mesh_quality_2 quality =
+      CGAL::mesh_quality_2(rounded.mesh, pslg, CGAL::Mesh_quality_options_2().check_domain(rule));
   for (const std::string& error : quality.errors) UNSCOPED_INFO(error);
   CHECK(quality.is_valid());
   CHECK(number_not_counterclockwise(rounded.mesh) == 0);
@@ -85,7 +87,7 @@ std::optional<Rounded> round_exact_mesh(const Pslg& pslg, const CGAL::Quality_me
   const std::string error =
       error_of([&] { rounded = CGAL::round_mesh_2<Point>(mesh_exactly(pslg, options).mesh); });
   if (rounded)
-    check(*rounded, pslg);
+    check(*rounded, pslg, options);
   else
     CHECK(std::regex_search(error, std::regex("vertex (at|[0-9]+) \\(")));
   return rounded;
@@ -120,6 +122,22 @@ Pslg missed_junction(std::mt19937_64& random, double far, int ulps) {
   for (int i = 0; i < ulps; ++i) y = std::nextafter(y, 2 * std::fabs(y) + 1);
   pslg.add_segment(pslg.add_vertex(a), pslg.add_vertex(b));
   pslg.add_segment(pslg.add_vertex(Point((a.x() + b.x()) / 2, y)), Vertex_index(2));
+  return pslg;
+}
+
+/// Two triangles at one vertex, with sides that are so many ulps apart at their far ends.
+Pslg wedges_apart(std::mt19937_64& random, int ulps) {
+  std::uniform_real_distribution<double> coordinate(-8, 8);
+  const double ax = coordinate(random), ay = coordinate(random), bx = coordinate(random),
+               by = coordinate(random);
+  double y = by;
+  for (int i = 0; i < ulps; ++i) y = std::nextafter(y, 100);
+  Pslg pslg;
+  for (const Point& p : {Point(ax, ay), Point(bx, by), Point(bx, by - 5), Point(bx, y), Point(bx, by + 5)})
+    pslg.add_vertex(p);
+  for (const auto& [a, b] :
+       std::vector<std::array<std::size_t, 2>>{{0, 1}, {1, 2}, {2, 0}, {0, 3}, {3, 4}, {4, 0}})
+    pslg.add_segment(Vertex_index(a), Vertex_index(b));
   return pslg;
 }
 
@@ -216,6 +234,36 @@ TEST_CASE("rounding spoils angles only beside features of ulps", "[round]") {
     CHECK(std::any_of(pslg.vertices.begin(), pslg.vertices.end(),
                       [&](const Point& p) { return CGAL::squared_distance(p, place) < 1e-16; }));
   }
+}
+
+TEST_CASE("edges do not cross over gaps outside after rounding", "[round][fixed]") {
+  using Options = CGAL::Quality_mesh_options_2;
+  const Options::Domain parity = Options::Domain::NESTING_PARITY;
+  const auto check_exact_and_in_words = [](const std::string& name, const Options& options) {
+    CAPTURE(name);
+    const Pslg pslg = read(name);
+    CHECK(round_exact_mesh(pslg, options));
+    check(round_mesh_in_words(pslg, options), pslg, options);
+  };
+  check_exact_and_in_words("hard_round_gap_outside.poly", {});
+  check_exact_and_in_words("hard_round_gap_of_a_tenth.poly", {});
+  check_exact_and_in_words("hard_round_gap_at_triangle.poly", Options().mesh_domain(parity));
+  CHECK(round_exact_mesh(read("hard_round_gap_outside.poly"), Options().max_edge(0.5)));
+  CHECK(round_exact_mesh(read("hard_round_gap_in_hole.poly"),
+                         Options().mesh_domain(parity).separate(CGAL::Tree_separation_options_2())));
+}
+
+TEST_CASE("wedges with sides units in the last place apart outside", "[round]") {
+  const std::uint64_t seeds = is_full_run() ? 500 : 10;
+  CGAL::Quality_mesh_options_2 fine;
+  fine.max_edge(0.5);
+  std::size_t refused = 0;
+  for (std::uint64_t seed = 1; seed <= seeds; ++seed) {
+    CAPTURE(seed);
+    std::mt19937_64 random(seed);
+    if (!round_exact_mesh(wedges_apart(random, 1 + static_cast<int>(seed % 4)), fine)) ++refused;
+  }
+  CHECK(refused * 10 <= seeds);
 }
 
 TEST_CASE("a mesh beside subnormal features is rounded, or refused by a place", "[round]") {

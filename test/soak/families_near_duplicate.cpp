@@ -141,14 +141,50 @@ Pslg doubled_lattice(std::uint64_t seed) {
   return b.pslg;
 }
 
+/// A triangle, a square or a sliver on the right of the segment from `a` to `c`.
+void add_shape_beside(Random& random, Builder& b, const Point& a, const Point& c) {
+  const Vector along = c - a, down(along.y(), -along.x());
+  const int kind = random.integer(0, 2);
+  if (kind == 0) {
+    b.loop({a, a + down, c + down, c});
+  } else {
+    const double height = kind == 1 ? random.between(0.3, 1) : magnitude(random, -12, -3);
+    b.loop({a, a + random.between(0, 1) * along + height * down, c});
+  }
+}
+
+/// Zero or not.
+double some_share(Random& random, double most) {
+  return random.integer(0, 1) == 0 ? 0 : random.between(0, most);
+}
+
+/// Two shapes with sides that face each other across a gap of a few steps, which is outside. Some have a corner in common.
+Pslg outer_gaps(std::uint64_t seed) {
+  Random random(seed);
+  Builder b;
+  const double offset = power_of_ten(3 * random.integer(0, 3)), length = magnitude(random, -3, 8);
+  const Vector along = length * direction(random);
+  const Point a = random_point(random, -offset, offset), c = a + along;
+  const int most = random.integer(0, 1) == 0 ? 4 : random.integer(1, 100);
+  const auto facing = [&](double share) {
+    for (;;) {
+      const Point p = near_by(random, a + share * along, most);
+      if (CGAL::orientation(a, c, p) == CGAL::LEFT_TURN) return p;
+    }
+  };
+  const Point d = random.integer(0, 2) == 0 ? a : facing(some_share(random, 0.5)),
+              e = facing(1 - some_share(random, 0.4));
+  add_shape_beside(random, b, a, c);
+  add_shape_beside(random, b, e, d);
+  return b.pslg;
+}
+
 } // namespace
 
 std::vector<Family> near_duplicate_families() {
-  return {{"offset-duplicates", offset_duplicates},
-          {"split-corners", split_corners},
-          {"missed-junctions", missed_junctions},
-          {"near-parallel-legs", near_parallel_legs},
-          {"doubled-lattice", doubled_lattice}};
+  return {{"offset-duplicates", offset_duplicates}, {"split-corners", split_corners},
+          {"missed-junctions", missed_junctions},   {"near-parallel-legs", near_parallel_legs},
+          {"doubled-lattice", doubled_lattice},     {"outer-gaps", outer_gaps}};
 }
 
 } // namespace soak

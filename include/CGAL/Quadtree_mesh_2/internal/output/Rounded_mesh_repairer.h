@@ -5,18 +5,21 @@
 // Author(s)     : The Quadtree_mesh_2 authors
 //
 // Makes the triangles of a mesh with rounded vertices counterclockwise, and the pieces of its segments go
-// ahead (round_mesh_2.h says what for).
+// ahead and keep clear of what is outside of the border (round_mesh_2.h says what for).
 //
-// Computes: a mesh without triangles at fault. These are the triangles that are flat or clockwise by the
-//           doubles of their vertices, and those with a side that goes back along its segment. A triangle at fault is tried with, in this order:
+// Computes: a mesh without faults. It is a fault of a triangle to be flat or clockwise by the doubles of its
+//           vertices, and each side of it is one that goes back along its segment, or has an end beyond the room
+//           outside of its segment (Outer_rooms.h). A triangle at fault is tried with, in this order:
 //           1. merging a Steiner vertex of it with another vertex at the same place;
 //           2. another diagonal;
 //           3. other doubles for a Steiner vertex, next to those nearest to its exact place;
 //           4. merging a Steiner vertex with any neighbor.
-//           A step is taken if it leaves fewer triangles at fault than were among those it touches. The last
-//           kind is also taken if it leaves as many, because it takes away a vertex. So this ends.
-// Bound:    One predicate for each triangle and each piece of a segment, if no triangle is at fault, as in
-//           nearly all meshes.
+//           A step is taken if it leaves fewer faults than were among the triangles it touches. The last kind is
+//           also taken if it leaves as many, because it takes away a vertex. So this ends.
+//           Sides are counted, not the triangles that have them: no other diagonal mends a side, but it may
+//           bring two of them into one triangle, of three vertices of one segment, which nothing mends.
+// Bound:    One predicate for each triangle and each piece of a segment, and up to seven more for pieces of the border,
+//           if no triangle is at fault, as in nearly all meshes.
 //
 // Everything is decided by exact predicates on doubles. Sizes of angles only choose among steps of equal
 // success.
@@ -26,6 +29,7 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Indexed_mesh_2.h>
+#include <CGAL/Quadtree_mesh_2/internal/output/Outer_rooms.h>
 #include <CGAL/Quadtree_mesh_2/internal/output/Rounded_mesh_topology.h>
 #include <CGAL/Quadtree_mesh_2/internal/output/Segment_chains.h>
 #include <CGAL/enum.h>
@@ -46,11 +50,11 @@ namespace internal {
 
 /// How well a change does among the triangles that it touches.
 struct Rounding_success {
-  std::size_t at_fault = 0; ///< triangles that are flat or clockwise, or go back along a segment
-  double quality = 1;       ///< a measure of the least angle among all others, from 0 to 1
+  std::size_t faults = 0; ///< as the head of this file says
+  double quality = 1;     ///< a measure of the least angle among triangles without, from 0 to 1
 
   friend bool operator<(const Rounding_success& a, const Rounding_success& b) { // is worse
-    return a.at_fault != b.at_fault ? a.at_fault > b.at_fault : a.quality < b.quality;
+    return a.faults != b.faults ? a.faults > b.faults : a.quality < b.quality;
   }
 };
 
@@ -58,7 +62,8 @@ template <class Point>
 class Rounded_mesh_repairer {
 public:
   /// \param mesh has its points at the nearest doubles
-  explicit Rounded_mesh_repairer(Indexed_mesh_2<Point>& mesh) : mesh_(mesh), chains_(mesh) {}
+  explicit Rounded_mesh_repairer(Indexed_mesh_2<Point>& mesh)
+      : mesh_(mesh), chains_(mesh), rooms_(mesh, chains_) {}
 
   /// Returns an invalid index, or a triangle that is at fault and has no cure.
   Triangle_index run() {
@@ -106,6 +111,7 @@ private:
 
   Indexed_mesh_2<Point>& mesh_;
   Segment_chains<Point> chains_;
+  Outer_rooms<Point> rooms_;
   std::optional<Rounded_mesh_topology<Point>> topology_;
   std::vector<Point> home_; // the nearest doubles of all vertices
   std::vector<Triangle_index> found_;
@@ -119,23 +125,27 @@ private:
   bool is_counterclockwise(const Corners& r) const {
     return is_counterclockwise(mesh_.point(r[0]), mesh_.point(r[1]), mesh_.point(r[2]));
   }
-  bool is_at_fault(const Corners& r) const { return !is_counterclockwise(r) || !topology_->goes_ahead(r); }
+  bool is_in_place(std::size_t piece) const { return chains_.goes_ahead(piece) && rooms_.have(piece); }
+  std::size_t number_of_faults(const Corners& r) const {
+    return (is_counterclockwise(r) ? 0 : 1) +
+           topology_->count_pieces(r, [this](std::size_t piece) { return !is_in_place(piece); });
+  }
   bool is_left(Triangle_index t) const {
-    return topology_->is_alive(t) && is_at_fault(mesh_.triangles[std::size_t(t)]);
+    return topology_->is_alive(t) && number_of_faults(mesh_.triangles[std::size_t(t)]) > 0;
   }
   bool is_steiner(Vertex_index v) const { return std::size_t(v) >= mesh_.number_of_input_vertices; }
 
   /// All triangles at fault. The tables of the topology are made if there is one.
   std::vector<Triangle_index> find_faults() {
     std::vector<Triangle_index> at_fault;
-    std::vector<std::size_t> back;
+    std::vector<std::size_t> out_of_place;
     for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
       if (!is_counterclockwise(mesh_.triangles[t])) at_fault.push_back(Triangle_index(t));
     for (std::size_t e = 0; e < mesh_.constrained_edges.size(); ++e)
-      if (!chains_.goes_ahead(e)) back.push_back(e);
-    if (at_fault.empty() && back.empty()) return at_fault;
+      if (!is_in_place(e)) out_of_place.push_back(e);
+    if (at_fault.empty() && out_of_place.empty()) return at_fault;
     topology_.emplace(mesh_, chains_);
-    for (const std::size_t e : back)
+    for (const std::size_t e : out_of_place)
       for (const Triangle_index t : topology_->triangles_at(e)) at_fault.push_back(t);
     std::sort(at_fault.begin(), at_fault.end());
     at_fault.erase(std::unique(at_fault.begin(), at_fault.end()), at_fault.end());
@@ -154,9 +164,9 @@ private:
   }
 
   void add(Rounding_success& sum, const Corners& r) const {
-    if (is_at_fault(r))
-      ++sum.at_fault;
-    else
+    const std::size_t faults = number_of_faults(r);
+    sum.faults += faults;
+    if (faults == 0)
       sum.quality = std::min(sum.quality, quality(mesh_.point(r[0]), mesh_.point(r[1]), mesh_.point(r[2])));
   }
 
@@ -166,7 +176,7 @@ private:
     return sum;
   }
 
-  /// Whether there is a step for t that leaves fewer triangles at fault; it is taken.
+  /// Whether there is a step for t that leaves fewer faults; it is taken.
   bool cure(Triangle_index t) { return merge_at_one_place(t) || flip(t) || move_a_vertex(t) || merge(t); }
 
   void note(const std::vector<Triangle_index>& changed) {
@@ -199,7 +209,7 @@ private:
       const Triangle_index u = mesh_.neighbors[std::size_t(t)][std::size_t(k)];
       Rounding_success after;
       for (const Corners& r : topology_->flipped(t, k)) add(after, r);
-      if (after.at_fault >= success_of({t, u}).at_fault) continue;
+      if (after.faults >= success_of({t, u}).faults) continue;
       topology_->flip(t, k);
       ++flipped_;
       note({t, u});
@@ -219,19 +229,19 @@ private:
   bool move_vertex(Vertex_index v) {
     const std::vector<Triangle_index> star = topology_->star(v);
     const Point before = mesh_.point(v);
-    const std::size_t at_fault_before = success_of(star).at_fault;
+    const std::size_t faults_before = success_of(star).faults;
     const int reach = topology_->is_free(v) ? reach_of_free_vertices : reach_on_segments;
     const Steps steps = steps_of(v, star);
     Point best = before;
-    Rounding_success best_success{at_fault_before, 2};
-    for (int ring = 1; ring <= reach && best_success.at_fault > 0; ++ring)
+    Rounding_success best_success{faults_before, 2};
+    for (int ring = 1; ring <= reach && best_success.faults > 0; ++ring)
       for_each_place_around(home_[std::size_t(v)], steps, ring, [&](const Point& p) {
         mesh_.points[std::size_t(v)] = p;
         const Rounding_success success = success_of(star);
-        if (success.at_fault < at_fault_before && best_success < success) best_success = success, best = p;
+        if (success.faults < faults_before && best_success < success) best_success = success, best = p;
       });
     mesh_.points[std::size_t(v)] = best;
-    if (best_success.at_fault == at_fault_before) return false;
+    if (best_success.faults == faults_before) return false;
     if (std::find(moved_.begin(), moved_.end(), v) == moved_.end()) moved_.push_back(v);
     note(star);
     return true;
@@ -263,8 +273,8 @@ private:
       }
   }
 
-  /// Merges a Steiner vertex of t with that neighbor with which it is best, even if as many triangles are at fault
-  /// afterwards: there are fewer vertices then.
+  /// Merges a Steiner vertex of t with that neighbor with which it is best, even if there are as many faults afterward:
+  /// there are fewer vertices then.
   bool merge(Triangle_index t) {
     const Corners r = mesh_.triangles[std::size_t(t)];
     Rounding_success best_success{std::numeric_limits<std::size_t>::max(), 0};
@@ -272,11 +282,11 @@ private:
     for (const Vertex_index v : r) {
       if (!is_steiner(v)) continue;
       const std::vector<Triangle_index> star = topology_->star(v);
-      const std::size_t at_fault_before = success_of(star).at_fault;
+      const std::size_t faults_before = success_of(star).faults;
       for (const Vertex_index w : topology_->neighbors_in(star, v)) {
         if (!topology_->may_merge(v, w, star)) continue;
         const Rounding_success success = success_of_merging(v, w, star);
-        if (success.at_fault <= at_fault_before && best_success < success)
+        if (success.faults <= faults_before && best_success < success)
           best_success = success, best_v = v, best_w = w;
       }
     }

@@ -85,13 +85,15 @@ public:
     return result;
   }
 
-  /// Whether no side of r is a piece of a segment that goes back.
-  bool goes_ahead(const Corners& r) const {
+  /// How many sides of r are pieces of segments of which the predicate holds.
+  template <class Predicate>
+  std::size_t count_pieces(const Corners& r, const Predicate& predicate) const {
+    std::size_t n = 0;
     for (std::size_t k = 0; k < 3; ++k) {
       const auto piece = piece_of_.find(key(r[k], r[next(k)]));
-      if (piece != piece_of_.end() && !chains_.goes_ahead(piece->second)) return false;
+      if (piece != piece_of_.end() && predicate(piece->second)) ++n;
     }
-    return true;
+    return n;
   }
 
   /// How far apart doubles are along each axis where the segment of v is farthest from zero; zero for a vertex that is

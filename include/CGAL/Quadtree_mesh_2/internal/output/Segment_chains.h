@@ -75,6 +75,13 @@ public:
             unit_in_last_place_of(std::max(std::fabs(p.y()), std::fabs(q.y())))};
   }
 
+  /// The vertices from which and to which piece `e` goes.
+  std::array<Vertex_index, 2> ends_of_piece(std::size_t e) const { return {pieces_[e].from, pieces_[e].to}; }
+  /// Those of its chain, which are input vertices; invalid if `e` is in none.
+  std::array<Vertex_index, 2> ends_of_chain(std::size_t e) const {
+    return pieces_[e].chain == none ? std::array<Vertex_index, 2>() : chains_[pieces_[e].chain];
+  }
+
   /// Vertex `v` of piece `e` becomes `w`.
   void replace_end(std::size_t e, Vertex_index v, Vertex_index w) {
     Piece& piece = pieces_[e];

@@ -148,6 +148,8 @@ private:
     if (e < 0) return;
     edges.push_back({{new_vertex_[std::size_t(x)], new_vertex_[std::size_t(y)]},
                      Segment_index(std::size_t(state_.edges[e].segment))});
+    const Vertex_id outer = state_.problem.outer_vertex(e);
+    if (outer >= 0) edges.back().outer_vertex = new_vertex_[std::size_t(outer)];
   }
 
   /// Reports a triangle that misses a bound.

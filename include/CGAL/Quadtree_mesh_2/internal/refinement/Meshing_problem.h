@@ -49,6 +49,9 @@ struct Meshing_problem {
     for (const Outer_triangle& t : outer) outer_of_edge_[std::size_t(edges.between(t.a, t.b))] = t;
   }
 
+  /// The input vertex that faces an edge at the border from the outside; -1 if there is none.
+  Vertex_id outer_vertex(Edge_id e) const { return outer_of_edge_[std::size_t(e)].apex; }
+
   /// Whether p, a rounded point of an edge, stays clear of what is outside of the border. The mesh does not know it.
   bool is_clear_of_outside(Edge_id e, const typename Geometry::Point& p) const {
     if constexpr (Geometry::has_unlimited_coordinates) {

@@ -21,6 +21,8 @@
 
 #include <CGAL/Quadtree_mesh_2/internal/geometry/meshing_geometry.h>
 
+#include <cmath>
+
 namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
@@ -36,8 +38,8 @@ public:
   /// wide as they can be. If rounding does not leave it inside the triangle, there is no room.
   Edge_room(const Point& a, const Point& b, const Point& c) : tip_(a) {
     const Vector ab = Geometry::difference(b, a), ac = Geometry::difference(c, a);
-    const double of_a = length(ac - ab), of_b = length(ac), of_c = length(ab);
-    tip_ = Geometry::translate(a, (1 / (of_a + of_b + of_c)) * (of_b * ab + of_c * ac));
+    const double of_a = length(ac - ab), of_b = length(ac), of_c = length(ab), sum = of_a + of_b + of_c;
+    tip_ = Geometry::translate(a, (of_b / sum) * ab + (of_c / sum) * ac);
     exists_ = Geometry::orientation(a, b, tip_) > 0 && Geometry::orientation(b, c, tip_) > 0 &&
               Geometry::orientation(c, a, tip_) > 0;
   }
@@ -51,6 +53,8 @@ private:
   Point tip_;
   bool exists_ = false;
 
+  /// No squares, which may be too large or small for doubles: users' points are of any scale.
+  static double length(Vector v) { return std::hypot(v.x, v.y); }
   bool is_before_sides(const Point& a, const Point& b, const Point& p) const {
     return Geometry::orientation(b, tip_, p) > 0 && Geometry::orientation(tip_, a, p) > 0;
   }
