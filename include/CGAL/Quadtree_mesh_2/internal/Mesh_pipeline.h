@@ -309,14 +309,14 @@ private:
   Refinement_end refine(Refiner<Geometry>& refiner, Splitter<Geometry>& splitter) {
     Phase_timer timer(report_.seconds.refine);
     splitter.cut_rings();
-    Bulk_filler<ConcurrencyTag, Geometry>(state_).run(budgets().of_refinement(may_construct_instead()));
-    Block_refinement<ConcurrencyTag, Geometry> blocks(state_, finishing_,
-                                                      budgets().of_refinement(may_construct_instead()));
+    const std::size_t budget = budgets().of_refinement(may_construct_instead());
+    Bulk_filler<ConcurrencyTag, Geometry>(state_, splitter).run(budget);
+    Block_refinement<ConcurrencyTag, Geometry> blocks(state_, finishing_, budget);
     if (blocks.run([this] { return progress_.shall_go_on(Progress_shares::blocks); }))
       finishing_.smoothing_rounds = 0; // done, and removal is left only at seams
     else
       refiner.push_all();
-    const Refinement_end end = run(refiner, budgets().of_refinement(may_construct_instead()));
+    const Refinement_end end = run(refiner, budget);
     if (end != Refinement_end::OUT_OF_BUDGET) finish_refinement(splitter);
     return end;
   }
