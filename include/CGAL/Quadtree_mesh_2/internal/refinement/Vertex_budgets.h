@@ -37,7 +37,7 @@ public:
   Vertex_budgets(const Quality_mesh_options_2& options, const Bounds<Geometry>& bounds,
                  std::size_t input_vertices, double expected, double expected_of_sizes)
       : options_(options), is_established_(bounds.is_established()),
-        is_capped_(input_vertices < small_graph && !options.size() && !options.refine_where()),
+        is_capped_(input_vertices < small_graph && !options.refine_where()),
         expected_(expected), cap_(cap_of_small_graphs + margin_of_sizes * expected_of_sizes) {}
 
   /// How many triangles the mesh may be expected to have for it to be begun.
