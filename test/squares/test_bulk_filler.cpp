@@ -90,7 +90,7 @@ double predicates_per_triangle(const std::vector<Point>& polygon, double area) {
   Bulk_filler<CGAL::Sequential_tag, Geometry>(state, splitter).run(budget);
   CHECK(state.bulk.number_of_triangles() > 0);
   refiner.push_all();
-  CHECK(refiner.run(budget, [] { return true; }) == Refinement_end::DONE);
+  CHECK(refiner.run({budget}, [] { return true; }) == Refinement_end::DONE);
   return static_cast<double>(Counting_kernel::predicates) /
          static_cast<double>(state.mesh.number_of_triangles());
 }
