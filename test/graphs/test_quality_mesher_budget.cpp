@@ -18,6 +18,7 @@
 #include <cstdint>
 #include <limits>
 #include <string>
+#include <vector>
 
 namespace test_quality_mesher_budget {
 
@@ -39,6 +40,55 @@ Pslg parallel_segments(double gap) {
     const auto v = b.vertex(Point(-1, y));
     b.segment(v, b.vertex(Point(1, y)));
   }
+  return b.pslg;
+}
+
+/// Of length 1, as all of the thin ones.
+Pslg box(double width) {
+  random_pslg::Builder b;
+  b.loop({Point(0, 0), Point(1, 0), Point(1, width), Point(0, width)});
+  return b.pslg;
+}
+
+/// A box that is ten times as wide at its other end.
+Pslg opening_strip(double width) {
+  random_pslg::Builder b;
+  b.loop({Point(0, 0), Point(1, 0), Point(1, 10 * width), Point(0, width)});
+  return b.pslg;
+}
+
+/// Between two regular polygons.
+Pslg polygonal_ring(double width) {
+  constexpr int corners = 24;
+  random_pslg::Builder b;
+  for (const double r : {1.0, 1 - width}) {
+    std::vector<Point> loop;
+    for (int i = 0; i < corners; ++i)
+      loop.emplace_back(r * std::cos(2 * CGAL_PI * i / corners), r * std::sin(2 * CGAL_PI * i / corners));
+    b.loop(loop);
+  }
+  b.pslg.holes.emplace_back(0, 0);
+  return b.pslg;
+}
+
+/// Teeth of a width, as far from each other.
+Pslg comb(double width) {
+  constexpr int teeth = 10;
+  std::vector<Point> p = {Point(0, 0), Point(2 * teeth * width, 0), Point(2 * teeth * width, width)};
+  for (int i = teeth - 1; i >= 0; --i)
+    for (const Point& corner : {Point(1.5, width), Point(1.5, 1), Point(0.5, 1), Point(0.5, width)})
+      p.emplace_back((2 * i + corner.x()) * width, corner.y());
+  p.emplace_back(0, width);
+  random_pslg::Builder b;
+  b.loop(p);
+  return b.pslg;
+}
+
+Pslg segment_above_border(double gap) {
+  random_pslg::Builder b;
+  b.loop({Point(-1, 0), Point(1, 0), Point(1, 4), Point(-1, 4)});
+  const auto v = b.vertex(Point(-0.9, gap));
+  b.segment(v, b.vertex(Point(0.9, gap)));
   return b.pslg;
 }
 
@@ -87,6 +137,16 @@ TEST_CASE("The estimate is near the true number of triangles", "[mesher][budget]
       CHECK(ratio(run(pslg, Options())) > 1);
     }
   }
+  SECTION("thin boxes, rings and combs of every aspect") {
+    for (const double width : {0.1, 1e-2, 1e-3, 1e-4})
+      for (const Pslg& pslg : {box(width), polygonal_ring(width), comb(width), opening_strip(width),
+                               segment_above_border(width)}) {
+        CAPTURE(width, pslg.number_of_vertices());
+        const Run r = run(pslg, Options());
+        CHECK(ratio(r) < 3);
+        CHECK(ratio(r) > 1 / 3.);
+      }
+  }
   SECTION("random hard inputs") {
     const std::uint64_t seeds = is_full_run() ? 400 : 25;
     for (const random_pslg::Family& family : random_pslg::families())
@@ -133,7 +193,8 @@ TEST_CASE("A small graph that asks for more than it is given is refused, unless 
     CHECK(has_text(text, part));
   CHECK(has_text(error(pslg, Options().max_vertices(1000000)), "the vertex budget allows 2e+06"));
   CHECK(error(pslg, Options().min_edge(1e-3)).empty());
-  CHECK(has_text(error(read("hard_stretched_polygon.poly")), "is allowed 2e+06"));
+  CHECK(
+      has_text(error(read("hard_stretched_polygon.poly")), "a graph of fewer than 1000 vertices is allowed"));
 }
 
 TEST_CASE("A small graph whose mesh turns out too large is refused, too", "[mesher][budget]") {
@@ -157,6 +218,27 @@ TEST_CASE("Bounds of size give a small graph no more for its gaps", "[mesher][bu
   }
   // What bounds of size ask for themselves is not refused.
   CHECK(error(unit_square(), Options().max_area(1e-6)).empty());
+}
+
+TEST_CASE("A size field gives a small graph no more for its gaps", "[mesher][budget]") {
+  const auto start = std::chrono::steady_clock::now();
+  const std::string text =
+      error(read("gap_1e-8_in_triangle.poly"), Options().size([](double, double) { return 0.1; }));
+  CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(1));
+  CAPTURE(text);
+  for (const char* part : {"a graph of fewer than 1000 vertices is allowed", "segment 1", "segment 4"})
+    CHECK(has_text(text, part));
+  // What the field asks for itself is not refused.
+  CHECK(error(unit_square(), Options().size([](double x, double) { return x < 0.5 ? 1e-3 : 0.1; })).empty());
+}
+
+TEST_CASE("A thin box is not refused that a small graph's limit has room for", "[mesher][budget]") {
+  Mesher mesher;
+  const auto mesh = mesher(read("thin_box_2500000.poly"));
+  CHECK(mesher.report().is_met());
+  CHECK(mesh.number_of_triangles() < 2000000);
+  CHECK(mesher.report().estimated_triangles < 3 * double(mesh.number_of_triangles()));
+  CHECK(mesher.report().estimated_triangles > double(mesh.number_of_triangles()) / 3);
 }
 
 TEST_CASE("Vertices units in the last place from a segment do not spoil the estimate", "[mesher][budget]") {

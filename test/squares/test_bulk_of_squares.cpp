@@ -343,8 +343,10 @@ TEST_CASE("Areas of regions are followed, each by squares of its own size", "[bu
 
 TEST_CASE("Threads make the same mesh around a bulk", "[bulk][parallel]") {
   using Parallel_mesher = CGAL::Quality_mesher_2<Mesher::Geom_traits, CGAL::Parallel_tag>;
-  const auto [name, area] = GENERATE(table<std::string, double>(
-      {{"syn_square.poly", 2e-5}, {"us_states_10m.poly.gz", 3e8}, {"gshhg_norway_f.poly.gz", 1e6}}));
+  const auto [name, area] = GENERATE(table<std::string, double>({{"syn_square.poly", 2e-5},
+                                                                 {"thin_box_10000.poly", 0.05},
+                                                                 {"us_states_10m.poly.gz", 3e8},
+                                                                 {"gshhg_norway_f.poly.gz", 1e6}}));
   CAPTURE(name);
   const Pslg pslg = read(name);
   const Options options = Options().max_area(area);

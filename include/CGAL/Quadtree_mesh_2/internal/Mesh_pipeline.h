@@ -307,14 +307,14 @@ private:
   Refinement_end refine(Refiner<Geometry>& refiner, Splitter<Geometry>& splitter) {
     clock_.enter(&Seconds::refine);
     splitter.cut_rings();
-    Bulk_filler<ConcurrencyTag, Geometry>(state_).run(budgets().of_refinement(may_construct_instead()));
-    Block_refinement<ConcurrencyTag, Geometry> blocks(state_, finishing_,
-                                                      budgets().of_refinement(may_construct_instead()));
+    const Mesh_limit limit = budgets().of_refinement(may_construct_instead());
+    Bulk_filler<ConcurrencyTag, Geometry>(state_, splitter).run(limit.vertices);
+    Block_refinement<ConcurrencyTag, Geometry> blocks(state_, finishing_, limit.vertices);
     if (blocks.run([this] { return progress_.shall_go_on(Progress_shares::blocks); }))
       finishing_.smoothing_rounds = 0; // done, and removal is left only at seams
     else
       refiner.push_all();
-    const Refinement_end end = run(refiner, budgets().of_refinement(may_construct_instead()));
+    const Refinement_end end = run(refiner, limit);
     if (end != Refinement_end::OUT_OF_BUDGET) finish_refinement(splitter);
     return end;
   }
@@ -341,10 +341,10 @@ private:
     finish_refinement(splitter);
   }
 
-  Refinement_end run(Refiner<Geometry>& refiner, std::size_t budget) {
+  Refinement_end run(Refiner<Geometry>& refiner, Mesh_limit limit) {
     ++report_.rounds;
     const std::size_t n = pslg_.number_of_vertices();
-    return refiner.run(budget, [this, n] {
+    return refiner.run(limit, [this, n] {
       const double made = static_cast<double>(state_.mesh.number_of_vertices() - n) + 1;
       return progress_.shall_go_on(Progress_shares::blocks +
                                    Progress_shares::refinement * made / (made + 3 * static_cast<double>(n)));
@@ -356,11 +356,11 @@ private:
   }
 
   /// \throws Pslg_error_2 if it ends at the limit of small graphs: its user did not ask for a part of a mesh
-  void run_to_the_end(Refiner<Geometry>& refiner, std::size_t budget) {
-    if (run(refiner, budget) != Refinement_end::OUT_OF_BUDGET) return;
+  void run_to_the_end(Refiner<Geometry>& refiner, Mesh_limit limit_of_mesh) {
+    if (run(refiner, limit_of_mesh) != Refinement_end::OUT_OF_BUDGET) return;
     report_.is_budget_exhausted = true;
     const auto limit = budgets().of_small_graph();
-    if (!limit || !limit->is_used_up_by(state_.mesh.number_of_vertices())) return;
+    if (!limit || !limit->is_used_up_by(state_.mesh.number_of_triangles())) return;
     if (worst_pair_.triangles > 0) throw gap_error(limit->refusal_when_used_up());
     const auto& place = state_.mesh.point(state_.mesh.triangle(state_.worklist.pop()).v[0]);
     throw words_.endless(limit->refusal_when_used_up(), problem_.nearest_input_vertex(place));

@@ -142,7 +142,7 @@ private:
     Splitter<Geometry> splitter(state);
     Refiner<Geometry> refiner(state, splitter);
     refiner.push_all();
-    refiner.run(state.mesh.number_of_vertices() + room, shall_go_on);
+    refiner.run({state.mesh.number_of_vertices() + room}, shall_go_on);
     finish_mesh(state, finishing_, shall_go_on);
     std::swap(state.mesh, block.mesh);
     std::vector<Triangle_id> left = std::move(state.deferred);

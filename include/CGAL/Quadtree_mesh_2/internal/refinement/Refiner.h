@@ -34,6 +34,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -41,6 +42,13 @@ namespace Quadtree_mesh_2 {
 namespace internal {
 
 enum class Refinement_end { DONE, CANCELLED, OUT_OF_BUDGET };
+
+/// How large a mesh may become. Thin strips have as many vertices as triangles, other meshes half as many.
+struct Mesh_limit {
+  static constexpr std::size_t any = std::numeric_limits<std::size_t>::max();
+  std::size_t vertices;
+  std::size_t triangles = any;
+};
 
 template <class Geometry>
 class Refiner {
@@ -63,17 +71,17 @@ public:
         state_.push_if_suspect(static_cast<Triangle_id>(t));
   }
 
-  /// Processes the list until it is empty. Asks `shall_go_on()` every 4096 steps. Afterward at most `budget`
-  /// vertices are in the mesh.
+  /// Processes the list until it is empty. Asks `shall_go_on()` every 4096 steps. Where the mesh has
+  /// reached the limit, no vertex is inserted.
   template <class Continue>
-  Refinement_end run(std::size_t budget, Continue&& shall_go_on) {
+  Refinement_end run(Mesh_limit limit, Continue&& shall_go_on) {
     for (std::size_t step = 1; !state_.worklist.is_empty() || takes_up_refused(); ++step) {
       if (is_time_to_ask(step) && !shall_go_on()) return Refinement_end::CANCELLED;
       const Triangle_id t = state_.worklist.pop();
       if (!mesh_.is_alive(t)) continue;
       const Shape shape = mesh_.shape(mesh_.triangle(t));
       if (!state_.is_bad(t, shape)) continue;
-      if (mesh_.number_of_vertices() >= budget) {
+      if (mesh_.number_of_vertices() >= limit.vertices || mesh_.number_of_triangles() >= limit.triangles) {
         state_.worklist.push(t);
         return Refinement_end::OUT_OF_BUDGET;
       }

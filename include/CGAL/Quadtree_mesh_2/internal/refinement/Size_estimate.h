@@ -6,9 +6,9 @@
 //
 // How many triangles a mesh will need, from the constrained Delaunay triangulation of its domain alone.
 //
-// Computes: an estimate that is within a factor of 4 of the true number on maps, on the hard families of the
-//           tests, and for bounds of size (test_quality_mesher_budget.cpp). Needles with short legs in them
-//           may take more.
+// Computes: an estimate that is within a factor of 3 of the true number on maps and on thin boxes, rings, combs and
+//           strips of any aspect, within a factor of 4 on the hard families of the tests, and of 2 for bounds of
+//           size (test_quality_mesher_budget.cpp). Needles with short legs in them may take more.
 // Bound:    O(n), with `field_samples` calls of the size field and a few for each triangle.
 // Source:   Ruppert (1995): up to constants, any mesh with a bound on the least angle has as many triangles
 //           as the integral of 1/lfs^2 over the domain, where lfs is the local feature size. Bern, Eppstein
@@ -17,9 +17,11 @@
 //           measured.
 //           - A triangle with longest edge L and height h over it asks for about log(L/h) layers.
 //           - Two constrained edges that face each other across a gap g, over a length l, ask for about l/g
-//             triangles. Such a pair meets in the fan of some vertex, in a sector of its triangles. Either
-//             one edge is at the vertex, first or last in the sector, and the other closes a triangle of the
-//             sector. Or two consecutive edges close triangles of it.
+//             triangles in the gap, and for as many again behind each of them that has domain there, which they
+//             grade up to the width of what is there. Such a pair meets in the fan of some vertex, in a sector of
+//             its triangles. Either one edge is at the vertex, first or last in the sector, and the other closes a
+//             triangle of the sector. Then the pair may meet at an end of the other edge, too, and each time counts
+//             half. Or two consecutive edges close triangles of it.
 //           - A vertex between two edges that meet makes the wedge beyond it as expensive as the wedge's
 //             width there asks for.
 //           - Bounds of size ask for the quotient of the area and the area of one triangle.
@@ -108,7 +110,8 @@ private:
   static constexpr double per_triangle = 1.5;
   static constexpr double per_layer = 3;
   static constexpr double ordinary_aspect = 8, largest_aspect = 0x1p52;
-  static constexpr double per_gap = 2;
+  /// For each length of a gap as long as the gap is wide: in it, and behind each of its edges that has domain there.
+  static constexpr double per_gap = 1, per_side_behind = 1;
   /// No gap is taken for narrower than this share of its length.
   static constexpr double least_gap = 1e-20;
   /// By how much more triangles a bound takes above 20.7 degrees.
@@ -253,7 +256,7 @@ private:
   /// The sector that begins at the side from v[k] to v[k + 1] of t.
   void add_sector(Triangle_id t, int k) {
     const Vertex_id apex = mesh_.triangle(t).v[k];
-    const Vertex_id first[2] = {apex, mesh_.triangle(t).v[next_slot[k]]};
+    const Side first(t, previous_slot[k]);
     opposite_.clear();
     for (;;) {
       const auto& r = mesh_.triangle(t);
@@ -263,13 +266,19 @@ private:
       t = next.triangle();
       k = next_slot[next.slot()];
     }
-    const Vertex_id last[2] = {mesh_.triangle(t).v[previous_slot[k]], apex};
-    for (const Side s : opposite_) {
-      add_pair(first, s);
-      add_pair(last, s);
-    }
+    const Side last(t, next_slot[k]);
+    for (const Side s : opposite_)
+      for (const Side p : {first, last}) add_pair(p, s, 0, is_met_from_both(p, s) ? 0.5 : 1);
     add_consecutive(apex);
-    if (first[1] == last[0] && opposite_.size() > 1) add_wedge(apex, opposite_.back(), opposite_.front());
+    if (mesh_.target(first) == mesh_.source(last) && opposite_.size() > 1)
+      add_wedge(apex, opposite_.back(), opposite_.front());
+  }
+
+  /// Whether the pair of p, at the apex of a sector, and s, opposite the apex, shows in the sector at an end of s, too:
+  /// that end closes the triangle of p.
+  bool is_met_from_both(Side p, Side s) const {
+    const Vertex_id v = mesh_.opposite(p);
+    return is_narrow(p.triangle(), p.slot()) && (v == mesh_.source(s) || v == mesh_.target(s));
   }
 
   /// The star of a vertex without constrained sides.
@@ -291,7 +300,7 @@ private:
     for (std::size_t i = 0; i + 1 < opposite_.size(); ++i) {
       const Vertex_id ends[2] = {mesh_.source(opposite_[i]), mesh_.target(opposite_[i])};
       // they face each other where one looks past the apex, from behind its projection on
-      add_pair(ends, opposite_[i + 1], projection(apex, ends));
+      add_pair(opposite_[i], opposite_[i + 1], projection(apex, ends), 1);
       add_wedge(apex, opposite_[i], opposite_[i + 1]);
     }
   }
@@ -311,14 +320,18 @@ private:
     if (ratio2 <= 1) return;
     const double narrowest =
         std::max(ratio(std::max(least_, Geometry::spacing(mesh_.point(v))), sqrt(v2)), least_gap);
-    add_parts(ratio(0.5 * log(ratio2) * cosine, std::max<Number>(sine, narrowest * cosine)),
-              {mesh_.source(r), o}, {o, mesh_.target(s)});
+    add_parts(ratio(0.5 * log(ratio2) * cosine, std::max<Number>(sine, narrowest * cosine)), r, s, 1);
   }
 
-  void add_parts(double parts, const Vertex_id (&p)[2], const Vertex_id (&q)[2]) {
+  /// \param share of the pair that this look at it counts
+  void add_parts(double parts, Side p, Side q, double share) {
     if (parts <= 1) return;
-    of_pairs_ += per_gap * (parts - 1);
-    if (per_gap * parts > worst_.triangles) worst_ = {{p[0], p[1]}, {q[0], q[1]}, per_gap * parts};
+    double per_part = per_gap;
+    for (const Side s : {p, q})
+      if (!mesh_.across(s).is_border()) per_part += per_side_behind;
+    of_pairs_ += share * per_part * (parts - 1);
+    if (per_part * parts > worst_.triangles)
+      worst_ = {{mesh_.source(p), mesh_.target(p)}, {mesh_.source(q), mesh_.target(q)}, per_part * parts};
   }
 
   /// The cross product of u and w, from p[0] to p[1] and to v: twice the area of their triangle, however flat.
@@ -334,7 +347,8 @@ private:
 
   /// Adds the integral of 1 / gap along the part of the edge p from position `begin` on, the domain on its
   /// left, that faces the edge s.
-  void add_pair(const Vertex_id (&p)[2], Side s, double begin = 0) {
+  void add_pair(Side edge, Side s, double begin, double share) {
+    const Vertex_id p[2] = {mesh_.source(edge), mesh_.target(edge)};
     const Vertex_id q[2] = {mesh_.source(s), mesh_.target(s)};
     if (p[0] == q[0] || p[0] == q[1] || p[1] == q[0] || p[1] == q[1]) return;
     using std::fabs, std::sqrt;
@@ -357,8 +371,8 @@ private:
     double a = g0 + slope * (low - t0), b = g0 + slope * (high - t0);
     if (std::max(a, b) <= 0) return; // behind p
     a = std::max(a, floor), b = std::max(b, floor);
-    add_parts(std::fabs(a - b) < 1e-3 * a ? (high - low) / a : (high - low) * std::log(b / a) / (b - a), p,
-              q);
+    add_parts(std::fabs(a - b) < 1e-3 * a ? (high - low) / a : (high - low) * std::log(b / a) / (b - a), edge,
+              s, share);
   }
 };
 

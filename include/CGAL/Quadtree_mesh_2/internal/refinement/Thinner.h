@@ -52,13 +52,13 @@ public:
 
   /// Returns whether the mesh has fewer triangles than before.
   template <class Continue>
-  bool run(std::size_t vertex_budget, Continue&& shall_go_on) {
+  bool run(Mesh_limit limit, Continue&& shall_go_on) {
     Kernel_mesh<Geometry> before = state_.mesh;
     Acute_corners<Geometry> corners_before = state_.corners; // their shells name vertices of the mesh
     dirty_all();
     Remover<Geometry>(state_, lower_).run(shall_go_on);
     state_.clear_worklist();
-    if (refine(vertex_budget, shall_go_on)) {
+    if (refine(limit, shall_go_on)) {
       Remover<Geometry>(state_).run(shall_go_on);
       if (state_.mesh.number_of_triangles() < before.number_of_triangles()) return true;
     }
@@ -78,7 +78,7 @@ private:
 
   /// Whether no triangle is bad in the end.
   template <class Continue>
-  bool refine(std::size_t vertex_budget, Continue& shall_go_on) {
+  bool refine(Mesh_limit limit, Continue& shall_go_on) {
     constexpr int most_rounds = 5;
     Splitter<Geometry> splitter(state_);
     Refiner<Geometry> refiner(state_, splitter);
@@ -86,7 +86,7 @@ private:
     state_.legalize();
     refiner.push_all();
     for (int round = 0; round < most_rounds; ++round) {
-      if (refiner.run(vertex_budget, shall_go_on) != Refinement_end::DONE) return false;
+      if (refiner.run(limit, shall_go_on) != Refinement_end::DONE) return false;
       state_.legalize(); // and what that makes bad is on the list again
       if (state_.worklist.is_empty()) return !is_any_bad();
     }
@@ -157,7 +157,7 @@ void thin_small_mesh(Meshing_state<Geometry>& state, Continue&& shall_go_on) {
       Remover<Geometry>(state).run(shall_go_on);
     } else {
       // more vertices than this, and the mesh will hardly end with fewer than before
-      Thinner<Geometry>(state, trial.share).run(state.mesh.number_of_vertices() + before / 2, shall_go_on);
+      Thinner<Geometry>(state, trial.share).run({state.mesh.number_of_vertices() + before / 2}, shall_go_on);
     }
     failed = state.mesh.number_of_triangles() < before ? 0 : failed + 1;
   }

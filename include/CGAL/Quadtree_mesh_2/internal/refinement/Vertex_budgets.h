@@ -8,13 +8,13 @@
 #define CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_VERTEX_BUDGETS_H
 
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Bounds.h>
+#include <CGAL/Quadtree_mesh_2/internal/refinement/Refiner.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/triangle_budget.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Kernel_mesh.h>
 #include <CGAL/Quality_mesh_options_2.h>
 
 #include <algorithm>
 #include <cstddef>
-#include <limits>
 #include <optional>
 
 namespace CGAL {
@@ -37,8 +37,8 @@ public:
   Vertex_budgets(const Quality_mesh_options_2& options, const Bounds<Geometry>& bounds,
                  std::size_t input_vertices, double expected, double expected_of_sizes)
       : options_(options), is_established_(bounds.is_established()),
-        is_capped_(input_vertices < small_graph && !options.size() && !options.refine_where()),
-        expected_(expected), cap_(cap_of_small_graphs + margin_of_sizes * expected_of_sizes) {}
+        is_capped_(input_vertices < small_graph && !options.refine_where()), expected_(expected),
+        cap_(cap_of_small_graphs + margin_of_sizes * expected_of_sizes) {}
 
   /// How many triangles the mesh may be expected to have for it to be begun.
   Triangle_budget of_triangles() const {
@@ -59,19 +59,19 @@ public:
   bool allows_quadtrees() const { return !is_capped_ || 10 * expected_ < cap_; }
 
   /// \param may_construct_instead whether quadtrees take over when patience ends
-  std::size_t of_refinement(bool may_construct_instead) const {
-    if (options_.max_vertices() > 0) return of_user();
+  Mesh_limit of_refinement(bool may_construct_instead) const {
+    if (options_.max_vertices() > 0) return {of_user()};
     const double unexpected = options_.refine_where() ? unexpected_by_users_rule : allowance();
     const double patience = may_construct_instead ? options_.patience() : Quality_mesh_options_2().patience();
-    if (!(patience > 0)) return 0;
+    if (!(patience > 0)) return {0};
     const double affordable =
         std::max(least_patience * expected_ + unexpected, options_.patience_memory() / bytes_of_vertex);
-    return limited(std::min(patience * expected_ + unexpected, affordable));
+    return {limited(std::min(patience * expected_ + unexpected, affordable)), most_triangles()};
   }
 
   /// Quadtrees make ten times the triangles needed, a hundred times with the placement by rule.
   Construction_budget of_construction() const {
-    constexpr std::size_t any = std::numeric_limits<std::size_t>::max();
+    constexpr std::size_t any = Mesh_limit::any;
     if (options_.max_vertices() > 0) return {of_user(), any};
     const std::size_t leaves = limited(1000 * expected_ + 1e6);
     if (!is_capped_) return {leaves, any};
@@ -81,10 +81,11 @@ public:
   }
 
   /// For what refinement has to do in a mesh that is made.
-  std::size_t of_repair(std::size_t vertices_of_mesh) const {
-    if (options_.max_vertices() > 0) return of_user();
-    return std::max(vertices_of_mesh,
-                    limited(static_cast<double>(vertices_of_mesh) + 10 * expected_ + allowance()));
+  Mesh_limit of_repair(std::size_t vertices_of_mesh) const {
+    if (options_.max_vertices() > 0) return {of_user()};
+    return {std::max(vertices_of_mesh,
+                     limited(static_cast<double>(vertices_of_mesh) + 10 * expected_ + allowance())),
+            most_triangles()};
   }
 
 private:
@@ -108,16 +109,20 @@ private:
 
   const Quality_mesh_options_2& options_;
   bool is_established_, is_capped_;
-  double expected_, cap_;
+  double expected_;
+  double cap_; // vertices, for each of which there are two triangles
 
   /// Vertices beyond what is expected, for graphs that are small and hard. There are more where refinement is
   /// established to end. Elsewhere it goes on until the allowance is used up.
   double allowance() const { return is_established_ ? 2e6 : 2e5; }
 
   std::size_t of_user() const { return std::min(options_.max_vertices(), Triangle_budget::most_vertices); }
-  std::size_t limited(double vertices) const {
-    const double most = is_capped_ ? cap_ : static_cast<double>(Triangle_budget::most_vertices);
-    return static_cast<std::size_t>(std::min(most, vertices));
+  static std::size_t limited(double vertices) {
+    return static_cast<std::size_t>(std::min(static_cast<double>(Triangle_budget::most_vertices), vertices));
+  }
+
+  std::size_t most_triangles() const {
+    return is_capped_ ? static_cast<std::size_t>(2 * cap_) : Mesh_limit::any;
   }
 };
 

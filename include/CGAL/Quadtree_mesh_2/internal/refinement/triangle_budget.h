@@ -71,7 +71,7 @@ public:
     return text.str();
   }
 
-  bool is_used_up_by(std::size_t vertices) const { return 2 * static_cast<double>(vertices) >= triangles_; }
+  bool is_used_up_by(std::size_t triangles) const { return static_cast<double>(triangles) >= triangles_; }
 
   std::string refusal_when_used_up() const {
     std::ostringstream text;

@@ -9,8 +9,12 @@
 //
 // 1. The bulk: squares as large as the bounds allow, wholly inside the domain and about a side away from
 //    every constrained edge and input vertex (Bulk_squares.h).
-// 2. The vertices on the border of the bulk are inserted into the mesh. The disk on each piece of the border
-//    as its diameter holds no vertex, so the piece is an edge of the Delaunay triangulation.
+// 2. The vertices on the border of the bulk are inserted into the mesh, along its loops, in rounds
+//    (for_each_in_rounds.h). The disk on each piece of the border as its diameter holds no vertex, so the piece is
+//    an edge of the Delaunay triangulation.
+//    Constrained edges much longer than their distance from the border are halved then. Otherwise the border's
+//    triangles would make a fan at each end of such an edge, through which refinement would walk again and again,
+//    and of which blocks could do nothing.
 // 3. The triangles within the border are replaced by those of the squares' templates (square_templates.h).
 //
 // The result is a constrained Delaunay triangulation again, in which the triangles of the bulk meet all
@@ -25,10 +29,13 @@
 #define CGAL_QUADTREE_MESH_2_INTERNAL_SQUARES_BULK_FILLER_H
 
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
+#include <CGAL/Quadtree_mesh_2/internal/refinement/Splitter.h>
 #include <CGAL/Quadtree_mesh_2/internal/squares/Bulk_squares.h>
 #include <CGAL/Quadtree_mesh_2/internal/squares/Square_grid.h>
 #include <CGAL/Quadtree_mesh_2/internal/squares/Wanted_squares.h>
 #include <CGAL/Quadtree_mesh_2/internal/squares/square_templates.h>
+#include <CGAL/Quadtree_mesh_2/internal/triangulation/Delaunay_inserter.h>
+#include <CGAL/Quadtree_mesh_2/internal/triangulation/for_each_in_rounds.h>
 
 #include <algorithm>
 #include <array>
@@ -48,7 +55,8 @@ public:
   using Mesh = Kernel_mesh<Geometry>;
   using Point = typename Geometry::Point;
 
-  explicit Bulk_filler(Meshing_state<Geometry>& state) : state_(state), mesh_(state.mesh) {}
+  Bulk_filler(Meshing_state<Geometry>& state, Splitter<Geometry>& splitter)
+      : state_(state), mesh_(state.mesh), splitter_(splitter) {}
 
   /// Fills the bulk, if there is enough of it to be worth it and the mesh then has at most `budget` vertices.
   void run(std::size_t budget) {
@@ -76,15 +84,12 @@ private:
   /// Fewer squares than this, or than input vertices, are not worth the time that it takes to find them.
   static constexpr double least_number_of_squares = 500;
   static constexpr std::size_t largest_number_of_nodes = std::size_t(1) << 26;
+  /// Of the angle, 175 degrees, from which on an edge is too long for the border in front of it.
+  static constexpr double cosine2_of_long_edge = 0.9924;
 
-  /// A vertex on the border of the bulk, and its neighbors there: two, or four where the bulk touches
-  /// itself.
   struct Border_vertex {
-    Vertex_id vertex = -1;
-    Leaf_index square;
-    std::array<std::int32_t, 4> neighbor{{-1, -1, -1, -1}};
-
-    void add_neighbor(std::int32_t v) { *std::find(neighbor.begin(), neighbor.end() - 1, -1) = v; }
+    Vertex_id vertex;
+    Leaf_index square; ///< that has it
   };
   struct Border_edge {
     std::int32_t source, target; ///< among the border vertices; the bulk lies on the left
@@ -93,6 +98,7 @@ private:
 
   Meshing_state<Geometry>& state_;
   Mesh& mesh_;
+  Splitter<Geometry>& splitter_;
   std::vector<Vertex_id> vertex_named_;        // by name; -1: none yet
   std::vector<Triangle_id> first_triangle_of_; // by square
   std::vector<Border_vertex> vertices_;
@@ -156,6 +162,7 @@ private:
     state_.bulk.has_border = true;
     collect_border(squares, grid);
     insert_border(squares, wanted);
+    split_long_edges();
     if (!find_border_edges()) return; // the mesh is valid all the same, and has no bulk
     clear_inside();
     make_triangles(squares, wanted, grid);
@@ -195,72 +202,101 @@ private:
         Vertex_id& v = vertex_named_[squares.name(p.square, vertex)];
         if (v < 0) {
           v = mesh_.add_vertex(place(grid, squares.square(p.square), vertex), free_vertex);
-          vertices_.emplace_back();
-          vertices_.back().vertex = v, vertices_.back().square = p.square;
+          vertices_.push_back({v, p.square});
         }
         ends[i] = v - first;
       }
-      vertices_[std::size_t(ends[0])].add_neighbor(ends[1]);
-      vertices_[std::size_t(ends[1])].add_neighbor(ends[0]);
       edges_.push_back({ends[0], ends[1], Side::border()});
     }
   }
 
-  /// Inserts the vertices loop by loop, each located from the one before it.
-  void insert_border(const Squares& squares, const Wanted_squares<Geometry>& wanted) {
-    std::vector<std::int32_t> stack;
-    for (std::size_t i = 0; i < vertices_.size(); ++i) {
-      if (mesh_.is_used(vertices_[i].vertex)) continue;
-      insert(vertices_[i].vertex, squares.triangle_near(wanted, vertices_[i].square));
-      stack.push_back(static_cast<std::int32_t>(i));
-      while (!stack.empty()) {
-        const Border_vertex& from = vertices_[std::size_t(stack.back())];
-        stack.pop_back();
-        for (const std::int32_t n : from.neighbor) {
-          if (n < 0 || mesh_.is_used(vertices_[std::size_t(n)].vertex)) continue;
-          insert(vertices_[std::size_t(n)].vertex, mesh_.incident_triangle(from.vertex));
-          stack.push_back(n);
+  /// The border's pieces put end to end: per loop its vertices, in order; one where the bulk touches itself comes twice.
+  std::vector<std::vector<std::int32_t>> loops() const {
+    std::vector<std::int32_t> last(vertices_.size(), -1),
+        before(edges_.size(), -1); // pieces that leave a vertex
+    for (std::size_t e = 0; e < edges_.size(); ++e) {
+      std::int32_t& last_here = last[std::size_t(edges_[e].source)];
+      before[e] = last_here;
+      last_here = static_cast<std::int32_t>(e);
+    }
+    std::vector<std::vector<std::int32_t>> loops;
+    for (std::size_t v = 0; v < vertices_.size(); ++v)
+      while (last[v] >= 0) {
+        loops.emplace_back();
+        for (std::size_t w = v; last[w] >= 0;) {
+          loops.back().push_back(static_cast<std::int32_t>(w));
+          const std::size_t e = std::size_t(last[w]);
+          last[w] = before[e];
+          w = std::size_t(edges_[e].target);
         }
       }
-    }
+    return loops;
   }
 
-  void insert(Vertex_id v, Triangle_id hint) {
-    const Point p = mesh_.point(v);
-    const Triangle_id t = locate(hint, p);
-    const auto& r = mesh_.triangle(t);
-    for (int k = 0; k < 3; ++k)
-      if (turn(r, k, p) == 0) return mesh_.insert_on_side(t, k, v);
-    mesh_.insert_in_triangle(t, v);
+  /// Inserts a vertex of each loop, then the loops.
+  void insert_border(const Squares& squares, const Wanted_squares<Geometry>& wanted) {
+    const std::vector<std::vector<std::int32_t>> all = loops();
+    Delaunay_inserter<Geometry> inserter(mesh_);
+    for_each_in_rounds(all.size(), 1, [&](std::size_t l) {
+      const Border_vertex& v = vertices_[std::size_t(all[l].front())];
+      if (!mesh_.is_used(v.vertex))
+        inserter.insert(v.vertex, locate(squares.triangle_near(wanted, v.square), v.vertex));
+    });
+    for (const auto& loop : all) insert_loop(loop, inserter);
   }
 
-  /// On which side of side k of the triangle p lies: 1 inside, 0 on the line.
-  int turn(const typename Mesh::Triangle& r, int k, const Point& p) const {
-    return Geometry::orientation(mesh_.point(r.v[next_slot[k]]), mesh_.point(r.v[previous_slot[k]]), p);
-  }
-
-  /// The triangle that holds p: by a walk in sight, or, if that leads nowhere, by looking everywhere.
-  Triangle_id locate(Triangle_id t, const Point& p) const {
-    constexpr unsigned longest_walk = 1000;
-    for (unsigned step = 0; step < longest_walk; ++step) {
-      const auto& r = mesh_.triangle(t);
-      int exit = -1;
-      bool is_inside = true;
-      for (unsigned j = 0; j < 3; ++j) {
-        const int k = static_cast<int>((j + step) % 3u);
-        if (turn(r, k, p) >= 0) continue;
-        is_inside = false;
-        if (!r.side[k].is_constrained()) exit = k;
+  /// Each vertex is located by a walk along the loop, which lies inside the domain, from one that is inserted.
+  void insert_loop(const std::vector<std::int32_t>& loop, Delaunay_inserter<Geometry>& inserter) {
+    const auto vertex = [&](std::size_t i) { return vertices_[std::size_t(loop[i])].vertex; };
+    std::size_t last = 0; // inserted
+    for_each_in_rounds(loop.size(), 1, [&](std::size_t i) {
+      if (!mesh_.is_used(vertex(i))) {
+        Triangle_id t = mesh_.incident_triangle(vertex(last));
+        for (std::size_t j = last + 1; j <= i; ++j) t = locate(t, vertex(j));
+        inserter.insert(vertex(i), t);
       }
-      if (is_inside) return t;
-      if (exit < 0) break;
-      t = r.side[exit].triangle();
-    }
+      last = i;
+    });
+  }
+
+  /// The triangle that holds v: by a walk, or, if the border is in its way, by looking everywhere.
+  Triangle_id locate(Triangle_id t, Vertex_id v) const {
+    const Point& p = mesh_.point(v);
+    const Walk_end end = locate_exactly(mesh_, t, p);
+    if (!end.is_blocked()) return end.triangle;
     for (std::size_t i = 0;; ++i) {
       const auto& r = mesh_.triangles[i];
-      if (r.v[0] >= 0 && turn(r, 0, p) >= 0 && turn(r, 1, p) >= 0 && turn(r, 2, p) >= 0)
-        return static_cast<Triangle_id>(i);
+      const auto is_inside = [&](int k) {
+        return Geometry::orientation(mesh_.point(r.v[next_slot[k]]), mesh_.point(r.v[previous_slot[k]]), p) >=
+               0;
+      };
+      if (r.v[0] >= 0 && is_inside(0) && is_inside(1) && is_inside(2)) return static_cast<Triangle_id>(i);
     }
+  }
+
+  /// Halves constrained edges until no vertex of the border sees one under nearly 180 degrees.
+  void split_long_edges() {
+    for (bool is_changed = true; is_changed;) {
+      is_changed = false;
+      for (std::size_t i = 0; i < mesh_.triangles.size(); ++i)
+        for (int k = 0; k < 3; ++k) {
+          const Triangle_id t = static_cast<Triangle_id>(i);
+          if (mesh_.is_alive(t) && is_long(Side(t, k)) &&
+              splitter_.split(t, k, nullptr, Asker::ORDINARY) == Outcome::CHANGED)
+            is_changed = true;
+        }
+    }
+  }
+
+  bool is_long(Side s) const {
+    const Vertex_id apex = mesh_.opposite(s);
+    if (!mesh_.across(s).is_constrained() || apex < vertices_.front().vertex ||
+        apex > vertices_.back().vertex)
+      return false;
+    const auto x = Geometry::scaled_difference(mesh_.point(mesh_.source(s)), mesh_.point(apex));
+    const auto y = Geometry::scaled_difference(mesh_.point(mesh_.target(s)), mesh_.point(apex));
+    const auto d = dot(x, y);
+    return d < 0 && d * d > cosine2_of_long_edge * (squared_length(x) * squared_length(y));
   }
 
   /// Finds the sides on the border's right. Whether all of its pieces are edges of the mesh, as they should

@@ -9,9 +9,8 @@
 // Vertices come in shuffle order, so walks from one to the next are short: O(1) steps on average for points
 // that are not adversarial. Three auxiliary vertices outside enclose everything. All triangles at them lie
 // outside the domain and are dropped with it.
-// 1. Every 16th vertex is inserted, in rounds of every 16^k-th. Inserting a sample first keeps points along
-//    curves from making ever longer fans (Amenta, Choi, Rote, "Incremental constructions con BRIO", 2003,
-//    with the shuffle order in place of chance). A small input ends here, with every vertex.
+// 1. Every 16th vertex is inserted, in rounds of every 16^k-th (for_each_in_rounds.h). A small input ends here, with
+//    every vertex.
 // 2. The other vertices are located in that triangulation, which is cut into blocks (Mesh_blocks.h).
 // 3. Each block gets the vertices located there (Delaunay_inserter.h), and the segments between vertices of
 //    the block (Segment_inserter.h).
@@ -28,6 +27,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Kernel_mesh.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Mesh_blocks.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Segment_inserter.h>
+#include <CGAL/Quadtree_mesh_2/internal/triangulation/for_each_in_rounds.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/walk.h>
 
 #include <algorithm>
@@ -79,7 +79,7 @@ public:
   const std::vector<Input_edge>& repeated_edges() const { return repeated_edges_; }
 
 private:
-  static constexpr std::size_t stride = 16;
+  static constexpr std::size_t stride = growth_of_rounds;
   static constexpr std::size_t vertices_of_block = Block_sizes<ConcurrencyTag>::vertices;
 
   using Blocks = Mesh_blocks<ConcurrencyTag, Geometry>;
@@ -141,13 +141,11 @@ private:
     const std::size_t n = representative_.size();
     mesh_.triangles.reserve(2 * (n / last_step) + 16);
     Delaunay_inserter<Geometry> inserter(mesh_);
-    std::size_t step = last_step;
-    while (step < n) step *= stride;
-    for (Triangle_id hint = 0; step >= last_step; step /= stride)
-      for (std::size_t v = 0; v < n; v += step) {
-        if (representative_[v] < 0) representative_[v] = inserter.insert(static_cast<Vertex_id>(v), hint);
-        hint = mesh_.incident_triangle(representative_[v]);
-      }
+    Triangle_id hint = 0;
+    for_each_in_rounds(n, last_step, [&](std::size_t v) {
+      if (representative_[v] < 0) representative_[v] = inserter.insert(static_cast<Vertex_id>(v), hint);
+      hint = mesh_.incident_triangle(representative_[v]);
+    });
   }
 
   template <class Work>
