@@ -75,8 +75,8 @@ inline po::options_description common_options() {
      "pslg: a graph, with a least angle; or points alone: points (least angle 20.7, fewest triangles), bounded "
      "(all angles in a range), acute (all below 90) or warped (corners of squares moved to the points)")
     ("output,o", po::value<std::vector<std::string>>()->value_name("FILE"),
-     "where to write the mesh, more than once if you like: .vtu, .svg, .off, .obj, .msh (Gmsh), .mesh (MEDIT), or .ele, "
-     "which writes .node, .ele and .poly")
+     "where to write the mesh, more than once if you like: .vtu, .svg, .off, .obj, .msh (Gmsh), .mesh (MEDIT), or "
+     ".ele, which writes .node, .ele and .poly")
     ("color", po::value<std::string>()->value_name("C"),
      "colors of .svg: none, angle or region; angle if not given in the modes for points, else none")
     ("show-quadtree", "draw the quadtree of the input in .svg, and write its levels to .vtu")

@@ -158,7 +158,8 @@ double some_share(Random& random, double most) {
   return random.integer(0, 1) == 0 ? 0 : random.between(0, most);
 }
 
-/// Two shapes with sides that face each other across a gap of a few steps, which is outside. Some have a corner in common.
+/// Two shapes with sides that face each other across a gap of a few steps, which is outside. Some have a corner in
+/// common.
 Pslg outer_gaps(std::uint64_t seed) {
   Random random(seed);
   Builder b;

@@ -17,8 +17,8 @@
 //   -> exact constrained Delaunay flips
 //   -> flat arrays in the user's coordinates and vertex order
 //
-// Quadtrees (Tree_construction.h) take the place of refinement on demand where that is wanted, or where it does not come
-// to rest. Refinement then cures what is left of their mesh, and makes it where they are beyond their budget.
+// Quadtrees (Tree_construction.h) take the place of refinement on demand where that is wanted, or where it does not
+// come to rest. Refinement then cures what is left of their mesh, and makes it where they are beyond their budget.
 //
 // What flows back: thinning and the exact flips may leave triangles to refine again, within a budget of their own.
 

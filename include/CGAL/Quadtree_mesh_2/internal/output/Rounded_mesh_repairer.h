@@ -252,8 +252,8 @@ private:
     std::array<double, 2> own, larger;
   };
 
-  /// Its own units in the last place, and larger ones. A vertex on a segment takes those of the segment, so that it stays
-  /// on the segment up to rounding; others take the unit of their larger coordinate.
+  /// Its own units in the last place, and larger ones. A vertex on a segment takes those of the segment, so that it
+  /// stays on the segment up to rounding; others take the unit of their larger coordinate.
   Steps steps_of(Vertex_index v, const std::vector<Triangle_index>& star) const {
     const Point& p = home_[std::size_t(v)];
     const std::array<double, 2> own{unit_in_last_place_of(p.x()), unit_in_last_place_of(p.y())};

@@ -78,8 +78,8 @@ public:
   }
 
   /// Splits the constrained edge at side k of t, near `want` where nothing else is prescribed.
-  /// Refused if it cannot be split: it is as short as coordinates allow, or it is for the sake of a triangle between two
-  /// edges that coordinates hardly tell apart. There would be no end of these.
+  /// Refused if it cannot be split: it is as short as coordinates allow, or it is for the sake of a triangle between
+  /// two edges that coordinates hardly tell apart. There would be no end of these.
   Outcome split(Triangle_id t, int k, const Point* want, Asker asker) {
     const Side side(t, k);
     if (mesh_.across(side).is_seam()) return Outcome::DEFERRED;
@@ -401,8 +401,8 @@ private:
     return s.is_border() ? -1 : insert(s, e, p);
   }
 
-  /// Puts p on the side; -1 if p is not strictly between its ends as seen from the apexes of its triangles, or not clear
-  /// of what is outside.
+  /// Puts p on the side; -1 if p is not strictly between its ends as seen from the apexes of its triangles, or not
+  /// clear of what is outside.
   Vertex_id insert(Side s, Edge_id e, Point p) {
     if (!keeps_orientation(mesh_, s, p) || !state_.problem.is_clear_of_outside(e, p)) return -1;
     const Side o = mesh_.across(s);

@@ -210,7 +210,8 @@ private:
     }
   }
 
-  /// The border's pieces put end to end: per loop its vertices, in order; one where the bulk touches itself comes twice.
+  /// The border's pieces put end to end: per loop its vertices, in order; one where the bulk touches itself comes
+  /// twice.
   std::vector<std::vector<std::int32_t>> loops() const {
     std::vector<std::int32_t> last(vertices_.size(), -1),
         before(edges_.size(), -1); // pieces that leave a vertex
