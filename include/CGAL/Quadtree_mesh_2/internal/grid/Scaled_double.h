@@ -90,10 +90,9 @@ public:
     return a;
   }
   friend Scaled_double operator+(const Scaled_double& a, const Scaled_double& b) {
-    if (a.step_ == b.step_) return {a.mantissa_ + b.mantissa_, a.step_};
-    const Scaled_double &large = a.step_ > b.step_ ? a : b, &small = a.step_ > b.step_ ? b : a;
-    if (large.step_ - small.step_ > 1) return large; // what is left of the small one is no bit of the sum
-    return {large.mantissa_ + small.mantissa_ * 0x1p-512, large.step_};
+    return a.step_ == b.step_  ? Scaled_double(a.mantissa_ + b.mantissa_, a.step_)
+           : a.step_ > b.step_ ? a.plus_smaller(b)
+                               : b.plus_smaller(a);
   }
   friend Scaled_double operator-(const Scaled_double& a, const Scaled_double& b) { return a + -b; }
   Scaled_double& operator+=(const Scaled_double& b) { return *this = *this + b; }
@@ -134,9 +133,19 @@ private:
 
   Scaled_double(double mantissa, int step) : mantissa_(mantissa), step_(step) { normalize(); }
 
+  /// \pre the step of b is less
+  Scaled_double plus_smaller(const Scaled_double& b) const {
+    if (step_ - b.step_ > 1) return *this; // what is left of b is no bit of the sum
+    return {mantissa_ + b.mantissa_ * 0x1p-512, step_};
+  }
+
+  /// What almost all numbers need is a comparison, which is apart from the rest so that it is compiled in place.
   void normalize() {
     const double magnitude = std::fabs(mantissa_);
-    if (magnitude >= least_ && magnitude < greatest_) return;
+    if (!(magnitude >= least_ && magnitude < greatest_)) change_step(magnitude);
+  }
+
+  void change_step(double magnitude) {
     if (magnitude == 0)
       step_ = step_of_zero_;
     else if (!std::isfinite(magnitude))

@@ -95,7 +95,7 @@ private:
   // The link relative to the vertex, scaled to mean distance 1, and its squared edge lengths.
   float x_[Star::max_size + 1], y_[Star::max_size + 1], edge2_[Star::max_size];
   Number scale_ = 1;
-  Vector link_[Star::max_size + 1]; // relative to a vertex on an edge
+  Basic_vector<double> link_[Star::max_size + 1]; // relative to a vertex on an edge, in a unit
 
   bool is_hurried(Aim aim) const { return aim == Aim::BOUND && !state_.is_small(); }
 
@@ -280,7 +280,9 @@ private:
                  from_b = Geometry::scaled_difference(mesh_.point(v), b);
     const Vector d = Geometry::scaled_difference(b, a);
     const Number whole = length(d);
-    const Number place = place_on_line((1 / whole) * d, mean_distance_of_link(mesh_.point(v)), aim);
+    const Number unit = prepare_link_of_edge(mesh_.point(v));
+    const Vector direction = (1 / whole) * d;
+    const Number place = unit * place_on_line({ratio(direction.x, 1), ratio(direction.y, 1)}, aim);
     if (place == 0) return false;
     // shares are finest near the end from which they are taken
     const bool is_nearer_to_a = squared_length(from_a) <= squared_length(from_b);
@@ -291,11 +293,11 @@ private:
     return state_.problem.is_clear_of_outside(e, p) && accept(v, p, aim);
   }
 
-  /// How far to go from the vertex along a direction for the best star that is found.
-  Number place_on_line(Vector direction, Number mean_distance, Aim aim) const {
+  /// How far to go from the vertex along a direction for the best star that is found, in the unit of the link.
+  double place_on_line(Basic_vector<double> direction, Aim aim) const {
     const double goal = aim == Aim::BOUND ? state_.bounds.sin2 : 1;
     double best = least_of_star({0, 0}, -1);
-    Number place = 0, step = first_step * mean_distance;
+    double place = 0, step = first_step * mean_distance_of_link();
     for (int i = 0; i < max_steps && best < goal; ++i) {
       bool is_better = false;
       for (const double sign : {-1.0, 1.0}) {
@@ -308,23 +310,34 @@ private:
     return place;
   }
 
-  /// Sets up the link relative to the vertex; returns its mean distance.
-  Number mean_distance_of_link(const Point& origin) {
+  /// Sets up the link relative to the vertex, in a power of two next to its longest distance. So the search is one in
+  /// doubles, whatever the numbers are, and rounded alike in any unit. Returns the unit.
+  Number prepare_link_of_edge(const Point& origin) {
     using std::sqrt;
-    Number sum = 0;
-    for (int i = 0; i <= star_.size; ++i)
-      link_[i] = Geometry::scaled_difference(mesh_.point(star_.link[i]), origin);
+    Vector link[Star::max_size + 1];
+    Number longest2 = 0;
+    for (int i = 0; i <= star_.size; ++i) {
+      link[i] = Geometry::scaled_difference(mesh_.point(star_.link[i]), origin);
+      longest2 = std::max(longest2, squared_length(link[i]));
+    }
+    const Number unit = power_of_two_at_most(sqrt(longest2));
+    for (int i = 0; i <= star_.size; ++i) link_[i] = {ratio(link[i].x, unit), ratio(link[i].y, unit)};
+    return unit;
+  }
+
+  double mean_distance_of_link() const {
+    double sum = 0;
     for (int i = 0; i < star_.number_of_link_vertices(); ++i) sum += squared_length(link_[i]);
-    return sqrt(sum / star_.number_of_link_vertices());
+    return std::sqrt(sum / star_.number_of_link_vertices());
   }
 
   /// The least squared sine of the star with the vertex at `p`, relative to its place; something at most `floor` as
   /// soon as it falls to that.
-  double least_of_star(Vector p, double floor) const {
+  double least_of_star(Basic_vector<double> p, double floor) const {
     double least = 2;
     for (int i = 0; i < star_.size && least > floor; ++i) {
-      const Vector u = link_[i] - p, v = link_[i + 1] - link_[i], w = link_[i + 1] - p;
-      const Shape s = {{squared_length(v), squared_length(w), squared_length(u)}, cross(u, v)};
+      const auto u = link_[i] - p, v = link_[i + 1] - link_[i], w = link_[i + 1] - p;
+      const Basic_shape<double> s = {{squared_length(v), squared_length(w), squared_length(u)}, cross(u, v)};
       least = s.area2 <= 0 ? -1 : std::min(least, s.sin2_of_least_angle());
     }
     return least;
