@@ -72,7 +72,7 @@ std::size_t check_what_faces_the_border(const Mesh& mesh, const Pslg& pslg) {
   std::size_t at_border = 0, faced = 0;
   for (std::size_t e = 0; e < mesh.constrained_edges.size(); ++e) {
     const auto& edge = mesh.constrained_edges[e];
-    CHECK(rooms.have(e)); // meshes of doubles are in their rooms
+    CHECK(rooms.number_of_vertices_beyond(e) == 0); // meshes of doubles are in their rooms
     const bool is_at_border = sides.count({edge.vertices[0], edge.vertices[1]}) > 0;
     at_border += is_at_border ? 1 : 0;
     if (!edge.outer_vertex.is_valid()) continue;
@@ -110,8 +110,9 @@ struct Divided_side {
     mesh.points[4] = p;
     const Chains chains(mesh);
     const Rooms rooms(mesh, chains);
-    CHECK(rooms.have(left_piece) == rooms.have(right_piece));
-    return rooms.have(left_piece);
+    const std::size_t beyond = rooms.number_of_vertices_beyond(left_piece);
+    CHECK(beyond == rooms.number_of_vertices_beyond(right_piece));
+    return beyond == 0;
   }
 };
 

@@ -57,22 +57,22 @@ public:
   Outer_rooms(const Indexed_mesh_2<Point>& mesh, const Segment_chains<Point>& chains)
       : mesh_(mesh), chains_(chains) {}
 
-  /// Whether the Steiner vertices of a piece are clear of what is outside.
-  bool have(std::size_t piece) const {
+  /// How many Steiner vertices of a piece are not clear of what is outside.
+  std::size_t number_of_vertices_beyond(std::size_t piece) const {
     const auto& edge = mesh_.constrained_edges[piece];
-    if (!edge.outer_vertex.is_valid() || (is_input(edge.vertices[0]) && is_input(edge.vertices[1])))
-      return true;
+    if (!edge.outer_vertex.is_valid() || (is_input(edge.vertices[0]) && is_input(edge.vertices[1]))) return 0;
     auto [b, a] = chains_.ends_of_chain(piece);
-    if (!a.is_valid()) return true;
+    if (!a.is_valid()) return 0;
     // The domain is on the left of the edge, so the outside is on the left of the opposite direction.
     if (chains_.ends_of_piece(piece)[0] != edge.vertices[0]) std::swap(a, b);
     const Place from = place(a), to = place(b);
     const Edge_room<User_geometry> room(from, to, place(edge.outer_vertex));
     // A vertex that is tried at an end of its chain is as good as merged with it.
-    return std::all_of(edge.vertices.begin(), edge.vertices.end(), [&](Vertex_index v) {
-      const Place p = place(v);
-      return p == from || p == to || room.has(from, to, p);
-    });
+    return static_cast<std::size_t>(
+        std::count_if(edge.vertices.begin(), edge.vertices.end(), [&](Vertex_index v) {
+          const Place p = place(v);
+          return p != from && p != to && !room.has(from, to, p);
+        }));
   }
 
 private:

@@ -8,16 +8,18 @@
 // ahead and keep clear of what is outside of the border (round_mesh_2.h says what for).
 //
 // Computes: a mesh without faults. It is a fault of a triangle to be flat or clockwise by the doubles of its
-//           vertices, and each side of it is one that goes back along its segment, or has an end beyond the room
-//           outside of its segment (Outer_rooms.h). A triangle at fault is tried with, in this order:
+//           vertices, each side of it is one that goes back along its segment, and so is each end of a side that is
+//           beyond the room outside of its segment (Outer_rooms.h). A triangle at fault is tried with, in this order:
 //           1. merging a Steiner vertex of it with another vertex at the same place;
 //           2. another diagonal;
-//           3. other doubles for a Steiner vertex, next to those nearest to its exact place;
+//           3. other doubles for a Steiner vertex: on its segment or next to that, for which words are too coarse near
+//              zero, or next to those nearest to its exact place;
 //           4. merging a Steiner vertex with any neighbor.
 //           A step is taken if it leaves fewer faults than were among the triangles it touches. The last kind is
 //           also taken if it leaves as many, because it takes away a vertex. So this ends.
-//           Sides are counted, not the triangles that have them: no other diagonal mends a side, but it may
-//           bring two of them into one triangle, of three vertices of one segment, which nothing mends.
+//           Sides and ends are counted, not the triangles that have them. No other diagonal mends a side, but it may
+//           bring two into one triangle, of three vertices of one segment, which nothing mends. And where all
+//           vertices of a segment are at fault, to move one must be a step ahead.
 // Bound:    One predicate for each triangle and each piece of a segment, and up to seven more for pieces of the border,
 //           if no triangle is at fault, as in nearly all meshes.
 //
@@ -125,10 +127,12 @@ private:
   bool is_counterclockwise(const Corners& r) const {
     return is_counterclockwise(mesh_.point(r[0]), mesh_.point(r[1]), mesh_.point(r[2]));
   }
-  bool is_in_place(std::size_t piece) const { return chains_.goes_ahead(piece) && rooms_.have(piece); }
+  std::size_t faults_of_piece(std::size_t piece) const {
+    return (chains_.goes_ahead(piece) ? 0 : 1) + rooms_.number_of_vertices_beyond(piece);
+  }
   std::size_t number_of_faults(const Corners& r) const {
     return (is_counterclockwise(r) ? 0 : 1) +
-           topology_->count_pieces(r, [this](std::size_t piece) { return !is_in_place(piece); });
+           topology_->sum_over_pieces(r, [this](std::size_t piece) { return faults_of_piece(piece); });
   }
   bool is_left(Triangle_index t) const {
     return topology_->is_alive(t) && number_of_faults(mesh_.triangles[std::size_t(t)]) > 0;
@@ -142,7 +146,7 @@ private:
     for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
       if (!is_counterclockwise(mesh_.triangles[t])) at_fault.push_back(Triangle_index(t));
     for (std::size_t e = 0; e < mesh_.constrained_edges.size(); ++e)
-      if (!is_in_place(e)) out_of_place.push_back(e);
+      if (faults_of_piece(e) > 0) out_of_place.push_back(e);
     if (at_fault.empty() && out_of_place.empty()) return at_fault;
     topology_.emplace(mesh_, chains_);
     for (const std::size_t e : out_of_place)
@@ -231,15 +235,22 @@ private:
     const Point before = mesh_.point(v);
     const std::size_t faults_before = success_of(star).faults;
     const int reach = topology_->is_free(v) ? reach_of_free_vertices : reach_on_segments;
-    const Steps steps = steps_of(v, star);
+    const Point& home = home_[std::size_t(v)];
+    const std::optional<std::size_t> piece = topology_->piece_at(v, star);
     Point best = before;
     Rounding_success best_success{faults_before, 2};
-    for (int ring = 1; ring <= reach && best_success.faults > 0; ++ring)
-      for_each_place_around(home_[std::size_t(v)], steps, ring, [&](const Point& p) {
-        mesh_.points[std::size_t(v)] = p;
-        const Rounding_success success = success_of(star);
-        if (success.faults < faults_before && best_success < success) best_success = success, best = p;
-      });
+    const auto try_place = [&](const Point& p) {
+      mesh_.points[std::size_t(v)] = p;
+      const Rounding_success success = success_of(star);
+      if (success.faults < faults_before && best_success < success) best_success = success, best = p;
+    };
+    const auto try_around = [&](const Point& center) {
+      const Steps steps = steps_of(center, piece);
+      for (int ring = 0; ring <= reach && best_success.faults > 0; ++ring)
+        for_each_place_around(center, steps, ring, try_place);
+    };
+    if (piece) try_around(chains_.place_beside(*piece, home));
+    try_around(home);
     mesh_.points[std::size_t(v)] = best;
     if (best_success.faults == faults_before) return false;
     if (std::find(moved_.begin(), moved_.end(), v) == moved_.end()) moved_.push_back(v);
@@ -254,12 +265,10 @@ private:
 
   /// Its own units in the last place, and larger ones. A vertex on a segment takes those of the segment, so that it
   /// stays on the segment up to rounding; others take the unit of their larger coordinate.
-  Steps steps_of(Vertex_index v, const std::vector<Triangle_index>& star) const {
-    const Point& p = home_[std::size_t(v)];
+  Steps steps_of(const Point& p, const std::optional<std::size_t>& piece) const {
     const std::array<double, 2> own{unit_in_last_place_of(p.x()), unit_in_last_place_of(p.y())};
     const double larger = std::max(own[0], own[1]);
-    return {own, topology_->is_on_segment(v) ? topology_->units_of_segment(v, star)
-                                             : std::array<double, 2>{larger, larger}};
+    return {own, piece ? chains_.units(*piece) : std::array<double, 2>{larger, larger}};
   }
 
   /// Places so many steps away.

@@ -22,6 +22,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
+#include <optional>
 #include <unordered_map>
 #include <utility>
 #include <vector>
@@ -85,26 +86,25 @@ public:
     return result;
   }
 
-  /// How many sides of r are pieces of segments of which the predicate holds.
-  template <class Predicate>
-  std::size_t count_pieces(const Corners& r, const Predicate& predicate) const {
-    std::size_t n = 0;
+  /// The sum of a function over those sides of r that are pieces of segments.
+  template <class Function>
+  std::size_t sum_over_pieces(const Corners& r, const Function& f) const {
+    std::size_t sum = 0;
     for (std::size_t k = 0; k < 3; ++k) {
       const auto piece = piece_of_.find(key(r[k], r[next(k)]));
-      if (piece != piece_of_.end() && predicate(piece->second)) ++n;
+      if (piece != piece_of_.end()) sum += f(piece->second);
     }
-    return n;
+    return sum;
   }
 
-  /// How far apart doubles are along each axis where the segment of v is farthest from zero; zero for a vertex that is
-  /// on no segment.
-  std::array<double, 2> units_of_segment(Vertex_index v, const Star& star_of_v) const {
+  /// A piece of a segment that ends at v, if v is on a segment.
+  std::optional<std::size_t> piece_at(Vertex_index v, const Star& star_of_v) const {
     for (const Triangle_index t : star_of_v)
       for (const Vertex_index w : corners(t)) {
         const auto piece = piece_of_.find(key(v, w));
-        if (piece != piece_of_.end()) return chains_.units(piece->second);
+        if (piece != piece_of_.end()) return piece->second;
       }
-    return {0, 0};
+    return std::nullopt;
   }
 
   std::vector<Vertex_index> neighbors_in(const Star& star, Vertex_index v) const {

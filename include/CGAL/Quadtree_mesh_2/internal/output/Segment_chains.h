@@ -75,6 +75,18 @@ public:
             unit_in_last_place_of(std::max(std::fabs(p.y()), std::fabs(q.y())))};
   }
 
+  /// The place on the chain of `e`, up to rounding, that has the same x as `p`, or y where the chain is steep.
+  Point place_beside(std::size_t e, const Point& p) const {
+    const Piece& piece = pieces_[e];
+    if (piece.chain == none) return p;
+    const Point &a = mesh_.point(chains_[piece.chain][0]), &b = mesh_.point(chains_[piece.chain][1]);
+    const double dx = b.x() - a.x(), dy = b.y() - a.y();
+    const bool is_steep = std::fabs(dy) > std::fabs(dx);
+    const double other = is_steep ? a.x() + (p.y() - a.y()) / dy * dx : a.y() + (p.x() - a.x()) / dx * dy;
+    if (!std::isfinite(other)) return p;
+    return is_steep ? Point(other, p.y()) : Point(p.x(), other);
+  }
+
   /// The vertices from which and to which piece `e` goes.
   std::array<Vertex_index, 2> ends_of_piece(std::size_t e) const { return {pieces_[e].from, pieces_[e].to}; }
   /// Those of its chain, which are input vertices; invalid if `e` is in none.
