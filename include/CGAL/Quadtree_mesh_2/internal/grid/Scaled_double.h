@@ -136,7 +136,10 @@ private:
 
   void normalize() {
     const double magnitude = std::fabs(mantissa_);
-    if (magnitude >= least_ && magnitude < greatest_) return;
+    if (!(magnitude >= least_ && magnitude < greatest_)) change_step(magnitude);
+  }
+
+  void change_step(double magnitude) {
     if (magnitude == 0)
       step_ = step_of_zero_;
     else if (!std::isfinite(magnitude))
