@@ -178,8 +178,8 @@ Rounded_mesh_2<Point> round_mesh_2(Indexed_mesh_2<Other_point> mesh, const std::
   Quadtree_mesh_2::internal::Rounded_mesh_repairer<Point> repairer(result.mesh);
   const Quadtree_mesh_2::Triangle_index left = repairer.run();
   if (left.is_valid()) throw Quadtree_mesh_2::internal::make_rounding_error(result.mesh, left);
-  result.new_triangle = repairer.compress();
   result.moved_vertices = repairer.number_of_moved();
+  result.new_triangle = repairer.compress();
   result.merged_vertices = repairer.number_of_merged();
   result.flipped_edges = repairer.number_of_flipped();
   return result;

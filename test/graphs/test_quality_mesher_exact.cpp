@@ -228,6 +228,15 @@ TEST_CASE("quadtrees refuse distances beyond doubles, with the input's vertices"
   CHECK(has_text(error, "vertex 5"));
 }
 
+TEST_CASE("A small graph that asks for too many exact numbers is refused before it is meshed",
+          "[mesher][exact]") {
+  // Half as many as over doubles: they take more than twice the memory, and more time.
+  const Exact_pslg legs = to_exact(read("hard_rosette_of_legs.poly"));
+  const std::string error = error_of([&] { run_exactly(legs, Options().max_edge(0.0667)); });
+  CHECK(has_text(error, "a graph of fewer than 1000 vertices is allowed 1e+06"));
+  CHECK(has_text(error, "meet at an angle of 2.09"));
+}
+
 namespace {
 
 void mesh_spiral_to(int depth) {
@@ -411,9 +420,14 @@ TEST_CASE("exact coordinates", "[mesher][exact]") {
   const auto power = [](int k) { return CGAL::Quadtree_mesh_2::internal::power_of_two<Field>(k); };
   std::vector<Field> numbers{Field(0), Field(1)};
   for (const Field& n : std::vector<Field>{Field(1) / 3, Field(1), Field(0.1)})
-    for (const int k : {20, 53, 54, 60, 105, 107, 120, 300, 2000})
+    for (const int k : {20, 53, 54, 60, 75, 89, 91, 105, 107, 120, 300, 2000})
       for (const int sign : {-1, 1})
         numbers.push_back(n + sign * power(-k)), numbers.push_back(-n + power(-k) / 3);
+  // half a unit in the last place, and a little; below the range of doubles it is 0
+  const auto is_nearly_rounded = [&](double rounded, const Field& d) {
+    const Field error = Field(rounded) < d ? Field(d - Field(rounded)) : Field(Field(rounded) - d);
+    return error <= Field(d < 0 ? Field(-d) : d) * power(-53) * (1 + power(-10)) + power(-1074);
+  };
   for (const Field& a : numbers) {
     const Coordinate x(a);
     CHECK(x.exact() == a);
@@ -423,15 +437,16 @@ TEST_CASE("exact coordinates", "[mesher][exact]") {
       CHECK((x == y) == (a == b));
       CHECK((x < y) == (a < b));
       const Field d = a - b;
-      const double rounded = Coordinate::difference(x, y);
-      // half a unit in the last place, and a little; below the range of doubles it is 0
-      const Field error = Field(rounded) < d ? d - Field(rounded) : Field(rounded) - d;
       const Field magnitude = d < 0 ? Field(-d) : d;
-      CHECK(error <= magnitude * power(-53) * (1 + power(-10)) + power(-1074));
+      CHECK(is_nearly_rounded(Coordinate::difference(x, y), d));
       const Field scaled = Coordinate::scaled_difference(x, y).exact<Field>(); // correct there, too
       CHECK((scaled < d ? Field(d - scaled) : Field(scaled - d)) <= magnitude * power(-51));
-      for (const double share : {0.5, 0.1, 1e-20, 1.0})
-        CHECK(Coordinate::between(x, y, share).exact() == a + Field(share) * (b - a));
+      for (const double share : {0.5, 0.1, 1e-20, 1.0}) {
+        const Coordinate between = Coordinate::between(x, y, share);
+        const Field way = Field(share) * (b - a);
+        CHECK(between.exact() == a + way);
+        CHECK(is_nearly_rounded(Coordinate::difference(between, x), way));
+      }
     }
     for (const int k : {0, -20, -60, -110, -200})
       for (const double v : {0., 0.3, -1e-25}) {

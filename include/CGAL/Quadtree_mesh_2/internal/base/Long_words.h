@@ -21,8 +21,9 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-/// An integer of unlimited length; up to 128 bits it needs no memory of its own.
-using Long_word = boost::multiprecision::cpp_int;
+/// An integer of unlimited length; up to 256 bits, which products of two coordinates mostly have, it needs no memory of
+/// its own.
+using Long_word = boost::multiprecision::number<boost::multiprecision::cpp_int_backend<256>>;
 
 /// The operations of quadtrees on words that are not negative.
 template <>

@@ -7,7 +7,8 @@
 // A number of an exact field that also keeps the nearest sum of two doubles (Dekker, 1971).
 //
 // Most numbers of a mesh are exactly doubles or such sums. Most others are multiples of powers of two
-// (Scaled_integer.h): corners of small squares far from 0, and what is made between them. The rest, for
+// (Scaled_integer.h): corners of small squares far from 0, and what is made between them. These keep a third
+// double, by which most differences are told without the integers. The rest, for
 // example 1/3, has a number of the field, and beside it the multiple of a power of two below it. This
 // multiple tells numbers apart wherever it is fine enough. So common divisors are hardly ever computed. With
 // numbers of thousands of bits, these would take most of the time.
@@ -45,14 +46,17 @@ public:
   explicit Exact_coordinate(Field value) {
     *this = nearest_sum(value);
     const Field rest = value - Field(high_) - Field(low_);
-    if (!CGAL::is_zero(rest)) long_ = std::make_shared<const Long_number>(Long_number::of(std::move(value)));
+    if (!CGAL::is_zero(rest))
+      long_ = std::make_shared<const Long_number>(Long_number::of(std::move(value), CGAL::to_double(rest)));
   }
 
   explicit Exact_coordinate(const Scaled_integer& value) {
     *this = sum(value.to_double(), 0);
     low_ = (value - Scaled_integer(high_)).to_double();
-    if ((value - sum_as_integer()).is_zero()) return;
-    long_ = std::make_shared<const Long_number>(Long_number{value.shortened(), std::nullopt});
+    const Scaled_integer rest = value - sum_as_integer();
+    if (rest.is_zero()) return;
+    long_ =
+        std::make_shared<const Long_number>(Long_number{value.shortened(), std::nullopt, rest.to_double()});
   }
 
   /// The sum of three doubles that has at most 106 bits, each of the doubles far smaller than the one before.
@@ -122,12 +126,13 @@ private:
   struct Long_number {
     Scaled_integer floor;
     std::optional<Field> field;
+    double tail; ///< what it has beyond the sum of two doubles, rounded
 
     /// If a number is not a multiple of a power of two, its floor has this many bits more than its
     /// denominator. So the floor tells it apart from numbers that are about as long.
     static constexpr int bits_below = 256;
 
-    static Long_number of(Field value) {
+    static Long_number of(Field value, double tail) {
       int exponent = -bits_below;
       if constexpr (Has_integer_parts<Field>::value) {
         typename Fraction_traits<Field>::Numerator_type numerator;
@@ -136,10 +141,10 @@ private:
         const Long_word below = abs(to_long_word(denominator));
         const int bits = static_cast<int>(msb(below));
         if (static_cast<int>(lsb(below)) == bits)
-          return {Scaled_integer(to_long_word(numerator), -bits).shortened(), std::nullopt};
+          return {Scaled_integer(to_long_word(numerator), -bits).shortened(), std::nullopt, tail};
         exponent -= bits;
       }
-      return {Scaled_integer(Floor_of_scaled<Field>(-exponent)(value), exponent), std::move(value)};
+      return {Scaled_integer(Floor_of_scaled<Field>(-exponent)(value), exponent), std::move(value), tail};
     }
   };
 
@@ -151,6 +156,7 @@ private:
   /// Whether it is a multiple of a power of two: `floor()`.
   bool is_multiple() const { return !long_ || !long_->field; }
   Scaled_integer floor() const { return long_ ? long_->floor : sum_as_integer(); }
+  double tail() const { return long_ ? long_->tail : 0; }
 
   static Field to_field(const Scaled_integer& v) {
     return v.template to_exact<Field>(power_of_two<Field>(v.exponent));
@@ -165,9 +171,15 @@ private:
       const Exact_coordinate tails = sum(a.low_, -b.low_), all = sum(heads.high_, tails.high_);
       return all.high_ + (all.low_ + (heads.low_ + tails.low_));
     }
-    const double result = heads.high_ + (heads.low_ + (a.low_ - b.low_));
     const double magnitude = std::max(std::fabs(a.high_), std::fabs(b.high_));
-    if (std::fabs(result) > 0x1p-40 * magnitude && magnitude > 1e-250) return result;
+    if (magnitude <= 1e-250) return std::nullopt;
+    const double result = heads.high_ + (heads.low_ + (a.low_ - b.low_));
+    if (std::fabs(result) > 0x1p-40 * magnitude) return result;
+    // Heads cancel, so their difference has no low part. All that is rounded is below 2^-154 of the magnitude, or of the
+    // result's own order.
+    const Exact_coordinate middles = sum(a.low_, -b.low_), all = sum(heads.high_, middles.high_);
+    const double finer = all.high_ + (all.low_ + (middles.low_ + (a.tail() - b.tail())));
+    if (std::fabs(finer) > 0x1p-90 * magnitude) return finer;
     return std::nullopt;
   }
 
@@ -212,8 +224,7 @@ private:
     if (!a.long_ && !b.long_)
       return a.high_ != b.high_ ? sign(a.high_, b.high_) : a.low_ != b.low_ ? sign(a.low_, b.low_) : 0;
     if (a.long_ == b.long_) return 0;
-    const double magnitude = std::max(std::fabs(a.high_), std::fabs(b.high_));
-    if (std::fabs(a.high_ - b.high_) > 0x1p-50 * magnitude) return sign(a.high_, b.high_);
+    if (const std::optional<double> of_sums = difference_of_sums(a, b)) return sign(*of_sums, 0);
     const Scaled_double d = difference_of_long(a, b);
     return d.is_zero() ? 0 : d < 0. ? -1 : 1;
   }

@@ -97,9 +97,11 @@ public:
     return same;
   }
 
+  /// To be asked before `compress()`.
   std::size_t number_of_moved() const {
     std::size_t n = 0;
-    for (const Vertex_index v : moved_) n += topology_->is_used(v) ? 1 : 0;
+    for (std::size_t v = 0; v < home_.size(); ++v)
+      n += topology_->is_used(Vertex_index(v)) && mesh_.points[v] != home_[v] ? 1 : 0;
     return n;
   }
   std::size_t number_of_merged() const { return merged_; }
@@ -117,7 +119,6 @@ private:
   std::optional<Rounded_mesh_topology<Point>> topology_;
   std::vector<Point> home_; // the nearest doubles of all vertices
   std::vector<Triangle_index> found_;
-  std::vector<Vertex_index> moved_;
   std::size_t merged_ = 0, flipped_ = 0;
 
   static bool is_counterclockwise(const Point& a, const Point& b, const Point& c) {
@@ -253,7 +254,6 @@ private:
     try_around(home);
     mesh_.points[std::size_t(v)] = best;
     if (best_success.faults == faults_before) return false;
-    if (std::find(moved_.begin(), moved_.end(), v) == moved_.end()) moved_.push_back(v);
     note(star);
     return true;
   }

@@ -17,6 +17,8 @@
 #include <CGAL/Indexed_mesh_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/output/Segment_chains.h>
 
+#include <boost/container_hash/hash.hpp>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -208,18 +210,19 @@ private:
     Vertex_index a, b, d, c; // counterclockwise; the triangle is a, b, c
     Triangle_index other;
   };
+  using Ends = std::pair<std::uint32_t, std::uint32_t>;
 
   Indexed_mesh_2<Point>& mesh_;
   Segment_chains<Point>& chains_;
   std::vector<Triangle_index> triangle_of_;
   std::vector<std::uint32_t> border_edges_; // at each vertex
   std::vector<char> is_dead_, is_piece_dead_;
-  std::unordered_map<std::uint64_t, std::size_t> piece_of_; // by the ends of constrained edges
+  std::unordered_map<Ends, std::size_t, boost::hash<Ends>> piece_of_; // by the ends of constrained edges
 
   static std::size_t next(std::size_t slot) { return (slot + 1) % 3; }
   static std::size_t previous(std::size_t slot) { return (slot + 2) % 3; }
-  static std::uint64_t key(Vertex_index v, Vertex_index w) {
-    return (std::uint64_t(std::min(v.value(), w.value())) << 32) | std::max(v.value(), w.value());
+  static Ends key(Vertex_index v, Vertex_index w) {
+    return {std::min(v.value(), w.value()), std::max(v.value(), w.value())};
   }
 
   const Corners& corners(Triangle_index t) const { return mesh_.triangles[std::size_t(t)]; }
