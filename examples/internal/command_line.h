@@ -121,8 +121,8 @@ inline po::options_description graph_options() {
      "rounds of thinning, up to 1000: fewer triangles still, each takes about as long as refinement")
     ("max-vertices", po::value<long long>()->value_name("N"),
      "stop refining at so many vertices, and report what is left; what surely needs four times as many is refused. If "
-     "not given: what memory allows, and for graphs of fewer than 1000 vertices 1000000 besides what bounds of size "
-     "ask for")
+     "not given: what memory allows, and for graphs of fewer than 1000 vertices 1000000 (exact: 500000) besides what "
+     "bounds of size ask for")
     ("no-coarsening", "keep the vertices that are not needed in the end");
   return options;
 }

@@ -132,9 +132,9 @@ public:
   double patience_memory() const { return patience_memory_; } ///< the value set
 
   /// Refinement stops when the mesh has this many vertices, and what is left is reported. 0, the default,
-  /// means no bound but that of memory; for graphs of fewer than 1000 vertices it means one million
-  /// besides four times what bounds of size ask for, unless there is a size field or `refine_where()`, and a
-  /// graph that needs more is refused.
+  /// means no bound but that of memory; for graphs of fewer than 1000 vertices it means one million (half of
+  /// that over exact numbers) besides four times what bounds of size ask for, unless there is
+  /// `refine_where()`, and a graph that needs more is refused.
   Quality_mesh_options_2& max_vertices(std::size_t value) { return max_vertices_ = value, *this; }
   std::size_t max_vertices() const { return max_vertices_; } ///< the value set
 

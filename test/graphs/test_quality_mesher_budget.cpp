@@ -143,13 +143,20 @@ TEST_CASE("A small graph whose mesh turns out too large is refused, too", "[mesh
   for (const char* part :
        {"not done with 2e+06 triangles", "segment 4", "segment 5", "face each other at a distance of 2e-06"})
     CHECK(has_text(text, part));
+  // What bounds of size ask for is added to the limit, and is no whole number.
+  const std::string with_bound =
+      error(read("hard_legs_for_a_million_triangles.poly"), Options().max_area(0.00056211354693648118));
+  CAPTURE(with_bound);
+  for (const char* part : {"not done with 2.4e+06 triangles", "meet at an angle of 1.49"})
+    CHECK(has_text(with_bound, part));
 }
 
 TEST_CASE("Bounds of size give a small graph no more for its gaps", "[mesher][budget]") {
   const Pslg pslg = read("hard_overlaps_in_words.poly");
-  const double extent = 0x1p29;
+  constexpr double extent = 0x1p29;
   for (const Options& options :
-       {Options(), Options().max_area(0.005 * extent * extent), Options().max_edge(0.04 * extent)}) {
+       {Options(), Options().max_area(0.005 * extent * extent), Options().max_edge(0.04 * extent),
+        Options().size([](double, double) { return 0.04 * extent; })}) {
     const std::string text = error(pslg, options);
     CAPTURE(text);
     CHECK(has_text(text, "a graph of fewer than 1000 vertices is allowed 2e+06"));

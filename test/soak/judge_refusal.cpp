@@ -176,7 +176,8 @@ Verdict judge_size(const Soak_case& c, const std::string& message) {
   const std::regex words("(about|not done with) ([0-9.e+]+) triangles");
   if (vertices.empty() || !std::regex_search(message, number, words))
     return failure("refused: too large, without numbers", message);
-  if (std::stod(number[2]) < (number[1] == "about" ? 8e6 : 2e6))
+  const double least = c.kernel == Kernel::EXACT ? 1e6 : 2e6;
+  if (std::stod(number[2]) < (number[1] == "about" ? 4 * least : least))
     return failure("refused: not too large", message);
   if (!has_narrow_gap(c.graph, vertices)) return failure("refused: no narrow gap", message);
   return {Outcome::REFUSED, "too large", message};

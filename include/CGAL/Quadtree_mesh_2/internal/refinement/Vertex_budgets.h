@@ -13,6 +13,7 @@
 #include <CGAL/Quality_mesh_options_2.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <optional>
@@ -37,8 +38,8 @@ public:
   Vertex_budgets(const Quality_mesh_options_2& options, const Bounds<Geometry>& bounds,
                  std::size_t input_vertices, double expected, double expected_of_sizes)
       : options_(options), is_established_(bounds.is_established()),
-        is_capped_(input_vertices < small_graph && !options.size() && !options.refine_where()),
-        expected_(expected), cap_(cap_of_small_graphs + margin_of_sizes * expected_of_sizes) {}
+        is_capped_(input_vertices < small_graph && !options.refine_where()), expected_(expected),
+        cap_(std::floor(cap_of_small_graphs + margin_of_sizes * expected_of_sizes)) {}
 
   /// How many triangles the mesh may be expected to have for it to be begun.
   Triangle_budget of_triangles() const {
@@ -91,15 +92,16 @@ private:
   /// Refinement that is expected to end may take so many times the vertices expected, whatever memory that needs.
   static constexpr double least_patience = 10;
   /// A graph of fewer vertices is given up at a mesh of some seconds and, together with what checks it, half a
-  /// gigabyte, not counting what bounds of size ask for. Its gaps are so narrow that its owner should know of them.
+  /// gigabyte, not counting what bounds of size ask for. Over exact numbers a vertex takes twice that and more. Gaps
+  /// are so narrow then that their owner should know of them.
   static constexpr std::size_t small_graph = 1000;
-  static constexpr double cap_of_small_graphs = 1e6;
+  static constexpr double cap_of_small_graphs = Geometry::has_unlimited_coordinates ? 5e5 : 1e6;
   static constexpr const char* limit_of_small_graphs =
       "without a vertex budget a graph of fewer than 1000 vertices is allowed";
   /// What bounds of size ask for is estimated; it may be so many times that.
   static constexpr double margin_of_sizes = 4;
-  /// Time of a leaf of quadtrees over exact numbers, in that of one over doubles.
-  static constexpr double cost_of_exact_leaves = 4;
+  /// Time of a leaf of quadtrees over exact numbers, in that of a vertex.
+  static constexpr double cost_of_exact_leaves = 2;
   /// What a user's rule asks for cannot be expected.
   static constexpr double unexpected_by_users_rule = 2e7;
   /// Of a vertex and its two triangles, in arrays of twice the size, and of what refinement notes about them.
