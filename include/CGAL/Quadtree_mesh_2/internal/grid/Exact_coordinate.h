@@ -175,8 +175,8 @@ private:
     if (magnitude <= 1e-250) return std::nullopt;
     const double result = heads.high_ + (heads.low_ + (a.low_ - b.low_));
     if (std::fabs(result) > 0x1p-40 * magnitude) return result;
-    // Heads cancel, so their difference has no low part. All that is rounded is below 2^-154 of the magnitude, or of the
-    // result's own order.
+    // Heads cancel, so their difference has no low part. All that is rounded is below 2^-154 of the magnitude, or of
+    // the result's own order.
     const Exact_coordinate middles = sum(a.low_, -b.low_), all = sum(heads.high_, middles.high_);
     const double finer = all.high_ + (all.low_ + (middles.low_ + (a.tail() - b.tail())));
     if (std::fabs(finer) > 0x1p-90 * magnitude) return finer;
