@@ -69,7 +69,7 @@ TEST_CASE("A fan that goes on beyond a seam waits in linear time", "[refiner]") 
   internal::Refiner<Counting_geometry> refiner(state, splitter);
   Counting_geometry::orientations = 0;
   refiner.push_all();
-  CHECK(refiner.run(10 * std::size_t(n), [] { return true; }) == internal::Refinement_end::DONE);
+  CHECK(refiner.run({10 * std::size_t(n)}, [] { return true; }) == internal::Refinement_end::DONE);
   CHECK(state.deferred.size() > std::size_t(n) / 2);
   CHECK(Counting_geometry::orientations < 200 * state.mesh.number_of_triangles());
 }

@@ -14,8 +14,6 @@
 
 #include <CGAL/tags.h>
 
-#include <boost/multiprecision/cpp_int.hpp>
-
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>
 #endif
@@ -36,8 +34,8 @@ namespace test_parallel {
 namespace {
 
 namespace internal = CGAL::Quadtree_mesh_2::internal;
-using boost::multiprecision::cpp_int;
 using CGAL::Quadtree_mesh_2::Grid_point_2;
+using internal::Long_word;
 
 /// Lengths around those of blocks.
 std::vector<std::size_t> lengths(std::size_t block) {
@@ -402,15 +400,15 @@ TEST_CASE("Shuffle order of words of any length agrees with its definition", "[p
   const int bits = 1000;
   std::mt19937_64 random(3);
   const auto coordinate = [&] {
-    cpp_int c = 0;
+    Long_word c = 0;
     for (int i = 0; i < bits; i += 50) c = c << 50 | random() >> 14;
     return c;
   };
   for (int kind = 0; kind < 4; ++kind)
     for (std::size_t n : {0u, 1u, 2u, 700u, kind == 2 ? 9000u : 3000u}) {
       CAPTURE(kind, n);
-      const Grid_point_2<cpp_int> center{coordinate(), coordinate()};
-      std::vector<Grid_point_2<cpp_int>> points(n);
+      const Grid_point_2<Long_word> center{coordinate(), coordinate()};
+      std::vector<Grid_point_2<Long_word>> points(n);
       for (auto& p : points) {
         // Scattered, of all magnitudes, differing in few bits anywhere (hence often equal), all equal.
         if (kind == 0) p = {coordinate(), coordinate()};
