@@ -108,6 +108,9 @@ public:
   std::size_t number_of_flipped() const { return flipped_; }
 
 private:
+  using Topology = Rounded_mesh_topology<Point>;
+  using Bordered_triangle = typename Topology::Bordered_triangle;
+  using Bordered_star = std::vector<Bordered_triangle>;
   using Corners = std::array<Vertex_index, 3>;
   using Predicates = Exact_predicates_inexact_constructions_kernel;
   static constexpr int reach_of_free_vertices = 3; // in units of the last place
@@ -116,7 +119,7 @@ private:
   Indexed_mesh_2<Point>& mesh_;
   Segment_chains<Point> chains_;
   Outer_rooms<Point> rooms_;
-  std::optional<Rounded_mesh_topology<Point>> topology_;
+  std::optional<Topology> topology_;
   std::vector<Point> home_; // the nearest doubles of all vertices
   std::vector<Triangle_index> found_;
   std::size_t merged_ = 0, flipped_ = 0;
@@ -131,12 +134,15 @@ private:
   std::size_t faults_of_piece(std::size_t piece) const {
     return (chains_.goes_ahead(piece) ? 0 : 1) + rooms_.number_of_vertices_beyond(piece);
   }
-  std::size_t number_of_faults(const Corners& r) const {
-    return (is_counterclockwise(r) ? 0 : 1) +
-           topology_->sum_over_pieces(r, [this](std::size_t piece) { return faults_of_piece(piece); });
+  std::size_t number_of_faults(const Bordered_triangle& r) const {
+    std::size_t faults = is_counterclockwise(r.corners) ? 0 : 1;
+    for (const std::size_t piece : r.pieces)
+      if (piece != Topology::no_piece) faults += faults_of_piece(piece);
+    return faults;
   }
   bool is_left(Triangle_index t) const {
-    return topology_->is_alive(t) && number_of_faults(mesh_.triangles[std::size_t(t)]) > 0;
+    return topology_->is_alive(t) &&
+           number_of_faults(topology_->bordered(mesh_.triangles[std::size_t(t)])) > 0;
   }
   bool is_steiner(Vertex_index v) const { return std::size_t(v) >= mesh_.number_of_input_vertices; }
 
@@ -168,16 +174,17 @@ private:
     return std::fabs(ux * vy - uy * vx) / std::max({ux * ux + uy * uy, vx * vx + vy * vy, wx * wx + wy * wy});
   }
 
-  void add(Rounding_success& sum, const Corners& r) const {
+  void add(Rounding_success& sum, const Bordered_triangle& r) const {
     const std::size_t faults = number_of_faults(r);
     sum.faults += faults;
-    if (faults == 0)
-      sum.quality = std::min(sum.quality, quality(mesh_.point(r[0]), mesh_.point(r[1]), mesh_.point(r[2])));
+    if (faults > 0) return;
+    const auto& [a, b, c] = r.corners;
+    sum.quality = std::min(sum.quality, quality(mesh_.point(a), mesh_.point(b), mesh_.point(c)));
   }
 
-  Rounding_success success_of(const std::vector<Triangle_index>& star) const {
+  Rounding_success success_of(const Bordered_star& star) const {
     Rounding_success sum;
-    for (const Triangle_index t : star) add(sum, mesh_.triangles[std::size_t(t)]);
+    for (const Bordered_triangle& r : star) add(sum, r);
     return sum;
   }
 
@@ -213,8 +220,8 @@ private:
       if (!topology_->may_flip(t, k)) continue;
       const Triangle_index u = mesh_.neighbors[std::size_t(t)][std::size_t(k)];
       Rounding_success after;
-      for (const Corners& r : topology_->flipped(t, k)) add(after, r);
-      if (after.faults >= success_of({t, u}).faults) continue;
+      for (const Corners& r : topology_->flipped(t, k)) add(after, topology_->bordered(r));
+      if (after.faults >= success_of(topology_->bordered({t, u})).faults) continue;
       topology_->flip(t, k);
       ++flipped_;
       note({t, u});
@@ -233,8 +240,9 @@ private:
 
   bool move_vertex(Vertex_index v) {
     const std::vector<Triangle_index> star = topology_->star(v);
+    const Bordered_star triangles = topology_->bordered(star);
     const Point before = mesh_.point(v);
-    const std::size_t faults_before = success_of(star).faults;
+    const std::size_t faults_before = success_of(triangles).faults;
     const int reach = topology_->is_free(v) ? reach_of_free_vertices : reach_on_segments;
     const Point& home = home_[std::size_t(v)];
     const std::optional<std::size_t> piece = topology_->piece_at(v, star);
@@ -242,7 +250,7 @@ private:
     Rounding_success best_success{faults_before, 2};
     const auto try_place = [&](const Point& p) {
       mesh_.points[std::size_t(v)] = p;
-      const Rounding_success success = success_of(star);
+      const Rounding_success success = success_of(triangles);
       if (success.faults < faults_before && best_success < success) best_success = success, best = p;
     };
     const auto try_around = [&](const Point& center) {
@@ -291,10 +299,11 @@ private:
     for (const Vertex_index v : r) {
       if (!is_steiner(v)) continue;
       const std::vector<Triangle_index> star = topology_->star(v);
-      const std::size_t faults_before = success_of(star).faults;
+      const Bordered_star triangles = topology_->bordered(star);
+      const std::size_t faults_before = success_of(triangles).faults;
       for (const Vertex_index w : topology_->neighbors_in(star, v)) {
         if (!topology_->may_merge(v, w, star)) continue;
-        const Rounding_success success = success_of_merging(v, w, star);
+        const Rounding_success success = success_of_merging(v, w, triangles);
         if (success.faults <= faults_before && best_success < success)
           best_success = success, best_v = v, best_w = w;
       }
@@ -305,15 +314,12 @@ private:
   }
 
   /// Merged vertices have no triangles in common any more, and the others are as if v were at the place of w.
-  Rounding_success success_of_merging(Vertex_index v, Vertex_index w,
-                                      const std::vector<Triangle_index>& star) {
+  Rounding_success success_of_merging(Vertex_index v, Vertex_index w, const Bordered_star& star) {
     const Point before = mesh_.point(v);
     mesh_.points[std::size_t(v)] = mesh_.point(w);
     Rounding_success sum;
-    for (const Triangle_index t : star) {
-      const Corners& r = mesh_.triangles[std::size_t(t)];
-      if (std::find(r.begin(), r.end(), w) == r.end()) add(sum, r);
-    }
+    for (const Bordered_triangle& r : star)
+      if (std::find(r.corners.begin(), r.corners.end(), w) == r.corners.end()) add(sum, r);
     mesh_.points[std::size_t(v)] = before;
     return sum;
   }

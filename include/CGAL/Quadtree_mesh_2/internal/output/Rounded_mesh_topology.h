@@ -24,6 +24,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <iterator>
+#include <limits>
 #include <optional>
 #include <unordered_map>
 #include <utility>
@@ -88,15 +89,27 @@ public:
     return result;
   }
 
-  /// The sum of a function over those sides of r that are pieces of segments.
-  template <class Function>
-  std::size_t sum_over_pieces(const Corners& r, const Function& f) const {
-    std::size_t sum = 0;
+  static constexpr std::size_t no_piece = std::numeric_limits<std::size_t>::max();
+
+  /// A triangle and, for each side from a corner to the next, the piece of a segment that it is.
+  struct Bordered_triangle {
+    Corners corners;
+    std::array<std::size_t, 3> pieces;
+  };
+
+  Bordered_triangle bordered(const Corners& r) const {
+    Bordered_triangle result{r, {no_piece, no_piece, no_piece}};
     for (std::size_t k = 0; k < 3; ++k) {
       const auto piece = piece_of_.find(key(r[k], r[next(k)]));
-      if (piece != piece_of_.end()) sum += f(piece->second);
+      if (piece != piece_of_.end()) result.pieces[k] = piece->second;
     }
-    return sum;
+    return result;
+  }
+  std::vector<Bordered_triangle> bordered(const Star& star) const {
+    std::vector<Bordered_triangle> result;
+    result.reserve(star.size());
+    for (const Triangle_index t : star) result.push_back(bordered(corners(t)));
+    return result;
   }
 
   /// A piece of a segment that ends at v, if v is on a segment.
