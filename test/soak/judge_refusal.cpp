@@ -164,14 +164,30 @@ bool has_narrow_gap(const Pslg& graph, const std::vector<std::size_t>& vertices)
   });
 }
 
+/// What bounds of size ask for in the square around the input, and four times that. Areas are shares of that square.
+long double most_for_sizes(const Soak_case& c) {
+  const long double extent = extent_of(c.graph.vertices);
+  std::vector<long double> areas{c.wishes.max_area};
+  for (const long double side : {c.wishes.max_edge, c.wishes.size}) areas.push_back(0.43L * side * side);
+  for (const auto& r : c.graph.regions) areas.push_back(r.max_area / (extent * extent));
+  long double most = 0;
+  for (const long double area : areas)
+    if (area > 0) most = std::max(most, 8 / area); // triangles have half the area allowed
+  return most;
+}
+
 /// Where a gap is so narrow for its length that there is no room for the triangles: in memory, or in what small graphs
 /// have. The estimate has to be four times what there is, a mesh that was begun has to have used it up.
 Verdict judge_size(const Soak_case& c, const std::string& message) {
   const std::vector<std::size_t> vertices = named_vertices(c.graph, message);
+  const bool is_for_sizes = has(message, "for the bounds of size");
   std::smatch number;
   const std::regex words("(about|not done with) ([0-9.e+]+) triangles");
-  if (vertices.empty() || !std::regex_search(message, number, words))
+  if ((vertices.empty() && !is_for_sizes) || !std::regex_search(message, number, words))
     return failure("refused: too large, without numbers", message);
+  if (is_for_sizes)
+    return std::stod(number[2]) <= most_for_sizes(c) ? Verdict{Outcome::REFUSED, "too large", message}
+                                                     : failure("refused: sizes ask for less", message);
   const double least = c.kernel == Kernel::EXACT ? 1e6 : 2e6;
   if (std::stod(number[2]) < (number[1] == "about" ? 4 * least : least))
     return failure("refused: not too large", message);
