@@ -68,11 +68,8 @@ public:
   bool is_surely_exceeded_by(double estimate) const { return estimate > margin * triangles_; }
 
   std::string refusal_of(double estimate) const {
-    std::ostringstream text;
-    text.precision(2);
-    text << "the mesh would need about " << in_unit(estimate) << ' ' << name_of_unit() << ", and " << limit_
-         << ' ' << whole(in_unit(triangles_)) << ':';
-    return text.str();
+    return "the mesh would need about " + two_digits(in_unit(estimate)) + ' ' + name_of_unit() + ", and " +
+           limit_ + ' ' + whole(in_unit(triangles_)) + ':';
   }
 
   bool is_used_up_by(std::size_t triangles) const { return static_cast<double>(triangles) >= triangles_; }
@@ -93,6 +90,17 @@ private:
 
   double in_unit(double triangles) const { return unit_ == Unit::VERTICES ? triangles / 2 : triangles; }
   const char* name_of_unit() const { return unit_ == Unit::VERTICES ? "vertices" : "triangles"; }
+  /// An estimate says no more. Large numbers are told by their powers of ten.
+  static std::string two_digits(double number) {
+    if (number < 10) return whole(number);
+    const double unit = std::pow(10.0, std::floor(std::log10(number)) - 1),
+                 rounded = unit * std::round(number / unit);
+    if (rounded < 1e8) return whole(rounded);
+    std::ostringstream text;
+    text.precision(2);
+    text << rounded;
+    return text.str();
+  }
   /// With all digits, as the user would write it.
   static std::string whole(double number) { return std::to_string(std::llround(number)); }
 };
