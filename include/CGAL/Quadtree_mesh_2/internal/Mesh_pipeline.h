@@ -367,14 +367,23 @@ private:
   }
 
   /// Makes a mesh by quadtrees, and refines what is too large in it, or could not be cured.
-  /// \returns false if there is none; the mesh is as it was then
+  /// \returns false if there is none, or one that used up the budget where refinement has not been tried: it has fewer
+  /// vertices from the start. The mesh is as it was then.
   bool construct_by_trees(Refiner<Geometry>& refiner) {
     using End = Tree_separation_report_2::End;
     if (too_near_for_trees_) throw *too_near_for_trees_;
+    const bool is_first_choice = !report_.trees.has_taken_over;
+    Kernel_mesh<Geometry> mesh_before;
+    if (is_first_choice) mesh_before = state_.mesh;
     report_.trees.end = make_mesh_by_trees();
     const std::size_t meshes = report_.trees.rounds - (report_.trees.end == End::FAILED ? 1 : 0);
     if (meshes == 0) return false;
     clock_.enter(&Seconds::refine);
+    if (is_first_choice && report_.trees.end == End::BUDGET) {
+      state_.mesh = std::move(mesh_before);
+      state_.clear_worklist();
+      return false;
+    }
     refiner.push_all();
     run_to_the_end(refiner, budgets().of_repair(state_.mesh.number_of_vertices()));
     state_.legalize();

@@ -8,7 +8,7 @@
 //
 //   equal points merged
 //   -> frame: a square parallel to the axes, or a row of squares along the diameter
-//   -> clusters, if all angles shall be acute and nothing more
+//   -> clusters, if all angles have to be acute and nothing more
 //   -> levels of squares, tiles, sites assigned to vertices (Tile_forest.h)
 //   -> vertices moved to the points, relaxation, repair (Site_mesh.h); as long as some triangles remain outside the
 //      range, smaller squares for the points next to them, and again
