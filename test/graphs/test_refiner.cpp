@@ -20,6 +20,7 @@ namespace {
 
 namespace internal = CGAL::Quadtree_mesh_2::internal;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using CGAL::Quadtree_mesh_2::Segment_index;
 using internal::Side;
 using internal::Triangle_id;
 using internal::Vertex_id;
@@ -60,8 +61,8 @@ TEST_CASE("A fan that goes on beyond a seam waits in linear time", "[refiner]") 
   internal::Meshing_state<Counting_geometry> state(problem, {});
   state.mesh = fan(n);
   problem.input_points = state.mesh.points;
-  std::vector<internal::Input_edge> edges{{0, 1, 0}};
-  for (Vertex_id i = 0; i < n; ++i) edges.push_back({i + 1, i + 2, i + 1});
+  std::vector<internal::Input_edge> edges{{0, 1, Segment_index(0)}};
+  for (Vertex_id i = 0; i < n; ++i) edges.push_back({i + 1, i + 2, Segment_index(edges.size())});
   problem.edges = internal::Input_edges(edges, state.mesh.points.size());
   problem.corners.prepare(problem.edges, state.mesh.points.size());
   problem.set_outside({});

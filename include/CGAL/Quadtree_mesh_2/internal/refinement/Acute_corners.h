@@ -104,21 +104,21 @@ public:
   using Sector = Basic_sector<Number>;
   using Corner = Basic_corner<Number>;
 
-  std::vector<Leg> legs;
-  std::vector<Sector> sectors;
-  std::vector<Corner> corners;
+  Indexed_vector<Leg_id, Leg> legs;
+  Indexed_vector<Sector_id, Sector> sectors;
+  Indexed_vector<Corner_id, Corner> corners;
   /// Per input edge, the leg it is seen from its end a, from its end b; -1 where the corner has no lopped
   /// sector.
-  std::vector<std::array<Leg_id, 2>> legs_of_edge;
+  Indexed_vector<Edge_id, std::array<Leg_id, 2>> legs_of_edge;
   /// Per input vertex: a domain sector below 60 degrees lies at it.
-  std::vector<char> is_acute;
+  Indexed_vector<Vertex_id, char> is_acute;
 
-  Leg& leg(Leg_id l) { return legs[std::size_t(l)]; }
-  const Leg& leg(Leg_id l) const { return legs[std::size_t(l)]; }
-  Sector& sector(Sector_id s) { return sectors[std::size_t(s)]; }
-  const Sector& sector(Sector_id s) const { return sectors[std::size_t(s)]; }
-  Corner& corner(Corner_id c) { return corners[std::size_t(c)]; }
-  const Corner& corner(Corner_id c) const { return corners[std::size_t(c)]; }
+  Leg& leg(Leg_id l) { return legs[l]; }
+  const Leg& leg(Leg_id l) const { return legs[l]; }
+  Sector& sector(Sector_id s) { return sectors[s]; }
+  const Sector& sector(Sector_id s) const { return sectors[s]; }
+  Corner& corner(Corner_id c) { return corners[c]; }
+  const Corner& corner(Corner_id c) const { return corners[c]; }
   Corner_id corner_of(const Sector& s) const { return leg(s.right).corner; }
 
   void prepare(const Input_edges& edges, std::size_t number_of_input_vertices) {
@@ -135,9 +135,9 @@ public:
   }
 
   Leg_id add_leg(Leg leg) {
-    const Leg_id l = static_cast<Leg_id>(legs.size());
-    legs_of_edge[std::size_t(leg.edge)][(*edges_)[leg.edge].a == leg.apex ? 0 : 1] = l;
-    on_leg_[std::size_t(leg.apex)] = on_leg_[std::size_t(leg.far)] = 1;
+    const Leg_id l = legs.end_id();
+    legs_of_edge[leg.edge][(*edges_)[leg.edge].a == leg.apex ? 0 : 1] = l;
+    on_leg_[leg.apex] = on_leg_[leg.far] = 1;
     legs.push_back(std::move(leg));
     return l;
   }
@@ -160,8 +160,8 @@ public:
   bool is_on_leg(const Mesh& mesh, Vertex_id v) const {
     const Edge_id e = mesh.edge(v);
     if (e == free_vertex) return false;
-    if (mesh.is_input(v)) return on_leg_[std::size_t(mesh.input_number(v))] != 0;
-    return legs_of_edge[std::size_t(e)][0] >= 0 || legs_of_edge[std::size_t(e)][1] >= 0;
+    if (mesh.is_input(v)) return on_leg_[mesh.input_number(v)] != 0;
+    return legs_of_edge[e][0] >= 0 || legs_of_edge[e][1] >= 0;
   }
 
   /// The leg with the given apex (an input number) that carries v; -1 if none does.
@@ -169,9 +169,7 @@ public:
     const Edge_id e = mesh.is_input(v) ? edges_->between(apex, mesh.input_number(v)) : mesh.edge(v);
     if (e < 0) return -1;
     const Input_edge& edge = (*edges_)[e];
-    return edge.a == apex   ? legs_of_edge[std::size_t(e)][0]
-           : edge.b == apex ? legs_of_edge[std::size_t(e)][1]
-                            : -1;
+    return edge.a == apex ? legs_of_edge[e][0] : edge.b == apex ? legs_of_edge[e][1] : -1;
   }
 
   /// The lopped sector whose two legs carry a, b and c (the apex lies on both); -1 if there is none.
@@ -187,7 +185,7 @@ public:
         if (s >= 0) return s;
         continue;
       }
-      for (const Leg_id l : legs_of_edge[std::size_t(e)]) {
+      for (const Leg_id l : legs_of_edge[e]) {
         const Sector_id s = l < 0 ? -1 : sector_with(mesh, l, x, y);
         if (s >= 0) return s;
       }
@@ -206,7 +204,7 @@ public:
     for (int pass = 0; pass < 2; ++pass, std::swap(x, y)) {
       const Edge_id e = mesh.edge(x);
       if (e >= 0) {
-        for (const Leg_id l : legs_of_edge[std::size_t(e)])
+        for (const Leg_id l : legs_of_edge[e])
           if (is_wanted(l, y)) return;
       } else if (mesh.is_input(x)) {
         const Vertex_id number = mesh.input_number(x);
@@ -224,7 +222,7 @@ public:
 
 private:
   const Input_edges* edges_ = nullptr;
-  std::vector<char> on_leg_; // per input vertex: an apex or the far end of a leg
+  Indexed_vector<Vertex_id, char> on_leg_; // per input vertex: an apex or the far end of a leg
 
   Sector_id common_sector(Leg_id l, Leg_id m) const {
     if (l < 0 || m < 0 || l == m) return -1;

@@ -45,6 +45,7 @@ public:
   using Leg = typename Corners::Leg;
   using Sector = typename Corners::Sector;
   using Corner = typename Corners::Corner;
+  using Corners_of_blocks = Indexed_vector<Block_id, std::vector<Corner_id>>;
 
   static constexpr std::size_t block_size = Block_sizes<ConcurrencyTag>::triangles;
   /// The zone is a network, of which squares cut little; and it is small.
@@ -94,26 +95,26 @@ private:
     const auto& bulk = whole_.bulk;
     std::vector<Triangle_id> outside;
     outside.reserve(mesh.number_of_triangles() - bulk.number_of_triangles());
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-      const auto& v = mesh.triangles[t].v;
+    for (const Triangle_id t : mesh.triangles.ids()) {
+      const auto& v = mesh.triangle(t).v;
       if (v[0] < 0 || (bulk.has_within(v[0]) && bulk.has_within(v[1]) && bulk.has_within(v[2]))) continue;
-      outside.push_back(static_cast<Triangle_id>(t));
+      outside.push_back(t);
     }
     return outside;
   }
 
   template <class Continue>
   void work(Blocks& blocks, const Continue& shall_go_on) {
-    const std::vector<std::vector<Corner_id>> owned = corners_by_block(blocks);
-    std::vector<std::vector<Triangle_id>> left(blocks.size());
+    const Corners_of_blocks owned = corners_by_block(blocks);
+    Indexed_vector<Block_id, std::vector<Triangle_id>> left(blocks.size());
     const std::size_t room = vertex_budget_ - std::min(vertex_budget_, whole_.mesh.number_of_vertices());
     blocks.for_each(
         [&](Block& block) {
-          const auto b = std::size_t(block.id());
+          const Block_id b = block.id();
           left[b] = work(block, owned[b], room / blocks.size(), shall_go_on);
         },
         [&](const Block& block) {
-          const auto b = std::size_t(block.id());
+          const Block_id b = block.id();
           name_corner_vertices(owned[b], [&](Vertex_id v) { return block.whole_vertex(v); });
           for (Triangle_id& t : left[b]) t = block.whole_triangle(t);
         });
@@ -154,14 +155,19 @@ private:
 
   /// For each block the acute corners it owns: all pieces of their legs within the ring and all locked chords have
   /// both their triangles in the block, and so have the Steiner vertices on the legs all of theirs.
-  std::vector<std::vector<Corner_id>> corners_by_block(const Blocks& blocks) const {
+  Corners_of_blocks corners_by_block(const Blocks& blocks) const {
     const auto& corners = whole_.corners.corners;
-    std::vector<Block_id> owner(corners.size());
+    Indexed_vector<Corner_id, Block_id> owner(corners.size());
     for_each_index<ConcurrencyTag>(
-        corners.size(), [&](std::size_t c) { owner[c] = owner_of(corners[c], blocks); }, 64);
-    std::vector<std::vector<Corner_id>> owned(blocks.size());
-    for (std::size_t c = 0; c < owner.size(); ++c)
-      if (owner[c] >= 0) owned[std::size_t(owner[c])].push_back(static_cast<Corner_id>(c));
+        corners.size(),
+        [&](std::size_t i) {
+          const Corner_id c = static_cast<Corner_id>(i);
+          owner[c] = owner_of(corners[c], blocks);
+        },
+        64);
+    Corners_of_blocks owned(blocks.size());
+    for (const Corner_id c : owner.ids())
+      if (owner[c] >= 0) owned[owner[c]].push_back(c);
     return owned;
   }
 
@@ -232,11 +238,11 @@ private:
 
   std::vector<Triangle_id> zone_of_seams() const {
     const Kernel_mesh<Geometry>& mesh = whole_.mesh;
-    std::vector<char> is_in_zone(mesh.triangles.size(), 0);
+    Indexed_vector<Triangle_id, char> is_in_zone(mesh.triangles.size(), 0);
     std::vector<Triangle_id> zone;
     const auto add = [&](Triangle_id t) {
-      if (t < 0 || is_in_zone[std::size_t(t)] != 0 || !mesh.is_alive(t)) return;
-      is_in_zone[std::size_t(t)] = 1;
+      if (t < 0 || is_in_zone[t] != 0 || !mesh.is_alive(t)) return;
+      is_in_zone[t] = 1;
       zone.push_back(t);
     };
     for (const Triangle_id t : near_seams_) add(t);

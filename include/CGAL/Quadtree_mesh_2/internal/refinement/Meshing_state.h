@@ -190,11 +190,11 @@ private:
   }
 
   Side find_side_everywhere(Vertex_id x, Vertex_id y) const {
-    for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+    for (const Triangle_id t : mesh.triangles.ids())
       for (int k = 0; k < 3; ++k) {
-        const Side s(static_cast<Triangle_id>(i), k);
-        if (mesh.is_alive(s.triangle()) && mesh.source(s) == x && mesh.target(s) == y) return s;
-        if (mesh.is_alive(s.triangle()) && mesh.source(s) == y && mesh.target(s) == x) return s;
+        const Side s(t, k);
+        if (mesh.is_alive(t) && mesh.source(s) == x && mesh.target(s) == y) return s;
+        if (mesh.is_alive(t) && mesh.source(s) == y && mesh.target(s) == x) return s;
       }
     return Side::border();
   }

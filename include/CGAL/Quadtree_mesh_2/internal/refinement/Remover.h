@@ -55,13 +55,13 @@ public:
     constexpr int passes = 2;
     std::size_t removed = 0;
     for (int pass = 0; pass < passes; ++pass)
-      for (Vertex_id v = 0; v < static_cast<Vertex_id>(mesh_.number_of_vertices()); ++v) {
+      for (const Vertex_id v : mesh_.points.ids()) {
         if (is_time_to_ask(std::size_t(v)) && !shall_go_on()) return removed;
-        if (mesh_.is_input(v) || mesh_.is_dirty[std::size_t(v)] == 0 || !mesh_.is_used(v)) continue;
+        if (mesh_.is_input(v) || mesh_.is_dirty[v] == 0 || !mesh_.is_used(v)) continue;
         const int largest = state_.is_small() ? Star::max_size : largest_star;
         const bool is_collected = star_.collect(mesh_, v, largest);
         if (!is_collected && star_.size < largest) continue; // perhaps at a seam: another round may do it
-        mesh_.is_dirty[std::size_t(v)] = 0;
+        mesh_.is_dirty[v] = 0;
         if (is_collected && try_to_remove(v)) ++removed;
       }
     return removed;
@@ -316,15 +316,15 @@ private:
       mesh_.set_region(t, region_of_made_[i]);
       for (int k = 0; k < 3; ++k) {
         mesh_.triangle(t).v[k] = made_[i][k];
-        mesh_.triangle_of[std::size_t(made_[i][k])] = t;
+        mesh_.triangle_of[made_[i][k]] = t;
       }
     }
     Open_side open[3 * Star::max_size];
     int number_open = 0;
     for (int i = 0; i < number_made_; ++i)
       for (int k = 0; k < 3; ++k) connect(Side(star_.corner[i].triangle(), k), beyond, open, number_open);
-    mesh_.triangle_of[std::size_t(v)] = -1;
-    for (int i = 0; i < star_.number_of_link_vertices(); ++i) mesh_.is_dirty[std::size_t(star_.link[i])] = 1;
+    mesh_.triangle_of[v] = -1;
+    for (int i = 0; i < star_.number_of_link_vertices(); ++i) mesh_.is_dirty[star_.link[i]] = 1;
   }
 
   /// Links a side of a new triangle to the mesh beyond the star, to a new triangle made before, or leaves it

@@ -61,12 +61,11 @@ public:
 
   /// Cuts the legs of all corners at their radius and locks the lopped sectors.
   void cut_rings() {
-    for (std::size_t c = 0; c < corners_.corners.size(); ++c) {
-      Corner& corner = corners_.corner(static_cast<Corner_id>(c));
+    for (Corner& corner : corners_.corners) {
       corner.radius = radius_of_ring(corner);
       for (const Leg_id l : corner.legs) cut_ring_on_leg(l, corner.radius, ring_tolerance(corner));
     }
-    for (std::size_t s = 0; s < corners_.sectors.size(); ++s) lock_at_ring(static_cast<Sector_id>(s));
+    for (const Sector_id s : corners_.sectors.ids()) lock_at_ring(s);
   }
 
   /// Unlocks all lopped sectors: removal may then treat shell vertices as any others.
@@ -86,9 +85,9 @@ public:
     const Vertex_id x = mesh_.source(side), y = mesh_.target(side);
     const Edge_id e = state_.edges.carrying(mesh_, x, y);
     if (e < 0) return split_chord(x, y);
-    for (const Leg_id l : corners_.legs_of_edge[std::size_t(e)])
+    for (const Leg_id l : corners_.legs_of_edge[e])
       if (l >= 0 && !state_.owns(corners_.leg(l).corner)) return Outcome::DEFERRED;
-    for (const Leg_id l : corners_.legs_of_edge[std::size_t(e)])
+    for (const Leg_id l : corners_.legs_of_edge[e])
       if (l >= 0 && state_.leg_rule == Leg_rule::SHELLS && is_within_ring(l, x, y))
         return outcome(split_within_ring(l, x, y, want, asker));
     return outcome(split_subsegment(side, e, want, asker));
@@ -169,7 +168,7 @@ private:
   };
   Ring_place ring_place(Leg_id l, Number radius, Number tolerance) const {
     const Leg& leg = corners_.leg(l);
-    const auto& at = corners_.legs_of_edge[std::size_t(leg.edge)];
+    const auto& at = corners_.legs_of_edge[leg.edge];
     const Leg_id opposite = at[0] == l ? at[1] : at[0];
     const Vertex_id opposite_ring = opposite >= 0 ? corners_.leg(opposite).ring : -1;
     const Vertex_id beyond = opposite_ring >= 0 && opposite_ring != leg.apex ? opposite_ring : leg.far;
@@ -369,7 +368,7 @@ private:
     const Side chord = state_.side_between(a, b);
     if (chord.is_border()) return;
     mesh_.release(chord);
-    mesh_.is_dirty[std::size_t(a)] = mesh_.is_dirty[std::size_t(b)] = 1;
+    mesh_.is_dirty[a] = mesh_.is_dirty[b] = 1;
     const Side o = mesh_.across(chord);
     state_.doubtful_sides.push_back(chord);
     for (const Triangle_id t : {chord.triangle(), o.triangle()})
@@ -458,12 +457,11 @@ private:
   }
 
   bool is_acute_apex(Vertex_id v) const {
-    return mesh_.is_input(v) && corners_.is_acute[std::size_t(mesh_.input_number(v))] != 0;
+    return mesh_.is_input(v) && corners_.is_acute[mesh_.input_number(v)] != 0;
   }
   bool is_leg_without_ring(Edge_id e, int end) const {
     const Vertex_id apex = end == 0 ? state_.edges[e].a : state_.edges[e].b;
-    return corners_.is_acute[std::size_t(apex)] != 0 &&
-           corners_.legs_of_edge[std::size_t(e)][std::size_t(end)] < 0;
+    return corners_.is_acute[apex] != 0 && corners_.legs_of_edge[e][std::size_t(end)] < 0;
   }
 
   /// Where x-y is split, for a wish in its middle 30 percent.

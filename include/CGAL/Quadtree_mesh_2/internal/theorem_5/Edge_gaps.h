@@ -155,9 +155,7 @@ private:
   /// Whether two edges are the legs of a lopped sector at v.
   bool is_lopped(Edge_id e, Edge_id f, Vertex_id v) const {
     const auto& corners = problem_.corners;
-    const auto leg = [&](Edge_id x) {
-      return corners.legs_of_edge[std::size_t(x)][problem_.edges[x].a == v ? 0 : 1];
-    };
+    const auto leg = [&](Edge_id x) { return corners.legs_of_edge[x][problem_.edges[x].a == v ? 0 : 1]; };
     const Leg_id l = leg(e), m = leg(f);
     if (l < 0 || m < 0) return false;
     const auto &p = corners.leg(l), &q = corners.leg(m);

@@ -175,15 +175,18 @@ private:
     std::vector<int> levels(framework.number_of_points(), 0);
     for_each_index<ConcurrencyTag>(levels.size(), [&](std::size_t i) {
       const Point_rank r(i), near = first.near_neighbor(r);
-      const std::size_t v = framework.input_point(r).value();
+      const auto vertex_at = [&](Point_rank p) {
+        return static_cast<Vertex_id>(framework.input_point(p).value());
+      };
+      const Vertex_id v = vertex_at(r);
+      const double hit = hits[framework.input_point(r).value()];
       double distance = std::numeric_limits<double>::infinity();
       if (near.is_valid())
-        distance = std::sqrt(squared_length(Geometry::difference(
-            problem_.input_points[v], problem_.input_points[framework.input_point(near).value()])));
-      if (hits[v] > 0 && std::isfinite(hits[v]))
-        distance = std::min(distance, map_.length_to_kernel(hits[v]));
+        distance = std::sqrt(squared_length(
+            Geometry::difference(problem_.input_point(v), problem_.input_point(vertex_at(near)))));
+      if (hit > 0 && std::isfinite(hit)) distance = std::min(distance, map_.length_to_kernel(hit));
       levels[i] =
-          level_for(distance / least_vertex_distance(), framework.grid().depth(), problem_.input_points[v]);
+          level_for(distance / least_vertex_distance(), framework.grid().depth(), problem_.input_point(v));
     });
     return levels;
   }

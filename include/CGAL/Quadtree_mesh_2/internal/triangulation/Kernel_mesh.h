@@ -18,6 +18,8 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_KERNEL_MESH_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_KERNEL_MESH_H
 
+#include <CGAL/Quadtree_mesh_2/Index.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/Indexed_vector.h>
 #include <CGAL/Quadtree_mesh_2/internal/geometry/meshing_geometry.h>
 
 #include <cstddef>
@@ -148,25 +150,25 @@ public:
     Side side[3];
   };
 
-  std::vector<Triangle> triangles;
-  std::vector<Point> points;
+  Indexed_vector<Triangle_id, Triangle> triangles;
+  Indexed_vector<Vertex_id, Point> points;
   /// Some triangle at the vertex; -1 where there is none (removed, or outside the domain).
-  std::vector<Triangle_id> triangle_of;
+  Indexed_vector<Vertex_id, Triangle_id> triangle_of;
   /// `free_vertex`, the input edge on which the vertex lies, or `input_vertex(number)`.
-  std::vector<Edge_id> edge_of;
+  Indexed_vector<Vertex_id, Edge_id> edge_of;
   /// Whether the star of a vertex has changed since its removal was tried.
-  std::vector<char> is_dirty;
+  Indexed_vector<Vertex_id, char> is_dirty;
 
   /// The region each triangle lies in, -1 for none; empty where no region has a bound of its own.
-  std::vector<Region_id> region_of;
+  Indexed_vector<Triangle_id, Region_id> region_of;
 
   bool is_alive(Triangle_id t) const { return triangle(t).v[0] >= 0; }
-  Region_id region(Triangle_id t) const { return region_of.empty() ? -1 : region_of[std::size_t(t)]; }
-  const Triangle& triangle(Triangle_id t) const { return triangles[std::size_t(t)]; }
-  Triangle& triangle(Triangle_id t) { return triangles[std::size_t(t)]; }
-  const Point& point(Vertex_id v) const { return points[std::size_t(v)]; }
-  Triangle_id incident_triangle(Vertex_id v) const { return triangle_of[std::size_t(v)]; }
-  Edge_id edge(Vertex_id v) const { return edge_of[std::size_t(v)]; }
+  Region_id region(Triangle_id t) const { return region_of.empty() ? -1 : region_of[t]; }
+  const Triangle& triangle(Triangle_id t) const { return triangles[t]; }
+  Triangle& triangle(Triangle_id t) { return triangles[t]; }
+  const Point& point(Vertex_id v) const { return points[v]; }
+  Triangle_id incident_triangle(Vertex_id v) const { return triangle_of[v]; }
+  Edge_id edge(Vertex_id v) const { return edge_of[v]; }
   bool is_input(Vertex_id v) const { return edge(v) < free_vertex; }
   /// The number of an input vertex: in the whole mesh its handle, in a block that of the whole mesh.
   Vertex_id input_number(Vertex_id v) const { return -2 - edge(v); }
@@ -182,18 +184,16 @@ public:
   static int slot_of(const Triangle& t, Vertex_id v) { return t.v[0] == v ? 0 : t.v[1] == v ? 1 : 2; }
 
   Vertex_id add_vertex(Point p, Edge_id edge) {
-    points.push_back(p);
     edge_of.push_back(edge);
     triangle_of.push_back(-1);
     is_dirty.push_back(1);
-    return static_cast<Vertex_id>(points.size()) - 1;
+    return points.add(p);
   }
 
   Triangle_id new_triangle() {
     if (free_.empty()) {
-      triangles.emplace_back();
       if (!region_of.empty()) region_of.push_back(-1);
-      return static_cast<Triangle_id>(triangles.size()) - 1;
+      return triangles.add({});
     }
     const Triangle_id t = free_.back();
     free_.pop_back();
@@ -201,7 +201,7 @@ public:
   }
 
   void set_region(Triangle_id t, Region_id region) {
-    if (!region_of.empty()) region_of[std::size_t(t)] = region;
+    if (!region_of.empty()) region_of[t] = region;
   }
 
   /// Makes room for vertices and triangles with handles below these, to be filled in by the caller.
@@ -289,8 +289,8 @@ public:
     J.v[0] = a, J.v[1] = d, J.v[2] = c;
     link(t, 0, bd), link(t, 2, ab), link(u, 0, dc), link(u, 1, ca);
     I.side[1] = Side(u, 2), J.side[2] = Side(t, 1);
-    triangle_of[std::size_t(a)] = triangle_of[std::size_t(b)] = triangle_of[std::size_t(d)] = t;
-    triangle_of[std::size_t(c)] = u;
+    triangle_of[a] = triangle_of[b] = triangle_of[d] = t;
+    triangle_of[c] = u;
   }
 
   /// Whether the free side k of t has to be flipped: the apex across lies certainly inside t's circle.
@@ -324,13 +324,13 @@ public:
       Triangle& n = triangle(part[k]);
       n.v[0] = v, n.v[1] = old.v[next_slot[k]], n.v[2] = old.v[previous_slot[k]];
       n.side[1] = Side(part[next_slot[k]], 2), n.side[2] = Side(part[previous_slot[k]], 1);
-      triangle_of[std::size_t(n.v[1])] = part[k];
+      triangle_of[n.v[1]] = part[k];
     }
     for (int k = 0; k < 3; ++k) {
       link(part[k], 0, old.side[k]);
       star_.push_back(part[k]);
     }
-    triangle_of[std::size_t(v)] = t;
+    triangle_of[v] = t;
     legalize_star();
   }
 
@@ -348,8 +348,8 @@ public:
     triangle(t).side[2] = Side(t2, 1), triangle(t2).side[1] = Side(t, 2);
     triangle(t).side[1] = triangle(t2).side[2] = Side::border();
     if (!o.is_border()) insert_on_far_side(o, v, t, t2, bit);
-    triangle_of[std::size_t(v)] = triangle_of[std::size_t(a)] = triangle_of[std::size_t(b)] = t;
-    triangle_of[std::size_t(c)] = t2;
+    triangle_of[v] = triangle_of[a] = triangle_of[b] = t;
+    triangle_of[c] = t2;
     star_.push_back(t), star_.push_back(t2);
     legalize_star();
   }
@@ -405,7 +405,7 @@ private:
     triangle(u).side[1] = Side(u2, 2), triangle(u2).side[2] = Side(u, 1);
     triangle(t).side[1] = Side(u, 2, bit), triangle(u).side[2] = Side(t, 1, bit);
     triangle(t2).side[2] = Side(u2, 1, bit), triangle(u2).side[1] = Side(t2, 2, bit);
-    triangle_of[std::size_t(d)] = u;
+    triangle_of[d] = u;
     star_.push_back(u), star_.push_back(u2);
   }
 
@@ -437,8 +437,8 @@ private:
     J.v[0] = a, J.v[1] = d, J.v[2] = c;
     link(t, 0, bd), link(u, 0, dc), link(u, 1, ca);
     I.side[1] = Side(u, 2), J.side[2] = Side(t, 1);
-    triangle_of[std::size_t(a)] = triangle_of[std::size_t(b)] = triangle_of[std::size_t(d)] = t;
-    triangle_of[std::size_t(c)] = u;
+    triangle_of[a] = triangle_of[b] = triangle_of[d] = t;
+    triangle_of[c] = u;
   }
 };
 

@@ -14,6 +14,7 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_SEGMENT_INSERTER_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_SEGMENT_INSERTER_H
 
+#include <CGAL/Quadtree_mesh_2/Index.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Kernel_mesh.h>
 
 #include <array>
@@ -30,12 +31,12 @@ namespace internal {
 /// A piece of an input segment between two input vertices, by their numbers, with none in between.
 struct Input_edge {
   Vertex_id a, b;
-  std::int32_t segment;
+  Segment_index segment;
 };
 
 /// Two segments that cross; what the first triangulation cannot make.
 struct Crossing {
-  std::int32_t segment;
+  Segment_index segment;
   Vertex_id a, b; ///< input numbers of the ends of the constrained edge that is crossed
 };
 
@@ -63,7 +64,7 @@ public:
   /// first where the way on is found earlier: the fan of the other may be that of a hub.
   /// \returns what is left because seams are in the way
   /// \throws Crossing if a constrained edge is in the way.
-  Rest insert(Vertex_id a, Vertex_id b, std::int32_t segment) {
+  Rest insert(Vertex_id a, Vertex_id b, Segment_index segment) {
     Rest rest{a, b};
     while (!rest.is_empty())
       if (!shorten(rest, segment)) break;
@@ -132,7 +133,7 @@ private:
 
   /// Makes a piece, at either end of what is left of a segment, up to the first vertex on it. \returns false if seams
   /// are in the way
-  bool shorten(Rest& rest, std::int32_t segment) {
+  bool shorten(Rest& rest, Segment_index segment) {
     const auto [from, to] = rest;
     const Side edge = mesh_.find_side(from, to); // no orientation is asked: most segments of maps are edges
     if (!edge.is_border()) {
@@ -153,7 +154,7 @@ private:
 
   /// Makes the piece of the segment a-b that begins at a. \returns the vertex at which it ends, -1 if a seam is in the
   /// way
-  Vertex_id make_piece(Vertex_id a, Vertex_id b, const Exit& exit, std::int32_t segment) {
+  Vertex_id make_piece(Vertex_id a, Vertex_id b, const Exit& exit, Segment_index segment) {
     if (exit.vertex >= 0) return constrain(exit.along, a, exit.vertex, segment) ? exit.vertex : -1;
     const Vertex_id end = collect_crossed(a, b, exit.crossed, segment);
     if (end < 0) return -1;
@@ -164,12 +165,12 @@ private:
     return is_made ? end : -1;
   }
 
-  Input_edge named(Vertex_id a, Vertex_id b, std::int32_t segment) const {
+  Input_edge named(Vertex_id a, Vertex_id b, Segment_index segment) const {
     return {mesh_.input_number(a), mesh_.input_number(b), segment};
   }
 
   /// \returns false at a seam, which keeps no constraint made now.
-  bool constrain(Side s, Vertex_id a, Vertex_id b, std::int32_t segment) {
+  bool constrain(Side s, Vertex_id a, Vertex_id b, Segment_index segment) {
     const Side o = mesh_.across(s);
     if (o.is_seam()) return false;
     if (o.is_constrained()) {
@@ -182,7 +183,7 @@ private:
   }
 
   /// Lists the edges between a and the first vertex on the segment a-b; returns that vertex, -1 at a seam.
-  Vertex_id collect_crossed(Vertex_id a, Vertex_id b, Side s, std::int32_t segment) {
+  Vertex_id collect_crossed(Vertex_id a, Vertex_id b, Side s, Segment_index segment) {
     crossed_.clear();
     for (;;) {
       const Vertex_id p = mesh_.source(s), q = mesh_.target(s); // p to the right of a-b, q to the left
