@@ -241,7 +241,7 @@ private:
     Indexed_vector<Triangle_id, char> is_in_zone(mesh.triangles.size(), 0);
     std::vector<Triangle_id> zone;
     const auto add = [&](Triangle_id t) {
-      if (t < 0 || is_in_zone[t] != 0 || !mesh.is_alive(t)) return;
+      if (!t.is_valid() || is_in_zone[t] != 0 || !mesh.is_alive(t)) return;
       is_in_zone[t] = 1;
       zone.push_back(t);
     };

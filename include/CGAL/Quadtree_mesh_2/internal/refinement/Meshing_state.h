@@ -64,12 +64,12 @@ struct Meshing_state {
   Leg_rule leg_rule = Leg_rule::SHELLS;
   /// What templates filled (Bulk_filler.h): triangles with consecutive handles, and the vertices within.
   struct Bulk {
-    Triangle_id first_triangle = 0, end_of_triangles = 0;
+    Triangle_id first_triangle = Triangle_id(0), end_of_triangles = Triangle_id(0);
     Vertex_id first_vertex = 0, end_of_vertices = 0;
     bool has_border = false; ///< vertices were inserted on its border
 
-    std::size_t number_of_triangles() const { return std::size_t(end_of_triangles - first_triangle); }
-    bool has(Triangle_id t) const { return t >= first_triangle && t < end_of_triangles; }
+    std::size_t number_of_triangles() const { return end_of_triangles.value() - first_triangle.value(); }
+    bool has(Triangle_id t) const { return !(t < first_triangle) && t < end_of_triangles; }
     bool has_within(Vertex_id v) const { return v >= first_vertex && v < end_of_vertices; }
   };
   Bulk bulk;

@@ -323,7 +323,7 @@ private:
     int number_open = 0;
     for (int i = 0; i < number_made_; ++i)
       for (int k = 0; k < 3; ++k) connect(Side(star_.corner[i].triangle(), k), beyond, open, number_open);
-    mesh_.triangle_of[v] = -1;
+    mesh_.triangle_of[v] = {};
     for (int i = 0; i < star_.number_of_link_vertices(); ++i) mesh_.is_dirty[star_.link[i]] = 1;
   }
 

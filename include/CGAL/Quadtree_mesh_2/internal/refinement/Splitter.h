@@ -372,7 +372,7 @@ private:
     const Side o = mesh_.across(chord);
     state_.doubtful_sides.push_back(chord);
     for (const Triangle_id t : {chord.triangle(), o.triangle()})
-      if (t >= 0 && !o.is_border()) state_.push_if_suspect(t);
+      if (t.is_valid() && !o.is_border()) state_.push_if_suspect(t);
   }
 
   /// Moves the lock of a sector down by one shell, making one where there is none.
@@ -405,7 +405,7 @@ private:
   Vertex_id insert(Side s, Edge_id e, Point p) {
     if (!keeps_orientation(mesh_, s, p) || !state_.problem.is_clear_of_outside(e, p)) return -1;
     const Side o = mesh_.across(s);
-    const Triangle_id across = o.is_border() ? -1 : o.triangle();
+    const Triangle_id across = o.is_border() ? Triangle_id() : o.triangle();
     if (!has_room(mesh_, {s.triangle(), across}, p, state_.bounds.least_squared_length)) return -1;
     const Vertex_id v = mesh_.add_vertex(p, e);
     mesh_.insert_on_side(s.triangle(), s.slot(), v);

@@ -134,7 +134,7 @@ private:
 
   /// The centroid of a triangle.
   Point some_place() const {
-    Triangle_id t = 0;
+    Triangle_id t(0);
     while (!mesh_.is_alive(t)) ++t;
     const auto& r = mesh_.triangle(t);
     const Point& a = mesh_.point(r.v[0]);
@@ -266,7 +266,7 @@ private:
     const Point& p = mesh_.point(v);
     const Walk_end end = locate_exactly(mesh_, t, p);
     if (!end.is_blocked()) return end.triangle;
-    for (Triangle_id u = 0;; ++u) {
+    for (Triangle_id u(0);; ++u) {
       const auto& r = mesh_.triangle(u);
       const auto is_inside = [&](int k) {
         return Geometry::orientation(mesh_.point(r.v[next_slot[k]]), mesh_.point(r.v[previous_slot[k]]), p) >=
@@ -280,7 +280,7 @@ private:
   void split_long_edges() {
     for (bool is_changed = true; is_changed;) {
       is_changed = false;
-      for (Triangle_id t = 0; mesh_.triangles.has(t); ++t) // splits make more
+      for (Triangle_id t(0); mesh_.triangles.has(t); ++t) // splits make more
         for (int k = 0; k < 3; ++k) {
           if (mesh_.is_alive(t) && is_long(Side(t, k)) &&
               splitter_.split(t, k, nullptr, Asker::ORDINARY) == Outcome::CHANGED)
@@ -375,17 +375,23 @@ private:
       typename Mesh::Triangle r;
       for (std::size_t k = 0; k < 3; ++k) {
         r.v[k] = v[form.triangle[t][k]];
-        mesh_.triangle_of[r.v[k]] = first + static_cast<Triangle_id>(t);
+        mesh_.triangle_of[r.v[k]] = after(first, t);
         if (form.piece[t][k] < 0)
-          r.side[k] = Side(first + form.across[t][k].triangle, form.across[t][k].slot);
+          r.side[k] = Side(after(first, form.across[t][k].triangle), form.across[t][k].slot);
       }
       mesh_.triangles.push_back(r);
     }
   }
 
+  /// Triangle number i of a square.
+  template <class Integer>
+  static Triangle_id after(Triangle_id first, Integer i) {
+    return Triangle_id(first.value() + static_cast<std::uint32_t>(i));
+  }
+
   Side side_of(const Squares& squares, Square_piece p) const {
     const auto c = square_template(squares.form(p.square)).side_of_piece[std::size_t(p.piece)];
-    return Side(first_triangle_of_[p.square] + c.triangle, c.slot);
+    return Side(after(first_triangle_of_[p.square], c.triangle), c.slot);
   }
 
   void link_squares(const Squares& squares) {

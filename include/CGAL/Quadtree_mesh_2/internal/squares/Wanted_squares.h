@@ -48,8 +48,8 @@ public:
     std::int32_t first_child = -1; ///< of four; -1: none
     Square_kind kind = Square_kind::OUTSIDE;
     std::int8_t level = 0;
-    bool has_center = false;   ///< an inside square is small enough with a vertex in its center only
-    Triangle_id triangle = -1; ///< one that meets an inside square
+    bool has_center = false; ///< an inside square is small enough with a vertex in its center only
+    Triangle_id triangle;    ///< one that meets an inside square
   };
 
   /// \param largest_number of nodes; more than that, and `is_complete()` is false

@@ -43,21 +43,21 @@ namespace internal {
 /// others.
 template <class Mesh>
 void keep_triangles(Mesh& mesh, const Indexed_vector<Triangle_id, char>& is_kept, Vertex_id end_of_vertices) {
-  Indexed_vector<Triangle_id, Triangle_id> new_id(mesh.triangles.size(), -1);
-  Triangle_id kept = 0;
+  Indexed_vector<Triangle_id, Triangle_id> new_id(mesh.triangles.size());
+  Triangle_id kept(0);
   for (const Triangle_id t : mesh.triangles.ids())
-    if (is_kept[t] != 0) new_id[t] = kept++;
+    if (is_kept[t] != 0) new_id[t] = kept, ++kept;
 
   mesh.points.truncate(end_of_vertices), mesh.edge_of.truncate(end_of_vertices);
   mesh.is_dirty.truncate(end_of_vertices);
-  mesh.triangle_of.assign(mesh.points.size(), -1);
+  mesh.triangle_of.assign(mesh.points.size(), {});
   for (const Triangle_id t : new_id.ids()) {
-    if (new_id[t] < 0) continue;
+    if (!new_id[t].is_valid()) continue;
     auto r = mesh.triangles[t];
     for (int k = 0; k < 3; ++k) {
       const Side o = r.side[k];
-      const Triangle_id u = o.is_border() ? -1 : new_id[o.triangle()];
-      r.side[k] = u < 0 ? Side::border() : Side(u, o.slot(), o.is_constrained());
+      const Triangle_id u = o.is_border() ? Triangle_id() : new_id[o.triangle()];
+      r.side[k] = !u.is_valid() ? Side::border() : Side(u, o.slot(), o.is_constrained());
       mesh.triangle_of[r.v[k]] = new_id[t];
     }
     mesh.triangle(new_id[t]) = r;
@@ -124,10 +124,10 @@ private:
 
   /// The triangle that holds each point, -1 for none, by walks from one to the next in shuffle order.
   std::vector<Triangle_id> triangles_at(const std::vector<Point>& points, Ambiguous_seed::Of of) {
-    std::vector<Triangle_id> found(points.size(), -1);
+    std::vector<Triangle_id> found(points.size());
     if (points.empty()) return found;
     const Place_keys<Geometry> key(mesh_.points.values());
-    Triangle_id hint = 0;
+    Triangle_id hint(0);
     for (const std::uint32_t i :
          radix_order(points.size(), 1, [&](std::uint32_t p, int) { return key(points[p]) << 32; })) {
       const Walk_end end = locate_exactly(mesh_, hint, points[i]);
@@ -221,7 +221,7 @@ private:
         return true;
       };
       const Triangle_id first = holders[i];
-      if (first < 0 || level_[first] == 0 || !visit(first)) continue;
+      if (!first.is_valid() || level_[first] == 0 || !visit(first)) continue;
       stack_.push_back(first);
       flood(visit, [](Triangle_id) {});
     }
@@ -245,7 +245,7 @@ private:
       is_kept_[t] = 0;
       return true;
     };
-    if (first < 0 || !visit(first)) return;
+    if (!first.is_valid() || !visit(first)) return;
     stack_.push_back(first);
     flood(visit, [](Triangle_id) {});
   }

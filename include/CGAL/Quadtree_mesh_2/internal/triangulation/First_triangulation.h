@@ -142,7 +142,7 @@ private:
     const std::size_t n = representative_.size();
     mesh_.triangles.reserve(2 * (n / last_step) + 16);
     Delaunay_inserter<Geometry> inserter(mesh_);
-    Triangle_id hint = 0;
+    Triangle_id hint(0);
     for_each_in_rounds(n, last_step, [&](std::size_t i) {
       const Vertex_id v = static_cast<Vertex_id>(i);
       if (representative_[v] < 0) representative_[v] = inserter.insert(v, hint);
@@ -199,7 +199,7 @@ private:
     const std::size_t run = 256 * stride;
     for_each_block<ConcurrencyTag>(
         representative_.size(), run, [&](std::size_t, std::size_t begin, std::size_t end) {
-          Triangle_id t = 0;
+          Triangle_id t(0);
           for (const Vertex_id v : Id_range<Vertex_id>(begin, end)) {
             t = representative_[v] >= 0 ? mesh_.incident_triangle(representative_[v])
                                         : locate_exactly(mesh_, t, mesh_.point(v)).triangle;

@@ -30,9 +30,9 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-/// Handles inside the kernel; -1 is none.
+/// Handles inside the kernel. -1 is none, an invalid `Triangle_id` is.
 using Vertex_id = std::int32_t;
-using Triangle_id = std::int32_t;
+using Triangle_id = Index<struct Kernel_triangle_tag>;
 using Edge_id = std::int32_t;
 using Region_id = std::int32_t;
 
@@ -44,7 +44,7 @@ class Side {
 public:
   Side() = default;
   Side(Triangle_id t, int slot, bool is_constrained = false)
-      : code_((t << 3) | (slot << 1) | (is_constrained ? 1 : 0)) {}
+      : code_(code(t) | (slot << 1) | (is_constrained ? 1 : 0)) {}
   static Side border() { return Side(); }
 
   /// Where another block goes on. The number is kept by all that links and flips do to the triangle.
@@ -60,12 +60,12 @@ public:
   std::int32_t seam_number() const { return (-3 - code_) / 2; }
   /// The border and seams count as constrained: nothing walks or flips across them.
   bool is_constrained() const { return (code_ & 1) != 0; }
-  Triangle_id triangle() const { return code_ >> 3; }
+  Triangle_id triangle() const { return Triangle_id(code_ >> 3); }
   int slot() const { return (code_ >> 1) & 3; }
   /// The same side of a triangle that has got another handle.
   Side renamed(Triangle_id t) const {
     Side s;
-    s.code_ = (t << 3) | (code_ & 7);
+    s.code_ = code(t) | (code_ & 7);
     return s;
   }
   void constrain() { code_ |= 1; }
@@ -73,6 +73,8 @@ public:
 
 private:
   std::int32_t code_ = -1;
+
+  static std::int32_t code(Triangle_id t) { return static_cast<std::int32_t>(t.value() << 3); }
 };
 
 /// What a vertex is: free to move; on an input edge (then the edge's number); or given (then a number below
@@ -152,7 +154,7 @@ public:
 
   Indexed_vector<Triangle_id, Triangle> triangles;
   Indexed_vector<Vertex_id, Point> points;
-  /// Some triangle at the vertex; -1 where there is none (removed, or outside the domain).
+  /// Some triangle at the vertex; none where it is removed, or outside the domain.
   Indexed_vector<Vertex_id, Triangle_id> triangle_of;
   /// `free_vertex`, the input edge on which the vertex lies, or `input_vertex(number)`.
   Indexed_vector<Vertex_id, Edge_id> edge_of;
@@ -172,7 +174,7 @@ public:
   bool is_input(Vertex_id v) const { return edge(v) < free_vertex; }
   /// The number of an input vertex: in the whole mesh its handle, in a block that of the whole mesh.
   Vertex_id input_number(Vertex_id v) const { return -2 - edge(v); }
-  bool is_used(Vertex_id v) const { return incident_triangle(v) >= 0; }
+  bool is_used(Vertex_id v) const { return incident_triangle(v).is_valid(); }
   std::size_t number_of_vertices() const { return points.size(); }
 
   Side across(Side s) const { return triangle(s.triangle()).side[s.slot()]; }
@@ -185,7 +187,7 @@ public:
 
   Vertex_id add_vertex(Point p, Edge_id edge) {
     edge_of.push_back(edge);
-    triangle_of.push_back(-1);
+    triangle_of.push_back({});
     is_dirty.push_back(1);
     return points.add(p);
   }
@@ -206,7 +208,7 @@ public:
 
   /// Makes room for vertices and triangles with handles below these, to be filled in by the caller.
   void resize(std::size_t vertices, std::size_t number_of_slots) {
-    points.resize(vertices), edge_of.resize(vertices, free_vertex), triangle_of.resize(vertices, -1);
+    points.resize(vertices), edge_of.resize(vertices, free_vertex), triangle_of.resize(vertices);
     is_dirty.resize(vertices, 1);
     triangles.resize(number_of_slots);
     if (!region_of.empty()) region_of.resize(number_of_slots, -1);

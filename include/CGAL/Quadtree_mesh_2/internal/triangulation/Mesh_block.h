@@ -33,7 +33,7 @@ using Block_id = std::int32_t;
 struct Block_assignment {
   struct Place {
     Block_id block = -1; ///< -1: none
-    Triangle_id triangle = -1;
+    Triangle_id triangle;
   };
   Indexed_vector<Triangle_id, Place> of_triangle;
   /// The handle of a vertex in the block of the triangle that the whole mesh knows at it. Written and read by that
@@ -77,7 +77,7 @@ public:
   /// written.
   Vertex_id vertex_in_block(Vertex_id whole_vertex) const {
     const Triangle_id t = whole_->incident_triangle(whole_vertex);
-    if (t < 0 || assignment_->is_new(t)) return -1;
+    if (!t.is_valid() || assignment_->is_new(t)) return -1;
     if ((*assignment_)[t].block == id_) return assignment_->of_vertex[whole_vertex];
     const auto i = std::lower_bound(foreign_.begin(), foreign_.end(), whole_vertex,
                                     [](const Foreign& f, Vertex_id v) { return f.whole < v; });
@@ -122,7 +122,7 @@ public:
       whole.points[w] = mesh.point(v);
       whole.edge_of[w] = mesh.edge(v);
       whole.is_dirty[w] = mesh.is_dirty[v];
-      whole.triangle_of[w] = mesh.is_used(v) ? whole_triangle(mesh.incident_triangle(v)) : -1;
+      whole.triangle_of[w] = mesh.is_used(v) ? whole_triangle(mesh.incident_triangle(v)) : Triangle_id();
     }
   }
 

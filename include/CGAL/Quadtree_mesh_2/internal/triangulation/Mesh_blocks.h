@@ -64,13 +64,12 @@ Block_cut cut_by_position(const Kernel_mesh<Geometry>& mesh, std::vector<Triangl
     const int k = mesh.shape(r).slot_of_shortest();
     const auto &a = mesh.point(r.v[next_slot[k]]), &b = mesh.point(r.v[previous_slot[k]]);
     const auto middle = Geometry::translate(a, 0.5 * Geometry::difference(b, a));
-    words[i] = key(middle) << 32 | static_cast<std::uint32_t>(triangles[i]);
+    words[i] = key(middle) << 32 | triangles[i].value();
   });
   const auto buffer = uncleared_words(words.size());
   Word_sorter<ConcurrencyTag>::sort(words.data(), buffer.get(), words.size(), true);
-  for_each_index<ConcurrencyTag>(words.size(), [&](std::size_t i) {
-    triangles[i] = static_cast<Triangle_id>(static_cast<std::uint32_t>(words[i]));
-  });
+  for_each_index<ConcurrencyTag>(
+      words.size(), [&](std::size_t i) { triangles[i] = Triangle_id(static_cast<std::uint32_t>(words[i])); });
 
   Block_cut cut;
   const std::size_t n = triangles.size(), blocks = std::max<std::size_t>(1, n / block_size);
@@ -222,7 +221,7 @@ private:
     std::vector<Half> halves;
     for (const auto& block : blocks_)
       for (const auto& s : block->seams()) halves.push_back({s.here, s.beyond, s.now});
-    const auto word = [](Side s) { return 4 * std::int64_t(s.triangle()) + s.slot(); };
+    const auto word = [](Side s) { return 4 * std::int64_t(s.triangle().value()) + s.slot(); };
     const auto lower = [&](const Half& h) { return std::min(word(h.here), word(h.beyond)); };
     std::sort(halves.begin(), halves.end(), [&](const Half& g, const Half& h) {
       return lower(g) != lower(h) ? lower(g) < lower(h) : word(g.here) < word(h.here);

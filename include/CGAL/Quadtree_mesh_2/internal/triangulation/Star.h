@@ -34,7 +34,7 @@ struct Star {
     using Mesh = Kernel_mesh<Geometry>;
     size = 0;
     const Triangle_id first = mesh.edge(v) >= 0 ? clockwise_most(mesh, v, most) : mesh.incident_triangle(v);
-    if (first < 0) return false;
+    if (!first.is_valid()) return false;
     int i = Mesh::slot_of(mesh.triangle(first), v);
     for (Triangle_id t = first;;) {
       if (size == most) return false;
@@ -60,12 +60,12 @@ private:
     for (int passed = 0; passed < most; ++passed) {
       const auto& r = mesh.triangle(t);
       const Side o = r.side[previous_slot[Kernel_mesh<Geometry>::slot_of(r, v)]];
-      if (o.is_border()) return o.is_seam() ? -1 : t;
+      if (o.is_border()) return o.is_seam() ? Triangle_id() : t;
       t = o.triangle();
       if (t == start) return t;
     }
     size = most;
-    return -1;
+    return {};
   }
 };
 
