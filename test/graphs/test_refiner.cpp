@@ -12,6 +12,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Refiner.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace test_refiner {

@@ -47,21 +47,19 @@ struct Bundle {
     Random random(seed);
     const auto place = [&] { return offset + random.between(0, 1); };
     const Point a{place(), place()}, b{place(), place()};
-    std::vector<Input_edge> edges{{0, 1, Segment_index(0)}};
+    std::vector<Input_edge> edges{{Vertex_id(0), Vertex_id(1), Segment_index(0)}};
     problem.input_points = {a, b};
     for (int i = random.integer(1, 4); i > 0; --i) {
       const double f = random.between(0, 1);
-      add({moved(a.x + f * (b.x - a.x), random.integer(-3, 3)),
-           moved(a.y + f * (b.y - a.y), random.integer(-3, 3))});
-      const Vertex_id near = static_cast<Vertex_id>(problem.input_points.size()) - 1;
+      const Vertex_id near = add({moved(a.x + f * (b.x - a.x), random.integer(-3, 3)),
+                                  moved(a.y + f * (b.y - a.y), random.integer(-3, 3))});
       if (random.integer(0, 1) == 0) continue;
-      add({place(), place()});
-      edges.push_back({near, near + 1, Segment_index(edges.size())});
+      edges.push_back({near, add({place(), place()}), Segment_index(edges.size())});
     }
     problem.edges = internal::Input_edges(edges, problem.input_points.size());
   }
 
-  void add(const Point& p) { problem.input_points.push_back(p); }
+  Vertex_id add(const Point& p) { return problem.input_points.add(p); }
 
   /// Whether it is a graph: no edges cross, and no vertex lies on another one's edge.
   bool is_planar() const {

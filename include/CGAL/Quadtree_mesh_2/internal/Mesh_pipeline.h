@@ -218,7 +218,7 @@ private:
   template <class Function>
   void for_each_first_triangle(const Function& f) const {
     for (const auto& r : state_.mesh.triangles)
-      if (r.v[0] >= 0) f(r, state_.mesh.shape(r));
+      if (r.v[0].is_valid()) f(r, state_.mesh.shape(r));
   }
 
   /// Coordinates tell more apart than the doubles in which angles are compared.
@@ -227,7 +227,7 @@ private:
   void refuse_what_is_too_near() const {
     constexpr double least = Geometry::least_length * Geometry::least_length;
     for (const auto& r : state_.mesh.triangles) {
-      if (r.v[0] < 0) continue;
+      if (!r.v[0].is_valid()) continue;
       const auto s = state_.mesh.shape_of_flat(r.v[0], r.v[1], r.v[2]);
       if (s.shortest() >= least && s.area2 * s.area2 >= least * s.longest()) continue;
       throw words_.too_near(r.v, ": nearer to each other, or to being on a line, than 2^-420 of the extent");

@@ -110,7 +110,7 @@ private:
   void make_steiner_vertex(Mesh& out, Vertex_id v, std::size_t place) {
     new_vertex_[v] = Vertex_index(place);
     out.points[place] = map_.to_user(mesh_.point(v));
-    if (mesh_.edge(v) >= 0) out.segment_of_vertex[place] = state_.edges[mesh_.edge(v)].segment;
+    if (mesh_.edge(v).is_valid()) out.segment_of_vertex[place] = state_.edges[mesh_.edge(v)].segment;
   }
 
   void number_triangles() {
@@ -138,16 +138,16 @@ private:
       if (!o.is_border()) out.neighbors[place][std::size_t(k)] = new_triangle_[o.triangle()];
       if (o.is_border() || (o.is_constrained() && t < o.triangle())) add_constrained_edge(edges, Side(t, k));
     }
-    if (!mesh_.region_of.empty()) out.region_of_triangle[place] = mesh_.region(t);
+    if (!mesh_.region_of.empty()) out.region_of_triangle[place] = static_cast<int>(mesh_.region(t).value());
   }
 
   void add_constrained_edge(Edges& edges, Side s) const {
     const Vertex_id x = mesh_.source(s), y = mesh_.target(s);
     const Edge_id e = state_.edges.carrying(mesh_, x, y);
-    if (e < 0) return;
+    if (!e.is_valid()) return;
     edges.push_back({{new_vertex_[x], new_vertex_[y]}, state_.edges[e].segment});
     const Vertex_id outer = state_.problem.outer_vertex(e);
-    if (outer >= 0) edges.back().outer_vertex = new_vertex_[outer];
+    if (outer.is_valid()) edges.back().outer_vertex = new_vertex_[outer];
   }
 
   /// Reports a triangle that misses a bound.
@@ -187,7 +187,7 @@ private:
     const Edge_id e = mesh_.edge(v);
     const auto& is_acute = state_.corners.is_acute;
     if (mesh_.is_input(v)) return is_acute[mesh_.input_number(v)] != 0;
-    return e >= 0 && (is_acute[state_.edges[e].a] != 0 || is_acute[state_.edges[e].b] != 0);
+    return e.is_valid() && (is_acute[state_.edges[e].a] != 0 || is_acute[state_.edges[e].b] != 0);
   }
 };
 

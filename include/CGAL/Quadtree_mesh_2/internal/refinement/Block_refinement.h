@@ -97,7 +97,8 @@ private:
     outside.reserve(mesh.number_of_triangles() - bulk.number_of_triangles());
     for (const Triangle_id t : mesh.triangles.ids()) {
       const auto& v = mesh.triangle(t).v;
-      if (v[0] < 0 || (bulk.has_within(v[0]) && bulk.has_within(v[1]) && bulk.has_within(v[2]))) continue;
+      if (!v[0].is_valid() || (bulk.has_within(v[0]) && bulk.has_within(v[1]) && bulk.has_within(v[2])))
+        continue;
       outside.push_back(t);
     }
     return outside;
@@ -167,7 +168,7 @@ private:
         64);
     Corners_of_blocks owned(blocks.size());
     for (const Corner_id c : owner.ids())
-      if (owner[c] >= 0) owned[owner[c]].push_back(c);
+      if (owner[c].is_valid()) owned[owner[c]].push_back(c);
     return owned;
   }
 
@@ -183,23 +184,23 @@ private:
         if (!whole_.mesh.is_input(v)) own_star(v, blocks, owner);
         before = v;
       }
-      if (before == leg.apex_vertex) return -1; // a leg that could not be cut: nothing can be said
+      if (before == leg.apex_vertex) return {}; // a leg that could not be cut: nothing can be said
     }
     for (const Sector_id s : corner.sectors) own_chord(whole_.corners.sector(s), blocks, owner);
-    return owner == unknown ? -1 : owner;
+    return owner == unknown ? Block_id() : owner;
   }
 
-  static constexpr Block_id unknown = -2;
+  static constexpr Block_id unknown{0xfffffffeu};
 
   /// Makes the block of t the owner, or nobody if another one is.
   static void own(Triangle_id t, const Blocks& blocks, Block_id& owner) {
     const Block_id b = blocks.block_of(t);
-    owner = owner == unknown || owner == b ? b : -1;
+    owner = owner == unknown || owner == b ? b : Block_id();
   }
   void own_side(Vertex_id x, Vertex_id y, const Blocks& blocks, Block_id& owner) const {
     const Side s = whole_.side_between(x, y);
     if (s.is_border()) {
-      owner = -1;
+      owner = {};
       return;
     }
     own(s.triangle(), blocks, owner);
@@ -219,17 +220,17 @@ private:
       return whole_.corners.leg(l).ring;
     };
     const Vertex_id x = at_lock(sector.right), y = at_lock(sector.left);
-    if (x >= 0 && y >= 0 && x != y) own_side(x, y, blocks, owner);
+    if (x.is_valid() && y.is_valid() && x != y) own_side(x, y, blocks, owner);
   }
 
-  /// Renames the vertices of the corners; shells that are gone (-1) are forgotten.
+  /// Renames the vertices of the corners; shells that are gone (none) are forgotten.
   template <class Name>
   void name_corner_vertices(const std::vector<Corner_id>& corners, const Name& name) {
     for (const Corner_id c : corners)
       for (const Leg_id l : whole_.corners.corner(c).legs) {
         Leg& leg = whole_.corners.leg(l);
         leg.apex_vertex = name(leg.apex_vertex);
-        if (leg.ring >= 0) leg.ring = name(leg.ring);
+        if (leg.ring.is_valid()) leg.ring = name(leg.ring);
         leg.shells.rename(name);
       }
   }

@@ -64,7 +64,7 @@ struct Bounds {
     if (s.area2 > area2 || s.longest() > squared_length) return true;
     if (is_refused && is_refused(a, b, c)) return true;
     if (!is_local()) return false;
-    if (!area2_of_region.empty() && region >= 0 && s.area2 > area2_of_region[region]) return true;
+    if (!area2_of_region.empty() && region.is_valid() && s.area2 > area2_of_region[region]) return true;
     return squared_length_at && s.longest() > squared_length_at(centroid(a, b, c)) * (1 - margin);
   }
   /// Whether bounds of size differ from place to place.

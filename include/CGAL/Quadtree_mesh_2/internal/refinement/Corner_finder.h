@@ -181,7 +181,7 @@ private:
     const auto add_leg = [&](Edge_id e) {
       const Vertex_id far = state_.edges.other_end(e, corner.apex);
       corner.legs.push_back(corners_.add_leg(
-          {id, e, corner.apex, far, distance(corner.apex, far), -1, -1, {}, -1, corner.apex}));
+          {id, e, corner.apex, far, distance(corner.apex, far), {}, {}, {}, {}, corner.apex}));
     };
     first_triangles_.emplace_back();
     add_leg(acute_[run.front()].right);
@@ -212,7 +212,7 @@ private:
     for (const Leg_id l : corner.legs) {
       const Leg& leg = corners_.leg(l);
       const auto& at = corners_.legs_of_edge[leg.edge];
-      const bool has_ring_at_far_end = at[0] >= 0 && at[1] >= 0;
+      const bool has_ring_at_far_end = at[0].is_valid() && at[1].is_valid();
       r = std::min<Number>(r, has_ring_at_far_end ? leg.length / 2 : leg.length);
     }
     for (const Triangle_id t : first_triangles_[c]) r = radius_clear_of_intruders(corner.apex, t, r);

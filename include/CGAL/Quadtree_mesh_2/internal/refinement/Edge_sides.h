@@ -41,7 +41,7 @@ public:
         const Side s(t, k);
         if (!mesh.is_alive(t) || !mesh.across(s).is_constrained()) continue;
         const Edge_id e = edges.carrying(mesh, mesh.source(s), mesh.target(s));
-        if (e < 0) continue; // a chord across a corner
+        if (!e.is_valid()) continue; // a chord across a corner
         labels_[e][is_along(mesh, s, edges[e]) ? left_ : right_] = mesh.region(t);
       }
   }
@@ -54,7 +54,7 @@ public:
   ///        left of that
   template <class Mesh, class Edge_at>
   void restrict(Mesh& mesh, std::size_t number_of_auxiliary_vertices, const Edge_at& edge_at) const {
-    constexpr Region_id unknown = outside_ - 1;
+    constexpr Region_id unknown(0xfffffffdu);
     Indexed_vector<Triangle_id, Region_id> label(mesh.triangles.size(), unknown);
     std::vector<Triangle_id> stack;
     for (const Triangle_id t : label.ids())
@@ -75,14 +75,14 @@ public:
       }
     }
     Indexed_vector<Triangle_id, char> is_kept(label.size());
-    for (const Triangle_id t : label.ids()) is_kept[t] = label[t] > outside_ ? 1 : 0;
+    for (const Triangle_id t : label.ids()) is_kept[t] = label[t] != outside_ && label[t] != unknown ? 1 : 0;
     if (has_regions_) mesh.region_of = std::move(label);
     keep_triangles(mesh, is_kept, static_cast<Vertex_id>(mesh.points.size() - number_of_auxiliary_vertices));
   }
 
 private:
   static constexpr std::size_t left_ = 0, right_ = 1;
-  static constexpr Region_id outside_ = -2; ///< -1 is the domain without a region
+  static constexpr Region_id outside_{0xfffffffeu}; ///< an invalid one is the domain without a region
 
   Indexed_vector<Edge_id, std::array<Region_id, 2>> labels_;
   bool has_regions_;

@@ -47,7 +47,7 @@ struct Meshing_problem {
     for (const Outer_triangle& t : outer) outer_of_edge_[edges.between(t.a, t.b)] = t;
   }
 
-  /// The input vertex that faces an edge at the border from the outside; -1 if there is none.
+  /// The input vertex that faces an edge at the border from the outside, if there is one.
   Vertex_id outer_vertex(Edge_id e) const { return outer_of_edge_[e].apex; }
 
   /// Whether p, a rounded point of an edge, stays clear of what is outside of the border. The mesh does not know it.
@@ -57,7 +57,7 @@ struct Meshing_problem {
       return true;
     } else {
       const Outer_triangle& t = outer_of_edge_[e];
-      if (t.apex < 0) return true;
+      if (!t.apex.is_valid()) return true;
       const auto &a = input_point(t.a), &b = input_point(t.b);
       return Edge_room<Geometry>(a, b, input_point(t.apex)).has(a, b, p);
     }

@@ -66,7 +66,7 @@ private:
     if (!star_.collect(mesh_, v, is_hurried(aim) ? largest_star : Star::max_size)) return false;
     const Edge_id e = mesh_.edge(v);
     const bool is_moved =
-        e == free_vertex ? star_.is_closed && relocate_free(v, aim) : relocate_on_edge(v, e, aim);
+        mesh_.is_free(v) ? star_.is_closed && relocate_free(v, aim) : relocate_on_edge(v, e, aim);
     if (!is_moved) return false;
     for (int i = 0; i < star_.size; ++i) {
       const Side c = star_.corner[i];

@@ -91,7 +91,7 @@ private:
   Vertex_id made_[Star::max_size + 2][3];
   Region_id region_of_made_[Star::max_size + 2];
   int number_made_ = 0;
-  Vertex_id merged_a_ = -1, merged_b_ = -1;
+  Vertex_id merged_a_, merged_b_ = Vertex_id();
   // the polygon's vertices, relative to its first, and the dynamic programme
   Vector place_[max_polygon];
   double quality_[max_polygon][max_polygon];
@@ -100,8 +100,8 @@ private:
   /// \pre the star is that of v
   bool try_to_remove(Vertex_id v) {
     number_made_ = 0;
-    merged_a_ = merged_b_ = -1;
-    if (mesh_.edge(v) == free_vertex) {
+    merged_a_ = merged_b_ = {};
+    if (mesh_.is_free(v)) {
       if (!star_.is_closed || !triangulate(polygon(0, star_.size - 1))) return false;
     } else if (star_.is_closed) {
       if (!triangulate_both_sides()) return false;
@@ -276,7 +276,8 @@ private:
       for (int k = 0; k < 3; ++k) {
         const Vertex_id a = made_[i][next_slot[k]], b = made_[i][previous_slot[k]], c = made_[i][k];
         const Vertex_id d = apex_across(first, a, b);
-        if (d < 0 || !Geometry::is_in_circle(mesh_.point(c), mesh_.point(a), mesh_.point(b), mesh_.point(d)))
+        if (!d.is_valid() ||
+            !Geometry::is_in_circle(mesh_.point(c), mesh_.point(a), mesh_.point(b), mesh_.point(d)))
           continue;
         const Region_id region = region_of_made_[i];
         if (!keeps_bounds(mesh_.shape(a, d, c), a, d, c, region, true) ||
@@ -286,7 +287,7 @@ private:
     return true;
   }
 
-  /// The vertex opposite the edge a-b on its right: of a new triangle, or of the mesh beyond the star; -1
+  /// The vertex opposite the edge a-b on its right: of a new triangle, or of the mesh beyond the star; none
   /// behind a constraint.
   Vertex_id apex_across(int first, Vertex_id a, Vertex_id b) const {
     for (int i = first; i < number_made_; ++i)
@@ -296,9 +297,9 @@ private:
       const Vertex_id to = star_.link[i + 1];
       if (star_.link[i] != a || to != b) continue;
       const Side o = mesh_.across(star_.corner[i]);
-      return o.is_constrained() ? -1 : mesh_.opposite(o);
+      return o.is_constrained() ? Vertex_id() : mesh_.opposite(o);
     }
-    return -1;
+    return {};
   }
 
   struct Open_side {

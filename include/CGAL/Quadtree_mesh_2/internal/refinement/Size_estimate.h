@@ -67,7 +67,7 @@ public:
 
   /// Two constrained edges that face each other, by their ends, and what they ask for.
   struct Pair {
-    Vertex_id a[2] = {-1, -1}, b[2] = {-1, -1};
+    Vertex_id a[2], b[2];
     double triangles = 0;
   };
 
@@ -192,7 +192,7 @@ private:
     const Bounds<Geometry>& bounds = state_.bounds;
     if (!bounds.is_size_bounded()) return 0;
     double area2 = bounds.area2;
-    if (!bounds.area2_of_region.empty() && mesh_.region(t) >= 0)
+    if (!bounds.area2_of_region.empty() && mesh_.region(t).is_valid())
       area2 = std::min(area2, bounds.area2_of_region[mesh_.region(t)]);
     double per_area2 =
         std::max(1 / (share_of_area * area2), 0.5 / (share_of_squared_edge * bounds.squared_length));

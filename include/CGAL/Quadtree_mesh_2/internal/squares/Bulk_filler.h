@@ -100,7 +100,7 @@ private:
   Meshing_state<Geometry>& state_;
   Mesh& mesh_;
   Splitter<Geometry>& splitter_;
-  std::vector<Vertex_id> vertex_named_;                       // by name; -1: none yet
+  std::vector<Vertex_id> vertex_named_;                       // by name
   Indexed_vector<Leaf_index, Triangle_id> first_triangle_of_; // by square
   std::vector<Border_vertex> vertices_;
   std::vector<Border_edge> edges_;
@@ -118,7 +118,7 @@ private:
   double domain_area() const {
     double area2 = 0;
     for (const auto& r : mesh_.triangles)
-      if (r.v[0] >= 0) area2 += ratio(mesh_.shape(r).area2, 1);
+      if (r.v[0].is_valid()) area2 += ratio(mesh_.shape(r).area2, 1);
     return area2 / 2;
   }
 
@@ -158,7 +158,7 @@ private:
 
   void fill(const Squares& squares, const Wanted_squares<Geometry>& wanted,
             const Square_grid<Geometry>& grid) {
-    vertex_named_.assign(3 * squares.number_of_leaves(), -1);
+    vertex_named_.assign(3 * squares.number_of_leaves(), {});
     reserve(squares);
     state_.bulk.has_border = true;
     collect_border(squares, grid);
@@ -176,7 +176,7 @@ private:
   void reserve(const Squares& squares) {
     const std::size_t growth = 8 * mesh_.number_of_vertices() + 4 * squares.border().size();
     const std::size_t vertices = mesh_.number_of_vertices() + squares.number_of_triangles() + growth;
-    mesh_.points.reserve(vertices), mesh_.edge_of.reserve(vertices), mesh_.triangle_of.reserve(vertices);
+    mesh_.points.reserve(vertices), mesh_.role_of.reserve(vertices), mesh_.triangle_of.reserve(vertices);
     mesh_.is_dirty.reserve(vertices);
     mesh_.triangles.reserve(mesh_.triangles.size() + squares.number_of_triangles() + 2 * growth);
   }
@@ -201,11 +201,11 @@ private:
       for (int i = 0; i < 2; ++i) {
         const int vertex = t[std::size_t(i == 0 ? next_slot[corner.slot] : previous_slot[corner.slot])];
         Vertex_id& v = vertex_named_[squares.name(p.square, vertex)];
-        if (v < 0) {
+        if (!v.is_valid()) {
           v = mesh_.add_vertex(place(grid, squares.square(p.square), vertex), free_vertex);
           vertices_.push_back({v, p.square});
         }
-        ends[i] = static_cast<std::uint32_t>(v - first);
+        ends[i] = v.value() - first.value();
       }
       edges_.push_back({ends[0], ends[1], Side::border()});
     }
@@ -272,7 +272,7 @@ private:
         return Geometry::orientation(mesh_.point(r.v[next_slot[k]]), mesh_.point(r.v[previous_slot[k]]), p) >=
                0;
       };
-      if (r.v[0] >= 0 && is_inside(0) && is_inside(1) && is_inside(2)) return u;
+      if (r.v[0].is_valid() && is_inside(0) && is_inside(1) && is_inside(2)) return u;
     }
   }
 
@@ -292,7 +292,7 @@ private:
   bool is_long(Side s) const {
     const Vertex_id apex = mesh_.opposite(s);
     if (!mesh_.across(s).is_constrained() || apex < vertices_.front().vertex ||
-        apex > vertices_.back().vertex)
+        vertices_.back().vertex < apex)
       return false;
     const auto x = Geometry::scaled_difference(mesh_.point(mesh_.source(s)), mesh_.point(apex));
     const auto y = Geometry::scaled_difference(mesh_.point(mesh_.target(s)), mesh_.point(apex));
@@ -363,7 +363,7 @@ private:
     for (int i = 0; i < Square_template::center; ++i) {
       if (!form_of_square.has_vertex(i)) continue;
       Vertex_id& named = vertex_named_[squares.name(l, i)];
-      if (named < 0) named = mesh_.add_vertex(place(grid, square, i), free_vertex);
+      if (!named.is_valid()) named = mesh_.add_vertex(place(grid, square, i), free_vertex);
       v[i] = named;
     }
     if (form_of_square.has_center())

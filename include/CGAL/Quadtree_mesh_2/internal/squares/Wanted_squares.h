@@ -163,9 +163,9 @@ private:
         state_.bounds.is_local() ? 0 : 3 * least_distance * least_distance * (1 - slack);
     for (const Triangle_id t : mesh.triangles.ids()) {
       const auto& r = mesh.triangle(t);
-      if (r.v[0] < 0 || mesh.shape(r).longest() < least_longest) continue;
+      if (!r.v[0].is_valid() || mesh.shape(r).longest() < least_longest) continue;
       const Sector_id s = state_.corners.sector_of(mesh, r.v[0], r.v[1], r.v[2]);
-      if (s < 0 || state_.corners.sector(s).lock_radius == 0) triangles_.push_back(t);
+      if (!s.is_valid() || state_.corners.sector(s).lock_radius == 0) triangles_.push_back(t);
     }
     triangle_stack_ = triangles_;
   }
@@ -284,7 +284,7 @@ private:
     const Bounds<Geometry>& bounds = state_.bounds;
     const double l2 = squared_length(q), area2 = 0.5 * l2;
     if (area2 > bounds.area2 || l2 > bounds.squared_length) return true;
-    return region >= 0 && !bounds.area2_of_region.empty() && area2 > bounds.area2_of_region[region];
+    return region.is_valid() && !bounds.area2_of_region.empty() && area2 > bounds.area2_of_region[region];
   }
 
   bool is_too_large_at(Triangles_of_squares q, Vector v) const {
@@ -318,7 +318,7 @@ private:
   /// Whether a square near features is too large for one of the triangles of the domain that meet it.
   bool is_too_large_for_any(const Grid_square& s, Range triangles) const {
     const Triangles_of_squares q{s.level, state_.bounds.is_local() ? Center::WITH : Center::WITHOUT};
-    if (is_too_large_everywhere(q, -1)) return true;
+    if (is_too_large_everywhere(q, Region_id())) return true;
     if (!state_.bounds.is_local()) return false;
     const Box b = box(s);
     for (std::size_t i = triangles.begin; i < triangles.end; ++i) {

@@ -79,14 +79,14 @@ private:
 template <class Geometry>
 struct Placed_vertices {
   Indexed_vector<Vertex_id, typename Geometry::Point>
-      points;                                 ///< first the input's, then those on edges, then corners
-  Indexed_vector<Vertex_id, Edge_id> edge_of; ///< as `Kernel_mesh::edge_of`
+      points; ///< first the input's, then those on edges, then corners
+  Indexed_vector<Vertex_id, Vertex_role> role_of;
   std::vector<std::array<Vertex_id, 2>> segments;
   std::vector<Edge_id> cramped_edges; ///< those without some of their vertices for want of room; in order
 
   explicit Placed_vertices(const Indexed_vector<Vertex_id, typename Geometry::Point>& input)
-      : points(input), edge_of(input.size()) {
-    for (const Vertex_id v : edge_of.ids()) edge_of[v] = input_vertex(v);
+      : points(input), role_of(input.size()) {
+    for (const Vertex_id v : role_of.ids()) role_of[v] = input_vertex(v);
   }
 
   /// \param cut called as `cut(e, crossings)`, maybe for several edges at the same time; appends the vertices on
@@ -106,7 +106,7 @@ struct Placed_vertices {
                                      }
                                    });
     for (const auto& list : cramped) cramped_edges.insert(cramped_edges.end(), list.begin(), list.end());
-    Edge_id e = 0;
+    Edge_id e(0);
     for (const auto& crossings : found)
       for (const auto& c : crossings) {
         for (; e < c.edge; ++e) close_edge(edges, e);
@@ -128,7 +128,7 @@ struct Placed_vertices {
         [](std::size_t c) { return c; });
     const std::size_t first = points.size();
     points.resize(first + names.size());
-    edge_of.resize(first + names.size(), free_vertex);
+    role_of.resize(first + names.size(), free_vertex);
     for_each_index<ConcurrencyTag>(names.size(), [&](std::size_t i) {
       points[static_cast<Vertex_id>(first + i)] = trees.kernel_point(corners.place(names[i]));
     });
@@ -157,7 +157,7 @@ private:
 
   /// The last vertex on an edge so far, if it is the edge at work.
   Vertex_id last_on(const Input_edges& edges, Edge_id e) const {
-    return edge_of.back() == e ? static_cast<Vertex_id>(points.size() - 1) : edges[e].a;
+    return role_of.back() == e ? static_cast<Vertex_id>(points.size() - 1) : edges[e].a;
   }
   /// Joins the last vertex on an edge to its end.
   void close_edge(const Input_edges& edges, Edge_id e) {
@@ -166,7 +166,7 @@ private:
   void append(const Input_edges& edges, const Edge_crossing<Geometry>& c) {
     const Vertex_id last = last_on(edges, c.edge);
     segments.push_back({last, points.add(c.point)});
-    edge_of.push_back(c.edge);
+    role_of.push_back(c.edge);
   }
 };
 

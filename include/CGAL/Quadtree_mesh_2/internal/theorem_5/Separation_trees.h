@@ -273,7 +273,7 @@ private:
     Leaf_cells<typename Tree::Word> cells;
     std::vector<typename Leaf_cells<typename Tree::Word>::Ends> segments;
     std::vector<Edge_id> own, others;
-    Edge_id hider = -1; ///< among these
+    Edge_id hider; ///< among these
   };
 
   /// For T_B'': leaves too large for two pieces that bound a common cell in them.
@@ -322,7 +322,7 @@ private:
     const auto leaf = frame(l);
     auto &own = scratch.own, &others = scratch.others;
     own.clear(), others.clear();
-    scratch.hider = -1;
+    scratch.hider = {};
     for (const Edge_piece& p : pieces_in_leaves_[l]) own.push_back(edge(p));
     for (const Leaf_index n : tree_.neighbors(l))
       for (const Edge_piece& p : pieces_in_leaves_[n]) others.push_back(edge(p));
@@ -343,7 +343,7 @@ private:
   bool is_hidden(const Local_gap& gap, Edge_id e, Edge_id f, Scratch& scratch,
                  const typename Edge_gaps<Geometry>::Leaf& leaf) const {
     const auto hides = [&](Edge_id g) { return g != e && g != f && gap.is_blocked_by(gaps_.local(g, leaf)); };
-    if (scratch.hider >= 0 && hides(scratch.hider)) return true;
+    if (scratch.hider.is_valid() && hides(scratch.hider)) return true;
     for (const auto* edges : {&scratch.own, &scratch.others})
       for (const Edge_id g : *edges)
         if (hides(g)) {

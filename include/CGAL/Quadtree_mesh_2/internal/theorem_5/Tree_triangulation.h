@@ -92,7 +92,7 @@ private:
     });
     order_ = shuffle_order<ConcurrencyTag>(grid_points);
     points_.resize(used.size());
-    Indexed_vector<Vertex_id, Vertex_id> place(placed_.points.size(), -1);
+    Indexed_vector<Vertex_id, Vertex_id> place(placed_.points.size());
     for_each_index<ConcurrencyTag>(used.size(), [&](std::size_t i) {
       order_[i] = used[order_[i]];
       const Vertex_id placed = static_cast<Vertex_id>(order_[i]);
@@ -109,7 +109,7 @@ private:
   Vertex_id placed_vertex(Vertex_id sorted) const {
     return static_cast<Vertex_id>(order_[std::size_t(sorted)]);
   }
-  bool is_corner(Vertex_id placed) const { return placed_.edge_of[placed] == free_vertex; }
+  bool is_corner(Vertex_id placed) const { return placed_.role_of[placed].is_free(); }
 
   /// Finds vertices at the place of others, and on segments; corners among them are out from now on.
   Faults faults_of(const First& first) {
@@ -134,11 +134,11 @@ private:
   /// The edge that a constrained side is a piece of, and whether its triangle is on the left of that.
   std::pair<Edge_id, bool> edge_at(const Kernel_mesh<Geometry>& sorted, Side s) const {
     const Vertex_id from = placed_vertex(sorted.source(s)), to = placed_vertex(sorted.target(s));
-    const Edge_id e = placed_.edge_of[from], f = placed_.edge_of[to];
+    const Edge_id e = placed_.role_of[from].edge(), f = placed_.role_of[to].edge();
     // Vertices on an edge are numbered from its first end to its second.
-    if (e >= 0 && f >= 0) return {e, from < to};
-    if (e >= 0) return {e, to == edges_[e].b};
-    if (f >= 0) return {f, from == edges_[f].a};
+    if (e.is_valid() && f.is_valid()) return {e, from < to};
+    if (e.is_valid()) return {e, to == edges_[e].b};
+    if (f.is_valid()) return {f, from == edges_[f].a};
     const Edge_id whole = edges_.between(from, to);
     return {whole, from == edges_[whole].a};
   }
@@ -147,7 +147,7 @@ private:
     sides_.restrict(sorted, First::number_of_auxiliary_vertices, [&](Side s) { return edge_at(sorted, s); });
     mesh = Kernel_mesh<Geometry>();
     mesh.resize(placed_.points.size(), 0);
-    mesh.points = placed_.points, mesh.edge_of = placed_.edge_of;
+    mesh.points = placed_.points, mesh.role_of = placed_.role_of;
     mesh.triangles = std::move(sorted.triangles), mesh.region_of = std::move(sorted.region_of);
     for_each_index<ConcurrencyTag>(mesh.triangles.size(), [&](std::size_t t) {
       for (Vertex_id& v : mesh.triangle(static_cast<Triangle_id>(t)).v) v = placed_vertex(v);

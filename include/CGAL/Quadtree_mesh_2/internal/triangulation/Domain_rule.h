@@ -48,7 +48,7 @@ void keep_triangles(Mesh& mesh, const Indexed_vector<Triangle_id, char>& is_kept
   for (const Triangle_id t : mesh.triangles.ids())
     if (is_kept[t] != 0) new_id[t] = kept, ++kept;
 
-  mesh.points.truncate(end_of_vertices), mesh.edge_of.truncate(end_of_vertices);
+  mesh.points.truncate(end_of_vertices), mesh.role_of.truncate(end_of_vertices);
   mesh.is_dirty.truncate(end_of_vertices);
   mesh.triangle_of.assign(mesh.points.size(), {});
   for (const Triangle_id t : new_id.ids()) {
@@ -69,7 +69,7 @@ void keep_triangles(Mesh& mesh, const Indexed_vector<Triangle_id, char>& is_kept
 
 /// A triangle outside, at a side of the domain's border that has the outside on its left.
 struct Outer_triangle {
-  Vertex_id a = -1, b = -1, apex = -1;
+  Vertex_id a, b, apex;
 };
 
 /// Thrown if the point of a hole or region lies on a segment, or an end of one, with several components around.
@@ -104,7 +104,7 @@ public:
     label(regions);
     if (rule == Rule::MARKED)
       for (const Triangle_id t : is_kept_.ids())
-        is_kept_[t] = level_[t] > 0 && !regions.empty() && mesh_.region_of[t] >= 0;
+        is_kept_[t] = level_[t] > 0 && !regions.empty() && mesh_.region_of[t].is_valid();
     for (const Triangle_id t : triangles_at(holes, Ambiguous_seed::Of::HOLE)) drop_component(t);
     std::vector<Outer_triangle> outer = outer_triangles();
     keep_triangles(mesh_, is_kept_, first_auxiliary_);
@@ -122,7 +122,7 @@ private:
     return rule == Rule::NESTING_PARITY ? level % 2 == 1 : level > 0;
   }
 
-  /// The triangle that holds each point, -1 for none, by walks from one to the next in shuffle order.
+  /// The triangle that holds each point, if there is one, by walks from one to the next in shuffle order.
   std::vector<Triangle_id> triangles_at(const std::vector<Point>& points, Ambiguous_seed::Of of) {
     std::vector<Triangle_id> found(points.size());
     if (points.empty()) return found;
@@ -134,7 +134,7 @@ private:
       hint = end.triangle;
       if (end.is_blocked()) continue;
       found[i] = end.triangle;
-      check_place(end.triangle, points[i], {of, i, -1, -1});
+      check_place(end.triangle, points[i], {of, i, {}, {}});
     }
     return found;
   }
@@ -191,7 +191,7 @@ private:
     std::vector<Triangle_id> seeds, next;
     for (const Triangle_id t : mesh_.triangles.ids())
       for (const Vertex_id v : mesh_.triangle(t).v)
-        if (v >= first_auxiliary_) seeds.push_back(t);
+        if (!(v < first_auxiliary_)) seeds.push_back(t);
     for (std::int32_t level = 0; level < most && !seeds.empty(); ++level) {
       const auto visit = [&](Triangle_id t) {
         if (level_[t] < most) return false;
@@ -211,12 +211,12 @@ private:
   void label(const std::vector<Point>& regions) {
     mesh_.region_of.clear();
     if (regions.empty()) return;
-    mesh_.region_of.assign(mesh_.triangles.size(), -1);
+    mesh_.region_of.assign(mesh_.triangles.size(), {});
     const std::vector<Triangle_id> holders = triangles_at(regions, Ambiguous_seed::Of::REGION);
     for (std::size_t i = 0; i < regions.size(); ++i) {
       const auto visit = [&](Triangle_id t) {
         Region_id& region = mesh_.region_of[t];
-        if (region >= 0) return false;
+        if (region.is_valid()) return false;
         region = static_cast<Region_id>(i);
         return true;
       };

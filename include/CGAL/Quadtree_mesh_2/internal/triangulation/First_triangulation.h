@@ -51,7 +51,7 @@ public:
 
   /// The vertices of the mesh become `points`, in that order, and the three auxiliary ones behind them.
   First_triangulation(Mesh& mesh, const std::vector<Point>& points)
-      : mesh_(mesh), representative_(points.size(), -1) {
+      : mesh_(mesh), representative_(points.size()) {
     start(points);
   }
 
@@ -114,7 +114,7 @@ private:
     const std::size_t n = points.size();
     mesh_.resize(n, 0);
     mesh_.points.assign(points.begin(), points.end());
-    std::iota(mesh_.edge_of.rbegin(), mesh_.edge_of.rend(), input_vertex(static_cast<Vertex_id>(n) - 1));
+    for (const Vertex_id v : mesh_.role_of.ids()) mesh_.role_of[v] = input_vertex(v);
     Point low = points.front(), high = points.front();
     for (const Point& p : points) {
       low.x = std::min(low.x, p.x), low.y = std::min(low.y, p.y);
@@ -127,11 +127,10 @@ private:
     // As near as they can be: differences of 62-bit coordinates must not overflow. Nothing inside the domain
     // sees them.
     for (const Vector corner : {Vector{-1, -0.1}, Vector{2, -0.1}, Vector{0.5, 2.9}})
-      mesh_.add_vertex(Geometry::translate(low, extent * corner),
-                       input_vertex(static_cast<Vertex_id>(mesh_.number_of_vertices())));
+      mesh_.add_vertex(Geometry::translate(low, extent * corner), input_vertex(mesh_.points.end_id()));
     const Triangle_id t = mesh_.new_triangle();
     for (int k = 0; k < 3; ++k) {
-      const Vertex_id v = static_cast<Vertex_id>(n) + k;
+      const Vertex_id v(n + static_cast<std::size_t>(k));
       mesh_.triangle(t).v[k] = v;
       mesh_.triangle_of[v] = t;
     }
@@ -145,7 +144,7 @@ private:
     Triangle_id hint(0);
     for_each_in_rounds(n, last_step, [&](std::size_t i) {
       const Vertex_id v = static_cast<Vertex_id>(i);
-      if (representative_[v] < 0) representative_[v] = inserter.insert(v, hint);
+      if (!representative_[v].is_valid()) representative_[v] = inserter.insert(v, hint);
       hint = mesh_.incident_triangle(representative_[v]);
     });
   }
@@ -201,8 +200,8 @@ private:
         representative_.size(), run, [&](std::size_t, std::size_t begin, std::size_t end) {
           Triangle_id t(0);
           for (const Vertex_id v : Id_range<Vertex_id>(begin, end)) {
-            t = representative_[v] >= 0 ? mesh_.incident_triangle(representative_[v])
-                                        : locate_exactly(mesh_, t, mesh_.point(v)).triangle;
+            t = representative_[v].is_valid() ? mesh_.incident_triangle(representative_[v])
+                                              : locate_exactly(mesh_, t, mesh_.point(v)).triangle;
             coarse_triangle_[v] = t;
           }
         });
@@ -227,13 +226,13 @@ private:
     mesh.triangles.reserve(mesh.triangles.size() + 2 * work.vertices.size());
     for (const Vertex_id v : work.vertices) vertex_in_block_[v] = block.add_known_vertex(v);
     Delaunay_inserter<Geometry> inserter(mesh);
-    Vertex_id last = -1;
+    Vertex_id last;
     for (const Vertex_id v : work.vertices) {
       const Vertex_id here = vertex_in_block_[v];
       const Triangle_id coarse = blocks.place_of(coarse_triangle_[v]);
-      Vertex_id stands = last < 0 ? -1 : inserter.insert(here, mesh.incident_triangle(last));
-      if (stands < 0) stands = inserter.insert(here, coarse);
-      if (stands < 0) {
+      Vertex_id stands = !last.is_valid() ? Vertex_id() : inserter.insert(here, mesh.incident_triangle(last));
+      if (!stands.is_valid()) stands = inserter.insert(here, coarse);
+      if (!stands.is_valid()) {
         work.vertices_left.push_back(v);
         continue;
       }
@@ -242,10 +241,10 @@ private:
     }
   }
 
-  /// The handle in the block of what stands for a vertex, -1 if it is not there.
+  /// The handle in the block of what stands for a vertex, none if it is not there.
   Vertex_id find_in_block(const Block& block, const Blocks& blocks, Vertex_id v) const {
     if (!is_coarse(v)) {
-      if (block_of(blocks, v) != block.id() || representative(v) < 0) return -1;
+      if (block_of(blocks, v) != block.id() || !representative(v).is_valid()) return {};
       if (!is_coarse(representative(v))) return vertex_in_block_[representative(v)];
     }
     return block.vertex_in_block(representative(v));
@@ -258,7 +257,7 @@ private:
       for (const Segment_index s : work.segments) {
         const auto [from, to] = segments[std::size_t(s)];
         const Vertex_id a = find_in_block(block, blocks, from), b = find_in_block(block, blocks, to);
-        if (a < 0 || b < 0) {
+        if (!a.is_valid() || !b.is_valid()) {
           work.segments_left.push_back({from, to, s});
           continue;
         }
@@ -300,10 +299,10 @@ private:
       if (mesh_.across(s).is_constrained() && mesh_.orientation(mesh_.source(s), mesh_.target(s), v) == 0)
         split = s;
     }
-    const Vertex_id a = split.is_border() ? -1 : mesh_.source(split);
-    const Vertex_id b = split.is_border() ? -1 : mesh_.target(split);
+    const Vertex_id a = split.is_border() ? Vertex_id() : mesh_.source(split);
+    const Vertex_id b = split.is_border() ? Vertex_id() : mesh_.target(split);
     representative_[v] = Delaunay_inserter<Geometry>(mesh_).insert(v, t);
-    if (a >= 0 && representative(v) == v) split_edge(a, b, v);
+    if (a.is_valid() && representative(v) == v) split_edge(a, b, v);
   }
 
   void split_edge(Vertex_id a, Vertex_id b, Vertex_id v) {

@@ -67,24 +67,24 @@ public:
   const Incidence* begin(Vertex_id v) const { return incidences_.data() + first_[v]; }
   const Incidence* end(Vertex_id v) const { return incidences_.data() + first_[++v]; }
 
-  /// The edge between two input vertices, -1 if there is none.
+  /// The edge between two input vertices, if there is one.
   Edge_id between(Vertex_id a, Vertex_id b) const {
-    const Incidence* i = std::lower_bound(begin(a), end(a), Incidence{b, 0});
-    return i != end(a) && i->neighbor == b ? i->edge : -1;
+    const Incidence* i = std::lower_bound(begin(a), end(a), Incidence{b, {}});
+    return i != end(a) && i->neighbor == b ? i->edge : Edge_id();
   }
 
-  /// The input edge that carries the constrained mesh edge x-y; -1 if none does (then it is a chord across a
+  /// The input edge that carries the constrained mesh edge x-y; none if it is on none (then it is a chord across a
   /// corner).
   template <class Mesh>
   Edge_id carrying(const Mesh& mesh, Vertex_id x, Vertex_id y) const {
     if (mesh.is_input(x) && mesh.is_input(y)) return between(mesh.input_number(x), mesh.input_number(y));
-    const Edge_id e = mesh.edge(x) >= 0 ? mesh.edge(x) : mesh.edge(y);
-    return is_on(mesh, x, e) && is_on(mesh, y, e) ? e : -1;
+    const Edge_id e = mesh.edge(x).is_valid() ? mesh.edge(x) : mesh.edge(y);
+    return is_on(mesh, x, e) && is_on(mesh, y, e) ? e : Edge_id();
   }
 
   template <class Mesh>
   bool is_on(const Mesh& mesh, Vertex_id v, Edge_id e) const {
-    if (e < 0) return false;
+    if (!e.is_valid()) return false;
     if (!mesh.is_input(v)) return mesh.edge(v) == e;
     const Vertex_id number = mesh.input_number(v);
     return (*this)[e].a == number || (*this)[e].b == number;

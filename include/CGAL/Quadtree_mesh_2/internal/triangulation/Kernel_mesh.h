@@ -30,11 +30,11 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-/// Handles inside the kernel. -1 is none, an invalid `Triangle_id` is.
-using Vertex_id = std::int32_t;
+/// Handles inside the kernel; an invalid one is none.
+using Vertex_id = Index<struct Kernel_vertex_tag>;
 using Triangle_id = Index<struct Kernel_triangle_tag>;
-using Edge_id = std::int32_t;
-using Region_id = std::int32_t;
+using Edge_id = Index<struct Kernel_edge_tag>;     ///< of an input edge
+using Region_id = Index<struct Kernel_region_tag>; ///< the position of a region in the input
 
 constexpr int next_slot[3] = {1, 2, 0};
 constexpr int previous_slot[3] = {2, 0, 1};
@@ -77,10 +77,35 @@ private:
   static std::int32_t code(Triangle_id t) { return static_cast<std::int32_t>(t.value() << 3); }
 };
 
-/// What a vertex is: free to move; on an input edge (then the edge's number); or given (then a number below
-/// `free_vertex` that stands for the input vertex's).
-constexpr Edge_id free_vertex = -1;
-constexpr Edge_id input_vertex(Vertex_id number) { return -2 - number; }
+/// What a vertex is: free to move, on an input edge, or a vertex of the input. One word for all three.
+class Vertex_role {
+public:
+  /// A free vertex.
+  constexpr Vertex_role() = default;
+  /// A vertex on an input edge.
+  constexpr Vertex_role(Edge_id e) : code_(static_cast<std::int32_t>(e.value())) {}
+  static constexpr Vertex_role input(Vertex_id number) {
+    Vertex_role role;
+    role.code_ = -2 - static_cast<std::int32_t>(number.value());
+    return role;
+  }
+
+  constexpr bool is_free() const { return code_ == -1; }
+  constexpr bool is_input() const { return code_ < -1; }
+  /// The edge that the vertex lies on; none if it is free, or of the input.
+  constexpr Edge_id edge() const { return code_ >= 0 ? Edge_id(code_) : Edge_id(); }
+  /// The number of a vertex of the input.
+  constexpr Vertex_id input_number() const { return Vertex_id(-2 - code_); }
+
+  friend constexpr bool operator==(Vertex_role a, Vertex_role b) { return a.code_ == b.code_; }
+  friend constexpr bool operator!=(Vertex_role a, Vertex_role b) { return a.code_ != b.code_; }
+
+private:
+  std::int32_t code_ = -1;
+};
+
+constexpr Vertex_role free_vertex;
+constexpr Vertex_role input_vertex(Vertex_id number) { return Vertex_role::input(number); }
 
 /// Goes around a vertex, triangle by triangle: counterclockwise; from the border on clockwise from where it began.
 template <class Mesh>
@@ -156,24 +181,26 @@ public:
   Indexed_vector<Vertex_id, Point> points;
   /// Some triangle at the vertex; none where it is removed, or outside the domain.
   Indexed_vector<Vertex_id, Triangle_id> triangle_of;
-  /// `free_vertex`, the input edge on which the vertex lies, or `input_vertex(number)`.
-  Indexed_vector<Vertex_id, Edge_id> edge_of;
+  Indexed_vector<Vertex_id, Vertex_role> role_of;
   /// Whether the star of a vertex has changed since its removal was tried.
   Indexed_vector<Vertex_id, char> is_dirty;
 
-  /// The region each triangle lies in, -1 for none; empty where no region has a bound of its own.
+  /// The region each triangle lies in, if in any; empty where no region has a bound of its own.
   Indexed_vector<Triangle_id, Region_id> region_of;
 
-  bool is_alive(Triangle_id t) const { return triangle(t).v[0] >= 0; }
-  Region_id region(Triangle_id t) const { return region_of.empty() ? -1 : region_of[t]; }
+  bool is_alive(Triangle_id t) const { return triangle(t).v[0].is_valid(); }
+  Region_id region(Triangle_id t) const { return region_of.empty() ? Region_id() : region_of[t]; }
   const Triangle& triangle(Triangle_id t) const { return triangles[t]; }
   Triangle& triangle(Triangle_id t) { return triangles[t]; }
   const Point& point(Vertex_id v) const { return points[v]; }
   Triangle_id incident_triangle(Vertex_id v) const { return triangle_of[v]; }
-  Edge_id edge(Vertex_id v) const { return edge_of[v]; }
-  bool is_input(Vertex_id v) const { return edge(v) < free_vertex; }
+  Vertex_role role(Vertex_id v) const { return role_of[v]; }
+  /// The input edge that the vertex lies on, unless it is of the input.
+  Edge_id edge(Vertex_id v) const { return role(v).edge(); }
+  bool is_free(Vertex_id v) const { return role(v).is_free(); }
+  bool is_input(Vertex_id v) const { return role(v).is_input(); }
   /// The number of an input vertex: in the whole mesh its handle, in a block that of the whole mesh.
-  Vertex_id input_number(Vertex_id v) const { return -2 - edge(v); }
+  Vertex_id input_number(Vertex_id v) const { return role(v).input_number(); }
   bool is_used(Vertex_id v) const { return incident_triangle(v).is_valid(); }
   std::size_t number_of_vertices() const { return points.size(); }
 
@@ -185,8 +212,8 @@ public:
 
   static int slot_of(const Triangle& t, Vertex_id v) { return t.v[0] == v ? 0 : t.v[1] == v ? 1 : 2; }
 
-  Vertex_id add_vertex(Point p, Edge_id edge) {
-    edge_of.push_back(edge);
+  Vertex_id add_vertex(Point p, Vertex_role role) {
+    role_of.push_back(role);
     triangle_of.push_back({});
     is_dirty.push_back(1);
     return points.add(p);
@@ -194,7 +221,7 @@ public:
 
   Triangle_id new_triangle() {
     if (free_.empty()) {
-      if (!region_of.empty()) region_of.push_back(-1);
+      if (!region_of.empty()) region_of.push_back({});
       return triangles.add({});
     }
     const Triangle_id t = free_.back();
@@ -208,27 +235,27 @@ public:
 
   /// Makes room for vertices and triangles with handles below these, to be filled in by the caller.
   void resize(std::size_t vertices, std::size_t number_of_slots) {
-    points.resize(vertices), edge_of.resize(vertices, free_vertex), triangle_of.resize(vertices);
+    points.resize(vertices), role_of.resize(vertices), triangle_of.resize(vertices);
     is_dirty.resize(vertices, 1);
     triangles.resize(number_of_slots);
-    if (!region_of.empty()) region_of.resize(number_of_slots, -1);
+    if (!region_of.empty()) region_of.resize(number_of_slots);
   }
 
   /// Empties the mesh, which keeps its memory.
   void clear() {
-    triangles.clear(), points.clear(), triangle_of.clear(), edge_of.clear(), is_dirty.clear();
+    triangles.clear(), points.clear(), triangle_of.clear(), role_of.clear(), is_dirty.clear();
     region_of.clear(), free_.clear(), star_.clear();
   }
 
   /// Room for this many in the end, so that they are copied less often.
   void reserve(std::size_t vertices, std::size_t number_of_slots) {
-    points.reserve(vertices), edge_of.reserve(vertices), triangle_of.reserve(vertices);
+    points.reserve(vertices), role_of.reserve(vertices), triangle_of.reserve(vertices);
     is_dirty.reserve(vertices), triangles.reserve(number_of_slots);
     if (!region_of.empty()) region_of.reserve(number_of_slots);
   }
 
   void kill(Triangle_id t) {
-    triangle(t).v[0] = -1;
+    triangle(t).v[0] = {};
     free_.push_back(t);
   }
 

@@ -27,12 +27,12 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-using Block_id = std::int32_t;
+using Block_id = Index<struct Block_tag>;
 
 /// Where the triangles and vertices of the whole mesh go.
 struct Block_assignment {
   struct Place {
-    Block_id block = -1; ///< -1: none
+    Block_id block; ///< or none
     Triangle_id triangle;
   };
   Indexed_vector<Triangle_id, Place> of_triangle;
@@ -73,21 +73,21 @@ public:
 
   Block_id id() const { return id_; }
 
-  /// The handle in the block of a vertex of the whole mesh, -1 if it is not in the block. Only until the block is
+  /// The handle in the block of a vertex of the whole mesh, none if it is not in the block. Only until the block is
   /// written.
   Vertex_id vertex_in_block(Vertex_id whole_vertex) const {
     const Triangle_id t = whole_->incident_triangle(whole_vertex);
-    if (!t.is_valid() || assignment_->is_new(t)) return -1;
+    if (!t.is_valid() || assignment_->is_new(t)) return {};
     if ((*assignment_)[t].block == id_) return assignment_->of_vertex[whole_vertex];
     const auto i = std::lower_bound(foreign_.begin(), foreign_.end(), whole_vertex,
                                     [](const Foreign& f, Vertex_id v) { return f.whole < v; });
-    return i != foreign_.end() && i->whole == whole_vertex ? i->here : -1;
+    return i != foreign_.end() && i->whole == whole_vertex ? i->here : Vertex_id();
   }
 
   /// Adds a vertex that the whole mesh has, but no triangle of it. \pre no new vertex has been added
   Vertex_id add_known_vertex(Vertex_id whole_vertex) {
     whole_vertex_.push_back(whole_vertex);
-    const Vertex_id v = mesh.add_vertex(whole_->point(whole_vertex), whole_->edge(whole_vertex));
+    const Vertex_id v = mesh.add_vertex(whole_->point(whole_vertex), whole_->role(whole_vertex));
     mesh.is_dirty.back() = whole_->is_dirty[whole_vertex];
     return v;
   }
@@ -120,7 +120,7 @@ public:
       if (is_shared(v)) continue;
       const Vertex_id w = whole_vertex(v);
       whole.points[w] = mesh.point(v);
-      whole.edge_of[w] = mesh.edge(v);
+      whole.role_of[w] = mesh.role(v);
       whole.is_dirty[w] = mesh.is_dirty[v];
       whole.triangle_of[w] = mesh.is_used(v) ? whole_triangle(mesh.incident_triangle(v)) : Triangle_id();
     }
@@ -177,7 +177,7 @@ private:
     constexpr std::size_t growth = 3; // more is seldom needed
     mesh.triangles.reserve(growth * taken_);
     const std::size_t vertices = growth * taken_ / 2;
-    mesh.points.reserve(vertices), mesh.edge_of.reserve(vertices);
+    mesh.points.reserve(vertices), mesh.role_of.reserve(vertices);
     mesh.triangle_of.reserve(vertices), mesh.is_dirty.reserve(vertices);
     whole_vertex_.reserve(vertices);
   }
@@ -205,11 +205,11 @@ private:
 
   Vertex_id take_vertex(Vertex_id whole_vertex, Triangle_id here, int slot) {
     if ((*assignment_)[whole_->incident_triangle(whole_vertex)].block != id_) {
-      foreign_.push_back({whole_vertex, -1, here, slot});
-      return -1;
+      foreign_.push_back({whole_vertex, {}, here, slot});
+      return {};
     }
     Vertex_id& v = assignment_->of_vertex[whole_vertex];
-    if (v < 0) {
+    if (!v.is_valid()) {
       v = add_known_vertex(whole_vertex);
       mesh.triangle_of[v] = here;
     }

@@ -126,7 +126,7 @@ public:
   }
 
   std::size_t size() const { return blocks_.size(); }
-  /// The block in which a triangle of the whole mesh is, -1 for none.
+  /// The block in which a triangle of the whole mesh is, if it is in one.
   Block_id block_of(Triangle_id t) const { return assignment_[t].block; }
   /// The handle that a triangle has in its block, when that is taken out.
   Triangle_id place_of(Triangle_id t) const { return assignment_[t].triangle; }
@@ -170,7 +170,7 @@ private:
   std::vector<Side> seam_sides_;
 
   void assign_triangles() {
-    assignment_.of_vertex.resize(whole_.number_of_vertices(), -1);
+    assignment_.of_vertex.resize(whole_.number_of_vertices());
     assignment_.of_triangle.resize(whole_.triangles.size());
     Executor<ConcurrencyTag>::run(cut_.number_of_blocks(), [&](std::size_t b) {
       for (std::size_t i = cut_.first[b]; i < cut_.first[b + 1]; ++i)
