@@ -66,7 +66,7 @@ public:
   /// Appends a value. \returns its handle
   Id add(T value) {
     push_back(std::move(value));
-    return static_cast<Id>(size() - 1);
+    return last_id();
   }
 
   /// Appends copies of a value until there is one with the handle, and some more.
@@ -79,6 +79,8 @@ public:
     Vector::erase(begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(first_dropped)), end());
   }
 
+  /// The handle of `back()`.
+  Id last_id() const { return static_cast<Id>(size() - 1); }
   /// The handle that the next value gets.
   Id end_id() const { return static_cast<Id>(size()); }
   /// The handles of all values that there are when the loop begins.
@@ -92,6 +94,10 @@ public:
   /// The values in order, for what does not know handles.
   const Vector& values() const { return *this; }
   Vector& values() { return *this; }
+
+  friend bool operator==(const Indexed_vector& a, const Indexed_vector& b) {
+    return a.values() == b.values();
+  }
 };
 
 } // namespace internal

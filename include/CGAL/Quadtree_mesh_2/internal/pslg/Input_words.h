@@ -139,7 +139,7 @@ private:
   const Pslg_2<Point>& pslg_;
   const Order& order_;
 
-  Vertex_index of_input(Vertex_id v) const { return Vertex_index(order_[std::size_t(v)]); }
+  Vertex_index of_input(Vertex_id v) const { return Vertex_index(order_[v.value()]); }
   std::string segment(Segment_index s) const { return segment_text(pslg_, std::size_t(s)); }
 };
 

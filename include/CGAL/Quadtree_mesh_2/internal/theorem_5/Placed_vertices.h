@@ -157,7 +157,7 @@ private:
 
   /// The last vertex on an edge so far, if it is the edge at work.
   Vertex_id last_on(const Input_edges& edges, Edge_id e) const {
-    return role_of.back() == e ? static_cast<Vertex_id>(points.size() - 1) : edges[e].a;
+    return role_of.back() == e ? points.last_id() : edges[e].a;
   }
   /// Joins the last vertex on an edge to its end.
   void close_edge(const Input_edges& edges, Edge_id e) {

@@ -301,7 +301,7 @@ private:
     const Framework& framework = tree_.framework();
     scratch.segments.clear();
     for (const Edge_piece& p : pieces) {
-      const auto& ends = graph_.segments[std::size_t(p.segment)];
+      const auto& ends = graph_.segment(p.segment);
       scratch.segments.push_back({framework.grid_point(framework.rank(Point_index(ends[0].value()))),
                                   framework.grid_point(framework.rank(Point_index(ends[1].value())))});
     }

@@ -106,9 +106,7 @@ private:
     });
   }
 
-  Vertex_id placed_vertex(Vertex_id sorted) const {
-    return static_cast<Vertex_id>(order_[std::size_t(sorted)]);
-  }
+  Vertex_id placed_vertex(Vertex_id sorted) const { return static_cast<Vertex_id>(order_[sorted.value()]); }
   bool is_corner(Vertex_id placed) const { return placed_.role_of[placed].is_free(); }
 
   /// Finds vertices at the place of others, and on segments; corners among them are out from now on.
@@ -124,7 +122,7 @@ private:
     }
     if (first.number_of_vertices_on_segments() == 0 || faults.are_corners) return faults;
     for (const Input_edge& piece : first.edges()) {
-      const auto& ends = segments_[std::size_t(piece.segment)];
+      const auto& ends = segments_[piece.segment.value()];
       for (const Vertex_id v : {piece.a, piece.b})
         if (v != ends[0] && v != ends[1]) leave_out(placed_vertex(v));
     }

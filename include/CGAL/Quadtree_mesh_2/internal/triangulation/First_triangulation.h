@@ -255,7 +255,7 @@ private:
     Segment_inserter<Geometry> inserter(block.mesh);
     work.crossing = catch_crossing([&] {
       for (const Segment_index s : work.segments) {
-        const auto [from, to] = segments[std::size_t(s)];
+        const auto [from, to] = segments[s.value()];
         const Vertex_id a = find_in_block(block, blocks, from), b = find_in_block(block, blocks, to);
         if (!a.is_valid() || !b.is_valid()) {
           work.segments_left.push_back({from, to, s});

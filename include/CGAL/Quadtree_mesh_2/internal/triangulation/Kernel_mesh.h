@@ -216,13 +216,15 @@ public:
     role_of.push_back(role);
     triangle_of.push_back({});
     is_dirty.push_back(1);
-    return points.add(p);
+    points.push_back(p);
+    return points.last_id();
   }
 
   Triangle_id new_triangle() {
     if (free_.empty()) {
       if (!region_of.empty()) region_of.push_back({});
-      return triangles.add({});
+      triangles.emplace_back();
+      return triangles.last_id();
     }
     const Triangle_id t = free_.back();
     free_.pop_back();
