@@ -131,7 +131,7 @@ private:
   Order order_; // kernel vertex -> input vertex
   Input_words<Point_2> words_{pslg_, order_};
   typename Size_estimate<Geometry>::Pair worst_pair_;
-  std::vector<char> is_merged_;                    // kernel vertices that another one stands for
+  Indexed_vector<Vertex_id, char> is_merged_;      // kernel vertices that another one stands for
   std::optional<Pslg_error_2> too_near_for_trees_; // the error for the first of them
   double triangles_of_sizes_ = 0;                  // what bounds of size ask for, as estimated
 
@@ -160,9 +160,9 @@ private:
     First first(state_.mesh, points);
     if (const auto crossing = first.run(kernel_segments())) throw words_.crossing(first.edges(), *crossing);
     is_merged_.resize(n);
-    for (std::size_t v = 0; v < n; ++v) {
-      is_merged_[v] = first.representative(static_cast<Vertex_id>(v)) != static_cast<Vertex_id>(v) ? 1 : 0;
-      report_.merged_vertices += std::size_t(is_merged_[v]);
+    for (const Vertex_id v : is_merged_.ids()) {
+      is_merged_[v] = first.representative(v) != v ? 1 : 0;
+      report_.merged_vertices += is_merged_[v] != 0 ? 1 : 0;
     }
     report_.vertices_on_segments = first.number_of_vertices_on_segments();
     problem_.edges = Input_edges(first.edges(), n);
@@ -218,7 +218,7 @@ private:
   template <class Function>
   void for_each_first_triangle(const Function& f) const {
     for (const auto& r : state_.mesh.triangles)
-      if (r.v[0] >= 0) f(r, state_.mesh.shape(r));
+      if (r.v[0].is_valid()) f(r, state_.mesh.shape(r));
   }
 
   /// Coordinates tell more apart than the doubles in which angles are compared.
@@ -227,7 +227,7 @@ private:
   void refuse_what_is_too_near() const {
     constexpr double least = Geometry::least_length * Geometry::least_length;
     for (const auto& r : state_.mesh.triangles) {
-      if (r.v[0] < 0) continue;
+      if (!r.v[0].is_valid()) continue;
       const auto s = state_.mesh.shape_of_flat(r.v[0], r.v[1], r.v[2]);
       if (s.shortest() >= least && s.area2 * s.area2 >= least * s.longest()) continue;
       throw words_.too_near(r.v, ": nearer to each other, or to being on a line, than 2^-420 of the extent");
@@ -276,22 +276,22 @@ private:
   }
 
   void set_region_bounds(double scale) {
-    std::vector<double>& bounds = problem_.bounds.area2_of_region;
-    bounds.assign(pslg_.regions.size(), std::numeric_limits<double>::infinity());
-    for (std::size_t i = 0; i < bounds.size(); ++i)
-      if (pslg_.regions[i].max_area > 0)
-        bounds[i] = 2 * (scale * pslg_.regions[i].max_area) * scale * (1 - Bounds<Geometry>::margin);
+    for (const auto& region : pslg_.regions)
+      problem_.bounds.area2_of_region.push_back(
+          region.max_area > 0 ? 2 * (scale * region.max_area) * scale * (1 - Bounds<Geometry>::margin)
+                              : std::numeric_limits<double>::infinity());
   }
 
   /// The segments in the kernel's numbering, which is the shuffle order.
   std::vector<typename First::Segment> kernel_segments() const {
-    std::vector<Vertex_id> kernel_vertex(order_.size());
-    for_each_index<ConcurrencyTag>(
-        order_.size(), [&](std::size_t i) { kernel_vertex[order_[i]] = static_cast<Vertex_id>(i); });
+    Indexed_vector<Vertex_index, Vertex_id> kernel_vertex(order_.size());
+    for_each_index<ConcurrencyTag>(order_.size(), [&](std::size_t i) {
+      kernel_vertex[Vertex_index(order_[i])] = static_cast<Vertex_id>(i);
+    });
     std::vector<typename First::Segment> segments(pslg_.number_of_segments());
     for_each_index<ConcurrencyTag>(segments.size(), [&](std::size_t s) {
       const auto& [a, b] = pslg_.segments[s];
-      segments[s] = {kernel_vertex[std::size_t(a)], kernel_vertex[std::size_t(b)]};
+      segments[s] = {kernel_vertex[a], kernel_vertex[b]};
     });
     return segments;
   }
@@ -426,8 +426,8 @@ private:
     Pslg graph;
     graph.vertices.reserve(order_.size());
     for (std::size_t v = 0; v < order_.size(); ++v) graph.vertices.push_back(pslg_.vertices[order_[v]]);
-    for (std::size_t e = 0; e < problem_.edges.size(); ++e) {
-      const Input_edge& edge = problem_.edges[static_cast<Edge_id>(e)];
+    for (const Edge_id e : problem_.edges.ids()) {
+      const Input_edge& edge = problem_.edges[e];
       graph.add_segment(Vertex_index(std::size_t(edge.a)), Vertex_index(std::size_t(edge.b)));
     }
     return graph;

@@ -135,9 +135,7 @@ public:
   }
 
   /// The indices of the two segments.
-  std::array<Segment_index, 2> segments() const {
-    return {Segment_index(std::size_t(segment(pair_.a))), Segment_index(std::size_t(segment(pair_.b)))};
-  }
+  std::array<Segment_index, 2> segments() const { return {segment(pair_.a), segment(pair_.b)}; }
 
 private:
   const Meshing_state<Geometry>& state_;
@@ -154,7 +152,7 @@ private:
            radians_per_degree;
   }
 
-  std::int32_t segment(const Vertex_id (&ends)[2]) const {
+  Segment_index segment(const Vertex_id (&ends)[2]) const {
     return state_.edges[state_.edges.between(ends[0], ends[1])].segment;
   }
 
