@@ -43,7 +43,7 @@ TEST_CASE("Each triangle on the worklist comes out once, after all that are shar
   std::map<Triangle_id, double> expected;
   for (int step = 0; step < 20000; ++step) {
     if (random.integer(0, 2) < 2) {
-      const Triangle_id t = random.integer(0, 2000);
+      const Triangle_id t(random.integer(0, 2000));
       const double share = std::exp2(random.between(seed < 2 ? -4 : -150, 1));
       list.push(t, share);
       expected.insert({t, share}); // if it stands there already, it stays where it is
@@ -64,10 +64,11 @@ TEST_CASE("Triangles without an area are the sharpest", "[refiner]") {
   constexpr double infinite = std::numeric_limits<double>::infinity();
   const double flat = GENERATE(0., -1., 0x1p-1070, -infinite, std::numeric_limits<double>::quiet_NaN());
   Worklist list;
-  list.push(0, 0.5), list.push(1, flat), list.push(2, 0x1p-30), list.push(3, infinite);
-  std::vector<Triangle_id> order;
-  while (!list.is_empty()) order.push_back(list.pop());
-  CHECK(order == std::vector<Triangle_id>{1, 2, 0, 3});
+  const double shares[] = {0.5, flat, 0x1p-30, infinite};
+  for (const int t : {0, 1, 2, 3}) list.push(Triangle_id(t), shares[t]);
+  std::vector<std::uint32_t> order;
+  while (!list.is_empty()) order.push_back(list.pop().value());
+  CHECK(order == std::vector<std::uint32_t>{1, 2, 0, 3});
 }
 
 } // namespace test_worklist

@@ -17,6 +17,7 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_WORKLIST_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_WORKLIST_H
 
+#include <CGAL/Quadtree_mesh_2/internal/base/Indexed_vector.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/bits.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Kernel_mesh.h>
 
@@ -25,7 +26,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <vector>
 
 namespace CGAL {
 namespace Quadtree_mesh_2 {
@@ -43,9 +43,8 @@ public:
 
   /// \param share the squared sine of the least angle, as a share of the bound's; 1 or more where only the size is bad
   void push(Triangle_id t, double share) {
-    if (next_.size() <= std::size_t(t))
-      next_.resize(std::size_t(t) + std::size_t(t) / 2 + 64, is_not_queued_);
-    Triangle_id& next = next_[std::size_t(t)];
+    next_.make_room_for(t, is_not_queued_);
+    Triangle_id& next = next_[t];
     if (next != is_not_queued_) return;
     const int level = level_of(share);
     next = first_[std::size_t(level)];
@@ -61,18 +60,18 @@ public:
     const int bit = lowest_bit(in_use_[word]);
     Triangle_id& first = first_[32 * word + std::size_t(bit)];
     const Triangle_id t = first;
-    first = next_[std::size_t(t)];
-    next_[std::size_t(t)] = is_not_queued_;
+    first = next_[t];
+    next_[t] = is_not_queued_;
     if (first == end_) in_use_[word] &= ~(1u << bit);
     return t;
   }
 
 private:
   static constexpr int number_of_levels_ = 256; // down to angles of 2^-64
-  static constexpr Triangle_id end_ = -1, is_not_queued_ = -2;
+  static constexpr Triangle_id end_{}, is_not_queued_{0xfffffffeu};
 
   std::array<Triangle_id, number_of_levels_> first_;
-  std::vector<Triangle_id> next_;                              // per triangle slot
+  Indexed_vector<Triangle_id, Triangle_id> next_;              // on the list of its level
   std::array<std::uint32_t, number_of_levels_ / 32> in_use_{}; // a bit for each level
 
   /// By the exponent and the first bit of the significand. What is no number, of a flat triangle, counts as sharpest.
