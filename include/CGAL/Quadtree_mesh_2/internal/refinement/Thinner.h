@@ -56,7 +56,7 @@ public:
     Kernel_mesh<Geometry> before = state_.mesh;
     Acute_corners<Geometry> corners_before = state_.corners; // their shells name vertices of the mesh
     dirty_all();
-    Remover<Geometry>(state_, lower_).run(shall_go_on);
+    if (Remover<Geometry>(state_, lower_).run(shall_go_on) == 0) return false;
     state_.clear_worklist();
     if (refine(limit, shall_go_on)) {
       Remover<Geometry>(state_).run(shall_go_on);
@@ -153,9 +153,10 @@ void thin_small_mesh(Meshing_state<Geometry>& state, Continue&& shall_go_on) {
       Remover<Geometry>(state).run(shall_go_on);
     }
     // more vertices than this, and the mesh will hardly end with fewer than before
-    Thinner<Geometry>(state, trials[next].share)
-        .run({state.mesh.number_of_vertices() + before / 2}, shall_go_on);
-    next = state.mesh.number_of_triangles() < before ? 0 : next + 1;
+    const Mesh_limit limit{state.mesh.number_of_vertices() + before / 2};
+    const bool is_thinner = Thinner<Geometry>(state, trials[next].share).run(limit, shall_go_on);
+    // where smoothing alone made room, the last round was in vain, and so would be the first one
+    next = is_thinner ? 0 : state.mesh.number_of_triangles() < before ? 1 : next + 1;
   }
   state.leg_rule = Leg_rule::SHELLS;
 }
