@@ -18,7 +18,7 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-/// What every triangle shall satisfy, in squared quantities and kernel coordinates.
+/// What every triangle has to satisfy, in squared quantities and kernel coordinates.
 template <class Geometry>
 struct Bounds {
   using Point = typename Geometry::Point;

@@ -36,7 +36,7 @@ struct Site_mesh {
   Ring_mesh<Geometry> mesh;
   std::vector<Point> sites;
   std::vector<Ring_vertex> vertex_of_site;
-  /// By site: whether its vertex lies where it shall.
+  /// By site: whether its vertex lies where it has to.
   std::vector<std::uint8_t> is_placed;
 };
 
