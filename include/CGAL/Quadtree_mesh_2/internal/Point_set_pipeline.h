@@ -21,6 +21,7 @@
 #include <CGAL/Indexed_mesh_2.h>
 #include <CGAL/Point_set_mesh_options_2.h>
 #include <CGAL/Point_set_mesh_report_2.h>
+#include <CGAL/Pslg_error_2.h>
 #include <CGAL/Quadtree_mesh_2/Point_error.h>
 #include <CGAL/Quadtree_mesh_2/Quality_mesher_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/Phase_clock.h>
@@ -229,7 +230,7 @@ private:
     if (options_.effort() == 3) options.smooth(1);
     const Pslg_2<Point_2> pslg = points_in_box(points_);
     Quality_mesher_2<Traits, Tag> mesher(options, traits_);
-    Mesh mesh = mesher(pslg);
+    Mesh mesh = mesh_of_points(mesher, pslg);
     const Quality_mesh_report_2& report = mesher.report();
     // the box is none of the user's
     mesh.number_of_input_vertices = points_.size();
@@ -244,6 +245,20 @@ private:
     report_.wall_seconds = seconds_of(report.wall_seconds);
     measure_angles(mesh, Map(pslg.vertices));
     return mesh;
+  }
+
+  /// \throws Point_error for an error of the graph that points are at fault for: their user knows of no graph.
+  template <class Mesher>
+  Mesh mesh_of_points(Mesher& mesher, const Pslg_2<Point_2>& pslg) const try {
+    return mesher(pslg);
+  } catch (const Pslg_error_2& error) {
+    std::vector<Point_index> points;
+    for (const auto v : error.parts().vertices)
+      if (std::size_t(v) < points_.size()) points.push_back(Point_index(std::size_t(v)));
+    if (error.kind() != Pslg_error_2::Kind::TOO_NEAR || points.size() < 2) throw;
+    throw Point_error(
+        Point_error::Kind::TOO_NEAR, points[0], points[1],
+        "are nearer to each other, or to a line through a third point, than 2^-420 of the extent");
   }
 
   static Seconds seconds_of(const Quality_mesh_report_2::Seconds& phases) {

@@ -43,17 +43,21 @@ inline double physical_memory() {
 
 class Triangle_budget {
 public:
+  /// In which the owner of the mesh knows the limit. A vertex stands for two triangles.
+  enum class Unit { VERTICES, TRIANGLES };
+
   /// What 32-bit handles allow.
   static constexpr std::size_t most_vertices = 100000000;
 
   /// \param limit in words: what sets the limit, and its verb
-  Triangle_budget(double vertices, const char* limit) : limit_(limit), triangles_(2 * vertices) {}
+  Triangle_budget(double vertices, const char* limit, Unit unit)
+      : limit_(limit), unit_(unit), triangles_(2 * vertices) {}
 
   /// What handles and memory allow.
   static Triangle_budget of_machine() {
     const double vertices =
         std::min(static_cast<double>(most_vertices), physical_memory() / (2 * bytes_per_triangle));
-    return {vertices, "handles and memory allow"};
+    return {vertices, "handles and memory allow", Unit::VERTICES};
   }
   Triangle_budget smaller(const Triangle_budget& other) const {
     return other.triangles_ < triangles_ ? other : *this;
@@ -66,18 +70,16 @@ public:
   std::string refusal_of(double estimate) const {
     std::ostringstream text;
     text.precision(2);
-    text << "the mesh would need about " << estimate << " triangles, and " << limit_ << ' ' << triangles_
-         << ':';
+    text << "the mesh would need about " << in_unit(estimate) << ' ' << name_of_unit() << ", and " << limit_
+         << ' ' << whole(in_unit(triangles_)) << ':';
     return text.str();
   }
 
   bool is_used_up_by(std::size_t triangles) const { return static_cast<double>(triangles) >= triangles_; }
 
   std::string refusal_when_used_up() const {
-    std::ostringstream text;
-    text.precision(2);
-    text << "the mesh is not done with " << triangles_ << " triangles, and " << limit_ << " no more:";
-    return text.str();
+    return "the mesh is not done with " + whole(in_unit(triangles_)) + ' ' + name_of_unit() + ", and " +
+           limit_ + " no more:";
   }
 
 private:
@@ -86,7 +88,13 @@ private:
   static constexpr double margin = 4;
 
   const char* limit_;
+  Unit unit_;
   double triangles_;
+
+  double in_unit(double triangles) const { return unit_ == Unit::VERTICES ? triangles / 2 : triangles; }
+  const char* name_of_unit() const { return unit_ == Unit::VERTICES ? "vertices" : "triangles"; }
+  /// With all digits, as the user would write it.
+  static std::string whole(double number) { return std::to_string(std::llround(number)); }
 };
 
 /// Two edges of the input that face each other across a narrow gap, in words for its owner.
