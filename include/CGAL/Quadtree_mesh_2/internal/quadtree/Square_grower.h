@@ -218,7 +218,9 @@ private:
       squares_.neighbors_[family].fill(Node_index().value());
     else
       squares_.neighbors_[family] = squares_.neighbors(Node_index(node));
-    const auto begins = points_.child_begins(level, squares_.point_begin_[node], growth.point_end);
+    const bool is_known = growth.required != Required_squares::none && !required_.point_begin.empty();
+    const auto begins = is_known ? required_.point_begin[growth.required]
+                                 : points_.child_begins(level, squares_.point_begin_[node], growth.point_end);
     std::copy(begins.begin(), begins.end(), &squares_.point_begin_[4 * std::size_t(family) + 1]);
   }
 
