@@ -20,6 +20,7 @@
 
 #include <CGAL/Quadtree_mesh_2/Index.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/Uninitialized_vector.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/bits.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/quadtree/Linked_squares.h>
 #include <CGAL/Quadtree_mesh_2/internal/quadtree/Point_distribution.h>
@@ -156,16 +157,15 @@ private:
   /// Marks the children of a family that have to be split, and the neighbors that they force.
   void mark_children_of(std::uint32_t family) {
     const std::uint32_t square = growth_[family - first_family()].required;
-    if (square == Required_squares::none || required_.children[square] == 0) return;
+    if (square == Required_squares::none) return;
     const std::size_t first_node = 4 * std::size_t(first_family()) + 1;
     const auto mark = [&](std::size_t v) {
       CGAL_assertion(v >= first_node);
       marks_[v - first_node].store(1, std::memory_order_relaxed);
     };
-    for (int q = 0; q < 4; ++q) {
-      const std::uint32_t child = required_.child(square, q);
-      if (child == Required_squares::none) continue;
-      const Node_index v = Squares::member(family, q);
+    std::uint32_t child = required_.first_child[square];
+    for (unsigned split = required_.children[square]; split != 0; split &= split - 1, ++child) {
+      const Node_index v = Squares::member(family, lowest_bit(split));
       mark(v.value());
       const Direction_set forced = forced_[child];
       if (forced == 0) continue;
