@@ -9,8 +9,10 @@
 // Computes: the keys of n items in order, and the stable order of the items.
 // Bound:    O(n w) work for keys of w words. A constant number of rounds of tasks of bounded length, and that
 //           again for each long run of keys that agree in a digit. A key of 64 random bits moves once between
-//           the caches and once in them. The floor is to read every key twice and to write it twice: 3 to 5 ns
-//           for points of 16 bytes, where this takes 17 to 25 with their order.
+//           the caches and once in them.
+// Floor:    To read all keys once and then to read and write them and their order twice takes 2 to 4.5 ns a point
+//           of 16 bytes, and the scatter alone 2 to 7.5, from 10^5 to 10^7 points (EPYC of the fourth
+//           generation). The sort takes 16 to 24, most of it for shuffling bits.
 // Method:   Keys move, not only what refers to them: to read a key where its item has it costs a miss of the
 //           cache for each item, and that again for each further word. A long range is split by a digit. Blocks
 //           count their digits. The counts are summed up in the order of digits and then of blocks. Blocks then
