@@ -109,7 +109,7 @@ inline void print_trees(const CGAL::Tree_separation_report_2& trees) {
   if (trees.has_taken_over) std::printf("quadtrees took over, as refinement did not come to rest\n");
   if (trees.end == End::BUDGET)
     std::printf("quadtrees took more than their budget: refined on demand %s\n",
-                trees.rounds == 0 ? "instead" : "from there on");
+                trees.has_taken_over && trees.rounds > 0 ? "from there on" : "instead");
   print_line("construction by quadtrees", "%14s", name(trees.end), std::optional<const char*>());
   const auto print = [](const char* name, std::size_t n) {
     print_line(name, "%14zu", n, std::optional<std::size_t>());

@@ -8,7 +8,7 @@
 //
 //   equal points merged
 //   -> frame: a square parallel to the axes, or a row of squares along the diameter
-//   -> clusters, if all angles shall be acute and nothing more
+//   -> clusters, if all angles have to be acute and nothing more
 //   -> levels of squares, tiles, sites assigned to vertices (Tile_forest.h)
 //   -> vertices moved to the points, relaxation, repair (Site_mesh.h); as long as some triangles remain outside the
 //      range, smaller squares for the points next to them, and again
@@ -276,8 +276,8 @@ private:
     const Warped_mesh warped = warped_squares(places, distinct);
     clock_.enter(&Seconds::convert);
     std::vector<Kernel_point> vertices(warped.places.size());
-    for_each_index<ConcurrencyTag>(vertices.size(),
-                                   [&](std::size_t v) { vertices[v] = frame.to_point(warped.places[v]); });
+    for_each_index<ConcurrencyTag>(
+        vertices.size(), [&](std::size_t v) { vertices[v] = frame.to_point(warped.places.values()[v]); });
     std::vector<Ring_vertex> vertex_of_point(places.size());
     for (std::size_t i = 0; i < places.size(); ++i)
       vertex_of_point[i] = static_cast<Ring_vertex>(warped.vertex_of_point[i].value());
@@ -291,7 +291,7 @@ private:
     const std::vector<Kernel_point> points = measure_angles(mesh, map);
     const Range_check<Geometry> range(least_warped_angle, largest_warped_angle);
     for (const std::uint32_t t : range.template outside<ConcurrencyTag>(mesh.triangles, points)) {
-      const auto p = [&](std::size_t k) { return points[std::size_t(mesh.triangles[t][k])]; };
+      const auto p = [&](std::size_t k) { return points[mesh.triangles[t][k].value()]; };
       report_.unmet_triangles.push_back({Triangle_index(t), centroid_of(map, p(0), p(1), p(2))});
     }
     return mesh;
@@ -302,9 +302,9 @@ private:
                                     const Distinct& distinct) try {
     Warped_mesh warped = Corner_warper<ConcurrencyTag>::run(places);
     constexpr std::size_t none = std::size_t(-1);
-    std::vector<std::size_t> point_at(warped.places.size(), none);
+    Indexed_vector<Vertex_index, std::size_t> point_at(warped.places.size(), none);
     for (std::size_t i = 0; i < places.size(); ++i) {
-      std::size_t& other = point_at[std::size_t(warped.vertex_of_point[i])];
+      std::size_t& other = point_at[warped.vertex_of_point[i]];
       if (other != none)
         throw Point_error(Point_error::Kind::INDISTINGUISHABLE, Point_index(distinct.input_point(other)),
                           Point_index(distinct.input_point(i)));

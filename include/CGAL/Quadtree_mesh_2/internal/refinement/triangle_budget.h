@@ -68,11 +68,8 @@ public:
   bool is_surely_exceeded_by(double estimate) const { return estimate > margin * triangles_; }
 
   std::string refusal_of(double estimate) const {
-    std::ostringstream text;
-    text.precision(2);
-    text << "the mesh would need about " << in_unit(estimate) << ' ' << name_of_unit() << ", and " << limit_
-         << ' ' << whole(in_unit(triangles_)) << ':';
-    return text.str();
+    return "the mesh would need about " + two_digits(in_unit(estimate)) + ' ' + name_of_unit() + ", and " +
+           limit_ + ' ' + whole(in_unit(triangles_)) + ':';
   }
 
   bool is_used_up_by(std::size_t triangles) const { return static_cast<double>(triangles) >= triangles_; }
@@ -93,6 +90,17 @@ private:
 
   double in_unit(double triangles) const { return unit_ == Unit::VERTICES ? triangles / 2 : triangles; }
   const char* name_of_unit() const { return unit_ == Unit::VERTICES ? "vertices" : "triangles"; }
+  /// An estimate says no more. Large numbers are told by their powers of ten.
+  static std::string two_digits(double number) {
+    if (number < 10) return whole(number);
+    const double unit = std::pow(10.0, std::floor(std::log10(number)) - 1),
+                 rounded = unit * std::round(number / unit);
+    if (rounded < 1e8) return whole(rounded);
+    std::ostringstream text;
+    text.precision(2);
+    text << rounded;
+    return text.str();
+  }
   /// With all digits, as the user would write it.
   static std::string whole(double number) { return std::to_string(std::llround(number)); }
 };
@@ -127,9 +135,7 @@ public:
   }
 
   /// The indices of the two segments.
-  std::array<Segment_index, 2> segments() const {
-    return {Segment_index(std::size_t(segment(pair_.a))), Segment_index(std::size_t(segment(pair_.b)))};
-  }
+  std::array<Segment_index, 2> segments() const { return {segment(pair_.a), segment(pair_.b)}; }
 
 private:
   const Meshing_state<Geometry>& state_;
@@ -146,7 +152,7 @@ private:
            radians_per_degree;
   }
 
-  std::int32_t segment(const Vertex_id (&ends)[2]) const {
+  Segment_index segment(const Vertex_id (&ends)[2]) const {
     return state_.edges[state_.edges.between(ends[0], ends[1])].segment;
   }
 
