@@ -60,6 +60,7 @@ public:
     reserve(required_.size());
     begin_with_root();
     if (required_.size() > 0) grow_levels();
+    make_room_for_leaves();
     squares_.template number_leaves<ConcurrencyTag>(framework_.number_of_points());
     return std::move(squares_);
   }
@@ -105,6 +106,14 @@ private:
   void grow_levels() {
     for (mark_children(); number_of_marks() > 0; mark_children()) split_marked_children();
     for_each_child([](std::uint32_t, std::size_t) {});
+  }
+
+  /// Frees what levels needed: most memory is in use when leaves are numbered.
+  void make_room_for_leaves() {
+    Uninitialized_vector<Growth>().swap(growth_);
+    Uninitialized_vector<Growth>().swap(grown_);
+    marks_.reset();
+    room_for_marks_ = 0;
   }
 
   /// Finds the children of the last level that have to be split.
