@@ -41,10 +41,10 @@ TEST_CASE("Blocks renumber vertices and own what is inside", "[site_mesh]") {
     // a bijection of the vertices in use, which keeps all but numbers
     std::set<Ring_vertex> numbers;
     std::size_t alive = 0;
-    for (std::size_t i = 0; i < old.number_of_vertices(); ++i) {
-      if (!old.is_alive(Ring_vertex(i))) continue;
+    for (const Ring_vertex i : old.rings.ids()) {
+      if (!old.is_alive(i)) continue;
       ++alive;
-      const Ring_vertex v = blocks.new_number(Ring_vertex(i));
+      const Ring_vertex v = blocks.new_number(i);
       REQUIRE(numbers.insert(v).second);
       const Ring &r = old.rings[i], &s = mesh.ring(v);
       REQUIRE(old.points[i] == mesh.point(v));
@@ -53,29 +53,29 @@ TEST_CASE("Blocks renumber vertices and own what is inside", "[site_mesh]") {
       for (int k = 0; k < r.size; ++k) REQUIRE(blocks.new_number(r[k]) == s[k]);
     }
     std::size_t alive_now = 0, visited = 0, owned = 0;
-    for (std::size_t v = 0; v < mesh.number_of_vertices(); ++v)
-      alive_now += mesh.is_alive(Ring_vertex(v)) ? 1 : 0;
+    for (const Ring_vertex v : mesh.rings.ids()) alive_now += mesh.is_alive(v) ? 1 : 0;
     REQUIRE(alive == alive_now);
     // blocks, one after the other
-    Ring_vertex begin = 0;
+    Ring_vertex begin(0);
     std::int32_t number = 0;
-    blocks.for_each_block([&](const Ring_block& block, std::vector<internal::Patch_marks>& marks) {
+    blocks.for_each_block([&](const Ring_block& block, const auto& marks) {
       REQUIRE(marks.size() == mesh.number_of_vertices());
       REQUIRE(block.number == number++);
       REQUIRE(block.begin == begin);
-      REQUIRE(block.end > block.begin);
-      REQUIRE(block.spare_end >= block.end + 16);
+      REQUIRE(block.begin < block.end);
+      REQUIRE(block.spare_end.value() >= block.end.value() + 16);
       begin = block.spare_end;
-      for (Ring_vertex v = block.begin; v < block.end; ++v) {
+      for (const Ring_vertex v : internal::Id_range<Ring_vertex>(block.begin, block.end)) {
         REQUIRE(mesh.is_alive(v));
         ++visited;
         const Ring& r = mesh.ring(v);
         bool is_inside = true;
-        for (int k = 0; k < r.size; ++k) is_inside = is_inside && block.begin <= r[k] && r[k] < block.end;
+        for (int k = 0; k < r.size; ++k) is_inside = is_inside && !(r[k] < block.begin) && r[k] < block.end;
         REQUIRE(r.block == (is_inside ? block.number : -1));
         owned += is_inside ? 1 : 0;
       }
-      for (Ring_vertex v = block.end; v < block.spare_end; ++v) REQUIRE_FALSE(mesh.is_alive(v));
+      for (const Ring_vertex v : internal::Id_range<Ring_vertex>(block.end, block.spare_end))
+        REQUIRE_FALSE(mesh.is_alive(v));
     });
     REQUIRE(std::size_t(begin) == mesh.number_of_vertices());
     REQUIRE(visited == alive);
@@ -94,8 +94,8 @@ TEST_CASE("Seams of different passes are in different places", "[site_mesh]") {
   std::map<std::pair<double, double>, int> times_owned;
   for (int pass = 0; pass < Blocks::number_of_passes; ++pass) {
     blocks.cut(pass);
-    for (std::size_t v = 0; v < mesh.number_of_vertices(); ++v)
-      if (mesh.is_alive(Ring_vertex(v)))
+    for (const Ring_vertex v : mesh.rings.ids())
+      if (mesh.is_alive(v))
         times_owned[{mesh.points[v].x, mesh.points[v].y}] += mesh.rings[v].block >= 0 ? 1 : 0;
   }
   std::size_t never = 0;

@@ -54,7 +54,7 @@ public:
   Mesh mesh;
   Triangle_set triangles;
   std::vector<Ring_vertex> spare;
-  std::vector<Patch_marks> marks;
+  internal::Indexed_vector<Ring_vertex, Patch_marks> marks;
 
   /// One of all kinds of changes, if it can be done at the place that is chosen at random.
   void change(Patch& patch) {
@@ -93,12 +93,12 @@ private:
     return t;
   }
 
-  /// Of the set. -1 on the border.
+  /// Of the set. None on the border.
   Ring_vertex across(Ring_vertex a, Ring_vertex b) const {
     for (const Triangle& t : triangles)
       for (std::size_t k = 0; k < 3; ++k)
         if (t[k] == b && t[(k + 1) % 3] == a) return t[(k + 2) % 3];
-    return -1;
+    return {};
   }
   void replace(const std::vector<Triangle>& old, const std::vector<Triangle>& fresh) {
     for (const Triangle& t : old)
@@ -115,11 +115,11 @@ private:
   }
   bool are_ours(const Patch& patch, const std::vector<Ring_vertex>& vertices) const {
     return std::all_of(vertices.begin(), vertices.end(),
-                       [&](Ring_vertex v) { return v < 0 || patch.is_ours(v); });
+                       [&](Ring_vertex v) { return !v.is_valid() || patch.is_ours(v); });
   }
 
   void flip(Patch& patch, Ring_vertex a, Ring_vertex b, Ring_vertex c, Ring_vertex d) {
-    if (d < 0 || !are_ours(patch, {a, b, c, d}) || mesh.ring(c).contains(d)) return;
+    if (!d.is_valid() || !are_ours(patch, {a, b, c, d}) || mesh.ring(c).contains(d)) return;
     if (!can_gain(c) || !can_gain(d) || !can_lose(a) || !can_lose(b)) return;
     add_all(patch, {a, b, c, d});
     patch.flip(a, b, c, d);
@@ -128,13 +128,14 @@ private:
   }
 
   void split_edge(Patch& patch, Ring_vertex a, Ring_vertex b, Ring_vertex c, Ring_vertex d) {
-    if (spare.empty() || !are_ours(patch, {a, b, c, d}) || !can_gain(c) || (d >= 0 && !can_gain(d))) return;
+    if (spare.empty() || !are_ours(patch, {a, b, c, d}) || !can_gain(c) || (d.is_valid() && !can_gain(d)))
+      return;
     const Ring_vertex m = spare.back();
     spare.pop_back();
     patch.split_edge(m, any_point(), a, b, c, d);
     replace({{a, b, c}}, {{a, m, c}, {m, b, c}});
-    if (d >= 0) replace({{b, a, d}}, {{b, m, d}, {m, a, d}});
-    ++done[d >= 0 ? 1 : 2];
+    if (d.is_valid()) replace({{b, a, d}}, {{b, m, d}, {m, a, d}});
+    ++done[d.is_valid() ? 1 : 2];
   }
 
   void split_triangle(Patch& patch, Ring_vertex a, Ring_vertex b, Ring_vertex c) {
@@ -146,10 +147,10 @@ private:
   }
 
   /// Of the polygon of positions i to j.
-  void triangulate(int i, int j, std::vector<Triangle>& filling, std::vector<Diagonal>& diagonals) {
+  void triangulate(int i, int j, std::vector<std::array<int, 3>>& filling, std::vector<Diagonal>& diagonals) {
     if (j - i < 2) return;
     const int k = i + 1 + int(below(random_, std::size_t(j - i - 1)));
-    filling.push_back({i, k, j});
+    filling.push_back({{i, k, j}});
     if (k - i > 1) diagonals.push_back({i, k});
     if (j - k > 1) diagonals.push_back({k, j});
     triangulate(i, k, filling, diagonals);
@@ -158,7 +159,8 @@ private:
 
   void remove(Patch& patch, Ring_vertex v) {
     const Ring ring = mesh.ring(v);
-    std::vector<Triangle> star, filling;
+    std::vector<Triangle> star, filled;
+    std::vector<std::array<int, 3>> filling; // by positions
     std::vector<Diagonal> diagonals;
     if (!patch.is_ours(v) || ring.size < 3) return;
     triangulate(0, ring.size - 1, filling, diagonals);
@@ -174,12 +176,11 @@ private:
       if (!patch.is_ours(ring[i]) || size > Ring::max_size || size < (r.is_open ? 2 : 3)) return;
     }
     for (int k = 0; k < ring.number_of_triangles(); ++k) star.push_back({v, ring[k], ring.next(k)});
-    for (Triangle& t : filling)
-      for (Ring_vertex& k : t) k = ring[k];
+    for (const auto& [i, j, k] : filling) filled.push_back({ring[i], ring[j], ring[k]});
     patch.drop(v);
     for (int k = 0; k < ring.size; ++k) patch.add(ring[k]);
     patch.remove(v, diagonals);
-    replace(star, filling);
+    replace(star, filled);
     ++done[ring.is_open ? 4 : 3];
   }
 };
@@ -206,21 +207,20 @@ std::vector<Ring_vertex> ring_of(const Triangle_set& triangles, Ring_vertex v) {
 
 template <class Geometry>
 void check_rings_by_brute_force(const Ring_mesh<Geometry>& mesh, const Triangle_set& triangles) {
-  for (std::size_t v = 0; v < mesh.number_of_vertices(); ++v) {
+  for (const Ring_vertex v : mesh.rings.ids()) {
     const Ring& r = mesh.rings[v];
-    const std::vector<Ring_vertex> expected = ring_of(triangles, Ring_vertex(v));
+    const std::vector<Ring_vertex> expected = ring_of(triangles, v);
     if (!std::equal(expected.begin(), expected.end(), r.neighbor.begin(), r.neighbor.begin() + r.size))
       FAIL("a ring is not that of the triangles");
-    const bool is_closed =
-        expected.size() > 2 && has_triangle(mesh, Ring_vertex(v), expected.back(), expected[0]);
+    const bool is_closed = expected.size() > 2 && has_triangle(mesh, v, expected.back(), expected[0]);
     if (!expected.empty() && r.is_open == is_closed) FAIL("open or closed");
-    if (mesh.is_alive(Ring_vertex(v)) == expected.empty()) FAIL("alive or not");
+    if (mesh.is_alive(v) == expected.empty()) FAIL("alive or not");
     for (int k = 0; k < r.size; ++k) {
-      Ring_vertex right = -1;
+      Ring_vertex right = Ring_vertex();
       for (const Triangle& t : triangles)
         for (std::size_t i = 0; i < 3; ++i)
-          if (t[i] == r[k] && t[(i + 1) % 3] == Ring_vertex(v)) right = t[(i + 2) % 3];
-      if (mesh.right_of(Ring_vertex(v), k) != right) FAIL("another vertex is across an edge");
+          if (t[i] == r[k] && t[(i + 1) % 3] == v) right = t[(i + 2) % 3];
+      if (mesh.right_of(v, k) != right) FAIL("another vertex is across an edge");
     }
   }
 }
@@ -230,28 +230,31 @@ void check_rings_by_brute_force(const Ring_mesh<Geometry>& mesh, const Triangle_
 TEST_CASE("Members of rings are inserted and erased in place", "[ring_mesh]") {
   Ring r;
   CHECK(r.number_of_triangles() == 0);
-  for (const Ring_vertex v : {5, 7, 9}) r.insert(r.size, v);
-  r.insert(1, 6);
-  r.insert(0, 4);
-  CHECK(std::vector<Ring_vertex>(r.neighbor.begin(), r.neighbor.begin() + r.size) ==
-        std::vector<Ring_vertex>{4, 5, 6, 7, 9});
-  CHECK(r.position_of(6) == 2);
-  CHECK(r.contains(9));
-  CHECK_FALSE(r.contains(8));
-  CHECK(r.next(4) == 4);
-  CHECK(r.next(0) == 5);
-  CHECK(r.previous(0) == 9);
+  for (const int v : {5, 7, 9}) r.insert(r.size, Ring_vertex(v));
+  r.insert(1, Ring_vertex(6));
+  r.insert(0, Ring_vertex(4));
+  const auto members = [&r] {
+    std::vector<unsigned> numbers;
+    for (int k = 0; k < r.size; ++k) numbers.push_back(r[k].value());
+    return numbers;
+  };
+  CHECK(members() == std::vector<unsigned>{4, 5, 6, 7, 9});
+  CHECK(r.position_of(Ring_vertex(6)) == 2);
+  CHECK(r.contains(Ring_vertex(9)));
+  CHECK_FALSE(r.contains(Ring_vertex(8)));
+  CHECK(r.next(4) == Ring_vertex(4));
+  CHECK(r.next(0) == Ring_vertex(5));
+  CHECK(r.previous(0) == Ring_vertex(9));
   CHECK(r.number_of_triangles() == 5);
   r.is_open = true;
   CHECK(r.number_of_triangles() == 4);
   r.erase(4);
   r.erase(0);
   r.erase(1);
-  CHECK(std::vector<Ring_vertex>(r.neighbor.begin(), r.neighbor.begin() + r.size) ==
-        std::vector<Ring_vertex>{5, 7});
-  while (r.size < Ring::max_size) r.insert(1, 100 + r.size);
-  CHECK(r[1] == 100 + Ring::max_size - 1);
-  CHECK(r[Ring::max_size - 1] == 7);
+  CHECK(members() == std::vector<unsigned>{5, 7});
+  while (r.size < Ring::max_size) r.insert(1, Ring_vertex(100 + r.size));
+  CHECK(r[1] == Ring_vertex(100 + Ring::max_size - 1));
+  CHECK(r[Ring::max_size - 1] == Ring_vertex(7));
 }
 
 TEST_CASE("Rings are those of the triangles, whatever their order", "[ring_mesh]") {
@@ -272,7 +275,7 @@ TEST_CASE("Rings are those of the triangles, whatever their order", "[ring_mesh]
     std::shuffle(triangles.begin(), triangles.end(), random);
     for (Triangle& t : triangles) std::rotate(t.begin(), t.begin() + std::ptrdiff_t(random() % 3), t.end());
     again.set_triangles(triangles);
-    for (std::size_t v = 0; v < mesh.rings.size(); ++v) {
+    for (const Ring_vertex v : mesh.rings.ids()) {
       const Ring &r = mesh.rings[v], &s = again.rings[v];
       REQUIRE(std::equal(r.neighbor.begin(), r.neighbor.begin() + r.size, s.neighbor.begin(),
                          s.neighbor.begin() + s.size));
@@ -288,19 +291,19 @@ TEST_CASE("Small meshes have rings", "[ring_mesh]") {
   CHECK(none.number_of_triangles() == 0);
   Mesh one;
   one.points.resize(5);
-  one.set_triangles(std::vector<Triangle>{{3, 1, 4}});
+  one.set_triangles(std::vector<std::array<int, 3>>{{3, 1, 4}});
   check_disk(one);
-  CHECK(triangles_of(one) == Triangle_set{{1, 4, 3}});
-  CHECK_FALSE(one.is_alive(0));
-  CHECK_FALSE(one.is_alive(2));
+  CHECK(triangles_of(one) == Triangle_set{{Ring_vertex(1), Ring_vertex(4), Ring_vertex(3)}});
+  CHECK_FALSE(one.is_alive(Ring_vertex(0)));
+  CHECK_FALSE(one.is_alive(Ring_vertex(2)));
   Mesh fan; // around a vertex with as many neighbors as there can be
-  std::vector<Triangle> triangles;
+  std::vector<std::array<int, 3>> triangles;
   for (int k = 0; k < Ring::max_size; ++k) triangles.push_back({Ring::max_size, k, (k + 1) % Ring::max_size});
   fan.points.resize(Ring::max_size + 1);
   fan.set_triangles(triangles);
   check_disk(fan);
   CHECK(fan.number_of_triangles() == std::size_t(Ring::max_size));
-  CHECK(fan.ring(Ring::max_size)[0] == 0);
+  CHECK(fan.ring(Ring_vertex(int(Ring::max_size)))[0] == Ring_vertex(0));
 }
 
 TEST_CASE("Changes of rings are those of triangles", "[ring_mesh]") {
@@ -325,8 +328,8 @@ TEST_CASE("Changes of rings are those of triangles", "[ring_mesh]") {
 TEST_CASE("The area stays where the border does", "[ring_mesh]") {
   Twice_changed_mesh m(5, 4, 7);
   Patch patch(m.mesh, m.marks, 0);
-  for (std::size_t v = 0; v < m.mesh.number_of_vertices(); ++v)
-    if (m.mesh.is_alive(Ring_vertex(v)) && m.mesh.rings[v].is_open) m.mesh.rings[v].block = -1;
+  for (const Ring_vertex v : m.mesh.rings.ids())
+    if (m.mesh.is_alive(v) && m.mesh.rings[v].is_open) m.mesh.rings[v].block = -1;
   const std::int64_t area = doubled_areas(m.mesh).first;
   for (int i = 0; i < 300; ++i) {
     patch.begin();
@@ -357,11 +360,11 @@ TEST_CASE("Undoing restores every bit, and what is of others is not changed", "[
       for (std::size_t i = 0; i < n; ++i) m.change(patch);
       check_disk(m.mesh);
       REQUIRE(triangles_of(m.mesh) == m.triangles);
-      for (std::size_t v = 0; v < before.number_of_vertices(); ++v) {
+      for (const Ring_vertex v : before.rings.ids()) {
         if (are_same_bits(before.rings[v], m.mesh.rings[v])) continue;
         // members are marked, so that their stars are looked at
-        const bool is_known = patch.is_changed(Ring_vertex(v)) || !m.mesh.is_alive(Ring_vertex(v));
-        if (!is_known && patch.is_member(Ring_vertex(v))) FAIL("a change that is not marked");
+        const bool is_known = patch.is_changed(v) || !m.mesh.is_alive(v);
+        if (!is_known && patch.is_member(v)) FAIL("a change that is not marked");
       }
       if (operation % 3 == 0) continue;
       patch.undo();
@@ -369,7 +372,7 @@ TEST_CASE("Undoing restores every bit, and what is of others is not changed", "[
       m.triangles = triangles;
       m.spare = spare;
     }
-    for (std::size_t v = 0; v < first.number_of_vertices(); ++v)
+    for (const Ring_vertex v : first.rings.ids())
       if (first.rings[v].block < 0) REQUIRE(are_same_bits(first.rings[v], m.mesh.rings[v]));
   }
 }
@@ -382,7 +385,7 @@ TEST_CASE("A patch grows by rings within its block", "[ring_mesh]") {
     for (Ring& r : m.mesh.rings)
       if (seed % 2 == 1 && random() < 0.3) r.block = 1;
     Patch patch(m.mesh, m.marks, 0);
-    const Ring_vertex start = 30;
+    const Ring_vertex start(30);
     m.mesh.ring(start).block = 0;
     for (int rings = 0; rings < 5; ++rings) {
       std::set<Ring_vertex> expected{start};

@@ -135,8 +135,8 @@ TEST_CASE("Gradients of stars are those of finite differences", "[star_relaxer]"
     const Range range(bounds.low, bounds.high);
     Mesh mesh = lattice(5, 5);
     shake(mesh, random, 0.2);
-    for (std::size_t v = 0; v < mesh.number_of_vertices(); ++v) {
-      const Star_vectors star(mesh, Ring_vertex(v));
+    for (const Ring_vertex v : mesh.rings.ids()) {
+      const Star_vectors star(mesh, v);
       const Star_energy e(star, range);
       // in doubles, with the center moved; the energies of floats are too coarse to be subtracted
       const auto energy_at = [&](double dx, double dy) {
@@ -175,7 +175,7 @@ TEST_CASE("A star tells which of its triangles are violated", "[star_relaxer]") 
     const Range range(bounds.low, bounds.high);
     Mesh mesh = lattice(6, 6);
     shake(mesh, random, 0.3);
-    for (std::size_t i = 0; i < mesh.number_of_vertices(); ++i) {
+    for (const Ring_vertex i : mesh.rings.ids()) {
       const Ring_vertex v = Ring_vertex(i);
       const Ring& r = mesh.ring(v);
       const Star_vectors star(mesh, v);
@@ -211,7 +211,7 @@ TEST_CASE("Relaxation says only of meshes in the range that they are", "[star_re
     const bool is_relaxed = work.relaxer.relax(30, Patience::MUCH);
     check_disk(mesh);
     check_motion(before, mesh);
-    for (std::size_t v = 0; v < mesh.number_of_vertices(); ++v)
+    for (const Ring_vertex v : mesh.rings.ids())
       if (before.rings[v].block < 0)
         REQUIRE((are_same_bits(before.rings[v], mesh.rings[v]) && before.points[v] == mesh.points[v]));
     if (is_relaxed) REQUIRE(are_in_range(mesh, work.patch.members(), bounds));
@@ -262,7 +262,7 @@ TEST_CASE("Vertices slide along turned borders", "[star_relaxer]") {
   work.begin_with_all();
   const bool is_relaxed = work.relaxer.relax(30, Patience::MUCH);
   CHECK(is_relaxed == are_in_range(mesh, work.patch.members(), {36, 80}));
-  for (std::size_t v = 0; v < mesh.number_of_vertices(); ++v) {
+  for (const Ring_vertex v : mesh.rings.ids()) {
     const auto& p = mesh.points[v];
     const double x = u.x * p.x + u.y * p.y, y = u.x * p.y - u.y * p.x;
     if (mesh.rings[v].mobility == Mobility::SLIDES_ALONG)
@@ -289,7 +289,7 @@ TEST_CASE("Nothing is asked of triangles of rigid vertices", "[star_relaxer]") {
     const Ring_vertex b = mesh.ring(a)[k], c = mesh.ring(a).next(k);
     const Vector far =
         Doubles::difference(mesh.point(a), mesh.point(b)) + Doubles::difference(mesh.point(a), mesh.point(c));
-    mesh.points[std::size_t(a)] = Doubles::translate(mesh.point(a), (-0.25 - 0.01 * double(seed % 5)) * far);
+    mesh.points[a] = Doubles::translate(mesh.point(a), (-0.25 - 0.01 * double(seed % 5)) * far);
     for (const Ring_vertex v : {a, b, c}) mesh.ring(v).mobility = Mobility::RIGID;
     const auto angles = angles_of(mesh, {a, b, c});
     REQUIRE(depth_in(angles, bounds) < -0.1);
@@ -303,7 +303,7 @@ TEST_CASE("Nothing is asked of triangles of rigid vertices", "[star_relaxer]") {
     check_motion(before, mesh);
     check_disk(mesh);
     std::vector<Ring_vertex> all;
-    for (std::size_t v = 0; v < mesh.number_of_vertices(); ++v) all.push_back(Ring_vertex(v));
+    for (const Ring_vertex v : mesh.rings.ids()) all.push_back(v);
     if (!is_relaxed) continue;
     ++relaxed;
     CHECK(work.repairer.violated(all).empty());
@@ -322,17 +322,17 @@ TEST_CASE("Rigid vertices may have neighbors of very different distance", "[star
     const double h = std::sqrt(0.75);
     mesh.points = {{0, 0},    {far, -far / 2}, {far, far / 2}, {0.5, h},
                    {-0.5, h}, {-1, 0},         {-0.5, -h},     {0.5, -h}};
-    std::vector<Triangle> triangles;
-    for (Ring_vertex k = 1; k < 8; ++k) triangles.push_back({0, k, k % 7 + 1});
+    std::vector<std::array<int, 3>> triangles;
+    for (int k = 1; k < 8; ++k) triangles.push_back({0, k, k % 7 + 1});
     mesh.set_triangles(triangles);
-    for (const Ring_vertex v : {0, 1, 2, 3, 7}) mesh.ring(v).mobility = Mobility::RIGID;
+    for (const int v : {0, 1, 2, 3, 7}) mesh.ring(Ring_vertex(v)).mobility = Mobility::RIGID;
     const Range range(36, 80);
-    const Star_vectors star(mesh, 0);
+    const Star_vectors star(mesh, Ring_vertex(0));
     CHECK(star.is_in_range(range));
     CHECK(star.violated(range) == 0);
     CHECK(star.energy(range, 0, 0) == 0);
-    mesh.points[4].x = -0.9; // too far from 3, too near to 5
-    const Star_vectors bad(mesh, 0);
+    mesh.points[Ring_vertex(4)].x = -0.9; // too far from 3, too near to 5
+    const Star_vectors bad(mesh, Ring_vertex(0));
     CHECK(bad.violated(range) == 0b1000);
     CHECK(bad.energy(range, 0, 0) > 0);
     CHECK(bad.energy(range, 0, 0) < 10);

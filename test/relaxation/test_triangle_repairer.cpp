@@ -33,7 +33,7 @@ TEST_CASE("Repairs leave the triangles that they say, within the block", "[star_
       if (random() < 0.02) r.block = -1;
     }
     // fixed ones are moved, too
-    for (std::size_t v = 0; v < mesh.number_of_vertices(); ++v)
+    for (const Ring_vertex v : mesh.rings.ids())
       if (!mesh.rings[v].is_open)
         mesh.points[v] = {mesh.points[v].x + random.between(-0.12, 0.12),
                           mesh.points[v].y + random.between(-0.12, 0.12)};
@@ -42,9 +42,8 @@ TEST_CASE("Repairs leave the triangles that they say, within the block", "[star_
     Workplace work(mesh, range);
     work.spare = spare;
     std::vector<Ring_vertex> vertices;
-    for (std::size_t v = 0; v < mesh.number_of_vertices(); ++v)
-      if (mesh.is_alive(Ring_vertex(v)) && work.patch.is_ours(Ring_vertex(v)))
-        vertices.push_back(Ring_vertex(v));
+    for (const Ring_vertex v : mesh.rings.ids())
+      if (mesh.is_alive(v) && work.patch.is_ours(v)) vertices.push_back(v);
     const std::size_t n = vertices.size();
     started += int(work.repairer.violated(vertices).size());
     const std::vector<Triangle> left = work.repairer.repair_all(vertices);
@@ -57,7 +56,7 @@ TEST_CASE("Repairs leave the triangles that they say, within the block", "[star_
     for (std::size_t i = n; i < vertices.size(); ++i)
       REQUIRE(vertices[i] == spare[spare.size() - 1 - (i - n)]);
     for (const Ring_vertex v : work.spare) REQUIRE_FALSE(mesh.is_alive(v));
-    for (std::size_t v = 0; v < before.number_of_vertices(); ++v)
+    for (const Ring_vertex v : before.rings.ids())
       if (before.rings[v].block < 0)
         REQUIRE((are_same_bits(before.rings[v], mesh.rings[v]) && before.points[v] == mesh.points[v]));
     // those whose least vertex is one of the others' are not asked for

@@ -43,10 +43,10 @@ double least_energy(const std::vector<Vector>& p, std::size_t i, std::size_t j, 
 Mesh wheel(const std::vector<Vector>& polygon, bool is_open) {
   Mesh mesh;
   mesh.points.push_back({0, 0});
-  std::vector<Triangle> triangles;
-  const Ring_vertex n = Ring_vertex(polygon.size());
+  std::vector<std::array<int, 3>> triangles;
+  const int n = int(polygon.size());
   for (const Vector& p : polygon) mesh.points.push_back({p.x, p.y});
-  for (Ring_vertex k = 1; k < n; ++k) triangles.push_back({0, k, k + 1});
+  for (int k = 1; k < n; ++k) triangles.push_back({0, k, k + 1});
   if (!is_open) triangles.push_back({0, n, 1});
   mesh.set_triangles(triangles);
   return mesh;
@@ -71,7 +71,7 @@ TEST_CASE("Holes are filled with the least energy", "[star_relaxer]") {
       polygon.push_back({radius * std::cos(angle), radius * std::sin(angle)});
     }
     const Mesh mesh = wheel(polygon, is_open);
-    const Star_vectors star(mesh, 0);
+    const Star_vectors star(mesh, Ring_vertex(0));
     const Ring_triangulation filling(star, int(n), range);
     // the same vectors, as the star has rounded them
     std::vector<Vector> rounded;
@@ -124,7 +124,7 @@ TEST_CASE("Removals keep the range or change nothing", "[star_relaxer]") {
     if (!work.relaxer.relax(60, Patience::MUCH)) continue;
     const Mesh start = mesh;
     for (int round = 0; round < 3; ++round)
-      for (std::size_t i = 0; i < mesh.number_of_vertices(); ++i) {
+      for (const Ring_vertex i : mesh.rings.ids()) {
         const Ring_vertex v = Ring_vertex(i);
         if (!mesh.is_alive(v) || !work.patch.is_ours(v)) continue;
         Mesh before = mesh;
@@ -144,7 +144,7 @@ TEST_CASE("Removals keep the range or change nothing", "[star_relaxer]") {
         }
       }
     check_motion(start, mesh);
-    for (std::size_t v = 0; v < start.number_of_vertices(); ++v)
+    for (const Ring_vertex v : start.rings.ids())
       if (start.rings[v].block < 0)
         REQUIRE((are_same_bits(start.rings[v], mesh.rings[v]) && start.points[v] == mesh.points[v]));
     // nothing has left the range
@@ -159,38 +159,39 @@ TEST_CASE("Removals keep the range or change nothing", "[star_relaxer]") {
 TEST_CASE("No new triangles of rigid vertices are made", "[star_relaxer]") {
   const Range range(36, 80);
   const auto set_rigid = [](Mesh& mesh) {
-    for (const Ring_vertex v : {0, 1, 2}) mesh.ring(v).mobility = Mobility::RIGID;
+    for (const int v : {0, 1, 2}) mesh.ring(Ring_vertex(v)).mobility = Mobility::RIGID;
   };
   { // by removing the vertex within, with which everything is worse
     Mesh mesh;
     mesh.points = {{0, 0}, {1, 0}, {0.5, 0.3}, {0.5, 0.1}};
-    mesh.set_triangles(std::vector<Triangle>{{0, 1, 3}, {1, 2, 3}, {2, 0, 3}});
+    mesh.set_triangles(std::vector<std::array<int, 3>>{{0, 1, 3}, {1, 2, 3}, {2, 0, 3}});
     set_rigid(mesh);
     const Mesh before = mesh;
     Workplace work(mesh, range);
-    CHECK_FALSE(work.remover.remove(3, 1, 9));
+    CHECK_FALSE(work.remover.remove(Ring_vertex(3), 1, 9));
     CHECK(triangles_of(mesh) == triangles_of(before));
-    mesh.ring(0).mobility = Mobility::FIXED;
+    mesh.ring(Ring_vertex(0)).mobility = Mobility::FIXED;
     work.patch.begin();
-    CHECK(work.remover.take_out(3));
+    CHECK(work.remover.take_out(Ring_vertex(3)));
   }
   { // by flipping an edge, which makes an angle of 85 degrees instead of one of 107
     Mesh mesh;
     mesh.points = {{-1, 0}, {0, -1.09}, {1, 0}, {0, 1.7}};
-    mesh.set_triangles(std::vector<Triangle>{{1, 3, 0}, {3, 1, 2}});
+    mesh.set_triangles(std::vector<std::array<int, 3>>{{1, 3, 0}, {3, 1, 2}});
     set_rigid(mesh);
-    mesh.ring(3).mobility = Mobility::FIXED;
+    mesh.ring(Ring_vertex(3)).mobility = Mobility::FIXED;
     const Mesh before = mesh;
     Workplace work(mesh, range);
     work.begin_with_all();
     CHECK_FALSE(work.relaxer.relax(9, Patience::MUCH));
     CHECK(triangles_of(mesh) == triangles_of(before));
     work.begin_with_all();
-    CHECK_FALSE(work.relaxer.flip_anyway(1, 3, 0));
-    mesh.ring(0).mobility = Mobility::FIXED;
+    CHECK_FALSE(work.relaxer.flip_anyway(Ring_vertex(1), Ring_vertex(3), Ring_vertex(0)));
+    mesh.ring(Ring_vertex(0)).mobility = Mobility::FIXED;
     work.begin_with_all();
     CHECK_FALSE(work.relaxer.relax(9, Patience::MUCH));
-    CHECK(triangles_of(mesh) == Triangle_set{{0, 1, 2}, {0, 2, 3}});
+    const Ring_vertex a(0), b(1), c(2), d(3);
+    CHECK(triangles_of(mesh) == Triangle_set{{a, b, c}, {a, c, d}});
   }
 }
 

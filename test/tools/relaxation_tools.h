@@ -72,12 +72,12 @@ struct Workplace {
 
   void begin_with_all() {
     patch.begin();
-    for (std::size_t v = 0; v < patch.mesh().number_of_vertices(); ++v)
-      if (patch.mesh().is_alive(Ring_vertex(v)) && patch.is_ours(Ring_vertex(v))) patch.add(Ring_vertex(v));
+    for (const Ring_vertex v : patch.mesh().rings.ids())
+      if (patch.mesh().is_alive(v) && patch.is_ours(v)) patch.add(v);
     for (const Ring_vertex v : patch.members()) patch.activate(v);
   }
 
-  std::vector<Patch_marks> marks;
+  internal::Indexed_vector<Ring_vertex, Patch_marks> marks;
   std::vector<Ring_vertex> spare;
   Patch patch;
   Relaxer relaxer;
@@ -86,7 +86,7 @@ struct Workplace {
 };
 
 inline void shake(Mesh& mesh, Random_numbers& random, double amount) {
-  for (std::size_t v = 0; v < mesh.number_of_vertices(); ++v) {
+  for (const Ring_vertex v : mesh.rings.ids()) {
     const Mobility m = mesh.rings[v].mobility;
     const double dx = random.between(-amount, amount), dy = random.between(-amount, amount);
     if (m == Mobility::FREE || m == Mobility::SLIDES_ALONG) mesh.points[v].x += dx;
@@ -96,7 +96,7 @@ inline void shake(Mesh& mesh, Random_numbers& random, double amount) {
 
 /// Borders do not move but along themselves, and fixed vertices not at all.
 inline void check_motion(const Mesh& before, const Mesh& after) {
-  for (std::size_t v = 0; v < before.number_of_vertices(); ++v) {
+  for (const Ring_vertex v : before.rings.ids()) {
     const Mobility m = before.rings[v].mobility;
     if (m == Mobility::FREE || m == Mobility::REMOVED) continue;
     if (after.rings[v].mobility == Mobility::REMOVED) {

@@ -77,7 +77,7 @@ template <class Geometry>
 void check_disk(const Ring_mesh<Geometry>& mesh) {
   long vertices = 0, edge_ends = 0, corners = 0;
   std::map<Ring_vertex, Ring_vertex> next_on_border;
-  for (std::size_t i = 0; i < mesh.number_of_vertices(); ++i) {
+  for (const Ring_vertex i : mesh.rings.ids()) {
     const Ring_vertex v = Ring_vertex(i);
     if (!mesh.is_alive(v)) continue;
     const Ring& r = mesh.ring(v);
@@ -87,7 +87,8 @@ void check_disk(const Ring_mesh<Geometry>& mesh) {
     edge_ends += r.size;
     corners += r.number_of_triangles();
     for (int k = 0; k < r.size; ++k) {
-      if (r[k] < 0 || std::size_t(r[k]) >= mesh.number_of_vertices() || r[k] == v) FAIL("no such neighbor");
+      if (!r[k].is_valid() || std::size_t(r[k]) >= mesh.number_of_vertices() || r[k] == v)
+        FAIL("no such neighbor");
       if (!mesh.is_alive(r[k]) || !mesh.ring(r[k]).contains(v)) FAIL("neighbors do not agree");
       for (int j = 0; j < k; ++j)
         if (r[j] == r[k]) FAIL("a neighbor is there twice");
@@ -118,8 +119,8 @@ inline std::pair<std::int64_t, std::int64_t> doubled_areas(const Ring_mesh<Integ
     const auto &p = mesh.point(a), &q = mesh.point(b), &r = mesh.point(c);
     area += (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
   });
-  for (std::size_t v = 0; v < mesh.number_of_vertices(); ++v) {
-    if (!mesh.is_alive(Ring_vertex(v)) || !mesh.rings[v].is_open) continue;
+  for (const Ring_vertex v : mesh.rings.ids()) {
+    if (!mesh.is_alive(v) || !mesh.rings[v].is_open) continue;
     const auto &p = mesh.points[v], &q = mesh.point(mesh.rings[v][0]);
     area_in_border += p.x * q.y - p.y * q.x;
   }
@@ -202,15 +203,20 @@ inline Ring_mesh<Doubles> lattice(int columns, int rows) {
   }
   for (int j = 0; j < rows; ++j)
     for (int i = 0; i <= columns; ++i) {
-      const Ring_vertex even = first[std::size_t(j % 2 == 0 ? j : j + 1)] + i,
-                        odd = first[std::size_t(j % 2 == 0 ? j + 1 : j)] + i;
+      const auto at = [&](int row, int column) {
+        return Ring_vertex(first[std::size_t(row)].value() + unsigned(column));
+      };
       const bool is_up = j % 2 == 0; // the even row is below
-      triangles.push_back(is_up ? Triangle{even, odd + 1, odd} : Triangle{even, odd, odd + 1});
+      const int even_row = is_up ? j : j + 1, odd_row = is_up ? j + 1 : j;
+      const Ring_vertex even = at(even_row, i), next_even = at(even_row, i + 1), odd = at(odd_row, i),
+                        next_odd = at(odd_row, i + 1);
+      triangles.push_back(is_up ? Triangle{even, next_odd, odd} : Triangle{even, odd, next_odd});
       if (i < columns)
-        triangles.push_back(is_up ? Triangle{even, even + 1, odd + 1} : Triangle{even + 1, even, odd + 1});
+        triangles.push_back(is_up ? Triangle{even, next_even, next_odd}
+                                  : Triangle{next_even, even, next_odd});
     }
   mesh.set_triangles(triangles);
-  for (std::size_t v = 0; v < mesh.points.size(); ++v) {
+  for (const Ring_vertex v : mesh.points.ids()) {
     const bool is_on_side = mesh.points[v].x == 0 || mesh.points[v].x == columns,
                is_on_row = mesh.points[v].y == 0 || mesh.points[v].y == mesh.points.back().y;
     if (is_on_side && is_on_row)
@@ -237,9 +243,10 @@ inline Ring_mesh<Doubles> equal_tiles(int level) {
   for (const auto& p : tiles.places)
     mesh.points.push_back({std::ldexp(double(p.x), -log_side), std::ldexp(double(p.y), -log_side)});
   mesh.set_triangles(tiles.triangles);
-  for (std::size_t v = 0; v < mesh.points.size(); ++v) {
-    const bool is_on_side = (tiles.sides[v] & (internal::left_side | internal::right_side)) != 0,
-               is_on_row = (tiles.sides[v] & (internal::bottom_side | internal::top_side)) != 0;
+  for (const Ring_vertex v : mesh.points.ids()) {
+    const auto sides = tiles.sides[v.value()];
+    const bool is_on_side = (sides & (internal::left_side | internal::right_side)) != 0,
+               is_on_row = (sides & (internal::bottom_side | internal::top_side)) != 0;
     mesh.rings[v].mobility = is_on_side && is_on_row ? Mobility::FIXED
                              : is_on_side            ? Mobility::SLIDES_ACROSS
                              : is_on_row             ? Mobility::SLIDES_ALONG

@@ -152,8 +152,8 @@ void check_border(const Ring_mesh<Geometry>& mesh, const typename Geometry::Poin
                   const typename Geometry::Point& high) {
   int corners = 0;
   double area = 0;
-  for (std::size_t v = 0; v < mesh.number_of_vertices(); ++v) {
-    if (!mesh.is_alive(Ring_vertex(v))) continue;
+  for (const Ring_vertex v : mesh.rings.ids()) {
+    if (!mesh.is_alive(v)) continue;
     const auto& p = mesh.points[v];
     const bool is_across = p.x == low.x || p.x == high.x, is_along = p.y == low.y || p.y == high.y;
     if (mesh.rings[v].is_open != (is_across || is_along)) FAIL("the border is elsewhere");
@@ -200,7 +200,7 @@ bool are_all_acute(const Ring_mesh<Geometry>& mesh) {
 inline bool are_same(const Site_mesh<Doubles>& a, const Site_mesh<Doubles>& b) {
   if (a.vertex_of_site != b.vertex_of_site || a.mesh.number_of_vertices() != b.mesh.number_of_vertices())
     return false;
-  for (std::size_t v = 0; v < a.mesh.number_of_vertices(); ++v) {
+  for (const Ring_vertex v : a.mesh.rings.ids()) {
     const Ring &r = a.mesh.rings[v], &s = b.mesh.rings[v];
     if (r.mobility != s.mobility) return false;
     if (r.mobility == Mobility::REMOVED) continue;

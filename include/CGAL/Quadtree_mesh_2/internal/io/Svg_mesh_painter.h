@@ -9,6 +9,7 @@
 
 #include <CGAL/Indexed_mesh_2.h>
 #include <CGAL/Pslg_2.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/Indexed_vector.h>
 #include <CGAL/Quadtree_mesh_2/internal/geometry/triangle_angles.h>
 #include <CGAL/Quadtree_mesh_2/internal/io/Svg_path.h>
 #include <CGAL/Quadtree_mesh_2/internal/io/number_text.h>
@@ -309,12 +310,12 @@ private:
 
   /// Segments of which no piece is in the mesh.
   std::vector<Edge> outside_segments() const {
-    std::vector<char> is_in_mesh(pslg_.segments.size(), 0);
+    Indexed_vector<Segment_index, char> is_in_mesh(pslg_.segments.size(), 0);
     for (const auto& e : mesh_.constrained_edges)
-      if (std::size_t(e.segment) < is_in_mesh.size()) is_in_mesh[e.segment] = 1;
+      if (is_in_mesh.has(e.segment)) is_in_mesh[e.segment] = 1;
     std::vector<Edge> edges;
-    for (std::size_t s = 0; s < pslg_.segments.size(); ++s) {
-      const auto& ends = pslg_.segments[s];
+    for (const Segment_index s : is_in_mesh.ids()) {
+      const auto& ends = pslg_.segment(s);
       if (is_in_mesh[s] == 0 && is_in_window({pslg_.point(ends[0]), pslg_.point(ends[1])}))
         edges.push_back({ends[0].value(), ends[1].value()});
     }

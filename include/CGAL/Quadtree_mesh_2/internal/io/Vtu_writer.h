@@ -10,6 +10,7 @@
 #include <CGAL/IO/io.h>
 #include <CGAL/Indexed_mesh_2.h>
 #include <CGAL/Pslg_2.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/Indexed_vector.h>
 #include <CGAL/Quadtree_mesh_2/internal/geometry/triangle_angles.h>
 #include <CGAL/Quadtree_mesh_2/internal/io/number_text.h>
 #include <CGAL/Quadtree_mesh_2/triangle_fields.h>
@@ -159,18 +160,18 @@ private:
   }
 
   void find_outside_segments() {
-    std::vector<char> is_in_mesh(pslg_.segments.size(), 0);
+    Indexed_vector<Segment_index, char> is_in_mesh(pslg_.segments.size(), 0);
     for (const auto& e : mesh_.constrained_edges)
-      if (std::size_t(e.segment) < is_in_mesh.size()) is_in_mesh[e.segment] = 1;
-    for (std::size_t s = 0; s < pslg_.segments.size(); ++s)
-      if (is_in_mesh[s] == 0) outside_.push_back(s);
+      if (is_in_mesh.has(e.segment)) is_in_mesh[e.segment] = 1;
+    for (const Segment_index s : is_in_mesh.ids())
+      if (is_in_mesh[s] == 0) outside_.push_back(s.value());
   }
 
   /// Only sides between vertices of constrained edges are looked for.
   void find_triangles_at_edges() {
     const std::size_t n = mesh_.constrained_edges.size();
     std::vector<std::pair<Edge, std::size_t>> edges;
-    std::vector<char> is_end(mesh_.points.size(), 0);
+    Indexed_vector<Vertex_index, char> is_end(mesh_.points.size(), 0);
     edges.reserve(n);
     for (std::size_t e = 0; e < n; ++e) {
       const auto& ends = mesh_.constrained_edges[e].vertices;

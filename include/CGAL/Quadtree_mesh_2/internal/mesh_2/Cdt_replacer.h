@@ -15,6 +15,7 @@
 #define CGAL_QUADTREE_MESH_2_INTERNAL_MESH_2_CDT_REPLACER_H
 
 #include <CGAL/Indexed_mesh_2.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/Indexed_vector.h>
 #include <CGAL/Quadtree_mesh_2/internal/mesh_2/Cdt_input.h>
 #include <CGAL/Quadtree_mesh_2/internal/mesh_2/Outside_triangulation.h>
 #include <CGAL/Quadtree_mesh_2/internal/mesh_2/Triangulation_welder.h>
@@ -67,9 +68,9 @@ public:
   void split_constraints(const Mesh& mesh) {
     if constexpr (std::is_convertible_v<typename Cdt::Constraint_hierarchy_tag, Tag_true>) {
       link_constrained_vertices(mesh);
-      std::vector<char> is_split(input_.pslg().number_of_segments(), 0);
+      Indexed_vector<Segment_index, char> is_split(input_.pslg().number_of_segments(), 0);
       for (const auto& e : mesh.constrained_edges) {
-        const auto& ends = input_.pslg().segments[e.segment];
+        const auto& ends = input_.pslg().segment(e.segment);
         for (std::size_t i = 0; i < 2; ++i)
           if (e.vertices[i] == ends[0] && e.vertices[1 - i] != ends[1] && is_split[e.segment] == 0) {
             is_split[e.segment] = 1;
@@ -97,9 +98,9 @@ private:
         points.push_back(flat_.lift(mesh.points[v]));
         continue;
       }
-      const auto& ends = input_.pslg().segments[s];
-      points.push_back(flat_.lift_to_segment(mesh.points[v], input_.vertices()[ends[0]]->point(),
-                                             input_.vertices()[ends[1]]->point()));
+      const auto& ends = input_.pslg().segment(s);
+      points.push_back(flat_.lift_to_segment(mesh.points[v], input_.vertices()[ends[0].value()]->point(),
+                                             input_.vertices()[ends[1].value()]->point()));
     }
     return points;
   }

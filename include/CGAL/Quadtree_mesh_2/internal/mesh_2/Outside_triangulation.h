@@ -10,6 +10,7 @@
 #include <CGAL/Indexed_mesh_2.h>
 #include <CGAL/Pslg_2.h>
 #include <CGAL/Pslg_error_2.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/Indexed_vector.h>
 #include <CGAL/Quadtree_mesh_2/internal/checker/Indexed_cdt.h>
 
 #include <algorithm>
@@ -102,7 +103,7 @@ private:
   std::vector<std::size_t> choose_vertices() {
     for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
       for (std::uint32_t k = 0; k < 3; ++k) {
-        is_used_[mesh_.triangles[t][k]] = 1;
+        is_used_[mesh_.triangles[t][k].value()] = 1;
         if (mesh_.neighbors[t][k].is_valid()) continue;
         border_.push_back(3 * t + k);
         is_chosen_[origin(border_.back())] = 1;
@@ -126,21 +127,21 @@ private:
   /// linear time: the edges of a segment form a path from end to end, where every vertex but the ends occurs
   /// twice.
   void find_outside_pieces(const Pslg_2<Point>& pslg) {
-    std::vector<std::uint64_t> odd(pslg.segments.size(), 0);
+    Indexed_vector<Segment_index, std::uint64_t> odd(pslg.segments.size(), 0);
     for (const auto& e : mesh_.constrained_edges)
-      if (std::size_t(e.segment) < odd.size()) // else `pslg` is not the mesh's, but an empty one
+      if (odd.has(e.segment)) // else `pslg` is not the mesh's, but an empty one
         odd[e.segment] ^= mix(e.vertices[0].value()) ^ mix(e.vertices[1].value());
     bool is_complete = true;
-    for (std::size_t s = 0; s < pslg.segments.size(); ++s) {
-      odd[s] ^= mix(pslg.segments[s][0].value()) ^ mix(pslg.segments[s][1].value());
+    for (const Segment_index s : odd.ids()) {
+      odd[s] ^= mix(pslg.segment(s)[0].value()) ^ mix(pslg.segment(s)[1].value());
       is_complete = is_complete && odd[s] == 0;
     }
     if (is_complete) return;
     const std::vector<Piece> pieces = pieces_of(pslg);
     const auto spokes = spokes_of_mesh(odd);
     for (const Piece& piece : pieces)
-      if (odd[piece.segment] != 0 && is_chosen_[piece.ends[0]] != 0 && is_chosen_[piece.ends[1]] != 0 &&
-          !has_spoke_along(spokes, piece))
+      if (odd[Segment_index(piece.segment)] != 0 && is_chosen_[piece.ends[0]] != 0 &&
+          is_chosen_[piece.ends[1]] != 0 && !has_spoke_along(spokes, piece))
         outside_pieces_.push_back(piece.ends);
   }
 
@@ -193,10 +194,10 @@ private:
   };
 
   /// Those on segments that are not in the mesh from end to end, sorted.
-  std::vector<Spoke> spokes_of_mesh(const std::vector<std::uint64_t>& odd) const {
+  std::vector<Spoke> spokes_of_mesh(const Indexed_vector<Segment_index, std::uint64_t>& odd) const {
     std::vector<Spoke> spokes;
     for (const auto& e : mesh_.constrained_edges) {
-      if (std::size_t(e.segment) >= odd.size() || odd[e.segment] == 0) continue;
+      if (!odd.has(e.segment) || odd[e.segment] == 0) continue;
       for (std::size_t i = 0; i < 2; ++i)
         if (e.vertices[i].value() < number_of_input_vertices_)
           spokes.push_back(

@@ -7,6 +7,7 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_MESH_2_TRIANGULATION_WELDER_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_MESH_2_TRIANGULATION_WELDER_H
 
+#include <CGAL/Quadtree_mesh_2/internal/base/Indexed_vector.h>
 #include <CGAL/Quadtree_mesh_2/internal/mesh_2/Outside_triangulation.h>
 
 #include <algorithm>
@@ -140,7 +141,8 @@ private:
   void create_mesh_faces() {
     faces_.reserve(mesh_.triangles.size());
     for (const auto& t : mesh_.triangles) {
-      const Face_handle f = create_face(vertices_[t[0]], vertices_[t[1]], vertices_[t[2]]);
+      const Face_handle f =
+          create_face(vertices_[t[0].value()], vertices_[t[1].value()], vertices_[t[2].value()]);
       Domain_of_face::set(*f, true);
       faces_.push_back(f);
     }
@@ -163,7 +165,7 @@ private:
     for (std::size_t t = 0; t < faces_.size(); ++t)
       for (int k = 0; k < 3; ++k) {
         const Triangle_index n = mesh_.neighbors[t][k];
-        if (n.is_valid()) faces_[t]->set_neighbor(k, faces_[n]);
+        if (n.is_valid()) faces_[t]->set_neighbor(k, faces_[n.value()]);
       }
   }
 
@@ -190,19 +192,18 @@ private:
   /// for; elsewhere only between vertices that are on constrained edges.
   void constrain_inner_edges() {
     if (mesh_.constrained_edges.size() == outside_.number_of_border_sides()) return;
-    using Key = std::pair<std::uint32_t, std::uint32_t>;
+    using Key = std::pair<Vertex_index, Vertex_index>;
     std::vector<Key> constrained;
-    std::vector<char> is_on_segment(mesh_.points.size(), 0);
+    Indexed_vector<Vertex_index, char> is_on_segment(mesh_.points.size(), 0);
     constrained.reserve(mesh_.constrained_edges.size());
     for (const auto& e : mesh_.constrained_edges) {
-      constrained.push_back(std::minmax(e.vertices[0].value(), e.vertices[1].value()));
+      constrained.push_back(std::minmax(e.vertices[0], e.vertices[1]));
       is_on_segment[e.vertices[0]] = is_on_segment[e.vertices[1]] = 1;
     }
     std::sort(constrained.begin(), constrained.end());
     for (std::size_t t = 0; t < faces_.size(); ++t)
       for (std::size_t k = 0; k < 3; ++k) {
-        const std::uint32_t a = mesh_.triangles[t][(k + 1) % 3].value(),
-                            b = mesh_.triangles[t][(k + 2) % 3].value();
+        const Vertex_index a = mesh_.triangles[t][(k + 1) % 3], b = mesh_.triangles[t][(k + 2) % 3];
         if (!mesh_.neighbors[t][k].is_valid() || is_on_segment[a] == 0 || is_on_segment[b] == 0) continue;
         if (std::binary_search(constrained.begin(), constrained.end(), Key(std::min(a, b), std::max(a, b))))
           Constraint_of_face::set(*faces_[t], static_cast<int>(k), true);

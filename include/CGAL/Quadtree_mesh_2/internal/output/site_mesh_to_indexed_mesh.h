@@ -194,7 +194,7 @@ public:
                              [&](std::size_t v) { return rings.is_alive(Ring_vertex(v)); });
     list_triangles();
     check_angles();
-    Mesh result = builder_.mesh_of(rings.points, triangles_);
+    Mesh result = builder_.mesh_of(rings.points.values(), triangles_);
     report_.triangles = result.number_of_triangles();
     report_.vertices = result.number_of_vertices() - report_.merged_points;
     return result;
@@ -215,14 +215,14 @@ private:
         mesh.number_of_vertices(),
         [&](std::size_t begin, std::size_t end) {
           std::size_t sum = 0;
-          for (std::size_t v = begin; v < end; ++v)
-            mesh.for_each_triangle_of(Ring_vertex(v), [&](Ring_vertex, Ring_vertex, Ring_vertex) { ++sum; });
+          for (const Ring_vertex v : Id_range<Ring_vertex>(begin, end))
+            mesh.for_each_triangle_of(v, [&](Ring_vertex, Ring_vertex, Ring_vertex) { ++sum; });
           return sum;
         },
         [&](std::size_t sum) { triangles_.resize(sum); },
         [&](std::size_t begin, std::size_t end, std::size_t first) {
-          for (std::size_t v = begin; v < end; ++v)
-            mesh.for_each_triangle_of(Ring_vertex(v), [&](Ring_vertex a, Ring_vertex b, Ring_vertex c) {
+          for (const Ring_vertex v : Id_range<Ring_vertex>(begin, end))
+            mesh.for_each_triangle_of(v, [&](Ring_vertex a, Ring_vertex b, Ring_vertex c) {
               triangles_[first++] = {a, b, c};
             });
         });
@@ -234,12 +234,12 @@ private:
 
   void check_angles() {
     Angle_extremes extremes;
-    extremes.add_all<ConcurrencyTag, Geometry>(triangles_, mesh_.mesh.points);
+    extremes.add_all<ConcurrencyTag, Geometry>(triangles_, mesh_.mesh.points.values());
     report_.least_angle = extremes.least_angle();
     report_.largest_angle = extremes.largest_angle();
     const std::vector<std::uint32_t> outside =
         Range_check<Geometry>(least_, largest_)
-            .template outside<ConcurrencyTag>(triangles_, mesh_.mesh.points);
+            .template outside<ConcurrencyTag>(triangles_, mesh_.mesh.points.values());
     for (const std::uint32_t t : outside)
       if (is_acute_ && is_acute<Geometry>(point(t, 0), point(t, 1), point(t, 2)))
         ++report_.thin_triangles;

@@ -270,7 +270,7 @@ private:
     const auto read_off = [&](Point_rank begin, Point_rank end) {
       for (Point_rank r = begin; r < end; ++r) {
         const Point_index i = framework.input_point(r);
-        if (std::size_t(i) < number_of_points_) leaves_[i] = tree_.leaf(leaf.square);
+        if (i.value() < number_of_points_) leaves_[i.value()] = tree_.leaf(leaf.square);
       }
     };
     const auto read_off_node = [&](Node_index v) {

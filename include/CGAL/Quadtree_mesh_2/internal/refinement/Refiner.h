@@ -4,8 +4,8 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// Refinement on demand: one worklist of bad triangles, the sharpest first, one new vertex at a time. This is constrained Delaunay
-// refinement by off-centers snapped to quadtree corners.
+// Refinement on demand: one worklist of bad triangles, the sharpest first, one new vertex at a time. This is
+// constrained Delaunay refinement by off-centers snapped to quadtree corners.
 //
 // For each bad triangle
 //   a. one of its Steiner vertices is relocated so that its whole star meets the bound, if that is possible;

@@ -8,8 +8,8 @@
 //
 // Computes: which triangle is next. A thin triangle stands for a difference of sizes that is yet to be bridged.
 //           Bridged from its short side, it takes the fewest vertices; a vertex that comes earlier, for one that hardly
-//           misses the bound, is often in the way of the better place. On maps the order saves one to two percent of the
-//           triangles, at 30 degrees five.
+//           misses the bound, is often in the way of the better place. On maps the order saves one to two percent of
+//           the triangles, at 30 degrees five.
 // Bound:    O(1). Squared sines are told apart by levels, two to a factor of 2, and a level is a list, last in first
 //           out: so work stays in one place for a while.
 // Source:   Shewchuk's Triangle has such levels, too.

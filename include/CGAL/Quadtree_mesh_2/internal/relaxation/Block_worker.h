@@ -44,12 +44,14 @@ public:
   using Mesh = Ring_mesh<Geometry>;
   using Point = typename Geometry::Point;
 
-  Block_worker(Mesh& mesh, std::vector<Patch_marks>& marks, const Ring_block& block, const Angle_range& range)
+  Block_worker(Mesh& mesh, typename Ring_patch<Geometry>::Marks& marks, const Ring_block& block,
+               const Angle_range& range)
       : mesh_(mesh), patch_(mesh, marks, block.number), relaxer_(patch_, range), remover_(patch_, relaxer_),
         repairer_(patch_, relaxer_, remover_, spare_) {
-    for (Ring_vertex v = block.begin; v < block.end; ++v)
+    for (const Ring_vertex v : Id_range<Ring_vertex>(block.begin, block.end))
       if (patch_.is_ours(v)) own_.push_back(v);
-    for (Ring_vertex v = block.spare_end; v-- > block.end;) spare_.push_back(v);
+    for (const Ring_vertex v : Id_range<Ring_vertex>(block.end, block.spare_end)) spare_.push_back(v);
+    std::reverse(spare_.begin(), spare_.end()); // the first one is taken first
   }
 
   /// Whether everything within a few rings of v is the block's.

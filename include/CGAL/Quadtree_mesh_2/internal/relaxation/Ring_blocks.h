@@ -72,7 +72,7 @@ public:
   /// Calls f(block, marks), for several blocks at the same time.
   template <class F>
   void for_each_block(const F& f) {
-    std::vector<Patch_marks> marks(mesh_.number_of_vertices());
+    Indexed_vector<Ring_vertex, Patch_marks> marks(mesh_.number_of_vertices());
     Executor<ConcurrencyTag>::run(blocks_.size(), [&](std::size_t b) { f(blocks_[b], marks); });
   }
 
@@ -81,7 +81,7 @@ private:
 
   Mesh& mesh_;
   std::vector<Ring_block> blocks_;
-  std::vector<Ring_vertex> new_number_;
+  Indexed_vector<Ring_vertex, Ring_vertex> new_number_;
 
   void cut(int pass, std::size_t length) {
     const std::vector<std::uint32_t> order = sorted_vertices(pass);
@@ -96,13 +96,13 @@ private:
     std::vector<std::uint32_t> used = pack<ConcurrencyTag>(
         mesh_.number_of_vertices(), [&](std::size_t v) { return mesh_.is_alive(Ring_vertex(v)); });
     Uninitialized_vector<Place> places(used.size());
-    const auto& origin = mesh_.points[used.front()];
+    const auto& origin = mesh_.point(Ring_vertex(used.front()));
     const Extent e = reduce<ConcurrencyTag>(
         used.size(), Extent(),
         [&](std::size_t begin, std::size_t end) {
           Extent part;
           for (std::size_t i = begin; i < end; ++i)
-            part.add(Geometry::difference(mesh_.points[used[i]], origin));
+            part.add(Geometry::difference(mesh_.point(Ring_vertex(used[i])), origin));
           return part;
         },
         [](const Extent& a, const Extent& b) { return a.joined(b); });
@@ -111,7 +111,7 @@ private:
                  side = std::max({e.high.x - e.low.x, e.high.y - e.low.y, 1e-300});
     const double shift = root / 3 * pass;
     for_each_index<ConcurrencyTag>(used.size(), [&](std::size_t i) {
-      const Vector d = Geometry::difference(mesh_.points[used[i]], origin) - e.low;
+      const Vector d = Geometry::difference(mesh_.point(Ring_vertex(used[i])), origin) - e.low;
       places[i] = {static_cast<std::uint64_t>(d.x / side * (root / 3) + shift),
                    static_cast<std::uint64_t>(d.y / side * (root / 3) + shift)};
     });
@@ -151,30 +151,30 @@ private:
   }
 
   void renumber(const std::vector<std::uint32_t>& order) {
-    new_number_.assign(mesh_.number_of_vertices(), -1);
+    new_number_.assign(mesh_.number_of_vertices(), {});
     const std::size_t count = blocks_.size(), n = order.size();
     const auto first = [&](std::size_t b) { return n * b / count; };
     for_each_index<ConcurrencyTag>(
         count,
         [&](std::size_t b) {
           for (std::size_t i = first(b); i < first(b + 1); ++i)
-            new_number_[order[i]] = blocks_[b].begin + static_cast<Ring_vertex>(i - first(b));
+            new_number_[Ring_vertex(order[i])] = Ring_vertex(blocks_[b].begin.value() + (i - first(b)));
         },
         1);
     Mesh old;
-    old.points.swap(mesh_.points);
-    old.rings.swap(mesh_.rings);
+    std::swap(old.points, mesh_.points);
+    std::swap(old.rings, mesh_.rings);
     Ring unused;
     unused.mobility = Mobility::REMOVED;
-    mesh_.points.resize(std::size_t(blocks_.back().spare_end));
+    mesh_.points.resize(blocks_.back().spare_end.value());
     mesh_.rings.assign(mesh_.points.size(), unused);
     for_each_index<ConcurrencyTag>(
         count,
         [&](std::size_t b) {
           for (std::size_t i = first(b); i < first(b + 1); ++i) {
-            const std::size_t v = std::size_t(new_number_[order[i]]);
-            mesh_.points[v] = old.points[order[i]];
-            Ring& r = mesh_.rings[v] = old.rings[order[i]];
+            const Ring_vertex before(order[i]), v = new_number(before);
+            mesh_.points[v] = old.point(before);
+            Ring& r = mesh_.ring(v) = old.ring(before);
             for (int k = 0; k < r.size; ++k) r.neighbor[k] = new_number(r[k]);
           }
         },
@@ -183,10 +183,10 @@ private:
 
   /// Gives the block the vertices all of whose neighbors are in it.
   void set_owners(const Ring_block& block) {
-    for (Ring_vertex v = block.begin; v < block.end; ++v) {
+    for (const Ring_vertex v : Id_range<Ring_vertex>(block.begin, block.end)) {
       Ring& r = mesh_.ring(v);
       const bool is_inner = std::all_of(r.neighbor.begin(), r.neighbor.begin() + r.size,
-                                        [&](Ring_vertex u) { return block.begin <= u && u < block.end; });
+                                        [&](Ring_vertex u) { return !(u < block.begin) && u < block.end; });
       r.block = is_inner ? block.number : -1;
     }
   }

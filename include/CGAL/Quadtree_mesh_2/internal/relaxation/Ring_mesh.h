@@ -16,6 +16,8 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_RELAXATION_RING_MESH_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_RELAXATION_RING_MESH_H
 
+#include <CGAL/Quadtree_mesh_2/Index.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/Indexed_vector.h>
 #include <CGAL/Quadtree_mesh_2/internal/geometry/meshing_geometry.h>
 #include <CGAL/assertions.h>
 
@@ -29,7 +31,7 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-using Ring_vertex = std::int32_t;
+using Ring_vertex = Index<struct Ring_vertex_tag>;
 
 enum class Mobility : std::uint8_t {
   FREE,
@@ -69,16 +71,16 @@ struct alignas(64) Ring {
   }
   Ring_vertex operator[](int k) const { return neighbor[k]; }
   /// The member after position k, cyclically in closed rings.
-  Ring_vertex next(int k) const { return neighbor[k + 1 == size ? 0 : std::size_t(k) + 1]; }
-  Ring_vertex previous(int k) const { return neighbor[k == 0 ? std::size_t(size) - 1 : std::size_t(k) - 1]; }
+  Ring_vertex next(int k) const { return neighbor[k + 1 == size ? 0 : k + 1]; }
+  Ring_vertex previous(int k) const { return neighbor[k == 0 ? size - 1 : k - 1]; }
 
   void erase(int k) {
     --size;
-    for (; k < size; ++k) neighbor[k] = neighbor[std::size_t(k) + 1];
+    for (; k < size; ++k) neighbor[k] = neighbor[k + 1];
   }
   /// Makes v the member at position k; the others move up. \pre size < max_size
   void insert(int k, Ring_vertex v) {
-    for (int i = size; i > k; --i) neighbor[i] = neighbor[std::size_t(i) - 1];
+    for (int i = size; i > k; --i) neighbor[i] = neighbor[i - 1];
     neighbor[k] = v;
     ++size;
   }
@@ -89,8 +91,8 @@ class Ring_mesh {
 public:
   using Point = typename Geometry::Point;
 
-  std::vector<Point> points;
-  std::vector<Ring> rings;
+  Indexed_vector<Ring_vertex, Point> points;
+  Indexed_vector<Ring_vertex, Ring> rings;
   /// The direction of two of the four sides of the border.
   Vector along{1, 0};
 
@@ -100,11 +102,11 @@ public:
   const Point& point(Ring_vertex v) const { return points[v]; }
   bool is_alive(Ring_vertex v) const { return ring(v).mobility != Mobility::REMOVED; }
 
-  /// The vertex across the edge from `a` to the member at position `k` of its ring, to the right of it; -1 on the
+  /// The vertex across the edge from `a` to the member at position `k` of its ring, to the right of it; none on the
   /// border.
   Ring_vertex right_of(Ring_vertex a, int k) const {
     const Ring& r = ring(a);
-    return r.is_open && k == 0 ? -1 : r.previous(k);
+    return r.is_open && k == 0 ? Ring_vertex() : r.previous(k);
   }
 
   /// Builds the rings of triangles, given counterclockwise, over the present points. Closed rings begin with their
@@ -121,14 +123,14 @@ public:
       for (std::size_t k = 0; k < 3; ++k)
         sides[first[std::size_t(t[k]) + 1]++] = {Ring_vertex(t[(k + 1) % 3]), Ring_vertex(t[(k + 2) % 3])};
     rings.resize(points.size());
-    for (std::size_t v = 0; v < rings.size(); ++v)
-      rings[v] = ring_of_sides(sides.data() + first[v], sides.data() + first[v + 1]);
+    for (const Ring_vertex v : rings.ids())
+      rings[v] = ring_of_sides(sides.data() + first[v.value()], sides.data() + first[v.value() + 1]);
   }
 
   /// Calls f(a, b, c) for each triangle, counterclockwise, `a` being its least vertex; by increasing `a`.
   template <class F>
   void for_each_triangle(F f) const {
-    for (std::size_t v = 0; v < rings.size(); ++v) for_each_triangle_of(Ring_vertex(v), f);
+    for (const Ring_vertex v : rings.ids()) for_each_triangle_of(v, f);
   }
   /// For those whose least vertex is v.
   template <class F>
@@ -142,7 +144,7 @@ public:
   std::size_t number_of_triangles() const {
     std::size_t corners = 0;
     for (const Ring& r : rings)
-      if (r.mobility != Mobility::REMOVED) corners += std::size_t(r.number_of_triangles());
+      if (r.mobility != Mobility::REMOVED) corners += static_cast<unsigned>(r.number_of_triangles());
     return corners / 3;
   }
 

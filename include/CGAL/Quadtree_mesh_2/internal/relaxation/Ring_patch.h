@@ -37,9 +37,9 @@ class Ring_patch {
 public:
   using Mesh = Ring_mesh<Geometry>;
   using Point = typename Geometry::Point;
+  using Marks = Indexed_vector<Ring_vertex, Patch_marks>;
 
-  Ring_patch(Mesh& mesh, std::vector<Patch_marks>& marks, std::int32_t block)
-      : mesh_(mesh), marks_(marks), block_(block) {}
+  Ring_patch(Mesh& mesh, Marks& marks, std::int32_t block) : mesh_(mesh), marks_(marks), block_(block) {}
 
   Mesh& mesh() { return mesh_; }
   const Mesh& mesh() const { return mesh_; }
@@ -132,8 +132,8 @@ public:
     rd.insert(rd.position_of(b) + 1, c); // around d: b, then a
   }
 
-  /// Puts vertex `m`, which is not in use, on the edge a, b with c on its left and d on its right; d is -1 if the edge
-  /// is on the border.
+  /// Puts vertex `m`, which is not in use, on the edge a, b with c on its left and d on its right. There is no d if the
+  /// edge is on the border.
   void split_edge(Ring_vertex m, const Point& p, Ring_vertex a, Ring_vertex b, Ring_vertex c, Ring_vertex d) {
     Ring &ra = ring_to_change(a), &rb = ring_to_change(b), &rc = ring_to_change(c);
     ra.neighbor[ra.position_of(b)] = m;
@@ -141,8 +141,8 @@ public:
     rc.insert(rc.position_of(a) + 1, m);
     Ring fresh;
     for (const Ring_vertex v : {b, c, a}) fresh.insert(fresh.size, v);
-    fresh.is_open = d < 0;
-    if (d >= 0) {
+    fresh.is_open = !d.is_valid();
+    if (d.is_valid()) {
       Ring& rd = ring_to_change(d);
       rd.insert(rd.position_of(b) + 1, m);
       fresh.insert(3, d);
@@ -178,7 +178,7 @@ private:
   };
 
   Mesh& mesh_;
-  std::vector<Patch_marks>& marks_;
+  Marks& marks_;
   std::int32_t block_;
   std::uint32_t operation_ = 0;
   bool is_cut_ = false;

@@ -73,7 +73,7 @@ public:
     for (int pass = 0; pass < Blocks::number_of_passes; ++pass) {
       cut(pass);
       std::atomic<std::size_t> done{0};
-      blocks_.for_each_block([&](const Ring_block& block, std::vector<Patch_marks>& marks) {
+      blocks_.for_each_block([&](const Ring_block& block, Marks& marks) {
         const double share = static_cast<double>(done++) / static_cast<double>(blocks_.number_of_blocks());
         if (shall_go_on(first_share[pass] + share * (first_share[pass + 1] - first_share[pass])))
           Block_worker<Geometry>(mesh_.mesh, marks, block, range_).coarsen(effort);
@@ -84,6 +84,7 @@ public:
 
 private:
   using Blocks = Ring_blocks<ConcurrencyTag, Geometry>;
+  using Marks = typename Ring_patch<Geometry>::Marks;
   using Point = typename Geometry::Point;
 
   Site_mesh<Geometry>& mesh_;
@@ -106,7 +107,7 @@ private:
 
   void place_in_blocks() {
     const std::vector<std::vector<std::uint32_t>> sites = waiting_sites();
-    blocks_.for_each_block([&](const Ring_block& block, std::vector<Patch_marks>& marks) {
+    blocks_.for_each_block([&](const Ring_block& block, Marks& marks) {
       Block_worker<Geometry> worker(mesh_.mesh, marks, block, range_);
       std::vector<std::pair<Ring_vertex, Point>> moves;
       for (const std::uint32_t s : sites[block.number]) {
@@ -150,11 +151,11 @@ private:
     const std::vector<std::uint32_t> bad = violated();
     std::vector<std::size_t> result;
     if (bad.empty()) return result;
-    std::vector<std::int32_t> site_of_vertex(mesh_.mesh.number_of_vertices(), -1);
+    Indexed_vector<Ring_vertex, std::int32_t> site_of_vertex(mesh_.mesh.number_of_vertices(), -1);
     for (std::size_t s = 0; s < mesh_.sites.size(); ++s)
       if (may_be_blamed(s)) site_of_vertex[mesh_.vertex_of_site[s]] = static_cast<std::int32_t>(s);
     std::vector<std::uint8_t> is_blamed(mesh_.sites.size(), 0);
-    std::vector<std::uint32_t> reached_by(mesh_.mesh.number_of_vertices(), 0);
+    Indexed_vector<Ring_vertex, std::uint32_t> reached_by(mesh_.mesh.number_of_vertices(), 0);
     std::uint32_t search = 0;
     for (const std::uint32_t v : bad)
       blame_nearest(Ring_vertex(v), ++search, site_of_vertex, reached_by, is_blamed);
@@ -163,8 +164,10 @@ private:
     return result;
   }
 
-  void blame_nearest(Ring_vertex start, std::uint32_t search, const std::vector<std::int32_t>& site_of_vertex,
-                     std::vector<std::uint32_t>& reached_by, std::vector<std::uint8_t>& is_blamed) const {
+  void blame_nearest(Ring_vertex start, std::uint32_t search,
+                     const Indexed_vector<Ring_vertex, std::int32_t>& site_of_vertex,
+                     Indexed_vector<Ring_vertex, std::uint32_t>& reached_by,
+                     std::vector<std::uint8_t>& is_blamed) const {
     std::vector<Ring_vertex> reached{start};
     reached_by[start] = search;
     bool is_found = false;

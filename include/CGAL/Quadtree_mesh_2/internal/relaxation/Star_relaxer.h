@@ -420,7 +420,7 @@ private:
     if (!patch_.is_member(a) || !patch_.is_member(b) || !patch_.is_member(c)) return false;
     if (mesh.ring(a).mobility == Mobility::RIGID && mesh.ring(b).mobility == Mobility::RIGID) return false;
     const Ring_vertex d = mesh.right_of(a, mesh.ring(a).position_of(b));
-    if (d < 0 || !patch_.is_member(d)) return false;
+    if (!d.is_valid() || !patch_.is_member(d)) return false;
     const Ring &rc = mesh.ring(c), &rd = mesh.ring(d);
     // nothing would be asked of a triangle of rigid vertices, so there must be no new one
     if (rc.mobility == Mobility::RIGID && rd.mobility == Mobility::RIGID) return false;

@@ -130,7 +130,7 @@ private:
   }
 
   std::vector<Change> possible_changes(const Triangle& t) {
-    std::vector<Change> changes{{Kind::RELAX, -1}};
+    std::vector<Change> changes{{Kind::RELAX, {}}};
     const auto& mesh = patch_.mesh();
     const auto length_opposite = [&](std::size_t i) {
       return squared_length(Geometry::difference(mesh.point(t[(i + 1) % 3]), mesh.point(t[(i + 2) % 3])));
@@ -140,8 +140,8 @@ private:
       if (length_opposite(i) > length_opposite(longest)) longest = i;
     for (std::size_t i = 0; i < 3; ++i) changes.push_back({Kind::FLIP_SIDE, t[(longest + i) % 3]});
     for (std::size_t i = 0; i < 3; ++i) changes.push_back({Kind::SPLIT_SIDE, t[(longest + i) % 3]});
-    changes.push_back({Kind::SPLIT_TRIANGLE, -1});
-    changes.push_back({Kind::SPLIT_ALL_SIDES, -1});
+    changes.push_back({Kind::SPLIT_TRIANGLE, {}});
+    changes.push_back({Kind::SPLIT_ALL_SIDES, {}});
     patch_.begin();
     for (const Ring_vertex v : t) patch_.add(v);
     patch_.grow(1);
@@ -157,7 +157,7 @@ private:
 
   Outcome apply(const Change& change, const Triangle& t, int rings, int stages) {
     number_of_new_ = 0;
-    begin_patch(t, rings, change.kind == Kind::REMOVE ? change.vertex : -1);
+    begin_patch(t, rings, change.kind == Kind::REMOVE ? change.vertex : Ring_vertex());
     switch (change.kind) {
     case Kind::RELAX:
       break;
@@ -187,11 +187,11 @@ private:
     patch_.begin();
     for (const Ring_vertex v : t) patch_.add(v);
     patch_.grow(rings);
-    if (without >= 0) patch_.drop(without);
+    if (without.is_valid()) patch_.drop(without);
   }
 
   double energy_of_patch(const Triangle& t, int rings) {
-    begin_patch(t, rings, -1);
+    begin_patch(t, rings, {});
     return energy_of_members();
   }
 
@@ -224,12 +224,15 @@ private:
     return m == Mobility::SLIDES_ALONG || m == Mobility::SLIDES_ACROSS;
   }
 
+  static std::size_t slot_of(const Triangle& t, Ring_vertex v) {
+    return static_cast<std::size_t>(std::find(t.begin(), t.end(), v) - t.begin());
+  }
   bool flip_side_opposite(const Triangle& t, Ring_vertex v) {
-    const std::size_t i = std::size_t(std::find(t.begin(), t.end(), v) - t.begin());
+    const std::size_t i = slot_of(t, v);
     return relaxer_.flip_anyway(t[(i + 1) % 3], t[(i + 2) % 3], v);
   }
   bool split_side_opposite(const Triangle& t, Ring_vertex v) {
-    const std::size_t i = std::size_t(std::find(t.begin(), t.end(), v) - t.begin());
+    const std::size_t i = slot_of(t, v);
     return split_edge(t[(i + 1) % 3], t[(i + 2) % 3]);
   }
   bool split_all_sides(const Triangle& t) {
@@ -238,25 +241,25 @@ private:
     return is_split;
   }
 
-  /// The vertex that the next insertion takes; -1 if there is none left.
+  /// The vertex that the next insertion takes, if there is one left.
   Ring_vertex next_spare() const {
-    return number_of_new_ < spare_.size() ? spare_[spare_.size() - 1 - number_of_new_] : -1;
+    return number_of_new_ < spare_.size() ? spare_[spare_.size() - 1 - number_of_new_] : Ring_vertex();
   }
 
   /// If there is still such an edge. \pre a is not removed
   bool split_edge(Ring_vertex a, Ring_vertex b) {
     auto& mesh = patch_.mesh();
     const Ring_vertex m = next_spare();
-    if (m < 0 || !patch_.is_ours(a) || !patch_.is_ours(b) || !mesh.ring(a).contains(b)) return false;
+    if (!m.is_valid() || !patch_.is_ours(a) || !patch_.is_ours(b) || !mesh.ring(a).contains(b)) return false;
     if (mesh.ring(a).mobility == Mobility::RIGID && mesh.ring(b).mobility == Mobility::RIGID) return false;
     const int k = mesh.ring(a).position_of(b);
     if (k == mesh.ring(a).number_of_triangles()) return false; // nothing on its left
     const Ring_vertex left = mesh.ring(a).next(k), right = mesh.right_of(a, k);
-    if (!can_take_one_more(left) || (right >= 0 && !can_take_one_more(right))) return false;
-    if (right < 0 && !is_sliding(a) && !is_sliding(b)) return false; // a side from corner to corner
-    const Mobility mobility = right >= 0      ? Mobility::FREE
-                              : is_sliding(a) ? mesh.ring(a).mobility
-                                              : mesh.ring(b).mobility;
+    if (!can_take_one_more(left) || (right.is_valid() && !can_take_one_more(right))) return false;
+    if (!right.is_valid() && !is_sliding(a) && !is_sliding(b)) return false; // a side from corner to corner
+    const Mobility mobility = right.is_valid() ? Mobility::FREE
+                              : is_sliding(a)  ? mesh.ring(a).mobility
+                                               : mesh.ring(b).mobility;
     patch_.split_edge(m, Geometry::between(mesh.point(a), mesh.point(b), 0.5), a, b, left, right);
     mesh.ring(m).mobility = mobility;
     ++number_of_new_;
@@ -266,7 +269,8 @@ private:
 
   bool split_triangle(const Triangle& t) {
     const Ring_vertex m = next_spare();
-    if (m < 0 || !std::all_of(t.begin(), t.end(), [this](Ring_vertex v) { return can_take_one_more(v); }))
+    if (!m.is_valid() ||
+        !std::all_of(t.begin(), t.end(), [this](Ring_vertex v) { return can_take_one_more(v); }))
       return false;
     const auto& mesh = patch_.mesh();
     const auto& origin = mesh.point(t[0]);

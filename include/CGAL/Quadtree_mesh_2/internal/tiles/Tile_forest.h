@@ -114,9 +114,9 @@ private:
   std::vector<Tree> trees_; ///< parents before children
   // While the trees are put together: where the vertices of trees begin; triangles; vertices that must not move, and
   // vertices in whose places there are clusters.
-  std::vector<Ring_vertex> first_vertex_;
+  std::vector<std::int32_t> first_vertex_;
   std::vector<Indexed_triangle> triangles_;
-  std::vector<Ring_vertex> rigid_, replaced_;
+  std::vector<std::int32_t> rigid_, replaced_;
 
   void fill(std::size_t t) try { trees_[t].fill(); } catch (const Tile_level_error& e) {
     for (std::size_t i = 0; i < points_.size(); ++i)
@@ -164,22 +164,22 @@ private:
     first_vertex_.clear();
     std::size_t vertices = 0, triangles = 0;
     for (const Tree& tree : trees_) {
-      first_vertex_.push_back(static_cast<Ring_vertex>(vertices));
+      first_vertex_.push_back(static_cast<std::int32_t>(vertices));
       vertices += tree.mesh().number_of_vertices();
       triangles += tree.mesh().number_of_triangles();
     }
-    if (vertices >= std::size_t(std::numeric_limits<Ring_vertex>::max()) / 2)
+    if (vertices >= std::size_t(std::numeric_limits<std::int32_t>::max()) / 2)
       throw std::length_error("meshes of point sets have at most 2^30 vertices before they are coarsened");
     result.mesh.points.resize(vertices);
     triangles_.resize(triangles);
     std::size_t first_triangle = 0;
     for (std::size_t t = 0; t < trees_.size(); ++t) {
       const Tile_mesh& tiles = trees_[t].mesh();
-      const Ring_vertex first = first_vertex_[t];
+      const std::int32_t first = first_vertex_[t];
       for_each_index<ConcurrencyTag>(
           tiles.number_of_vertices(),
           [&](std::size_t v) {
-            result.mesh.points[std::size_t(first) + v] = trees_[t].point_at(tiles.places[v]);
+            result.mesh.points[Ring_vertex(std::size_t(first) + v)] = trees_[t].point_at(tiles.places[v]);
           },
           default_block / 8);
       for_each_index<ConcurrencyTag>(tiles.number_of_triangles(), [&](std::size_t i) {
@@ -191,21 +191,21 @@ private:
     result.is_placed.assign(points_.size(), 0);
     result.vertex_of_site.resize(points_.size());
     for (std::size_t i = 0; i < points_.size(); ++i)
-      result.vertex_of_site[i] = vertex(tree_of_point_[i], site_of_point_[i]);
+      result.vertex_of_site[i] = Ring_vertex(vertex(tree_of_point_[i], site_of_point_[i]));
   }
 
-  Ring_vertex vertex(std::int32_t tree, std::uint32_t site) const {
+  std::int32_t vertex(std::int32_t tree, std::uint32_t site) const {
     return first_vertex_[tree] + trees_[tree].mesh().vertex_of_site[site];
   }
 
   /// Puts the octagon and the collar of a cluster around its window, and takes the vertex in its place away.
   void put_into_parent(std::size_t t, Site_mesh<Geometry>& result) {
     const Tree &tree = trees_[t], &parent = trees_[tree.parent()];
-    const Ring_vertex center = vertex(tree.parent(), tree.site_in_parent());
+    const std::int32_t center = vertex(tree.parent(), tree.site_in_parent());
     const std::array<std::int32_t, 8> spokes =
         parent.spokes(tree.site_in_parent(), first_vertex_[tree.parent()]);
     const int log_leaf = parent.log_side_of_leaf(tree.site_in_parent());
-    std::vector<Point>& points = result.mesh.points;
+    std::vector<Point>& points = result.mesh.points.values();
     for (int k = 0; k < 8; ++k) {
       points[spokes[k]] = tree.cluster_frame().spoke(k, log_leaf);
       rigid_.push_back(spokes[k]);
@@ -221,7 +221,7 @@ private:
   void take_out_replaced_vertices(const Site_mesh<Geometry>& result) {
     if (replaced_.empty()) return;
     std::vector<std::uint8_t> is_replaced(result.mesh.points.size(), 0);
-    for (const Ring_vertex v : replaced_) is_replaced[v] = 1;
+    for (const std::int32_t v : replaced_) is_replaced[v] = 1;
     replaced_.clear();
     triangles_.erase(std::remove_if(triangles_.begin(), triangles_.end(),
                                     [&](const Indexed_triangle& t) {
@@ -236,8 +236,8 @@ private:
       const Tile_mesh& tiles = trees_[t].mesh();
       if (t > 0 && !trees_[t].has_blocks()) continue; // nothing to set
       for (std::size_t v = 0; v < tiles.number_of_vertices(); ++v) {
-        const Ring_vertex u = first_vertex_[t] + static_cast<Ring_vertex>(v);
-        Mobility& mobility = result.mesh.ring(u).mobility;
+        const std::size_t first = static_cast<std::size_t>(first_vertex_[t]);
+        Mobility& mobility = result.mesh.ring(Ring_vertex(first + v)).mobility;
         if (mobility == Mobility::REMOVED) continue;
         if (t == 0) mobility = mobility_on(tiles.sides[v]);
         if (tiles.is_frozen[v] == 0 || mobility != Mobility::FREE) continue;
@@ -246,7 +246,7 @@ private:
     }
     // fixed from the beginning, lest one is removed that waits to be moved
     for (const Ring_vertex v : result.vertex_of_site) result.mesh.ring(v).mobility = Mobility::FIXED;
-    for (const Ring_vertex v : rigid_) result.mesh.ring(v).mobility = Mobility::RIGID;
+    for (const std::int32_t v : rigid_) result.mesh.ring(Ring_vertex(v)).mobility = Mobility::RIGID;
     rigid_.clear();
   }
 

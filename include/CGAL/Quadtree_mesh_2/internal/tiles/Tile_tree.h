@@ -90,7 +90,7 @@ public:
   }
 
   /// The vertices around that of a cluster, counterclockwise from the east.
-  std::array<std::int32_t, 8> spokes(std::uint32_t site, Ring_vertex first) const {
+  std::array<std::int32_t, 8> spokes(std::uint32_t site, std::int32_t first) const {
     const auto& stars = mesh().stars;
     const auto star = std::lower_bound(stars.begin(), stars.end(), site,
                                        [](const Star_spokes& s, std::uint32_t i) { return s.site < i; });
@@ -101,13 +101,13 @@ public:
   }
 
   /// The vertices on the border of the window of a cluster, counterclockwise from its lower left corner.
-  Window_vertices window_vertices(Ring_vertex first) const {
+  Window_vertices window_vertices(std::int32_t first) const {
     Window_vertices result;
     for (std::size_t v = 0; v < mesh().number_of_vertices(); ++v) {
       if (mesh().sides[v] == 0) continue;
       const int k = position_in_window_boundary(mesh().places[v]);
       CGAL_assertion(k >= 0);
-      result[k] = first + static_cast<Ring_vertex>(v);
+      result[k] = first + static_cast<std::int32_t>(v);
     }
     return result;
   }
