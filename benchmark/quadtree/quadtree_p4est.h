@@ -60,8 +60,8 @@ private:
     const std::uint64_t size = std::uint64_t(1) << 2 * (P4EST_MAXLEVEL - quadrant.level);
     if (begin < last_begin_) throw std::logic_error("p4est does not go through quadrants in order");
     last_begin_ = begin;
-    while (next_ < keys_.size() && keys_[next_].high < begin) ++next_;
-    return next_ + 1 < keys_.size() && keys_[next_ + 1].high - begin < size;
+    while (next_ < keys_.size() && keys_[next_] < begin) ++next_;
+    return next_ + 1 < keys_.size() && keys_[next_ + 1] - begin < size;
   }
 
   const std::vector<Key_64>& keys_;
@@ -77,14 +77,14 @@ inline std::vector<Key_64> keys_of(const Points& points) {
   std::vector<Key_64> keys(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Traits::Grid_point p = grid.grid_point(points[i]);
-    keys[i].high = quadtree_floors::short_key<P4EST_MAXLEVEL>({p.y, p.x});
+    keys[i] = quadtree_floors::short_key<P4EST_MAXLEVEL>({p.y, p.x});
   }
   return keys;
 }
 
 /// Quadrants of the last level that hold several points.
 inline std::size_t crowded_leaves(const std::vector<Key_64>& keys) {
-  const auto leaf = [&keys](std::size_t i) { return keys[i].high >> 2 * (P4EST_MAXLEVEL - P4EST_QMAXLEVEL); };
+  const auto leaf = [&keys](std::size_t i) { return keys[i] >> 2 * (P4EST_MAXLEVEL - P4EST_QMAXLEVEL); };
   std::size_t crowded = 0;
   for (std::size_t i = 1; i < keys.size(); ++i)
     crowded += leaf(i) == leaf(i - 1) && (i == 1 || leaf(i) != leaf(i - 2)) ? 1 : 0;
@@ -98,7 +98,7 @@ inline Run run(const Points& points, p4est_connect_type_t balance) {
   begin_process();
   Run_recorder recorder;
   std::vector<Key_64> keys = keys_of(points);
-  quadtree_floors::radix_sort<quadtree_floors::digit_bits>(keys);
+  quadtree_floors::sort(keys);
   recorder.stop();
 
   recorder.start();

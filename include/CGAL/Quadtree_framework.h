@@ -291,15 +291,12 @@ private:
   template <class Iterator>
   void arrange_points(Iterator first, std::size_t n) {
     using namespace Quadtree_mesh_2::internal;
-    Uninitialized_vector<Grid_point> unsorted(n);
-    for_each_index<ConcurrencyTag>(n, [&](std::size_t i) { unsorted[i] = grid_.grid_point(at(first, i)); });
-    input_ = shuffle_order<ConcurrencyTag>(unsorted);
-    points_.resize(n);
+    auto sorted = shuffled<ConcurrencyTag>(n, [&](std::size_t i) { return grid_.grid_point(at(first, i)); });
+    points_ = std::move(sorted.keys);
+    input_ = std::move(sorted.order);
     rank_.resize(n);
     nodes_.gap_level.resize(n == 0 ? 0 : n - 1);
-    // Block by block, while the points are in the cache: most of the time goes into moving memory.
     for_each_block<ConcurrencyTag>(n, default_block, [&](std::size_t, std::size_t begin, std::size_t end) {
-      for (std::size_t k = begin; k < end; ++k) points_[k] = unsorted[input_[k]];
       for (std::size_t k = begin; k < end; ++k) rank_[input_[k]] = static_cast<std::uint32_t>(k);
       for (std::size_t k = begin + 1; k < end; ++k) find_gap_level(k - 1);
     });

@@ -102,6 +102,11 @@ TEST_CASE("Small inputs take no more triangles than by Shewchuk's Triangle", "[m
   CHECK(r.report.triangles <= triangles);
 }
 
+TEST_CASE("A plate takes no more triangles than by Shewchuk's Triangle at 30 degrees", "[mesher][thinning]") {
+  const Run r = run_to_the_bound(read("syn_holes_400.poly.gz"), Options().min_angle(30));
+  CHECK(r.report.triangles <= 8455); // Triangle 1.6, -pq30
+}
+
 TEST_CASE("Random inputs are thinned to the bound", "[mesher][thinning]") {
   const std::uint64_t seeds = is_full_run() ? 300 : 8;
   for (const random_pslg::Family& family : random_pslg::all_families())

@@ -11,6 +11,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel_sort.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/radix_sort.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel/sort_by_keys.h>
 
 #include <CGAL/tags.h>
 
@@ -19,6 +20,7 @@
 #endif
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cstdint>
 #include <memory>
@@ -137,6 +139,22 @@ void sort_words(std::vector<std::uint64_t>& words) {
   internal::Word_sorter<ConcurrencyTag>::sort(words.data(), buffer.data(), words.size(), true);
 }
 
+template <class Key>
+void check_sort_by_keys(const std::vector<Key>& keys) {
+  std::vector<std::uint32_t> expected(keys.size());
+  std::iota(expected.begin(), expected.end(), 0u);
+  std::stable_sort(expected.begin(), expected.end(),
+                   [&](std::uint32_t i, std::uint32_t j) { return keys[i] < keys[j]; });
+  const auto check = [&](const internal::Sorted_keys<Key>& sorted) {
+    CHECK(std::equal(sorted.order.begin(), sorted.order.end(), expected.begin(), expected.end()));
+    CHECK(std::equal(sorted.keys.begin(), sorted.keys.end(), expected.begin(), expected.end(),
+                     [&](const Key& key, std::uint32_t i) { return key == keys[i]; }));
+  };
+  const auto key_at = [&](std::size_t i) { return keys[i]; };
+  check(internal::sort_by_keys(keys.size(), key_at));
+  for_numbers_of_threads([&] { check(internal::sort_by_keys<CGAL::Parallel_tag>(keys.size(), key_at)); });
+}
+
 template <class Word>
 void check_orders(const std::vector<Grid_point_2<Word>>& points, const internal::Order& expected) {
   REQUIRE(expected.size() == points.size());
@@ -241,9 +259,9 @@ TEMPLATE_TEST_CASE("Exceptions of tasks arrive", "[parallel][threads]", CGAL::Se
     std::iota(values.begin(), values.end(), std::size_t(0));
     const auto less = [&](std::size_t a, std::size_t b) { return fail_at(a, at), fail_at(b, at), a < b; };
     CHECK_THROWS_AS(internal::sort<TestType>(values.begin(), values.end(), less), std::runtime_error);
-    CHECK_THROWS_AS(internal::radix_order<TestType>(
-                        n, 1, [&](std::size_t i, int) { return fail_at(i, at), std::uint64_t(i); }),
-                    std::runtime_error);
+    CHECK_THROWS_AS(
+        internal::radix_order<TestType>(n, [&](std::size_t i) { return fail_at(i, at), std::uint64_t(i); }),
+        std::runtime_error);
   }
 }
 
@@ -340,23 +358,39 @@ TEMPLATE_TEST_CASE("Words are sorted by digits", "[parallel]", CGAL::Sequential_
 
 TEST_CASE("Keys of several words are sorted by digits, for any number of threads", "[parallel][threads]") {
   // Words from few values, so that runs go on through all words.
-  for (std::size_t n : {1000u, 70000u, 200000u})
+  for (std::size_t n : {1u, 2u, 1000u, 40000u, 70000u, 200000u})
     for (std::uint64_t different : {1u, 3u, 1000u}) {
       CAPTURE(n, different);
       const std::vector<std::uint64_t> values = random_values(3 * n, different);
-      const auto word_of = [&](std::uint32_t i, int word) {
-        return values[3 * i + static_cast<unsigned>(word)] * 0x9e3779b97f4a7c15u;
-      };
-      internal::Order expected(n);
-      std::iota(expected.begin(), expected.end(), 0u);
-      std::stable_sort(expected.begin(), expected.end(), [&](std::uint32_t i, std::uint32_t j) {
-        for (int word = 0; word < 3; ++word)
-          if (word_of(i, word) != word_of(j, word)) return word_of(i, word) < word_of(j, word);
-        return false;
-      });
-      CHECK((internal::radix_order(n, 3, word_of) == expected));
-      for_numbers_of_threads(
-          [&] { CHECK((internal::radix_order<CGAL::Parallel_tag>(n, 3, word_of) == expected)); });
+      std::vector<std::array<std::uint64_t, 3>> keys(n);
+      for (std::size_t i = 0; i < 3 * n; ++i) keys[i / 3][i % 3] = values[i] * 0x9e3779b97f4a7c15u;
+      check_sort_by_keys(keys);
+    }
+}
+
+TEST_CASE("Keys are sorted wherever they lie close together", "[parallel][threads]") {
+  for (std::size_t n : {300u, 32768u, 32769u, 150000u})
+    for (int kind = 0; kind < 7; ++kind) {
+      CAPTURE(n, kind);
+      std::mt19937_64 random(n + static_cast<unsigned>(kind));
+      std::vector<std::uint64_t> keys(n);
+      for (std::size_t i = 0; i < n; ++i) {
+        std::uint64_t& key = keys[i];
+        key = random();
+        if (kind == 1)
+          key = (std::uint64_t(1) << 63) +
+                (key >> (1 + random() % 63)) * (key % 2 == 0 ? 1 : ~std::uint64_t(0));
+        if (kind == 2) key = (std::uint64_t(1) << 63) - 500 + key % 1000; // around a power of two
+        if (kind == 3) key = i % 1000 == 1 ? key : 42;                    // most equal, others anywhere
+        if (kind == 4) key = i == n / 2 ? ~std::uint64_t(0) : key >> 40;  // one far from all
+        if (kind == 5) key = (key % 30 << 40) * 977 + random() % 3000;    // clusters
+        // What a sample at equal distances takes for all, and something else.
+        if (kind == 6) key = i % (n / 256) == 0 ? 7 : key;
+      }
+      check_sort_by_keys(keys);
+      std::vector<std::array<std::uint64_t, 2>> pairs(n);
+      for (std::size_t i = 0; i < n; ++i) pairs[i] = {{keys[i] >> 32, keys[i] << 32}};
+      check_sort_by_keys(pairs);
     }
 }
 

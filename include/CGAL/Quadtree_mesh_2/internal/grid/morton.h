@@ -17,23 +17,25 @@
 //           (the shuffle Sh(x, y), x before y, represented implicitly); T. M. Chan, "Closest-point problems
 //           simplified on the RAM", for the comparison by exclusive or.
 // Deviates: the paper sorts by comparisons only. Here words of 32 or 64 bits are shuffled explicitly and
-//           sorted by digits (radix_sort.h). A comparison takes O(1) operations on words. So words longer
+//           sorted by digits (sort_by_keys.h). A comparison takes O(1) operations on words. So words longer
 //           than the machine's take time in proportion to their length.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_GRID_MORTON_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_GRID_MORTON_H
 
 #include <CGAL/Quadtree_mesh_2/Grid_point_2.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/Uninitialized_vector.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/Word_operations.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel_sort.h>
-#include <CGAL/Quadtree_mesh_2/internal/parallel/radix_sort.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel/sort_by_keys.h>
 
 #include <CGAL/tags.h>
 
 #include <cstddef>
 #include <cstdint>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -84,48 +86,64 @@ constexpr std::uint64_t interleave(std::uint32_t x, std::uint32_t y) {
 
 /// The shuffle of a grid point as words of 64 bits, the most significant word first. There are none for words
 /// of other lengths, which are compared.
-template <class Word>
-struct Shuffle_key {
-  static constexpr int number_of_words = 0;
-};
-
 template <>
-struct Shuffle_key<std::uint32_t> {
+struct Radix_key<Grid_point_2<std::uint32_t>> {
+  using Key = Grid_point_2<std::uint32_t>;
   static constexpr int number_of_words = 1;
-  static constexpr std::uint64_t word(const Grid_point_2<std::uint32_t>& p, int) {
-    return interleave(p.x, p.y);
+  static constexpr std::uint64_t word(const Key& p, int) { return interleave(p.x, p.y); }
+  static constexpr void add_differences(const Key& p, const Key& q, Key& differences) {
+    differences.x |= p.x ^ q.x;
+    differences.y |= p.y ^ q.y;
   }
 };
 
 template <>
-struct Shuffle_key<std::uint64_t> {
+struct Radix_key<Grid_point_2<std::uint64_t>> {
+  using Key = Grid_point_2<std::uint64_t>;
   static constexpr int number_of_words = 2;
-  static constexpr std::uint64_t word(const Grid_point_2<std::uint64_t>& p, int i) {
+  static constexpr std::uint64_t word(const Key& p, int i) {
     const int shift = i == 0 ? 32 : 0;
     return interleave(static_cast<std::uint32_t>(p.x >> shift), static_cast<std::uint32_t>(p.y >> shift));
   }
+  static constexpr void add_differences(const Key& p, const Key& q, Key& differences) {
+    differences.x |= p.x ^ q.x;
+    differences.y |= p.y ^ q.y;
+  }
 };
 
+/// Returns `n` grid points in shuffle order, with their order; equal points keep theirs.
+/// \tparam Point_at called as `point_at(i)`, several times for each and by several threads at once, returns a
+///         grid point with unsigned words of any length, of which all bits count. `std::uint32_t` and
+///         `std::uint64_t` take O(n) time; others are compared.
+/// \pre `n < 2^32`
+template <class ConcurrencyTag = Sequential_tag, class Point_at>
+auto shuffled(std::size_t n, const Point_at& point_at) {
+  using Point = std::decay_t<decltype(point_at(n))>;
+  if constexpr (Radix_key<Point>::number_of_words > 0) {
+    return sort_by_keys<ConcurrencyTag>(n, point_at);
+  } else {
+    Uninitialized_vector<Point> points(n);
+    Sorted_keys<Point> sorted;
+    sorted.keys.resize(n);
+    sorted.order.resize(n);
+    for_each_index<ConcurrencyTag>(n, [&](std::size_t i) {
+      points[i] = point_at(i);
+      sorted.order[i] = static_cast<std::uint32_t>(i);
+    });
+    sort<ConcurrencyTag>(
+        sorted.order.begin(), sorted.order.end(),
+        [&points](std::uint32_t i, std::uint32_t j) { return less_shuffle(points[i], points[j]); });
+    for_each_index<ConcurrencyTag>(
+        n, [&](std::size_t k) { sorted.keys[k] = std::move(points[sorted.order[k]]); });
+    return sorted;
+  }
+}
+
 /// Returns the indices of `points` sorted by the shuffle of the points; equal points keep their order.
-/// \tparam Word unsigned, of any length; all bits count. `std::uint32_t` and `std::uint64_t` take O(n) time and
-///         16 bytes per point of scratch memory; others are compared.
-/// \pre `points.size() < 2^32`
 template <class ConcurrencyTag = Sequential_tag, class Word, class Allocator>
 Order shuffle_order(const std::vector<Grid_point_2<Word>, Allocator>& points) {
-  using Key = Shuffle_key<Word>;
-  if constexpr (Key::number_of_words > 0) {
-    return radix_order<ConcurrencyTag>(
-        points.size(), Key::number_of_words,
-        [&points](std::uint32_t i, int word) { return Key::word(points[i], word); });
-  } else {
-    Order order(points.size());
-    for_each_index<ConcurrencyTag>(order.size(),
-                                   [&](std::size_t i) { order[i] = static_cast<std::uint32_t>(i); });
-    sort<ConcurrencyTag>(order.begin(), order.end(), [&points](std::uint32_t i, std::uint32_t j) {
-      return less_shuffle(points[i], points[j]);
-    });
-    return order;
-  }
+  return std::move(
+      shuffled<ConcurrencyTag>(points.size(), [&points](std::size_t i) { return points[i]; }).order);
 }
 
 } // namespace internal

@@ -16,7 +16,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/geometry/coordinate_map.h>
 #include <CGAL/Quadtree_mesh_2/internal/output/boundary_markers.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
-#include <CGAL/Quadtree_mesh_2/internal/parallel/radix_sort.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel/sort_by_keys.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Exact_legalizer.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
 #include <CGAL/Quality_mesh_report_2.h>

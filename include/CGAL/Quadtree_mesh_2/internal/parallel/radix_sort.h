@@ -4,31 +4,23 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 
-// Sorting of keys of one or more 64-bit words by their digits.
+// Sorting of 64-bit words by their digits.
 //
-// Computes: the stable order of items by keys of several words.
-// Bound:    O(n w) work for keys of w words. A constant number of rounds of tasks of bounded length, and that
-//           again for each long run of keys that agree in a digit. Random keys move two or three times,
-//           whatever their length.
+// Computes: the words in order.
+// Bound:    O(n) work. A constant number of rounds of tasks of bounded length, and that again for each long run
+//           of words that agree in a digit. Random words move two or three times.
 // Method:   A long range is split by the highest digit that varies. Blocks count their digits. The counts are
 //           summed up in the order of digits and then of blocks. Blocks then scatter their members. Runs that
 //           agree in the digit are short as a rule. They are sorted independently of each other, in cache, by
 //           a window of about log2(n) + 2 bits, least significant digit first. Runs that agree in their
 //           window are treated likewise. Runs that are still long are split one after another.
-//           For longer keys, 32 bits and the index of the item make the word that is sorted. So a pass moves
-//           8 bytes for each item. Runs that agree in the 32 bits load the next bits that vary. The recursion
-//           is as deep as there are digits in a key, a small constant.
-//           Blocks depend on lengths alone, and equal words cannot be told apart. So results are the same
-//           bits for any number of threads.
+//           Equal words cannot be told apart. So results are the same bits for any number of threads.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_PARALLEL_RADIX_SORT_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_PARALLEL_RADIX_SORT_H
 
-#include <CGAL/Quadtree_mesh_2/internal/base/Uninitialized_vector.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/bits.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
-
-#include <CGAL/tags.h>
 
 #include <algorithm>
 #include <array>
@@ -49,6 +41,57 @@ constexpr std::size_t longest_short_range = std::size_t(1) << 16;
 inline std::unique_ptr<std::uint64_t[]> uncleared_words(std::size_t n) {
   return std::unique_ptr<std::uint64_t[]>(new std::uint64_t[n]);
 }
+
+/// Counts digits by block, and tells where each block puts its members so that they come into the order of digits,
+/// stably.
+template <class ConcurrencyTag>
+class Digit_counts {
+public:
+  Digit_counts(std::size_t n, std::size_t block, std::size_t digits)
+      : n_(n), block_(block), digits_(digits), blocks_((n + block - 1) / block),
+        counts_(new std::uint32_t[blocks_ * digits]) {}
+
+  /// \tparam Digit_at returns the digit of a member.
+  template <class Digit_at>
+  void count(const Digit_at& digit_at) {
+    for_each_block<ConcurrencyTag>(n_, block_, [&](std::size_t block, std::size_t begin, std::size_t end) {
+      std::uint32_t* const count = places(block);
+      std::fill(count, count + digits_, 0u);
+      for (std::size_t i = begin; i < end; ++i) ++count[digit_at(i)];
+    });
+  }
+
+  /// Makes places of counts. Returns the places where the runs of equal digits begin, and `n`.
+  std::vector<std::size_t> place_runs() {
+    std::vector<std::size_t> begin_of_run(digits_ + 1);
+    for_each_block<ConcurrencyTag>(digits_, 128, [&](std::size_t, std::size_t begin, std::size_t end) {
+      for (std::size_t block = 0; block < blocks_; ++block)
+        for (std::size_t d = begin; d < end; ++d) {
+          std::uint32_t& count = places(block)[d];
+          const std::uint32_t before = static_cast<std::uint32_t>(begin_of_run[d]);
+          begin_of_run[d] += count;
+          count = before;
+        }
+    });
+    scan_exclusively(begin_of_run.data(), digits_ + 1, std::size_t(0));
+    for_each_block<ConcurrencyTag>(blocks_, 16, [&](std::size_t, std::size_t begin, std::size_t end) {
+      for (std::size_t block = begin; block < end; ++block)
+        for (std::size_t d = 0; d < digits_; ++d)
+          places(block)[d] += static_cast<std::uint32_t>(begin_of_run[d]);
+    });
+    return begin_of_run;
+  }
+
+  /// By digit, where the next member of a block goes.
+  std::uint32_t* places(std::size_t block) { return counts_.get() + block * digits_; }
+
+private:
+  std::size_t n_;
+  std::size_t block_;
+  std::size_t digits_;
+  std::size_t blocks_;
+  std::unique_ptr<std::uint32_t[]> counts_;
+};
 
 /// Sorts words in parallel.
 template <class ConcurrencyTag>
@@ -171,28 +214,11 @@ private:
   static std::vector<std::size_t> scatter(const Word* from, Word* to, std::size_t n, int shift, int digit) {
     const std::size_t digits = std::size_t(1) << digit;
     const Word mask = digits - 1;
-    const std::size_t blocks = (n + block_ - 1) / block_;
-    // Words with a digit in a block, then the number of such words in the blocks before.
-    std::unique_ptr<std::uint32_t[]> counts(new std::uint32_t[blocks * digits]);
+    Digit_counts<ConcurrencyTag> counts(n, block_, digits);
+    counts.count([=](std::size_t i) { return (from[i] >> shift) & mask; });
+    const std::vector<std::size_t> begin_of_run = counts.place_runs();
     for_each_block<ConcurrencyTag>(n, block_, [&](std::size_t block, std::size_t begin, std::size_t end) {
-      std::uint32_t* const count = counts.get() + block * digits;
-      std::fill(count, count + digits, 0u);
-      for (std::size_t i = begin; i < end; ++i) ++count[(from[i] >> shift) & mask];
-    });
-    std::vector<std::size_t> begin_of_run(digits + 1);
-    for_each_block<ConcurrencyTag>(digits, 128, [&](std::size_t, std::size_t begin, std::size_t end) {
-      for (std::size_t block = 0; block < blocks; ++block)
-        for (std::size_t d = begin; d < end; ++d) {
-          std::uint32_t& count = counts[block * digits + d];
-          const std::uint32_t before = static_cast<std::uint32_t>(begin_of_run[d]);
-          begin_of_run[d] += count;
-          count = before;
-        }
-    });
-    scan_exclusively(begin_of_run.data(), digits + 1, std::size_t(0));
-    for_each_block<ConcurrencyTag>(n, block_, [&](std::size_t block, std::size_t begin, std::size_t end) {
-      std::uint32_t* const place = counts.get() + block * digits;
-      for (std::size_t d = 0; d < digits; ++d) place[d] += static_cast<std::uint32_t>(begin_of_run[d]);
+      std::uint32_t* const place = counts.places(block);
       for (std::size_t i = begin; i < end; ++i) to[place[(from[i] >> shift) & mask]++] = from[i];
     });
     return begin_of_run;
@@ -215,147 +241,6 @@ private:
         sort_long(to + begin_of_run[r], from + begin_of_run[r], length(r), !in_place);
   }
 };
-
-/// Sorts indices by keys of several words.
-/// \tparam Word_of see `radix_order()`.
-template <class ConcurrencyTag, class Word_of>
-class Key_sorter {
-public:
-  Key_sorter(int number_of_words, const Word_of& word_of, std::uint64_t* items, std::uint64_t* buffer)
-      : number_of_words_(number_of_words), word_of_(word_of), items_(items), buffer_(buffer) {}
-
-  /// Sorts the indices 0 to `n - 1`.
-  void sort(std::size_t n) {
-    sort_range<ConcurrencyTag>(0, n, 0, [](std::size_t i) { return static_cast<std::uint32_t>(i); });
-  }
-
-  /// Returns the index in place `i`.
-  std::uint32_t index(std::size_t i) const { return static_cast<std::uint32_t>(items_[i]); }
-
-private:
-  using Word = std::uint64_t;
-
-  /// Sorts the items of a range, which agree in all words before `word`. Calls itself for runs that agree in
-  /// the 32 bits that are sorted by.
-  /// \tparam Tag is `Sequential_tag` for short ranges, which are tasks of a parallel loop already.
-  /// \tparam Index_at returns the index in a place.
-  template <class Tag, class Index_at>
-  void sort_range(std::size_t begin, std::size_t n, int word, const Index_at& index_at) {
-    Word* const items = items_ + begin;
-    Word* const buffer = buffer_ + begin;
-    int width = 0;
-    for (;; ++word) {
-      if (word == number_of_words_) {
-        // All keys are equal. Indices increase, because items have been sorted with them.
-        for_each_index<Tag>(n, [&](std::size_t i) { items[i] = index_at(begin + i); });
-        return;
-      }
-      const Word first = word_of_(index_at(begin), word);
-      width = bit_width(reduce<Tag>(
-          n, Word(0),
-          [&](std::size_t b, std::size_t e) {
-            Word varying = 0;
-            for (std::size_t i = b; i < e; ++i) {
-              buffer[i] = word_of_(index_at(begin + i), word);
-              varying |= buffer[i] ^ first;
-            }
-            return varying;
-          },
-          [](Word a, Word b) { return a | b; }));
-      if (width > 0) break;
-    }
-    const int shift = std::max(0, width - 32);
-    for_each_index<Tag>(n,
-                        [&](std::size_t i) { buffer[i] = (buffer[i] >> shift << 32) | index_at(begin + i); });
-    Word_sorter<Tag>::sort(buffer, items, n, false);
-    if (shift > 0 || word + 1 < number_of_words_) sort_runs<Tag>(begin, n, shift > 0 ? word : word + 1);
-  }
-
-  /// Sorts the runs of items that agree in what they have been sorted by, by the words from `word` on.
-  template <class Tag>
-  void sort_runs(std::size_t begin, std::size_t n, int word) {
-    const auto index_at = [this](std::size_t i) { return index(i); };
-    const std::size_t end = begin + n;
-    if (n <= longest_short_range) {
-      for_each_run(begin, end, [&](std::size_t run, std::size_t length) {
-        sort_range<Sequential_tag>(run, length, word, index_at);
-      });
-      return;
-    }
-    // A task sorts the runs that begin in its block. Where these begin is found before any run is sorted, which
-    // changes the words that tell runs apart.
-    const std::size_t blocks = (n + default_block - 1) / default_block;
-    std::vector<std::size_t> first_run(blocks + 1, end);
-    for_each_block<Tag>(n, default_block, [&](std::size_t block, std::size_t b, std::size_t) {
-      first_run[block] = b == 0 ? begin : end_of_run(begin + b - 1, end);
-    });
-    std::vector<std::vector<std::pair<std::size_t, std::size_t>>> long_runs(blocks);
-    Executor<Tag>::run(blocks, [&](std::size_t block) {
-      for_each_run(first_run[block], first_run[block + 1], [&](std::size_t run, std::size_t length) {
-        if (length > longest_short_range)
-          long_runs[block].emplace_back(run, length);
-        else
-          sort_range<Sequential_tag>(run, length, word, index_at);
-      });
-    });
-    for (const auto& runs : long_runs)
-      for (const auto& run : runs) sort_range<Tag>(run.first, run.second, word, index_at);
-  }
-
-  /// Calls `f(run, length)` for each run of at least two items in a range, which are `length` items from `run`
-  /// on.
-  template <class F>
-  void for_each_run(std::size_t begin, std::size_t end, const F& f) const {
-    for (std::size_t i = begin; i + 1 < end;) {
-      if (items_[i] >> 32 != items_[i + 1] >> 32) {
-        ++i;
-        continue;
-      }
-      const std::size_t run = i;
-      i = end_of_run(i, end);
-      f(run, i - run);
-    }
-  }
-
-  /// Returns where the run around place `i` of a sorted range ends, by steps that grow.
-  std::size_t end_of_run(std::size_t i, std::size_t end) const {
-    const Word run = items_[i] >> 32;
-    std::size_t step = 1;
-    while (step < end - i && items_[i + step] >> 32 == run) {
-      i += step;
-      step *= 2;
-    }
-    const Word* const first = items_ + i;
-    const Word* const last = items_ + std::min(end, i + step);
-    const auto is_in_run = [run](Word item) { return item >> 32 == run; };
-    return i + static_cast<std::size_t>(std::partition_point(first, last, is_in_run) - first);
-  }
-
-  int number_of_words_;
-  const Word_of& word_of_;
-  Word* items_;
-  Word* buffer_;
-};
-
-/// Indices in some order.
-using Order = Uninitialized_vector<std::uint32_t>;
-
-/// Returns the indices below `n` sorted by their keys, equal keys by index.
-/// Takes 16 bytes of scratch memory for each index.
-/// \param number_of_words length of a key in words.
-/// \param word_of called as `word_of(index, i)`, by several threads at once, returns word i of a key, the most
-/// significant one first.
-/// \pre `n <= 2^32`
-template <class ConcurrencyTag = Sequential_tag, class Word_of>
-Order radix_order(std::size_t n, int number_of_words, const Word_of& word_of) {
-  Order order(n);
-  if (n == 0) return order;
-  const auto items = uncleared_words(n), buffer = uncleared_words(n);
-  Key_sorter<ConcurrencyTag, Word_of> sorter(number_of_words, word_of, items.get(), buffer.get());
-  sorter.sort(n);
-  for_each_index<ConcurrencyTag>(n, [&](std::size_t i) { order[i] = sorter.index(i); });
-  return order;
-}
 
 } // namespace internal
 } // namespace Quadtree_mesh_2

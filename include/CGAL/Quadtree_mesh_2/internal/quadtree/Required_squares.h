@@ -25,6 +25,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <stdexcept>
@@ -49,8 +50,8 @@ struct Required_squares {
   Uninitialized_vector<std::uint8_t> children;
   /// The first split child; where there is none, the first one of the squares that follow.
   Uninitialized_vector<std::uint32_t> first_child;
-  /// A point in the square; only for squares that points require.
-  Uninitialized_vector<std::uint32_t> point;
+  /// Where the points of each child begin; only for squares that points require.
+  Uninitialized_vector<std::array<std::uint32_t, 4>> point_begin;
 
   std::size_t size() const { return children.size(); }
   int number_of_levels() const { return static_cast<int>(level_begin.size()) - 1; }
@@ -182,37 +183,65 @@ private:
       squares.level_begin.push_back(static_cast<std::uint32_t>(sum));
     }
     squares.children.resize(sum);
-    squares.point.resize(sum);
+    squares.point_begin.resize(sum);
   }
+
+  /// What is known of the children of a square.
+  struct Children {
+    unsigned split; ///< bit q for child q
+    std::array<std::uint32_t, 4> point_begin;
+  };
 
   void fill_squares(std::size_t begin, std::size_t end, std::vector<std::uint32_t>& next,
                     Required_squares& squares) const {
     for_each_path(begin, end, [&](const Path& path, std::size_t p, Node_index v) {
-      const auto& point = framework_.grid_point(Point_rank(p));
-      const auto fill = [&](int level, unsigned children) {
+      const auto fill = [&](int level, unsigned split, const Children& children) {
         const std::uint32_t i = next[level]++;
-        squares.children[i] = static_cast<std::uint8_t>(children);
-        squares.point[i] = static_cast<std::uint32_t>(p);
+        squares.children[i] = static_cast<std::uint8_t>(split);
+        squares.point_begin[i] = children.point_begin;
       };
-      for (int level = path.first; level < path.last; ++level)
-        fill(level, 1u << quadrant(point, level, depth_));
-      fill(path.last, v.is_valid() ? split_children(v, path.last) : 0);
+      const std::uint32_t points_end =
+          v.is_valid() ? framework_.points(v).end.value() : static_cast<std::uint32_t>(p + 1);
+      for (int level = path.first; level < path.last; ++level) {
+        const Children children = only_child(level, static_cast<std::uint32_t>(p), points_end);
+        fill(level, children.split, children);
+      }
+      if (v.is_valid() && path.last == framework_.level(v)) {
+        const Children children = children_of_node(v);
+        fill(path.last, children.split, children);
+      } else { // the path ends before a node for lack of points
+        fill(path.last, 0, only_child(path.last, static_cast<std::uint32_t>(p), points_end));
+      }
     });
   }
 
-  /// The split children of the square of level `level` that has the points of `v`.
-  unsigned split_children(Node_index v, int level) const {
-    if (level < framework_.level(v)) return 0; // the path ends before v for lack of points
-    unsigned children = 0;
+  /// The children of a square of level `level` whose points, from `begin` to `end`, are all in one child.
+  Children only_child(int level, std::uint32_t begin, std::uint32_t end) const {
+    const unsigned q = child_of_point(begin, level);
+    Children children{1u << q, {{begin, end, end, end}}};
+    for (unsigned i = 1; i <= q; ++i) children.point_begin[i] = begin;
+    return children;
+  }
+
+  /// The children of the square of a node.
+  Children children_of_node(Node_index v) const {
+    const int level = framework_.level(v);
+    Children children{0, {}};
+    unsigned known = 0;
     const auto add = [&](const Path& path, Point_rank first) {
-      if (path.first <= path.last) children |= 1u << quadrant(framework_.grid_point(first), level, depth_);
+      const unsigned q = child_of_point(first.value(), level);
+      for (; known <= q; ++known) children.point_begin[known] = first.value();
+      if (path.first <= path.last) children.split |= 1u << q;
     };
     framework_.for_each_child(
         v, [&](Node_index child) { add(path(child, level), framework_.points(child).begin); },
-        [&](Point_rank r) {
-          if (framework_.has_annotations()) add(path(r, level), r);
-        });
+        [&](Point_rank r) { add(path(r, level), r); });
+    for (; known < 4; ++known) children.point_begin[known] = framework_.points(v).end.value();
     return children;
+  }
+
+  unsigned child_of_point(std::uint32_t rank, int level) const {
+    return static_cast<unsigned>(quadrant(framework_.grid_point(Point_rank(rank)), level, depth_));
   }
 
   const Framework& framework_;

@@ -137,7 +137,7 @@ private:
     const std::uint32_t last = required_.level_begin[std::size_t(level) + 1];
     std::vector<Grid_point> tops(9 * std::size_t(last - first));
     for_each_index<ConcurrencyTag>(last - first, [&](std::size_t i) {
-      const Grid_point s = place_of_point(required_.point[first + i], level);
+      const Grid_point s = place_of_point(required_.point_begin[first + i][0], level);
       std::fill_n(tops.begin() + static_cast<std::ptrdiff_t>(9 * i), 9, s);
       if (forced_[first + i] != 0)
         for (Direction d : all_directions()) step(s, d, level, tops[9 * i + static_cast<std::size_t>(d)]);
@@ -168,7 +168,7 @@ private:
     const std::uint32_t first = required_.level_begin[level];
     const std::uint32_t last = required_.level_begin[std::size_t(level) + 1];
     for_each_index<ConcurrencyTag>(last - first, [&](std::size_t i) {
-      const std::size_t top = find_top(tops, place_of_point(required_.point[first + i], level));
+      const std::size_t top = find_top(tops, place_of_point(required_.point_begin[first + i][0], level));
       band.growth_[top].required = first + static_cast<std::uint32_t>(i);
     });
     for_each_index<ConcurrencyTag>(tops.size(), [&](std::size_t i) { make_top(band, tops, i, level); });

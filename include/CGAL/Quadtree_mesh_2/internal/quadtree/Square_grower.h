@@ -20,6 +20,7 @@
 
 #include <CGAL/Quadtree_mesh_2/Index.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/Uninitialized_vector.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/bits.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/quadtree/Linked_squares.h>
 #include <CGAL/Quadtree_mesh_2/internal/quadtree/Point_distribution.h>
@@ -59,6 +60,7 @@ public:
     reserve(required_.size());
     begin_with_root();
     if (required_.size() > 0) grow_levels();
+    make_room_for_leaves();
     squares_.template number_leaves<ConcurrencyTag>(framework_.number_of_points());
     return std::move(squares_);
   }
@@ -104,6 +106,14 @@ private:
   void grow_levels() {
     for (mark_children(); number_of_marks() > 0; mark_children()) split_marked_children();
     for_each_child([](std::uint32_t, std::size_t) {});
+  }
+
+  /// Frees what levels needed: most memory is in use when leaves are numbered.
+  void make_room_for_leaves() {
+    Uninitialized_vector<Growth>().swap(growth_);
+    Uninitialized_vector<Growth>().swap(grown_);
+    marks_.reset();
+    room_for_marks_ = 0;
   }
 
   /// Finds the children of the last level that have to be split.
@@ -156,16 +166,15 @@ private:
   /// Marks the children of a family that have to be split, and the neighbors that they force.
   void mark_children_of(std::uint32_t family) {
     const std::uint32_t square = growth_[family - first_family()].required;
-    if (square == Required_squares::none || required_.children[square] == 0) return;
+    if (square == Required_squares::none) return;
     const std::size_t first_node = 4 * std::size_t(first_family()) + 1;
     const auto mark = [&](std::size_t v) {
       CGAL_assertion(v >= first_node);
       marks_[v - first_node].store(1, std::memory_order_relaxed);
     };
-    for (int q = 0; q < 4; ++q) {
-      const std::uint32_t child = required_.child(square, q);
-      if (child == Required_squares::none) continue;
-      const Node_index v = Squares::member(family, q);
+    std::uint32_t child = required_.first_child[square];
+    for (unsigned split = required_.children[square]; split != 0; split &= split - 1, ++child) {
+      const Node_index v = Squares::member(family, lowest_bit(split));
       mark(v.value());
       const Direction_set forced = forced_[child];
       if (forced == 0) continue;
@@ -218,7 +227,9 @@ private:
       squares_.neighbors_[family].fill(Node_index().value());
     else
       squares_.neighbors_[family] = squares_.neighbors(Node_index(node));
-    const auto begins = points_.child_begins(level, squares_.point_begin_[node], growth.point_end);
+    const bool is_known = growth.required != Required_squares::none && !required_.point_begin.empty();
+    const auto begins = is_known ? required_.point_begin[growth.required]
+                                 : points_.child_begins(level, squares_.point_begin_[node], growth.point_end);
     std::copy(begins.begin(), begins.end(), &squares_.point_begin_[4 * std::size_t(family) + 1]);
   }
 

@@ -124,7 +124,7 @@ private:
     for (const auto& triangles : left)
       for (const Triangle_id t : triangles) {
         if (!whole_.mesh.is_alive(t)) continue;
-        whole_.worklist.push(t);
+        whole_.push(t);
         near_seams_.push_back(t);
       }
     for (const Side s : blocks.seam_sides()) {

@@ -119,7 +119,7 @@ private:
         for (const int k : {0, n == t ? 2 : 1}) doubtful_.push_back(Side(n, k));
         if (!state_.is_suspect(n, shape)) continue;
         account.suspects.push_back(n);
-        state_.worklist.push(n);
+        state_.push(n, shape);
       }
     }
     return is_any_flipped;

@@ -119,12 +119,16 @@ struct Meshing_state {
       const Triangle_id t = worklist.pop();
       if (mesh.is_alive(t) && is_bad(t)) bad.push_back(t);
     }
-    for (const Triangle_id t : bad) worklist.push(t);
+    for (const Triangle_id t : bad) push(t);
     return !bad.empty();
   }
 
+  void push(Triangle_id t) { push(t, mesh.shape(mesh.triangle(t))); }
+  void push(Triangle_id t, const Shape& s) { worklist.push(t, s.sin2_of_least_angle() / bounds.sin2); }
+
   void push_if_suspect(Triangle_id t) {
-    if (is_suspect(t)) worklist.push(t);
+    const Shape s = mesh.shape(mesh.triangle(t));
+    if (is_suspect(t, s)) push(t, s);
   }
 
   /// Pushes the triangles at v that may miss a bound: where sizes have none, by angles that are computed with one
@@ -184,7 +188,7 @@ private:
       const Vector next = Geometry::scaled_difference(mesh.point(end), origin);
       const auto next_length2 = squared_length(next);
       const Shape s = {{squared_length(next - spoke), next_length2, length2}, cross(spoke, next)};
-      if (s.is_below(least_sin2)) worklist.push(t);
+      if (s.is_below(least_sin2)) push(t, s);
       spoke = next, length2 = next_length2;
     });
   }

@@ -4,8 +4,8 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// Refinement on demand: one worklist of bad triangles, one new vertex at a time. This is constrained Delaunay
-// refinement by off-centers snapped to quadtree corners.
+// Refinement on demand: one worklist of bad triangles, the sharpest first, one new vertex at a time. This is
+// constrained Delaunay refinement by off-centers snapped to quadtree corners.
 //
 // For each bad triangle
 //   a. one of its Steiner vertices is relocated so that its whole star meets the bound, if that is possible;
@@ -13,6 +13,9 @@
 //      "Off-centers", 2004), of cells whose side is the power of two in (s/8, s/4], where s is the shortest edge.
 //      If a constrained edge is in the way, or would be seen from there under more than 120 degrees (180 less twice
 //      the bound, where that is less), the vertex goes on that edge instead (Splitter.h).
+// Triangles are taken up by stretches of the mesh, in their order, and all that comes of a stretch is done before the
+// next one: so memory is used while it is at hand. Within a stretch the sharpest is first (Worklist.h).
+//
 // Flips restore the Delaunay property locally, and triangles that they make bad join the list. At the end the
 // list is empty, which proves the bound, triangle by triangle.
 //
@@ -63,27 +66,26 @@ public:
         apex_height_(off_center_share * 0.5 / std::tan(state.bounds.angle / 2)),
         cosine2_of_encroachment_(cosine2_of_encroachment(state.leg_rule, state.bounds.angle)) {}
 
-  /// Puts all triangles on the list that may be bad. Those of the bulk are not.
+  /// Has all triangles looked at that may be bad. Those of the bulk are not.
   void push_all() {
     refused_.clear(); // perhaps of another mesh
-    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
-      if (!state_.bulk.has(static_cast<Triangle_id>(t)) && mesh_.is_alive(static_cast<Triangle_id>(t)))
-        state_.push_if_suspect(static_cast<Triangle_id>(t));
+    next_to_push_ = Triangle_id(0), end_to_push_ = mesh_.triangles.end_id();
   }
 
   /// Processes the list until it is empty. Asks `shall_go_on()` every 4096 steps. Where the mesh has
   /// reached the limit, no vertex is inserted.
   template <class Continue>
   Refinement_end run(Mesh_limit limit, Continue&& shall_go_on) {
-    for (std::size_t step = 1; !state_.worklist.is_empty() || takes_up_refused(); ++step) {
-      if (is_time_to_ask(step) && !shall_go_on()) return Refinement_end::CANCELLED;
+    for (std::size_t step = 1; !state_.worklist.is_empty() || takes_up_stretch() || takes_up_refused();
+         ++step) {
+      if (is_time_to_ask(step) && !shall_go_on()) return give_up(Refinement_end::CANCELLED);
       const Triangle_id t = state_.worklist.pop();
       if (!mesh_.is_alive(t)) continue;
       const Shape shape = mesh_.shape(mesh_.triangle(t));
       if (!state_.is_bad(t, shape)) continue;
       if (mesh_.number_of_vertices() >= limit.vertices || mesh_.number_of_triangles() >= limit.triangles) {
-        state_.worklist.push(t);
-        return Refinement_end::OUT_OF_BUDGET;
+        state_.push(t, shape);
+        return give_up(Refinement_end::OUT_OF_BUDGET);
       }
       if (relocate_a_vertex_of(t, shape)) continue;
       refine(t, shape);
@@ -117,6 +119,7 @@ private:
   Indexed_vector<Triangle_id, unsigned char> trials_;    // vertices inserted for a triangle
   Indexed_vector<Vertex_id, unsigned char> relocations_; // of a vertex
   std::vector<Triangle_id> refused_;
+  Triangle_id next_to_push_{0}, end_to_push_{0};
   std::size_t vertices_when_taken_up_ = 0; // the refused ones
 
   /// In a Delaunay mesh the place for a triangle is at least its shortest edge away from all vertices, and
@@ -133,12 +136,32 @@ private:
     return state_.is_block() ? longest_walk_in_block : mesh_.triangles.size();
   }
 
+  /// Puts the triangles of the next stretch on the list that may be bad.
+  void push_stretch() {
+    constexpr int slots_of_stretch = 1024;
+    for (int i = 0; i < slots_of_stretch && next_to_push_ < end_to_push_; ++i, ++next_to_push_)
+      if (!state_.bulk.has(next_to_push_) && mesh_.is_alive(next_to_push_))
+        state_.push_if_suspect(next_to_push_);
+  }
+
+  /// Goes on to the first stretch that has something to do; false if there is none.
+  bool takes_up_stretch() {
+    while (state_.worklist.is_empty() && next_to_push_ < end_to_push_) push_stretch();
+    return !state_.worklist.is_empty();
+  }
+
+  Refinement_end give_up(Refinement_end end) {
+    while (next_to_push_ < end_to_push_) push_stretch();
+    return end;
+  }
+
   /// Puts triangles back on the list that could not be cured before, if vertices were inserted since. The
   /// thin triangle may be gone in which a rounded point would have been beside its edge.
   bool takes_up_refused() {
     if (refused_.empty() || mesh_.number_of_vertices() == vertices_when_taken_up_) return false;
     vertices_when_taken_up_ = mesh_.number_of_vertices();
-    for (const Triangle_id t : refused_) state_.worklist.push(t);
+    for (const Triangle_id t : refused_)
+      if (mesh_.is_alive(t)) state_.push(t);
     refused_.clear();
     return true;
   }

@@ -294,12 +294,13 @@ private:
   /// How far to go from the vertex along a direction for the best star that is found, in the unit of the link.
   double place_on_line(Basic_vector<double> direction, Aim aim) const {
     const double goal = aim == Aim::BOUND ? state_.bounds.sin2 : 1;
-    double best = least_of_star({0, 0}, -1);
+    int worst = 0; // triangle of the star
+    double best = least_of_star({0, 0}, -1, worst);
     double place = 0, step = first_step * mean_distance_of_link();
     for (int i = 0; i < max_steps && best < goal; ++i) {
       bool is_better = false;
       for (const double sign : {-1.0, 1.0}) {
-        const double q = least_of_star((place + sign * step) * direction, best);
+        const double q = least_of_star((place + sign * step) * direction, best, worst);
         if (q <= best * least_gain_of_step + least_difference) continue;
         best = q, place = place + sign * step, is_better = true;
       }
@@ -330,13 +331,17 @@ private:
   }
 
   /// The least squared sine of the star with the vertex at `p`, relative to its place; something at most `floor` as
-  /// soon as it falls to that.
-  double least_of_star(Basic_vector<double> p, double floor) const {
+  /// soon as it falls to that. From the triangle `worst` on, which becomes the one with that angle: it is as likely to
+  /// be the worst of the next place, and then no other is looked at.
+  double least_of_star(Basic_vector<double> p, double floor, int& worst) const {
     double least = 2;
-    for (int i = 0; i < star_.size && least > floor; ++i) {
+    int i = worst;
+    for (int looked_at = 0; looked_at < star_.size && least > floor; ++looked_at) {
       const auto u = link_[i] - p, v = link_[i + 1] - link_[i], w = link_[i + 1] - p;
       const Basic_shape<double> s = {{squared_length(v), squared_length(w), squared_length(u)}, cross(u, v)};
-      least = s.area2 <= 0 ? -1 : std::min(least, s.sin2_of_least_angle());
+      const double sin2 = s.area2 <= 0 ? -1 : s.sin2_of_least_angle();
+      if (sin2 < least) least = sin2, worst = i;
+      i = i + 1 < star_.size ? i + 1 : 0;
     }
     return least;
   }

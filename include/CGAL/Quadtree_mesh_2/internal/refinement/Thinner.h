@@ -13,9 +13,9 @@
 // about one percent in the second. A round that does not come to rest, or ends with more triangles, is
 // undone. O(k) expected for k triangles.
 //
-// A small mesh can afford more. thin_small_mesh() tries other shares of the bound in turn, down to none, which is to
-// refine anew. It also tries to cut legs of acute corners as other edges are cut (Leg_rule::FREE). Each trial costs as
-// much as refinement. There are at most 28.
+// A small mesh can afford more. thin_small_mesh() repeats such rounds while they help, with a share of the bound that
+// small meshes gain most by; then with a lower one; then after smoothing, which makes other rooms. Whenever one of them
+// helps it begins again. Each trial costs as much as refinement. There are at most 28, and 3 where nothing helps.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_THINNER_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_THINNER_H
@@ -56,7 +56,7 @@ public:
     Kernel_mesh<Geometry> before = state_.mesh;
     Acute_corners<Geometry> corners_before = state_.corners; // their shells name vertices of the mesh
     dirty_all();
-    Remover<Geometry>(state_, lower_).run(shall_go_on);
+    if (Remover<Geometry>(state_, lower_).run(shall_go_on) == 0) return false;
     state_.clear_worklist();
     if (refine(limit, shall_go_on)) {
       Remover<Geometry>(state_).run(shall_go_on);
@@ -108,7 +108,7 @@ private:
   /// The last flips before may have left some on the list, which was cleared.
   void push_all_bad() {
     for_each_triangle([this](Triangle_id t) {
-      if (state_.is_bad(t)) state_.worklist.push(t);
+      if (state_.is_bad(t)) state_.push(t);
       return false;
     });
   }
@@ -128,8 +128,8 @@ private:
 
 /// What can be tried to make do with fewer triangles.
 struct Thinning_trial {
-  enum class Kind { SMOOTHING, THINNING } kind;
-  double share; ///< of the bound, for thinning
+  enum class Start { AS_IS, SMOOTHED } start;
+  double share; ///< of the bound
   Leg_rule leg_rule;
 };
 
@@ -137,29 +137,26 @@ struct Thinning_trial {
 /// \pre as of `Thinner`
 template <class Geometry, class Continue>
 void thin_small_mesh(Meshing_state<Geometry>& state, Continue&& shall_go_on) {
-  // above the established bounds refinement takes longer to find that it does not end
-  const int most_trials = state.bounds.is_established() ? 28 : 7;
-  using Kind = Thinning_trial::Kind;
-  static constexpr Thinning_trial trials[] = {
-      {Kind::THINNING, 0, Leg_rule::FREE},     {Kind::THINNING, thinning_share, Leg_rule::SHELLS},
-      {Kind::THINNING, 0.25, Leg_rule::FREE},  {Kind::SMOOTHING, 0, Leg_rule::FREE},
-      {Kind::THINNING, 0.5, Leg_rule::SHELLS}, {Kind::THINNING, 0.5, Leg_rule::FREE},
-      {Kind::THINNING, 0, Leg_rule::SHELLS}};
-  constexpr int number_of_trials = static_cast<int>(std::size(trials));
-  int failed = 0; // since the last success
-  for (int i = 0; i < most_trials && failed < number_of_trials; ++i) {
-    const std::size_t before = state.mesh.number_of_triangles();
+  constexpr int most_trials = 28;
+  using Start = Thinning_trial::Start;
+  static constexpr Thinning_trial trials[] = {// those with most gain for their time first
+                                              {Start::AS_IS, 0.65, Leg_rule::FREE},
+                                              {Start::AS_IS, 0.55, Leg_rule::SHELLS},
+                                              {Start::SMOOTHED, 0.65, Leg_rule::FREE}};
+  std::size_t next = 0;
+  for (int i = 0; i < most_trials && next < std::size(trials); ++i) {
     if (!state.is_small() || !shall_go_on()) break;
-    const Thinning_trial& trial = trials[i % number_of_trials];
-    state.leg_rule = trial.leg_rule;
-    if (trial.kind == Kind::SMOOTHING) {
+    const std::size_t before = state.mesh.number_of_triangles();
+    state.leg_rule = trials[next].leg_rule;
+    if (trials[next].start == Start::SMOOTHED) {
       Smoother<Geometry>(state).run(shall_go_on);
       Remover<Geometry>(state).run(shall_go_on);
-    } else {
-      // more vertices than this, and the mesh will hardly end with fewer than before
-      Thinner<Geometry>(state, trial.share).run({state.mesh.number_of_vertices() + before / 2}, shall_go_on);
     }
-    failed = state.mesh.number_of_triangles() < before ? 0 : failed + 1;
+    // more vertices than this, and the mesh will hardly end with fewer than before
+    const Mesh_limit limit{state.mesh.number_of_vertices() + before / 2};
+    const bool is_thinner = Thinner<Geometry>(state, trials[next].share).run(limit, shall_go_on);
+    // where smoothing alone made room, the last round was in vain, and so would be the first one
+    next = is_thinner ? 0 : state.mesh.number_of_triangles() < before ? 1 : next + 1;
   }
   state.leg_rule = Leg_rule::SHELLS;
 }

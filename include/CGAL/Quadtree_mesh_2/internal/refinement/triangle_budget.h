@@ -32,13 +32,16 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-/// The physical memory of the machine in bytes; infinity where it is not known.
+/// The physical memory of the machine in bytes; infinity where it is not known. The system is asked once.
 inline double physical_memory() {
+  static const double bytes = [] {
 #if defined(_SC_PHYS_PAGES) && defined(_SC_PAGESIZE)
-  const long pages = sysconf(_SC_PHYS_PAGES), size = sysconf(_SC_PAGESIZE);
-  if (pages > 0 && size > 0) return static_cast<double>(pages) * static_cast<double>(size);
+    const long pages = sysconf(_SC_PHYS_PAGES), size = sysconf(_SC_PAGESIZE);
+    if (pages > 0 && size > 0) return static_cast<double>(pages) * static_cast<double>(size);
 #endif
-  return std::numeric_limits<double>::infinity();
+    return std::numeric_limits<double>::infinity();
+  }();
+  return bytes;
 }
 
 class Triangle_budget {

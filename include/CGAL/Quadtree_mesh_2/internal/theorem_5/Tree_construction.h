@@ -86,7 +86,7 @@ public:
       if (placement == Tree_separation_options_2::Placement::CHOSEN) sharp = choose_corners(sharp);
       report_.missed = sharp.size();
       report_.leaves_of_edges = trees_.tree().number_of_leaves();
-      for (const Triangle_id t : sharp) state_.worklist.push(t);
+      for (const Triangle_id t : sharp) state_.push(t);
       if (sharp.empty()) return End::DONE;
       if (!shall_go_on()) return End::CANCELLED;
       vertices_of_all_rounds += mesh_.number_of_vertices();

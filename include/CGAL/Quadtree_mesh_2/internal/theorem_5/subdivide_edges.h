@@ -30,6 +30,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/base/Word_operations.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/radix_sort.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel/sort_by_keys.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Centroid_tree.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Edge_pieces.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Grid_path.h>
@@ -186,7 +187,7 @@ private:
 
   /// Segments that begin near each other are tested one after the other, as they go down the same way.
   static Order order_of_first_ends(const Tree& tree, const Segments& segments) {
-    return radix_order<ConcurrencyTag>(segments.size(), 1, [&](std::uint32_t s, int) {
+    return radix_order<ConcurrencyTag>(segments.size(), [&](std::size_t s) {
       return std::uint64_t(tree.leaf(Point_index(segments[s][0].value())).value());
     });
   }

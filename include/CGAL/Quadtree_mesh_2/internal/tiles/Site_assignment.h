@@ -19,7 +19,7 @@
 #define CGAL_QUADTREE_MESH_2_INTERNAL_TILES_SITE_ASSIGNMENT_H
 
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
-#include <CGAL/Quadtree_mesh_2/internal/parallel/radix_sort.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel/sort_by_keys.h>
 #include <CGAL/Quadtree_mesh_2/internal/tiles/Tile_mesh.h>
 #include <CGAL/Quadtree_mesh_2/internal/tiles/Tile_sites.h>
 #include <CGAL/Quadtree_mesh_2/internal/tiles/tile_blocks.h>
@@ -55,7 +55,7 @@ public:
       if (v >= 0) take(v);
     list_pairs();
     const Order order = radix_order<ConcurrencyTag>(
-        pairs_.size(), 1, [this](std::uint32_t i, int) { return pairs_[i].squared_distance; });
+        pairs_.size(), [this](std::size_t i) { return pairs_[i].squared_distance; });
     for (const std::uint32_t i : order) {
       std::int32_t& vertex = mesh_.vertex_of_site[pairs_[i].site];
       if (vertex >= 0 || is_free_[static_cast<std::size_t>(pairs_[i].vertex)] == 0) continue;

@@ -22,7 +22,7 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_DOMAIN_RULE_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_DOMAIN_RULE_H
 
-#include <CGAL/Quadtree_mesh_2/internal/parallel/radix_sort.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel/sort_by_keys.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Kernel_mesh.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Place_keys.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/walk.h>
@@ -128,8 +128,7 @@ private:
     if (points.empty()) return found;
     const Place_keys<Geometry> key(mesh_.points.values());
     Triangle_id hint(0);
-    for (const std::uint32_t i :
-         radix_order(points.size(), 1, [&](std::uint32_t p, int) { return key(points[p]) << 32; })) {
+    for (const std::uint32_t i : radix_order(points.size(), [&](std::size_t p) { return key(points[p]); })) {
       const Walk_end end = locate_exactly(mesh_, hint, points[i]);
       hint = end.triangle;
       if (end.is_blocked()) continue;
