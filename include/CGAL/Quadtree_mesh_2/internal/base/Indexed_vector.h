@@ -61,6 +61,7 @@ public:
 
   T& operator[](Id i) { return Vector::operator[](static_cast<std::size_t>(i)); }
   const T& operator[](Id i) const { return Vector::operator[](static_cast<std::size_t>(i)); }
+  /// Whether there is a value with the handle.
   bool has(Id i) const { return static_cast<std::size_t>(i) < size(); }
 
   /// Appends a value. \returns its handle
@@ -87,9 +88,8 @@ public:
   Id_range<Id> ids() const { return {std::size_t(0), size()}; }
 
   using Vector::assign, Vector::clear, Vector::emplace_back, Vector::pop_back, Vector::push_back,
-      Vector::reserve, Vector::resize, Vector::shrink_to_fit;
-  using Vector::back, Vector::begin, Vector::cbegin, Vector::cend, Vector::data, Vector::empty, Vector::end,
-      Vector::front, Vector::rbegin, Vector::rend, Vector::size;
+      Vector::reserve, Vector::resize;
+  using Vector::back, Vector::begin, Vector::data, Vector::empty, Vector::end, Vector::front, Vector::size;
 
   /// The values in order, for what does not know handles.
   const Vector& values() const { return *this; }

@@ -141,10 +141,9 @@ private:
     return faults;
   }
   bool is_left(Triangle_index t) const {
-    return topology_->is_alive(t) &&
-           number_of_faults(topology_->bordered(mesh_.triangles[std::size_t(t)])) > 0;
+    return topology_->is_alive(t) && number_of_faults(topology_->bordered(mesh_.triangles[t.value()])) > 0;
   }
-  bool is_steiner(Vertex_index v) const { return std::size_t(v) >= mesh_.number_of_input_vertices; }
+  bool is_steiner(Vertex_index v) const { return v.value() >= mesh_.number_of_input_vertices; }
 
   /// All triangles at fault. The tables of the topology are made if there is one.
   std::vector<Triangle_index> find_faults() {
@@ -197,7 +196,7 @@ private:
   }
 
   bool merge_at_one_place(Triangle_index t) {
-    const Corners r = mesh_.triangles[std::size_t(t)];
+    const Corners r = mesh_.triangles[t.value()];
     for (const Vertex_index v : r)
       for (const Vertex_index w : r) {
         if (v == w || !(mesh_.point(v) == mesh_.point(w)) || !is_steiner(v)) continue;
@@ -218,7 +217,7 @@ private:
   bool flip(Triangle_index t) {
     for (int k = 0; k < 3; ++k) {
       if (!topology_->may_flip(t, k)) continue;
-      const Triangle_index u = mesh_.neighbors[std::size_t(t)][std::size_t(k)];
+      const Triangle_index u = mesh_.neighbors[t.value()][k];
       Rounding_success after;
       for (const Corners& r : topology_->flipped(t, k)) add(after, topology_->bordered(r));
       if (after.faults >= success_of(topology_->bordered({t, u})).faults) continue;
@@ -232,7 +231,7 @@ private:
 
   /// Tries doubles around the nearest ones, near ones first; among those equally near takes the best.
   bool move_a_vertex(Triangle_index t) {
-    const Corners r = mesh_.triangles[std::size_t(t)];
+    const Corners r = mesh_.triangles[t.value()];
     for (const Vertex_index v : r)
       if (is_steiner(v) && move_vertex(v)) return true;
     return false;
@@ -244,12 +243,12 @@ private:
     const Point before = mesh_.point(v);
     const std::size_t faults_before = success_of(triangles).faults;
     const int reach = topology_->is_free(v) ? reach_of_free_vertices : reach_on_segments;
-    const Point& home = home_[std::size_t(v)];
+    const Point& home = home_[v.value()];
     const std::optional<std::size_t> piece = topology_->piece_at(v, star);
     Point best = before;
     Rounding_success best_success{faults_before, 2};
     const auto try_place = [&](const Point& p) {
-      mesh_.points[std::size_t(v)] = p;
+      mesh_.points[v.value()] = p;
       const Rounding_success success = success_of(triangles);
       if (success.faults < faults_before && best_success < success) best_success = success, best = p;
     };
@@ -260,7 +259,7 @@ private:
     };
     if (piece) try_around(chains_.place_beside(*piece, home));
     try_around(home);
-    mesh_.points[std::size_t(v)] = best;
+    mesh_.points[v.value()] = best;
     if (best_success.faults == faults_before) return false;
     note(star);
     return true;
@@ -293,7 +292,7 @@ private:
   /// Merges a Steiner vertex of t with that neighbor with which it is best, even if there are as many faults afterward:
   /// there are fewer vertices then.
   bool merge(Triangle_index t) {
-    const Corners r = mesh_.triangles[std::size_t(t)];
+    const Corners r = mesh_.triangles[t.value()];
     Rounding_success best_success{std::numeric_limits<std::size_t>::max(), 0};
     Vertex_index best_v, best_w;
     for (const Vertex_index v : r) {
@@ -316,11 +315,11 @@ private:
   /// Merged vertices have no triangles in common any more, and the others are as if v were at the place of w.
   Rounding_success success_of_merging(Vertex_index v, Vertex_index w, const Bordered_star& star) {
     const Point before = mesh_.point(v);
-    mesh_.points[std::size_t(v)] = mesh_.point(w);
+    mesh_.points[v.value()] = mesh_.point(w);
     Rounding_success sum;
     for (const Bordered_triangle& r : star)
       if (std::find(r.corners.begin(), r.corners.end(), w) == r.corners.end()) add(sum, r);
-    mesh_.points[std::size_t(v)] = before;
+    mesh_.points[v.value()] = before;
     return sum;
   }
 };

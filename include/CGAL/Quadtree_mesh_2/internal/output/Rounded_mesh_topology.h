@@ -15,6 +15,7 @@
 #define CGAL_QUADTREE_MESH_2_INTERNAL_OUTPUT_ROUNDED_MESH_TOPOLOGY_H
 
 #include <CGAL/Indexed_mesh_2.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/Indexed_vector.h>
 #include <CGAL/Quadtree_mesh_2/internal/output/Segment_chains.h>
 
 #include <boost/container_hash/hash.hpp>
@@ -45,10 +46,10 @@ public:
         is_dead_(mesh.triangles.size(), 0), is_piece_dead_(mesh.constrained_edges.size(), 0) {
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
       for (std::size_t k = 0; k < 3; ++k) {
-        triangle_of_[std::size_t(mesh.triangles[t][k])] = Triangle_index(t);
+        triangle_of_[mesh.triangles[t][k]] = Triangle_index(t);
         if (mesh.neighbors[t][k].is_valid()) continue;
-        ++border_edges_[std::size_t(mesh.triangles[t][(k + 1) % 3])];
-        ++border_edges_[std::size_t(mesh.triangles[t][(k + 2) % 3])];
+        ++border_edges_[mesh.triangles[t][(k + 1) % 3]];
+        ++border_edges_[mesh.triangles[t][(k + 2) % 3]];
       }
     piece_of_.reserve(mesh.constrained_edges.size());
     for (std::size_t e = 0; e < mesh.constrained_edges.size(); ++e) {
@@ -57,16 +58,16 @@ public:
     }
   }
 
-  bool is_alive(Triangle_index t) const { return is_dead_[std::size_t(t)] == 0; }
-  bool is_used(Vertex_index v) const { return triangle_of_[std::size_t(v)].is_valid(); }
+  bool is_alive(Triangle_index t) const { return is_dead_[t] == 0; }
+  bool is_used(Vertex_index v) const { return triangle_of_[v].is_valid(); }
   /// Whether a Steiner vertex is neither on a segment nor on the border.
-  bool is_free(Vertex_index v) const { return border_edges_[std::size_t(v)] == 0 && !is_on_segment(v); }
+  bool is_free(Vertex_index v) const { return border_edges_[v] == 0 && !is_on_segment(v); }
   bool is_on_segment(Vertex_index v) const { return segment(v).is_valid(); }
 
   /// The triangles at v, those of one fan if v is an input vertex where parts of the domain merely touch.
   Star star(Vertex_index v) const {
     Star result;
-    const Triangle_index start = triangle_of_[std::size_t(v)];
+    const Triangle_index start = triangle_of_[v];
     for (Triangle_index t = start;;) {
       result.push_back(t);
       t = across(t, next(slot_of(t, v)));
@@ -155,10 +156,10 @@ public:
     const Triangle_index bd = across_edge(u, q.b, q.d), dc = across_edge(u, q.d, q.c),
                          ca = across_edge(t, q.c, q.a), ab = across_edge(t, q.a, q.b);
     relink(bd, q.b, q.d, t), relink(ca, q.c, q.a, u);
-    mesh_.triangles[std::size_t(t)] = {q.a, q.b, q.d}, mesh_.neighbors[std::size_t(t)] = {bd, u, ab};
-    mesh_.triangles[std::size_t(u)] = {q.a, q.d, q.c}, mesh_.neighbors[std::size_t(u)] = {dc, ca, t};
-    for (const Vertex_index v : {q.a, q.b, q.d}) triangle_of_[std::size_t(v)] = t;
-    triangle_of_[std::size_t(q.c)] = u;
+    mesh_.triangles[t.value()] = {q.a, q.b, q.d}, mesh_.neighbors[t.value()] = {bd, u, ab};
+    mesh_.triangles[u.value()] = {q.a, q.d, q.c}, mesh_.neighbors[u.value()] = {dc, ca, t};
+    for (const Vertex_index v : {q.a, q.b, q.d}) triangle_of_[v] = t;
+    triangle_of_[q.c] = u;
   }
 
   /// Whether Steiner vertex v can become its neighbor w: segments stay chains of edges, the border stays one, and
@@ -168,7 +169,7 @@ public:
     if (segment(v).is_valid()) {
       if (!is_constrained(v, w)) return false;
       if (segment(w).is_valid() ? segment(w) != segment(v) : !is_input(w)) return false;
-    } else if (border_edges_[std::size_t(v)] > 0) {
+    } else if (border_edges_[v] > 0) {
       return false;
     }
     std::size_t shared = 0;
@@ -192,23 +193,23 @@ public:
       for (const Vertex_index x : corners(t))
         if (x != v && x != w && is_constrained(v, x)) other_end = x;
       if (!is_alive(t)) continue;
-      std::replace(mesh_.triangles[std::size_t(t)].begin(), mesh_.triangles[std::size_t(t)].end(), v, w);
-      triangle_of_[std::size_t(w)] = t;
+      std::replace(mesh_.triangles[t.value()].begin(), mesh_.triangles[t.value()].end(), v, w);
+      triangle_of_[w] = t;
     }
     if (other_end.is_valid()) join_pieces(v, w, other_end);
-    triangle_of_[std::size_t(v)] = Triangle_index();
+    triangle_of_[v] = Triangle_index();
   }
 
   /// Takes out dead triangles, pieces and Steiner vertices. Returns the new index of each triangle.
   std::vector<Triangle_index> compress() {
-    std::vector<Vertex_index> new_vertex(mesh_.points.size());
+    Indexed_vector<Vertex_index, Vertex_index> new_vertex(mesh_.points.size());
     std::size_t kept = 0;
-    for (std::size_t v = 0; v < mesh_.points.size(); ++v)
-      if (is_input(Vertex_index(v)) || is_used(Vertex_index(v))) {
+    for (const Vertex_index v : new_vertex.ids())
+      if (is_input(v) || is_used(v)) {
         new_vertex[v] = Vertex_index(kept);
-        mesh_.points[kept] = mesh_.points[v];
-        mesh_.segment_of_vertex[kept] = mesh_.segment_of_vertex[v];
-        if (!mesh_.vertex_markers.empty()) mesh_.vertex_markers[kept] = mesh_.vertex_markers[v];
+        mesh_.points[kept] = mesh_.point(v);
+        mesh_.segment_of_vertex[kept] = segment(v);
+        if (!mesh_.vertex_markers.empty()) mesh_.vertex_markers[kept] = mesh_.marker(v);
         ++kept;
       }
     mesh_.points.erase(mesh_.points.begin() + std::ptrdiff_t(kept), mesh_.points.end());
@@ -227,9 +228,10 @@ private:
 
   Indexed_mesh_2<Point>& mesh_;
   Segment_chains<Point>& chains_;
-  std::vector<Triangle_index> triangle_of_;
-  std::vector<std::uint32_t> border_edges_; // at each vertex
-  std::vector<char> is_dead_, is_piece_dead_;
+  Indexed_vector<Vertex_index, Triangle_index> triangle_of_;
+  Indexed_vector<Vertex_index, std::uint32_t> border_edges_; // at each vertex
+  Indexed_vector<Triangle_index, char> is_dead_;
+  std::vector<char> is_piece_dead_;
   std::unordered_map<Ends, std::size_t, boost::hash<Ends>> piece_of_; // by the ends of constrained edges
 
   static std::size_t next(std::size_t slot) { return (slot + 1) % 3; }
@@ -238,14 +240,12 @@ private:
     return {std::min(v.value(), w.value()), std::max(v.value(), w.value())};
   }
 
-  const Corners& corners(Triangle_index t) const { return mesh_.triangles[std::size_t(t)]; }
-  Triangle_index across(Triangle_index t, std::size_t slot) const {
-    return mesh_.neighbors[std::size_t(t)][slot];
-  }
-  Segment_index segment(Vertex_index v) const { return mesh_.segment_of_vertex[std::size_t(v)]; }
-  bool is_input(Vertex_index v) const { return std::size_t(v) < mesh_.number_of_input_vertices; }
+  const Corners& corners(Triangle_index t) const { return mesh_.triangles[t.value()]; }
+  Triangle_index across(Triangle_index t, std::size_t slot) const { return mesh_.neighbors[t.value()][slot]; }
+  Segment_index segment(Vertex_index v) const { return mesh_.segment_of_vertex[v.value()]; }
+  bool is_input(Vertex_index v) const { return v.value() < mesh_.number_of_input_vertices; }
   bool is_constrained(Vertex_index v, Vertex_index w) const { return piece_of_.count(key(v, w)) > 0; }
-  bool has_several_fans(Vertex_index v) const { return border_edges_[std::size_t(v)] > 2; }
+  bool has_several_fans(Vertex_index v) const { return border_edges_[v] > 2; }
   /// Whether v and w are neighbors, or both of several fans, which star() does not all know.
   bool may_be_edge(Vertex_index v, Vertex_index w) const {
     if (has_several_fans(v)) std::swap(v, w);
@@ -257,7 +257,7 @@ private:
     return std::find(corners(t).begin(), corners(t).end(), v) != corners(t).end();
   }
   std::size_t slot_of(Triangle_index t, Vertex_index v) const {
-    return std::size_t(std::find(corners(t).begin(), corners(t).end(), v) - corners(t).begin());
+    return static_cast<std::size_t>(std::find(corners(t).begin(), corners(t).end(), v) - corners(t).begin());
   }
   Vertex_index apex(Triangle_index t, Vertex_index v, Vertex_index w) const {
     return corners(t)[apex_slot(t, v, w)];
@@ -273,7 +273,7 @@ private:
 
   /// Makes `other` what lies across the edge v, w of t, if there is a t.
   void relink(Triangle_index t, Vertex_index v, Vertex_index w, Triangle_index other) {
-    if (t.is_valid()) mesh_.neighbors[std::size_t(t)][apex_slot(t, v, w)] = other;
+    if (t.is_valid()) mesh_.neighbors[t.value()][apex_slot(t, v, w)] = other;
   }
 
   Quadrilateral quadrilateral(Triangle_index t, std::size_t k) const {
@@ -287,8 +287,8 @@ private:
     const Vertex_index a = apex(t, v, w);
     const Triangle_index at_v = across_edge(t, v, a), at_w = across_edge(t, w, a);
     relink(at_v, v, a, at_w), relink(at_w, w, a, at_v);
-    triangle_of_[std::size_t(a)] = at_v;
-    is_dead_[std::size_t(t)] = 1;
+    triangle_of_[a] = at_v;
+    is_dead_[t] = 1;
   }
 
   /// The pieces v-w and v-x of a segment become w-x.
@@ -302,29 +302,30 @@ private:
     piece_of_.erase(key(v, w)), piece_of_.erase(key(v, x));
   }
 
-  void compress_pieces(const std::vector<Vertex_index>& new_vertex) {
+  void compress_pieces(const Indexed_vector<Vertex_index, Vertex_index>& new_vertex) {
     auto& pieces = mesh_.constrained_edges;
     std::size_t kept = 0;
     for (std::size_t e = 0; e < pieces.size(); ++e) {
       if (is_piece_dead_[e] != 0) continue;
-      for (Vertex_index& v : pieces[e].vertices) v = new_vertex[std::size_t(v)];
+      for (Vertex_index& v : pieces[e].vertices) v = new_vertex[v];
       pieces[kept++] = pieces[e];
     }
     pieces.resize(kept);
   }
 
-  std::vector<Triangle_index> compress_triangles(const std::vector<Vertex_index>& new_vertex) {
+  std::vector<Triangle_index>
+  compress_triangles(const Indexed_vector<Vertex_index, Vertex_index>& new_vertex) {
     std::vector<Triangle_index> new_triangle(mesh_.triangles.size());
     std::size_t kept = 0;
     for (std::size_t t = 0; t < new_triangle.size(); ++t)
-      if (is_dead_[t] == 0) new_triangle[t] = Triangle_index(kept++);
+      if (is_alive(Triangle_index(t))) new_triangle[t] = Triangle_index(kept++);
     for (std::size_t t = 0; t < new_triangle.size(); ++t) {
-      if (is_dead_[t] != 0) continue;
+      if (!is_alive(Triangle_index(t))) continue;
       const std::size_t to(new_triangle[t]);
       for (std::size_t k = 0; k < 3; ++k) {
-        mesh_.triangles[to][k] = new_vertex[std::size_t(mesh_.triangles[t][k])];
+        mesh_.triangles[to][k] = new_vertex[mesh_.triangles[t][k]];
         const Triangle_index n = mesh_.neighbors[t][k];
-        mesh_.neighbors[to][k] = n.is_valid() ? new_triangle[std::size_t(n)] : n;
+        mesh_.neighbors[to][k] = n.is_valid() ? new_triangle[n.value()] : n;
       }
       if (!mesh_.region_of_triangle.empty()) mesh_.region_of_triangle[to] = mesh_.region_of_triangle[t];
     }
