@@ -50,11 +50,10 @@ inline std::unique_ptr<std::uint64_t[]> uncleared_words(std::size_t n) {
   return std::unique_ptr<std::uint64_t[]>(new std::uint64_t[n]);
 }
 
-/// Sorts words in parallel.
+/// Sorts words: see `sort_words()`.
 template <class ConcurrencyTag>
 class Word_sorter {
 public:
-  /// Sorts the `n` words from `from` on to `from` if `in_place`, otherwise to `to`. Both ranges are written to.
   static void sort(std::uint64_t* from, std::uint64_t* to, std::size_t n, bool in_place) {
     if (n <= longest_short_range)
       sort_short(from, to, n, in_place);
@@ -216,17 +215,49 @@ private:
   }
 };
 
+/// Sorts words in parallel, from `from` on to `from` if `in_place`, otherwise to `to`. Both ranges are written to.
+template <class ConcurrencyTag>
+void sort_words(std::uint64_t* from, std::uint64_t* to, std::size_t n, bool in_place) {
+  const Concurrency_scope scope{ConcurrencyTag()};
+  Word_sorter<Inner_tag<ConcurrencyTag>>::sort(from, to, n, in_place);
+}
+
+/// Words of keys by the address of the function that computes them. What sorts by keys is instantiated for this one
+/// type instead of for every kind of keys.
+class Erased_keys {
+public:
+  /// \param word_of see `radix_order()`
+  template <class Word_of>
+  explicit Erased_keys(const Word_of& word_of) : word_of_(&word_of), load_(load_words<Word_of>) {}
+
+  /// Puts the words `word` of the keys of `n` items to `words`. The low half of an item is an index.
+  void load(const std::uint64_t* items, std::size_t n, int word, std::uint64_t* words) const {
+    load_(word_of_, items, n, word, words);
+  }
+
+private:
+  template <class Word_of>
+  static void load_words(const void* keys, const std::uint64_t* items, std::size_t n, int word,
+                         std::uint64_t* words) {
+    const Word_of& word_of = *static_cast<const Word_of*>(keys);
+    for (std::size_t i = 0; i < n; ++i) words[i] = word_of(static_cast<std::uint32_t>(items[i]), word);
+  }
+
+  const void* word_of_;
+  void (*load_)(const void*, const std::uint64_t*, std::size_t, int, std::uint64_t*);
+};
+
 /// Sorts indices by keys of several words.
-/// \tparam Word_of see `radix_order()`.
-template <class ConcurrencyTag, class Word_of>
+template <class ConcurrencyTag>
 class Key_sorter {
 public:
-  Key_sorter(int number_of_words, const Word_of& word_of, std::uint64_t* items, std::uint64_t* buffer)
-      : number_of_words_(number_of_words), word_of_(word_of), items_(items), buffer_(buffer) {}
+  Key_sorter(int number_of_words, const Erased_keys& keys, std::uint64_t* items, std::uint64_t* buffer)
+      : number_of_words_(number_of_words), keys_(keys), items_(items), buffer_(buffer) {}
 
   /// Sorts the indices 0 to `n - 1`.
   void sort(std::size_t n) {
-    sort_range<ConcurrencyTag>(0, n, 0, [](std::size_t i) { return static_cast<std::uint32_t>(i); });
+    for_each_index<ConcurrencyTag>(n, [&](std::size_t i) { items_[i] = i; });
+    sort_range(0, n, 0);
   }
 
   /// Returns the index in place `i`.
@@ -237,69 +268,68 @@ private:
 
   /// Sorts the items of a range, which agree in all words before `word`. Calls itself for runs that agree in
   /// the 32 bits that are sorted by.
-  /// \tparam Tag is `Sequential_tag` for short ranges, which are tasks of a parallel loop already.
-  /// \tparam Index_at returns the index in a place.
-  template <class Tag, class Index_at>
-  void sort_range(std::size_t begin, std::size_t n, int word, const Index_at& index_at) {
+  void sort_range(std::size_t begin, std::size_t n, int word) {
     Word* const items = items_ + begin;
     Word* const buffer = buffer_ + begin;
     int width = 0;
     for (;; ++word) {
       if (word == number_of_words_) {
         // All keys are equal. Indices increase, because items have been sorted with them.
-        for_each_index<Tag>(n, [&](std::size_t i) { items[i] = index_at(begin + i); });
+        for_each_index<ConcurrencyTag>(n, [&](std::size_t i) { items[i] = index(begin + i); });
         return;
       }
-      const Word first = word_of_(index_at(begin), word);
-      width = bit_width(reduce<Tag>(
+      Word first = 0;
+      keys_.load(items, 1, word, &first);
+      width = bit_width(reduce<ConcurrencyTag>(
           n, Word(0),
           [&](std::size_t b, std::size_t e) {
+            keys_.load(items + b, e - b, word, buffer + b);
             Word varying = 0;
-            for (std::size_t i = b; i < e; ++i) {
-              buffer[i] = word_of_(index_at(begin + i), word);
-              varying |= buffer[i] ^ first;
-            }
+            for (std::size_t i = b; i < e; ++i) varying |= buffer[i] ^ first;
             return varying;
           },
           [](Word a, Word b) { return a | b; }));
       if (width > 0) break;
     }
     const int shift = std::max(0, width - 32);
-    for_each_index<Tag>(n,
-                        [&](std::size_t i) { buffer[i] = (buffer[i] >> shift << 32) | index_at(begin + i); });
-    Word_sorter<Tag>::sort(buffer, items, n, false);
-    if (shift > 0 || word + 1 < number_of_words_) sort_runs<Tag>(begin, n, shift > 0 ? word : word + 1);
+    for_each_index<ConcurrencyTag>(
+        n, [&](std::size_t i) { buffer[i] = (buffer[i] >> shift << 32) | index(begin + i); });
+    Word_sorter<ConcurrencyTag>::sort(buffer, items, n, false);
+    if (shift > 0 || word + 1 < number_of_words_) sort_runs(begin, n, shift > 0 ? word : word + 1);
   }
 
   /// Sorts the runs of items that agree in what they have been sorted by, by the words from `word` on.
-  template <class Tag>
   void sort_runs(std::size_t begin, std::size_t n, int word) {
-    const auto index_at = [this](std::size_t i) { return index(i); };
     const std::size_t end = begin + n;
     if (n <= longest_short_range) {
-      for_each_run(begin, end, [&](std::size_t run, std::size_t length) {
-        sort_range<Sequential_tag>(run, length, word, index_at);
-      });
+      for_each_run(begin, end,
+                   [&](std::size_t run, std::size_t length) { sort_short_range(run, length, word); });
       return;
     }
     // A task sorts the runs that begin in its block. Where these begin is found before any run is sorted, which
     // changes the words that tell runs apart.
     const std::size_t blocks = (n + default_block - 1) / default_block;
     std::vector<std::size_t> first_run(blocks + 1, end);
-    for_each_block<Tag>(n, default_block, [&](std::size_t block, std::size_t b, std::size_t) {
+    for_each_block<ConcurrencyTag>(n, default_block, [&](std::size_t block, std::size_t b, std::size_t) {
       first_run[block] = b == 0 ? begin : end_of_run(begin + b - 1, end);
     });
     std::vector<std::vector<std::pair<std::size_t, std::size_t>>> long_runs(blocks);
-    Executor<Tag>::run(blocks, [&](std::size_t block) {
+    Executor<ConcurrencyTag>::run(blocks, [&](std::size_t block) {
       for_each_run(first_run[block], first_run[block + 1], [&](std::size_t run, std::size_t length) {
         if (length > longest_short_range)
           long_runs[block].emplace_back(run, length);
         else
-          sort_range<Sequential_tag>(run, length, word, index_at);
+          sort_short_range(run, length, word);
       });
     });
     for (const auto& runs : long_runs)
-      for (const auto& run : runs) sort_range<Tag>(run.first, run.second, word, index_at);
+      for (const auto& run : runs) sort_range(run.first, run.second, word);
+  }
+
+  /// Short ranges are tasks of a parallel loop already, and are not split further.
+  void sort_short_range(std::size_t begin, std::size_t n, int word) {
+    const Concurrency_scope scope{Sequential_tag()};
+    Key_sorter<Chosen_tag>(number_of_words_, keys_, items_, buffer_).sort_range(begin, n, word);
   }
 
   /// Calls `f(run, length)` for each run of at least two items in a range, which are `length` items from `run`
@@ -331,8 +361,11 @@ private:
     return i + static_cast<std::size_t>(std::partition_point(first, last, is_in_run) - first);
   }
 
+  template <class>
+  friend class Key_sorter;
+
   int number_of_words_;
-  const Word_of& word_of_;
+  Erased_keys keys_;
   Word* items_;
   Word* buffer_;
 };
@@ -351,7 +384,9 @@ Order radix_order(std::size_t n, int number_of_words, const Word_of& word_of) {
   Order order(n);
   if (n == 0) return order;
   const auto items = uncleared_words(n), buffer = uncleared_words(n);
-  Key_sorter<ConcurrencyTag, Word_of> sorter(number_of_words, word_of, items.get(), buffer.get());
+  const Concurrency_scope scope{ConcurrencyTag()};
+  Key_sorter<Inner_tag<ConcurrencyTag>> sorter(number_of_words, Erased_keys(word_of), items.get(),
+                                               buffer.get());
   sorter.sort(n);
   for_each_index<ConcurrencyTag>(n, [&](std::size_t i) { order[i] = sorter.index(i); });
   return order;
