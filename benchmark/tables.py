@@ -21,14 +21,12 @@ import os
 import re
 import subprocess
 import sys
-import textwrap
 from pathlib import Path
 
 from table_texts import graphs, points, quadtrees, theorem_5
-from table_texts.layout import Figures, fixed, measured, table
+from table_texts.layout import Figures, fixed, measured, table, wrapped
 
 ROOT = Path(__file__).resolve().parent.parent
-WIDTH = 110  # of text, as of code
 DOCUMENTS = [ROOT / "README.md", *sorted((ROOT / "doc").glob("*.md"))]
 
 
@@ -44,8 +42,7 @@ def compile_times(figures):
 def stamp_sentence(figures):
     s = figures("stamp")
     runs = "one run each" if s["repetitions"] == 1 else f'medians of {s["repetitions"]} runs'
-    sentence = f'{measured(s)}, CGAL {figures("maps")["cgal"]}; {runs}, alternately where there are peers.'
-    return textwrap.fill(sentence, WIDTH, break_on_hyphens=False)
+    return wrapped(f'{measured(s)}, CGAL {figures("maps")["cgal"]}; {runs}, alternately where there are peers.')
 
 
 TABLES = {

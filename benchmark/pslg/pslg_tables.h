@@ -125,7 +125,7 @@ inline void print_threads(const Comparisons& comparisons) {
                         "speedup over the sequential mesher", "over one thread"});
   for (const Pslg_comparison& c : comparisons) {
     if (!c.ours().has_mesh()) continue;
-    const Pslg_outcome* const one = c.find("ours, 1 threads");
+    const Pslg_outcome* const one = c.find("ours, 1 thread");
     for (const Pslg_outcome& o : c.outcomes) {
       if (o.method().name.compare(0, 4, "ours") != 0 || !o.has_mesh()) continue;
       const bool is_parallel = o.method().threads > 0;

@@ -5,7 +5,7 @@
 # Author(s)     : The Quadtree_mesh_2 authors
 """Tables of meshes of graphs, beside peers and in their phases."""
 
-from .layout import by_mesher, fixed, measured, peers, ratio, significant, table, value
+from .layout import by_mesher, fixed, measured, peers, ratio, significant, table, value, wrapped
 
 
 NAMES = {
@@ -122,7 +122,9 @@ def world(figures):
     words = figures("world/words")
     row = ["ours over 64-bit words", words["triangles"], words["unmet_triangles"], fixed(words["seconds"]["mesh"], 0)]
     rows.insert(1, [*row, fixed(words["peak_memory_mb"] / 1e3, 1)])
+    size = f'{words["input_vertices"]} vertices and {words["input_segments"]} segments.'
     return (
-        f'{words["input_vertices"]} vertices and {words["input_segments"]} segments. {measured(figures("world/stamp"))}; '
-        "one run.\n\n" + table(["mesher", "triangles", "below the bound", "CPU s", "GB"], rows)
+        wrapped(f'{size} {measured(figures("world/stamp"))}; one run.')
+        + "\n\n"
+        + table(["mesher", "triangles", "below the bound", "CPU s", "GB"], rows)
     )

@@ -7,7 +7,10 @@
 
 import json
 import sys
+import textwrap
 from pathlib import Path
+
+WIDTH = 110  # of text, as of code
 
 
 def significant(value, digits=3):
@@ -70,6 +73,10 @@ def peers(comparisons):
 
 def value(mesher, key):
     return mesher[key] if mesher else None
+
+
+def wrapped(sentences):
+    return textwrap.fill(sentences, WIDTH, break_on_hyphens=False)
 
 
 def measured(s):

@@ -109,7 +109,7 @@ inline void print_trees(const CGAL::Tree_separation_report_2& trees) {
   if (trees.has_taken_over) std::printf("quadtrees took over, as refinement did not come to rest\n");
   if (trees.end == End::BUDGET)
     std::printf("quadtrees took more than their budget: refined on demand %s\n",
-                trees.rounds == 0 ? "instead" : "from there on");
+                trees.has_taken_over && trees.rounds > 0 ? "from there on" : "instead");
   print_line("construction by quadtrees", "%14s", name(trees.end), std::optional<const char*>());
   const auto print = [](const char* name, std::size_t n) {
     print_line(name, "%14zu", n, std::optional<std::size_t>());
@@ -201,7 +201,7 @@ inline nlohmann::ordered_json run_json(const Meshing_run& run) {
                              {"y", unmet.centroid[1]},
                              {"least_angle", unmet.least_angle}});
   for (const auto& unmet : run.report.unmet_triangles)
-    json["left"].push_back({{"triangle", unmet.triangle.value()},
+    json["left"].push_back({{"triangle", run.pslg.first_number + std::size_t(unmet.triangle)},
                             {"x", unmet.centroid[0]},
                             {"y", unmet.centroid[1]},
                             {"least_angle", unmet.least_angle},
@@ -217,7 +217,7 @@ inline void print_run(const Meshing_run& run, const CGAL::Quality_mesh_options_2
     using Number = std::decay_t<decltype((*run.peer).*member)>;
     return run.peer ? std::optional<Number>((*run.peer).*member) : std::nullopt;
   };
-  std::printf("input: %zu vertices, %zu segments, %zu holes; bound: %g degrees\n",
+  std::printf("input: %zu vertices, %zu segments, holes: %zu; bound: %g degrees\n",
               run.pslg.number_of_vertices(), run.pslg.number_of_segments(), run.pslg.holes.size(),
               options.min_angle());
   if (run.peer) std::printf("%-28s%14s%14s\n", "", "quality_mesh", "CGAL Mesh_2");

@@ -200,7 +200,7 @@ inline nlohmann::ordered_json run_json(const Point_set_run& run) {
                                  {"wall_seconds", seconds_json(run, report.wall_seconds, &Seconds::wall)},
                                  {"peak_memory_mb", run.peak_memory_mb}};
   for (const auto& unmet : run.unmet_triangles)
-    json["unmet"].push_back({{"triangle", unmet.triangle},
+    json["unmet"].push_back({{"triangle", run.input.first_number + unmet.triangle},
                              {"x", unmet.centroid[0]},
                              {"y", unmet.centroid[1]},
                              {"least_angle", unmet.least_angle},

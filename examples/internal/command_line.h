@@ -398,6 +398,18 @@ inline Picture_colors colors(const po::variables_map& given, Command_line::Mode 
   return is_by_largest ? Picture_colors::LARGEST_ANGLE : result;
 }
 
+/// \throws Usage_error for options of pictures without a picture
+inline void check_picture_options(const po::variables_map& given, const std::vector<std::string>& outputs) {
+  const auto has_output = [&outputs](Output_format format) {
+    return std::any_of(outputs.begin(), outputs.end(),
+                       [format](const std::string& output) { return output_format(output) == format; });
+  };
+  if (given.count("color") > 0 && !has_output(Output_format::SVG))
+    throw Usage_error("--color needs an output .svg (-o FILE.svg)");
+  if (given.count("show-quadtree") > 0 && !has_output(Output_format::SVG) && !has_output(Output_format::VTU))
+    throw Usage_error("--show-quadtree needs an output .svg or .vtu (-o FILE.svg)");
+}
+
 /// \throws Usage_error if a property is wanted of an input that has none
 inline void check_region_property(const Command_line& line) {
   if (!line.region_property.empty() && input_format(line.input) != Input_format::GEOJSON)
@@ -471,6 +483,7 @@ inline Command_line parse_command_line(int argc, const char* const* argv) try {
   line.are_lengths_wanted = given.count("lengths") > 0;
   line.colors = colors(given, line.mode);
   line.is_quadtree_shown = given.count("show-quadtree") > 0;
+  check_picture_options(given, line.outputs);
   line.region_property = text(given, "region-property");
   check_region_property(line);
   line.is_quiet = given.count("quiet") > 0;

@@ -71,10 +71,10 @@ inline void check_files(const Named_files& inputs, const Named_files& outputs) {
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     for (const Named_file& input : inputs)
       if (is_same_file(outputs[i].path, input.path))
-        throw Usage_error(outputs[i].name + " would overwrite " + input.name);
+        throw Usage_error(outputs[i].name + " would overwrite " + input.name + "; choose another name");
     for (std::size_t j = 0; j < i; ++j)
       if (is_same_file(outputs[i].path, outputs[j].path))
-        throw Usage_error(outputs[i].name + " would overwrite " + outputs[j].name);
+        throw Usage_error(outputs[i].name + " would overwrite " + outputs[j].name + "; choose another name");
     program_files_internal::check_writable(outputs[i].path);
   }
 }

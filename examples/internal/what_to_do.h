@@ -73,11 +73,12 @@ inline std::string what_to_do(const CGAL::Pslg_error_2& error, const mesh_graph:
     return about_domain(graph, line);
   case Kind::TOO_MANY_TRIANGLES:
     return about_size(error, line);
+  case Kind::NO_AREA:
+    return graph.vertices.empty() ? " in " + line.input : "";
   case Kind::UNREADABLE_FILE:
   case Kind::ARRAY_LENGTH:
   case Kind::NO_SUCH_VERTEX:
   case Kind::NOT_FINITE:
-  case Kind::NO_AREA:
   case Kind::ZERO_LENGTH:
   case Kind::AMBIGUOUS_SEED:
   case Kind::ROUNDING:
@@ -96,7 +97,9 @@ inline std::string what_to_do(const CGAL::Quadtree_mesh_2::Point_error& error, c
   case Kind::INDISTINGUISHABLE:
     return or_exactly("; merge them", line);
   case Kind::TOO_NEAR:
-    return "; merge them, or use --mode points, which leaves small angles between them";
+    return line.mode == Command_line::Mode::POINTS
+               ? "; merge them"
+               : "; merge them, or use --mode points, which leaves small angles between them";
   case Kind::NOT_FINITE:
     break;
   }

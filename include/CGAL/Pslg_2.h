@@ -85,6 +85,8 @@ public:
 
   /// The place of a vertex.
   const Point_2& point(Vertex_index v) const { return vertices[std::size_t(v)]; }
+  /// The ends of a segment.
+  const Segment& segment(Segment_index s) const { return segments[std::size_t(s)]; }
   /// The number of vertices.
   std::size_t number_of_vertices() const { return vertices.size(); }
   /// The number of segments.

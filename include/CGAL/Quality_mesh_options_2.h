@@ -72,8 +72,8 @@ public:
   /// Whether to refine a triangle that meets all other bounds, for wishes that no bound of size can express.
   /// An empty function, the default, means none. With `Parallel_tag` several threads call it at once, for
   /// triangles that come and go. It must give the same answer whenever it is asked. If no triangle ever
-  /// satisfies it, refinement stops at the vertex budget. Without a budget it stops at twenty million
-  /// vertices more than without this function.
+  /// satisfies it, refinement stops at the vertex budget. Without a budget it stops at
+  /// `patience()` times the expected vertices and twenty million more, in place of two million.
   Quality_mesh_options_2& refine_where(Predicate value) { return refine_where_ = std::move(value), *this; }
   const Predicate& refine_where() const { return refine_where_; } ///< the value set
 
@@ -116,7 +116,8 @@ public:
   int thin() const { return thin_; } ///< the value set
 
   /// When the construction by quadtrees takes over because refinement on demand does not come to rest: when
-  /// the mesh has this many times the expected vertices, and two million more; 100 by default.
+  /// the mesh has this many times the expected vertices, and two million more; 100 by default. Graphs of fewer
+  /// than 1000 vertices have a limit of their own (`max_vertices()`).
   /// `Quality_mesh_report_2::trees` then says so. 0: use quadtrees immediately.
   ///
   /// Quadtrees cannot take over for bounds above 20.7048 degrees (sin^2 = 1/8), with a least edge, or with
@@ -134,7 +135,8 @@ public:
   /// Refinement stops when the mesh has this many vertices, and what is left is reported. 0, the default,
   /// means no bound but that of memory; for graphs of fewer than 1000 vertices it means two million triangles
   /// (half of that over exact numbers) besides four times what bounds of size ask for, unless there is
-  /// `refine_where()`, and a graph that needs more is refused.
+  /// `refine_where()`. A graph that needs more is refused; so it is if the mesh is expected to have a tenth of
+  /// that and is not done then, because quadtrees would need more.
   Quality_mesh_options_2& max_vertices(std::size_t value) { return max_vertices_ = value, *this; }
   std::size_t max_vertices() const { return max_vertices_; } ///< the value set
 

@@ -18,14 +18,15 @@ namespace CGAL {
 /// \ingroup PkgQuadtreeMesh2Meshers
 /// What a construction by quadtrees did (Theorem 5); all 0 if there was none.
 struct Tree_separation_report_2 {
-  /// How the construction ended. Refinement on demand then takes up whatever is not done: without `rounds`, all.
+  /// How the construction ended. Refinement on demand then takes up whatever is not done: without `rounds`, or at the
+  /// end of a budget, all.
   enum class End {
     NONE,        ///< there was no construction
     DONE,        ///< no triangle is below the bound
     COORDINATES, ///< triangles are left because coordinates have no room for smaller leaves
-    BUDGET,    ///< trees or rounds take more than the budget; without `rounds` there is no mesh by quadtrees
-    CANCELLED, ///< the callback stopped it
-    FAILED     ///< the last round gave no mesh; the mesh is that of the round before, or of refinement
+    BUDGET,      ///< trees or rounds take more than the budget
+    CANCELLED,   ///< the callback stopped it
+    FAILED       ///< the last round gave no mesh; the mesh is that of the round before, or of refinement
   };
 
   End end = End::NONE; ///< how it ended

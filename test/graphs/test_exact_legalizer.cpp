@@ -66,9 +66,8 @@ void flip_at_random(Mesh& mesh, Random& random) {
 std::size_t number_of_sides_that_are_not_Delaunay(const Mesh& mesh) {
   const auto point = [&](auto v) { return Kernel::Point_2(mesh.point(v).x, mesh.point(v).y); };
   std::size_t number = 0;
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+  for (const auto& r : mesh.triangles)
     for (int k = 0; k < 3; ++k) {
-      const auto& r = mesh.triangles[t];
       if (r.side[k].is_constrained()) continue;
       number += CGAL::side_of_oriented_circle(point(r.v[0]), point(r.v[1]), point(r.v[2]),
                                               point(mesh.opposite(r.side[k]))) == CGAL::ON_POSITIVE_SIDE
@@ -103,9 +102,9 @@ TEST_CASE("The last flips leave a Delaunay mesh and an account of it", "[mesher]
     CHECK(number_of_sides_that_are_not_Delaunay(state.mesh) == 0);
     internal::Angle_histogram angles;
     std::vector<Triangle_id> suspects;
-    for (std::size_t t = 0; t < state.mesh.triangles.size(); ++t) {
-      angles.add(state.mesh.shape(state.mesh.triangles[t]));
-      if (state.is_suspect(static_cast<Triangle_id>(t))) suspects.push_back(static_cast<Triangle_id>(t));
+    for (const Triangle_id t : state.mesh.triangles.ids()) {
+      angles.add(state.mesh.shape(state.mesh.triangle(t)));
+      if (state.is_suspect(t)) suspects.push_back(t);
     }
     CHECK(histograms_of(account.angles) == histograms_of(angles));
     CHECK(account.suspects == suspects);

@@ -188,10 +188,10 @@ TEST_CASE("A small graph that asks for more than it is given is refused, unless 
   const Pslg pslg = read("hard_leg_in_narrow_wedge.poly");
   const std::string text = error(pslg);
   CAPTURE(text);
-  for (const char* part : {"a graph of fewer than 1000 vertices is allowed 2e+06", "segment 4", "segment 6",
+  for (const char* part : {"a graph of fewer than 1000 vertices is allowed 2000000", "segment 4", "segment 6",
                            "vertex 4 (0.2297441020366099, ", "meet at an angle of 1.3"})
     CHECK(has_text(text, part));
-  CHECK(has_text(error(pslg, Options().max_vertices(1000000)), "the vertex budget allows 2e+06"));
+  CHECK(has_text(error(pslg, Options().max_vertices(1000000)), "the vertex budget allows 1000000"));
   CHECK(error(pslg, Options().min_edge(1e-3)).empty());
   CHECK(
       has_text(error(read("hard_stretched_polygon.poly")), "a graph of fewer than 1000 vertices is allowed"));
@@ -201,15 +201,14 @@ TEST_CASE("A small graph whose mesh turns out too large is refused, too", "[mesh
   const Pslg pslg = parallel_segments(2e-6);
   const std::string text = error(pslg);
   CAPTURE(text);
-  for (const char* part :
-       {"not done with 2e+06 triangles", "segment 4", "segment 5", "face each other at a distance of 2e-06"})
+  for (const char* part : {"not done with 2000000 triangles", "segment 4", "segment 5",
+                           "face each other at a distance of 2e-06"})
     CHECK(has_text(text, part));
   // What bounds of size ask for is added to the limit, and is no whole number.
   const std::string with_bound =
       error(read("hard_legs_for_a_million_triangles.poly"), Options().max_area(0.00056211354693648118));
   CAPTURE(with_bound);
-  for (const char* part : {"not done with 2.4e+06 triangles", "meet at an angle of 1.49"})
-    CHECK(has_text(with_bound, part));
+  for (const char* part : {"not done with 24", "meet at an angle of 1.49"}) CHECK(has_text(with_bound, part));
 }
 
 TEST_CASE("Bounds of size give a small graph no more for its gaps", "[mesher][budget]") {
@@ -220,7 +219,7 @@ TEST_CASE("Bounds of size give a small graph no more for its gaps", "[mesher][bu
         Options().size([](double, double) { return 0.04 * extent; })}) {
     const std::string text = error(pslg, options);
     CAPTURE(text);
-    CHECK(has_text(text, "a graph of fewer than 1000 vertices is allowed 2e+06"));
+    CHECK(has_text(text, "a graph of fewer than 1000 vertices is allowed 2000000"));
     CHECK(has_text(text, "segment 4"));
   }
   // What bounds of size ask for themselves is not refused.
@@ -274,7 +273,7 @@ TEST_CASE("Sizes that memory cannot hold are refused", "[mesher][budget]") {
 
 TEST_CASE("A budget refuses beforehand only what is far beyond it", "[mesher][budget]") {
   const Pslg pslg = parallel_segments(1e-3); // 4000 triangles
-  CHECK(has_text(error(pslg, Options().max_vertices(200)), "the vertex budget allows 4e+02"));
+  CHECK(has_text(error(pslg, Options().max_vertices(200)), "vertices, and the vertex budget allows 200:"));
   const Run r = run(pslg, Options().max_vertices(1500));
   CHECK(r.report.is_budget_exhausted);
   CHECK(r.report.vertices <= 1500);

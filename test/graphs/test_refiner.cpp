@@ -12,6 +12,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Refiner.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace test_refiner {
@@ -20,6 +21,7 @@ namespace {
 
 namespace internal = CGAL::Quadtree_mesh_2::internal;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using CGAL::Quadtree_mesh_2::Segment_index;
 using internal::Side;
 using internal::Triangle_id;
 using internal::Vertex_id;
@@ -37,31 +39,33 @@ std::size_t Counting_geometry::orientations = 0;
 using Mesh = internal::Kernel_mesh<Counting_geometry>;
 
 /// A fan of n triangles from (0, 0) to the points (i, 1). What is below it is beyond a seam.
-Mesh fan(Vertex_id n) {
+Mesh fan(std::uint32_t n) {
   Mesh mesh;
-  mesh.add_vertex({0, 0}, internal::input_vertex(0));
-  for (Vertex_id i = 0; i <= n; ++i) mesh.add_vertex({double(i), 1}, internal::input_vertex(i + 1));
-  for (Vertex_id i = 0; i < n; ++i) {
+  mesh.add_vertex({0, 0}, internal::input_vertex(Vertex_id(0)));
+  for (std::uint32_t i = 0; i <= n; ++i)
+    mesh.add_vertex({double(i), 1}, internal::input_vertex(Vertex_id(i + 1)));
+  for (std::uint32_t i = 0; i < n; ++i) {
     const Triangle_id t = mesh.new_triangle(); // its vertices: the hub, and two counterclockwise
-    mesh.triangle(t).v[0] = 0, mesh.triangle(t).v[1] = i + 2, mesh.triangle(t).v[2] = i + 1;
-    mesh.triangle_of[0] = mesh.triangle_of[std::size_t(i) + 1] = mesh.triangle_of[std::size_t(i) + 2] = t;
+    const Vertex_id corners[3] = {Vertex_id(0), Vertex_id(i + 2), Vertex_id(i + 1)};
+    for (int k = 0; k < 3; ++k) mesh.triangle(t).v[k] = corners[k], mesh.triangle_of[corners[k]] = t;
   }
-  for (Triangle_id t = 0; t + 1 < n; ++t) mesh.link(t, 2, Side(t + 1, 1));
-  mesh.link(n - 1, 2, Side::seam(0));
+  for (std::uint32_t i = 0; i + 1 < n; ++i) mesh.link(Triangle_id(i), 2, Side(Triangle_id(i + 1), 1));
+  mesh.link(Triangle_id(n - 1), 2, Side::seam(0));
   return mesh;
 }
 
 } // namespace
 
 TEST_CASE("A fan that goes on beyond a seam waits in linear time", "[refiner]") {
-  const Vertex_id n = GENERATE(1000, 4000);
+  const std::uint32_t n = GENERATE(1000u, 4000u);
   internal::Meshing_problem<Counting_geometry> problem;
   problem.bounds = internal::Bounds<Counting_geometry>(20.7 / 180 * CGAL_PI, 0, 0);
   internal::Meshing_state<Counting_geometry> state(problem, {});
   state.mesh = fan(n);
   problem.input_points = state.mesh.points;
-  std::vector<internal::Input_edge> edges{{0, 1, 0}};
-  for (Vertex_id i = 0; i < n; ++i) edges.push_back({i + 1, i + 2, i + 1});
+  std::vector<internal::Input_edge> edges{{Vertex_id(0), Vertex_id(1), Segment_index(0)}};
+  for (std::uint32_t i = 0; i < n; ++i)
+    edges.push_back({Vertex_id(i + 1), Vertex_id(i + 2), Segment_index(edges.size())});
   problem.edges = internal::Input_edges(edges, state.mesh.points.size());
   problem.corners.prepare(problem.edges, state.mesh.points.size());
   problem.set_outside({});

@@ -377,6 +377,7 @@ TEST_CASE("errors of GeoJSON tell the line", "[GeoJSON]") {
   const std::string deep = std::string(100000, '[') + std::string(100000, ']');
   for (const Case& c : std::vector<Case>{
            {"", "1: "},
+           {"{\"type\": \"Circle\"}", "1: the geometry: the type 'Circle' is unknown"},
            {"{\"type\": \"LineString\",\n\"coordinates\": [[1, 2],\n[3,\n\"4\"]]}",
             "3: the geometry, place 1"},
            {"{\"type\": \"LineString\",\n\"coordinates\": [[1, 2],\n[3, 1e999]]}", "3: "},

@@ -203,6 +203,20 @@ TEST_CASE("Points at one place of the grid are named, also after duplicates", "[
   }
 }
 
+TEST_CASE("Points that no triangle can tell apart are named, not the graph that they are in",
+          "[point_set_mesher]") {
+  const Options options = Options().least_angle();
+  for (const Points& points : {Points{{1, 0}, {0, 0}, {0, 1}, {1e-320, 0}},        // near each other
+                               Points{{2, 0}, {0, 0}, {0, 1e300}, {1, 1e-300}}}) { // or near a line
+    const Point_error error = error_of(points, options);
+    CAPTURE(error.what());
+    CHECK(error.kind() == Point_error::Kind::TOO_NEAR);
+    CHECK(std::size_t(error.point()) < points.size());
+    CHECK(std::size_t(error.other()) < points.size());
+    CHECK(std::string(error.what()).find("than 2^-420 of the extent") != std::string::npos);
+  }
+}
+
 TEST_CASE("Angles are the same promise at any effort, and more effort makes fewer triangles",
           "[point_set_mesher]") {
   for (const Options& options : {Options().bounded_angles(), Options().acute()}) {

@@ -71,9 +71,9 @@ using First = First_triangulation<CGAL::Sequential_tag, Geometry>;
 double predicates_per_triangle(const std::vector<Point>& polygon, double area) {
   Meshing_problem<Geometry> problem;
   Meshing_state<Geometry> state(problem);
-  const auto n = static_cast<Vertex_id>(polygon.size());
   std::vector<First::Segment> segments;
-  for (Vertex_id v = 0; v < n; ++v) segments.push_back({v, (v + 1) % n});
+  for (std::size_t v = 0; v < polygon.size(); ++v)
+    segments.push_back({Vertex_id(v), Vertex_id((v + 1) % polygon.size())});
   First first(state.mesh, polygon);
   REQUIRE(!first.run(segments));
   problem.edges = Input_edges(first.edges(), polygon.size());

@@ -74,8 +74,7 @@ void check_conformity(const Warped_mesh& mesh) {
   Wide_integer doubled_area = 0;
   std::size_t inverted = 0;
   for (const auto& t : mesh.triangles) {
-    const auto &a = mesh.places[std::size_t(t[0])], &b = mesh.places[std::size_t(t[1])],
-               &c = mesh.places[std::size_t(t[2])];
+    const auto &a = mesh.places[t[0]], &b = mesh.places[t[1]], &c = mesh.places[t[2]];
     const auto ux = std::int64_t(b.x - a.x), uy = std::int64_t(b.y - a.y);
     const auto vx = std::int64_t(c.x - a.x), vy = std::int64_t(c.y - a.y);
     const Wide_integer cross = Wide_integer(ux) * vy - Wide_integer(uy) * vx;
@@ -93,7 +92,7 @@ void check_conformity(const Warped_mesh& mesh) {
   for (std::size_t i = 0, j; i < edges.size(); i = j) {
     int sum = edges[i].turn;
     for (j = i + 1; j < edges.size() && !(edges[i] < edges[j]); ++j) sum += edges[j].turn;
-    const auto &p = mesh.places[edges[i].a], &q = mesh.places[edges[i].b];
+    const auto &p = mesh.places.values()[edges[i].a], &q = mesh.places.values()[edges[i].b];
     const bool is_border =
         (p.x == q.x && (p.x == 0 || p.x == root)) || (p.y == q.y && (p.y == 0 || p.y == root));
     wrong += is_border ? j - i != 1 : j - i != 2 || sum != 0;
@@ -106,7 +105,7 @@ void check_mesh(const Warped_mesh& mesh, const std::vector<Point>& points) {
   REQUIRE(mesh.vertex_of_point.size() == points.size());
   std::size_t lost = 0, bad = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const auto& place = mesh.places[std::size_t(mesh.vertex_of_point[i])];
+    const auto& place = mesh.places[mesh.vertex_of_point[i]];
     lost += place.x != points[i].x() || place.y != points[i].y();
   }
   CHECK(lost == 0);
@@ -117,7 +116,7 @@ void check_mesh(const Warped_mesh& mesh, const std::vector<Point>& points) {
   for (const auto& t : mesh.triangles) {
     std::array<Place, 3> places;
     for (std::size_t k = 0; k < 3; ++k) {
-      const auto& g = mesh.places[std::size_t(t[k])];
+      const auto& g = mesh.places[t[k]];
       places[k] = {std::int64_t(g.x), std::int64_t(g.y)};
     }
     bad += !has_good_angles<Wide_integer>(places);

@@ -27,6 +27,7 @@ namespace {
 namespace internal = CGAL::Quadtree_mesh_2::internal;
 using Geometry = internal::Double_geometry_2<CGAL::Exact_predicates_inexact_constructions_kernel>;
 using Point = Geometry::Point;
+using CGAL::Quadtree_mesh_2::Segment_index;
 using internal::Edge_id;
 using internal::Input_edge;
 using internal::Vertex_id;
@@ -46,32 +47,29 @@ struct Bundle {
     Random random(seed);
     const auto place = [&] { return offset + random.between(0, 1); };
     const Point a{place(), place()}, b{place(), place()};
-    std::vector<Input_edge> edges{{0, 1, 0}};
+    std::vector<Input_edge> edges{{Vertex_id(0), Vertex_id(1), Segment_index(0)}};
     problem.input_points = {a, b};
     for (int i = random.integer(1, 4); i > 0; --i) {
       const double f = random.between(0, 1);
-      add({moved(a.x + f * (b.x - a.x), random.integer(-3, 3)),
-           moved(a.y + f * (b.y - a.y), random.integer(-3, 3))});
-      const Vertex_id near = static_cast<Vertex_id>(problem.input_points.size()) - 1;
+      const Vertex_id near = add({moved(a.x + f * (b.x - a.x), random.integer(-3, 3)),
+                                  moved(a.y + f * (b.y - a.y), random.integer(-3, 3))});
       if (random.integer(0, 1) == 0) continue;
-      add({place(), place()});
-      edges.push_back({near, near + 1, static_cast<std::int32_t>(edges.size())});
+      edges.push_back({near, add({place(), place()}), Segment_index(edges.size())});
     }
     problem.edges = internal::Input_edges(edges, problem.input_points.size());
   }
 
-  void add(const Point& p) { problem.input_points.push_back(p); }
+  Vertex_id add(const Point& p) { return problem.input_points.add(p); }
 
   /// Whether it is a graph: no edges cross, and no vertex lies on another one's edge.
   bool is_planar() const {
     internal::Kernel_mesh<Geometry> mesh;
-    internal::First_triangulation<CGAL::Sequential_tag, Geometry> first(mesh, problem.input_points);
+    internal::First_triangulation<CGAL::Sequential_tag, Geometry> first(mesh, problem.input_points.values());
     std::vector<std::array<Vertex_id, 2>> segments;
-    for (std::size_t e = 0; e < problem.edges.size(); ++e)
-      segments.push_back({problem.edges[Edge_id(e)].a, problem.edges[Edge_id(e)].b});
+    for (const Edge_id e : problem.edges.ids()) segments.push_back({problem.edges[e].a, problem.edges[e].b});
     if (first.run(segments) || first.number_of_vertices_on_segments() > 0) return false;
-    for (std::size_t v = 0; v < problem.input_points.size(); ++v)
-      if (first.representative(Vertex_id(v)) != Vertex_id(v)) return false;
+    for (const Vertex_id v : problem.input_points.ids())
+      if (first.representative(v) != v) return false;
     return true;
   }
 
@@ -134,10 +132,10 @@ TEST_CASE("Edges bent within their rooms are the same graph", "[mesher][theorem5
       for (std::size_t e = 0; e < chains.size(); ++e) {
         vertices += chains[e].size() - 2;
         for (std::size_t f = e + 1; f < chains.size(); ++f) CHECK_FALSE(cross(chains[e], chains[f]));
-        for (std::size_t v = 0; v < bundle.problem.input_points.size(); ++v) {
+        for (const Vertex_id v : bundle.problem.input_points.ids()) {
           const Input_edge& edge = bundle.problem.edges[Edge_id(e)];
-          if (Vertex_id(v) != edge.a && Vertex_id(v) != edge.b)
-            CHECK_FALSE(is_passed_over(bundle.problem.input_points[v], chains[e]));
+          if (v != edge.a && v != edge.b)
+            CHECK_FALSE(is_passed_over(bundle.problem.input_point(v), chains[e]));
         }
       }
     }

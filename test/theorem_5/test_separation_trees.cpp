@@ -198,8 +198,9 @@ TEST_CASE("Leaves of T_B' are no smaller than a vertex nearby asks for", "[trees
       const Vector half{side / 2, side / 2};
       bool is_asked_for = false;
       for (std::size_t v = 0; v < asked.size() && !is_asked_for; ++v) {
-        const Vector to_leaf =
-            Geometry::difference(trees.kernel_point({s.x, s.y}), graph.problem().input_points[v]) + half;
+        const Vector to_leaf = Geometry::difference(trees.kernel_point({s.x, s.y}),
+                                                    graph.problem().input_point(internal::Vertex_id(v))) +
+                               half;
         is_asked_for =
             side >= share_of_distance * asked[v] && side >= share_of_way * std::sqrt(squared_length(to_leaf));
       }

@@ -245,6 +245,16 @@ TEST_CASE("Where quadtrees exhaust a budget refinement makes the mesh", "[mesher
   }
 }
 
+TEST_CASE("Rounds that use up a budget are no start for refinement", "[mesher][theorem5]") {
+  const Pslg pslg = read("syn_near_1e-06.poly");
+  constexpr std::size_t budget = 500; // two rounds reach it, a third would have no triangle below the bound
+  const Run r = run(pslg, by_quadtrees().max_vertices(budget));
+  CHECK(r.report.trees.end == End::BUDGET);
+  CHECK(r.report.trees.rounds > 0);
+  CHECK(r.report.is_met());
+  CHECK(are_same(r.mesh, Mesher(Options().max_vertices(budget))(pslg)));
+}
+
 TEST_CASE("Vertices of edges a few steps apart stay within rounding of their edges", "[mesher][theorem5]") {
   for (const char* name : {"hard_legs_a_few_steps_apart.poly", "hard_lattice_doubled_by_steps.poly"}) {
     CAPTURE(name);

@@ -138,6 +138,19 @@ TEMPLATE_TEST_CASE("Integers are meshed by quadtrees", "[mesher][theorem5]", std
     check_mesh<Traits>(fixed, Options().separate(Tree_options().place(Tree_options::Placement::BY_RULE)));
 }
 
+TEST_CASE("Integers whose quadtrees use up the budget are meshed on demand", "[mesher][theorem5]") {
+  using Traits = CGAL::Fixed_point_quadtree_traits_2<std::uint64_t>;
+  const Pslg pslg = read("hard_gap_outside_for_rounds.poly");
+  const auto scale = CGAL::Fixed_point_scale_2<std::uint64_t>::of_points(pslg.vertices);
+  CGAL::Pslg_2<Traits::Point_2> fixed;
+  for (const auto& p : pslg.vertices) fixed.vertices.push_back(scale.to_fixed(p.x(), p.y()));
+  fixed.segments = pslg.segments;
+  CGAL::Quality_mesher_2<Traits> mesher(by_quadtrees());
+  CHECK(mesher(fixed).triangles.size() == 3);
+  CHECK(mesher.report().trees.end == End::BUDGET);
+  CHECK(mesher.report().is_met());
+}
+
 TEST_CASE("Rational graphs are meshed by quadtrees", "[mesher][theorem5][exact]") {
   for (const std::string name : {"syn_square.poly", "syn_sliver_1deg.poly", "syn_near_1e-06.poly",
                                  "syn_near_1e-12.poly", "syn_wedge_0.01deg.poly", "syn_wedge_10deg.poly",

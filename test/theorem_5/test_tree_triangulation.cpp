@@ -47,9 +47,9 @@ Placed placed_vertices(const Prepared& graph) {
 Point kernel_point(const Prepared& graph, double x, double y) { return graph.map().to_kernel({x, y}); }
 
 /// Puts a vertex at a place of the graph's coordinates.
-void add_vertex(const Prepared& graph, Placed& placed, double x, double y, internal::Edge_id edge) {
+void add_vertex(const Prepared& graph, Placed& placed, double x, double y, internal::Vertex_role role) {
   placed.points.push_back(kernel_point(graph, x, y));
-  placed.edge_of.push_back(edge);
+  placed.role_of.push_back(role);
 }
 
 bool triangulate(const Prepared& graph, const Placed& placed, Mesh& mesh) {
@@ -82,9 +82,9 @@ TEST_CASE("Corners at the place of vertices, or on edges, are left out", "[meshe
     add_vertex(graph, placed, p.x, p.y, internal::free_vertex);
   Mesh mesh;
   REQUIRE(triangulate(graph, placed, mesh));
-  for (Vertex_id v = 0; v < 6; ++v) CHECK(mesh.is_used(v));
-  for (const Vertex_id v : {6, 7, 8}) CHECK_FALSE(mesh.is_used(v));
-  CHECK(mesh.is_used(9) != mesh.is_used(10));
+  for (const int v : {0, 1, 2, 3, 4, 5}) CHECK(mesh.is_used(Vertex_id(v)));
+  for (const int v : {6, 7, 8}) CHECK_FALSE(mesh.is_used(Vertex_id(v)));
+  CHECK(mesh.is_used(Vertex_id(9)) != mesh.is_used(Vertex_id(10)));
   CHECK(area(graph, mesh) == Approx(1));
   for (const auto& t : mesh.triangles) CHECK(mesh.orientation(t.v[0], t.v[1], t.v[2]) > 0);
 }
@@ -93,10 +93,10 @@ TEST_CASE("Pieces of edges that cross, or meet, are no mesh", "[mesher][theorem5
   const Prepared graph(square_with_segment());
   for (const double y : {-.5, 0.}) {
     Placed placed = placed_vertices(graph);
-    const internal::Edge_id e = graph.problem().edges.between(4, 5);
+    const internal::Edge_id e = graph.problem().edges.between(Vertex_id(4), Vertex_id(5));
     add_vertex(graph, placed, .5, y, e); // on or beyond the lower side of the square
-    placed.segments[std::size_t(e)] = {graph.problem().edges[e].a, 6};
-    placed.segments.push_back({6, graph.problem().edges[e].b});
+    placed.segments[std::size_t(e)] = {graph.problem().edges[e].a, Vertex_id(6)};
+    placed.segments.push_back({Vertex_id(6), graph.problem().edges[e].b});
     Mesh mesh;
     CHECK_FALSE(triangulate(graph, placed, mesh));
     CHECK(mesh.triangles.empty());
@@ -114,11 +114,11 @@ TEST_CASE("Components are known by the sides of their edges", "[mesher][theorem5
   const std::size_t edges = graph.problem().edges.size();
   for (std::size_t e = 0; e < edges; ++e) {
     const auto& edge = graph.problem().edges[internal::Edge_id(e)];
-    if (edge.a < 4) continue;
+    if (edge.a < Vertex_id(4)) continue;
     const auto middle = graph.map().place(
         Geometry::between(graph.problem().input_point(edge.a), graph.problem().input_point(edge.b), .5));
     add_vertex(graph, placed, middle[0] * .9 + .05, middle[1] * .9 + .05, internal::Edge_id(e));
-    const Vertex_id v = static_cast<Vertex_id>(placed.points.size()) - 1;
+    const Vertex_id v = Vertex_id(placed.points.size() - 1);
     placed.segments[e] = {edge.a, v};
     placed.segments.push_back({v, edge.b});
   }

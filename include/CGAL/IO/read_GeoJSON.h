@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <istream>
+#include <iterator>
 #include <optional>
 #include <string>
 #include <utility>
@@ -110,6 +111,10 @@ private:
         add_geometry(parts[i], where + ", geometry " + std::to_string(i), depth + 1);
       return;
     }
+    constexpr const char* types[] = {"Point",           "MultiPoint", "LineString",
+                                     "MultiLineString", "Polygon",    "MultiPolygon"};
+    if (std::find(std::begin(types), std::end(types), type) == std::end(types))
+      fail(geometry, where + ": the type " + in_quotes(type) + " is unknown");
     const Json& coordinates = array_in(geometry, "coordinates", where);
     if (type == "Point")
       add_point(coordinates, where);
@@ -121,10 +126,8 @@ private:
       for_each_part(coordinates, where, "line", [this](auto&... part) { add_line(part...); });
     else if (type == "Polygon")
       add_polygon(coordinates, where);
-    else if (type == "MultiPolygon")
-      for_each_part(coordinates, where, "polygon", [this](auto&... part) { add_polygon(part...); });
     else
-      fail(geometry, where + ": the type " + in_quotes(type) + " is unknown");
+      for_each_part(coordinates, where, "polygon", [this](auto&... part) { add_polygon(part...); });
   }
 
   /// \tparam Add called with the part and with words for its place

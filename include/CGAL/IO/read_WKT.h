@@ -117,7 +117,9 @@ private:
     const bool is_collection = type == "GEOMETRYCOLLECTION";
     const Read_body read_body = find_reader(type);
     if (!is_collection && !read_body)
-      scanner_.fail(in_quotes(word) + " is no type of geometry that is known here");
+      scanner_.fail(in_quotes(word) +
+                    " is no type of geometry; known are POINT, LINESTRING, POLYGON, their MULTI... and "
+                    "GEOMETRYCOLLECTION");
     scanner_.pass_word();
     for (const char* const tag : {"Z", "M", "ZM"})
       if (tag_.empty() && try_word(tag)) tag_ = tag;

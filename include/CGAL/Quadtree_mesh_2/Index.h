@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <functional>
 #include <ostream>
+#include <type_traits>
 
 namespace CGAL {
 namespace Quadtree_mesh_2 {
@@ -26,7 +27,8 @@ public:
 
   constexpr Index() = default;
   /// The index `i`.
-  constexpr explicit Index(std::size_t i) : value_(static_cast<size_type>(i)) {}
+  template <class Integer, class = std::enable_if_t<std::is_integral_v<Integer>>>
+  constexpr explicit Index(Integer i) : value_(static_cast<size_type>(i)) {}
 
   /// The number.
   constexpr size_type value() const { return value_; }

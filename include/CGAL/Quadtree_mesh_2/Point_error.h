@@ -27,8 +27,8 @@ public:
     OUT_OF_RANGE,
     /// Two distinct points fall on the same grid point: the words of the traits are too short.
     INDISTINGUISHABLE,
-    /// Two points are nearer to each other than meshes of tiles allow: about 2^-45 of the extent over doubles, and
-    /// 2^-49 with words.
+    /// Two points are nearer to each other than meshes of tiles allow, about 2^-45 of the extent over doubles and
+    /// 2^-49 with words; or, in meshes with a least angle, than 2^-420 of the extent.
     TOO_NEAR
   };
 
@@ -37,6 +37,10 @@ public:
   /// An error of two points.
   Point_error(Kind kind, Point_index point, Point_index other)
       : Point_error(kind, point, other, message(kind)) {}
+  /// The same in the words of `reason`.
+  Point_error(Kind kind, Point_index point, Point_index other, const std::string& reason)
+      : std::invalid_argument(names(point, other) + ' ' + reason), kind_(kind), point_(point), other_(other),
+        reason_(reason) {}
   /// A point that is out of range.
   /// \param limit what the coordinates have to be, such as "below 2^62"
   Point_error(Point_index point, const std::string& limit)
@@ -53,10 +57,6 @@ public:
   const std::string& reason() const { return reason_; }
 
 private:
-  Point_error(Kind kind, Point_index point, Point_index other, const std::string& reason)
-      : std::invalid_argument(names(point, other) + ' ' + reason), kind_(kind), point_(point), other_(other),
-        reason_(reason) {}
-
   static std::string names(Point_index point, Point_index other) {
     if (!other.is_valid()) return "point " + std::to_string(point.value());
     return "points " + std::to_string(point.value()) + " and " + std::to_string(other.value());

@@ -131,7 +131,7 @@ private:
   Order order_; // kernel vertex -> input vertex
   Input_words<Point_2> words_{pslg_, order_};
   typename Size_estimate<Geometry>::Pair worst_pair_;
-  std::vector<char> is_merged_;                    // kernel vertices that another one stands for
+  Indexed_vector<Vertex_id, char> is_merged_;      // kernel vertices that another one stands for
   std::optional<Pslg_error_2> too_near_for_trees_; // the error for the first of them
   double triangles_of_sizes_ = 0;                  // what bounds of size ask for, as estimated
 
@@ -160,9 +160,9 @@ private:
     First first(state_.mesh, points);
     if (const auto crossing = first.run(kernel_segments())) throw words_.crossing(first.edges(), *crossing);
     is_merged_.resize(n);
-    for (std::size_t v = 0; v < n; ++v) {
-      is_merged_[v] = first.representative(static_cast<Vertex_id>(v)) != static_cast<Vertex_id>(v) ? 1 : 0;
-      report_.merged_vertices += std::size_t(is_merged_[v]);
+    for (const Vertex_id v : is_merged_.ids()) {
+      is_merged_[v] = first.representative(v) != v ? 1 : 0;
+      report_.merged_vertices += is_merged_[v] != 0 ? 1 : 0;
     }
     report_.vertices_on_segments = first.number_of_vertices_on_segments();
     problem_.edges = Input_edges(first.edges(), n);
@@ -184,11 +184,35 @@ private:
   }
 
   /// What is near: what coordinates cannot tell apart is refused, what quadtrees cannot is noted.
+  /// \throws Pslg_error_2 if vertices are nearer to each other, or to segments, than the doubles can tell in which
+  /// angles are compared
   void check_distances() {
-    if constexpr (Geometry::has_unlimited_coordinates)
-      set_least_share_of_leg(), find_what_is_too_near_for_trees();
-    else if constexpr (Geometry::least_length > 0)
-      refuse_what_is_too_near();
+    const Kernel_mesh<Geometry>& mesh = state_.mesh;
+    if constexpr (Geometry::has_unlimited_coordinates) {
+      set_least_share_of_leg();
+      if (const auto* near = find_too_near([&mesh](const auto& t) { return mesh.shape(t); }))
+        too_near_for_trees_ = words_.too_near(
+            near->v,
+            ", nearer to each other, or to being on a line, than the 2^-128 of the extent that quadtrees "
+            "can tell: refine without them");
+    } else if constexpr (Geometry::least_length > 0) {
+      const auto shape = [&mesh](const auto& t) { return mesh.shape_of_flat(t.v[0], t.v[1], t.v[2]); };
+      if (const auto* near = find_too_near(shape))
+        throw words_.too_near(near->v,
+                              ": nearer to each other, or to being on a line, than 2^-420 of the extent");
+    }
+  }
+
+  /// \returns the first triangle with a side or a height below the least length; null if there is none
+  template <class Shape_of>
+  const typename Kernel_mesh<Geometry>::Triangle* find_too_near(const Shape_of& shape_of) const {
+    constexpr double least = Geometry::least_length * Geometry::least_length;
+    for (const auto& t : state_.mesh.triangles) {
+      if (!t.v[0].is_valid()) continue;
+      const auto s = shape_of(t);
+      if (!(s.shortest() >= least && s.area2 * s.area2 >= least * s.longest())) return &t;
+    }
+    return nullptr;
   }
 
   /// Coordinates are unlimited, and so are the distances that an input may have. Its least distance is a side
@@ -196,42 +220,12 @@ private:
   void set_least_share_of_leg() {
     constexpr double clearance = 0x1p-34; // squared
     typename Geometry::Number least = 1;
-    for_each_first_triangle([&](const auto& r, const auto& s) {
-      static_cast<void>(r);
+    for (const auto& t : state_.mesh.triangles) {
+      if (!t.v[0].is_valid()) continue;
+      const auto s = state_.mesh.shape(t);
       least = std::min({least, s.shortest(), s.area2 * s.area2 / s.longest()});
-    });
-    problem_.least_share_of_leg = sqrt(clearance * least);
-  }
-
-  /// The doubles in which quadtrees place vertices are limited: finds vertices that are nearer to each other, or to a
-  /// segment, than these can tell.
-  void find_what_is_too_near_for_trees() {
-    constexpr double least = Geometry::least_length * Geometry::least_length;
-    for_each_first_triangle([&](const auto& r, const auto& s) {
-      if (too_near_for_trees_ || (s.shortest() >= least && s.area2 * s.area2 >= least * s.longest())) return;
-      too_near_for_trees_ = words_.too_near(
-          r.v, ", nearer to each other, or to being on a line, than the 2^-128 of the extent that quadtrees "
-               "can tell: refine without them");
-    });
-  }
-
-  template <class Function>
-  void for_each_first_triangle(const Function& f) const {
-    for (const auto& r : state_.mesh.triangles)
-      if (r.v[0] >= 0) f(r, state_.mesh.shape(r));
-  }
-
-  /// Coordinates tell more apart than the doubles in which angles are compared.
-  /// \throws Pslg_error_2 if vertices are nearer to each other, or to segments, than these can tell. Such pairs are
-  /// sides and heights of triangles.
-  void refuse_what_is_too_near() const {
-    constexpr double least = Geometry::least_length * Geometry::least_length;
-    for (const auto& r : state_.mesh.triangles) {
-      if (r.v[0] < 0) continue;
-      const auto s = state_.mesh.shape_of_flat(r.v[0], r.v[1], r.v[2]);
-      if (s.shortest() >= least && s.area2 * s.area2 >= least * s.longest()) continue;
-      throw words_.too_near(r.v, ": nearer to each other, or to being on a line, than 2^-420 of the extent");
     }
+    problem_.least_share_of_leg = sqrt(clearance * least);
   }
 
   void set_bounds() {
@@ -276,22 +270,22 @@ private:
   }
 
   void set_region_bounds(double scale) {
-    std::vector<double>& bounds = problem_.bounds.area2_of_region;
-    bounds.assign(pslg_.regions.size(), std::numeric_limits<double>::infinity());
-    for (std::size_t i = 0; i < bounds.size(); ++i)
-      if (pslg_.regions[i].max_area > 0)
-        bounds[i] = 2 * (scale * pslg_.regions[i].max_area) * scale * (1 - Bounds<Geometry>::margin);
+    for (const auto& region : pslg_.regions)
+      problem_.bounds.area2_of_region.push_back(
+          region.max_area > 0 ? 2 * (scale * region.max_area) * scale * (1 - Bounds<Geometry>::margin)
+                              : std::numeric_limits<double>::infinity());
   }
 
   /// The segments in the kernel's numbering, which is the shuffle order.
   std::vector<typename First::Segment> kernel_segments() const {
-    std::vector<Vertex_id> kernel_vertex(order_.size());
-    for_each_index<ConcurrencyTag>(
-        order_.size(), [&](std::size_t i) { kernel_vertex[order_[i]] = static_cast<Vertex_id>(i); });
+    Indexed_vector<Vertex_index, Vertex_id> kernel_vertex(order_.size());
+    for_each_index<ConcurrencyTag>(order_.size(), [&](std::size_t i) {
+      kernel_vertex[Vertex_index(order_[i])] = static_cast<Vertex_id>(i);
+    });
     std::vector<typename First::Segment> segments(pslg_.number_of_segments());
     for_each_index<ConcurrencyTag>(segments.size(), [&](std::size_t s) {
       const auto& [a, b] = pslg_.segments[s];
-      segments[s] = {kernel_vertex[std::size_t(a)], kernel_vertex[std::size_t(b)]};
+      segments[s] = {kernel_vertex[a], kernel_vertex[b]};
     });
     return segments;
   }
@@ -367,14 +361,22 @@ private:
   }
 
   /// Makes a mesh by quadtrees, and refines what is too large in it, or could not be cured.
-  /// \returns false if there is none; the mesh is as it was then
+  /// \returns false if there is none, or one that used up the budget where refinement has not been tried: it has fewer
+  /// vertices from the start. The mesh is as it was then.
   bool construct_by_trees(Refiner<Geometry>& refiner) {
     using End = Tree_separation_report_2::End;
     if (too_near_for_trees_) throw *too_near_for_trees_;
+    const bool is_first_choice = !report_.trees.has_taken_over;
+    Kernel_mesh<Geometry> mesh_before = is_first_choice ? state_.mesh : Kernel_mesh<Geometry>();
     report_.trees.end = make_mesh_by_trees();
     const std::size_t meshes = report_.trees.rounds - (report_.trees.end == End::FAILED ? 1 : 0);
     if (meshes == 0) return false;
     clock_.enter(&Seconds::refine);
+    if (is_first_choice && report_.trees.end == End::BUDGET) {
+      state_.mesh = std::move(mesh_before);
+      state_.clear_worklist();
+      return false;
+    }
     refiner.push_all();
     run_to_the_end(refiner, budgets().of_repair(state_.mesh.number_of_vertices()));
     state_.legalize();
@@ -417,8 +419,8 @@ private:
     Pslg graph;
     graph.vertices.reserve(order_.size());
     for (std::size_t v = 0; v < order_.size(); ++v) graph.vertices.push_back(pslg_.vertices[order_[v]]);
-    for (std::size_t e = 0; e < problem_.edges.size(); ++e) {
-      const Input_edge& edge = problem_.edges[static_cast<Edge_id>(e)];
+    for (const Edge_id e : problem_.edges.ids()) {
+      const Input_edge& edge = problem_.edges[e];
       graph.add_segment(Vertex_index(std::size_t(edge.a)), Vertex_index(std::size_t(edge.b)));
     }
     return graph;

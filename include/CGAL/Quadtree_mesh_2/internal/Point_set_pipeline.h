@@ -8,7 +8,7 @@
 //
 //   equal points merged
 //   -> frame: a square parallel to the axes, or a row of squares along the diameter
-//   -> clusters, if all angles shall be acute and nothing more
+//   -> clusters, if all angles have to be acute and nothing more
 //   -> levels of squares, tiles, sites assigned to vertices (Tile_forest.h)
 //   -> vertices moved to the points, relaxation, repair (Site_mesh.h); as long as some triangles remain outside the
 //      range, smaller squares for the points next to them, and again
@@ -21,6 +21,7 @@
 #include <CGAL/Indexed_mesh_2.h>
 #include <CGAL/Point_set_mesh_options_2.h>
 #include <CGAL/Point_set_mesh_report_2.h>
+#include <CGAL/Pslg_error_2.h>
 #include <CGAL/Quadtree_mesh_2/Point_error.h>
 #include <CGAL/Quadtree_mesh_2/Quality_mesher_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/Phase_clock.h>
@@ -229,7 +230,7 @@ private:
     if (options_.effort() == 3) options.smooth(1);
     const Pslg_2<Point_2> pslg = points_in_box(points_);
     Quality_mesher_2<Traits, Tag> mesher(options, traits_);
-    Mesh mesh = mesher(pslg);
+    Mesh mesh = mesh_of_points(mesher, pslg);
     const Quality_mesh_report_2& report = mesher.report();
     // the box is none of the user's
     mesh.number_of_input_vertices = points_.size();
@@ -244,6 +245,20 @@ private:
     report_.wall_seconds = seconds_of(report.wall_seconds);
     measure_angles(mesh, Map(pslg.vertices));
     return mesh;
+  }
+
+  /// \throws Point_error for an error of the graph that points are at fault for: their user knows of no graph.
+  template <class Mesher>
+  Mesh mesh_of_points(Mesher& mesher, const Pslg_2<Point_2>& pslg) const try {
+    return mesher(pslg);
+  } catch (const Pslg_error_2& error) {
+    std::vector<Point_index> points;
+    for (const auto v : error.parts().vertices)
+      if (std::size_t(v) < points_.size()) points.push_back(Point_index(std::size_t(v)));
+    if (error.kind() != Pslg_error_2::Kind::TOO_NEAR || points.size() < 2) throw;
+    throw Point_error(
+        Point_error::Kind::TOO_NEAR, points[0], points[1],
+        "are nearer to each other, or to a line through a third point, than 2^-420 of the extent");
   }
 
   static Seconds seconds_of(const Quality_mesh_report_2::Seconds& phases) {
@@ -261,8 +276,8 @@ private:
     const Warped_mesh warped = warped_squares(places, distinct);
     clock_.enter(&Seconds::convert);
     std::vector<Kernel_point> vertices(warped.places.size());
-    for_each_index<ConcurrencyTag>(vertices.size(),
-                                   [&](std::size_t v) { vertices[v] = frame.to_point(warped.places[v]); });
+    for_each_index<ConcurrencyTag>(
+        vertices.size(), [&](std::size_t v) { vertices[v] = frame.to_point(warped.places.values()[v]); });
     std::vector<Ring_vertex> vertex_of_point(places.size());
     for (std::size_t i = 0; i < places.size(); ++i)
       vertex_of_point[i] = static_cast<Ring_vertex>(warped.vertex_of_point[i].value());
@@ -276,7 +291,7 @@ private:
     const std::vector<Kernel_point> points = measure_angles(mesh, map);
     const Range_check<Geometry> range(least_warped_angle, largest_warped_angle);
     for (const std::uint32_t t : range.template outside<ConcurrencyTag>(mesh.triangles, points)) {
-      const auto p = [&](std::size_t k) { return points[std::size_t(mesh.triangles[t][k])]; };
+      const auto p = [&](std::size_t k) { return points[mesh.triangles[t][k].value()]; };
       report_.unmet_triangles.push_back({Triangle_index(t), centroid_of(map, p(0), p(1), p(2))});
     }
     return mesh;
@@ -287,9 +302,9 @@ private:
                                     const Distinct& distinct) try {
     Warped_mesh warped = Corner_warper<ConcurrencyTag>::run(places);
     constexpr std::size_t none = std::size_t(-1);
-    std::vector<std::size_t> point_at(warped.places.size(), none);
+    Indexed_vector<Vertex_index, std::size_t> point_at(warped.places.size(), none);
     for (std::size_t i = 0; i < places.size(); ++i) {
-      std::size_t& other = point_at[std::size_t(warped.vertex_of_point[i])];
+      std::size_t& other = point_at[warped.vertex_of_point[i]];
       if (other != none)
         throw Point_error(Point_error::Kind::INDISTINGUISHABLE, Point_index(distinct.input_point(other)),
                           Point_index(distinct.input_point(i)));

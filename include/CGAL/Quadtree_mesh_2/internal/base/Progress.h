@@ -25,7 +25,7 @@ struct Progress_shares {
   static constexpr double placing = 0.2, coarsening = 0.75;
 };
 
-/// Whether a loop of many short steps asks now if it shall go on.
+/// Whether a loop of many short steps asks now if it should go on.
 constexpr bool is_time_to_ask(std::size_t step) {
   constexpr std::size_t steps_between_questions = 4096;
   return step % steps_between_questions == 0;

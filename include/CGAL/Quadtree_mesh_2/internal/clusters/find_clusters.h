@@ -139,7 +139,7 @@ private:
 };
 
 /// Finds the clusters.
-/// \param gap at least `least_cluster_gap` if the clusters shall be meshed.
+/// \param gap at least `least_cluster_gap` if the clusters are to be meshed.
 /// \pre the points are distinct
 template <class Geometry>
 Cluster_tree find_clusters(const std::vector<typename Geometry::Point>& points, double gap) {

@@ -190,7 +190,7 @@ struct Rounded_geometry {
   static double doubled_area(Vector u, Vector v, const Point&, const Point&, const Point&) {
     return cross(u, v);
   }
-  /// For flips that shall end whatever the rounding: ties and near-ties are left as they are; but not those of
+  /// For flips that have to end whatever the rounding: ties and near-ties are left as they are; but not those of
   /// triangles that are nearly flat, whose circle says nothing in doubles: they are decided exactly.
   template <class Point>
   static bool is_certainly_in_circle(const Point& a, const Point& b, const Point& c, const Point& d) {

@@ -311,7 +311,7 @@ private:
   std::vector<Edge> outside_segments() const {
     std::vector<char> is_in_mesh(pslg_.segments.size(), 0);
     for (const auto& e : mesh_.constrained_edges)
-      if (std::size_t(e.segment) < is_in_mesh.size()) is_in_mesh[std::size_t(e.segment)] = 1;
+      if (std::size_t(e.segment) < is_in_mesh.size()) is_in_mesh[e.segment] = 1;
     std::vector<Edge> edges;
     for (std::size_t s = 0; s < pslg_.segments.size(); ++s) {
       const auto& ends = pslg_.segments[s];

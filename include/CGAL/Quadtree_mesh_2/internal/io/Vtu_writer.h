@@ -161,7 +161,7 @@ private:
   void find_outside_segments() {
     std::vector<char> is_in_mesh(pslg_.segments.size(), 0);
     for (const auto& e : mesh_.constrained_edges)
-      if (std::size_t(e.segment) < is_in_mesh.size()) is_in_mesh[std::size_t(e.segment)] = 1;
+      if (std::size_t(e.segment) < is_in_mesh.size()) is_in_mesh[e.segment] = 1;
     for (std::size_t s = 0; s < pslg_.segments.size(); ++s)
       if (is_in_mesh[s] == 0) outside_.push_back(s);
   }
@@ -175,14 +175,14 @@ private:
     for (std::size_t e = 0; e < n; ++e) {
       const auto& ends = mesh_.constrained_edges[e].vertices;
       edges.push_back({sorted(ends[0], ends[1]), e});
-      for (const Vertex_index v : ends) is_end[std::size_t(v)] = 1;
+      for (const Vertex_index v : ends) is_end[v] = 1;
     }
     std::sort(edges.begin(), edges.end());
     triangles_at_.assign(n, {none_, none_});
     for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
       for (std::size_t k = 0; k < 3; ++k) {
         const Vertex_index a = mesh_.triangles[t][k], b = mesh_.triangles[t][(k + 1) % 3];
-        if (is_end[std::size_t(a)] == 0 || is_end[std::size_t(b)] == 0) continue;
+        if (is_end[a] == 0 || is_end[b] == 0) continue;
         const Edge side = sorted(a, b);
         for (auto e = std::lower_bound(edges.begin(), edges.end(), std::pair(side, std::size_t(0)));
              e != edges.end() && e->first == side; ++e) {

@@ -115,8 +115,8 @@ private:
   template <class Oracle>
   void find_bad(const Oracle& oracle) {
     is_excused_.assign(faces_.size(), 0);
-    for (const auto& t : report_.exempt_triangles) is_excused_[std::size_t(t.triangle)] = 1;
-    for (const auto& t : report_.unmet_triangles) is_excused_[std::size_t(t.triangle)] = 1;
+    for (const auto& t : report_.exempt_triangles) is_excused_[t.triangle.value()] = 1;
+    for (const auto& t : report_.unmet_triangles) is_excused_[t.triangle.value()] = 1;
     bad_.clear();
     for (std::size_t t = 0; t < faces_.size(); ++t) {
       const CGAL::Mesh_2::Face_badness badness = oracle.badness(faces_[t]);
@@ -166,7 +166,7 @@ private:
   template <class Oracle>
   void report_bad(const Oracle& oracle) {
     std::vector<char> is_listed(faces_.size(), 0);
-    for (const auto& t : report_.unmet_triangles) is_listed[std::size_t(t.triangle)] = 1;
+    for (const auto& t : report_.unmet_triangles) is_listed[t.triangle.value()] = 1;
     for (const std::size_t t : bad_) {
       if (is_listed[t] != 0) continue;
       const Plane_triangle triangle = oracle.triangle(faces_[t]);

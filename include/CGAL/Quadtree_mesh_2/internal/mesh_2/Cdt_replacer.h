@@ -69,11 +69,10 @@ public:
       link_constrained_vertices(mesh);
       std::vector<char> is_split(input_.pslg().number_of_segments(), 0);
       for (const auto& e : mesh.constrained_edges) {
-        const auto& ends = input_.pslg().segments[std::size_t(e.segment)];
+        const auto& ends = input_.pslg().segments[e.segment];
         for (std::size_t i = 0; i < 2; ++i)
-          if (e.vertices[i] == ends[0] && e.vertices[1 - i] != ends[1] &&
-              is_split[std::size_t(e.segment)] == 0) {
-            is_split[std::size_t(e.segment)] = 1;
+          if (e.vertices[i] == ends[0] && e.vertices[1 - i] != ends[1] && is_split[e.segment] == 0) {
+            is_split[e.segment] = 1;
             split_constraint(ends[0].value(), e.vertices[1 - i].value(), ends[1].value());
           }
       }
@@ -98,9 +97,9 @@ private:
         points.push_back(flat_.lift(mesh.points[v]));
         continue;
       }
-      const auto& ends = input_.pslg().segments[std::size_t(s)];
-      points.push_back(flat_.lift_to_segment(mesh.points[v], input_.vertices()[std::size_t(ends[0])]->point(),
-                                             input_.vertices()[std::size_t(ends[1])]->point()));
+      const auto& ends = input_.pslg().segments[s];
+      points.push_back(flat_.lift_to_segment(mesh.points[v], input_.vertices()[ends[0]]->point(),
+                                             input_.vertices()[ends[1]]->point()));
     }
     return points;
   }

@@ -72,7 +72,7 @@ public:
     Plane_triangle t;
     for (int k = 0; k < 3; ++k) {
       const auto p = flat_(f->vertex(k)->point());
-      t.p[std::size_t(k)] = {CGAL::to_double(p.x()), CGAL::to_double(p.y())};
+      t.p[k] = {CGAL::to_double(p.x()), CGAL::to_double(p.y())};
     }
     return t;
   }

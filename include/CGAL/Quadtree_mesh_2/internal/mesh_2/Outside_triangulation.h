@@ -102,7 +102,7 @@ private:
   std::vector<std::size_t> choose_vertices() {
     for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
       for (std::uint32_t k = 0; k < 3; ++k) {
-        is_used_[std::size_t(mesh_.triangles[t][k])] = 1;
+        is_used_[mesh_.triangles[t][k]] = 1;
         if (mesh_.neighbors[t][k].is_valid()) continue;
         border_.push_back(3 * t + k);
         is_chosen_[origin(border_.back())] = 1;
@@ -129,7 +129,7 @@ private:
     std::vector<std::uint64_t> odd(pslg.segments.size(), 0);
     for (const auto& e : mesh_.constrained_edges)
       if (std::size_t(e.segment) < odd.size()) // else `pslg` is not the mesh's, but an empty one
-        odd[std::size_t(e.segment)] ^= mix(e.vertices[0].value()) ^ mix(e.vertices[1].value());
+        odd[e.segment] ^= mix(e.vertices[0].value()) ^ mix(e.vertices[1].value());
     bool is_complete = true;
     for (std::size_t s = 0; s < pslg.segments.size(); ++s) {
       odd[s] ^= mix(pslg.segments[s][0].value()) ^ mix(pslg.segments[s][1].value());
@@ -174,10 +174,10 @@ private:
     for (std::uint32_t s = 0; s < pslg.segments.size(); ++s) {
       const auto& [a, b] = pslg.segments[s];
       input.walk_segment(a.value(), b.value(), [&](auto f, int i, bool) {
-        if (f->info().is_seen[std::size_t(i)]) return;
-        f->info().is_seen[std::size_t(i)] = true;
+        if (f->info().is_seen[i]) return;
+        f->info().is_seen[i] = true;
         if (input.cdt().dimension() == 2)
-          f->neighbor(i)->info().is_seen[std::size_t(input.cdt().mirror_index(f, i))] = true;
+          f->neighbor(i)->info().is_seen[input.cdt().mirror_index(f, i)] = true;
         pieces.push_back({{f->vertex(Cdt::ccw(i))->info(), f->vertex(Cdt::cw(i))->info()}, s});
       });
     }
@@ -196,7 +196,7 @@ private:
   std::vector<Spoke> spokes_of_mesh(const std::vector<std::uint64_t>& odd) const {
     std::vector<Spoke> spokes;
     for (const auto& e : mesh_.constrained_edges) {
-      if (std::size_t(e.segment) >= odd.size() || odd[std::size_t(e.segment)] == 0) continue;
+      if (std::size_t(e.segment) >= odd.size() || odd[e.segment] == 0) continue;
       for (std::size_t i = 0; i < 2; ++i)
         if (e.vertices[i].value() < number_of_input_vertices_)
           spokes.push_back(
@@ -234,8 +234,8 @@ private:
         ++steps;
         const Face_handle g = f->neighbor(i);
         const int j = cdt_.cdt().mirror_index(f, i);
-        f->info().mesh_side[std::size_t(i)] = side;
-        g->info().mesh_side[std::size_t(j)] = side;
+        f->info().mesh_side[i] = side;
+        g->info().mesh_side[j] = side;
         stack.push_back(is_left_of_walk != cdt_.is_reversed(a, b) ? f : g);
       });
       if (!is_path || steps != 1) throw border_is_hit(a, b);
@@ -247,7 +247,7 @@ private:
       f->info().is_inside = true;
       CGAL_assertion(!cdt_.cdt().is_infinite(f));
       for (int i = 0; i < 3; ++i)
-        if (f->info().mesh_side[std::size_t(i)] == none) stack.push_back(f->neighbor(i));
+        if (f->info().mesh_side[i] == none) stack.push_back(f->neighbor(i));
     }
   }
 

@@ -140,8 +140,7 @@ private:
   void create_mesh_faces() {
     faces_.reserve(mesh_.triangles.size());
     for (const auto& t : mesh_.triangles) {
-      const Face_handle f = create_face(vertices_[std::size_t(t[0])], vertices_[std::size_t(t[1])],
-                                        vertices_[std::size_t(t[2])]);
+      const Face_handle f = create_face(vertices_[t[0]], vertices_[t[1]], vertices_[t[2]]);
       Domain_of_face::set(*f, true);
       faces_.push_back(f);
     }
@@ -163,8 +162,8 @@ private:
   void link_mesh_faces() {
     for (std::size_t t = 0; t < faces_.size(); ++t)
       for (int k = 0; k < 3; ++k) {
-        const Triangle_index n = mesh_.neighbors[t][std::size_t(k)];
-        if (n.is_valid()) faces_[t]->set_neighbor(k, faces_[std::size_t(n)]);
+        const Triangle_index n = mesh_.neighbors[t][k];
+        if (n.is_valid()) faces_[t]->set_neighbor(k, faces_[n]);
       }
   }
 
@@ -174,7 +173,7 @@ private:
       const Face_handle face = outside_faces_[f->info().number];
       for (int i = 0; i < 3; ++i) {
         Constraint_of_face::set(*face, i, f->is_constrained(i));
-        const std::uint32_t side = f->info().mesh_side[std::size_t(i)];
+        const std::uint32_t side = f->info().mesh_side[i];
         if (side == none_) {
           face->set_neighbor(i, outside_faces_[f->neighbor(i)->info().number]);
         } else {
@@ -197,7 +196,7 @@ private:
     constrained.reserve(mesh_.constrained_edges.size());
     for (const auto& e : mesh_.constrained_edges) {
       constrained.push_back(std::minmax(e.vertices[0].value(), e.vertices[1].value()));
-      is_on_segment[std::size_t(e.vertices[0])] = is_on_segment[std::size_t(e.vertices[1])] = 1;
+      is_on_segment[e.vertices[0]] = is_on_segment[e.vertices[1]] = 1;
     }
     std::sort(constrained.begin(), constrained.end());
     for (std::size_t t = 0; t < faces_.size(); ++t)

@@ -95,7 +95,7 @@ private:
   /// Whether both ends of a segment are further along than a coordinate: what most segments of a long list
   /// need not be asked more than.
   bool is_beyond(const Ray& ray, Segment_index s, double coordinate) const {
-    const auto& segment = graph_.segments[std::size_t(s)];
+    const auto& segment = graph_.segment(s);
     const std::pair<double, double> a = Arithmetic::bounds(graph_.point(segment[0]), ray.axis());
     const std::pair<double, double> b = Arithmetic::bounds(graph_.point(segment[1]), ray.axis());
     return ray.sign() > 0 ? a.first > coordinate && b.first > coordinate

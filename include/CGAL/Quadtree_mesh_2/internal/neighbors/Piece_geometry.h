@@ -53,7 +53,7 @@ public:
 
   const Places& places() const { return places_; }
   /// Whether a vertex lies there, rather than a crossing only.
-  bool is_vertex(Place p) const { return std::size_t(p) < places_.size(); }
+  bool is_vertex(Place p) const { return p.value() < places_.size(); }
 
   /// The order of the sweep: from left to right, and upwards where that is equal.
   int compare(Place p, Place q) const {
@@ -138,7 +138,7 @@ private:
     return a < b ? -1 : b < a ? 1 : 0;
   }
 
-  const Crossing_point& crossing(Place p) const { return crossings_[std::size_t(p) - places_.size()]; }
+  const Crossing_point& crossing(Place p) const { return crossings_[p.value() - places_.size()]; }
 
   /// Two vertices on the line of a piece, the left one first.
   typename Places::Ends ends(const Segment_piece& c) const {
@@ -150,12 +150,11 @@ private:
   int input_axis(int i) const { return i == 0 ? 1 - places_.axis() : places_.axis(); }
 
   Exact coordinate(Place p, int i) const {
-    if (!is_vertex(p)) return crossing(p).position[std::size_t(i)];
+    if (!is_vertex(p)) return crossing(p).position[i];
     return Arithmetic::coordinate(places_.point(p), input_axis(i));
   }
   std::pair<double, double> bounds(Place p, int i) const {
-    return is_vertex(p) ? Arithmetic::bounds(places_.point(p), input_axis(i))
-                        : crossing(p).bounds[std::size_t(i)];
+    return is_vertex(p) ? Arithmetic::bounds(places_.point(p), input_axis(i)) : crossing(p).bounds[i];
   }
   int compare_exactly(Place p, Place q, int i) const {
     if (p == q) return 0;

@@ -17,6 +17,7 @@
 #define CGAL_QUADTREE_MESH_2_INTERNAL_NEIGHBORS_RANKED_PLACES_H
 
 #include <CGAL/Quadtree_mesh_2/Index.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/Indexed_vector.h>
 #include <CGAL/Quadtree_mesh_2/internal/geometry/Point_arithmetic.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel_sort.h>
@@ -52,19 +53,19 @@ public:
     result.ends_.resize(graph.segments.size());
     for_each_index<ConcurrencyTag>(graph.segments.size(), [&](std::size_t s) {
       const Place a = result.place(graph.segments[s][0]), b = result.place(graph.segments[s][1]);
-      result.ends_[s] = a < b ? Ends{{a, b}} : Ends{{b, a}};
+      result.ends_[Segment_index(s)] = a < b ? Ends{{a, b}} : Ends{{b, a}};
     });
     return result;
   }
 
   std::size_t size() const { return points_.size(); }
   int axis() const { return axis_; }
-  const Point& point(Place p) const { return points_[std::size_t(p)]; }
-  Place place(Vertex_index v) const { return place_of_[std::size_t(v)]; }
-  const Ends& ends(Segment_index s) const { return ends_[std::size_t(s)]; }
+  const Point& point(Place p) const { return points_[p]; }
+  Place place(Vertex_index v) const { return place_of_[v]; }
+  const Ends& ends(Segment_index s) const { return ends_[s]; }
 
   /// Lines along the rays are numbered, too.
-  std::uint32_t line(Place p) const { return lines_[std::size_t(p)]; }
+  std::uint32_t line(Place p) const { return lines_[p]; }
   /// Whether a segment lies along the rays. A single point does.
   bool is_along_rays(Segment_index s) const { return line(ends(s)[0]) == line(ends(s)[1]); }
 
@@ -104,15 +105,15 @@ private:
         lines_.push_back(lines_.empty() ? 0 : lines_.back() + (is_on_last_line ? 0 : 1));
         points_.push_back(p);
       }
-      place_of_[key.vertex] = Place(points_.size() - 1);
+      place_of_[Vertex_index(key.vertex)] = Place(points_.size() - 1);
     }
   }
 
   int axis_ = 1;
-  std::vector<Point> points_;
-  std::vector<std::uint32_t> lines_;
-  std::vector<Place> place_of_;
-  std::vector<Ends> ends_;
+  Indexed_vector<Place, Point> points_;
+  Indexed_vector<Place, std::uint32_t> lines_;
+  Indexed_vector<Vertex_index, Place> place_of_;
+  Indexed_vector<Segment_index, Ends> ends_;
 };
 
 } // namespace internal

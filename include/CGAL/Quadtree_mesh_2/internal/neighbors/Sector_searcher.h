@@ -52,9 +52,9 @@ public:
       : tree_(tree), lists_(lists), graph_(graph), apex_index_(apex), apex_(graph.point(apex)),
         right_(graph.point(right)), left_(graph.point(left)), at_most_(at_most) {
     for (int i = 0; i < 2; ++i) {
-      center_[std::size_t(i)] = approximation(apex_, i);
-      to_right_[std::size_t(i)] = approximate_difference(right_, i);
-      to_left_[std::size_t(i)] = approximate_difference(left_, i);
+      center_[i] = approximation(apex_, i);
+      to_right_[i] = approximate_difference(right_, i);
+      to_left_[i] = approximate_difference(left_, i);
     }
   }
 
@@ -99,7 +99,7 @@ private:
     return {b.first, b.second - b.first + unit_roundoff * std::fabs(b.first)};
   }
   Approximation approximate_difference(const Point& p, int axis) const {
-    return minus(approximation(p, axis), center_[std::size_t(axis)]);
+    return minus(approximation(p, axis), center_[axis]);
   }
   static Approximation minus(const Approximation& a, const Approximation& b) {
     const double d = a.value - b.value;
@@ -264,7 +264,7 @@ private:
 
   /// Cuts off what is not in the sector. Nothing remains if no point is in the open sector.
   Clipped clip(Segment_index s) const {
-    const auto& ends = graph_.segments[std::size_t(s)];
+    const auto& ends = graph_.segment(s);
     const Point &a = graph_.point(ends[0]), &b = graph_.point(ends[1]);
     Clipped c{a, b, inside_right(a), inside_right(b), inside_left(a), inside_left(b), false};
     if (std::max(c.right_a, c.right_b) <= 0 || std::max(c.left_a, c.left_b) <= 0 || is_point(a, b))

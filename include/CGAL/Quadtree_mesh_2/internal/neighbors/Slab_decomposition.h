@@ -73,7 +73,7 @@ public:
       const auto& ends = places_.ends(s);
       if (!is_overlapping_ || !overlapping.contains(s)) curves.push_back(Curve({ends[0], ends[1], s}));
       for (const Place p : ends)
-        if (std::size_t(p) - first < is_end.size()) is_end[std::size_t(p) - first] = 1;
+        if (p.value() - first < is_end.size()) is_end[p.value() - first] = 1;
     }
     overlapping.offer_pieces([&](const Segment_piece& piece) { curves.push_back(Curve(piece)); });
     for (std::size_t i = first; i < last; ++i)
@@ -83,7 +83,7 @@ public:
     CGAL::insert(arrangement, curves.begin(), curves.end());
     CGAL::decompose(arrangement, Receiver(*this));
     overlapping.offer_passing(incidences_, [&](Place p, Segment_index s) {
-      Segment_index& through = sights_[std::size_t(p)].through;
+      Segment_index& through = sights_[p.value()].through;
       through = first_of(through, s);
     });
   }
@@ -115,8 +115,8 @@ private:
   template <class Cell>
   void receive(Vertex_handle v, const Cell& below, const Cell& above) {
     const Place p = v->point().place;
-    if (std::size_t(p) < begin_ || std::size_t(p) >= end_) return; // of another slab, or a crossing
-    Place_sights& sights = sights_[std::size_t(p)];
+    if (p.value() < begin_ || p.value() >= end_) return; // of another slab, or a crossing
+    Place_sights& sights = sights_[p.value()];
     sights.above = seen(above);
     sights.below = seen(below);
     for_each_segment(v, [&](Segment_index s) {

@@ -75,7 +75,7 @@ public:
     Lines_ends ends(places_.size());
     for (const Segment_index s : along_rays_) {
       const auto& places = places_.ends(s);
-      Segment_index &lower = ends[std::size_t(places[0])][0], &upper = ends[std::size_t(places[1])][1];
+      Segment_index &lower = ends[places[0].value()][0], &upper = ends[places[1].value()][1];
       lower = first_of(lower, s);
       upper = first_of(upper, s);
     }
@@ -93,9 +93,9 @@ public:
     }
   }
 
-  const Hits& hits(Vertex_index v) const { return hits_[std::size_t(places_.place(v))]; }
+  const Hits& hits(Vertex_index v) const { return hits_[places_.place(v).value()]; }
   /// The first segment, not along the rays, with a vertex in its interior.
-  Segment_index through(Vertex_index v) const { return sights_[std::size_t(places_.place(v))].through; }
+  Segment_index through(Vertex_index v) const { return sights_[places_.place(v).value()].through; }
 
 private:
   /// For each place the first segment along the rays whose lower end, and whose upper one, is there.

@@ -53,9 +53,8 @@ public:
     std::vector<Edges> parts((mesh_.triangles.size() + default_block - 1) / default_block);
     for_each_block<ConcurrencyTag>(mesh_.triangles.size(), default_block,
                                    [&](std::size_t b, std::size_t begin, std::size_t end) {
-                                     for (std::size_t t = begin; t < end; ++t)
-                                       if (mesh_.is_alive(Triangle_id(t)))
-                                         make_triangle(out, Triangle_id(t), parts[b]);
+                                     for (const Triangle_id t : Id_range<Triangle_id>(begin, end))
+                                       if (mesh_.is_alive(t)) make_triangle(out, t, parts[b]);
                                    });
     for (const Edges& edges : parts)
       out.constrained_edges.insert(out.constrained_edges.end(), edges.begin(), edges.end());
@@ -75,22 +74,22 @@ private:
   const Map& map_;
   const Order& order_;
   Quality_mesh_report_2& report_;
-  std::vector<Vertex_index> new_vertex_;
-  std::vector<Triangle_index> new_triangle_;
+  Indexed_vector<Vertex_id, Vertex_index> new_vertex_;
+  Indexed_vector<Triangle_id, Triangle_index> new_triangle_;
   std::size_t number_of_triangles_ = 0;
 
   /// Input vertices stay where they are, used or not; Steiner vertices that are used follow.
   void make_vertices(Mesh& out) {
     const std::size_t n = order_.size(), all = mesh_.number_of_vertices();
-    const auto is_used = [&](std::size_t v) { return mesh_.is_used(static_cast<Vertex_id>(v)); };
     out.number_of_input_vertices = n;
     new_vertex_.resize(all);
-    for_each_index<ConcurrencyTag>(n, [&](std::size_t v) { new_vertex_[v] = Vertex_index(order_[v]); });
+    for_each_index<ConcurrencyTag>(
+        n, [&](std::size_t v) { new_vertex_[static_cast<Vertex_id>(v)] = Vertex_index(order_[v]); });
     const std::size_t steiner = count_allocate_and_place<ConcurrencyTag>(
         all - n,
         [&](std::size_t begin, std::size_t end) {
           std::size_t sum = 0;
-          for (std::size_t i = begin; i < end; ++i) sum += is_used(n + i) ? 1 : 0;
+          for (const Vertex_id v : Id_range<Vertex_id>(n + begin, n + end)) sum += mesh_.is_used(v) ? 1 : 0;
           return sum;
         },
         [&](std::size_t sum) {
@@ -100,18 +99,18 @@ private:
           out.segment_of_vertex.resize(n + sum);
         },
         [&](std::size_t begin, std::size_t end, std::size_t first) {
-          for (std::size_t v = n + begin; v < n + end; ++v)
-            if (is_used(v)) make_steiner_vertex(out, static_cast<Vertex_id>(v), n + first++);
+          for (const Vertex_id v : Id_range<Vertex_id>(n + begin, n + end))
+            if (mesh_.is_used(v)) make_steiner_vertex(out, v, n + first++);
         });
     report_.vertices = steiner;
-    for (std::size_t v = 0; v < n; ++v) report_.vertices += is_used(v) ? 1 : 0;
+    for (const Vertex_id v : Id_range<Vertex_id>(std::size_t(0), n))
+      report_.vertices += mesh_.is_used(v) ? 1 : 0;
   }
 
   void make_steiner_vertex(Mesh& out, Vertex_id v, std::size_t place) {
-    new_vertex_[std::size_t(v)] = Vertex_index(place);
+    new_vertex_[v] = Vertex_index(place);
     out.points[place] = map_.to_user(mesh_.point(v));
-    if (mesh_.edge(v) >= 0)
-      out.segment_of_vertex[place] = Segment_index(std::size_t(state_.edges[mesh_.edge(v)].segment));
+    if (mesh_.edge(v).is_valid()) out.segment_of_vertex[place] = state_.edges[mesh_.edge(v)].segment;
   }
 
   void number_triangles() {
@@ -120,36 +119,35 @@ private:
         slots,
         [&](std::size_t begin, std::size_t end) {
           std::size_t sum = 0;
-          for (std::size_t t = begin; t < end; ++t) sum += mesh_.is_alive(Triangle_id(t)) ? 1 : 0;
+          for (const Triangle_id t : Id_range<Triangle_id>(begin, end)) sum += mesh_.is_alive(t) ? 1 : 0;
           return sum;
         },
         [&](std::size_t) { new_triangle_.resize(slots); },
         [&](std::size_t begin, std::size_t end, std::size_t first) {
-          for (std::size_t t = begin; t < end; ++t)
-            if (mesh_.is_alive(Triangle_id(t))) new_triangle_[t] = Triangle_index(first++);
+          for (const Triangle_id t : Id_range<Triangle_id>(begin, end))
+            if (mesh_.is_alive(t)) new_triangle_[t] = Triangle_index(first++);
         });
   }
 
   void make_triangle(Mesh& out, Triangle_id t, Edges& edges) const {
     const auto& r = mesh_.triangle(t);
-    const auto place = std::size_t(new_triangle_[std::size_t(t)]);
+    const auto place = std::size_t(new_triangle_[t]);
     for (int k = 0; k < 3; ++k) {
-      out.triangles[place][std::size_t(k)] = new_vertex_[std::size_t(r.v[k])];
+      out.triangles[place][std::size_t(k)] = new_vertex_[r.v[k]];
       const Side o = r.side[k];
-      if (!o.is_border()) out.neighbors[place][std::size_t(k)] = new_triangle_[std::size_t(o.triangle())];
+      if (!o.is_border()) out.neighbors[place][std::size_t(k)] = new_triangle_[o.triangle()];
       if (o.is_border() || (o.is_constrained() && t < o.triangle())) add_constrained_edge(edges, Side(t, k));
     }
-    if (!mesh_.region_of.empty()) out.region_of_triangle[place] = mesh_.region(t);
+    if (!mesh_.region_of.empty()) out.region_of_triangle[place] = static_cast<int>(mesh_.region(t).value());
   }
 
   void add_constrained_edge(Edges& edges, Side s) const {
     const Vertex_id x = mesh_.source(s), y = mesh_.target(s);
     const Edge_id e = state_.edges.carrying(mesh_, x, y);
-    if (e < 0) return;
-    edges.push_back({{new_vertex_[std::size_t(x)], new_vertex_[std::size_t(y)]},
-                     Segment_index(std::size_t(state_.edges[e].segment))});
+    if (!e.is_valid()) return;
+    edges.push_back({{new_vertex_[x], new_vertex_[y]}, state_.edges[e].segment});
     const Vertex_id outer = state_.problem.outer_vertex(e);
-    if (outer >= 0) edges.back().outer_vertex = new_vertex_[std::size_t(outer)];
+    if (outer.is_valid()) edges.back().outer_vertex = new_vertex_[outer];
   }
 
   /// Reports a triangle that misses a bound.
@@ -157,7 +155,7 @@ private:
     const auto& r = mesh_.triangle(t);
     const auto s = mesh_.shape(r);
     if (!state_.is_bad(t, s)) return report_exempt(t);
-    Quality_mesh_report_2::Unmet_triangle unmet{new_triangle_[std::size_t(t)], {0, 0}, 0, reason(t)};
+    Quality_mesh_report_2::Unmet_triangle unmet{new_triangle_[t], {0, 0}, 0, reason(t)};
     for (const Vertex_id v : r.v) {
       const auto [x, y] = map_.place(mesh_.point(v));
       unmet.centroid[0] += x / 3, unmet.centroid[1] += y / 3;
@@ -170,7 +168,7 @@ private:
     const auto& r = mesh_.triangle(t);
     const Sector_id s = state_.corners.sector_of(mesh_, r.v[0], r.v[1], r.v[2]);
     const Vertex_id apex = state_.corners.leg(state_.corners.sector(s).right).apex;
-    report_.exempt_triangles.push_back({new_triangle_[std::size_t(t)], new_vertex_[std::size_t(apex)]});
+    report_.exempt_triangles.push_back({new_triangle_[t], new_vertex_[apex]});
   }
 
   /// Why a bad triangle was left.
@@ -188,9 +186,8 @@ private:
   bool is_at_acute_corner(Vertex_id v) const {
     const Edge_id e = mesh_.edge(v);
     const auto& is_acute = state_.corners.is_acute;
-    if (mesh_.is_input(v)) return is_acute[std::size_t(mesh_.input_number(v))] != 0;
-    return e >= 0 &&
-           (is_acute[std::size_t(state_.edges[e].a)] != 0 || is_acute[std::size_t(state_.edges[e].b)] != 0);
+    if (mesh_.is_input(v)) return is_acute[mesh_.input_number(v)] != 0;
+    return e.is_valid() && (is_acute[state_.edges[e].a] != 0 || is_acute[state_.edges[e].b] != 0);
   }
 };
 

@@ -42,7 +42,7 @@ public:
   /// "vertex 3 (0.5, 0.25)", by its number in the input
   std::string vertex(std::size_t v) const { return vertex_text(pslg_, v); }
   /// The same, by its number in the kernel.
-  std::string kernel_vertex(Vertex_id v) const { return vertex(order_[std::size_t(v)]); }
+  std::string kernel_vertex(Vertex_id v) const { return vertex(std::size_t(of_input(v))); }
 
   /// For a vertex that has no place in the grid of quadtrees.
   Pslg_error_2 out_of_range(const Point_error& error) const {
@@ -85,7 +85,7 @@ public:
     for (const Vertex_id v : vertices) {
       const bool is_last = parts.vertices.size() + 1 == std::size(vertices);
       text += (parts.vertices.empty() ? "" : is_last ? " and " : ", ") + kernel_vertex(v);
-      parts.vertex(Vertex_index(order_[std::size_t(v)]));
+      parts.vertex(of_input(v));
     }
     return {Pslg_error_2::Kind::TOO_NEAR, text + fault, std::move(parts)};
   }
@@ -95,22 +95,18 @@ public:
     const auto is_crossed = [&](const Input_edge& e) {
       return (e.a == crossing.a && e.b == crossing.b) || (e.a == crossing.b && e.b == crossing.a);
     };
-    const std::int32_t other = std::find_if(edges.begin(), edges.end(), is_crossed)->segment;
-    return Pslg_crossing_error_2(
-        segment(crossing.segment) + " crosses " + segment(other),
-        {Segment_index(std::size_t(crossing.segment)), Segment_index(std::size_t(other))});
+    const Segment_index other = std::find_if(edges.begin(), edges.end(), is_crossed)->segment;
+    return Pslg_crossing_error_2(segment(crossing.segment) + " crosses " + segment(other),
+                                 {crossing.segment, other});
   }
 
   /// For a hole's or a region's point on a segment or vertex between components.
   Pslg_seed_error_2 ambiguous_seed(const Ambiguous_seed& seed, const Input_edges& edges) const {
     using Mark = Pslg_seed_error_2::Mark;
     const Mark mark = seed.of == Ambiguous_seed::Of::HOLE ? Mark::HOLE : Mark::REGION;
-    if (seed.a == seed.b)
-      return make_seed_error(pslg_, mark, seed.number, Vertex_index(order_[std::size_t(seed.a)]),
-                             Segment_index());
+    if (seed.a == seed.b) return make_seed_error(pslg_, mark, seed.number, of_input(seed.a), Segment_index());
     const Edge_id e = edges.between(seed.a, seed.b);
-    return make_seed_error(pslg_, mark, seed.number, Vertex_index(),
-                           Segment_index(static_cast<std::size_t>(edges[e].segment)));
+    return make_seed_error(pslg_, mark, seed.number, Vertex_index(), edges[e].segment);
   }
 
   /// For a graph that asks for too many triangles.
@@ -125,7 +121,7 @@ public:
   /// \param v the kernel vertex next to the triangles that are left
   Pslg_error_2 endless(const std::string& refusal, Vertex_id v) const {
     return {Pslg_error_2::Kind::TOO_MANY_TRIANGLES, refusal + " what is left is next to " + kernel_vertex(v),
-            Pslg_parts_2().vertex(Vertex_index(order_[std::size_t(v)]))};
+            Pslg_parts_2().vertex(of_input(v))};
   }
 
   /// For a graph of which nothing is to be meshed.
@@ -143,7 +139,8 @@ private:
   const Pslg_2<Point>& pslg_;
   const Order& order_;
 
-  std::string segment(std::int32_t s) const { return segment_text(pslg_, std::size_t(s)); }
+  Vertex_index of_input(Vertex_id v) const { return Vertex_index(order_[v.value()]); }
+  std::string segment(Segment_index s) const { return segment_text(pslg_, std::size_t(s)); }
 };
 
 } // namespace internal

@@ -88,8 +88,8 @@ public:
   template <class Point>
   std::optional<Segment_index> insert_segments(const Pslg_2<Point>& pslg) {
     for (std::size_t s = 0; s < pslg.segments.size(); ++s) {
-      const Vertex_handle a = handles_[std::size_t(pslg.segments[s][0])];
-      const Vertex_handle b = handles_[std::size_t(pslg.segments[s][1])];
+      const Vertex_handle a = handles_[pslg.segments[s][0]];
+      const Vertex_handle b = handles_[pslg.segments[s][1]];
       try {
         constraints_.emplace_back();
         if (a != b) constraints_.back() = triangulation_.insert_constraint(a, b);
@@ -160,7 +160,7 @@ template <class Point>
 std::array<double, 2> crossing_of_segments(const Pslg_2<Point>& pslg, Segment_index s, Segment_index t) {
   using Exact_kernel = Exact_predicates_exact_constructions_kernel;
   const auto exact = [&pslg](Segment_index i, std::size_t end) {
-    const Point& p = pslg.point(pslg.segments[std::size_t(i)][end]);
+    const Point& p = pslg.point(pslg.segments[i][end]);
     return Exact_kernel::Point_2(p.x(), p.y());
   };
   const Exact_kernel::Point_2 a = exact(s, 0), c = exact(t, 0);
@@ -178,7 +178,7 @@ template <class Point>
 bool do_segments_cross(const Pslg_2<Point>& pslg, Segment_index s, Segment_index t) {
   using Kernel = Exact_predicates_inexact_constructions_kernel;
   const auto end = [&pslg](Segment_index i, std::size_t k) {
-    const Point& p = pslg.point(pslg.segments[std::size_t(i)][k]);
+    const Point& p = pslg.point(pslg.segments[i][k]);
     return Kernel::Point_2(p.x(), p.y());
   };
   const Kernel::Point_2 a = end(s, 0), b = end(s, 1), c = end(t, 0), d = end(t, 1);

@@ -19,6 +19,7 @@
 #define CGAL_QUADTREE_MESH_2_INTERNAL_QUADTREE_REQUIRED_SQUARES_H
 
 #include <CGAL/Quadtree_mesh_2/Index.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/Indexed_vector.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/Uninitialized_vector.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/Word_operations.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
@@ -111,7 +112,7 @@ private:
   Path path(Node_index v, int above) const {
     if (framework_.points(v).size() > max_points_) return {above + 1, framework_.level(v)};
     if (desired_level_.empty()) return {above + 1, above};
-    return {above + 1, std::min(framework_.level(v), desired_level_[std::size_t(v)] - 1)};
+    return {above + 1, std::min(framework_.level(v), desired_level_[v] - 1)};
   }
 
   /// The required squares with no point but `r`, whose smallest node has level `above`.
@@ -121,10 +122,9 @@ private:
   void find_desired_levels() {
     desired_level_.assign(framework_.number_of_nodes(), 0);
     for (std::size_t i = framework_.number_of_nodes(); i-- > 0;) {
-      int& level = desired_level_[i];
+      int& level = desired_level_[Node_index(i)];
       framework_.for_each_child(
-          Node_index(i),
-          [&](Node_index child) { level = std::max(level, desired_level_[std::size_t(child)]); },
+          Node_index(i), [&](Node_index child) { level = std::max(level, desired_level_[child]); },
           [&](Point_rank r) { level = std::max(level, framework_.desired_level(r)); });
     }
   }
@@ -161,7 +161,7 @@ private:
   void count_squares(std::size_t begin, std::size_t end, std::vector<std::uint32_t>& count) const {
     for_each_path(begin, end, [&](const Path& squares, std::size_t, Node_index) {
       if (count.size() <= std::size_t(squares.last)) count.resize(std::size_t(squares.last) + 1, 0);
-      for (int level = squares.first; level <= squares.last; ++level) ++count[std::size_t(level)];
+      for (int level = squares.first; level <= squares.last; ++level) ++count[level];
     });
   }
 
@@ -190,7 +190,7 @@ private:
     for_each_path(begin, end, [&](const Path& path, std::size_t p, Node_index v) {
       const auto& point = framework_.grid_point(Point_rank(p));
       const auto fill = [&](int level, unsigned children) {
-        const std::uint32_t i = next[std::size_t(level)]++;
+        const std::uint32_t i = next[level]++;
         squares.children[i] = static_cast<std::uint8_t>(children);
         squares.point[i] = static_cast<std::uint32_t>(p);
       };
@@ -218,7 +218,7 @@ private:
   const Framework& framework_;
   std::size_t max_points_;
   int depth_;
-  std::vector<int> desired_level_; // by node, if annotations and nodes with few points meet
+  Indexed_vector<Node_index, int> desired_level_; // if annotations and nodes with few points meet
 };
 
 } // namespace internal

@@ -10,6 +10,7 @@
 #define CGAL_QUADTREE_MESH_2_INTERNAL_QUADTREE_LEAVES_IN_ORDER_H
 
 #include <CGAL/Quadtree_mesh_2/Index.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/Indexed_vector.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 
 #include <cstddef>
@@ -24,11 +25,11 @@ namespace internal {
 template <class ConcurrencyTag>
 std::vector<Leaf_index> in_order(const std::vector<std::vector<Leaf_index>>& lists,
                                  std::size_t number_of_leaves) {
-  std::vector<std::uint8_t> is_wanted(number_of_leaves, 0);
+  Indexed_vector<Leaf_index, std::uint8_t> is_wanted(number_of_leaves, 0);
   for (const auto& leaves : lists)
-    for (const Leaf_index l : leaves) is_wanted[std::size_t(l)] = 1;
+    for (const Leaf_index l : leaves) is_wanted[l] = 1;
   return pack_values<ConcurrencyTag, Leaf_index>(
-      number_of_leaves, [&](std::size_t l) { return is_wanted[l] != 0; },
+      number_of_leaves, [&](std::size_t l) { return is_wanted[Leaf_index(l)] != 0; },
       [](std::size_t l) { return Leaf_index(l); });
 }
 

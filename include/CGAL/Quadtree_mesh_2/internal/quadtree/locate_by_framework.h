@@ -116,7 +116,7 @@ public:
 
 private:
   int number_of_levels() const { return static_cast<int>(begin_.size()) - 1; }
-  std::size_t begin(int level) const { return begin_[std::size_t(level)]; }
+  std::size_t begin(int level) const { return begin_[level]; }
 
   /// Nodes are numbered level by level.
   void count_squares(const Quadtree& tree) {
@@ -270,7 +270,7 @@ private:
     const auto read_off = [&](Point_rank begin, Point_rank end) {
       for (Point_rank r = begin; r < end; ++r) {
         const Point_index i = framework.input_point(r);
-        if (std::size_t(i) < number_of_points_) leaves_[std::size_t(i)] = tree_.leaf(leaf.square);
+        if (std::size_t(i) < number_of_points_) leaves_[i] = tree_.leaf(leaf.square);
       }
     };
     const auto read_off_node = [&](Node_index v) {

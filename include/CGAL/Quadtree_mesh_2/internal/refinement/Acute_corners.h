@@ -46,9 +46,9 @@ constexpr double lopped_factor = 1.6;
 /// An exempt triangle keeps this share of its sector's angle.
 constexpr double exempt_share = 0.9;
 
-using Leg_id = std::int32_t;
-using Sector_id = std::int32_t;
-using Corner_id = std::int32_t;
+using Leg_id = Index<struct Leg_tag>;
+using Sector_id = Index<struct Sector_tag>;
+using Corner_id = Index<struct Corner_tag>;
 
 template <class Number>
 struct Basic_leg {
@@ -56,14 +56,13 @@ struct Basic_leg {
   Edge_id edge;
   Vertex_id apex, far; ///< input numbers
   Number length;
-  Sector_id before = -1, after = -1; ///< lopped sectors clockwise and counterclockwise of it
+  Sector_id before, after; ///< lopped sectors clockwise and counterclockwise of it
   /// Where it is cut. A far end may stand in for a ring vertex that would come close to it.
   Shells<Number> shells;
   /// The vertex at the corner's radius; the far end or another ring's vertex may stand in for one that would
   /// come close to it.
-  Vertex_id ring = -1;
-  Vertex_id apex_vertex =
-      -1; ///< the apex in the mesh (or block) at hand, as are `ring` and those of `shells`
+  Vertex_id ring;
+  Vertex_id apex_vertex; ///< the apex in the mesh (or block) at hand, as are `ring` and those of `shells`
 };
 
 template <class Number>
@@ -104,40 +103,40 @@ public:
   using Sector = Basic_sector<Number>;
   using Corner = Basic_corner<Number>;
 
-  std::vector<Leg> legs;
-  std::vector<Sector> sectors;
-  std::vector<Corner> corners;
-  /// Per input edge, the leg it is seen from its end a, from its end b; -1 where the corner has no lopped
+  Indexed_vector<Leg_id, Leg> legs;
+  Indexed_vector<Sector_id, Sector> sectors;
+  Indexed_vector<Corner_id, Corner> corners;
+  /// Per input edge, the leg it is seen from its end a, from its end b; none where the corner has no lopped
   /// sector.
-  std::vector<std::array<Leg_id, 2>> legs_of_edge;
+  Indexed_vector<Edge_id, std::array<Leg_id, 2>> legs_of_edge;
   /// Per input vertex: a domain sector below 60 degrees lies at it.
-  std::vector<char> is_acute;
+  Indexed_vector<Vertex_id, char> is_acute;
 
-  Leg& leg(Leg_id l) { return legs[std::size_t(l)]; }
-  const Leg& leg(Leg_id l) const { return legs[std::size_t(l)]; }
-  Sector& sector(Sector_id s) { return sectors[std::size_t(s)]; }
-  const Sector& sector(Sector_id s) const { return sectors[std::size_t(s)]; }
-  Corner& corner(Corner_id c) { return corners[std::size_t(c)]; }
-  const Corner& corner(Corner_id c) const { return corners[std::size_t(c)]; }
+  Leg& leg(Leg_id l) { return legs[l]; }
+  const Leg& leg(Leg_id l) const { return legs[l]; }
+  Sector& sector(Sector_id s) { return sectors[s]; }
+  const Sector& sector(Sector_id s) const { return sectors[s]; }
+  Corner& corner(Corner_id c) { return corners[c]; }
+  const Corner& corner(Corner_id c) const { return corners[c]; }
   Corner_id corner_of(const Sector& s) const { return leg(s.right).corner; }
 
   void prepare(const Input_edges& edges, std::size_t number_of_input_vertices) {
     edges_ = &edges;
-    legs_of_edge.assign(edges.size(), {-1, -1});
+    legs_of_edge.assign(edges.size(), {});
     is_acute.assign(number_of_input_vertices, 0);
     on_leg_.assign(number_of_input_vertices, 0);
   }
 
   /// As before legs were cut, in a mesh that has the input vertices' numbers for handles.
   void forget_cuts() {
-    for (Leg& l : legs) l.shells.clear(), l.ring = -1, l.apex_vertex = l.apex;
+    for (Leg& l : legs) l.shells.clear(), l.ring = {}, l.apex_vertex = l.apex;
     for (Sector& s : sectors) s.lock_radius = 0;
   }
 
   Leg_id add_leg(Leg leg) {
-    const Leg_id l = static_cast<Leg_id>(legs.size());
-    legs_of_edge[std::size_t(leg.edge)][(*edges_)[leg.edge].a == leg.apex ? 0 : 1] = l;
-    on_leg_[std::size_t(leg.apex)] = on_leg_[std::size_t(leg.far)] = 1;
+    const Leg_id l = legs.end_id();
+    legs_of_edge[leg.edge][(*edges_)[leg.edge].a == leg.apex ? 0 : 1] = l;
+    on_leg_[leg.apex] = on_leg_[leg.far] = 1;
     legs.push_back(std::move(leg));
     return l;
   }
@@ -158,25 +157,23 @@ public:
 
   /// Whether v lies on a leg of some corner with a lopped sector: only then can its triangles be exempt.
   bool is_on_leg(const Mesh& mesh, Vertex_id v) const {
+    if (mesh.is_free(v)) return false;
+    if (mesh.is_input(v)) return on_leg_[mesh.input_number(v)] != 0;
     const Edge_id e = mesh.edge(v);
-    if (e == free_vertex) return false;
-    if (mesh.is_input(v)) return on_leg_[std::size_t(mesh.input_number(v))] != 0;
-    return legs_of_edge[std::size_t(e)][0] >= 0 || legs_of_edge[std::size_t(e)][1] >= 0;
+    return legs_of_edge[e][0].is_valid() || legs_of_edge[e][1].is_valid();
   }
 
-  /// The leg with the given apex (an input number) that carries v; -1 if none does.
+  /// The leg with the given apex (an input number) that carries v, if there is one.
   Leg_id leg_at(const Mesh& mesh, Vertex_id apex, Vertex_id v) const {
     const Edge_id e = mesh.is_input(v) ? edges_->between(apex, mesh.input_number(v)) : mesh.edge(v);
-    if (e < 0) return -1;
+    if (!e.is_valid()) return {};
     const Input_edge& edge = (*edges_)[e];
-    return edge.a == apex   ? legs_of_edge[std::size_t(e)][0]
-           : edge.b == apex ? legs_of_edge[std::size_t(e)][1]
-                            : -1;
+    return edge.a == apex ? legs_of_edge[e][0] : edge.b == apex ? legs_of_edge[e][1] : Leg_id();
   }
 
-  /// The lopped sector whose two legs carry a, b and c (the apex lies on both); -1 if there is none.
+  /// The lopped sector whose two legs carry a, b and c (the apex lies on both), if there is one.
   Sector_id sector_of(const Mesh& mesh, Vertex_id a, Vertex_id b, Vertex_id c) const {
-    if (legs.empty() || !is_on_leg(mesh, a) || !is_on_leg(mesh, b) || !is_on_leg(mesh, c)) return -1;
+    if (legs.empty() || !is_on_leg(mesh, a) || !is_on_leg(mesh, b) || !is_on_leg(mesh, c)) return {};
     const Vertex_id v[3] = {a, b, c};
     for (int k = 0; k < 3; ++k) {
       const Vertex_id x = v[next_slot[k]], y = v[previous_slot[k]];
@@ -184,15 +181,15 @@ public:
       if (mesh.is_input(v[k])) {
         const Vertex_id apex = mesh.input_number(v[k]);
         const Sector_id s = common_sector(leg_at(mesh, apex, x), leg_at(mesh, apex, y));
-        if (s >= 0) return s;
+        if (s.is_valid()) return s;
         continue;
       }
-      for (const Leg_id l : legs_of_edge[std::size_t(e)]) {
-        const Sector_id s = l < 0 ? -1 : sector_with(mesh, l, x, y);
-        if (s >= 0) return s;
+      for (const Leg_id l : legs_of_edge[e]) {
+        const Sector_id s = !l.is_valid() ? Sector_id() : sector_with(mesh, l, x, y);
+        if (s.is_valid()) return s;
       }
     }
-    return -1;
+    return {};
   }
 
   /// Calls `f(sector)` for the lopped sectors from one leg to the other of which the chord x-y runs: there may be
@@ -200,13 +197,13 @@ public:
   template <class Function>
   void find_sector_of_chord(const Mesh& mesh, Vertex_id x, Vertex_id y, Function f) const {
     const auto is_wanted = [&](Leg_id l, Vertex_id end) {
-      const Sector_id s = l < 0 ? -1 : common_sector(l, leg_at(mesh, leg(l).apex, end));
-      return s >= 0 && f(s);
+      const Sector_id s = !l.is_valid() ? Sector_id() : common_sector(l, leg_at(mesh, leg(l).apex, end));
+      return s.is_valid() && f(s);
     };
     for (int pass = 0; pass < 2; ++pass, std::swap(x, y)) {
       const Edge_id e = mesh.edge(x);
-      if (e >= 0) {
-        for (const Leg_id l : legs_of_edge[std::size_t(e)])
+      if (e.is_valid()) {
+        for (const Leg_id l : legs_of_edge[e])
           if (is_wanted(l, y)) return;
       } else if (mesh.is_input(x)) {
         const Vertex_id number = mesh.input_number(x);
@@ -219,31 +216,31 @@ public:
   /// Whether a triangle below the bound is excused by its corner.
   bool is_exempt(const Mesh& mesh, Vertex_id a, Vertex_id b, Vertex_id c) const {
     const Sector_id s = sector_of(mesh, a, b, c);
-    return s >= 0 && !mesh.shape_of_flat(a, b, c).is_below(sector(s).exempt_sin2);
+    return s.is_valid() && !mesh.shape_of_flat(a, b, c).is_below(sector(s).exempt_sin2);
   }
 
 private:
   const Input_edges* edges_ = nullptr;
-  std::vector<char> on_leg_; // per input vertex: an apex or the far end of a leg
+  Indexed_vector<Vertex_id, char> on_leg_; // per input vertex: an apex or the far end of a leg
 
   Sector_id common_sector(Leg_id l, Leg_id m) const {
-    if (l < 0 || m < 0 || l == m) return -1;
+    if (!l.is_valid() || !m.is_valid() || l == m) return {};
     const Leg &p = leg(l), &q = leg(m);
-    if (p.after >= 0 && p.after == q.before) return p.after;
-    if (p.before >= 0 && p.before == q.after) return p.before;
-    return -1;
+    if (p.after.is_valid() && p.after == q.before) return p.after;
+    if (p.before.is_valid() && p.before == q.after) return p.before;
+    return {};
   }
 
   /// The lopped sector next to leg l whose legs carry x and y too.
   Sector_id sector_with(const Mesh& mesh, Leg_id l, Vertex_id x, Vertex_id y) const {
     const Vertex_id apex = leg(l).apex;
     const auto carrying = [&](Vertex_id v) {
-      return mesh.edge(v) == input_vertex(apex) ? l : leg_at(mesh, apex, v);
+      return mesh.role(v) == input_vertex(apex) ? l : leg_at(mesh, apex, v);
     };
     const Leg_id lx = carrying(x), ly = carrying(y);
-    if (lx < 0 || ly < 0) return -1;
+    if (!lx.is_valid() || !ly.is_valid()) return {};
     if (lx == l) return common_sector(l, ly);
-    return ly == l || ly == lx ? common_sector(l, lx) : -1;
+    return ly == l || ly == lx ? common_sector(l, lx) : Sector_id();
   }
 };
 

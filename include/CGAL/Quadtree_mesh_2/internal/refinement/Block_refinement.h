@@ -45,6 +45,7 @@ public:
   using Leg = typename Corners::Leg;
   using Sector = typename Corners::Sector;
   using Corner = typename Corners::Corner;
+  using Corners_of_blocks = Indexed_vector<Block_id, std::vector<Corner_id>>;
 
   static constexpr std::size_t block_size = Block_sizes<ConcurrencyTag>::triangles;
   /// The zone is a network, of which squares cut little; and it is small.
@@ -94,26 +95,27 @@ private:
     const auto& bulk = whole_.bulk;
     std::vector<Triangle_id> outside;
     outside.reserve(mesh.number_of_triangles() - bulk.number_of_triangles());
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-      const auto& v = mesh.triangles[t].v;
-      if (v[0] < 0 || (bulk.has_within(v[0]) && bulk.has_within(v[1]) && bulk.has_within(v[2]))) continue;
-      outside.push_back(static_cast<Triangle_id>(t));
+    for (const Triangle_id t : mesh.triangles.ids()) {
+      const auto& v = mesh.triangle(t).v;
+      if (!v[0].is_valid() || (bulk.has_within(v[0]) && bulk.has_within(v[1]) && bulk.has_within(v[2])))
+        continue;
+      outside.push_back(t);
     }
     return outside;
   }
 
   template <class Continue>
   void work(Blocks& blocks, const Continue& shall_go_on) {
-    const std::vector<std::vector<Corner_id>> owned = corners_by_block(blocks);
-    std::vector<std::vector<Triangle_id>> left(blocks.size());
+    const Corners_of_blocks owned = corners_by_block(blocks);
+    Indexed_vector<Block_id, std::vector<Triangle_id>> left(blocks.size());
     const std::size_t room = vertex_budget_ - std::min(vertex_budget_, whole_.mesh.number_of_vertices());
     blocks.for_each(
         [&](Block& block) {
-          const auto b = std::size_t(block.id());
+          const Block_id b = block.id();
           left[b] = work(block, owned[b], room / blocks.size(), shall_go_on);
         },
         [&](const Block& block) {
-          const auto b = std::size_t(block.id());
+          const Block_id b = block.id();
           name_corner_vertices(owned[b], [&](Vertex_id v) { return block.whole_vertex(v); });
           for (Triangle_id& t : left[b]) t = block.whole_triangle(t);
         });
@@ -154,14 +156,19 @@ private:
 
   /// For each block the acute corners it owns: all pieces of their legs within the ring and all locked chords have
   /// both their triangles in the block, and so have the Steiner vertices on the legs all of theirs.
-  std::vector<std::vector<Corner_id>> corners_by_block(const Blocks& blocks) const {
+  Corners_of_blocks corners_by_block(const Blocks& blocks) const {
     const auto& corners = whole_.corners.corners;
-    std::vector<Block_id> owner(corners.size());
+    Indexed_vector<Corner_id, Block_id> owner(corners.size());
     for_each_index<ConcurrencyTag>(
-        corners.size(), [&](std::size_t c) { owner[c] = owner_of(corners[c], blocks); }, 64);
-    std::vector<std::vector<Corner_id>> owned(blocks.size());
-    for (std::size_t c = 0; c < owner.size(); ++c)
-      if (owner[c] >= 0) owned[std::size_t(owner[c])].push_back(static_cast<Corner_id>(c));
+        corners.size(),
+        [&](std::size_t i) {
+          const Corner_id c = static_cast<Corner_id>(i);
+          owner[c] = owner_of(corners[c], blocks);
+        },
+        64);
+    Corners_of_blocks owned(blocks.size());
+    for (const Corner_id c : owner.ids())
+      if (owner[c].is_valid()) owned[owner[c]].push_back(c);
     return owned;
   }
 
@@ -177,23 +184,23 @@ private:
         if (!whole_.mesh.is_input(v)) own_star(v, blocks, owner);
         before = v;
       }
-      if (before == leg.apex_vertex) return -1; // a leg that could not be cut: nothing can be said
+      if (before == leg.apex_vertex) return {}; // a leg that could not be cut: nothing can be said
     }
     for (const Sector_id s : corner.sectors) own_chord(whole_.corners.sector(s), blocks, owner);
-    return owner == unknown ? -1 : owner;
+    return owner == unknown ? Block_id() : owner;
   }
 
-  static constexpr Block_id unknown = -2;
+  static constexpr Block_id unknown{0xfffffffeu};
 
   /// Makes the block of t the owner, or nobody if another one is.
   static void own(Triangle_id t, const Blocks& blocks, Block_id& owner) {
     const Block_id b = blocks.block_of(t);
-    owner = owner == unknown || owner == b ? b : -1;
+    owner = owner == unknown || owner == b ? b : Block_id();
   }
   void own_side(Vertex_id x, Vertex_id y, const Blocks& blocks, Block_id& owner) const {
     const Side s = whole_.side_between(x, y);
     if (s.is_border()) {
-      owner = -1;
+      owner = {};
       return;
     }
     own(s.triangle(), blocks, owner);
@@ -213,17 +220,17 @@ private:
       return whole_.corners.leg(l).ring;
     };
     const Vertex_id x = at_lock(sector.right), y = at_lock(sector.left);
-    if (x >= 0 && y >= 0 && x != y) own_side(x, y, blocks, owner);
+    if (x.is_valid() && y.is_valid() && x != y) own_side(x, y, blocks, owner);
   }
 
-  /// Renames the vertices of the corners; shells that are gone (-1) are forgotten.
+  /// Renames the vertices of the corners; shells that are gone (none) are forgotten.
   template <class Name>
   void name_corner_vertices(const std::vector<Corner_id>& corners, const Name& name) {
     for (const Corner_id c : corners)
       for (const Leg_id l : whole_.corners.corner(c).legs) {
         Leg& leg = whole_.corners.leg(l);
         leg.apex_vertex = name(leg.apex_vertex);
-        if (leg.ring >= 0) leg.ring = name(leg.ring);
+        if (leg.ring.is_valid()) leg.ring = name(leg.ring);
         leg.shells.rename(name);
       }
   }
@@ -232,11 +239,11 @@ private:
 
   std::vector<Triangle_id> zone_of_seams() const {
     const Kernel_mesh<Geometry>& mesh = whole_.mesh;
-    std::vector<char> is_in_zone(mesh.triangles.size(), 0);
+    Indexed_vector<Triangle_id, char> is_in_zone(mesh.triangles.size(), 0);
     std::vector<Triangle_id> zone;
     const auto add = [&](Triangle_id t) {
-      if (t < 0 || is_in_zone[std::size_t(t)] != 0 || !mesh.is_alive(t)) return;
-      is_in_zone[std::size_t(t)] = 1;
+      if (!t.is_valid() || is_in_zone[t] != 0 || !mesh.is_alive(t)) return;
+      is_in_zone[t] = 1;
       zone.push_back(t);
     };
     for (const Triangle_id t : near_seams_) add(t);

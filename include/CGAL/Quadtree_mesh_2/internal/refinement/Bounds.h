@@ -18,7 +18,7 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-/// What every triangle shall satisfy, in squared quantities and kernel coordinates.
+/// What every triangle has to satisfy, in squared quantities and kernel coordinates.
 template <class Geometry>
 struct Bounds {
   using Point = typename Geometry::Point;
@@ -36,7 +36,7 @@ struct Bounds {
   /// at once.
   std::function<bool(const Point&, const Point&, const Point&)> is_refused;
   /// Twice the largest area in each region of `Kernel_mesh::region_of`; empty: regions have no bounds.
-  std::vector<double> area2_of_region;
+  Indexed_vector<Region_id, double> area2_of_region;
   /// No vertex is inserted nearer than this (squared) to another one.
   double least_squared_length = 0;
 
@@ -64,8 +64,7 @@ struct Bounds {
     if (s.area2 > area2 || s.longest() > squared_length) return true;
     if (is_refused && is_refused(a, b, c)) return true;
     if (!is_local()) return false;
-    if (!area2_of_region.empty() && region >= 0 && s.area2 > area2_of_region[std::size_t(region)])
-      return true;
+    if (!area2_of_region.empty() && region.is_valid() && s.area2 > area2_of_region[region]) return true;
     return squared_length_at && s.longest() > squared_length_at(centroid(a, b, c)) * (1 - margin);
   }
   /// Whether bounds of size differ from place to place.

@@ -55,7 +55,7 @@ public:
       i = j;
     }
     visit_of_.assign(mesh_.triangles.size(), 0);
-    for (Corner& c : corners_.corners) set_radius(c);
+    for (const Corner_id c : corners_.corners.ids()) set_radius(c);
   }
 
 private:
@@ -80,12 +80,12 @@ private:
   Acute_corners<Geometry>& corners_;
   const Acute_starts& starts_;
   std::vector<Acute_sector> acute_;
-  std::vector<std::vector<Triangle_id>>
-      first_triangles_; // per corner: where the sectors of all its legs begin
+  Indexed_vector<Corner_id, std::vector<Triangle_id>>
+      first_triangles_; // where the sectors of all legs of a corner begin
   std::vector<Leg_of_sector> by_right_, by_left_;
   std::vector<Triangle_id> stack_;
-  std::vector<std::uint32_t> visit_of_; // per triangle: the last visit to it
-  std::uint32_t visit_ = 0;             // the number of the sector that is visited
+  Indexed_vector<Triangle_id, std::uint32_t> visit_of_; // the last visit to a triangle
+  std::uint32_t visit_ = 0;                             // the number of the sector that is visited
 
   Vector direction(Vertex_id from, Vertex_id to) const {
     return Geometry::scaled_difference(mesh_.point(to), mesh_.point(from));
@@ -96,12 +96,12 @@ private:
     const std::size_t n = mesh_.triangles.size();
     std::vector<std::vector<Acute_sector>> found((n + default_block - 1) / default_block);
     for_each_block<ConcurrencyTag>(n, default_block, [&](std::size_t b, std::size_t begin, std::size_t end) {
-      for (std::size_t t = begin; t < end; ++t)
+      for (const Triangle_id t : Id_range<Triangle_id>(begin, end))
         for (int k = 0; k < 3 && starts_.is_any(t); ++k)
-          if (starts_.has(t, k)) add_sector(static_cast<Triangle_id>(t), k, found[b]);
+          if (starts_.has(t, k)) add_sector(t, k, found[b]);
     });
     for (const auto& sectors : found) acute_.insert(acute_.end(), sectors.begin(), sectors.end());
-    for (const Acute_sector& s : acute_) corners_.is_acute[std::size_t(s.apex)] = 1;
+    for (const Acute_sector& s : acute_) corners_.is_acute[s.apex] = 1;
     std::stable_sort(acute_.begin(), acute_.end(),
                      [](const Acute_sector& a, const Acute_sector& b) { return a.apex < b.apex; });
   }
@@ -177,11 +177,11 @@ private:
     Corner corner;
     corner.apex = acute_[run.front()].apex;
     corner.least_angle = acute_[run.front()].angle;
-    const Corner_id id = static_cast<Corner_id>(corners_.corners.size());
+    const Corner_id id = corners_.corners.end_id();
     const auto add_leg = [&](Edge_id e) {
       const Vertex_id far = state_.edges.other_end(e, corner.apex);
       corner.legs.push_back(corners_.add_leg(
-          {id, e, corner.apex, far, distance(corner.apex, far), -1, -1, {}, -1, corner.apex}));
+          {id, e, corner.apex, far, distance(corner.apex, far), {}, {}, {}, {}, corner.apex}));
     };
     first_triangles_.emplace_back();
     add_leg(acute_[run.front()].right);
@@ -199,24 +199,23 @@ private:
   }
 
   Sector_id add_lopped_sector(Leg_id right, Leg_id left, double angle) {
-    const Sector_id id = static_cast<Sector_id>(corners_.sectors.size());
     const Number sine = std::sin(exempt_share * angle);
-    corners_.sectors.push_back({right, left, angle, sine * sine * (1 + 2e-9), 0});
+    const Sector_id id = corners_.sectors.add({right, left, angle, sine * sine * (1 + 2e-9), 0});
     corners_.leg(right).after = id;
     corners_.leg(left).before = id;
     return id;
   }
 
-  void set_radius(Corner& corner) {
+  void set_radius(Corner_id c) {
+    Corner& corner = corners_.corner(c);
     Number r = corners_.leg(corner.legs.front()).length;
     for (const Leg_id l : corner.legs) {
       const Leg& leg = corners_.leg(l);
-      const auto& at = corners_.legs_of_edge[std::size_t(leg.edge)];
-      const bool has_ring_at_far_end = at[0] >= 0 && at[1] >= 0;
+      const auto& at = corners_.legs_of_edge[leg.edge];
+      const bool has_ring_at_far_end = at[0].is_valid() && at[1].is_valid();
       r = std::min<Number>(r, has_ring_at_far_end ? leg.length / 2 : leg.length);
     }
-    for (const Triangle_id t : first_triangles_[std::size_t(&corner - corners_.corners.data())])
-      r = radius_clear_of_intruders(corner.apex, t, r);
+    for (const Triangle_id t : first_triangles_[c]) r = radius_clear_of_intruders(corner.apex, t, r);
     corner.radius = r;
   }
 
@@ -231,8 +230,8 @@ private:
     while (!stack_.empty()) {
       const Triangle_id t = stack_.back();
       stack_.pop_back();
-      if (visit_of_[std::size_t(t)] == visit_) continue;
-      visit_of_[std::size_t(t)] = visit_;
+      if (visit_of_[t] == visit_) continue;
+      visit_of_[t] = visit_;
       const auto& q = mesh_.triangle(t);
       for (int k = 0; k < 3; ++k) {
         if (q.v[k] != apex && q.v[k] != right && q.v[k] != left)

@@ -36,55 +36,55 @@ public:
   template <class Geometry>
   Edge_sides(const Kernel_mesh<Geometry>& mesh, const Input_edges& edges)
       : labels_(edges.size(), {outside_, outside_}), has_regions_(!mesh.region_of.empty()) {
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    for (const Triangle_id t : mesh.triangles.ids())
       for (int k = 0; k < 3; ++k) {
-        const Side s(static_cast<Triangle_id>(t), k);
-        if (!mesh.is_alive(s.triangle()) || !mesh.triangle(s.triangle()).side[k].is_constrained()) continue;
+        const Side s(t, k);
+        if (!mesh.is_alive(t) || !mesh.across(s).is_constrained()) continue;
         const Edge_id e = edges.carrying(mesh, mesh.source(s), mesh.target(s));
-        if (e < 0) continue; // a chord across a corner
-        labels_[std::size_t(e)][is_along(mesh, s, edges[e]) ? left_ : right_] = mesh.region(s.triangle());
+        if (!e.is_valid()) continue; // a chord across a corner
+        labels_[e][is_along(mesh, s, edges[e]) ? left_ : right_] = mesh.region(t);
       }
   }
 
-  bool is_domain_on_left(Edge_id e) const { return labels_[std::size_t(e)][left_] != outside_; }
-  bool is_domain_on_right(Edge_id e) const { return labels_[std::size_t(e)][right_] != outside_; }
+  bool is_domain_on_left(Edge_id e) const { return labels_[e][left_] != outside_; }
+  bool is_domain_on_right(Edge_id e) const { return labels_[e][right_] != outside_; }
 
   /// Restricts a triangulation of the whole graph to the domain, and labels its regions.
   /// \param edge_at gives the edge that a constrained side is a piece of, and whether the side's triangle is on the
   ///        left of that
   template <class Mesh, class Edge_at>
   void restrict(Mesh& mesh, std::size_t number_of_auxiliary_vertices, const Edge_at& edge_at) const {
-    constexpr Region_id unknown = outside_ - 1;
-    std::vector<Region_id> label(mesh.triangles.size(), unknown);
+    constexpr Region_id unknown(0xfffffffdu);
+    Indexed_vector<Triangle_id, Region_id> label(mesh.triangles.size(), unknown);
     std::vector<Triangle_id> stack;
-    for (std::size_t t = 0; t < label.size(); ++t)
+    for (const Triangle_id t : label.ids())
       for (int k = 0; k < 3 && label[t] == unknown; ++k) {
-        const Side s(static_cast<Triangle_id>(t), k);
+        const Side s(t, k);
         if (mesh.across(s).is_border() || !mesh.across(s).is_constrained()) continue;
         const auto [e, is_left] = edge_at(s);
-        label[t] = labels_[std::size_t(e)][is_left ? left_ : right_];
-        stack.push_back(s.triangle());
+        label[t] = labels_[e][is_left ? left_ : right_];
+        stack.push_back(t);
       }
     while (!stack.empty()) {
       const Triangle_id t = stack.back();
       stack.pop_back();
       for (const Side o : mesh.triangle(t).side) {
-        if (o.is_border() || o.is_constrained() || label[std::size_t(o.triangle())] != unknown) continue;
-        label[std::size_t(o.triangle())] = label[std::size_t(t)];
+        if (o.is_border() || o.is_constrained() || label[o.triangle()] != unknown) continue;
+        label[o.triangle()] = label[t];
         stack.push_back(o.triangle());
       }
     }
-    std::vector<char> is_kept(label.size());
-    for (std::size_t t = 0; t < label.size(); ++t) is_kept[t] = label[t] > outside_ ? 1 : 0;
+    Indexed_vector<Triangle_id, char> is_kept(label.size());
+    for (const Triangle_id t : label.ids()) is_kept[t] = label[t] != outside_ && label[t] != unknown ? 1 : 0;
     if (has_regions_) mesh.region_of = std::move(label);
-    keep_triangles(mesh, is_kept, mesh.points.size() - number_of_auxiliary_vertices);
+    keep_triangles(mesh, is_kept, static_cast<Vertex_id>(mesh.points.size() - number_of_auxiliary_vertices));
   }
 
 private:
   static constexpr std::size_t left_ = 0, right_ = 1;
-  static constexpr Region_id outside_ = -2; ///< -1 is the domain without a region
+  static constexpr Region_id outside_{0xfffffffeu}; ///< an invalid one is the domain without a region
 
-  std::vector<std::array<Region_id, 2>> labels_; // by edge
+  Indexed_vector<Edge_id, std::array<Region_id, 2>> labels_;
   bool has_regions_;
 
   /// Whether a side on an edge runs from `edge.a` to `edge.b`.

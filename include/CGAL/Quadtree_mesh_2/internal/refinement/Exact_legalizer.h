@@ -46,8 +46,8 @@ public:
     const std::size_t n = mesh_.triangles.size();
     std::vector<Part> parts((n + default_block - 1) / default_block);
     for_each_block<ConcurrencyTag>(n, default_block, [&](std::size_t b, std::size_t begin, std::size_t end) {
-      for (std::size_t t = begin; t < end; ++t)
-        if (mesh_.is_alive(static_cast<Triangle_id>(t))) look_at(static_cast<Triangle_id>(t), parts[b]);
+      for (const Triangle_id t : Id_range<Triangle_id>(begin, end))
+        if (mesh_.is_alive(t)) look_at(t, parts[b]);
     });
     Triangle_account account;
     for (const Part& part : parts) {

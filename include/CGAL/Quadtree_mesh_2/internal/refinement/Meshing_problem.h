@@ -24,16 +24,14 @@ namespace internal {
 /// What is the same for the whole mesh and all its blocks.
 template <class Geometry>
 struct Meshing_problem {
-  std::vector<typename Geometry::Point> input_points; ///< by input number
+  Indexed_vector<Vertex_id, typename Geometry::Point> input_points; ///< by input number
   Input_edges edges;
   Acute_corners<Geometry> corners;
   Bounds<Geometry> bounds;
   /// Features of the input nearer to a vertex than this share of an edge at it are none that legs are cut for.
   typename Geometry::Number least_share_of_leg = 0;
 
-  const typename Geometry::Point& input_point(Vertex_id number) const {
-    return input_points[std::size_t(number)];
-  }
+  const typename Geometry::Point& input_point(Vertex_id number) const { return input_points[number]; }
 
   Vertex_id nearest_input_vertex(const typename Geometry::Point& p) const {
     const auto distance2 = [&p](const auto& q) { return squared_length(Geometry::scaled_difference(q, p)); };
@@ -46,11 +44,11 @@ struct Meshing_problem {
   /// \param outer the triangles outside along the border
   void set_outside(const std::vector<Outer_triangle>& outer) {
     outer_of_edge_.assign(edges.size(), {});
-    for (const Outer_triangle& t : outer) outer_of_edge_[std::size_t(edges.between(t.a, t.b))] = t;
+    for (const Outer_triangle& t : outer) outer_of_edge_[edges.between(t.a, t.b)] = t;
   }
 
-  /// The input vertex that faces an edge at the border from the outside; -1 if there is none.
-  Vertex_id outer_vertex(Edge_id e) const { return outer_of_edge_[std::size_t(e)].apex; }
+  /// The input vertex that faces an edge at the border from the outside, if there is one.
+  Vertex_id outer_vertex(Edge_id e) const { return outer_of_edge_[e].apex; }
 
   /// Whether p, a rounded point of an edge, stays clear of what is outside of the border. The mesh does not know it.
   bool is_clear_of_outside(Edge_id e, const typename Geometry::Point& p) const {
@@ -58,15 +56,16 @@ struct Meshing_problem {
       static_cast<void>(e), static_cast<void>(p); // what is made on an edge lies on it
       return true;
     } else {
-      const Outer_triangle& t = outer_of_edge_[std::size_t(e)];
-      if (t.apex < 0) return true;
+      const Outer_triangle& t = outer_of_edge_[e];
+      if (!t.apex.is_valid()) return true;
       const auto &a = input_point(t.a), &b = input_point(t.b);
       return Edge_room<Geometry>(a, b, input_point(t.apex)).has(a, b, p);
     }
   }
 
 private:
-  std::vector<Outer_triangle> outer_of_edge_; // none where it is not at the border, or has nothing beyond
+  Indexed_vector<Edge_id, Outer_triangle>
+      outer_of_edge_; // none where it is not at the border, or has nothing beyond
 };
 
 } // namespace internal

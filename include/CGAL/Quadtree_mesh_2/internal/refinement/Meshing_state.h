@@ -64,13 +64,13 @@ struct Meshing_state {
   Leg_rule leg_rule = Leg_rule::SHELLS;
   /// What templates filled (Bulk_filler.h): triangles with consecutive handles, and the vertices within.
   struct Bulk {
-    Triangle_id first_triangle = 0, end_of_triangles = 0;
-    Vertex_id first_vertex = 0, end_of_vertices = 0;
+    Triangle_id first_triangle = Triangle_id(0), end_of_triangles = Triangle_id(0);
+    Vertex_id first_vertex = Vertex_id(0), end_of_vertices = Vertex_id(0);
     bool has_border = false; ///< vertices were inserted on its border
 
-    std::size_t number_of_triangles() const { return std::size_t(end_of_triangles - first_triangle); }
-    bool has(Triangle_id t) const { return t >= first_triangle && t < end_of_triangles; }
-    bool has_within(Vertex_id v) const { return v >= first_vertex && v < end_of_vertices; }
+    std::size_t number_of_triangles() const { return end_of_triangles.value() - first_triangle.value(); }
+    bool has(Triangle_id t) const { return !(t < first_triangle) && t < end_of_triangles; }
+    bool has_within(Vertex_id v) const { return !(v < first_vertex) && v < end_of_vertices; }
   };
   Bulk bulk;
   /// Bad triangles that are for a later round, in which they lie farther from the seams.
@@ -170,7 +170,7 @@ private:
   void push_sharp_around(Vertex_id v) {
     const double least_sin2 = bounds.sin2 * (1 + 1e-9);
     const Point& origin = mesh.point(v);
-    Vertex_id end = -1; // of the last spoke
+    Vertex_id end; // of the last spoke
     Vector spoke;
     auto length2 = squared_length(spoke);
     mesh.for_each_triangle_at(v, [&](Triangle_id t, int slot) {
@@ -190,11 +190,11 @@ private:
   }
 
   Side find_side_everywhere(Vertex_id x, Vertex_id y) const {
-    for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+    for (const Triangle_id t : mesh.triangles.ids())
       for (int k = 0; k < 3; ++k) {
-        const Side s(static_cast<Triangle_id>(i), k);
-        if (mesh.is_alive(s.triangle()) && mesh.source(s) == x && mesh.target(s) == y) return s;
-        if (mesh.is_alive(s.triangle()) && mesh.source(s) == y && mesh.target(s) == x) return s;
+        const Side s(t, k);
+        if (mesh.is_alive(t) && mesh.source(s) == x && mesh.target(s) == y) return s;
+        if (mesh.is_alive(t) && mesh.source(s) == y && mesh.target(s) == x) return s;
       }
     return Side::border();
   }

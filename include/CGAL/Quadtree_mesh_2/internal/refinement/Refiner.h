@@ -114,8 +114,8 @@ private:
   Relocator<Geometry> relocator_;
   double apex_height_; // of the off-center's triangle over a unit edge
   double cosine2_of_encroachment_;
-  std::vector<unsigned char> trials_;      // per triangle slot: vertices inserted for it
-  std::vector<unsigned char> relocations_; // per vertex
+  Indexed_vector<Triangle_id, unsigned char> trials_;    // vertices inserted for a triangle
+  Indexed_vector<Vertex_id, unsigned char> relocations_; // of a vertex
   std::vector<Triangle_id> refused_;
   std::size_t vertices_when_taken_up_ = 0; // the refused ones
 
@@ -156,30 +156,29 @@ private:
   }
 
   unsigned char& number_of_relocations(Vertex_id v) {
-    if (relocations_.size() <= std::size_t(v))
-      relocations_.resize(mesh_.number_of_vertices() * 3 / 2 + 64, 0);
-    return relocations_[std::size_t(v)];
+    relocations_.make_room_for(v, 0);
+    return relocations_[v];
   }
 
   /// Inserts one vertex for the bad triangle t. Puts t back on the list if it is still bad.
   void refine(Triangle_id t, const Shape& shape) {
-    const std::size_t vertices_before = mesh_.number_of_vertices();
+    const Vertex_id end_before = mesh_.points.end_id();
     Outcome outcome = splitter_.open_lock_around(t);
     if (outcome == Outcome::REFUSED) outcome = insert_vertex_for(t, shape);
     const bool may_go_later = outcome == Outcome::REFUSED && state_.is_block();
     if (outcome == Outcome::DEFERRED || may_go_later) return state_.deferred.push_back(t);
-    settle_new_vertices(t, vertices_before);
+    settle_new_vertices(t, end_before);
     if (outcome == Outcome::REFUSED) return refused_.push_back(t);
     if (mesh_.is_alive(t)) state_.push_if_suspect(t);
   }
 
-  void settle_new_vertices(Triangle_id t, std::size_t vertices_before) {
-    if (trials_.size() <= std::size_t(t)) trials_.resize(mesh_.triangles.size() * 3 / 2 + 64, 0);
-    unsigned char& trials = trials_[std::size_t(t)];
+  void settle_new_vertices(Triangle_id t, Vertex_id end_before) {
+    trials_.make_room_for(t, 0);
+    unsigned char& trials = trials_[t];
     if (trials < patience) ++trials;
     if (trials < patience) return;
-    for (std::size_t v = vertices_before; v < mesh_.number_of_vertices(); ++v)
-      number_of_relocations(static_cast<Vertex_id>(v)) = most_relocations;
+    for (const Vertex_id v : Id_range<Vertex_id>(end_before, mesh_.points.end_id()))
+      number_of_relocations(v) = most_relocations;
   }
 
   /// Refused if nothing could be inserted: the triangle is as small as coordinates allow.

@@ -53,8 +53,8 @@ public:
   /// its triangles meet the bounds there; and restores the Delaunay property.
   bool improve(Vertex_id v) {
     if (!move(v, Aim::BEST)) return false;
-    for (int i = 0; i < star_.number_of_link_vertices(); ++i) mesh_.is_dirty[std::size_t(star_.link[i])] = 1;
-    mesh_.is_dirty[std::size_t(v)] = 1;
+    for (int i = 0; i < star_.number_of_link_vertices(); ++i) mesh_.is_dirty[star_.link[i]] = 1;
+    mesh_.is_dirty[v] = 1;
     return true;
   }
 
@@ -66,7 +66,7 @@ private:
     if (!star_.collect(mesh_, v, is_hurried(aim) ? largest_star : Star::max_size)) return false;
     const Edge_id e = mesh_.edge(v);
     const bool is_moved =
-        e == free_vertex ? star_.is_closed && relocate_free(v, aim) : relocate_on_edge(v, e, aim);
+        mesh_.is_free(v) ? star_.is_closed && relocate_free(v, aim) : relocate_on_edge(v, e, aim);
     if (!is_moved) return false;
     for (int i = 0; i < star_.size; ++i) {
       const Side c = star_.corner[i];
@@ -237,7 +237,7 @@ private:
         return false;
     }
     if (!is_far_from_link(p)) return false;
-    mesh_.points[std::size_t(v)] = p;
+    mesh_.points[v] = p;
     return true;
   }
 
@@ -272,9 +272,7 @@ private:
   bool relocate_on_edge(Vertex_id v, Edge_id e, Aim aim) {
     const Input_edge& edge = state_.edges[e];
     const auto& is_acute = state_.corners.is_acute;
-    if (state_.leg_rule == Leg_rule::SHELLS &&
-        (is_acute[std::size_t(edge.a)] != 0 || is_acute[std::size_t(edge.b)] != 0))
-      return false;
+    if (state_.leg_rule == Leg_rule::SHELLS && (is_acute[edge.a] != 0 || is_acute[edge.b] != 0)) return false;
     const Point &a = state_.problem.input_point(edge.a), &b = state_.problem.input_point(edge.b);
     const Vector from_a = Geometry::scaled_difference(mesh_.point(v), a),
                  from_b = Geometry::scaled_difference(mesh_.point(v), b);

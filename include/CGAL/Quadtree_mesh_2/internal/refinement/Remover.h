@@ -55,13 +55,13 @@ public:
     constexpr int passes = 2;
     std::size_t removed = 0;
     for (int pass = 0; pass < passes; ++pass)
-      for (Vertex_id v = 0; v < static_cast<Vertex_id>(mesh_.number_of_vertices()); ++v) {
+      for (const Vertex_id v : mesh_.points.ids()) {
         if (is_time_to_ask(std::size_t(v)) && !shall_go_on()) return removed;
-        if (mesh_.is_input(v) || mesh_.is_dirty[std::size_t(v)] == 0 || !mesh_.is_used(v)) continue;
+        if (mesh_.is_input(v) || mesh_.is_dirty[v] == 0 || !mesh_.is_used(v)) continue;
         const int largest = state_.is_small() ? Star::max_size : largest_star;
         const bool is_collected = star_.collect(mesh_, v, largest);
         if (!is_collected && star_.size < largest) continue; // perhaps at a seam: another round may do it
-        mesh_.is_dirty[std::size_t(v)] = 0;
+        mesh_.is_dirty[v] = 0;
         if (is_collected && try_to_remove(v)) ++removed;
       }
     return removed;
@@ -91,7 +91,7 @@ private:
   Vertex_id made_[Star::max_size + 2][3];
   Region_id region_of_made_[Star::max_size + 2];
   int number_made_ = 0;
-  Vertex_id merged_a_ = -1, merged_b_ = -1;
+  Vertex_id merged_a_, merged_b_ = Vertex_id();
   // the polygon's vertices, relative to its first, and the dynamic programme
   Vector place_[max_polygon];
   double quality_[max_polygon][max_polygon];
@@ -100,8 +100,8 @@ private:
   /// \pre the star is that of v
   bool try_to_remove(Vertex_id v) {
     number_made_ = 0;
-    merged_a_ = merged_b_ = -1;
-    if (mesh_.edge(v) == free_vertex) {
+    merged_a_ = merged_b_ = {};
+    if (mesh_.is_free(v)) {
       if (!star_.is_closed || !triangulate(polygon(0, star_.size - 1))) return false;
     } else if (star_.is_closed) {
       if (!triangulate_both_sides()) return false;
@@ -276,7 +276,8 @@ private:
       for (int k = 0; k < 3; ++k) {
         const Vertex_id a = made_[i][next_slot[k]], b = made_[i][previous_slot[k]], c = made_[i][k];
         const Vertex_id d = apex_across(first, a, b);
-        if (d < 0 || !Geometry::is_in_circle(mesh_.point(c), mesh_.point(a), mesh_.point(b), mesh_.point(d)))
+        if (!d.is_valid() ||
+            !Geometry::is_in_circle(mesh_.point(c), mesh_.point(a), mesh_.point(b), mesh_.point(d)))
           continue;
         const Region_id region = region_of_made_[i];
         if (!keeps_bounds(mesh_.shape(a, d, c), a, d, c, region, true) ||
@@ -286,7 +287,7 @@ private:
     return true;
   }
 
-  /// The vertex opposite the edge a-b on its right: of a new triangle, or of the mesh beyond the star; -1
+  /// The vertex opposite the edge a-b on its right: of a new triangle, or of the mesh beyond the star; none
   /// behind a constraint.
   Vertex_id apex_across(int first, Vertex_id a, Vertex_id b) const {
     for (int i = first; i < number_made_; ++i)
@@ -296,9 +297,9 @@ private:
       const Vertex_id to = star_.link[i + 1];
       if (star_.link[i] != a || to != b) continue;
       const Side o = mesh_.across(star_.corner[i]);
-      return o.is_constrained() ? -1 : mesh_.opposite(o);
+      return o.is_constrained() ? Vertex_id() : mesh_.opposite(o);
     }
-    return -1;
+    return {};
   }
 
   struct Open_side {
@@ -316,15 +317,15 @@ private:
       mesh_.set_region(t, region_of_made_[i]);
       for (int k = 0; k < 3; ++k) {
         mesh_.triangle(t).v[k] = made_[i][k];
-        mesh_.triangle_of[std::size_t(made_[i][k])] = t;
+        mesh_.triangle_of[made_[i][k]] = t;
       }
     }
     Open_side open[3 * Star::max_size];
     int number_open = 0;
     for (int i = 0; i < number_made_; ++i)
       for (int k = 0; k < 3; ++k) connect(Side(star_.corner[i].triangle(), k), beyond, open, number_open);
-    mesh_.triangle_of[std::size_t(v)] = -1;
-    for (int i = 0; i < star_.number_of_link_vertices(); ++i) mesh_.is_dirty[std::size_t(star_.link[i])] = 1;
+    mesh_.triangle_of[v] = {};
+    for (int i = 0; i < star_.number_of_link_vertices(); ++i) mesh_.is_dirty[star_.link[i]] = 1;
   }
 
   /// Links a side of a new triangle to the mesh beyond the star, to a new triangle made before, or leaves it

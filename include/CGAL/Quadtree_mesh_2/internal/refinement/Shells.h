@@ -48,12 +48,12 @@ public:
   struct Interval {
     Shell_vertex below, above;
   };
-  /// The alive ones around a radius; the apex below the first, none (-1) above the last.
+  /// The alive ones around a radius; the apex below the first, none above the last.
   template <class Is_alive>
   Interval around(const Number& radius, Vertex_id apex, const Is_alive& is_alive) const {
     const auto next = by_radius_.upper_bound(radius);
-    Interval i{{0, apex}, {0, -1}};
-    for (auto s = next; s != end() && i.above.vertex < 0; ++s)
+    Interval i{{0, apex}, {0, Vertex_id()}};
+    for (auto s = next; s != end() && !i.above.vertex.is_valid(); ++s)
       if (is_alive(s->second)) i.above = {s->first, s->second};
     for (auto s = next; s != begin() && i.below.vertex == apex;)
       if (is_alive((--s)->second)) i.below = {s->first, s->second};
@@ -68,13 +68,13 @@ public:
 
   void clear() { by_radius_.clear(), by_vertex_.clear(); }
 
-  /// Gives each vertex the handle `name(v)`; forgets it if that is -1.
+  /// Gives each vertex the handle `name(v)`; forgets it if that is none.
   template <class Name>
   void rename(const Name& name) {
     by_vertex_.clear();
     for (auto s = by_radius_.begin(); s != by_radius_.end();) {
       s->second = name(s->second);
-      if (s->second < 0) {
+      if (!s->second.is_valid()) {
         s = by_radius_.erase(s);
       } else {
         by_vertex_.push_back({s->first, s->second});

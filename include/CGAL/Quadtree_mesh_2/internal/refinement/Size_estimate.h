@@ -51,10 +51,10 @@ namespace internal {
 /// Per triangle of the first triangulation, bit k: an acute sector may begin at its vertex k, which is the first end of
 /// a constrained side then.
 struct Acute_starts {
-  std::vector<unsigned char> slots_of_triangle;
+  Indexed_vector<Triangle_id, unsigned char> slots_of_triangle;
 
-  bool is_any(std::size_t t) const { return slots_of_triangle[t] != 0; }
-  bool has(std::size_t t, int k) const { return (slots_of_triangle[t] >> k & 1u) != 0; }
+  bool is_any(Triangle_id t) const { return slots_of_triangle[t] != 0; }
+  bool has(Triangle_id t, int k) const { return (slots_of_triangle[t] >> k & 1u) != 0; }
 };
 
 template <class Geometry>
@@ -67,7 +67,7 @@ public:
 
   /// Two constrained edges that face each other, by their ends, and what they ask for.
   struct Pair {
-    Vertex_id a[2] = {-1, -1}, b[2] = {-1, -1};
+    Vertex_id a[2], b[2];
     double triangles = 0;
   };
 
@@ -83,16 +83,16 @@ public:
         mesh_.triangles.size(), Demand(),
         [this](std::size_t begin, std::size_t end) {
           Demand sum;
-          for (std::size_t t = begin; t < end; ++t) add_triangle(static_cast<Triangle_id>(t), sum);
+          for (const Triangle_id t : Id_range<Triangle_id>(begin, end)) add_triangle(t, sum);
           return sum;
         },
         [](const Demand& a, const Demand& b) {
           return Demand{a.of_shapes + b.of_shapes, a.of_sizes + b.of_sizes};
         });
     of_shapes_ = all.of_shapes, of_sizes_ = all.of_sizes;
-    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
+    for (const Triangle_id t : mesh_.triangles.ids())
       for (int k = 0; k < 3 && (marks_[t] & narrow_sides) != 0; ++k)
-        if (is_narrow(static_cast<Triangle_id>(t), k)) add_facing_edges(static_cast<Triangle_id>(t), k);
+        if (is_narrow(t, k)) add_facing_edges(t, k);
   }
 
   double triangles() const {
@@ -134,8 +134,8 @@ private:
   double of_shapes_ = 0, of_pairs_ = 0, of_sizes_ = 0;
   Pair worst_;
   static constexpr unsigned narrow_sides = 7;
-  std::vector<unsigned char>
-      marks_; // per triangle: bit k for a narrow side k, 3 + k for a sector begun there
+  /// Bit k: for a narrow side k; 3 + k: for a sector begun there.
+  Indexed_vector<Triangle_id, unsigned char> marks_;
   Acute_starts acute_starts_;
   std::vector<Side> opposite_; // the narrow sides opposite the apex of a sector
 
@@ -151,8 +151,8 @@ private:
       const int apex = next_slot[k]; // of the sector to the left of side k
       if (s.may_be_below_60_degrees(apex)) starts |= 1u << apex;
     }
-    marks_[std::size_t(t)] = static_cast<unsigned char>(narrow);
-    acute_starts_.slots_of_triangle[std::size_t(t)] = static_cast<unsigned char>(starts);
+    marks_[t] = static_cast<unsigned char>(narrow);
+    acute_starts_.slots_of_triangle[t] = static_cast<unsigned char>(starts);
     demand.of_shapes += per_triangle;
     if (constrained < 2 && s.longest() > ordinary_aspect * s.area2) {
       // collinear vertices give no area in doubles
@@ -192,8 +192,8 @@ private:
     const Bounds<Geometry>& bounds = state_.bounds;
     if (!bounds.is_size_bounded()) return 0;
     double area2 = bounds.area2;
-    if (!bounds.area2_of_region.empty() && mesh_.region(t) >= 0)
-      area2 = std::min(area2, bounds.area2_of_region[std::size_t(mesh_.region(t))]);
+    if (!bounds.area2_of_region.empty() && mesh_.region(t).is_valid())
+      area2 = std::min(area2, bounds.area2_of_region[mesh_.region(t)]);
     double per_area2 =
         std::max(1 / (share_of_area * area2), 0.5 / (share_of_squared_edge * bounds.squared_length));
     if (bounds.squared_length_at) per_area2 = std::max(per_area2, field_density(t, s));
@@ -223,13 +223,13 @@ private:
 
   /// Whether side k of t is constrained and longer than twice its distance to the apex: others are not
   /// looked at, as what they face is narrower from somewhere else, or costs little.
-  bool is_narrow(Triangle_id t, int k) const { return (marks_[std::size_t(t)] >> k & 1u) != 0; }
+  bool is_narrow(Triangle_id t, int k) const { return (marks_[t] >> k & 1u) != 0; }
 
   /// Marks the sector that begins at slot k of t; false if it was marked already.
   bool mark_sector(Triangle_id t, int k) {
     const unsigned char bit = static_cast<unsigned char>(8u << k);
-    if ((marks_[std::size_t(t)] & bit) != 0) return false;
-    marks_[std::size_t(t)] = static_cast<unsigned char>(marks_[std::size_t(t)] | bit);
+    if ((marks_[t] & bit) != 0) return false;
+    marks_[t] = static_cast<unsigned char>(marks_[t] | bit);
     return true;
   }
 

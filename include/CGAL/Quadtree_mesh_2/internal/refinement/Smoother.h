@@ -29,7 +29,7 @@ public:
   /// `shall_go_on()` is asked now and then.
   template <class Continue>
   void run(Continue&& shall_go_on) {
-    for (Vertex_id v = 0; v < static_cast<Vertex_id>(mesh_.number_of_vertices()); ++v) {
+    for (const Vertex_id v : mesh_.points.ids()) {
       if (is_time_to_ask(std::size_t(v)) && !shall_go_on()) return;
       if (!mesh_.is_input(v) && mesh_.is_used(v)) relocator_.improve(v);
     }

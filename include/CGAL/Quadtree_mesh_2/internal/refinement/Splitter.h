@@ -61,12 +61,11 @@ public:
 
   /// Cuts the legs of all corners at their radius and locks the lopped sectors.
   void cut_rings() {
-    for (std::size_t c = 0; c < corners_.corners.size(); ++c) {
-      Corner& corner = corners_.corner(static_cast<Corner_id>(c));
+    for (Corner& corner : corners_.corners) {
       corner.radius = radius_of_ring(corner);
       for (const Leg_id l : corner.legs) cut_ring_on_leg(l, corner.radius, ring_tolerance(corner));
     }
-    for (std::size_t s = 0; s < corners_.sectors.size(); ++s) lock_at_ring(static_cast<Sector_id>(s));
+    for (const Sector_id s : corners_.sectors.ids()) lock_at_ring(s);
   }
 
   /// Unlocks all lopped sectors: removal may then treat shell vertices as any others.
@@ -85,11 +84,11 @@ public:
     if (mesh_.across(side).is_seam()) return Outcome::DEFERRED;
     const Vertex_id x = mesh_.source(side), y = mesh_.target(side);
     const Edge_id e = state_.edges.carrying(mesh_, x, y);
-    if (e < 0) return split_chord(x, y);
-    for (const Leg_id l : corners_.legs_of_edge[std::size_t(e)])
-      if (l >= 0 && !state_.owns(corners_.leg(l).corner)) return Outcome::DEFERRED;
-    for (const Leg_id l : corners_.legs_of_edge[std::size_t(e)])
-      if (l >= 0 && state_.leg_rule == Leg_rule::SHELLS && is_within_ring(l, x, y))
+    if (!e.is_valid()) return split_chord(x, y);
+    for (const Leg_id l : corners_.legs_of_edge[e])
+      if (l.is_valid() && !state_.owns(corners_.leg(l).corner)) return Outcome::DEFERRED;
+    for (const Leg_id l : corners_.legs_of_edge[e])
+      if (l.is_valid() && state_.leg_rule == Leg_rule::SHELLS && is_within_ring(l, x, y))
         return outcome(split_within_ring(l, x, y, want, asker));
     return outcome(split_subsegment(side, e, want, asker));
   }
@@ -100,7 +99,7 @@ public:
   Outcome open_lock_around(Triangle_id t) {
     const auto r = mesh_.triangle(t);
     const Sector_id s = corners_.sector_of(mesh_, r.v[0], r.v[1], r.v[2]);
-    if (s < 0) return Outcome::REFUSED;
+    if (!s.is_valid()) return Outcome::REFUSED;
     const Corner_id c = corners_.corner_of(corners_.sector(s));
     if (!state_.owns(c)) return Outcome::DEFERRED;
     if (corners_.sector(s).lock_radius == 0) return Outcome::REFUSED;
@@ -169,10 +168,10 @@ private:
   };
   Ring_place ring_place(Leg_id l, Number radius, Number tolerance) const {
     const Leg& leg = corners_.leg(l);
-    const auto& at = corners_.legs_of_edge[std::size_t(leg.edge)];
+    const auto& at = corners_.legs_of_edge[leg.edge];
     const Leg_id opposite = at[0] == l ? at[1] : at[0];
-    const Vertex_id opposite_ring = opposite >= 0 ? corners_.leg(opposite).ring : -1;
-    const Vertex_id beyond = opposite_ring >= 0 && opposite_ring != leg.apex ? opposite_ring : leg.far;
+    const Vertex_id opposite_ring = opposite.is_valid() ? corners_.leg(opposite).ring : Vertex_id();
+    const Vertex_id beyond = opposite_ring.is_valid() && opposite_ring != leg.apex ? opposite_ring : leg.far;
     const Number room = beyond == leg.far ? leg.length : distance(leg.apex, beyond);
     return {beyond, room, room <= radius + tolerance};
   }
@@ -205,7 +204,7 @@ private:
     leg.ring = place.is_stand_in
                    ? place.beyond
                    : insert_between(leg.apex, place.beyond, leg.edge, point_on_leg(leg, radius));
-    if (leg.ring >= 0) leg.shells.insert(place.is_stand_in ? place.room : radius, leg.ring);
+    if (leg.ring.is_valid()) leg.shells.insert(place.is_stand_in ? place.room : radius, leg.ring);
   }
 
   /// Cuts every leg of the corner at a radius within the ring, where it is not cut there yet.
@@ -222,13 +221,13 @@ private:
       if (radius < least_share_of_leg() * leg.length) return false;
       const auto around =
           leg.shells.around(radius, leg.apex_vertex, [this](Vertex_id v) { return mesh_.is_used(v); });
-      if (around.above.vertex < 0 || around.below.radius >= radius * (1 - same_radius) ||
+      if (!around.above.vertex.is_valid() || around.below.radius >= radius * (1 - same_radius) ||
           around.above.radius <= radius * (1 + same_radius))
         continue;
       const Point p = point_on_leg(leg, radius);
       if (!may_insert_for(asker, state_.side_between(around.below.vertex, around.above.vertex), p)) continue;
       const Vertex_id v = insert_between(around.below.vertex, around.above.vertex, leg.edge, p);
-      if (v < 0) continue;
+      if (!v.is_valid()) continue;
       leg.shells.insert(radius, v);
       is_changed = true;
     }
@@ -237,7 +236,8 @@ private:
 
   /// Whether all legs have a ring vertex. Otherwise sectors are ordinary domain, however narrow.
   bool is_cut_on_all_legs(const Corner& c) const {
-    return std::all_of(c.legs.begin(), c.legs.end(), [this](Leg_id l) { return corners_.leg(l).ring >= 0; });
+    return std::all_of(c.legs.begin(), c.legs.end(),
+                       [this](Leg_id l) { return corners_.leg(l).ring.is_valid(); });
   }
 
   bool is_within_ring(Leg_id l, Vertex_id x, Vertex_id y) const {
@@ -275,10 +275,10 @@ private:
     return lower_locks({corners_.leg(right).before, corners_.leg(left).after}, low);
   }
 
-  /// Moves the locks of two sectors (or none, -1) down to a radius or below.
+  /// Moves the locks of two sectors (or none) down to a radius or below.
   bool lower_locks(const std::array<Sector_id, 2>& sectors, Number low) {
     for (const Sector_id s : sectors)
-      while (s >= 0 && corners_.sector(s).lock_radius > low)
+      while (s.is_valid() && corners_.sector(s).lock_radius > low)
         if (!lower_lock(s)) return false;
     return true;
   }
@@ -297,16 +297,16 @@ private:
 
   /// Moves the lock that the chord x-y is.
   Outcome split_chord(Vertex_id x, Vertex_id y) {
-    Sector_id locked = -1;
+    Sector_id locked;
     bool is_elsewhere = false;
     corners_.find_sector_of_chord(mesh_, x, y, [&](Sector_id s) {
       if (!state_.owns(corners_.corner_of(corners_.sector(s))))
         is_elsewhere = true;
       else if (is_locked_by(corners_.sector(s), x, y))
         locked = s;
-      return locked >= 0;
+      return locked.is_valid();
     });
-    if (locked >= 0) return outcome(lower_lock(locked));
+    if (locked.is_valid()) return outcome(lower_lock(locked));
     return is_elsewhere ? Outcome::DEFERRED : Outcome::REFUSED;
   }
 
@@ -322,7 +322,7 @@ private:
     const auto& shells = corners_.leg(sector.right).shells;
     for (auto s = shells.from(radius * (1 - same_radius)); s != shells.begin();) {
       --s;
-      if (mesh_.is_used(s->second) && vertex_at(sector.left, s->first) >= 0) return s->first;
+      if (mesh_.is_used(s->second) && vertex_at(sector.left, s->first).is_valid()) return s->first;
     }
     return 0;
   }
@@ -331,13 +331,13 @@ private:
     using std::fabs;
     const Leg& leg = corners_.leg(l);
     if (radius == corners_.corner(leg.corner).radius)
-      return leg.ring >= 0 && mesh_.is_used(leg.ring) ? leg.ring : -1;
+      return leg.ring.is_valid() && mesh_.is_used(leg.ring) ? leg.ring : Vertex_id();
     const Number tolerance = same_radius * radius;
     for (auto s = leg.shells.from(radius - 2 * tolerance); s != leg.shells.end(); ++s) {
       if (s->first > radius + 2 * tolerance) break;
       if (fabs(s->first - radius) <= tolerance && mesh_.is_used(s->second)) return s->second;
     }
-    return -1;
+    return {};
   }
 
   Number shell_below(Sector_id s, Number radius) const {
@@ -355,7 +355,7 @@ private:
   void lock(Sector& s, Number radius) {
     s.lock_radius = 0;
     const Vertex_id a = vertex_at(s.right, radius), b = vertex_at(s.left, radius);
-    if (a < 0 || b < 0 || a == b) return;
+    if (!a.is_valid() || !b.is_valid() || a == b) return;
     const Side chord = state_.side_between(a, b);
     if (chord.is_border()) return;
     mesh_.constrain(chord);
@@ -364,16 +364,16 @@ private:
 
   void release_chord(const Sector& s) {
     const Vertex_id a = vertex_at(s.right, s.lock_radius), b = vertex_at(s.left, s.lock_radius);
-    if (a < 0 || b < 0 || state_.edges.carrying(mesh_, a, b) >= 0)
+    if (!a.is_valid() || !b.is_valid() || state_.edges.carrying(mesh_, a, b).is_valid())
       return; // a chord that is an input edge stays
     const Side chord = state_.side_between(a, b);
     if (chord.is_border()) return;
     mesh_.release(chord);
-    mesh_.is_dirty[std::size_t(a)] = mesh_.is_dirty[std::size_t(b)] = 1;
+    mesh_.is_dirty[a] = mesh_.is_dirty[b] = 1;
     const Side o = mesh_.across(chord);
     state_.doubtful_sides.push_back(chord);
     for (const Triangle_id t : {chord.triangle(), o.triangle()})
-      if (t >= 0 && !o.is_border()) state_.push_if_suspect(t);
+      if (t.is_valid() && !o.is_border()) state_.push_if_suspect(t);
   }
 
   /// Moves the lock of a sector down by one shell, making one where there is none.
@@ -387,7 +387,8 @@ private:
 
   bool move_lock(Sector_id s, Number radius) {
     Sector& sector = corners_.sector(s);
-    if (vertex_at(sector.right, radius) < 0 || vertex_at(sector.left, radius) < 0) return false;
+    if (!vertex_at(sector.right, radius).is_valid() || !vertex_at(sector.left, radius).is_valid())
+      return false;
     release_chord(sector);
     lock(sector, radius);
     state_.legalize();
@@ -398,16 +399,16 @@ private:
 
   Vertex_id insert_between(Vertex_id x, Vertex_id y, Edge_id e, Point p) {
     const Side s = state_.side_between(x, y);
-    return s.is_border() ? -1 : insert(s, e, p);
+    return s.is_border() ? Vertex_id() : insert(s, e, p);
   }
 
-  /// Puts p on the side; -1 if p is not strictly between its ends as seen from the apexes of its triangles, or not
+  /// Puts p on the side; none if p is not strictly between its ends as seen from the apexes of its triangles, or not
   /// clear of what is outside.
   Vertex_id insert(Side s, Edge_id e, Point p) {
-    if (!keeps_orientation(mesh_, s, p) || !state_.problem.is_clear_of_outside(e, p)) return -1;
+    if (!keeps_orientation(mesh_, s, p) || !state_.problem.is_clear_of_outside(e, p)) return {};
     const Side o = mesh_.across(s);
-    const Triangle_id across = o.is_border() ? -1 : o.triangle();
-    if (!has_room(mesh_, {s.triangle(), across}, p, state_.bounds.least_squared_length)) return -1;
+    const Triangle_id across = o.is_border() ? Triangle_id() : o.triangle();
+    if (!has_room(mesh_, {s.triangle(), across}, p, state_.bounds.least_squared_length)) return {};
     const Vertex_id v = mesh_.add_vertex(p, e);
     mesh_.insert_on_side(s.triangle(), s.slot(), v);
     state_.push_suspects_around(v);
@@ -416,21 +417,21 @@ private:
 
   bool split_subsegment(Side s, Edge_id e, const Point* want, Asker asker) {
     const Vertex_id x = mesh_.source(s), y = mesh_.target(s);
-    const Vertex_id apex = is_acute_apex(x) ? x : is_acute_apex(y) ? y : -1;
-    if (apex >= 0) {
+    const Vertex_id apex = is_acute_apex(x) ? x : is_acute_apex(y) ? y : Vertex_id();
+    if (apex.is_valid()) {
       const Number length = distance(x, y), whole = length_of_edge(e);
       if (length < 2 * least_share_of_leg() * whole) return false;
       const Number radius = power_of_two_at_most(length * 2 / 3); // of length, in (1/3, 2/3]
       if (insert_for(asker, s, e, point_on_edge(e, apex, radius / whole))) return true;
     }
-    const double share = apex >= 0 ? 0.5 : share_of_split(x, y, e, want);
+    const double share = apex.is_valid() ? 0.5 : share_of_split(x, y, e, want);
     for (const double f : {share, 0.5, 0.4, 0.6, 0.45, 0.55})
       if (insert_for(asker, s, e, point_on_edge_between(e, x, y, f))) return true;
     return false;
   }
 
   bool insert_for(Asker asker, Side s, Edge_id e, const Point& p) {
-    return may_insert_for(asker, s, p) && insert(s, e, p) >= 0;
+    return may_insert_for(asker, s, p) && insert(s, e, p).is_valid();
   }
 
   bool may_insert_for(Asker asker, Side s, const Point& p) const {
@@ -458,12 +459,11 @@ private:
   }
 
   bool is_acute_apex(Vertex_id v) const {
-    return mesh_.is_input(v) && corners_.is_acute[std::size_t(mesh_.input_number(v))] != 0;
+    return mesh_.is_input(v) && corners_.is_acute[mesh_.input_number(v)] != 0;
   }
   bool is_leg_without_ring(Edge_id e, int end) const {
     const Vertex_id apex = end == 0 ? state_.edges[e].a : state_.edges[e].b;
-    return corners_.is_acute[std::size_t(apex)] != 0 &&
-           corners_.legs_of_edge[std::size_t(e)][std::size_t(end)] < 0;
+    return corners_.is_acute[apex] != 0 && !corners_.legs_of_edge[e][end].is_valid();
   }
 
   /// Where x-y is split, for a wish in its middle 30 percent.

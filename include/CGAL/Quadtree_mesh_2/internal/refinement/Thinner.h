@@ -120,8 +120,8 @@ private:
   /// Until `f` returns true; returns whether it did.
   template <class Function>
   bool for_each_triangle(const Function& f) const {
-    for (std::size_t t = 0; t < state_.mesh.triangles.size(); ++t)
-      if (state_.mesh.is_alive(static_cast<Triangle_id>(t)) && f(static_cast<Triangle_id>(t))) return true;
+    for (const Triangle_id t : state_.mesh.triangles.ids())
+      if (state_.mesh.is_alive(t) && f(t)) return true;
     return false;
   }
 };

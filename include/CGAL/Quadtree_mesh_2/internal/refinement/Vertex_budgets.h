@@ -45,7 +45,8 @@ public:
   Triangle_budget of_triangles() const {
     const Triangle_budget machine = Triangle_budget::of_machine();
     if (options_.max_vertices() > 0)
-      return machine.smaller({static_cast<double>(options_.max_vertices()), "the vertex budget allows"});
+      return machine.smaller({static_cast<double>(options_.max_vertices()), "the vertex budget allows",
+                              Triangle_budget::Unit::VERTICES});
     const std::optional<Triangle_budget> limit = of_small_graph();
     return limit ? machine.smaller(*limit) : machine;
   }
@@ -53,7 +54,7 @@ public:
   /// The limit of a small graph, if this is one and its user has not set another.
   std::optional<Triangle_budget> of_small_graph() const {
     if (!is_capped_ || options_.max_vertices() > 0) return std::nullopt;
-    return Triangle_budget(cap_, limit_of_small_graphs);
+    return Triangle_budget(cap_, limit_of_small_graphs, Triangle_budget::Unit::TRIANGLES);
   }
 
   /// Quadtrees make ten times the triangles needed.

@@ -23,22 +23,22 @@ public:
   bool is_empty() const { return stack_.empty(); }
 
   void push(Triangle_id t) {
-    if (is_queued_.size() <= std::size_t(t)) is_queued_.resize(std::size_t(t) + std::size_t(t) / 2 + 64, 0);
-    if (is_queued_[std::size_t(t)] != 0) return;
-    is_queued_[std::size_t(t)] = 1;
+    is_queued_.make_room_for(t, 0);
+    if (is_queued_[t] != 0) return;
+    is_queued_[t] = 1;
     stack_.push_back(t);
   }
 
   Triangle_id pop() {
     const Triangle_id t = stack_.back();
     stack_.pop_back();
-    is_queued_[std::size_t(t)] = 0;
+    is_queued_[t] = 0;
     return t;
   }
 
 private:
   std::vector<Triangle_id> stack_;
-  std::vector<char> is_queued_;
+  Indexed_vector<Triangle_id, char> is_queued_;
 };
 
 } // namespace internal

@@ -43,17 +43,21 @@ inline double physical_memory() {
 
 class Triangle_budget {
 public:
+  /// In which the owner of the mesh knows the limit. A vertex stands for two triangles.
+  enum class Unit { VERTICES, TRIANGLES };
+
   /// What 32-bit handles allow.
   static constexpr std::size_t most_vertices = 100000000;
 
   /// \param limit in words: what sets the limit, and its verb
-  Triangle_budget(double vertices, const char* limit) : limit_(limit), triangles_(2 * vertices) {}
+  Triangle_budget(double vertices, const char* limit, Unit unit)
+      : limit_(limit), unit_(unit), triangles_(2 * vertices) {}
 
   /// What handles and memory allow.
   static Triangle_budget of_machine() {
     const double vertices =
         std::min(static_cast<double>(most_vertices), physical_memory() / (2 * bytes_per_triangle));
-    return {vertices, "handles and memory allow"};
+    return {vertices, "handles and memory allow", Unit::VERTICES};
   }
   Triangle_budget smaller(const Triangle_budget& other) const {
     return other.triangles_ < triangles_ ? other : *this;
@@ -64,20 +68,15 @@ public:
   bool is_surely_exceeded_by(double estimate) const { return estimate > margin * triangles_; }
 
   std::string refusal_of(double estimate) const {
-    std::ostringstream text;
-    text.precision(2);
-    text << "the mesh would need about " << estimate << " triangles, and " << limit_ << ' ' << triangles_
-         << ':';
-    return text.str();
+    return "the mesh would need about " + two_digits(in_unit(estimate)) + ' ' + name_of_unit() + ", and " +
+           limit_ + ' ' + whole(in_unit(triangles_)) + ':';
   }
 
   bool is_used_up_by(std::size_t triangles) const { return static_cast<double>(triangles) >= triangles_; }
 
   std::string refusal_when_used_up() const {
-    std::ostringstream text;
-    text.precision(2);
-    text << "the mesh is not done with " << triangles_ << " triangles, and " << limit_ << " no more:";
-    return text.str();
+    return "the mesh is not done with " + whole(in_unit(triangles_)) + ' ' + name_of_unit() + ", and " +
+           limit_ + " no more:";
   }
 
 private:
@@ -86,7 +85,24 @@ private:
   static constexpr double margin = 4;
 
   const char* limit_;
+  Unit unit_;
   double triangles_;
+
+  double in_unit(double triangles) const { return unit_ == Unit::VERTICES ? triangles / 2 : triangles; }
+  const char* name_of_unit() const { return unit_ == Unit::VERTICES ? "vertices" : "triangles"; }
+  /// An estimate says no more. Large numbers are told by their powers of ten.
+  static std::string two_digits(double number) {
+    if (number < 10) return whole(number);
+    const double unit = std::pow(10.0, std::floor(std::log10(number)) - 1),
+                 rounded = unit * std::round(number / unit);
+    if (rounded < 1e8) return whole(rounded);
+    std::ostringstream text;
+    text.precision(2);
+    text << rounded;
+    return text.str();
+  }
+  /// With all digits, as the user would write it.
+  static std::string whole(double number) { return std::to_string(std::llround(number)); }
 };
 
 /// Two edges of the input that face each other across a narrow gap, in words for its owner.
@@ -119,9 +135,7 @@ public:
   }
 
   /// The indices of the two segments.
-  std::array<Segment_index, 2> segments() const {
-    return {Segment_index(std::size_t(segment(pair_.a))), Segment_index(std::size_t(segment(pair_.b)))};
-  }
+  std::array<Segment_index, 2> segments() const { return {segment(pair_.a), segment(pair_.b)}; }
 
 private:
   const Meshing_state<Geometry>& state_;
@@ -138,7 +152,7 @@ private:
            radians_per_degree;
   }
 
-  std::int32_t segment(const Vertex_id (&ends)[2]) const {
+  Segment_index segment(const Vertex_id (&ends)[2]) const {
     return state_.edges[state_.edges.between(ends[0], ends[1])].segment;
   }
 

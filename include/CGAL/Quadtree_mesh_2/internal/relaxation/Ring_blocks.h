@@ -60,7 +60,7 @@ public:
   explicit Ring_blocks(Mesh& mesh) : mesh_(mesh) {}
 
   /// Vertices are renumbered by each pass; what is kept by vertex elsewhere has to follow.
-  Ring_vertex new_number(Ring_vertex old) const { return new_number_[std::size_t(old)]; }
+  Ring_vertex new_number(Ring_vertex old) const { return new_number_[old]; }
   bool is_whole() const { return blocks_.size() == 1; }
   std::size_t number_of_blocks() const { return blocks_.size(); }
 
@@ -175,7 +175,7 @@ private:
             const std::size_t v = std::size_t(new_number_[order[i]]);
             mesh_.points[v] = old.points[order[i]];
             Ring& r = mesh_.rings[v] = old.rings[order[i]];
-            for (int k = 0; k < r.size; ++k) r.neighbor[std::size_t(k)] = new_number(r[k]);
+            for (int k = 0; k < r.size; ++k) r.neighbor[k] = new_number(r[k]);
           }
         },
         1);

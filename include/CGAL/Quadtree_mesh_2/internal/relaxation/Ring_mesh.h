@@ -59,27 +59,27 @@ struct alignas(64) Ring {
   int number_of_triangles() const { return is_open ? size - 1 : size; }
   int position_of(Ring_vertex v) const {
     int k = 0;
-    while (neighbor[std::size_t(k)] != v) ++k;
+    while (neighbor[k] != v) ++k;
     return k;
   }
   bool contains(Ring_vertex v) const {
     for (int k = 0; k < size; ++k)
-      if (neighbor[std::size_t(k)] == v) return true;
+      if (neighbor[k] == v) return true;
     return false;
   }
-  Ring_vertex operator[](int k) const { return neighbor[std::size_t(k)]; }
+  Ring_vertex operator[](int k) const { return neighbor[k]; }
   /// The member after position k, cyclically in closed rings.
   Ring_vertex next(int k) const { return neighbor[k + 1 == size ? 0 : std::size_t(k) + 1]; }
   Ring_vertex previous(int k) const { return neighbor[k == 0 ? std::size_t(size) - 1 : std::size_t(k) - 1]; }
 
   void erase(int k) {
     --size;
-    for (; k < size; ++k) neighbor[std::size_t(k)] = neighbor[std::size_t(k) + 1];
+    for (; k < size; ++k) neighbor[k] = neighbor[std::size_t(k) + 1];
   }
   /// Makes v the member at position k; the others move up. \pre size < max_size
   void insert(int k, Ring_vertex v) {
-    for (int i = size; i > k; --i) neighbor[std::size_t(i)] = neighbor[std::size_t(i) - 1];
-    neighbor[std::size_t(k)] = v;
+    for (int i = size; i > k; --i) neighbor[i] = neighbor[std::size_t(i) - 1];
+    neighbor[k] = v;
     ++size;
   }
 };
@@ -95,9 +95,9 @@ public:
   Vector along{1, 0};
 
   std::size_t number_of_vertices() const { return rings.size(); }
-  Ring& ring(Ring_vertex v) { return rings[std::size_t(v)]; }
-  const Ring& ring(Ring_vertex v) const { return rings[std::size_t(v)]; }
-  const Point& point(Ring_vertex v) const { return points[std::size_t(v)]; }
+  Ring& ring(Ring_vertex v) { return rings[v]; }
+  const Ring& ring(Ring_vertex v) const { return rings[v]; }
+  const Point& point(Ring_vertex v) const { return points[v]; }
   bool is_alive(Ring_vertex v) const { return ring(v).mobility != Mobility::REMOVED; }
 
   /// The vertex across the edge from `a` to the member at position `k` of its ring, to the right of it; -1 on the

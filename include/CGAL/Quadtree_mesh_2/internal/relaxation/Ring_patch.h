@@ -100,7 +100,7 @@ public:
 
   void move(Ring_vertex v, const Point& p) {
     save(v);
-    mesh_.points[std::size_t(v)] = p;
+    mesh_.points[v] = p;
     activate(v);
     const Ring& r = mesh_.ring(v);
     for (int k = 0; k < r.size; ++k) activate(r[k]);
@@ -136,8 +136,8 @@ public:
   /// is on the border.
   void split_edge(Ring_vertex m, const Point& p, Ring_vertex a, Ring_vertex b, Ring_vertex c, Ring_vertex d) {
     Ring &ra = ring_to_change(a), &rb = ring_to_change(b), &rc = ring_to_change(c);
-    ra.neighbor[std::size_t(ra.position_of(b))] = m;
-    rb.neighbor[std::size_t(rb.position_of(a))] = m;
+    ra.neighbor[ra.position_of(b)] = m;
+    rb.neighbor[rb.position_of(a)] = m;
     rc.insert(rc.position_of(a) + 1, m);
     Ring fresh;
     for (const Ring_vertex v : {b, c, a}) fresh.insert(fresh.size, v);
@@ -166,7 +166,7 @@ public:
   void undo() {
     for (std::size_t i = saved_.size(); i-- > 0;) {
       mesh_.ring(saved_[i].vertex) = saved_[i].ring;
-      mesh_.points[std::size_t(saved_[i].vertex)] = saved_[i].point;
+      mesh_.points[saved_[i].vertex] = saved_[i].point;
     }
   }
 
@@ -185,20 +185,20 @@ private:
   std::vector<Ring_vertex> members_;
   std::vector<Saved> saved_;
 
-  Patch_marks& mark(Ring_vertex v) { return marks_[std::size_t(v)]; }
-  const Patch_marks& mark(Ring_vertex v) const { return marks_[std::size_t(v)]; }
+  Patch_marks& mark(Ring_vertex v) { return marks_[v]; }
+  const Patch_marks& mark(Ring_vertex v) const { return marks_[v]; }
 
   void save(Ring_vertex v) {
     if (mark(v).saved == operation_) return;
     mark(v).saved = operation_;
-    saved_.push_back({mesh_.ring(v), v, mesh_.points[std::size_t(v)]});
+    saved_.push_back({mesh_.ring(v), v, mesh_.points[v]});
   }
 
   void put_in(Ring_vertex m, const Point& p, Ring& fresh) {
     save(m);
     fresh.block = block_;
     mesh_.ring(m) = fresh;
-    mesh_.points[std::size_t(m)] = p;
+    mesh_.points[m] = p;
     add(m);
     activate(m);
   }
@@ -212,12 +212,12 @@ private:
     for (int step = 1; step < hole.size; ++step) {
       const int j = (i + step) % hole.size;
       for (const auto& [a, b] : diagonals)
-        if ((a == i && b == j) || (a == j && b == i)) ends[std::size_t(n++)] = hole[j];
+        if ((a == i && b == j) || (a == j && b == i)) ends[n++] = hole[j];
     }
     Ring& r = ring_to_change(hole[i]);
     const int place = r.position_of(center);
     r.erase(place);
-    for (int e = 0; e < n; ++e) r.insert(place + e, ends[std::size_t(e)]);
+    for (int e = 0; e < n; ++e) r.insert(place + e, ends[e]);
   }
 };
 

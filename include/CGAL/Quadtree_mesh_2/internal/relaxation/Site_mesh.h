@@ -36,7 +36,7 @@ struct Site_mesh {
   Ring_mesh<Geometry> mesh;
   std::vector<Point> sites;
   std::vector<Ring_vertex> vertex_of_site;
-  /// By site: whether its vertex lies where it shall.
+  /// By site: whether its vertex lies where it has to.
   std::vector<std::uint8_t> is_placed;
 };
 
@@ -109,7 +109,7 @@ private:
     blocks_.for_each_block([&](const Ring_block& block, std::vector<Patch_marks>& marks) {
       Block_worker<Geometry> worker(mesh_.mesh, marks, block, range_);
       std::vector<std::pair<Ring_vertex, Point>> moves;
-      for (const std::uint32_t s : sites[std::size_t(block.number)]) {
+      for (const std::uint32_t s : sites[block.number]) {
         if (!blocks_.is_whole() && !worker.is_well_inside(mesh_.vertex_of_site[s])) continue;
         moves.push_back({mesh_.vertex_of_site[s], mesh_.sites[s]});
         mesh_.is_placed[s] = 1;
@@ -125,7 +125,7 @@ private:
     for (std::size_t s = 0; s < mesh_.sites.size(); ++s) {
       if (mesh_.is_placed[s] != 0) continue;
       const std::int32_t b = mesh_.mesh.ring(mesh_.vertex_of_site[s]).block;
-      if (b >= 0) result[std::size_t(b)].push_back(static_cast<std::uint32_t>(s));
+      if (b >= 0) result[b].push_back(static_cast<std::uint32_t>(s));
     }
     return result;
   }
@@ -152,8 +152,7 @@ private:
     if (bad.empty()) return result;
     std::vector<std::int32_t> site_of_vertex(mesh_.mesh.number_of_vertices(), -1);
     for (std::size_t s = 0; s < mesh_.sites.size(); ++s)
-      if (may_be_blamed(s))
-        site_of_vertex[std::size_t(mesh_.vertex_of_site[s])] = static_cast<std::int32_t>(s);
+      if (may_be_blamed(s)) site_of_vertex[mesh_.vertex_of_site[s]] = static_cast<std::int32_t>(s);
     std::vector<std::uint8_t> is_blamed(mesh_.sites.size(), 0);
     std::vector<std::uint32_t> reached_by(mesh_.mesh.number_of_vertices(), 0);
     std::uint32_t search = 0;
@@ -167,21 +166,21 @@ private:
   void blame_nearest(Ring_vertex start, std::uint32_t search, const std::vector<std::int32_t>& site_of_vertex,
                      std::vector<std::uint32_t>& reached_by, std::vector<std::uint8_t>& is_blamed) const {
     std::vector<Ring_vertex> reached{start};
-    reached_by[std::size_t(start)] = search;
+    reached_by[start] = search;
     bool is_found = false;
     for (std::size_t begin = 0; begin < reached.size() && !is_found;) {
       const std::size_t end = reached.size();
       for (std::size_t i = begin; i < end; ++i) {
-        const std::int32_t s = site_of_vertex[std::size_t(reached[i])];
+        const std::int32_t s = site_of_vertex[reached[i]];
         if (s < 0) continue;
-        is_blamed[std::size_t(s)] = 1;
+        is_blamed[s] = 1;
         is_found = true;
       }
       for (; begin < end && !is_found; ++begin) {
         const Ring& r = mesh_.mesh.ring(reached[begin]);
         for (int k = 0; k < r.size; ++k) {
-          if (reached_by[std::size_t(r[k])] == search) continue;
-          reached_by[std::size_t(r[k])] = search;
+          if (reached_by[r[k]] == search) continue;
+          reached_by[r[k]] = search;
           reached.push_back(r[k]);
         }
       }

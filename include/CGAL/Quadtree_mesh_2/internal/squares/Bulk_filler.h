@@ -91,16 +91,17 @@ private:
     Vertex_id vertex;
     Leaf_index square; ///< that has it
   };
+  using Loop = std::vector<std::uint32_t>; ///< border vertices
   struct Border_edge {
-    std::int32_t source, target; ///< among the border vertices; the bulk lies on the left
-    Side outer;                  ///< the side of the triangle on the right
+    std::uint32_t source, target; ///< among the border vertices; the bulk lies on the left
+    Side outer;                   ///< the side of the triangle on the right
   };
 
   Meshing_state<Geometry>& state_;
   Mesh& mesh_;
   Splitter<Geometry>& splitter_;
-  std::vector<Vertex_id> vertex_named_;        // by name; -1: none yet
-  std::vector<Triangle_id> first_triangle_of_; // by square
+  std::vector<Vertex_id> vertex_named_;                       // by name
+  Indexed_vector<Leaf_index, Triangle_id> first_triangle_of_; // by square
   std::vector<Border_vertex> vertices_;
   std::vector<Border_edge> edges_;
 
@@ -117,7 +118,7 @@ private:
   double domain_area() const {
     double area2 = 0;
     for (const auto& r : mesh_.triangles)
-      if (r.v[0] >= 0) area2 += ratio(mesh_.shape(r).area2, 1);
+      if (r.v[0].is_valid()) area2 += ratio(mesh_.shape(r).area2, 1);
     return area2 / 2;
   }
 
@@ -133,9 +134,9 @@ private:
 
   /// The centroid of a triangle.
   Point some_place() const {
-    std::size_t t = 0;
-    while (!mesh_.is_alive(static_cast<Triangle_id>(t))) ++t;
-    const auto& r = mesh_.triangles[t];
+    Triangle_id t(0);
+    while (!mesh_.is_alive(t)) ++t;
+    const auto& r = mesh_.triangle(t);
     const Point& a = mesh_.point(r.v[0]);
     return Geometry::translate(a, (1.0 / 3) * (Geometry::difference(mesh_.point(r.v[1]), a) +
                                                Geometry::difference(mesh_.point(r.v[2]), a)));
@@ -144,9 +145,9 @@ private:
   std::array<Point, 2> box() const {
     std::array<Point, 2> ends;
     bool is_first = true;
-    for (std::size_t v = 0; v < mesh_.number_of_vertices(); ++v) {
-      if (!mesh_.is_used(static_cast<Vertex_id>(v))) continue;
-      const Point& p = mesh_.points[v];
+    for (const Vertex_id v : mesh_.points.ids()) {
+      if (!mesh_.is_used(v)) continue;
+      const Point& p = mesh_.point(v);
       if (is_first) ends = {p, p};
       is_first = false;
       ends[0].x = std::min(ends[0].x, p.x), ends[0].y = std::min(ends[0].y, p.y);
@@ -157,7 +158,7 @@ private:
 
   void fill(const Squares& squares, const Wanted_squares<Geometry>& wanted,
             const Square_grid<Geometry>& grid) {
-    vertex_named_.assign(3 * squares.number_of_leaves(), -1);
+    vertex_named_.assign(3 * squares.number_of_leaves(), {});
     reserve(squares);
     state_.bulk.has_border = true;
     collect_border(squares, grid);
@@ -175,7 +176,7 @@ private:
   void reserve(const Squares& squares) {
     const std::size_t growth = 8 * mesh_.number_of_vertices() + 4 * squares.border().size();
     const std::size_t vertices = mesh_.number_of_vertices() + squares.number_of_triangles() + growth;
-    mesh_.points.reserve(vertices), mesh_.edge_of.reserve(vertices), mesh_.triangle_of.reserve(vertices);
+    mesh_.points.reserve(vertices), mesh_.role_of.reserve(vertices), mesh_.triangle_of.reserve(vertices);
     mesh_.is_dirty.reserve(vertices);
     mesh_.triangles.reserve(mesh_.triangles.size() + squares.number_of_triangles() + 2 * growth);
   }
@@ -191,20 +192,20 @@ private:
 
   /// Adds the border's vertices to the mesh's points, without triangles.
   void collect_border(const Squares& squares, const Square_grid<Geometry>& grid) {
-    const Vertex_id first = static_cast<Vertex_id>(mesh_.number_of_vertices());
+    const Vertex_id first = mesh_.points.end_id();
     for (const Square_piece& p : squares.border()) {
       const Square_template& form = square_template(squares.form(p.square));
-      const auto corner = form.side_of_piece[std::size_t(p.piece)];
-      const auto& t = form.triangle[std::size_t(corner.triangle)];
-      std::int32_t ends[2];
+      const auto corner = form.side_of_piece[p.piece];
+      const auto& t = form.triangle[corner.triangle];
+      std::uint32_t ends[2];
       for (int i = 0; i < 2; ++i) {
-        const int vertex = t[std::size_t(i == 0 ? next_slot[corner.slot] : previous_slot[corner.slot])];
+        const int vertex = t[i == 0 ? next_slot[corner.slot] : previous_slot[corner.slot]];
         Vertex_id& v = vertex_named_[squares.name(p.square, vertex)];
-        if (v < 0) {
+        if (!v.is_valid()) {
           v = mesh_.add_vertex(place(grid, squares.square(p.square), vertex), free_vertex);
           vertices_.push_back({v, p.square});
         }
-        ends[i] = v - first;
+        ends[i] = v.value() - first.value();
       }
       edges_.push_back({ends[0], ends[1], Side::border()});
     }
@@ -212,23 +213,23 @@ private:
 
   /// The border's pieces put end to end: per loop its vertices, in order; one where the bulk touches itself comes
   /// twice.
-  std::vector<std::vector<std::int32_t>> loops() const {
-    std::vector<std::int32_t> last(vertices_.size(), -1),
-        before(edges_.size(), -1); // pieces that leave a vertex
+  std::vector<Loop> loops() const {
+    constexpr std::uint32_t none = 0xffffffffu;
+    std::vector<std::uint32_t> last(vertices_.size(), none),
+        before(edges_.size(), none); // pieces that leave a vertex
     for (std::size_t e = 0; e < edges_.size(); ++e) {
-      std::int32_t& last_here = last[std::size_t(edges_[e].source)];
-      before[e] = last_here;
-      last_here = static_cast<std::int32_t>(e);
+      before[e] = last[edges_[e].source];
+      last[edges_[e].source] = static_cast<std::uint32_t>(e);
     }
-    std::vector<std::vector<std::int32_t>> loops;
-    for (std::size_t v = 0; v < vertices_.size(); ++v)
-      while (last[v] >= 0) {
+    std::vector<Loop> loops;
+    for (std::uint32_t v = 0; v < vertices_.size(); ++v)
+      while (last[v] != none) {
         loops.emplace_back();
-        for (std::size_t w = v; last[w] >= 0;) {
-          loops.back().push_back(static_cast<std::int32_t>(w));
-          const std::size_t e = std::size_t(last[w]);
+        for (std::uint32_t w = v; last[w] != none;) {
+          loops.back().push_back(w);
+          const std::uint32_t e = last[w];
           last[w] = before[e];
-          w = std::size_t(edges_[e].target);
+          w = edges_[e].target;
         }
       }
     return loops;
@@ -236,10 +237,10 @@ private:
 
   /// Inserts a vertex of each loop, then the loops.
   void insert_border(const Squares& squares, const Wanted_squares<Geometry>& wanted) {
-    const std::vector<std::vector<std::int32_t>> all = loops();
+    const std::vector<Loop> all = loops();
     Delaunay_inserter<Geometry> inserter(mesh_);
     for_each_in_rounds(all.size(), 1, [&](std::size_t l) {
-      const Border_vertex& v = vertices_[std::size_t(all[l].front())];
+      const Border_vertex& v = vertices_[all[l].front()];
       if (!mesh_.is_used(v.vertex))
         inserter.insert(v.vertex, locate(squares.triangle_near(wanted, v.square), v.vertex));
     });
@@ -247,8 +248,8 @@ private:
   }
 
   /// Each vertex is located by a walk along the loop, which lies inside the domain, from one that is inserted.
-  void insert_loop(const std::vector<std::int32_t>& loop, Delaunay_inserter<Geometry>& inserter) {
-    const auto vertex = [&](std::size_t i) { return vertices_[std::size_t(loop[i])].vertex; };
+  void insert_loop(const Loop& loop, Delaunay_inserter<Geometry>& inserter) {
+    const auto vertex = [&](std::size_t i) { return vertices_[loop[i]].vertex; };
     std::size_t last = 0; // inserted
     for_each_in_rounds(loop.size(), 1, [&](std::size_t i) {
       if (!mesh_.is_used(vertex(i))) {
@@ -265,13 +266,13 @@ private:
     const Point& p = mesh_.point(v);
     const Walk_end end = locate_exactly(mesh_, t, p);
     if (!end.is_blocked()) return end.triangle;
-    for (std::size_t i = 0;; ++i) {
-      const auto& r = mesh_.triangles[i];
+    for (Triangle_id u(0);; ++u) {
+      const auto& r = mesh_.triangle(u);
       const auto is_inside = [&](int k) {
         return Geometry::orientation(mesh_.point(r.v[next_slot[k]]), mesh_.point(r.v[previous_slot[k]]), p) >=
                0;
       };
-      if (r.v[0] >= 0 && is_inside(0) && is_inside(1) && is_inside(2)) return static_cast<Triangle_id>(i);
+      if (r.v[0].is_valid() && is_inside(0) && is_inside(1) && is_inside(2)) return u;
     }
   }
 
@@ -279,9 +280,8 @@ private:
   void split_long_edges() {
     for (bool is_changed = true; is_changed;) {
       is_changed = false;
-      for (std::size_t i = 0; i < mesh_.triangles.size(); ++i)
+      for (Triangle_id t(0); mesh_.triangles.has(t); ++t) // splits make more
         for (int k = 0; k < 3; ++k) {
-          const Triangle_id t = static_cast<Triangle_id>(i);
           if (mesh_.is_alive(t) && is_long(Side(t, k)) &&
               splitter_.split(t, k, nullptr, Asker::ORDINARY) == Outcome::CHANGED)
             is_changed = true;
@@ -292,7 +292,7 @@ private:
   bool is_long(Side s) const {
     const Vertex_id apex = mesh_.opposite(s);
     if (!mesh_.across(s).is_constrained() || apex < vertices_.front().vertex ||
-        apex > vertices_.back().vertex)
+        vertices_.back().vertex < apex)
       return false;
     const auto x = Geometry::scaled_difference(mesh_.point(mesh_.source(s)), mesh_.point(apex));
     const auto y = Geometry::scaled_difference(mesh_.point(mesh_.target(s)), mesh_.point(apex));
@@ -304,8 +304,7 @@ private:
   /// be.
   bool find_border_edges() {
     for (Border_edge& e : edges_) {
-      const Vertex_id a = vertices_[std::size_t(e.source)].vertex,
-                      b = vertices_[std::size_t(e.target)].vertex;
+      const Vertex_id a = vertices_[e.source].vertex, b = vertices_[e.target].vertex;
       const Side s = mesh_.find_side(a, b);
       if (s.is_border()) return false;
       e.outer = mesh_.source(s) == a ? mesh_.across(s) : s;
@@ -316,19 +315,19 @@ private:
 
   /// Takes out the triangles within the border.
   void clear_inside() {
-    std::vector<char> is_marked(mesh_.triangles.size(), 0);
+    Indexed_vector<Triangle_id, char> is_marked(mesh_.triangles.size(), 0);
     std::vector<Triangle_id> inside;
     for (const Border_edge& e : edges_) mesh_.constrain(e.outer);
     for (const Border_edge& e : edges_) {
       const Triangle_id t = mesh_.across(e.outer).triangle();
-      if (is_marked[std::size_t(t)] != 0) continue;
-      is_marked[std::size_t(t)] = 1;
+      if (is_marked[t] != 0) continue;
+      is_marked[t] = 1;
       inside.push_back(t);
     }
     for (std::size_t i = 0; i < inside.size(); ++i)
       for (const Side o : mesh_.triangle(inside[i]).side) {
-        if (o.is_constrained() || is_marked[std::size_t(o.triangle())] != 0) continue;
-        is_marked[std::size_t(o.triangle())] = 1;
+        if (o.is_constrained() || is_marked[o.triangle()] != 0) continue;
+        is_marked[o.triangle()] = 1;
         inside.push_back(o.triangle());
       }
     for (const Triangle_id t : inside) mesh_.kill(t);
@@ -340,8 +339,8 @@ private:
                       const Square_grid<Geometry>& grid) {
     first_triangle_of_.resize(squares.number_of_leaves());
     auto& bulk = state_.bulk;
-    bulk.first_vertex = static_cast<Vertex_id>(mesh_.number_of_vertices());
-    bulk.first_triangle = static_cast<Triangle_id>(mesh_.triangles.size());
+    bulk.first_vertex = mesh_.points.end_id();
+    bulk.first_triangle = mesh_.triangles.end_id();
     for (std::size_t i = 0; i < squares.number_of_leaves(); ++i) {
       const Leaf_index l(i);
       if (!squares.is_bulk(l)) continue;
@@ -349,10 +348,11 @@ private:
       if (mesh_.region_of.empty()) continue;
       mesh_.region_of.resize(mesh_.triangles.size(), mesh_.region(squares.triangle_near(wanted, l)));
     }
-    bulk.end_of_vertices = static_cast<Vertex_id>(mesh_.number_of_vertices());
-    bulk.end_of_triangles = static_cast<Triangle_id>(mesh_.triangles.size());
+    bulk.end_of_vertices = mesh_.points.end_id();
+    bulk.end_of_triangles = mesh_.triangles.end_id();
     // none of them can be spared
-    std::fill(mesh_.is_dirty.begin() + bulk.first_vertex, mesh_.is_dirty.end(), char(0));
+    for (const Vertex_id v : Id_range<Vertex_id>(bulk.first_vertex, bulk.end_of_vertices))
+      mesh_.is_dirty[v] = 0;
   }
 
   void make_triangles_of(const Squares& squares, const Square_grid<Geometry>& grid, Leaf_index l) {
@@ -363,29 +363,35 @@ private:
     for (int i = 0; i < Square_template::center; ++i) {
       if (!form_of_square.has_vertex(i)) continue;
       Vertex_id& named = vertex_named_[squares.name(l, i)];
-      if (named < 0) named = mesh_.add_vertex(place(grid, square, i), free_vertex);
+      if (!named.is_valid()) named = mesh_.add_vertex(place(grid, square, i), free_vertex);
       v[i] = named;
     }
     if (form_of_square.has_center())
       v[Square_template::center] =
           mesh_.add_vertex(place(grid, square, Square_template::center), free_vertex);
-    const Triangle_id first = static_cast<Triangle_id>(mesh_.triangles.size());
-    first_triangle_of_[std::size_t(l)] = first;
+    const Triangle_id first = mesh_.triangles.end_id();
+    first_triangle_of_[l] = first;
     for (std::size_t t = 0; t < std::size_t(form.size); ++t) {
       typename Mesh::Triangle r;
       for (std::size_t k = 0; k < 3; ++k) {
         r.v[k] = v[form.triangle[t][k]];
-        mesh_.triangle_of[std::size_t(r.v[k])] = first + static_cast<Triangle_id>(t);
+        mesh_.triangle_of[r.v[k]] = after(first, t);
         if (form.piece[t][k] < 0)
-          r.side[k] = Side(first + form.across[t][k].triangle, form.across[t][k].slot);
+          r.side[k] = Side(after(first, form.across[t][k].triangle), form.across[t][k].slot);
       }
       mesh_.triangles.push_back(r);
     }
   }
 
+  /// Triangle number i of a square.
+  template <class Integer>
+  static Triangle_id after(Triangle_id first, Integer i) {
+    return Triangle_id(first.value() + static_cast<std::uint32_t>(i));
+  }
+
   Side side_of(const Squares& squares, Square_piece p) const {
-    const auto c = square_template(squares.form(p.square)).side_of_piece[std::size_t(p.piece)];
-    return Side(first_triangle_of_[std::size_t(p.square)] + c.triangle, c.slot);
+    const auto c = square_template(squares.form(p.square)).side_of_piece[p.piece];
+    return Side(after(first_triangle_of_[p.square], c.triangle), c.slot);
   }
 
   void link_squares(const Squares& squares) {

@@ -19,6 +19,7 @@
 
 #include <CGAL/Balanced_quadtree.h>
 #include <CGAL/Fixed_point_quadtree_traits_2.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/Indexed_vector.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/bits.h>
 #include <CGAL/Quadtree_mesh_2/internal/squares/Square_grid.h>
 #include <CGAL/Quadtree_mesh_2/internal/squares/Wanted_squares.h>
@@ -56,9 +57,9 @@ public:
   }
 
   std::size_t number_of_leaves() const { return tree_.number_of_leaves(); }
-  bool is_bulk(Leaf_index l) const { return form_[std::size_t(l)].bits != not_bulk.bits; }
+  bool is_bulk(Leaf_index l) const { return form_[l].bits != not_bulk.bits; }
   /// The template of a bulk square.
-  Square_form form(Leaf_index l) const { return form_[std::size_t(l)]; }
+  Square_form form(Leaf_index l) const { return form_[l]; }
   std::size_t number_of_squares() const { return squares_; }
   std::size_t number_of_triangles() const { return triangles_; }
   /// The pieces with no bulk on the other side, by square.
@@ -118,7 +119,7 @@ private:
   static constexpr int children_at_side[4][2] = {{0, 2}, {2, 3}, {3, 1}, {1, 0}};
 
   Tree tree_;
-  std::vector<Square_form> form_;
+  Indexed_vector<Leaf_index, Square_form> form_;
   std::vector<Square_piece> border_;
   std::size_t squares_ = 0, triangles_ = 0;
 
@@ -135,8 +136,8 @@ private:
     }
     if (node.kind != Square_kind::INSIDE) return;
     const Leaf_interval leaves = tree_.leaves(v);
-    for (std::size_t l = leaves.begin.value(); l < leaves.end.value(); ++l)
-      form_[l].bits = wanted.has_center(i, tree_.level(Leaf_index(l))) ? Square_form::with_center : 0;
+    for (const Leaf_index l : Id_range<Leaf_index>(leaves.begin, leaves.end))
+      form_[l].bits = wanted.has_center(i, tree_.level(l)) ? Square_form::with_center : 0;
   }
 
   /// The child of the neighbor across side i that piece `part` of the side touches, the neighbor being
@@ -146,17 +147,16 @@ private:
   }
 
   void find_halved_sides(Halved_sides rule) {
-    for (std::size_t i = 0; i < form_.size(); ++i) {
-      const Leaf_index l(i);
+    for (const Leaf_index l : form_.ids()) {
       if (!is_bulk(l)) continue;
       const Node_index v = tree_.node(l);
       unsigned halved = 0;
       for (int side = 0; side < 4; ++side)
         if (look_across(l, v, side)) halved |= 1u << side;
       if (halved != 0 && rule == Halved_sides::WITH_CENTER) halved |= Square_form::with_center;
-      form_[i].bits = static_cast<std::uint8_t>(form_[i].bits | halved);
+      form_[l].bits = static_cast<std::uint8_t>(form_[l].bits | halved);
       ++squares_;
-      triangles_ += std::size_t(square_template(form_[i]).size);
+      triangles_ += std::size_t(square_template(form_[l]).size);
     }
   }
 

@@ -40,6 +40,7 @@
 #include <CGAL/Quadtree_mesh_2/Direction.h>
 #include <CGAL/Quadtree_mesh_2/Grid_point_2.h>
 #include <CGAL/Quadtree_mesh_2/Index.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/Indexed_vector.h>
 #include <CGAL/Quadtree_mesh_2/internal/grid/morton.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/squares/Separated_quadtree.h>
@@ -59,7 +60,8 @@ namespace internal {
 
 /// A triangulation of the root of a quadtree.
 struct Warped_mesh {
-  std::vector<Grid_point_2<std::uint64_t>> places;    ///< of vertices; those of points are the points
+  Indexed_vector<Vertex_index, Grid_point_2<std::uint64_t>>
+      places;                                         ///< of vertices; those of points are the points
   std::vector<std::array<Vertex_index, 3>> triangles; ///< counterclockwise
   std::vector<Vertex_index> vertex_of_point;          ///< by the points' order in the input
 };
@@ -97,8 +99,9 @@ private:
 
   Tree tree_;
   Warped_mesh mesh_;
-  std::vector<std::array<Vertex_index, 4>> corners_; // by leaf, counterclockwise from the lower left one
-  std::vector<Diagonal> diagonal_;                   // by leaf
+  Indexed_vector<Leaf_index, std::array<Vertex_index, 4>>
+      corners_; // counterclockwise from the lower left one
+  Indexed_vector<Leaf_index, Diagonal> diagonal_;
 
   explicit Corner_warper(Tree tree) : tree_(std::move(tree)) {}
 
@@ -114,7 +117,7 @@ private:
     std::vector<Place> places(4 * leaves);
     for_each_index<ConcurrencyTag>(leaves, [&](std::size_t i) {
       const auto square = tree_.square(Leaf_index(i));
-      for (int c = 0; c < 4; ++c) places[4 * i + std::size_t(c)] = place_of_corner(square, c);
+      for (int c = 0; c < 4; ++c) places[4 * i + static_cast<unsigned>(c)] = place_of_corner(square, c);
     });
     const Order order = shuffle_order<ConcurrencyTag>(places);
     const auto is_new = [&](std::size_t k) { return k == 0 || places[order[k]] != places[order[k - 1]]; };
@@ -129,8 +132,8 @@ private:
         [&](std::size_t sum) { mesh_.places.resize(sum); },
         [&](std::size_t begin, std::size_t end, std::size_t next) {
           for (std::size_t k = begin; k < end; ++k) {
-            if (is_new(k)) mesh_.places[next++] = places[order[k]];
-            corners_[order[k] / 4][order[k] % 4] = Vertex_index(next - 1);
+            if (is_new(k)) mesh_.places[Vertex_index(next++)] = places[order[k]];
+            corners_[Leaf_index(order[k] / 4)][order[k] % 4] = Vertex_index(next - 1);
           }
         });
   }
@@ -138,12 +141,12 @@ private:
   void move_corners(std::size_t number_of_input_points) {
     const auto& framework = tree_.framework();
     diagonal_.assign(tree_.number_of_leaves(), Diagonal::FROM_LOWER_LEFT);
-    std::vector<Vertex_index> vertex(framework.number_of_points());
-    for_each_index<ConcurrencyTag>(vertex.size(),
-                                   [&](std::size_t i) { vertex[i] = move_corner(Point_rank(i)); });
+    Indexed_vector<Point_rank, Vertex_index> vertex(framework.number_of_points());
+    for_each_index<ConcurrencyTag>(
+        vertex.size(), [&](std::size_t i) { vertex[Point_rank(i)] = move_corner(Point_rank(i)); });
     mesh_.vertex_of_point.resize(number_of_input_points);
     for_each_index<ConcurrencyTag>(number_of_input_points, [&](std::size_t i) {
-      mesh_.vertex_of_point[i] = vertex[std::size_t(framework.rank(Point_index(i)))];
+      mesh_.vertex_of_point[i] = vertex[framework.rank(Point_index(i))];
     });
   }
 
@@ -168,8 +171,8 @@ private:
     set_diagonal(neighbor(own, beside), is_even != is_joined_beside(x, side));
     set_diagonal(neighbor(own, above), is_even != is_joined_beside(y, side));
 
-    const Vertex_index v = corners_[std::size_t(own)][std::size_t(corner)];
-    mesh_.places[std::size_t(v)] = p;
+    const Vertex_index v = corners_[own][corner];
+    mesh_.places[v] = p;
     return v;
   }
 
@@ -177,7 +180,7 @@ private:
     return tree_.leaf(tree_.neighbor(tree_.node(l), d));
   }
   void set_diagonal(Leaf_index l, bool is_from_lower_left) {
-    diagonal_[std::size_t(l)] = is_from_lower_left ? Diagonal::FROM_LOWER_LEFT : Diagonal::FROM_LOWER_RIGHT;
+    diagonal_[l] = is_from_lower_left ? Diagonal::FROM_LOWER_LEFT : Diagonal::FROM_LOWER_RIGHT;
   }
 
   /// The vertex in the middle of a side; invalid if the side is whole. Balance makes the children leaves.
@@ -187,7 +190,7 @@ private:
     static constexpr int child[] = {1, 0, 0, 2}, corner[] = {2, 3, 1, 2};
     const Node_index n = tree_.neighbor(v, across[side]);
     if (!n.is_valid() || tree_.is_leaf(n)) return Vertex_index();
-    return corners_[std::size_t(tree_.leaf(tree_.child(n, child[side])))][std::size_t(corner[side])];
+    return corners_[tree_.leaf(tree_.child(n, child[side]))][corner[side]];
   }
 
   /// Calls `on_triangle(a, b, c)`, counterclockwise.
@@ -197,11 +200,11 @@ private:
     Square_form form;
     const Node_index v = tree_.node(l);
     for (int i = 0; i < 4; ++i) {
-      vertex[std::size_t(i)] = corners_[std::size_t(l)][std::size_t(i)];
-      vertex[std::size_t(4 + i)] = middle(v, i);
-      if (vertex[std::size_t(4 + i)].is_valid()) form.bits = static_cast<std::uint8_t>(form.bits | 1u << i);
+      vertex[i] = corners_[l][i];
+      vertex[4 + i] = middle(v, i);
+      if (vertex[4 + i].is_valid()) form.bits = static_cast<std::uint8_t>(form.bits | 1u << i);
     }
-    if (diagonal_[std::size_t(l)] == Diagonal::FROM_LOWER_RIGHT) {
+    if (diagonal_[l] == Diagonal::FROM_LOWER_RIGHT) {
       CGAL_assertion(form.bits == 0);
       on_triangle(vertex[0], vertex[1], vertex[3]);
       on_triangle(vertex[1], vertex[2], vertex[3]);
@@ -209,8 +212,8 @@ private:
     }
     const Square_template& t = square_template(form);
     for (int i = 0; i < t.size; ++i) {
-      const auto& [a, b, c] = t.triangle[std::size_t(i)];
-      on_triangle(vertex[std::size_t(a)], vertex[std::size_t(b)], vertex[std::size_t(c)]);
+      const auto& [a, b, c] = t.triangle[i];
+      on_triangle(vertex[a], vertex[b], vertex[c]);
     }
   }
 

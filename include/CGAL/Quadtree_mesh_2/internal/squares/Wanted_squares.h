@@ -48,8 +48,8 @@ public:
     std::int32_t first_child = -1; ///< of four; -1: none
     Square_kind kind = Square_kind::OUTSIDE;
     std::int8_t level = 0;
-    bool has_center = false;   ///< an inside square is small enough with a vertex in its center only
-    Triangle_id triangle = -1; ///< one that meets an inside square
+    bool has_center = false; ///< an inside square is small enough with a vertex in its center only
+    Triangle_id triangle;    ///< one that meets an inside square
   };
 
   /// \param largest_number of nodes; more than that, and `is_complete()` is false
@@ -132,21 +132,21 @@ private:
 
   void collect_features() {
     const auto& mesh = state_.mesh;
-    std::vector<char> is_covered(mesh.number_of_vertices(), 0);
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-      if (!mesh.is_alive(static_cast<Triangle_id>(t))) continue;
+    Indexed_vector<Vertex_id, char> is_covered(mesh.number_of_vertices(), 0);
+    for (const Triangle_id t : mesh.triangles.ids()) {
+      if (!mesh.is_alive(t)) continue;
       for (int k = 0; k < 3; ++k) {
-        const Side s(static_cast<Triangle_id>(t), k), o = mesh.across(s);
+        const Side s(t, k), o = mesh.across(s);
         if (!o.is_constrained()) continue;
         const Vertex_id a = mesh.source(s), b = mesh.target(s);
-        is_covered[std::size_t(a)] = is_covered[std::size_t(b)] = 1;
-        if (o.is_border() || s.triangle() < o.triangle())
+        is_covered[a] = is_covered[b] = 1;
+        if (o.is_border() || t < o.triangle())
           features_.push_back({grid_.vector(mesh.point(a)), grid_.vector(mesh.point(b))});
       }
     }
-    for (std::size_t v = 0; v < mesh.number_of_vertices(); ++v)
-      if (is_covered[v] == 0 && mesh.is_used(static_cast<Vertex_id>(v))) {
-        const Vector p = grid_.vector(mesh.points[v]);
+    for (const Vertex_id v : is_covered.ids())
+      if (is_covered[v] == 0 && mesh.is_used(v)) {
+        const Vector p = grid_.vector(mesh.point(v));
         features_.push_back({p, p});
       }
     for (std::size_t i = 0; i < features_.size(); ++i)
@@ -161,12 +161,11 @@ private:
     const double least_distance = (0.5 + margin - slack) * side_[grid_.given_level()];
     const double least_longest =
         state_.bounds.is_local() ? 0 : 3 * least_distance * least_distance * (1 - slack);
-    for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-      const auto& r = mesh.triangles[i];
-      if (r.v[0] < 0 || mesh.shape(r).longest() < least_longest) continue;
+    for (const Triangle_id t : mesh.triangles.ids()) {
+      const auto& r = mesh.triangle(t);
+      if (!r.v[0].is_valid() || mesh.shape(r).longest() < least_longest) continue;
       const Sector_id s = state_.corners.sector_of(mesh, r.v[0], r.v[1], r.v[2]);
-      if (s < 0 || state_.corners.sector(s).lock_radius == 0)
-        triangles_.push_back(static_cast<Triangle_id>(i));
+      if (!s.is_valid() || state_.corners.sector(s).lock_radius == 0) triangles_.push_back(t);
     }
     triangle_stack_ = triangles_;
   }
@@ -285,8 +284,7 @@ private:
     const Bounds<Geometry>& bounds = state_.bounds;
     const double l2 = squared_length(q), area2 = 0.5 * l2;
     if (area2 > bounds.area2 || l2 > bounds.squared_length) return true;
-    return region >= 0 && !bounds.area2_of_region.empty() &&
-           area2 > bounds.area2_of_region[std::size_t(region)];
+    return region.is_valid() && !bounds.area2_of_region.empty() && area2 > bounds.area2_of_region[region];
   }
 
   bool is_too_large_at(Triangles_of_squares q, Vector v) const {
@@ -320,7 +318,7 @@ private:
   /// Whether a square near features is too large for one of the triangles of the domain that meet it.
   bool is_too_large_for_any(const Grid_square& s, Range triangles) const {
     const Triangles_of_squares q{s.level, state_.bounds.is_local() ? Center::WITH : Center::WITHOUT};
-    if (is_too_large_everywhere(q, -1)) return true;
+    if (is_too_large_everywhere(q, Region_id())) return true;
     if (!state_.bounds.is_local()) return false;
     const Box b = box(s);
     for (std::size_t i = triangles.begin; i < triangles.end; ++i) {

@@ -30,6 +30,7 @@
 #define CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_COLUMN_CLOSURE_H
 
 #include <CGAL/Quadtree_mesh_2/Index.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/Indexed_vector.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/quadtree/leaves_in_order.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Edge_columns.h>
@@ -63,18 +64,18 @@ public:
       : edge_(number_of_leaves, none) {
     for (std::size_t s = 0; s < number_of_segments; ++s)
       for (const Leaf_index l : pieces[Segment_index(s)]) {
-        std::uint32_t& edge = edge_[std::size_t(l)];
+        std::uint32_t& edge = edge_[l];
         edge = edge == none || edge == s ? static_cast<std::uint32_t>(s) : several;
       }
   }
 
   bool has_other_than(std::size_t s, Leaf_index l) const {
-    const std::uint32_t edge = edge_[std::size_t(l)];
+    const std::uint32_t edge = edge_[l];
     return edge != none && edge != s;
   }
 
 private:
-  std::vector<std::uint32_t> edge_; // for each leaf
+  Indexed_vector<Leaf_index, std::uint32_t> edge_;
 };
 
 /// The conditions for one edge.

@@ -102,7 +102,7 @@ public:
     if (!is_domain_toward(e, gap.to - gap.from, leaf) || !is_domain_toward(f, gap.from - gap.to, leaf))
       return false;
     const Vertex_id v = common_vertex(e, f);
-    if (v < 0) return true;
+    if (!v.is_valid()) return true;
     if (is_in_window(v, leaf)) return false;
     return !is_lopped(e, f, v) || width_of_corner(e, f, leaf) > options_.strip_width() * leaf.side;
   }
@@ -110,7 +110,7 @@ public:
   /// Whether edges may be as near to each other as they like in a leaf: a vertex that they share is near.
   bool are_joined_near(const Leaf& leaf, Edge_id e, Edge_id f) const {
     const Vertex_id v = common_vertex(e, f);
-    return v >= 0 && is_in_window(v, leaf);
+    return v.is_valid() && is_in_window(v, leaf);
   }
 
   /// Whether that holds for all of some pieces, whatever their number: they are around one vertex.
@@ -149,19 +149,17 @@ private:
 
   Vertex_id common_vertex(Edge_id e, Edge_id f) const {
     const Input_edge &p = problem_.edges[e], &q = problem_.edges[f];
-    return p.a == q.a || p.a == q.b ? p.a : p.b == q.a || p.b == q.b ? p.b : -1;
+    return p.a == q.a || p.a == q.b ? p.a : p.b == q.a || p.b == q.b ? p.b : Vertex_id();
   }
 
   /// Whether two edges are the legs of a lopped sector at v.
   bool is_lopped(Edge_id e, Edge_id f, Vertex_id v) const {
     const auto& corners = problem_.corners;
-    const auto leg = [&](Edge_id x) {
-      return corners.legs_of_edge[std::size_t(x)][problem_.edges[x].a == v ? 0 : 1];
-    };
+    const auto leg = [&](Edge_id x) { return corners.legs_of_edge[x][problem_.edges[x].a == v ? 0 : 1]; };
     const Leg_id l = leg(e), m = leg(f);
-    if (l < 0 || m < 0) return false;
+    if (!l.is_valid() || !m.is_valid()) return false;
     const auto &p = corners.leg(l), &q = corners.leg(m);
-    return (p.after >= 0 && p.after == q.before) || (p.before >= 0 && p.before == q.after);
+    return (p.after.is_valid() && p.after == q.before) || (p.before.is_valid() && p.before == q.after);
   }
 
   /// How wide a corner between e and f is where e leaves the leaf.

@@ -62,14 +62,14 @@ public:
   }
 
   Range operator[](Segment_index s) const {
-    return {leaves_.data() + begin_[std::size_t(s)], leaves_.data() + begin_[std::size_t(s) + 1]};
+    return {leaves_.data() + begin_[s.value()], leaves_.data() + begin_[s.value() + 1]};
   }
   /// The number of pieces of all segments.
   std::size_t size() const { return leaves_.size(); }
   std::size_t number_of_segments() const { return begin_.size() - 1; }
 
   /// Pieces are numbered along the segments, one segment after the other: this is the first one's number.
-  std::uint32_t first_piece(Segment_index s) const { return begin_[std::size_t(s)]; }
+  std::uint32_t first_piece(Segment_index s) const { return begin_[s.value()]; }
   /// The leaf of a piece by its number.
   Leaf_index leaf(std::size_t piece) const { return leaves_[piece]; }
 
@@ -132,7 +132,7 @@ public:
   }
 
   Range operator[](Leaf_index l) const {
-    return {pieces_.data() + begin_[std::size_t(l)], pieces_.data() + begin_[std::size_t(l) + 1]};
+    return {pieces_.data() + begin_[l.value()], pieces_.data() + begin_[l.value() + 1]};
   }
   std::size_t size() const { return pieces_.size(); }
   std::size_t number_of_leaves() const { return begin_.size() - 1; }

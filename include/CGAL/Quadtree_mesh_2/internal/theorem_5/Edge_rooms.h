@@ -85,7 +85,7 @@ private:
   using Room = Edge_room<Geometry>;
 
   const Meshing_problem<Geometry>& problem_;
-  std::vector<std::array<Room, 2>> rooms_; // by edge
+  Indexed_vector<Edge_id, std::array<Room, 2>> rooms_;
 
   explicit Edge_rooms(const Meshing_problem<Geometry>& problem) : problem_(problem) {}
 
@@ -105,28 +105,26 @@ private:
                 &b = problem_.input_point(problem_.edges[e].b);
     const int side = Geometry::orientation(a, b, p);
     if (side == 0) return true;
-    return side > 0 ? rooms_[std::size_t(e)][left_].has(a, b, p)
-                    : rooms_[std::size_t(e)][right_].has(b, a, p);
+    return side > 0 ? rooms_[e][left_].has(a, b, p) : rooms_[e][right_].has(b, a, p);
   }
 
   template <class ConcurrencyTag>
   void make() {
     using First = First_triangulation<ConcurrencyTag, Geometry>;
     Kernel_mesh<Geometry> mesh;
-    First first(mesh, problem_.input_points);
-    std::vector<typename First::Segment> segments(problem_.edges.size());
-    for (std::size_t e = 0; e < segments.size(); ++e) {
-      const Input_edge& edge = problem_.edges[static_cast<Edge_id>(e)];
-      segments[e] = {edge.a, edge.b};
-    }
+    First first(mesh, problem_.input_points.values());
+    std::vector<typename First::Segment> segments;
+    segments.reserve(problem_.edges.size());
+    for (const Edge_id e : problem_.edges.ids())
+      segments.push_back({problem_.edges[e].a, problem_.edges[e].b});
     first.run(segments);
     rooms_.resize(segments.size());
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    for (const Triangle_id t : mesh.triangles.ids())
       for (int k = 0; k < 3; ++k) {
-        const Side s(static_cast<Triangle_id>(t), k);
+        const Side s(t, k);
         if (mesh.across(s).is_border() || !mesh.across(s).is_constrained()) continue;
         const Edge_id e = problem_.edges.between(mesh.source(s), mesh.target(s));
-        rooms_[std::size_t(e)][problem_.edges[e].a == mesh.source(s) ? left_ : right_] =
+        rooms_[e][problem_.edges[e].a == mesh.source(s) ? left_ : right_] =
             Room(mesh.point(mesh.source(s)), mesh.point(mesh.target(s)), mesh.point(mesh.opposite(s)));
       }
   }

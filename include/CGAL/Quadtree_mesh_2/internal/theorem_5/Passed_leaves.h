@@ -18,6 +18,7 @@
 #define CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_PASSED_LEAVES_H
 
 #include <CGAL/Quadtree_mesh_2/Index.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/Indexed_vector.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -34,22 +35,22 @@ enum class Leaf_test : std::uint8_t { OF_LEAF_ALONE = 1, OF_LEAF_AND_NEIGHBORS =
 class Passed_leaves {
 public:
   bool has_passed(Leaf_index l, Leaf_test test) const {
-    return (passed_[std::size_t(l)] & static_cast<std::uint8_t>(test)) != 0;
+    return (passed_[l] & static_cast<std::uint8_t>(test)) != 0;
   }
   /// Several threads may tell of different leaves at once.
-  void pass(Leaf_index l, Leaf_test test) { passed_[std::size_t(l)] |= static_cast<std::uint8_t>(test); }
+  void pass(Leaf_index l, Leaf_test test) { passed_[l] |= static_cast<std::uint8_t>(test); }
 
   /// Follows a tree, of which nothing was known, or all leaves of which are the same as before or were split.
   template <class Tree>
   void follow(const Tree& tree) {
     std::vector<int> levels(tree.number_of_leaves());
     for (std::size_t l = 0; l < levels.size(); ++l) levels[l] = tree.level(Leaf_index(l));
-    std::vector<std::uint8_t> passed(levels.size(), 0);
+    Indexed_vector<Leaf_index, std::uint8_t> passed(levels.size(), 0);
     std::vector<Leaf_index> fresh;
     std::size_t next = 0;
     for (std::size_t old = 0; old < levels_.size(); ++old)
       if (levels[next] == levels_[old])
-        passed[next++] = passed_[old];
+        passed[Leaf_index(next++)] = passed_[Leaf_index(old)];
       else
         for (const std::size_t end = end_of_square(levels, next, levels_[old]); next < end; ++next)
           fresh.push_back(Leaf_index(next));
@@ -57,12 +58,12 @@ public:
     passed_ = std::move(passed);
     for (const Leaf_index l : fresh)
       for (const Leaf_index n : tree.neighbors(l))
-        passed_[std::size_t(n)] &= static_cast<std::uint8_t>(Leaf_test::OF_LEAF_ALONE);
+        passed_[n] &= static_cast<std::uint8_t>(Leaf_test::OF_LEAF_ALONE);
   }
 
 private:
   std::vector<int> levels_;
-  std::vector<std::uint8_t> passed_; // a set of `Leaf_test`
+  Indexed_vector<Leaf_index, std::uint8_t> passed_; // a set of `Leaf_test`
 
   /// The first leaf that is not in the square of a level in which leaf `begin` is the first one.
   static std::size_t end_of_square(const std::vector<int>& levels, std::size_t begin, int level) {

@@ -78,14 +78,15 @@ private:
 
 template <class Geometry>
 struct Placed_vertices {
-  std::vector<typename Geometry::Point> points; ///< first the input's, then those on edges, then corners
-  std::vector<Edge_id> edge_of;                 ///< as `Kernel_mesh::edge_of`
+  Indexed_vector<Vertex_id, typename Geometry::Point>
+      points; ///< first the input's, then those on edges, then corners
+  Indexed_vector<Vertex_id, Vertex_role> role_of;
   std::vector<std::array<Vertex_id, 2>> segments;
   std::vector<Edge_id> cramped_edges; ///< those without some of their vertices for want of room; in order
 
-  explicit Placed_vertices(const std::vector<typename Geometry::Point>& input)
-      : points(input), edge_of(input.size()) {
-    for (std::size_t v = 0; v < input.size(); ++v) edge_of[v] = input_vertex(static_cast<Vertex_id>(v));
+  explicit Placed_vertices(const Indexed_vector<Vertex_id, typename Geometry::Point>& input)
+      : points(input), role_of(input.size()) {
+    for (const Vertex_id v : role_of.ids()) role_of[v] = input_vertex(v);
   }
 
   /// \param cut called as `cut(e, crossings)`, maybe for several edges at the same time; appends the vertices on
@@ -95,23 +96,23 @@ struct Placed_vertices {
     constexpr std::size_t block = 256;
     std::vector<std::vector<Edge_crossing<Geometry>>> found((edges.size() + block - 1) / block);
     std::vector<std::vector<Edge_id>> cramped(found.size());
-    for_each_block<ConcurrencyTag>(
-        edges.size(), block, [&](std::size_t b, std::size_t begin, std::size_t end) {
-          for (std::size_t e = begin; e < end; ++e) {
-            const std::size_t first = found[b].size();
-            cut(static_cast<Edge_id>(e), found[b]);
-            if (!keep_in_room(edges[static_cast<Edge_id>(e)], rooms, found[b], first))
-              cramped[b].push_back(static_cast<Edge_id>(e));
-          }
-        });
+    for_each_block<ConcurrencyTag>(edges.size(), block,
+                                   [&](std::size_t b, std::size_t begin, std::size_t end) {
+                                     for (const Edge_id e : Id_range<Edge_id>(begin, end)) {
+                                       const std::size_t first = found[b].size();
+                                       cut(e, found[b]);
+                                       if (!keep_in_room(edges[e], rooms, found[b], first))
+                                         cramped[b].push_back(e);
+                                     }
+                                   });
     for (const auto& list : cramped) cramped_edges.insert(cramped_edges.end(), list.begin(), list.end());
-    Edge_id e = 0;
+    Edge_id e(0);
     for (const auto& crossings : found)
       for (const auto& c : crossings) {
-        while (e < c.edge) close_edge(edges, e++);
+        for (; e < c.edge; ++e) close_edge(edges, e);
         append(edges, c);
       }
-    while (e < static_cast<Edge_id>(edges.size())) close_edge(edges, e++);
+    for (; e < edges.end_id(); ++e) close_edge(edges, e);
   }
 
   /// Appends the corners of leaves that are kept, by name.
@@ -127,9 +128,9 @@ struct Placed_vertices {
         [](std::size_t c) { return c; });
     const std::size_t first = points.size();
     points.resize(first + names.size());
-    edge_of.resize(first + names.size(), free_vertex);
+    role_of.resize(first + names.size(), free_vertex);
     for_each_index<ConcurrencyTag>(names.size(), [&](std::size_t i) {
-      points[first + i] = trees.kernel_point(corners.place(names[i]));
+      points[static_cast<Vertex_id>(first + i)] = trees.kernel_point(corners.place(names[i]));
     });
   }
 
@@ -140,7 +141,7 @@ private:
                     std::vector<Edge_crossing<Geometry>>& crossings, std::size_t first) const {
     bool are_all_in_room = true;
     auto kept = crossings.begin() + static_cast<std::ptrdiff_t>(first);
-    const typename Geometry::Point* last = &points[std::size_t(edge.a)];
+    const typename Geometry::Point* last = &points[edge.a];
     for (auto c = kept; c != crossings.end(); ++c) {
       if (!rooms.is_in_order(c->edge, *last, c->point)) continue;
       const auto place = rooms.place_next_to(c->edge, c->point);
@@ -154,16 +155,18 @@ private:
     return are_all_in_room;
   }
 
+  /// The last vertex on an edge so far, if it is the edge at work.
+  Vertex_id last_on(const Input_edges& edges, Edge_id e) const {
+    return role_of.back() == e ? points.last_id() : edges[e].a;
+  }
   /// Joins the last vertex on an edge to its end.
   void close_edge(const Input_edges& edges, Edge_id e) {
-    const Vertex_id last = edge_of.back() == e ? static_cast<Vertex_id>(points.size()) - 1 : edges[e].a;
-    segments.push_back({last, edges[e].b});
+    segments.push_back({last_on(edges, e), edges[e].b});
   }
   void append(const Input_edges& edges, const Edge_crossing<Geometry>& c) {
-    const Vertex_id v = static_cast<Vertex_id>(points.size());
-    segments.push_back({edge_of.back() == c.edge ? v - 1 : edges[c.edge].a, v});
-    points.push_back(c.point);
-    edge_of.push_back(c.edge);
+    const Vertex_id last = last_on(edges, c.edge);
+    segments.push_back({last, points.add(c.point)});
+    role_of.push_back(c.edge);
   }
 };
 

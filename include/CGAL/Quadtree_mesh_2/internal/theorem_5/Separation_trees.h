@@ -175,15 +175,18 @@ private:
     std::vector<int> levels(framework.number_of_points(), 0);
     for_each_index<ConcurrencyTag>(levels.size(), [&](std::size_t i) {
       const Point_rank r(i), near = first.near_neighbor(r);
-      const std::size_t v = framework.input_point(r).value();
+      const auto vertex_at = [&](Point_rank p) {
+        return static_cast<Vertex_id>(framework.input_point(p).value());
+      };
+      const Vertex_id v = vertex_at(r);
+      const double hit = hits[framework.input_point(r).value()];
       double distance = std::numeric_limits<double>::infinity();
       if (near.is_valid())
-        distance = std::sqrt(squared_length(Geometry::difference(
-            problem_.input_points[v], problem_.input_points[framework.input_point(near).value()])));
-      if (hits[v] > 0 && std::isfinite(hits[v]))
-        distance = std::min(distance, map_.length_to_kernel(hits[v]));
+        distance = std::sqrt(squared_length(
+            Geometry::difference(problem_.input_point(v), problem_.input_point(vertex_at(near)))));
+      if (hit > 0 && std::isfinite(hit)) distance = std::min(distance, map_.length_to_kernel(hit));
       levels[i] =
-          level_for(distance / least_vertex_distance(), framework.grid().depth(), problem_.input_points[v]);
+          level_for(distance / least_vertex_distance(), framework.grid().depth(), problem_.input_point(v));
     });
     return levels;
   }
@@ -270,7 +273,7 @@ private:
     Leaf_cells<typename Tree::Word> cells;
     std::vector<typename Leaf_cells<typename Tree::Word>::Ends> segments;
     std::vector<Edge_id> own, others;
-    Edge_id hider = -1; ///< among these
+    Edge_id hider; ///< among these
   };
 
   /// For T_B'': leaves too large for two pieces that bound a common cell in them.
@@ -298,7 +301,7 @@ private:
     const Framework& framework = tree_.framework();
     scratch.segments.clear();
     for (const Edge_piece& p : pieces) {
-      const auto& ends = graph_.segments[std::size_t(p.segment)];
+      const auto& ends = graph_.segment(p.segment);
       scratch.segments.push_back({framework.grid_point(framework.rank(Point_index(ends[0].value()))),
                                   framework.grid_point(framework.rank(Point_index(ends[1].value())))});
     }
@@ -319,7 +322,7 @@ private:
     const auto leaf = frame(l);
     auto &own = scratch.own, &others = scratch.others;
     own.clear(), others.clear();
-    scratch.hider = -1;
+    scratch.hider = {};
     for (const Edge_piece& p : pieces_in_leaves_[l]) own.push_back(edge(p));
     for (const Leaf_index n : tree_.neighbors(l))
       for (const Edge_piece& p : pieces_in_leaves_[n]) others.push_back(edge(p));
@@ -340,7 +343,7 @@ private:
   bool is_hidden(const Local_gap& gap, Edge_id e, Edge_id f, Scratch& scratch,
                  const typename Edge_gaps<Geometry>::Leaf& leaf) const {
     const auto hides = [&](Edge_id g) { return g != e && g != f && gap.is_blocked_by(gaps_.local(g, leaf)); };
-    if (scratch.hider >= 0 && hides(scratch.hider)) return true;
+    if (scratch.hider.is_valid() && hides(scratch.hider)) return true;
     for (const auto* edges : {&scratch.own, &scratch.others})
       for (const Edge_id g : *edges)
         if (hides(g)) {

@@ -65,7 +65,7 @@ public:
   /// \param trees of the state's problem
   /// \param is_merged for each input vertex whether another one stands for it
   Tree_construction(State& state, Trees& trees, const typename Trees::Map& map,
-                    const std::vector<char>& is_merged, const Edge_sides& sides, Report& report)
+                    const Indexed_vector<Vertex_id, char>& is_merged, const Edge_sides& sides, Report& report)
       : state_(state), mesh_(state.mesh), trees_(trees), map_(map), is_merged_(is_merged), sides_(sides),
         report_(report), rooms_(Edge_rooms<Geometry>::template of<ConcurrencyTag>(state.problem)) {}
 
@@ -104,7 +104,7 @@ private:
   Kernel_mesh<Geometry>& mesh_;
   Trees& trees_;
   const typename Trees::Map& map_;
-  const std::vector<char>& is_merged_;
+  const Indexed_vector<Vertex_id, char>& is_merged_;
   const Edge_sides& sides_;
   Report& report_;
   const Edge_rooms<Geometry> rooms_;

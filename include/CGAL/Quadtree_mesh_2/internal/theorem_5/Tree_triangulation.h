@@ -42,8 +42,9 @@ class Tree_triangulation {
 public:
   /// \param is_merged for each input vertex whether another one stands for it
   /// \param sides where the domain is
-  Tree_triangulation(const Placed_vertices<Geometry>& placed, const std::vector<char>& is_merged,
-                     const Input_edges& edges, const Edge_sides& sides)
+  Tree_triangulation(const Placed_vertices<Geometry>& placed,
+                     const Indexed_vector<Vertex_id, char>& is_merged, const Input_edges& edges,
+                     const Edge_sides& sides)
       : placed_(placed), edges_(edges), sides_(sides), is_out_(placed.points.size(), 0) {
     std::copy(is_merged.begin(), is_merged.end(), is_out_.begin());
   }
@@ -76,44 +77,44 @@ private:
   const Placed_vertices<Geometry>& placed_;
   const Input_edges& edges_;
   const Edge_sides& sides_;
-  std::vector<char> is_out_; // by placed vertex
-  Order order_;              // triangulated vertex -> placed vertex
+  Indexed_vector<Vertex_id, char> is_out_; // by placed vertex
+  Order order_;                            // triangulated vertex -> placed vertex
   std::vector<typename Geometry::Point> points_;
   std::vector<typename First::Segment> segments_;
 
   template <class To_grid>
   void sort(const To_grid& to_grid) {
-    const std::vector<std::uint32_t> used =
-        pack<ConcurrencyTag>(placed_.points.size(), [&](std::size_t v) { return is_out_[v] == 0; });
-    std::vector<std::decay_t<decltype(to_grid(placed_.points[0]))>> grid_points(used.size());
-    for_each_index<ConcurrencyTag>(used.size(),
-                                   [&](std::size_t i) { grid_points[i] = to_grid(placed_.points[used[i]]); });
+    const std::vector<std::uint32_t> used = pack<ConcurrencyTag>(
+        placed_.points.size(), [&](std::size_t v) { return is_out_[static_cast<Vertex_id>(v)] == 0; });
+    std::vector<std::decay_t<decltype(to_grid(placed_.points.front()))>> grid_points(used.size());
+    for_each_index<ConcurrencyTag>(used.size(), [&](std::size_t i) {
+      grid_points[i] = to_grid(placed_.points[static_cast<Vertex_id>(used[i])]);
+    });
     order_ = shuffle_order<ConcurrencyTag>(grid_points);
     points_.resize(used.size());
-    std::vector<Vertex_id> place(placed_.points.size(), -1);
+    Indexed_vector<Vertex_id, Vertex_id> place(placed_.points.size());
     for_each_index<ConcurrencyTag>(used.size(), [&](std::size_t i) {
       order_[i] = used[order_[i]];
-      points_[i] = placed_.points[order_[i]];
-      place[order_[i]] = static_cast<Vertex_id>(i);
+      const Vertex_id placed = static_cast<Vertex_id>(order_[i]);
+      points_[i] = placed_.points[placed];
+      place[placed] = static_cast<Vertex_id>(i);
     });
     segments_.resize(placed_.segments.size());
     for_each_index<ConcurrencyTag>(segments_.size(), [&](std::size_t s) {
       const auto [a, b] = placed_.segments[s];
-      segments_[s] = {place[std::size_t(a)], place[std::size_t(b)]};
+      segments_[s] = {place[a], place[b]};
     });
   }
 
-  Vertex_id placed_vertex(Vertex_id sorted) const {
-    return static_cast<Vertex_id>(order_[std::size_t(sorted)]);
-  }
-  bool is_corner(Vertex_id placed) const { return placed_.edge_of[std::size_t(placed)] == free_vertex; }
+  Vertex_id placed_vertex(Vertex_id sorted) const { return static_cast<Vertex_id>(order_[sorted.value()]); }
+  bool is_corner(Vertex_id placed) const { return placed_.role_of[placed].is_free(); }
 
   /// Finds vertices at the place of others, and on segments; corners among them are out from now on.
   Faults faults_of(const First& first) {
     Faults faults;
     const auto leave_out = [&](Vertex_id v) {
       (is_corner(v) ? faults.are_corners : faults.are_others) = true;
-      is_out_[std::size_t(v)] = is_corner(v) ? 1 : is_out_[std::size_t(v)];
+      is_out_[v] = is_corner(v) ? 1 : is_out_[v];
     };
     for (std::size_t i = 0; i < order_.size(); ++i) {
       const Vertex_id v = static_cast<Vertex_id>(i), r = first.representative(v);
@@ -121,7 +122,7 @@ private:
     }
     if (first.number_of_vertices_on_segments() == 0 || faults.are_corners) return faults;
     for (const Input_edge& piece : first.edges()) {
-      const auto& ends = segments_[std::size_t(piece.segment)];
+      const auto& ends = segments_[piece.segment.value()];
       for (const Vertex_id v : {piece.a, piece.b})
         if (v != ends[0] && v != ends[1]) leave_out(placed_vertex(v));
     }
@@ -131,11 +132,11 @@ private:
   /// The edge that a constrained side is a piece of, and whether its triangle is on the left of that.
   std::pair<Edge_id, bool> edge_at(const Kernel_mesh<Geometry>& sorted, Side s) const {
     const Vertex_id from = placed_vertex(sorted.source(s)), to = placed_vertex(sorted.target(s));
-    const Edge_id e = placed_.edge_of[std::size_t(from)], f = placed_.edge_of[std::size_t(to)];
+    const Edge_id e = placed_.role_of[from].edge(), f = placed_.role_of[to].edge();
     // Vertices on an edge are numbered from its first end to its second.
-    if (e >= 0 && f >= 0) return {e, from < to};
-    if (e >= 0) return {e, to == edges_[e].b};
-    if (f >= 0) return {f, from == edges_[f].a};
+    if (e.is_valid() && f.is_valid()) return {e, from < to};
+    if (e.is_valid()) return {e, to == edges_[e].b};
+    if (f.is_valid()) return {f, from == edges_[f].a};
     const Edge_id whole = edges_.between(from, to);
     return {whole, from == edges_[whole].a};
   }
@@ -144,13 +145,15 @@ private:
     sides_.restrict(sorted, First::number_of_auxiliary_vertices, [&](Side s) { return edge_at(sorted, s); });
     mesh = Kernel_mesh<Geometry>();
     mesh.resize(placed_.points.size(), 0);
-    mesh.points = placed_.points, mesh.edge_of = placed_.edge_of;
+    mesh.points = placed_.points, mesh.role_of = placed_.role_of;
     mesh.triangles = std::move(sorted.triangles), mesh.region_of = std::move(sorted.region_of);
     for_each_index<ConcurrencyTag>(mesh.triangles.size(), [&](std::size_t t) {
-      for (Vertex_id& v : mesh.triangles[t].v) v = placed_vertex(v);
+      for (Vertex_id& v : mesh.triangle(static_cast<Triangle_id>(t)).v) v = placed_vertex(v);
     });
-    for_each_index<ConcurrencyTag>(
-        order_.size(), [&](std::size_t i) { mesh.triangle_of[order_[i]] = sorted.triangle_of[i]; });
+    for_each_index<ConcurrencyTag>(order_.size(), [&](std::size_t i) {
+      const Vertex_id v = static_cast<Vertex_id>(i);
+      mesh.triangle_of[placed_vertex(v)] = sorted.triangle_of[v];
+    });
   }
 };
 

@@ -83,7 +83,7 @@ public:
   /// The place of a leaf in the order in which a path in given directions passes leaves.
   template <class Path>
   std::uint32_t place(const Path& path, Leaf_index l) const {
-    return reversed(path, is_upside_down(path) ? place_[std::size_t(l)] : l.value());
+    return reversed(path, is_upside_down(path) ? place_[l.value()] : l.value());
   }
   /// The leaf at a place.
   template <class Path>
@@ -118,15 +118,15 @@ private:
 
   template <class Tree>
   void place_below(const Tree& tree, Node_index v, Uninitialized_vector<std::uint32_t>& place) {
-    std::uint32_t next = place[std::size_t(v)];
+    std::uint32_t next = place[v.value()];
     if (tree.is_leaf(v)) {
-      place_[std::size_t(tree.leaf(v))] = next;
+      place_[tree.leaf(v).value()] = next;
       leaf_[next] = tree.leaf(v).value();
       return;
     }
     for (const int q : {1, 0, 3, 2}) {
       const Node_index child = tree.child(v, q);
-      place[std::size_t(child)] = next;
+      place[child.value()] = next;
       next += static_cast<std::uint32_t>(tree.leaves(child).size());
     }
   }

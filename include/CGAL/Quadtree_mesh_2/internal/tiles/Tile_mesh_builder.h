@@ -25,6 +25,7 @@
 
 #include <CGAL/Balanced_quadtree.h>
 #include <CGAL/Quadtree_mesh_2/Direction.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/Indexed_vector.h>
 #include <CGAL/Quadtree_mesh_2/internal/grid/morton.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/tiles/Tile_mesh.h>
@@ -108,13 +109,13 @@ Balanced_quadtree<Tile_traits, ConcurrencyTag> tile_quadtree(const Tile_sites& s
   typename Quadtree::Framework framework(demands.places);
   std::vector<int> levels(framework.number_of_points());
   for_each_index<ConcurrencyTag>(levels.size(), [&](std::size_t r) {
-    levels[r] = demands.levels[std::size_t(framework.input_point(Point_rank(r)))];
+    levels[r] = demands.levels[framework.input_point(Point_rank(r)).value()];
   });
   for (const Duplicate_point& d : framework.duplicates()) {
     // Places of sites are rounded.
     if (d.duplicate.value() < sites.size()) throw Tile_level_error(d.duplicate.value());
-    int& level = levels[std::size_t(framework.rank(d.kept))];
-    level = std::max(level, demands.levels[std::size_t(d.duplicate)]);
+    int& level = levels[framework.rank(d.kept).value()];
+    level = std::max(level, demands.levels[d.duplicate.value()]);
   }
   framework.annotate(levels);
   // Only the levels count, not how many points a leaf has.
@@ -164,7 +165,7 @@ private:
         kept_.size(),
         [&](std::size_t k) {
           const Node_index v = tree_.node(Leaf_index(kept_[k]));
-          number_of_leaf_[kept_[k]] = static_cast<std::uint32_t>(k);
+          number_of_leaf_[Leaf_index(kept_[k])] = static_cast<std::uint32_t>(k);
           mesh_.leaves[k] = tree_.square(v);
           mesh_.corner_bits[k] = static_cast<std::uint8_t>(corner_bits(v));
         },
@@ -284,8 +285,7 @@ private:
     mesh_.leaf_of_site.resize(sites_.size());
     mesh_.vertex_of_site.assign(sites_.size(), -1);
     for_each_index<ConcurrencyTag>(sites_.size(), [&](std::size_t i) {
-      mesh_.leaf_of_site[i] =
-          static_cast<std::int32_t>(number_of_leaf_[std::size_t(tree_.leaf(Point_index(i)))]);
+      mesh_.leaf_of_site[i] = static_cast<std::int32_t>(number_of_leaf_[tree_.leaf(Point_index(i))]);
     });
   }
 
@@ -300,9 +300,9 @@ private:
     if (!sites_.window.contains_block(block)) return false;
     for (int i = 0; i < block.number_of_squares(); ++i) {
       const Tile_square s = block.square(i);
-      const std::uint32_t leaf = number_of_leaf_[std::size_t(tree_.locate(Tile_place{s.x, s.y}))];
+      const std::uint32_t leaf = number_of_leaf_[tree_.locate(Tile_place{s.x, s.y})];
       if (mesh_.leaves[leaf].level != block.level || mesh_.corner_bits[leaf] != 0) return false;
-      leaves[std::size_t(i)] = leaf;
+      leaves[i] = leaf;
     }
     return true;
   }
@@ -342,7 +342,7 @@ private:
     std::vector<std::uint8_t> uses(mesh_.number_of_leaves(), 0); // 2 for more
     const auto for_each_leaf = [&](std::size_t b, const auto& f) {
       const int n = is_whole[b] != 0 ? block_of(blocks[b]).number_of_squares() : 0;
-      for (int i = 0; i < n; ++i) f(leaves[b][std::size_t(i)]);
+      for (int i = 0; i < n; ++i) f(leaves[b][i]);
     };
     for (std::size_t b = 0; b < blocks.size(); ++b)
       for_each_leaf(b, [&](std::uint32_t leaf) { uses[leaf] = uses[leaf] == 0 ? 1 : 2; });
@@ -358,8 +358,7 @@ private:
     const auto target = moves.target(sites_.places[site], sites_.kind(site), block);
     std::array<std::int32_t, 8> spokes{};
     for (const Block_moves::Move& move : *target.moves) {
-      const std::size_t instance =
-          mesh_.first_vertex[leaves[std::size_t(move.square)]] + std::size_t(move.vertex);
+      const std::size_t instance = mesh_.first_vertex[leaves[move.square]] + std::size_t(move.vertex);
       const std::int32_t v = mesh_.leaf_vertices[instance];
       Tile_place& place = mesh_.places[static_cast<std::size_t>(v)];
       if (place == target.vertex) mesh_.vertex_of_site[site] = v;
@@ -377,8 +376,8 @@ private:
 
   const Tile_sites& sites_;
   Quadtree tree_;
-  std::vector<std::uint32_t> kept_;           // the leaves of the quadtree in the window
-  std::vector<std::uint32_t> number_of_leaf_; // their places in that list
+  std::vector<std::uint32_t> kept_;                          // the leaves of the quadtree in the window
+  Indexed_vector<Leaf_index, std::uint32_t> number_of_leaf_; // their places in that list
   Tile_mesh mesh_;
 };
 

@@ -46,7 +46,7 @@ std::vector<double> near_distances(const std::vector<Tile_site>& places) {
   const auto neighbors = tree.near_neighbors();
   std::vector<double> distances(places.size(), std::numeric_limits<double>::infinity());
   for_each_index<ConcurrencyTag>(places.size(), [&](std::size_t i) {
-    const auto neighbor = neighbors[std::size_t(tree.framework().rank(Point_index(i)))];
+    const auto neighbor = neighbors[tree.framework().rank(Point_index(i)).value()];
     if (!neighbor.is_valid()) return;
     const Tile_place q = tree.framework().grid_point(neighbor);
     const auto difference = [](std::uint64_t a, std::uint64_t b) {

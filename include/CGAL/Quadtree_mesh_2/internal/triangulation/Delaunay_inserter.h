@@ -27,11 +27,11 @@ public:
   explicit Delaunay_inserter(Mesh& mesh) : mesh_(mesh) {}
 
   /// Inserts a vertex that is in no triangle yet, by a walk from triangle `hint`.
-  /// \returns the vertex that stands for it: itself, the one at the same place, or -1 if a seam is in the way.
+  /// \returns the vertex that stands for it: itself, the one at the same place, or none if a seam is in the way.
   Vertex_id insert(Vertex_id v, Triangle_id hint) {
     const Point p = mesh_.point(v);
     const Walk_end end = locate_exactly(mesh_, hint, p);
-    if (end.is_blocked()) return -1;
+    if (end.is_blocked()) return {};
     const auto& r = mesh_.triangle(end.triangle);
     int on_slot = -1;
     for (int k = 0; k < 3; ++k) {
@@ -42,7 +42,7 @@ public:
     if (on_slot < 0)
       mesh_.insert_in_triangle(end.triangle, v);
     else if (r.side[on_slot].is_seam())
-      return -1;
+      return {};
     else
       mesh_.insert_on_side(end.triangle, on_slot, v);
     return v;

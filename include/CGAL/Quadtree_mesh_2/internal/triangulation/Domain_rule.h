@@ -42,34 +42,34 @@ namespace internal {
 /// Drops the triangles of a mesh that are not kept, and the vertices from the given one on; keeps the order of the
 /// others.
 template <class Mesh>
-void keep_triangles(Mesh& mesh, const std::vector<char>& is_kept, std::size_t end_of_vertices) {
-  std::vector<Triangle_id> new_id(mesh.triangles.size(), -1);
-  Triangle_id kept = 0;
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-    if (is_kept[t] != 0) new_id[t] = kept++;
+void keep_triangles(Mesh& mesh, const Indexed_vector<Triangle_id, char>& is_kept, Vertex_id end_of_vertices) {
+  Indexed_vector<Triangle_id, Triangle_id> new_id(mesh.triangles.size());
+  Triangle_id kept(0);
+  for (const Triangle_id t : mesh.triangles.ids())
+    if (is_kept[t] != 0) new_id[t] = kept, ++kept;
 
-  mesh.points.resize(end_of_vertices), mesh.edge_of.resize(end_of_vertices);
-  mesh.is_dirty.resize(end_of_vertices);
-  mesh.triangle_of.assign(end_of_vertices, -1);
-  for (std::size_t t = 0; t < new_id.size(); ++t) {
-    if (new_id[t] < 0) continue;
+  mesh.points.truncate(end_of_vertices), mesh.role_of.truncate(end_of_vertices);
+  mesh.is_dirty.truncate(end_of_vertices);
+  mesh.triangle_of.assign(mesh.points.size(), {});
+  for (const Triangle_id t : new_id.ids()) {
+    if (!new_id[t].is_valid()) continue;
     auto r = mesh.triangles[t];
     for (int k = 0; k < 3; ++k) {
       const Side o = r.side[k];
-      const Triangle_id u = o.is_border() ? -1 : new_id[std::size_t(o.triangle())];
-      r.side[k] = u < 0 ? Side::border() : Side(u, o.slot(), o.is_constrained());
-      mesh.triangle_of[std::size_t(r.v[k])] = new_id[t];
+      const Triangle_id u = o.is_border() ? Triangle_id() : new_id[o.triangle()];
+      r.side[k] = !u.is_valid() ? Side::border() : Side(u, o.slot(), o.is_constrained());
+      mesh.triangle_of[r.v[k]] = new_id[t];
     }
     mesh.triangle(new_id[t]) = r;
-    mesh.set_region(new_id[t], mesh.region(static_cast<Triangle_id>(t)));
+    mesh.set_region(new_id[t], mesh.region(t));
   }
-  mesh.triangles.resize(std::size_t(kept));
-  if (!mesh.region_of.empty()) mesh.region_of.resize(std::size_t(kept));
+  mesh.triangles.truncate(kept);
+  if (!mesh.region_of.empty()) mesh.region_of.truncate(kept);
 }
 
 /// A triangle outside, at a side of the domain's border that has the outside on its left.
 struct Outer_triangle {
-  Vertex_id a = -1, b = -1, apex = -1;
+  Vertex_id a, b, apex;
 };
 
 /// Thrown if the point of a hole or region lies on a segment, or an end of one, with several components around.
@@ -89,7 +89,8 @@ public:
 
   /// The last `number_of_auxiliary_vertices` vertices of the mesh are outside whatever the rule.
   Domain_finder(Mesh& mesh, std::size_t number_of_auxiliary_vertices)
-      : mesh_(mesh), first_auxiliary_(mesh.points.size() - number_of_auxiliary_vertices) {}
+      : mesh_(mesh),
+        first_auxiliary_(static_cast<Vertex_id>(mesh.points.size() - number_of_auxiliary_vertices)) {}
 
   /// Keeps the domain only, in the order it had; the mesh is empty afterward if there is none. If there are
   /// regions, `Kernel_mesh::region_of` tells for each triangle the first one whose point is in its component.
@@ -99,11 +100,11 @@ public:
                                   const std::vector<Point>& regions) {
     find_levels(rule == Rule::NESTING_PARITY ? std::numeric_limits<std::int32_t>::max() : 1);
     is_kept_.resize(mesh_.triangles.size());
-    for (std::size_t t = 0; t < is_kept_.size(); ++t) is_kept_[t] = is_kept_by(rule, level_[t]);
+    for (const Triangle_id t : is_kept_.ids()) is_kept_[t] = is_kept_by(rule, level_[t]);
     label(regions);
     if (rule == Rule::MARKED)
-      for (std::size_t t = 0; t < is_kept_.size(); ++t)
-        is_kept_[t] = level_[t] > 0 && !regions.empty() && mesh_.region_of[t] >= 0;
+      for (const Triangle_id t : is_kept_.ids())
+        is_kept_[t] = level_[t] > 0 && !regions.empty() && mesh_.region_of[t].is_valid();
     for (const Triangle_id t : triangles_at(holes, Ambiguous_seed::Of::HOLE)) drop_component(t);
     std::vector<Outer_triangle> outer = outer_triangles();
     keep_triangles(mesh_, is_kept_, first_auxiliary_);
@@ -112,28 +113,28 @@ public:
 
 private:
   Mesh& mesh_;
-  std::size_t first_auxiliary_;
-  std::vector<std::int32_t> level_; // per triangle
-  std::vector<char> is_kept_;       // per triangle
+  Vertex_id first_auxiliary_;
+  Indexed_vector<Triangle_id, std::int32_t> level_;
+  Indexed_vector<Triangle_id, char> is_kept_;
   std::vector<Triangle_id> stack_;
 
   static char is_kept_by(Rule rule, std::int32_t level) {
     return rule == Rule::NESTING_PARITY ? level % 2 == 1 : level > 0;
   }
 
-  /// The triangle that holds each point, -1 for none, by walks from one to the next in shuffle order.
+  /// The triangle that holds each point, if there is one, by walks from one to the next in shuffle order.
   std::vector<Triangle_id> triangles_at(const std::vector<Point>& points, Ambiguous_seed::Of of) {
-    std::vector<Triangle_id> found(points.size(), -1);
+    std::vector<Triangle_id> found(points.size());
     if (points.empty()) return found;
-    const Place_keys<Geometry> key(mesh_.points);
-    Triangle_id hint = 0;
+    const Place_keys<Geometry> key(mesh_.points.values());
+    Triangle_id hint(0);
     for (const std::uint32_t i :
          radix_order(points.size(), 1, [&](std::uint32_t p, int) { return key(points[p]) << 32; })) {
       const Walk_end end = locate_exactly(mesh_, hint, points[i]);
       hint = end.triangle;
       if (end.is_blocked()) continue;
       found[i] = end.triangle;
-      check_place(end.triangle, points[i], {of, i, -1, -1});
+      check_place(end.triangle, points[i], {of, i, {}, {}});
     }
     return found;
   }
@@ -160,13 +161,11 @@ private:
 
   bool is_one_component(Triangle_id first, const std::vector<Triangle_id>& others) {
     if (others.empty()) return true;
-    std::vector<char> is_reached(mesh_.triangles.size(), 0);
-    is_reached[std::size_t(first)] = 1;
+    Indexed_vector<Triangle_id, char> is_reached(mesh_.triangles.size(), 0);
+    is_reached[first] = 1;
     stack_.push_back(first);
-    flood([&](Triangle_id t) { return std::exchange(is_reached[std::size_t(t)], char(1)) == 0; },
-          [](Triangle_id) {});
-    return std::all_of(others.begin(), others.end(),
-                       [&](Triangle_id t) { return is_reached[std::size_t(t)] != 0; });
+    flood([&](Triangle_id t) { return std::exchange(is_reached[t], char(1)) == 0; }, [](Triangle_id) {});
+    return std::all_of(others.begin(), others.end(), [&](Triangle_id t) { return is_reached[t] != 0; });
   }
 
   /// Calls `visit(t)` for the triangles that are reached from those on the stack without crossing a
@@ -190,20 +189,20 @@ private:
   void find_levels(std::int32_t most) {
     level_.assign(mesh_.triangles.size(), most);
     std::vector<Triangle_id> seeds, next;
-    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
-      for (const Vertex_id v : mesh_.triangles[t].v)
-        if (std::size_t(v) >= first_auxiliary_) seeds.push_back(static_cast<Triangle_id>(t));
+    for (const Triangle_id t : mesh_.triangles.ids())
+      for (const Vertex_id v : mesh_.triangle(t).v)
+        if (!(v < first_auxiliary_)) seeds.push_back(t);
     for (std::int32_t level = 0; level < most && !seeds.empty(); ++level) {
       const auto visit = [&](Triangle_id t) {
-        if (level_[std::size_t(t)] < most) return false;
-        level_[std::size_t(t)] = level;
+        if (level_[t] < most) return false;
+        level_[t] = level;
         return true;
       };
       for (const Triangle_id t : seeds)
         if (visit(t)) stack_.push_back(t);
       next.clear();
       flood(visit, [&](Triangle_id t) {
-        if (level_[std::size_t(t)] == most) next.push_back(t);
+        if (level_[t] == most) next.push_back(t);
       });
       std::swap(seeds, next);
     }
@@ -212,17 +211,17 @@ private:
   void label(const std::vector<Point>& regions) {
     mesh_.region_of.clear();
     if (regions.empty()) return;
-    mesh_.region_of.assign(mesh_.triangles.size(), -1);
+    mesh_.region_of.assign(mesh_.triangles.size(), {});
     const std::vector<Triangle_id> holders = triangles_at(regions, Ambiguous_seed::Of::REGION);
     for (std::size_t i = 0; i < regions.size(); ++i) {
       const auto visit = [&](Triangle_id t) {
-        Region_id& region = mesh_.region_of[std::size_t(t)];
-        if (region >= 0) return false;
+        Region_id& region = mesh_.region_of[t];
+        if (region.is_valid()) return false;
         region = static_cast<Region_id>(i);
         return true;
       };
       const Triangle_id first = holders[i];
-      if (first < 0 || level_[std::size_t(first)] == 0 || !visit(first)) continue;
+      if (!first.is_valid() || level_[first] == 0 || !visit(first)) continue;
       stack_.push_back(first);
       flood(visit, [](Triangle_id) {});
     }
@@ -230,23 +229,23 @@ private:
 
   std::vector<Outer_triangle> outer_triangles() const {
     std::vector<Outer_triangle> outer;
-    for (std::size_t t = 0; t < is_kept_.size(); ++t)
+    for (const Triangle_id t : is_kept_.ids())
       for (int k = 0; k < 3 && is_kept_[t] == 0; ++k) {
-        const Side s(static_cast<Triangle_id>(t), k), o = mesh_.across(s);
-        if (o.is_border() || is_kept_[std::size_t(o.triangle())] == 0) continue;
+        const Side s(t, k), o = mesh_.across(s);
+        if (o.is_border() || is_kept_[o.triangle()] == 0) continue;
         const Vertex_id apex = mesh_.opposite(s);
-        if (std::size_t(apex) < first_auxiliary_) outer.push_back({mesh_.source(s), mesh_.target(s), apex});
+        if (apex < first_auxiliary_) outer.push_back({mesh_.source(s), mesh_.target(s), apex});
       }
     return outer;
   }
 
   void drop_component(Triangle_id first) {
     const auto visit = [&](Triangle_id t) {
-      if (is_kept_[std::size_t(t)] == 0) return false;
-      is_kept_[std::size_t(t)] = 0;
+      if (is_kept_[t] == 0) return false;
+      is_kept_[t] = 0;
       return true;
     };
-    if (first < 0 || !visit(first)) return;
+    if (!first.is_valid() || !visit(first)) return;
     stack_.push_back(first);
     flood(visit, [](Triangle_id) {});
   }

@@ -51,7 +51,7 @@ public:
 
   /// The vertices of the mesh become `points`, in that order, and the three auxiliary ones behind them.
   First_triangulation(Mesh& mesh, const std::vector<Point>& points)
-      : mesh_(mesh), representative_(points.size(), -1) {
+      : mesh_(mesh), representative_(points.size()) {
     start(points);
   }
 
@@ -64,15 +64,14 @@ public:
     Segment_inserter<Geometry> inserter(mesh_);
     const auto crossing = catch_crossing([&] {
       for (std::size_t s = 0; s < segments.size(); ++s)
-        inserter.insert(representative(segments[s][0]), representative(segments[s][1]),
-                        static_cast<std::int32_t>(s));
+        inserter.insert(representative(segments[s][0]), representative(segments[s][1]), Segment_index(s));
     });
     add(inserter.take());
     return crossing;
   }
 
   /// For each vertex itself, or the one at the same place that stands for it.
-  Vertex_id representative(Vertex_id v) const { return representative_[std::size_t(v)]; }
+  Vertex_id representative(Vertex_id v) const { return representative_[v]; }
   std::size_t number_of_vertices_on_segments() const { return vertices_on_segments_; }
   const std::vector<Input_edge>& edges() const { return edges_; }
   /// Edges of segments that overlap others, for each segment but the one in `edges()`.
@@ -88,32 +87,34 @@ private:
   /// A segment, between the vertices up to which it is made.
   struct Rest_of_segment {
     Vertex_id from, to;
-    std::int32_t segment;
+    Segment_index segment;
   };
 
   /// What is to be done in a block, and what comes of it.
   struct Block_work {
     std::vector<Vertex_id> vertices;
-    std::vector<std::int32_t> segments;
+    std::vector<Segment_index> segments;
     std::vector<Vertex_id> vertices_left;
     std::vector<Rest_of_segment> segments_left;
     Segments_made segments_made;
     std::optional<Crossing> crossing;
   };
 
+  using Works = Indexed_vector<Block_id, Block_work>;
+
   Mesh& mesh_;
-  std::vector<Vertex_id> representative_;
+  Indexed_vector<Vertex_id, Vertex_id> representative_;
   std::vector<Input_edge> edges_, repeated_edges_;
   std::size_t vertices_on_segments_ = 0;
   // for blocks: the triangle of the coarse triangulation that holds a vertex, and the vertex's handle in its block
-  std::vector<Triangle_id> coarse_triangle_;
-  std::vector<Vertex_id> vertex_in_block_;
+  Indexed_vector<Vertex_id, Triangle_id> coarse_triangle_;
+  Indexed_vector<Vertex_id, Vertex_id> vertex_in_block_;
 
   void start(const std::vector<Point>& points) {
     const std::size_t n = points.size();
     mesh_.resize(n, 0);
     mesh_.points.assign(points.begin(), points.end());
-    std::iota(mesh_.edge_of.rbegin(), mesh_.edge_of.rend(), input_vertex(static_cast<Vertex_id>(n) - 1));
+    for (const Vertex_id v : mesh_.role_of.ids()) mesh_.role_of[v] = input_vertex(v);
     Point low = points.front(), high = points.front();
     for (const Point& p : points) {
       low.x = std::min(low.x, p.x), low.y = std::min(low.y, p.y);
@@ -126,13 +127,12 @@ private:
     // As near as they can be: differences of 62-bit coordinates must not overflow. Nothing inside the domain
     // sees them.
     for (const Vector corner : {Vector{-1, -0.1}, Vector{2, -0.1}, Vector{0.5, 2.9}})
-      mesh_.add_vertex(Geometry::translate(low, extent * corner),
-                       input_vertex(static_cast<Vertex_id>(mesh_.number_of_vertices())));
+      mesh_.add_vertex(Geometry::translate(low, extent * corner), input_vertex(mesh_.points.end_id()));
     const Triangle_id t = mesh_.new_triangle();
     for (int k = 0; k < 3; ++k) {
-      const Vertex_id v = static_cast<Vertex_id>(n) + k;
+      const Vertex_id v(n + static_cast<std::size_t>(k));
       mesh_.triangle(t).v[k] = v;
-      mesh_.triangle_of[std::size_t(v)] = t;
+      mesh_.triangle_of[v] = t;
     }
   }
 
@@ -141,9 +141,10 @@ private:
     const std::size_t n = representative_.size();
     mesh_.triangles.reserve(2 * (n / last_step) + 16);
     Delaunay_inserter<Geometry> inserter(mesh_);
-    Triangle_id hint = 0;
-    for_each_in_rounds(n, last_step, [&](std::size_t v) {
-      if (representative_[v] < 0) representative_[v] = inserter.insert(static_cast<Vertex_id>(v), hint);
+    Triangle_id hint(0);
+    for_each_in_rounds(n, last_step, [&](std::size_t i) {
+      const Vertex_id v = static_cast<Vertex_id>(i);
+      if (!representative_[v].is_valid()) representative_[v] = inserter.insert(v, hint);
       hint = mesh_.incident_triangle(representative_[v]);
     });
   }
@@ -172,11 +173,11 @@ private:
     std::iota(all.begin(), all.end(), Triangle_id(0));
     Blocks blocks(mesh_, cut_by_position<ConcurrencyTag>(mesh_, std::move(all),
                                                          2 * vertices_of_block / stride, Square_shift::NONE));
-    std::vector<Block_work> works = distribute(blocks, segments);
+    Works works = distribute(blocks, segments);
     vertex_in_block_.resize(representative_.size());
     blocks.for_each(
         [&](Block& block) {
-          Block_work& work = works[std::size_t(block.id())];
+          Block_work& work = works[block.id()];
           insert_vertices(block, blocks, work);
           insert_segments(block, blocks, segments, work);
         },
@@ -197,58 +198,54 @@ private:
     const std::size_t run = 256 * stride;
     for_each_block<ConcurrencyTag>(
         representative_.size(), run, [&](std::size_t, std::size_t begin, std::size_t end) {
-          Triangle_id t = 0;
-          for (std::size_t v = begin; v < end; ++v) {
-            t = representative_[v] >= 0 ? mesh_.incident_triangle(representative_[v])
-                                        : locate_exactly(mesh_, t, mesh_.points[v]).triangle;
+          Triangle_id t(0);
+          for (const Vertex_id v : Id_range<Vertex_id>(begin, end)) {
+            t = representative_[v].is_valid() ? mesh_.incident_triangle(representative_[v])
+                                              : locate_exactly(mesh_, t, mesh_.point(v)).triangle;
             coarse_triangle_[v] = t;
           }
         });
   }
 
-  Block_id block_of(const Blocks& blocks, Vertex_id v) const {
-    return blocks.block_of(coarse_triangle_[std::size_t(v)]);
-  }
+  Block_id block_of(const Blocks& blocks, Vertex_id v) const { return blocks.block_of(coarse_triangle_[v]); }
 
   static bool is_coarse(Vertex_id v) { return std::size_t(v) % stride == 0; }
 
   /// Gives each vertex to the block in which it is, each segment to that of its first vertex.
-  std::vector<Block_work> distribute(const Blocks& blocks, const std::vector<Segment>& segments) const {
-    std::vector<Block_work> works(blocks.size());
-    for (std::size_t v = 0; v < representative_.size(); ++v)
-      if (!is_coarse(static_cast<Vertex_id>(v)))
-        works[std::size_t(block_of(blocks, static_cast<Vertex_id>(v)))].vertices.push_back(
-            static_cast<Vertex_id>(v));
+  Works distribute(const Blocks& blocks, const std::vector<Segment>& segments) const {
+    Works works(blocks.size());
+    for (const Vertex_id v : representative_.ids())
+      if (!is_coarse(v)) works[block_of(blocks, v)].vertices.push_back(v);
     for (std::size_t s = 0; s < segments.size(); ++s)
-      works[std::size_t(block_of(blocks, segments[s][0]))].segments.push_back(static_cast<std::int32_t>(s));
+      works[block_of(blocks, segments[s][0])].segments.push_back(Segment_index(s));
     return works;
   }
 
   void insert_vertices(Block& block, const Blocks& blocks, Block_work& work) {
     Mesh& mesh = block.mesh;
     mesh.triangles.reserve(mesh.triangles.size() + 2 * work.vertices.size());
-    for (const Vertex_id v : work.vertices) vertex_in_block_[std::size_t(v)] = block.add_known_vertex(v);
+    for (const Vertex_id v : work.vertices) vertex_in_block_[v] = block.add_known_vertex(v);
     Delaunay_inserter<Geometry> inserter(mesh);
-    Vertex_id last = -1;
+    Vertex_id last;
     for (const Vertex_id v : work.vertices) {
-      const Vertex_id here = vertex_in_block_[std::size_t(v)];
-      const Triangle_id coarse = blocks.place_of(coarse_triangle_[std::size_t(v)]);
-      Vertex_id stands = last < 0 ? -1 : inserter.insert(here, mesh.incident_triangle(last));
-      if (stands < 0) stands = inserter.insert(here, coarse);
-      if (stands < 0) {
+      const Vertex_id here = vertex_in_block_[v];
+      const Triangle_id coarse = blocks.place_of(coarse_triangle_[v]);
+      Vertex_id stands = !last.is_valid() ? Vertex_id() : inserter.insert(here, mesh.incident_triangle(last));
+      if (!stands.is_valid()) stands = inserter.insert(here, coarse);
+      if (!stands.is_valid()) {
         work.vertices_left.push_back(v);
         continue;
       }
-      representative_[std::size_t(v)] = mesh.input_number(stands);
+      representative_[v] = mesh.input_number(stands);
       last = stands;
     }
   }
 
-  /// The handle in the block of what stands for a vertex, -1 if it is not there.
+  /// The handle in the block of what stands for a vertex, none if it is not there.
   Vertex_id find_in_block(const Block& block, const Blocks& blocks, Vertex_id v) const {
     if (!is_coarse(v)) {
-      if (block_of(blocks, v) != block.id() || representative(v) < 0) return -1;
-      if (!is_coarse(representative(v))) return vertex_in_block_[std::size_t(representative(v))];
+      if (block_of(blocks, v) != block.id() || !representative(v).is_valid()) return {};
+      if (!is_coarse(representative(v))) return vertex_in_block_[representative(v)];
     }
     return block.vertex_in_block(representative(v));
   }
@@ -257,10 +254,10 @@ private:
                        Block_work& work) {
     Segment_inserter<Geometry> inserter(block.mesh);
     work.crossing = catch_crossing([&] {
-      for (const std::int32_t s : work.segments) {
-        const auto [from, to] = segments[std::size_t(s)];
+      for (const Segment_index s : work.segments) {
+        const auto [from, to] = segments[s.value()];
         const Vertex_id a = find_in_block(block, blocks, from), b = find_in_block(block, blocks, to);
-        if (a < 0 || b < 0) {
+        if (!a.is_valid() || !b.is_valid()) {
           work.segments_left.push_back({from, to, s});
           continue;
         }
@@ -273,14 +270,14 @@ private:
     work.segments_made = inserter.take();
   }
 
-  static std::optional<Crossing> first_crossing(const std::vector<Block_work>& works) {
+  static std::optional<Crossing> first_crossing(const Works& works) {
     std::optional<Crossing> first;
     for (const Block_work& work : works)
       if (work.crossing && (!first || work.crossing->segment < first->segment)) first = work.crossing;
     return first;
   }
 
-  std::optional<Crossing> insert_what_is_left(const std::vector<Block_work>& works) {
+  std::optional<Crossing> insert_what_is_left(const Works& works) {
     for (const Block_work& work : works)
       for (const Vertex_id v : work.vertices_left) insert_late(v);
     Segment_inserter<Geometry> inserter(mesh_);
@@ -295,17 +292,17 @@ private:
 
   /// Inserts a vertex when there are segments already, of which one may run through it.
   void insert_late(Vertex_id v) {
-    const Triangle_id t = locate_exactly(mesh_, coarse_triangle_[std::size_t(v)], mesh_.point(v)).triangle;
+    const Triangle_id t = locate_exactly(mesh_, coarse_triangle_[v], mesh_.point(v)).triangle;
     Side split = Side::border();
     for (int k = 0; k < 3; ++k) {
       const Side s(t, k);
       if (mesh_.across(s).is_constrained() && mesh_.orientation(mesh_.source(s), mesh_.target(s), v) == 0)
         split = s;
     }
-    const Vertex_id a = split.is_border() ? -1 : mesh_.source(split);
-    const Vertex_id b = split.is_border() ? -1 : mesh_.target(split);
-    representative_[std::size_t(v)] = Delaunay_inserter<Geometry>(mesh_).insert(v, t);
-    if (a >= 0 && representative(v) == v) split_edge(a, b, v);
+    const Vertex_id a = split.is_border() ? Vertex_id() : mesh_.source(split);
+    const Vertex_id b = split.is_border() ? Vertex_id() : mesh_.target(split);
+    representative_[v] = Delaunay_inserter<Geometry>(mesh_).insert(v, t);
+    if (a.is_valid() && representative(v) == v) split_edge(a, b, v);
   }
 
   void split_edge(Vertex_id a, Vertex_id b, Vertex_id v) {

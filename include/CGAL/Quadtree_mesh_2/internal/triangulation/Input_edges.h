@@ -37,64 +37,66 @@ public:
 
   Input_edges(std::vector<Input_edge> edges, std::size_t number_of_vertices)
       : edges_(std::move(edges)), first_(number_of_vertices + 1, 0), incidences_(2 * edges_.size()) {
-    for (const Input_edge& e : edges_) ++first_[std::size_t(e.a) + 1], ++first_[std::size_t(e.b) + 1];
-    for (std::size_t v = 0; v < number_of_vertices; ++v) first_[v + 1] += first_[v];
-    std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
-    for (std::size_t i = 0; i < edges_.size(); ++i) {
+    for (const Input_edge& e : edges_) ++first_[e.a], ++first_[e.b];
+    std::uint32_t sum = 0;
+    for (std::uint32_t& n : first_) sum += n, n = sum; // where those of a vertex end
+    for (const Edge_id i : edges_.ids()) {
       const Input_edge& e = edges_[i];
-      incidences_[next[std::size_t(e.a)]++] = {e.b, static_cast<Edge_id>(i)};
-      incidences_[next[std::size_t(e.b)]++] = {e.a, static_cast<Edge_id>(i)};
+      incidences_[--first_[e.a]] = {e.b, i};
+      incidences_[--first_[e.b]] = {e.a, i};
     }
-    for (std::size_t v = 0; v < number_of_vertices; ++v) std::sort(begin(Vertex_id(v)), end(Vertex_id(v)));
+    for (Vertex_id v : Id_range<Vertex_id>(std::size_t(0), number_of_vertices)) std::sort(begin(v), end(v));
   }
 
   /// Lets each of these edges belong to the first of the segments that run there.
   void repeat(const std::vector<Input_edge>& repeated) {
     for (const Input_edge& r : repeated) {
-      Input_edge& e = edges_[std::size_t(between(r.a, r.b))];
+      Input_edge& e = edges_[between(r.a, r.b)];
       e.segment = std::min(e.segment, r.segment);
     }
   }
 
+  Id_range<Edge_id> ids() const { return edges_.ids(); }
+  Edge_id end_id() const { return edges_.end_id(); }
   std::size_t size() const { return edges_.size(); }
-  const Input_edge& operator[](Edge_id e) const { return edges_[std::size_t(e)]; }
+  const Input_edge& operator[](Edge_id e) const { return edges_[e]; }
   Vertex_id other_end(Edge_id e, Vertex_id v) const {
     return (*this)[e].a == v ? (*this)[e].b : (*this)[e].a;
   }
 
-  const Incidence* begin(Vertex_id v) const { return incidences_.data() + first_[std::size_t(v)]; }
-  const Incidence* end(Vertex_id v) const { return incidences_.data() + first_[std::size_t(v) + 1]; }
+  const Incidence* begin(Vertex_id v) const { return incidences_.data() + first_[v]; }
+  const Incidence* end(Vertex_id v) const { return incidences_.data() + first_[++v]; }
 
-  /// The edge between two input vertices, -1 if there is none.
+  /// The edge between two input vertices, if there is one.
   Edge_id between(Vertex_id a, Vertex_id b) const {
-    const Incidence* i = std::lower_bound(begin(a), end(a), Incidence{b, 0});
-    return i != end(a) && i->neighbor == b ? i->edge : -1;
+    const Incidence* i = std::lower_bound(begin(a), end(a), Incidence{b, {}});
+    return i != end(a) && i->neighbor == b ? i->edge : Edge_id();
   }
 
-  /// The input edge that carries the constrained mesh edge x-y; -1 if none does (then it is a chord across a
+  /// The input edge that carries the constrained mesh edge x-y; none if it is on none (then it is a chord across a
   /// corner).
   template <class Mesh>
   Edge_id carrying(const Mesh& mesh, Vertex_id x, Vertex_id y) const {
     if (mesh.is_input(x) && mesh.is_input(y)) return between(mesh.input_number(x), mesh.input_number(y));
-    const Edge_id e = mesh.edge(x) >= 0 ? mesh.edge(x) : mesh.edge(y);
-    return is_on(mesh, x, e) && is_on(mesh, y, e) ? e : -1;
+    const Edge_id e = mesh.edge(x).is_valid() ? mesh.edge(x) : mesh.edge(y);
+    return is_on(mesh, x, e) && is_on(mesh, y, e) ? e : Edge_id();
   }
 
   template <class Mesh>
   bool is_on(const Mesh& mesh, Vertex_id v, Edge_id e) const {
-    if (e < 0) return false;
+    if (!e.is_valid()) return false;
     if (!mesh.is_input(v)) return mesh.edge(v) == e;
     const Vertex_id number = mesh.input_number(v);
     return (*this)[e].a == number || (*this)[e].b == number;
   }
 
 private:
-  std::vector<Input_edge> edges_;
-  std::vector<std::uint32_t> first_;
+  Indexed_vector<Edge_id, Input_edge> edges_;
+  Indexed_vector<Vertex_id, std::uint32_t> first_; // and the end of the last one's
   std::vector<Incidence> incidences_;
 
-  Incidence* begin(Vertex_id v) { return incidences_.data() + first_[std::size_t(v)]; }
-  Incidence* end(Vertex_id v) { return incidences_.data() + first_[std::size_t(v) + 1]; }
+  Incidence* begin(Vertex_id v) { return incidences_.data() + first_[v]; }
+  Incidence* end(Vertex_id v) { return incidences_.data() + first_[++v]; }
 };
 
 } // namespace internal

@@ -18,6 +18,8 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_KERNEL_MESH_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_KERNEL_MESH_H
 
+#include <CGAL/Quadtree_mesh_2/Index.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/Indexed_vector.h>
 #include <CGAL/Quadtree_mesh_2/internal/geometry/meshing_geometry.h>
 
 #include <cstddef>
@@ -28,11 +30,11 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-/// Handles inside the kernel; -1 is none.
-using Vertex_id = std::int32_t;
-using Triangle_id = std::int32_t;
-using Edge_id = std::int32_t;
-using Region_id = std::int32_t;
+/// Handles inside the kernel; an invalid one is none.
+using Vertex_id = Index<struct Kernel_vertex_tag>;
+using Triangle_id = Index<struct Kernel_triangle_tag>;
+using Edge_id = Index<struct Kernel_edge_tag>;     ///< of an input edge
+using Region_id = Index<struct Kernel_region_tag>; ///< the position of a region in the input
 
 constexpr int next_slot[3] = {1, 2, 0};
 constexpr int previous_slot[3] = {2, 0, 1};
@@ -42,7 +44,7 @@ class Side {
 public:
   Side() = default;
   Side(Triangle_id t, int slot, bool is_constrained = false)
-      : code_((t << 3) | (slot << 1) | (is_constrained ? 1 : 0)) {}
+      : code_(code(t) | (slot << 1) | (is_constrained ? 1 : 0)) {}
   static Side border() { return Side(); }
 
   /// Where another block goes on. The number is kept by all that links and flips do to the triangle.
@@ -58,12 +60,12 @@ public:
   std::int32_t seam_number() const { return (-3 - code_) / 2; }
   /// The border and seams count as constrained: nothing walks or flips across them.
   bool is_constrained() const { return (code_ & 1) != 0; }
-  Triangle_id triangle() const { return code_ >> 3; }
+  Triangle_id triangle() const { return Triangle_id(code_ >> 3); }
   int slot() const { return (code_ >> 1) & 3; }
   /// The same side of a triangle that has got another handle.
   Side renamed(Triangle_id t) const {
     Side s;
-    s.code_ = (t << 3) | (code_ & 7);
+    s.code_ = code(t) | (code_ & 7);
     return s;
   }
   void constrain() { code_ |= 1; }
@@ -71,12 +73,39 @@ public:
 
 private:
   std::int32_t code_ = -1;
+
+  static std::int32_t code(Triangle_id t) { return static_cast<std::int32_t>(t.value() << 3); }
 };
 
-/// What a vertex is: free to move; on an input edge (then the edge's number); or given (then a number below
-/// `free_vertex` that stands for the input vertex's).
-constexpr Edge_id free_vertex = -1;
-constexpr Edge_id input_vertex(Vertex_id number) { return -2 - number; }
+/// What a vertex is: free to move, on an input edge, or a vertex of the input. One word for all three.
+class Vertex_role {
+public:
+  /// A free vertex.
+  constexpr Vertex_role() = default;
+  /// A vertex on an input edge.
+  constexpr Vertex_role(Edge_id e) : code_(static_cast<std::int32_t>(e.value())) {}
+  static constexpr Vertex_role input(Vertex_id number) {
+    Vertex_role role;
+    role.code_ = -2 - static_cast<std::int32_t>(number.value());
+    return role;
+  }
+
+  constexpr bool is_free() const { return code_ == -1; }
+  constexpr bool is_input() const { return code_ < -1; }
+  /// The edge that the vertex lies on; none if it is free, or of the input.
+  constexpr Edge_id edge() const { return code_ >= 0 ? Edge_id(code_) : Edge_id(); }
+  /// The number of a vertex of the input.
+  constexpr Vertex_id input_number() const { return Vertex_id(-2 - code_); }
+
+  friend constexpr bool operator==(Vertex_role a, Vertex_role b) { return a.code_ == b.code_; }
+  friend constexpr bool operator!=(Vertex_role a, Vertex_role b) { return a.code_ != b.code_; }
+
+private:
+  std::int32_t code_ = -1;
+};
+
+constexpr Vertex_role free_vertex;
+constexpr Vertex_role input_vertex(Vertex_id number) { return Vertex_role::input(number); }
 
 /// Goes around a vertex, triangle by triangle: counterclockwise; from the border on clockwise from where it began.
 template <class Mesh>
@@ -148,29 +177,31 @@ public:
     Side side[3];
   };
 
-  std::vector<Triangle> triangles;
-  std::vector<Point> points;
-  /// Some triangle at the vertex; -1 where there is none (removed, or outside the domain).
-  std::vector<Triangle_id> triangle_of;
-  /// `free_vertex`, the input edge on which the vertex lies, or `input_vertex(number)`.
-  std::vector<Edge_id> edge_of;
+  Indexed_vector<Triangle_id, Triangle> triangles;
+  Indexed_vector<Vertex_id, Point> points;
+  /// Some triangle at the vertex; none where it is removed, or outside the domain.
+  Indexed_vector<Vertex_id, Triangle_id> triangle_of;
+  Indexed_vector<Vertex_id, Vertex_role> role_of;
   /// Whether the star of a vertex has changed since its removal was tried.
-  std::vector<char> is_dirty;
+  Indexed_vector<Vertex_id, char> is_dirty;
 
-  /// The region each triangle lies in, -1 for none; empty where no region has a bound of its own.
-  std::vector<Region_id> region_of;
+  /// The region each triangle lies in, if in any; empty where no region has a bound of its own.
+  Indexed_vector<Triangle_id, Region_id> region_of;
 
-  bool is_alive(Triangle_id t) const { return triangle(t).v[0] >= 0; }
-  Region_id region(Triangle_id t) const { return region_of.empty() ? -1 : region_of[std::size_t(t)]; }
-  const Triangle& triangle(Triangle_id t) const { return triangles[std::size_t(t)]; }
-  Triangle& triangle(Triangle_id t) { return triangles[std::size_t(t)]; }
-  const Point& point(Vertex_id v) const { return points[std::size_t(v)]; }
-  Triangle_id incident_triangle(Vertex_id v) const { return triangle_of[std::size_t(v)]; }
-  Edge_id edge(Vertex_id v) const { return edge_of[std::size_t(v)]; }
-  bool is_input(Vertex_id v) const { return edge(v) < free_vertex; }
+  bool is_alive(Triangle_id t) const { return triangle(t).v[0].is_valid(); }
+  Region_id region(Triangle_id t) const { return region_of.empty() ? Region_id() : region_of[t]; }
+  const Triangle& triangle(Triangle_id t) const { return triangles[t]; }
+  Triangle& triangle(Triangle_id t) { return triangles[t]; }
+  const Point& point(Vertex_id v) const { return points[v]; }
+  Triangle_id incident_triangle(Vertex_id v) const { return triangle_of[v]; }
+  Vertex_role role(Vertex_id v) const { return role_of[v]; }
+  /// The input edge that the vertex lies on, unless it is of the input.
+  Edge_id edge(Vertex_id v) const { return role(v).edge(); }
+  bool is_free(Vertex_id v) const { return role(v).is_free(); }
+  bool is_input(Vertex_id v) const { return role(v).is_input(); }
   /// The number of an input vertex: in the whole mesh its handle, in a block that of the whole mesh.
-  Vertex_id input_number(Vertex_id v) const { return -2 - edge(v); }
-  bool is_used(Vertex_id v) const { return incident_triangle(v) >= 0; }
+  Vertex_id input_number(Vertex_id v) const { return role(v).input_number(); }
+  bool is_used(Vertex_id v) const { return incident_triangle(v).is_valid(); }
   std::size_t number_of_vertices() const { return points.size(); }
 
   Side across(Side s) const { return triangle(s.triangle()).side[s.slot()]; }
@@ -181,19 +212,19 @@ public:
 
   static int slot_of(const Triangle& t, Vertex_id v) { return t.v[0] == v ? 0 : t.v[1] == v ? 1 : 2; }
 
-  Vertex_id add_vertex(Point p, Edge_id edge) {
-    points.push_back(p);
-    edge_of.push_back(edge);
-    triangle_of.push_back(-1);
+  Vertex_id add_vertex(Point p, Vertex_role role) {
+    role_of.push_back(role);
+    triangle_of.push_back({});
     is_dirty.push_back(1);
-    return static_cast<Vertex_id>(points.size()) - 1;
+    points.push_back(p);
+    return points.last_id();
   }
 
   Triangle_id new_triangle() {
     if (free_.empty()) {
+      if (!region_of.empty()) region_of.push_back({});
       triangles.emplace_back();
-      if (!region_of.empty()) region_of.push_back(-1);
-      return static_cast<Triangle_id>(triangles.size()) - 1;
+      return triangles.last_id();
     }
     const Triangle_id t = free_.back();
     free_.pop_back();
@@ -201,32 +232,32 @@ public:
   }
 
   void set_region(Triangle_id t, Region_id region) {
-    if (!region_of.empty()) region_of[std::size_t(t)] = region;
+    if (!region_of.empty()) region_of[t] = region;
   }
 
   /// Makes room for vertices and triangles with handles below these, to be filled in by the caller.
   void resize(std::size_t vertices, std::size_t number_of_slots) {
-    points.resize(vertices), edge_of.resize(vertices, free_vertex), triangle_of.resize(vertices, -1);
+    points.resize(vertices), role_of.resize(vertices), triangle_of.resize(vertices);
     is_dirty.resize(vertices, 1);
     triangles.resize(number_of_slots);
-    if (!region_of.empty()) region_of.resize(number_of_slots, -1);
+    if (!region_of.empty()) region_of.resize(number_of_slots);
   }
 
   /// Empties the mesh, which keeps its memory.
   void clear() {
-    triangles.clear(), points.clear(), triangle_of.clear(), edge_of.clear(), is_dirty.clear();
+    triangles.clear(), points.clear(), triangle_of.clear(), role_of.clear(), is_dirty.clear();
     region_of.clear(), free_.clear(), star_.clear();
   }
 
   /// Room for this many in the end, so that they are copied less often.
   void reserve(std::size_t vertices, std::size_t number_of_slots) {
-    points.reserve(vertices), edge_of.reserve(vertices), triangle_of.reserve(vertices);
+    points.reserve(vertices), role_of.reserve(vertices), triangle_of.reserve(vertices);
     is_dirty.reserve(vertices), triangles.reserve(number_of_slots);
     if (!region_of.empty()) region_of.reserve(number_of_slots);
   }
 
   void kill(Triangle_id t) {
-    triangle(t).v[0] = -1;
+    triangle(t).v[0] = {};
     free_.push_back(t);
   }
 
@@ -289,8 +320,8 @@ public:
     J.v[0] = a, J.v[1] = d, J.v[2] = c;
     link(t, 0, bd), link(t, 2, ab), link(u, 0, dc), link(u, 1, ca);
     I.side[1] = Side(u, 2), J.side[2] = Side(t, 1);
-    triangle_of[std::size_t(a)] = triangle_of[std::size_t(b)] = triangle_of[std::size_t(d)] = t;
-    triangle_of[std::size_t(c)] = u;
+    triangle_of[a] = triangle_of[b] = triangle_of[d] = t;
+    triangle_of[c] = u;
   }
 
   /// Whether the free side k of t has to be flipped: the apex across lies certainly inside t's circle.
@@ -324,13 +355,13 @@ public:
       Triangle& n = triangle(part[k]);
       n.v[0] = v, n.v[1] = old.v[next_slot[k]], n.v[2] = old.v[previous_slot[k]];
       n.side[1] = Side(part[next_slot[k]], 2), n.side[2] = Side(part[previous_slot[k]], 1);
-      triangle_of[std::size_t(n.v[1])] = part[k];
+      triangle_of[n.v[1]] = part[k];
     }
     for (int k = 0; k < 3; ++k) {
       link(part[k], 0, old.side[k]);
       star_.push_back(part[k]);
     }
-    triangle_of[std::size_t(v)] = t;
+    triangle_of[v] = t;
     legalize_star();
   }
 
@@ -348,8 +379,8 @@ public:
     triangle(t).side[2] = Side(t2, 1), triangle(t2).side[1] = Side(t, 2);
     triangle(t).side[1] = triangle(t2).side[2] = Side::border();
     if (!o.is_border()) insert_on_far_side(o, v, t, t2, bit);
-    triangle_of[std::size_t(v)] = triangle_of[std::size_t(a)] = triangle_of[std::size_t(b)] = t;
-    triangle_of[std::size_t(c)] = t2;
+    triangle_of[v] = triangle_of[a] = triangle_of[b] = t;
+    triangle_of[c] = t2;
     star_.push_back(t), star_.push_back(t2);
     legalize_star();
   }
@@ -405,7 +436,7 @@ private:
     triangle(u).side[1] = Side(u2, 2), triangle(u2).side[2] = Side(u, 1);
     triangle(t).side[1] = Side(u, 2, bit), triangle(u).side[2] = Side(t, 1, bit);
     triangle(t2).side[2] = Side(u2, 1, bit), triangle(u2).side[1] = Side(t2, 2, bit);
-    triangle_of[std::size_t(d)] = u;
+    triangle_of[d] = u;
     star_.push_back(u), star_.push_back(u2);
   }
 
@@ -437,8 +468,8 @@ private:
     J.v[0] = a, J.v[1] = d, J.v[2] = c;
     link(t, 0, bd), link(u, 0, dc), link(u, 1, ca);
     I.side[1] = Side(u, 2), J.side[2] = Side(t, 1);
-    triangle_of[std::size_t(a)] = triangle_of[std::size_t(b)] = triangle_of[std::size_t(d)] = t;
-    triangle_of[std::size_t(c)] = u;
+    triangle_of[a] = triangle_of[b] = triangle_of[d] = t;
+    triangle_of[c] = u;
   }
 };
 

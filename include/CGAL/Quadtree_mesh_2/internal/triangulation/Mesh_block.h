@@ -27,22 +27,22 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-using Block_id = std::int32_t;
+using Block_id = Index<struct Block_tag>;
 
 /// Where the triangles and vertices of the whole mesh go.
 struct Block_assignment {
   struct Place {
-    Block_id block = -1; ///< -1: none
-    Triangle_id triangle = -1;
+    Block_id block; ///< or none
+    Triangle_id triangle;
   };
-  std::vector<Place> of_triangle;
+  Indexed_vector<Triangle_id, Place> of_triangle;
   /// The handle of a vertex in the block of the triangle that the whole mesh knows at it. Written and read by that
   /// block alone.
-  std::vector<Vertex_id> of_vertex;
+  Indexed_vector<Vertex_id, Vertex_id> of_vertex;
 
-  const Place& operator[](Triangle_id t) const { return of_triangle[std::size_t(t)]; }
+  const Place& operator[](Triangle_id t) const { return of_triangle[t]; }
   /// Whether a block has made the triangle, one that is written already.
-  bool is_new(Triangle_id t) const { return std::size_t(t) >= of_triangle.size(); }
+  bool is_new(Triangle_id t) const { return !of_triangle.has(t); }
 };
 
 template <class Geometry>
@@ -66,29 +66,29 @@ public:
     reserve();
     mesh.triangles.resize(taken_);
     if (!whole.region_of.empty()) mesh.region_of.resize(taken_);
-    for (std::size_t t = 0; t < taken_; ++t) take(begin[t], static_cast<Triangle_id>(t));
+    for (const Triangle_id* t = begin; t != end; ++t) take(*t, static_cast<Triangle_id>(t - begin));
     settle_foreign_vertices();
     mark_shared_vertices();
   }
 
   Block_id id() const { return id_; }
 
-  /// The handle in the block of a vertex of the whole mesh, -1 if it is not in the block. Only until the block is
+  /// The handle in the block of a vertex of the whole mesh, none if it is not in the block. Only until the block is
   /// written.
   Vertex_id vertex_in_block(Vertex_id whole_vertex) const {
     const Triangle_id t = whole_->incident_triangle(whole_vertex);
-    if (t < 0 || assignment_->is_new(t)) return -1;
-    if ((*assignment_)[t].block == id_) return assignment_->of_vertex[std::size_t(whole_vertex)];
+    if (!t.is_valid() || assignment_->is_new(t)) return {};
+    if ((*assignment_)[t].block == id_) return assignment_->of_vertex[whole_vertex];
     const auto i = std::lower_bound(foreign_.begin(), foreign_.end(), whole_vertex,
                                     [](const Foreign& f, Vertex_id v) { return f.whole < v; });
-    return i != foreign_.end() && i->whole == whole_vertex ? i->here : -1;
+    return i != foreign_.end() && i->whole == whole_vertex ? i->here : Vertex_id();
   }
 
   /// Adds a vertex that the whole mesh has, but no triangle of it. \pre no new vertex has been added
   Vertex_id add_known_vertex(Vertex_id whole_vertex) {
     whole_vertex_.push_back(whole_vertex);
-    const Vertex_id v = mesh.add_vertex(whole_->point(whole_vertex), whole_->edge(whole_vertex));
-    mesh.is_dirty.back() = whole_->is_dirty[std::size_t(whole_vertex)];
+    const Vertex_id v = mesh.add_vertex(whole_->point(whole_vertex), whole_->role(whole_vertex));
+    mesh.is_dirty.back() = whole_->is_dirty[whole_vertex];
     return v;
   }
 
@@ -107,8 +107,8 @@ public:
     whole_vertex_.resize(mesh.number_of_vertices());
     std::iota(whole_vertex_.begin() + known, whole_vertex_.end(), first_vertex);
   }
-  Triangle_id whole_triangle(Triangle_id t) const { return whole_triangle_[std::size_t(t)]; }
-  Vertex_id whole_vertex(Vertex_id v) const { return whole_vertex_[std::size_t(v)]; }
+  Triangle_id whole_triangle(Triangle_id t) const { return whole_triangle_[t]; }
+  Vertex_id whole_vertex(Vertex_id v) const { return whole_vertex_[v]; }
 
   /// Writes what only this block has. \pre new things are named, and the whole mesh has room.
   void write(Mesh& whole) {
@@ -116,13 +116,13 @@ public:
     fans_.reserve(shared_.size());
     for (const Vertex_id v : shared_)
       fans_.push_back({whole_vertex(v), whole_triangle(mesh.incident_triangle(v))});
-    for (Vertex_id v = 0; std::size_t(v) < mesh.number_of_vertices(); ++v) {
+    for (const Vertex_id v : mesh.points.ids()) {
       if (is_shared(v)) continue;
-      const auto w = std::size_t(whole_vertex(v));
+      const Vertex_id w = whole_vertex(v);
       whole.points[w] = mesh.point(v);
-      whole.edge_of[w] = mesh.edge(v);
-      whole.is_dirty[w] = mesh.is_dirty[std::size_t(v)];
-      whole.triangle_of[w] = mesh.is_used(v) ? whole_triangle(mesh.incident_triangle(v)) : -1;
+      whole.role_of[w] = mesh.role(v);
+      whole.is_dirty[w] = mesh.is_dirty[v];
+      whole.triangle_of[w] = mesh.is_used(v) ? whole_triangle(mesh.incident_triangle(v)) : Triangle_id();
     }
   }
 
@@ -136,7 +136,7 @@ public:
 
   /// Writes what other blocks may write too; for one block after the other.
   void write_shared(Mesh& whole) const {
-    for (const Fan& f : fans_) whole.triangle_of[std::size_t(f.vertex)] = f.triangle;
+    for (const Fan& f : fans_) whole.triangle_of[f.vertex] = f.triangle;
     for (const Triangle_id t : dead_) whole.kill(t);
   }
 
@@ -162,24 +162,22 @@ private:
   const Triangle_id* begin_; // the triangles taken out
   std::size_t taken_;
   // handles in the whole mesh; of vertices that are not new, until new ones are named
-  std::vector<Triangle_id> whole_triangle_;
-  std::vector<Vertex_id> whole_vertex_;
+  Indexed_vector<Triangle_id, Triangle_id> whole_triangle_;
+  Indexed_vector<Vertex_id, Vertex_id> whole_vertex_;
   std::vector<Seam> seams_;
-  std::vector<Foreign> foreign_; // by handle in the whole mesh
-  std::vector<char> is_shared_;  // of the vertices taken out: other blocks may have them too
+  std::vector<Foreign> foreign_;              // by handle in the whole mesh
+  Indexed_vector<Vertex_id, char> is_shared_; // of the vertices taken out: other blocks may have them too
   std::vector<Vertex_id> shared_;
   std::vector<Fan> fans_; // of the shared ones
   std::vector<Triangle_id> dead_;
 
-  bool is_shared(Vertex_id v) const {
-    return std::size_t(v) < is_shared_.size() && is_shared_[std::size_t(v)] != 0;
-  }
+  bool is_shared(Vertex_id v) const { return is_shared_.has(v) && is_shared_[v] != 0; }
 
   void reserve() {
     constexpr std::size_t growth = 3; // more is seldom needed
     mesh.triangles.reserve(growth * taken_);
     const std::size_t vertices = growth * taken_ / 2;
-    mesh.points.reserve(vertices), mesh.edge_of.reserve(vertices);
+    mesh.points.reserve(vertices), mesh.role_of.reserve(vertices);
     mesh.triangle_of.reserve(vertices), mesh.is_dirty.reserve(vertices);
     whole_vertex_.reserve(vertices);
   }
@@ -207,13 +205,13 @@ private:
 
   Vertex_id take_vertex(Vertex_id whole_vertex, Triangle_id here, int slot) {
     if ((*assignment_)[whole_->incident_triangle(whole_vertex)].block != id_) {
-      foreign_.push_back({whole_vertex, -1, here, slot});
-      return -1;
+      foreign_.push_back({whole_vertex, {}, here, slot});
+      return {};
     }
-    Vertex_id& v = assignment_->of_vertex[std::size_t(whole_vertex)];
-    if (v < 0) {
+    Vertex_id& v = assignment_->of_vertex[whole_vertex];
+    if (!v.is_valid()) {
       v = add_known_vertex(whole_vertex);
-      mesh.triangle_of[std::size_t(v)] = here;
+      mesh.triangle_of[v] = here;
     }
     return v;
   }
@@ -227,7 +225,7 @@ private:
         f.here = foreign_[i - 1].here;
       } else {
         f.here = add_known_vertex(f.whole);
-        mesh.triangle_of[std::size_t(f.here)] = f.triangle;
+        mesh.triangle_of[f.here] = f.triangle;
       }
       mesh.triangle(f.triangle).v[f.slot] = f.here;
     }
@@ -241,14 +239,14 @@ private:
         if (!t.side[k].is_border()) continue;
         for (const Vertex_id v : {t.v[next_slot[k]], t.v[previous_slot[k]]}) {
           if (is_shared(v) || !(t.side[k].is_seam() || mesh.is_input(v))) continue;
-          is_shared_[std::size_t(v)] = 1;
+          is_shared_[v] = 1;
           shared_.push_back(v);
         }
       }
   }
 
   void write_triangles(Mesh& whole) {
-    for (Triangle_id t = 0; std::size_t(t) < mesh.triangles.size(); ++t) {
+    for (const Triangle_id t : mesh.triangles.ids()) {
       const Triangle_id w = whole_triangle(t);
       if (!mesh.is_alive(t)) {
         dead_.push_back(w);
@@ -261,7 +259,7 @@ private:
         to.v[k] = whole_vertex(from.v[k]);
         const Side o = from.side[k];
         to.side[k] = o.is_border() ? Side::border() : o.renamed(whole_triangle(o.triangle()));
-        if (o.is_seam()) seams_[std::size_t(o.seam_number())].now = Side(w, k);
+        if (o.is_seam()) seams_[o.seam_number()].now = Side(w, k);
       }
     }
   }

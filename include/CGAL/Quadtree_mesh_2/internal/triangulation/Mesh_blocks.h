@@ -57,20 +57,19 @@ struct Block_cut {
 template <class ConcurrencyTag, class Geometry>
 Block_cut cut_by_position(const Kernel_mesh<Geometry>& mesh, std::vector<Triangle_id> triangles,
                           std::size_t block_size, Square_shift shift) {
-  const Place_keys<Geometry> key(mesh.points, shift);
+  const Place_keys<Geometry> key(mesh.points.values(), shift);
   std::vector<std::uint64_t> words(triangles.size()); // key, triangle
   for_each_index<ConcurrencyTag>(words.size(), [&](std::size_t i) {
     const auto& r = mesh.triangle(triangles[i]);
     const int k = mesh.shape(r).slot_of_shortest();
     const auto &a = mesh.point(r.v[next_slot[k]]), &b = mesh.point(r.v[previous_slot[k]]);
     const auto middle = Geometry::translate(a, 0.5 * Geometry::difference(b, a));
-    words[i] = key(middle) << 32 | static_cast<std::uint32_t>(triangles[i]);
+    words[i] = key(middle) << 32 | triangles[i].value();
   });
   const auto buffer = uncleared_words(words.size());
   sort_words<ConcurrencyTag>(words.data(), buffer.get(), words.size(), true);
-  for_each_index<ConcurrencyTag>(words.size(), [&](std::size_t i) {
-    triangles[i] = static_cast<Triangle_id>(static_cast<std::uint32_t>(words[i]));
-  });
+  for_each_index<ConcurrencyTag>(
+      words.size(), [&](std::size_t i) { triangles[i] = Triangle_id(static_cast<std::uint32_t>(words[i])); });
 
   Block_cut cut;
   const std::size_t n = triangles.size(), blocks = std::max<std::size_t>(1, n / block_size);
@@ -86,7 +85,6 @@ Block_cut cut_by_position(const Kernel_mesh<Geometry>& mesh, std::vector<Triangl
 template <class ConcurrencyTag, class Geometry, class Edge_start>
 Block_cut cut_by_input_order(const Kernel_mesh<Geometry>& mesh, std::size_t number_of_input_vertices,
                              std::size_t block_size, const Edge_start& edge_start) {
-  const std::size_t slots = mesh.triangles.size();
   const std::size_t blocks = std::max<std::size_t>(1, mesh.number_of_triangles() / block_size);
   const auto number = [&](Vertex_id v) {
     return mesh.is_input(v) ? mesh.input_number(v) : edge_start(mesh.edge(v));
@@ -97,21 +95,20 @@ Block_cut cut_by_input_order(const Kernel_mesh<Geometry>& mesh, std::size_t numb
     const Vertex_id middle = std::max(std::min(a, b), std::min(std::max(a, b), c));
     return std::size_t(middle) * blocks / number_of_input_vertices;
   };
-  std::vector<std::uint16_t> block(slots);
-  for_each_index<ConcurrencyTag>(slots, [&](std::size_t t) {
-    if (mesh.is_alive(static_cast<Triangle_id>(t)))
-      block[t] = static_cast<std::uint16_t>(block_of(static_cast<Triangle_id>(t)));
+  Indexed_vector<Triangle_id, std::uint16_t> block(mesh.triangles.size());
+  for_each_index<ConcurrencyTag>(block.size(), [&](std::size_t i) {
+    const Triangle_id t = static_cast<Triangle_id>(i);
+    if (mesh.is_alive(t)) block[t] = static_cast<std::uint16_t>(block_of(t));
   });
   Block_cut cut;
   cut.first.assign(blocks + 1, 0);
-  for (std::size_t t = 0; t < slots; ++t)
-    if (mesh.is_alive(static_cast<Triangle_id>(t))) ++cut.first[block[t]];
+  for (const Triangle_id t : block.ids())
+    if (mesh.is_alive(t)) ++cut.first[block[t]];
   scan_exclusively(cut.first.data(), cut.first.size(), std::size_t(0));
   cut.triangles.resize(cut.first.back());
   std::vector<std::size_t> next(cut.first.begin(), cut.first.end() - 1);
-  for (std::size_t t = 0; t < slots; ++t)
-    if (mesh.is_alive(static_cast<Triangle_id>(t)))
-      cut.triangles[next[block[t]]++] = static_cast<Triangle_id>(t);
+  for (const Triangle_id t : block.ids())
+    if (mesh.is_alive(t)) cut.triangles[next[block[t]]++] = t;
   return cut;
 }
 
@@ -129,7 +126,7 @@ public:
   }
 
   std::size_t size() const { return blocks_.size(); }
-  /// The block in which a triangle of the whole mesh is, -1 for none.
+  /// The block in which a triangle of the whole mesh is, if it is in one.
   Block_id block_of(Triangle_id t) const { return assignment_[t].block; }
   /// The handle that a triangle has in its block, when that is taken out.
   Triangle_id place_of(Triangle_id t) const { return assignment_[t].triangle; }
@@ -173,12 +170,12 @@ private:
   std::vector<Side> seam_sides_;
 
   void assign_triangles() {
-    assignment_.of_vertex.resize(whole_.number_of_vertices(), -1);
+    assignment_.of_vertex.resize(whole_.number_of_vertices());
     assignment_.of_triangle.resize(whole_.triangles.size());
     Executor<ConcurrencyTag>::run(cut_.number_of_blocks(), [&](std::size_t b) {
       for (std::size_t i = cut_.first[b]; i < cut_.first[b + 1]; ++i)
-        assignment_.of_triangle[std::size_t(cut_.triangles[i])] = {
-            static_cast<Block_id>(b), static_cast<Triangle_id>(i - cut_.first[b])};
+        assignment_.of_triangle[cut_.triangles[i]] = {static_cast<Block_id>(b),
+                                                      static_cast<Triangle_id>(i - cut_.first[b])};
     });
   }
 
@@ -224,7 +221,7 @@ private:
     std::vector<Half> halves;
     for (const auto& block : blocks_)
       for (const auto& s : block->seams()) halves.push_back({s.here, s.beyond, s.now});
-    const auto word = [](Side s) { return 4 * std::int64_t(s.triangle()) + s.slot(); };
+    const auto word = [](Side s) { return 4 * std::int64_t(s.triangle().value()) + s.slot(); };
     const auto lower = [&](const Half& h) { return std::min(word(h.here), word(h.beyond)); };
     std::sort(halves.begin(), halves.end(), [&](const Half& g, const Half& h) {
       return lower(g) != lower(h) ? lower(g) < lower(h) : word(g.here) < word(h.here);

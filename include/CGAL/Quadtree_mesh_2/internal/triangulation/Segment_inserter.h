@@ -14,6 +14,7 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_SEGMENT_INSERTER_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_SEGMENT_INSERTER_H
 
+#include <CGAL/Quadtree_mesh_2/Index.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Kernel_mesh.h>
 
 #include <array>
@@ -30,12 +31,12 @@ namespace internal {
 /// A piece of an input segment between two input vertices, by their numbers, with none in between.
 struct Input_edge {
   Vertex_id a, b;
-  std::int32_t segment;
+  Segment_index segment;
 };
 
 /// Two segments that cross; what the first triangulation cannot make.
 struct Crossing {
-  std::int32_t segment;
+  Segment_index segment;
   Vertex_id a, b; ///< input numbers of the ends of the constrained edge that is crossed
 };
 
@@ -63,7 +64,7 @@ public:
   /// first where the way on is found earlier: the fan of the other may be that of a hub.
   /// \returns what is left because seams are in the way
   /// \throws Crossing if a constrained edge is in the way.
-  Rest insert(Vertex_id a, Vertex_id b, std::int32_t segment) {
+  Rest insert(Vertex_id a, Vertex_id b, Segment_index segment) {
     Rest rest{a, b};
     while (!rest.is_empty())
       if (!shorten(rest, segment)) break;
@@ -77,7 +78,7 @@ private:
   /// How a segment leaves its first vertex.
   struct Exit {
     Side along = Side::border(); ///< an edge on the segment, ending at `vertex`
-    Vertex_id vertex = -1;
+    Vertex_id vertex;
     Side crossed = Side::border(); ///< else the first edge it crosses
   };
 
@@ -107,7 +108,7 @@ private:
       return true;
     }
     if (op <= 0 || mesh_.orientation(a, q, b) >= 0) return false;
-    exit = {Side::border(), -1, Side(t, i)};
+    exit = {Side::border(), {}, Side(t, i)};
     return true;
   }
 
@@ -132,7 +133,7 @@ private:
 
   /// Makes a piece, at either end of what is left of a segment, up to the first vertex on it. \returns false if seams
   /// are in the way
-  bool shorten(Rest& rest, std::int32_t segment) {
+  bool shorten(Rest& rest, Segment_index segment) {
     const auto [from, to] = rest;
     const Side edge = mesh_.find_side(from, to); // no orientation is asked: most segments of maps are edges
     if (!edge.is_border()) {
@@ -145,31 +146,32 @@ private:
     const bool is_from_first_end = way->is_from_first_end;
     const Vertex_id end = is_from_first_end ? make_piece(from, to, way->exit, segment)
                                             : make_piece(to, from, way->exit, segment);
-    if (end < 0) return false;
+    if (!end.is_valid()) return false;
     if (end != (is_from_first_end ? to : from)) ++result_.vertices_on_segments;
     (is_from_first_end ? rest.from : rest.to) = end;
     return true;
   }
 
-  /// Makes the piece of the segment a-b that begins at a. \returns the vertex at which it ends, -1 if a seam is in the
-  /// way
-  Vertex_id make_piece(Vertex_id a, Vertex_id b, const Exit& exit, std::int32_t segment) {
-    if (exit.vertex >= 0) return constrain(exit.along, a, exit.vertex, segment) ? exit.vertex : -1;
+  /// Makes the piece of the segment a-b that begins at a.
+  /// \returns the vertex at which it ends, none if a seam is in the way
+  Vertex_id make_piece(Vertex_id a, Vertex_id b, const Exit& exit, Segment_index segment) {
+    if (exit.vertex.is_valid())
+      return constrain(exit.along, a, exit.vertex, segment) ? exit.vertex : Vertex_id();
     const Vertex_id end = collect_crossed(a, b, exit.crossed, segment);
-    if (end < 0) return -1;
+    if (!end.is_valid()) return {};
     const bool is_free = flip_crossed(a, end);
     const Side side = is_free ? mesh_.find_side(a, end) : Side::border();
     const bool is_made = !side.is_border() && constrain(side, a, end, segment);
     make_Delaunay();
-    return is_made ? end : -1;
+    return is_made ? end : Vertex_id();
   }
 
-  Input_edge named(Vertex_id a, Vertex_id b, std::int32_t segment) const {
+  Input_edge named(Vertex_id a, Vertex_id b, Segment_index segment) const {
     return {mesh_.input_number(a), mesh_.input_number(b), segment};
   }
 
   /// \returns false at a seam, which keeps no constraint made now.
-  bool constrain(Side s, Vertex_id a, Vertex_id b, std::int32_t segment) {
+  bool constrain(Side s, Vertex_id a, Vertex_id b, Segment_index segment) {
     const Side o = mesh_.across(s);
     if (o.is_seam()) return false;
     if (o.is_constrained()) {
@@ -181,13 +183,13 @@ private:
     return true;
   }
 
-  /// Lists the edges between a and the first vertex on the segment a-b; returns that vertex, -1 at a seam.
-  Vertex_id collect_crossed(Vertex_id a, Vertex_id b, Side s, std::int32_t segment) {
+  /// Lists the edges between a and the first vertex on the segment a-b; returns that vertex, none at a seam.
+  Vertex_id collect_crossed(Vertex_id a, Vertex_id b, Side s, Segment_index segment) {
     crossed_.clear();
     for (;;) {
       const Vertex_id p = mesh_.source(s), q = mesh_.target(s); // p to the right of a-b, q to the left
       const Side o = mesh_.across(s);
-      if (o.is_seam()) return -1;
+      if (o.is_seam()) return {};
       if (o.is_constrained()) throw Crossing{segment, mesh_.input_number(p), mesh_.input_number(q)};
       crossed_.push_back({p, q});
       const Vertex_id d = mesh_.opposite(o);

@@ -33,8 +33,9 @@ struct Star {
   bool collect(const Kernel_mesh<Geometry>& mesh, Vertex_id v, int most = max_size) {
     using Mesh = Kernel_mesh<Geometry>;
     size = 0;
-    const Triangle_id first = mesh.edge(v) >= 0 ? clockwise_most(mesh, v, most) : mesh.incident_triangle(v);
-    if (first < 0) return false;
+    const Triangle_id first =
+        mesh.edge(v).is_valid() ? clockwise_most(mesh, v, most) : mesh.incident_triangle(v);
+    if (!first.is_valid()) return false;
     int i = Mesh::slot_of(mesh.triangle(first), v);
     for (Triangle_id t = first;;) {
       if (size == most) return false;
@@ -52,7 +53,7 @@ struct Star {
   }
 
 private:
-  /// -1 if there are more than `most` triangles, which are then the size, or a seam.
+  /// None if there are more than `most` triangles, which are then the size, or a seam.
   template <class Geometry>
   Triangle_id clockwise_most(const Kernel_mesh<Geometry>& mesh, Vertex_id v, int most) {
     const Triangle_id start = mesh.incident_triangle(v);
@@ -60,12 +61,12 @@ private:
     for (int passed = 0; passed < most; ++passed) {
       const auto& r = mesh.triangle(t);
       const Side o = r.side[previous_slot[Kernel_mesh<Geometry>::slot_of(r, v)]];
-      if (o.is_border()) return o.is_seam() ? -1 : t;
+      if (o.is_border()) return o.is_seam() ? Triangle_id() : t;
       t = o.triangle();
       if (t == start) return t;
     }
     size = most;
-    return -1;
+    return {};
   }
 };
 

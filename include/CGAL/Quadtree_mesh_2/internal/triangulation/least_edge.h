@@ -32,7 +32,7 @@ bool has_room(const Kernel_mesh<Geometry>& mesh, std::initializer_list<Triangle_
   if (least <= 0) return true;
   std::vector<Triangle_id> cavity;
   for (const Triangle_id t : holders)
-    if (t >= 0) cavity.push_back(t);
+    if (t.is_valid()) cavity.push_back(t);
   for (std::size_t i = 0; i < cavity.size(); ++i) {
     const auto& r = mesh.triangle(cavity[i]);
     for (int k = 0; k < 3; ++k) {

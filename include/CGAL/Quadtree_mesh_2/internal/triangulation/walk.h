@@ -34,7 +34,7 @@ struct Walk_end {
 /// Walks across every side but the border; each step is decided exactly.
 template <class Geometry>
 Walk_end locate_exactly(const Kernel_mesh<Geometry>& mesh, Triangle_id t, const typename Geometry::Point& q) {
-  Triangle_id from = -1;
+  Triangle_id from;
   for (unsigned step = 0;; ++step) {
     const auto& r = mesh.triangle(t);
     int exit = -1;
@@ -58,7 +58,7 @@ Walk_end locate_exactly(const Kernel_mesh<Geometry>& mesh, Triangle_id t, const 
 template <class Geometry>
 Walk_end walk_in_sight(const Kernel_mesh<Geometry>& mesh, Triangle_id t, const typename Geometry::Point& q,
                        std::size_t most_steps) {
-  Triangle_id from = -1;
+  Triangle_id from;
   for (std::size_t step = 0; step < most_steps; ++step) {
     const auto& r = mesh.triangle(t);
     int exit = -1;
