@@ -41,7 +41,7 @@ install_packages "${build_packages[@]}" python3
 # A peer of the quadtrees, which they do without.
 (install_packages libp4est-dev libopenmpi-dev) || say "no p4est: the quadtrees are not compared with it"
 for program in pslg points separation quadtree neighbors; do
-  configure_and_build "$root/build" "$program" -DCMAKE_BUILD_TYPE=Release -DQUADTREE_MESH_2_QUICK_BENCHMARK=OFF
+  configure_and_build "$root/build" "$program" -DCMAKE_BUILD_TYPE=Release -DQUADTREE_MESH_2_QUICK_PROGRAMS=OFF
 done
 
 figures=$root/build/figures

@@ -36,7 +36,7 @@ done
 
 install_packages "${build_packages[@]}" gmt-gshhg-full python3-netcdf4
 for program in world pslg quality_mesh; do
-  configure_and_build "$root/build" "$program" -DCMAKE_BUILD_TYPE=Release -DQUADTREE_MESH_2_QUICK_BENCHMARK=OFF
+  configure_and_build "$root/build" "$program" -DCMAKE_BUILD_TYPE=Release -DQUADTREE_MESH_2_QUICK_PROGRAMS=OFF
 done
 figures=$folder/figures
 mkdir -p "$figures"

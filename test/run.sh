@@ -46,7 +46,7 @@ install_packages "${packages[@]}"
 
 folder=$root/build
 arguments=(-DCMAKE_BUILD_TYPE=Release -DQUADTREE_MESH_2_WARNINGS_AS_ERRORS="$strict"
-  -DQUADTREE_MESH_2_QUICK_BENCHMARK=ON -DQUADTREE_MESH_2_REQUIRE_READ_BACK=ON)
+  -DQUADTREE_MESH_2_QUICK_PROGRAMS=ON -DQUADTREE_MESH_2_REQUIRE_READ_BACK=ON)
 compiler_argument=()
 if [[ -n $compiler ]]; then
   folder+=-$(basename "$compiler")

@@ -6,6 +6,7 @@
 
 #include "catch.h"
 #include "mesher_test_tools.h"
+#include "meshers_in_words32.h"
 #include "pslg_test_tools.h"
 #include "random_pslg.h"
 

@@ -136,7 +136,7 @@ internal::Order order_by_definition(const std::vector<Grid_point_2<Word>>& point
 template <class ConcurrencyTag>
 void sort_words(std::vector<std::uint64_t>& words) {
   std::vector<std::uint64_t> buffer(words.size());
-  internal::Word_sorter<ConcurrencyTag>::sort(words.data(), buffer.data(), words.size(), true);
+  internal::sort_words<ConcurrencyTag>(words.data(), buffer.data(), words.size(), true);
 }
 
 template <class Key>

@@ -5,6 +5,7 @@
 // Author(s)     : The Quadtree_mesh_2 authors
 
 #include "catch.h"
+#include "meshers_in_words32.h"
 #include "point_mesh_checks.h"
 #include "point_sets.h"
 

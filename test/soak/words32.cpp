@@ -6,9 +6,8 @@
 
 #include "words32.h"
 
-#include <CGAL/Fixed_point_quadtree_traits_2.h>
-#include <CGAL/Point_set_mesher_2.h>
-#include <CGAL/Quality_mesher_2.h>
+#include "meshers_in_words32.h"
+
 #include <CGAL/tags.h>
 
 #include <cstdint>

@@ -7,6 +7,7 @@
 // Meshes of which size bounds make the most: their bulk is made of a quadtree's squares.
 
 #include "catch.h"
+#include "meshers_in_words32.h"
 #include "pslg_test_tools.h"
 #include "random_pslg.h"
 

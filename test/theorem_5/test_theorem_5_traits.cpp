@@ -7,6 +7,7 @@
 // Meshes by quadtrees over words and over exact coordinates.
 
 #include "catch.h"
+#include "meshers_in_words32.h"
 #include "theorem_5_tools.h"
 
 #include <CGAL/Exact_quadtree_traits_2.h>

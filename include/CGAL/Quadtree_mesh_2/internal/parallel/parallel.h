@@ -21,6 +21,7 @@
 #define CGAL_QUADTREE_MESH_2_INTERNAL_PARALLEL_PARALLEL_H
 
 #include <CGAL/tags.h>
+#include <boost/config.hpp> // BOOST_NOINLINE
 
 #ifdef CGAL_LINKED_WITH_TBB
 #ifdef __SANITIZE_THREAD__
@@ -88,20 +89,24 @@ struct Executor {
   }
 };
 
-/// A task by its address and the function that calls it. TBB's loop is instantiated for this one type instead of
-/// for every loop's body, which is more than half of what the compiler would have to do.
-class Erased_task {
+/// A loop's body by its address and the function that calls it. What runs loops is instantiated for this one type
+/// instead of for every body, which is more than half of what the compiler would have to do.
+/// \tparam Argument of the body, some unsigned numbers
+template <class... Argument>
+class Erased_body {
 public:
   template <class F>
-  explicit Erased_task(const F& f)
-      : task_(&f), call_([](const void* task, std::size_t i) { (*static_cast<const F*>(task))(i); }) {}
+  explicit Erased_body(const F& f)
+      : body_(&f),
+        call_([](const void* body, Argument... argument) { (*static_cast<const F*>(body))(argument...); }) {}
 
-  void operator()(std::size_t i) const { call_(task_, i); }
+  void operator()(Argument... argument) const { call_(body_, argument...); }
 
 private:
-  const void* task_;
-  void (*call_)(const void*, std::size_t);
+  const void* body_;
+  void (*call_)(const void*, Argument...);
 };
+using Erased_task = Erased_body<std::size_t>;
 
 template <>
 struct Executor<Chosen_tag> {
@@ -111,7 +116,8 @@ struct Executor<Chosen_tag> {
   }
 
 private:
-  static void run_erased(std::size_t n, const Erased_task& task) {
+  // Inlined, it would bring a second copy of every body along: the one that is called where there is one thread.
+  BOOST_NOINLINE static void run_erased(std::size_t n, const Erased_task& task) {
 #ifdef CGAL_LINKED_WITH_TBB
     if (n > 1 && Concurrency_scope::is_parallel()) return run_in_parallel(n, task);
 #endif
@@ -145,16 +151,24 @@ struct Executor<Parallel_tag> {
 /// The length of blocks where the work for each index is a few nanoseconds.
 constexpr std::size_t default_block = 8192;
 
+/// The consecutive blocks of `[0, n)` as tasks of a loop.
+struct Block_task {
+  std::size_t n, block_length;
+  Erased_body<std::size_t, std::size_t, std::size_t> body;
+
+  void operator()(std::size_t block) const {
+    const std::size_t begin = block * block_length;
+    body(block, begin, std::min(n, begin + block_length));
+  }
+};
+
 /// Calls `f(block, begin, end)` for the consecutive blocks of `[0, n)`, all but the last of length
 /// `block_length`.
 template <class ConcurrencyTag, class F>
 void for_each_block(std::size_t n, std::size_t block_length, const F& f) {
   const std::size_t blocks = (n + block_length - 1) / block_length;
   if (blocks == 0) return;
-  Executor<ConcurrencyTag>::run(blocks, [&](std::size_t b) {
-    const std::size_t begin = b * block_length;
-    f(b, begin, std::min(n, begin + block_length));
-  });
+  Executor<ConcurrencyTag>::run(blocks, Block_task{n, block_length, decltype(Block_task::body)(f)});
 }
 
 /// Calls `f(i)` for all i below `n`.

@@ -93,11 +93,10 @@ private:
   std::unique_ptr<std::uint32_t[]> counts_;
 };
 
-/// Sorts words in parallel.
+/// Sorts words: see `sort_words()`.
 template <class ConcurrencyTag>
 class Word_sorter {
 public:
-  /// Sorts the `n` words from `from` on to `from` if `in_place`, otherwise to `to`. Both ranges are written to.
   static void sort(std::uint64_t* from, std::uint64_t* to, std::size_t n, bool in_place) {
     if (n <= longest_short_range)
       sort_short(from, to, n, in_place);
@@ -241,6 +240,13 @@ private:
         sort_long(to + begin_of_run[r], from + begin_of_run[r], length(r), !in_place);
   }
 };
+
+/// Sorts words in parallel, from `from` on to `from` if `in_place`, otherwise to `to`. Both ranges are written to.
+template <class ConcurrencyTag>
+void sort_words(std::uint64_t* from, std::uint64_t* to, std::size_t n, bool in_place) {
+  const Concurrency_scope scope{ConcurrencyTag()};
+  Word_sorter<Inner_tag<ConcurrencyTag>>::sort(from, to, n, in_place);
+}
 
 } // namespace internal
 } // namespace Quadtree_mesh_2

@@ -132,7 +132,7 @@ public:
                           [&](Leaf_index l) { keys[place++] = Key(l.value()) << 32 | Key(s); });
         },
         block_of_segments);
-    Word_sorter<ConcurrencyTag>::sort(keys.data(), uncleared_words(keys.size()).get(), keys.size(), true);
+    sort_words<ConcurrencyTag>(keys.data(), uncleared_words(keys.size()).get(), keys.size(), true);
     return Leaf_segments(ConcurrencyTag(), keys, tree.number_of_leaves());
   }
 

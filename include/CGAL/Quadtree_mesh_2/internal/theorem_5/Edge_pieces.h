@@ -119,7 +119,7 @@ public:
           }
         },
         block_of_segments_);
-    Word_sorter<ConcurrencyTag>::sort(keys.get(), buffer.get(), pieces.size(), true);
+    sort_words<ConcurrencyTag>(keys.get(), buffer.get(), pieces.size(), true);
     Leaf_pieces result;
     result.pieces_.resize(pieces.size());
     for_each_index<ConcurrencyTag>(pieces.size(), [&](std::size_t i) {

@@ -270,7 +270,7 @@ private:
 
   Edge_pieces sorted_pieces() {
     const std::size_t k = pieces_.size();
-    Word_sorter<ConcurrencyTag>::sort(pieces_.data(), uncleared_words(k).get(), k, true);
+    sort_words<ConcurrencyTag>(pieces_.data(), uncleared_words(k).get(), k, true);
     std::vector<Leaf_index> leaves(k);
     for_each_index<ConcurrencyTag>(k, [&](std::size_t i) {
       leaves[i] = orders_.leaf(paths_[pieces_[i] >> 32], static_cast<std::uint32_t>(pieces_[i]));

@@ -67,7 +67,7 @@ Block_cut cut_by_position(const Kernel_mesh<Geometry>& mesh, std::vector<Triangl
     words[i] = key(middle) << 32 | triangles[i].value();
   });
   const auto buffer = uncleared_words(words.size());
-  Word_sorter<ConcurrencyTag>::sort(words.data(), buffer.get(), words.size(), true);
+  sort_words<ConcurrencyTag>(words.data(), buffer.get(), words.size(), true);
   for_each_index<ConcurrencyTag>(
       words.size(), [&](std::size_t i) { triangles[i] = Triangle_id(static_cast<std::uint32_t>(words[i])); });
 
