@@ -26,10 +26,10 @@ namespace {
 using CGAL::Quadtree_mesh_2::internal::Triangle_id;
 using CGAL::Quadtree_mesh_2::internal::Worklist;
 
-/// A level has squared sines that differ by less than a factor of 1.5, down to 2^-127 of the bound's.
+/// A level has squared sines that differ by less than a factor of 1.5, down to 2^-126 of the bound's.
 bool is_sharpest(double share, const std::map<Triangle_id, double>& others) {
   return std::all_of(others.begin(), others.end(), [share](const auto& other) {
-    constexpr double factor_of_level = 1.5, least = 0x1p-127;
+    constexpr double factor_of_level = 1.5, least = 0x1p-126;
     return share <= std::max(factor_of_level * other.second, least) || (share >= 1 && other.second >= 1);
   });
 }

@@ -83,7 +83,7 @@ private:
     std::uint32_t bits;
     std::memcpy(&bits, &x, sizeof bits);
     const auto steps = static_cast<int>((bits_of_1 - bits) >> bits_left_out);
-    return number_of_levels_ - 1 - std::min(steps, number_of_levels_ - 1);
+    return number_of_levels_ - 2 - std::min(steps, number_of_levels_ - 2);
   }
 };
 
