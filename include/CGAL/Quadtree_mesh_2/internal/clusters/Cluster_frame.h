@@ -126,7 +126,7 @@ public:
   Point octagon_vertex(int k) const { return collar_vertex(k); }
   /// A vertex of `collar()`; exactly. Those of the window are points at places, too.
   Point collar_vertex(int k) const {
-    const auto& v = collar().vertices[k];
+    const auto& v = collar().vertices[std::size_t(k)];
     return translated(v[0], v[1], exponent_ - log_units);
   }
   /// The neighbors of the vertex in the place of the cluster, counterclockwise from the east.
@@ -134,7 +134,7 @@ public:
   /// \pre `log_leaf - exponent() >= log_least_leaf`
   Point spoke(int k, int log_leaf) const {
     CGAL_precondition(log_leaf - exponent_ >= log_least_leaf);
-    const auto& v = star().spokes[k];
+    const auto& v = star().spokes[std::size_t(k)];
     return translated(v[0], v[1], log_leaf - log_units);
   }
 
@@ -143,8 +143,8 @@ public:
   static std::array<Place, Collar::number_of_window_vertices> window_boundary() {
     std::array<Place, Collar::number_of_window_vertices> places;
     for (int k = 0; k < Collar::number_of_window_vertices; ++k) {
-      const auto& v = collar().vertices[Collar::number_of_octagon_vertices + k];
-      places[k] = {middle + window_step(v[0]), middle + window_step(v[1])};
+      const auto& v = collar().vertices[std::size_t(Collar::number_of_octagon_vertices + k)];
+      places[std::size_t(k)] = {middle + window_step(v[0]), middle + window_step(v[1])};
     }
     return places;
   }

@@ -78,11 +78,12 @@ struct Cluster_tree {
   /// \param owners for each point the least cluster it is in.
   Cluster_tree(const std::vector<Found_cluster>& found, const std::vector<std::int32_t>& owners) {
     const std::vector<std::uint32_t> least = least_points(found, owners);
-    const std::vector<std::int32_t> order =
-        breadth_first(found, [&](std::int32_t a, std::int32_t b) { return least[a] < least[b]; });
+    const std::vector<std::int32_t> order = breadth_first(
+        found, [&](std::int32_t a, std::int32_t b) { return least[std::size_t(a)] < least[std::size_t(b)]; });
     std::vector<std::int32_t> place(found.size());
-    for (std::size_t k = 0; k < order.size(); ++k) place[order[k]] = static_cast<std::int32_t>(k);
-    for (std::int32_t source : order) add_cluster(found[source], source, least, place);
+    for (std::size_t k = 0; k < order.size(); ++k)
+      place[std::size_t(order[k])] = static_cast<std::int32_t>(k);
+    for (std::int32_t source : order) add_cluster(found[std::size_t(source)], source, least, place);
     add_points(owners, place);
   }
 
@@ -99,7 +100,7 @@ private:
     std::vector<std::size_t> next(ends);
     std::vector<std::int32_t> children(found.size());
     for (std::size_t c = 1; c < found.size(); ++c)
-      children[next[found[c].parent]++] = static_cast<std::int32_t>(c);
+      children[next[std::size_t(found[c].parent)]++] = static_cast<std::int32_t>(c);
 
     std::vector<std::int32_t> order{0};
     order.reserve(found.size());
@@ -116,7 +117,8 @@ private:
   static std::vector<std::uint32_t> least_points(const std::vector<Found_cluster>& found,
                                                  const std::vector<std::int32_t>& owners) {
     std::vector<std::uint32_t> least(found.size(), std::uint32_t(-1));
-    for (std::size_t i = owners.size(); i-- > 0;) least[owners[i]] = static_cast<std::uint32_t>(i);
+    for (std::size_t i = owners.size(); i-- > 0;)
+      least[std::size_t(owners[i])] = static_cast<std::uint32_t>(i);
     const std::vector<std::int32_t> order = breadth_first(found, std::less<std::int32_t>());
     for (std::size_t k = order.size(); k-- > 1;) {
       const auto c = static_cast<std::size_t>(order[k]), parent = static_cast<std::size_t>(found[c].parent);
@@ -131,18 +133,18 @@ private:
     Cluster c;
     static_cast<Found_cluster&>(c) = found;
     c.source = source;
-    c.least_point = least[source];
+    c.least_point = least[std::size_t(source)];
     clusters.push_back(c);
     if (number == 0) return;
-    const std::int32_t parent = place[found.parent];
+    const std::int32_t parent = place[std::size_t(found.parent)];
     clusters.back().parent = parent;
-    Cluster& p = clusters[parent];
+    Cluster& p = clusters[std::size_t(parent)];
     if (p.end_child == 0) p.first_child = number; // no child has the number 0
     p.end_child = number + 1;
   }
 
   void add_points(const std::vector<std::int32_t>& owners, const std::vector<std::int32_t>& place) {
-    for (std::int32_t owner : owners) ++clusters[place[owner]].end_point;
+    for (std::int32_t owner : owners) ++clusters[std::size_t(place[std::size_t(owner)])].end_point;
     std::uint32_t sum = 0;
     for (Cluster& c : clusters) {
       const std::uint32_t count = c.end_point;
@@ -151,7 +153,8 @@ private:
     }
     points.resize(owners.size());
     for (std::size_t i = 0; i < owners.size(); ++i)
-      points[clusters[place[owners[i]]].end_point++] = static_cast<std::uint32_t>(i);
+      points[clusters[std::size_t(place[std::size_t(owners[i])])].end_point++] =
+          static_cast<std::uint32_t>(i);
   }
 };
 

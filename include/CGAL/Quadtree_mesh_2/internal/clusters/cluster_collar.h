@@ -52,7 +52,7 @@ Octagon_vertices append_octagon(const Cluster_frame<Geometry>& frame,
                                 std::vector<typename Geometry::Point>& points) {
   Octagon_vertices octagon;
   for (int k = 0; k < Collar::number_of_octagon_vertices; ++k) {
-    octagon[k] = static_cast<std::int32_t>(points.size());
+    octagon[std::size_t(k)] = static_cast<std::int32_t>(points.size());
     points.push_back(frame.octagon_vertex(k));
   }
   return octagon;

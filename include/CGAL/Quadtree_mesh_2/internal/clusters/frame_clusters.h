@@ -66,7 +66,7 @@ public:
     result.tree = Cluster_tree(found_, owners);
     result.tree.nearest = tree_.nearest;
     for (const Cluster& c : result.tree.clusters)
-      result.frames.push_back(Frame(points_, c.box, exponents_[c.source]));
+      result.frames.push_back(Frame(points_, c.box, exponents_[std::size_t(c.source)]));
     return result;
   }
 
@@ -84,7 +84,7 @@ private:
       node_.push_back(push(c, -1, c.distance, exponent));
       return;
     }
-    const std::int32_t parent = node_[c.parent];
+    const std::int32_t parent = node_[std::size_t(c.parent)];
     const int log_leaf =
         std::ilogb(Frame::distance_of_sites * c.distance * Frame::largest_leaf(Cluster_site::CLUSTER));
     node_.push_back(log_leaf - exponent < Frame::log_least_leaf ? parent

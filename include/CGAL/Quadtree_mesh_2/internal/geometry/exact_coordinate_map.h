@@ -47,8 +47,8 @@ public:
     for (const Point_2& p : points)
       for (int axis = 0; axis < 2; ++axis) {
         const Field c = exact(p, axis);
-        if (c < low[axis]) low[axis] = c;
-        if (high[axis] < c) high[axis] = c;
+        if (c < low[std::size_t(axis)]) low[std::size_t(axis)] = c;
+        if (high[std::size_t(axis)] < c) high[std::size_t(axis)] = c;
       }
     const Field width = high[0] - low[0], height = high[1] - low[1];
     const Field& extent = width < height ? height : width;
@@ -92,17 +92,17 @@ private:
     return {Floor_of_scaled<Field>(-exponent_)(low), exponent_};
   }
 
-  bool is_moved(int axis) const { return !CGAL::is_zero(origin_[axis]); }
+  bool is_moved(int axis) const { return !CGAL::is_zero(origin_[std::size_t(axis)]); }
 
   Coordinate to_kernel(const Point_2& p, int axis) const {
     const std::pair<double, double> v = Coordinate_reader<Kernel>::interval(p, axis);
     if (v.first == v.second && !is_moved(axis) && is_scaled_exactly(v.first, -exponent_))
       return Coordinate(std::ldexp(v.first, -exponent_));
-    return Coordinate(Field((exact(p, axis) - origin_[axis]) * inverse_unit_));
+    return Coordinate(Field((exact(p, axis) - origin_[std::size_t(axis)]) * inverse_unit_));
   }
 
   Coordinate to_kernel(const Scaled_integer& v, int axis) const {
-    Scaled_integer moved = is_moved(axis) ? v - origin_integer_[axis] : v;
+    Scaled_integer moved = is_moved(axis) ? v - origin_integer_[std::size_t(axis)] : v;
     moved.exponent -= exponent_;
     return Coordinate(moved);
   }
@@ -110,11 +110,11 @@ private:
   FT to_user(const Coordinate& c, int axis) const {
     if (c.is_double() && !is_moved(axis) && is_scaled_exactly(c.high(), exponent_))
       return FT(std::ldexp(c.high(), exponent_));
-    return FT(Field(c.exact() * unit_ + origin_[axis]));
+    return FT(Field(c.exact() * unit_ + origin_[std::size_t(axis)]));
   }
 
   double place(const Coordinate& c, int axis) const {
-    return std::ldexp(c.high(), exponent_) + CGAL::to_double(origin_[axis]);
+    return std::ldexp(c.high(), exponent_) + CGAL::to_double(origin_[std::size_t(axis)]);
   }
 
   static bool is_scaled_exactly(double v, int exponent) {

@@ -90,7 +90,7 @@ template <class R, int dim>
 Projection_axes axes_of(const CGAL::internal::Projection_traits_3<R, dim>& traits) {
   const std::array<int, 3> coordinates = coordinates_of(&traits);
   Projection_axes result{};
-  for (std::size_t i = 0; i < 3; ++i) result.axis[i][coordinates[i]] = 1;
+  for (std::size_t i = 0; i < 3; ++i) result.axis[i][std::size_t(coordinates[i])] = 1;
   return result;
 }
 

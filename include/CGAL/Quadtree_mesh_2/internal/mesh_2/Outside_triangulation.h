@@ -175,10 +175,10 @@ private:
     for (std::uint32_t s = 0; s < pslg.segments.size(); ++s) {
       const auto& [a, b] = pslg.segments[s];
       input.walk_segment(a.value(), b.value(), [&](auto f, int i, bool) {
-        if (f->info().is_seen[i]) return;
-        f->info().is_seen[i] = true;
+        if (f->info().is_seen[std::size_t(i)]) return;
+        f->info().is_seen[std::size_t(i)] = true;
         if (input.cdt().dimension() == 2)
-          f->neighbor(i)->info().is_seen[input.cdt().mirror_index(f, i)] = true;
+          f->neighbor(i)->info().is_seen[std::size_t(input.cdt().mirror_index(f, i))] = true;
         pieces.push_back({{f->vertex(Cdt::ccw(i))->info(), f->vertex(Cdt::cw(i))->info()}, s});
       });
     }
@@ -235,8 +235,8 @@ private:
         ++steps;
         const Face_handle g = f->neighbor(i);
         const int j = cdt_.cdt().mirror_index(f, i);
-        f->info().mesh_side[i] = side;
-        g->info().mesh_side[j] = side;
+        f->info().mesh_side[std::size_t(i)] = side;
+        g->info().mesh_side[std::size_t(j)] = side;
         stack.push_back(is_left_of_walk != cdt_.is_reversed(a, b) ? f : g);
       });
       if (!is_path || steps != 1) throw border_is_hit(a, b);
@@ -248,7 +248,7 @@ private:
       f->info().is_inside = true;
       CGAL_assertion(!cdt_.cdt().is_infinite(f));
       for (int i = 0; i < 3; ++i)
-        if (f->info().mesh_side[i] == none) stack.push_back(f->neighbor(i));
+        if (f->info().mesh_side[std::size_t(i)] == none) stack.push_back(f->neighbor(i));
     }
   }
 

@@ -164,7 +164,7 @@ private:
   void link_mesh_faces() {
     for (std::size_t t = 0; t < faces_.size(); ++t)
       for (int k = 0; k < 3; ++k) {
-        const Triangle_index n = mesh_.neighbors[t][k];
+        const Triangle_index n = mesh_.neighbors[t][std::size_t(k)];
         if (n.is_valid()) faces_[t]->set_neighbor(k, faces_[n.value()]);
       }
   }
@@ -175,7 +175,7 @@ private:
       const Face_handle face = outside_faces_[f->info().number];
       for (int i = 0; i < 3; ++i) {
         Constraint_of_face::set(*face, i, f->is_constrained(i));
-        const std::uint32_t side = f->info().mesh_side[i];
+        const std::uint32_t side = f->info().mesh_side[std::size_t(i)];
         if (side == none_) {
           face->set_neighbor(i, outside_faces_[f->neighbor(i)->info().number]);
         } else {

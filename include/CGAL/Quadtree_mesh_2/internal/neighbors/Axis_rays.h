@@ -165,7 +165,7 @@ Vertex_edge_hits vertex_edge_hits(const Rays& rays, Vertex_index v, const First_
   for (int i = 0; i < 4; ++i) {
     const Ray ray{v, static_cast<Direction>(2 * i)};
     const typename Rays::Hit hit = first_hit(ray);
-    result.first[i] = {hit.segment, rays.rounded_distance(ray, hit)};
+    result.first[std::size_t(i)] = {hit.segment, rays.rounded_distance(ray, hit)};
     if (!hit.segment.is_valid()) continue;
     const Ray nearest_ray{v, static_cast<Direction>(2 * result.nearest)};
     const int c = nearest.segment.is_valid() ? rays.compare(ray, hit, nearest_ray, nearest) : -1;

@@ -150,11 +150,12 @@ private:
   int input_axis(int i) const { return i == 0 ? 1 - places_.axis() : places_.axis(); }
 
   Exact coordinate(Place p, int i) const {
-    if (!is_vertex(p)) return crossing(p).position[i];
+    if (!is_vertex(p)) return crossing(p).position[std::size_t(i)];
     return Arithmetic::coordinate(places_.point(p), input_axis(i));
   }
   std::pair<double, double> bounds(Place p, int i) const {
-    return is_vertex(p) ? Arithmetic::bounds(places_.point(p), input_axis(i)) : crossing(p).bounds[i];
+    return is_vertex(p) ? Arithmetic::bounds(places_.point(p), input_axis(i))
+                        : crossing(p).bounds[std::size_t(i)];
   }
   int compare_exactly(Place p, Place q, int i) const {
     if (p == q) return 0;

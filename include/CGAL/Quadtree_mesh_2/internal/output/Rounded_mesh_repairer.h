@@ -217,7 +217,7 @@ private:
   bool flip(Triangle_index t) {
     for (int k = 0; k < 3; ++k) {
       if (!topology_->may_flip(t, k)) continue;
-      const Triangle_index u = mesh_.neighbors[t.value()][k];
+      const Triangle_index u = mesh_.neighbors[t.value()][std::size_t(k)];
       Rounding_success after;
       for (const Corners& r : topology_->flipped(t, k)) add(after, topology_->bordered(r));
       if (after.faults >= success_of(topology_->bordered({t, u})).faults) continue;

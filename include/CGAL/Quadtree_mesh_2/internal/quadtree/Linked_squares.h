@@ -50,7 +50,7 @@ struct Sibling_steps {
 constexpr std::array<Sibling_steps, 4> make_sibling_steps() {
   std::array<Sibling_steps, 4> all{};
   for (int q = 0; q < 4; ++q) {
-    Sibling_steps& steps = all[q];
+    Sibling_steps& steps = all[std::size_t(q)];
     const int out_x = q / 2 == 0 ? -1 : 1, out_y = q % 2 == 0 ? -1 : 1;
     steps.outward = {{static_cast<std::uint8_t>(direction(out_x, 0)),
                       static_cast<std::uint8_t>(direction(0, out_y)),
@@ -108,7 +108,7 @@ public:
   Node_index neighbor(Node_index v, Direction d) const {
     if (v.value() == 0) return Node_index();
     const std::uint32_t f = family_of(v);
-    const Sibling_steps& steps = sibling_steps_[member_of(v)];
+    const Sibling_steps& steps = sibling_steps_[std::size_t(member_of(v))];
     const std::size_t around = steps.around[std::size_t(d)];
     const int q = steps.child[std::size_t(d)];
     if (around == 0) return member(f, q);
@@ -150,7 +150,7 @@ public:
   /// The number of levels that have split squares.
   int number_of_split_levels() const { return static_cast<int>(level_begin_.size()) - 1; }
   /// The families of the split squares of level `l` are those from `level_begin(l)` to `level_begin(l + 1)`.
-  std::uint32_t level_begin(int l) const { return level_begin_[l]; }
+  std::uint32_t level_begin(int l) const { return level_begin_[std::size_t(l)]; }
 
 private:
   template <class, class>

@@ -32,7 +32,7 @@ public:
     const int last = end - begin == 1 ? first : child(end - 1, level);
     std::array<std::uint32_t, 4> result{{begin, 0, 0, 0}};
     for (int q = 1; q < 4; ++q) {
-      std::uint32_t& child_begin = result[q];
+      std::uint32_t& child_begin = result[std::size_t(q)];
       if (q <= first)
         child_begin = begin;
       else if (q > last)

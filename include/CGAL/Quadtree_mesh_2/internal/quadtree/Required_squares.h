@@ -162,7 +162,7 @@ private:
   void count_squares(std::size_t begin, std::size_t end, std::vector<std::uint32_t>& count) const {
     for_each_path(begin, end, [&](const Path& squares, std::size_t, Node_index) {
       if (count.size() <= std::size_t(squares.last)) count.resize(std::size_t(squares.last) + 1, 0);
-      for (int level = squares.first; level <= squares.last; ++level) ++count[level];
+      for (int level = squares.first; level <= squares.last; ++level) ++count[std::size_t(level)];
     });
   }
 
@@ -196,7 +196,7 @@ private:
                     Required_squares& squares) const {
     for_each_path(begin, end, [&](const Path& path, std::size_t p, Node_index v) {
       const auto fill = [&](int level, unsigned split, const Children& children) {
-        const std::uint32_t i = next[level]++;
+        const std::uint32_t i = next[std::size_t(level)]++;
         squares.children[i] = static_cast<std::uint8_t>(split);
         squares.point_begin[i] = children.point_begin;
       };

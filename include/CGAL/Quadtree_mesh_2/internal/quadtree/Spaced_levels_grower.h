@@ -96,7 +96,7 @@ private:
 
   /// The number of required squares on levels `first` to `end`, exclusive.
   std::size_t number_of_required(int first, int end) const {
-    return required_.level_begin[end] - required_.level_begin[first];
+    return required_.level_begin[std::size_t(end)] - required_.level_begin[std::size_t(first)];
   }
 
   /// Makes the levels of a band down to level `end`, exclusive, and marks what is split there.
@@ -133,7 +133,7 @@ private:
 
   /// The squares of a level that are required or forced, in shuffle order.
   std::vector<Grid_point> find_tops(int level) const {
-    const std::uint32_t first = required_.level_begin[level];
+    const std::uint32_t first = required_.level_begin[std::size_t(level)];
     const std::uint32_t last = required_.level_begin[std::size_t(level) + 1];
     std::vector<Grid_point> tops(9 * std::size_t(last - first));
     for_each_index<ConcurrencyTag>(last - first, [&](std::size_t i) {
@@ -165,7 +165,7 @@ private:
     band.growth_.resize(tops.size());
     for_each_index<ConcurrencyTag>(tops.size(),
                                    [&](std::size_t i) { band.growth_[i].required = Required_squares::none; });
-    const std::uint32_t first = required_.level_begin[level];
+    const std::uint32_t first = required_.level_begin[std::size_t(level)];
     const std::uint32_t last = required_.level_begin[std::size_t(level) + 1];
     for_each_index<ConcurrencyTag>(last - first, [&](std::size_t i) {
       const std::size_t top = find_top(tops, place_of_point(required_.point_begin[first + i][0], level));

@@ -91,7 +91,7 @@ Uninitialized_vector<Direction_set> least_forced_directions(const Required_squar
   Uninitialized_vector<Direction_set> forced(squares.size());
   const Forcing_table& table = balance == Balance::SIDES ? across_sides : across_corners;
   for (int level = squares.number_of_levels(); level-- > 0;) {
-    const std::uint32_t first = squares.level_begin[level];
+    const std::uint32_t first = squares.level_begin[std::size_t(level)];
     const std::uint32_t last = squares.level_begin[std::size_t(level) + 1];
     for_each_index<ConcurrencyTag>(last - first, [&](std::size_t i) {
       const std::size_t s = first + i;

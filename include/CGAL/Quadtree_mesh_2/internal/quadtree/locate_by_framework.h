@@ -116,7 +116,7 @@ public:
 
 private:
   int number_of_levels() const { return static_cast<int>(begin_.size()) - 1; }
-  std::size_t begin(int level) const { return begin_[level]; }
+  std::size_t begin(int level) const { return begin_[std::size_t(level)]; }
 
   /// Nodes are numbered level by level.
   void count_squares(const Quadtree& tree) {

@@ -105,7 +105,7 @@ private:
 
   std::vector<Open_square> split_children(const std::vector<Open_square>& level_squares, int level,
                                           const Required_squares& squares) const {
-    const std::size_t first = squares.level_begin[level];
+    const std::size_t first = squares.level_begin[std::size_t(level)];
     const std::vector<std::size_t> place = place_children(level_squares.size(), first, squares);
     std::vector<Open_square> result(place.back());
     for_each_block<ConcurrencyTag>(level_squares.size(), block_length_,

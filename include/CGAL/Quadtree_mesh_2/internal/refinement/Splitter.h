@@ -463,7 +463,7 @@ private:
   }
   bool is_leg_without_ring(Edge_id e, int end) const {
     const Vertex_id apex = end == 0 ? state_.edges[e].a : state_.edges[e].b;
-    return corners_.is_acute[apex] != 0 && !corners_.legs_of_edge[e][end].is_valid();
+    return corners_.is_acute[apex] != 0 && !corners_.legs_of_edge[e][std::size_t(end)].is_valid();
   }
 
   /// Where x-y is split, for a wish in its middle 30 percent.

@@ -175,7 +175,7 @@ private:
             const Ring_vertex before(order[i]), v = new_number(before);
             mesh_.points[v] = old.point(before);
             Ring& r = mesh_.ring(v) = old.ring(before);
-            for (int k = 0; k < r.size; ++k) r.neighbor[k] = new_number(r[k]);
+            for (int k = 0; k < r.size; ++k) r.neighbor[std::size_t(k)] = new_number(r[k]);
           }
         },
         1);

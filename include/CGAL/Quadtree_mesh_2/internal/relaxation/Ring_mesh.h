@@ -61,27 +61,27 @@ struct alignas(64) Ring {
   int number_of_triangles() const { return is_open ? size - 1 : size; }
   int position_of(Ring_vertex v) const {
     int k = 0;
-    while (neighbor[k] != v) ++k;
+    while (neighbor[std::size_t(k)] != v) ++k;
     return k;
   }
   bool contains(Ring_vertex v) const {
     for (int k = 0; k < size; ++k)
-      if (neighbor[k] == v) return true;
+      if (neighbor[std::size_t(k)] == v) return true;
     return false;
   }
-  Ring_vertex operator[](int k) const { return neighbor[k]; }
+  Ring_vertex operator[](int k) const { return neighbor[std::size_t(k)]; }
   /// The member after position k, cyclically in closed rings.
-  Ring_vertex next(int k) const { return neighbor[k + 1 == size ? 0 : k + 1]; }
-  Ring_vertex previous(int k) const { return neighbor[k == 0 ? size - 1 : k - 1]; }
+  Ring_vertex next(int k) const { return neighbor[std::size_t(k + 1 == size ? 0 : k + 1)]; }
+  Ring_vertex previous(int k) const { return neighbor[std::size_t(k == 0 ? size - 1 : k - 1)]; }
 
   void erase(int k) {
     --size;
-    for (; k < size; ++k) neighbor[k] = neighbor[k + 1];
+    for (; k < size; ++k) neighbor[std::size_t(k)] = neighbor[std::size_t(k + 1)];
   }
   /// Makes v the member at position k; the others move up. \pre size < max_size
   void insert(int k, Ring_vertex v) {
-    for (int i = size; i > k; --i) neighbor[i] = neighbor[i - 1];
-    neighbor[k] = v;
+    for (int i = size; i > k; --i) neighbor[std::size_t(i)] = neighbor[std::size_t(i - 1)];
+    neighbor[std::size_t(k)] = v;
     ++size;
   }
 };

@@ -136,8 +136,8 @@ public:
   /// edge is on the border.
   void split_edge(Ring_vertex m, const Point& p, Ring_vertex a, Ring_vertex b, Ring_vertex c, Ring_vertex d) {
     Ring &ra = ring_to_change(a), &rb = ring_to_change(b), &rc = ring_to_change(c);
-    ra.neighbor[ra.position_of(b)] = m;
-    rb.neighbor[rb.position_of(a)] = m;
+    ra.neighbor[std::size_t(ra.position_of(b))] = m;
+    rb.neighbor[std::size_t(rb.position_of(a))] = m;
     rc.insert(rc.position_of(a) + 1, m);
     Ring fresh;
     for (const Ring_vertex v : {b, c, a}) fresh.insert(fresh.size, v);
@@ -212,12 +212,12 @@ private:
     for (int step = 1; step < hole.size; ++step) {
       const int j = (i + step) % hole.size;
       for (const auto& [a, b] : diagonals)
-        if ((a == i && b == j) || (a == j && b == i)) ends[n++] = hole[j];
+        if ((a == i && b == j) || (a == j && b == i)) ends[std::size_t(n++)] = hole[j];
     }
     Ring& r = ring_to_change(hole[i]);
     const int place = r.position_of(center);
     r.erase(place);
-    for (int e = 0; e < n; ++e) r.insert(place + e, ends[e]);
+    for (int e = 0; e < n; ++e) r.insert(place + e, ends[std::size_t(e)]);
   }
 };
 

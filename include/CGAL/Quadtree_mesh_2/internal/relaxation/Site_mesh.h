@@ -110,7 +110,7 @@ private:
     blocks_.for_each_block([&](const Ring_block& block, Marks& marks) {
       Block_worker<Geometry> worker(mesh_.mesh, marks, block, range_);
       std::vector<std::pair<Ring_vertex, Point>> moves;
-      for (const std::uint32_t s : sites[block.number]) {
+      for (const std::uint32_t s : sites[std::size_t(block.number)]) {
         if (!blocks_.is_whole() && !worker.is_well_inside(mesh_.vertex_of_site[s])) continue;
         moves.push_back({mesh_.vertex_of_site[s], mesh_.sites[s]});
         mesh_.is_placed[s] = 1;
@@ -126,7 +126,7 @@ private:
     for (std::size_t s = 0; s < mesh_.sites.size(); ++s) {
       if (mesh_.is_placed[s] != 0) continue;
       const std::int32_t b = mesh_.mesh.ring(mesh_.vertex_of_site[s]).block;
-      if (b >= 0) result[b].push_back(static_cast<std::uint32_t>(s));
+      if (b >= 0) result[std::size_t(b)].push_back(static_cast<std::uint32_t>(s));
     }
     return result;
   }
@@ -176,7 +176,7 @@ private:
       for (std::size_t i = begin; i < end; ++i) {
         const std::int32_t s = site_of_vertex[reached[i]];
         if (s < 0) continue;
-        is_blamed[s] = 1;
+        is_blamed[std::size_t(s)] = 1;
         is_found = true;
       }
       for (; begin < end && !is_found; ++begin) {

@@ -195,11 +195,11 @@ private:
     const Vertex_id first = mesh_.points.end_id();
     for (const Square_piece& p : squares.border()) {
       const Square_template& form = square_template(squares.form(p.square));
-      const auto corner = form.side_of_piece[p.piece];
-      const auto& t = form.triangle[corner.triangle];
+      const auto corner = form.side_of_piece[std::size_t(p.piece)];
+      const auto& t = form.triangle[std::size_t(corner.triangle)];
       std::uint32_t ends[2];
       for (int i = 0; i < 2; ++i) {
-        const int vertex = t[i == 0 ? next_slot[corner.slot] : previous_slot[corner.slot]];
+        const int vertex = t[std::size_t(i == 0 ? next_slot[corner.slot] : previous_slot[corner.slot])];
         Vertex_id& v = vertex_named_[squares.name(p.square, vertex)];
         if (!v.is_valid()) {
           v = mesh_.add_vertex(place(grid, squares.square(p.square), vertex), free_vertex);
@@ -390,7 +390,7 @@ private:
   }
 
   Side side_of(const Squares& squares, Square_piece p) const {
-    const auto c = square_template(squares.form(p.square)).side_of_piece[p.piece];
+    const auto c = square_template(squares.form(p.square)).side_of_piece[std::size_t(p.piece)];
     return Side(after(first_triangle_of_[p.square], c.triangle), c.slot);
   }
 

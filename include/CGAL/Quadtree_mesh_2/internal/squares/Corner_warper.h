@@ -171,7 +171,7 @@ private:
     set_diagonal(neighbor(own, beside), is_even != is_joined_beside(x, side));
     set_diagonal(neighbor(own, above), is_even != is_joined_beside(y, side));
 
-    const Vertex_index v = corners_[own][corner];
+    const Vertex_index v = corners_[own][std::size_t(corner)];
     mesh_.places[v] = p;
     return v;
   }
@@ -190,7 +190,7 @@ private:
     static constexpr int child[] = {1, 0, 0, 2}, corner[] = {2, 3, 1, 2};
     const Node_index n = tree_.neighbor(v, across[side]);
     if (!n.is_valid() || tree_.is_leaf(n)) return Vertex_index();
-    return corners_[tree_.leaf(tree_.child(n, child[side]))][corner[side]];
+    return corners_[tree_.leaf(tree_.child(n, child[side]))][std::size_t(corner[side])];
   }
 
   /// Calls `on_triangle(a, b, c)`, counterclockwise.
@@ -200,9 +200,9 @@ private:
     Square_form form;
     const Node_index v = tree_.node(l);
     for (int i = 0; i < 4; ++i) {
-      vertex[i] = corners_[l][i];
-      vertex[4 + i] = middle(v, i);
-      if (vertex[4 + i].is_valid()) form.bits = static_cast<std::uint8_t>(form.bits | 1u << i);
+      vertex[std::size_t(i)] = corners_[l][std::size_t(i)];
+      vertex[std::size_t(4 + i)] = middle(v, i);
+      if (vertex[std::size_t(4 + i)].is_valid()) form.bits = static_cast<std::uint8_t>(form.bits | 1u << i);
     }
     if (diagonal_[l] == Diagonal::FROM_LOWER_RIGHT) {
       CGAL_assertion(form.bits == 0);
@@ -212,8 +212,8 @@ private:
     }
     const Square_template& t = square_template(form);
     for (int i = 0; i < t.size; ++i) {
-      const auto& [a, b, c] = t.triangle[i];
-      on_triangle(vertex[a], vertex[b], vertex[c]);
+      const auto& [a, b, c] = t.triangle[std::size_t(i)];
+      on_triangle(vertex[std::size_t(a)], vertex[std::size_t(b)], vertex[std::size_t(c)]);
     }
   }
 

@@ -79,20 +79,21 @@ constexpr int piece_between(int a, int b, unsigned mask) {
 constexpr void connect(Square_template& t, unsigned mask) {
   for (int i = 0; i < t.size; ++i)
     for (int k = 0; k < 3; ++k) {
-      const int a = t.triangle[i][next_slot[k]];
-      const int b = t.triangle[i][previous_slot[k]];
+      const int a = t.triangle[std::size_t(i)][std::size_t(next_slot[k])];
+      const int b = t.triangle[std::size_t(i)][std::size_t(previous_slot[k])];
       const int piece = piece_between(a, b, mask);
-      t.piece[i][k] = piece;
+      t.piece[std::size_t(i)][std::size_t(k)] = piece;
       if (piece >= 0) {
-        t.side_of_piece[piece].triangle = i;
-        t.side_of_piece[piece].slot = k;
+        t.side_of_piece[std::size_t(piece)].triangle = i;
+        t.side_of_piece[std::size_t(piece)].slot = k;
         continue;
       }
       for (int j = 0; j < t.size; ++j)
         for (int l = 0; l < 3; ++l)
-          if (t.triangle[j][next_slot[l]] == b && t.triangle[j][previous_slot[l]] == a) {
-            t.across[i][k].triangle = j;
-            t.across[i][k].slot = l;
+          if (t.triangle[std::size_t(j)][std::size_t(next_slot[l])] == b &&
+              t.triangle[std::size_t(j)][std::size_t(previous_slot[l])] == a) {
+            t.across[std::size_t(i)][std::size_t(k)].triangle = j;
+            t.across[std::size_t(i)][std::size_t(k)].slot = l;
           }
     }
 }
@@ -104,9 +105,9 @@ constexpr Square_template make_star(unsigned mask) {
     const bool is_halved = (mask >> i & 1u) != 0;
     const int on_side[3] = {i, is_halved ? 4 + i : (i + 1) & 3, (i + 1) & 3};
     for (int j = 0; j < (is_halved ? 2 : 1); ++j, ++t.size) {
-      t.triangle[t.size][0] = Square_template::center;
-      t.triangle[t.size][1] = on_side[j];
-      t.triangle[t.size][2] = on_side[j + 1];
+      t.triangle[std::size_t(t.size)][0] = Square_template::center;
+      t.triangle[std::size_t(t.size)][1] = on_side[j];
+      t.triangle[std::size_t(t.size)][2] = on_side[j + 1];
     }
   }
   connect(t, mask);
@@ -125,7 +126,8 @@ constexpr std::array<Square_template, 32> make_all() {
       t.size = p.size;
       for (int i = 0; i < p.size; ++i)
         for (int k = 0; k < 3; ++k)
-          t.triangle[i][k] = turned_vertex(p.triangle[i][k], static_cast<int>(quarters));
+          t.triangle[std::size_t(i)][std::size_t(k)] =
+              turned_vertex(p.triangle[i][k], static_cast<int>(quarters));
       connect(t, mask);
     }
   return all;

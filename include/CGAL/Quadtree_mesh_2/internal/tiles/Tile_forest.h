@@ -70,7 +70,7 @@ public:
   std::size_t number_of_certified_points() const {
     std::size_t n = 0;
     for (std::size_t i = 0; i < points_.size(); ++i)
-      n += trees_[tree_of_point_[i]].is_certified(site_of_point_[i]) ? 1 : 0;
+      n += trees_[std::size_t(tree_of_point_[i])].is_certified(site_of_point_[i]) ? 1 : 0;
     return n;
   }
 
@@ -92,7 +92,7 @@ public:
   /// Wants smaller leaves for a point that failed: half as large, and when that did not help, its own block.
   void refine_for(std::size_t point) {
     constexpr int most_failures = 3;
-    Tree& tree = trees_[tree_of_point_[point]];
+    Tree& tree = trees_[std::size_t(tree_of_point_[point])];
     const std::size_t site = site_of_point_[point];
     if (++failures_[point] < most_failures)
       tree.split(site);
@@ -100,7 +100,7 @@ public:
       tree.certify(site);
   }
   bool is_certified(std::size_t point) const {
-    return trees_[tree_of_point_[point]].is_certified(site_of_point_[point]);
+    return trees_[std::size_t(tree_of_point_[point])].is_certified(site_of_point_[point]);
   }
 
 private:
@@ -143,8 +143,9 @@ private:
     }
     std::vector<typename Tree::Child_cluster> children;
     for (std::int32_t k = cluster.first_child; k < cluster.end_child; ++k) {
-      sites.push_back(clusters.frames[k].center());
-      children.push_back({static_cast<std::uint32_t>(sites.size() - 1), clusters.tree.clusters[k].distance});
+      sites.push_back(clusters.frames[std::size_t(k)].center());
+      children.push_back(
+          {static_cast<std::uint32_t>(sites.size() - 1), clusters.tree.clusters[std::size_t(k)].distance});
     }
     if (c == 0)
       trees_.emplace_back(frame, sites, options);
@@ -156,7 +157,7 @@ private:
 
   /// Which of the sites of its parent a cluster is.
   static std::size_t number_in_parent(const Cluster_tree& tree, std::size_t c) {
-    const Cluster& parent = tree.clusters[tree.clusters[c].parent];
+    const Cluster& parent = tree.clusters[std::size_t(tree.clusters[c].parent)];
     return parent.end_point - parent.first_point + c - std::size_t(parent.first_child);
   }
 
@@ -195,20 +196,20 @@ private:
   }
 
   std::int32_t vertex(std::int32_t tree, std::uint32_t site) const {
-    return first_vertex_[tree] + trees_[tree].mesh().vertex_of_site[site];
+    return first_vertex_[std::size_t(tree)] + trees_[std::size_t(tree)].mesh().vertex_of_site[site];
   }
 
   /// Puts the octagon and the collar of a cluster around its window, and takes the vertex in its place away.
   void put_into_parent(std::size_t t, Site_mesh<Geometry>& result) {
-    const Tree &tree = trees_[t], &parent = trees_[tree.parent()];
+    const Tree &tree = trees_[t], &parent = trees_[std::size_t(tree.parent())];
     const std::int32_t center = vertex(tree.parent(), tree.site_in_parent());
     const std::array<std::int32_t, 8> spokes =
-        parent.spokes(tree.site_in_parent(), first_vertex_[tree.parent()]);
+        parent.spokes(tree.site_in_parent(), first_vertex_[std::size_t(tree.parent())]);
     const int log_leaf = parent.log_side_of_leaf(tree.site_in_parent());
     std::vector<Point>& points = result.mesh.points.values();
     for (int k = 0; k < 8; ++k) {
-      points[spokes[k]] = tree.cluster_frame().spoke(k, log_leaf);
-      rigid_.push_back(spokes[k]);
+      points[std::size_t(spokes[std::size_t(k)])] = tree.cluster_frame().spoke(k, log_leaf);
+      rigid_.push_back(spokes[std::size_t(k)]);
     }
     replaced_.push_back(center);
     const Octagon_vertices octagon = append_octagon(tree.cluster_frame(), points);
@@ -221,12 +222,13 @@ private:
   void take_out_replaced_vertices(const Site_mesh<Geometry>& result) {
     if (replaced_.empty()) return;
     std::vector<std::uint8_t> is_replaced(result.mesh.points.size(), 0);
-    for (const std::int32_t v : replaced_) is_replaced[v] = 1;
+    for (const std::int32_t v : replaced_) is_replaced[std::size_t(v)] = 1;
     replaced_.clear();
     triangles_.erase(std::remove_if(triangles_.begin(), triangles_.end(),
                                     [&](const Indexed_triangle& t) {
-                                      return std::any_of(t.begin(), t.end(),
-                                                         [&](std::int32_t v) { return is_replaced[v] != 0; });
+                                      return std::any_of(t.begin(), t.end(), [&](std::int32_t v) {
+                                        return is_replaced[std::size_t(v)] != 0;
+                                      });
                                     }),
                      triangles_.end());
   }

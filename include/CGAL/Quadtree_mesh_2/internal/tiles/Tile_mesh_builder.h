@@ -302,7 +302,7 @@ private:
       const Tile_square s = block.square(i);
       const std::uint32_t leaf = number_of_leaf_[tree_.locate(Tile_place{s.x, s.y})];
       if (mesh_.leaves[leaf].level != block.level || mesh_.corner_bits[leaf] != 0) return false;
-      leaves[i] = leaf;
+      leaves[std::size_t(i)] = leaf;
     }
     return true;
   }
@@ -342,7 +342,7 @@ private:
     std::vector<std::uint8_t> uses(mesh_.number_of_leaves(), 0); // 2 for more
     const auto for_each_leaf = [&](std::size_t b, const auto& f) {
       const int n = is_whole[b] != 0 ? block_of(blocks[b]).number_of_squares() : 0;
-      for (int i = 0; i < n; ++i) f(leaves[b][i]);
+      for (int i = 0; i < n; ++i) f(leaves[b][std::size_t(i)]);
     };
     for (std::size_t b = 0; b < blocks.size(); ++b)
       for_each_leaf(b, [&](std::uint32_t leaf) { uses[leaf] = uses[leaf] == 0 ? 1 : 2; });
@@ -358,7 +358,8 @@ private:
     const auto target = moves.target(sites_.places[site], sites_.kind(site), block);
     std::array<std::int32_t, 8> spokes{};
     for (const Block_moves::Move& move : *target.moves) {
-      const std::size_t instance = mesh_.first_vertex[leaves[move.square]] + std::size_t(move.vertex);
+      const std::size_t instance =
+          mesh_.first_vertex[leaves[std::size_t(move.square)]] + std::size_t(move.vertex);
       const std::int32_t v = mesh_.leaf_vertices[instance];
       Tile_place& place = mesh_.places[static_cast<std::size_t>(v)];
       if (place == target.vertex) mesh_.vertex_of_site[site] = v;

@@ -86,7 +86,7 @@ public:
 
   /// The logarithm of the side of the leaf of a site, in the units of the plane.
   int log_side_of_leaf(std::uint32_t site) const {
-    return log_side_of_root() - mesh().leaves[mesh().leaf_of_site[site]].level;
+    return log_side_of_root() - mesh().leaves[std::size_t(mesh().leaf_of_site[site])].level;
   }
 
   /// The vertices around that of a cluster, counterclockwise from the east.
@@ -107,7 +107,7 @@ public:
       if (mesh().sides[v] == 0) continue;
       const int k = position_in_window_boundary(mesh().places[v]);
       CGAL_assertion(k >= 0);
-      result[k] = first + static_cast<std::int32_t>(v);
+      result[std::size_t(k)] = first + static_cast<std::int32_t>(v);
     }
     return result;
   }

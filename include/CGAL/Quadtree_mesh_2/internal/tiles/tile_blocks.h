@@ -166,7 +166,9 @@ private:
       const int x = w.base_x + before * Tile::units, y = w.base_y + before * Tile::units;
       const int column = x / Tile::units, row = y / Tile::units;
       int v = 0;
-      while (t.vertices[v][0] != x % Tile::units || t.vertices[v][1] != y % Tile::units) ++v;
+      while (t.vertices[std::size_t(v)][0] != x % Tile::units ||
+             t.vertices[std::size_t(v)][1] != y % Tile::units)
+        ++v;
       moves.push_back({row * size + column, v, -1, w});
     }
     return moves;

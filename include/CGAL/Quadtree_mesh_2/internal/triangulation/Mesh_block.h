@@ -259,7 +259,7 @@ private:
         to.v[k] = whole_vertex(from.v[k]);
         const Side o = from.side[k];
         to.side[k] = o.is_border() ? Side::border() : o.renamed(whole_triangle(o.triangle()));
-        if (o.is_seam()) seams_[o.seam_number()].now = Side(w, k);
+        if (o.is_seam()) seams_[std::size_t(o.seam_number())].now = Side(w, k);
       }
     }
   }
