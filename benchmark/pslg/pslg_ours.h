@@ -83,7 +83,8 @@ inline std::vector<Pslg_method> methods(const std::vector<unsigned>& threads) {
   std::vector<Pslg_method> result{method<CGAL::Sequential_tag>("ours", 0)};
   if constexpr (has_threads)
     for (const unsigned n : threads)
-      result.push_back(method<CGAL::Parallel_tag>("ours, " + std::to_string(n) + (n == 1 ? " thread" : " threads"), n));
+      result.push_back(
+          method<CGAL::Parallel_tag>("ours, " + std::to_string(n) + (n == 1 ? " thread" : " threads"), n));
   return result;
 }
 

@@ -219,7 +219,7 @@ TEST_CASE("Bounds of size give a small graph no more for its gaps", "[mesher][bu
         Options().size([](double, double) { return 0.04 * extent; })}) {
     const std::string text = error(pslg, options);
     CAPTURE(text);
-    CHECK(has_text(text, "a graph of fewer than 1000 vertices is allowed 2000000"));
+    CHECK(has_text(text, "a graph of fewer than 1000 vertices is allowed 20"));
     CHECK(has_text(text, "segment 4"));
   }
   // What bounds of size ask for themselves is not refused.

@@ -233,7 +233,7 @@ TEST_CASE("A small graph that asks for too many exact numbers is refused before 
   // Half as many as over doubles: they take more than twice the memory, and more time.
   const Exact_pslg legs = to_exact(read("hard_rosette_of_legs.poly"));
   const std::string error = error_of([&] { run_exactly(legs, Options().max_edge(0.0667)); });
-  CHECK(has_text(error, "a graph of fewer than 1000 vertices is allowed 1000000"));
+  CHECK(has_text(error, "a graph of fewer than 1000 vertices is allowed 10"));
   CHECK(has_text(error, "meet at an angle of 2.09"));
 }
 

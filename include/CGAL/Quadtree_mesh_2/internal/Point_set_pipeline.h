@@ -255,6 +255,9 @@ private:
     std::vector<Point_index> points;
     for (const auto v : error.parts().vertices)
       if (std::size_t(v) < points_.size()) points.push_back(Point_index(std::size_t(v)));
+    if (error.kind() == Pslg_error_2::Kind::OUT_OF_RANGE && points.size() == 1)
+      throw Point_error(Point_error::Kind::OUT_OF_RANGE, points[0], Point_index(),
+                        "is too near to 0, or too far from it, for doubles beside the extent");
     if (error.kind() != Pslg_error_2::Kind::TOO_NEAR || points.size() < 2) throw;
     throw Point_error(
         Point_error::Kind::TOO_NEAR, points[0], points[1],
