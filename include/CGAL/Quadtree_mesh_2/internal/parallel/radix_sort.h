@@ -197,7 +197,7 @@ private:
           return varying;
         },
         [](Word a, Word b) { return a | b; }));
-    // Runs shall have some hundred words. Fewer digits would not fill tasks, more would not fill cache lines.
+    // Runs should have some hundred words. Fewer digits would not fill tasks, more would not fill cache lines.
     const int digit = std::min({width, max_digit_, bit_width(n) - 8});
     if (width == 0) {
       for_each_block<ConcurrencyTag>(n, block_, [&](std::size_t, std::size_t begin, std::size_t end) {

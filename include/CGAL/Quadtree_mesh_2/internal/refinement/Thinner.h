@@ -9,7 +9,7 @@
 // Removal (Remover.h) keeps the bound at each step, so it ends where no single vertex can go. Here a round
 // has three parts. It removes vertices with a bound of `thinning_share` of the given one. It refines
 // triangles below the given bound (relocation first, Refiner.h). It removes under guard. Where vertices stood
-// in each other's way, fewer are put back. On maps 4 to 5 percent of the triangles go in the first round, and
+// in each other's way, fewer are put back. On maps 3 to 4 percent of the triangles go in the first round, and
 // about one percent in the second. A round that does not come to rest, or ends with more triangles, is
 // undone. O(k) expected for k triangles.
 //
