@@ -64,6 +64,19 @@ TEST_CASE("the program refuses holes on segments with the numbers of the input",
   CHECK(contains(on_vertex.err, "the point of hole 0 (4, 3) lies on vertex 0 (4, 3)"));
 }
 
+TEST_CASE("the program prints the angles of meshes of any scale", "[program]") {
+  const Scratch_folder folder;
+  for (const std::string side : {"1e-302", "1e300"}) {
+    write_file(folder.file("square.poly"), "4 2 0 0\n0 0 0\n1 " + side + " 0\n2 " + side + ' ' + side +
+                                               "\n3 0 " + side + "\n4 0\n0 0 1\n1 1 2\n2 2 3\n3 3 0\n0\n");
+    const Run r = run(folder.file("square.poly"));
+    CAPTURE(side, r.out, r.err);
+    CHECK(r.status == 0);
+    CHECK(contains(r.out, "45.00"));
+    CHECK(contains(r.out, "90.00"));
+  }
+}
+
 TEST_CASE("the program reads GeoJSON and WKT", "[program]") {
   const Scratch_folder folder;
   const auto figures = [&](const std::string& arguments) {

@@ -71,8 +71,8 @@ public:
   bool is_surely_exceeded_by(double estimate) const { return estimate > margin * triangles_; }
 
   std::string refusal_of(double estimate) const {
-    return "the mesh would need about " + two_digits(in_unit(estimate)) + ' ' + name_of_unit() + ", and " +
-           limit_ + ' ' + whole(in_unit(triangles_)) + ':';
+    return "the mesh would need " + in_words(in_unit(estimate)) + ' ' + name_of_unit() + ", and " + limit_ +
+           ' ' + whole(in_unit(triangles_)) + ':';
   }
 
   bool is_used_up_by(std::size_t triangles) const { return static_cast<double>(triangles) >= triangles_; }
@@ -93,15 +93,17 @@ private:
 
   double in_unit(double triangles) const { return unit_ == Unit::VERTICES ? triangles / 2 : triangles; }
   const char* name_of_unit() const { return unit_ == Unit::VERTICES ? "vertices" : "triangles"; }
-  /// An estimate says no more. Large numbers are told by their powers of ten.
-  static std::string two_digits(double number) {
-    if (number < 10) return whole(number);
+  /// With two digits: an estimate says no more. Large numbers are told by their powers of ten, if they have one: bounds
+  /// of size may be so small that their squares are 0.
+  static std::string in_words(double number) {
+    if (number < 10) return "about " + whole(number);
+    if (number > 1e300) return "more than 1e+300";
     const double unit = std::pow(10.0, std::floor(std::log10(number)) - 1),
                  rounded = unit * std::round(number / unit);
-    if (rounded < 1e8) return whole(rounded);
+    if (rounded < 1e8) return "about " + whole(rounded);
     std::ostringstream text;
     text.precision(2);
-    text << rounded;
+    text << "about " << rounded;
     return text.str();
   }
   /// With all digits, as the user would write it.
