@@ -137,8 +137,7 @@ public:
     if (rule == Quality_mesh_options_2::Domain::MARKED)
       return {kind, "no domain: no region's point is in a component that segments enclose" + ends,
               std::move(parts)};
-    return {kind, "no domain is left: every component that segments enclose has the point of a hole" + ends,
-            std::move(parts)};
+    return {kind, "no domain is left: all of its components have points of holes" + ends, std::move(parts)};
   }
 
 private:
