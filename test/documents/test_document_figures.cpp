@@ -89,6 +89,8 @@ std::size_t number_of_triangles(const std::string& name, const Options& options)
 } // namespace
 
 TEST_CASE("Numbers of triangles in the text are those of this program", "[documents]") {
+  INFO("examples/poisson_eigen prints the table of examples.md, quality_mesh --thin the numbers of "
+       "user_manual.md");
   const auto by_bound = rows_below(
       "| bound | least angle | triangles | unknowns | largest eigenvalue | condition |", "examples.md");
   REQUIRE(by_bound.size() == 5);
