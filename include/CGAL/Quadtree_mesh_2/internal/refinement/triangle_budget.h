@@ -58,9 +58,10 @@ public:
 
   /// What handles and memory allow.
   static Triangle_budget of_machine() {
-    const double vertices =
-        std::min(static_cast<double>(most_vertices), physical_memory() / (2 * bytes_per_triangle));
-    return {vertices, "handles and memory allow", Unit::VERTICES};
+    constexpr auto by_handles = static_cast<double>(most_vertices);
+    const double by_memory = physical_memory() / (2 * bytes_per_triangle);
+    if (by_memory < by_handles) return {by_memory, "memory allows", Unit::VERTICES};
+    return {by_handles, "32-bit indices allow", Unit::VERTICES};
   }
   Triangle_budget smaller(const Triangle_budget& other) const {
     return other.triangles_ < triangles_ ? other : *this;
