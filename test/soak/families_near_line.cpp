@@ -95,8 +95,8 @@ Pslg seeds_on_features(std::uint64_t seed) {
   return pslg;
 }
 
-/// Random points with nearly all segments that do not cross one drawn before, so that triangles are what segments make them,
-/// and holes and regions anywhere.
+/// Random points with nearly all segments that do not cross one drawn before, so that triangles are what segments make
+/// them, and holes and regions anywhere.
 Pslg seeds_among_segments(std::uint64_t seed) {
   Random random(seed);
   Builder b;
