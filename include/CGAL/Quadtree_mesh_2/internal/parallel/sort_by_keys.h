@@ -390,17 +390,18 @@ public:
   template <class ConcurrencyTag, class Key_at>
   static void sort(const Uninitialized_vector<std::uint64_t>& words, Order& order, const Key_at& key_at) {
     std::vector<std::vector<std::size_t>> long_ties((words.size() + block_ - 1) / block_);
-    for_each_block<ConcurrencyTag>(words.size(), block_, [&](std::size_t block, std::size_t b, std::size_t e) {
-      std::optional<Short_ties> short_ties;
-      for_each_tie(words, b, e, [&](std::size_t first, std::size_t n) {
-        if (n > Short_range_sorter<Key>::longest) {
-          long_ties[block].push_back(first);
-        } else {
-          if (!short_ties) short_ties.emplace(block_);
-          short_ties->sort(order.data() + first, n, key_at);
-        }
-      });
-    });
+    for_each_block<ConcurrencyTag>(words.size(), block_,
+                                   [&](std::size_t block, std::size_t b, std::size_t e) {
+                                     std::optional<Short_ties> short_ties;
+                                     for_each_tie(words, b, e, [&](std::size_t first, std::size_t n) {
+                                       if (n > Short_range_sorter<Key>::longest) {
+                                         long_ties[block].push_back(first);
+                                       } else {
+                                         if (!short_ties) short_ties.emplace(block_);
+                                         short_ties->sort(order.data() + first, n, key_at);
+                                       }
+                                     });
+                                   });
     for (const auto& ties : long_ties)
       for (const std::size_t first : ties)
         sort_long<ConcurrencyTag>(order.data() + first, end_of_tie(words, first) - first, key_at);
@@ -443,9 +444,9 @@ private:
 
   template <class ConcurrencyTag, class Key_at>
   static void sort_long(std::uint32_t* items, std::size_t n, const Key_at& key_at) {
-    Order order =
-        Key_sorter<Key>::template sort<ConcurrencyTag>(n, [&](std::size_t i) { return key_at(items[i]); })
-            .order;
+    Order order = Key_sorter<Key>::template sort<ConcurrencyTag>(n, [&](std::size_t i) {
+                    return key_at(items[i]);
+                  }).order;
     for_each_index<ConcurrencyTag>(n, [&](std::size_t i) { order[i] = items[order[i]]; });
     std::copy(order.begin(), order.end(), items);
   }

@@ -118,9 +118,11 @@ public:
     for (const auto& t : triangles)
       for (const auto v : t) ++first[std::size_t(v) + 2];
     for (std::size_t v = 2; v < first.size(); ++v) first[v] += first[v - 1];
-    std::vector<std::uint32_t> triangle_at(first.back()); // half the memory of the sides, where most is needed
+    std::vector<std::uint32_t> triangle_at(
+        first.back()); // half the memory of the sides, where most is needed
     for (std::size_t t = 0; t < triangles.size(); ++t)
-      for (const auto v : triangles[t]) triangle_at[first[std::size_t(v) + 1]++] = static_cast<std::uint32_t>(t);
+      for (const auto v : triangles[t])
+        triangle_at[first[std::size_t(v) + 1]++] = static_cast<std::uint32_t>(t);
     rings.resize(points.size());
     std::vector<Side> sides;
     for (const Ring_vertex v : rings.ids()) {
