@@ -55,12 +55,14 @@ public:
   }
 
 private:
+  static constexpr bool go_on() { return true; } // a trial is too short to be asked about
+
   Meshing_state<Geometry>& state_;
   Kernel_mesh<Geometry>& mesh_;
   Remover<Geometry> lowered_, guarded_;
   // the mesh before a trial
   Kernel_mesh<Geometry> mesh_before_;
-  Acute_corners<Geometry> corners_before_; // their shells name vertices of the mesh
+  Acute_corners<Geometry> corners_before_;  // their shells name vertices of the mesh
   Indexed_vector<Vertex_id, char> is_done_; // tried in vain, with nothing changed around it since
   std::vector<Vertex_id> star_;             // a vertex and its neighbors
 
@@ -75,7 +77,7 @@ private:
         if (mesh_.is_input(v) || !mesh_.is_used(v) || is_done_[v] != 0) continue;
         if (is_time_to_ask(step += steps_of_trial) && !shall_go_on()) return;
         is_done_[v] = 1;
-        is_any_thinner |= thin_at(v, shall_go_on);
+        is_any_thinner |= thin_at(v);
       }
     }
   }
@@ -89,12 +91,11 @@ private:
   }
 
   /// \returns whether the mesh has fewer triangles then; else it is as it was
-  template <class Continue>
-  bool thin_at(Vertex_id v, Continue& shall_go_on) {
+  bool thin_at(Vertex_id v) {
     collect_star(v);
     if (!lowered_.remove(v)) return false;
     for (const Vertex_id w : star_) lowered_.remove(w);
-    const bool is_thinner = refine_changed(shall_go_on) && remove_changed(shall_go_on);
+    const bool is_thinner = refine_changed() && remove_changed();
     if (!is_thinner) {
       undo();
       return false;
@@ -108,14 +109,12 @@ private:
 
   void collect_star(Vertex_id v) {
     star_.clear();
-    mesh_.for_each_triangle_at(v, [this](Triangle_id t, int slot) {
-      star_.push_back(mesh_.triangle(t).v[next_slot[slot]]);
-    });
+    mesh_.for_each_triangle_at(
+        v, [this](Triangle_id t, int slot) { star_.push_back(mesh_.triangle(t).v[next_slot[slot]]); });
   }
 
   /// Whether what is changed meets the bounds in the end. No more triangles are made than there were.
-  template <class Continue>
-  bool refine_changed(Continue& shall_go_on) {
+  bool refine_changed() {
     const Mesh_limit limit{Mesh_limit::any, mesh_before_.number_of_triangles()};
     Splitter<Geometry> splitter(state_);
     Refiner<Geometry> refiner(state_, splitter);
@@ -123,7 +122,7 @@ private:
     for_each_changed([this](Triangle_id t) { state_.push_if_suspect(t); });
     constexpr int most_rounds = 5;
     for (int round = 0; round < most_rounds; ++round) {
-      if (refiner.run(limit, shall_go_on) != Refinement_end::DONE) return false;
+      if (refiner.run(limit, go_on) != Refinement_end::DONE) return false;
       state_.legalize(); // and what that makes bad is on the list again
       if (state_.worklist.is_empty()) return true;
     }
@@ -132,12 +131,11 @@ private:
 
   /// Removes under guard what can be removed now. Whether the mesh then has fewer triangles than before, and what is
   /// changed meets the bounds: some triangles may not have been cured, or flips took apart what a corner excuses.
-  template <class Continue>
-  bool remove_changed(Continue& shall_go_on) {
+  bool remove_changed() {
     for_each_changed([this](Triangle_id t) {
       for (const Vertex_id v : mesh_.triangle(t).v) mesh_.is_dirty[v] = 1;
     });
-    guarded_.run(shall_go_on);
+    guarded_.run(go_on);
     if (mesh_.number_of_triangles() >= mesh_before_.number_of_triangles()) return false;
     legalize_changed();
     return !state_.has_bad_on_worklist() && !is_any_changed_bad();
