@@ -68,8 +68,7 @@ double area_of(const Mesh& mesh, std::size_t t) {
 }
 
 /// Random points, and all segments between them that do not cross one drawn before, in a random order.
-Pslg random_triangulation(std::uint64_t seed) {
-  random_pslg::Random random(seed);
+Pslg random_triangulation(random_pslg::Random& random) {
   Pslg pslg;
   const int n = random.integer(10, 26);
   std::vector<std::array<std::size_t, 2>> pairs;
@@ -169,8 +168,8 @@ TEST_CASE("Regions are found among all segments that there can be", "[mesher][do
   const std::uint64_t seeds = is_full_run() ? 1000 : 30;
   for (std::uint64_t seed = 0; seed < seeds; ++seed) {
     CAPTURE(seed);
-    Pslg pslg = random_triangulation(seed);
-    random_pslg::Random random(~seed); // other places than those of the vertices
+    random_pslg::Random random(seed);
+    Pslg pslg = random_triangulation(random);
     for (int i = 0; i < 20; ++i)
       pslg.regions.push_back({Point(random.between(0, 1), random.between(0, 1)), double(i), 0});
     triangles_by_region(run_to_the_bound(pslg, Options()), pslg);
