@@ -11,7 +11,7 @@ usage: test/run.sh [--sanitize S[,S]] [--compiler CXX] [--full] [--strict]
 
   --sanitize S    build with sanitizers and with assertions, in a folder of its own: address, undefined or
                   address,undefined, or thread; runs the few tests of which the reduced suite for them consists;
-                  by clang++, which takes half as long for it as g++, unless --compiler names another
+                  by clang++, which compiles it in half of g++'s time, unless --compiler names another
   --compiler CXX  build with this compiler, for example clang++, in a folder of its own
   --full          run the slow sweeps too; with --sanitize all tests and the examples
   --strict        let a compiler warning be an error
@@ -63,7 +63,7 @@ if [[ -n $sanitize ]]; then
   optimize=-O1
   if [[ $full == no ]]; then
     suite=reduced
-    optimize=-O0 # its inputs are small, so that compiling takes most of the time
+    optimize=-O0 # compiled fastest, and its inputs are small
   fi
   # Not Release: its NDEBUG would switch the assertions off, and they find more than the sanitizer.
   arguments+=(-DCMAKE_BUILD_TYPE=None -DCMAKE_CXX_FLAGS="$optimize -g1" -DQUADTREE_MESH_2_SANITIZE="$sanitize")
