@@ -182,7 +182,7 @@ private:
     } catch (const Ambiguous_seed& seed) {
       throw words_.ambiguous_seed(seed, problem_.edges);
     }
-    if (state_.mesh.triangles.empty()) throw words_.no_domain(options_.mesh_domain());
+    if (state_.mesh.triangles.empty()) throw words_.no_domain(options_.mesh_domain(), problem_.edges);
   }
 
   /// What is near: what coordinates cannot tell apart is refused, what quadtrees cannot is noted.
