@@ -96,9 +96,9 @@ TEST_CASE("Thinning of stars that is stopped leaves a mesh within the bounds", "
   refine(state);
   const std::size_t before = state.mesh.number_of_triangles();
   problem.bounds = bounds(30, 0);
-  int questions = 0;
-  internal::Star_thinner<Geometry>(state).run([&questions] { return ++questions < 3; });
-  CHECK(questions == 3);
+  int questions = 0; // the first one comes after some trials
+  internal::Star_thinner<Geometry>(state).run([&questions] { return ++questions < 1; });
+  CHECK(questions == 1);
   CHECK(state.mesh.number_of_triangles() < before);
   check_square(state);
 }
