@@ -46,7 +46,7 @@ public:
       mesh.points.push_back(
           {std::int64_t(p.x * 1000) + any_offset(), std::int64_t(p.y * 1000) + any_offset()});
     triangles = triangles_of(start);
-    mesh.set_triangles(triangles);
+    mesh.set_triangles(std::vector<Triangle>(triangles.begin(), triangles.end()));
     spare = append_spare(mesh, 200);
     marks.resize(mesh.number_of_vertices());
   }

@@ -111,6 +111,7 @@ public:
 
   /// Builds the rings of triangles, given counterclockwise, over the present points. Closed rings begin with their
   /// least member, whatever the order of the triangles. Points without triangles count as removed.
+  /// \param triangles with random access
   /// \pre the triangles are those of a disk, every vertex has at most `Ring::max_size` neighbors
   template <class Triangles>
   void set_triangles(const Triangles& triangles) {
