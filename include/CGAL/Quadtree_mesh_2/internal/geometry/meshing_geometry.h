@@ -26,11 +26,13 @@
 #include <CGAL/enum.h>
 #include <CGAL/number_utils.h>
 
+#include <boost/config.hpp>
 #include <boost/multiprecision/cpp_int.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 #include <type_traits>
 
@@ -71,7 +73,16 @@ Number length(const Basic_vector<Number>& a) {
 inline double ratio(double a, double b) { return a / b; }
 
 /// The greatest power of two that is at most x, positive; the same on every machine.
-inline double power_of_two_at_most(double x) { return std::ldexp(1.0, std::ilogb(x)); }
+inline double power_of_two_at_most(double x) {
+  constexpr std::uint64_t bits_of_exponent = 0x7ff0000000000000u;
+  std::uint64_t bits;
+  std::memcpy(&bits, &x, sizeof bits);
+  bits &= bits_of_exponent;
+  if (bits == 0 || bits == bits_of_exponent) return std::ldexp(1.0, std::ilogb(x)); // below the normal numbers, or none
+  double power;
+  std::memcpy(&power, &bits, sizeof power);
+  return power;
+}
 
 /// Squared side lengths of a triangle (`l[k]` opposite vertex k) and its doubled signed area.
 template <class Number>
@@ -268,17 +279,14 @@ struct Double_geometry_2 : Rounded_geometry<Double_geometry_2<Kernel>> {
     const double l = (b.x - a.x) * (c.y - a.y), r = (b.y - a.y) * (c.x - a.x);
     const double d = l - r, magnitude = std::fabs(l) + std::fabs(r);
     if (std::fabs(d) > 3.4e-16 * magnitude && magnitude > 1e-280) return d > 0 ? 1 : -1;
-    return static_cast<int>(
-        typename Kernel::Orientation_2()(kernel_point(a), kernel_point(b), kernel_point(c)));
+    return orientation_by_kernel(a, b, c);
   }
 
   /// Whether d lies strictly inside the circle through a, b, c (counterclockwise); exact.
   static bool is_in_circle(Point a, Point b, Point c, Point d) {
     const In_circle test(difference(a, d), difference(b, d), difference(c, d));
     if (test.is_certain()) return test.is_positive();
-    if (are_corners_of_rectangle(a, b, c, d)) return false;
-    return typename Kernel::Side_of_oriented_circle_2()(kernel_point(a), kernel_point(b), kernel_point(c),
-                                                        kernel_point(d)) == ON_POSITIVE_SIDE;
+    return is_in_circle_by_kernel(a, b, c, d);
   }
 
   /// The corner, next to p, of the quadtree's cells with the given side, a power of two.
@@ -288,6 +296,17 @@ struct Double_geometry_2 : Rounded_geometry<Double_geometry_2<Kernel>> {
 
 private:
   static typename Kernel::Point_2 kernel_point(Point p) { return typename Kernel::Point_2(p.x, p.y); }
+
+  // Rare, and apart, so that compilers inline what is frequent.
+  static BOOST_NOINLINE int orientation_by_kernel(Point a, Point b, Point c) {
+    return static_cast<int>(
+        typename Kernel::Orientation_2()(kernel_point(a), kernel_point(b), kernel_point(c)));
+  }
+  static BOOST_NOINLINE bool is_in_circle_by_kernel(Point a, Point b, Point c, Point d) {
+    if (are_corners_of_rectangle(a, b, c, d)) return false;
+    return typename Kernel::Side_of_oriented_circle_2()(kernel_point(a), kernel_point(b), kernel_point(c),
+                                                        kernel_point(d)) == ON_POSITIVE_SIDE;
+  }
 };
 
 /// Points with integer coordinates below 2^62 (2^31 for 32-bit words); all predicates in integers.
