@@ -13,6 +13,7 @@
 #include <CGAL/Indexed_mesh_2.h>
 #include <CGAL/Pslg_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/angle_units.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/prefetch.h>
 #include <CGAL/Quadtree_mesh_2/internal/geometry/coordinate_map.h>
 #include <CGAL/Quadtree_mesh_2/internal/output/boundary_markers.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
@@ -25,6 +26,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -51,11 +53,17 @@ public:
     out.triangles.resize(number_of_triangles_), out.neighbors.resize(number_of_triangles_);
     if (!mesh_.region_of.empty()) out.region_of_triangle.resize(number_of_triangles_);
     std::vector<Edges> parts((mesh_.triangles.size() + default_block - 1) / default_block);
-    for_each_block<ConcurrencyTag>(mesh_.triangles.size(), default_block,
-                                   [&](std::size_t b, std::size_t begin, std::size_t end) {
-                                     for (const Triangle_id t : Id_range<Triangle_id>(begin, end))
-                                       if (mesh_.is_alive(t)) make_triangle(out, t, parts[b]);
-                                   });
+    for_each_block<ConcurrencyTag>(
+        mesh_.triangles.size(), default_block, [&](std::size_t b, std::size_t begin, std::size_t end) {
+          visit_with_foresight(
+              Id_range<Triangle_id>(begin, end), [this](Triangle_id t) { prefetch_names(t); },
+              [&](Triangle_id t) {
+                if (mesh_.is_alive(t)) make_triangle(out, t, parts[b]);
+              });
+        });
+    out.constrained_edges.reserve(
+        std::accumulate(parts.begin(), parts.end(), std::size_t(0),
+                        [](std::size_t n, const Edges& part) { return n + part.size(); }));
     for (const Edges& edges : parts)
       out.constrained_edges.insert(out.constrained_edges.end(), edges.begin(), edges.end());
     account.angles.add_to(report_.least_angle_histogram, report_.largest_angle_histogram);
@@ -127,6 +135,13 @@ private:
           for (const Triangle_id t : Id_range<Triangle_id>(begin, end))
             if (mesh_.is_alive(t)) new_triangle_[t] = Triangle_index(first++);
         });
+  }
+
+  void prefetch_names(Triangle_id t) const {
+    const auto& r = mesh_.triangle(t);
+    for (const Vertex_id v : r.v) prefetch(new_vertex_.data() + v.value());
+    for (const Side o : r.side)
+      if (!o.is_border()) prefetch(new_triangle_.data() + o.triangle().value());
   }
 
   void make_triangle(Mesh& out, Triangle_id t, Edges& edges) const {

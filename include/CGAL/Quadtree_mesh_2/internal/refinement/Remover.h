@@ -58,6 +58,8 @@ public:
       for (const Vertex_id v : mesh_.points.ids()) {
         if (is_time_to_ask(std::size_t(v)) && !shall_go_on()) return removed;
         if (mesh_.is_input(v) || mesh_.is_dirty[v] == 0 || !mesh_.is_used(v)) continue;
+        const Vertex_id later(v.value() + foresight);
+        if (mesh_.triangle_of.has(later)) mesh_.prefetch_star(later);
         const int largest = state_.is_small() ? Star::max_size : largest_star;
         const bool is_collected = star_.collect(mesh_, v, largest);
         if (!is_collected && star_.size < largest) continue; // perhaps at a seam: another round may do it
@@ -74,7 +76,8 @@ public:
 
 private:
   static constexpr int max_polygon = 13;
-  static constexpr int largest_star = 9; // of a mesh that is not small
+  static constexpr std::uint32_t foresight = 8; // vertices
+  static constexpr int largest_star = 9;        // of a mesh that is not small
 
   /// A polygon of the star, counterclockwise, and the triangles it is cut into.
   struct Polygon {

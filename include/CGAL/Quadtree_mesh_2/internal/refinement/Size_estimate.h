@@ -83,7 +83,7 @@ public:
         mesh_.triangles.size(), Demand(),
         [this](std::size_t begin, std::size_t end) {
           Demand sum;
-          for (const Triangle_id t : Id_range<Triangle_id>(begin, end)) add_triangle(t, sum);
+          mesh_.for_each_alive({begin, end}, [&](Triangle_id t) { add_triangle(t, sum); });
           return sum;
         },
         [](const Demand& a, const Demand& b) {

@@ -20,6 +20,7 @@
 
 #include <CGAL/Quadtree_mesh_2/Index.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/Indexed_vector.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/prefetch.h>
 #include <CGAL/Quadtree_mesh_2/internal/geometry/meshing_geometry.h>
 
 #include <cstddef>
@@ -62,6 +63,10 @@ public:
   bool is_constrained() const { return (code_ & 1) != 0; }
   Triangle_id triangle() const { return Triangle_id(code_ >> 3); }
   int slot() const { return (code_ >> 1) & 3; }
+  /// `next_slot[slot()]` and `previous_slot[slot()]`. Walks around vertices wait for one after the other of them, which
+  /// takes less time by arithmetic than by a table.
+  int slot_after() const { return (0b00'10'01 >> (code_ & 6)) & 3; }
+  int slot_before() const { return (0b01'00'10 >> (code_ & 6)) & 3; }
   /// The same side of a triangle that has got another handle.
   Side renamed(Triangle_id t) const {
     Side s;
@@ -136,7 +141,7 @@ public:
     if (o.triangle() == start_)
       state_ = State::CLOSED;
     else
-      t_ = o.triangle(), slot_ = next_slot[o.slot()]; // the common side begins at v, seen from there
+      t_ = o.triangle(), slot_ = o.slot_after(); // the common side begins at v, seen from there
     return state_ != State::CLOSED;
   }
 
@@ -161,7 +166,7 @@ private:
     if (o.is_border())
       state_ = State::OPEN;
     else
-      t_ = o.triangle(), slot_ = previous_slot[o.slot()];
+      t_ = o.triangle(), slot_ = o.slot_before();
     return state_ == State::CLOCKWISE;
   }
 };
@@ -203,6 +208,33 @@ public:
   Vertex_id input_number(Vertex_id v) const { return role(v).input_number(); }
   bool is_used(Vertex_id v) const { return incident_triangle(v).is_valid(); }
   std::size_t number_of_vertices() const { return points.size(); }
+
+  /// Prefetch the triangle, or its corners, or the triangles next to it, or the one known at a vertex.
+  void prefetch_triangle(Triangle_id t) const { prefetch(triangles.data() + t.value()); }
+  void prefetch_corners(Triangle_id t) const {
+    for (const Vertex_id v : triangle(t).v) prefetch(points.data() + v.value());
+  }
+  void prefetch_neighbors(Triangle_id t) const {
+    for (const Side o : triangle(t).side)
+      if (!o.is_border()) prefetch_triangle(o.triangle());
+  }
+  /// Prefetches the place of what is opposite a side, the corner that is in the circle of the triangle beyond it or not.
+  void prefetch_apex(Side s) const {
+    if (!s.is_border()) prefetch(points.data() + opposite(s).value());
+  }
+  void prefetch_star(Vertex_id v) const {
+    if (is_used(v)) prefetch_triangle(incident_triangle(v));
+  }
+
+  /// Calls `f(t)` for the triangles alive of the given ones, which may read their corners and neighbors.
+  template <class Function>
+  void for_each_alive(Id_range<Triangle_id> range, const Function& f) const {
+    visit_with_foresight(
+        range, [this](Triangle_id t) { prefetch_corners(t), prefetch_neighbors(t); },
+        [&](Triangle_id t) {
+          if (is_alive(t)) f(t);
+        });
+  }
 
   Side across(Side s) const { return triangle(s.triangle()).side[s.slot()]; }
   Vertex_id opposite(Side s) const { return triangle(s.triangle()).v[s.slot()]; }
@@ -359,6 +391,7 @@ public:
     }
     for (int k = 0; k < 3; ++k) {
       link(part[k], 0, old.side[k]);
+      prefetch_apex(old.side[k]);
       star_.push_back(part[k]);
     }
     triangle_of[v] = t;
@@ -467,6 +500,7 @@ private:
     I.v[2] = d;
     J.v[0] = a, J.v[1] = d, J.v[2] = c;
     link(t, 0, bd), link(u, 0, dc), link(u, 1, ca);
+    prefetch_apex(bd);
     I.side[1] = Side(u, 2), J.side[2] = Side(t, 1);
     triangle_of[a] = triangle_of[b] = triangle_of[d] = t;
     triangle_of[c] = u;
