@@ -16,6 +16,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Kernel_mesh.h>
 
 #include <cstddef>
+#include <limits>
 
 namespace CGAL {
 namespace Quadtree_mesh_2 {
@@ -31,51 +32,60 @@ struct Walk_end {
   bool is_blocked() const { return blocked_slot >= 0; }
 };
 
-/// Walks across every side but the border; each step is decided exactly.
+/// Whether the query is strictly behind side k of a triangle; exact.
 template <class Geometry>
-Walk_end locate_exactly(const Kernel_mesh<Geometry>& mesh, Triangle_id t, const typename Geometry::Point& q) {
-  Triangle_id from;
-  for (unsigned step = 0;; ++step) {
-    const auto& r = mesh.triangle(t);
-    int exit = -1;
-    for (unsigned j = 0; j < 3; ++j) {
-      const int k = static_cast<int>((j + (step & 1u)) % 3u);
-      if (!r.side[k].is_border() && r.side[k].triangle() == from) continue;
-      if (Geometry::orientation(mesh.point(r.v[next_slot[k]]), mesh.point(r.v[previous_slot[k]]), q) < 0) {
-        exit = k;
-        break;
-      }
-    }
+bool is_behind_side(const Kernel_mesh<Geometry>& mesh, const typename Kernel_mesh<Geometry>::Triangle& r,
+                    int k, const typename Geometry::Point& q) {
+  return Geometry::orientation(mesh.point(r.v[next_slot[k]]), mesh.point(r.v[previous_slot[k]]), q) < 0;
+}
+
+/// The side by which a walk leaves the triangle it begins in; -1 if that holds the query.
+template <class Geometry>
+int first_exit(const Kernel_mesh<Geometry>& mesh, Triangle_id t, const typename Geometry::Point& q) {
+  for (int k = 0; k < 3; ++k)
+    if (is_behind_side(mesh, mesh.triangle(t), k, q)) return k;
+  return -1;
+}
+
+/// The same for a triangle that a walk has come into by side `entry`. Both other sides are looked at, and the choice is
+/// no branch, for it would be taken at random.
+template <class Geometry>
+int next_exit(const Kernel_mesh<Geometry>& mesh, Side entry, bool is_odd_step,
+              const typename Geometry::Point& q) {
+  constexpr signed char first_by_entry[2][3] = {{1, 0, 0}, {1, 2, 1}};
+  const int first = first_by_entry[is_odd_step ? 1 : 0][entry.slot()], second = 3 - first - entry.slot();
+  const auto& r = mesh.triangle(entry.triangle());
+  const int is_first = is_behind_side(mesh, r, first, q) ? 1 : 0;
+  const int is_second = is_behind_side(mesh, r, second, q) ? 1 : 0;
+  return (is_first | is_second) == 0 ? -1 : second + is_first * (first - second);
+}
+
+/// Walks across the sides that do not stop it, each step decided exactly, and no more than the given number of them.
+template <class Geometry, class Stops>
+Walk_end walk(const Kernel_mesh<Geometry>& mesh, Triangle_id t, const typename Geometry::Point& q,
+              std::size_t most_steps, const Stops& stops) {
+  int exit = first_exit(mesh, t, q);
+  for (std::size_t step = 1;; ++step) {
     if (exit < 0) return {t, -1};
-    if (r.side[exit].is_border()) return {t, exit};
-    from = t;
-    t = r.side[exit].triangle();
+    const Side entry = mesh.triangle(t).side[exit];
+    if (stops(entry)) return {t, exit};
+    t = entry.triangle();
+    if (step == most_steps) return {t, -1, true};
+    exit = next_exit(mesh, entry, step % 2 != 0, q);
   }
 }
 
-/// Walks from t toward q in sight of it: stops at constrained sides, and after `most_steps`. Each step is decided
-/// exactly.
+/// Walks across every side but the border.
+template <class Geometry>
+Walk_end locate_exactly(const Kernel_mesh<Geometry>& mesh, Triangle_id t, const typename Geometry::Point& q) {
+  return walk(mesh, t, q, std::numeric_limits<std::size_t>::max(), [](Side s) { return s.is_border(); });
+}
+
+/// Walks from t toward q in sight of it: stops at constrained sides, and after `most_steps`.
 template <class Geometry>
 Walk_end walk_in_sight(const Kernel_mesh<Geometry>& mesh, Triangle_id t, const typename Geometry::Point& q,
                        std::size_t most_steps) {
-  Triangle_id from;
-  for (std::size_t step = 0; step < most_steps; ++step) {
-    const auto& r = mesh.triangle(t);
-    int exit = -1;
-    for (unsigned j = 0; j < 3; ++j) {
-      const int k = static_cast<int>((j + static_cast<unsigned>(step & 1)) % 3u);
-      if (!r.side[k].is_border() && r.side[k].triangle() == from) continue;
-      if (Geometry::orientation(mesh.point(r.v[next_slot[k]]), mesh.point(r.v[previous_slot[k]]), q) < 0) {
-        exit = k;
-        break;
-      }
-    }
-    if (exit < 0) return {t, -1};
-    if (r.side[exit].is_constrained()) return {t, exit};
-    from = t;
-    t = r.side[exit].triangle();
-  }
-  return {t, -1, true};
+  return walk(mesh, t, q, most_steps, [](Side s) { return s.is_constrained(); });
 }
 
 } // namespace internal
