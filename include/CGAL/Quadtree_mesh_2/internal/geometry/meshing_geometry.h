@@ -78,7 +78,8 @@ inline double power_of_two_at_most(double x) {
   std::uint64_t bits;
   std::memcpy(&bits, &x, sizeof bits);
   bits &= bits_of_exponent;
-  if (bits == 0 || bits == bits_of_exponent) return std::ldexp(1.0, std::ilogb(x)); // below the normal numbers, or none
+  if (bits == 0 || bits == bits_of_exponent)
+    return std::ldexp(1.0, std::ilogb(x)); // below the normal numbers, or none
   double power;
   std::memcpy(&power, &bits, sizeof power);
   return power;
@@ -106,7 +107,9 @@ struct Basic_shape {
   /// Whether the angle at vertex k is below 60 degrees, or so near that it cannot be told.
   bool may_be_below_60_degrees(int k) const {
     const Number c = twice_dot(k) + error_of_twice_dot();
-    return c > 0 && c * c > (1 - 1e-9) * (l[k == 2 ? 0 : k + 1] * l[k == 0 ? 2 : k - 1]);
+    const bool is_acute = c > 0,
+               is_sharp = c * c > (1 - 1e-9) * (l[k == 2 ? 0 : k + 1] * l[k == 0 ? 2 : k - 1]);
+    return is_acute & is_sharp;
   }
 
   /// Slot of the vertex opposite the shortest side.

@@ -142,14 +142,13 @@ private:
   void add_triangle(Triangle_id t, Demand& demand) {
     const auto& r = mesh_.triangle(t);
     const Shape s = reliable_shape(r);
-    int constrained = 0;
-    unsigned narrow = 0, starts = 0;
-    for (int k = 0; k < 3; ++k) {
-      if (!r.side[k].is_constrained()) continue;
-      ++constrained;
-      if (2 * s.area2 < s.l[k]) narrow |= 1u << k;
+    unsigned constrained = 0, narrow = 0, starts = 0;
+    for (int k = 0; k < 3; ++k) { // no branches: they would be taken at random
+      const unsigned is_constrained = r.side[k].is_constrained() ? 1 : 0;
+      constrained += is_constrained;
+      narrow |= (is_constrained & (2 * s.area2 < s.l[k] ? 1u : 0u)) << k;
       const int apex = next_slot[k]; // of the sector to the left of side k
-      if (s.may_be_below_60_degrees(apex)) starts |= 1u << apex;
+      starts |= (is_constrained & (s.may_be_below_60_degrees(apex) ? 1u : 0u)) << apex;
     }
     marks_[t] = static_cast<unsigned char>(narrow);
     acute_starts_.slots_of_triangle[t] = static_cast<unsigned char>(starts);
