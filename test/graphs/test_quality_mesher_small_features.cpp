@@ -177,6 +177,10 @@ TEST_CASE(
 
 TEST_CASE("Rounded vertices of the border keep clear of what is outside", "[mesher][small]") {
   run_to_the_bound(read("hard_wedge_outside.poly"), to_the_bound());
+  for (const double longest : {0.3, 0.03}) {
+    INFO("edges of at most " << longest);
+    run_to_the_bound(read("hard_wedge_outside_cut_finely.poly"), to_the_bound().max_edge(longest));
+  }
 }
 
 TEST_CASE("Between edges within rounding of each other nothing but triangles without room is left",

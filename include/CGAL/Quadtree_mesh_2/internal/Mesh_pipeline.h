@@ -54,6 +54,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Tree_triangulation.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Domain_rule.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/First_triangulation.h>
+#include <CGAL/Quadtree_mesh_2/internal/triangulation/least_distance.h>
 #include <CGAL/Quality_mesh_options_2.h>
 #include <CGAL/Quality_mesh_report_2.h>
 #include <CGAL/validate_pslg_2.h>
@@ -187,45 +188,21 @@ private:
   /// \throws Pslg_error_2 if vertices are nearer to each other, or to segments, than the doubles can tell in which
   /// angles are compared
   void check_distances() {
-    const Kernel_mesh<Geometry>& mesh = state_.mesh;
     if constexpr (Geometry::has_unlimited_coordinates) {
-      set_least_share_of_leg();
-      if (const auto* near = find_too_near([&mesh](const auto& t) { return mesh.shape(t); }))
+      // Coordinates are unlimited, and so are the distances that an input may have. Nothing in the way of a leg is
+      // nearer than a small share of the least one.
+      constexpr double clearance = 0x1p-34; // squared
+      problem_.least_share_of_leg = sqrt(clearance * least_squared_distance(state_.mesh));
+      if (const auto* near = find_too_near(state_.mesh))
         too_near_for_trees_ = words_.too_near(
             near->v,
             ", nearer to each other, or to being on a line, than the 2^-128 of the extent that quadtrees "
             "can tell: refine without them");
     } else if constexpr (Geometry::least_length > 0) {
-      const auto shape = [&mesh](const auto& t) { return mesh.shape_of_flat(t.v[0], t.v[1], t.v[2]); };
-      if (const auto* near = find_too_near(shape))
+      if (const auto* near = find_too_near(state_.mesh))
         throw words_.too_near(near->v,
                               ": nearer to each other, or to being on a line, than 2^-420 of the extent");
     }
-  }
-
-  /// \returns the first triangle with a side or a height below the least length; null if there is none
-  template <class Shape_of>
-  const typename Kernel_mesh<Geometry>::Triangle* find_too_near(const Shape_of& shape_of) const {
-    constexpr double least = Geometry::least_length * Geometry::least_length;
-    for (const auto& t : state_.mesh.triangles) {
-      if (!t.v[0].is_valid()) continue;
-      const auto s = shape_of(t);
-      if (!(s.shortest() >= least && s.area2 * s.area2 >= least * s.longest())) return &t;
-    }
-    return nullptr;
-  }
-
-  /// Coordinates are unlimited, and so are the distances that an input may have. Its least distance is a side
-  /// or a height of a triangle. Nothing in the way of a leg is nearer.
-  void set_least_share_of_leg() {
-    constexpr double clearance = 0x1p-34; // squared
-    typename Geometry::Number least = 1;
-    for (const auto& t : state_.mesh.triangles) {
-      if (!t.v[0].is_valid()) continue;
-      const auto s = state_.mesh.shape(t);
-      least = std::min({least, s.shortest(), s.area2 * s.area2 / s.longest()});
-    }
-    problem_.least_share_of_leg = sqrt(clearance * least);
   }
 
   void set_bounds() {

@@ -11,7 +11,7 @@
 // Bound:    O(1).
 // Source:   ours.
 //
-// Rooms are disjoint except for common ends, and no vertex is in one. Take a chain from one end of the edge to
+// Rooms are disjoint except for common ends and tips, and no vertex is in one. Take a chain from one end of the edge to
 // the other, monotone in x or y, with its vertices in the rooms on both sides. It stays there: where it changes
 // sides, it crosses the edge between the ends. So a graph of such chains is the given graph, bent. All
 // decisions are exact, on the rounded points. Points exactly on the edge need no room.
@@ -36,10 +36,7 @@ public:
   Edge_room() = default;
   /// In the triangle a, b, c, counterclockwise. The tip is the center of the inscribed circle, so that rooms are as
   /// wide as they can be. If rounding does not leave it inside the triangle, there is no room.
-  Edge_room(const Point& a, const Point& b, const Point& c) : tip_(a) {
-    const Vector ab = Geometry::difference(b, a), ac = Geometry::difference(c, a);
-    const double of_a = length(ac - ab), of_b = length(ac), of_c = length(ab), sum = of_a + of_b + of_c;
-    tip_ = Geometry::translate(a, (of_b / sum) * ab + (of_c / sum) * ac);
+  Edge_room(const Point& a, const Point& b, const Point& c) : tip_(center_of_inscribed_circle(a, b, c)) {
     exists_ = Geometry::orientation(a, b, tip_) > 0 && Geometry::orientation(b, c, tip_) > 0 &&
               Geometry::orientation(c, a, tip_) > 0;
   }
@@ -52,6 +49,18 @@ public:
 private:
   Point tip_;
   bool exists_ = false;
+
+  /// The same bits whichever side of the triangle comes first: rooms of two sides with two tips may overlap.
+  static Point center_of_inscribed_circle(const Point& a, const Point& b, const Point& c) {
+    if (is_before(b, a) || is_before(c, a)) return center_of_inscribed_circle(b, c, a);
+    const Vector ab = Geometry::difference(b, a), ac = Geometry::difference(c, a);
+    const double of_a = length(ac - ab), of_b = length(ac), of_c = length(ab), sum = of_a + of_b + of_c;
+    return Geometry::translate(a, (of_b / sum) * ab + (of_c / sum) * ac);
+  }
+  static bool is_before(const Point& a, const Point& b) {
+    const Vector v = Geometry::difference(b, a);
+    return v.x > 0 || (v.x == 0 && v.y > 0);
+  }
 
   /// No squares, which may be too large or small for doubles: users' points are of any scale.
   static double length(Vector v) { return std::hypot(v.x, v.y); }
