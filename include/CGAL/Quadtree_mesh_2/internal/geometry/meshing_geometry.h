@@ -72,6 +72,16 @@ Number length(const Basic_vector<Number>& a) {
 /// a / b as a double: of lengths, which as such may be of any size.
 inline double ratio(double a, double b) { return a / b; }
 
+/// The lesser and the greater of two lengths. By value: of references g++ makes branches, which are taken at random.
+template <class Number>
+Number lesser(Number a, Number b) {
+  return b < a ? b : a;
+}
+template <class Number>
+Number greater(Number a, Number b) {
+  return a < b ? b : a;
+}
+
 /// The greatest power of two that is at most x, positive; the same on every machine.
 inline double power_of_two_at_most(double x) {
   constexpr std::uint64_t bits_of_exponent = 0x7ff0000000000000u;
@@ -91,8 +101,8 @@ struct Basic_shape {
   Number l[3];
   Number area2;
 
-  Number shortest() const { return std::min(l[0], std::min(l[1], l[2])); }
-  Number longest() const { return std::max(l[0], std::max(l[1], l[2])); }
+  Number shortest() const { return lesser(l[0], lesser(l[1], l[2])); }
+  Number longest() const { return greater(l[0], greater(l[1], l[2])); }
 
   /// Whether the area is positive for certain, if it was computed from differences of coordinates that were
   /// rounded once. Their cross product is then correct to 5 half units in the last place of the sum of its
@@ -117,7 +127,9 @@ struct Basic_shape {
 
   /// The product of the two longer squared sides, of which the least angle is between. No product of three: it would
   /// underflow too soon.
-  Number product_of_longer() const { return std::max(l[0] * l[1], std::max(l[1] * l[2], l[2] * l[0])); }
+  Number product_of_longer() const {
+    return greater<Number>(l[0] * l[1], greater<Number>(l[1] * l[2], l[2] * l[0]));
+  }
 
   /// Whether the least angle's squared sine is below `sin2`.
   bool is_below(Number sin2) const { return area2 * area2 < sin2 * product_of_longer(); }

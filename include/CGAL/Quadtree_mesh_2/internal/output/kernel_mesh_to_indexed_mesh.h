@@ -139,7 +139,8 @@ private:
 
   void prefetch_names(Triangle_id t) const {
     const auto& r = mesh_.triangle(t);
-    for (const Vertex_id v : r.v) prefetch(new_vertex_.data() + v.value());
+    for (const Vertex_id v : r.v)
+      prefetch(new_vertex_.data() + v.value()), prefetch(mesh_.role_of.data() + v.value());
     for (const Side o : r.side)
       if (!o.is_border()) prefetch(new_triangle_.data() + o.triangle().value());
   }

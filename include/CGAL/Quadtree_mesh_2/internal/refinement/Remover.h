@@ -58,8 +58,7 @@ public:
       for (const Vertex_id v : mesh_.points.ids()) {
         if (is_time_to_ask(std::size_t(v)) && !shall_go_on()) return removed;
         if (mesh_.is_input(v) || mesh_.is_dirty[v] == 0 || !mesh_.is_used(v)) continue;
-        const Vertex_id later(v.value() + foresight);
-        if (mesh_.triangle_of.has(later)) mesh_.prefetch_star(later);
+        prefetch_after(v);
         const int largest = state_.is_small() ? Star::max_size : largest_star;
         const bool is_collected = star_.collect(mesh_, v, largest);
         if (!is_collected && star_.size < largest) continue; // perhaps at a seam: another round may do it
@@ -99,6 +98,16 @@ private:
   Vector place_[max_polygon];
   double quality_[max_polygon][max_polygon];
   std::int8_t middle_[max_polygon][max_polygon];
+
+  /// Prefetches a triangle of a later vertex, and what is next to that of one before it.
+  void prefetch_after(Vertex_id v) const {
+    const Vertex_id later(v.value() + foresight), much_later(v.value() + 2 * foresight);
+    if (!mesh_.triangle_of.has(much_later)) return;
+    mesh_.prefetch_star(much_later);
+    if (!mesh_.is_used(later)) return;
+    mesh_.prefetch_corners(mesh_.incident_triangle(later));
+    mesh_.prefetch_neighbors(mesh_.incident_triangle(later));
+  }
 
   /// \pre the star is that of v
   bool try_to_remove(Vertex_id v) {
