@@ -52,10 +52,26 @@ namespace internal {
 /// a constrained side then.
 struct Acute_starts {
   Indexed_vector<Triangle_id, unsigned char> slots_of_triangle;
-
-  bool is_any(Triangle_id t) const { return slots_of_triangle[t] != 0; }
-  bool has(Triangle_id t, int k) const { return (slots_of_triangle[t] >> k & 1u) != 0; }
 };
+
+/// Calls `visit(side)` for the slots k of triangles whose mark has bit k, in order. They are gathered before that,
+/// without branches, which would be taken at random.
+template <class Visit>
+void for_each_marked_slot(const Indexed_vector<Triangle_id, unsigned char>& marks,
+                          Id_range<Triangle_id> triangles, const Visit& visit) {
+  constexpr std::size_t most = 256; // triangles at once
+  Side slots[3 * most];
+  const auto end = static_cast<std::size_t>(*triangles.end());
+  for (auto first = static_cast<std::size_t>(*triangles.begin()); first < end; first += most) {
+    std::size_t count = 0;
+    for (const Triangle_id t : Id_range<Triangle_id>(first, std::min(first + most, end)))
+      for (int k = 0; k < 3; ++k) {
+        slots[count] = Side(t, k);
+        count += marks[t] >> k & 1u;
+      }
+    std::for_each(slots, slots + count, visit);
+  }
+}
 
 template <class Geometry>
 class Size_estimate {
@@ -90,9 +106,8 @@ public:
           return Demand{a.of_shapes + b.of_shapes, a.of_sizes + b.of_sizes};
         });
     of_shapes_ = all.of_shapes, of_sizes_ = all.of_sizes;
-    for (const Triangle_id t : mesh_.triangles.ids())
-      for (int k = 0; k < 3 && (marks_[t] & narrow_sides) != 0; ++k)
-        if (is_narrow(t, k)) add_facing_edges(t, k);
+    for_each_marked_slot(marks_, mesh_.triangles.ids(),
+                         [this](Side narrow) { add_facing_edges(narrow.triangle(), narrow.slot()); });
   }
 
   double triangles() const {
@@ -133,7 +148,6 @@ private:
   Number total_area2_ = 0;
   double of_shapes_ = 0, of_pairs_ = 0, of_sizes_ = 0;
   Pair worst_;
-  static constexpr unsigned narrow_sides = 7;
   /// Bit k: for a narrow side k; 3 + k: for a sector begun there.
   Indexed_vector<Triangle_id, unsigned char> marks_;
   Acute_starts acute_starts_;

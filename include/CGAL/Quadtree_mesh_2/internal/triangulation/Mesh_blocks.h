@@ -92,7 +92,7 @@ Block_cut cut_by_input_order(const Kernel_mesh<Geometry>& mesh, std::size_t numb
   const auto block_of = [&](Triangle_id t) {
     const auto& r = mesh.triangle(t);
     const Vertex_id a = number(r.v[0]), b = number(r.v[1]), c = number(r.v[2]);
-    const Vertex_id middle = std::max(std::min(a, b), std::min(std::max(a, b), c));
+    const Vertex_id middle = greater(lesser(a, b), lesser(greater(a, b), c));
     return std::size_t(middle) * blocks / number_of_input_vertices;
   };
   Indexed_vector<Triangle_id, std::uint16_t> block(mesh.triangles.size());
