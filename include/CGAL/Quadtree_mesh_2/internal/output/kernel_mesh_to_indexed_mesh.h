@@ -53,14 +53,10 @@ public:
     out.triangles.resize(number_of_triangles_), out.neighbors.resize(number_of_triangles_);
     if (!mesh_.region_of.empty()) out.region_of_triangle.resize(number_of_triangles_);
     std::vector<Edges> parts((mesh_.triangles.size() + default_block - 1) / default_block);
-    for_each_block<ConcurrencyTag>(
-        mesh_.triangles.size(), default_block, [&](std::size_t b, std::size_t begin, std::size_t end) {
-          visit_with_foresight(
-              Id_range<Triangle_id>(begin, end), [this](Triangle_id t) { prefetch_names(t); },
-              [&](Triangle_id t) {
-                if (mesh_.is_alive(t)) make_triangle(out, t, parts[b]);
-              });
-        });
+    for_each_block<ConcurrencyTag>(mesh_.triangles.size(), default_block,
+                                   [&](std::size_t b, std::size_t begin, std::size_t end) {
+                                     make_triangles(out, begin, end, parts[b]);
+                                   });
     out.constrained_edges.reserve(
         std::accumulate(parts.begin(), parts.end(), std::size_t(0),
                         [](std::size_t n, const Edges& part) { return n + part.size(); }));
@@ -145,16 +141,36 @@ private:
       if (!o.is_border()) prefetch(new_triangle_.data() + o.triangle().value());
   }
 
-  void make_triangle(Mesh& out, Triangle_id t, Edges& edges) const {
+  void make_triangles(Mesh& out, std::size_t begin, std::size_t end, Edges& edges) const {
+    constexpr std::size_t most = 256; // at once
+    Side constrained[3 * most];
+    for (; begin < end; begin += most) {
+      Side* next = constrained;
+      visit_with_foresight(
+          Id_range<Triangle_id>(begin, std::min(begin + most, end)),
+          [this](Triangle_id t) { prefetch_names(t); },
+          [&](Triangle_id t) {
+            if (mesh_.is_alive(t)) next = make_triangle(out, t, next);
+          });
+      std::for_each(constrained, next, [&](Side s) { add_constrained_edge(edges, s); });
+    }
+  }
+
+  /// \param next where constrained sides are noted, each edge from one of its triangles; there is room for three
+  /// \returns the place behind them
+  Side* make_triangle(Mesh& out, Triangle_id t, Side* next) const {
     const auto& r = mesh_.triangle(t);
     const auto place = std::size_t(new_triangle_[t]);
-    for (int k = 0; k < 3; ++k) {
+    for (int k = 0; k < 3; ++k) { // no branches: they would be taken at random
       out.triangles[place][std::size_t(k)] = new_vertex_[r.v[k]];
       const Side o = r.side[k];
-      if (!o.is_border()) out.neighbors[place][std::size_t(k)] = new_triangle_[o.triangle()];
-      if (o.is_border() || (o.is_constrained() && t < o.triangle())) add_constrained_edge(edges, Side(t, k));
+      const Triangle_id across = o.is_border() ? t : o.triangle();
+      out.neighbors[place][std::size_t(k)] = o.is_border() ? Triangle_index() : new_triangle_[across];
+      *next = Side(t, k);
+      next += o.is_constrained() & !(across < t) ? 1 : 0;
     }
     if (!mesh_.region_of.empty()) out.region_of_triangle[place] = static_cast<int>(mesh_.region(t).value());
+    return next;
   }
 
   void add_constrained_edge(Edges& edges, Side s) const {
