@@ -167,7 +167,7 @@ private:
       const Triangle_id across = o.is_border() ? t : o.triangle();
       out.neighbors[place][std::size_t(k)] = o.is_border() ? Triangle_index() : new_triangle_[across];
       *next = Side(t, k);
-      next += o.is_constrained() & !(across < t) ? 1 : 0;
+      next += (o.is_constrained() ? 1 : 0) & (across < t ? 0 : 1);
     }
     if (!mesh_.region_of.empty()) out.region_of_triangle[place] = static_cast<int>(mesh_.region(t).value());
     return next;
