@@ -8,6 +8,7 @@
 #include "internal/mesh_graph.h"
 #include "internal/point_set_program.h"
 #include "internal/program_steps.h"
+#include "internal/repaired_graph.h"
 #include "internal/rounding_loss.h"
 #include "internal/what_to_do.h"
 
@@ -18,6 +19,8 @@
 #include <CGAL/Pslg_error_2.h>
 #include <CGAL/mesh_quality_2.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <exception>
 #include <iostream>
@@ -93,11 +96,25 @@ void compare(Meshing_run& run, const CGAL::Quality_mesh_options_2& options) {
   run.peer = in_child(peer, peer_limit_seconds).result;
 }
 
+/// GeoJSON has longitudes and latitudes unless its author departs from the standard, which larger numbers show.
+bool may_be_degrees(const Meshing_run& run, const Command_line& line) {
+  return input_format(line.input) == Input_format::GEOJSON &&
+         std::all_of(run.pslg.vertices.begin(), run.pslg.vertices.end(), [](const Meshing_run::Point_2& p) {
+           return std::abs(p.x()) <= 180 && std::abs(p.y()) <= 90;
+         });
+}
+
+void read(Meshing_run& run, const Command_line& line) {
+  run.pslg = mesh_files::read_graph(line.input, line.region_property);
+  if (line.is_repair_wanted) run.pslg = repaired_graph(run.pslg, run.repair.emplace());
+  run.may_be_in_degrees = may_be_degrees(run, line);
+}
+
 Exit_status execute(const Command_line& line) {
   Meshing_run run;
   run.threads = line.threads;
   const Thread_limit limit(line.threads);
-  timed(run.read_seconds, [&] { run.pslg = mesh_files::read_graph(line.input, line.region_property); });
+  timed(run.read_seconds, [&] { read(run, line); });
   timed(run.ours.seconds, [&] { mesh(run, line); });
   check(run, line);
   check_valid(run.quality);

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Compiles all headers, and the meshers over all usual traits, by other compilers and standards, and by another CGAL;
-# and each header alone, the public ones twice in a row. Only looks for errors and warnings, makes nothing. See --help.
+# and each header alone, twice in a row. Only looks for errors and warnings, makes nothing. See --help.
 set -euo pipefail
 
 # shellcheck source-path=SCRIPTDIR source=../.ci/common.sh
@@ -59,26 +59,61 @@ check() { # compiler, standard, source
 flags=(-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror -DCGAL_LINKED_WITH_TBB
   ${cgal:+-isystem "$cgal"} -I "$root/include" -isystem /usr/include/eigen3)
 
-# Libraries take longer to read than all of our headers: those below internal/ find them read.
-libraries=$work/libraries.h
-printf '#include <%s>\n' CGAL/Constrained_Delaunay_triangulation_2.h CGAL/Exact_predicates_exact_constructions_kernel.h \
-  CGAL/Exact_predicates_inexact_constructions_kernel.h >"$libraries"
-clang++ -std=c++17 "${flags[@]}" -x c++-header "$libraries" -o "$libraries.pch"
+# Other libraries take longer to read than most of our headers. So a header finds those of them read that it includes,
+# itself or through headers of ours, and none that it lacks. The first set that is all among what it includes is taken.
+precompiled_sets=(
+  "CGAL/Constrained_Delaunay_triangulation_2.h CGAL/Exact_predicates_exact_constructions_kernel.h
+   CGAL/Exact_predicates_inexact_constructions_kernel.h"
+  "CGAL/Exact_predicates_inexact_constructions_kernel.h CGAL/Exact_rational.h"
+  "CGAL/Exact_predicates_inexact_constructions_kernel.h"
+  "CGAL/Exact_rational.h boost/multiprecision/cpp_int.hpp tbb/parallel_for.h"
+  "CGAL/Exact_rational.h"
+  "CGAL/number_utils.h"
+  "tbb/parallel_for.h")
+declare -A included
+for header in "${headers[@]}" "${internal_headers[@]}"; do
+  included[$header]=$(sed -nE 's/^ *# *include <([^>]+)>.*/\1/p' "$header")
+done
+reached_from() { # header
+  local -A reached=()
+  local waiting=("$1") header name
+  while [[ ${#waiting[@]} -gt 0 ]]; do
+    header=${waiting[-1]}
+    unset 'waiting[-1]'
+    for name in ${included[$header]-}; do
+      [[ -z ${reached[$name]-} ]] || continue
+      reached[$name]=yes
+      waiting+=("$name")
+    done
+  done
+  printf '%s\n' "${!reached[@]}"
+}
+precompiled_set_for() { # header
+  local i reached
+  reached=$(reached_from "$1")
+  for i in "${!precompiled_sets[@]}"; do
+    # shellcheck disable=SC2086 # a set is a list of words
+    if ! grep -qvxF "$reached" < <(printf '%s\n' ${precompiled_sets[i]}); then
+      printf ' -include-pch %s' "$work/set_$i.pch"
+      return
+    fi
+  done
+}
+for i in "${!precompiled_sets[@]}"; do
+  # shellcheck disable=SC2086
+  printf '#include <%s>\n' ${precompiled_sets[i]} >"$work/set_$i.h"
+  printf '%s\0' "$i"
+done | xargs -0 -P "$(build_jobs)" -I{} clang++ -std=c++17 "${flags[@]}" -x c++-header "$work/set_{}.h" -o "$work/set_{}.pch"
 
 # What g++ makes of C++17 with the installed CGAL, the build has shown.
 {
   [[ -z $cgal ]] || echo g++ c++17 "$everything"
   echo g++ c++20 "$everything"
   echo clang++ c++17 "$everything"
-  for header in "${headers[@]}"; do
+  for header in "${headers[@]}" "${internal_headers[@]}"; do
     source=$work/$(tr / _ <<<"$header").cpp
     printf '#include <%s>\n#include <%s>\n' "$header" "$header" >"$source"
-    echo clang++ c++17 "$source"
-  done
-  for header in "${internal_headers[@]}"; do
-    source=$work/$(tr / _ <<<"$header").cpp
-    printf '#include <%s>\n' "$header" >"$source"
-    echo clang++ c++17 "$source" -include-pch "$libraries.pch"
+    echo clang++ c++17 "$source$(precompiled_set_for "$header")"
   done
 } >"$work/checks"
 export work root

@@ -12,6 +12,7 @@
 #include <CGAL/Quality_mesh_options_2.h>
 #include <CGAL/Quality_mesh_report_2.h>
 #include <CGAL/mesh_quality_2.h>
+#include <CGAL/repair_pslg_2.h>
 
 #include <nlohmann/json.hpp>
 
@@ -25,7 +26,9 @@
 struct Meshing_run {
   using Point_2 = CGAL::Exact_predicates_inexact_constructions_kernel::Point_2;
 
-  CGAL::Pslg_2<Point_2> pslg;
+  CGAL::Pslg_2<Point_2> pslg; ///< what is meshed: as read, or repaired
+  std::optional<CGAL::Pslg_repair_report_2> repair;
+  bool may_be_in_degrees = false; ///< the coordinates may be longitudes and latitudes
   CGAL::Indexed_mesh_2<Point_2> mesh;
   CGAL::Quality_mesh_report_2 report;
   /// The angles and what is unmet, counted by the checker and not by the mesher.
@@ -49,6 +52,13 @@ inline bool is_bound_met(const Meshing_run& run) {
 namespace meshing_run_internal {
 
 using report_words::name;
+
+inline void print_repair(const CGAL::Pslg_repair_report_2& repair) {
+  std::printf("repaired: crossings: %zu, merged vertices: %zu; segments split: %zu, overlapping: %zu, of "
+              "length 0: %zu\n",
+              repair.crossings, repair.merged_vertices, repair.split_segments, repair.overlapping_segments,
+              repair.zero_length_segments);
+}
 
 /// The places where a bound is unmet, the first of them.
 inline void print_unmet(const CGAL::Mesh_quality_2& quality) {
@@ -138,6 +148,16 @@ inline nlohmann::ordered_json peer_json(const Mesh_figures& peer) {
           {"wall_seconds", {{"mesh", peer.seconds.wall}}}};
 }
 
+/// What was cured before meshing; null if that was not asked for.
+inline nlohmann::ordered_json repair_json(const std::optional<CGAL::Pslg_repair_report_2>& repair) {
+  if (!repair) return nullptr;
+  return {{"crossings", repair->crossings},
+          {"merged_vertices", repair->merged_vertices},
+          {"split_segments", repair->split_segments},
+          {"overlapping_segments", repair->overlapping_segments},
+          {"zero_length_segments", repair->zero_length_segments}};
+}
+
 /// What the quadtrees of Theorem 5 did; null if there was no such construction.
 inline nlohmann::ordered_json trees_json(const CGAL::Tree_separation_report_2& trees) {
   if (trees.end == CGAL::Tree_separation_report_2::End::NONE) return nullptr;
@@ -190,6 +210,7 @@ inline nlohmann::ordered_json run_json(const Meshing_run& run) {
                                  {"least_angle_histogram", run.report.least_angle_histogram},
                                  {"largest_angle_histogram", run.report.largest_angle_histogram},
                                  {"rounds", run.report.rounds},
+                                 {"repair", repair_json(run.repair)},
                                  {"trees", trees_json(run.report.trees)},
                                  {"threads", run.threads},
                                  {"seconds", seconds_json(run, run.report.seconds, &Seconds::cpu)},
@@ -220,6 +241,11 @@ inline void print_run(const Meshing_run& run, const CGAL::Quality_mesh_options_2
   std::printf("input: %zu vertices, %zu segments, holes: %zu; bound: %g degrees\n",
               run.pslg.number_of_vertices(), run.pslg.number_of_segments(), run.pslg.holes.size(),
               options.min_angle());
+  if (run.repair) print_repair(*run.repair);
+  if (run.may_be_in_degrees)
+    std::printf(
+        "note: if these are longitudes and latitudes, all angles, lengths and areas are those of a plane of "
+        "degrees;\n      project the input first if those on the ground matter\n");
   if (run.peer) std::printf("%-28s%14s%14s\n", "", "quality_mesh", "CGAL Mesh_2");
   print_line("vertices", "%14zu", run.ours.vertices, theirs(&Mesh_figures::vertices));
   print_line("triangles", "%14zu", run.ours.triangles, theirs(&Mesh_figures::triangles));

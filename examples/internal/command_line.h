@@ -4,6 +4,7 @@
 // The options of quality_mesh: what they are and what they may be.
 
 #include "file_formats.h"
+#include "option_values.h"
 #include "program_files.h"
 
 #include "mesh_graph.h"
@@ -48,7 +49,8 @@ struct Command_line {
   bool are_lengths_wanted = false;
   Picture_colors colors = Picture_colors::NONE;
   bool is_quadtree_shown = false;
-  std::string region_property; ///< empty: none
+  std::string region_property;   ///< empty: none
+  bool is_repair_wanted = false; ///< of Mode::PSLG
   bool is_quiet = false;
 };
 
@@ -56,16 +58,6 @@ inline constexpr const char* mode_names[] = {"pslg", "points", "bounded", "acute
 inline const char* name(Command_line::Mode mode) { return mode_names[static_cast<std::size_t>(mode)]; }
 
 namespace command_line_internal {
-
-namespace po = boost::program_options;
-
-/// An option with two numbers behind it.
-class Two_numbers : public po::typed_value<std::vector<double>> {
-public:
-  Two_numbers() : po::typed_value<std::vector<double>>(nullptr) {}
-  unsigned min_tokens() const override { return 2; }
-  unsigned max_tokens() const override { return 2; }
-};
 
 // clang-format off
 inline po::options_description common_options() {
@@ -82,7 +74,7 @@ inline po::options_description common_options() {
     ("show-quadtree", "draw the quadtree of the input in .svg, and write its levels to .vtu")
     ("kernel", po::value<std::string>()->value_name("K")->default_value("filtered"),
      "arithmetic: filtered (doubles), fixed (64-bit integers) or exact")
-    ("threads", po::value<int>()->value_name("N"),
+    ("threads", po::value<double>()->value_name("N"),
      "number of threads, up to 256 or the number of processors, all if not given; the mesh is the same for any number")
     ("compare", "with --mode pslg or points: mesh the input with CGAL Mesh_2 too and print both")
     ("report", po::value<std::string>()->value_name("FILE.json"), "write the figures as JSON")
@@ -103,6 +95,7 @@ inline po::options_description graph_options() {
      "insert no vertex nearer than this to another; what is left for that is reported")
     ("region-property", po::value<std::string>()->value_name("NAME"),
      "the number in the properties of GeoJSON's features that becomes the attribute of their regions")
+    ("repair", "split segments where they cross, as borders of polygons that overlap do")
     ("size-points", po::value<std::string>()->value_name("FILE"),
      "points with sizes, one 'x y size' a line: the longest edge is size plus half the distance, the least over all")
     ("domain", po::value<std::string>()->value_name("D")->default_value("enclosed"),
@@ -115,11 +108,11 @@ inline po::options_description graph_options() {
      "with theorem-5: what cuts edges into pieces, walking or centroid-tree; the mesh is the same")
     ("placement", po::value<std::string>()->value_name("P")->default_value("chosen"),
      "with theorem-5: chosen, or by-rule (many times the triangles before removal)")
-    ("smooth", po::value<int>()->value_name("N")->default_value(0),
+    ("smooth", po::value<double>()->value_name("N")->default_value(0),
      "rounds of smoothing, up to 1000: about a percent fewer triangles each, and better angles")
-    ("thin", po::value<int>()->value_name("N")->default_value(0),
+    ("thin", po::value<double>()->value_name("N")->default_value(0),
      "rounds of thinning, up to 1000: fewer triangles still, each takes about as long as refinement")
-    ("max-vertices", po::value<long long>()->value_name("N"),
+    ("max-vertices", po::value<double>()->value_name("N"),
      "stop refining at so many vertices, and report what is left; what surely needs four times as many is refused. If "
      "not given: what memory allows, and for graphs of fewer than 1000 vertices 2000000 triangles (exact: 1000000) "
      "besides what bounds of size ask for")
@@ -133,9 +126,9 @@ inline po::options_description point_options() {
     ("angles", (new Two_numbers)->value_name("LO HI"),
      "bounded: the range of all angles, 36 80 if not given; LO from 0 to 37.5, HI from 78.6 to 89.5")
     ("square", "bounded: mesh a square parallel to the axes, not a row of squares along the points' diameter")
-    ("effort", po::value<int>()->value_name("N")->default_value(2),
+    ("effort", po::value<double>()->value_name("N")->default_value(2),
      "points, bounded, acute: how hard it is tried to do with fewer triangles, from 0 (not at all) to 3")
-    ("budget", po::value<long long>()->value_name("N"),
+    ("budget", po::value<double>()->value_name("N"),
      "bounded, acute: try to remove about so many vertices at most")
     ("lengths", "compare the length of all edges with the least that there can be");
   return options;
@@ -144,25 +137,6 @@ inline po::options_description point_options() {
 
 inline po::options_description visible_options() {
   return po::options_description().add(common_options()).add(graph_options()).add(point_options());
-}
-
-/// Which of a few words is given.
-inline std::size_t choice(const po::variables_map& given, const std::string& option,
-                          const std::vector<std::string>& words) {
-  const std::string& word = given[option].as<std::string>();
-  for (std::size_t i = 0; i < words.size(); ++i)
-    if (words[i] == word) return i;
-  std::string all;
-  for (const std::string& w : words) all += (all.empty() ? "" : ", ") + w;
-  throw Usage_error("--" + option + " has to be one of " + all + ", not '" + word + "'");
-}
-
-/// A number above zero; 0, which means no bound, if the option is not given.
-inline double bound(const po::variables_map& given, const std::string& option) {
-  if (given.count(option) == 0) return 0;
-  const double value = given[option].as<double>();
-  if (!(value > 0) || !std::isfinite(value)) throw Usage_error("--" + option + " has to be a number above 0");
-  return value;
 }
 
 /// \throws Usage_error if no edge can keep to it and to the longest one, too
@@ -193,9 +167,8 @@ inline unsigned threads(const po::variables_map& given) {
   constexpr bool has_threads = false;
 #endif
   if (given.count("threads") == 0) return has_threads ? std::max(1u, std::thread::hardware_concurrency()) : 1;
-  const int n = given["threads"].as<int>();
   const int most = std::max(256, static_cast<int>(std::thread::hardware_concurrency()));
-  if (n < 1 || n > most) throw Usage_error("--threads has to be from 1 to " + std::to_string(most));
+  const int n = whole_number(given, "threads", {1, most});
   if (n > 1 && !has_threads)
     throw Usage_error("--threads " + std::to_string(n) +
                       " is not available: this program was built without TBB");
@@ -204,19 +177,7 @@ inline unsigned threads(const po::variables_map& given) {
 
 /// A number of rounds.
 inline int rounds(const po::variables_map& given, const std::string& option) {
-  constexpr int most = 1000;
-  const int n = given[option].as<int>();
-  if (n < 0 || n > most) throw Usage_error("--" + option + " has to be from 0 to " + std::to_string(most));
-  return n;
-}
-
-/// 0 if nothing is said.
-/// \throws Usage_error if it is not positive.
-inline std::size_t most_vertices(const po::variables_map& given) {
-  if (given.count("max-vertices") == 0) return 0;
-  const long long n = given["max-vertices"].as<long long>();
-  if (n < 1) throw Usage_error("--max-vertices has to be at least 1");
-  return static_cast<std::size_t>(n);
+  return whole_number(given, option, {0, 1000});
 }
 
 /// \throws Usage_error if thinning is wanted and removal is not.
@@ -279,14 +240,6 @@ inline void check_files(const Command_line& line) {
   ::check_files(inputs, outputs);
 }
 
-/// The text behind an option that has one; empty if the option is not given.
-inline std::string text(const po::variables_map& given, const std::string& option) {
-  if (given.count(option) == 0) return std::string();
-  const std::string& value = given[option].as<std::string>();
-  if (value.empty()) throw Usage_error("--" + option + " has nothing behind it");
-  return value;
-}
-
 /// Which modes an option has a meaning in.
 struct Option_use {
   const char* option;
@@ -301,6 +254,7 @@ inline const std::vector<Option_use>& option_uses() {
       {"max-area", {Mode::PSLG}},
       {"min-edge", {Mode::PSLG}},
       {"region-property", {Mode::PSLG}},
+      {"repair", {Mode::PSLG}},
       {"size-points", {Mode::PSLG}},
       {"domain", {Mode::PSLG}},
       {"separation", {Mode::PSLG}},
@@ -341,7 +295,7 @@ inline CGAL::Quality_mesh_options_2 quality_mesh_options(const po::variables_map
       .mesh_domain(domain(given))
       .smooth(rounds(given, "smooth"))
       .thin(thinning_rounds(given))
-      .max_vertices(most_vertices(given))
+      .max_vertices(limit(given, "max-vertices"))
       .separate(tree_options(given))
       .separate(separation(given));
   if (given.count("no-coarsening") > 0) options.coarsen(CGAL::Quality_mesh_options_2::Coarsening::NONE);
@@ -380,13 +334,9 @@ inline CGAL::Point_set_mesh_options_2 point_set_mesh_options(const po::variables
     options.warped_squares();
     break;
   }
-  const int effort = given["effort"].as<int>();
-  if (effort < 0 || effort > 3) throw Usage_error("--effort has to be 0, 1, 2 or 3");
-  options.effort(effort);
-  if (given.count("budget") == 0) return options;
-  const long long budget = given["budget"].as<long long>();
-  if (budget < 1) throw Usage_error("--budget has to be at least 1");
-  return options.max_removals(static_cast<std::size_t>(budget));
+  options.effort(whole_number(given, "effort", {0, 3}));
+  if (given.count("budget") > 0) options.max_removals(limit(given, "budget"));
+  return options;
 }
 
 /// Points are colored unless it is forbidden: their angles are what the modes differ in.
@@ -486,11 +436,14 @@ inline Command_line parse_command_line(int argc, const char* const* argv) try {
   check_picture_options(given, line.outputs);
   line.region_property = text(given, "region-property");
   check_region_property(line);
+  line.is_repair_wanted = given.count("repair") > 0;
   line.is_quiet = given.count("quiet") > 0;
   check_files(line);
   return line;
 } catch (const boost::program_options::unknown_option& error) {
   throw Usage_error("unrecognized option '" + error.get_option_name() + "'");
+} catch (const boost::program_options::invalid_option_value& error) {
+  throw Usage_error(std::string(error.what()) + ": it has to be a number, such as 20, 0.5 or 1e6");
 } catch (const boost::program_options::error& error) {
   throw Usage_error(error.what());
 }

@@ -9,11 +9,9 @@
 
 #include "measurement.h"
 
-#include <CGAL/number_utils.h>
+#include <CGAL/Quadtree_mesh_2/internal/geometry/triangle_angles.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstddef>
 
 /// What two meshers are compared by. The same code makes these figures for both.
@@ -36,15 +34,15 @@ public:
 
   template <class Point>
   void add_triangle(const Point& a, const Point& b, const Point& c) {
-    const std::array<double, 3> angles = {angle(a, b, c), angle(b, c, a), angle(c, a, b)};
-    const auto [least, largest] = std::minmax_element(angles.begin(), angles.end());
+    const CGAL::Quadtree_mesh_2::internal::Scaled_triangle triangle(a, b, c);
+    const double least = triangle.least_angle();
     ++figures_.triangles;
-    if (*least < bound_)
+    if (least < bound_)
       ++figures_.below_bound;
     else
-      figures_.min_angle_of_others = (std::min)(figures_.min_angle_of_others, *least);
-    figures_.min_angle = (std::min)(figures_.min_angle, *least);
-    figures_.max_angle = (std::max)(figures_.max_angle, *largest);
+      figures_.min_angle_of_others = (std::min)(figures_.min_angle_of_others, least);
+    figures_.min_angle = (std::min)(figures_.min_angle, least);
+    figures_.max_angle = (std::max)(figures_.max_angle, triangle.largest_angle());
   }
 
   template <class Mesh>
@@ -53,14 +51,6 @@ public:
   }
 
 private:
-  /// The angle at `a`, in degrees.
-  template <class Point>
-  static double angle(const Point& a, const Point& b, const Point& c) {
-    const double bx = CGAL::to_double(b.x() - a.x()), by = CGAL::to_double(b.y() - a.y());
-    const double cx = CGAL::to_double(c.x() - a.x()), cy = CGAL::to_double(c.y() - a.y());
-    return std::atan2(std::abs(bx * cy - by * cx), bx * cx + by * cy) * 180 / CGAL_PI;
-  }
-
   Mesh_figures& figures_;
   double bound_;
 };

@@ -39,11 +39,14 @@ inline std::string about_distances(const Command_line& line) {
   return advice + (is_exact ? ", or use --separation on-demand" : " with --separation on-demand");
 }
 
-inline std::string about_domain(const mesh_graph::Pslg& graph, const Command_line& line) {
+inline std::string about_domain(const CGAL::Pslg_error_2& error, const mesh_graph::Pslg& graph,
+                                const Command_line& line) {
   if (graph.segments.empty()) return ", only points: use --mode points, bounded, acute or warped";
+  const bool is_open = !error.parts().vertices.empty();
+  const std::string advice = is_open ? "; close the border" : "";
   if (line.options.mesh_domain() == Options::Domain::MARKED)
-    return "; add points of regions, or use --domain enclosed";
-  return graph.holes.empty() ? "; close the border" : "; close the border, or remove points of holes";
+    return advice + (is_open ? ", " : "; ") + "add points of regions, or use --domain enclosed";
+  return graph.holes.empty() ? advice : advice + (is_open ? ", or " : "; ") + "remove points of holes";
 }
 
 inline std::string about_size(const CGAL::Pslg_error_2& error, const Command_line& line) {
@@ -66,11 +69,11 @@ inline std::string what_to_do(const CGAL::Pslg_error_2& error, const mesh_graph:
   case Kind::OUT_OF_RANGE:
     return or_exactly("; scale or move the input", line);
   case Kind::CROSSING:
-    return "; give both a vertex where they cross";
+    return "; give both a vertex where they cross, or use --repair";
   case Kind::TOO_NEAR:
     return about_distances(line);
   case Kind::NO_DOMAIN:
-    return about_domain(graph, line);
+    return about_domain(error, graph, line);
   case Kind::TOO_MANY_TRIANGLES:
     return about_size(error, line);
   case Kind::NO_AREA:

@@ -41,8 +41,8 @@ public:
     std::array<Vertex_index, 2> vertices; ///< its ends; on the border the domain is on the left of these
     Segment_index segment; ///< the input segment it is part of (the first one where segments overlap)
     int marker = 0;        ///< the marker of the segment; 0 if segments have none
-    /// On the border, the input vertex that faces the edge from the outside: that of the triangle there in the
-    /// constrained Delaunay triangulation of the input. Invalid inside, where there is none, and in meshes made by
+    /// On the border, the input vertex that faces the edge from the outside: that of the triangle there in a
+    /// constrained triangulation of the input. Invalid inside, where there is none, and in meshes made by
     /// hand.
     Vertex_index outer_vertex = {};
   };

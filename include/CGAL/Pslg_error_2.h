@@ -77,7 +77,8 @@ public:
     /// region or seed, and the vertex or segment that it is on, except for seeds. Move the point.
     AMBIGUOUS_SEED,
     /// Nothing is left to mesh: segments enclose nothing, or holes and the rule of the domain leave nothing.
-    /// No parts. Look for a gap in the border, or choose another `Quality_mesh_options_2::Domain`.
+    /// The first vertex at which a single segment ends, and the nearest other one of these, if there are any.
+    /// Close the border there, or choose another `Quality_mesh_options_2::Domain`.
     NO_DOMAIN,
     /// The mesh would surely have more vertices than the budget or the memory allows. The two segments that
     /// ask for most of its triangles; none if bounds of size do. Remove the gap between them, pass over it by

@@ -94,6 +94,7 @@ public:
     add_segments();
     result_.holes = pslg_.holes;
     result_.regions = pslg_.regions;
+    result_.first_number = pslg_.first_number;
     return std::move(result_);
   }
 

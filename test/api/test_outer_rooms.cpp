@@ -134,6 +134,12 @@ TEST_CASE("nothing faces the border of a convex domain, and something a gap", "[
   CHECK(check_what_faces_the_border(mesher_test::Mesher()(gap), gap) > 0);
 }
 
+TEST_CASE("edges of the border that are nearly on a line have room outside", "[rooms]") {
+  const Pslg pslg = read("hard_flat_gap_outside.poly");
+  const auto run = mesher_test::run_to_the_bound(pslg, mesher_test::Options());
+  check_what_faces_the_border(run.mesh, pslg);
+}
+
 TEST_CASE("a vertex of the border is on the inner side of its segment, or in its room", "[rooms]") {
   Divided_side side;
   for (const Point& p : {Point(4, 0), Point(1, 0), Point(4, -1), Point(1, -0.5), Point(4, 1), Point(1, 0.25)})

@@ -19,10 +19,12 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cstddef>
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <vector>
 
 namespace test_document_figures {
 
@@ -63,7 +65,48 @@ CGAL::Quality_mesh_report_2 mesh_as_documented(const pslg_inputs::Input& input, 
   return mesher.report();
 }
 
+using Cells = std::vector<std::string>;
+
+/// The rows of the table in a document below this header, without the spaces that numbers have.
+std::vector<Cells> rows_below(const std::string& header, const std::string& document) {
+  std::ifstream in(root + "/doc/" + document);
+  std::string line;
+  while (std::getline(in, line) && line != header) continue;
+  std::vector<Cells> rows;
+  for (std::getline(in, line); std::getline(in, line) && !line.empty() && line[0] == '|';) {
+    line.erase(std::remove(line.begin(), line.end(), ' '), line.end());
+    Cells& cells = rows.emplace_back();
+    for (std::size_t begin = 1, end; (end = line.find('|', begin)) != std::string::npos; begin = end + 1)
+      cells.push_back(line.substr(begin, end - begin));
+  }
+  return rows;
+}
+
+std::size_t number_of_triangles(const std::string& name, const Options& options) {
+  return CGAL::Quality_mesher_2<>(options)(input_of(name).pslg).number_of_triangles();
+}
+
 } // namespace
+
+TEST_CASE("Numbers of triangles in the text are those of this program", "[documents]") {
+  INFO("examples/poisson_eigen prints the table of examples.md, quality_mesh --thin the numbers of "
+       "user_manual.md");
+  const auto by_bound = rows_below(
+      "| bound | least angle | triangles | unknowns | largest eigenvalue | condition |", "examples.md");
+  REQUIRE(by_bound.size() == 5);
+  for (const Cells& row : by_bound) {
+    CAPTURE(row[0]);
+    CHECK(number_of_triangles("great_lakes", Options().min_angle(std::stod(row[0])).max_area(5e7)) ==
+          std::stoul(row[2]));
+  }
+  const auto by_rounds = rows_below("| input | 0 | 1 | 2 | 3 |", "user_manual.md");
+  REQUIRE(by_rounds.size() == 4);
+  for (const Cells& row : by_rounds)
+    for (int rounds = 0; rounds <= 3 && (is_full_run() || row[0] == "great_lakes"); ++rounds) {
+      CAPTURE(row[0], rounds);
+      CHECK(number_of_triangles(row[0], Options().thin(rounds)) == std::stoul(row[std::size_t(rounds) + 1]));
+    }
+}
 
 TEST_CASE("Numbers of triangles of graphs are those of the documents", "[documents]") {
   for (const char* name : {"maps", "bounds", "synthetic"})

@@ -172,6 +172,16 @@ TEST_CASE("A gap that memory cannot hold is refused at once, and named", "[meshe
   CHECK(error(parallel_segments(1e-9), Options().min_edge(1e-3)).empty());
 }
 
+TEST_CASE("Bounds of size whose squares doubles do not have are refused in words", "[mesher][budget]") {
+  const Pslg pslg = read("syn_square.poly");
+  for (const Options& options : {Options().max_area(1e-320), Options().max_edge(1e-310)}) {
+    const std::string text = error(pslg, options);
+    CAPTURE(text);
+    CHECK(has_text(text, "more than 1e+300 vertices"));
+    CHECK(has_text(text, "for the bounds of size"));
+  }
+}
+
 TEST_CASE("A gap below a unit in the last place is refused as any other that is too long",
           "[mesher][budget]") {
   const auto start = std::chrono::steady_clock::now();

@@ -67,6 +67,30 @@ double area_of(const Mesh& mesh, std::size_t t) {
   return CGAL::area(mesh.point(v[0]), mesh.point(v[1]), mesh.point(v[2]));
 }
 
+/// Random points, and all segments between them that do not cross one drawn before, in a random order.
+Pslg random_triangulation(std::uint64_t seed) {
+  random_pslg::Random random(seed);
+  Pslg pslg;
+  const int n = random.integer(10, 26);
+  std::vector<std::array<std::size_t, 2>> pairs;
+  for (int i = 0; i < n; ++i) {
+    pslg.add_vertex(Point(random.between(0, 1), random.between(0, 1)));
+    for (int j = 0; j < i; ++j)
+      pairs.insert(pairs.begin() + random.integer(0, int(pairs.size())), {std::size_t(j), std::size_t(i)});
+  }
+  const auto point = [&](auto v) { return pslg.vertices[std::size_t(v)]; };
+  const auto cross = [&](const auto& s, const auto& t) {
+    const auto side = [&](const auto& of, auto v) {
+      return CGAL::orientation(point(of[0]), point(of[1]), point(v));
+    };
+    return side(s, t[0]) * side(s, t[1]) < 0 && side(t, s[0]) * side(t, s[1]) < 0;
+  };
+  for (const auto& p : pairs)
+    if (std::none_of(pslg.segments.begin(), pslg.segments.end(), [&](const auto& s) { return cross(s, p); }))
+      pslg.add_segment(pslg_test::Vertex_index(p[0]), pslg_test::Vertex_index(p[1]));
+  return pslg;
+}
+
 /// How many triangles each region has, with those in none in front. Each region's point is in one of its.
 std::vector<std::size_t> triangles_by_region(const Run& r, const Pslg& pslg) {
   REQUIRE(r.mesh.region_of_triangle.size() == r.mesh.number_of_triangles());
@@ -133,6 +157,24 @@ TEST_CASE("Random inputs by each rule", "[mesher][domain]") {
       }
       triangles_by_region(run_to_the_bound(pslg, Options()), pslg);
     }
+}
+
+TEST_CASE("Regions are found past segments that are not Delaunay", "[mesher][domain]") {
+  const Pslg pslg = read("hard_walk_in_circles.poly");
+  const auto count = triangles_by_region(run_to_the_bound(pslg, Options()), pslg);
+  CHECK(count[0] + count[1] > 0);
+}
+
+TEST_CASE("Regions are found among all segments that there can be", "[mesher][domain]") {
+  const std::uint64_t seeds = is_full_run() ? 1000 : 30;
+  for (std::uint64_t seed = 0; seed < seeds; ++seed) {
+    CAPTURE(seed);
+    Pslg pslg = random_triangulation(seed);
+    random_pslg::Random random(~seed); // other places than those of the vertices
+    for (int i = 0; i < 20; ++i)
+      pslg.regions.push_back({Point(random.between(0, 1), random.between(0, 1)), double(i), 0});
+    triangles_by_region(run_to_the_bound(pslg, Options()), pslg);
+  }
 }
 
 TEST_CASE("Regions have labels and area bounds of their own", "[mesher][domain]") {

@@ -237,6 +237,14 @@ TEST_CASE("A small graph that asks for too many exact numbers is refused before 
   CHECK(has_text(error, "meet at an angle of 2.09"));
 }
 
+TEST_CASE("Bounds of size whose squares doubles do not have are refused for exact numbers, too",
+          "[mesher][exact]") {
+  // areas of some of the triangles are no doubles, either
+  const Exact_pslg pslg = to_exact(read("subnormal_beside_segment.poly"));
+  const std::string error = error_of([&] { run_exactly(pslg, Options().max_edge(1e-200)); });
+  CHECK(has_text(error, "for the bounds of size"));
+}
+
 namespace {
 
 void mesh_spiral_to(int depth) {

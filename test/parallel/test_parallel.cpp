@@ -151,8 +151,15 @@ void check_sort_by_keys(const std::vector<Key>& keys) {
                      [&](const Key& key, std::uint32_t i) { return key == keys[i]; }));
   };
   const auto key_at = [&](std::size_t i) { return keys[i]; };
+  const auto check_order = [&](const internal::Order& order) {
+    CHECK(std::equal(order.begin(), order.end(), expected.begin(), expected.end()));
+  };
   check(internal::sort_by_keys(keys.size(), key_at));
-  for_numbers_of_threads([&] { check(internal::sort_by_keys<CGAL::Parallel_tag>(keys.size(), key_at)); });
+  check_order(internal::radix_order(keys.size(), key_at));
+  for_numbers_of_threads([&] {
+    check(internal::sort_by_keys<CGAL::Parallel_tag>(keys.size(), key_at));
+    check_order(internal::radix_order<CGAL::Parallel_tag>(keys.size(), key_at));
+  });
 }
 
 template <class Word>

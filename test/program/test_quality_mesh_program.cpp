@@ -64,6 +64,19 @@ TEST_CASE("the program refuses holes on segments with the numbers of the input",
   CHECK(contains(on_vertex.err, "the point of hole 0 (4, 3) lies on vertex 0 (4, 3)"));
 }
 
+TEST_CASE("the program prints the angles of meshes of any scale", "[program]") {
+  const Scratch_folder folder;
+  for (const std::string side : {"1e-302", "1e300"}) {
+    write_file(folder.file("square.poly"), "4 2 0 0\n0 0 0\n1 " + side + " 0\n2 " + side + ' ' + side +
+                                               "\n3 0 " + side + "\n4 0\n0 0 1\n1 1 2\n2 2 3\n3 3 0\n0\n");
+    const Run r = run(folder.file("square.poly"));
+    CAPTURE(side, r.out, r.err);
+    CHECK(r.status == 0);
+    CHECK(contains(r.out, "45.00"));
+    CHECK(contains(r.out, "90.00"));
+  }
+}
+
 TEST_CASE("the program reads GeoJSON and WKT", "[program]") {
   const Scratch_folder folder;
   const auto figures = [&](const std::string& arguments) {
@@ -190,6 +203,51 @@ TEST_CASE("the program prints no angle where there is none", "[program]") {
   CHECK(contains(r.out, "least angle above the bound              -\n"));
 }
 
+TEST_CASE("whole numbers may be written with an exponent", "[program]") {
+  const std::string states = test_data("us_states_10m.poly.gz"),
+                    points = test_data("points_clusters_1e-12.xy");
+  CHECK(contains(run(states + " --max-vertices 1.2e4").out, "--max-vertices"));
+  for (const std::string& arguments :
+       {states + " --max-vertices 1e6 --smooth 1e0 --threads 1e0", states + " --max-vertices 1e300",
+        points + " --mode acute --budget 1e3 --effort 1e0"}) {
+    const Run r = run(arguments);
+    CAPTURE(arguments, r.err);
+    CHECK(r.status == 0);
+  }
+}
+
+TEST_CASE("the program splits crossings on request", "[program]") {
+  const Scratch_folder folder;
+  // Two squares that overlap in one.
+  const std::string input =
+      folder.write("in.wkt", "MULTIPOLYGON(((0 0, 4 0, 4 4, 0 4)), ((2 2, 6 2, 6 6, 2 6)))") + " --report " +
+      folder.file("r.json") + " --kernel " + GENERATE("filtered", "fixed", "exact");
+  const Run refused = run(input);
+  CHECK(refused.status == 2);
+  CHECK(contains(refused.err, "use --repair"));
+  const Run r = run(input + " --repair");
+  CAPTURE(r.out, r.err);
+  CHECK(r.status == 0);
+  CHECK(contains(r.out, "repaired: crossings: 2, "));
+  const auto json = nlohmann::json::parse(content(folder.file("r.json")));
+  CHECK(json.at("repair").at("crossings") == 2);
+  CHECK(json.at("repair").at("split_segments") == 4);
+  CHECK(json.at("input_vertices") == 10);
+  CHECK(json.at("unmet_triangles") == 0);
+}
+
+TEST_CASE("the program notes that GeoJSON may be in degrees", "[program]") {
+  const Scratch_folder folder;
+  const auto out_of = [&](const std::string& file, const std::string& corner) {
+    return run(folder.write(file, R"({"type": "Polygon", "coordinates": [[[0, 0], [1, 0], )" + corner +
+                                      ", [0, 0]]]}"))
+        .out;
+  };
+  CHECK(contains(out_of("degrees.geojson", "[1, 60]"), "longitudes and latitudes"));
+  CHECK_FALSE(contains(out_of("meters.geojson", "[1, 91]"), "longitudes and latitudes"));
+  CHECK_FALSE(contains(run(test_data("island.wkt")).out, "longitudes and latitudes"));
+}
+
 TEST_CASE("bad usage names the culprit and writes nothing", "[program]") {
   const Scratch_folder folder;
   const std::string square = test_data("syn_square.poly");
@@ -210,6 +268,11 @@ TEST_CASE("bad usage names the culprit and writes nothing", "[program]") {
       {square + " --domain all", "all"},
       {square + " --size-points " + folder.file("none"), "none"},
       {square + " --threads 0", "--threads"},
+      {square + " --threads 1.5", "--threads has to be a whole number from 1 to "},
+      {square + " --max-vertices 2.5", "--max-vertices has to be a whole number"},
+      {square + " --max-vertices 0", "--max-vertices has to be a whole number of at least 1"},
+      {square + " --max-vertices inf", "--max-vertices has to be a whole number"},
+      {square + " --max-edge 0,1", "'0,1') for option '--max-edge' is invalid: it has to be a number"},
       {square + " --smooth -1", "--smooth"},
       {square + " --thin -1", "--thin"},
       {square + " --thin 1 --no-coarsening", "--no-coarsening"},
@@ -331,7 +394,10 @@ TEST_CASE("messages about graphs say what the user can do", "[program]") {
   const std::string pair = "6 2 0 0\n" + box + "4 0 0\n5 0 1e-300\n4 0\n" + sides + "0\n";
   const std::vector<Case> cases = {
       {corners + "0 0\n0\n", "", "use --mode points"},
-      {corners + "3 0\n0 0 1\n1 1 2\n2 2 3\n0\n", "", "close the border"},
+      {corners + "3 0\n0 0 1\n1 1 2\n2 2 3\n0\n", "",
+       "vertex 0 (-9, -9) is an end of one segment only, the nearest other such end is vertex 3 (-9, 9); "
+       "close the "
+       "border"},
       {square, "--domain marked", "--domain enclosed"},
       {corners + "2 0\n0 0 2\n1 1 3\n0\n", "", "give both a vertex where they cross"},
       {square, "--max-area 1e-300", "for the bounds of size; raise these"},

@@ -265,15 +265,42 @@ TEST_CASE("A seed on the border of components is in the error, with what it is o
         {{}, {}, {}, {}, {1}});
 }
 
-TEST_CASE("Errors for want of a domain have no parts", "[pslg_errors]") {
+TEST_CASE("Errors for want of a domain name where the border is open", "[pslg_errors]") {
+  const auto marked = Options().mesh_domain(Options::Domain::MARKED);
   Pslg pslg = unit_square();
-  check(refusal(pslg, Options().mesh_domain(Options::Domain::MARKED)), Kind::NO_DOMAIN);
+  check(refusal(pslg, marked), Kind::NO_DOMAIN); // nothing is open, nothing marked
   pslg.holes = {Point(0.5, 0.5)};
   check(refusal(pslg), Kind::NO_DOMAIN);
   pslg.segments.pop_back();
-  check(refusal(pslg), Kind::NO_DOMAIN);
+  check(refusal(pslg), Kind::NO_DOMAIN, of_vertices({0, 3}));
+  check(refusal(pslg, marked), Kind::NO_DOMAIN, of_vertices({0, 3}));
+  const auto exact = make_pslg<double, Exact_traits::Point_2>({{0, 0}, {1, 0}, {0, 1}}, {{0, 1}, {1, 2}});
+  check(refusal<Exact_traits>(exact), Kind::NO_DOMAIN, of_vertices({0, 2}));
+  auto words = triangle({{1, 1}, {1001, 1}, {1, 1001}});
+  words.segments.pop_back();
+  check(refusal<Words>(words), Kind::NO_DOMAIN, of_vertices({0, 2}));
   pslg.segments.clear();
   check(refusal(pslg), Kind::NO_DOMAIN);
+  pslg.add_segment(Vertex_index(1), Vertex_index(1));
+  check(refusal(pslg), Kind::NO_DOMAIN);
+}
+
+TEST_CASE("An open ring is named where it misses its beginning by little", "[pslg_errors]") {
+  // A second open chain is farther away. A vertex lies on a segment, and one has a twin: neither is an end.
+  Pslg ring = make_pslg<double>(
+      {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 1e-6}, {5, 5}, {6, 6}, {1, 0.5}, {2, 0.5}, {1, 1}},
+      {{0, 1}, {1, 2}, {9, 3}, {3, 4}, {7, 8}, {5, 6}});
+  check(refusal(ring), Kind::NO_DOMAIN, of_vertices({0, 4}));
+  ring.first_number = 1;
+  CHECK(has_text(refusal(ring).what(),
+                 "no ring of them is closed; vertex 1 (0, 0) is an end of one segment only, "
+                 "the nearest other such end is vertex 5 (0, 1e-06)"));
+  // A closed ring with a hole does not hide the open one.
+  const Vertex_index a = ring.add_vertex(Point(10, 10)), b = ring.add_vertex(Point(12, 10)),
+                     c = ring.add_vertex(Point(10, 12));
+  ring.add_segment(a, b), ring.add_segment(b, c), ring.add_segment(c, a);
+  ring.holes = {Point(10.5, 10.5)};
+  check(refusal(ring), Kind::NO_DOMAIN, of_vertices({0, 4}));
 }
 
 TEST_CASE("The segments that ask for too many triangles are in the error", "[pslg_errors]") {

@@ -356,8 +356,10 @@ TEST_CASE("crossings are cut on request", "[repair]") {
   pslg.number_of_vertex_attributes = 2;
   pslg.vertex_attributes = {0, 10, 100, 100, 4, 20, 100, 100};
   pslg.holes = {Point(2, 1)};
+  pslg.first_number = 1;
   CGAL::Pslg_repair_report_2 report;
   const Pslg result = CGAL::repair_pslg_2(pslg, splitting, report);
+  CHECK(result.first_number == 1);
   REQUIRE(result.vertices.size() == 5);
   CHECK(result.vertices[4] == Point(2, 2));
   CHECK(result.vertex_markers == std::vector<int>{1, 2, 3, 4, 9});

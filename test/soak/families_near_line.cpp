@@ -95,13 +95,32 @@ Pslg seeds_on_features(std::uint64_t seed) {
   return pslg;
 }
 
+/// Random points with nearly all segments that do not cross one drawn before, so that triangles are what segments make
+/// them, and holes and regions anywhere.
+Pslg seeds_among_segments(std::uint64_t seed) {
+  Random random(seed);
+  Builder b;
+  for (int k = random.integer(10, 26); k > 0; --k) b.vertex(random_point(random, 0, 1));
+  const int last = static_cast<int>(b.pslg.vertices.size()) - 1;
+  for (int k = 20 * last; k > 0; --k) {
+    const auto v = static_cast<std::size_t>(random.integer(0, last)),
+               w = static_cast<std::size_t>(random.integer(0, last));
+    if (v != w && !crosses_any(b, b.pslg.vertices[v], b.pslg.vertices[w])) b.segment(v, w);
+  }
+  for (int k = random.integer(0, 1); k > 0; --k) b.pslg.holes.push_back(random_point(random, 0, 1));
+  for (int k = random.integer(2, 12); k > 0; --k)
+    b.pslg.regions.push_back({random_point(random, 0, 1), double(k), random.integer(0, 1) == 0 ? 0 : 0.01});
+  return b.pslg;
+}
+
 } // namespace
 
 std::vector<Family> near_line_families() {
   return {{"overlaps", overlaps},
           {"rotated-overlaps", rotated_overlaps},
           {"touching-holes", touching_holes},
-          {"seeds-on-features", seeds_on_features}};
+          {"seeds-on-features", seeds_on_features},
+          {"seeds-among-segments", seeds_among_segments}};
 }
 
 } // namespace soak

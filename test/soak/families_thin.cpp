@@ -55,6 +55,25 @@ Pslg on_parabola(std::uint64_t seed) {
   return b.pslg;
 }
 
+/// Two legs of one apex, cut at distances that shrink by one factor, with some of the rungs between them: strips that
+/// become narrow with edges nearly on a line, in a frame or not.
+Pslg ladder(std::uint64_t seed) {
+  Random random(seed);
+  Builder b;
+  const Vector along = random.integer(0, 1) == 0 ? Vector(1, 0) : direction(random);
+  const double width = magnitude(random, -8, -1), factor = random.between(0.01, 0.9);
+  const Vector other = along + width * Vector(-along.y(), along.x());
+  double distance = 1;
+  for (int i = random.integer(2, 12), rung = 0; rung < i; ++rung, distance *= factor) {
+    const std::size_t v = b.vertex(Point(0, 0) + distance * along),
+                      w = b.vertex(Point(0, 0) + distance * other);
+    if (rung > 0) b.segment(v - 2, v), b.segment(w - 2, w);
+    if (rung == 0 || rung == i - 1 || random.integer(0, 1) == 0) b.segment(v, w);
+  }
+  if (random.integer(0, 1) == 0) add_square(b, Point(-2, -2), 4);
+  return b.pslg;
+}
+
 /// A box that is 10 to 10^4 times as wide as high, with vertices on its sides or inside.
 Pslg in_thin_box(std::uint64_t seed) {
   Random random(seed);
@@ -77,7 +96,8 @@ std::vector<Family> thin_families() {
   return {{"on-line", on_line},
           {"on-circle", on_circle},
           {"on-parabola", on_parabola},
-          {"in-thin-box", in_thin_box}};
+          {"in-thin-box", in_thin_box},
+          {"ladder", ladder}};
 }
 
 } // namespace soak

@@ -182,7 +182,7 @@ Verdict judge_size(const Soak_case& c, const std::string& message) {
   const std::vector<std::size_t> vertices = named_vertices(c.graph, message);
   const bool is_for_sizes = has(message, "for the bounds of size");
   std::smatch number;
-  const std::regex words("(about|not done with) ([0-9.e+]+) (triangles|vertices)");
+  const std::regex words("(about|more than|not done with) ([0-9.e+]+) (triangles|vertices)");
   if ((vertices.empty() && !is_for_sizes) || !std::regex_search(message, number, words))
     return failure("refused: too large, without numbers", message);
   const double triangles = std::stod(number[2]) * (number[3] == "vertices" ? 2 : 1);
@@ -190,7 +190,7 @@ Verdict judge_size(const Soak_case& c, const std::string& message) {
     return triangles <= most_for_sizes(c) ? Verdict{Outcome::REFUSED, "too large", message}
                                           : failure("refused: sizes ask for less", message);
   const double least = c.kernel == Kernel::EXACT ? 1e6 : 2e6;
-  if (triangles < (number[1] == "about" ? 4 * least : least))
+  if (triangles < (number[1] == "not done with" ? least : 4 * least))
     return failure("refused: not too large", message);
   if (!has_narrow_gap(c.graph, vertices)) return failure("refused: no narrow gap", message);
   return {Outcome::REFUSED, "too large", message};

@@ -81,12 +81,13 @@ void write_page(std::ostream& out, const std::vector<std::string>& logs) {
   }
   out << "# Soak\n\n"
          "How many generated inputs ran, and how they ended. Written by `test/soak.sh --docs LOG...`; do\n"
-         "not edit. All is judged by exact predicates (`test/soak`).\n\n"
+         "not edit. All is judged by exact predicates (`test/soak`). The first table has a row for each\n"
+         "commit, the others add them up. So failures of old commits count, even those mended since.\n\n"
          "- *Met*: a valid mesh with all bounds\n"
          "- *Unmet*: a valid mesh that misses a bound where coordinates have no room, or of an input that\n"
          "  asks for more than is promised\n"
          "- *Refused*: no mesh, but a message that is true\n"
-         "- *Failed*: all others\n\n";
+         "- *Failed*: all others, also runs cut off at the limits of time and memory\n\n";
   write_table(out, {"commit"}, of_commit);
   out << "\n## By kernel, separation and mode\n\n";
   write_table(out, {"kernel", "separation", "mode"}, of_kernel);

@@ -47,6 +47,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Thinner.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Vertex_budgets.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/finish_mesh.h>
+#include <CGAL/Quadtree_mesh_2/internal/refinement/thin_small_mesh.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/triangle_budget.h>
 #include <CGAL/Quadtree_mesh_2/internal/squares/Bulk_filler.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Separation_trees.h>
@@ -181,7 +182,7 @@ private:
     } catch (const Ambiguous_seed& seed) {
       throw words_.ambiguous_seed(seed, problem_.edges);
     }
-    if (state_.mesh.triangles.empty()) throw words_.no_domain(options_.mesh_domain());
+    if (state_.mesh.triangles.empty()) throw words_.no_domain(options_.mesh_domain(), problem_.edges);
   }
 
   /// What is near: what coordinates cannot tell apart is refused, what quadtrees cannot is noted.
@@ -405,7 +406,7 @@ private:
 
   void coarsen() {
     clock_.enter(&Seconds::coarsen);
-    if (progress_.is_cancelled()) return;
+    if (state_.mesh.number_of_vertices() == pslg_.number_of_vertices() || progress_.is_cancelled()) return;
     finish_mesh(state_, finishing_, [this] { return progress_.shall_go_on(Progress_shares::removal); });
     if (finishing_.removal == Removal::GUARDED && !report_.is_budget_exhausted)
       thin_small_mesh(state_, [this] { return progress_.shall_go_on(Progress_shares::thinning); });

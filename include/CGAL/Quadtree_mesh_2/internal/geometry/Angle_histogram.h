@@ -6,11 +6,11 @@
 //
 // Counts the least and the largest angles of triangles by whole degrees, without an inverse function. Squared
 // sines and signed squared cosines grow with the angles, so they tell the bins apart. O(1) for a triangle.
+// The compiler makes the tables: at run time they would take longer than the mesh of a square.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_GEOMETRY_ANGLE_HISTOGRAM_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_GEOMETRY_ANGLE_HISTOGRAM_H
 
-#include <CGAL/Quadtree_mesh_2/internal/base/angle_units.h>
 #include <CGAL/Quadtree_mesh_2/internal/geometry/meshing_geometry.h>
 
 #include <algorithm>
@@ -23,6 +23,24 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
+/// The squared sine of an angle of whole degrees, up to 90.
+constexpr double squared_sine_of_degrees(int degrees) {
+  if (degrees > 45) return 1 - squared_sine_of_degrees(90 - degrees);
+  constexpr long double radians_per_half_degree = 0.00872664625997164788461845384244L;
+  const long double x = 4 * degrees * radians_per_half_degree; // twice the angle
+  long double sum = 0, term = 1;                               // 1 - cos(x), and its Taylor series
+  for (int k = 1; k <= 14; ++k) {
+    term *= -x * x / (2 * k * (2 * k - 1));
+    sum -= term;
+  }
+  return static_cast<double>(sum / 2);
+}
+
+/// The squared cosine of an angle of whole degrees, up to 180, with the opposite sign of the cosine.
+constexpr double signed_squared_cosine_of_degrees(int degrees) {
+  return degrees < 90 ? -squared_sine_of_degrees(90 - degrees) : squared_sine_of_degrees(degrees - 90);
+}
+
 /// Finds the bin of a number in [low, high] between increasing thresholds: a table leads to one near it.
 /// \tparam NumberOfBins below 256.
 template <std::size_t NumberOfBins>
@@ -30,8 +48,8 @@ class Bin_finder {
 public:
   /// Bin i begins at `threshold(i)`, for i up to the number of bins, where the last one ends.
   template <class Threshold>
-  explicit Bin_finder(Threshold threshold) {
-    for (std::size_t i = 0; i <= NumberOfBins; ++i) thresholds_[i] = threshold(i);
+  constexpr explicit Bin_finder(Threshold threshold) {
+    for (std::size_t i = 0; i <= NumberOfBins; ++i) thresholds_[i] = threshold(static_cast<int>(i));
     cells_per_unit_ = (number_of_cells - 1) / (thresholds_[NumberOfBins] - thresholds_[0]);
     std::size_t bin = 0;
     for (std::size_t cell = 0; cell < number_of_cells; ++cell) {
@@ -54,9 +72,9 @@ public:
 
 private:
   static constexpr std::size_t number_of_cells = 1024;
-  std::array<double, NumberOfBins + 1> thresholds_;
-  std::array<std::uint8_t, number_of_cells> first_;
-  double cells_per_unit_;
+  std::array<double, NumberOfBins + 1> thresholds_{};
+  std::array<std::uint8_t, number_of_cells> first_{};
+  double cells_per_unit_ = 0;
 };
 
 class Angle_histogram {
@@ -93,25 +111,14 @@ private:
     const Number x = s.shortest(), z = s.longest();
     const Number y = greater(lesser(s.l[0], s.l[1]), lesser(greater(s.l[0], s.l[1]), s.l[2]));
     const Number n = z - x - y; // -2 sqrt(x y) cos(largest)
-    return {bins_->least(ratio(s.area2 * s.area2, y * z)), bins_->largest(ratio(0.25 * n * fabs(n), x * y))};
+    return {bin_of_least_(ratio(s.area2 * s.area2, y * z)),
+            bin_of_largest_(ratio(0.25 * n * fabs(n), x * y))};
   }
 
-  struct Bins {
-    Bin_finder<60> least{[](std::size_t i) {
-      const double sine = std::sin(static_cast<double>(i) * radians_per_degree);
-      return sine * sine;
-    }};
-    Bin_finder<120> largest{[](std::size_t i) {
-      const double cosine = -std::cos(static_cast<double>(60 + i) * radians_per_degree);
-      return cosine * std::fabs(cosine);
-    }};
-  };
-  static const Bins& bins() {
-    static const Bins the_bins;
-    return the_bins;
-  }
+  static constexpr Bin_finder<60> bin_of_least_{squared_sine_of_degrees};
+  static constexpr Bin_finder<120> bin_of_largest_{
+      [](int i) { return signed_squared_cosine_of_degrees(60 + i); }};
 
-  const Bins* bins_ = &bins();
   std::array<std::uint32_t, 60> least_{};
   std::array<std::uint32_t, 120> largest_{};
 };

@@ -62,23 +62,25 @@ public:
     else
       exponent_ =
           std::max((std::isfinite(extent) ? std::ilogb(extent) : 0) - kernel_exponent_, least_exponent_);
-    to_user_ = std::ldexp(1.0, exponent_), to_kernel_ = std::ldexp(1.0, -exponent_);
+    per_unit_ = std::ldexp(1.0, -exponent_), unit_ = std::ldexp(1.0, exponent_);
+    least_far_from_limits_ = std::ldexp(1.0, exponent_ - 900);
+    largest_far_from_limits_ = std::ldexp(1.0, exponent_ + 900);
     const auto are_kept = [this](const auto& some) {
       return std::all_of(some.begin(), some.end(), [this](const Point_2& p) { return is_kept(p); });
     };
     are_kept_ = are_kept(points) && are_kept(seeds);
   }
 
-  Point to_kernel(const Point_2& p) const { return {to_kernel_ * p.x(), to_kernel_ * p.y()}; }
+  Point to_kernel(const Point_2& p) const { return {per_unit_ * p.x(), per_unit_ * p.y()}; }
   /// The kernel's point at a grid point.
   template <class Grid>
   Point to_kernel(const Grid& grid, const typename Traits::Grid_point& g) const {
     return to_kernel(grid.point(g));
   }
-  Point_2 to_user(const Point& p) const { return Point_2(to_user_ * p.x, to_user_ * p.y); }
+  Point_2 to_user(const Point& p) const { return Point_2(unit_ * p.x, unit_ * p.y); }
   /// The place in the user's coordinates, rounded.
-  std::array<double, 2> place(const Point& p) const { return {to_user_ * p.x, to_user_ * p.y}; }
-  double length_to_kernel(double length) const { return to_kernel_ * length; }
+  std::array<double, 2> place(const Point& p) const { return {unit_ * p.x, unit_ * p.y}; }
+  double length_to_kernel(double length) const { return per_unit_ * length; }
   bool is_in_range() const { return true; }
 
   /// Whether p is as it was when scaled to the kernel and back.
@@ -92,7 +94,8 @@ public:
 private:
   static constexpr int kernel_exponent_ = 200, least_exponent_ = -1000, greatest_exponent_of_place_ = 32;
   int exponent_ = 0;
-  double to_user_ = 1, to_kernel_ = 1; // normal numbers both, so that products round as coordinates do
+  double per_unit_, unit_; // 2^-exponent and its inverse, which doubles have
+  double least_far_from_limits_, largest_far_from_limits_;
   bool are_kept_ = true;
 
   /// Leaves coordinates of one place below 2^33, where a square of side 1 has a million steps.
@@ -104,8 +107,8 @@ private:
   bool is_kept(double c) const {
     const double magnitude = std::fabs(c);
     const bool is_far_from_limits =
-        magnitude >= std::ldexp(1.0, exponent_ - 900) && magnitude <= std::ldexp(1.0, exponent_ + 900);
-    return is_far_from_limits || c == 0 || to_user_ * (to_kernel_ * c) == c;
+        magnitude >= least_far_from_limits_ && magnitude <= largest_far_from_limits_;
+    return is_far_from_limits || c == 0 || unit_ * (per_unit_ * c) == c;
   }
 };
 

@@ -139,11 +139,15 @@ auto shuffled(std::size_t n, const Point_at& point_at) {
   }
 }
 
-/// Returns the indices of `points` sorted by the shuffle of the points; equal points keep their order.
+/// Returns the indices of `points` sorted by the shuffle of the points; equal points keep their order. For points of
+/// which most are distinct; `shuffled()` is for those that are not, and for who needs the points in order.
 template <class ConcurrencyTag = Sequential_tag, class Word, class Allocator>
 Order shuffle_order(const std::vector<Grid_point_2<Word>, Allocator>& points) {
-  return std::move(
-      shuffled<ConcurrencyTag>(points.size(), [&points](std::size_t i) { return points[i]; }).order);
+  const auto point_at = [&points](std::size_t i) { return points[i]; };
+  if constexpr (Radix_key<Grid_point_2<Word>>::number_of_words > 0)
+    return radix_order<ConcurrencyTag>(points.size(), point_at);
+  else
+    return std::move(shuffled<ConcurrencyTag>(points.size(), point_at).order);
 }
 
 } // namespace internal

@@ -23,8 +23,17 @@
 #include <CGAL/tags.h>
 #include <boost/config.hpp> // BOOST_NOINLINE
 
-#ifdef CGAL_LINKED_WITH_TBB
+// How g++ and how clang++ tell of the thread sanitizer.
 #ifdef __SANITIZE_THREAD__
+#define CGAL_QUADTREE_MESH_2_WATCH_THREADS
+#elif defined(__has_feature)
+#if __has_feature(thread_sanitizer)
+#define CGAL_QUADTREE_MESH_2_WATCH_THREADS
+#endif
+#endif
+
+#ifdef CGAL_LINKED_WITH_TBB
+#ifdef CGAL_QUADTREE_MESH_2_WATCH_THREADS
 #include <CGAL/Quadtree_mesh_2/internal/parallel/Thread_executor.h>
 #else
 #include <tbb/parallel_for.h>
@@ -130,7 +139,7 @@ private:
       const Concurrency_scope scope{Parallel_tag()}; // of the thread that runs it
       task(i);
     };
-#ifdef __SANITIZE_THREAD__
+#ifdef CGAL_QUADTREE_MESH_2_WATCH_THREADS
     Thread_executor::run(n, run_in_scope);
 #else
     tbb::parallel_for(std::size_t(0), n, run_in_scope);

@@ -166,7 +166,7 @@ private:
       const std::size_t begin = border;
       while (border < borders.size() && borders[border].segment == s) ++border;
       cdt_.walk_segment(segments[s][0].value(), segments[s][1].value(), [&](Face_handle f, int i, bool) {
-        std::uint32_t& piece = f->info().piece[i];
+        std::uint32_t& piece = f->info().piece[std::size_t(i)];
         if (piece == none_) add_piece(f, i, piece = pieces++);
         for (std::size_t k = begin; k < border; ++k) changes_.emplace_back(piece, borders[k].polygon);
       });
@@ -179,7 +179,7 @@ private:
 
   void add_piece(Face_handle f, int i, std::uint32_t piece) {
     const Face_handle g = f->neighbor(i);
-    g->info().piece[cdt_.cdt().mirror_index(f, i)] = piece;
+    g->info().piece[std::size_t(cdt_.cdt().mirror_index(f, i))] = piece;
     const std::uint32_t a = f->info().component, b = g->info().component;
     if (a == b) return;
     passages_[a].push_back({piece, b});

@@ -13,6 +13,7 @@
 #include <CGAL/Pslg_error_2.h>
 #include <CGAL/Quadtree_mesh_2/Point_error.h>
 #include <CGAL/Quadtree_mesh_2/internal/grid/morton.h>
+#include <CGAL/Quadtree_mesh_2/internal/pslg/Open_ends.h>
 #include <CGAL/Quadtree_mesh_2/internal/pslg/part_names.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Domain_rule.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/First_triangulation.h>
@@ -124,15 +125,19 @@ public:
             Pslg_parts_2().vertex(of_input(v))};
   }
 
-  /// For a graph of which nothing is to be meshed.
-  Pslg_error_2 no_domain(Quality_mesh_options_2::Domain rule) const {
+  /// For a graph of which nothing is to be meshed. Names the ends where a border may be open.
+  Pslg_error_2 no_domain(Quality_mesh_options_2::Domain rule, const Input_edges& edges) const {
     constexpr auto kind = Pslg_error_2::Kind::NO_DOMAIN;
     if (pslg_.segments.empty()) return {kind, "there are no segments, so there is no domain to mesh"};
+    if (edges.size() == 0) return {kind, "there is no domain to mesh: all segments have length 0"};
+    Pslg_parts_2 parts;
+    const std::string ends = open_ends_text(edges, parts);
+    if (!has_ring(edges, order_.size()))
+      return {kind, "the segments enclose no domain: no ring of them is closed" + ends, std::move(parts)};
     if (rule == Quality_mesh_options_2::Domain::MARKED)
-      return {kind, "no domain: no region's point is in a component that segments enclose"};
-    if (pslg_.holes.empty())
-      return {kind, "the segments enclose no domain: every face is connected to infinity"};
-    return {kind, "no domain is left: what the segments enclose, holes take away"};
+      return {kind, "no domain: no region's point is in a component that segments enclose" + ends,
+              std::move(parts)};
+    return {kind, "no domain is left: all of its components have points of holes" + ends, std::move(parts)};
   }
 
 private:
@@ -141,6 +146,18 @@ private:
 
   Vertex_index of_input(Vertex_id v) const { return Vertex_index(order_[v.value()]); }
   std::string segment(Segment_index s) const { return segment_text(pslg_, std::size_t(s)); }
+
+  /// Where a border may be open, to go behind what is wrong; empty if each segment goes on at both ends.
+  /// \param parts gets the vertices that are named
+  std::string open_ends_text(const Input_edges& edges, Pslg_parts_2& parts) const {
+    const std::vector<Vertex_index> ends = open_ends(edges, order_);
+    if (ends.empty()) return "";
+    parts.vertices = first_gap(ends, pslg_.vertices);
+    std::string text = "; " + vertex(std::size_t(parts.vertices[0])) + " is an end of one segment only";
+    if (parts.vertices.size() == 2)
+      text += ", the nearest other such end is " + vertex(std::size_t(parts.vertices[1]));
+    return text;
+  }
 };
 
 } // namespace internal

@@ -57,6 +57,14 @@ struct Bounds {
     if (max_length > 0) squared_length = max_length * max_length * (1 - margin);
   }
 
+  /// These bounds, with a share of the angle.
+  Bounds with_share_of_angle(double share) const {
+    Bounds lower = *this;
+    const double sine = std::sin(share * angle);
+    lower.sin2 = sine * sine;
+    return lower;
+  }
+
   /// By which bounds are tightened, so that rounding cannot pass them.
   static constexpr double margin = 2e-9;
 

@@ -211,7 +211,9 @@ private:
         std::max(1 / (share_of_area * area2), 0.5 / (share_of_squared_edge * bounds.squared_length));
     if (bounds.squared_length_at) per_area2 = std::max(per_area2, field_density(t, s));
     const double finest = least_ > 0 ? 0.5 / (share_of_squared_edge * least_ * least_) : per_area2;
-    return ratio(s.area2, 1) * std::min(per_area2, finest);
+    // finite, so that areas of exact numbers that doubles do not have are worth nothing
+    constexpr double densest = std::numeric_limits<double>::max();
+    return ratio(s.area2, 1) * std::min({per_area2, finest, densest});
   }
 
   /// The mean of the density that the size field asks for in t, at the centers of k^2 parts of equal area.

@@ -12,10 +12,6 @@
 // in each other's way, fewer are put back. On maps 3 to 4 percent of the triangles go in the first round, and
 // about one percent in the second. A round that does not come to rest, or ends with more triangles, is
 // undone. O(k) expected for k triangles.
-//
-// A small mesh can afford more. thin_small_mesh() repeats such rounds while they help, with a share of the bound that
-// small meshes gain most by; then with a lower one; then after smoothing, which makes other rooms. Whenever one of them
-// helps it begins again. Each trial costs as much as refinement. There are at most 28, and 3 where nothing helps.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_THINNER_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_THINNER_H
@@ -23,13 +19,10 @@
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Refiner.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Remover.h>
-#include <CGAL/Quadtree_mesh_2/internal/refinement/Smoother.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Splitter.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <iterator>
 #include <utility>
 
 namespace CGAL {
@@ -45,10 +38,7 @@ class Thinner {
 public:
   /// \param share of the bound that removal keeps to
   explicit Thinner(Meshing_state<Geometry>& state, double share = thinning_share)
-      : state_(state), lower_(state.bounds) {
-    const double sine = std::sin(share * state.bounds.angle);
-    lower_.sin2 = sine * sine;
-  }
+      : state_(state), lower_(state.bounds.with_share_of_angle(share)) {}
 
   /// Returns whether the mesh has fewer triangles than before.
   template <class Continue>
@@ -125,41 +115,6 @@ private:
     return false;
   }
 };
-
-/// What can be tried to make do with fewer triangles.
-struct Thinning_trial {
-  enum class Start { AS_IS, SMOOTHED } start;
-  double share; ///< of the bound
-  Leg_rule leg_rule;
-};
-
-/// Tries until nothing that can be tried makes a small mesh smaller.
-/// \pre as of `Thinner`
-template <class Geometry, class Continue>
-void thin_small_mesh(Meshing_state<Geometry>& state, Continue&& shall_go_on) {
-  constexpr int most_trials = 28;
-  using Start = Thinning_trial::Start;
-  static constexpr Thinning_trial trials[] = {// those with most gain for their time first
-                                              {Start::AS_IS, 0.65, Leg_rule::FREE},
-                                              {Start::AS_IS, 0.55, Leg_rule::SHELLS},
-                                              {Start::SMOOTHED, 0.65, Leg_rule::FREE}};
-  std::size_t next = 0;
-  for (int i = 0; i < most_trials && next < std::size(trials); ++i) {
-    if (!state.is_small() || !shall_go_on()) break;
-    const std::size_t before = state.mesh.number_of_triangles();
-    state.leg_rule = trials[next].leg_rule;
-    if (trials[next].start == Start::SMOOTHED) {
-      Smoother<Geometry>(state).run(shall_go_on);
-      Remover<Geometry>(state).run(shall_go_on);
-    }
-    // more vertices than this, and the mesh will hardly end with fewer than before
-    const Mesh_limit limit{state.mesh.number_of_vertices() + before / 2};
-    const bool is_thinner = Thinner<Geometry>(state, trials[next].share).run(limit, shall_go_on);
-    // where smoothing alone made room, the last round was in vain, and so would be the first one
-    next = is_thinner ? 0 : state.mesh.number_of_triangles() < before ? 1 : next + 1;
-  }
-  state.leg_rule = Leg_rule::SHELLS;
-}
 
 } // namespace internal
 } // namespace Quadtree_mesh_2

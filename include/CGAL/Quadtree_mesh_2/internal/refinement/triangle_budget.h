@@ -58,9 +58,10 @@ public:
 
   /// What handles and memory allow.
   static Triangle_budget of_machine() {
-    const double vertices =
-        std::min(static_cast<double>(most_vertices), physical_memory() / (2 * bytes_per_triangle));
-    return {vertices, "handles and memory allow", Unit::VERTICES};
+    constexpr auto by_handles = static_cast<double>(most_vertices);
+    const double by_memory = physical_memory() / (2 * bytes_per_triangle);
+    if (by_memory < by_handles) return {by_memory, "memory allows", Unit::VERTICES};
+    return {by_handles, "32-bit indices allow", Unit::VERTICES};
   }
   Triangle_budget smaller(const Triangle_budget& other) const {
     return other.triangles_ < triangles_ ? other : *this;
@@ -71,8 +72,8 @@ public:
   bool is_surely_exceeded_by(double estimate) const { return estimate > margin * triangles_; }
 
   std::string refusal_of(double estimate) const {
-    return "the mesh would need about " + two_digits(in_unit(estimate)) + ' ' + name_of_unit() + ", and " +
-           limit_ + ' ' + whole(in_unit(triangles_)) + ':';
+    return "the mesh would need " + in_words(in_unit(estimate)) + ' ' + name_of_unit() + ", and " + limit_ +
+           ' ' + whole(in_unit(triangles_)) + ':';
   }
 
   bool is_used_up_by(std::size_t triangles) const { return static_cast<double>(triangles) >= triangles_; }
@@ -93,15 +94,17 @@ private:
 
   double in_unit(double triangles) const { return unit_ == Unit::VERTICES ? triangles / 2 : triangles; }
   const char* name_of_unit() const { return unit_ == Unit::VERTICES ? "vertices" : "triangles"; }
-  /// An estimate says no more. Large numbers are told by their powers of ten.
-  static std::string two_digits(double number) {
-    if (number < 10) return whole(number);
+  /// With two digits: an estimate says no more. Large numbers are told by their powers of ten, if they have one: bounds
+  /// of size may be so small that their squares are 0.
+  static std::string in_words(double number) {
+    if (number < 10) return "about " + whole(number);
+    if (number > 1e300) return "more than 1e+300";
     const double unit = std::pow(10.0, std::floor(std::log10(number)) - 1),
                  rounded = unit * std::round(number / unit);
-    if (rounded < 1e8) return whole(rounded);
+    if (rounded < 1e8) return "about " + whole(rounded);
     std::ostringstream text;
     text.precision(2);
-    text << rounded;
+    text << "about " << rounded;
     return text.str();
   }
   /// With all digits, as the user would write it.

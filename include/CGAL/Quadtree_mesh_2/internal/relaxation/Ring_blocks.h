@@ -161,24 +161,28 @@ private:
             new_number_[Ring_vertex(order[i])] = Ring_vertex(blocks_[b].begin.value() + (i - first(b)));
         },
         1);
-    Mesh old;
-    std::swap(old.points, mesh_.points);
-    std::swap(old.rings, mesh_.rings);
+    // one after the other: there is no time when more memory is needed
+    mesh_.points = moved(mesh_.points, order, typename Mesh::Point(), [](const auto& p) { return p; });
     Ring unused;
     unused.mobility = Mobility::REMOVED;
-    mesh_.points.resize(blocks_.back().spare_end.value());
-    mesh_.rings.assign(mesh_.points.size(), unused);
-    for_each_index<ConcurrencyTag>(
-        count,
-        [&](std::size_t b) {
-          for (std::size_t i = first(b); i < first(b + 1); ++i) {
-            const Ring_vertex before(order[i]), v = new_number(before);
-            mesh_.points[v] = old.point(before);
-            Ring& r = mesh_.ring(v) = old.ring(before);
-            for (int k = 0; k < r.size; ++k) r.neighbor[std::size_t(k)] = new_number(r[k]);
-          }
-        },
-        1);
+    mesh_.rings = moved(mesh_.rings, order, unused, [this](const Ring& old) {
+      Ring r = old;
+      for (int k = 0; k < r.size; ++k) r.neighbor[std::size_t(k)] = new_number(r[k]);
+      return r;
+    });
+  }
+
+  /// What vertices have, by their new numbers, with `renumbered(value)` for each; those not in use have `unused`.
+  template <class T, class F>
+  Indexed_vector<Ring_vertex, T> moved(const Indexed_vector<Ring_vertex, T>& values,
+                                       const std::vector<std::uint32_t>& order, const T& unused,
+                                       const F& renumbered) const {
+    Indexed_vector<Ring_vertex, T> result(blocks_.back().spare_end.value(), unused);
+    for_each_index<ConcurrencyTag>(order.size(), [&](std::size_t i) {
+      const Ring_vertex before(order[i]);
+      result[new_number(before)] = renumbered(values[before]);
+    });
+    return result;
   }
 
   /// Gives the block the vertices all of whose neighbors are in it.

@@ -118,13 +118,19 @@ public:
     for (const auto& t : triangles)
       for (const auto v : t) ++first[std::size_t(v) + 2];
     for (std::size_t v = 2; v < first.size(); ++v) first[v] += first[v - 1];
-    std::vector<std::array<Ring_vertex, 2>> sides(first.back());
-    for (const auto& t : triangles)
-      for (std::size_t k = 0; k < 3; ++k)
-        sides[first[std::size_t(t[k]) + 1]++] = {Ring_vertex(t[(k + 1) % 3]), Ring_vertex(t[(k + 2) % 3])};
+    std::vector<std::uint32_t> triangle_at(
+        first.back()); // half the memory of the sides, where most is needed
+    for (std::size_t t = 0; t < triangles.size(); ++t)
+      for (const auto v : triangles[t])
+        triangle_at[first[std::size_t(v) + 1]++] = static_cast<std::uint32_t>(t);
     rings.resize(points.size());
-    for (const Ring_vertex v : rings.ids())
-      rings[v] = ring_of_sides(sides.data() + first[v.value()], sides.data() + first[v.value() + 1]);
+    std::vector<Side> sides;
+    for (const Ring_vertex v : rings.ids()) {
+      sides.clear();
+      for (std::uint32_t i = first[v.value()]; i < first[v.value() + 1]; ++i)
+        sides.push_back(side_opposite(v, triangles[triangle_at[i]]));
+      rings[v] = ring_of_sides(sides.data(), sides.data() + sides.size());
+    }
   }
 
   /// Calls f(a, b, c) for each triangle, counterclockwise, `a` being its least vertex; by increasing `a`.
@@ -150,6 +156,12 @@ public:
 
 private:
   using Side = std::array<Ring_vertex, 2>;
+
+  template <class Triangle>
+  static Side side_opposite(Ring_vertex v, const Triangle& t) {
+    const std::size_t k = Ring_vertex(t[0]) == v ? 0 : Ring_vertex(t[1]) == v ? 1 : 2;
+    return {Ring_vertex(t[(k + 1) % 3]), Ring_vertex(t[(k + 2) % 3])};
+  }
 
   /// The ring of a vertex, from the sides opposite it.
   static Ring ring_of_sides(const Side* begin, const Side* end) {

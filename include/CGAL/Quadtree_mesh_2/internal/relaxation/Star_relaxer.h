@@ -160,7 +160,8 @@ struct Star_energy {
     for (int k = 0; k < star.number_of_triangles; k += Star_vectors::lanes) {
       const Triangle_lanes t = star.triangles(k, 0, 0);
       squares = min(squares, t.bb);
-      sums.add(star, k, t, Range_lanes(t, range), range);
+      const Range_lanes r(t, range);
+      if (sum(r.energy) > 0) sums.add(star, k, t, r, range); // all that would be added is 0 otherwise
     }
     energy = sum(sums.energy);
     has_flat = energy >= 0.9f * Angle_range::energy_of_flat;

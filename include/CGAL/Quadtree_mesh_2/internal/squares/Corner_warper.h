@@ -41,8 +41,10 @@
 #include <CGAL/Quadtree_mesh_2/Grid_point_2.h>
 #include <CGAL/Quadtree_mesh_2/Index.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/Indexed_vector.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/Uninitialized_vector.h>
 #include <CGAL/Quadtree_mesh_2/internal/grid/morton.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel/sort_by_keys.h>
 #include <CGAL/Quadtree_mesh_2/internal/squares/Separated_quadtree.h>
 #include <CGAL/Quadtree_mesh_2/internal/squares/square_templates.h>
 #include <CGAL/assertions.h>
@@ -114,13 +116,15 @@ private:
   void number_vertices() {
     const std::size_t leaves = tree_.number_of_leaves();
     if (leaves >= std::size_t(1) << 30) throw std::length_error("Corner_warper: too many squares");
-    std::vector<Place> places(4 * leaves);
+    Uninitialized_vector<Place> places(4 * leaves);
     for_each_index<ConcurrencyTag>(leaves, [&](std::size_t i) {
       const auto square = tree_.square(Leaf_index(i));
       for (int c = 0; c < 4; ++c) places[4 * i + static_cast<unsigned>(c)] = place_of_corner(square, c);
     });
-    const Order order = shuffle_order<ConcurrencyTag>(places);
-    const auto is_new = [&](std::size_t k) { return k == 0 || places[order[k]] != places[order[k - 1]]; };
+    const Sorted_keys<Place> sorted =
+        shuffled<ConcurrencyTag>(places.size(), [&places](std::size_t i) { return places[i]; });
+    const Order& order = sorted.order;
+    const auto is_new = [&](std::size_t k) { return k == 0 || sorted.keys[k] != sorted.keys[k - 1]; };
     corners_.resize(leaves);
     count_allocate_and_place<ConcurrencyTag>(
         order.size(),
@@ -132,7 +136,7 @@ private:
         [&](std::size_t sum) { mesh_.places.resize(sum); },
         [&](std::size_t begin, std::size_t end, std::size_t next) {
           for (std::size_t k = begin; k < end; ++k) {
-            if (is_new(k)) mesh_.places[Vertex_index(next++)] = places[order[k]];
+            if (is_new(k)) mesh_.places[Vertex_index(next++)] = sorted.keys[k];
             corners_[Leaf_index(order[k] / 4)][order[k] % 4] = Vertex_index(next - 1);
           }
         });

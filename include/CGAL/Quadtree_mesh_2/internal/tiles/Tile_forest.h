@@ -21,6 +21,7 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_TILES_TILE_FOREST_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_TILES_TILE_FOREST_H
 
+#include <CGAL/Quadtree_mesh_2/internal/base/Indexed_vector.h>
 #include <CGAL/Quadtree_mesh_2/internal/clusters/Cluster_frame.h>
 #include <CGAL/Quadtree_mesh_2/internal/clusters/cluster_collar.h>
 #include <CGAL/Quadtree_mesh_2/internal/clusters/frame_clusters.h>
@@ -83,9 +84,12 @@ public:
     copy_trees(result);
     for (std::size_t t = 1; t < trees_.size(); ++t) put_into_parent(t, result);
     take_out_replaced_vertices(result);
+    const Indexed_vector<Ring_vertex, Mobility> mobilities = mobilities_of(result);
+    for (Tree& tree : trees_) tree.let_go_of_mesh();
     result.mesh.set_triangles(triangles_);
     triangles_ = {};
-    set_mobilities(result);
+    for (const Ring_vertex v : result.mesh.rings.ids())
+      if (result.mesh.is_alive(v)) result.mesh.ring(v).mobility = mobilities[v];
     return result;
   }
 
@@ -233,23 +237,25 @@ private:
                      triangles_.end());
   }
 
-  void set_mobilities(Site_mesh<Geometry>& result) {
+  /// What vertices may do, as far as they are in a triangle.
+  Indexed_vector<Ring_vertex, Mobility> mobilities_of(const Site_mesh<Geometry>& mesh) {
+    Indexed_vector<Ring_vertex, Mobility> result(mesh.mesh.points.size(), Mobility::FREE);
     for (std::size_t t = 0; t < trees_.size(); ++t) {
       const Tile_mesh& tiles = trees_[t].mesh();
       if (t > 0 && !trees_[t].has_blocks()) continue; // nothing to set
       for (std::size_t v = 0; v < tiles.number_of_vertices(); ++v) {
         const std::size_t first = static_cast<std::size_t>(first_vertex_[t]);
-        Mobility& mobility = result.mesh.ring(Ring_vertex(first + v)).mobility;
-        if (mobility == Mobility::REMOVED) continue;
+        Mobility& mobility = result[Ring_vertex(first + v)];
         if (t == 0) mobility = mobility_on(tiles.sides[v]);
         if (tiles.is_frozen[v] == 0 || mobility != Mobility::FREE) continue;
         mobility = Mobility::HELD;
       }
     }
     // fixed from the beginning, lest one is removed that waits to be moved
-    for (const Ring_vertex v : result.vertex_of_site) result.mesh.ring(v).mobility = Mobility::FIXED;
-    for (const std::int32_t v : rigid_) result.mesh.ring(Ring_vertex(v)).mobility = Mobility::RIGID;
+    for (const Ring_vertex v : mesh.vertex_of_site) result[v] = Mobility::FIXED;
+    for (const std::int32_t v : rigid_) result[Ring_vertex(v)] = Mobility::RIGID;
     rigid_.clear();
+    return result;
   }
 
   static Mobility mobility_on(std::uint8_t sides) {

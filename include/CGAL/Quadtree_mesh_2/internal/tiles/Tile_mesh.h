@@ -16,6 +16,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -67,6 +68,14 @@ struct Tile_mesh {
   /// The warped and star sites without vertex, because their blocks leave the window, are not made of equal
   /// leaves of the level asked for, or overlap.
   std::vector<std::uint32_t> broken_blocks;
+
+  /// Lets go of all but the leaves and where sites lie in them.
+  void keep_leaves() {
+    Tile_mesh kept;
+    kept.leaves = std::move(leaves);
+    kept.leaf_of_site = std::move(leaf_of_site);
+    *this = std::move(kept);
+  }
 
   std::size_t number_of_vertices() const { return places.size(); }
   std::size_t number_of_triangles() const { return triangles.size(); }

@@ -28,6 +28,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/base/Indexed_vector.h>
 #include <CGAL/Quadtree_mesh_2/internal/grid/morton.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel/sort_by_keys.h>
 #include <CGAL/Quadtree_mesh_2/internal/tiles/Tile_mesh.h>
 #include <CGAL/Quadtree_mesh_2/internal/tiles/Tile_sites.h>
 #include <CGAL/Quadtree_mesh_2/internal/tiles/tile_blocks.h>
@@ -228,14 +229,19 @@ private:
     return places;
   }
 
+  Sorted_keys<Tile_place> sorted_instances() const {
+    const Places places = places_of_instances();
+    return shuffled<ConcurrencyTag>(places.size(), [&places](std::size_t i) { return places[i]; });
+  }
+
   /// Numbers the distinct places, in shuffle order.
   void identify_vertices() {
-    const Places places = places_of_instances();
-    mesh_.instances = shuffle_order<ConcurrencyTag>(places);
-    const auto place = [&](std::size_t k) -> const Tile_place& { return places[mesh_.instances[k]]; };
+    Sorted_keys<Tile_place> sorted = sorted_instances();
+    mesh_.instances = std::move(sorted.order);
+    const auto place = [&](std::size_t k) -> const Tile_place& { return sorted.keys[k]; };
     const auto is_first = [&](std::size_t k) { return k == 0 || place(k) != place(k - 1); };
     count_allocate_and_place<ConcurrencyTag>(
-        places.size(),
+        sorted.keys.size(),
         [&](std::size_t begin, std::size_t end) {
           std::size_t sum = 0;
           for (std::size_t k = begin; k < end; ++k) sum += is_first(k) ? 1 : 0;

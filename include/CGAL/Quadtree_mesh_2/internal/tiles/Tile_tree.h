@@ -64,20 +64,12 @@ public:
   void set_first_levels() {
     filler_.set_first_levels(is_of_cluster() ? Cluster_frame_2::least_level_of_site : 0);
   }
-  /// Fills tiles, if they are not as they should be.
-  void fill() {
-    if (!is_filled_) filler_.fill();
-    is_filled_ = true;
-  }
+  void fill() { filler_.fill(); }
+  /// To be called when the mesh is copied: it has several times the memory of the tree.
+  void let_go_of_mesh() { filler_.let_go_of_mesh(); }
   bool has_blocks() const { return !filler_.filling().sites.kinds.empty(); }
-  void split(std::size_t site) {
-    filler_.split(site);
-    is_filled_ = false;
-  }
-  void certify(std::size_t site) {
-    filler_.certify(site);
-    is_filled_ = false;
-  }
+  void split(std::size_t site) { filler_.split(site); }
+  void certify(std::size_t site) { filler_.certify(site); }
   bool is_certified(std::size_t site) const { return filler_.is_certified(site); }
 
   Point point_at(const Tile_place& place) const {
@@ -117,7 +109,6 @@ private:
   std::int32_t parent_ = -1;
   std::uint32_t site_in_parent_ = 0;
   Tile_filler<ConcurrencyTag> filler_;
-  bool is_filled_ = false;
 
   bool is_of_cluster() const { return parent_ >= 0; }
 

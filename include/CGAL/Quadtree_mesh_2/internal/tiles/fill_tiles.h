@@ -79,6 +79,7 @@ public:
   void fill() {
     for (;;) {
       ++filling_.number_of_rounds;
+      filling_.mesh = Tile_mesh(); // lest there are two at a time
       filling_.mesh = Tile_mesh_builder<ConcurrencyTag>(filling_.sites).build();
       const std::vector<std::uint32_t> without_vertex =
           Site_assignment<ConcurrencyTag>(filling_.sites, options_.spacing, filling_.mesh).assign();
@@ -116,6 +117,8 @@ public:
   bool is_certified(std::size_t site) const { return filling_.sites.kind(site) == Site_kind::WARPED; }
 
   const Tile_filling& filling() const { return filling_; }
+  /// Lets go of the mesh but for what `split()` looks at.
+  void let_go_of_mesh() { filling_.mesh.keep_leaves(); }
   Tile_filling result() { return std::move(filling_); }
 
 private:

@@ -17,12 +17,14 @@
 //
 // From here on the mesh is the domain alone, and no walk leaves it. Features behind an outside gap, however
 // thin, are not seen and force nothing (distances are geodesic). All that remains of the outside are the triangles at
-// the border, whose rooms rounded vertices of the border may not leave (Edge_room.h).
+// the border, whose rooms rounded vertices of the border may not leave (Edge_room.h); flat ones are flipped before
+// (Flat_triangle_flipper.h).
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_DOMAIN_RULE_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_DOMAIN_RULE_H
 
 #include <CGAL/Quadtree_mesh_2/internal/parallel/sort_by_keys.h>
+#include <CGAL/Quadtree_mesh_2/internal/triangulation/Flat_triangle_flipper.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Kernel_mesh.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Place_keys.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/walk.h>
@@ -106,6 +108,7 @@ public:
       for (const Triangle_id t : is_kept_.ids())
         is_kept_[t] = level_[t] > 0 && !regions.empty() && mesh_.region_of[t].is_valid();
     for (const Triangle_id t : triangles_at(holes, Ambiguous_seed::Of::HOLE)) drop_component(t);
+    Flat_triangle_flipper<Geometry>(mesh_, is_kept_, first_auxiliary_).run();
     std::vector<Outer_triangle> outer = outer_triangles();
     keep_triangles(mesh_, is_kept_, first_auxiliary_);
     return outer;

@@ -6,8 +6,8 @@
 //
 // The room beside an input edge into which vertices of the edge may be rounded.
 //
-// Computes: the triangle that joins the edge to a point inside the triangle beside it, in the constrained
-//           Delaunay triangulation of the whole graph, including the outside.
+// Computes: the triangle that joins the edge to a point inside the triangle beside it, in a constrained
+//           triangulation of the whole graph, including the outside.
 // Bound:    O(1).
 // Source:   ours.
 //

@@ -1,0 +1,87 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+
+#ifndef QUADTREE_MESH_2_EXAMPLES_OPTION_VALUES_H
+#define QUADTREE_MESH_2_EXAMPLES_OPTION_VALUES_H
+
+// What may be behind an option: one of a few words, a text, a number. All numbers are parsed as doubles, so that whole
+// ones may be written as 1e6, too.
+
+#include "file_formats.h"
+
+#include <boost/program_options.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace command_line_internal {
+
+namespace po = boost::program_options;
+
+/// An option with two numbers behind it.
+class Two_numbers : public po::typed_value<std::vector<double>> {
+public:
+  Two_numbers() : po::typed_value<std::vector<double>>(nullptr) {}
+  unsigned min_tokens() const override { return 2; }
+  unsigned max_tokens() const override { return 2; }
+};
+
+/// Which of a few words is given.
+inline std::size_t choice(const po::variables_map& given, const std::string& option,
+                          const std::vector<std::string>& words) {
+  const std::string& word = given[option].as<std::string>();
+  for (std::size_t i = 0; i < words.size(); ++i)
+    if (words[i] == word) return i;
+  std::string all;
+  for (const std::string& w : words) all += (all.empty() ? "" : ", ") + w;
+  throw Usage_error("--" + option + " has to be one of " + all + ", not '" + word + "'");
+}
+
+/// The text behind an option that has one; empty if the option is not given.
+inline std::string text(const po::variables_map& given, const std::string& option) {
+  if (given.count(option) == 0) return std::string();
+  const std::string& value = given[option].as<std::string>();
+  if (value.empty()) throw Usage_error("--" + option + " has nothing behind it");
+  return value;
+}
+
+/// A number above zero; 0, which means no bound, if the option is not given.
+inline double bound(const po::variables_map& given, const std::string& option) {
+  if (given.count(option) == 0) return 0;
+  const double value = given[option].as<double>();
+  if (!(value > 0) || !std::isfinite(value)) throw Usage_error("--" + option + " has to be a number above 0");
+  return value;
+}
+
+struct Range {
+  int least, most;
+};
+
+/// A whole number in a range.
+inline int whole_number(const po::variables_map& given, const std::string& option, Range range) {
+  const double value = given[option].as<double>();
+  if (value >= range.least && value <= range.most && std::trunc(value) == value)
+    return static_cast<int>(value);
+  throw Usage_error("--" + option + " has to be a whole number from " + std::to_string(range.least) + " to " +
+                    std::to_string(range.most));
+}
+
+/// How many there may be, at least one; 0, which means no limit, if the option is not given.
+inline std::size_t limit(const po::variables_map& given, const std::string& option) {
+  constexpr double most = 0x1p53; // more than any memory holds, and still exact
+  if (given.count(option) == 0) return 0;
+  const double value = given[option].as<double>();
+  if (!(value >= 1) || !std::isfinite(value) || std::trunc(value) != value)
+    throw Usage_error("--" + option + " has to be a whole number of at least 1");
+  return static_cast<std::size_t>(std::min(value, most));
+}
+
+} // namespace command_line_internal
+
+#endif // QUADTREE_MESH_2_EXAMPLES_OPTION_VALUES_H
