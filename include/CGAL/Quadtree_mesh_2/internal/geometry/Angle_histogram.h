@@ -109,7 +109,7 @@ private:
   Places places(const Basic_shape<Number>& s) const {
     using std::fabs;
     const Number x = s.shortest(), z = s.longest();
-    const Number y = std::max(std::min(s.l[0], s.l[1]), std::min(std::max(s.l[0], s.l[1]), s.l[2]));
+    const Number y = greater(lesser(s.l[0], s.l[1]), lesser(greater(s.l[0], s.l[1]), s.l[2]));
     const Number n = z - x - y; // -2 sqrt(x y) cos(largest)
     return {bin_of_least_(ratio(s.area2 * s.area2, y * z)),
             bin_of_largest_(ratio(0.25 * n * fabs(n), x * y))};

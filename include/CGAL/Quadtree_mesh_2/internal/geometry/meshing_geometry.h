@@ -26,11 +26,13 @@
 #include <CGAL/enum.h>
 #include <CGAL/number_utils.h>
 
+#include <boost/config.hpp>
 #include <boost/multiprecision/cpp_int.hpp>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 #include <type_traits>
 
@@ -70,8 +72,28 @@ Number length(const Basic_vector<Number>& a) {
 /// a / b as a double: of lengths, which as such may be of any size.
 inline double ratio(double a, double b) { return a / b; }
 
+/// The lesser and the greater of two lengths. By value: of references g++ makes branches, which are taken at random.
+template <class Number>
+Number lesser(Number a, Number b) {
+  return b < a ? b : a;
+}
+template <class Number>
+Number greater(Number a, Number b) {
+  return a < b ? b : a;
+}
+
 /// The greatest power of two that is at most x, positive; the same on every machine.
-inline double power_of_two_at_most(double x) { return std::ldexp(1.0, std::ilogb(x)); }
+inline double power_of_two_at_most(double x) {
+  constexpr std::uint64_t bits_of_exponent = 0x7ff0000000000000u;
+  std::uint64_t bits;
+  std::memcpy(&bits, &x, sizeof bits);
+  bits &= bits_of_exponent;
+  if (bits == 0 || bits == bits_of_exponent)
+    return std::ldexp(1.0, std::ilogb(x)); // below the normal numbers, or none
+  double power;
+  std::memcpy(&power, &bits, sizeof power);
+  return power;
+}
 
 /// Squared side lengths of a triangle (`l[k]` opposite vertex k) and its doubled signed area.
 template <class Number>
@@ -79,8 +101,8 @@ struct Basic_shape {
   Number l[3];
   Number area2;
 
-  Number shortest() const { return std::min(l[0], std::min(l[1], l[2])); }
-  Number longest() const { return std::max(l[0], std::max(l[1], l[2])); }
+  Number shortest() const { return lesser(l[0], lesser(l[1], l[2])); }
+  Number longest() const { return greater(l[0], greater(l[1], l[2])); }
 
   /// Whether the area is positive for certain, if it was computed from differences of coordinates that were
   /// rounded once. Their cross product is then correct to 5 half units in the last place of the sum of its
@@ -95,7 +117,9 @@ struct Basic_shape {
   /// Whether the angle at vertex k is below 60 degrees, or so near that it cannot be told.
   bool may_be_below_60_degrees(int k) const {
     const Number c = twice_dot(k) + error_of_twice_dot();
-    return c > 0 && c * c > (1 - 1e-9) * (l[k == 2 ? 0 : k + 1] * l[k == 0 ? 2 : k - 1]);
+    const bool is_acute = c > 0,
+               is_sharp = c * c > (1 - 1e-9) * (l[k == 2 ? 0 : k + 1] * l[k == 0 ? 2 : k - 1]);
+    return is_acute & is_sharp;
   }
 
   /// Slot of the vertex opposite the shortest side.
@@ -103,7 +127,9 @@ struct Basic_shape {
 
   /// The product of the two longer squared sides, of which the least angle is between. No product of three: it would
   /// underflow too soon.
-  Number product_of_longer() const { return std::max(l[0] * l[1], std::max(l[1] * l[2], l[2] * l[0])); }
+  Number product_of_longer() const {
+    return greater<Number>(l[0] * l[1], greater<Number>(l[1] * l[2], l[2] * l[0]));
+  }
 
   /// Whether the least angle's squared sine is below `sin2`.
   bool is_below(Number sin2) const { return area2 * area2 < sin2 * product_of_longer(); }
@@ -268,17 +294,14 @@ struct Double_geometry_2 : Rounded_geometry<Double_geometry_2<Kernel>> {
     const double l = (b.x - a.x) * (c.y - a.y), r = (b.y - a.y) * (c.x - a.x);
     const double d = l - r, magnitude = std::fabs(l) + std::fabs(r);
     if (std::fabs(d) > 3.4e-16 * magnitude && magnitude > 1e-280) return d > 0 ? 1 : -1;
-    return static_cast<int>(
-        typename Kernel::Orientation_2()(kernel_point(a), kernel_point(b), kernel_point(c)));
+    return orientation_by_kernel(a, b, c);
   }
 
   /// Whether d lies strictly inside the circle through a, b, c (counterclockwise); exact.
   static bool is_in_circle(Point a, Point b, Point c, Point d) {
     const In_circle test(difference(a, d), difference(b, d), difference(c, d));
     if (test.is_certain()) return test.is_positive();
-    if (are_corners_of_rectangle(a, b, c, d)) return false;
-    return typename Kernel::Side_of_oriented_circle_2()(kernel_point(a), kernel_point(b), kernel_point(c),
-                                                        kernel_point(d)) == ON_POSITIVE_SIDE;
+    return is_in_circle_by_kernel(a, b, c, d);
   }
 
   /// The corner, next to p, of the quadtree's cells with the given side, a power of two.
@@ -288,6 +311,17 @@ struct Double_geometry_2 : Rounded_geometry<Double_geometry_2<Kernel>> {
 
 private:
   static typename Kernel::Point_2 kernel_point(Point p) { return typename Kernel::Point_2(p.x, p.y); }
+
+  // Rare, and apart, so that compilers inline what is frequent.
+  static BOOST_NOINLINE int orientation_by_kernel(Point a, Point b, Point c) {
+    return static_cast<int>(
+        typename Kernel::Orientation_2()(kernel_point(a), kernel_point(b), kernel_point(c)));
+  }
+  static BOOST_NOINLINE bool is_in_circle_by_kernel(Point a, Point b, Point c, Point d) {
+    if (are_corners_of_rectangle(a, b, c, d)) return false;
+    return typename Kernel::Side_of_oriented_circle_2()(kernel_point(a), kernel_point(b), kernel_point(c),
+                                                        kernel_point(d)) == ON_POSITIVE_SIDE;
+  }
 };
 
 /// Points with integer coordinates below 2^62 (2^31 for 32-bit words); all predicates in integers.

@@ -21,7 +21,7 @@ namespace Quadtree_mesh_2 {
 namespace internal {
 
 /// Coordinates of greater magnitude are refused, so that the root's corners stay finite.
-inline double greatest_coordinate() { return std::ldexp(1.0, 1000); }
+constexpr double greatest_coordinate() { return 0x1p1000; }
 
 /// Returns the largest integer not above `v * inverse_unit`.
 /// \pre `inverse_unit` is a power of two and the result fits

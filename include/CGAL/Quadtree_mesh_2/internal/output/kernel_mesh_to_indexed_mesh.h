@@ -13,6 +13,7 @@
 #include <CGAL/Indexed_mesh_2.h>
 #include <CGAL/Pslg_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/angle_units.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/prefetch.h>
 #include <CGAL/Quadtree_mesh_2/internal/geometry/coordinate_map.h>
 #include <CGAL/Quadtree_mesh_2/internal/output/boundary_markers.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
@@ -25,6 +26,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -53,9 +55,11 @@ public:
     std::vector<Edges> parts((mesh_.triangles.size() + default_block - 1) / default_block);
     for_each_block<ConcurrencyTag>(mesh_.triangles.size(), default_block,
                                    [&](std::size_t b, std::size_t begin, std::size_t end) {
-                                     for (const Triangle_id t : Id_range<Triangle_id>(begin, end))
-                                       if (mesh_.is_alive(t)) make_triangle(out, t, parts[b]);
+                                     make_triangles(out, begin, end, parts[b]);
                                    });
+    out.constrained_edges.reserve(
+        std::accumulate(parts.begin(), parts.end(), std::size_t(0),
+                        [](std::size_t n, const Edges& part) { return n + part.size(); }));
     for (const Edges& edges : parts)
       out.constrained_edges.insert(out.constrained_edges.end(), edges.begin(), edges.end());
     account.angles.add_to(report_.least_angle_histogram, report_.largest_angle_histogram);
@@ -129,16 +133,44 @@ private:
         });
   }
 
-  void make_triangle(Mesh& out, Triangle_id t, Edges& edges) const {
+  void prefetch_names(Triangle_id t) const {
+    const auto& r = mesh_.triangle(t);
+    for (const Vertex_id v : r.v)
+      prefetch(new_vertex_.data() + v.value()), prefetch(mesh_.role_of.data() + v.value());
+    for (const Side o : r.side)
+      if (!o.is_border()) prefetch(new_triangle_.data() + o.triangle().value());
+  }
+
+  void make_triangles(Mesh& out, std::size_t begin, std::size_t end, Edges& edges) const {
+    constexpr std::size_t most = 256; // at once
+    Side constrained[3 * most];
+    for (; begin < end; begin += most) {
+      Side* next = constrained;
+      visit_with_foresight(
+          Id_range<Triangle_id>(begin, std::min(begin + most, end)),
+          [this](Triangle_id t) { prefetch_names(t); },
+          [&](Triangle_id t) {
+            if (mesh_.is_alive(t)) next = make_triangle(out, t, next);
+          });
+      std::for_each(constrained, next, [&](Side s) { add_constrained_edge(edges, s); });
+    }
+  }
+
+  /// \param next where constrained sides are noted, each edge from one of its triangles; there is room for three
+  /// \returns the place behind them
+  Side* make_triangle(Mesh& out, Triangle_id t, Side* next) const {
     const auto& r = mesh_.triangle(t);
     const auto place = std::size_t(new_triangle_[t]);
-    for (int k = 0; k < 3; ++k) {
+    for (int k = 0; k < 3; ++k) { // no branches: they would be taken at random
       out.triangles[place][std::size_t(k)] = new_vertex_[r.v[k]];
       const Side o = r.side[k];
-      if (!o.is_border()) out.neighbors[place][std::size_t(k)] = new_triangle_[o.triangle()];
-      if (o.is_border() || (o.is_constrained() && t < o.triangle())) add_constrained_edge(edges, Side(t, k));
+      const Triangle_id across = o.is_border() ? t : o.triangle();
+      out.neighbors[place][std::size_t(k)] = o.is_border() ? Triangle_index() : new_triangle_[across];
+      *next = Side(t, k);
+      next += (o.is_constrained() ? 1 : 0) & (across < t ? 0 : 1);
     }
     if (!mesh_.region_of.empty()) out.region_of_triangle[place] = static_cast<int>(mesh_.region(t).value());
+    return next;
   }
 
   void add_constrained_edge(Edges& edges, Side s) const {

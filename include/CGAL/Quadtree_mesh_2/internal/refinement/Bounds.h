@@ -9,6 +9,8 @@
 
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Kernel_mesh.h>
 
+#include <boost/config.hpp>
+
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -70,10 +72,7 @@ struct Bounds {
   /// Whether the triangle a, b, c of the given shape and region is larger than wanted.
   bool is_large(const Shape& s, const Point& a, const Point& b, const Point& c, Region_id region) const {
     if (s.area2 > area2 || s.longest() > squared_length) return true;
-    if (is_refused && is_refused(a, b, c)) return true;
-    if (!is_local()) return false;
-    if (!area2_of_region.empty() && region.is_valid() && s.area2 > area2_of_region[region]) return true;
-    return squared_length_at && s.longest() > squared_length_at(centroid(a, b, c)) * (1 - margin);
+    return (is_refused || is_local()) && is_large_there(s, a, b, c, region);
   }
   /// Whether bounds of size differ from place to place.
   bool is_local() const { return squared_length_at || !area2_of_region.empty(); }
@@ -83,6 +82,13 @@ struct Bounds {
   }
 
 private:
+  /// By what differs from place to place. Apart, so that compilers inline the rest.
+  BOOST_NOINLINE bool is_large_there(const Shape& s, const Point& a, const Point& b, const Point& c,
+                                     Region_id region) const {
+    if (is_refused && is_refused(a, b, c)) return true;
+    if (!area2_of_region.empty() && region.is_valid() && s.area2 > area2_of_region[region]) return true;
+    return squared_length_at && s.longest() > squared_length_at(centroid(a, b, c)) * (1 - margin);
+  }
   void set_angle(double radians) {
     angle = radians;
     sin2 = std::sin(angle) * std::sin(angle) * (1 + margin);

@@ -96,9 +96,8 @@ private:
     const std::size_t n = mesh_.triangles.size();
     std::vector<std::vector<Acute_sector>> found((n + default_block - 1) / default_block);
     for_each_block<ConcurrencyTag>(n, default_block, [&](std::size_t b, std::size_t begin, std::size_t end) {
-      for (const Triangle_id t : Id_range<Triangle_id>(begin, end))
-        for (int k = 0; k < 3 && starts_.is_any(t); ++k)
-          if (starts_.has(t, k)) add_sector(t, k, found[b]);
+      for_each_marked_slot(starts_.slots_of_triangle, {begin, end},
+                           [&](Side start) { add_sector(start.triangle(), start.slot(), found[b]); });
     });
     for (const auto& sectors : found) acute_.insert(acute_.end(), sectors.begin(), sectors.end());
     for (const Acute_sector& s : acute_) corners_.is_acute[s.apex] = 1;

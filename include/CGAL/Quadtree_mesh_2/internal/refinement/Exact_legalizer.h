@@ -46,8 +46,7 @@ public:
     const std::size_t n = mesh_.triangles.size();
     std::vector<Part> parts((n + default_block - 1) / default_block);
     for_each_block<ConcurrencyTag>(n, default_block, [&](std::size_t b, std::size_t begin, std::size_t end) {
-      for (const Triangle_id t : Id_range<Triangle_id>(begin, end))
-        if (mesh_.is_alive(t)) look_at(t, parts[b]);
+      mesh_.for_each_alive({begin, end}, [&](Triangle_id t) { look_at(t, parts[b]); });
     });
     Triangle_account account;
     for (const Part& part : parts) {
@@ -89,7 +88,7 @@ private:
   /// Of two angles that may be right, as those on the diagonals of squares, one is enough.
   bool is_looked_at_from_beyond(Triangle_id t, const Shape& s, int k) const {
     const Side o = mesh_.triangle(t).side[k];
-    return o.triangle() < t && !s.is_certainly_obtuse(k) &&
+    return !s.is_certainly_obtuse(k) && o.triangle() < t &&
            !mesh_.shape(mesh_.triangle(o.triangle())).is_certainly_acute(o.slot());
   }
 

@@ -37,6 +37,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <vector>
 
@@ -81,6 +82,7 @@ public:
       if (is_time_to_ask(step) && !shall_go_on()) return give_up(Refinement_end::CANCELLED);
       const Triangle_id t = state_.worklist.pop();
       if (!mesh_.is_alive(t)) continue;
+      mesh_.prefetch_neighbors(t); // a vertex of it has to go, or another to come: both change what is around
       const Shape shape = mesh_.shape(mesh_.triangle(t));
       if (!state_.is_bad(t, shape)) continue;
       if (mesh_.number_of_vertices() >= limit.vertices || mesh_.number_of_triangles() >= limit.triangles) {
@@ -138,10 +140,12 @@ private:
 
   /// Puts the triangles of the next stretch on the list that may be bad.
   void push_stretch() {
-    constexpr int slots_of_stretch = 1024;
-    for (int i = 0; i < slots_of_stretch && next_to_push_ < end_to_push_; ++i, ++next_to_push_)
-      if (!state_.bulk.has(next_to_push_) && mesh_.is_alive(next_to_push_))
-        state_.push_if_suspect(next_to_push_);
+    constexpr std::uint32_t slots_of_stretch = 1024;
+    const Triangle_id end = std::min(end_to_push_, Triangle_id(next_to_push_.value() + slots_of_stretch));
+    mesh_.for_each_alive({next_to_push_, end}, [this](Triangle_id t) {
+      if (!state_.bulk.has(t)) state_.push_if_suspect(t);
+    });
+    next_to_push_ = end;
   }
 
   /// Goes on to the first stretch that has something to do; false if there is none.

@@ -58,6 +58,7 @@ public:
       for (const Vertex_id v : mesh_.points.ids()) {
         if (is_time_to_ask(std::size_t(v)) && !shall_go_on()) return removed;
         if (mesh_.is_input(v) || mesh_.is_dirty[v] == 0 || !mesh_.is_used(v)) continue;
+        prefetch_after(v);
         const int largest = state_.is_small() ? Star::max_size : largest_star;
         const bool is_collected = star_.collect(mesh_, v, largest);
         if (!is_collected && star_.size < largest) continue; // perhaps at a seam: another round may do it
@@ -74,7 +75,8 @@ public:
 
 private:
   static constexpr int max_polygon = 13;
-  static constexpr int largest_star = 9; // of a mesh that is not small
+  static constexpr std::uint32_t foresight = 8; // vertices
+  static constexpr int largest_star = 9;        // of a mesh that is not small
 
   /// A polygon of the star, counterclockwise, and the triangles it is cut into.
   struct Polygon {
@@ -96,6 +98,16 @@ private:
   Vector place_[max_polygon];
   double quality_[max_polygon][max_polygon];
   std::int8_t middle_[max_polygon][max_polygon];
+
+  /// Prefetches a triangle of a later vertex, and what is next to that of one before it.
+  void prefetch_after(Vertex_id v) const {
+    const Vertex_id later(v.value() + foresight), much_later(v.value() + 2 * foresight);
+    if (!mesh_.triangle_of.has(much_later)) return;
+    mesh_.prefetch_star(much_later);
+    if (!mesh_.is_used(later)) return;
+    mesh_.prefetch_corners(mesh_.incident_triangle(later));
+    mesh_.prefetch_neighbors(mesh_.incident_triangle(later));
+  }
 
   /// \pre the star is that of v
   bool try_to_remove(Vertex_id v) {

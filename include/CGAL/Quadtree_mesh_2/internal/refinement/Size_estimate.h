@@ -52,10 +52,26 @@ namespace internal {
 /// a constrained side then.
 struct Acute_starts {
   Indexed_vector<Triangle_id, unsigned char> slots_of_triangle;
-
-  bool is_any(Triangle_id t) const { return slots_of_triangle[t] != 0; }
-  bool has(Triangle_id t, int k) const { return (slots_of_triangle[t] >> k & 1u) != 0; }
 };
+
+/// Calls `visit(side)` for the slots k of triangles whose mark has bit k, in order. They are gathered before that,
+/// without branches, which would be taken at random.
+template <class Visit>
+void for_each_marked_slot(const Indexed_vector<Triangle_id, unsigned char>& marks,
+                          Id_range<Triangle_id> triangles, const Visit& visit) {
+  constexpr std::size_t most = 256; // triangles at once
+  Side slots[3 * most];
+  const auto end = static_cast<std::size_t>(*triangles.end());
+  for (auto first = static_cast<std::size_t>(*triangles.begin()); first < end; first += most) {
+    std::size_t count = 0;
+    for (const Triangle_id t : Id_range<Triangle_id>(first, std::min(first + most, end)))
+      for (int k = 0; k < 3; ++k) {
+        slots[count] = Side(t, k);
+        count += marks[t] >> k & 1u;
+      }
+    std::for_each(slots, slots + count, visit);
+  }
+}
 
 template <class Geometry>
 class Size_estimate {
@@ -83,16 +99,15 @@ public:
         mesh_.triangles.size(), Demand(),
         [this](std::size_t begin, std::size_t end) {
           Demand sum;
-          for (const Triangle_id t : Id_range<Triangle_id>(begin, end)) add_triangle(t, sum);
+          mesh_.for_each_alive({begin, end}, [&](Triangle_id t) { add_triangle(t, sum); });
           return sum;
         },
         [](const Demand& a, const Demand& b) {
           return Demand{a.of_shapes + b.of_shapes, a.of_sizes + b.of_sizes};
         });
     of_shapes_ = all.of_shapes, of_sizes_ = all.of_sizes;
-    for (const Triangle_id t : mesh_.triangles.ids())
-      for (int k = 0; k < 3 && (marks_[t] & narrow_sides) != 0; ++k)
-        if (is_narrow(t, k)) add_facing_edges(t, k);
+    for_each_marked_slot(marks_, mesh_.triangles.ids(),
+                         [this](Side narrow) { add_facing_edges(narrow.triangle(), narrow.slot()); });
   }
 
   double triangles() const {
@@ -133,7 +148,6 @@ private:
   Number total_area2_ = 0;
   double of_shapes_ = 0, of_pairs_ = 0, of_sizes_ = 0;
   Pair worst_;
-  static constexpr unsigned narrow_sides = 7;
   /// Bit k: for a narrow side k; 3 + k: for a sector begun there.
   Indexed_vector<Triangle_id, unsigned char> marks_;
   Acute_starts acute_starts_;
@@ -142,14 +156,13 @@ private:
   void add_triangle(Triangle_id t, Demand& demand) {
     const auto& r = mesh_.triangle(t);
     const Shape s = reliable_shape(r);
-    int constrained = 0;
-    unsigned narrow = 0, starts = 0;
-    for (int k = 0; k < 3; ++k) {
-      if (!r.side[k].is_constrained()) continue;
-      ++constrained;
-      if (2 * s.area2 < s.l[k]) narrow |= 1u << k;
+    unsigned constrained = 0, narrow = 0, starts = 0;
+    for (int k = 0; k < 3; ++k) { // no branches: they would be taken at random
+      const unsigned is_constrained = r.side[k].is_constrained() ? 1 : 0;
+      constrained += is_constrained;
+      narrow |= (is_constrained & (2 * s.area2 < s.l[k] ? 1u : 0u)) << k;
       const int apex = next_slot[k]; // of the sector to the left of side k
-      if (s.may_be_below_60_degrees(apex)) starts |= 1u << apex;
+      starts |= (is_constrained & (s.may_be_below_60_degrees(apex) ? 1u : 0u)) << apex;
     }
     marks_[t] = static_cast<unsigned char>(narrow);
     acute_starts_.slots_of_triangle[t] = static_cast<unsigned char>(starts);

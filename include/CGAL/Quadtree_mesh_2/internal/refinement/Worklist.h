@@ -37,9 +37,7 @@ class Worklist {
 public:
   Worklist() { first_.fill(end_); }
 
-  bool is_empty() const {
-    return std::all_of(in_use_.begin(), in_use_.end(), [](std::uint32_t word) { return word == 0; });
-  }
+  bool is_empty() const { return words_in_use_ == 0; }
 
   /// \param share the squared sine of the least angle, as a share of the bound's; 1 or more where only the size is bad
   void push(Triangle_id t, double share) {
@@ -50,19 +48,22 @@ public:
     next = first_[std::size_t(level)];
     first_[std::size_t(level)] = t;
     in_use_[std::size_t(level / 32)] |= 1u << level % 32;
+    words_in_use_ |= 1u << level / 32;
   }
 
   /// Of the sharpest, the one pushed last.
   /// \pre it is not empty
   Triangle_id pop() {
-    std::size_t word = 0;
-    while (in_use_[word] == 0) ++word;
+    const auto word = static_cast<std::size_t>(lowest_bit(words_in_use_));
     const int bit = lowest_bit(in_use_[word]);
     Triangle_id& first = first_[32 * word + std::size_t(bit)];
     const Triangle_id t = first;
     first = next_[t];
     next_[t] = is_not_queued_;
-    if (first == end_) in_use_[word] &= ~(1u << bit);
+    if (first == end_) {
+      in_use_[word] &= ~(1u << bit);
+      if (in_use_[word] == 0) words_in_use_ &= ~(1u << word);
+    }
     return t;
   }
 
@@ -73,6 +74,7 @@ private:
   std::array<Triangle_id, number_of_levels_> first_;
   Indexed_vector<Triangle_id, Triangle_id> next_;              // on the list of its level
   std::array<std::uint32_t, number_of_levels_ / 32> in_use_{}; // a bit for each level
+  std::uint32_t words_in_use_ = 0;                             // a bit for each word of them
 
   /// By the exponent and the first bit of the significand. What is no number, of a flat triangle, counts as sharpest.
   static int level_of(double share) {

@@ -112,6 +112,7 @@ private:
 
   void start(const std::vector<Point>& points) {
     const std::size_t n = points.size();
+    mesh_.reserve(n + number_of_auxiliary_vertices, 0);
     mesh_.resize(n, 0);
     mesh_.points.assign(points.begin(), points.end());
     for (const Vertex_id v : mesh_.role_of.ids()) mesh_.role_of[v] = input_vertex(v);

@@ -18,94 +18,17 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_KERNEL_MESH_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_KERNEL_MESH_H
 
-#include <CGAL/Quadtree_mesh_2/Index.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/Indexed_vector.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/prefetch.h>
 #include <CGAL/Quadtree_mesh_2/internal/geometry/meshing_geometry.h>
+#include <CGAL/Quadtree_mesh_2/internal/triangulation/Kernel_handles.h>
 
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
-
-/// Handles inside the kernel; an invalid one is none.
-using Vertex_id = Index<struct Kernel_vertex_tag>;
-using Triangle_id = Index<struct Kernel_triangle_tag>;
-using Edge_id = Index<struct Kernel_edge_tag>;     ///< of an input edge
-using Region_id = Index<struct Kernel_region_tag>; ///< the position of a region in the input
-
-constexpr int next_slot[3] = {1, 2, 0};
-constexpr int previous_slot[3] = {2, 0, 1};
-
-/// One side of one triangle, with the constraint bit of the edge; the border or a seam when there is no triangle.
-class Side {
-public:
-  Side() = default;
-  Side(Triangle_id t, int slot, bool is_constrained = false)
-      : code_(code(t) | (slot << 1) | (is_constrained ? 1 : 0)) {}
-  static Side border() { return Side(); }
-
-  /// Where another block goes on. The number is kept by all that links and flips do to the triangle.
-  static Side seam(std::int32_t number) {
-    Side s;
-    s.code_ = -3 - 2 * number;
-    return s;
-  }
-
-  /// Whether no triangle lies there: at the border of the domain, or at a seam.
-  bool is_border() const { return code_ < 0; }
-  bool is_seam() const { return code_ < -1; }
-  std::int32_t seam_number() const { return (-3 - code_) / 2; }
-  /// The border and seams count as constrained: nothing walks or flips across them.
-  bool is_constrained() const { return (code_ & 1) != 0; }
-  Triangle_id triangle() const { return Triangle_id(code_ >> 3); }
-  int slot() const { return (code_ >> 1) & 3; }
-  /// The same side of a triangle that has got another handle.
-  Side renamed(Triangle_id t) const {
-    Side s;
-    s.code_ = code(t) | (code_ & 7);
-    return s;
-  }
-  void constrain() { code_ |= 1; }
-  void release() { code_ &= ~1; }
-
-private:
-  std::int32_t code_ = -1;
-
-  static std::int32_t code(Triangle_id t) { return static_cast<std::int32_t>(t.value() << 3); }
-};
-
-/// What a vertex is: free to move, on an input edge, or a vertex of the input. One word for all three.
-class Vertex_role {
-public:
-  /// A free vertex.
-  constexpr Vertex_role() = default;
-  /// A vertex on an input edge.
-  constexpr Vertex_role(Edge_id e) : code_(static_cast<std::int32_t>(e.value())) {}
-  static constexpr Vertex_role input(Vertex_id number) {
-    Vertex_role role;
-    role.code_ = -2 - static_cast<std::int32_t>(number.value());
-    return role;
-  }
-
-  constexpr bool is_free() const { return code_ == -1; }
-  constexpr bool is_input() const { return code_ < -1; }
-  /// The edge that the vertex lies on; none if it is free, or of the input.
-  constexpr Edge_id edge() const { return code_ >= 0 ? Edge_id(code_) : Edge_id(); }
-  /// The number of a vertex of the input.
-  constexpr Vertex_id input_number() const { return Vertex_id(-2 - code_); }
-
-  friend constexpr bool operator==(Vertex_role a, Vertex_role b) { return a.code_ == b.code_; }
-  friend constexpr bool operator!=(Vertex_role a, Vertex_role b) { return a.code_ != b.code_; }
-
-private:
-  std::int32_t code_ = -1;
-};
-
-constexpr Vertex_role free_vertex;
-constexpr Vertex_role input_vertex(Vertex_id number) { return Vertex_role::input(number); }
 
 /// Goes around a vertex, triangle by triangle: counterclockwise; from the border on clockwise from where it began.
 template <class Mesh>
@@ -136,7 +59,7 @@ public:
     if (o.triangle() == start_)
       state_ = State::CLOSED;
     else
-      t_ = o.triangle(), slot_ = next_slot[o.slot()]; // the common side begins at v, seen from there
+      t_ = o.triangle(), slot_ = o.slot_after(); // the common side begins at v, seen from there
     return state_ != State::CLOSED;
   }
 
@@ -161,7 +84,7 @@ private:
     if (o.is_border())
       state_ = State::OPEN;
     else
-      t_ = o.triangle(), slot_ = previous_slot[o.slot()];
+      t_ = o.triangle(), slot_ = o.slot_before();
     return state_ == State::CLOCKWISE;
   }
 };
@@ -203,6 +126,33 @@ public:
   Vertex_id input_number(Vertex_id v) const { return role(v).input_number(); }
   bool is_used(Vertex_id v) const { return incident_triangle(v).is_valid(); }
   std::size_t number_of_vertices() const { return points.size(); }
+
+  /// Prefetch the triangle, or its corners, or the triangles next to it, or the one known at a vertex.
+  void prefetch_triangle(Triangle_id t) const { prefetch(triangles.data() + t.value()); }
+  void prefetch_corners(Triangle_id t) const {
+    for (const Vertex_id v : triangle(t).v) prefetch(points.data() + v.value());
+  }
+  void prefetch_neighbors(Triangle_id t) const {
+    for (const Side o : triangle(t).side)
+      if (!o.is_border()) prefetch_triangle(o.triangle());
+  }
+  void prefetch_star(Vertex_id v) const {
+    if (is_used(v)) prefetch_triangle(incident_triangle(v));
+  }
+  /// Prefetches the place of the vertex opposite a side, which in-circle tests of the side read.
+  void prefetch_apex(Side s) const {
+    if (!s.is_border()) prefetch(points.data() + opposite(s).value());
+  }
+
+  /// Calls `f(t)` for the triangles alive of the given ones, which may read their corners and neighbors.
+  template <class Function>
+  void for_each_alive(Id_range<Triangle_id> range, const Function& f) const {
+    visit_with_foresight(
+        range, [this](Triangle_id t) { prefetch_corners(t), prefetch_neighbors(t); },
+        [&](Triangle_id t) {
+          if (is_alive(t)) f(t);
+        });
+  }
 
   Side across(Side s) const { return triangle(s.triangle()).side[s.slot()]; }
   Vertex_id opposite(Side s) const { return triangle(s.triangle()).v[s.slot()]; }
@@ -359,6 +309,7 @@ public:
     }
     for (int k = 0; k < 3; ++k) {
       link(part[k], 0, old.side[k]);
+      prefetch_apex(old.side[k]);
       star_.push_back(part[k]);
     }
     triangle_of[v] = t;
@@ -467,6 +418,7 @@ private:
     I.v[2] = d;
     J.v[0] = a, J.v[1] = d, J.v[2] = c;
     link(t, 0, bd), link(u, 0, dc), link(u, 1, ca);
+    prefetch_apex(bd);
     I.side[1] = Side(u, 2), J.side[2] = Side(t, 1);
     triangle_of[a] = triangle_of[b] = triangle_of[d] = t;
     triangle_of[c] = u;

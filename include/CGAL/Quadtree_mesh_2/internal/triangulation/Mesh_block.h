@@ -66,7 +66,9 @@ public:
     reserve();
     mesh.triangles.resize(taken_);
     if (!whole.region_of.empty()) mesh.region_of.resize(taken_);
-    for (const Triangle_id* t = begin; t != end; ++t) take(*t, static_cast<Triangle_id>(t - begin));
+    visit_with_foresight(
+        mesh.triangles.ids(), [this](Triangle_id here) { prefetch_places(begin_[here.value()]); },
+        [this](Triangle_id here) { take(begin_[here.value()], here); });
     settle_foreign_vertices();
     mark_shared_vertices();
   }
@@ -180,6 +182,14 @@ private:
     mesh.points.reserve(vertices), mesh.role_of.reserve(vertices);
     mesh.triangle_of.reserve(vertices), mesh.is_dirty.reserve(vertices);
     whole_vertex_.reserve(vertices);
+  }
+
+  void prefetch_places(Triangle_id t) const {
+    const auto& r = whole_->triangle(t);
+    for (const Vertex_id v : r.v)
+      prefetch(whole_->triangle_of.data() + v.value()), prefetch(assignment_->of_vertex.data() + v.value());
+    for (const Side o : r.side)
+      if (!o.is_border()) prefetch(assignment_->of_triangle.data() + o.triangle().value());
   }
 
   void take(Triangle_id t, Triangle_id here) {

@@ -79,20 +79,20 @@ Block_cut cut_by_position(const Kernel_mesh<Geometry>& mesh, std::vector<Triangl
 }
 
 /// Cuts all triangles of a mesh without free vertices into blocks of about `block_size`, by the numbers of the input
-/// vertices, which are in shuffle order. The middle one of a triangle's three numbers is one of the two that are
-/// close to each other, those of its shortest edge as a rule. `edge_start(e)` is the number of a vertex of input edge
-/// e, for the vertices on it.
+/// vertices, which are their handles, in shuffle order. The middle one of a triangle's three numbers is one of the two
+/// that are close to each other, those of its shortest edge as a rule. `edge_start(e)` is the number of a vertex of
+/// input edge e, for the vertices on it.
 template <class ConcurrencyTag, class Geometry, class Edge_start>
 Block_cut cut_by_input_order(const Kernel_mesh<Geometry>& mesh, std::size_t number_of_input_vertices,
                              std::size_t block_size, const Edge_start& edge_start) {
   const std::size_t blocks = std::max<std::size_t>(1, mesh.number_of_triangles() / block_size);
   const auto number = [&](Vertex_id v) {
-    return mesh.is_input(v) ? mesh.input_number(v) : edge_start(mesh.edge(v));
+    return std::size_t(v) < number_of_input_vertices ? v : edge_start(mesh.edge(v));
   };
   const auto block_of = [&](Triangle_id t) {
     const auto& r = mesh.triangle(t);
     const Vertex_id a = number(r.v[0]), b = number(r.v[1]), c = number(r.v[2]);
-    const Vertex_id middle = std::max(std::min(a, b), std::min(std::max(a, b), c));
+    const Vertex_id middle = greater(lesser(a, b), lesser(greater(a, b), c));
     return std::size_t(middle) * blocks / number_of_input_vertices;
   };
   Indexed_vector<Triangle_id, std::uint16_t> block(mesh.triangles.size());

@@ -40,15 +40,17 @@ struct Star {
     for (Triangle_id t = first;;) {
       if (size == most) return false;
       const auto& r = mesh.triangle(t);
-      link[size] = r.v[next_slot[i]];
-      corner[size++] = Side(t, i);
-      link[size] = r.v[previous_slot[i]];
-      const Side o = r.side[next_slot[i]];
+      const Side here(t, i);
+      link[size] = r.v[here.slot_after()];
+      corner[size++] = here;
+      link[size] = r.v[here.slot_before()];
+      prefetch(mesh.points.data() + link[size].value());
+      const Side o = r.side[here.slot_after()];
       is_closed = !o.is_border() && o.triangle() == first;
       if (o.is_border()) return !o.is_seam();
       if (is_closed) return true;
       t = o.triangle();
-      i = next_slot[o.slot()]; // the common side runs from v to the last link vertex, seen from there
+      i = o.slot_after(); // the common side runs from v to the last link vertex, seen from there
     }
   }
 

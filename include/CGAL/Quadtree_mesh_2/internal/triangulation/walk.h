@@ -19,6 +19,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 namespace CGAL {
 namespace Quadtree_mesh_2 {
@@ -47,50 +48,66 @@ private:
   std::uint32_t state_ = 0;
 };
 
-/// The slot of a side of t that has q strictly behind it, -1 if there is none. Decided exactly.
-/// \param first the slot tried first
-/// \param from the triangle that the walk comes from, which is not behind
+/// Whether the query is strictly behind side k of a triangle; exact.
 template <class Geometry>
-int exit_toward(const Kernel_mesh<Geometry>& mesh, Triangle_id t, const typename Geometry::Point& q,
-                int first, Triangle_id from) {
-  const auto& r = mesh.triangle(t);
+bool is_behind_side(const Kernel_mesh<Geometry>& mesh, const typename Kernel_mesh<Geometry>::Triangle& r,
+                    int k, const typename Geometry::Point& q) {
+  return Geometry::orientation(mesh.point(r.v[next_slot[k]]), mesh.point(r.v[previous_slot[k]]), q) < 0;
+}
+
+/// The slot by which a walk leaves the triangle it begins in, trying `first` first; -1 if that holds the query.
+template <class Geometry>
+int first_exit(const Kernel_mesh<Geometry>& mesh, Triangle_id t, int first,
+               const typename Geometry::Point& q) {
   int k = first;
-  for (int tried = 0; tried < 3; ++tried, k = next_slot[k]) {
-    if (!r.side[k].is_border() && r.side[k].triangle() == from) continue;
-    if (Geometry::orientation(mesh.point(r.v[next_slot[k]]), mesh.point(r.v[previous_slot[k]]), q) < 0)
-      return k;
-  }
+  for (int tried = 0; tried < 3; ++tried, k = next_slot[k])
+    if (is_behind_side(mesh, mesh.triangle(t), k, q)) return k;
   return -1;
+}
+
+/// The same for a triangle that a walk has come into by side `entry`. Both other sides are looked at, and the choice is
+/// no branch, for it would be taken at random.
+template <class Geometry>
+int next_exit(const Kernel_mesh<Geometry>& mesh, Side entry, int first, const typename Geometry::Point& q) {
+  const int one = first == entry.slot() ? entry.slot_after() : first, other = 3 - one - entry.slot();
+  const auto& r = mesh.triangle(entry.triangle());
+  const int is_one = is_behind_side(mesh, r, one, q) ? 1 : 0;
+  const int is_other = is_behind_side(mesh, r, other, q) ? 1 : 0;
+  return (is_one | is_other) == 0 ? -1 : other + is_one * (one - other);
+}
+
+/// Walks across the sides that do not stop it, no more than the given number of them.
+/// \param draw gives the slot to be tried first, for one triangle after the other
+template <class Geometry, class Draw, class Stops>
+Walk_end walk(const Kernel_mesh<Geometry>& mesh, Triangle_id t, const typename Geometry::Point& q,
+              std::size_t most_steps, Draw draw, const Stops& stops) {
+  int exit = first_exit(mesh, t, draw(), q);
+  for (std::size_t step = 1;; ++step) {
+    if (exit < 0) return {t, -1};
+    const Side entry = mesh.triangle(t).side[exit];
+    if (stops(entry)) return {t, exit};
+    t = entry.triangle();
+    if (step == most_steps) return {t, -1, true};
+    exit = next_exit(mesh, entry, draw(), q);
+  }
 }
 
 /// Walks across every side but the border.
 template <class Geometry>
 Walk_end locate_exactly(const Kernel_mesh<Geometry>& mesh, Triangle_id t, const typename Geometry::Point& q) {
-  Triangle_id from;
-  for (Slot_lots lots;;) {
-    const int exit = exit_toward(mesh, t, q, lots.draw(), from);
-    if (exit < 0) return {t, -1};
-    const Side side = mesh.triangle(t).side[exit];
-    if (side.is_border()) return {t, exit};
-    from = t;
-    t = side.triangle();
-  }
+  return walk(
+      mesh, t, q, std::numeric_limits<std::size_t>::max(),
+      [lots = Slot_lots()]() mutable { return lots.draw(); }, [](Side s) { return s.is_border(); });
 }
 
-/// Walks from t toward q in sight of it: stops at constrained sides, and after `most_steps`.
+/// Walks from t toward q in sight of it: stops at constrained sides, and after `most_steps`. Slots 0 and 1 are tried
+/// first in turn.
 template <class Geometry>
 Walk_end walk_in_sight(const Kernel_mesh<Geometry>& mesh, Triangle_id t, const typename Geometry::Point& q,
                        std::size_t most_steps) {
-  Triangle_id from;
-  for (std::size_t step = 0; step < most_steps; ++step) {
-    const int exit = exit_toward(mesh, t, q, static_cast<int>(step & 1), from);
-    if (exit < 0) return {t, -1};
-    const Side side = mesh.triangle(t).side[exit];
-    if (side.is_constrained()) return {t, exit};
-    from = t;
-    t = side.triangle();
-  }
-  return {t, -1, true};
+  return walk(
+      mesh, t, q, most_steps, [slot = 1]() mutable { return slot ^= 1; },
+      [](Side s) { return s.is_constrained(); });
 }
 
 } // namespace internal
