@@ -14,7 +14,6 @@
 
 #include <boost/program_options.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <string>
@@ -77,9 +76,8 @@ inline std::size_t limit(const po::variables_map& given, const std::string& opti
   constexpr double most = 0x1p53; // more than any memory holds, and still exact
   if (given.count(option) == 0) return 0;
   const double value = given[option].as<double>();
-  if (!(value >= 1) || !std::isfinite(value) || std::trunc(value) != value)
-    throw Usage_error("--" + option + " has to be a whole number of at least 1");
-  return static_cast<std::size_t>(std::min(value, most));
+  if (value >= 1 && value <= most && std::trunc(value) == value) return static_cast<std::size_t>(value);
+  throw Usage_error("--" + option + " has to be a whole number from 1 to 2^53");
 }
 
 } // namespace command_line_internal
