@@ -194,6 +194,10 @@ TEST_CASE("Between edges within rounding of each other nothing but triangles wit
   }
 }
 
+TEST_CASE("Triangles without room may all be gone when there is more", "[mesher][small]") {
+  check_reasons(run(read("hard_refused_are_gone.poly"), to_the_bound().max_edge(8.68065)));
+}
+
 TEST_CASE("A square of two units in the last place is meshed", "[mesher][small]") {
   const Run r = run(read("hard_square_of_ulps.poly"), to_the_bound());
   CHECK(r.report.triangles == 2);

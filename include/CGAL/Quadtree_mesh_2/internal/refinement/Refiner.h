@@ -160,14 +160,14 @@ private:
   }
 
   /// Puts triangles back on the list that could not be cured before, if vertices were inserted since. The
-  /// thin triangle may be gone in which a rounded point would have been beside its edge.
+  /// thin triangle may be gone in which a rounded point would have been beside its edge. False if none of them is left.
   bool takes_up_refused() {
     if (refused_.empty() || mesh_.number_of_vertices() == vertices_when_taken_up_) return false;
     vertices_when_taken_up_ = mesh_.number_of_vertices();
     for (const Triangle_id t : refused_)
       if (mesh_.is_alive(t)) state_.push(t);
     refused_.clear();
-    return true;
+    return !state_.worklist.is_empty();
   }
 
   bool relocate_a_vertex_of(Triangle_id t, const Shape& shape) {

@@ -21,6 +21,8 @@
 #include <CGAL/Quadtree_mesh_2/internal/base/bits.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Kernel_mesh.h>
 
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -54,6 +56,7 @@ public:
   /// Of the sharpest, the one pushed last.
   /// \pre it is not empty
   Triangle_id pop() {
+    CGAL_precondition(!is_empty());
     const auto word = static_cast<std::size_t>(lowest_bit(words_in_use_));
     const int bit = lowest_bit(in_use_[word]);
     Triangle_id& first = first_[32 * word + std::size_t(bit)];
