@@ -270,7 +270,7 @@ TEST_CASE("bad usage names the culprit and writes nothing", "[program]") {
       {square + " --threads 0", "--threads"},
       {square + " --threads 1.5", "--threads has to be a whole number from 1 to "},
       {square + " --max-vertices 2.5", "--max-vertices has to be a whole number"},
-      {square + " --max-vertices 0", "--max-vertices has to be a whole number of at least 1"},
+      {square + " --max-vertices 0", "--max-vertices has to be a whole number from 1 to 2^53"},
       {square + " --max-vertices inf", "--max-vertices has to be a whole number"},
       {square + " --max-edge 0,1", "'0,1') for option '--max-edge' is invalid: it has to be a number"},
       {square + " --smooth -1", "--smooth"},
