@@ -63,6 +63,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <string>
@@ -132,7 +133,7 @@ private:
   Progress progress_{options_.progress()};
   Order order_; // kernel vertex -> input vertex
   Input_words<Point_2> words_{pslg_, order_};
-  typename Size_estimate<Geometry>::Pair worst_pair_;
+  Facing_pair worst_pair_;
   Indexed_vector<Vertex_id, char> is_merged_;      // kernel vertices that another one stands for
   std::optional<Pslg_error_2> too_near_for_trees_; // the error for the first of them
   double triangles_of_sizes_ = 0;                  // what bounds of size ask for, as estimated
@@ -155,19 +156,24 @@ private:
   void triangulate_input() {
     clock_.enter(&Seconds::first_mesh);
     const std::size_t n = pslg_.number_of_vertices();
-    std::vector<typename Geometry::Point> points(n);
+    Uninitialized_vector<typename Geometry::Point> points(n);
     for_each_index<ConcurrencyTag>(
         n, [&](std::size_t v) { points[v] = map_.to_kernel(pslg_.vertices[order_[v]]); });
     if constexpr (has_double_coordinates) check_points_are_kept();
     First first(state_.mesh, points);
     if (const auto crossing = first.run(kernel_segments())) throw words_.crossing(first.edges(), *crossing);
     is_merged_.resize(n);
-    for (const Vertex_id v : is_merged_.ids()) {
-      is_merged_[v] = first.representative(v) != v ? 1 : 0;
-      report_.merged_vertices += is_merged_[v] != 0 ? 1 : 0;
-    }
+    report_.merged_vertices = reduce<ConcurrencyTag>(
+        n, std::size_t(0),
+        [&](std::size_t begin, std::size_t end) {
+          std::size_t merged = 0;
+          for (const Vertex_id v : Id_range<Vertex_id>(begin, end))
+            merged += std::size_t(is_merged_[v] = first.representative(v) != v ? 1 : 0);
+          return merged;
+        },
+        std::plus<>());
     report_.vertices_on_segments = first.number_of_vertices_on_segments();
-    problem_.edges = Input_edges(first.edges(), n);
+    problem_.edges = Input_edges(first.take_edges(), n);
     problem_.edges.repeat(first.repeated_edges());
     problem_.input_points = std::move(points);
   }

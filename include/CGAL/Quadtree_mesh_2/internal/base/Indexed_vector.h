@@ -10,6 +10,8 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_BASE_INDEXED_VECTOR_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_BASE_INDEXED_VECTOR_H
 
+#include <CGAL/Quadtree_mesh_2/internal/base/Uninitialized_vector.h>
+
 #include <cstddef>
 #include <memory>
 #include <utility>
@@ -99,6 +101,10 @@ public:
     return a.values() == b.values();
   }
 };
+
+/// One whose `resize()` does not write.
+template <class Id, class T>
+using Uninitialized_indexed_vector = Indexed_vector<Id, T, Uninitialized_allocator<T>>;
 
 } // namespace internal
 } // namespace Quadtree_mesh_2

@@ -7,8 +7,12 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_BASE_UNINITIALIZED_VECTOR_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_BASE_UNINITIALIZED_VECTOR_H
 
+#include <CGAL/Quadtree_mesh_2/internal/base/huge_pages.h>
+
+#include <cstddef>
 #include <memory>
 #include <new>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -16,22 +20,30 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-/// Constructs values without arguments by default-initialization: numbers are left as they are in memory.
+/// Leaves values that are constructed without arguments as they are in memory, if they can be copied as bytes. So the
+/// pages of a large array are touched by those who write it. Long arrays lie in huge pages.
 template <class T>
-class Default_init_allocator : public std::allocator<T> {
+class Uninitialized_allocator : public std::allocator<T> {
 public:
   template <class U>
   struct rebind {
-    using other = Default_init_allocator<U>;
+    using other = Uninitialized_allocator<U>;
   };
 
-  Default_init_allocator() = default;
+  Uninitialized_allocator() = default;
   template <class U>
-  Default_init_allocator(const Default_init_allocator<U>&) noexcept {}
+  Uninitialized_allocator(const Uninitialized_allocator<U>&) noexcept {}
+
+  T* allocate(std::size_t n) {
+    T* const values = std::allocator<T>::allocate(n);
+    advise_huge_pages(values, n * sizeof(T));
+    return values;
+  }
 
   template <class U>
   void construct(U* p) {
-    ::new (static_cast<void*>(p)) U;
+    if constexpr (!std::is_trivially_copyable_v<U> || !std::is_trivially_destructible_v<U>)
+      ::new (static_cast<void*>(p)) U;
   }
   template <class U, class... Arguments>
   void construct(U* p, Arguments&&... arguments) {
@@ -41,7 +53,7 @@ public:
 
 /// A vector whose `resize()` does not write. So one thread does not fill it before many threads do.
 template <class T>
-using Uninitialized_vector = std::vector<T, Default_init_allocator<T>>;
+using Uninitialized_vector = std::vector<T, Uninitialized_allocator<T>>;
 
 } // namespace internal
 } // namespace Quadtree_mesh_2

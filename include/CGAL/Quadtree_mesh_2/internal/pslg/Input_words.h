@@ -92,7 +92,7 @@ public:
   }
 
   /// For two input edges that cross.
-  Pslg_crossing_error_2 crossing(const std::vector<Input_edge>& edges, const Crossing& crossing) const {
+  Pslg_crossing_error_2 crossing(const Input_edge_list& edges, const Crossing& crossing) const {
     const auto is_crossed = [&](const Input_edge& e) {
       return (e.a == crossing.a && e.b == crossing.b) || (e.a == crossing.b && e.b == crossing.a);
     };

@@ -93,15 +93,14 @@ private:
   std::vector<Triangle_id> triangles_outside_bulk() const {
     const Kernel_mesh<Geometry>& mesh = whole_.mesh;
     const auto& bulk = whole_.bulk;
-    std::vector<Triangle_id> outside;
-    outside.reserve(mesh.number_of_triangles() - bulk.number_of_triangles());
-    for (const Triangle_id t : mesh.triangles.ids()) {
-      const auto& v = mesh.triangle(t).v;
-      if (!v[0].is_valid() || (bulk.has_within(v[0]) && bulk.has_within(v[1]) && bulk.has_within(v[2])))
-        continue;
-      outside.push_back(t);
-    }
-    return outside;
+    return pack_values<ConcurrencyTag, Triangle_id>(
+        mesh.triangles.size(),
+        [&](std::size_t i) {
+          const auto& v = mesh.triangle(static_cast<Triangle_id>(i)).v;
+          return v[0].is_valid() &&
+                 !(bulk.has_within(v[0]) && bulk.has_within(v[1]) && bulk.has_within(v[2]));
+        },
+        [](std::size_t i) { return static_cast<Triangle_id>(i); });
   }
 
   template <class Continue>
@@ -127,10 +126,9 @@ private:
         whole_.push(t);
         near_seams_.push_back(t);
       }
-    for (const Side s : blocks.seam_sides()) {
+    for (const Side s : blocks.seam_sides())
       near_seams_.push_back(s.triangle()), near_seams_.push_back(whole_.mesh.across(s).triangle());
-      whole_.doubtful_sides.push_back(s);
-    }
+    whole_.doubtful_sides = blocks.sides_to_flip();
     whole_.legalize();
   }
 

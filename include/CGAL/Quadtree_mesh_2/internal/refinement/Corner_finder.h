@@ -96,7 +96,7 @@ private:
     const std::size_t n = mesh_.triangles.size();
     std::vector<std::vector<Acute_sector>> found((n + default_block - 1) / default_block);
     for_each_block<ConcurrencyTag>(n, default_block, [&](std::size_t b, std::size_t begin, std::size_t end) {
-      for_each_marked_slot(starts_.slots_of_triangle, {begin, end},
+      for_each_marked_slot([this](Triangle_id t) { return starts_.slots_of_triangle[t]; }, {begin, end},
                            [&](Side start) { add_sector(start.triangle(), start.slot(), found[b]); });
     });
     for (const auto& sectors : found) acute_.insert(acute_.end(), sectors.begin(), sectors.end());

@@ -55,7 +55,7 @@ public:
   template <class Mesh, class Edge_at>
   void restrict(Mesh& mesh, std::size_t number_of_auxiliary_vertices, const Edge_at& edge_at) const {
     constexpr Region_id unknown(0xfffffffdu);
-    Indexed_vector<Triangle_id, Region_id> label(mesh.triangles.size(), unknown);
+    Uninitialized_indexed_vector<Triangle_id, Region_id> label(mesh.triangles.size(), unknown);
     std::vector<Triangle_id> stack;
     for (const Triangle_id t : label.ids())
       for (int k = 0; k < 3 && label[t] == unknown; ++k) {

@@ -24,7 +24,7 @@ namespace internal {
 /// What is the same for the whole mesh and all its blocks.
 template <class Geometry>
 struct Meshing_problem {
-  Indexed_vector<Vertex_id, typename Geometry::Point> input_points; ///< by input number
+  Uninitialized_indexed_vector<Vertex_id, typename Geometry::Point> input_points; ///< by input number
   Input_edges edges;
   Acute_corners<Geometry> corners;
   Bounds<Geometry> bounds;

@@ -12,8 +12,8 @@
 
 #include <CGAL/Quadtree_mesh_2/Index.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/angle_units.h>
+#include <CGAL/Quadtree_mesh_2/internal/refinement/Facing_edges.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
-#include <CGAL/Quadtree_mesh_2/internal/refinement/Size_estimate.h>
 
 #include <algorithm>
 #include <array>
@@ -116,9 +116,8 @@ template <class Geometry>
 class Narrow_gap {
 public:
   using Number = typename Geometry::Number;
-  using Pair = typename Size_estimate<Geometry>::Pair;
 
-  Narrow_gap(const Meshing_state<Geometry>& state, const Pair& pair) : state_(state), pair_(pair) {}
+  Narrow_gap(const Meshing_state<Geometry>& state, const Facing_pair& pair) : state_(state), pair_(pair) {}
 
   /// The least distance of the two edges, in kernel coordinates.
   Number width() const {
@@ -145,7 +144,7 @@ public:
 
 private:
   const Meshing_state<Geometry>& state_;
-  const Pair& pair_;
+  const Facing_pair& pair_;
 
   /// Wedges begin where the first edge ends and the second begins.
   bool is_wedge() const { return pair_.a[1] == pair_.b[0]; }

@@ -78,13 +78,13 @@ private:
 
 template <class Geometry>
 struct Placed_vertices {
-  Indexed_vector<Vertex_id, typename Geometry::Point>
+  Uninitialized_indexed_vector<Vertex_id, typename Geometry::Point>
       points; ///< first the input's, then those on edges, then corners
-  Indexed_vector<Vertex_id, Vertex_role> role_of;
+  Uninitialized_indexed_vector<Vertex_id, Vertex_role> role_of;
   std::vector<std::array<Vertex_id, 2>> segments;
   std::vector<Edge_id> cramped_edges; ///< those without some of their vertices for want of room; in order
 
-  explicit Placed_vertices(const Indexed_vector<Vertex_id, typename Geometry::Point>& input)
+  explicit Placed_vertices(const Uninitialized_indexed_vector<Vertex_id, typename Geometry::Point>& input)
       : points(input), role_of(input.size()) {
     for (const Vertex_id v : role_of.ids()) role_of[v] = input_vertex(v);
   }

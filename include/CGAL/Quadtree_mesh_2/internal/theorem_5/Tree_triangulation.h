@@ -144,8 +144,8 @@ private:
   void take(Kernel_mesh<Geometry>&& sorted, Kernel_mesh<Geometry>& mesh) const {
     sides_.restrict(sorted, First::number_of_auxiliary_vertices, [&](Side s) { return edge_at(sorted, s); });
     mesh = Kernel_mesh<Geometry>();
-    mesh.resize(placed_.points.size(), 0);
     mesh.points = placed_.points, mesh.role_of = placed_.role_of;
+    mesh.triangle_of.assign(mesh.points.size(), {}), mesh.is_dirty.assign(mesh.points.size(), 1);
     mesh.triangles = std::move(sorted.triangles), mesh.region_of = std::move(sorted.region_of);
     for_each_index<ConcurrencyTag>(mesh.triangles.size(), [&](std::size_t t) {
       for (Vertex_id& v : mesh.triangle(static_cast<Triangle_id>(t)).v) v = placed_vertex(v);

@@ -22,6 +22,9 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_FIRST_TRIANGULATION_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_FIRST_TRIANGULATION_H
 
+#include <CGAL/Quadtree_mesh_2/internal/geometry/place_box.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel/append_all.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel/group_in_order.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Delaunay_inserter.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Kernel_mesh.h>
@@ -35,6 +38,7 @@
 #include <cstddef>
 #include <numeric>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -49,9 +53,9 @@ public:
   using Segment = std::array<Vertex_id, 2>;
   static constexpr std::size_t number_of_auxiliary_vertices = 3;
 
-  /// The vertices of the mesh become `points`, in that order, and the three auxiliary ones behind them.
-  First_triangulation(Mesh& mesh, const std::vector<Point>& points)
-      : mesh_(mesh), representative_(points.size()) {
+  /// The vertices of the mesh become `points`, a vector, in that order, and the three auxiliary ones behind them.
+  template <class Points>
+  First_triangulation(Mesh& mesh, const Points& points) : mesh_(mesh), representative_(points.size()) {
     start(points);
   }
 
@@ -66,16 +70,17 @@ public:
       for (std::size_t s = 0; s < segments.size(); ++s)
         inserter.insert(representative(segments[s][0]), representative(segments[s][1]), Segment_index(s));
     });
-    add(inserter.take());
+    add({inserter.take()});
     return crossing;
   }
 
   /// For each vertex itself, or the one at the same place that stands for it.
   Vertex_id representative(Vertex_id v) const { return representative_[v]; }
   std::size_t number_of_vertices_on_segments() const { return vertices_on_segments_; }
-  const std::vector<Input_edge>& edges() const { return edges_; }
+  const Input_edge_list& edges() const { return edges_; }
+  Input_edge_list take_edges() { return std::move(edges_); }
   /// Edges of segments that overlap others, for each segment but the one in `edges()`.
-  const std::vector<Input_edge>& repeated_edges() const { return repeated_edges_; }
+  const Input_edge_list& repeated_edges() const { return repeated_edges_; }
 
 private:
   static constexpr std::size_t stride = growth_of_rounds;
@@ -90,13 +95,10 @@ private:
     Segment_index segment;
   };
 
-  /// What is to be done in a block, and what comes of it.
+  /// What comes of the work in a block.
   struct Block_work {
-    std::vector<Vertex_id> vertices;
-    std::vector<Segment_index> segments;
     std::vector<Vertex_id> vertices_left;
     std::vector<Rest_of_segment> segments_left;
-    Segments_made segments_made;
     std::optional<Crossing> crossing;
   };
 
@@ -104,23 +106,24 @@ private:
 
   Mesh& mesh_;
   Indexed_vector<Vertex_id, Vertex_id> representative_;
-  std::vector<Input_edge> edges_, repeated_edges_;
+  Input_edge_list edges_, repeated_edges_;
   std::size_t vertices_on_segments_ = 0;
   // for blocks: the triangle of the coarse triangulation that holds a vertex, and the vertex's handle in its block
-  Indexed_vector<Vertex_id, Triangle_id> coarse_triangle_;
-  Indexed_vector<Vertex_id, Vertex_id> vertex_in_block_;
+  Uninitialized_indexed_vector<Vertex_id, Triangle_id> coarse_triangle_;
+  Uninitialized_indexed_vector<Vertex_id, Vertex_id> vertex_in_block_;
+  std::vector<Segments_made> segments_made_; // by block
 
-  void start(const std::vector<Point>& points) {
+  template <class Points>
+  void start(const Points& points) {
     const std::size_t n = points.size();
     mesh_.reserve(n + number_of_auxiliary_vertices, 0);
     mesh_.resize(n, 0);
-    mesh_.points.assign(points.begin(), points.end());
-    for (const Vertex_id v : mesh_.role_of.ids()) mesh_.role_of[v] = input_vertex(v);
-    Point low = points.front(), high = points.front();
-    for (const Point& p : points) {
-      low.x = std::min(low.x, p.x), low.y = std::min(low.y, p.y);
-      high.x = std::max(high.x, p.x), high.y = std::max(high.y, p.y);
-    }
+    for_each_index<ConcurrencyTag>(n, [&](std::size_t i) {
+      const Vertex_id v = static_cast<Vertex_id>(i);
+      mesh_.points[v] = points[i], mesh_.role_of[v] = input_vertex(v);
+      mesh_.triangle_of[v] = {}, mesh_.is_dirty[v] = 1;
+    });
+    const auto [low, high] = place_box<ConcurrencyTag>(points);
     const Vector size = Geometry::difference(high, low);
     // A box of a few units in the last place has no room for a tenth of it.
     const double least_extent = 64 * std::max(Geometry::spacing(low), Geometry::spacing(high));
@@ -160,36 +163,41 @@ private:
     return std::nullopt;
   }
 
-  void add(const Segments_made& made) {
-    edges_.insert(edges_.end(), made.edges.begin(), made.edges.end());
-    repeated_edges_.insert(repeated_edges_.end(), made.repeated_edges.begin(), made.repeated_edges.end());
-    vertices_on_segments_ += made.vertices_on_segments;
+  void add(const std::vector<Segments_made>& made) {
+    using Edges = std::vector<Input_edge>;
+    append_all<ConcurrencyTag>(edges_, made, [](const Segments_made& m) -> const Edges& { return m.edges; });
+    append_all<ConcurrencyTag>(repeated_edges_, made,
+                               [](const Segments_made& m) -> const Edges& { return m.repeated_edges; });
+    for (const Segments_made& m : made) vertices_on_segments_ += m.vertices_on_segments;
   }
 
   // ---- in blocks
 
   std::optional<Crossing> run_in_blocks(const std::vector<Segment>& segments) {
     locate_vertices();
-    std::vector<Triangle_id> all(mesh_.triangles.size());
+    Uninitialized_vector<Triangle_id> all(mesh_.triangles.size());
     std::iota(all.begin(), all.end(), Triangle_id(0));
     Blocks blocks(mesh_, cut_by_position<ConcurrencyTag>(mesh_, std::move(all),
                                                          2 * vertices_of_block / stride, Square_shift::NONE));
-    Works works = distribute(blocks, segments);
+    Works works(blocks.size());
+    const auto vertices = vertices_by_block(blocks);
+    const auto segments_of = segments_by_block(blocks, segments);
     vertex_in_block_.resize(representative_.size());
+    segments_made_.resize(blocks.size());
     blocks.for_each(
         [&](Block& block) {
           Block_work& work = works[block.id()];
-          insert_vertices(block, blocks, work);
-          insert_segments(block, blocks, segments, work);
+          insert_vertices(block, blocks, vertices[block.id().value()], work);
+          insert_segments(block, blocks, segments, segments_of[block.id().value()], work);
         },
         [](const Block&) {});
     std::optional<Crossing> crossing = first_crossing(works);
     if (!crossing) {
       blocks.put_together();
-      std::vector<Side> doubtful = blocks.seam_sides();
+      std::vector<Side> doubtful = blocks.sides_to_flip();
       mesh_.make_Delaunay(doubtful);
     }
-    for (const Block_work& work : works) add(work.segments_made);
+    add(segments_made_);
     return crossing ? crossing : insert_what_is_left(works);
   }
 
@@ -212,23 +220,29 @@ private:
 
   static bool is_coarse(Vertex_id v) { return std::size_t(v) % stride == 0; }
 
-  /// Gives each vertex to the block in which it is, each segment to that of its first vertex.
-  Works distribute(const Blocks& blocks, const std::vector<Segment>& segments) const {
-    Works works(blocks.size());
-    for (const Vertex_id v : representative_.ids())
-      if (!is_coarse(v)) works[block_of(blocks, v)].vertices.push_back(v);
-    for (std::size_t s = 0; s < segments.size(); ++s)
-      works[block_of(blocks, segments[s][0])].segments.push_back(Segment_index(s));
-    return works;
+  /// The vertices that are not inserted yet, by the block in which they are.
+  Groups<Vertex_id> vertices_by_block(const Blocks& blocks) const {
+    return group_in_order<ConcurrencyTag, Vertex_id>(
+        representative_.size(), blocks.size(), [&](std::size_t i) -> std::size_t {
+          const Vertex_id v = static_cast<Vertex_id>(i);
+          return is_coarse(v) ? blocks.size() : block_of(blocks, v).value();
+        });
   }
 
-  void insert_vertices(Block& block, const Blocks& blocks, Block_work& work) {
+  /// The segments by the block of their first vertex.
+  Groups<Segment_index> segments_by_block(const Blocks& blocks, const std::vector<Segment>& segments) const {
+    return group_in_order<ConcurrencyTag, Segment_index>(
+        segments.size(), blocks.size(),
+        [&](std::size_t s) -> std::size_t { return block_of(blocks, segments[s][0]).value(); });
+  }
+
+  void insert_vertices(Block& block, const Blocks& blocks, Span<Vertex_id> vertices, Block_work& work) {
     Mesh& mesh = block.mesh;
-    mesh.triangles.reserve(mesh.triangles.size() + 2 * work.vertices.size());
-    for (const Vertex_id v : work.vertices) vertex_in_block_[v] = block.add_known_vertex(v);
+    mesh.triangles.reserve(mesh.triangles.size() + 2 * vertices.size());
+    for (const Vertex_id v : vertices) vertex_in_block_[v] = block.add_known_vertex(v);
     Delaunay_inserter<Geometry> inserter(mesh);
     Vertex_id last;
-    for (const Vertex_id v : work.vertices) {
+    for (const Vertex_id v : vertices) {
       const Vertex_id here = vertex_in_block_[v];
       const Triangle_id coarse = blocks.place_of(coarse_triangle_[v]);
       Vertex_id stands = !last.is_valid() ? Vertex_id() : inserter.insert(here, mesh.incident_triangle(last));
@@ -252,10 +266,10 @@ private:
   }
 
   void insert_segments(Block& block, const Blocks& blocks, const std::vector<Segment>& segments,
-                       Block_work& work) {
+                       Span<Segment_index> of_block, Block_work& work) {
     Segment_inserter<Geometry> inserter(block.mesh);
     work.crossing = catch_crossing([&] {
-      for (const Segment_index s : work.segments) {
+      for (const Segment_index s : of_block) {
         const auto [from, to] = segments[s.value()];
         const Vertex_id a = find_in_block(block, blocks, from), b = find_in_block(block, blocks, to);
         if (!a.is_valid() || !b.is_valid()) {
@@ -268,7 +282,7 @@ private:
               {block.mesh.input_number(rest.from), block.mesh.input_number(rest.to), s});
       }
     });
-    work.segments_made = inserter.take();
+    segments_made_[block.id().value()] = inserter.take();
   }
 
   static std::optional<Crossing> first_crossing(const Works& works) {
@@ -287,7 +301,7 @@ private:
         for (const Rest_of_segment& s : work.segments_left)
           inserter.insert(representative(s.from), representative(s.to), s.segment);
     });
-    add(inserter.take());
+    add({inserter.take()});
     return crossing;
   }
 

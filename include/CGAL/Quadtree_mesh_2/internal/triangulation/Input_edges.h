@@ -13,6 +13,7 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_INPUT_EDGES_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_INPUT_EDGES_H
 
+#include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Kernel_mesh.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Segment_inserter.h>
 
@@ -35,7 +36,7 @@ public:
 
   Input_edges() = default;
 
-  Input_edges(std::vector<Input_edge> edges, std::size_t number_of_vertices)
+  Input_edges(Input_edge_list edges, std::size_t number_of_vertices)
       : edges_(std::move(edges)), first_(number_of_vertices + 1, 0), incidences_(2 * edges_.size()) {
     for (const Input_edge& e : edges_) ++first_[e.a], ++first_[e.b];
     std::uint32_t sum = 0;
@@ -45,11 +46,14 @@ public:
       incidences_[--first_[e.a]] = {e.b, i};
       incidences_[--first_[e.b]] = {e.a, i};
     }
-    for (Vertex_id v : Id_range<Vertex_id>(std::size_t(0), number_of_vertices)) std::sort(begin(v), end(v));
+    for_each_index<Chosen_tag>(number_of_vertices, [this](std::size_t i) {
+      const Vertex_id v = static_cast<Vertex_id>(i);
+      std::sort(begin(v), end(v));
+    });
   }
 
   /// Lets each of these edges belong to the first of the segments that run there.
-  void repeat(const std::vector<Input_edge>& repeated) {
+  void repeat(const Input_edge_list& repeated) {
     for (const Input_edge& r : repeated) {
       Input_edge& e = edges_[between(r.a, r.b)];
       e.segment = std::min(e.segment, r.segment);
@@ -91,9 +95,9 @@ public:
   }
 
 private:
-  Indexed_vector<Edge_id, Input_edge> edges_;
+  Uninitialized_indexed_vector<Edge_id, Input_edge> edges_;
   Indexed_vector<Vertex_id, std::uint32_t> first_; // and the end of the last one's
-  std::vector<Incidence> incidences_;
+  Uninitialized_vector<Incidence> incidences_;
 
   Incidence* begin(Vertex_id v) { return incidences_.data() + first_[v]; }
   Incidence* end(Vertex_id v) { return incidences_.data() + first_[++v]; }

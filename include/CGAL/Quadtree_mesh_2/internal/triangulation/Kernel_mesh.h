@@ -100,16 +100,16 @@ public:
     Side side[3];
   };
 
-  Indexed_vector<Triangle_id, Triangle> triangles;
-  Indexed_vector<Vertex_id, Point> points;
+  Uninitialized_indexed_vector<Triangle_id, Triangle> triangles;
+  Uninitialized_indexed_vector<Vertex_id, Point> points;
   /// Some triangle at the vertex; none where it is removed, or outside the domain.
-  Indexed_vector<Vertex_id, Triangle_id> triangle_of;
-  Indexed_vector<Vertex_id, Vertex_role> role_of;
+  Uninitialized_indexed_vector<Vertex_id, Triangle_id> triangle_of;
+  Uninitialized_indexed_vector<Vertex_id, Vertex_role> role_of;
   /// Whether the star of a vertex has changed since its removal was tried.
-  Indexed_vector<Vertex_id, char> is_dirty;
+  Uninitialized_indexed_vector<Vertex_id, char> is_dirty;
 
   /// The region each triangle lies in, if in any; empty where no region has a bound of its own.
-  Indexed_vector<Triangle_id, Region_id> region_of;
+  Uninitialized_indexed_vector<Triangle_id, Region_id> region_of;
 
   bool is_alive(Triangle_id t) const { return triangle(t).v[0].is_valid(); }
   Region_id region(Triangle_id t) const { return region_of.empty() ? Region_id() : region_of[t]; }
@@ -173,7 +173,7 @@ public:
   Triangle_id new_triangle() {
     if (free_.empty()) {
       if (!region_of.empty()) region_of.push_back({});
-      triangles.emplace_back();
+      triangles.push_back(Triangle());
       return triangles.last_id();
     }
     const Triangle_id t = free_.back();
@@ -188,7 +188,7 @@ public:
   /// Makes room for vertices and triangles with handles below these, to be filled in by the caller.
   void resize(std::size_t vertices, std::size_t number_of_slots) {
     points.resize(vertices), role_of.resize(vertices), triangle_of.resize(vertices);
-    is_dirty.resize(vertices, 1);
+    is_dirty.resize(vertices);
     triangles.resize(number_of_slots);
     if (!region_of.empty()) region_of.resize(number_of_slots);
   }

@@ -14,6 +14,7 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_MESH_BLOCK_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_MESH_BLOCK_H
 
+#include <CGAL/Quadtree_mesh_2/internal/parallel/group_in_order.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Kernel_mesh.h>
 
 #include <algorithm>
@@ -35,10 +36,10 @@ struct Block_assignment {
     Block_id block; ///< or none
     Triangle_id triangle;
   };
-  Indexed_vector<Triangle_id, Place> of_triangle;
+  Uninitialized_indexed_vector<Triangle_id, Place> of_triangle;
   /// The handle of a vertex in the block of the triangle that the whole mesh knows at it. Written and read by that
   /// block alone.
-  Indexed_vector<Vertex_id, Vertex_id> of_vertex;
+  Uninitialized_indexed_vector<Vertex_id, Vertex_id> of_vertex;
 
   const Place& operator[](Triangle_id t) const { return of_triangle[t]; }
   /// Whether a block has made the triangle, one that is written already.
@@ -58,17 +59,17 @@ public:
 
   Mesh mesh;
 
+  /// \param triangles those of the whole mesh that are taken out
   /// \param spare a mesh without triangles, whose memory is used
-  Mesh_block(const Mesh& whole, Block_assignment& assignment, Block_id id, const Triangle_id* begin,
-             const Triangle_id* end, Mesh spare)
-      : mesh(std::move(spare)), whole_(&whole), assignment_(&assignment), id_(id), begin_(begin),
-        taken_(static_cast<std::size_t>(end - begin)) {
+  Mesh_block(const Mesh& whole, Block_assignment& assignment, Block_id id, Span<Triangle_id> triangles,
+             Mesh spare)
+      : mesh(std::move(spare)), whole_(&whole), assignment_(&assignment), id_(id), taken_(triangles) {
     reserve();
-    mesh.triangles.resize(taken_);
-    if (!whole.region_of.empty()) mesh.region_of.resize(taken_);
+    mesh.triangles.resize(taken_.size());
+    if (!whole.region_of.empty()) mesh.region_of.resize(taken_.size());
     visit_with_foresight(
-        mesh.triangles.ids(), [this](Triangle_id here) { prefetch_places(begin_[here.value()]); },
-        [this](Triangle_id here) { take(begin_[here.value()], here); });
+        mesh.triangles.ids(), [this](Triangle_id here) { prefetch_places(taken_[here.value()]); },
+        [this](Triangle_id here) { take(taken_[here.value()], here); });
     settle_foreign_vertices();
     mark_shared_vertices();
   }
@@ -97,13 +98,13 @@ public:
   // ---- putting back
 
   /// How many triangles and vertices the whole mesh has to get for this block.
-  std::size_t number_of_new_triangles() const { return mesh.triangles.size() - taken_; }
+  std::size_t number_of_new_triangles() const { return mesh.triangles.size() - taken_.size(); }
   std::size_t number_of_new_vertices() const { return mesh.number_of_vertices() - whole_vertex_.size(); }
 
   /// The handles in the whole mesh: those taken out keep theirs, new ones get the next from these on.
   void name_new(Triangle_id first_triangle, Vertex_id first_vertex) {
     whole_triangle_.resize(mesh.triangles.size());
-    std::iota(std::copy(begin_, begin_ + taken_, whole_triangle_.begin()), whole_triangle_.end(),
+    std::iota(std::copy(taken_.begin(), taken_.end(), whole_triangle_.begin()), whole_triangle_.end(),
               first_triangle);
     const auto known = static_cast<std::ptrdiff_t>(whole_vertex_.size());
     whole_vertex_.resize(mesh.number_of_vertices());
@@ -161,8 +162,7 @@ private:
   const Mesh* whole_;
   Block_assignment* assignment_;
   Block_id id_;
-  const Triangle_id* begin_; // the triangles taken out
-  std::size_t taken_;
+  Span<Triangle_id> taken_; // the triangles taken out
   // handles in the whole mesh; of vertices that are not new, until new ones are named
   Indexed_vector<Triangle_id, Triangle_id> whole_triangle_;
   Indexed_vector<Vertex_id, Vertex_id> whole_vertex_;
@@ -177,8 +177,8 @@ private:
 
   void reserve() {
     constexpr std::size_t growth = 3; // more is seldom needed
-    mesh.triangles.reserve(growth * taken_);
-    const std::size_t vertices = growth * taken_ / 2;
+    mesh.triangles.reserve(growth * taken_.size());
+    const std::size_t vertices = growth * taken_.size() / 2;
     mesh.points.reserve(vertices), mesh.role_of.reserve(vertices);
     mesh.triangle_of.reserve(vertices), mesh.is_dirty.reserve(vertices);
     whole_vertex_.reserve(vertices);

@@ -19,7 +19,9 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_MESH_BLOCKS_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_MESH_BLOCKS_H
 
+#include <CGAL/Quadtree_mesh_2/internal/parallel/group_in_order.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel/parallel_sort.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/radix_sort.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Kernel_mesh.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Mesh_block.h>
@@ -29,6 +31,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -45,36 +48,31 @@ struct Block_sizes {
   static constexpr std::size_t triangles = 24576; ///< before they are refined
 };
 
-/// Triangles by block: those of block b begin at `first[b]`, and `first.back()` is their number.
-struct Block_cut {
-  std::vector<Triangle_id> triangles;
-  std::vector<std::size_t> first;
+/// Triangles by block.
+using Block_cut = Groups<Triangle_id>;
 
-  std::size_t number_of_blocks() const { return first.size() - 1; }
-};
-
-/// Cuts the given triangles into blocks of about `block_size`, by the places of the middles of their shortest edges.
-template <class ConcurrencyTag, class Geometry>
-Block_cut cut_by_position(const Kernel_mesh<Geometry>& mesh, std::vector<Triangle_id> triangles,
+/// Cuts the given triangles, a vector, into blocks of about `block_size`, by the places of the middles of their shortest
+/// edges.
+template <class ConcurrencyTag, class Geometry, class Triangles>
+Block_cut cut_by_position(const Kernel_mesh<Geometry>& mesh, const Triangles& triangles,
                           std::size_t block_size, Square_shift shift) {
   const Place_keys<Geometry> key(mesh.points.values(), shift);
-  std::vector<std::uint64_t> words(triangles.size()); // key, triangle
-  for_each_index<ConcurrencyTag>(words.size(), [&](std::size_t i) {
+  const std::size_t n = triangles.size(), blocks = std::max<std::size_t>(1, n / block_size);
+  Uninitialized_vector<std::uint64_t> words(n); // key, triangle
+  for_each_index<ConcurrencyTag>(n, [&](std::size_t i) {
     const auto& r = mesh.triangle(triangles[i]);
     const int k = mesh.shape(r).slot_of_shortest();
     const auto &a = mesh.point(r.v[next_slot[k]]), &b = mesh.point(r.v[previous_slot[k]]);
     const auto middle = Geometry::translate(a, 0.5 * Geometry::difference(b, a));
     words[i] = key(middle) << 32 | triangles[i].value();
   });
-  const auto buffer = uncleared_words(words.size());
-  sort_words<ConcurrencyTag>(words.data(), buffer.get(), words.size(), true);
-  for_each_index<ConcurrencyTag>(
-      words.size(), [&](std::size_t i) { triangles[i] = Triangle_id(static_cast<std::uint32_t>(words[i])); });
+  sort_words<ConcurrencyTag>(words.data(), uncleared_words(n).get(), n, true);
 
   Block_cut cut;
-  const std::size_t n = triangles.size(), blocks = std::max<std::size_t>(1, n / block_size);
+  cut.members.resize(n);
+  for_each_index<ConcurrencyTag>(
+      n, [&](std::size_t i) { cut.members[i] = Triangle_id(static_cast<std::uint32_t>(words[i])); });
   for (std::size_t b = 0; b <= blocks; ++b) cut.first.push_back(n * b / blocks);
-  cut.triangles = std::move(triangles);
   return cut;
 }
 
@@ -95,21 +93,10 @@ Block_cut cut_by_input_order(const Kernel_mesh<Geometry>& mesh, std::size_t numb
     const Vertex_id middle = greater(lesser(a, b), lesser(greater(a, b), c));
     return std::size_t(middle) * blocks / number_of_input_vertices;
   };
-  Indexed_vector<Triangle_id, std::uint16_t> block(mesh.triangles.size());
-  for_each_index<ConcurrencyTag>(block.size(), [&](std::size_t i) {
+  return group_in_order<ConcurrencyTag, Triangle_id>(mesh.triangles.size(), blocks, [&](std::size_t i) {
     const Triangle_id t = static_cast<Triangle_id>(i);
-    if (mesh.is_alive(t)) block[t] = static_cast<std::uint16_t>(block_of(t));
+    return mesh.is_alive(t) ? block_of(t) : blocks;
   });
-  Block_cut cut;
-  cut.first.assign(blocks + 1, 0);
-  for (const Triangle_id t : block.ids())
-    if (mesh.is_alive(t)) ++cut.first[block[t]];
-  scan_exclusively(cut.first.data(), cut.first.size(), std::size_t(0));
-  cut.triangles.resize(cut.first.back());
-  std::vector<std::size_t> next(cut.first.begin(), cut.first.end() - 1);
-  for (const Triangle_id t : block.ids())
-    if (mesh.is_alive(t)) cut.triangles[next[block[t]]++] = t;
-  return cut;
 }
 
 template <class ConcurrencyTag, class Geometry>
@@ -120,8 +107,7 @@ public:
   using Point = typename Geometry::Point;
 
   /// Triangles in no block stay where they are. Handles of these triangles and of all vertices stay what they are.
-  Mesh_blocks(Mesh& whole, Block_cut cut)
-      : whole_(whole), cut_(std::move(cut)), blocks_(cut_.number_of_blocks()) {
+  Mesh_blocks(Mesh& whole, Block_cut cut) : whole_(whole), cut_(std::move(cut)), blocks_(cut_.size()) {
     assign_triangles();
   }
 
@@ -161,6 +147,17 @@ public:
 
   /// The sides along which blocks were put together.
   const std::vector<Side>& seam_sides() const { return seam_sides_; }
+  /// Those of them that have to be flipped.
+  std::vector<Side> sides_to_flip() const {
+    return pack_values<ConcurrencyTag, Side>(
+        seam_sides_.size(),
+        [this](std::size_t i) {
+          const Side s = seam_sides_[i];
+          return !whole_.across(s).is_constrained() &&
+                 whole_.is_certainly_not_Delaunay(s.triangle(), s.slot());
+        },
+        [this](std::size_t i) { return seam_sides_[i]; });
+  }
 
 private:
   Mesh& whole_;
@@ -171,18 +168,23 @@ private:
 
   void assign_triangles() {
     assignment_.of_vertex.resize(whole_.number_of_vertices());
+    for_each_index<ConcurrencyTag>(assignment_.of_vertex.size(), [&](std::size_t v) {
+      assignment_.of_vertex[static_cast<Vertex_id>(v)] = {};
+    });
     assignment_.of_triangle.resize(whole_.triangles.size());
-    Executor<ConcurrencyTag>::run(cut_.number_of_blocks(), [&](std::size_t b) {
+    for_each_index<ConcurrencyTag>(assignment_.of_triangle.size(), [&](std::size_t t) {
+      assignment_.of_triangle[static_cast<Triangle_id>(t)] = {};
+    });
+    Executor<ConcurrencyTag>::run(size(), [&](std::size_t b) {
       for (std::size_t i = cut_.first[b]; i < cut_.first[b + 1]; ++i)
-        assignment_.of_triangle[cut_.triangles[i]] = {static_cast<Block_id>(b),
-                                                      static_cast<Triangle_id>(i - cut_.first[b])};
+        assignment_.of_triangle[cut_.members[i]] = {static_cast<Block_id>(b),
+                                                    static_cast<Triangle_id>(i - cut_.first[b])};
     });
   }
 
   Block& take_out(std::size_t b, Mesh spare) {
-    const Triangle_id* t = cut_.triangles.data();
-    blocks_[b] = std::make_unique<Block>(whole_, assignment_, static_cast<Block_id>(b), t + cut_.first[b],
-                                         t + cut_.first[b + 1], std::move(spare));
+    blocks_[b] =
+        std::make_unique<Block>(whole_, assignment_, static_cast<Block_id>(b), cut_[b], std::move(spare));
     return *blocks_[b];
   }
 
@@ -202,10 +204,10 @@ private:
       names.push_back({static_cast<Triangle_id>(triangles), static_cast<Vertex_id>(vertices)});
       triangles += blocks_[b]->number_of_new_triangles(), vertices += blocks_[b]->number_of_new_vertices();
     }
-    if (begin == 0) { // others will need as much, or a little more
-      const double others = 1.25 * static_cast<double>(size() - end) / static_cast<double>(end);
+    if (begin == 0) { // other blocks will need as much, or a little more, and so will the seams
+      const double share = 0.125 + 1.25 * static_cast<double>(size() - end) / static_cast<double>(end);
       const auto with_others = [&](std::size_t before, std::size_t now) {
-        return now + static_cast<std::size_t>(others * static_cast<double>(now - before));
+        return now + static_cast<std::size_t>(share * static_cast<double>(now - before));
       };
       whole_.reserve(with_others(vertices_before, vertices), with_others(triangles_before, triangles));
     }
@@ -219,21 +221,27 @@ private:
       Side here, beyond, now;
     };
     std::vector<Half> halves;
+    halves.reserve(std::accumulate(
+        blocks_.begin(), blocks_.end(), std::size_t(0),
+        [](std::size_t n, const std::unique_ptr<Block>& block) { return n + block->seams().size(); }));
     for (const auto& block : blocks_)
       for (const auto& s : block->seams()) halves.push_back({s.here, s.beyond, s.now});
     const auto word = [](Side s) { return 4 * std::int64_t(s.triangle().value()) + s.slot(); };
     const auto lower = [&](const Half& h) { return std::min(word(h.here), word(h.beyond)); };
-    std::sort(halves.begin(), halves.end(), [&](const Half& g, const Half& h) {
+    sort<ConcurrencyTag>(halves.begin(), halves.end(), [&](const Half& g, const Half& h) {
       return lower(g) != lower(h) ? lower(g) < lower(h) : word(g.here) < word(h.here);
     });
-    for (std::size_t i = 0; i < halves.size(); ++i) {
+    const auto is_first = [&](std::size_t i) { return i == 0 || lower(halves[i - 1]) != lower(halves[i]); };
+    for_each_index<ConcurrencyTag>(halves.size(), [&](std::size_t i) {
+      if (!is_first(i)) return;
       const Half& h = halves[i];
-      const bool is_pair = i + 1 < halves.size() && lower(halves[i + 1]) == lower(h);
-      const Side other = is_pair ? halves[++i].now : h.beyond; // else a triangle that was in no block
+      const bool is_pair = i + 1 < halves.size() && !is_first(i + 1);
+      const Side other = is_pair ? halves[i + 1].now : h.beyond; // else a triangle that was in no block
       whole_.link(h.now.triangle(), h.now.slot(),
                   Side(other.triangle(), other.slot(), h.beyond.is_constrained()));
-      seam_sides_.push_back(h.now);
-    }
+    });
+    seam_sides_ = pack_values<ConcurrencyTag, Side>(halves.size(), is_first,
+                                                    [&](std::size_t i) { return halves[i].now; });
   }
 };
 

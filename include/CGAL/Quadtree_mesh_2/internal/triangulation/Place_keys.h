@@ -10,11 +10,11 @@
 #define CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_PLACE_KEYS_H
 
 #include <CGAL/Quadtree_mesh_2/internal/geometry/meshing_geometry.h>
+#include <CGAL/Quadtree_mesh_2/internal/geometry/place_box.h>
 #include <CGAL/Quadtree_mesh_2/internal/grid/morton.h>
 
 #include <algorithm>
 #include <cstdint>
-#include <vector>
 
 namespace CGAL {
 namespace Quadtree_mesh_2 {
@@ -28,15 +28,13 @@ class Place_keys {
 public:
   using Point = typename Geometry::Point;
 
-  /// The grid covers the box of the points, with 2^15 squares along its longer side.
-  explicit Place_keys(const std::vector<Point>& points, Square_shift shift = Square_shift::NONE)
-      : low_(points.front()), offset_(shift == Square_shift::NONE ? 0 : 65536.0 / 3) {
-    Point high = low_;
-    for (const Point& p : points) {
-      low_.x = std::min(low_.x, p.x), low_.y = std::min(low_.y, p.y);
-      high.x = std::max(high.x, p.x), high.y = std::max(high.y, p.y);
-    }
-    const Vector size = Geometry::difference(high, low_);
+  /// The grid covers the box of the points, a vector, with 2^15 squares along its longer side.
+  template <class Points>
+  explicit Place_keys(const Points& points, Square_shift shift = Square_shift::NONE)
+      : offset_(shift == Square_shift::NONE ? 0 : 65536.0 / 3) {
+    const auto box = place_box<Chosen_tag>(points);
+    low_ = box.low;
+    const Vector size = Geometry::difference(box.high, low_);
     scale_ = last_square / std::max(std::max(size.x, size.y), 1e-300);
   }
 

@@ -33,6 +33,7 @@ struct Input_edge {
   Vertex_id a, b;
   Segment_index segment;
 };
+using Input_edge_list = Uninitialized_vector<Input_edge>;
 
 /// Two segments that cross; what the first triangulation cannot make.
 struct Crossing {

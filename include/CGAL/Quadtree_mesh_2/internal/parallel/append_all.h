@@ -1,0 +1,39 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_PARALLEL_APPEND_ALL_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_PARALLEL_APPEND_ALL_H
+
+#include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Quadtree_mesh_2 {
+namespace internal {
+
+/// Appends the values of the vectors `values_of(part)`, in the order of the parts, to a vector. O(n) work.
+/// \tparam Parts a vector
+template <class ConcurrencyTag, class Vector, class Parts, class Values_of>
+void append_all(Vector& to, const Parts& parts, const Values_of& values_of) {
+  std::vector<std::size_t> first;
+  first.reserve(parts.size());
+  std::size_t size = to.size();
+  for (const auto& part : parts) first.push_back(size), size += values_of(part).size();
+  to.resize(size);
+  Executor<ConcurrencyTag>::run(parts.size(), [&](std::size_t i) {
+    const auto& values = values_of(parts.data()[i]);
+    std::copy(values.begin(), values.end(), to.begin() + static_cast<std::ptrdiff_t>(first[i]));
+  });
+}
+
+} // namespace internal
+} // namespace Quadtree_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_PARALLEL_APPEND_ALL_H
