@@ -15,7 +15,7 @@
 //    Constrained edges much longer than their distance from the border are halved then. Otherwise the border's
 //    triangles would make a fan at each end of such an edge, through which refinement would walk again and again,
 //    and of which blocks could do nothing.
-// 3. The triangles within the border are replaced by those of the squares' templates (square_templates.h).
+// 3. The triangles within the border are replaced by those of the squares' templates (Bulk_triangles.h).
 //
 // The result is a constrained Delaunay triangulation again, in which the triangles of the bulk meet all
 // bounds. So later stages need not know about it. It takes O(n) time if the bulk would be small. Otherwise it
@@ -31,6 +31,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Splitter.h>
 #include <CGAL/Quadtree_mesh_2/internal/squares/Bulk_squares.h>
+#include <CGAL/Quadtree_mesh_2/internal/squares/Bulk_triangles.h>
 #include <CGAL/Quadtree_mesh_2/internal/squares/Square_grid.h>
 #include <CGAL/Quadtree_mesh_2/internal/squares/Wanted_squares.h>
 #include <CGAL/Quadtree_mesh_2/internal/squares/square_templates.h>
@@ -80,6 +81,7 @@ public:
 
 private:
   using Squares = Bulk_squares<ConcurrencyTag, Geometry>;
+  using Triangles = Bulk_triangles<ConcurrencyTag, Geometry>;
 
   /// Fewer squares than this, or than input vertices, are not worth the time that it takes to find them.
   static constexpr double least_number_of_squares = 500;
@@ -100,8 +102,7 @@ private:
   Meshing_state<Geometry>& state_;
   Mesh& mesh_;
   Splitter<Geometry>& splitter_;
-  std::vector<Vertex_id> vertex_named_;                       // by name
-  Indexed_vector<Leaf_index, Triangle_id> first_triangle_of_; // by square
+  typename Triangles::Named_vertices vertex_named_;
   std::vector<Border_vertex> vertices_;
   std::vector<Border_edge> edges_;
 
@@ -158,7 +159,8 @@ private:
 
   void fill(const Squares& squares, const Wanted_squares<Geometry>& wanted,
             const Square_grid<Geometry>& grid) {
-    vertex_named_.assign(3 * squares.number_of_leaves(), {});
+    vertex_named_.resize(3 * squares.number_of_leaves());
+    for_each_index<ConcurrencyTag>(vertex_named_.size(), [this](std::size_t i) { vertex_named_[i] = {}; });
     reserve(squares);
     state_.bulk.has_border = true;
     collect_border(squares, grid);
@@ -166,9 +168,9 @@ private:
     split_long_edges();
     if (!find_border_edges()) return; // the mesh is valid all the same, and has no bulk
     clear_inside();
-    make_triangles(squares, wanted, grid);
-    link_squares(squares);
-    link_border(squares);
+    Triangles triangles(state_, squares, vertex_named_);
+    triangles.make(wanted, grid);
+    link_border(squares, triangles);
     push_where_sizes_vary();
   }
 
@@ -183,13 +185,6 @@ private:
 
   // ---- the border
 
-  static Point place(const Square_grid<Geometry>& grid, const Grid_square& s, int i) {
-    const std::uint32_t side = s.side(), half = side / 2;
-    const std::uint32_t dx[] = {0, side, side, 0, half, side, half, 0, half};
-    const std::uint32_t dy[] = {0, 0, side, side, 0, half, side, half, half};
-    return grid.point(s.x + dx[i], s.y + dy[i]);
-  }
-
   /// Adds the border's vertices to the mesh's points, without triangles.
   void collect_border(const Squares& squares, const Square_grid<Geometry>& grid) {
     const Vertex_id first = mesh_.points.end_id();
@@ -202,7 +197,7 @@ private:
         const int vertex = t[std::size_t(i == 0 ? next_slot[corner.slot] : previous_slot[corner.slot])];
         Vertex_id& v = vertex_named_[squares.name(p.square, vertex)];
         if (!v.is_valid()) {
-          v = mesh_.add_vertex(place(grid, squares.square(p.square), vertex), free_vertex);
+          v = mesh_.add_vertex(place_in_square(grid, squares.square(p.square), vertex), free_vertex);
           vertices_.push_back({v, p.square});
         }
         ends[i] = v.value() - first.value();
@@ -335,74 +330,6 @@ private:
 
   // ---- the squares
 
-  void make_triangles(const Squares& squares, const Wanted_squares<Geometry>& wanted,
-                      const Square_grid<Geometry>& grid) {
-    first_triangle_of_.resize(squares.number_of_leaves());
-    auto& bulk = state_.bulk;
-    bulk.first_vertex = mesh_.points.end_id();
-    bulk.first_triangle = mesh_.triangles.end_id();
-    for (std::size_t i = 0; i < squares.number_of_leaves(); ++i) {
-      const Leaf_index l(i);
-      if (!squares.is_bulk(l)) continue;
-      make_triangles_of(squares, grid, l);
-      if (mesh_.region_of.empty()) continue;
-      mesh_.region_of.resize(mesh_.triangles.size(), mesh_.region(squares.triangle_near(wanted, l)));
-    }
-    bulk.end_of_vertices = mesh_.points.end_id();
-    bulk.end_of_triangles = mesh_.triangles.end_id();
-    // none of them can be spared
-    for (const Vertex_id v : Id_range<Vertex_id>(bulk.first_vertex, bulk.end_of_vertices))
-      mesh_.is_dirty[v] = 0;
-  }
-
-  void make_triangles_of(const Squares& squares, const Square_grid<Geometry>& grid, Leaf_index l) {
-    const Grid_square square = squares.square(l);
-    const Square_form form_of_square = squares.form(l);
-    const Square_template& form = square_template(form_of_square);
-    Vertex_id v[Square_template::number_of_vertices];
-    for (int i = 0; i < Square_template::center; ++i) {
-      if (!form_of_square.has_vertex(i)) continue;
-      Vertex_id& named = vertex_named_[squares.name(l, i)];
-      if (!named.is_valid()) named = mesh_.add_vertex(place(grid, square, i), free_vertex);
-      v[i] = named;
-    }
-    if (form_of_square.has_center())
-      v[Square_template::center] =
-          mesh_.add_vertex(place(grid, square, Square_template::center), free_vertex);
-    const Triangle_id first = mesh_.triangles.end_id();
-    first_triangle_of_[l] = first;
-    for (std::size_t t = 0; t < std::size_t(form.size); ++t) {
-      typename Mesh::Triangle r;
-      for (std::size_t k = 0; k < 3; ++k) {
-        r.v[k] = v[form.triangle[t][k]];
-        mesh_.triangle_of[r.v[k]] = after(first, t);
-        if (form.piece[t][k] < 0)
-          r.side[k] = Side(after(first, form.across[t][k].triangle), form.across[t][k].slot);
-      }
-      mesh_.triangles.push_back(r);
-    }
-  }
-
-  /// Triangle number i of a square.
-  template <class Integer>
-  static Triangle_id after(Triangle_id first, Integer i) {
-    return Triangle_id(first.value() + static_cast<std::uint32_t>(i));
-  }
-
-  Side side_of(const Squares& squares, Square_piece p) const {
-    const auto c = square_template(squares.form(p.square)).side_of_piece[std::size_t(p.piece)];
-    return Side(after(first_triangle_of_[p.square], c.triangle), c.slot);
-  }
-
-  void link_squares(const Squares& squares) {
-    for (std::size_t i = 0; i < squares.number_of_leaves(); ++i)
-      if (squares.is_bulk(Leaf_index(i)))
-        squares.for_each_pair_before(Leaf_index(i), [&](Square_piece own, Square_piece other) {
-          const Side s = side_of(squares, own);
-          mesh_.link(s.triangle(), s.slot(), side_of(squares, other));
-        });
-  }
-
   /// Sizes were looked up at some places only; what they missed is left to the refiner.
   void push_where_sizes_vary() {
     if (!state_.bounds.is_local()) return;
@@ -410,12 +337,13 @@ private:
       state_.push_if_suspect(t);
   }
 
-  void link_border(const Squares& squares) {
+  void link_border(const Squares& squares, const Triangles& triangles) {
     for (std::size_t i = 0; i < edges_.size(); ++i) {
-      const Side s = side_of(squares, squares.border()[i]);
+      const Side s = triangles.side_of(squares.border()[i]);
       Side outer = edges_[i].outer;
       outer.release();
       mesh_.link(s.triangle(), s.slot(), outer);
+      mesh_.triangle_of[vertices_[edges_[i].source].vertex] = s.triangle();
     }
   }
 };

@@ -21,6 +21,8 @@
 #include <CGAL/Fixed_point_quadtree_traits_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/Indexed_vector.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/bits.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel/append_all.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/squares/Square_grid.h>
 #include <CGAL/Quadtree_mesh_2/internal/squares/Wanted_squares.h>
 #include <CGAL/Quadtree_mesh_2/internal/squares/square_templates.h>
@@ -118,6 +120,12 @@ private:
   /// The children along a side of a square, in the order of its pieces.
   static constexpr int children_at_side[4][2] = {{0, 2}, {2, 3}, {3, 1}, {1, 0}};
 
+  /// What is found in a run of leaves.
+  struct Part {
+    std::size_t squares = 0, triangles = 0;
+    std::vector<Square_piece> border;
+  };
+
   Tree tree_;
   Indexed_vector<Leaf_index, Square_form> form_;
   std::vector<Square_piece> border_;
@@ -147,29 +155,44 @@ private:
   }
 
   void find_halved_sides(Halved_sides rule) {
-    for (const Leaf_index l : form_.ids()) {
-      if (!is_bulk(l)) continue;
-      const Node_index v = tree_.node(l);
-      unsigned halved = 0;
-      for (int side = 0; side < 4; ++side)
-        if (look_across(l, v, side)) halved |= 1u << side;
-      if (halved != 0 && rule == Halved_sides::WITH_CENTER) halved |= Square_form::with_center;
-      form_[l].bits = static_cast<std::uint8_t>(form_[l].bits | halved);
-      ++squares_;
-      triangles_ += std::size_t(square_template(form_[l]).size);
-    }
+    const std::size_t n = form_.size();
+    Indexed_vector<Leaf_index, std::uint8_t> halved(n);
+    std::vector<Part> parts((n + default_block - 1) / default_block);
+    for_each_block<ConcurrencyTag>(n, default_block, [&](std::size_t b, std::size_t begin, std::size_t end) {
+      for (const Leaf_index l : Id_range<Leaf_index>(begin, end))
+        if (is_bulk(l)) halved[l] = look_around(l, rule, parts[b]);
+    });
+    for_each_index<ConcurrencyTag>(n, [&](std::size_t i) {
+      const Leaf_index l(i);
+      if (is_bulk(l)) form_[l].bits = static_cast<std::uint8_t>(form_[l].bits | halved[l]);
+    });
+    for (const Part& part : parts) squares_ += part.squares, triangles_ += part.triangles;
+    append_all<ConcurrencyTag>(
+        border_, parts, [](const Part& part) -> const std::vector<Square_piece>& { return part.border; });
+  }
+
+  /// What the sides of a bulk square add to its form.
+  std::uint8_t look_around(Leaf_index l, Halved_sides rule, Part& part) const {
+    unsigned halved = 0;
+    for (int side = 0; side < 4; ++side)
+      if (look_across(l, tree_.node(l), side, part.border)) halved |= 1u << side;
+    if (halved != 0 && rule == Halved_sides::WITH_CENTER) halved |= Square_form::with_center;
+    const Square_form form{static_cast<std::uint8_t>(form_[l].bits | halved)};
+    ++part.squares;
+    part.triangles += std::size_t(square_template(form).size);
+    return form.bits;
   }
 
   /// Whether the side is halved; appends those of its pieces that are the border of the bulk.
-  bool look_across(Leaf_index l, Node_index v, int side) {
+  bool look_across(Leaf_index l, Node_index v, int side, std::vector<Square_piece>& border) const {
     const Node_index n = tree_.neighbor(v, outward[side]);
     if (!n.is_valid() || tree_.is_leaf(n)) {
-      if (!n.is_valid() || !is_bulk(tree_.leaf(n))) border_.push_back({l, 2 * side});
+      if (!n.is_valid() || !is_bulk(tree_.leaf(n))) border.push_back({l, 2 * side});
       return false;
     }
     const bool is_first = is_bulk(leaf_at(n, side, 0)), is_second = is_bulk(leaf_at(n, side, 1));
-    if (!is_first) border_.push_back({l, 2 * side});
-    if (!is_second && is_first) border_.push_back({l, 2 * side + 1});
+    if (!is_first) border.push_back({l, 2 * side});
+    if (!is_second && is_first) border.push_back({l, 2 * side + 1});
     return is_first || is_second;
   }
 
