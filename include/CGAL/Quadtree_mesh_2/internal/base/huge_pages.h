@@ -32,6 +32,13 @@ inline void advise_huge_pages(void* begin, std::size_t bytes) {
 #endif
 }
 
+/// Reserves room for `size` values, in huge pages where it is much. One thread may then fill them in little time.
+template <class Vector>
+void reserve_in_huge_pages(Vector& values, std::size_t size) {
+  values.reserve(size);
+  advise_huge_pages(values.data(), size * sizeof(typename Vector::value_type));
+}
+
 } // namespace internal
 } // namespace Quadtree_mesh_2
 } // namespace CGAL

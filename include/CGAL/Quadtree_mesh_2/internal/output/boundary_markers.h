@@ -13,7 +13,11 @@
 #include <CGAL/Indexed_mesh_2.h>
 #include <CGAL/Pslg_2.h>
 
+#include <CGAL/Quadtree_mesh_2/internal/base/huge_pages.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
+
 #include <cstddef>
+#include <cstdint>
 
 namespace CGAL {
 namespace Quadtree_mesh_2 {
@@ -22,6 +26,7 @@ namespace internal {
 /// Fills `vertex_markers` and the markers of the constrained edges; all other arrays of the mesh are there.
 template <class Point>
 void set_boundary_markers(Indexed_mesh_2<Point>& mesh, const Pslg_2<Point>& pslg) {
+  reserve_in_huge_pages(mesh.vertex_markers, mesh.points.size());
   mesh.vertex_markers.assign(mesh.points.size(), 0);
   for (std::size_t v = 0; v < pslg.vertex_markers.size(); ++v)
     mesh.vertex_markers[v] = pslg.vertex_markers[v];
@@ -34,7 +39,11 @@ void set_boundary_markers(Indexed_mesh_2<Point>& mesh, const Pslg_2<Point>& pslg
       edge.marker = pslg.segment_markers[std::size_t(edge.segment)];
       for (const Vertex_index v : edge.vertices) offer(v, edge.marker);
     }
-  for (std::size_t t = 0; t < mesh.neighbors.size(); ++t)
+  const auto is_at_border = [&mesh](std::size_t t) {
+    const auto& n = mesh.neighbors[t];
+    return !(n[0].is_valid() && n[1].is_valid() && n[2].is_valid());
+  };
+  for (const std::uint32_t t : pack<Chosen_tag>(mesh.neighbors.size(), is_at_border))
     for (std::size_t k = 0; k < 3; ++k) {
       if (mesh.neighbors[t][k].is_valid()) continue;
       offer(mesh.triangles[t][(k + 1) % 3], 1);

@@ -13,9 +13,11 @@
 #include <CGAL/Indexed_mesh_2.h>
 #include <CGAL/Pslg_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/angle_units.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/huge_pages.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/prefetch.h>
 #include <CGAL/Quadtree_mesh_2/internal/geometry/coordinate_map.h>
 #include <CGAL/Quadtree_mesh_2/internal/output/boundary_markers.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel/append_all.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/sort_by_keys.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Exact_legalizer.h>
@@ -26,7 +28,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
 #include <vector>
 
 namespace CGAL {
@@ -50,18 +51,15 @@ public:
     Mesh out;
     make_vertices(out);
     number_triangles();
-    out.triangles.resize(number_of_triangles_), out.neighbors.resize(number_of_triangles_);
-    if (!mesh_.region_of.empty()) out.region_of_triangle.resize(number_of_triangles_);
+    resize(out.triangles, number_of_triangles_), resize(out.neighbors, number_of_triangles_);
+    if (!mesh_.region_of.empty()) resize(out.region_of_triangle, number_of_triangles_);
     std::vector<Edges> parts((mesh_.triangles.size() + default_block - 1) / default_block);
     for_each_block<ConcurrencyTag>(mesh_.triangles.size(), default_block,
                                    [&](std::size_t b, std::size_t begin, std::size_t end) {
                                      make_triangles(out, begin, end, parts[b]);
                                    });
-    out.constrained_edges.reserve(
-        std::accumulate(parts.begin(), parts.end(), std::size_t(0),
-                        [](std::size_t n, const Edges& part) { return n + part.size(); }));
-    for (const Edges& edges : parts)
-      out.constrained_edges.insert(out.constrained_edges.end(), edges.begin(), edges.end());
+    append_all<ConcurrencyTag>(out.constrained_edges, parts,
+                               [](const Edges& edges) -> const Edges& { return edges; });
     account.angles.add_to(report_.least_angle_histogram, report_.largest_angle_histogram);
     for (const Triangle_id t : account.suspects) report(t);
     set_boundary_markers(out, pslg_);
@@ -78,8 +76,8 @@ private:
   const Map& map_;
   const Order& order_;
   Quality_mesh_report_2& report_;
-  Indexed_vector<Vertex_id, Vertex_index> new_vertex_;
-  Indexed_vector<Triangle_id, Triangle_index> new_triangle_;
+  Uninitialized_indexed_vector<Vertex_id, Vertex_index> new_vertex_;       // of those that are used
+  Uninitialized_indexed_vector<Triangle_id, Triangle_index> new_triangle_; // of those that are alive
   std::size_t number_of_triangles_ = 0;
 
   /// Input vertices stay where they are, used or not; Steiner vertices that are used follow.
@@ -92,23 +90,28 @@ private:
     const std::size_t steiner = count_allocate_and_place<ConcurrencyTag>(
         all - n,
         [&](std::size_t begin, std::size_t end) {
-          std::size_t sum = 0;
-          for (const Vertex_id v : Id_range<Vertex_id>(n + begin, n + end)) sum += mesh_.is_used(v) ? 1 : 0;
-          return sum;
+          return number_of_used({n + begin, n + end});
         },
-        [&](std::size_t sum) {
-          out.points.reserve(n + sum);
-          out.points = pslg_.vertices;
-          out.points.resize(n + sum);
-          out.segment_of_vertex.resize(n + sum);
-        },
+        [&](std::size_t sum) { resize(out.points, n + sum), resize(out.segment_of_vertex, n + sum); },
         [&](std::size_t begin, std::size_t end, std::size_t first) {
           for (const Vertex_id v : Id_range<Vertex_id>(n + begin, n + end))
             if (mesh_.is_used(v)) make_steiner_vertex(out, v, n + first++);
         });
-    report_.vertices = steiner;
-    for (const Vertex_id v : Id_range<Vertex_id>(std::size_t(0), n))
-      report_.vertices += mesh_.is_used(v) ? 1 : 0;
+    for_each_index<ConcurrencyTag>(n, [&](std::size_t v) { out.points[v] = pslg_.vertices[v]; });
+    report_.vertices = steiner + number_of_used({std::size_t(0), n});
+  }
+
+  /// In huge pages, as all of it is written.
+  template <class Vector>
+  static void resize(Vector& values, std::size_t size) {
+    reserve_in_huge_pages(values, size);
+    values.resize(size);
+  }
+
+  std::size_t number_of_used(Id_range<Vertex_id> vertices) const {
+    std::size_t sum = 0;
+    for (const Vertex_id v : vertices) sum += mesh_.is_used(v) ? 1 : 0;
+    return sum;
   }
 
   void make_steiner_vertex(Mesh& out, Vertex_id v, std::size_t place) {

@@ -118,8 +118,8 @@ private:
   Relocator<Geometry> relocator_;
   double apex_height_; // of the off-center's triangle over a unit edge
   double cosine2_of_encroachment_;
-  Indexed_vector<Triangle_id, unsigned char> trials_;    // vertices inserted for a triangle
-  Indexed_vector<Vertex_id, unsigned char> relocations_; // of a vertex
+  Uninitialized_indexed_vector<Triangle_id, unsigned char> trials_;    // vertices inserted for a triangle
+  Uninitialized_indexed_vector<Vertex_id, unsigned char> relocations_; // of a vertex
   std::vector<Triangle_id> refused_;
   Triangle_id next_to_push_{0}, end_to_push_{0};
   std::size_t vertices_when_taken_up_ = 0; // the refused ones

@@ -74,9 +74,9 @@ private:
   static constexpr Triangle_id end_{}, is_not_queued_{0xfffffffeu};
 
   std::array<Triangle_id, number_of_levels_> first_;
-  Indexed_vector<Triangle_id, Triangle_id> next_;              // on the list of its level
-  std::array<std::uint32_t, number_of_levels_ / 32> in_use_{}; // a bit for each level
-  std::uint32_t words_in_use_ = 0;                             // a bit for each word of them
+  Uninitialized_indexed_vector<Triangle_id, Triangle_id> next_; // on the list of its level
+  std::array<std::uint32_t, number_of_levels_ / 32> in_use_{};  // a bit for each level
+  std::uint32_t words_in_use_ = 0;                              // a bit for each word of them
 
   /// By the exponent and the first bit of the significand. What is no number, of a flat triangle, counts as sharpest.
   static int level_of(double share) {

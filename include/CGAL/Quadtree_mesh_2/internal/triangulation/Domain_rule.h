@@ -23,6 +23,7 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_DOMAIN_RULE_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_DOMAIN_RULE_H
 
+#include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/sort_by_keys.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Flat_triangle_flipper.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Kernel_mesh.h>
@@ -42,31 +43,45 @@ namespace Quadtree_mesh_2 {
 namespace internal {
 
 /// Drops the triangles of a mesh that are not kept, and the vertices from the given one on; keeps the order of the
-/// others.
+/// others. O(n), in parallel but for vertices of which the mesh knew a dropped triangle.
 template <class Mesh>
 void keep_triangles(Mesh& mesh, const Indexed_vector<Triangle_id, char>& is_kept, Vertex_id end_of_vertices) {
-  Indexed_vector<Triangle_id, Triangle_id> new_id(mesh.triangles.size());
-  Triangle_id kept(0);
-  for (const Triangle_id t : mesh.triangles.ids())
-    if (is_kept[t] != 0) new_id[t] = kept, ++kept;
+  const std::size_t before = mesh.triangles.size();
+  Uninitialized_indexed_vector<Triangle_id, Triangle_id> new_id(before);
+  const auto kept = pack_values<Chosen_tag, Triangle_id>(
+      before, [&](std::size_t t) { return is_kept[static_cast<Triangle_id>(t)] != 0; },
+      [](std::size_t t) { return static_cast<Triangle_id>(t); });
+  for_each_index<Chosen_tag>(before, [&](std::size_t t) { new_id[static_cast<Triangle_id>(t)] = {}; });
+  for_each_index<Chosen_tag>(kept.size(),
+                             [&](std::size_t i) { new_id[kept[i]] = static_cast<Triangle_id>(i); });
 
   mesh.points.truncate(end_of_vertices), mesh.role_of.truncate(end_of_vertices);
-  mesh.is_dirty.truncate(end_of_vertices);
-  mesh.triangle_of.assign(mesh.points.size(), {});
-  for (const Triangle_id t : new_id.ids()) {
-    if (!new_id[t].is_valid()) continue;
-    auto r = mesh.triangles[t];
-    for (int k = 0; k < 3; ++k) {
-      const Side o = r.side[k];
-      const Triangle_id u = o.is_border() ? Triangle_id() : new_id[o.triangle()];
-      r.side[k] = !u.is_valid() ? Side::border() : Side(u, o.slot(), o.is_constrained());
-      mesh.triangle_of[r.v[k]] = new_id[t];
+  mesh.is_dirty.truncate(end_of_vertices), mesh.triangle_of.truncate(end_of_vertices);
+  for_each_index<Chosen_tag>(mesh.triangle_of.size(), [&](std::size_t i) {
+    Triangle_id& t = mesh.triangle_of[static_cast<Vertex_id>(i)];
+    if (t.is_valid()) t = new_id[t];
+  });
+  decltype(mesh.triangles) triangles(kept.size());
+  decltype(mesh.region_of) region_of(mesh.region_of.empty() ? 0 : kept.size());
+  for_each_index<Chosen_tag>(kept.size(), [&](std::size_t i) {
+    const Triangle_id here = static_cast<Triangle_id>(i);
+    auto r = mesh.triangle(kept[i]);
+    for (Side& s : r.side) {
+      const Triangle_id u = s.is_border() ? Triangle_id() : new_id[s.triangle()];
+      s = !u.is_valid() ? Side::border() : Side(u, s.slot(), s.is_constrained());
     }
-    mesh.triangle(new_id[t]) = r;
-    mesh.set_region(new_id[t], mesh.region(t));
-  }
-  mesh.triangles.truncate(kept);
-  if (!mesh.region_of.empty()) mesh.region_of.truncate(kept);
+    triangles[here] = r;
+    if (!region_of.empty()) region_of[here] = mesh.region(kept[i]);
+  });
+  mesh.triangles = std::move(triangles), mesh.region_of = std::move(region_of);
+  const auto lacks_triangle = [&](std::size_t i) {
+    for (const Vertex_id v : mesh.triangle(static_cast<Triangle_id>(i)).v)
+      if (!mesh.is_used(v)) return true;
+    return false;
+  };
+  for (const std::uint32_t i : pack<Chosen_tag>(kept.size(), lacks_triangle))
+    for (const Vertex_id v : mesh.triangle(static_cast<Triangle_id>(i)).v)
+      if (!mesh.is_used(v)) mesh.triangle_of[v] = static_cast<Triangle_id>(i);
 }
 
 /// A triangle outside, at a side of the domain's border that has the outside on its left.
