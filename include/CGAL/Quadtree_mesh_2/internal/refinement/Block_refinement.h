@@ -4,31 +4,35 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// Refinement and guarded removal by blocks, in parallel.
+// Refinement and guarded removal by rounds of blocks, in parallel.
 //
-// 1. The mesh is cut into blocks (Mesh_blocks.h). Each is refined (Refiner.h) and coarsened (Remover.h) on
-//    its own. Bad triangles that need something beyond a seam wait, and so do vertices at seams.
-// 2. The surroundings of the seams and of waiting triangles are cut into blocks once more, with squares
-//    shifted, and treated in the same way.
+// Round 1   cuts the mesh into blocks (Mesh_blocks.h). Each is refined (Refiner.h) and coarsened (Remover.h) on its
+//           own. Bad triangles that need something beyond a seam wait, and so do vertices at seams.
+// Round 2   cuts the surroundings of the seams and of waiting triangles, by squares that are shifted, and treats these
+//           blocks in the same way.
+// Round r   takes the triangles that still wait, with r - 1 rings around them, and the whole of the acute corners that
+//           they may wait for. Blocks are four times as large as in the round before, so in the end there is one.
 //
-// What is left then lies near seams of both rounds. The caller finishes it in the whole mesh. Blocks are the
-// same for any number of threads, and so is the result. O(n) work in addition to refinement. The two rounds
-// do all but a few hundredths of it.
+// Rounds end when nothing waits, or no less than before: that has no room, and the caller decides so in the whole mesh.
+// How blocks are cut does not depend on the number of threads, and neither does the result. O(n) work in addition to
+// refinement; a round takes time for its zone alone.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_BLOCK_REFINEMENT_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_BLOCK_REFINEMENT_H
 
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
+#include <CGAL/Quadtree_mesh_2/internal/refinement/Corner_places.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Refiner.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Splitter.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/finish_mesh.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Mesh_blocks.h>
+#include <CGAL/Quadtree_mesh_2/internal/triangulation/Triangle_zone.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -41,11 +45,7 @@ class Block_refinement {
 public:
   using Block = Mesh_block<Geometry>;
   using Blocks = Mesh_blocks<ConcurrencyTag, Geometry>;
-  using Corners = Acute_corners<Geometry>;
-  using Leg = typename Corners::Leg;
-  using Sector = typename Corners::Sector;
-  using Corner = typename Corners::Corner;
-  using Corners_of_blocks = Indexed_vector<Block_id, std::vector<Corner_id>>;
+  using Leg = typename Acute_corners<Geometry>::Leg;
 
   static constexpr std::size_t block_size = Block_sizes<ConcurrencyTag>::triangles;
   /// The zone is a network, of which squares cut little; and it is small.
@@ -60,26 +60,26 @@ public:
   template <class Continue>
   bool run(const Continue& shall_go_on) {
     if (whole_.mesh.number_of_triangles() - whole_.bulk.number_of_triangles() < 2 * block_size) return false;
-    {
-      Blocks blocks(whole_.mesh, first_cut());
-      work(blocks, shall_go_on);
+    work(first_cut(), shall_go_on);
+    work(cut_of_zone(2), shall_go_on);
+    std::size_t before = std::numeric_limits<std::size_t>::max();
+    for (int round = 3; !waiting_.empty() && waiting_.size() < before && shall_go_on(); ++round) {
+      before = waiting_.size();
+      work(cut_of_zone(round), shall_go_on);
     }
-    std::vector<Triangle_id> zone = zone_of_seams();
-    if (zone.empty()) return true;
-    Blocks blocks(whole_.mesh, cut_by_position<ConcurrencyTag>(whole_.mesh, std::move(zone), zone_block_size,
-                                                               Square_shift::THIRD_OF_ROOT));
-    work(blocks, shall_go_on);
+    for (const Triangle_id t : waiting_) whole_.push(t);
     return true;
   }
 
 private:
-  /// How far from a seam triangles are worked on again, in triangles.
-  static constexpr int rings_of_zone = 2;
-
   Meshing_state<Geometry>& whole_;
   Finishing finishing_;
   std::size_t vertex_budget_;
-  std::vector<Triangle_id> near_seams_;
+  Corner_places<ConcurrencyTag, Geometry> corner_places_{whole_};
+  Block_assignment assignment_;
+  // after the last round: bad triangles, and those at its seams
+  std::vector<Triangle_id> waiting_;
+  Uninitialized_vector<Triangle_id> at_seams_;
 
   Block_cut first_cut() const {
     if (whole_.bulk.has_border)
@@ -103,9 +103,36 @@ private:
         [](std::size_t i) { return static_cast<Triangle_id>(i); });
   }
 
+  Uninitialized_vector<Triangle_id> triangles_at(const std::vector<Side>& sides) const {
+    Uninitialized_vector<Triangle_id> triangles(2 * sides.size());
+    for_each_index<ConcurrencyTag>(sides.size(), [&](std::size_t i) {
+      triangles[2 * i] = sides[i].triangle();
+      triangles[2 * i + 1] = whole_.mesh.across(sides[i]).triangle();
+    });
+    return triangles;
+  }
+
+  /// What is worked on in a round: the surroundings of waiting triangles, and of seams in the second.
+  Block_cut cut_of_zone(int round) const {
+    Triangle_zone<ConcurrencyTag, Geometry> zone(whole_.mesh);
+    zone.add(waiting_);
+    std::vector<Triangle_id> of_corners;
+    for (const Triangle_id t : waiting_) corner_places_.append_triangles_of_corners_at(t, of_corners);
+    zone.add(of_corners);
+    if (round == 2) zone.add(at_seams_);
+    constexpr int most_rings = 8;
+    zone.grow(std::max(2, std::min(round - 1, most_rings)));
+    const auto shift = round % 2 == 0 ? Square_shift::THIRD_OF_ROOT : Square_shift::NONE;
+    const int doublings = std::min(2 * (round - 2), 24);
+    return cut_by_position<ConcurrencyTag>(whole_.mesh, zone.triangles(), zone_block_size << doublings,
+                                           shift);
+  }
+
   template <class Continue>
-  void work(Blocks& blocks, const Continue& shall_go_on) {
-    const Corners_of_blocks owned = corners_by_block(blocks);
+  void work(Block_cut cut, const Continue& shall_go_on) {
+    if (cut.members.empty()) return;
+    Blocks blocks(whole_.mesh, assignment_, std::move(cut));
+    const auto owned = corner_places_.by_block(blocks);
     Indexed_vector<Block_id, std::vector<Triangle_id>> left(blocks.size());
     const std::size_t room = vertex_budget_ - std::min(vertex_budget_, whole_.mesh.number_of_vertices());
     blocks.for_each(
@@ -119,17 +146,15 @@ private:
           for (Triangle_id& t : left[b]) t = block.whole_triangle(t);
         });
     blocks.put_together();
-    near_seams_.clear();
+    waiting_.clear();
     for (const auto& triangles : left)
-      for (const Triangle_id t : triangles) {
-        if (!whole_.mesh.is_alive(t)) continue;
-        whole_.push(t);
-        near_seams_.push_back(t);
-      }
-    for (const Side s : blocks.seam_sides())
-      near_seams_.push_back(s.triangle()), near_seams_.push_back(whole_.mesh.across(s).triangle());
-    whole_.doubtful_sides = blocks.sides_to_flip();
-    whole_.legalize();
+      for (const Triangle_id t : triangles)
+        if (whole_.mesh.is_alive(t)) waiting_.push_back(t);
+    at_seams_ = triangles_at(blocks.seam_sides());
+    std::vector<Side> doubtful = blocks.sides_to_flip();
+    whole_.mesh.make_Delaunay(doubtful, [this](Triangle_id t) {
+      if (whole_.is_suspect(t)) waiting_.push_back(t);
+    });
   }
 
   /// Refines a block and thins it out; returns the triangles left.
@@ -150,77 +175,6 @@ private:
     return left;
   }
 
-  // ---- corners
-
-  /// For each block the acute corners it owns: all pieces of their legs within the ring and all locked chords have
-  /// both their triangles in the block, and so have the Steiner vertices on the legs all of theirs.
-  Corners_of_blocks corners_by_block(const Blocks& blocks) const {
-    const auto& corners = whole_.corners.corners;
-    Indexed_vector<Corner_id, Block_id> owner(corners.size());
-    for_each_index<ConcurrencyTag>(
-        corners.size(),
-        [&](std::size_t i) {
-          const Corner_id c = static_cast<Corner_id>(i);
-          owner[c] = owner_of(corners[c], blocks);
-        },
-        64);
-    Corners_of_blocks owned(blocks.size());
-    for (const Corner_id c : owner.ids())
-      if (owner[c].is_valid()) owned[owner[c]].push_back(c);
-    return owned;
-  }
-
-  Block_id owner_of(const Corner& corner, const Blocks& blocks) const {
-    Block_id owner = unknown;
-    for (const Leg_id l : corner.legs) {
-      const Leg& leg = whole_.corners.leg(l);
-      Vertex_id before = leg.apex_vertex;
-      for (const auto& [radius, v] : leg.shells) {
-        static_cast<void>(radius);
-        if (!whole_.mesh.is_used(v)) continue;
-        own_side(before, v, blocks, owner);
-        if (!whole_.mesh.is_input(v)) own_star(v, blocks, owner);
-        before = v;
-      }
-      if (before == leg.apex_vertex) return {}; // a leg that could not be cut: nothing can be said
-    }
-    for (const Sector_id s : corner.sectors) own_chord(whole_.corners.sector(s), blocks, owner);
-    return owner == unknown ? Block_id() : owner;
-  }
-
-  static constexpr Block_id unknown{0xfffffffeu};
-
-  /// Makes the block of t the owner, or nobody if another one is.
-  static void own(Triangle_id t, const Blocks& blocks, Block_id& owner) {
-    const Block_id b = blocks.block_of(t);
-    owner = owner == unknown || owner == b ? b : Block_id();
-  }
-  void own_side(Vertex_id x, Vertex_id y, const Blocks& blocks, Block_id& owner) const {
-    const Side s = whole_.side_between(x, y);
-    if (s.is_border()) {
-      owner = {};
-      return;
-    }
-    own(s.triangle(), blocks, owner);
-    const Side o = whole_.mesh.across(s);
-    if (!o.is_border()) own(o.triangle(), blocks, owner);
-  }
-  void own_star(Vertex_id v, const Blocks& blocks, Block_id& owner) const {
-    whole_.mesh.for_each_triangle_at(v, [&](Triangle_id t, int) { own(t, blocks, owner); });
-  }
-  void own_chord(const Sector& sector, const Blocks& blocks, Block_id& owner) const {
-    if (sector.lock_radius <= 0) return;
-    constexpr double same_radius = 1e-9; // of the radius: shells of other radii are much further apart
-    const auto at_lock = [&](Leg_id l) {
-      using std::fabs;
-      for (const auto& [radius, v] : whole_.corners.leg(l).shells)
-        if (fabs(radius - sector.lock_radius) <= same_radius * sector.lock_radius) return v;
-      return whole_.corners.leg(l).ring;
-    };
-    const Vertex_id x = at_lock(sector.right), y = at_lock(sector.left);
-    if (x.is_valid() && y.is_valid() && x != y) own_side(x, y, blocks, owner);
-  }
-
   /// Renames the vertices of the corners; shells that are gone (none) are forgotten.
   template <class Name>
   void name_corner_vertices(const std::vector<Corner_id>& corners, const Name& name) {
@@ -231,28 +185,6 @@ private:
         if (leg.ring.is_valid()) leg.ring = name(leg.ring);
         leg.shells.rename(name);
       }
-  }
-
-  // ---- the zone of the second round
-
-  std::vector<Triangle_id> zone_of_seams() const {
-    const Kernel_mesh<Geometry>& mesh = whole_.mesh;
-    Indexed_vector<Triangle_id, char> is_in_zone(mesh.triangles.size(), 0);
-    std::vector<Triangle_id> zone;
-    const auto add = [&](Triangle_id t) {
-      if (!t.is_valid() || is_in_zone[t] != 0 || !mesh.is_alive(t)) return;
-      is_in_zone[t] = 1;
-      zone.push_back(t);
-    };
-    for (const Triangle_id t : near_seams_) add(t);
-    std::size_t begin = 0;
-    for (int ring = 0; ring < rings_of_zone; ++ring) {
-      const std::size_t end = zone.size();
-      for (; begin < end; ++begin)
-        for (const Side o : mesh.triangle(zone[begin]).side)
-          if (!o.is_border()) add(o.triangle());
-    }
-    return zone;
   }
 };
 

@@ -177,8 +177,10 @@ private:
     locate_vertices();
     Uninitialized_vector<Triangle_id> all(mesh_.triangles.size());
     std::iota(all.begin(), all.end(), Triangle_id(0));
-    Blocks blocks(mesh_, cut_by_position<ConcurrencyTag>(mesh_, std::move(all),
-                                                         2 * vertices_of_block / stride, Square_shift::NONE));
+    Block_assignment assignment;
+    Blocks blocks(mesh_, assignment,
+                  cut_by_position<ConcurrencyTag>(mesh_, std::move(all), 2 * vertices_of_block / stride,
+                                                  Square_shift::NONE));
     Works works(blocks.size());
     const auto vertices = vertices_by_block(blocks);
     const auto segments_of = segments_by_block(blocks, segments);

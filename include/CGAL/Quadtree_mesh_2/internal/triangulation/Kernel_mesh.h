@@ -283,8 +283,10 @@ public:
                                             point(r.v[previous_slot[k]]), d);
   }
 
-  /// Flips until the given sides, and those of triangles that flips change, are Delaunay or not certainly else.
-  void make_Delaunay(std::vector<Side>& doubtful) {
+  /// Flips until the given sides, and those of triangles that flips change, are Delaunay or not certainly else. Calls
+  /// `changed(t)` for triangles that a flip has made.
+  template <class Changed>
+  void make_Delaunay(std::vector<Side>& doubtful, const Changed& changed) {
     while (!doubtful.empty()) {
       const Side s = doubtful.back();
       doubtful.pop_back();
@@ -293,7 +295,12 @@ public:
       flip(s.triangle(), s.slot());
       const Triangle_id t = s.triangle(), u = o.triangle();
       for (const Side n : {Side(t, 0), Side(u, 0), Side(t, 2), Side(u, 1)}) doubtful.push_back(n);
+      changed(t), changed(u);
     }
+  }
+
+  void make_Delaunay(std::vector<Side>& doubtful) {
+    make_Delaunay(doubtful, [](Triangle_id) {});
   }
 
   /// Puts vertex v inside triangle t and restores the Delaunay property around it.

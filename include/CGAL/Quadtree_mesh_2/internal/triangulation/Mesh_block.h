@@ -15,6 +15,7 @@
 #define CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_MESH_BLOCK_H
 
 #include <CGAL/Quadtree_mesh_2/internal/parallel/group_in_order.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Kernel_mesh.h>
 
 #include <algorithm>
@@ -30,7 +31,7 @@ namespace internal {
 
 using Block_id = Index<struct Block_tag>;
 
-/// Where the triangles and vertices of the whole mesh go.
+/// Where the triangles and vertices of the whole mesh go. Once the blocks are put together, nothing is in any.
 struct Block_assignment {
   struct Place {
     Block_id block; ///< or none
@@ -44,6 +45,23 @@ struct Block_assignment {
   const Place& operator[](Triangle_id t) const { return of_triangle[t]; }
   /// Whether a block has made the triangle, one that is written already.
   bool is_new(Triangle_id t) const { return !of_triangle.has(t); }
+
+  /// Makes room for what a mesh has got since.
+  template <class ConcurrencyTag, class Mesh>
+  void cover(const Mesh& mesh) {
+    append_none<ConcurrencyTag>(of_triangle, mesh.triangles);
+    append_none<ConcurrencyTag>(of_vertex, mesh.points);
+  }
+
+private:
+  template <class ConcurrencyTag, class Places, class Values>
+  static void append_none(Places& places, const Values& values) {
+    const std::size_t begin = places.size();
+    places.reserve(values.capacity());
+    places.resize(values.size());
+    for_each_index<ConcurrencyTag>(values.size() - begin,
+                                   [&](std::size_t i) { *(places.data() + begin + i) = {}; });
+  }
 };
 
 template <class Geometry>
@@ -70,6 +88,7 @@ public:
     visit_with_foresight(
         mesh.triangles.ids(), [this](Triangle_id here) { prefetch_places(taken_[here.value()]); },
         [this](Triangle_id here) { take(taken_[here.value()], here); });
+    own_vertices_ = whole_vertex_.size();
     settle_foreign_vertices();
     mark_shared_vertices();
   }
@@ -132,6 +151,8 @@ public:
   /// Frees all but what `write_shared()` and `seams()` need. \pre it is written
   /// \returns the mesh, emptied, whose memory another block may use
   Mesh release() {
+    for (std::size_t v = 0; v < own_vertices_; ++v)
+      assignment_->of_vertex[whole_vertex_[static_cast<Vertex_id>(v)]] = {};
     whole_triangle_ = {}, whole_vertex_ = {}, foreign_ = {}, is_shared_ = {}, shared_ = {};
     mesh.clear();
     return std::exchange(mesh, Mesh());
@@ -162,7 +183,8 @@ private:
   const Mesh* whole_;
   Block_assignment* assignment_;
   Block_id id_;
-  Span<Triangle_id> taken_; // the triangles taken out
+  Span<Triangle_id> taken_;      // the triangles taken out
+  std::size_t own_vertices_ = 0; // the first of those taken out, which no other block assigns
   // handles in the whole mesh; of vertices that are not new, until new ones are named
   Indexed_vector<Triangle_id, Triangle_id> whole_triangle_;
   Indexed_vector<Vertex_id, Vertex_id> whole_vertex_;

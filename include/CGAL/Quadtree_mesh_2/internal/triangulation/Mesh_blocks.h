@@ -107,7 +107,9 @@ public:
   using Point = typename Geometry::Point;
 
   /// Triangles in no block stay where they are. Handles of these triangles and of all vertices stay what they are.
-  Mesh_blocks(Mesh& whole, Block_cut cut) : whole_(whole), cut_(std::move(cut)), blocks_(cut_.size()) {
+  /// \param assignment of the same mesh, without blocks, or empty
+  Mesh_blocks(Mesh& whole, Block_assignment& assignment, Block_cut cut)
+      : whole_(whole), assignment_(assignment), cut_(std::move(cut)), blocks_(cut_.size()) {
     assign_triangles();
   }
 
@@ -143,6 +145,8 @@ public:
   void put_together() {
     for (const auto& block : blocks_) block->write_shared(whole_);
     close_seams();
+    for_each_index<ConcurrencyTag>(cut_.members.size(),
+                                   [&](std::size_t i) { assignment_.of_triangle[cut_.members[i]] = {}; });
   }
 
   /// The sides along which blocks were put together.
@@ -161,20 +165,13 @@ public:
 
 private:
   Mesh& whole_;
+  Block_assignment& assignment_;
   Block_cut cut_;
-  Block_assignment assignment_;
   std::vector<std::unique_ptr<Block>> blocks_;
   std::vector<Side> seam_sides_;
 
   void assign_triangles() {
-    assignment_.of_vertex.resize(whole_.number_of_vertices());
-    for_each_index<ConcurrencyTag>(assignment_.of_vertex.size(), [&](std::size_t v) {
-      assignment_.of_vertex[static_cast<Vertex_id>(v)] = {};
-    });
-    assignment_.of_triangle.resize(whole_.triangles.size());
-    for_each_index<ConcurrencyTag>(assignment_.of_triangle.size(), [&](std::size_t t) {
-      assignment_.of_triangle[static_cast<Triangle_id>(t)] = {};
-    });
+    assignment_.template cover<ConcurrencyTag>(whole_);
     Executor<ConcurrencyTag>::run(size(), [&](std::size_t b) {
       for (std::size_t i = cut_.first[b]; i < cut_.first[b + 1]; ++i)
         assignment_.of_triangle[cut_.members[i]] = {static_cast<Block_id>(b),

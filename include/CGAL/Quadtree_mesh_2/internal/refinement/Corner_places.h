@@ -1,0 +1,145 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+//
+// Where an acute corner lies in the mesh, and in which block: its shells and locks belong to the block that has all of
+// it. O(pieces of its legs) for a corner, and the stars of the vertices on them.
+
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_CORNER_PLACES_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_CORNER_PLACES_H
+
+#include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
+#include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
+#include <CGAL/Quadtree_mesh_2/internal/triangulation/Mesh_blocks.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Quadtree_mesh_2 {
+namespace internal {
+
+template <class ConcurrencyTag, class Geometry>
+class Corner_places {
+public:
+  using Blocks = Mesh_blocks<ConcurrencyTag, Geometry>;
+  using Corners = Acute_corners<Geometry>;
+  using Corners_of_blocks = Indexed_vector<Block_id, std::vector<Corner_id>>;
+
+  explicit Corner_places(const Meshing_state<Geometry>& whole) : whole_(whole), corners_(whole.corners) {}
+
+  /// For each block the corners it owns: all pieces of their legs within the ring and all locked chords have both their
+  /// triangles in the block, and so have the Steiner vertices on the legs all of theirs.
+  Corners_of_blocks by_block(const Blocks& blocks) const {
+    Indexed_vector<Corner_id, Block_id> owner(corners_.corners.size());
+    for_each_index<ConcurrencyTag>(
+        owner.size(),
+        [&](std::size_t i) {
+          const Corner_id c = static_cast<Corner_id>(i);
+          owner[c] = owner_of(corners_.corner(c), blocks);
+        },
+        64);
+    Corners_of_blocks owned(blocks.size());
+    for (const Corner_id c : owner.ids())
+      if (owner[c].is_valid()) owned[owner[c]].push_back(c);
+    return owned;
+  }
+
+  /// Appends the triangles of the corners for which a triangle may wait: those on whose legs it has a vertex.
+  void append_triangles_of_corners_at(Triangle_id t, std::vector<Triangle_id>& triangles) const {
+    const auto append = [&](Triangle_id u) {
+      triangles.push_back(u);
+      return true;
+    };
+    for (const Vertex_id v : whole_.mesh.triangle(t).v)
+      if (corners_.is_on_leg(whole_.mesh, v))
+        for_each_corner_at(v, [&](Corner_id c) { visit(corners_.corner(c), append); });
+  }
+
+private:
+  using Corner = typename Corners::Corner;
+  using Leg = typename Corners::Leg;
+  using Sector = typename Corners::Sector;
+
+  const Meshing_state<Geometry>& whole_;
+  const Corners& corners_;
+
+  Block_id owner_of(const Corner& corner, const Blocks& blocks) const {
+    Block_id owner;
+    const auto is_owned = [&](Triangle_id t) {
+      const Block_id b = blocks.block_of(t);
+      if (!owner.is_valid()) owner = b;
+      return b.is_valid() && b == owner;
+    };
+    return visit(corner, is_owned) ? owner : Block_id();
+  }
+
+  /// Calls `f(corner)` for the corners with a leg on which v lies.
+  template <class Function>
+  void for_each_corner_at(Vertex_id v, const Function& f) const {
+    const auto visit_edge = [&](Edge_id e) {
+      for (const Leg_id l : corners_.legs_of_edge[e])
+        if (l.is_valid()) f(corners_.leg(l).corner);
+    };
+    if (!whole_.mesh.is_input(v)) return visit_edge(whole_.mesh.edge(v));
+    const Vertex_id number = whole_.mesh.input_number(v);
+    for (const auto* i = whole_.edges.begin(number); i != whole_.edges.end(number); ++i) visit_edge(i->edge);
+  }
+
+  /// Calls `f(t)` for the triangles of a corner until it returns false.
+  /// \returns false then, and where a leg could not be cut, of which nothing can be said
+  template <class Function>
+  bool visit(const Corner& corner, const Function& f) const {
+    for (const Leg_id l : corner.legs) {
+      const Leg& leg = corners_.leg(l);
+      Vertex_id before = leg.apex_vertex;
+      for (const auto& [radius, v] : leg.shells) {
+        static_cast<void>(radius);
+        if (!whole_.mesh.is_used(v)) continue;
+        if (!visit_side(before, v, f) || (!whole_.mesh.is_input(v) && !visit_star(v, f))) return false;
+        before = v;
+      }
+      if (before == leg.apex_vertex) return false;
+    }
+    return std::all_of(corner.sectors.begin(), corner.sectors.end(),
+                       [&](Sector_id s) { return visit_chord(corners_.sector(s), f); });
+  }
+
+  template <class Function>
+  bool visit_side(Vertex_id x, Vertex_id y, const Function& f) const {
+    const Side s = whole_.side_between(x, y);
+    if (s.is_border()) return false;
+    const Side o = whole_.mesh.across(s);
+    return f(s.triangle()) && (o.is_border() || f(o.triangle()));
+  }
+
+  template <class Function>
+  bool visit_star(Vertex_id v, const Function& f) const {
+    bool shall_go_on = true;
+    whole_.mesh.for_each_triangle_at(v, [&](Triangle_id t, int) { shall_go_on = shall_go_on && f(t); });
+    return shall_go_on;
+  }
+
+  template <class Function>
+  bool visit_chord(const Sector& sector, const Function& f) const {
+    if (sector.lock_radius <= 0) return true;
+    constexpr double same_radius = 1e-9; // of the radius: shells of other radii are much further apart
+    const auto at_lock = [&](Leg_id l) {
+      using std::fabs;
+      for (const auto& [radius, v] : corners_.leg(l).shells)
+        if (fabs(radius - sector.lock_radius) <= same_radius * sector.lock_radius) return v;
+      return corners_.leg(l).ring;
+    };
+    const Vertex_id x = at_lock(sector.right), y = at_lock(sector.left);
+    return !x.is_valid() || !y.is_valid() || x == y || visit_side(x, y, f);
+  }
+};
+
+} // namespace internal
+} // namespace Quadtree_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_CORNER_PLACES_H
