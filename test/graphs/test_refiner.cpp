@@ -63,7 +63,7 @@ TEST_CASE("A fan that goes on beyond a seam waits in linear time", "[refiner]") 
   internal::Meshing_state<Counting_geometry> state(problem, {});
   state.mesh = fan(n);
   problem.input_points = state.mesh.points;
-  std::vector<internal::Input_edge> edges{{Vertex_id(0), Vertex_id(1), Segment_index(0)}};
+  internal::Input_edge_list edges{{Vertex_id(0), Vertex_id(1), Segment_index(0)}};
   for (std::uint32_t i = 0; i < n; ++i)
     edges.push_back({Vertex_id(i + 1), Vertex_id(i + 2), Segment_index(edges.size())});
   problem.edges = internal::Input_edges(edges, state.mesh.points.size());

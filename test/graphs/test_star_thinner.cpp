@@ -40,7 +40,7 @@ void make_square(internal::Meshing_problem<Geometry>& problem, internal::Meshing
   First first(state.mesh, points);
   REQUIRE_FALSE(first.run(segments));
   problem.edges = internal::Input_edges(first.edges(), points.size());
-  problem.input_points = points;
+  problem.input_points.assign(points.begin(), points.end());
   problem.set_outside(
       internal::Domain_rule<Geometry>().apply(state.mesh, First::number_of_auxiliary_vertices));
   problem.corners.prepare(problem.edges, points.size());

@@ -8,6 +8,8 @@
 
 #include <CGAL/Quadtree_mesh_2/internal/base/Long_words.h>
 #include <CGAL/Quadtree_mesh_2/internal/grid/morton.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel/append_all.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel/group_in_order.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel_sort.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/radix_sort.h>
@@ -334,6 +336,38 @@ TEMPLATE_TEST_CASE("Equal neighbors are removed", "[parallel][threads]", CGAL::S
       internal::unique<TestType>(values);
       CHECK((values == expected));
     }
+}
+
+TEMPLATE_TEST_CASE("Members come by group, in order", "[parallel][threads]", CGAL::Sequential_tag,
+                   CGAL::Parallel_tag) {
+  std::mt19937 random(5);
+  for (const std::size_t n : {0u, 1u, 1000u, 200000u})
+    for (const std::size_t groups : {1u, 7u, 300u}) {
+      CAPTURE(n, groups);
+      std::vector<std::size_t> group(n);
+      for (std::size_t& g : group) g = random() % (groups + 1); // the last is none
+      const auto result = internal::group_in_order<TestType, std::uint32_t>(
+          n, groups, [&](std::size_t i) { return group[i]; });
+      REQUIRE(result.size() == groups);
+      for (std::size_t g = 0; g < groups; ++g) {
+        std::vector<std::uint32_t> expected;
+        for (std::uint32_t i = 0; i < n; ++i)
+          if (group[i] == g) expected.push_back(i);
+        const auto members = result[g];
+        REQUIRE(std::vector<std::uint32_t>(members.begin(), members.end()) == expected);
+      }
+    }
+}
+
+TEMPLATE_TEST_CASE("Vectors are appended in order", "[parallel][threads]", CGAL::Sequential_tag,
+                   CGAL::Parallel_tag) {
+  std::vector<std::vector<int>> parts(100);
+  std::vector<int> all{-1, -2}, expected = all;
+  for (int i = 0; i < 1000; ++i) parts[std::size_t(i % 13 * 7)].push_back(i);
+  for (const auto& part : parts) expected.insert(expected.end(), part.begin(), part.end());
+  internal::append_all<TestType>(
+      all, parts, [](const auto& part) -> const auto& { return part; });
+  CHECK(all == expected);
 }
 
 TEMPLATE_TEST_CASE("Words are sorted by digits", "[parallel]", CGAL::Sequential_tag, CGAL::Parallel_tag) {

@@ -77,7 +77,7 @@ double predicates_per_triangle(const std::vector<Point>& polygon, double area) {
   First first(state.mesh, polygon);
   REQUIRE(!first.run(segments));
   problem.edges = Input_edges(first.edges(), polygon.size());
-  problem.input_points = polygon;
+  problem.input_points.assign(polygon.begin(), polygon.end());
   problem.set_outside(Domain_rule<Geometry>().apply(state.mesh, First::number_of_auxiliary_vertices));
   problem.bounds = Bounds<Geometry>(20.7 * radians_per_degree, area, 0);
   Size_estimate<Geometry> estimate(state, CGAL::Sequential_tag());

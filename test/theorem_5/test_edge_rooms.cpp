@@ -30,6 +30,7 @@ using Point = Geometry::Point;
 using CGAL::Quadtree_mesh_2::Segment_index;
 using internal::Edge_id;
 using internal::Input_edge;
+using internal::Input_edge_list;
 using internal::Vertex_id;
 using random_pslg::Random;
 
@@ -47,7 +48,7 @@ struct Bundle {
     Random random(seed);
     const auto place = [&] { return offset + random.between(0, 1); };
     const Point a{place(), place()}, b{place(), place()};
-    std::vector<Input_edge> edges{{Vertex_id(0), Vertex_id(1), Segment_index(0)}};
+    Input_edge_list edges{{Vertex_id(0), Vertex_id(1), Segment_index(0)}};
     problem.input_points = {a, b};
     for (int i = random.integer(1, 4); i > 0; --i) {
       const double f = random.between(0, 1);

@@ -141,7 +141,7 @@ private:
   void sort_vertices() {
     clock_.enter(&Seconds::quadtree);
     const auto grid = make_grid();
-    std::vector<Grid_point_2<typename Traits::Word>> grid_points(pslg_.number_of_vertices());
+    Uninitialized_vector<Grid_point_2<typename Traits::Word>> grid_points(pslg_.number_of_vertices());
     for_each_index<ConcurrencyTag>(
         grid_points.size(), [&](std::size_t v) { grid_points[v] = grid.grid_point(pslg_.vertices[v]); });
     order_ = shuffle_order<ConcurrencyTag>(grid_points);

@@ -91,7 +91,8 @@ public:
 
   using Vector::assign, Vector::clear, Vector::emplace_back, Vector::pop_back, Vector::push_back,
       Vector::reserve, Vector::resize;
-  using Vector::back, Vector::begin, Vector::capacity, Vector::data, Vector::empty, Vector::end, Vector::front, Vector::size;
+  using Vector::back, Vector::begin, Vector::capacity, Vector::data, Vector::empty, Vector::end,
+      Vector::front, Vector::size;
 
   /// The values in order, for what does not know handles.
   const Vector& values() const { return *this; }

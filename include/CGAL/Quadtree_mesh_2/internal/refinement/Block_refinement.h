@@ -13,7 +13,8 @@
 // Round r   takes the triangles that still wait, with r - 1 rings around them, and the whole of the acute corners that
 //           they may wait for. Blocks are four times as large as in the round before, so in the end there is one.
 //
-// Rounds end when nothing waits, or no less than before: that has no room, and the caller decides so in the whole mesh.
+// Rounds end when nothing waits, or no less after several rounds of one block: for that there is no room, or it is at an
+// acute corner of which a leg could not be cut. The caller decides in the whole mesh.
 // How blocks are cut does not depend on the number of threads, and neither does the result. O(n) work in addition to
 // refinement; a round takes time for its zone alone.
 
@@ -32,7 +33,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -60,26 +60,40 @@ public:
   template <class Continue>
   bool run(const Continue& shall_go_on) {
     if (whole_.mesh.number_of_triangles() - whole_.bulk.number_of_triangles() < 2 * block_size) return false;
+    whole_.clear_worklist(); // blocks look at all triangles
     work(first_cut(), shall_go_on);
     work(cut_of_zone(2), shall_go_on);
-    std::size_t before = std::numeric_limits<std::size_t>::max();
-    for (int round = 3; !waiting_.empty() && waiting_.size() < before && shall_go_on(); ++round) {
-      before = waiting_.size();
-      work(cut_of_zone(round), shall_go_on);
+    rounds_ = 2;
+    for (int fruitless = 0; !waiting_.empty() && fruitless < most_fruitless_rounds && rounds_ < most_rounds &&
+                            has_room() && shall_go_on();) {
+      const std::size_t before = waiting_.size();
+      Block_cut cut = cut_of_zone(++rounds_);
+      const bool is_one_block = cut.size() == 1;
+      work(std::move(cut), shall_go_on);
+      if (is_one_block) fruitless = waiting_.size() < before ? 0 : fruitless + 1;
     }
     for (const Triangle_id t : waiting_) whole_.push(t);
     return true;
   }
 
+  int rounds() const { return rounds_; }
+
 private:
+  /// Of one block each. As long as there are several, less may wait in the next.
+  static constexpr int most_fruitless_rounds = 3;
+  static constexpr int most_rounds = 40;
+
   Meshing_state<Geometry>& whole_;
   Finishing finishing_;
   std::size_t vertex_budget_;
   Corner_places<ConcurrencyTag, Geometry> corner_places_{whole_};
   Block_assignment assignment_;
+  int rounds_ = 0;
   // after the last round: bad triangles, and those at its seams
   std::vector<Triangle_id> waiting_;
   Uninitialized_vector<Triangle_id> at_seams_;
+
+  bool has_room() const { return whole_.mesh.number_of_vertices() < vertex_budget_; }
 
   Block_cut first_cut() const {
     if (whole_.bulk.has_border)

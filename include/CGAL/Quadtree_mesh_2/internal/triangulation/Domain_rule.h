@@ -61,7 +61,9 @@ void keep_triangles(Mesh& mesh, const Indexed_vector<Triangle_id, char>& is_kept
     Triangle_id& t = mesh.triangle_of[static_cast<Vertex_id>(i)];
     if (t.is_valid()) t = new_id[t];
   });
-  decltype(mesh.triangles) triangles(kept.size());
+  decltype(mesh.triangles) triangles;
+  triangles.reserve(kept.size() + kept.size() / 8); // acute corners are cut soon
+  triangles.resize(kept.size());
   decltype(mesh.region_of) region_of(mesh.region_of.empty() ? 0 : kept.size());
   for_each_index<Chosen_tag>(kept.size(), [&](std::size_t i) {
     const Triangle_id here = static_cast<Triangle_id>(i);

@@ -116,7 +116,7 @@ private:
   template <class Points>
   void start(const Points& points) {
     const std::size_t n = points.size();
-    mesh_.reserve(n + number_of_auxiliary_vertices, 0);
+    mesh_.reserve(n + number_of_auxiliary_vertices + n / 8, 0); // acute corners will be cut
     mesh_.resize(n, 0);
     for_each_index<ConcurrencyTag>(n, [&](std::size_t i) {
       const Vertex_id v = static_cast<Vertex_id>(i);
