@@ -11,12 +11,13 @@
 // Round 2   cuts the surroundings of the seams and of waiting triangles, by squares that are shifted, and treats these
 //           blocks in the same way.
 // Round r   takes the triangles that still wait, with r - 1 rings around them, and the whole of the acute corners that
-//           they may wait for. Blocks are four times as large as in the round before, so in the end there is one.
+//           they may wait for. From the fourth on, blocks are four times as large as in the round before, so in the end
+//           there is one.
 //
 // Rounds end when nothing waits, or no less after several rounds of one block: for that there is no room, or it is at an
 // acute corner of which a leg could not be cut. The caller decides in the whole mesh.
 // How blocks are cut does not depend on the number of threads, and neither does the result. O(n) work in addition to
-// refinement; a round takes time for its zone alone.
+// refinement. A round takes time for its zone, and some bytes for each triangle of the mesh.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_BLOCK_REFINEMENT_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_BLOCK_REFINEMENT_H
@@ -137,7 +138,7 @@ private:
     constexpr int most_rings = 8;
     zone.grow(std::max(2, std::min(round - 1, most_rings)));
     const auto shift = round % 2 == 0 ? Square_shift::THIRD_OF_ROOT : Square_shift::NONE;
-    const int doublings = std::min(2 * (round - 2), 24);
+    const int doublings = std::min(2 * std::max(0, round - 3), 24);
     return cut_by_position<ConcurrencyTag>(whole_.mesh, zone.triangles(), zone_block_size << doublings,
                                            shift);
   }
