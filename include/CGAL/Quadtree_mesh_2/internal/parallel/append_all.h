@@ -7,6 +7,7 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_PARALLEL_APPEND_ALL_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_PARALLEL_APPEND_ALL_H
 
+#include <CGAL/Quadtree_mesh_2/internal/base/huge_pages.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 
 #include <algorithm>
@@ -25,7 +26,7 @@ void append_all(Vector& to, const Parts& parts, const Values_of& values_of) {
   first.reserve(parts.size());
   std::size_t size = to.size();
   for (const auto& part : parts) first.push_back(size), size += values_of(part).size();
-  if (size > to.capacity()) to.reserve(size + size / 8); // others often follow
+  if (size > to.capacity()) reserve_in_huge_pages(to, size + size / 8); // others often follow
   to.resize(size);
   Executor<ConcurrencyTag>::run(parts.size(), [&](std::size_t i) {
     const auto& values = values_of(parts.data()[i]);

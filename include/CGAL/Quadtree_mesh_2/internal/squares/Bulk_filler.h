@@ -178,9 +178,7 @@ private:
   void reserve(const Squares& squares) {
     const std::size_t growth = 8 * mesh_.number_of_vertices() + 4 * squares.border().size();
     const std::size_t vertices = mesh_.number_of_vertices() + squares.number_of_triangles() + growth;
-    mesh_.points.reserve(vertices), mesh_.role_of.reserve(vertices), mesh_.triangle_of.reserve(vertices);
-    mesh_.is_dirty.reserve(vertices);
-    mesh_.triangles.reserve(mesh_.triangles.size() + squares.number_of_triangles() + 2 * growth);
+    mesh_.reserve(vertices, mesh_.triangles.size() + squares.number_of_triangles() + 2 * growth);
   }
 
   // ---- the border

@@ -21,6 +21,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/base/Indexed_vector.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/prefetch.h>
 #include <CGAL/Quadtree_mesh_2/internal/geometry/meshing_geometry.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel/reserve_in_parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Kernel_handles.h>
 
 #include <cstddef>
@@ -201,9 +202,10 @@ public:
 
   /// Room for this many in the end, so that they are copied less often.
   void reserve(std::size_t vertices, std::size_t number_of_slots) {
-    points.reserve(vertices), role_of.reserve(vertices), triangle_of.reserve(vertices);
-    is_dirty.reserve(vertices), triangles.reserve(number_of_slots);
-    if (!region_of.empty()) region_of.reserve(number_of_slots);
+    reserve_in_parallel(points, vertices), reserve_in_parallel(role_of, vertices);
+    reserve_in_parallel(triangle_of, vertices), reserve_in_parallel(is_dirty, vertices);
+    reserve_in_parallel(triangles, number_of_slots);
+    if (!region_of.empty()) reserve_in_parallel(region_of, number_of_slots);
   }
 
   void kill(Triangle_id t) {
