@@ -393,7 +393,7 @@ private:
     const Bounds<Geometry> wanted = problem_.bounds;
     problem_.bounds.lower_to_established();
     const auto end = construction.run(options_.trees().place(), budgets().of_construction(),
-                                      [this] { return progress_.shall_go_on(Progress_shares::quadtrees); });
+                                      progress_.question_at(Progress_shares::quadtrees));
     problem_.bounds = wanted;
     return end;
   }
@@ -413,12 +413,13 @@ private:
   void coarsen() {
     clock_.enter(&Seconds::coarsen);
     if (state_.mesh.number_of_vertices() == pslg_.number_of_vertices() || progress_.is_cancelled()) return;
-    finish_mesh(state_, finishing_, [this] { return progress_.shall_go_on(Progress_shares::removal); });
+    finish_mesh(state_, finishing_, progress_.question_at(Progress_shares::removal));
+    auto shall_thin_on = progress_.question_at(Progress_shares::thinning);
     if (finishing_.removal == Removal::GUARDED && !report_.is_budget_exhausted)
-      thin_small_mesh(state_, [this] { return progress_.shall_go_on(Progress_shares::thinning); });
+      thin_small_mesh(state_, shall_thin_on);
     for (int round = 0; round < finishing_.thinning_rounds; ++round)
       if (!Thinner<Geometry>(state_).run(budgets().of_repair(state_.mesh.number_of_vertices()),
-                                         [this] { return progress_.shall_go_on(Progress_shares::thinning); }))
+                                         shall_thin_on))
         return;
   }
 

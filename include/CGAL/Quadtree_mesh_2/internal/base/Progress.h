@@ -50,6 +50,15 @@ public:
   }
   bool is_cancelled() const { return is_cancelled_; }
 
+  /// The question at a fixed share. What asks it is instantiated for this one type, not for a lambda of each stage.
+  struct Question {
+    Progress& progress;
+    double share;
+
+    bool operator()() const { return progress.shall_go_on(share); }
+  };
+  Question question_at(double share) { return {*this, share}; }
+
 private:
   const Callback& callback_;
   std::mutex mutex_;

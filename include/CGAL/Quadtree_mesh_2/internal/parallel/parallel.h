@@ -105,13 +105,17 @@ template <class... Argument>
 class Erased_body {
 public:
   template <class F>
-  explicit Erased_body(const F& f)
-      : body_(&f),
-        call_([](const void* body, Argument... argument) { (*static_cast<const F*>(body))(argument...); }) {}
+  explicit Erased_body(const F& f) : body_(&f), call_(&call<F>) {}
 
   void operator()(Argument... argument) const { call_(body_, argument...); }
 
 private:
+  // Not a lambda converted to a pointer: that is a class and three functions for each body.
+  template <class F>
+  static void call(const void* body, Argument... argument) {
+    (*static_cast<const F*>(body))(argument...);
+  }
+
   const void* body_;
   void (*call_)(const void*, Argument...);
 };

@@ -142,6 +142,15 @@ private:
   std::uint64_t inside_;
 };
 
+/// The items of an array by their places. All sorts of arrays are instantiated for this one type, not for a lambda of
+/// each caller's.
+template <class Item>
+struct Item_at {
+  const Item* items;
+
+  Item operator()(std::size_t i) const { return items[i]; }
+};
+
 /// Sorts ranges of keys that fit into the cache. Has the memory for that.
 template <class Key>
 class Short_range_sorter {
@@ -337,7 +346,7 @@ private:
         if (length(r) <= Short_range_sorter<Key>::longest)
           sorter.sort(keys_ + begin + begin_of_run[r], order_ + begin + begin_of_run[r], length(r));
         else if (length(r) <= longest_of_task_)
-          split_copy<Sequential_tag>(begin + begin_of_run[r], length(r), next_digit(length(r), n));
+          split_copy_in_task<Tag>(begin + begin_of_run[r], length(r), next_digit(length(r), n));
     });
     for (std::size_t r = 0; r + 1 < begin_of_run.size(); ++r)
       if (length(r) > longest_of_task_)
@@ -350,11 +359,17 @@ private:
     return length > n / 2 ? Digit_choice::BY_ALL_KEYS : Digit_choice::BY_SAMPLE;
   }
 
+  /// The same functions as for the longest runs, which would have to be compiled again by `Sequential_tag`.
+  template <class Tag>
+  void split_copy_in_task(std::size_t begin, std::size_t n, Digit_choice choice) {
+    const Concurrency_scope scope{Sequential_tag()};
+    split_copy<Tag>(begin, n, choice);
+  }
+
   /// Sorts a long run.
   template <class Tag>
   void split_copy(std::size_t begin, std::size_t n, Digit_choice choice) {
-    const Key* const run = keys_ + begin;
-    const auto digit = varying_digit<Tag>(n, choice, [run](std::size_t i) { return run[i]; });
+    const auto digit = varying_digit<Tag>(n, choice, Item_at<Key>{keys_ + begin});
     if (!digit) return; // indices increase
     Uninitialized_vector<Key> keys(n);
     Order indices(n);
@@ -362,8 +377,7 @@ private:
       keys[i] = keys_[begin + i];
       indices[i] = order_[begin + i];
     });
-    split<Tag>(
-        begin, n, *digit, [&](std::size_t i) { return keys[i]; }, [&](std::size_t i) { return indices[i]; });
+    split<Tag>(begin, n, *digit, Item_at<Key>{keys.data()}, Item_at<std::uint32_t>{indices.data()});
   }
 
   Key* keys_;
@@ -462,8 +476,7 @@ Order radix_order(std::size_t n, const Key_at& key_at) {
   using Radix = Radix_key<Key>;
   Uninitialized_vector<std::uint64_t> words(n);
   for_each_index<ConcurrencyTag>(n, [&](std::size_t i) { words[i] = Radix::word(key_at(i), 0); });
-  Sorted_keys<std::uint64_t> sorted =
-      sort_by_keys<ConcurrencyTag>(n, [&words](std::size_t i) { return words[i]; });
+  Sorted_keys<std::uint64_t> sorted = sort_by_keys<ConcurrencyTag>(n, Item_at<std::uint64_t>{words.data()});
   if constexpr (Radix::number_of_words > 1)
     Tie_sorter<Key>::template sort<ConcurrencyTag>(sorted.keys, sorted.order, key_at);
   return std::move(sorted.order);

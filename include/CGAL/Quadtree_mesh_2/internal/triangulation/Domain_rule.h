@@ -148,7 +148,8 @@ private:
     if (points.empty()) return found;
     const Place_keys<Geometry> key(mesh_.points.values());
     Triangle_id hint(0);
-    for (const std::uint32_t i : radix_order(points.size(), [&](std::size_t p) { return key(points[p]); })) {
+    const auto key_at = [&](std::size_t p) { return key(points[p]); };
+    for (const std::uint32_t i : radix_order<Chosen_tag>(points.size(), key_at)) {
       const Walk_end end = locate_exactly(mesh_, hint, points[i]);
       hint = end.triangle;
       if (end.is_blocked()) continue;
