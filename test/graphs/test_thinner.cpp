@@ -93,7 +93,8 @@ TEST_CASE("Small inputs take no more triangles than by Shewchuk's Triangle", "[m
                                {"small_walk_112", 24, 28, 56},       {"small_walk_129", 11, 15, 30},
                                {"small_walk_155", 33, 42, 155},      {"small_walk_219", 10, 10, 38},
                                {"small_walk_25", 13, 23, 31},        {"small_walk_550", 11, 20, 51},
-                               {"syn_wedge_0.01deg", 127, 187, 298}, {"syn_wedge_10deg", 30, 43, 54},
+                               {"small_square_32", 148, 169, 759}, {"small_square_11", 133, 159, 560},
+                               {"small_square_28", 87, 92, 438},    {"syn_wedge_0.01deg", 127, 187, 298}, {"syn_wedge_10deg", 30, 43, 54},
                                {"syn_wedge_1deg", 64, 85, 155},      {"syn_near_1e-06", 233, 416, 732},
                                {"syn_near_1e-12", 452, 793, 1831}}));
   CAPTURE(counts.name);

@@ -17,7 +17,7 @@
 //           in double precision on the final coordinates.
 //
 // Large stars, and those that start far below the bound, are hardly ever cured. In a mesh that is not small
-// they are not tried. A vertex on an edge moves along its edge. One on a leg of an acute corner stays, unless
+// they are not tried. A vertex on an edge moves along its edge, if some place of that may do. One on a leg of an acute corner stays, unless
 // legs are free. The same search smooths if it has no bound to stop at.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_RELOCATOR_H
@@ -25,11 +25,11 @@
 
 #include <CGAL/Quadtree_mesh_2/internal/base/Float_lanes.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
+#include <CGAL/Quadtree_mesh_2/internal/refinement/may_star_meet_bound_on_line.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Star.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace CGAL {
 namespace Quadtree_mesh_2 {
@@ -282,7 +282,8 @@ private:
     const Number unit = prepare_link_of_edge(mesh_.point(v));
     const Vector unit_vector = (1 / whole) * d;
     const Basic_vector<double> direction{ratio(unit_vector.x, 1), ratio(unit_vector.y, 1)};
-    if (aim == Aim::BOUND && !may_meet_bound_on_line(direction)) return false;
+    if (aim == Aim::BOUND && !may_star_meet_bound_on_line(link_, star_.size, direction, state_.bounds.sin2))
+      return false;
     const Number place = unit * place_on_line(direction, aim);
     if (place == 0) return false;
     // shares are finest near the end from which they are taken
@@ -293,50 +294,6 @@ private:
         is_nearer_to_a ? Geometry::between(a, b, share_of_a) : Geometry::between(b, a, share_of_b);
     return state_.problem.is_clear_of_outside(e, p) && accept(v, p, aim);
   }
-
-  /// Whether the whole star may meet the bound with the vertex somewhere on the line through it. A triangle does where
-  /// the vertex is beyond two rays from the ends of its edge in the link, and within a circle through them. This leaves
-  /// a piece of the line, or none. Computed with much to spare; where an edge is too short for that, it does not count.
-  bool may_meet_bound_on_line(Basic_vector<double> direction) const {
-    constexpr double to_spare = 1e-6, least_length2 = 1e-12;
-    const double sine = std::sqrt(state_.bounds.sin2), cosine = std::sqrt(1 - state_.bounds.sin2);
-    Piece_of_line piece{direction};
-    for (int i = 0; i < star_.size && piece.low <= piece.high + to_spare; ++i) {
-      const auto e = link_[i + 1] - link_[i];
-      const double length2 = squared_length(e);
-      if (length2 < least_length2) continue;
-      const Basic_vector<double> left{-e.y, e.x};
-      const double radius2 = (1 + to_spare) * length2 / (4 * state_.bounds.sin2);
-      if (!piece.cut_by_circle(0.5 * (link_[i] + link_[i + 1] + (cosine / sine) * left), radius2)) return false;
-      piece.cut_by_ray(link_[i], cosine * e + sine * left, length2);
-      piece.cut_by_ray(link_[i + 1], cosine * e - sine * left, length2);
-    }
-    return piece.low <= piece.high + to_spare;
-  }
-
-  /// What is left of a line through the origin, from `low` to `high` along its direction.
-  struct Piece_of_line {
-    Basic_vector<double> direction;
-    double low = -std::numeric_limits<double>::infinity(), high = -low;
-
-    /// False if nothing is within the circle.
-    bool cut_by_circle(Basic_vector<double> center, double radius2) {
-      const double distance = cross(direction, center), half2 = radius2 - distance * distance;
-      if (half2 < 0) return false;
-      const double middle = dot(direction, center), half = std::sqrt(half2);
-      low = std::max(low, middle - half), high = std::min(high, middle + half);
-      return true;
-    }
-
-    /// To what is left of a ray. One that is nearly parallel cuts nothing.
-    void cut_by_ray(Basic_vector<double> from, Basic_vector<double> ray, double squared_length_of_ray) {
-      constexpr double least_sin2 = 1e-6;
-      const double slope = cross(ray, direction);
-      if (slope * slope < least_sin2 * squared_length_of_ray) return;
-      const double place = cross(ray, from) / slope;
-      (slope > 0 ? low : high) = slope > 0 ? std::max(low, place) : std::min(high, place);
-    }
-  };
 
   /// How far to go from the vertex along a direction for the best star that is found, in the unit of the link.
   double place_on_line(Basic_vector<double> direction, Aim aim) const {
