@@ -118,8 +118,8 @@ private:
     const Mesh_limit limit{Mesh_limit::any, mesh_before_.number_of_triangles()};
     Splitter<Geometry> splitter(state_);
     Refiner<Geometry> refiner(state_, splitter);
-    legalize_changed();
-    for_each_changed([this](Triangle_id t) { state_.push_if_suspect(t); });
+    for_each_changed([this](Triangle_id t) { doubt_sides_of(t), state_.push_if_suspect(t); });
+    state_.legalize();
     constexpr int most_rounds = 5;
     for (int round = 0; round < most_rounds; ++round) {
       if (refiner.run(limit, go_on) != Refinement_end::DONE) return false;
