@@ -53,7 +53,8 @@ std::vector<Vector> random_link(random_pslg::Random& random, bool is_closed) {
   std::sort(angles.begin(), angles.end());
   std::vector<Vector> link;
   for (const double angle : angles) {
-    const double distance = random.integer(0, 3) == 0 ? std::exp2(random.between(-20, 0)) : random.between(0.5, 1);
+    const double distance =
+        random.integer(0, 3) == 0 ? std::exp2(random.between(-20, 0)) : random.between(0.5, 1);
     link.push_back({distance * std::cos(angle), distance * std::sin(angle)});
   }
   if (is_closed) link.push_back(link.front());
@@ -92,7 +93,8 @@ TEST_CASE("A regular star meets a bound below its angles, and none above", "[ref
   std::vector<Vector> link;
   for (int i = 0; i <= 6; ++i) link.push_back({std::cos(i * CGAL_PI / 3), std::sin(i * CGAL_PI / 3)});
   const Vector direction{0.6, 0.8};
-  CHECK(internal::may_star_meet_bound_on_line(link.data(), 6, direction, 0.7499)); // a little below 60 degrees
+  CHECK(
+      internal::may_star_meet_bound_on_line(link.data(), 6, direction, 0.7499)); // a little below 60 degrees
   CHECK_FALSE(internal::may_star_meet_bound_on_line(link.data(), 6, direction, 0.7501));
 }
 
