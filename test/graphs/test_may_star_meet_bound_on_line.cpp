@@ -8,7 +8,7 @@
 #include "catch.h"
 #include "random_pslg.h"
 
-#include <CGAL/Quadtree_mesh_2/internal/refinement/may_star_meet_bound_on_line.h>
+#include <CGAL/Quadtree_mesh_2/internal/geometry/may_star_meet_bound_on_line.h>
 
 #include <algorithm>
 #include <cmath>

@@ -231,8 +231,8 @@ private:
     return insert(end.triangle, q);
   }
 
-  /// The off-center of a triangle with an angle below the bound, or the quadtree corner next to it, as is the rule; of a
-  /// triangle that is only too large, its circumcenter or the corner next to that.
+  /// The off-center of a triangle with an angle below the bound, or the quadtree corner next to it, as is the rule; of
+  /// a triangle that is only too large, its circumcenter or the corner next to that.
   Point place_for(const typename Kernel_mesh<Geometry>::Triangle& r, const Shape& s, int k) const {
     const Point& a = mesh_.point(r.v[next_slot[k]]);
     const Point& b = mesh_.point(r.v[previous_slot[k]]);

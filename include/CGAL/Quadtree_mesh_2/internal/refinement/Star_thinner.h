@@ -36,8 +36,8 @@ namespace internal {
 /// The share of the bound that removal keeps to.
 constexpr double star_share = 0.4;
 
-/// \pre refinement has come to rest, no sector is locked, and the rule of legs is `FREE`: no shells are made, which would
-/// name vertices of a mesh that is gone
+/// \pre refinement has come to rest, no sector is locked, and the rule of legs is `FREE`: no shells are made,
+/// which would name vertices of a mesh that is gone
 template <class Geometry>
 class Star_thinner {
 public:

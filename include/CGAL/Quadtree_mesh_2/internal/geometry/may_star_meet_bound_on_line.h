@@ -12,8 +12,8 @@
 // Bound:    O(k) for k triangles; mostly fewer are looked at, because nothing is left.
 // Accuracy: with much to spare, so rounding does not matter. If nothing is left, no place will do.
 
-#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_MAY_STAR_MEET_BOUND_ON_LINE_H
-#define CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_MAY_STAR_MEET_BOUND_ON_LINE_H
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_GEOMETRY_MAY_STAR_MEET_BOUND_ON_LINE_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_GEOMETRY_MAY_STAR_MEET_BOUND_ON_LINE_H
 
 #include <CGAL/Quadtree_mesh_2/internal/geometry/meshing_geometry.h>
 
@@ -79,4 +79,4 @@ inline bool may_star_meet_bound_on_line(const Basic_vector<double>* link, int si
 } // namespace Quadtree_mesh_2
 } // namespace CGAL
 
-#endif // CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_MAY_STAR_MEET_BOUND_ON_LINE_H
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_GEOMETRY_MAY_STAR_MEET_BOUND_ON_LINE_H
