@@ -85,17 +85,18 @@ TEST_CASE("Small inputs take no more triangles than by Shewchuk's Triangle", "[m
     std::size_t at_20_7, at_25, at_30; // of Triangle 1.6, -pqDEGREES
   };
   const Counts counts =
-      GENERATE(values<Counts>({{"small_lattice_164", 50, 50, 135},   {"small_lattice_275", 16, 16, 77},
-                               {"small_polygon_109", 14, 16, 22},    {"small_polygon_23", 12, 11, 21},
-                               {"small_segments_176", 10, 14, 32},   {"small_segments_242", 5, 5, 19},
-                               {"small_spokes_74", 25, 34, 89},      {"small_star_220", 7, 7, 13},
-                               {"small_star_56", 1, 1, 6},           {"small_star_58", 8, 18, 19},
-                               {"small_walk_112", 24, 28, 56},       {"small_walk_129", 11, 15, 30},
-                               {"small_walk_155", 33, 42, 155},      {"small_walk_219", 10, 10, 38},
-                               {"small_walk_25", 13, 23, 31},        {"small_walk_550", 11, 20, 51},
-                               {"syn_wedge_0.01deg", 127, 187, 298}, {"syn_wedge_10deg", 30, 43, 54},
-                               {"syn_wedge_1deg", 64, 85, 155},      {"syn_near_1e-06", 233, 416, 732},
-                               {"syn_near_1e-12", 452, 793, 1831}}));
+      GENERATE(values<Counts>({{"small_lattice_164", 50, 50, 135}, {"small_lattice_275", 16, 16, 77},
+                               {"small_polygon_109", 14, 16, 22},  {"small_polygon_23", 12, 11, 21},
+                               {"small_segments_176", 10, 14, 32}, {"small_segments_242", 5, 5, 19},
+                               {"small_spokes_74", 25, 34, 89},    {"small_star_220", 7, 7, 13},
+                               {"small_star_56", 1, 1, 6},         {"small_star_58", 8, 18, 19},
+                               {"small_walk_112", 24, 28, 56},     {"small_walk_129", 11, 15, 30},
+                               {"small_walk_155", 33, 42, 155},    {"small_walk_219", 10, 10, 38},
+                               {"small_walk_25", 13, 23, 31},      {"small_walk_550", 11, 20, 51},
+                               {"small_square_32", 148, 169, 759}, {"small_square_11", 133, 159, 560},
+                               {"small_square_28", 87, 92, 438},   {"syn_wedge_0.01deg", 127, 187, 298},
+                               {"syn_wedge_10deg", 30, 43, 54},    {"syn_wedge_1deg", 64, 85, 155},
+                               {"syn_near_1e-06", 233, 416, 732},  {"syn_near_1e-12", 452, 793, 1831}}));
   CAPTURE(counts.name);
   const Pslg pslg = read(counts.name + ".poly");
   CHECK(run_to_the_bound(pslg, Options()).report.triangles <= counts.at_20_7);

@@ -71,4 +71,33 @@ TEST_CASE("Triangles without an area are the sharpest", "[refiner]") {
   CHECK(order == std::vector<std::uint32_t>{1, 2, 0, 3});
 }
 
+TEST_CASE("By length, the triangle with the shortest edge comes first, and of alike ones that pushed first",
+          "[refiner]") {
+  const std::uint64_t seed = GENERATE(0u, 1u, 2u);
+  random_pslg::Random random(seed);
+  Worklist list;
+  struct Entry {
+    Triangle_id triangle;
+    double length2;
+  };
+  std::vector<Entry> expected; // as they were pushed
+  for (int step = 0; step < 2000; ++step) {
+    if (random.integer(0, 2) < 2) {
+      expected.push_back(
+          {Triangle_id(random.integer(0, 200)), std::exp2(random.between(seed == 0 ? 0 : -300, 8))});
+      list.push_by_length(expected.back().triangle, expected.back().length2);
+    } else if (!list.is_empty()) {
+      const auto first =
+          std::min_element(expected.begin(), expected.end(), [](const Entry& a, const Entry& b) {
+            return std::ilogb(a.length2) < std::ilogb(b.length2); // the first one of the least
+          });
+      CHECK(list.pop() == first->triangle);
+      CHECK_FALSE(list.is_outdated(first->length2));
+      CHECK(list.is_outdated(4 * first->length2));
+      expected.erase(first);
+    }
+    REQUIRE(list.is_empty() == expected.empty());
+  }
+}
+
 } // namespace test_worklist

@@ -44,6 +44,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Edge_sides.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Exact_legalizer.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Refiner.h>
+#include <CGAL/Quadtree_mesh_2/internal/refinement/Second_refinement.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Thinner.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Vertex_budgets.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/finish_mesh.h>
@@ -101,13 +102,15 @@ public:
     check_distances();
     set_bounds();
     find_corners(estimate_size());
+    Second_refinement<Geometry> second(state_);
     Splitter<Geometry> splitter(state_);
     Refiner<Geometry> refiner(state_, splitter);
     const bool is_by_trees = options_.separate() == Quality_mesh_options_2::Separation::THEOREM_5;
+    if (!is_by_trees) second.keep_start();
     if (!(is_by_trees && construct_by_trees(refiner)) &&
         refine(refiner, splitter) == Refinement_end::OUT_OF_BUDGET)
       take_over(refiner, splitter);
-    coarsen();
+    coarsen(refiner, second);
     const Triangle_account account = finish(refiner);
     report_.is_cancelled = progress_.is_cancelled();
     return convert(account);
@@ -410,13 +413,14 @@ private:
     return graph;
   }
 
-  void coarsen() {
+  void coarsen(Refiner<Geometry>& refiner, Second_refinement<Geometry>& second) {
     clock_.enter(&Seconds::coarsen);
     if (state_.mesh.number_of_vertices() == pslg_.number_of_vertices() || progress_.is_cancelled()) return;
     finish_mesh(state_, finishing_, progress_.question_at(Progress_shares::removal));
     auto shall_thin_on = progress_.question_at(Progress_shares::thinning);
-    if (finishing_.removal == Removal::GUARDED && !report_.is_budget_exhausted)
-      thin_small_mesh(state_, shall_thin_on);
+    if (finishing_.removal == Removal::GUARDED && !report_.is_budget_exhausted &&
+        thin_small_mesh(state_, second, shall_thin_on))
+      refiner.forget_refused();
     for (int round = 0; round < finishing_.thinning_rounds; ++round)
       if (!Thinner<Geometry>(state_).run(budgets().of_repair(state_.mesh.number_of_vertices()),
                                          shall_thin_on))

@@ -41,6 +41,14 @@ enum class Leg_rule {
   FREE
 };
 
+/// Which bad triangle refinement takes up first, and where it puts a vertex for it.
+enum class Refinement_rule {
+  /// The sharpest one, and a corner of quadtrees next to its off-center.
+  CORNERS,
+  /// One with the shortest edge, and its off-center itself.
+  OFF_CENTERS
+};
+
 /// One mesh, the domain's or a block of it, and what there is to do in it.
 ///
 /// The shells of an acute corner and the locks of its sectors belong to one block, that in which all of it
@@ -62,6 +70,7 @@ struct Meshing_state {
   Mesh mesh;
   Worklist worklist;
   Leg_rule leg_rule = Leg_rule::SHELLS;
+  Refinement_rule refinement_rule = Refinement_rule::CORNERS; ///< to be changed while the worklist is empty
   /// What templates filled (Bulk_filler.h): triangles with consecutive handles, and the vertices within.
   struct Bulk {
     Triangle_id first_triangle = Triangle_id(0), end_of_triangles = Triangle_id(0);
@@ -104,6 +113,12 @@ struct Meshing_state {
     return (bounds.is_sharp(s) && !is_exempt(r.v[0], r.v[1], r.v[2])) || is_large(t, s);
   }
 
+  bool is_any_bad() const {
+    for (const Triangle_id t : mesh.triangles.ids())
+      if (mesh.is_alive(t) && is_bad(t)) return true;
+    return false;
+  }
+
   /// Whether t misses a bound, excused or not.
   bool is_suspect(Triangle_id t) const { return is_suspect(t, mesh.shape(mesh.triangle(t))); }
   bool is_suspect(Triangle_id t, const Shape& s) const { return bounds.is_sharp(s) || is_large(t, s); }
@@ -124,7 +139,22 @@ struct Meshing_state {
   }
 
   void push(Triangle_id t) { push(t, mesh.shape(mesh.triangle(t))); }
-  void push(Triangle_id t, const Shape& s) { worklist.push(t, s.sin2_of_least_angle() / bounds.sin2); }
+  void push(Triangle_id t, const Shape& s) {
+    if (refinement_rule == Refinement_rule::CORNERS)
+      worklist.push(t, s.sin2_of_least_angle() / bounds.sin2);
+    else
+      worklist.push_by_length(t, squared_length_of_shortest(s));
+  }
+  /// Whether a triangle of this shape that came off the worklist has another place on it.
+  bool is_outdated(const Shape& s) const {
+    return refinement_rule == Refinement_rule::OFF_CENTERS &&
+           worklist.is_outdated(squared_length_of_shortest(s));
+  }
+
+  void push_all_bad() {
+    for (const Triangle_id t : mesh.triangles.ids())
+      if (mesh.is_alive(t) && is_bad(t)) push(t);
+  }
 
   void push_if_suspect(Triangle_id t) {
     const Shape s = mesh.shape(mesh.triangle(t));
@@ -168,6 +198,8 @@ struct Meshing_state {
   std::vector<Side> doubtful_sides;
 
 private:
+  static double squared_length_of_shortest(const Shape& s) { return ratio(s.l[s.slot_of_shortest()], 1); }
+
   bool is_block_ = false;
   std::vector<Corner_id> owned_;
 

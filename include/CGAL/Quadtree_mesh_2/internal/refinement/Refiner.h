@@ -69,9 +69,12 @@ public:
 
   /// Has all triangles looked at that may be bad. Those of the bulk are not.
   void push_all() {
-    refused_.clear(); // perhaps of another mesh
+    forget_refused(); // perhaps of another mesh
     next_to_push_ = Triangle_id(0), end_to_push_ = mesh_.triangles.end_id();
   }
+
+  /// To be called when the mesh has become another one.
+  void forget_refused() { refused_.clear(); }
 
   /// Processes the list until it is empty. Asks `shall_go_on()` every 4096 steps. Where the mesh has
   /// reached the limit, no vertex is inserted.
@@ -84,7 +87,7 @@ public:
       if (!mesh_.is_alive(t)) continue;
       mesh_.prefetch_neighbors(t); // a vertex of it has to go, or another to come: both change what is around
       const Shape shape = mesh_.shape(mesh_.triangle(t));
-      if (!state_.is_bad(t, shape)) continue;
+      if (!state_.is_bad(t, shape) || state_.is_outdated(shape)) continue;
       if (mesh_.number_of_vertices() >= limit.vertices || mesh_.number_of_triangles() >= limit.triangles) {
         state_.push(t, shape);
         return give_up(Refinement_end::OUT_OF_BUDGET);
@@ -228,8 +231,8 @@ private:
     return insert(end.triangle, q);
   }
 
-  /// The quadtree corner next to the off-center of a triangle with an angle below the bound; of a triangle
-  /// that is only too large, the one next to its circumcenter.
+  /// The off-center of a triangle with an angle below the bound, or the quadtree corner next to it, as is the rule; of
+  /// a triangle that is only too large, its circumcenter or the corner next to that.
   Point place_for(const typename Kernel_mesh<Geometry>::Triangle& r, const Shape& s, int k) const {
     const Point& a = mesh_.point(r.v[next_slot[k]]);
     const Point& b = mesh_.point(r.v[previous_slot[k]]);
@@ -244,6 +247,7 @@ private:
       if (!(squared_length(off_center - middle) >= squared_length(center - middle))) center = off_center;
     }
     const Point q = Geometry::translate(a, center);
+    if (state_.refinement_rule == Refinement_rule::OFF_CENTERS) return q;
     using std::sqrt;
     const Point corner = Geometry::nearest_corner(q, power_of_two_at_most(0.25 * sqrt(s.l[k])));
     const Basic_in_circle<Number> test(Geometry::scaled_difference(a, corner),

@@ -17,13 +17,14 @@
 //           in double precision on the final coordinates.
 //
 // Large stars, and those that start far below the bound, are hardly ever cured. In a mesh that is not small
-// they are not tried. A vertex on an edge moves along its edge. One on a leg of an acute corner stays, unless
-// legs are free. The same search smooths if it has no bound to stop at.
+// they are not tried. A vertex on an edge moves along its edge, if some place of that may do. One
+// on a leg of an acute corner stays, unless legs are free. The same search smooths if it has no bound to stop at.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_RELOCATOR_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_RELOCATOR_H
 
 #include <CGAL/Quadtree_mesh_2/internal/base/Float_lanes.h>
+#include <CGAL/Quadtree_mesh_2/internal/geometry/may_star_meet_bound_on_line.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Star.h>
 
@@ -279,8 +280,11 @@ private:
     const Vector d = Geometry::scaled_difference(b, a);
     const Number whole = length(d);
     const Number unit = prepare_link_of_edge(mesh_.point(v));
-    const Vector direction = (1 / whole) * d;
-    const Number place = unit * place_on_line({ratio(direction.x, 1), ratio(direction.y, 1)}, aim);
+    const Vector unit_vector = (1 / whole) * d;
+    const Basic_vector<double> direction{ratio(unit_vector.x, 1), ratio(unit_vector.y, 1)};
+    if (aim == Aim::BOUND && !may_star_meet_bound_on_line(link_, star_.size, direction, state_.bounds.sin2))
+      return false;
+    const Number place = unit * place_on_line(direction, aim);
     if (place == 0) return false;
     // shares are finest near the end from which they are taken
     const bool is_nearer_to_a = squared_length(from_a) <= squared_length(from_b);

@@ -36,7 +36,8 @@ namespace internal {
 /// The share of the bound that removal keeps to.
 constexpr double star_share = 0.4;
 
-/// \pre refinement has come to rest, and no sector is locked
+/// \pre refinement has come to rest, no sector is locked, and the rule of legs is `FREE`: no shells are made,
+/// which would name vertices of a mesh that is gone
 template <class Geometry>
 class Star_thinner {
 public:
@@ -51,7 +52,7 @@ public:
     std::fill(mesh_.is_dirty.begin(), mesh_.is_dirty.end(), char(0));
     keep();
     thin_everywhere(shall_go_on);
-    push_all_bad();
+    state_.push_all_bad(); // refinement may have given up some, and the first flips may have made some
   }
 
 private:
@@ -62,7 +63,6 @@ private:
   Remover<Geometry> lowered_, guarded_;
   // the mesh before a trial
   Kernel_mesh<Geometry> mesh_before_;
-  Acute_corners<Geometry> corners_before_;  // their shells name vertices of the mesh
   Indexed_vector<Vertex_id, char> is_done_; // tried in vain, with nothing changed around it since
   std::vector<Vertex_id> star_;             // a vertex and its neighbors
 
@@ -82,12 +82,12 @@ private:
     }
   }
 
-  void keep() { mesh_before_ = mesh_, corners_before_ = state_.corners; }
+  void keep() { mesh_before_ = mesh_; }
 
   void undo() {
     state_.clear_worklist();
     state_.doubtful_sides.clear();
-    mesh_ = mesh_before_, state_.corners = corners_before_;
+    mesh_ = mesh_before_;
   }
 
   /// \returns whether the mesh has fewer triangles then; else it is as it was
@@ -118,8 +118,8 @@ private:
     const Mesh_limit limit{Mesh_limit::any, mesh_before_.number_of_triangles()};
     Splitter<Geometry> splitter(state_);
     Refiner<Geometry> refiner(state_, splitter);
-    legalize_changed();
-    for_each_changed([this](Triangle_id t) { state_.push_if_suspect(t); });
+    for_each_changed([this](Triangle_id t) { doubt_sides_of(t), state_.push_if_suspect(t); });
+    state_.legalize();
     constexpr int most_rounds = 5;
     for (int round = 0; round < most_rounds; ++round) {
       if (refiner.run(limit, go_on) != Refinement_end::DONE) return false;
@@ -139,12 +139,6 @@ private:
     if (mesh_.number_of_triangles() >= mesh_before_.number_of_triangles()) return false;
     legalize_changed();
     return !state_.has_bad_on_worklist() && !is_any_changed_bad();
-  }
-
-  /// Refinement may have given up some, and the flips at the beginning may have made some.
-  void push_all_bad() {
-    for (const Triangle_id t : mesh_.triangles.ids())
-      if (mesh_.is_alive(t) && state_.is_bad(t)) state_.push(t);
   }
 
   void make_Delaunay() {

@@ -16,6 +16,7 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_THINNER_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_THINNER_H
 
+#include <CGAL/Quadtree_mesh_2/internal/refinement/Mesh_snapshot.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Refiner.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Remover.h>
@@ -43,8 +44,7 @@ public:
   /// Returns whether the mesh has fewer triangles than before.
   template <class Continue>
   bool run(Mesh_limit limit, Continue&& shall_go_on) {
-    Kernel_mesh<Geometry> before = state_.mesh;
-    Acute_corners<Geometry> corners_before = state_.corners; // their shells name vertices of the mesh
+    Mesh_snapshot<Geometry> before(state_);
     dirty_all();
     if (Remover<Geometry>(state_, lower_).run(shall_go_on) == 0) return false;
     state_.clear_worklist();
@@ -52,11 +52,8 @@ public:
       Remover<Geometry>(state_).run(shall_go_on);
       if (state_.mesh.number_of_triangles() < before.number_of_triangles()) return true;
     }
-    state_.clear_worklist();
-    state_.doubtful_sides.clear();
-    state_.mesh = std::move(before);
-    state_.corners = std::move(corners_before);
-    push_all_bad();
+    std::move(before).restore(state_);
+    state_.push_all_bad(); // the last flips before may have left some on the list, which was cleared
     return false;
   }
 
@@ -78,7 +75,7 @@ private:
     for (int round = 0; round < most_rounds; ++round) {
       if (refiner.run(limit, shall_go_on) != Refinement_end::DONE) return false;
       state_.legalize(); // and what that makes bad is on the list again
-      if (state_.worklist.is_empty()) return !is_any_bad();
+      if (state_.worklist.is_empty()) return !state_.is_any_bad();
     }
     return false;
   }
@@ -86,33 +83,11 @@ private:
   /// Removal and smoothing leave sides that are not Delaunay. The circumcenter of a triangle next to one may be a
   /// vertex, and then refinement gives the triangle up.
   void doubt_all_sides() {
-    for_each_triangle([this](Triangle_id t) {
-      for (int k = 0; k < 3; ++k) {
+    for (const Triangle_id t : state_.mesh.triangles.ids())
+      for (int k = 0; k < 3 && state_.mesh.is_alive(t); ++k) {
         const Side o = state_.mesh.triangle(t).side[k];
         if (!o.is_constrained() && t < o.triangle()) state_.doubtful_sides.push_back(Side(t, k));
       }
-      return false;
-    });
-  }
-
-  /// The last flips before may have left some on the list, which was cleared.
-  void push_all_bad() {
-    for_each_triangle([this](Triangle_id t) {
-      if (state_.is_bad(t)) state_.push(t);
-      return false;
-    });
-  }
-
-  bool is_any_bad() const {
-    return for_each_triangle([this](Triangle_id t) { return state_.is_bad(t); });
-  }
-
-  /// Until `f` returns true; returns whether it did.
-  template <class Function>
-  bool for_each_triangle(const Function& f) const {
-    for (const Triangle_id t : state_.mesh.triangles.ids())
-      if (state_.mesh.is_alive(t) && f(t)) return true;
-    return false;
   }
 };
 
