@@ -19,6 +19,8 @@
 #include <CGAL/Quadtree_mesh_2/internal/relaxation/Block_worker.h>
 #include <CGAL/Quadtree_mesh_2/internal/relaxation/Ring_blocks.h>
 
+#include <algorithm>
+#include <array>
 #include <atomic>
 #include <cstddef>
 #include <cstdint>

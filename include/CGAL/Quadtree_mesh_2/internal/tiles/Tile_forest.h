@@ -30,6 +30,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/tiles/Tile_tree.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
