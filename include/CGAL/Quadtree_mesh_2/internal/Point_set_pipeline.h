@@ -9,7 +9,8 @@
 //   equal points merged
 //   -> frame: a square parallel to the axes, or a row of squares along the diameter
 //   -> clusters, if all angles have to be acute and nothing more
-//   -> levels of squares, tiles, sites assigned to vertices (Tile_forest.h)
+//   -> levels of squares, tiles, sites assigned to vertices (Tile_forest.h); if there are many tiles, what
+//      follows is done in parts, which are then joined (Site_mesh_parts.h), and again on the whole
 //   -> vertices moved to the points, relaxation, repair (Site_mesh.h); as long as some triangles remain outside the
 //      range, smaller squares for the points next to them, and again
 //   -> vertices removed that are not needed
@@ -162,8 +163,7 @@ private:
   /// Fills tiles and moves vertices to the points until all triangles are in the range. Each round that fails
   /// gives smaller squares to a point that does not have the smallest ones yet. Once all points have these,
   /// only coordinates can fail.
-  Site_mesh<Geometry> separate(Forest& forest, const Distinct& distinct,
-                               const Angle_range& range) {
+  Site_mesh<Geometry> separate(Forest& forest, const Distinct& distinct, const Angle_range& range) {
     Parts parts;
     for (;;) {
       ++report_.rounds;
@@ -178,8 +178,10 @@ private:
         clock_.enter(&Seconds::separate);
         if (forest.number_of_runs() > 1) mesh = parts.joined(forest);
         const std::size_t in_parts = parts.number_of_triangles(), triangles = mesh.mesh.number_of_triangles();
-        to_blame = Site_mesh_relaxer<ConcurrencyTag, Geometry>(mesh, range).place_sites(
-            [&forest](std::size_t p) { return !forest.is_certified(p); });
+        to_blame =
+            Site_mesh_relaxer<ConcurrencyTag, Geometry>(mesh, range).place_sites([&forest](std::size_t p) {
+              return !forest.is_certified(p);
+            });
         report_.triangles_before_coarsening =
             mesh.mesh.number_of_triangles() + (in_parts > 0 ? in_parts - triangles : 0);
       }

@@ -81,8 +81,8 @@ public:
   Site_mesh_relaxer(Site_mesh<Geometry>& mesh, const Angle_range& range)
       : mesh_(mesh), range_(range), blocks_(mesh.mesh) {}
 
-  /// Moves vertices to their sites and relaxes; in a part, those far from the rim. Returns, of the sites for which `may_be_blamed(site)` holds, those next
-  /// to triangles outside the range.
+  /// Moves vertices to their sites and relaxes; in a part, those far from the rim. Returns, of the sites for which
+  /// `may_be_blamed(site)` holds, those next to triangles outside the range.
   template <class May_be_blamed>
   std::vector<std::size_t> place_sites(const May_be_blamed& may_be_blamed) {
     for (int pass = 0; pass < Blocks::number_of_passes; ++pass) {

@@ -99,8 +99,6 @@ public:
     return result;
   }
 
-  void clear() { parts_.clear(); }
-
 private:
   using Point = typename Geometry::Point;
   struct Part {

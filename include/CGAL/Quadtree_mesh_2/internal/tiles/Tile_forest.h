@@ -99,8 +99,8 @@ public:
   /// leaves.
   /// \throws Tile_level_error naming a point to which another one is so near that squares would be too small
   void find_leaves() {
-    const std::size_t most_leaves = trees_.size() == 1 ? Tile_run_sizes<ConcurrencyTag>::leaves
-                                                       : std::numeric_limits<std::size_t>::max();
+    const std::size_t most_leaves =
+        trees_.size() == 1 ? Tile_run_sizes<ConcurrencyTag>::leaves : std::numeric_limits<std::size_t>::max();
     for_each_index<ConcurrencyTag>(
         trees_.size(), [&](std::size_t t) { fill(t, most_leaves); }, 1);
   }
@@ -208,7 +208,9 @@ private:
   std::vector<Indexed_triangle> triangles_;
   std::vector<std::int32_t> rigid_, replaced_;
 
-  void fill(std::size_t t, std::size_t most_leaves) try { trees_[t].fill(most_leaves); } catch (const Tile_level_error& e) {
+  void fill(std::size_t t, std::size_t most_leaves) try {
+    trees_[t].fill(most_leaves);
+  } catch (const Tile_level_error& e) {
     for (std::size_t i = 0; i < points_.size(); ++i)
       if (tree_of_point_[i] == static_cast<std::int32_t>(t) && site_of_point_[i] == e.site())
         throw Tile_level_error(i);

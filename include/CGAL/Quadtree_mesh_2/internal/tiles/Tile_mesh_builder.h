@@ -343,9 +343,9 @@ private:
 
   void freeze_rim() {
     if (run_.size() == number_of_leaves()) return;
-    const std::vector<std::uint32_t> leaves = pack<ConcurrencyTag>(
-        run_.size(),
-        [&](std::size_t k) { return has_neighbor_outside(tree_.node(Leaf_index(kept_[run_.begin + k]))); });
+    const std::vector<std::uint32_t> leaves = pack<ConcurrencyTag>(run_.size(), [&](std::size_t k) {
+      return has_neighbor_outside(tree_.node(Leaf_index(kept_[run_.begin + k])));
+    });
     for (const std::uint32_t k : leaves)
       for (std::size_t i = mesh_.first_vertex[k]; i < mesh_.first_vertex[k + 1]; ++i) {
         const auto v = static_cast<std::size_t>(mesh_.leaf_vertices[i]);
@@ -463,7 +463,7 @@ private:
 
   const Tile_sites& sites_;
   Quadtree tree_;
-  std::vector<std::uint32_t> kept_; // the leaves of the quadtree in the window
+  std::vector<std::uint32_t> kept_;                          // the leaves of the quadtree in the window
   Uninitialized_vector<std::uint8_t> corner_bits_;           // of their tiles
   Indexed_vector<Leaf_index, std::uint32_t> number_of_leaf_; // their places in that list
   Leaf_run run_{0, 0};
