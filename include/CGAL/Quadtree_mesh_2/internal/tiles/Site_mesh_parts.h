@@ -183,8 +183,8 @@ private:
     Indexed_vector<Ring_vertex, std::uint8_t> is_on_rim(first.back(), 0);
     for (std::size_t r = 0; r < parts_.size(); ++r)
       for (const Ring_vertex v : parts_[r].rim) is_on_rim[kept[in_whole(v, first[r])]] = 1;
-    using Side = std::array<Ring_vertex, 2>;
-    std::vector<std::pair<Ring_vertex, Side>> sides;
+    using Opposite_side = std::array<Ring_vertex, 2>;
+    std::vector<std::pair<Ring_vertex, Opposite_side>> sides;
     for (std::size_t r = 0; r < parts_.size(); ++r)
       for (const auto& t : parts_[r].rim_triangles)
         for (std::size_t k = 0; k < 3; ++k) {
@@ -192,7 +192,7 @@ private:
           if (is_on_rim[corner(k)] != 0) sides.push_back({corner(k), {corner(k + 1), corner(k + 2)}});
         }
     std::sort(sides.begin(), sides.end());
-    std::vector<Side> around;
+    std::vector<Opposite_side> around;
     for (std::size_t begin = 0, end; begin < sides.size(); begin = end) {
       around.clear();
       for (end = begin; end < sides.size() && sides[end].first == sides[begin].first; ++end)
