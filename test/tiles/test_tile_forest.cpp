@@ -43,12 +43,12 @@ TEST_CASE("A site that fails again and again gets a block in which nothing can f
     for (std::size_t i = 0; i < points.size(); i += 4) {
       CAPTURE(i);
       Tile_forest<CGAL::Sequential_tag, Doubles> forest(points, frame, options_for(best));
-      forest.fill();
+      forest.find_leaves();
       int failures = 0;
       for (; !forest.is_certified(i); ++failures) forest.refine_for(i);
       CHECK(failures == 3);
       CHECK(forest.number_of_certified_points() == 1);
-      const Site_mesh<Doubles> mesh = forest.fill();
+      const Site_mesh<Doubles> mesh = fill(forest);
       check_covers_root(mesh.mesh, points);
       CHECK(forest.is_certified(i));
       // its vertex is where the grid has it, and all around is held
@@ -73,11 +73,11 @@ TEST_CASE("When all sites have blocks nothing is left to do", "[site_mesh]") {
     const Points& points = input.points;
     const auto frame = Grid_frame<Doubles>::axis_parallel<CGAL::Sequential_tag>(points);
     Tile_forest<CGAL::Sequential_tag, Doubles> forest(points, frame, options_for(best));
-    forest.fill();
+    forest.find_leaves();
     for (std::size_t i = 0; i < points.size(); ++i)
       while (!forest.is_certified(i)) forest.refine_for(i);
     CHECK(forest.number_of_certified_points() == points.size());
-    Site_mesh<Doubles> mesh = forest.fill();
+    Site_mesh<Doubles> mesh = fill(forest);
     std::size_t count = 0;
     const Angle_extremes e = angles_in_blocks(mesh, &count);
     CHECK(count > 50 * points.size());

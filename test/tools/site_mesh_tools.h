@@ -18,6 +18,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/clusters/frame_clusters.h>
 #include <CGAL/Quadtree_mesh_2/internal/relaxation/Ring_blocks.h>
 #include <CGAL/Quadtree_mesh_2/internal/relaxation/Site_mesh.h>
+#include <CGAL/Quadtree_mesh_2/internal/tiles/Site_mesh_parts.h>
 #include <CGAL/Quadtree_mesh_2/internal/tiles/Tile_forest.h>
 #include <CGAL/tags.h>
 
@@ -48,6 +49,11 @@ namespace internal {
 template <>
 struct Ring_block_sizes<Tiny_rings_tag> {
   static constexpr std::size_t vertices = 150;
+};
+
+template <>
+struct Tile_run_sizes<Tiny_rings_tag> {
+  static constexpr std::size_t leaves = 500;
 };
 
 template <>
@@ -94,16 +100,25 @@ Site_mesh<Geometry> mesh_of(Tile_forest<Tag, Geometry>& forest, const Bounds& bo
                             const Coarsening_effort& effort) {
   constexpr int most_rounds = 30;
   const internal::Angle_range range(bounds.low, bounds.high);
+  using Relaxer = internal::Site_mesh_relaxer<Tag, Geometry>;
+  internal::Site_mesh_parts<Tag, Geometry> parts;
   for (int round = 0; round < most_rounds; ++round) {
-    Site_mesh<Geometry> mesh = forest.fill();
-    internal::Site_mesh_relaxer<Tag, Geometry> relaxer(mesh, range);
-    const std::vector<std::size_t> blamed =
-        relaxer.place_sites([&](std::size_t p) { return !forest.is_certified(p); });
-    REQUIRE(std::is_sorted(blamed.begin(), blamed.end()));
+    forest.find_leaves();
+    const auto coarsen = [&](Site_mesh<Geometry>& mesh, std::size_t = 0) {
+      Relaxer(mesh, range).coarsen(effort, [](double) { return true; });
+    };
+    const bool is_whole = forest.number_of_runs() == 1;
+    std::vector<std::size_t> blamed;
+    if (!is_whole) blamed = parts.make(forest, range, coarsen);
     if (blamed.empty()) {
-      relaxer.coarsen(effort, [](double) { return true; });
-      return mesh;
+      Site_mesh<Geometry> mesh = is_whole ? forest.mesh() : parts.joined(forest);
+      blamed = Relaxer(mesh, range).place_sites([&](std::size_t p) { return !forest.is_certified(p); });
+      if (blamed.empty()) {
+        coarsen(mesh);
+        return mesh;
+      }
     }
+    REQUIRE(std::is_sorted(blamed.begin(), blamed.end()));
     for (const std::size_t s : blamed) forest.refine_for(s);
   }
   FAIL("no end");
@@ -301,11 +316,19 @@ inline std::vector<Input> all_inputs() {
 }
 /// @}
 
+/// The mesh of all tiles.
+template <class Tag, class Geometry>
+Site_mesh<Geometry> fill(Tile_forest<Tag, Geometry>& forest) {
+  forest.find_leaves();
+  return forest.mesh();
+}
+
 /// A mesh with held, fixed and sliding vertices, not yet worked on.
 template <class Tag>
 Site_mesh<Doubles> filled(const Points& points) {
   const auto frame = Grid_frame<Doubles>::axis_parallel<Tag>(points);
-  return Tile_forest<Tag, Doubles>(points, frame, options_for(best)).fill();
+  Tile_forest<Tag, Doubles> forest(points, frame, options_for(best));
+  return fill(forest);
 }
 
 } // namespace site_mesh_test

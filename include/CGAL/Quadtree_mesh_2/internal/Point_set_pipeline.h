@@ -9,7 +9,8 @@
 //   equal points merged
 //   -> frame: a square parallel to the axes, or a row of squares along the diameter
 //   -> clusters, if all angles have to be acute and nothing more
-//   -> levels of squares, tiles, sites assigned to vertices (Tile_forest.h)
+//   -> levels of squares, tiles, sites assigned to vertices (Tile_forest.h); if there are many tiles, what
+//      follows is done in parts, which are then joined (Site_mesh_parts.h), and again on the whole
 //   -> vertices moved to the points, relaxation, repair (Site_mesh.h); as long as some triangles remain outside the
 //      range, smaller squares for the points next to them, and again
 //   -> vertices removed that are not needed
@@ -34,9 +35,11 @@
 #include <CGAL/Quadtree_mesh_2/internal/relaxation/Site_mesh.h>
 #include <CGAL/Quadtree_mesh_2/internal/squares/Corner_warper.h>
 #include <CGAL/Quadtree_mesh_2/internal/squares/Separated_quadtree.h>
+#include <CGAL/Quadtree_mesh_2/internal/tiles/Site_mesh_parts.h>
 #include <CGAL/Quadtree_mesh_2/internal/tiles/Tile_forest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -82,6 +85,8 @@ private:
   using Frame = Grid_frame<Geometry>;
   using Distinct = Distinct_points<ConcurrencyTag, Geometry>;
   using Map = Coordinate_map<Traits, Geometry>;
+  using Forest = Tile_forest<ConcurrencyTag, Geometry>;
+  using Parts = Site_mesh_parts<ConcurrencyTag, Geometry>;
   static constexpr double largest_acute_angle = 89.5;
 
   const std::vector<Point_2>& points_;
@@ -98,9 +103,9 @@ private:
     const double least = is_acute ? 0 : options_.least_angle_in_degrees(),
                  largest = is_acute ? largest_acute_angle : options_.largest_angle_in_degrees();
     const Angle_range range(least, largest);
-    Tile_forest<ConcurrencyTag, Geometry> forest = plant(distinct.points(), tile_options(least, largest));
+    Forest forest = plant(distinct.points(), tile_options(least, largest));
     Site_mesh<Geometry> mesh = separate(forest, distinct, range);
-    coarsen(mesh, range);
+    coarsen(mesh, range, {0, 1});
     clock_.enter(&Seconds::convert);
     report_.certified_points = forest.number_of_certified_points();
     return Site_mesh_converter<Traits, ConcurrencyTag>(mesh, points_, distinct, map, least, largest, is_acute,
@@ -118,10 +123,8 @@ private:
     return result;
   }
 
-  Tile_forest<ConcurrencyTag, Geometry> plant(const std::vector<Kernel_point>& points,
-                                              const Tile_options& options) {
+  Forest plant(const std::vector<Kernel_point>& points, const Tile_options& options) {
     clock_.enter(&Seconds::quadtree);
-    using Forest = Tile_forest<ConcurrencyTag, Geometry>;
     if (options_.mode() == Mode::BOUNDED_ANGLES) {
       const bool is_row = options_.mesh_domain() == Point_set_mesh_options_2::Domain::ROW;
       return Forest(points,
@@ -160,26 +163,51 @@ private:
   /// Fills tiles and moves vertices to the points until all triangles are in the range. Each round that fails
   /// gives smaller squares to a point that does not have the smallest ones yet. Once all points have these,
   /// only coordinates can fail.
-  Site_mesh<Geometry> separate(Tile_forest<ConcurrencyTag, Geometry>& forest, const Distinct& distinct,
-                               const Angle_range& range) {
+  Site_mesh<Geometry> separate(Forest& forest, const Distinct& distinct, const Angle_range& range) {
+    Parts parts;
     for (;;) {
       ++report_.rounds;
-      Site_mesh<Geometry> mesh = fill(forest, distinct);
-      clock_.enter(&Seconds::separate);
-      Site_mesh_relaxer<ConcurrencyTag, Geometry> relaxer(mesh, range);
-      const std::vector<std::size_t> to_blame =
-          relaxer.place_sites([&forest](std::size_t p) { return !forest.is_certified(p); });
-      report_.triangles_before_coarsening = mesh.mesh.number_of_triangles();
+      find_leaves(forest, distinct);
+      Site_mesh<Geometry> mesh;
+      std::vector<std::size_t> to_blame;
+      if (forest.number_of_runs() == 1)
+        mesh = forest.mesh();
+      else
+        to_blame = make_parts(forest, parts, range);
+      if (to_blame.empty()) {
+        clock_.enter(&Seconds::separate);
+        if (forest.number_of_runs() > 1) mesh = parts.joined(forest);
+        const std::size_t in_parts = parts.number_of_triangles(), triangles = mesh.mesh.number_of_triangles();
+        to_blame =
+            Site_mesh_relaxer<ConcurrencyTag, Geometry>(mesh, range).place_sites([&forest](std::size_t p) {
+              return !forest.is_certified(p);
+            });
+        report_.triangles_before_coarsening =
+            mesh.mesh.number_of_triangles() + (in_parts > 0 ? in_parts - triangles : 0);
+      }
       progress_.shall_go_on(Progress_shares::placing);
       if (to_blame.empty()) return mesh;
       for (const std::size_t p : to_blame) forest.refine_for(p);
     }
   }
 
+  /// Makes the parts of a mesh whose tiles are too many to be in memory at a time. Returns the sites to blame.
+  std::vector<std::size_t> make_parts(Forest& forest, Parts& parts, const Angle_range& range) {
+    clock_.enter(&Seconds::separate);
+    const std::vector<std::size_t> to_blame =
+        parts.make(forest, range, [&](Site_mesh<Geometry>& mesh, std::size_t r) {
+          const double n = static_cast<double>(forest.number_of_runs());
+          coarsen(mesh, range, {static_cast<double>(r) / n, static_cast<double>(r + 1) / n});
+          clock_.enter(&Seconds::separate);
+        });
+    if (to_blame.empty()) forest.let_go_of_leaves();
+    return to_blame;
+  }
+
   /// \throws Point_error for points that are too near to each other.
-  Site_mesh<Geometry> fill(Tile_forest<ConcurrencyTag, Geometry>& forest, const Distinct& distinct) try {
+  void find_leaves(Forest& forest, const Distinct& distinct) try {
     clock_.enter(&Seconds::quadtree);
-    return forest.fill();
+    forest.find_leaves();
   } catch (const Tile_level_error& e) {
     throw too_near(distinct, e.site());
   }
@@ -199,15 +227,17 @@ private:
                        Point_index(distinct.input_point(nearest)));
   }
 
-  void coarsen(Site_mesh<Geometry>& mesh, const Angle_range& range) {
+  /// Asks whether to go on with shares of this work from `shares[0]` to `shares[1]`.
+  void coarsen(Site_mesh<Geometry>& mesh, const Angle_range& range, const std::array<double, 2>& shares) {
     clock_.enter(&Seconds::coarsen);
     Coarsening_effort effort;
     effort.most_rings = options_.effort();
     if (options_.max_removals() > 0)
       effort.tries_per_vertex =
           static_cast<double>(options_.max_removals()) / static_cast<double>(mesh.mesh.number_of_vertices());
-    Site_mesh_relaxer<ConcurrencyTag, Geometry>(mesh, range).coarsen(effort, [this](double share) {
-      return progress_.shall_go_on(Progress_shares::placing + Progress_shares::coarsening * share);
+    Site_mesh_relaxer<ConcurrencyTag, Geometry>(mesh, range).coarsen(effort, [&](double share) {
+      const double of_all = shares[0] + share * (shares[1] - shares[0]);
+      return progress_.shall_go_on(Progress_shares::placing + Progress_shares::coarsening * of_all);
     });
   }
 

@@ -189,6 +189,7 @@ private:
   void set_owners(const Ring_block& block) {
     for (const Ring_vertex v : Id_range<Ring_vertex>(block.begin, block.end)) {
       Ring& r = mesh_.ring(v);
+      if (r.block == Ring::sealed) continue;
       const bool is_inner = std::all_of(r.neighbor.begin(), r.neighbor.begin() + r.size,
                                         [&](Ring_vertex u) { return !(u < block.begin) && u < block.end; });
       r.block = is_inner ? block.number : -1;

@@ -57,6 +57,7 @@ struct alignas(64) Ring {
   std::uint8_t tried_rings = 0;
   /// Who may write the vertex now; nobody if negative.
   std::int32_t block = 0;
+  static constexpr std::int32_t sealed = -2; ///< nobody in a mesh that is a part
 
   int number_of_triangles() const { return is_open ? size - 1 : size; }
   int position_of(Ring_vertex v) const {
@@ -132,6 +133,13 @@ public:
         sides.push_back(side_opposite(v, triangles[triangle_at[i]]));
       rings[v] = ring_of_sides(sides.data(), sides.data() + sides.size());
     }
+  }
+
+  /// Makes the ring of a vertex anew, of the sides opposite it.
+  void set_ring(Ring_vertex v, const std::vector<std::array<Ring_vertex, 2>>& sides) {
+    Ring r = ring_of_sides(sides.data(), sides.data() + sides.size());
+    r.mobility = ring(v).mobility;
+    ring(v) = r;
   }
 
   /// Calls f(a, b, c) for each triangle, counterclockwise, `a` being its least vertex; by increasing `a`.

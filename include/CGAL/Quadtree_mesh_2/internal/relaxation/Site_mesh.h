@@ -19,6 +19,8 @@
 #include <CGAL/Quadtree_mesh_2/internal/relaxation/Block_worker.h>
 #include <CGAL/Quadtree_mesh_2/internal/relaxation/Ring_blocks.h>
 
+#include <algorithm>
+#include <array>
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
@@ -38,6 +40,39 @@ struct Site_mesh {
   std::vector<Ring_vertex> vertex_of_site;
   /// By site: whether its vertex lies where it has to.
   std::vector<std::uint8_t> is_placed;
+
+  /// \name Parts of meshes
+  /// A part has a rim, at which others go on. The rings there are not whole.
+  /// @{
+
+  std::vector<Ring_vertex> rim;
+  std::vector<std::array<Ring_vertex, 3>> rim_triangles; ///< with a vertex of the rim
+
+  bool is_part() const { return !rim.empty(); }
+
+  /// Nobody may write the corners of the triangles at the rim.
+  void seal_rim() {
+    for (const auto& t : rim_triangles)
+      for (const Ring_vertex v : t) mesh.ring(v).block = Ring::sealed;
+  }
+  /// Nobody may write what is near sites that wait.
+  void seal_waiting() {
+    constexpr int rings = 4;
+    std::vector<Ring_vertex> near;
+    for (std::size_t s = 0; s < is_placed.size(); ++s) {
+      if (is_placed[s] != 0) continue;
+      near.assign(1, vertex_of_site[s]);
+      std::size_t begin = 0;
+      for (int ring = 0; ring < rings; ++ring)
+        for (const std::size_t end = near.size(); begin < end; ++begin) {
+          const Ring& r = mesh.ring(near[begin]);
+          near.insert(near.end(), r.neighbor.begin(), r.neighbor.begin() + r.size);
+        }
+      for (const Ring_vertex v : near) mesh.ring(v).block = Ring::sealed;
+    }
+  }
+
+  /// @}
 };
 
 template <class ConcurrencyTag, class Geometry>
@@ -46,8 +81,8 @@ public:
   Site_mesh_relaxer(Site_mesh<Geometry>& mesh, const Angle_range& range)
       : mesh_(mesh), range_(range), blocks_(mesh.mesh) {}
 
-  /// Moves vertices to their sites and relaxes. Returns, of the sites for which `may_be_blamed(site)` holds, those next
-  /// to triangles outside the range.
+  /// Moves vertices to their sites and relaxes; in a part, those far from the rim. Returns, of the sites for which
+  /// `may_be_blamed(site)` holds, those next to triangles outside the range.
   template <class May_be_blamed>
   std::vector<std::size_t> place_sites(const May_be_blamed& may_be_blamed) {
     for (int pass = 0; pass < Blocks::number_of_passes; ++pass) {
@@ -103,6 +138,9 @@ private:
     for_each_index<ConcurrencyTag>(mesh_.vertex_of_site.size(), [&](std::size_t i) {
       mesh_.vertex_of_site[i] = blocks_.new_number(mesh_.vertex_of_site[i]);
     });
+    for (Ring_vertex& v : mesh_.rim) v = blocks_.new_number(v);
+    for (auto& t : mesh_.rim_triangles)
+      for (Ring_vertex& v : t) v = blocks_.new_number(v);
   }
 
   void place_in_blocks() {
@@ -111,7 +149,7 @@ private:
       Block_worker<Geometry> worker(mesh_.mesh, marks, block, range_);
       std::vector<std::pair<Ring_vertex, Point>> moves;
       for (const std::uint32_t s : sites[std::size_t(block.number)]) {
-        if (!blocks_.is_whole() && !worker.is_well_inside(mesh_.vertex_of_site[s])) continue;
+        if (!worker.is_well_inside(mesh_.vertex_of_site[s])) continue;
         moves.push_back({mesh_.vertex_of_site[s], mesh_.sites[s]});
         mesh_.is_placed[s] = 1;
       }
@@ -140,8 +178,7 @@ private:
                                 [this](std::size_t v) { return !is_in_range(v); });
   }
   bool is_anything_left() const {
-    for (const std::uint8_t p : mesh_.is_placed)
-      if (p == 0) return true;
+    if (!mesh_.is_part() && std::count(mesh_.is_placed.begin(), mesh_.is_placed.end(), 0) > 0) return true;
     return !violated().empty();
   }
 

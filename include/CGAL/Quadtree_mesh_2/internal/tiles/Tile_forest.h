@@ -30,6 +30,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/tiles/Tile_tree.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -40,6 +41,25 @@
 namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
+
+inline void check_number_of_vertices(std::size_t n) {
+  if (n >= std::size_t(std::numeric_limits<std::int32_t>::max()) / 2)
+    throw std::length_error("meshes of point sets have at most 2^30 vertices");
+}
+
+/// Sizes of runs of leaves. Tests specialize it for tags of their own, to have runs in small meshes.
+template <class ConcurrencyTag>
+struct Tile_run_sizes {
+  static constexpr std::size_t leaves = std::size_t(1) << 17;
+};
+
+/// A mesh of a run of leaves.
+template <class Geometry>
+struct Rim_mesh {
+  Site_mesh<Geometry> mesh;
+  std::vector<Tile_place> rim_places; ///< of the vertices on its rim
+  std::size_t number_of_triangles;
+};
 
 template <class ConcurrencyTag, class Geometry>
 class Tile_forest {
@@ -75,12 +95,78 @@ public:
     return n;
   }
 
+  /// Finds the leaves of all trees, and vertices for all sites. A tree without clusters may have several runs of
+  /// leaves.
   /// \throws Tile_level_error naming a point to which another one is so near that squares would be too small
-  Site_mesh<Geometry> fill() {
+  void find_leaves() {
+    const std::size_t most_leaves =
+        trees_.size() == 1 ? Tile_run_sizes<ConcurrencyTag>::leaves : std::numeric_limits<std::size_t>::max();
     for_each_index<ConcurrencyTag>(
-        trees_.size(), [&](std::size_t t) { fill(t); }, 1);
+        trees_.size(), [&](std::size_t t) { fill(t, most_leaves); }, 1);
+  }
+
+  /// \name Runs of leaves, if there are several
+  /// @{
+
+  std::size_t number_of_runs() const { return trees_.front().filler().number_of_runs(); }
+  std::array<std::size_t, 2> state_of_run(std::size_t r) const {
+    return trees_.front().filler().state_of_run(r);
+  }
+  /// By increasing number.
+  const std::vector<std::uint32_t>& sites_of_run(std::size_t r) const {
+    return trees_.front().filler().sites_of_run(r);
+  }
+
+  /// The mesh of a run.
+  Rim_mesh<Geometry> part(std::size_t r) {
+    Tree& tree = trees_.front();
+    tree.fill_run(r);
+    const Tile_mesh& tiles = tree.mesh();
+    Rim_mesh<Geometry> part;
+    Site_mesh<Geometry>& result = part.mesh;
+    result.mesh.along = along_;
+    result.mesh.points.resize(tiles.number_of_vertices());
+    copy_points(tree, 0, result);
+    const std::vector<std::uint32_t>& numbers = sites_of_run(r);
+    for (const std::uint32_t i : numbers) result.sites.push_back(points_[i]);
+    result.is_placed.assign(numbers.size(), 0);
+    for (const std::int32_t v : tiles.vertex_of_site) result.vertex_of_site.push_back(Ring_vertex(v));
+    const auto& is_frozen = tiles.is_frozen;
+    for (std::size_t v = 0; v < is_frozen.size(); ++v) {
+      if (is_frozen[v] == 0) continue;
+      result.rim.push_back(Ring_vertex(v));
+      part.rim_places.push_back(tiles.places[v]);
+    }
+    for (const auto& t : tiles.triangles)
+      if (std::any_of(t.begin(), t.end(), [&](std::int32_t v) { return is_frozen[std::size_t(v)] != 0; }))
+        result.rim_triangles.push_back({Ring_vertex(t[0]), Ring_vertex(t[1]), Ring_vertex(t[2])});
+    part.number_of_triangles = tiles.number_of_triangles();
+    std::vector<Mobility> mobilities(tiles.number_of_vertices());
+    for (std::size_t v = 0; v < mobilities.size(); ++v) mobilities[v] = mobility_on(tiles.sides[v]);
+    for (const Ring_vertex v : result.vertex_of_site) mobilities[v.value()] = Mobility::FIXED;
+    result.mesh.set_triangles(tiles.triangles);
+    tree.let_go_of_mesh();
+    for (const Ring_vertex v : result.mesh.rings.ids()) result.mesh.ring(v).mobility = mobilities[v.value()];
+    return part;
+  }
+
+  void let_go_of_leaves() { trees_.front().let_go_of_leaves(); }
+
+  /// With all sites, and no vertex.
+  Site_mesh<Geometry> empty_mesh() const {
     Site_mesh<Geometry> result;
     result.mesh.along = along_;
+    result.sites = points_;
+    result.is_placed.assign(points_.size(), 0);
+    result.vertex_of_site.resize(points_.size());
+    return result;
+  }
+
+  /// @}
+
+  /// The mesh of all trees. \pre `find_leaves()`, and there is one run
+  Site_mesh<Geometry> mesh() {
+    Site_mesh<Geometry> result = empty_mesh();
     copy_trees(result);
     for (std::size_t t = 1; t < trees_.size(); ++t) put_into_parent(t, result);
     take_out_replaced_vertices(result);
@@ -122,7 +208,9 @@ private:
   std::vector<Indexed_triangle> triangles_;
   std::vector<std::int32_t> rigid_, replaced_;
 
-  void fill(std::size_t t) try { trees_[t].fill(); } catch (const Tile_level_error& e) {
+  void fill(std::size_t t, std::size_t most_leaves) try {
+    trees_[t].fill(most_leaves);
+  } catch (const Tile_level_error& e) {
     for (std::size_t i = 0; i < points_.size(); ++i)
       if (tree_of_point_[i] == static_cast<std::int32_t>(t) && site_of_point_[i] == e.site())
         throw Tile_level_error(i);
@@ -173,30 +261,29 @@ private:
       vertices += tree.mesh().number_of_vertices();
       triangles += tree.mesh().number_of_triangles();
     }
-    if (vertices >= std::size_t(std::numeric_limits<std::int32_t>::max()) / 2)
-      throw std::length_error("meshes of point sets have at most 2^30 vertices before they are coarsened");
+    check_number_of_vertices(vertices);
     result.mesh.points.resize(vertices);
     triangles_.resize(triangles);
     std::size_t first_triangle = 0;
     for (std::size_t t = 0; t < trees_.size(); ++t) {
       const Tile_mesh& tiles = trees_[t].mesh();
       const std::int32_t first = first_vertex_[t];
-      for_each_index<ConcurrencyTag>(
-          tiles.number_of_vertices(),
-          [&](std::size_t v) {
-            result.mesh.points[Ring_vertex(std::size_t(first) + v)] = trees_[t].point_at(tiles.places[v]);
-          },
-          default_block / 8);
+      copy_points(trees_[t], std::size_t(first), result);
       for_each_index<ConcurrencyTag>(tiles.number_of_triangles(), [&](std::size_t i) {
         for (std::size_t k = 0; k < 3; ++k) triangles_[first_triangle + i][k] = first + tiles.triangles[i][k];
       });
       first_triangle += tiles.number_of_triangles();
     }
-    result.sites = points_;
-    result.is_placed.assign(points_.size(), 0);
-    result.vertex_of_site.resize(points_.size());
     for (std::size_t i = 0; i < points_.size(); ++i)
       result.vertex_of_site[i] = Ring_vertex(vertex(tree_of_point_[i], site_of_point_[i]));
+  }
+
+  static void copy_points(const Tree& tree, std::size_t first, Site_mesh<Geometry>& result) {
+    const Tile_mesh& tiles = tree.mesh();
+    for_each_index<ConcurrencyTag>(
+        tiles.number_of_vertices(),
+        [&](std::size_t v) { result.mesh.points[Ring_vertex(first + v)] = tree.point_at(tiles.places[v]); },
+        default_block / 8);
   }
 
   std::int32_t vertex(std::int32_t tree, std::uint32_t site) const {

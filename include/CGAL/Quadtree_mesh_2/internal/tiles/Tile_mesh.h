@@ -39,8 +39,8 @@ struct Tile_mesh {
   /// @{
   Uninitialized_vector<Tile_place> places;  ///< those in blocks are moved already
   Uninitialized_vector<std::uint8_t> sides; ///< on which it lies, as bits
-  Uninitialized_vector<std::uint8_t>
-      is_frozen; ///< 1 for interior vertices of blocks of warped and star sites
+  /// 1 for interior vertices of blocks of warped and star sites, and for those on the rim of a run of leaves
+  Uninitialized_vector<std::uint8_t> is_frozen;
   /// The instances of vertex v, its places in `leaf_vertices`, are those from `first_instance[v]` on.
   Uninitialized_vector<std::uint32_t> first_instance;
   Uninitialized_vector<std::uint32_t> instances;
@@ -68,14 +68,6 @@ struct Tile_mesh {
   /// The warped and star sites without vertex, because their blocks leave the window, are not made of equal
   /// leaves of the level asked for, or overlap.
   std::vector<std::uint32_t> broken_blocks;
-
-  /// Lets go of all but the leaves and where sites lie in them.
-  void keep_leaves() {
-    Tile_mesh kept;
-    kept.leaves = std::move(leaves);
-    kept.leaf_of_site = std::move(leaf_of_site);
-    *this = std::move(kept);
-  }
 
   std::size_t number_of_vertices() const { return places.size(); }
   std::size_t number_of_triangles() const { return triangles.size(); }

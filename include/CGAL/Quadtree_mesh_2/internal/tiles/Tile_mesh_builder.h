@@ -39,6 +39,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -124,21 +125,50 @@ Balanced_quadtree<Tile_traits, ConcurrencyTag> tile_quadtree(const Tile_sites& s
                   Quadtree_options().max_points_per_leaf(std::numeric_limits<std::size_t>::max()));
 }
 
-/// Builds the mesh of tiles of sites.
+/// Leaves in the window that follow each other in shuffle order, by their numbers.
+struct Leaf_run {
+  std::size_t begin, end;
+
+  std::size_t size() const { return end - begin; }
+  bool contains(std::size_t leaf) const { return begin <= leaf && leaf < end; }
+};
+
+/// Builds the mesh of tiles of sites, or of a run of the leaves.
 template <class ConcurrencyTag = Sequential_tag>
 class Tile_mesh_builder {
 public:
   /// \throws Tile_level_error if a site wants a leaf that would be too small, std::length_error if there are too many
   ///         vertices.
-  explicit Tile_mesh_builder(const Tile_sites& sites) : sites_(sites) { check_tile_sites(sites); }
-
-  Tile_mesh build() {
+  explicit Tile_mesh_builder(const Tile_sites& sites) : sites_(sites) {
+    check_tile_sites(sites);
     tree_ = tile_quadtree<ConcurrencyTag>(sites_);
     number_leaves();
+  }
+
+  std::size_t number_of_leaves() const { return kept_.size(); }
+  /// The number of the leaf in which a site lies.
+  std::size_t leaf_of_site(std::size_t i) const { return number_of_leaf_[tree_.leaf(Point_index(i))]; }
+  int level_of_leaf(std::size_t leaf) const { return tree_.level(Leaf_index(kept_[leaf])); }
+  Tile_place corner_of_leaf(std::size_t leaf) const {
+    const Tile_square s = tree_.square(tree_.node(Leaf_index(kept_[leaf])));
+    return {s.x, s.y};
+  }
+  /// The leaf that contains a place of the window.
+  std::size_t leaf_at(const Tile_place& p) const { return number_of_leaf_[tree_.locate(p)]; }
+  unsigned corner_bits_of_leaf(std::size_t leaf) const { return corner_bits_[leaf]; }
+
+  Tile_mesh build() { return build({0, number_of_leaves()}, all_sites()); }
+  /// The mesh of a run, whose sites are given; what it has by site is by the place in that list. Vertices that
+  /// leaves outside of the run share are frozen.
+  /// \pre the run has all leaves, or there are no blocks
+  Tile_mesh build(Leaf_run run, const std::vector<std::uint32_t>& sites_of_run) {
+    run_ = run;
+    list_leaves();
     count_parts();
     identify_vertices();
     fill_triangles();
-    find_leaves_of_sites();
+    find_leaves_of_sites(sites_of_run);
+    freeze_rim();
     move_blocks();
     return std::move(mesh_);
   }
@@ -160,17 +190,30 @@ private:
     kept_ = pack<ConcurrencyTag>(tree_.number_of_leaves(),
                                  [&](std::size_t l) { return is_in_window(tree_.node(Leaf_index(l))); });
     number_of_leaf_.assign(tree_.number_of_leaves(), outside_);
-    mesh_.leaves.resize(kept_.size());
-    mesh_.corner_bits.resize(kept_.size());
+    corner_bits_.resize(kept_.size());
     for_each_index<ConcurrencyTag>(
         kept_.size(),
         [&](std::size_t k) {
-          const Node_index v = tree_.node(Leaf_index(kept_[k]));
           number_of_leaf_[Leaf_index(kept_[k])] = static_cast<std::uint32_t>(k);
-          mesh_.leaves[k] = tree_.square(v);
-          mesh_.corner_bits[k] = static_cast<std::uint8_t>(corner_bits(v));
+          corner_bits_[k] = static_cast<std::uint8_t>(corner_bits(tree_.node(Leaf_index(kept_[k]))));
         },
         block_length_);
+  }
+
+  std::vector<std::uint32_t> all_sites() const {
+    std::vector<std::uint32_t> all(sites_.size());
+    std::iota(all.begin(), all.end(), 0u);
+    return all;
+  }
+
+  /// Those of the run.
+  void list_leaves() {
+    mesh_.leaves.resize(run_.size());
+    mesh_.corner_bits.resize(run_.size());
+    for_each_index<ConcurrencyTag>(run_.size(), [&](std::size_t k) {
+      mesh_.leaves[k] = tree_.square(tree_.node(Leaf_index(kept_[run_.begin + k])));
+      mesh_.corner_bits[k] = corner_bits_[run_.begin + k];
+    });
   }
 
   /// Tells for each corner of a leaf whether one of the squares of its size there is split.
@@ -287,13 +330,49 @@ private:
         block_length_);
   }
 
-  void find_leaves_of_sites() {
-    mesh_.leaf_of_site.resize(sites_.size());
-    mesh_.vertex_of_site.assign(sites_.size(), -1);
-    for_each_index<ConcurrencyTag>(sites_.size(), [&](std::size_t i) {
-      mesh_.leaf_of_site[i] = static_cast<std::int32_t>(number_of_leaf_[tree_.leaf(Point_index(i))]);
+  void find_leaves_of_sites(const std::vector<std::uint32_t>& sites_of_run) {
+    mesh_.leaf_of_site.resize(sites_of_run.size());
+    mesh_.vertex_of_site.assign(sites_of_run.size(), -1);
+    for_each_index<ConcurrencyTag>(sites_of_run.size(), [&](std::size_t i) {
+      mesh_.leaf_of_site[i] = static_cast<std::int32_t>(leaf_of_site(sites_of_run[i]) - run_.begin);
     });
   }
+
+  /// \name The rim of a run
+  /// @{
+
+  void freeze_rim() {
+    if (run_.size() == number_of_leaves()) return;
+    const std::vector<std::uint32_t> leaves = pack<ConcurrencyTag>(run_.size(), [&](std::size_t k) {
+      return has_neighbor_outside(tree_.node(Leaf_index(kept_[run_.begin + k])));
+    });
+    for (const std::uint32_t k : leaves)
+      for (std::size_t i = mesh_.first_vertex[k]; i < mesh_.first_vertex[k + 1]; ++i) {
+        const auto v = static_cast<std::size_t>(mesh_.leaf_vertices[i]);
+        if (mesh_.is_frozen[v] == 0 && touches_outside(mesh_.places[v])) mesh_.is_frozen[v] = 1;
+      }
+  }
+
+  bool has_neighbor_outside(Node_index v) const {
+    const Leaf_index first(kept_[run_.begin]), last(kept_[run_.end - 1]);
+    for (const Direction d : all_directions()) {
+      const Node_index n = tree_.neighbor(v, d);
+      if (!n.is_valid()) continue;
+      const auto leaves = tree_.leaves(n);
+      if (leaves.begin < first || leaves.end.value() > last.value() + 1) return true;
+    }
+    return false;
+  }
+
+  /// Whether a place is a corner, or on the side, of a leaf in the window that is not in the run.
+  bool touches_outside(const Tile_place& p) const {
+    for (const std::uint64_t x : {p.x - 1, p.x})
+      for (const std::uint64_t y : {p.y - 1, p.y})
+        if (sites_.window.contains(x, y) && !run_.contains(leaf_at({x, y}))) return true;
+    return false;
+  }
+
+  /// @}
 
   /// \name Blocks
   /// @{
@@ -318,6 +397,7 @@ private:
   }
 
   void move_blocks() {
+    if (sites_.kinds.empty()) return;
     const std::vector<std::uint32_t> blocks = pack<ConcurrencyTag>(
         sites_.size(), [&](std::size_t i) { return sites_.kind(i) != Site_kind::ON_DEMAND; });
     if (blocks.empty()) return;
@@ -384,7 +464,9 @@ private:
   const Tile_sites& sites_;
   Quadtree tree_;
   std::vector<std::uint32_t> kept_;                          // the leaves of the quadtree in the window
+  Uninitialized_vector<std::uint8_t> corner_bits_;           // of their tiles
   Indexed_vector<Leaf_index, std::uint32_t> number_of_leaf_; // their places in that list
+  Leaf_run run_{0, 0};
   Tile_mesh mesh_;
 };
 

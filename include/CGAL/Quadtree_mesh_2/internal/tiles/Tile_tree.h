@@ -64,7 +64,10 @@ public:
   void set_first_levels() {
     filler_.set_first_levels(is_of_cluster() ? Cluster_frame_2::least_level_of_site : 0);
   }
-  void fill() { filler_.fill(); }
+  void fill(std::size_t most_tiles) { filler_.fill(most_tiles); }
+  const Tile_filler<ConcurrencyTag>& filler() const { return filler_; }
+  void fill_run(std::size_t r) { filler_.fill_run(r); }
+  void let_go_of_leaves() { filler_.let_go_of_leaves(); }
   /// To be called when the mesh is copied: it has several times the memory of the tree.
   void let_go_of_mesh() { filler_.let_go_of_mesh(); }
   bool has_blocks() const { return !filler_.filling().sites.kinds.empty(); }

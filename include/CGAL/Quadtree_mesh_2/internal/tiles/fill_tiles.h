@@ -27,10 +27,12 @@
 #include <CGAL/Quadtree_mesh_2/internal/tiles/site_levels.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -74,25 +76,65 @@ public:
     });
   }
 
-  /// Builds and assigns until every site has a vertex.
+  /// Builds and assigns until every site has a vertex. With more tiles than `most_tiles` they are filled in runs
+  /// of about so many, if no site has a block; then the mesh is that of the last run.
   /// \throws std::length_error if a site gets none at any level
-  void fill() {
+  void fill(std::size_t most_tiles = std::numeric_limits<std::size_t>::max()) {
     for (;;) {
       ++filling_.number_of_rounds;
       filling_.mesh = Tile_mesh(); // lest there are two at a time
-      filling_.mesh = Tile_mesh_builder<ConcurrencyTag>(filling_.sites).build();
-      const std::vector<std::uint32_t> without_vertex =
-          Site_assignment<ConcurrencyTag>(filling_.sites, options_.spacing, filling_.mesh).assign();
-      if (without_vertex.empty() && filling_.mesh.broken_blocks.empty()) return;
-      for (const std::uint32_t i : without_vertex) split(i);
-      for (const std::uint32_t i : filling_.mesh.broken_blocks) split(i);
+      builder_.reset();
+      builder_.emplace(filling_.sites);
+      cut(most_tiles);
+      std::vector<std::uint32_t> failing;
+      for (std::size_t r = 0; r < runs_.size(); ++r) {
+        const std::vector<std::uint32_t> more = fill_run(r);
+        failing.insert(failing.end(), more.begin(), more.end());
+      }
+      if (failing.empty()) break;
+      for (const std::uint32_t i : failing) split(i);
     }
+    if (runs_.size() == 1) builder_.reset();
   }
+
+  /// \name Runs of leaves
+  /// Each begins with the same place, as often as tiles are filled.
+  /// @{
+
+  std::size_t number_of_runs() const { return runs_.size(); }
+  const std::vector<std::uint32_t>& sites_of_run(std::size_t r) const { return runs_[r].sites; }
+  /// Two numbers that grow when anything in the run changes: leaves are only ever split.
+  std::array<std::size_t, 2> state_of_run(std::size_t r) const {
+    std::size_t bits = 0;
+    const Leaf_run& leaves = runs_[r].leaves;
+    for (std::size_t k = leaves.begin; k < leaves.end; ++k) {
+      const unsigned b = builder_->corner_bits_of_leaf(k);
+      bits += (b & 1) + (b >> 1 & 1) + (b >> 2 & 1) + (b >> 3 & 1);
+    }
+    return {leaves.size(), bits};
+  }
+
+  /// Makes the mesh of a run, by whose sites it is numbered. Returns the sites that get no vertex there, or no block.
+  std::vector<std::uint32_t> fill_run(std::size_t r) {
+    filling_.mesh = Tile_mesh();
+    const std::vector<std::uint32_t>& numbers = runs_[r].sites;
+    filling_.mesh = builder_->build(runs_[r].leaves, numbers);
+    const bool is_whole = runs_.size() == 1;
+    const Tile_sites part = is_whole ? Tile_sites() : picked(numbers);
+    std::vector<std::uint32_t> failing =
+        Site_assignment<ConcurrencyTag>(is_whole ? filling_.sites : part, options_.spacing, filling_.mesh)
+            .assign();
+    const auto& broken = filling_.mesh.broken_blocks;
+    failing.insert(failing.end(), broken.begin(), broken.end());
+    for (std::uint32_t& i : failing) i = numbers[i];
+    return failing;
+  }
+
+  /// @}
 
   /// Asks for a smaller leaf of a site, when tiles are filled again.
   void split(std::size_t site) {
-    const auto& mesh = filling_.mesh;
-    const int level = mesh.leaves[static_cast<std::size_t>(mesh.leaf_of_site[site])].level;
+    const int level = leaf_levels_[site];
     const bool has_block = filling_.sites.kind(site) != Site_kind::ON_DEMAND;
     raise(site, has_block ? std::max(filling_.sites.levels[site] + 1, level) : level + 1);
     raise(site, level_for(site, hopeless_));
@@ -117,8 +159,12 @@ public:
   bool is_certified(std::size_t site) const { return filling_.sites.kind(site) == Site_kind::WARPED; }
 
   const Tile_filling& filling() const { return filling_; }
-  /// Lets go of the mesh but for what `split()` looks at.
-  void let_go_of_mesh() { filling_.mesh.keep_leaves(); }
+  void let_go_of_mesh() { filling_.mesh = Tile_mesh(); }
+  /// No run can be made any more.
+  void let_go_of_leaves() {
+    let_go_of_mesh();
+    builder_.reset();
+  }
   Tile_filling result() { return std::move(filling_); }
 
 private:
@@ -126,6 +172,40 @@ private:
   /// vertex for both.
   static constexpr double hopeless_ = 2;
   static constexpr double certified_sides_per_distance_ = 0.1178; // 1 / (6 sqrt(2))
+
+  struct Run {
+    Leaf_run leaves;
+    std::vector<std::uint32_t> sites;
+  };
+
+  /// Cuts the leaves into runs, where they were cut before; and finds what runs and levels sites are in.
+  void cut(std::size_t most_tiles) {
+    const std::size_t n = builder_->number_of_leaves();
+    if (filling_.number_of_rounds == 1) {
+      const std::size_t count = n / most_tiles + 1;
+      for (std::size_t r = 1; r < count; ++r) cuts_.push_back(builder_->corner_of_leaf(n * r / count));
+    }
+    if (!filling_.sites.kinds.empty()) cuts_.clear();
+    std::vector<std::size_t> ends;
+    for (const Tile_place& p : cuts_) ends.push_back(builder_->leaf_at(p));
+    ends.push_back(n);
+    runs_.assign(ends.size(), {});
+    for (std::size_t r = 0; r < ends.size(); ++r) runs_[r].leaves = {r == 0 ? 0 : ends[r - 1], ends[r]};
+    leaf_levels_.resize(filling_.sites.size());
+    for (std::size_t i = 0; i < filling_.sites.size(); ++i) {
+      const std::size_t leaf = builder_->leaf_of_site(i);
+      leaf_levels_[i] = static_cast<std::uint8_t>(builder_->level_of_leaf(leaf));
+      const auto end = std::upper_bound(ends.begin(), ends.end(), leaf);
+      runs_[static_cast<std::size_t>(end - ends.begin())].sites.push_back(static_cast<std::uint32_t>(i));
+    }
+  }
+
+  Tile_sites picked(const std::vector<std::uint32_t>& numbers) const {
+    Tile_sites result;
+    result.window = filling_.sites.window;
+    for (const std::uint32_t i : numbers) result.places.push_back(filling_.sites.places[i]);
+    return result;
+  }
 
   void raise(std::size_t site, int level) {
     filling_.sites.levels[site] = std::max(filling_.sites.levels[site], level);
@@ -138,6 +218,10 @@ private:
 
   Tile_options options_;
   Tile_filling filling_;
+  std::optional<Tile_mesh_builder<ConcurrencyTag>> builder_; // as long as there are runs to be made
+  std::vector<Tile_place> cuts_;                             // where runs begin but the first
+  std::vector<Run> runs_;
+  std::vector<std::uint8_t> leaf_levels_; // by site
   std::vector<double> distances_; // by site
 };
 
