@@ -71,7 +71,8 @@ bool is_at_uncut_leg(const Meshing_state<Geometry>& state, Triangle_id t) {
       if (!is_uncut(state, uncut)) continue;
       for (const Vertex_id v : state.mesh.triangle(t).v)
         for (const Leg_id l : corner.legs)
-          if (v == state.corners.leg(l).apex_vertex || state.edges.is_on(state.mesh, v, state.corners.leg(l).edge))
+          if (v == state.corners.leg(l).apex_vertex ||
+              state.edges.is_on(state.mesh, v, state.corners.leg(l).edge))
             return true;
     }
   return false;

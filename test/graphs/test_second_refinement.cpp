@@ -9,7 +9,7 @@
 #include "catch.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Quadtree_mesh_2/internal/refinement/Second_refinement.h>
+#include <CGAL/Quadtree_mesh_2/internal/thinning/Second_refinement.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Domain_rule.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/First_triangulation.h>
 #include <CGAL/tags.h>

@@ -11,7 +11,7 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Refiner.h>
-#include <CGAL/Quadtree_mesh_2/internal/refinement/Star_thinner.h>
+#include <CGAL/Quadtree_mesh_2/internal/thinning/Star_thinner.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Domain_rule.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/First_triangulation.h>
 #include <CGAL/tags.h>

@@ -17,7 +17,8 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-/// Does what `values.reserve(capacity)` does. The values are moved by all threads, which touch the pages that they write.
+/// Does what `values.reserve(capacity)` does. The values are moved by all threads, which touch the pages that they
+/// write.
 /// \tparam Vector one whose `resize()` does not write
 template <class Vector>
 void reserve_in_parallel(Vector& values, std::size_t capacity) {

@@ -10,12 +10,12 @@
 //           own. Bad triangles that need something beyond a seam wait, and so do vertices at seams.
 // Round 2   cuts the surroundings of the seams and of waiting triangles, by squares that are shifted, and treats these
 //           blocks in the same way.
-// Round r   takes the triangles that still wait, with r - 1 rings around them, and the whole of the acute corners that
-//           they may wait for. From the fourth on, blocks are four times as large as in the round before, so in the end
-//           there is one.
+// Round r   takes the triangles that still wait, with r - 1 rings around them, and the whole of the acute corners
+//           that they may wait for. From the fourth on, blocks are four times as large as in the round before, so in
+//           the end there is one.
 //
-// Rounds end when nothing waits, or no less after several rounds of one block: for that there is no room, or it is at an
-// acute corner of which a leg could not be cut. The caller decides in the whole mesh.
+// Rounds end when nothing waits, or no less after several rounds of one block. What waits then has no room, or is at
+// an acute corner of which a leg could not be cut. The caller decides in the whole mesh.
 // How blocks are cut does not depend on the number of threads, and neither does the result. O(n) work in addition to
 // refinement. A round takes time for its zone, and some bytes for each triangle of the mesh.
 

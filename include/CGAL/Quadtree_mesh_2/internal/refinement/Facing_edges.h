@@ -50,8 +50,8 @@ public:
     if (later.worst_.triangles > worst_.triangles) worst_ = later.worst_;
   }
 
-  /// Where the sector at v[k] of a triangle begins that has side k narrow: at the slot whose side before is constrained,
-  /// or, if the whole star of the vertex is one sector, at that of the triangle that the mesh knows there.
+  /// Where the sector at v[k] of a triangle begins that has side k narrow: at the slot whose side before is
+  /// constrained, or, if the whole star of the vertex is one sector, at that of the triangle that the mesh knows there.
   static Side start_of_sector(const Kernel_mesh<Geometry>& mesh, Side narrow) {
     Triangle_id t = narrow.triangle();
     int k = narrow.slot();

@@ -95,8 +95,8 @@ private:
 
   std::array<Triangle_id, number_of_levels_> first_;
   Uninitialized_indexed_vector<Triangle_id, Triangle_id> next_; // on the list of its level
-  std::array<std::uint32_t, number_of_levels_ / 32> in_use_{}; // a bit for each level
-  std::uint32_t words_in_use_ = 0;                             // a bit for each word of them
+  std::array<std::uint32_t, number_of_levels_ / 32> in_use_{};  // a bit for each level
+  std::uint32_t words_in_use_ = 0;                              // a bit for each word of them
   std::priority_queue<By_length, std::vector<By_length>, std::greater<By_length>> by_length_;
   std::size_t number_pushed_ = 0; // by length
   int level_of_popped_ = 0;

@@ -222,7 +222,7 @@ private:
   std::vector<Tile_place> cuts_;                             // where runs begin but the first
   std::vector<Run> runs_;
   std::vector<std::uint8_t> leaf_levels_; // by site
-  std::vector<double> distances_; // by site
+  std::vector<double> distances_;         // by site
 };
 
 /// Makes a mesh of tiles with a vertex for each site. The levels of warped and star sites are kept where their

@@ -51,8 +51,8 @@ struct Block_sizes {
 /// Triangles by block.
 using Block_cut = Groups<Triangle_id>;
 
-/// Cuts the given triangles, a vector, into blocks of about `block_size`, by the places of the middles of their shortest
-/// edges.
+/// Cuts the given triangles, a vector, into blocks of about `block_size`, by the places of the middles of their
+/// shortest edges.
 template <class ConcurrencyTag, class Geometry, class Triangles>
 Block_cut cut_by_position(const Kernel_mesh<Geometry>& mesh, const Triangles& triangles,
                           std::size_t block_size, Square_shift shift) {

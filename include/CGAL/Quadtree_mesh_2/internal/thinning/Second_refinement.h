@@ -16,14 +16,14 @@
 // Bound:    about as much time as the first refinement. It is given up at a quarter more triangles than the mesh has,
 //           and a few, because removal takes some away.
 
-#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_SECOND_REFINEMENT_H
-#define CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_SECOND_REFINEMENT_H
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_THINNING_SECOND_REFINEMENT_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_THINNING_SECOND_REFINEMENT_H
 
-#include <CGAL/Quadtree_mesh_2/internal/refinement/Mesh_snapshot.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Refiner.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Remover.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Splitter.h>
+#include <CGAL/Quadtree_mesh_2/internal/thinning/Mesh_snapshot.h>
 
 #include <cstddef>
 #include <optional>
@@ -91,4 +91,4 @@ private:
 } // namespace Quadtree_mesh_2
 } // namespace CGAL
 
-#endif // CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_SECOND_REFINEMENT_H
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_THINNING_SECOND_REFINEMENT_H

@@ -13,14 +13,14 @@
 // about one percent in the second. A round that does not come to rest, or ends with more triangles, is
 // undone. O(k) expected for k triangles.
 
-#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_THINNER_H
-#define CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_THINNER_H
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_THINNING_THINNER_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_THINNING_THINNER_H
 
-#include <CGAL/Quadtree_mesh_2/internal/refinement/Mesh_snapshot.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Refiner.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Remover.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Splitter.h>
+#include <CGAL/Quadtree_mesh_2/internal/thinning/Mesh_snapshot.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -95,4 +95,4 @@ private:
 } // namespace Quadtree_mesh_2
 } // namespace CGAL
 
-#endif // CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_THINNER_H
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_THINNING_THINNER_H

@@ -4,8 +4,8 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 
-#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_MESH_SNAPSHOT_H
-#define CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_MESH_SNAPSHOT_H
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_THINNING_MESH_SNAPSHOT_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_THINNING_MESH_SNAPSHOT_H
 
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
 
@@ -44,4 +44,4 @@ private:
 } // namespace Quadtree_mesh_2
 } // namespace CGAL
 
-#endif // CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_MESH_SNAPSHOT_H
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_THINNING_MESH_SNAPSHOT_H

@@ -16,8 +16,8 @@
 // the mesh has fewer triangles, so this ends. On small graphs 2 percent of the triangles go at 20.7 degrees, and 10 at
 // 30. A trial is O(n) for n triangles, which are copied; nearly all of its time is that of the few that it changes.
 
-#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_STAR_THINNER_H
-#define CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_STAR_THINNER_H
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_THINNING_STAR_THINNER_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_THINNING_STAR_THINNER_H
 
 #include <CGAL/Quadtree_mesh_2/internal/base/Progress.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
@@ -180,4 +180,4 @@ private:
 } // namespace Quadtree_mesh_2
 } // namespace CGAL
 
-#endif // CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_STAR_THINNER_H
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_THINNING_STAR_THINNER_H

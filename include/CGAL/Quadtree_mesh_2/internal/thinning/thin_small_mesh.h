@@ -11,15 +11,15 @@
 // which makes other rooms, and whenever one of them helps it begins again. Each trial costs as much as refinement.
 // There are at most 28, and 2 where nothing helps. At last it is thinned star by star (Star_thinner.h).
 
-#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_THIN_SMALL_MESH_H
-#define CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_THIN_SMALL_MESH_H
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_THINNING_THIN_SMALL_MESH_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_THINNING_THIN_SMALL_MESH_H
 
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Remover.h>
-#include <CGAL/Quadtree_mesh_2/internal/refinement/Second_refinement.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Smoother.h>
-#include <CGAL/Quadtree_mesh_2/internal/refinement/Star_thinner.h>
-#include <CGAL/Quadtree_mesh_2/internal/refinement/Thinner.h>
+#include <CGAL/Quadtree_mesh_2/internal/thinning/Second_refinement.h>
+#include <CGAL/Quadtree_mesh_2/internal/thinning/Star_thinner.h>
+#include <CGAL/Quadtree_mesh_2/internal/thinning/Thinner.h>
 
 #include <cstddef>
 
@@ -66,4 +66,4 @@ bool thin_small_mesh(Meshing_state<Geometry>& state, Second_refinement<Geometry>
 } // namespace Quadtree_mesh_2
 } // namespace CGAL
 
-#endif // CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_THIN_SMALL_MESH_H
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_THINNING_THIN_SMALL_MESH_H
