@@ -45,6 +45,9 @@ namespace internal {
 constexpr double lopped_factor = 1.6;
 /// An exempt triangle keeps this share of its sector's angle.
 constexpr double exempt_share = 0.9;
+/// Radii of a shell on several legs come from one number, so they are the same to units in the last place. Other shells
+/// may be nearly as near, if features beside a leg's end are as small as the distance between legs there.
+constexpr double same_radius = 0x1p-50;
 
 using Leg_id = Index<struct Leg_tag>;
 using Sector_id = Index<struct Sector_tag>;
@@ -169,6 +172,20 @@ public:
     if (!e.is_valid()) return {};
     const Input_edge& edge = (*edges_)[e];
     return edge.a == apex ? legs_of_edge[e][0] : edge.b == apex ? legs_of_edge[e][1] : Leg_id();
+  }
+
+  /// The vertex of a leg at the radius of a shell or of the ring, if the mesh has one there.
+  Vertex_id vertex_at(const Mesh& mesh, Leg_id l, const Number& radius) const {
+    using std::fabs;
+    const Leg& at = leg(l);
+    if (radius == corner(at.corner).radius)
+      return at.ring.is_valid() && mesh.is_used(at.ring) ? at.ring : Vertex_id();
+    const Number tolerance = same_radius * radius;
+    for (auto s = at.shells.from(radius - 2 * tolerance); s != at.shells.end(); ++s) {
+      if (s->first > radius + 2 * tolerance) break;
+      if (fabs(s->first - radius) <= tolerance && mesh.is_used(s->second)) return s->second;
+    }
+    return {};
   }
 
   /// The lopped sector whose two legs carry a, b and c (the apex lies on both), if there is one.

@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -48,15 +49,22 @@ public:
     return owned;
   }
 
-  /// Appends the triangles of the corners for which a triangle may wait: those on whose legs it has a vertex.
-  void append_triangles_of_corners_at(Triangle_id t, std::vector<Triangle_id>& triangles) const {
-    const auto append = [&](Triangle_id u) {
-      triangles.push_back(u);
+  /// The triangles of the corners for which waiting triangles may wait: those on whose legs they have a vertex. Each
+  /// corner is visited once, however many triangles wait at it.
+  std::vector<Triangle_id> triangles_of_corners_at(const std::vector<Triangle_id>& waiting) const {
+    std::vector<Triangle_id> triangles;
+    Indexed_vector<Corner_id, char> is_visited(corners_.corners.size(), 0);
+    const auto append = [&](Triangle_id t) {
+      triangles.push_back(t);
       return true;
     };
-    for (const Vertex_id v : whole_.mesh.triangle(t).v)
-      if (corners_.is_on_leg(whole_.mesh, v))
-        for_each_corner_at(v, [&](Corner_id c) { visit(corners_.corner(c), append); });
+    const auto visit_once = [&](Corner_id c) {
+      if (std::exchange(is_visited[c], char(1)) == 0) visit(corners_.corner(c), append);
+    };
+    for (const Triangle_id t : waiting)
+      for (const Vertex_id v : whole_.mesh.triangle(t).v)
+        if (corners_.is_on_leg(whole_.mesh, v)) for_each_corner_at(v, visit_once);
+    return triangles;
   }
 
 private:
@@ -126,14 +134,8 @@ private:
   template <class Function>
   bool visit_chord(const Sector& sector, const Function& f) const {
     if (sector.lock_radius <= 0) return true;
-    constexpr double same_radius = 1e-9; // of the radius: shells of other radii are much further apart
-    const auto at_lock = [&](Leg_id l) {
-      using std::fabs;
-      for (const auto& [radius, v] : corners_.leg(l).shells)
-        if (fabs(radius - sector.lock_radius) <= same_radius * sector.lock_radius) return v;
-      return corners_.leg(l).ring;
-    };
-    const Vertex_id x = at_lock(sector.right), y = at_lock(sector.left);
+    const Vertex_id x = corners_.vertex_at(whole_.mesh, sector.right, sector.lock_radius),
+                    y = corners_.vertex_at(whole_.mesh, sector.left, sector.lock_radius);
     return !x.is_valid() || !y.is_valid() || x == y || visit_side(x, y, f);
   }
 };

@@ -123,10 +123,6 @@ private:
   /// New shells next to the apex lie at this share of the innermost radius. Their ratio, 1.67, leaves room
   /// for ring vertices that are not quite matched (Acute_corners.h).
   static constexpr double innermost_share = 0.6;
-  /// Radii of a shell on several legs come from one number, so they are the same to units in the last place.
-  /// Other shells may be nearly as near, if features beside a leg's end are as small as the distance between
-  /// legs there.
-  static constexpr double same_radius = 0x1p-50;
   /// Shells nearer to each other than this share of the distance between two legs are not matched there. Copies of a
   /// feature at one leg's end would find features, and corners without room, at the same radius on other legs.
   static constexpr double least_share_of_chord = 0x1p-5;
@@ -327,18 +323,7 @@ private:
     return 0;
   }
 
-  Vertex_id vertex_at(Leg_id l, Number radius) const {
-    using std::fabs;
-    const Leg& leg = corners_.leg(l);
-    if (radius == corners_.corner(leg.corner).radius)
-      return leg.ring.is_valid() && mesh_.is_used(leg.ring) ? leg.ring : Vertex_id();
-    const Number tolerance = same_radius * radius;
-    for (auto s = leg.shells.from(radius - 2 * tolerance); s != leg.shells.end(); ++s) {
-      if (s->first > radius + 2 * tolerance) break;
-      if (fabs(s->first - radius) <= tolerance && mesh_.is_used(s->second)) return s->second;
-    }
-    return {};
-  }
+  Vertex_id vertex_at(Leg_id l, const Number& radius) const { return corners_.vertex_at(mesh_, l, radius); }
 
   Number shell_below(Sector_id s, Number radius) const {
     const Number below = shell_below_on_both(corners_.sector(s), radius);

@@ -281,6 +281,7 @@ private:
     for (const Triangle_id t : mesh.triangles.ids()) {
       const Triangle_id w = whole_triangle(t);
       if (!mesh.is_alive(t)) {
+        whole.triangle(w) = {}; // passes over all triangles read it, ahead of asking whether it is alive
         dead_.push_back(w);
         continue;
       }
