@@ -115,6 +115,12 @@ TEST_CASE("Inputs of test/data are meshed to the bound in tiny blocks", "[mesher
   mesh_in_tiny_blocks(read(name), Options());
 }
 
+TEST_CASE("Corners between whose legs vertices were removed are meshed in tiny blocks", "[mesher]") {
+  const double angle = GENERATE(20.7, 30.0), area = GENERATE(0.03, 0.01);
+  CAPTURE(angle, area);
+  mesh_in_tiny_blocks(read("star_of_72_spikes.poly"), Options().min_angle(angle).max_area(area));
+}
+
 TEST_CASE("Random hard inputs are meshed to the bound in tiny blocks", "[mesher]") {
   for (const random_pslg::Family& family : random_pslg::all_families())
     for (std::uint64_t seed = 0; seed < 10; ++seed) {
