@@ -50,7 +50,7 @@ inline void check_number_of_vertices(std::size_t n) {
 /// Sizes of runs of leaves. Tests specialize it for tags of their own, to have runs in small meshes.
 template <class ConcurrencyTag>
 struct Tile_run_sizes {
-  static constexpr std::size_t leaves = std::size_t(1) << 17;
+  static constexpr std::size_t leaves = std::size_t(1) << 18;
 };
 
 /// A mesh of a run of leaves.
