@@ -17,6 +17,8 @@
 // Trees are filled anew if some points turn out to need smaller leaves. A point that fails several times gets
 // a block of leaves for itself. The block is so small that the warp of warp_table.h provably keeps [37.5,
 // 78.6]. So this ends, at the latest when all points have such a block.
+//
+// If there is one tree with many leaves, it gives the mesh of one run of leaves after the other (Site_mesh_parts.h).
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_TILES_TILE_FOREST_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_TILES_TILE_FOREST_H
