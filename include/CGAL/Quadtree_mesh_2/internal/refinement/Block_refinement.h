@@ -133,9 +133,7 @@ private:
   Block_cut cut_of_zone(int round) const {
     Triangle_zone<ConcurrencyTag, Geometry> zone(whole_.mesh);
     zone.add(waiting_);
-    std::vector<Triangle_id> of_corners;
-    for (const Triangle_id t : waiting_) corner_places_.append_triangles_of_corners_at(t, of_corners);
-    zone.add(of_corners);
+    zone.add(corner_places_.triangles_of_corners_at(waiting_));
     if (round == 2) zone.add(at_seams_);
     constexpr int most_rings = 8;
     zone.grow(std::max(2, std::min(round - 1, most_rings)));
