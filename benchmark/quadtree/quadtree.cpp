@@ -78,7 +78,7 @@ void print_preface(const Settings& settings) {
       settings.repetitions, settings.limits.seconds / 4.0, CGAL_VERSION_STR, quadtree_cgal::max_depth);
   std::printf(quadtree_p4est::methods().empty()
                   ? "p4est was not found by CMake: no figures of it.\n"
-                  : "p4est has our root, sorts without indices, knows no points afterwards and ends at level "
+                  : "p4est has our root, sorts without indices, knows no points afterward and ends at level "
                     "29.\n");
 }
 

@@ -27,7 +27,7 @@ struct Point_set_mesh_report_2 {
   /// Seconds by phase.
   struct Seconds {
     double quadtree = 0; ///< including the tiles
-    double separate = 0; ///< vertices moved to the points, relaxation and repair
+    double separate = 0; ///< vertices moved to the points, relaxation and repair; the tiles of parts
     double coarsen = 0;  ///< vertices removed
     double convert = 0;  ///< to Indexed_mesh_2
   };

@@ -110,8 +110,8 @@ public:
 
   /// Rounds of thinning; 0 by default. A round removes vertices even if angles then miss the bound, and
   /// refines these again. On maps the first round gives 3 to 4 percent fewer triangles and the second one
-  /// percent, each for about the time of refinement. Meshes of up to 1000 triangles are thinned and smoothed
-  /// in any case, unless `coarsen()` is `NONE`.
+  /// percent, each for about the time of refinement. Meshes of up to 1000 triangles are refined a second time,
+  /// thinned and smoothed in any case, unless `coarsen()` is `NONE`.
   Quality_mesh_options_2& thin(int value) { return thin_ = value, *this; }
   int thin() const { return thin_; } ///< the value set
 

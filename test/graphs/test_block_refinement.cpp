@@ -7,6 +7,7 @@
 // Rounds of blocks: they end with nothing that waits, and their zones are what they are said to be.
 
 #include "catch.h"
+#include "graph_state.h"
 #include "random_pslg_shapes.h"
 #include "tiny_blocks.h"
 
@@ -15,11 +16,10 @@
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Block_refinement.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Corner_finder.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Size_estimate.h>
-#include <CGAL/Quadtree_mesh_2/internal/triangulation/Domain_rule.h>
-#include <CGAL/Quadtree_mesh_2/internal/triangulation/First_triangulation.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Triangle_zone.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <set>
@@ -32,7 +32,6 @@ namespace {
 using namespace CGAL::Quadtree_mesh_2::internal;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Geometry = Double_geometry_2<Kernel>;
-using First = First_triangulation<CGAL::Sequential_tag, Geometry>;
 
 /// A graph up to refinement.
 struct Prepared {
@@ -43,14 +42,9 @@ struct Prepared {
   explicit Prepared(const Pslg& pslg) {
     std::vector<Geometry::Point> points;
     for (const auto& p : pslg.vertices) points.push_back({p.x(), p.y()});
-    std::vector<First::Segment> segments;
-    for (const auto& [a, b] : pslg.segments) segments.push_back({Vertex_id(a.value()), Vertex_id(b.value())});
-    First first(state.mesh, points);
-    REQUIRE_FALSE(first.run(segments));
-    problem.edges = Input_edges(first.take_edges(), points.size());
-    problem.edges.repeat(first.repeated_edges());
-    problem.input_points.assign(points.begin(), points.end());
-    problem.set_outside(Domain_rule<Geometry>().apply(state.mesh, First::number_of_auxiliary_vertices));
+    std::vector<std::array<std::size_t, 2>> segments;
+    for (const auto& [a, b] : pslg.segments) segments.push_back({std::size_t(a), std::size_t(b)});
+    graph_state_test::triangulate(points, segments, problem, state);
     problem.bounds = Bounds<Geometry>(20.7 * radians_per_degree, 0, 0);
     Size_estimate<Geometry> estimate(state, CGAL::Sequential_tag());
     Corner_finder<CGAL::Sequential_tag, Geometry>(state, estimate.take_acute_starts()).run();

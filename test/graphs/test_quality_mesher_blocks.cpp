@@ -23,6 +23,7 @@
 #endif
 
 #include <atomic>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -78,20 +79,42 @@ Pslg rows_of_points(std::size_t rows, std::size_t columns) {
   return pslg;
 }
 
-} // namespace
+Point inside_triangle(const Mesh& mesh, std::size_t t) {
+  const auto& v = mesh.triangles[t];
+  return CGAL::centroid(mesh.point(v[0]), mesh.point(v[1]), mesh.point(v[2]));
+}
 
-TEST_CASE("A map is meshed to the same bits with any number of threads", "[mesher][parallel]") {
-  const double angle = GENERATE(20.7, 28.0);
-  const Pslg pslg = read("gshhg_norway_f.poly.gz");
-  const Options options = Options().min_angle(angle);
+/// Checks that meshes have the same bits with any number of threads.
+void check_threads(const Pslg& pslg, const Options& options) {
   const Mesh sequential = Mesher_of<CGAL::Sequential_tag>(options)(pslg);
   for (std::size_t threads : {1u, 2u, 4u}) {
-    CAPTURE(angle, threads);
+    CAPTURE(options.min_angle(), threads);
 #ifdef CGAL_LINKED_WITH_TBB
     tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
 #endif
     CHECK(are_same(Mesher_of<CGAL::Parallel_tag>(options)(pslg), sequential));
   }
+}
+
+} // namespace
+
+TEST_CASE("A map is meshed to the same bits with any number of threads", "[mesher][parallel]") {
+  check_threads(read("gshhg_norway_f.poly.gz"), Options().min_angle(GENERATE(20.7, 28.0)));
+}
+
+TEST_CASE("A bulk of squares has the same bits with any number of threads", "[mesher][parallel]") {
+  Pslg pslg = read("us_states_10m.poly.gz");
+  const auto box = CGAL::bounding_box(pslg.vertices.begin(), pslg.vertices.end());
+  const double area = box.area(), side = std::sqrt(area);
+  Pslg::Region region;
+  region.point = inside_triangle(CGAL::Quality_mesher_2<>()(pslg), 0);
+  region.max_area = area / 2e5;
+  pslg.regions.push_back(region);
+  const double angle = GENERATE(20.7, 28.0); // without centers, and with
+  check_threads(pslg, Options().min_angle(angle).max_area(area / 5e4));
+  const double middle = (box.xmin() + box.xmax()) / 2;
+  check_threads(pslg, Options().min_angle(angle).size(
+                          [&](double x, double) { return side / (x < middle ? 60 : 240); }));
 }
 
 TEST_CASE("The map's mesh in words is the same with any number of threads", "[mesher][parallel]") {
@@ -134,8 +157,7 @@ TEST_CASE("Regions, bounds of size and rules of domain hold across seams", "[mes
   const Mesh plain = CGAL::Quality_mesher_2<>()(pslg);
   Pslg::Region region;
   for (std::size_t r = 0; r < 3; ++r) {
-    const auto& t = plain.triangles[r * 9970];
-    region.point = CGAL::centroid(plain.point(t[0]), plain.point(t[1]), plain.point(t[2]));
+    region.point = inside_triangle(plain, r * 9970);
     region.attribute = double(r);
     pslg.regions.push_back(region);
   }

@@ -3,17 +3,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Author(s)     : The Quadtree_mesh_2 authors
+//
 // A second refinement of a small graph: the mesh that is kept is within the bound and the smaller one, and what was
 // there is put back where the second one does not help.
 
 #include "catch.h"
+#include "graph_state.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Quadtree_mesh_2/internal/thinning/Second_refinement.h>
-#include <CGAL/Quadtree_mesh_2/internal/triangulation/Domain_rule.h>
-#include <CGAL/Quadtree_mesh_2/internal/triangulation/First_triangulation.h>
-#include <CGAL/tags.h>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -24,8 +24,9 @@ namespace {
 
 namespace internal = CGAL::Quadtree_mesh_2::internal;
 using Geometry = internal::Double_geometry_2<CGAL::Exact_predicates_inexact_constructions_kernel>;
-using First = internal::First_triangulation<CGAL::Sequential_tag, Geometry>;
-using internal::Vertex_id;
+using graph_state_test::append_loop;
+using graph_state_test::refine;
+using graph_state_test::triangulate;
 
 constexpr auto go_on = [] { return true; };
 
@@ -35,36 +36,13 @@ void make_squares(double side, internal::Meshing_problem<Geometry>& problem,
   const double low = 0.45, high = low + side;
   const std::vector<Geometry::Point> points{{0, 0},     {1, 0},      {1, 1},       {0, 1},
                                             {low, low}, {high, low}, {high, high}, {low, high}};
-  std::vector<First::Segment> segments;
-  for (const std::size_t begin : {0, 4})
-    for (std::size_t i = 0; i < 4; ++i)
-      segments.push_back({Vertex_id(begin + i), Vertex_id(begin + (i + 1) % 4)});
-  First first(state.mesh, points);
-  REQUIRE_FALSE(first.run(segments));
-  problem.edges = internal::Input_edges(first.edges(), points.size());
-  problem.input_points = points;
-  problem.set_outside(
-      internal::Domain_rule<Geometry>().apply(state.mesh, First::number_of_auxiliary_vertices));
-  problem.corners.prepare(problem.edges, points.size());
-}
-
-void refine(internal::Meshing_state<Geometry>& state) {
-  internal::Splitter<Geometry> splitter(state);
-  internal::Refiner<Geometry> refiner(state, splitter);
-  refiner.push_all();
-  REQUIRE(refiner.run({100000}, go_on) == internal::Refinement_end::DONE);
+  std::vector<std::array<std::size_t, 2>> segments;
+  append_loop(segments, 0, 4), append_loop(segments, 4, 8);
+  triangulate(points, segments, problem, state);
 }
 
 void check_mesh(const internal::Meshing_state<Geometry>& state) {
-  double area2 = 0;
-  for (const internal::Triangle_id t : state.mesh.triangles.ids()) {
-    if (!state.mesh.is_alive(t)) continue;
-    const auto shape = state.mesh.shape(state.mesh.triangle(t));
-    CHECK(shape.area2 > 0);
-    CHECK_FALSE(state.is_bad(t));
-    area2 += shape.area2;
-  }
-  CHECK(area2 == Approx(2));
+  graph_state_test::check_mesh(state, 1);
   CHECK(state.worklist.is_empty());
   CHECK(state.refinement_rule == internal::Refinement_rule::CORNERS);
 }

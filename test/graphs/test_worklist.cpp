@@ -4,7 +4,7 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 
-// The list of bad triangles against a set of what stands in it: all come out, once each, the sharpest first.
+// The list of bad triangles against a set of what stands in it: all come out, the sharpest or the shortest first.
 
 #include "catch.h"
 #include "random_pslg.h"
@@ -13,7 +13,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <map>

@@ -7,6 +7,7 @@
 // The work of filling the bulk and of refining what is left, counted in predicates.
 
 #include "catch.h"
+#include "graph_state.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
@@ -14,9 +15,8 @@
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Refiner.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Size_estimate.h>
 #include <CGAL/Quadtree_mesh_2/internal/squares/Bulk_filler.h>
-#include <CGAL/Quadtree_mesh_2/internal/triangulation/Domain_rule.h>
-#include <CGAL/Quadtree_mesh_2/internal/triangulation/First_triangulation.h>
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -64,21 +64,15 @@ namespace {
 using namespace CGAL::Quadtree_mesh_2::internal;
 using Geometry = Double_geometry_2<Counting_kernel>;
 using Point = Geometry::Point;
-using First = First_triangulation<CGAL::Sequential_tag, Geometry>;
 
 /// Meshes the inside of a polygon with a bound of area, which makes a bulk.
 /// \returns the predicates asked for each triangle
 double predicates_per_triangle(const std::vector<Point>& polygon, double area) {
   Meshing_problem<Geometry> problem;
   Meshing_state<Geometry> state(problem);
-  std::vector<First::Segment> segments;
-  for (std::size_t v = 0; v < polygon.size(); ++v)
-    segments.push_back({Vertex_id(v), Vertex_id((v + 1) % polygon.size())});
-  First first(state.mesh, polygon);
-  REQUIRE(!first.run(segments));
-  problem.edges = Input_edges(first.edges(), polygon.size());
-  problem.input_points.assign(polygon.begin(), polygon.end());
-  problem.set_outside(Domain_rule<Geometry>().apply(state.mesh, First::number_of_auxiliary_vertices));
+  std::vector<std::array<std::size_t, 2>> segments;
+  graph_state_test::append_loop(segments, 0, polygon.size());
+  graph_state_test::triangulate(polygon, segments, problem, state);
   problem.bounds = Bounds<Geometry>(20.7 * radians_per_degree, area, 0);
   Size_estimate<Geometry> estimate(state, CGAL::Sequential_tag());
   Corner_finder<CGAL::Sequential_tag, Geometry>(state, estimate.take_acute_starts()).run();

@@ -19,12 +19,9 @@
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Separation_trees.h>
 #include <CGAL/Quality_mesher_2.h>
 
-#include <array>
 #include <cstddef>
-#include <numeric>
 #include <optional>
 #include <stdexcept>
-#include <utility>
 #include <vector>
 
 namespace separation_test {

@@ -12,8 +12,8 @@
 //   -> bounds in the kernel's coordinates; an estimate of the size, refused if it is beyond the budget
 //   -> acute corners found (section 6)
 //   -> refinement on demand: legs cut, lopped sectors locked; the bulk filled with squares where bounds of size rule
-//      (Bulk_filler.h); blocks, then what is left at their seams
-//   -> guarded removal, smoothing, thinning
+//      (Bulk_filler.h); rounds of blocks (Block_refinement.h), then what they leave
+//   -> guarded removal, smoothing; small meshes are refined a second time (thin_small_mesh.h); thinning
 //   -> exact constrained Delaunay flips
 //   -> flat arrays in the user's coordinates and vertex order
 //
@@ -69,6 +69,7 @@
 #include <optional>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 namespace CGAL {

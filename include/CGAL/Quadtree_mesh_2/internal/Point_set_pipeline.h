@@ -88,6 +88,8 @@ private:
   using Forest = Tile_forest<ConcurrencyTag, Geometry>;
   using Parts = Site_mesh_parts<ConcurrencyTag, Geometry>;
   static constexpr double largest_acute_angle = 89.5;
+  /// Of coarsening, if there are parts; the rest is at their rims.
+  static constexpr double share_of_parts_ = 0.8;
 
   const std::vector<Point_2>& points_;
   const Point_set_mesh_options_2& options_;
@@ -105,7 +107,7 @@ private:
     const Angle_range range(least, largest);
     Forest forest = plant(distinct.points(), tile_options(least, largest));
     Site_mesh<Geometry> mesh = separate(forest, distinct, range);
-    coarsen(mesh, range, {0, 1});
+    coarsen(mesh, range, {forest.number_of_runs() > 1 ? share_of_parts_ : 0, 1});
     clock_.enter(&Seconds::convert);
     report_.certified_points = forest.number_of_certified_points();
     return Site_mesh_converter<Traits, ConcurrencyTag>(mesh, points_, distinct, map, least, largest, is_acute,
@@ -171,7 +173,7 @@ private:
       Site_mesh<Geometry> mesh;
       std::vector<std::size_t> to_blame;
       if (forest.number_of_runs() == 1)
-        mesh = forest.mesh();
+        parts = Parts(), mesh = forest.mesh();
       else
         to_blame = make_parts(forest, parts, range);
       if (to_blame.empty()) {
@@ -196,8 +198,8 @@ private:
     clock_.enter(&Seconds::separate);
     const std::vector<std::size_t> to_blame =
         parts.make(forest, range, [&](Site_mesh<Geometry>& mesh, std::size_t r) {
-          const double n = static_cast<double>(forest.number_of_runs());
-          coarsen(mesh, range, {static_cast<double>(r) / n, static_cast<double>(r + 1) / n});
+          const double share = share_of_parts_ / static_cast<double>(forest.number_of_runs());
+          coarsen(mesh, range, {static_cast<double>(r) * share, static_cast<double>(r + 1) * share});
           clock_.enter(&Seconds::separate);
         });
     if (to_blame.empty()) forest.let_go_of_leaves();
@@ -227,14 +229,15 @@ private:
                        Point_index(distinct.input_point(nearest)));
   }
 
-  /// Asks whether to go on with shares of this work from `shares[0]` to `shares[1]`.
+  /// Does this work from `shares[0]` to `shares[1]` of all that there is, of which it tells and for which it has that
+  /// much of the removals that the user grants.
   void coarsen(Site_mesh<Geometry>& mesh, const Angle_range& range, const std::array<double, 2>& shares) {
     clock_.enter(&Seconds::coarsen);
     Coarsening_effort effort;
     effort.most_rings = options_.effort();
     if (options_.max_removals() > 0)
-      effort.tries_per_vertex =
-          static_cast<double>(options_.max_removals()) / static_cast<double>(mesh.mesh.number_of_vertices());
+      effort.tries_per_vertex = (shares[1] - shares[0]) * static_cast<double>(options_.max_removals()) /
+                                static_cast<double>(mesh.mesh.number_of_vertices());
     Site_mesh_relaxer<ConcurrencyTag, Geometry>(mesh, range).coarsen(effort, [&](double share) {
       const double of_all = shares[0] + share * (shares[1] - shares[0]);
       return progress_.shall_go_on(Progress_shares::placing + Progress_shares::coarsening * of_all);

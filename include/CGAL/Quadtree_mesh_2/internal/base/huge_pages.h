@@ -18,12 +18,12 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-/// Asks the system for huge pages where a long array lies that is about to be written whole: one page fault instead of
-/// 512. Only asks, so nothing can fail.
+/// Asks the system to put a long array into huge pages: one page fault instead of 512. The array should be about to be
+/// written whole. Nothing can fail, because this only asks.
 inline void advise_huge_pages(void* begin, std::size_t bytes) {
 #if defined(__linux__) && defined(MADV_HUGEPAGE)
   constexpr std::uintptr_t huge_page = std::uintptr_t(1) << 21;
-  if (bytes < 2 * huge_page) return; // does not contain one for sure
+  if (bytes < 2 * huge_page) return; // it may not contain a whole one
   const auto first = (reinterpret_cast<std::uintptr_t>(begin) + huge_page - 1) & ~(huge_page - 1);
   const auto end = (reinterpret_cast<std::uintptr_t>(begin) + bytes) & ~(huge_page - 1);
   madvise(reinterpret_cast<void*>(first), end - first, MADV_HUGEPAGE);
@@ -32,7 +32,7 @@ inline void advise_huge_pages(void* begin, std::size_t bytes) {
 #endif
 }
 
-/// Reserves room for `size` values, in huge pages where it is much. One thread may then fill them in little time.
+/// Reserves room for `size` values, in huge pages if that is much. One thread can then fill it in little time.
 template <class Vector>
 void reserve_in_huge_pages(Vector& values, std::size_t size) {
   values.reserve(size);

@@ -25,7 +25,6 @@
 #include <CGAL/Quality_mesh_report_2.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <vector>

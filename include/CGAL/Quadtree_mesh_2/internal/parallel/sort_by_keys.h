@@ -142,8 +142,8 @@ private:
   std::uint64_t inside_;
 };
 
-/// The items of an array by their places. All sorts of arrays are instantiated for this one type, not for a lambda of
-/// each caller's.
+/// The items of an array by their places. Code that sorts arrays is instantiated for this one type, and not for a
+/// lambda of each caller.
 template <class Item>
 struct Item_at {
   const Item* items;
@@ -359,7 +359,7 @@ private:
     return length > n / 2 ? Digit_choice::BY_ALL_KEYS : Digit_choice::BY_SAMPLE;
   }
 
-  /// The same functions as for the longest runs, which would have to be compiled again by `Sequential_tag`.
+  /// By the functions that the longest runs take: those of `Sequential_tag` would have to be compiled, too.
   template <class Tag>
   void split_copy_in_task(std::size_t begin, std::size_t n, Digit_choice choice) {
     const Concurrency_scope scope{Sequential_tag()};

@@ -10,14 +10,16 @@
 //           own. Bad triangles that need something beyond a seam wait, and so do vertices at seams.
 // Round 2   cuts the surroundings of the seams and of waiting triangles, by squares that are shifted, and treats these
 //           blocks in the same way.
-// Round r   takes the triangles that still wait, with r - 1 rings around them, and the whole of the acute corners
-//           that they may wait for. From the fourth on, blocks are four times as large as in the round before, so in
-//           the end there is one.
+// Round r   takes the triangles that still wait, with r - 1 rings around them, eight at most, and the whole of the
+//           acute corners that they may wait for. From the fourth on, blocks are four times as large as in the round
+//           before. So in the end there is one.
 //
-// Rounds end when nothing waits, or no less after several rounds of one block. What waits then has no room, or is at
-// an acute corner of which a leg could not be cut. The caller decides in the whole mesh.
-// How blocks are cut does not depend on the number of threads, and neither does the result. O(n) work in addition to
-// refinement. A round takes time for its zone, and some bytes for each triangle of the mesh.
+// Rounds end when nothing waits, or when some rounds of one block each leave as much as there was. What waits then has
+// no room, or is at an acute corner of which a leg could not be cut. A budget of vertices, a limit on rounds and the
+// user may end them before. The caller decides what is left, in the whole mesh.
+//
+// How blocks are cut does not depend on the number of threads, and neither does the result. In addition to refinement,
+// a round takes work in proportion to its zone, one look at each vertex of the mesh, and some bytes for each triangle.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_BLOCK_REFINEMENT_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_BLOCK_REFINEMENT_H
@@ -49,7 +51,7 @@ public:
   using Leg = typename Acute_corners<Geometry>::Leg;
 
   static constexpr std::size_t block_size = Block_sizes<ConcurrencyTag>::triangles;
-  /// The zone is a network, of which squares cut little; and it is small.
+  /// Smaller than in the first round: the zone is small, and a thin network, so seams through it are short.
   static constexpr std::size_t zone_block_size = block_size / 6;
 
   Block_refinement(Meshing_state<Geometry>& whole, const Finishing& finishing, std::size_t vertex_budget)
@@ -80,7 +82,7 @@ public:
   int rounds() const { return rounds_; }
 
 private:
-  /// Of one block each. As long as there are several, less may wait in the next.
+  /// Rounds of one block each. As long as there are several blocks, less may wait after the next round.
   static constexpr int most_fruitless_rounds = 3;
   static constexpr int most_rounds = 40;
 

@@ -16,7 +16,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -49,21 +48,14 @@ public:
     return owned;
   }
 
-  /// The triangles of the corners for which waiting triangles may wait: those on whose legs they have a vertex. Each
-  /// corner is visited once, however many triangles wait at it.
+  /// The triangles of the corners for which some triangles may wait: those on whose legs they have a vertex.
   std::vector<Triangle_id> triangles_of_corners_at(const std::vector<Triangle_id>& waiting) const {
     std::vector<Triangle_id> triangles;
-    Indexed_vector<Corner_id, char> is_visited(corners_.corners.size(), 0);
-    const auto append = [&](Triangle_id t) {
-      triangles.push_back(t);
-      return true;
-    };
-    const auto visit_once = [&](Corner_id c) {
-      if (std::exchange(is_visited[c], char(1)) == 0) visit(corners_.corner(c), append);
-    };
-    for (const Triangle_id t : waiting)
-      for (const Vertex_id v : whole_.mesh.triangle(t).v)
-        if (corners_.is_on_leg(whole_.mesh, v)) for_each_corner_at(v, visit_once);
+    for (const Corner_id c : corners_at(vertices_on_legs(waiting)))
+      visit(corners_.corner(c), [&](Triangle_id t) {
+        triangles.push_back(t);
+        return true;
+      });
     return triangles;
   }
 
@@ -85,16 +77,41 @@ private:
     return visit(corner, is_owned) ? owner : Block_id();
   }
 
-  /// Calls `f(corner)` for the corners with a leg on which v lies.
-  template <class Function>
-  void for_each_corner_at(Vertex_id v, const Function& f) const {
-    const auto visit_edge = [&](Edge_id e) {
+  // Each once: a corner may have as many legs, and a vertex as many triangles, as the graph has edges.
+
+  std::vector<Vertex_id> vertices_on_legs(const std::vector<Triangle_id>& triangles) const {
+    std::vector<Vertex_id> vertices;
+    for (const Triangle_id t : triangles)
+      if (whole_.mesh.is_alive(t))
+        for (const Vertex_id v : whole_.mesh.triangle(t).v)
+          if (corners_.is_on_leg(whole_.mesh, v)) vertices.push_back(v);
+    sort_and_drop_equal(vertices);
+    return vertices;
+  }
+
+  /// The corners with a leg on which one of the vertices lies.
+  std::vector<Corner_id> corners_at(const std::vector<Vertex_id>& vertices) const {
+    std::vector<Corner_id> found;
+    const auto look_at = [&](Edge_id e) {
       for (const Leg_id l : corners_.legs_of_edge[e])
-        if (l.is_valid()) f(corners_.leg(l).corner);
+        if (l.is_valid()) found.push_back(corners_.leg(l).corner);
     };
-    if (!whole_.mesh.is_input(v)) return visit_edge(whole_.mesh.edge(v));
-    const Vertex_id number = whole_.mesh.input_number(v);
-    for (const auto* i = whole_.edges.begin(number); i != whole_.edges.end(number); ++i) visit_edge(i->edge);
+    for (const Vertex_id v : vertices) {
+      if (!whole_.mesh.is_input(v)) {
+        look_at(whole_.mesh.edge(v));
+        continue;
+      }
+      const Vertex_id number = whole_.mesh.input_number(v);
+      for (const auto* i = whole_.edges.begin(number); i != whole_.edges.end(number); ++i) look_at(i->edge);
+    }
+    sort_and_drop_equal(found);
+    return found;
+  }
+
+  template <class Id>
+  static void sort_and_drop_equal(std::vector<Id>& ids) {
+    std::sort(ids.begin(), ids.end());
+    ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
   }
 
   /// Calls `f(t)` for the triangles of a corner until it returns false.

@@ -14,7 +14,6 @@
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Input_edges.h>
 
 #include <algorithm>
-#include <cstddef>
 #include <vector>
 
 namespace CGAL {

@@ -15,6 +15,7 @@
 //      the bound, where that is less), the vertex goes on that edge instead (Splitter.h).
 // Triangles are taken up by stretches of the mesh, in their order, and all that comes of a stretch is done before the
 // next one: so memory is used while it is at hand. Within a stretch the sharpest is first (Worklist.h).
+// The other rule (Refinement_rule) puts the vertex at the off-center itself, and the shortest edge is first.
 //
 // Flips restore the Delaunay property locally, and triangles that they make bad join the list. At the end the
 // list is empty, which proves the bound, triangle by triangle.

@@ -17,8 +17,8 @@
 //           in double precision on the final coordinates.
 //
 // Large stars, and those that start far below the bound, are hardly ever cured. In a mesh that is not small
-// they are not tried. A vertex on an edge moves along its edge, if some place of that may do. One
-// on a leg of an acute corner stays, unless legs are free. The same search smooths if it has no bound to stop at.
+// they are not tried. A vertex on an edge moves along it, where some place may do (may_star_meet_bound_on_line.h).
+// One on a leg of an acute corner stays, unless legs are free. The same search smooths if it has no bound to stop at.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_RELOCATOR_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_RELOCATOR_H

@@ -94,7 +94,7 @@ private:
   Region_id region_of_made_[Star::max_size + 2];
   int number_made_ = 0;
   Vertex_id merged_a_, merged_b_ = Vertex_id();
-  // the polygon's vertices, relative to its first, and the dynamic programme
+  // the polygon's vertices, relative to its first, and the dynamic program
   Vector place_[max_polygon];
   double quality_[max_polygon][max_polygon];
   std::int8_t middle_[max_polygon][max_polygon];

@@ -7,13 +7,12 @@
 // The list of triangles that may be bad, the sharpest first, or those with the shortest edges.
 //
 // Computes: which triangle is next. By the usual order, it is the sharpest. A thin triangle stands for a difference of
-//           sizes that is yet to be bridged.
-//           Bridged from its short side, it takes the fewest vertices; a vertex that comes earlier, for one that hardly
-//           misses the bound, is often in the way of the better place. On maps the order saves one to two percent of
-//           the triangles, at 30 degrees five.
-//           By the other order it is the one with the shortest edge, first in first out. Around a small feature rings
-//           of like triangles are made then, each of them done before the next, and stay alike. So a mesh that grows
-//           by powers of ten around a square takes half the triangles.
+//           sizes that is yet to be bridged. That takes the fewest vertices from its short side. A vertex that comes
+//           earlier, for a triangle that hardly misses the bound, is often in the way of a better place. On maps the
+//           order saves one to two percent of the triangles, at 30 degrees five.
+//           By the other order it is the one with the shortest edge, first in first out. Around a small feature this
+//           makes rings of like triangles, one ring after the other. So a mesh that grows by powers of ten around a
+//           square takes half the triangles.
 // Bound:    O(1) by sharpness. Squared sines are told apart by levels, two to a factor of 2, and a level is a list,
 //           last in first out: so work stays in one place for a while. O(log n) by length, with as fine levels.
 // Source:   Shewchuk's Triangle has such levels of length.

@@ -11,10 +11,10 @@
 //           (Refinement_rule), and with all edges split alike. Vertices are removed under guard in both. The second is
 //           kept if it meets the bounds and has fewer triangles.
 // Gain:     two percent of the triangles of small graphs in the end. Where a mesh grows by powers of ten around a
-//           small polygon, the first rule mixes triangles of unlike sizes, and thinning (thin_small_mesh.h) does not
-//           find its way to the rings that the second one makes: they take half the triangles.
-// Bound:    about as much time as the first refinement. It is given up at a quarter more triangles than the mesh has,
-//           and a few, because removal takes some away.
+//           small polygon, the second rule makes rings of like triangles, which take half as many. The first one
+//           mixes triangles of unlike sizes, and thinning (thin_small_mesh.h) does not find its way to such rings.
+// Bound:    about as much time as the first refinement. It is given up at a quarter more triangles than the first mesh
+//           has, and a few. That many are allowed because removal takes some away.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_THINNING_SECOND_REFINEMENT_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_THINNING_SECOND_REFINEMENT_H
@@ -38,8 +38,8 @@ class Second_refinement {
 public:
   explicit Second_refinement(Meshing_state<Geometry>& state) : state_(state) {}
 
-  /// To be called before the first refinement, if there is to be a second one: keeps the mesh, if that is small and has
-  /// something to refine, or acute corners, which are cut.
+  /// To be called before the first refinement, if there is to be a second one. Keeps the mesh if it is small and some
+  /// triangle misses a bound. One that an acute corner excuses counts, too, because that corner is cut.
   void keep_start() {
     if (state_.is_small() && is_any_suspect()) start_.emplace(state_);
   }

@@ -23,7 +23,6 @@
 #include <CGAL/Quadtree_mesh_2/internal/thinning/Mesh_snapshot.h>
 
 #include <algorithm>
-#include <cstddef>
 #include <utility>
 
 namespace CGAL {

@@ -6,10 +6,11 @@
 //
 // A small mesh can afford more than guarded removal.
 //
-// Its graph is refined by another rule, too, and the smaller mesh is kept (Second_refinement.h). It is thinned as a
-// whole (Thinner.h) while that helps, with a share of the bound that small meshes gain most by; then after smoothing,
-// which makes other rooms, and whenever one of them helps it begins again. Each trial costs as much as refinement.
-// There are at most 28, and 2 where nothing helps. At last it is thinned star by star (Star_thinner.h).
+// 1. Its graph is refined by another rule, too, and the smaller mesh is kept (Second_refinement.h).
+// 2. It is thinned as a whole (Thinner.h), with a share of the bound that small meshes gain most by, while that helps.
+//    Then it is smoothed, which makes room elsewhere, and thinned again. Whenever one of the two helps, this goes on.
+//    Each trial costs as much as refinement. There are at most 28, and 2 where nothing helps.
+// 3. It is thinned star by star (Star_thinner.h).
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_THINNING_THIN_SMALL_MESH_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_THINNING_THIN_SMALL_MESH_H

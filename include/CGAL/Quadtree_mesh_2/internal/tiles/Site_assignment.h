@@ -6,7 +6,7 @@
 
 // Assigns vertices of a mesh of tiles to sites.
 //
-// Computes: for sites of kind `on_demand` vertices of their leaves' tiles, all distinct, and on request not
+// Computes: for sites of kind `ON_DEMAND` vertices of their leaves' tiles, all distinct, and on request not
 //           neighbors of each other. Also the sites for which none is left.
 // Bound:    O(n) work for n sites, not counting the sorting of O(n) pairs.
 // Method:   Greedy. All pairs of a site and a vertex near it are sorted by distance, relative to the side of
@@ -48,7 +48,7 @@ public:
   Site_assignment(const Tile_sites& sites, Spacing spacing, Tile_mesh& mesh)
       : sites_(sites), spacing_(spacing), mesh_(mesh) {}
 
-  /// Sets the vertices of sites. Returns the sites of kind `on_demand` that get none, by increasing index.
+  /// Sets the vertices of sites. Returns the sites of kind `ON_DEMAND` that get none, by increasing index.
   std::vector<std::uint32_t> assign() {
     is_free_.assign(mesh_.number_of_vertices(), 1);
     for (const std::int32_t v : mesh_.vertex_of_site)

@@ -17,6 +17,8 @@
 // Trees are filled anew if some points turn out to need smaller leaves. A point that fails several times gets
 // a block of leaves for itself. The block is so small that the warp of warp_table.h provably keeps [37.5,
 // 78.6]. So this ends, at the latest when all points have such a block.
+//
+// If there is one tree with many leaves, it gives the mesh of one run of leaves after the other (Site_mesh_parts.h).
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_TILES_TILE_FOREST_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_TILES_TILE_FOREST_H
@@ -31,11 +33,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <stdexcept>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -50,7 +52,7 @@ inline void check_number_of_vertices(std::size_t n) {
 /// Sizes of runs of leaves. Tests specialize it for tags of their own, to have runs in small meshes.
 template <class ConcurrencyTag>
 struct Tile_run_sizes {
-  static constexpr std::size_t leaves = std::size_t(1) << 17;
+  static constexpr std::size_t leaves = std::size_t(1) << 18;
 };
 
 /// A mesh of a run of leaves.

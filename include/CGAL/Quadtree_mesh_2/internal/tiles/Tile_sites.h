@@ -107,7 +107,7 @@ private:
 struct Tile_sites {
   std::vector<Tile_site> places;      ///< distinct, in the window
   std::vector<int> levels;            ///< by site, the least level of its leaf; or empty, for level 0
-  std::vector<Site_kind> kinds;       ///< by site; or empty, if all are `on_demand`
+  std::vector<Site_kind> kinds;       ///< by site; or empty, if all are `ON_DEMAND`
   Tile_window window = Tile_window(); ///< by default the root
   int max_level = max_tile_level;     ///< of the leaves of sites; less if coordinates are coarse
 

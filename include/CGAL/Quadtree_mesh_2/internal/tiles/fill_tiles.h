@@ -28,7 +28,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -78,7 +77,7 @@ public:
 
   /// Builds and assigns until every site has a vertex. With more tiles than `most_tiles` they are filled in runs
   /// of about so many, if no site has a block; then the mesh is that of the last run.
-  /// \throws std::length_error if a site gets none at any level
+  /// \throws Tile_level_error if a site gets none at any level, std::length_error if there are too many vertices
   void fill(std::size_t most_tiles = std::numeric_limits<std::size_t>::max()) {
     for (;;) {
       ++filling_.number_of_rounds;

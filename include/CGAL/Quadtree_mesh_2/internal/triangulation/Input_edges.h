@@ -19,8 +19,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Quadtree_mesh_2 {

@@ -7,9 +7,9 @@
 // Cuts a mesh into blocks that are processed separately, in parallel, and puts them back.
 //
 // A block is a run of triangles in the shuffle order of their shortest edges. Refinement begins at these
-// edges, however long the rest of the triangle is. Blocks of two rounds are cut along squares shifted against
-// each other by a third of the root. So what is near a seam of one round is well inside a block of the other:
-// of a quadtree and its shifted copies, one has any given disc within a square not much larger (Chan,
+// edges, however long the rest of the triangle is. The squares of one round are shifted against those of the next
+// by a third of the root. So what is near a seam of one round is well inside a block of the other: of a quadtree
+// and its shifted copies, one has any given disc within a square not much larger (Chan,
 // "Approximate nearest neighbor queries revisited", 1998). The mesh alone determines how blocks are cut, and
 // new things are named in the order of blocks. So the result is the same for any number of threads. A single thread
 // writes each block before it takes out the next, which gets its memory.

@@ -25,7 +25,7 @@ namespace Quadtree_mesh_2 {
 namespace internal {
 
 /// Whether a vertex at q, inside the first of `holders` or on the side that both share, is no nearer than the
-/// root of `least` to any other one it would be joined with. `-1` among the holders is none.
+/// root of `least` to any other one it would be joined with. Invalid handles among the holders do not count.
 template <class Geometry>
 bool has_room(const Kernel_mesh<Geometry>& mesh, std::initializer_list<Triangle_id> holders,
               const typename Geometry::Point& q, double least) {
