@@ -81,6 +81,8 @@ TEST_CASE("Rounds of tiny blocks end with nothing that waits", "[refiner]") {
       CAPTURE(family.name, seed);
       const auto pslg = family.make(seed);
       Prepared prepared(pslg);
+      prepared.problem.vertex_blocks =
+          blocks_by_number(pslg.number_of_vertices(), Block_sizes<Tiny_blocks_tag>::vertices);
       Splitter<Geometry> splitter(prepared.state);
       splitter.cut_rings();
       constexpr std::size_t budget = 1000000;

@@ -22,10 +22,14 @@
 #include <tbb/global_control.h>
 #endif
 
+#include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <random>
+#include <set>
 #include <string>
 
 namespace test_quality_mesher_blocks {
@@ -79,6 +83,39 @@ Pslg rows_of_points(std::size_t rows, std::size_t columns) {
   return pslg;
 }
 
+/// A box of 24 x 24 cells with a hexagonal hole in each, somewhere in its cell; that of the first cell is moved on.
+Pslg holes_in_cells(double moved) {
+  constexpr int side = 24;
+  std::mt19937 random(4);
+  const auto place = [&random] { return double(random() % 1024) / 2048; };
+  Pslg pslg;
+  for (int i = 0; i < 4; ++i) pslg.add_vertex(Point(i == 1 || i == 2 ? side : 0, i >= 2 ? side : 0));
+  for (std::size_t i = 0; i < 4; ++i) pslg.add_segment(Vertex_index(i), Vertex_index((i + 1) % 4));
+  for (int cell = 0; cell < side * side; ++cell) {
+    const double x = cell % side + 0.3 + place() + (cell == 0 ? moved : 0), y = cell / side + 0.3 + place();
+    const std::size_t first = pslg.number_of_vertices();
+    constexpr std::array<std::array<double, 2>, 6> corners{
+        {{4, 0}, {2, 3.5}, {-2, 3.5}, {-4, 0}, {-2, -3.5}, {2, -3.5}}};
+    for (const auto& [dx, dy] : corners) pslg.add_vertex(Point(x + dx / 32, y + dy / 32));
+    for (std::size_t i = 0; i < 6; ++i)
+      pslg.add_segment(Vertex_index(first + i), Vertex_index(first + (i + 1) % 6));
+    pslg.holes.push_back(Point(x, y));
+  }
+  return pslg;
+}
+
+/// The coordinates of all triangles beyond a distance from the first cell, each from its least corner on.
+std::set<std::array<double, 6>> triangles_beyond(double distance, const Mesh& mesh) {
+  std::set<std::array<double, 6>> found;
+  for (const auto& t : mesh.triangles) {
+    std::array<Point, 3> p{mesh.point(t[0]), mesh.point(t[1]), mesh.point(t[2])};
+    std::rotate(p.begin(), std::min_element(p.begin(), p.end()), p.end());
+    if (std::all_of(p.begin(), p.end(), [&](const Point& q) { return q.x() + q.y() > distance; }))
+      found.insert({p[0].x(), p[0].y(), p[1].x(), p[1].y(), p[2].x(), p[2].y()});
+  }
+  return found;
+}
+
 Point inside_triangle(const Mesh& mesh, std::size_t t) {
   const auto& v = mesh.triangles[t];
   return CGAL::centroid(mesh.point(v[0]), mesh.point(v[1]), mesh.point(v[2]));
@@ -115,6 +152,15 @@ TEST_CASE("A bulk of squares has the same bits with any number of threads", "[me
   const double middle = (box.xmin() + box.xmax()) / 2;
   check_threads(pslg, Options().min_angle(angle).size(
                           [&](double x, double) { return side / (x < middle ? 60 : 240); }));
+}
+
+TEST_CASE("What moves in one place changes no triangle far from it", "[mesher]") {
+  const double angle = GENERATE(20.7, 30.0);
+  const Options options = Options().min_angle(angle);
+  const Mesh before = mesh_in_tiny_blocks(holes_in_cells(0), options),
+             after = mesh_in_tiny_blocks(holes_in_cells(0.0625), options);
+  CHECK(before.points != after.points);
+  CHECK(triangles_beyond(8, before) == triangles_beyond(8, after));
 }
 
 TEST_CASE("The map's mesh in words is the same with any number of threads", "[mesher][parallel]") {

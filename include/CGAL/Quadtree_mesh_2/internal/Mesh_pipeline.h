@@ -149,6 +149,8 @@ private:
     for_each_index<ConcurrencyTag>(
         grid_points.size(), [&](std::size_t v) { grid_points[v] = grid.grid_point(pslg_.vertices[v]); });
     order_ = shuffle_order<ConcurrencyTag>(grid_points);
+    problem_.vertex_blocks = blocks_by_squares(order_.size(), Block_sizes<ConcurrencyTag>::vertices,
+                                               [&](std::size_t i) { return grid_points[order_[i]]; });
   }
 
   auto make_grid() const try {
@@ -164,7 +166,7 @@ private:
     for_each_index<ConcurrencyTag>(
         n, [&](std::size_t v) { points[v] = map_.to_kernel(pslg_.vertices[order_[v]]); });
     if constexpr (has_double_coordinates) check_points_are_kept();
-    First first(state_.mesh, points);
+    First first(state_.mesh, points, std::move(problem_.vertex_blocks));
     if (const auto crossing = first.run(kernel_segments())) throw words_.crossing(first.edges(), *crossing);
     is_merged_.resize(n);
     report_.merged_vertices = reduce<ConcurrencyTag>(
@@ -177,6 +179,7 @@ private:
         },
         std::plus<>());
     report_.vertices_on_segments = first.number_of_vertices_on_segments();
+    problem_.vertex_blocks = first.take_vertex_blocks();
     problem_.edges = Input_edges(first.take_edges(), n);
     problem_.edges.repeat(first.repeated_edges());
     problem_.input_points = std::move(points);

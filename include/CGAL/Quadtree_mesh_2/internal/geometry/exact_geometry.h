@@ -121,19 +121,23 @@ struct Exact_geometry_2 {
     return static_cast<int>(CGAL::sign(exact_doubled_area(a, b, c)));
   }
 
-  /// Whether d lies strictly inside the circle through a, b, c (counterclockwise); exact.
-  static bool is_in_circle(const Point& a, const Point& b, const Point& c, const Point& d) {
+  /// 1 if d lies inside the circle through a, b, c (counterclockwise), 0 if on it, else -1; exact.
+  static int side_of_circle(const Point& a, const Point& b, const Point& c, const Point& d) {
     const In_circle by_doubles(difference(a, d), difference(b, d), difference(c, d));
-    if (by_doubles.is_certain()) return by_doubles.is_positive();
+    if (by_doubles.is_certain()) return by_doubles.is_positive() ? 1 : -1;
     const Basic_in_circle<Number> test(scaled_difference(a, d), scaled_difference(b, d),
                                        scaled_difference(c, d));
-    if (test.is_certain()) return test.is_positive();
+    if (test.is_certain()) return test.is_positive() ? 1 : -1;
     if (a.is_double() && b.is_double() && c.is_double() && d.is_double())
-      return Doubles::is_in_circle(double_point(a), double_point(b), double_point(c), double_point(d));
+      return Doubles::side_of_circle(double_point(a), double_point(b), double_point(c), double_point(d));
     const auto x = [&](const Point& p) { return Coordinate::exact_difference(p.x, d.x); };
     const auto y = [&](const Point& p) { return Coordinate::exact_difference(p.y, d.y); };
-    return CGAL::side_of_oriented_circleC2(x(a), y(a), x(b), y(b), x(c), y(c), Field(0), Field(0)) ==
-           ON_POSITIVE_SIDE;
+    return static_cast<int>(
+        CGAL::side_of_oriented_circleC2(x(a), y(a), x(b), y(b), x(c), y(c), Field(0), Field(0)));
+  }
+  /// Whether d lies strictly inside the circle through a, b, c (counterclockwise); exact.
+  static bool is_in_circle(const Point& a, const Point& b, const Point& c, const Point& d) {
+    return side_of_circle(a, b, c, d) > 0;
   }
 
   /// The corner, next to p, of the quadtree's cells with the given side, a power of two.

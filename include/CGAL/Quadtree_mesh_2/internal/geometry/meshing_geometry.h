@@ -216,6 +216,11 @@ struct Rounded_geometry {
   static double doubled_area(Vector u, Vector v, const Point&, const Point&, const Point&) {
     return cross(u, v);
   }
+  /// Whether d lies strictly inside the circle through a, b, c (counterclockwise); exact.
+  template <class Point>
+  static bool is_in_circle(const Point& a, const Point& b, const Point& c, const Point& d) {
+    return Geometry::side_of_circle(a, b, c, d) > 0;
+  }
   /// For flips that have to end whatever the rounding: ties and near-ties are left as they are; but not those of
   /// triangles that are nearly flat, whose circle says nothing in doubles: they are decided exactly.
   template <class Point>
@@ -297,11 +302,11 @@ struct Double_geometry_2 : Rounded_geometry<Double_geometry_2<Kernel>> {
     return orientation_by_kernel(a, b, c);
   }
 
-  /// Whether d lies strictly inside the circle through a, b, c (counterclockwise); exact.
-  static bool is_in_circle(Point a, Point b, Point c, Point d) {
+  /// 1 if d lies inside the circle through a, b, c (counterclockwise), 0 if on it, else -1; exact.
+  static int side_of_circle(Point a, Point b, Point c, Point d) {
     const In_circle test(difference(a, d), difference(b, d), difference(c, d));
-    if (test.is_certain()) return test.is_positive();
-    return is_in_circle_by_kernel(a, b, c, d);
+    if (test.is_certain()) return test.is_positive() ? 1 : -1;
+    return side_of_circle_by_kernel(a, b, c, d);
   }
 
   /// The corner, next to p, of the quadtree's cells with the given side, a power of two.
@@ -317,10 +322,10 @@ private:
     return static_cast<int>(
         typename Kernel::Orientation_2()(kernel_point(a), kernel_point(b), kernel_point(c)));
   }
-  static BOOST_NOINLINE bool is_in_circle_by_kernel(Point a, Point b, Point c, Point d) {
-    if (are_corners_of_rectangle(a, b, c, d)) return false;
-    return typename Kernel::Side_of_oriented_circle_2()(kernel_point(a), kernel_point(b), kernel_point(c),
-                                                        kernel_point(d)) == ON_POSITIVE_SIDE;
+  static BOOST_NOINLINE int side_of_circle_by_kernel(Point a, Point b, Point c, Point d) {
+    if (are_corners_of_rectangle(a, b, c, d)) return 0;
+    return static_cast<int>(typename Kernel::Side_of_oriented_circle_2()(kernel_point(a), kernel_point(b),
+                                                                         kernel_point(c), kernel_point(d)));
   }
 };
 
@@ -355,11 +360,11 @@ struct Integer_geometry_2 : Rounded_geometry<Integer_geometry_2<Word>> {
     return static_cast<double>(wide_doubled_area(a, b, c));
   }
 
-  static bool is_in_circle(Point a, Point b, Point c, Point d) {
+  /// 1 if d lies inside the circle through a, b, c (counterclockwise), 0 if on it, else -1; exact.
+  static int side_of_circle(Point a, Point b, Point c, Point d) {
     const In_circle test(difference(a, d), difference(b, d), difference(c, d));
-    if (test.is_certain()) return test.is_positive();
-    if (are_corners_of_rectangle(a, b, c, d)) return false;
-    return exact_in_circle(a, b, c, d) > 0;
+    if (test.is_certain()) return test.is_positive() ? 1 : -1;
+    return are_corners_of_rectangle(a, b, c, d) ? 0 : exact_side_of_circle(a, b, c, d);
   }
 
   static Point nearest_corner(Point p, double side) {
@@ -378,7 +383,7 @@ private:
   /// The nearest multiple of h, a power of two.
   static std::int64_t round_to_multiple(std::int64_t x, std::int64_t h) { return (x + h / 2) & ~(h - 1); }
 
-  static int exact_in_circle(Point a, Point b, Point c, Point d) {
+  static int exact_side_of_circle(Point a, Point b, Point c, Point d) {
     const Widest ax = a.x - d.x, ay = a.y - d.y, bx = b.x - d.x, by = b.y - d.y, cx = c.x - d.x,
                  cy = c.y - d.y;
     const Widest al = ax * ax + ay * ay, bl = bx * bx + by * by, cl = cx * cx + cy * cy;

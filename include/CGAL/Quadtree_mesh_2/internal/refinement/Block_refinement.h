@@ -6,7 +6,7 @@
 //
 // Refinement and guarded removal by rounds of blocks, in parallel.
 //
-// Round 1   cuts the mesh into blocks (Mesh_blocks.h). Each is refined (Refiner.h) and coarsened (Remover.h) on its
+// Round 1   cuts the mesh into the blocks of its vertices (Vertex_blocks.h). Each is refined (Refiner.h) and coarsened (Remover.h) on its
 //           own. Bad triangles that need something beyond a seam wait, and so do vertices at seams.
 // Round 2   cuts the surroundings of the seams and of waiting triangles, by squares that are shifted, and treats these
 //           blocks in the same way.
@@ -52,7 +52,7 @@ public:
 
   static constexpr std::size_t block_size = Block_sizes<ConcurrencyTag>::triangles;
   /// Smaller than in the first round: the zone is small, and a thin network, so seams through it are short.
-  static constexpr std::size_t zone_block_size = block_size / 6;
+  static constexpr std::size_t zone_block_size = block_size / 4;
 
   Block_refinement(Meshing_state<Geometry>& whole, const Finishing& finishing, std::size_t vertex_budget)
       : whole_(whole), finishing_(finishing), vertex_budget_(vertex_budget) {}
@@ -90,6 +90,8 @@ private:
   Finishing finishing_;
   std::size_t vertex_budget_;
   Corner_places<ConcurrencyTag, Geometry> corner_places_{whole_};
+  Place_keys<Geometry> key_{whole_.problem.input_points.values()};
+  Place_keys<Geometry> shifted_key_ = key_.shifted();
   Block_assignment assignment_;
   int rounds_ = 0;
   // after the last round: bad triangles, and those at its seams
@@ -99,11 +101,13 @@ private:
   bool has_room() const { return whole_.mesh.number_of_vertices() < vertex_budget_; }
 
   Block_cut first_cut() const {
+    const auto& mesh = whole_.mesh;
     if (whole_.bulk.has_border)
-      return cut_by_position<ConcurrencyTag>(whole_.mesh, triangles_outside_bulk(), block_size,
-                                             Square_shift::NONE);
-    return cut_by_input_order<ConcurrencyTag>(whole_.mesh, whole_.problem.input_points.size(), block_size,
-                                              [&](Edge_id e) { return whole_.edges[e].a; });
+      return cut_by_position<ConcurrencyTag>(mesh, triangles_outside_bulk(), block_size, key_);
+    const Vertex_id end_of_input = whole_.problem.input_points.end_id();
+    return cut_by_vertices<ConcurrencyTag>(mesh, whole_.problem.vertex_blocks, [&](Vertex_id v) {
+      return v < end_of_input ? v : whole_.edges[mesh.edge(v)].a;
+    });
   }
 
   /// All triangles but those within the bulk, which meet all bounds and are not near its border.
@@ -137,10 +141,9 @@ private:
     if (round == 2) zone.add(at_seams_);
     constexpr int most_rings = 8;
     zone.grow(std::max(2, std::min(round - 1, most_rings)));
-    const auto shift = round % 2 == 0 ? Square_shift::THIRD_OF_ROOT : Square_shift::NONE;
     const int doublings = std::min(2 * std::max(0, round - 3), 24);
     return cut_by_position<ConcurrencyTag>(whole_.mesh, zone.triangles(), zone_block_size << doublings,
-                                           shift);
+                                           round % 2 == 0 ? shifted_key_ : key_);
   }
 
   template <class Continue>

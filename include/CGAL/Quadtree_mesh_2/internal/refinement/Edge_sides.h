@@ -16,8 +16,8 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_EDGE_SIDES_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_EDGE_SIDES_H
 
-#include <CGAL/Quadtree_mesh_2/internal/triangulation/Domain_rule.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Input_edges.h>
+#include <CGAL/Quadtree_mesh_2/internal/triangulation/Kept_triangles.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Kernel_mesh.h>
 
 #include <array>
@@ -77,7 +77,8 @@ public:
     Indexed_vector<Triangle_id, char> is_kept(label.size());
     for (const Triangle_id t : label.ids()) is_kept[t] = label[t] != outside_ && label[t] != unknown ? 1 : 0;
     if (has_regions_) mesh.region_of = std::move(label);
-    keep_triangles(mesh, is_kept, static_cast<Vertex_id>(mesh.points.size() - number_of_auxiliary_vertices));
+    Kept_triangles(mesh, is_kept)
+        .keep(static_cast<Vertex_id>(mesh.points.size() - number_of_auxiliary_vertices));
   }
 
 private:

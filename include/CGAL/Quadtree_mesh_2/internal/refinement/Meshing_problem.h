@@ -12,6 +12,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Domain_rule.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Edge_room.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Input_edges.h>
+#include <CGAL/Quadtree_mesh_2/internal/triangulation/Vertex_blocks.h>
 
 #include <algorithm>
 #include <vector>
@@ -24,6 +25,7 @@ namespace internal {
 template <class Geometry>
 struct Meshing_problem {
   Uninitialized_indexed_vector<Vertex_id, typename Geometry::Point> input_points; ///< by input number
+  Vertex_blocks vertex_blocks; ///< in which a large mesh is refined
   Input_edges edges;
   Acute_corners<Geometry> corners;
   Bounds<Geometry> bounds;

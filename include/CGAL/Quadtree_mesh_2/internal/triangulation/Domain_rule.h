@@ -26,6 +26,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/sort_by_keys.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Flat_triangle_flipper.h>
+#include <CGAL/Quadtree_mesh_2/internal/triangulation/Kept_triangles.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Kernel_mesh.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Place_keys.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/walk.h>
@@ -41,50 +42,6 @@
 namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
-
-/// Drops the triangles of a mesh that are not kept, and the vertices from the given one on; keeps the order of the
-/// others. O(n), in parallel but for vertices of which the mesh knew a dropped triangle.
-template <class Mesh>
-void keep_triangles(Mesh& mesh, const Indexed_vector<Triangle_id, char>& is_kept, Vertex_id end_of_vertices) {
-  const std::size_t before = mesh.triangles.size();
-  Uninitialized_indexed_vector<Triangle_id, Triangle_id> new_id(before);
-  const auto kept = pack_values<Chosen_tag, Triangle_id>(
-      before, [&](std::size_t t) { return is_kept[static_cast<Triangle_id>(t)] != 0; },
-      [](std::size_t t) { return static_cast<Triangle_id>(t); });
-  for_each_index<Chosen_tag>(before, [&](std::size_t t) { new_id[static_cast<Triangle_id>(t)] = {}; });
-  for_each_index<Chosen_tag>(kept.size(),
-                             [&](std::size_t i) { new_id[kept[i]] = static_cast<Triangle_id>(i); });
-
-  mesh.points.truncate(end_of_vertices), mesh.role_of.truncate(end_of_vertices);
-  mesh.is_dirty.truncate(end_of_vertices), mesh.triangle_of.truncate(end_of_vertices);
-  for_each_index<Chosen_tag>(mesh.triangle_of.size(), [&](std::size_t i) {
-    Triangle_id& t = mesh.triangle_of[static_cast<Vertex_id>(i)];
-    if (t.is_valid()) t = new_id[t];
-  });
-  decltype(mesh.triangles) triangles;
-  triangles.reserve(kept.size() + kept.size() / 8); // acute corners are cut soon
-  triangles.resize(kept.size());
-  decltype(mesh.region_of) region_of(mesh.region_of.empty() ? 0 : kept.size());
-  for_each_index<Chosen_tag>(kept.size(), [&](std::size_t i) {
-    const Triangle_id here = static_cast<Triangle_id>(i);
-    auto r = mesh.triangle(kept[i]);
-    for (Side& s : r.side) {
-      const Triangle_id u = s.is_border() ? Triangle_id() : new_id[s.triangle()];
-      s = !u.is_valid() ? Side::border() : Side(u, s.slot(), s.is_constrained());
-    }
-    triangles[here] = r;
-    if (!region_of.empty()) region_of[here] = mesh.region(kept[i]);
-  });
-  mesh.triangles = std::move(triangles), mesh.region_of = std::move(region_of);
-  const auto lacks_triangle = [&](std::size_t i) {
-    for (const Vertex_id v : mesh.triangle(static_cast<Triangle_id>(i)).v)
-      if (!mesh.is_used(v)) return true;
-    return false;
-  };
-  for (const std::uint32_t i : pack<Chosen_tag>(kept.size(), lacks_triangle))
-    for (const Vertex_id v : mesh.triangle(static_cast<Triangle_id>(i)).v)
-      if (!mesh.is_used(v)) mesh.triangle_of[v] = static_cast<Triangle_id>(i);
-}
 
 /// A triangle outside, at a side of the domain's border that has the outside on its left.
 struct Outer_triangle {
@@ -111,7 +68,7 @@ public:
       : mesh_(mesh),
         first_auxiliary_(static_cast<Vertex_id>(mesh.points.size() - number_of_auxiliary_vertices)) {}
 
-  /// Keeps the domain only, in the order it had; the mesh is empty afterward if there is none. If there are
+  /// Keeps the domain only (Kept_triangles.h); the mesh is empty afterward if there is none. If there are
   /// regions, `Kernel_mesh::region_of` tells for each triangle the first one whose point is in its component.
   /// \returns the triangles outside along the border, but for those at auxiliary vertices, beyond which nothing is
   /// \throws Ambiguous_seed
@@ -127,7 +84,7 @@ public:
     for (const Triangle_id t : triangles_at(holes, Ambiguous_seed::Of::HOLE)) drop_component(t);
     Flat_triangle_flipper<Geometry>(mesh_, is_kept_, first_auxiliary_).run();
     std::vector<Outer_triangle> outer = outer_triangles();
-    keep_triangles(mesh_, is_kept_, first_auxiliary_);
+    Kept_triangles(mesh_, is_kept_).keep(first_auxiliary_);
     return outer;
   }
 

@@ -15,8 +15,9 @@
 // 3. Each block gets the vertices located there (Delaunay_inserter.h), and the segments between vertices of
 //    the block (Segment_inserter.h).
 // 4. Blocks are put back, and the sides at seams are made Delaunay. Segments that seams blocked are inserted.
+// 5. Flips make it canonical (Canonical_flipper.h): the same however blocks were cut, but for handles of triangles.
 //
-// The triangulation is constrained Delaunay except for near-ties, and the same for any number of threads.
+// A small input ends with the first step. Its triangulation is constrained Delaunay except for near-ties.
 // Expected O(n) work after sorting, worst case O(n^2).
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_FIRST_TRIANGULATION_H
@@ -26,17 +27,19 @@
 #include <CGAL/Quadtree_mesh_2/internal/parallel/append_all.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/group_in_order.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
+#include <CGAL/Quadtree_mesh_2/internal/triangulation/Canonical_flipper.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Delaunay_inserter.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Kernel_mesh.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Mesh_blocks.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Segment_inserter.h>
+#include <CGAL/Quadtree_mesh_2/internal/triangulation/Vertex_blocks.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/for_each_in_rounds.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/walk.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <numeric>
+#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -54,17 +57,31 @@ public:
   static constexpr std::size_t number_of_auxiliary_vertices = 3;
 
   /// The vertices of the mesh become `points`, a vector, in that order, and the three auxiliary ones behind them.
+  /// \param vertex_blocks the blocks in which they are inserted, if there are several
   template <class Points>
-  First_triangulation(Mesh& mesh, const Points& points) : mesh_(mesh), representative_(points.size()) {
+  First_triangulation(Mesh& mesh, const Points& points, Vertex_blocks vertex_blocks)
+      : mesh_(mesh), vertex_blocks_(std::move(vertex_blocks)), representative_(points.size()) {
     start(points);
+    find_repeated();
   }
+
+  /// The same, for who does not know the squares of the points.
+  template <class Points>
+  First_triangulation(Mesh& mesh, const Points& points)
+      : First_triangulation(mesh, points,
+                            blocks_by_number(points.size(), Block_sizes<ConcurrencyTag>::vertices)) {}
 
   /// Triangulates all vertices and makes the segments chains of constrained edges.
   /// \returns a crossing of two segments, if there is one; the triangulation is then of no use.
   std::optional<Crossing> run(const std::vector<Segment>& segments) {
-    const bool has_blocks = representative_.size() >= 2 * vertices_of_block;
+    const bool has_blocks = vertex_blocks_.size() >= 2;
     insert_every(has_blocks ? stride : 1);
-    if (has_blocks) return run_in_blocks(segments);
+    if (has_blocks) {
+      const auto crossing = run_in_blocks(segments);
+      if (!crossing) Canonical_flipper<ConcurrencyTag, Geometry>(mesh_).run();
+      return crossing;
+    }
+    settle_repeated();
     Segment_inserter<Geometry> inserter(mesh_);
     const auto crossing = catch_crossing([&] {
       for (std::size_t s = 0; s < segments.size(); ++s)
@@ -79,12 +96,12 @@ public:
   std::size_t number_of_vertices_on_segments() const { return vertices_on_segments_; }
   const Input_edge_list& edges() const { return edges_; }
   Input_edge_list take_edges() { return std::move(edges_); }
+  Vertex_blocks take_vertex_blocks() { return std::move(vertex_blocks_); }
   /// Edges of segments that overlap others, for each segment but the one in `edges()`.
   const Input_edge_list& repeated_edges() const { return repeated_edges_; }
 
 private:
   static constexpr std::size_t stride = growth_of_rounds;
-  static constexpr std::size_t vertices_of_block = Block_sizes<ConcurrencyTag>::vertices;
 
   using Blocks = Mesh_blocks<ConcurrencyTag, Geometry>;
   using Block = Mesh_block<Geometry>;
@@ -105,7 +122,9 @@ private:
   using Works = Indexed_vector<Block_id, Block_work>;
 
   Mesh& mesh_;
+  Vertex_blocks vertex_blocks_;
   Indexed_vector<Vertex_id, Vertex_id> representative_;
+  bool is_any_repeated_ = false;
   Input_edge_list edges_, repeated_edges_;
   std::size_t vertices_on_segments_ = 0;
   // for blocks: the triangle of the coarse triangulation that holds a vertex, and the vertex's handle in its block
@@ -140,6 +159,44 @@ private:
     }
   }
 
+  /// Whether a vertex is at the place of the one before it. In shuffle order most that are at one place are neighbors.
+  bool is_repeated(Vertex_id v) const {
+    const std::size_t i = std::size_t(v);
+    return i > 0 && mesh_.point(v) == mesh_.point(static_cast<Vertex_id>(i - 1));
+  }
+
+  /// Lets the first of vertices at one place stand for those behind it.
+  void find_repeated() {
+    const std::size_t n = representative_.size();
+    is_any_repeated_ = reduce<ConcurrencyTag>(
+        n, false,
+        [&](std::size_t begin, std::size_t end) {
+          bool is_any = false;
+          Vertex_id first;
+          for (const Vertex_id v : Id_range<Vertex_id>(begin, end)) {
+            if (!is_repeated(v)) {
+              first = v;
+              continue;
+            }
+            if (!first.is_valid()) // the block begins within a run
+              for (first = v; is_repeated(first);) first = static_cast<Vertex_id>(std::size_t(first) - 1);
+            representative_[v] = first;
+            is_any = true;
+          }
+          return is_any;
+        },
+        std::logical_or<>());
+  }
+
+  /// Once all are inserted: what stands for a vertex may have been at the place of another.
+  void settle_repeated() {
+    if (!is_any_repeated_) return;
+    for_each_index<ConcurrencyTag>(representative_.size(), [this](std::size_t i) {
+      const Vertex_id v = static_cast<Vertex_id>(i);
+      if (is_repeated(v)) representative_[v] = representative_[representative_[v]];
+    });
+  }
+
   /// In rounds: every 16^k-th vertex, then every 16^(k-1)-th, and so on, each in order.
   void insert_every(std::size_t last_step) {
     const std::size_t n = representative_.size();
@@ -149,7 +206,7 @@ private:
     for_each_in_rounds(n, last_step, [&](std::size_t i) {
       const Vertex_id v = static_cast<Vertex_id>(i);
       if (!representative_[v].is_valid()) representative_[v] = inserter.insert(v, hint);
-      hint = mesh_.incident_triangle(representative_[v]);
+      if (mesh_.is_used(representative_[v])) hint = mesh_.incident_triangle(representative_[v]);
     });
   }
 
@@ -175,12 +232,9 @@ private:
 
   std::optional<Crossing> run_in_blocks(const std::vector<Segment>& segments) {
     locate_vertices();
-    Uninitialized_vector<Triangle_id> all(mesh_.triangles.size());
-    std::iota(all.begin(), all.end(), Triangle_id(0));
     Block_assignment assignment;
     Blocks blocks(mesh_, assignment,
-                  cut_by_position<ConcurrencyTag>(mesh_, std::move(all), 2 * vertices_of_block / stride,
-                                                  Square_shift::NONE));
+                  cut_by_vertices<ConcurrencyTag>(mesh_, vertex_blocks_, [](Vertex_id v) { return v; }));
     Works works(blocks.size());
     const auto vertices = vertices_by_block(blocks);
     const auto segments_of = segments_by_block(blocks, segments);
@@ -207,27 +261,33 @@ private:
   void locate_vertices() {
     coarse_triangle_.resize(representative_.size());
     const std::size_t run = 256 * stride;
-    for_each_block<ConcurrencyTag>(
-        representative_.size(), run, [&](std::size_t, std::size_t begin, std::size_t end) {
-          Triangle_id t(0);
-          for (const Vertex_id v : Id_range<Vertex_id>(begin, end)) {
-            t = representative_[v].is_valid() ? mesh_.incident_triangle(representative_[v])
-                                              : locate_exactly(mesh_, t, mesh_.point(v)).triangle;
-            coarse_triangle_[v] = t;
-          }
-        });
+    for_each_block<ConcurrencyTag>(representative_.size(), run,
+                                   [&](std::size_t, std::size_t begin, std::size_t end) {
+                                     Triangle_id t(0);
+                                     for (const Vertex_id v : Id_range<Vertex_id>(begin, end)) {
+                                       t = is_coarse(v) ? mesh_.incident_triangle(representative_[v])
+                                                        : locate_exactly(mesh_, t, mesh_.point(v)).triangle;
+                                       coarse_triangle_[v] = t;
+                                     }
+                                   });
+    if (!is_any_repeated_) return;
+    for_each_index<ConcurrencyTag>(representative_.size(), [this](std::size_t i) {
+      const Vertex_id v = static_cast<Vertex_id>(i);
+      if (is_repeated(v)) coarse_triangle_[v] = coarse_triangle_[representative_[v]];
+    });
   }
 
   Block_id block_of(const Blocks& blocks, Vertex_id v) const { return blocks.block_of(coarse_triangle_[v]); }
 
-  static bool is_coarse(Vertex_id v) { return std::size_t(v) % stride == 0; }
+  /// Whether a vertex was inserted before there were blocks.
+  bool is_coarse(Vertex_id v) const { return std::size_t(v) % stride == 0 && !is_repeated(v); }
 
   /// The vertices that are not inserted yet, by the block in which they are.
   Groups<Vertex_id> vertices_by_block(const Blocks& blocks) const {
     return group_in_order<ConcurrencyTag, Vertex_id>(
         representative_.size(), blocks.size(), [&](std::size_t i) -> std::size_t {
           const Vertex_id v = static_cast<Vertex_id>(i);
-          return is_coarse(v) ? blocks.size() : block_of(blocks, v).value();
+          return representative_[v].is_valid() ? blocks.size() : block_of(blocks, v).value();
         });
   }
 
@@ -260,11 +320,11 @@ private:
 
   /// The handle in the block of what stands for a vertex, none if it is not there.
   Vertex_id find_in_block(const Block& block, const Blocks& blocks, Vertex_id v) const {
-    if (!is_coarse(v)) {
-      if (block_of(blocks, v) != block.id() || !representative(v).is_valid()) return {};
-      if (!is_coarse(representative(v))) return vertex_in_block_[representative(v)];
-    }
-    return block.vertex_in_block(representative(v));
+    if (is_coarse(v)) return block.vertex_in_block(representative(v));
+    if (block_of(blocks, v) != block.id()) return {}; // what stands for it may be found right now
+    const Vertex_id first = is_repeated(v) ? representative(v) : v, stands = representative(first);
+    if (!stands.is_valid()) return {};
+    return is_coarse(stands) ? block.vertex_in_block(stands) : vertex_in_block_[stands];
   }
 
   void insert_segments(Block& block, const Blocks& blocks, const std::vector<Segment>& segments,
@@ -297,6 +357,7 @@ private:
   std::optional<Crossing> insert_what_is_left(const Works& works) {
     for (const Block_work& work : works)
       for (const Vertex_id v : work.vertices_left) insert_late(v);
+    settle_repeated();
     Segment_inserter<Geometry> inserter(mesh_);
     const auto crossing = catch_crossing([&] {
       for (const Block_work& work : works)

@@ -24,6 +24,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Kernel_mesh.h>
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 namespace CGAL {
@@ -40,8 +41,11 @@ public:
                         Vertex_id first_auxiliary)
       : mesh_(mesh), is_kept_(is_kept), first_auxiliary_(first_auxiliary) {}
 
+  /// The triangulation alone, and no handle of a triangle, decides what becomes of it.
   void run() {
     for (const Triangle_id t : mesh_.triangles.ids()) push_if_flat(t);
+    std::sort(stack_.begin(), stack_.end(),
+              [this](Triangle_id t, Triangle_id u) { return from_least(t) < from_least(u); });
     while (!stack_.empty()) {
       const Triangle_id t = stack_.back();
       stack_.pop_back();
@@ -75,10 +79,18 @@ private:
     if (is_kept_[t] == 0 && mesh_.is_alive(t) && is_flat(mesh_.triangle(t).v)) stack_.push_back(t);
   }
 
+  /// The vertices of a triangle from the least one on.
+  std::array<Vertex_id, 3> from_least(Triangle_id t) const {
+    const auto& r = mesh_.triangle(t);
+    const int k = Mesh::slot_of_least(r);
+    return {r.v[k], r.v[next_slot[k]], r.v[previous_slot[k]]};
+  }
+
   void flip_longest_side_of(Triangle_id t) {
     const auto& r = mesh_.triangle(t);
     const auto s = mesh_.shape(r);
-    const int k = static_cast<int>(std::find(s.l, s.l + 3, s.longest()) - s.l);
+    int k = Mesh::slot_of_least(r);
+    while (s.l[k] != s.longest()) k = next_slot[k];
     const Side o = r.side[k];
     if (o.is_constrained()) return;
     const Triangle_id u = o.triangle();

@@ -36,20 +36,25 @@ public:
 
   Input_edges() = default;
 
-  Input_edges(Input_edge_list edges, std::size_t number_of_vertices)
-      : edges_(std::move(edges)), first_(number_of_vertices + 1, 0), incidences_(2 * edges_.size()) {
-    for (const Input_edge& e : edges_) ++first_[e.a], ++first_[e.b];
+  /// Edges get their handles in the order of their lesser vertex, `a` from now on, and then of the other.
+  Input_edges(const Input_edge_list& edges, std::size_t number_of_vertices)
+      : edges_(edges.size()), first_(number_of_vertices + 1, 0), incidences_(2 * edges.size()) {
+    for (const Input_edge& e : edges) ++first_[e.a], ++first_[e.b];
     std::uint32_t sum = 0;
     for (std::uint32_t& n : first_) sum += n, n = sum; // where those of a vertex end
-    for (const Edge_id i : edges_.ids()) {
-      const Input_edge& e = edges_[i];
-      incidences_[--first_[e.a]] = {e.b, i};
-      incidences_[--first_[e.b]] = {e.a, i};
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      const Input_edge& e = edges[i];
+      incidences_[--first_[e.a]] = {e.b, static_cast<Edge_id>(i)};
+      incidences_[--first_[e.b]] = {e.a, static_cast<Edge_id>(i)};
     }
     for_each_index<Chosen_tag>(number_of_vertices, [this](std::size_t i) {
       const Vertex_id v = static_cast<Vertex_id>(i);
-      std::sort(begin(v), end(v));
+      if (end(v) - begin(v) > 2)
+        std::sort(begin(v), end(v));
+      else if (end(v) - begin(v) == 2 && begin(v)[1] < begin(v)[0]) // as on all chains
+        std::swap(begin(v)[0], begin(v)[1]);
     });
+    name_edges(edges, number_of_vertices);
   }
 
   /// Lets each of these edges belong to the first of the segments that run there.
@@ -101,6 +106,35 @@ private:
 
   Incidence* begin(Vertex_id v) { return incidences_.data() + first_[v]; }
   Incidence* end(Vertex_id v) { return incidences_.data() + first_[++v]; }
+
+  /// Where the edges begin of which v is the lesser vertex.
+  Incidence* begin_of_lesser(Vertex_id v) {
+    return std::lower_bound(begin(v), end(v), v,
+                            [](const Incidence& i, Vertex_id w) { return i.neighbor < w; });
+  }
+
+  void name_edges(const Input_edge_list& edges, std::size_t number_of_vertices) {
+    Uninitialized_indexed_vector<Edge_id, Edge_id> new_id(edges.size());
+    count_allocate_and_place<Chosen_tag>(
+        number_of_vertices,
+        [&](std::size_t first, std::size_t last) {
+          std::size_t count = 0;
+          for (const Vertex_id v : Id_range<Vertex_id>(first, last))
+            count += static_cast<std::size_t>(end(v) - begin_of_lesser(v));
+          return count;
+        },
+        [](std::size_t) {},
+        [&](std::size_t first, std::size_t last, std::size_t number) {
+          for (const Vertex_id v : Id_range<Vertex_id>(first, last))
+            for (const Incidence* i = begin_of_lesser(v); i != end(v); ++i, ++number) {
+              const Edge_id e = static_cast<Edge_id>(number);
+              edges_[e] = {v, i->neighbor, edges[std::size_t(i->edge)].segment};
+              new_id[i->edge] = e;
+            }
+        });
+    for_each_index<Chosen_tag>(incidences_.size(),
+                               [&](std::size_t i) { incidences_[i].edge = new_id[incidences_[i].edge]; });
+  }
 };
 
 } // namespace internal

@@ -161,6 +161,10 @@ public:
   Vertex_id source(Side s) const { return triangle(s.triangle()).v[next_slot[s.slot()]]; }
   Vertex_id target(Side s) const { return triangle(s.triangle()).v[previous_slot[s.slot()]]; }
 
+  static int slot_of_least(const Triangle& t) {
+    const int k = t.v[1] < t.v[0] ? 1 : 0;
+    return t.v[2] < t.v[k] ? 2 : k;
+  }
   static int slot_of(const Triangle& t, Vertex_id v) { return t.v[0] == v ? 0 : t.v[1] == v ? 1 : 2; }
 
   Vertex_id add_vertex(Point p, Vertex_role role) {

@@ -6,13 +6,9 @@
 //
 // Cuts a mesh into blocks that are processed separately, in parallel, and puts them back.
 //
-// A block is a run of triangles in the shuffle order of their shortest edges. Refinement begins at these
-// edges, however long the rest of the triangle is. The squares of one round are shifted against those of the next
-// by a third of the root. So what is near a seam of one round is well inside a block of the other: of a quadtree
-// and its shifted copies, one has any given disc within a square not much larger (Chan,
-// "Approximate nearest neighbor queries revisited", 1998). The mesh alone determines how blocks are cut, and
-// new things are named in the order of blocks. So the result is the same for any number of threads. A single thread
-// writes each block before it takes out the next, which gets its memory.
+// The mesh alone determines how blocks are cut (Block_cut.h), and new things are named in the order of blocks. So the
+// result is the same for any number of threads. A single thread writes each block before it takes out the next, which
+// gets its memory.
 //
 // O(n) work and memory for n triangles in blocks, and O(s log s) for s seams.
 
@@ -22,10 +18,9 @@
 #include <CGAL/Quadtree_mesh_2/internal/parallel/group_in_order.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel_sort.h>
-#include <CGAL/Quadtree_mesh_2/internal/parallel/radix_sort.h>
+#include <CGAL/Quadtree_mesh_2/internal/triangulation/Block_cut.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Kernel_mesh.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Mesh_block.h>
-#include <CGAL/Quadtree_mesh_2/internal/triangulation/Place_keys.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -38,66 +33,6 @@
 namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
-
-/// How much makes a block: large enough that seams are few, small enough that a refined block stays in the cache and
-/// that there are blocks for many threads. Less than two blocks are not worth cutting. Specialized by tests, so
-/// that small inputs are cut too.
-template <class ConcurrencyTag>
-struct Block_sizes {
-  static constexpr std::size_t vertices = 16384;  ///< of the input, while it is triangulated
-  static constexpr std::size_t triangles = 24576; ///< before they are refined
-};
-
-/// Triangles by block.
-using Block_cut = Groups<Triangle_id>;
-
-/// Cuts the given triangles, a vector, into blocks of about `block_size`, by the places of the middles of their
-/// shortest edges.
-template <class ConcurrencyTag, class Geometry, class Triangles>
-Block_cut cut_by_position(const Kernel_mesh<Geometry>& mesh, const Triangles& triangles,
-                          std::size_t block_size, Square_shift shift) {
-  const Place_keys<Geometry> key(mesh.points.values(), shift);
-  const std::size_t n = triangles.size(), blocks = std::max<std::size_t>(1, n / block_size);
-  Uninitialized_vector<std::uint64_t> words(n); // key, triangle
-  for_each_index<ConcurrencyTag>(n, [&](std::size_t i) {
-    const auto& r = mesh.triangle(triangles[i]);
-    const int k = mesh.shape(r).slot_of_shortest();
-    const auto &a = mesh.point(r.v[next_slot[k]]), &b = mesh.point(r.v[previous_slot[k]]);
-    const auto middle = Geometry::translate(a, 0.5 * Geometry::difference(b, a));
-    words[i] = key(middle) << 32 | triangles[i].value();
-  });
-  sort_words<ConcurrencyTag>(words.data(), uncleared_words(n).get(), n, true);
-
-  Block_cut cut;
-  cut.members.resize(n);
-  for_each_index<ConcurrencyTag>(
-      n, [&](std::size_t i) { cut.members[i] = Triangle_id(static_cast<std::uint32_t>(words[i])); });
-  for (std::size_t b = 0; b <= blocks; ++b) cut.first.push_back(n * b / blocks);
-  return cut;
-}
-
-/// Cuts all triangles of a mesh without free vertices into blocks of about `block_size`, by the numbers of the input
-/// vertices, which are their handles, in shuffle order. The middle one of a triangle's three numbers is one of the two
-/// that are close to each other, those of its shortest edge as a rule. `edge_start(e)` is the number of a vertex of
-/// input edge e, for the vertices on it.
-template <class ConcurrencyTag, class Geometry, class Edge_start>
-Block_cut cut_by_input_order(const Kernel_mesh<Geometry>& mesh, std::size_t number_of_input_vertices,
-                             std::size_t block_size, const Edge_start& edge_start) {
-  const std::size_t blocks = std::max<std::size_t>(1, mesh.number_of_triangles() / block_size);
-  const auto number = [&](Vertex_id v) {
-    return std::size_t(v) < number_of_input_vertices ? v : edge_start(mesh.edge(v));
-  };
-  const auto block_of = [&](Triangle_id t) {
-    const auto& r = mesh.triangle(t);
-    const Vertex_id a = number(r.v[0]), b = number(r.v[1]), c = number(r.v[2]);
-    const Vertex_id middle = greater(lesser(a, b), lesser(greater(a, b), c));
-    return std::size_t(middle) * blocks / number_of_input_vertices;
-  };
-  return group_in_order<ConcurrencyTag, Triangle_id>(mesh.triangles.size(), blocks, [&](std::size_t i) {
-    const Triangle_id t = static_cast<Triangle_id>(i);
-    return mesh.is_alive(t) ? block_of(t) : blocks;
-  });
-}
 
 template <class ConcurrencyTag, class Geometry>
 class Mesh_blocks {

@@ -20,9 +20,6 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-/// How squares are placed; those of different shifts have no side in common.
-enum class Square_shift { NONE, THIRD_OF_ROOT };
-
 template <class Geometry>
 class Place_keys {
 public:
@@ -30,12 +27,18 @@ public:
 
   /// The grid covers the box of the points, a vector, with 2^15 squares along its longer side.
   template <class Points>
-  explicit Place_keys(const Points& points, Square_shift shift = Square_shift::NONE)
-      : offset_(shift == Square_shift::NONE ? 0 : 65536.0 / 3) {
+  explicit Place_keys(const Points& points) {
     const auto box = place_box<Chosen_tag>(points);
     low_ = box.low;
     const Vector size = Geometry::difference(box.high, low_);
     scale_ = last_square / std::max(std::max(size.x, size.y), 1e-300);
+  }
+
+  /// The keys of a grid that is shifted by a third of the root. No square has a side in common with one of the other.
+  Place_keys shifted() const {
+    Place_keys keys = *this;
+    keys.offset_ = 65536.0 / 3;
+    return keys;
   }
 
   /// The key, of 32 bits, of a place; of those outside the box that of the square next to it.
@@ -48,7 +51,7 @@ private:
   static constexpr double last_square = 32767;
 
   Point low_;
-  double offset_, scale_;
+  double offset_ = 0, scale_ = 0;
 
   std::uint32_t coordinate(double x) const {
     return static_cast<std::uint32_t>(std::min(std::max(scale_ * x, 0.0), last_square) + offset_);

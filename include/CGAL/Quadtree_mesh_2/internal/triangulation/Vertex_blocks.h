@@ -1,0 +1,104 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+//
+// The blocks of a graph's mesh: runs of its vertices in shuffle order.
+//
+// Computes: leaves of the quadtree of the vertices with so many in each at most (cut_by_squares.h), and which of them a
+//           triangle belongs to. The middle one of a triangle's three numbers is one of the two that are close to each
+//           other, those of its shortest edge as a rule. Refinement begins at these edges, however long the rest of
+//           the triangle is.
+// Bound:    O(n) for n vertices; O(1) for a triangle.
+// Source:   ours.
+
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_VERTEX_BLOCKS_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_VERTEX_BLOCKS_H
+
+#include <CGAL/Quadtree_mesh_2/Grid_point_2.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/Indexed_vector.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/Word_operations.h>
+#include <CGAL/Quadtree_mesh_2/internal/geometry/meshing_geometry.h>
+#include <CGAL/Quadtree_mesh_2/internal/grid/cut_by_squares.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
+#include <CGAL/Quadtree_mesh_2/internal/triangulation/Mesh_block.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Quadtree_mesh_2 {
+namespace internal {
+
+/// How much makes a block: large enough that seams are few, small enough that a refined block stays in the cache and
+/// that there are blocks for many threads. Less than two blocks are not worth cutting. Specialized by tests, so
+/// that small inputs are cut too.
+template <class ConcurrencyTag>
+struct Block_sizes {
+  static constexpr std::size_t vertices = 16384;  ///< of the input, at most
+  static constexpr std::size_t triangles = 24576; ///< before they are refined
+};
+
+class Vertex_blocks {
+public:
+  /// A single block.
+  Vertex_blocks() = default;
+  /// Blocks that begin at these numbers, of which the last is the number of vertices.
+  explicit Vertex_blocks(std::vector<std::size_t> first) : first_(std::move(first)) {
+    if (size() < 2) return;
+    block_of_.resize(first_.back());
+    for_each_index<Chosen_tag>(
+        size(),
+        [this](std::size_t b) {
+          std::fill(block_of_.begin() + static_cast<std::ptrdiff_t>(first_[b]),
+                    block_of_.begin() + static_cast<std::ptrdiff_t>(first_[b + 1]), static_cast<Block_id>(b));
+        },
+        1);
+  }
+
+  std::size_t size() const { return first_.size() - 1; }
+
+  /// The block of a triangle, by the numbers of its vertices. Numbers beyond those of the input count as its last.
+  Block_id of_triangle(Vertex_id a, Vertex_id b, Vertex_id c) const {
+    if (size() < 2) return Block_id(0);
+    const Vertex_id middle = greater(lesser(a, b), lesser(greater(a, b), c));
+    return block_of_[lesser(middle, block_of_.last_id())];
+  }
+
+private:
+  std::vector<std::size_t> first_ = {0, 0};
+  Uninitialized_indexed_vector<Vertex_id, Block_id> block_of_; // if there are several
+};
+
+/// The blocks of vertices in shuffle order, by `level` as of `cut_by_squares()`. Less than one and a half blocks are not
+/// worth cutting.
+template <class Level>
+Vertex_blocks blocks_by_levels(std::size_t number_of_vertices, std::size_t most, const Level& level) {
+  if (2 * number_of_vertices < 3 * most) return {};
+  return Vertex_blocks(cut_by_squares(number_of_vertices, most, level));
+}
+
+/// The blocks of vertices whose grid points are given, called by their number in shuffle order as `point_at(i)`.
+template <class Point_at>
+Vertex_blocks blocks_by_squares(std::size_t number_of_vertices, std::size_t most, const Point_at& point_at) {
+  return blocks_by_levels(number_of_vertices, most, [&](std::size_t i, std::size_t k) {
+    const auto &p = point_at(i), &q = point_at(k);
+    using Operations = Word_operations<std::decay_t<decltype(p.x)>>;
+    return std::max(Operations::width_of_difference(p.x, q.x), Operations::width_of_difference(p.y, q.y));
+  });
+}
+
+/// The blocks of vertices whose squares are not known: of about one size.
+inline Vertex_blocks blocks_by_number(std::size_t number_of_vertices, std::size_t most) {
+  return blocks_by_levels(number_of_vertices, most, [](std::size_t, std::size_t) { return 0; });
+}
+
+} // namespace internal
+} // namespace Quadtree_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_VERTEX_BLOCKS_H
