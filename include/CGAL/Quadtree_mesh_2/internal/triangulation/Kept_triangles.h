@@ -8,7 +8,7 @@
 //
 // Computes: the mesh of the triangles kept. Each begins with its least vertex. They are in the order of that and of their
 //           next vertex. A vertex knows the first triangle that begins with it, or the first at it if none does.
-// Bound:    O(n) for n triangles, in parallel: sorting by digits.
+// Bound:    O(n) for n triangles, in parallel, and O(d log d) for the d triangles of a vertex.
 // Source:   ours.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_KEPT_TRIANGLES_H
@@ -16,10 +16,10 @@
 
 #include <CGAL/Quadtree_mesh_2/internal/base/Indexed_vector.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
-#include <CGAL/Quadtree_mesh_2/internal/parallel/radix_sort.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Kernel_mesh.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <utility>
@@ -34,20 +34,21 @@ class Kept_triangles {
 public:
   /// \pre around each vertex the triangles of the mesh make one fan, of which some may be kept and others not
   Kept_triangles(Mesh& mesh, const Indexed_vector<Triangle_id, char>& is_kept)
-      : mesh_(mesh), is_kept_(is_kept) {
-    sort();
-    name();
+      : mesh_(mesh), is_kept_(is_kept), new_side_(mesh.triangles.size()), end_of_run_(mesh.points.size()) {
+    group_by_least_vertex();
+    for_each_index<Chosen_tag>(end_of_run_.size(), [this](std::size_t v) { sort_run(v); });
   }
 
   /// Drops all other triangles, and the vertices from the given one on.
   void keep(Vertex_id end_of_vertices) {
-    auto triangle_of = first_triangles(end_of_vertices);
+    auto triangle_of = first_triangles(std::size_t(end_of_vertices));
     mesh_.points.truncate(end_of_vertices), mesh_.role_of.truncate(end_of_vertices);
     mesh_.is_dirty.truncate(end_of_vertices);
     mesh_.triangle_of = std::move(triangle_of);
     decltype(mesh_.region_of) region_of(mesh_.region_of.empty() ? 0 : order_.size());
     for_each_index<Chosen_tag>(region_of.size(), [&](std::size_t i) {
-      region_of[static_cast<Triangle_id>(i)] = mesh_.region(triangle_before(i));
+      const Triangle_id t = static_cast<Triangle_id>(i);
+      region_of[t] = mesh_.region(order_[t]);
     });
     mesh_.region_of = std::move(region_of);
     mesh_.triangles = renamed_triangles();
@@ -58,74 +59,83 @@ private:
 
   Mesh& mesh_;
   const Indexed_vector<Triangle_id, char>& is_kept_;
-  std::vector<std::uint64_t> order_; // the triangles kept: least vertex, handle
-  // The side opposite the least vertex, with the new handle; the border for triangles that are not kept.
+  Uninitialized_indexed_vector<Triangle_id, Triangle_id> order_; // the handles that there were
+  // The side opposite the least vertex, with the new handle, of triangles that are kept.
   Uninitialized_indexed_vector<Triangle_id, Side> new_side_;
+  std::vector<std::atomic<std::uint32_t>>
+      end_of_run_; // of the triangles with one least vertex, in their order
 
-  Vertex_id least_vertex(std::size_t i) const { return Vertex_id(order_[i] >> 32); }
-  Triangle_id triangle_before(std::size_t i) const { return triangle_of(order_[i]); }
-  static Triangle_id triangle_of(std::uint64_t word) { return Triangle_id(static_cast<std::uint32_t>(word)); }
-  /// Whether the triangle is the first one with its least vertex.
-  bool is_first(std::size_t i) const { return i == 0 || least_vertex(i - 1) != least_vertex(i); }
+  std::size_t begin_of_run(std::size_t v) const { return v == 0 ? 0 : end_of_run(v - 1); }
+  std::size_t end_of_run(std::size_t v) const { return end_of_run_[v].load(std::memory_order_relaxed); }
 
-  Vertex_id next_vertex(std::uint64_t word) const {
-    const Triangle& r = mesh_.triangle(triangle_of(word));
+  template <class Function>
+  void for_each_kept(const Function& f) {
+    for_each_index<Chosen_tag>(is_kept_.size(), [&](std::size_t i) {
+      const Triangle_id t = static_cast<Triangle_id>(i);
+      if (is_kept_[t] != 0) f(t, mesh_.triangle(t).v[Mesh::slot_of_least(mesh_.triangle(t))]);
+    });
+  }
+
+  /// Threads count and place as they come; runs are sorted afterward.
+  void group_by_least_vertex() {
+    const auto count = [this](Vertex_id v) -> std::atomic<std::uint32_t>& {
+      return end_of_run_[std::size_t(v)];
+    };
+    for_each_kept([&](Triangle_id, Vertex_id v) { count(v).fetch_add(1, std::memory_order_relaxed); });
+    count_allocate_and_place<Chosen_tag>(
+        end_of_run_.size(),
+        [this](std::size_t begin, std::size_t end) {
+          std::size_t sum = 0;
+          for (std::size_t v = begin; v < end; ++v) sum += end_of_run(v);
+          return sum;
+        },
+        [this](std::size_t sum) { order_.resize(sum); },
+        [this](std::size_t begin, std::size_t end, std::size_t first) {
+          for (std::size_t v = begin; v < end; ++v) {
+            const std::size_t here = end_of_run(v);
+            end_of_run_[v].store(static_cast<std::uint32_t>(first), std::memory_order_relaxed);
+            first += here;
+          }
+        });
+    for_each_kept([&](Triangle_id t, Vertex_id v) {
+      order_[Triangle_id(count(v).fetch_add(1, std::memory_order_relaxed))] = t;
+    });
+  }
+
+  Vertex_id next_vertex(Triangle_id t) const {
+    const Triangle& r = mesh_.triangle(t);
     return r.v[next_slot[Mesh::slot_of_least(r)]];
   }
 
-  void sort() {
-    order_ = pack_values<Chosen_tag, std::uint64_t>(
-        mesh_.triangles.size(), [&](std::size_t i) { return is_kept_[static_cast<Triangle_id>(i)] != 0; },
-        [&](std::size_t i) {
-          const Triangle& r = mesh_.triangle(static_cast<Triangle_id>(i));
-          return std::uint64_t(r.v[Mesh::slot_of_least(r)].value()) << 32 | i;
-        });
-    const std::size_t n = order_.size();
-    sort_words<Chosen_tag>(order_.data(), uncleared_words(n).get(), n, true);
-    for_each_block<Chosen_tag>(n, default_block, [&](std::size_t, std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i)
-        if (is_first(i)) sort_run(i);
-    });
-  }
-
-  /// Sorts the triangles with one least vertex, of which this is the first, by their next vertex.
-  void sort_run(std::size_t begin) {
-    std::size_t end = begin + 1;
-    while (end < order_.size() && least_vertex(end) == least_vertex(begin)) ++end;
-    const auto is_before = [this](std::uint64_t a, std::uint64_t b) {
-      return next_vertex(a) < next_vertex(b);
-    };
-    if (end == begin + 2) { // frequent, and std::sort() is long
-      if (is_before(order_[begin + 1], order_[begin])) std::swap(order_[begin], order_[begin + 1]);
-    } else if (end > begin + 2) {
-      std::sort(order_.begin() + static_cast<std::ptrdiff_t>(begin),
-                order_.begin() + static_cast<std::ptrdiff_t>(end), is_before);
+  /// Sorts the triangles with one least vertex by their next vertex, and names them.
+  void sort_run(std::size_t v) {
+    const std::size_t first = begin_of_run(v), last = end_of_run(v);
+    const auto is_before = [this](Triangle_id t, Triangle_id u) { return next_vertex(t) < next_vertex(u); };
+    Triangle_id *const begin = order_.data() + first, *const end = order_.data() + last;
+    if (last == first + 2) { // frequent, and std::sort() is long
+      if (is_before(begin[1], begin[0])) std::swap(begin[0], begin[1]);
+    } else if (last > first + 2) {
+      std::sort(begin, end, is_before);
+    }
+    for (std::size_t i = first; i < last; ++i) {
+      const Triangle_id t = static_cast<Triangle_id>(i), before = order_[t];
+      new_side_[before] = Side(t, Mesh::slot_of_least(mesh_.triangle(before)));
     }
   }
 
-  void name() {
-    new_side_.resize(mesh_.triangles.size());
-    for_each_index<Chosen_tag>(new_side_.size(), [&](std::size_t i) {
-      if (is_kept_[static_cast<Triangle_id>(i)] == 0) new_side_[static_cast<Triangle_id>(i)] = Side::border();
-    });
-    for_each_index<Chosen_tag>(order_.size(), [&](std::size_t i) {
-      const Triangle_id t = triangle_before(i);
-      new_side_[t] = Side(static_cast<Triangle_id>(i), Mesh::slot_of_least(mesh_.triangle(t)));
-    });
+  Triangle_id new_handle(Triangle_id t) const {
+    return is_kept_[t] != 0 ? new_side_[t].triangle() : Triangle_id();
   }
 
   /// The triangles that vertices know.
-  auto first_triangles(Vertex_id end_of_vertices) const {
-    decltype(mesh_.triangle_of) first{std::size_t(end_of_vertices)};
-    for_each_index<Chosen_tag>(first.size(), [&](std::size_t v) { first[static_cast<Vertex_id>(v)] = {}; });
-    for_each_index<Chosen_tag>(order_.size(), [&](std::size_t i) {
-      if (is_first(i)) first[least_vertex(i)] = static_cast<Triangle_id>(i);
-    });
-    for_each_index<Chosen_tag>(first.size(), [&](std::size_t i) {
+  auto first_triangles(std::size_t number_of_vertices) const {
+    decltype(mesh_.triangle_of) first(number_of_vertices);
+    for_each_index<Chosen_tag>(number_of_vertices, [&](std::size_t i) {
       const Vertex_id v = static_cast<Vertex_id>(i);
+      first[v] = begin_of_run(i) < end_of_run(i) ? Triangle_id(begin_of_run(i)) : Triangle_id();
       if (first[v].is_valid() || !mesh_.is_used(v)) return;
-      mesh_.for_each_triangle_at(v, [&](Triangle_id t, int) { // none is greater than any
-        if (is_kept_[t] != 0) first[v] = std::min(first[v], new_side_[t].triangle());
+      mesh_.for_each_triangle_at(v, [&](Triangle_id t, int) {
+        first[v] = std::min(first[v], new_handle(t)); // none is greater than any
       });
     });
     return first;
@@ -136,19 +146,19 @@ private:
     triangles.reserve(order_.size() + order_.size() / 8); // acute corners are cut soon
     triangles.resize(order_.size());
     for_each_index<Chosen_tag>(order_.size(), [&](std::size_t i) {
-      const Triangle& before = mesh_.triangle(triangle_before(i));
-      Triangle& r = triangles[static_cast<Triangle_id>(i)];
+      const Triangle_id t = static_cast<Triangle_id>(i);
+      const Triangle& before = mesh_.triangle(order_[t]);
       int from = Mesh::slot_of_least(before);
       for (int k = 0; k < 3; ++k, from = next_slot[from]) {
-        r.v[k] = before.v[from];
-        r.side[k] = renamed(before.side[from]);
+        triangles[t].v[k] = before.v[from];
+        triangles[t].side[k] = renamed(before.side[from]);
       }
     });
     return triangles;
   }
 
   Side renamed(Side o) const {
-    if (o.is_border() || new_side_[o.triangle()].is_border()) return Side::border();
+    if (o.is_border() || is_kept_[o.triangle()] == 0) return Side::border();
     const Side first = new_side_[o.triangle()];
     const int slot = o.slot() - first.slot();
     return Side(first.triangle(), slot < 0 ? slot + 3 : slot, o.is_constrained());
