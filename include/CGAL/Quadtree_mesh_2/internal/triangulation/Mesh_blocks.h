@@ -23,6 +23,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Mesh_block.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -62,16 +63,16 @@ public:
     const std::size_t batch = is_sequential<ConcurrencyTag>() ? 1 : size();
     std::vector<Mesh> spare(batch);
     for (std::size_t begin = 0; begin < size(); begin += batch) {
-      Executor<ConcurrencyTag>::run(batch,
-                                    [&](std::size_t i) { work(take_out(begin + i, std::move(spare[i]))); });
+      run_largest_first(begin, begin + batch,
+                        [&](std::size_t b) { work(take_out(b, std::move(spare[b - begin]))); });
       const std::vector<First_names> names = make_room(begin, begin + batch);
-      Executor<ConcurrencyTag>::run(batch, [&](std::size_t i) {
-        Block& block = *blocks_[begin + i];
-        block.name_new(names[i].triangle, names[i].vertex);
+      run_largest_first(begin, begin + batch, [&](std::size_t b) {
+        Block& block = *blocks_[b];
+        block.name_new(names[b - begin].triangle, names[b - begin].vertex);
         block.write(whole_);
         take_results(block);
         Mesh rest = block.release();
-        if (begin + batch < size()) spare[i] = std::move(rest);
+        if (begin + batch < size()) spare[b - begin] = std::move(rest);
       });
     }
   }
@@ -112,6 +113,18 @@ private:
         assignment_.of_triangle[cut_.members[i]] = {static_cast<Block_id>(b),
                                                     static_cast<Triangle_id>(i - cut_.first[b])};
     });
+  }
+
+  /// Calls `task(b)` for the blocks [begin, end). A thread that is free takes the largest one that nobody has taken, so
+  /// that none begins with a large one when others are about to end.
+  template <class Task>
+  void run_largest_first(std::size_t begin, std::size_t end, const Task& task) const {
+    std::vector<std::size_t> order(end - begin);
+    std::iota(order.begin(), order.end(), begin);
+    std::stable_sort(order.begin(), order.end(),
+                     [this](std::size_t b, std::size_t c) { return cut_[b].size() > cut_[c].size(); });
+    std::atomic<std::size_t> next{0};
+    Executor<ConcurrencyTag>::run(order.size(), [&](std::size_t) { task(order[next++]); });
   }
 
   Block& take_out(std::size_t b, Mesh spare) {

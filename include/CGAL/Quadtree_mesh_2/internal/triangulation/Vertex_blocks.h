@@ -39,7 +39,7 @@ namespace internal {
 /// that small inputs are cut too.
 template <class ConcurrencyTag>
 struct Block_sizes {
-  static constexpr std::size_t vertices = 16384;  ///< of the input, at most
+  static constexpr std::size_t vertices = 12288;  ///< of the input, at most
   static constexpr std::size_t triangles = 24576; ///< before they are refined
 };
 
