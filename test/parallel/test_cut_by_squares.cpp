@@ -4,8 +4,8 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// Runs of items by squares: none too long, none to be put together, each a set of whole squares, and cuts that stay where
-// they are when something changes far away.
+// Runs of items by squares: none too long, none to be put together, each a set of whole squares, and cuts that stay
+// where they are when something changes far away.
 
 #include "catch.h"
 

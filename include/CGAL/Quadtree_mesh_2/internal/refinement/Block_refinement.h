@@ -6,8 +6,8 @@
 //
 // Refinement and guarded removal by rounds of blocks, in parallel.
 //
-// Round 1   cuts the mesh into the blocks of its vertices (Vertex_blocks.h). Each is refined (Refiner.h) and coarsened (Remover.h) on its
-//           own. Bad triangles that need something beyond a seam wait, and so do vertices at seams.
+// Round 1   cuts the mesh into the blocks of its vertices (Vertex_blocks.h). Each is refined (Refiner.h) and coarsened
+//           (Remover.h) on its own. Bad triangles that need something beyond a seam wait, and so do vertices at seams.
 // Round 2   cuts the surroundings of the seams and of waiting triangles, by squares that are shifted, and treats these
 //           blocks in the same way.
 // Round r   takes the triangles that still wait, with r - 1 rings around them, eight at most, and the whole of the

@@ -6,8 +6,8 @@
 //
 // Drops the triangles of a mesh that are not kept, and gives the others the handles that their vertices determine.
 //
-// Computes: the mesh of the triangles kept. Each begins with its least vertex. They are in the order of that and of their
-//           next vertex. A vertex knows the first triangle that begins with it, or the first at it if none does.
+// Computes: the mesh of the triangles kept. Each begins with its least vertex. They are in the order of that and of
+//           their next vertex. A vertex knows the first triangle that begins with it, or the first at it if none does.
 // Bound:    O(n) for n triangles, in parallel, and O(d log d) for the d triangles of a vertex.
 // Source:   ours.
 

@@ -74,8 +74,8 @@ private:
   Uninitialized_indexed_vector<Vertex_id, Block_id> block_of_; // if there are several
 };
 
-/// The blocks of vertices in shuffle order, by `level` as of `cut_by_squares()`. Less than one and a half blocks are not
-/// worth cutting.
+/// The blocks of vertices in shuffle order, by `level` as of `cut_by_squares()`. Less than one and a half blocks are
+/// not worth cutting.
 template <class Level>
 Vertex_blocks blocks_by_levels(std::size_t number_of_vertices, std::size_t most, const Level& level) {
   if (2 * number_of_vertices < 3 * most) return {};
