@@ -8,11 +8,12 @@
 //
 // Computes: a mesh with fewer triangles. Guarded removal (Remover.h) needs a vertex that can go while all others stay.
 //           Here its neighbor moves into the middle of both stars. A free vertex goes to a free neighbor, or to one on
-//           an edge, which stays on the edge. No vertex of an edge or of the input is lost.
+//           an edge, which stays on the edge. Two vertices of an edge become one of the edge.
 // Method:   the two stars are joined on paper, and relocation (Relocator.h) looks for a place in what they make. Nothing
 //           is changed until a place is found, so there is nothing to undo.
-// Gain:     on small meshes 7 percent of the triangles after removal, for a fifth of the time of refinement.
-// Bound:    O(degree) for a pair. A pair is tried again when a triangle at one of its vertices has changed. Each merger
+// Gain:     where removal found nothing, 9 percent of the triangles of a mesh that grows by powers of ten. Together with
+//           smoothing a third of them.
+// Bound:    O(degree) for a pair. A pair is tried again after a merger next to it. Each merger
 //           takes a vertex, so this ends.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_THINNING_PAIR_MERGER_H
@@ -48,7 +49,7 @@ public:
     for (bool is_any = true; is_any;) {
       is_any = false;
       for (const Vertex_id v : mesh_.points.ids()) {
-        if (!mesh_.is_free(v) || !mesh_.is_used(v) || is_done_[v] != 0) continue;
+        if (mesh_.is_input(v) || !mesh_.is_used(v) || is_done_[v] != 0) continue;
         if (is_time_to_ask(step += steps_of_vertex) && !shall_go_on()) return merged;
         is_done_[v] = 1;
         if (!merge_with_a_neighbor(v)) continue;
@@ -64,16 +65,15 @@ private:
   Meshing_state<Geometry>& state_;
   Kernel_mesh<Geometry>& mesh_;
   Relocator<Geometry> relocator_;
-  Indexed_vector<Vertex_id, char> is_done_; // tried in vain, with nothing changed around it since
+  Indexed_vector<Vertex_id, char> is_done_; // tried in vain, with nothing merged next to it since
   Star of_v_, of_u_, joined_;
   int u_in_link_ = 0, v_in_link_ = 0; // of the other star
 
   bool merge_with_a_neighbor(Vertex_id v) {
-    if (!of_v_.collect(mesh_, v, largest_star) || !of_v_.is_closed) return false;
-    for (u_in_link_ = 0; u_in_link_ < of_v_.size; ++u_in_link_) {
+    if (!of_v_.collect(mesh_, v, largest_star) || (mesh_.is_free(v) && !of_v_.is_closed)) return false;
+    for (u_in_link_ = 0; u_in_link_ < of_v_.number_of_link_vertices(); ++u_in_link_) {
       const Vertex_id u = of_v_.link[u_in_link_];
-      const bool is_tried = mesh_.is_free(u) && u < v && is_done_[u] != 0; // from there: it is the same place
-      if (mesh_.is_input(u) || is_tried || !join_stars(u, v) || !find_place(u, v)) continue;
+      if (!may_take_in(u, v) || !join_stars(u, v) || !find_place(u, v)) continue;
       replace(u, v);
       mesh_.for_each_triangle_at(u, [this](Triangle_id t, int) {
         for (const Vertex_id w : mesh_.triangle(t).v) is_done_[w] = 0;
@@ -81,6 +81,20 @@ private:
       return true;
     }
     return false;
+  }
+
+  /// Whether u may stand for its neighbor v, and that has not been tried from u.
+  bool may_take_in(Vertex_id u, Vertex_id v) const {
+    if (mesh_.is_input(u)) return false;
+    if (!mesh_.is_free(v)) return mesh_.edge(u) == mesh_.edge(v) && is_constrained_spoke(u_in_link_);
+    return !mesh_.is_free(u) || v < u || is_done_[u] == 0;
+  }
+
+  /// Whether the side from v to a link vertex is on an edge.
+  bool is_constrained_spoke(int i) const {
+    if (i == of_v_.size) return true; // the end of an open star
+    const Side c = of_v_.corner[i];
+    return mesh_.triangle(c.triangle()).side[previous_slot[c.slot()]].is_constrained();
   }
 
   /// Makes the star that u has when v is gone: the link of v takes the place of v in that of u.
@@ -94,13 +108,25 @@ private:
     if (of_u_.is_closed) {
       append(of_u_, j + 1, n - 2), append(of_v_, u_in_link_ + 1, of_v_.size - 2);
       joined_.link[joined_.size] = joined_.link[0];
+    } else if (!of_v_.is_closed) {
+      if (n < 2 || of_v_.size < 2) return false; // the triangle at both is all there is of one
+      join_at_border();
     } else {
       if (j < 2 || j > n - 2) return false; // next to the border
       append(of_u_, 0, j - 1), append(of_v_, u_in_link_ + 1, of_v_.size - 2), append(of_u_, j + 1, n - j - 1);
       joined_.link[joined_.size] = of_u_.link[n];
     }
-    return joined_.size >= 3 && !has_link_vertex_twice();
+    return joined_.size >= (joined_.is_closed ? 3 : 2) && !has_link_vertex_twice();
   }
+
+  /// Both stars are open, and the border goes on from one vertex to the other.
+  void join_at_border() {
+    const Star &first = is_u_first() ? of_u_ : of_v_, &second = is_u_first() ? of_v_ : of_u_;
+    append(first, 0, first.size - 1), append(second, 1, second.size - 1);
+    joined_.link[joined_.size] = second.link[second.size];
+  }
+  /// Whether the fan of u comes before that of v counterclockwise, where both are at the border.
+  bool is_u_first() const { return u_in_link_ == 0; }
 
   /// Appends triangles of a star, from one on.
   void append(const Star& star, int first, int number) {
@@ -132,12 +158,13 @@ private:
   void replace(Vertex_id u, Vertex_id v) {
     for (int i = 0; i < of_v_.size; ++i)
       mesh_.triangle(of_v_.corner[i].triangle()).v[of_v_.corner[i].slot()] = u;
-    const Side u_before = corner(of_u_, v_in_link_ - 2), u_after = corner(of_u_, v_in_link_ + 1);
-    const Side v_after = corner(of_v_, u_in_link_ + 1), v_before = corner(of_v_, u_in_link_ - 2);
-    const Triangle_id gone[] = {corner(of_u_, v_in_link_ - 1).triangle(),
-                                corner(of_u_, v_in_link_).triangle()};
-    connect(u_before, v_after), connect(v_before, u_after);
-    for (const Triangle_id t : gone) mesh_.kill(t);
+    if (!of_v_.is_closed) {
+      const Star &first = is_u_first() ? of_u_ : of_v_, &second = is_u_first() ? of_v_ : of_u_;
+      close_gap(first.corner[first.size - 2], second.corner[0], second.corner[1]);
+    } else {
+      close_gap(corner(of_u_, v_in_link_ - 2), corner(of_u_, v_in_link_ - 1), corner(of_v_, u_in_link_ + 1));
+      close_gap(corner(of_v_, u_in_link_ - 2), corner(of_u_, v_in_link_), corner(of_u_, v_in_link_ + 1));
+    }
     mesh_.triangle_of[v] = {};
     mesh_.triangle_of[u] = joined_.corner[0].triangle();
     for (int i = 0; i < joined_.size; ++i) {
@@ -154,11 +181,12 @@ private:
   /// Triangle i of a star, counted around it.
   static Side corner(const Star& star, int i) { return star.corner[(i + star.size) % star.size]; }
 
-  /// Links two triangles at u that follow each other counterclockwise. One of their sides may be on an edge.
-  void connect(Side right, Side left) {
+  /// Links the triangles at u to the right and left of one that is gone. One of their sides may be on an edge.
+  void close_gap(Side right, Side gone, Side left) {
     const Side r(right.triangle(), next_slot[right.slot()]), l(left.triangle(), previous_slot[left.slot()]);
     const bool is_constrained = mesh_.across(r).is_constrained() || mesh_.across(l).is_constrained();
     mesh_.link(r.triangle(), r.slot(), Side(l.triangle(), l.slot(), is_constrained));
+    mesh_.kill(gone.triangle());
   }
 };
 

@@ -8,7 +8,8 @@
 //
 // 1. Its graph is refined by another rule, too, and the smaller mesh is kept (Second_refinement.h).
 // 2. Pairs of vertices are merged (Pair_merger.h). That is cheap, and done in meshes of twice the size, too. Then the
-//    mesh is smoothed, which makes room elsewhere: vertices are removed, and pairs merged, once more.
+//    mesh is smoothed, which makes room elsewhere: vertices are removed, and pairs merged, once more. This goes on while
+//    it helps, at most four times.
 // 3. It is thinned star by star (Star_thinner.h).
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_THINNING_THIN_SMALL_MESH_H
@@ -33,10 +34,14 @@ void merge_pairs(Meshing_state<Geometry>& state, Continue& shall_go_on) {
   constexpr std::size_t most_triangles = 2 * Meshing_state<Geometry>::most_triangles_of_small_mesh;
   if (state.mesh.number_of_triangles() > most_triangles) return;
   Pair_merger<Geometry>(state).run(shall_go_on);
-  if (!state.is_small_mesh() || !shall_go_on()) return;
-  Smoother<Geometry>(state).run(shall_go_on);
-  Remover<Geometry>(state).run(shall_go_on);
-  Pair_merger<Geometry>(state).run(shall_go_on);
+  constexpr int most_rounds = 4;
+  for (int round = 0; round < most_rounds && state.is_small_mesh() && shall_go_on(); ++round) {
+    const std::size_t before = state.mesh.number_of_triangles();
+    Smoother<Geometry>(state).run(shall_go_on);
+    Remover<Geometry>(state).run(shall_go_on);
+    Pair_merger<Geometry>(state).run(shall_go_on);
+    if (state.mesh.number_of_triangles() == before) return;
+  }
 }
 
 /// Returns whether the mesh is another one now, with other handles.
