@@ -50,8 +50,8 @@ public:
   /// made for).
   bool relocate(Vertex_id v) { return move(v, Aim::BOUND); }
 
-  /// Moves Steiner vertex v to a place where all triangles of a star meet the bounds that it is to have, if one is found.
-  /// Their handles, and its place now, are for where the search begins and what lies beyond.
+  /// Moves Steiner vertex v to a place where all triangles of the star that it is to have meet the bounds, if one is
+  /// found. The search begins at its place now.
   bool relocate_in(const Star& star, Vertex_id v) {
     star_ = star;
     return search(v, Aim::BOUND);

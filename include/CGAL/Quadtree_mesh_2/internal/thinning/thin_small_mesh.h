@@ -8,8 +8,8 @@
 //
 // 1. Its graph is refined by another rule, too, and the smaller mesh is kept (Second_refinement.h).
 // 2. Pairs of vertices are merged (Pair_merger.h). That is cheap, and done in meshes of twice the size, too. Then the
-//    mesh is smoothed, which makes room elsewhere: vertices are removed, and pairs merged, once more. This goes on while
-//    it helps, at most four times.
+//    mesh is smoothed, which makes room elsewhere: vertices are removed, and pairs merged, once more. This goes on
+//    while it helps, at most four times.
 // 3. It is thinned star by star (Star_thinner.h).
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_THINNING_THIN_SMALL_MESH_H
