@@ -193,7 +193,7 @@ TEST_CASE("A gap below a unit in the last place is refused as any other that is 
     CHECK(has_text(text, part));
 }
 
-TEST_CASE("A small graph that asks for more than it is given is refused, unless it has a budget",
+TEST_CASE("A graph of few vertices that asks for more than it is given is refused, unless it has a budget",
           "[mesher][budget]") {
   const Pslg pslg = read("hard_leg_in_narrow_wedge.poly");
   const std::string text = error(pslg);
@@ -207,7 +207,7 @@ TEST_CASE("A small graph that asks for more than it is given is refused, unless 
       has_text(error(read("hard_stretched_polygon.poly")), "a graph of fewer than 1000 vertices is allowed"));
 }
 
-TEST_CASE("A small graph whose mesh turns out too large is refused, too", "[mesher][budget]") {
+TEST_CASE("A graph of few vertices whose mesh turns out too large is refused, too", "[mesher][budget]") {
   const Pslg pslg = parallel_segments(2e-6);
   const std::string text = error(pslg);
   CAPTURE(text);
@@ -221,7 +221,7 @@ TEST_CASE("A small graph whose mesh turns out too large is refused, too", "[mesh
   for (const char* part : {"not done with 24", "meet at an angle of 1.49"}) CHECK(has_text(with_bound, part));
 }
 
-TEST_CASE("Bounds of size give a small graph no more for its gaps", "[mesher][budget]") {
+TEST_CASE("Bounds of size give a graph of few vertices no more for its gaps", "[mesher][budget]") {
   const Pslg pslg = read("hard_overlaps_in_words.poly");
   constexpr double extent = 0x1p29;
   for (const Options& options :
@@ -236,7 +236,7 @@ TEST_CASE("Bounds of size give a small graph no more for its gaps", "[mesher][bu
   CHECK(error(unit_square(), Options().max_area(1e-6)).empty());
 }
 
-TEST_CASE("A size field gives a small graph no more for its gaps", "[mesher][budget]") {
+TEST_CASE("A size field gives a graph of few vertices no more for its gaps", "[mesher][budget]") {
   const auto start = std::chrono::steady_clock::now();
   const std::string text =
       error(read("gap_1e-8_in_triangle.poly"), Options().size([](double, double) { return 0.1; }));
@@ -248,7 +248,7 @@ TEST_CASE("A size field gives a small graph no more for its gaps", "[mesher][bud
   CHECK(error(unit_square(), Options().size([](double x, double) { return x < 0.5 ? 1e-3 : 0.1; })).empty());
 }
 
-TEST_CASE("A thin box is not refused that a small graph's limit has room for", "[mesher][budget]") {
+TEST_CASE("A thin box is not refused that the limit of few vertices has room for", "[mesher][budget]") {
   Mesher mesher;
   const auto mesh = mesher(read("thin_box_2500000.poly"));
   CHECK(mesher.report().is_met());

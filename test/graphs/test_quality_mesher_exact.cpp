@@ -228,7 +228,7 @@ TEST_CASE("quadtrees refuse distances beyond doubles, with the input's vertices"
   CHECK(has_text(error, "vertex 5"));
 }
 
-TEST_CASE("A small graph that asks for too many exact numbers is refused before it is meshed",
+TEST_CASE("A graph of few vertices that asks for too many exact numbers is refused before it is meshed",
           "[mesher][exact]") {
   // Half as many as over doubles: they take more than twice the memory, and more time.
   const Exact_pslg legs = to_exact(read("hard_rosette_of_legs.poly"));

@@ -4,8 +4,8 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// A second refinement of a small graph: the mesh that is kept is within the bound and the smaller one, and what was
-// there is put back where the second one does not help.
+// A second refinement of the graph of a small mesh: the mesh that is kept is within the bound and the smaller one, and
+// what was there is put back where the second one does not help.
 
 #include "catch.h"
 #include "graph_state.h"

@@ -176,8 +176,8 @@ long double most_for_sizes(const Soak_case& c) {
   return most;
 }
 
-/// Where a gap is so narrow for its length that there is no room for the triangles: in memory, or in what small graphs
-/// have. The estimate has to be four times what there is, a mesh that was begun has to have used it up.
+/// Where a gap is so narrow for its length that there is no room for the triangles: in memory, or in what graphs of few
+/// vertices have. The estimate has to be four times what there is, a mesh that was begun has to have used it up.
 Verdict judge_size(const Soak_case& c, const std::string& message) {
   const std::vector<std::size_t> vertices = named_vertices(c.graph, message);
   const bool is_for_sizes = has(message, "for the bounds of size");

@@ -340,11 +340,11 @@ private:
     return words_.gap(refusal, Narrow_gap<Geometry>(state_, worst_pair_), map_.length_to_kernel(1.0));
   }
 
-  /// \throws Pslg_error_2 if it ends at the limit of small graphs: its user did not ask for a part of a mesh
+  /// \throws Pslg_error_2 if it ends at the limit of graphs of few vertices: its user did not ask for a part of a mesh
   void run_to_the_end(Refiner<Geometry>& refiner, Mesh_limit limit_of_mesh) {
     if (run(refiner, limit_of_mesh) != Refinement_end::OUT_OF_BUDGET) return;
     report_.is_budget_exhausted = true;
-    const auto limit = budgets().of_small_graph();
+    const auto limit = budgets().of_few_vertices();
     if (!limit || !limit->is_used_up_by(state_.mesh.number_of_triangles())) return;
     if (worst_pair_.triangles > 0) throw gap_error(limit->refusal_when_used_up());
     const auto& place = state_.mesh.point(state_.mesh.triangle(state_.worklist.pop()).v[0]);

@@ -94,9 +94,10 @@ struct Meshing_state {
   bool owns(Corner_id c) const { return !is_block_ || std::binary_search(owned_.begin(), owned_.end(), c); }
   bool is_block() const { return is_block_; }
 
-  /// A mesh up to this size is worth any effort. In larger ones what seldom helps is not tried.
-  static constexpr std::size_t most_triangles_of_small = 1000;
-  bool is_small() const { return mesh.number_of_triangles() <= most_triangles_of_small; }
+  /// A mesh up to this size is a small mesh, which is worth any effort. In larger ones what seldom helps is not tried.
+  /// (A graph of few vertices, of which Vertex_budgets.h speaks, need not have a small mesh.)
+  static constexpr std::size_t most_triangles_of_small_mesh = 1000;
+  bool is_small_mesh() const { return mesh.number_of_triangles() <= most_triangles_of_small_mesh; }
 
   bool is_exempt(Vertex_id a, Vertex_id b, Vertex_id c) const { return corners.is_exempt(mesh, a, b, c); }
 

@@ -50,6 +50,13 @@ public:
   /// made for).
   bool relocate(Vertex_id v) { return move(v, Aim::BOUND); }
 
+  /// Moves Steiner vertex v to a place where all triangles of the star that it is to have meet the bounds, if one is
+  /// found. The search begins at its place now.
+  bool relocate_in(const Star& star, Vertex_id v) {
+    star_ = star;
+    return search(v, Aim::BOUND);
+  }
+
   /// Moves Steiner vertex v to where the least angle of its star is greatest, as far as the search finds it, if all
   /// its triangles meet the bounds there; and restores the Delaunay property.
   bool improve(Vertex_id v) {
@@ -65,10 +72,7 @@ private:
 
   bool move(Vertex_id v, Aim aim) {
     if (!star_.collect(mesh_, v, is_hurried(aim) ? largest_star : Star::max_size)) return false;
-    const Edge_id e = mesh_.edge(v);
-    const bool is_moved =
-        mesh_.is_free(v) ? star_.is_closed && relocate_free(v, aim) : relocate_on_edge(v, e, aim);
-    if (!is_moved) return false;
+    if (!search(v, aim)) return false;
     for (int i = 0; i < star_.size; ++i) {
       const Side c = star_.corner[i];
       state_.doubtful_sides.push_back(c);
@@ -76,6 +80,11 @@ private:
     }
     state_.legalize();
     return true;
+  }
+
+  bool search(Vertex_id v, Aim aim) {
+    return mesh_.is_free(v) ? star_.is_closed && relocate_free(v, aim)
+                            : relocate_on_edge(v, mesh_.edge(v), aim);
   }
 
   static constexpr int directions = 8;
@@ -98,7 +107,7 @@ private:
   Number scale_ = 1;
   Basic_vector<double> link_[Star::max_size + 1]; // relative to a vertex on an edge, in a unit
 
-  bool is_hurried(Aim aim) const { return aim == Aim::BOUND && !state_.is_small(); }
+  bool is_hurried(Aim aim) const { return aim == Aim::BOUND && !state_.is_small_mesh(); }
 
   static float float_of(const Number& n) { return static_cast<float>(ratio(n, 1)); }
 

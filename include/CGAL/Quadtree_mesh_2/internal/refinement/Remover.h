@@ -59,7 +59,7 @@ public:
         if (is_time_to_ask(std::size_t(v)) && !shall_go_on()) return removed;
         if (mesh_.is_input(v) || mesh_.is_dirty[v] == 0 || !mesh_.is_used(v)) continue;
         prefetch_after(v);
-        const int largest = state_.is_small() ? Star::max_size : largest_star;
+        const int largest = state_.is_small_mesh() ? Star::max_size : largest_star;
         const bool is_collected = star_.collect(mesh_, v, largest);
         if (!is_collected && star_.size < largest) continue; // perhaps at a seam: another round may do it
         mesh_.is_dirty[v] = 0;

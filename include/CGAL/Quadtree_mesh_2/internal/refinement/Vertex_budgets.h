@@ -38,8 +38,8 @@ public:
   Vertex_budgets(const Quality_mesh_options_2& options, const Bounds<Geometry>& bounds,
                  std::size_t input_vertices, double expected, double expected_of_sizes)
       : options_(options), is_established_(bounds.is_established()),
-        is_capped_(input_vertices < small_graph && !options.refine_where()), expected_(expected),
-        cap_(std::floor(cap_of_small_graphs + margin_of_sizes * expected_of_sizes)) {}
+        is_capped_(input_vertices < few_vertices && !options.refine_where()), expected_(expected),
+        cap_(std::floor(cap_of_few_vertices + margin_of_sizes * expected_of_sizes)) {}
 
   /// How many triangles the mesh may be expected to have for it to be begun.
   Triangle_budget of_triangles() const {
@@ -47,14 +47,14 @@ public:
     if (options_.max_vertices() > 0)
       return machine.smaller({static_cast<double>(options_.max_vertices()), "the vertex budget allows",
                               Triangle_budget::Unit::VERTICES});
-    const std::optional<Triangle_budget> limit = of_small_graph();
+    const std::optional<Triangle_budget> limit = of_few_vertices();
     return limit ? machine.smaller(*limit) : machine;
   }
 
-  /// The limit of a small graph, if this is one and its user has not set another.
-  std::optional<Triangle_budget> of_small_graph() const {
+  /// The limit of a graph of few vertices, if this is one and its user has not set another.
+  std::optional<Triangle_budget> of_few_vertices() const {
     if (!is_capped_ || options_.max_vertices() > 0) return std::nullopt;
-    return Triangle_budget(cap_, limit_of_small_graphs, Triangle_budget::Unit::TRIANGLES);
+    return Triangle_budget(cap_, limit_of_few_vertices, Triangle_budget::Unit::TRIANGLES);
   }
 
   /// Quadtrees make ten times the triangles needed.
@@ -96,9 +96,9 @@ private:
   /// A graph of fewer vertices is given up at a mesh of some seconds and, together with what checks it, half a
   /// gigabyte, not counting what bounds of size ask for. Over exact numbers a vertex takes twice that and more. Gaps
   /// are so narrow then that their owner should know of them.
-  static constexpr std::size_t small_graph = 1000;
-  static constexpr double cap_of_small_graphs = Geometry::has_unlimited_coordinates ? 5e5 : 1e6;
-  static constexpr const char* limit_of_small_graphs =
+  static constexpr std::size_t few_vertices = 1000;
+  static constexpr double cap_of_few_vertices = Geometry::has_unlimited_coordinates ? 5e5 : 1e6;
+  static constexpr const char* limit_of_few_vertices =
       "without a vertex budget a graph of fewer than 1000 vertices is allowed";
   /// What bounds of size ask for is estimated; it may be so many times that.
   static constexpr double margin_of_sizes = 4;

@@ -4,13 +4,13 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// Refines a small graph a second time, by another rule, and keeps the smaller mesh.
+// Refines the graph of a small mesh a second time, by another rule, and keeps the smaller mesh.
 //
 // Computes: a mesh of the same graph from its first triangulation, by off-centers where the first one has corners of
 //           quadtrees, from the shortest edge on where the first one begins with the sharpest triangle
 //           (Refinement_rule), and with all edges split alike. Vertices are removed under guard in both. The second is
 //           kept if it meets the bounds and has fewer triangles.
-// Gain:     two percent of the triangles of small graphs in the end. Where a mesh grows by powers of ten around a
+// Gain:     two percent of the triangles of small meshes in the end. Where a mesh grows by powers of ten around a
 //           small polygon, the second rule makes rings of like triangles, which take half as many. The first one
 //           mixes triangles of unlike sizes, and thinning (thin_small_mesh.h) does not find its way to such rings.
 // Bound:    about as much time as the first refinement. It is given up at a quarter more triangles than the first mesh
@@ -41,14 +41,14 @@ public:
   /// To be called before the first refinement, if there is to be a second one. Keeps the mesh if it is small and some
   /// triangle misses a bound. One that an acute corner excuses counts, too, because that corner is cut.
   void keep_start() {
-    if (state_.is_small() && is_any_suspect()) start_.emplace(state_);
+    if (state_.is_small_mesh() && is_any_suspect()) start_.emplace(state_);
   }
 
   /// Returns whether the mesh is another one now.
   /// \pre the mesh is refined, no sector is locked, and the rule of legs is `FREE`
   template <class Continue>
   bool run(Continue&& shall_go_on) {
-    if (!start_ || !state_.is_small()) return false;
+    if (!start_ || !state_.is_small_mesh()) return false;
     Mesh_snapshot<Geometry> first(state_);
     std::move(*start_).restore(state_);
     start_.reset();

@@ -4,7 +4,7 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// Thins out a small mesh, one star after the other.
+// Thins out a small mesh (of at most 1000 triangles), one star after the other.
 //
 // Thinner.h makes room everywhere at once and keeps the outcome only if the whole mesh is smaller: what one place gains
 // another one loses. Here one Steiner vertex and its neighbors are removed with a bound of `star_share` of the given
@@ -12,7 +12,7 @@
 // mesh has fewer triangles then, the outcome is kept, else the mesh is as it was.
 //
 // Each vertex is tried again when something next to it has changed, until nothing helps. Each time that something does,
-// the mesh has fewer triangles, so this ends. On small graphs 2 percent of the triangles go at 20.7 degrees, and 10 at
+// the mesh has fewer triangles, so this ends. On small meshes 2 percent of the triangles go at 20.7 degrees, and 10 at
 // 30. A trial is O(n) for n triangles, which are copied; nearly all of its time is that of the few that it changes.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_THINNING_STAR_THINNER_H
@@ -26,6 +26,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstring>
 #include <vector>
 
 namespace CGAL {
@@ -158,8 +159,18 @@ private:
 
   template <class Function>
   void for_each_changed(const Function& f) const {
-    for (const Triangle_id t : mesh_.triangles.ids())
-      if (mesh_.is_alive(t) && is_changed(t)) f(t);
+    constexpr std::size_t run = 16; // of triangles, compared as bytes: hardly any has changed
+    const std::size_t end = mesh_.triangles.size(), end_before = mesh_before_.triangles.size();
+    for (std::size_t first = 0; first < end; first += run) {
+      if (first + run <= std::min(end, end_before) && is_as_before(first, run)) continue;
+      for (const Triangle_id t : Id_range<Triangle_id>(first, std::min(first + run, end)))
+        if (mesh_.is_alive(t) && is_changed(t)) f(t);
+    }
+  }
+
+  bool is_as_before(std::size_t first, std::size_t number) const {
+    const auto *now = mesh_.triangles.data() + first, *before = mesh_before_.triangles.data() + first;
+    return std::memcmp(static_cast<const void*>(now), before, number * sizeof *now) == 0;
   }
 
   bool is_changed(Triangle_id t) const {

@@ -36,9 +36,8 @@ constexpr double thinning_share = 0.72;
 template <class Geometry>
 class Thinner {
 public:
-  /// \param share of the bound that removal keeps to
-  explicit Thinner(Meshing_state<Geometry>& state, double share = thinning_share)
-      : state_(state), lower_(state.bounds.with_share_of_angle(share)) {}
+  explicit Thinner(Meshing_state<Geometry>& state)
+      : state_(state), lower_(state.bounds.with_share_of_angle(thinning_share)) {}
 
   /// Returns whether the mesh has fewer triangles than before.
   template <class Continue>

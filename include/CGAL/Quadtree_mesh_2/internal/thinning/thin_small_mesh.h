@@ -4,12 +4,12 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// A small mesh can afford more than guarded removal.
+// A small mesh, of at most 1000 triangles, can afford more than guarded removal.
 //
 // 1. Its graph is refined by another rule, too, and the smaller mesh is kept (Second_refinement.h).
-// 2. It is thinned as a whole (Thinner.h), with a share of the bound that small meshes gain most by, while that helps.
-//    Then it is smoothed, which makes room elsewhere, and thinned again. Whenever one of the two helps, this goes on.
-//    Each trial costs as much as refinement. There are at most 28, and 2 where nothing helps.
+// 2. Pairs of vertices are merged (Pair_merger.h). That is cheap, and done in meshes of twice the size, too. Then the
+//    mesh is smoothed, which makes room elsewhere: vertices are removed, and pairs merged, once more. This goes on
+//    while it helps, at most four times.
 // 3. It is thinned star by star (Star_thinner.h).
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_THINNING_THIN_SMALL_MESH_H
@@ -18,9 +18,9 @@
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Remover.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Smoother.h>
+#include <CGAL/Quadtree_mesh_2/internal/thinning/Pair_merger.h>
 #include <CGAL/Quadtree_mesh_2/internal/thinning/Second_refinement.h>
 #include <CGAL/Quadtree_mesh_2/internal/thinning/Star_thinner.h>
-#include <CGAL/Quadtree_mesh_2/internal/thinning/Thinner.h>
 
 #include <cstddef>
 
@@ -28,37 +28,32 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-/// The share of the bound that removal keeps to where a small mesh is thinned as a whole.
-constexpr double thinning_share_of_small = 0.65;
-
+/// Merges pairs where they are. In a small mesh, also where smoothing brings them.
 template <class Geometry, class Continue>
-void thin_small_mesh_as_a_whole(Meshing_state<Geometry>& state, Continue& shall_go_on) {
-  constexpr int most_trials = 28;
-  bool is_to_be_smoothed = false;
-  for (int i = 0; i < most_trials && state.is_small() && shall_go_on(); ++i) {
+void merge_pairs(Meshing_state<Geometry>& state, Continue& shall_go_on) {
+  constexpr std::size_t most_triangles = 2 * Meshing_state<Geometry>::most_triangles_of_small_mesh;
+  if (state.mesh.number_of_triangles() > most_triangles) return;
+  Pair_merger<Geometry>(state).run(shall_go_on);
+  constexpr int most_rounds = 4;
+  for (int round = 0; round < most_rounds && state.is_small_mesh() && shall_go_on(); ++round) {
     const std::size_t before = state.mesh.number_of_triangles();
-    if (is_to_be_smoothed) {
-      Smoother<Geometry>(state).run(shall_go_on);
-      Remover<Geometry>(state).run(shall_go_on);
-    }
-    // more vertices than this, and the mesh will hardly end with fewer than before
-    const Mesh_limit limit{state.mesh.number_of_vertices() + before / 2};
-    const bool is_thinner = Thinner<Geometry>(state, thinning_share_of_small).run(limit, shall_go_on);
-    if (is_to_be_smoothed && state.mesh.number_of_triangles() == before) break;
-    is_to_be_smoothed = !is_thinner; // smoothing alone may have made room, but none for a trial without it
+    Smoother<Geometry>(state).run(shall_go_on);
+    Remover<Geometry>(state).run(shall_go_on);
+    Pair_merger<Geometry>(state).run(shall_go_on);
+    if (state.mesh.number_of_triangles() == before) return;
   }
 }
 
 /// Returns whether the mesh is another one now, with other handles.
-/// \pre as of `Thinner`
+/// \pre no triangle of the mesh is bad, and no sector is locked
 /// \param second of the same state
 template <class Geometry, class Continue>
 bool thin_small_mesh(Meshing_state<Geometry>& state, Second_refinement<Geometry>& second,
                      Continue&& shall_go_on) {
   state.leg_rule = Leg_rule::FREE;
   const bool is_other = second.run(shall_go_on);
-  thin_small_mesh_as_a_whole(state, shall_go_on);
-  if (state.is_small() && shall_go_on()) Star_thinner<Geometry>(state).run(shall_go_on);
+  merge_pairs(state, shall_go_on);
+  if (state.is_small_mesh() && shall_go_on()) Star_thinner<Geometry>(state).run(shall_go_on);
   state.leg_rule = Leg_rule::SHELLS;
   return is_other;
 }
