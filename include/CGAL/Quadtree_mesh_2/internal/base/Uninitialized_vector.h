@@ -35,9 +35,14 @@ public:
   Uninitialized_allocator(const Uninitialized_allocator<U>&) noexcept {}
 
   T* allocate(std::size_t n) {
-    T* const values = std::allocator<T>::allocate(n);
-    advise_huge_pages(values, n * sizeof(T));
-    return values;
+    return is_long(n) ? static_cast<T*>(allocate_in_huge_pages(n * sizeof(T)))
+                      : std::allocator<T>::allocate(n);
+  }
+  void deallocate(T* values, std::size_t n) {
+    if (is_long(n))
+      free_in_huge_pages(values);
+    else
+      std::allocator<T>::deallocate(values, n);
   }
 
   template <class U>
@@ -48,6 +53,11 @@ public:
   template <class U, class... Arguments>
   void construct(U* p, Arguments&&... arguments) {
     ::new (static_cast<void*>(p)) U(std::forward<Arguments>(arguments)...);
+  }
+
+private:
+  static bool is_long(std::size_t n) {
+    return n >= least_in_huge_pages / sizeof(T) && n <= std::size_t(-1) / 2 / sizeof(T);
   }
 };
 

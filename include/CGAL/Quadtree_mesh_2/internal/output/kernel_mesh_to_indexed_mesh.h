@@ -12,6 +12,7 @@
 
 #include <CGAL/Indexed_mesh_2.h>
 #include <CGAL/Pslg_2.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/Id_set.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/angle_units.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/huge_pages.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/prefetch.h>
@@ -112,26 +113,19 @@ private:
     Executor<ConcurrencyTag>::run(6, [&](std::size_t i) {
       switch (i) {
       case 0:
-        return resize(out.triangles, number_of_triangles_);
+        return resize_with_pages(out.triangles, number_of_triangles_);
       case 1:
-        return resize(out.neighbors, number_of_triangles_);
+        return resize_with_pages(out.neighbors, number_of_triangles_);
       case 2:
-        return resize(out.points, vertices);
+        return resize_with_pages(out.points, vertices);
       case 3:
-        return resize(out.segment_of_vertex, vertices);
+        return resize_with_pages(out.segment_of_vertex, vertices);
       case 4:
-        return resize(out.vertex_markers, vertices);
+        return resize_with_pages(out.vertex_markers, vertices);
       default:
-        if (!mesh_.region_of.empty()) resize(out.region_of_triangle, number_of_triangles_);
+        if (!mesh_.region_of.empty()) resize_with_pages(out.region_of_triangle, number_of_triangles_);
       }
     });
-  }
-
-  /// In huge pages, as all of it is written.
-  template <class Vector>
-  static void resize(Vector& values, std::size_t size) {
-    reserve_in_huge_pages(values, size);
-    values.resize(size);
   }
 
   std::size_t number_of_used(Id_range<Vertex_id> vertices) const {
@@ -148,19 +142,21 @@ private:
 
   /// Those alive, in order. The dead are known, so nobody has to look at all triangles.
   void number_triangles() {
-    Indexed_vector<Triangle_id, char> is_dead(mesh_.triangles.size(), 0);
-    for (const Triangle_id t : mesh_.dead_triangles()) is_dead[t] = 1;
+    const std::size_t slots = mesh_.triangles.size();
+    Id_set<Triangle_id> dead(slots);
+    for (const Triangle_id t : mesh_.dead_triangles()) dead.add(t);
     number_of_triangles_ = count_allocate_and_place<ConcurrencyTag>(
-        is_dead.size(),
+        slots,
         [&](std::size_t begin, std::size_t end) {
-          return end - begin -
-                 static_cast<std::size_t>(std::count(is_dead.data() + begin, is_dead.data() + end, 1));
+          std::size_t sum = 0;
+          for (const Triangle_id t : Id_range<Triangle_id>(begin, end)) sum += dead.has(t) ? 0 : 1;
+          return sum;
         },
-        [&](std::size_t) { new_triangle_.resize(is_dead.size()); },
+        [&](std::size_t) { new_triangle_.resize(slots); },
         [&](std::size_t begin, std::size_t end, std::size_t first) {
           for (const Triangle_id t : Id_range<Triangle_id>(begin, end)) {
             new_triangle_[t] = Triangle_index(first); // of no meaning for the dead
-            first += is_dead[t] == 0 ? 1 : 0;
+            first += dead.has(t) ? 0 : 1;
           }
         });
   }

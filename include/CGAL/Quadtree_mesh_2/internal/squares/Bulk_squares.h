@@ -18,6 +18,7 @@
 
 #include <CGAL/Balanced_quadtree.h>
 #include <CGAL/Fixed_point_quadtree_traits_2.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/Id_set.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/Indexed_vector.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/append_all.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
@@ -27,11 +28,9 @@
 #include <CGAL/Quadtree_mesh_2/internal/squares/required_by_wanted.h>
 #include <CGAL/Quadtree_mesh_2/internal/squares/square_templates.h>
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -54,13 +53,14 @@ public:
 
   Bulk_squares(const Wanted_squares<Geometry>& wanted, Halved_sides rule)
       : tree_(typename Tree::Framework(), Quadtree_options(), required_by_wanted<ConcurrencyTag>(wanted)),
-        form_(tree_.number_of_leaves(), not_bulk) {
+        inside_(tree_.number_of_leaves()), with_center_(tree_.number_of_leaves()),
+        form_(tree_.number_of_leaves()) {
     mark_inside(wanted, tree_.root(), 0);
     find_halved_sides(rule);
   }
 
   std::size_t number_of_leaves() const { return tree_.number_of_leaves(); }
-  bool is_bulk(Leaf_index l) const { return form_[l].bits != not_bulk.bits; }
+  bool is_bulk(Leaf_index l) const { return inside_.has(l); }
   /// The template of a bulk square.
   Square_form form(Leaf_index l) const { return form_[l]; }
   std::size_t number_of_squares() const { return squares_; }
@@ -135,7 +135,6 @@ public:
   }
 
 private:
-  static constexpr Square_form not_bulk{0xff};
   static constexpr int lower = 0, right = 1, upper = 2, left = 3;
   static constexpr Direction outward[4] = {Direction::SOUTH, Direction::EAST, Direction::NORTH,
                                            Direction::WEST};
@@ -149,7 +148,8 @@ private:
   };
 
   Tree tree_;
-  Uninitialized_indexed_vector<Leaf_index, Square_form> form_;
+  Id_set<Leaf_index> inside_, with_center_;
+  Uninitialized_indexed_vector<Leaf_index, Square_form> form_; // of those inside
   std::vector<Square_piece> border_;
   std::size_t squares_ = 0, triangles_ = 0;
 
@@ -162,10 +162,10 @@ private:
     }
     if (node.kind != Square_kind::INSIDE) return;
     const Leaf_interval leaves = tree_.leaves(v);
-    std::fill_n(form_.data() + leaves.begin.value(), leaves.size(), Square_form());
+    inside_.add(leaves.begin, leaves.end);
     if (!node.has_center) return;
     for (const Leaf_index l : Id_range<Leaf_index>(leaves.begin, leaves.end))
-      if (tree_.level(l) == node.level) form_[l].bits = Square_form::with_center;
+      if (tree_.level(l) == node.level) with_center_.add(l);
   }
 
   /// The child of the neighbor across side i that piece `part` of the side touches, the neighbor being
@@ -176,13 +176,11 @@ private:
 
   void find_halved_sides(Halved_sides rule) {
     const std::size_t n = form_.size();
-    Uninitialized_indexed_vector<Leaf_index, Square_form> form(n);
     std::vector<Part> parts((n + default_block - 1) / default_block);
     for_each_block<ConcurrencyTag>(n, default_block, [&](std::size_t b, std::size_t begin, std::size_t end) {
       for (const Leaf_index l : Id_range<Leaf_index>(begin, end))
-        form[l] = is_bulk(l) ? look_around(l, rule, parts[b]) : not_bulk;
+        if (is_bulk(l)) form_[l] = look_around(l, rule, parts[b]);
     });
-    form_ = std::move(form);
     for (const Part& part : parts) squares_ += part.squares, triangles_ += part.triangles;
     append_all<ConcurrencyTag>(
         border_, parts, [](const Part& part) -> const std::vector<Square_piece>& { return part.border; });
@@ -191,11 +189,12 @@ private:
   /// The form of a bulk square with what its sides add to it.
   Square_form look_around(Leaf_index l, Halved_sides rule, Part& part) const {
     const Surroundings s = surroundings(l);
-    unsigned halved = 0;
+    unsigned bits = 0;
     for (int side = 0; side < 4; ++side)
-      if (look_across(s, side, part.border)) halved |= 1u << side;
-    if (halved != 0 && rule == Halved_sides::WITH_CENTER) halved |= Square_form::with_center;
-    const Square_form form{static_cast<std::uint8_t>(form_[l].bits | halved)};
+      if (look_across(s, side, part.border)) bits |= 1u << side;
+    if (with_center_.has(l) || (bits != 0 && rule == Halved_sides::WITH_CENTER))
+      bits |= Square_form::with_center;
+    const Square_form form{static_cast<std::uint8_t>(bits)};
     ++part.squares;
     part.triangles += std::size_t(square_template(form).size);
     return form;

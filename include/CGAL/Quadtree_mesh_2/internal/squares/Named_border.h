@@ -13,7 +13,7 @@
 #define CGAL_QUADTREE_MESH_2_INTERNAL_SQUARES_NAMED_BORDER_H
 
 #include <CGAL/Quadtree_mesh_2/Index.h>
-#include <CGAL/Quadtree_mesh_2/internal/base/Indexed_vector.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/Id_set.h>
 #include <CGAL/Quadtree_mesh_2/internal/squares/square_templates.h>
 
 #include <cstddef>
@@ -30,24 +30,30 @@ struct Corner_name {
   Square_place place;
 };
 
-/// The vertices on the border of the bulk. They are few, so most leaves have none, as a byte tells.
+/// The vertices on the border of the bulk. They are few, so most leaves have none, as one bit tells.
 class Named_border {
 public:
-  explicit Named_border(std::size_t number_of_leaves) : places_(number_of_leaves, Square_places()) {}
+  explicit Named_border(std::size_t number_of_leaves) : has_some_(number_of_leaves) {}
 
-  /// The places of a leaf with vertices on the border.
-  Square_places places(Leaf_index l) const { return places_[l]; }
-  bool has(Corner_name name) const { return places(name.leaf).has(name.place); }
+  bool has(Corner_name name) const { return has_some_.has(name.leaf) && vertex_.count(key(name)) != 0; }
   /// \pre it has one of the name
   Vertex_id vertex(Corner_name name) const { return vertex_.find(key(name))->second; }
+  /// The places of a leaf with vertices on the border.
+  Square_places places(Leaf_index l) const {
+    Square_places places;
+    if (has_some_.has(l))
+      for (const Square_place place : all_square_places)
+        if (has({l, place})) places.add(place);
+    return places;
+  }
 
   void add(Corner_name name, Vertex_id v) {
-    places_[name.leaf].add(name.place);
+    has_some_.add(name.leaf);
     vertex_.emplace(key(name), v);
   }
 
 private:
-  Indexed_vector<Leaf_index, Square_places> places_;
+  Id_set<Leaf_index> has_some_;
   std::unordered_map<std::uint64_t, Vertex_id> vertex_;
 
   static std::uint64_t key(Corner_name name) {
