@@ -65,6 +65,15 @@ private:
 template <class T>
 using Uninitialized_vector = std::vector<T, Uninitialized_allocator<T>>;
 
+/// Gives such a vector a size, all of which is about to be written. If it is not in huge pages, its pages are there at
+/// once.
+template <class Vector>
+void resize_to_write(Vector& values, std::size_t size) {
+  values.resize(size);
+  const std::size_t bytes = size * sizeof(typename Vector::value_type);
+  if (bytes < least_in_huge_pages) ask_for_pages(values.data(), bytes);
+}
+
 } // namespace internal
 } // namespace Quadtree_mesh_2
 } // namespace CGAL

@@ -43,7 +43,7 @@ Required_squares required_by_wanted(const Wanted_squares<Geometry>& wanted) {
           }
           return sum;
         },
-        [&](std::size_t sum) { nodes_below.resize(sum); },
+        [&](std::size_t sum) { resize_to_write(nodes_below, sum); },
         [&](std::size_t begin, std::size_t end, std::size_t next) {
           for (std::size_t i = begin; i < end; ++i)
             for (int c = 0; c < 4; ++c)
