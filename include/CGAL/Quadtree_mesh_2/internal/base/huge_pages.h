@@ -22,8 +22,8 @@ namespace internal {
 
 #if defined(__linux__) && defined(MADV_HUGEPAGE)
 constexpr std::size_t huge_page = std::size_t(1) << 21;
-/// From here on an array has huge pages of its own. Of the last one a part may be in vain.
-constexpr std::size_t least_in_huge_pages = huge_page / 4;
+/// From here on an array has huge pages of its own: at most half of their memory is in vain.
+constexpr std::size_t least_in_huge_pages = huge_page / 2;
 #else
 constexpr std::size_t huge_page = alignof(std::max_align_t);
 constexpr std::size_t least_in_huge_pages = SIZE_MAX;

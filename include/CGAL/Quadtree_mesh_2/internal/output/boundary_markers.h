@@ -22,8 +22,8 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-/// Fills `vertex_markers`, which is empty or has zeros only, and the markers of the constrained edges. All other arrays of
-/// the mesh are there.
+/// Fills `vertex_markers`, which is empty or has zeros only, and the markers of the constrained edges. All other arrays
+/// of the mesh are there.
 /// \param border the ends of the edges with a triangle on one side
 template <class Point>
 void set_boundary_markers(Indexed_mesh_2<Point>& mesh, const Pslg_2<Point>& pslg,

@@ -19,8 +19,8 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-/// Returns the squares to be split for leaves as small as wanted. Goes down level by level, each square with the node of
-/// the wanted squares in which it lies, so O(1) for each, in one round for each level.
+/// Returns the squares to be split for leaves as small as wanted. Goes down level by level, and takes along in which of
+/// the wanted squares each square lies. O(1) for each square, in two rounds for each level.
 template <class ConcurrencyTag, class Geometry>
 Required_squares required_by_wanted(const Wanted_squares<Geometry>& wanted) {
   Required_squares squares;
