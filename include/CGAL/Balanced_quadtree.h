@@ -140,11 +140,13 @@ public:
             .find());
   }
 
+  /// \cond SKIP_IN_MANUAL
   /// Builds the smallest balanced quadtree in which given squares are split. Always works level by level. Its squares
   /// may be larger than the points and the options of the framework want them.
   Balanced_quadtree(Framework framework, const Quadtree_options& options,
                     const Quadtree_mesh_2::internal::Required_squares& required)
       : framework_(std::move(framework)), options_(options), squares_(smallest_squares(required)) {}
+  /// \endcond
 
   /// Builds the quadtree of points with leaves as small as a predicate wants them.
   template <class PointRange, class Must_split, class = decltype(std::declval<const PointRange&>().begin()),
@@ -221,14 +223,6 @@ public:
   /// Returns the cross pointer of `v`: the node of the same size across a side or a corner. If there is none,
   /// it is the larger leaf in its place. Invalid outside the root. Takes O(1) time.
   Node_index neighbor(Node_index v, Direction d) const { return squares_.neighbor(v, d); }
-  /// Returns all cross pointers of `v`, by direction. Takes less time than to ask for half of them one by one.
-  std::array<Node_index, 8> cross_pointers(Node_index v) const {
-    std::array<Node_index, 8> result{};
-    if (v == root()) return result;
-    const auto numbers = squares_.neighbors(v);
-    for (std::size_t d = 0; d < result.size(); ++d) result[d] = Node_index(numbers[d]);
-    return result;
-  }
 
   /// The leaves in the square of `v`.
   Leaf_interval leaves(Node_index v) const {

@@ -109,15 +109,6 @@ TEST_CASE("Neighbors of a leaf come counterclockwise", "[balanced]") {
   CHECK(inner > 100);
 }
 
-TEST_CASE("Cross pointers lead to the neighbors in all directions", "[balanced]") {
-  const CGAL::Balanced_quadtree<Fixed_32_traits> tree(make_points<Fixed_32_traits>(uniform(60, 9)));
-  for (std::size_t i = 0; i < tree.number_of_nodes(); ++i) {
-    const CGAL::Quadtree_mesh_2::Node_index v(i);
-    for (const Direction d : all_directions())
-      CHECK(tree.cross_pointers(v)[static_cast<std::size_t>(d)] == tree.neighbor(v, d));
-  }
-}
-
 TEST_CASE("The split squares of a balanced quadtree require that quadtree", "[balanced]") {
   using Tree = CGAL::Balanced_quadtree<Fixed_32_traits>;
   using CGAL::Quadtree_mesh_2::Node_index;

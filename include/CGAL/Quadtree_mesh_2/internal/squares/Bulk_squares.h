@@ -78,46 +78,48 @@ public:
     return wanted.node(wanted.node_at(square(l))).triangle;
   }
 
-  /// A leaf with its cross pointers, which lead to all that is around it.
+  /// A leaf with the cross pointers that lead to what is around it, but for three of its corners.
   struct Surroundings {
     Leaf_index leaf;
     int child_of_parent; ///< 2 i + j with x offset i and y offset j
     int level;
-    std::array<Node_index, 8> across; ///< by direction
+    std::array<Node_index, 4> across; ///< by side
+    Node_index across_upper_right;
   };
 
   Surroundings surroundings(Leaf_index l) const {
     const Node_index v = tree_.node(l);
-    return {l, child_of_parent(v), tree_.level(v), tree_.cross_pointers(v)};
+    Surroundings s{l, child_of_parent(v), tree_.level(v), {}, tree_.neighbor(v, Direction::NORTH_EAST)};
+    for (std::size_t side = 0; side < 4; ++side) s.across[side] = tree_.neighbor(v, outward[side]);
+    return s;
+  }
+
+  /// The names of a square's corners.
+  std::array<Corner_name, 4> names_of_corners(const Surroundings& s) const {
+    return {{{s.leaf, Square_place::LOWER_LEFT},
+             name_across(s, s.across[right], Direction::EAST, 0),
+             name_across(s, s.across_upper_right, Direction::NORTH_EAST, 0),
+             name_across(s, s.across[upper], Direction::NORTH, 0)}};
+  }
+
+  /// The name of the middle of a side that is halved.
+  Corner_name name_of_middle(const Surroundings& s, int side) const {
+    return side == lower   ? Corner_name{s.leaf, Square_place::ON_LOWER_SIDE}
+           : side == left  ? Corner_name{s.leaf, Square_place::ON_LEFT_SIDE}
+           : side == right ? name_across(s, s.across[right], Direction::EAST, 1)
+                           : name_across(s, s.across[upper], Direction::NORTH, 2);
   }
 
   /// The name of vertex i (as in `Square_template`) of a leaf, which has it.
   Corner_name name(const Surroundings& s, int i) const {
-    switch (i) {
-    case 0:
-      return {s.leaf, Square_place::LOWER_LEFT};
-    case 1:
-      return name_across(s, Direction::EAST, 0);
-    case 2:
-      return name_across(s, Direction::NORTH_EAST, 0);
-    case 3:
-      return name_across(s, Direction::NORTH, 0);
-    case 4:
-      return {s.leaf, Square_place::ON_LOWER_SIDE};
-    case 5:
-      return name_across(s, Direction::EAST, 1);
-    case 6:
-      return name_across(s, Direction::NORTH, 2);
-    default:
-      return {s.leaf, Square_place::ON_LEFT_SIDE};
-    }
+    return i < 4 ? names_of_corners(s)[std::size_t(i)] : name_of_middle(s, i - 4);
   }
 
   /// Calls `visit(piece, other)` for the pieces of a bulk square's border, and those of other squares that they are.
   template <class Visit>
   void for_each_piece_across(const Surroundings& s, const Visit& visit) const {
     for (int side = 0; side < 4; ++side) {
-      const Node_index n = s.across[std::size_t(outward[side])];
+      const Node_index n = s.across[std::size_t(side)];
       if (!n.is_valid()) continue;
       const int opposite_side = (side + 2) % 4;
       if (tree_.is_leaf(n)) {
@@ -202,7 +204,7 @@ private:
 
   /// Whether the side is halved; appends those of its pieces that are the border of the bulk.
   bool look_across(const Surroundings& s, int side, std::vector<Square_piece>& border) const {
-    const Node_index n = s.across[std::size_t(outward[side])];
+    const Node_index n = s.across[std::size_t(side)];
     if (!n.is_valid() || tree_.is_leaf(n)) {
       if (!n.is_valid() || !is_bulk(tree_.leaf(n))) border.push_back({s.leaf, 2 * side});
       return false;
@@ -213,10 +215,9 @@ private:
     return is_first || is_second;
   }
 
-  /// The name of the corner in direction d; or of the middle of that side, which is the lower left corner of the
-  /// neighbor's given child.
-  Corner_name name_across(const Surroundings& s, Direction d, int child) const {
-    Node_index n = s.across[std::size_t(d)];
+  /// The name of the corner in direction d, where the neighbor is n; or of the middle of that side, which is the lower
+  /// left corner of the neighbor's given child.
+  Corner_name name_across(const Surroundings& s, Node_index n, Direction d, int child) const {
     if (tree_.level(n) != s.level) return name_in_larger(s, d, tree_.leaf(n));
     if (!tree_.is_leaf(n)) n = tree_.child(n, child);
     while (!tree_.is_leaf(n)) n = tree_.child(n, 0);

@@ -127,16 +127,21 @@ private:
   Vertices vertices(const typename Squares::Surroundings& around) const {
     const Square_form form = squares_.form(around.leaf);
     Vertices v;
-    for (int i = 0; i < Square_template::center; ++i)
-      if (form.has_vertex(i)) v[std::size_t(i)] = vertex(squares_.name(around, i));
+    const auto corners = squares_.names_of_corners(around);
+    for (std::size_t i = 0; i < corners.size(); ++i) v[i] = vertex(corners[i]);
+    if (form.is_any_halved())
+      for (int side = 0; side < 4; ++side)
+        if (form.is_halved(side)) v[std::size_t(4 + side)] = vertex(squares_.name_of_middle(around, side));
     v[Square_template::center] = first_vertex_of(around.leaf); // if it has one
     return v;
   }
 
   Vertex_id vertex(Corner_name name) const {
     if (border_.has(name)) return border_.vertex(name);
-    return Vertex_id(first_vertex_of(name.leaf).value() + (squares_.form(name.leaf).has_center() ? 1 : 0) +
-                     own_places(name.leaf).before(name.place).size());
+    const std::uint32_t first =
+        first_vertex_of(name.leaf).value() + (squares_.form(name.leaf).has_center() ? 1 : 0);
+    if (name.place == Square_place::LOWER_LEFT) return Vertex_id(first); // most
+    return Vertex_id(first + own_places(name.leaf).before(name.place).size());
   }
 
   void make_own_vertices(const Square_grid<Geometry>& grid, Leaf_index l, const Vertices& v) {

@@ -172,6 +172,7 @@ struct Square_form {
   std::uint8_t bits = 0;
 
   bool is_halved(int side) const { return (bits >> side & 1u) != 0; }
+  bool is_any_halved() const { return (bits & 15u) != 0; }
   bool has_center() const { return (bits & with_center) != 0; }
   /// Whether the template has vertex i.
   bool has_vertex(int i) const { return i < 4 || (bits >> (i - 4) & 1u) != 0; }
