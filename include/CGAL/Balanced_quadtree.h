@@ -140,6 +140,14 @@ public:
             .find());
   }
 
+  /// \cond SKIP_IN_MANUAL
+  /// Builds the smallest balanced quadtree in which given squares are split. Always works level by level. Its squares
+  /// may be larger than the points and the options of the framework want them.
+  Balanced_quadtree(Framework framework, const Quadtree_options& options,
+                    const Quadtree_mesh_2::internal::Required_squares& required)
+      : framework_(std::move(framework)), options_(options), squares_(smallest_squares(required)) {}
+  /// \endcond
+
   /// Builds the quadtree of points with leaves as small as a predicate wants them.
   template <class PointRange, class Must_split, class = decltype(std::declval<const PointRange&>().begin()),
             class = decltype(bool(std::declval<const Must_split&>()(std::declval<const Point_2&>(),

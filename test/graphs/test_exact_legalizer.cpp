@@ -111,4 +111,16 @@ TEST_CASE("The last flips leave a Delaunay mesh and an account of it", "[mesher]
   }
 }
 
+TEST_CASE("Halves of squares, however they lie, have angles of 45 and 90 degrees", "[exact_legalizer]") {
+  const double side = GENERATE(1.0, 3.0, 0x1p-100, 0.7);
+  const Geometry::Point corners[4] = {{0, 0}, {side, 0}, {side, side}, {0, side}};
+  internal::Angle_histogram angles;
+  for (std::size_t i = 0; i < 4; ++i)
+    angles.add(
+        internal::Kernel_mesh<Geometry>::shape(corners[i], corners[(i + 1) % 4], corners[(i + 2) % 4]));
+  const auto [least, largest] = histograms_of(angles);
+  CHECK(least[45] == 4);
+  CHECK(largest[30] == 4); // from 60 degrees on
+}
+
 } // namespace test_exact_legalizer

@@ -51,6 +51,13 @@ struct Small_mesh {
       mesh.constrained_edges.push_back({{Vertex_index(e[0]), Vertex_index(e[1])}, Segment_index(e[2])});
   }
 
+  /// All edges on segments are on the border.
+  void set_markers() {
+    std::vector<std::array<Vertex_index, 2>> border;
+    for (const auto& edge : mesh.constrained_edges) border.push_back(edge.vertices);
+    CGAL::Quadtree_mesh_2::internal::set_boundary_markers(mesh, pslg, border);
+  }
+
 private:
   void add_triangle(std::array<std::size_t, 3> vertices, std::array<int, 3> neighbors) {
     std::array<Vertex_index, 3> v;
@@ -133,7 +140,7 @@ TEST_CASE("a mesh is written as .node, .ele and .poly", "[triangle_files]") {
   Small_mesh small;
   const std::string stem = folder.file("out");
   SECTION("of a plain graph: 1 marks the border") {
-    CGAL::Quadtree_mesh_2::internal::set_boundary_markers(small.mesh, small.pslg);
+    small.set_markers();
     CGAL::IO::write_triangle_files(small.mesh, small.pslg, stem);
     CHECK(content(stem + ".node") == "6 2 0 1\n0 0 0 1\n1 1 0 1\n2 1 1 1\n3 0 1 1\n4 9 9 0\n5 0.5 1 1\n");
     CHECK(content(stem + ".ele") == "3 3 0\n0 0 1 5\n1 1 2 5\n2 0 5 3\n");
@@ -145,7 +152,7 @@ TEST_CASE("a mesh is written as .node, .ele and .poly", "[triangle_files]") {
     small.pslg.holes = {Point(5, 0.125)};
     small.pslg.regions = {{Point(0.5, 0.5), 7.5, 0}, {Point(0.25, 0.5), 8, 0.5}};
     small.mesh.region_of_triangle = {0, -1, 1};
-    CGAL::Quadtree_mesh_2::internal::set_boundary_markers(small.mesh, small.pslg);
+    small.set_markers();
     CGAL::IO::write_triangle_files(small.mesh, small.pslg, stem);
     CHECK(content(stem + ".node") ==
           "6 2 0 1\n0 0 0 13\n1 1 0 21\n2 1 1 11\n3 0 1 12\n4 9 9 24\n5 0.5 1 12\n");
@@ -157,7 +164,7 @@ TEST_CASE("a mesh is written as .node, .ele and .poly", "[triangle_files]") {
     small.pslg.first_number = 1;
     small.pslg.holes = {Point(5, 0.125)};
     small.pslg.regions = {{Point(0.5, 0.5), 7.5, 0}};
-    CGAL::Quadtree_mesh_2::internal::set_boundary_markers(small.mesh, small.pslg);
+    small.set_markers();
     CGAL::IO::write_triangle_files(small.mesh, small.pslg, stem);
     CHECK(content(stem + ".node") == "6 2 0 1\n1 0 0 1\n2 1 0 1\n3 1 1 1\n4 0 1 1\n5 9 9 0\n6 0.5 1 1\n");
     CHECK(content(stem + ".ele") == "3 3 0\n1 1 2 6\n2 2 3 6\n3 1 6 4\n");

@@ -109,6 +109,29 @@ TEST_CASE("Neighbors of a leaf come counterclockwise", "[balanced]") {
   CHECK(inner > 100);
 }
 
+TEST_CASE("The split squares of a balanced quadtree require that quadtree", "[balanced]") {
+  using Tree = CGAL::Balanced_quadtree<Fixed_32_traits>;
+  using CGAL::Quadtree_mesh_2::Node_index;
+  const Tree tree(make_points<Fixed_32_traits>(uniform(60, 9)));
+  CGAL::Quadtree_mesh_2::internal::Required_squares required;
+  for (std::size_t i = 0; i < tree.number_of_nodes(); ++i) { // level by level
+    const Node_index v(i);
+    if (tree.is_leaf(v)) continue;
+    unsigned split = 0;
+    for (int q = 0; q < 4; ++q)
+      if (!tree.is_leaf(tree.child(v, q))) split |= 1u << q;
+    if (static_cast<int>(required.level_begin.size()) < tree.level(v) + 2) required.level_begin.push_back(0);
+    required.children.push_back(static_cast<std::uint8_t>(split));
+    required.level_begin.back() = static_cast<std::uint32_t>(required.size());
+  }
+  required.link_children<CGAL::Sequential_tag>();
+  const Tree same(Tree::Framework(), {}, required);
+  CHECK(same.is_valid());
+  REQUIRE(same.number_of_nodes() == tree.number_of_nodes());
+  for (std::size_t i = 0; i < tree.number_of_nodes(); ++i)
+    CHECK(same.is_leaf(Node_index(i)) == tree.is_leaf(Node_index(i)));
+}
+
 TEST_CASE("A large quadtree satisfies the cheap invariants", "[balanced]") {
   const auto points = make_points<Filtered_traits>(uniform(20000, 10));
   const CGAL::Balanced_quadtree<Filtered_traits> tree(points,

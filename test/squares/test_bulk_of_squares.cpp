@@ -175,7 +175,18 @@ TEST_CASE("Templates of squares are triangulations with angles of at least atan(
       CHECK(pieces[std::size_t(2 * side)] == 1);
       CHECK(pieces[std::size_t(2 * side + 1)] == (form.is_halved(side) ? 1 : 0));
     }
-    for (int i = 0; i < 9; ++i) CHECK(is_used[std::size_t(i)] == form.has_vertex(i));
+    for (int i = 0; i < 9; ++i) {
+      const bool has_vertex = i == Square_template::center ? form.has_center() : form.has_vertex(i);
+      CHECK(is_used[std::size_t(i)] == has_vertex);
+      if (!has_vertex) continue;
+      const auto& t_at = t.triangle[std::size_t(t.triangle_at[std::size_t(i)])];
+      CHECK(std::find(t_at.begin(), t_at.end(), i) != t_at.end());
+    }
+    for (const Square_place place : all_square_places) {
+      CHECK(form.places().has(place) == form.has_vertex(vertex_at(place)));
+      CHECK(form.places().before(place).size() + form.places().without(form.places().before(place)).size() ==
+            form.places().size());
+    }
   }
 }
 
@@ -354,6 +365,17 @@ TEST_CASE("Threads make the same mesh around a bulk", "[bulk][parallel]") {
   const Mesh sequential = Mesher(options)(pslg), parallel = Parallel_mesher(options)(pslg);
   CHECK(sequential.points == parallel.points);
   CHECK(sequential.triangles == parallel.triangles);
+}
+
+TEST_CASE("Threads make the same mesh where sizes vary", "[bulk][parallel]") {
+  using Parallel_mesher = CGAL::Quality_mesher_2<Mesher::Geom_traits, CGAL::Parallel_tag>;
+  const Options options =
+      Options().size([](double x, double y) { return 0.002 + 0.02 * std::hypot(x - 0.123, y - 0.4); });
+  const Mesh sequential = Mesher(options)(unit_square()), parallel = Parallel_mesher(options)(unit_square());
+  CHECK(sequential.points == parallel.points);
+  CHECK(sequential.triangles == parallel.triangles);
+  CHECK(sequential.neighbors == parallel.neighbors);
+  CHECK(sequential.vertex_markers == parallel.vertex_markers);
 }
 
 TEMPLATE_TEST_CASE("The bulk of integers has integer corners", "[bulk]", std::uint32_t, std::uint64_t) {

@@ -33,6 +33,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/base/Phase_clock.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/Progress.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/angle_units.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/huge_pages.h>
 #include <CGAL/Quadtree_mesh_2/internal/geometry/coordinate_map.h>
 #include <CGAL/Quadtree_mesh_2/internal/grid/morton.h>
 #include <CGAL/Quadtree_mesh_2/internal/neighbors/nearest_hits.h>
@@ -269,11 +270,13 @@ private:
 
   /// The segments in the kernel's numbering, which is the shuffle order.
   std::vector<typename First::Segment> kernel_segments() const {
-    Indexed_vector<Vertex_index, Vertex_id> kernel_vertex(order_.size());
+    Uninitialized_indexed_vector<Vertex_index, Vertex_id> kernel_vertex;
+    resize_with_pages(kernel_vertex, order_.size());
     for_each_index<ConcurrencyTag>(order_.size(), [&](std::size_t i) {
       kernel_vertex[Vertex_index(order_[i])] = static_cast<Vertex_id>(i);
     });
-    std::vector<typename First::Segment> segments(pslg_.number_of_segments());
+    std::vector<typename First::Segment> segments;
+    resize_with_pages(segments, pslg_.number_of_segments());
     for_each_index<ConcurrencyTag>(segments.size(), [&](std::size_t s) {
       const auto& [a, b] = pslg_.segments[s];
       segments[s] = {kernel_vertex[a], kernel_vertex[b]};

@@ -35,9 +35,14 @@ public:
   Uninitialized_allocator(const Uninitialized_allocator<U>&) noexcept {}
 
   T* allocate(std::size_t n) {
-    T* const values = std::allocator<T>::allocate(n);
-    advise_huge_pages(values, n * sizeof(T));
-    return values;
+    return is_long(n) ? static_cast<T*>(allocate_in_huge_pages(n * sizeof(T)))
+                      : std::allocator<T>::allocate(n);
+  }
+  void deallocate(T* values, std::size_t n) {
+    if (is_long(n))
+      free_in_huge_pages(values);
+    else
+      std::allocator<T>::deallocate(values, n);
   }
 
   template <class U>
@@ -49,11 +54,25 @@ public:
   void construct(U* p, Arguments&&... arguments) {
     ::new (static_cast<void*>(p)) U(std::forward<Arguments>(arguments)...);
   }
+
+private:
+  static bool is_long(std::size_t n) {
+    return n >= least_in_huge_pages / sizeof(T) && n <= std::size_t(-1) / 2 / sizeof(T);
+  }
 };
 
 /// A vector whose `resize()` does not write. So one thread does not fill it before many threads do.
 template <class T>
 using Uninitialized_vector = std::vector<T, Uninitialized_allocator<T>>;
+
+/// Gives such a vector a size, all of which is about to be written. If it is not in huge pages, its pages are there at
+/// once.
+template <class Vector>
+void resize_to_write(Vector& values, std::size_t size) {
+  values.resize(size);
+  const std::size_t bytes = size * sizeof(typename Vector::value_type);
+  if (bytes < least_in_huge_pages) ask_for_pages(values.data(), bytes);
+}
 
 } // namespace internal
 } // namespace Quadtree_mesh_2

@@ -9,34 +9,58 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <new>
 
 #ifdef __linux__
 #include <sys/mman.h>
+#include <unistd.h>
 #endif
 
 namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-/// Asks the system to put a long array into huge pages: one page fault instead of 512. The array should be about to be
-/// written whole. Nothing can fail, because this only asks.
-inline void advise_huge_pages(void* begin, std::size_t bytes) {
 #if defined(__linux__) && defined(MADV_HUGEPAGE)
-  constexpr std::uintptr_t huge_page = std::uintptr_t(1) << 21;
-  if (bytes < 2 * huge_page) return; // it may not contain a whole one
-  const auto first = (reinterpret_cast<std::uintptr_t>(begin) + huge_page - 1) & ~(huge_page - 1);
-  const auto end = (reinterpret_cast<std::uintptr_t>(begin) + bytes) & ~(huge_page - 1);
-  madvise(reinterpret_cast<void*>(first), end - first, MADV_HUGEPAGE);
+constexpr std::size_t huge_page = std::size_t(1) << 21;
+/// From here on an array has huge pages of its own: at most half of their memory is in vain.
+constexpr std::size_t least_in_huge_pages = huge_page / 2;
+#else
+constexpr std::size_t huge_page = alignof(std::max_align_t);
+constexpr std::size_t least_in_huge_pages = SIZE_MAX;
+#endif
+
+/// Memory for a long array, which begins and ends where huge pages do: one page fault instead of 512. On virtual
+/// machines a fault may take as long as it takes to write the page ten times.
+inline void* allocate_in_huge_pages(std::size_t bytes) {
+  bytes = (bytes + huge_page - 1) / huge_page * huge_page;
+  void* const memory = ::operator new(bytes, std::align_val_t(huge_page));
+#if defined(__linux__) && defined(MADV_HUGEPAGE)
+  madvise(memory, bytes, MADV_HUGEPAGE); // only asks, so nothing can fail
+#endif
+  return memory;
+}
+inline void free_in_huge_pages(void* memory) { ::operator delete(memory, std::align_val_t(huge_page)); }
+
+/// Asks the system for the pages of an array that is about to be written whole: one call instead of many faults.
+inline void ask_for_pages(void* begin, std::size_t bytes) {
+#if defined(__linux__) && defined(MADV_HUGEPAGE) && defined(MADV_POPULATE_WRITE)
+  static const auto page = static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE));
+  const auto first = reinterpret_cast<std::uintptr_t>(begin) & ~(page - 1);
+  const auto end = (reinterpret_cast<std::uintptr_t>(begin) + bytes + page - 1) & ~(page - 1);
+  if (end - first < 16 * page) return;
+  if (bytes >= 2 * huge_page) madvise(reinterpret_cast<void*>(first), end - first, MADV_HUGEPAGE);
+  madvise(reinterpret_cast<void*>(first), end - first, MADV_POPULATE_WRITE);
 #else
   static_cast<void>(begin), static_cast<void>(bytes);
 #endif
 }
 
-/// Reserves room for `size` values, in huge pages if that is much. One thread can then fill it in little time.
+/// Makes `values`, which is empty, as long as `size`, with all of its pages at once.
 template <class Vector>
-void reserve_in_huge_pages(Vector& values, std::size_t size) {
+void resize_with_pages(Vector& values, std::size_t size) {
   values.reserve(size);
-  advise_huge_pages(values.data(), size * sizeof(typename Vector::value_type));
+  ask_for_pages(values.data(), size * sizeof(typename Vector::value_type));
+  values.resize(size);
 }
 
 } // namespace internal

@@ -110,7 +110,8 @@ private:
     using std::fabs;
     const Number x = s.shortest(), z = s.longest();
     const Number y = greater(lesser(s.l[0], s.l[1]), lesser(greater(s.l[0], s.l[1]), s.l[2]));
-    const Number n = z - x - y; // -2 sqrt(x y) cos(largest)
+    const Number n = z - x - y;                                           // -2 sqrt(x y) cos(largest)
+    if (x == y && n == Number(0) && s.area2 == x) return half_of_square_; // bulks are made of these
     return {bin_of_least_(ratio(s.area2 * s.area2, y * z)),
             bin_of_largest_(ratio(0.25 * n * fabs(n), x * y))};
   }
@@ -118,6 +119,8 @@ private:
   static constexpr Bin_finder<60> bin_of_least_{squared_sine_of_degrees};
   static constexpr Bin_finder<120> bin_of_largest_{
       [](int i) { return signed_squared_cosine_of_degrees(60 + i); }};
+
+  static constexpr Places half_of_square_{45, 30};
 
   std::array<std::uint32_t, 60> least_{};
   std::array<std::uint32_t, 120> largest_{};

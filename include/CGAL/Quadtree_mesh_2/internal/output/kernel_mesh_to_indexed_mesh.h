@@ -12,6 +12,7 @@
 
 #include <CGAL/Indexed_mesh_2.h>
 #include <CGAL/Pslg_2.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/Id_set.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/angle_units.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/huge_pages.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/prefetch.h>
@@ -25,6 +26,7 @@
 #include <CGAL/Quality_mesh_report_2.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -48,26 +50,32 @@ public:
   /// \param account of the mesh as it is
   Mesh run(const Triangle_account& account) {
     Mesh out;
-    make_vertices(out);
     number_triangles();
-    resize(out.triangles, number_of_triangles_), resize(out.neighbors, number_of_triangles_);
-    if (!mesh_.region_of.empty()) resize(out.region_of_triangle, number_of_triangles_);
-    std::vector<Edges> parts((mesh_.triangles.size() + default_block - 1) / default_block);
+    make_vertices(out);
+    std::vector<Part> parts((mesh_.triangles.size() + default_block - 1) / default_block);
     for_each_block<ConcurrencyTag>(mesh_.triangles.size(), default_block,
                                    [&](std::size_t b, std::size_t begin, std::size_t end) {
                                      make_triangles(out, begin, end, parts[b]);
                                    });
-    append_all<ConcurrencyTag>(out.constrained_edges, parts,
-                               [](const Edges& edges) -> const Edges& { return edges; });
+    append_all<ConcurrencyTag>(
+        out.constrained_edges, parts, [](const Part& part) -> const auto& { return part.edges; });
+    std::vector<Ends> border;
+    append_all<ConcurrencyTag>(
+        border, parts, [](const Part& part) -> const auto& { return part.border; });
     account.angles.add_to(report_.least_angle_histogram, report_.largest_angle_histogram);
     for (const Triangle_id t : account.suspects) report(t);
-    set_boundary_markers(out, pslg_);
+    set_boundary_markers(out, pslg_, border);
     report_.triangles = out.triangles.size();
     return out;
   }
 
 private:
-  using Edges = std::vector<typename Mesh::Constrained_edge>;
+  using Ends = std::array<Vertex_index, 2>;
+  /// What a run of triangles has besides triangles.
+  struct Part {
+    std::vector<typename Mesh::Constrained_edge> edges;
+    std::vector<Ends> border;
+  };
 
   const Meshing_state<Geometry>& state_;
   const Kernel_mesh<Geometry>& mesh_;
@@ -91,7 +99,7 @@ private:
         [&](std::size_t begin, std::size_t end) {
           return number_of_used({n + begin, n + end});
         },
-        [&](std::size_t sum) { resize(out.points, n + sum), resize(out.segment_of_vertex, n + sum); },
+        [&](std::size_t sum) { allocate(out, n + sum); },
         [&](std::size_t begin, std::size_t end, std::size_t first) {
           for (const Vertex_id v : Id_range<Vertex_id>(n + begin, n + end))
             if (mesh_.is_used(v)) make_steiner_vertex(out, v, n + first++);
@@ -100,11 +108,24 @@ private:
     report_.vertices = steiner + number_of_used({std::size_t(0), n});
   }
 
-  /// In huge pages, as all of it is written.
-  template <class Vector>
-  static void resize(Vector& values, std::size_t size) {
-    reserve_in_huge_pages(values, size);
-    values.resize(size);
+  /// Makes all arrays at the same time: a vector is filled with first values by one thread.
+  void allocate(Mesh& out, std::size_t vertices) const {
+    Executor<ConcurrencyTag>::run(6, [&](std::size_t i) {
+      switch (i) {
+      case 0:
+        return resize_with_pages(out.triangles, number_of_triangles_);
+      case 1:
+        return resize_with_pages(out.neighbors, number_of_triangles_);
+      case 2:
+        return resize_with_pages(out.points, vertices);
+      case 3:
+        return resize_with_pages(out.segment_of_vertex, vertices);
+      case 4:
+        return resize_with_pages(out.vertex_markers, vertices);
+      default:
+        if (!mesh_.region_of.empty()) resize_with_pages(out.region_of_triangle, number_of_triangles_);
+      }
+    });
   }
 
   std::size_t number_of_used(Id_range<Vertex_id> vertices) const {
@@ -119,19 +140,24 @@ private:
     if (mesh_.edge(v).is_valid()) out.segment_of_vertex[place] = state_.edges[mesh_.edge(v)].segment;
   }
 
+  /// Those alive, in order. The dead are known, so nobody has to look at all triangles.
   void number_triangles() {
     const std::size_t slots = mesh_.triangles.size();
+    Id_set<Triangle_id> dead(slots);
+    for (const Triangle_id t : mesh_.dead_triangles()) dead.add(t);
     number_of_triangles_ = count_allocate_and_place<ConcurrencyTag>(
         slots,
         [&](std::size_t begin, std::size_t end) {
           std::size_t sum = 0;
-          for (const Triangle_id t : Id_range<Triangle_id>(begin, end)) sum += mesh_.is_alive(t) ? 1 : 0;
+          for (const Triangle_id t : Id_range<Triangle_id>(begin, end)) sum += dead.has(t) ? 0 : 1;
           return sum;
         },
         [&](std::size_t) { new_triangle_.resize(slots); },
         [&](std::size_t begin, std::size_t end, std::size_t first) {
-          for (const Triangle_id t : Id_range<Triangle_id>(begin, end))
-            if (mesh_.is_alive(t)) new_triangle_[t] = Triangle_index(first++);
+          for (const Triangle_id t : Id_range<Triangle_id>(begin, end)) {
+            new_triangle_[t] = Triangle_index(first); // of no meaning for the dead
+            first += dead.has(t) ? 0 : 1;
+          }
         });
   }
 
@@ -143,7 +169,7 @@ private:
       if (!o.is_border()) prefetch(new_triangle_.data() + o.triangle().value());
   }
 
-  void make_triangles(Mesh& out, std::size_t begin, std::size_t end, Edges& edges) const {
+  void make_triangles(Mesh& out, std::size_t begin, std::size_t end, Part& part) const {
     constexpr std::size_t most = 256; // at once
     Side constrained[3 * most];
     for (; begin < end; begin += most) {
@@ -154,7 +180,7 @@ private:
           [&](Triangle_id t) {
             if (mesh_.is_alive(t)) next = make_triangle(out, t, next);
           });
-      std::for_each(constrained, next, [&](Side s) { add_constrained_edge(edges, s); });
+      std::for_each(constrained, next, [&](Side s) { add_constrained_edge(part, s); });
     }
   }
 
@@ -175,13 +201,15 @@ private:
     return next;
   }
 
-  void add_constrained_edge(Edges& edges, Side s) const {
+  void add_constrained_edge(Part& part, Side s) const {
     const Vertex_id x = mesh_.source(s), y = mesh_.target(s);
+    const Ends ends{new_vertex_[x], new_vertex_[y]};
+    if (mesh_.across(s).is_border()) part.border.push_back(ends);
     const Edge_id e = state_.edges.carrying(mesh_, x, y);
     if (!e.is_valid()) return;
-    edges.push_back({{new_vertex_[x], new_vertex_[y]}, state_.edges[e].segment});
+    part.edges.push_back({ends, state_.edges[e].segment});
     const Vertex_id outer = state_.problem.outer_vertex(e);
-    if (outer.is_valid()) edges.back().outer_vertex = new_vertex_[outer];
+    if (outer.is_valid()) part.edges.back().outer_vertex = new_vertex_[outer];
   }
 
   /// Reports a triangle that misses a bound.

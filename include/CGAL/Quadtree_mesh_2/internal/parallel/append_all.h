@@ -26,7 +26,8 @@ void append_all(Vector& to, const Parts& parts, const Values_of& values_of) {
   first.reserve(parts.size());
   std::size_t size = to.size();
   for (const auto& part : parts) first.push_back(size), size += values_of(part).size();
-  if (size > to.capacity()) reserve_in_huge_pages(to, size + size / 8); // others often follow
+  if (size > to.capacity()) to.reserve(size + size / 8); // others often follow
+  ask_for_pages(to.data() + to.size(), (size - to.size()) * sizeof(*to.data()));
   to.resize(size);
   Executor<ConcurrencyTag>::run(parts.size(), [&](std::size_t i) {
     const auto& values = values_of(parts.data()[i]);

@@ -205,8 +205,8 @@ private:
   template <class ConcurrencyTag>
   void number_leaves(std::size_t points) {
     const std::size_t n = number_of_families();
-    first_leaf_.resize(n);
-    last_leaf_.resize(n);
+    resize_to_write(first_leaf_, n);
+    resize_to_write(last_leaf_, n);
     node_of_leaf_.resize(number_of_nodes() - n);
     leaf_of_point_.resize(points);
     if (n == 0) {
@@ -222,7 +222,8 @@ private:
           count[f] += is_leaf(v) ? 1 : count[family(v)];
         }
       });
-    Uninitialized_vector<std::uint32_t> point_end(n);
+    Uninitialized_vector<std::uint32_t> point_end;
+    resize_to_write(point_end, n);
     first_leaf_[0] = 0;
     point_end[0] = static_cast<std::uint32_t>(points);
     for (int l = 0; l < number_of_split_levels(); ++l)

@@ -66,7 +66,7 @@ struct Required_squares {
   /// Links the children: the split children of all squares, in order, are all squares but the root.
   template <class ConcurrencyTag>
   void link_children() {
-    first_child.resize(size());
+    resize_to_write(first_child, size());
     for_each_index<ConcurrencyTag>(size(),
                                    [&](std::size_t i) { first_child[i] = number_of_children(children[i]); });
     exclusive_scan<ConcurrencyTag>(first_child.data(), size());

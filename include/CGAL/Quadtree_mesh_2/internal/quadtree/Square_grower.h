@@ -21,6 +21,7 @@
 #include <CGAL/Quadtree_mesh_2/Index.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/Uninitialized_vector.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/bits.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/huge_pages.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/quadtree/Linked_squares.h>
 #include <CGAL/Quadtree_mesh_2/internal/quadtree/Point_distribution.h>
@@ -188,6 +189,7 @@ private:
     if (n > room_for_marks_) {
       room_for_marks_ = std::max(n, 2 * room_for_marks_);
       marks_.reset(new Mark[room_for_marks_]);
+      if (n < least_in_huge_pages) ask_for_pages(marks_.get(), n);
     }
     number_of_children_ = n;
     for_each_index<ConcurrencyTag>(n, [&](std::size_t i) { marks_[i].store(0, std::memory_order_relaxed); });

@@ -84,8 +84,8 @@ private:
       first_triangles_; // where the sectors of all legs of a corner begin
   std::vector<Leg_of_sector> by_right_, by_left_;
   std::vector<Triangle_id> stack_;
-  Indexed_vector<Triangle_id, std::uint32_t> visit_of_; // the last visit to a triangle
-  std::uint32_t visit_ = 0;                             // the number of the sector that is visited
+  Uninitialized_indexed_vector<Triangle_id, std::uint32_t> visit_of_; // the last visit to a triangle
+  std::uint32_t visit_ = 0; // the number of the sector that is visited
 
   Vector direction(Vertex_id from, Vertex_id to) const {
     return Geometry::scaled_difference(mesh_.point(to), mesh_.point(from));

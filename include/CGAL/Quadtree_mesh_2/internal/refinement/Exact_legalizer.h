@@ -80,16 +80,20 @@ private:
     part.account.angles.add(s);
     if (state_.is_suspect(t, s)) part.account.suspects.push_back(t);
     for (int k = 0; k < 3; ++k)
-      if (!s.is_certainly_acute(k) && !r.side[k].is_constrained() && !is_looked_at_from_beyond(t, s, k) &&
+      if (!s.is_certainly_acute(k) && !r.side[k].is_constrained() && !is_settled(t, s, k) &&
           is_not_Delaunay(Side(t, k)))
         part.doubtful.push_back(Side(t, k));
   }
 
-  /// Of two angles that may be right, as those on the diagonals of squares, one is enough.
-  bool is_looked_at_from_beyond(Triangle_id t, const Shape& s, int k) const {
-    const Side o = mesh_.triangle(t).side[k];
-    return !s.is_certainly_obtuse(k) && o.triangle() < t &&
-           !mesh_.shape(mesh_.triangle(o.triangle())).is_certainly_acute(o.slot());
+  /// Whether a side opposite an angle that may be right, as those on the diagonals of squares, need not be looked at:
+  /// it is a diagonal of a rectangle, or opposite another such angle beyond, and one look is enough.
+  bool is_settled(Triangle_id t, const Shape& s, int k) const {
+    if (s.is_certainly_obtuse(k)) return false;
+    const auto& r = mesh_.triangle(t);
+    const Side o = r.side[k];
+    return are_corners_of_rectangle(mesh_.point(r.v[0]), mesh_.point(r.v[1]), mesh_.point(r.v[2]),
+                                    mesh_.point(mesh_.opposite(o))) ||
+           (o.triangle() < t && !mesh_.shape(mesh_.triangle(o.triangle())).is_certainly_acute(o.slot()));
   }
 
   /// Whether the vertex opposite a free side lies in the circle of the side's triangle; exact.

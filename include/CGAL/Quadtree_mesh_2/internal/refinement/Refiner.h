@@ -146,10 +146,15 @@ private:
   void push_stretch() {
     constexpr std::uint32_t slots_of_stretch = 1024;
     const Triangle_id end = std::min(end_to_push_, Triangle_id(next_to_push_.value() + slots_of_stretch));
-    mesh_.for_each_alive({next_to_push_, end}, [this](Triangle_id t) {
-      if (!state_.bulk.has(t)) state_.push_if_suspect(t);
-    });
+    const auto& bulk = state_.bulk;
+    push_suspects(next_to_push_, std::min(end, bulk.first_triangle));
+    push_suspects(std::max(next_to_push_, bulk.end_of_triangles), end);
     next_to_push_ = end;
+  }
+
+  /// Of the triangles from `begin` on, before `end`; there may be none.
+  void push_suspects(Triangle_id begin, Triangle_id end) {
+    if (begin < end) mesh_.for_each_alive({begin, end}, [this](Triangle_id t) { state_.push_if_suspect(t); });
   }
 
   /// Goes on to the first stretch that has something to do; false if there is none.

@@ -20,6 +20,7 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_WORKLIST_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_WORKLIST_H
 
+#include <CGAL/Quadtree_mesh_2/internal/base/Id_set.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/Indexed_vector.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/bits.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Kernel_mesh.h>
@@ -51,11 +52,11 @@ public:
   /// The triangle will stand in the list once, as sharp as it was at first.
   /// \param share the squared sine of the least angle, as a share of the bound's; 1 or more where only the size is bad
   void push(Triangle_id t, double share) {
-    next_.make_room_for(t, is_not_queued_);
-    Triangle_id& next = next_[t];
-    if (next != is_not_queued_) return;
+    if (!next_.has(t)) make_room_for(t);
+    if (queued_.has(t)) return;
+    queued_.add(t);
     const int level = level_of(share);
-    next = first_[std::size_t(level)];
+    next_[t] = first_[std::size_t(level)];
     first_[std::size_t(level)] = t;
     in_use_[std::size_t(level / 32)] |= 1u << level % 32;
     words_in_use_ |= 1u << level / 32;
@@ -80,7 +81,7 @@ public:
 
 private:
   static constexpr int number_of_levels_ = 256; // down to angles of 2^-64
-  static constexpr Triangle_id end_{}, is_not_queued_{0xfffffffeu};
+  static constexpr Triangle_id end_{};
 
   struct By_length {
     int level;
@@ -93,6 +94,8 @@ private:
   };
 
   std::array<Triangle_id, number_of_levels_> first_;
+  // Of a mesh with a bulk few are ever listed, so most of the long array of the next ones is never touched.
+  Id_set<Triangle_id> queued_;
   Uninitialized_indexed_vector<Triangle_id, Triangle_id> next_; // on the list of its level
   std::array<std::uint32_t, number_of_levels_ / 32> in_use_{};  // a bit for each level
   std::uint32_t words_in_use_ = 0;                              // a bit for each word of them
@@ -100,13 +103,19 @@ private:
   std::size_t number_pushed_ = 0; // by length
   int level_of_popped_ = 0;
 
+  void make_room_for(Triangle_id t) {
+    const std::size_t n = std::size_t(t) + std::size_t(t) / 2 + 64;
+    next_.resize(n);
+    queued_.resize(n);
+  }
+
   Triangle_id pop_sharpest() {
     const auto word = static_cast<std::size_t>(lowest_bit(words_in_use_));
     const int bit = lowest_bit(in_use_[word]);
     Triangle_id& first = first_[32 * word + std::size_t(bit)];
     const Triangle_id t = first;
     first = next_[t];
-    next_[t] = is_not_queued_;
+    queued_.remove(t);
     if (first == end_) {
       in_use_[word] &= ~(1u << bit);
       if (in_use_[word] == 0) words_in_use_ &= ~(1u << word);

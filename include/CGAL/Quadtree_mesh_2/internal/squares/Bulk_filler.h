@@ -32,6 +32,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Splitter.h>
 #include <CGAL/Quadtree_mesh_2/internal/squares/Bulk_squares.h>
 #include <CGAL/Quadtree_mesh_2/internal/squares/Bulk_triangles.h>
+#include <CGAL/Quadtree_mesh_2/internal/squares/Named_border.h>
 #include <CGAL/Quadtree_mesh_2/internal/squares/Square_grid.h>
 #include <CGAL/Quadtree_mesh_2/internal/squares/Wanted_squares.h>
 #include <CGAL/Quadtree_mesh_2/internal/squares/square_templates.h>
@@ -102,7 +103,6 @@ private:
   Meshing_state<Geometry>& state_;
   Mesh& mesh_;
   Splitter<Geometry>& splitter_;
-  typename Triangles::Named_vertices vertex_named_;
   std::vector<Border_vertex> vertices_;
   std::vector<Border_edge> edges_;
 
@@ -159,16 +159,14 @@ private:
 
   void fill(const Squares& squares, const Wanted_squares<Geometry>& wanted,
             const Square_grid<Geometry>& grid) {
-    vertex_named_.resize(3 * squares.number_of_leaves());
-    for_each_index<ConcurrencyTag>(vertex_named_.size(), [this](std::size_t i) { vertex_named_[i] = {}; });
     reserve(squares);
     state_.bulk.has_border = true;
-    collect_border(squares, grid);
+    const Named_border border = collect_border(squares, grid);
     insert_border(squares, wanted);
     split_long_edges();
     if (!find_border_edges()) return; // the mesh is valid all the same, and has no bulk
     clear_inside();
-    Triangles triangles(state_, squares, vertex_named_);
+    Triangles triangles(state_, squares, border);
     triangles.make(wanted, grid);
     link_border(squares, triangles);
     push_where_sizes_vary();
@@ -184,24 +182,28 @@ private:
   // ---- the border
 
   /// Adds the border's vertices to the mesh's points, without triangles.
-  void collect_border(const Squares& squares, const Square_grid<Geometry>& grid) {
+  Named_border collect_border(const Squares& squares, const Square_grid<Geometry>& grid) {
+    Named_border border(squares.number_of_leaves());
     const Vertex_id first = mesh_.points.end_id();
     for (const Square_piece& p : squares.border()) {
+      const auto around = squares.surroundings(p.square);
       const Square_template& form = square_template(squares.form(p.square));
       const auto corner = form.side_of_piece[std::size_t(p.piece)];
       const auto& t = form.triangle[std::size_t(corner.triangle)];
       std::uint32_t ends[2];
       for (int i = 0; i < 2; ++i) {
         const int vertex = t[std::size_t(i == 0 ? next_slot[corner.slot] : previous_slot[corner.slot])];
-        Vertex_id& v = vertex_named_[squares.name(p.square, vertex)];
-        if (!v.is_valid()) {
-          v = mesh_.add_vertex(place_in_square(grid, squares.square(p.square), vertex), free_vertex);
-          vertices_.push_back({v, p.square});
+        const Corner_name name = squares.name(around, vertex);
+        if (!border.has(name)) {
+          const Point place = place_in_square(grid, squares.square(p.square), vertex);
+          border.add(name, mesh_.add_vertex(place, free_vertex));
+          vertices_.push_back({border.vertex(name), p.square});
         }
-        ends[i] = v.value() - first.value();
+        ends[i] = border.vertex(name).value() - first.value();
       }
       edges_.push_back({ends[0], ends[1], Side::border()});
     }
+    return border;
   }
 
   /// The border's pieces put end to end: per loop its vertices, in order; one where the bulk touches itself comes
@@ -331,8 +333,14 @@ private:
   /// Sizes were looked up at some places only; what they missed is left to the refiner.
   void push_where_sizes_vary() {
     if (!state_.bounds.is_local()) return;
-    for (Triangle_id t = state_.bulk.first_triangle; t < state_.bulk.end_of_triangles; ++t)
-      state_.push_if_suspect(t);
+    const std::size_t n = state_.bulk.number_of_triangles(), first = state_.bulk.first_triangle.value();
+    std::vector<std::vector<Triangle_id>> suspects((n + default_block - 1) / default_block);
+    for_each_block<ConcurrencyTag>(n, default_block, [&](std::size_t b, std::size_t begin, std::size_t end) {
+      for (const Triangle_id t : Id_range<Triangle_id>(first + begin, first + end))
+        if (state_.is_suspect(t)) suspects[b].push_back(t);
+    });
+    for (const auto& some : suspects)
+      for (const Triangle_id t : some) state_.push(t);
   }
 
   void link_border(const Squares& squares, const Triangles& triangles) {

@@ -8,8 +8,9 @@
 //
 // A vertex within the bulk belongs to the square that its name says, of which it is the lower left corner or the middle
 // of the left or lower side; centers belong to their squares. (If that square is not of the bulk, the vertex is on the
-// border, which is there already.) So squares count what is theirs, sums of the counts are the first handles, and all
-// squares write at once. O(1) for each triangle, in a constant number of rounds.
+// border, which is there already.) So squares count what is theirs, and sums of the counts are the first handles. From
+// these follow the handles of all that is around a square. So all squares write at once, each its own vertices, and its
+// triangles with the sides of other squares across. Two rounds, O(1) for each triangle, which is written once.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_SQUARES_BULK_TRIANGLES_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_SQUARES_BULK_TRIANGLES_H
@@ -17,10 +18,12 @@
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
 #include <CGAL/Quadtree_mesh_2/internal/squares/Bulk_squares.h>
+#include <CGAL/Quadtree_mesh_2/internal/squares/Named_border.h>
 #include <CGAL/Quadtree_mesh_2/internal/squares/Square_grid.h>
 #include <CGAL/Quadtree_mesh_2/internal/squares/Wanted_squares.h>
 #include <CGAL/Quadtree_mesh_2/internal/squares/square_templates.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 
@@ -42,24 +45,23 @@ class Bulk_triangles {
 public:
   using Mesh = Kernel_mesh<Geometry>;
   using Squares = Bulk_squares<ConcurrencyTag, Geometry>;
-  using Named_vertices = Uninitialized_vector<Vertex_id>; ///< by name in `Bulk_squares`
 
-  /// \param named has the vertices on the border
-  Bulk_triangles(Meshing_state<Geometry>& state, const Squares& squares, Named_vertices& named)
-      : state_(state), mesh_(state.mesh), squares_(squares), named_(named),
+  Bulk_triangles(Meshing_state<Geometry>& state, const Squares& squares, const Named_border& border)
+      : state_(state), mesh_(state.mesh), squares_(squares), border_(border),
         first_triangle_of_(squares.number_of_leaves()), first_vertex_of_(squares.number_of_leaves()) {}
 
   /// Appends the triangles and the vertices within to the mesh, and links the squares to each other. Nothing lies
   /// across the pieces of the border yet.
   void make(const Wanted_squares<Geometry>& wanted, const Square_grid<Geometry>& grid) {
     number_all();
-    for_each_square([&](Leaf_index l) { make_vertices(grid, l); });
-    for_each_square([&](Leaf_index l) { make_triangles(wanted, l); });
-    for_each_square([&](Leaf_index l) {
-      squares_.for_each_pair_before(l, [&](Square_piece own, Square_piece other) {
-        const Side s = side_of(own);
-        mesh_.link(s.triangle(), s.slot(), side_of(other));
-      });
+    for_each_index<ConcurrencyTag>(squares_.number_of_leaves(), [&](std::size_t i) {
+      const Leaf_index l(i);
+      if (!squares_.is_bulk(l)) return;
+      const auto around = squares_.surroundings(l);
+      const Vertices v = vertices(around);
+      make_own_vertices(grid, l, v);
+      make_triangles(around, v);
+      if (!mesh_.region_of.empty()) set_regions(l, mesh_.region(squares_.triangle_near(wanted, l)));
     });
   }
 
@@ -70,86 +72,115 @@ public:
   }
 
 private:
-  /// The vertices that a square may own besides its center: those that have their names from it.
-  static constexpr int lower_left = 0, on_lower_side = 4, on_left_side = 7;
+  using Vertices = std::array<Vertex_id, Square_template::number_of_vertices>;
 
   Meshing_state<Geometry>& state_;
   Mesh& mesh_;
   const Squares& squares_;
-  Named_vertices& named_;
+  const Named_border& border_;
   Uninitialized_indexed_vector<Leaf_index, std::uint32_t> first_triangle_of_, first_vertex_of_;
 
-  template <class Function>
-  void for_each_square(const Function& f) const {
-    for_each_index<ConcurrencyTag>(squares_.number_of_leaves(), [&](std::size_t i) {
-      if (squares_.is_bulk(Leaf_index(i))) f(Leaf_index(i));
-    });
+  /// The places of a bulk square with vertices of its own.
+  Square_places own_places(Leaf_index l) const {
+    return squares_.form(l).places().without(border_.places(l));
   }
 
-  /// Calls `f(i)` for the vertices with a name that a bulk square owns.
-  template <class Function>
-  void for_each_own_vertex(Leaf_index l, const Function& f) const {
-    for (const int i : {lower_left, on_left_side, on_lower_side})
-      if (squares_.form(l).has_vertex(i) && !named_[squares_.name(l, i)].is_valid()) f(i);
+  /// Handles are below 2^32, so one sum counts both.
+  struct Counts {
+    std::size_t value = 0;
+    static constexpr int shift = 32;
+
+    std::uint32_t triangles() const { return static_cast<std::uint32_t>(value >> shift); }
+    std::uint32_t vertices() const { return static_cast<std::uint32_t>(value); }
+  };
+
+  Counts counts(Leaf_index l) const {
+    const Square_form form = squares_.form(l);
+    return {(std::size_t(square_template(form).size) << Counts::shift) + (form.has_center() ? 1 : 0) +
+            own_places(l).size()};
   }
 
   void number_all() {
-    const std::size_t leaves = squares_.number_of_leaves();
-    for_each_index<ConcurrencyTag>(leaves, [&](std::size_t i) {
-      const Leaf_index l(i);
-      first_triangle_of_[l] = first_vertex_of_[l] = 0;
-      if (!squares_.is_bulk(l)) return;
-      first_triangle_of_[l] = static_cast<std::uint32_t>(square_template(squares_.form(l)).size);
-      first_vertex_of_[l] = squares_.form(l).has_center() ? 1 : 0;
-      for_each_own_vertex(l, [&](int) { ++first_vertex_of_[l]; });
-    });
-    const std::size_t vertices = exclusive_scan<ConcurrencyTag>(first_vertex_of_.data(), leaves),
-                      triangles = exclusive_scan<ConcurrencyTag>(first_triangle_of_.data(), leaves);
+    const Counts all{count_allocate_and_place<ConcurrencyTag>(
+        squares_.number_of_leaves(),
+        [&](std::size_t begin, std::size_t end) {
+          std::size_t sum = 0;
+          for (const Leaf_index l : Id_range<Leaf_index>(begin, end))
+            if (squares_.is_bulk(l)) sum += counts(l).value;
+          return sum;
+        },
+        [](std::size_t) {},
+        [&](std::size_t begin, std::size_t end, std::size_t first) {
+          for (const Leaf_index l : Id_range<Leaf_index>(begin, end)) {
+            if (!squares_.is_bulk(l)) continue;
+            first_triangle_of_[l] = Counts{first}.triangles(), first_vertex_of_[l] = Counts{first}.vertices();
+            first += counts(l).value;
+          }
+        })};
     auto& bulk = state_.bulk;
     bulk.first_vertex = mesh_.points.end_id(), bulk.first_triangle = mesh_.triangles.end_id();
-    mesh_.resize(mesh_.number_of_vertices() + vertices, mesh_.triangles.size() + triangles);
+    mesh_.resize(mesh_.number_of_vertices() + all.vertices(), mesh_.triangles.size() + all.triangles());
     bulk.end_of_vertices = mesh_.points.end_id(), bulk.end_of_triangles = mesh_.triangles.end_id();
   }
 
-  void make_vertices(const Square_grid<Geometry>& grid, Leaf_index l) {
-    Vertex_id next = first_vertex_of(l);
-    const auto make = [&](int i) {
-      const Vertex_id v = next;
-      ++next;
-      mesh_.points[v] = place_in_square(grid, squares_.square(l), i);
-      mesh_.role_of[v] = free_vertex;
-      mesh_.is_dirty[v] = 0; // it cannot be spared
-      return v;
-    };
-    if (squares_.form(l).has_center()) make(Square_template::center);
-    for_each_own_vertex(l, [&](int i) { named_[squares_.name(l, i)] = make(i); });
+  /// The vertices of a square, those that its form has.
+  Vertices vertices(const typename Squares::Surroundings& around) const {
+    const Square_form form = squares_.form(around.leaf);
+    Vertices v;
+    const auto corners = squares_.names_of_corners(around);
+    for (std::size_t i = 0; i < corners.size(); ++i) v[i] = vertex(corners[i]);
+    if (form.is_any_halved())
+      for (int side = 0; side < 4; ++side)
+        if (form.is_halved(side)) v[std::size_t(4 + side)] = vertex(squares_.name_of_middle(around, side));
+    v[Square_template::center] = first_vertex_of(around.leaf); // if it has one
+    return v;
   }
 
-  void make_triangles(const Wanted_squares<Geometry>& wanted, Leaf_index l) {
-    const Square_form form_of_square = squares_.form(l);
-    const Square_template& form = square_template(form_of_square);
-    Vertex_id v[Square_template::number_of_vertices];
-    for (int i = 0; i < Square_template::center; ++i)
-      if (form_of_square.has_vertex(i)) v[i] = named_[squares_.name(l, i)];
-    v[Square_template::center] = first_vertex_of(l); // if it has one
+  Vertex_id vertex(Corner_name name) const {
+    if (border_.has(name)) return border_.vertex(name);
+    const std::uint32_t first =
+        first_vertex_of(name.leaf).value() + (squares_.form(name.leaf).has_center() ? 1 : 0);
+    if (name.place == Square_place::LOWER_LEFT) return Vertex_id(first); // most
+    return Vertex_id(first + own_places(name.leaf).before(name.place).size());
+  }
+
+  void make_own_vertices(const Square_grid<Geometry>& grid, Leaf_index l, const Vertices& v) {
+    const Square_template& form = square_template(squares_.form(l));
+    const Grid_square square = squares_.square(l);
+    const auto make = [&](int i) {
+      const Vertex_id own = v[std::size_t(i)];
+      mesh_.points[own] = place_in_square(grid, square, i);
+      mesh_.role_of[own] = free_vertex;
+      mesh_.is_dirty[own] = 0; // it cannot be spared
+      mesh_.triangle_of[own] = after(first_triangle_of_[l], form.triangle_at[std::size_t(i)]);
+    };
+    if (squares_.form(l).has_center()) make(Square_template::center);
+    const Square_places own = own_places(l);
+    for (const Square_place place : all_square_places)
+      if (own.has(place)) make(vertex_at(place));
+  }
+
+  void make_triangles(const typename Squares::Surroundings& around, const Vertices& v) {
+    const Square_template& form = square_template(squares_.form(around.leaf));
+    std::array<Side, Square_template::number_of_pieces> across; // of each piece
+    squares_.for_each_piece_across(
+        around, [&](int piece, Square_piece other) { across[std::size_t(piece)] = side_of(other); });
+    const std::uint32_t first = first_triangle_of_[around.leaf];
     for (std::size_t t = 0; t < std::size_t(form.size); ++t) {
-      const Triangle_id here = after(first_triangle_of_[l], t);
       typename Mesh::Triangle r;
       for (std::size_t k = 0; k < 3; ++k) {
-        r.v[k] = v[form.triangle[t][k]];
-        if (is_own(form.triangle[t][k], r.v[k])) mesh_.triangle_of[r.v[k]] = here;
-        if (form.piece[t][k] < 0)
-          r.side[k] = Side(after(first_triangle_of_[l], form.across[t][k].triangle), form.across[t][k].slot);
+        r.v[k] = v[std::size_t(form.triangle[t][k])];
+        const int piece = form.piece[t][k];
+        r.side[k] = piece >= 0 ? across[std::size_t(piece)]
+                               : Side(after(first, form.across[t][k].triangle), form.across[t][k].slot);
       }
-      mesh_.triangle(here) = r;
-      if (!mesh_.region_of.empty()) mesh_.set_region(here, mesh_.region(squares_.triangle_near(wanted, l)));
+      mesh_.triangle(after(first, t)) = r;
     }
   }
 
-  /// Whether v, vertex i of a square, is the square's own.
-  bool is_own(int i, Vertex_id v) const {
-    return state_.bulk.has_within(v) &&
-           (i == Square_template::center || i == lower_left || i == on_left_side || i == on_lower_side);
+  void set_regions(Leaf_index l, Region_id region) {
+    for (int t = 0; t < square_template(squares_.form(l)).size; ++t)
+      mesh_.set_region(after(first_triangle_of_[l], t), region);
   }
 
   Vertex_id first_vertex_of(Leaf_index l) const {

@@ -76,10 +76,13 @@ public:
   /// How many squares there are inside and away from features.
   double number_of_inside_squares() const { return number_inside_; }
 
-  /// Whether a square is to be split.
-  bool must_split(const Grid_square& s) const {
-    const Node& node = nodes_[node_at(s)];
-    return node.first_child >= 0 || s.level < node.level;
+  /// Whether a square of the given level in node i is to be split.
+  bool must_split(std::size_t i, int level) const {
+    return nodes_[i].first_child >= 0 || level < nodes_[i].level;
+  }
+  /// The node of child c of a square in node i: of squares below the least recorded one that holds them.
+  std::size_t child(std::size_t i, int c) const {
+    return nodes_[i].first_child >= 0 ? std::size_t(nodes_[i].first_child) + std::size_t(c) : i;
   }
 
   /// The node of the least recorded square that holds the given one.

@@ -33,6 +33,7 @@ namespace internal {
 /// Side i consists of piece 2 i, and of piece 2 i + 1 if it is halved.
 struct Square_template {
   static constexpr int number_of_vertices = 9, center = 8;
+  static constexpr int number_of_pieces = 8;
   static constexpr int max_size = 8;
   struct Corner {
     int triangle = 0, slot = 0;
@@ -43,7 +44,8 @@ struct Square_template {
   /// What is across each side: a side of another triangle of the template, or else a piece of the square.
   std::array<std::array<Corner, 3>, max_size> across{};
   std::array<std::array<int, 3>, max_size> piece{}; ///< -1 between triangles of the template
-  std::array<Corner, 8> side_of_piece{};
+  std::array<Corner, number_of_pieces> side_of_piece{};
+  std::array<int, number_of_vertices> triangle_at{}; ///< the last one of those at a vertex
 };
 
 namespace square_templates {
@@ -82,6 +84,7 @@ constexpr void connect(Square_template& t, unsigned mask) {
       const int a = t.triangle[std::size_t(i)][std::size_t(next_slot[k])];
       const int b = t.triangle[std::size_t(i)][std::size_t(previous_slot[k])];
       const int piece = piece_between(a, b, mask);
+      t.triangle_at[std::size_t(t.triangle[std::size_t(i)][std::size_t(k)])] = i;
       t.piece[std::size_t(i)][std::size_t(k)] = piece;
       if (piece >= 0) {
         t.side_of_piece[std::size_t(piece)].triangle = i;
@@ -137,15 +140,48 @@ constexpr std::array<Square_template, 32> all = make_all();
 
 } // namespace square_templates
 
+/// The places in a half-open square where vertices are, besides its center.
+enum class Square_place : std::uint8_t { LOWER_LEFT, ON_LEFT_SIDE, ON_LOWER_SIDE };
+constexpr Square_place all_square_places[] = {Square_place::LOWER_LEFT, Square_place::ON_LEFT_SIDE,
+                                              Square_place::ON_LOWER_SIDE};
+/// The vertex, as in `Square_template`, at a place.
+constexpr int vertex_at(Square_place place) {
+  return place == Square_place::LOWER_LEFT ? 0 : place == Square_place::ON_LOWER_SIDE ? 4 : 7;
+}
+
+/// A set of places in a square.
+struct Square_places {
+  std::uint8_t bits = 0;
+
+  static constexpr unsigned bit(Square_place place) { return 1u << static_cast<int>(place); }
+  bool has(Square_place place) const { return (bits & bit(place)) != 0; }
+  void add(Square_place place) { bits = static_cast<std::uint8_t>(bits | bit(place)); }
+  std::uint32_t size() const { return (bits & 1u) + (bits >> 1 & 1u) + (bits >> 2 & 1u); }
+  Square_places without(Square_places others) const {
+    return {static_cast<std::uint8_t>(bits & ~others.bits)};
+  }
+  /// Those before the given one.
+  Square_places before(Square_place place) const {
+    return {static_cast<std::uint8_t>(bits & (bit(place) - 1))};
+  }
+};
+
 /// Which template a square has: bit i says that there is a vertex in the middle of side i.
 struct Square_form {
   static constexpr std::uint8_t with_center = 16;
   std::uint8_t bits = 0;
 
   bool is_halved(int side) const { return (bits >> side & 1u) != 0; }
+  bool is_any_halved() const { return (bits & 15u) != 0; }
   bool has_center() const { return (bits & with_center) != 0; }
   /// Whether the template has vertex i.
   bool has_vertex(int i) const { return i < 4 || (bits >> (i - 4) & 1u) != 0; }
+  /// The places with vertices.
+  Square_places places() const {
+    return {static_cast<std::uint8_t>(Square_places::bit(Square_place::LOWER_LEFT) |
+                                      (is_halved(3) ? Square_places::bit(Square_place::ON_LEFT_SIDE) : 0) |
+                                      (is_halved(0) ? Square_places::bit(Square_place::ON_LOWER_SIDE) : 0))};
+  }
 };
 
 inline const Square_template& square_template(Square_form form) { return square_templates::all[form.bits]; }

@@ -91,7 +91,7 @@ public:
 private:
   Mesh& mesh_;
   Vertex_id first_auxiliary_;
-  Indexed_vector<Triangle_id, std::int32_t> level_;
+  Uninitialized_indexed_vector<Triangle_id, std::int32_t> level_;
   Indexed_vector<Triangle_id, char> is_kept_;
   std::vector<Triangle_id> stack_;
 

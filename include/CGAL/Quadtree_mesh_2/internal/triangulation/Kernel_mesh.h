@@ -218,6 +218,8 @@ public:
   }
 
   std::size_t number_of_triangles() const { return triangles.size() - free_.size(); }
+  /// The slots of triangles that are not alive, in no order.
+  const std::vector<Triangle_id>& dead_triangles() const { return free_; }
 
   /// Makes `other` (a side with its bit, or the border) what lies across side `slot` of t, and the converse.
   void link(Triangle_id t, int slot, Side other) {
