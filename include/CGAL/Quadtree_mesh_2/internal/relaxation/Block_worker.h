@@ -38,6 +38,10 @@ struct Coarsening_effort {
   double tries_per_vertex = 0;
 };
 
+/// How many rings around the vertices of sites move when these are placed. Farther away the mesh may have been
+/// coarsened, so that there is no room: there each sweep would lower the energy, but leave the range.
+constexpr int rings_of_placing = 4;
+
 template <class Geometry>
 class Block_worker {
 public:
@@ -63,12 +67,11 @@ public:
     return !patch_.is_cut();
   }
 
-  /// Moves vertices, pairs of a fixed vertex and a place, and relaxes the block.
+  /// Moves vertices, pairs of a fixed vertex and a place, and relaxes what is near them.
   void move_and_relax(const std::vector<std::pair<Ring_vertex, Point>>& moves) {
     if (moves.empty()) return;
     constexpr int sweeps = 24, sweeps_between_flips = 4;
-    patch_.begin();
-    for (const Ring_vertex v : own_) patch_.add(v);
+    begin_near(moves);
     for (const auto& [v, place] : moves) patch_.move(v, place);
     for (int s = 1; s <= sweeps && relaxer_.sweep() > 0; ++s)
       if (s % sweeps_between_flips == 0) relaxer_.flip_all();
@@ -102,6 +105,17 @@ private:
   Triangle_repairer<Geometry> repairer_;
 
   std::size_t tries_left_ = 0;
+
+  /// Begins an operation on the vertices near those that move, in shuffle order.
+  void begin_near(const std::vector<std::pair<Ring_vertex, Point>>& moves) {
+    patch_.begin();
+    for (const auto& move : moves) patch_.add(move.first);
+    patch_.grow(rings_of_placing);
+    std::vector<Ring_vertex> near = patch_.members();
+    std::sort(near.begin(), near.end());
+    patch_.begin();
+    for (const Ring_vertex v : near) patch_.add(v);
+  }
 
   void coarsen_mostly_with_one_ring() {
     for (const int rings : {1, 1, 2}) {

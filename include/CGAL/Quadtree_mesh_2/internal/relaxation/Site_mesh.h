@@ -16,6 +16,7 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_RELAXATION_SITE_MESH_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_RELAXATION_SITE_MESH_H
 
+#include <CGAL/Quadtree_mesh_2/internal/base/Indexed_vector.h>
 #include <CGAL/Quadtree_mesh_2/internal/relaxation/Block_worker.h>
 #include <CGAL/Quadtree_mesh_2/internal/relaxation/Ring_blocks.h>
 
@@ -55,21 +56,26 @@ struct Site_mesh {
     for (const auto& t : rim_triangles)
       for (const Ring_vertex v : t) mesh.ring(v).block = Ring::sealed;
   }
-  /// Nobody may write what is near sites that wait.
+  /// Nobody may write what will move when sites are placed that wait, here or across the rim.
   void seal_waiting() {
-    constexpr int rings = 4;
     std::vector<Ring_vertex> near;
-    for (std::size_t s = 0; s < is_placed.size(); ++s) {
-      if (is_placed[s] != 0) continue;
-      near.assign(1, vertex_of_site[s]);
-      std::size_t begin = 0;
-      for (int ring = 0; ring < rings; ++ring)
-        for (const std::size_t end = near.size(); begin < end; ++begin) {
-          const Ring& r = mesh.ring(near[begin]);
-          near.insert(near.end(), r.neighbor.begin(), r.neighbor.begin() + r.size);
-        }
-      for (const Ring_vertex v : near) mesh.ring(v).block = Ring::sealed;
-    }
+    Indexed_vector<Ring_vertex, std::uint8_t> is_near(mesh.number_of_vertices(), 0);
+    const auto add = [&](Ring_vertex v) {
+      if (is_near[v] != 0) return;
+      is_near[v] = 1;
+      near.push_back(v);
+    };
+    for (const auto& t : rim_triangles)
+      for (const Ring_vertex v : t) add(v);
+    for (std::size_t s = 0; s < is_placed.size(); ++s)
+      if (is_placed[s] == 0) add(vertex_of_site[s]);
+    std::size_t begin = 0;
+    for (int ring = 0; ring < rings_of_placing; ++ring)
+      for (const std::size_t end = near.size(); begin < end; ++begin) {
+        const Ring& r = mesh.ring(near[begin]);
+        for (int k = 0; k < r.size; ++k) add(r[k]);
+      }
+    for (const Ring_vertex v : near) mesh.ring(v).block = Ring::sealed;
   }
 
   /// @}

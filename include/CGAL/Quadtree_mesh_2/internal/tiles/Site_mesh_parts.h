@@ -11,7 +11,8 @@
 // Bound:    O(n) work besides that on the parts, not counting the sorting of what is on rims. The memory is
 //           that of one run and of the coarsened parts.
 // Method:   The triangles at the rim of a part are sealed: nobody writes their vertices. Nor does removal
-//           touch what is near a site that waits, so that its tiles are there when the parts are joined.
+//           touch what will move when a site is placed that waits, here or across the rim: its tiles are there
+//           when the parts are joined.
 //           Vertices on rims are identified by their places in the grid.
 //
 // A part stays as it is until leaves in it are split. So a site that fails costs only the part that it is in.
