@@ -90,7 +90,7 @@ private:
     const auto& r = mesh_.triangle(t);
     const auto s = mesh_.shape(r);
     int k = Mesh::slot_of_least(r);
-    while (s.l[k] != s.longest()) k = next_slot[k];
+    while (s.l[k] < s.longest()) k = next_slot[k];
     const Side o = r.side[k];
     if (o.is_constrained()) return;
     const Triangle_id u = o.triangle();
