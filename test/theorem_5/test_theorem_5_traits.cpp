@@ -138,7 +138,7 @@ TEMPLATE_TEST_CASE("Integers are meshed by quadtrees", "[mesher][theorem5]", std
     check_mesh<Traits>(fixed, Options().separate(Tree_options().place(Tree_options::Placement::BY_RULE)));
 }
 
-TEST_CASE("Integers whose quadtrees use up the budget are meshed on demand", "[mesher][theorem5]") {
+TEST_CASE("Integers of which quadtrees make no end are meshed on demand", "[mesher][theorem5]") {
   using Traits = CGAL::Fixed_point_quadtree_traits_2<std::uint64_t>;
   const Pslg pslg = read("hard_gap_outside_for_rounds.poly");
   const auto scale = CGAL::Fixed_point_scale_2<std::uint64_t>::of_points(pslg.vertices);
@@ -147,7 +147,8 @@ TEST_CASE("Integers whose quadtrees use up the budget are meshed on demand", "[m
   fixed.segments = pslg.segments;
   CGAL::Quality_mesher_2<Traits> mesher(by_quadtrees());
   CHECK(mesher(fixed).triangles.size() == 3);
-  CHECK(mesher.report().trees.end == End::BUDGET);
+  const End end = mesher.report().trees.end;
+  CHECK((end == End::BUDGET || end == End::COORDINATES)); // by the order of splits
   CHECK(mesher.report().is_met());
 }
 
