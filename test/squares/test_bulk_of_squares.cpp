@@ -420,4 +420,21 @@ TEST_CASE("Squares of a few integers", "[bulk]") {
             .is_valid());
 }
 
+TEST_CASE("Squares of a step or two of the coordinates leave nothing of the domain uncovered", "[bulk]") {
+  using Traits = CGAL::Fixed_point_quadtree_traits_2<std::uint64_t>;
+  const Pslg pslg = read("hard_squares_of_one_step.poly");
+  CGAL::Pslg_2<Traits::Point_2> fixed;
+  for (const Point& p : pslg.vertices)
+    fixed.vertices.push_back({static_cast<std::uint64_t>(p.x()), static_cast<std::uint64_t>(p.y())});
+  fixed.segments = pslg.segments;
+  for (const double area : {0.972933, 2.0, 5.0}) {
+    CAPTURE(area);
+    CGAL::Quality_mesher_2<Traits> mesher(Options().min_angle(0).max_area(area));
+    const auto mesh = mesher(fixed);
+    CHECK(CGAL::mesh_quality_2(mesh, fixed).is_valid());
+    for (const auto& left : mesher.report().unmet_triangles)
+      CHECK(left.reason == CGAL::Quality_mesh_report_2::Reason::COORDINATES);
+  }
+}
+
 } // namespace test_bulk_of_squares

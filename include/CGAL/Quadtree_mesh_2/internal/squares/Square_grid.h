@@ -59,7 +59,9 @@ public:
         std::min(significant_bits, exact_bits > 2 * spare_levels ? exact_bits - spare_levels : exact_bits);
     int exponent = 0;
     const double significand = std::floor(std::ldexp(std::frexp(side, &exponent), bits));
-    while (std::ldexp(1.0, given_level_) < number * (1 - rounding)) ++given_level_;
+    // Few bits may make it much shorter. Squares of the bulk stay clear of the box by more than a quarter of their side.
+    const double rounded_side = std::ldexp(significand, exponent - bits);
+    while (std::ldexp(rounded_side, given_level_) < extent_ - 0.25 * rounded_side) ++given_level_;
     exponent += given_level_ - bits;
     root_ = std::ldexp(significand, exponent);
     unit_ = std::ldexp(root_, -Grid_square::depth);
@@ -86,8 +88,6 @@ private:
   /// Finer than the given one, for which coordinates leave room rather than for more significant bits.
   static constexpr int spare_levels = 4;
   static constexpr int finest_possible_level = 28;
-  /// A side that divides the extent up to this share of it divides it.
-  static constexpr double rounding = 1e-9;
   /// Of squares along the box, from which on the side may shrink for a whole number of them to fit.
   static constexpr double least_number_to_fit = 32;
 
