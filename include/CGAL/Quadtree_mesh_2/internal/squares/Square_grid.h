@@ -59,7 +59,7 @@ public:
         std::min(significant_bits, exact_bits > 2 * spare_levels ? exact_bits - spare_levels : exact_bits);
     int exponent = 0;
     const double significand = std::floor(std::ldexp(std::frexp(side, &exponent), bits));
-    // Few bits may make it much shorter. Squares of the bulk stay clear of the box by more than a quarter of their side.
+    // Few bits may make it much shorter. Squares of the bulk stay clear of the box by more than a quarter of that.
     const double rounded_side = std::ldexp(significand, exponent - bits);
     while (std::ldexp(rounded_side, given_level_) < extent_ - 0.25 * rounded_side) ++given_level_;
     exponent += given_level_ - bits;
