@@ -1,5 +1,6 @@
 // The command-line program: meshes a planar straight-line graph, or points alone, and writes the mesh.
 
+#include "internal/Large_run.h"
 #include "internal/Meshing_run.h"
 #include "internal/Progress_line.h"
 #include "internal/by_mesh_2.h"
@@ -17,6 +18,7 @@
 #include "thread_limit.h"
 
 #include <CGAL/Pslg_error_2.h>
+#include <CGAL/Quadtree_mesh_2/new_in_scratch_memory.h> // of this program's own long vectors and strings
 #include <CGAL/mesh_quality_2.h>
 
 #include <algorithm>
@@ -110,11 +112,12 @@ void read(Meshing_run& run, const Command_line& line) {
   run.may_be_in_degrees = may_be_degrees(run, line);
 }
 
-Exit_status execute(const Command_line& line) {
+Exit_status execute(const Command_line& line, const Large_run& large) {
   Meshing_run run;
   run.threads = line.threads;
   const Thread_limit limit(line.threads);
   timed(run.read_seconds, [&] { read(run, line); });
+  if (!line.is_quiet) large.announce(run.pslg.number_of_vertices());
   timed(run.ours.seconds, [&] { mesh(run, line); });
   check(run, line);
   check_valid(run.quality);
@@ -131,7 +134,16 @@ Exit_status execute(const Command_line& line) {
   run.peak_memory_mb = peak_memory_mb();
   write_all(
       line, add_mesh, [&] { return run_json(run); }, [&] { print_run(run, line.options); });
+  large.clean_up();
   return is_bound_met(run) ? Exit_status::DONE : Exit_status::BOUND_UNMET;
+}
+
+Exit_status execute_in_scratch(Command_line line) {
+  const Large_run large(line);
+  if (line.mode == Command_line::Mode::PSLG) return execute(line, large);
+  const Exit_status status = execute_point_set(line);
+  large.clean_up();
+  return status;
 }
 
 Exit_status run(const Command_line& line) {
@@ -143,7 +155,7 @@ Exit_status run(const Command_line& line) {
     print_version(std::cout);
     break;
   case Command_line::Task::MESH:
-    return line.mode == Command_line::Mode::PSLG ? execute(line) : execute_point_set(line);
+    return execute_in_scratch(line);
   }
   return std::cout.flush() ? Exit_status::DONE : Exit_status::REFUSED;
 }
@@ -159,6 +171,8 @@ int main(int argc, char** argv) try {
   return static_cast<int>(run(parse_command_line(argc, argv)));
 } catch (const Usage_error& error) {
   return fail(std::string(error.what()) + " (see quality_mesh --help)");
+} catch (const CGAL::Quadtree_mesh_2::Scratch_full& error) {
+  return fail(error.what());
 } catch (const std::bad_alloc&) {
   return fail("not enough memory");
 } catch (const std::exception& error) {

@@ -52,6 +52,9 @@ struct Command_line {
   std::string region_property;   ///< empty: none
   bool is_repair_wanted = false; ///< of Mode::PSLG
   bool is_quiet = false;
+  std::size_t memory = 0;     ///< bytes; 0: no limit
+  std::string scratch_folder; ///< empty: none is needed
+  bool is_resumed = false;
 };
 
 inline constexpr const char* mode_names[] = {"pslg", "points", "bounded", "acute", "warped"};
@@ -77,6 +80,12 @@ inline po::options_description common_options() {
     ("threads", po::value<double>()->value_name("N"),
      "number of threads, up to 256 or the number of processors, all if not given; the mesh is the same for any number")
     ("compare", "with --mode pslg or points: mesh the input with CGAL Mesh_2 too and print both")
+    ("memory", po::value<std::string>()->value_name("SIZE"),
+     "keep to about so much memory, such as 2G or 500M, with the rest in files of the scratch folder")
+    ("scratch", po::value<std::string>()->value_name("FOLDER"),
+     "the scratch folder, on a disk with room for some 250 bytes for each triangle; if not given, the first output's "
+     "name and .scratch")
+    ("resume", "go on from the state that an interrupted run with --memory or --resume left in the scratch folder")
     ("report", po::value<std::string>()->value_name("FILE.json"), "write the figures as JSON")
     ("quiet", "print nothing but errors")
     ("version", "print the version")
@@ -360,6 +369,24 @@ inline void check_picture_options(const po::variables_map& given, const std::vec
     throw Usage_error("--show-quadtree needs an output .svg or .vtu (-o FILE.svg)");
 }
 
+/// The scratch folder, empty if nothing is kept in one.
+/// \throws Usage_error if nobody says where it is, or what for
+inline std::string scratch_folder(const po::variables_map& given, const Command_line& line) {
+  const std::string folder = text(given, "scratch");
+  if (line.memory == 0 && !line.is_resumed) {
+    if (!folder.empty()) throw Usage_error("--scratch has a meaning with --memory or --resume only");
+    return folder;
+  }
+  if (line.is_resumed &&
+      (line.mode != Command_line::Mode::PSLG || line.kernel == Command_line::Kernel::EXACT))
+    throw Usage_error("--resume has a meaning with --mode pslg and --kernel filtered or fixed only");
+  if (!folder.empty()) return folder;
+  if (line.outputs.empty())
+    throw Usage_error("--" + std::string(line.memory > 0 ? "memory" : "resume") +
+                      " needs a scratch folder (--scratch FOLDER) or an output (-o FILE)");
+  return line.outputs.front() + ".scratch";
+}
+
 /// \throws Usage_error if a property is wanted of an input that has none
 inline void check_region_property(const Command_line& line) {
   if (!line.region_property.empty() && input_format(line.input) != Input_format::GEOJSON)
@@ -438,6 +465,9 @@ inline Command_line parse_command_line(int argc, const char* const* argv) try {
   check_region_property(line);
   line.is_repair_wanted = given.count("repair") > 0;
   line.is_quiet = given.count("quiet") > 0;
+  line.memory = memory_size(given, "memory");
+  line.is_resumed = given.count("resume") > 0;
+  line.scratch_folder = scratch_folder(given, line);
   check_files(line);
   return line;
 } catch (const boost::program_options::unknown_option& error) {

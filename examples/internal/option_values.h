@@ -16,6 +16,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -78,6 +79,29 @@ inline std::size_t limit(const po::variables_map& given, const std::string& opti
   const double value = given[option].as<double>();
   if (value >= 1 && value <= most && std::trunc(value) == value) return static_cast<std::size_t>(value);
   throw Usage_error("--" + option + " has to be a whole number from 1 to 2^53");
+}
+
+/// A number of bytes, with K, M, G or T behind it for 2^10, 2^20, 2^30 or 2^40; 0, which means no limit, if the option
+/// is not given.
+inline std::size_t memory_size(const po::variables_map& given, const std::string& option) {
+  constexpr double least = 0x1p26; // what a program needs for itself
+  const std::string value = text(given, option);
+  if (value.empty()) return 0;
+  std::size_t end = 0;
+  double bytes = 0;
+  try {
+    bytes = std::stod(value, &end);
+  } catch (const std::logic_error&) {
+    end = 0; // no number, or none that a double can hold
+  }
+  std::string unit = value.substr(end);
+  if (unit.size() == 2 && (unit[1] == 'B' || unit[1] == 'b')) unit.pop_back();
+  const std::string units = "KMGTkmgt";
+  const std::size_t place = unit.size() == 1 ? units.find(unit) : std::string::npos;
+  if (place != std::string::npos) bytes = std::ldexp(bytes, 10 * (1 + static_cast<int>(place % 4)));
+  if (end == 0 || (!unit.empty() && place == std::string::npos) || !(bytes >= least) || !(bytes < 0x1p60))
+    throw Usage_error("--" + option + " has to be a number of bytes, at least 64M, such as 2G, 500M or 1e9");
+  return static_cast<std::size_t>(bytes);
 }
 
 } // namespace command_line_internal

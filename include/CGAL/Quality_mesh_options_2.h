@@ -12,6 +12,7 @@
 #include <array>
 #include <cstddef>
 #include <functional>
+#include <string>
 #include <utility>
 
 namespace CGAL {
@@ -140,6 +141,19 @@ public:
   Quality_mesh_options_2& max_vertices(std::size_t value) { return max_vertices_ = value, *this; }
   std::size_t max_vertices() const { return max_vertices_; } ///< the value set
 
+  /// A folder in which the state of a large mesh is kept while it is refined, so that the work can go on after an
+  /// interruption. Empty, the default: none is kept.
+  ///
+  /// If there is a state of the same input and options in the folder, the work goes on from there and gives the same
+  /// bits. The folder is made if need be. The state, one file of some 50 bytes for each triangle, stays until the
+  /// user removes it. The time of what is interrupted is lost back to the last round of blocks, or to the first
+  /// triangulation. Small meshes, of less than 50 000 triangles before they are refined, and those by quadtrees begin
+  /// anew. `size()` and `refine_where()` have to be the same functions.
+  /// The mesher throws `std::system_error` if the file cannot be written, `std::runtime_error` if it cannot be
+  /// read or belongs to another mesh, and `std::invalid_argument` over exact numbers.
+  Quality_mesh_options_2& checkpoints(std::string folder) { return checkpoints_ = std::move(folder), *this; }
+  const std::string& checkpoints() const { return checkpoints_; } ///< the value set
+
   /// Called now and then with the share of work done, in [0, 1]. Returning false stops with the mesh so far.
   /// With `Parallel_tag` any thread may call it, one at a time. An empty function, the default, is not
   /// called.
@@ -162,6 +176,7 @@ private:
   double patience_memory_ = 2e9;
   std::size_t max_vertices_ = 0;
   Callback progress_;
+  std::string checkpoints_;
   Tree_separation_options_2 trees_;
 };
 

@@ -96,10 +96,11 @@ TEST_CASE("Rounds of tiny blocks end with nothing that waits", "[refiner]") {
       Splitter<Geometry> splitter(prepared.state);
       splitter.cut_rings();
       constexpr std::size_t budget = 1000000;
-      Block_refinement<Tiny_blocks_tag, Geometry> blocks(prepared.state, Finishing(), budget);
-      if (!blocks.run([] { return true; })) continue;
+      Block_rounds rounds;
+      Block_refinement<Tiny_blocks_tag, Geometry> blocks(prepared.state, Finishing(), budget, rounds);
+      if (!blocks.run([] { return true; }, [] {})) continue;
       ++cut;
-      CHECK(blocks.rounds() <= 20);
+      CHECK(rounds.number <= 20);
       const auto& mesh = prepared.state.mesh;
       for (const Triangle_id t : mesh.triangles.ids())
         if (mesh.is_alive(t) && prepared.state.is_bad(t)) CHECK(is_near_uncut_leg(prepared.state, t));

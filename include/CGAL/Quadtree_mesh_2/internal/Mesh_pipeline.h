@@ -30,10 +30,13 @@
 #include <CGAL/Pslg_error_2.h>
 #include <CGAL/Quadtree_mesh_2/Grid_point_2.h>
 #include <CGAL/Quadtree_mesh_2/Point_error.h>
+#include <CGAL/Quadtree_mesh_2/internal/Bounds_maker.h>
+#include <CGAL/Quadtree_mesh_2/internal/Mesh_checkpoints.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/Phase_clock.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/Progress.h>
-#include <CGAL/Quadtree_mesh_2/internal/base/angle_units.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/huge_pages.h>
+#include <CGAL/Quadtree_mesh_2/internal/check_coordinates.h>
+#include <CGAL/Quadtree_mesh_2/internal/digest_of_mesh.h>
 #include <CGAL/Quadtree_mesh_2/internal/geometry/coordinate_map.h>
 #include <CGAL/Quadtree_mesh_2/internal/grid/morton.h>
 #include <CGAL/Quadtree_mesh_2/internal/neighbors/nearest_hits.h>
@@ -68,6 +71,7 @@
 #include <functional>
 #include <limits>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -99,11 +103,14 @@ public:
     report_.input_segments = pslg_.number_of_segments();
     sort_vertices();
     if (!map_.is_in_range()) throw words_.too_wide("the 2^61 of 64-bit fixed point");
-    triangulate_input();
-    find_domain();
-    check_distances();
-    set_bounds();
-    find_corners(estimate_size());
+    place_points();
+    if (!has_gone_on_from_checkpoint()) {
+      triangulate_input();
+      find_domain();
+      check_distances();
+      set_bounds();
+      find_corners(estimate_size());
+    }
     Second_refinement<Geometry> second(state_);
     Splitter<Geometry> splitter(state_);
     Refiner<Geometry> refiner(state_, splitter);
@@ -142,6 +149,9 @@ private:
   Indexed_vector<Vertex_id, char> is_merged_;      // kernel vertices that another one stands for
   std::optional<Pslg_error_2> too_near_for_trees_; // the error for the first of them
   double triangles_of_sizes_ = 0;                  // what bounds of size ask for, as estimated
+  Block_rounds rounds_;
+  Mesh_checkpoints checkpoints_{options_.checkpoints()};
+  bool has_gone_on_ = false; // from a checkpoint
 
   void sort_vertices() {
     clock_.enter(&Seconds::quadtree);
@@ -160,14 +170,19 @@ private:
     throw words_.out_of_range(error);
   }
 
-  void triangulate_input() {
+  void place_points() {
     clock_.enter(&Seconds::first_mesh);
+    auto& points = problem_.input_points;
+    points.resize(pslg_.number_of_vertices());
+    for_each_index<ConcurrencyTag>(points.size(), [&](std::size_t v) {
+      points[static_cast<Vertex_id>(v)] = map_.to_kernel(pslg_.vertices[order_[v]]);
+    });
+    if constexpr (has_double_coordinates) check_points_are_kept(pslg_, map_, words_);
+  }
+
+  void triangulate_input() {
     const std::size_t n = pslg_.number_of_vertices();
-    Uninitialized_vector<typename Geometry::Point> points(n);
-    for_each_index<ConcurrencyTag>(
-        n, [&](std::size_t v) { points[v] = map_.to_kernel(pslg_.vertices[order_[v]]); });
-    if constexpr (has_double_coordinates) check_points_are_kept();
-    First first(state_.mesh, points, std::move(problem_.vertex_blocks));
+    First first(state_.mesh, problem_.input_points.values(), std::move(problem_.vertex_blocks));
     if (const auto crossing = first.run(kernel_segments())) throw words_.crossing(first.edges(), *crossing);
     is_merged_.resize(n);
     report_.merged_vertices = reduce<ConcurrencyTag>(
@@ -183,7 +198,6 @@ private:
     problem_.vertex_blocks = first.take_vertex_blocks();
     problem_.edges = Input_edges(first.take_edges(), n);
     problem_.edges.repeat(first.repeated_edges());
-    problem_.input_points = std::move(points);
   }
 
   void find_domain() {
@@ -220,27 +234,7 @@ private:
     }
   }
 
-  void set_bounds() {
-    const double scale = map_.length_to_kernel(1.0);
-    Bounds<Geometry>& bounds = problem_.bounds;
-    bounds = Bounds<Geometry>(options_.min_angle() * radians_per_degree, options_.max_area() * scale * scale,
-                              scale * options_.max_edge());
-    const double least_length = scale * options_.min_edge();
-    bounds.least_squared_length = least_length * least_length;
-    if (std::any_of(pslg_.regions.begin(), pslg_.regions.end(),
-                    [](const auto& region) { return region.max_area > 0; }))
-      set_region_bounds(scale);
-    if (options_.refine_where())
-      bounds.is_refused = [this](const auto& a, const auto& b, const auto& c) {
-        return options_.refine_where()({map_.place(a), map_.place(b), map_.place(c)});
-      };
-    if (options_.size())
-      bounds.squared_length_at = [this, scale](const typename Geometry::Point& p) {
-        const auto [x, y] = map_.place(p);
-        const double size = scale * options_.size()(x, y);
-        return size * size;
-      };
-  }
+  void set_bounds() { problem_.bounds = Bounds_maker<Traits>(options_, map_).run(pslg_); }
 
   /// \returns where acute sectors may begin, which is found on the way
   /// \throws Pslg_error_2 if the mesh would surely be larger than the budget.
@@ -259,13 +253,6 @@ private:
 
   void find_corners(const Acute_starts& starts) {
     Corner_finder<ConcurrencyTag, Geometry>(state_, starts).run();
-  }
-
-  void set_region_bounds(double scale) {
-    for (const auto& region : pslg_.regions)
-      problem_.bounds.area2_of_region.push_back(
-          region.max_area > 0 ? 2 * (scale * region.max_area) * scale * (1 - Bounds<Geometry>::margin)
-                              : std::numeric_limits<double>::infinity());
   }
 
   /// The segments in the kernel's numbering, which is the shuffle order.
@@ -291,14 +278,44 @@ private:
             triangles_of_sizes_};
   }
 
+  /// All that a checkpoint has; the rest follows from input and options.
+  template <class Archive>
+  void transfer(Archive& archive) {
+    archive(state_, problem_, rounds_, is_merged_, worst_pair_, triangles_of_sizes_, report_.merged_vertices,
+            report_.vertices_on_segments, report_.estimated_triangles);
+  }
+
+  /// Whether there was a checkpoint of this input and these options. The state is as it was then.
+  bool has_gone_on_from_checkpoint() {
+    if (!checkpoints_.are_wanted() || options_.separate() != Quality_mesh_options_2::Separation::ON_DEMAND)
+      return false;
+    if constexpr (Geometry::has_unlimited_coordinates) {
+      throw std::invalid_argument("there are no checkpoints of meshes over exact numbers");
+    } else {
+      checkpoints_.set_origin(digest_of_mesh(pslg_, options_, map_, problem_.input_points.values(), order_));
+      if (!checkpoints_.has_state()) return false;
+      checkpoints_.load([this](auto& archive) { transfer(archive); });
+      set_bounds();
+      return has_gone_on_ = true;
+    }
+  }
+
+  void save_checkpoint() {
+    if constexpr (!Geometry::has_unlimited_coordinates)
+      if (!progress_.is_cancelled()) checkpoints_.save_if_due([this](auto& archive) { transfer(archive); });
+  }
+
   /// Refines on demand. Where it runs out of budget, the mesh is as it was left.
   Refinement_end refine(Refiner<Geometry>& refiner, Splitter<Geometry>& splitter) {
     clock_.enter(&Seconds::refine);
-    splitter.cut_rings();
     const Mesh_limit limit = budgets().of_refinement(may_construct_instead());
-    Bulk_filler<ConcurrencyTag, Geometry>(state_, splitter).run(limit.vertices);
-    Block_refinement<ConcurrencyTag, Geometry> blocks(state_, finishing_, limit.vertices);
-    if (blocks.run([this] { return progress_.shall_go_on(Progress_shares::blocks); }))
+    if (!has_gone_on_) {
+      splitter.cut_rings();
+      Bulk_filler<ConcurrencyTag, Geometry>(state_, splitter).run(limit.vertices);
+    }
+    Block_refinement<ConcurrencyTag, Geometry> blocks(state_, finishing_, limit.vertices, rounds_);
+    if (blocks.run([this] { return progress_.shall_go_on(Progress_shares::blocks); },
+                   [this] { save_checkpoint(); }))
       finishing_.smoothing_rounds = 0; // done, and removal is left only at seams
     else
       refiner.push_all();
@@ -453,7 +470,7 @@ private:
     clock_.enter(&Seconds::convert);
     Kernel_mesh_converter<Traits, ConcurrencyTag> converter(state_, pslg_, map_, order_, report_);
     Indexed_mesh_2<Point_2> mesh = converter.run(account);
-    if constexpr (has_double_coordinates) check_mesh_is_kept(mesh);
+    if constexpr (has_double_coordinates) check_mesh_is_kept<Geometry>(mesh, map_);
     return mesh;
   }
 
@@ -461,31 +478,6 @@ private:
     std::vector<Point_2> seeds = pslg.holes;
     for (const auto& region : pslg.regions) seeds.push_back(region.point);
     return seeds;
-  }
-
-  /// \throws Pslg_error_2 if a vertex or a seed is not in the kernel's range beside the extent.
-  void check_points_are_kept() const {
-    if (map_.are_kept()) return;
-    for (std::size_t v = 0; v < pslg_.number_of_vertices(); ++v)
-      if (!map_.is_kept(pslg_.vertices[v]))
-        throw words_.out_of_range(words_.vertex(v), Pslg_parts_2().vertex(Vertex_index(v)));
-    for (std::size_t h = 0; h < pslg_.holes.size(); ++h)
-      if (!map_.is_kept(pslg_.holes[h]))
-        throw words_.out_of_range("the point of " + hole_text(pslg_, h), Pslg_parts_2().hole(h));
-    for (std::size_t r = 0; r < pslg_.regions.size(); ++r)
-      if (!map_.is_kept(pslg_.regions[r].point))
-        throw words_.out_of_range("the point of " + region_text(pslg_, r), Pslg_parts_2().region(r));
-  }
-
-  /// \throws Pslg_error_2 if a triangle is not counterclockwise any more after rounding to the least doubles.
-  void check_mesh_is_kept(const Indexed_mesh_2<Point_2>& mesh) const {
-    if (!map_.may_round_mesh()) return;
-    for (const auto& t : mesh.triangles)
-      if (Geometry::orientation(map_.to_kernel(mesh.point(t[0])), map_.to_kernel(mesh.point(t[1])),
-                                map_.to_kernel(mesh.point(t[2]))) <= 0)
-        throw Pslg_error_2(Pslg_error_2::Kind::ROUNDING,
-                           "the coordinates are next to the least doubles, which cannot hold the mesh: "
-                           "multiply them by a power of two");
   }
 };
 

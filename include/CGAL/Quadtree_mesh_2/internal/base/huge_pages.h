@@ -7,6 +7,8 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_BASE_HUGE_PAGES_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_BASE_HUGE_PAGES_H
 
+#include <CGAL/Quadtree_mesh_2/internal/base/Scratch_arrays.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <new>
@@ -30,8 +32,9 @@ constexpr std::size_t least_in_huge_pages = SIZE_MAX;
 #endif
 
 /// Memory for a long array, which begins and ends where huge pages do: one page fault instead of 512. On virtual
-/// machines a fault may take as long as it takes to write the page ten times.
+/// machines a fault may take as long as it takes to write the page ten times. A scratch file has its own pages.
 inline void* allocate_in_huge_pages(std::size_t bytes) {
+  if (void* const memory = Scratch_arrays::allocate(bytes)) return memory;
   bytes = (bytes + huge_page - 1) / huge_page * huge_page;
   void* const memory = ::operator new(bytes, std::align_val_t(huge_page));
 #if defined(__linux__) && defined(MADV_HUGEPAGE)
@@ -39,15 +42,18 @@ inline void* allocate_in_huge_pages(std::size_t bytes) {
 #endif
   return memory;
 }
-inline void free_in_huge_pages(void* memory) { ::operator delete(memory, std::align_val_t(huge_page)); }
+inline void free_in_huge_pages(void* memory) {
+  if (!Scratch_arrays::free(memory)) ::operator delete(memory, std::align_val_t(huge_page));
+}
 
-/// Asks the system for the pages of an array that is about to be written whole: one call instead of many faults.
+/// Asks the system for the pages of an array that is about to be written whole: one call instead of many faults. A
+/// scratch file may be longer than memory, so its pages come one by one.
 inline void ask_for_pages(void* begin, std::size_t bytes) {
 #if defined(__linux__) && defined(MADV_HUGEPAGE) && defined(MADV_POPULATE_WRITE)
   static const auto page = static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE));
   const auto first = reinterpret_cast<std::uintptr_t>(begin) & ~(page - 1);
   const auto end = (reinterpret_cast<std::uintptr_t>(begin) + bytes + page - 1) & ~(page - 1);
-  if (end - first < 16 * page) return;
+  if (end - first < 16 * page || Scratch_arrays::has(begin)) return;
   if (bytes >= 2 * huge_page) madvise(reinterpret_cast<void*>(first), end - first, MADV_HUGEPAGE);
   madvise(reinterpret_cast<void*>(first), end - first, MADV_POPULATE_WRITE);
 #else

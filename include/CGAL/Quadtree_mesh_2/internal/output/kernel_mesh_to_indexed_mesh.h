@@ -52,8 +52,9 @@ public:
     Mesh out;
     number_triangles();
     make_vertices(out);
-    std::vector<Part> parts((mesh_.triangles.size() + default_block - 1) / default_block);
-    for_each_block<ConcurrencyTag>(mesh_.triangles.size(), default_block,
+    const std::size_t block = std::max(default_block, mesh_.triangles.size() / most_parts);
+    std::vector<Part> parts((mesh_.triangles.size() + block - 1) / block);
+    for_each_block<ConcurrencyTag>(mesh_.triangles.size(), block,
                                    [&](std::size_t b, std::size_t begin, std::size_t end) {
                                      make_triangles(out, begin, end, parts[b]);
                                    });
@@ -71,6 +72,8 @@ public:
 
 private:
   using Ends = std::array<Vertex_index, 2>;
+  /// In which triangles are made: enough for many threads, and few enough that each is a long array in a large mesh.
+  static constexpr std::size_t most_parts = 512;
   /// What a run of triangles has besides triangles.
   struct Part {
     std::vector<typename Mesh::Constrained_edge> edges;

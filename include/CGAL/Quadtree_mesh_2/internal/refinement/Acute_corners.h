@@ -66,6 +66,11 @@ struct Basic_leg {
   /// come close to it.
   Vertex_id ring;
   Vertex_id apex_vertex; ///< the apex in the mesh (or block) at hand, as are `ring` and those of `shells`
+
+  template <class Archive>
+  void transfer(Archive& archive) {
+    archive(corner, edge, apex, far, length, before, after, shells, ring, apex_vertex);
+  }
 };
 
 template <class Number>
@@ -84,6 +89,11 @@ struct Basic_corner {
   std::vector<double> angles; ///< from each leg to the next; as many as legs if sectors go around the apex
   std::vector<Sector_id> sectors; ///< the lopped ones
   double least_angle = 0;
+
+  template <class Archive>
+  void transfer(Archive& archive) {
+    archive(apex, radius, legs, angles, sectors, least_angle);
+  }
 };
 
 /// Legs of a corner that follow each other counterclockwise.
@@ -128,6 +138,12 @@ public:
     legs_of_edge.assign(edges.size(), {});
     is_acute.assign(number_of_input_vertices, 0);
     on_leg_.assign(number_of_input_vertices, 0);
+  }
+
+  /// Writes or reads them, once they are prepared (Checkpoint_file.h).
+  template <class Archive>
+  void transfer(Archive& archive) {
+    archive(legs, sectors, corners, legs_of_edge, is_acute, on_leg_);
   }
 
   /// As before legs were cut, in a mesh that has the input vertices' numbers for handles.

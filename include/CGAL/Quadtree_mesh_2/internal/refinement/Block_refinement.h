@@ -43,6 +43,20 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
+/// What there is between two rounds, besides the mesh.
+struct Block_rounds {
+  int number = 0;                   ///< of rounds that are done
+  int fruitless = 0;                ///< those at the end, of one block each, that left as much as there was
+  std::vector<Triangle_id> waiting; ///< bad triangles
+  Uninitialized_vector<Triangle_id> at_seams; ///< of the last round
+
+  /// Writes or reads it (Checkpoint_file.h).
+  template <class Archive>
+  void transfer(Archive& archive) {
+    archive(number, fruitless, waiting, at_seams);
+  }
+};
+
 template <class ConcurrencyTag, class Geometry>
 class Block_refinement {
 public:
@@ -54,32 +68,35 @@ public:
   /// Smaller than in the first round: the zone is small, and a thin network, so seams through it are short.
   static constexpr std::size_t zone_block_size = block_size / 4;
 
-  Block_refinement(Meshing_state<Geometry>& whole, const Finishing& finishing, std::size_t vertex_budget)
-      : whole_(whole), finishing_(finishing), vertex_budget_(vertex_budget) {}
+  /// \param rounds those that have been done, with whose results the work goes on
+  Block_refinement(Meshing_state<Geometry>& whole, const Finishing& finishing, std::size_t vertex_budget,
+                   Block_rounds& rounds)
+      : whole_(whole), finishing_(finishing), vertex_budget_(vertex_budget), rounds_(rounds) {}
 
   /// Works off what can be done in blocks; the rest is left on the worklist of the whole mesh. `shall_go_on()` may be
   /// called by several threads at once.
   /// \returns false if the mesh is too small for blocks, and nothing was done.
-  template <class Continue>
-  bool run(const Continue& shall_go_on) {
-    if (whole_.mesh.number_of_triangles() - whole_.bulk.number_of_triangles() < 2 * block_size) return false;
+  /// \param between_rounds called before the first round and after each; all there is to do is then in the state of the
+  ///        whole mesh and in `rounds`
+  template <class Continue, class Between_rounds>
+  bool run(const Continue& shall_go_on, const Between_rounds& between_rounds) {
+    if (rounds_.number == 0 &&
+        whole_.mesh.number_of_triangles() - whole_.bulk.number_of_triangles() < 2 * block_size)
+      return false;
     whole_.clear_worklist(); // blocks look at all triangles
-    work(first_cut(), shall_go_on);
-    work(cut_of_zone(2), shall_go_on);
-    rounds_ = 2;
-    for (int fruitless = 0; !waiting_.empty() && fruitless < most_fruitless_rounds && rounds_ < most_rounds &&
-                            has_room() && shall_go_on();) {
-      const std::size_t before = waiting_.size();
-      Block_cut cut = cut_of_zone(++rounds_);
-      const bool is_one_block = cut.size() == 1;
+    between_rounds();
+    while (is_round_wanted(shall_go_on)) {
+      const std::size_t before = rounds_.waiting.size();
+      ++rounds_.number;
+      Block_cut cut = rounds_.number == 1 ? first_cut() : cut_of_zone(rounds_.number);
+      const bool is_one_block = rounds_.number > 2 && cut.size() == 1;
       work(std::move(cut), shall_go_on);
-      if (is_one_block) fruitless = waiting_.size() < before ? 0 : fruitless + 1;
+      if (is_one_block) rounds_.fruitless = rounds_.waiting.size() < before ? 0 : rounds_.fruitless + 1;
+      between_rounds();
     }
-    for (const Triangle_id t : waiting_) whole_.push(t);
+    for (const Triangle_id t : rounds_.waiting) whole_.push(t);
     return true;
   }
-
-  int rounds() const { return rounds_; }
 
 private:
   /// Rounds of one block each. As long as there are several blocks, less may wait after the next round.
@@ -93,10 +110,14 @@ private:
   Place_keys<Geometry> key_{whole_.problem.input_points.values()};
   Place_keys<Geometry> shifted_key_ = key_.shifted();
   Block_assignment assignment_;
-  int rounds_ = 0;
-  // after the last round: bad triangles, and those at its seams
-  std::vector<Triangle_id> waiting_;
-  Uninitialized_vector<Triangle_id> at_seams_;
+  Block_rounds& rounds_;
+
+  template <class Continue>
+  bool is_round_wanted(const Continue& shall_go_on) const {
+    if (rounds_.number < 2) return true;
+    return !rounds_.waiting.empty() && rounds_.fruitless < most_fruitless_rounds &&
+           rounds_.number < most_rounds && has_room() && shall_go_on();
+  }
 
   bool has_room() const { return whole_.mesh.number_of_vertices() < vertex_budget_; }
 
@@ -136,9 +157,9 @@ private:
   /// What is worked on in a round: the surroundings of waiting triangles, and of seams in the second.
   Block_cut cut_of_zone(int round) const {
     Triangle_zone<ConcurrencyTag, Geometry> zone(whole_.mesh);
-    zone.add(waiting_);
-    zone.add(corner_places_.triangles_of_corners_at(waiting_));
-    if (round == 2) zone.add(at_seams_);
+    zone.add(rounds_.waiting);
+    zone.add(corner_places_.triangles_of_corners_at(rounds_.waiting));
+    if (round == 2) zone.add(rounds_.at_seams);
     constexpr int most_rings = 8;
     zone.grow(std::max(2, std::min(round - 1, most_rings)));
     const int doublings = std::min(2 * std::max(0, round - 3), 24);
@@ -164,14 +185,14 @@ private:
           for (Triangle_id& t : left[b]) t = block.whole_triangle(t);
         });
     blocks.put_together();
-    waiting_.clear();
+    rounds_.waiting.clear();
     for (const auto& triangles : left)
       for (const Triangle_id t : triangles)
-        if (whole_.mesh.is_alive(t)) waiting_.push_back(t);
-    at_seams_ = triangles_at(blocks.seam_sides());
+        if (whole_.mesh.is_alive(t)) rounds_.waiting.push_back(t);
+    rounds_.at_seams = triangles_at(blocks.seam_sides());
     std::vector<Side> doubtful = blocks.sides_to_flip();
     whole_.mesh.make_Delaunay(doubtful, [this](Triangle_id t) {
-      if (whole_.is_suspect(t)) waiting_.push_back(t);
+      if (whole_.is_suspect(t)) rounds_.waiting.push_back(t);
     });
   }
 

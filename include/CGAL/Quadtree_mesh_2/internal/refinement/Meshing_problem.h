@@ -42,6 +42,14 @@ struct Meshing_problem {
     return static_cast<Vertex_id>(nearest - input_points.begin());
   }
 
+  /// Writes or reads what does not follow from the input and the options alone (Checkpoint_file.h).
+  template <class Archive>
+  void transfer(Archive& archive) {
+    archive(edges);
+    if (Archive::is_reading) corners.prepare(edges, 0);
+    archive(corners, least_share_of_leg, outer_of_edge_);
+  }
+
   /// \param outer the triangles outside along the border
   void set_outside(const std::vector<Outer_triangle>& outer) {
     outer_of_edge_.assign(edges.size(), {});

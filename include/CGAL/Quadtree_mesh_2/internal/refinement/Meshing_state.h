@@ -91,6 +91,12 @@ struct Meshing_state {
   Meshing_state(const Meshing_state&) = delete;
   Meshing_state& operator=(const Meshing_state&) = delete;
 
+  /// Writes or reads the mesh and what there is to do in it, while nothing is on the worklist (Checkpoint_file.h).
+  template <class Archive>
+  void transfer(Archive& archive) {
+    archive(mesh, leg_rule, refinement_rule, bulk, deferred, doubtful_sides);
+  }
+
   bool owns(Corner_id c) const { return !is_block_ || std::binary_search(owned_.begin(), owned_.end(), c); }
   bool is_block() const { return is_block_; }
 

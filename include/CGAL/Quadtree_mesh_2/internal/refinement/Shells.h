@@ -66,6 +66,17 @@ public:
     by_vertex_.insert(std::lower_bound(by_vertex_.begin(), by_vertex_.end(), v, is_before), {radius, v});
   }
 
+  /// Writes or reads them (Checkpoint_file.h).
+  template <class Archive>
+  void transfer(Archive& archive) {
+    std::vector<Shell_vertex> by_radius;
+    for (const auto& [radius, v] : by_radius_) by_radius.push_back({radius, v});
+    archive(by_radius, by_vertex_);
+    if (!Archive::is_reading) return;
+    by_radius_.clear();
+    for (const Shell_vertex& s : by_radius) by_radius_.emplace_hint(by_radius_.end(), s.radius, s.vertex);
+  }
+
   void clear() { by_radius_.clear(), by_vertex_.clear(); }
 
   /// Gives each vertex the handle `name(v)`; forgets it if that is none.

@@ -11,6 +11,7 @@
 #define CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_TRIANGLE_BUDGET_H
 
 #include <CGAL/Quadtree_mesh_2/Index.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/Scratch_arrays.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/angle_units.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Facing_edges.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
@@ -19,9 +20,11 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <filesystem>
 #include <limits>
 #include <sstream>
 #include <string>
+#include <system_error>
 
 #if defined(__unix__) || defined(__APPLE__)
 #include <unistd.h>
@@ -43,13 +46,21 @@ inline double physical_memory() {
   return bytes;
 }
 
+/// The bytes free on the disk of a folder; infinity where that is not known.
+inline double free_disk(const std::string& folder) {
+  std::error_code error;
+  const auto space = std::filesystem::space(folder, error);
+  return error ? std::numeric_limits<double>::infinity() : static_cast<double>(space.available);
+}
+
 class Triangle_budget {
 public:
   /// In which the owner of the mesh knows the limit. A vertex stands for two triangles.
   enum class Unit { VERTICES, TRIANGLES };
 
-  /// What 32-bit handles allow.
-  static constexpr std::size_t most_vertices = 100000000;
+  /// What handles allow: there are at most two triangles for each vertex, and some slots of triangles that are gone.
+  static constexpr std::size_t most_vertices = 200000000;
+  static_assert(most_vertices < Side::most_triangles / 2 / 5 * 4, "a quarter of the slots may be of none");
 
   /// \param limit in words: what sets the limit, and its verb
   Triangle_budget(double vertices, const char* limit, Unit unit)
@@ -58,8 +69,13 @@ public:
   /// What handles and memory allow.
   static Triangle_budget of_machine() {
     constexpr auto by_handles = static_cast<double>(most_vertices);
-    const double by_memory = physical_memory() / (2 * bytes_per_triangle);
-    if (by_memory < by_handles) return {by_memory, "memory allows", Unit::VERTICES};
+    if (Scratch_arrays::is_active()) {
+      const double by_disk = free_disk(Scratch_arrays::folder()) / (2 * scratch_bytes_per_triangle);
+      if (by_disk < by_handles) return {by_disk, "the disk of the scratch folder allows", Unit::VERTICES};
+    } else {
+      const double by_memory = physical_memory() / (2 * bytes_per_triangle);
+      if (by_memory < by_handles) return {by_memory, "memory allows", Unit::VERTICES};
+    }
     return {by_handles, "32-bit indices allow", Unit::VERTICES};
   }
   Triangle_budget smaller(const Triangle_budget& other) const {
@@ -85,6 +101,8 @@ public:
 private:
   /// Of the mesher's peak memory: measured on maps, from 100 to 160.
   static constexpr double bytes_per_triangle = 130;
+  /// Of scratch files, in which arrays have room to grow that memory would not give pages for.
+  static constexpr double scratch_bytes_per_triangle = 250;
   static constexpr double margin = 4;
 
   const char* limit_;

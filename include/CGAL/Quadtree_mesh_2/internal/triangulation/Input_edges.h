@@ -57,6 +57,12 @@ public:
     name_edges(edges, number_of_vertices);
   }
 
+  /// Writes or reads them (Checkpoint_file.h).
+  template <class Archive>
+  void transfer(Archive& archive) {
+    archive(edges_, first_, incidences_);
+  }
+
   /// Lets each of these edges belong to the first of the segments that run there.
   void repeat(const Input_edge_list& repeated) {
     for (const Input_edge& r : repeated) {

@@ -11,6 +11,7 @@
 
 #include <CGAL/Quadtree_mesh_2/Index.h>
 
+#include <cstddef>
 #include <cstdint>
 
 namespace CGAL {
@@ -26,29 +27,33 @@ using Region_id = Index<struct Kernel_region_tag>; ///< the position of a region
 constexpr int next_slot[3] = {1, 2, 0};
 constexpr int previous_slot[3] = {2, 0, 1};
 
-/// One side of one triangle, with the constraint bit of the edge; the border or a seam when there is no triangle.
+/// One side of one triangle, with the constraint bit of the edge; the border or a seam when there is no triangle. One
+/// word: 29 bits for the triangle or the number of a seam, 2 for the slot, or that there is no triangle, 1 for the bit.
 class Side {
 public:
+  /// A mesh has fewer triangles than this, alive or not.
+  static constexpr std::size_t most_triangles = std::size_t(1) << 29;
+
   Side() = default;
   Side(Triangle_id t, int slot, bool is_constrained = false)
-      : code_(code(t) | (slot << 1) | (is_constrained ? 1 : 0)) {}
+      : code_(code(t) | static_cast<std::uint32_t>(slot << 1) | (is_constrained ? 1u : 0u)) {}
   static Side border() { return Side(); }
 
   /// Where another block goes on. The number is kept by all that links and flips do to the triangle.
   static Side seam(std::int32_t number) {
     Side s;
-    s.code_ = -3 - 2 * number;
+    s.code_ = static_cast<std::uint32_t>(number) << 3 | no_triangle | 1;
     return s;
   }
 
   /// Whether no triangle lies there: at the border of the domain, or at a seam.
-  bool is_border() const { return code_ < 0; }
-  bool is_seam() const { return code_ < -1; }
-  std::int32_t seam_number() const { return (-3 - code_) / 2; }
+  bool is_border() const { return (code_ & no_triangle) == no_triangle; }
+  bool is_seam() const { return is_border() && code_ != border_code; }
+  std::int32_t seam_number() const { return static_cast<std::int32_t>(code_ >> 3); }
   /// The border and seams count as constrained: nothing walks or flips across them.
   bool is_constrained() const { return (code_ & 1) != 0; }
   Triangle_id triangle() const { return Triangle_id(code_ >> 3); }
-  int slot() const { return (code_ >> 1) & 3; }
+  int slot() const { return static_cast<int>((code_ >> 1) & 3); }
   /// `next_slot[slot()]` and `previous_slot[slot()]`. Walks around vertices wait for one after the other of them, which
   /// takes less time by arithmetic than by a table.
   int slot_after() const { return (0b00'10'01 >> (code_ & 6)) & 3; }
@@ -60,12 +65,15 @@ public:
     return s;
   }
   void constrain() { code_ |= 1; }
-  void release() { code_ &= ~1; }
+  void release() { code_ &= ~1u; }
 
 private:
-  std::int32_t code_ = -1;
+  static constexpr std::uint32_t no_triangle = 3 << 1; // in place of a slot
+  static constexpr std::uint32_t border_code = ~0u;
 
-  static std::int32_t code(Triangle_id t) { return static_cast<std::int32_t>(t.value() << 3); }
+  std::uint32_t code_ = border_code;
+
+  static std::uint32_t code(Triangle_id t) { return t.value() << 3; }
 };
 
 /// What a vertex is: free to move, on an input edge, or a vertex of the input. One word for all three.

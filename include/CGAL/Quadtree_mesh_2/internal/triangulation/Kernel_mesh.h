@@ -217,6 +217,12 @@ public:
     free_.push_back(t);
   }
 
+  /// Writes or reads all of it (Checkpoint_file.h).
+  template <class Archive>
+  void transfer(Archive& archive) {
+    archive(triangles, points, triangle_of, role_of, is_dirty, region_of, free_);
+  }
+
   std::size_t number_of_triangles() const { return triangles.size() - free_.size(); }
   /// The slots of triangles that are not alive, in no order.
   const std::vector<Triangle_id>& dead_triangles() const { return free_; }

@@ -7,14 +7,15 @@
 // Cuts a mesh into blocks that are processed separately, in parallel, and puts them back.
 //
 // The mesh alone determines how blocks are cut (Block_cut.h), and new things are named in the order of blocks. So the
-// result is the same for any number of threads. A single thread writes each block before it takes out the next, which
-// gets its memory.
+// result is the same for any number of threads. Some blocks are taken out at a time, by a single thread one,
+// and written before the next, which get their memory.
 //
 // O(n) work and memory for n triangles in blocks, and O(s log s) for s seams.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_MESH_BLOCKS_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_MESH_BLOCKS_H
 
+#include <CGAL/Quadtree_mesh_2/internal/base/Scratch_arrays.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/group_in_order.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel_sort.h>
@@ -60,19 +61,19 @@ public:
   /// for different blocks may overlap. Nobody else may use the whole mesh until the blocks are put together.
   template <class Work, class TakeResults>
   void for_each(const Work& work, const TakeResults& take_results) {
-    const std::size_t batch = is_sequential<ConcurrencyTag>() ? 1 : size();
+    const std::size_t batch = std::min(size(), blocks_at_once());
     std::vector<Mesh> spare(batch);
     for (std::size_t begin = 0; begin < size(); begin += batch) {
-      run_largest_first(begin, begin + batch,
-                        [&](std::size_t b) { work(take_out(b, std::move(spare[b - begin]))); });
-      const std::vector<First_names> names = make_room(begin, begin + batch);
-      run_largest_first(begin, begin + batch, [&](std::size_t b) {
+      const std::size_t end = std::min(size(), begin + batch);
+      run_largest_first(begin, end, [&](std::size_t b) { work(take_out(b, std::move(spare[b - begin]))); });
+      const std::vector<First_names> names = make_room(begin, end);
+      run_largest_first(begin, end, [&](std::size_t b) {
         Block& block = *blocks_[b];
         block.name_new(names[b - begin].triangle, names[b - begin].vertex);
         block.write(whole_);
         take_results(block);
         Mesh rest = block.release();
-        if (begin + batch < size()) spare[b - begin] = std::move(rest);
+        if (end < size()) spare[b - begin] = std::move(rest);
       });
     }
   }
@@ -105,6 +106,13 @@ private:
   Block_cut cut_;
   std::vector<std::unique_ptr<Block>> blocks_;
   std::vector<Side> seam_sides_;
+
+  /// How many blocks are taken out before they are written back: enough that no thread waits long for the last of
+  /// them, and few enough that they are little beside a large mesh, or in what memory there is beside a scratch file.
+  static std::size_t blocks_at_once() {
+    if (is_sequential<ConcurrencyTag>()) return 1;
+    return Scratch_arrays::is_active() ? 16 : 256;
+  }
 
   void assign_triangles() {
     assignment_.template cover<ConcurrencyTag>(whole_);

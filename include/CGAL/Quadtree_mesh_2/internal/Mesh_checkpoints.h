@@ -1,0 +1,91 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+//
+// The state of a mesh in the making, kept in a folder, so that work goes on there after it was interrupted.
+//
+// There is one state at a time, in a file that names the input and the options it belongs to (Checkpoint_file.h). The
+// first one is saved at once, and others when they take a tenth of the time since the one before, or less.
+
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_MESH_CHECKPOINTS_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_MESH_CHECKPOINTS_H
+
+#include <CGAL/Quadtree_mesh_2/internal/base/Checkpoint_file.h>
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace CGAL {
+namespace Quadtree_mesh_2 {
+namespace internal {
+
+class Mesh_checkpoints {
+public:
+  /// \param folder empty: none are wanted
+  explicit Mesh_checkpoints(std::string folder) : folder_(std::move(folder)) {}
+
+  bool are_wanted() const { return !folder_.empty(); }
+  /// Whether there is a state to go on from.
+  bool has_state() const { return are_wanted() && std::filesystem::exists(file_name()); }
+
+  /// Says what the state is of. To be called before it is saved or loaded.
+  void set_origin(const Digest& input_and_options) { origin_ = input_and_options.value(); }
+
+  /// \param transfer called with an archive, for all there is to write
+  /// \throws std::system_error if the file cannot be written
+  template <class Transfer>
+  void save_if_due(const Transfer& transfer) {
+    if (!are_wanted() || Clock::now() < next_) return;
+    const Clock::time_point begin = Clock::now();
+    std::filesystem::create_directories(folder_);
+    Checkpoint_writer file(file_name());
+    Head head{origin_};
+    file(head);
+    transfer(file);
+    file.commit();
+    const Clock::time_point end = Clock::now();
+    next_ = end + share_of_time * (end - begin);
+  }
+
+  /// \throws std::runtime_error if the file cannot be read, is damaged or belongs to another mesh
+  template <class Transfer>
+  void load(const Transfer& transfer) const {
+    Checkpoint_reader file(file_name());
+    Head head{0};
+    file(head);
+    if (head.magic != Head(0).magic || head.origin != origin_)
+      throw std::runtime_error(file_name() + ": the state of another input, of other options or of another "
+                                             "version of the program");
+    transfer(file);
+    file.check();
+  }
+
+private:
+  using Clock = std::chrono::steady_clock;
+  static constexpr int share_of_time = 10;
+
+  struct Head {
+    explicit Head(std::uint64_t o) : origin(o) {}
+    std::uint64_t magic =
+        0x31656d5174617453; // to be changed with what is in the file, or how refinement goes on
+    std::uint64_t origin;
+  };
+
+  std::string folder_;
+  std::uint64_t origin_ = 0;
+  Clock::time_point next_{};
+
+  std::string file_name() const { return (std::filesystem::path(folder_) / "state").string(); }
+};
+
+} // namespace internal
+} // namespace Quadtree_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_MESH_CHECKPOINTS_H
