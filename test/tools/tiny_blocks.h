@@ -7,11 +7,12 @@
 #ifndef QUADTREE_MESH_2_TEST_TINY_BLOCKS_H
 #define QUADTREE_MESH_2_TEST_TINY_BLOCKS_H
 
+#include <CGAL/Quadtree_mesh_2/internal/Mesh_checkpoints.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Mesh_blocks.h>
 
 #include <cstddef>
 
-/// A concurrency tag that cuts small inputs into blocks.
+/// A concurrency tag that cuts small inputs into blocks, and saves a checkpoint after every round.
 struct Tiny_blocks_tag {};
 
 namespace CGAL {
@@ -22,6 +23,11 @@ template <>
 struct Block_sizes<Tiny_blocks_tag> {
   static constexpr std::size_t vertices = 24;
   static constexpr std::size_t triangles = 24;
+};
+
+template <>
+struct Checkpoint_pace<Tiny_blocks_tag> {
+  static constexpr int time_between = 0;
 };
 
 } // namespace internal

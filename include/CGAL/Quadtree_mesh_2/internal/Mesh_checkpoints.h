@@ -25,10 +25,18 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
+/// After how many times as long as it took to save a state another one is saved. Specialized by tests.
+template <class ConcurrencyTag>
+struct Checkpoint_pace {
+  static constexpr int time_between = 10;
+};
+
 class Mesh_checkpoints {
 public:
   /// \param folder empty: none are wanted
-  explicit Mesh_checkpoints(std::string folder) : folder_(std::move(folder)) {}
+  /// \param time_between two states, in times as long as it took to save the first
+  Mesh_checkpoints(std::string folder, int time_between)
+      : folder_(std::move(folder)), time_between_(time_between) {}
 
   bool are_wanted() const { return !folder_.empty(); }
   /// Whether there is a state to go on from.
@@ -50,7 +58,7 @@ public:
     transfer(file);
     file.commit();
     const Clock::time_point end = Clock::now();
-    next_ = end + share_of_time * (end - begin);
+    next_ = end + time_between_ * (end - begin);
   }
 
   /// \throws std::runtime_error if the file cannot be read, is damaged or belongs to another mesh
@@ -68,7 +76,6 @@ public:
 
 private:
   using Clock = std::chrono::steady_clock;
-  static constexpr int share_of_time = 10;
 
   struct Head {
     explicit Head(std::uint64_t o) : origin(o) {}
@@ -78,6 +85,7 @@ private:
   };
 
   std::string folder_;
+  int time_between_;
   std::uint64_t origin_ = 0;
   Clock::time_point next_{};
 

@@ -150,7 +150,7 @@ private:
   std::optional<Pslg_error_2> too_near_for_trees_; // the error for the first of them
   double triangles_of_sizes_ = 0;                  // what bounds of size ask for, as estimated
   Block_rounds rounds_;
-  Mesh_checkpoints checkpoints_{options_.checkpoints()};
+  Mesh_checkpoints checkpoints_{options_.checkpoints(), Checkpoint_pace<ConcurrencyTag>::time_between};
   bool has_gone_on_ = false; // from a checkpoint
 
   void sort_vertices() {
@@ -300,9 +300,13 @@ private:
     }
   }
 
+  /// \pre the mesh is refined in blocks
   void save_checkpoint() {
-    if constexpr (!Geometry::has_unlimited_coordinates)
-      if (!progress_.is_cancelled()) checkpoints_.save_if_due([this](auto& archive) { transfer(archive); });
+    if constexpr (!Geometry::has_unlimited_coordinates) {
+      if (progress_.is_cancelled() || state_.is_small_mesh())
+        return; // a small mesh needs its start once more
+      checkpoints_.save_if_due([this](auto& archive) { transfer(archive); });
+    }
   }
 
   /// Refines on demand. Where it runs out of budget, the mesh is as it was left.

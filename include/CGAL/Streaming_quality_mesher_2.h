@@ -1,0 +1,99 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+
+#ifndef CGAL_STREAMING_QUALITY_MESHER_2_H
+#define CGAL_STREAMING_QUALITY_MESHER_2_H
+
+#include <CGAL/Filtered_quadtree_traits_2.h>
+#include <CGAL/IO/MSH.h>
+#include <CGAL/IO/Triangle_files.h>
+#include <CGAL/IO/VTU.h>
+#include <CGAL/Indexed_mesh_2.h>
+#include <CGAL/Pslg_2.h>
+#include <CGAL/Quadtree_mesh_2/Quality_mesher_2.h>
+#include <CGAL/Quality_mesh_options_2.h>
+#include <CGAL/Quality_mesh_report_2.h>
+#include <CGAL/Scratch_memory.h>
+#include <CGAL/tags.h>
+
+#include <cstddef>
+#include <filesystem>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+#include <utility>
+
+namespace CGAL {
+
+/// \ingroup PkgQuadtreeMesh2Meshers
+/// Where `Streaming_quality_mesher_2` keeps what is not in memory, and how much is.
+struct Streaming_options_2 {
+  /// A folder, made if need be, on a disk with some 250 bytes of room for each triangle. It also gets the state
+  /// from which interrupted work goes on, 50 bytes for each triangle.
+  std::string scratch_folder;
+  /// How many bytes of memory the process may have: `Scratch_memory`.
+  std::size_t memory = std::size_t(1) << 31;
+};
+
+/// \ingroup PkgQuadtreeMesh2Meshers
+/// Meshes a graph in a file that may be larger than memory, and writes the mesh to files.
+///
+/// The mesh has the same bits as that of `Quality_mesher_2`. If the work is interrupted in any way, the next run with
+/// the same files and options goes on from its last state, and gives the same bytes. The state is removed when the mesh
+/// is written. On Linux only. The input and the mesh are out of memory, too, if one source file of the program includes
+/// `CGAL/Quadtree_mesh_2/new_in_scratch_memory.h`; else the process has them in memory besides the limit.
+/// \tparam Traits as of `Quality_mesher_2`, over doubles or integers
+/// \tparam ConcurrencyTag `Sequential_tag` or `Parallel_tag`; the mesh is the same for any number of threads
+template <class Traits = Filtered_quadtree_traits_2<>, class ConcurrencyTag = Sequential_tag>
+class Streaming_quality_mesher_2 {
+public:
+  using Point_2 = typename Traits::Point_2;
+
+  /// \throws std::invalid_argument if an option is out of its range, or there is no scratch folder
+  Streaming_quality_mesher_2(Quality_mesh_options_2 options, Streaming_options_2 streaming,
+                             const Traits& traits = Traits())
+      : streaming_(std::move(streaming)), mesher_(options.checkpoints(streaming_.scratch_folder), traits) {
+    if (streaming_.scratch_folder.empty()) throw std::invalid_argument("streaming needs a scratch folder");
+  }
+
+  /// Meshes the domain of a graph.
+  /// \param input a .poly file of Triangle, which may be compressed (.gz)
+  /// \param output a name that ends in .ele (which writes .node, .ele and .poly), .vtu or .msh
+  /// \throws Pslg_error_2 for input that cannot be meshed
+  /// \throws Quadtree_mesh_2::Scratch_full if the disk of the scratch folder has no more room. What was done is kept.
+  /// \throws std::system_error, std::runtime_error naming a file that cannot be read or written
+  /// \throws std::invalid_argument for an output with another ending
+  const Quality_mesh_report_2& operator()(const std::string& input, const std::string& output) {
+    const std::string ending = std::filesystem::path(output).extension().string();
+    if (ending != ".ele" && ending != ".vtu" && ending != ".msh")
+      throw std::invalid_argument(output + ": the ending has to be .ele, .vtu or .msh");
+    std::filesystem::create_directories(streaming_.scratch_folder);
+    const Scratch_memory memory(streaming_.scratch_folder, streaming_.memory);
+    Pslg_2<Point_2> pslg;
+    IO::read_triangle_poly(input, pslg);
+    const Indexed_mesh_2<Point_2> mesh = mesher_(pslg);
+    if (ending == ".ele")
+      IO::write_triangle_files(mesh, pslg, std::filesystem::path(output).replace_extension().string());
+    else if (ending == ".vtu")
+      IO::write_VTU(output, mesh, pslg);
+    else
+      IO::write_MSH(output, mesh, pslg);
+    std::error_code ignored;
+    std::filesystem::remove(std::filesystem::path(streaming_.scratch_folder) / "state", ignored);
+    return mesher_.report();
+  }
+
+  /// What the last run reached.
+  const Quality_mesh_report_2& report() const { return mesher_.report(); }
+
+private:
+  Streaming_options_2 streaming_;
+  Quality_mesher_2<Traits, ConcurrencyTag> mesher_;
+};
+
+} // namespace CGAL
+
+#endif // CGAL_STREAMING_QUALITY_MESHER_2_H
