@@ -116,12 +116,16 @@ public:
     Refiner<Geometry> refiner(state_, splitter);
     const bool is_by_trees = options_.separate() == Quality_mesh_options_2::Separation::THEOREM_5;
     if (!is_by_trees) second.keep_start();
-    if (!(is_by_trees && construct_by_trees(refiner)) &&
-        refine(refiner, splitter) == Refinement_end::OUT_OF_BUDGET)
-      take_over(refiner, splitter);
-    coarsen(refiner, second);
+    if (!rounds_.are_over) {
+      if (!(is_by_trees && construct_by_trees(refiner)) &&
+          refine(refiner, splitter) == Refinement_end::OUT_OF_BUDGET)
+        take_over(refiner, splitter);
+      coarsen(refiner, second);
+    }
     const Triangle_account account = finish(refiner);
     report_.is_cancelled = progress_.is_cancelled();
+    rounds_.are_over = true;
+    if (rounds_.number > 0) save_checkpoint();
     return convert(account);
   }
 
@@ -282,7 +286,8 @@ private:
   template <class Archive>
   void transfer(Archive& archive) {
     archive(state_, problem_, rounds_, is_merged_, worst_pair_, triangles_of_sizes_, report_.merged_vertices,
-            report_.vertices_on_segments, report_.estimated_triangles);
+            report_.vertices_on_segments, report_.estimated_triangles, report_.rounds, report_.trees,
+            report_.is_budget_exhausted);
   }
 
   /// Whether there was a checkpoint of this input and these options. The state is as it was then.

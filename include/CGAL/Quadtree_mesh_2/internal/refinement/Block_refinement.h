@@ -50,10 +50,12 @@ struct Block_rounds {
   std::vector<Triangle_id> waiting; ///< bad triangles
   Uninitialized_vector<Triangle_id> at_seams; ///< of the last round
 
+  bool are_over = false; ///< and all that follows on them is done
+
   /// Writes or reads it (Checkpoint_file.h).
   template <class Archive>
   void transfer(Archive& archive) {
-    archive(number, fruitless, waiting, at_seams);
+    archive(number, fruitless, waiting, at_seams, are_over);
   }
 };
 

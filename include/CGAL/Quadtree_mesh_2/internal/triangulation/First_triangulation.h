@@ -39,7 +39,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -165,27 +164,32 @@ private:
     return i > 0 && mesh_.point(v) == mesh_.point(static_cast<Vertex_id>(i - 1));
   }
 
-  /// Lets the first of vertices at one place stand for those behind it.
+  /// Lets the first of vertices at one place stand for those behind it. However long runs of them are, each vertex is
+  /// looked at twice.
   void find_repeated() {
     const std::size_t n = representative_.size();
-    is_any_repeated_ = reduce<ConcurrencyTag>(
-        n, false,
-        [&](std::size_t begin, std::size_t end) {
-          bool is_any = false;
-          Vertex_id first;
-          for (const Vertex_id v : Id_range<Vertex_id>(begin, end)) {
-            if (!is_repeated(v)) {
-              first = v;
-              continue;
-            }
-            if (!first.is_valid()) // the block begins within a run
-              for (first = v; is_repeated(first);) first = static_cast<Vertex_id>(std::size_t(first) - 1);
-            representative_[v] = first;
-            is_any = true;
-          }
-          return is_any;
-        },
-        std::logical_or<>());
+    std::vector<Vertex_id> first((n + default_block - 1) /
+                                 default_block); // the last one of a run in each block
+    std::vector<char> has_repeated(first.size(), 0);
+    for_each_block<ConcurrencyTag>(n, default_block, [&](std::size_t b, std::size_t begin, std::size_t end) {
+      for (const Vertex_id v : Id_range<Vertex_id>(begin, end))
+        if (is_repeated(v))
+          has_repeated[b] = 1;
+        else
+          first[b] = v;
+    });
+    is_any_repeated_ = std::find(has_repeated.begin(), has_repeated.end(), 1) != has_repeated.end();
+    if (!is_any_repeated_) return;
+    for (std::size_t b = 1; b < first.size(); ++b)
+      if (!first[b].is_valid()) first[b] = first[b - 1];
+    for_each_block<ConcurrencyTag>(n, default_block, [&](std::size_t b, std::size_t begin, std::size_t end) {
+      Vertex_id last = b > 0 ? first[b - 1] : Vertex_id();
+      for (const Vertex_id v : Id_range<Vertex_id>(begin, end))
+        if (is_repeated(v))
+          representative_[v] = last;
+        else
+          last = v;
+    });
   }
 
   /// Once all are inserted: what stands for a vertex may have been at the place of another.

@@ -13,6 +13,7 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_INPUT_EDGES_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_INPUT_EDGES_H
 
+#include <CGAL/Quadtree_mesh_2/internal/base/sort_short_run.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Kernel_mesh.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Segment_inserter.h>
@@ -20,6 +21,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <utility>
 
 namespace CGAL {
@@ -49,10 +51,7 @@ public:
     }
     for_each_index<Chosen_tag>(number_of_vertices, [this](std::size_t i) {
       const Vertex_id v = static_cast<Vertex_id>(i);
-      if (end(v) - begin(v) > 2)
-        std::sort(begin(v), end(v));
-      else if (end(v) - begin(v) == 2 && begin(v)[1] < begin(v)[0]) // as on all chains
-        std::swap(begin(v)[0], begin(v)[1]);
+      sort_short_run(begin(v), end(v), std::less<>());
     });
     name_edges(edges, number_of_vertices);
   }

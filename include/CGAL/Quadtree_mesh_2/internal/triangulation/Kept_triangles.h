@@ -15,6 +15,7 @@
 #define CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_KEPT_TRIANGLES_H
 
 #include <CGAL/Quadtree_mesh_2/internal/base/Indexed_vector.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/sort_short_run.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Kernel_mesh.h>
 
@@ -111,12 +112,7 @@ private:
   void sort_run(std::size_t v) {
     const std::size_t first = begin_of_run(v), last = end_of_run(v);
     const auto is_before = [this](Triangle_id t, Triangle_id u) { return next_vertex(t) < next_vertex(u); };
-    Triangle_id *const begin = order_.data() + first, *const end = order_.data() + last;
-    if (last == first + 2) { // frequent, and std::sort() is long
-      if (is_before(begin[1], begin[0])) std::swap(begin[0], begin[1]);
-    } else if (last > first + 2) {
-      std::sort(begin, end, is_before);
-    }
+    sort_short_run(order_.data() + first, order_.data() + last, is_before);
     for (std::size_t i = first; i < last; ++i) {
       const Triangle_id t = static_cast<Triangle_id>(i), before = order_[t];
       new_side_[before] = Side(t, Mesh::slot_of_least(mesh_.triangle(before)));
