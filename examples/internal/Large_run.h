@@ -21,7 +21,8 @@ public:
   /// \throws std::system_error naming the scratch folder if it cannot be used
   explicit Large_run(Command_line& line) : folder_(line.scratch_folder) {
     if (folder_.empty()) return;
-    is_new_ = std::filesystem::create_directories(folder_);
+    const bool is_new = std::filesystem::create_directories(folder_);
+    is_ours_ = is_new || line.is_scratch_folder_ours;
     if (line.memory > 0) memory_.emplace(line.scratch_folder, line.memory);
     if (!has_checkpoints(line)) return;
     state_ = folder_ / "state";
@@ -46,7 +47,7 @@ public:
   void clean_up() const {
     std::error_code ignored;
     if (!state_.empty()) std::filesystem::remove(state_, ignored);
-    if (is_new_) std::filesystem::remove(folder_, ignored);
+    if (is_ours_) std::filesystem::remove(folder_, ignored); // if nothing else is in it
   }
 
 private:
@@ -54,7 +55,7 @@ private:
   static constexpr double bytes_per_vertex = 1500;
 
   std::filesystem::path folder_, state_; // empty: none
-  bool is_new_ = false;
+  bool is_ours_ = false;
   std::optional<CGAL::Scratch_memory> memory_;
 
   static bool has_checkpoints(const Command_line& line) {

@@ -52,8 +52,9 @@ struct Command_line {
   std::string region_property;   ///< empty: none
   bool is_repair_wanted = false; ///< of Mode::PSLG
   bool is_quiet = false;
-  std::size_t memory = 0;     ///< bytes; 0: no limit
-  std::string scratch_folder; ///< empty: none is needed
+  std::size_t memory = 0;              ///< bytes; 0: no limit
+  std::string scratch_folder;          ///< empty: none is needed
+  bool is_scratch_folder_ours = false; ///< nobody named it
   bool is_resumed = false;
 };
 
@@ -468,6 +469,7 @@ inline Command_line parse_command_line(int argc, const char* const* argv) try {
   line.memory = memory_size(given, "memory");
   line.is_resumed = given.count("resume") > 0;
   line.scratch_folder = scratch_folder(given, line);
+  line.is_scratch_folder_ours = given.count("scratch") == 0;
   check_files(line);
   return line;
 } catch (const boost::program_options::unknown_option& error) {

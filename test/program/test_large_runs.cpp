@@ -1,0 +1,109 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+
+// The command-line program with little memory, and interrupted: the same files, and clear errors.
+
+#ifdef QUADTREE_MESH_PROGRAM
+#ifdef __linux__
+
+#include "catch.h"
+#include "run_program.h"
+#include "scratch_folder.h"
+
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+
+namespace test_large_runs {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// In quotes for the shell.
+std::string quoted(const std::string& name) { return "'" + name + "'"; }
+
+const std::string norway = quoted(QUADTREE_MESH_TEST_DATA_DIR "/gshhg_norway_f.poly.gz");
+
+void check_same(const Scratch_folder& folder, const std::string& a, const std::string& b) {
+  for (const char* ending : {".node", ".ele", ".poly"})
+    CHECK(content(folder.file(a + ending)) == content(folder.file(b + ending)));
+}
+
+} // namespace
+
+TEST_CASE("The program writes the same files with little memory", "[program][scratch]") {
+  const Scratch_folder folder;
+  REQUIRE(run(norway + " --quiet -o " + quoted(folder.file("all.ele"))).status == 0);
+  const Run little = run(norway + " --memory 100M -o " + quoted(folder.file("little.ele")));
+  CAPTURE(little.err);
+  CHECK(little.status == 0);
+  CHECK(contains(little.out, "scratch folder " + folder.file("little.ele.scratch")));
+  check_same(folder, "all", "little");
+  CHECK(folder.number_of_files() == 6); // the scratch folder is gone
+  CHECK(run(norway + " --quiet --threads 1 --memory 0.1G --scratch " + quoted(folder.file("mine")) + " -o " +
+            quoted(folder.file("one.ele")))
+            .status == 0);
+  check_same(folder, "all", "one");
+}
+
+TEST_CASE("The program goes on where it was killed", "[program][scratch]") {
+  const Scratch_folder folder;
+  REQUIRE(run(norway + " --quiet -o " + quoted(folder.file("all.ele"))).status == 0);
+  const std::string state = folder.file("killed.ele.scratch/state");
+  const std::string work = norway + " --resume -o " + quoted(folder.file("killed.ele"));
+  // Killed a moment after it has left a state, if it is not done by then.
+  const std::string command = "'" QUADTREE_MESH_PROGRAM "' " + work +
+                              " >/dev/null 2>&1 & p=$!; while [ ! -s " + quoted(state) +
+                              " ] && kill -0 $p 2>/dev/null; do sleep 0.01; done; sleep 0.05; "
+                              "kill -9 $p 2>/dev/null; wait $p 2>/dev/null; true";
+  CHECK(std::system(command.c_str()) != -1);
+  const Run resumed = run(work);
+  CAPTURE(resumed.err);
+  CHECK(resumed.status == 0);
+  check_same(folder, "all", "killed");
+  CHECK_FALSE(fs::exists(state));
+}
+
+TEST_CASE("The program refuses a state of another input, and begins anew if it is not to go on",
+          "[program][scratch]") {
+  const Scratch_folder folder;
+  const std::string scratch = folder.file("scratch"), output = " -o " + quoted(folder.file("mesh.ele"));
+  fs::create_directory(scratch);
+  folder.write("scratch/state", "no state at all");
+  const Run refused = run(norway + " --resume --scratch " + quoted(scratch) + output);
+  CHECK(refused.status == 2);
+  CHECK(contains(refused.err, folder.file("scratch/state")));
+  CHECK(content(folder.file("scratch/state")) == "no state at all");
+  CHECK_FALSE(fs::exists(folder.file("mesh.ele")));
+  CHECK(run(norway + " --quiet --memory 1G --scratch " + quoted(scratch) + output).status == 0);
+  CHECK(fs::exists(scratch)); // the user's
+  CHECK(fs::is_empty(scratch));
+}
+
+TEST_CASE("Options of large runs are refused where they make no sense", "[program]") {
+  const Scratch_folder folder;
+  const std::string output = " -o " + quoted(folder.file("mesh.ele"));
+  for (const std::string bad : {"many", "0", "-1G", "10", "63M", "1X", "1GG", "G", "nan", "inf", "1e40"}) {
+    const Run r = run(norway + " --memory " + quoted(bad) + output);
+    CAPTURE(bad, r.err);
+    CHECK(r.status == 2);
+    CHECK(contains(r.err, "--memory has to be a number of bytes"));
+  }
+  const auto error = [&](const std::string& arguments) { return run(norway + arguments).err; };
+  CHECK(contains(error(" --scratch x" + output), "--scratch has a meaning with --memory or --resume only"));
+  CHECK(contains(error(" --memory 1G"), "--memory needs a scratch folder"));
+  CHECK(contains(error(" --resume"), "--resume needs a scratch folder"));
+  CHECK(contains(error(" --resume --kernel exact" + output), "--resume has a meaning with"));
+  CHECK(contains(error(" --resume --mode points" + output), "--resume has a meaning with"));
+  CHECK(contains(error(" --memory 1G --scratch /proc/nowhere" + output), "/proc/nowhere"));
+  CHECK(folder.number_of_files() == 0);
+}
+
+} // namespace test_large_runs
+
+#endif // __linux__
+#endif // QUADTREE_MESH_PROGRAM
