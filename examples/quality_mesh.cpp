@@ -23,6 +23,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <csignal>
 #include <cstddef>
 #include <exception>
 #include <iostream>
@@ -117,7 +118,7 @@ Exit_status execute(const Command_line& line, const Large_run& large) {
   run.threads = line.threads;
   const Thread_limit limit(line.threads);
   timed(run.read_seconds, [&] { read(run, line); });
-  if (!line.is_quiet) large.announce(run.pslg.number_of_vertices());
+  large.begin(run.pslg.number_of_vertices(), line.is_quiet);
   timed(run.ours.seconds, [&] { mesh(run, line); });
   check(run, line);
   check_valid(run.quality);
@@ -141,9 +142,7 @@ Exit_status execute(const Command_line& line, const Large_run& large) {
 Exit_status execute_in_scratch(Command_line line) {
   const Large_run large(line);
   if (line.mode == Command_line::Mode::PSLG) return execute(line, large);
-  const Exit_status status = execute_point_set(line);
-  large.clean_up();
-  return status;
+  return execute_point_set(line);
 }
 
 Exit_status run(const Command_line& line) {
@@ -168,6 +167,7 @@ int fail(const std::string& message) {
 } // namespace
 
 int main(int argc, char** argv) try {
+  std::signal(SIGXFSZ, SIG_IGN); // a file that may not get longer is an error like a full disk
   return static_cast<int>(run(parse_command_line(argc, argv)));
 } catch (const Usage_error& error) {
   return fail(std::string(error.what()) + " (see quality_mesh --help)");

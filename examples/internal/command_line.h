@@ -10,6 +10,7 @@
 #include "mesh_graph.h"
 
 #include <CGAL/Point_set_mesh_options_2.h>
+#include <CGAL/Quadtree_mesh_2/internal/Mesh_checkpoints.h>
 #include <CGAL/Quality_mesh_options_2.h>
 #include <CGAL/version.h>
 
@@ -246,6 +247,12 @@ inline void check_files(const Command_line& line) {
           {(file == output ? "" : "'" + file.string() + "' of ") + ("output '" + output + "'"), file});
   if (!line.report_file.empty())
     outputs.push_back({"the file of --report, '" + line.report_file + "',", line.report_file});
+  if (std::filesystem::is_directory(line.scratch_folder)) { // else there is nothing in it
+    const CGAL::Quadtree_mesh_2::internal::Mesh_checkpoints checkpoints(line.scratch_folder, 0);
+    for (const char* ending : {"", ".part"})
+      outputs.push_back({"the state in the scratch folder, '" + checkpoints.file_name() + ending + "',",
+                         checkpoints.file_name() + ending});
+  }
   add_node_file(line.input, outputs, inputs);
   ::check_files(inputs, outputs);
 }
@@ -378,9 +385,14 @@ inline std::string scratch_folder(const po::variables_map& given, const Command_
     if (!folder.empty()) throw Usage_error("--scratch has a meaning with --memory or --resume only");
     return folder;
   }
+  const bool is_on_demand = line.options.separate() == CGAL::Quality_mesh_options_2::Separation::ON_DEMAND;
   if (line.is_resumed &&
-      (line.mode != Command_line::Mode::PSLG || line.kernel == Command_line::Kernel::EXACT))
-    throw Usage_error("--resume has a meaning with --mode pslg and --kernel filtered or fixed only");
+      (line.mode != Command_line::Mode::PSLG || line.kernel == Command_line::Kernel::EXACT || !is_on_demand))
+    throw Usage_error(
+        "--resume has a meaning with --mode pslg, --kernel filtered or fixed, and --separation on-demand "
+        "only");
+  if (std::find(line.outputs.begin(), line.outputs.end(), folder) != line.outputs.end())
+    throw Usage_error("--scratch names a folder, not the output '" + folder + "'");
   if (!folder.empty()) return folder;
   if (line.outputs.empty())
     throw Usage_error("--" + std::string(line.memory > 0 ? "memory" : "resume") +

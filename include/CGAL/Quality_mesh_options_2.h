@@ -11,6 +11,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <utility>
@@ -148,11 +149,18 @@ public:
   /// bits. The folder is made if need be. The state, one file of some 50 bytes for each triangle, stays until the
   /// user removes it. The time of what is interrupted is lost back to the last round of blocks, or to the first
   /// triangulation. Small meshes, of less than 50 000 triangles before they are refined, and those by quadtrees begin
-  /// anew. `size()` and `refine_where()` have to be the same functions.
+  /// anew.
   /// The mesher throws `std::system_error` if the file cannot be written, `std::runtime_error` if it cannot be
   /// read or belongs to another mesh, and `std::invalid_argument` over exact numbers.
-  Quality_mesh_options_2& checkpoints(std::string folder) { return checkpoints_ = std::move(folder), *this; }
-  const std::string& checkpoints() const { return checkpoints_; } ///< the value set
+  /// \param number_of_functions to be another one for other functions `size()` and `refine_where()`: they are not
+  ///        compared, but this is.
+  Quality_mesh_options_2& checkpoints(std::string folder, std::uint64_t number_of_functions = 0) {
+    checkpoints_ = std::move(folder), number_of_functions_ = number_of_functions;
+    return *this;
+  }
+  const std::string& checkpoints() const { return checkpoints_; } ///< the folder set
+  /// The number set with it.
+  std::uint64_t number_of_functions() const { return number_of_functions_; }
 
   /// Called now and then with the share of work done, in [0, 1]. Returning false stops with the mesh so far.
   /// With `Parallel_tag` any thread may call it, one at a time. An empty function, the default, is not
@@ -177,6 +185,7 @@ private:
   std::size_t max_vertices_ = 0;
   Callback progress_;
   std::string checkpoints_;
+  std::uint64_t number_of_functions_ = 0;
   Tree_separation_options_2 trees_;
 };
 

@@ -26,7 +26,8 @@ namespace CGAL {
 /// Long `std::vector`s, which are those of `Pslg_2`, of `Indexed_mesh_2` and of the program, are in the file only if
 /// one source file of the program includes `CGAL/Quadtree_mesh_2/new_in_scratch_memory.h`.
 ///
-/// Linux only. There can be one at a time.
+/// Linux only. There can be one at a time. After `fork()` a child process shares the arrays with its parent: until
+/// `exec()` or its end it must not write, make or free any.
 class Scratch_memory {
 public:
   /// From this size on arrays are long: 64 kilobytes.
@@ -35,18 +36,24 @@ public:
   /// \param folder on a disk with room for all: some 250 bytes for each triangle of a mesh
   /// \param most_bytes in memory, of all that this process has. What is not in long arrays, blocks that are being
   ///        worked on above all, takes some 50 megabytes and 20 for each thread, which cannot be less.
-  /// \param least_bytes of arrays in the file
+  /// \param least_bytes of arrays in the file, a page at least
   /// \throws std::system_error if the folder can have no such file
   /// \throws std::logic_error if there is another one
   Scratch_memory(const std::string& folder, std::size_t most_bytes,
                  std::size_t least_bytes = least_bytes_of_array)
-      : limit_(Quadtree_mesh_2::internal::Scratch_arrays::start(folder, least_bytes), most_bytes) {}
+      : file_{Arrays::start(folder, least_bytes)}, limit_(file_.file, most_bytes) {}
   Scratch_memory(const Scratch_memory&) = delete;
   Scratch_memory& operator=(const Scratch_memory&) = delete;
-  ~Scratch_memory() { limit_.end(), Quadtree_mesh_2::internal::Scratch_arrays::stop(); }
 
 private:
-  Quadtree_mesh_2::internal::Resident_limit limit_;
+  using Arrays = Quadtree_mesh_2::internal::Scratch_arrays;
+  struct Current_file {
+    Quadtree_mesh_2::internal::Scratch_file& file;
+    ~Current_file() { Arrays::stop(); }
+  };
+
+  Current_file file_;
+  Quadtree_mesh_2::internal::Resident_limit limit_; // ends before the file
 };
 
 } // namespace CGAL

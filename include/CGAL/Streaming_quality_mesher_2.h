@@ -14,6 +14,8 @@
 #include <CGAL/Indexed_mesh_2.h>
 #include <CGAL/Pslg_2.h>
 #include <CGAL/Quadtree_mesh_2/Quality_mesher_2.h>
+#include <CGAL/Quadtree_mesh_2/internal/Mesh_checkpoints.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/Folder_lock.h>
 #include <CGAL/Quality_mesh_options_2.h>
 #include <CGAL/Quality_mesh_report_2.h>
 #include <CGAL/Scratch_memory.h>
@@ -65,12 +67,13 @@ public:
   /// \throws Pslg_error_2 for input that cannot be meshed
   /// \throws Quadtree_mesh_2::Scratch_full if the disk of the scratch folder has no more room. What was done is kept.
   /// \throws std::system_error, std::runtime_error naming a file that cannot be read or written
-  /// \throws std::invalid_argument for an output with another ending
+  /// \throws std::invalid_argument for an output with another ending, in no folder, or in place of the input
   const Quality_mesh_report_2& operator()(const std::string& input, const std::string& output) {
-    const std::string ending = std::filesystem::path(output).extension().string();
-    if (ending != ".ele" && ending != ".vtu" && ending != ".msh")
-      throw std::invalid_argument(output + ": the ending has to be .ele, .vtu or .msh");
-    std::filesystem::create_directories(streaming_.scratch_folder);
+    namespace fs = std::filesystem;
+    const std::string ending = fs::path(output).extension().string();
+    check_names(input, output, ending);
+    fs::create_directories(streaming_.scratch_folder);
+    const Quadtree_mesh_2::internal::Folder_lock lock(streaming_.scratch_folder);
     const Scratch_memory memory(streaming_.scratch_folder, streaming_.memory);
     Pslg_2<Point_2> pslg;
     IO::read_triangle_poly(input, pslg);
@@ -81,8 +84,8 @@ public:
       IO::write_VTU(output, mesh, pslg);
     else
       IO::write_MSH(output, mesh, pslg);
-    std::error_code ignored;
-    std::filesystem::remove(std::filesystem::path(streaming_.scratch_folder) / "state", ignored);
+    if (mesher_.options().separate() == Quality_mesh_options_2::Separation::ON_DEMAND)
+      Quadtree_mesh_2::internal::Mesh_checkpoints(streaming_.scratch_folder, 0).remove();
     return mesher_.report();
   }
 
@@ -92,6 +95,20 @@ public:
 private:
   Streaming_options_2 streaming_;
   Quality_mesher_2<Traits, ConcurrencyTag> mesher_;
+
+  /// Before any work: that the output can be written, and is not the input.
+  static void check_names(const std::string& input, const std::string& output, const std::string& ending) {
+    namespace fs = std::filesystem;
+    if (ending != ".ele" && ending != ".vtu" && ending != ".msh")
+      throw std::invalid_argument(output + ": the ending has to be .ele, .vtu or .msh");
+    const fs::path folder = fs::absolute(output).parent_path();
+    if (!fs::is_directory(folder))
+      throw std::invalid_argument(output + ": there is no folder " + folder.string());
+    std::error_code ignored;
+    for (const char* other : {".node", ".ele", ".poly"})
+      if (ending == ".ele" && fs::equivalent(input, fs::path(output).replace_extension(other), ignored))
+        throw std::invalid_argument(output + ": would overwrite the input " + input);
+  }
 };
 
 } // namespace CGAL

@@ -18,12 +18,14 @@
 #include <CGAL/Scratch_memory.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <map>
 #include <new>
 #include <random>
 #include <stdexcept>
+#include <string>
 #include <system_error>
 #include <thread>
 #include <vector>
@@ -152,6 +154,25 @@ TEST_CASE("Threads may make and drop arrays of a scratch file at once", "[scratc
     });
   for (std::thread& thread : threads) thread.join();
   CHECK(wrong == std::vector<int>(4, 0));
+}
+
+TEST_CASE("Scratch memories may come and go while threads make arrays", "[scratch][threads]") {
+  const Scratch_folder folder;
+  std::atomic<bool> is_over{false};
+  std::atomic<int> wrong{0};
+  std::vector<std::thread> threads;
+  for (const unsigned char mark : {'a', 'b', 'c'})
+    threads.emplace_back([&, mark] {
+      constexpr std::size_t size = 2 << 20;
+      while (!is_over) {
+        const std::vector<unsigned char, Uninitialized_allocator<unsigned char>> array(size, mark);
+        wrong += std::size_t(std::count(array.begin(), array.end(), mark)) != size ? 1 : 0;
+      }
+    });
+  for (int i = 0; i < 300; ++i) const Scratch_memory memory(folder.file(""), any_memory);
+  is_over = true;
+  for (std::thread& thread : threads) thread.join();
+  CHECK(wrong == 0);
 }
 
 TEST_CASE("A scratch file that cannot be, or has no room, is an error that names the folder", "[scratch]") {

@@ -53,7 +53,9 @@ Mesh mesh_until(int questions, const Pslg& pslg, Options options, const std::str
   return Mesher_of<Tag>(options)(pslg);
 }
 
-bool has_state(const Scratch_folder& folder) { return std::filesystem::exists(folder.file("state")); }
+bool has_state(const Scratch_folder& folder) {
+  return std::filesystem::exists(folder.file("quadtree_mesh_2.state"));
+}
 
 /// Interrupts the work again and again, later each time, until it comes to its end. \returns how often it went on
 template <class Tag>
@@ -113,12 +115,12 @@ TEST_CASE("A state belongs to its input and options", "[mesher][checkpoint]") {
   const Scratch_folder folder;
   CHECK_THROWS_AS(mesh_until<Tiny_blocks_tag>(500, pslg, Options(), folder.file("")), Interruption);
   REQUIRE(has_state(folder));
-  const std::string before = content(folder.file("state"));
+  const std::string before = content(folder.file("quadtree_mesh_2.state"));
   const Options options = Options().checkpoints(folder.file(""));
   CHECK(error_of_run(other, options).find("another input") != std::string::npos);
   CHECK(error_of_run(pslg, Options(options).min_angle(25)).find("another input") != std::string::npos);
-  CHECK(content(folder.file("state")) == before);
-  folder.write("state", before.substr(0, before.size() / 2));
+  CHECK(content(folder.file("quadtree_mesh_2.state")) == before);
+  folder.write("quadtree_mesh_2.state", before.substr(0, before.size() / 2));
   CHECK(error_of_run(pslg, options).find("damaged") != std::string::npos);
 }
 
@@ -170,12 +172,14 @@ TEST_CASE("A mesh is streamed from file to file as it is made in memory", "[mesh
       Options().progress([&questions](double) { return ++questions < 60 ? true : throw Interruption(); }),
       {scratch, std::size_t(1) << 28});
   CHECK_THROWS_AS(interrupted(input, folder.file("again.ele")), Interruption);
-  CHECK(std::filesystem::exists(scratch + "/state"));
+  CHECK(std::filesystem::exists(scratch + "/quadtree_mesh_2.state"));
   CHECK(mesher(input, folder.file("again.ele")).is_met());
   CHECK(content(folder.file("again.ele")) == content(folder.file("memory.ele")));
   CHECK(std::filesystem::is_empty(scratch));
 
   CHECK_THROWS_AS(mesher(input, folder.file("mesh.png")), std::invalid_argument);
+  CHECK_THROWS_AS(mesher(input, folder.file("no/folder/mesh.ele")), std::invalid_argument);
+  CHECK_THROWS_AS(mesher(folder.file("again.poly"), folder.file("again.ele")), std::invalid_argument);
   CHECK_THROWS_AS(CGAL::Streaming_quality_mesher_2<>(Options(), {}), std::invalid_argument);
 }
 

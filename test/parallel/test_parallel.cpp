@@ -253,6 +253,23 @@ TEMPLATE_TEST_CASE("Reductions and scans agree with the standard's", "[parallel]
   }
 }
 
+TEST_CASE("An exception in one task leaves loops within others whole", "[parallel][threads]") {
+  for (int repeat = 0; repeat < 50; ++repeat) {
+    std::atomic<std::size_t> cut_short{0};
+    const auto run = [&] {
+      internal::Executor<CGAL::Parallel_tag>::run(16, [&](std::size_t task) {
+        if (task == 5) throw std::runtime_error("task 5");
+        std::atomic<std::size_t> done{0};
+        internal::for_each_index<CGAL::Parallel_tag>(
+            2000, [&](std::size_t) { ++done; }, 10);
+        if (done != 2000) ++cut_short;
+      });
+    };
+    CHECK_THROWS_AS(run(), std::runtime_error);
+    CHECK(cut_short == 0);
+  }
+}
+
 TEMPLATE_TEST_CASE("Exceptions of tasks arrive", "[parallel][threads]", CGAL::Sequential_tag,
                    CGAL::Parallel_tag) {
   const std::size_t n = 10 * internal::default_block;

@@ -10,8 +10,12 @@
 #ifdef __linux__
 
 #include "catch.h"
+#include "pslg_inputs.h"
 #include "run_program.h"
 #include "scratch_folder.h"
+
+#include <CGAL/IO/Triangle_files.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/Folder_lock.h>
 
 #include <cstdlib>
 #include <filesystem>
@@ -22,6 +26,7 @@ namespace test_large_runs {
 namespace {
 
 namespace fs = std::filesystem;
+using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_2;
 
 /// In quotes for the shell.
 std::string quoted(const std::string& name) { return "'" + name + "'"; }
@@ -53,7 +58,7 @@ TEST_CASE("The program writes the same files with little memory", "[program][scr
 TEST_CASE("The program goes on where it was killed", "[program][scratch]") {
   const Scratch_folder folder;
   REQUIRE(run(norway + " --quiet -o " + quoted(folder.file("all.ele"))).status == 0);
-  const std::string state = folder.file("killed.ele.scratch/state");
+  const std::string state = folder.file("killed.ele.scratch/quadtree_mesh_2.state");
   const std::string work = norway + " --resume -o " + quoted(folder.file("killed.ele"));
   // Killed a moment after it has left a state, if it is not done by then.
   const std::string command = "'" QUADTREE_MESH_PROGRAM "' " + work +
@@ -73,15 +78,73 @@ TEST_CASE("The program refuses a state of another input, and begins anew if it i
   const Scratch_folder folder;
   const std::string scratch = folder.file("scratch"), output = " -o " + quoted(folder.file("mesh.ele"));
   fs::create_directory(scratch);
-  folder.write("scratch/state", "no state at all");
+  folder.write("scratch/quadtree_mesh_2.state", "no state at all");
   const Run refused = run(norway + " --resume --scratch " + quoted(scratch) + output);
   CHECK(refused.status == 2);
-  CHECK(contains(refused.err, folder.file("scratch/state")));
-  CHECK(content(folder.file("scratch/state")) == "no state at all");
+  CHECK(contains(refused.err, folder.file("scratch/quadtree_mesh_2.state")));
+  CHECK(content(folder.file("scratch/quadtree_mesh_2.state")) == "no state at all");
   CHECK_FALSE(fs::exists(folder.file("mesh.ele")));
+  const Run foreign = run(norway + " --memory 1G --scratch " + quoted(scratch) + output);
+  CHECK(foreign.status == 2); // what is no state stays
+  CHECK(contains(foreign.err, folder.file("scratch/quadtree_mesh_2.state")));
+  CHECK(content(folder.file("scratch/quadtree_mesh_2.state")) == "no state at all");
+  fs::remove(folder.file("scratch/quadtree_mesh_2.state"));
   CHECK(run(norway + " --quiet --memory 1G --scratch " + quoted(scratch) + output).status == 0);
   CHECK(fs::exists(scratch)); // the user's
   CHECK(fs::is_empty(scratch));
+}
+
+TEST_CASE("A state is of one input, whatever its scale, and of one file of sizes", "[program][scratch]") {
+  const Scratch_folder folder;
+  const auto coast = [&](const std::string& name, double scale) {
+    CGAL::Pslg_2<Point> pslg = pslg_inputs::by_name("coast:6e4").pslg;
+    for (Point& p : pslg.vertices) p = Point(scale * p.x(), scale * p.y());
+    CGAL::IO::write_triangle_poly(folder.file(name), pslg);
+    return quoted(folder.file(name));
+  };
+  const std::string once = coast("once.poly", 1), twice = coast("twice.poly", 2);
+  const std::string fine = " --size-points " + quoted(folder.write("fine.xy", "0.5 0.5 0.01\n")),
+                    rough = " --size-points " + quoted(folder.write("rough.xy", "0.5 0.5 0.02\n"));
+  const std::string scratch = folder.file("scratch"), state = scratch + "/quadtree_mesh_2.state";
+  const std::string options = " --max-edge 0.05 --resume --quiet --scratch " + quoted(scratch) + " -o " +
+                              quoted(folder.file("mesh.vtu"));
+  fs::create_symlink("/dev/full", folder.file("mesh.vtu")); // nothing can be written, so states stay
+  CHECK(run(once + options + fine).status == 2);
+  REQUIRE(fs::exists(state));
+  const std::string before = content(state);
+  for (const std::string& other : {twice + options + fine, once + options + rough, once + options}) {
+    const Run refused = run(other);
+    CAPTURE(other, refused.err);
+    CHECK(refused.status == 2);
+    CHECK(contains(refused.err, "another input"));
+  }
+  CHECK(content(state) == before);
+}
+
+TEST_CASE("Two runs do not share a scratch folder", "[program][scratch]") {
+  const Scratch_folder folder;
+  const std::string scratch = folder.file("scratch");
+  fs::create_directory(scratch);
+  const CGAL::Quadtree_mesh_2::internal::Folder_lock lock(scratch);
+  const Run refused =
+      run(norway + " --memory 1G --scratch " + quoted(scratch) + " -o " + quoted(folder.file("mesh.ele")));
+  CHECK(refused.status == 2);
+  CHECK(contains(refused.err, "another program is at work"));
+}
+
+TEST_CASE("Refused runs leave no folder, and files of the user stay", "[program][scratch]") {
+  const Scratch_folder folder;
+  const std::string output = " -o " + quoted(folder.file("mesh.ele"));
+  CHECK(run(quoted(folder.file("none.poly")) + " --memory 1G" + output).status == 2);
+  CHECK(folder.number_of_files() == 0);
+  const std::string file = quoted(folder.write("file", "mine")), mesh = quoted(folder.file("mesh.ele"));
+  CHECK(contains(run(norway + " --memory 1G --scratch " + file + output).err, "--scratch"));
+  CHECK(contains(run(norway + " --memory 1G --scratch " + mesh + output).err, "names a folder"));
+  const std::string state = quoted(folder.file("quadtree_mesh_2.state")), here = quoted(folder.file(""));
+  fs::copy_file(QUADTREE_MESH_TEST_DATA_DIR "/gshhg_norway_f.poly.gz", folder.file("quadtree_mesh_2.state"));
+  CHECK(run(state + " --memory 1G --scratch " + here + output).status == 2);
+  CHECK(run(norway + " --memory 1G --scratch " + here + output + " --report " + state).status == 2);
+  CHECK(folder.number_of_files() == 2);
 }
 
 TEST_CASE("Options of large runs are refused where they make no sense", "[program]") {

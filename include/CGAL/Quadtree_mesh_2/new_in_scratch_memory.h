@@ -18,8 +18,8 @@
 #include <cstdlib>
 #include <new>
 
-// All forms but aligned ones, which vectors of the usual types do not use: sanitizers have their own of what is missing.
-// Inlined they would make g++ warn of what it takes for memory on the stack.
+// All forms but aligned ones, which vectors of the usual types do not use: sanitizers have their own of what is
+// missing. Inlined they would make g++ warn of what it takes for memory on the stack.
 
 BOOST_NOINLINE void* operator new(std::size_t bytes, const std::nothrow_t&) noexcept {
   using CGAL::Quadtree_mesh_2::internal::Scratch_arrays;

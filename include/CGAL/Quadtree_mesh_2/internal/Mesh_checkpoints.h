@@ -17,8 +17,10 @@
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
+#include <fstream>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <utility>
 
 namespace CGAL {
@@ -41,6 +43,23 @@ public:
   bool are_wanted() const { return !folder_.empty(); }
   /// Whether there is a state to go on from.
   bool has_state() const { return are_wanted() && std::filesystem::exists(file_name()); }
+  std::string file_name() const {
+    return (std::filesystem::path(folder_) / "quadtree_mesh_2.state").string();
+  }
+
+  /// Removes the state, and what is left of one that was not completed.
+  /// \throws std::runtime_error naming a file in its place that is none
+  void remove() const {
+    if (!has_state()) return;
+    Head head{0};
+    std::ifstream in(file_name(), std::ios::binary);
+    in.read(reinterpret_cast<char*>(&head), sizeof head);
+    if (!in || head.magic != Head(0).magic)
+      throw std::runtime_error(file_name() + ": this is not the state of a mesh of this version, and stays");
+    std::error_code ignored;
+    std::filesystem::remove(file_name(), ignored);
+    std::filesystem::remove(file_name() + ".part", ignored);
+  }
 
   /// Says what the state is of. To be called before it is saved or loaded.
   void set_origin(const Digest& input_and_options) { origin_ = input_and_options.value(); }
@@ -88,8 +107,6 @@ private:
   int time_between_;
   std::uint64_t origin_ = 0;
   Clock::time_point next_{};
-
-  std::string file_name() const { return (std::filesystem::path(folder_) / "state").string(); }
 };
 
 } // namespace internal

@@ -323,8 +323,11 @@ private:
       Bulk_filler<ConcurrencyTag, Geometry>(state_, splitter).run(limit.vertices);
     }
     Block_refinement<ConcurrencyTag, Geometry> blocks(state_, finishing_, limit.vertices, rounds_);
-    if (blocks.run([this] { return progress_.shall_go_on(Progress_shares::blocks); },
-                   [this] { save_checkpoint(); }))
+    const auto shall_go_on = [this, &blocks] {
+      return progress_.shall_go_on(Progress_shares::first_mesh +
+                                   Progress_shares::rounds_of_blocks * blocks.share_done());
+    };
+    if (blocks.run(shall_go_on, [this] { save_checkpoint(); }))
       finishing_.smoothing_rounds = 0; // done, and removal is left only at seams
     else
       refiner.push_all();

@@ -126,7 +126,7 @@ public:
     if (file_) std::remove(part_.c_str());
   }
 
-  /// Puts the file in place. It is on the disk then.
+  /// Puts the file in place, when its bytes are on the disk.
   void commit() {
     const std::uint64_t digest = digest_.value();
     write(&digest, sizeof digest);
@@ -192,7 +192,8 @@ public:
   }
   template <class Vector>
   void make_room(Vector& values, std::size_t size) {
-    if (size > left_) fail(); // no value takes less than a byte
+    using Value = typename Vector::value_type;
+    if (size > left_ / (std::is_trivially_copyable_v<Value> ? sizeof(Value) : 1)) fail();
     values.resize(size);
   }
 

@@ -20,6 +20,8 @@ namespace internal {
 /// About which share of the work is done where a pipeline asks whether to go on.
 struct Progress_shares {
   // graphs: refinement goes on from the blocks' share
+  // those refined in blocks have a first triangulation that takes longer
+  static constexpr double first_mesh = 0.35, rounds_of_blocks = 0.55;
   static constexpr double blocks = 0.2, refinement = 0.6, quadtrees = 0.3, removal = 0.85, thinning = 0.9;
   // sets of points: coarsening goes on from the share of placing
   static constexpr double placing = 0.2, coarsening = 0.75;

@@ -28,9 +28,6 @@
 #ifdef __GLIBC__
 #include <malloc.h>
 #endif
-#ifdef __GLIBC__
-#include <malloc.h>
-#endif
 
 namespace CGAL {
 namespace Quadtree_mesh_2 {
@@ -76,11 +73,7 @@ public:
   }
   Resident_limit(const Resident_limit&) = delete;
   Resident_limit& operator=(const Resident_limit&) = delete;
-  ~Resident_limit() { end(); }
-
-  /// From now on there is no limit, and the file may be gone.
-  void end() {
-    if (!thread_.joinable()) return;
+  ~Resident_limit() {
     {
       const std::lock_guard<std::mutex> lock(mutex_);
       is_over_ = true;

@@ -29,8 +29,8 @@ namespace Quadtree_mesh_2 {
 class Scratch_full : public std::bad_alloc {
 public:
   explicit Scratch_full(const std::string& folder)
-      : text_(
-            std::make_shared<const std::string>("the disk of the scratch folder '" + folder + "' is full")) {}
+      : text_(std::make_shared<const std::string>("the disk of the scratch folder '" + folder +
+                                                  "' has no more room")) {}
   const char* what() const noexcept override { return text_->c_str(); }
 
 private:
@@ -53,7 +53,8 @@ public:
     s.files.push_back(file);
     s.current = file;
     widen(*file);
-    least_bytes_ = least_bytes;
+    constexpr std::size_t page = 4096; // shorter ones would cost more than they take
+    least_bytes_ = std::max(least_bytes, page);
     return *file;
   }
 
@@ -79,10 +80,12 @@ public:
   /// \throws Scratch_full if there is no room on the disk
   static void* allocate(std::size_t bytes) {
     if (bytes < least_bytes_) return nullptr;
-    const std::shared_ptr<Scratch_file> file = current();
+    const std::shared_ptr<Scratch_file> file = current_in_use();
     if (!file) return nullptr;
-    if (void* const memory = file->allocate(bytes)) return memory;
-    throw Scratch_full(file->folder());
+    void* const memory = file->allocate(bytes);
+    file->end_use();
+    if (!memory) throw Scratch_full(file->folder());
+    return memory;
   }
 
   static bool has(const void* memory) { return may_have(memory) && find(memory); }
@@ -128,6 +131,14 @@ private:
   static std::shared_ptr<Scratch_file> current() {
     State& s = state();
     const std::lock_guard<std::recursive_mutex> lock(s.mutex);
+    return s.current;
+  }
+
+  /// So that it does not go before an array is made in it.
+  static std::shared_ptr<Scratch_file> current_in_use() {
+    State& s = state();
+    const std::lock_guard<std::recursive_mutex> lock(s.mutex);
+    if (s.current) s.current->begin_use();
     return s.current;
   }
 

@@ -7,8 +7,8 @@
 // Memory for long arrays in a file without a name, mapped as a whole.
 //
 // An array gets the smallest place that is free, as malloc() would have it. Disk blocks are there before an array is,
-// so a full disk is an exception and never a signal later. A long array that goes leaves a hole in the file. The file is
-// gone with its last user, however the process ends. O(log k) and a call to the system for k arrays.
+// so a full disk is an exception and never a signal later. A long array that goes leaves a hole in the file. The file
+// is gone with its last user, however the process ends. O(log k) and a call to the system for k arrays.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_BASE_SCRATCH_FILE_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_BASE_SCRATCH_FILE_H
@@ -18,9 +18,12 @@
 #include <cerrno>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
+#include <functional>
 #include <iterator>
 #include <map>
 #include <mutex>
+#include <new>
 #include <set>
 #include <string>
 #include <system_error>
@@ -37,6 +40,25 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
+/// What keeps the places of a scratch file: `operator new` may be one that asks the file itself.
+template <class T>
+struct Malloc_allocator {
+  using value_type = T;
+
+  Malloc_allocator() = default;
+  template <class U>
+  Malloc_allocator(const Malloc_allocator<U>&) noexcept {}
+
+  T* allocate(std::size_t n) {
+    if (void* const memory = std::malloc(n * sizeof(T))) return static_cast<T*>(memory);
+    throw std::bad_alloc();
+  }
+  void deallocate(T* memory, std::size_t) { std::free(memory); }
+
+  friend bool operator==(Malloc_allocator, Malloc_allocator) { return true; }
+  friend bool operator!=(Malloc_allocator, Malloc_allocator) { return false; }
+};
+
 class Scratch_file {
 public:
   /// \throws std::system_error naming the folder if it can have no such file
@@ -49,9 +71,10 @@ public:
 
   /// \returns memory aligned as pages are; null if there is no room on the disk
   void* allocate(std::size_t bytes) {
+    if (bytes > address_space_) return nullptr;
     bytes = (bytes + granularity - 1) / granularity * granularity;
     const std::size_t offset = take(bytes);
-    if (offset + bytes <= address_space && make_blocks(offset, bytes)) return begin_ + offset;
+    if (offset + bytes <= address_space_ && make_blocks(offset, bytes)) return begin_ + offset;
     give_back(offset);
     return nullptr;
   }
@@ -65,18 +88,21 @@ public:
   /// All of them, in arrays or not: the first, and the one behind the last.
   std::pair<std::uintptr_t, std::uintptr_t> addresses() const {
     const auto begin = reinterpret_cast<std::uintptr_t>(begin_);
-    return {begin, begin + address_space};
+    return {begin, begin + address_space_};
   }
-  bool has(const void* memory) const { return offset_of(memory) < address_space; }
+  bool has(const void* memory) const { return offset_of(memory) < address_space_; }
+  /// Who is about to allocate says so: the file counts as not empty until then.
+  void begin_use() { ++users_; }
+  void end_use() { --users_; }
   bool is_empty() const {
     const std::lock_guard<std::mutex> lock(mutex_);
-    return taken_.empty();
+    return users_ == 0 && taken_.empty();
   }
 
   /// Lets pages come one by one, and not as long as the system may have them, megabytes each. It takes more time.
   void use_short_pages() {
 #ifdef __linux__
-    madvise(begin_, address_space, MADV_RANDOM);
+    madvise(begin_, address_space_, MADV_RANDOM);
 #endif
   }
 
@@ -84,14 +110,15 @@ public:
   /// on the disk.
   void let_go_of_pages() {
 #ifdef __linux__
-    const std::size_t end = std::min(end_.load(), address_space);
+    const std::size_t end = std::min(end_.load(), address_space_);
     if (end > 0) madvise(begin_, end, MADV_DONTNEED);
 #endif
   }
 
 private:
-  /// Of addresses, which cost nothing: enough for a billion triangles.
-  static constexpr std::size_t address_space = std::size_t(1) << 41;
+  /// Of addresses, which cost nothing: enough for a billion triangles, or else what the system allows.
+  static constexpr std::size_t most_address_space = std::size_t(1) << 41, least_address_space = std::size_t(1)
+                                                                                                << 30;
   static constexpr std::size_t granularity = std::size_t(1) << 14;
   /// What is shorter is soon used again, and its blocks are kept.
   static constexpr std::size_t least_hole = std::size_t(1) << 20;
@@ -99,12 +126,18 @@ private:
   std::string folder_;
   int file_ = -1;
   char* begin_ = nullptr;
+  std::size_t address_space_ = most_address_space;
   mutable std::mutex mutex_;
-  std::map<std::size_t, std::size_t> taken_, free_;       // offset -> bytes; no two free places are neighbors
-  std::set<std::pair<std::size_t, std::size_t>> by_size_; // (bytes, offset) of the free ones
-  std::atomic<std::size_t> end_{0};                       // nothing beyond it is taken or free
+  using Places = std::map<std::size_t, std::size_t, std::less<>,
+                          Malloc_allocator<std::pair<const std::size_t, std::size_t>>>; // offset -> bytes
+  using Place = std::pair<std::size_t, std::size_t>;
 
-  /// Beyond `address_space` for what is not in the file.
+  Places taken_, free_;                                           // no two free places are neighbors
+  std::set<Place, std::less<>, Malloc_allocator<Place>> by_size_; // (bytes, offset) of the free ones
+  std::atomic<int> users_{0};
+  std::atomic<std::size_t> end_{0}; // nothing beyond it is taken or free
+
+  /// Beyond `address_space_` for what is not in the file.
   std::size_t offset_of(const void* memory) const {
     return static_cast<std::size_t>(static_cast<const char*>(memory) - begin_);
   }
@@ -119,7 +152,7 @@ private:
   /// \returns the offset of a place, the smallest that is free
   std::size_t take(std::size_t bytes) {
     const std::lock_guard<std::mutex> lock(mutex_);
-    const auto place = by_size_.lower_bound({bytes, 0});
+    const auto place = by_size_.lower_bound(Place(bytes, 0));
     std::size_t offset = end_;
     if (place == by_size_.end()) {
       end_ = offset + bytes;
@@ -161,8 +194,8 @@ private:
     free_.emplace(offset, bytes);
     by_size_.emplace(bytes, offset);
   }
-  void forget_free(std::map<std::size_t, std::size_t>::iterator place) {
-    by_size_.erase({place->second, place->first});
+  void forget_free(Places::iterator place) {
+    by_size_.erase(Place(place->second, place->first));
     free_.erase(place);
   }
 
@@ -174,12 +207,14 @@ private:
   void open() {
     file_ = ::open(folder_.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC, S_IRUSR | S_IWUSR);
     if (file_ < 0) open_by_name();
-    void* const memory =
-        mmap(nullptr, address_space, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_NORESERVE, file_, 0);
+    void* memory = MAP_FAILED;
+    for (; memory == MAP_FAILED && address_space_ >= least_address_space; address_space_ /= 2)
+      memory = mmap(nullptr, address_space_, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_NORESERVE, file_, 0);
     if (memory == MAP_FAILED) {
       ::close(file_);
       fail("no addresses for the file in the scratch folder");
     }
+    address_space_ *= 2;
     begin_ = static_cast<char*>(memory);
   }
 
@@ -192,7 +227,7 @@ private:
   }
 
   void close() {
-    munmap(begin_, address_space);
+    munmap(begin_, address_space_);
     ::close(file_);
   }
 

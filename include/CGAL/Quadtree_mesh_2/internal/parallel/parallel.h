@@ -146,7 +146,9 @@ private:
 #ifdef CGAL_QUADTREE_MESH_2_WATCH_THREADS
     Thread_executor::run(n, run_in_scope);
 #else
-    tbb::parallel_for(std::size_t(0), n, run_in_scope);
+    // In a context of its own: an exception in one task must not end loops within others, whose results are read.
+    tbb::task_group_context context(tbb::task_group_context::isolated);
+    tbb::parallel_for(std::size_t(0), n, run_in_scope, context);
 #endif
   }
 #endif

@@ -34,6 +34,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Triangle_zone.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <utility>
@@ -100,7 +101,18 @@ public:
     return true;
   }
 
+  /// Of the work of all rounds, most of which is in the first. Any thread may ask.
+  double share_done() const {
+    const double share = triangles_of_round_ == 0 ? 0
+                                                  : static_cast<double>(triangles_done_) /
+                                                        static_cast<double>(triangles_of_round_);
+    double begin = 0, end = share_of_first_round;
+    for (int round = 1; round < rounds_.number; ++round) begin = end, end = (1 + end) / 2;
+    return begin + (end - begin) * share;
+  }
+
 private:
+  static constexpr double share_of_first_round = 0.8;
   /// Rounds of one block each. As long as there are several blocks, less may wait after the next round.
   static constexpr int most_fruitless_rounds = 3;
   static constexpr int most_rounds = 40;
@@ -112,6 +124,8 @@ private:
   Place_keys<Geometry> key_{whole_.problem.input_points.values()};
   Place_keys<Geometry> shifted_key_ = key_.shifted();
   Block_assignment assignment_;
+  std::size_t triangles_of_round_ = 0; // before they are refined
+  std::atomic<std::size_t> triangles_done_{0};
   Block_rounds& rounds_;
 
   template <class Continue>
@@ -172,6 +186,7 @@ private:
   template <class Continue>
   void work(Block_cut cut, const Continue& shall_go_on) {
     if (cut.members.empty()) return;
+    triangles_done_ = 0, triangles_of_round_ = cut.members.size();
     Blocks blocks(whole_.mesh, assignment_, std::move(cut));
     const auto owned = corner_places_.by_block(blocks);
     Indexed_vector<Block_id, std::vector<Triangle_id>> left(blocks.size());
@@ -179,7 +194,9 @@ private:
     blocks.for_each(
         [&](Block& block) {
           const Block_id b = block.id();
+          const std::size_t triangles = block.mesh.number_of_triangles();
           left[b] = work(block, owned[b], room / blocks.size(), shall_go_on);
+          triangles_done_ += triangles;
         },
         [&](const Block& block) {
           const Block_id b = block.id();
