@@ -18,6 +18,7 @@
 #include <CGAL/Scratch_memory.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
@@ -161,7 +162,7 @@ TEST_CASE("Scratch memories may come and go while threads make arrays", "[scratc
   std::atomic<bool> is_over{false};
   std::atomic<int> wrong{0};
   std::vector<std::thread> threads;
-  for (const unsigned char mark : {'a', 'b', 'c'})
+  for (const unsigned char mark : std::array<unsigned char, 3>{1, 2, 3})
     threads.emplace_back([&, mark] {
       constexpr std::size_t size = 2 << 20;
       while (!is_over) {

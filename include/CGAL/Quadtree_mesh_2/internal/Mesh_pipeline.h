@@ -299,7 +299,7 @@ private:
     } else {
       checkpoints_.set_origin(digest_of_mesh(pslg_, options_, map_, problem_.input_points.values(), order_));
       if (!checkpoints_.has_state()) return false;
-      checkpoints_.load([this](auto& archive) { transfer(archive); });
+      checkpoints_.load([this](auto& archive) { this->transfer(archive); });
       set_bounds();
       return has_gone_on_ = true;
     }
@@ -310,7 +310,7 @@ private:
     if constexpr (!Geometry::has_unlimited_coordinates) {
       if (progress_.is_cancelled() || state_.is_small_mesh())
         return; // a small mesh needs its start once more
-      checkpoints_.save_if_due([this](auto& archive) { transfer(archive); });
+      checkpoints_.save_if_due([this](auto& archive) { this->transfer(archive); });
     }
   }
 
