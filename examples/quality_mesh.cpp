@@ -172,7 +172,7 @@ int main(int argc, char** argv) try {
 } catch (const Usage_error& error) {
   return fail(std::string(error.what()) + " (see quality_mesh --help)");
 } catch (const CGAL::Quadtree_mesh_2::Scratch_full& error) {
-  return fail(error.what());
+  return fail(std::string(error.what()) + ": make room, or name another folder by --scratch");
 } catch (const std::bad_alloc&) {
   return fail("not enough memory");
 } catch (const std::exception& error) {

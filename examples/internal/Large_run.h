@@ -58,6 +58,8 @@ public:
           folder_.c_str(), bytes_per_vertex * static_cast<double>(vertices) / 1e9);
     if (checkpoints_ && checkpoints_->has_state())
       std::printf("going on from %s\n", checkpoints_->file_name().c_str());
+    else if (is_resumed_)
+      std::printf("no state in %s: beginning at the start\n", folder_.c_str());
     std::fflush(stdout);
   }
 

@@ -52,7 +52,7 @@ struct Streaming_options_2 {
 template <class Traits = Filtered_quadtree_traits_2<>, class ConcurrencyTag = Sequential_tag>
 class Streaming_quality_mesher_2 {
 public:
-  using Point_2 = typename Traits::Point_2;
+  using Point_2 = typename Traits::Point_2; ///< of the graph and the mesh
 
   /// \throws std::invalid_argument if an option is out of its range, or there is no scratch folder
   Streaming_quality_mesher_2(Quality_mesh_options_2 options, Streaming_options_2 streaming,
