@@ -10,12 +10,13 @@
 //           than a size function or the points' annotations ask for. Neighboring leaves differ by at most a
 //           factor of two. Also cross pointers, and the leaf of every point.
 // Bound:    O(n + k) work for n points and k squares, not counting sorting. There are as many rounds as levels, or
-//           O(log n) with spaced levels.
+//           O(log n) with spaced levels, by O(n log n + k) work.
 // Source:   Bern, Eppstein, Teng, Theorems 1 and 2, section 3 (forced squares, cross pointers), Corollary 1
 //           (points to leaves).
-// Deviates: squares that balance forces are found from the deepest level up, as a set of directions for each
-//           required square (forcing.h). This gives the smallest balanced tree; the paper's is up to four
-//           times as large. Points move down with their squares instead of being located afterward.
+// Deviates: squares that balance forces are known as a set of directions for each required square, from the
+//           deepest level up (forcing.h) or in a closed form (closed_forced_directions.h). This gives the smallest
+//           balanced tree, whose O(log n) rounds the paper asks for; its own tree is up to four times as large.
+//           Points move down with their squares instead of being located afterward.
 
 #ifndef CGAL_BALANCED_QUADTREE_H
 #define CGAL_BALANCED_QUADTREE_H
@@ -98,7 +99,8 @@ public:
   /// The quadtree of no points: its root is its only leaf.
   Balanced_quadtree() : Balanced_quadtree(Framework()) {}
 
-  /// Builds the quadtree of `points`. Equal points count once.
+  /// Builds the quadtree of `points`. Equal points count once. Takes O(log n) rounds with
+  /// `Balance_schedule::SPACED_LEVELS`.
   /// \tparam PointRange a random access range with value type `Point_2`; several threads may read it.
   /// \throws Quadtree_mesh_2::Point_error as the framework does.
   /// \throws std::length_error if there are too many points or squares for 32-bit indices.
@@ -118,7 +120,9 @@ public:
                                           .find();
     if (options.schedule() == Quadtree_mesh_2::Balance_schedule::SPACED_LEVELS &&
         options.balance() != Quadtree_mesh_2::Balance::NONE)
-      squares_ = internal::Spaced_levels_grower<Framework, ConcurrencyTag>(framework_, required).grow();
+      squares_ =
+          internal::Spaced_levels_grower<Framework, ConcurrencyTag>(framework_, required, options.balance())
+              .grow();
     else
       squares_ = smallest_squares(required);
   }
@@ -165,7 +169,8 @@ public:
   /// @{
 
   /// Splits leaves and restores balance, with as few further splits as possible. All nodes and leaves are
-  /// numbered anew. Takes O(n + k) time however few leaves are split, so collect them.
+  /// numbered anew. Takes O(n + k) time however few leaves are split, so collect them. Always works level by
+  /// level, whatever the options say.
   /// \tparam LeafRange a range with value type `Leaf_index`; repetitions count once.
   /// \pre no leaf is a square of one grid unit
   template <class LeafRange>

@@ -25,13 +25,15 @@ enum class Balance {
 };
 
 /// \ingroup PkgQuadtreeMesh2Quadtrees
-/// The order in which a quadtree is balanced.
+/// The order in which a quadtree is balanced. Both give the same tree, the smallest balanced one, with the same
+/// numbers.
 enum class Balance_schedule {
-  /// Level by level: the smallest balanced quadtree, in as many parallel rounds as there are levels.
+  /// Level by level, in as many parallel rounds as there are levels and O(n + k) work for n points and k squares.
   LEVEL_BY_LEVEL,
-  /// Theorem 2. Levels about log2 n apart are found by sorting the squares that balance forces there. The
-  /// levels between them are filled at the same time. O(log n) parallel rounds, and a constant factor more
-  /// squares.
+  /// Theorem 2, but with the fewest squares: O(log n) parallel rounds, whatever the depth, and O(n log n + k) work.
+  /// What is split on levels about log2 n apart follows from the points alone. The levels between them are filled
+  /// at the same time. For balanced trees of points and annotations. Unbalanced trees, size functions and
+  /// `Balanced_quadtree::refine()` work level by level.
   SPACED_LEVELS
 };
 

@@ -57,6 +57,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/neighbors/Sector_searcher.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/quadtree/Leaf_segments.h>
+#include <CGAL/Quadtree_mesh_2/internal/quadtree/schedule_of_threads.h>
 #include <CGAL/Quadtree_mesh_2/vertex_edge_neighbor_types.h>
 #include <CGAL/assertions.h>
 
@@ -110,7 +111,10 @@ public:
   /// \throws std::length_error if there are too many points, squares or members of lists for 32-bit indices.
   explicit Quadtree_vertex_edge_neighbors_2(const Pslg& pslg, const Options& options = Options(),
                                             const Traits& traits = Traits())
-      : pslg_(&pslg), tree_(pslg.vertices, Quadtree_options(), traits) {
+      : pslg_(&pslg),
+        tree_(pslg.vertices,
+              Quadtree_options().schedule(Quadtree_mesh_2::internal::schedule_of_threads<ConcurrencyTag>()),
+              traits) {
     lists_ = Lists::template of<ConcurrencyTag>(tree_, pslg.segments);
     for (int i = 0; i < options.max_refinements(); ++i)
       if (!split_long_lists(options.max_segments_per_leaf())) break;

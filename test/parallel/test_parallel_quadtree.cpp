@@ -109,27 +109,32 @@ std::vector<typename Traits::Point_2> mixed_points(std::size_t n) {
 
 } // namespace
 
-TEMPLATE_TEST_CASE("Quadtrees are the same for any number of threads", "[parallel]", Filtered_traits,
-                   Fixed_32_traits, Exact_traits) {
+TEMPLATE_TEST_CASE("Quadtrees are the same for any number of threads and both schedules", "[parallel]",
+                   Filtered_traits, Fixed_32_traits, Exact_traits) {
   const std::size_t n = is_full_run() ? 200000 : 20000;
   const auto points = mixed_points<TestType>(n);
-  for (Balance_schedule schedule : {Balance_schedule::LEVEL_BY_LEVEL, Balance_schedule::SPACED_LEVELS}) {
-    const auto options = Quadtree_options().schedule(schedule);
+  for (Balance balance : {Balance::SIDES_AND_CORNERS, Balance::SIDES}) {
+    const auto options = Quadtree_options().balance(balance);
     const CGAL::Balanced_quadtree<TestType, Sequential_tag> sequential(points, options);
     CHECK(sequential.is_valid());
     const auto expected = digest(sequential);
+    for (Balance_schedule schedule : {Balance_schedule::LEVEL_BY_LEVEL, Balance_schedule::SPACED_LEVELS}) {
+      const auto scheduled = Quadtree_options(options).schedule(schedule);
+      CHECK(digest(CGAL::Balanced_quadtree<TestType, Sequential_tag>(points, scheduled)) == expected);
 #ifdef CGAL_LINKED_WITH_TBB
-    for (std::size_t threads : {1u, 2u, 4u}) {
-      CAPTURE(threads);
-      tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
-      const CGAL::Balanced_quadtree<TestType, Parallel_tag> parallel(points, options);
-      CHECK(digest(parallel) == expected);
-    }
+      for (std::size_t threads : {1u, 2u, 4u}) {
+        CAPTURE(threads);
+        tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+        const CGAL::Balanced_quadtree<TestType, Parallel_tag> parallel(points, scheduled);
+        CHECK(digest(parallel) == expected);
+      }
 #endif
-    const CGAL::Balanced_quadtree<TestType, Parallel_tag> parallel(points, options);
-    CHECK(digest(parallel) == expected);
-    CHECK(parallel.near_neighbors() == sequential.near_neighbors());
-    CHECK(parallel.locate_all(points) == sequential.locate_all(points));
+      const CGAL::Balanced_quadtree<TestType, Parallel_tag> parallel(points, scheduled);
+      CHECK(digest(parallel) == expected);
+      CHECK(parallel.locate_all(points) == sequential.locate_all(points));
+      if (balance == Balance::SIDES_AND_CORNERS)
+        CHECK(parallel.near_neighbors() == sequential.near_neighbors());
+    }
   }
 }
 
@@ -158,6 +163,16 @@ TEST_CASE("A spiral to the last double has squares in proportion to its points",
       for (std::size_t l = 0; l < tree.number_of_leaves(); ++l)
         REQUIRE(tree.points(Leaf_index(l)).size() <= 1);
     }
+  }
+}
+
+TEST_CASE("Spaced levels of deep spirals are the same for any number of threads", "[parallel][threads]") {
+  const auto points = spiral_points<Exact_traits>(3000, 900, 0);
+  for (Balance balance : {Balance::SIDES_AND_CORNERS, Balance::SIDES}) {
+    const auto options = Quadtree_options().balance(balance);
+    const auto expected = digest(CGAL::Balanced_quadtree<Exact_traits>(points, options));
+    const auto spaced = Quadtree_options(options).schedule(Balance_schedule::SPACED_LEVELS);
+    CHECK(digest(CGAL::Balanced_quadtree<Exact_traits, Parallel_tag>(points, spaced)) == expected);
   }
 }
 

@@ -118,19 +118,6 @@ public:
     }
   }
 
-  /// Splits all neighbors of squares with a split child.
-  void split_neighbors() {
-    const std::set<Key> before = split_;
-    for (const Key& k : before) {
-      const std::vector<Key> children = children_of(k);
-      const bool has_split_child =
-          std::any_of(children.begin(), children.end(), [&](const Key& c) { return before.count(c) > 0; });
-      Key n;
-      for (Direction d : all_directions())
-        if (has_split_child && step(k, d, n)) split_.insert(n);
-    }
-  }
-
   bool is_split(const Key& k) const { return split_.count(k) > 0; }
   std::size_t number_of_leaves() const { return 3 * split_.size() + 1; }
 
@@ -292,6 +279,30 @@ void check_quadtree(const Tree& tree, const Naive_tree& expected, const Points& 
   check_location(tree, points);
   for (std::size_t i = 0; i < tree.number_of_leaves(); ++i)
     REQUIRE(tree.points(Leaf_index(i)).size() <= tree.options().max_points_per_leaf());
+}
+
+/// Two quadtrees of the same points answer the same: numbers, levels, links, points and cross pointers.
+template <class Tree, class Other_tree>
+void check_same_quadtree(const Tree& tree, const Other_tree& other) {
+  REQUIRE(tree.number_of_nodes() == other.number_of_nodes());
+  REQUIRE(tree.number_of_leaves() == other.number_of_leaves());
+  REQUIRE(tree.depth() == other.depth());
+  std::size_t different = 0;
+  for (std::size_t i = 0; i < tree.number_of_nodes(); ++i) {
+    const Node_index v(i);
+    bool is_same = tree.is_leaf(v) == other.is_leaf(v) && tree.level(v) == other.level(v) &&
+                   tree.parent(v) == other.parent(v) && tree.points(v) == other.points(v) &&
+                   tree.leaves(v).begin == other.leaves(v).begin &&
+                   tree.leaves(v).end == other.leaves(v).end &&
+                   (tree.is_leaf(v) || tree.child(v, 0) == other.child(v, 0));
+    for (Direction d : all_directions()) is_same = is_same && tree.neighbor(v, d) == other.neighbor(v, d);
+    different += is_same ? 0 : 1;
+  }
+  for (std::size_t l = 0; l < tree.number_of_leaves(); ++l)
+    different += tree.node(Leaf_index(l)) == other.node(Leaf_index(l)) ? 0 : 1;
+  for (std::size_t r = 0; r < tree.framework().number_of_points(); ++r)
+    different += tree.leaf(Point_rank(r)) == other.leaf(Point_rank(r)) ? 0 : 1;
+  REQUIRE(different == 0);
 }
 
 } // namespace quadtree_test

@@ -46,6 +46,16 @@ struct Word_operations<Long_word> {
   static int bit(const Long_word& w, int i) {
     return boost::multiprecision::bit_test(w, static_cast<unsigned>(i)) ? 1 : 0;
   }
+  /// Looks at the limbs from the first one up to the run's end.
+  static int run_of_bits(const Long_word& w, int i, int value, int most) {
+    const auto& a = w.backend();
+    for (int begin = i; begin - i < most; begin += limb_bits - begin % limb_bits) {
+      const Limb bits = limb(a, static_cast<unsigned>(begin / limb_bits));
+      const Limb others = static_cast<Limb>(value == 0 ? bits : ~bits) >> begin % limb_bits;
+      if (others != 0) return std::min(most, begin - i + lowest_bit(std::uint64_t(others)));
+    }
+    return most;
+  }
   static Long_word without_low_bits(const Long_word& w, int i) {
     Long_word result = w >> i;
     result <<= i;
@@ -59,11 +69,10 @@ struct Word_operations<Long_word> {
 
 private:
   using Backend = Long_word::backend_type;
-  static constexpr int limb_bits = static_cast<int>(sizeof(boost::multiprecision::limb_type)) * 8;
+  using Limb = boost::multiprecision::limb_type;
+  static constexpr int limb_bits = static_cast<int>(sizeof(Limb)) * 8;
 
-  static boost::multiprecision::limb_type limb(const Backend& w, unsigned i) {
-    return i < w.size() ? w.limbs()[i] : 0;
-  }
+  static Limb limb(const Backend& w, unsigned i) { return i < w.size() ? w.limbs()[i] : 0; }
 };
 
 } // namespace internal

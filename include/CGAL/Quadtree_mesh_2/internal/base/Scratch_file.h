@@ -74,7 +74,10 @@ public:
     if (bytes > address_space_) return nullptr;
     bytes = (bytes + granularity - 1) / granularity * granularity;
     const std::size_t offset = take(bytes);
-    if (offset + bytes <= address_space_ && make_blocks(offset, bytes)) return begin_ + offset;
+    if (offset + bytes <= address_space_) {
+      if (make_blocks(offset, bytes)) return begin_ + offset;
+      drop_blocks(offset, bytes); // those that there was room for
+    }
     give_back(offset);
     return nullptr;
   }
@@ -116,9 +119,13 @@ public:
   }
 
 private:
+  using Places = std::map<std::size_t, std::size_t, std::less<>,
+                          Malloc_allocator<std::pair<const std::size_t, std::size_t>>>; // offset -> bytes
+  using Place = std::pair<std::size_t, std::size_t>;
+
   /// Of addresses, which cost nothing: enough for a billion triangles, or else what the system allows.
-  static constexpr std::size_t most_address_space = std::size_t(1) << 41, least_address_space = std::size_t(1)
-                                                                                                << 30;
+  static constexpr std::size_t most_address_space = std::size_t(1) << 41;
+  static constexpr std::size_t least_address_space = std::size_t(1) << 30;
   static constexpr std::size_t granularity = std::size_t(1) << 14;
   /// What is shorter is soon used again, and its blocks are kept.
   static constexpr std::size_t least_hole = std::size_t(1) << 20;
@@ -128,10 +135,6 @@ private:
   char* begin_ = nullptr;
   std::size_t address_space_ = most_address_space;
   mutable std::mutex mutex_;
-  using Places = std::map<std::size_t, std::size_t, std::less<>,
-                          Malloc_allocator<std::pair<const std::size_t, std::size_t>>>; // offset -> bytes
-  using Place = std::pair<std::size_t, std::size_t>;
-
   Places taken_, free_;                                           // no two free places are neighbors
   std::set<Place, std::less<>, Malloc_allocator<Place>> by_size_; // (bytes, offset) of the free ones
   std::atomic<int> users_{0};

@@ -10,6 +10,7 @@
 #include <CGAL/Quadtree_mesh_2/Grid_point_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/bits.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <type_traits>
 
@@ -35,6 +36,11 @@ struct Word_operations {
   }
   /// Returns bit `i`, 0 or 1.
   static int bit(const Word& w, int i) { return static_cast<int>(w >> i & 1); }
+  /// Returns how many bits from bit `i` upward follow each other that have a value, `most` at the most.
+  static int run_of_bits(const Word& w, int i, int value, int most) {
+    const std::uint64_t others = (value == 0 ? std::uint64_t(w) : ~std::uint64_t(w)) >> i;
+    return others == 0 ? most : std::min(most, lowest_bit(others));
+  }
   /// Returns `w` with its lowest `i` bits cleared.
   static Word without_low_bits(const Word& w, int i) { return static_cast<Word>(w >> i << i); }
   /// Returns 2^i.

@@ -40,6 +40,18 @@ inline int lowest_bit(std::uint32_t v) {
 #endif
 }
 
+/// The same for 64 bits.
+/// \pre `v != 0`
+inline int lowest_bit(std::uint64_t v) {
+#if defined(_MSC_VER)
+  unsigned long position = 0;
+  _BitScanForward64(&position, v);
+  return static_cast<int>(position);
+#else
+  return __builtin_ctzll(v);
+#endif
+}
+
 } // namespace internal
 } // namespace Quadtree_mesh_2
 } // namespace CGAL

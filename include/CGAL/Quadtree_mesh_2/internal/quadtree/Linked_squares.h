@@ -157,6 +157,8 @@ private:
   friend class Square_grower;
   template <class, class>
   friend class Spaced_levels_grower;
+  template <class, class>
+  friend class Band_leaves;
 
   static constexpr std::uint32_t leaf_flag = 0x80000000u;
   static constexpr std::size_t max_families = std::size_t(1) << 29; // leaves must stay below the flag

@@ -4,20 +4,20 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 
-// The linked squares of a balanced quadtree, in bands of levels that are grown at the same time.
+// The linked squares of the smallest balanced quadtree, in bands of levels that are grown at the same time.
 //
-// Computes: all squares of a quadtree that is balanced across sides and corners, from the required squares.
-//           On levels log2 n apart, the split squares are found by sorting what is required and forced there.
-//           These are the tops of bands. Below them squares are grown from the top down.
-// Bound:    O(n log n + k) work. O(log n) rounds to find all squares and their cross pointers, whatever the
-//           depth. (Leaves are numbered afterward, in two short rounds for each level.)
+// Computes: the squares that `Square_grower` computes, with the same numbers, from the squares that points
+//           require and the directions in which each forces its neighbors. On levels log2 n apart, the split
+//           squares are found by sorting what is required and forced there. These are the tops of bands. Below
+//           them squares are grown from the top down.
+// Bound:    O(n log n + k) work. O(log n) rounds, whatever the depth. Words longer than the machine's take time
+//           in proportion to their length for each top.
 // Source:   Bern, Eppstein, Teng, Theorem 2. There are log2 n disjoint sets of such levels. The one with the
 //           fewest required squares is taken, so only O(k / log n) squares are sorted.
-// Deviates: a required square with a split child forces all its eight neighbors of its own size. Then what is
-//           forced on a level depends only on the required squares of that level and the next, and it forces
-//           nothing more. (The three forced squares of the paper can force others: a square at the far side
-//           of its parent forces one next to its grandparent.) No square is split for the sake of its
-//           siblings.
+// Method:   What the inside of a required square forces on its own level is known in a closed form
+//           (closed_forced_directions.h), and the parent of what is forced is required or forced itself. So the
+//           squares named on a level are all that are split there, and bands need nothing from each other.
+// Deviates: the paper splits more squares, so that what is forced is known from three forced squares each.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_QUADTREE_SPACED_LEVELS_GROWER_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_QUADTREE_SPACED_LEVELS_GROWER_H
@@ -26,19 +26,23 @@
 #include <CGAL/Quadtree_mesh_2/Index.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/Uninitialized_vector.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/Word_operations.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/bits.h>
 #include <CGAL/Quadtree_mesh_2/internal/grid/morton.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel_sort.h>
+#include <CGAL/Quadtree_mesh_2/internal/quadtree/Band_leaves.h>
 #include <CGAL/Quadtree_mesh_2/internal/quadtree/Linked_squares.h>
 #include <CGAL/Quadtree_mesh_2/internal/quadtree/Required_squares.h>
 #include <CGAL/Quadtree_mesh_2/internal/quadtree/Square_grower.h>
+#include <CGAL/Quadtree_mesh_2/internal/quadtree/closed_forced_directions.h>
 #include <CGAL/Quadtree_mesh_2/internal/quadtree/forcing.h>
 #include <CGAL/Quadtree_mesh_2/internal/quadtree/spaced_levels.h>
-#include <CGAL/assertions.h>
+#include <CGAL/Quadtree_options.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -53,29 +57,30 @@ public:
   using Squares = typename Grower::Squares;
 
   /// \param required the squares that the points of the framework require.
-  Spaced_levels_grower(const Framework& framework, const Required_squares& required)
-      : framework_(framework), required_(required), forced_(all_forced_directions<ConcurrencyTag>(required)),
-        depth_(framework.grid().depth()) {}
+  /// \param balance not `NONE`
+  Spaced_levels_grower(const Framework& framework, const Required_squares& required, Balance balance)
+      : framework_(framework), required_(required), balance_(balance),
+        forced_(closed_forced_directions<ConcurrencyTag>(framework, required, balance)),
+        depth_(framework.grid().depth()), first_level_(first_levels_of_bands()) {}
 
   /// Returns the squares of the quadtree.
   Squares grow() {
-    const std::vector<int> levels = spaced_levels();
-    std::vector<Grower> bands;
-    bands.reserve(levels.size() + 1);
-    while (bands.size() <= levels.size()) bands.emplace_back(framework_, required_, forced_);
-    Executor<ConcurrencyTag>::run(bands.size(), [&](std::size_t b) {
-      const int end = b < levels.size() ? levels[b] : required_.number_of_levels();
+    if (number_of_bands() == 1) return Grower(framework_, required_, forced_).grow();
+    std::vector<std::optional<Grower>> bands(number_of_bands());
+    for_each_band([&](std::size_t b) {
+      bands[b].emplace(framework_, required_, forced_);
       if (b == 0) {
-        bands[b].reserve(required_.size()); // for all, as the other bands are appended
-        bands[b].begin_with_root();
+        bands[b]->reserve(required_.size()); // for all, as the other bands are appended
+        bands[b]->begin_with_root();
       } else {
-        bands[b].reserve(number_of_required(levels[b - 1], end));
-        begin_with_tops(bands[b], levels[b - 1]);
+        bands[b]->reserve(number_of_required(b));
+        begin_with_tops(*bands[b], first_level_[b]);
       }
-      if (required_.size() > 0) grow_band(bands[b], end);
+      grow_band(*bands[b], first_level_[b + 1]);
     });
-    Squares squares = bands.size() == 1 ? std::move(bands[0].squares_) : join(bands);
-    squares.template number_leaves<ConcurrencyTag>(framework_.number_of_points());
+    Squares squares = join(bands);
+    for_each_band([&](std::size_t b) { bands[b].reset(); });
+    Band_leaves<Squares, ConcurrencyTag>(squares, first_level_).number(framework_.number_of_points());
     return squares;
   }
 
@@ -84,19 +89,31 @@ private:
   using Word = typename Framework::Word;
   using Point_rank = typename Framework::Point_rank;
 
-  /// Levels that are log2 n apart, so chosen that they have the fewest required squares; not the root's.
-  std::vector<int> spaced_levels() const {
+  /// The root's level, levels that are log2 n apart, so chosen that they have the fewest required squares, and the
+  /// number of all levels.
+  std::vector<int> first_levels_of_bands() const {
     const int spacing = spacing_of_levels(framework_.number_of_points());
-    const int offset = offset_of_spaced_levels(required_.level_begin, spacing);
-    std::vector<int> result;
-    for (int l = offset > 0 ? offset : spacing; l < required_.number_of_levels(); l += spacing)
-      result.push_back(l);
+    const int levels = required_.number_of_levels();
+    if (levels <= spacing) return {0, levels};
+    const int offset = offset_of_spaced_levels<ConcurrencyTag>(required_.level_begin, spacing);
+    const int second = offset > 0 ? offset : spacing;
+    std::vector<int> result(static_cast<std::size_t>((levels - second + spacing - 1) / spacing) + 2, 0);
+    for_each_index<ConcurrencyTag>(result.size() - 1, [&](std::size_t i) {
+      result[i + 1] = std::min(levels, second + static_cast<int>(i) * spacing);
+    });
     return result;
   }
 
-  /// The number of required squares on levels `first` to `end`, exclusive.
-  std::size_t number_of_required(int first, int end) const {
-    return required_.level_begin[std::size_t(end)] - required_.level_begin[std::size_t(first)];
+  std::size_t number_of_bands() const { return first_level_.size() - 1; }
+
+  template <class F>
+  void for_each_band(const F& f) const {
+    Executor<ConcurrencyTag>::run(number_of_bands(), f);
+  }
+
+  std::size_t number_of_required(std::size_t band) const {
+    return required_.level_begin[std::size_t(first_level_[band + 1])] -
+           required_.level_begin[std::size_t(first_level_[band])];
   }
 
   /// Makes the levels of a band down to level `end`, exclusive, and marks what is split there.
@@ -104,7 +121,9 @@ private:
     for (band.mark_children(); band.number_of_marks() > 0 && band.level_of_children() < end;
          band.mark_children())
       band.split_marked_children();
-    band.for_each_child([](std::uint32_t, std::size_t) {});
+    // What is marked on the last level are the tops of the next band, and leaves until they are linked.
+    band.for_each_child(
+        [&](std::uint32_t node, std::size_t) { band.squares_.leaf_or_family_[node] = Squares::leaf_flag; });
   }
 
   /// \name The tops of a band
@@ -131,20 +150,38 @@ private:
     return true;
   }
 
-  /// The squares of a level that are required or forced, in shuffle order.
+  /// The squares of a level that are required or forced, in shuffle order: all split ones.
   std::vector<Grid_point> find_tops(int level) const {
     const std::uint32_t first = required_.level_begin[std::size_t(level)];
     const std::uint32_t last = required_.level_begin[std::size_t(level) + 1];
-    std::vector<Grid_point> tops(9 * std::size_t(last - first));
-    for_each_index<ConcurrencyTag>(last - first, [&](std::size_t i) {
-      const Grid_point s = place_of_point(required_.point_begin[first + i][0], level);
-      std::fill_n(tops.begin() + static_cast<std::ptrdiff_t>(9 * i), 9, s);
-      if (forced_[first + i] != 0)
-        for (Direction d : all_directions()) step(s, d, level, tops[9 * i + static_cast<std::size_t>(d)]);
-    });
+    std::vector<Grid_point> tops;
+    count_allocate_and_place<ConcurrencyTag>(
+        last - first,
+        [&](std::size_t begin, std::size_t end) {
+          std::size_t sum = 0;
+          for (std::size_t i = first + begin; i < first + end; ++i)
+            for_each_named(i, level, [&](const Grid_point&) { ++sum; });
+          return sum;
+        },
+        [&](std::size_t sum) { tops.resize(sum); },
+        [&](std::size_t begin, std::size_t end, std::size_t next) {
+          for (std::size_t i = first + begin; i < first + end; ++i)
+            for_each_named(i, level, [&](const Grid_point& s) { tops[next++] = s; });
+        });
     sort<ConcurrencyTag>(tops.begin(), tops.end(), Less_shuffle());
     unique<ConcurrencyTag>(tops);
     return tops;
+  }
+
+  /// Calls `f` for a required square and those of its level that it forces.
+  template <class F>
+  void for_each_named(std::size_t required, int level, const F& f) const {
+    const Grid_point s = place_of_point(required_.point_begin[required][0], level);
+    f(s);
+    for (unsigned set = forced_[required]; set != 0; set &= set - 1) {
+      Grid_point neighbor;
+      if (step(s, static_cast<Direction>(lowest_bit(set)), level, neighbor)) f(neighbor);
+    }
   }
 
   static std::size_t find_top(const std::vector<Grid_point>& tops, const Grid_point& s) {
@@ -225,32 +262,49 @@ private:
   /// @{
 
   /// Appends all bands to the first one, and takes it.
-  static Squares join(std::vector<Grower>& bands) {
-    Squares& result = bands[0].squares_;
+  Squares join(std::vector<std::optional<Grower>>& bands) const {
+    Squares& result = bands[0]->squares_;
+    const auto tops = [&](std::size_t b) { // the band's first family that is not a stand-in
+      return b == 0 ? std::size_t(0) : std::size_t(bands[b]->squares_.level_begin(1));
+    };
     std::vector<std::size_t> base(bands.size() + 1, 0); // of the band's families in the result
-    std::vector<std::size_t> tops(bands.size(), 0);     // the band's first family that is not a stand-in
-    for (std::size_t b = 0; b < bands.size(); ++b) {
-      if (b > 0) tops[b] = bands[b].squares_.level_begin(1);
-      base[b + 1] = base[b] + bands[b].squares_.number_of_families() - tops[b];
-    }
+    for_each_index<ConcurrencyTag>(
+        bands.size(), [&](std::size_t b) { base[b] = bands[b]->squares_.number_of_families() - tops(b); });
+    exclusive_scan<ConcurrencyTag>(base.data(), base.size());
     result.resize(base.back());
-    for (std::size_t b = 1; b < bands.size(); ++b) copy_band(bands[b].squares_, tops[b], base[b], result);
-    for (std::size_t b = 0; b + 1 < bands.size(); ++b)
-      link_tops(bands[b], tops[b], base[b], base[b + 1], result);
-    for (std::size_t b = 1; b < bands.size(); ++b) {
-      const Squares& band = bands[b].squares_;
-      link_neighbors_of_tops(base[b], band.level_begin(2) - band.level_begin(1), result);
-      for (int l = 1; l < band.number_of_split_levels(); ++l)
-        result.level_begin_.push_back(
-            static_cast<std::uint32_t>(base[b] + band.level_begin(l + 1) - tops[b]));
-    }
+    for_each_band([&](std::size_t b) {
+      if (b > 0) copy_band(bands[b]->squares_, tops(b), base[b], result);
+    });
+    for_each_band([&](std::size_t b) {
+      if (b + 1 < bands.size()) link_tops(*bands[b], tops(b), base[b], base[b + 1], result);
+    });
+    // From here on the first band is the result.
+    result.level_begin_.resize(std::size_t(first_level_.back()) + 1);
+    for_each_band([&](std::size_t b) {
+      for (int l = 1; b > 0 && l < bands[b]->squares_.number_of_split_levels(); ++l)
+        result.level_begin_[std::size_t(first_level_[b] + l)] =
+            static_cast<std::uint32_t>(base[b] + bands[b]->squares_.level_begin(l + 1) - tops(b));
+    });
+    link_neighbors(result);
     return std::move(result);
   }
 
-  /// Finds the cross pointers of `n` tops from those of their parents, which were made in another band.
-  static void link_neighbors_of_tops(std::size_t first, std::size_t n, Squares& result) {
-    for_each_index<ConcurrencyTag>(n, [&](std::size_t i) {
-      result.neighbors_[first + i] = result.neighbors(Node_index(result.node_[first + i]));
+  /// Finds the cross pointers of tops, whose parents were made in another band. Across corners the split children
+  /// of a top have all neighbors in the band. Across sides a corner may touch a leaf as large as the top. The
+  /// parents of tops are no tops, nor children of tops, unless of the root, as levels are three apart.
+  void link_neighbors(Squares& result) const {
+    for (int depth = 0; depth < (balance_ == Balance::SIDES ? 2 : 1); ++depth)
+      for_each_band([&](std::size_t b) {
+        const int level = first_level_[b] + depth;
+        if (b > 0 && level < first_level_[b + 1])
+          link_neighbors(result.level_begin(level), result.level_begin(level + 1), result);
+      });
+  }
+
+  /// Finds the cross pointers of families from those of their parents.
+  static void link_neighbors(std::uint32_t begin, std::uint32_t end, Squares& result) {
+    for_each_index<ConcurrencyTag>(end - begin, [&](std::size_t i) {
+      result.neighbors_[begin + i] = result.neighbors(Node_index(result.node_[begin + i]));
     });
   }
 
@@ -289,8 +343,10 @@ private:
 
   const Framework& framework_;
   const Required_squares& required_;
+  Balance balance_;
   Uninitialized_vector<Direction_set> forced_;
   int depth_;
+  std::vector<int> first_level_; // of each band, and the number of levels
 };
 
 } // namespace internal

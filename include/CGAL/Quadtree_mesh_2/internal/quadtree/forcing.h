@@ -20,6 +20,7 @@
 //           square is made that would have to be removed.
 // Deviates: the paper sorts the forced squares of all levels, or makes them top-down, and splits all squares
 //           once more. That tree is up to four times as large as the smallest one.
+// See also: closed_forced_directions.h for the same sets without a round for each level.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_QUADTREE_FORCING_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_QUADTREE_FORCING_H
@@ -40,8 +41,6 @@ namespace internal {
 
 /// A set of directions, bit d for direction number d.
 using Direction_set = std::uint8_t;
-
-constexpr Direction_set all_directions_set = 0xff;
 
 /// Returns the half of `v`, rounded down, for v from -2 to 3.
 constexpr int floor_half(int v) { return (v + 2) / 2 - 1; }
@@ -103,18 +102,6 @@ Uninitialized_vector<Direction_set> least_forced_directions(const Required_squar
       forced[s] = balance == Balance::NONE ? Direction_set(0) : set;
     });
   }
-  return forced;
-}
-
-/// Returns for each required square where it forces squares of its size by the paper's rule: everywhere if a
-/// child is split. What is forced so is balanced without any further square, and known without the squares
-/// farther down.
-template <class ConcurrencyTag>
-Uninitialized_vector<Direction_set> all_forced_directions(const Required_squares& squares) {
-  Uninitialized_vector<Direction_set> forced(squares.size());
-  for_each_index<ConcurrencyTag>(squares.size(), [&](std::size_t i) {
-    forced[i] = squares.children[i] != 0 ? all_directions_set : Direction_set(0);
-  });
   return forced;
 }
 

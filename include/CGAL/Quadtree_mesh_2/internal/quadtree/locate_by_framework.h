@@ -98,7 +98,7 @@ public:
   Spaced_levels(const Quadtree& tree, int spacing)
       : spacing_(spacing), grid_depth_(tree.framework().grid().depth()) {
     count_squares(tree);
-    offset_ = offset_of_spaced_levels(begin_, spacing);
+    offset_ = offset_of_spaced_levels<Sequential_tag>(begin_, spacing);
   }
 
   bool contains(int level) const {
