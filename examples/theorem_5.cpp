@@ -4,6 +4,7 @@
 
 #include <CGAL/IO/SVG.h>
 #include <CGAL/Quality_mesher_2.h>
+#include <CGAL/Tree_separation_options_2.h>
 #include <CGAL/mesh_quality_2.h>
 
 #include <cmath>
@@ -33,9 +34,8 @@ Mesher::Pslg spiral() {
 
 int main(int argc, char** argv) {
   const Mesher::Pslg graph = spiral();
-  const Options by_quadtrees = Options().separate(Options::Separation::THEOREM_5);
-
-  Mesher mesher(Options(by_quadtrees).coarsen(Options::Coarsening::NONE));
+  const Options by_quadtrees_alone = Options().separate(CGAL::Tree_separation_options_2::of_theorem());
+  Mesher mesher(Options(by_quadtrees_alone).coarsen(Options::Coarsening::NONE));
   const Mesher::Mesh mesh = mesher(graph);
   const auto& trees = mesher.report().trees;
   std::cout << "leaves of T_B " << trees.leaves_of_points << ", T_B' " << trees.leaves_of_vertices
@@ -43,8 +43,8 @@ int main(int argc, char** argv) {
             << trees.rounds << " rounds of placing vertices\n"
             << mesh.number_of_triangles() << " triangles by quadtrees\n";
 
-  Mesher coarse(by_quadtrees), on_demand;
-  std::cout << coarse(graph).number_of_triangles() << " when smoothed, thinned and without those not needed, "
+  Mesher coarse(Options().separate(Options::Separation::THEOREM_5)), on_demand;
+  std::cout << coarse(graph).number_of_triangles() << " in one round, refined and without those not needed, "
             << on_demand(graph).number_of_triangles() << " on demand\n";
 
   const auto quality = CGAL::mesh_quality_2(mesh, graph, CGAL::Mesh_quality_options_2().min_angle(20.7));

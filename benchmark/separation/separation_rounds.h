@@ -44,17 +44,22 @@ inline Separation_rounds count_separation_rounds(const Pslg_task& task) {
   Separation_rounds rounds;
   rounds.of_points =
       Round_counter::instance()
-          .count([&] { CGAL::Balanced_quadtree<Traits, Counted_tag> tree(task.pslg.vertices); })
+          .count([&] {
+            CGAL::Balanced_quadtree<Traits, Counted_tag> tree(
+                task.pslg.vertices,
+                CGAL::Quadtree_options().schedule(CGAL::Quadtree_options::Balance_schedule::SPACED_LEVELS));
+          })
           .steps;
   rounds.of_neighbors =
       Round_counter::instance()
           .count([&] { CGAL::Trapezoidal_vertex_edge_neighbors_2<Traits, Counted_tag> neighbors(task.pslg); })
           .steps;
-  CGAL::Quality_mesher_2<Traits> mesher(CGAL::Quality_mesh_options_2()
-                                            .min_angle(task.min_angle)
-                                            .max_area(task.max_area)
-                                            .coarsen(CGAL::Quality_mesh_options_2::Coarsening::NONE)
-                                            .separate(Trees().subdivide(Trees::Subdivision::CENTROID_TREE)));
+  CGAL::Quality_mesher_2<Traits> mesher(
+      CGAL::Quality_mesh_options_2()
+          .min_angle(task.min_angle)
+          .max_area(task.max_area)
+          .coarsen(CGAL::Quality_mesh_options_2::Coarsening::NONE)
+          .separate(Trees::of_theorem().subdivide(Trees::Subdivision::CENTROID_TREE)));
   mesher(task.pslg);
   const CGAL::Tree_separation_report_2& trees = mesher.report().trees;
   rounds.splits = trees.splits;

@@ -77,17 +77,19 @@ inline void print_triangles(const Comparisons& comparisons) {
 /// What the quadtrees did.
 inline void print_trees(const Comparisons& comparisons) {
   Markdown_table table({"input", "leaves: T_B", "T_B'", "T_B''", "T_B*", "rounds", "triangles of the rule",
-                        "below the bound", "share, %", "left out", "not cured"});
+                        "below the bound", "share, %", "left out", "left to refinement", "vertices placed",
+                        "kept"});
   std::string last;
-  for_each_outcome(comparisons, [&](const auto& c, const auto&, const Separation_run& run) {
+  for_each_outcome(comparisons, [&](const auto& c, const auto& o, const Separation_run& run) {
     const CGAL::Tree_separation_report_2& t = run.trees;
-    if (t.rounds == 0 || c.input == last) return;
-    last = c.input;
-    table.add_row({c.input, std::to_string(t.leaves_of_points), std::to_string(t.leaves_of_vertices),
+    const std::string row = c.input + ' ' + o.method().mesh;
+    if (t.rounds == 0 || row == last || o.method().threads > 0) return;
+    last = row;
+    table.add_row({row, std::to_string(t.leaves_of_points), std::to_string(t.leaves_of_vertices),
                    std::to_string(t.leaves_of_pieces), std::to_string(t.leaves_of_edges),
                    std::to_string(t.rounds), std::to_string(t.triangles), std::to_string(t.missed_by_rule),
                    fixed(100 * double(t.missed_by_rule) / double(t.triangles), 2), std::to_string(t.left_out),
-                   std::to_string(t.missed)});
+                   std::to_string(t.missed), std::to_string(t.placed), std::to_string(t.kept)});
   });
   table.print();
 }
@@ -116,7 +118,9 @@ inline nlohmann::ordered_json to_json(const CGAL::Tree_separation_report_2& t) {
           {"triangles", t.triangles},
           {"missed_by_rule", t.missed_by_rule},
           {"left_out", t.left_out},
-          {"missed", t.missed}};
+          {"missed", t.missed},
+          {"placed", t.placed},
+          {"kept", t.kept}};
 }
 
 inline nlohmann::ordered_json to_json(const Separation_outcome& outcome) {

@@ -152,15 +152,15 @@ public:
   /// anew.
   /// The mesher throws `std::system_error` if the file cannot be written, `std::runtime_error` if it cannot be
   /// read or belongs to another mesh, and `std::invalid_argument` over exact numbers.
-  /// \param number_of_functions to be another one for other functions `size()` and `refine_where()`: they are not
-  ///        compared, but this is.
-  Quality_mesh_options_2& checkpoints(std::string folder, std::uint64_t number_of_functions = 0) {
-    checkpoints_ = std::move(folder), number_of_functions_ = number_of_functions;
+  /// \param key stands for the functions `size()` and `refine_where()`, which cannot be compared: a state with another
+  ///        key belongs to another mesh. Choose another one for other functions.
+  Quality_mesh_options_2& checkpoints(std::string folder, std::uint64_t key = 0) {
+    checkpoints_ = std::move(folder), checkpoint_key_ = key;
     return *this;
   }
   const std::string& checkpoints() const { return checkpoints_; } ///< the folder set
-  /// The number set with it.
-  std::uint64_t number_of_functions() const { return number_of_functions_; }
+  /// The key set with it.
+  std::uint64_t checkpoint_key() const { return checkpoint_key_; }
 
   /// Called now and then with the share of work done, in [0, 1]. Returning false stops with the mesh so far.
   /// With `Parallel_tag` any thread may call it, one at a time. An empty function, the default, is not
@@ -185,7 +185,7 @@ private:
   std::size_t max_vertices_ = 0;
   Callback progress_;
   std::string checkpoints_;
-  std::uint64_t number_of_functions_ = 0;
+  std::uint64_t checkpoint_key_ = 0;
   Tree_separation_options_2 trees_;
 };
 

@@ -23,6 +23,7 @@ struct Tree_separation_report_2 {
   enum class End {
     NONE,        ///< there was no construction
     DONE,        ///< no triangle is below the bound
+    ROUNDS,      ///< the rounds wanted are made, and refinement cures what they missed
     COORDINATES, ///< triangles are left because coordinates have no room for smaller leaves
     BUDGET,      ///< trees or rounds take more than the budget
     CANCELLED,   ///< the callback stopped it
@@ -48,6 +49,8 @@ struct Tree_separation_report_2 {
   std::size_t left_out = 0;       ///< corners and crossings left out to cure these
   std::size_t missed = 0;         ///< triangles below the bound that were not cured
   std::size_t handed_over = 0;    ///< those of them at leaves that cannot become smaller
+  std::size_t placed = 0;         ///< vertices besides those of the input
+  std::size_t kept = 0;           ///< those of them in the mesh, where the work on it left them
 };
 
 /// \ingroup PkgQuadtreeMesh2Meshers

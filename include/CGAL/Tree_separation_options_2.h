@@ -9,6 +9,8 @@
 #ifndef CGAL_TREE_SEPARATION_OPTIONS_2_H
 #define CGAL_TREE_SEPARATION_OPTIONS_2_H
 
+#include <cstddef>
+
 namespace CGAL {
 
 /// \ingroup PkgQuadtreeMesh2Meshers
@@ -32,12 +34,12 @@ public:
     BY_RULE
   };
 
-  /// The side of a vertex's leaf is at most the distance to the nearest feature divided by this; 0.7 by
+  /// The side of a vertex's leaf is at most the distance to the nearest feature divided by this; 0.1 by
   /// default.
   Tree_separation_options_2& vertex_distance(double value) { return vertex_distance_ = value, *this; }
   double vertex_distance() const { return vertex_distance_; } ///< the value set
 
-  /// Two edges in a leaf, or in adjacent leaves, that see each other are at least this far apart; 0.5 by
+  /// Two edges in a leaf, or in adjacent leaves, that see each other are at least this far apart; 0.1 by
   /// default.
   Tree_separation_options_2& edge_distance(double value) { return edge_distance_ = value, *this; }
   double edge_distance() const { return edge_distance_; } ///< the value set
@@ -64,17 +66,30 @@ public:
   Tree_separation_options_2& place(Placement value) { return place_ = value, *this; }
   Placement place() const { return place_; } ///< the value set
 
-  /// The constant that the paper names as an example: a square of an edge is at least three times its side
-  /// away from any vertex or other edge.
-  static Tree_separation_options_2 of_paper() { return Tree_separation_options_2().distances(3, 3); }
+  /// How many times vertices are placed at most. After each time but the last, leaves are split around the triangles
+  /// that miss the bound. What the last one misses is left to refinement. 0 stands for as many as are needed: no
+  /// triangle is missed then, but for those without room. 1 by default, as more make more triangles and take longer.
+  Tree_separation_options_2& rounds(std::size_t value) { return rounds_ = value, *this; }
+  std::size_t rounds() const { return rounds_; } ///< the value set
+
+  /// With these, quadtrees alone meet the bound wherever coordinates have room: distances of 0.7 and 0.5 mostly
+  /// suffice, and there are as many rounds as are needed.
+  static Tree_separation_options_2 of_theorem() {
+    return Tree_separation_options_2().distances(0.7, 0.5).rounds(0);
+  }
+
+  /// The same with the constant that the paper names as an example: a square of an edge is at least three times its
+  /// side away from any vertex or other edge.
+  static Tree_separation_options_2 of_paper() { return of_theorem().distances(3, 3); }
 
 private:
-  double vertex_distance_ = 0.7;
-  double edge_distance_ = 0.5;
+  double vertex_distance_ = 0.1;
+  double edge_distance_ = 0.1;
   double vertex_window_ = 3;
   double strip_width_ = 1.25;
   Subdivision subdivide_ = Subdivision::WALKING;
   Placement place_ = Placement::CHOSEN;
+  std::size_t rounds_ = 1;
 };
 
 } // namespace CGAL

@@ -81,6 +81,7 @@ convert_to_double_points(const Indexed_mesh_2<Point>& mesh) {
   result.region_of_triangle = mesh.region_of_triangle;
   result.segment_of_vertex = mesh.segment_of_vertex;
   result.vertex_markers = mesh.vertex_markers;
+  result.input_index = mesh.input_index;
   return result;
 }
 

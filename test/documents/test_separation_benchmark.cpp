@@ -33,7 +33,7 @@ TEST_CASE("The benchmark of separations runs", "[benchmark][program]") {
   const auto comparisons = nlohmann::json::parse(content(json_file)).at("comparisons");
   REQUIRE(comparisons.size() == 2);
   for (const auto& comparison : comparisons) {
-    REQUIRE(comparison.at("outcomes").size() == 5);
+    REQUIRE(comparison.at("outcomes").size() == 6);
     for (const auto& outcome : comparison.at("outcomes")) {
       CHECK(outcome.at("below_bound") == 0);
       CHECK(outcome.at("triangles_without_removal") >= outcome.at("triangles"));

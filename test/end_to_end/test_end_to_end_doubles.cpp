@@ -37,7 +37,7 @@ TEST_CASE("Graphs of doubles are meshed with each option", "[end_to_end]") {
   check_graph<Traits>(pslg, Options().patience(0));
   using Tree_options = CGAL::Tree_separation_options_2;
   check_graph<Traits>(mesher_test::read("syn_wedge_10deg.poly"),
-                      Options().separate(Tree_options().place(Tree_options::Placement::BY_RULE)));
+                      Options().separate(Tree_options::of_theorem().place(Tree_options::Placement::BY_RULE)));
 }
 
 TEST_CASE("A map is meshed in blocks", "[end_to_end][threads]") {

@@ -27,8 +27,8 @@ using random_pslg::Pslg;
 
 /// What is wrong with the mesh of `pslg`; empty if nothing is.
 std::string fault_of_mesh(const Pslg& pslg, double min_angle) try {
-  CGAL::Quality_mesher_2<> mesher(
-      CGAL::Quality_mesh_options_2().min_angle(min_angle).separate(CGAL::Tree_separation_options_2()));
+  CGAL::Quality_mesher_2<> mesher(CGAL::Quality_mesh_options_2().min_angle(min_angle).separate(
+      CGAL::Tree_separation_options_2::of_theorem()));
   const auto mesh = mesher(pslg);
   const auto& report = mesher.report();
   const auto quality = CGAL::mesh_quality_2(mesh, pslg, CGAL::Mesh_quality_options_2().min_angle(min_angle));

@@ -106,6 +106,8 @@ const std::vector<std::pair<std::string, Words>>& options() {
       {"--subdivision", {"walking", "centroid-tree", "none"}},
       {"--region-property", {"depth", ""}},
       {"--size-points", {"FOLDER/input.xy", "FOLDER/none.xy", "FOLDER"}},
+      {"--size-grid", {"FOLDER/input.xy", "FOLDER/none.asc", "FOLDER"}},
+      {"--gradation", {"0.2", "1e300", "0", "-1", "nan"}},
       {"--report", {"FOLDER/report.json", "FOLDER/out.ele", "FOLDER/none/report.json", "FOLDER"}},
       {"-o",
        {"FOLDER/out.vtu", "FOLDER/out.svg", "FOLDER/out.msh", "FOLDER/out.none", "FOLDER/none/out.off",

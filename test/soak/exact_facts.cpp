@@ -99,6 +99,16 @@ Pslg cut_at_vertices(const Pslg& graph) {
   return result;
 }
 
+/// The same, made once for the many places of one graph that are asked about.
+const Pslg& cut_once(const Pslg& graph) {
+  thread_local Pslg uncut, cut;
+  if (uncut.vertices != graph.vertices || uncut.segments != graph.segments) {
+    cut = cut_at_vertices(graph);
+    uncut = graph;
+  }
+  return cut;
+}
+
 } // namespace
 
 bool do_cross(const Pslg& graph, std::size_t s, std::size_t t) {
@@ -157,8 +167,8 @@ Real Resolution::at(const Point& p) const {
   return is_of_doubles_ ? std::max(step, unit_) : unit_;
 }
 
-Real least_feature_distance(const Pslg& uncut, const Point& place, Real reach) {
-  const Pslg graph = cut_at_vertices(uncut);
+Real least_feature_distance(const Pslg& uncut, const Point& place, Real reach, Real enough) {
+  const Pslg& graph = cut_once(uncut);
   const Place p(place);
   std::vector<std::size_t> vertices, segments;
   for (std::size_t v = 0; v < graph.vertices.size(); ++v)
@@ -174,14 +184,17 @@ Real least_feature_distance(const Pslg& uncut, const Point& place, Real reach) {
   const auto look = [&](const Point& q, std::size_t s) {
     const Point &a = graph.point(graph.segments[s][0]), &b = graph.point(graph.segments[s][1]);
     // a distance of 0 is one too small to be told from 0
-    if (!Segment(a, b).has_on(q)) least = std::min(least, distance_to_segment(Place(a), Place(b), Place(q)));
+    const Real d = distance_to_segment(Place(a), Place(b), Place(q));
+    if (d < least && !Segment(a, b).has_on(q)) least = d;
   };
   for (const std::size_t v : vertices) {
+    if (least <= enough) return least;
     const Point& q = graph.vertices[v];
     for (const Point& r : graph.vertices) least = least_positive(least, distance(Place(q), Place(r)));
     for (std::size_t s = 0; s < graph.segments.size(); ++s) look(q, s);
   }
   for (const std::size_t s : segments) {
+    if (least <= enough) return least;
     for (const Point& r : graph.vertices) look(r, s);
     const auto [a, b] = ends_of(s);
     for (const std::size_t t : segments) {
@@ -195,7 +208,8 @@ Real least_feature_distance(const Pslg& uncut, const Point& place, Real reach) {
 }
 
 bool is_without_room(const Soak_case& c, const Point& p, Real reach) {
-  return least_feature_distance(c.graph, p, reach) <= least_room * Resolution(c).at(p);
+  const Real room = least_room * Resolution(c).at(p);
+  return least_feature_distance(c.graph, p, reach, room) <= room;
 }
 
 bool is_within_needle(const Soak_case& c, const Point& point) {

@@ -46,7 +46,9 @@ private:
 /// The least distance between two features of the graph, vertices or segments without a common end, one of which is
 /// within `reach` of `p`; features at a distance of 0 are one. Two legs of a common vertex count with the distance
 /// between them where they are nearest to `p` and, if that is at the vertex, `reach` from it.
-long double least_feature_distance(const Pslg& graph, const Point& p, long double reach);
+/// \param enough any distance of at most this will do
+long double least_feature_distance(const Pslg& graph, const Point& p, long double reach,
+                                   long double enough = 0);
 /// The same in steps of a resolution at the place.
 bool is_without_room(const Soak_case& c, const Point& p, long double reach);
 /// Whether two legs of a vertex have no room between them as far from it as `p` is. Neither can have a vertex there.

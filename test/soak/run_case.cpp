@@ -70,8 +70,8 @@ CGAL::Quality_mesh_options_2 graph_options(const Soak_case& c) {
       .patience(w.patience)
       .coarsen(w.is_coarsened ? Options::Coarsening::GUARDED_REMOVAL : Options::Coarsening::NONE);
   if (c.separation == Separation::THEOREM_5)
-    options.separate(Trees().subdivide(w.has_centroid_trees ? Trees::Subdivision::CENTROID_TREE
-                                                            : Trees::Subdivision::WALKING));
+    options.separate(w.has_centroid_trees ? Trees::of_theorem().subdivide(Trees::Subdivision::CENTROID_TREE)
+                                          : Trees());
   else
     options.min_edge(w.min_edge * extent);
   if (w.size > 0 && extent > 0 && std::isfinite(extent)) {

@@ -19,7 +19,9 @@ namespace {
 
 using namespace theorem_5_test;
 
-Options by_rule() { return Options().separate(Tree_options().place(Tree_options::Placement::BY_RULE)); }
+Options by_rule() {
+  return Options().separate(Tree_options::of_theorem().place(Tree_options::Placement::BY_RULE));
+}
 
 /// Checks that the first mesh is good as it is.
 Run run_by_rule(const Pslg& pslg, const Options& options) {

@@ -83,7 +83,7 @@ Pslg read(const std::string& name) {
 }
 
 /// Lets T_B' be the last tree.
-Tree_options of_vertices_only(double distance) { return Tree_options().distances(distance, 0); }
+Tree_options of_vertices_only(double distance) { return Tree_options::of_theorem().distances(distance, 0); }
 
 // ---- all pairs
 
@@ -217,7 +217,7 @@ std::vector<double> hits_by_trapezoids(const Pslg& pslg) {
 
 TEST_CASE("Both models of neighbors give the same trees", "[trees][separation]") {
   for_each_graph(is_full_run() ? 40 : 4, [](const Pslg& pslg) {
-    const Tree_options options;
+    const Tree_options options = Tree_options::of_theorem();
     Prepared graph(pslg);
     const auto leaves = leaves_of(graph.trees(options).tree());
     const std::size_t of_vertices = graph.report.leaves_of_vertices;
@@ -231,7 +231,7 @@ TEST_CASE("Both models of neighbors give the same trees", "[trees][separation]")
 TEST_CASE("Edges in a leaf, or in one next to it, are apart", "[trees][separation]") {
   std::size_t faults = 0, leaves = 0;
   for (const Tree_options& options :
-       {Tree_options(), Tree_options().distances(0.7, 1), Tree_options::of_paper()})
+       {Tree_options::of_theorem(), Tree_options::of_theorem().distances(0.7, 1), Tree_options::of_paper()})
     for_each_graph(is_full_run() ? 30 : 2, [&](const Pslg& pslg) {
       Prepared graph(pslg);
       const Trees trees = graph.trees(options);
@@ -247,7 +247,7 @@ TEST_CASE("Edges in a leaf, or in one next to it, are apart", "[trees][separatio
 
 TEST_CASE("Edges stay apart when leaves are split", "[trees][separation]") {
   for_each_graph(is_full_run() ? 30 : 1, [](const Pslg& pslg) {
-    const Tree_options options;
+    const Tree_options options = Tree_options::of_theorem();
     Prepared graph(pslg);
     Trees trees = graph.trees(options);
     random_pslg::Random random(1);
@@ -270,7 +270,7 @@ TEST_CASE("Leaves are looked at as often as they change, however many levels are
   for (const std::string name :
        {"hard_legs_at_2e-63.poly", "syn_wedge_0.01deg.poly", "syn_near_1e-12.poly"}) {
     CAPTURE(name);
-    const Tree_options options;
+    const Tree_options options = Tree_options::of_theorem();
     Prepared graph(read(name));
     const std::size_t leaves = graph.trees(options).tree().number_of_leaves();
     CAPTURE(leaves, graph.report.splits);
@@ -280,10 +280,11 @@ TEST_CASE("Leaves are looked at as often as they change, however many levels are
 
 TEST_CASE("Pieces by walking and by centroid trees give the same trees", "[trees][separation]") {
   for_each_graph(is_full_run() ? 30 : 3, [](const Pslg& pslg) {
-    Tree_options options;
+    Tree_options options = Tree_options::of_theorem();
     Prepared graph(pslg);
     const Trees walked = graph.trees(options);
-    const Tree_options by_centroids = Tree_options().subdivide(Tree_options::Subdivision::CENTROID_TREE);
+    const Tree_options by_centroids =
+        Tree_options::of_theorem().subdivide(Tree_options::Subdivision::CENTROID_TREE);
     const Trees cut = graph.trees(by_centroids);
     CHECK(leaves_of(walked.tree()) == leaves_of(cut.tree()));
     CHECK(walked.pieces() == cut.pieces());
@@ -292,7 +293,7 @@ TEST_CASE("Pieces by walking and by centroid trees give the same trees", "[trees
 
 TEST_CASE("Trees are the same with any number of threads", "[trees][separation][parallel]") {
   const Pslg pslg = read("us_states_10m.poly.gz");
-  const Tree_options options;
+  const Tree_options options = Tree_options::of_theorem();
   Prepared graph(pslg);
   const auto leaves = leaves_of(graph.trees(options).tree());
   for (const std::size_t threads : {1u, 2u, 4u}) {

@@ -88,6 +88,39 @@ TEST_CASE("A map takes as many triangles by quadtrees as on demand", "[mesher][t
   CHECK(double(r.report.triangles) <= 1.05 * double(number_on_demand(pslg, Options())));
 }
 
+TEST_CASE("One round of placing is enough where refinement cures what it misses", "[mesher][theorem5]") {
+  const std::string name =
+      GENERATE(as<std::string>(), "us_states_10m.poly.gz", "syn_holes_400.poly.gz", "syn_comb.poly",
+               "syn_fan_1deg.poly", "syn_wedge_0.01deg.poly", "syn_near_1e-12.poly");
+  const auto coarsen = GENERATE(Options::Coarsening::GUARDED_REMOVAL, Options::Coarsening::NONE);
+  CAPTURE(name, int(coarsen));
+  const Pslg pslg = read(name);
+  const Run r = run_to_the_bound(pslg, Options().separate(Tree_options()).coarsen(coarsen));
+  const auto& trees = r.report.trees;
+  CHECK(trees.rounds == 1);
+  CHECK(trees.missed == trees.missed_by_rule);
+  CHECK(trees.end == (trees.missed == 0 ? End::DONE : End::ROUNDS));
+  // The mesh is that of the quadtrees, and not refinement's of the graph.
+  CHECK(trees.triangles > 0);
+  CHECK(trees.kept <= trees.placed);
+  const double steiner = double(r.report.vertices) - double(pslg.number_of_vertices());
+  CHECK(double(trees.kept) >
+        (coarsen == Options::Coarsening::NONE ? 0.9 * double(trees.placed) : 0.1 * steiner));
+  if (coarsen == Options::Coarsening::GUARDED_REMOVAL)
+    CHECK(is_about_as_many(r.report.triangles, number_on_demand(pslg, Options())));
+}
+
+TEST_CASE("Rounds of placing vertices are counted", "[mesher][theorem5]") {
+  const Pslg pslg = read("us_states_10m.poly.gz");
+  for (const std::size_t most : {2u, 3u, 100u}) {
+    CAPTURE(most);
+    const Run r = run_to_the_bound(pslg, Options().separate(Tree_options::of_theorem().rounds(most)));
+    CHECK(r.report.trees.rounds <= most);
+    CHECK(r.report.trees.end == (r.report.trees.missed == 0 ? End::DONE : End::ROUNDS));
+    if (most == 100) CHECK(r.report.trees.missed == 0);
+  }
+}
+
 TEST_CASE("Large maps take as many triangles by quadtrees as on demand", "[mesher][theorem5][.slow]") {
   const std::string name = GENERATE(as<std::string>(), "gshhg_aegean_h.poly.gz", "gshhg_norway_f.poly.gz");
   CAPTURE(name);
@@ -129,7 +162,7 @@ TEST_CASE("The paper's constants and other distances", "[mesher][theorem5]") {
   const Pslg pslg = read("syn_holes_400.poly.gz");
   std::size_t leaves = 0;
   for (const Tree_options& trees :
-       {Tree_options(), Tree_options().distances(1, 1), Tree_options::of_paper()}) {
+       {Tree_options::of_theorem(), Tree_options::of_theorem().distances(1, 1), Tree_options::of_paper()}) {
     const Run r = run_by_quadtrees(pslg, Options().separate(trees));
     CHECK(r.report.trees.leaves_of_edges > leaves);
     leaves = r.report.trees.leaves_of_edges;
@@ -143,8 +176,8 @@ TEST_CASE("Both models of neighbors and both subdivisions give the same mesh", "
     const Pslg pslg = read(name);
     const Mesh mesh = Mesher(by_quadtrees())(pslg);
     CHECK(are_same(mesh, Mesher(by_quadtrees()).find_neighbors_by<Trapezoids>()(pslg)));
-    CHECK(are_same(mesh, Mesher(Options().separate(
-                             Tree_options().subdivide(Tree_options::Subdivision::CENTROID_TREE)))(pslg)));
+    CHECK(are_same(mesh, Mesher(Options().separate(Tree_options::of_theorem().subdivide(
+                             Tree_options::Subdivision::CENTROID_TREE)))(pslg)));
   }
 }
 
@@ -251,6 +284,8 @@ TEST_CASE("Rounds that use up a budget are no start for refinement", "[mesher][t
   const Run r = run(pslg, by_quadtrees().max_vertices(budget));
   CHECK(r.report.trees.end == End::BUDGET);
   CHECK(r.report.trees.rounds > 0);
+  CHECK(r.report.trees.placed == 0); // none of them is in the mesh
+  CHECK(r.report.trees.kept == 0);
   CHECK(r.report.is_met());
   CHECK(are_same(r.mesh, Mesher(Options().max_vertices(budget))(pslg)));
 }
@@ -285,7 +320,7 @@ TEST_CASE("Small graphs whose trees would take seconds are refined on demand", "
 TEST_CASE("Errors of the input are the same whatever separates features", "[mesher][theorem5]") {
   const auto is_same = [](const Pslg& pslg, const Options& options = Options()) {
     Options by_trees = options;
-    by_trees.separate(Tree_options());
+    by_trees.separate(Tree_options::of_theorem());
     const std::string error = pslg_test::error_of([&] {
       Mesher mesher(by_trees);
       mesher(pslg);

@@ -135,7 +135,8 @@ TEMPLATE_TEST_CASE("Integers are meshed by quadtrees", "[mesher][theorem5]", std
   fixed.segments = pslg.segments;
   check_mesh<Traits>(fixed);
   if (name == "syn_wedge_1deg.poly")
-    check_mesh<Traits>(fixed, Options().separate(Tree_options().place(Tree_options::Placement::BY_RULE)));
+    check_mesh<Traits>(
+        fixed, Options().separate(Tree_options::of_theorem().place(Tree_options::Placement::BY_RULE)));
 }
 
 TEST_CASE("Integers of which quadtrees make no end are meshed on demand", "[mesher][theorem5]") {
@@ -164,8 +165,9 @@ TEST_CASE("Rational graphs are meshed by quadtrees", "[mesher][theorem5][exact]"
 TEST_CASE("Rational graphs are meshed by rule alone", "[mesher][theorem5][exact]") {
   for (const std::string name : {"syn_square.poly", "syn_wedge_10deg.poly"}) {
     CAPTURE(name);
-    check_mesh<Exact_traits>(three_quarters_of(read(name)),
-                             Options().separate(Tree_options().place(Tree_options::Placement::BY_RULE)));
+    check_mesh<Exact_traits>(
+        three_quarters_of(read(name)),
+        Options().separate(Tree_options::of_theorem().place(Tree_options::Placement::BY_RULE)));
   }
 }
 

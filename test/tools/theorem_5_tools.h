@@ -20,7 +20,8 @@ using namespace mesher_test;
 using Tree_options = CGAL::Tree_separation_options_2;
 using End = CGAL::Tree_separation_report_2::End;
 
-inline Options by_quadtrees() { return Options().separate(Tree_options()); }
+/// Quadtrees go on until they miss no triangle.
+inline Options by_quadtrees() { return Options().separate(Tree_options::of_theorem()); }
 
 /// Whether quadtrees take about as many triangles as refinement on demand, for inputs of a few features, too.
 inline bool is_about_as_many(std::size_t by_trees, std::size_t on_demand) {

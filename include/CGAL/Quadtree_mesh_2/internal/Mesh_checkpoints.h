@@ -54,8 +54,8 @@ public:
     Head head{0};
     std::ifstream in(file_name(), std::ios::binary);
     in.read(reinterpret_cast<char*>(&head), sizeof head);
-    if (!in || head.magic != Head(0).magic)
-      throw std::runtime_error(file_name() + ": this is not the state of a mesh of this version, and stays");
+    if (!in || !head.is_of_state())
+      throw std::runtime_error(file_name() + ": this is not the state of a mesh, and stays");
     std::error_code ignored;
     std::filesystem::remove(file_name(), ignored);
     std::filesystem::remove(file_name() + ".part", ignored);
@@ -86,9 +86,12 @@ public:
     Checkpoint_reader file(file_name());
     Head head{0};
     file(head);
-    if (head.magic != Head(0).magic || head.origin != origin_)
-      throw std::runtime_error(file_name() + ": the state of another input, of other options or of another "
-                                             "version of the program");
+    if (!head.is_of_state()) throw std::runtime_error(file_name() + ": this is not the state of a mesh");
+    if (head.version != Head(0).version)
+      throw std::runtime_error(file_name() +
+                               ": the state is of another version: begin anew, or go on with that");
+    if (head.origin != origin_)
+      throw std::runtime_error(file_name() + ": the state is of another input, or of other options");
     transfer(file);
     file.check();
   }
@@ -98,8 +101,11 @@ private:
 
   struct Head {
     explicit Head(std::uint64_t o) : origin(o) {}
-    std::uint64_t magic =
-        0x31656d5174617453; // to be changed with what is in the file, or how refinement goes on
+    bool is_of_state() const { return magic == Head(0).magic; }
+
+    std::uint32_t magic = 0x516d5374;
+    std::uint32_t version =
+        2; // to be raised when the file has something else, or refinement goes on differently
     std::uint64_t origin;
   };
 

@@ -43,6 +43,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/output/kernel_mesh_to_indexed_mesh.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/pslg/Input_words.h>
+#include <CGAL/Quadtree_mesh_2/internal/pslg/kernel_graph.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Block_refinement.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Corner_finder.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Edge_sides.h>
@@ -69,7 +70,6 @@
 #include <array>
 #include <cstddef>
 #include <functional>
-#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -81,7 +81,7 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-template <class Traits, class ConcurrencyTag>
+template <class Traits, class ConcurrencyTag, class Watch = Unwatched_rounds>
 class Mesh_pipeline {
 public:
   using Geometry = typename Traits::Meshing_geometry_2;
@@ -90,9 +90,9 @@ public:
 
   /// \param find_hits by which model the construction by quadtrees finds neighbors of vertices; null: by the quadtree
   Mesh_pipeline(const Pslg& pslg, const Quality_mesh_options_2& options, const Traits& traits,
-                Find_nearest_hits<Pslg> find_hits, Quality_mesh_report_2& report)
+                Find_nearest_hits<Pslg> find_hits, Quality_mesh_report_2& report, Watch watch = {})
       : pslg_(pslg), options_(options), traits_(traits), find_hits_(find_hits), report_(report),
-        map_(pslg.vertices, seeds_of(pslg)) {
+        map_(pslg.vertices, seeds_of(pslg)), watch_(std::move(watch)) {
     if (options.coarsen() == Quality_mesh_options_2::Coarsening::NONE) finishing_.removal = Removal::NONE;
     finishing_.smoothing_rounds = options.smooth();
     finishing_.thinning_rounds = options.thin();
@@ -109,7 +109,7 @@ public:
       find_domain();
       check_distances();
       set_bounds();
-      find_corners(estimate_size());
+      Corner_finder<ConcurrencyTag, Geometry>(state_, estimate_size()).run();
     }
     Second_refinement<Geometry> second(state_);
     Splitter<Geometry> splitter(state_);
@@ -126,14 +126,18 @@ public:
     report_.is_cancelled = progress_.is_cancelled();
     rounds_.are_over = true;
     if (rounds_.number > 0) save_checkpoint();
+    report_.trees.kept =
+        number_used<ConcurrencyTag>(state_.mesh, problem_.input_points.size(), report_.trees.placed);
     return convert(account);
   }
+
+  const Watch& watch() const { return watch_; }
 
 private:
   using First = First_triangulation<ConcurrencyTag, Geometry>;
   using Seconds = Quality_mesh_report_2::Seconds;
-  /// Quadtrees make four times the triangles that are needed: removal alone leaves half of those too many.
-  static constexpr int rounds_after_construction_ = 2;
+  /// Quadtrees make up to four times the triangles that are needed: removal alone leaves half of those too many.
+  static constexpr int thinnings_after_construction_ = 3;
   static constexpr bool has_double_coordinates = std::is_same_v<typename Geometry::Coordinate, double>;
 
   const Pslg& pslg_;
@@ -154,6 +158,7 @@ private:
   std::optional<Pslg_error_2> too_near_for_trees_; // the error for the first of them
   double triangles_of_sizes_ = 0;                  // what bounds of size ask for, as estimated
   Block_rounds rounds_;
+  Watch watch_; // of the rounds
   Mesh_checkpoints checkpoints_{options_.checkpoints(), Checkpoint_pace<ConcurrencyTag>::time_between};
   bool has_gone_on_ = false; // from a checkpoint
 
@@ -187,7 +192,8 @@ private:
   void triangulate_input() {
     const std::size_t n = pslg_.number_of_vertices();
     First first(state_.mesh, problem_.input_points.values(), std::move(problem_.vertex_blocks));
-    if (const auto crossing = first.run(kernel_segments())) throw words_.crossing(first.edges(), *crossing);
+    if (const auto crossing = first.run(kernel_segments<ConcurrencyTag>(pslg_, order_)))
+      throw words_.crossing(first.edges(), *crossing);
     is_merged_.resize(n);
     report_.merged_vertices = reduce<ConcurrencyTag>(
         n, std::size_t(0),
@@ -255,26 +261,6 @@ private:
     throw gap_error(refusal);
   }
 
-  void find_corners(const Acute_starts& starts) {
-    Corner_finder<ConcurrencyTag, Geometry>(state_, starts).run();
-  }
-
-  /// The segments in the kernel's numbering, which is the shuffle order.
-  std::vector<typename First::Segment> kernel_segments() const {
-    Uninitialized_indexed_vector<Vertex_index, Vertex_id> kernel_vertex;
-    resize_with_pages(kernel_vertex, order_.size());
-    for_each_index<ConcurrencyTag>(order_.size(), [&](std::size_t i) {
-      kernel_vertex[Vertex_index(order_[i])] = static_cast<Vertex_id>(i);
-    });
-    std::vector<typename First::Segment> segments;
-    resize_with_pages(segments, pslg_.number_of_segments());
-    for_each_index<ConcurrencyTag>(segments.size(), [&](std::size_t s) {
-      const auto& [a, b] = pslg_.segments[s];
-      segments[s] = {kernel_vertex[a], kernel_vertex[b]};
-    });
-    return segments;
-  }
-
   /// To be asked once the size is estimated.
   Vertex_budgets<Geometry> budgets() const {
     return {options_, problem_.bounds, pslg_.number_of_vertices(),
@@ -308,8 +294,8 @@ private:
   /// \pre the mesh is refined in blocks
   void save_checkpoint() {
     if constexpr (!Geometry::has_unlimited_coordinates) {
-      if (progress_.is_cancelled() || state_.is_small_mesh())
-        return; // a small mesh needs its start once more
+      const bool is_by_trees = options_.separate() != Quality_mesh_options_2::Separation::ON_DEMAND;
+      if (progress_.is_cancelled() || is_by_trees || state_.is_small_mesh()) return; // which needs its start
       checkpoints_.save_if_due([this](auto& archive) { this->transfer(archive); });
     }
   }
@@ -322,18 +308,28 @@ private:
       splitter.cut_rings();
       Bulk_filler<ConcurrencyTag, Geometry>(state_, splitter).run(limit.vertices);
     }
-    Block_refinement<ConcurrencyTag, Geometry> blocks(state_, finishing_, limit.vertices, rounds_);
-    const auto shall_go_on = [this, &blocks] {
-      return progress_.shall_go_on(Progress_shares::first_mesh +
-                                   Progress_shares::rounds_of_blocks * blocks.share_done());
-    };
-    if (blocks.run(shall_go_on, [this] { save_checkpoint(); }))
+    if (work_off_in_blocks(limit, Progress_shares::first_mesh))
       finishing_.smoothing_rounds = 0; // done, and removal is left only at seams
     else
       refiner.push_all();
     const Refinement_end end = run(refiner, limit);
     if (end != Refinement_end::OUT_OF_BUDGET) finish_refinement(splitter);
     return end;
+  }
+
+  /// \param share_before of the work, as is told to the user
+  /// \returns false if the mesh is too small for blocks, and nothing was done
+  bool work_off_in_blocks(Mesh_limit limit, double share_before) {
+    Block_refinement<ConcurrencyTag, Geometry, Watch> blocks(state_, finishing_, limit.vertices, rounds_,
+                                                             watch_);
+    const auto shall_go_on = [this, &blocks, share_before] {
+      return progress_.shall_go_on(share_before + Progress_shares::rounds_of_blocks * blocks.share_done());
+    };
+    // A state goes on with refinement, which is not what quadtrees are followed by.
+    const auto between_rounds = [this] {
+      if (report_.trees.rounds == 0) save_checkpoint();
+    };
+    return blocks.run(shall_go_on, between_rounds);
   }
 
   void finish_refinement(Splitter<Geometry>& splitter) {
@@ -397,26 +393,48 @@ private:
     clock_.enter(&Seconds::refine);
     if (is_first_choice && report_.trees.end == End::BUDGET) {
       state_.mesh = std::move(mesh_before);
+      report_.trees.placed = 0;
       state_.clear_worklist();
       return false;
     }
-    refiner.push_all();
-    run_to_the_end(refiner, budgets().of_repair(state_.mesh.number_of_vertices()));
-    state_.legalize();
-    if (options_.coarsen() == Quality_mesh_options_2::Coarsening::NONE) return true;
-    finishing_.smoothing_rounds = std::max(options_.smooth(), rounds_after_construction_);
-    finishing_.thinning_rounds = std::max(options_.thin(), rounds_after_construction_);
+    cure(refiner);
     return true;
+  }
+
+  /// Refines what quadtrees missed or left too large, in blocks, which are coarsened on the way.
+  void cure(Refiner<Geometry>& refiner) {
+    const Mesh_limit limit = budgets().of_repair(state_.mesh.number_of_vertices());
+    const bool shall_coarsen = options_.coarsen() != Quality_mesh_options_2::Coarsening::NONE;
+    finishing_.thinnings_of_blocks = shall_coarsen ? thinnings_after_construction_ : 0;
+    rounds_ = Block_rounds(); // perhaps of refinement that did not come to rest
+    state_.has_placed_vertices = true;
+    const bool are_blocks = work_off_in_blocks(limit, Progress_shares::quadtrees);
+    if (!are_blocks) refiner.push_all();
+    const std::size_t vertices = state_.mesh.number_of_vertices();
+    run_to_the_end(refiner, limit);
+    state_.legalize();
+    const bool is_thin = are_blocks && state_.mesh.number_of_vertices() - vertices < vertices / 100;
+    if (are_blocks) finishing_.smoothing_rounds = 0;
+    if (shall_coarsen && !is_thin)
+      finishing_.thinning_rounds = std::max(options_.thin(), thinnings_after_construction_);
+  }
+
+  /// Where refinement did not come to rest, it is not to cure what could keep it going.
+  Tree_separation_options_2 options_of_trees() const {
+    const Tree_separation_options_2& wanted = options_.trees();
+    if (!report_.trees.has_taken_over) return wanted;
+    return Tree_separation_options_2::of_theorem().subdivide(wanted.subdivide()).place(wanted.place());
   }
 
   /// \throws Pslg_error_2 if the user wants quadtrees and their grid cannot tell two vertices apart
   Tree_separation_report_2::End make_mesh_by_trees() {
-    const Pslg graph = graph_of_edges();
+    const Pslg graph = graph_of_edges(pslg_, order_, problem_.edges);
     const Edge_sides sides(state_.mesh, problem_.edges);
+    const Tree_separation_options_2 tree_options = options_of_trees();
     std::optional<Separation_trees<Traits, ConcurrencyTag>> trees;
     try {
       clock_.enter(&Seconds::trees);
-      trees.emplace(problem_, sides, graph, map_, options_.trees(), traits_, find_hits_,
+      trees.emplace(problem_, sides, graph, map_, tree_options, traits_, find_hits_,
                     budgets().of_construction().leaves, report_.trees);
     } catch (const Point_error& error) {
       ++report_.trees.rounds;
@@ -431,22 +449,10 @@ private:
     // Leaves can be split without end for a bound that their rule is not made for: refinement meets a higher one.
     const Bounds<Geometry> wanted = problem_.bounds;
     problem_.bounds.lower_to_established();
-    const auto end = construction.run(options_.trees().place(), budgets().of_construction(),
+    const auto end = construction.run(tree_options, budgets().of_construction(),
                                       progress_.question_at(Progress_shares::quadtrees));
     problem_.bounds = wanted;
     return end;
-  }
-
-  /// The input, in the kernel's order and with its edges: segments cut where vertices lie on them.
-  Pslg graph_of_edges() const {
-    Pslg graph;
-    graph.vertices.reserve(order_.size());
-    for (std::size_t v = 0; v < order_.size(); ++v) graph.vertices.push_back(pslg_.vertices[order_[v]]);
-    for (const Edge_id e : problem_.edges.ids()) {
-      const Input_edge& edge = problem_.edges[e];
-      graph.add_segment(Vertex_index(std::size_t(edge.a)), Vertex_index(std::size_t(edge.b)));
-    }
-    return graph;
   }
 
   void coarsen(Refiner<Geometry>& refiner, Second_refinement<Geometry>& second) {
@@ -484,12 +490,6 @@ private:
     Indexed_mesh_2<Point_2> mesh = converter.run(account);
     if constexpr (has_double_coordinates) check_mesh_is_kept<Geometry>(mesh, map_);
     return mesh;
-  }
-
-  static std::vector<Point_2> seeds_of(const Pslg& pslg) {
-    std::vector<Point_2> seeds = pslg.holes;
-    for (const auto& region : pslg.regions) seeds.push_back(region.point);
-    return seeds;
   }
 };
 

@@ -110,6 +110,7 @@ private:
 
   void check_sizes() {
     const std::size_t n = pslg_.vertices.size();
+    if (!mesh_.input_index.empty()) error("the mesh is renumbered: renumber_by_input() it first");
     if (mesh_.points.size() < n)
       error("the mesh has ", mesh_.points.size(), " vertices, fewer than the input's ", n);
     if (!has_all_arrays()) return;

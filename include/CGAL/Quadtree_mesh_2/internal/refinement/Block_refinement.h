@@ -30,6 +30,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Refiner.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Splitter.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/finish_mesh.h>
+#include <CGAL/Quadtree_mesh_2/internal/refinement/thin_out.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Mesh_blocks.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Triangle_zone.h>
 
@@ -60,7 +61,28 @@ struct Block_rounds {
   }
 };
 
-template <class ConcurrencyTag, class Geometry>
+/// Who watches the rounds, which know nothing of it. This one does not look; Part_ledger.h has one that does. Each
+/// round calls all but the first and `is_flipped()` once, in this order, unless there is nothing to do in it.
+struct Unwatched_rounds {
+  /// In rounds after the first: the triangles that are worked on, ring by ring.
+  template <class State, class Zone>
+  void zone_is_found(const State&, const Zone&, const std::vector<Triangle_id>& /* waiting */) const {}
+  template <class State, class Blocks>
+  void blocks_are_cut(const State&, const Blocks&, int /* round */) const {}
+  /// For each block, maybe by several threads at once. It knows its handles in the whole mesh.
+  template <class Block>
+  void is_written(const Block&) const {}
+  /// Before blocks are put together: all are written, and remember their seams.
+  template <class State, class Blocks>
+  void are_written(const State&, const Blocks&) const {}
+  /// For each flip that follows from sides at seams.
+  template <class State>
+  void is_flipped(const State&, Triangle_id, Triangle_id) const {}
+  template <class State>
+  void round_is_over(const State&) const {}
+};
+
+template <class ConcurrencyTag, class Geometry, class Watch = Unwatched_rounds>
 class Block_refinement {
 public:
   using Block = Mesh_block<Geometry>;
@@ -73,8 +95,8 @@ public:
 
   /// \param rounds those that have been done, with whose results the work goes on
   Block_refinement(Meshing_state<Geometry>& whole, const Finishing& finishing, std::size_t vertex_budget,
-                   Block_rounds& rounds)
-      : whole_(whole), finishing_(finishing), vertex_budget_(vertex_budget), rounds_(rounds) {}
+                   Block_rounds& rounds, Watch& watch)
+      : whole_(whole), finishing_(finishing), vertex_budget_(vertex_budget), rounds_(rounds), watch_(watch) {}
 
   /// Works off what can be done in blocks; the rest is left on the worklist of the whole mesh. `shall_go_on()` may be
   /// called by several threads at once.
@@ -127,6 +149,7 @@ private:
   std::size_t triangles_of_round_ = 0; // before they are refined
   std::atomic<std::size_t> triangles_done_{0};
   Block_rounds& rounds_;
+  Watch& watch_;
 
   template <class Continue>
   bool is_round_wanted(const Continue& shall_go_on) const {
@@ -139,7 +162,7 @@ private:
 
   Block_cut first_cut() const {
     const auto& mesh = whole_.mesh;
-    if (whole_.bulk.has_border)
+    if (whole_.has_placed_vertices)
       return cut_by_position<ConcurrencyTag>(mesh, triangles_outside_bulk(), block_size, key_);
     const Vertex_id end_of_input = whole_.problem.input_points.end_id();
     return cut_by_vertices<ConcurrencyTag>(mesh, whole_.problem.vertex_blocks, [&](Vertex_id v) {
@@ -174,10 +197,12 @@ private:
   Block_cut cut_of_zone(int round) const {
     Triangle_zone<ConcurrencyTag, Geometry> zone(whole_.mesh);
     zone.add(rounds_.waiting);
-    zone.add(corner_places_.triangles_of_corners_at(rounds_.waiting));
+    for (const Corner_id c : corner_places_.corners_of(rounds_.waiting))
+      zone.add(corner_places_.triangles_of(c));
     if (round == 2) zone.add(rounds_.at_seams);
     constexpr int most_rings = 8;
     zone.grow(std::max(2, std::min(round - 1, most_rings)));
+    watch_.zone_is_found(whole_, zone, rounds_.waiting);
     const int doublings = std::min(2 * std::max(0, round - 3), 24);
     return cut_by_position<ConcurrencyTag>(whole_.mesh, zone.triangles(), zone_block_size << doublings,
                                            round % 2 == 0 ? shifted_key_ : key_);
@@ -188,6 +213,7 @@ private:
     if (cut.members.empty()) return;
     triangles_done_ = 0, triangles_of_round_ = cut.members.size();
     Blocks blocks(whole_.mesh, assignment_, std::move(cut));
+    watch_.blocks_are_cut(whole_, blocks, rounds_.number);
     const auto owned = corner_places_.by_block(blocks);
     Indexed_vector<Block_id, std::vector<Triangle_id>> left(blocks.size());
     const std::size_t room = vertex_budget_ - std::min(vertex_budget_, whole_.mesh.number_of_vertices());
@@ -202,7 +228,9 @@ private:
           const Block_id b = block.id();
           name_corner_vertices(owned[b], [&](Vertex_id v) { return block.whole_vertex(v); });
           for (Triangle_id& t : left[b]) t = block.whole_triangle(t);
+          watch_.is_written(block);
         });
+    watch_.are_written(whole_, blocks);
     blocks.put_together();
     rounds_.waiting.clear();
     for (const auto& triangles : left)
@@ -210,9 +238,12 @@ private:
         if (whole_.mesh.is_alive(t)) rounds_.waiting.push_back(t);
     rounds_.at_seams = triangles_at(blocks.seam_sides());
     std::vector<Side> doubtful = blocks.sides_to_flip();
-    whole_.mesh.make_Delaunay(doubtful, [this](Triangle_id t) {
-      if (whole_.is_suspect(t)) rounds_.waiting.push_back(t);
+    whole_.mesh.make_Delaunay(doubtful, [this](Triangle_id t, Triangle_id u) {
+      for (const Triangle_id flipped : {t, u})
+        if (whole_.is_suspect(flipped)) rounds_.waiting.push_back(flipped);
+      watch_.is_flipped(whole_, t, u);
     });
+    watch_.round_is_over(whole_);
   }
 
   /// Refines a block and thins it out; returns the triangles left.
@@ -222,15 +253,28 @@ private:
     name_corner_vertices(owned, [&](Vertex_id v) { return block.vertex_in_block(v); });
     Meshing_state<Geometry> state(whole_.problem, owned);
     std::swap(state.mesh, block.mesh);
-    Splitter<Geometry> splitter(state);
-    Refiner<Geometry> refiner(state, splitter);
-    refiner.push_all();
-    refiner.run({state.mesh.number_of_vertices() + room}, shall_go_on);
-    finish_mesh(state, finishing_, shall_go_on);
+    const Mesh_limit limit{state.mesh.number_of_vertices() + room};
+    const int thinnings = rounds_.number == 1 ? finishing_.thinnings_of_blocks : 0;
+    for (int i = 0; i < thinnings; ++i) {
+      thin_out(state, shall_go_on);
+      refine(state, limit, shall_go_on);
+    }
+    if (thinnings == 0) refine(state, limit, shall_go_on);
     std::swap(state.mesh, block.mesh);
     std::vector<Triangle_id> left = std::move(state.deferred);
     while (!state.worklist.is_empty()) left.push_back(state.worklist.pop());
     return left;
+  }
+
+  /// Refines all that is bad, then removes what can be spared.
+  template <class Continue>
+  void refine(Meshing_state<Geometry>& state, Mesh_limit limit, const Continue& shall_go_on) const {
+    state.deferred.clear();
+    Splitter<Geometry> splitter(state);
+    Refiner<Geometry> refiner(state, splitter);
+    refiner.push_all();
+    refiner.run(limit, shall_go_on);
+    finish_mesh(state, finishing_, shall_go_on);
   }
 
   /// Renames the vertices of the corners; shells that are gone (none) are forgotten.

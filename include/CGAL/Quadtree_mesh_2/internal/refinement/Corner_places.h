@@ -48,14 +48,18 @@ public:
     return owned;
   }
 
-  /// The triangles of the corners for which some triangles may wait: those on whose legs they have a vertex.
-  std::vector<Triangle_id> triangles_of_corners_at(const std::vector<Triangle_id>& waiting) const {
+  /// The corners for which some triangles may wait: those on whose legs they have a vertex.
+  std::vector<Corner_id> corners_of(const std::vector<Triangle_id>& waiting) const {
+    return corners_at(vertices_on_legs(waiting));
+  }
+
+  /// The triangles of a corner, as far as its legs are cut; some more than once.
+  std::vector<Triangle_id> triangles_of(Corner_id c) const {
     std::vector<Triangle_id> triangles;
-    for (const Corner_id c : corners_at(vertices_on_legs(waiting)))
-      visit(corners_.corner(c), [&](Triangle_id t) {
-        triangles.push_back(t);
-        return true;
-      });
+    visit(corners_.corner(c), [&](Triangle_id t) {
+      triangles.push_back(t);
+      return true;
+    });
     return triangles;
   }
 

@@ -74,13 +74,14 @@ struct Meshing_state {
   struct Bulk {
     Triangle_id first_triangle = Triangle_id(0), end_of_triangles = Triangle_id(0);
     Vertex_id first_vertex = Vertex_id(0), end_of_vertices = Vertex_id(0);
-    bool has_border = false; ///< vertices were inserted on its border
 
     std::size_t number_of_triangles() const { return end_of_triangles.value() - first_triangle.value(); }
     bool has(Triangle_id t) const { return !(t < first_triangle) && t < end_of_triangles; }
     bool has_within(Vertex_id v) const { return !(v < first_vertex) && v < end_of_vertices; }
   };
   Bulk bulk;
+  /// Free vertices were there before refinement: on the border of the bulk, or of quadtrees.
+  bool has_placed_vertices = false;
   /// Bad triangles that are for a later round, in which they lie farther from the seams.
   std::vector<Triangle_id> deferred;
 
@@ -94,7 +95,7 @@ struct Meshing_state {
   /// Writes or reads the mesh and what there is to do in it, while nothing is on the worklist (Checkpoint_file.h).
   template <class Archive>
   void transfer(Archive& archive) {
-    archive(mesh, leg_rule, refinement_rule, bulk, deferred, doubtful_sides);
+    archive(mesh, leg_rule, refinement_rule, bulk, has_placed_vertices, deferred, doubtful_sides);
   }
 
   bool owns(Corner_id c) const { return !is_block_ || std::binary_search(owned_.begin(), owned_.end(), c); }

@@ -22,6 +22,9 @@ struct Finishing {
   Removal removal = Removal::GUARDED;
   int smoothing_rounds = 0;
   int thinning_rounds = 0; ///< Thinner.h; of the whole mesh, at last
+  /// How many times blocks are thinned out and refined (thin_out.h) in the first round: where there are many more
+  /// vertices than the mesh needs.
+  int thinnings_of_blocks = 0;
 };
 
 /// Removes Steiner vertices and smooths, as is wanted.

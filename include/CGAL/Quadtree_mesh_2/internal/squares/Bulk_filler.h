@@ -160,7 +160,7 @@ private:
   void fill(const Squares& squares, const Wanted_squares<Geometry>& wanted,
             const Square_grid<Geometry>& grid) {
     reserve(squares);
-    state_.bulk.has_border = true;
+    state_.has_placed_vertices = true;
     const Named_border border = collect_border(squares, grid);
     insert_border(squares, wanted);
     split_long_edges();

@@ -9,15 +9,17 @@
 // Computes: T_B, the balanced quadtree of the vertices. T_B', in which each vertex lies in a leaf as small as
 //           its distance to the nearest other vertex or edge asks for. T_B'', in which edges that bound a
 //           common cell in a leaf are apart. T_B*, in which edges in neighboring leaves are apart as well.
-// Bound:    O(log n) rounds for each tree and O((n + k) log n) work, for n vertices and k leaves and pieces
-//           of edges in T_B*. Sizes are in proportion to the local feature size, or to the width of the gap
-//           in front of an edge. So k is within a constant of the size of any triangulation with such angles.
+// Bound:    O(log n) rounds for T_B and T_B', and for each split but for balance after it; O((n + k) log n)
+//           work, for n vertices and k leaves and pieces of edges in T_B*. Sizes are in proportion to the local
+//           feature size, or to the width of the gap in front of an edge. So k is within a constant of the size
+//           of any triangulation with such angles.
 // Source:   Bern, Eppstein, Teng, section 6; Lemma 5 for the distances.
 // Deviates: T_B'' and T_B* are made by splitting leaves one level at a time until nothing is too near. The
-//           paper finds at once how far to go. So there are as many rounds as levels are missing, but a leaf
-//           is looked at again only when it or one next to it was split (Passed_leaves.h). T_B* looks at
-//           adjacent leaves only, and at pairs in sight of each other; balance takes care of what is
-//           farther away. Tree_separation_options_2.h and Edge_gaps.h say which distances suffice.
+//           paper finds at once how far to go. So there are as many rounds as levels are missing, and balance
+//           after each of them takes as many as the tree has levels. A leaf is looked at again only when it or
+//           one next to it was split (Passed_leaves.h). T_B* looks at adjacent leaves only, and at pairs in
+//           sight of each other; balance takes care of what is farther away. Tree_separation_options_2.h and
+//           Edge_gaps.h say which distances suffice.
 //
 // Leaves become no smaller than a few units of the coordinates there. Features nearer to each other than that
 // have no room for vertices between representable coordinates (`has_room()`).
@@ -30,6 +32,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/geometry/coordinate_map.h>
 #include <CGAL/Quadtree_mesh_2/internal/neighbors/nearest_hits.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
+#include <CGAL/Quadtree_mesh_2/internal/quadtree/schedule_of_threads.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Column_closure.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Edge_gaps.h>
@@ -144,13 +147,17 @@ private:
 
   void make_tree_of_vertices(const Traits& traits, Find_hits find_hits) {
     if (find_hits) {
-      separate_vertices(find_hits(graph_), Tree(graph_.vertices, Quadtree_options(), traits));
+      separate_vertices(find_hits(graph_), Tree(graph_.vertices, tree_options(), traits));
     } else {
       const Quadtree_vertex_edge_neighbors_2<Traits, ConcurrencyTag> neighbors(
           graph_, Vertex_edge_neighbors_options_2(), traits);
       separate_vertices(nearest_hit_distances<ConcurrencyTag>(neighbors, graph_.number_of_vertices()),
                         neighbors.quadtree());
     }
+  }
+
+  static Quadtree_options tree_options() {
+    return Quadtree_options().schedule(schedule_of_threads<ConcurrencyTag>());
   }
 
   /// \param hits how far each vertex is from the nearest edge that it sees along the axes
@@ -160,7 +167,7 @@ private:
     side_of_root_ = width(first.corners(first.root()));
     Framework framework = first.framework();
     framework.annotate(levels_of_vertices(hits, first));
-    tree_ = Tree(std::move(framework));
+    tree_ = Tree(std::move(framework), tree_options());
     report_.leaves_of_vertices = tree_.number_of_leaves();
   }
 

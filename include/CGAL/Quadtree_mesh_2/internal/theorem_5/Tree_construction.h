@@ -12,7 +12,8 @@
 //           work for each round. A round is O(log^2 n) parallel steps.
 // Source:   Bern, Eppstein, Teng, Theorem 5 (Theorem 6 with one thread).
 // Deviates: the paper's constants separate features so far that warping is bound to succeed. Ours are what
-//           mostly suffices (Tree_separation_options_2.h). What they miss is found in the mesh:
+//           mostly suffices (Tree_separation_options_2.h). What they miss is found in the mesh. After the last round
+//           that is wanted, the first by default, it is left to refinement, which cures it in blocks. Before:
 //           1. A triangle below the bound is cured, if possible, by leaving out one of its vertices, because
 //              which corners near a feature become vertices is a choice. On maps the rule first misses the
 //              bound at two or three triangles in a hundred. Two thirds of these are cured.
@@ -45,6 +46,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <iterator>
 #include <utility>
 #include <vector>
@@ -52,6 +54,21 @@
 namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
+
+/// How many of so many vertices, from a first one on, have a triangle; the mesh may have fewer by now.
+template <class ConcurrencyTag, class Mesh>
+std::size_t number_used(const Mesh& mesh, std::size_t first, std::size_t size) {
+  const std::size_t vertices = mesh.number_of_vertices();
+  return reduce<ConcurrencyTag>(
+      std::min(size, vertices - std::min(vertices, first)), std::size_t(0),
+      [&](std::size_t begin, std::size_t end) {
+        std::size_t used = 0;
+        for (const Vertex_id v : Id_range<Vertex_id>(first + begin, first + end))
+          used += std::size_t(mesh.is_used(v) ? 1 : 0);
+        return used;
+      },
+      std::plus<>());
+}
 
 template <class Traits, class ConcurrencyTag>
 class Tree_construction {
@@ -73,8 +90,10 @@ public:
   /// `shall_go_on()` is asked once a round. The round that uses up the budget is the last.
   /// \pre the trees are not exhausted
   template <class Continue>
-  End run(Tree_separation_options_2::Placement placement, const Construction_budget& budget,
+  End run(const Tree_separation_options_2& options, const Construction_budget& budget,
           const Continue& shall_go_on) {
+    using Placement = Tree_separation_options_2::Placement;
+    const Placement placement = options.place();
     std::size_t vertices_of_all_rounds = 0;
     for (;;) {
       ++report_.rounds;
@@ -83,12 +102,15 @@ public:
       std::vector<Triangle_id> sharp = sharp_triangles();
       report_.triangles = mesh_.number_of_triangles();
       report_.missed_by_rule = sharp.size();
-      if (placement == Tree_separation_options_2::Placement::CHOSEN) sharp = choose_corners(sharp);
+      const bool is_last = report_.rounds == options.rounds(); // blocks will leave out more than these
+      if (placement == Placement::CHOSEN && !is_last) sharp = choose_corners(sharp);
       report_.missed = sharp.size();
+      report_.placed = mesh_.number_of_vertices() - state_.problem.input_points.size();
       report_.leaves_of_edges = trees_.tree().number_of_leaves();
       for (const Triangle_id t : sharp) state_.push(t);
       if (sharp.empty()) return End::DONE;
       if (!shall_go_on()) return End::CANCELLED;
+      if (is_last) return End::ROUNDS;
       vertices_of_all_rounds += mesh_.number_of_vertices();
       if (mesh_.number_of_vertices() >= budget.leaves || trees_.is_exhausted() ||
           vertices_of_all_rounds >= budget.vertices_of_all_rounds)

@@ -35,6 +35,15 @@ namespace internal {
 /// Triangles by block.
 using Block_cut = Groups<Triangle_id>;
 
+/// What stands for the place of a triangle.
+template <class Geometry>
+typename Geometry::Point middle_of_shortest_edge(const Kernel_mesh<Geometry>& mesh, Triangle_id t) {
+  const auto& r = mesh.triangle(t);
+  const int k = mesh.shape(r).slot_of_shortest();
+  const auto &a = mesh.point(r.v[next_slot[k]]), &b = mesh.point(r.v[previous_slot[k]]);
+  return Geometry::translate(a, 0.5 * Geometry::difference(b, a));
+}
+
 /// Cuts the given triangles, a vector, into squares with at most `most` each, by the middles of their shortest edges.
 /// What the squares of the grid do not tell apart is cut by number.
 template <class ConcurrencyTag, class Geometry, class Triangles>
@@ -43,11 +52,7 @@ Block_cut cut_by_position(const Kernel_mesh<Geometry>& mesh, const Triangles& tr
   const std::size_t n = triangles.size();
   Uninitialized_vector<std::uint64_t> words(n); // key, triangle
   for_each_index<ConcurrencyTag>(n, [&](std::size_t i) {
-    const auto& r = mesh.triangle(triangles[i]);
-    const int k = mesh.shape(r).slot_of_shortest();
-    const auto &a = mesh.point(r.v[next_slot[k]]), &b = mesh.point(r.v[previous_slot[k]]);
-    const auto middle = Geometry::translate(a, 0.5 * Geometry::difference(b, a));
-    words[i] = key(middle) << 32 | triangles[i].value();
+    words[i] = key(middle_of_shortest_edge(mesh, triangles[i])) << 32 | triangles[i].value();
   });
   sort_words<ConcurrencyTag>(words.data(), uncleared_words(n).get(), n, true);
 

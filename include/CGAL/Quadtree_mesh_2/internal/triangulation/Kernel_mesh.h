@@ -298,9 +298,9 @@ public:
   }
 
   /// Flips until the given sides, and those of triangles that flips change, are Delaunay or not certainly else. Calls
-  /// `changed(t)` for triangles that a flip has made.
-  template <class Changed>
-  void make_Delaunay(std::vector<Side>& doubtful, const Changed& changed) {
+  /// `flipped(t, u)` after each flip, with its two triangles.
+  template <class Flipped>
+  void make_Delaunay(std::vector<Side>& doubtful, const Flipped& flipped) {
     while (!doubtful.empty()) {
       const Side s = doubtful.back();
       doubtful.pop_back();
@@ -309,12 +309,12 @@ public:
       flip(s.triangle(), s.slot());
       const Triangle_id t = s.triangle(), u = o.triangle();
       for (const Side n : {Side(t, 0), Side(u, 0), Side(t, 2), Side(u, 1)}) doubtful.push_back(n);
-      changed(t), changed(u);
+      flipped(t, u);
     }
   }
 
   void make_Delaunay(std::vector<Side>& doubtful) {
-    make_Delaunay(doubtful, [](Triangle_id) {});
+    make_Delaunay(doubtful, [](Triangle_id, Triangle_id) {});
   }
 
   /// Puts vertex v inside triangle t and restores the Delaunay property around it.

@@ -51,6 +51,7 @@ public:
   }
 
   std::size_t size() const { return blocks_.size(); }
+  const Block_cut& cut() const { return cut_; }
   /// The block in which a triangle of the whole mesh is, if it is in one.
   Block_id block_of(Triangle_id t) const { return assignment_[t].block; }
   /// The handle that a triangle has in its block, when that is taken out.
@@ -86,6 +87,8 @@ public:
                                    [&](std::size_t i) { assignment_.of_triangle[cut_.members[i]] = {}; });
   }
 
+  /// Those of a block that is written.
+  const std::vector<typename Block::Seam>& seams_of(Block_id b) const { return blocks_[b.value()]->seams(); }
   /// The sides along which blocks were put together.
   const std::vector<Side>& seam_sides() const { return seam_sides_; }
   /// Those of them that have to be flipped.

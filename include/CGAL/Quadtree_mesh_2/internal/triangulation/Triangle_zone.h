@@ -8,6 +8,7 @@
 #define CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_TRIANGLE_ZONE_H
 
 #include <CGAL/Quadtree_mesh_2/internal/parallel/append_all.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel/group_in_order.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Kernel_mesh.h>
 
@@ -28,6 +29,13 @@ public:
 
   const std::vector<Triangle_id>& triangles() const { return triangles_; }
 
+  /// How many rings there are, of which the first is what was added.
+  std::size_t number_of_rings() const { return first_of_ring_.size(); }
+  Span<Triangle_id> ring(std::size_t r) const {
+    const std::size_t end = r + 1 < first_of_ring_.size() ? first_of_ring_[r + 1] : triangles_.size();
+    return {triangles_.data() + first_of_ring_[r], triangles_.data() + end};
+  }
+
   /// Adds those of the triangles, a vector, that are alive.
   template <class Triangles>
   void add(const Triangles& seeds) {
@@ -36,10 +44,11 @@ public:
     });
   }
 
-  /// Adds the triangles with a side in common with those of the ring before, as often as is said.
+  /// Adds the triangles with a side in common with those of the ring before, as often as is said. Once only.
   void grow(int rings) {
     for (std::size_t begin = 0; rings > 0; --rings) {
       const std::size_t end = triangles_.size();
+      first_of_ring_.push_back(end);
       append(end - begin, [&](std::size_t i, std::vector<Triangle_id>& found) {
         for (const Side o : mesh_.triangle(triangles_[begin + i]).side)
           if (!o.is_border() && is_new(o.triangle())) found.push_back(o.triangle());
@@ -52,6 +61,7 @@ private:
   const Kernel_mesh<Geometry>& mesh_;
   std::vector<std::atomic<bool>> is_in_;
   std::vector<Triangle_id> triangles_;
+  std::vector<std::size_t> first_of_ring_{0};
 
   bool is_new(Triangle_id t) {
     auto& is_in = is_in_[t.value()];
