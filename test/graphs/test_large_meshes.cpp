@@ -17,6 +17,7 @@
 #include <CGAL/Scratch_memory.h>
 #include <CGAL/Streaming_quality_mesher_2.h>
 #include <CGAL/bounding_box.h>
+#include <CGAL/renumber_mesh_2.h>
 
 #include <atomic>
 #include <cstddef>
@@ -24,6 +25,7 @@
 #include <filesystem>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace test_large_meshes {
 
@@ -181,6 +183,38 @@ TEST_CASE("A mesh is streamed from file to file as it is made in memory", "[mesh
   CHECK_THROWS_AS(mesher(input, folder.file("no/folder/mesh.ele")), std::invalid_argument);
   CHECK_THROWS_AS(mesher(folder.file("again.poly"), folder.file("again.ele")), std::invalid_argument);
   CHECK_THROWS_AS(CGAL::Streaming_quality_mesher_2<>(Options(), {}), std::invalid_argument);
+}
+
+TEST_CASE("Streamed files in the order of places are those made in memory", "[mesher][scratch][renumber]") {
+  const Scratch_folder folder;
+  const std::string input = QUADTREE_MESH_TEST_DATA_DIR "/gshhg_norway_f.poly.gz";
+  const Pslg pslg = read("gshhg_norway_f.poly.gz");
+  Mesh mesh = CGAL::Quality_mesher_2<>()(pslg);
+  CGAL::renumber_by_place(mesh);
+  CGAL::Streaming_options_2 streaming;
+  streaming.scratch_folder = folder.file("scratch"), streaming.memory = std::size_t(1) << 28;
+  streaming.is_renumbered = true, streaming.pieces = 2;
+  CGAL::Streaming_quality_mesher_2<Filtered_traits, CGAL::Parallel_tag> mesher(Options(), streaming);
+  CGAL::IO::write_triangle_files(mesh, pslg, folder.file("memory"));
+  CHECK(mesher(input, folder.file("stream.ele")).is_met());
+  CGAL::IO::write_PVTU(folder.file("memory.pvtu"), mesh, pslg, 2);
+  CHECK(mesher(input, folder.file("stream.pvtu")).is_met());
+  CGAL::IO::write_MSH_parts(folder.file("memory.msh"), mesh, pslg, 2);
+  CHECK(mesher(input, folder.file("stream.msh")).is_met());
+  std::vector<std::string> files{".node", ".ele", ".poly", "_1.vtu", "_2.vtu", "_1.msh", "_2.msh"};
+#ifdef CGAL_LINKED_WITH_HDF5
+  CGAL::IO::write_HDF5(folder.file("graph.h5"), pslg);
+  CGAL::IO::write_VTKHDF(folder.file("memory.vtkhdf"), mesh, pslg);
+  CHECK(mesher(folder.file("graph.h5"), folder.file("stream.vtkhdf")).is_met());
+  CGAL::IO::write_XDMF(folder.file("memory.xdmf"), mesh, pslg);
+  CHECK(mesher(folder.file("graph.h5"), folder.file("stream.xdmf")).is_met());
+  CHECK_THROWS_AS(mesher(folder.file("graph.h5"), folder.file("graph.xdmf")), std::invalid_argument);
+  files.push_back(".vtkhdf"), files.push_back(".h5");
+#endif
+  for (const std::string& file : files) {
+    CAPTURE(file);
+    CHECK(content(folder.file("stream" + file)) == content(folder.file("memory" + file)));
+  }
 }
 
 #endif // __linux__

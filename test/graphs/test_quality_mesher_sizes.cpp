@@ -115,6 +115,25 @@ TEST_CASE("The size field of a grid", "[mesher][sizes]") {
   CHECK_THROWS_AS(Grid({0, 0}, {1, 1}, 1, 1, {0}), std::invalid_argument);
 }
 
+TEST_CASE("Meshes follow a limited grid, and are free where it has no bound", "[mesher][sizes]") {
+  constexpr double none = std::numeric_limits<double>::infinity();
+  std::vector<double> sizes(11 * 11, 1);
+  sizes[3 * 11 + 4] = 0.01, sizes[8 * 11 + 8] = none;
+  CGAL::Grid_sizing_field_2 field({0, 0}, {0.1, 0.1}, 11, 11, sizes);
+  const Run steep = run_to_the_size(unit_square(), Options(), field);
+  const Run flat = run_to_the_size(unit_square(), Options(), field.limit_gradient(0.15));
+  CHECK(flat.report.triangles > 2 * steep.report.triangles);
+  CHECK(double(flat.report.triangles) < 4 * ideal_count(field));
+
+  const CGAL::Grid_sizing_field_2 half({0, 0}, {1, 1}, 2, 1, {0.05, none}); // of the west alone
+  const Run west = run_to_the_size(unit_square(), Options(), half);
+  CHECK(double(west.report.triangles) < 4 * ideal_count(half));
+  CHECK(west.report.triangles < run(unit_square(), Options().max_edge(0.05)).report.triangles * 3 / 4);
+  run_to_the_size(unit_square(), Options().max_edge(0.3), half);
+  const CGAL::Grid_sizing_field_2 nothing({0, 0}, {1, 1}, 1, 1, {none});
+  CHECK(run(unit_square(), Options().size(nothing)).mesh.points == run(unit_square(), Options()).mesh.points);
+}
+
 TEST_CASE("The size field of points is the least over all points", "[mesher][sizes]") {
   using Points = CGAL::Points_sizing_field_2;
   for (std::uint64_t seed = 0; seed < 40; ++seed) {

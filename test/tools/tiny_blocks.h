@@ -14,6 +14,8 @@
 
 /// A concurrency tag that cuts small inputs into blocks, and saves a checkpoint after every round.
 struct Tiny_blocks_tag {};
+/// One for blocks that are not quite as small.
+struct Small_blocks_tag {};
 
 namespace CGAL {
 namespace Quadtree_mesh_2 {
@@ -23,6 +25,12 @@ template <>
 struct Block_sizes<Tiny_blocks_tag> {
   static constexpr std::size_t vertices = 24;
   static constexpr std::size_t triangles = 24;
+};
+
+template <>
+struct Block_sizes<Small_blocks_tag> {
+  static constexpr std::size_t vertices = 256;
+  static constexpr std::size_t triangles = 256;
 };
 
 template <>
