@@ -20,6 +20,12 @@
 #include <CGAL/Pslg_error_2.h>
 #include <CGAL/Quadtree_mesh_2/new_in_scratch_memory.h> // of this program's own long vectors and strings
 #include <CGAL/mesh_quality_2.h>
+#include <CGAL/renumber_mesh_2.h>
+#include <CGAL/tags.h>
+
+#ifdef CGAL_LINKED_WITH_HDF5
+#include <hdf5.h>
+#endif
 
 #include <algorithm>
 #include <cmath>
@@ -34,10 +40,19 @@
 
 namespace {
 
+/// The least of the sizes from files; empty if there are none.
+CGAL::Quality_mesh_options_2::Size_field size_field(const Command_line& line) {
+  CGAL::Quality_mesh_options_2::Size_field points, grid;
+  if (!line.size_points_file.empty()) points = mesh_files::read_sized_points(line.size_points_file);
+  if (!line.size_grid_file.empty()) grid = mesh_files::read_size_grid(line.size_grid_file, line.gradation);
+  if (!points || !grid) return points ? points : grid;
+  return [points, grid](double x, double y) { return std::min(points(x, y), grid(x, y)); };
+}
+
 void mesh(Meshing_run& run, const Command_line& line) try {
   Progress_line progress;
   CGAL::Quality_mesh_options_2 options = line.options;
-  if (!line.size_points_file.empty()) options.size(mesh_files::read_sized_points(line.size_points_file));
+  options.size(size_field(line));
   if (!line.is_quiet && Progress_line::is_possible())
     options.progress([&progress](double share) { return progress.show(share), true; });
 
@@ -99,6 +114,14 @@ void compare(Meshing_run& run, const CGAL::Quality_mesh_options_2& options) {
   run.peer = in_child(peer, peer_limit_seconds).result;
 }
 
+/// The mesh that is written, once it is checked.
+void renumber(Meshing_run& run) {
+  const auto numbers = CGAL::renumber_by_place<CGAL::Parallel_tag>(run.mesh);
+  numbers.renumber(run.report);
+  for (auto& unmet : run.quality.unmet_triangles)
+    unmet.triangle = numbers.new_triangle[std::size_t(unmet.triangle)];
+}
+
 /// GeoJSON has longitudes and latitudes unless its author departs from the standard, which larger numbers show.
 bool may_be_degrees(const Meshing_run& run, const Command_line& line) {
   return input_format(line.input) == Input_format::GEOJSON &&
@@ -126,9 +149,11 @@ Exit_status execute(const Command_line& line, const Large_run& large) {
     refuse_what_rounding_broke(run.pslg, run.quality.unmet_triangles, "exact numbers");
   if (line.kernel != Command_line::Kernel::FILTERED) note_what_rounding_broke(run);
   if (line.is_comparison_wanted) compare(run, line.options);
+  if (line.is_renumbering_wanted) timed(run.write_seconds, [&] { renumber(run); });
   const auto add_mesh = [&](mesh_files::Files& files, const std::string& output) {
     timed(run.write_seconds, [&] {
-      mesh_files::add(files, output, run.mesh, run.pslg, {line.colors, line.is_quadtree_shown});
+      mesh_files::add(files, output, run.mesh, run.pslg, {line.colors, line.is_quadtree_shown}, line.pieces,
+                      line.msh_version);
     });
     run.peak_memory_mb = peak_memory_mb();
   };
@@ -168,6 +193,9 @@ int fail(const std::string& message) {
 
 int main(int argc, char** argv) try {
   std::signal(SIGXFSZ, SIG_IGN); // a file that may not get longer is an error like a full disk
+#ifdef CGAL_LINKED_WITH_HDF5
+  H5dont_atexit(); // or it would try again to write what it could not, and complain
+#endif
   return static_cast<int>(run(parse_command_line(argc, argv)));
 } catch (const Usage_error& error) {
   return fail(std::string(error.what()) + " (see quality_mesh --help)");

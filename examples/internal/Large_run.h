@@ -4,6 +4,7 @@
 // What quality_mesh does for meshes that are larger than memory, or take long: arrays in a scratch folder, and a state
 // to go on from.
 
+#include "Resume_hint.h"
 #include "command_line.h"
 
 #include <CGAL/Pslg_2.h>
@@ -27,23 +28,15 @@ class Large_run {
 public:
   /// Begins what the command line asks for: a scratch memory, and checkpoints in the options.
   /// \throws std::exception naming the scratch folder if it cannot be used
-  explicit Large_run(Command_line& line) : folder_(line.scratch_folder) {
-    if (folder_.empty()) return;
-    make_folder();
-    is_ours_ |= line.is_scratch_folder_ours;
-    lock_.emplace(folder_);
-    if (line.memory > 0) memory_.emplace(folder_, line.memory);
+  explicit Large_run(Command_line& line) : folder_(line) {
+    if (folder_.name().empty()) return;
+    lock_.emplace(folder_.name());
+    if (line.memory > 0) memory_.emplace(folder_.name(), line.memory);
     if (!has_checkpoints(line)) return;
-    line.options.checkpoints(folder_, digest_of(line.size_points_file));
-    checkpoints_.emplace(folder_, 0);
+    line.options.checkpoints(folder_.name(), digest_of_sizes(line));
+    checkpoints_.emplace(folder_.name(), 0);
+    hint_.emplace(checkpoints_->file_name());
     is_resumed_ = line.is_resumed;
-  }
-  Large_run(const Large_run&) = delete;
-  Large_run& operator=(const Large_run&) = delete;
-  ~Large_run() {
-    memory_.reset();
-    std::error_code ignored;
-    if (is_ours_) std::filesystem::remove(folder_, ignored); // if nothing is in it
   }
 
   /// Once the input is read: forgets a state from which the work is not to go on, and says on the screen where it
@@ -55,11 +48,11 @@ public:
       std::printf(
           "scratch folder %s: about %.2g GB, more if bounds of size ask for more than 4 triangles for each "
           "vertex of the input\n",
-          folder_.c_str(), bytes_per_vertex * static_cast<double>(vertices) / 1e9);
+          folder_.name().c_str(), bytes_per_vertex * static_cast<double>(vertices) / 1e9);
     if (checkpoints_ && checkpoints_->has_state())
-      std::printf("going on from %s\n", checkpoints_->file_name().c_str());
+      std::printf("going on from %s, if it is of this mesh\n", checkpoints_->file_name().c_str());
     else if (is_resumed_)
-      std::printf("no state in %s: beginning at the start\n", folder_.c_str());
+      std::printf("no state in %s: beginning at the start\n", folder_.name().c_str());
     std::fflush(stdout);
   }
 
@@ -72,33 +65,57 @@ private:
   /// Of scratch file and state: measured on maps.
   static constexpr double bytes_per_vertex = 1000;
 
-  std::string folder_;   // empty: none
-  bool is_ours_ = false; // nobody else has use for it
+  /// The scratch folder, which goes when nothing is left in it and nobody else has use for it.
+  class Folder {
+  public:
+    /// Makes it if need be.
+    explicit Folder(const Command_line& line) : name_(line.scratch_folder) {
+      if (name_.empty()) return;
+      std::error_code error;
+      const bool is_new = std::filesystem::create_directories(name_, error);
+      if (error || !std::filesystem::is_directory(name_))
+        throw std::runtime_error("the scratch folder '" + name_ +
+                                 "' cannot be made: name another one by --scratch");
+      is_ours_ = is_new || line.is_scratch_folder_ours;
+    }
+    Folder(const Folder&) = delete;
+    Folder& operator=(const Folder&) = delete;
+    ~Folder() {
+      std::error_code ignored;
+      if (is_ours_) std::filesystem::remove(name_, ignored);
+    }
+
+    const std::string& name() const { return name_; }
+
+  private:
+    std::string name_; // empty: none
+    bool is_ours_ = false;
+  };
+
+  Folder folder_; // the first member: it goes last
   bool is_resumed_ = false;
   std::optional<CGAL::Quadtree_mesh_2::internal::Folder_lock> lock_;
   std::optional<CGAL::Scratch_memory> memory_;
   std::optional<CGAL::Quadtree_mesh_2::internal::Mesh_checkpoints> checkpoints_;
-
-  void make_folder() {
-    std::error_code error;
-    is_ours_ = std::filesystem::create_directories(folder_, error);
-    if (error || !std::filesystem::is_directory(folder_))
-      throw std::runtime_error("the scratch folder '" + folder_ +
-                               "' cannot be made: name another one by --scratch");
-  }
+  std::optional<Resume_hint> hint_;
 
   static bool has_checkpoints(const Command_line& line) {
     return line.mode == Command_line::Mode::PSLG && line.kernel != Command_line::Kernel::EXACT &&
            line.options.separate() == CGAL::Quality_mesh_options_2::Separation::ON_DEMAND;
   }
 
-  /// What is in a file, as a number; 0 if there is none.
-  static std::uint64_t digest_of(const std::string& file_name) {
-    if (file_name.empty()) return 0;
-    std::ifstream in(file_name, std::ios::binary);
-    const std::string text(std::istreambuf_iterator<char>(in), {});
+  /// What sizes come from, as a number.
+  static std::uint64_t digest_of_sizes(const Command_line& line) {
     CGAL::Quadtree_mesh_2::internal::Digest digest;
-    digest.add(text.data(), text.size());
+    for (const std::string& file_name : {line.size_points_file, line.size_grid_file}) {
+      std::string text;
+      if (!file_name.empty()) {
+        std::ifstream in(file_name, std::ios::binary);
+        text.assign(std::istreambuf_iterator<char>(in), {});
+      }
+      digest.add(text.size()), digest.add(text.data(), text.size());
+    }
+    digest.add(line.gradation);
     return digest.value();
   }
 };

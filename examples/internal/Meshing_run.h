@@ -132,8 +132,10 @@ inline void print_trees(const CGAL::Tree_separation_report_2& trees) {
   print("triangles of the rule", trees.triangles);
   print("  below the bound", trees.missed_by_rule);
   print("  corners left out", trees.left_out);
-  print("  not cured", trees.missed);
+  print("  left to refinement", trees.missed);
   print("  left for want of room", trees.handed_over);
+  print("vertices placed", trees.placed);
+  print("  in the mesh", trees.kept);
 }
 
 } // namespace meshing_run_internal
@@ -173,7 +175,9 @@ inline nlohmann::ordered_json trees_json(const CGAL::Tree_separation_report_2& t
           {"missed_by_rule", trees.missed_by_rule},
           {"left_out", trees.left_out},
           {"missed", trees.missed},
-          {"handed_over", trees.handed_over}};
+          {"handed_over", trees.handed_over},
+          {"placed", trees.placed},
+          {"kept", trees.kept}};
 }
 
 /// \param kind of time, that of `phases`

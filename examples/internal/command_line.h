@@ -4,6 +4,7 @@
 // The options of quality_mesh: what they are and what they may be.
 
 #include "file_formats.h"
+#include "option_descriptions.h"
 #include "option_values.h"
 #include "program_files.h"
 
@@ -11,6 +12,7 @@
 
 #include <CGAL/Point_set_mesh_options_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/Mesh_checkpoints.h>
+#include <CGAL/Quadtree_mesh_2/internal/io/Msh_version.h>
 #include <CGAL/Quality_mesh_options_2.h>
 #include <CGAL/version.h>
 
@@ -41,6 +43,8 @@ struct Command_line {
   std::vector<std::string> outputs;
   std::string report_file;      ///< empty: none
   std::string size_points_file; ///< empty: none
+  std::string size_grid_file;   ///< empty: none
+  double gradation = 0;         ///< of the sizes on the grid; 0: no limit
   Kernel kernel = Kernel::FILTERED;
   CGAL::Quality_mesh_options_2 options;             ///< of Mode::PSLG
   Neighbors neighbors = Neighbors::QUADTREE;        ///< of Mode::PSLG, by quadtrees
@@ -50,6 +54,9 @@ struct Command_line {
   bool are_lengths_wanted = false;
   Picture_colors colors = Picture_colors::NONE;
   bool is_quadtree_shown = false;
+  bool is_renumbering_wanted = false;
+  std::size_t pieces = 0; ///< of outputs that may have some; 0: not said
+  CGAL::IO::Msh_version msh_version = CGAL::IO::Msh_version::V4_1;
   std::string region_property;   ///< empty: none
   bool is_repair_wanted = false; ///< of Mode::PSLG
   bool is_quiet = false;
@@ -64,97 +71,21 @@ inline const char* name(Command_line::Mode mode) { return mode_names[static_cast
 
 namespace command_line_internal {
 
-// clang-format off
-inline po::options_description common_options() {
-  po::options_description options("Options");
-  options.add_options()
-    ("mode", po::value<std::string>()->value_name("M")->default_value("pslg"),
-     "pslg: a graph, with a least angle; or points alone: points (least angle 20.7, fewest triangles), bounded "
-     "(all angles in a range), acute (all below 90) or warped (corners of squares moved to the points)")
-    ("output,o", po::value<std::vector<std::string>>()->value_name("FILE"),
-     "where to write the mesh, more than once if you like: .vtu, .svg, .off, .obj, .msh (Gmsh), .mesh (MEDIT), or "
-     ".ele, which writes .node, .ele and .poly")
-    ("color", po::value<std::string>()->value_name("C"),
-     "colors of .svg: none, angle or region; angle if not given in the modes for points, else none")
-    ("show-quadtree", "draw the quadtree of the input in .svg, and write its levels to .vtu")
-    ("kernel", po::value<std::string>()->value_name("K")->default_value("filtered"),
-     "arithmetic: filtered (doubles), fixed (64-bit integers) or exact")
-    ("threads", po::value<double>()->value_name("N"),
-     "number of threads, up to 256 or the number of processors, all if not given; the mesh is the same for any number")
-    ("compare", "with --mode pslg or points: mesh the input with CGAL Mesh_2 too and print both")
-    ("memory", po::value<std::string>()->value_name("SIZE"),
-     "keep to about so much memory, such as 2G or 500M, with the rest in files of the scratch folder")
-    ("scratch", po::value<std::string>()->value_name("FOLDER"),
-     "the scratch folder, on a disk with room for some 250 bytes for each triangle; if not given, the first output's "
-     "name and .scratch")
-    ("resume", "go on from the state that an interrupted run with --memory or --resume left in the scratch folder")
-    ("report", po::value<std::string>()->value_name("FILE.json"), "write the figures as JSON")
-    ("quiet", "print nothing but errors")
-    ("version", "print the version")
-    ("help,h", "print this");
-  return options;
-}
-
-inline po::options_description graph_options() {
-  po::options_description options("Options of --mode pslg");
-  options.add_options()
-    ("min-angle", po::value<double>()->value_name("DEG")->default_value(20.7, "20.7"),
-     "least angle in degrees, up to 34; where it is missed is reported")
-    ("max-edge", po::value<double>()->value_name("H"), "longest edge")
-    ("max-area", po::value<double>()->value_name("A"), "largest area of a triangle")
-    ("min-edge", po::value<double>()->value_name("H"),
-     "insert no vertex nearer than this to another; what is left for that is reported")
-    ("region-property", po::value<std::string>()->value_name("NAME"),
-     "the number in the properties of GeoJSON's features that becomes the attribute of their regions")
-    ("repair", "split segments where they cross, as borders of polygons that overlap do")
-    ("size-points", po::value<std::string>()->value_name("FILE"),
-     "points with sizes, one 'x y size' a line: the longest edge is size plus half the distance, the least over all")
-    ("domain", po::value<std::string>()->value_name("D")->default_value("enclosed"),
-     "what is meshed: enclosed, marked (components with a region's point) or parity (of nested borders)")
-    ("separation", po::value<std::string>()->value_name("S")->default_value("on-demand"),
-     "how features are kept apart: on-demand, or theorem-5 (by quadtrees, in parallel rounds)")
-    ("neighbors", po::value<std::string>()->value_name("N")->default_value("quadtree"),
-     "with theorem-5: what finds the edges next to vertices, quadtree or trapezoidal; the mesh is the same")
-    ("subdivision", po::value<std::string>()->value_name("S")->default_value("walking"),
-     "with theorem-5: what cuts edges into pieces, walking or centroid-tree; the mesh is the same")
-    ("placement", po::value<std::string>()->value_name("P")->default_value("chosen"),
-     "with theorem-5: chosen, or by-rule (many times the triangles before removal)")
-    ("smooth", po::value<double>()->value_name("N")->default_value(0),
-     "rounds of smoothing, up to 1000: about a percent fewer triangles each, and better angles")
-    ("thin", po::value<double>()->value_name("N")->default_value(0),
-     "rounds of thinning, up to 1000: fewer triangles still, each takes about as long as refinement")
-    ("max-vertices", po::value<double>()->value_name("N"),
-     "stop refining at so many vertices, and report what is left; what surely needs four times as many is refused. If "
-     "not given: what memory allows, and for graphs of fewer than 1000 vertices 2000000 triangles (exact: 1000000) "
-     "besides what bounds of size ask for")
-    ("no-coarsening", "keep the vertices that are not needed in the end");
-  return options;
-}
-
-inline po::options_description point_options() {
-  po::options_description options("Options of the modes for points");
-  options.add_options()
-    ("angles", (new Two_numbers)->value_name("LO HI"),
-     "bounded: the range of all angles, 36 80 if not given; LO from 0 to 37.5, HI from 78.6 to 89.5")
-    ("square", "bounded: mesh a square parallel to the axes, not a row of squares along the points' diameter")
-    ("effort", po::value<double>()->value_name("N")->default_value(2),
-     "points, bounded, acute: how hard it is tried to do with fewer triangles, from 0 (not at all) to 3")
-    ("budget", po::value<double>()->value_name("N"),
-     "bounded, acute: try to remove about so many vertices at most")
-    ("lengths", "compare the length of all edges with the least that there can be");
-  return options;
-}
-// clang-format on
-
-inline po::options_description visible_options() {
-  return po::options_description().add(common_options()).add(graph_options()).add(point_options());
-}
-
 /// \throws Usage_error if no edge can keep to it and to the longest one, too
 inline double least_edge(const po::variables_map& given) {
   const double least = bound(given, "min-edge"), most = bound(given, "max-edge");
   if (most > 0 && least >= most) throw Usage_error("--min-edge has to be below --max-edge");
   return least;
+}
+
+/// By how much sizes on a grid may grow over a unit of length; 0: no limit.
+/// \throws Usage_error if there is no grid
+inline double gradation(const po::variables_map& given) {
+  if (given.count("gradation") > 0 && given.count("size-grid") == 0)
+    throw Usage_error("--gradation limits the sizes of --size-grid, which is not given: sizes of "
+                      "--size-points grow by half the "
+                      "distance, and without sizes the angle bound limits how triangles grow");
+  return bound(given, "gradation");
 }
 
 inline double min_angle(const po::variables_map& given) {
@@ -204,7 +135,7 @@ inline void check_uses_with(const po::variables_map& given,
                             CGAL::Quality_mesh_options_2::Separation separation) {
   const bool is_on_demand = separation == CGAL::Quality_mesh_options_2::Separation::ON_DEMAND;
   const std::vector<const char*> senseless =
-      is_on_demand ? std::vector<const char*>{"neighbors", "subdivision", "placement"}
+      is_on_demand ? std::vector<const char*>{"neighbors", "subdivision", "placement", "tree-rounds"}
                    : std::vector<const char*>{"min-edge"};
   for (const char* const option : senseless)
     if (given.count(option) > 0 && !given[option].defaulted())
@@ -225,9 +156,12 @@ inline CGAL::Tree_separation_options_2 tree_options(const po::variables_map& giv
   constexpr Options::Subdivision subdivisions[] = {Options::Subdivision::WALKING,
                                                    Options::Subdivision::CENTROID_TREE};
   constexpr Options::Placement placements[] = {Options::Placement::CHOSEN, Options::Placement::BY_RULE};
-  return Options()
+  const Options::Placement placement = placements[choice(given, "placement", {"chosen", "by-rule"})];
+  const int most_rounds = rounds(given, "tree-rounds");
+  const bool is_cured = most_rounds > 0 && placement == Options::Placement::CHOSEN; // by refinement
+  return (is_cured ? Options().rounds(std::size_t(most_rounds)) : Options::of_theorem())
       .subdivide(subdivisions[choice(given, "subdivision", {"walking", "centroid-tree"})])
-      .place(placements[choice(given, "placement", {"chosen", "by-rule"})]);
+      .place(placement);
 }
 
 inline mesh_graph::Neighbors neighbors(const po::variables_map& given) {
@@ -236,15 +170,27 @@ inline mesh_graph::Neighbors neighbors(const po::variables_map& given) {
   return models[choice(given, "neighbors", {"quadtree", "trapezoidal"})];
 }
 
+/// \throws Usage_error if a file of HDF5, which is not written from its begin to its end, would go into a pipe
+inline void check_is_no_pipe(const std::string& output, const std::filesystem::path& file) {
+  const Output_format format = output_format(output);
+  if ((format == Output_format::VTKHDF || format == Output_format::XDMF) && std::filesystem::exists(file) &&
+      !std::filesystem::is_directory(file) && !std::filesystem::is_regular_file(file))
+    throw Usage_error("cannot write '" + file.string() + "': HDF5 needs a regular file");
+}
+
 /// \throws Usage_error if a file would be destroyed or cannot be written
 inline void check_files(const Command_line& line) {
   Named_files inputs{{"the input '" + line.input + "'", line.input}}, outputs;
   if (!line.size_points_file.empty())
     inputs.push_back({"the file of --size-points, '" + line.size_points_file + "'", line.size_points_file});
+  if (!line.size_grid_file.empty())
+    inputs.push_back({"the file of --size-grid, '" + line.size_grid_file + "'", line.size_grid_file});
   for (const std::string& output : line.outputs)
-    for (const std::filesystem::path& file : files_of_output(output))
+    for (const std::filesystem::path& file : files_of_output(output)) {
+      check_is_no_pipe(output, file);
       outputs.push_back(
           {(file == output ? "" : "'" + file.string() + "' of ") + ("output '" + output + "'"), file});
+    }
   if (!line.report_file.empty())
     outputs.push_back({"the file of --report, '" + line.report_file + "',", line.report_file});
   if (std::filesystem::is_directory(line.scratch_folder)) { // else there is nothing in it
@@ -254,6 +200,12 @@ inline void check_files(const Command_line& line) {
                          checkpoints.file_name() + ending});
   }
   add_node_file(line.input, outputs, inputs);
+  std::vector<Pieced_output> pieced;
+  for (const std::string& output : line.outputs) {
+    const std::string ending = ending_of_pieces(output, line.pieces);
+    if (!ending.empty()) pieced.push_back({output, ending});
+  }
+  check_pieces(inputs, pieced), check_pieces(outputs, pieced);
   ::check_files(inputs, outputs);
 }
 
@@ -273,11 +225,14 @@ inline const std::vector<Option_use>& option_uses() {
       {"region-property", {Mode::PSLG}},
       {"repair", {Mode::PSLG}},
       {"size-points", {Mode::PSLG}},
+      {"size-grid", {Mode::PSLG}},
+      {"gradation", {Mode::PSLG}},
       {"domain", {Mode::PSLG}},
       {"separation", {Mode::PSLG}},
       {"neighbors", {Mode::PSLG}},
       {"subdivision", {Mode::PSLG}},
       {"placement", {Mode::PSLG}},
+      {"tree-rounds", {Mode::PSLG}},
       {"smooth", {Mode::PSLG}},
       {"thin", {Mode::PSLG}},
       {"max-vertices", {Mode::PSLG}},
@@ -373,8 +328,34 @@ inline void check_picture_options(const po::variables_map& given, const std::vec
   };
   if (given.count("color") > 0 && !has_output(Output_format::SVG))
     throw Usage_error("--color needs an output .svg (-o FILE.svg)");
-  if (given.count("show-quadtree") > 0 && !has_output(Output_format::SVG) && !has_output(Output_format::VTU))
-    throw Usage_error("--show-quadtree needs an output .svg or .vtu (-o FILE.svg)");
+  constexpr Output_format with_fields[] = {Output_format::SVG, Output_format::VTU, Output_format::PVTU,
+                                           Output_format::VTKHDF, Output_format::XDMF};
+  if (given.count("show-quadtree") > 0 &&
+      std::none_of(std::begin(with_fields), std::end(with_fields), has_output))
+    throw Usage_error("--show-quadtree needs an output .svg, .vtu, .pvtu, .vtkhdf or .xdmf (-o FILE.svg)");
+}
+
+/// \throws Usage_error if no output may have pieces
+inline std::size_t pieces(const po::variables_map& given, const std::vector<std::string>& outputs) {
+  if (given.count("pieces") == 0) return 0;
+  const auto has_pieces = [](const std::string& output) { return !ending_of_pieces(output, 1).empty(); };
+  if (std::none_of(outputs.begin(), outputs.end(), has_pieces))
+    throw Usage_error("--pieces needs an output .pvtu or .msh (-o FILE.pvtu)");
+  return static_cast<std::size_t>(whole_number(given, "pieces", {1, 65536}));
+}
+
+/// \throws Usage_error if there is no output in this format, or it has parts, which are in 4.1
+inline CGAL::IO::Msh_version msh_version(const po::variables_map& given, const Command_line& line) {
+  using CGAL::IO::Msh_version;
+  constexpr Msh_version versions[] = {Msh_version::V4_1, Msh_version::V2_2};
+  if (given.count("msh-version") == 0) return Msh_version::V4_1;
+  const auto is_msh = [](const std::string& output) { return output_format(output) == Output_format::MSH; };
+  if (std::none_of(line.outputs.begin(), line.outputs.end(), is_msh))
+    throw Usage_error("--msh-version needs an output .msh (-o FILE.msh)");
+  const Msh_version version = versions[choice(given, "msh-version", {"4.1", "2.2"})];
+  if (version == Msh_version::V2_2 && line.pieces > 0)
+    throw Usage_error("--pieces writes .msh in version 4.1 only, not by --msh-version 2.2");
+  return version;
 }
 
 /// The scratch folder, empty if nothing is kept in one.
@@ -426,7 +407,8 @@ inline void print_help(std::ostream& out) {
          "Meshes a planar straight-line graph with triangles whose angles meet a bound: .poly of Triangle, "
          ".geojson "
          "(or .json),\n"
-         ".wkt. Or points alone: any of these without segments, .node, or a table, one 'x y', 'x,y' or 'x;y' "
+         ".wkt, .h5 (HDF5). Or points alone: any of these without segments, .node, or a table, one 'x y', "
+         "'x,y' or 'x;y' "
          "a line "
          "(.xy, .txt,\n"
          ".csv). Any may be compressed (.gz).\n"
@@ -465,6 +447,8 @@ inline Command_line parse_command_line(int argc, const char* const* argv) try {
   line.neighbors = neighbors(given);
   line.point_set_options = point_set_mesh_options(given, line.mode);
   line.size_points_file = text(given, "size-points");
+  line.size_grid_file = text(given, "size-grid");
+  line.gradation = gradation(given);
   constexpr Command_line::Kernel kernels[] = {Command_line::Kernel::FILTERED, Command_line::Kernel::FIXED,
                                               Command_line::Kernel::EXACT};
   line.kernel = kernels[choice(given, "kernel", {"filtered", "fixed", "exact"})];
@@ -474,6 +458,9 @@ inline Command_line parse_command_line(int argc, const char* const* argv) try {
   line.colors = colors(given, line.mode);
   line.is_quadtree_shown = given.count("show-quadtree") > 0;
   check_picture_options(given, line.outputs);
+  line.is_renumbering_wanted = given.count("renumber") > 0;
+  line.pieces = pieces(given, line.outputs);
+  line.msh_version = msh_version(given, line);
   line.region_property = text(given, "region-property");
   check_region_property(line);
   line.is_repair_wanted = given.count("repair") > 0;

@@ -3,6 +3,7 @@
 
 // The formats that quality_mesh reads and writes, by the endings of file names.
 
+#include <cstddef>
 #include <filesystem>
 #include <stdexcept>
 #include <string>
@@ -15,46 +16,91 @@ public:
   using std::runtime_error::runtime_error;
 };
 
-enum class Input_format { POLY, GEOJSON, WKT, NODE, TABLE };
-enum class Output_format { TRIANGLE, VTU, SVG, OFF, OBJ, MSH, MEDIT };
+enum class Input_format { POLY, GEOJSON, WKT, HDF5, NODE, TABLE };
+enum class Output_format {
+  TRIANGLE,
+  VTU,
+  PVTU,
+  VTKHDF,
+  XDMF,
+  SVG,
+  OFF,
+  OBJ,
+  MSH,
+  MEDIT,
+  SMS_2DM,
+  GR3,
+  ADCIRC
+};
 /// What the colors of a picture stand for.
 enum class Picture_colors { NONE, ANGLE, LARGEST_ANGLE, REGION };
+
+/// \throws Usage_error if this program knows no files of HDF5
+inline void check_has_hdf5(const std::string& file_name) {
+#ifndef CGAL_LINKED_WITH_HDF5
+  throw Usage_error("'" + file_name + "' is a file of HDF5, without which this program was built");
+#else
+  static_cast<void>(file_name);
+#endif
+}
 
 /// By the ending, or by that before `.gz`; without any it is a .poly file, as from a pipe.
 inline Input_format input_format(const std::string& file_name) {
   static const std::vector<std::pair<std::string, Input_format>> endings = {
       {"", Input_format::POLY},         {".poly", Input_format::POLY}, {".geojson", Input_format::GEOJSON},
-      {".json", Input_format::GEOJSON}, {".wkt", Input_format::WKT},   {".node", Input_format::NODE},
-      {".xy", Input_format::TABLE},     {".txt", Input_format::TABLE}, {".csv", Input_format::TABLE}};
+      {".json", Input_format::GEOJSON}, {".wkt", Input_format::WKT},   {".h5", Input_format::HDF5},
+      {".hdf5", Input_format::HDF5},    {".node", Input_format::NODE}, {".xy", Input_format::TABLE},
+      {".txt", Input_format::TABLE},    {".csv", Input_format::TABLE}};
   std::filesystem::path path(file_name);
   if (path.extension() == ".gz") path.replace_extension();
   for (const auto& [ending, format] : endings)
-    if (path.extension() == ending) return format;
-  throw Usage_error("cannot tell the format of input '" + file_name +
-                    "': its ending has to be .poly, .geojson, .json, .wkt, .node, .xy, .txt or .csv");
+    if (path.extension() == ending) {
+      if (format == Input_format::HDF5) check_has_hdf5(file_name);
+      return format;
+    }
+  throw Usage_error(
+      "cannot tell the format of input '" + file_name +
+      "': its ending has to be .poly, .geojson, .json, .wkt, .h5, .hdf5, .node, .xy, .txt or .csv");
 }
 
 inline Output_format output_format(const std::string& file_name) {
   static const std::vector<std::pair<std::string, Output_format>> endings = {
       {".ele", Output_format::TRIANGLE},  {".node", Output_format::TRIANGLE},
       {".poly", Output_format::TRIANGLE}, {".vtu", Output_format::VTU},
+      {".pvtu", Output_format::PVTU},     {".vtkhdf", Output_format::VTKHDF},
+      {".xdmf", Output_format::XDMF},     {".h5", Output_format::XDMF},
       {".svg", Output_format::SVG},       {".off", Output_format::OFF},
       {".obj", Output_format::OBJ},       {".msh", Output_format::MSH},
-      {".mesh", Output_format::MEDIT}};
+      {".mesh", Output_format::MEDIT},    {".2dm", Output_format::SMS_2DM},
+      {".gr3", Output_format::GR3},       {".14", Output_format::ADCIRC}};
   for (const auto& [ending, format] : endings)
-    if (std::filesystem::path(file_name).extension() == ending) return format;
-  throw Usage_error("cannot tell the format of output '" + file_name +
-                    "': its ending has to be .ele, .node, .poly, .vtu, .svg, .off, .obj, .msh or .mesh");
+    if (std::filesystem::path(file_name).extension() == ending) {
+      if (format == Output_format::VTKHDF || format == Output_format::XDMF) check_has_hdf5(file_name);
+      return format;
+    }
+  throw Usage_error(
+      "cannot tell the format of output '" + file_name +
+      "': its ending has to be .ele, .node, .poly, .vtu, .pvtu, .vtkhdf, .xdmf, .h5, .svg, .off, .obj, .msh, "
+      ".mesh, .2dm, .gr3 or .14");
 }
 
-/// The files that an output consists of.
+/// The files that an output consists of, besides its pieces.
 inline std::vector<std::filesystem::path> files_of_output(const std::string& file_name) {
   const std::filesystem::path path(file_name);
-  if (output_format(file_name) != Output_format::TRIANGLE) return {path};
+  std::vector<const char*> endings;
+  if (output_format(file_name) == Output_format::TRIANGLE) endings = {".node", ".ele", ".poly"};
+  if (output_format(file_name) == Output_format::XDMF) endings = {".xdmf", ".h5"};
+  if (endings.empty()) return {path};
   std::vector<std::filesystem::path> files;
-  for (const char* ending : {".node", ".ele", ".poly"})
-    files.push_back(std::filesystem::path(path).replace_extension(ending));
+  for (const char* ending : endings) files.push_back(std::filesystem::path(path).replace_extension(ending));
   return files;
+}
+
+/// The ending of the pieces of an output, such as `mesh_1.vtu`; empty if it has none.
+/// \param pieces that are wanted; 0 if nothing is said
+inline std::string ending_of_pieces(const std::string& output, std::size_t pieces) {
+  if (output_format(output) == Output_format::PVTU) return ".vtu";
+  return output_format(output) == Output_format::MSH && pieces > 0 ? ".msh" : "";
 }
 
 #endif // QUADTREE_MESH_2_EXAMPLES_FILE_FORMATS_H

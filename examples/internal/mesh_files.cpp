@@ -2,12 +2,18 @@
 
 #include <CGAL/Balanced_quadtree.h>
 #include <CGAL/Filtered_quadtree_traits_2.h>
+#include <CGAL/IO/ADCIRC.h>
+#ifdef CGAL_LINKED_WITH_HDF5
+#include <CGAL/IO/HDF5.h>
+#endif
 #include <CGAL/IO/MEDIT.h>
 #include <CGAL/IO/MSH.h>
 #include <CGAL/IO/OFF_and_OBJ.h>
+#include <CGAL/IO/SMS_2DM.h>
 #include <CGAL/IO/SVG.h>
 #include <CGAL/IO/Triangle_files.h>
 #include <CGAL/IO/VTU.h>
+#include <CGAL/IO/read_ESRI_grid.h>
 #include <CGAL/IO/read_GeoJSON.h>
 #include <CGAL/IO/read_WKT.h>
 #include <CGAL/IO/read_XY.h>
@@ -34,6 +40,11 @@ Pslg read(const std::string& file_name, const std::string& region_property) {
     break;
   case Input_format::WKT:
     CGAL::IO::read_WKT(file_name, pslg);
+    break;
+  case Input_format::HDF5:
+#ifdef CGAL_LINKED_WITH_HDF5
+    CGAL::IO::read_HDF5(file_name, pslg);
+#endif
     break;
   case Input_format::NODE:
     CGAL::IO::read_triangle_node(file_name, pslg);
@@ -73,21 +84,24 @@ void write_picture(std::ostream& out, const Mesh& mesh, const Pslg& pslg, const 
     CGAL::IO::write_SVG(out, mesh, pslg, svg_options(picture));
 }
 
-void write_grid(std::ostream& out, const Mesh& mesh, const Pslg& pslg, const Picture& picture) {
+CGAL::IO::Triangle_fields_2 fields_of(const Mesh& mesh, const Pslg& pslg, const Picture& picture) {
   CGAL::IO::Triangle_fields_2 fields;
   if (picture.is_quadtree_shown)
     fields.push_back(CGAL::IO::quadtree_level_field(mesh, Quadtree(pslg.vertices)));
-  CGAL::IO::write_VTU(out, mesh, pslg, fields);
+  return fields;
 }
 
-/// In a format that is one file.
+/// In a format that is one text.
 void write(std::ostream& out, Output_format format, const Mesh& mesh, const Pslg& pslg,
-           const Picture& picture) {
+           const Picture& picture, CGAL::IO::Msh_version msh_version) {
   switch (format) {
   case Output_format::TRIANGLE:
+  case Output_format::PVTU:
+  case Output_format::VTKHDF:
+  case Output_format::XDMF:
     return;
   case Output_format::VTU:
-    return write_grid(out, mesh, pslg, picture);
+    return CGAL::IO::write_VTU(out, mesh, pslg, fields_of(mesh, pslg, picture));
   case Output_format::SVG:
     return write_picture(out, mesh, pslg, picture);
   case Output_format::OFF:
@@ -95,9 +109,15 @@ void write(std::ostream& out, Output_format format, const Mesh& mesh, const Pslg
   case Output_format::OBJ:
     return CGAL::IO::write_OBJ(out, mesh);
   case Output_format::MSH:
-    return CGAL::IO::write_MSH(out, mesh, pslg);
+    return CGAL::IO::write_MSH(out, mesh, pslg, msh_version);
   case Output_format::MEDIT:
     return CGAL::IO::write_MEDIT(out, mesh);
+  case Output_format::SMS_2DM:
+    return CGAL::IO::write_SMS_2DM(out, mesh);
+  case Output_format::GR3:
+    return CGAL::IO::write_GR3(out, mesh);
+  case Output_format::ADCIRC:
+    return CGAL::IO::write_ADCIRC(out, mesh);
   }
 }
 
@@ -131,15 +151,30 @@ CGAL::Points_sizing_field_2 read_sized_points(const std::string& file_name) {
   return CGAL::Points_sizing_field_2(std::move(sized));
 }
 
+CGAL::Grid_sizing_field_2 read_size_grid(const std::string& file_name, double gradation) {
+  CGAL::Grid_sizing_field_2 grid = CGAL::IO::read_ESRI_grid(file_name);
+  if (gradation > 0) grid.limit_gradient(gradation);
+  return grid;
+}
+
 void add(Files& files, const std::string& file_name, const Mesh& mesh, const Pslg& pslg,
-         const Picture& picture) {
+         const Picture& picture, std::size_t pieces, CGAL::IO::Msh_version msh_version) {
+  namespace internal = CGAL::Quadtree_mesh_2::internal;
   const Output_format format = output_format(file_name);
-  if (format == Output_format::TRIANGLE) {
-    const std::string stem = std::filesystem::path(file_name).replace_extension().string();
-    return CGAL::Quadtree_mesh_2::internal::add_triangle_files(files, mesh, pslg, stem);
-  }
+  const auto fields = [&] { return fields_of(mesh, pslg, picture); };
+  const std::string stem = std::filesystem::path(file_name).replace_extension().string();
+  if (format == Output_format::TRIANGLE) return internal::add_triangle_files(files, mesh, pslg, stem);
+  if (format == Output_format::PVTU)
+    return internal::add_pvtu_files(files, file_name, mesh, pslg, fields(), pieces, CGAL::IO::BINARY);
+  if (format == Output_format::MSH && pieces > 0)
+    return internal::Msh_parts_writer<Point>(mesh, pslg, pieces).add_to(files, file_name);
+#ifdef CGAL_LINKED_WITH_HDF5
+  if (format == Output_format::VTKHDF)
+    return internal::add_vtkhdf_file(files, file_name, mesh, pslg, fields());
+  if (format == Output_format::XDMF) return internal::add_xdmf_files(files, stem, mesh, pslg, fields());
+#endif
   std::ostringstream out;
-  write(out, format, mesh, pslg, picture);
+  write(out, format, mesh, pslg, picture, msh_version);
   files.add(file_name, out.str());
 }
 

@@ -7,11 +7,14 @@
 #include "file_formats.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Grid_sizing_field_2.h>
 #include <CGAL/Indexed_mesh_2.h>
 #include <CGAL/Points_sizing_field_2.h>
 #include <CGAL/Pslg_2.h>
+#include <CGAL/Quadtree_mesh_2/internal/io/Msh_version.h>
 #include <CGAL/Quadtree_mesh_2/internal/io/Replaced_files.h>
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -30,6 +33,9 @@ Pslg read_graph(const std::string& file_name, const std::string& region_property
 Pslg read_points(const std::string& file_name);
 /// Points with the sizes of triangles there: the first three columns of a table, or `x`, `y` and `size`.
 CGAL::Points_sizing_field_2 read_sized_points(const std::string& file_name);
+/// Sizes on an ASCII grid of ESRI.
+/// \param gradation by how much they may grow over a unit of length; 0: no limit
+CGAL::Grid_sizing_field_2 read_size_grid(const std::string& file_name, double gradation);
 
 /// What pictures show besides the mesh.
 struct Picture {
@@ -38,8 +44,9 @@ struct Picture {
 };
 using Files = CGAL::Quadtree_mesh_2::internal::Replaced_files;
 /// \param pslg what the mesh was made from
+/// \param pieces of formats that may have some; 0 if nothing is said
 void add(Files& files, const std::string& file_name, const Mesh& mesh, const Pslg& pslg,
-         const Picture& picture);
+         const Picture& picture, std::size_t pieces, CGAL::IO::Msh_version msh_version);
 
 } // namespace mesh_files
 

@@ -21,6 +21,8 @@
 #include <CGAL/Quadtree_mesh_2/internal/pslg/part_names.h>
 #include <CGAL/mesh_quality_2.h>
 #include <CGAL/point_set_lengths_2.h>
+#include <CGAL/renumber_mesh_2.h>
+#include <CGAL/tags.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -81,6 +83,13 @@ void check(Point_set_run& run) {
   count_angles(run);
 }
 
+/// The mesh that is written, once it is checked.
+void renumber(Point_set_run& run) {
+  const auto numbers = CGAL::renumber_by_place<CGAL::Parallel_tag>(run.mesh);
+  numbers.renumber(run.report);
+  for (auto& unmet : run.unmet_triangles) unmet.triangle = std::size_t(numbers.new_triangle[unmet.triangle]);
+}
+
 void compare(Point_set_run& run) {
   const auto peer = [&] {
     return figures_by_Mesh_2(CGAL::Quadtree_mesh_2::internal::points_in_box(run.input.vertices),
@@ -113,9 +122,11 @@ Exit_status execute_point_set(const Command_line& line) {
                                                                           : "words of 64 bits");
   if (line.are_lengths_wanted) run.lengths = CGAL::point_set_lengths_2(run.input.vertices);
   if (line.is_comparison_wanted) compare(run);
+  if (line.is_renumbering_wanted) timed(run.write_seconds, [&] { renumber(run); });
   const auto add_mesh = [&](mesh_files::Files& files, const std::string& output) {
     timed(run.write_seconds, [&] {
-      mesh_files::add(files, output, run.mesh, run.input, {line.colors, line.is_quadtree_shown});
+      mesh_files::add(files, output, run.mesh, run.input, {line.colors, line.is_quadtree_shown}, line.pieces,
+                      line.msh_version);
     });
     run.peak_memory_mb = peak_memory_mb();
   };

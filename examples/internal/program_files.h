@@ -65,6 +65,30 @@ inline void add_node_file(const std::string& input, const Named_files& outputs, 
       inputs.push_back({"'" + node_file + "', which has the vertices of the input", node_file});
 }
 
+/// An output of which there are pieces, whose number may not be known before there is a mesh.
+struct Pieced_output {
+  std::string name, ending;
+};
+
+/// \throws Usage_error if a file has the name of a piece
+inline void check_pieces(const Named_files& files, const std::vector<Pieced_output>& outputs) {
+  namespace fs = std::filesystem;
+  for (const Pieced_output& output : outputs) {
+    const std::string stem = fs::path(output.name).stem().string() + '_';
+    for (const Named_file& file : files) {
+      const std::string name = file.path.stem().string();
+      std::error_code ignored;
+      if (file.path.extension() != output.ending || name.size() <= stem.size() || name.rfind(stem, 0) != 0 ||
+          name.find_first_not_of("0123456789", stem.size()) != std::string::npos ||
+          !program_files_internal::is_same_file(fs::absolute(file.path, ignored).parent_path(),
+                                                fs::absolute(output.name, ignored).parent_path()))
+        continue;
+      throw Usage_error("a piece of output '" + output.name + "' would overwrite " + file.name +
+                        "; choose another name");
+    }
+  }
+}
+
 /// \throws Usage_error if an output is an input, two outputs are one file, or one cannot be written
 inline void check_files(const Named_files& inputs, const Named_files& outputs) {
   using program_files_internal::is_same_file;

@@ -67,6 +67,8 @@ inline const char* name(CGAL::Tree_separation_report_2::End end) {
     return "none";
   case End::DONE:
     return "done";
+  case End::ROUNDS:
+    return "rounds";
   case End::COORDINATES:
     return "coordinates";
   case End::BUDGET:

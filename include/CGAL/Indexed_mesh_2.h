@@ -22,6 +22,10 @@ namespace CGAL {
 /// The first `number_of_input_vertices` vertices are the vertices of the input, in their order and with their
 /// coordinates bit for bit. Vertices that no triangle uses are kept, so that indices stay the same. Triangles
 /// are counterclockwise. Side `k` of a triangle is opposite its vertex `k`.
+///
+/// After `renumber_by_place()` vertices of the input are anywhere, and `input_index` tells which they are. All writers
+/// of files take such meshes. What needs the input in front, checkers and converters to triangulations, does after
+/// `renumber_by_input()`.
 /// \tparam Point point type with members `x()` and `y()`.
 template <class Point>
 class Indexed_mesh_2 {
@@ -47,7 +51,7 @@ public:
     Vertex_index outer_vertex = {};
   };
 
-  /// The number of input vertices, which are the first points.
+  /// The number of input vertices, which are the first points unless the mesh is renumbered.
   std::size_t number_of_input_vertices = 0;
   /// The places of the vertices: those of the input, then Steiner points.
   std::vector<Point_2> points;
@@ -66,6 +70,9 @@ public:
   /// gets the first nonzero marker of the constrained edges at it. If there is none, it gets 1 on the border
   /// of the domain. Empty (in meshes made by hand) if all are 0.
   std::vector<int> vertex_markers;
+  /// Per vertex, its index in the input; invalid for Steiner vertices. Empty if the input's vertices are the first in
+  /// their order, as meshers make it.
+  std::vector<Vertex_index> input_index;
 
   /// The place of a vertex.
   const Point_2& point(Vertex_index v) const { return points[std::size_t(v)]; }

@@ -8,6 +8,9 @@
 #define CGAL_STREAMING_QUALITY_MESHER_2_H
 
 #include <CGAL/Filtered_quadtree_traits_2.h>
+#ifdef CGAL_LINKED_WITH_HDF5
+#include <CGAL/IO/HDF5.h>
+#endif
 #include <CGAL/IO/MSH.h>
 #include <CGAL/IO/Triangle_files.h>
 #include <CGAL/IO/VTU.h>
@@ -19,14 +22,17 @@
 #include <CGAL/Quality_mesh_options_2.h>
 #include <CGAL/Quality_mesh_report_2.h>
 #include <CGAL/Scratch_memory.h>
+#include <CGAL/renumber_mesh_2.h>
 #include <CGAL/tags.h>
 
 #include <cstddef>
 #include <filesystem>
+#include <map>
 #include <stdexcept>
 #include <string>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 
@@ -38,6 +44,11 @@ struct Streaming_options_2 {
   std::string scratch_folder;
   /// How many bytes of memory the process may have: `Scratch_memory`.
   std::size_t memory = std::size_t(1) << 31;
+  /// Whether the mesh is put into the order of places before it is written: `renumber_by_place()`.
+  bool is_renumbered = false;
+  /// The number of pieces of a .pvtu file, 0 for one for each 2^20 triangles. Unless it is 0, a .msh file is written in
+  /// so many parts.
+  std::size_t pieces = 0;
 };
 
 /// \ingroup PkgQuadtreeMesh2Meshers
@@ -62,8 +73,10 @@ public:
   }
 
   /// Meshes the domain of a graph.
-  /// \param input a .poly file of Triangle, which may be compressed (.gz)
-  /// \param output a name that ends in .ele (which writes .node, .ele and .poly), .vtu or .msh
+  /// \param input a .poly file of Triangle, which may be compressed (.gz); or, if the program links HDF5 and defines
+  /// `CGAL_LINKED_WITH_HDF5`, a file of HDF5 that ends in .h5
+  /// \param output a name that ends in .ele (which writes .node, .ele and .poly), .vtu, .pvtu (with pieces) or .msh;
+  /// or, with HDF5, in .vtkhdf or .xdmf (with .h5)
   /// \throws Pslg_error_2 for input that cannot be meshed
   /// \throws Quadtree_mesh_2::Scratch_full if the disk of the scratch folder has no more room. What was done is kept.
   /// \throws std::system_error, std::runtime_error naming a file that cannot be read or written
@@ -75,38 +88,82 @@ public:
     fs::create_directories(streaming_.scratch_folder);
     const Quadtree_mesh_2::internal::Folder_lock lock(streaming_.scratch_folder);
     const Scratch_memory memory(streaming_.scratch_folder, streaming_.memory);
-    Pslg_2<Point_2> pslg;
-    IO::read_triangle_poly(input, pslg);
-    const Indexed_mesh_2<Point_2> mesh = mesher_(pslg);
-    if (ending == ".ele")
-      IO::write_triangle_files(mesh, pslg, std::filesystem::path(output).replace_extension().string());
-    else if (ending == ".vtu")
-      IO::write_VTU(output, mesh, pslg);
-    else
-      IO::write_MSH(output, mesh, pslg);
+    const Pslg_2<Point_2> pslg = read(input);
+    Indexed_mesh_2<Point_2> mesh = mesher_(pslg);
+    report_ = mesher_.report();
+    if (streaming_.is_renumbered) renumber_by_place<ConcurrencyTag>(mesh).renumber(report_);
+    write(output, ending, mesh, pslg);
     if (mesher_.options().separate() == Quality_mesh_options_2::Separation::ON_DEMAND)
       Quadtree_mesh_2::internal::Mesh_checkpoints(streaming_.scratch_folder, 0).remove();
-    return mesher_.report();
+    return report_;
   }
 
   /// What the last run reached.
-  const Quality_mesh_report_2& report() const { return mesher_.report(); }
+  const Quality_mesh_report_2& report() const { return report_; }
 
 private:
   Streaming_options_2 streaming_;
   Quality_mesher_2<Traits, ConcurrencyTag> mesher_;
+  Quality_mesh_report_2 report_;
+
+  static Pslg_2<Point_2> read(const std::string& input) {
+    Pslg_2<Point_2> pslg;
+#ifdef CGAL_LINKED_WITH_HDF5
+    if (std::filesystem::path(input).extension() == ".h5") return IO::read_HDF5(input, pslg), pslg;
+#endif
+    IO::read_triangle_poly(input, pslg);
+    return pslg;
+  }
+
+  void write(const std::string& output, const std::string& ending, const Indexed_mesh_2<Point_2>& mesh,
+             const Pslg_2<Point_2>& pslg) const {
+    if (ending == ".ele") {
+      IO::write_triangle_files(mesh, pslg, std::filesystem::path(output).replace_extension().string());
+    } else if (ending == ".vtu") {
+      IO::write_VTU(output, mesh, pslg);
+    } else if (ending == ".pvtu") {
+      IO::write_PVTU(output, mesh, pslg, streaming_.pieces);
+#ifdef CGAL_LINKED_WITH_HDF5
+    } else if (ending == ".vtkhdf") {
+      IO::write_VTKHDF(output, mesh, pslg);
+    } else if (ending == ".xdmf") {
+      IO::write_XDMF(output, mesh, pslg);
+#endif
+    } else if (streaming_.pieces > 0) {
+      IO::write_MSH_parts(output, mesh, pslg, streaming_.pieces);
+    } else {
+      IO::write_MSH(output, mesh, pslg);
+    }
+  }
+
+  /// What output may end in, with the endings of the files that it consists of.
+  static const std::map<std::string, std::vector<const char*>>& endings() {
+    static const std::map<std::string, std::vector<const char*>> all = {{".ele", {".node", ".ele", ".poly"}},
+                                                                        {".msh", {}},
+                                                                        {".pvtu", {}},
+#ifdef CGAL_LINKED_WITH_HDF5
+                                                                        {".vtkhdf", {}},
+                                                                        {".xdmf", {".h5"}},
+#endif
+                                                                        {".vtu", {}}};
+    return all;
+  }
 
   /// Before any work: that the output can be written, and is not the input.
   static void check_names(const std::string& input, const std::string& output, const std::string& ending) {
     namespace fs = std::filesystem;
-    if (ending != ".ele" && ending != ".vtu" && ending != ".msh")
-      throw std::invalid_argument(output + ": the ending has to be .ele, .vtu or .msh");
+    const auto found = endings().find(ending);
+    if (found == endings().end()) {
+      std::string all;
+      for (const auto& [other, files] : endings()) all += ' ' + other;
+      throw std::invalid_argument(output + ": the ending has to be one of" + all);
+    }
     const fs::path folder = fs::absolute(output).parent_path();
     if (!fs::is_directory(folder))
       throw std::invalid_argument(output + ": there is no folder " + folder.string());
     std::error_code ignored;
-    for (const char* other : {".node", ".ele", ".poly"})
-      if (ending == ".ele" && fs::equivalent(input, fs::path(output).replace_extension(other), ignored))
+    for (const char* other : found->second)
+      if (fs::equivalent(input, fs::path(output).replace_extension(other), ignored))
         throw std::invalid_argument(output + ": would overwrite the input " + input);
   }
 };

@@ -13,6 +13,9 @@
 #include <CGAL/Balanced_quadtree.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Filtered_quadtree_traits_2.h>
+#ifdef CGAL_LINKED_WITH_HDF5
+#include <CGAL/IO/HDF5.h>
+#endif
 #include <CGAL/IO/MEDIT.h>
 #include <CGAL/IO/MSH.h>
 #include <CGAL/IO/OBJ.h>
@@ -20,6 +23,7 @@
 #include <CGAL/IO/OFF_and_OBJ.h>
 #include <CGAL/IO/VTU.h>
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/renumber_mesh_2.h>
 
 #include <algorithm>
 #include <array>
@@ -27,6 +31,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
 #include <limits>
 #include <sstream>
 #include <stdexcept>
@@ -103,8 +108,38 @@ Named_mesh mesh_without_triangles() {
   return m;
 }
 
+/// Input vertices among the others.
+Named_mesh renumbered_mesh() {
+  Named_mesh m = mesh_with_all();
+  m.name = "renumbered";
+  CGAL::renumber_by_place(m.mesh);
+  return m;
+}
+
+/// The same with no vertex that no triangle uses.
+Named_mesh mesh_of_used_vertices() {
+  Named_mesh m = mesh_with_all();
+  m.name = "used";
+  std::vector<Vertex_index> moved_to(m.mesh.points.size());
+  for (const auto& t : m.mesh.triangles)
+    for (const Vertex_index v : t) moved_to[std::size_t(v)] = Vertex_index(0);
+  std::vector<Point> points;
+  for (std::size_t v = 0; v < moved_to.size(); ++v)
+    if (moved_to[v].is_valid()) {
+      moved_to[v] = Vertex_index(points.size());
+      points.push_back(m.mesh.points[v]);
+    }
+  m.mesh.points = points;
+  m.mesh.vertex_markers.clear();
+  for (auto& t : m.mesh.triangles)
+    for (Vertex_index& v : t) v = moved_to[std::size_t(v)];
+  for (auto& e : m.mesh.constrained_edges)
+    for (Vertex_index& v : e.vertices) v = moved_to[std::size_t(v)];
+  return m;
+}
+
 std::vector<Named_mesh> meshes() {
-  return {mesh_with_all(), plain_mesh(), extreme_mesh(), mesh_without_triangles()};
+  return {mesh_with_all(), plain_mesh(), extreme_mesh(), mesh_without_triangles(), renumbered_mesh()};
 }
 
 // --- readers of CGAL ---
@@ -142,6 +177,13 @@ void append_sorted(std::string& text, std::vector<std::string> lines) {
   for (const std::string& line : lines) text += line + '\n';
 }
 
+/// The vertex of the mesh that is an input vertex.
+Vertex_index vertex_of_input(const Mesh& mesh, Vertex_index input) {
+  if (mesh.input_index.empty()) return input;
+  return Vertex_index(std::find(mesh.input_index.begin(), mesh.input_index.end(), input) -
+                      mesh.input_index.begin());
+}
+
 /// What read_back.py has to print.
 enum class Vertex_markers { ABSENT, THERE };
 std::string expected_text(const Named_mesh& m, const std::string& reader, const std::string& ending,
@@ -150,6 +192,8 @@ std::string expected_text(const Named_mesh& m, const std::string& reader, const 
   for (std::size_t v = 0; v < m.mesh.points.size(); ++v) {
     text += "p " + bits(m.mesh.points[v].x()) + ' ' + bits(m.mesh.points[v].y());
     if (markers == Vertex_markers::THERE) text += ' ' + std::to_string(m.mesh.marker(Vertex_index(v)));
+    if (ending != "mesh" && !m.mesh.input_index.empty())
+      text += m.mesh.input_index[v].is_valid() ? text_of(&m.mesh.input_index[v], 1) : " -1";
     text += '\n';
   }
   std::vector<std::string> lines;
@@ -160,9 +204,12 @@ std::string expected_text(const Named_mesh& m, const std::string& reader, const 
   lines.clear();
   for (const auto& e : m.mesh.constrained_edges)
     lines.push_back('e' + text_of(e.vertices.data(), 2) + ' ' + std::to_string(e.marker));
-  if (ending == "vtu" && m.name == "all") // the segment outside
-    lines.push_back('e' + text_of(m.pslg.segments.back().data(), 2) + ' ' +
-                    std::to_string(m.pslg.segment_markers.back()));
+  const bool has_all = m.name == "all" || m.name == "renumbered";
+  if (has_all && (ending == "vtu" || ending == "pvtu" || ending == "vtkhdf")) { // the segment outside
+    auto ends = m.pslg.segments.back();
+    for (Vertex_index& v : ends) v = vertex_of_input(m.mesh, v);
+    lines.push_back('e' + text_of(ends.data(), 2) + ' ' + std::to_string(m.pslg.segment_markers.back()));
+  }
   append_sorted(text, lines);
   for (const auto& field : fields) {
     lines.clear();
@@ -204,7 +251,27 @@ TEST_CASE("OFF and OBJ are read back equal by CGAL", "[OFF][OBJ]") {
 }
 
 #ifdef QUADTREE_MESH_PYTHON
-TEST_CASE("MSH, MEDIT and VTU are read back equal by meshio and gmsh", "[MSH][MEDIT][VTU]") {
+TEST_CASE("MSH 2.2 is read back equal by meshio and gmsh", "[MSH]") {
+  const Scratch_folder folder;
+  std::string arguments, expected;
+  for (const Named_mesh& m :
+       {mesh_with_all(), plain_mesh(), extreme_mesh(), renumbered_mesh(), mesh_of_used_vertices()}) {
+    const std::string file = folder.file(m.name + ".msh");
+    IO::write_MSH(file, m.mesh, m.pslg, IO::Msh_version::V2_2);
+    CHECK(content(file).rfind("$MeshFormat\n2.2 0 8\n", 0) == 0);
+    for (const char* reader : {"meshio", "gmsh"}) {
+      const bool has_unused = m.name == "all" || m.name == "renumbered"; // which gmsh forgets in this version
+      if (has_unused && reader == std::string("gmsh")) continue;
+      arguments += std::string(" ") + reader + " '" + file + '\'';
+      expected += expected_text(m, reader, "msh", Vertex_markers::ABSENT, {});
+    }
+  }
+  const std::string found = read_back(folder, arguments);
+  CHECK((found == expected));
+}
+
+TEST_CASE("MSH, MEDIT, VTU and HDF5 are read back equal by meshio, gmsh and h5py",
+          "[MSH][MEDIT][VTU][HDF5]") {
   const Scratch_folder folder;
   std::string arguments, expected;
   for (const Named_mesh& m : meshes()) {
@@ -216,6 +283,8 @@ TEST_CASE("MSH, MEDIT and VTU are read back equal by meshio and gmsh", "[MSH][ME
     };
     IO::write_MSH(stem + ".msh", m.mesh, m.pslg);
     expect("gmsh", ".msh", Vertex_markers::ABSENT);
+    IO::write_MSH_parts(stem + "_in_3.msh", m.mesh, m.pslg, 3);
+    expect("gmsh", "_in_3.msh", Vertex_markers::ABSENT);
     IO::write_MEDIT(stem + ".mesh", m.mesh);
     IO::write_VTU(stem + "_text.vtu", m.mesh, m.pslg, IO::ASCII);
     // meshio cannot do with files without cells.
@@ -238,13 +307,24 @@ TEST_CASE("MSH, MEDIT and VTU are read back equal by meshio and gmsh", "[MSH][ME
       attributes.values.push_back(r < 0 ? 0 : m.pslg.regions[std::size_t(r)].attribute);
     }
     all.push_back(angles);
-    if (m.name == "all") all.push_back(attributes);
+    if (!m.mesh.region_of_triangle.empty()) all.push_back(attributes);
     all.insert(all.end(), fields.begin(), fields.end());
     const auto markers = m.mesh.vertex_markers.empty() ? Vertex_markers::ABSENT : Vertex_markers::THERE;
     IO::write_VTU(stem + "_text.vtu", m.mesh, m.pslg, fields, IO::ASCII);
     expect("meshio", "_text.vtu", markers, all);
     IO::write_VTU(stem + "_bytes.vtu", m.mesh, m.pslg, fields);
     expect("meshio", "_bytes.vtu", markers, all);
+    for (const std::size_t pieces : {0u, 1u, 4u, 1000u}) { // meshio cannot do with the bytes of tiny arrays
+      const std::string suffix = "_in_" + std::to_string(pieces) + ".pvtu";
+      IO::write_PVTU(stem + suffix, m.mesh, m.pslg, pieces, fields, pieces > 4 ? IO::ASCII : IO::BINARY);
+      expect("meshio", suffix, markers, all);
+    }
+#ifdef QUADTREE_MESH_H5PY
+    IO::write_VTKHDF(stem + ".vtkhdf", m.mesh, m.pslg, fields);
+    expect("h5py", ".vtkhdf", markers, all);
+    IO::write_XDMF(stem + ".xdmf", m.mesh, m.pslg, fields);
+    expect("h5py", ".xdmf", markers, all);
+#endif
   }
   const std::string found = read_back(folder, arguments);
   std::istringstream found_lines(found), expected_lines(expected);
@@ -280,10 +360,13 @@ TEST_CASE("streams get what files get, and errors name the file", "[OFF][OBJ][MS
   check("a.obj", [&](auto&& out) { IO::write_OBJ(out, m.mesh); });
   check("a.mesh", [&](auto&& out) { IO::write_MEDIT(out, m.mesh); });
   check("a.msh", [&](auto&& out) { IO::write_MSH(out, m.mesh, m.pslg); });
+  check("c.msh", [&](auto&& out) { IO::write_MSH(out, m.mesh, m.pslg, IO::Msh_version::V2_2); });
   check("b.msh", [&](auto&& out) { IO::write_MSH(out, m.mesh); });
   check("a.vtu", [&](auto&& out) { IO::write_VTU(out, m.mesh, m.pslg, IO::Triangle_fields_2()); });
   const IO::Triangle_fields_2 wrong{{"short", {1, 2}}};
   CHECK_THROWS_AS(IO::write_VTU(folder.file("c.vtu"), m.mesh, m.pslg, wrong), std::invalid_argument);
+  CHECK_THROWS_AS(IO::write_PVTU(folder.file("c.pvtu"), m.mesh, m.pslg, 2, wrong), std::invalid_argument);
+  CHECK_FALSE(std::filesystem::exists(folder.file("c_1.vtu")));
 }
 
 TEST_CASE("points of other kinds are written as numbers", "[OFF][OBJ][MSH][MEDIT][VTU]") {
@@ -327,6 +410,9 @@ TEST_CASE("meshes of nothing are files, too", "[OFF][OBJ][MSH][MEDIT][VTU]") {
   CHECK(obj.str().empty());
   CHECK(msh.str().find("$Nodes\n0 0 0 0\n$EndNodes\n$Elements\n0 0 0 0\n") != std::string::npos);
   CHECK(medit.str().find("Vertices\n0\n") != std::string::npos);
+  std::ostringstream msh_2;
+  IO::write_MSH(msh_2, Mesh(), Pslg(), IO::Msh_version::V2_2);
+  CHECK(msh_2.str().find("$Nodes\n0\n$EndNodes\n$Elements\n0\n$EndElements\n") != std::string::npos);
   CHECK(vtu.str().find("NumberOfCells=\"0\"") != std::string::npos);
 }
 

@@ -56,16 +56,21 @@ TEST_CASE("The program writes the same files with little memory", "[program][scr
 }
 
 TEST_CASE("The program goes on where it was killed", "[program][scratch]") {
+  const std::string signal = GENERATE("KILL", "TERM");
+  CAPTURE(signal);
   const Scratch_folder folder;
   REQUIRE(run(norway + " --quiet -o " + quoted(folder.file("all.ele"))).status == 0);
   const std::string state = folder.file("killed.ele.scratch/quadtree_mesh_2.state");
   const std::string work = norway + " --resume -o " + quoted(folder.file("killed.ele"));
   // Killed a moment after it has left a state, if it is not done by then.
-  const std::string command = "'" QUADTREE_MESH_PROGRAM "' " + work +
-                              " >/dev/null 2>&1 & p=$!; while [ ! -s " + quoted(state) +
+  const std::string command = "'" QUADTREE_MESH_PROGRAM "' " + work + " >/dev/null 2>" +
+                              quoted(folder.file("err")) + " & p=$!; while [ ! -s " + quoted(state) +
                               " ] && kill -0 $p 2>/dev/null; do sleep 0.01; done; sleep 0.05; "
-                              "kill -9 $p 2>/dev/null; wait $p 2>/dev/null; true";
+                              "kill -" +
+                              signal + " $p 2>/dev/null; wait $p 2>/dev/null; true";
   CHECK(std::system(command.c_str()) != -1);
+  if (signal == "TERM" && fs::exists(state))
+    CHECK(contains(content(folder.file("err")), "--resume goes on from there"));
   const Run resumed = run(work);
   CAPTURE(resumed.err);
   CHECK(resumed.status == 0);
@@ -105,6 +110,9 @@ TEST_CASE("A state is of one input, whatever its scale, and of one file of sizes
   const std::string once = coast("once.poly", 1), twice = coast("twice.poly", 2);
   const std::string fine = " --size-points " + quoted(folder.write("fine.xy", "0.5 0.5 0.01\n")),
                     rough = " --size-points " + quoted(folder.write("rough.xy", "0.5 0.5 0.02\n"));
+  const std::string grid =
+      " --size-grid " + quoted(folder.write("fine.asc", "ncols 1\nnrows 1\nxllcorner 0\nyllcorner 0\n"
+                                                        "cellsize 1\n0.05\n"));
   const std::string scratch = folder.file("scratch"), state = scratch + "/quadtree_mesh_2.state";
   const std::string options = " --max-edge 0.05 --resume --quiet --scratch " + quoted(scratch) + " -o " +
                               quoted(folder.file("mesh.vtu"));
@@ -112,7 +120,8 @@ TEST_CASE("A state is of one input, whatever its scale, and of one file of sizes
   CHECK(run(once + options + fine).status == 2);
   REQUIRE(fs::exists(state));
   const std::string before = content(state);
-  for (const std::string& other : {twice + options + fine, once + options + rough, once + options}) {
+  for (const std::string& other :
+       {twice + options + fine, once + options + rough, once + options + fine + grid, once + options}) {
     const Run refused = run(other);
     CAPTURE(other, refused.err);
     CHECK(refused.status == 2);

@@ -105,6 +105,7 @@ TEST_CASE("an output that is an input or another output is refused", "[program]"
                  {in + o + f("link.poly"), "overwrite the input"},
                  {in + " --size-points " + sizes + o + ' ' + sizes, "--size-points"},
                  {in + " --size-points " + sizes + report + ' ' + sizes, "--size-points"},
+                 {in + " --size-grid " + sizes + o + ' ' + sizes, "--size-grid"},
                  {in + o + f("x.off") + o + f("x.off"), "x.off"},
                  {in + o + f("x.off") + o + f("./x.off"), "x.off"},
                  {in + o + f("x.off") + o + f("same/x.off"), "x.off"},
@@ -138,6 +139,10 @@ TEST_CASE("options out of range are refused by name", "[program]") {
                           {in + "--report /", "/"},
                           {in + "--size-points ''", "--size-points"},
                           {in + "--size-points .", "folder"},
+                          {in + "--size-grid ''", "--size-grid"},
+                          {in + "--size-grid .", "folder"},
+                          {in + "--gradation 0.2", "--gradation limits the sizes of --size-grid"},
+                          {in + "--gradation 0 --size-grid x.asc", "--gradation has to be a number above 0"},
                           {in + "--region-property ''", "--region-property"},
                           {in + "--min-angle 20 --min-angle 25", "--min-angle"},
                           {in + "--quiet --quiet", "--quiet"},
@@ -198,8 +203,15 @@ TEST_CASE("a signal ends the program and leaves no files", "[program]") {
   const std::string in = folder.write("in.poly", square), a = folder.write("a.off", "old"),
                     pipe = folder.file("pipe.obj"); // nobody reads it
   REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
-  const int status = status_after_signal({in, "--quiet", "-o", a, "-o", folder.file("b.vtu"), "-o", pipe},
-                                         folder.file("b.vtu.part0"), signal);
+  std::vector<std::string> arguments{
+      in, "--quiet", "--pieces", "2", "-o", a, "-o", folder.file("b.pvtu"), "-o", folder.file("b.msh")};
+#ifdef CGAL_LINKED_WITH_HDF5
+  for (const char* const name : {"b.vtkhdf", "b.xdmf"})
+    arguments.push_back("-o"), arguments.push_back(folder.file(name));
+#endif
+  for (const std::string& last : {folder.file("b.vtu"), pipe})
+    arguments.push_back("-o"), arguments.push_back(last);
+  const int status = status_after_signal(arguments, folder.file("b.vtu.part0"), signal);
   CHECK(WIFSIGNALED(status));
   CHECK(WTERMSIG(status) == signal);
   CHECK(content(a) == "old");

@@ -286,8 +286,8 @@ TEST_CASE("bad usage of the modes for points names the option", "[program][point
                              {folder.file("missing.xy") + " --mode acute", "missing.xy"},
                              {folder.write("in.dat", "0 0\n") + " --mode acute", "in.dat"}};
   for (const char* option :
-       {"--max-edge 1", "--max-area 1", "--min-edge 1", "--size-points x", "--domain marked", "--smooth 1",
-        "--no-coarsening", "--separation on-demand", "--thin 1"})
+       {"--max-edge 1", "--max-area 1", "--min-edge 1", "--size-points x", "--size-grid x", "--domain marked",
+        "--smooth 1", "--no-coarsening", "--separation on-demand", "--thin 1"})
     for (const char* mode : {"points", "bounded", "acute", "warped"})
       cases.push_back({points + " --mode " + mode + ' ' + option, std::string(option).substr(0, 5)});
   for (const char* option : {"--min-angle 20", "--compare", "--square"})

@@ -58,11 +58,18 @@ void write_holes_and_regions(Line_writer& out, const Pslg_2<Point>& pslg) {
 
 template <class Point>
 Line_writer mesh_node_text(const Indexed_mesh_2<Point>& mesh, std::size_t first_number) {
+  const bool is_renumbered = !mesh.input_index.empty();
   Line_writer out;
-  out.reserve(48 * mesh.points.size() + 32);
-  (out << mesh.points.size() << 2 << 0 << 1).end_line();
-  for (std::size_t v = 0; v < mesh.points.size(); ++v)
-    ((out << first_number + v).write_point(mesh.points[v]) << mesh.marker(Vertex_index(v))).end_line();
+  out.reserve((is_renumbered ? 58 : 48) * mesh.points.size() + 32);
+  (out << mesh.points.size() << 2 << int(is_renumbered) << 1).end_line();
+  for (std::size_t v = 0; v < mesh.points.size(); ++v) {
+    (out << first_number + v).write_point(mesh.points[v]);
+    if (is_renumbered && mesh.input_index[v].is_valid())
+      out << first_number + std::size_t(mesh.input_index[v]);
+    else if (is_renumbered)
+      out << -1;
+    (out << mesh.marker(Vertex_index(v))).end_line();
+  }
   return out;
 }
 
@@ -148,7 +155,8 @@ void write_triangle_poly(const std::string& file_name, const Pslg_2<Point>& pslg
 }
 
 /// Writes all vertices of a mesh to a `.node` file, in their order, used or not, with their markers
-/// (`Indexed_mesh_2::vertex_markers`).
+/// (`Indexed_mesh_2::vertex_markers`). Vertices of a renumbered mesh have their number in the input as an attribute, -1
+/// for Steiner vertices.
 /// \param first_number of the first vertex: 0 or 1, the same as for the other files of the mesh
 template <class Point>
 void write_triangle_node(const std::string& file_name, const Indexed_mesh_2<Point>& mesh,

@@ -36,23 +36,19 @@ public:
 
   /// \throws std::system_error that tells the file and why it cannot be written.
   void add(const std::string& file_name, std::string text) {
-    namespace fs = std::filesystem;
-    std::error_code error;
-    const fs::file_status status = fs::status(file_name, error);
-    if (fs::is_directory(status)) fail(file_name, std::make_error_code(std::errc::is_a_directory));
-    // A redirected /dev/stdout looks like the file it leads to, which others write, too.
-    const bool is_device = file_name.compare(0, 5, "/dev/") == 0;
-    if (is_device || (fs::exists(status) && !fs::is_regular_file(status))) {
+    if (is_stream(file_name))
       streams_.push_back({file_name, std::move(text)});
-      return;
-    }
-    // Through a symbolic link it is its target that changes, not the link.
-    fs::path target =
-        fs::is_symlink(fs::symlink_status(file_name, error)) ? fs::canonical(file_name, error) : fs::path();
-    if (target.empty()) target = file_name;
-    std::FILE* file = open_beside(target, file_name);
-    if (fs::exists(status)) fs::permissions(written_.back().temporary, status.permissions(), error);
-    write(file, file_name, text);
+    else
+      write(open_for(file_name), file_name, text);
+  }
+
+  /// The same for a file that a library writes.
+  /// \param write_to called with the name of an empty file; what it throws is passed on
+  template <class Write_to>
+  void add_by(const std::string& file_name, const Write_to& write_to) {
+    if (is_stream(file_name)) fail(file_name, std::make_error_code(std::errc::invalid_seek));
+    write(open_for(file_name), file_name, std::string());
+    write_to(written_.back().temporary.string());
   }
 
   /// \throws std::system_error as `add()` does; then no file is replaced, if the file system knows hard links.
@@ -85,9 +81,33 @@ private:
     throw std::system_error(error, file_name + ": cannot be written");
   }
 
+  static bool is_stream(const std::string& file_name) {
+    namespace fs = std::filesystem;
+    std::error_code ignored;
+    const fs::file_status status = fs::status(file_name, ignored);
+    if (fs::is_directory(status)) fail(file_name, std::make_error_code(std::errc::is_a_directory));
+    // A redirected /dev/stdout looks like the file it leads to, which others write, too.
+    const bool is_device = file_name.compare(0, 5, "/dev/") == 0;
+    return is_device || (fs::exists(status) && !fs::is_regular_file(status));
+  }
+
   static void remove(const std::filesystem::path& file) {
     std::error_code ignored;
     if (!file.empty()) std::filesystem::remove(file, ignored);
+  }
+
+  /// A temporary file for a target that is no stream.
+  std::FILE* open_for(const std::string& file_name) {
+    namespace fs = std::filesystem;
+    std::error_code error;
+    const fs::file_status status = fs::status(file_name, error);
+    // Through a symbolic link it is its target that changes, not the link.
+    fs::path target =
+        fs::is_symlink(fs::symlink_status(file_name, error)) ? fs::canonical(file_name, error) : fs::path();
+    if (target.empty()) target = file_name;
+    std::FILE* file = open_beside(target, file_name);
+    if (fs::exists(status)) fs::permissions(written_.back().temporary, status.permissions(), error);
+    return file;
   }
 
   std::FILE* open_beside(const std::filesystem::path& target, const std::string& file_name) {

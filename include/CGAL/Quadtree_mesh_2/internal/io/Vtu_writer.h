@@ -10,19 +10,13 @@
 #include <CGAL/IO/io.h>
 #include <CGAL/Indexed_mesh_2.h>
 #include <CGAL/Pslg_2.h>
-#include <CGAL/Quadtree_mesh_2/internal/base/Indexed_vector.h>
-#include <CGAL/Quadtree_mesh_2/internal/geometry/triangle_angles.h>
+#include <CGAL/Quadtree_mesh_2/internal/io/Vtk_grid.h>
 #include <CGAL/Quadtree_mesh_2/internal/io/number_text.h>
 #include <CGAL/Quadtree_mesh_2/triangle_fields.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
-#include <limits>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -36,17 +30,28 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
+/// What the numbers in the whole mesh are called in the data of points or of cells.
+inline std::string global_numbers_of(const std::string& data) {
+  return data == "PointData" ? "GlobalPointIds" : "GlobalCellIds";
+}
+/// Begins an element with the data of points or of cells, which says which array has the numbers in the whole mesh.
+inline std::string vtu_data_tag(const std::string& element, const std::string& data) {
+  return '<' + element + " GlobalIds=\"" + global_numbers_of(data) + "\">\n";
+}
+
 /// The XML text, and the bytes that are appended to it.
 class Vtu_text {
 public:
-  explicit Vtu_text(IO::Mode mode) : is_binary_(mode == IO::BINARY) {
+  explicit Vtu_text(IO::Mode mode)
+      : is_binary_(mode == IO::BINARY), text_(opening("UnstructuredGrid") + "<UnstructuredGrid>\n") {}
+
+  /// How a file with a kind of grid begins.
+  static std::string opening(const std::string& grid) {
     const std::uint16_t one = 1;
     unsigned char first_byte;
     std::memcpy(&first_byte, &one, 1);
-    text_ = std::string(
-                "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"") +
-            (first_byte == 1 ? "LittleEndian" : "BigEndian") +
-            "\" header_type=\"UInt64\">\n<UnstructuredGrid>\n";
+    return "<?xml version=\"1.0\"?>\n<VTKFile type=\"" + grid + "\" version=\"1.0\" byte_order=\"" +
+           (first_byte == 1 ? "LittleEndian" : "BigEndian") + "\" header_type=\"UInt64\">\n";
   }
 
   void add(const std::string& xml) { text_ += xml; }
@@ -82,20 +87,10 @@ public:
     return std::move(text_);
   }
 
-private:
   template <class Number>
   static std::string type_name() {
     const std::string size = std::to_string(8 * sizeof(Number));
     return (std::is_floating_point_v<Number> ? "Float" : std::is_signed_v<Number> ? "Int" : "UInt") + size;
-  }
-
-  /// Bytes are numbers here, not characters.
-  template <class Number>
-  static auto widened(Number x) {
-    if constexpr (sizeof(Number) == 1)
-      return static_cast<int>(x);
-    else
-      return x;
   }
 
   /// With `>`, too: VTK takes the first one for the begin of the numbers, wherever it is.
@@ -112,6 +107,16 @@ private:
     return result;
   }
 
+private:
+  /// Bytes are numbers here, not characters.
+  template <class Number>
+  static auto widened(Number x) {
+    if constexpr (sizeof(Number) == 1)
+      return static_cast<int>(x);
+    else
+      return x;
+  }
+
   template <class Number>
   void append_bytes(const std::vector<Number>& values) {
     const std::uint64_t size = values.size() * sizeof(Number);
@@ -123,27 +128,32 @@ private:
   std::string text_, appended_;
 };
 
-/// See `IO::write_VTU()`.
+/// All of a grid.
 template <class Point>
+struct Whole_grid {
+  const Vtk_grid<Point>& grid;
+
+  std::size_t number_of_points() const { return grid.number_of_points(); }
+  std::size_t number_of_cells() const { return grid.number_of_cells(); }
+  std::size_t point(std::size_t i) const { return i; }
+  std::size_t cell(std::size_t i) const { return i; }
+  /// The number that a vertex of the mesh has in the file.
+  std::int64_t number_of(Vertex_index v) const { return v.value(); }
+  static constexpr bool has_global_numbers = false;
+};
+
+/// Writes a grid, or a piece of it, as a file for VTK. See `IO::write_VTU()`.
+/// \tparam Part has the members of `Whole_grid`
+template <class Point, class Part>
 class Vtu_writer {
 public:
-  Vtu_writer(const Indexed_mesh_2<Point>& mesh, const Pslg_2<Point>& pslg,
-             const IO::Triangle_fields_2& fields)
-      : mesh_(mesh), pslg_(pslg), fields_(fields) {
-    for (const IO::Triangle_field_2& field : fields)
-      if (field.values.size() != mesh.triangles.size())
-        throw std::invalid_argument("the field '" + field.name + "' has " +
-                                    std::to_string(field.values.size()) + " numbers for " +
-                                    std::to_string(mesh.triangles.size()) + " triangles");
-    find_outside_segments();
-    find_triangles_at_edges();
-  }
+  Vtu_writer(const Vtk_grid<Point>& grid, const Part& part) : grid_(grid), part_(part) {}
 
   std::string text(IO::Mode mode) const {
     Vtu_text text(mode);
-    text.add("<Piece NumberOfPoints=\"" + std::to_string(mesh_.points.size()) + "\" NumberOfCells=\"" +
-             std::to_string(number_of_cells()) + "\">\n");
-    text.reserve(24 * mesh_.points.size() + (61 + 8 * fields_.size()) * number_of_cells());
+    text.add("<Piece NumberOfPoints=\"" + std::to_string(part_.number_of_points()) + "\" NumberOfCells=\"" +
+             std::to_string(part_.number_of_cells()) + "\">\n");
+    text.reserve(32 * part_.number_of_points() + 61 * part_.number_of_cells());
     add_points(text);
     add_cells(text);
     add_cell_data(text);
@@ -152,141 +162,84 @@ public:
   }
 
 private:
-  using Edge = std::array<std::uint32_t, 2>;
-  static constexpr std::size_t none_ = std::numeric_limits<std::size_t>::max();
-
-  std::size_t number_of_cells() const {
-    return mesh_.triangles.size() + mesh_.constrained_edges.size() + outside_.size();
+  /// \param at called with what is in the part, `n` times
+  template <class Value_at, class At>
+  static auto values(std::size_t n, const Value_at& value_at, const At& at) {
+    std::vector<std::decay_t<decltype(value_at(n))>> result;
+    result.reserve(n);
+    for (std::size_t i = 0; i < n; ++i) result.push_back(value_at(at(i)));
+    return result;
   }
-
-  void find_outside_segments() {
-    Indexed_vector<Segment_index, char> is_in_mesh(pslg_.segments.size(), 0);
-    for (const auto& e : mesh_.constrained_edges)
-      if (is_in_mesh.has(e.segment)) is_in_mesh[e.segment] = 1;
-    for (const Segment_index s : is_in_mesh.ids())
-      if (is_in_mesh[s] == 0) outside_.push_back(s.value());
+  template <class Value_at>
+  auto values_of_points(const Value_at& value_at) const {
+    return values(part_.number_of_points(), value_at, [this](std::size_t i) { return part_.point(i); });
   }
-
-  /// Only sides between vertices of constrained edges are looked for.
-  void find_triangles_at_edges() {
-    const std::size_t n = mesh_.constrained_edges.size();
-    std::vector<std::pair<Edge, std::size_t>> edges;
-    Indexed_vector<Vertex_index, char> is_end(mesh_.points.size(), 0);
-    edges.reserve(n);
-    for (std::size_t e = 0; e < n; ++e) {
-      const auto& ends = mesh_.constrained_edges[e].vertices;
-      edges.push_back({sorted(ends[0], ends[1]), e});
-      for (const Vertex_index v : ends) is_end[v] = 1;
-    }
-    std::sort(edges.begin(), edges.end());
-    triangles_at_.assign(n, {none_, none_});
-    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
-      for (std::size_t k = 0; k < 3; ++k) {
-        const Vertex_index a = mesh_.triangles[t][k], b = mesh_.triangles[t][(k + 1) % 3];
-        if (is_end[a] == 0 || is_end[b] == 0) continue;
-        const Edge side = sorted(a, b);
-        for (auto e = std::lower_bound(edges.begin(), edges.end(), std::pair(side, std::size_t(0)));
-             e != edges.end() && e->first == side; ++e) {
-          auto& at = triangles_at_[e->second];
-          at[at[0] == none_ ? 0 : 1] = t;
-        }
-      }
+  template <class Value_at>
+  auto values_of_cells(const Value_at& value_at) const {
+    return values(part_.number_of_cells(), value_at, [this](std::size_t i) { return part_.cell(i); });
   }
-  static Edge sorted(Vertex_index a, Vertex_index b) {
-    return {std::min(a.value(), b.value()), std::max(a.value(), b.value())};
+  static std::string opening_of(const std::string& data) {
+    return Part::has_global_numbers ? vtu_data_tag(data, data) : '<' + data + ">\n";
   }
+  static std::int64_t itself(std::size_t i) { return static_cast<std::int64_t>(i); }
 
   void add_points(Vtu_text& text) const {
     std::vector<double> coordinates;
-    coordinates.reserve(3 * mesh_.points.size());
-    for (const Point& p : mesh_.points)
-      for (const double x : {as_double(p.x()), as_double(p.y()), 0.}) coordinates.push_back(x);
+    coordinates.reserve(3 * part_.number_of_points());
+    for (std::size_t i = 0; i < part_.number_of_points(); ++i)
+      for (std::size_t k = 0; k < 3; ++k) coordinates.push_back(grid_.coordinate(part_.point(i), k));
     text.add("<Points>\n");
     text.add_array("Points", coordinates, 3);
     text.add("</Points>\n");
-    if (mesh_.vertex_markers.empty()) return;
-    text.add("<PointData>\n");
-    text.add_array("marker",
-                   std::vector<std::int32_t>(mesh_.vertex_markers.begin(), mesh_.vertex_markers.end()));
+    bool has_data = Part::has_global_numbers;
+    grid_.for_each_point_array([&has_data](const std::string&, const auto&) { has_data = true; });
+    if (!has_data) return;
+    text.add(opening_of("PointData"));
+    grid_.for_each_point_array([&](const std::string& name, const auto& value_at) {
+      text.add_array(name, values_of_points(value_at));
+    });
+    if (Part::has_global_numbers) text.add_array(global_numbers_of("PointData"), values_of_points(itself));
     text.add("</PointData>\n");
   }
 
   void add_cells(Vtu_text& text) const {
-    constexpr std::uint8_t vtk_line = 3, vtk_triangle = 5;
     std::vector<std::int64_t> vertices, ends;
-    std::vector<std::uint8_t> types(mesh_.triangles.size(), vtk_triangle);
-    types.resize(number_of_cells(), vtk_line);
-    vertices.reserve(3 * number_of_cells());
-    ends.reserve(number_of_cells());
-    const auto add_cell = [&](const auto& cell) {
-      for (const Vertex_index v : cell) vertices.push_back(v.value());
+    vertices.reserve(3 * part_.number_of_cells());
+    ends.reserve(part_.number_of_cells());
+    for (std::size_t i = 0; i < part_.number_of_cells(); ++i) {
+      const std::size_t cell = part_.cell(i);
+      for (std::size_t k = 0; k < grid_.size(cell); ++k)
+        vertices.push_back(part_.number_of(grid_.vertex(cell, k)));
       ends.push_back(static_cast<std::int64_t>(vertices.size()));
-    };
-    for (const auto& t : mesh_.triangles) add_cell(t);
-    for (const auto& e : mesh_.constrained_edges) add_cell(e.vertices);
-    for (const std::size_t s : outside_) add_cell(pslg_.segments[s]);
+    }
     text.add("<Cells>\n");
     text.add_array("connectivity", vertices);
     text.add_array("offsets", ends);
-    text.add_array("types", types);
+    text.add_array("types", values_of_cells([this](std::size_t cell) { return grid_.type(cell); }));
     text.add("</Cells>\n");
   }
 
   void add_cell_data(Vtu_text& text) const {
-    std::vector<std::int32_t> regions(mesh_.region_of_triangle.begin(), mesh_.region_of_triangle.end());
-    regions.resize(mesh_.triangles.size(), -1);
-    regions.resize(number_of_cells(), -1);
-    std::vector<std::int32_t> markers(mesh_.triangles.size(), 0);
-    for (const auto& e : mesh_.constrained_edges) markers.push_back(e.marker);
-    for (const std::size_t s : outside_)
-      markers.push_back(pslg_.segment_markers.empty() ? 0 : pslg_.segment_markers[s]);
-    text.add("<CellData>\n");
-    text.add_array("region", regions);
-    text.add_array("marker", markers);
-    text.add_array("least_angle", with_edges(least_angles()));
-    if (!pslg_.regions.empty()) text.add_array("attribute", with_edges(attributes(regions)));
-    for (const IO::Triangle_field_2& field : fields_) text.add_array(field.name, with_edges(field.values));
+    text.add(opening_of("CellData"));
+    grid_.for_each_cell_array([&](const std::string& name, const auto& value_at) {
+      text.add_array(name, values_of_cells(value_at));
+    });
+    if (Part::has_global_numbers) text.add_array(global_numbers_of("CellData"), values_of_cells(itself));
     text.add("</CellData>\n");
   }
 
-  std::vector<double> least_angles() const {
-    std::vector<double> result;
-    result.reserve(number_of_cells());
-    for (const auto& t : mesh_.triangles)
-      result.push_back(
-          Scaled_triangle(mesh_.point(t[0]), mesh_.point(t[1]), mesh_.point(t[2])).least_angle());
-    return result;
-  }
-
-  std::vector<double> attributes(const std::vector<std::int32_t>& regions) const {
-    std::vector<double> result;
-    result.reserve(number_of_cells());
-    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
-      const auto r = static_cast<std::size_t>(regions[t]); // -1 becomes too large
-      result.push_back(r < pslg_.regions.size() ? pslg_.regions[r].attribute : 0);
-    }
-    return result;
-  }
-
-  /// The values of triangles, and behind them those of edges.
-  std::vector<double> with_edges(std::vector<double> values) const {
-    double least = values.empty() ? 0 : values.front();
-    for (const double value : values) least = std::min(least, value);
-    values.reserve(number_of_cells());
-    for (const auto& [t, u] : triangles_at_) {
-      const double value = t == none_ ? least : values[t];
-      values.push_back(u == none_ ? value : std::min(value, values[u]));
-    }
-    values.resize(number_of_cells(), least);
-    return values;
-  }
-
-  const Indexed_mesh_2<Point>& mesh_;
-  const Pslg_2<Point>& pslg_;
-  const IO::Triangle_fields_2& fields_;
-  std::vector<std::size_t> outside_;                     // segments
-  std::vector<std::array<std::size_t, 2>> triangles_at_; // per constrained edge
+  const Vtk_grid<Point>& grid_;
+  const Part& part_;
 };
+
+/// The text of a file with all of a mesh.
+template <class Point>
+std::string vtu_text(const Indexed_mesh_2<Point>& mesh, const Pslg_2<Point>& pslg,
+                     const IO::Triangle_fields_2& fields, IO::Mode mode) {
+  const Vtk_grid<Point> grid(mesh, pslg, fields);
+  const Whole_grid<Point> whole{grid};
+  return Vtu_writer<Point, Whole_grid<Point>>(grid, whole).text(mode);
+}
 
 } // namespace internal
 } // namespace Quadtree_mesh_2

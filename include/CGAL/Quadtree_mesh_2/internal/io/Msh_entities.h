@@ -1,0 +1,178 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_IO_MSH_ENTITIES_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_IO_MSH_ENTITIES_H
+
+#include <CGAL/Indexed_mesh_2.h>
+#include <CGAL/Pslg_2.h>
+#include <CGAL/Quadtree_mesh_2/internal/geometry/triangle_angles.h>
+#include <CGAL/Quadtree_mesh_2/internal/io/Line_writer.h>
+#include <CGAL/Quadtree_mesh_2/internal/io/number_text.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+// What files of Gmsh have in common, https://gmsh.info/doc/texinfo/gmsh.html#MSH-file-format: MSH as text. Version
+// 4.1 has blocks of elements, which say their entity, so elements are sorted by entity; their numbers stay those of the
+// mesh.
+
+namespace CGAL {
+namespace Quadtree_mesh_2 {
+namespace internal {
+
+template <class Point>
+struct Msh_box {
+  double x0 = std::numeric_limits<double>::infinity(), y0 = x0, x1 = -x0, y1 = -x0;
+  void add(const Point& p) {
+    const double x = as_double(p.x()), y = as_double(p.y());
+    x0 = std::min(x0, x), x1 = std::max(x1, x), y0 = std::min(y0, y), y1 = std::max(y1, y);
+  }
+};
+/// A surface or a curve, and at once the only member of its physical group.
+template <class Point>
+struct Msh_entity {
+  std::string name;
+  int tag, group;
+  Msh_box<Point> box;
+  std::vector<std::size_t> elements; ///< triangles or constrained edges, in their order
+};
+
+/// The regions of a mesh as surfaces, the markers of its constrained edges as curves. None is empty, but for the only
+/// surface of a mesh without triangles.
+template <class Point>
+class Msh_entities {
+public:
+  using Entity = Msh_entity<Point>;
+
+  Msh_entities(const Indexed_mesh_2<Point>& mesh, const Pslg_2<Point>& pslg) : mesh_(mesh), pslg_(pslg) {
+    find_surfaces();
+    find_curves();
+  }
+
+  const std::vector<Entity>& surfaces() const { return surfaces_; }
+  const std::vector<Entity>& curves() const { return curves_; }
+
+  /// How a file of MSH 4.1 begins, up to its nodes or what says of partitions.
+  void write_head(Line_writer& out) const {
+    for (const char* line : {"$MeshFormat", "4.1 0 8", "$EndMeshFormat"}) (out << line).end_line();
+    write_physical_names(out);
+    write_entities(out);
+  }
+
+  void write_physical_names(Line_writer& out) const {
+    (out << "$PhysicalNames").end_line();
+    (out << curves_.size() + surfaces_.size()).end_line();
+    for (const Entity& c : curves_) (out << 1 << c.group << '"' + c.name + '"').end_line();
+    for (const Entity& s : surfaces_) (out << 2 << s.group << '"' + s.name + '"').end_line();
+    (out << "$EndPhysicalNames").end_line();
+  }
+
+  /// The numbers of nodes and elements count from 1, those of edges before those of triangles.
+  static std::size_t node(Vertex_index v) { return std::size_t(v) + 1; }
+  std::size_t element_of_triangle(std::size_t t) const { return mesh_.constrained_edges.size() + t + 1; }
+  static constexpr int line_of_2_nodes = 1, triangle_of_3_nodes = 2;
+
+  void write_edge(Line_writer& out, std::size_t e) const {
+    const auto& ends = mesh_.constrained_edges[e].vertices;
+    (out << e + 1 << node(ends[0]) << node(ends[1])).end_line();
+  }
+  void write_triangle(Line_writer& out, std::size_t t) const {
+    const auto& [a, b, c] = mesh_.triangles[t];
+    (out << element_of_triangle(t) << node(a) << node(b) << node(c)).end_line();
+  }
+
+  /// A view of the input's indices at the nodes, if the mesh is renumbered.
+  /// \param vertex_at returns a vertex, for the numbers below `n`
+  template <class Vertex_at>
+  void write_input_index(Line_writer& out, std::size_t n, const Vertex_at& vertex_at) const {
+    if (mesh_.input_index.empty() || n == 0) return;
+    for (const char* line : {"$NodeData", "1", "\"input_index\"", "1", "0", "3", "0", "1"})
+      (out << line).end_line();
+    (out << n).end_line();
+    for (std::size_t i = 0; i < n; ++i) {
+      const Vertex_index v = vertex_at(i), of_input = mesh_.input_index[std::size_t(v)];
+      (out << node(v) << (of_input.is_valid() ? static_cast<long long>(of_input.value()) : -1)).end_line();
+    }
+    (out << "$EndNodeData").end_line();
+  }
+
+private:
+  void find_surfaces() {
+    int regions = 0;
+    for (const int r : mesh_.region_of_triangle) regions = std::max(regions, r + 1);
+    const bool has_regions = !mesh_.region_of_triangle.empty();
+    std::vector<Entity> all;
+    for (int r = 0; r < regions; ++r) all.push_back({region_name(r), r + 1, r + 1, Msh_box<Point>(), {}});
+    all.push_back({has_regions ? "no region" : "domain", regions + 1, regions + 1, Msh_box<Point>(), {}});
+    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
+      const int r = has_regions ? mesh_.region_of_triangle[t] : -1;
+      Entity& surface = all[static_cast<std::size_t>(r < 0 ? regions : r)];
+      surface.elements.push_back(t);
+      for (const Vertex_index v : mesh_.triangles[t]) surface.box.add(mesh_.point(v));
+    }
+    for (Entity& surface : all)
+      if (!surface.elements.empty()) surfaces_.push_back(std::move(surface));
+    if (!surfaces_.empty() || mesh_.points.empty()) return;
+    surfaces_.push_back(std::move(all.back())); // for the nodes
+    for (const Point& p : mesh_.points) surfaces_.back().box.add(p);
+  }
+
+  std::string region_name(int r) const {
+    std::string name = "region " + std::to_string(r);
+    if (static_cast<std::size_t>(r) >= pslg_.regions.size()) return name;
+    name += ", attribute ";
+    append_number(name, pslg_.regions[static_cast<std::size_t>(r)].attribute);
+    return name;
+  }
+
+  void find_curves() {
+    std::vector<int> markers;
+    for (const auto& e : mesh_.constrained_edges) markers.push_back(e.marker);
+    std::sort(markers.begin(), markers.end());
+    markers.erase(std::unique(markers.begin(), markers.end()), markers.end());
+    int group = markers.empty() ? 0 : std::max(0, markers.back());
+    for (const int m : markers)
+      curves_.push_back({"marker " + std::to_string(m),
+                         static_cast<int>(curves_.size()) + 1,
+                         m > 0 ? m : ++group,
+                         Msh_box<Point>(),
+                         {}});
+    for (std::size_t e = 0; e < mesh_.constrained_edges.size(); ++e) {
+      const auto& edge = mesh_.constrained_edges[e];
+      const auto found = std::lower_bound(markers.begin(), markers.end(), edge.marker);
+      Entity& curve = curves_[static_cast<std::size_t>(found - markers.begin())];
+      curve.elements.push_back(e);
+      for (const Vertex_index v : edge.vertices) curve.box.add(mesh_.point(v));
+    }
+  }
+
+  /// Without topology: which curves bound which surface is not told.
+  void write_entities(Line_writer& out) const {
+    (out << "$Entities").end_line();
+    (out << 0 << curves_.size() << surfaces_.size() << 0).end_line();
+    for (const std::vector<Entity>* entities : {&curves_, &surfaces_})
+      for (const Entity& e : *entities)
+        (out << e.tag << e.box.x0 << e.box.y0 << 0 << e.box.x1 << e.box.y1 << 0 << 1 << e.group << 0)
+            .end_line();
+    (out << "$EndEntities").end_line();
+  }
+
+  const Indexed_mesh_2<Point>& mesh_;
+  const Pslg_2<Point>& pslg_;
+  std::vector<Entity> curves_, surfaces_;
+};
+
+} // namespace internal
+} // namespace Quadtree_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_IO_MSH_ENTITIES_H

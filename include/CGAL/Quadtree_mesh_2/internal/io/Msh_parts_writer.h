@@ -1,0 +1,213 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_IO_MSH_PARTS_WRITER_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_IO_MSH_PARTS_WRITER_H
+
+#include <CGAL/Indexed_mesh_2.h>
+#include <CGAL/Pslg_2.h>
+#include <CGAL/Quadtree_mesh_2/internal/io/Ghost_layers.h>
+#include <CGAL/Quadtree_mesh_2/internal/io/Line_writer.h>
+#include <CGAL/Quadtree_mesh_2/internal/io/Msh_entities.h>
+#include <CGAL/Quadtree_mesh_2/internal/io/Replaced_files.h>
+#include <CGAL/Quadtree_mesh_2/internal/io/mesh_pieces.h>
+#include <CGAL/Quadtree_mesh_2/internal/io/triangles_at_edges.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Quadtree_mesh_2 {
+namespace internal {
+
+/// A mesh as several files of Gmsh, as Gmsh itself splits partitioned meshes. See `IO::write_MSH_parts()`.
+///
+/// Each curve and surface of the mesh is the parent of one in each part that has elements of it. Their tags, and those
+/// of ghost surfaces, are different in all parts, so that files can be merged. One part is in memory at a time.
+template <class Point>
+class Msh_parts_writer {
+public:
+  Msh_parts_writer(const Indexed_mesh_2<Point>& mesh, const Pslg_2<Point>& pslg, std::size_t parts)
+      : mesh_(mesh), entities_(mesh, pslg), runs_(mesh.triangles.size(), parts), ghosts_(mesh, runs_),
+        edges_of_part_(runs_.size()) {
+    const auto triangles = triangles_at_edges(mesh);
+    for (std::size_t curve = 0; curve < entities_.curves().size(); ++curve)
+      for (const std::size_t e : entities_.curves()[curve].elements) {
+        const std::size_t t = triangles[e][0];
+        edges_of_part_[t == no_triangle ? runs_.size() - 1 : runs_.run_of(t)].push_back({curve, e});
+      }
+    find_unused_vertices();
+  }
+
+  void add_to(Replaced_files& files, const std::string& file_name) {
+    for (std::size_t p = 0; p < runs_.size(); ++p)
+      files.add(piece_file_name(file_name, p + 1, ".msh"), text_of(p));
+  }
+
+private:
+  using Entity = Msh_entity<Point>;
+
+  /// What a part has of a curve or surface of the mesh.
+  struct Partition_entity {
+    int tag;
+    const Entity* parent;
+    std::vector<std::size_t> elements;
+    Msh_box<Point> box;
+  };
+
+  std::string text_of(std::size_t part) {
+    collect(part);
+    entities_.write_head(out_);
+    write_partitioned_entities(part);
+    write_nodes();
+    write_elements(part);
+    write_ghosts(part);
+    entities_.write_input_index(out_, vertices_.size(),
+                                [this](std::size_t i) { return Vertex_index(vertices_[i]); });
+    return out_.take();
+  }
+
+  void find_unused_vertices() {
+    std::vector<char> is_used(mesh_.points.size(), 0);
+    for (const auto& t : mesh_.triangles)
+      for (const Vertex_index v : t) is_used[std::size_t(v)] = 1;
+    for (const auto& e : mesh_.constrained_edges)
+      for (const Vertex_index v : e.vertices) is_used[std::size_t(v)] = 1;
+    for (std::size_t v = 0; v < is_used.size(); ++v)
+      if (is_used[v] == 0) unused_.push_back(static_cast<std::uint32_t>(v));
+  }
+
+  int surface_tag(std::size_t part, std::size_t i) const {
+    return static_cast<int>((part + 1) * entities_.surfaces().size() + i) + 1;
+  }
+  int curve_tag(std::size_t part, std::size_t i) const {
+    return static_cast<int>((part + 1) * entities_.curves().size() + i) + 1;
+  }
+  int ghost_tag(std::size_t part) const { return surface_tag(runs_.size(), 0) + static_cast<int>(part); }
+
+  /// Makes the members below those of a part.
+  void collect(std::size_t part) {
+    curves_.clear(), surfaces_.clear();
+    vertices_ = part + 1 == runs_.size() ? unused_ : std::vector<std::uint32_t>();
+    for (std::size_t i = 0; i < entities_.surfaces().size(); ++i) {
+      const Entity& parent = entities_.surfaces()[i];
+      const auto first = std::lower_bound(parent.elements.begin(), parent.elements.end(), runs_.begin(part)),
+                 last = std::lower_bound(first, parent.elements.end(), runs_.begin(part + 1));
+      add_entity(surfaces_, {surface_tag(part, i), &parent, {first, last}, {}}, mesh_.triangles,
+                 [](const auto& t) { return t; });
+    }
+    std::vector<std::vector<std::size_t>> edges(entities_.curves().size());
+    for (const auto& [curve, e] : edges_of_part_[part]) edges[curve].push_back(e);
+    for (std::size_t i = 0; i < edges.size(); ++i)
+      add_entity(curves_, {curve_tag(part, i), &entities_.curves()[i], std::move(edges[i]), {}},
+                 mesh_.constrained_edges, [](const auto& e) { return e.vertices; });
+    for (const std::size_t t : ghosts_.of_run(part))
+      for (const Vertex_index v : mesh_.triangles[t]) vertices_.push_back(v.value());
+    std::sort(vertices_.begin(), vertices_.end());
+    vertices_.erase(std::unique(vertices_.begin(), vertices_.end()), vertices_.end());
+  }
+
+  template <class Elements, class Vertices_of>
+  void add_entity(std::vector<Partition_entity>& list, Partition_entity entity, const Elements& elements,
+                  const Vertices_of& vertices_of) {
+    if (entity.elements.empty()) return;
+    for (const std::size_t i : entity.elements)
+      for (const Vertex_index v : vertices_of(elements[i])) {
+        vertices_.push_back(v.value());
+        entity.box.add(mesh_.point(v));
+      }
+    list.push_back(std::move(entity));
+  }
+
+  void write_partitioned_entities(std::size_t part) {
+    const bool has_ghosts = !ghosts_.of_run(part).empty();
+    (out_ << "$PartitionedEntities").end_line();
+    (out_ << runs_.size()).end_line();
+    (out_ << int(has_ghosts)).end_line();
+    if (has_ghosts) (out_ << ghost_tag(part) << part + 1).end_line();
+    (out_ << 0 << curves_.size() << surfaces_.size() << 0).end_line();
+    for (const std::vector<Partition_entity>* list : {&curves_, &surfaces_})
+      for (const Partition_entity& e : *list)
+        (out_ << e.tag << (list == &curves_ ? 1 : 2) << e.parent->tag << 1 << part + 1 << e.box.x0 << e.box.y0
+              << 0 << e.box.x1 << e.box.y1 << 0 << 1 << e.parent->group << 0)
+            .end_line();
+    (out_ << "$EndPartitionedEntities").end_line();
+  }
+
+  void write_nodes() {
+    const std::size_t n = vertices_.size();
+    (out_ << "$Nodes").end_line();
+    if (n > 0) {
+      (out_ << 1 << n << vertices_.front() + 1 << vertices_.back() + 1).end_line();
+      (out_ << 2 << (surfaces_.empty() ? entities_.surfaces().front().tag : surfaces_.front().tag) << 0 << n)
+          .end_line();
+    } else {
+      (out_ << 0 << 0 << 0 << 0).end_line();
+    }
+    for (const std::uint32_t v : vertices_) (out_ << v + 1).end_line();
+    for (const std::uint32_t v : vertices_) (out_.write_point(mesh_.points[v]) << 0).end_line();
+    (out_ << "$EndNodes").end_line();
+  }
+
+  void write_elements(std::size_t part) {
+    using Entities = Msh_entities<Point>;
+    const std::vector<std::size_t>& ghosts = ghosts_.of_run(part);
+    std::size_t n = ghosts.size();
+    for (const std::vector<Partition_entity>* list : {&curves_, &surfaces_})
+      for (const Partition_entity& e : *list) n += e.elements.size();
+    (out_ << "$Elements").end_line();
+    // The numbers are those in the whole mesh; the range need not be tight.
+    (out_ << curves_.size() + surfaces_.size() + (ghosts.empty() ? 0 : 1) << n << (n > 0 ? 1 : 0)
+          << (n > 0 ? entities_.element_of_triangle(mesh_.triangles.size()) - 1 : 0))
+        .end_line();
+    for (const Partition_entity& c : curves_) {
+      (out_ << 1 << c.tag << Entities::line_of_2_nodes << c.elements.size()).end_line();
+      for (const std::size_t e : c.elements) entities_.write_edge(out_, e);
+    }
+    for (const Partition_entity& s : surfaces_) {
+      (out_ << 2 << s.tag << Entities::triangle_of_3_nodes << s.elements.size()).end_line();
+      for (const std::size_t t : s.elements) entities_.write_triangle(out_, t);
+    }
+    if (!ghosts.empty())
+      (out_ << 2 << ghost_tag(part) << Entities::triangle_of_3_nodes << ghosts.size()).end_line();
+    for (const std::size_t t : ghosts) entities_.write_triangle(out_, t);
+    (out_ << "$EndElements").end_line();
+  }
+
+  /// Each with the part that owns it, and the one part here for which it is a ghost.
+  void write_ghosts(std::size_t part) {
+    const std::vector<std::size_t>& ghosts = ghosts_.of_run(part);
+    if (ghosts.empty()) return;
+    (out_ << "$GhostElements").end_line();
+    (out_ << ghosts.size()).end_line();
+    for (const std::size_t t : ghosts)
+      (out_ << entities_.element_of_triangle(t) << runs_.run_of(t) + 1 << 1 << part + 1).end_line();
+    (out_ << "$EndGhostElements").end_line();
+  }
+
+  const Indexed_mesh_2<Point>& mesh_;
+  const Msh_entities<Point> entities_;
+  const Triangle_runs runs_;
+  const Ghost_layers<Point> ghosts_;
+  std::vector<std::vector<std::pair<std::size_t, std::size_t>>>
+      edges_of_part_;                 // with the curves that have them
+  std::vector<std::uint32_t> unused_; // vertices, which the last part has
+
+  // Of the part at work.
+  std::vector<Partition_entity> curves_, surfaces_;
+  std::vector<std::uint32_t> vertices_; // in their order
+  Line_writer out_;
+};
+
+} // namespace internal
+} // namespace Quadtree_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_IO_MSH_PARTS_WRITER_H

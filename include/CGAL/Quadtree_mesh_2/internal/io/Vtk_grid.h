@@ -1,0 +1,189 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_IO_VTK_GRID_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_IO_VTK_GRID_H
+
+#include <CGAL/Indexed_mesh_2.h>
+#include <CGAL/Pslg_2.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/Indexed_vector.h>
+#include <CGAL/Quadtree_mesh_2/internal/geometry/triangle_angles.h>
+#include <CGAL/Quadtree_mesh_2/internal/io/triangles_at_edges.h>
+#include <CGAL/Quadtree_mesh_2/triangle_fields.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Quadtree_mesh_2 {
+namespace internal {
+
+/// A mesh as an unstructured grid of VTK: what all files for ParaView have. See `IO::write_VTU()`.
+///
+/// Cells are the triangles, then the constrained edges, then the segments of which nothing is in the mesh. Values are
+/// made when they are asked for, so that nothing of the mesh is copied: the grid itself takes memory for edges alone.
+template <class Point>
+class Vtk_grid {
+public:
+  /// Keeps references.
+  /// \throws std::invalid_argument if a field does not have a number for each triangle
+  Vtk_grid(const Indexed_mesh_2<Point>& mesh, const Pslg_2<Point>& pslg, const IO::Triangle_fields_2& fields)
+      : mesh_(mesh), pslg_(pslg), fields_(fields) {
+    for (const IO::Triangle_field_2& field : fields)
+      if (field.values.size() != mesh.triangles.size())
+        throw std::invalid_argument("the field '" + field.name + "' has " +
+                                    std::to_string(field.values.size()) + " numbers for " +
+                                    std::to_string(mesh.triangles.size()) + " triangles");
+    find_outside_segments();
+    triangles_at_ = triangles_at_edges(mesh);
+  }
+
+  const Indexed_mesh_2<Point>& mesh() const { return mesh_; }
+  std::size_t number_of_points() const { return mesh_.points.size(); }
+  std::size_t number_of_triangles() const { return mesh_.triangles.size(); }
+  std::size_t number_of_edges() const { return mesh_.constrained_edges.size(); }
+  std::size_t number_of_cells() const { return number_of_triangles() + number_of_edges() + outside_.size(); }
+
+  bool is_triangle(std::size_t cell) const { return cell < number_of_triangles(); }
+  /// How many vertices a cell has.
+  std::size_t size(std::size_t cell) const { return is_triangle(cell) ? 3 : 2; }
+  Vertex_index vertex(std::size_t cell, std::size_t k) const {
+    if (is_triangle(cell)) return mesh_.triangles[cell][k];
+    if (is_edge(cell)) return mesh_.constrained_edges[cell - number_of_triangles()].vertices[k];
+    return outside_[cell - number_of_triangles() - number_of_edges()].ends[k];
+  }
+  /// Of all cells before.
+  std::size_t number_of_vertices_before(std::size_t cell) const {
+    return 2 * cell + std::min(cell, number_of_triangles());
+  }
+  /// The cell and its corner of vertex `i` in the list of the vertices of all cells.
+  std::pair<std::size_t, std::size_t> place_of_connection(std::size_t i) const {
+    const std::size_t of_triangles = 3 * number_of_triangles();
+    if (i < of_triangles) return {i / 3, i % 3};
+    return {number_of_triangles() + (i - of_triangles) / 2, (i - of_triangles) % 2};
+  }
+  /// VTK's number of the kind of cell.
+  std::uint8_t type(std::size_t cell) const {
+    constexpr std::uint8_t vtk_line = 3, vtk_triangle = 5;
+    return is_triangle(cell) ? vtk_triangle : vtk_line;
+  }
+  /// The triangle to whose piece of the mesh a cell belongs; `no_triangle` for none.
+  std::size_t triangle_of(std::size_t cell) const {
+    if (is_triangle(cell)) return cell;
+    return is_edge(cell) ? triangles_at_[cell - number_of_triangles()][0] : no_triangle;
+  }
+
+  /// `x`, `y` and 0 of a point.
+  double coordinate(std::size_t point, std::size_t k) const {
+    const Point& p = mesh_.points[point];
+    return k == 0 ? as_double(p.x()) : k == 1 ? as_double(p.y()) : 0.;
+  }
+
+  /// Calls `f(name, value_at)` for each array of the points; `value_at(point)` returns a number.
+  template <class F>
+  void for_each_point_array(const F& f) const {
+    if (!mesh_.vertex_markers.empty())
+      f("marker", [this](std::size_t v) { return static_cast<std::int32_t>(mesh_.vertex_markers[v]); });
+    if (!mesh_.input_index.empty())
+      f("input_index", [this](std::size_t v) {
+        const Vertex_index i = mesh_.input_index[v];
+        return i.is_valid() ? static_cast<std::int64_t>(i.value()) : -1;
+      });
+  }
+
+  /// Calls `f(name, value_at)` for each array of the cells; `value_at(cell)` returns a number.
+  template <class F>
+  void for_each_cell_array(const F& f) const {
+    f("region", [this](std::size_t c) { return static_cast<std::int32_t>(is_triangle(c) ? region(c) : -1); });
+    f("marker", [this](std::size_t c) { return static_cast<std::int32_t>(marker(c)); });
+    add_for_all(f, "least_angle", [this](std::size_t t) {
+      const auto& [a, b, c] = mesh_.triangles[t];
+      return Scaled_triangle(mesh_.point(a), mesh_.point(b), mesh_.point(c)).least_angle();
+    });
+    if (!pslg_.regions.empty()) add_for_all(f, "attribute", [this](std::size_t t) { return attribute(t); });
+    for (const IO::Triangle_field_2& field : fields_)
+      add_for_all(f, field.name, [&field](std::size_t t) { return field.values[t]; });
+  }
+
+private:
+  struct Outside_segment {
+    std::array<Vertex_index, 2> ends; // in the mesh
+    std::size_t segment;
+  };
+
+  bool is_edge(std::size_t cell) const {
+    return !is_triangle(cell) && cell < number_of_triangles() + number_of_edges();
+  }
+
+  void find_outside_segments() {
+    Indexed_vector<Segment_index, char> is_in_mesh(pslg_.segments.size(), 0);
+    for (const auto& e : mesh_.constrained_edges)
+      if (is_in_mesh.has(e.segment)) is_in_mesh[e.segment] = 1;
+    for (const Segment_index s : is_in_mesh.ids())
+      if (is_in_mesh[s] == 0) outside_.push_back({pslg_.segment(s), std::size_t(s)});
+    if (outside_.empty() || mesh_.input_index.empty()) return;
+    Indexed_vector<Vertex_index, Vertex_index> vertex_of_input(pslg_.vertices.size());
+    for (std::size_t v = 0; v < mesh_.points.size(); ++v)
+      if (vertex_of_input.has(mesh_.input_index[v])) vertex_of_input[mesh_.input_index[v]] = Vertex_index(v);
+    for (Outside_segment& s : outside_)
+      for (Vertex_index& v : s.ends) v = vertex_of_input[v];
+  }
+
+  int region(std::size_t t) const {
+    return t < mesh_.region_of_triangle.size() ? mesh_.region_of_triangle[t] : -1;
+  }
+  double attribute(std::size_t t) const {
+    const auto r = static_cast<std::size_t>(region(t)); // -1 becomes too large
+    return r < pslg_.regions.size() ? pslg_.regions[r].attribute : 0;
+  }
+  int marker(std::size_t cell) const {
+    if (is_triangle(cell)) return 0;
+    if (is_edge(cell)) return mesh_.constrained_edges[cell - number_of_triangles()].marker;
+    const std::size_t s = outside_[cell - number_of_triangles() - number_of_edges()].segment;
+    return pslg_.segment_markers.empty() ? 0 : pslg_.segment_markers[s];
+  }
+
+  /// Passes an array on that triangles have, with values for edges: the least of the triangles beside them, or of all.
+  template <class F, class Value_of_triangle>
+  void add_for_all(const F& f, const std::string& name, const Value_of_triangle& value) const {
+    f(name, [this, &value, &name](std::size_t cell) -> double {
+      if (is_triangle(cell)) return value(cell);
+      if (!is_edge(cell)) return least_of(name, value);
+      const auto [t, u] = triangles_at_[cell - number_of_triangles()];
+      if (t == no_triangle) return least_of(name, value);
+      return u == no_triangle ? value(t) : std::min<double>(value(t), value(u));
+    });
+  }
+  /// Found once for each array.
+  template <class Value_of_triangle>
+  double least_of(const std::string& name, const Value_of_triangle& value) const {
+    const auto [found, is_new] = least_.try_emplace(name, 0.);
+    if (!is_new || number_of_triangles() == 0) return found->second;
+    double least = value(0);
+    for (std::size_t t = 1; t < number_of_triangles(); ++t) least = std::min<double>(least, value(t));
+    return found->second = least;
+  }
+
+  const Indexed_mesh_2<Point>& mesh_;
+  const Pslg_2<Point>& pslg_;
+  const IO::Triangle_fields_2& fields_;
+  std::vector<Outside_segment> outside_;
+  std::vector<std::array<std::size_t, 2>> triangles_at_; // per constrained edge
+  mutable std::map<std::string, double> least_;          // of arrays
+};
+
+} // namespace internal
+} // namespace Quadtree_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_IO_VTK_GRID_H
