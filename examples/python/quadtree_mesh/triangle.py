@@ -1,0 +1,224 @@
+"""A stand-in for the package triangle (drufat/triangle): ``from quadtree_mesh import triangle``.
+
+`triangulate()` takes its dictionaries and switches. doc/python.md lists where results differ.
+"""
+
+from __future__ import annotations
+
+import re
+from typing import Any, Dict, Iterator, Tuple
+
+import numpy as np
+
+from ._arguments import marker_array, point_array
+from ._core import convex_hull as _hull_corners
+from .errors import GraphError
+from .meshing import mesh as _mesh
+
+__all__ = ['triangulate', 'delaunay', 'convex_hull', 'plot', 'compare']
+
+# What only says how to compute, print or count has no meaning here.
+_IGNORED = set('zQVCXiFlsBPNEIgj')
+_UNSUPPORTED = {
+    'D': 'meshes are constrained Delaunay',
+    'Y': 'borders may get new vertices; bound these by min_edge of quadtree_mesh.mesh()',
+    'o': 'triangles have three nodes',
+    'u': 'use size or refine_where of quadtree_mesh.mesh()',
+    'v': 'there is no Voronoi diagram; mesh.neighbors has the dual graph',
+}
+_KEYS = {'vertices', 'vertex_attributes', 'vertex_markers', 'segments', 'segment_markers', 'holes', 'regions',
+         'triangles', 'triangle_attributes', 'triangle_max_area', 'neighbors', 'edges', 'edge_markers'}
+
+
+def _switches(opts: str) -> Iterator[Tuple[str, str]]:
+    """Letters with the numbers behind them."""
+    for letter, number in re.findall(r'([A-Za-z])([0-9.]*)|\S', opts.replace('-', '')):
+        if letter in _UNSUPPORTED:
+            raise ValueError(f"switch '{letter}' is not supported: {_UNSUPPORTED[letter]}")
+        if letter not in _IGNORED and letter not in set('pqaAcrnejSO'):
+            raise ValueError(f"unknown switch '{letter}'" if letter else f'unknown switches in {opts!r}')
+        yield letter, number
+
+
+def _border_edges(triangles: np.ndarray, neighbors: np.ndarray) -> np.ndarray:
+    """The sides without a neighbor."""
+    t, k = np.nonzero(neighbors < 0)
+    return np.stack([triangles[t, (k + 1) % 3], triangles[t, (k + 2) % 3]], axis=1)
+
+
+def _sides_that_occur_once(triangles: np.ndarray) -> np.ndarray:
+    sides = np.concatenate([triangles[:, [1, 2]], triangles[:, [2, 0]], triangles[:, [0, 1]]])
+    _, first, count = np.unique(np.sort(sides, axis=1), axis=0, return_index=True, return_counts=True)
+    return sides[first[count == 1]]
+
+
+def _is_among(edges: np.ndarray, others: np.ndarray) -> np.ndarray:
+    """Whether each edge, in any direction, is one of others."""
+    def key(e: np.ndarray) -> np.ndarray:
+        e = np.sort(e.astype(np.int64), axis=1)
+        return (e[:, 0] << 32) | e[:, 1]
+    return np.isin(key(edges), key(others))
+
+
+def _input(tri: Dict[str, Any], switches: Dict[str, str]) -> Dict[str, Any]:
+    """The graph to mesh, by the letters p, r and c."""
+    unknown = set(tri) - _KEYS
+    if unknown:
+        raise KeyError(sorted(unknown)[0])
+    vertices = point_array(tri.get('vertices', []), 'vertices')
+    if len(vertices) < 3:
+        raise ValueError('Input must have at least three vertices.')
+    segments, markers = np.empty((0, 2), np.int64), np.empty(0, np.int32)
+    if 'p' in switches:
+        segments = np.asarray(tri.get('segments', segments)).reshape(-1, 2)
+        markers = marker_array(tri.get('segment_markers', np.zeros(len(segments))), len(segments), 'segment_markers')
+    border = None
+    if 'r' in switches:
+        if 'triangle_max_area' in tri and switches.get('a') == '':
+            raise ValueError("areas by triangle are not supported; use size of quadtree_mesh.mesh()")
+        if 'triangles' not in tri:
+            raise ValueError('r refines a mesh, and there are no triangles')
+        triangles = np.asarray(tri['triangles'])[:, :3]
+        border = _sides_that_occur_once(triangles)
+    elif 'c' in switches or 'p' not in switches:
+        corners = _hull_corners(vertices)
+        border = np.stack([corners, np.roll(corners, -1)], axis=1)
+    if border is not None:
+        segments = np.concatenate([segments, border])
+        markers = np.concatenate([markers, np.zeros(len(border), np.int32)])
+    result: Dict[str, Any] = dict(vertices=vertices, segments=segments, segment_markers=markers,
+                                  vertex_markers=tri.get('vertex_markers'))
+    if 'p' in switches and 'r' not in switches and 'O' not in switches:
+        result['holes'] = tri.get('holes')
+    if 'r' in switches:
+        # What triangles cover is meshed. Each tells the attribute of its part.
+        result['domain'] = 'marked'
+        attributes = np.zeros(len(triangles))
+        if 'triangle_attributes' in tri:
+            attributes = np.asarray(tri['triangle_attributes'], float).reshape(len(triangles), -1)[:, 0]
+        result['regions'] = np.column_stack([vertices[triangles].mean(axis=1), attributes])
+    elif 'p' in switches and len(tri.get('regions', ())) > 0:
+        regions = np.array(tri['regions'], float).reshape(len(tri['regions']), -1)
+        regions = np.pad(regions, [(0, 0), (0, max(0, 4 - regions.shape[1]))])
+        # Triangle has areas of regions only with an a that has no number, and negative ones for none.
+        regions[:, 3] = np.maximum(regions[:, 3], 0) if 'regions' in switches else 0
+        result['regions'] = regions
+    return result
+
+
+def triangulate(tri: Dict[str, Any], opts: str = '') -> Dict[str, np.ndarray]:
+    """Triangulates by the dictionaries and switches of the package triangle.
+
+    Parameters
+    ----------
+    tri : dict
+        ``vertices`` (n, 2); optional ``segments`` (m, 2), ``holes`` (h, 2), ``regions`` (r, 4) with x, y, attribute
+        and largest area, ``vertex_markers``, ``segment_markers``, ``vertex_attributes``; with r ``triangles`` (t, 3).
+    opts : str
+        p (segments), r (refine), q or q30 (least angle, 20 by default and at most 34), a0.1 (largest area), a (areas of
+        regions), A (attributes of regions), c (convex hull), S100 (most new vertices), n (neighbors), e (edges), j (no
+        unused vertices), O (no holes). Letters that choose algorithms or what is printed have no effect. D, Y, o2, u
+        and v are a ValueError.
+
+    Returns
+    -------
+    dict
+        ``vertices``, ``vertex_markers`` (n, 1), ``triangles`` (t, 3); with p ``segments`` and ``segment_markers``; with
+        A ``triangle_attributes`` (t, 1), 0 without a region; with n ``neighbors``; with e ``edges`` and
+        ``edge_markers``. ``vertex_attributes`` of new vertices are not-a-number.
+
+    Raises
+    ------
+    quadtree_mesh.GraphError
+        (a ValueError) For what cannot be meshed; segments that cross are split.
+    """
+    switches: Dict[str, str] = {}
+    for letter, number in _switches(opts):
+        if letter == 'a' and not number:
+            switches['regions'] = ''
+            number = switches.get('a', '')
+        switches[letter] = number
+    graph = _input(tri, switches)
+    n = len(graph['vertices'])
+    attributes = len(tri.get('vertex_attributes', graph['vertices']))
+    if attributes != n:
+        raise GraphError(f'vertex_attributes must have {n} rows, one each, not {attributes}', 'array_length')
+    made = _mesh(**graph, repair=True,
+                 min_angle=float(switches['q'] or 20) if 'q' in switches else 0,
+                 max_area=float(switches['a']) if switches.get('a') else None,
+                 max_vertices=n + int(switches['S']) if switches.get('S') else None,
+                 coarsen='q' in switches or 'a' in switches)
+    if 'j' in switches:
+        made = made.compacted()
+    return _output(tri, switches, made)
+
+
+def _output(tri: Dict[str, Any], switches: Dict[str, str], made: Any) -> Dict[str, np.ndarray]:
+    result = dict(vertices=made.vertices, vertex_markers=made.vertex_markers[:, None], triangles=made.triangles)
+    if 'vertex_attributes' in tri and 'j' not in switches and made.report.repair is None:
+        given = np.asarray(tri['vertex_attributes'], float)
+        given = given.reshape(len(given), -1)
+        result['vertex_attributes'] = np.full((len(made.vertices), given.shape[1]), np.nan)
+        result['vertex_attributes'][:len(given)] = given
+    if 'A' in switches:
+        result['triangle_attributes'] = made.values_of_triangles(missing=0.0)[:, None]
+    if 'n' in switches:
+        result['neighbors'] = made.neighbors
+    border = _border_edges(made.triangles, made.neighbors)
+    markers = np.where((made.segment_markers == 0) & _is_among(made.segments, border), 1, made.segment_markers)
+    if 'p' in switches or 'c' in switches or 'r' in switches:
+        result['segments'] = np.ascontiguousarray(made.segments)
+        result['segment_markers'] = markers.astype(np.int32)[:, None]
+    if 'e' in switches:
+        edges = made.edges()
+        result['edges'] = edges
+        result['edge_markers'] = _edge_markers(edges, made.segments, markers)[:, None]
+    for name in ('holes', 'regions'):
+        if name in tri and 'p' in switches:
+            result[name] = np.asarray(tri[name], float)
+    return result
+
+
+def _edge_markers(edges: np.ndarray, segments: np.ndarray, markers: np.ndarray) -> np.ndarray:
+    """The markers of segments, for edges in lexicographic order; 0 for the others."""
+    key = (edges[:, 0].astype(np.int64) << 32) | edges[:, 1]
+    ends = np.sort(segments.astype(np.int64), axis=1)
+    result = np.zeros(len(edges), np.int32)
+    if len(ends) > 0:
+        result[np.searchsorted(key, (ends[:, 0] << 32) | ends[:, 1])] = markers
+    return result
+
+
+def delaunay(pts: Any) -> np.ndarray:
+    """The Delaunay triangulation of points, a (t, 3) array of indices."""
+    return triangulate({'vertices': pts})['triangles']
+
+
+def convex_hull(pts: Any) -> np.ndarray:
+    """The edges of the convex hull of points, an (e, 2) array of indices."""
+    made = triangulate({'vertices': pts}, 'n')
+    return _border_edges(made['triangles'], made['neighbors'])
+
+
+def plot(ax: Any, **kw: Any) -> None:
+    """Draws what a dictionary has: vertices, segments, triangles, holes."""
+    from .plotting import plot_segments
+
+    vertices = np.asarray(kw['vertices'], float)
+    if 'triangles' in kw and len(kw['triangles']) > 0:
+        ax.triplot(vertices[:, 0], vertices[:, 1], kw['triangles'], linewidth=0.5)
+    if 'segments' in kw and len(kw['segments']) > 0:
+        plot_segments(ax, vertices, np.asarray(kw['segments']))
+    if len(vertices) <= 1000:
+        ax.plot(vertices[:, 0], vertices[:, 1], 'o', markersize=3)
+    if 'holes' in kw and len(kw['holes']) > 0:
+        ax.plot(*np.asarray(kw['holes'], float).T, 'rx')
+    ax.set_aspect('equal')
+
+
+def compare(plt: Any, A: Dict[str, Any], B: Dict[str, Any], figsize: Tuple[float, float] = (6, 3)) -> None:
+    """Draws two dictionaries side by side."""
+    _, axes = plt.subplots(1, 2, figsize=figsize, sharex=True, sharey=True)
+    for ax, one in zip(axes, (A, B)):
+        plot(ax, **one)
+    plt.tight_layout()

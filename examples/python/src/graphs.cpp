@@ -1,0 +1,306 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+
+#include "arrays.h"
+#include "definitions.h"
+#include "sizes.h"
+#include "watched_run.h"
+
+#include <CGAL/Indexed_mesh_2.h>
+#include <CGAL/Pslg_2.h>
+#include <CGAL/Quality_mesher_2.h>
+#include <CGAL/convex_hull_2.h>
+#include <CGAL/repair_pslg_2.h>
+#include <CGAL/tags.h>
+#include <pybind11/stl.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+// Meshes of graphs. quadtree_mesh.meshing documents what goes in and out.
+
+namespace quadtree_mesh_python {
+
+namespace {
+
+using Graph = CGAL::Pslg_2<Point>;
+using Mesh = CGAL::Indexed_mesh_2<Point>;
+using Mesher = CGAL::Quality_mesher_2<CGAL::Filtered_quadtree_traits_2<>, CGAL::Parallel_tag>;
+using Options = CGAL::Quality_mesh_options_2;
+using Report = CGAL::Quality_mesh_report_2;
+using CGAL::Quadtree_mesh_2::Segment_index;
+using CGAL::Quadtree_mesh_2::Triangle_index;
+using CGAL::Quadtree_mesh_2::Vertex_index;
+static_assert(sizeof(Vertex_index) == sizeof(std::int32_t), "invalid indices are shown as -1");
+
+// --- Graphs from arrays ---
+
+/// Indices that are none would become other ones when they are cut to 32 bits.
+void add_segments(Graph& graph, const Input_array<std::int64_t>& segments) {
+  const std::size_t m = rows_of(segments, 2, "segments");
+  const auto n = static_cast<std::int64_t>(graph.vertices.size());
+  const std::int64_t* ends = segments.data();
+  graph.segments.reserve(m);
+  for (std::size_t s = 0; s < m; ++s, ends += 2) {
+    for (int k = 0; k < 2; ++k)
+      if (ends[k] < 0 || ends[k] >= n)
+        throw CGAL::Pslg_error_2(CGAL::Pslg_error_2::Kind::NO_SUCH_VERTEX,
+                                 "segment " + std::to_string(s) + " ends at vertex " +
+                                     std::to_string(ends[k]) + ", but there are " + std::to_string(n) +
+                                     " vertices",
+                                 CGAL::Pslg_parts_2().segment(Segment_index(s)));
+    graph.add_segment(Vertex_index(ends[0]), Vertex_index(ends[1]));
+  }
+}
+
+Graph graph_from(const py::dict& arrays) {
+  Graph graph;
+  graph.vertices = points_from(arrays["vertices"].cast<Input_array<double>>(), "vertices");
+  add_segments(graph, arrays["segments"].cast<Input_array<std::int64_t>>());
+  graph.vertex_markers = vector_from(arrays["vertex_markers"].cast<Input_array<int>>());
+  graph.segment_markers = vector_from(arrays["segment_markers"].cast<Input_array<int>>());
+  graph.holes = points_from(arrays["holes"].cast<Input_array<double>>(), "holes");
+  const auto regions = arrays["regions"].cast<Input_array<double>>();
+  const std::size_t r = rows_of(regions, 4, "regions");
+  const double* row = regions.data();
+  for (std::size_t i = 0; i < r; ++i, row += 4)
+    graph.regions.push_back({Point(row[0], row[1]), row[2], row[3]});
+  return graph;
+}
+
+// --- Options ---
+
+template <class Value>
+Value named(const std::map<std::string, Value>& values, const std::string& name, const char* what) {
+  const auto found = values.find(name);
+  if (found != values.end()) return found->second;
+  std::string text = std::string(what) + " must be one of";
+  for (const auto& value : values) text += " '" + value.first + "'";
+  throw std::invalid_argument(text + ", not '" + name + "'");
+}
+
+Options options_from(const py::dict& values) {
+  Options options;
+  options.min_angle(values["min_angle"].cast<double>())
+      .max_area(values["max_area"].cast<double>())
+      .max_edge(values["max_edge"].cast<double>())
+      .min_edge(values["min_edge"].cast<double>())
+      .size(least_size(values["size"].cast<py::list>()))
+      .smooth(values["smooth"].cast<int>())
+      .thin(values["thin"].cast<int>())
+      .max_vertices(values["max_vertices"].cast<std::size_t>());
+  options.coarsen(values["coarsen"].cast<bool>() ? Options::Coarsening::GUARDED_REMOVAL
+                                                 : Options::Coarsening::NONE);
+  options.mesh_domain(named<Options::Domain>({{"enclosed", Options::Domain::ENCLOSED},
+                                              {"marked", Options::Domain::MARKED},
+                                              {"parity", Options::Domain::NESTING_PARITY}},
+                                             values["domain"].cast<std::string>(), "domain"));
+  options.separate(named<Options::Separation>(
+      {{"on_demand", Options::Separation::ON_DEMAND}, {"theorem_5", Options::Separation::THEOREM_5}},
+      values["separation"].cast<std::string>(), "separation"));
+  return options;
+}
+
+/// The user's criterion in Python. The mesher's threads call it one after the other, each with Python's lock. After an
+/// exception it is not called again.
+class Refinement_criterion {
+public:
+  Refinement_criterion(py::object function, Run_state& state)
+      : function_(std::move(function)), state_(state) {}
+
+  bool operator()(const Options::Corners& corners) {
+    const py::gil_scoped_acquire lock;
+    if (error_ || state_.is_stopped()) return false;
+    try {
+      py::array_t<double> array({3, 2});
+      std::copy(&corners[0][0], &corners[0][0] + 6, array.mutable_data());
+      return py::bool_(function_(array));
+    } catch (py::error_already_set& error) {
+      error_.emplace(std::move(error));
+      state_.stop();
+      return false;
+    }
+  }
+  void throw_error() {
+    if (error_) throw py::error_already_set(std::move(*error_));
+  }
+
+private:
+  py::object function_;
+  Run_state& state_;
+  std::optional<py::error_already_set> error_;
+};
+
+// --- Results ---
+
+py::dict arrays_of(Mesh made) {
+  using Constrained_edge = Mesh::Constrained_edge;
+  const Shown_object<Mesh> mesh(std::move(made));
+  const auto& edges = mesh->constrained_edges;
+  const auto n = static_cast<py::ssize_t>(edges.size());
+  constexpr py::ssize_t step = sizeof(Constrained_edge), word = sizeof(std::int32_t);
+  const Constrained_edge none{}, &first = edges.empty() ? none : edges.front();
+  if (mesh->vertex_markers.empty()) mesh->vertex_markers.resize(mesh->points.size());
+  if (mesh->region_of_triangle.empty()) mesh->region_of_triangle.resize(mesh->triangles.size(), -1);
+  py::dict result;
+  result["number_of_input_vertices"] = mesh->number_of_input_vertices;
+  result["vertices"] = mesh.show_rows<double>(mesh->points);
+  result["triangles"] = mesh.show_rows<std::int32_t>(mesh->triangles);
+  result["neighbors"] = mesh.show_rows<std::int32_t>(mesh->neighbors);
+  result["regions"] = mesh.show_numbers<std::int32_t>(mesh->region_of_triangle);
+  result["vertex_markers"] = mesh.show_numbers<std::int32_t>(mesh->vertex_markers);
+  result["vertex_segments"] = mesh.show_numbers<std::int32_t>(mesh->segment_of_vertex);
+  result["segments"] = mesh.show<std::int32_t>(&first.vertices, {n, 2}, {step, word});
+  result["segment_origins"] = mesh.show<std::int32_t>(&first.segment, {n}, {step});
+  result["segment_markers"] = mesh.show<std::int32_t>(&first.marker, {n}, {step});
+  return result;
+}
+
+const char* name_of(Report::Reason reason) {
+  switch (reason) {
+  case Report::Reason::BUDGET:
+    return "budget";
+  case Report::Reason::CANCELLED:
+    return "cancelled";
+  case Report::Reason::LEAST_EDGE:
+    return "min_edge";
+  case Report::Reason::CORNER:
+    return "corner";
+  case Report::Reason::COORDINATES:
+    return "coordinates";
+  case Report::Reason::CRITERIA:
+    break;
+  }
+  return "criteria";
+}
+
+py::dict seconds_of(const Report::Seconds& seconds) {
+  return py::dict(py::arg("quadtree") = seconds.quadtree, py::arg("first_mesh") = seconds.first_mesh,
+                  py::arg("trees") = seconds.trees, py::arg("construct") = seconds.construct,
+                  py::arg("refine") = seconds.refine, py::arg("coarsen") = seconds.coarsen,
+                  py::arg("convert") = seconds.convert);
+}
+
+py::dict values_of(const Report& report) {
+  py::list unmet, exempt;
+  for (const auto& t : report.unmet_triangles)
+    unmet.append(
+        py::make_tuple(t.triangle.value(), t.centroid[0], t.centroid[1], t.least_angle, name_of(t.reason)));
+  for (const auto& t : report.exempt_triangles)
+    exempt.append(py::make_tuple(t.triangle.value(), t.corner.value()));
+  py::dict result;
+  result["is_met"] = report.is_met();
+  result["is_cancelled"] = report.is_cancelled;
+  result["is_budget_exhausted"] = report.is_budget_exhausted;
+  result["vertices"] = report.vertices;
+  result["triangles"] = report.triangles;
+  result["merged_vertices"] = report.merged_vertices;
+  result["vertices_on_segments"] = report.vertices_on_segments;
+  result["estimated_triangles"] = report.estimated_triangles;
+  result["has_used_quadtrees"] = report.trees.end != CGAL::Tree_separation_report_2::End::NONE;
+  result["least_angle_histogram"] = array_of(
+      std::vector<std::int64_t>(report.least_angle_histogram.begin(), report.least_angle_histogram.end()));
+  result["largest_angle_histogram"] = array_of(std::vector<std::int64_t>(
+      report.largest_angle_histogram.begin(), report.largest_angle_histogram.end()));
+  result["unmet"] = unmet;
+  result["exempt"] = exempt;
+  result["seconds"] = seconds_of(report.seconds);
+  result["wall_seconds"] = seconds_of(report.wall_seconds);
+  return result;
+}
+
+py::dict values_of(CGAL::Pslg_repair_report_2 report) {
+  py::dict result;
+  result["merged_vertices"] = report.merged_vertices;
+  result["zero_length_segments"] = report.zero_length_segments;
+  result["overlapping_segments"] = report.overlapping_segments;
+  result["split_segments"] = report.split_segments;
+  result["crossings"] = report.crossings;
+  result["vertex_map"] = array_of_rows<std::int32_t>(std::move(report.vertex_map)).attr("ravel")();
+  result["segment_origins"] = array_of_rows<std::int32_t>(std::move(report.segment_origin)).attr("ravel")();
+  return result;
+}
+
+// --- Meshing ---
+
+/// Meshes the graph. If segments cross and crossings may be split, meshes the repaired one.
+class Graph_run {
+public:
+  Graph_run(Graph graph, Options options, bool may_repair)
+      : graph_(std::move(graph)), mesher_(std::move(options)), may_repair_(may_repair) {}
+
+  void operator()() {
+    try {
+      mesh_ = mesher_(graph_);
+    } catch (const CGAL::Pslg_error_2& error) {
+      if (!may_repair_ || error.kind() != CGAL::Pslg_error_2::Kind::CROSSING) throw;
+      repair_.emplace();
+      graph_ = CGAL::repair_pslg_2(
+          graph_, CGAL::Pslg_repair_options_2().crossings(CGAL::Pslg_crossing_rule_2::SPLIT), *repair_);
+      mesh_ = mesher_(graph_);
+    }
+  }
+
+  py::dict result() {
+    py::dict result = arrays_of(std::move(mesh_));
+    result["report"] = values_of(mesher_.report());
+    result["repair"] = repair_ ? py::object(values_of(std::move(*repair_))) : py::object(py::none());
+    return result;
+  }
+
+private:
+  Graph graph_;
+  Mesher mesher_;
+  bool may_repair_;
+  Mesh mesh_;
+  std::optional<CGAL::Pslg_repair_report_2> repair_;
+};
+
+/// \param values options of the mesher by name, and `repair`, `threads`, `progress`, `refine_where`
+py::dict mesh_graph(const py::dict& arrays, const py::dict& values) {
+  Run_state state;
+  Options options = options_from(values).progress(std::ref(state));
+  std::optional<Refinement_criterion> criterion;
+  if (!values["refine_where"].is_none()) {
+    criterion.emplace(py::reinterpret_borrow<py::object>(values["refine_where"]), state);
+    options.refine_where(std::ref(*criterion));
+  }
+  Graph_run run(graph_from(arrays), std::move(options), values["repair"].cast<bool>());
+  const Thread_bound bound(values["threads"].cast<std::size_t>());
+  run_watched(state, values["progress"], std::ref(run));
+  if (criterion) criterion->throw_error();
+  return run.result();
+}
+
+/// The convex hull's corners, counterclockwise.
+py::array_t<std::int32_t> convex_hull(const Input_array<double>& array) {
+  const std::vector<Point> points = points_from(array, "points");
+  std::map<std::array<double, 2>, std::int32_t> index;
+  for (std::size_t i = points.size(); i-- > 0;)
+    index[{points[i].x(), points[i].y()}] = static_cast<std::int32_t>(i);
+  std::vector<Point> corners;
+  CGAL::convex_hull_2(points.begin(), points.end(), std::back_inserter(corners));
+  std::vector<std::int32_t> result;
+  for (const Point& p : corners) result.push_back(index[{p.x(), p.y()}]);
+  return array_of(std::move(result));
+}
+
+} // namespace
+
+void define_graphs(py::module_& module) {
+  module.def("mesh_graph", &mesh_graph, py::arg("arrays"), py::arg("options"));
+  module.def("convex_hull", &convex_hull, py::arg("points"));
+}
+
+} // namespace quadtree_mesh_python

@@ -1,0 +1,123 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+
+#include "sizes.h"
+#include "arrays.h"
+#include "definitions.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+namespace quadtree_mesh_python {
+
+namespace {
+
+using Size_function = std::function<double(double, double)>;
+
+Size_grid make_size_grid(const Input_array<double>& sizes, const std::array<double, 2>& origin,
+                         const std::array<double, 2>& spacing) {
+  if (sizes.ndim() != 2) throw std::invalid_argument("sizes must be an array with rows and columns");
+  return {std::make_shared<CGAL::Grid_sizing_field_2>(
+      origin, spacing, static_cast<std::size_t>(sizes.shape(1)), static_cast<std::size_t>(sizes.shape(0)),
+      vector_from(sizes))};
+}
+
+Size_points make_size_points(const Input_array<double>& points, const Input_array<double>& sizes,
+                             double gradation) {
+  const std::size_t n = rows_of(points, 2, "points");
+  if (static_cast<std::size_t>(sizes.size()) != n)
+    throw std::invalid_argument("there must be a size for each point");
+  std::vector<CGAL::Points_sizing_field_2::Sized_point> places;
+  places.reserve(n);
+  const double *xy = points.data(), *size = sizes.data();
+  for (std::size_t i = 0; i < n; ++i) places.push_back({xy[2 * i], xy[2 * i + 1], size[i]});
+  return {std::make_shared<CGAL::Points_sizing_field_2>(std::move(places), gradation)};
+}
+
+Size_function size_function(const py::handle& size) {
+  if (py::isinstance<Size_grid>(size)) return size.cast<Size_grid>();
+  if (py::isinstance<Size_points>(size)) return size.cast<Size_points>();
+  const double number = size.cast<double>();
+  if (!(number > 0) || !std::isfinite(number)) throw std::invalid_argument("a size must be positive");
+  return [number](double, double) { return number; };
+}
+
+} // namespace
+
+Size_function least_size(const py::list& sizes) {
+  std::vector<Size_function> functions;
+  for (const py::handle& size : sizes) functions.push_back(size_function(size));
+  if (functions.size() <= 1) return functions.empty() ? Size_function() : std::move(functions.front());
+  return [functions = std::move(functions)](double x, double y) {
+    double least = functions[0](x, y);
+    for (std::size_t i = 1; i < functions.size(); ++i) least = std::min(least, functions[i](x, y));
+    return least;
+  };
+}
+
+void define_sizes(py::module_& module) {
+  const auto evaluate = [](const auto& field) { return [field](double x, double y) { return field(x, y); }; };
+  py::class_<Size_grid>(module, "SizeGrid", R"(Sizes on a regular grid, bilinear between its points.
+
+Outside the grid the size is that of the nearest place in it. A call ``grid(x, y)`` gives the size at a place, or
+an array of sizes for arrays of coordinates. O(1) time for each.
+
+Parameters
+----------
+sizes : (rows, columns) array of float
+    Lengths in the units of the coordinates, positive. ``sizes[j, i]`` is the size at
+    ``(origin[0] + i * spacing[0], origin[1] + j * spacing[1])``: rows go from south to north.
+origin : (float, float)
+    The place of ``sizes[0, 0]``.
+spacing : (float, float)
+    The distances of neighbors in x and y, positive.
+
+Raises
+------
+ValueError
+    If a number violates these requirements.)")
+      .def(py::init(&make_size_grid), py::arg("sizes"), py::arg("origin"), py::arg("spacing"))
+      .def(
+          "__call__",
+          [evaluate](const Size_grid& grid, const py::object& x, const py::object& y) {
+            return py::object(py::vectorize(evaluate(grid))(x, y));
+          },
+          py::arg("x"), py::arg("y"));
+  py::class_<Size_points>(module, "SizePoints", R"(Sizes at points, which grow with the distance.
+
+The size at a place is the least of ``size + gradation * distance`` over all points. A call ``field(x, y)`` gives
+the size at a place, or an array of sizes for arrays of coordinates, in O(log n) time for each where sizes grow no
+faster than the gradation.
+
+Parameters
+----------
+points : (n, 2) array of float
+    At least one.
+sizes : (n,) array of float
+    Lengths in the units of the coordinates, positive.
+gradation : float
+    By how much the size grows over a unit of length, at least 0. A mesh follows up to about 1.
+
+Raises
+------
+ValueError
+    If a number violates these requirements.)")
+      .def(py::init(&make_size_points), py::arg("points"), py::arg("sizes"), py::arg("gradation") = 0.5)
+      .def(
+          "__call__",
+          [evaluate](const Size_points& points, const py::object& x, const py::object& y) {
+            return py::object(py::vectorize(evaluate(points))(x, y));
+          },
+          py::arg("x"), py::arg("y"));
+}
+
+} // namespace quadtree_mesh_python
