@@ -6,7 +6,7 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 # Everything that quality_mesh needs to be built.
 # shellcheck disable=SC2034
 build_packages=(g++ make cmake libcgal-dev libboost-dev libboost-program-options-dev libboost-iostreams-dev
-  nlohmann-json3-dev libtbb-dev libeigen3-dev)
+  nlohmann-json3-dev libtbb-dev libeigen3-dev libhdf5-dev)
 
 say() { printf '== %s\n' "$*"; }
 

@@ -40,7 +40,7 @@ done
 install_packages "${build_packages[@]}" python3
 # A peer of the quadtrees, which they do without.
 (install_packages libp4est-dev libopenmpi-dev) || say "no p4est: the quadtrees are not compared with it"
-for program in pslg points separation quadtree neighbors; do
+for program in pslg parts points separation quadtree neighbors; do
   configure_and_build "$root/build" "$program" -DCMAKE_BUILD_TYPE=Release -DQUADTREE_MESH_2_QUICK_PROGRAMS=OFF
 done
 
@@ -68,6 +68,8 @@ measure synthetic pslg koch:49152 blob:1e4 stars:1e4 comb:500 fan:1 fan:0.1 wedg
 measure growth pslg --growth coast segments blob holes line circle parabola zigzag comb --sizes 1e4 1e5 3e5 --peers none --repeat 1
 measure threads pslg "$norway" "coast:$medium" "segments:$medium" square:1e-6 --peers none --repeat "$repeat" \
   --threads $(seq -s ' ' 1 "$(nproc)")
+
+measure parts parts "$norway" coast:3e5 --parts 2 7 24 64
 
 measure separation separation "${maps[@]}" coast:1e4 stars:1e3 "$holes" "$data"/syn_{comb,fan_1deg,parallel_0.001}.poly \
   --repeat 1 --limit 120

@@ -56,6 +56,8 @@ TABLES = {
     "phases": graphs.phases,
     "threads": graphs.threads,
     "growth": graphs.growth,
+    "parts": graphs.parts,
+    "parts by superstep": graphs.parts_by_superstep,
     "separations": theorem_5.separations,
     "trees": theorem_5.trees,
     "separation phases": theorem_5.separation_phases,

@@ -13,4 +13,5 @@ say "meshing the Great Lakes, a file of shorelines with islands as holes; no ang
 "$root/build/bin/quickstart" "$root/examples/data/great_lakes.poly.gz" "$mesh.svg" "$mesh.vtu"
 say "both meshes of the Thousand Islands, for a browser: $mesh.svg"
 say "the mesh for ParaView: $mesh.vtu"
+say "from Python: see doc/python.md"
 say "the program for files of yours: cmake --build build --target quality_mesh -j$(nproc)"

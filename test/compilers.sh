@@ -57,7 +57,8 @@ check() { # compiler, standard, source
   "$1" -std="$2" -fsyntax-only "${flags[@]}" "${@:4}" "$3"
 }
 flags=(-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror -DCGAL_LINKED_WITH_TBB
-  ${cgal:+-isystem "$cgal"} -I "$root/include" -isystem /usr/include/eigen3)
+  ${cgal:+-isystem "$cgal"} -I "$root/include" -isystem /usr/include/eigen3
+  -isystem /usr/include/hdf5/serial)
 
 # Other libraries take longer to read than most of our headers. So a header finds those of them read that it includes,
 # itself or through headers of ours, and none that it lacks. The first set that is all among what it includes is taken.

@@ -128,3 +128,24 @@ def world(figures):
         + "\n\n"
         + table(["mesher", "triangles", "below the bound", "CPU s", "GB"], rows)
     )
+
+
+def parts(figures):
+    rows = [
+        [f["input"], f["parts"], f["rounds"], fixed(f["mean_messages"], 0), f["most_messages"],
+         significant(f["mean_bytes"] / 1e3), significant(f["most_bytes"] / 1e3), f["most_triangles"],
+         fixed(100 * f["share_worked_on_again"], 1)]
+        for f in figures("parts")["parts"]
+    ]
+    titles = ["input", "parts", "rounds", "messages: mean", "most", "kB: mean", "most"]
+    return table([*titles, "triangles held at most", "worked on again, %"], rows)
+
+
+def parts_by_superstep(figures):
+    """Of the coast in 24 parts, for each part on average."""
+    f = next(f for f in figures("parts")["parts"] if f["input"] == "coast:3e5" and f["parts"] == 24)
+    rows = [
+        [s["superstep"], s["supersteps"], significant(s["messages"] / 24), significant(s["bytes"] / 24e3)]
+        for s in f["supersteps"]
+    ]
+    return table(["superstep", "of them", "messages", "kB"], rows)
