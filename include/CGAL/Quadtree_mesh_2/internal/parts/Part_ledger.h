@@ -96,8 +96,10 @@ public:
     if (round == 1) begin(whole, blocks);
     new_of_block_.assign(blocks.size(), {});
     worker_.resize(blocks.size());
-    for (std::size_t b = 0; b < blocks.size(); ++b)
-      worker_[static_cast<Block_id>(b)] = owners_[blocks.cut()[b][0]];
+    for (const Block_id b : worker_.ids()) { // there are blocks without triangles, in which nothing is done
+      const auto triangles = blocks.cut()[b.value()];
+      worker_[b] = triangles.size() == 0 ? Part_id(0) : owners_[triangles[0]];
+    }
     if (round > 1) {
       exchange_.sum(round, Superstep_kind::SUM_OF_SQUARES, 1);
       choose_workers(blocks.cut());
@@ -228,6 +230,7 @@ private:
     for (const Block_id b : worker_.ids()) {
       triangles_of.clear();
       for (const Triangle_id t : cut[b.value()]) ++triangles_of[owners_[t]];
+      if (triangles_of.empty()) continue;
       const Part_id lowest = triangles_of.begin()->first;
       worker_[b] = lowest;
       for (const auto& [p, n] : triangles_of) {

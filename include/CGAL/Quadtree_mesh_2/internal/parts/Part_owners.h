@@ -23,6 +23,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -91,8 +92,13 @@ private:
     const Kernel_mesh<Geometry>& mesh = whole.mesh;
     const Place_keys<Geometry> key(whole.problem.input_points.values());
     const auto key_of = [&](Triangle_id t) { return key(middle_of_shortest_edge(mesh, t)); };
-    std::vector<std::uint64_t> first_key;
-    for (std::size_t b = 0; b < blocks.size(); ++b) first_key.push_back(key_of(blocks.cut()[b][0]));
+    // Nothing follows on a block without triangles, as none lies between its key and the next one's.
+    std::vector<std::uint64_t> first_key(blocks.size());
+    std::uint64_t next_key = std::numeric_limits<std::uint64_t>::max();
+    for (std::size_t b = blocks.size(); b-- > 0;) {
+      if (blocks.cut()[b].size() > 0) next_key = key_of(blocks.cut()[b][0]);
+      first_key[b] = next_key;
+    }
     Indexed_vector<Triangle_id, Block_id> block_of(mesh.triangles.size());
     for (const Triangle_id t : mesh.triangles.ids()) {
       if (!mesh.is_alive(t)) continue;
