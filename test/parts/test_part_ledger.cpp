@@ -145,7 +145,7 @@ TEST_CASE("Messages are counted as by brute force, and each triangle has one own
   std::size_t recounted = 0;
   for (const random_pslg::Family& family : random_pslg::all_families())
     for (std::uint64_t seed = 0; seed < seeds; ++seed)
-      for (const std::size_t parts : {2, 5}) {
+      for (const std::size_t parts : std::array<std::size_t, 2>{2, 5}) {
         CAPTURE(family.name, seed, parts);
         recounted += recount(family.make(seed), Options(), parts);
       }
@@ -157,7 +157,7 @@ TEST_CASE("Messages are counted as by brute force, and each triangle has one own
 }
 
 TEST_CASE("What is sent grows as the square root of the triangles", "[parts]") {
-  for (const std::size_t parts : {4, 7, 16}) {
+  for (const std::size_t parts : std::array<std::size_t, 3>{4, 7, 16}) {
     const double growth = mean_bytes_in_small_blocks("holes:3.2e4", parts, all_rounds) /
                           mean_bytes_in_small_blocks("holes:2e3", parts, all_rounds);
     CAPTURE(parts);

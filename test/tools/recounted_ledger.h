@@ -88,6 +88,7 @@ public:
     std::vector<std::size_t> worker(blocks.size());
     Mail counts, answers;
     for (std::size_t b = 0; b < blocks.size(); ++b) {
+      if (blocks.cut()[b].size() == 0) continue;
       std::map<std::size_t, std::size_t> members;
       for (const Triangle_id t : blocks.cut()[b]) ++members[owner_.at(t.value())];
       std::vector<std::pair<std::size_t, std::size_t>> by_size; // the most first, of equals the lowest part
