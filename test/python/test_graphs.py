@@ -75,6 +75,50 @@ def test_size_fields():
     assert np.isclose(same(2.25, 1.75), 19.75)
 
 
+ESRI_GRID = """ncols 3
+nrows 2
+xllcorner 9.5
+yllcorner 19
+dx 1
+dy 2
+NODATA_value -1
+3 4 -1
+1 2 3
+"""
+
+
+def test_size_grids_of_files(tmp_path):
+    file = tmp_path / 'sizes.asc'
+    file.write_text(ESRI_GRID)
+    for name in (file, str(file)):
+        grid = qm.SizeGrid.read(name)
+        assert grid(10, 20) == 1 and grid(12, 20) == 3 and grid(11, 22) == 4 and grid(12, 22) == np.inf
+    x, y = np.meshgrid([10, 11, 12], [20, 22])
+    places = np.column_stack([x.ravel(), y.ravel()])
+    apart = np.linalg.norm(places[:, None] - places, axis=2)
+    sizes = grid(x, y).ravel()
+    wanted = (sizes + 0.25 * apart).min(axis=1)
+    assert np.allclose(grid.with_gradation(0.25)(x, y).ravel(), wanted)
+    assert np.allclose(qm.SizeGrid.read(file, gradation=0.25)(x, y).ravel(), wanted)
+    assert (grid(x, y).ravel() == sizes).all()
+    assert (grid.with_gradation(0)(x, y) == 1).all()
+
+
+def test_size_grids_of_bad_files(tmp_path):
+    file = tmp_path / 'sizes.asc'
+    with pytest.raises(qm.GraphError, match='sizes.asc'):
+        qm.SizeGrid.read(file)
+    file.write_text(ESRI_GRID.replace('4', 'four'))
+    with pytest.raises(qm.GraphError, match='sizes.asc:8.*four'):
+        qm.SizeGrid.read(file)
+    file.write_text(ESRI_GRID)
+    for gradation in (-1, np.inf, np.nan):
+        with pytest.raises(ValueError, match='gradient'):
+            qm.SizeGrid.read(file, gradation=gradation)
+        with pytest.raises(ValueError, match='gradient'):
+            qm.SizeGrid.read(file).with_gradation(gradation)
+
+
 def test_regions():
     graph = dict(vertices=[[0, 0], [1, 0], [2, 0], [2, 1], [1, 1], [0, 1]],
                  segments=[[0, 1], [1, 2], [2, 3], [3, 4], [4, 5], [5, 0], [1, 4]])

@@ -75,3 +75,12 @@ def test_quadtree_of_no_points():
     assert qm.Quadtree([[1, 1]]).near_neighbors().tolist() == [-1]
     assert len(qm.Quadtree(POINTS, balance='none')) <= len(qm.Quadtree(POINTS, balance='sides')) <= \
         len(qm.Quadtree(POINTS))
+
+
+def test_quadtree_of_any_number_of_points_per_leaf():
+    points = np.random.default_rng(1).random((50, 2))
+    assert len(qm.Quadtree(points, max_points_per_leaf=10**30)) == 1
+    with pytest.raises(TypeError):
+        qm.Quadtree(points, max_points_per_leaf=2.5)
+    with pytest.raises(ValueError, match='at least 1'):
+        qm.Quadtree(points, max_points_per_leaf=-10**30)

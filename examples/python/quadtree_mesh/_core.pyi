@@ -1,6 +1,9 @@
 # The extension module: what the package itself calls, and the two classes that it passes on.
 
-from typing import Any, Dict, Sequence, Tuple
+from __future__ import annotations
+
+import os
+from typing import Any, Dict, Optional, Sequence, Tuple, Union
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -9,6 +12,9 @@ version: str
 
 class SizeGrid:
     def __init__(self, sizes: ArrayLike, origin: Sequence[float], spacing: Sequence[float]) -> None: ...
+    @staticmethod
+    def read(file: Union[str, os.PathLike], *, gradation: Optional[float] = None) -> SizeGrid: ...
+    def with_gradation(self, gradation: float) -> SizeGrid: ...
     # A number for numbers, an array for arrays.
     def __call__(self, x: ArrayLike, y: ArrayLike) -> Any: ...
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import operator
+import sys
 from typing import Any, Tuple
 
 import numpy as np
@@ -52,7 +54,8 @@ class Quadtree:
                  size: Any = None) -> None:
         if max_points_per_leaf < 1:
             raise ValueError('max_points_per_leaf must be at least 1')
-        self._tree = _core.Quadtree(point_array(points), max_points_per_leaf, word(balance, 'balance'), size_list(size))
+        most = min(operator.index(max_points_per_leaf), sys.maxsize)
+        self._tree = _core.Quadtree(point_array(points), most, word(balance, 'balance'), size_list(size))
         self.boxes = self._tree.boxes()
         self.levels = self._tree.levels()
         self.depth = self._tree.depth()

@@ -8,11 +8,17 @@
 #include "arrays.h"
 #include "definitions.h"
 
+#include <CGAL/IO/read_ESRI_grid.h>
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <filesystem>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -29,6 +35,18 @@ Size_grid make_size_grid(const Input_array<double>& sizes, const std::array<doub
   return {std::make_shared<CGAL::Grid_sizing_field_2>(
       origin, spacing, static_cast<std::size_t>(sizes.shape(1)), static_cast<std::size_t>(sizes.shape(0)),
       vector_from(sizes))};
+}
+
+Size_grid limited(CGAL::Grid_sizing_field_2 field, double gradation) {
+  field.limit_gradient(gradation);
+  return {std::make_shared<CGAL::Grid_sizing_field_2>(std::move(field))};
+}
+
+Size_grid read_size_grid(const std::filesystem::path& file, const std::optional<double>& gradation) {
+  const py::gil_scoped_release released;
+  CGAL::Grid_sizing_field_2 field = CGAL::IO::read_ESRI_grid(file.string());
+  if (gradation) return limited(std::move(field), *gradation);
+  return {std::make_shared<CGAL::Grid_sizing_field_2>(std::move(field))};
 }
 
 Size_points make_size_points(const Input_array<double>& points, const Input_array<double>& sizes,
@@ -86,6 +104,42 @@ Raises
 ValueError
     If a number violates these requirements.)")
       .def(py::init(&make_size_grid), py::arg("sizes"), py::arg("origin"), py::arg("spacing"))
+      .def_static("read", &read_size_grid, R"(Reads sizes from an ASCII grid of ESRI (.asc).
+
+Parameters
+----------
+file : str or os.PathLike
+    As ArcGIS, QGIS, GRASS and GDAL write it, also compressed by gzip. A size holds at the center of its cell.
+    Where there are no data, sizes have no bound: they are infinite.
+gradation : float, optional
+    By how much the size grows over a unit of length at most; see `with_gradation()`.
+
+Raises
+------
+ValueError
+    If the file cannot be read, with its name and the line, or the gradation is negative.)",
+                  py::arg("file"), py::kw_only(), py::arg("gradation") = py::none())
+      .def(
+          "with_gradation",
+          [](const Size_grid& grid, double gradation) {
+            const py::gil_scoped_release released;
+            return limited(*grid.field, gradation);
+          },
+          R"(A grid with smaller sizes, which grow by at most `gradation` over a unit of length.
+
+They are the largest that are no larger than these and differ by no more between any two points of the grid. This
+grid stays as it is. O(n log n) time for n points.
+
+Parameters
+----------
+gradation : float
+    At least 0. A mesh follows up to about 1; 0.1 to 0.3 is usual for flow.
+
+Raises
+------
+ValueError
+    If the gradation is negative or not finite.)",
+          py::arg("gradation"))
       .def(
           "__call__",
           [evaluate](const Size_grid& grid, const py::object& x, const py::object& y) {
