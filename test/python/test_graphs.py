@@ -102,6 +102,8 @@ def test_size_grids_of_files(tmp_path):
     assert np.allclose(qm.SizeGrid.read(file, gradation=0.25)(x, y).ravel(), wanted)
     assert (grid(x, y).ravel() == sizes).all()
     assert (grid.with_gradation(0)(x, y) == 1).all()
+    no_bound = qm.SizeGrid(np.full((2, 2), np.inf), (0, 0), (1, 1))
+    assert np.isinf(no_bound.with_gradation(0.25)(0.5, 0.5))
 
 
 def test_size_grids_of_bad_files(tmp_path):
@@ -113,9 +115,9 @@ def test_size_grids_of_bad_files(tmp_path):
         qm.SizeGrid.read(file)
     file.write_text(ESRI_GRID)
     for gradation in (-1, np.inf, np.nan):
-        with pytest.raises(ValueError, match='gradient'):
+        with pytest.raises(ValueError, match='gradation'):
             qm.SizeGrid.read(file, gradation=gradation)
-        with pytest.raises(ValueError, match='gradient'):
+        with pytest.raises(ValueError, match='gradation'):
             qm.SizeGrid.read(file).with_gradation(gradation)
 
 

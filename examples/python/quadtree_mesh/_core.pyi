@@ -1,7 +1,5 @@
 # The extension module: what the package itself calls, and the two classes that it passes on.
 
-from __future__ import annotations
-
 import os
 from typing import Any, Dict, Optional, Sequence, Tuple, Union
 

@@ -37,16 +37,25 @@ Size_grid make_size_grid(const Input_array<double>& sizes, const std::array<doub
       vector_from(sizes))};
 }
 
-Size_grid limited(CGAL::Grid_sizing_field_2 field, double gradation) {
-  field.limit_gradient(gradation);
-  return {std::make_shared<CGAL::Grid_sizing_field_2>(std::move(field))};
+void require_gradation(double gradation) {
+  if (!(gradation >= 0) || !std::isfinite(gradation))
+    throw std::invalid_argument("gradation must be a finite number, and not negative");
+}
+
+Size_grid with_gradation(const Size_grid& grid, double gradation) {
+  require_gradation(gradation);
+  const py::gil_scoped_release released;
+  CGAL::Grid_sizing_field_2 limited = *grid.field;
+  limited.limit_gradient(gradation);
+  return {std::make_shared<CGAL::Grid_sizing_field_2>(std::move(limited))};
 }
 
 Size_grid read_size_grid(const std::filesystem::path& file, const std::optional<double>& gradation) {
+  if (gradation) require_gradation(*gradation); // before the file is read
   const py::gil_scoped_release released;
-  CGAL::Grid_sizing_field_2 field = CGAL::IO::read_ESRI_grid(file.string());
-  if (gradation) return limited(std::move(field), *gradation);
-  return {std::make_shared<CGAL::Grid_sizing_field_2>(std::move(field))};
+  CGAL::Grid_sizing_field_2 grid = CGAL::IO::read_ESRI_grid(file.string());
+  if (gradation) grid.limit_gradient(*gradation);
+  return {std::make_shared<CGAL::Grid_sizing_field_2>(std::move(grid))};
 }
 
 Size_points make_size_points(const Input_array<double>& points, const Input_array<double>& sizes,
@@ -112,23 +121,21 @@ file : str or os.PathLike
     As ArcGIS, QGIS, GRASS and GDAL write it, also compressed by gzip. A size holds at the center of its cell.
     Where there are no data, sizes have no bound: they are infinite.
 gradation : float, optional
-    By how much the size grows over a unit of length at most; see `with_gradation()`.
+    By how much sizes grow at most over a unit of length; see `with_gradation()`.
 
 Raises
 ------
+GraphError
+    If the file cannot be read or a size is not positive; the text has the file and the line.
 ValueError
-    If the file cannot be read, with its name and the line, or the gradation is negative.)",
+    If the gradation is negative or not finite.)",
                   py::arg("file"), py::kw_only(), py::arg("gradation") = py::none())
-      .def(
-          "with_gradation",
-          [](const Size_grid& grid, double gradation) {
-            const py::gil_scoped_release released;
-            return limited(*grid.field, gradation);
-          },
-          R"(A grid with smaller sizes, which grow by at most `gradation` over a unit of length.
+      .def("with_gradation", &with_gradation,
+           R"(A grid of the largest sizes that grow slowly and exceed none of these.
 
-They are the largest that are no larger than these and differ by no more between any two points of the grid. This
-grid stays as it is. O(n log n) time for n points.
+Between any two points of the grid they grow by at most `gradation` over a unit of length, and between any two places by
+at most the square root of 2 as much. Infinite sizes become finite, unless all are infinite. This grid stays as it is.
+Takes O(n log n) time for n points where sizes grow no faster nearly everywhere.
 
 Parameters
 ----------
@@ -139,7 +146,7 @@ Raises
 ------
 ValueError
     If the gradation is negative or not finite.)",
-          py::arg("gradation"))
+           py::arg("gradation"))
       .def(
           "__call__",
           [evaluate](const Size_grid& grid, const py::object& x, const py::object& y) {
