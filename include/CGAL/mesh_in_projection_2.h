@@ -36,11 +36,12 @@ Conformal_projection_2::Box box_in_degrees(const Pslg_2<Point>& degrees) {
 /// What `mesh_in_projection_2()` did, and the mesh in the plane of the projection.
 template <class Point>
 struct Projected_mesh_2 {
-  /// The graph in meters. Its vertices are those of the input, then all others on segments. Its segments are the edges
-  /// of the mesh along segments, and pieces of those that have no mesh beside them.
+  /// The graph in meters: the vertices of the input, then those that split segments; pieces of segments.
   Pslg_2<Point> graph;
-  /// The mesh in meters, of that graph. Triangles have the numbers that they have in degrees, vertices may not.
+  /// The mesh of that graph, as it was made. Triangles have the numbers that they have in degrees, vertices may not.
   Indexed_mesh_2<Point> mesh;
+  /// For its vertices, the images of their places in degrees. Those of new vertices on segments depart a little.
+  std::vector<Point> images;
   std::size_t split_vertices =
       0;                  ///< placed on segments before meshing, so that these bend less in the projection
   std::size_t rounds = 0; ///< how often the graph was meshed
@@ -97,7 +98,8 @@ Indexed_mesh_2<Point> mesh_in_projection_2(const Pslg_2<Point>& degrees,
       throw std::runtime_error("the mesh has triangles on their other side in degrees, the first one at " +
                                internal::place_text(defects.first_inverted) +
                                ": split the long segments there");
-    mesh.give(report.graph, report.mesh);
+    report.mesh = mesh.in_plane();
+    report.images = mesh.images();
     return mesh.in_degrees();
   }
 }

@@ -77,32 +77,10 @@ public:
     return defects;
   }
 
-  /// The mesh in the plane of the projection, its vertices where those in degrees are, and the graph whose segments are
-  /// its edges.
-  void give(Pslg_2<Point>& graph, Indexed_mesh_2<Point>& mesh) const {
-    graph = graph_.pslg();
-    for (std::size_t v = first_new_; v < first_free_; ++v) graph.add_vertex(images_[v]);
-    if (!graph.vertex_markers.empty()) graph.vertex_markers.resize(graph.vertices.size(), 0);
-    mesh = mesh_;
-    mesh.points = images_;
-    mesh.number_of_input_vertices = first_free_;
-    std::fill(mesh.segment_of_vertex.begin(), mesh.segment_of_vertex.end(), Segment_index());
-    const auto pieces = graph.segments;
-    const auto markers = graph.segment_markers;
-    graph.segments.clear(), graph.segment_markers.clear();
-    std::vector<bool> is_meshed(pieces.size(), false);
-    for (auto& edge : mesh.constrained_edges) {
-      is_meshed[std::size_t(edge.segment)] = true;
-      const Segment_index s = graph.add_segment(edge.vertices[0], edge.vertices[1]);
-      if (!markers.empty()) graph.segment_markers.push_back(edge.marker);
-      edge.segment = s;
-    }
-    for (std::size_t s = 0; s < pieces.size(); ++s) {
-      if (is_meshed[s]) continue;
-      graph.add_segment(pieces[s][0], pieces[s][1]);
-      if (!markers.empty()) graph.segment_markers.push_back(markers[s]);
-    }
-  }
+  /// The mesh where it was made.
+  const Indexed_mesh_2<Point>& in_plane() const { return mesh_; }
+  /// The images of its vertices in degrees.
+  const std::vector<Point>& images() const { return images_; }
 
   /// The mesh of the graph in degrees.
   Indexed_mesh_2<Point> in_degrees() const {
