@@ -4,8 +4,8 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 
-#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_PROJECTED_GRAPH_H
-#define CGAL_QUADTREE_MESH_2_INTERNAL_PROJECTED_GRAPH_H
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_PSLG_PROJECTED_GRAPH_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_PSLG_PROJECTED_GRAPH_H
 
 #include <CGAL/Conformal_projection_2.h>
 #include <CGAL/Pslg_2.h>
@@ -292,4 +292,4 @@ private:
 } // namespace Quadtree_mesh_2
 } // namespace CGAL
 
-#endif // CGAL_QUADTREE_MESH_2_INTERNAL_PROJECTED_GRAPH_H
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_PSLG_PROJECTED_GRAPH_H

@@ -4,8 +4,8 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 
-#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_PROJECTED_MESH_H
-#define CGAL_QUADTREE_MESH_2_INTERNAL_PROJECTED_MESH_H
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_PSLG_PROJECTED_MESH_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_PSLG_PROJECTED_MESH_H
 
 #include <CGAL/Indexed_mesh_2.h>
 #include <CGAL/Pslg_2.h>
@@ -250,4 +250,4 @@ private:
 } // namespace Quadtree_mesh_2
 } // namespace CGAL
 
-#endif // CGAL_QUADTREE_MESH_2_INTERNAL_PROJECTED_MESH_H
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_PSLG_PROJECTED_MESH_H
