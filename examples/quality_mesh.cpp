@@ -9,6 +9,7 @@
 #include "internal/mesh_graph.h"
 #include "internal/point_set_program.h"
 #include "internal/program_steps.h"
+#include "internal/projected_graph.h"
 #include "internal/repaired_graph.h"
 #include "internal/rounding_loss.h"
 #include "internal/what_to_do.h"
@@ -41,34 +42,64 @@
 namespace {
 
 /// The least of the sizes from files; empty if there are none.
-CGAL::Quality_mesh_options_2::Size_field size_field(const Command_line& line) {
+/// \param projection in whose plane they are asked for; null: none
+CGAL::Quality_mesh_options_2::Size_field size_field(const Command_line& line,
+                                                    const CGAL::Conformal_projection_2* projection) {
   CGAL::Quality_mesh_options_2::Size_field points, grid;
-  if (!line.size_points_file.empty()) points = mesh_files::read_sized_points(line.size_points_file);
+  if (!line.size_points_file.empty())
+    points = mesh_files::read_sized_points(line.size_points_file, projection);
   if (!line.size_grid_file.empty()) grid = mesh_files::read_size_grid(line.size_grid_file, line.gradation);
+  if (grid && projection != nullptr)
+    grid = [of_degrees = grid, p = *projection](double x, double y) {
+      const auto place = p.inverse(x, y);
+      return of_degrees(place[0], place[1]) * p.scale(place[1]);
+    };
   if (!points || !grid) return points ? points : grid;
   return [points, grid](double x, double y) { return std::min(points(x, y), grid(x, y)); };
 }
 
-void mesh(Meshing_run& run, const Command_line& line) try {
-  Progress_line progress;
-  CGAL::Quality_mesh_options_2 options = line.options;
-  options.size(size_field(line));
-  if (!line.is_quiet && Progress_line::is_possible())
-    options.progress([&progress](double share) { return progress.show(share), true; });
-
+mesh_graph::Mesh mesh_in_plane(const mesh_graph::Pslg& pslg, const CGAL::Quality_mesh_options_2& options,
+                               const Command_line& line, CGAL::Quality_mesh_report_2& report) try {
   switch (line.kernel) {
   case Command_line::Kernel::FILTERED:
-    run.mesh = mesh_graph::with_doubles(run.pslg, options, line.neighbors, run.report);
-    return;
+    break;
   case Command_line::Kernel::FIXED:
-    run.mesh = mesh_graph::in_words(run.pslg, options, line.neighbors, run.report);
-    return;
+    return mesh_graph::in_words(pslg, options, line.neighbors, report);
   case Command_line::Kernel::EXACT:
-    run.mesh = mesh_graph::exactly(run.pslg, options, line.neighbors, run.report);
-    return;
+    return mesh_graph::exactly(pslg, options, line.neighbors, report);
   }
+  return mesh_graph::with_doubles(pslg, options, line.neighbors, report);
+} catch (const CGAL::Pslg_error_2& error) {
+  throw std::runtime_error(error.what() + what_to_do(error, pslg, line));
+}
+
+/// Meshes a graph in degrees, whose reports then have places in degrees.
+void mesh_projected(Meshing_run& run, const CGAL::Quality_mesh_options_2& options,
+                    const Command_line& line) try {
+  const auto options_in_plane = projected_graph::options_in_plane(options);
+  const auto mesher = [&](const mesh_graph::Pslg& meters) {
+    try {
+      return mesh_in_plane(meters, options_in_plane, line, run.report);
+    } catch (const std::runtime_error& error) {
+      throw std::runtime_error("in meters of the projection, which --project none leaves out: " +
+                               std::string(error.what()));
+    }
+  };
+  run.mesh = projected_graph::mesh(run.pslg, mesher, options, *run.projected);
+  for (auto& unmet : run.report.unmet_triangles)
+    unmet.centroid = run.projected->projection.inverse(unmet.centroid[0], unmet.centroid[1]);
 } catch (const CGAL::Pslg_error_2& error) {
   throw std::runtime_error(error.what() + what_to_do(error, run.pslg, line));
+}
+
+void mesh(Meshing_run& run, const Command_line& line) {
+  Progress_line progress;
+  CGAL::Quality_mesh_options_2 options = line.options;
+  options.size(size_field(line, run.projected ? &run.projected->projection : nullptr));
+  if (!line.is_quiet && Progress_line::is_possible())
+    options.progress([&progress](double share) { return progress.show(share), true; });
+  if (run.projected) return mesh_projected(run, options, line);
+  run.mesh = mesh_in_plane(run.pslg, options, line, run.report);
 }
 
 CGAL::Mesh_quality_options_2::Domain rule_to_check(CGAL::Quality_mesh_options_2::Domain domain) {
@@ -84,6 +115,17 @@ CGAL::Mesh_quality_options_2::Domain rule_to_check(CGAL::Quality_mesh_options_2:
   return Rule::ENCLOSED_BY_SEGMENTS;
 }
 
+/// Bounds are kept in the plane of projection; all else has to be right in degrees, too.
+void check_in_degrees(Meshing_run& run, const CGAL::Quality_mesh_options_2& options) {
+  for (auto& unmet : run.quality.unmet_triangles)
+    unmet.centroid = run.projected->projection.inverse(unmet.centroid[0], unmet.centroid[1]);
+  const auto wanted =
+      CGAL::Mesh_quality_options_2().min_angle(0).check_domain(rule_to_check(options.mesh_domain()));
+  const auto in_degrees = CGAL::mesh_quality_2(run.mesh, run.pslg, wanted);
+  run.quality.number_of_errors += in_degrees.number_of_errors;
+  for (const std::string& error : in_degrees.errors) run.quality.errors.push_back("in degrees, " + error);
+}
+
 void check(Meshing_run& run, const Command_line& line) {
   const CGAL::Quality_mesh_options_2& options = line.options;
   auto wanted = CGAL::Mesh_quality_options_2()
@@ -91,10 +133,14 @@ void check(Meshing_run& run, const Command_line& line) {
                     .max_edge(options.max_edge())
                     .max_area(options.max_area())
                     .check_domain(rule_to_check(options.mesh_domain()));
-  if (line.kernel == Command_line::Kernel::FIXED) wanted.coordinate_unit(mesh_graph::unit_of_words(run.pslg));
-  run.quality = CGAL::mesh_quality_2(run.mesh, run.pslg, wanted);
+  const auto& pslg = run.projected ? run.projected->graph : run.pslg;
+  const auto& mesh = run.projected ? run.projected->mesh : run.mesh;
+  if (line.kernel == Command_line::Kernel::FIXED) wanted.coordinate_unit(mesh_graph::unit_of_words(pslg));
+  run.quality = CGAL::mesh_quality_2(mesh, pslg, wanted);
+  if (run.projected) check_in_degrees(run, options);
   run.ours.vertices = run.quality.vertices;
-  Mesh_figures_builder(run.ours, options.min_angle()).add_triangles_of(run.mesh);
+  Mesh_figures_builder(run.ours, options.min_angle())
+      .add_triangles_of(run.projected ? run.projected->images : run.mesh);
 }
 
 /// Reports bounds that the mesher met but that rounding the mesh to doubles broke: the coordinates are the reason.
@@ -122,18 +168,12 @@ void renumber(Meshing_run& run) {
     unmet.triangle = numbers.new_triangle[std::size_t(unmet.triangle)];
 }
 
-/// GeoJSON has longitudes and latitudes unless its author departs from the standard, which larger numbers show.
-bool may_be_degrees(const Meshing_run& run, const Command_line& line) {
-  return input_format(line.input) == Input_format::GEOJSON &&
-         std::all_of(run.pslg.vertices.begin(), run.pslg.vertices.end(), [](const Meshing_run::Point_2& p) {
-           return std::abs(p.x()) <= 180 && std::abs(p.y()) <= 90;
-         });
-}
-
 void read(Meshing_run& run, const Command_line& line) {
   run.pslg = mesh_files::read_graph(line.input, line.region_property);
   if (line.is_repair_wanted) run.pslg = repaired_graph(run.pslg, run.repair.emplace());
-  run.may_be_in_degrees = may_be_degrees(run, line);
+  run.projected = projected_graph::projection(run.pslg, line);
+  run.may_be_in_degrees =
+      !run.projected && !line.is_projection_said && projected_graph::may_be_in_degrees(run.pslg);
 }
 
 Exit_status execute(const Command_line& line, const Large_run& large) {
@@ -145,9 +185,10 @@ Exit_status execute(const Command_line& line, const Large_run& large) {
   timed(run.ours.seconds, [&] { mesh(run, line); });
   check(run, line);
   check_valid(run.quality);
-  if (line.kernel == Command_line::Kernel::EXACT && run.report.is_met() && !run.quality.is_met())
+  if (line.kernel == Command_line::Kernel::EXACT && !run.projected && run.report.is_met() &&
+      !run.quality.is_met())
     refuse_what_rounding_broke(run.pslg, run.quality.unmet_triangles, "exact numbers");
-  if (line.kernel != Command_line::Kernel::FILTERED) note_what_rounding_broke(run);
+  if (line.kernel != Command_line::Kernel::FILTERED || run.projected) note_what_rounding_broke(run);
   if (line.is_comparison_wanted) compare(run, line.options);
   if (line.is_renumbering_wanted) timed(run.write_seconds, [&] { renumber(run); });
   const auto add_mesh = [&](mesh_files::Files& files, const std::string& output) {

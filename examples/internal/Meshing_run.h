@@ -4,6 +4,7 @@
 // What a run of quality_mesh made, in words for people and in JSON for programs.
 
 #include "mesh_figures.h"
+#include "projected_graph.h"
 #include "report_words.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -28,7 +29,8 @@ struct Meshing_run {
 
   CGAL::Pslg_2<Point_2> pslg; ///< what is meshed: as read, or repaired
   std::optional<CGAL::Pslg_repair_report_2> repair;
-  bool may_be_in_degrees = false; ///< the coordinates may be longitudes and latitudes
+  std::optional<projected_graph::Run> projected; ///< of a graph in degrees
+  bool may_be_in_degrees = false; ///< the coordinates may be longitudes and latitudes, meshed as they are
   CGAL::Indexed_mesh_2<Point_2> mesh;
   CGAL::Quality_mesh_report_2 report;
   /// The angles and what is unmet, counted by the checker and not by the mesher.
@@ -45,8 +47,8 @@ struct Meshing_run {
 
 /// Whether all bounds are met, so that the exit status is 0.
 inline bool is_bound_met(const Meshing_run& run) {
-  return run.report.is_met() && run.quality.is_met() && !run.report.is_budget_exhausted &&
-         !run.report.is_cancelled;
+  return run.report.is_met() && (!run.projected || run.projected->bent_triangles == 0) &&
+         run.quality.is_met() && !run.report.is_budget_exhausted && !run.report.is_cancelled;
 }
 
 namespace meshing_run_internal {
@@ -58,6 +60,21 @@ inline void print_repair(const CGAL::Pslg_repair_report_2& repair) {
               "length 0: %zu\n",
               repair.crossings, repair.merged_vertices, repair.split_segments, repair.overlapping_segments,
               repair.zero_length_segments);
+}
+
+inline void print_projection(const projected_graph::Run& run) {
+  const auto& projection = run.projection;
+  std::printf("projection: %s, central longitude %.6g, ", name(projection.kind()),
+              projection.central_longitude());
+  const auto& parallels = projection.standard_parallels();
+  if (projection.kind() == CGAL::Conformal_projection_2::Kind::LAMBERT)
+    std::printf("standard parallels %.6g and %.6g", parallels[0], parallels[1]);
+  else
+    std::printf("true to scale at latitude %.6g", parallels[0]);
+  std::printf(" (sphere);\n            scale from %.5f to %.5f; sizes in meters; vertices added to long "
+              "segments: %zu; "
+              "meshed %zu times;\n            triangles on their other side in degrees: 0\n",
+              run.scale_range[0], run.scale_range[1], run.split_vertices, run.rounds);
 }
 
 /// The places where a bound is unmet, the first of them.
@@ -198,6 +215,22 @@ inline nlohmann::ordered_json seconds_json(const Meshing_run& run,
           {"total", read + mesh + write}};
 }
 
+/// How a graph in degrees was meshed; null if it was meshed as it is.
+inline nlohmann::ordered_json projection_json(const std::optional<projected_graph::Run>& run) {
+  if (!run) return nullptr;
+  const auto& projection = run->projection;
+  return {{"name", report_words::name(projection.kind())},
+          {"central_longitude", projection.central_longitude()},
+          {"standard_parallels", projection.standard_parallels()},
+          {"cone_constant", projection.cone_constant()},
+          {"earth_radius", projection.radius},
+          {"scale_range", run->scale_range},
+          {"split_vertices", run->split_vertices},
+          {"rounds", run->rounds},
+          {"bent_triangles", run->bent_triangles},
+          {"inverted_triangles", 0}};
+}
+
 inline nlohmann::ordered_json run_json(const Meshing_run& run) {
   nlohmann::ordered_json json = {{"input_vertices", run.pslg.number_of_vertices()},
                                  {"input_segments", run.pslg.number_of_segments()},
@@ -215,6 +248,8 @@ inline nlohmann::ordered_json run_json(const Meshing_run& run) {
                                  {"largest_angle_histogram", run.report.largest_angle_histogram},
                                  {"rounds", run.report.rounds},
                                  {"repair", repair_json(run.repair)},
+                                 {"projection", projection_json(run.projected)},
+                                 {"may_be_in_degrees", run.may_be_in_degrees},
                                  {"trees", trees_json(run.report.trees)},
                                  {"threads", run.threads},
                                  {"seconds", seconds_json(run, run.report.seconds, &Seconds::cpu)},
@@ -246,10 +281,11 @@ inline void print_run(const Meshing_run& run, const CGAL::Quality_mesh_options_2
               run.pslg.number_of_vertices(), run.pslg.number_of_segments(), run.pslg.holes.size(),
               options.min_angle());
   if (run.repair) print_repair(*run.repair);
+  if (run.projected) print_projection(*run.projected);
   if (run.may_be_in_degrees)
     std::printf(
-        "note: if these are longitudes and latitudes, all angles, lengths and areas are those of a plane of "
-        "degrees;\n      project the input first if those on the ground matter\n");
+        "warning: if these are longitudes and latitudes, angles, lengths and areas are not those on the "
+        "ground;\n         use --project auto, or --project none to say that they are not\n");
   if (run.peer) std::printf("%-28s%14s%14s\n", "", "quality_mesh", "CGAL Mesh_2");
   print_line("vertices", "%14zu", run.ours.vertices, theirs(&Mesh_figures::vertices));
   print_line("triangles", "%14zu", run.ours.triangles, theirs(&Mesh_figures::triangles));

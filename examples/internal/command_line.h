@@ -37,6 +37,9 @@ struct Command_line {
   /// What is meshed, and which angles are wanted: a graph, or points alone.
   enum class Mode { PSLG, POINTS, BOUNDED, ACUTE, WARPED };
 
+  /// What longitudes and latitudes are projected by.
+  enum class Project { BY_FORMAT, NONE, AUTO, MERCATOR, LAMBERT };
+
   Task task = Task::MESH;
   Mode mode = Mode::PSLG;
   std::string input;
@@ -57,8 +60,10 @@ struct Command_line {
   bool is_renumbering_wanted = false;
   std::size_t pieces = 0; ///< of outputs that may have some; 0: not said
   CGAL::IO::Msh_version msh_version = CGAL::IO::Msh_version::V4_1;
-  std::string region_property;   ///< empty: none
-  bool is_repair_wanted = false; ///< of Mode::PSLG
+  std::string region_property;          ///< empty: none
+  bool is_repair_wanted = false;        ///< of Mode::PSLG
+  Project project = Project::BY_FORMAT; ///< of Mode::PSLG
+  bool is_projection_said = false;
   bool is_quiet = false;
   std::size_t memory = 0;              ///< bytes; 0: no limit
   std::string scratch_folder;          ///< empty: none is needed
@@ -224,6 +229,7 @@ inline const std::vector<Option_use>& option_uses() {
       {"min-edge", {Mode::PSLG}},
       {"region-property", {Mode::PSLG}},
       {"repair", {Mode::PSLG}},
+      {"project", {Mode::PSLG}},
       {"size-points", {Mode::PSLG}},
       {"size-grid", {Mode::PSLG}},
       {"gradation", {Mode::PSLG}},
@@ -381,6 +387,30 @@ inline std::string scratch_folder(const po::variables_map& given, const Command_
   return line.outputs.front() + ".scratch";
 }
 
+/// If nothing is said, the format tells, unless something else is asked for that does not go with a projection.
+/// \throws Usage_error naming an option that does not go with the projection wanted
+inline Command_line::Project project(const po::variables_map& given, const Command_line& line) {
+  using Project = Command_line::Project;
+  constexpr Project all[] = {Project::NONE, Project::AUTO, Project::MERCATOR, Project::LAMBERT};
+  const bool is_said = given.count("project") > 0;
+  const Project wanted =
+      is_said ? all[choice(given, "project", {"none", "auto", "mercator", "lambert"})] : Project::BY_FORMAT;
+  if (wanted == Project::NONE) return wanted;
+  const auto refuse = [](const std::string& what) {
+    throw Usage_error(what + " has no meaning with --project, unless it is none");
+  };
+  for (const char* const option : {"memory", "resume", "compare", "gradation"})
+    if (given.count(option) > 0) {
+      if (is_said) refuse(std::string("--") + option);
+      return Project::NONE;
+    }
+  if (line.options.min_angle() < 1) {
+    if (is_said) refuse("--min-angle below 1 degree");
+    return Project::NONE;
+  }
+  return wanted;
+}
+
 /// \throws Usage_error if a property is wanted of an input that has none
 inline void check_region_property(const Command_line& line) {
   if (!line.region_property.empty() && input_format(line.input) != Input_format::GEOJSON)
@@ -464,6 +494,8 @@ inline Command_line parse_command_line(int argc, const char* const* argv) try {
   line.region_property = text(given, "region-property");
   check_region_property(line);
   line.is_repair_wanted = given.count("repair") > 0;
+  line.project = project(given, line);
+  line.is_projection_said = given.count("project") > 0;
   line.is_quiet = given.count("quiet") > 0;
   line.memory = memory_size(given, "memory");
   line.is_resumed = given.count("resume") > 0;

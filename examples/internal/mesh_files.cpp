@@ -140,14 +140,24 @@ Pslg read_points(const std::string& file_name) {
   return pslg;
 }
 
-CGAL::Points_sizing_field_2 read_sized_points(const std::string& file_name) {
+CGAL::Points_sizing_field_2 read_sized_points(const std::string& file_name,
+                                              const CGAL::Conformal_projection_2* projection) {
   std::vector<Point> points;
   std::vector<double> sizes;
   CGAL::IO::read_XY(file_name, points, sizes);
   if (points.empty()) throw std::runtime_error(file_name + ": no points");
   std::vector<CGAL::Points_sizing_field_2::Sized_point> sized;
   sized.reserve(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) sized.push_back({points[i].x(), points[i].y(), sizes[i]});
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double x = points[i].x(), y = points[i].y();
+    if (projection != nullptr) {
+      if (!(std::abs(y) < 90))
+        throw std::runtime_error(file_name + ": point " + std::to_string(i) + " is at a pole or beyond");
+      const auto place = projection->forward(x, y);
+      sized.push_back({place[0], place[1], sizes[i] * projection->scale(y)});
+    } else
+      sized.push_back({x, y, sizes[i]});
+  }
   return CGAL::Points_sizing_field_2(std::move(sized));
 }
 

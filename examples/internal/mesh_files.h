@@ -6,6 +6,7 @@
 
 #include "file_formats.h"
 
+#include <CGAL/Conformal_projection_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Grid_sizing_field_2.h>
 #include <CGAL/Indexed_mesh_2.h>
@@ -32,7 +33,9 @@ Pslg read_graph(const std::string& file_name, const std::string& region_property
 /// \throws std::runtime_error if there are segments, or no points, too
 Pslg read_points(const std::string& file_name);
 /// Points with the sizes of triangles there: the first three columns of a table, or `x`, `y` and `size`.
-CGAL::Points_sizing_field_2 read_sized_points(const std::string& file_name);
+/// \param projection of the places, if they are degrees; sizes are meters then. Null: none
+CGAL::Points_sizing_field_2 read_sized_points(const std::string& file_name,
+                                              const CGAL::Conformal_projection_2* projection);
 /// Sizes on an ASCII grid of ESRI.
 /// \param gradation by how much they may grow over a unit of length; 0: no limit
 CGAL::Grid_sizing_field_2 read_size_grid(const std::string& file_name, double gradation);

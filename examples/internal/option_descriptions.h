@@ -68,6 +68,10 @@ inline po::options_description graph_options() {
     ("region-property", po::value<std::string>()->value_name("NAME"),
      "the number in the properties of GeoJSON's features that becomes the attribute of their regions")
     ("repair", "split segments where they cross, as borders of polygons that overlap do")
+    ("project", po::value<std::string>()->value_name("P"),
+     "the conformal projection in which longitudes and latitudes are meshed, so that angles are those on the ground "
+     "and sizes are meters: auto (by the latitudes), mercator, lambert or none. The mesh is in degrees. If not given: "
+     "auto for GeoJSON with coordinates of degrees, else none")
     ("size-points", po::value<std::string>()->value_name("FILE"),
      "points with sizes, one 'x y size' a line: the longest edge is size plus half the distance, the least over all")
     ("size-grid", po::value<std::string>()->value_name("FILE"),

@@ -3,10 +3,24 @@
 
 // What people and programs read for the enumerations of reports.
 
+#include <CGAL/Conformal_projection_2.h>
 #include <CGAL/Quality_mesh_report_2.h>
 #include <CGAL/mesh_quality_2.h>
 
 namespace report_words {
+
+inline const char* name(CGAL::Conformal_projection_2::Kind kind) {
+  using Kind = CGAL::Conformal_projection_2::Kind;
+  switch (kind) {
+  case Kind::MERCATOR:
+    return "mercator";
+  case Kind::LAMBERT:
+    return "lambert";
+  case Kind::STEREOGRAPHIC:
+    return "stereographic";
+  }
+  return "";
+}
 
 inline const char* name(CGAL::Mesh_quality_2::Bound bound) {
   switch (bound) {

@@ -39,6 +39,14 @@ public:
   Tree_separation_options_2& vertex_distance(double value) { return vertex_distance_ = value, *this; }
   double vertex_distance() const { return vertex_distance_; } ///< the value set
 
+  /// So many vertices may be in one leaf of T_B', at least 1; 8 by default. With several, leaves between vertices are
+  /// as large as the distance to features asks for, and not as small as it takes to tell vertices apart: placing
+  /// starts from far fewer leaves, and triangles along edges that are shorter than leaves are left to refinement.
+  Tree_separation_options_2& max_vertices_per_leaf(std::size_t value) {
+    return max_vertices_per_leaf_ = value, *this;
+  }
+  std::size_t max_vertices_per_leaf() const { return max_vertices_per_leaf_; } ///< the value set
+
   /// Two edges in a leaf, or in adjacent leaves, that see each other are at least this far apart; 0.1 by
   /// default.
   Tree_separation_options_2& edge_distance(double value) { return edge_distance_ = value, *this; }
@@ -73,9 +81,9 @@ public:
   std::size_t rounds() const { return rounds_; } ///< the value set
 
   /// With these, quadtrees alone meet the bound wherever coordinates have room: distances of 0.7 and 0.5 mostly
-  /// suffice, and there are as many rounds as are needed.
+  /// suffice, each vertex has a leaf of its own, and there are as many rounds as are needed.
   static Tree_separation_options_2 of_theorem() {
-    return Tree_separation_options_2().distances(0.7, 0.5).rounds(0);
+    return Tree_separation_options_2().distances(0.7, 0.5).max_vertices_per_leaf(1).rounds(0);
   }
 
   /// The same with the constant that the paper names as an example: a square of an edge is at least three times its
@@ -85,6 +93,7 @@ public:
 private:
   double vertex_distance_ = 0.1;
   double edge_distance_ = 0.1;
+  std::size_t max_vertices_per_leaf_ = 8;
   double vertex_window_ = 3;
   double strip_width_ = 1.25;
   Subdivision subdivide_ = Subdivision::WALKING;

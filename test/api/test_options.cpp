@@ -57,15 +57,18 @@ TEST_CASE("Options of the construction by quadtrees choose it", "[options]") {
   using Options = CGAL::Quality_mesh_options_2;
   using Tree_options = CGAL::Tree_separation_options_2;
   const Options o = Options().separate(
-      Tree_options().distances(1, 2).vertex_window(4).strip_width(5).place(Tree_options::Placement::BY_RULE));
+      Tree_options().distances(1, 2).vertex_window(4).strip_width(5).max_vertices_per_leaf(3).place(
+          Tree_options::Placement::BY_RULE));
   CHECK(o.separate() == Options::Separation::THEOREM_5);
   CHECK(o.trees().vertex_distance() == 1);
   CHECK(o.trees().edge_distance() == 2);
   CHECK(o.trees().vertex_window() == 4);
   CHECK(o.trees().strip_width() == 5);
+  CHECK(o.trees().max_vertices_per_leaf() == 3);
   CHECK(o.trees().place() == Tree_options::Placement::BY_RULE);
   CHECK(o.trees().subdivide() == Tree_options::Subdivision::WALKING);
   CHECK(Tree_options::of_paper().edge_distance() == 3);
+  CHECK(Tree_options::of_theorem().max_vertices_per_leaf() == 1);
 }
 
 TEST_CASE("Options of meshes of points are what was set", "[options]") {

@@ -84,6 +84,12 @@ TEST_CASE("bad usage names the culprit and writes nothing", "[program]") {
       {square + " --show-quadtree", "--show-quadtree needs an output .svg, .vtu, .pvtu, .vtkhdf or .xdmf"},
       {square + " --region-property depth", "--region-property"},
       {test_data("island.geojson") + " --region-property height", "height"},
+      {square + " --project utm", "--project"},
+      {square + " --project auto --compare", "--compare"},
+      {square + " --project auto --min-angle 0", "--min-angle"},
+      {inputs.write("pole.wkt", "POLYGON((0 0, 1 0, 0 90, 0 0))") + " --project auto", "vertex 2"},
+      {inputs.write("wide.wkt", "POLYGON((179 0, -179 0, -179 1, 179 0))") + " --project auto",
+       "antimeridian"},
       {test_data("README.md"), "README.md"},
       {square + " --no-such-option", "unrecognized option '--no-such-option'"},
       {folder.file("missing.poly"), "missing.poly"}};

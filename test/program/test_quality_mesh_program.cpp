@@ -73,11 +73,11 @@ TEST_CASE("the program reads GeoJSON and WKT", "[program]") {
     const auto json = nlohmann::json::parse(content(folder.file("r.json")));
     return std::vector<int>{json.at("input_vertices"), json.at("input_segments"), json.at("triangles")};
   };
-  const auto from_json = figures(test_data("island.geojson"));
+  const auto from_json = figures(test_data("island.geojson") + " --project none");
   CHECK(from_json == figures(test_data("island.wkt")));
   CHECK(from_json[0] == 30);
   fs::copy(test_data("island.geojson"), folder.file("copy.json"));
-  CHECK(from_json == figures(folder.file("copy.json")));
+  CHECK(from_json == figures(folder.file("copy.json") + " --project none"));
 
   const std::string outputs = " -o " + folder.file("mesh.ele") + " -o " + folder.file("mesh.svg") + " -o " +
                               folder.file("mesh.vtu") + " -o " + folder.file("mesh.msh");
@@ -236,16 +236,47 @@ TEST_CASE("the program splits crossings on request", "[program]") {
   CHECK(json.at("unmet_triangles") == 0);
 }
 
-TEST_CASE("the program notes that GeoJSON may be in degrees", "[program]") {
+TEST_CASE("the program projects what is in degrees and warns of what may be", "[program]") {
   const Scratch_folder folder;
-  const auto out_of = [&](const std::string& file, const std::string& corner) {
-    return run(folder.write(file, R"({"type": "Polygon", "coordinates": [[[0, 0], [1, 0], )" + corner +
-                                      ", [0, 0]]]}"))
-        .out;
+  const auto json = [&](const std::string& file, const std::string& corner) {
+    return folder.write(file,
+                        R"({"type": "Polygon", "coordinates": [[[0, 0], [1, 0], )" + corner + ", [0, 0]]]}");
   };
-  CHECK(contains(out_of("degrees.geojson", "[1, 60]"), "longitudes and latitudes"));
-  CHECK_FALSE(contains(out_of("meters.geojson", "[1, 91]"), "longitudes and latitudes"));
-  CHECK_FALSE(contains(run(test_data("island.wkt")).out, "longitudes and latitudes"));
+  const std::string degrees = json("degrees.geojson", "[1, 60]"),
+                    report = " --report " + folder.file("r.json");
+  const auto projection = [&](const std::string& arguments) {
+    const Run r = run(arguments + report);
+    CAPTURE(arguments, r.out, r.err);
+    CHECK(r.status == 0);
+    return nlohmann::json::parse(content(folder.file("r.json"))).at("projection");
+  };
+  CHECK(projection(degrees).at("name") == "lambert");
+  CHECK(projection(degrees + " --project mercator").at("name") == "mercator");
+  CHECK(projection(degrees + " --project none").is_null());
+  CHECK(projection(degrees + " --compare").is_null());
+  CHECK(projection(json("meters.geojson", "[1, 91]")).is_null());
+  const std::string wkt = folder.write("in.wkt", "POLYGON((8 60, 9 60, 9 61, 8 61, 8 60))");
+  CHECK(projection(wkt).is_null());
+  CHECK(contains(run(wkt).out, "use --project auto"));
+  CHECK_FALSE(contains(run(wkt + " --project none").out, "--project"));
+  CHECK_FALSE(contains(run(test_data("island.wkt")).out, "--project"));
+
+  // Sizes are meters, of points and grids, too. The square has some 6e9 square meters.
+  const std::string sizes = folder.write("sizes.xy", "8.5 60.5 5000\n");
+  const std::string grid =
+      folder.write("sizes.asc", "ncols 2\nnrows 2\nxllcorner 7\nyllcorner 59\ncellsize 2\n"
+                                "5000 5000\n5000 5000\n");
+  for (const std::string& arguments :
+       {" --max-edge 5000", " --max-area 1e7", " --kernel fixed --max-edge 5000",
+        " --kernel exact --max-edge 5000", " --size-grid " + std::string(grid)}) {
+    CHECK(projection(wkt + " --project auto" + arguments).at("name") == "lambert");
+    const auto figures = nlohmann::json::parse(content(folder.file("r.json")));
+    CAPTURE(arguments);
+    CHECK(figures.at("triangles") > 600);
+    CHECK(figures.at("triangles") < 2500);
+    CHECK(figures.at("unmet_triangles") == 0);
+  }
+  CHECK(projection(wkt + " --project auto --size-points " + sizes).at("scale_range").size() == 2);
 }
 
 TEST_CASE("the program separates by quadtrees and says what they did", "[program]") {
@@ -315,7 +346,7 @@ TEST_CASE("help and version", "[program]") {
         "--thin",        "--no-coarsening", "--compare",       "--report",          "--quiet",
         "--version",     "--angles",        "--square",        "--effort",          "--budget",
         "--lengths",     "--color",         "--show-quadtree", "--region-property", "--size-grid",
-        "--gradation"})
+        "--gradation",   "--project"})
     CHECK(contains(help.out, option));
 }
 

@@ -141,6 +141,7 @@ File_case make_file_case(std::uint64_t seed) {
   } else {
     c.ending = format == 0 ? ".poly" : format == 1 ? ".wkt" : ".geojson";
     c.text = format == 0 ? poly_text(graph) : format == 1 ? wkt_text(graph) : geojson_text(graph);
+    if (format == 2) c.arguments = {"--project", "none"}; // coordinates of a plane
   }
   if (random.integer(0, 3) > 0) c.text = Text_mutator(seed)(c.text);
   for (int k = random.integer(0, 3); k > 0; --k) {

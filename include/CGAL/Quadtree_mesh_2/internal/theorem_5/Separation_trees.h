@@ -14,7 +14,9 @@
 //           feature size, or to the width of the gap in front of an edge. So k is within a constant of the size
 //           of any triangulation with such angles.
 // Source:   Bern, Eppstein, Teng, section 6; Lemma 5 for the distances.
-// Deviates: T_B'' and T_B* are made by splitting leaves one level at a time until nothing is too near. The
+// Deviates: where several vertices may share a leaf, which is the default, T_B' does not begin with T_B: leaves are as
+//           small as the distances of their vertices ask for, and no smaller. T_B tells what these distances are.
+//           T_B'' and T_B* are made by splitting leaves one level at a time until nothing is too near. The
 //           paper finds at once how far to go. So there are as many rounds as levels are missing, and balance
 //           after each of them takes as many as the tree has levels. A leaf is looked at again only when it or
 //           one next to it was split (Passed_leaves.h). T_B* looks at adjacent leaves only, and at pairs in
@@ -167,7 +169,7 @@ private:
     side_of_root_ = width(first.corners(first.root()));
     Framework framework = first.framework();
     framework.annotate(levels_of_vertices(hits, first));
-    tree_ = Tree(std::move(framework), tree_options());
+    tree_ = Tree(std::move(framework), tree_options().max_points_per_leaf(options_.max_vertices_per_leaf()));
     report_.leaves_of_vertices = tree_.number_of_leaves();
   }
 
