@@ -283,8 +283,8 @@ TEST_CASE("the program projects what is in degrees and warns of what may be", "[
       folder.write("sizes.asc", "ncols 2\nnrows 2\nxllcorner 7\nyllcorner 59\ncellsize 2\n"
                                 "5000 5000\n5000 5000\n");
   for (const std::string& arguments :
-       {" --max-edge 5000", " --max-area 1e7", " --kernel fixed --max-edge 5000",
-        " --kernel exact --max-edge 5000", " --size-grid " + std::string(grid)}) {
+       std::vector<std::string>{" --max-edge 5000", " --max-area 1e7", " --kernel fixed --max-edge 5000",
+                                " --kernel exact --max-edge 5000", " --size-grid " + std::string(grid)}) {
     CHECK(projection(wkt + " --project auto" + arguments).at("name") == "lambert");
     const auto figures = nlohmann::json::parse(content(folder.file("r.json")));
     CAPTURE(arguments);
@@ -297,6 +297,7 @@ TEST_CASE("the program projects what is in degrees and warns of what may be", "[
 
 TEST_CASE("bad usage names the culprit and writes nothing", "[program]") {
   const Scratch_folder folder;
+  const Scratch_folder inputs;
   const std::string square = test_data("syn_square.poly");
   struct Case {
     std::string arguments, culprit;
@@ -345,8 +346,8 @@ TEST_CASE("bad usage names the culprit and writes nothing", "[program]") {
       {square + " --project utm", "--project"},
       {square + " --project auto --compare", "--compare"},
       {square + " --project auto --min-angle 0", "--min-angle"},
-      {folder.write("pole.wkt", "POLYGON((0 0, 1 0, 0 90, 0 0))") + " --project auto", "vertex 2"},
-      {folder.write("wide.wkt", "POLYGON((179 0, -179 0, -179 1, 179 0))") + " --project auto",
+      {inputs.write("pole.wkt", "POLYGON((0 0, 1 0, 0 90, 0 0))") + " --project auto", "vertex 2"},
+      {inputs.write("wide.wkt", "POLYGON((179 0, -179 0, -179 1, 179 0))") + " --project auto",
        "antimeridian"},
       {test_data("README.md"), "README.md"},
       {square + " --no-such-option", "unrecognized option '--no-such-option'"},
