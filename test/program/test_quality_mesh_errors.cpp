@@ -39,6 +39,7 @@ TEST_CASE("the program refuses holes on segments with the numbers of the input",
 
 TEST_CASE("bad usage names the culprit and writes nothing", "[program]") {
   const Scratch_folder folder;
+  const Scratch_folder inputs;
   const std::string square = test_data("syn_square.poly");
   struct Case {
     std::string arguments, culprit;

@@ -267,8 +267,8 @@ TEST_CASE("the program projects what is in degrees and warns of what may be", "[
       folder.write("sizes.asc", "ncols 2\nnrows 2\nxllcorner 7\nyllcorner 59\ncellsize 2\n"
                                 "5000 5000\n5000 5000\n");
   for (const std::string& arguments :
-       {" --max-edge 5000", " --max-area 1e7", " --kernel fixed --max-edge 5000",
-        " --kernel exact --max-edge 5000", " --size-grid " + std::string(grid)}) {
+       std::vector<std::string>{" --max-edge 5000", " --max-area 1e7", " --kernel fixed --max-edge 5000",
+                                " --kernel exact --max-edge 5000", " --size-grid " + std::string(grid)}) {
     CHECK(projection(wkt + " --project auto" + arguments).at("name") == "lambert");
     const auto figures = nlohmann::json::parse(content(folder.file("r.json")));
     CAPTURE(arguments);
