@@ -342,7 +342,14 @@ def test_errors_in_progress_come_through():
         qm.mesh(**SQUARE, **LONG, progress=progress)
 
 
-def test_ctrl_c():
+@pytest.fixture
+def listens_to_ctrl_c():
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)  # ignored by jobs in the background
+    yield
+    signal.signal(signal.SIGINT, before)
+
+
+def test_ctrl_c(listens_to_ctrl_c):
     begin = time.monotonic()
     timer = threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT))
     timer.start()
