@@ -36,7 +36,8 @@ public:
 
   /// The range of longitudes and latitudes, in degrees.
   struct Box {
-    Place low, high;
+    Place low;  ///< the least longitude and the least latitude
+    Place high; ///< the largest ones
   };
 
   static constexpr double radius = 6371008.8; ///< of the sphere, in meters
