@@ -153,7 +153,7 @@ private:
   static constexpr double pi = 3.14159265358979323846;
   static double radians(double x) { return x * (pi / 180); }
   static double degrees(double x) { return x * (180 / pi); }
-  static double middle(const Box& box, int i) { return box.low[i] + (box.high[i] - box.low[i]) / 2; }
+  static double middle(const Box& box, std::size_t i) { return box.low[i] + (box.high[i] - box.low[i]) / 2; }
 
   static void check_parallel(double latitude) {
     if (!(latitude > -90 && latitude < 90))
