@@ -19,6 +19,13 @@ namespace CGAL {
 /// chained. Without an argument the function returns the value.
 class Tree_separation_options_2 {
 public:
+  /// By what the distance of a vertex to the nearest vertex or edge is found.
+  enum class Distances {
+    /// The constrained Delaunay triangulation of the domain. Features beyond a gap outside the domain do not count.
+    TRIANGULATION,
+    /// The quadtree of the vertices, T_B, and the first edges that axis-parallel rays hit (Lemma 5).
+    AXIS_RAYS
+  };
   /// How edges are cut into pieces. The pieces are the same.
   enum class Subdivision {
     WALKING,      ///< from leaf to leaf (Theorem 6)
@@ -33,6 +40,10 @@ public:
     /// to meet the bound (doc/guarantees.md). This makes many more triangles.
     BY_RULE
   };
+
+  /// By what distances of vertices are found; TRIANGULATION by default, which takes far less time.
+  Tree_separation_options_2& find_distances_by(Distances value) { return find_distances_by_ = value, *this; }
+  Distances find_distances_by() const { return find_distances_by_; } ///< the value set
 
   /// The side of a vertex's leaf is at most the distance to the nearest feature divided by this; 0.1 by
   /// default.
@@ -81,9 +92,14 @@ public:
   std::size_t rounds() const { return rounds_; } ///< the value set
 
   /// With these, quadtrees alone meet the bound wherever coordinates have room: distances of 0.7 and 0.5 mostly
-  /// suffice, each vertex has a leaf of its own, and there are as many rounds as are needed.
+  /// suffice, they are found by axis-parallel rays, each vertex has a leaf of its own, and there are as many rounds as
+  /// are needed.
   static Tree_separation_options_2 of_theorem() {
-    return Tree_separation_options_2().distances(0.7, 0.5).max_vertices_per_leaf(1).rounds(0);
+    return Tree_separation_options_2()
+        .find_distances_by(Distances::AXIS_RAYS)
+        .distances(0.7, 0.5)
+        .max_vertices_per_leaf(1)
+        .rounds(0);
   }
 
   /// The same with the constant that the paper names as an example: a square of an edge is at least three times its
@@ -91,6 +107,7 @@ public:
   static Tree_separation_options_2 of_paper() { return of_theorem().distances(3, 3); }
 
 private:
+  Distances find_distances_by_ = Distances::TRIANGULATION;
   double vertex_distance_ = 0.1;
   double edge_distance_ = 0.1;
   std::size_t max_vertices_per_leaf_ = 8;

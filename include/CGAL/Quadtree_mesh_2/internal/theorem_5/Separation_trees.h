@@ -73,15 +73,22 @@ public:
   using Find_hits = Find_nearest_hits<Pslg>;
 
   /// \param graph the vertices and edges of the problem, in its order
-  /// \param find_hits by which model neighbors of vertices are found; null: by the quadtree
+  /// \param distances how far each vertex is from the nearest vertex or edge that it sees, in the kernel's coordinates;
+  ///        empty: Lemma 5 says
+  /// \param find_hits by which model Lemma 5 finds neighbors of vertices; null: by the quadtree
   /// \param most_leaves separation stops before there are more, but for those of the last step, or before its steps
   ///        have looked at 25 times as many: `is_exhausted()`. Then edges are not all apart.
   Separation_trees(const Meshing_problem<Geometry>& problem, const Edge_sides& sides, const Pslg& graph,
-                   const Map& map, const Options& options, const Traits& traits, Find_hits find_hits,
-                   std::size_t most_leaves, Tree_separation_report_2& report)
+                   const Map& map, const Options& options, const Traits& traits,
+                   const std::vector<double>& distances, Find_hits find_hits, std::size_t most_leaves,
+                   Tree_separation_report_2& report)
       : problem_(problem), graph_(graph), map_(map), options_(options), report_(report),
         gaps_(problem, sides, options), most_leaves_(most_leaves) {
-    make_tree_of_vertices(traits, find_hits);
+    if (distances.empty())
+      separate_vertices_by_lemma_5(traits, find_hits);
+    else
+      separate_vertices(Framework(graph.vertices, traits),
+                        [&](Point_rank, Vertex_id v) { return distances[v.value()]; });
     if (options.place() == Options::Placement::BY_RULE)
       for (std::size_t v = 0; v < graph.number_of_vertices(); ++v) vertices_.push_back(Vertex_index(v));
     subdivide_edges();
@@ -147,14 +154,14 @@ private:
   double side_of_root_ = 0;
   std::vector<Vertex_index> vertices_; // all of them, for the placement by rule
 
-  void make_tree_of_vertices(const Traits& traits, Find_hits find_hits) {
+  void separate_vertices_by_lemma_5(const Traits& traits, Find_hits find_hits) {
     if (find_hits) {
-      separate_vertices(find_hits(graph_), Tree(graph_.vertices, tree_options(), traits));
+      separate_vertices_of(Tree(graph_.vertices, tree_options(), traits), find_hits(graph_));
     } else {
       const Quadtree_vertex_edge_neighbors_2<Traits, ConcurrencyTag> neighbors(
           graph_, Vertex_edge_neighbors_options_2(), traits);
-      separate_vertices(nearest_hit_distances<ConcurrencyTag>(neighbors, graph_.number_of_vertices()),
-                        neighbors.quadtree());
+      separate_vertices_of(neighbors.quadtree(),
+                           nearest_hit_distances<ConcurrencyTag>(neighbors, graph_.number_of_vertices()));
     }
   }
 
@@ -162,42 +169,48 @@ private:
     return Quadtree_options().schedule(schedule_of_threads<ConcurrencyTag>());
   }
 
+  /// From the near vertex in T_B and the nearest of the edges that a vertex sees along the axes, of which one is within
+  /// a constant of what is nearest (Lemma 5).
+  /// \param first T_B
   /// \param hits how far each vertex is from the nearest edge that it sees along the axes
-  /// \param first the quadtree of the vertices
-  void separate_vertices(const std::vector<double>& hits, const Tree& first) {
+  void separate_vertices_of(const Tree& first, const std::vector<double>& hits) {
     report_.leaves_of_points = first.number_of_leaves();
-    side_of_root_ = width(first.corners(first.root()));
-    Framework framework = first.framework();
-    framework.annotate(levels_of_vertices(hits, first));
+    separate_vertices(first.framework(), [&](Point_rank r, Vertex_id v) {
+      double distance = std::numeric_limits<double>::infinity();
+      if (const Point_rank near = first.near_neighbor(r); near.is_valid())
+        distance = std::sqrt(squared_length(Geometry::difference(
+            problem_.input_point(v), problem_.input_point(vertex_at(first.framework(), near)))));
+      const double hit = hits[v.value()];
+      return hit > 0 && std::isfinite(hit) ? std::min(distance, map_.length_to_kernel(hit)) : distance;
+    });
+  }
+
+  /// Makes T_B'.
+  /// \param distance gives the distance of a vertex, by rank and handle, to what is nearest to it
+  template <class Distance>
+  void separate_vertices(Framework framework, const Distance& distance) {
+    side_of_root_ = width_of_root(framework);
+    std::vector<int> levels(framework.number_of_points(), 0);
+    for_each_index<ConcurrencyTag>(levels.size(), [&](std::size_t i) {
+      const Vertex_id v = vertex_at(framework, Point_rank(i));
+      levels[i] = level_for(distance(Point_rank(i), v) / least_vertex_distance(), framework.grid().depth(),
+                            problem_.input_point(v));
+    });
+    framework.annotate(levels);
     tree_ = Tree(std::move(framework), tree_options().max_points_per_leaf(options_.max_vertices_per_leaf()));
     report_.leaves_of_vertices = tree_.number_of_leaves();
   }
 
-  double width(const std::array<Point_2, 4>& corners) const {
-    return Geometry::difference(map_.to_kernel(corners[1]), map_.to_kernel(corners[0])).x;
+  static Vertex_id vertex_at(const Framework& framework, Point_rank r) {
+    return static_cast<Vertex_id>(framework.input_point(r).value());
   }
 
-  /// The level of the leaf of each vertex, by rank: from the near vertex and the nearest of the edges that the vertex
-  /// sees along the axes, of which one is within a constant of what is nearest (Lemma 5).
-  std::vector<int> levels_of_vertices(const std::vector<double>& hits, const Tree& first) const {
-    const Framework& framework = first.framework();
-    std::vector<int> levels(framework.number_of_points(), 0);
-    for_each_index<ConcurrencyTag>(levels.size(), [&](std::size_t i) {
-      const Point_rank r(i), near = first.near_neighbor(r);
-      const auto vertex_at = [&](Point_rank p) {
-        return static_cast<Vertex_id>(framework.input_point(p).value());
-      };
-      const Vertex_id v = vertex_at(r);
-      const double hit = hits[framework.input_point(r).value()];
-      double distance = std::numeric_limits<double>::infinity();
-      if (near.is_valid())
-        distance = std::sqrt(squared_length(
-            Geometry::difference(problem_.input_point(v), problem_.input_point(vertex_at(near)))));
-      if (hit > 0 && std::isfinite(hit)) distance = std::min(distance, map_.length_to_kernel(hit));
-      levels[i] =
-          level_for(distance / least_vertex_distance(), framework.grid().depth(), problem_.input_point(v));
-    });
-    return levels;
+  double width_of_root(const Framework& framework) const {
+    const auto& grid = framework.grid();
+    const auto half = Word_operations<typename Tree::Word>::power_of_two(grid.depth() - 1);
+    return 2 * Geometry::difference(map_.to_kernel(grid, Grid_point{half, 0}),
+                                    map_.to_kernel(grid, Grid_point{0, 0}))
+                   .x;
   }
 
   /// Rules want equal leaves around each vertex, apart from those around others.
