@@ -35,6 +35,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
@@ -79,8 +80,12 @@ public:
     Point corner;
     double side;
   };
-  /// How far around a leaf edges are looked at, in its sides.
-  static constexpr double reach = 0.5;
+  /// A part of an edge, relative to the corner of a leaf, and the box around it.
+  struct Part {
+    Edge_id edge;
+    Local_segment segment;
+    Vector low, high;
+  };
 
   /// An edge relative to the corner of a leaf.
   Local_segment local(Edge_id e, const Leaf& leaf) const {
@@ -89,11 +94,24 @@ public:
                                       leaf.side);
   }
 
+  /// The part of an edge in a leaf, if there is any.
+  std::optional<Part> part_in(Edge_id e, const Leaf& leaf) const { return part(e, leaf, 0); }
+  /// The part in and around it as far as edges may be too near.
+  std::optional<Part> part_around(Edge_id e, const Leaf& leaf) const {
+    return part(e, leaf, options_.edge_distance());
+  }
+
+  /// Whether two parts are so far apart that the gap between them asks for no smaller leaf; a first look.
+  bool are_boxes_apart(const Part& p, const Part& q, const Leaf& leaf) const {
+    const double least = options_.edge_distance() * leaf.side;
+    return q.low.x - p.high.x >= least || p.low.x - q.high.x >= least || q.low.y - p.high.y >= least ||
+           p.low.y - q.high.y >= least;
+  }
+
   /// The gap between the part of an edge in a leaf and that of another one in and around it.
   Local_gap gap(Edge_id inside, Edge_id other, const Leaf& leaf) const {
-    Local_segment s = local(inside, leaf), t = local(other, leaf);
-    if (!s.clip(0, leaf.side) || !t.clip(-reach * leaf.side, (1 + reach) * leaf.side)) return Local_gap();
-    return Local_gap::between(s, t);
+    const auto p = part_in(inside, leaf), q = part_around(other, leaf);
+    return p && q ? Local_gap::between(p->segment, q->segment) : Local_gap();
   }
 
   /// Whether a leaf is too large for a gap in it.
@@ -137,6 +155,16 @@ private:
     const Local_segment s = local(e, leaf);
     const double turn = cross(s.b - s.a, direction);
     return turn > 0 ? sides_.is_domain_on_left(e) : turn < 0 ? sides_.is_domain_on_right(e) : true;
+  }
+
+  /// \param reach how far around the leaf, in its sides
+  std::optional<Part> part(Edge_id e, const Leaf& leaf, double reach) const {
+    Local_segment s = local(e, leaf);
+    if (!s.clip(-reach * leaf.side, (1 + reach) * leaf.side)) return std::nullopt;
+    return Part{e,
+                s,
+                {std::min(s.a.x, s.b.x), std::min(s.a.y, s.b.y)},
+                {std::max(s.a.x, s.b.x), std::max(s.a.y, s.b.y)}};
   }
 
   static double square(double x) { return x * x; }

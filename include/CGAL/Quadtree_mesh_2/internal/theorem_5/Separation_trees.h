@@ -49,6 +49,7 @@
 #include <CGAL/Tree_separation_options_2.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -291,11 +292,13 @@ private:
         [&](std::size_t i) { return leaves[i]; });
   }
 
+  using Part = typename Edge_gaps<Geometry>::Part;
+
   struct Scratch {
     Leaf_cells<typename Tree::Word> cells;
     std::vector<typename Leaf_cells<typename Tree::Word>::Ends> segments;
-    std::vector<Edge_id> own, others;
-    Edge_id hider; ///< among these
+    std::vector<Part> own, around; ///< parts of edges in a leaf, and near it
+    Edge_id hider;                 ///< among these
   };
 
   /// For T_B'': leaves too large for two pieces that bound a common cell in them.
@@ -306,6 +309,9 @@ private:
       const auto leaf = frame(l);
       // A leaf with a vertex in its corner has pieces of all edges there, and all of them in each of its cells.
       if (gaps_.are_all_joined_near(leaf, pieces)) return false;
+      find_own_parts(l, leaf, scratch), find_parts_around(std::array{l}, leaf, scratch);
+      const auto any = [](Edge_id, Edge_id, const Local_gap&) { return true; };
+      if (pieces.size() > 2 && !has_near_pair(leaf, scratch, any)) return false;
       bool is_any = false;
       for_each_pair_in_cell(l, scratch, [&](Edge_id e, Edge_id f) {
         is_any = is_any || (!gaps_.are_joined_near(leaf, e, f) &&
@@ -342,19 +348,45 @@ private:
 
   bool is_near_piece(Leaf_index l, Scratch& scratch) const {
     const auto leaf = frame(l);
-    auto &own = scratch.own, &others = scratch.others;
-    own.clear(), others.clear();
+    find_own_parts(l, leaf, scratch), find_parts_around(tree_.neighbors(l), leaf, scratch);
     scratch.hider = {};
-    for (const Edge_piece& p : pieces_in_leaves_[l]) own.push_back(edge(p));
-    for (const Leaf_index n : tree_.neighbors(l))
-      for (const Edge_piece& p : pieces_in_leaves_[n]) others.push_back(edge(p));
-    std::sort(others.begin(), others.end());
-    others.erase(std::unique(others.begin(), others.end()), others.end());
-    for (const Edge_id f : others)
-      for (const Edge_id e : own) {
-        if (e == f || gaps_.are_joined_near(leaf, e, f)) continue;
-        const Local_gap gap = gaps_.gap(e, f, leaf);
-        if (gaps_.is_too_large(leaf, e, f, gap) && !is_hidden(gap, e, f, scratch, leaf)) return true;
+    return has_near_pair(leaf, scratch, [&](Edge_id e, Edge_id f, const Local_gap& gap) {
+      return !is_hidden(gap, e, f, scratch, leaf);
+    });
+  }
+
+  using Frame = typename Edge_gaps<Geometry>::Leaf;
+
+  void find_own_parts(Leaf_index l, const Frame& leaf, Scratch& scratch) const {
+    scratch.own.clear();
+    for (const Edge_piece& p : pieces_in_leaves_[l])
+      if (const auto part = gaps_.part_in(edge(p), leaf)) scratch.own.push_back(*part);
+  }
+
+  /// \param leaves whose pieces may be near
+  template <class Leaves>
+  void find_parts_around(const Leaves& leaves, const Frame& leaf, Scratch& scratch) const {
+    scratch.around.clear();
+    for (const Leaf_index n : leaves)
+      for (const Edge_piece& p : pieces_in_leaves_[n])
+        if (const auto part = gaps_.part_around(edge(p), leaf)) scratch.around.push_back(*part);
+    const auto is_before = [](const Part& p, const Part& q) { return p.edge < q.edge; };
+    const auto is_same = [](const Part& p, const Part& q) { return p.edge == q.edge; };
+    std::sort(scratch.around.begin(), scratch.around.end(), is_before);
+    scratch.around.erase(std::unique(scratch.around.begin(), scratch.around.end(), is_same),
+                         scratch.around.end());
+  }
+
+  /// Whether a leaf is too large for an edge in it and one in or around it, of which `counts(e, f, gap)` holds.
+  template <class Counts>
+  bool has_near_pair(const Frame& leaf, const Scratch& scratch, const Counts& counts) const {
+    for (const Part& q : scratch.around)
+      for (const Part& p : scratch.own) {
+        if (gaps_.are_boxes_apart(p, q, leaf) || p.edge == q.edge ||
+            gaps_.are_joined_near(leaf, p.edge, q.edge))
+          continue;
+        const Local_gap gap = Local_gap::between(p.segment, q.segment);
+        if (gaps_.is_too_large(leaf, p.edge, q.edge, gap) && counts(p.edge, q.edge, gap)) return true;
       }
     return false;
   }
@@ -362,14 +394,13 @@ private:
   static Edge_id edge(const Edge_piece& p) { return static_cast<Edge_id>(p.segment.value()); }
 
   /// Whether another edge lies between e and f. The one that did for the last pair is asked first.
-  bool is_hidden(const Local_gap& gap, Edge_id e, Edge_id f, Scratch& scratch,
-                 const typename Edge_gaps<Geometry>::Leaf& leaf) const {
+  bool is_hidden(const Local_gap& gap, Edge_id e, Edge_id f, Scratch& scratch, const Frame& leaf) const {
     const auto hides = [&](Edge_id g) { return g != e && g != f && gap.is_blocked_by(gaps_.local(g, leaf)); };
     if (scratch.hider.is_valid() && hides(scratch.hider)) return true;
-    for (const auto* edges : {&scratch.own, &scratch.others})
-      for (const Edge_id g : *edges)
-        if (hides(g)) {
-          scratch.hider = g;
+    for (const auto* parts : {&scratch.own, &scratch.around})
+      for (const Part& g : *parts)
+        if (hides(g.edge)) {
+          scratch.hider = g.edge;
           return true;
         }
     return false;

@@ -79,7 +79,7 @@ private:
   using Corners = Tree_corners<Tree>;
   using Name = typename Corners::Name;
 
-  static constexpr std::size_t block_of_vertices_ = 256;
+  static constexpr std::size_t block_of_leaves_ = 256;
   static constexpr std::size_t block_of_corners_ = 1024;
 
   const Problem& problem_;
@@ -172,36 +172,57 @@ private:
 
   /// All corners near a vertex are those of its leaf, or of a leaf next to that.
   void drop_corners_at_vertices() {
-    const std::size_t n = problem_.input_points.size();
-    std::vector<std::vector<Name>> found((n + block_of_vertices_ - 1) / block_of_vertices_);
-    for_each_block<ConcurrencyTag>(n, block_of_vertices_,
+    const std::size_t n = tree_.number_of_leaves();
+    std::vector<std::vector<Name>> found((n + block_of_leaves_ - 1) / block_of_leaves_);
+    for_each_block<ConcurrencyTag>(n, block_of_leaves_,
                                    [&](std::size_t b, std::size_t begin, std::size_t end) {
-                                     for (std::size_t v = begin; v < end; ++v)
-                                       find_corners_at(static_cast<Vertex_id>(v), found[b]);
+                                     for (std::size_t l = begin; l < end; ++l)
+                                       find_corners_near(Leaf_index(l), found[b]);
                                    });
     for (const auto& names : found)
       for (const Name c : names) is_kept_[c] = 0;
   }
 
-  void find_corners_at(Vertex_id v, std::vector<Name>& names) const {
-    const Leaf_index own = tree_.leaf(Point_index(std::size_t(v)));
-    find_corners_of(own, v, names);
-    for (const Leaf_index l : tree_.neighbors(own)) find_corners_of(l, v, names);
+  /// Finds those of the corners kept that are too near the vertices in a leaf.
+  void find_corners_near(Leaf_index own, std::vector<Name>& names) const {
+    const Rank_interval vertices = tree_.points(own);
+    if (vertices.begin == vertices.end) return;
+    find_corners_of(own, own, vertices, names);
+    for (const Leaf_index l : tree_.neighbors(own)) find_corners_of(l, own, vertices, names);
   }
 
-  void find_corners_of(Leaf_index l, Vertex_id v, std::vector<Name>& names) const {
-    const auto s = tree_.square(l);
-    const Vector low = Geometry::difference(trees_.kernel_point({s.x, s.y}), problem_.input_point(v));
-    const double side = trees_.side(s.level);
+  void find_corners_of(Leaf_index l, Leaf_index own, const Rank_interval& vertices,
+                       std::vector<Name>& names) const {
+    const auto s = tree_.square(l), box = tree_.square(own);
+    const Point low = trees_.kernel_point({s.x, s.y});
+    const Vector from_box = Geometry::difference(low, trees_.kernel_point({box.x, box.y}));
+    const double side = trees_.side(s.level), side_of_box = trees_.side(box.level);
     for (int i = 0; i < 4; ++i) {
-      const Vector to_corner = low + Vector{(i & 1) != 0 ? side : 0, (i & 2) != 0 ? side : 0};
-      const double distance = std::sqrt(squared_length(to_corner));
+      const Vector to_corner{(i & 1) != 0 ? side : 0, (i & 2) != 0 ? side : 0};
+      const double distance = distance_to_box(from_box + to_corner, side_of_box);
       if (distance >= vertex_clearance.of_corners * side) continue; // and leaves around it may be smaller
       const Name c = corners_.name(l, static_cast<Leaf_corner>(i));
-      if (c == Corners::none) continue;
-      if (distance < vertex_clearance.of_corners * trees_.side(corners_.level(corners_.leaves_around(c))))
-        names.push_back(c);
+      if (c == Corners::none || is_kept_[c] == 0) continue;
+      const double least =
+          vertex_clearance.of_corners * trees_.side(corners_.level(corners_.leaves_around(c)));
+      if (distance < least && is_any_nearer(vertices, low, to_corner, least)) names.push_back(c);
     }
+  }
+
+  /// How far a place is from the square [0, side]^2.
+  static double distance_to_box(Vector p, double side) {
+    const auto beyond = [side](double x) { return std::max({-x, x - side, 0.}); };
+    return std::sqrt(squared_length(Vector{beyond(p.x), beyond(p.y)}));
+  }
+
+  /// Whether one of some vertices is nearer to a place than so much.
+  bool is_any_nearer(const Rank_interval& vertices, const Point& low, Vector from_low, double least) const {
+    for (std::size_t r = vertices.begin.value(); r < vertices.end.value(); ++r) {
+      const auto v = static_cast<Vertex_id>(tree_.framework().input_point(Point_rank(r)).value());
+      if (squared_length(Geometry::difference(low, problem_.input_point(v)) + from_low) < least * least)
+        return true;
+    }
+    return false;
   }
 };
 
