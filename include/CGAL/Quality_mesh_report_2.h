@@ -33,7 +33,7 @@ struct Tree_separation_report_2 {
   End end = End::NONE; ///< how it ended
   bool has_taken_over =
       false; ///< whether refinement on demand did not come to rest (`Quality_mesh_options_2::patience()`)
-  std::size_t leaves_of_points = 0;   ///< leaves of T_B, the quadtree of the vertices
+  std::size_t leaves_of_points = 0;   ///< leaves of T_B, the quadtree of the vertices; 0 if it was not needed
   std::size_t leaves_of_vertices = 0; ///< leaves of T_B', in which vertices are separated
   std::size_t leaves_of_pieces = 0;   ///< leaves of T_B'', in which edges within leaves are separated
   std::size_t leaves_of_edges = 0;    ///< leaves of T_B*, in which everything is separated

@@ -69,6 +69,8 @@ TEST_CASE("Options of the construction by quadtrees choose it", "[options]") {
   CHECK(o.trees().subdivide() == Tree_options::Subdivision::WALKING);
   CHECK(Tree_options::of_paper().edge_distance() == 3);
   CHECK(Tree_options::of_theorem().max_vertices_per_leaf() == 1);
+  CHECK(Tree_options::of_theorem().find_distances_by() == Tree_options::Distances::AXIS_RAYS);
+  CHECK(Tree_options().find_distances_by() == Tree_options::Distances::TRIANGULATION);
 }
 
 TEST_CASE("Options of meshes of points are what was set", "[options]") {

@@ -137,8 +137,9 @@ public:
 private:
   using First = First_triangulation<ConcurrencyTag, Geometry>;
   using Seconds = Quality_mesh_report_2::Seconds;
-  /// Quadtrees make up to four times the triangles that are needed: removal alone leaves half of those too many.
-  static constexpr int thinnings_after_construction_ = 3;
+  /// Of vertices that quadtrees place most are not needed: removal alone leaves half of those too many. Blocks are
+  /// thinned out before and after they are refined, a mesh without blocks once.
+  static constexpr int thinnings_of_blocks_ = 2, thinnings_of_mesh_ = 1;
   static constexpr bool has_double_coordinates = std::is_same_v<typename Geometry::Coordinate, double>;
 
   const Pslg& pslg_;
@@ -406,7 +407,7 @@ private:
   void cure(Refiner<Geometry>& refiner) {
     const Mesh_limit limit = budgets().of_repair(state_.mesh.number_of_vertices());
     const bool shall_coarsen = options_.coarsen() != Quality_mesh_options_2::Coarsening::NONE;
-    finishing_.thinnings_of_blocks = shall_coarsen ? thinnings_after_construction_ : 0;
+    finishing_.thinnings_of_blocks = shall_coarsen ? thinnings_of_blocks_ : 0;
     rounds_ = Block_rounds(); // perhaps of refinement that did not come to rest
     state_.has_placed_vertices = true;
     const bool are_blocks = work_off_in_blocks(limit, Progress_shares::quadtrees);
@@ -416,8 +417,7 @@ private:
     state_.legalize();
     const bool is_thin = are_blocks && state_.mesh.number_of_vertices() - vertices < vertices / 100;
     if (are_blocks) finishing_.smoothing_rounds = 0;
-    if (shall_coarsen && !is_thin)
-      finishing_.thinning_rounds = std::max(options_.thin(), thinnings_after_construction_);
+    if (shall_coarsen && !is_thin) finishing_.thinning_rounds = std::max(options_.thin(), thinnings_of_mesh_);
   }
 
   /// Where refinement did not come to rest, it is not to cure what could keep it going.
@@ -431,6 +431,13 @@ private:
   std::vector<double> distances_for(const Tree_separation_options_2& options) const {
     if (options.find_distances_by() != Tree_separation_options_2::Distances::TRIANGULATION) return {};
     return geodesic_distances<ConcurrencyTag>(state_.mesh, problem_.input_points.size());
+  }
+
+  Edge_rooms<Geometry> rooms_of_edges(const Edge_sides& sides) const {
+    using Rooms = Edge_rooms<Geometry>;
+    return report_.trees.has_taken_over
+               ? Rooms::template of<ConcurrencyTag>(problem_)
+               : Rooms::template in_domain<ConcurrencyTag>(problem_, sides, state_.mesh);
   }
 
   /// \throws Pslg_error_2 if the user wants quadtrees and their grid cannot tell two vertices apart
@@ -452,7 +459,8 @@ private:
     }
     if (trees->is_exhausted()) return Tree_separation_report_2::End::BUDGET;
     clock_.enter(&Seconds::construct);
-    Tree_construction construction(state_, *trees, map_, is_merged_, sides, report_.trees);
+    Tree_construction construction(state_, *trees, map_, is_merged_, sides, rooms_of_edges(sides),
+                                   report_.trees);
     // Leaves can be split without end for a bound that their rule is not made for: refinement meets a higher one.
     const Bounds<Geometry> wanted = problem_.bounds;
     problem_.bounds.lower_to_established();

@@ -98,6 +98,7 @@ public:
 
   /// The name of a corner of a leaf; `none` on the upper and right side of the root.
   Name name(Leaf_index l, Leaf_corner which) const {
+    if (which == Leaf_corner::LOWER_LEFT) return names_of_leaf * l.value();
     const auto s = tree_.square(l);
     return name(place({s.x, s.y}, s.level, which));
   }

@@ -16,6 +16,7 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_EDGE_SIDES_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_EDGE_SIDES_H
 
+#include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Input_edges.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Kept_triangles.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Kernel_mesh.h>
@@ -56,26 +57,21 @@ public:
   void restrict(Mesh& mesh, std::size_t number_of_auxiliary_vertices, const Edge_at& edge_at) const {
     constexpr Region_id unknown(0xfffffffdu);
     Uninitialized_indexed_vector<Triangle_id, Region_id> label(mesh.triangles.size(), unknown);
-    std::vector<Triangle_id> stack;
-    for (const Triangle_id t : label.ids())
+    for_each_index<Chosen_tag>(label.size(), [&](std::size_t i) {
+      const Triangle_id t(i);
       for (int k = 0; k < 3 && label[t] == unknown; ++k) {
         const Side s(t, k);
         if (mesh.across(s).is_border() || !mesh.across(s).is_constrained()) continue;
         const auto [e, is_left] = edge_at(s);
         label[t] = labels_[e][is_left ? left_ : right_];
-        stack.push_back(t);
       }
-    while (!stack.empty()) {
-      const Triangle_id t = stack.back();
-      stack.pop_back();
-      for (const Side o : mesh.triangle(t).side) {
-        if (o.is_border() || o.is_constrained() || label[o.triangle()] != unknown) continue;
-        label[o.triangle()] = label[t];
-        stack.push_back(o.triangle());
-      }
-    }
+    });
+    spread(mesh, label, unknown);
     Indexed_vector<Triangle_id, char> is_kept(label.size());
-    for (const Triangle_id t : label.ids()) is_kept[t] = label[t] != outside_ && label[t] != unknown ? 1 : 0;
+    for_each_index<Chosen_tag>(label.size(), [&](std::size_t i) {
+      const Triangle_id t(i);
+      is_kept[t] = label[t] != outside_ && label[t] != unknown ? 1 : 0;
+    });
     if (has_regions_) mesh.region_of = std::move(label);
     Kept_triangles(mesh, is_kept)
         .keep(static_cast<Vertex_id>(mesh.points.size() - number_of_auxiliary_vertices));
@@ -87,6 +83,24 @@ private:
 
   Indexed_vector<Edge_id, std::array<Region_id, 2>> labels_;
   bool has_regions_;
+
+  /// Labels the triangles that no constrained side separates from a labeled one.
+  template <class Mesh, class Labels>
+  static void spread(const Mesh& mesh, Labels& label, Region_id unknown) {
+    std::vector<Triangle_id> stack;
+    for (const Triangle_id first : label.ids()) {
+      if (label[first] != unknown) stack.push_back(first);
+      while (!stack.empty()) {
+        const Triangle_id t = stack.back();
+        stack.pop_back();
+        for (const Side o : mesh.triangle(t).side) {
+          if (o.is_border() || o.is_constrained() || label[o.triangle()] != unknown) continue;
+          label[o.triangle()] = label[t];
+          stack.push_back(o.triangle());
+        }
+      }
+    }
+  }
 
   /// Whether a side on an edge runs from `edge.a` to `edge.b`.
   template <class Geometry>

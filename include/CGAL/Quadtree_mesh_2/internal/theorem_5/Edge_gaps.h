@@ -159,8 +159,9 @@ private:
 
   /// \param reach how far around the leaf, in its sides
   std::optional<Part> part(Edge_id e, const Leaf& leaf, double reach) const {
+    const double low = -reach * leaf.side, high = (1 + reach) * leaf.side;
     Local_segment s = local(e, leaf);
-    if (!s.clip(-reach * leaf.side, (1 + reach) * leaf.side)) return std::nullopt;
+    if (s.is_beyond(low, high) || !s.clip(low, high)) return std::nullopt;
     return Part{e,
                 s,
                 {std::min(s.a.x, s.b.x), std::min(s.a.y, s.b.y)},

@@ -8,12 +8,14 @@
 //
 // Computes: for each edge the rooms on both sides of it (Edge_room.h). Edges whose vertices are rounded within their
 //           rooms neither cross nor touch, and no vertex gets to the other side of one.
-// Bound:    that of First_triangulation.h to make, O(1) for a point.
+// Bound:    O(n) to make from the triangulation of the domain, else that of First_triangulation.h; O(1) for a point.
 // Source:   ours.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_EDGE_ROOMS_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_EDGE_ROOMS_H
 
+#include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
+#include <CGAL/Quadtree_mesh_2/internal/refinement/Edge_sides.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Edge_room.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/First_triangulation.h>
@@ -38,9 +40,24 @@ public:
 
   template <class ConcurrencyTag>
   static Edge_rooms of(const Meshing_problem<Geometry>& problem) {
-    Edge_rooms rooms(problem);
-    if constexpr (!Geometry::has_unlimited_coordinates) rooms.template make<ConcurrencyTag>();
+    Edge_rooms rooms(problem, nullptr);
+    if constexpr (!Geometry::has_unlimited_coordinates) rooms.template triangulate<ConcurrencyTag>();
     return rooms;
+  }
+
+  /// Of the edges at the domain: the problem knows what is beyond its border.
+  /// \param first the constrained Delaunay triangulation of the graph, restricted to the domain
+  template <class ConcurrencyTag>
+  static Edge_rooms in_domain(const Meshing_problem<Geometry>& problem, const Edge_sides& sides,
+                              const Kernel_mesh<Geometry>& first) {
+    Edge_rooms rooms(problem, &sides);
+    if constexpr (!Geometry::has_unlimited_coordinates) rooms.template take_from<ConcurrencyTag>(first);
+    return rooms;
+  }
+
+  /// Whether an edge may get vertices.
+  bool has_rooms(Edge_id e) const {
+    return !sides_ || sides_->is_domain_on_left(e) || sides_->is_domain_on_right(e);
   }
 
   /// Whether p lies between `last` and the edge's second end, so far from both that rounding turns no piece
@@ -85,9 +102,11 @@ private:
   using Room = Edge_room<Geometry>;
 
   const Meshing_problem<Geometry>& problem_;
-  Indexed_vector<Edge_id, std::array<Room, 2>> rooms_;
+  const Edge_sides* sides_;                                             // null: there are rooms on all sides
+  Indexed_vector<Edge_id, std::array<std::optional<Point>, 2>> apexes_; // of the triangles beside edges
 
-  explicit Edge_rooms(const Meshing_problem<Geometry>& problem) : problem_(problem) {}
+  Edge_rooms(const Meshing_problem<Geometry>& problem, const Edge_sides* sides)
+      : problem_(problem), sides_(sides) {}
 
   Vector direction(Edge_id e) const {
     return Geometry::difference(problem_.input_point(problem_.edges[e].b),
@@ -100,16 +119,23 @@ private:
   }
 
   bool is_in_room(Edge_id e, const Point& p) const {
-    if (rooms_.empty()) return true; // coordinates are unlimited, so it is on the edge
+    if (apexes_.empty()) return true; // coordinates are unlimited, so it is on the edge
     const Point &a = problem_.input_point(problem_.edges[e].a),
                 &b = problem_.input_point(problem_.edges[e].b);
     const int side = Geometry::orientation(a, b, p);
     if (side == 0) return true;
-    return side > 0 ? rooms_[e][left_].has(a, b, p) : rooms_[e][right_].has(b, a, p);
+    if (sides_ && !(side > 0 ? sides_->is_domain_on_left(e) : sides_->is_domain_on_right(e)))
+      return problem_.is_clear_of_outside(e, p);
+    return side > 0 ? room(a, b, apexes_[e][left_]).has(a, b, p)
+                    : room(b, a, apexes_[e][right_]).has(b, a, p);
+  }
+
+  static Room room(const Point& a, const Point& b, const std::optional<Point>& apex) {
+    return apex ? Room(a, b, *apex) : Room();
   }
 
   template <class ConcurrencyTag>
-  void make() {
+  void triangulate() {
     using First = First_triangulation<ConcurrencyTag, Geometry>;
     Kernel_mesh<Geometry> mesh;
     First first(mesh, problem_.input_points.values());
@@ -118,15 +144,28 @@ private:
     for (const Edge_id e : problem_.edges.ids())
       segments.push_back({problem_.edges[e].a, problem_.edges[e].b});
     first.run(segments);
-    rooms_.resize(segments.size());
-    for (const Triangle_id t : mesh.triangles.ids())
-      for (int k = 0; k < 3; ++k) {
+    take_from<ConcurrencyTag>(mesh);
+  }
+
+  /// The rooms in the triangles of a triangulation, in which no edge is cut.
+  template <class ConcurrencyTag>
+  void take_from(const Kernel_mesh<Geometry>& mesh) {
+    apexes_.resize(problem_.edges.size());
+    for_each_index<ConcurrencyTag>(mesh.triangles.size(), [&](std::size_t i) {
+      const Triangle_id t(i);
+      for (int k = 0; k < 3 && mesh.is_alive(t); ++k) {
         const Side s(t, k);
-        if (mesh.across(s).is_border() || !mesh.across(s).is_constrained()) continue;
-        const Edge_id e = problem_.edges.between(mesh.source(s), mesh.target(s));
-        rooms_[e][problem_.edges[e].a == mesh.source(s) ? left_ : right_] =
-            Room(mesh.point(mesh.source(s)), mesh.point(mesh.target(s)), mesh.point(mesh.opposite(s)));
+        if (mesh.across(s).is_constrained()) take_apex(mesh, s);
       }
+    });
+  }
+
+  void take_apex(const Kernel_mesh<Geometry>& mesh, Side s) {
+    const Vertex_id a = mesh.source(s), b = mesh.target(s);
+    if (std::max(std::size_t(a), std::size_t(b)) >= problem_.input_points.size())
+      return; // auxiliary vertices
+    const Edge_id e = problem_.edges.between(a, b);
+    apexes_[e][problem_.edges[e].a == a ? left_ : right_] = mesh.point(mesh.opposite(s));
   }
 };
 

@@ -40,6 +40,12 @@ struct Local_segment {
   }
   double distance_to(Vector p) const { return std::sqrt(squared_length(nearest_to(p) - p)); }
 
+  /// Whether it is beyond one side of the square [low, high]^2.
+  bool is_beyond(double low, double high) const {
+    return std::max(a.x, b.x) < low || std::min(a.x, b.x) > high || std::max(a.y, b.y) < low ||
+           std::min(a.y, b.y) > high;
+  }
+
   /// Cuts off what is outside the square [low, high]^2; false if nothing is left.
   bool clip(double low, double high) {
     double begin = 0, end = 1;

@@ -99,6 +99,7 @@ struct Placed_vertices {
     for_each_block<ConcurrencyTag>(edges.size(), block,
                                    [&](std::size_t b, std::size_t begin, std::size_t end) {
                                      for (const Edge_id e : Id_range<Edge_id>(begin, end)) {
+                                       if (!rooms.has_rooms(e)) continue;
                                        const std::size_t first = found[b].size();
                                        cut(e, found[b]);
                                        if (!keep_in_room(edges[e], rooms, found[b], first))

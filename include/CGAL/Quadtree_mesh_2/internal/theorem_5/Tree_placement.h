@@ -201,11 +201,13 @@ private:
       const Vector to_corner{(i & 1) != 0 ? side : 0, (i & 2) != 0 ? side : 0};
       const double distance = distance_to_box(from_box + to_corner, side_of_box);
       if (distance >= vertex_clearance.of_corners * side) continue; // and leaves around it may be smaller
+      if (!is_any_nearer(vertices, low, to_corner, vertex_clearance.of_corners * side)) continue;
       const Name c = corners_.name(l, static_cast<Leaf_corner>(i));
       if (c == Corners::none || is_kept_[c] == 0) continue;
-      const double least =
-          vertex_clearance.of_corners * trees_.side(corners_.level(corners_.leaves_around(c)));
-      if (distance < least && is_any_nearer(vertices, low, to_corner, least)) names.push_back(c);
+      const double side_there = trees_.side(corners_.level(corners_.leaves_around(c)));
+      if (side_there == side ||
+          is_any_nearer(vertices, low, to_corner, vertex_clearance.of_corners * side_there))
+        names.push_back(c);
     }
   }
 
