@@ -50,7 +50,7 @@ struct Command_line {
   double gradation = 0;         ///< of the sizes on the grid; 0: no limit
   Kernel kernel = Kernel::FILTERED;
   CGAL::Quality_mesh_options_2 options;             ///< of Mode::PSLG
-  Neighbors neighbors = Neighbors::QUADTREE;        ///< of Mode::PSLG, by quadtrees
+  Neighbors neighbors = Neighbors::TRAPEZOIDAL;     ///< of Mode::PSLG, by quadtrees
   CGAL::Point_set_mesh_options_2 point_set_options; ///< of all other modes
   unsigned threads = 1;
   bool is_comparison_wanted = false;
