@@ -33,6 +33,7 @@
 #include <csignal>
 #include <cstddef>
 #include <exception>
+#include <filesystem>
 #include <iostream>
 #include <new>
 #include <set>
@@ -168,6 +169,18 @@ void renumber(Meshing_run& run) {
     unmet.triangle = numbers.new_triangle[std::size_t(unmet.triangle)];
 }
 
+mesh_files::Picture picture_of(const Meshing_run& run, const Command_line& line) {
+  std::set<CGAL::Quadtree_mesh_2::Triangle_index> unmet;
+  for (const auto& triangle : run.report.unmet_triangles) unmet.insert(triangle.triangle);
+  for (const auto& triangle : run.quality.unmet_triangles) unmet.insert(triangle.triangle);
+  return {line.colors,
+          line.is_quadtree_shown,
+          line.page_colors,
+          std::filesystem::path(line.input).filename().string(),
+          {unmet.begin(), unmet.end()},
+          run.projected ? &run.projected->projection : nullptr};
+}
+
 void read(Meshing_run& run, const Command_line& line) {
   run.pslg = mesh_files::read_graph(line.input, line.region_property);
   if (line.is_repair_wanted) run.pslg = repaired_graph(run.pslg, run.repair.emplace());
@@ -193,7 +206,7 @@ Exit_status execute(const Command_line& line, const Large_run& large) {
   if (line.is_renumbering_wanted) timed(run.write_seconds, [&] { renumber(run); });
   const auto add_mesh = [&](mesh_files::Files& files, const std::string& output) {
     timed(run.write_seconds, [&] {
-      mesh_files::add(files, output, run.mesh, run.pslg, {line.colors, line.is_quadtree_shown}, line.pieces,
+      mesh_files::add(files, output, run.mesh, run.pslg, picture_of(run, line), line.pieces,
                       line.msh_version);
     });
     run.peak_memory_mb = peak_memory_mb();

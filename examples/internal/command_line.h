@@ -56,6 +56,7 @@ struct Command_line {
   bool is_comparison_wanted = false;
   bool are_lengths_wanted = false;
   Picture_colors colors = Picture_colors::NONE;
+  Picture_colors page_colors = Picture_colors::ANGLE; ///< of .html at first
   bool is_quadtree_shown = false;
   bool is_renumbering_wanted = false;
   std::size_t pieces = 0; ///< of outputs that may have some; 0: not said
@@ -317,11 +318,12 @@ inline CGAL::Point_set_mesh_options_2 point_set_mesh_options(const po::variables
   return options;
 }
 
-/// Points are colored unless it is forbidden: their angles are what the modes differ in.
-inline Picture_colors colors(const po::variables_map& given, Command_line::Mode mode) {
-  constexpr Picture_colors all[] = {Picture_colors::NONE, Picture_colors::ANGLE, Picture_colors::REGION};
-  Picture_colors result = mode == Command_line::Mode::PSLG ? Picture_colors::NONE : Picture_colors::ANGLE;
-  if (given.count("color") > 0) result = all[choice(given, "color", {"none", "angle", "region"})];
+inline Picture_colors colors(const po::variables_map& given, Command_line::Mode mode,
+                             Picture_colors if_not_given) {
+  constexpr Picture_colors all[] = {Picture_colors::NONE, Picture_colors::ANGLE, Picture_colors::REGION,
+                                    Picture_colors::SIZE};
+  Picture_colors result = if_not_given;
+  if (given.count("color") > 0) result = all[choice(given, "color", {"none", "angle", "region", "size"})];
   const bool is_by_largest = result == Picture_colors::ANGLE && mode == Command_line::Mode::ACUTE;
   return is_by_largest ? Picture_colors::LARGEST_ANGLE : result;
 }
@@ -332,13 +334,16 @@ inline void check_picture_options(const po::variables_map& given, const std::vec
     return std::any_of(outputs.begin(), outputs.end(),
                        [format](const std::string& output) { return output_format(output) == format; });
   };
-  if (given.count("color") > 0 && !has_output(Output_format::SVG))
-    throw Usage_error("--color needs an output .svg (-o FILE.svg)");
-  constexpr Output_format with_fields[] = {Output_format::SVG, Output_format::VTU, Output_format::PVTU,
-                                           Output_format::VTKHDF, Output_format::XDMF};
+  if (given.count("color") > 0 && !has_output(Output_format::SVG) && !has_output(Output_format::HTML))
+    throw Usage_error("--color needs an output .svg or .html (-o FILE.html)");
+  if (text(given, "color") == "size" && has_output(Output_format::SVG))
+    throw Usage_error("--color size has a meaning for .html only, not for .svg");
+  constexpr Output_format with_fields[] = {Output_format::SVG,  Output_format::HTML,   Output_format::VTU,
+                                           Output_format::PVTU, Output_format::VTKHDF, Output_format::XDMF};
   if (given.count("show-quadtree") > 0 &&
       std::none_of(std::begin(with_fields), std::end(with_fields), has_output))
-    throw Usage_error("--show-quadtree needs an output .svg, .vtu, .pvtu, .vtkhdf or .xdmf (-o FILE.svg)");
+    throw Usage_error(
+        "--show-quadtree needs an output .svg, .html, .vtu, .pvtu, .vtkhdf or .xdmf (-o FILE.html)");
 }
 
 /// \throws Usage_error if no output may have pieces
@@ -485,7 +490,10 @@ inline Command_line parse_command_line(int argc, const char* const* argv) try {
   line.threads = threads(given);
   line.is_comparison_wanted = given.count("compare") > 0;
   line.are_lengths_wanted = given.count("lengths") > 0;
-  line.colors = colors(given, line.mode);
+  // Points are colored unless it is forbidden: their angles are what the modes differ in.
+  line.colors = colors(given, line.mode,
+                       line.mode == Command_line::Mode::PSLG ? Picture_colors::NONE : Picture_colors::ANGLE);
+  line.page_colors = colors(given, line.mode, Picture_colors::ANGLE);
   line.is_quadtree_shown = given.count("show-quadtree") > 0;
   check_picture_options(given, line.outputs);
   line.is_renumbering_wanted = given.count("renumber") > 0;

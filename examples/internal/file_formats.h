@@ -24,6 +24,7 @@ enum class Output_format {
   VTKHDF,
   XDMF,
   SVG,
+  HTML,
   OFF,
   OBJ,
   MSH,
@@ -33,7 +34,7 @@ enum class Output_format {
   ADCIRC
 };
 /// What the colors of a picture stand for.
-enum class Picture_colors { NONE, ANGLE, LARGEST_ANGLE, REGION };
+enum class Picture_colors { NONE, ANGLE, LARGEST_ANGLE, REGION, SIZE };
 
 /// \throws Usage_error if this program knows no files of HDF5
 inline void check_has_hdf5(const std::string& file_name) {
@@ -69,19 +70,20 @@ inline Output_format output_format(const std::string& file_name) {
       {".poly", Output_format::TRIANGLE}, {".vtu", Output_format::VTU},
       {".pvtu", Output_format::PVTU},     {".vtkhdf", Output_format::VTKHDF},
       {".xdmf", Output_format::XDMF},     {".h5", Output_format::XDMF},
-      {".svg", Output_format::SVG},       {".off", Output_format::OFF},
-      {".obj", Output_format::OBJ},       {".msh", Output_format::MSH},
-      {".mesh", Output_format::MEDIT},    {".2dm", Output_format::SMS_2DM},
-      {".gr3", Output_format::GR3},       {".14", Output_format::ADCIRC}};
+      {".svg", Output_format::SVG},       {".html", Output_format::HTML},
+      {".off", Output_format::OFF},       {".obj", Output_format::OBJ},
+      {".msh", Output_format::MSH},       {".mesh", Output_format::MEDIT},
+      {".2dm", Output_format::SMS_2DM},   {".gr3", Output_format::GR3},
+      {".14", Output_format::ADCIRC}};
   for (const auto& [ending, format] : endings)
     if (std::filesystem::path(file_name).extension() == ending) {
       if (format == Output_format::VTKHDF || format == Output_format::XDMF) check_has_hdf5(file_name);
       return format;
     }
-  throw Usage_error(
-      "cannot tell the format of output '" + file_name +
-      "': its ending has to be .ele, .node, .poly, .vtu, .pvtu, .vtkhdf, .xdmf, .h5, .svg, .off, .obj, .msh, "
-      ".mesh, .2dm, .gr3 or .14");
+  throw Usage_error("cannot tell the format of output '" + file_name +
+                    "': its ending has to be .ele, .node, .poly, .vtu, .pvtu, .vtkhdf, .xdmf, .h5, .svg, "
+                    ".html, .off, .obj, "
+                    ".msh, .mesh, .2dm, .gr3 or .14");
 }
 
 /// The files that an output consists of, besides its pieces.

@@ -6,6 +6,7 @@
 #ifdef CGAL_LINKED_WITH_HDF5
 #include <CGAL/IO/HDF5.h>
 #endif
+#include <CGAL/IO/HTML.h>
 #include <CGAL/IO/MEDIT.h>
 #include <CGAL/IO/MSH.h>
 #include <CGAL/IO/OFF_and_OBJ.h>
@@ -18,12 +19,14 @@
 #include <CGAL/IO/read_WKT.h>
 #include <CGAL/IO/read_XY.h>
 
+#include <array>
 #include <cstddef>
 #include <filesystem>
 #include <ostream>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
 namespace {
 
@@ -61,6 +64,7 @@ CGAL::IO::Svg_options_2 svg_options(const Picture& picture) {
   Options options;
   switch (picture.colors) {
   case Picture_colors::NONE:
+  case Picture_colors::SIZE: // of pages alone
     return options;
   case Picture_colors::ANGLE:
     options.fill_by(Options::Fill::LEAST_ANGLE);
@@ -84,6 +88,51 @@ void write_picture(std::ostream& out, const Mesh& mesh, const Pslg& pslg, const 
     CGAL::IO::write_SVG(out, mesh, pslg, svg_options(picture));
 }
 
+CGAL::IO::Html_options_2::Color page_color(Picture_colors colors) {
+  using Color = CGAL::IO::Html_options_2::Color;
+  switch (colors) {
+  case Picture_colors::NONE:
+    return Color::NONE;
+  case Picture_colors::ANGLE:
+    break;
+  case Picture_colors::LARGEST_ANGLE:
+    return Color::LARGEST_ANGLE;
+  case Picture_colors::REGION:
+    return Color::REGION;
+  case Picture_colors::SIZE:
+    return Color::SIZE;
+  }
+  return Color::LEAST_ANGLE;
+}
+
+void project(std::vector<Point>& points, const CGAL::Conformal_projection_2& projection) {
+  for (Point& p : points) {
+    const auto place = projection.forward(p.x(), p.y());
+    p = Point(place[0], place[1]);
+  }
+}
+
+/// A mesh in degrees is shown where its angles are those on the ground, but its coordinates are called what they are.
+void write_page(std::ostream& out, const Mesh& mesh, const Pslg& pslg, const Picture& picture) {
+  CGAL::IO::Html_options_2 options;
+  options.title(picture.title).color_by(page_color(picture.page_colors)).unmet_triangles(picture.unmet);
+  const auto write_in_plane = [&](const Mesh& drawn, const std::vector<Point>& vertices) {
+    if (picture.is_quadtree_shown)
+      CGAL::IO::write_HTML(out, drawn, pslg, Quadtree(vertices), options);
+    else
+      CGAL::IO::write_HTML(out, drawn, pslg, options);
+  };
+  if (picture.projection == nullptr) return write_in_plane(mesh, pslg.vertices);
+  std::vector<std::array<double, 2>> degrees;
+  for (const Point& p : mesh.points) degrees.push_back({p.x(), p.y()});
+  options.coordinates(std::move(degrees));
+  Mesh drawn = mesh;
+  std::vector<Point> vertices = pslg.vertices;
+  project(drawn.points, *picture.projection);
+  project(vertices, *picture.projection);
+  write_in_plane(drawn, vertices);
+}
+
 CGAL::IO::Triangle_fields_2 fields_of(const Mesh& mesh, const Pslg& pslg, const Picture& picture) {
   CGAL::IO::Triangle_fields_2 fields;
   if (picture.is_quadtree_shown)
@@ -104,6 +153,8 @@ void write(std::ostream& out, Output_format format, const Mesh& mesh, const Pslg
     return CGAL::IO::write_VTU(out, mesh, pslg, fields_of(mesh, pslg, picture));
   case Output_format::SVG:
     return write_picture(out, mesh, pslg, picture);
+  case Output_format::HTML:
+    return write_page(out, mesh, pslg, picture);
   case Output_format::OFF:
     return CGAL::IO::write_OFF(out, mesh);
   case Output_format::OBJ:

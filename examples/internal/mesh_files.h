@@ -43,7 +43,11 @@ CGAL::Grid_sizing_field_2 read_size_grid(const std::string& file_name, double gr
 /// What pictures show besides the mesh.
 struct Picture {
   Picture_colors colors = Picture_colors::NONE;
-  bool is_quadtree_shown = false; ///< that of the graph's vertices
+  bool is_quadtree_shown = false;                           ///< that of the graph's vertices
+  Picture_colors page_colors = Picture_colors::ANGLE;       ///< of a page at first
+  std::string title;                                        ///< of a page
+  std::vector<CGAL::Quadtree_mesh_2::Triangle_index> unmet; ///< triangles that a page marks
+  const CGAL::Conformal_projection_2* projection = nullptr; ///< in whose plane a page shows a mesh in degrees
 };
 using Files = CGAL::Quadtree_mesh_2::internal::Replaced_files;
 /// \param pslg what the mesh was made from

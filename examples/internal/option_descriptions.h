@@ -26,8 +26,8 @@ inline po::options_description common_options() {
      "(all angles in a range), acute (all below 90) or warped (corners of squares moved to the points)")
     ("output,o", po::value<std::vector<std::string>>()->value_name("FILE"),
      "where to write the mesh, more than once if you like: .vtu, .pvtu (in pieces), .vtkhdf, .xdmf (with .h5), .svg, "
-     ".off, .obj, .msh (Gmsh), .mesh (MEDIT), .2dm (SMS), .gr3 (SCHISM), .14 (ADCIRC), or .ele, which writes .node, "
-     ".ele and .poly")
+     ".html (a page to look at), .off, .obj, .msh (Gmsh), .mesh (MEDIT), .2dm (SMS), .gr3 (SCHISM), .14 (ADCIRC), or "
+     ".ele, which writes .node, .ele and .poly")
     ("msh-version", po::value<std::string>()->value_name("V"), "version of .msh: 4.1, if not given, or 2.2")
     ("renumber", "number vertices and triangles by their places, so that what is near is near in files, too; the "
      "input's numbers become data, input_index")
@@ -35,8 +35,10 @@ inline po::options_description common_options() {
      "number of the pieces of .pvtu, one for a million triangles if not given; with it .msh is written in parts for "
      "Gmsh, with ghosts")
     ("color", po::value<std::string>()->value_name("C"),
-     "colors of .svg: none, angle or region; angle if not given in the modes for points, else none")
-    ("show-quadtree", "draw the quadtree of the input in .svg, and write its levels to .vtu, .pvtu, .vtkhdf and .xdmf")
+     "colors of .svg and .html: none, angle or region, or in .html size; if not given, angle in .html and in the modes "
+     "for points, else none")
+    ("show-quadtree", "draw the quadtree of the input in .svg and .html, and write its levels to .vtu, .pvtu, .vtkhdf "
+     "and .xdmf")
     ("kernel", po::value<std::string>()->value_name("K")->default_value("filtered"),
      "arithmetic: filtered (doubles), fixed (64-bit integers) or exact")
     ("threads", po::value<double>()->value_name("N"),

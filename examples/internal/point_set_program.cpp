@@ -26,8 +26,11 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <filesystem>
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace {
 
@@ -90,6 +93,14 @@ void renumber(Point_set_run& run) {
   for (auto& unmet : run.unmet_triangles) unmet.triangle = std::size_t(numbers.new_triangle[unmet.triangle]);
 }
 
+mesh_files::Picture picture_of(const Point_set_run& run, const Command_line& line) {
+  std::vector<CGAL::Quadtree_mesh_2::Triangle_index> unmet;
+  for (const auto& triangle : run.unmet_triangles) unmet.emplace_back(triangle.triangle);
+  return {line.colors,      line.is_quadtree_shown,
+          line.page_colors, std::filesystem::path(line.input).filename().string(),
+          std::move(unmet), nullptr};
+}
+
 void compare(Point_set_run& run) {
   const auto peer = [&] {
     return figures_by_Mesh_2(CGAL::Quadtree_mesh_2::internal::points_in_box(run.input.vertices),
@@ -125,7 +136,7 @@ Exit_status execute_point_set(const Command_line& line) {
   if (line.is_renumbering_wanted) timed(run.write_seconds, [&] { renumber(run); });
   const auto add_mesh = [&](mesh_files::Files& files, const std::string& output) {
     timed(run.write_seconds, [&] {
-      mesh_files::add(files, output, run.mesh, run.input, {line.colors, line.is_quadtree_shown}, line.pieces,
+      mesh_files::add(files, output, run.mesh, run.input, picture_of(run, line), line.pieces,
                       line.msh_version);
     });
     run.peak_memory_mb = peak_memory_mb();

@@ -28,6 +28,30 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
+/// A segment of the input of which nothing is in the mesh.
+struct Outside_segment {
+  std::array<Vertex_index, 2> ends; ///< vertices of the mesh
+  std::size_t segment;              ///< of the input
+};
+
+/// All of them, in the order of the input. Takes linear time.
+template <class Point>
+std::vector<Outside_segment> outside_segments(const Indexed_mesh_2<Point>& mesh, const Pslg_2<Point>& pslg) {
+  std::vector<Outside_segment> outside;
+  Indexed_vector<Segment_index, char> is_in_mesh(pslg.segments.size(), 0);
+  for (const auto& e : mesh.constrained_edges)
+    if (is_in_mesh.has(e.segment)) is_in_mesh[e.segment] = 1;
+  for (const Segment_index s : is_in_mesh.ids())
+    if (is_in_mesh[s] == 0) outside.push_back({pslg.segment(s), std::size_t(s)});
+  if (outside.empty() || mesh.input_index.empty()) return outside;
+  Indexed_vector<Vertex_index, Vertex_index> vertex_of_input(pslg.vertices.size());
+  for (std::size_t v = 0; v < mesh.points.size(); ++v)
+    if (vertex_of_input.has(mesh.input_index[v])) vertex_of_input[mesh.input_index[v]] = Vertex_index(v);
+  for (Outside_segment& s : outside)
+    for (Vertex_index& v : s.ends) v = vertex_of_input[v];
+  return outside;
+}
+
 /// A mesh as an unstructured grid of VTK: what all files for ParaView have. See `IO::write_VTU()`.
 ///
 /// Cells are the triangles, then the constrained edges, then the segments of which nothing is in the mesh. Values are
@@ -44,7 +68,7 @@ public:
         throw std::invalid_argument("the field '" + field.name + "' has " +
                                     std::to_string(field.values.size()) + " numbers for " +
                                     std::to_string(mesh.triangles.size()) + " triangles");
-    find_outside_segments();
+    outside_ = outside_segments(mesh, pslg);
     triangles_at_ = triangles_at_edges(mesh);
   }
 
@@ -116,27 +140,8 @@ public:
   }
 
 private:
-  struct Outside_segment {
-    std::array<Vertex_index, 2> ends; // in the mesh
-    std::size_t segment;
-  };
-
   bool is_edge(std::size_t cell) const {
     return !is_triangle(cell) && cell < number_of_triangles() + number_of_edges();
-  }
-
-  void find_outside_segments() {
-    Indexed_vector<Segment_index, char> is_in_mesh(pslg_.segments.size(), 0);
-    for (const auto& e : mesh_.constrained_edges)
-      if (is_in_mesh.has(e.segment)) is_in_mesh[e.segment] = 1;
-    for (const Segment_index s : is_in_mesh.ids())
-      if (is_in_mesh[s] == 0) outside_.push_back({pslg_.segment(s), std::size_t(s)});
-    if (outside_.empty() || mesh_.input_index.empty()) return;
-    Indexed_vector<Vertex_index, Vertex_index> vertex_of_input(pslg_.vertices.size());
-    for (std::size_t v = 0; v < mesh_.points.size(); ++v)
-      if (vertex_of_input.has(mesh_.input_index[v])) vertex_of_input[mesh_.input_index[v]] = Vertex_index(v);
-    for (Outside_segment& s : outside_)
-      for (Vertex_index& v : s.ends) v = vertex_of_input[v];
   }
 
   int region(std::size_t t) const {
