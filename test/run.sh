@@ -44,6 +44,8 @@ packages=("${build_packages[@]}" catch2 python3-gmsh python3-h5py python3-meshio
 # The Python package: what is missing is left out of build and tests, which CMake says.
 [[ -n $sanitize ]] || packages+=(pybind11-dev python3-dev python3-pytest python3-numpy python3-shapely
   python3-geopandas python3-matplotlib)
+# Pages are opened in a browser.
+[[ -n $sanitize ]] || packages+=(chromium-headless-shell python3-pil)
 if [[ $compiler == clang++* ]]; then
   version=${compiler#clang++}
   command -v "$compiler" >/dev/null || packages+=("clang$version")

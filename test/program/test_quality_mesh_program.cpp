@@ -29,8 +29,8 @@ namespace fs = std::filesystem;
 
 TEST_CASE("the program writes each format by its ending", "[program]") {
   const Scratch_folder folder;
-  const std::vector<std::string> names{"b.vtu",  "c.svg", "d.off", "e.obj", "f.msh",
-                                       "g.mesh", "h.2dm", "i.gr3", "j.14",  "a.ele"};
+  const std::vector<std::string> names{"b.vtu", "c.svg", "d.off", "e.obj",  "f.msh", "g.mesh",
+                                       "h.2dm", "i.gr3", "j.14",  "k.html", "a.ele"};
   std::string outputs;
   for (const std::string& name : names) outputs += " -o " + folder.file(name);
   const Run r = run(test_data("us_states_10m.poly.gz") + outputs);
@@ -38,12 +38,13 @@ TEST_CASE("the program writes each format by its ending", "[program]") {
   CHECK(r.status == 0);
   CHECK(r.err.empty());
   for (const char* name : {"a.node", "a.ele", "a.poly", "b.vtu", "c.svg", "d.off", "e.obj", "f.msh", "g.mesh",
-                           "h.2dm", "i.gr3", "j.14"})
+                           "h.2dm", "i.gr3", "j.14", "k.html"})
     CHECK(fs::file_size(folder.file(name)) > 1000);
-  CHECK(folder.number_of_files() == 12);
+  CHECK(folder.number_of_files() == 13);
   const auto begin_of = [&](const char* name) { return content(folder.file(name)).substr(0, 200); };
   CHECK(contains(begin_of("b.vtu"), "VTKFile"));
   CHECK(contains(begin_of("c.svg"), "<svg"));
+  CHECK(begin_of("k.html").rfind("<!DOCTYPE html>\n", 0) == 0);
   CHECK(begin_of("d.off").rfind("OFF\n", 0) == 0);
   CHECK(begin_of("e.obj").rfind("v ", 0) == 0);
   CHECK(begin_of("f.msh").rfind("$MeshFormat\n4.1 0 8\n", 0) == 0);

@@ -83,7 +83,7 @@ const edges = {opacity: .55, width: .8, from: 3, to: 14};
 // How opaque a line is: `opacity[0]`, and 1 more if it is `opacity[1]` pixels long. Long ones are opaque.
 const layers = {
   quadtree: {color: quadtreeColor, width: .75, opacity: [-1, 3], make: linesOfQuadtree},
-  segments: {color: ink, width: 1.5, opacity: [.35, 7], make: () => linesOf(constrained, outside)},
+  segments: {color: ink, width: 1.5, opacity: [.5, 6], make: () => linesOf(constrained, outside)},
   unmet: {color: unmetColor, width: 2, opacity: [1, 1], make: linesOfUnmet}
 };
 const lines = layer => layer.lines || (layer.lines = layer.make());

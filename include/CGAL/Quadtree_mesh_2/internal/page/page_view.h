@@ -50,11 +50,12 @@ function freeArea() {
   return {left: 20, top, width: Math.max(40, width - 20 - right - 8), height: Math.max(40, height - top - 52)};
 }
 
+// At a place, such that a pixel is 64 steps of the coordinates.
+const greatestScale = (u, v) => 2 ** 46 / Math.max(Math.abs(u), Math.abs(v), 2 ** -900);
+
 function lookAt(u, v, scale) {
   const area = freeArea(), d = view.density;
-  // Pixels of 64 steps of the coordinates, at the least.
-  const most = 2 ** 46 / Math.max(Math.abs(u), Math.abs(v), 2 ** -900);
-  view.scale = Math.min(most, scale);
+  view.scale = Math.min(greatestScale(u, v), scale);
   view.x = u - ((area.left + area.width / 2) * d - view.width / 2) / view.scale;
   view.y = v + ((area.top + area.height / 2) * d - view.height / 2) / view.scale;
   changed();
@@ -70,9 +71,9 @@ function fit() {
 }
 
 function zoom(factor, px = overlay.clientWidth / 2, py = overlay.clientHeight / 2) {
-  const [u, v] = toPlane(px, py), most = 2 ** 46 / Math.max(Math.abs(u), Math.abs(v), 2 ** -900);
-  const least = Math.min(view.scale, scaleToFit() / 4);
-  const scale = Math.min(Math.max(view.scale * factor, least), Math.max(most, view.scale));
+  const [u, v] = toPlane(px, py), least = scaleToFit() / 4;
+  const scale = Math.max(Math.min(view.scale * factor, Math.max(view.scale, greatestScale(u, v))),
+    Math.min(view.scale, least));
   view.x = u - (px * view.density - view.width / 2) / scale;
   view.y = v + (py * view.density - view.height / 2) / scale;
   view.scale = scale;
