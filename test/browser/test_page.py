@@ -251,33 +251,33 @@ class Page(unittest.TestCase):
     def test_the_quadtree_is_shown_on_request(self):
         self.window.open(self.mesh('syn_square.poly').page)
         self.assertIsNone(self.window.text('#row-quadtree'))
-        # A square with a vertex near one corner: all squares that are split are at that corner.
+        # A square with two vertices near its upper left corner, where squares of the tree have to be small.
         graph = os.path.join(self.folder, 'corner.poly')
         with open(graph, 'w', encoding='ascii') as file:
-            file.write('5 2 0 0\n0 0 0\n1 64 0\n2 64 64\n3 0 64\n4 3 3\n4 0\n0 0 1\n1 1 2\n2 2 3\n3 3 0\n0\n')
+            file.write('6 2 0 0\n0 0 0\n1 64 0\n2 64 64\n3 0 64\n4 3 61\n5 6 58\n4 0\n0 0 1\n1 1 2\n2 2 3\n3 3 0\n0\n')
         self.window.open(self.mesh(graph, '--show-quadtree', '--color', 'none').page)
         self.assertIsNotNone(self.window.text('#row-quadtree'))
-        for _ in range(4):
-            self.window.key('-')
-        screen = Screen(self.window)
         root = self.window.evaluate('JSON.parse(document.getElementById("head").textContent).quadtree')
+        self.assertEqual(root, {'x': -64, 'y': -64, 'side': 256})
+        self.window.key('-')
+        screen = Screen(self.window)
+        self.window.move(2, 798)
         shown = self.window.picture()
         self.window.key('q')
         hidden = self.window.picture()
 
-        def is_line(place):
-            x, y = map(round, screen.at(place))
-            here = [(x + i, y + j) for i in (-1, 0, 1) for j in (-1, 0, 1)]
-            return any(distance(shown.getpixel(p), hidden.getpixel(p)) > 60 for p in here)
-        # The middle lines of the root separate leaves along all of their length; the middles of its three other
-        # quarters are inside leaves, or at their corners, so places beside them are inside.
-        x0, y0, side = root['x'], root['y'], root['side']
-        for share in (0.11, 0.23, 0.4, 0.6, 0.77, 0.9):
-            for place in ((x0 + side / 2, y0 + share * side), (x0 + share * side, y0 + side / 2)):
-                if 0.5 < place[0] < 63.5 and 0.5 < place[1] < 63.5:
-                    self.assertTrue(is_line(place), place)
-        self.assertFalse(is_line((x0 + 0.8 * side, y0 + 0.8 * side)))
-        self.assertFalse(is_line((x0 + 0.7 * side, y0 + 0.8 * side)))
+        def lines(low, high):
+            """The number of pixels in a box of the plane that are of lines of the tree."""
+            (x0, y1), (x1, y0) = ([round(c) for c in screen.at(corner)] for corner in (low, high))
+            return sum(distance(shown.getpixel((x, y)), hidden.getpixel((x, y))) > 30
+                       for x in range(x0, x1) for y in range(y0, y1))
+        # Vertices at two corners of the square are in one square of the tree only if that is not split, as it is.
+        for share in (0.1, 0.3, 0.7, 0.9):
+            self.assertGreater(lines((31, 64 * share - 1), (33, 64 * share + 1)), 3)
+            self.assertGreater(lines((64 * share - 1, 31), (64 * share + 1, 33)), 3)
+        self.assertGreater(lines((1, 49), (15, 63)), 100)
+        for low in ((49, 1), (1, 1), (49, 49)):
+            self.assertEqual(lines(low, [c + 14 for c in low]), 0)
 
     def test_unmet_triangles_are_marked(self):
         mesh = self.mesh('syn_square.poly', '--max-area', '0.02', '--max-vertices', '40', statuses=(1,))
@@ -368,8 +368,8 @@ class Page(unittest.TestCase):
         for side in ('1e300', '1e-302'):
             path = os.path.join(self.folder, side + '.poly')
             with open(path, 'w', encoding='ascii') as file:
-                file.write(f'4 2 0 0\n0 0 0\n1 {side} 0\n2 {side} {side}\n3 0 {side}\n'
-                           '4 0\n0 0 1\n1 1 2\n2 2 3\n3 3 0\n0\n')
+                file.write(f'4 2 0 0\n1 0 0\n2 {side} 0\n3 {side} {side}\n4 0 {side}\n'
+                           '4 0\n1 1 2\n2 2 3\n3 3 4\n4 4 1\n0\n')  # numbered from 1
             cases.append((path,))
         for name, *arguments in cases:
             with self.subTest(name):

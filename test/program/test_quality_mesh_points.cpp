@@ -210,13 +210,15 @@ TEST_CASE("the program writes meshes of points in each format", "[program][point
   const Scratch_folder folder;
   const std::string input = folder.write("in.txt", text_of(some_points(30), " "));
   const Run r = run(input + " --mode " + mode + " -o " + folder.file("a.ele") + " -o " +
-                    folder.file("b.vtu") + " -o " + folder.file("c.svg"));
+                    folder.file("b.vtu") + " -o " + folder.file("c.svg") + " -o " + folder.file("d.html"));
   CAPTURE(r.out, r.err);
   CHECK(r.status == 0);
-  CHECK(folder.number_of_files() == 6);
+  CHECK(folder.number_of_files() == 7);
   CHECK(content(folder.file("a.poly")) == "0 2 0 1\n0 0\n0\n"); // no segments
   CHECK(contains(content(folder.file("b.vtu")).substr(0, 200), "VTKFile"));
   CHECK(contains(content(folder.file("c.svg")), " angle</text>"));
+  const std::string color = mode == "acute" ? "largest_angle" : "least_angle";
+  CHECK(contains(content(folder.file("d.html")), "\"color\":\"" + color + '"'));
 }
 
 TEST_CASE("the program tells lengths, and what Mesh_2 makes of points", "[program][points]") {

@@ -1,6 +1,7 @@
 """Files, pictures, documents and types."""
 
 import ast
+import base64
 import doctest
 import inspect
 import os
@@ -90,6 +91,33 @@ def test_meshio(tmp_path, ending, kwargs):
         assert (again.cell_data_dict['region']['triangle'] == 0).all()
         assert (again.cells_dict['line'] == mesh.segments).all()
     assert len(qm.mesh_points([[0, 0], [1, 1]]).to_meshio().cells) == 1
+
+
+def test_pages(tmp_path):
+    def array(page, name):
+        kind, text = re.search(rf'id="{name}" data-type="(\w+)">([^<]*)<', page).groups()
+        return np.frombuffer(base64.b64decode(text), kind.lower())
+
+    mesh = qm.mesh(**annulus(), max_area=0.01, regions=[[1, 0, 3.5]], max_vertices=200)
+    assert len(mesh.report.unmet) > 0
+    mesh.to_html(tmp_path / 'mesh.html', title='a < b', color='region')
+    page = (tmp_path / 'mesh.html').read_text(encoding='utf-8')
+    assert (array(page, 'points').reshape(-1, 2) == mesh.vertices).all()
+    assert (array(page, 'triangles').reshape(-1, 3) == mesh.triangles).all()
+    assert (array(page, 'edges').reshape(-1, 2) == mesh.segments).all()
+    assert (array(page, 'regions') == mesh.regions).all()
+    assert (array(page, 'unmet') == mesh.report.unmet['triangle']).all()
+    assert '"color":"region","attributes":[3.5]' in page and '<h1>a &lt; b</h1>' in page
+    qm.mesh_points([[0, 0], [1, 1]]).to_html(tmp_path / 'points.html', color=None)
+    assert 'id="regions"' not in (tmp_path / 'points.html').read_text(encoding='utf-8')
+    with pytest.raises(ValueError, match='color'):
+        mesh.to_html(tmp_path / 'mesh.html', color='depth')
+    with pytest.raises(FileNotFoundError):
+        mesh.to_html(tmp_path / 'none' / 'mesh.html')
+    mesh.triangles = mesh.triangles + len(mesh.vertices)
+    with pytest.raises(ValueError, match='triangles'):
+        mesh.to_html(tmp_path / 'mesh.html')
+    assert (tmp_path / 'mesh.html').read_text(encoding='utf-8') == page
 
 
 def test_pictures(tmp_path):

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
-from typing import Any, Dict, Optional
+import os
+from typing import Any, Dict, Optional, Union
 
 import numpy as np
+
+from . import _core
 
 __all__ = ['Mesh', 'Report']
 
@@ -222,6 +225,32 @@ class Mesh:
         return meshio.Mesh(mesh.vertices, [(name, np.ascontiguousarray(cell)) for name, cell in cells],
                            cell_data={'region': region, 'marker': [np.ascontiguousarray(m) for m in marker]},
                            point_data={'marker': mesh.vertex_markers})
+
+    def to_html(self, file: Union[str, os.PathLike], *, title: str = 'mesh', color: Optional[str] = 'angle') -> None:
+        """Writes a page that shows the mesh in a browser, with pan and zoom: one file, also of a million triangles.
+
+        The page has a menu of colors with histograms, marks the triangles of `report.unmet`, and tells the angles, the
+        size, the region and the vertices of the triangle under the pointer.
+
+        Parameters
+        ----------
+        file : path
+            Ends in '.html'. It appears when it is complete.
+        title : str
+            What the page is called.
+        color : 'angle', 'largest_angle', 'size', 'region' or None
+            What colors stand for at first: the least angle, the largest one, the longest edge, the region, nothing.
+
+        Raises
+        ------
+        OSError
+            If the file cannot be written. An older one is then unchanged.
+        """
+        is_number = np.issubdtype(self.region_values.dtype, np.number)
+        arrays = dict(vertices=self.vertices, triangles=self.triangles, segments=self.segments,
+                      regions=self.regions if (self.regions >= 0).any() else [],
+                      region_values=self.region_values if is_number else [], unmet=self.report.unmet['triangle'])
+        _core.write_html(os.fspath(file), arrays, title, color or 'none')
 
     def to_geopandas(self) -> Any:
         """A GeoDataFrame with a polygon for each triangle, in the mesh's reference system.

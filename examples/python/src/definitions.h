@@ -19,6 +19,7 @@ void define_features(pybind11::module_& module);
 void define_graphs(pybind11::module_& module);
 void define_point_sets(pybind11::module_& module);
 void define_quadtrees(pybind11::module_& module);
+void define_pages(pybind11::module_& module);
 
 } // namespace quadtree_mesh_python
 

@@ -18,4 +18,5 @@ PYBIND11_MODULE(_core, module) {
   define_graphs(module);
   define_point_sets(module);
   define_quadtrees(module);
+  define_pages(module);
 }

@@ -30,7 +30,7 @@ namespace IO {
 /// `Pslg_2::first_number`. Coordinates are there bit for bit. The page draws by WebGL, or without it where
 /// there is none.
 ///
-/// The file has about 27 bytes for each triangle, less for fewer than 65 536 vertices. Takes linear time.
+/// The file has about 28 bytes for each triangle, and 55 KB. Takes linear time.
 /// \param pslg the graph that the mesh was made from
 /// \tparam Point `x()` and `y()` are arithmetic or have a `CGAL::to_double()`.
 /// \throws std::invalid_argument if options name a triangle that the mesh has not, or have coordinates, but not for

@@ -92,7 +92,8 @@ function pan(dx, dy) {
 function show(t) {
   measure(t);
   const area = freeArea();
-  lookAt(...centroid(t), Math.min(area.width, area.height) / 6 * view.density / (measured.longest || 1));
+  const scale = Math.min(area.width, area.height) / 6 * view.density / (measured.longest || 1);
+  lookAt(...centroid(t), Math.max(scale, scaleToFit()));
   isFitted = false;
   const right = Math.max(...[0, 1, 2].map(k => x(triangles[3 * t + k])));
   showTip(t, ...toPage(right, centroid(t)[1]));
@@ -255,7 +256,7 @@ function drawHistogram(legend, name, mode) {
   });
   const ticks = isSize ? [0, mode.bins / 2, mode.bins] : [0, 1, 2, 3, 4, 5, 6].map(i => i * mode.bins / 6);
   ticks.forEach((tick, i) => {
-    const anchor = i == 0 ? 'start' : i == ticks.length - 1 ? 'end' : 'middle';
+    const anchor = !isSize ? 'middle' : i == 0 ? 'start' : i == ticks.length - 1 ? 'end' : 'middle';
     shapes += `<text x="${tick * bar}" y="${height + 22}" text-anchor="${anchor}">${text(valueAt(tick))}</text>`;
   });
   legend.innerHTML = `<svg viewBox="0 0 ${width} ${height + 26}" role="img" aria-label="histogram">${shapes}</svg>`;
