@@ -419,7 +419,7 @@ class Page(unittest.TestCase):
 
     def test_many_triangles(self):
         is_full = 'QUADTREE_MESH_FULL_TESTS' in os.environ
-        mesh = self.mesh('gshhg_norway_f.poly.gz', '--max-edge', '800') if is_full else self.mesh(UNITED_STATES)
+        mesh = self.mesh('gshhg_norway_f.poly.gz', '--max-edge', '700') if is_full else self.mesh(UNITED_STATES)
         seconds = self.window.open(mesh.page)
         print(f'{len(mesh.triangles)} triangles, {os.path.getsize(mesh.page)} bytes: {seconds:.1f} s', end=' ... ')
         self.assertEqual(digits(self.window.text('#counts').split('triangles')[0]), str(len(mesh.triangles)))
