@@ -77,7 +77,7 @@ mesh_graph::Mesh mesh_in_plane(const mesh_graph::Pslg& pslg, const CGAL::Quality
 /// Meshes a graph in degrees, whose reports then have places in degrees.
 void mesh_projected(Meshing_run& run, const CGAL::Quality_mesh_options_2& options,
                     const Command_line& line) try {
-  const auto options_in_plane = projected_graph::options_in_plane(options);
+  const auto options_in_plane = CGAL::options_in_projection_2(options);
   const auto mesher = [&](const mesh_graph::Pslg& meters) {
     try {
       return mesh_in_plane(meters, options_in_plane, line, run.report);

@@ -59,13 +59,6 @@ std::optional<Run> projection(const Pslg& graph, const Command_line& line) try {
       "; if coordinates are not degrees, or are to be meshed as they are, use --project none");
 }
 
-Options options_in_plane(Options options) {
-  const double angle = options.min_angle();
-  if (angle <= 20.7) options.min_angle(angle + 0.004); // quadtrees go up to 20.7048 degrees
-  if (angle > 20.71) options.min_angle(std::min(Options::greatest_min_angle, angle + 0.01));
-  return options.max_edge(0.99 * options.max_edge()).max_area(0.98 * options.max_area());
-}
-
 Mesh mesh(const Pslg& graph, const std::function<Mesh(const Pslg&)>& mesher, const Options& options,
           Run& run) {
   double size = std::numeric_limits<double>::infinity();

@@ -45,8 +45,6 @@ bool may_be_in_degrees(const Pslg& graph);
 /// tell that coordinates are degrees.
 /// \throws std::runtime_error if the graph has no such projection
 std::optional<Run> projection(const Pslg& graph, const Command_line& line);
-/// Options for the plane, so that bounds still hold where segments are bent back.
-Options options_in_plane(Options options);
 /// The mesh in degrees.
 Mesh mesh(const Pslg& graph, const std::function<Mesh(const Pslg&)>& mesher, const Options& options,
           Run& run);

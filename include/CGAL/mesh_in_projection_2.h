@@ -12,7 +12,9 @@
 #include <CGAL/Pslg_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/pslg/Projected_graph.h>
 #include <CGAL/Quadtree_mesh_2/internal/pslg/Projected_mesh.h>
+#include <CGAL/Quality_mesh_options_2.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <limits>
 #include <stdexcept>
@@ -49,6 +51,16 @@ struct Projected_mesh_2 {
 };
 
 /// \ingroup PkgQuadtreeMesh2Meshers
+/// Options for the plane of a projection, so that the bounds still hold where segments are bent back: angles a few
+/// thousandths of a degree larger, lengths and areas one or two percent smaller.
+inline Quality_mesh_options_2 options_in_projection_2(Quality_mesh_options_2 options) {
+  const double angle = options.min_angle();
+  if (angle <= 20.7) options.min_angle(angle + 0.004); // quadtrees go up to 20.7048 degrees
+  if (angle > 20.71) options.min_angle(std::min(Quality_mesh_options_2::greatest_min_angle, angle + 0.01));
+  return options.max_edge(0.99 * options.max_edge()).max_area(0.98 * options.max_area());
+}
+
+/// \ingroup PkgQuadtreeMesh2Meshers
 /// Meshes a graph given in degrees of longitude and latitude in a conformal projection, where angles are those on the
 /// ground, and gives the mesh back in degrees.
 ///
@@ -64,8 +76,7 @@ struct Projected_mesh_2 {
 /// Takes O(n log n) time for the graph, and that of the mesher in each round.
 /// \param degrees the graph, x longitudes and y latitudes; bounds of areas of regions are in square meters
 /// \param projection of its places
-/// \param mesher makes an `Indexed_mesh_2<Point>` of a `Pslg_2<Point>` in meters. To keep `min_angle` it had better
-/// keep an angle a few thousandths of a degree larger.
+/// \param mesher makes an `Indexed_mesh_2<Point>` of a `Pslg_2<Point>` in meters, by `options_in_projection_2()`
 /// \param min_angle least angle in degrees
 /// \param report what was done
 /// \param tolerance in meters, for bounds of size: a thousandth of the size wanted

@@ -146,7 +146,7 @@ def test_reference_systems_are_kept():
         assert qm.mesh(utm.geometry).crs == utm.crs
         assert qm.mesh(frame()).crs is None
     with pytest.warns(qm.DegreesWarning, match='WGS 84'):
-        mesh = qm.mesh(frame(crs=4326))
+        mesh = qm.mesh(frame(crs=4326), project='none')
     polygons = mesh.to_geopandas()
     assert polygons.crs == mesh.crs and np.isclose(sum(p.area for p in polygons.geometry), 8)
     assert set(polygons.columns) == {'region', 'value', 'least_angle', 'geometry'}

@@ -71,7 +71,8 @@ def test_examples_of_the_documents(tmp_path, monkeypatch):
     names = {}
     for block in blocks:
         exec(compile(block, 'doc/python.md', 'exec'), names)
-    assert names['mesh'].report and names['polygons'].crs.is_projected
+    assert names['mesh'].report and names['polygons'].crs == 4326
+    assert names['shapes'].crs == 4326
     assert set(names['friction']) == {0.02, 0.03}
     assert os.path.getsize('lakes.png') > 0 and os.path.getsize('lakes.vtu') > 0
 

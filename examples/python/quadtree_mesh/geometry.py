@@ -148,9 +148,13 @@ def column(features: Features, values: Any, name: str) -> Optional[np.ndarray]:
     return array
 
 
+def is_geographic(crs: Any) -> bool:
+    """Whether coordinates are longitudes and latitudes."""
+    return crs is not None and bool(getattr(crs, 'is_geographic', False))
+
+
 def warn_of_degrees(crs: Any) -> None:
-    """Says so where angles of the mesh are not those on the ground."""
-    if crs is not None and getattr(crs, 'is_geographic', False):
-        warnings.warn(f'coordinates are degrees ({getattr(crs, "name", crs)}): lengths, areas and angles are those of '
-                      'the plane of longitude and latitude, not those on the ground. '
-                      'frame.to_crs(frame.estimate_utm_crs()) has them in meters', DegreesWarning, stacklevel=4)
+    """Says that angles of the mesh are not those on the ground."""
+    warnings.warn(f'coordinates are degrees ({getattr(crs, "name", crs)}): lengths, areas and angles are those of the '
+                  "plane of longitude and latitude, not those on the ground, as project='auto' has them",
+                  DegreesWarning, stacklevel=4)

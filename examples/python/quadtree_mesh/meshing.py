@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike
 
 from . import _core
 from ._arguments import callable_or_none, count, graph_arrays, length, point_array, size_list, word
-from .geometry import column, features_of, warn_of_degrees
+from .geometry import column, features_of, is_geographic, warn_of_degrees
 from .results import Mesh, Report
 
 __all__ = ['mesh', 'mesh_points']
@@ -24,8 +24,8 @@ def mesh(geometry: Any = None, *, vertices: Optional[ArrayLike] = None, segments
          min_edge: Optional[float] = None, size: Any = None, region: Any = None,
          refine_where: Optional[Callable[[np.ndarray], bool]] = None, domain: str = 'enclosed',
          max_vertices: Optional[int] = None, smooth: int = 0, thin: int = 0, coarsen: bool = True,
-         separation: str = 'on_demand', repair: Optional[bool] = None, threads: Optional[int] = None,
-         progress: Optional[Progress] = None) -> Mesh:
+         separation: str = 'on_demand', project: str = 'auto', repair: Optional[bool] = None,
+         threads: Optional[int] = None, progress: Optional[Progress] = None) -> Mesh:
     """Meshes polygons, or a planar straight-line graph, by triangles without small angles.
 
     No triangle has an angle below `min_angle`, except in corners where the input is sharper, and those that
@@ -79,6 +79,11 @@ def mesh(geometry: Any = None, *, vertices: Optional[ArrayLike] = None, segments
         Whether superfluous new vertices are removed at the end.
     separation : 'on_demand' or 'theorem_5'
         By refinement, or by the quadtrees of Bern, Eppstein and Teng.
+    project : 'auto', 'none', 'mercator' or 'lambert'
+        The conformal projection in which longitudes and latitudes are meshed, so that angles are those on the ground,
+        and lengths and areas are meters and square meters there. The mesh is in degrees. With 'auto', frames whose
+        reference system is geographic are projected by what suits their latitudes, and all else is meshed as it is.
+        'mercator' and 'lambert' take any input for degrees. Sizes then hold at places in degrees.
     repair : bool, optional
         Whether crossing segments are split, with vertices and segments renumbered; ``mesh.report.repair`` tells how. By
         default so with `geometry`. Without, they are an error.
@@ -117,7 +122,7 @@ def mesh(geometry: Any = None, *, vertices: Optional[ArrayLike] = None, segments
                    max_vertices=count(max_vertices, 'max_vertices'), smooth=count(smooth, 'smooth'),
                    thin=count(thin, 'thin'), coarsen=bool(coarsen), separation=word(separation, 'separation'),
                    threads=count(threads, 'threads'), progress=callable_or_none(progress, 'progress'),
-                   repair=geometry is not None if repair is None else bool(repair))
+                   project=word(project, 'project'), repair=geometry is not None if repair is None else bool(repair))
     if geometry is not None:
         given = dict(segments=segments, holes=holes, regions=regions, vertex_markers=vertex_markers,
                      segment_markers=segment_markers)
@@ -127,13 +132,19 @@ def mesh(geometry: Any = None, *, vertices: Optional[ArrayLike] = None, segments
         return _mesh_features(geometry, options, max_area, region)
     if region is not None or (max_area is not None and np.ndim(max_area) > 0) or isinstance(max_area, str):
         raise TypeError('values by region go with a geometry; of vertices and segments they are columns of regions')
+    if options['project'] == 'auto':
+        options['project'] = 'none'
     arrays = graph_arrays(vertices, segments, holes, regions, vertex_markers, segment_markers)
     return _run(arrays, dict(options, max_area=length(max_area)), arrays['regions'][:, 2])
 
 
 def _mesh_features(geometry: Any, options: dict, max_area: Any, region: Any) -> Mesh:
     features = features_of(geometry)
-    warn_of_degrees(features.crs)
+    are_degrees = is_geographic(features.crs)
+    if are_degrees and options['project'] == 'none':
+        warn_of_degrees(features.crs)
+    if not are_degrees and options['project'] == 'auto':
+        options = dict(options, project='none')
     arrays = dict(features.arrays, vertex_markers=np.empty(0, np.int32), segment_markers=np.empty(0, np.int32))
     rows = arrays['regions'][:, 2].astype(np.intp)
     areas = column(features, max_area, 'max_area')
@@ -157,7 +168,12 @@ def _mesh_features(geometry: Any, options: dict, max_area: Any, region: Any) -> 
 def _run(arrays: dict, options: dict, region_values: np.ndarray, crs: Any = None) -> Mesh:
     values = _core.mesh_graph(arrays, options)
     values['report'] = Report(dict(values['report'], repair=values.pop('repair')))
-    return Mesh(values, region_values=region_values, crs=crs)
+    result = Mesh(values, region_values=region_values, crs=crs)
+    if result.places is not None:
+        unmet = result.report.unmet
+        centroids = result.vertices[result.triangles[unmet['triangle']]].mean(axis=1)
+        unmet['x'], unmet['y'] = centroids[:, 0], centroids[:, 1]
+    return result
 
 
 def mesh_points(points: ArrayLike, *, angles: Union[str, Tuple[float, float]] = (36, 80), domain: str = 'row',

@@ -49,6 +49,10 @@ class Report:
         ``[i]`` triangles have their least angle in [i, i + 1) degrees.
     largest_angle_histogram : (120,) array of int
         ``[i]`` triangles have their largest angle in [60 + i, 61 + i) degrees.
+    projection : dict or None
+        Of a graph in degrees that was projected: the ``name`` of the projection, its ``central_longitude`` and two
+        ``standard_parallels``; ``split_vertices``, by which long segments were split before, as they bend; how many
+        ``rounds`` of meshing there were; and ``bent_triangles``, still below the bound because a segment bends.
     repair : dict or None
         What was repaired, if segments crossed: numbers of ``crossings``, ``split_segments``, ``overlapping_segments``,
         ``zero_length_segments``, ``merged_vertices``; ``vertex_map``, for each input vertex its index; and
@@ -123,6 +127,10 @@ class Mesh:
         What was reached.
     crs : object
         The coordinate reference system of the data frame, or None.
+    places : (n, 2) array of float64, or None
+        If the graph was projected, the vertices in the plane of the projection, in meters.
+    scales : (n,) array of float64, or None
+        Likewise how many meters of the plane a meter on the ground is at each vertex.
     """
 
     vertices: np.ndarray
@@ -138,6 +146,8 @@ class Mesh:
     number_of_input_vertices: int
     report: Report
     crs: Any
+    places: Optional[np.ndarray]
+    scales: Optional[np.ndarray]
 
     def __init__(self, values: Dict[str, Any], *, region_values: Optional[np.ndarray] = None, crs: Any = None) -> None:
         self.vertices = values['vertices']
@@ -154,11 +164,16 @@ class Mesh:
         self.number_of_input_vertices = values['number_of_input_vertices']
         self.report = values['report']
         self.crs = crs
+        self.places, self.scales = values.get('places'), values.get('scales')
 
     def __repr__(self) -> str:
         unmet = len(self.report.unmet)
         return (f'<Mesh: {len(self.triangles)} triangles, {len(self.vertices)} vertices'
                 f'{f", {unmet} unmet" if unmet else ""}>')
+
+    def _in_plane(self) -> np.ndarray:
+        """Where lengths are measured."""
+        return self.vertices if self.places is None else self.places
 
     def values_of_triangles(self, missing: Any = np.nan) -> np.ndarray:
         """The region's value for each triangle, a (t,) array; `missing` for triangles without a region."""
@@ -173,14 +188,21 @@ class Mesh:
         return values
 
     def areas(self) -> np.ndarray:
-        """The area of each triangle, a (t,) array in squared units of the input."""
-        a, b, c = (self.vertices[self.triangles[:, k]] for k in range(3))
+        """The area of each triangle, a (t,) array in squared units of the input.
+
+        If the graph was projected, it is the area on the ground in square meters.
+        """
+        a, b, c = (self._in_plane()[self.triangles[:, k]] for k in range(3))
         u, v = b - a, c - a
-        return (u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0]) / 2
+        areas = (u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0]) / 2
+        return areas if self.scales is None else areas / (self.scales[self.triangles] ** 2).mean(axis=1)
 
     def angles(self) -> np.ndarray:
-        """The angles of each triangle at its vertices, a (t, 3) array in degrees."""
-        corners = self.vertices[self.triangles]
+        """The angles of each triangle at its vertices, a (t, 3) array in degrees.
+
+        If the graph was projected, these are angles on the ground.
+        """
+        corners = self._in_plane()[self.triangles]
         result = np.empty(self.triangles.shape)
         for k in range(3):
             u = corners[:, (k + 1) % 3] - corners[:, k]
@@ -205,6 +227,8 @@ class Mesh:
                       segment_markers=self.segment_markers, regions=self.regions,
                       vertex_markers=self.vertex_markers[is_used], vertex_segments=self.vertex_segments[is_used],
                       number_of_input_vertices=int(is_used[:self.number_of_input_vertices].sum()), report=self.report)
+        if self.places is not None:
+            values.update(places=self.places[is_used], scales=self.scales[is_used])
         return Mesh(values, region_values=self.region_values, crs=self.crs)
 
     def to_meshio(self) -> Any:

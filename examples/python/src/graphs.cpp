@@ -13,14 +13,18 @@
 #include <CGAL/Pslg_2.h>
 #include <CGAL/Quality_mesher_2.h>
 #include <CGAL/convex_hull_2.h>
+#include <CGAL/mesh_in_projection_2.h>
 #include <CGAL/repair_pslg_2.h>
 #include <CGAL/tags.h>
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <map>
 #include <optional>
 #include <stdexcept>
@@ -90,13 +94,34 @@ Value named(const std::map<std::string, Value>& values, const std::string& name,
   throw std::invalid_argument(text + ", not '" + name + "'");
 }
 
-Options options_from(const py::dict& values) {
+using Projection = CGAL::Conformal_projection_2;
+
+/// The projection that is wanted by name, of a graph in degrees.
+std::optional<Projection> projection_for(const Graph& graph, const std::string& name) {
+  using Choice = Projection (*)(const Projection::Box&);
+  const Choice choice =
+      named<Choice>({{"none", nullptr},
+                     {"auto", &Projection::for_box},
+                     {"mercator", [](const Projection::Box& b) { return Projection::mercator(b); }},
+                     {"lambert", [](const Projection::Box& b) { return Projection::lambert(b); }}},
+                    name, "project");
+  if (choice == nullptr) return std::nullopt;
+  const Projection::Box box = CGAL::box_in_degrees(graph);
+  const Projection projection = choice(box);
+  if (std::abs(projection.cone_constant()) * (box.high[0] - box.low[0]) >= 360)
+    throw std::invalid_argument(
+        "the graph goes around the pole, where its two ends would meet in the projection");
+  return projection;
+}
+
+/// \param projection in whose plane they are to hold; null: none
+Options options_from(const py::dict& values, const Projection* projection) {
   Options options;
   options.min_angle(values["min_angle"].cast<double>())
       .max_area(values["max_area"].cast<double>())
       .max_edge(values["max_edge"].cast<double>())
       .min_edge(values["min_edge"].cast<double>())
-      .size(least_size(values["size"].cast<py::list>()))
+      .size(least_size(values["size"].cast<py::list>(), projection))
       .smooth(values["smooth"].cast<int>())
       .thin(values["thin"].cast<int>())
       .max_vertices(values["max_vertices"].cast<std::size_t>());
@@ -109,17 +134,20 @@ Options options_from(const py::dict& values) {
   options.separate(named<Options::Separation>(
       {{"on_demand", Options::Separation::ON_DEMAND}, {"theorem_5", Options::Separation::THEOREM_5}},
       values["separation"].cast<std::string>(), "separation"));
-  return options;
+  return projection != nullptr ? CGAL::options_in_projection_2(std::move(options)) : options;
 }
 
 /// The user's criterion in Python. The mesher's threads call it one after the other, each with Python's lock. After an
 /// exception it is not called again.
 class Refinement_criterion {
 public:
-  Refinement_criterion(py::object function, Run_state& state)
-      : function_(std::move(function)), state_(state) {}
+  /// \param projection in whose plane triangles are, while the function gets degrees
+  Refinement_criterion(py::object function, Run_state& state, const std::optional<Projection>& projection)
+      : function_(std::move(function)), state_(state), projection_(projection) {}
 
-  bool operator()(const Options::Corners& corners) {
+  bool operator()(Options::Corners corners) {
+    if (projection_)
+      for (auto& corner : corners) corner = projection_->inverse(corner[0], corner[1]);
     const py::gil_scoped_acquire lock;
     if (error_ || state_.is_stopped()) return false;
     try {
@@ -139,6 +167,7 @@ public:
 private:
   py::object function_;
   Run_state& state_;
+  std::optional<Projection> projection_;
   std::optional<py::error_already_set> error_;
 };
 
@@ -232,29 +261,63 @@ py::dict values_of(CGAL::Pslg_repair_report_2 report) {
   return result;
 }
 
+py::dict values_of(const Projection& projection, const CGAL::Projected_mesh_2<Point>& made) {
+  constexpr const char* names[] = {"mercator", "lambert", "stereographic"};
+  py::dict result;
+  result["name"] = names[static_cast<std::size_t>(projection.kind())];
+  result["central_longitude"] = projection.central_longitude();
+  result["standard_parallels"] =
+      py::make_tuple(projection.standard_parallels()[0], projection.standard_parallels()[1]);
+  result["split_vertices"] = made.split_vertices;
+  result["rounds"] = made.rounds;
+  result["bent_triangles"] = made.bent_triangles;
+  return result;
+}
+
 // --- Meshing ---
 
 /// Meshes the graph. If segments cross and crossings may be split, meshes the repaired one.
 class Graph_run {
 public:
-  Graph_run(Graph graph, Options options, bool may_repair)
-      : graph_(std::move(graph)), mesher_(std::move(options)), may_repair_(may_repair) {}
+  /// \param options in the plane of the projection, if there is one
+  /// \param min_angle the bound that is to hold in degrees then
+  Graph_run(Graph graph, Options options, bool may_repair, const std::optional<Projection>& projection,
+            double min_angle)
+      : graph_(std::move(graph)), mesher_(std::move(options)), may_repair_(may_repair),
+        projection_(projection), min_angle_(min_angle) {}
 
   void operator()() {
     try {
-      mesh_ = mesher_(graph_);
+      mesh();
     } catch (const CGAL::Pslg_error_2& error) {
       if (!may_repair_ || error.kind() != CGAL::Pslg_error_2::Kind::CROSSING) throw;
       repair_.emplace();
       graph_ = CGAL::repair_pslg_2(
           graph_, CGAL::Pslg_repair_options_2().crossings(CGAL::Pslg_crossing_rule_2::SPLIT), *repair_);
-      mesh_ = mesher_(graph_);
+      mesh();
     }
   }
 
   py::dict result() {
+    std::vector<Projection::Place> places;
+    std::vector<double> scales;
+    if (projection_)
+      for (const Point& p : mesh_.points) {
+        places.push_back(projection_->forward(p.x(), p.y()));
+        scales.push_back(projection_->scale(p.y()));
+      }
     py::dict result = arrays_of(std::move(mesh_));
-    result["report"] = values_of(mesher_.report());
+    if (projection_) {
+      result["places"] = array_of_rows<double>(std::move(places));
+      result["scales"] = array_of(std::move(scales));
+    }
+    py::dict report = values_of(mesher_.report());
+    report["projection"] = py::none();
+    if (projection_) {
+      report["projection"] = values_of(*projection_, projected_);
+      report["is_met"] = mesher_.report().is_met() && projected_.bent_triangles == 0;
+    }
+    result["report"] = report;
     result["repair"] = repair_ ? py::object(values_of(std::move(*repair_))) : py::object(py::none());
     return result;
   }
@@ -263,20 +326,50 @@ private:
   Graph graph_;
   Mesher mesher_;
   bool may_repair_;
+  std::optional<Projection> projection_;
+  double min_angle_;
+  CGAL::Projected_mesh_2<Point> projected_;
   Mesh mesh_;
   std::optional<CGAL::Pslg_repair_report_2> repair_;
+
+  void mesh() {
+    if (!projection_) {
+      mesh_ = mesher_(graph_);
+      return;
+    }
+    const Options& options = mesher_.options();
+    double size = std::numeric_limits<double>::infinity();
+    if (options.max_edge() > 0) size = options.max_edge();
+    if (options.max_area() > 0) size = std::min(size, std::sqrt(options.max_area()));
+    mesh_ = CGAL::mesh_in_projection_2(
+        graph_, *projection_, [this](const Graph& meters) { return mesh_in_plane(meters); }, min_angle_,
+        projected_, 1e-3 * size);
+  }
+
+  /// Indices of errors are those of vertices and pieces of segments in the plane.
+  Mesh mesh_in_plane(const Graph& meters) try {
+    return mesher_(meters);
+  } catch (const CGAL::Pslg_error_2& error) {
+    throw CGAL::Pslg_error_2(
+        error.kind() == CGAL::Pslg_error_2::Kind::CROSSING ? CGAL::Pslg_error_2::Kind::TOO_NEAR
+                                                           : error.kind(),
+        "in meters of the projection, which project='none' leaves out: " + std::string(error.what()));
+  }
 };
 
 /// \param values options of the mesher by name, and `repair`, `threads`, `progress`, `refine_where`
 py::dict mesh_graph(const py::dict& arrays, const py::dict& values) {
   Run_state state;
-  Options options = options_from(values).progress(std::ref(state));
+  Graph graph = graph_from(arrays);
+  const std::optional<Projection> projection = projection_for(graph, values["project"].cast<std::string>());
+  Options options = options_from(values, projection ? &*projection : nullptr).progress(std::ref(state));
   std::optional<Refinement_criterion> criterion;
   if (!values["refine_where"].is_none()) {
-    criterion.emplace(py::reinterpret_borrow<py::object>(values["refine_where"]), state);
+    criterion.emplace(py::reinterpret_borrow<py::object>(values["refine_where"]), state, projection);
     options.refine_where(std::ref(*criterion));
   }
-  Graph_run run(graph_from(arrays), std::move(options), values["repair"].cast<bool>());
+  Graph_run run(std::move(graph), std::move(options), values["repair"].cast<bool>(), projection,
+                values["min_angle"].cast<double>());
   const Thread_bound bound(values["threads"].cast<std::size_t>());
   run_watched(state, values["progress"], std::ref(run));
   if (criterion) criterion->throw_error();

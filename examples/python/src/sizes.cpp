@@ -20,6 +20,7 @@
 #include <memory>
 #include <optional>
 #include <stdexcept>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -63,16 +64,42 @@ Size_points make_size_points(const Input_array<double>& points, const Input_arra
   const std::size_t n = rows_of(points, 2, "points");
   if (static_cast<std::size_t>(sizes.size()) != n)
     throw std::invalid_argument("there must be a size for each point");
-  std::vector<CGAL::Points_sizing_field_2::Sized_point> places;
+  Size_points::Points places;
   places.reserve(n);
   const double *xy = points.data(), *size = sizes.data();
   for (std::size_t i = 0; i < n; ++i) places.push_back({xy[2 * i], xy[2 * i + 1], size[i]});
-  return {std::make_shared<CGAL::Points_sizing_field_2>(std::move(places), gradation)};
+  return Size_points::of(std::move(places), gradation);
 }
 
-Size_function size_function(const py::handle& size) {
-  if (py::isinstance<Size_grid>(size)) return size.cast<Size_grid>();
-  if (py::isinstance<Size_points>(size)) return size.cast<Size_points>();
+/// In the plane of a projection: sizes are lengths on the ground.
+Size_function projected(const Size_grid& grid, const CGAL::Conformal_projection_2& projection) {
+  return [grid, projection](double x, double y) {
+    const auto place = projection.inverse(x, y);
+    return grid(place[0], place[1]) * projection.scale(place[1]);
+  };
+}
+Size_function projected(const Size_points& sizes, const CGAL::Conformal_projection_2& projection) {
+  Size_points::Points places;
+  places.reserve(sizes.points->size());
+  for (const auto& p : *sizes.points) {
+    if (!(std::abs(p.y) < 90))
+      throw std::invalid_argument("point " + std::to_string(places.size()) +
+                                  " of sizes is at a pole or beyond");
+    const auto place = projection.forward(p.x, p.y);
+    places.push_back({place[0], place[1], p.size * projection.scale(p.y)});
+  }
+  return Size_points::of(std::move(places), sizes.gradation);
+}
+
+template <class Field>
+Size_function field_in_plane(const py::handle& size, const CGAL::Conformal_projection_2* projection) {
+  const Field field = size.cast<Field>();
+  return projection != nullptr ? projected(field, *projection) : Size_function(field);
+}
+
+Size_function size_function(const py::handle& size, const CGAL::Conformal_projection_2* projection) {
+  if (py::isinstance<Size_grid>(size)) return field_in_plane<Size_grid>(size, projection);
+  if (py::isinstance<Size_points>(size)) return field_in_plane<Size_points>(size, projection);
   const double number = size.cast<double>();
   if (!(number > 0) || !std::isfinite(number)) throw std::invalid_argument("a size must be positive");
   return [number](double, double) { return number; };
@@ -80,9 +107,9 @@ Size_function size_function(const py::handle& size) {
 
 } // namespace
 
-Size_function least_size(const py::list& sizes) {
+Size_function least_size(const py::list& sizes, const CGAL::Conformal_projection_2* projection) {
   std::vector<Size_function> functions;
-  for (const py::handle& size : sizes) functions.push_back(size_function(size));
+  for (const py::handle& size : sizes) functions.push_back(size_function(size, projection));
   if (functions.size() <= 1) return functions.empty() ? Size_function() : std::move(functions.front());
   return [functions = std::move(functions)](double x, double y) {
     double least = functions[0](x, y);
