@@ -85,8 +85,8 @@ inline po::options_description graph_options() {
     ("separation", po::value<std::string>()->value_name("S")->default_value("on-demand"),
      "how features are kept apart: on-demand, or theorem-5 (by quadtrees, in parallel rounds)")
     ("neighbors", po::value<std::string>()->value_name("N")->default_value("trapezoidal"),
-     "with theorem-5 and several rounds: what finds the edges next to vertices, trapezoidal or quadtree; the mesh is the "
-     "same")
+     "with theorem-5 and several rounds: what finds the edges next to vertices, trapezoidal or quadtree; the mesh is "
+     "the same")
     ("subdivision", po::value<std::string>()->value_name("S")->default_value("walking"),
      "with theorem-5: what cuts edges into pieces, walking or centroid-tree; the mesh is the same")
     ("placement", po::value<std::string>()->value_name("P")->default_value("chosen"),

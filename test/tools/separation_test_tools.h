@@ -16,8 +16,8 @@
 #include <CGAL/Tree_separation_options_2.h>
 
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Corner_finder.h>
+#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Geodesic_distance.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Separation_trees.h>
-#include <CGAL/Quadtree_mesh_2/internal/theorem_5/geodesic_distances.h>
 #include <CGAL/Quality_mesher_2.h>
 
 #include <cstddef>
@@ -79,15 +79,16 @@ public:
   Trees trees(const Tree_options& options, internal::Find_nearest_hits<Pslg> find_hits = nullptr) {
     constexpr std::size_t most_leaves = 100000000;
     report = CGAL::Tree_separation_report_2();
-    std::vector<double> distances;
-    if (options.find_distances_by() == Tree_options::Distances::TRIANGULATION)
-      distances = geodesic_distances();
-    return Trees(problem_, *sides_, graph_, map_, options, Traits(), distances, find_hits, most_leaves,
+    return Trees(problem_, *sides_, graph_, map_, options, Traits(), state_.mesh, find_hits, most_leaves,
                  report);
   }
 
   std::vector<double> geodesic_distances() const {
-    return internal::geodesic_distances<ConcurrencyTag>(state_.mesh, graph_.number_of_vertices());
+    const internal::Geodesic_distance<Geometry> distance(state_.mesh);
+    std::vector<double> distances;
+    for (std::size_t v = 0; v < graph_.number_of_vertices(); ++v)
+      distances.push_back(distance(internal::Vertex_id(v)));
+    return distances;
   }
 
   const internal::Meshing_problem<Geometry>& problem() const { return problem_; }

@@ -45,7 +45,7 @@ Tree make_tree(const Input_array<double>& array, std::size_t max_points_per_leaf
                const py::list& sizes) {
   if (max_points_per_leaf == 0) throw std::invalid_argument("a leaf must be able to hold a point");
   const std::vector<Point> points = points_from(array, "points");
-  const auto size = least_size(sizes);
+  const auto size = least_size(sizes, nullptr);
   const auto options =
       CGAL::Quadtree_options().max_points_per_leaf(max_points_per_leaf).balance(balance_named(balance));
   const py::gil_scoped_release release;

@@ -56,7 +56,6 @@
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Separation_trees.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Tree_construction.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Tree_triangulation.h>
-#include <CGAL/Quadtree_mesh_2/internal/theorem_5/geodesic_distances.h>
 #include <CGAL/Quadtree_mesh_2/internal/thinning/Second_refinement.h>
 #include <CGAL/Quadtree_mesh_2/internal/thinning/Thinner.h>
 #include <CGAL/Quadtree_mesh_2/internal/thinning/thin_small_mesh.h>
@@ -427,19 +426,6 @@ private:
     return Tree_separation_options_2::of_theorem().subdivide(wanted.subdivide()).place(wanted.place());
   }
 
-  /// \pre the mesh is the triangulation of the input if distances are to be found by it
-  std::vector<double> distances_for(const Tree_separation_options_2& options) const {
-    if (options.find_distances_by() != Tree_separation_options_2::Distances::TRIANGULATION) return {};
-    return geodesic_distances<ConcurrencyTag>(state_.mesh, problem_.input_points.size());
-  }
-
-  Edge_rooms<Geometry> rooms_of_edges(const Edge_sides& sides) const {
-    using Rooms = Edge_rooms<Geometry>;
-    return report_.trees.has_taken_over
-               ? Rooms::template of<ConcurrencyTag>(problem_)
-               : Rooms::template in_domain<ConcurrencyTag>(problem_, sides, state_.mesh);
-  }
-
   /// \throws Pslg_error_2 if the user wants quadtrees and their grid cannot tell two vertices apart
   Tree_separation_report_2::End make_mesh_by_trees() {
     const Pslg graph = graph_of_edges(pslg_, order_, problem_.edges);
@@ -448,8 +434,8 @@ private:
     std::optional<Separation_trees<Traits, ConcurrencyTag>> trees;
     try {
       clock_.enter(&Seconds::trees);
-      trees.emplace(problem_, sides, graph, map_, tree_options, traits_, distances_for(tree_options),
-                    find_hits_, budgets().of_construction().leaves, report_.trees);
+      trees.emplace(problem_, sides, graph, map_, tree_options, traits_, state_.mesh, find_hits_,
+                    budgets().of_construction().leaves, report_.trees);
     } catch (const Point_error& error) {
       ++report_.trees.rounds;
       if (report_.trees.has_taken_over) return Tree_separation_report_2::End::FAILED;
@@ -459,8 +445,7 @@ private:
     }
     if (trees->is_exhausted()) return Tree_separation_report_2::End::BUDGET;
     clock_.enter(&Seconds::construct);
-    Tree_construction construction(state_, *trees, map_, is_merged_, sides, rooms_of_edges(sides),
-                                   report_.trees);
+    Tree_construction construction(state_, *trees, map_, is_merged_, sides, report_.trees);
     // Leaves can be split without end for a bound that their rule is not made for: refinement meets a higher one.
     const Bounds<Geometry> wanted = problem_.bounds;
     problem_.bounds.lower_to_established();

@@ -39,6 +39,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Column_closure.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Edge_gaps.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Edge_pieces.h>
+#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Geodesic_distance.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Passed_leaves.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Vertex_placement.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/leaf_cells.h>
@@ -74,22 +75,22 @@ public:
   using Find_hits = Find_nearest_hits<Pslg>;
 
   /// \param graph the vertices and edges of the problem, in its order
-  /// \param distances how far each vertex is from the nearest vertex or edge that it sees, in the kernel's coordinates;
-  ///        empty: Lemma 5 says
+  /// \param mesh the constrained Delaunay triangulation of the domain, if options have distances found by it
   /// \param find_hits by which model Lemma 5 finds neighbors of vertices; null: by the quadtree
   /// \param most_leaves separation stops before there are more, but for those of the last step, or before its steps
   ///        have looked at 25 times as many: `is_exhausted()`. Then edges are not all apart.
   Separation_trees(const Meshing_problem<Geometry>& problem, const Edge_sides& sides, const Pslg& graph,
                    const Map& map, const Options& options, const Traits& traits,
-                   const std::vector<double>& distances, Find_hits find_hits, std::size_t most_leaves,
+                   const Kernel_mesh<Geometry>& mesh, Find_hits find_hits, std::size_t most_leaves,
                    Tree_separation_report_2& report)
       : problem_(problem), graph_(graph), map_(map), options_(options), report_(report),
         gaps_(problem, sides, options), most_leaves_(most_leaves) {
-    if (distances.empty())
+    if (options.find_distances_by() == Options::Distances::AXIS_RAYS)
       separate_vertices_by_lemma_5(traits, find_hits);
     else
-      separate_vertices(Framework(graph.vertices, traits),
-                        [&](Point_rank, Vertex_id v) { return distances[v.value()]; });
+      separate_vertices(
+          Framework(graph.vertices, traits),
+          [distance = Geodesic_distance<Geometry>(mesh)](Point_rank, Vertex_id v) { return distance(v); });
     if (options.place() == Options::Placement::BY_RULE)
       for (std::size_t v = 0; v < graph.number_of_vertices(); ++v) vertices_.push_back(Vertex_index(v));
     subdivide_edges();

@@ -82,11 +82,14 @@ public:
 
   /// \param trees of the state's problem
   /// \param is_merged for each input vertex whether another one stands for it
+  /// \pre the state's mesh is the first triangulation, unless the construction has taken over from refinement
   Tree_construction(State& state, Trees& trees, const typename Trees::Map& map,
-                    const Indexed_vector<Vertex_id, char>& is_merged, const Edge_sides& sides,
-                    Edge_rooms<Geometry> rooms, Report& report)
+                    const Indexed_vector<Vertex_id, char>& is_merged, const Edge_sides& sides, Report& report)
       : state_(state), mesh_(state.mesh), trees_(trees), map_(map), is_merged_(is_merged), sides_(sides),
-        report_(report), rooms_(std::move(rooms)) {}
+        report_(report),
+        rooms_(report.has_taken_over
+                   ? Edge_rooms<Geometry>::template of<ConcurrencyTag>(state.problem)
+                   : Edge_rooms<Geometry>::template in_domain<ConcurrencyTag>(state.problem, sides, mesh_)) {}
 
   /// Replaces the mesh, unless the first round fails. What is below the bound at the end is on the worklist.
   /// `shall_go_on()` is asked once a round. The round that uses up the budget is the last.

@@ -4,28 +4,25 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// How far the vertices of a graph are from what they see in the domain.
+// How far a vertex of a graph is from what it sees in the domain.
 //
-// Computes: for each vertex the distance to the nearest vertex that it sees, or to the nearest of the edges opposite
-//           it in its triangles, if that is less. Features beyond a gap outside the domain do not count.
-// Bound:    O(n).
+// Computes: the distance to the nearest vertex that the vertex sees, or to the nearest of the edges opposite it in its
+//           triangles, if that is less. Features beyond a gap outside the domain do not count.
+// Bound:    O(d) for the d triangles of the vertex.
 // Source:   the nearest vertex in sight is a neighbor in the constrained Delaunay triangulation. If the nearest edge in
 //           sight is not opposite the vertex, then another vertex is, whose triangle's circle passes between the two.
 //           Balance then makes leaves small around that one.
 // Deviates: Bern, Eppstein and Teng have the near vertex of the quadtree and the edges that axis-parallel rays hit
 //           first (Lemma 5), which see across the outside as well.
 
-#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_GEODESIC_DISTANCES_H
-#define CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_GEODESIC_DISTANCES_H
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_GEODESIC_DISTANCE_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_GEODESIC_DISTANCE_H
 
-#include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Kernel_mesh.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <limits>
-#include <vector>
 
 namespace CGAL {
 namespace Quadtree_mesh_2 {
@@ -65,18 +62,8 @@ private:
   }
 };
 
-/// The distances of the first n vertices.
-template <class ConcurrencyTag, class Geometry>
-std::vector<double> geodesic_distances(const Kernel_mesh<Geometry>& mesh, std::size_t n) {
-  const Geodesic_distance<Geometry> distance(mesh);
-  std::vector<double> distances(n);
-  for_each_index<ConcurrencyTag>(n,
-                                 [&](std::size_t v) { distances[v] = distance(static_cast<Vertex_id>(v)); });
-  return distances;
-}
-
 } // namespace internal
 } // namespace Quadtree_mesh_2
 } // namespace CGAL
 
-#endif // CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_GEODESIC_DISTANCES_H
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_GEODESIC_DISTANCE_H

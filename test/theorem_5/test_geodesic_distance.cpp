@@ -20,7 +20,7 @@
 #include <limits>
 #include <vector>
 
-namespace test_geodesic_distances {
+namespace test_geodesic_distance {
 
 namespace {
 
@@ -126,4 +126,4 @@ TEST_CASE("What lies beyond a gap outside the domain is not near", "[separation]
   for (const double distance : graph.geodesic_distances()) CHECK(distance == Approx(side));
 }
 
-} // namespace test_geodesic_distances
+} // namespace test_geodesic_distance
