@@ -59,7 +59,8 @@ public:
   std::size_t max_vertices_per_leaf() const { return max_vertices_per_leaf_; } ///< the value set
 
   /// Two edges in a leaf, or in adjacent leaves, that see each other are at least this far apart; 0.1 by
-  /// default.
+  /// default. Above 0.5, pieces of edges are this far from all vertices and edges that they see, in whatever leaves
+  /// these are, and vertices are `vertex_distance()` from them.
   Tree_separation_options_2& edge_distance(double value) { return edge_distance_ = value, *this; }
   double edge_distance() const { return edge_distance_; } ///< the value set
 
@@ -102,9 +103,15 @@ public:
         .rounds(0);
   }
 
-  /// The same with the constant that the paper names as an example: a square of an edge is at least three times its
-  /// side away from any vertex or other edge.
-  static Tree_separation_options_2 of_paper() { return of_theorem().distances(3, 3); }
+  /// The same with the constant that the paper names as an example. Vertices, and pieces of edges, are at least three
+  /// sides of their leaves away from any vertex and other edge that they see in the domain, with these exceptions:
+  /// edges and their own ends; edges at a common vertex up to 4 sides from it; the legs of an acute corner up to where
+  /// it is 3.5 sides wide; leaves as small as coordinates allow. The paper cuts acute corners off. With windows that
+  /// are narrower than this, a leaf that is too large for a corner would be split without an end: its children would
+  /// be too large as well.
+  static Tree_separation_options_2 of_paper() {
+    return of_theorem().distances(3, 3).vertex_window(4).strip_width(3.5);
+  }
 
 private:
   Distances find_distances_by_ = Distances::TRIANGULATION;

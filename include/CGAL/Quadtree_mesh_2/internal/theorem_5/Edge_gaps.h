@@ -86,6 +86,9 @@ public:
     Local_segment segment;
     Vector low, high;
   };
+  /// Whether leaves next to a leaf, which have all that is half a side away, may not have all that is to be far from what
+  /// is in it (Features_in_sight.h).
+  bool is_beyond_neighbors() const { return options_.edge_distance() > 0.5; }
 
   /// An edge relative to the corner of a leaf.
   Local_segment local(Edge_id e, const Leaf& leaf) const {
@@ -119,10 +122,15 @@ public:
     if (gap.length >= options_.edge_distance() * leaf.side) return false;
     if (!is_domain_toward(e, gap.to - gap.from, leaf) || !is_domain_toward(f, gap.from - gap.to, leaf))
       return false;
+    return !may_be_near(leaf, e, f);
+  }
+
+  /// Whether edges that share a vertex may be nearer than others in a leaf: around it, or in an acute corner.
+  bool may_be_near(const Leaf& leaf, Edge_id e, Edge_id f) const {
     const Vertex_id v = common_vertex(e, f);
-    if (!v.is_valid()) return true;
-    if (is_in_window(v, leaf)) return false;
-    return !is_lopped(e, f, v) || width_of_corner(e, f, leaf) > options_.strip_width() * leaf.side;
+    return v.is_valid() &&
+           (is_in_window(v, leaf) ||
+            (is_lopped(e, f, v) && width_of_corner(e, f, leaf) <= options_.strip_width() * leaf.side));
   }
 
   /// Whether edges may be as near to each other as they like in a leaf: a vertex that they share is near.

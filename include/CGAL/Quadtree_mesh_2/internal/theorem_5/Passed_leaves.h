@@ -6,8 +6,8 @@
 //
 // Which leaves of a quadtree have passed which tests, while the tree is refined.
 //
-// Computes: the leaves for which a test has to be made. One that looks at a leaf alone has the same answer
-//           until the leaf is split. One that looks at the leaves next to it, too, has the same answer until
+// Computes: the leaves for which a test has to be made. One that looks at a leaf alone, or at the graph around it
+//           whatever leaves there are, has the same answer until the leaf is split. One that looks at the leaves next to it, too, has the same answer until
 //           one of these is split.
 // Bound:    O(k) work for a tree of k leaves each time it is refined, whatever the length of its coordinates.
 //           If a tree gets k leaves in any number of rounds, O(k) tests are made of leaves alone.
@@ -30,7 +30,7 @@ namespace Quadtree_mesh_2 {
 namespace internal {
 
 /// What a test of a leaf looks at; one bit each.
-enum class Leaf_test : std::uint8_t { OF_LEAF_ALONE = 1, OF_LEAF_AND_NEIGHBORS = 2 };
+enum class Leaf_test : std::uint8_t { OF_LEAF_ALONE = 1, OF_LEAF_AND_NEIGHBORS = 2, OF_GRAPH_AROUND = 4 };
 
 class Passed_leaves {
 public:
@@ -58,7 +58,7 @@ public:
     passed_ = std::move(passed);
     for (const Leaf_index l : fresh)
       for (const Leaf_index n : tree.neighbors(l))
-        passed_[n] &= static_cast<std::uint8_t>(Leaf_test::OF_LEAF_ALONE);
+        passed_[n] &= static_cast<std::uint8_t>(~static_cast<unsigned>(Leaf_test::OF_LEAF_AND_NEIGHBORS));
   }
 
 private:

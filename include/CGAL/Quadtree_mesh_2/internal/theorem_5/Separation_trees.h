@@ -39,6 +39,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Column_closure.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Edge_gaps.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Edge_pieces.h>
+#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Features_in_sight.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Geodesic_distance.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Passed_leaves.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Vertex_placement.h>
@@ -84,7 +85,7 @@ public:
                    const Kernel_mesh<Geometry>& mesh, Find_hits find_hits, std::size_t most_leaves,
                    Tree_separation_report_2& report)
       : problem_(problem), graph_(graph), map_(map), options_(options), report_(report),
-        gaps_(problem, sides, options), most_leaves_(most_leaves) {
+        gaps_(problem, sides, options), features_(problem, sides, options, gaps_), most_leaves_(most_leaves) {
     if (options.find_distances_by() == Options::Distances::AXIS_RAYS)
       separate_vertices_by_lemma_5(traits, find_hits);
     else
@@ -147,6 +148,7 @@ private:
   const Options& options_;
   Tree_separation_report_2& report_;
   Edge_gaps<Geometry> gaps_;
+  Features_in_sight<Geometry> features_;
   Tree tree_;
   Edge_pieces pieces_;
   Leaf_pieces pieces_in_leaves_;
@@ -300,6 +302,7 @@ private:
     std::vector<typename Leaf_cells<typename Tree::Word>::Ends> segments;
     std::vector<Part> own, around; ///< parts of edges in a leaf, and near it
     Edge_id hider;                 ///< among these
+    typename Features_in_sight<Geometry>::Scratch sight;
   };
 
   /// For T_B'': leaves too large for two pieces that bound a common cell in them.
@@ -340,8 +343,15 @@ private:
         scratch.segments, [&](std::uint32_t i, std::uint32_t j) { f(edge(pieces[i]), edge(pieces[j])); });
   }
 
-  /// For T_B*: leaves too large for a piece in them and one next to them.
+  /// For T_B*: leaves too large for a piece in them and one next to them, or for anything that is as near as the
+  /// options say.
   std::vector<Leaf_index> leaves_near_pieces() {
+    if (gaps_.is_beyond_neighbors())
+      return leaves_that_fail(Leaf_test::OF_GRAPH_AROUND, [this](Leaf_index l, Scratch& scratch) {
+        if (!is_splittable(l)) return false;
+        scratch.sight.around.find(tree_, pieces_in_leaves_, l, features_.reach());
+        return features_.is_too_large(frame(l), scratch.sight);
+      });
     return leaves_that_fail(Leaf_test::OF_LEAF_AND_NEIGHBORS, [this](Leaf_index l, Scratch& scratch) {
       return pieces_in_leaves_[l].size() > 0 && is_splittable(l) && is_near_piece(l, scratch);
     });
