@@ -7,6 +7,7 @@
 // The leaves around a leaf, by their definition.
 
 #include "catch.h"
+#include "quadtree_inputs.h"
 #include "quadtree_test_inputs.h"
 
 #include <CGAL/Balanced_quadtree.h>
@@ -21,14 +22,14 @@ namespace test_leaves_around {
 using CGAL::Quadtree_mesh_2::Leaf_index;
 using Tree = CGAL::Balanced_quadtree<quadtree_test::Filtered_traits>;
 
-/// Whether a leaf is, along an axis, at most some sides of leaf l away.
+/// Whether a leaf is, along an axis, less than some sides of leaf l away.
 bool is_around(const Tree& tree, Leaf_index l, Leaf_index other, int sides) {
   const auto side = [&tree](const Tree::Square& s) {
     return double(std::uint64_t(1) << (tree.framework().grid().depth() - s.level));
   };
   const auto s = tree.square(l), t = tree.square(other);
   const double far = sides * side(s);
-  const auto is_near = [&](double a, double b) { return a <= b + side(t) + far && b <= a + side(s) + far; };
+  const auto is_near = [&](double a, double b) { return a < b + side(t) + far && b < a + side(s) + far; };
   return is_near(double(s.x), double(t.x)) && is_near(double(s.y), double(t.y));
 }
 

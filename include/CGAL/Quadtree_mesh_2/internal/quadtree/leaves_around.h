@@ -21,9 +21,9 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-/// Calls `f(leaf)` for leaf l and the leaves that are, along each axis, at most `sides` of its sides away. A leaf
-/// larger than l may come several times.
-/// \pre the tree is balanced
+/// Calls `f(leaf)` for leaf l and the leaves that are, along each axis, less than `sides` of its sides away. A
+/// leaf larger than l may come several times.
+/// \pre the tree is balanced, and `sides` is at least 1
 template <class Tree, class F>
 void for_each_leaf_around(const Tree& tree, Leaf_index l, int sides, const F& f) {
   using Word = typename Tree::Word;
@@ -37,7 +37,7 @@ void for_each_leaf_around(const Tree& tree, Leaf_index l, int sides, const F& f)
     const auto s = tree.square(v);
     const Coordinate x = Coordinate(s.x) - Coordinate(middle.x), y = Coordinate(s.y) - Coordinate(middle.y);
     const Coordinate side = side_of(s.level);
-    return x <= far && y <= far && x + side >= -way && y + side >= -way;
+    return x < far && y < far && x + side > -way && y + side > -way;
   };
   const auto visit = [&](Node_index v) {
     if (!is_around(v)) return false;
