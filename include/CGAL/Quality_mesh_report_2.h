@@ -40,6 +40,8 @@ struct Tree_separation_report_2 {
   std::size_t rounds = 0;             ///< rounds of placing vertices and splitting leaves
   std::size_t splits = 0;             ///< how many times all leaves that were too large were split at once
   std::size_t leaf_tests = 0;         ///< how many times the edges in or around a leaf were compared
+  std::size_t leaves_made = 0;        ///< leaves of all trees: of T_B', and after each split
+  std::size_t pieces_cut = 0;         ///< pieces into which edges were cut in all of these trees
   // With Subdivision::CENTROID_TREE:
   std::size_t subdivision_rounds = 0; ///< rounds of all subdivisions
   int centroid_height = 0;            ///< of the tallest centroid tree in the last subdivision

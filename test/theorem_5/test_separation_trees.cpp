@@ -210,7 +210,7 @@ TEST_CASE("Leaves of T_B' are no smaller than a vertex nearby asks for", "[trees
   });
 }
 
-std::vector<double> hits_by_trapezoids(const Pslg& pslg) {
+std::vector<internal::Axis_distances> hits_by_trapezoids(const Pslg& pslg) {
   const CGAL::Trapezoidal_vertex_edge_neighbors_2<Filtered_traits> neighbors(pslg);
   return internal::nearest_hit_distances<CGAL::Sequential_tag>(neighbors, pslg.number_of_vertices());
 }

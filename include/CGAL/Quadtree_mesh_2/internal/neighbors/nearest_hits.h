@@ -11,9 +11,11 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_NEIGHBORS_NEAREST_HITS_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_NEIGHBORS_NEAREST_HITS_H
 
+#include <CGAL/Quadtree_mesh_2/Direction.h>
 #include <CGAL/Quadtree_mesh_2/Index.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -21,17 +23,22 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-/// The distance from each vertex of a graph to the nearest segment that it sees along the axes. It is
-/// infinite if there is none.
+/// How far the first segments are that a vertex sees to the east, north, west and south; infinite where there is none.
+using Axis_distances = std::array<double, 4>;
+constexpr std::array<Direction, 4> directions_of_axes{
+    {Direction::EAST, Direction::NORTH, Direction::WEST, Direction::SOUTH}};
+
+/// These distances of each vertex of a graph.
 template <class Pslg>
-using Find_nearest_hits = std::vector<double> (*)(const Pslg& graph);
+using Find_nearest_hits = std::vector<Axis_distances> (*)(const Pslg& graph);
 
 /// \param n the number of vertices
 template <class ConcurrencyTag, class Neighbors>
-std::vector<double> nearest_hit_distances(const Neighbors& neighbors, std::size_t n) {
-  std::vector<double> distances(n);
+std::vector<Axis_distances> nearest_hit_distances(const Neighbors& neighbors, std::size_t n) {
+  std::vector<Axis_distances> distances(n);
   for_each_index<ConcurrencyTag>(distances.size(), [&](std::size_t v) {
-    distances[v] = neighbors.nearest_hit(Vertex_index(v)).distance;
+    for (std::size_t d = 0; d < directions_of_axes.size(); ++d)
+      distances[v][d] = neighbors.first_hit(Vertex_index(v), directions_of_axes[d]).distance;
   });
   return distances;
 }

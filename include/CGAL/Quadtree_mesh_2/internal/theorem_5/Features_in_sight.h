@@ -32,15 +32,14 @@
 #include <CGAL/Quadtree_mesh_2/internal/quadtree/leaves_around.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Edge_sides.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
+#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Domain_directions.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Edge_gaps.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Edge_pieces.h>
 #include <CGAL/Tree_separation_options_2.h>
-#include <CGAL/number_type_config.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <vector>
 
 namespace CGAL {
@@ -113,7 +112,7 @@ public:
 
   Features_in_sight(const Meshing_problem<Geometry>& problem, const Edge_sides& sides,
                     const Tree_separation_options_2& options, const Gaps& gaps)
-      : problem_(problem), sides_(sides), options_(options), gaps_(gaps) {}
+      : problem_(problem), options_(options), gaps_(gaps), directions_(problem, sides) {}
 
   /// How far around a leaf features are looked for, in its sides.
   int reach() const {
@@ -136,9 +135,9 @@ private:
   using Way = Way_in_sight;
 
   const Meshing_problem<Geometry>& problem_;
-  const Edge_sides& sides_;
   const Tree_separation_options_2& options_;
   const Gaps gaps_;
+  const Domain_directions<Geometry> directions_;
 
   void collect(const Leaf& leaf, Scratch& scratch) const {
     const auto add = [&](std::vector<Feature>& features, const std::vector<Edge_id>& edges,
@@ -202,49 +201,8 @@ private:
   }
 
   bool is_domain_toward(const Way::Foot& foot, Vector direction) const {
-    return foot.vertex.is_valid() ? is_domain_at(foot.vertex, direction)
-                                  : is_domain_across(foot.edge, direction);
-  }
-
-  Vector along(Edge_id e) const {
-    const Input_edge& edge = problem_.edges[e];
-    return Geometry::difference(problem_.input_point(edge.b), problem_.input_point(edge.a));
-  }
-
-  /// Whether a direction is that of an edge, or its opposite. Then sight is along the edge, by one of its sides.
-  static bool is_along(Vector edge, Vector direction) {
-    constexpr double sine = 1e-9;
-    const double turn = cross(edge, direction);
-    return turn * turn <= sine * sine * squared_length(edge) * squared_length(direction);
-  }
-
-  bool is_domain_beside(Edge_id e) const {
-    return sides_.is_domain_on_left(e) || sides_.is_domain_on_right(e);
-  }
-
-  bool is_domain_across(Edge_id e, Vector direction) const {
-    const Vector edge = along(e);
-    if (is_along(edge, direction)) return is_domain_beside(e);
-    return cross(edge, direction) > 0 ? sides_.is_domain_on_left(e) : sides_.is_domain_on_right(e);
-  }
-
-  /// Whether the domain is where a direction leads from a vertex: on the left of the edge clockwise of it. What is at a
-  /// vertex without edges is not known here, and taken for the domain.
-  bool is_domain_at(Vertex_id v, Vector direction) const {
-    const double turned = std::atan2(direction.y, direction.x);
-    double least = std::numeric_limits<double>::infinity();
-    bool is_domain = true;
-    for (auto i = problem_.edges.begin(v); i != problem_.edges.end(v); ++i) {
-      const bool is_first = problem_.edges[i->edge].a == v;
-      const Vector d = is_first ? along(i->edge) : -1.0 * along(i->edge);
-      if (dot(d, direction) > 0 && is_along(d, direction)) return is_domain_beside(i->edge);
-      double angle = turned - std::atan2(d.y, d.x);
-      if (angle < 0) angle += 2 * CGAL_PI;
-      if (angle >= least) continue;
-      least = angle;
-      is_domain = is_first ? sides_.is_domain_on_left(i->edge) : sides_.is_domain_on_right(i->edge);
-    }
-    return is_domain;
+    return foot.vertex.is_valid() ? directions_.is_domain(foot.vertex, direction)
+                                  : directions_.is_domain(foot.edge, direction);
   }
 
   /// Whether another edge lies across a way. The one that did for the last way is asked first.

@@ -37,6 +37,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/quadtree/schedule_of_threads.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Column_closure.h>
+#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Domain_directions.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Edge_gaps.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Edge_pieces.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Features_in_sight.h>
@@ -76,7 +77,8 @@ public:
   using Find_hits = Find_nearest_hits<Pslg>;
 
   /// \param graph the vertices and edges of the problem, in its order
-  /// \param mesh the constrained Delaunay triangulation of the domain, if options have distances found by it
+  /// \param mesh the constrained Delaunay triangulation of the domain. If Lemma 5 tells distances, it may have other
+  ///        vertices, too. Then vertices beyond gaps outside the domain count.
   /// \param find_hits by which model Lemma 5 finds neighbors of vertices; null: by the quadtree
   /// \param most_leaves separation stops before there are more, but for those of the last step, or before its steps
   ///        have looked at 25 times as many: `is_exhausted()`. Then edges are not all apart.
@@ -85,9 +87,10 @@ public:
                    const Kernel_mesh<Geometry>& mesh, Find_hits find_hits, std::size_t most_leaves,
                    Tree_separation_report_2& report)
       : problem_(problem), graph_(graph), map_(map), options_(options), report_(report),
-        gaps_(problem, sides, options), features_(problem, sides, options, gaps_), most_leaves_(most_leaves) {
+        gaps_(problem, sides, options), features_(problem, sides, options, gaps_),
+        directions_(problem, sides), most_leaves_(most_leaves) {
     if (options.find_distances_by() == Options::Distances::AXIS_RAYS)
-      separate_vertices_by_lemma_5(traits, find_hits);
+      separate_vertices_by_lemma_5(traits, mesh, find_hits);
     else
       separate_vertices(
           Framework(graph.vertices, traits),
@@ -149,6 +152,7 @@ private:
   Tree_separation_report_2& report_;
   Edge_gaps<Geometry> gaps_;
   Features_in_sight<Geometry> features_;
+  Domain_directions<Geometry> directions_;
   Tree tree_;
   Edge_pieces pieces_;
   Leaf_pieces pieces_in_leaves_;
@@ -158,14 +162,16 @@ private:
   double side_of_root_ = 0;
   std::vector<Vertex_index> vertices_; // all of them, for the placement by rule
 
-  void separate_vertices_by_lemma_5(const Traits& traits, Find_hits find_hits) {
+  void separate_vertices_by_lemma_5(const Traits& traits, const Kernel_mesh<Geometry>& mesh,
+                                    Find_hits find_hits) {
     if (find_hits) {
-      separate_vertices_of(Tree(graph_.vertices, tree_options(), traits), find_hits(graph_));
+      separate_vertices_of(Tree(graph_.vertices, tree_options(), traits), find_hits(graph_), mesh);
     } else {
       const Quadtree_vertex_edge_neighbors_2<Traits, ConcurrencyTag> neighbors(
           graph_, Vertex_edge_neighbors_options_2(), traits);
       separate_vertices_of(neighbors.quadtree(),
-                           nearest_hit_distances<ConcurrencyTag>(neighbors, graph_.number_of_vertices()));
+                           nearest_hit_distances<ConcurrencyTag>(neighbors, graph_.number_of_vertices()),
+                           mesh);
     }
   }
 
@@ -174,18 +180,31 @@ private:
   }
 
   /// From the near vertex in T_B and the nearest of the edges that a vertex sees along the axes, of which one is within
-  /// a constant of what is nearest (Lemma 5).
+  /// a constant of what is nearest (Lemma 5). What the outside separates from a vertex does not count. Where the near
+  /// vertex is such, the nearest vertex in sight is a neighbor in the triangulation.
   /// \param first T_B
-  /// \param hits how far each vertex is from the nearest edge that it sees along the axes
-  void separate_vertices_of(const Tree& first, const std::vector<double>& hits) {
+  /// \param hits how far edges are that vertices see along the axes
+  /// \param mesh the triangulation, or one with other vertices, in which near vertices count in any case
+  void separate_vertices_of(const Tree& first, const std::vector<Axis_distances>& hits,
+                            const Kernel_mesh<Geometry>& mesh) {
+    const Geodesic_distance<Geometry> geodesic_distance(mesh);
+    const bool is_of_graph = mesh.number_of_vertices() == problem_.input_points.size();
     report_.leaves_of_points = first.number_of_leaves();
     separate_vertices(first.framework(), [&](Point_rank r, Vertex_id v) {
       double distance = std::numeric_limits<double>::infinity();
-      if (const Point_rank near = first.near_neighbor(r); near.is_valid())
-        distance = std::sqrt(squared_length(Geometry::difference(
-            problem_.input_point(v), problem_.input_point(vertex_at(first.framework(), near)))));
-      const double hit = hits[v.value()];
-      return hit > 0 && std::isfinite(hit) ? std::min(distance, map_.length_to_kernel(hit)) : distance;
+      if (const Point_rank near = first.near_neighbor(r); near.is_valid()) {
+        const Vector way = Geometry::difference(problem_.input_point(vertex_at(first.framework(), near)),
+                                                problem_.input_point(v));
+        distance = !is_of_graph || directions_.is_domain(v, way) ? std::sqrt(squared_length(way))
+                                                                 : geodesic_distance(v);
+      }
+      for (std::size_t d = 0; d < directions_of_axes.size(); ++d) {
+        const double hit = hits[v.value()][d];
+        const Vector axis{double(step_x(directions_of_axes[d])), double(step_y(directions_of_axes[d]))};
+        if (hit > 0 && std::isfinite(hit) && directions_.is_domain(v, axis))
+          distance = std::min(distance, map_.length_to_kernel(hit));
+      }
+      return distance;
     });
   }
 
@@ -238,6 +257,8 @@ private:
     pieces_ = options_.subdivide() == Options::Subdivision::WALKING
                   ? walk_edges<ConcurrencyTag>(tree_, graph_.segments)
                   : internal::subdivide_edges<ConcurrencyTag>(tree_, graph_.segments, &rounds);
+    report_.leaves_made += tree_.number_of_leaves();
+    report_.pieces_cut += pieces_.size();
     report_.subdivision_rounds += rounds.rounds;
     report_.centroid_height = rounds.height;
     pieces_in_leaves_ = Leaf_pieces::of<ConcurrencyTag>(pieces_, tree_.number_of_leaves());
