@@ -52,6 +52,12 @@ public:
     return rounds_;
   }
 
+  /// What was needed since counting began. To be asked between steps, not within one.
+  const Rounds& so_far() {
+    add_serial_part();
+    return rounds_;
+  }
+
   /// One parallel step. What it costs is that of the longest task; a task's own steps are part of it.
   template <class F>
   void step(std::size_t tasks, const F& f) {

@@ -146,7 +146,7 @@ private:
   const Traits& traits_;
   Find_nearest_hits<Pslg> find_hits_;
   Quality_mesh_report_2& report_;
-  Phase_clock<Quality_mesh_report_2> clock_{report_};
+  Phase_clock<Quality_mesh_report_2, ConcurrencyTag> clock_{report_};
   Coordinate_map<Traits, Geometry> map_;
   Finishing finishing_;
   Meshing_problem<Geometry> problem_;

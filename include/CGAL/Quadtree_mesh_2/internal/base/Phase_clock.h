@@ -15,10 +15,17 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
+/// Is told when a phase ends. Specialized for tags that count.
+template <class ConcurrencyTag>
+struct Phase_watch {
+  template <class Phase>
+  static void end(Phase) {}
+};
+
 /// Tells the times of the phases of a report that follow each other: the processors' in `seconds`, those by the clock
 /// in `wall_seconds`. Asking for processor time takes longer than a phase of a small input, so it is asked for only
 /// where a phase ends, and not again within 20 microseconds: until then time by the clock is taken for it.
-template <class Report>
+template <class Report, class ConcurrencyTag = void>
 class Phase_clock {
 public:
   using Phase = double Report::Seconds::*;
@@ -33,6 +40,7 @@ public:
     if (phase == phase_) return;
     const Time now = this->now();
     if (phase_ != nullptr) {
+      Phase_watch<ConcurrencyTag>::end(phase_);
       // what was taken for processor time may have been too much
       report_.seconds.*phase_ += std::max(0.0, now.processors - begin_.processors);
       report_.wall_seconds.*phase_ += Seconds(now.wall - begin_.wall).count();
