@@ -83,7 +83,10 @@ struct Separation_rounds {
   std::size_t of_output = 0;
   double serial_share = 0; ///< of the processor time, spent outside of loops: on one thread
 
-  std::size_t all() const { return of_input + of_trees + of_placing + of_cure + of_removal + of_output; }
+  /// Of the stages up to the rule's vertices; a triangulation counts as one.
+  std::size_t all() const { return of_points + of_neighbors + splits + subdivisions + placings; }
+  /// Of the whole run.
+  std::size_t steps() const { return of_input + of_trees + of_placing + of_cure + of_removal + of_output; }
   /// log2 k log2 n for n vertices and k triangles: Theorem 5 takes O(1) times that.
   double bound(std::size_t n) const { return std::log2(double(triangles)) * std::log2(double(n)); }
 };

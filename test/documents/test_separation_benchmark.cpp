@@ -47,9 +47,11 @@ TEST_CASE("The benchmark of separations runs", "[benchmark][program]") {
   const auto rounds = nlohmann::json::parse(content(json_file)).at("rounds");
   REQUIRE(rounds.size() == 2);
   for (const auto& row : rounds) {
-    for (const char* stage : {"of_points", "of_neighbors", "subdivisions", "placings"})
+    for (const char* stage : {"of_points", "of_neighbors", "subdivisions", "placings", "of_input", "of_trees",
+                              "of_placing", "of_cure", "of_output"})
       CHECK(row.at(stage) > 0);
     CHECK(row.at("all") > row.at("subdivisions"));
+    CHECK(row.at("steps") > row.at("of_placing"));
   }
   CHECK(status_of("--help") == 0);
   for (const char* arguments :
