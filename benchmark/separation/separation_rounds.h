@@ -4,7 +4,8 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 
-// How many parallel rounds Theorem 5 takes: those of its stages, and all loops of the mesher, from the input to the mesh.
+// How many parallel rounds Theorem 5 takes: those of its stages, and all loops of the mesher, from the input to the
+// mesh.
 
 #ifndef QUADTREE_MESH_2_BENCHMARK_SEPARATION_ROUNDS_H
 #define QUADTREE_MESH_2_BENCHMARK_SEPARATION_ROUNDS_H
@@ -95,7 +96,7 @@ inline Separation_rounds count_separation_rounds(const Pslg_task& task) {
   using Traits = CGAL::Filtered_quadtree_traits_2<>;
   using Trees = CGAL::Tree_separation_options_2;
   using Neighbors = CGAL::Trapezoidal_vertex_edge_neighbors_2<Traits, Counted_tag>;
-  using Seconds = CGAL::Quality_mesh_report_2::Seconds;
+  using Phases = CGAL::Quality_mesh_report_2::Seconds;
   Round_counter& counter = Round_counter::instance();
   Separation_rounds rounds;
   rounds.of_points =
@@ -116,12 +117,12 @@ inline Separation_rounds count_separation_rounds(const Pslg_task& task) {
   steps.clear();
   const Rounds whole = counter.count([&] { mesher(task.pslg); });
   rounds.serial_share = whole.serial / whole.work;
-  rounds.of_input = steps.of(&Seconds::quadtree) + steps.of(&Seconds::first_mesh);
-  rounds.of_trees = steps.of(&Seconds::trees);
-  rounds.of_placing = steps.of(&Seconds::construct);
-  rounds.of_cure = steps.of(&Seconds::refine);
-  rounds.of_removal = steps.of(&Seconds::coarsen);
-  rounds.of_output = steps.of(&Seconds::convert);
+  rounds.of_input = steps.of(&Phases::quadtree) + steps.of(&Phases::first_mesh);
+  rounds.of_trees = steps.of(&Phases::trees);
+  rounds.of_placing = steps.of(&Phases::construct);
+  rounds.of_cure = steps.of(&Phases::refine);
+  rounds.of_removal = steps.of(&Phases::coarsen);
+  rounds.of_output = steps.of(&Phases::convert);
   const CGAL::Tree_separation_report_2& trees = mesher.report().trees;
   rounds.splits = trees.splits;
   rounds.subdivisions = trees.subdivision_rounds;

@@ -86,8 +86,8 @@ public:
     Local_segment segment;
     Vector low, high;
   };
-  /// Whether leaves next to a leaf, which have all that is half a side away, may not have all that is to be far from what
-  /// is in it (Features_in_sight.h).
+  /// Whether leaves next to a leaf may not have all that is to be far from what is in it (Features_in_sight.h). They
+  /// have all that is half a side away.
   bool is_beyond_neighbors() const { return options_.edge_distance() > 0.5; }
 
   /// An edge relative to the corner of a leaf.

@@ -30,9 +30,9 @@
 
 #include <CGAL/Quadtree_mesh_2/Index.h>
 #include <CGAL/Quadtree_mesh_2/internal/quadtree/leaves_around.h>
+#include <CGAL/Quadtree_mesh_2/internal/refinement/Domain_directions.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Edge_sides.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
-#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Domain_directions.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Edge_gaps.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Edge_pieces.h>
 #include <CGAL/Tree_separation_options_2.h>
@@ -67,7 +67,7 @@ private:
                      std::vector<Vertex_id>& vertices) {
     for (const Edge_piece& p : pieces[l]) edges.push_back(static_cast<Edge_id>(p.segment.value()));
     const auto ranks = tree.points(l);
-    for (Point_rank r = ranks.begin; r != ranks.end; ++r)
+    for (auto r = ranks.begin; r != ranks.end; ++r)
       vertices.push_back(static_cast<Vertex_id>(tree.framework().input_point(r).value()));
   }
 

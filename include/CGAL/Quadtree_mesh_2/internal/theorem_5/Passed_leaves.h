@@ -7,8 +7,8 @@
 // Which leaves of a quadtree have passed which tests, while the tree is refined.
 //
 // Computes: the leaves for which a test has to be made. One that looks at a leaf alone, or at the graph around it
-//           whatever leaves there are, has the same answer until the leaf is split. One that looks at the leaves next to it, too, has the same answer until
-//           one of these is split.
+//           whatever leaves there are, has the same answer until the leaf is split. One that looks at the leaves next
+//           to it, too, has the same answer until one of these is split.
 // Bound:    O(k) work for a tree of k leaves each time it is refined, whatever the length of its coordinates.
 //           If a tree gets k leaves in any number of rounds, O(k) tests are made of leaves alone.
 // Method:   Refinement numbers leaves anew, but in the same order. So the levels, read along the order, tell

@@ -35,9 +35,9 @@
 #include <CGAL/Quadtree_mesh_2/internal/neighbors/nearest_hits.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/quadtree/schedule_of_threads.h>
+#include <CGAL/Quadtree_mesh_2/internal/refinement/Domain_directions.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Column_closure.h>
-#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Domain_directions.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Edge_gaps.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Edge_pieces.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Features_in_sight.h>
