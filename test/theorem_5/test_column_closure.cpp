@@ -87,6 +87,7 @@ bool have_columns_good_lengths(const std::vector<std::pair<int, int>>& columns,
     if (std::max(runs[i].first, runs[i + 1].first) != 2 * std::min(runs[i].first, runs[i + 1].first))
       return false;
   if (runs.size() > 1 && std::min(runs.front().second, runs.back().second) < o.columns_at_ends) return false;
+  if (runs.size() == 1 && runs[0].second < o.columns_between_ends) return false;
   for (std::size_t i = 1; i + 1 < runs.size(); ++i) {
     const int wider =
         (runs[i - 1].first > runs[i].first ? 1 : 0) + (runs[i + 1].first > runs[i].first ? 1 : 0);
