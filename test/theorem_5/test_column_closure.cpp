@@ -206,8 +206,13 @@ TEST_CASE("Equal leaves are in columns already", "[columns]") {
     CGAL::Quadtree_options options;
     options.max_points_per_leaf(100);
     Tree tree(c.points, options, must_split);
-    CHECK(close(tree, c.segments) == 0);
+    Column_closure_options of_any_length;
+    of_any_length.columns_between_ends = 0;
+    CHECK(close(tree, c.segments, {}, of_any_length) == 0);
     CHECK(to_split<CGAL::Sequential_tag>(tree, {}, {}).empty());
+    // Short edges in large leaves.
+    close(tree, c.segments);
+    for (const auto& s : c.segments) CHECK(is_closed(tree, line_of_segment(tree, s), {}));
   }
 }
 
