@@ -87,7 +87,7 @@ Deep_box box_around(const std::array<double, 4>& parameters) {
 /// The vertex's place and the slopes are multiples of 1/`grid`.
 struct Sector {
   Sector_kind kind;
-  Parameter_box point;
+  Sector_parameters point;
 
   Sector_box box() const { return {kind.octants, kind.turn, point}; }
   Window_point vertex() const { return {parameter(0), parameter(1)}; }

@@ -32,7 +32,7 @@ __extension__ using Wide = __int128;
 constexpr std::int64_t grid = 1 << 11, units = 2 * grid * grid, threshold_units = 64;
 
 /// Ranges of x, y and the m of both edges.
-struct Parameter_box {
+struct Sector_parameters {
   std::array<std::int64_t, 4> low, side;
 };
 
@@ -83,17 +83,17 @@ inline Octant_direction direction_in(std::size_t octant) {
 /// A sector whose parameters are anywhere in a box.
 class Sector_box {
 public:
-  Sector_box(const Octants& octants, Turn turn, const Parameter_box& box)
+  Sector_box(const Octants& octants, Turn turn, const Sector_parameters& box)
       : box_(box), is_only_edge_(turn == Turn::FULL),
         eighths_(turn == Turn::LESS_THAN_HALF ? (octants.second + 8 - octants.first) % 8 : 8),
         directions_{direction_in(octants.first), direction_in(octants.second)} {
     for (std::size_t d = 0; d < number_of_parameters; ++d)
       for (std::size_t i = 0; i < number_of_box_corners; ++i)
-        parameter_[d].at[i] = box.low[d] + (i >> d & 1u) * box.side[d];
+        parameter_[d].at[i] = box.low[d] + ((i >> d & 1u) != 0 ? box.side[d] : 0);
     for (std::size_t d = 0; d < number_of_parameters; ++d) parameter_[d].parameters = 1u << d;
   }
 
-  const Parameter_box& box() const { return box_; }
+  const Sector_parameters& box() const { return box_; }
   const Octant_direction& direction(std::size_t edge) const { return directions_[edge]; }
   bool is_only_edge() const { return is_only_edge_; }
   /// Octants from the first edge to the second one.
@@ -282,7 +282,7 @@ private:
     return true;
   }
 
-  Parameter_box box_;
+  Sector_parameters box_;
   bool is_only_edge_;
   std::size_t eighths_;
   std::array<Multilinear, 4> parameter_;

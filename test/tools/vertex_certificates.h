@@ -158,7 +158,7 @@ inline const std::vector<Sector_kind>& sector_kinds() {
 
 /// Divided by halves so many times, parameter by parameter in turn.
 struct Deep_box {
-  Parameter_box box;
+  Sector_parameters box;
   int depth;
 };
 
