@@ -87,6 +87,7 @@ bool have_columns_good_lengths(const std::vector<std::pair<int, int>>& columns,
     if (std::max(runs[i].first, runs[i + 1].first) != 2 * std::min(runs[i].first, runs[i + 1].first))
       return false;
   if (runs.size() > 1 && std::min(runs.front().second, runs.back().second) < o.columns_at_ends) return false;
+  if (runs.size() == 1 && runs[0].second < o.columns_between_ends) return false;
   for (std::size_t i = 1; i + 1 < runs.size(); ++i) {
     const int wider =
         (runs[i - 1].first > runs[i].first ? 1 : 0) + (runs[i + 1].first > runs[i].first ? 1 : 0);
@@ -205,8 +206,13 @@ TEST_CASE("Equal leaves are in columns already", "[columns]") {
     CGAL::Quadtree_options options;
     options.max_points_per_leaf(100);
     Tree tree(c.points, options, must_split);
-    CHECK(close(tree, c.segments) == 0);
+    Column_closure_options of_any_length;
+    of_any_length.columns_between_ends = 0;
+    CHECK(close(tree, c.segments, {}, of_any_length) == 0);
     CHECK(to_split<CGAL::Sequential_tag>(tree, {}, {}).empty());
+    // Short edges in large leaves.
+    close(tree, c.segments);
+    for (const auto& s : c.segments) CHECK(is_closed(tree, line_of_segment(tree, s), {}));
   }
 }
 

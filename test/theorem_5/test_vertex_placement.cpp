@@ -93,12 +93,16 @@ Cdt triangulation(const Tree& tree, const Case& c, Transition_rule rule) {
     const std::array<Vertex, 2> ends{is_forwards ? center : other, is_forwards ? other : center};
     const Window_point direction = direction_from(ends[0].place, ends[1].place);
     const Window_point back{-direction.x, -direction.y};
-    const Edge_start first = ends[0].placement.start_of_edge(direction),
-                     last = ends[1].placement.start_of_edge(back);
+    const std::array<Edge_axis, 2> axes{Edge_axis{line.is_steep(), true}, Edge_axis{line.is_steep(), false}};
+    const Edge_start first = ends[0].placement.start_of_edge(direction, axes[0]),
+                     last = ends[1].placement.start_of_edge(back, axes[1]);
     const auto columns = columns_along(tree, leaves_of(tree, line), line);
-    std::array<Edge_end, 2> reach;
-    reach[0] = {(first.first_crossing - 1e-6) * ends[0].side, vertex_reach * ends[0].side};
-    reach[1] = {(last.first_crossing - 1e-6) * ends[1].side, vertex_reach * ends[1].side};
+    const auto reach_of = [&](std::size_t end, const Edge_start& start) {
+      const std::int64_t u = line.u(ends[end].placement.corner()), side = ends[end].placement.side();
+      return Column_placement<Tree>::End{u + side * start.first_line,
+                                         u + side * axes[end].line(first_far_line)};
+    };
+    const std::array<Column_placement<Tree>::End, 2> reach{reach_of(0, first), reach_of(1, last)};
     const Column_placement<Tree> placement(tree, line, columns, rule, reach);
     placement.for_each_dropped_corner(drop);
     // Points along the edge.
@@ -107,13 +111,12 @@ Cdt triangulation(const Tree& tree, const Case& c, Transition_rule rule) {
       chain.push_back({(double(v.place.x) + t * d.x) / unit, (double(v.place.y) + t * d.y) / unit});
     };
     append(ends[0], direction, 0);
-    for (std::size_t i = 0; i < first.number_of_distances; ++i)
-      append(ends[0], direction, first.distances[i] * ends[0].side);
+    for (const double distance : first.distances) append(ends[0], direction, distance * ends[0].side);
     placement.for_each_crossing([&](std::uint32_t u) {
       const double x = double(u) / unit, y = line.v_from(u, 0) / unit;
       chain.push_back(line.is_steep() ? Kernel::Point_2(y, x) : Kernel::Point_2(x, y));
     });
-    for (std::size_t i = last.number_of_distances; i-- > 0;)
+    for (std::size_t i = last.distances.size(); i-- > 0;)
       append(ends[1], back, last.distances[i] * ends[1].side);
     append(ends[1], back, 0);
     cdt.insert_constraint(chain.begin(), chain.end());

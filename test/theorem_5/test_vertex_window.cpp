@@ -4,8 +4,8 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 
-// Vertices amid equal leaves. The bound for the least angle is not proven: it is looked for by random search, and
-// by random descent from the worst cases.
+// Vertices amid equal leaves: windows beside CGAL's triangulations, and least angles looked for by random search and by
+// random descent from the worst cases. That there are no smaller ones is proven in test_vertex_certificate.cpp.
 
 #include "catch.h"
 
@@ -70,7 +70,7 @@ struct Random {
 };
 
 double least_angle(const Sector& s) {
-  Vertex_window window(s.vertex, direction_of(s.first), direction_of(s.first + s.size), vertex_ring);
+  Vertex_window window(s.vertex, direction_of(s.first), direction_of(s.first + s.size));
   return window.least_angle(sector_thresholds[window.best_of(sector_thresholds)]);
 }
 
@@ -130,11 +130,11 @@ Cdt triangulation(const Vertex& v, const Radii& radii = {}) {
       cdt.insert_constraint(last, next);
       last = next;
     };
-    const Edge_start start = edge_start(v.place, e, vertex_ring);
-    for (std::size_t k = 0; k < start.number_of_distances; ++k) append(start.distances[k]);
+    const Edge_start start = edge_start(v.place, e, Edge_axis::of(e));
+    for (const double distance : start.distances) append(distance);
     const double step = 1 / std::max(std::abs(e.x), std::abs(e.y));
     for (double t = start.first_crossing; t < radii.points + 2; t += step) append(t);
-    Vertex_window window(v.place, e, v.direction(i + 1), vertex_ring);
+    Vertex_window window(v.place, e, v.direction(i + 1));
     const Sector_thresholds t = sector_thresholds[window.best_of(sector_thresholds)];
     for (double x = -10; x <= 11; ++x)
       for (double y = -10; y <= 11; ++y)
@@ -167,16 +167,19 @@ TEST_CASE("Points of an edge near a vertex depend on the edge and the vertex onl
   for (int i = 0; i < 1000; ++i) {
     const Window_point v = random.vertex(), e = direction_of(random.direction());
     CAPTURE(v.x, v.y, e.x, e.y);
-    const Edge_start start = edge_start(v, e, vertex_ring);
-    const double last = vertex_ring.radius, t = start.first_crossing;
-    // A crossing with a grid line, and not the one before.
+    const Edge_axis axis = Edge_axis::of(e);
+    const Edge_start start = edge_start(v, e, axis);
+    const double step = std::max(std::abs(e.x), std::abs(e.y)), t = start.first_crossing;
+    CHECK(start.distances[0] * step == Approx(vertex_ring.radius));
+    CHECK(start.distances[1] == Approx((start.distances[0] + t) / 2));
+    // A crossing with that grid line, and not with the one before.
     const double line = std::abs(e.x) >= std::abs(e.y) ? v.x + t * e.x : v.y + t * e.y;
-    CHECK(line == Approx(std::round(line)).margin(1e-9));
-    CHECK(t >= last + vertex_ring.least_gap - 1e-9);
-    CHECK(t - 1 / std::max(std::abs(e.x), std::abs(e.y)) <= last + vertex_ring.least_gap + 1e-9);
-    const bool has_middle = t - last > vertex_ring.greatest_gap;
-    REQUIRE(start.number_of_distances == (has_middle ? 2 : 1));
-    if (has_middle) CHECK(start.distances[1] == Approx((last + t) / 2));
+    CHECK(line == Approx(start.first_line).margin(1e-9));
+    CHECK(t * step >= vertex_ring.least_crossing - 1e-9);
+    CHECK(t * step <= vertex_ring.least_crossing + 1 + 1e-9);
+    // It is the first or the second of the lines that are far.
+    const int first_far = axis.line(first_far_line), ahead = axis.is_ascending ? 1 : -1;
+    CHECK((start.first_line == first_far || start.first_line == first_far + ahead));
   }
 }
 
@@ -189,7 +192,7 @@ TEST_CASE("Windows of sectors have the angles of the triangulation at the vertex
     CAPTURE(i, v.place.x, v.place.y, v.directions.size(), v.directions[0]);
     double least = 180;
     for (std::size_t k = 0; k < v.directions.size(); ++k) {
-      Vertex_window window(v.place, v.direction(k), v.direction(k + 1), vertex_ring);
+      Vertex_window window(v.place, v.direction(k), v.direction(k + 1));
       least = std::min(least, window.least_angle(sector_thresholds[window.best_of(sector_thresholds)]));
     }
     const double angle = least_angle(v, triangulation(v));

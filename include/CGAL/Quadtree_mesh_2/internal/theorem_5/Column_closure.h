@@ -12,7 +12,7 @@
 //             side. If one of the three columns before or behind it is twice as wide, this holds within 6.
 //           - Adjacent columns differ in width by at most a factor of two.
 //           - A run of columns of one width has at least 4 columns if those on both ends are narrower, 6 if
-//             they are wider, and 5 if there is one of each. At the ends of the edge it has 6, unless the
+//             they are wider, and 5 if there is one of each. At the ends of the edge it has 9, and 12 if the
 //             whole edge has one width.
 //           - No other edge is over the columns near a change of widths, within 6 of the wider columns'
 //             widths.
@@ -22,9 +22,10 @@
 //           leaves.
 // Source:   ours.
 //
-// test_column_rule.cpp proves that the band of 3 is wide enough. A short run grows into a wider neighbor, and
-// is split if it has none. A change of widths near another edge moves away, into the wider columns. So
-// windows of different edges, and of vertices, are disjoint.
+// test_column_rule.cpp proves that the band of 3 is wide enough. Windows of vertices end at the 6th grid line ahead
+// (test_vertex_certificate.cpp), and windows of changes of widths begin 3 columns before these. A short run grows
+// into a wider neighbor, and is split if it has none. A change of widths near another edge moves away, into the
+// wider columns. So windows of different edges, and of vertices, are disjoint.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_COLUMN_CLOSURE_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_COLUMN_CLOSURE_H
@@ -50,7 +51,8 @@ struct Column_closure_options {
   std::size_t columns_between_narrower = 4;
   std::size_t columns_between_both = 5;
   std::size_t columns_between_wider = 6;
-  std::size_t columns_at_ends = 6; ///< of edges; 0 or more
+  std::size_t columns_at_ends = 9;       ///< of edges; 0 or more
+  std::size_t columns_between_ends = 12; ///< of edges of one width; 0 or more
   int separation = 6; ///< of changes of widths from other edges, in widths of the wider columns; 0: any
 };
 
@@ -201,6 +203,8 @@ private:
       is_split_[run.end] = 1;
     else if (is_left_wider)
       is_split_[run.begin - 1] = 1;
+    else if (level == tree_.framework().grid().depth())
+      return false; // there are no narrower ones
     else
       std::fill(is_split_.begin() + static_cast<std::ptrdiff_t>(run.begin),
                 is_split_.begin() + static_cast<std::ptrdiff_t>(run.end), std::uint8_t(1));
@@ -208,7 +212,7 @@ private:
   }
 
   std::size_t least_length(bool has_left, bool has_right, bool is_left_wider, bool is_right_wider) const {
-    if (!has_left && !has_right) return 0;
+    if (!has_left && !has_right) return options_.columns_between_ends;
     if (!has_left || !has_right) return options_.columns_at_ends;
     return is_left_wider && is_right_wider   ? options_.columns_between_wider
            : is_left_wider || is_right_wider ? options_.columns_between_both

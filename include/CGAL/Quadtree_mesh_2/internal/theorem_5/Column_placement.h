@@ -38,12 +38,6 @@ enum class Transition_rule {
   BETTER_OF_TWO ///< 26.3 degrees
 };
 
-/// How far an end of an edge matters, in units of the grid: the rule at vertices decides there.
-struct Edge_end {
-  double crossings; ///< those nearer to the vertex are not used
-  double corners;   ///< those with a foot nearer to the vertex are not looked at, or behind it
-};
-
 /// The vertices beside one edge.
 /// \pre the edge passes the tree in columns, as Column_closure.h checks
 template <class Tree>
@@ -55,23 +49,30 @@ public:
   using Line = Edge_line<Word>;
   using Product = typename Line::Product;
 
+  /// The grid lines from which on this rule decides: the rule at vertices does before.
+  struct End {
+    Product crossings, corners;
+  };
+
   /// \param columns those of the edge, by `columns_along()`
   /// \param ends the one with less u, and the other one
   Column_placement(const Tree& tree, const Line& line, const std::vector<Column>& columns,
-                   Transition_rule rule, const std::array<Edge_end, 2>& ends = {})
+                   Transition_rule rule, const std::array<End, 2>& ends)
       : tree_(tree), line_(line), columns_(columns), rule_(rule), ends_(ends), slope_(line.slope()),
         length_(std::sqrt(1 + slope_ * slope_)) {}
+  /// By this rule all along the edge.
+  Column_placement(const Tree& tree, const Line& line, const std::vector<Column>& columns,
+                   Transition_rule rule)
+      : Column_placement(tree, line, columns, rule,
+                         {End{Product(line.first_u()), Product(line.first_u())},
+                          End{Product(line.last_u()), Product(line.last_u())}}) {}
 
   /// Calls `f(u)` for the grid lines that cross the edge, ends excluded, from the left to the right. `Edge_line`
   /// has the other coordinate of the crossing.
   template <class F>
   void for_each_crossing(const F& f) const {
-    for (std::size_t i = 1; i < columns_.size(); ++i) {
-      if (!is_crossing(i)) continue;
-      const auto distances =
-          distances_to_ends(Product(columns_[i].u), line_.v_from(Product(columns_[i].u), 0));
-      if (distances[0] >= ends_[0].crossings && distances[1] >= ends_[1].crossings) f(columns_[i].u);
-    }
+    for (std::size_t i = 1; i < columns_.size(); ++i)
+      if (is_crossing(i) && is_between(i, ends_[0].crossings, ends_[1].crossings)) f(columns_[i].u);
   }
 
   /// Calls `f(point)` for the corners that are dropped because of the edge, on the grid lines that cross it.
@@ -79,7 +80,7 @@ public:
   template <class F>
   void for_each_dropped_corner(const F& f) const {
     for (std::size_t i = 1; i < columns_.size(); ++i)
-      if (is_crossing(i)) for_each_dropped_corner(i, f);
+      if (is_crossing(i) && is_between(i, ends_[0].corners, ends_[1].corners)) for_each_dropped_corner(i, f);
   }
 
 private:
@@ -99,6 +100,9 @@ private:
   bool is_crossing(std::size_t i) const {
     using Coordinate = typename Line::Coordinate;
     return Coordinate(columns_[i].u) > line_.first_u() && Coordinate(columns_[i].u) < line_.last_u();
+  }
+  bool is_between(std::size_t i, const Product& first, const Product& last) const {
+    return Product(columns_[i].u) >= first && Product(columns_[i].u) <= last;
   }
   bool is_change(std::size_t i) const { return columns_[i - 1].level != columns_[i].level; }
   Word width(std::size_t i) const { return width_of(tree_, columns_[i]); }
@@ -131,19 +135,6 @@ private:
     return {better(Edge_side::ABOVE), better(Edge_side::BELOW)};
   }
 
-  /// Along the edge, of the foot of a point.
-  std::array<double, 2> distances_to_ends(const Product& u, double v) const {
-    const Product left(line_.first_u()), right(line_.last_u());
-    const auto along = [&](const Product& u_of_end) {
-      return (static_cast<double>(u - u_of_end) + slope_ * (v - line_.v_from(u_of_end, 0))) / length_;
-    };
-    return {along(left), -along(right)};
-  }
-  bool is_between_ends(const Product& u, const Product& v) const {
-    const auto distances = distances_to_ends(u, static_cast<double>(v));
-    return distances[0] >= ends_[0].corners && distances[1] >= ends_[1].corners;
-  }
-
   /// Above the edge a corner has positive height; both in widths of some columns.
   double height(const Product& u, const Product& v, const Word& unit) const {
     return -line_.v_from(u, v) / static_cast<double>(unit);
@@ -156,8 +147,7 @@ private:
     const Product reach = reach_ * Product(wider(change.line == 0 ? i : change.line));
     const Product lowest = v_of_edge < reach ? Product(0) : v_of_edge - reach;
     for (Product v = lowest - lowest % step; v <= v_of_edge + reach; v += step)
-      if (is_between_ends(u, v) && !is_kept_corner(i, change, u, v))
-        f(line_.point(columns_[i].u, static_cast<Word>(v)));
+      if (!is_kept_corner(i, change, u, v)) f(line_.point(columns_[i].u, static_cast<Word>(v)));
   }
 
   bool is_kept_corner(std::size_t i, const Change& change, const Product& u, const Product& v) const {
@@ -194,7 +184,7 @@ private:
   const Line& line_;
   const std::vector<Column>& columns_;
   Transition_rule rule_;
-  std::array<Edge_end, 2> ends_;
+  std::array<End, 2> ends_;
   double slope_, length_;
 };
 

@@ -17,8 +17,9 @@
 //           - 21.5 degrees at a change of sizes with `one_rule`,
 //           - 26.3 degrees with the better of `rule_b` and `rule_c`, chosen for each change and each side of
 //             the edge (Column_window.h evaluates them). A leaf with a hanging node alone has 26.57.
-//           test_column_rule.cpp proves it by branch and bound in integers. At a vertex 21.5 degrees are
-//           established numerically only (Vertex_window.h).
+//           test_column_rule.cpp proves it by branch and bound in integers. In sectors of at least 33 degrees at a
+//           vertex amid equal leaves, no angle is less than 20.7 degrees with the best of `sector_thresholds`:
+//           test_vertex_certificate.cpp (Vertex_window.h).
 // Source:   Bern, Eppstein, Teng, section 6 (Theorem 5), asks for a placement with 18.43 degrees. The
 //           crossings and the thresholds are ours. A search found the vectors with the best certificate.
 // Deviates: the paper warps corners to the edge and shows the bound by cases. Here nothing moves, and no
@@ -107,31 +108,34 @@ constexpr bool is_kept(double distance, Column_place place, const Transition_thr
   return distance >= least_distance(place, t, opposite);
 }
 
-/// Distances of points on all edges of a vertex amid equal leaves, in their sides.
+/// The points on all edges of a vertex amid equal leaves, in their sides. Distances are measured along the axis that
+/// the edge follows more. Halfway between the two there is another point.
 struct Vertex_ring {
-  double radius;       ///< each edge has a point at this distance
-  double least_gap;    ///< nearer to that point crossings with grid lines are not used
-  double greatest_gap; ///< if the first crossing is further, there is a point halfway
+  double radius;         ///< each edge has a point at this distance
+  double least_crossing; ///< crossings with grid lines are used from this distance on
 };
+constexpr Vertex_ring vertex_ring{76. / 64, 176. / 64};
 
 /// Which corners in a sector between two edges of a vertex are dropped, in sides of leaves.
 struct Sector_thresholds {
   double clear_of_vertex; ///< those nearer to the vertex
-  double clear_of_edge;   ///< those nearer to one of the two edges, where their foot is near the vertex
+  double clear_of_edge;   ///< those nearer to one of the two edges, on grid lines that are not far along it
 };
+/// In the order in which they are tried.
+constexpr std::array<Sector_thresholds, 3> sector_thresholds{
+    {{55. / 64, 54. / 64}, {74. / 64, 34. / 64}, {115. / 64, 14. / 64}}};
 
-/// Feet of corners so many sides of leaves from the vertex are near it; beyond, `equal_leaves_threshold` counts.
+/// Where leaves are not equal (Tree_placement.h), feet of corners so many sides of leaves from a vertex are near it.
 constexpr double vertex_reach = 3;
 
+/// Grid lines that an edge crosses are far from its vertex if they are so many sides or more from the greater sides of
+/// the vertex's leaf, less one, along the edge's axis. On them `equal_leaves_threshold` counts.
+constexpr int first_far_line = 3;
+
 /// Sectors of at least this many degrees have, by the best of the thresholds, angles of at least
-/// `least_angle_of_sectors` degrees: found numerically, see Vertex_window.h. The least angles that a search found
-/// are 21.76 degrees, 23.44 for sectors of at least 60, and 25.0 at the only edge of a vertex.
+/// `least_angle_of_sectors` degrees: test_vertex_certificate.cpp.
 constexpr double least_sector = 33;
-constexpr double least_angle_of_sectors = 21.5;
-constexpr Vertex_ring vertex_ring{1.404, 1.137, 1.56};
-/// In the order in which they are tried.
-constexpr std::array<Sector_thresholds, 7> sector_thresholds{
-    {{.8, .8}, {1.8, .32}, {.5, .54}, {1.8, .52}, {1.65, .46}, {.5, .4}, {.5, .15}}};
+constexpr double least_angle_of_sectors = 20.7;
 
 } // namespace internal
 } // namespace Quadtree_mesh_2

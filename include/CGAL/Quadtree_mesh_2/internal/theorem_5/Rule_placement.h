@@ -7,10 +7,10 @@
 // The vertices of a mesh from a quadtree whose leaves are equal at vertices and in columns along edges.
 //
 // Computes: points on the edges, and corners of leaves. A constrained Delaunay triangulation of them and the
-//           graph has no angle below 21.5 degrees, except in acute corners.
+//           graph has no angle below 20.7 degrees, except in acute corners.
 // Bound:    O(1) for each piece of an edge and each vertex of the graph.
 // Source:   Bern, Eppstein, Teng, Theorem 5. The rules are ours: Column_rule.h and Column_placement.h along
-//           edges, with a proof; Vertex_placement.h at vertices, established numerically.
+//           edges, Vertex_placement.h at vertices, both with a proof (doc/guarantees.md).
 // Deviates: nothing is warped. Sectors below 33 degrees, the acute corners, get no vertices where they are
 //           narrow. Rings put vertices on their legs at equal distances.
 
@@ -76,6 +76,7 @@ private:
   using Name = typename Corners::Name;
   using Line = Edge_line<Word>;
   using Columns = std::vector<Edge_column<Word>>;
+  using Placement = Column_placement<Tree>;
 
   /// Corners nearer to a vertex without edges are dropped, in sides of leaves.
   static constexpr double clear_of_lone_vertex_ = 1.187;
@@ -104,16 +105,16 @@ private:
 
   /// An edge among its columns.
   struct Edge {
+    Line line;
     std::array<Edge_start, 2> start;
     std::array<double, 2> side; // of the leaves of its ends, in the kernel's units
-    Line line;
     Columns columns;
-    Column_placement<Tree> placement;
+    Placement placement;
 
     Edge(const Rule_placement& all, Edge_id e)
-        : start{all.start(e, 0), all.start(e, 1)}, side{all.trees_.side(all.leaf(all.problem_.edges[e].a)),
-                                                        all.trees_.side(all.leaf(all.problem_.edges[e].b))},
-          line(line_of_segment(all.tree_, all.ends(e))),
+        : line(line_of_segment(all.tree_, all.ends(e))), start{all.start(e, 0, line), all.start(e, 1, line)},
+          side{all.trees_.side(all.leaf(all.problem_.edges[e].a)),
+               all.trees_.side(all.leaf(all.problem_.edges[e].b))},
           columns(columns_along(all.tree_, all.trees_.pieces()[Segment_index(std::size_t(e))], line)),
           placement(all.tree_, line, columns, Transition_rule::BETTER_OF_TWO, all.reach(e, *this)) {}
   };
@@ -122,21 +123,27 @@ private:
     return {Vertex_index(std::size_t(problem_.edges[e].a)), Vertex_index(std::size_t(problem_.edges[e].b))};
   }
 
-  Edge_start start(Edge_id e, int end) const {
-    const Vertex_id a = problem_.edges[e].a, b = problem_.edges[e].b;
-    return end == 0 ? placement_at(a).start_of_edge(direction(a, b))
-                    : placement_at(b).start_of_edge(direction(b, a));
+  /// As the edge leaves its end.
+  Edge_axis axis(Edge_id e, int end, const Line& line) const {
+    return {line.is_steep(), is_reversed(e, line) == (end == 1)};
   }
 
-  /// Where the ends' rules give way to that of columns, in units of the grid, by increasing u.
-  std::array<Edge_end, 2> reach(Edge_id e, const Edge& edge) const {
-    /// Crossings are where the starts say, but for rounding.
-    constexpr double tolerance = 1e-6;
-    std::array<Edge_end, 2> reach;
-    for (std::size_t i = 0; i < 2; ++i) {
-      const double side = edge.side[i] / trees_.side(tree_.framework().grid().depth());
-      reach[i] = {(edge.start[i].first_crossing - tolerance) * side, vertex_reach * side};
-    }
+  Edge_start start(Edge_id e, int end, const Line& line) const {
+    const Vertex_id a = problem_.edges[e].a, b = problem_.edges[e].b;
+    return end == 0 ? placement_at(a).start_of_edge(direction(a, b), axis(e, 0, line))
+                    : placement_at(b).start_of_edge(direction(b, a), axis(e, 1, line));
+  }
+
+  /// Where the ends' rules give way to that of columns, by increasing u.
+  std::array<typename Placement::End, 2> reach(Edge_id e, const Edge& edge) const {
+    using Product = typename Line::Product;
+    const auto reach_of = [&](int end) {
+      const auto vertex = placement_at(end == 0 ? problem_.edges[e].a : problem_.edges[e].b);
+      const Product u(edge.line.u(vertex.corner())), side(vertex.side());
+      return typename Placement::End{u + side * edge.start[std::size_t(end)].first_line,
+                                     u + side * axis(e, end, edge.line).line(first_far_line)};
+    };
+    std::array<typename Placement::End, 2> reach{reach_of(0), reach_of(1)};
     if (is_reversed(e, edge.line)) std::swap(reach[0], reach[1]);
     return reach;
   }
@@ -171,8 +178,8 @@ private:
                                         edge.line.is_steep(), least_side));
     });
     for (std::size_t end = 0; end < 2; ++end)
-      for (std::size_t i = 0; i < edge.start[end].number_of_distances; ++i) {
-        const double share = edge.start[end].distances[i] * edge.side[end] / length;
+      for (const double distance : edge.start[end].distances) {
+        const double share = distance * edge.side[end] / length;
         if (share < 0.5)
           vertices.push_back(end == 0 ? Vertex{share, 1 - share, Geometry::between(a, b, share)}
                                       : Vertex{1 - share, share, Geometry::between(b, a, share)});

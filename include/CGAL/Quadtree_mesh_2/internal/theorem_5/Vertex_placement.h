@@ -7,11 +7,12 @@
 // The corners of leaves near a vertex that are not vertices of the mesh, and the leaves that have to be split
 // first.
 //
-// Computes: dropped corners within 3.2 sides of the vertex's leaf, sector by sector (Vertex_window.h); and
-//           where leaves are not equal in the 7 x 7 squares around the leaf of a vertex.
+// Computes: the corners that are dropped because of a vertex, sector by sector (Vertex_window.h); and where leaves
+//           are not equal in the 7 x 7 squares around the leaf of a vertex.
 // Bound:    O(1) for each sector; O(depth) for each vertex to look at leaves. All vertices at the same time.
-// Source:   ours; see Vertex_window.h. Corners are dropped within 1.8 sides of the vertex, and near edges. So
-//           leaves that lose a corner have their neighbors in the 7 x 7 squares, or in the band of an edge.
+// Source:   ours; see Vertex_window.h. Corners are dropped within 1.8 sides of the vertex, and near edges on the
+//           grid lines that are not far from it. So leaves that lose a corner have their neighbors in the 7 x 7
+//           squares, or in the band of an edge.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_VERTEX_PLACEMENT_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_VERTEX_PLACEMENT_H
@@ -45,9 +46,13 @@ public:
               in_sides(static_cast<Word>(vertex.y - corner_.y))};
   }
 
+  /// The lower left corner of the vertex's leaf, and the side of that.
+  const Grid_point& corner() const { return corner_; }
+  const Word& side() const { return side_; }
+
   /// The points on an edge with this direction; distances in sides.
-  Edge_start start_of_edge(const Window_point& direction) const {
-    return edge_start(place_, direction, vertex_ring);
+  Edge_start start_of_edge(const Window_point& direction, const Edge_axis& axis) const {
+    return edge_start(place_, direction, axis);
   }
 
   /// Calls `f(point)` for corners on an edge or at the vertex, or so near that all thresholds drop them: no sector
@@ -55,42 +60,47 @@ public:
   template <class F>
   void for_each_corner_on_edge(const Window_point& direction, const F& f) const {
     constexpr double near_edge = 0.1, near_vertex = 0.5;
-    for (int i = -reach_; i <= reach_ + 1; ++i)
-      for (int j = -reach_; j <= reach_ + 1; ++j) {
-        const double x = i - place_.x, y = j - place_.y;
-        const double along = x * direction.x + y * direction.y;
-        const bool is_near_edge =
-            along > 0 && along < vertex_reach && std::abs(direction.x * y - direction.y * x) < near_edge;
-        if (is_near_edge || std::hypot(x, y) < near_vertex) f(Grid_point{at(corner_.x, i), at(corner_.y, j)});
-      }
+    const Edge_axis axis = Edge_axis::of(direction);
+    for_each_corner([&](const Window_point& p, const Grid_point& corner) {
+      const double x = p.x - place_.x, y = p.y - place_.y;
+      const bool is_near_edge = !axis.is_far(p) && x * direction.x + y * direction.y > 0 &&
+                                std::abs(direction.x * y - direction.y * x) < near_edge;
+      if (is_near_edge || std::hypot(x, y) < near_vertex) f(corner);
+    });
   }
 
-  /// Calls `f(point)` for corners that are dropped in a sector. Those whose foot on an edge is beyond
-  /// `vertex_reach` are left to the rule for columns.
+  /// Calls `f(point)` for corners that are dropped in a sector. Those on lines that are far along an edge are left to
+  /// the rule for columns.
   /// \param first, second directions of length 1, the second one counterclockwise next
   template <class F>
   void for_each_dropped_corner(const Window_point& first, const Window_point& second, const F& f) const {
-    Vertex_window window(place_, first, second, vertex_ring);
+    Vertex_window window(place_, first, second);
     const Sector_thresholds t = sector_thresholds[window.best_of(sector_thresholds)];
-    for (int i = -reach_; i <= reach_ + 1; ++i)
-      for (int j = -reach_; j <= reach_ + 1; ++j) {
-        const Window_point p{double(i), double(j)};
-        const bool is_near = std::hypot(p.x - place_.x, p.y - place_.y) < radius_;
-        if (is_near && window.is_in_sector(p) && !window.is_kept(p, t))
-          f(Grid_point{at(corner_.x, i), at(corner_.y, j)});
-      }
+    for_each_corner([&](const Window_point& p, const Grid_point& corner) {
+      if (window.is_in_sector(p) && !window.is_kept_near(p, t)) f(corner);
+    });
   }
 
 private:
-  /// Corners further away are too far from edges, or have their foot beyond `vertex_reach`.
-  static constexpr double radius_ = 3.2;
-  static constexpr int reach_ = 3;
+  /// Corners further away are too far from edges, or on lines that are far along them.
+  static constexpr int reach_ = 5;
 
   double in_sides(const Word& w) const { return static_cast<double>(w) / static_cast<double>(side_); }
+
+  /// Calls `f(place, point)`, with the place in sides, for corners of the leaves around that of the vertex.
+  template <class F>
+  void for_each_corner(const F& f) const {
+    for (int i = -reach_; i <= reach_ + 1; ++i)
+      for (int j = -reach_; j <= reach_ + 1; ++j)
+        if (has(corner_.x, i) && has(corner_.y, j))
+          f(Window_point{double(i), double(j)}, Grid_point{at(corner_.x, i), at(corner_.y, j)});
+  }
   Word at(const Word& w, int sides) const {
     return sides < 0 ? static_cast<Word>(w - static_cast<Word>(-sides) * side_)
                      : static_cast<Word>(w + static_cast<Word>(sides) * side_);
   }
+  /// Whether there are words for a coordinate.
+  bool has(const Word& w, int sides) const { return sides < 0 ? at(w, sides) < w : at(w, sides) >= w; }
 
   Grid_point vertex_, corner_;
   Word side_;
