@@ -7,6 +7,8 @@
 #include "option_descriptions.h"
 #include "option_values.h"
 #include "program_files.h"
+#include "standard_streams.h"
+#include "stream_options.h"
 
 #include "mesh_graph.h"
 
@@ -31,7 +33,7 @@
 #include <vector>
 
 struct Command_line {
-  enum class Task { MESH, PRINT_HELP, PRINT_VERSION };
+  enum class Task { MESH, PRINT_HELP, PRINT_ALL_OPTIONS, PRINT_VERSION };
   enum class Kernel { FILTERED, FIXED, EXACT };
   using Neighbors = mesh_graph::Neighbors;
   /// What is meshed, and which angles are wanted: a graph, or points alone.
@@ -42,7 +44,7 @@ struct Command_line {
 
   Task task = Task::MESH;
   Mode mode = Mode::PSLG;
-  std::string input;
+  std::string input; ///< a file, or standard input (`is_standard_stream()`)
   std::vector<std::string> outputs;
   std::string report_file;      ///< empty: none
   std::string size_points_file; ///< empty: none
@@ -66,9 +68,10 @@ struct Command_line {
   Project project = Project::BY_FORMAT; ///< of Mode::PSLG
   bool is_projection_said = false;
   bool is_quiet = false;
-  std::size_t memory = 0;              ///< bytes; 0: no limit
-  std::string scratch_folder;          ///< empty: none is needed
-  bool is_scratch_folder_ours = false; ///< nobody named it
+  const Standard_output* standard_output = nullptr; ///< for the mesh, where it is an output
+  std::size_t memory = 0;                           ///< bytes; 0: no limit
+  std::string scratch_folder;                       ///< empty: none is needed
+  bool is_scratch_folder_ours = false;              ///< nobody named it
   bool is_resumed = false;
 };
 
@@ -186,17 +189,19 @@ inline void check_is_no_pipe(const std::string& output, const std::filesystem::p
 
 /// \throws Usage_error if a file would be destroyed or cannot be written
 inline void check_files(const Command_line& line) {
-  Named_files inputs{{"the input '" + line.input + "'", line.input}}, outputs;
+  Named_files inputs, outputs;
+  if (!is_standard_stream(line.input)) inputs.push_back({"the input '" + line.input + "'", line.input});
   if (!line.size_points_file.empty())
     inputs.push_back({"the file of --size-points, '" + line.size_points_file + "'", line.size_points_file});
   if (!line.size_grid_file.empty())
     inputs.push_back({"the file of --size-grid, '" + line.size_grid_file + "'", line.size_grid_file});
   for (const std::string& output : line.outputs)
-    for (const std::filesystem::path& file : files_of_output(output)) {
-      check_is_no_pipe(output, file);
-      outputs.push_back(
-          {(file == output ? "" : "'" + file.string() + "' of ") + ("output '" + output + "'"), file});
-    }
+    if (!is_standard_stream(output))
+      for (const std::filesystem::path& file : files_of_output(output)) {
+        check_is_no_pipe(output, file);
+        outputs.push_back(
+            {(file == output ? "" : "'" + file.string() + "' of ") + ("output '" + output + "'"), file});
+      }
   if (!line.report_file.empty())
     outputs.push_back({"the file of --report, '" + line.report_file + "',", line.report_file});
   if (std::filesystem::is_directory(line.scratch_folder)) { // else there is nothing in it
@@ -386,7 +391,7 @@ inline std::string scratch_folder(const po::variables_map& given, const Command_
   if (std::find(line.outputs.begin(), line.outputs.end(), folder) != line.outputs.end())
     throw Usage_error("--scratch names a folder, not the output '" + folder + "'");
   if (!folder.empty()) return folder;
-  if (line.outputs.empty())
+  if (line.outputs.empty() || is_standard_stream(line.outputs.front()))
     throw Usage_error("--" + std::string(line.memory > 0 ? "memory" : "resume") +
                       " needs a scratch folder (--scratch FOLDER) or an output (-o FILE)");
   return line.outputs.front() + ".scratch";
@@ -437,24 +442,6 @@ inline po::variables_map parse(int argc, const char* const* argv) {
 
 } // namespace command_line_internal
 
-inline void print_help(std::ostream& out) {
-  out << "usage: quality_mesh INPUT [-o OUTPUT]... [option]...\n\n"
-         "Meshes a planar straight-line graph with triangles whose angles meet a bound: .poly of Triangle, "
-         ".geojson "
-         "(or .json),\n"
-         ".wkt, .h5 (HDF5). Or points alone: any of these without segments, .node, or a table, one 'x y', "
-         "'x,y' or 'x;y' "
-         "a line "
-         "(.xy, .txt,\n"
-         ".csv). Any may be compressed (.gz).\n"
-      << command_line_internal::visible_options()
-      << "\nExit status: 0 the mesh is valid and meets all bounds; 1 it is valid and written, but a bound is "
-         "unmet "
-         "somewhere;\n2 nothing is written: bad usage, bad input, no valid mesh of it in this arithmetic, or "
-         "too "
-         "little memory or disk.\n";
-}
-
 inline void print_version(std::ostream& out) {
   out << "quality_mesh " << QUADTREE_MESH_VERSION << " (CGAL " << CGAL_VERSION_STR << ")\n";
 }
@@ -464,6 +451,7 @@ inline Command_line parse_command_line(int argc, const char* const* argv) try {
   using namespace command_line_internal;
   const po::variables_map given = parse(argc, argv);
   Command_line line;
+  if (given.count("help-all") > 0) return line.task = Command_line::Task::PRINT_ALL_OPTIONS, line;
   if (given.count("help") > 0) return line.task = Command_line::Task::PRINT_HELP, line;
   if (given.count("version") > 0) return line.task = Command_line::Task::PRINT_VERSION, line;
 
@@ -471,8 +459,8 @@ inline Command_line parse_command_line(int argc, const char* const* argv) try {
   const auto& inputs = given["input"].as<std::vector<std::string>>();
   if (inputs.size() > 1)
     throw Usage_error("one input at a time, not '" + inputs[0] + "' and '" + inputs[1] + "'");
-  line.input = inputs.front();
-  if (given.count("output") > 0) line.outputs = given["output"].as<std::vector<std::string>>();
+  line.input = name_of_input(given, inputs.front());
+  line.outputs = names_of_outputs(given);
   line.report_file = text(given, "report");
 
   const std::vector<std::string> modes(std::begin(mode_names), std::end(mode_names));
@@ -498,6 +486,7 @@ inline Command_line parse_command_line(int argc, const char* const* argv) try {
   check_picture_options(given, line.outputs);
   line.is_renumbering_wanted = given.count("renumber") > 0;
   line.pieces = pieces(given, line.outputs);
+  check_stream_has_no_pieces(line.outputs, line.pieces);
   line.msh_version = msh_version(given, line);
   line.region_property = text(given, "region-property");
   check_region_property(line);

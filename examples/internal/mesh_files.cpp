@@ -1,5 +1,7 @@
 #include "mesh_files.h"
 
+#include "standard_streams.h"
+
 #include <CGAL/Balanced_quadtree.h>
 #include <CGAL/Filtered_quadtree_traits_2.h>
 #include <CGAL/IO/ADCIRC.h>
@@ -22,6 +24,7 @@
 #include <array>
 #include <cstddef>
 #include <filesystem>
+#include <iostream>
 #include <ostream>
 #include <sstream>
 #include <stdexcept>
@@ -32,31 +35,45 @@ namespace {
 
 using namespace mesh_files;
 
-Pslg read(const std::string& file_name, const std::string& region_property) {
+/// \tparam Source the name of a file, or a stream
+/// \param name the name of the stream
+template <class Source, class... Name>
+Pslg read_from(Source& source, Input_format format, const std::string& region_property, const Name&... name) {
   Pslg pslg;
-  switch (input_format(file_name)) {
+  switch (format) {
   case Input_format::POLY:
-    CGAL::IO::read_triangle_poly(file_name, pslg);
+    CGAL::IO::read_triangle_poly(source, pslg, name...);
     break;
   case Input_format::GEOJSON:
-    CGAL::IO::read_GeoJSON(file_name, pslg, region_property);
+    CGAL::IO::read_GeoJSON(source, pslg, region_property, name...);
     break;
   case Input_format::WKT:
-    CGAL::IO::read_WKT(file_name, pslg);
+    CGAL::IO::read_WKT(source, pslg, name...);
     break;
-  case Input_format::HDF5:
-#ifdef CGAL_LINKED_WITH_HDF5
-    CGAL::IO::read_HDF5(file_name, pslg);
-#endif
+  case Input_format::HDF5: // not from a stream
     break;
   case Input_format::NODE:
-    CGAL::IO::read_triangle_node(file_name, pslg);
+    CGAL::IO::read_triangle_node(source, pslg, name...);
     break;
   case Input_format::TABLE:
-    CGAL::IO::read_XY(file_name, pslg.vertices);
+    CGAL::IO::read_XY(source, pslg.vertices, name...);
     break;
   }
   return pslg;
+}
+
+Pslg read(const std::string& file_name, const std::string& region_property) {
+  const Input_format format = input_format(file_name);
+  if (is_standard_stream(file_name))
+    return read_from(std::cin, format, region_property, std::string("standard input"));
+#ifdef CGAL_LINKED_WITH_HDF5
+  if (format == Input_format::HDF5) {
+    Pslg pslg;
+    CGAL::IO::read_HDF5(file_name, pslg);
+    return pslg;
+  }
+#endif
+  return read_from(file_name, format, region_property);
 }
 
 CGAL::IO::Svg_options_2 svg_options(const Picture& picture) {

@@ -7,7 +7,7 @@
 #ifndef QUADTREE_MESH_2_EXAMPLES_OPTION_DESCRIPTIONS_H
 #define QUADTREE_MESH_2_EXAMPLES_OPTION_DESCRIPTIONS_H
 
-// What --help says about the options of quality_mesh.
+// What --help-all says about the options of quality_mesh.
 
 #include "option_values.h"
 
@@ -27,7 +27,11 @@ inline po::options_description common_options() {
     ("output,o", po::value<std::vector<std::string>>()->value_name("FILE"),
      "where to write the mesh, more than once if you like: .vtu, .pvtu (in pieces), .vtkhdf, .xdmf (with .h5), .svg, "
      ".html (a page to look at), .off, .obj, .msh (Gmsh), .mesh (MEDIT), .2dm (SMS), .gr3 (SCHISM), .14 (ADCIRC), or "
-     ".ele, which writes .node, .ele and .poly")
+     ".ele, which writes .node, .ele and .poly; or - for standard output, where nothing but the mesh goes then")
+    ("input-format", po::value<std::string>()->value_name("F"),
+     "of standard input, INPUT -: poly, if not given, geojson, json, wkt, node, xy, csv or txt")
+    ("output-format", po::value<std::string>()->value_name("F"),
+     "of standard output, -o -: vtu, svg, off, obj, msh, mesh, 2dm, gr3 or 14")
     ("msh-version", po::value<std::string>()->value_name("V"), "version of .msh: 4.1, if not given, or 2.2")
     ("renumber", "number vertices and triangles by their places, so that what is near is near in files, too; the "
      "input's numbers become data, input_index")
@@ -44,7 +48,7 @@ inline po::options_description common_options() {
     ("threads", po::value<double>()->value_name("N"),
      "number of threads, at most 256 or the number of processors, whichever is larger; all if not given. The mesh is "
      "the same for any number")
-    ("compare", "with --mode pslg or points: mesh the input with CGAL Mesh_2 too and print both")
+    ("compare", "mesh the input with CGAL Mesh_2 too, and with --mode pslg by our other separation; print all beside each other")
     ("memory", po::value<std::string>()->value_name("SIZE"),
      "keep to about so much memory, such as 2G or 500M, with the rest in files of the scratch folder")
     ("scratch", po::value<std::string>()->value_name("FOLDER"),
@@ -54,7 +58,8 @@ inline po::options_description common_options() {
     ("report", po::value<std::string>()->value_name("FILE.json"), "write the figures as JSON")
     ("quiet", "print nothing but errors")
     ("version", "print the version")
-    ("help,h", "print this");
+    ("help,h", "print the everyday options")
+    ("help-all", "print this");
   return options;
 }
 
