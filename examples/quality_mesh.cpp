@@ -5,6 +5,7 @@
 #include "internal/Progress_line.h"
 #include "internal/by_mesh_2.h"
 #include "internal/command_line.h"
+#include "internal/help.h"
 #include "internal/mesh_files.h"
 #include "internal/mesh_graph.h"
 #include "internal/point_set_program.h"
@@ -36,6 +37,7 @@
 #include <filesystem>
 #include <iostream>
 #include <new>
+#include <optional>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -155,9 +157,30 @@ void note_what_rounding_broke(Meshing_run& run) {
           {unmet.triangle, unmet.centroid, unmet.least_angle, Report::Reason::COORDINATES});
 }
 
-void compare(Meshing_run& run, const CGAL::Quality_mesh_options_2& options) {
+/// Our other separation, with the same bounds.
+void mesh_the_other_way(Meshing_run& run, const Command_line& line) try {
+  using Separation = CGAL::Quality_mesh_options_2::Separation;
+  CGAL::Quality_mesh_options_2 options = line.options;
+  options.separate(meshing_run_internal::other_way(options.separate())).size(size_field(line, nullptr));
+  options.checkpoints(""); // a state is of one way only
+  if (options.separate() == Separation::THEOREM_5 && options.min_edge() > 0)
+    throw std::runtime_error("--min-edge has no meaning with --separation theorem-5");
+  CGAL::Quality_mesh_report_2 report;
+  mesh_graph::Mesh mesh;
+  Mesh_figures figures;
+  timed(figures.seconds, [&] { mesh = mesh_in_plane(run.pslg, options, line, report); });
+  figures.vertices = mesh.points.size();
+  Mesh_figures_builder(figures, options.min_angle()).add_triangles_of(mesh);
+  run.other = figures;
+} catch (const std::runtime_error& error) {
+  run.why_no_other = error.what();
+}
+
+void compare(Meshing_run& run, const Command_line& line) {
+  const auto& options = line.options;
   const auto peer = [&] { return figures_by_Mesh_2(run.pslg, options.min_angle(), options.max_edge()); };
   run.is_peer_asked = true;
+  mesh_the_other_way(run, line);
   run.peer = in_child(peer, peer_limit_seconds).result;
 }
 
@@ -202,16 +225,16 @@ Exit_status execute(const Command_line& line, const Large_run& large) {
       !run.quality.is_met())
     refuse_what_rounding_broke(run.pslg, run.quality.unmet_triangles, "exact numbers");
   if (line.kernel != Command_line::Kernel::FILTERED || run.projected) note_what_rounding_broke(run);
-  if (line.is_comparison_wanted) compare(run, line.options);
+  run.peak_memory_mb = peak_memory_mb();
+  if (line.is_comparison_wanted) compare(run, line);
   if (line.is_renumbering_wanted) timed(run.write_seconds, [&] { renumber(run); });
   const auto add_mesh = [&](mesh_files::Files& files, const std::string& output) {
     timed(run.write_seconds, [&] {
       mesh_files::add(files, output, run.mesh, run.pslg, picture_of(run, line), line.pieces,
                       line.msh_version);
     });
-    run.peak_memory_mb = peak_memory_mb();
+    if (!line.is_comparison_wanted) run.peak_memory_mb = peak_memory_mb(); // else it is that of both meshes
   };
-  run.peak_memory_mb = peak_memory_mb();
   write_all(
       line, add_mesh, [&] { return run_json(run); }, [&] { print_run(run, line.options); });
   large.clean_up();
@@ -219,6 +242,9 @@ Exit_status execute(const Command_line& line, const Large_run& large) {
 }
 
 Exit_status execute_in_scratch(Command_line line) {
+  std::optional<Standard_output> output; // before anything is printed
+  if (std::any_of(line.outputs.begin(), line.outputs.end(), is_standard_stream))
+    line.standard_output = &output.emplace();
   const Large_run large(line);
   if (line.mode == Command_line::Mode::PSLG) return execute(line, large);
   return execute_point_set(line);
@@ -228,6 +254,9 @@ Exit_status run(const Command_line& line) {
   switch (line.task) {
   case Command_line::Task::PRINT_HELP:
     print_help(std::cout);
+    break;
+  case Command_line::Task::PRINT_ALL_OPTIONS:
+    print_all_options(std::cout);
     break;
   case Command_line::Task::PRINT_VERSION:
     print_version(std::cout);
