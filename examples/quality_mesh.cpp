@@ -41,6 +41,7 @@
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace {
 
@@ -205,11 +206,13 @@ mesh_files::Picture picture_of(const Meshing_run& run, const Command_line& line)
 }
 
 void read(Meshing_run& run, const Command_line& line) {
-  run.pslg = mesh_files::read_graph(line.input, line.region_property);
+  mesh_files::Input input = mesh_files::read_graph(line.input, {line.properties, line.layer});
+  run.pslg = std::move(input.graph);
   if (line.is_repair_wanted) run.pslg = repaired_graph(run.pslg, run.repair.emplace());
-  run.projected = projected_graph::projection(run.pslg, line);
-  run.may_be_in_degrees =
-      !run.projected && !line.is_projection_said && projected_graph::may_be_in_degrees(run.pslg);
+  run.projected = projected_graph::projection(run.pslg, input.coordinates, line);
+  run.may_be_in_degrees = !run.projected && !line.is_projection_said &&
+                          input.coordinates != CGAL::Coordinate_system_2::PLANE &&
+                          projected_graph::may_be_in_degrees(run.pslg);
 }
 
 Exit_status execute(const Command_line& line, const Large_run& large) {

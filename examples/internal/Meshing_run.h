@@ -11,6 +11,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Indexed_mesh_2.h>
 #include <CGAL/Pslg_2.h>
+#include <CGAL/Quadtree_mesh_2/internal/io/printable.h>
 #include <CGAL/Quality_mesh_options_2.h>
 #include <CGAL/Quality_mesh_report_2.h>
 #include <CGAL/mesh_quality_2.h>
@@ -80,6 +81,18 @@ inline void print_projection(const projected_graph::Run& run) {
               "segments: %zu; "
               "meshed %zu times;\n            triangles on their other side in degrees: 0\n",
               run.scale_range[0], run.scale_range[1], run.split_vertices, run.rounds);
+}
+
+/// What markers or attributes are called, the first of them.
+inline void print_names(const char* what, const std::vector<std::string>& names) {
+  namespace internal = CGAL::Quadtree_mesh_2::internal;
+  constexpr std::size_t most = 10;
+  if (names.empty()) return;
+  std::string list;
+  for (std::size_t i = 0; i < names.size() && i < most; ++i)
+    list += (i > 0 ? ", " : "") + std::to_string(i + 1) + ' ' + internal::printable(names[i], 40);
+  if (names.size() > most) list += ", and " + std::to_string(names.size() - most) + " more";
+  std::printf("%s: %s\n", what, list.c_str());
 }
 
 /// The places where a bound is unmet, the first of them.
@@ -188,6 +201,13 @@ inline nlohmann::ordered_json peer_json(const Mesh_figures& peer) {
           {"wall_seconds", {{"mesh", peer.seconds.wall}}}};
 }
 
+/// Names with their numbers; null if there are none.
+inline nlohmann::ordered_json names_json(const std::vector<std::string>& names) {
+  nlohmann::ordered_json json;
+  for (std::size_t i = 0; i < names.size(); ++i) json[names[i]] = i + 1;
+  return json;
+}
+
 /// What was cured before meshing; null if that was not asked for.
 inline nlohmann::ordered_json repair_json(const std::optional<CGAL::Pslg_repair_report_2>& repair) {
   if (!repair) return nullptr;
@@ -271,6 +291,8 @@ inline nlohmann::ordered_json run_json(const Meshing_run& run) {
                                  {"repair", repair_json(run.repair)},
                                  {"projection", projection_json(run.projected)},
                                  {"may_be_in_degrees", run.may_be_in_degrees},
+                                 {"region_names", names_json(run.pslg.region_names)},
+                                 {"marker_names", names_json(run.pslg.marker_names)},
                                  {"trees", trees_json(run.report.trees)},
                                  {"threads", run.threads},
                                  {"seconds", seconds_json(run, run.report.seconds, &Seconds::cpu)},
@@ -299,6 +321,8 @@ inline void print_run(const Meshing_run& run, const CGAL::Quality_mesh_options_2
   std::printf("input: %zu vertices, %zu segments, holes: %zu; bound: %g degrees\n",
               run.pslg.number_of_vertices(), run.pslg.number_of_segments(), run.pslg.holes.size(),
               options.min_angle());
+  print_names("attributes of regions", run.pslg.region_names);
+  print_names("markers", run.pslg.marker_names);
   if (run.repair) print_repair(*run.repair);
   if (run.projected) print_projection(*run.projected);
   if (run.may_be_in_degrees)

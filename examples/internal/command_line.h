@@ -12,6 +12,7 @@
 
 #include "mesh_graph.h"
 
+#include <CGAL/Feature_properties_2.h>
 #include <CGAL/Point_set_mesh_options_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/Mesh_checkpoints.h>
 #include <CGAL/Quadtree_mesh_2/internal/io/Msh_version.h>
@@ -63,7 +64,8 @@ struct Command_line {
   bool is_renumbering_wanted = false;
   std::size_t pieces = 0; ///< of outputs that may have some; 0: not said
   CGAL::IO::Msh_version msh_version = CGAL::IO::Msh_version::V4_1;
-  std::string region_property;          ///< empty: none
+  CGAL::Feature_properties_2 properties;
+  std::string layer;                    ///< of files that GDAL reads; empty: the only one
   bool is_repair_wanted = false;        ///< of Mode::PSLG
   Project project = Project::BY_FORMAT; ///< of Mode::PSLG
   bool is_projection_said = false;
@@ -234,6 +236,7 @@ inline const std::vector<Option_use>& option_uses() {
       {"max-area", {Mode::PSLG}},
       {"min-edge", {Mode::PSLG}},
       {"region-property", {Mode::PSLG}},
+      {"marker-property", {Mode::PSLG}},
       {"repair", {Mode::PSLG}},
       {"project", {Mode::PSLG}},
       {"size-points", {Mode::PSLG}},
@@ -422,9 +425,18 @@ inline Command_line::Project project(const po::variables_map& given, const Comma
 }
 
 /// \throws Usage_error if a property is wanted of an input that has none
-inline void check_region_property(const Command_line& line) {
-  if (!line.region_property.empty() && input_format(line.input) != Input_format::GEOJSON)
-    throw Usage_error("--region-property has a meaning for GeoJSON only");
+inline CGAL::Feature_properties_2 properties(const po::variables_map& given, const std::string& input) {
+  for (const char* const option : {"region-property", "marker-property"})
+    if (given.count(option) > 0 && input_format(input) != Input_format::GEOJSON &&
+        input_format(input) != Input_format::OGR)
+      throw Usage_error("--" + std::string(option) + " has a meaning for GeoJSON and what GDAL reads only");
+  return {text(given, "region-property"), text(given, "marker-property")};
+}
+
+inline std::string layer(const po::variables_map& given, const std::string& input) {
+  if (given.count("layer") > 0 && input_format(input) != Input_format::OGR)
+    throw Usage_error("--layer has a meaning for what GDAL reads only, such as .gpkg");
+  return text(given, "layer");
 }
 
 inline po::variables_map parse(int argc, const char* const* argv) {
@@ -488,8 +500,8 @@ inline Command_line parse_command_line(int argc, const char* const* argv) try {
   line.pieces = pieces(given, line.outputs);
   check_stream_has_no_pieces(line.outputs, line.pieces);
   line.msh_version = msh_version(given, line);
-  line.region_property = text(given, "region-property");
-  check_region_property(line);
+  line.properties = properties(given, line.input);
+  line.layer = layer(given, line.input);
   line.is_repair_wanted = given.count("repair") > 0;
   line.project = project(given, line);
   line.is_projection_said = given.count("project") > 0;

@@ -30,7 +30,9 @@ inline void print_help(std::ostream& out) {
   quality_mesh plate.poly --min-angle 28 -o plate.msh -o plate.svg
   quality_mesh wells.csv --mode acute -o wells.svg          points: no obtuse angle
 
-  INPUT              .poly (Triangle), .geojson, .wkt, .h5; points: .node, .csv, .xy
+  INPUT              .poly (Triangle), .geojson, .wkt, .h5; points: .node, .csv, .xy;
+                     with GDAL: .gpkg, .shp, .kml, .gml, .fgb, .dxf
+  --layer NAME       of an input with several
   -o FILE            .vtu .msh .2dm .gr3 .14 .mesh .ele .off .svg ..., also several
   -                  standard input or output, with --input-format, --output-format
   --min-angle DEG    least angle, up to 34; if not given 20.7
@@ -39,7 +41,8 @@ inline void print_help(std::ostream& out) {
   --size-points FILE sizes at points, one 'x y size' a line
   --size-grid FILE   sizes on an ASCII grid of ESRI (.asc)
   --gradation G      sizes of the grid grow by at most G times the distance
-  --region-property NAME  number in GeoJSON's properties: attribute of the regions
+  --region-property NAME  number or name of features: attribute of regions
+  --marker-property NAME  the same for markers of segments
   --repair           split segments where they cross, as polygons that overlap do
   --project P        map longitudes and latitudes: auto, mercator, lambert, none
   --mode M           points alone: points, bounded, acute, warped
@@ -56,7 +59,8 @@ Exit status: 0 all bounds are met; 1 written, but a bound is missed somewhere;
 
 inline void print_all_options(std::ostream& out) {
   print_usage(out);
-  out << R"(INPUT is .poly of Triangle, .geojson (or .json), .wkt, .h5 (HDF5). Or points alone:
+  out << R"(INPUT is .poly of Triangle, .geojson (or .json), .wkt, .h5 (HDF5), or what GDAL
+reads: .gpkg, .shp, .shz, .kml, .kmz, .gml, .fgb, .dxf. Or points alone:
 any of these without segments, .node, or a table, one 'x y', 'x,y' or 'x;y' a
 line (.xy, .txt, .csv). Any may be compressed (.gz).
 )" << command_line_internal::visible_options()

@@ -1,5 +1,6 @@
 #include "mesh_files.h"
 
+#include "gdal_module.h"
 #include "standard_streams.h"
 
 #include <CGAL/Balanced_quadtree.h>
@@ -38,19 +39,21 @@ using namespace mesh_files;
 /// \tparam Source the name of a file, or a stream
 /// \param name the name of the stream
 template <class Source, class... Name>
-Pslg read_from(Source& source, Input_format format, const std::string& region_property, const Name&... name) {
+Pslg read_from(Source& source, Input_format format, const CGAL::Feature_properties_2& properties,
+               const Name&... name) {
   Pslg pslg;
   switch (format) {
   case Input_format::POLY:
     CGAL::IO::read_triangle_poly(source, pslg, name...);
     break;
   case Input_format::GEOJSON:
-    CGAL::IO::read_GeoJSON(source, pslg, region_property, name...);
+    CGAL::IO::read_GeoJSON(source, pslg, properties, name...);
     break;
   case Input_format::WKT:
     CGAL::IO::read_WKT(source, pslg, name...);
     break;
   case Input_format::HDF5: // not from a stream
+  case Input_format::OGR:
     break;
   case Input_format::NODE:
     CGAL::IO::read_triangle_node(source, pslg, name...);
@@ -62,18 +65,25 @@ Pslg read_from(Source& source, Input_format format, const std::string& region_pr
   return pslg;
 }
 
-Pslg read(const std::string& file_name, const std::string& region_property) {
+Input read(const std::string& file_name, const Selection& selection) {
   const Input_format format = input_format(file_name);
+  Input input;
   if (is_standard_stream(file_name))
-    return read_from(std::cin, format, region_property, std::string("standard input"));
+    input.graph = read_from(std::cin, format, selection.properties, std::string("standard input"));
 #ifdef CGAL_LINKED_WITH_HDF5
-  if (format == Input_format::HDF5) {
-    Pslg pslg;
-    CGAL::IO::read_HDF5(file_name, pslg);
-    return pslg;
+  else if (format == Input_format::HDF5)
+    CGAL::IO::read_HDF5(file_name, input.graph);
+#endif
+#ifdef QUADTREE_MESH_GDAL_MODULE
+  else if (format == Input_format::OGR) {
+    gdal_module::Graph_request request{file_name, selection.layer, selection.properties, &input.graph};
+    reinterpret_cast<gdal_module::Read_graph>(gdal_module::function(gdal_module::read_graph_name))(request);
+    input.coordinates = request.coordinates;
   }
 #endif
-  return read_from(file_name, format, region_property);
+  else
+    input.graph = read_from(file_name, format, selection.properties);
+  return input;
 }
 
 CGAL::IO::Svg_options_2 svg_options(const Picture& picture) {
@@ -193,16 +203,16 @@ void write(std::ostream& out, Output_format format, const Mesh& mesh, const Pslg
 
 namespace mesh_files {
 
-Pslg read_graph(const std::string& file_name, const std::string& region_property) {
+Input read_graph(const std::string& file_name, const Selection& selection) {
   const Input_format format = input_format(file_name);
   if (format == Input_format::NODE || format == Input_format::TABLE)
     throw Usage_error("'" + file_name +
                       "' is a file of points alone: use --mode points, bounded, acute or warped");
-  return read(file_name, region_property);
+  return read(file_name, selection);
 }
 
-Pslg read_points(const std::string& file_name) {
-  Pslg pslg = read(file_name, "");
+Pslg read_points(const std::string& file_name, const Selection& selection) {
+  Pslg pslg = read(file_name, selection).graph;
   if (pslg.number_of_segments() > 0) throw std::runtime_error(file_name + ": has segments: use --mode pslg");
   if (pslg.vertices.empty()) throw std::runtime_error(file_name + ": no points");
   return pslg;

@@ -28,6 +28,7 @@ inline po::options_description common_options() {
      "where to write the mesh, more than once if you like: .vtu, .pvtu (in pieces), .vtkhdf, .xdmf (with .h5), .svg, "
      ".html (a page to look at), .off, .obj, .msh (Gmsh), .mesh (MEDIT), .2dm (SMS), .gr3 (SCHISM), .14 (ADCIRC), or "
      ".ele, which writes .node, .ele and .poly; or - for standard output, where nothing but the mesh goes then")
+    ("layer", po::value<std::string>()->value_name("NAME"), "of an input with several, such as .gpkg")
     ("input-format", po::value<std::string>()->value_name("F"),
      "of standard input, INPUT -: poly, if not given, geojson, json, wkt, node, xy, csv or txt")
     ("output-format", po::value<std::string>()->value_name("F"),
@@ -48,7 +49,7 @@ inline po::options_description common_options() {
     ("threads", po::value<double>()->value_name("N"),
      "number of threads, at most 256 or the number of processors, whichever is larger; all if not given. The mesh is "
      "the same for any number")
-    ("compare", "mesh the input with CGAL Mesh_2 too, and with --mode pslg by our other separation; print all beside each other")
+    ("compare", "mesh the input with CGAL Mesh_2, too, and with --mode pslg by our other separation, in a table")
     ("memory", po::value<std::string>()->value_name("SIZE"),
      "keep to about so much memory, such as 2G or 500M, with the rest in files of the scratch folder")
     ("scratch", po::value<std::string>()->value_name("FOLDER"),
@@ -73,12 +74,15 @@ inline po::options_description graph_options() {
     ("min-edge", po::value<double>()->value_name("H"),
      "insert no vertex nearer than this to another; triangles that miss a bound for this reason are reported")
     ("region-property", po::value<std::string>()->value_name("NAME"),
-     "the number in the properties of GeoJSON's features that becomes the attribute of their regions")
+     "the property of features that becomes the attribute of their regions: its numbers, or 1, 2, ... for "
+     "names, which the report lists")
+    ("marker-property", po::value<std::string>()->value_name("NAME"),
+     "the property that becomes the marker of their lines and borders: whole numbers, or names in the same way")
     ("repair", "split segments where they cross, as borders of polygons that overlap do")
     ("project", po::value<std::string>()->value_name("P"),
      "the conformal projection in which longitudes and latitudes are meshed, so that angles are those on the ground "
      "and sizes are meters: auto (by the latitudes), mercator, lambert or none. The mesh is in degrees. If not given: "
-     "auto for GeoJSON with coordinates of degrees, else none")
+     "auto for GeoJSON with coordinates of degrees, and where the file says that they are degrees; else none")
     ("size-points", po::value<std::string>()->value_name("FILE"),
      "points with sizes, one 'x y size' a line: the longest edge is size plus half the distance, the least over all")
     ("size-grid", po::value<std::string>()->value_name("FILE"),
