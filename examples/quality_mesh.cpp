@@ -21,6 +21,7 @@
 
 #include <CGAL/Pslg_error_2.h>
 #include <CGAL/Quadtree_mesh_2/new_in_scratch_memory.h> // of this program's own long vectors and strings
+#include <CGAL/Segments_sizing_field_2.h>
 #include <CGAL/mesh_quality_2.h>
 #include <CGAL/renumber_mesh_2.h>
 #include <CGAL/tags.h>
@@ -45,25 +46,45 @@
 
 namespace {
 
+using Size_field = CGAL::Quality_mesh_options_2::Size_field;
+
+/// The smaller of both; an empty field is no bound.
+Size_field least(Size_field a, Size_field b) {
+  if (!a || !b) return a ? a : b;
+  return [a = std::move(a), b = std::move(b)](double x, double y) { return std::min(a(x, y), b(x, y)); };
+}
+
+/// By how much sizes grow over a unit of length.
+/// \param own what they would grow by without a limit
+double limited_gradation(double own, const Command_line& line) {
+  return line.gradation > 0 ? std::min(own, line.gradation) : own;
+}
+
 /// The least of the sizes from files; empty if there are none.
 /// \param projection in whose plane they are asked for; null: none
-CGAL::Quality_mesh_options_2::Size_field size_field(const Command_line& line,
-                                                    const CGAL::Conformal_projection_2* projection) {
-  CGAL::Quality_mesh_options_2::Size_field points, grid;
+Size_field size_field(const Command_line& line, const CGAL::Conformal_projection_2* projection) {
+  Size_field points, grid;
   if (!line.size_points_file.empty())
-    points = mesh_files::read_sized_points(line.size_points_file, projection);
+    points = mesh_files::read_sized_points(line.size_points_file, projection, limited_gradation(0.5, line));
   if (!line.size_grid_file.empty()) grid = mesh_files::read_size_grid(line.size_grid_file, line.gradation);
   if (grid && projection != nullptr)
     grid = [of_degrees = grid, p = *projection](double x, double y) {
       const auto place = p.inverse(x, y);
       return of_degrees(place[0], place[1]) * p.scale(place[1]);
     };
-  if (!points || !grid) return points ? points : grid;
-  return [points, grid](double x, double y) { return std::min(points(x, y), grid(x, y)); };
+  return least(points, grid);
 }
 
-mesh_graph::Mesh mesh_in_plane(const mesh_graph::Pslg& pslg, const CGAL::Quality_mesh_options_2& options,
+/// Sizes by the distance from the graph, in its own plane; empty if nobody wants them.
+Size_field size_from_features(const mesh_graph::Pslg& pslg, const Command_line& line) {
+  if (!line.feature_sizes || pslg.vertices.empty()) return nullptr;
+  const auto [size, gradation] = *line.feature_sizes;
+  return CGAL::Segments_sizing_field_2(pslg, size, limited_gradation(gradation, line));
+}
+
+mesh_graph::Mesh mesh_in_plane(const mesh_graph::Pslg& pslg, CGAL::Quality_mesh_options_2 options,
                                const Command_line& line, CGAL::Quality_mesh_report_2& report) try {
+  options.size(least(options.size(), size_from_features(pslg, line)));
   switch (line.kernel) {
   case Command_line::Kernel::FILTERED:
     break;

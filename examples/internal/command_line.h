@@ -27,6 +27,7 @@
 #include <filesystem>
 #include <iostream>
 #include <iterator>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -50,7 +51,12 @@ struct Command_line {
   std::string report_file;      ///< empty: none
   std::string size_points_file; ///< empty: none
   std::string size_grid_file;   ///< empty: none
-  double gradation = 0;         ///< of the sizes on the grid; 0: no limit
+  /// The longest edge at features, and how it grows with the distance from them.
+  struct Feature_sizes {
+    double size, gradation;
+  };
+  std::optional<Feature_sizes> feature_sizes;
+  double gradation = 0; ///< of all these sizes; 0: no limit
   Kernel kernel = Kernel::FILTERED;
   CGAL::Quality_mesh_options_2 options;             ///< of Mode::PSLG
   Neighbors neighbors = Neighbors::TRAPEZOIDAL;     ///< of Mode::PSLG, by quadtrees
@@ -89,14 +95,24 @@ inline double least_edge(const po::variables_map& given) {
   return least;
 }
 
-/// By how much sizes on a grid may grow over a unit of length; 0: no limit.
-/// \throws Usage_error if there is no grid
+/// By how much sizes may grow over a unit of length; 0: no limit.
+/// \throws Usage_error if there are no sizes that vary
 inline double gradation(const po::variables_map& given) {
-  if (given.count("gradation") > 0 && given.count("size-grid") == 0)
-    throw Usage_error("--gradation limits the sizes of --size-grid, which is not given: sizes of "
-                      "--size-points grow by half the "
-                      "distance, and without sizes the angle bound limits how triangles grow");
+  if (given.count("gradation") > 0 && given.count("size-grid") + given.count("size-points") == 0 &&
+      given.count("size-from-features") == 0)
+    throw Usage_error(
+        "--gradation limits the sizes of --size-grid, --size-points and --size-from-features, of which "
+        "none is given: without them the angle bound limits how triangles grow");
   return bound(given, "gradation");
+}
+
+inline std::optional<Command_line::Feature_sizes> feature_sizes(const po::variables_map& given) {
+  if (given.count("size-from-features") == 0) return std::nullopt;
+  const auto& numbers = given["size-from-features"].as<std::vector<double>>();
+  if (numbers.size() != 2) throw Usage_error("--size-from-features is given more than once");
+  if (!(numbers[0] > 0) || !std::isfinite(numbers[0]) || !(numbers[1] >= 0) || !std::isfinite(numbers[1]))
+    throw Usage_error("--size-from-features has to be a size above 0, and a growth of at least 0");
+  return Command_line::Feature_sizes{numbers[0], numbers[1]};
 }
 
 inline double min_angle(const po::variables_map& given) {
@@ -241,6 +257,7 @@ inline const std::vector<Option_use>& option_uses() {
       {"project", {Mode::PSLG}},
       {"size-points", {Mode::PSLG}},
       {"size-grid", {Mode::PSLG}},
+      {"size-from-features", {Mode::PSLG}},
       {"gradation", {Mode::PSLG}},
       {"domain", {Mode::PSLG}},
       {"separation", {Mode::PSLG}},
@@ -412,8 +429,9 @@ inline Command_line::Project project(const po::variables_map& given, const Comma
   const auto refuse = [](const std::string& what) {
     throw Usage_error(what + " has no meaning with --project, unless it is none");
   };
+  const bool is_grid_limited = given.count("gradation") > 0 && given.count("size-grid") > 0;
   for (const char* const option : {"memory", "resume", "compare", "gradation"})
-    if (given.count(option) > 0) {
+    if (given.count(option) > 0 && (is_grid_limited || std::string(option) != "gradation")) {
       if (is_said) refuse(std::string("--") + option);
       return Project::NONE;
     }
@@ -484,6 +502,7 @@ inline Command_line parse_command_line(int argc, const char* const* argv) try {
   line.size_points_file = text(given, "size-points");
   line.size_grid_file = text(given, "size-grid");
   line.gradation = gradation(given);
+  line.feature_sizes = feature_sizes(given);
   constexpr Command_line::Kernel kernels[] = {Command_line::Kernel::FILTERED, Command_line::Kernel::FIXED,
                                               Command_line::Kernel::EXACT};
   line.kernel = kernels[choice(given, "kernel", {"filtered", "fixed", "exact"})];

@@ -82,6 +82,18 @@ inline Input_format input_format(const std::string& file_name) {
                     ".kml, .kmz, .gml, .fgb, .dxf (by GDAL)");
 }
 
+enum class Grid_format { ESRI, GDAL };
+
+/// An ASCII grid of ESRI, by the ending, or by that before `.gz`; all else is for GDAL.
+inline Grid_format grid_format(const std::string& file_name) {
+  std::filesystem::path path(file_name);
+  if (path.extension() == ".gz") path.replace_extension();
+  for (const char* const ending : {"", ".asc", ".txt"})
+    if (path.extension() == ending) return Grid_format::ESRI;
+  check_has_gdal(file_name);
+  return Grid_format::GDAL;
+}
+
 inline Output_format output_format(const std::string& file_name) {
   static const std::vector<std::pair<std::string, Output_format>> endings = {
       {".ele", Output_format::TRIANGLE},  {".node", Output_format::TRIANGLE},

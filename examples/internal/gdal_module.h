@@ -12,8 +12,10 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Feature_properties_2.h>
+#include <CGAL/Grid_sizing_field_2.h>
 #include <CGAL/Pslg_2.h>
 
+#include <optional>
 #include <string>
 
 namespace gdal_module {
@@ -28,6 +30,13 @@ struct Graph_request {
 };
 using Read_graph = void (*)(Graph_request&);
 inline constexpr const char* read_graph_name = "quality_mesh_read_graph_by_gdal";
+
+struct Grid_request {
+  std::string file_name;
+  std::optional<CGAL::Grid_sizing_field_2> sizes = {};
+};
+using Read_grid = void (*)(Grid_request&);
+inline constexpr const char* read_grid_name = "quality_mesh_read_grid_by_gdal";
 
 /// The function of this name in the module, which stays loaded.
 /// \throws std::runtime_error if there is no module

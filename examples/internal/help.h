@@ -39,8 +39,9 @@ inline void print_help(std::ostream& out) {
   --max-edge H       longest edge
   --max-area A       largest area of a triangle
   --size-points FILE sizes at points, one 'x y size' a line
-  --size-grid FILE   sizes on an ASCII grid of ESRI (.asc)
-  --gradation G      sizes of the grid grow by at most G times the distance
+  --size-grid FILE   sizes on an ASCII grid of ESRI (.asc), or by GDAL (.tif ...)
+  --size-from-features H G   sizes H + G times the distance from segments
+  --gradation G      these sizes grow by at most G times the distance
   --region-property NAME  number or name of features: attribute of regions
   --marker-property NAME  the same for markers of segments
   --repair           split segments where they cross, as polygons that overlap do

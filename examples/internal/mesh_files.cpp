@@ -65,6 +65,17 @@ Pslg read_from(Source& source, Input_format format, const CGAL::Feature_properti
   return pslg;
 }
 
+CGAL::Grid_sizing_field_2 grid_by_gdal(const std::string& file_name) {
+#ifdef QUADTREE_MESH_GDAL_MODULE
+  gdal_module::Grid_request request{file_name};
+  reinterpret_cast<gdal_module::Read_grid>(gdal_module::function(gdal_module::read_grid_name))(request);
+  return *request.sizes;
+#else
+  check_has_gdal(file_name);
+  throw std::logic_error("no GDAL"); // not reached
+#endif
+}
+
 Input read(const std::string& file_name, const Selection& selection) {
   const Input_format format = input_format(file_name);
   Input input;
@@ -219,7 +230,8 @@ Pslg read_points(const std::string& file_name, const Selection& selection) {
 }
 
 CGAL::Points_sizing_field_2 read_sized_points(const std::string& file_name,
-                                              const CGAL::Conformal_projection_2* projection) {
+                                              const CGAL::Conformal_projection_2* projection,
+                                              double gradation) {
   std::vector<Point> points;
   std::vector<double> sizes;
   CGAL::IO::read_XY(file_name, points, sizes);
@@ -236,11 +248,13 @@ CGAL::Points_sizing_field_2 read_sized_points(const std::string& file_name,
     } else
       sized.push_back({x, y, sizes[i]});
   }
-  return CGAL::Points_sizing_field_2(std::move(sized));
+  return CGAL::Points_sizing_field_2(std::move(sized), gradation);
 }
 
 CGAL::Grid_sizing_field_2 read_size_grid(const std::string& file_name, double gradation) {
-  CGAL::Grid_sizing_field_2 grid = CGAL::IO::read_ESRI_grid(file_name);
+  CGAL::Grid_sizing_field_2 grid = grid_format(file_name) == Grid_format::GDAL
+                                       ? grid_by_gdal(file_name)
+                                       : CGAL::IO::read_ESRI_grid(file_name);
   if (gradation > 0) grid.limit_gradient(gradation);
   return grid;
 }

@@ -44,9 +44,11 @@ Input read_graph(const std::string& file_name, const Selection& selection);
 Pslg read_points(const std::string& file_name, const Selection& selection);
 /// Points with the sizes of triangles there: the first three columns of a table, or `x`, `y` and `size`.
 /// \param projection of the places, if they are degrees; sizes are meters then. Null: none
+/// \param gradation by how much sizes grow over a unit of length
 CGAL::Points_sizing_field_2 read_sized_points(const std::string& file_name,
-                                              const CGAL::Conformal_projection_2* projection);
-/// Sizes on an ASCII grid of ESRI.
+                                              const CGAL::Conformal_projection_2* projection,
+                                              double gradation);
+/// Sizes on an ASCII grid of ESRI, or on a raster that GDAL reads.
 /// \param gradation by how much they may grow over a unit of length; 0: no limit
 CGAL::Grid_sizing_field_2 read_size_grid(const std::string& file_name, double gradation);
 

@@ -86,9 +86,13 @@ inline po::options_description graph_options() {
     ("size-points", po::value<std::string>()->value_name("FILE"),
      "points with sizes, one 'x y size' a line: the longest edge is size plus half the distance, the least over all")
     ("size-grid", po::value<std::string>()->value_name("FILE"),
-     "longest edges on an ASCII grid of ESRI (.asc), bilinear between its places; no bound where it has NODATA_value")
+     "longest edges on an ASCII grid of ESRI (.asc) or a raster that GDAL reads (.tif ...), bilinear between its "
+     "places; no bound where it has no data")
+    ("size-from-features", (new Two_numbers)->value_name("H G"),
+     "the longest edge is H plus G times the distance from the nearest segment or vertex of the input")
     ("gradation", po::value<double>()->value_name("G"),
-     "with --size-grid: its sizes grow by at most G times the distance, such as 0.2; larger ones become smaller")
+     "the sizes of the three options above grow by at most G times the distance, such as 0.2; larger ones become "
+     "smaller")
     ("domain", po::value<std::string>()->value_name("D")->default_value("enclosed"),
      "what is meshed: enclosed, marked (components with a region's point) or parity (of nested borders)")
     ("separation", po::value<std::string>()->value_name("S")->default_value("on-demand"),
