@@ -22,6 +22,7 @@
 #include <CGAL/Pslg_error_2.h>
 #include <CGAL/Quadtree_mesh_2/new_in_scratch_memory.h> // of this program's own long vectors and strings
 #include <CGAL/Segments_sizing_field_2.h>
+#include <CGAL/mesh_in_projection_2.h>
 #include <CGAL/mesh_quality_2.h>
 #include <CGAL/renumber_mesh_2.h>
 #include <CGAL/tags.h>

@@ -32,7 +32,7 @@ inline po::options_description common_options() {
     ("input-format", po::value<std::string>()->value_name("F"),
      "of standard input, INPUT -: poly, if not given, geojson, json, wkt, node, xy, csv or txt")
     ("output-format", po::value<std::string>()->value_name("F"),
-     "of standard output, -o -: vtu, svg, off, obj, msh, mesh, 2dm, gr3 or 14")
+     "of standard output, -o -: vtu, svg, html, off, obj, msh, mesh, 2dm, gr3 or 14")
     ("msh-version", po::value<std::string>()->value_name("V"), "version of .msh: 4.1, if not given, or 2.2")
     ("renumber", "number vertices and triangles by their places, so that what is near is near in files, too; the "
      "input's numbers become data, input_index")

@@ -40,7 +40,7 @@ inline std::vector<std::string> names_of_outputs(const po::variables_map& given)
   std::vector<std::string> outputs;
   if (given.count("output") > 0) outputs = given["output"].as<std::vector<std::string>>();
   const std::string format = format_of_stream(
-      given, "output-format", {"vtu", "svg", "off", "obj", "msh", "mesh", "2dm", "gr3", "14"});
+      given, "output-format", {"vtu", "svg", "html", "off", "obj", "msh", "mesh", "2dm", "gr3", "14"});
   const auto streams = std::count(outputs.begin(), outputs.end(), "-");
   if (streams > 1) throw Usage_error("standard output, -o -, takes one mesh");
   if (streams == 0 && !format.empty())

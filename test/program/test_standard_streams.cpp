@@ -50,7 +50,7 @@ TEST_CASE("standard input is read in each format", "[program]") {
 TEST_CASE("nothing but the mesh goes to standard output", "[program]") {
   const Scratch_folder folder;
   const std::string input = test_data("island.wkt");
-  for (const std::string format : {"off", "obj", "vtu", "svg", "msh", "mesh", "2dm", "gr3", "14"}) {
+  for (const std::string format : {"off", "obj", "vtu", "svg", "html", "msh", "mesh", "2dm", "gr3", "14"}) {
     const std::string file = folder.file("m." + format);
     CHECK(run(input + " -o " + file).status == 0);
     const Run r = run(input + " -o - --output-format " + format);
