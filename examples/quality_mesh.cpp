@@ -5,6 +5,7 @@
 #include "internal/Progress_line.h"
 #include "internal/by_mesh_2.h"
 #include "internal/command_line.h"
+#include "internal/help.h"
 #include "internal/mesh_files.h"
 #include "internal/mesh_graph.h"
 #include "internal/point_set_program.h"
@@ -20,6 +21,8 @@
 
 #include <CGAL/Pslg_error_2.h>
 #include <CGAL/Quadtree_mesh_2/new_in_scratch_memory.h> // of this program's own long vectors and strings
+#include <CGAL/Segments_sizing_field_2.h>
+#include <CGAL/mesh_in_projection_2.h>
 #include <CGAL/mesh_quality_2.h>
 #include <CGAL/renumber_mesh_2.h>
 #include <CGAL/tags.h>
@@ -36,31 +39,53 @@
 #include <filesystem>
 #include <iostream>
 #include <new>
+#include <optional>
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace {
 
+using Size_field = CGAL::Quality_mesh_options_2::Size_field;
+
+/// The smaller of both; an empty field is no bound.
+Size_field least(Size_field a, Size_field b) {
+  if (!a || !b) return a ? a : b;
+  return [a = std::move(a), b = std::move(b)](double x, double y) { return std::min(a(x, y), b(x, y)); };
+}
+
+/// By how much sizes grow over a unit of length.
+/// \param own what they would grow by without a limit
+double limited_gradation(double own, const Command_line& line) {
+  return line.gradation > 0 ? std::min(own, line.gradation) : own;
+}
+
 /// The least of the sizes from files; empty if there are none.
 /// \param projection in whose plane they are asked for; null: none
-CGAL::Quality_mesh_options_2::Size_field size_field(const Command_line& line,
-                                                    const CGAL::Conformal_projection_2* projection) {
-  CGAL::Quality_mesh_options_2::Size_field points, grid;
+Size_field size_field(const Command_line& line, const CGAL::Conformal_projection_2* projection) {
+  Size_field points, grid;
   if (!line.size_points_file.empty())
-    points = mesh_files::read_sized_points(line.size_points_file, projection);
+    points = mesh_files::read_sized_points(line.size_points_file, projection, limited_gradation(0.5, line));
   if (!line.size_grid_file.empty()) grid = mesh_files::read_size_grid(line.size_grid_file, line.gradation);
   if (grid && projection != nullptr)
     grid = [of_degrees = grid, p = *projection](double x, double y) {
       const auto place = p.inverse(x, y);
       return of_degrees(place[0], place[1]) * p.scale(place[1]);
     };
-  if (!points || !grid) return points ? points : grid;
-  return [points, grid](double x, double y) { return std::min(points(x, y), grid(x, y)); };
+  return least(points, grid);
 }
 
-mesh_graph::Mesh mesh_in_plane(const mesh_graph::Pslg& pslg, const CGAL::Quality_mesh_options_2& options,
+/// Sizes by the distance from the graph, in its own plane; empty if nobody wants them.
+Size_field size_from_features(const mesh_graph::Pslg& pslg, const Command_line& line) {
+  if (!line.feature_sizes || pslg.vertices.empty()) return nullptr;
+  const auto [size, gradation] = *line.feature_sizes;
+  return CGAL::Segments_sizing_field_2(pslg, size, limited_gradation(gradation, line));
+}
+
+mesh_graph::Mesh mesh_in_plane(const mesh_graph::Pslg& pslg, CGAL::Quality_mesh_options_2 options,
                                const Command_line& line, CGAL::Quality_mesh_report_2& report) try {
+  options.size(least(options.size(), size_from_features(pslg, line)));
   switch (line.kernel) {
   case Command_line::Kernel::FILTERED:
     break;
@@ -155,9 +180,30 @@ void note_what_rounding_broke(Meshing_run& run) {
           {unmet.triangle, unmet.centroid, unmet.least_angle, Report::Reason::COORDINATES});
 }
 
-void compare(Meshing_run& run, const CGAL::Quality_mesh_options_2& options) {
+/// Our other separation, with the same bounds.
+void mesh_the_other_way(Meshing_run& run, const Command_line& line) try {
+  using Separation = CGAL::Quality_mesh_options_2::Separation;
+  CGAL::Quality_mesh_options_2 options = line.options;
+  options.separate(meshing_run_internal::other_way(options.separate())).size(size_field(line, nullptr));
+  options.checkpoints(""); // a state is of one way only
+  if (options.separate() == Separation::THEOREM_5 && options.min_edge() > 0)
+    throw std::runtime_error("--min-edge has no meaning with --separation theorem-5");
+  CGAL::Quality_mesh_report_2 report;
+  mesh_graph::Mesh mesh;
+  Mesh_figures figures;
+  timed(figures.seconds, [&] { mesh = mesh_in_plane(run.pslg, options, line, report); });
+  figures.vertices = mesh.points.size();
+  Mesh_figures_builder(figures, options.min_angle()).add_triangles_of(mesh);
+  run.other = figures;
+} catch (const std::runtime_error& error) {
+  run.why_no_other = error.what();
+}
+
+void compare(Meshing_run& run, const Command_line& line) {
+  const auto& options = line.options;
   const auto peer = [&] { return figures_by_Mesh_2(run.pslg, options.min_angle(), options.max_edge()); };
   run.is_peer_asked = true;
+  mesh_the_other_way(run, line);
   run.peer = in_child(peer, peer_limit_seconds).result;
 }
 
@@ -182,11 +228,13 @@ mesh_files::Picture picture_of(const Meshing_run& run, const Command_line& line)
 }
 
 void read(Meshing_run& run, const Command_line& line) {
-  run.pslg = mesh_files::read_graph(line.input, line.region_property);
+  mesh_files::Input input = mesh_files::read_graph(line.input, {line.properties, line.layer});
+  run.pslg = std::move(input.graph);
   if (line.is_repair_wanted) run.pslg = repaired_graph(run.pslg, run.repair.emplace());
-  run.projected = projected_graph::projection(run.pslg, line);
-  run.may_be_in_degrees =
-      !run.projected && !line.is_projection_said && projected_graph::may_be_in_degrees(run.pslg);
+  run.projected = projected_graph::projection(run.pslg, input.coordinates, line);
+  run.may_be_in_degrees = !run.projected && !line.is_projection_said &&
+                          input.coordinates != CGAL::Coordinate_system_2::PLANE &&
+                          projected_graph::may_be_in_degrees(run.pslg);
 }
 
 Exit_status execute(const Command_line& line, const Large_run& large) {
@@ -202,16 +250,16 @@ Exit_status execute(const Command_line& line, const Large_run& large) {
       !run.quality.is_met())
     refuse_what_rounding_broke(run.pslg, run.quality.unmet_triangles, "exact numbers");
   if (line.kernel != Command_line::Kernel::FILTERED || run.projected) note_what_rounding_broke(run);
-  if (line.is_comparison_wanted) compare(run, line.options);
+  run.peak_memory_mb = peak_memory_mb();
+  if (line.is_comparison_wanted) compare(run, line);
   if (line.is_renumbering_wanted) timed(run.write_seconds, [&] { renumber(run); });
   const auto add_mesh = [&](mesh_files::Files& files, const std::string& output) {
     timed(run.write_seconds, [&] {
       mesh_files::add(files, output, run.mesh, run.pslg, picture_of(run, line), line.pieces,
                       line.msh_version);
     });
-    run.peak_memory_mb = peak_memory_mb();
+    if (!line.is_comparison_wanted) run.peak_memory_mb = peak_memory_mb(); // else it is that of both meshes
   };
-  run.peak_memory_mb = peak_memory_mb();
   write_all(
       line, add_mesh, [&] { return run_json(run); }, [&] { print_run(run, line.options); });
   large.clean_up();
@@ -219,6 +267,9 @@ Exit_status execute(const Command_line& line, const Large_run& large) {
 }
 
 Exit_status execute_in_scratch(Command_line line) {
+  std::optional<Standard_output> output; // before anything is printed
+  if (std::any_of(line.outputs.begin(), line.outputs.end(), is_standard_stream))
+    line.standard_output = &output.emplace();
   const Large_run large(line);
   if (line.mode == Command_line::Mode::PSLG) return execute(line, large);
   return execute_point_set(line);
@@ -228,6 +279,9 @@ Exit_status run(const Command_line& line) {
   switch (line.task) {
   case Command_line::Task::PRINT_HELP:
     print_help(std::cout);
+    break;
+  case Command_line::Task::PRINT_ALL_OPTIONS:
+    print_all_options(std::cout);
     break;
   case Command_line::Task::PRINT_VERSION:
     print_version(std::cout);

@@ -27,7 +27,7 @@ while [[ $# -gt 0 ]]; do
   esac
   shift
 done
-install_packages "${build_packages[@]}" clang
+install_packages "${build_packages[@]}" libgdal-dev clang
 
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -58,7 +58,7 @@ check() { # compiler, standard, source
 }
 flags=(-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror -DCGAL_LINKED_WITH_TBB
   ${cgal:+-isystem "$cgal"} -I "$root/include" -isystem /usr/include/eigen3
-  -isystem /usr/include/hdf5/serial)
+  -isystem /usr/include/hdf5/serial -isystem /usr/include/gdal)
 
 # Other libraries take longer to read than most of our headers. So a header finds those of them read that it includes,
 # itself or through headers of ours, and none that it lacks. The first set that is all among what it includes is taken.

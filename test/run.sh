@@ -40,7 +40,7 @@ case $sanitize in
 esac
 
 [[ -z $sanitize || -n $compiler ]] || compiler=clang++
-packages=("${build_packages[@]}" catch2 python3-gmsh python3-h5py python3-meshio)
+packages=("${build_packages[@]}" libgdal-dev catch2 python3-gmsh python3-h5py python3-meshio)
 # The Python package: what is missing is left out of build and tests, which CMake says.
 [[ -n $sanitize ]] || packages+=(pybind11-dev python3-dev python3-pytest python3-numpy python3-shapely
   python3-geopandas python3-matplotlib)

@@ -116,6 +116,7 @@ private:
       digest.add(text.size()), digest.add(text.data(), text.size());
     }
     digest.add(line.gradation);
+    if (line.feature_sizes) digest.add(line.feature_sizes->size), digest.add(line.feature_sizes->gradation);
     return digest.value();
   }
 };

@@ -3,6 +3,7 @@
 
 // What a run of quality_mesh made, in words for people and in JSON for programs.
 
+#include "Figures_table.h"
 #include "mesh_figures.h"
 #include "projected_graph.h"
 #include "report_words.h"
@@ -10,6 +11,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Indexed_mesh_2.h>
 #include <CGAL/Pslg_2.h>
+#include <CGAL/Quadtree_mesh_2/internal/io/printable.h>
 #include <CGAL/Quality_mesh_options_2.h>
 #include <CGAL/Quality_mesh_report_2.h>
 #include <CGAL/mesh_quality_2.h>
@@ -22,7 +24,8 @@
 #include <map>
 #include <optional>
 #include <string>
-#include <type_traits>
+#include <utility>
+#include <vector>
 
 struct Meshing_run {
   using Point_2 = CGAL::Exact_predicates_inexact_constructions_kernel::Point_2;
@@ -38,6 +41,9 @@ struct Meshing_run {
   Mesh_figures ours;
   bool is_peer_asked = false;
   std::optional<Mesh_figures> peer; ///< Mesh_2 on the same input; nothing if it gave no mesh
+  std::optional<Mesh_figures>
+      other; ///< our other separation on it, if the peer is asked; nothing if it gave no mesh
+  std::string why_no_other;
 
   unsigned threads = 1;
   Seconds read_seconds;
@@ -77,6 +83,18 @@ inline void print_projection(const projected_graph::Run& run) {
               run.scale_range[0], run.scale_range[1], run.split_vertices, run.rounds);
 }
 
+/// What markers or attributes are called, the first of them.
+inline void print_names(const char* what, const std::vector<std::string>& names) {
+  namespace internal = CGAL::Quadtree_mesh_2::internal;
+  constexpr std::size_t most = 10;
+  if (names.empty()) return;
+  std::string list;
+  for (std::size_t i = 0; i < names.size() && i < most; ++i)
+    list += (i > 0 ? ", " : "") + std::to_string(i + 1) + ' ' + internal::printable(names[i], 40);
+  if (names.size() > most) list += ", and " + std::to_string(names.size() - most) + " more";
+  std::printf("%s: %s\n", what, list.c_str());
+}
+
 /// The places where a bound is unmet, the first of them.
 inline void print_unmet(const CGAL::Mesh_quality_2& quality) {
   constexpr std::size_t max_lines = 10;
@@ -106,18 +124,6 @@ void print_line(const char* name, const char* format, Number ours, std::optional
   std::printf("\n");
 }
 
-/// The least angle of the triangles that are not below the bound; 180 stands for none of these.
-inline void print_angle_of_others(const Meshing_run& run) {
-  const auto text = [](double angle) {
-    char digits[32];
-    std::snprintf(digits, sizeof digits, "%.2f", angle);
-    return std::string(angle < 180 ? digits : "-");
-  };
-  std::printf("%-28s%14s", "least angle above the bound", text(run.ours.min_angle_of_others).c_str());
-  if (run.peer) std::printf("%14s", text(run.peer->min_angle_of_others).c_str());
-  std::printf("\n");
-}
-
 /// Time by the clock is another one where there are threads.
 /// \tparam Run has `ours`, `peer` and `threads`
 template <class Run>
@@ -128,6 +134,34 @@ void print_seconds(const Run& run) {
   };
   print("processor seconds", &Seconds::cpu);
   if (run.threads > 1) print("seconds by the clock", &Seconds::wall);
+}
+
+/// What our separations are called beside each other.
+inline const char* name_of_way(CGAL::Quality_mesh_options_2::Separation way) {
+  return way == CGAL::Quality_mesh_options_2::Separation::ON_DEMAND ? "on demand" : "by quadtrees";
+}
+inline CGAL::Quality_mesh_options_2::Separation other_way(CGAL::Quality_mesh_options_2::Separation way) {
+  using Separation = CGAL::Quality_mesh_options_2::Separation;
+  return way == Separation::ON_DEMAND ? Separation::THEOREM_5 : Separation::ON_DEMAND;
+}
+
+inline void print_figures(const Meshing_run& run, const CGAL::Quality_mesh_options_2& options) {
+  std::vector<Figures_table::Column> columns{{name_of_way(options.separate()), run.ours}};
+  if (run.is_peer_asked) {
+    columns.push_back({name_of_way(other_way(options.separate())), run.other});
+    columns.push_back({"CGAL Mesh_2", run.peer});
+  }
+  const Figures_table table(std::move(columns));
+  table.print_names();
+  table.print_count("vertices", &Mesh_figures::vertices);
+  table.print_count("triangles", &Mesh_figures::triangles);
+  table.print_angle("least angle", &Mesh_figures::min_angle);
+  table.print_angle("largest angle", &Mesh_figures::max_angle);
+  table.print_count("triangles below the bound", &Mesh_figures::below_bound);
+  print_line("  in acute input corners", "%14zu", run.quality.exempt_triangles, std::optional<std::size_t>());
+  table.print_angle("least angle above the bound", &Mesh_figures::min_angle_of_others);
+  table.print_seconds("processor seconds", &Seconds::cpu);
+  if (run.threads > 1) table.print_seconds("seconds by the clock", &Seconds::wall);
 }
 
 inline void print_trees(const CGAL::Tree_separation_report_2& trees) {
@@ -165,6 +199,13 @@ inline nlohmann::ordered_json peer_json(const Mesh_figures& peer) {
           {"triangles_below_bound", peer.below_bound},
           {"seconds", {{"mesh", peer.seconds.cpu}}},
           {"wall_seconds", {{"mesh", peer.seconds.wall}}}};
+}
+
+/// Names with their numbers; null if there are none.
+inline nlohmann::ordered_json names_json(const std::vector<std::string>& names) {
+  nlohmann::ordered_json json;
+  for (std::size_t i = 0; i < names.size(); ++i) json[names[i]] = i + 1;
+  return json;
 }
 
 /// What was cured before meshing; null if that was not asked for.
@@ -250,6 +291,8 @@ inline nlohmann::ordered_json run_json(const Meshing_run& run) {
                                  {"repair", repair_json(run.repair)},
                                  {"projection", projection_json(run.projected)},
                                  {"may_be_in_degrees", run.may_be_in_degrees},
+                                 {"region_names", names_json(run.pslg.region_names)},
+                                 {"marker_names", names_json(run.pslg.marker_names)},
                                  {"trees", trees_json(run.report.trees)},
                                  {"threads", run.threads},
                                  {"seconds", seconds_json(run, run.report.seconds, &Seconds::cpu)},
@@ -266,36 +309,30 @@ inline nlohmann::ordered_json run_json(const Meshing_run& run) {
                             {"y", unmet.centroid[1]},
                             {"least_angle", unmet.least_angle},
                             {"reason", report_words::name(unmet.reason)}});
-  if (run.is_peer_asked) json["mesh_2"] = run.peer ? peer_json(*run.peer) : nlohmann::ordered_json(nullptr);
+  if (run.is_peer_asked) {
+    json["other_separation"] = run.other ? peer_json(*run.other) : nlohmann::ordered_json(nullptr);
+    json["mesh_2"] = run.peer ? peer_json(*run.peer) : nlohmann::ordered_json(nullptr);
+  }
   return json;
 }
 
 inline void print_run(const Meshing_run& run, const CGAL::Quality_mesh_options_2& options) {
   using namespace meshing_run_internal;
-  // A figure of Mesh_2, nothing where there is none.
-  const auto theirs = [&run](auto member) {
-    using Number = std::decay_t<decltype((*run.peer).*member)>;
-    return run.peer ? std::optional<Number>((*run.peer).*member) : std::nullopt;
-  };
   std::printf("input: %zu vertices, %zu segments, holes: %zu; bound: %g degrees\n",
               run.pslg.number_of_vertices(), run.pslg.number_of_segments(), run.pslg.holes.size(),
               options.min_angle());
+  print_names("attributes of regions", run.pslg.region_names);
+  print_names("markers", run.pslg.marker_names);
   if (run.repair) print_repair(*run.repair);
   if (run.projected) print_projection(*run.projected);
   if (run.may_be_in_degrees)
     std::printf(
         "warning: if these are longitudes and latitudes, angles, lengths and areas are not those on the "
         "ground;\n         use --project auto, or --project none to say that they are not\n");
-  if (run.peer) std::printf("%-28s%14s%14s\n", "", "quality_mesh", "CGAL Mesh_2");
-  print_line("vertices", "%14zu", run.ours.vertices, theirs(&Mesh_figures::vertices));
-  print_line("triangles", "%14zu", run.ours.triangles, theirs(&Mesh_figures::triangles));
-  print_line("least angle", "%14.2f", run.ours.min_angle, theirs(&Mesh_figures::min_angle));
-  print_line("largest angle", "%14.2f", run.ours.max_angle, theirs(&Mesh_figures::max_angle));
-  print_line("triangles below the bound", "%14zu", run.ours.below_bound, theirs(&Mesh_figures::below_bound));
-  print_line("  in acute input corners", "%14zu", run.quality.exempt_triangles, std::optional<std::size_t>());
-  print_angle_of_others(run);
-  meshing_run_internal::print_seconds(run);
+  print_figures(run, options);
   print_trees(run.report.trees);
+  if (!run.why_no_other.empty())
+    std::printf("no mesh %s: %s\n", name_of_way(other_way(options.separate())), run.why_no_other.c_str());
   if (run.is_peer_asked && !run.peer) std::printf("CGAL Mesh_2 gave no mesh\n");
   print_unmet(run.quality);
   print_reasons(run.report);

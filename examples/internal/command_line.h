@@ -7,9 +7,12 @@
 #include "option_descriptions.h"
 #include "option_values.h"
 #include "program_files.h"
+#include "standard_streams.h"
+#include "stream_options.h"
 
 #include "mesh_graph.h"
 
+#include <CGAL/Feature_properties_2.h>
 #include <CGAL/Point_set_mesh_options_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/Mesh_checkpoints.h>
 #include <CGAL/Quadtree_mesh_2/internal/io/Msh_version.h>
@@ -24,6 +27,7 @@
 #include <filesystem>
 #include <iostream>
 #include <iterator>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -31,7 +35,7 @@
 #include <vector>
 
 struct Command_line {
-  enum class Task { MESH, PRINT_HELP, PRINT_VERSION };
+  enum class Task { MESH, PRINT_HELP, PRINT_ALL_OPTIONS, PRINT_VERSION };
   enum class Kernel { FILTERED, FIXED, EXACT };
   using Neighbors = mesh_graph::Neighbors;
   /// What is meshed, and which angles are wanted: a graph, or points alone.
@@ -42,12 +46,17 @@ struct Command_line {
 
   Task task = Task::MESH;
   Mode mode = Mode::PSLG;
-  std::string input;
+  std::string input; ///< a file, or standard input (`is_standard_stream()`)
   std::vector<std::string> outputs;
   std::string report_file;      ///< empty: none
   std::string size_points_file; ///< empty: none
   std::string size_grid_file;   ///< empty: none
-  double gradation = 0;         ///< of the sizes on the grid; 0: no limit
+  /// The longest edge at features, and how it grows with the distance from them.
+  struct Feature_sizes {
+    double size, gradation;
+  };
+  std::optional<Feature_sizes> feature_sizes;
+  double gradation = 0; ///< of all these sizes; 0: no limit
   Kernel kernel = Kernel::FILTERED;
   CGAL::Quality_mesh_options_2 options;             ///< of Mode::PSLG
   Neighbors neighbors = Neighbors::TRAPEZOIDAL;     ///< of Mode::PSLG, by quadtrees
@@ -61,14 +70,16 @@ struct Command_line {
   bool is_renumbering_wanted = false;
   std::size_t pieces = 0; ///< of outputs that may have some; 0: not said
   CGAL::IO::Msh_version msh_version = CGAL::IO::Msh_version::V4_1;
-  std::string region_property;          ///< empty: none
+  CGAL::Feature_properties_2 properties;
+  std::string layer;                    ///< of files that GDAL reads; empty: the only one
   bool is_repair_wanted = false;        ///< of Mode::PSLG
   Project project = Project::BY_FORMAT; ///< of Mode::PSLG
   bool is_projection_said = false;
   bool is_quiet = false;
-  std::size_t memory = 0;              ///< bytes; 0: no limit
-  std::string scratch_folder;          ///< empty: none is needed
-  bool is_scratch_folder_ours = false; ///< nobody named it
+  const Standard_output* standard_output = nullptr; ///< for the mesh, where it is an output
+  std::size_t memory = 0;                           ///< bytes; 0: no limit
+  std::string scratch_folder;                       ///< empty: none is needed
+  bool is_scratch_folder_ours = false;              ///< nobody named it
   bool is_resumed = false;
 };
 
@@ -84,14 +95,24 @@ inline double least_edge(const po::variables_map& given) {
   return least;
 }
 
-/// By how much sizes on a grid may grow over a unit of length; 0: no limit.
-/// \throws Usage_error if there is no grid
+/// By how much sizes may grow over a unit of length; 0: no limit.
+/// \throws Usage_error if there are no sizes that vary
 inline double gradation(const po::variables_map& given) {
-  if (given.count("gradation") > 0 && given.count("size-grid") == 0)
-    throw Usage_error("--gradation limits the sizes of --size-grid, which is not given: sizes of "
-                      "--size-points grow by half the "
-                      "distance, and without sizes the angle bound limits how triangles grow");
+  if (given.count("gradation") > 0 && given.count("size-grid") + given.count("size-points") == 0 &&
+      given.count("size-from-features") == 0)
+    throw Usage_error(
+        "--gradation limits the sizes of --size-grid, --size-points and --size-from-features, of which "
+        "none is given: without them the angle bound limits how triangles grow");
   return bound(given, "gradation");
+}
+
+inline std::optional<Command_line::Feature_sizes> feature_sizes(const po::variables_map& given) {
+  if (given.count("size-from-features") == 0) return std::nullopt;
+  const auto& numbers = given["size-from-features"].as<std::vector<double>>();
+  if (numbers.size() != 2) throw Usage_error("--size-from-features is given more than once");
+  if (!(numbers[0] > 0) || !std::isfinite(numbers[0]) || !(numbers[1] >= 0) || !std::isfinite(numbers[1]))
+    throw Usage_error("--size-from-features has to be a size above 0, and a growth of at least 0");
+  return Command_line::Feature_sizes{numbers[0], numbers[1]};
 }
 
 inline double min_angle(const po::variables_map& given) {
@@ -186,17 +207,19 @@ inline void check_is_no_pipe(const std::string& output, const std::filesystem::p
 
 /// \throws Usage_error if a file would be destroyed or cannot be written
 inline void check_files(const Command_line& line) {
-  Named_files inputs{{"the input '" + line.input + "'", line.input}}, outputs;
+  Named_files inputs, outputs;
+  if (!is_standard_stream(line.input)) inputs.push_back({"the input '" + line.input + "'", line.input});
   if (!line.size_points_file.empty())
     inputs.push_back({"the file of --size-points, '" + line.size_points_file + "'", line.size_points_file});
   if (!line.size_grid_file.empty())
     inputs.push_back({"the file of --size-grid, '" + line.size_grid_file + "'", line.size_grid_file});
   for (const std::string& output : line.outputs)
-    for (const std::filesystem::path& file : files_of_output(output)) {
-      check_is_no_pipe(output, file);
-      outputs.push_back(
-          {(file == output ? "" : "'" + file.string() + "' of ") + ("output '" + output + "'"), file});
-    }
+    if (!is_standard_stream(output))
+      for (const std::filesystem::path& file : files_of_output(output)) {
+        check_is_no_pipe(output, file);
+        outputs.push_back(
+            {(file == output ? "" : "'" + file.string() + "' of ") + ("output '" + output + "'"), file});
+      }
   if (!line.report_file.empty())
     outputs.push_back({"the file of --report, '" + line.report_file + "',", line.report_file});
   if (std::filesystem::is_directory(line.scratch_folder)) { // else there is nothing in it
@@ -229,10 +252,12 @@ inline const std::vector<Option_use>& option_uses() {
       {"max-area", {Mode::PSLG}},
       {"min-edge", {Mode::PSLG}},
       {"region-property", {Mode::PSLG}},
+      {"marker-property", {Mode::PSLG}},
       {"repair", {Mode::PSLG}},
       {"project", {Mode::PSLG}},
       {"size-points", {Mode::PSLG}},
       {"size-grid", {Mode::PSLG}},
+      {"size-from-features", {Mode::PSLG}},
       {"gradation", {Mode::PSLG}},
       {"domain", {Mode::PSLG}},
       {"separation", {Mode::PSLG}},
@@ -386,7 +411,7 @@ inline std::string scratch_folder(const po::variables_map& given, const Command_
   if (std::find(line.outputs.begin(), line.outputs.end(), folder) != line.outputs.end())
     throw Usage_error("--scratch names a folder, not the output '" + folder + "'");
   if (!folder.empty()) return folder;
-  if (line.outputs.empty())
+  if (line.outputs.empty() || is_standard_stream(line.outputs.front()))
     throw Usage_error("--" + std::string(line.memory > 0 ? "memory" : "resume") +
                       " needs a scratch folder (--scratch FOLDER) or an output (-o FILE)");
   return line.outputs.front() + ".scratch";
@@ -404,8 +429,9 @@ inline Command_line::Project project(const po::variables_map& given, const Comma
   const auto refuse = [](const std::string& what) {
     throw Usage_error(what + " has no meaning with --project, unless it is none");
   };
+  const bool is_grid_limited = given.count("gradation") > 0 && given.count("size-grid") > 0;
   for (const char* const option : {"memory", "resume", "compare", "gradation"})
-    if (given.count(option) > 0) {
+    if (given.count(option) > 0 && (is_grid_limited || std::string(option) != "gradation")) {
       if (is_said) refuse(std::string("--") + option);
       return Project::NONE;
     }
@@ -417,9 +443,18 @@ inline Command_line::Project project(const po::variables_map& given, const Comma
 }
 
 /// \throws Usage_error if a property is wanted of an input that has none
-inline void check_region_property(const Command_line& line) {
-  if (!line.region_property.empty() && input_format(line.input) != Input_format::GEOJSON)
-    throw Usage_error("--region-property has a meaning for GeoJSON only");
+inline CGAL::Feature_properties_2 properties(const po::variables_map& given, const std::string& input) {
+  for (const char* const option : {"region-property", "marker-property"})
+    if (given.count(option) > 0 && input_format(input) != Input_format::GEOJSON &&
+        input_format(input) != Input_format::OGR)
+      throw Usage_error("--" + std::string(option) + " has a meaning for GeoJSON and what GDAL reads only");
+  return {text(given, "region-property"), text(given, "marker-property")};
+}
+
+inline std::string layer(const po::variables_map& given, const std::string& input) {
+  if (given.count("layer") > 0 && input_format(input) != Input_format::OGR)
+    throw Usage_error("--layer has a meaning for what GDAL reads only, such as .gpkg");
+  return text(given, "layer");
 }
 
 inline po::variables_map parse(int argc, const char* const* argv) {
@@ -437,24 +472,6 @@ inline po::variables_map parse(int argc, const char* const* argv) {
 
 } // namespace command_line_internal
 
-inline void print_help(std::ostream& out) {
-  out << "usage: quality_mesh INPUT [-o OUTPUT]... [option]...\n\n"
-         "Meshes a planar straight-line graph with triangles whose angles meet a bound: .poly of Triangle, "
-         ".geojson "
-         "(or .json),\n"
-         ".wkt, .h5 (HDF5). Or points alone: any of these without segments, .node, or a table, one 'x y', "
-         "'x,y' or 'x;y' "
-         "a line "
-         "(.xy, .txt,\n"
-         ".csv). Any may be compressed (.gz).\n"
-      << command_line_internal::visible_options()
-      << "\nExit status: 0 the mesh is valid and meets all bounds; 1 it is valid and written, but a bound is "
-         "unmet "
-         "somewhere;\n2 nothing is written: bad usage, bad input, no valid mesh of it in this arithmetic, or "
-         "too "
-         "little memory or disk.\n";
-}
-
 inline void print_version(std::ostream& out) {
   out << "quality_mesh " << QUADTREE_MESH_VERSION << " (CGAL " << CGAL_VERSION_STR << ")\n";
 }
@@ -464,6 +481,7 @@ inline Command_line parse_command_line(int argc, const char* const* argv) try {
   using namespace command_line_internal;
   const po::variables_map given = parse(argc, argv);
   Command_line line;
+  if (given.count("help-all") > 0) return line.task = Command_line::Task::PRINT_ALL_OPTIONS, line;
   if (given.count("help") > 0) return line.task = Command_line::Task::PRINT_HELP, line;
   if (given.count("version") > 0) return line.task = Command_line::Task::PRINT_VERSION, line;
 
@@ -471,8 +489,8 @@ inline Command_line parse_command_line(int argc, const char* const* argv) try {
   const auto& inputs = given["input"].as<std::vector<std::string>>();
   if (inputs.size() > 1)
     throw Usage_error("one input at a time, not '" + inputs[0] + "' and '" + inputs[1] + "'");
-  line.input = inputs.front();
-  if (given.count("output") > 0) line.outputs = given["output"].as<std::vector<std::string>>();
+  line.input = name_of_input(given, inputs.front());
+  line.outputs = names_of_outputs(given);
   line.report_file = text(given, "report");
 
   const std::vector<std::string> modes(std::begin(mode_names), std::end(mode_names));
@@ -484,6 +502,7 @@ inline Command_line parse_command_line(int argc, const char* const* argv) try {
   line.size_points_file = text(given, "size-points");
   line.size_grid_file = text(given, "size-grid");
   line.gradation = gradation(given);
+  line.feature_sizes = feature_sizes(given);
   constexpr Command_line::Kernel kernels[] = {Command_line::Kernel::FILTERED, Command_line::Kernel::FIXED,
                                               Command_line::Kernel::EXACT};
   line.kernel = kernels[choice(given, "kernel", {"filtered", "fixed", "exact"})];
@@ -498,9 +517,10 @@ inline Command_line parse_command_line(int argc, const char* const* argv) try {
   check_picture_options(given, line.outputs);
   line.is_renumbering_wanted = given.count("renumber") > 0;
   line.pieces = pieces(given, line.outputs);
+  check_stream_has_no_pieces(line.outputs, line.pieces);
   line.msh_version = msh_version(given, line);
-  line.region_property = text(given, "region-property");
-  check_region_property(line);
+  line.properties = properties(given, line.input);
+  line.layer = layer(given, line.input);
   line.is_repair_wanted = given.count("repair") > 0;
   line.project = project(given, line);
   line.is_projection_said = given.count("project") > 0;

@@ -16,7 +16,7 @@ public:
   using std::runtime_error::runtime_error;
 };
 
-enum class Input_format { POLY, GEOJSON, WKT, HDF5, NODE, TABLE };
+enum class Input_format { POLY, GEOJSON, WKT, HDF5, NODE, TABLE, OGR };
 enum class Output_format {
   TRIANGLE,
   VTU,
@@ -45,23 +45,53 @@ inline void check_has_hdf5(const std::string& file_name) {
 #endif
 }
 
+/// \throws Usage_error if this program knows no files of GDAL
+inline void check_has_gdal(const std::string& file_name) {
+#ifndef QUADTREE_MESH_GDAL_MODULE
+  throw Usage_error("'" + file_name + "' is read by GDAL, without which this program was built");
+#else
+  static_cast<void>(file_name);
+#endif
+}
+
 /// By the ending, or by that before `.gz`; without any it is a .poly file, as from a pipe.
 inline Input_format input_format(const std::string& file_name) {
   static const std::vector<std::pair<std::string, Input_format>> endings = {
       {"", Input_format::POLY},         {".poly", Input_format::POLY}, {".geojson", Input_format::GEOJSON},
       {".json", Input_format::GEOJSON}, {".wkt", Input_format::WKT},   {".h5", Input_format::HDF5},
       {".hdf5", Input_format::HDF5},    {".node", Input_format::NODE}, {".xy", Input_format::TABLE},
-      {".txt", Input_format::TABLE},    {".csv", Input_format::TABLE}};
+      {".txt", Input_format::TABLE},    {".csv", Input_format::TABLE}, {".shp", Input_format::OGR},
+      {".shz", Input_format::OGR},      {".gpkg", Input_format::OGR},  {".kml", Input_format::OGR},
+      {".kmz", Input_format::OGR},      {".gml", Input_format::OGR},   {".fgb", Input_format::OGR},
+      {".dxf", Input_format::OGR}};
   std::filesystem::path path(file_name);
-  if (path.extension() == ".gz") path.replace_extension();
+  const bool is_compressed = path.extension() == ".gz";
+  if (is_compressed) path.replace_extension();
   for (const auto& [ending, format] : endings)
     if (path.extension() == ending) {
       if (format == Input_format::HDF5) check_has_hdf5(file_name);
+      if (format == Input_format::OGR) {
+        check_has_gdal(file_name);
+        if (is_compressed) throw Usage_error("'" + file_name + "' is read by GDAL: unpack it first");
+      }
       return format;
     }
-  throw Usage_error(
-      "cannot tell the format of input '" + file_name +
-      "': its ending has to be .poly, .geojson, .json, .wkt, .h5, .hdf5, .node, .xy, .txt or .csv");
+  throw Usage_error("cannot tell the format of input '" + file_name +
+                    "': its ending has to be .poly, .geojson, .json, .wkt, .h5, .hdf5, .node, .xy, .txt, "
+                    ".csv, or .shp, .shz, .gpkg, "
+                    ".kml, .kmz, .gml, .fgb, .dxf (by GDAL)");
+}
+
+enum class Grid_format { ESRI, GDAL };
+
+/// An ASCII grid of ESRI, by the ending, or by that before `.gz`; all else is for GDAL.
+inline Grid_format grid_format(const std::string& file_name) {
+  std::filesystem::path path(file_name);
+  if (path.extension() == ".gz") path.replace_extension();
+  for (const char* const ending : {"", ".asc", ".txt"})
+    if (path.extension() == ending) return Grid_format::ESRI;
+  check_has_gdal(file_name);
+  return Grid_format::GDAL;
 }
 
 inline Output_format output_format(const std::string& file_name) {

@@ -1,5 +1,8 @@
 #include "mesh_files.h"
 
+#include "gdal_module.h"
+#include "standard_streams.h"
+
 #include <CGAL/Balanced_quadtree.h>
 #include <CGAL/Filtered_quadtree_traits_2.h>
 #include <CGAL/IO/ADCIRC.h>
@@ -22,6 +25,7 @@
 #include <array>
 #include <cstddef>
 #include <filesystem>
+#include <iostream>
 #include <ostream>
 #include <sstream>
 #include <stdexcept>
@@ -32,31 +36,65 @@ namespace {
 
 using namespace mesh_files;
 
-Pslg read(const std::string& file_name, const std::string& region_property) {
+/// \tparam Source the name of a file, or a stream
+/// \param name the name of the stream
+template <class Source, class... Name>
+Pslg read_from(Source& source, Input_format format, const CGAL::Feature_properties_2& properties,
+               const Name&... name) {
   Pslg pslg;
-  switch (input_format(file_name)) {
+  switch (format) {
   case Input_format::POLY:
-    CGAL::IO::read_triangle_poly(file_name, pslg);
+    CGAL::IO::read_triangle_poly(source, pslg, name...);
     break;
   case Input_format::GEOJSON:
-    CGAL::IO::read_GeoJSON(file_name, pslg, region_property);
+    CGAL::IO::read_GeoJSON(source, pslg, properties, name...);
     break;
   case Input_format::WKT:
-    CGAL::IO::read_WKT(file_name, pslg);
+    CGAL::IO::read_WKT(source, pslg, name...);
     break;
-  case Input_format::HDF5:
-#ifdef CGAL_LINKED_WITH_HDF5
-    CGAL::IO::read_HDF5(file_name, pslg);
-#endif
+  case Input_format::HDF5: // not from a stream
+  case Input_format::OGR:
     break;
   case Input_format::NODE:
-    CGAL::IO::read_triangle_node(file_name, pslg);
+    CGAL::IO::read_triangle_node(source, pslg, name...);
     break;
   case Input_format::TABLE:
-    CGAL::IO::read_XY(file_name, pslg.vertices);
+    CGAL::IO::read_XY(source, pslg.vertices, name...);
     break;
   }
   return pslg;
+}
+
+CGAL::Grid_sizing_field_2 grid_by_gdal(const std::string& file_name) {
+#ifdef QUADTREE_MESH_GDAL_MODULE
+  gdal_module::Grid_request request{file_name};
+  reinterpret_cast<gdal_module::Read_grid>(gdal_module::function(gdal_module::read_grid_name))(request);
+  return *request.sizes;
+#else
+  check_has_gdal(file_name);
+  throw std::logic_error("no GDAL"); // not reached
+#endif
+}
+
+Input read(const std::string& file_name, const Selection& selection) {
+  const Input_format format = input_format(file_name);
+  Input input;
+  if (is_standard_stream(file_name))
+    input.graph = read_from(std::cin, format, selection.properties, std::string("standard input"));
+#ifdef CGAL_LINKED_WITH_HDF5
+  else if (format == Input_format::HDF5)
+    CGAL::IO::read_HDF5(file_name, input.graph);
+#endif
+#ifdef QUADTREE_MESH_GDAL_MODULE
+  else if (format == Input_format::OGR) {
+    gdal_module::Graph_request request{file_name, selection.layer, selection.properties, &input.graph};
+    reinterpret_cast<gdal_module::Read_graph>(gdal_module::function(gdal_module::read_graph_name))(request);
+    input.coordinates = request.coordinates;
+  }
+#endif
+  else
+    input.graph = read_from(file_name, format, selection.properties);
+  return input;
 }
 
 CGAL::IO::Svg_options_2 svg_options(const Picture& picture) {
@@ -176,23 +214,24 @@ void write(std::ostream& out, Output_format format, const Mesh& mesh, const Pslg
 
 namespace mesh_files {
 
-Pslg read_graph(const std::string& file_name, const std::string& region_property) {
+Input read_graph(const std::string& file_name, const Selection& selection) {
   const Input_format format = input_format(file_name);
   if (format == Input_format::NODE || format == Input_format::TABLE)
     throw Usage_error("'" + file_name +
                       "' is a file of points alone: use --mode points, bounded, acute or warped");
-  return read(file_name, region_property);
+  return read(file_name, selection);
 }
 
-Pslg read_points(const std::string& file_name) {
-  Pslg pslg = read(file_name, "");
+Pslg read_points(const std::string& file_name, const Selection& selection) {
+  Pslg pslg = read(file_name, selection).graph;
   if (pslg.number_of_segments() > 0) throw std::runtime_error(file_name + ": has segments: use --mode pslg");
   if (pslg.vertices.empty()) throw std::runtime_error(file_name + ": no points");
   return pslg;
 }
 
 CGAL::Points_sizing_field_2 read_sized_points(const std::string& file_name,
-                                              const CGAL::Conformal_projection_2* projection) {
+                                              const CGAL::Conformal_projection_2* projection,
+                                              double gradation) {
   std::vector<Point> points;
   std::vector<double> sizes;
   CGAL::IO::read_XY(file_name, points, sizes);
@@ -209,11 +248,13 @@ CGAL::Points_sizing_field_2 read_sized_points(const std::string& file_name,
     } else
       sized.push_back({x, y, sizes[i]});
   }
-  return CGAL::Points_sizing_field_2(std::move(sized));
+  return CGAL::Points_sizing_field_2(std::move(sized), gradation);
 }
 
 CGAL::Grid_sizing_field_2 read_size_grid(const std::string& file_name, double gradation) {
-  CGAL::Grid_sizing_field_2 grid = CGAL::IO::read_ESRI_grid(file_name);
+  CGAL::Grid_sizing_field_2 grid = grid_format(file_name) == Grid_format::GDAL
+                                       ? grid_by_gdal(file_name)
+                                       : CGAL::IO::read_ESRI_grid(file_name);
   if (gradation > 0) grid.limit_gradient(gradation);
   return grid;
 }

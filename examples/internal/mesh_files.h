@@ -8,6 +8,7 @@
 
 #include <CGAL/Conformal_projection_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Feature_properties_2.h>
 #include <CGAL/Grid_sizing_field_2.h>
 #include <CGAL/Indexed_mesh_2.h>
 #include <CGAL/Points_sizing_field_2.h>
@@ -27,16 +28,27 @@ using Pslg = CGAL::Pslg_2<Point>;
 
 // All throw std::runtime_error naming the file, and the line or feature that is to blame.
 
-/// \param region_property of GeoJSON's features; empty: none
+/// A graph, and what the file says its coordinates are.
+struct Input {
+  Pslg graph;
+  CGAL::Coordinate_system_2 coordinates = CGAL::Coordinate_system_2::UNKNOWN;
+};
+/// What to read of features.
+struct Selection {
+  CGAL::Feature_properties_2 properties;
+  std::string layer; ///< empty: the only one
+};
 /// \throws Usage_error if the format is one of points alone
-Pslg read_graph(const std::string& file_name, const std::string& region_property);
+Input read_graph(const std::string& file_name, const Selection& selection);
 /// \throws std::runtime_error if there are segments, or no points, too
-Pslg read_points(const std::string& file_name);
+Pslg read_points(const std::string& file_name, const Selection& selection);
 /// Points with the sizes of triangles there: the first three columns of a table, or `x`, `y` and `size`.
 /// \param projection of the places, if they are degrees; sizes are meters then. Null: none
+/// \param gradation by how much sizes grow over a unit of length
 CGAL::Points_sizing_field_2 read_sized_points(const std::string& file_name,
-                                              const CGAL::Conformal_projection_2* projection);
-/// Sizes on an ASCII grid of ESRI.
+                                              const CGAL::Conformal_projection_2* projection,
+                                              double gradation);
+/// Sizes on an ASCII grid of ESRI, or on a raster that GDAL reads.
 /// \param gradation by how much they may grow over a unit of length; 0: no limit
 CGAL::Grid_sizing_field_2 read_size_grid(const std::string& file_name, double gradation);
 

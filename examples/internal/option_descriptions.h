@@ -7,7 +7,7 @@
 #ifndef QUADTREE_MESH_2_EXAMPLES_OPTION_DESCRIPTIONS_H
 #define QUADTREE_MESH_2_EXAMPLES_OPTION_DESCRIPTIONS_H
 
-// What --help says about the options of quality_mesh.
+// What --help-all says about the options of quality_mesh.
 
 #include "option_values.h"
 
@@ -27,7 +27,12 @@ inline po::options_description common_options() {
     ("output,o", po::value<std::vector<std::string>>()->value_name("FILE"),
      "where to write the mesh, more than once if you like: .vtu, .pvtu (in pieces), .vtkhdf, .xdmf (with .h5), .svg, "
      ".html (a page to look at), .off, .obj, .msh (Gmsh), .mesh (MEDIT), .2dm (SMS), .gr3 (SCHISM), .14 (ADCIRC), or "
-     ".ele, which writes .node, .ele and .poly")
+     ".ele, which writes .node, .ele and .poly; or - for standard output, where nothing but the mesh goes then")
+    ("layer", po::value<std::string>()->value_name("NAME"), "of an input with several, such as .gpkg")
+    ("input-format", po::value<std::string>()->value_name("F"),
+     "of standard input, INPUT -: poly, if not given, geojson, json, wkt, node, xy, csv or txt")
+    ("output-format", po::value<std::string>()->value_name("F"),
+     "of standard output, -o -: vtu, svg, html, off, obj, msh, mesh, 2dm, gr3 or 14")
     ("msh-version", po::value<std::string>()->value_name("V"), "version of .msh: 4.1, if not given, or 2.2")
     ("renumber", "number vertices and triangles by their places, so that what is near is near in files, too; the "
      "input's numbers become data, input_index")
@@ -44,7 +49,7 @@ inline po::options_description common_options() {
     ("threads", po::value<double>()->value_name("N"),
      "number of threads, at most 256 or the number of processors, whichever is larger; all if not given. The mesh is "
      "the same for any number")
-    ("compare", "with --mode pslg or points: mesh the input with CGAL Mesh_2 too and print both")
+    ("compare", "mesh the input with CGAL Mesh_2, too, and with --mode pslg by our other separation, in a table")
     ("memory", po::value<std::string>()->value_name("SIZE"),
      "keep to about so much memory, such as 2G or 500M, with the rest in files of the scratch folder")
     ("scratch", po::value<std::string>()->value_name("FOLDER"),
@@ -54,7 +59,8 @@ inline po::options_description common_options() {
     ("report", po::value<std::string>()->value_name("FILE.json"), "write the figures as JSON")
     ("quiet", "print nothing but errors")
     ("version", "print the version")
-    ("help,h", "print this");
+    ("help,h", "print the everyday options")
+    ("help-all", "print this");
   return options;
 }
 
@@ -68,18 +74,25 @@ inline po::options_description graph_options() {
     ("min-edge", po::value<double>()->value_name("H"),
      "insert no vertex nearer than this to another; triangles that miss a bound for this reason are reported")
     ("region-property", po::value<std::string>()->value_name("NAME"),
-     "the number in the properties of GeoJSON's features that becomes the attribute of their regions")
+     "the property of features that becomes the attribute of their regions: its numbers, or 1, 2, ... for "
+     "names, which the report lists")
+    ("marker-property", po::value<std::string>()->value_name("NAME"),
+     "the property that becomes the marker of their lines and borders: whole numbers, or names in the same way")
     ("repair", "split segments where they cross, as borders of polygons that overlap do")
     ("project", po::value<std::string>()->value_name("P"),
      "the conformal projection in which longitudes and latitudes are meshed, so that angles are those on the ground "
      "and sizes are meters: auto (by the latitudes), mercator, lambert or none. The mesh is in degrees. If not given: "
-     "auto for GeoJSON with coordinates of degrees, else none")
+     "auto for GeoJSON with coordinates of degrees, and where the file says that they are degrees; else none")
     ("size-points", po::value<std::string>()->value_name("FILE"),
      "points with sizes, one 'x y size' a line: the longest edge is size plus half the distance, the least over all")
     ("size-grid", po::value<std::string>()->value_name("FILE"),
-     "longest edges on an ASCII grid of ESRI (.asc), bilinear between its places; no bound where it has NODATA_value")
+     "longest edges on an ASCII grid of ESRI (.asc) or a raster that GDAL reads (.tif ...), bilinear between its "
+     "places; no bound where it has no data")
+    ("size-from-features", (new Two_numbers)->value_name("H G"),
+     "the longest edge is H plus G times the distance from the nearest segment or vertex of the input")
     ("gradation", po::value<double>()->value_name("G"),
-     "with --size-grid: its sizes grow by at most G times the distance, such as 0.2; larger ones become smaller")
+     "the sizes of the three options above grow by at most G times the distance, such as 0.2; larger ones become "
+     "smaller")
     ("domain", po::value<std::string>()->value_name("D")->default_value("enclosed"),
      "what is meshed: enclosed, marked (components with a region's point) or parity (of nested borders)")
     ("separation", po::value<std::string>()->value_name("S")->default_value("on-demand"),

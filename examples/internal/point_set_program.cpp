@@ -119,7 +119,7 @@ Exit_status execute_point_set(const Command_line& line) {
   run.promise = angle_promise(line.mode, line.point_set_options);
   run.threads = line.threads;
   const Thread_limit limit(line.threads);
-  timed(run.read_seconds, [&] { run.input = mesh_files::read_points(line.input); });
+  timed(run.read_seconds, [&] { run.input = mesh_files::read_points(line.input, {{}, line.layer}); });
   timed(run.ours.seconds, [&] {
     if (line.kernel != Command_line::Kernel::FILTERED &&
         (line.mode == Mode::BOUNDED || line.mode == Mode::ACUTE))

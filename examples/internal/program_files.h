@@ -4,6 +4,7 @@
 // Which files a run of quality_mesh reads and writes, and that it destroys none: found out before the work.
 
 #include "file_formats.h"
+#include "standard_streams.h"
 
 #include <CGAL/IO/read_triangle_files.h>
 
@@ -57,7 +58,7 @@ inline void check_writable(const fs::path& file) {
 /// there is such a file and an output would overwrite it.
 inline void add_node_file(const std::string& input, const Named_files& outputs, Named_files& inputs) {
   namespace internal = CGAL::Quadtree_mesh_2::internal;
-  if (input_format(input) != Input_format::POLY) return;
+  if (is_standard_stream(input) || input_format(input) != Input_format::POLY) return;
   const std::string node_file = internal::find_node_file(input);
   if (node_file.empty()) return;
   for (const Named_file& output : outputs)

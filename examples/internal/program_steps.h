@@ -51,6 +51,7 @@ void write_all(const Command_line& line, const Add_mesh& add_mesh, const Make_js
   const Deferred_signals signals; // acts when the temporary files are gone
   CGAL::Quadtree_mesh_2::internal::Replaced_files files;
   for (const std::string& output : line.outputs) {
+    if (is_standard_stream(output)) files.direct(output, line.standard_output->file(), "standard output");
     add_mesh(files, output);
     signals.check();
   }

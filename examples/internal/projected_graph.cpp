@@ -21,7 +21,9 @@ bool is_in_degrees(const Pslg& graph, double west, double east) {
 
 /// GeoJSON has longitudes and latitudes (RFC 7946, section 4) unless its author departs from the standard, which larger
 /// numbers show.
-bool is_known_to_be_in_degrees(const Pslg& graph, const Command_line& line) {
+bool is_known_to_be_in_degrees(const Pslg& graph, CGAL::Coordinate_system_2 coordinates,
+                               const Command_line& line) {
+  if (coordinates == CGAL::Coordinate_system_2::DEGREES) return true;
   return input_format(line.input) == Input_format::GEOJSON && is_in_degrees(graph, -360, 360);
 }
 
@@ -45,10 +47,11 @@ bool may_be_in_degrees(const Pslg& graph) {
                      [](const Point& p) { return std::abs(p.y()) > far_from_equator; });
 }
 
-std::optional<Run> projection(const Pslg& graph, const Command_line& line) try {
+std::optional<Run> projection(const Pslg& graph, CGAL::Coordinate_system_2 coordinates,
+                              const Command_line& line) try {
   using Project = Command_line::Project;
   if (line.project == Project::NONE ||
-      (line.project == Project::BY_FORMAT && !is_known_to_be_in_degrees(graph, line)))
+      (line.project == Project::BY_FORMAT && !is_known_to_be_in_degrees(graph, coordinates, line)))
     return std::nullopt;
   const CGAL::Conformal_projection_2 projection = projection_of(graph, line.project);
   const auto box = CGAL::box_in_degrees(graph);

@@ -14,6 +14,7 @@
 
 #include <CGAL/Conformal_projection_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Feature_properties_2.h>
 #include <CGAL/Indexed_mesh_2.h>
 #include <CGAL/Pslg_2.h>
 #include <CGAL/Quality_mesh_options_2.h>
@@ -41,10 +42,11 @@ struct Run {
 
 /// Whether coordinates may be longitudes and latitudes so far from the equator that angles on the ground are others.
 bool may_be_in_degrees(const Pslg& graph);
-/// Nothing where the graph is meshed as it is: if the command line says so, or it says nothing and the format does not
-/// tell that coordinates are degrees.
+/// Nothing where the graph is meshed as it is: if the command line says so, or it says nothing and neither the format
+/// nor the file tells that coordinates are degrees.
 /// \throws std::runtime_error if the graph has no such projection
-std::optional<Run> projection(const Pslg& graph, const Command_line& line);
+std::optional<Run> projection(const Pslg& graph, CGAL::Coordinate_system_2 coordinates,
+                              const Command_line& line);
 /// The mesh in degrees.
 Mesh mesh(const Pslg& graph, const std::function<Mesh(const Pslg&)>& mesher, const Options& options,
           Run& run);

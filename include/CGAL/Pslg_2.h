@@ -11,6 +11,7 @@
 
 #include <array>
 #include <cstddef>
+#include <string>
 #include <vector>
 
 namespace CGAL {
@@ -67,6 +68,12 @@ public:
   /// The regions. The first one in a component counts. With `Quality_mesh_options_2::Domain::MARKED` they
   /// also determine the domain.
   std::vector<Region> regions;
+
+  /// Names of the markers 1, 2, ... of segments, from the file that the graph was read from; empty if markers are
+  /// numbers only.
+  std::vector<std::string> marker_names;
+  /// Names of the attributes 1, 2, ... of regions; empty if attributes are numbers only.
+  std::vector<std::string> region_names;
 
   /// What messages and written files count vertices, segments, holes and regions from: 1 if the file that the
   /// graph was read from does. Indices count from 0 all the same.

@@ -95,6 +95,8 @@ public:
     result_.holes = pslg_.holes;
     result_.regions = pslg_.regions;
     result_.first_number = pslg_.first_number;
+    result_.marker_names = pslg_.marker_names;
+    result_.region_names = pslg_.region_names;
     return std::move(result_);
   }
 

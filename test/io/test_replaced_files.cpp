@@ -9,6 +9,7 @@
 
 #include <CGAL/Quadtree_mesh_2/internal/io/Replaced_files.h>
 
+#include <cstdio>
 #include <filesystem>
 #include <string>
 #include <system_error>
@@ -75,6 +76,28 @@ TEST_CASE("a device that takes nothing stops all files", "[replaced_files]") {
     CHECK_THROWS_AS(files.commit(), std::system_error);
   }
   CHECK(folder.number_of_files() == 1);
+}
+
+TEST_CASE("an open file gets its text when all is written, and stays open", "[replaced_files]") {
+  const Scratch_folder folder;
+  std::FILE* const open = std::fopen(folder.file("open").c_str(), "wb");
+  REQUIRE(open != nullptr);
+  std::fputs("head ", open);
+  {
+    Replaced_files files;
+    files.direct("-.off", open, "standard output");
+    files.add("-.off", "text ");
+    files.add(folder.file("b"), "other");
+    std::fflush(open);
+    CHECK(content(folder.file("open")) == "head ");
+    files.commit();
+  }
+  CHECK(content(folder.file("open")) == "head text ");
+  std::fputs("tail", open);
+  std::fclose(open);
+  CHECK(content(folder.file("open")) == "head text tail");
+  CHECK(content(folder.file("b")) == "other");
+  CHECK(folder.number_of_files() == 2);
 }
 
 } // namespace test_replaced_files

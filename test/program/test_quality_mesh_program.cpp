@@ -14,7 +14,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cmath>
+#include <cstddef>
 #include <filesystem>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -341,10 +344,51 @@ TEST_CASE("points all in one place are meshed", "[program][points]") {
   CHECK(r.status == 0);
 }
 
+TEST_CASE("the program compares both separations and Mesh_2", "[program]") {
+  const Scratch_folder folder;
+  const std::string input = test_data("syn_holes_400.poly.gz");
+  const auto report = [&](const std::string& options) {
+    const Run r = run(input + " --report " + folder.file("r.json") + options);
+    CAPTURE(options, r.err);
+    CHECK(r.status == 0);
+    return std::pair(nlohmann::json::parse(content(folder.file("r.json"))), r.out);
+  };
+  const auto on_demand = report("").first, by_quadtrees = report(" --separation theorem-5").first;
+  CHECK(on_demand.at("triangles") != by_quadtrees.at("triangles"));
+  const auto [both, table] = report(" --compare");
+  const auto [other, other_table] = report(" --compare --separation theorem-5");
+  const auto check_is = [](const auto& figures, const auto& mesh) {
+    for (const char* name : {"vertices", "triangles"}) CHECK(figures.at(name) == mesh.at(name));
+    for (const char* name : {"min_angle", "max_angle"})
+      CHECK(std::abs(figures.at(name).template get<double>() - mesh.at(name).template get<double>()) < 1e-9);
+  };
+  check_is(both, on_demand), check_is(both.at("other_separation"), by_quadtrees);
+  check_is(other, by_quadtrees), check_is(other.at("other_separation"), on_demand);
+  CHECK(both.at("mesh_2").at("triangles") == other.at("mesh_2").at("triangles"));
+
+  std::istringstream lines(table);
+  std::vector<std::string> numbers;
+  for (std::string line, word; std::getline(lines, line);) {
+    if (contains(line, "on demand")) CHECK(line.find("by quadtrees") < line.find("CGAL Mesh_2"));
+    if (line.rfind("triangles  ", 0) != 0) continue;
+    std::istringstream words(line);
+    for (words >> word; words >> word;) numbers.push_back(word);
+  }
+  const auto count = [](const auto& json) {
+    return std::to_string(json.at("triangles").template get<int>());
+  };
+  CHECK(numbers == std::vector<std::string>{count(on_demand), count(by_quadtrees), count(both.at("mesh_2"))});
+  CHECK(other_table.find("by quadtrees") < other_table.find("on demand")); // what is written comes first
+
+  const auto [limited, limited_table] = report(" --compare --min-edge 1e-9");
+  CHECK(limited.at("other_separation").is_null());
+  CHECK(contains(limited_table, "no mesh by quadtrees: --min-edge has no meaning"));
+}
+
 TEST_CASE("help and version", "[program]") {
   CHECK(run("--version").out.rfind("quality_mesh ", 0) == 0);
-  const Run help = run("--help");
-  CHECK(help.status == 0);
+  const Run all = run("--help-all");
+  CHECK(all.status == 0);
   for (const char* option :
        {"--output",      "--min-angle",     "--max-edge",      "--max-area",        "--min-edge",
         "--size-points", "--domain",        "--kernel",        "--smooth",          "--threads",
@@ -353,7 +397,56 @@ TEST_CASE("help and version", "[program]") {
         "--version",     "--angles",        "--square",        "--effort",          "--budget",
         "--lengths",     "--color",         "--show-quadtree", "--region-property", "--size-grid",
         "--gradation",   "--project"})
-    CHECK(contains(help.out, option));
+    CHECK(contains(all.out, option));
+}
+
+TEST_CASE("help is a screen of options that there are, and three examples", "[program]") {
+  const Run help = run("--help");
+  const std::string all = run("--help-all").out;
+  CAPTURE(help.out);
+  CHECK(help.status == 0);
+  CHECK(run("-h").out == help.out);
+  std::istringstream lines(help.out);
+  std::size_t number = 0, examples = 0;
+  for (std::string line; std::getline(lines, line); ++number) {
+    CHECK(line.size() <= 88);
+    if (line.rfind("  quality_mesh ", 0) == 0) ++examples;
+  }
+  CHECK(number <= 40);
+  CHECK(examples == 3);
+  std::size_t options = 0;
+  for (std::size_t at = 0; (at = help.out.find("--", at)) != std::string::npos; ++options) {
+    const std::size_t end = help.out.find_first_of(" ,\n", at);
+    CHECK(contains(all, help.out.substr(at, end - at) + ' '));
+    at = end;
+  }
+  CHECK(options > 15);
+  CHECK(!contains(help.out, "--subdivision"));
+}
+
+TEST_CASE("examples of the help run", "[program]") {
+  const Scratch_folder folder;
+  folder.write("lakes.geojson", R"({"type": "Polygon",
+    "coordinates": [[[10, 60], [10.02, 60], [10.02, 60.01], [10, 60.01], [10, 60]]]})");
+  folder.write("plate.poly", "4 2 0 0\n0 0 0\n1 2 0\n2 2 1\n3 0 1\n4 0\n0 0 1\n1 1 2\n2 2 3\n3 3 0\n0\n");
+  folder.write("wells.csv", "x,y\n1,1\n2,1\n2,3\n");
+  std::istringstream lines(run("--help").out);
+  const std::string program = "  quality_mesh ";
+  for (std::string line; std::getline(lines, line);) {
+    if (line.rfind(program, 0) != 0) continue;
+    line = line.substr(program.size(), line.find("  ", program.size()) - program.size());
+    std::istringstream words(line);
+    std::string arguments;
+    for (std::string word; words >> word;) { // of files only
+      const bool is_file = contains(word, ".") && word.front() != '-';
+      arguments += ' ' + (is_file ? folder.file(word) : word);
+    }
+    const Run r = run(arguments);
+    CAPTURE(arguments, r.out, r.err);
+    CHECK(r.status == 0);
+  }
+  for (const char* name : {"lakes.2dm", "plate.msh", "plate.svg", "wells.svg"})
+    CHECK(fs::file_size(folder.file(name)) > 300);
 }
 
 } // namespace test_quality_mesh_program

@@ -298,6 +298,10 @@ def test_files(tmp_path):
     mesh = qm.mesh(**qm.read(tmp_path / 'box.geojson', region='depth'))
     check_mesh(mesh, 2)
     assert (mesh.values_of_triangles() == 7).all()
+    assert (qm.read(tmp_path / 'box.geojson', marker='depth')['segment_markers'] == 7).all()
+    (tmp_path / 'named.geojson').write_text((tmp_path / 'box.geojson').read_text().replace('7', '"deep"'))
+    with pytest.raises(ValueError, match="'depth' has names"):
+        qm.read(tmp_path / 'named.geojson', marker='depth')
 
 
 def test_files_that_cannot_be_read(tmp_path):

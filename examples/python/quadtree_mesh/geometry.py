@@ -104,7 +104,7 @@ def graph(geometry: Any) -> Dict[str, np.ndarray]:
     return features_of(geometry).arrays
 
 
-def read(file: Union[str, os.PathLike], *, region: str = '') -> Dict[str, np.ndarray]:
+def read(file: Union[str, os.PathLike], *, region: str = '', marker: str = '') -> Dict[str, np.ndarray]:
     """Reads a graph from a file, in arrays that `mesh()` takes: ``mesh(**read('lakes.poly.gz'))``.
 
     Parameters
@@ -114,6 +114,8 @@ def read(file: Union[str, os.PathLike], *, region: str = '') -> Dict[str, np.nda
         reads other formats.
     region : str
         Of GeoJSON: the property, a number, that is the attribute of regions.
+    marker : str
+        Of GeoJSON: the property, a whole number, that is the marker of lines and of borders of polygons.
 
     Returns
     -------
@@ -126,9 +128,9 @@ def read(file: Union[str, os.PathLike], *, region: str = '') -> Dict[str, np.nda
     GraphError
         If the file cannot be read; the text has the line.
     ValueError
-        If the name has another ending.
+        If the name has another ending, or a property has names.
     """
-    return _core.read_graph(os.fspath(file), region)
+    return _core.read_graph(os.fspath(file), region, marker)
 
 
 def column(features: Features, values: Any, name: str) -> Optional[np.ndarray]:

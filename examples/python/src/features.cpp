@@ -7,6 +7,7 @@
 #include "arrays.h"
 #include "definitions.h"
 
+#include <CGAL/Feature_properties_2.h>
 #include <CGAL/IO/Triangle_files.h>
 #include <CGAL/IO/read_WKT.h>
 #include <CGAL/Pslg_2.h>
@@ -99,13 +100,21 @@ bool ends_with(const std::string& text, const std::string& end) {
   return text.size() >= end.size() && std::equal(end.rbegin(), end.rend(), text.rbegin());
 }
 
+/// Arrays of numbers have no place for names.
+void refuse_names(const std::string& file, const std::string& property,
+                  const std::vector<std::string>& names) {
+  if (!names.empty())
+    throw std::invalid_argument("'" + file + "': the property '" + property +
+                                "' has names, not numbers; geopandas.read_file() reads these");
+}
+
 /// The format is that of the name's ending.
-py::dict read_graph(const std::string& file, [[maybe_unused]] const std::string& region_property) {
+py::dict read_graph(const std::string& file, const CGAL::Feature_properties_2& properties) {
   CGAL::Pslg_2<Point> graph;
   if (ends_with(file, ".poly") || ends_with(file, ".poly.gz")) CGAL::IO::read_triangle_poly(file, graph);
 #ifdef QUADTREE_MESH_PYTHON_READS_GEOJSON
   else if (ends_with(file, ".geojson") || ends_with(file, ".json"))
-    CGAL::IO::read_GeoJSON(file, graph, region_property);
+    CGAL::IO::read_GeoJSON(file, graph, properties);
 #endif
   else if (ends_with(file, ".wkt"))
     CGAL::IO::read_WKT(file, graph);
@@ -113,13 +122,18 @@ py::dict read_graph(const std::string& file, [[maybe_unused]] const std::string&
     throw std::invalid_argument("'" + file +
                                 "': the formats known here are .poly, .poly.gz, .wkt and, where "
                                 "nlohmann-json was found, .geojson and .json");
+  refuse_names(file, properties.region, graph.region_names);
+  refuse_names(file, properties.marker, graph.marker_names);
   return arrays_of(graph);
 }
 
 } // namespace
 
 void define_features(py::module_& module) {
-  module.def("read_graph", &read_graph, py::arg("file"), py::arg("region_property"));
+  const auto read = [](const std::string& file, const std::string& region, const std::string& marker) {
+    return read_graph(file, {region, marker});
+  };
+  module.def("read_graph", read, py::arg("file"), py::arg("region_property"), py::arg("marker_property"));
   module.def("graph_of_features", &graph_of_features, py::arg("coordinates"), py::arg("parts"));
 }
 

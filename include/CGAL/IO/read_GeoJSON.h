@@ -7,11 +7,13 @@
 #ifndef CGAL_IO_READ_GEOJSON_H
 #define CGAL_IO_READ_GEOJSON_H
 
+#include <CGAL/Feature_properties_2.h>
 #include <CGAL/Pslg_2.h>
 #include <CGAL/Pslg_error_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/io/Json_lines.h>
 #include <CGAL/Quadtree_mesh_2/internal/io/printable.h>
 #include <CGAL/Quadtree_mesh_2/internal/io/read_whole_file.h>
+#include <CGAL/Quadtree_mesh_2/internal/pslg/Feature_numbers.h>
 #include <CGAL/Quadtree_mesh_2/internal/pslg/Simple_features.h>
 
 #include <nlohmann/json.hpp>
@@ -21,8 +23,10 @@
 #include <istream>
 #include <iterator>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
 // Reads GeoJSON (RFC 7946) by nlohmann-json. Programs that include this header need that library.
 
@@ -35,12 +39,12 @@ class Geojson_walker {
 public:
   using Json = nlohmann::json;
 
-  /// \param region_property the property of features that becomes the attribute of their regions; empty: none
   /// \param root the object parsed from `text`
   Geojson_walker(const Json& root, const std::string& text, const std::string& file_name,
-                 const std::string& region_property, Simple_features& features)
-      : root_(root), text_(text), file_name_(file_name), region_property_(region_property),
-        features_(features) {}
+                 const Feature_properties_2& properties, Simple_features& features)
+      : root_(root), text_(text), file_name_(file_name),
+        attributes_(properties.region, Feature_numbers::Kind::ANY),
+        markers_(properties.marker, Feature_numbers::Kind::MARKER), features_(features) {}
 
   void walk() {
     const std::string type = type_of(root_, "");
@@ -52,9 +56,13 @@ public:
     } else {
       add_geometry(root_, "the geometry", 0);
     }
-    if (!region_property_.empty() && !is_property_found_)
-      fail(root_, "no feature has a property '" + region_property_ + "'");
+    for (const Feature_numbers* const numbers : {&attributes_, &markers_})
+      if (!numbers->is_content()) fail(root_, "no feature has a property " + in_quotes(numbers->property()));
   }
+
+  /// Names of attributes and markers, once they are known.
+  const std::vector<std::string>& region_names() const { return attributes_.names(); }
+  const std::vector<std::string>& marker_names() const { return markers_.names(); }
 
 private:
   static constexpr int max_depth_ = 100; // of collections in collections
@@ -84,22 +92,28 @@ private:
   void add_feature(const Json& feature, const std::string& where) {
     const std::string type = type_of(feature, where);
     if (type != "Feature") fail(feature, where + ": is a " + in_quotes(type) + " instead of a Feature");
-    features_.set_attribute(attribute_of(feature, where));
+    features_.set_attribute(number_of(feature, where, attributes_));
+    features_.set_marker(static_cast<int>(number_of(feature, where, markers_).value_or(0)));
     const auto geometry = feature.find("geometry");
     if (geometry == feature.end()) fail(feature, where + ": there is no \"geometry\"");
     if (!geometry->is_null()) add_geometry(*geometry, where, 0); // null is a feature without a place
   }
 
-  std::optional<double> attribute_of(const Json& feature, const std::string& where) {
-    if (region_property_.empty()) return std::nullopt;
+  /// The number of the feature's property; nothing if it has none.
+  std::optional<double> number_of(const Json& feature, const std::string& where,
+                                  Feature_numbers& numbers) const {
+    if (!numbers.is_wanted()) return std::nullopt;
     const auto properties = feature.find("properties");
     if (properties == feature.end() || !properties->is_object()) return std::nullopt;
-    const auto property = properties->find(region_property_);
+    const auto property = properties->find(numbers.property());
     if (property == properties->end() || property->is_null()) return std::nullopt;
-    if (!property->is_number())
-      fail(*property, where + ": the property '" + region_property_ + "' is not a number");
-    is_property_found_ = true;
-    return property->get<double>();
+    try {
+      if (property->is_number()) return numbers.of_number(property->get<double>());
+      if (property->is_string()) return numbers.of_name(property->get<std::string>());
+      numbers.fail("is neither a number nor a name");
+    } catch (const std::invalid_argument& error) {
+      fail(*property, where + ": " + error.what());
+    }
   }
 
   void add_geometry(const Json& geometry, const std::string& where, int depth) {
@@ -187,29 +201,33 @@ private:
   const Json& root_;
   const std::string& text_;
   const std::string& file_name_;
-  const std::string& region_property_;
+  Feature_numbers attributes_, markers_;
   Simple_features& features_;
-  bool is_property_found_ = false;
 };
 
 /// \throws Pslg_error_2
 template <class Point>
 Pslg_2<Point> parse_geojson(const std::string& text, const std::string& name,
-                            const std::string& region_property) {
+                            const Feature_properties_2& properties) {
   Simple_features features;
+  std::vector<std::string> region_names, marker_names;
   std::size_t line = 1;
   const auto fail = [&](const std::string& what) {
     throw Pslg_error_2(Pslg_error_2::Kind::UNREADABLE_FILE, name + ':' + std::to_string(line) + ": " + what);
   };
   try {
     const nlohmann::json root = parse_json(text, line);
-    Geojson_walker(root, text, name, region_property, features).walk();
+    Geojson_walker walker(root, text, name, properties, features);
+    walker.walk();
+    region_names = walker.region_names(), marker_names = walker.marker_names();
   } catch (const Repeated_json_key& error) {
     fail(error.what());
   } catch (const nlohmann::json::exception& error) {
     fail(printable(json_error_text(error), 200));
   }
-  return features.to_pslg<Point>();
+  Pslg_2<Point> pslg = features.to_pslg<Point>();
+  pslg.region_names = std::move(region_names), pslg.marker_names = std::move(marker_names);
+  return pslg;
 }
 
 } // namespace internal
@@ -229,26 +247,30 @@ namespace IO {
 ///
 /// Coordinates are taken as coordinates of a plane. Heights are dropped. Segments may cross, as in the file;
 /// see `repair_pslg_2()`. Takes linear time, except for the triangulation that finds the components.
-/// \param region_property a numeric property of features; empty for none. Each component that polygons of
-/// features with that property cover gets a region, with the number as its attribute. Where several features
-/// cover it, the first counts. Features without the property get no region.
+/// \param properties those of features that become attributes of regions and markers of segments; a text stands for
+/// that of regions. Each component that polygons of features with that property cover gets a region with its number;
+/// where several features cover it, the first counts. Features without the property get no region. Segments of
+/// features without the other one get the marker 0; of features that share a segment the first with a marker other
+/// than 0 counts.
 /// \throws Pslg_error_2 with the file, the line and the feature if the file is missing or malformed, a key
-/// appears twice in an object, a ring is not closed, or no feature has the property; `pslg` is then unchanged.
+/// appears twice in an object, a ring is not closed, no feature has the property, or it is a number here and a name
+/// there; `pslg` is then unchanged.
 /// \tparam Point can be made from two doubles.
 template <class Point>
 void read_GeoJSON(const std::string& file_name, Pslg_2<Point>& pslg,
-                  const std::string& region_property = "") {
+                  const Feature_properties_2& properties = Feature_properties_2()) {
   namespace internal = Quadtree_mesh_2::internal;
-  pslg = internal::parse_geojson<Point>(internal::read_whole_file(file_name), file_name, region_property);
+  pslg = internal::parse_geojson<Point>(internal::read_whole_file(file_name), file_name, properties);
 }
 
 /// The same from a stream.
 /// \throws Pslg_error_2 as above, with `name` for the name of the file.
 template <class Point>
-void read_GeoJSON(std::istream& in, Pslg_2<Point>& pslg, const std::string& region_property = "",
+void read_GeoJSON(std::istream& in, Pslg_2<Point>& pslg,
+                  const Feature_properties_2& properties = Feature_properties_2(),
                   const std::string& name = "input") {
   namespace internal = Quadtree_mesh_2::internal;
-  pslg = internal::parse_geojson<Point>(internal::read_whole_stream(in, name), name, region_property);
+  pslg = internal::parse_geojson<Point>(internal::read_whole_stream(in, name), name, properties);
 }
 
 } // namespace IO

@@ -312,6 +312,16 @@ void read_triangle_node(const std::string& file_name, Pslg_2<Point>& pslg) {
   pslg = std::move(result);
 }
 
+/// The same from a stream.
+/// \throws Pslg_error_2 as above, with `name` for the name of the file.
+template <class Point>
+void read_triangle_node(std::istream& in, Pslg_2<Point>& pslg, const std::string& name = "input") {
+  namespace internal = Quadtree_mesh_2::internal;
+  Pslg_2<Point> result;
+  internal::parse_triangle_node(internal::read_whole_stream(in, name), name, result);
+  pslg = std::move(result);
+}
+
 /// Reads points and triangles of a mesh from `stem.node` and `stem.ele`. Everything else in `mesh` becomes
 /// empty.
 /// \throws Pslg_error_2 as `read_triangle_poly()` does; `mesh` is then unchanged.

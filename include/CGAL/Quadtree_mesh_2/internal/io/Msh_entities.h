@@ -129,8 +129,27 @@ private:
   std::string region_name(int r) const {
     std::string name = "region " + std::to_string(r);
     if (static_cast<std::size_t>(r) >= pslg_.regions.size()) return name;
+    const double attribute = pslg_.regions[static_cast<std::size_t>(r)].attribute;
+    const std::string own = name_of(pslg_.region_names, attribute);
+    if (!own.empty()) return name + ", " + own; // there may be several of that name
     name += ", attribute ";
-    append_number(name, pslg_.regions[static_cast<std::size_t>(r)].attribute);
+    append_number(name, attribute);
+    return name;
+  }
+
+  std::string marker_name(int marker) const {
+    const std::string own = name_of(pslg_.marker_names, marker);
+    return own.empty() ? "marker " + std::to_string(marker) : own;
+  }
+
+  /// What the numbers 1, 2, ... are called, without what ends a name in a file of Gmsh; empty if there is no name.
+  static std::string name_of(const std::vector<std::string>& names, double number) {
+    if (!(number >= 1 && number <= static_cast<double>(names.size()))) return std::string();
+    const auto index = static_cast<std::size_t>(number) - 1;
+    if (number != static_cast<double>(index + 1)) return std::string();
+    std::string name = names[index];
+    for (char& c : name)
+      if (c == '"' || static_cast<unsigned char>(c) < 0x20) c = '_';
     return name;
   }
 
@@ -141,11 +160,8 @@ private:
     markers.erase(std::unique(markers.begin(), markers.end()), markers.end());
     int group = markers.empty() ? 0 : std::max(0, markers.back());
     for (const int m : markers)
-      curves_.push_back({"marker " + std::to_string(m),
-                         static_cast<int>(curves_.size()) + 1,
-                         m > 0 ? m : ++group,
-                         Msh_box<Point>(),
-                         {}});
+      curves_.push_back(
+          {marker_name(m), static_cast<int>(curves_.size()) + 1, m > 0 ? m : ++group, Msh_box<Point>(), {}});
     for (std::size_t e = 0; e < mesh_.constrained_edges.size(); ++e) {
       const auto& edge = mesh_.constrained_edges[e];
       const auto found = std::lower_bound(markers.begin(), markers.end(), edge.marker);

@@ -34,10 +34,18 @@ public:
     for (const Written& w : written_) remove(w.temporary);
   }
 
+  /// What is added under this name goes to an open file from now on, which stays open.
+  /// \param called what errors call that file
+  void direct(const std::string& name, std::FILE* file, const std::string& called) {
+    directed_.push_back({name, called, file});
+  }
+
   /// \throws std::system_error that tells the file and why it cannot be written.
   void add(const std::string& file_name, std::string text) {
-    if (is_stream(file_name))
-      streams_.push_back({file_name, std::move(text)});
+    if (const Directed* const to = directed(file_name))
+      streams_.push_back({to->called, std::move(text), to->file});
+    else if (is_stream(file_name))
+      streams_.push_back({file_name, std::move(text), nullptr});
     else
       write(open_for(file_name), file_name, text);
   }
@@ -53,7 +61,11 @@ public:
 
   /// \throws std::system_error as `add()` does; then no file is replaced, if the file system knows hard links.
   void commit() {
-    for (const Stream& s : streams_) write(std::fopen(s.name.c_str(), "wb"), s.name, s.text);
+    for (const Stream& s : streams_)
+      if (s.file != nullptr)
+        write_on(s.file, s.name, s.text);
+      else
+        write(std::fopen(s.name.c_str(), "wb"), s.name, s.text);
     streams_.clear();
     for (Written& w : written_) keep_target(w);
     for (std::size_t i = 0; i < written_.size(); ++i) {
@@ -75,10 +87,21 @@ private:
   };
   struct Stream {
     std::string name, text;
+    std::FILE* file; ///< null: to be opened by its name
+  };
+  struct Directed {
+    std::string name, called;
+    std::FILE* file;
   };
 
   [[noreturn]] static void fail(const std::string& file_name, std::error_code error) {
     throw std::system_error(error, file_name + ": cannot be written");
+  }
+
+  const Directed* directed(const std::string& name) const {
+    for (const Directed& d : directed_)
+      if (d.name == name) return &d;
+    return nullptr;
   }
 
   static bool is_stream(const std::string& file_name) {
@@ -156,8 +179,16 @@ private:
     fail(file_name, std::error_code(error ? error : EIO, std::generic_category()));
   }
 
+  /// Leaves the file open.
+  static void write_on(std::FILE* file, const std::string& name, const std::string& text) {
+    errno = 0;
+    if (std::fwrite(text.data(), 1, text.size(), file) == text.size() && std::fflush(file) == 0) return;
+    fail(name, std::error_code(errno ? errno : EIO, std::generic_category()));
+  }
+
   std::vector<Written> written_;
   std::vector<Stream> streams_;
+  std::vector<Directed> directed_;
 };
 
 /// Writes `text` to a file that keeps its old content if that fails.

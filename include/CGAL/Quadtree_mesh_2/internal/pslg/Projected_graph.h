@@ -193,6 +193,8 @@ private:
     pslg_ = {};
     places_.clear(), pieces_.clear();
     pslg_.first_number = degrees_.first_number;
+    pslg_.marker_names = degrees_.marker_names;
+    pslg_.region_names = degrees_.region_names;
     pslg_.vertex_markers = degrees_.vertex_markers;
     for (const Point& p : degrees_.vertices) pslg_.add_vertex(forward(p));
     for (std::size_t s = 0; s < stretches_.size(); ++s) add_stretch(s);

@@ -45,6 +45,9 @@ public:
 
   /// What follows belongs to a polygon, or several, whose region gets this attribute; no region if it has none.
   void set_attribute(std::optional<double> attribute) { attribute_ = attribute; }
+  /// The segments that follow, of lines and of borders, have this marker. Of those with the same ends the first that
+  /// is not 0 counts.
+  void set_marker(int marker) { marker_ = marker; }
 
   void add_point(const Place& p) { add_vertex(p); }
 
@@ -56,7 +59,7 @@ public:
     std::size_t segments = 0;
     for (std::uint32_t i = 1; i < line.size(); ++i)
       if (line[i - 1] != line[i]) {
-        segments_.push_back({first + i - 1, first + i, no_polygon_});
+        segments_.push_back({first + i - 1, first + i, no_polygon_, marker_});
         ++segments;
       }
     if (segments == 0)
@@ -81,8 +84,8 @@ public:
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const std::size_t next = i + 1 < ring.size() ? i + 1 : 0;
       if (ring[i] != ring[next])
-        segments_.push_back(
-            {first + static_cast<std::uint32_t>(i), first + static_cast<std::uint32_t>(next), polygon});
+        segments_.push_back({first + static_cast<std::uint32_t>(i), first + static_cast<std::uint32_t>(next),
+                             polygon, marker_});
     }
   }
 
@@ -98,14 +101,16 @@ public:
     for (std::size_t i = 0; i < segments_.size(); ++i)
       if (i == 0 || !have_same_ends(segments_[i - 1], segments_[i]))
         pslg.add_segment(Vertex_index(segments_[i].a), Vertex_index(segments_[i].b));
+    add_markers(pslg);
     if (!attributes_.empty()) mark_components(pslg);
     return pslg;
   }
 
 private:
-  /// An input segment and the polygon that it bounds.
+  /// An input segment, the polygon that it bounds, and its marker.
   struct Bounding_segment {
     std::uint32_t a, b, polygon;
+    int marker;
   };
   static constexpr std::uint32_t no_polygon_ = Covered_component::no_polygon;
 
@@ -141,7 +146,7 @@ private:
       if (place[i] == i) vertices_[kept++] = vertices_[i];
     }
     vertices_.resize(kept);
-    for (Bounding_segment& s : segments_) s = {index[s.a], index[s.b], s.polygon};
+    for (Bounding_segment& s : segments_) s = {index[s.a], index[s.b], s.polygon, s.marker};
   }
 
   /// Brings segments with the same ends together, behind the first of them.
@@ -168,6 +173,18 @@ private:
 
   /// \pre segments are merged, and `pslg` has each once
   template <class Point>
+  void add_markers(Pslg_2<Point>& pslg) const {
+    const auto has_marker = [](const Bounding_segment& s) { return s.marker != 0; };
+    if (std::none_of(segments_.begin(), segments_.end(), has_marker)) return;
+    for (std::size_t i = 0; i < segments_.size(); ++i) {
+      if (i == 0 || !have_same_ends(segments_[i - 1], segments_[i])) pslg.segment_markers.push_back(0);
+      int& marker = pslg.segment_markers.back();
+      if (marker == 0) marker = segments_[i].marker;
+    }
+  }
+
+  /// \pre segments are merged, and `pslg` has each once
+  template <class Point>
   void mark_components(Pslg_2<Point>& pslg) const {
     std::vector<Segment_of_polygon> borders;
     std::uint32_t segment = 0;
@@ -187,6 +204,7 @@ private:
   std::vector<Place> vertices_;
   std::vector<Bounding_segment> segments_;
   std::optional<double> attribute_;
+  int marker_ = 0;
   std::vector<std::optional<double>> attributes_; // by polygon
 };
 
