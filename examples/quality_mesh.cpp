@@ -185,6 +185,9 @@ void read(Meshing_run& run, const Command_line& line) {
   run.pslg = mesh_files::read_graph(line.input, line.region_property);
   if (line.is_repair_wanted) run.pslg = repaired_graph(run.pslg, run.repair.emplace());
   run.projected = projected_graph::projection(run.pslg, line);
+  if (run.projected && command_line_internal::has_output_of(line, {Output_format::TRIANGLE_VORONOI}))
+    throw std::runtime_error("the files .v.node and .v.edge have no meaning for a mesh in degrees: write "
+                             ".cells.geojson, or use --project none");
   run.may_be_in_degrees =
       !run.projected && !line.is_projection_said && projected_graph::may_be_in_degrees(run.pslg);
 }
@@ -206,8 +209,9 @@ Exit_status execute(const Command_line& line, const Large_run& large) {
   if (line.is_renumbering_wanted) timed(run.write_seconds, [&] { renumber(run); });
   const auto add_mesh = [&](mesh_files::Files& files, const std::string& output) {
     timed(run.write_seconds, [&] {
-      mesh_files::add(files, output, run.mesh, run.pslg, picture_of(run, line), line.pieces,
-                      line.msh_version);
+      const mesh_files::Details details{line.pieces, line.msh_version, line.element_order, line.cells,
+                                        run.projected ? &run.projected->projection : nullptr};
+      mesh_files::add(files, output, run.mesh, run.pslg, picture_of(run, line), details);
     });
     run.peak_memory_mb = peak_memory_mb();
   };

@@ -13,6 +13,8 @@
 #include <CGAL/Point_set_mesh_options_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/Mesh_checkpoints.h>
 #include <CGAL/Quadtree_mesh_2/internal/io/Msh_version.h>
+#include <CGAL/Quadtree_mesh_2/mesh_dual_types.h>
+#include <CGAL/Quadtree_mesh_2/mesh_edges_types.h>
 #include <CGAL/Quality_mesh_options_2.h>
 #include <CGAL/version.h>
 
@@ -61,6 +63,8 @@ struct Command_line {
   bool is_renumbering_wanted = false;
   std::size_t pieces = 0; ///< of outputs that may have some; 0: not said
   CGAL::IO::Msh_version msh_version = CGAL::IO::Msh_version::V4_1;
+  CGAL::IO::Element_order element_order = CGAL::IO::Element_order::FIRST;
+  CGAL::Mesh_dual_2::Kind cells = CGAL::Mesh_dual_2::Kind::CIRCUMCENTRIC;
   std::string region_property;          ///< empty: none
   bool is_repair_wanted = false;        ///< of Mode::PSLG
   Project project = Project::BY_FORMAT; ///< of Mode::PSLG
@@ -369,6 +373,32 @@ inline CGAL::IO::Msh_version msh_version(const po::variables_map& given, const C
   return version;
 }
 
+inline bool has_output_of(const Command_line& line, const std::vector<Output_format>& formats) {
+  return std::any_of(line.outputs.begin(), line.outputs.end(), [&formats](const std::string& output) {
+    return std::find(formats.begin(), formats.end(), output_format(output)) != formats.end();
+  });
+}
+
+/// \throws Usage_error if no output has elements of second order, or parts would have some
+inline CGAL::IO::Element_order element_order(const po::variables_map& given, const Command_line& line) {
+  if (given.count("second-order") == 0) return CGAL::IO::Element_order::FIRST;
+  if (!has_output_of(line, {Output_format::TRIANGLE, Output_format::VTU, Output_format::MSH}))
+    throw Usage_error("--second-order needs an output .ele, .vtu or .msh (-o FILE.vtu)");
+  if (line.pieces > 0 && has_output_of(line, {Output_format::MSH}))
+    throw Usage_error("--second-order has no meaning for .msh in parts (--pieces)");
+  return CGAL::IO::Element_order::SECOND;
+}
+
+/// \throws Usage_error if no output has cells
+inline CGAL::Mesh_dual_2::Kind cells(const po::variables_map& given, const Command_line& line) {
+  using Kind = CGAL::Mesh_dual_2::Kind;
+  constexpr Kind kinds[] = {Kind::CIRCUMCENTRIC, Kind::BARYCENTRIC};
+  if (given.count("cells") == 0) return Kind::CIRCUMCENTRIC;
+  if (!has_output_of(line, {Output_format::CELLS_GEOJSON, Output_format::CELLS_WKT}))
+    throw Usage_error("--cells needs an output .cells.geojson or .cells.wkt (-o FILE.cells.geojson)");
+  return kinds[choice(given, "cells", {"voronoi", "median"})];
+}
+
 /// The scratch folder, empty if nothing is kept in one.
 /// \throws Usage_error if nobody says where it is, or what for
 inline std::string scratch_folder(const po::variables_map& given, const Command_line& line) {
@@ -499,6 +529,8 @@ inline Command_line parse_command_line(int argc, const char* const* argv) try {
   line.is_renumbering_wanted = given.count("renumber") > 0;
   line.pieces = pieces(given, line.outputs);
   line.msh_version = msh_version(given, line);
+  line.element_order = element_order(given, line);
+  line.cells = cells(given, line);
   line.region_property = text(given, "region-property");
   check_region_property(line);
   line.is_repair_wanted = given.count("repair") > 0;

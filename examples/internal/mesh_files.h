@@ -14,6 +14,8 @@
 #include <CGAL/Pslg_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/io/Msh_version.h>
 #include <CGAL/Quadtree_mesh_2/internal/io/Replaced_files.h>
+#include <CGAL/Quadtree_mesh_2/mesh_dual_types.h>
+#include <CGAL/Quadtree_mesh_2/mesh_edges_types.h>
 
 #include <cstddef>
 #include <string>
@@ -49,11 +51,19 @@ struct Picture {
   std::vector<CGAL::Quadtree_mesh_2::Triangle_index> unmet; ///< triangles that a page marks
   const CGAL::Conformal_projection_2* projection = nullptr; ///< in whose plane a page shows a mesh in degrees
 };
+/// What is written of a mesh besides vertices and triangles.
+struct Details {
+  std::size_t pieces = 0; ///< of formats that may have some; 0 if nothing is said
+  CGAL::IO::Msh_version msh_version = CGAL::IO::Msh_version::V4_1;
+  CGAL::IO::Element_order order = CGAL::IO::Element_order::FIRST; ///< in formats that know others
+  CGAL::Mesh_dual_2::Kind cells = CGAL::Mesh_dual_2::Kind::CIRCUMCENTRIC;
+  /// The plane in which there are cells, of a mesh in degrees; null: that of the coordinates.
+  const CGAL::Conformal_projection_2* projection = nullptr;
+};
 using Files = CGAL::Quadtree_mesh_2::internal::Replaced_files;
 /// \param pslg what the mesh was made from
-/// \param pieces of formats that may have some; 0 if nothing is said
 void add(Files& files, const std::string& file_name, const Mesh& mesh, const Pslg& pslg,
-         const Picture& picture, std::size_t pieces, CGAL::IO::Msh_version msh_version);
+         const Picture& picture, const Details& details);
 
 } // namespace mesh_files
 

@@ -27,7 +27,12 @@ inline po::options_description common_options() {
     ("output,o", po::value<std::vector<std::string>>()->value_name("FILE"),
      "where to write the mesh, more than once if you like: .vtu, .pvtu (in pieces), .vtkhdf, .xdmf (with .h5), .svg, "
      ".html (a page to look at), .off, .obj, .msh (Gmsh), .mesh (MEDIT), .2dm (SMS), .gr3 (SCHISM), .14 (ADCIRC), or "
-     ".ele, which writes .node, .ele and .poly")
+     ".ele, which writes .node, .ele and .poly. Or a part: .edge and .neigh (Triangle's), .v.node (its Voronoi "
+     "diagram), .cells.geojson and .cells.wkt (polygons around vertices)")
+    ("cells", po::value<std::string>()->value_name("C"),
+     "the polygons of .cells.geojson and .cells.wkt, which end at the border: voronoi, if not given, or median (with "
+     "corners at barycenters)")
+    ("second-order", "elements of .ele, .vtu and .msh have a node in the middle of each side, too")
     ("msh-version", po::value<std::string>()->value_name("V"), "version of .msh: 4.1, if not given, or 2.2")
     ("renumber", "number vertices and triangles by their places, so that what is near is near in files, too; the "
      "input's numbers become data, input_index")
