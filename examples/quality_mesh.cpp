@@ -20,6 +20,7 @@
 
 #include <CGAL/Pslg_error_2.h>
 #include <CGAL/Quadtree_mesh_2/new_in_scratch_memory.h> // of this program's own long vectors and strings
+#include <CGAL/add_convex_hull_2.h>
 #include <CGAL/mesh_quality_2.h>
 #include <CGAL/renumber_mesh_2.h>
 #include <CGAL/tags.h>
@@ -182,7 +183,10 @@ mesh_files::Picture picture_of(const Meshing_run& run, const Command_line& line)
 }
 
 void read(Meshing_run& run, const Command_line& line) {
-  run.pslg = mesh_files::read_graph(line.input, line.region_property);
+  using mesh_files::Points_alone;
+  run.pslg = mesh_files::read_graph(line.input, line.region_property,
+                                    line.is_hull_wanted ? Points_alone::ALLOWED : Points_alone::REFUSED);
+  if (line.is_hull_wanted) CGAL::add_convex_hull_2(run.pslg);
   if (line.is_repair_wanted) run.pslg = repaired_graph(run.pslg, run.repair.emplace());
   run.projected = projected_graph::projection(run.pslg, line);
   if (run.projected && command_line_internal::has_output_of(line, {Output_format::TRIANGLE_VORONOI}))

@@ -66,6 +66,7 @@ struct Command_line {
   CGAL::IO::Element_order element_order = CGAL::IO::Element_order::FIRST;
   CGAL::Mesh_dual_2::Kind cells = CGAL::Mesh_dual_2::Kind::CIRCUMCENTRIC;
   std::string region_property;          ///< empty: none
+  bool is_hull_wanted = false;          ///< of Mode::PSLG
   bool is_repair_wanted = false;        ///< of Mode::PSLG
   Project project = Project::BY_FORMAT; ///< of Mode::PSLG
   bool is_projection_said = false;
@@ -233,6 +234,7 @@ inline const std::vector<Option_use>& option_uses() {
       {"max-area", {Mode::PSLG}},
       {"min-edge", {Mode::PSLG}},
       {"region-property", {Mode::PSLG}},
+      {"hull", {Mode::PSLG}},
       {"repair", {Mode::PSLG}},
       {"project", {Mode::PSLG}},
       {"size-points", {Mode::PSLG}},
@@ -247,6 +249,8 @@ inline const std::vector<Option_use>& option_uses() {
       {"smooth", {Mode::PSLG}},
       {"thin", {Mode::PSLG}},
       {"max-vertices", {Mode::PSLG}},
+      {"max-steiner", {Mode::PSLG}},
+      {"conforming", {Mode::PSLG}},
       {"no-coarsening", {Mode::PSLG}},
       {"compare", {Mode::PSLG, Mode::POINTS}},
       {"angles", {Mode::BOUNDED}},
@@ -281,6 +285,8 @@ inline CGAL::Quality_mesh_options_2 quality_mesh_options(const po::variables_map
       .max_vertices(limit(given, "max-vertices"))
       .separate(tree_options(given))
       .separate(separation(given));
+  if (given.count("max-steiner") > 0) options.max_steiner_vertices(number_from_0(given, "max-steiner"));
+  if (given.count("conforming") > 0) options.conform(CGAL::Quality_mesh_options_2::Conforming::DELAUNAY);
   if (given.count("no-coarsening") > 0) options.coarsen(CGAL::Quality_mesh_options_2::Coarsening::NONE);
   return options;
 }
@@ -434,7 +440,7 @@ inline Command_line::Project project(const po::variables_map& given, const Comma
   const auto refuse = [](const std::string& what) {
     throw Usage_error(what + " has no meaning with --project, unless it is none");
   };
-  for (const char* const option : {"memory", "resume", "compare", "gradation"})
+  for (const char* const option : {"memory", "resume", "compare", "gradation", "conforming"})
     if (given.count(option) > 0) {
       if (is_said) refuse(std::string("--") + option);
       return Project::NONE;
@@ -533,6 +539,7 @@ inline Command_line parse_command_line(int argc, const char* const* argv) try {
   line.cells = cells(given, line);
   line.region_property = text(given, "region-property");
   check_region_property(line);
+  line.is_hull_wanted = given.count("hull") > 0;
   line.is_repair_wanted = given.count("repair") > 0;
   line.project = project(given, line);
   line.is_projection_said = given.count("project") > 0;

@@ -211,11 +211,12 @@ void write(std::ostream& out, Output_format format, const Mesh& mesh, const Pslg
 
 namespace mesh_files {
 
-Pslg read_graph(const std::string& file_name, const std::string& region_property) {
+Pslg read_graph(const std::string& file_name, const std::string& region_property, Points_alone points_alone) {
   const Input_format format = input_format(file_name);
-  if (format == Input_format::NODE || format == Input_format::TABLE)
+  if (points_alone == Points_alone::REFUSED &&
+      (format == Input_format::NODE || format == Input_format::TABLE))
     throw Usage_error("'" + file_name +
-                      "' is a file of points alone: use --mode points, bounded, acute or warped");
+                      "' is a file of points alone: use --mode points, bounded, acute or warped, or --hull");
   return read(file_name, region_property);
 }
 

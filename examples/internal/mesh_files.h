@@ -29,9 +29,11 @@ using Pslg = CGAL::Pslg_2<Point>;
 
 // All throw std::runtime_error naming the file, and the line or feature that is to blame.
 
+/// Whether a graph may be one of points alone.
+enum class Points_alone { REFUSED, ALLOWED };
 /// \param region_property of GeoJSON's features; empty: none
-/// \throws Usage_error if the format is one of points alone
-Pslg read_graph(const std::string& file_name, const std::string& region_property);
+/// \throws Usage_error if the format is one of points alone and these are refused
+Pslg read_graph(const std::string& file_name, const std::string& region_property, Points_alone points_alone);
 /// \throws std::runtime_error if there are segments, or no points, too
 Pslg read_points(const std::string& file_name);
 /// Points with the sizes of triangles there: the first three columns of a table, or `x`, `y` and `size`.

@@ -74,6 +74,7 @@ inline po::options_description graph_options() {
      "insert no vertex nearer than this to another; triangles that miss a bound for this reason are reported")
     ("region-property", po::value<std::string>()->value_name("NAME"),
      "the number in the properties of GeoJSON's features that becomes the attribute of their regions")
+    ("hull", "mesh the convex hull: its border is added where no segment lies on it. The input may have points alone")
     ("repair", "split segments where they cross, as borders of polygons that overlap do")
     ("project", po::value<std::string>()->value_name("P"),
      "the conformal projection in which longitudes and latitudes are meshed, so that angles are those on the ground "
@@ -106,6 +107,9 @@ inline po::options_description graph_options() {
      "stop refining at so many vertices, and report what is left; what surely needs four times as many is refused. If "
      "not given: what memory allows, and for graphs of fewer than 1000 vertices 2000000 triangles (exact: 1000000) "
      "besides what bounds of size ask for")
+    ("max-steiner", po::value<double>()->value_name("N"),
+     "stop refining at so many vertices that are not of the input, and report what is left; it may be 0")
+    ("conforming", "split segments until all triangles are Delaunay, so that no circumcenter is outside")
     ("no-coarsening", "keep the vertices that are not needed in the end");
   return options;
 }

@@ -90,6 +90,48 @@ TEST_CASE("cells are written, of a mesh in degrees with areas on the ground", "[
   CHECK(run(north + " --quiet -o " + folder.file("n.v.node")).status == 2);
 }
 
+TEST_CASE("-c, -D and -S of Triangle are options of the program", "[program]") {
+  const Scratch_folder folder;
+  const std::string x = folder.file("x"), json = folder.file("x.json");
+  const auto report = [&] { return nlohmann::json::parse(content(json)); };
+  // Points alone, of which the hull is meshed, with the numbers of the file.
+  const std::string points = folder.write("in.node", "5 2 0 0\n1 0 0\n2 4 0\n3 4 4\n4 0 4\n5 2 1\n");
+  CHECK(contains(run(points).err, "--hull"));
+  REQUIRE(run(points + " --quiet --hull -o " + x + ".ele --report " + json).status == 0);
+  CHECK(report()["input_segments"] == 4);
+  CHECK(head(content(x + ".ele"))[0] >= 4);
+  CHECK(run(folder.write("in.xy", "0 0\n1 0\n0 1\n") + " --quiet --hull -o " + x + ".off").status == 0);
+  // A graph without the border of its hull; with it there are pockets to mesh, and the hole stays.
+  const std::string cross =
+      folder.write("cross.poly", "6 2 0 0\n0 0 0\n1 6 0\n2 6 6\n3 0 6\n4 2 3\n5 4 3\n2 0\n0 4 5\n1 0 4\n0\n");
+  CHECK(run(cross + " --quiet").status == 2);
+  CHECK(run(cross + " --quiet --hull").status == 0);
+  // A segment that sees vertices under obtuse angles.
+  const std::string graph =
+      folder.write("graph.poly", "8 2 0 0\n0 0 0\n1 9 0\n2 9 9\n3 0 9\n4 1 4\n5 8 4.2\n6 3 4.5\n7 6 4.6\n"
+                                 "5 0\n0 0 1\n1 1 2\n2 2 3\n3 3 0\n4 4 5\n0\n");
+  REQUIRE(run(graph + " --quiet --report " + json).status == 0);
+  const std::size_t before = report()["triangles"];
+  REQUIRE(run(graph + " --quiet --conforming --report " + json).status == 0);
+  CHECK(report()["triangles"] > before);
+  CHECK(report()["encroached_edges"] == 0);
+  // A limit, also of 0, is kept, and what is left is reported.
+  for (const int most : {0, 1, 3}) {
+    const Run r = run(graph + " --max-edge 1 --max-steiner " + std::to_string(most) + " --report " + json);
+    CHECK(r.status == 1);
+    CHECK(report()["vertices"] == 8 + most);
+    CHECK(contains(r.out, "unmet"));
+  }
+  const Run r = run(graph + " --conforming --max-steiner 0 --report " + json);
+  CHECK(r.status == 1);
+  CHECK(report()["encroached_edges"] > 0);
+  CHECK(contains(r.out, "not Delaunay"));
+  for (const char* option :
+       {"--max-steiner -1", "--max-steiner 0.5", "--max-steiner x", "--hull --mode acute",
+        "--conforming --mode points", "--conforming --project auto"})
+    CHECK(run(graph + ' ' + option).status == 2);
+}
+
 TEST_CASE("options of files want a file that they are for", "[program]") {
   const Scratch_folder folder;
   const std::string in = folder.write("in.poly", square) + " -o ";
