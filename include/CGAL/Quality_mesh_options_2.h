@@ -99,8 +99,8 @@ public:
   /// Whether edges on segments are Delaunay, too; NONE by default. With DELAUNAY no vertex in sight is within the
   /// diametral circle of such an edge. So all triangles are Delaunay: no vertex in sight is within their circumcircles.
   /// And all circumcenters are in the domain, as finite volumes want it (`dual_of_mesh_2()`). Edges are split at the
-  /// end, on one thread. The mesh becomes larger, the more so the less its segments are split without. What could not
-  /// be split is counted (`Quality_mesh_report_2::encroached_edges`).
+  /// end, on one thread. Maps get up to a third more triangles, and graphs of acute corners more. What could not be
+  /// split is counted (`Quality_mesh_report_2::encroached_edges`).
   Quality_mesh_options_2& conform(Conforming value) { return conform_ = value, *this; }
   Conforming conform() const { return conform_; } ///< the value set
 
