@@ -125,7 +125,8 @@ Options options_from(const py::dict& values, const Projection* projection) {
       .smooth(values["smooth"].cast<int>())
       .thin(values["thin"].cast<int>())
       .max_vertices(values["max_vertices"].cast<std::size_t>());
-  if (!values["max_steiner"].is_none()) options.max_steiner_vertices(values["max_steiner"].cast<std::size_t>());
+  if (!values["max_steiner"].is_none())
+    options.max_steiner_vertices(values["max_steiner"].cast<std::size_t>());
   if (values["conforming"].cast<bool>()) options.conform(Options::Conforming::DELAUNAY);
   options.coarsen(values["coarsen"].cast<bool>() ? Options::Coarsening::GUARDED_REMOVAL
                                                  : Options::Coarsening::NONE);
