@@ -22,6 +22,7 @@
 #include <CGAL/Pslg_error_2.h>
 #include <CGAL/Quadtree_mesh_2/new_in_scratch_memory.h> // of this program's own long vectors and strings
 #include <CGAL/Segments_sizing_field_2.h>
+#include <CGAL/add_convex_hull_2.h>
 #include <CGAL/mesh_in_projection_2.h>
 #include <CGAL/mesh_quality_2.h>
 #include <CGAL/renumber_mesh_2.h>
@@ -228,10 +229,17 @@ mesh_files::Picture picture_of(const Meshing_run& run, const Command_line& line)
 }
 
 void read(Meshing_run& run, const Command_line& line) {
-  mesh_files::Input input = mesh_files::read_graph(line.input, {line.properties, line.layer});
+  using mesh_files::Points_alone;
+  mesh_files::Input input =
+      mesh_files::read_graph(line.input, {line.properties, line.layer},
+                             line.is_hull_wanted ? Points_alone::ALLOWED : Points_alone::REFUSED);
   run.pslg = std::move(input.graph);
+  if (line.is_hull_wanted) CGAL::add_convex_hull_2(run.pslg);
   if (line.is_repair_wanted) run.pslg = repaired_graph(run.pslg, run.repair.emplace());
   run.projected = projected_graph::projection(run.pslg, input.coordinates, line);
+  if (run.projected && command_line_internal::has_output_of(line, {Output_format::TRIANGLE_VORONOI}))
+    throw std::runtime_error("the files .v.node and .v.edge have no meaning for a mesh in degrees: write "
+                             ".cells.geojson, or use --project none");
   run.may_be_in_degrees = !run.projected && !line.is_projection_said &&
                           input.coordinates != CGAL::Coordinate_system_2::PLANE &&
                           projected_graph::may_be_in_degrees(run.pslg);
@@ -255,8 +263,9 @@ Exit_status execute(const Command_line& line, const Large_run& large) {
   if (line.is_renumbering_wanted) timed(run.write_seconds, [&] { renumber(run); });
   const auto add_mesh = [&](mesh_files::Files& files, const std::string& output) {
     timed(run.write_seconds, [&] {
-      mesh_files::add(files, output, run.mesh, run.pslg, picture_of(run, line), line.pieces,
-                      line.msh_version);
+      const mesh_files::Details details{line.pieces, line.msh_version, line.element_order, line.cells,
+                                        run.projected ? &run.projected->projection : nullptr};
+      mesh_files::add(files, output, run.mesh, run.pslg, picture_of(run, line), details);
     });
     if (!line.is_comparison_wanted) run.peak_memory_mb = peak_memory_mb(); // else it is that of both meshes
   };

@@ -7,6 +7,8 @@ READER is
 - meshio, also for .pvtu, of which it reads the pieces
 - gmsh, which must not warn, also for the parts FILE_1.msh, FILE_2.msh ... of FILE.msh if that is not there
 - h5py, for .vtkhdf, and for .xdmf, whose arrays are in a file of HDF5
+- meshio_2nd and gmsh_2nd, for elements of second order: behind the vertices of triangles and edges are their nodes, and
+  there are no regions
 
 For each file: its points in their order, `p x y` as the bits of the doubles, behind them their marker and their index in
 the input if the file has these; then, sorted, triangles `t a b c region` and edges `e a b marker`; then further numbers
@@ -267,6 +269,39 @@ def read_by_h5py(file_name):
     (read_xdmf if file_name.endswith(".xdmf") else read_vtkhdf)(file_name)
 
 
+# --- elements of second order ---
+
+
+def report_second_order(points, triangles, edges):
+    for p in points:
+        print("p", bits(p[0]), bits(p[1]))
+    for letter, elements in (("t", triangles), ("e", edges)):
+        for line in sorted(" ".join([letter, *map(str, map(int, e))]) for e in elements):
+            print(line)
+
+
+def read_second_order_by_meshio(file_name):
+    mesh = read_quietly(file_name)
+    if file_name.endswith(".msh"):
+        names = {(dim, tag): number_in(name) for name, (tag, dim) in mesh.field_data.items()}
+        markers = [[names[1, tag] if block.type == "line3" else 0 for tag in data]
+                   for block, data in zip(mesh.cells, mesh.cell_data["gmsh:physical"])]
+    else:
+        markers = mesh.cell_data["marker"]
+    assert {block.type for block in mesh.cells} == {"triangle6", "line3"}
+    triangles = [t for block in mesh.cells if block.type == "triangle6" for t in block.data]
+    report_second_order(mesh.points, triangles, cells_with(mesh, "line3", markers))
+
+
+def read_second_order_by_gmsh(file_name):
+    with opened_by_gmsh(file_name) as gmsh:
+        points = points_by_gmsh(gmsh)
+        triangles = [t[:6] for _, t in elements_by_gmsh(gmsh, 2, 6)]
+        edges = [e for _, e in elements_by_gmsh(gmsh, 1, 3)]
+    report_second_order([points[v] for v in sorted(points)], triangles, edges)
+
+
 for reader, name in zip(sys.argv[1::2], sys.argv[2::2]):
     print("==", reader, name.rsplit(".", 1)[1])
-    {"meshio": read_by_meshio, "gmsh": read_by_gmsh, "h5py": read_by_h5py}[reader](name)
+    {"meshio": read_by_meshio, "gmsh": read_by_gmsh, "h5py": read_by_h5py,
+     "meshio_2nd": read_second_order_by_meshio, "gmsh_2nd": read_second_order_by_gmsh}[reader](name)

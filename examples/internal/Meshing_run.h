@@ -284,6 +284,7 @@ inline nlohmann::ordered_json run_json(const Meshing_run& run) {
                                  {"min_new_angle", run.quality.min_new_angle},
                                  {"exempt_triangles", run.quality.exempt_triangles},
                                  {"unmet_triangles", run.quality.unmet_triangles.size()},
+                                 {"encroached_edges", run.report.encroached_edges},
                                  {"estimated_triangles", run.report.estimated_triangles},
                                  {"least_angle_histogram", run.report.least_angle_histogram},
                                  {"largest_angle_histogram", run.report.largest_angle_histogram},
@@ -336,6 +337,8 @@ inline void print_run(const Meshing_run& run, const CGAL::Quality_mesh_options_2
   if (run.is_peer_asked && !run.peer) std::printf("CGAL Mesh_2 gave no mesh\n");
   print_unmet(run.quality);
   print_reasons(run.report);
+  if (run.report.encroached_edges > 0)
+    std::printf("unmet: edges on segments that are not Delaunay: %zu\n", run.report.encroached_edges);
 }
 
 #endif // QUADTREE_MESH_2_EXAMPLES_MESHING_RUN_H

@@ -16,6 +16,8 @@
 #include <CGAL/Point_set_mesh_options_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/Mesh_checkpoints.h>
 #include <CGAL/Quadtree_mesh_2/internal/io/Msh_version.h>
+#include <CGAL/Quadtree_mesh_2/mesh_dual_types.h>
+#include <CGAL/Quadtree_mesh_2/mesh_edges_types.h>
 #include <CGAL/Quality_mesh_options_2.h>
 #include <CGAL/version.h>
 
@@ -71,7 +73,10 @@ struct Command_line {
   std::size_t pieces = 0; ///< of outputs that may have some; 0: not said
   CGAL::IO::Msh_version msh_version = CGAL::IO::Msh_version::V4_1;
   CGAL::Feature_properties_2 properties;
-  std::string layer;                    ///< of files that GDAL reads; empty: the only one
+  std::string layer; ///< of files that GDAL reads; empty: the only one
+  CGAL::IO::Element_order element_order = CGAL::IO::Element_order::FIRST;
+  CGAL::Mesh_dual_2::Kind cells = CGAL::Mesh_dual_2::Kind::CIRCUMCENTRIC;
+  bool is_hull_wanted = false;          ///< of Mode::PSLG
   bool is_repair_wanted = false;        ///< of Mode::PSLG
   Project project = Project::BY_FORMAT; ///< of Mode::PSLG
   bool is_projection_said = false;
@@ -253,6 +258,7 @@ inline const std::vector<Option_use>& option_uses() {
       {"min-edge", {Mode::PSLG}},
       {"region-property", {Mode::PSLG}},
       {"marker-property", {Mode::PSLG}},
+      {"hull", {Mode::PSLG}},
       {"repair", {Mode::PSLG}},
       {"project", {Mode::PSLG}},
       {"size-points", {Mode::PSLG}},
@@ -268,6 +274,8 @@ inline const std::vector<Option_use>& option_uses() {
       {"smooth", {Mode::PSLG}},
       {"thin", {Mode::PSLG}},
       {"max-vertices", {Mode::PSLG}},
+      {"max-steiner", {Mode::PSLG}},
+      {"conforming", {Mode::PSLG}},
       {"no-coarsening", {Mode::PSLG}},
       {"compare", {Mode::PSLG, Mode::POINTS}},
       {"angles", {Mode::BOUNDED}},
@@ -302,6 +310,8 @@ inline CGAL::Quality_mesh_options_2 quality_mesh_options(const po::variables_map
       .max_vertices(limit(given, "max-vertices"))
       .separate(tree_options(given))
       .separate(separation(given));
+  if (given.count("max-steiner") > 0) options.max_steiner_vertices(number_from_0(given, "max-steiner"));
+  if (given.count("conforming") > 0) options.conform(CGAL::Quality_mesh_options_2::Conforming::DELAUNAY);
   if (given.count("no-coarsening") > 0) options.coarsen(CGAL::Quality_mesh_options_2::Coarsening::NONE);
   return options;
 }
@@ -394,6 +404,32 @@ inline CGAL::IO::Msh_version msh_version(const po::variables_map& given, const C
   return version;
 }
 
+inline bool has_output_of(const Command_line& line, const std::vector<Output_format>& formats) {
+  return std::any_of(line.outputs.begin(), line.outputs.end(), [&formats](const std::string& output) {
+    return std::find(formats.begin(), formats.end(), output_format(output)) != formats.end();
+  });
+}
+
+/// \throws Usage_error if no output has elements of second order, or parts would have some
+inline CGAL::IO::Element_order element_order(const po::variables_map& given, const Command_line& line) {
+  if (given.count("second-order") == 0) return CGAL::IO::Element_order::FIRST;
+  if (!has_output_of(line, {Output_format::TRIANGLE, Output_format::VTU, Output_format::MSH}))
+    throw Usage_error("--second-order needs an output .ele, .vtu or .msh (-o FILE.vtu)");
+  if (line.pieces > 0 && has_output_of(line, {Output_format::MSH}))
+    throw Usage_error("--second-order has no meaning for .msh in parts (--pieces)");
+  return CGAL::IO::Element_order::SECOND;
+}
+
+/// \throws Usage_error if no output has cells
+inline CGAL::Mesh_dual_2::Kind cells(const po::variables_map& given, const Command_line& line) {
+  using Kind = CGAL::Mesh_dual_2::Kind;
+  constexpr Kind kinds[] = {Kind::CIRCUMCENTRIC, Kind::BARYCENTRIC};
+  if (given.count("cells") == 0) return Kind::CIRCUMCENTRIC;
+  if (!has_output_of(line, {Output_format::CELLS_GEOJSON, Output_format::CELLS_WKT}))
+    throw Usage_error("--cells needs an output .cells.geojson or .cells.wkt (-o FILE.cells.geojson)");
+  return kinds[choice(given, "cells", {"voronoi", "median"})];
+}
+
 /// The scratch folder, empty if nothing is kept in one.
 /// \throws Usage_error if nobody says where it is, or what for
 inline std::string scratch_folder(const po::variables_map& given, const Command_line& line) {
@@ -430,7 +466,7 @@ inline Command_line::Project project(const po::variables_map& given, const Comma
     throw Usage_error(what + " has no meaning with --project, unless it is none");
   };
   const bool is_grid_limited = given.count("gradation") > 0 && given.count("size-grid") > 0;
-  for (const char* const option : {"memory", "resume", "compare", "gradation"})
+  for (const char* const option : {"memory", "resume", "compare", "gradation", "conforming"})
     if (given.count(option) > 0 && (is_grid_limited || std::string(option) != "gradation")) {
       if (is_said) refuse(std::string("--") + option);
       return Project::NONE;
@@ -521,6 +557,9 @@ inline Command_line parse_command_line(int argc, const char* const* argv) try {
   line.msh_version = msh_version(given, line);
   line.properties = properties(given, line.input);
   line.layer = layer(given, line.input);
+  line.element_order = element_order(given, line);
+  line.cells = cells(given, line);
+  line.is_hull_wanted = given.count("hull") > 0;
   line.is_repair_wanted = given.count("repair") > 0;
   line.project = project(given, line);
   line.is_projection_said = given.count("project") > 0;

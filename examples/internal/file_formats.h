@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -31,7 +32,12 @@ enum class Output_format {
   MEDIT,
   SMS_2DM,
   GR3,
-  ADCIRC
+  ADCIRC,
+  TRIANGLE_EDGE,
+  TRIANGLE_NEIGH,
+  TRIANGLE_VORONOI,
+  CELLS_GEOJSON,
+  CELLS_WKT
 };
 /// What the colors of a picture stand for.
 enum class Picture_colors { NONE, ANGLE, LARGEST_ANGLE, REGION, SIZE };
@@ -94,26 +100,50 @@ inline Grid_format grid_format(const std::string& file_name) {
   return Grid_format::GDAL;
 }
 
-inline Output_format output_format(const std::string& file_name) {
+/// Formats with two endings tell what of a mesh is written; nothing if the name has no such endings.
+inline std::optional<Output_format> output_format_of_two_endings(const std::string& file_name) {
   static const std::vector<std::pair<std::string, Output_format>> endings = {
-      {".ele", Output_format::TRIANGLE},  {".node", Output_format::TRIANGLE},
-      {".poly", Output_format::TRIANGLE}, {".vtu", Output_format::VTU},
-      {".pvtu", Output_format::PVTU},     {".vtkhdf", Output_format::VTKHDF},
-      {".xdmf", Output_format::XDMF},     {".h5", Output_format::XDMF},
-      {".svg", Output_format::SVG},       {".html", Output_format::HTML},
-      {".off", Output_format::OFF},       {".obj", Output_format::OBJ},
-      {".msh", Output_format::MSH},       {".mesh", Output_format::MEDIT},
-      {".2dm", Output_format::SMS_2DM},   {".gr3", Output_format::GR3},
-      {".14", Output_format::ADCIRC}};
+      {".v.node", Output_format::TRIANGLE_VORONOI},
+      {".v.edge", Output_format::TRIANGLE_VORONOI},
+      {".cells.geojson", Output_format::CELLS_GEOJSON},
+      {".cells.wkt", Output_format::CELLS_WKT}};
+  const std::filesystem::path path(file_name);
+  for (const auto& [ending, format] : endings)
+    if (path.stem().extension().string() + path.extension().string() == ending) return format;
+  return std::nullopt;
+}
+
+inline Output_format output_format(const std::string& file_name) {
+  if (const auto format = output_format_of_two_endings(file_name)) return *format;
+  static const std::vector<std::pair<std::string, Output_format>> endings = {
+      {".ele", Output_format::TRIANGLE},
+      {".node", Output_format::TRIANGLE},
+      {".poly", Output_format::TRIANGLE},
+      {".vtu", Output_format::VTU},
+      {".pvtu", Output_format::PVTU},
+      {".vtkhdf", Output_format::VTKHDF},
+      {".xdmf", Output_format::XDMF},
+      {".h5", Output_format::XDMF},
+      {".svg", Output_format::SVG},
+      {".html", Output_format::HTML},
+      {".off", Output_format::OFF},
+      {".obj", Output_format::OBJ},
+      {".msh", Output_format::MSH},
+      {".mesh", Output_format::MEDIT},
+      {".2dm", Output_format::SMS_2DM},
+      {".gr3", Output_format::GR3},
+      {".14", Output_format::ADCIRC},
+      {".edge", Output_format::TRIANGLE_EDGE},
+      {".neigh", Output_format::TRIANGLE_NEIGH}};
   for (const auto& [ending, format] : endings)
     if (std::filesystem::path(file_name).extension() == ending) {
       if (format == Output_format::VTKHDF || format == Output_format::XDMF) check_has_hdf5(file_name);
       return format;
     }
-  throw Usage_error("cannot tell the format of output '" + file_name +
-                    "': its ending has to be .ele, .node, .poly, .vtu, .pvtu, .vtkhdf, .xdmf, .h5, .svg, "
-                    ".html, .off, .obj, "
-                    ".msh, .mesh, .2dm, .gr3 or .14");
+  throw Usage_error(
+      "cannot tell the format of output '" + file_name +
+      "': its ending has to be .ele, .node, .poly, .vtu, .pvtu, .vtkhdf, .xdmf, .h5, .svg, .html, .off, "
+      ".obj, .msh, .mesh, .2dm, .gr3, .14, .edge, .neigh, .v.node, .cells.geojson or .cells.wkt");
 }
 
 /// The files that an output consists of, besides its pieces.
@@ -122,6 +152,7 @@ inline std::vector<std::filesystem::path> files_of_output(const std::string& fil
   std::vector<const char*> endings;
   if (output_format(file_name) == Output_format::TRIANGLE) endings = {".node", ".ele", ".poly"};
   if (output_format(file_name) == Output_format::XDMF) endings = {".xdmf", ".h5"};
+  if (output_format(file_name) == Output_format::TRIANGLE_VORONOI) endings = {".node", ".edge"};
   if (endings.empty()) return {path};
   std::vector<std::filesystem::path> files;
   for (const char* ending : endings) files.push_back(std::filesystem::path(path).replace_extension(ending));

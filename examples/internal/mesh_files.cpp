@@ -12,6 +12,7 @@
 #include <CGAL/IO/HTML.h>
 #include <CGAL/IO/MEDIT.h>
 #include <CGAL/IO/MSH.h>
+#include <CGAL/IO/Mesh_cells.h>
 #include <CGAL/IO/OFF_and_OBJ.h>
 #include <CGAL/IO/SMS_2DM.h>
 #include <CGAL/IO/SVG.h>
@@ -21,6 +22,8 @@
 #include <CGAL/IO/read_GeoJSON.h>
 #include <CGAL/IO/read_WKT.h>
 #include <CGAL/IO/read_XY.h>
+#include <CGAL/dual_of_mesh_2.h>
+#include <CGAL/tags.h>
 
 #include <array>
 #include <cstddef>
@@ -178,17 +181,45 @@ CGAL::IO::Triangle_fields_2 fields_of(const Mesh& mesh, const Pslg& pslg, const 
   return fields;
 }
 
+/// The cells of a mesh; of one in degrees they are made in the plane of the projection, and have areas on the ground.
+CGAL::Mesh_dual_2 cells_of(const Mesh& mesh, const Details& details) {
+  const CGAL::Conformal_projection_2* const projection = details.projection;
+  if (projection == nullptr) return CGAL::dual_of_mesh_2<CGAL::Parallel_tag>(mesh, details.cells);
+  Mesh in_plane = mesh;
+  for (Point& p : in_plane.points) {
+    const auto place = projection->forward(p.x(), p.y());
+    p = Point(place[0], place[1]);
+  }
+  CGAL::Mesh_dual_2 dual = CGAL::dual_of_mesh_2<CGAL::Parallel_tag>(in_plane, details.cells);
+  for (auto& place : dual.points) place = projection->inverse(place[0], place[1]);
+  for (const CGAL::Mesh_edge_2& e : dual.edges)
+    if (e.is_on_border()) // where vertices are corners, which are known in degrees
+      for (const auto v : e.vertices)
+        dual.for_each_polygon(v, [&](const auto* begin, const auto*) {
+          dual.points[*begin] = {mesh.point(v).x(), mesh.point(v).y()};
+        });
+  for (std::size_t v = 0; v < dual.areas.size(); ++v) {
+    const double scale = projection->scale(mesh.points[v].y());
+    dual.areas[v] /= scale * scale;
+  }
+  return dual;
+}
+
 /// In a format that is one text.
 void write(std::ostream& out, Output_format format, const Mesh& mesh, const Pslg& pslg,
-           const Picture& picture, CGAL::IO::Msh_version msh_version) {
+           const Picture& picture, const Details& details) {
   switch (format) {
   case Output_format::TRIANGLE:
+  case Output_format::TRIANGLE_EDGE:
+  case Output_format::TRIANGLE_NEIGH:
+  case Output_format::TRIANGLE_VORONOI:
   case Output_format::PVTU:
   case Output_format::VTKHDF:
   case Output_format::XDMF:
     return;
   case Output_format::VTU:
-    return CGAL::IO::write_VTU(out, mesh, pslg, fields_of(mesh, pslg, picture));
+    return CGAL::IO::write_VTU(out, mesh, pslg, fields_of(mesh, pslg, picture), CGAL::IO::BINARY,
+                               details.order);
   case Output_format::SVG:
     return write_picture(out, mesh, pslg, picture);
   case Output_format::HTML:
@@ -198,7 +229,7 @@ void write(std::ostream& out, Output_format format, const Mesh& mesh, const Pslg
   case Output_format::OBJ:
     return CGAL::IO::write_OBJ(out, mesh);
   case Output_format::MSH:
-    return CGAL::IO::write_MSH(out, mesh, pslg, msh_version);
+    return CGAL::IO::write_MSH(out, mesh, pslg, details.msh_version, details.order);
   case Output_format::MEDIT:
     return CGAL::IO::write_MEDIT(out, mesh);
   case Output_format::SMS_2DM:
@@ -207,6 +238,10 @@ void write(std::ostream& out, Output_format format, const Mesh& mesh, const Pslg
     return CGAL::IO::write_GR3(out, mesh);
   case Output_format::ADCIRC:
     return CGAL::IO::write_ADCIRC(out, mesh);
+  case Output_format::CELLS_GEOJSON:
+    return CGAL::IO::write_cells_GeoJSON(out, cells_of(mesh, details), mesh, pslg.first_number);
+  case Output_format::CELLS_WKT:
+    return CGAL::IO::write_cells_WKT(out, cells_of(mesh, details));
   }
 }
 
@@ -214,11 +249,12 @@ void write(std::ostream& out, Output_format format, const Mesh& mesh, const Pslg
 
 namespace mesh_files {
 
-Input read_graph(const std::string& file_name, const Selection& selection) {
+Input read_graph(const std::string& file_name, const Selection& selection, Points_alone points_alone) {
   const Input_format format = input_format(file_name);
-  if (format == Input_format::NODE || format == Input_format::TABLE)
+  if (points_alone == Points_alone::REFUSED &&
+      (format == Input_format::NODE || format == Input_format::TABLE))
     throw Usage_error("'" + file_name +
-                      "' is a file of points alone: use --mode points, bounded, acute or warped");
+                      "' is a file of points alone: use --mode points, bounded, acute or warped, or --hull");
   return read(file_name, selection);
 }
 
@@ -260,12 +296,21 @@ CGAL::Grid_sizing_field_2 read_size_grid(const std::string& file_name, double gr
 }
 
 void add(Files& files, const std::string& file_name, const Mesh& mesh, const Pslg& pslg,
-         const Picture& picture, std::size_t pieces, CGAL::IO::Msh_version msh_version) {
+         const Picture& picture, const Details& details) {
   namespace internal = CGAL::Quadtree_mesh_2::internal;
   const Output_format format = output_format(file_name);
   const auto fields = [&] { return fields_of(mesh, pslg, picture); };
   const std::string stem = std::filesystem::path(file_name).replace_extension().string();
-  if (format == Output_format::TRIANGLE) return internal::add_triangle_files(files, mesh, pslg, stem);
+  const std::size_t pieces = details.pieces;
+  if (format == Output_format::TRIANGLE)
+    return internal::add_triangle_files(files, mesh, pslg, stem, details.order);
+  if (format == Output_format::TRIANGLE_EDGE)
+    return files.add(file_name, internal::triangle_edge_text(mesh, pslg.first_number));
+  if (format == Output_format::TRIANGLE_NEIGH)
+    return files.add(file_name, internal::triangle_neigh_text(mesh, pslg.first_number));
+  if (format == Output_format::TRIANGLE_VORONOI)
+    return internal::add_triangle_voronoi_files(
+        files, mesh, std::filesystem::path(stem).replace_extension().string(), pslg.first_number);
   if (format == Output_format::PVTU)
     return internal::add_pvtu_files(files, file_name, mesh, pslg, fields(), pieces, CGAL::IO::BINARY);
   if (format == Output_format::MSH && pieces > 0)
@@ -276,7 +321,7 @@ void add(Files& files, const std::string& file_name, const Mesh& mesh, const Psl
   if (format == Output_format::XDMF) return internal::add_xdmf_files(files, stem, mesh, pslg, fields());
 #endif
   std::ostringstream out;
-  write(out, format, mesh, pslg, picture, msh_version);
+  write(out, format, mesh, pslg, picture, details);
   files.add(file_name, out.str());
 }
 

@@ -15,6 +15,8 @@
 #include <CGAL/Pslg_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/io/Msh_version.h>
 #include <CGAL/Quadtree_mesh_2/internal/io/Replaced_files.h>
+#include <CGAL/Quadtree_mesh_2/mesh_dual_types.h>
+#include <CGAL/Quadtree_mesh_2/mesh_edges_types.h>
 
 #include <cstddef>
 #include <string>
@@ -38,8 +40,10 @@ struct Selection {
   CGAL::Feature_properties_2 properties;
   std::string layer; ///< empty: the only one
 };
-/// \throws Usage_error if the format is one of points alone
-Input read_graph(const std::string& file_name, const Selection& selection);
+/// Whether a graph may be one of points alone.
+enum class Points_alone { REFUSED, ALLOWED };
+/// \throws Usage_error if the format is one of points alone and these are refused
+Input read_graph(const std::string& file_name, const Selection& selection, Points_alone points_alone);
 /// \throws std::runtime_error if there are segments, or no points, too
 Pslg read_points(const std::string& file_name, const Selection& selection);
 /// Points with the sizes of triangles there: the first three columns of a table, or `x`, `y` and `size`.
@@ -61,11 +65,19 @@ struct Picture {
   std::vector<CGAL::Quadtree_mesh_2::Triangle_index> unmet; ///< triangles that a page marks
   const CGAL::Conformal_projection_2* projection = nullptr; ///< in whose plane a page shows a mesh in degrees
 };
+/// What is written of a mesh besides vertices and triangles.
+struct Details {
+  std::size_t pieces = 0; ///< of formats that may have some; 0 if nothing is said
+  CGAL::IO::Msh_version msh_version = CGAL::IO::Msh_version::V4_1;
+  CGAL::IO::Element_order order = CGAL::IO::Element_order::FIRST; ///< in formats that know others
+  CGAL::Mesh_dual_2::Kind cells = CGAL::Mesh_dual_2::Kind::CIRCUMCENTRIC;
+  /// The plane in which there are cells, of a mesh in degrees; null: that of the coordinates.
+  const CGAL::Conformal_projection_2* projection = nullptr;
+};
 using Files = CGAL::Quadtree_mesh_2::internal::Replaced_files;
 /// \param pslg what the mesh was made from
-/// \param pieces of formats that may have some; 0 if nothing is said
 void add(Files& files, const std::string& file_name, const Mesh& mesh, const Pslg& pslg,
-         const Picture& picture, std::size_t pieces, CGAL::IO::Msh_version msh_version);
+         const Picture& picture, const Details& details);
 
 } // namespace mesh_files
 

@@ -27,7 +27,13 @@ inline po::options_description common_options() {
     ("output,o", po::value<std::vector<std::string>>()->value_name("FILE"),
      "where to write the mesh, more than once if you like: .vtu, .pvtu (in pieces), .vtkhdf, .xdmf (with .h5), .svg, "
      ".html (a page to look at), .off, .obj, .msh (Gmsh), .mesh (MEDIT), .2dm (SMS), .gr3 (SCHISM), .14 (ADCIRC), or "
-     ".ele, which writes .node, .ele and .poly; or - for standard output, where nothing but the mesh goes then")
+     ".ele, which writes .node, .ele and .poly. Or a part: .edge and .neigh (Triangle's), .v.node (its Voronoi "
+     "diagram), .cells.geojson and .cells.wkt (polygons around vertices). Or - for standard output, where nothing but "
+     "the mesh goes then")
+    ("cells", po::value<std::string>()->value_name("C"),
+     "the polygons of .cells.geojson and .cells.wkt, which end at the border: voronoi, if not given, or median (with "
+     "corners at barycenters)")
+    ("second-order", "elements of .ele, .vtu and .msh have a node in the middle of each side, too")
     ("layer", po::value<std::string>()->value_name("NAME"), "of an input with several, such as .gpkg")
     ("input-format", po::value<std::string>()->value_name("F"),
      "of standard input, INPUT -: poly, if not given, geojson, json, wkt, node, xy, csv or txt")
@@ -78,6 +84,7 @@ inline po::options_description graph_options() {
      "names, which the report lists")
     ("marker-property", po::value<std::string>()->value_name("NAME"),
      "the property that becomes the marker of their lines and borders: whole numbers, or names in the same way")
+    ("hull", "mesh the convex hull: its border is added where no segment lies on it. The input may have points alone")
     ("repair", "split segments where they cross, as borders of polygons that overlap do")
     ("project", po::value<std::string>()->value_name("P"),
      "the conformal projection in which longitudes and latitudes are meshed, so that angles are those on the ground "
@@ -114,6 +121,9 @@ inline po::options_description graph_options() {
      "stop refining at so many vertices, and report what is left; what surely needs four times as many is refused. If "
      "not given: what memory allows, and for graphs of fewer than 1000 vertices 2000000 triangles (exact: 1000000) "
      "besides what bounds of size ask for")
+    ("max-steiner", po::value<double>()->value_name("N"),
+     "stop refining at so many vertices that are not of the input, and report what is left; it may be 0")
+    ("conforming", "split segments until all triangles are Delaunay, so that no circumcenter is outside")
     ("no-coarsening", "keep the vertices that are not needed in the end");
   return options;
 }

@@ -72,12 +72,22 @@ inline int whole_number(const po::variables_map& given, const std::string& optio
                     std::to_string(range.most));
 }
 
+constexpr double most_counted = 0x1p53; // more than any memory holds, and still exact
+
+/// How many there may be; perhaps none.
+inline std::size_t number_from_0(const po::variables_map& given, const std::string& option) {
+  const double value = given[option].as<double>();
+  if (value >= 0 && value <= most_counted && std::trunc(value) == value)
+    return static_cast<std::size_t>(value);
+  throw Usage_error("--" + option + " has to be a whole number from 0 to 2^53");
+}
+
 /// How many there may be, at least one; 0, which means no limit, if the option is not given.
 inline std::size_t limit(const po::variables_map& given, const std::string& option) {
-  constexpr double most = 0x1p53; // more than any memory holds, and still exact
   if (given.count(option) == 0) return 0;
   const double value = given[option].as<double>();
-  if (value >= 1 && value <= most && std::trunc(value) == value) return static_cast<std::size_t>(value);
+  if (value >= 1 && value <= most_counted && std::trunc(value) == value)
+    return static_cast<std::size_t>(value);
   throw Usage_error("--" + option + " has to be a whole number from 1 to 2^53");
 }
 

@@ -136,8 +136,8 @@ Exit_status execute_point_set(const Command_line& line) {
   if (line.is_renumbering_wanted) timed(run.write_seconds, [&] { renumber(run); });
   const auto add_mesh = [&](mesh_files::Files& files, const std::string& output) {
     timed(run.write_seconds, [&] {
-      mesh_files::add(files, output, run.mesh, run.input, picture_of(run, line), line.pieces,
-                      line.msh_version);
+      const mesh_files::Details details{line.pieces, line.msh_version, line.element_order, line.cells};
+      mesh_files::add(files, output, run.mesh, run.input, picture_of(run, line), details);
     });
     run.peak_memory_mb = peak_memory_mb();
   };

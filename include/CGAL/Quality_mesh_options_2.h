@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -42,6 +43,12 @@ public:
   };
   /// Whether superfluous Steiner vertices are removed at the end.
   enum class Coarsening { NONE, GUARDED_REMOVAL };
+
+  /// Whether edges on segments are Delaunay, too.
+  enum class Conforming {
+    NONE,    ///< not more than the bounds ask for: the mesh is constrained Delaunay
+    DELAUNAY ///< they are split until they are
+  };
 
   /// The corners of a triangle, (x, y) each, counterclockwise.
   using Corners = std::array<std::array<double, 2>, 3>;
@@ -88,6 +95,14 @@ public:
   /// What is meshed; ENCLOSED by default.
   Quality_mesh_options_2& mesh_domain(Domain value) { return mesh_domain_ = value, *this; }
   Domain mesh_domain() const { return mesh_domain_; } ///< the value set
+
+  /// Whether edges on segments are Delaunay, too; NONE by default. With DELAUNAY no vertex in sight is within the
+  /// diametral circle of such an edge. So all triangles are Delaunay: no vertex in sight is within their circumcircles.
+  /// And all circumcenters are in the domain, as finite volumes want it (`dual_of_mesh_2()`). Edges are split at the
+  /// end, on one thread. Maps get up to a third more triangles, and graphs of acute corners more. What could not be
+  /// split is counted (`Quality_mesh_report_2::encroached_edges`).
+  Quality_mesh_options_2& conform(Conforming value) { return conform_ = value, *this; }
+  Conforming conform() const { return conform_; } ///< the value set
 
   /// How features are kept apart; ON_DEMAND by default.
   Quality_mesh_options_2& separate(Separation value) { return separate_ = value, *this; }
@@ -142,6 +157,14 @@ public:
   Quality_mesh_options_2& max_vertices(std::size_t value) { return max_vertices_ = value, *this; }
   std::size_t max_vertices() const { return max_vertices_; } ///< the value set
 
+  /// Refinement stops when the mesh has so many vertices that are not of the input, and what is left is reported, as
+  /// with Triangle's `-S`. It may be 0. Unlike `max_vertices()` it refuses no graph. By default there is no such bound.
+  Quality_mesh_options_2& max_steiner_vertices(std::size_t value) {
+    return max_steiner_vertices_ = value, *this;
+  }
+  /// The value set; nothing by default.
+  std::optional<std::size_t> max_steiner_vertices() const { return max_steiner_vertices_; }
+
   /// A folder in which the state of a large mesh is kept while it is refined, so that the work can go on after an
   /// interruption. Empty, the default: none is kept.
   ///
@@ -183,6 +206,8 @@ private:
   double patience_ = 100;
   double patience_memory_ = 2e9;
   std::size_t max_vertices_ = 0;
+  std::optional<std::size_t> max_steiner_vertices_;
+  Conforming conform_ = Conforming::NONE;
   Callback progress_;
   std::string checkpoints_;
   std::uint64_t checkpoint_key_ = 0;

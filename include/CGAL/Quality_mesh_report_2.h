@@ -100,6 +100,9 @@ struct Quality_mesh_report_2 {
   std::vector<Exempt_triangle> exempt_triangles;
   /// All other triangles that miss a bound, with the reason.
   std::vector<Unmet_triangle> unmet_triangles;
+  /// With `Quality_mesh_options_2::Conforming::DELAUNAY`, the edges on segments that are not Delaunay all the same: a
+  /// budget, the callback, the least edge or the precision of the coordinates kept them from being split.
+  std::size_t encroached_edges = 0;
   /// `least_angle_histogram[i]` triangles have their least angle in [i, i + 1) degrees, up to 60.
   std::array<std::size_t, 60> least_angle_histogram{};
   /// `largest_angle_histogram[i]` triangles have their largest angle in [60 + i, 61 + i) degrees, up to 180.
@@ -114,8 +117,8 @@ struct Quality_mesh_report_2 {
   Seconds seconds;                  ///< of processors
   Seconds wall_seconds;             ///< by the clock
 
-  /// Whether every triangle meets all bounds or is exempt.
-  bool is_met() const { return unmet_triangles.empty(); }
+  /// Whether every triangle meets all bounds or is exempt, and edges are Delaunay where that is wanted.
+  bool is_met() const { return unmet_triangles.empty() && encroached_edges == 0; }
 };
 
 } // namespace CGAL

@@ -14,6 +14,8 @@
 #include <CGAL/Quality_mesh_options_2.h>
 #include <CGAL/Tree_separation_options_2.h>
 
+#include <cstddef>
+
 namespace test_options {
 
 TEST_CASE("Options of meshes of graphs are what was set", "[options]") {
@@ -34,6 +36,8 @@ TEST_CASE("Options of meshes of graphs are what was set", "[options]") {
                         .patience(6)
                         .patience_memory(7)
                         .max_vertices(8)
+                        .max_steiner_vertices(0)
+                        .conform(Options::Conforming::DELAUNAY)
                         .size([](double x, double y) { return x + y; })
                         .refine_where([](const Options::Corners& c) { return c[0][0] > 0; })
                         .progress([](double share) { return share < 0.5; });
@@ -48,6 +52,10 @@ TEST_CASE("Options of meshes of graphs are what was set", "[options]") {
   CHECK(o.patience() == 6);
   CHECK(o.patience_memory() == 7);
   CHECK(o.max_vertices() == 8);
+  CHECK(o.max_steiner_vertices() == std::size_t(0));
+  CHECK_FALSE(Options().max_steiner_vertices());
+  CHECK(o.conform() == Options::Conforming::DELAUNAY);
+  CHECK(Options().conform() == Options::Conforming::NONE);
   CHECK(o.size()(1, 2) == 3);
   CHECK(o.refine_where()({{{1, 0}, {0, 1}, {0, 0}}}));
   CHECK_FALSE(o.progress()(0.75));

@@ -192,6 +192,25 @@ def test_vertex_budget():
     assert error.value.kind == 'too_many_triangles'
 
 
+def test_few_new_vertices_and_conforming_meshes():
+    graph = dict(vertices=[[0, 0], [9, 0], [9, 9], [0, 9], [1, 4], [8, 4.2], [3, 4.5], [6, 4.6]],
+                 segments=[[0, 1], [1, 2], [2, 3], [3, 0], [4, 5]])
+    for most in (0, 2):
+        mesh = qm.mesh(**graph, max_edge=1, max_steiner=most)
+        assert len(mesh.vertices) == 8 + most and mesh.report.is_budget_exhausted
+    mesh = qm.mesh(**graph, conforming=True)
+    assert mesh.report and mesh.report.encroached_edges == 0
+    # No angle opposite an edge on a segment is obtuse.
+    on_segment = {tuple(sorted(s)) for s in mesh.segments.tolist()}
+    for triangle, angles in zip(mesh.triangles.tolist(), mesh.angles()):
+        for k in range(3):
+            if tuple(sorted((triangle[(k + 1) % 3], triangle[(k + 2) % 3]))) in on_segment:
+                assert angles[k] <= 90 + 1e-9
+    assert not qm.mesh(**graph, conforming=True, max_steiner=0).report
+    with pytest.raises((ValueError, TypeError)):
+        qm.mesh(**graph, max_steiner=-1)
+
+
 def test_crossings():
     graph = dict(vertices=[[0, 0], [4, 0], [4, 4], [0, 4], [1, -1], [1, 5]],
                  segments=[[0, 1], [1, 2], [2, 3], [3, 0], [4, 5]])

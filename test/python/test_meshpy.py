@@ -63,8 +63,15 @@ def test_regions_and_areas():
     assert len(coarse.elements) < len(mesh.elements) and len(coarse.faces) == 0
 
 
+def test_six_nodes():
+    mesh = triangle.build(disk_with_a_square_hole(), mesh_order=2, generate_faces=True)
+    places = np.array(mesh.points)[mesh.elements]
+    assert np.allclose(places[:, 3:], (places[:, [1, 2, 0]] + places[:, [2, 0, 1]]) / 2)
+    assert len(mesh.points) == len(mesh.point_markers) == mesh.elements[:, :3].max() + 1 + len(mesh.faces)
+
+
 def test_what_is_not_supported():
-    for kwargs in (dict(allow_boundary_steiner=False), dict(allow_volume_steiner=False), dict(mesh_order=2)):
+    for kwargs in (dict(allow_boundary_steiner=False), dict(allow_volume_steiner=False), dict(mesh_order=3)):
         with pytest.raises(ValueError):
             triangle.build(disk_with_a_square_hole(), **kwargs)
     with pytest.raises(quadtree_mesh.GraphError):

@@ -143,6 +143,43 @@ def test_edges_and_neighbors():
     assert (t['edge_markers'] == 1).sum() == (t['neighbors'] == -1).sum() == len(t['segments'])
 
 
+def test_six_nodes():
+    t = triangle.triangulate(dict(annulus(), segment_markers=np.full((46, 1), 9)), 'pqeno2')
+    corners, nodes = t['triangles'][:, :3], t['triangles'][:, 3:]
+    places = t['vertices']
+    for k in range(3):  # Triangle's order: opposite the corners
+        assert np.allclose(places[nodes[:, k]], (places[corners[:, (k + 1) % 3]] + places[corners[:, (k + 2) % 3]]) / 2)
+    n = corners.max() + 1
+    assert len(places) == n + len(t['edges']) == len(t['vertex_markers'])
+    assert sorted(np.unique(nodes)) == list(range(n, len(places)))
+    on_border = t['neighbors'] < 0
+    assert (t['vertex_markers'][nodes[on_border], 0] == 9).all()
+    assert (t['vertex_markers'][nodes[~on_border], 0] == 0).all()
+
+
+def circumcenters(t):
+    a, b, c = (t['vertices'][t['triangles'][:, k]] for k in range(3))
+    u, v = b - a, c - a
+    d = 2 * (u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0])
+    u2, v2 = (u ** 2).sum(axis=1), (v ** 2).sum(axis=1)
+    return a + np.stack([v[:, 1] * u2 - u[:, 1] * v2, u[:, 0] * v2 - v[:, 0] * u2], axis=1) / d[:, None], a
+
+
+def test_conforming_delaunay():
+    # A segment close to vertices that it does not need to be split for.
+    graph = dict(vertices=[[0, 0], [9, 0], [9, 9], [0, 9], [1, 4], [8, 4.2], [3, 4.5], [6, 4.6]],
+                 segments=[[0, 1], [1, 2], [2, 3], [3, 0], [4, 5]])
+
+    def vertices_in_circles(t):
+        centers, on_circle = circumcenters(t)
+        radii = np.linalg.norm(on_circle - centers, axis=1)
+        distances = np.linalg.norm(t['vertices'][None] - centers[:, None], axis=2)
+        return (distances < radii[:, None] * (1 - 1e-9)).sum()
+    assert vertices_in_circles(triangle.triangulate(graph, 'p')) > 0
+    for opts in ('pD', 'pqD'):
+        assert vertices_in_circles(triangle.triangulate(graph, opts)) == 0
+
+
 def test_vertices_outside():
     graph = dict(vertices=[[0, 0], [1, 0], [0, 1], [5, 5]], segments=[[0, 1], [1, 2], [2, 0]],
                  vertex_attributes=[1, 2, 3, 4])
@@ -153,8 +190,8 @@ def test_vertices_outside():
 
 def test_most_new_vertices():
     assert len(triangle.triangulate(annulus(), 'pqS1000')['vertices']) <= 46 + 1000
-    with pytest.raises(GraphError):
-        triangle.triangulate(annulus(), 'pa0.0001S10')
+    for most in (0, 1, 10):  # as there, refinement just ends
+        assert len(triangle.triangulate(annulus(), f'pqa0.0001S{most}')['vertices']) == 46 + most
 
 
 def test_segments_that_cross_are_split():
@@ -163,7 +200,7 @@ def test_segments_that_cross_are_split():
     check(triangle.triangulate(graph, 'pq'), 4, 20)
 
 
-@pytest.mark.parametrize('opts', ['D', 'pY', 'o2', 'u', 'v', 'k', 'p?', 'q50'])
+@pytest.mark.parametrize('opts', ['pY', 'o', 'o3', 'u', 'v', 'k', 'p?', 'q50'])
 def test_switches_that_are_refused(opts):
     with pytest.raises(ValueError):
         triangle.triangulate(UNIT, opts)

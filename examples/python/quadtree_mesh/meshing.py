@@ -23,9 +23,9 @@ def mesh(geometry: Any = None, *, vertices: Optional[ArrayLike] = None, segments
          min_angle: float = 20.7, max_area: Any = None, max_edge: Optional[float] = None,
          min_edge: Optional[float] = None, size: Any = None, region: Any = None,
          refine_where: Optional[Callable[[np.ndarray], bool]] = None, domain: str = 'enclosed',
-         max_vertices: Optional[int] = None, smooth: int = 0, thin: int = 0, coarsen: bool = True,
-         separation: str = 'on_demand', project: str = 'auto', repair: Optional[bool] = None,
-         threads: Optional[int] = None, progress: Optional[Progress] = None) -> Mesh:
+         max_vertices: Optional[int] = None, max_steiner: Optional[int] = None, conforming: bool = False,
+         smooth: int = 0, thin: int = 0, coarsen: bool = True, separation: str = 'on_demand', project: str = 'auto',
+         repair: Optional[bool] = None, threads: Optional[int] = None, progress: Optional[Progress] = None) -> Mesh:
     """Meshes polygons, or a planar straight-line graph, by triangles without small angles.
 
     No triangle has an angle below `min_angle`, except in corners where the input is sharper, and those that
@@ -73,6 +73,11 @@ def mesh(geometry: Any = None, *, vertices: Optional[ArrayLike] = None, segments
         behind an odd number of borders, so that islands in holes are meshed without points in holes.
     max_vertices : int, optional
         Refinement stops there, and what is left is reported.
+    max_steiner : int, optional
+        Likewise, for vertices that are not of the input; it may be 0.
+    conforming : bool
+        Whether segments are split until all triangles are Delaunay, so that no circumcenter is outside; with
+        `project`, in the plane of the projection.
     smooth, thin : int
         Rounds of smoothing and thinning. Each gives some percent fewer triangles for the time of refinement.
     coarsen : bool
@@ -119,7 +124,9 @@ def mesh(geometry: Any = None, *, vertices: Optional[ArrayLike] = None, segments
     options = dict(min_angle=float(min_angle), max_edge=length(max_edge), min_edge=length(min_edge),
                    size=size_list(size), refine_where=callable_or_none(refine_where, 'refine_where'),
                    domain=word(domain, 'domain'),
-                   max_vertices=count(max_vertices, 'max_vertices'), smooth=count(smooth, 'smooth'),
+                   max_vertices=count(max_vertices, 'max_vertices'),
+                   max_steiner=None if max_steiner is None else count(max_steiner, 'max_steiner'),
+                   conforming=bool(conforming), smooth=count(smooth, 'smooth'),
                    thin=count(thin, 'thin'), coarsen=bool(coarsen), separation=word(separation, 'separation'),
                    threads=count(threads, 'threads'), progress=callable_or_none(progress, 'progress'),
                    project=word(project, 'project'), repair=geometry is not None if repair is None else bool(repair))

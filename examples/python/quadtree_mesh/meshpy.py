@@ -11,7 +11,7 @@ from typing import Any, Callable, List, Optional, Sequence, Tuple, Union
 import numpy as np
 
 from .meshing import mesh as _mesh
-from .triangle import _border_edges, _edge_markers, _is_among
+from .triangle import _border_edges, _edge_markers, _is_among, _six_nodes
 
 __all__ = ['MeshInfo', 'build', 'subdivide_facets']
 
@@ -37,7 +37,8 @@ class MeshInfo:
     facets : (m, 2), segments by indices of points; facet_markers : (m,)
     holes : (h, 2)
     regions : (r, 4), rows of x, y, attribute, largest area
-    elements : (t, 3), triangles; element_attributes : (t,), of regions; neighbors : (t, 3)
+    elements : (t, 3), triangles, (t, 6) with ``mesh_order=2``
+    element_attributes : (t,), of regions; neighbors : (t, 3)
     faces : (e, 2), edges; face_markers : (e,)
     """
 
@@ -94,19 +95,21 @@ def build(mesh_info: MeshInfo, verbose: bool = False,
         Whether edges are returned; `generate_edges` is the same.
     generate_neighbor_lists : bool
         Whether neighbors are returned.
+    mesh_order : 1 or 2
+        Triangles of three nodes, or of six: behind the corners are the nodes in the middle of the sides opposite to
+        them.
 
     Raises
     ------
     quadtree_mesh.GraphError
         (a ValueError) For what cannot be meshed; segments that cross are split.
     ValueError
-        For ``allow_boundary_steiner=False``, ``allow_volume_steiner=False`` and ``mesh_order=2``, which are not
-        supported.
+        For ``allow_boundary_steiner=False`` and ``allow_volume_steiner=False``, which are not supported.
     """
     if not allow_boundary_steiner or not allow_volume_steiner:
         raise ValueError('new vertices on borders or inside cannot be forbidden')
-    if mesh_order not in (None, 1):
-        raise ValueError('triangles have three nodes')
+    if mesh_order not in (None, 1, 2):
+        raise ValueError('mesh_order must be 1 or 2')
     regions = np.array(list(mesh_info.regions), float).reshape(-1, 4)
     regions[:, 3] = np.maximum(regions[:, 3], 0) if volume_constraints else 0
     made = _mesh(vertices=mesh_info.points, segments=mesh_info.facets, holes=mesh_info.holes, regions=regions,
@@ -115,7 +118,7 @@ def build(mesh_info: MeshInfo, verbose: bool = False,
                  min_angle=(20 if min_angle is None else min_angle) if quality_meshing else 0,
                  max_area=max_volume, repair=True,
                  refine_where=None if refinement_func is None else _criterion(refinement_func)).compacted()
-    return _info_of(made, attributes, bool(generate_edges) or generate_faces, generate_neighbor_lists)
+    return _info_of(made, attributes, bool(generate_edges) or generate_faces, generate_neighbor_lists, mesh_order == 2)
 
 
 def _criterion(function: Refinement) -> Callable[[np.ndarray], bool]:
@@ -128,13 +131,16 @@ def _criterion(function: Refinement) -> Callable[[np.ndarray], bool]:
     return refine_where
 
 
-def _info_of(made: Any, attributes: bool, has_faces: bool, has_neighbors: bool) -> MeshInfo:
+def _info_of(made: Any, attributes: bool, has_faces: bool, has_neighbors: bool, has_six_nodes: bool) -> MeshInfo:
     info = MeshInfo()
     info.points, info.point_markers = made.vertices, made.vertex_markers
     info.elements = made.triangles
-    on_border = _is_among(made.segments, _border_edges(made.triangles, made.neighbors))
+    border = _border_edges(made.triangles, made.neighbors)
+    on_border = _is_among(made.segments, border)
     info.facets = np.ascontiguousarray(made.segments)
     info.facet_markers = np.where((made.segment_markers == 0) & on_border, 1, made.segment_markers).astype(np.int32)
+    if has_six_nodes:
+        info.points, info.elements, info.point_markers = _six_nodes(made, info.facet_markers, border)
     if attributes:
         info.element_attributes = made.values_of_triangles(missing=0.0)
     if has_neighbors:

@@ -38,7 +38,9 @@ class Report:
     exempt : structured array
         The triangles below the bound in acute corners of the input: ``triangle``, and the input vertex ``corner``.
     is_budget_exhausted : bool
-        Whether `max_vertices` stopped refinement.
+        Whether `max_vertices` or `max_steiner` stopped refinement.
+    encroached_edges : int
+        With `conforming`, the edges on segments that could not be made Delaunay.
     merged_vertices, vertices_on_segments : int
         Input vertices at the place of an earlier one, and those inside segments.
     estimated_triangles : float

@@ -20,11 +20,9 @@ __all__ = ['triangulate', 'delaunay', 'convex_hull', 'plot', 'compare']
 # What only says how to compute, print or count has no meaning here.
 _IGNORED = set('zQVCXiFlsBPNEIgj')
 _UNSUPPORTED = {
-    'D': 'meshes are constrained Delaunay',
     'Y': 'borders may get new vertices; bound these by min_edge of quadtree_mesh.mesh()',
-    'o': 'triangles have three nodes',
     'u': 'use size or refine_where of quadtree_mesh.mesh()',
-    'v': 'there is no Voronoi diagram; mesh.neighbors has the dual graph',
+    'v': 'there is no Voronoi diagram; mesh.neighbors has the dual graph, and quality_mesh writes x.cells.geojson',
 }
 _KEYS = {'vertices', 'vertex_attributes', 'vertex_markers', 'segments', 'segment_markers', 'holes', 'regions',
          'triangles', 'triangle_attributes', 'triangle_max_area', 'neighbors', 'edges', 'edge_markers'}
@@ -35,8 +33,10 @@ def _switches(opts: str) -> Iterator[Tuple[str, str]]:
     for letter, number in re.findall(r'([A-Za-z])([0-9.]*)|\S', opts.replace('-', '')):
         if letter in _UNSUPPORTED:
             raise ValueError(f"switch '{letter}' is not supported: {_UNSUPPORTED[letter]}")
-        if letter not in _IGNORED and letter not in set('pqaAcrnejSO'):
+        if letter not in _IGNORED and letter not in set('pqaAcrnejSODo'):
             raise ValueError(f"unknown switch '{letter}'" if letter else f'unknown switches in {opts!r}')
+        if letter == 'o' and number != '2':
+            raise ValueError("switch 'o' is not supported without a 2: triangles have three nodes, or six with o2")
         yield letter, number
 
 
@@ -116,14 +116,15 @@ def triangulate(tri: Dict[str, Any], opts: str = '') -> Dict[str, np.ndarray]:
         and largest area, ``vertex_markers``, ``segment_markers``, ``vertex_attributes``; with r ``triangles`` (t, 3).
     opts : str
         p (segments), r (refine), q or q30 (least angle, 20 by default and at most 34), a0.1 (largest area), a (areas of
-        regions), A (attributes of regions), c (convex hull), S100 (most new vertices), n (neighbors), e (edges), j (no
-        unused vertices), O (no holes). Letters that choose algorithms or what is printed have no effect. D, Y, o2, u
-        and v are a ValueError.
+        regions), A (attributes of regions), c (convex hull), D (conforming Delaunay), S100 (most new vertices), n
+        (neighbors), e (edges), o2 (six nodes for each triangle), j (no unused vertices), O (no holes). Letters that
+        choose algorithms or what is printed have no effect. Y, u and v are a ValueError.
 
     Returns
     -------
     dict
-        ``vertices``, ``vertex_markers`` (n, 1), ``triangles`` (t, 3); with p ``segments`` and ``segment_markers``; with
+        ``vertices``, ``vertex_markers`` (n, 1), ``triangles`` (t, 3), with o2 (t, 6): behind the corners are the nodes
+        opposite to them, which follow the vertices; with p ``segments`` and ``segment_markers``; with
         A ``triangle_attributes`` (t, 1), 0 without a region; with n ``neighbors``; with e ``edges`` and
         ``edge_markers``. ``vertex_attributes`` of new vertices are not-a-number.
 
@@ -146,7 +147,8 @@ def triangulate(tri: Dict[str, Any], opts: str = '') -> Dict[str, np.ndarray]:
     made = _mesh(**graph, repair=True,
                  min_angle=float(switches['q'] or 20) if 'q' in switches else 0,
                  max_area=float(switches['a']) if switches.get('a') else None,
-                 max_vertices=n + int(switches['S']) if switches.get('S') else None,
+                 max_steiner=int(switches['S']) if switches.get('S') else None,
+                 conforming='D' in switches,
                  coarsen='q' in switches or 'a' in switches)
     if 'j' in switches:
         made = made.compacted()
@@ -176,7 +178,28 @@ def _output(tri: Dict[str, Any], switches: Dict[str, str], made: Any) -> Dict[st
     for name in ('holes', 'regions'):
         if name in tri and 'p' in switches:
             result[name] = np.asarray(tri[name], float)
+    if 'o' in switches:
+        result['vertices'], result['triangles'], all_markers = _six_nodes(made, markers, border)
+        result['vertex_markers'] = all_markers[:, None]
+        if 'vertex_attributes' in result:
+            given = result['vertex_attributes']
+            blank = np.full((len(result['vertices']) - len(given), given.shape[1]), np.nan)
+            result['vertex_attributes'] = np.concatenate([given, blank])
     return result
+
+
+def _six_nodes(made: Any, markers: np.ndarray, border: np.ndarray) -> Tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """New places in the middle of edges, behind the vertices; triangles with the nodes opposite their corners; and the
+    markers of all, those of the edges for the new ones."""
+    n, edges = len(made.vertices), made.edges()
+    key = (edges[:, 0].astype(np.int64) << 32) | edges[:, 1]
+    sides = np.sort(made.triangles[:, [[1, 2], [2, 0], [0, 1]]].astype(np.int64), axis=2)
+    nodes = n + np.searchsorted(key, (sides[..., 0] << 32) | sides[..., 1])
+    of_edges = _edge_markers(edges, made.segments, markers)
+    of_edges[(of_edges == 0) & _is_among(edges, border)] = 1
+    return (np.concatenate([made.vertices, made.vertices[edges].mean(axis=1)]),
+            np.concatenate([made.triangles, nodes.astype(made.triangles.dtype)], axis=1),
+            np.concatenate([made.vertex_markers, of_edges]))
 
 
 def _edge_markers(edges: np.ndarray, segments: np.ndarray, markers: np.ndarray) -> np.ndarray:

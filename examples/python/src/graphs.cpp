@@ -125,6 +125,9 @@ Options options_from(const py::dict& values, const Projection* projection) {
       .smooth(values["smooth"].cast<int>())
       .thin(values["thin"].cast<int>())
       .max_vertices(values["max_vertices"].cast<std::size_t>());
+  if (!values["max_steiner"].is_none())
+    options.max_steiner_vertices(values["max_steiner"].cast<std::size_t>());
+  if (values["conforming"].cast<bool>()) options.conform(Options::Conforming::DELAUNAY);
   options.coarsen(values["coarsen"].cast<bool>() ? Options::Coarsening::GUARDED_REMOVAL
                                                  : Options::Coarsening::NONE);
   options.mesh_domain(named<Options::Domain>({{"enclosed", Options::Domain::ENCLOSED},
@@ -230,6 +233,7 @@ py::dict values_of(const Report& report) {
     exempt.append(py::make_tuple(t.triangle.value(), t.corner.value()));
   py::dict result;
   result["is_met"] = report.is_met();
+  result["encroached_edges"] = report.encroached_edges;
   result["is_cancelled"] = report.is_cancelled;
   result["is_budget_exhausted"] = report.is_budget_exhausted;
   result["vertices"] = report.vertices;

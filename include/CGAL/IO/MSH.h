@@ -14,6 +14,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/io/Msh_version.h>
 #include <CGAL/Quadtree_mesh_2/internal/io/Msh_writer.h>
 #include <CGAL/Quadtree_mesh_2/internal/io/Replaced_files.h>
+#include <CGAL/Quadtree_mesh_2/mesh_edges_types.h>
 
 #include <cstddef>
 #include <ostream>
@@ -24,9 +25,10 @@ namespace Quadtree_mesh_2 {
 namespace internal {
 
 template <class Point>
-std::string msh_text(const Indexed_mesh_2<Point>& mesh, const Pslg_2<Point>& pslg, IO::Msh_version version) {
-  return version == IO::Msh_version::V2_2 ? Msh_2_writer<Point>(mesh, pslg).text()
-                                          : Msh_writer<Point>(mesh, pslg).text();
+std::string msh_text(const Indexed_mesh_2<Point>& mesh, const Pslg_2<Point>& pslg, IO::Msh_version version,
+                     IO::Element_order order) {
+  return version == IO::Msh_version::V2_2 ? Msh_2_writer<Point>(mesh, pslg, order).text()
+                                          : Msh_writer<Point>(mesh, pslg, order).text();
 }
 
 } // namespace internal
@@ -47,19 +49,22 @@ namespace IO {
 /// is renumbered, the view "input_index" has the nodes' indices in the input, -1 for Steiner vertices.
 /// Takes linear time, except for sorting by markers.
 /// \param pslg the graph that the mesh was made from
+/// \param version of the format
+/// \param order of second order, triangles have six nodes and edges three. The nodes in the middle of sides follow the
+/// vertices. Constrained edges then have to be sides of triangles.
 /// \tparam Point `x()` and `y()` are arithmetic or have a `CGAL::to_double()`
 template <class Point>
 void write_MSH(std::ostream& out, const Indexed_mesh_2<Point>& mesh, const Pslg_2<Point>& pslg,
-               Msh_version version = Msh_version::V4_1) {
-  out << Quadtree_mesh_2::internal::msh_text(mesh, pslg, version);
+               Msh_version version = Msh_version::V4_1, Element_order order = Element_order::FIRST) {
+  out << Quadtree_mesh_2::internal::msh_text(mesh, pslg, version, order);
 }
 /// \throws std::system_error (a `std::runtime_error`) naming the file if it cannot be written. An older file of that
 /// name is then unchanged.
 template <class Point>
 void write_MSH(const std::string& file_name, const Indexed_mesh_2<Point>& mesh, const Pslg_2<Point>& pslg,
-               Msh_version version = Msh_version::V4_1) {
+               Msh_version version = Msh_version::V4_1, Element_order order = Element_order::FIRST) {
   Quadtree_mesh_2::internal::replace_file(file_name,
-                                          Quadtree_mesh_2::internal::msh_text(mesh, pslg, version));
+                                          Quadtree_mesh_2::internal::msh_text(mesh, pslg, version, order));
 }
 
 /// Writes a mesh without its graph, in MSH 4.1. Names have no attributes.

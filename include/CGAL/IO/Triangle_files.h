@@ -7,9 +7,11 @@
 #ifndef CGAL_IO_TRIANGLE_FILES_H
 #define CGAL_IO_TRIANGLE_FILES_H
 
-// Reads and writes the files of Jonathan Shewchuk's Triangle: .poly, .node and .ele.
+// Reads and writes the files of Jonathan Shewchuk's Triangle: .poly, .node, .ele, .edge, .neigh and
+// .v.node.
 
 #include <CGAL/IO/read_triangle_files.h>
+#include <CGAL/IO/write_triangle_dual_files.h>
 #include <CGAL/IO/write_triangle_files.h>
 
 #endif // CGAL_IO_TRIANGLE_FILES_H

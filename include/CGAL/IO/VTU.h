@@ -13,6 +13,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/io/Pvtu_writer.h>
 #include <CGAL/Quadtree_mesh_2/internal/io/Replaced_files.h>
 #include <CGAL/Quadtree_mesh_2/internal/io/Vtu_writer.h>
+#include <CGAL/Quadtree_mesh_2/mesh_edges_types.h>
 #include <CGAL/Quadtree_mesh_2/triangle_fields.h>
 
 #include <cstddef>
@@ -39,20 +40,24 @@ namespace IO {
 /// \param pslg the graph that the mesh was made from
 /// \param fields more numbers for each triangle, see `Triangle_field_2`
 /// \param mode `IO::BINARY` (appended, not compressed) or `IO::ASCII`; both give the same bits back
+/// \param order of second order, triangles and constrained edges are quadratic cells, with a node in the middle of each
+/// side. Nodes follow the points of the mesh. Constrained edges then have to be sides of triangles.
 /// \tparam Point `x()` and `y()` are arithmetic or have a `CGAL::to_double()`
 /// \throws std::invalid_argument if a field does not have a number for each triangle
 template <class Point>
 void write_VTU(std::ostream& out, const Indexed_mesh_2<Point>& mesh, const Pslg_2<Point>& pslg,
-               const Triangle_fields_2& fields, Mode mode = BINARY) {
-  out << Quadtree_mesh_2::internal::vtu_text(mesh, pslg, fields, mode);
+               const Triangle_fields_2& fields, Mode mode = BINARY,
+               Element_order order = Element_order::FIRST) {
+  out << Quadtree_mesh_2::internal::vtu_text(mesh, pslg, fields, mode, order);
 }
 /// \throws std::system_error (a `std::runtime_error`) naming the file if it cannot be written. An older file of that
 /// name is then unchanged.
 template <class Point>
 void write_VTU(const std::string& file_name, const Indexed_mesh_2<Point>& mesh, const Pslg_2<Point>& pslg,
-               const Triangle_fields_2& fields, Mode mode = BINARY) {
-  Quadtree_mesh_2::internal::replace_file(file_name,
-                                          Quadtree_mesh_2::internal::vtu_text(mesh, pslg, fields, mode));
+               const Triangle_fields_2& fields, Mode mode = BINARY,
+               Element_order order = Element_order::FIRST) {
+  Quadtree_mesh_2::internal::replace_file(
+      file_name, Quadtree_mesh_2::internal::vtu_text(mesh, pslg, fields, mode, order));
 }
 
 /// Writes the mesh without further fields.

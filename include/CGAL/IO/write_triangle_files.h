@@ -11,9 +11,14 @@
 #include <CGAL/Pslg_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/io/Line_writer.h>
 #include <CGAL/Quadtree_mesh_2/internal/io/Replaced_files.h>
+#include <CGAL/Quadtree_mesh_2/internal/topology/Edge_finder.h>
+#include <CGAL/Quadtree_mesh_2/mesh_edges_types.h>
+
+#include <CGAL/tags.h>
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -56,12 +61,15 @@ void write_holes_and_regions(Line_writer& out, const Pslg_2<Point>& pslg) {
   }
 }
 
+/// \param nodes that follow the vertices; null: none
 template <class Point>
-Line_writer mesh_node_text(const Indexed_mesh_2<Point>& mesh, std::size_t first_number) {
+Line_writer mesh_node_text(const Indexed_mesh_2<Point>& mesh, std::size_t first_number,
+                           const Second_order_nodes_2* nodes = nullptr) {
   const bool is_renumbered = !mesh.input_index.empty();
+  const std::size_t n = mesh.points.size() + (nodes != nullptr ? nodes->points.size() : 0);
   Line_writer out;
-  out.reserve((is_renumbered ? 58 : 48) * mesh.points.size() + 32);
-  (out << mesh.points.size() << 2 << int(is_renumbered) << 1).end_line();
+  out.reserve((is_renumbered ? 58 : 48) * n + 32);
+  (out << n << 2 << int(is_renumbered) << 1).end_line();
   for (std::size_t v = 0; v < mesh.points.size(); ++v) {
     (out << first_number + v).write_point(mesh.points[v]);
     if (is_renumbered && mesh.input_index[v].is_valid())
@@ -70,20 +78,29 @@ Line_writer mesh_node_text(const Indexed_mesh_2<Point>& mesh, std::size_t first_
       out << -1;
     (out << mesh.marker(Vertex_index(v))).end_line();
   }
+  for (std::size_t i = 0; mesh.points.size() + i < n; ++i) {
+    out << first_number + mesh.points.size() + i << nodes->points[i][0] << nodes->points[i][1];
+    if (is_renumbered) out << -1;
+    (out << nodes->edges[i].marker).end_line();
+  }
   return out;
 }
 
+/// \param nodes of six for each triangle; null: three
 template <class Point>
-Line_writer mesh_ele_text(const Indexed_mesh_2<Point>& mesh, const Pslg_2<Point>& pslg) {
+Line_writer mesh_ele_text(const Indexed_mesh_2<Point>& mesh, const Pslg_2<Point>& pslg,
+                          const Second_order_nodes_2* nodes = nullptr) {
   const bool has_regions = !pslg.regions.empty() && !mesh.region_of_triangle.empty();
   const std::size_t first = pslg.first_number;
   Line_writer out;
   out.reserve(32 * mesh.triangles.size() + 32);
-  (out << mesh.triangles.size() << 3 << int(has_regions)).end_line();
+  (out << mesh.triangles.size() << (nodes != nullptr ? 6 : 3) << int(has_regions)).end_line();
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const auto& triangle = mesh.triangles[t];
     out << first + t;
     for (const Vertex_index v : triangle) out << first + std::size_t(v);
+    if (nodes != nullptr)
+      for (const Vertex_index v : nodes->nodes_of_triangle[t]) out << first + std::size_t(v);
     if (has_regions) {
       const int region = mesh.region_of_triangle[t];
       out << (region < 0 ? 0. : pslg.regions[static_cast<std::size_t>(region)].attribute);
@@ -113,9 +130,12 @@ Line_writer mesh_poly_text(const Indexed_mesh_2<Point>& mesh, const Pslg_2<Point
 /// Adds `stem.node`, `stem.ele` and `stem.poly` to the files about to be replaced.
 template <class Point>
 void add_triangle_files(Replaced_files& files, const Indexed_mesh_2<Point>& mesh, const Pslg_2<Point>& pslg,
-                        const std::string& stem) {
-  files.add(stem + ".node", mesh_node_text(mesh, pslg.first_number).take());
-  files.add(stem + ".ele", mesh_ele_text(mesh, pslg).take());
+                        const std::string& stem, IO::Element_order order = IO::Element_order::FIRST) {
+  std::optional<Second_order_nodes_2> nodes;
+  if (order == IO::Element_order::SECOND) nodes = second_order_nodes<Sequential_tag>(mesh);
+  const Second_order_nodes_2* const some = nodes ? &*nodes : nullptr;
+  files.add(stem + ".node", mesh_node_text(mesh, pslg.first_number, some).take());
+  files.add(stem + ".ele", mesh_ele_text(mesh, pslg, some).take());
   files.add(stem + ".poly", mesh_poly_text(mesh, pslg).take());
 }
 
@@ -187,12 +207,14 @@ void write_triangle_poly(const std::string& file_name, const Indexed_mesh_2<Poin
 
 /// Writes `stem.node`, `stem.ele` and `stem.poly` as the three functions above do. If one file cannot be
 /// written, none is.
+/// \param order of second order, as by Triangle's `-o2`, triangles have six nodes: the last three are in the middle of
+/// the sides opposite the first three, and follow the vertices in the `.node` file
 template <class Point>
 void write_triangle_files(const Indexed_mesh_2<Point>& mesh, const Pslg_2<Point>& pslg,
-                          const std::string& stem) {
+                          const std::string& stem, Element_order order = Element_order::FIRST) {
   namespace internal = Quadtree_mesh_2::internal;
   internal::Replaced_files files;
-  internal::add_triangle_files(files, mesh, pslg, stem);
+  internal::add_triangle_files(files, mesh, pslg, stem, order);
   files.commit();
 }
 

@@ -14,7 +14,7 @@
 //   -> refinement on demand: legs cut, lopped sectors locked; the bulk filled with squares where bounds of size rule
 //      (Bulk_filler.h); rounds of blocks (Block_refinement.h), then what they leave
 //   -> guarded removal, smoothing; small meshes are refined a second time (thin_small_mesh.h); thinning
-//   -> exact constrained Delaunay flips
+//   -> exact constrained Delaunay flips; if edges are to be Delaunay, too, splits of these, and refinement
 //   -> flat arrays in the user's coordinates and vertex order
 //
 // Quadtrees (Tree_construction.h) take the place of refinement on demand where that is wanted, or where it does not
@@ -47,7 +47,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Block_refinement.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Corner_finder.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Edge_sides.h>
-#include <CGAL/Quadtree_mesh_2/internal/refinement/Exact_legalizer.h>
+#include <CGAL/Quadtree_mesh_2/internal/refinement/Exact_finisher.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Refiner.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Vertex_budgets.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/finish_mesh.h>
@@ -255,7 +255,8 @@ private:
     triangles_of_sizes_ = estimate.triangles_of_sizes();
     worst_pair_ = estimate.worst_pair();
     const Triangle_budget budget = budgets().of_triangles();
-    if (!budget.is_surely_exceeded_by(estimate.triangles())) return estimate.take_acute_starts();
+    if (options_.max_steiner_vertices() || !budget.is_surely_exceeded_by(estimate.triangles()))
+      return estimate.take_acute_starts();
     const std::string refusal = budget.refusal_of(estimate.triangles());
     if (worst_pair_.triangles <= estimate.triangles_of_sizes())
       throw Pslg_error_2(Pslg_error_2::Kind::TOO_MANY_TRIANGLES, refusal + " for the bounds of size");
@@ -306,7 +307,8 @@ private:
     clock_.enter(&Seconds::refine);
     const Mesh_limit limit = budgets().of_refinement(may_construct_instead());
     if (!has_gone_on_) {
-      splitter.cut_rings();
+      const std::size_t least = state_.mesh.number_of_vertices() + problem_.corners.legs.size();
+      if (!budgets().is_of_user() || least <= limit.vertices) splitter.cut_rings();
       Bulk_filler<ConcurrencyTag, Geometry>(state_, splitter).run(limit.vertices);
     }
     if (work_off_in_blocks(limit, Progress_shares::first_mesh))
@@ -341,7 +343,7 @@ private:
   /// Whether quadtrees may take the place of refinement. Above the bounds established for it, triangles left over are
   /// no sign that quadtrees do better. Quadtrees know neither a least edge nor the user's rules, and are asked once.
   bool may_construct_instead() const {
-    return options_.max_vertices() == 0 && options_.min_edge() == 0 && !options_.refine_where() &&
+    return !budgets().is_of_user() && options_.min_edge() == 0 && !options_.refine_where() &&
            !too_near_for_trees_ && problem_.bounds.is_established() &&
            report_.trees.end == Tree_separation_report_2::End::NONE && budgets().allows_quadtrees();
   }
@@ -469,19 +471,14 @@ private:
         return;
   }
 
-  /// Makes the mesh exactly constrained Delaunay. Such flips never lower the least angle of a pair; should
-  /// one take apart an exempt triangle all the same, what it leaves is refined again.
   Triangle_account finish(Refiner<Geometry>& refiner) {
     clock_.enter(&Seconds::refine);
-    constexpr int most_rounds = 5;
-    Exact_legalizer<ConcurrencyTag, Geometry> legalizer(state_);
-    for (int round = 0; round < most_rounds; ++round) {
-      Triangle_account account = legalizer.run();
-      const bool is_stopped = progress_.is_cancelled() || report_.is_budget_exhausted;
-      if (!state_.has_bad_on_worklist() || is_stopped) return account;
-      run_to_the_end(refiner, budgets().of_repair(state_.mesh.number_of_vertices()));
-    }
-    return legalizer.run();
+    const auto limit = [this] { return budgets().of_repair(state_.mesh.number_of_vertices()); };
+    Exact_finisher<ConcurrencyTag, Geometry> finisher(
+        state_, [this, limit](Refiner<Geometry>& r) { run_to_the_end(r, limit()); },
+        [this] { return progress_.is_cancelled() || report_.is_budget_exhausted; });
+    if (options_.conform() == Quality_mesh_options_2::Conforming::NONE) return finisher.run(refiner);
+    return finisher.run_conforming(limit().vertices, report_.encroached_edges);
   }
 
   Indexed_mesh_2<Point_2> convert(const Triangle_account& account) {

@@ -12,6 +12,8 @@
 #include <CGAL/Quality_mesh_options_2.h>
 
 #include <array>
+#include <cstddef>
+#include <limits>
 
 namespace CGAL {
 namespace Quadtree_mesh_2 {
@@ -35,6 +37,8 @@ Digest digest_of_mesh(const Pslg_2<Point>& pslg, const Quality_mesh_options_2& o
   digest.add(std::array{int(options.mesh_domain()), int(options.coarsen()), options.smooth(), options.thin(),
                         options.size() ? 1 : 0, options.refine_where() ? 1 : 0});
   digest.add(options.max_vertices());
+  digest.add(options.max_steiner_vertices().value_or(std::numeric_limits<std::size_t>::max()));
+  digest.add(int(options.conform()));
   digest.add(options.checkpoint_key());
   digest.add(map.length_to_kernel(1.0)); // inputs may differ by their scale and origin alone
   if (points.size() > 0) digest.add(map.place(points.front())), digest.add(map.place(points.back()));

@@ -25,8 +25,8 @@ namespace internal {
 template <class Point>
 class Msh_2_writer {
 public:
-  Msh_2_writer(const Indexed_mesh_2<Point>& mesh, const Pslg_2<Point>& pslg)
-      : mesh_(mesh), entities_(mesh, pslg) {}
+  Msh_2_writer(const Indexed_mesh_2<Point>& mesh, const Pslg_2<Point>& pslg, IO::Element_order order)
+      : mesh_(mesh), entities_(mesh, pslg, order) {}
 
   std::string text() {
     out_.reserve(65 * mesh_.points.size() + 40 * mesh_.triangles.size() + 512);
@@ -44,9 +44,11 @@ private:
 
   void write_nodes() {
     (out_ << "$Nodes").end_line();
-    (out_ << mesh_.points.size()).end_line();
-    for (std::size_t v = 0; v < mesh_.points.size(); ++v)
-      ((out_ << v + 1).write_point(mesh_.points[v]) << 0).end_line();
+    (out_ << entities_.number_of_nodes()).end_line();
+    for (std::size_t v = 0; v < entities_.number_of_nodes(); ++v) {
+      entities_.write_place(out_ << v + 1, v);
+      out_.end_line();
+    }
     (out_ << "$EndNodes").end_line();
   }
 
@@ -57,14 +59,14 @@ private:
     (out_ << "$Elements").end_line();
     (out_ << edges + triangles).end_line();
     for (std::size_t e = 0; e < edges; ++e) {
-      const auto& [a, b] = mesh_.constrained_edges[e].vertices;
-      begin_element(e + 1, Entities::line_of_2_nodes, *curves[e]);
-      (out_ << Entities::node(a) << Entities::node(b)).end_line();
+      begin_element(e + 1, entities_.type_of_lines(), *curves[e]);
+      entities_.write_nodes_of_edge(out_, e);
+      out_.end_line();
     }
     for (std::size_t t = 0; t < triangles; ++t) {
-      const auto& [a, b, c] = mesh_.triangles[t];
-      begin_element(entities_.element_of_triangle(t), Entities::triangle_of_3_nodes, *surfaces[t]);
-      (out_ << Entities::node(a) << Entities::node(b) << Entities::node(c)).end_line();
+      begin_element(entities_.element_of_triangle(t), entities_.type_of_triangles(), *surfaces[t]);
+      entities_.write_nodes_of_triangle(out_, t);
+      out_.end_line();
     }
     (out_ << "$EndElements").end_line();
   }

@@ -12,6 +12,11 @@
 #include <CGAL/Quadtree_mesh_2/internal/geometry/triangle_angles.h>
 #include <CGAL/Quadtree_mesh_2/internal/io/Line_writer.h>
 #include <CGAL/Quadtree_mesh_2/internal/io/number_text.h>
+#include <CGAL/Quadtree_mesh_2/internal/io/triangles_at_edges.h>
+#include <CGAL/Quadtree_mesh_2/internal/topology/Edge_finder.h>
+#include <CGAL/Quadtree_mesh_2/mesh_edges_types.h>
+
+#include <CGAL/tags.h>
 
 #include <algorithm>
 #include <array>
@@ -53,7 +58,10 @@ class Msh_entities {
 public:
   using Entity = Msh_entity<Point>;
 
-  Msh_entities(const Indexed_mesh_2<Point>& mesh, const Pslg_2<Point>& pslg) : mesh_(mesh), pslg_(pslg) {
+  Msh_entities(const Indexed_mesh_2<Point>& mesh, const Pslg_2<Point>& pslg,
+               IO::Element_order order = IO::Element_order::FIRST)
+      : mesh_(mesh), pslg_(pslg) {
+    if (order == IO::Element_order::SECOND) add_nodes();
     find_surfaces();
     find_curves();
   }
@@ -79,15 +87,39 @@ public:
   /// The numbers of nodes and elements count from 1, those of edges before those of triangles.
   static std::size_t node(Vertex_index v) { return std::size_t(v) + 1; }
   std::size_t element_of_triangle(std::size_t t) const { return mesh_.constrained_edges.size() + t + 1; }
-  static constexpr int line_of_2_nodes = 1, triangle_of_3_nodes = 2;
+  /// Gmsh's numbers of the kinds of elements.
+  int type_of_lines() const { return is_of_second_order() ? 8 : 1; }
+  int type_of_triangles() const { return is_of_second_order() ? 9 : 2; }
+  bool is_of_second_order() const { return !nodes_.points.empty(); }
+
+  std::size_t number_of_nodes() const { return mesh_.points.size() + nodes_.points.size(); }
+  /// The place of a node, as columns of a line.
+  void write_place(Line_writer& out, std::size_t i) const {
+    if (i < mesh_.points.size())
+      out.write_point(mesh_.points[i]) << 0;
+    else
+      out << nodes_.points[i - mesh_.points.size()][0] << nodes_.points[i - mesh_.points.size()][1] << 0;
+  }
+  /// The nodes of elements, as columns of a line: their vertices, and those of second order after these, of which the
+  /// first is between the first two vertices.
+  void write_nodes_of_edge(Line_writer& out, std::size_t e) const {
+    for (const Vertex_index v : mesh_.constrained_edges[e].vertices) out << node(v);
+    if (is_of_second_order()) out << node(nodes_of_edges_[e]);
+  }
+  void write_nodes_of_triangle(Line_writer& out, std::size_t t) const {
+    for (const Vertex_index v : mesh_.triangles[t]) out << node(v);
+    if (!is_of_second_order()) return;
+    const auto& [a, b, c] = nodes_.nodes_of_triangle[t]; // opposite the vertices
+    out << node(c) << node(a) << node(b);
+  }
 
   void write_edge(Line_writer& out, std::size_t e) const {
-    const auto& ends = mesh_.constrained_edges[e].vertices;
-    (out << e + 1 << node(ends[0]) << node(ends[1])).end_line();
+    write_nodes_of_edge(out << e + 1, e);
+    out.end_line();
   }
   void write_triangle(Line_writer& out, std::size_t t) const {
-    const auto& [a, b, c] = mesh_.triangles[t];
-    (out << element_of_triangle(t) << node(a) << node(b) << node(c)).end_line();
+    write_nodes_of_triangle(out << element_of_triangle(t), t);
+    out.end_line();
   }
 
   /// A view of the input's indices at the nodes, if the mesh is renumbered.
@@ -106,6 +138,16 @@ public:
   }
 
 private:
+  void add_nodes() {
+    nodes_ = second_order_nodes<Sequential_tag>(mesh_);
+    const auto triangles_at = triangles_at_edges(mesh_);
+    for (std::size_t e = 0; e < mesh_.constrained_edges.size(); ++e) {
+      const std::size_t t = triangles_at[e][0];
+      nodes_of_edges_.push_back(
+          nodes_.nodes_of_triangle[t][side_between(mesh_.triangles[t], mesh_.constrained_edges[e].vertices)]);
+    }
+  }
+
   void find_surfaces() {
     int regions = 0;
     for (const int r : mesh_.region_of_triangle) regions = std::max(regions, r + 1);
@@ -185,6 +227,8 @@ private:
   const Indexed_mesh_2<Point>& mesh_;
   const Pslg_2<Point>& pslg_;
   std::vector<Entity> curves_, surfaces_;
+  Second_order_nodes_2 nodes_; // none: of first order
+  std::vector<Vertex_index> nodes_of_edges_;
 };
 
 } // namespace internal

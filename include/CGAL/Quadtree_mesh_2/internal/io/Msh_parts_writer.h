@@ -157,7 +157,6 @@ private:
   }
 
   void write_elements(std::size_t part) {
-    using Entities = Msh_entities<Point>;
     const std::vector<std::size_t>& ghosts = ghosts_.of_run(part);
     std::size_t n = ghosts.size();
     for (const std::vector<Partition_entity>* list : {&curves_, &surfaces_})
@@ -168,15 +167,15 @@ private:
           << (n > 0 ? entities_.element_of_triangle(mesh_.triangles.size()) - 1 : 0))
         .end_line();
     for (const Partition_entity& c : curves_) {
-      (out_ << 1 << c.tag << Entities::line_of_2_nodes << c.elements.size()).end_line();
+      (out_ << 1 << c.tag << entities_.type_of_lines() << c.elements.size()).end_line();
       for (const std::size_t e : c.elements) entities_.write_edge(out_, e);
     }
     for (const Partition_entity& s : surfaces_) {
-      (out_ << 2 << s.tag << Entities::triangle_of_3_nodes << s.elements.size()).end_line();
+      (out_ << 2 << s.tag << entities_.type_of_triangles() << s.elements.size()).end_line();
       for (const std::size_t t : s.elements) entities_.write_triangle(out_, t);
     }
     if (!ghosts.empty())
-      (out_ << 2 << ghost_tag(part) << Entities::triangle_of_3_nodes << ghosts.size()).end_line();
+      (out_ << 2 << ghost_tag(part) << entities_.type_of_triangles() << ghosts.size()).end_line();
     for (const std::size_t t : ghosts) entities_.write_triangle(out_, t);
     (out_ << "$EndElements").end_line();
   }

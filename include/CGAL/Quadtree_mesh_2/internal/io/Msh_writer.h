@@ -23,8 +23,8 @@ namespace internal {
 template <class Point>
 class Msh_writer {
 public:
-  Msh_writer(const Indexed_mesh_2<Point>& mesh, const Pslg_2<Point>& pslg)
-      : mesh_(mesh), entities_(mesh, pslg) {}
+  Msh_writer(const Indexed_mesh_2<Point>& mesh, const Pslg_2<Point>& pslg, IO::Element_order order)
+      : mesh_(mesh), entities_(mesh, pslg, order) {}
 
   std::string text() {
     out_.reserve(65 * mesh_.points.size() + 32 * mesh_.triangles.size() + 512);
@@ -37,28 +37,30 @@ public:
 
 private:
   void write_nodes() {
-    const std::size_t n = mesh_.points.size();
+    const std::size_t n = entities_.number_of_nodes();
     (out_ << "$Nodes").end_line();
     (out_ << (n > 0 ? 1 : 0) << n << (n > 0 ? 1 : 0) << n).end_line();
     if (n > 0) (out_ << 2 << entities_.surfaces().front().tag << 0 << n).end_line();
     for (std::size_t v = 0; v < n; ++v) (out_ << v + 1).end_line();
-    for (const Point& p : mesh_.points) (out_.write_point(p) << 0).end_line();
+    for (std::size_t v = 0; v < n; ++v) {
+      entities_.write_place(out_, v);
+      out_.end_line();
+    }
     (out_ << "$EndNodes").end_line();
   }
 
   void write_elements() {
-    using Entities = Msh_entities<Point>;
     const std::size_t n = mesh_.constrained_edges.size() + mesh_.triangles.size();
     const std::size_t surfaces = mesh_.triangles.empty() ? 0 : entities_.surfaces().size();
     (out_ << "$Elements").end_line();
     (out_ << entities_.curves().size() + surfaces << n << (n > 0 ? 1 : 0) << n).end_line();
     for (const auto& c : entities_.curves()) {
-      (out_ << 1 << c.tag << Entities::line_of_2_nodes << c.elements.size()).end_line();
+      (out_ << 1 << c.tag << entities_.type_of_lines() << c.elements.size()).end_line();
       for (const std::size_t e : c.elements) entities_.write_edge(out_, e);
     }
     for (std::size_t i = 0; i < surfaces; ++i) {
       const auto& s = entities_.surfaces()[i];
-      (out_ << 2 << s.tag << Entities::triangle_of_3_nodes << s.elements.size()).end_line();
+      (out_ << 2 << s.tag << entities_.type_of_triangles() << s.elements.size()).end_line();
       for (const std::size_t t : s.elements) entities_.write_triangle(out_, t);
     }
     (out_ << "$EndElements").end_line();

@@ -12,7 +12,11 @@
 #include <CGAL/Quadtree_mesh_2/internal/base/Indexed_vector.h>
 #include <CGAL/Quadtree_mesh_2/internal/geometry/triangle_angles.h>
 #include <CGAL/Quadtree_mesh_2/internal/io/triangles_at_edges.h>
+#include <CGAL/Quadtree_mesh_2/internal/topology/Edge_finder.h>
+#include <CGAL/Quadtree_mesh_2/mesh_edges_types.h>
 #include <CGAL/Quadtree_mesh_2/triangle_fields.h>
+
+#include <CGAL/tags.h>
 
 #include <algorithm>
 #include <array>
@@ -61,8 +65,10 @@ class Vtk_grid {
 public:
   /// Keeps references.
   /// \throws std::invalid_argument if a field does not have a number for each triangle
-  Vtk_grid(const Indexed_mesh_2<Point>& mesh, const Pslg_2<Point>& pslg, const IO::Triangle_fields_2& fields)
+  Vtk_grid(const Indexed_mesh_2<Point>& mesh, const Pslg_2<Point>& pslg, const IO::Triangle_fields_2& fields,
+           IO::Element_order order = IO::Element_order::FIRST)
       : mesh_(mesh), pslg_(pslg), fields_(fields) {
+    if (order == IO::Element_order::SECOND) nodes_ = second_order_nodes<Sequential_tag>(mesh);
     for (const IO::Triangle_field_2& field : fields)
       if (field.values.size() != mesh.triangles.size())
         throw std::invalid_argument("the field '" + field.name + "' has " +
@@ -73,20 +79,30 @@ public:
   }
 
   const Indexed_mesh_2<Point>& mesh() const { return mesh_; }
-  std::size_t number_of_points() const { return mesh_.points.size(); }
+  std::size_t number_of_points() const { return mesh_.points.size() + nodes_.points.size(); }
   std::size_t number_of_triangles() const { return mesh_.triangles.size(); }
   std::size_t number_of_edges() const { return mesh_.constrained_edges.size(); }
   std::size_t number_of_cells() const { return number_of_triangles() + number_of_edges() + outside_.size(); }
 
   bool is_triangle(std::size_t cell) const { return cell < number_of_triangles(); }
-  /// How many vertices a cell has.
-  std::size_t size(std::size_t cell) const { return is_triangle(cell) ? 3 : 2; }
+  bool is_of_second_order() const { return !nodes_.points.empty(); }
+  /// How many vertices and nodes a cell has. What is outside has no nodes.
+  std::size_t size(std::size_t cell) const {
+    if (is_triangle(cell)) return is_of_second_order() ? 6 : 3;
+    return is_edge(cell) && is_of_second_order() ? 3 : 2;
+  }
+  /// Nodes come after vertices; the first one of a triangle is between its first two vertices.
   Vertex_index vertex(std::size_t cell, std::size_t k) const {
-    if (is_triangle(cell)) return mesh_.triangles[cell][k];
-    if (is_edge(cell)) return mesh_.constrained_edges[cell - number_of_triangles()].vertices[k];
+    if (is_triangle(cell))
+      return k < 3 ? mesh_.triangles[cell][k] : nodes_.nodes_of_triangle[cell][(k + 2) % 3];
+    if (is_edge(cell)) {
+      const std::size_t e = cell - number_of_triangles();
+      return k < 2 ? mesh_.constrained_edges[e].vertices[k] : node_of_edge(e);
+    }
     return outside_[cell - number_of_triangles() - number_of_edges()].ends[k];
   }
   /// Of all cells before.
+  /// \pre the grid is of first order; this holds for the next function, too
   std::size_t number_of_vertices_before(std::size_t cell) const {
     return 2 * cell + std::min(cell, number_of_triangles());
   }
@@ -98,8 +114,9 @@ public:
   }
   /// VTK's number of the kind of cell.
   std::uint8_t type(std::size_t cell) const {
-    constexpr std::uint8_t vtk_line = 3, vtk_triangle = 5;
-    return is_triangle(cell) ? vtk_triangle : vtk_line;
+    constexpr std::uint8_t line = 3, triangle = 5, quadratic_line = 21, quadratic_triangle = 22;
+    if (is_triangle(cell)) return is_of_second_order() ? quadratic_triangle : triangle;
+    return size(cell) == 3 ? quadratic_line : line;
   }
   /// The triangle to whose piece of the mesh a cell belongs; `no_triangle` for none.
   std::size_t triangle_of(std::size_t cell) const {
@@ -109,6 +126,7 @@ public:
 
   /// `x`, `y` and 0 of a point.
   double coordinate(std::size_t point, std::size_t k) const {
+    if (point >= mesh_.points.size()) return k == 2 ? 0. : nodes_.points[point - mesh_.points.size()][k];
     const Point& p = mesh_.points[point];
     return k == 0 ? as_double(p.x()) : k == 1 ? as_double(p.y()) : 0.;
   }
@@ -117,10 +135,10 @@ public:
   template <class F>
   void for_each_point_array(const F& f) const {
     if (!mesh_.vertex_markers.empty())
-      f("marker", [this](std::size_t v) { return static_cast<std::int32_t>(mesh_.vertex_markers[v]); });
+      f("marker", [this](std::size_t v) { return static_cast<std::int32_t>(marker_of_point(v)); });
     if (!mesh_.input_index.empty())
       f("input_index", [this](std::size_t v) {
-        const Vertex_index i = mesh_.input_index[v];
+        const Vertex_index i = v < mesh_.points.size() ? mesh_.input_index[v] : Vertex_index();
         return i.is_valid() ? static_cast<std::int64_t>(i.value()) : -1;
       });
   }
@@ -142,6 +160,15 @@ public:
 private:
   bool is_edge(std::size_t cell) const {
     return !is_triangle(cell) && cell < number_of_triangles() + number_of_edges();
+  }
+
+  int marker_of_point(std::size_t v) const {
+    return v < mesh_.points.size() ? mesh_.vertex_markers[v] : nodes_.edges[v - mesh_.points.size()].marker;
+  }
+  /// Of a constrained edge: that of the side of a triangle there.
+  Vertex_index node_of_edge(std::size_t e) const {
+    const std::size_t t = triangles_at_[e][0];
+    return nodes_.nodes_of_triangle[t][side_between(mesh_.triangles[t], mesh_.constrained_edges[e].vertices)];
   }
 
   int region(std::size_t t) const {
@@ -182,6 +209,7 @@ private:
   const Indexed_mesh_2<Point>& mesh_;
   const Pslg_2<Point>& pslg_;
   const IO::Triangle_fields_2& fields_;
+  Second_order_nodes_2 nodes_; // none: of first order
   std::vector<Outside_segment> outside_;
   std::vector<std::array<std::size_t, 2>> triangles_at_; // per constrained edge
   mutable std::map<std::string, double> least_;          // of arrays

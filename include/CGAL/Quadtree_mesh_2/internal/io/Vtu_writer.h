@@ -12,6 +12,7 @@
 #include <CGAL/Pslg_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/io/Vtk_grid.h>
 #include <CGAL/Quadtree_mesh_2/internal/io/number_text.h>
+#include <CGAL/Quadtree_mesh_2/mesh_edges_types.h>
 #include <CGAL/Quadtree_mesh_2/triangle_fields.h>
 
 #include <cstddef>
@@ -235,8 +236,9 @@ private:
 /// The text of a file with all of a mesh.
 template <class Point>
 std::string vtu_text(const Indexed_mesh_2<Point>& mesh, const Pslg_2<Point>& pslg,
-                     const IO::Triangle_fields_2& fields, IO::Mode mode) {
-  const Vtk_grid<Point> grid(mesh, pslg, fields);
+                     const IO::Triangle_fields_2& fields, IO::Mode mode,
+                     IO::Element_order order = IO::Element_order::FIRST) {
+  const Vtk_grid<Point> grid(mesh, pslg, fields, order);
   const Whole_grid<Point> whole{grid};
   return Vtu_writer<Point, Whole_grid<Point>>(grid, whole).text(mode);
 }

@@ -15,9 +15,9 @@
 #include <CGAL/Quadtree_mesh_2/internal/frame/Distinct_points.h>
 #include <CGAL/Quadtree_mesh_2/internal/geometry/angles_of_mesh.h>
 #include <CGAL/Quadtree_mesh_2/internal/geometry/coordinate_map.h>
-#include <CGAL/Quadtree_mesh_2/internal/output/triangle_neighbors.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/relaxation/Site_mesh.h>
+#include <CGAL/Quadtree_mesh_2/internal/topology/triangle_neighbors.h>
 
 #include <array>
 #include <cmath>

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -48,6 +49,12 @@ enum class Refinement_rule {
   OFF_CENTERS
 };
 
+/// From where a new vertex must not see a constrained edge, which is then split instead.
+enum class Encroachment {
+  LENSES, ///< where it would make a triangle below the bound, or narrow next to a corner
+  CIRCLES ///< anywhere in the diametral circle; then vertices are not relocated either
+};
+
 /// One mesh, the domain's or a block of it, and what there is to do in it.
 ///
 /// The shells of an acute corner and the locks of its sectors belong to one block, that in which all of it
@@ -70,6 +77,9 @@ struct Meshing_state {
   Worklist worklist;
   Leg_rule leg_rule = Leg_rule::SHELLS;
   Refinement_rule refinement_rule = Refinement_rule::CORNERS; ///< to be changed while the worklist is empty
+  Encroachment encroachment = Encroachment::LENSES;           ///< for refiners made from now on
+  /// No edge is split when the mesh has so many vertices.
+  std::size_t most_vertices = std::numeric_limits<std::size_t>::max();
   /// What templates filled (Bulk_filler.h): triangles with consecutive handles, and the vertices within.
   struct Bulk {
     Triangle_id first_triangle = Triangle_id(0), end_of_triangles = Triangle_id(0);

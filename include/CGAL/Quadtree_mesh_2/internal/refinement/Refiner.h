@@ -66,7 +66,9 @@ public:
   Refiner(Meshing_state<Geometry>& state, Splitter<Geometry>& splitter)
       : state_(state), mesh_(state.mesh), splitter_(splitter), relocator_(state),
         apex_height_(off_center_share * 0.5 / std::tan(state.bounds.angle / 2)),
-        cosine2_of_encroachment_(cosine2_of_encroachment(state.leg_rule, state.bounds.angle)) {}
+        cosine2_of_encroachment_(state.encroachment == Encroachment::CIRCLES
+                                     ? 0
+                                     : cosine2_of_encroachment(state.leg_rule, state.bounds.angle)) {}
 
   /// Has all triangles looked at that may be bad. Those of the bulk are not.
   void push_all() {
@@ -81,6 +83,7 @@ public:
   /// reached the limit, no vertex is inserted.
   template <class Continue>
   Refinement_end run(Mesh_limit limit, Continue&& shall_go_on) {
+    state_.most_vertices = limit.vertices;
     for (std::size_t step = 1; !state_.worklist.is_empty() || takes_up_stretch() || takes_up_refused();
          ++step) {
       if (is_time_to_ask(step) && !shall_go_on()) return give_up(Refinement_end::CANCELLED);
@@ -182,6 +185,7 @@ private:
   bool relocate_a_vertex_of(Triangle_id t, const Shape& shape) {
     const auto r = mesh_.triangle(t);
     if (!state_.bounds.is_sharp(shape)) return false; // too large: a new vertex is needed anyway
+    if (state_.encroachment == Encroachment::CIRCLES) return false;
     for (const Vertex_id v : r.v) {
       if (mesh_.is_input(v) || number_of_relocations(v) >= most_relocations) continue;
       if (!relocator_.relocate(v)) continue;

@@ -93,6 +93,21 @@ public:
     return outcome(split_subsegment(side, e, want, asker));
   }
 
+  /// Splits a piece of an input edge at a distance from an end of the edge. If there is an acute corner, that becomes a
+  /// shell of it.
+  /// \param end of the edge: 0 or 1
+  bool split_at(Side s, Edge_id e, std::size_t end, const Number& radius) {
+    const Vertex_id apex = end == 0 ? state_.edges[e].a : state_.edges[e].b;
+    const Vertex_id v = insert(s, e,
+                               Geometry::between(state_.problem.input_point(apex),
+                                                 state_.problem.input_point(state_.edges.other_end(e, apex)),
+                                                 radius / length_of_edge(e)));
+    if (!v.is_valid()) return false;
+    const Leg_id l = corners_.legs_of_edge[e][end];
+    if (l.is_valid()) corners_.leg(l).shells.insert(radius, v);
+    return true;
+  }
+
   /// Makes a bad triangle within a locked sector ordinary domain (or, if it touches the apex, halves its
   /// leg).
   /// Refused if t is not within a lock, or nothing can be done.
@@ -390,6 +405,7 @@ private:
   /// Puts p on the side; none if p is not strictly between its ends as seen from the apexes of its triangles, or not
   /// clear of what is outside.
   Vertex_id insert(Side s, Edge_id e, Point p) {
+    if (mesh_.number_of_vertices() >= state_.most_vertices) return {};
     if (!keeps_orientation(mesh_, s, p) || !state_.problem.is_clear_of_outside(e, p)) return {};
     const Side o = mesh_.across(s);
     const Triangle_id across = o.is_border() ? Triangle_id() : o.triangle();

@@ -37,9 +37,12 @@ public:
   /// \param expected_of_sizes those of them that bounds of size ask for
   Vertex_budgets(const Quality_mesh_options_2& options, const Bounds<Geometry>& bounds,
                  std::size_t input_vertices, double expected, double expected_of_sizes)
-      : options_(options), is_established_(bounds.is_established()),
+      : options_(options), input_vertices_(input_vertices), is_established_(bounds.is_established()),
         is_capped_(input_vertices < few_vertices && !options.refine_where()), expected_(expected),
         cap_(std::floor(cap_of_few_vertices + margin_of_sizes * expected_of_sizes)) {}
+
+  /// Whether the user set a budget.
+  bool is_of_user() const { return options_.max_vertices() > 0 || options_.max_steiner_vertices(); }
 
   /// How many triangles the mesh may be expected to have for it to be begun.
   Triangle_budget of_triangles() const {
@@ -53,7 +56,7 @@ public:
 
   /// The limit of a graph of few vertices, if this is one and its user has not set another.
   std::optional<Triangle_budget> of_few_vertices() const {
-    if (!is_capped_ || options_.max_vertices() > 0) return std::nullopt;
+    if (!is_capped_ || is_of_user()) return std::nullopt;
     return Triangle_budget(cap_, limit_of_few_vertices, Triangle_budget::Unit::TRIANGLES);
   }
 
@@ -62,7 +65,7 @@ public:
 
   /// \param may_construct_instead whether quadtrees take over when patience ends
   Mesh_limit of_refinement(bool may_construct_instead) const {
-    if (options_.max_vertices() > 0) return {of_user()};
+    if (is_of_user()) return {of_user()};
     const double unexpected = options_.refine_where() ? unexpected_by_users_rule : allowance();
     const double patience = may_construct_instead ? options_.patience() : Quality_mesh_options_2().patience();
     if (!(patience > 0)) return {0};
@@ -74,7 +77,7 @@ public:
   /// Quadtrees make ten times the triangles needed, a hundred times with the placement by rule.
   Construction_budget of_construction() const {
     constexpr std::size_t any = Mesh_limit::any;
-    if (options_.max_vertices() > 0) return {of_user(), any};
+    if (is_of_user()) return {of_user(), any};
     const std::size_t leaves = limited(1000 * expected_ + 1e6);
     if (!is_capped_) return {leaves, any};
     constexpr double cost = Geometry::has_unlimited_coordinates ? cost_of_exact_leaves : 1;
@@ -84,7 +87,7 @@ public:
 
   /// For what refinement has to do in a mesh that is made.
   Mesh_limit of_repair(std::size_t vertices_of_mesh) const {
-    if (options_.max_vertices() > 0) return {of_user()};
+    if (is_of_user()) return {of_user()};
     return {std::max(vertices_of_mesh,
                      limited(static_cast<double>(vertices_of_mesh) + 10 * expected_ + allowance())),
             most_triangles()};
@@ -111,6 +114,7 @@ private:
       2 * (sizeof(typename Geometry::Point) + 2 * sizeof(typename Kernel_mesh<Geometry>::Triangle) + 64);
 
   const Quality_mesh_options_2& options_;
+  std::size_t input_vertices_;
   bool is_established_, is_capped_;
   double expected_;
   double cap_; // vertices, for each of which there are two triangles
@@ -119,7 +123,13 @@ private:
   /// established to end. Elsewhere it goes on until the allowance is used up.
   double allowance() const { return is_established_ ? 2e6 : 2e5; }
 
-  std::size_t of_user() const { return std::min(options_.max_vertices(), Triangle_budget::most_vertices); }
+  std::size_t of_user() const {
+    std::size_t most = Triangle_budget::most_vertices;
+    if (options_.max_vertices() > 0) most = std::min(most, options_.max_vertices());
+    if (const auto steiner = options_.max_steiner_vertices(); steiner && *steiner < most)
+      most = std::min(most, input_vertices_ + *steiner);
+    return most;
+  }
   static std::size_t limited(double vertices) {
     return static_cast<std::size_t>(std::min(static_cast<double>(Triangle_budget::most_vertices), vertices));
   }

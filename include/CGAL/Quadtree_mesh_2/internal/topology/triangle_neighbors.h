@@ -11,8 +11,8 @@
 // Method:   Each side goes to the lesser of its two vertices. At a vertex, sides are sorted by their other
 //           vertex, so the two sides of an edge meet.
 
-#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_OUTPUT_TRIANGLE_NEIGHBORS_H
-#define CGAL_QUADTREE_MESH_2_INTERNAL_OUTPUT_TRIANGLE_NEIGHBORS_H
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_TOPOLOGY_TRIANGLE_NEIGHBORS_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_TOPOLOGY_TRIANGLE_NEIGHBORS_H
 
 #include <CGAL/Quadtree_mesh_2/Index.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
@@ -73,4 +73,4 @@ triangle_neighbors(const std::vector<std::array<Vertex_index, 3>>& triangles,
 } // namespace Quadtree_mesh_2
 } // namespace CGAL
 
-#endif // CGAL_QUADTREE_MESH_2_INTERNAL_OUTPUT_TRIANGLE_NEIGHBORS_H
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_TOPOLOGY_TRIANGLE_NEIGHBORS_H
