@@ -30,7 +30,7 @@
 
 #include "moving_triangles.h"
 
-#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Column_window.h>
+#include <CGAL/Quadtree_mesh_2/internal/columns/Column_window.h>
 
 #include <algorithm>
 #include <array>

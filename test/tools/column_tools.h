@@ -15,8 +15,8 @@
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Fixed_point_quadtree_traits_2.h>
-#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Column_closure.h>
-#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Vertex_placement.h>
+#include <CGAL/Quadtree_mesh_2/internal/columns/Column_closure.h>
+#include <CGAL/Quadtree_mesh_2/internal/columns/Vertex_placement.h>
 
 #include <algorithm>
 #include <array>

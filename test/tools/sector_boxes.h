@@ -15,7 +15,7 @@
 
 #include "multilinear_forms.h"
 
-#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Column_rule.h>
+#include <CGAL/Quadtree_mesh_2/internal/columns/Column_rule.h>
 
 #include <algorithm>
 #include <array>

@@ -27,7 +27,7 @@
 
 #include "sector_boxes.h"
 
-#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Small_triangulation.h>
+#include <CGAL/Quadtree_mesh_2/internal/columns/Small_triangulation.h>
 
 #include <algorithm>
 #include <array>

@@ -31,19 +31,19 @@
 
 #include <CGAL/Balanced_quadtree.h>
 #include <CGAL/Pslg_2.h>
+#include <CGAL/Quadtree_mesh_2/internal/columns/Column_closure.h>
+#include <CGAL/Quadtree_mesh_2/internal/columns/Vertex_placement.h>
 #include <CGAL/Quadtree_mesh_2/internal/geometry/coordinate_map.h>
 #include <CGAL/Quadtree_mesh_2/internal/neighbors/nearest_hits.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/quadtree/schedule_of_threads.h>
-#include <CGAL/Quadtree_mesh_2/internal/refinement/Domain_directions.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
-#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Column_closure.h>
+#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Domain_directions.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Edge_gaps.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Edge_pieces.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Features_in_sight.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Geodesic_distance.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Passed_leaves.h>
-#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Vertex_placement.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/leaf_cells.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/subdivide_edges.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/walk_edges.h>

@@ -21,10 +21,10 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_TREE_PLACEMENT_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_TREE_PLACEMENT_H
 
+#include <CGAL/Quadtree_mesh_2/internal/columns/Column_rule.h>
 #include <CGAL/Quadtree_mesh_2/internal/grid/Grid_box.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/quadtree/Tree_corners.h>
-#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Column_rule.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Near_segment.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Placed_vertices.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Separation_trees.h>

@@ -24,12 +24,12 @@
 // Computed in doubles, because the results are only choices. In sectors above 180 degrees the other side of
 // the edges is empty, and edges are sides of triangles if the sectors there are at least 20 degrees.
 
-#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_VERTEX_WINDOW_H
-#define CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_VERTEX_WINDOW_H
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_COLUMNS_VERTEX_WINDOW_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_COLUMNS_VERTEX_WINDOW_H
 
 #include <CGAL/Quadtree_mesh_2/internal/base/angle_units.h>
-#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Column_rule.h>
-#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Small_triangulation.h>
+#include <CGAL/Quadtree_mesh_2/internal/columns/Column_rule.h>
+#include <CGAL/Quadtree_mesh_2/internal/columns/Small_triangulation.h>
 
 #include <algorithm>
 #include <array>
@@ -225,4 +225,4 @@ private:
 } // namespace Quadtree_mesh_2
 } // namespace CGAL
 
-#endif // CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_VERTEX_WINDOW_H
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_COLUMNS_VERTEX_WINDOW_H

@@ -19,11 +19,11 @@
 // constrained one of the plane, or that one is even better. Windows of an edge do not overlap, so choices are
 // independent.
 
-#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_COLUMN_WINDOW_H
-#define CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_COLUMN_WINDOW_H
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_COLUMNS_COLUMN_WINDOW_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_COLUMNS_COLUMN_WINDOW_H
 
 #include <CGAL/Quadtree_mesh_2/internal/base/angle_units.h>
-#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Column_rule.h>
+#include <CGAL/Quadtree_mesh_2/internal/columns/Column_rule.h>
 #include <CGAL/assertions.h>
 
 #include <algorithm>
@@ -266,4 +266,4 @@ inline const Transition_thresholds& better_of(const Transition_thresholds& first
 } // namespace Quadtree_mesh_2
 } // namespace CGAL
 
-#endif // CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_COLUMN_WINDOW_H
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_COLUMNS_COLUMN_WINDOW_H

@@ -11,7 +11,7 @@
 
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Column_window.h>
+#include <CGAL/Quadtree_mesh_2/internal/columns/Column_window.h>
 
 #include <algorithm>
 #include <cmath>

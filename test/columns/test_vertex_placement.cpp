@@ -8,7 +8,7 @@
 
 #include "column_tools.h"
 
-#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Column_placement.h>
+#include <CGAL/Quadtree_mesh_2/internal/columns/Column_placement.h>
 
 #include <algorithm>
 #include <array>

@@ -14,13 +14,13 @@
 //
 // The rule at vertices also applies to corners near the ends of an edge.
 
-#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_COLUMN_PLACEMENT_H
-#define CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_COLUMN_PLACEMENT_H
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_COLUMNS_COLUMN_PLACEMENT_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_COLUMNS_COLUMN_PLACEMENT_H
 
 #include <CGAL/Quadtree_mesh_2/Grid_point_2.h>
-#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Column_rule.h>
-#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Column_window.h>
-#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Edge_columns.h>
+#include <CGAL/Quadtree_mesh_2/internal/columns/Column_rule.h>
+#include <CGAL/Quadtree_mesh_2/internal/columns/Column_window.h>
+#include <CGAL/Quadtree_mesh_2/internal/columns/Edge_columns.h>
 
 #include <algorithm>
 #include <array>
@@ -192,4 +192,4 @@ private:
 } // namespace Quadtree_mesh_2
 } // namespace CGAL
 
-#endif // CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_COLUMN_PLACEMENT_H
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_COLUMNS_COLUMN_PLACEMENT_H

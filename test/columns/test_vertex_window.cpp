@@ -11,7 +11,7 @@
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Vertex_window.h>
+#include <CGAL/Quadtree_mesh_2/internal/columns/Vertex_window.h>
 
 #include <algorithm>
 #include <cmath>

@@ -27,14 +27,14 @@
 // into a wider neighbor, and is split if it has none. A change of widths near another edge moves away, into the
 // wider columns. So windows of different edges, and of vertices, are disjoint.
 
-#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_COLUMN_CLOSURE_H
-#define CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_COLUMN_CLOSURE_H
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_COLUMNS_COLUMN_CLOSURE_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_COLUMNS_COLUMN_CLOSURE_H
 
 #include <CGAL/Quadtree_mesh_2/Index.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/Indexed_vector.h>
+#include <CGAL/Quadtree_mesh_2/internal/columns/Edge_columns.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/quadtree/leaves_in_order.h>
-#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Edge_columns.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -278,4 +278,4 @@ std::vector<Leaf_index> leaves_to_split_for_columns(const Tree& tree, const Piec
 } // namespace Quadtree_mesh_2
 } // namespace CGAL
 
-#endif // CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_COLUMN_CLOSURE_H
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_COLUMNS_COLUMN_CLOSURE_H

@@ -13,8 +13,8 @@
 //           of a column, by cross pointers.
 // Source:   ours; see Column_rule.h.
 
-#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_EDGE_COLUMNS_H
-#define CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_EDGE_COLUMNS_H
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_COLUMNS_EDGE_COLUMNS_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_COLUMNS_EDGE_COLUMNS_H
 
 #include <CGAL/Quadtree_mesh_2/Direction.h>
 #include <CGAL/Quadtree_mesh_2/Grid_point_2.h>
@@ -238,4 +238,4 @@ private:
 } // namespace Quadtree_mesh_2
 } // namespace CGAL
 
-#endif // CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_EDGE_COLUMNS_H
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_COLUMNS_EDGE_COLUMNS_H

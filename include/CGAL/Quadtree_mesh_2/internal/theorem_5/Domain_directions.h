@@ -12,8 +12,8 @@
 //
 // Directions are rounded. One that is nearly that of an edge leads along it, into the domain on either side.
 
-#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_DOMAIN_DIRECTIONS_H
-#define CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_DOMAIN_DIRECTIONS_H
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_DOMAIN_DIRECTIONS_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_DOMAIN_DIRECTIONS_H
 
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Edge_sides.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
@@ -82,4 +82,4 @@ private:
 } // namespace Quadtree_mesh_2
 } // namespace CGAL
 
-#endif // CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_DOMAIN_DIRECTIONS_H
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_DOMAIN_DIRECTIONS_H

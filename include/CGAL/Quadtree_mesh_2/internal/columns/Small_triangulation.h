@@ -11,8 +11,8 @@
 // Source:   Bowyer, Watson (1981).
 // Deviates: computed in doubles. Of cocircular points any triangulation will do, because its least angle is the same.
 
-#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_SMALL_TRIANGULATION_H
-#define CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_SMALL_TRIANGULATION_H
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_COLUMNS_SMALL_TRIANGULATION_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_COLUMNS_SMALL_TRIANGULATION_H
 
 #include <algorithm>
 #include <array>
@@ -103,4 +103,4 @@ private:
 } // namespace Quadtree_mesh_2
 } // namespace CGAL
 
-#endif // CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_SMALL_TRIANGULATION_H
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_COLUMNS_SMALL_TRIANGULATION_H

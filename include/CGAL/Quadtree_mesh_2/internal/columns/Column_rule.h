@@ -25,8 +25,8 @@
 // Deviates: the paper warps corners to the edge and shows the bound by cases. Here nothing moves, and no
 //           choice depends on another one further along the edge.
 
-#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_COLUMN_RULE_H
-#define CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_COLUMN_RULE_H
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_COLUMNS_COLUMN_RULE_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_COLUMNS_COLUMN_RULE_H
 
 #include <array>
 
@@ -141,4 +141,4 @@ constexpr double least_angle_of_sectors = 20.7;
 } // namespace Quadtree_mesh_2
 } // namespace CGAL
 
-#endif // CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_COLUMN_RULE_H
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_COLUMNS_COLUMN_RULE_H

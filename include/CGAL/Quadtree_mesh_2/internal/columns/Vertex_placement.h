@@ -14,15 +14,15 @@
 //           grid lines that are not far from it. So leaves that lose a corner have their neighbors in the 7 x 7
 //           squares, or in the band of an edge.
 
-#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_VERTEX_PLACEMENT_H
-#define CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_VERTEX_PLACEMENT_H
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_COLUMNS_VERTEX_PLACEMENT_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_COLUMNS_VERTEX_PLACEMENT_H
 
 #include <CGAL/Quadtree_mesh_2/Grid_point_2.h>
 #include <CGAL/Quadtree_mesh_2/Index.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/Word_operations.h>
+#include <CGAL/Quadtree_mesh_2/internal/columns/Vertex_window.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/quadtree/leaves_in_order.h>
-#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Vertex_window.h>
 
 #include <cmath>
 #include <cstddef>
@@ -141,4 +141,4 @@ std::vector<Leaf_index> leaves_to_split_for_vertices(const Tree& tree, const Ver
 } // namespace Quadtree_mesh_2
 } // namespace CGAL
 
-#endif // CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_VERTEX_PLACEMENT_H
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_COLUMNS_VERTEX_PLACEMENT_H
