@@ -14,6 +14,7 @@
 
 #include <CGAL/IO/Triangle_files.h>
 #include <CGAL/Trapezoidal_vertex_edge_neighbors_2.h>
+#include <CGAL/bounding_box.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>
@@ -62,6 +63,18 @@ Pslg without_duplicates(const Pslg& pslg) {
     if (image[std::size_t(s[0])] != image[std::size_t(s[1])])
       result.add_segment(image[std::size_t(s[0])], image[std::size_t(s[1])]);
   return result;
+}
+
+/// The graph in a box, so that the domain is on all sides of its features.
+Pslg in_box(Pslg pslg) {
+  const auto box = CGAL::bounding_box(pslg.vertices.begin(), pslg.vertices.end());
+  const double extent = std::max(box.xmax() - box.xmin(), box.ymax() - box.ymin());
+  std::vector<Vertex_index> corners;
+  for (std::size_t i = 0; i < 4; ++i)
+    corners.push_back(pslg.add_vertex({i == 0 || i == 3 ? box.xmin() - extent : box.xmax() + extent,
+                                       i < 2 ? box.ymin() - extent : box.ymax() + extent}));
+  for (std::size_t i = 0; i < 4; ++i) pslg.add_segment(corners[i], corners[(i + 1) % 4]);
+  return pslg;
 }
 
 /// Small graphs of all families; needles take too many leaves for brute force.
@@ -158,7 +171,8 @@ TEST_CASE("Each vertex lies in a leaf as small as the distance to its nearest fe
   // times as far as the nearest edge, or an end of that is.
   const double factor = 1.6284 * std::sqrt(2.0) * (1 + 1e-9);
   for (const double distance : {0.7, 3.})
-    for_each_graph(is_full_run() ? 40 : 3, [&](const Pslg& pslg) {
+    for_each_graph(is_full_run() ? 40 : 3, [&](const Pslg& graph_alone) {
+      const Pslg pslg = in_box(graph_alone);
       const Tree_options options = of_vertices_only(distance);
       Prepared graph(pslg);
       const Trees trees = graph.trees(options);
