@@ -320,7 +320,11 @@ public:
         names.push_back(v);
         points.push_back(vertices_.all()[v].center);
       }
-    delaunay_.triangulate(points);
+    // The vertices on edges are all kept, and come first.
+    const bool is_more_than_half = sector_.eighths() > 4 && !sector_.is_only_edge();
+    delaunay_.triangulate(points, vertices_.number_on_edges(), [&](const Small_triangulation::Triangle& t) {
+      return is_more_than_half && !is_in_sector(center({names[t[0]], names[t[1]], names[t[2]]}));
+    });
     Triangles triangles;
     delaunay_.for_each_triangle([&](const Small_triangulation::Triangle& t) {
       std::array<std::size_t, 3> v{names[t[0]], names[t[1]], names[t[2]]};
@@ -361,11 +365,14 @@ private:
   bool is_in_region(const std::array<std::size_t, 3>& t) const {
     const Vertex &a = vertex(t[0]), &b = vertex(t[1]), &c = vertex(t[2]);
     if ((a.edges & b.edges & c.edges) != 0) return false;
-    const Window_point p{(a.center.x + b.center.x + c.center.x) / 3,
-                         (a.center.y + b.center.y + c.center.y) / 3};
+    const Window_point p = center(t);
     const Lattice_point square{static_cast<std::int64_t>(std::floor(p.x)),
                                static_cast<std::int64_t>(std::floor(p.y))};
     return region_.contains(square) && is_in_sector(p);
+  }
+  Window_point center(const std::array<std::size_t, 3>& t) const {
+    const Window_point &a = vertex(t[0]).center, &b = vertex(t[1]).center, &c = vertex(t[2]).center;
+    return {(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3};
   }
   bool is_in_sector(const Window_point& p) const {
     if (sector_.is_only_edge()) return true;

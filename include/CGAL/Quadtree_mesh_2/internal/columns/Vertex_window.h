@@ -22,7 +22,7 @@
 // Points on an edge depend only on that edge and the vertex, corners on the two edges of their sector. So
 // sectors are independent of each other. The unit of all lengths is the side of the leaves around the vertex.
 // Computed in doubles, because the results are only choices. In sectors above 180 degrees the other side of
-// the edges is empty, and edges are sides of triangles if the sectors there are at least 20 degrees.
+// the edges is empty.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_COLUMNS_VERTEX_WINDOW_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_COLUMNS_VERTEX_WINDOW_H
@@ -124,7 +124,9 @@ public:
           points_.push_back({{x, y}, 0});
     places_.clear();
     for (const Point& p : points_) places_.push_back(p.p);
-    triangulation_.triangulate(places_);
+    triangulation_.triangulate(places_, edge_points_.size(), [&](const Triangle& triangle) {
+      return is_more_than_half() && !is_in_sector(center(triangle));
+    });
     double least = 1;
     triangulation_.for_each_triangle([&](const Triangle& triangle) {
       if (is_in_mesh(triangle)) least = std::min(least, squared_sine_of_least_angle(triangle));
@@ -176,12 +178,15 @@ private:
     return x * d.x + y * d.y > 0 && std::abs(d.x * y - d.y * x) < threshold;
   }
   bool is_only_edge() const { return edges_[0].x == edges_[1].x && edges_[0].y == edges_[1].y; }
+  bool is_more_than_half() const {
+    return !is_only_edge() && edges_[0].x * edges_[1].y - edges_[0].y * edges_[1].x <= 0;
+  }
   bool is_inside(double x, double y) const {
     if (is_only_edge()) return true;
     const Window_point &a = edges_[0], &b = edges_[1];
     const bool is_left_of_first = a.x * y - a.y * x > 0, is_right_of_second = x * b.y - y * b.x > 0;
-    return a.x * b.y - a.y * b.x > 0 ? is_left_of_first && is_right_of_second
-                                     : is_left_of_first || is_right_of_second;
+    return is_more_than_half() ? is_left_of_first || is_right_of_second
+                               : is_left_of_first && is_right_of_second;
   }
 
   double cross(const Triangle& t) const {
@@ -193,14 +198,13 @@ private:
   /// Whether the triangle has an area, is in the sector and near the vertex.
   bool is_in_mesh(const Triangle& t) const {
     unsigned edges = 3;
-    Window_point sum{0, 0};
-    for (std::size_t i = 0; i < 3; ++i) {
-      edges &= points_[t[i]].edges;
-      sum = {sum.x + place(t, i).x, sum.y + place(t, i).y};
-    }
-    const Window_point center{sum.x / 3, sum.y / 3};
-    return edges == 0 && cross(t) > 1e-10 && is_near(center.x, center.y, radius_of_triangles) &&
-           is_in_sector(center);
+    for (std::size_t i = 0; i < 3; ++i) edges &= points_[t[i]].edges;
+    const Window_point c = center(t);
+    return edges == 0 && cross(t) > 1e-10 && is_near(c.x, c.y, radius_of_triangles) && is_in_sector(c);
+  }
+  Window_point center(const Triangle& t) const {
+    const Window_point &a = place(t, 0), &b = place(t, 1), &c = place(t, 2);
+    return {(a.x + b.x + c.x) / 3, (a.y + b.y + c.y) / 3};
   }
 
   double squared_sine_of_least_angle(const Triangle& t) const {
