@@ -107,13 +107,14 @@ inline std::vector<Separation_method> separation_methods(const std::vector<unsig
   using Options = CGAL::Quality_mesh_options_2;
   using Trees = CGAL::Tree_separation_options_2;
   const Trees walking, centroids = Trees().subdivide(Trees::Subdivision::CENTROID_TREE),
+                       rays = Trees().find_distances_by(Trees::Distances::AXIS_RAYS),
                        all = Trees::of_theorem();
   std::vector<Separation_method> methods{
       {"on demand", "", 0, Options()},
       {"on demand, smoothed and thinned", "", 0, Options().smooth(2).thin(2)},
       {"Theorem 5", "", 0, Options().separate(walking)},
-      {"Theorem 5", "neighbors by trapezoids", 0, Options().separate(walking), true},
       {"Theorem 5", "centroid trees", 0, Options().separate(centroids)},
+      {"Theorem 5, distances by trapezoids", "", 0, Options().separate(rays), true},
       {"Theorem 5, all rounds", "", 0, Options().separate(all)}};
   for (const unsigned n : threads) {
     methods.push_back({"on demand", "", n, Options()});

@@ -50,14 +50,14 @@ def separation_phases(figures):
     rows = []
     for c in figures("separation")["comparisons"]:
         all_ways = separation_of(c)
-        names = ["Theorem 5", "Theorem 5, neighbors by trapezoids", "Theorem 5, centroid trees"]
+        names = ["Theorem 5", "Theorem 5, distances by trapezoids", "Theorem 5, centroid trees"]
         made = [all_ways.get(name) for name in names]
         if None in made:
             continue
         row = [c["input"], *(significant(m["phases"]["trees"]) for m in made)]
         row += [significant(made[i]["phases"]["construct"]) for i in (0, 2)]
         rows.append([*row, significant(made[0]["phases"]["refine"] + made[0]["phases"]["coarsen"])])
-    titles = ["input", "trees", "trees, neighbors by trapezoids", "trees, edges by centroid trees"]
+    titles = ["input", "trees", "trees, distances by trapezoids", "trees, edges by centroid trees"]
     titles += ["placing", "the same, by centroid trees", "refinement and removal in blocks"]
     return table(titles, rows)
 

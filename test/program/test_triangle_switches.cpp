@@ -41,7 +41,7 @@ std::vector<double> head(const std::string& text) {
 
 } // namespace
 
-TEST_CASE("-e, -n, -v and -o2 of Triangle are outputs of the program", "[program]") {
+TEST_CASE("Triangle's -e, -n, -v and -o2 are outputs of the program", "[program]") {
   const Scratch_folder folder;
   const std::string in = folder.write("in.poly", square), x = folder.file("x");
   REQUIRE(run(in + " --quiet --max-area 0.1 --second-order -o " + x + ".ele -o " + x + ".edge -o " + x +
@@ -90,7 +90,7 @@ TEST_CASE("cells are written, of a mesh in degrees with areas on the ground", "[
   CHECK(run(north + " --quiet -o " + folder.file("n.v.node")).status == 2);
 }
 
-TEST_CASE("-c, -D and -S of Triangle are options of the program", "[program]") {
+TEST_CASE("Triangle's -c, -D and -S are options of the program", "[program]") {
   const Scratch_folder folder;
   const std::string x = folder.file("x"), json = folder.file("x.json");
   const auto report = [&] { return nlohmann::json::parse(content(json)); };
