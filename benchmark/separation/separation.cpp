@@ -62,7 +62,7 @@ separation_tables::Comparisons compare_all(const Settings& settings) {
   std::printf(
       "Medians of %d runs (one where a run takes more than %g s), from points and segments in memory to a\n"
       "mesh in memory; the bound is %g degrees. MB is the most memory of the process, input and program\n"
-      "included. The construction of Theorem 5 ends with two rounds of smoothing and of thinning.\n\n",
+      "included. The construction of Theorem 5 thins blocks out twice, or a small mesh once.\n\n",
       settings.repetitions, settings.limit_seconds / 4.0, settings.min_angle);
   separation_tables::Comparisons comparisons;
   for (const std::string& name : settings.inputs) comparisons.push_back(compare(name, settings));

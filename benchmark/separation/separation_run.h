@@ -101,8 +101,8 @@ inline std::optional<Separation_run> Separation_method::run(const Pslg_task& tas
   return in_child(in_process, task.limit_seconds).result;
 }
 
-/// On demand, as it is and with the rounds of smoothing and thinning that end the construction by quadtrees; that
-/// construction in its variants; and with each number of threads.
+/// On demand, as it is and with rounds of smoothing and thinning; the construction by quadtrees in its
+/// variants; and with each number of threads.
 inline std::vector<Separation_method> separation_methods(const std::vector<unsigned>& threads) {
   using Options = CGAL::Quality_mesh_options_2;
   using Trees = CGAL::Tree_separation_options_2;

@@ -3,9 +3,12 @@
 
 // The options of quality_mesh: what they are and what they may be.
 
+#include "command_line_types.h"
 #include "file_formats.h"
 #include "option_descriptions.h"
+#include "option_uses.h"
 #include "option_values.h"
+#include "output_options.h"
 #include "program_files.h"
 #include "standard_streams.h"
 #include "stream_options.h"
@@ -15,9 +18,6 @@
 #include <CGAL/Feature_properties_2.h>
 #include <CGAL/Point_set_mesh_options_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/Mesh_checkpoints.h>
-#include <CGAL/Quadtree_mesh_2/internal/io/Msh_version.h>
-#include <CGAL/Quadtree_mesh_2/mesh_dual_types.h>
-#include <CGAL/Quadtree_mesh_2/mesh_edges_types.h>
 #include <CGAL/Quality_mesh_options_2.h>
 #include <CGAL/version.h>
 
@@ -35,61 +35,6 @@
 #include <string_view>
 #include <thread>
 #include <vector>
-
-struct Command_line {
-  enum class Task { MESH, PRINT_HELP, PRINT_ALL_OPTIONS, PRINT_VERSION };
-  enum class Kernel { FILTERED, FIXED, EXACT };
-  using Neighbors = mesh_graph::Neighbors;
-  /// What is meshed, and which angles are wanted: a graph, or points alone.
-  enum class Mode { PSLG, POINTS, BOUNDED, ACUTE, WARPED };
-
-  /// What longitudes and latitudes are projected by.
-  enum class Project { BY_FORMAT, NONE, AUTO, MERCATOR, LAMBERT };
-
-  Task task = Task::MESH;
-  Mode mode = Mode::PSLG;
-  std::string input; ///< a file, or standard input (`is_standard_stream()`)
-  std::vector<std::string> outputs;
-  std::string report_file;      ///< empty: none
-  std::string size_points_file; ///< empty: none
-  std::string size_grid_file;   ///< empty: none
-  /// The longest edge at features, and how it grows with the distance from them.
-  struct Feature_sizes {
-    double size, gradation;
-  };
-  std::optional<Feature_sizes> feature_sizes;
-  double gradation = 0; ///< of all these sizes; 0: no limit
-  Kernel kernel = Kernel::FILTERED;
-  CGAL::Quality_mesh_options_2 options;             ///< of Mode::PSLG
-  Neighbors neighbors = Neighbors::TRAPEZOIDAL;     ///< of Mode::PSLG, by quadtrees
-  CGAL::Point_set_mesh_options_2 point_set_options; ///< of all other modes
-  unsigned threads = 1;
-  bool is_comparison_wanted = false;
-  bool are_lengths_wanted = false;
-  Picture_colors colors = Picture_colors::NONE;
-  Picture_colors page_colors = Picture_colors::ANGLE; ///< of .html at first
-  bool is_quadtree_shown = false;
-  bool is_renumbering_wanted = false;
-  std::size_t pieces = 0; ///< of outputs that may have some; 0: not said
-  CGAL::IO::Msh_version msh_version = CGAL::IO::Msh_version::V4_1;
-  CGAL::Feature_properties_2 properties;
-  std::string layer; ///< of files that GDAL reads; empty: the only one
-  CGAL::IO::Element_order element_order = CGAL::IO::Element_order::FIRST;
-  CGAL::Mesh_dual_2::Kind cells = CGAL::Mesh_dual_2::Kind::CIRCUMCENTRIC;
-  bool is_hull_wanted = false;          ///< of Mode::PSLG
-  bool is_repair_wanted = false;        ///< of Mode::PSLG
-  Project project = Project::BY_FORMAT; ///< of Mode::PSLG
-  bool is_projection_said = false;
-  bool is_quiet = false;
-  const Standard_output* standard_output = nullptr; ///< for the mesh, where it is an output
-  std::size_t memory = 0;                           ///< bytes; 0: no limit
-  std::string scratch_folder;                       ///< empty: none is needed
-  bool is_scratch_folder_ours = false;              ///< nobody named it
-  bool is_resumed = false;
-};
-
-inline constexpr const char* mode_names[] = {"pslg", "points", "bounded", "acute", "warped"};
-inline const char* name(Command_line::Mode mode) { return mode_names[static_cast<std::size_t>(mode)]; }
 
 namespace command_line_internal {
 
@@ -162,19 +107,6 @@ inline int thinning_rounds(const po::variables_map& given) {
   return n;
 }
 
-/// \throws Usage_error naming an option that has no meaning with the separation chosen.
-inline void check_uses_with(const po::variables_map& given,
-                            CGAL::Quality_mesh_options_2::Separation separation) {
-  const bool is_on_demand = separation == CGAL::Quality_mesh_options_2::Separation::ON_DEMAND;
-  const std::vector<const char*> senseless =
-      is_on_demand ? std::vector<const char*>{"neighbors", "subdivision", "placement", "tree-rounds"}
-                   : std::vector<const char*>{"min-edge"};
-  for (const char* const option : senseless)
-    if (given.count(option) > 0 && !given[option].defaulted())
-      throw Usage_error(std::string("--") + option + " has no meaning with --separation " +
-                        (is_on_demand ? "on-demand" : "theorem-5"));
-}
-
 inline CGAL::Quality_mesh_options_2::Separation separation(const po::variables_map& given) {
   using Separation = CGAL::Quality_mesh_options_2::Separation;
   constexpr Separation ways[] = {Separation::ON_DEMAND, Separation::THEOREM_5};
@@ -243,61 +175,6 @@ inline void check_files(const Command_line& line) {
   ::check_files(inputs, outputs);
 }
 
-/// Which modes an option has a meaning in.
-struct Option_use {
-  const char* option;
-  std::vector<Command_line::Mode> modes;
-};
-
-inline const std::vector<Option_use>& option_uses() {
-  using Mode = Command_line::Mode;
-  static const std::vector<Option_use> uses = {
-      {"min-angle", {Mode::PSLG}},
-      {"max-edge", {Mode::PSLG}},
-      {"max-area", {Mode::PSLG}},
-      {"min-edge", {Mode::PSLG}},
-      {"region-property", {Mode::PSLG}},
-      {"marker-property", {Mode::PSLG}},
-      {"hull", {Mode::PSLG}},
-      {"repair", {Mode::PSLG}},
-      {"project", {Mode::PSLG}},
-      {"size-points", {Mode::PSLG}},
-      {"size-grid", {Mode::PSLG}},
-      {"size-from-features", {Mode::PSLG}},
-      {"gradation", {Mode::PSLG}},
-      {"domain", {Mode::PSLG}},
-      {"separation", {Mode::PSLG}},
-      {"neighbors", {Mode::PSLG}},
-      {"subdivision", {Mode::PSLG}},
-      {"placement", {Mode::PSLG}},
-      {"tree-rounds", {Mode::PSLG}},
-      {"smooth", {Mode::PSLG}},
-      {"thin", {Mode::PSLG}},
-      {"max-vertices", {Mode::PSLG}},
-      {"max-steiner", {Mode::PSLG}},
-      {"conforming", {Mode::PSLG}},
-      {"no-coarsening", {Mode::PSLG}},
-      {"compare", {Mode::PSLG, Mode::POINTS}},
-      {"angles", {Mode::BOUNDED}},
-      {"square", {Mode::BOUNDED}},
-      {"effort", {Mode::POINTS, Mode::BOUNDED, Mode::ACUTE}},
-      {"budget", {Mode::BOUNDED, Mode::ACUTE}},
-      {"lengths", {Mode::POINTS, Mode::BOUNDED, Mode::ACUTE, Mode::WARPED}}};
-  return uses;
-}
-
-/// \throws Usage_error naming an option that is given and has no meaning in the mode.
-inline void check_option_uses(const po::variables_map& given, Command_line::Mode mode) {
-  for (const auto& [option, modes] : option_uses()) {
-    if (given.count(option) == 0 || given[option].defaulted()) continue;
-    if (std::find(modes.begin(), modes.end(), mode) != modes.end()) continue;
-    std::string all;
-    for (const Command_line::Mode m : modes) all += (all.empty() ? "" : ", ") + std::string(name(m));
-    throw Usage_error(std::string("--") + option + " has no meaning with --mode " + name(mode) +
-                      ", only with " + all);
-  }
-}
-
 inline CGAL::Quality_mesh_options_2 quality_mesh_options(const po::variables_map& given) {
   CGAL::Quality_mesh_options_2 options;
   options.min_angle(min_angle(given))
@@ -351,83 +228,6 @@ inline CGAL::Point_set_mesh_options_2 point_set_mesh_options(const po::variables
   options.effort(whole_number(given, "effort", {0, 3}));
   if (given.count("budget") > 0) options.max_removals(limit(given, "budget"));
   return options;
-}
-
-inline Picture_colors colors(const po::variables_map& given, Command_line::Mode mode,
-                             Picture_colors if_not_given) {
-  constexpr Picture_colors all[] = {Picture_colors::NONE, Picture_colors::ANGLE, Picture_colors::REGION,
-                                    Picture_colors::SIZE};
-  Picture_colors result = if_not_given;
-  if (given.count("color") > 0) result = all[choice(given, "color", {"none", "angle", "region", "size"})];
-  const bool is_by_largest = result == Picture_colors::ANGLE && mode == Command_line::Mode::ACUTE;
-  return is_by_largest ? Picture_colors::LARGEST_ANGLE : result;
-}
-
-/// \throws Usage_error for options of pictures without a picture
-inline void check_picture_options(const po::variables_map& given, const std::vector<std::string>& outputs) {
-  const auto has_output = [&outputs](Output_format format) {
-    return std::any_of(outputs.begin(), outputs.end(),
-                       [format](const std::string& output) { return output_format(output) == format; });
-  };
-  if (given.count("color") > 0 && !has_output(Output_format::SVG) && !has_output(Output_format::HTML))
-    throw Usage_error("--color needs an output .svg or .html (-o FILE.html)");
-  if (text(given, "color") == "size" && has_output(Output_format::SVG))
-    throw Usage_error("--color size has a meaning for .html only, not for .svg");
-  constexpr Output_format with_fields[] = {Output_format::SVG,  Output_format::HTML,   Output_format::VTU,
-                                           Output_format::PVTU, Output_format::VTKHDF, Output_format::XDMF};
-  if (given.count("show-quadtree") > 0 &&
-      std::none_of(std::begin(with_fields), std::end(with_fields), has_output))
-    throw Usage_error(
-        "--show-quadtree needs an output .svg, .html, .vtu, .pvtu, .vtkhdf or .xdmf (-o FILE.html)");
-}
-
-/// \throws Usage_error if no output may have pieces
-inline std::size_t pieces(const po::variables_map& given, const std::vector<std::string>& outputs) {
-  if (given.count("pieces") == 0) return 0;
-  const auto has_pieces = [](const std::string& output) { return !ending_of_pieces(output, 1).empty(); };
-  if (std::none_of(outputs.begin(), outputs.end(), has_pieces))
-    throw Usage_error("--pieces needs an output .pvtu or .msh (-o FILE.pvtu)");
-  return static_cast<std::size_t>(whole_number(given, "pieces", {1, 65536}));
-}
-
-/// \throws Usage_error if there is no output in this format, or it has parts, which are in 4.1
-inline CGAL::IO::Msh_version msh_version(const po::variables_map& given, const Command_line& line) {
-  using CGAL::IO::Msh_version;
-  constexpr Msh_version versions[] = {Msh_version::V4_1, Msh_version::V2_2};
-  if (given.count("msh-version") == 0) return Msh_version::V4_1;
-  const auto is_msh = [](const std::string& output) { return output_format(output) == Output_format::MSH; };
-  if (std::none_of(line.outputs.begin(), line.outputs.end(), is_msh))
-    throw Usage_error("--msh-version needs an output .msh (-o FILE.msh)");
-  const Msh_version version = versions[choice(given, "msh-version", {"4.1", "2.2"})];
-  if (version == Msh_version::V2_2 && line.pieces > 0)
-    throw Usage_error("--pieces writes .msh in version 4.1 only, not by --msh-version 2.2");
-  return version;
-}
-
-inline bool has_output_of(const Command_line& line, const std::vector<Output_format>& formats) {
-  return std::any_of(line.outputs.begin(), line.outputs.end(), [&formats](const std::string& output) {
-    return std::find(formats.begin(), formats.end(), output_format(output)) != formats.end();
-  });
-}
-
-/// \throws Usage_error if no output has elements of second order, or parts would have some
-inline CGAL::IO::Element_order element_order(const po::variables_map& given, const Command_line& line) {
-  if (given.count("second-order") == 0) return CGAL::IO::Element_order::FIRST;
-  if (!has_output_of(line, {Output_format::TRIANGLE, Output_format::VTU, Output_format::MSH}))
-    throw Usage_error("--second-order needs an output .ele, .vtu or .msh (-o FILE.vtu)");
-  if (line.pieces > 0 && has_output_of(line, {Output_format::MSH}))
-    throw Usage_error("--second-order has no meaning for .msh in parts (--pieces)");
-  return CGAL::IO::Element_order::SECOND;
-}
-
-/// \throws Usage_error if no output has cells
-inline CGAL::Mesh_dual_2::Kind cells(const po::variables_map& given, const Command_line& line) {
-  using Kind = CGAL::Mesh_dual_2::Kind;
-  constexpr Kind kinds[] = {Kind::CIRCUMCENTRIC, Kind::BARYCENTRIC};
-  if (given.count("cells") == 0) return Kind::CIRCUMCENTRIC;
-  if (!has_output_of(line, {Output_format::CELLS_GEOJSON, Output_format::CELLS_WKT}))
-    throw Usage_error("--cells needs an output .cells.geojson or .cells.wkt (-o FILE.cells.geojson)");
-  return kinds[choice(given, "cells", {"voronoi", "median"})];
 }
 
 /// The scratch folder, empty if nothing is kept in one.

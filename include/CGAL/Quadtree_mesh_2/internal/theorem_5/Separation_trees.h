@@ -6,22 +6,24 @@
 //
 // The quadtrees that separate the features of a planar straight-line graph.
 //
-// Computes: T_B, the balanced quadtree of the vertices. T_B', in which each vertex lies in a leaf as small as
-//           its distance to the nearest other vertex or edge asks for. T_B'', in which edges that bound a
-//           common cell in a leaf are apart. T_B*, in which edges in neighboring leaves are apart as well.
+// Computes: T_B, the balanced quadtree of the vertices, where it tells distances. T_B', in which each vertex lies
+//           in a leaf as small as its distance to the nearest other vertex or edge asks for. T_B'', in which
+//           edges that bound a common cell in a leaf are apart. T_B*, in which edges in neighboring leaves are
+//           apart as well.
 // Bound:    O(log n) rounds for T_B and T_B', and for each split but for balance after it; O((n + k) log n)
 //           work, for n vertices and k leaves and pieces of edges in T_B*. Sizes are in proportion to the local
 //           feature size, or to the width of the gap in front of an edge. So k is within a constant of the size
 //           of any triangulation with such angles.
 // Source:   Bern, Eppstein, Teng, section 6; Lemma 5 for the distances.
-// Deviates: where several vertices may share a leaf, which is the default, T_B' does not begin with T_B: leaves are as
-//           small as the distances of their vertices ask for, and no smaller. T_B tells what these distances are.
+// Deviates: by default the triangulation of the domain tells the distances (Geodesic_distance.h), and there is no T_B.
+//           Several vertices may share a leaf then: leaves are as small as the distances of their vertices ask for, and
+//           no smaller.
 //           T_B'' and T_B* are made by splitting leaves one level at a time until nothing is too near. The
 //           paper finds at once how far to go. So there are as many rounds as levels are missing, and balance
 //           after each of them takes as many as the tree has levels. A leaf is looked at again only when it or
-//           one next to it was split (Passed_leaves.h). T_B* looks at adjacent leaves only, and at pairs in
-//           sight of each other; balance takes care of what is farther away. Tree_separation_options_2.h and
-//           Edge_gaps.h say which distances suffice.
+//           one next to it was split (Passed_leaves.h). T_B* looks at pairs in sight of each other, and in adjacent
+//           leaves only where these have all that is as near as the options say; else as far as they say
+//           (Features_in_sight.h). Tree_separation_options_2.h and Edge_gaps.h say which distances suffice.
 //
 // Leaves become no smaller than a few units of the coordinates there. Features nearer to each other than that
 // have no room for vertices between representable coordinates (`has_room()`).
@@ -317,6 +319,7 @@ private:
   }
 
   using Part = typename Edge_gaps<Geometry>::Part;
+  using Frame = typename Edge_gaps<Geometry>::Leaf;
 
   struct Scratch {
     Leaf_cells<typename Tree::Word> cells;
@@ -334,9 +337,7 @@ private:
       const auto leaf = frame(l);
       // A leaf with a vertex in its corner has pieces of all edges there, and all of them in each of its cells.
       if (gaps_.are_all_joined_near(leaf, pieces)) return false;
-      find_own_parts(l, leaf, scratch), find_parts_around(std::array{l}, leaf, scratch);
-      const auto any = [](Edge_id, Edge_id, const Local_gap&) { return true; };
-      if (pieces.size() > 2 && !has_near_pair(leaf, scratch, any)) return false;
+      if (pieces.size() > 2 && !has_near_pieces(l, leaf, scratch)) return false; // which spares their cells
       bool is_any = false;
       for_each_pair_in_cell(l, scratch, [&](Edge_id e, Edge_id f) {
         is_any = is_any || (!gaps_.are_joined_near(leaf, e, f) &&
@@ -344,6 +345,12 @@ private:
       });
       return is_any;
     });
+  }
+
+  /// Whether any two pieces in a leaf are too near for it, in whatever cells.
+  bool has_near_pieces(Leaf_index l, const Frame& leaf, Scratch& scratch) const {
+    find_own_parts(l, leaf, scratch), find_parts_around(std::array{l}, leaf, scratch);
+    return has_near_pair(leaf, scratch, [](Edge_id, Edge_id, const Local_gap&) { return true; });
   }
 
   /// Calls `f` for the pairs of edges on the boundary of a common cell in a leaf.
@@ -386,8 +393,6 @@ private:
       return !is_hidden(gap, e, f, scratch, leaf);
     });
   }
-
-  using Frame = typename Edge_gaps<Geometry>::Leaf;
 
   void find_own_parts(Leaf_index l, const Frame& leaf, Scratch& scratch) const {
     scratch.own.clear();
