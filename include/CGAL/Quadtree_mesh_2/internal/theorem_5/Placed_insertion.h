@@ -181,7 +181,7 @@ private:
 
   // ---- single vertices
 
-  /// \param t in sight of v
+  /// \param t at the place of v, before vertices were inserted
   /// \param last the vertex inserted last, near v as a rule; v, if that is inserted
   static Insertion insert_corner(Mesh& mesh, Vertex_id v, Triangle_id t, Vertex_id& last) {
     const Point p = mesh.point(v);

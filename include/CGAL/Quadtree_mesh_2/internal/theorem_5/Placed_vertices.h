@@ -91,7 +91,7 @@ struct Placed_vertices {
   Uninitialized_indexed_vector<Vertex_id, Vertex_role> role_of;
   std::vector<Run> runs;                       ///< those on edges, by edge
   Vertex_id first_corner;                      ///< of a leaf
-  std::vector<Triangle_id> triangle_of_corner; ///< in sight of each corner, from the first on
+  std::vector<Triangle_id> triangle_of_corner; ///< that has the corner, for each from the first on
   std::vector<Edge_id> cramped_edges; ///< those without some of their vertices for want of room; in order
 
   explicit Placed_vertices(const Uninitialized_indexed_vector<Vertex_id, typename Geometry::Point>& input)
@@ -123,7 +123,7 @@ struct Placed_vertices {
   }
 
   /// Appends the corners of leaves that are kept, by name.
-  /// \param location gives a triangle in sight of a corner, or none if it is outside of the domain
+  /// \param location gives the triangle of the domain that has a corner, or none
   template <class ConcurrencyTag, class Trees, class Corners, class Location>
   void append_corners(const Trees& trees, const Corners& corners, const std::vector<char>& is_kept,
                       const Location& location) {
