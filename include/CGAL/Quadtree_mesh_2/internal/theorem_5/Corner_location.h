@@ -30,6 +30,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Edge_triangles.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Near_segment.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Separation_trees.h>
+#include <CGAL/Quadtree_mesh_2/internal/triangulation/triangle_toward.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/walk.h>
 
 #include <algorithm>
@@ -180,16 +181,10 @@ private:
   /// The same of triangles that are connected to those of an edge.
   Triangle_id triangle_toward(const Point& p, Vertex_id end,
                               const typename Edge_triangles<Geometry>::Pair& pair) const {
-    const Point& from = mesh_.point(end);
     for (const Side s : {pair.left, pair.right}) {
       if (s.is_border()) continue;
-      Fan_walk<Kernel_mesh<Geometry>> fan(mesh_, end, s.triangle());
-      do {
-        const auto& v = mesh_.triangle(fan.triangle()).v;
-        if (Geometry::orientation(from, mesh_.point(v[next_slot[fan.slot()]]), p) >= 0 &&
-            Geometry::orientation(from, mesh_.point(v[previous_slot[fan.slot()]]), p) <= 0)
-          return fan.triangle();
-      } while (fan.advance());
+      const Triangle_id t = internal::triangle_toward(mesh_, end, s.triangle(), p);
+      if (t.is_valid()) return t;
     }
     return {};
   }

@@ -28,8 +28,10 @@
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Placed_vertices.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Block_cut.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Mesh_blocks.h>
+#include <CGAL/Quadtree_mesh_2/internal/triangulation/triangle_toward.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/walk.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -66,8 +68,8 @@ private:
   using Blocks = Mesh_blocks<ConcurrencyTag, Geometry>;
   using Run = typename Placed::Run;
 
-  /// What becomes of a corner.
-  enum class Insertion { INSERTED, LEFT_OUT, BEYOND_SEAM };
+  /// Whether it is known what becomes of a corner.
+  enum class Insertion { DONE, BLOCKED };
 
   /// What comes of the work in a block, by number in `placed_`.
   struct Block_work {
@@ -111,7 +113,21 @@ private:
   }
 
   void insert_corner_late(std::size_t i, Vertex_id& last) {
-    insert_corner(mesh_, corner(i), placed_.triangle_of_corner[i], last);
+    const Triangle_id t = placed_.triangle_of_corner[i];
+    if (insert_corner(mesh_, corner(i), t, last) == Insertion::DONE) return;
+    const Walk_end end = locate_from_vertices_of(t, mesh_.point(corner(i)));
+    if (!end.is_blocked()) insert_corner_at(mesh_, corner(i), end.triangle, last);
+  }
+
+  /// \param t the triangle of the domain that has p. Nothing is between p and its vertices, whatever was inserted.
+  Walk_end locate_from_vertices_of(Triangle_id t, const Point& p) const {
+    for (const Vertex_id v : triangles_.mesh().triangle(t).v) {
+      const Triangle_id start = triangle_toward(mesh_, v, mesh_.incident_triangle(v), p);
+      if (!start.is_valid()) continue;
+      const Walk_end end = walk_along(mesh_, start, mesh_.point(v), p);
+      if (!end.is_blocked()) return end;
+    }
+    return {{}, 0};
   }
 
   void insert_run_late(const Run& run) {
@@ -154,7 +170,7 @@ private:
     for (const std::uint32_t i : corners) {
       const Vertex_id v = block.add_known_vertex(corner(i));
       const Triangle_id t = blocks.place_of(placed_.triangle_of_corner[i]);
-      if (insert_corner(block.mesh, v, t, last) == Insertion::BEYOND_SEAM) work.corners_left.push_back(i);
+      if (insert_corner(block.mesh, v, t, last) == Insertion::BLOCKED) work.corners_left.push_back(i);
     }
   }
 
@@ -188,24 +204,25 @@ private:
     Walk_end end{{}, 0};
     if (last.is_valid()) end = locate_exactly(mesh, mesh.incident_triangle(last), p);
     if (end.is_blocked()) end = locate_exactly(mesh, t, p);
-    const auto outcome_at = [&](int slot) {
-      return mesh.triangle(end.triangle).side[slot].is_seam() ? Insertion::BEYOND_SEAM : Insertion::LEFT_OUT;
-    };
-    if (end.is_blocked()) return outcome_at(end.blocked_slot);
-    const auto r = mesh.triangle(end.triangle);
+    return end.is_blocked() ? Insertion::BLOCKED : insert_corner_at(mesh, v, end.triangle, last);
+  }
+
+  /// \param t has the place of v
+  static Insertion insert_corner_at(Mesh& mesh, Vertex_id v, Triangle_id t, Vertex_id& last) {
+    const auto r = mesh.triangle(t);
     int on_slot = -1;
     for (int k = 0; k < 3; ++k) {
-      if (mesh.point(r.v[k]) == p) return Insertion::LEFT_OUT;
-      if (Geometry::orientation(mesh.point(r.v[next_slot[k]]), mesh.point(r.v[previous_slot[k]]), p) == 0)
-        on_slot = k;
+      if (mesh.point(r.v[k]) == mesh.point(v)) return Insertion::DONE;
+      if (mesh.orientation(r.v[next_slot[k]], r.v[previous_slot[k]], v) == 0) on_slot = k;
     }
-    if (on_slot >= 0 && r.side[on_slot].is_constrained()) return outcome_at(on_slot);
+    if (on_slot >= 0 && r.side[on_slot].is_seam()) return Insertion::BLOCKED;
+    if (on_slot >= 0 && r.side[on_slot].is_constrained()) return Insertion::DONE;
     if (on_slot < 0)
-      mesh.insert_in_triangle(end.triangle, v);
+      mesh.insert_in_triangle(t, v);
     else
-      mesh.insert_on_side(end.triangle, on_slot, v);
+      mesh.insert_on_side(t, on_slot, v);
     last = v;
-    return Insertion::INSERTED;
+    return Insertion::DONE;
   }
 
   /// \param s the edge of the run, which is not at a seam
