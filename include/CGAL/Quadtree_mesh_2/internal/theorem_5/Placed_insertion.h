@@ -23,7 +23,6 @@
 #include <CGAL/Quadtree_mesh_2/internal/parallel/group_in_order.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
-#include <CGAL/Quadtree_mesh_2/internal/refinement/keeps_orientation.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Edge_triangles.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Placed_vertices.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Block_cut.h>
@@ -133,7 +132,7 @@ private:
   void insert_run_late(const Run& run) {
     const Vertex_id a = state_.edges[run.edge].a, b = state_.edges[run.edge].b;
     insert_run(
-        mesh_, run, state_.side_between(a, b), b, [](Vertex_id v) { return v; }, cramped_);
+        mesh_, run, a, b, state_.side_between(a, b), [](Vertex_id v) { return v; }, cramped_);
   }
 
   // ---- in blocks
@@ -184,7 +183,8 @@ private:
         work.runs_left.push_back(i);
       else
         insert_run(
-            block.mesh, run, s, b, [&block](Vertex_id v) { return block.add_known_vertex(v); }, work.cramped);
+            block.mesh, run, a, b, s, [&block](Vertex_id v) { return block.add_known_vertex(v); },
+            work.cramped);
     }
   }
 
@@ -225,22 +225,59 @@ private:
     return Insertion::DONE;
   }
 
-  /// \param s the edge of the run, which is not at a seam
-  /// \param b its second end
+  /// A piece of an edge, which is not at a seam, and the vertices to be inserted on it.
+  struct Piece {
+    Vertex_id a, b;
+    std::size_t first, last; ///< placed vertices
+    std::size_t size() const { return last - first; }
+  };
+
+  /// \param a, b its ends in the mesh
   /// \param handle gives the handle in the mesh of a placed vertex that is inserted
   template <class Handle>
-  void insert_run(Mesh& mesh, const Run& run, Side s, Vertex_id b, const Handle& handle,
+  void insert_run(Mesh& mesh, const Run& run, Vertex_id a, Vertex_id b, Side s, const Handle& handle,
                   std::vector<Edge_id>& cramped) const {
+    const std::size_t first = run.first.value();
+    std::vector<Piece> pieces{{a, b, first, first + run.size}};
     bool are_all_inserted = true;
-    for (const Vertex_id placed : run.vertices()) {
-      const bool has_room = keeps_orientation(mesh, s, placed_.points[placed]);
-      are_all_inserted = are_all_inserted && has_room;
-      if (!has_room) continue;
-      const Vertex_id v = handle(placed);
+    while (!pieces.empty()) {
+      const Piece piece = pieces.back();
+      pieces.pop_back();
+      if (piece.size() == 0) continue;
+      if (piece.size() < run.size) s = mesh.find_side(piece.a, piece.b);
+      const std::size_t i = place_to_split(mesh, piece, s);
+      are_all_inserted = are_all_inserted && i < piece.last;
+      if (i == piece.last) continue;
+      const Vertex_id v = handle(static_cast<Vertex_id>(i));
       mesh.insert_on_side(s.triangle(), s.slot(), v);
-      s = mesh.find_side(v, b);
+      pieces.push_back({v, piece.b, i + 1, piece.last});
+      pieces.push_back({piece.a, v, piece.first, i});
     }
     if (!are_all_inserted) cramped.push_back(run.edge);
+  }
+
+  /// Which vertex splits a piece: the middle one, if there is room for it. Triangles beside a long piece may be too low
+  /// for one that is far from their apex. Then another one is first. None: the last one's successor.
+  std::size_t place_to_split(const Mesh& mesh, const Piece& piece, Side s) const {
+    constexpr std::size_t most_parts = 32;
+    for (std::size_t parts = 2; parts <= most_parts && parts < 4 * piece.size(); parts *= 2)
+      for (std::size_t part = 1; part < parts; part += 2) {
+        const std::size_t i = piece.first + piece.size() * part / parts;
+        if (may_split_at(mesh, s, placed_.points[static_cast<Vertex_id>(i)])) return i;
+      }
+    return piece.last;
+  }
+
+  /// Whether the triangles at a side keep their orientation if the side is split at p, which rounding may have put
+  /// beside it. Lengths are for rooms to judge.
+  static bool may_split_at(const Mesh& mesh, Side s, const Point& p) {
+    const Side o = mesh.across(s);
+    return keeps_orientation(mesh, s, p) && (o.is_border() || keeps_orientation(mesh, o, p));
+  }
+  static bool keeps_orientation(const Mesh& mesh, Side s, const Point& p) {
+    const Point& apex = mesh.point(mesh.opposite(s));
+    return Geometry::orientation(apex, mesh.point(mesh.source(s)), p) > 0 &&
+           Geometry::orientation(apex, p, mesh.point(mesh.target(s))) > 0;
   }
 };
 
