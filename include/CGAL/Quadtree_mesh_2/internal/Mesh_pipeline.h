@@ -391,9 +391,9 @@ private:
     Kernel_mesh<Geometry> domain =
         is_first_choice ? std::move(state_.mesh) : triangulate_domain<ConcurrencyTag>(problem_, sides);
     report_.trees.end = make_mesh_by_trees(domain, sides);
-    const std::size_t meshes = report_.trees.rounds - (report_.trees.end == End::FAILED ? 1 : 0);
-    if (is_first_choice && (meshes == 0 || report_.trees.end == End::BUDGET)) state_.mesh = std::move(domain);
-    if (meshes == 0) return false;
+    if (is_first_choice && (report_.trees.rounds == 0 || report_.trees.end == End::BUDGET))
+      state_.mesh = std::move(domain);
+    if (report_.trees.rounds == 0) return false;
     clock_.enter(&Seconds::refine);
     if (is_first_choice && report_.trees.end == End::BUDGET) {
       report_.trees.placed = 0;
@@ -440,7 +440,6 @@ private:
       trees.emplace(problem_, sides, graph, map_, tree_options, traits_, domain, find_hits_,
                     budgets().of_construction().leaves, report_.trees);
     } catch (const Point_error& error) {
-      ++report_.trees.rounds;
       if (report_.trees.has_taken_over) return Tree_separation_report_2::End::FAILED;
       throw words_.too_near(std::array{static_cast<Vertex_id>(error.point().value()),
                                        static_cast<Vertex_id>(error.other().value())},
