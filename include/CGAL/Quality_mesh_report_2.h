@@ -27,7 +27,7 @@ struct Tree_separation_report_2 {
     COORDINATES, ///< triangles are left because coordinates have no room for smaller leaves
     BUDGET,      ///< trees or rounds take more than the budget
     CANCELLED,   ///< the callback stopped it
-    FAILED       ///< the last round gave no mesh; the mesh is that of the round before, or of refinement
+    FAILED       ///< vertices are too near each other for the grid of quadtrees; refinement went on
   };
 
   End end = End::NONE; ///< how it ended

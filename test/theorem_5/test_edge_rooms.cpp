@@ -12,6 +12,8 @@
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Edge_rooms.h>
+#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Edge_triangles.h>
+#include <CGAL/Quadtree_mesh_2/internal/triangulation/First_triangulation.h>
 
 #include <algorithm>
 #include <array>
@@ -62,9 +64,8 @@ struct Bundle {
 
   Vertex_id add(const Point& p) { return problem.input_points.add(p); }
 
-  /// Whether it is a graph: no edges cross, and no vertex lies on another one's edge.
-  bool is_planar() const {
-    internal::Kernel_mesh<Geometry> mesh;
+  /// Triangulates it, if it is a graph: no edges cross, and no vertex lies on another one's edge.
+  bool triangulate(internal::Kernel_mesh<Geometry>& mesh) const {
     internal::First_triangulation<CGAL::Sequential_tag, Geometry> first(mesh, problem.input_points.values());
     std::vector<std::array<Vertex_id, 2>> segments;
     for (const Edge_id e : problem.edges.ids()) segments.push_back({problem.edges[e].a, problem.edges[e].b});
@@ -123,9 +124,12 @@ TEST_CASE("Edges bent within their rooms are the same graph", "[mesher][theorem5
   for (const double offset : {0., 10., 1e6})
     for (std::uint64_t seed = 0; seed < (is_full_run() ? 300u : 15u); ++seed) {
       const Bundle bundle(seed, offset);
-      if (!bundle.is_planar()) continue;
+      internal::Kernel_mesh<Geometry> mesh;
+      if (!bundle.triangulate(mesh)) continue;
       CAPTURE(offset, seed);
-      const auto rooms = internal::Edge_rooms<Geometry>::of<CGAL::Sequential_tag>(bundle.problem);
+      const auto triangles = internal::Edge_triangles<Geometry>::of<CGAL::Sequential_tag>(
+          mesh, bundle.problem.edges, bundle.problem.input_points.size());
+      const internal::Edge_rooms<Geometry> rooms(bundle.problem, triangles);
       std::vector<std::vector<Point>> chains;
       for (std::size_t e = 0; e < bundle.problem.edges.size(); ++e)
         chains.push_back(bundle.bent(Edge_id(e), rooms));

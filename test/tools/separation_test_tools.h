@@ -60,7 +60,7 @@ public:
     problem_.input_points.assign(points.begin(), points.end());
     internal::Domain_rule<Geometry> domain;
     for (const Point_2& p : pslg.holes) domain.holes.push_back(map_.to_kernel(p));
-    domain.apply(state_.mesh, First::number_of_auxiliary_vertices);
+    problem_.set_outside(domain.apply(state_.mesh, First::number_of_auxiliary_vertices));
     sides_.emplace(state_.mesh, problem_.edges);
     problem_.bounds = internal::Bounds<Geometry>(20.7 * CGAL_PI / 180, 0, 0);
     internal::Size_estimate<Geometry> estimate(state_, ConcurrencyTag());
@@ -92,6 +92,7 @@ public:
   }
 
   const internal::Meshing_problem<Geometry>& problem() const { return problem_; }
+  internal::Meshing_state<Geometry>& state() { return state_; }
   const internal::Edge_sides& sides() const { return *sides_; }
   const Pslg& graph() const { return graph_; }
   const Map& map() const { return map_; }

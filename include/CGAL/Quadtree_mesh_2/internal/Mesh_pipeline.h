@@ -55,7 +55,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/squares/Bulk_filler.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Separation_trees.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Tree_construction.h>
-#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Tree_triangulation.h>
+#include <CGAL/Quadtree_mesh_2/internal/theorem_5/triangulate_domain.h>
 #include <CGAL/Quadtree_mesh_2/internal/thinning/Second_refinement.h>
 #include <CGAL/Quadtree_mesh_2/internal/thinning/Thinner.h>
 #include <CGAL/Quadtree_mesh_2/internal/thinning/thin_small_mesh.h>
@@ -155,7 +155,6 @@ private:
   Order order_; // kernel vertex -> input vertex
   Input_words<Point_2> words_{pslg_, order_};
   Facing_pair worst_pair_;
-  Indexed_vector<Vertex_id, char> is_merged_;      // kernel vertices that another one stands for
   std::optional<Pslg_error_2> too_near_for_trees_; // the error for the first of them
   double triangles_of_sizes_ = 0;                  // what bounds of size ask for, as estimated
   Block_rounds rounds_;
@@ -195,13 +194,12 @@ private:
     First first(state_.mesh, problem_.input_points.values(), std::move(problem_.vertex_blocks));
     if (const auto crossing = first.run(kernel_segments<ConcurrencyTag>(pslg_, order_)))
       throw words_.crossing(first.edges(), *crossing);
-    is_merged_.resize(n);
     report_.merged_vertices = reduce<ConcurrencyTag>(
         n, std::size_t(0),
         [&](std::size_t begin, std::size_t end) {
           std::size_t merged = 0;
           for (const Vertex_id v : Id_range<Vertex_id>(begin, end))
-            merged += std::size_t(is_merged_[v] = first.representative(v) != v ? 1 : 0);
+            merged += std::size_t(first.representative(v) != v ? 1 : 0);
           return merged;
         },
         std::plus<>());
@@ -273,7 +271,7 @@ private:
   /// All that a checkpoint has; the rest follows from input and options.
   template <class Archive>
   void transfer(Archive& archive) {
-    archive(state_, problem_, rounds_, is_merged_, worst_pair_, triangles_of_sizes_, report_.merged_vertices,
+    archive(state_, problem_, rounds_, worst_pair_, triangles_of_sizes_, report_.merged_vertices,
             report_.vertices_on_segments, report_.estimated_triangles, report_.rounds, report_.trees,
             report_.is_budget_exhausted);
   }
@@ -389,13 +387,15 @@ private:
     using End = Tree_separation_report_2::End;
     if (too_near_for_trees_) throw *too_near_for_trees_;
     const bool is_first_choice = !report_.trees.has_taken_over;
-    Kernel_mesh<Geometry> mesh_before = is_first_choice ? state_.mesh : Kernel_mesh<Geometry>();
-    report_.trees.end = make_mesh_by_trees();
-    const std::size_t meshes = report_.trees.rounds - (report_.trees.end == End::FAILED ? 1 : 0);
-    if (meshes == 0) return false;
+    const Edge_sides sides(state_.mesh, problem_.edges);
+    Kernel_mesh<Geometry> domain =
+        is_first_choice ? std::move(state_.mesh) : triangulate_domain<ConcurrencyTag>(problem_, sides);
+    report_.trees.end = make_mesh_by_trees(domain, sides);
+    if (is_first_choice && (report_.trees.rounds == 0 || report_.trees.end == End::BUDGET))
+      state_.mesh = std::move(domain);
+    if (report_.trees.rounds == 0) return false;
     clock_.enter(&Seconds::refine);
     if (is_first_choice && report_.trees.end == End::BUDGET) {
-      state_.mesh = std::move(mesh_before);
       report_.trees.placed = 0;
       state_.clear_worklist();
       return false;
@@ -429,17 +429,17 @@ private:
   }
 
   /// \throws Pslg_error_2 if the user wants quadtrees and their grid cannot tell two vertices apart
-  Tree_separation_report_2::End make_mesh_by_trees() {
+  /// \param domain the triangulation of the domain
+  Tree_separation_report_2::End make_mesh_by_trees(const Kernel_mesh<Geometry>& domain,
+                                                   const Edge_sides& sides) {
     const Pslg graph = graph_of_edges(pslg_, order_, problem_.edges);
-    const Edge_sides sides(state_.mesh, problem_.edges);
     const Tree_separation_options_2 tree_options = options_of_trees();
     std::optional<Separation_trees<Traits, ConcurrencyTag>> trees;
     try {
       clock_.enter(&Seconds::trees);
-      trees.emplace(problem_, sides, graph, map_, tree_options, traits_, state_.mesh, find_hits_,
+      trees.emplace(problem_, sides, graph, map_, tree_options, traits_, domain, find_hits_,
                     budgets().of_construction().leaves, report_.trees);
     } catch (const Point_error& error) {
-      ++report_.trees.rounds;
       if (report_.trees.has_taken_over) return Tree_separation_report_2::End::FAILED;
       throw words_.too_near(std::array{static_cast<Vertex_id>(error.point().value()),
                                        static_cast<Vertex_id>(error.other().value())},
@@ -447,7 +447,7 @@ private:
     }
     if (trees->is_exhausted()) return Tree_separation_report_2::End::BUDGET;
     clock_.enter(&Seconds::construct);
-    Tree_construction construction(state_, *trees, map_, is_merged_, sides, report_.trees);
+    Tree_construction construction(state_, *trees, map_, domain, report_.trees);
     // Leaves can be split without end for a bound that their rule is not made for: refinement meets a higher one.
     const Bounds<Geometry> wanted = problem_.bounds;
     problem_.bounds.lower_to_established();

@@ -50,11 +50,9 @@ public:
   bool is_domain_on_left(Edge_id e) const { return labels_[e][left_] != outside_; }
   bool is_domain_on_right(Edge_id e) const { return labels_[e][right_] != outside_; }
 
-  /// Restricts a triangulation of the whole graph to the domain, and labels its regions.
-  /// \param edge_at gives the edge that a constrained side is a piece of, and whether the side's triangle is on the
-  ///        left of that
-  template <class Mesh, class Edge_at>
-  void restrict(Mesh& mesh, std::size_t number_of_auxiliary_vertices, const Edge_at& edge_at) const {
+  /// Restricts a triangulation of the whole graph, in which no edge is cut, to the domain, and labels its regions.
+  template <class Mesh>
+  void restrict(Mesh& mesh, const Input_edges& edges, std::size_t number_of_auxiliary_vertices) const {
     constexpr Region_id unknown(0xfffffffdu);
     Uninitialized_indexed_vector<Triangle_id, Region_id> label(mesh.triangles.size(), unknown);
     for_each_index<Chosen_tag>(label.size(), [&](std::size_t i) {
@@ -62,8 +60,9 @@ public:
       for (int k = 0; k < 3 && label[t] == unknown; ++k) {
         const Side s(t, k);
         if (mesh.across(s).is_border() || !mesh.across(s).is_constrained()) continue;
-        const auto [e, is_left] = edge_at(s);
-        label[t] = labels_[e][is_left ? left_ : right_];
+        const Vertex_id a = mesh.source(s);
+        const Edge_id e = edges.between(a, mesh.target(s));
+        label[t] = labels_[e][a == edges[e].a ? left_ : right_];
       }
     });
     spread(mesh, label, unknown);

@@ -4,11 +4,11 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// The vertices of a mesh made from the leaves of a quadtree, and the pieces of edges between them.
+// The vertices of a mesh made from the leaves of a quadtree, and where they are.
 //
 // All vertices of the graph are there, unchanged. Vertices on edges are rounded so that they stay in the room
 // of their edge (Edge_rooms.h), and left out if there is none. Corners of leaves are left out if coordinates
-// have no room for the leaves.
+// have no room for the leaves, or if they are outside of the domain.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_PLACED_VERTICES_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_PLACED_VERTICES_H
@@ -18,7 +18,6 @@
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Input_edges.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Kernel_mesh.h>
 
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -78,10 +77,21 @@ private:
 
 template <class Geometry>
 struct Placed_vertices {
+  /// The vertices on an edge, from its first end to its second.
+  struct Run {
+    Edge_id edge;
+    Vertex_id first;
+    std::size_t size;
+
+    Id_range<Vertex_id> vertices() const { return {first.value(), first.value() + size}; }
+  };
+
   Uninitialized_indexed_vector<Vertex_id, typename Geometry::Point>
       points; ///< first the input's, then those on edges, then corners
   Uninitialized_indexed_vector<Vertex_id, Vertex_role> role_of;
-  std::vector<std::array<Vertex_id, 2>> segments;
+  std::vector<Run> runs;                       ///< those on edges, by edge
+  Vertex_id first_corner;                      ///< of a leaf
+  std::vector<Triangle_id> triangle_of_corner; ///< that has the corner, for each from the first on
   std::vector<Edge_id> cramped_edges; ///< those without some of their vertices for want of room; in order
 
   explicit Placed_vertices(const Uninitialized_indexed_vector<Vertex_id, typename Geometry::Point>& input)
@@ -107,31 +117,35 @@ struct Placed_vertices {
                                      }
                                    });
     for (const auto& list : cramped) cramped_edges.insert(cramped_edges.end(), list.begin(), list.end());
-    Edge_id e(0);
     for (const auto& crossings : found)
-      for (const auto& c : crossings) {
-        for (; e < c.edge; ++e) close_edge(edges, e);
-        append(edges, c);
-      }
-    for (; e < edges.end_id(); ++e) close_edge(edges, e);
+      for (const auto& c : crossings) append(c);
+    first_corner = points.end_id();
   }
 
   /// Appends the corners of leaves that are kept, by name.
-  template <class ConcurrencyTag, class Trees, class Corners>
-  void append_corners(const Trees& trees, const Corners& corners, const std::vector<char>& is_kept) {
+  /// \param location gives the triangle of the domain that has a corner, or none
+  template <class ConcurrencyTag, class Trees, class Corners, class Location>
+  void append_corners(const Trees& trees, const Corners& corners, const std::vector<char>& is_kept,
+                      const Location& location) {
     // Other leaves around a corner may be a level further down.
     const auto has_room = [&](std::size_t c) {
       return trees.has_room(trees.tree().level(Corners::leaf_of(c)) + 1,
                             trees.kernel_point(corners.place(c)));
     };
+    std::vector<Triangle_id> triangle(is_kept.size());
+    for_each_index<ConcurrencyTag>(is_kept.size(), [&](std::size_t c) {
+      if (is_kept[c] != 0 && has_room(c)) triangle[c] = location(c);
+    });
     const auto names = pack_values<ConcurrencyTag, typename Corners::Name>(
-        is_kept.size(), [&](std::size_t c) { return is_kept[c] != 0 && has_room(c); },
+        is_kept.size(), [&](std::size_t c) { return triangle[c].is_valid(); },
         [](std::size_t c) { return c; });
     const std::size_t first = points.size();
     points.resize(first + names.size());
     role_of.resize(first + names.size(), free_vertex);
+    triangle_of_corner.resize(names.size());
     for_each_index<ConcurrencyTag>(names.size(), [&](std::size_t i) {
       points[static_cast<Vertex_id>(first + i)] = trees.kernel_point(corners.place(names[i]));
+      triangle_of_corner[i] = triangle[names[i]];
     });
   }
 
@@ -156,18 +170,11 @@ private:
     return are_all_in_room;
   }
 
-  /// The last vertex on an edge so far, if it is the edge at work.
-  Vertex_id last_on(const Input_edges& edges, Edge_id e) const {
-    return role_of.back() == e ? points.last_id() : edges[e].a;
-  }
-  /// Joins the last vertex on an edge to its end.
-  void close_edge(const Input_edges& edges, Edge_id e) {
-    segments.push_back({last_on(edges, e), edges[e].b});
-  }
-  void append(const Input_edges& edges, const Edge_crossing<Geometry>& c) {
-    const Vertex_id last = last_on(edges, c.edge);
-    segments.push_back({last, points.add(c.point)});
+  void append(const Edge_crossing<Geometry>& c) {
+    const Vertex_id v = points.add(c.point);
     role_of.push_back(c.edge);
+    if (runs.empty() || runs.back().edge != c.edge) runs.push_back({c.edge, v, 0});
+    ++runs.back().size;
   }
 };
 

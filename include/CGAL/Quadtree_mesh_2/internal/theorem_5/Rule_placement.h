@@ -23,6 +23,9 @@
 #include <CGAL/Quadtree_mesh_2/internal/grid/Grid_box.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/quadtree/Tree_corners.h>
+#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Corner_location.h>
+#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Edge_rooms.h>
+#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Edge_triangles.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Placed_vertices.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Separation_trees.h>
 
@@ -46,9 +49,9 @@ public:
   using Problem = Meshing_problem<Geometry>;
 
   /// \pre leaves are equal at vertices, and in columns along edges: `Separation_trees` sees to it
-  Rule_placement(const Problem& problem, const Trees& trees, const Edge_rooms<Geometry>& rooms)
-      : problem_(problem), trees_(trees), rooms_(rooms), tree_(trees.tree()), corners_(trees.tree()),
-        box_(box_of_points<ConcurrencyTag>(trees.tree())) {}
+  Rule_placement(const Problem& problem, const Trees& trees, const Edge_triangles<Geometry>& triangles)
+      : problem_(problem), trees_(trees), triangles_(triangles), rooms_(problem, triangles),
+        tree_(trees.tree()), corners_(trees.tree()), box_(box_of_points<ConcurrencyTag>(trees.tree())) {}
 
   Placed_vertices<Geometry> run() {
     Placed_vertices<Geometry> placed(problem_.input_points);
@@ -64,7 +67,8 @@ public:
     });
     drop_corners(problem_.input_points.size(),
                  [this](std::size_t v, auto& names) { find_corners_at(static_cast<Vertex_id>(v), names); });
-    placed.template append_corners<ConcurrencyTag>(trees_, corners_, is_kept_);
+    placed.template append_corners<ConcurrencyTag>(trees_, corners_, is_kept_,
+                                                   Location(problem_, trees_, corners_, triangles_));
     return placed;
   }
 
@@ -73,6 +77,7 @@ private:
   using Word = typename Tree::Word;
   using Grid_point = typename Trees::Grid_point;
   using Corners = Tree_corners<Tree>;
+  using Location = Corner_location<Traits, ConcurrencyTag>;
   using Name = typename Corners::Name;
   using Line = Edge_line<Word>;
   using Columns = std::vector<Edge_column<Word>>;
@@ -83,7 +88,8 @@ private:
 
   const Problem& problem_;
   const Trees& trees_;
-  const Edge_rooms<Geometry>& rooms_;
+  const Edge_triangles<Geometry>& triangles_;
+  const Edge_rooms<Geometry> rooms_;
   const Tree& tree_;
   Corners corners_;
   const Grid_box<Grid_point> box_;

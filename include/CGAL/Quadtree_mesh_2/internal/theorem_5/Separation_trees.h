@@ -79,8 +79,7 @@ public:
   using Find_hits = Find_nearest_hits<Pslg>;
 
   /// \param graph the vertices and edges of the problem, in its order
-  /// \param mesh the constrained Delaunay triangulation of the domain. If Lemma 5 tells distances, it may have other
-  ///        vertices, too. Then vertices beyond gaps outside the domain count.
+  /// \param mesh the constrained Delaunay triangulation of the domain
   /// \param find_hits by which model Lemma 5 finds neighbors of vertices; null: by the quadtree
   /// \param most_leaves separation stops before there are more, but for those of the last step, or before its steps
   ///        have looked at 25 times as many: `is_exhausted()`. Then edges are not all apart.
@@ -186,19 +185,16 @@ private:
   /// vertex is such, the nearest vertex in sight is a neighbor in the triangulation.
   /// \param first T_B
   /// \param hits how far edges are that vertices see along the axes
-  /// \param mesh the triangulation, or one with other vertices, in which near vertices count in any case
   void separate_vertices_of(const Tree& first, const std::vector<Axis_distances>& hits,
                             const Kernel_mesh<Geometry>& mesh) {
     const Geodesic_distance<Geometry> geodesic_distance(mesh);
-    const bool is_of_graph = mesh.number_of_vertices() == problem_.input_points.size();
     report_.leaves_of_points = first.number_of_leaves();
     separate_vertices(first.framework(), [&](Point_rank r, Vertex_id v) {
       double distance = std::numeric_limits<double>::infinity();
       if (const Point_rank near = first.near_neighbor(r); near.is_valid()) {
         const Vector way = Geometry::difference(problem_.input_point(vertex_at(first.framework(), near)),
                                                 problem_.input_point(v));
-        distance = !is_of_graph || directions_.is_domain(v, way) ? std::sqrt(squared_length(way))
-                                                                 : geodesic_distance(v);
+        distance = directions_.is_domain(v, way) ? std::sqrt(squared_length(way)) : geodesic_distance(v);
       }
       for (std::size_t d = 0; d < directions_of_axes.size(); ++d) {
         const double hit = hits[v.value()][d];

@@ -7,7 +7,8 @@
 // A mesh by quadtrees that separate the features of a planar straight-line graph.
 //
 // Computes: a triangulation of the domain with no angle below the bound except in acute corners. It is made
-//           from the quadtree T_B*, vertices placed by a rule, and their constrained Delaunay triangulation.
+//           from the quadtree T_B*, and vertices placed by a rule, which are inserted into the constrained Delaunay
+//           triangulation of the domain.
 // Bound:    k triangles, within a constant of what any triangulation with such angles needs. O(n log n + k)
 //           work for each round. A round is O(log^2 n) parallel steps.
 // Source:   Bern, Eppstein, Teng, Theorem 5 (Theorem 6 with one thread).
@@ -33,15 +34,14 @@
 #define CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_TREE_CONSTRUCTION_H
 
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
-#include <CGAL/Quadtree_mesh_2/internal/refinement/Edge_sides.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Remover.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Vertex_budgets.h>
-#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Edge_rooms.h>
+#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Edge_triangles.h>
+#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Placed_insertion.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Rule_placement.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Separation_trees.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Tree_placement.h>
-#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Tree_triangulation.h>
 #include <CGAL/Quality_mesh_report_2.h>
 
 #include <algorithm>
@@ -81,18 +81,16 @@ public:
   using End = Report::End;
 
   /// \param trees of the state's problem
-  /// \param is_merged for each input vertex whether another one stands for it
-  /// \pre the state's mesh is the first triangulation, unless the construction has taken over from refinement
+  /// \param domain the constrained Delaunay triangulation of the problem's edges, restricted to the domain
   Tree_construction(State& state, Trees& trees, const typename Trees::Map& map,
-                    const Indexed_vector<Vertex_id, char>& is_merged, const Edge_sides& sides, Report& report)
-      : state_(state), mesh_(state.mesh), trees_(trees), map_(map), is_merged_(is_merged), sides_(sides),
-        report_(report),
-        rooms_(report.has_taken_over
-                   ? Edge_rooms<Geometry>::template of<ConcurrencyTag>(state.problem)
-                   : Edge_rooms<Geometry>::template in_domain<ConcurrencyTag>(state.problem, sides, mesh_)) {}
+                    const Kernel_mesh<Geometry>& domain, Report& report)
+      : state_(state), mesh_(state.mesh), trees_(trees), map_(map), report_(report),
+        triangles_(Edge_triangles<Geometry>::template of<ConcurrencyTag>(domain, state.edges,
+                                                                         state.problem.input_points.size())) {
+  }
 
-  /// Replaces the mesh, unless the first round fails. What is below the bound at the end is on the worklist.
-  /// `shall_go_on()` is asked once a round. The round that uses up the budget is the last.
+  /// Replaces the mesh. What is below the bound at the end is on the worklist. `shall_go_on()` is asked once a round.
+  /// The round that uses up the budget is the last.
   /// \pre the trees are not exhausted
   template <class Continue>
   End run(const Tree_separation_options_2& options, const Construction_budget& budget,
@@ -103,7 +101,7 @@ public:
     for (;;) {
       ++report_.rounds;
       report_.handed_over = 0;
-      if (!make_mesh(placement)) return End::FAILED;
+      make_mesh(placement);
       std::vector<Triangle_id> sharp = sharp_triangles();
       report_.triangles = mesh_.number_of_triangles();
       report_.missed_by_rule = sharp.size();
@@ -131,26 +129,24 @@ private:
   Kernel_mesh<Geometry>& mesh_;
   Trees& trees_;
   const typename Trees::Map& map_;
-  const Indexed_vector<Vertex_id, char>& is_merged_;
-  const Edge_sides& sides_;
   Report& report_;
-  const Edge_rooms<Geometry> rooms_;
-  std::vector<Edge_id> cramped_edges_; // of the last round
+  const Edge_triangles<Geometry> triangles_; // of the domain
+  std::vector<Edge_id> cramped_edges_;       // of the last round
 
   Grid_point grid_point(const typename Geometry::Point& p) const {
     return trees_.tree().framework().grid().grid_point(map_.to_user(p));
   }
 
-  bool make_mesh(Tree_separation_options_2::Placement placement) {
+  void make_mesh(Tree_separation_options_2::Placement placement) {
     state_.clear_worklist();
-    const auto placed = placement == Tree_separation_options_2::Placement::BY_RULE
-                            ? Rule_placement<Traits, ConcurrencyTag>(state_.problem, trees_, rooms_).run()
-                            : Tree_placement<Traits, ConcurrencyTag>(state_.problem, trees_, rooms_).run();
-    cramped_edges_ = placed.cramped_edges;
-    Tree_triangulation<ConcurrencyTag, Geometry> triangulation(placed, is_merged_, state_.edges, sides_);
-    if (!triangulation.run([this](const auto& p) { return grid_point(p); }, mesh_)) return false;
     state_.corners.forget_cuts(); // those of the mesh that is replaced
-    return true;
+    const auto placed =
+        placement == Tree_separation_options_2::Placement::BY_RULE
+            ? Rule_placement<Traits, ConcurrencyTag>(state_.problem, trees_, triangles_).run()
+            : Tree_placement<Traits, ConcurrencyTag>(state_.problem, trees_, triangles_).run();
+    cramped_edges_ = Placed_insertion<ConcurrencyTag, Geometry>(state_, placed, triangles_).run();
+    cramped_edges_.insert(cramped_edges_.end(), placed.cramped_edges.begin(), placed.cramped_edges.end());
+    std::sort(cramped_edges_.begin(), cramped_edges_.end());
   }
 
   bool is_sharp(Triangle_id t) const {

@@ -25,6 +25,9 @@
 #include <CGAL/Quadtree_mesh_2/internal/grid/Grid_box.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/quadtree/Tree_corners.h>
+#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Corner_location.h>
+#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Edge_rooms.h>
+#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Edge_triangles.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Near_segment.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Placed_vertices.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Separation_trees.h>
@@ -59,9 +62,9 @@ public:
   using Point = typename Geometry::Point;
   using Problem = Meshing_problem<Geometry>;
 
-  Tree_placement(const Problem& problem, const Trees& trees, const Edge_rooms<Geometry>& rooms)
-      : problem_(problem), trees_(trees), rooms_(rooms), tree_(trees.tree()), corners_(trees.tree()),
-        box_(box_of_points<ConcurrencyTag>(trees.tree())) {}
+  Tree_placement(const Problem& problem, const Trees& trees, const Edge_triangles<Geometry>& triangles)
+      : problem_(problem), trees_(trees), triangles_(triangles), rooms_(problem, triangles),
+        tree_(trees.tree()), corners_(trees.tree()), box_(box_of_points<ConcurrencyTag>(trees.tree())) {}
 
   Placed_vertices<Geometry> run() {
     Placed_vertices<Geometry> placed(problem_.input_points);
@@ -69,7 +72,8 @@ public:
         problem_.edges, rooms_, [this](Edge_id e, auto& crossings) { cut_edge(e, crossings); });
     find_corners_kept();
     drop_corners_at_vertices();
-    placed.template append_corners<ConcurrencyTag>(trees_, corners_, is_kept_);
+    placed.template append_corners<ConcurrencyTag>(trees_, corners_, is_kept_,
+                                                   Location(problem_, trees_, corners_, triangles_));
     return placed;
   }
 
@@ -77,6 +81,7 @@ private:
   using Tree = typename Trees::Tree;
   using Grid_point = typename Trees::Grid_point;
   using Corners = Tree_corners<Tree>;
+  using Location = Corner_location<Traits, ConcurrencyTag>;
   using Name = typename Corners::Name;
 
   static constexpr std::size_t block_of_leaves_ = 256;
@@ -84,7 +89,8 @@ private:
 
   const Problem& problem_;
   const Trees& trees_;
-  const Edge_rooms<Geometry>& rooms_;
+  const Edge_triangles<Geometry>& triangles_;
+  const Edge_rooms<Geometry> rooms_;
   const Tree& tree_;
   Corners corners_;
   const Grid_box<Grid_point> box_;

@@ -35,9 +35,10 @@ namespace internal {
 template <class Mesh>
 class Fan_walk {
 public:
-  Fan_walk(const Mesh& mesh, Vertex_id v)
-      : mesh_(mesh), v_(v), start_(mesh.incident_triangle(v)), t_(start_),
-        slot_(Mesh::slot_of(mesh.triangle(t_), v)) {}
+  Fan_walk(const Mesh& mesh, Vertex_id v) : Fan_walk(mesh, v, mesh.incident_triangle(v)) {}
+  /// \param start one of the triangles at v
+  Fan_walk(const Mesh& mesh, Vertex_id v, Triangle_id start)
+      : mesh_(mesh), v_(v), start_(start), t_(start_), slot_(Mesh::slot_of(mesh.triangle(t_), v)) {}
 
   Triangle_id triangle() const { return t_; }
   int slot() const { return slot_; } ///< of the vertex

@@ -100,6 +100,27 @@ Walk_end locate_exactly(const Kernel_mesh<Geometry>& mesh, Triangle_id t, const 
       [lots = Slot_lots()]() mutable { return lots.draw(); }, [](Side s) { return s.is_border(); });
 }
 
+/// Walks from a triangle that has `from`, or is next to it, along the segment to q, where that does not meet the
+/// border. Where rounding of `from` leaves no such way, any other will do.
+template <class Geometry>
+Walk_end walk_along(const Kernel_mesh<Geometry>& mesh, Triangle_id t, const typename Geometry::Point& from,
+                    const typename Geometry::Point& q) {
+  for (int entry = -1;;) {
+    const auto& r = mesh.triangle(t);
+    int exit = -1, other = -1, border = -1;
+    for (int k = 0; k < 3; ++k) {
+      if (k == entry || !is_behind_side(mesh, r, k, q)) continue;
+      const bool is_crossed = Geometry::orientation(from, q, mesh.point(r.v[next_slot[k]])) <= 0 &&
+                              Geometry::orientation(from, q, mesh.point(r.v[previous_slot[k]])) >= 0;
+      (r.side[k].is_border() ? border : is_crossed ? exit : other) = k;
+    }
+    if (exit < 0) exit = other;
+    if (exit < 0) return {t, border};
+    entry = r.side[exit].slot();
+    t = r.side[exit].triangle();
+  }
+}
+
 /// Walks from t toward q in sight of it: stops at constrained sides, and after `most_steps`. Slots 0 and 1 are tried
 /// first in turn.
 template <class Geometry>
