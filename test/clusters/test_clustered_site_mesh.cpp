@@ -63,8 +63,8 @@ TEST_CASE("Meshes with clusters are strictly acute", "[site_mesh][clusters]") {
   for (const Clustered_input& input : clustered_inputs()) {
     CAPTURE(input.name);
     const Points& points = input.points;
-    const auto clusters =
-        internal::frame_clusters<Doubles>(points, internal::find_clusters<Doubles>(points, 2248));
+    const auto clusters = internal::frame_clusters<CGAL::Sequential_tag, Doubles>(
+        points, internal::find_clusters<CGAL::Sequential_tag, Doubles>(points, 2248));
     CHECK(clusters.frames.size() == input.clusters + 1);
     for (const int most_rings : {0, 2}) {
       CAPTURE(most_rings);

@@ -154,7 +154,8 @@ Checked_frames check_frames(const Points<Geometry>& points, const Framed_cluster
 
 template <class Geometry>
 Framed_clusters<Geometry> framed(const Points<Geometry>& points, double gap = internal::least_cluster_gap) {
-  return internal::frame_clusters<Geometry>(points, internal::find_clusters<Geometry>(points, gap));
+  return internal::frame_clusters<CGAL::Sequential_tag, Geometry>(
+      points, internal::find_clusters<CGAL::Sequential_tag, Geometry>(points, gap));
 }
 
 } // namespace

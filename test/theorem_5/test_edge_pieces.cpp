@@ -8,6 +8,7 @@
 
 #include "catch.h"
 #include "edge_pieces_brute_force.h"
+#include "quadtree_rounds.h"
 #include "quadtree_test_inputs.h"
 #include "random_pslg_shapes.h"
 
@@ -203,6 +204,22 @@ std::vector<Leaf_index> check_centroids(const Tree& tree, const Centroid_tree<ty
   return all;
 }
 
+/// Whether two centroid trees have the same splits below their nodes.
+template <class Word>
+bool are_equal(const Centroid_tree<Word>& a, Centroid_node v, const Centroid_tree<Word>& b, Centroid_node w) {
+  if (v.is_leaf() || w.is_leaf()) return v.is_leaf() && w.is_leaf() && v.leaf() == w.leaf();
+  const auto &s = a.split(v), &t = b.split(w);
+  return s.square.x == t.square.x && s.square.y == t.square.y && s.square.level == t.square.level &&
+         are_equal(a, s.inside, b, t.inside) && are_equal(a, s.outside, b, t.outside);
+}
+
+/// Two points next to each other, deep in the tree in the middle of the shuffle order: squares with half of the leaves
+/// are many levels above the leaf in the middle.
+Case deep_in_the_middle() {
+  const std::uint64_t middle = 0x1555555555555555;
+  return {{"deep in the middle", {{middle, middle}, {middle + 2, middle}}}, {}};
+}
+
 template <class Tree>
 void check_centroid_tree(const Tree& tree, std::size_t leaves_per_part) {
   const auto centroids = centroid_tree<CGAL::Sequential_tag>(tree, leaves_per_part);
@@ -251,6 +268,24 @@ TEST_CASE("centroid trees split evenly and hold all leaves", "[edge_pieces]") {
         check_centroid_tree(tree, leaves_per_part);
       check_centroid_tree(tree, all_leaves);
     });
+  for_each_tree<Fixed_64_traits>(deep_in_the_middle(), 1000, [](const auto& tree, const Segments&) {
+    REQUIRE(tree.depth() >= 55);
+    check_centroid_tree(tree, all_leaves);
+    check_centroid_tree(tree, 50);
+  });
+}
+
+TEST_CASE("centroid trees take logarithmically many steps", "[edge_pieces]") {
+  for (std::size_t n = 256; n <= (is_full_run() ? 262144u : 65536u); n *= 4) {
+    const Balanced_quadtree<Fixed_64_traits> tree(make_points<Fixed_64_traits>(uniform(n, 1)));
+    for (const std::size_t leaves_per_part : {all_leaves, 5 * n, 5 * n / 16}) {
+      const std::size_t steps =
+          Round_counter::instance().count([&] { centroid_tree<Counted_tag>(tree, leaves_per_part); }).steps;
+      const double log_k = std::log2(static_cast<double>(tree.number_of_leaves()));
+      CAPTURE(n, tree.number_of_leaves(), leaves_per_part, steps);
+      CHECK(static_cast<double>(steps) <= 10 * log_k);
+    }
+  }
 }
 
 TEST_CASE("pieces by centroid trees are those by walking", "[edge_pieces]") {
@@ -350,6 +385,10 @@ TEST_CASE("pieces are the same for any number of threads", "[edge_pieces]") {
     REQUIRE(walk_edges<CGAL::Parallel_tag>(tree, many.segments) == expected);
     REQUIRE(subdivide_edges<CGAL::Parallel_tag>(tree, many.segments) == expected);
     const auto all = centroid_tree<CGAL::Parallel_tag>(tree, all_leaves);
+    REQUIRE(tree.number_of_leaves() > 20000); // more than a block
+    const auto by_one = centroid_tree<CGAL::Sequential_tag>(tree, all_leaves);
+    REQUIRE(all.height() == by_one.height());
+    REQUIRE(are_equal(all, all.parts()[0].root, by_one, by_one.parts()[0].root));
     REQUIRE(subdivide_edges<CGAL::Parallel_tag>(tree, all, many.segments) == expected);
   }
 #endif

@@ -138,8 +138,8 @@ Site_mesh<Geometry> clustered_mesh_of(const std::vector<typename Geometry::Point
                                       const Bounds& bounds, double gap = internal::least_cluster_gap,
                                       const Coarsening_effort& effort = Coarsening_effort()) {
   const auto frame = Grid_frame<Geometry>::template axis_parallel<Tag>(points);
-  const Framed_clusters<Geometry> clusters =
-      internal::frame_clusters<Geometry>(points, internal::find_clusters<Geometry>(points, gap));
+  const Framed_clusters<Geometry> clusters = internal::frame_clusters<CGAL::Sequential_tag, Geometry>(
+      points, internal::find_clusters<CGAL::Sequential_tag, Geometry>(points, gap));
   Tile_forest<Tag, Geometry> forest(points, frame, clusters, options_for(bounds));
   CHECK(forest.number_of_trees() == clusters.frames.size());
   return mesh_of(forest, bounds, effort);

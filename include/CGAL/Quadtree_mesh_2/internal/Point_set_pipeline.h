@@ -95,7 +95,7 @@ private:
   const Point_set_mesh_options_2& options_;
   const Traits& traits_;
   Point_set_mesh_report_2& report_;
-  Phase_clock<Point_set_mesh_report_2> clock_{report_};
+  Phase_clock<Point_set_mesh_report_2, ConcurrencyTag> clock_{report_};
   Progress progress_{options_.progress()};
 
   // --- Theorems 3 and 4 ---
@@ -135,8 +135,8 @@ private:
                     options);
     }
     const Frame frame = checked(Frame::template axis_parallel<ConcurrencyTag>(points));
-    const Framed_clusters<Geometry> clusters =
-        frame_clusters<Geometry>(points, find_clusters<Geometry>(points, options_.clusters()));
+    const Framed_clusters<Geometry> clusters = frame_clusters<ConcurrencyTag, Geometry>(
+        points, find_clusters<ConcurrencyTag, Geometry>(points, options_.clusters()));
     report_.clusters = clusters.tree.clusters.size() - 1;
     return clusters.tree.clusters.size() > 1 ? Forest(points, frame, clusters, options)
                                              : Forest(points, frame, options);

@@ -13,10 +13,12 @@
 //           is the set of all points. A cluster becomes a quadtree of its own, in which a point stands for
 //           each cluster inside it. That quadtree takes the place of one vertex of its parent's
 //           (Cluster_frame.h).
-// Bound:    O(n log n).
-// Method:   Single linkage. Kruskal's algorithm makes the points' minimum spanning tree from the edges of
-//           their Delaunay triangulation. When it is about to link a component by an edge, the length of the
-//           edge is the component's distance to all other points. Each cluster is a component at some time.
+// Bound:    O(n log n) expected work. O(log n) rounds, besides those of the triangulation (neighbor_edges.h) and one
+//           thread that puts the clusters found in order (Cluster_tree.h).
+// Method:   Single linkage (Single_linkage.h), by the edges of the points' minimum spanning tree. The first edge to
+//           leave what shorter edges link is as long as its distance to all other points. Each cluster is linked at
+//           some length. As it is at least as wide as its longest edge in x or in y, few sets come into question.
+//           Where there is one, boxes are joined along chains, one round of components after the other.
 // Deviates: the paper finds candidates in the framework tree. It then merges up to four candidates or points
 //           near a common corner of their squares. Distances know nothing of squares, so nothing has to be
 //           merged here. Exactly the sets of the definition are found.
@@ -39,8 +41,14 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_CLUSTERS_FIND_CLUSTERS_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_CLUSTERS_FIND_CLUSTERS_H
 
+#include <CGAL/Quadtree_mesh_2/internal/base/Indexed_vector.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/Uninitialized_vector.h>
 #include <CGAL/Quadtree_mesh_2/internal/clusters/Cluster_tree.h>
-#include <CGAL/Quadtree_mesh_2/internal/clusters/delaunay_edges.h>
+#include <CGAL/Quadtree_mesh_2/internal/clusters/Component_tree.h>
+#include <CGAL/Quadtree_mesh_2/internal/clusters/Linkage_boxes.h>
+#include <CGAL/Quadtree_mesh_2/internal/clusters/Single_linkage.h>
+#include <CGAL/Quadtree_mesh_2/internal/clusters/neighbor_edges.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/assertions.h>
 
 #include <algorithm>
@@ -57,104 +65,140 @@ namespace internal {
 /// With a smaller gap a cluster may not fit into the place of a vertex.
 constexpr double least_cluster_gap = 2248;
 
-/// Components of points that grow together, with their bounding boxes and the topmost clusters in them.
-template <class Geometry>
-class Linked_components {
+template <class ConcurrencyTag, class Geometry>
+class Cluster_finder {
 public:
   using Point = typename Geometry::Point;
 
-  Linked_components(const std::vector<Point>& points, double gap)
-      : points_(points), gap_(gap), parents_(points.size()), sizes_(points.size(), 1), boxes_(points.size()),
-        first_(points.size()), last_(points.size()), next_(points.size(), none), owners_(points.size(), 0),
-        found_(1) {
-    for (std::uint32_t i = 0; i < points.size(); ++i) {
-      parents_[i] = first_[i] = last_[i] = i;
-      boxes_[i] = {i, i, i, i};
-    }
-  }
+  Cluster_finder(const std::vector<Point>& points, double gap)
+      : points_(points), gap_(gap), graph_(neighbor_edges<ConcurrencyTag, Geometry>(points)),
+        linkage_(Single_linkage::of<ConcurrencyTag>(graph_)) {}
 
-  std::uint32_t component(std::uint32_t i) {
-    while (parents_[i] != i) i = parents_[i] = parents_[parents_[i]];
-    return i;
-  }
-
-  /// Links two components by an edge of the minimum spanning tree, next to be made.
-  void link(std::uint32_t a, std::uint32_t b, double length) {
-    close_if_cluster(a, length);
-    close_if_cluster(b, length);
-    if (sizes_[a] < sizes_[b]) std::swap(a, b);
-    parents_[b] = a;
-    sizes_[a] += sizes_[b];
-    boxes_[a] = joined(points_, boxes_[a], boxes_[b]);
-    next_[last_[a]] = first_[b];
-    last_[a] = last_[b];
-  }
-
-  /// The clusters, when all points are in one component.
-  Cluster_tree take_tree() {
+  Cluster_tree run() {
     if (points_.empty()) return Cluster_tree();
-    const std::uint32_t root = component(0);
-    set_owner(root, 0);
-    found_[0].box = boxes_[root];
-    found_[0].width = width_of<Geometry>(points_, boxes_[root]);
-    found_[0].distance = std::numeric_limits<double>::infinity();
-    return Cluster_tree(std::move(found_), std::move(owners_));
+    find_links();
+    std::vector<Found_cluster> found(links_.size() + 1);
+    std::vector<std::int32_t> owners(points_.size(), 0);
+    if (!links_.empty()) {
+      find_places_of_components();
+      for_each_index<ConcurrencyTag>(links_.size(),
+                                     [&](std::size_t k) { found[k + 1] = cluster_of(links_[k]); });
+      for_each_vertex([&](Vertex_id v) { owners[graph_.point(v)] = cluster_around_[component(v)]; });
+    }
+    found[0] = root();
+    Cluster_tree tree = Cluster_tree::of<ConcurrencyTag>(found, owners);
+    tree.nearest.assign(points_.size(), std::numeric_limits<double>::infinity());
+    if (points_.size() > 1)
+      for_each_vertex(
+          [&](Vertex_id v) { tree.nearest[graph_.point(v)] = linkage_.length_of_exit(component(v)); });
+    return tree;
   }
 
 private:
-  static constexpr std::uint32_t none = std::uint32_t(-1);
+  using Boxes = Linkage_boxes<ConcurrencyTag, Geometry>;
 
   const std::vector<Point>& points_;
   double gap_;
-  std::vector<std::uint32_t> parents_, sizes_;
-  std::vector<Cluster_box> boxes_;
-  // By component the list of its items: points, and clusters with numbers behind those of points.
-  std::vector<std::uint32_t> first_, last_, next_;
-  std::vector<std::int32_t> owners_; // of points
-  std::vector<Found_cluster> found_; // the first is the root
+  Measured_graph graph_;
+  Single_linkage linkage_;
+  std::vector<std::uint32_t> links_; // those whose sets are clusters; cluster k + 1 is that of links_[k]
+  Uninitialized_vector<std::uint32_t> links_before_; // by link, how many of links_ are before it
+  Uninitialized_indexed_vector<Component_id, std::int32_t>
+      cluster_around_;                                       // by component, the least that has it
+  Uninitialized_indexed_vector<Link_id, Cluster_box> boxes_; // if there may be clusters
 
-  void close_if_cluster(std::uint32_t c, double distance) {
-    if (first_[c] == last_[c]) return; // one point, or a cluster that is closed already
-    const double width = width_of<Geometry>(points_, boxes_[c]);
-    if (!(distance >= gap_ * width)) return;
-    const auto number = static_cast<std::int32_t>(found_.size());
-    set_owner(c, number);
-    Found_cluster cluster;
-    cluster.box = boxes_[c];
-    cluster.width = width;
-    cluster.distance = distance;
-    found_.push_back(cluster);
-    first_[c] = last_[c] =
-        static_cast<std::uint32_t>(points_.size()) + static_cast<std::uint32_t>(number) - 1;
-    next_.push_back(none);
+  static Component_id component(Vertex_id v) { return Component_id(v.value()); }
+
+  template <class F>
+  void for_each_vertex(const F& f) const {
+    for_each_index<ConcurrencyTag>(points_.size(), [&](std::size_t i) { f(Vertex_id(i)); });
   }
 
-  void set_owner(std::uint32_t c, std::int32_t owner) {
-    for (std::uint32_t item = first_[c]; item != none; item = next_[item])
-      if (item < points_.size())
-        owners_[item] = owner;
-      else
-        found_[item - points_.size() + 1].parent = owner;
+  void find_links() {
+    const std::size_t n = linkage_.number_of_links();
+    const bool may_be_any = reduce<ConcurrencyTag>(
+        n, false,
+        [&](std::size_t begin, std::size_t end) {
+          for (std::size_t f = begin; f < end; ++f)
+            if (may_be_cluster(Link_id(f))) return true;
+          return false;
+        },
+        [](bool a, bool b) { return a || b; });
+    if (!may_be_any) return;
+    boxes_ = Boxes(points_, linkage_).run();
+    links_ = pack<ConcurrencyTag>(n, [&](std::size_t f) { return is_cluster(Link_id(f)); });
+  }
+
+  /// Whether a set is so far from others that it may be a cluster. Its width is at least sqrt(1/2) of its longest edge.
+  bool may_be_cluster(Link_id f) const {
+    constexpr double least_width = 0.707;
+    const double distance = linkage_.distance(f);
+    return distance >= gap_ * least_width * linkage_.length(f) &&
+           distance < std::numeric_limits<double>::infinity();
+  }
+  bool is_cluster(Link_id f) const {
+    return may_be_cluster(f) && linkage_.distance(f) >= gap_ * width_of<Geometry>(points_, boxes_[f]);
+  }
+
+  /// Finds the least cluster around each component and its exit, from the last component to the vertices.
+  void find_places_of_components() {
+    find_links_before();
+    const Component_tree& components = linkage_.components();
+    cluster_around_.resize(components.number_of_components());
+    for (std::size_t round = components.number_of_rounds(); round-- > 0;) {
+      const std::size_t first = components.first_of_round(round);
+      for_each_index<ConcurrencyTag>(components.first_of_round(round + 1) - first, [&](std::size_t i) {
+        const Component_id c(first + i);
+        cluster_around_[c] = components.is_last(c) ? 0 : least_cluster_from(linkage_.exit(c));
+      });
+    }
+  }
+
+  void find_links_before() {
+    const std::size_t n = linkage_.number_of_links();
+    links_before_.resize(n + 1);
+    for_each_index<ConcurrencyTag>(links_.size() + 1, [&](std::size_t k) {
+      const std::size_t begin = k == 0 ? 0 : links_[k - 1] + std::size_t(1),
+                        end = k == links_.size() ? n + 1 : links_[k] + std::size_t(1);
+      for (std::size_t f = begin; f < end; ++f) links_before_[f] = static_cast<std::uint32_t>(k);
+    });
+  }
+
+  /// The least cluster that has the set of a link: that of a link behind it in its chain, or around the chain's
+  /// component.
+  std::int32_t least_cluster_from(Link_id f) const {
+    const std::uint32_t k = links_before_[f.value()];
+    const bool is_in_chain = k < links_.size() && linkage_.chain(Link_id(links_[k])) == linkage_.chain(f);
+    return is_in_chain ? static_cast<std::int32_t>(k) + 1 : cluster_around_[linkage_.chain(f)];
+  }
+
+  Found_cluster cluster_of(std::uint32_t link) const {
+    const Link_id f(link);
+    Found_cluster cluster;
+    cluster.parent = linkage_.is_last_of_chain(f) ? cluster_around_[linkage_.chain(f)]
+                                                  : least_cluster_from(Single_linkage::behind(f));
+    cluster.box = boxes_[f];
+    cluster.width = width_of<Geometry>(points_, cluster.box);
+    cluster.distance = linkage_.distance(f);
+    return cluster;
+  }
+
+  Found_cluster root() const {
+    Found_cluster cluster;
+    cluster.box = box_of_points<ConcurrencyTag>(points_);
+    cluster.width = width_of<Geometry>(points_, cluster.box);
+    cluster.distance = std::numeric_limits<double>::infinity();
+    return cluster;
   }
 };
 
 /// Finds the clusters.
 /// \param gap at least `least_cluster_gap` if the clusters are to be meshed.
-/// \pre the points are distinct
-template <class Geometry>
+/// \pre the points are distinct, and integers span at most 2^61
+template <class ConcurrencyTag, class Geometry>
 Cluster_tree find_clusters(const std::vector<typename Geometry::Point>& points, double gap) {
   CGAL_precondition(gap > 2);
-  Linked_components<Geometry> components(points, gap);
-  std::vector<double> nearest(points.size(), std::numeric_limits<double>::infinity());
-  for (const Measured_edge& edge : sorted_delaunay_edges<Geometry>(points)) {
-    nearest[edge.a] = std::min(nearest[edge.a], edge.length);
-    nearest[edge.b] = std::min(nearest[edge.b], edge.length);
-    const std::uint32_t a = components.component(edge.a), b = components.component(edge.b);
-    if (a != b) components.link(a, b, edge.length);
-  }
-  Cluster_tree tree = components.take_tree();
-  tree.nearest = std::move(nearest);
-  return tree;
+  return Cluster_finder<ConcurrencyTag, Geometry>(points, gap).run();
 }
 
 } // namespace internal

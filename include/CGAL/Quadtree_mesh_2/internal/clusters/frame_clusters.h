@@ -26,6 +26,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/clusters/Cluster_frame.h>
 #include <CGAL/Quadtree_mesh_2/internal/clusters/Cluster_tree.h>
 #include <CGAL/Quadtree_mesh_2/internal/geometry/dyadic_steps.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 
 #include <algorithm>
 #include <cmath>
@@ -46,7 +47,7 @@ struct Framed_clusters {
   std::vector<Cluster_frame<Geometry>> frames; ///< by cluster
 };
 
-template <class Geometry>
+template <class ConcurrencyTag, class Geometry>
 class Cluster_framer {
 public:
   using Point = typename Geometry::Point;
@@ -60,10 +61,14 @@ public:
     if (tree_.clusters.empty()) return result;
     for (const Cluster& c : tree_.clusters) add(c);
     std::vector<std::int32_t> owners(points_.size());
-    for (std::size_t k = 0; k < tree_.clusters.size(); ++k)
-      for (std::uint32_t i = tree_.clusters[k].first_point; i < tree_.clusters[k].end_point; ++i)
-        owners[tree_.points[i]] = node_[k];
-    result.tree = Cluster_tree(found_, owners);
+    for_each_index<ConcurrencyTag>(
+        tree_.clusters.size(),
+        [&](std::size_t k) {
+          for (std::uint32_t i = tree_.clusters[k].first_point; i < tree_.clusters[k].end_point; ++i)
+            owners[tree_.points[i]] = node_[k];
+        },
+        1);
+    result.tree = Cluster_tree::of<ConcurrencyTag>(found_, owners);
     result.tree.nearest = tree_.nearest;
     for (const Cluster& c : result.tree.clusters)
       result.frames.push_back(Frame(points_, c.box, exponents_[std::size_t(c.source)]));
@@ -135,10 +140,10 @@ private:
 
 /// Gives each cluster its frame.
 /// \pre integer coordinates are below 2^56
-template <class Geometry>
+template <class ConcurrencyTag, class Geometry>
 Framed_clusters<Geometry> frame_clusters(const std::vector<typename Geometry::Point>& points,
                                          const Cluster_tree& tree) {
-  return Cluster_framer<Geometry>(points, tree).run();
+  return Cluster_framer<ConcurrencyTag, Geometry>(points, tree).run();
 }
 
 } // namespace internal

@@ -11,19 +11,20 @@
 //           `inside` is for the leaves of the part in that square, and `outside` is for the rest. This goes
 //           on down to single leaves. The quadtree may be cut into parts of a given size first, each with a
 //           tree of its own.
-// Bound:    O(k log k) work in O(log k) rounds. Each chosen square holds more than 1/5 and at most 4/5 of the
-//           leaves. So a part of k leaves has k - 1 splits and a height of at most log k / log 5/4 = 3.11
-//           log_2 k. Parts have at most 5 n leaves. If there are several, each has more than n.
+// Bound:    O(k log k) work in O(log k) rounds of O(1) steps, each of tasks as long as a block or O(log^2 k). Each
+//           chosen square holds more than 1/5 and at most 4/5 of the leaves. So a part of k leaves has k - 1
+//           splits and a height of at most log k / log 5/4 = 3.11 log_2 k. Parts have at most 5 n leaves. If there
+//           are several, each has more than n.
 // Source:   Bern, Eppstein, Teng, section 6: "this produces a binary tree T_C, which has logarithmic height
 //           and linear size"; "partition the quadtree into O(k/n) subtrees, each of O(n) squares". The
 //           technique is that of Atallah, Cole, Goodrich, "Cascading divide-and-conquer".
 // Method:   The leaves of a part are a slice of an array in shuffle order. So those in a square follow each
 //           other. A square with more than half of them contains the one in the middle. Climbing from this
-//           leaf to the first such square u widens a range of the slice. If u has too many leaves, its
-//           heaviest child has more than a fifth and at most a half. The range then moves to the end of the
-//           slice, which splits the slice into those of the two children.
-// Deviates: one thread splits a slice, in time linear in its length. It also finishes short slices. So rounds
-//           are not short, but there are few of them.
+//           leaf to the first such square u widens a range of the slice, by bisection. If u is many levels up, its
+//           level is found by bisection, too, as nodes are numbered by level and then in shuffle order. If u has too
+//           many leaves, its heaviest child has more than a fifth and at most a half. The range then moves to the
+//           end of the slice, which splits the slice into those of the two children. All threads move the leaves of
+//           a long slice, block by block. A slice of up to 2048 leaves is a block, and one task splits it to the end.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_CENTROID_TREE_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_CENTROID_TREE_H
@@ -132,16 +133,24 @@ public:
     for_each_index<ConcurrencyTag>(k, [&](std::size_t i) { leaves_[i] = static_cast<std::uint32_t>(i); });
     result_.splits_.resize(k);
     std::vector<Slice> slices = split_long({{0, k, 0, 0, tree_.root()}}, leaves_per_part, Record::NOTHING);
-    for (Slice& s : slices) {
+    result_.parts_.resize(slices.size());
+    for_each_index<ConcurrencyTag>(slices.size(), [&](std::size_t i) {
+      Slice& s = slices[i];
       s.first_split = s.begin;
       s.depth = 0;
-      result_.parts_.push_back({tree_.square(s.square), node_of(s)});
-    }
+      result_.parts_[i] = {tree_.square(s.square), node_of(s)};
+    });
     slices = split_long(std::move(slices), short_slice_, Record::SPLITS);
     std::vector<int> height(slices.size());
     for_each_index<ConcurrencyTag>(
         slices.size(), [&](std::size_t i) { height[i] = finish(slices[i]); }, 1);
-    result_.height_ = *std::max_element(height.begin(), height.end());
+    result_.height_ = reduce<ConcurrencyTag>(
+        height.size(), 0,
+        [&](std::size_t begin, std::size_t end) {
+          return *std::max_element(height.begin() + static_cast<std::ptrdiff_t>(begin),
+                                   height.begin() + static_cast<std::ptrdiff_t>(end));
+        },
+        [](int a, int b) { return std::max(a, b); });
   }
 
 private:
@@ -175,6 +184,8 @@ private:
   enum class Record { NOTHING, SPLITS };
 
   static constexpr std::size_t short_slice_ = 2048;
+  static constexpr std::uint32_t few_leaves_ = 256;
+  static constexpr int most_climbed_ = 16; // levels, one by one
 
   Centroid_node node_of(const Slice& s) const {
     return s.size() == 1 ? Centroid_node::of_leaf(leaves_[s.begin]) : Centroid_node::of_split(s.first_split);
@@ -184,13 +195,18 @@ private:
   std::vector<Slice> split_long(std::vector<Slice> open, std::size_t most, Record record) {
     std::vector<Slice> finished;
     while (!open.empty()) {
-      std::vector<Slice> long_ones;
-      for (const Slice& s : open) (s.size() > most ? long_ones : finished).push_back(s);
+      const std::vector<Slice> long_ones = take_long(open, most, finished);
       open.resize(2 * long_ones.size());
       for_each_index<ConcurrencyTag>(
           long_ones.size(),
           [&](std::size_t i) {
-            const Halves halves = split(long_ones[i], record);
+            const Slice& s = long_ones[i];
+            const Candidate inside = centroid(s);
+            if (s.size() > default_block && !is_sequential<ConcurrencyTag>())
+              move_to_end_in_blocks(s, inside);
+            else
+              move_to_end(s, inside);
+            const Halves halves = split_at(s, inside, record);
             open[2 * i] = halves.outside;
             open[2 * i + 1] = halves.inside;
           },
@@ -198,6 +214,17 @@ private:
       ++result_.rounds_;
     }
     return finished;
+  }
+
+  /// Returns the slices longer than `most`, and appends the others to those that are finished.
+  static std::vector<Slice> take_long(const std::vector<Slice>& open, std::size_t most,
+                                      std::vector<Slice>& finished) {
+    const auto slice = [&](std::size_t i) { return open[i]; };
+    const std::vector<Slice> short_ones = pack_values<ConcurrencyTag, Slice>(
+        open.size(), [&](std::size_t i) { return open[i].size() <= most; }, slice);
+    finished.insert(finished.end(), short_ones.begin(), short_ones.end());
+    return pack_values<ConcurrencyTag, Slice>(
+        open.size(), [&](std::size_t i) { return open[i].size() > most; }, slice);
   }
 
   /// Splits a slice into single leaves. Returns the greatest number of splits above one.
@@ -209,23 +236,42 @@ private:
       open.pop_back();
       height = std::max(height, s.depth);
       if (s.size() == 1) continue;
-      const Halves halves = split(s, Record::SPLITS);
+      const Halves halves = split(s);
       open.push_back(halves.inside);
       open.push_back(halves.outside);
     }
     return height;
   }
 
-  /// \pre `s.size() >= 2`
-  Halves split(const Slice& s, Record record) {
-    const Candidate c = centroid(s);
+  /// Moves the leaves inside a square to the end of their slice.
+  void move_to_end(const Slice& s, const Candidate& inside) {
     const auto begin = leaves_.begin();
-    std::rotate(begin + c.begin, begin + c.end, begin + s.end);
-    const std::uint32_t middle = s.end - c.size();
+    std::rotate(begin + inside.begin, begin + inside.end, begin + s.end);
+  }
+
+  /// The same in blocks.
+  void move_to_end_in_blocks(const Slice& s, const Candidate& inside) {
+    const std::size_t n = s.end - inside.begin, size = inside.size();
+    Uninitialized_vector<std::uint32_t> moved(n);
+    for_each_index<ConcurrencyTag>(
+        n, [&](std::size_t i) { moved[i < size ? n - size + i : i - size] = leaves_[inside.begin + i]; });
+    for_each_index<ConcurrencyTag>(n, [&](std::size_t i) { leaves_[inside.begin + i] = moved[i]; });
+  }
+
+  /// \pre `s.size() >= 2`
+  Halves split(const Slice& s) {
+    const Candidate inside = centroid(s);
+    move_to_end(s, inside);
+    return split_at(s, inside, Record::SPLITS);
+  }
+
+  /// The two halves of a slice, when the leaves inside the square are at its end.
+  Halves split_at(const Slice& s, const Candidate& inside, Record record) {
+    const std::uint32_t middle = s.end - inside.size();
     const Halves halves{{s.begin, middle, s.first_split + 1, s.depth + 1, s.square},
-                        {middle, s.end, s.first_split + (middle - s.begin), s.depth + 1, c.square}};
+                        {middle, s.end, s.first_split + (middle - s.begin), s.depth + 1, inside.square}};
     if (record == Record::SPLITS)
-      result_.splits_[s.first_split] = {tree_.square(c.square), node_of(halves.inside),
+      result_.splits_[s.first_split] = {tree_.square(inside.square), node_of(halves.inside),
                                         node_of(halves.outside)};
     return halves;
   }
@@ -234,20 +280,67 @@ private:
   Candidate centroid(const Slice& s) const {
     const std::uint32_t middle = s.begin + s.size() / 2;
     Candidate c{tree_.node(Leaf_index(leaves_[middle])), middle, middle + 1};
-    while (2 * std::uint64_t(c.size()) <= s.size()) {
-      c.square = tree_.parent(c.square);
-      widen(c, s);
+    for (int climbed = 0; is_light(c, s); ++climbed) {
+      if (climbed == most_climbed_) {
+        c = first_heavy(c, s);
+        break;
+      }
+      c = widened({tree_.parent(c.square), c.begin, c.end}, s);
     }
     if (3 * std::uint64_t(c.size()) <= 2 * std::uint64_t(s.size())) return c;
     const Candidate child = heaviest_child(c);
     return s.size() - child.size() < c.size() ? child : c;
   }
 
-  /// Extends a range of leaves to all of the slice that are in the square.
-  void widen(Candidate& c, const Slice& s) const {
+  /// Whether a square has no more than half of the leaves.
+  static bool is_light(const Candidate& c, const Slice& s) { return 2 * std::uint64_t(c.size()) <= s.size(); }
+
+  /// Extends a range of leaves to all of the slice that are in the square: leaf by leaf as far as that is few, then by
+  /// bisection.
+  Candidate widened(Candidate c, const Slice& s) const {
     const auto all = tree_.leaves(c.square);
-    while (c.begin > s.begin && leaves_[c.begin - 1] >= all.begin.value()) --c.begin;
-    while (c.end < s.end && leaves_[c.end] < all.end.value()) ++c.end;
+    const auto leaves = leaves_.begin();
+    const std::uint32_t first = all.begin.value(), end = all.end.value();
+    const std::uint32_t low = c.begin - std::min(c.begin - s.begin, few_leaves_),
+                        high = c.end + std::min(s.end - c.end, few_leaves_);
+    while (c.begin > low && leaves_[c.begin - 1] >= first) --c.begin;
+    if (c.begin == low)
+      c.begin = static_cast<std::uint32_t>(std::lower_bound(leaves + s.begin, leaves + low, first) - leaves);
+    while (c.end < high && leaves_[c.end] < end) ++c.end;
+    if (c.end == high)
+      c.end = static_cast<std::uint32_t>(std::lower_bound(leaves + high, leaves + s.end, end) - leaves);
+    return c;
+  }
+
+  /// The first square on the way up from a light one that is not.
+  Candidate first_heavy(const Candidate& light, const Slice& s) const {
+    Candidate heavy{s.square, s.begin, s.end};
+    int low = tree_.level(s.square), high = tree_.level(light.square);
+    while (high - low > 1) {
+      const int level = low + (high - low) / 2;
+      const Candidate c = widened({square_around(leaves_[light.begin], level), light.begin, light.end}, s);
+      if (is_light(c, s))
+        high = level;
+      else
+        low = level, heavy = c;
+    }
+    return heavy;
+  }
+
+  /// The square of a level around a leaf of that level or a deeper one.
+  Node_index square_around(std::uint32_t leaf, int level) const {
+    std::size_t begin = 0,
+                end = tree_.number_of_nodes(); // the square is the last node that is not behind the leaf
+    while (end - begin > 1) {
+      const std::size_t middle = begin + (end - begin) / 2;
+      const Node_index v(middle);
+      const int l = tree_.level(v);
+      if (l < level || (l == level && tree_.leaves(v).begin.value() <= leaf))
+        begin = middle;
+      else
+        end = middle;
+    }
+    return Node_index(begin);
   }
 
   /// \pre the square is split
