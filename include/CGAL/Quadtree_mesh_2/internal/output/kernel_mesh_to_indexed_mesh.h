@@ -225,7 +225,7 @@ private:
     const Edge_id in_the_way = refiner.kept_edge_in_the_way(t);
     Quality_mesh_report_2::Unmet_triangle unmet{new_triangle_[t], {0, 0}, 0, reason(t, in_the_way)};
     if (unmet.reason == Quality_mesh_report_2::Reason::KEPT_SEGMENT)
-      unmet.segment = state_.edges[in_the_way].segment;
+      unmet.segment = state_.problem.kept_edges[in_the_way];
     for (const Vertex_id v : r.v) {
       const auto [x, y] = map_.place(mesh_.point(v));
       unmet.centroid[0] += x / 3, unmet.centroid[1] += y / 3;
@@ -236,7 +236,7 @@ private:
 
   void report_exempt(Triangle_id t) {
     const auto& r = mesh_.triangle(t);
-    const Sector_id s = state_.corners.sector_of(mesh_, r.v[0], r.v[1], r.v[2]);
+    const Sector_id s = state_.corners.excusing_sector(mesh_, r.v[0], r.v[1], r.v[2]);
     const Vertex_id apex = state_.corners.leg(state_.corners.sector(s).right).apex;
     report_.exempt_triangles.push_back({new_triangle_[t], new_vertex_[apex]});
   }

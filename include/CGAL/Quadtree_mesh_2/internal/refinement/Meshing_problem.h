@@ -35,7 +35,7 @@ struct Meshing_problem {
   typename Geometry::Number least_share_of_leg = 0;
 
   bool keeps_edges() const { return !kept_edges.empty(); }
-  bool is_kept(Edge_id e) const { return keeps_edges() && kept_edges[e] != 0; }
+  bool is_kept(Edge_id e) const { return keeps_edges() && kept_edges[e].is_valid(); }
 
   const typename Geometry::Point& input_point(Vertex_id number) const { return input_points[number]; }
 

@@ -117,7 +117,10 @@ struct Meshing_state {
   static constexpr std::size_t most_triangles_of_small_mesh = 1000;
   bool is_small_mesh() const { return mesh.number_of_triangles() <= most_triangles_of_small_mesh; }
 
-  bool is_exempt(Vertex_id a, Vertex_id b, Vertex_id c) const { return corners.is_exempt(mesh, a, b, c); }
+  bool is_exempt(Vertex_id a, Vertex_id b, Vertex_id c) const {
+    return problem.keeps_edges() ? corners.excusing_sector(mesh, a, b, c).is_valid()
+                                 : corners.is_exempt(mesh, a, b, c);
+  }
 
   bool is_large(Triangle_id t, const Shape& s) const {
     const auto& r = mesh.triangle(t);

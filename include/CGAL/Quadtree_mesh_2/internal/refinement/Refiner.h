@@ -79,7 +79,7 @@ public:
   }
 
   /// To be called when the mesh has become another one.
-  void forget_refused() { refused_.clear(); }
+  void forget_refused() { refused_.clear(), blocked_.clear(), rounds_of_blocked_ = 0; }
 
   /// Processes the list until it is empty. Asks `shall_go_on()` every 4096 steps. Where the mesh has
   /// reached the limit, no vertex is inserted.
@@ -135,6 +135,9 @@ private:
   /// Once this many vertices were inserted for a triangle slot, its new vertices stay. So relocation cannot
   /// cycle.
   static constexpr unsigned char patience = 3;
+  /// How often triangles are tried again that an edge without vertices was in the way of. What is around them has
+  /// hardly changed.
+  static constexpr int most_rounds_of_blocked = 8;
   /// No vertex is relocated more often, so relocations without insertions end.
   static constexpr unsigned char most_relocations = 32;
 
@@ -147,7 +150,8 @@ private:
   double cosine2_of_encroachment_;
   Uninitialized_indexed_vector<Triangle_id, unsigned char> trials_;    // vertices inserted for a triangle
   Uninitialized_indexed_vector<Vertex_id, unsigned char> relocations_; // of a vertex
-  std::vector<Triangle_id> refused_;
+  std::vector<Triangle_id> refused_, blocked_;
+  int rounds_of_blocked_ = 0;
   Triangle_id next_to_push_{0}, end_to_push_{0};
   std::size_t vertices_when_taken_up_ = 0; // the refused ones
 
@@ -194,8 +198,12 @@ private:
   /// Puts triangles back on the list that could not be cured before, if vertices were inserted since. The
   /// thin triangle may be gone in which a rounded point would have been beside its edge. False if none of them is left.
   bool takes_up_refused() {
-    if (refused_.empty() || mesh_.number_of_vertices() == vertices_when_taken_up_) return false;
+    if (refused_.empty() && blocked_.empty()) return false;
+    if (mesh_.number_of_vertices() == vertices_when_taken_up_) return false;
     vertices_when_taken_up_ = mesh_.number_of_vertices();
+    if (rounds_of_blocked_++ < most_rounds_of_blocked)
+      refused_.insert(refused_.end(), blocked_.begin(), blocked_.end());
+    blocked_.clear();
     for (const Triangle_id t : refused_)
       if (mesh_.is_alive(t)) state_.push(t);
     refused_.clear();
@@ -226,7 +234,7 @@ private:
     Outcome outcome = splitter_.open_lock_around(t);
     if (outcome == Outcome::REFUSED) outcome = insert_vertex_for(t, shape);
     const bool may_go_later = outcome == Outcome::REFUSED && state_.is_block();
-    if (outcome == Outcome::BLOCKED) return;
+    if (outcome == Outcome::BLOCKED) return blocked_.push_back(t);
     if (outcome == Outcome::DEFERRED || may_go_later) return state_.deferred.push_back(t);
     settle_new_vertices(t, end_before);
     if (outcome == Outcome::REFUSED) return refused_.push_back(t);

@@ -21,8 +21,8 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-/// Whether an edge gets no vertices; empty if all may get some.
-using Kept_edges = Indexed_vector<Edge_id, char>;
+/// For each edge that gets no vertices the segment for which it is so, for others none; empty if all may get some.
+using Kept_edges = Indexed_vector<Edge_id, Segment_index>;
 
 /// The edges along which a segment runs that is to be kept; none if the domain has to be known for that.
 /// \param edges with the first segments found there
@@ -31,15 +31,14 @@ template <class Point>
 Kept_edges kept_edges_of(const Quality_mesh_options_2& options, const Pslg_2<Point>& pslg,
                          const Input_edges& edges, const Input_edge_list& repeated) {
   using Wish = Quality_mesh_options_2::Keep_borders;
-  if (options.keep_borders() == Wish::ALL) return Kept_edges(edges.size(), 1);
-  if (options.keep_borders() != Wish::MARKED || pslg.segment_markers.empty()) return {};
-  const auto is_marked = [&](const Input_edge& e) {
-    return pslg.segment_markers[std::size_t(e.segment)] != 0;
+  const bool is_all = options.keep_borders() == Wish::ALL;
+  if (!is_all && (options.keep_borders() != Wish::MARKED || pslg.segment_markers.empty())) return {};
+  Kept_edges kept(edges.size(), Segment_index());
+  const auto keep = [&](Edge_id e, Segment_index s) {
+    if (!kept[e].is_valid() && (is_all || pslg.segment_markers[std::size_t(s)] != 0)) kept[e] = s;
   };
-  Kept_edges kept(edges.size(), 0);
-  for (const Edge_id e : edges.ids()) kept[e] = is_marked(edges[e]) ? 1 : 0;
-  for (const Input_edge& r : repeated)
-    if (is_marked(r)) kept[edges.between(r.a, r.b)] = 1;
+  for (const Edge_id e : edges.ids()) keep(e, edges[e].segment);
+  for (const Input_edge& r : repeated) keep(edges.between(r.a, r.b), r.segment);
   return kept;
 }
 
@@ -49,11 +48,13 @@ template <class Geometry>
 void keep_boundary(const Quality_mesh_options_2& options, const Kernel_mesh<Geometry>& mesh,
                    const Input_edges& edges, Kept_edges& kept) {
   if (options.keep_borders() != Quality_mesh_options_2::Keep_borders::BOUNDARY) return;
-  kept.assign(edges.size(), 0);
+  kept.assign(edges.size(), Segment_index());
   for (const Triangle_id t : mesh.triangles.ids())
-    for (int k = 0; k < 3 && mesh.is_alive(t); ++k)
-      if (mesh.triangle(t).side[k].is_border())
-        kept[edges.between(mesh.source(Side(t, k)), mesh.target(Side(t, k)))] = 1;
+    for (int k = 0; k < 3 && mesh.is_alive(t); ++k) {
+      if (!mesh.triangle(t).side[k].is_border()) continue;
+      const Edge_id e = edges.between(mesh.source(Side(t, k)), mesh.target(Side(t, k)));
+      kept[e] = edges[e].segment;
+    }
 }
 
 } // namespace internal
