@@ -145,7 +145,7 @@ Pslg beside(const std::vector<Point>& chain, double x) {
 } // namespace
 
 TEST_CASE("random graphs with all borders kept", "[keep_borders]") {
-  const std::uint64_t seeds = is_full_run() ? 60 : 3; // of 18 families
+  const std::uint64_t seeds = is_full_run() ? 70 : 3; // of 15 families
   const auto families = random_pslg::all_families();
   Count sum, of_free;
   for (const auto& family : families)
@@ -165,7 +165,7 @@ TEST_CASE("random graphs with all borders kept", "[keep_borders]") {
 }
 
 TEST_CASE("random graphs with marked borders kept", "[keep_borders]") {
-  const std::uint64_t seeds = is_full_run() ? 60 : 2;
+  const std::uint64_t seeds = is_full_run() ? 70 : 2;
   std::size_t others_cut = 0;
   for (const auto& family : random_pslg::all_families())
     for (std::uint64_t seed = 2000; seed < 2000 + seeds; ++seed) {
@@ -308,7 +308,7 @@ TEST_CASE("kept borders in a mesh of blocks: the same for any number of threads"
       CHECK(unmet.reason == Report::Reason::KEPT_SEGMENT);
     CHECK(CGAL::mesh_quality_2(mesh, pslg).is_valid());
   });
-  CHECK(first.triangles.size() > 100000);
+  CHECK(first.triangles.size() > 60000); // and as many before refinement, so there are blocks
 }
 
 } // namespace test_keep_borders
