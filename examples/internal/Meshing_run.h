@@ -304,12 +304,15 @@ inline nlohmann::ordered_json run_json(const Meshing_run& run) {
                              {"x", unmet.centroid[0]},
                              {"y", unmet.centroid[1]},
                              {"least_angle", unmet.least_angle}});
-  for (const auto& unmet : run.report.unmet_triangles)
+  for (const auto& unmet : run.report.unmet_triangles) {
     json["left"].push_back({{"triangle", run.pslg.first_number + std::size_t(unmet.triangle)},
                             {"x", unmet.centroid[0]},
                             {"y", unmet.centroid[1]},
                             {"least_angle", unmet.least_angle},
                             {"reason", report_words::name(unmet.reason)}});
+    if (unmet.segment.is_valid())
+      json["left"].back()["segment"] = run.pslg.first_number + std::size_t(unmet.segment);
+  }
   if (run.is_peer_asked) {
     json["other_separation"] = run.other ? peer_json(*run.other) : nlohmann::ordered_json(nullptr);
     json["mesh_2"] = run.peer ? peer_json(*run.peer) : nlohmann::ordered_json(nullptr);

@@ -175,6 +175,17 @@ inline void check_files(const Command_line& line) {
   ::check_files(inputs, outputs);
 }
 
+/// \throws Usage_error if borders are to be kept by the construction by quadtrees
+inline CGAL::Quality_mesh_options_2::Keep_borders kept_borders(const po::variables_map& given) {
+  using Keep = CGAL::Quality_mesh_options_2::Keep_borders;
+  constexpr Keep all[] = {Keep::NONE, Keep::BOUNDARY, Keep::MARKED, Keep::ALL};
+  if (given.count("keep-borders") == 0) return Keep::NONE;
+  const Keep kept = all[choice(given, "keep-borders", {"none", "boundary", "marked", "all"})];
+  if (kept != Keep::NONE && separation(given) == CGAL::Quality_mesh_options_2::Separation::THEOREM_5)
+    throw Usage_error("--keep-borders has no meaning with --separation theorem-5, which cuts all segments");
+  return kept;
+}
+
 inline CGAL::Quality_mesh_options_2 quality_mesh_options(const po::variables_map& given) {
   CGAL::Quality_mesh_options_2 options;
   options.min_angle(min_angle(given))
@@ -186,7 +197,8 @@ inline CGAL::Quality_mesh_options_2 quality_mesh_options(const po::variables_map
       .thin(thinning_rounds(given))
       .max_vertices(limit(given, "max-vertices"))
       .separate(tree_options(given))
-      .separate(separation(given));
+      .separate(separation(given))
+      .keep_borders(kept_borders(given));
   if (given.count("max-steiner") > 0) options.max_steiner_vertices(number_from_0(given, "max-steiner"));
   if (given.count("conforming") > 0) options.conform(CGAL::Quality_mesh_options_2::Conforming::DELAUNAY);
   if (given.count("no-coarsening") > 0) options.coarsen(CGAL::Quality_mesh_options_2::Coarsening::NONE);
@@ -266,7 +278,7 @@ inline Command_line::Project project(const po::variables_map& given, const Comma
     throw Usage_error(what + " has no meaning with --project, unless it is none");
   };
   const bool is_grid_limited = given.count("gradation") > 0 && given.count("size-grid") > 0;
-  for (const char* const option : {"memory", "resume", "compare", "gradation", "conforming"})
+  for (const char* const option : {"memory", "resume", "compare", "gradation", "conforming", "keep-borders"})
     if (given.count(option) > 0 && (is_grid_limited || std::string(option) != "gradation")) {
       if (is_said) refuse(std::string("--") + option);
       return Project::NONE;

@@ -124,6 +124,9 @@ inline po::options_description graph_options() {
     ("max-steiner", po::value<double>()->value_name("N"),
      "stop refining at so many vertices that are not of the input, and report what is left; it may be 0")
     ("conforming", "split segments until all triangles are Delaunay, so that no circumcenter is outside")
+    ("keep-borders", po::value<std::string>()->value_name("B"),
+     "which segments get no vertices: none, boundary (with the domain on one side), marked (with a marker) or all; "
+     "what misses a bound for this reason is reported")
     ("no-coarsening", "keep the vertices that are not needed in the end");
   return options;
 }

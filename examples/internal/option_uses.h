@@ -47,6 +47,7 @@ inline const std::vector<Option_use>& option_uses() {
       {"max-vertices", {Mode::PSLG}},
       {"max-steiner", {Mode::PSLG}},
       {"conforming", {Mode::PSLG}},
+      {"keep-borders", {Mode::PSLG}},
       {"no-coarsening", {Mode::PSLG}},
       {"compare", {Mode::PSLG, Mode::POINTS}},
       {"angles", {Mode::BOUNDED}},

@@ -43,6 +43,8 @@ inline const char* name(CGAL::Quality_mesh_report_2::Reason reason) {
     return "cancelled";
   case Reason::LEAST_EDGE:
     return "least edge";
+  case Reason::KEPT_SEGMENT:
+    return "kept segment";
   case Reason::CORNER:
     return "corner";
   case Reason::COORDINATES:
@@ -63,6 +65,8 @@ inline const char* explanation(CGAL::Quality_mesh_report_2::Reason reason) {
     return "the run was stopped";
   case Reason::LEAST_EDGE:
     return "a vertex would be nearer to another than --min-edge allows";
+  case Reason::KEPT_SEGMENT:
+    return "a segment is in the way that --keep-borders leaves as it is";
   case Reason::CORNER:
     return "they are in a corner of the input, whose legs are not cut without end for a bound above 20.7 "
            "degrees";

@@ -50,6 +50,14 @@ public:
     DELAUNAY ///< they are split until they are
   };
 
+  /// Which segments get no vertices.
+  enum class Keep_borders {
+    NONE,     ///< none: all may be split
+    BOUNDARY, ///< those with the domain on one side only, as with Triangle's `-Y`
+    MARKED,   ///< those whose marker (`Pslg_2::segment_markers`) is not 0
+    ALL       ///< all, as with Triangle's `-YY`
+  };
+
   /// The corners of a triangle, (x, y) each, counterclockwise.
   using Corners = std::array<std::array<double, 2>, 3>;
   using Size_field = std::function<double(double, double)>; ///< of the place (x, y)
@@ -103,6 +111,16 @@ public:
   /// split is counted (`Quality_mesh_report_2::encroached_edges`).
   Quality_mesh_options_2& conform(Conforming value) { return conform_ = value, *this; }
   Conforming conform() const { return conform_; } ///< the value set
+
+  /// Which segments get no vertices, so that the edges on them are those of the input; NONE by default. So meshes of
+  /// neighboring domains fit, and a mesh fits one that exists. Input vertices on a segment still divide it.
+  ///
+  /// What is away from these segments meets all bounds as before. Where a segment is in the way of the vertex that
+  /// would cure a triangle, the triangle is left, and reported with the reason KEPT_SEGMENT and the segment. That is so
+  /// next to segments that are longer than a bound of size, or much longer than what is near to them. The construction
+  /// by quadtrees cannot keep borders: it neither takes over nor may be chosen.
+  Quality_mesh_options_2& keep_borders(Keep_borders value) { return keep_borders_ = value, *this; }
+  Keep_borders keep_borders() const { return keep_borders_; } ///< the value set
 
   /// How features are kept apart; ON_DEMAND by default.
   Quality_mesh_options_2& separate(Separation value) { return separate_ = value, *this; }
@@ -208,6 +226,7 @@ private:
   std::size_t max_vertices_ = 0;
   std::optional<std::size_t> max_steiner_vertices_;
   Conforming conform_ = Conforming::NONE;
+  Keep_borders keep_borders_ = Keep_borders::NONE;
   Callback progress_;
   std::string checkpoints_;
   std::uint64_t checkpoint_key_ = 0;

@@ -60,12 +60,13 @@ struct Tree_separation_report_2 {
 struct Quality_mesh_report_2 {
   /// What kept refinement from meeting a bound in a triangle.
   enum class Reason {
-    BUDGET,      ///< the vertex budget was used up
-    CANCELLED,   ///< the callback stopped refinement
-    LEAST_EDGE,  ///< a vertex would have come nearer to another than `Quality_mesh_options_2::min_edge()`
-    CORNER,      ///< above 20.7 degrees: the legs of an acute corner are split no nearer to its apex
-    COORDINATES, ///< there is no room for a vertex between representable coordinates
-    CRITERIA     ///< the user's criteria call it bad
+    BUDGET,       ///< the vertex budget was used up
+    CANCELLED,    ///< the callback stopped refinement
+    LEAST_EDGE,   ///< a vertex would have come nearer to another than `Quality_mesh_options_2::min_edge()`
+    KEPT_SEGMENT, ///< a segment that gets no vertices is in the way (`Quality_mesh_options_2::keep_borders()`)
+    CORNER,       ///< above 20.7 degrees: the legs of an acute corner are split no nearer to its apex
+    COORDINATES,  ///< there is no room for a vertex between representable coordinates
+    CRITERIA      ///< the user's criteria call it bad
   };
   /// A triangle that misses a bound, not excused by an acute input corner.
   struct Unmet_triangle {
@@ -73,6 +74,8 @@ struct Quality_mesh_report_2 {
     std::array<double, 2> centroid;           ///< where it is
     double least_angle;                       ///< degrees
     Reason reason;                            ///< what kept refinement from curing it
+    /// With the reason KEPT_SEGMENT, the index of the segment in the input; else none.
+    Quadtree_mesh_2::Segment_index segment = {};
   };
   /// A triangle below the bound that an acute input corner excuses.
   struct Exempt_triangle {

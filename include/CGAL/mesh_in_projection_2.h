@@ -53,7 +53,10 @@ struct Projected_mesh_2 {
 /// \ingroup PkgQuadtreeMesh2Meshers
 /// Options for the plane of a projection, so that the bounds still hold where segments are bent back: angles a few
 /// thousandths of a degree larger, lengths and areas one or two percent smaller.
+/// \throws std::invalid_argument if borders are to be kept: segments that bend are split before they are meshed
 inline Quality_mesh_options_2 options_in_projection_2(Quality_mesh_options_2 options) {
+  if (options.keep_borders() != Quality_mesh_options_2::Keep_borders::NONE)
+    throw std::invalid_argument("in a projection long segments are split, so borders cannot be kept");
   const double angle = options.min_angle();
   if (angle <= 20.7) options.min_angle(angle + 0.004); // quadtrees go up to 20.7048 degrees
   if (angle > 20.71) options.min_angle(std::min(Quality_mesh_options_2::greatest_min_angle, angle + 0.01));

@@ -38,6 +38,7 @@ TEST_CASE("Options of meshes of graphs are what was set", "[options]") {
                         .max_vertices(8)
                         .max_steiner_vertices(0)
                         .conform(Options::Conforming::DELAUNAY)
+                        .keep_borders(Options::Keep_borders::MARKED)
                         .size([](double x, double y) { return x + y; })
                         .refine_where([](const Options::Corners& c) { return c[0][0] > 0; })
                         .progress([](double share) { return share < 0.5; });
@@ -56,6 +57,8 @@ TEST_CASE("Options of meshes of graphs are what was set", "[options]") {
   CHECK_FALSE(Options().max_steiner_vertices());
   CHECK(o.conform() == Options::Conforming::DELAUNAY);
   CHECK(Options().conform() == Options::Conforming::NONE);
+  CHECK(o.keep_borders() == Options::Keep_borders::MARKED);
+  CHECK(Options().keep_borders() == Options::Keep_borders::NONE);
   CHECK(o.size()(1, 2) == 3);
   CHECK(o.refine_where()({{{1, 0}, {0, 1}, {0, 0}}}));
   CHECK_FALSE(o.progress()(0.75));

@@ -17,8 +17,10 @@
 #include <cmath>
 #include <cstddef>
 #include <filesystem>
+#include <set>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace test_triangle_switches {
@@ -129,6 +131,31 @@ TEST_CASE("Triangle's -c, -D and -S are options of the program", "[program]") {
   for (const char* option :
        {"--max-steiner -1", "--max-steiner 0.5", "--max-steiner x", "--hull --mode acute",
         "--conforming --mode points", "--conforming --project auto"})
+    CHECK(run(graph + ' ' + option).status == 2);
+}
+
+TEST_CASE("Triangle's -Y and -YY are an option of the program", "[program]") {
+  const Scratch_folder folder;
+  const std::string x = folder.file("x"), json = folder.file("x.json");
+  const std::string graph =
+      folder.write("graph.poly", "6 2 0 0\n0 0 0\n1 9 0\n2 9 9\n3 0 9\n4 4 1\n5 4 8\n"
+                                 "5 1\n0 0 1 0\n1 1 2 0\n2 2 3 0\n3 3 0 0\n4 4 5 7\n0\n");
+  for (const auto& [keep, kept] :
+       {std::pair{"none", std::set<int>{}}, std::pair{"boundary", std::set<int>{0, 1, 2, 3}},
+        std::pair{"marked", std::set<int>{4}}, std::pair{"all", std::set<int>{0, 1, 2, 3, 4}}}) {
+    const Run r = run(graph + " --max-edge 1 --keep-borders " + keep + " -o " + x + ".ele --report " + json);
+    CAPTURE(keep, r.out, r.err);
+    CHECK(r.status == (kept.empty() ? 0 : 1));
+    CHECK(contains(r.out, "--keep-borders") == !kept.empty());
+    const auto report = nlohmann::json::parse(content(json));
+    if (!kept.empty())
+      for (const auto& left : report["left"]) {
+        CHECK(left["reason"] == "kept segment");
+        CHECK(kept.count(left["segment"].get<int>()) == 1);
+      }
+  }
+  for (const char* option : {"--keep-borders some", "--keep-borders all --separation theorem-5",
+                             "--keep-borders all --project auto", "--keep-borders all --mode points"})
     CHECK(run(graph + ' ' + option).status == 2);
 }
 

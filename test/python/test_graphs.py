@@ -211,6 +211,23 @@ def test_few_new_vertices_and_conforming_meshes():
         qm.mesh(**graph, max_steiner=-1)
 
 
+def test_kept_borders():
+    graph = dict(vertices=[[0, 0], [9, 0], [9, 9], [0, 9], [4, 1], [4, 8]],
+                 segments=[[0, 1], [1, 2], [2, 3], [3, 0], [4, 5]], segment_markers=[0, 0, 0, 0, 3])
+    for keep, kept in dict(none=set(), boundary={0, 1, 2, 3}, marked={4}, all={0, 1, 2, 3, 4}).items():
+        mesh = qm.mesh(**graph, max_edge=1, keep_borders=keep)
+        pieces = np.bincount(mesh.segment_origins, minlength=5)
+        assert all((pieces[s] == 1) == (s in kept) for s in range(5))
+        assert set(mesh.report.unmet['reason']) == ({'kept_segment'} if kept else set())
+        assert set(mesh.report.unmet['segment'].tolist()) <= kept
+    with pytest.raises(ValueError, match='keep_borders'):
+        qm.mesh(**graph, keep_borders='some')
+    with pytest.raises(ValueError, match='borders'):
+        qm.mesh(**graph, keep_borders='all', separation='theorem_5')
+    with pytest.raises(ValueError, match='borders'):
+        qm.mesh(**graph, keep_borders='all', project='mercator')
+
+
 def test_crossings():
     graph = dict(vertices=[[0, 0], [4, 0], [4, 4], [0, 4], [1, -1], [1, 5]],
                  segments=[[0, 1], [1, 2], [2, 3], [3, 0], [4, 5]])

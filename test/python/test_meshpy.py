@@ -70,8 +70,14 @@ def test_six_nodes():
     assert len(mesh.points) == len(mesh.point_markers) == mesh.elements[:, :3].max() + 1 + len(mesh.faces)
 
 
+def test_boundary_without_new_vertices():
+    graph = disk_with_a_square_hole()
+    mesh = triangle.build(graph, max_volume=0.05, allow_boundary_steiner=False)
+    assert len(mesh.facets) == len(graph.facets) < len(triangle.build(graph, max_volume=0.05).facets)
+
+
 def test_what_is_not_supported():
-    for kwargs in (dict(allow_boundary_steiner=False), dict(allow_volume_steiner=False), dict(mesh_order=3)):
+    for kwargs in (dict(allow_volume_steiner=False), dict(mesh_order=3)):
         with pytest.raises(ValueError):
             triangle.build(disk_with_a_square_hole(), **kwargs)
     with pytest.raises(quadtree_mesh.GraphError):

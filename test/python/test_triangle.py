@@ -180,6 +180,17 @@ def test_conforming_delaunay():
         assert vertices_in_circles(triangle.triangulate(graph, opts)) == 0
 
 
+@pytest.mark.parametrize('opts, kept', [('pqa0.02', ()), ('pqa0.02Y', (0, 1, 2, 3)), ('pqa0.02YY', (0, 1, 2, 3, 4))])
+def test_borders_without_new_vertices(opts, kept):
+    graph = dict(vertices=[[0, 0], [1, 0], [1, 1], [0, 1], [0.3, 0.5], [0.7, 0.5]],
+                 segments=[[0, 1], [1, 2], [2, 3], [3, 0], [4, 5]], segment_markers=[[2], [3], [4], [5], [6]])
+    t = triangle.triangulate(graph, opts)
+    assert np.isclose(angles_and_areas(t)[1].sum(), 1)
+    pieces = [(t['segment_markers'][:, 0] == m).sum() for m in (2, 3, 4, 5, 6)]
+    for s in range(5):
+        assert (pieces[s] == 1) == (s in kept)
+
+
 def test_vertices_outside():
     graph = dict(vertices=[[0, 0], [1, 0], [0, 1], [5, 5]], segments=[[0, 1], [1, 2], [2, 0]],
                  vertex_attributes=[1, 2, 3, 4])
@@ -200,7 +211,7 @@ def test_segments_that_cross_are_split():
     check(triangle.triangulate(graph, 'pq'), 4, 20)
 
 
-@pytest.mark.parametrize('opts', ['pY', 'o', 'o3', 'u', 'v', 'k', 'p?', 'q50'])
+@pytest.mark.parametrize('opts', ['o', 'o3', 'u', 'v', 'k', 'p?', 'q50'])
 def test_switches_that_are_refused(opts):
     with pytest.raises(ValueError):
         triangle.triangulate(UNIT, opts)

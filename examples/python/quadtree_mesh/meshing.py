@@ -24,8 +24,9 @@ def mesh(geometry: Any = None, *, vertices: Optional[ArrayLike] = None, segments
          min_edge: Optional[float] = None, size: Any = None, region: Any = None,
          refine_where: Optional[Callable[[np.ndarray], bool]] = None, domain: str = 'enclosed',
          max_vertices: Optional[int] = None, max_steiner: Optional[int] = None, conforming: bool = False,
-         smooth: int = 0, thin: int = 0, coarsen: bool = True, separation: str = 'on_demand', project: str = 'auto',
-         repair: Optional[bool] = None, threads: Optional[int] = None, progress: Optional[Progress] = None) -> Mesh:
+         keep_borders: str = 'none', smooth: int = 0, thin: int = 0, coarsen: bool = True,
+         separation: str = 'on_demand', project: str = 'auto', repair: Optional[bool] = None,
+         threads: Optional[int] = None, progress: Optional[Progress] = None) -> Mesh:
     """Meshes polygons, or a planar straight-line graph, by triangles without small angles.
 
     No triangle has an angle below `min_angle`, except in corners where the input is sharper, and those that
@@ -78,6 +79,9 @@ def mesh(geometry: Any = None, *, vertices: Optional[ArrayLike] = None, segments
     conforming : bool
         Whether segments are split until all triangles are Delaunay, so that no circumcenter is outside; with
         `project`, in the plane of the projection.
+    keep_borders : 'none', 'boundary', 'marked' or 'all'
+        Which segments get no vertices: those with the domain on one side only, those whose marker is not 0, or all.
+        What misses a bound for this reason is reported, with the segment. Not with a projection, nor with 'theorem_5'.
     smooth, thin : int
         Rounds of smoothing and thinning. Each gives some percent fewer triangles for the time of refinement.
     coarsen : bool
@@ -126,7 +130,7 @@ def mesh(geometry: Any = None, *, vertices: Optional[ArrayLike] = None, segments
                    domain=word(domain, 'domain'),
                    max_vertices=count(max_vertices, 'max_vertices'),
                    max_steiner=None if max_steiner is None else count(max_steiner, 'max_steiner'),
-                   conforming=bool(conforming), smooth=count(smooth, 'smooth'),
+                   conforming=bool(conforming), keep_borders=word(keep_borders, 'keep_borders'), smooth=count(smooth, 'smooth'),
                    thin=count(thin, 'thin'), coarsen=bool(coarsen), separation=word(separation, 'separation'),
                    threads=count(threads, 'threads'), progress=callable_or_none(progress, 'progress'),
                    project=word(project, 'project'), repair=geometry is not None if repair is None else bool(repair))

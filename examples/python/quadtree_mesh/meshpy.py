@@ -89,6 +89,8 @@ def build(mesh_info: MeshInfo, verbose: bool = False,
         Whether regions bound areas.
     max_volume : float, optional
         The largest area of a triangle.
+    allow_boundary_steiner : bool
+        Whether the boundary may get new vertices.
     min_angle : float, optional
         In degrees, 20 by default, at most 34; only with `quality_meshing`.
     generate_faces : bool
@@ -104,10 +106,10 @@ def build(mesh_info: MeshInfo, verbose: bool = False,
     quadtree_mesh.GraphError
         (a ValueError) For what cannot be meshed; segments that cross are split.
     ValueError
-        For ``allow_boundary_steiner=False`` and ``allow_volume_steiner=False``, which are not supported.
+        For ``allow_volume_steiner=False``, which is not supported.
     """
-    if not allow_boundary_steiner or not allow_volume_steiner:
-        raise ValueError('new vertices on borders or inside cannot be forbidden')
+    if not allow_volume_steiner:
+        raise ValueError('new vertices inside cannot be forbidden')
     if mesh_order not in (None, 1, 2):
         raise ValueError('mesh_order must be 1 or 2')
     regions = np.array(list(mesh_info.regions), float).reshape(-1, 4)
@@ -117,6 +119,7 @@ def build(mesh_info: MeshInfo, verbose: bool = False,
                  segment_markers=mesh_info.facet_markers if len(mesh_info.facet_markers) else None,
                  min_angle=(20 if min_angle is None else min_angle) if quality_meshing else 0,
                  max_area=max_volume, repair=True,
+                 keep_borders='none' if allow_boundary_steiner else 'boundary',
                  refine_where=None if refinement_func is None else _criterion(refinement_func)).compacted()
     return _info_of(made, attributes, bool(generate_edges) or generate_faces, generate_neighbor_lists, mesh_order == 2)
 

@@ -11,7 +11,8 @@ from . import _core
 
 __all__ = ['Mesh', 'Report']
 
-_UNMET = np.dtype([('triangle', np.int32), ('x', float), ('y', float), ('angle', float), ('reason', 'U11')])
+_UNMET = np.dtype([('triangle', np.int32), ('x', float), ('y', float), ('angle', float), ('reason', 'U12'),
+                   ('segment', np.int32)])
 _UNMET_OF_POINTS = np.dtype([('triangle', np.int32), ('x', float), ('y', float)])
 _EXEMPT = np.dtype([('triangle', np.int32), ('corner', np.int32)])
 
@@ -29,7 +30,8 @@ class Report:
         The numbers of vertices that a triangle uses, and of triangles.
     unmet : structured array
         The triangles that miss a bound: ``triangle``, centroid ``x`` and ``y``, and for graphs the least ``angle`` in
-        degrees and the ``reason``: 'budget', 'cancelled', 'min_edge', 'corner', 'coordinates' or 'criteria'.
+        degrees, the ``reason``: 'budget', 'cancelled', 'min_edge', 'kept_segment', 'corner', 'coordinates' or
+        'criteria', and the ``segment`` that is in the way because of `keep_borders`, else -1.
     seconds, wall_seconds : dict of str to float
         Time of each phase: of processors, and by the clock.
 

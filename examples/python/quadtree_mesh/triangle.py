@@ -20,7 +20,6 @@ __all__ = ['triangulate', 'delaunay', 'convex_hull', 'plot', 'compare']
 # What only says how to compute, print or count has no meaning here.
 _IGNORED = set('zQVCXiFlsBPNEIgj')
 _UNSUPPORTED = {
-    'Y': 'borders may get new vertices; bound these by min_edge of quadtree_mesh.mesh()',
     'u': 'use size or refine_where of quadtree_mesh.mesh()',
     'v': 'there is no Voronoi diagram; mesh.neighbors has the dual graph, and quality_mesh writes x.cells.geojson',
 }
@@ -33,7 +32,7 @@ def _switches(opts: str) -> Iterator[Tuple[str, str]]:
     for letter, number in re.findall(r'([A-Za-z])([0-9.]*)|\S', opts.replace('-', '')):
         if letter in _UNSUPPORTED:
             raise ValueError(f"switch '{letter}' is not supported: {_UNSUPPORTED[letter]}")
-        if letter not in _IGNORED and letter not in set('pqaAcrnejSODo'):
+        if letter not in _IGNORED and letter not in set('pqaAcrnejSODoY'):
             raise ValueError(f"unknown switch '{letter}'" if letter else f'unknown switches in {opts!r}')
         if letter == 'o' and number != '2':
             raise ValueError("switch 'o' is not supported without a 2: triangles have three nodes, or six with o2")
@@ -116,9 +115,10 @@ def triangulate(tri: Dict[str, Any], opts: str = '') -> Dict[str, np.ndarray]:
         and largest area, ``vertex_markers``, ``segment_markers``, ``vertex_attributes``; with r ``triangles`` (t, 3).
     opts : str
         p (segments), r (refine), q or q30 (least angle, 20 by default and at most 34), a0.1 (largest area), a (areas of
-        regions), A (attributes of regions), c (convex hull), D (conforming Delaunay), S100 (most new vertices), n
-        (neighbors), e (edges), o2 (six nodes for each triangle), j (no unused vertices), O (no holes). Letters that
-        choose algorithms or what is printed have no effect. Y, u and v are a ValueError.
+        regions), A (attributes of regions), c (convex hull), D (conforming Delaunay), S100 (most new vertices),
+        Y (no new vertices on the boundary), YY (none on any segment), n (neighbors), e (edges), o2 (six nodes for each
+        triangle), j (no unused vertices), O (no holes). Letters that choose algorithms or what is printed have no
+        effect. u and v are a ValueError.
 
     Returns
     -------
@@ -138,6 +138,8 @@ def triangulate(tri: Dict[str, Any], opts: str = '') -> Dict[str, np.ndarray]:
         if letter == 'a' and not number:
             switches['regions'] = ''
             number = switches.get('a', '')
+        if letter == 'Y' and 'Y' in switches:
+            number = 'all'
         switches[letter] = number
     graph = _input(tri, switches)
     n = len(graph['vertices'])
@@ -149,6 +151,7 @@ def triangulate(tri: Dict[str, Any], opts: str = '') -> Dict[str, np.ndarray]:
                  max_area=float(switches['a']) if switches.get('a') else None,
                  max_steiner=int(switches['S']) if switches.get('S') else None,
                  conforming='D' in switches,
+                 keep_borders=(switches['Y'] or 'boundary') if 'Y' in switches else 'none',
                  coarsen='q' in switches or 'a' in switches)
     if 'j' in switches:
         made = made.compacted()

@@ -128,6 +128,12 @@ Options options_from(const py::dict& values, const Projection* projection) {
   if (!values["max_steiner"].is_none())
     options.max_steiner_vertices(values["max_steiner"].cast<std::size_t>());
   if (values["conforming"].cast<bool>()) options.conform(Options::Conforming::DELAUNAY);
+  options.keep_borders(named<Options::Keep_borders>({{"none", Options::Keep_borders::NONE},
+                                                     {"boundary", Options::Keep_borders::BOUNDARY},
+                                                     {"marked", Options::Keep_borders::MARKED},
+                                                     {"all", Options::Keep_borders::ALL}},
+                                                    values["keep_borders"].cast<std::string>(),
+                                                    "keep_borders"));
   options.coarsen(values["coarsen"].cast<bool>() ? Options::Coarsening::GUARDED_REMOVAL
                                                  : Options::Coarsening::NONE);
   options.mesh_domain(named<Options::Domain>({{"enclosed", Options::Domain::ENCLOSED},
@@ -207,6 +213,8 @@ const char* name_of(Report::Reason reason) {
     return "cancelled";
   case Report::Reason::LEAST_EDGE:
     return "min_edge";
+  case Report::Reason::KEPT_SEGMENT:
+    return "kept_segment";
   case Report::Reason::CORNER:
     return "corner";
   case Report::Reason::COORDINATES:
@@ -227,8 +235,8 @@ py::dict seconds_of(const Report::Seconds& seconds) {
 py::dict values_of(const Report& report) {
   py::list unmet, exempt;
   for (const auto& t : report.unmet_triangles)
-    unmet.append(
-        py::make_tuple(t.triangle.value(), t.centroid[0], t.centroid[1], t.least_angle, name_of(t.reason)));
+    unmet.append(py::make_tuple(t.triangle.value(), t.centroid[0], t.centroid[1], t.least_angle,
+                                name_of(t.reason), t.segment.is_valid() ? int(t.segment.value()) : -1));
   for (const auto& t : report.exempt_triangles)
     exempt.append(py::make_tuple(t.triangle.value(), t.corner.value()));
   py::dict result;

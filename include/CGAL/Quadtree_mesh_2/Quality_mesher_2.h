@@ -76,6 +76,9 @@ public:
     if (!(options_.min_edge() >= 0)) throw std::invalid_argument("the least edge must not be negative");
     if (options_.min_edge() > 0 && options_.separate() == Quality_mesh_options_2::Separation::THEOREM_5)
       throw std::invalid_argument("the construction by quadtrees keeps to no least edge");
+    if (options_.keep_borders() != Quality_mesh_options_2::Keep_borders::NONE &&
+        options_.separate() == Quality_mesh_options_2::Separation::THEOREM_5)
+      throw std::invalid_argument("the construction by quadtrees cuts all segments: it cannot keep borders");
   }
 
   /// Returns the mesh of the domain of `pslg`.

@@ -128,7 +128,7 @@ public:
     if (rounds_.number > 0) save_checkpoint();
     report_.trees.kept =
         number_used<ConcurrencyTag>(state_.mesh, problem_.input_points.size(), report_.trees.placed);
-    return convert(account);
+    return convert(account, refiner);
   }
 
   const Watch& watch() const { return watch_; }
@@ -206,6 +206,7 @@ private:
     report_.vertices_on_segments = first.number_of_vertices_on_segments();
     problem_.vertex_blocks = first.take_vertex_blocks();
     problem_.edges = Input_edges(first.take_edges(), n);
+    problem_.kept_edges = kept_edges_of(options_, pslg_, problem_.edges, first.repeated_edges());
     problem_.edges.repeat(first.repeated_edges());
   }
 
@@ -220,6 +221,7 @@ private:
       throw words_.ambiguous_seed(seed, problem_.edges);
     }
     if (state_.mesh.triangles.empty()) throw words_.no_domain(options_.mesh_domain(), problem_.edges);
+    keep_boundary(options_, state_.mesh, problem_.edges, problem_.kept_edges);
   }
 
   /// What is near: what coordinates cannot tell apart is refused, what quadtrees cannot is noted.
@@ -339,10 +341,10 @@ private:
   }
 
   /// Whether quadtrees may take the place of refinement. Above the bounds established for it, triangles left over are
-  /// no sign that quadtrees do better. Quadtrees know neither a least edge nor the user's rules, and are asked once.
+  /// no sign that quadtrees do better. Quadtrees know no least edge, no user's rule, no kept edge, and are asked once.
   bool may_construct_instead() const {
     return !budgets().is_of_user() && options_.min_edge() == 0 && !options_.refine_where() &&
-           !too_near_for_trees_ && problem_.bounds.is_established() &&
+           !problem_.keeps_edges() && !too_near_for_trees_ && problem_.bounds.is_established() &&
            report_.trees.end == Tree_separation_report_2::End::NONE && budgets().allows_quadtrees();
   }
 
@@ -473,6 +475,7 @@ private:
 
   Triangle_account finish(Refiner<Geometry>& refiner) {
     clock_.enter(&Seconds::refine);
+    if (problem_.keeps_edges()) state_.push_all_bad(); // given up in blocks; all may be other triangles now
     const auto limit = [this] { return budgets().of_repair(state_.mesh.number_of_vertices()); };
     Exact_finisher<ConcurrencyTag, Geometry> finisher(
         state_, [this, limit](Refiner<Geometry>& r) { run_to_the_end(r, limit()); },
@@ -481,10 +484,10 @@ private:
     return finisher.run_conforming(limit().vertices, report_.encroached_edges);
   }
 
-  Indexed_mesh_2<Point_2> convert(const Triangle_account& account) {
+  Indexed_mesh_2<Point_2> convert(const Triangle_account& account, Refiner<Geometry>& refiner) {
     clock_.enter(&Seconds::convert);
     Kernel_mesh_converter<Traits, ConcurrencyTag> converter(state_, pslg_, map_, order_, report_);
-    Indexed_mesh_2<Point_2> mesh = converter.run(account);
+    Indexed_mesh_2<Point_2> mesh = converter.run(account, refiner);
     if constexpr (has_double_coordinates) check_mesh_is_kept<Geometry>(mesh, map_);
     return mesh;
   }

@@ -39,6 +39,9 @@ Digest digest_of_mesh(const Pslg_2<Point>& pslg, const Quality_mesh_options_2& o
   digest.add(options.max_vertices());
   digest.add(options.max_steiner_vertices().value_or(std::numeric_limits<std::size_t>::max()));
   digest.add(int(options.conform()));
+  digest.add(int(options.keep_borders()));
+  if (options.keep_borders() == Quality_mesh_options_2::Keep_borders::MARKED)
+    add_values(pslg.segment_markers);
   digest.add(options.checkpoint_key());
   digest.add(map.length_to_kernel(1.0)); // inputs may differ by their scale and origin alone
   if (points.size() > 0) digest.add(map.place(points.front())), digest.add(map.place(points.back()));

@@ -23,6 +23,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/parallel/sort_by_keys.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Exact_legalizer.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
+#include <CGAL/Quadtree_mesh_2/internal/refinement/Refiner.h>
 #include <CGAL/Quality_mesh_report_2.h>
 
 #include <algorithm>
@@ -48,7 +49,8 @@ public:
       : state_(state), mesh_(state.mesh), pslg_(pslg), map_(map), order_(order), report_(report) {}
 
   /// \param account of the mesh as it is
-  Mesh run(const Triangle_account& account) {
+  /// \param refiner knows why it could not cure what is bad
+  Mesh run(const Triangle_account& account, Refiner<Geometry>& refiner) {
     Mesh out;
     number_triangles();
     make_vertices(out);
@@ -64,7 +66,7 @@ public:
     append_all<ConcurrencyTag>(
         border, parts, [](const Part& part) -> const auto& { return part.border; });
     account.angles.add_to(report_.least_angle_histogram, report_.largest_angle_histogram);
-    for (const Triangle_id t : account.suspects) report(t);
+    for (const Triangle_id t : account.suspects) report(t, refiner);
     set_boundary_markers(out, pslg_, border);
     report_.triangles = out.triangles.size();
     return out;
@@ -216,11 +218,14 @@ private:
   }
 
   /// Reports a triangle that misses a bound.
-  void report(Triangle_id t) {
+  void report(Triangle_id t, Refiner<Geometry>& refiner) {
     const auto& r = mesh_.triangle(t);
     const auto s = mesh_.shape(r);
     if (!state_.is_bad(t, s)) return report_exempt(t);
-    Quality_mesh_report_2::Unmet_triangle unmet{new_triangle_[t], {0, 0}, 0, reason(t)};
+    const Edge_id in_the_way = refiner.kept_edge_in_the_way(t);
+    Quality_mesh_report_2::Unmet_triangle unmet{new_triangle_[t], {0, 0}, 0, reason(t, in_the_way)};
+    if (unmet.reason == Quality_mesh_report_2::Reason::KEPT_SEGMENT)
+      unmet.segment = state_.problem.kept_edges[in_the_way];
     for (const Vertex_id v : r.v) {
       const auto [x, y] = map_.place(mesh_.point(v));
       unmet.centroid[0] += x / 3, unmet.centroid[1] += y / 3;
@@ -231,16 +236,17 @@ private:
 
   void report_exempt(Triangle_id t) {
     const auto& r = mesh_.triangle(t);
-    const Sector_id s = state_.corners.sector_of(mesh_, r.v[0], r.v[1], r.v[2]);
+    const Sector_id s = state_.corners.excusing_sector(mesh_, r.v[0], r.v[1], r.v[2]);
     const Vertex_id apex = state_.corners.leg(state_.corners.sector(s).right).apex;
     report_.exempt_triangles.push_back({new_triangle_[t], new_vertex_[apex]});
   }
 
   /// Why a bad triangle was left.
-  Quality_mesh_report_2::Reason reason(Triangle_id t) const {
+  Quality_mesh_report_2::Reason reason(Triangle_id t, Edge_id kept_edge_in_the_way) const {
     using Reason = Quality_mesh_report_2::Reason;
     if (report_.is_budget_exhausted) return Reason::BUDGET;
     if (report_.is_cancelled) return Reason::CANCELLED;
+    if (kept_edge_in_the_way.is_valid()) return Reason::KEPT_SEGMENT;
     if (state_.bounds.least_squared_length > 0) return Reason::LEAST_EDGE;
     if (!state_.bounds.is_established())
       for (const Vertex_id v : mesh_.triangle(t).v)

@@ -206,23 +206,7 @@ public:
 
   /// The lopped sector whose two legs carry a, b and c (the apex lies on both), if there is one.
   Sector_id sector_of(const Mesh& mesh, Vertex_id a, Vertex_id b, Vertex_id c) const {
-    if (legs.empty() || !is_on_leg(mesh, a) || !is_on_leg(mesh, b) || !is_on_leg(mesh, c)) return {};
-    const Vertex_id v[3] = {a, b, c};
-    for (int k = 0; k < 3; ++k) {
-      const Vertex_id x = v[next_slot[k]], y = v[previous_slot[k]];
-      const Edge_id e = mesh.edge(v[k]);
-      if (mesh.is_input(v[k])) {
-        const Vertex_id apex = mesh.input_number(v[k]);
-        const Sector_id s = common_sector(leg_at(mesh, apex, x), leg_at(mesh, apex, y));
-        if (s.is_valid()) return s;
-        continue;
-      }
-      for (const Leg_id l : legs_of_edge[e]) {
-        const Sector_id s = !l.is_valid() ? Sector_id() : sector_with(mesh, l, x, y);
-        if (s.is_valid()) return s;
-      }
-    }
-    return {};
+    return find_sector(mesh, a, b, c, [](Sector_id) { return true; });
   }
 
   /// Calls `f(sector)` for the lopped sectors from one leg to the other of which the chord x-y runs: there may be
@@ -252,9 +236,40 @@ public:
     return s.is_valid() && !mesh.shape_of_flat(a, b, c).is_below(sector(s).exempt_sin2);
   }
 
+  /// The sector that excuses a triangle below the bound, if one does. Where legs are not cut, the triangle may be
+  /// between the legs of several.
+  Sector_id excusing_sector(const Mesh& mesh, Vertex_id a, Vertex_id b, Vertex_id c) const {
+    return find_sector(mesh, a, b, c, [&](Sector_id s) {
+      return !mesh.shape_of_flat(a, b, c).is_below(sector(s).exempt_sin2);
+    });
+  }
+
 private:
   const Input_edges* edges_ = nullptr;
   Indexed_vector<Vertex_id, char> on_leg_; // per input vertex: an apex or the far end of a leg
+
+  /// The first of the lopped sectors whose two legs carry a, b and c for which `f(sector)` is true.
+  template <class Function>
+  Sector_id find_sector(const Mesh& mesh, Vertex_id a, Vertex_id b, Vertex_id c, const Function& f) const {
+    if (legs.empty() || !is_on_leg(mesh, a) || !is_on_leg(mesh, b) || !is_on_leg(mesh, c)) return {};
+    const Vertex_id v[3] = {a, b, c};
+    const auto is_wanted = [&f](Sector_id s) { return s.is_valid() && f(s); };
+    for (int k = 0; k < 3; ++k) {
+      const Vertex_id x = v[next_slot[k]], y = v[previous_slot[k]];
+      const Edge_id e = mesh.edge(v[k]);
+      if (mesh.is_input(v[k])) {
+        const Vertex_id apex = mesh.input_number(v[k]);
+        const Sector_id s = common_sector(leg_at(mesh, apex, x), leg_at(mesh, apex, y));
+        if (is_wanted(s)) return s;
+        continue;
+      }
+      for (const Leg_id l : legs_of_edge[e]) {
+        const Sector_id s = !l.is_valid() ? Sector_id() : sector_with(mesh, l, x, y);
+        if (is_wanted(s)) return s;
+      }
+    }
+    return {};
+  }
 
   Sector_id common_sector(Leg_id l, Leg_id m) const {
     if (!l.is_valid() || !m.is_valid() || l == m) return {};

@@ -124,6 +124,7 @@ private:
   bool visit(const Corner& corner, const Function& f) const {
     for (const Leg_id l : corner.legs) {
       const Leg& leg = corners_.leg(l);
+      if (whole_.problem.is_kept(leg.edge)) continue; // it is never cut
       Vertex_id before = leg.apex_vertex;
       for (const auto& [radius, v] : leg.shells) {
         static_cast<void>(radius);

@@ -13,6 +13,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Edge_room.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Input_edges.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Vertex_blocks.h>
+#include <CGAL/Quadtree_mesh_2/internal/triangulation/kept_edges.h>
 
 #include <algorithm>
 #include <vector>
@@ -27,10 +28,14 @@ struct Meshing_problem {
   Uninitialized_indexed_vector<Vertex_id, typename Geometry::Point> input_points; ///< by input number
   Vertex_blocks vertex_blocks; ///< in which a large mesh is refined
   Input_edges edges;
+  Kept_edges kept_edges; ///< which of them get no vertices; empty: none
   Acute_corners<Geometry> corners;
   Bounds<Geometry> bounds;
   /// Features of the input nearer to a vertex than this share of an edge at it are none that legs are cut for.
   typename Geometry::Number least_share_of_leg = 0;
+
+  bool keeps_edges() const { return !kept_edges.empty(); }
+  bool is_kept(Edge_id e) const { return keeps_edges() && kept_edges[e].is_valid(); }
 
   const typename Geometry::Point& input_point(Vertex_id number) const { return input_points[number]; }
 
@@ -45,7 +50,7 @@ struct Meshing_problem {
   /// Writes or reads what does not follow from the input and the options alone (Checkpoint_file.h).
   template <class Archive>
   void transfer(Archive& archive) {
-    archive(edges);
+    archive(edges, kept_edges);
     if (Archive::is_reading) corners.prepare(edges, 0);
     archive(corners, least_share_of_leg, outer_of_edge_);
   }

@@ -27,6 +27,7 @@ namespace internal {
 enum class Outcome {
   CHANGED,
   REFUSED, ///< there is no room, or nothing of the kind to do
+  BLOCKED, ///< an edge that gets no vertices is in the way, and will be until the triangle is another one
   DEFERRED ///< it needs what lies beyond a seam of the block
 };
 
@@ -116,7 +117,10 @@ struct Meshing_state {
   static constexpr std::size_t most_triangles_of_small_mesh = 1000;
   bool is_small_mesh() const { return mesh.number_of_triangles() <= most_triangles_of_small_mesh; }
 
-  bool is_exempt(Vertex_id a, Vertex_id b, Vertex_id c) const { return corners.is_exempt(mesh, a, b, c); }
+  bool is_exempt(Vertex_id a, Vertex_id b, Vertex_id c) const {
+    return problem.keeps_edges() ? corners.excusing_sector(mesh, a, b, c).is_valid()
+                                 : corners.is_exempt(mesh, a, b, c);
+  }
 
   bool is_large(Triangle_id t, const Shape& s) const {
     const auto& r = mesh.triangle(t);
@@ -130,10 +134,22 @@ struct Meshing_state {
     return (bounds.is_sharp(s) && !is_exempt(r.v[0], r.v[1], r.v[2])) || is_large(t, s);
   }
 
-  bool is_any_bad() const {
-    for (const Triangle_id t : mesh.triangles.ids())
-      if (mesh.is_alive(t) && is_bad(t)) return true;
-    return false;
+  std::size_t number_of_bad() const {
+    std::size_t n = 0;
+    for (const Triangle_id t : mesh.triangles.ids()) n += mesh.is_alive(t) && is_bad(t) ? 1 : 0;
+    return n;
+  }
+
+  /// How many bad triangles another mesh of the same graph may have, to be as good as this one: none, unless edges that
+  /// get no vertices force some.
+  std::size_t number_of_bad_allowed() const { return problem.keeps_edges() ? number_of_bad() : 0; }
+
+  /// Whether a side is on an edge that gets no vertices.
+  bool is_kept(Side s) const { return problem.keeps_edges() && kept_edge(s).is_valid(); }
+  /// That edge, if there is one.
+  Edge_id kept_edge(Side s) const {
+    const Edge_id e = whole_edge(s);
+    return e.is_valid() && problem.is_kept(e) ? e : Edge_id();
   }
 
   /// Whether t misses a bound, excused or not.
@@ -213,6 +229,13 @@ struct Meshing_state {
   }
 
   std::vector<Side> doubtful_sides;
+
+  /// The input edge that a side is, as a whole; none if it is none.
+  Edge_id whole_edge(Side s) const {
+    const Vertex_id x = mesh.source(s), y = mesh.target(s);
+    if (!mesh.across(s).is_constrained() || !mesh.is_input(x) || !mesh.is_input(y)) return {};
+    return edges.between(mesh.input_number(x), mesh.input_number(y));
+  }
 
 private:
   static double squared_length_of_shortest(const Shape& s) { return ratio(s.l[s.slot_of_shortest()], 1); }

@@ -15,6 +15,7 @@
 //      the bound, where that is less), the vertex goes on that edge instead (Splitter.h).
 // Triangles are taken up by stretches of the mesh, in their order, and all that comes of a stretch is done before the
 // next one: so memory is used while it is at hand. Within a stretch the sharpest is first (Worklist.h).
+// Where an edge that gets no vertices is in the way, the vertex goes nearer to the triangle, or the triangle is left.
 // The other rule (Refinement_rule) puts the vertex at the off-center itself, and the shortest edge is first.
 //
 // Flips restore the Delaunay property locally, and triangles that they make bad join the list. At the end the
@@ -31,6 +32,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Relocator.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Splitter.h>
+#include <CGAL/Quadtree_mesh_2/internal/triangulation/Cavity.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/edge_next_to.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/least_edge.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/walk.h>
@@ -64,7 +66,7 @@ public:
   using Shape = typename Kernel_mesh<Geometry>::Shape;
 
   Refiner(Meshing_state<Geometry>& state, Splitter<Geometry>& splitter)
-      : state_(state), mesh_(state.mesh), splitter_(splitter), relocator_(state),
+      : state_(state), mesh_(state.mesh), splitter_(splitter), relocator_(state), cavity_(state.mesh),
         apex_height_(off_center_share * 0.5 / std::tan(state.bounds.angle / 2)),
         cosine2_of_encroachment_(state.encroachment == Encroachment::CIRCLES
                                      ? 0
@@ -77,7 +79,7 @@ public:
   }
 
   /// To be called when the mesh has become another one.
-  void forget_refused() { refused_.clear(); }
+  void forget_refused() { refused_.clear(), blocked_.clear(), rounds_of_blocked_ = 0; }
 
   /// Processes the list until it is empty. Asks `shall_go_on()` every 4096 steps. Where the mesh has
   /// reached the limit, no vertex is inserted.
@@ -102,7 +104,24 @@ public:
     return Refinement_end::DONE;
   }
 
+  /// The edge that gets no vertices and is in the way of what would cure a bad triangle; none if no such edge is.
+  Edge_id kept_edge_in_the_way(Triangle_id t) {
+    if (!state_.problem.keeps_edges()) return {};
+    const auto r = mesh_.triangle(t);
+    const Shape s = mesh_.shape(r);
+    const int k = s.slot_of_shortest();
+    const Point q = place_at(center_for(r, s, k), r, s, k);
+    const Walk_end end = walk_in_sight(mesh_, t, q, longest_walk());
+    if (end.is_broken_off) return {};
+    const Side side = side_in_the_way(end, q);
+    if (!side.is_border()) return state_.kept_edge(side);
+    const Side harmed = look_around(end.triangle, q).harmed;
+    return harmed.is_border() ? Edge_id() : state_.kept_edge(harmed);
+  }
+
 private:
+  /// Of the height of a place over the shortest edge: where else a vertex may go.
+  static constexpr double shares_of_height[] = {0.8, 0.65, 0.5, 0.4};
   /// The off-center sees the shortest edge under an angle a little wider than the bound.
   static constexpr double off_center_share = 0.95;
   /// Of the angle from which on a vertex must not see an edge. A vertex that sees it under more than 180 degrees less
@@ -116,6 +135,9 @@ private:
   /// Once this many vertices were inserted for a triangle slot, its new vertices stay. So relocation cannot
   /// cycle.
   static constexpr unsigned char patience = 3;
+  /// How often triangles are tried again that an edge without vertices was in the way of. What is around them has
+  /// hardly changed.
+  static constexpr int most_rounds_of_blocked = 8;
   /// No vertex is relocated more often, so relocations without insertions end.
   static constexpr unsigned char most_relocations = 32;
 
@@ -123,11 +145,13 @@ private:
   Kernel_mesh<Geometry>& mesh_;
   Splitter<Geometry>& splitter_;
   Relocator<Geometry> relocator_;
+  Cavity<Geometry> cavity_;
   double apex_height_; // of the off-center's triangle over a unit edge
   double cosine2_of_encroachment_;
   Uninitialized_indexed_vector<Triangle_id, unsigned char> trials_;    // vertices inserted for a triangle
   Uninitialized_indexed_vector<Vertex_id, unsigned char> relocations_; // of a vertex
-  std::vector<Triangle_id> refused_;
+  std::vector<Triangle_id> refused_, blocked_;
+  int rounds_of_blocked_ = 0;
   Triangle_id next_to_push_{0}, end_to_push_{0};
   std::size_t vertices_when_taken_up_ = 0; // the refused ones
 
@@ -174,8 +198,12 @@ private:
   /// Puts triangles back on the list that could not be cured before, if vertices were inserted since. The
   /// thin triangle may be gone in which a rounded point would have been beside its edge. False if none of them is left.
   bool takes_up_refused() {
-    if (refused_.empty() || mesh_.number_of_vertices() == vertices_when_taken_up_) return false;
+    if (refused_.empty() && blocked_.empty()) return false;
+    if (mesh_.number_of_vertices() == vertices_when_taken_up_) return false;
     vertices_when_taken_up_ = mesh_.number_of_vertices();
+    if (rounds_of_blocked_++ < most_rounds_of_blocked)
+      refused_.insert(refused_.end(), blocked_.begin(), blocked_.end());
+    blocked_.clear();
     for (const Triangle_id t : refused_)
       if (mesh_.is_alive(t)) state_.push(t);
     refused_.clear();
@@ -206,6 +234,7 @@ private:
     Outcome outcome = splitter_.open_lock_around(t);
     if (outcome == Outcome::REFUSED) outcome = insert_vertex_for(t, shape);
     const bool may_go_later = outcome == Outcome::REFUSED && state_.is_block();
+    if (outcome == Outcome::BLOCKED) return blocked_.push_back(t);
     if (outcome == Outcome::DEFERRED || may_go_later) return state_.deferred.push_back(t);
     settle_new_vertices(t, end_before);
     if (outcome == Outcome::REFUSED) return refused_.push_back(t);
@@ -222,28 +251,67 @@ private:
   }
 
   /// Refused if nothing could be inserted: the triangle is as small as coordinates allow.
+  /// Blocked if an edge that gets no vertices is in the way.
   Outcome insert_vertex_for(Triangle_id t, const Shape& s) {
     const auto r = mesh_.triangle(t);
     const int k = s.slot_of_shortest();
     if (!Geometry::is_resolved(mesh_.point(r.v[next_slot[k]]), s.l[k])) return Outcome::REFUSED;
-    const Point q = place_for(r, s, k);
+    const Vector center = center_for(r, s, k);
+    const Point q = place_at(center, r, s, k);
     const Walk_end end = walk_in_sight(mesh_, t, q, longest_walk());
     if (end.is_broken_off) return state_.is_block() ? Outcome::DEFERRED : Outcome::REFUSED;
-    const Side in_the_way =
-        end.is_blocked() ? Side(end.triangle, end.blocked_slot) : most_encroached_side(end.triangle, q);
+    const Side in_the_way = side_in_the_way(end, q);
     const Number distance2 = least_distance2 * s.l[k];
-    if (!in_the_way.is_border())
+    if (!in_the_way.is_border()) {
+      if (state_.is_kept(in_the_way)) return insert_before_kept_edge(t, s, center);
       return is_too_short(in_the_way, distance2)
                  ? Outcome::DEFERRED
                  : splitter_.split(in_the_way.triangle(), in_the_way.slot(), &q,
                                    is_within_rounding<Geometry>(s, q) ? Asker::NARROW : Asker::ORDINARY);
+    }
     if (is_too_near(end.triangle, q, distance2)) return Outcome::DEFERRED;
-    return insert(end.triangle, q);
+    const auto found = look_around(end.triangle, q);
+    if (!found.harmed.is_border()) return insert_before_kept_edge(t, s, center);
+    return found.has_seam ? Outcome::DEFERRED : insert(end.triangle, q);
   }
 
-  /// The off-center of a triangle with an angle below the bound, or the quadtree corner next to it, as is the rule; of
-  /// a triangle that is only too large, its circumcenter or the corner next to that.
-  Point place_for(const typename Kernel_mesh<Geometry>::Triangle& r, const Shape& s, int k) const {
+  /// What has to be split before a vertex can be at q; the border if nothing has to.
+  Side side_in_the_way(const Walk_end& end, const Point& q) const {
+    return end.is_blocked() ? Side(end.triangle, end.blocked_slot) : most_encroached_side(end.triangle, q);
+  }
+
+  /// Where an edge that gets no vertices is in the way, the vertex goes nearer to the shortest edge, on the same
+  /// bisector, to the first place that harms no edge. There it makes a triangle within the bound with the shortest
+  /// edge, too. It comes no nearer to other vertices than the shortest edge is long, and no other edge is split for it:
+  /// so such insertions end.
+  /// \param center where the vertex should have gone, from the first end of the shortest edge
+  Outcome insert_before_kept_edge(Triangle_id t, const Shape& s, const Vector& center) {
+    // for one that is only too large, a nearer place may be too near to other vertices
+    if (!state_.bounds.is_sharp(s)) return Outcome::BLOCKED;
+    const auto r = mesh_.triangle(t);
+    const int k = s.slot_of_shortest();
+    const Point& a = mesh_.point(r.v[next_slot[k]]);
+    const Vector middle = 0.5 * Geometry::scaled_difference(mesh_.point(r.v[previous_slot[k]]), a);
+    bool may_go_later = false;
+    for (const double share : shares_of_height) {
+      const Vector offset = middle + share * (center - middle);
+      if (squared_length(offset) < s.l[k]) break;
+      const Point q = Geometry::translate(a, offset);
+      const Walk_end end = walk_in_sight(mesh_, t, q, longest_walk());
+      if (end.is_broken_off || !side_in_the_way(end, q).is_border()) continue;
+      const auto found = look_around(end.triangle, q);
+      if (!found.harmed.is_border()) continue;
+      may_go_later |= found.has_seam;
+      if (found.has_seam || is_too_near(end.triangle, q, least_distance2 * s.l[k])) continue;
+      if (insert(end.triangle, q) == Outcome::CHANGED) return Outcome::CHANGED;
+    }
+    return may_go_later ? Outcome::DEFERRED : Outcome::BLOCKED;
+  }
+
+  /// The off-center of a triangle with an angle below the bound; of a triangle that is only too large, its
+  /// circumcenter.
+  /// \returns the way to it from the first end of the shortest edge
+  Vector center_for(const typename Kernel_mesh<Geometry>::Triangle& r, const Shape& s, int k) const {
     const Point& a = mesh_.point(r.v[next_slot[k]]);
     const Point& b = mesh_.point(r.v[previous_slot[k]]);
     const Point& c = mesh_.point(r.v[k]);
@@ -256,6 +324,15 @@ private:
       // not >= : the area of a triangle that is too flat for doubles gives a center that is no number
       if (!(squared_length(off_center - middle) >= squared_length(center - middle))) center = off_center;
     }
+    return center;
+  }
+
+  /// The place at the end of that way, or the quadtree corner next to it, as is the rule.
+  Point place_at(const Vector& center, const typename Kernel_mesh<Geometry>::Triangle& r, const Shape& s,
+                 int k) const {
+    const Point& a = mesh_.point(r.v[next_slot[k]]);
+    const Point& b = mesh_.point(r.v[previous_slot[k]]);
+    const Point& c = mesh_.point(r.v[k]);
     const Point q = Geometry::translate(a, center);
     if (state_.refinement_rule == Refinement_rule::OFF_CENTERS) return q;
     using std::sqrt;
@@ -264,6 +341,36 @@ private:
                                        Geometry::scaled_difference(b, corner),
                                        Geometry::scaled_difference(c, corner));
     return test.is_certainly_inside() ? corner : q;
+  }
+
+  // ---- edges that get no vertices
+
+  /// What is around a place.
+  struct Surroundings {
+    Side harmed = Side::border(); ///< the first kept side that a vertex there would harm; else the border
+    bool has_seam = false;        ///< beyond which there may be one
+  };
+
+  Surroundings look_around(Triangle_id t, const Point& q) {
+    Surroundings found;
+    if (!state_.problem.keeps_edges()) return found;
+    cavity_.visit_sides({t}, q, [&](Side s) {
+      const Side o = mesh_.across(s);
+      if (!o.is_constrained()) return true;
+      const bool is_kept = state_.is_kept(s);
+      found.has_seam |= o.is_seam() && !is_kept;
+      if (is_kept && would_harm(q, s)) found.harmed = s;
+      return found.harmed.is_border();
+    });
+    return found;
+  }
+
+  /// Whether a vertex at q would make a triangle with a kept side that is below the bound and obtuse at q. Nothing
+  /// cures such a triangle: its circumcenter lies beyond the side.
+  bool would_harm(const Point& q, Side s) const {
+    const Point &a = mesh_.point(mesh_.source(s)), &b = mesh_.point(mesh_.target(s));
+    if (dot(Geometry::scaled_difference(a, q), Geometry::scaled_difference(b, q)) >= 0) return false;
+    return state_.encroachment == Encroachment::CIRCLES || state_.bounds.is_sharp(mesh_.shape(a, b, q));
   }
 
   bool is_too_short(Side s, Number distance2) const {
@@ -284,7 +391,7 @@ private:
   }
 
   /// The constrained side, of t or of a triangle next to it, that q sees under the widest angle above that of
-  /// encroachment; else the border.
+  /// encroachment; else the border. Those that get no vertices have `would_harm()`.
   Side most_encroached_side(Triangle_id t, const Point& q) const {
     Side best = Side::border();
     double widest = cosine2_of_encroachment_;
@@ -294,7 +401,7 @@ private:
       const Number d = dot(x, y);
       if (d >= 0) return;
       const double cosine2 = ratio(d * d, squared_length(x) * squared_length(y));
-      if (cosine2 > widest) widest = cosine2, best = s;
+      if (cosine2 > widest && !state_.is_kept(s)) widest = cosine2, best = s;
     };
     for (int k = 0; k < 3; ++k) {
       const Side o = mesh_.triangle(t).side[k];

@@ -156,7 +156,7 @@ private:
       const int apex = next_slot[k]; // of the sector to the left of side k
       starts |= (is_constrained & (s.may_be_below_60_degrees(apex) ? 1u : 0u)) << apex;
     }
-    narrow_[t] = static_cast<unsigned char>(narrow);
+    narrow_[t] = static_cast<unsigned char>(state_.problem.keeps_edges() ? splittable(t, narrow) : narrow);
     acute_starts_.slots_of_triangle[t] = static_cast<unsigned char>(starts);
     demand.of_shapes += per_triangle;
     if (constrained < 2 && s.longest() > ordinary_aspect * s.area2) {
@@ -167,6 +167,13 @@ private:
       demand.of_shapes += per_layer * std::log2(std::min(aspect / ordinary_aspect, growth_around(r, s)));
     }
     demand.of_sizes += sizes_demand(t, s);
+  }
+
+  /// Those of some sides that may get vertices. The others ask for no triangles in gaps.
+  unsigned splittable(Triangle_id t, unsigned sides) const {
+    for (int k = 0; k < 3; ++k)
+      if ((sides >> k & 1u) != 0 && state_.is_kept(Side(t, k))) sides &= ~(1u << k);
+    return sides;
   }
 
   /// Vertices units in the last place from a line give any area in doubles, also a negative one.

@@ -18,6 +18,8 @@
 //           - The chord that locks a lopped sector is never split. When something comes too close to it, the
 //             lock moves down to the next shell. If there is none, a shell is made at 0.6 of the radius. What
 //             was behind the chord becomes ordinary domain.
+//           - Edges that get no vertices (kept_edges.h) are never split. Beside a leg of this kind a sector has no
+//             chord.
 // Bound:    O(degree + log n) for a split, times the number of legs within a ring, for n shells on a leg.
 // Source:   Bern, Eppstein, Teng, section 6: "We can ignore the cut-off triangles for the remainder of the
 //           algorithm, simply reattaching them (with appropriately subdivided cutting edges) after the final
@@ -77,14 +79,15 @@ public:
   }
 
   /// Splits the constrained edge at side k of t, near `want` where nothing else is prescribed.
-  /// Refused if it cannot be split: it is as short as coordinates allow, or it is for the sake of a triangle between
-  /// two edges that coordinates hardly tell apart. There would be no end of these.
+  /// Blocked if the edge gets no vertices. Refused if it cannot be split: it is as short as coordinates allow, or it is
+  /// for the sake of a triangle between two edges that coordinates hardly tell apart. There would be no end of these.
   Outcome split(Triangle_id t, int k, const Point* want, Asker asker) {
     const Side side(t, k);
     if (mesh_.across(side).is_seam()) return Outcome::DEFERRED;
     const Vertex_id x = mesh_.source(side), y = mesh_.target(side);
     const Edge_id e = state_.edges.carrying(mesh_, x, y);
     if (!e.is_valid()) return split_chord(x, y);
+    if (state_.problem.is_kept(e)) return Outcome::BLOCKED;
     for (const Leg_id l : corners_.legs_of_edge[e])
       if (l.is_valid() && !state_.owns(corners_.leg(l).corner)) return Outcome::DEFERRED;
     for (const Leg_id l : corners_.legs_of_edge[e])
@@ -114,7 +117,7 @@ public:
   Outcome open_lock_around(Triangle_id t) {
     const auto r = mesh_.triangle(t);
     const Sector_id s = corners_.sector_of(mesh_, r.v[0], r.v[1], r.v[2]);
-    if (!s.is_valid()) return Outcome::REFUSED;
+    if (!s.is_valid() || is_between_kept(corners_.sector(s))) return Outcome::REFUSED;
     const Corner_id c = corners_.corner_of(corners_.sector(s));
     if (!state_.owns(c)) return Outcome::DEFERRED;
     if (corners_.sector(s).lock_radius == 0) return Outcome::REFUSED;
@@ -171,6 +174,12 @@ private:
 
   // ---- shells
 
+  /// Whether a leg gets no vertices. It has no shells then, and sectors beside it are ordinary domain.
+  bool is_kept(const Leg& leg) const { return state_.problem.is_kept(leg.edge); }
+  bool is_between_kept(const Sector& s) const {
+    return is_kept(corners_.leg(s.right)) || is_kept(corners_.leg(s.left));
+  }
+
   /// Where the ring meets a leg: at the vertex `beyond`, if that stands in for a new one, else before it.
   struct Ring_place {
     Vertex_id beyond;
@@ -201,6 +210,7 @@ private:
   bool may_cut_ring(const Corner& corner, Number radius) const {
     const Number tolerance = ring_tolerance(corner.least_angle, radius);
     return std::all_of(corner.legs.begin(), corner.legs.end(), [&](Leg_id l) {
+      if (is_kept(corners_.leg(l))) return true;
       const Ring_place place = ring_place(l, radius, tolerance);
       if (place.is_stand_in) return true;
       const Leg& leg = corners_.leg(l);
@@ -211,6 +221,7 @@ private:
 
   void cut_ring_on_leg(Leg_id l, Number radius, Number tolerance) {
     Leg& leg = corners_.leg(l);
+    if (is_kept(leg)) return;
     const Ring_place place = ring_place(l, radius, tolerance);
     leg.ring = place.is_stand_in
                    ? place.beyond
@@ -229,6 +240,7 @@ private:
     if (is_cut_on_all_legs(corner)) asker = Asker::ORDINARY;
     for (std::size_t i = 0; i < run.size; ++i) {
       Leg& leg = corners_.leg(corner.legs[(run.first + i) % corner.legs.size()]);
+      if (is_kept(leg)) continue;
       if (radius < least_share_of_leg() * leg.length) return false;
       const auto around =
           leg.shells.around(radius, leg.apex_vertex, [this](Vertex_id v) { return mesh_.is_used(v); });
@@ -405,7 +417,7 @@ private:
   /// Puts p on the side; none if p is not strictly between its ends as seen from the apexes of its triangles, or not
   /// clear of what is outside.
   Vertex_id insert(Side s, Edge_id e, Point p) {
-    if (mesh_.number_of_vertices() >= state_.most_vertices) return {};
+    if (mesh_.number_of_vertices() >= state_.most_vertices || state_.problem.is_kept(e)) return {};
     if (!keeps_orientation(mesh_, s, p) || !state_.problem.is_clear_of_outside(e, p)) return {};
     const Side o = mesh_.across(s);
     const Triangle_id across = o.is_border() ? Triangle_id() : o.triangle();

@@ -66,6 +66,7 @@ public:
     if (!bounds.is_size_bounded()) return;
     const double side = reference_side();
     if (!(side > 0 && side < std::numeric_limits<double>::infinity())) return;
+    if (has_long_kept_edge()) return;
     if (!bounds.is_local() && !is_worth_it(domain_area() / (side * side))) return;
     const auto [low, high] = box();
     const Square_grid<Geometry> grid(low, high, side);
@@ -125,12 +126,32 @@ private:
 
   /// The side of squares that just meet the bounds: the uniform ones, or those of one place.
   double reference_side() const {
+    return std::sqrt(squared_side_at([this] { return some_place(); }) * (1 - Bounds<Geometry>::margin));
+  }
+
+  /// The square of that side, where bounds differ at a place.
+  template <class Place>
+  double squared_side_at(const Place& place) const {
     const Bounds<Geometry>& bounds = state_.bounds;
     double area2 = std::min(bounds.area2, 0.5 * bounds.squared_length);
     for (const double a : bounds.area2_of_region)
       if (a > 0) area2 = std::min(area2, a);
-    if (bounds.squared_length_at) area2 = std::min(area2, 0.5 * bounds.squared_length_at(some_place()));
-    return std::sqrt(area2 * (1 - Bounds<Geometry>::margin));
+    return bounds.squared_length_at ? std::min(area2, 0.5 * bounds.squared_length_at(place())) : area2;
+  }
+
+  /// Whether an edge that gets no vertices is much longer than the squares beside it would be. Between both there has
+  /// to be room for triangles of all lengths between.
+  bool has_long_kept_edge() const {
+    if (!state_.problem.keeps_edges()) return false;
+    constexpr double most_squared_sides = 4;
+    for (const Edge_id e : state_.edges.ids()) {
+      if (!state_.problem.is_kept(e)) continue;
+      const Point &a = state_.problem.input_point(state_.edges[e].a),
+                  &b = state_.problem.input_point(state_.edges[e].b);
+      const double side2 = squared_side_at([&] { return Geometry::between(a, b, 0.5); });
+      if (squared_length(Geometry::scaled_difference(a, b)) > most_squared_sides * side2) return true;
+    }
+    return false;
   }
 
   /// The centroid of a triangle.

@@ -50,12 +50,13 @@ public:
   bool run(Continue&& shall_go_on) {
     if (!start_ || !state_.is_small_mesh()) return false;
     Mesh_snapshot<Geometry> first(state_);
+    const std::size_t bad_allowed = state_.number_of_bad_allowed();
     std::move(*start_).restore(state_);
     start_.reset();
     state_.refinement_rule = Refinement_rule::OFF_CENTERS;
     const std::size_t before = first.number_of_triangles();
     constexpr std::size_t few = 32;
-    const bool is_refined = refine({Mesh_limit::any, before + before / 4 + few}, shall_go_on);
+    const bool is_refined = refine({Mesh_limit::any, before + before / 4 + few}, bad_allowed, shall_go_on);
     state_.clear_worklist();
     state_.refinement_rule = Refinement_rule::CORNERS;
     if (is_refined) {
@@ -77,13 +78,13 @@ private:
     return false;
   }
 
-  /// Whether no triangle is bad in the end.
+  /// Whether no more triangles are bad in the end than is allowed.
   template <class Continue>
-  bool refine(Mesh_limit limit, Continue& shall_go_on) {
+  bool refine(Mesh_limit limit, std::size_t bad_allowed, Continue& shall_go_on) {
     Splitter<Geometry> splitter(state_);
     Refiner<Geometry> refiner(state_, splitter);
     refiner.push_all();
-    return refiner.run(limit, shall_go_on) == Refinement_end::DONE && !state_.is_any_bad();
+    return refiner.run(limit, shall_go_on) == Refinement_end::DONE && state_.number_of_bad() <= bad_allowed;
   }
 };
 

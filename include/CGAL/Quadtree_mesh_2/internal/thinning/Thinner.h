@@ -38,7 +38,8 @@ public:
   template <class Continue>
   bool run(Mesh_limit limit, Continue&& shall_go_on) {
     Mesh_snapshot<Geometry> before(state_);
-    if (thin_out(state_, shall_go_on) > 0 && refine(limit, shall_go_on)) {
+    const std::size_t bad_allowed = state_.number_of_bad_allowed();
+    if (thin_out(state_, shall_go_on) > 0 && refine(limit, bad_allowed, shall_go_on)) {
       Remover<Geometry>(state_).run(shall_go_on);
       if (state_.mesh.number_of_triangles() < before.number_of_triangles()) return true;
     }
@@ -50,9 +51,9 @@ public:
 private:
   Meshing_state<Geometry>& state_;
 
-  /// Whether no triangle is bad in the end.
+  /// Whether no more triangles are bad in the end than is allowed.
   template <class Continue>
-  bool refine(Mesh_limit limit, Continue& shall_go_on) {
+  bool refine(Mesh_limit limit, std::size_t bad_allowed, Continue& shall_go_on) {
     constexpr int most_rounds = 5;
     Splitter<Geometry> splitter(state_);
     Refiner<Geometry> refiner(state_, splitter);
@@ -60,7 +61,7 @@ private:
     for (int round = 0; round < most_rounds; ++round) {
       if (refiner.run(limit, shall_go_on) != Refinement_end::DONE) return false;
       state_.legalize(); // and what that makes bad is on the list again
-      if (state_.worklist.is_empty()) return !state_.is_any_bad();
+      if (state_.worklist.is_empty()) return state_.number_of_bad() <= bad_allowed;
     }
     return false;
   }

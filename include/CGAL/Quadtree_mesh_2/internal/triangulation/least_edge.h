@@ -13,12 +13,10 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_LEAST_EDGE_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_LEAST_EDGE_H
 
+#include <CGAL/Quadtree_mesh_2/internal/triangulation/Cavity.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Kernel_mesh.h>
 
-#include <algorithm>
-#include <cstddef>
 #include <initializer_list>
-#include <vector>
 
 namespace CGAL {
 namespace Quadtree_mesh_2 {
@@ -30,26 +28,10 @@ template <class Geometry>
 bool has_room(const Kernel_mesh<Geometry>& mesh, std::initializer_list<Triangle_id> holders,
               const typename Geometry::Point& q, double least) {
   if (least <= 0) return true;
-  std::vector<Triangle_id> cavity;
-  for (const Triangle_id t : holders)
-    if (t.is_valid()) cavity.push_back(t);
-  for (std::size_t i = 0; i < cavity.size(); ++i) {
-    const auto& r = mesh.triangle(cavity[i]);
-    for (int k = 0; k < 3; ++k) {
-      if (squared_length(Geometry::scaled_difference(mesh.point(r.v[k]), q)) < least) return false;
-      const Side o = r.side[k];
-      if (o.is_seam()) return false; // nobody knows what lies beyond
-      if (o.is_constrained() || std::find(cavity.begin(), cavity.end(), o.triangle()) != cavity.end())
-        continue;
-      const auto& n = mesh.triangle(o.triangle());
-      const Basic_in_circle<typename Geometry::Number> test(
-          Geometry::scaled_difference(mesh.point(n.v[0]), q),
-          Geometry::scaled_difference(mesh.point(n.v[1]), q),
-          Geometry::scaled_difference(mesh.point(n.v[2]), q));
-      if (test.is_positive()) cavity.push_back(o.triangle());
-    }
-  }
-  return true;
+  return Cavity<Geometry>(mesh).visit_sides(holders, q, [&](Side s) {
+    return squared_length(Geometry::scaled_difference(mesh.point(mesh.opposite(s)), q)) >= least &&
+           !mesh.across(s).is_seam(); // nobody knows what lies beyond
+  });
 }
 
 } // namespace internal
