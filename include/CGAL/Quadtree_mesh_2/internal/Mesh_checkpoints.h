@@ -105,7 +105,7 @@ private:
 
     std::uint32_t magic = 0x516d5374;
     std::uint32_t version =
-        2; // to be raised when the file has something else, or refinement goes on differently
+        3; // to be raised when the file has something else, or refinement goes on differently
     std::uint64_t origin;
   };
 
