@@ -168,6 +168,7 @@ inline void print_trees(const CGAL::Tree_separation_report_2& trees) {
   using End = CGAL::Tree_separation_report_2::End;
   if (trees.end == End::NONE) return;
   if (trees.has_taken_over) std::printf("quadtrees took over, as refinement did not come to rest\n");
+  if (trees.islands > 0) std::printf("in %zu components of the domain, and nowhere else\n", trees.islands);
   if (trees.end == End::BUDGET)
     std::printf("quadtrees took more than their budget: refined on demand %s\n",
                 trees.has_taken_over && trees.rounds > 0 ? "from there on" : "instead");
@@ -223,6 +224,7 @@ inline nlohmann::ordered_json trees_json(const CGAL::Tree_separation_report_2& t
   if (trees.end == CGAL::Tree_separation_report_2::End::NONE) return nullptr;
   return {{"end", report_words::name(trees.end)},
           {"has_taken_over", trees.has_taken_over},
+          {"islands", trees.islands},
           {"leaves_of_points", trees.leaves_of_points},
           {"leaves_of_vertices", trees.leaves_of_vertices},
           {"leaves_of_pieces", trees.leaves_of_pieces},

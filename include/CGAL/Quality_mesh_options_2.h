@@ -151,8 +151,9 @@ public:
   int thin() const { return thin_; } ///< the value set
 
   /// When the construction by quadtrees takes over because refinement on demand does not come to rest: when
-  /// the mesh has this many times the expected vertices, and two million more; 100 by default. Graphs of fewer
-  /// than 1000 vertices have a limit of their own (`max_vertices()`).
+  /// the mesh has this many times the expected vertices, and two million more; 100 by default. Below 1 it is as
+  /// small a share of the two million. Graphs of fewer than 1000 vertices have a limit of their own
+  /// (`max_vertices()`). Quadtrees make only the components of the domain that do not come to rest.
   /// `Quality_mesh_report_2::trees` then says so. 0: use quadtrees immediately.
   ///
   /// Quadtrees cannot take over for bounds above 20.7048 degrees (sin^2 = 1/8), with a least edge, or with

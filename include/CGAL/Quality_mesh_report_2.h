@@ -33,6 +33,9 @@ struct Tree_separation_report_2 {
   End end = End::NONE; ///< how it ended
   bool has_taken_over =
       false; ///< whether refinement on demand did not come to rest (`Quality_mesh_options_2::patience()`)
+  /// So many components of the domain alone were constructed, because refinement came to rest in all others, or goes on
+  /// there; 0 if the whole mesh was. All that follows is then about those constructed last.
+  std::size_t islands = 0;
   std::size_t leaves_of_points = 0;   ///< leaves of T_B, the quadtree of the vertices; 0 if it was not needed
   std::size_t leaves_of_vertices = 0; ///< leaves of T_B', in which vertices are separated
   std::size_t leaves_of_pieces = 0;   ///< leaves of T_B'', in which edges within leaves are separated
@@ -88,7 +91,7 @@ struct Quality_mesh_report_2 {
     double first_mesh = 0; ///< constrained Delaunay triangulation of the input, domain, corners
     double trees = 0;      ///< the quadtrees of Theorem 5
     double construct = 0;  ///< rounds of placing vertices by them
-    double refine = 0;     ///< including the removal that large meshes do in blocks
+    double refine = 0;     ///< including the removal that large meshes do in blocks, and islands by quadtrees
     double coarsen = 0;    ///< removal, smoothing and thinning
     double convert = 0;    ///< to Indexed_mesh_2
   };

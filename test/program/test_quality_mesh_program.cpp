@@ -310,6 +310,7 @@ TEST_CASE("the program separates by quadtrees and says what they did", "[program
   CHECK((trees.at("end") == "done" || trees.at("end") == "rounds"));
   CHECK(trees.at("placed") >= trees.at("kept"));
   CHECK(trees.at("has_taken_over") == false);
+  CHECK(trees.at("islands") == 0);
   CHECK(trees.at("handed_over") == 0);
   CHECK(trees.at("left_out").is_number());
   for (const char* name : {"trees", "construct"}) CHECK(json.at("seconds").at(name).is_number());

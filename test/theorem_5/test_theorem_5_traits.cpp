@@ -7,6 +7,7 @@
 // Meshes by quadtrees over words and over exact coordinates.
 
 #include "catch.h"
+#include "island_graphs.h"
 #include "meshers_in_words32.h"
 #include "theorem_5_tools.h"
 
@@ -31,8 +32,10 @@ using namespace theorem_5_test;
 using Exact_traits = CGAL::Exact_quadtree_traits_2<>;
 
 /// Meshes by quadtrees, and checks the mesh.
+/// \returns the report
 template <class Traits>
-void check_mesh(const CGAL::Pslg_2<typename Traits::Point_2>& pslg, const Options& options = by_quadtrees()) {
+CGAL::Quality_mesh_report_2 check_mesh(const CGAL::Pslg_2<typename Traits::Point_2>& pslg,
+                                       const Options& options = by_quadtrees()) {
   CGAL::Quality_mesher_2<Traits> mesher(options);
   const auto mesh = mesher(pslg);
   CHECK(mesher.report().is_met());
@@ -43,6 +46,13 @@ void check_mesh(const CGAL::Pslg_2<typename Traits::Point_2>& pslg, const Option
   CHECK(quality.is_valid());
   CHECK(quality.unmet_triangles.empty());
   CHECK(quality.exempt_triangles == mesher.report().exempt_triangles.size());
+  return mesher.report();
+}
+
+/// The same without patience, where one of several components is to be made by quadtrees.
+template <class Traits>
+void check_islands(const CGAL::Pslg_2<typename Traits::Point_2>& pslg) {
+  CHECK(check_mesh<Traits>(pslg, Options().patience(0)).trees.islands == 1);
 }
 
 /// The graph with its coordinates times 3/4: doubles have the lattices of that exactly, so that the checker sees
@@ -160,6 +170,19 @@ TEST_CASE("Rational graphs are meshed by quadtrees", "[mesher][theorem5][exact]"
     CAPTURE(name);
     check_mesh<Exact_traits>(three_quarters_of(read(name)));
   }
+}
+
+TEST_CASE("Islands of rational graphs and of integers are made by quadtrees", "[mesher][theorem5][exact]") {
+  Pslg pslg;
+  island_graphs::add_square(pslg, 0, 0, 1);
+  island_graphs::add_comb(pslg, 2, 0, 4, 0.25);
+  check_islands<Exact_traits>(three_quarters_of(pslg));
+  using Word_traits = CGAL::Fixed_point_quadtree_traits_2<std::uint64_t>;
+  const auto scale = CGAL::Fixed_point_scale_2<std::uint64_t>::of_points(pslg.vertices);
+  CGAL::Pslg_2<Word_traits::Point_2> fixed;
+  for (const auto& p : pslg.vertices) fixed.vertices.push_back(scale.to_fixed(p.x(), p.y()));
+  fixed.segments = pslg.segments;
+  check_islands<Word_traits>(fixed);
 }
 
 TEST_CASE("Rational graphs are meshed by rule alone", "[mesher][theorem5][exact]") {

@@ -17,8 +17,8 @@
 //   -> exact constrained Delaunay flips; if edges are to be Delaunay, too, splits of these, and refinement
 //   -> flat arrays in the user's coordinates and vertex order
 //
-// Quadtrees (Tree_construction.h) take the place of refinement on demand where that is wanted, or where it does not
-// come to rest. Refinement then cures what is left of their mesh, and makes it where they are beyond their budget.
+// Quadtrees (Tree_construction.h) take the place of refinement on demand where that is wanted, or in islands where it
+// does not come to rest (Island_takeover.h). Refinement cures their mesh, and makes it where they go beyond a budget.
 //
 // What flows back: thinning and the exact flips may leave triangles to refine again, within a budget of their own.
 
@@ -39,6 +39,8 @@
 #include <CGAL/Quadtree_mesh_2/internal/digest_of_mesh.h>
 #include <CGAL/Quadtree_mesh_2/internal/geometry/coordinate_map.h>
 #include <CGAL/Quadtree_mesh_2/internal/grid/morton.h>
+#include <CGAL/Quadtree_mesh_2/internal/islands/Island_construction.h>
+#include <CGAL/Quadtree_mesh_2/internal/islands/Island_takeover.h>
 #include <CGAL/Quadtree_mesh_2/internal/neighbors/nearest_hits.h>
 #include <CGAL/Quadtree_mesh_2/internal/output/kernel_mesh_to_indexed_mesh.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
@@ -126,8 +128,7 @@ public:
     report_.is_cancelled = progress_.is_cancelled();
     rounds_.are_over = true;
     if (rounds_.number > 0) save_checkpoint();
-    report_.trees.kept =
-        number_used<ConcurrencyTag>(state_.mesh, problem_.input_points.size(), report_.trees.placed);
+    report_.trees.kept = number_used<ConcurrencyTag>(state_.mesh, first_placed_, report_.trees.placed);
     return convert(account, refiner);
   }
 
@@ -157,6 +158,7 @@ private:
   Facing_pair worst_pair_;
   std::optional<Pslg_error_2> too_near_for_trees_; // the error for the first of them
   double triangles_of_sizes_ = 0;                  // what bounds of size ask for, as estimated
+  std::size_t first_placed_ = 0;                   // of the vertices that quadtrees place
   Block_rounds rounds_;
   Watch watch_; // of the rounds
   Mesh_checkpoints checkpoints_{options_.checkpoints(), Checkpoint_pace<ConcurrencyTag>::time_between};
@@ -183,6 +185,7 @@ private:
     clock_.enter(&Seconds::first_mesh);
     auto& points = problem_.input_points;
     points.resize(pslg_.number_of_vertices());
+    first_placed_ = points.size();
     for_each_index<ConcurrencyTag>(points.size(), [&](std::size_t v) {
       points[static_cast<Vertex_id>(v)] = map_.to_kernel(pslg_.vertices[order_[v]]);
     });
@@ -275,7 +278,7 @@ private:
   void transfer(Archive& archive) {
     archive(state_, problem_, rounds_, worst_pair_, triangles_of_sizes_, report_.merged_vertices,
             report_.vertices_on_segments, report_.estimated_triangles, report_.rounds, report_.trees,
-            report_.is_budget_exhausted);
+            report_.is_budget_exhausted, first_placed_);
   }
 
   /// Whether there was a checkpoint of this input and these options. The state is as it was then.
@@ -348,12 +351,17 @@ private:
            report_.trees.end == Tree_separation_report_2::End::NONE && budgets().allows_quadtrees();
   }
 
-  /// Has quadtrees make the mesh that refinement did not, if they may and can.
+  /// Has quadtrees make what refinement did not, if they may and can: islands of the mesh, or all of it if it is one.
   void take_over(Refiner<Geometry>& refiner, Splitter<Geometry>& splitter) {
     report_.trees.has_taken_over = may_construct_instead();
-    if (report_.trees.has_taken_over && construct_by_trees(refiner)) return;
+    Island_takeover<Traits, ConcurrencyTag> islands(state_, {pslg_, order_, map_, traits_, find_hits_},
+                                                    options_, budgets(), report_);
+    const auto end = islands.run([&](Mesh_limit limit) { return run(refiner, limit); },
+                                 progress_.question_at(Progress_shares::quadtrees));
+    first_placed_ = std::size_t(islands.first_placed());
+    if (end == Takeover_end::WHOLE_MESH && construct_by_trees(refiner)) return;
     // Where quadtrees gave no mesh, the user's patience with refinement was in vain: it has the usual one.
-    run_to_the_end(refiner, budgets().of_refinement(may_construct_instead()));
+    if (end != Takeover_end::DONE) run_to_the_end(refiner, islands.limit_of_rest());
     finish_refinement(splitter);
   }
 
@@ -413,6 +421,7 @@ private:
     finishing_.thinnings_of_blocks = shall_coarsen ? thinnings_of_blocks_ : 0;
     rounds_ = Block_rounds(); // perhaps of refinement that did not come to rest
     state_.has_placed_vertices = true;
+    refiner.forget_rest(); // of the mesh before
     const bool are_blocks = work_off_in_blocks(limit, Progress_shares::quadtrees);
     if (!are_blocks) refiner.push_all();
     const std::size_t vertices = state_.mesh.number_of_vertices();
@@ -423,19 +432,13 @@ private:
     if (shall_coarsen && !is_thin) finishing_.thinning_rounds = std::max(options_.thin(), thinnings_of_mesh_);
   }
 
-  /// Where refinement did not come to rest, it is not to cure what could keep it going.
-  Tree_separation_options_2 options_of_trees() const {
-    const Tree_separation_options_2& wanted = options_.trees();
-    if (!report_.trees.has_taken_over) return wanted;
-    return Tree_separation_options_2::of_theorem().subdivide(wanted.subdivide()).place(wanted.place());
-  }
-
   /// \throws Pslg_error_2 if the user wants quadtrees and their grid cannot tell two vertices apart
   /// \param domain the triangulation of the domain
   Tree_separation_report_2::End make_mesh_by_trees(const Kernel_mesh<Geometry>& domain,
                                                    const Edge_sides& sides) {
     const Pslg graph = graph_of_edges(pslg_, order_, problem_.edges);
-    const Tree_separation_options_2 tree_options = options_of_trees();
+    const Tree_separation_options_2 tree_options =
+        report_.trees.has_taken_over ? options_where_refinement_fails(options_.trees()) : options_.trees();
     std::optional<Separation_trees<Traits, ConcurrencyTag>> trees;
     try {
       clock_.enter(&Seconds::trees);
@@ -466,7 +469,7 @@ private:
     auto shall_thin_on = progress_.question_at(Progress_shares::thinning);
     if (finishing_.removal == Removal::GUARDED && !report_.is_budget_exhausted &&
         thin_small_mesh(state_, second, shall_thin_on))
-      refiner.forget_refused();
+      refiner.forget_rest();
     for (int round = 0; round < finishing_.thinning_rounds; ++round)
       if (!Thinner<Geometry>(state_).run(budgets().of_repair(state_.mesh.number_of_vertices()),
                                          shall_thin_on))

@@ -148,8 +148,16 @@ public:
 
   /// As before legs were cut, in a mesh that has the input vertices' numbers for handles.
   void forget_cuts() {
-    for (Leg& l : legs) l.shells.clear(), l.ring = {}, l.apex_vertex = l.apex;
-    for (Sector& s : sectors) s.lock_radius = 0;
+    forget_cuts([](Edge_id) { return true; });
+  }
+
+  /// The same for the corners whose legs are such edges. All legs of a corner are, or none is.
+  template <class Is_edge>
+  void forget_cuts(const Is_edge& is_edge) {
+    for (Leg& l : legs)
+      if (is_edge(l.edge)) l.shells.clear(), l.ring = {}, l.apex_vertex = l.apex;
+    for (Sector& s : sectors)
+      if (is_edge(leg(s.right).edge)) s.lock_radius = 0;
   }
 
   Leg_id add_leg(Leg leg) {

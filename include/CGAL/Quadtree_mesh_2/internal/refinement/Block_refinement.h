@@ -274,6 +274,7 @@ private:
     Refiner<Geometry> refiner(state, splitter);
     refiner.push_all();
     refiner.run(limit, shall_go_on);
+    refiner.push_rest();
     finish_mesh(state, finishing_, shall_go_on);
   }
 

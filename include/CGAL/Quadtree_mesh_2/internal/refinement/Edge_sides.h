@@ -33,6 +33,14 @@ namespace internal {
 /// What is beside the edges.
 class Edge_sides {
 public:
+  /// Of no edges.
+  Edge_sides() = default;
+
+  /// Of some edges of a graph, numbered in this order.
+  Edge_sides(const Edge_sides& whole, const std::vector<Edge_id>& edges) : has_regions_(whole.has_regions_) {
+    for (const Edge_id e : edges) labels_.push_back(whole.labels_[e]);
+  }
+
   /// \pre the mesh is one of the domain, whole and refined or not
   template <class Geometry>
   Edge_sides(const Kernel_mesh<Geometry>& mesh, const Input_edges& edges)
@@ -81,7 +89,7 @@ private:
   static constexpr Region_id outside_{0xfffffffeu}; ///< an invalid one is the domain without a region
 
   Indexed_vector<Edge_id, std::array<Region_id, 2>> labels_;
-  bool has_regions_;
+  bool has_regions_ = false;
 
   /// Labels the triangles that no constrained side separates from a labeled one.
   template <class Mesh, class Labels>

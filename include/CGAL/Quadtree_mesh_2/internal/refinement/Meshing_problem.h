@@ -64,6 +64,9 @@ struct Meshing_problem {
   /// The input vertex that faces an edge at the border from the outside, if there is one.
   Vertex_id outer_vertex(Edge_id e) const { return outer_of_edge_[e].apex; }
 
+  /// The triangle outside at an edge of the border; one without an apex if there is none.
+  const Outer_triangle& outer_triangle(Edge_id e) const { return outer_of_edge_[e]; }
+
   /// Whether p, a rounded point of an edge, stays clear of what is outside of the border. The mesh does not know it.
   bool is_clear_of_outside(Edge_id e, const typename Geometry::Point& p) const {
     if constexpr (Geometry::has_unlimited_coordinates) {

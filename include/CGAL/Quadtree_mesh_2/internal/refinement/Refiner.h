@@ -74,21 +74,25 @@ public:
 
   /// Has all triangles looked at that may be bad. Those of the bulk are not.
   void push_all() {
-    forget_refused(); // perhaps of another mesh
+    forget_rest(); // perhaps of another mesh
     next_to_push_ = Triangle_id(0), end_to_push_ = mesh_.triangles.end_id();
   }
 
   /// To be called when the mesh has become another one.
-  void forget_refused() { refused_.clear(), blocked_.clear(), rounds_of_blocked_ = 0; }
+  void forget_rest() {
+    refused_.clear(), blocked_.clear();
+    rounds_of_blocked_ = 0;
+    next_to_push_ = end_to_push_ = Triangle_id(0);
+  }
 
   /// Processes the list until it is empty. Asks `shall_go_on()` every 4096 steps. Where the mesh has
-  /// reached the limit, no vertex is inserted.
+  /// reached the limit, no vertex is inserted. What is not done then is done by the next run.
   template <class Continue>
   Refinement_end run(Mesh_limit limit, Continue&& shall_go_on) {
     state_.most_vertices = limit.vertices;
     for (std::size_t step = 1; !state_.worklist.is_empty() || takes_up_stretch() || takes_up_refused();
          ++step) {
-      if (is_time_to_ask(step) && !shall_go_on()) return give_up(Refinement_end::CANCELLED);
+      if (is_time_to_ask(step) && !shall_go_on()) return Refinement_end::CANCELLED;
       const Triangle_id t = state_.worklist.pop();
       if (!mesh_.is_alive(t)) continue;
       mesh_.prefetch_neighbors(t); // a vertex of it has to go, or another to come: both change what is around
@@ -96,7 +100,7 @@ public:
       if (!state_.is_bad(t, shape) || state_.is_outdated(shape)) continue;
       if (mesh_.number_of_vertices() >= limit.vertices || mesh_.number_of_triangles() >= limit.triangles) {
         state_.push(t, shape);
-        return give_up(Refinement_end::OUT_OF_BUDGET);
+        return Refinement_end::OUT_OF_BUDGET;
       }
       if (relocate_a_vertex_of(t, shape)) continue;
       refine(t, shape);
@@ -117,6 +121,11 @@ public:
     if (!side.is_border()) return state_.kept_edge(side);
     const Side harmed = look_around(end.triangle, q).harmed;
     return harmed.is_border() ? Edge_id() : state_.kept_edge(harmed);
+  }
+
+  /// Puts what a run that was given up did not look at on the list of the state.
+  void push_rest() {
+    while (next_to_push_ < end_to_push_) push_stretch();
   }
 
 private:
@@ -188,11 +197,6 @@ private:
   bool takes_up_stretch() {
     while (state_.worklist.is_empty() && next_to_push_ < end_to_push_) push_stretch();
     return !state_.worklist.is_empty();
-  }
-
-  Refinement_end give_up(Refinement_end end) {
-    while (next_to_push_ < end_to_push_) push_stretch();
-    return end;
   }
 
   /// Puts triangles back on the list that could not be cured before, if vertices were inserted since. The

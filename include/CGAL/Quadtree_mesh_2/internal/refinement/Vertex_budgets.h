@@ -66,12 +66,18 @@ public:
   /// \param may_construct_instead whether quadtrees take over when patience ends
   Mesh_limit of_refinement(bool may_construct_instead) const {
     if (is_of_user()) return {of_user()};
-    const double unexpected = options_.refine_where() ? unexpected_by_users_rule : allowance();
     const double patience = may_construct_instead ? options_.patience() : Quality_mesh_options_2().patience();
     if (!(patience > 0)) return {0};
+    const double unexpected =
+        options_.refine_where() ? unexpected_by_users_rule : std::min(1.0, patience) * allowance();
     const double affordable =
         std::max(least_patience * expected_ + unexpected, options_.patience_memory() / bytes_of_vertex);
     return {limited(std::min(patience * expected_ + unexpected, affordable)), most_triangles()};
+  }
+
+  /// A limit for the work from now on, where so many vertices have been inserted.
+  static Mesh_limit from_now_on(Mesh_limit limit, std::size_t inserted) {
+    return {limited(static_cast<double>(limit.vertices) + static_cast<double>(inserted)), limit.triangles};
   }
 
   /// Quadtrees make ten times the triangles needed, a hundred times with the placement by rule.
