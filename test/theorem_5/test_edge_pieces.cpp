@@ -13,10 +13,10 @@
 #include "random_pslg_shapes.h"
 
 #include <CGAL/Balanced_quadtree.h>
-#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Centroid_tree.h>
-#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Edge_pieces.h>
-#include <CGAL/Quadtree_mesh_2/internal/theorem_5/subdivide_edges.h>
-#include <CGAL/Quadtree_mesh_2/internal/theorem_5/walk_edges.h>
+#include <CGAL/Quadtree_mesh_2/internal/pieces/Centroid_tree.h>
+#include <CGAL/Quadtree_mesh_2/internal/pieces/Edge_pieces.h>
+#include <CGAL/Quadtree_mesh_2/internal/pieces/subdivide_edges.h>
+#include <CGAL/Quadtree_mesh_2/internal/pieces/walk_edges.h>
 
 #ifdef CGAL_LINKED_WITH_TBB
 #include <tbb/global_control.h>

@@ -10,8 +10,8 @@
 #include "random_pslg.h"
 
 #include <CGAL/Quadtree_mesh_2/internal/base/Long_words.h>
-#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Grid_path.h>
-#include <CGAL/Quadtree_mesh_2/internal/theorem_5/leaf_cells.h>
+#include <CGAL/Quadtree_mesh_2/internal/pieces/Grid_path.h>
+#include <CGAL/Quadtree_mesh_2/internal/pieces/leaf_cells.h>
 
 #include <CGAL/Arr_segment_traits_2.h>
 #include <CGAL/Arrangement_with_history_2.h>

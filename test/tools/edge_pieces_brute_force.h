@@ -10,7 +10,7 @@
 #define QUADTREE_MESH_2_TEST_EDGE_PIECES_BRUTE_FORCE_H
 
 #include <CGAL/Quadtree_mesh_2/Index.h>
-#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Edge_pieces.h>
+#include <CGAL/Quadtree_mesh_2/internal/pieces/Edge_pieces.h>
 
 #include <boost/multiprecision/cpp_int.hpp>
 

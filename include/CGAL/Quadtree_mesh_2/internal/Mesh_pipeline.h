@@ -71,7 +71,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <functional>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -197,15 +196,7 @@ private:
     First first(state_.mesh, problem_.input_points.values(), std::move(problem_.vertex_blocks));
     if (const auto crossing = first.run(kernel_segments<ConcurrencyTag>(pslg_, order_)))
       throw words_.crossing(first.edges(), *crossing);
-    report_.merged_vertices = reduce<ConcurrencyTag>(
-        n, std::size_t(0),
-        [&](std::size_t begin, std::size_t end) {
-          std::size_t merged = 0;
-          for (const Vertex_id v : Id_range<Vertex_id>(begin, end))
-            merged += std::size_t(first.representative(v) != v ? 1 : 0);
-          return merged;
-        },
-        std::plus<>());
+    report_.merged_vertices = first.number_of_repeated_vertices();
     report_.vertices_on_segments = first.number_of_vertices_on_segments();
     problem_.vertex_blocks = first.take_vertex_blocks();
     problem_.edges = Input_edges(first.take_edges(), n);

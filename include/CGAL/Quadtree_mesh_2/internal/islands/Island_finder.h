@@ -19,9 +19,9 @@
 #define CGAL_QUADTREE_MESH_2_INTERNAL_ISLANDS_ISLAND_FINDER_H
 
 #include <CGAL/Quadtree_mesh_2/internal/islands/Island.h>
+#include <CGAL/Quadtree_mesh_2/internal/islands/Mesh_components.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Edge_sides.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
-#include <CGAL/Quadtree_mesh_2/internal/triangulation/Mesh_components.h>
 
 #include <algorithm>
 #include <cstddef>

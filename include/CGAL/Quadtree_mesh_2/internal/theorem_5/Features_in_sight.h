@@ -29,12 +29,12 @@
 #define CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_FEATURES_IN_SIGHT_H
 
 #include <CGAL/Quadtree_mesh_2/Index.h>
+#include <CGAL/Quadtree_mesh_2/internal/pieces/Edge_pieces.h>
 #include <CGAL/Quadtree_mesh_2/internal/quadtree/leaves_around.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Edge_sides.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Domain_directions.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Edge_gaps.h>
-#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Edge_pieces.h>
 #include <CGAL/Tree_separation_options_2.h>
 
 #include <algorithm>

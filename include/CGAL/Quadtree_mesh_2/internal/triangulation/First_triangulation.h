@@ -39,6 +39,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -92,6 +93,18 @@ public:
 
   /// For each vertex itself, or the one at the same place that stands for it.
   Vertex_id representative(Vertex_id v) const { return representative_[v]; }
+  /// How many vertices others stand for.
+  std::size_t number_of_repeated_vertices() const {
+    return reduce<ConcurrencyTag>(
+        representative_.size(), std::size_t(0),
+        [this](std::size_t begin, std::size_t end) {
+          std::size_t repeated = 0;
+          for (const Vertex_id v : Id_range<Vertex_id>(begin, end))
+            repeated += std::size_t(representative_[v] != v ? 1 : 0);
+          return repeated;
+        },
+        std::plus<>());
+  }
   std::size_t number_of_vertices_on_segments() const { return vertices_on_segments_; }
   const Input_edge_list& edges() const { return edges_; }
   Input_edge_list take_edges() { return std::move(edges_); }

@@ -100,6 +100,21 @@ Walk_end locate_exactly(const Kernel_mesh<Geometry>& mesh, Triangle_id t, const 
       [lots = Slot_lots()]() mutable { return lots.draw(); }, [](Side s) { return s.is_border(); });
 }
 
+/// Returns the triangle at v that the ray from v to p begins in, of those connected to a triangle at v; none if the ray
+/// begins outside of them.
+template <class Geometry>
+Triangle_id triangle_toward(const Kernel_mesh<Geometry>& mesh, Vertex_id v, Triangle_id start,
+                            const typename Geometry::Point& p) {
+  Fan_walk<Kernel_mesh<Geometry>> fan(mesh, v, start);
+  do {
+    const auto& r = mesh.triangle(fan.triangle());
+    if (Geometry::orientation(mesh.point(v), mesh.point(r.v[next_slot[fan.slot()]]), p) >= 0 &&
+        Geometry::orientation(mesh.point(v), mesh.point(r.v[previous_slot[fan.slot()]]), p) <= 0)
+      return fan.triangle();
+  } while (fan.advance());
+  return {};
+}
+
 /// Walks from a triangle that has `from`, or is next to it, along the segment to q, where that does not meet the
 /// border. Where rounding of `from` leaves no such way, any other will do.
 template <class Geometry>

@@ -11,8 +11,8 @@
 // Bound:    O(n) for n triangles.
 // Source:   ours.
 
-#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_MESH_COMPONENTS_H
-#define CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_MESH_COMPONENTS_H
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_ISLANDS_MESH_COMPONENTS_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_ISLANDS_MESH_COMPONENTS_H
 
 #include <CGAL/Quadtree_mesh_2/internal/base/Indexed_vector.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/group_in_order.h>
@@ -73,4 +73,4 @@ private:
 } // namespace Quadtree_mesh_2
 } // namespace CGAL
 
-#endif // CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_MESH_COMPONENTS_H
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_ISLANDS_MESH_COMPONENTS_H

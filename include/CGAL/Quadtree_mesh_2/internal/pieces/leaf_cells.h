@@ -24,8 +24,8 @@
 // Segments go between grid points and must not cross there. If rounding to the grid has made some cross,
 // there still are faces, though maybe not those of the arrangement.
 
-#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_LEAF_CELLS_H
-#define CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_LEAF_CELLS_H
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_PIECES_LEAF_CELLS_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_PIECES_LEAF_CELLS_H
 
 #include <CGAL/Quadtree_mesh_2/Grid_point_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/quadtree/Leaf_segments.h>
@@ -328,4 +328,4 @@ private:
 } // namespace Quadtree_mesh_2
 } // namespace CGAL
 
-#endif // CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_LEAF_CELLS_H
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_PIECES_LEAF_CELLS_H

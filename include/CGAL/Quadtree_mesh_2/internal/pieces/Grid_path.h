@@ -15,8 +15,8 @@
 //           never empty. So sides, corners and axis-parallel segments are no special cases. A coordinate that
 //           does not change counts as ascending.
 
-#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_GRID_PATH_H
-#define CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_GRID_PATH_H
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_PIECES_GRID_PATH_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_PIECES_GRID_PATH_H
 
 #include <CGAL/Quadtree_mesh_2/Grid_point_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/quadtree/Leaf_segments.h>
@@ -155,4 +155,4 @@ Grid_path<typename Tree::Word> path_of_segment(const Tree& tree, const Segment& 
 } // namespace Quadtree_mesh_2
 } // namespace CGAL
 
-#endif // CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_GRID_PATH_H
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_PIECES_GRID_PATH_H

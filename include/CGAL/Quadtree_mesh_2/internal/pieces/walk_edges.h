@@ -13,16 +13,16 @@
 //           track of the crossed squares".
 // Deviates: segments are independent of each other, so all walk at the same time.
 
-#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_WALK_EDGES_H
-#define CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_WALK_EDGES_H
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_PIECES_WALK_EDGES_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_PIECES_WALK_EDGES_H
 
 #include <CGAL/Quadtree_mesh_2/Direction.h>
 #include <CGAL/Quadtree_mesh_2/Grid_point_2.h>
 #include <CGAL/Quadtree_mesh_2/Index.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/Word_operations.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
-#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Edge_pieces.h>
-#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Grid_path.h>
+#include <CGAL/Quadtree_mesh_2/internal/pieces/Edge_pieces.h>
+#include <CGAL/Quadtree_mesh_2/internal/pieces/Grid_path.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -155,4 +155,4 @@ Edge_pieces walk_edges(const Tree& tree, const Segments& segments) {
 } // namespace Quadtree_mesh_2
 } // namespace CGAL
 
-#endif // CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_WALK_EDGES_H
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_PIECES_WALK_EDGES_H

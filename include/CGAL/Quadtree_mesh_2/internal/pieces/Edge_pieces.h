@@ -16,8 +16,8 @@
 // leaf if one of its points is in the half-open square. So the pieces of a segment in its leaves are disjoint
 // and cover it, and it passes through each leaf once.
 
-#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_EDGE_PIECES_H
-#define CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_EDGE_PIECES_H
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_PIECES_EDGE_PIECES_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_PIECES_EDGE_PIECES_H
 
 #include <CGAL/Quadtree_mesh_2/Index.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/Uninitialized_vector.h>
@@ -162,4 +162,4 @@ private:
 } // namespace Quadtree_mesh_2
 } // namespace CGAL
 
-#endif // CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_EDGE_PIECES_H
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_PIECES_EDGE_PIECES_H

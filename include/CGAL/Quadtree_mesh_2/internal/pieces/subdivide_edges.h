@@ -22,8 +22,8 @@
 //           and y passes through leaves in shuffle order. Others pass through them in reverse, or in the
 //           shuffle order of the quadtree upside down. So pieces are sorted by integers.
 
-#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_SUBDIVIDE_EDGES_H
-#define CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_SUBDIVIDE_EDGES_H
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_PIECES_SUBDIVIDE_EDGES_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_PIECES_SUBDIVIDE_EDGES_H
 
 #include <CGAL/Quadtree_mesh_2/Index.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/Uninitialized_vector.h>
@@ -31,9 +31,9 @@
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/radix_sort.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/sort_by_keys.h>
-#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Centroid_tree.h>
-#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Edge_pieces.h>
-#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Grid_path.h>
+#include <CGAL/Quadtree_mesh_2/internal/pieces/Centroid_tree.h>
+#include <CGAL/Quadtree_mesh_2/internal/pieces/Edge_pieces.h>
+#include <CGAL/Quadtree_mesh_2/internal/pieces/Grid_path.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -314,4 +314,4 @@ Edge_pieces subdivide_edges(const Tree& tree, const Segments& segments,
 } // namespace Quadtree_mesh_2
 } // namespace CGAL
 
-#endif // CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_SUBDIVIDE_EDGES_H
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_PIECES_SUBDIVIDE_EDGES_H

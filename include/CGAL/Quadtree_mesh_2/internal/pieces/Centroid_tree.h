@@ -26,8 +26,8 @@
 //           end of the slice, which splits the slice into those of the two children. All threads move the leaves of
 //           a long slice, block by block. A slice of up to 2048 leaves is a block, and one task splits it to the end.
 
-#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_CENTROID_TREE_H
-#define CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_CENTROID_TREE_H
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_PIECES_CENTROID_TREE_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_PIECES_CENTROID_TREE_H
 
 #include <CGAL/Quadtree_mesh_2/Grid_point_2.h>
 #include <CGAL/Quadtree_mesh_2/Index.h>
@@ -373,4 +373,4 @@ Centroid_tree<typename Tree::Word> centroid_tree(const Tree& tree, std::size_t l
 } // namespace Quadtree_mesh_2
 } // namespace CGAL
 
-#endif // CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_CENTROID_TREE_H
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_PIECES_CENTROID_TREE_H
