@@ -189,6 +189,9 @@ void mesh_the_other_way(Meshing_run& run, const Command_line& line) try {
   options.checkpoints(""); // a state is of one way only
   if (options.separate() == Separation::THEOREM_5 && options.min_edge() > 0)
     throw std::runtime_error("--min-edge has no meaning with --separation theorem-5");
+  if (options.separate() == Separation::THEOREM_5 &&
+      options.keep_borders() != CGAL::Quality_mesh_options_2::Keep_borders::NONE)
+    throw std::runtime_error("--separation theorem-5 cuts all segments, also those of --keep-borders");
   CGAL::Quality_mesh_report_2 report;
   mesh_graph::Mesh mesh;
   Mesh_figures figures;

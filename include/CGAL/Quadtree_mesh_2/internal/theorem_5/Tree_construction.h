@@ -140,6 +140,7 @@ private:
   void make_mesh(Tree_separation_options_2::Placement placement) {
     state_.clear_worklist();
     state_.corners.forget_cuts(); // those of the mesh that is replaced
+    state_.bulk = {};
     const auto placed =
         placement == Tree_separation_options_2::Placement::BY_RULE
             ? Rule_placement<Traits, ConcurrencyTag>(state_.problem, trees_, triangles_).run()
