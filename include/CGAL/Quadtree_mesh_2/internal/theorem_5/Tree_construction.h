@@ -22,15 +22,15 @@
 //           2. If that is not possible, the largest leaves at the triangle's vertices are split, and later
 //              all of them. The mesh is then made anew. So the features of a place are as far apart, in sides
 //              of its leaves, as the bound needs.
-//           3. Vertices near which triangles are left in a third round get windows, in which another rule is
+//           3. Vertices near which triangles are left again and again get windows, in which another rule is
 //              certain to meet the bound (Vertex_windows.h, Missed_places.h).
 //
 // The bound is met when a round finds no triangle below it. That is the proof, triangle by triangle. Some
-// leaves keep to the bound by certificate: along an edge, away from its ends, those that are equal, and those in
-// columns (Column_rule.h); at vertices, windows. That splitting ends elsewhere is established numerically (doc/guarantees.md).
-// In any case the budget and the coordinates end it. Triangles at leaves that these leave no room to split
-// are left to refinement, and the rest goes on. The budget bounds the vertices of a round, and those of all
-// rounds together, each of which is a mesh of its own.
+// leaves keep to the bound by certificate: along an edge, away from its ends, those that are equal, and those
+// in columns (Column_rule.h); at vertices, windows. That splitting ends elsewhere is established numerically
+// (doc/guarantees.md). In any case the budget and the coordinates end it. Triangles at leaves that these leave
+// no room to split are left to refinement, and the rest goes on. The budget bounds the vertices of a round, and
+// those of all rounds together, each of which is a mesh of its own.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_TREE_CONSTRUCTION_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_TREE_CONSTRUCTION_H
