@@ -10,7 +10,8 @@
 //           leaf, and those over the next columns along each edge of the vertex, within 3 of the edge. A strip
 //           ends at the 4th grid line ahead if the sectors on both sides of the edge have at least 60
 //           degrees, and at the 6th otherwise. The conditions of a window:
-//           - Its squares are leaves, but for those outside the root. None over the next column is split.
+//           - Its squares are leaves, but for those outside the root. None over the next column is split; what is
+//             there is not in the window.
 //           - Neither they nor the squares next to them meet another vertex, or an edge that does not end at the
 //             vertex.
 //           - No leaf is in two windows.
@@ -164,7 +165,11 @@ private:
   enum class State : std::uint8_t { NEW, BROKEN, SETTLED };
   enum class Which { UNSETTLED, ALL };
   /// What a square has to be.
-  enum class Part { LEAF, NOT_SPLIT, FREE_OF_OTHERS };
+  enum class Part {
+    LEAF,          ///< a leaf of the window
+    NEXT_COLUMN,   ///< behind the last grid line of an edge: no smaller, and not in the window
+    FREE_OF_OTHERS ///< without other features, as the others
+  };
 
   struct Window {
     Rays rays;
@@ -218,12 +223,14 @@ private:
     const Rays& rays = windows_[w].rays;
     const Leaf_index own = leaf_of(tree, rays.vertex());
     const std::size_t first = found.leaves.size(), first_to_split = found.to_split.size();
+    std::vector<Leaf_index> in_next_columns;
     bool is_too_large = false;
     for_each_square(tree, rays, own, [&](const Grid_point& p, Part part) {
       const Leaf_index l = tree.locate(p);
       const int finer = tree.level(l) - tree.level(own);
       is_too_large = is_too_large || has_others(tree, pieces, rays.vertex(), l) ||
                      (part != Part::FREE_OF_OTHERS && finer > 0);
+      if (part == Part::NEXT_COLUMN) in_next_columns.push_back(l);
       if (part != Part::LEAF) return;
       if (finer < 0) found.to_split.push_back(l);
       found.leaves.emplace_back(l, static_cast<std::uint32_t>(w));
@@ -231,7 +238,12 @@ private:
     if (is_too_large) found.to_split.push_back(own);
     const bool holds = found.to_split.size() == first_to_split;
     windows_[w].state = holds ? State::SETTLED : State::BROKEN;
-    if (!holds) found.leaves.resize(first);
+    const auto is_out = [&](const auto& leaf) {
+      return !holds ||
+             std::find(in_next_columns.begin(), in_next_columns.end(), leaf.first) != in_next_columns.end();
+    };
+    const auto begin = found.leaves.begin() + static_cast<std::ptrdiff_t>(first);
+    found.leaves.erase(std::remove_if(begin, found.leaves.end(), is_out), found.leaves.end());
   }
 
   /// Whether a leaf has another vertex, or a piece of an edge that does not end at this one.
@@ -274,7 +286,7 @@ private:
     const auto place = [&](Vertex_id w) {
       return line.u(framework.grid_point(framework.rank(Point_index(std::size_t(w)))));
     };
-    const bool is_ascending = place(v) == line.first_u();
+    const bool is_ascending = Product(place(v)) == Product(line.first_u());
     const auto s = tree.square(own);
     const Product start(line.u({s.x, s.y}));
     for (int k = 0; k <= r.lines + margin_; ++k) {
@@ -285,7 +297,7 @@ private:
       for (Product w = lowest - lowest % side; w < high + side * margin_; w += side) {
         const bool is_inside = w + side > low && w < high;
         const Part part = !is_inside || k > r.lines ? Part::FREE_OF_OTHERS
-                          : k == r.lines            ? Part::NOT_SPLIT
+                          : k == r.lines            ? Part::NEXT_COLUMN
                                                     : Part::LEAF;
         if (line.is_steep())
           visit(w, left, part);
