@@ -89,7 +89,7 @@ TEST_CASE("Rounds of Theorem 5 are few", "[mesher][theorem5][windows]") {
   for (const std::string name :
        {"syn_square.poly", "syn_sliver_1deg.poly", "syn_wedge_10deg.poly", "syn_wedge_1deg.poly",
         "syn_wedge_0.01deg.poly", "syn_near_1e-06.poly", "syn_near_1e-12.poly", "syn_parallel_0.001.poly",
-        "syn_comb.poly", "syn_fan_1deg.poly", "syn_holes_400.poly.gz", "us_states_10m.poly.gz"}) {
+        "syn_comb.poly", "syn_fan_1deg.poly", "syn_holes_400.poly.gz"}) {
     CAPTURE(name);
     const Run r = run_by_quadtrees(read(name), by_quadtrees());
     CHECK(r.report.trees.rounds <= 4);
@@ -125,10 +125,12 @@ TEST_CASE("No triangle is below the bound in a window", "[mesher][theorem5][wind
   CHECK(windows > 20 * seeds);
 }
 
-TEST_CASE("No triangle is below the bound in the windows of a map", "[mesher][theorem5][windows]") {
+TEST_CASE("Rounds of Theorem 5 are few for a map, and no triangle is below the bound in its windows",
+          "[mesher][theorem5][windows][.slow]") {
+  const Pslg pslg = read("us_states_10m.poly.gz");
+  CHECK(run_by_quadtrees(pslg, by_quadtrees()).report.trees.rounds <= 4);
   for (const std::size_t failures : {0u, 1u}) {
-    const Run r =
-        run_by_quadtrees(read("us_states_10m.poly.gz"), Options().separate(with_windows_after(failures)));
+    const Run r = run_by_quadtrees(pslg, Options().separate(with_windows_after(failures)));
     CHECK(r.report.trees.windows > (failures == 0 ? 500 : 100));
     CHECK(r.report.trees.failed_windows == 0);
   }
@@ -162,17 +164,22 @@ TEST_CASE("Windows are of equal leaves, without other features, and disjoint",
 }
 
 TEST_CASE("Windows are the same for any number of threads", "[mesher][theorem5][windows][parallel]") {
-  const Pslg pslg = read("syn_holes_400.poly.gz");
   const Options options = Options().separate(with_windows_after(0));
-  const Mesh sequential = Mesher(options)(pslg);
-  for (const std::size_t threads : {1u, 2u, 4u}) {
-    CAPTURE(threads);
+  std::size_t windows = 0;
+  for (const auto& family : random_pslg::all_families()) {
+    const Pslg pslg = family.make(1);
+    const Run sequential = run(pslg, options);
+    windows += sequential.report.trees.windows;
+    for (const std::size_t threads : {1u, 2u, 4u}) {
+      CAPTURE(family.name, threads);
 #ifdef CGAL_LINKED_WITH_TBB
-    tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+      tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
 #endif
-    using Parallel = CGAL::Quality_mesher_2<CGAL::Filtered_quadtree_traits_2<>, CGAL::Parallel_tag>;
-    CHECK(are_same(Parallel(options)(pslg), sequential));
+      using Parallel = CGAL::Quality_mesher_2<CGAL::Filtered_quadtree_traits_2<>, CGAL::Parallel_tag>;
+      CHECK(are_same(Parallel(options)(pslg), sequential.mesh));
+    }
   }
+  CHECK(windows > 20);
 }
 
 } // namespace test_vertex_windows
