@@ -33,8 +33,8 @@
 #include <CGAL/Quadtree_mesh_2/internal/columns/Edge_columns.h>
 #include <CGAL/Quadtree_mesh_2/internal/columns/Vertex_window.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
+#include <CGAL/Quadtree_mesh_2/internal/pieces/Edge_pieces.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_problem.h>
-#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Edge_pieces.h>
 
 #include <algorithm>
 #include <array>
