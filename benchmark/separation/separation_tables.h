@@ -115,9 +115,12 @@ inline nlohmann::ordered_json to_json(const CGAL::Tree_separation_report_2& t) {
           {"leaves_of_edges", t.leaves_of_edges},
           {"splits", t.splits},
           {"rounds", t.rounds},
+          {"windows", t.windows},
+          {"failed_windows", t.failed_windows},
           {"triangles", t.triangles},
           {"missed_by_rule", t.missed_by_rule},
           {"left_out", t.left_out},
+          {"relocated", t.relocated},
           {"missed", t.missed},
           {"placed", t.placed},
           {"kept", t.kept}};

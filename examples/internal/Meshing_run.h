@@ -184,8 +184,10 @@ inline void print_trees(const CGAL::Tree_separation_report_2& trees) {
   print("triangles of the rule", trees.triangles);
   print("  below the bound", trees.missed_by_rule);
   print("  corners left out", trees.left_out);
+  print("  corners moved", trees.relocated);
   print("  left to refinement", trees.missed);
   print("  left for want of room", trees.handed_over);
+  print("windows at vertices", trees.windows);
   print("vertices placed", trees.placed);
   print("  in the mesh", trees.kept);
 }
@@ -231,9 +233,12 @@ inline nlohmann::ordered_json trees_json(const CGAL::Tree_separation_report_2& t
           {"leaves_of_edges", trees.leaves_of_edges},
           {"splits", trees.splits},
           {"rounds", trees.rounds},
+          {"windows", trees.windows},
+          {"failed_windows", trees.failed_windows},
           {"triangles", trees.triangles},
           {"missed_by_rule", trees.missed_by_rule},
           {"left_out", trees.left_out},
+          {"relocated", trees.relocated},
           {"missed", trees.missed},
           {"handed_over", trees.handed_over},
           {"placed", trees.placed},

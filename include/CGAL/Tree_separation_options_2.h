@@ -33,8 +33,8 @@ public:
   };
   /// Where vertices are placed in leaves near an edge or a vertex of the graph.
   enum class Placement {
-    /// Corners that a rule keeps. Corners are left out if nearby triangles that miss the bound meet it
-    /// without them. Leaves are split only where that does not help.
+    /// Corners that a rule keeps. Where triangles miss the bound, corners are left out or moved if that cures them.
+    /// Leaves are split only where it does not help.
     CHOSEN,
     /// Corners that the rule keeps, and nothing else. Leaves along edges are split until the rule is certain
     /// to meet the bound (doc/guarantees.md). This makes many more triangles.
@@ -92,6 +92,14 @@ public:
   Tree_separation_options_2& rounds(std::size_t value) { return rounds_ = value, *this; }
   std::size_t rounds() const { return rounds_; } ///< the value set
 
+  /// With several rounds: a vertex gets a window, in which its leaves are equal and a rule is certain to meet the bound
+  /// (doc/guarantees.md), when triangles near it are left in more rounds than this; 2 by default. Each window takes
+  /// some 200 leaves.
+  Tree_separation_options_2& failures_before_window(std::size_t value) {
+    return failures_before_window_ = value, *this;
+  }
+  std::size_t failures_before_window() const { return failures_before_window_; } ///< the value set
+
   /// With these, quadtrees alone meet the bound wherever coordinates have room: distances of 0.7 and 0.5 mostly
   /// suffice, they are found by axis-parallel rays, each vertex has a leaf of its own, and there are as many rounds as
   /// are needed.
@@ -123,6 +131,7 @@ private:
   Subdivision subdivide_ = Subdivision::WALKING;
   Placement place_ = Placement::CHOSEN;
   std::size_t rounds_ = 1;
+  std::size_t failures_before_window_ = 2;
 };
 
 } // namespace CGAL

@@ -443,7 +443,7 @@ private:
     }
     if (trees->is_exhausted()) return Tree_separation_report_2::End::BUDGET;
     clock_.enter(&Seconds::construct);
-    Tree_construction construction(state_, *trees, map_, domain, report_.trees);
+    Tree_construction construction(state_, *trees, domain, report_.trees);
     // Leaves can be split without end for a bound that their rule is not made for: refinement meets a higher one.
     const Bounds<Geometry> wanted = problem_.bounds;
     problem_.bounds.lower_to_established();

@@ -81,6 +81,15 @@ public:
     });
   }
 
+  /// Calls `f(point)` for corners that are dropped at a vertex without edges.
+  template <class F>
+  void for_each_corner_at_lone_vertex(const F& f) const {
+    constexpr double clear_of_vertex = 1.187;
+    for_each_corner([&](const Window_point& p, const Grid_point& corner) {
+      if (std::hypot(p.x - place_.x, p.y - place_.y) < clear_of_vertex) f(corner);
+    });
+  }
+
 private:
   /// Corners further away are too far from edges, or on lines that are far along them.
   static constexpr int reach_ = 5;

@@ -120,7 +120,7 @@ private:
       return Report::End::FAILED;
     }
     if (trees->is_exhausted()) return Report::End::BUDGET;
-    Tree_construction<Traits, ConcurrencyTag> construction(state_, *trees, whole_.map, domain, report);
+    Tree_construction<Traits, ConcurrencyTag> construction(state_, *trees, domain, report);
     return construction.run(options, budgets_.of_construction(), shall_go_on);
   }
 

@@ -83,9 +83,6 @@ private:
   using Columns = std::vector<Edge_column<Word>>;
   using Placement = Column_placement<Tree>;
 
-  /// Corners nearer to a vertex without edges are dropped, in sides of leaves.
-  static constexpr double clear_of_lone_vertex_ = 1.187;
-
   const Problem& problem_;
   const Trees& trees_;
   const Edge_triangles<Geometry>& triangles_;
@@ -224,31 +221,15 @@ private:
       const Window_point d = direction(v, i->neighbor);
       rays.push_back({std::atan2(d.y, d.x), d});
     }
-    if (rays.empty()) return find_corners_at_lone(v, names);
-    std::sort(rays.begin(), rays.end(), [](const Ray& p, const Ray& q) { return p.angle < q.angle; });
     const auto placement = placement_at(v);
+    if (rays.empty())
+      return placement.for_each_corner_at_lone_vertex([&](const Grid_point& p) { append_name(p, names); });
+    std::sort(rays.begin(), rays.end(), [](const Ray& p, const Ray& q) { return p.angle < q.angle; });
     for (const Ray& r : rays)
       placement.for_each_corner_on_edge(r.direction, [&](const Grid_point& p) { append_name(p, names); });
     for (std::size_t i = 0; i < rays.size(); ++i)
       placement.for_each_dropped_corner(rays[i].direction, rays[(i + 1) % rays.size()].direction,
                                         [&](const Grid_point& p) { append_name(p, names); });
-  }
-
-  void find_corners_at_lone(Vertex_id v, std::vector<Name>& names) const {
-    const Leaf_index own = leaf(v);
-    const auto s = tree_.square(own);
-    const double side = trees_.side(own);
-    const Vector low = Geometry::difference(trees_.kernel_point({s.x, s.y}), problem_.input_point(v));
-    const Word step = Word_operations<Word>::power_of_two(tree_.framework().grid().depth() - s.level);
-    for (int i = -1; i <= 2; ++i)
-      for (int j = -1; j <= 2; ++j) {
-        if (std::sqrt(squared_length(low + Vector{i * side, j * side})) >= clear_of_lone_vertex_ * side)
-          continue;
-        const auto at = [&](const Word& w, int k) {
-          return k < 0 ? static_cast<Word>(w - step) : static_cast<Word>(w + static_cast<Word>(k) * step);
-        };
-        append_name({at(s.x, i), at(s.y, j)}, names);
-      }
   }
 };
 

@@ -49,6 +49,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Features_in_sight.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Geodesic_distance.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Passed_leaves.h>
+#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Vertex_windows.h>
 #include <CGAL/Quadtree_vertex_edge_neighbors_2.h>
 #include <CGAL/Quality_mesh_report_2.h>
 #include <CGAL/Tree_separation_options_2.h>
@@ -77,6 +78,7 @@ public:
   using Map = Coordinate_map<Traits, Geometry>;
   using Options = Tree_separation_options_2;
   using Find_hits = Find_nearest_hits<Pslg>;
+  using Windows = Vertex_windows<Tree, Geometry>;
 
   /// \param graph the vertices and edges of the problem, in its order
   /// \param mesh the constrained Delaunay triangulation of the domain
@@ -89,7 +91,7 @@ public:
                    Tree_separation_report_2& report)
       : problem_(problem), graph_(graph), map_(map), options_(options), report_(report),
         gaps_(problem, sides, options), features_(problem, sides, options, gaps_),
-        directions_(problem, sides), most_leaves_(most_leaves) {
+        directions_(problem, sides), windows_(problem), most_leaves_(most_leaves) {
     if (options.find_distances_by() == Options::Distances::AXIS_RAYS)
       separate_vertices_by_lemma_5(traits, mesh, find_hits);
     else
@@ -111,10 +113,17 @@ public:
   const Edge_pieces& pieces() const { return pieces_; }
   const Leaf_pieces& pieces_in_leaves() const { return pieces_in_leaves_; }
 
-  /// Splits leaves, and what has to follow for balance and separation. Returns whether there were any.
-  bool refine(std::vector<Leaf_index> leaves) {
-    if (!split(std::move(leaves))) return false;
+  /// Where rules hold that are certain to meet the bound.
+  const Windows& windows() const { return windows_; }
+
+  /// Splits leaves, and what has to follow for balance, separation and windows. Returns whether there were any leaves
+  /// or new windows.
+  /// \param vertices that get windows
+  bool refine(std::vector<Leaf_index> leaves, const std::vector<Vertex_id>& vertices) {
+    for (const Vertex_id v : vertices) windows_.add(v);
+    if (!split(std::move(leaves)) && vertices.empty()) return false;
     separate();
+    windows_.template settle<ConcurrencyTag>(tree_, pieces_in_leaves_);
     return true;
   }
 
@@ -126,6 +135,8 @@ public:
   /// The side of squares of a level, in the kernel's coordinates.
   double side(int level) const { return std::ldexp(side_of_root_, -level); }
   double side(Leaf_index l) const { return side(tree_.level(l)); }
+  /// The grid point of a kernel's point.
+  Grid_point grid_point(const Point& p) const { return tree_.framework().grid().grid_point(map_.to_user(p)); }
   /// The kernel's point for a grid point, rounded only if it cannot represent it.
   Point kernel_point(const Grid_point& p) const { return map_.to_kernel(tree_.framework().grid(), p); }
   /// Whether the grid, and the coordinates, have room for the children of a leaf.
@@ -158,6 +169,7 @@ private:
   Edge_pieces pieces_;
   Leaf_pieces pieces_in_leaves_;
   Passed_leaves passed_; // whose edges are apart
+  Windows windows_;
   std::size_t most_leaves_;
   std::size_t leaves_of_steps_ = 0; // together: each step takes time for all leaves that there are
   double side_of_root_ = 0;
@@ -276,8 +288,10 @@ private:
   }
 
   void separate() {
-    while (!is_exhausted() && (split(leaves_with_near_pieces()) || split(leaves_near_pieces()) ||
-                               split(leaves_that_break_rules()))) {
+    while (!is_exhausted() &&
+           (split(leaves_with_near_pieces()) || split(leaves_near_pieces()) ||
+            split(leaves_that_break_rules()) ||
+            split(windows_.template leaves_to_split<ConcurrencyTag>(tree_, pieces_in_leaves_)))) {
     }
   }
 

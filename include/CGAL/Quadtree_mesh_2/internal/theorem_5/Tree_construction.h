@@ -15,29 +15,32 @@
 // Deviates: the paper's constants separate features so far that warping is bound to succeed. Ours are what
 //           mostly suffices (Tree_separation_options_2.h). What they miss is found in the mesh. After the last round
 //           that is wanted, the first by default, it is left to refinement, which cures it in blocks. Before:
-//           1. A triangle below the bound is cured, if possible, by leaving out one of its vertices, because
-//              which corners near a feature become vertices is a choice. Where each vertex has a leaf of its
-//              own, the rule first misses the bound on maps at two or three triangles in a hundred. Two
-//              thirds of these are cured.
+//           1. A triangle below the bound is cured, if possible, by leaving out or moving one of its vertices,
+//              because which corners near a feature become vertices is a choice (Local_cures.h). Where each
+//              vertex has a leaf of its own, the rule first misses the bound on maps at two or three triangles in
+//              a hundred. Nine in ten of these are cured.
 //           2. If that is not possible, the largest leaves at the triangle's vertices are split, and later
 //              all of them. The mesh is then made anew. So the features of a place are as far apart, in sides
 //              of its leaves, as the bound needs.
+//           3. Vertices near which triangles are left again and again get windows, in which another rule is
+//              certain to meet the bound (Vertex_windows.h, Missed_places.h).
 //
 // The bound is met when a round finds no triangle below it. That is the proof, triangle by triangle. Some
-// leaves along an edge, away from its ends, keep to the bound by certificate: those that are equal, and those
-// in columns (Column_rule.h). That splitting ends elsewhere is established numerically (doc/guarantees.md).
-// In any case the budget and the coordinates end it. Triangles at leaves that these leave no room to split
-// are left to refinement, and the rest goes on. The budget bounds the vertices of a round, and those of all
-// rounds together, each of which is a mesh of its own.
+// leaves keep to the bound by certificate: along an edge, away from its ends, those that are equal, and those
+// in columns (Column_rule.h); at vertices, windows. That splitting ends elsewhere is established numerically
+// (doc/guarantees.md). In any case the budget and the coordinates end it. Triangles at leaves that these leave
+// no room to split are left to refinement, and the rest goes on. The budget bounds the vertices of a round, and
+// those of all rounds together, each of which is a mesh of its own.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_TREE_CONSTRUCTION_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_TREE_CONSTRUCTION_H
 
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
-#include <CGAL/Quadtree_mesh_2/internal/refinement/Remover.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Vertex_budgets.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Edge_triangles.h>
+#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Local_cures.h>
+#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Missed_places.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Placed_insertion.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Rule_placement.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Separation_trees.h>
@@ -45,10 +48,8 @@
 #include <CGAL/Quality_mesh_report_2.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <functional>
-#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -82,9 +83,8 @@ public:
 
   /// \param trees of the state's problem
   /// \param domain the constrained Delaunay triangulation of the problem's edges, restricted to the domain
-  Tree_construction(State& state, Trees& trees, const typename Trees::Map& map,
-                    const Kernel_mesh<Geometry>& domain, Report& report)
-      : state_(state), mesh_(state.mesh), trees_(trees), map_(map), report_(report),
+  Tree_construction(State& state, Trees& trees, const Kernel_mesh<Geometry>& domain, Report& report)
+      : state_(state), mesh_(state.mesh), trees_(trees), report_(report),
         triangles_(Edge_triangles<Geometry>::template of<ConcurrencyTag>(domain, state.edges,
                                                                          state.problem.input_points.size())) {
   }
@@ -97,16 +97,20 @@ public:
           const Continue& shall_go_on) {
     using Placement = Tree_separation_options_2::Placement;
     const Placement placement = options.place();
+    Missed_places<Trees> places(state_, trees_, options);
     std::size_t vertices_of_all_rounds = 0;
     for (;;) {
       ++report_.rounds;
       report_.handed_over = 0;
       make_mesh(placement);
-      std::vector<Triangle_id> sharp = sharp_triangles();
+      std::vector<Triangle_id> sharp = missed_triangles<ConcurrencyTag>(state_);
       report_.triangles = mesh_.number_of_triangles();
       report_.missed_by_rule = sharp.size();
+      report_.windows = trees_.windows().number_settled();
+      report_.failed_windows += number_in_windows(sharp);
       const bool is_last = report_.rounds == options.rounds(); // blocks will leave out more than these
-      if (placement == Placement::CHOSEN && !is_last) sharp = choose_corners(sharp);
+      if (placement == Placement::CHOSEN && !is_last)
+        sharp = Local_cures<ConcurrencyTag, Geometry>(state_, report_).run(std::move(sharp));
       report_.missed = sharp.size();
       report_.placed = mesh_.number_of_vertices() - state_.problem.input_points.size();
       report_.leaves_of_edges = trees_.tree().number_of_leaves();
@@ -118,24 +122,19 @@ public:
       if (mesh_.number_of_vertices() >= budget.leaves || trees_.is_exhausted() ||
           vertices_of_all_rounds >= budget.vertices_of_all_rounds)
         return End::BUDGET;
-      if (!trees_.refine(leaves_to_blame(sharp))) return End::COORDINATES;
+      const auto measures = places.measures_for(sharp, report_.rounds, cramped_edges_);
+      report_.handed_over = measures.handed_over;
+      if (!trees_.refine(measures.leaves, measures.vertices)) return End::COORDINATES;
     }
   }
 
 private:
-  using Grid_point = typename Trees::Grid_point;
-
   State& state_;
   Kernel_mesh<Geometry>& mesh_;
   Trees& trees_;
-  const typename Trees::Map& map_;
   Report& report_;
   const Edge_triangles<Geometry> triangles_; // of the domain
   std::vector<Edge_id> cramped_edges_;       // of the last round
-
-  Grid_point grid_point(const typename Geometry::Point& p) const {
-    return trees_.tree().framework().grid().grid_point(map_.to_user(p));
-  }
 
   void make_mesh(Tree_separation_options_2::Placement placement) {
     state_.clear_worklist();
@@ -150,77 +149,18 @@ private:
     std::sort(cramped_edges_.begin(), cramped_edges_.end());
   }
 
-  bool is_sharp(Triangle_id t) const {
-    const auto& r = mesh_.triangle(t);
-    const auto s = mesh_.shape(r);
-    return state_.bounds.is_sharp(s) && !state_.is_exempt(r.v[0], r.v[1], r.v[2]);
-  }
-
-  std::vector<Triangle_id> sharp_triangles() const {
-    return pack_values<ConcurrencyTag, Triangle_id>(
-        mesh_.triangles.size(), [&](std::size_t t) { return is_sharp(static_cast<Triangle_id>(t)); },
-        [](std::size_t t) { return static_cast<Triangle_id>(t); });
-  }
-
-  /// Cures triangles by leaving out a vertex; returns those left.
-  std::vector<Triangle_id> choose_corners(const std::vector<Triangle_id>& sharp) {
-    Remover<Geometry> remover(state_);
-    report_.left_out = 0;
-    for (const Triangle_id t : sharp)
-      if (mesh_.is_alive(t) && is_sharp(t) && leave_out_vertex_of(t, remover)) ++report_.left_out;
-    std::vector<Triangle_id> left;
-    for (const Triangle_id t : sharp)
-      if (mesh_.is_alive(t) && is_sharp(t)) left.push_back(t);
-    return left;
-  }
-
-  bool leave_out_vertex_of(Triangle_id t, Remover<Geometry>& remover) {
-    const auto r = mesh_.triangle(t);
-    return std::any_of(std::begin(r.v), std::end(r.v), [&](Vertex_id v) { return remover.remove(v); });
-  }
-
-  /// After this many rounds all leaves around a triangle's vertices are split: what is left then is often a change of
-  /// sizes that meets an edge under the same angle again and again.
-  static constexpr std::size_t rounds_of_largest_leaves_ = 3;
-
-  /// Whether splitting a leaf may help: it can be split, and its edges can get vertices.
-  bool has_room(Leaf_index l) const {
-    const auto pieces = trees_.pieces_in_leaves()[l];
-    return trees_.is_splittable(l) && std::none_of(pieces.begin(), pieces.end(), [this](const Edge_piece& p) {
-             return std::binary_search(cramped_edges_.begin(), cramped_edges_.end(),
-                                       static_cast<Edge_id>(p.segment.value()));
-           });
-  }
-
-  /// The leaves around the vertices of each triangle: the largest ones, or all. If one of them has no room,
-  /// the triangle is left to refinement.
-  std::vector<Leaf_index> leaves_to_blame(const std::vector<Triangle_id>& sharp) {
-    std::vector<Leaf_index> leaves, around;
-    const auto& tree = trees_.tree();
-    for (const Triangle_id t : sharp) {
-      around.clear();
-      for (const Vertex_id v : mesh_.triangle(t).v) append_leaves_at(mesh_.point(v), around);
-      if (!std::all_of(around.begin(), around.end(), [this](Leaf_index l) { return has_room(l); })) {
-        ++report_.handed_over;
-        continue;
-      }
-      int level = tree.framework().grid().depth();
-      for (const Leaf_index l : around) level = std::min(level, tree.level(l));
-      for (const Leaf_index l : around)
-        if (tree.level(l) == level || report_.rounds > rounds_of_largest_leaves_) leaves.push_back(l);
-    }
-    std::sort(leaves.begin(), leaves.end());
-    leaves.erase(std::unique(leaves.begin(), leaves.end()), leaves.end());
-    return leaves;
-  }
-
-  /// The leaves that a point is in, or on the border of.
-  void append_leaves_at(const typename Geometry::Point& p, std::vector<Leaf_index>& leaves) const {
-    using Word = typename Grid_point::Word;
-    const Grid_point g = grid_point(p);
-    const auto before = [](const Word& w) { return w == 0 ? w : static_cast<Word>(w - 1); };
-    for (const Word& x : {before(g.x), g.x})
-      for (const Word& y : {before(g.y), g.y}) leaves.push_back(trees_.tree().locate(Grid_point{x, y}));
+  /// How many triangles are where a window is certain to meet the bound.
+  std::size_t number_in_windows(const std::vector<Triangle_id>& triangles) const {
+    const auto& windows = trees_.windows();
+    if (windows.empty()) return 0;
+    return static_cast<std::size_t>(std::count_if(triangles.begin(), triangles.end(), [&](Triangle_id t) {
+      const auto& v = mesh_.triangle(t).v;
+      const auto center = Geometry::between(Geometry::between(mesh_.point(v[0]), mesh_.point(v[1]), 0.5),
+                                            mesh_.point(v[2]), 1. / 3);
+      const auto w = windows.of(trees_.tree().locate(trees_.grid_point(center)));
+      return w != windows.none && windows[w].is_proven(Geometry::difference(
+                                      center, state_.problem.input_point(windows[w].vertex())));
+    }));
   }
 };
 

@@ -31,6 +31,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Near_segment.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Placed_vertices.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Separation_trees.h>
+#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Window_placement.h>
 
 #include <algorithm>
 #include <array>
@@ -64,7 +65,8 @@ public:
 
   Tree_placement(const Problem& problem, const Trees& trees, const Edge_triangles<Geometry>& triangles)
       : problem_(problem), trees_(trees), triangles_(triangles), rooms_(problem, triangles),
-        tree_(trees.tree()), corners_(trees.tree()), box_(box_of_points<ConcurrencyTag>(trees.tree())) {}
+        tree_(trees.tree()), corners_(trees.tree()), box_(box_of_points<ConcurrencyTag>(trees.tree())),
+        windows_(problem, trees) {}
 
   Placed_vertices<Geometry> run() {
     Placed_vertices<Geometry> placed(problem_.input_points);
@@ -72,6 +74,7 @@ public:
         problem_.edges, rooms_, [this](Edge_id e, auto& crossings) { cut_edge(e, crossings); });
     find_corners_kept();
     drop_corners_at_vertices();
+    windows_.drop_corners(corners_, is_kept_);
     placed.template append_corners<ConcurrencyTag>(trees_, corners_, is_kept_,
                                                    Location(problem_, trees_, corners_, triangles_));
     return placed;
@@ -94,18 +97,25 @@ private:
   const Tree& tree_;
   Corners corners_;
   const Grid_box<Grid_point> box_;
+  const Window_placement<Traits, ConcurrencyTag> windows_;
   std::vector<char> is_kept_; // by name of a corner
 
   // ---- on edges
 
-  /// Where an edge crosses the sides of leaves transversal to it, but for those next to its ends.
+  /// Where an edge crosses the sides of leaves transversal to it, but for those next to its ends. There are the points
+  /// of windows, if they are at the ends.
   void cut_edge(Edge_id e, std::vector<Edge_crossing<Geometry>>& crossings) const {
     const Input_edge& edge = problem_.edges[e];
     const Point &a = problem_.input_point(edge.a), &b = problem_.input_point(edge.b);
     const Vector d = Geometry::difference(b, a);
     const bool is_steep = std::fabs(d.y) > std::fabs(d.x);
     const double length = std::sqrt(squared_length(d));
-    const double of_a = clearance(edge.a) / length, of_b = clearance(edge.b) / length;
+    const bool is_window_at_a = windows_.is_at(edge.a), is_window_at_b = windows_.is_at(edge.b);
+    using Shares = typename Window_placement<Traits, ConcurrencyTag>::Shares;
+    const Shares of_a = is_window_at_a ? windows_.crossings_at(e, 0) : Shares{clearance(edge.a) / length, 0},
+                 of_b = is_window_at_b ? windows_.crossings_at(e, 1) : Shares{clearance(edge.b) / length, 0};
+    if (is_window_at_a)
+      for (const auto& p : windows_.points_at(e, 0)) crossings.push_back({e, p.point});
     const auto leaves = trees_.pieces()[Segment_index(std::size_t(e))];
     for (std::size_t i = 1; i < leaves.size(); ++i) {
       const Leaf_index behind = side_crossed(leaves[i - 1], leaves[i], is_steep);
@@ -113,8 +123,14 @@ private:
       const auto s = tree_.square(behind);
       const auto crossing = Point_on_edge<Geometry>::beside(trees_.kernel_point({s.x, s.y}), a, b, is_steep,
                                                             trees_.side(behind));
-      if (crossing.share >= of_a && crossing.rest >= of_b) crossings.push_back({e, crossing.point});
+      const bool is_after_a = crossing.share >= of_a.first, is_before_b = crossing.rest >= of_b.first;
+      if ((is_after_a && (is_before_b || crossing.share <= of_a.last)) ||
+          (is_before_b && crossing.rest <= of_b.last))
+        crossings.push_back({e, crossing.point});
     }
+    if (!is_window_at_b) return;
+    const auto [ring, halfway] = windows_.points_at(e, 1);
+    crossings.push_back({e, halfway.point}), crossings.push_back({e, ring.point});
   }
 
   double clearance(Vertex_id v) const {
@@ -151,6 +167,8 @@ private:
   /// these leaves.
   bool is_clear_of_edges(Name c) const {
     const auto leaves = corners_.leaves_around(c);
+    if (const auto w = windows_.window_at(leaves); w != windows_.none) // others do not count there
+      return windows_.is_clear_far_ahead(w, corners_.place(c));
     bool is_any = false;
     for (const Leaf_index l : leaves)
       is_any = is_any || (l.is_valid() && !trees_.pieces_in_leaves()[l].empty());
@@ -192,7 +210,7 @@ private:
   /// Finds those of the corners kept that are too near the vertices in a leaf.
   void find_corners_near(Leaf_index own, std::vector<Name>& names) const {
     const Rank_interval vertices = tree_.points(own);
-    if (vertices.begin == vertices.end) return;
+    if (vertices.begin == vertices.end || windows_.has(own)) return;
     find_corners_of(own, own, vertices, names);
     for (const Leaf_index l : tree_.neighbors(own)) find_corners_of(l, own, vertices, names);
   }
@@ -210,7 +228,9 @@ private:
       if (!is_any_nearer(vertices, low, to_corner, vertex_clearance.of_corners * side)) continue;
       const Name c = corners_.name(l, static_cast<Leaf_corner>(i));
       if (c == Corners::none || is_kept_[c] == 0) continue;
-      const double side_there = trees_.side(corners_.level(corners_.leaves_around(c)));
+      const auto leaves = corners_.leaves_around(c);
+      if (windows_.window_at(leaves) != windows_.none) continue;
+      const double side_there = trees_.side(corners_.level(leaves));
       if (side_there == side ||
           is_any_nearer(vertices, low, to_corner, vertex_clearance.of_corners * side_there))
         names.push_back(c);
