@@ -1,5 +1,7 @@
 """Graphs in degrees: what holds on the sphere, measured by vectors in space."""
 
+import base64
+import re
 import warnings
 
 import numpy as np
@@ -59,6 +61,20 @@ def test_angles_are_those_on_the_ground(project):
                         number_of_input_vertices=0, report=mesh.report))
     assert flat.angles().min() < 20
     check_mesh(flat, FJORD.area)
+
+
+def test_pages_are_drawn_in_the_plane_and_tell_degrees(tmp_path):
+    mesh = qm.mesh(frame(FJORD), max_edge=3000)
+    mesh.to_html(tmp_path / 'fjord.html')
+    page = (tmp_path / 'fjord.html').read_text(encoding='utf-8')
+
+    def places(name):
+        text = re.search(rf'id="{name}" data-type="Float64">([^<]*)<', page).group(1)
+        return np.frombuffer(base64.b64decode(text), 'float64').reshape(-1, 2)
+
+    assert (places('points') == mesh.places).all() and (places('coordinates') == mesh.vertices).all()
+    qm.mesh(frame(FJORD), project='none').to_html(tmp_path / 'flat.html')
+    assert 'id="coordinates"' not in (tmp_path / 'flat.html').read_text(encoding='utf-8')
 
 
 def test_vertices_are_kept_and_the_plane_is_told():

@@ -68,13 +68,16 @@ def test_examples_of_the_documents(tmp_path, monkeypatch):
     (tmp_path / 'examples').symlink_to(os.path.join(ROOT, 'examples'))
     geopandas.GeoDataFrame(dict(manning=[0.02, 0.03], max_area=[1e5, 2e5]), crs=4326, geometry=[
         geometry.box(11, 60, 11.1, 60.05), geometry.box(11.1, 60, 11.2, 60.05)]).to_file('lakes.gpkg', driver='GPKG')
+    geopandas.GeoDataFrame(crs=4326, geometry=[geometry.Polygon(
+        [(10, 59), (10.2, 59), (10.3, 59.1), (10.2, 59.2), (10, 59.1)])]).to_file('bay.gpkg', driver='GPKG')
     names = {}
     for block in blocks:
         exec(compile(block, 'doc/python.md', 'exec'), names)
     assert names['mesh'].report and names['polygons'].crs == 4326
     assert names['shapes'].crs == 4326
     assert set(names['friction']) == {0.02, 0.03}
-    assert os.path.getsize('lakes.png') > 0 and os.path.getsize('lakes.vtu') > 0
+    for file in ('lakes.png', 'lakes.vtu', 'bay.png', 'bay.msh'):
+        assert os.path.getsize(file) > 0, file
 
 
 @pytest.mark.parametrize('ending, kwargs', [('vtu', {}), ('xdmf', dict(data_format='XML')), ('mesh', {}), ('off', {})])
