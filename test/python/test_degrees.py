@@ -77,6 +77,17 @@ def test_pages_are_drawn_in_the_plane_and_tell_degrees(tmp_path):
     assert 'id="coordinates"' not in (tmp_path / 'flat.html').read_text(encoding='utf-8')
 
 
+def test_plots_have_the_shape_on_the_ground():
+    pyplot = pytest.importorskip('matplotlib.pyplot')
+    pyplot.switch_backend('Agg')
+    x, y = qm.mesh(frame(FJORD)).plot(pyplot.figure().gca()).transData.transform([(10, 59.4), (11, 60.4)]).T
+    assert np.isclose((x[1] - x[0]) / (y[1] - y[0]), np.cos(np.radians(59.4)))
+    flat = qm.mesh(frame(FJORD), project='none').plot(pyplot.figure().gca())
+    x, y = flat.transData.transform([(10, 59.4), (11, 60.4)]).T
+    assert np.isclose(x[1] - x[0], y[1] - y[0])
+    pyplot.close('all')
+
+
 def test_vertices_are_kept_and_the_plane_is_told():
     graph = qm.graph(frame(FJORD))
     mesh = qm.mesh(frame(FJORD), max_edge=3000)

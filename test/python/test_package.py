@@ -6,6 +6,7 @@ import doctest
 import inspect
 import os
 import re
+import subprocess
 
 import numpy as np
 import pytest
@@ -78,6 +79,15 @@ def test_examples_of_the_documents(tmp_path, monkeypatch):
     assert set(names['friction']) == {0.02, 0.03}
     for file in ('lakes.png', 'lakes.vtu', 'bay.png', 'bay.msh'):
         assert os.path.getsize(file) > 0, file
+
+
+def test_the_first_minute_runs_what_the_document_says():
+    script = os.path.join(ROOT, 'examples', 'python', 'first_minute.sh')
+    lines = subprocess.run(['bash', script, '--print'], capture_output=True, text=True, check=True).stdout
+    assert re.search(r'^apt-get install .*g\+\+', lines, re.MULTILINE)
+    assert 'venv/bin/pip install --no-build-isolation examples/python\n' in lines
+    assert "read_file('bay.gpkg')" in lines and "savefig('bay.png')" in lines and "write('bay.msh'" in lines
+    assert subprocess.run(['bash', script, '--print', 'a', 'b'], capture_output=True).returncode == 2
 
 
 @pytest.mark.parametrize('ending, kwargs', [('vtu', {}), ('xdmf', dict(data_format='XML')), ('mesh', {}), ('off', {})])

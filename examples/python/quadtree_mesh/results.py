@@ -298,7 +298,7 @@ class Mesh:
         return geopandas.GeoDataFrame(columns, geometry=polygons, crs=self.crs)
 
     def plot(self, ax: Any = None, *, color: Any = 'angle', edges: Optional[bool] = None, **kwargs: Any) -> Any:
-        """Draws the mesh by matplotlib.
+        """Draws the mesh by matplotlib; in degrees, if it is in these, with the shape that it has on the ground.
 
         Parameters
         ----------
