@@ -163,6 +163,25 @@ TEST_CASE("edges of all kinds of graphs grow slowly, or the report says where no
   CHECK(judged > 5000);
 }
 
+TEST_CASE("corners of any angle draw in no vertices without end", "[gradation]") {
+  for (const double degrees : {0.5, 4., 12., 20., 20.8, 22., 30., 45., 59.}) {
+    Pslg pslg;
+    add_polygon(pslg, {Point(-2, -2), Point(2, -2), Point(2, 2), Point(-2, 2)});
+    const double angle = degrees * 3.14159265358979323846 / 180, leg = degrees < 20.7 ? 0.02 : 0.4;
+    pslg.add_vertex(Point(0, 0)), pslg.add_vertex(Point(leg, 0));
+    pslg.add_vertex(Point(0.9 * leg * std::cos(angle), 0.9 * leg * std::sin(angle)));
+    add_segment(pslg, 4, 5), add_segment(pslg, 4, 6);
+    Mesher mesher(Options().gradation(0.2));
+    const Mesh mesh = mesher(pslg);
+    CAPTURE(degrees, mesh.triangles.size());
+    CHECK(mesher.report().is_met());
+    CHECK(mesh.triangles.size() < 5000);
+    const Growth_found found = growth_of(mesh, mesher.report(), 0.2, 3);
+    CHECK(found.judged > mesh.triangles.size() / 2);
+    CHECK(found.missed.empty());
+  }
+}
+
 TEST_CASE("a budget or a least edge ends the work on growth, and what is left is reported", "[gradation]") {
   const Pslg pslg = square_with_pair();
   const Options graded = Options().gradation(0.2);
