@@ -67,5 +67,5 @@ geopandas.GeoDataFrame(geometry=[Polygon(shore, [island])], crs=4326).to_file('b
 END
 printf '%s\n' "$lines" "print(mesh, 'with angles from', mesh.angles().min().round(2), 'degrees')" >first_minute.py
 venv/bin/python first_minute.py
-test -s bay.png && test -s bay.msh
-say "from packages to a picture: $folder/bay.png, and for solvers $folder/bay.msh"
+test -s bay.png && test -s bay.xdmf
+say "from packages to a picture: $folder/bay.png, and for solvers $folder/bay.xdmf"

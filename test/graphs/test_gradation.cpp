@@ -34,7 +34,10 @@ using Mesher = CGAL::Quality_mesher_2<>;
 
 namespace {
 
-double distance(const Point& p, const Point& q) { return std::hypot(p.x() - q.x(), p.y() - q.y()); }
+double distance(const Point& p, const Point& q) {
+  const double x = p.x() - q.x(), y = p.y() - q.y();
+  return std::sqrt(x * x + y * y);
+}
 
 /// The corners with exempt triangles, and how far what is promised does not hold around them.
 std::map<Vertex_index, double> zones(const Mesh& mesh, const Report& report, double gradation) {
@@ -94,7 +97,7 @@ Growth_found growth_of(const Mesh& mesh, const Report& report, double gradation,
 /// A wide square with two vertices near each other in it.
 Pslg square_with_pair() {
   Pslg pslg;
-  add_polygon(pslg, {Point(-10, -10), Point(10, -10), Point(10, 10), Point(-10, 10)});
+  add_polygon(pslg, {Point(-3, -3), Point(3, -3), Point(3, 3), Point(-3, 3)});
   pslg.add_vertex(Point(1, 1)), pslg.add_vertex(Point(1.01, 1.002));
   return pslg;
 }
@@ -105,7 +108,7 @@ TEST_CASE("edges grow by no more than the gradation, from any edge to any other"
   const Pslg pslg = square_with_pair();
   const std::size_t free = Mesher()(pslg).triangles.size();
   std::size_t triangles = free;
-  for (const auto& [gradation, ratio] : {std::array{1., 3.}, {0.5, 3.}, {0.2, 3.}, {0.2, 4.5}, {0.1, 3.}}) {
+  for (const auto& [gradation, ratio] : {std::array{1., 3.}, {0.5, 3.}, {0.2, 3.}, {0.2, 4.5}, {0.15, 3.}}) {
     Mesher mesher(Options().gradation(gradation).max_edge_ratio(ratio));
     const Mesh mesh = mesher(pslg);
     CAPTURE(gradation, ratio, mesh.triangles.size());
@@ -151,7 +154,7 @@ TEST_CASE("edges of all kinds of graphs grow slowly, or the report says where no
       const Mesh mesh = mesher(pslg);
       CAPTURE(family.name, seed, mesh.triangles.size());
       CHECK(CGAL::mesh_quality_2(mesh, pslg).number_of_errors == 0);
-      if (mesh.triangles.size() > 5000) continue;
+      if (mesh.triangles.size() > (is_full_run() ? 8000u : 2500u)) continue;
       const Growth_found found = growth_of(mesh, mesher.report(), gradation, 3);
       std::set<std::size_t> unmet;
       for (const auto& t : mesher.report().unmet_triangles) unmet.insert(std::size_t(t.triangle));
@@ -160,23 +163,23 @@ TEST_CASE("edges of all kinds of graphs grow slowly, or the report says where no
       judged += found.judged, ++graphs;
     }
   CHECK(graphs > 10);
-  CHECK(judged > 5000);
+  CHECK(judged > 3000);
 }
 
 TEST_CASE("corners of any angle draw in no vertices without end", "[gradation]") {
   for (const double degrees : {0.5, 4., 12., 20., 20.8, 22., 30., 45., 59.}) {
     Pslg pslg;
-    add_polygon(pslg, {Point(-2, -2), Point(2, -2), Point(2, 2), Point(-2, 2)});
+    add_polygon(pslg, {Point(-1, -1), Point(1, -1), Point(1, 1), Point(-1, 1)});
     const double angle = degrees * 3.14159265358979323846 / 180, leg = degrees < 20.7 ? 0.02 : 0.4;
     pslg.add_vertex(Point(0, 0)), pslg.add_vertex(Point(leg, 0));
     pslg.add_vertex(Point(0.9 * leg * std::cos(angle), 0.9 * leg * std::sin(angle)));
     add_segment(pslg, 4, 5), add_segment(pslg, 4, 6);
-    Mesher mesher(Options().gradation(0.2));
+    Mesher mesher(Options().gradation(0.3));
     const Mesh mesh = mesher(pslg);
     CAPTURE(degrees, mesh.triangles.size());
     CHECK(mesher.report().is_met());
     CHECK(mesh.triangles.size() < 5000);
-    const Growth_found found = growth_of(mesh, mesher.report(), 0.2, 3);
+    const Growth_found found = growth_of(mesh, mesher.report(), 0.3, 3);
     CHECK(found.judged > mesh.triangles.size() / 2);
     CHECK(found.missed.empty());
   }

@@ -73,18 +73,25 @@ def test_pages_are_drawn_in_the_plane_and_tell_degrees(tmp_path):
         return np.frombuffer(base64.b64decode(text), 'float64').reshape(-1, 2)
 
     assert (places('points') == mesh.places).all() and (places('coordinates') == mesh.vertices).all()
-    qm.mesh(frame(FJORD), project='none').to_html(tmp_path / 'flat.html')
+    with pytest.warns(qm.DegreesWarning):
+        qm.mesh(frame(FJORD), project='none').to_html(tmp_path / 'flat.html')
     assert 'id="coordinates"' not in (tmp_path / 'flat.html').read_text(encoding='utf-8')
 
 
 def test_plots_have_the_shape_on_the_ground():
     pyplot = pytest.importorskip('matplotlib.pyplot')
     pyplot.switch_backend('Agg')
-    x, y = qm.mesh(frame(FJORD)).plot(pyplot.figure().gca()).transData.transform([(10, 59.4), (11, 60.4)]).T
-    assert np.isclose((x[1] - x[0]) / (y[1] - y[0]), np.cos(np.radians(59.4)))
-    flat = qm.mesh(frame(FJORD), project='none').plot(pyplot.figure().gca())
-    x, y = flat.transData.transform([(10, 59.4), (11, 60.4)]).T
-    assert np.isclose(x[1] - x[0], y[1] - y[0])
+
+    def height_of_a_degree(mesh):
+        """In widths of one, as drawn."""
+        ax = mesh.plot(pyplot.figure().gca())
+        ax.apply_aspect()
+        x, y = np.diff(ax.transData.transform([(10, 59), (11, 60)]), axis=0)[0]
+        return y / x
+
+    assert np.isclose(height_of_a_degree(qm.mesh(frame(FJORD))), 1 / np.cos(np.radians(59.4)))
+    with pytest.warns(qm.DegreesWarning):
+        assert np.isclose(height_of_a_degree(qm.mesh(frame(FJORD), project='none')), 1)
     pyplot.close('all')
 
 
