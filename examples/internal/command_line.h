@@ -45,15 +45,20 @@ inline double least_edge(const po::variables_map& given) {
   return least;
 }
 
-/// By how much sizes may grow over a unit of length; 0: no limit.
-/// \throws Usage_error if there are no sizes that vary
+/// By how much edges, and sizes from files and features, may grow over a unit of length; 0: no limit.
 inline double gradation(const po::variables_map& given) {
-  if (given.count("gradation") > 0 && given.count("size-grid") + given.count("size-points") == 0 &&
-      given.count("size-from-features") == 0)
-    throw Usage_error(
-        "--gradation limits the sizes of --size-grid, --size-points and --size-from-features, of which "
-        "none is given: without them the angle bound limits how triangles grow");
-  return bound(given, "gradation");
+  const double g = bound(given, "gradation");
+  if (g > CGAL::Quality_mesh_options_2::steepest_gradation)
+    throw Usage_error("--gradation has to be at most 1, as fast as edges grow without it");
+  return g;
+}
+
+/// By which factor edges with a common end may differ; 0: no limit.
+inline double max_edge_ratio(const po::variables_map& given) {
+  const double ratio = bound(given, "max-edge-ratio");
+  if (ratio > 0 && ratio < CGAL::Quality_mesh_options_2::least_max_edge_ratio)
+    throw Usage_error("--max-edge-ratio has to be at least 3: below that refinement is not known to end");
+  return ratio;
 }
 
 inline std::optional<Command_line::Feature_sizes> feature_sizes(const po::variables_map& given) {
@@ -192,6 +197,8 @@ inline CGAL::Quality_mesh_options_2 quality_mesh_options(const po::variables_map
       .max_edge(bound(given, "max-edge"))
       .max_area(bound(given, "max-area"))
       .min_edge(least_edge(given))
+      .gradation(gradation(given))
+      .max_edge_ratio(max_edge_ratio(given))
       .mesh_domain(domain(given))
       .smooth(rounds(given, "smooth"))
       .thin(thinning_rounds(given))

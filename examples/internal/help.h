@@ -41,7 +41,7 @@ inline void print_help(std::ostream& out) {
   --size-points FILE sizes at points, one 'x y size' a line
   --size-grid FILE   sizes on an ASCII grid of ESRI (.asc), or by GDAL (.tif ...)
   --size-from-features H G   sizes H + G times the distance from segments
-  --gradation G      these sizes grow by at most G times the distance
+  --gradation G      edges grow by at most G times the distance, such as 0.2
   --region-property NAME  number or name of features: attribute of regions
   --marker-property NAME  the same for markers of segments
   --repair           split segments where they cross, as polygons that overlap do

@@ -98,8 +98,11 @@ inline po::options_description graph_options() {
     ("size-from-features", (new Two_numbers)->value_name("H G"),
      "the longest edge is H plus G times the distance from the nearest segment or vertex of the input")
     ("gradation", po::value<double>()->value_name("G"),
-     "the sizes of the three options above grow by at most G times the distance, such as 0.2; larger ones become "
-     "smaller")
+     "each edge is at most --max-edge-ratio times as long as any other one plus G times their distance, such as 0.2; "
+     "the sizes of the three options above grow by at most G, too")
+    ("max-edge-ratio", po::value<double>()->value_name("R"),
+     "edges with a common end differ at most by this factor, at least 3; if not given 3 with --gradation, else no "
+     "bound")
     ("domain", po::value<std::string>()->value_name("D")->default_value("enclosed"),
      "what is meshed: enclosed, marked (components with a region's point) or parity (of nested borders)")
     ("separation", po::value<std::string>()->value_name("S")->default_value("on-demand"),

@@ -36,6 +36,7 @@ inline const std::vector<Option_use>& option_uses() {
       {"size-grid", {Mode::PSLG}},
       {"size-from-features", {Mode::PSLG}},
       {"gradation", {Mode::PSLG}},
+      {"max-edge-ratio", {Mode::PSLG}},
       {"domain", {Mode::PSLG}},
       {"separation", {Mode::PSLG}},
       {"neighbors", {Mode::PSLG}},

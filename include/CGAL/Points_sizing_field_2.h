@@ -55,9 +55,12 @@ public:
 
   /// The size at (x, y).
   double operator()(double x, double y) const {
-    double best = std::numeric_limits<double>::infinity();
-    search(0, 0, points_.size(), x, y, best);
-    return best;
+    return (*this)(x, y, std::numeric_limits<double>::infinity());
+  }
+  /// The lesser of `most` and the size at (x, y). This is found sooner.
+  double operator()(double x, double y, double most) const {
+    if (least(0, x, y) < most) search(0, 0, points_.size(), x, y, most);
+    return most;
   }
 
 private:

@@ -100,6 +100,29 @@ public:
   Quality_mesh_options_2& min_edge(double value) { return min_edge_ = value, *this; }
   double min_edge() const { return min_edge_; } ///< the value set
 
+  /// The greatest value of `gradation()`. Without a bound most meshes of maps grow no faster.
+  static constexpr double steepest_gradation = 1;
+  /// The least value of `max_edge_ratio()` other than 0. In a triangle of 20.7 degrees edges may differ by a factor of
+  /// 2.83, and from there on refinement ends by Ruppert's argument.
+  static constexpr double least_max_edge_ratio = 3;
+
+  /// How fast edges grow, in [0, 1]: each edge is at most as long as `max_edge_ratio()` times any other one, plus
+  /// `gradation()` times the distance between their nearest ends. 0.1 to 0.3 is usual for flow. 0, the default, means
+  /// no such bound, or 1 if there is a `max_edge_ratio()`.
+  ///
+  /// This is a bound on the mesh, whatever makes edges short: the input, bounds of regions, or a size field. Vertices
+  /// for it are made at the end, on one thread. The report lists triangles that miss it, with the reason. It does not
+  /// hold near corners of the input that are sharper than `min_angle()`, where any mesh has long edges at short ones:
+  /// for triangles with a vertex within (2 + 2 / gradation) times the length of the legs of exempt triangles there,
+  /// counted from the corner.
+  Quality_mesh_options_2& gradation(double value) { return gradation_ = value, *this; }
+  double gradation() const { return gradation_; } ///< the value set
+
+  /// By which factor edges that share an end may differ, at least 3; see `gradation()`. 0, the default, means no such
+  /// bound, or 3 if there is a `gradation()`.
+  Quality_mesh_options_2& max_edge_ratio(double value) { return max_edge_ratio_ = value, *this; }
+  double max_edge_ratio() const { return max_edge_ratio_; } ///< the value set
+
   /// What is meshed; ENCLOSED by default.
   Quality_mesh_options_2& mesh_domain(Domain value) { return mesh_domain_ = value, *this; }
   Domain mesh_domain() const { return mesh_domain_; } ///< the value set
@@ -217,6 +240,8 @@ private:
   Size_field size_;
   Predicate refine_where_;
   double min_edge_ = 0;
+  double gradation_ = 0;
+  double max_edge_ratio_ = 0;
   Domain mesh_domain_ = Domain::ENCLOSED;
   Separation separate_ = Separation::ON_DEMAND;
   Coarsening coarsen_ = Coarsening::GUARDED_REMOVAL;

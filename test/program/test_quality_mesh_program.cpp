@@ -397,7 +397,7 @@ TEST_CASE("help and version", "[program]") {
         "--thin",        "--no-coarsening", "--compare",       "--report",          "--quiet",
         "--version",     "--angles",        "--square",        "--effort",          "--budget",
         "--lengths",     "--color",         "--show-quadtree", "--region-property", "--size-grid",
-        "--gradation",   "--project"})
+        "--gradation",   "--project",       "--max-edge-ratio"})
     CHECK(contains(all.out, option));
 }
 

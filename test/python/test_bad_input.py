@@ -93,6 +93,9 @@ def test_a_needle_that_asks_for_too_much():
     (dict(max_area=[1, 2]), TypeError, 'regions'),
     (dict(region='name'), TypeError, 'geometry'),
     (dict(max_aera=1), TypeError, 'max_aera'),
+    (dict(gradation=1.5), ValueError, 'gradation'),
+    (dict(gradation=-0.1), ValueError, 'gradation'),
+    (dict(max_edge_ratio=2), ValueError, 'at least 3'),
     (dict(threads=-1), ValueError, 'threads'),
     (dict(max_vertices=-1), ValueError, 'max_vertices'),
 ])

@@ -1,5 +1,7 @@
 """Graphs in degrees: what holds on the sphere, measured by vectors in space."""
 
+import base64
+import re
 import warnings
 
 import numpy as np
@@ -59,6 +61,38 @@ def test_angles_are_those_on_the_ground(project):
                         number_of_input_vertices=0, report=mesh.report))
     assert flat.angles().min() < 20
     check_mesh(flat, FJORD.area)
+
+
+def test_pages_are_drawn_in_the_plane_and_tell_degrees(tmp_path):
+    mesh = qm.mesh(frame(FJORD), max_edge=3000)
+    mesh.to_html(tmp_path / 'fjord.html')
+    page = (tmp_path / 'fjord.html').read_text(encoding='utf-8')
+
+    def places(name):
+        text = re.search(rf'id="{name}" data-type="Float64">([^<]*)<', page).group(1)
+        return np.frombuffer(base64.b64decode(text), 'float64').reshape(-1, 2)
+
+    assert (places('points') == mesh.places).all() and (places('coordinates') == mesh.vertices).all()
+    with pytest.warns(qm.DegreesWarning):
+        qm.mesh(frame(FJORD), project='none').to_html(tmp_path / 'flat.html')
+    assert 'id="coordinates"' not in (tmp_path / 'flat.html').read_text(encoding='utf-8')
+
+
+def test_plots_have_the_shape_on_the_ground():
+    pyplot = pytest.importorskip('matplotlib.pyplot')
+    pyplot.switch_backend('Agg')
+
+    def height_of_a_degree(mesh):
+        """In widths of one, as drawn."""
+        ax = mesh.plot(pyplot.figure().gca())
+        ax.apply_aspect()
+        x, y = np.diff(ax.transData.transform([(10, 59), (11, 60)]), axis=0)[0]
+        return y / x
+
+    assert np.isclose(height_of_a_degree(qm.mesh(frame(FJORD))), 1 / np.cos(np.radians(59.4)))
+    with pytest.warns(qm.DegreesWarning):
+        assert np.isclose(height_of_a_degree(qm.mesh(frame(FJORD), project='none')), 1)
+    pyplot.close('all')
 
 
 def test_vertices_are_kept_and_the_plane_is_told():

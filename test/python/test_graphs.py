@@ -52,6 +52,27 @@ def test_edges(kwargs, largest):
     assert len(mesh.vertices) + len(mesh.triangles) == len(edges) + 1
 
 
+@pytest.mark.parametrize('kwargs, gradation, ratio', [
+    (dict(gradation=0.2), 0.2, 3), (dict(gradation=0.3, max_edge_ratio=5), 0.3, 5), (dict(max_edge_ratio=4), 1, 4)])
+def test_edges_grow_slowly(kwargs, gradation, ratio):
+    near = dict(vertices=SQUARE['vertices'] + [[0.5, 0.5], [0.51, 0.502]], segments=SQUARE['segments'])
+
+    def excess(mesh):
+        """By how much edges are too long, beside the shortest edge at each vertex."""
+        edges = mesh.edges()
+        lengths = np.linalg.norm(mesh.vertices[edges[:, 0]] - mesh.vertices[edges[:, 1]], axis=1)
+        shortest = np.full(len(mesh.vertices), np.inf)
+        for k in range(2):
+            np.minimum.at(shortest, edges[:, k], lengths)
+        apart = np.linalg.norm(mesh.vertices[:, None] - mesh.vertices[None], axis=2)
+        allowed = (ratio * shortest + gradation * apart).min(axis=1)
+        return (lengths - allowed[edges].min(axis=1)).max()
+
+    mesh = qm.mesh(**near, **kwargs)
+    assert mesh.report and excess(mesh) <= 0
+    assert excess(qm.mesh(**near)) > 0
+
+
 def test_sizes_of_which_the_least_counts():
     left = qm.SizePoints([[0, 0.5]], [0.02], gradation=0.3)
     right = qm.size_grid(lambda x, y: 0.3 - 0.25 * x, (0, 0, 1, 1), 0.1)

@@ -6,6 +6,7 @@ import doctest
 import inspect
 import os
 import re
+import subprocess
 
 import numpy as np
 import pytest
@@ -60,6 +61,7 @@ def test_examples_of_the_documents(tmp_path, monkeypatch):
     geopandas = pytest.importorskip('geopandas')
     geometry = pytest.importorskip('shapely.geometry')
     pytest.importorskip('meshio')
+    pytest.importorskip('h5py')
     pytest.importorskip('matplotlib').use('Agg')
     with open(os.path.join(ROOT, 'doc', 'python.md'), encoding='utf-8') as file:
         blocks = re.findall(r'^```python\n(.*?)^```', file.read(), re.MULTILINE | re.DOTALL)
@@ -68,13 +70,25 @@ def test_examples_of_the_documents(tmp_path, monkeypatch):
     (tmp_path / 'examples').symlink_to(os.path.join(ROOT, 'examples'))
     geopandas.GeoDataFrame(dict(manning=[0.02, 0.03], max_area=[1e5, 2e5]), crs=4326, geometry=[
         geometry.box(11, 60, 11.1, 60.05), geometry.box(11.1, 60, 11.2, 60.05)]).to_file('lakes.gpkg', driver='GPKG')
+    geopandas.GeoDataFrame(crs=4326, geometry=[geometry.Polygon(
+        [(10, 59), (10.2, 59), (10.3, 59.1), (10.2, 59.2), (10, 59.1)])]).to_file('bay.gpkg', driver='GPKG')
     names = {}
     for block in blocks:
         exec(compile(block, 'doc/python.md', 'exec'), names)
     assert names['mesh'].report and names['polygons'].crs == 4326
     assert names['shapes'].crs == 4326
     assert set(names['friction']) == {0.02, 0.03}
-    assert os.path.getsize('lakes.png') > 0 and os.path.getsize('lakes.vtu') > 0
+    for file in ('lakes.png', 'lakes.vtu', 'bay.png', 'bay.xdmf'):
+        assert os.path.getsize(file) > 0, file
+
+
+def test_the_first_minute_runs_what_the_document_says():
+    script = os.path.join(ROOT, 'examples', 'python', 'first_minute.sh')
+    lines = subprocess.run(['bash', script, '--print'], capture_output=True, text=True, check=True).stdout
+    assert re.search(r'^apt-get install .*g\+\+', lines, re.MULTILINE)
+    assert 'venv/bin/pip install --no-build-isolation examples/python\n' in lines
+    assert "read_file('bay.gpkg')" in lines and "savefig('bay.png')" in lines and "write('bay.xdmf'" in lines
+    assert subprocess.run(['bash', script, '--print', 'a', 'b'], capture_output=True).returncode == 2
 
 
 @pytest.mark.parametrize('ending, kwargs', [('vtu', {}), ('xdmf', dict(data_format='XML')), ('mesh', {}), ('off', {})])

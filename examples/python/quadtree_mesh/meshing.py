@@ -21,7 +21,8 @@ def mesh(geometry: Any = None, *, vertices: Optional[ArrayLike] = None, segments
          holes: Optional[ArrayLike] = None, regions: Optional[ArrayLike] = None,
          vertex_markers: Optional[ArrayLike] = None, segment_markers: Optional[ArrayLike] = None,
          min_angle: float = 20.7, max_area: Any = None, max_edge: Optional[float] = None,
-         min_edge: Optional[float] = None, size: Any = None, region: Any = None,
+         min_edge: Optional[float] = None, size: Any = None, gradation: Optional[float] = None,
+         max_edge_ratio: Optional[float] = None, region: Any = None,
          refine_where: Optional[Callable[[np.ndarray], bool]] = None, domain: str = 'enclosed',
          max_vertices: Optional[int] = None, max_steiner: Optional[int] = None, conforming: bool = False,
          keep_borders: str = 'none', smooth: int = 0, thin: int = 0, coarsen: bool = True,
@@ -62,6 +63,12 @@ def mesh(geometry: Any = None, *, vertices: Optional[ArrayLike] = None, segments
         No new vertex is nearer than this to another one in sight. What misses a bound for this reason is reported.
     size : SizeGrid, SizePoints, float or a list of these, optional
         The longest edge wanted at a place. Of several the least counts. `size_grid()` makes a grid of a function.
+    gradation : float, optional
+        How fast edges grow, at most 1: each edge is at most as long as `max_edge_ratio` times any other one, plus
+        `gradation` times the distance between their nearest ends. 0.1 to 0.3 is usual for flow. It does not hold near
+        corners sharper than `min_angle`. What misses it is in ``mesh.report.unmet``.
+    max_edge_ratio : float, optional
+        By which factor edges with a common end may differ; at least 3, which is the default with `gradation`.
     region : str or array, optional
         With `geometry`: the column of the data frame, or the array, whose values are ``mesh.region_values``. By default
         these are the data frame's index, or the numbers of the geometries. ``mesh.regions`` has the geometry of each
@@ -126,7 +133,7 @@ def mesh(geometry: Any = None, *, vertices: Optional[ArrayLike] = None, segments
     if (geometry is None) == (vertices is None):
         raise TypeError('mesh() needs either a geometry or vertices')
     options = dict(min_angle=float(min_angle), max_edge=length(max_edge), min_edge=length(min_edge),
-                   size=size_list(size), refine_where=callable_or_none(refine_where, 'refine_where'),
+                   gradation=length(gradation), max_edge_ratio=length(max_edge_ratio), size=size_list(size), refine_where=callable_or_none(refine_where, 'refine_where'),
                    domain=word(domain, 'domain'),
                    max_vertices=count(max_vertices, 'max_vertices'),
                    max_steiner=None if max_steiner is None else count(max_steiner, 'max_steiner'),

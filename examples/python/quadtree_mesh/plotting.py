@@ -40,7 +40,9 @@ def plot_mesh(mesh: Any, ax: Any = None, *, color: Any = 'angle', edges: Optiona
     elif has_edges and len(mesh.triangles) > 0:
         ax.triplot(x, y, mesh.triangles, **(dict(linewidth=0.4) | kwargs))
     plot_segments(ax, mesh.vertices, mesh.segments)
-    ax.set_aspect('equal')
+    # A degree of longitude is shorter than one of latitude.
+    middle = (y.min() + y.max()) / 2 if len(y) > 0 else 0
+    ax.set_aspect('equal' if mesh.places is None else 1 / np.cos(np.radians(middle)))
     return ax
 
 

@@ -258,7 +258,8 @@ class Mesh:
         """Writes a page that shows the mesh in a browser, with pan and zoom: one file, also of a million triangles.
 
         The page has a menu of colors with histograms, marks the triangles of `report.unmet`, and tells the angles, the
-        size, the region and the vertices of the triangle under the pointer.
+        size, the region and the vertices of the triangle under the pointer. A mesh that was made in a projection is
+        drawn there, with angles and sizes as on the ground, and tells vertices in degrees.
 
         Parameters
         ----------
@@ -275,7 +276,8 @@ class Mesh:
             If the file cannot be written. An older one is then unchanged.
         """
         is_number = np.issubdtype(self.region_values.dtype, np.number)
-        arrays = dict(vertices=self.vertices, triangles=self.triangles, segments=self.segments,
+        coordinates = None if self.places is None else self.vertices
+        arrays = dict(vertices=self._in_plane(), coordinates=coordinates, triangles=self.triangles, segments=self.segments,
                       regions=self.regions if (self.regions >= 0).any() else [],
                       region_values=self.region_values if is_number else [], unmet=self.report.unmet['triangle'])
         _core.write_html(os.fspath(file), arrays, title, color or 'none')
@@ -296,7 +298,7 @@ class Mesh:
         return geopandas.GeoDataFrame(columns, geometry=polygons, crs=self.crs)
 
     def plot(self, ax: Any = None, *, color: Any = 'angle', edges: Optional[bool] = None, **kwargs: Any) -> Any:
-        """Draws the mesh by matplotlib.
+        """Draws the mesh by matplotlib; in degrees, if it is in these, with the shape that it has on the ground.
 
         Parameters
         ----------

@@ -121,6 +121,8 @@ Options options_from(const py::dict& values, const Projection* projection) {
       .max_area(values["max_area"].cast<double>())
       .max_edge(values["max_edge"].cast<double>())
       .min_edge(values["min_edge"].cast<double>())
+      .gradation(values["gradation"].cast<double>())
+      .max_edge_ratio(values["max_edge_ratio"].cast<double>())
       .size(least_size(values["size"].cast<py::list>(), projection))
       .smooth(values["smooth"].cast<int>())
       .thin(values["thin"].cast<int>())

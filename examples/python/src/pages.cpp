@@ -18,6 +18,7 @@
 #include <stdexcept>
 #include <string>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 // Pages that show meshes in browsers. quadtree_mesh.results documents what goes in.
@@ -72,7 +73,15 @@ Page_options options_of_page(const py::dict& arrays, const std::string& title, c
   std::vector<Page_options::Triangle_index> unmet;
   for (const std::int64_t t : vector_from(arrays["unmet"].cast<Input_array<std::int64_t>>()))
     unmet.emplace_back(static_cast<std::size_t>(t));
-  return Page_options().title(title).color_by(found->second).unmet_triangles(unmet);
+  Page_options options;
+  options.title(title).color_by(found->second).unmet_triangles(unmet);
+  if (!arrays["coordinates"].is_none()) {
+    std::vector<std::array<double, 2>> coordinates;
+    for (const Point& p : points_from(arrays["coordinates"].cast<Input_array<double>>(), "vertices"))
+      coordinates.push_back({p.x(), p.y()});
+    options.coordinates(std::move(coordinates));
+  }
+  return options;
 }
 
 void write_html(const std::string& file, const py::dict& arrays, const std::string& title,

@@ -19,6 +19,7 @@
 #include <CGAL/tags.h>
 #include <CGAL/validate_pslg_2.h>
 
+#include <cmath>
 #include <stdexcept>
 #include <utility>
 
@@ -69,6 +70,14 @@ public:
       throw std::invalid_argument("the least angle must be between 0 and 34 degrees");
     if (!(options_.max_edge() >= 0)) throw std::invalid_argument("the longest edge must not be negative");
     if (!(options_.max_area() >= 0)) throw std::invalid_argument("the largest area must not be negative");
+    if (!(options_.gradation() >= 0 && options_.gradation() <= Quality_mesh_options_2::steepest_gradation))
+      throw std::invalid_argument("the gradation must be between 0 and 1");
+    if (options_.max_edge_ratio() != 0 &&
+        !(options_.max_edge_ratio() >= Quality_mesh_options_2::least_max_edge_ratio &&
+          std::isfinite(options_.max_edge_ratio())))
+      throw std::invalid_argument(
+          "the greatest ratio of edges must be at least 3, or 0 for no bound: below that "
+          "refinement is not known to end");
     if (options_.smooth() < 0)
       throw std::invalid_argument("the number of smoothing rounds must not be negative");
     if (options_.thin() < 0)

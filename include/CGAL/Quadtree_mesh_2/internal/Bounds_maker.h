@@ -10,15 +10,24 @@
 #include <CGAL/Pslg_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/angle_units.h>
 #include <CGAL/Quadtree_mesh_2/internal/geometry/coordinate_map.h>
+#include <CGAL/Quadtree_mesh_2/internal/grading/Grader.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Bounds.h>
 #include <CGAL/Quality_mesh_options_2.h>
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 
 namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
+
+/// How fast edges may grow; nothing if there is no bound on that.
+inline std::optional<Growth> growth_wanted(const Quality_mesh_options_2& options) {
+  if (options.gradation() == 0 && options.max_edge_ratio() == 0) return std::nullopt;
+  return Growth{options.gradation() > 0 ? options.gradation() : Quality_mesh_options_2::steepest_gradation,
+                std::max(options.max_edge_ratio(), Quality_mesh_options_2::least_max_edge_ratio)};
+}
 
 /// The user's bounds in the coordinates of the kernel. Options and map have to outlive them.
 template <class Traits>

@@ -14,7 +14,7 @@
 //   -> refinement on demand: legs cut, lopped sectors locked; the bulk filled with squares where bounds of size rule
 //      (Bulk_filler.h); rounds of blocks (Block_refinement.h), then what they leave
 //   -> guarded removal, smoothing; small meshes are refined a second time (thin_small_mesh.h); thinning
-//   -> exact constrained Delaunay flips; if edges are to be Delaunay, too, splits of these, and refinement
+//   -> exact constrained Delaunay flips; where wanted, splits of edges until they are Delaunay, and edges graded
 //   -> flat arrays in the user's coordinates and vertex order
 //
 // Quadtrees (Tree_construction.h) take the place of refinement on demand where that is wanted, or in islands where it
@@ -305,10 +305,9 @@ private:
       if (!budgets().is_of_user() || least <= limit.vertices) splitter.cut_rings();
       Bulk_filler<ConcurrencyTag, Geometry>(state_, splitter).run(limit.vertices);
     }
-    if (work_off_in_blocks(limit, Progress_shares::first_mesh))
-      finishing_.smoothing_rounds = 0; // done, and removal is left only at seams
-    else
-      refiner.push_all();
+    const bool are_blocks = work_off_in_blocks(limit, Progress_shares::first_mesh);
+    if (are_blocks) finishing_.smoothing_rounds = 0; // done, and removal is left only at seams
+    if (!are_blocks) refiner.push_all();
     const Refinement_end end = run(refiner, limit);
     if (end != Refinement_end::OUT_OF_BUDGET) finish_refinement(splitter);
     return end;
@@ -471,11 +470,15 @@ private:
     clock_.enter(&Seconds::refine);
     if (problem_.keeps_edges()) state_.push_all_bad(); // given up in blocks; all may be other triangles now
     const auto limit = [this] { return budgets().of_repair(state_.mesh.number_of_vertices()); };
-    Exact_finisher<ConcurrencyTag, Geometry> finisher(
-        state_, [this, limit](Refiner<Geometry>& r) { run_to_the_end(r, limit()); },
-        [this] { return progress_.is_cancelled() || report_.is_budget_exhausted; });
-    if (options_.conform() == Quality_mesh_options_2::Conforming::NONE) return finisher.run(refiner);
-    return finisher.run_conforming(limit().vertices, report_.encroached_edges);
+    const auto refine = [this, limit](Refiner<Geometry>& r) { run_to_the_end(r, limit()); };
+    const auto is_stopped = [this] { return progress_.is_cancelled() || report_.is_budget_exhausted; };
+    Exact_finisher<ConcurrencyTag, Geometry> finisher(state_, refine, is_stopped);
+    const auto finish_exactly = [&] {
+      if (options_.conform() == Quality_mesh_options_2::Conforming::NONE) return finisher.run(refiner);
+      return finisher.run_conforming(limit().vertices, report_.encroached_edges);
+    };
+    return grade_edges<ConcurrencyTag>(state_, growth_wanted(options_), map_, is_stopped, finish_exactly,
+                                       [&] { return refine(refiner), finish_exactly(); });
   }
 
   Indexed_mesh_2<Point_2> convert(const Triangle_account& account, Refiner<Geometry>& refiner) {
