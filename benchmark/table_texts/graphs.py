@@ -53,17 +53,15 @@ def mesh_table(comparisons, has_bound=False):
 
 def readme(figures):
     comparisons = {c["input"]: c for c in figures("maps")["comparisons"]}
+    names = peers(figures("maps")["comparisons"])
     rows = []
     for key, name in NAMES.items():
         if key in comparisons:
             c = comparisons[key]
-            meshers = by_mesher(c)
-            row = [name, c["vertices"], *figures_beside_peers(c, "triangles", str, ["Mesh_2"])]
-            row += figures_beside_peers(c, "cpu_seconds", significant, ["Mesh_2"])
-            row += [fixed(value(meshers.get(m), "peak_memory_mb"), 0) for m in ("ours", "Mesh_2")]
-            rows.append(row)
-    titles = ["input", "vertices", "triangles, ours", "Mesh_2", "ratio", "processor seconds, ours", "Mesh_2", "ratio"]
-    return table([*titles, "peak memory in MB, ours", "Mesh_2"], rows)
+            rows.append([name, c["vertices"], *figures_beside_peers(c, "triangles", str, names)])
+            rows[-1] += figures_beside_peers(c, "cpu_seconds", significant, names)
+    titles = ["input", "vertices", *titles_beside_peers("triangles", names)]
+    return table([*titles, *titles_beside_peers("CPU s", names)], rows)
 
 
 def number_of_triangles(figures):
