@@ -271,7 +271,7 @@ private:
     constexpr int far = reach_ + margin_;
     for (int i = -far; i <= far; ++i)
       for (int j = -far; j <= far; ++j)
-        visit(Product(s.x) + side * i, Product(s.y) + side * j,
+        visit(Product(Product(s.x) + side * i), Product(Product(s.y) + side * j),
               std::max(std::abs(i), std::abs(j)) > reach_ ? Part::FREE_OF_OTHERS : Part::LEAF);
     for (const Window_ray& r : rays) for_each_square_along(tree, rays.vertex(), r, own, side, visit);
   }
@@ -290,10 +290,12 @@ private:
     const auto s = tree.square(own);
     const Product start(line.u({s.x, s.y}));
     for (int k = 0; k <= r.lines + margin_; ++k) {
-      const Product left = is_ascending ? start + side * k : start - side * k, right = left + side;
+      // Words may be expressions (Boost.Multiprecision).
+      const Product left = is_ascending ? Product(start + side * k) : Product(start - side * k),
+                    right = left + side;
       const Product low = std::min(line.floor_of_v(left), line.floor_of_v(right)) - side * reach_,
                     high = std::max(line.ceiling_of_v(left), line.ceiling_of_v(right)) + side * reach_;
-      const Product lowest = std::max(low - side * margin_, Product(0));
+      const Product lowest = std::max(Product(low - side * margin_), Product(0));
       for (Product w = lowest - lowest % side; w < high + side * margin_; w += side) {
         const bool is_inside = w + side > low && w < high;
         const Part part = !is_inside || k > r.lines ? Part::FREE_OF_OTHERS
