@@ -123,6 +123,7 @@ std::optional<Verdict> find_fault(const Soak_case& c, const Mesh& mesh,
   }
   case Reason::CANCELLED:
   case Reason::CRITERIA:
+  case Reason::KEPT_SEGMENT:
     break;
   }
   return failure(kind, detail.str());

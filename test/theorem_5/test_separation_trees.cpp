@@ -269,11 +269,11 @@ TEST_CASE("Edges stay apart when leaves are split", "[trees][separation]") {
       std::vector<Leaf_index> leaves;
       for (std::size_t l = 0; l < trees.tree().number_of_leaves(); ++l)
         if (random.integer(0, 9) == 0) leaves.push_back(Leaf_index(l));
-      trees.refine(leaves);
+      trees.refine(leaves, {});
       CHECK(Pair_check(graph, trees, options).number_of_faults() == 0);
       CHECK(trees.tree().is_valid());
     }
-    CHECK_FALSE(trees.refine({}));
+    CHECK_FALSE(trees.refine({}, {}));
   });
 }
 
