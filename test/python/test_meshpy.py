@@ -73,7 +73,9 @@ def test_six_nodes():
 def test_boundary_without_new_vertices():
     graph = disk_with_a_square_hole()
     mesh = triangle.build(graph, max_volume=0.05, allow_boundary_steiner=False)
-    assert len(mesh.facets) == len(graph.facets) < len(triangle.build(graph, max_volume=0.05).facets)
+    markers = np.array(mesh.facet_markers)
+    assert (markers == 1).sum() == 30 and (markers == 2).sum() > 6  # the circle, and the square in it
+    assert (np.array(triangle.build(graph, max_volume=0.05).facet_markers) == 1).sum() > 30
 
 
 def test_what_is_not_supported():

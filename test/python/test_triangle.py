@@ -182,8 +182,8 @@ def test_conforming_delaunay():
 
 @pytest.mark.parametrize('opts, kept', [('pqa0.02', ()), ('pqa0.02Y', (0, 1, 2, 3)), ('pqa0.02YY', (0, 1, 2, 3, 4))])
 def test_borders_without_new_vertices(opts, kept):
-    graph = dict(vertices=[[0, 0], [1, 0], [1, 1], [0, 1], [0.3, 0.5], [0.7, 0.5]],
-                 segments=[[0, 1], [1, 2], [2, 3], [3, 0], [4, 5]], segment_markers=[[2], [3], [4], [5], [6]])
+    graph = dict(vertices=[[0, 0], [1, 0], [1, 1], [0, 1]], segments=[[0, 1], [1, 2], [2, 3], [3, 0], [0, 2]],
+                 segment_markers=[[2], [3], [4], [5], [6]])
     t = triangle.triangulate(graph, opts)
     assert np.isclose(angles_and_areas(t)[1].sum(), 1)
     pieces = [(t['segment_markers'][:, 0] == m).sum() for m in (2, 3, 4, 5, 6)]
