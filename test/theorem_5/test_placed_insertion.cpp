@@ -170,6 +170,28 @@ TEST_CASE("Corners of leaves are in the domain or not", "[theorem5]") {
   check_that_corners_are_located(graph);
 }
 
+TEST_CASE("A walk along a segment ends in the triangle with its end, or at the border", "[theorem5]") {
+  for (std::uint64_t seed = 0; seed < (is_full_run() ? 200 : 20); ++seed) {
+    CAPTURE(seed);
+    Prepared graph(random_pslg::polygon(seed));
+    const Mesh& domain = graph.state().mesh;
+    random_pslg::Random random(seed);
+    std::size_t wrong = 0;
+    for (const Triangle_id t : domain.triangles.ids())
+      for (const Vertex_id v : domain.triangle(t).v) {
+        const Point q = graph.map().to_kernel({random.between(0, 1), random.between(0, 1)});
+        const auto end = walk_along(domain, t, domain.point(v), q);
+        const bool is_right =
+            end.is_blocked()
+                ? domain.triangle(end.triangle).side[end.blocked_slot].is_border() &&
+                      internal::is_behind_side(domain, domain.triangle(end.triangle), end.blocked_slot, q)
+                : has_place(domain, end.triangle, q);
+        wrong += is_right ? 0 : 1;
+      }
+    CHECK(wrong == 0);
+  }
+}
+
 TEST_CASE("Placed vertices make a constrained Delaunay triangulation of the domain", "[theorem5]") {
   std::size_t cut = 0;
   for (const auto& family : random_pslg::families())
@@ -227,7 +249,8 @@ TEST_CASE("A vertex on an edge that turns triangles over is left out", "[theorem
 TEST_CASE("The domain is triangulated again as it was", "[theorem5]") {
   for (const auto& pslg : {frame(), square_with_segment(), random_pslg::polygon(3)}) {
     Prepared graph(pslg);
-    const Mesh again = internal::triangulate_domain<CGAL::Sequential_tag>(graph.problem(), graph.sides());
+    const Mesh again = internal::triangulate_domain<CGAL::Sequential_tag>(
+        graph.problem(), graph.problem().input_points.values(), graph.sides());
     CHECK(again.number_of_triangles() == graph.state().mesh.number_of_triangles());
     CHECK(area(graph, again) == Approx(area(graph, graph.state().mesh)));
   }

@@ -57,6 +57,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/squares/Bulk_filler.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Separation_trees.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Tree_construction.h>
+#include <CGAL/Quadtree_mesh_2/internal/theorem_5/cure_placed_mesh.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/triangulate_domain.h>
 #include <CGAL/Quadtree_mesh_2/internal/thinning/Second_refinement.h>
 #include <CGAL/Quadtree_mesh_2/internal/thinning/Thinner.h>
@@ -136,9 +137,8 @@ public:
 private:
   using First = First_triangulation<ConcurrencyTag, Geometry>;
   using Seconds = Quality_mesh_report_2::Seconds;
-  /// Of vertices that quadtrees place most are not needed: removal alone leaves half of those too many. Blocks are
-  /// thinned out before and after they are refined, a mesh without blocks once.
-  static constexpr int thinnings_of_blocks_ = 2, thinnings_of_mesh_ = 1;
+  /// Of a mesh by quadtrees that blocks have not thinned out.
+  static constexpr int thinnings_of_mesh_ = 1;
   static constexpr bool has_double_coordinates = std::is_same_v<typename Geometry::Coordinate, double>;
 
   const Pslg& pslg_;
@@ -305,9 +305,10 @@ private:
       if (!budgets().is_of_user() || least <= limit.vertices) splitter.cut_rings();
       Bulk_filler<ConcurrencyTag, Geometry>(state_, splitter).run(limit.vertices);
     }
-    const bool are_blocks = work_off_in_blocks(limit, Progress_shares::first_mesh);
-    if (are_blocks) finishing_.smoothing_rounds = 0; // done, and removal is left only at seams
-    if (!are_blocks) refiner.push_all();
+    if (work_off_in_blocks(limit, Progress_shares::first_mesh))
+      finishing_.smoothing_rounds = 0; // done, and removal is left only at seams
+    else
+      refiner.push_all();
     const Refinement_end end = run(refiner, limit);
     if (end != Refinement_end::OUT_OF_BUDGET) finish_refinement(splitter);
     return end;
@@ -389,37 +390,36 @@ private:
     const bool is_first_choice = !report_.trees.has_taken_over;
     const Edge_sides sides(state_.mesh, problem_.edges);
     Kernel_mesh<Geometry> domain =
-        is_first_choice ? std::move(state_.mesh) : triangulate_domain<ConcurrencyTag>(problem_, sides);
+        is_first_choice ? std::move(state_.mesh)
+                        : triangulate_domain<ConcurrencyTag>(problem_, problem_.input_points.values(), sides);
     report_.trees.end = make_mesh_by_trees(domain, sides);
-    if (is_first_choice && (report_.trees.rounds == 0 || report_.trees.end == End::BUDGET))
-      state_.mesh = std::move(domain);
-    if (report_.trees.rounds == 0) return false;
     clock_.enter(&Seconds::refine);
-    if (is_first_choice && report_.trees.end == End::BUDGET) {
+    const bool is_given_up =
+        report_.trees.rounds == 0 || (is_first_choice && report_.trees.end == End::BUDGET);
+    if (!is_given_up) {
+      cure(refiner);
+    } else if (is_first_choice) {
+      state_.mesh = std::move(domain);
       report_.trees.placed = 0;
       state_.clear_worklist();
-      return false;
     }
-    cure(refiner);
-    return true;
+    return !is_given_up;
   }
 
-  /// Refines what quadtrees missed or left too large, in blocks, which are coarsened on the way.
   void cure(Refiner<Geometry>& refiner) {
     const Mesh_limit limit = budgets().of_repair(state_.mesh.number_of_vertices());
-    const bool shall_coarsen = options_.coarsen() != Quality_mesh_options_2::Coarsening::NONE;
-    finishing_.thinnings_of_blocks = shall_coarsen ? thinnings_of_blocks_ : 0;
     rounds_ = Block_rounds(); // perhaps of refinement that did not come to rest
-    state_.has_placed_vertices = true;
-    refiner.forget_rest(); // of the mesh before
-    const bool are_blocks = work_off_in_blocks(limit, Progress_shares::quadtrees);
-    if (!are_blocks) refiner.push_all();
-    const std::size_t vertices = state_.mesh.number_of_vertices();
-    run_to_the_end(refiner, limit);
-    state_.legalize();
-    const bool is_thin = are_blocks && state_.mesh.number_of_vertices() - vertices < vertices / 100;
-    if (are_blocks) finishing_.smoothing_rounds = 0;
-    if (shall_coarsen && !is_thin) finishing_.thinning_rounds = std::max(options_.thin(), thinnings_of_mesh_);
+    refiner.forget_rest();    // of the mesh before
+    const bool shall_thin = cure_placed_mesh(
+        state_, finishing_, [&] { return work_off_in_blocks(limit, Progress_shares::quadtrees); },
+        [&](bool are_blocks) {
+          if (are_blocks)
+            finishing_.smoothing_rounds = 0; // done
+          else
+            refiner.push_all();
+          run_to_the_end(refiner, limit);
+        });
+    if (shall_thin) finishing_.thinning_rounds = std::max(options_.thin(), thinnings_of_mesh_);
   }
 
   /// \throws Pslg_error_2 if the user wants quadtrees and their grid cannot tell two vertices apart

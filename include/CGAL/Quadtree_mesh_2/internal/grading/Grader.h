@@ -10,7 +10,8 @@
 //           distance between their nearest ends. For this, each vertex has the least size r |f| + g d over all edges f,
 //           d being the distance to the nearer end of f. A triangle is too large if its longest edge exceeds the size
 //           at one of its corners.
-// Bound:    O(n log n) for n triangles, in parallel, besides the new vertices, one after the other.
+// Bound:    expected O(n log n) for n triangles each time sizes are taken. All threads compare with them. One takes
+//           them, in a few passes over the triangles, and inserts vertices.
 // Source:   Persson, "Mesh size functions for implicit geometries and PDE-based gradient limiting" (2006): sizes that
 //           grow by at most g. Ruppert, "A Delaunay refinement algorithm for quality 2-dimensional mesh generation"
 //           (1995): why it ends. The circumcenter of a triangle that is too large is at least |e| / 2 > r |f| / 2 away

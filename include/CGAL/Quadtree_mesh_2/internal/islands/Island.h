@@ -25,8 +25,9 @@
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Edge_sides.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Size_estimate.h>
-#include <CGAL/Quadtree_mesh_2/internal/triangulation/First_triangulation.h>
+#include <CGAL/Quadtree_mesh_2/internal/theorem_5/triangulate_domain.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Kernel_mesh.h>
+#include <CGAL/Quadtree_mesh_2/internal/triangulation/Vertex_blocks.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -158,15 +159,11 @@ private:
   }
 
   void triangulate() {
-    using First = First_triangulation<ConcurrencyTag, Geometry>;
     const std::vector<typename Geometry::Point> points(problem_.input_points.begin(),
                                                        problem_.input_points.begin() +
                                                            static_cast<std::ptrdiff_t>(number_of_vertices()));
-    std::vector<typename First::Segment> segments;
-    for (const Edge_id e : problem_.edges.ids())
-      segments.push_back({problem_.edges[e].a, problem_.edges[e].b});
-    First(state_.mesh, points).run(segments); // which do not cross: they did not in the whole
-    sides_.restrict(state_.mesh, problem_.edges, First::number_of_auxiliary_vertices);
+    problem_.vertex_blocks = blocks_by_number(points.size(), Block_sizes<ConcurrencyTag>::vertices);
+    state_.mesh = triangulate_domain<ConcurrencyTag>(problem_, points, sides_);
     Size_estimate<Geometry> estimate(state_, ConcurrencyTag());
     triangles_expected_ = estimate.triangles();
     triangles_of_sizes_ = estimate.triangles_of_sizes();

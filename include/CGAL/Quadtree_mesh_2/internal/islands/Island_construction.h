@@ -29,6 +29,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/refinement/finish_mesh.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Separation_trees.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Tree_construction.h>
+#include <CGAL/Quadtree_mesh_2/internal/theorem_5/cure_placed_mesh.h>
 #include <CGAL/Quadtree_mesh_2/internal/thinning/Thinner.h>
 #include <CGAL/Quality_mesh_options_2.h>
 #include <CGAL/Quality_mesh_report_2.h>
@@ -98,9 +99,6 @@ public:
   }
 
 private:
-  /// Blocks are thinned out before and after they are refined.
-  static constexpr int thinnings_of_blocks_ = 2;
-
   Island_of_mesh& island_;
   Meshing_state<Geometry>& state_;
   const Graph_of_islands<Traits>& whole_;
@@ -124,22 +122,18 @@ private:
     return construction.run(options, budgets_.of_construction(), shall_go_on);
   }
 
-  /// Refines what quadtrees missed or left too large, and removes what is not needed: of the vertices that they place
-  /// that is most of them. Large islands are worked on in blocks, as other meshes by quadtrees are.
+  /// Cures what quadtrees made, as other meshes by them are, and removes what is not needed.
   template <class Continue>
   Refinement_end finish(const Continue& shall_go_on) {
-    const bool shall_coarsen = options_.coarsen() != Quality_mesh_options_2::Coarsening::NONE;
     Finishing finishing;
-    if (!shall_coarsen) finishing.removal = Removal::NONE;
-    finishing.thinnings_of_blocks = shall_coarsen ? thinnings_of_blocks_ : 0;
-    state_.has_placed_vertices = true;
-    const bool are_blocks = work_off_in_blocks(finishing, shall_go_on);
-    const std::size_t vertices = state_.mesh.number_of_vertices();
-    const Refinement_end end = refine(are_blocks, shall_go_on);
-    if (!shall_coarsen || end != Refinement_end::DONE) return end;
+    if (options_.coarsen() == Quality_mesh_options_2::Coarsening::NONE) finishing.removal = Removal::NONE;
+    Refinement_end end = Refinement_end::DONE;
+    const bool shall_thin = cure_placed_mesh(
+        state_, finishing, [&] { return work_off_in_blocks(finishing, shall_go_on); },
+        [&](bool are_blocks) { end = refine(are_blocks, shall_go_on); });
+    if (finishing.removal == Removal::NONE || end != Refinement_end::DONE) return end;
     finish_mesh(state_, finishing, shall_go_on);
-    const bool is_thin = are_blocks && state_.mesh.number_of_vertices() - vertices < vertices / 100;
-    if (!is_thin) Thinner<Geometry>(state_).run(limit(), shall_go_on);
+    if (shall_thin) Thinner<Geometry>(state_).run(limit(), shall_go_on);
     return end;
   }
 
@@ -159,9 +153,7 @@ private:
     Splitter<Geometry> splitter(state_);
     Refiner<Geometry> refiner(state_, splitter);
     if (!is_listed) refiner.push_all();
-    const Refinement_end end = refiner.run(limit(), shall_go_on);
-    state_.legalize();
-    return end;
+    return refiner.run(limit(), shall_go_on);
   }
 };
 

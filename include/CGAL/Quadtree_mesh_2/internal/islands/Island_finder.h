@@ -54,11 +54,11 @@ public:
 
   /// \param is_done for each edge of the graph whether its component is none to be found
   Unsettled_islands run(const Indexed_vector<Edge_id, char>& is_done) const {
-    std::vector<Component_id> unsettled, islands;
-    for (const Component_id c : components_.ids())
+    std::vector<Mesh_component_id> unsettled, islands;
+    for (const Mesh_component_id c : components_.ids())
       if (is_unsettled(c) && !has_any_edge(c, is_done)) unsettled.push_back(c);
     std::copy_if(unsettled.begin(), unsettled.end(), std::back_inserter(islands),
-                 [this](Component_id c) { return has_more_than_its_share(c); });
+                 [this](Mesh_component_id c) { return has_more_than_its_share(c); });
     return triangles_of(islands.empty() ? unsettled : islands);
   }
 
@@ -67,15 +67,15 @@ private:
   const Edge_sides& sides_;
   double share_;
   Mesh_components components_;
-  Indexed_vector<Component_id, std::size_t> inserted_; // vertices
+  Indexed_vector<Mesh_component_id, std::size_t> inserted_; // vertices
 
-  bool is_unsettled(Component_id c) const {
+  bool is_unsettled(Mesh_component_id c) const {
     const auto triangles = components_.triangles_of(c);
     return std::any_of(triangles.begin(), triangles.end(),
                        [this](Triangle_id t) { return state_.is_bad(t); });
   }
 
-  bool has_any_edge(Component_id c, const Indexed_vector<Edge_id, char>& edges) const {
+  bool has_any_edge(Mesh_component_id c, const Indexed_vector<Edge_id, char>& edges) const {
     const auto& mesh = state_.mesh;
     const auto triangles = components_.triangles_of(c);
     return std::any_of(triangles.begin(), triangles.end(), [&](Triangle_id t) {
@@ -89,7 +89,7 @@ private:
     });
   }
 
-  bool has_more_than_its_share(Component_id c) const {
+  bool has_more_than_its_share(Mesh_component_id c) const {
     if (share_ == 0) return true;
     if (inserted_[c] == 0) return false;
     const Island<ConcurrencyTag, Geometry> island(state_, sides_, triangles_of({c}).triangles);
@@ -97,9 +97,9 @@ private:
            share_ * island.expected_vertices();
   }
 
-  Unsettled_islands triangles_of(const std::vector<Component_id>& components) const {
+  Unsettled_islands triangles_of(const std::vector<Mesh_component_id>& components) const {
     Unsettled_islands islands{components.size(), {}};
-    for (const Component_id c : components) {
+    for (const Mesh_component_id c : components) {
       const auto triangles = components_.triangles_of(c);
       islands.triangles.insert(islands.triangles.end(), triangles.begin(), triangles.end());
     }

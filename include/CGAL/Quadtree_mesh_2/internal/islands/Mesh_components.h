@@ -26,7 +26,7 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-using Component_id = Index<struct Component_tag>;
+using Mesh_component_id = Index<struct Mesh_component_tag>;
 
 /// They are numbered in the order of their first triangles.
 class Mesh_components {
@@ -36,7 +36,7 @@ public:
     std::vector<Triangle_id> stack;
     for (const Triangle_id first : mesh.triangles.ids()) {
       if (!mesh.is_alive(first) || component_of_[first].is_valid()) continue;
-      const Component_id component(first_.size());
+      const Mesh_component_id component(first_.size());
       first_.push_back(members_.size());
       component_of_[first] = component;
       stack.push_back(first);
@@ -55,16 +55,16 @@ public:
   }
 
   std::size_t size() const { return first_.size() - 1; }
-  Id_range<Component_id> ids() const { return Id_range<Component_id>(0, size()); }
+  Id_range<Mesh_component_id> ids() const { return Id_range<Mesh_component_id>(0, size()); }
   /// None where the triangle is not alive.
-  Component_id component_of(Triangle_id t) const { return component_of_[t]; }
-  Span<Triangle_id> triangles_of(Component_id c) const {
+  Mesh_component_id component_of(Triangle_id t) const { return component_of_[t]; }
+  Span<Triangle_id> triangles_of(Mesh_component_id c) const {
     const std::size_t i(c);
     return {members_.data() + first_[i], members_.data() + first_[i + 1]};
   }
 
 private:
-  Indexed_vector<Triangle_id, Component_id> component_of_;
+  Indexed_vector<Triangle_id, Mesh_component_id> component_of_;
   std::vector<std::size_t> first_; // in `members_`, by component
   std::vector<Triangle_id> members_;
 };

@@ -28,6 +28,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Edge_triangles.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Placed_vertices.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Separation_trees.h>
+#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Vertex_rays.h>
 
 #include <algorithm>
 #include <array>
@@ -65,8 +66,11 @@ public:
       Edge edge(*this, static_cast<Edge_id>(e));
       edge.placement.for_each_dropped_corner([&](const Grid_point& p) { append_name(p, names); });
     });
-    drop_corners(problem_.input_points.size(),
-                 [this](std::size_t v, auto& names) { find_corners_at(static_cast<Vertex_id>(v), names); });
+    drop_corners(problem_.input_points.size(), [this](std::size_t i, auto& names) {
+      const auto v = static_cast<Vertex_id>(i);
+      for_each_dropped_corner(trees_.placement_at(v), Vertex_rays<Geometry>(problem_, v),
+                              [&](const Grid_point& p) { append_name(p, names); });
+    });
     placed.template append_corners<ConcurrencyTag>(trees_, corners_, is_kept_,
                                                    Location(problem_, trees_, corners_, triangles_));
     return placed;
@@ -92,14 +96,6 @@ private:
   const Grid_box<Grid_point> box_;
   std::vector<char> is_kept_; // by name of a corner
 
-  Leaf_index leaf(Vertex_id v) const { return tree_.leaf(Point_index(std::size_t(v))); }
-
-  Vertex_placement<Word> placement_at(Vertex_id v) const {
-    const auto& framework = tree_.framework();
-    return {framework.grid_point(framework.rank(Point_index(std::size_t(v)))),
-            Word_operations<Word>::power_of_two(framework.grid().depth() - tree_.level(leaf(v)))};
-  }
-
   Window_point direction(Vertex_id from, Vertex_id to) const {
     const Vector d = Geometry::difference(problem_.input_point(to), problem_.input_point(from));
     const double length = std::sqrt(squared_length(d));
@@ -116,8 +112,8 @@ private:
 
     Edge(const Rule_placement& all, Edge_id e)
         : line(line_of_segment(all.tree_, all.ends(e))), start{all.start(e, 0, line), all.start(e, 1, line)},
-          side{all.trees_.side(all.leaf(all.problem_.edges[e].a)),
-               all.trees_.side(all.leaf(all.problem_.edges[e].b))},
+          side{all.trees_.side(all.trees_.leaf(all.problem_.edges[e].a)),
+               all.trees_.side(all.trees_.leaf(all.problem_.edges[e].b))},
           columns(columns_along(all.tree_, all.trees_.pieces()[Segment_index(std::size_t(e))], line)),
           placement(all.tree_, line, columns, Transition_rule::BETTER_OF_TWO, all.reach(e, *this)) {}
   };
@@ -133,15 +129,15 @@ private:
 
   Edge_start start(Edge_id e, int end, const Line& line) const {
     const Vertex_id a = problem_.edges[e].a, b = problem_.edges[e].b;
-    return end == 0 ? placement_at(a).start_of_edge(direction(a, b), axis(e, 0, line))
-                    : placement_at(b).start_of_edge(direction(b, a), axis(e, 1, line));
+    return end == 0 ? trees_.placement_at(a).start_of_edge(direction(a, b), axis(e, 0, line))
+                    : trees_.placement_at(b).start_of_edge(direction(b, a), axis(e, 1, line));
   }
 
   /// Where the ends' rules give way to that of columns, by increasing u.
   std::array<typename Placement::End, 2> reach(Edge_id e, const Edge& edge) const {
     using Product = typename Line::Product;
     const auto reach_of = [&](int end) {
-      const auto vertex = placement_at(end == 0 ? problem_.edges[e].a : problem_.edges[e].b);
+      const auto vertex = trees_.placement_at(end == 0 ? problem_.edges[e].a : problem_.edges[e].b);
       const Product u(edge.line.u(vertex.corner())), side(vertex.side());
       return typename Placement::End{u + side * edge.start[std::size_t(end)].first_line,
                                      u + side * axis(e, end, edge.line).line(first_far_line)};
@@ -208,28 +204,6 @@ private:
   void append_name(const Grid_point& p, std::vector<Name>& names) const {
     const Name c = corners_.name(p);
     if (c != Corners::none) names.push_back(c);
-  }
-
-  /// Sector by sector, counterclockwise.
-  void find_corners_at(Vertex_id v, std::vector<Name>& names) const {
-    struct Ray {
-      double angle;
-      Window_point direction;
-    };
-    std::vector<Ray> rays;
-    for (const auto* i = problem_.edges.begin(v); i != problem_.edges.end(v); ++i) {
-      const Window_point d = direction(v, i->neighbor);
-      rays.push_back({std::atan2(d.y, d.x), d});
-    }
-    const auto placement = placement_at(v);
-    if (rays.empty())
-      return placement.for_each_corner_at_lone_vertex([&](const Grid_point& p) { append_name(p, names); });
-    std::sort(rays.begin(), rays.end(), [](const Ray& p, const Ray& q) { return p.angle < q.angle; });
-    for (const Ray& r : rays)
-      placement.for_each_corner_on_edge(r.direction, [&](const Grid_point& p) { append_name(p, names); });
-    for (std::size_t i = 0; i < rays.size(); ++i)
-      placement.for_each_dropped_corner(rays[i].direction, rays[(i + 1) % rays.size()].direction,
-                                        [&](const Grid_point& p) { append_name(p, names); });
   }
 };
 

@@ -132,6 +132,14 @@ public:
     return tree_.number_of_leaves() >= most_leaves_ || leaves_of_steps_ / most_steps_ >= most_leaves_;
   }
 
+  /// The leaf of a vertex, which may have others, and how that lies in it.
+  Leaf_index leaf(Vertex_id v) const { return tree_.leaf(Point_index(std::size_t(v))); }
+  Vertex_placement<typename Tree::Word> placement_at(Vertex_id v) const {
+    const auto& framework = tree_.framework();
+    return {
+        framework.grid_point(framework.rank(Point_index(std::size_t(v)))),
+        Word_operations<typename Tree::Word>::power_of_two(framework.grid().depth() - tree_.level(leaf(v)))};
+  }
   /// The side of squares of a level, in the kernel's coordinates.
   double side(int level) const { return std::ldexp(side_of_root_, -level); }
   double side(Leaf_index l) const { return side(tree_.level(l)); }

@@ -27,86 +27,24 @@
 
 #include <CGAL/Quadtree_mesh_2/Index.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/Indexed_vector.h>
-#include <CGAL/Quadtree_mesh_2/internal/base/angle_units.h>
 #include <CGAL/Quadtree_mesh_2/internal/columns/Column_closure.h>
-#include <CGAL/Quadtree_mesh_2/internal/columns/Column_rule.h>
 #include <CGAL/Quadtree_mesh_2/internal/columns/Edge_columns.h>
-#include <CGAL/Quadtree_mesh_2/internal/columns/Vertex_window.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/pieces/Edge_pieces.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_problem.h>
+#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Vertex_rays.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
-
-/// An edge as it leaves the vertex of a window.
-struct Window_ray {
-  double angle; ///< of the direction, in radians
-  Window_point direction;
-  Edge_id edge;
-  int lines; ///< the window ends at this grid line ahead
-};
-
-/// The edges of a vertex, counterclockwise.
-template <class Geometry>
-class Vertex_rays {
-public:
-  Vertex_rays(const Meshing_problem<Geometry>& problem, Vertex_id v) : vertex_(v) {
-    for (const auto* i = problem.edges.begin(v); i != problem.edges.end(v); ++i) {
-      const Vector d = Geometry::difference(problem.input_point(i->neighbor), problem.input_point(v));
-      const double length = std::sqrt(squared_length(d));
-      const Window_point direction{d.x / length, d.y / length};
-      rays_.push_back({std::atan2(direction.y, direction.x), direction, i->edge, few_lines_});
-    }
-    std::sort(rays_.begin(), rays_.end(),
-              [](const Window_ray& p, const Window_ray& q) { return p.angle < q.angle; });
-    for (std::size_t i = 0; i < rays_.size(); ++i)
-      if (sector(i) < wide_sector_) rays_[i].lines = rays_[next(i)].lines = many_lines_;
-  }
-
-  Vertex_id vertex() const { return vertex_; }
-  bool empty() const { return rays_.empty(); }
-  std::size_t size() const { return rays_.size(); }
-  const Window_ray& operator[](std::size_t i) const { return rays_[i]; }
-  auto begin() const { return rays_.begin(); }
-  auto end() const { return rays_.end(); }
-  std::size_t next(std::size_t i) const { return (i + 1) % rays_.size(); }
-
-  /// Degrees from a ray counterclockwise to the next one.
-  double sector(std::size_t i) const {
-    const double angle = rays_[next(i)].angle - rays_[i].angle;
-    return (next(i) == 0 ? angle + 2 * CGAL_PI : angle) * degrees_per_radian;
-  }
-
-  /// Whether the sector in which a direction lies is wide enough for the rule.
-  bool is_proven(Vector direction) const {
-    const double angle = std::atan2(direction.y, direction.x);
-    for (std::size_t i = 0; i < rays_.size(); ++i)
-      if (is_between(i, angle)) return sector(i) >= least_sector;
-    return true;
-  }
-
-private:
-  static constexpr int few_lines_ = 4, many_lines_ = 6;
-  static constexpr double wide_sector_ = 60;
-
-  Vertex_id vertex_;
-  std::vector<Window_ray> rays_;
-
-  bool is_between(std::size_t i, double angle) const {
-    const double first = rays_[i].angle, second = rays_[next(i)].angle;
-    return next(i) == 0 ? angle >= first || angle <= second : angle >= first && angle <= second;
-  }
-};
 
 template <class Tree, class Geometry>
 class Vertex_windows {
@@ -273,11 +211,11 @@ private:
       for (int j = -far; j <= far; ++j)
         visit(Product(Product(s.x) + side * i), Product(Product(s.y) + side * j),
               std::max(std::abs(i), std::abs(j)) > reach_ ? Part::FREE_OF_OTHERS : Part::LEAF);
-    for (const Window_ray& r : rays) for_each_square_along(tree, rays.vertex(), r, own, side, visit);
+    for (const Vertex_ray& r : rays) for_each_square_along(tree, rays.vertex(), r, own, side, visit);
   }
 
   template <class Product, class Visit>
-  void for_each_square_along(const Tree& tree, Vertex_id v, const Window_ray& r, Leaf_index own,
+  void for_each_square_along(const Tree& tree, Vertex_id v, const Vertex_ray& r, Leaf_index own,
                              const Product& side, const Visit& visit) const {
     const Input_edge& e = problem_.edges[r.edge];
     const Edge_line<Word> line = line_of_segment(
@@ -290,7 +228,7 @@ private:
     const auto s = tree.square(own);
     const Product start(line.u({s.x, s.y}));
     for (int k = 0; k <= r.lines + margin_; ++k) {
-      // Words may be expressions (Boost.Multiprecision).
+      // Sums of wide words are expressions, each of a type of its own.
       const Product left = is_ascending ? Product(start + side * k) : Product(start - side * k),
                     right = left + side;
       const Product low = std::min(line.floor_of_v(left), line.floor_of_v(right)) - side * reach_,

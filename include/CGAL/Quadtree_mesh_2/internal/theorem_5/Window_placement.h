@@ -20,6 +20,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/quadtree/Tree_corners.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Placed_vertices.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Separation_trees.h>
+#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Vertex_rays.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Vertex_windows.h>
 
 #include <algorithm>
@@ -61,7 +62,7 @@ public:
     const Vertex_id v = vertex(e, end);
     const Edge_start s = start(e, end);
     const auto& rays = windows_[windows_.at(v)];
-    const auto ray = std::find_if(rays.begin(), rays.end(), [&](const Window_ray& r) { return r.edge == e; });
+    const auto ray = std::find_if(rays.begin(), rays.end(), [&](const Vertex_ray& r) { return r.edge == e; });
     const Edge_axis axis = Edge_axis::of(ray->direction);
     const double step = 1 / std::abs(axis.along(ray->direction)); // from one grid line to the next
     const double unit = side(v) / length(e);
@@ -93,13 +94,13 @@ public:
   /// Whether a corner is clear of the edges on whose grid lines it is far ahead. The others are looked at by sectors.
   bool is_clear_far_ahead(std::uint32_t w, const typename Trees::Grid_point& corner) const {
     const auto& rays = windows_[w];
-    const Leaf_index own = leaf(rays.vertex());
+    const Leaf_index own = trees_.leaf(rays.vertex());
     const auto s = tree_.square(own);
     const double side = trees_.side(own);
     const Vector p = Geometry::difference(trees_.kernel_point(corner), problem_.input_point(rays.vertex()));
     const Vector c = Geometry::difference(trees_.kernel_point(corner), trees_.kernel_point({s.x, s.y}));
     const Window_point place{std::round(c.x / side), std::round(c.y / side)};
-    return std::none_of(rays.begin(), rays.end(), [&](const Window_ray& r) {
+    return std::none_of(rays.begin(), rays.end(), [&](const Vertex_ray& r) {
       const Window_point& d = r.direction;
       return Edge_axis::of(d).is_far(place) && p.x * d.x + p.y * d.y > 0 &&
              std::abs(d.x * p.y - d.y * p.x) < equal_leaves_threshold * side;
@@ -122,15 +123,13 @@ public:
 
 private:
   using Windows = Vertex_windows<Tree, Geometry>;
-  using Word = typename Tree::Word;
 
   const Problem& problem_;
   const Trees& trees_;
   const Tree& tree_;
   const Windows& windows_;
 
-  Leaf_index leaf(Vertex_id v) const { return tree_.leaf(Point_index(std::size_t(v))); }
-  double side(Vertex_id v) const { return trees_.side(leaf(v)); }
+  double side(Vertex_id v) const { return trees_.side(trees_.leaf(v)); }
   Vertex_id vertex(Edge_id e, std::size_t end) const {
     return end == 0 ? problem_.edges[e].a : problem_.edges[e].b;
   }
@@ -140,30 +139,20 @@ private:
   }
   double length(Edge_id e) const { return std::sqrt(squared_length(way(e, 0))); }
 
-  Vertex_placement<Word> placement_at(Vertex_id v) const {
-    const auto& framework = tree_.framework();
-    return {framework.grid_point(framework.rank(Point_index(std::size_t(v)))),
-            Word_operations<Word>::power_of_two(framework.grid().depth() - tree_.level(leaf(v)))};
-  }
-
   Edge_start start(Edge_id e, std::size_t end) const {
     const Vector d = way(e, end);
     const double length = std::sqrt(squared_length(d));
     const Window_point direction{d.x / length, d.y / length};
-    return placement_at(vertex(e, end)).start_of_edge(direction, Edge_axis::of(direction));
+    return trees_.placement_at(vertex(e, end)).start_of_edge(direction, Edge_axis::of(direction));
   }
 
   void find_corners(std::size_t w, const Corners& corners, std::vector<typename Corners::Name>& names) const {
     const auto& rays = windows_[w];
-    const auto placement = placement_at(rays.vertex());
-    const auto drop = [&](const typename Trees::Grid_point& p) {
-      const auto c = corners.name(p);
-      if (c != Corners::none) names.push_back(c);
-    };
-    if (rays.empty()) return placement.for_each_corner_at_lone_vertex(drop);
-    for (const Window_ray& r : rays) placement.for_each_corner_on_edge(r.direction, drop);
-    for (std::size_t i = 0; i < rays.size(); ++i)
-      placement.for_each_dropped_corner(rays[i].direction, rays[rays.next(i)].direction, drop);
+    for_each_dropped_corner(trees_.placement_at(rays.vertex()), rays,
+                            [&](const typename Trees::Grid_point& p) {
+                              const auto c = corners.name(p);
+                              if (c != Corners::none) names.push_back(c);
+                            });
   }
 };
 

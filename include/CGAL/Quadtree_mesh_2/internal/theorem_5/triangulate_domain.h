@@ -21,10 +21,12 @@ namespace Quadtree_mesh_2 {
 namespace internal {
 
 /// Returns the constrained Delaunay triangulation of a problem's edges, restricted to the domain: the mesh from which
-/// refinement began.
+/// refinement begins.
+/// \param points those of the input, or the first of them if no edge has others
 /// \param sides where the domain is
-template <class ConcurrencyTag, class Geometry>
-Kernel_mesh<Geometry> triangulate_domain(const Meshing_problem<Geometry>& problem, const Edge_sides& sides) {
+template <class ConcurrencyTag, class Geometry, class Points>
+Kernel_mesh<Geometry> triangulate_domain(const Meshing_problem<Geometry>& problem, const Points& points,
+                                         const Edge_sides& sides) {
   using First = First_triangulation<ConcurrencyTag, Geometry>;
   std::vector<typename First::Segment> segments(problem.edges.size());
   for_each_index<ConcurrencyTag>(segments.size(), [&](std::size_t i) {
@@ -32,7 +34,7 @@ Kernel_mesh<Geometry> triangulate_domain(const Meshing_problem<Geometry>& proble
     segments[i] = {e.a, e.b};
   });
   Kernel_mesh<Geometry> mesh;
-  First(mesh, problem.input_points.values(), problem.vertex_blocks).run(segments);
+  First(mesh, points, problem.vertex_blocks).run(segments); // which do not cross
   sides.restrict(mesh, problem.edges, First::number_of_auxiliary_vertices);
   return mesh;
 }

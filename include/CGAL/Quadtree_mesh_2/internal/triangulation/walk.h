@@ -116,7 +116,7 @@ Triangle_id triangle_toward(const Kernel_mesh<Geometry>& mesh, Vertex_id v, Tria
 }
 
 /// Walks from a triangle that has `from`, or is next to it, along the segment to q, where that does not meet the
-/// border. Where rounding of `from` leaves no such way, any other will do.
+/// border. Where rounding of `from` leaves no such way, the walk goes on as others do.
 template <class Geometry>
 Walk_end walk_along(const Kernel_mesh<Geometry>& mesh, Triangle_id t, const typename Geometry::Point& from,
                     const typename Geometry::Point& q) {
@@ -129,7 +129,7 @@ Walk_end walk_along(const Kernel_mesh<Geometry>& mesh, Triangle_id t, const type
                               Geometry::orientation(from, q, mesh.point(r.v[previous_slot[k]])) >= 0;
       (r.side[k].is_border() ? border : is_crossed ? exit : other) = k;
     }
-    if (exit < 0) exit = other;
+    if (exit < 0 && other >= 0) return locate_exactly(mesh, r.side[other].triangle(), q);
     if (exit < 0) return {t, border};
     entry = r.side[exit].slot();
     t = r.side[exit].triangle();
