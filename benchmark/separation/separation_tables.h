@@ -121,6 +121,7 @@ inline nlohmann::ordered_json to_json(const CGAL::Tree_separation_report_2& t) {
           {"missed_by_rule", t.missed_by_rule},
           {"left_out", t.left_out},
           {"relocated", t.relocated},
+          {"added", t.added},
           {"missed", t.missed},
           {"placed", t.placed},
           {"kept", t.kept}};

@@ -185,6 +185,7 @@ inline void print_trees(const CGAL::Tree_separation_report_2& trees) {
   print("  below the bound", trees.missed_by_rule);
   print("  corners left out", trees.left_out);
   print("  corners moved", trees.relocated);
+  print("  corners added", trees.added);
   print("  left to refinement", trees.missed);
   print("  left for want of room", trees.handed_over);
   print("windows at vertices", trees.windows);
@@ -239,6 +240,7 @@ inline nlohmann::ordered_json trees_json(const CGAL::Tree_separation_report_2& t
           {"missed_by_rule", trees.missed_by_rule},
           {"left_out", trees.left_out},
           {"relocated", trees.relocated},
+          {"added", trees.added},
           {"missed", trees.missed},
           {"handed_over", trees.handed_over},
           {"placed", trees.placed},

@@ -13,7 +13,7 @@
 // Source:   ours.
 //
 // Windows cost some 200 leaves each, and disturb sizes of leaves around them. So by default they come late: after two
-// rounds hardly one vertex in a thousand is left on maps (doc/guarantees.md).
+// rounds hardly one vertex in ten thousand is left on maps (doc/guarantees.md).
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_MISSED_PLACES_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_MISSED_PLACES_H

@@ -16,9 +16,9 @@
 //           mostly suffices (Tree_separation_options_2.h). What they miss is found in the mesh. After the last round
 //           that is wanted, the first by default, it is left to refinement, which cures it in blocks. Before:
 //           1. A triangle below the bound is cured, if possible, by leaving out or moving one of its vertices,
-//              because which corners near a feature become vertices is a choice (Local_cures.h). Where each
-//              vertex has a leaf of its own, the rule first misses the bound on maps at two or three triangles in
-//              a hundred. Nine in ten of these are cured.
+//              because which corners near a feature become vertices is a choice, or by adding a corner of smaller
+//              squares (Local_cures.h). Where each vertex has a leaf of its own, the rule first misses the bound on
+//              maps at two or three triangles in a hundred. All but one in a hundred of these are cured.
 //           2. If that is not possible, the largest leaves at the triangle's vertices are split, and later
 //              all of them. The mesh is then made anew. So the features of a place are as far apart, in sides
 //              of its leaves, as the bound needs.

@@ -1,0 +1,131 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+
+// Corners that are added where placed vertices miss the bound: each cures its triangle and makes no other one miss it.
+
+#include "catch.h"
+#include "random_pslg_shapes.h"
+#include "separation_test_tools.h"
+
+#include <CGAL/Exact_quadtree_traits_2.h>
+#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Finer_corners.h>
+#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Local_cures.h>
+#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Placed_insertion.h>
+#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Tree_placement.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace test_finer_corners {
+
+namespace {
+
+using namespace separation_test;
+using internal::Triangle_id;
+using internal::Vertex_id;
+
+template <class Geometry>
+std::vector<Triangle_id> missed_in(const internal::Meshing_state<Geometry>& state) {
+  return internal::missed_triangles<CGAL::Sequential_tag>(state);
+}
+
+template <class Geometry>
+bool is_Delaunay(const internal::Kernel_mesh<Geometry>& mesh) {
+  for (const Triangle_id t : mesh.triangles.ids()) {
+    if (!mesh.is_alive(t)) continue;
+    const auto& r = mesh.triangle(t);
+    if (mesh.orientation(r.v[0], r.v[1], r.v[2]) <= 0) return false;
+    for (int k = 0; k < 3; ++k)
+      if (!r.side[k].is_constrained() && mesh.is_certainly_not_Delaunay(t, k)) return false;
+  }
+  return true;
+}
+
+/// What adding corners did to the mesh of a graph.
+struct Count {
+  std::size_t missed = 0, added = 0;
+};
+
+/// Places the vertices of a graph, and adds corners for all triangles below the bound.
+template <class Traits>
+Count check_corners(const typename Prepared_graph<Traits>::Pslg& pslg) {
+  using Geometry = typename Prepared_graph<Traits>::Geometry;
+  Prepared_graph<Traits> graph(pslg);
+  auto& state = graph.state();
+  const Tree_options options = Tree_options::of_theorem();
+  const auto trees = graph.trees(options);
+  const auto domain = state.mesh;
+  const auto triangles = internal::Edge_triangles<Geometry>::template of<CGAL::Sequential_tag>(
+      domain, graph.problem().edges, graph.problem().input_points.size());
+  const auto placed =
+      internal::Tree_placement<Traits, CGAL::Sequential_tag>(graph.problem(), trees, triangles).run();
+  internal::Placed_insertion<CGAL::Sequential_tag, Geometry>(state, placed, triangles).run();
+
+  internal::Finer_corners<Geometry> corners(state);
+  const auto missed = missed_in(state);
+  Count count{missed.size(), 0};
+  std::size_t left = missed.size();
+  for (const Triangle_id t : missed) {
+    if (!internal::is_missed(state, t)) continue;
+    const std::size_t vertices = state.mesh.number_of_vertices();
+    if (!corners.insert_for(t)) {
+      CHECK(state.mesh.number_of_vertices() == vertices);
+      CHECK(internal::is_missed(state, t));
+      continue;
+    }
+    ++count.added;
+    const Vertex_id v(vertices);
+    REQUIRE(state.mesh.number_of_vertices() == vertices + 1);
+    REQUIRE(state.mesh.is_used(v));
+    CHECK(state.mesh.is_free(v));
+    state.mesh.for_each_triangle_at(v, [&](Triangle_id u, int) {
+      CHECK_FALSE(state.bounds.is_sharp(state.mesh.shape(state.mesh.triangle(u))));
+    });
+    const std::size_t now = missed_in(state).size();
+    CHECK(now < left);
+    left = now;
+  }
+  CHECK(is_Delaunay(state.mesh));
+  return count;
+}
+
+template <class Traits>
+typename Prepared_graph<Traits>::Pslg converted(const random_pslg::Pslg& pslg) {
+  typename Prepared_graph<Traits>::Pslg other;
+  for (const auto& p : pslg.vertices) other.add_vertex({p.x(), p.y()});
+  other.segments = pslg.segments;
+  other.holes.clear();
+  for (const auto& p : pslg.holes) other.holes.push_back({p.x(), p.y()});
+  return other;
+}
+
+} // namespace
+
+TEST_CASE("Corners of finer squares cure triangles and harm none", "[theorem5]") {
+  Count all;
+  for (const auto& family : random_pslg::all_families())
+    for (std::uint64_t seed = 0; seed < 6; ++seed) {
+      CAPTURE(family.name, seed);
+      const Count count = check_corners<CGAL::Filtered_quadtree_traits_2<>>(family.make(seed));
+      all.missed += count.missed, all.added += count.added;
+    }
+  CAPTURE(all.missed, all.added);
+  CHECK(all.added > 100);
+}
+
+TEST_CASE("Corners of finer squares do so with exact coordinates", "[theorem5]") {
+  using Traits = CGAL::Exact_quadtree_traits_2<>;
+  std::size_t added = 0;
+  for (const auto& family : random_pslg::all_families())
+    for (std::uint64_t seed = 0; seed < 1; ++seed) {
+      CAPTURE(family.name, seed);
+      added += check_corners<Traits>(converted<Traits>(family.make(seed))).added;
+    }
+  CHECK(added > 0);
+}
+
+} // namespace test_finer_corners
