@@ -298,23 +298,16 @@ TEST_CASE("Vertices of edges a few steps apart stay within rounding of their edg
   }
 }
 
-TEST_CASE("Many steps in large trees use up a budget, too", "[mesher][theorem5][.slow]") {
-  const Run r = run(read("hard_legs_for_many_leaves.poly"), by_quadtrees());
-  CHECK(r.report.trees.end == End::BUDGET);
-  CHECK(r.report.trees.rounds == 0);
-}
-
-TEST_CASE("Small graphs whose trees would take seconds are refined on demand", "[mesher][theorem5][.slow]") {
-  Pslg pslg = unit_square(); // a bundle of legs, with a short one between each two
-  constexpr int legs = 60;
-  for (int i = 0; i < legs; ++i) {
-    const double y = 0.5 * std::tan(1e-3 * (i + 1) / legs), length = i % 2 == 0 ? 0.9 : 0.3;
-    pslg.add_segment(pslg_test::Vertex_index(0), pslg.add_vertex(Point(length, 2 * length * y)));
+TEST_CASE("Edges a few units apart force no small leaves along their length", "[mesher][theorem5]") {
+  for (const std::string name : {"hard_lattice_edges_for_long_beside.poly", "hard_legs_for_long_beside.poly",
+                                 "hard_legs_for_many_leaves.poly"}) {
+    CAPTURE(name);
+    const Pslg pslg = read(name);
+    const Run r = run(pslg, Options().separate(Options::Separation::THEOREM_5));
+    CHECK(r.report.trees.end == End::ROUNDS);
+    CHECK(r.report.trees.leaves_of_edges < 10000);
+    CHECK(r.mesh.number_of_triangles() < 3000);
   }
-  const Run r = run(pslg, by_quadtrees());
-  CHECK(r.report.trees.end == End::BUDGET);
-  CHECK(r.report.trees.leaves_of_edges < 4000000);
-  CHECK(r.report.is_met());
 }
 
 TEST_CASE("Errors of the input are the same whatever separates features", "[mesher][theorem5]") {

@@ -119,7 +119,7 @@ public:
 
   /// Whether a leaf is too large for a gap in it.
   bool is_too_large(const Leaf& leaf, Edge_id e, Edge_id f, const Local_gap& gap) const {
-    if (gap.length >= options_.edge_distance() * leaf.side) return false;
+    if (gap.length >= options_.edge_distance() * leaf.side || !has_room(gap, leaf)) return false;
     if (!is_domain_toward(e, gap.to - gap.from, leaf) || !is_domain_toward(f, gap.from - gap.to, leaf))
       return false;
     return !may_be_near(leaf, e, f);
@@ -154,9 +154,18 @@ public:
   }
 
 private:
+  /// In units of the coordinates.
+  static constexpr double least_gap_ = 256;
+
   const Meshing_problem<Geometry>& problem_;
   const Edge_sides& sides_;
   const Tree_separation_options_2& options_;
+
+  /// Whether a gap is wide enough for vertices in it at places that are hardly rounded. Narrower ones force nothing:
+  /// edges that are a few units apart may run beside each other for long, with millions of leaves as small as that.
+  static bool has_room(const Local_gap& gap, const Leaf& leaf) {
+    return gap.length >= least_gap_ * Geometry::spacing(leaf.corner);
+  }
 
   /// Whether the domain is on the side of an edge to which a direction leads.
   bool is_domain_toward(Edge_id e, Vector direction, const Leaf& leaf) const {
