@@ -10,8 +10,8 @@
 /// The concept `QuadtreeTraits_2` describes what quadtrees need to know about points: a grid of integers, the
 /// map from points to the grid, and the map from corners of squares back to points.
 ///
-/// The root of all quadtrees is the square \f$ [0, 2^B) \times [0, 2^B) \f$ of grid units, where \f$ B \f$ is
-/// the depth of the grid. A square of level \f$ l \f$ has side \f$ 2^{B-l} \f$ and corners at multiples of
+/// The root of all quadtrees is the square [0, 2^B) x [0, 2^B) of grid units, where B is
+/// the depth of the grid. A square of level l has side 2^(B-l) and corners at multiples of
 /// its side. Quadtrees make all decisions on grid coordinates, which are integers. So all decisions are exact.
 ///
 /// If distinct points fall on one grid point, quadtrees ask for a finer grid of the same root and map all
@@ -43,7 +43,7 @@ public:
   /// The map between points and the grid. It is default constructible and copyable. Several threads may call its
   /// `const` members at once if they may read the points. It provides
   ///
-  /// - `int depth() const`, the logarithm \f$ B \f$ of the root's side in grid units. If `Word` has a fixed
+  /// - `int depth() const`, the logarithm B of the root's side in grid units. If `Word` has a fixed
   ///   length, it is less than the number of bits, so that upper corners are representable.
   /// - `bool refine()` makes the unit of the grid finer by a power of two, and thus the depth greater. It neither
   ///   moves nor resizes the root, and returns `true`. If words cannot be longer, it leaves the grid unchanged and
@@ -53,7 +53,7 @@ public:
   /// - `Grid_point grid_point(const Point_2& p) const`, the lower left corner of the unit square of the grid
   ///   that contains `p`, computed without rounding. `p` must lie in the root square.
   /// - `Point_2 point(const Grid_point& g) const`, the point at the crossing of two grid lines, including
-  ///   coordinates \f$ 2^B \f$. It is exact whenever `Point_2` can represent it.
+  ///   coordinates 2^B. It is exact whenever `Point_2` can represent it.
   typedef unspecified_type Grid_2;
 
   /// A function object that makes the grid of a set of points, by

@@ -65,6 +65,7 @@ class Streaming_quality_mesher_2 {
 public:
   using Point_2 = typename Traits::Point_2; ///< of the graph and the mesh
 
+  /// A mesher with these options.
   /// \throws std::invalid_argument if an option is out of its range, or there is no scratch folder
   Streaming_quality_mesher_2(Quality_mesh_options_2 options, Streaming_options_2 streaming,
                              const Traits& traits = Traits())
