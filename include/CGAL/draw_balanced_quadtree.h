@@ -38,8 +38,8 @@ void draw(const Balanced_quadtree<Traits, ConcurrencyTag>& tree, const char* tit
       for (std::size_t i = 0; i < 4; ++i)
         places[i] = Viewer_point(as_double(corners[i].x()), as_double(corners[i].y()));
       const int level = tree.level(leaf) < darkest ? tree.level(leaf) : darkest;
-      const auto shade = static_cast<unsigned char>(250 - 6 * level);
-      scene.face_begin(IO::Color(shade, shade, 255));
+      const auto shade = static_cast<unsigned char>(125 - 4 * level);
+      scene.face_begin(IO::Color(shade, shade, 150));
       for (const Viewer_point& p : places) scene.add_point_in_face(p);
       scene.face_end();
       for (std::size_t i = 0; i < 4; ++i) scene.add_segment(places[i], places[(i + 1) % 4]);

@@ -32,8 +32,9 @@ void draw(const Indexed_mesh_2<Point>& mesh, const char* title = "Mesh") {
     return Viewer_point(as_double(mesh.point(v).x()), as_double(mesh.point(v).y()));
   };
   const auto fill = [&](auto& scene) {
+    // The lights of the viewer make colors half as bright again.
     for (const auto& triangle : mesh.triangles) {
-      scene.face_begin(IO::Color(232, 241, 248));
+      scene.face_begin(IO::Color(85, 120, 145));
       for (const auto v : triangle) scene.add_point_in_face(place(v));
       scene.face_end();
     }
