@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Compiles all headers, and the meshers over all usual traits, by other compilers and standards, and by another CGAL;
-# and each header alone, twice in a row. Only looks for errors and warnings, makes nothing. See --help.
+# Compiles all headers, and the meshers over all usual traits, by other compilers and standards, another standard
+# library, and another CGAL; and each header alone, twice in a row. Looks for errors and warnings. At last one program
+# is built for each platform that is promised, and has to make meshes of the same bits. See --help.
 set -euo pipefail
 
 # shellcheck source-path=SCRIPTDIR source=../.ci/common.sh
@@ -27,7 +28,7 @@ while [[ $# -gt 0 ]]; do
   esac
   shift
 done
-install_packages "${build_packages[@]}" libgdal-dev clang
+install_packages "${build_packages[@]}" libgdal-dev clang libc++-dev libc++abi-dev g++-multilib
 
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -111,6 +112,7 @@ done | xargs -0 -P "$(build_jobs)" -I{} clang++ -std=c++17 "${flags[@]}" -x c++-
   [[ -z $cgal ]] || echo g++ c++17 "$everything"
   echo g++ c++20 "$everything"
   echo clang++ c++17 "$everything"
+  echo clang++ c++17 "$everything" -stdlib=libc++
   for header in "${headers[@]}" "${internal_headers[@]}"; do
     source=$work/$(tr / _ <<<"$header").cpp
     printf '#include <%s>\n#include <%s>\n' "$header" "$header" >"$source"
@@ -121,3 +123,28 @@ export work root
 # Functions and arrays do not reach the shells that xargs starts.
 printf '%s\n' "$(declare -f check)" "$(declare -p flags)" >"$work/check.sh"
 xargs -P "$(build_jobs)" -L 1 bash -c '. "$work/check.sh" && check "$@"' check <"$work/checks"
+
+# The same meshes, by what differs between platforms: integers of 128 bits by the compiler or in two words, the standard
+# library, and long words of 32 bits. There CGAL takes Boost's numbers, because Debian has GMP for one width at a time.
+platforms=(
+  "g++"
+  "g++ -DCGAL_QUADTREE_MESH_2_NO_INT128"
+  "clang++ -stdlib=libc++"
+  "g++ -m32 -msse2 -mfpmath=sse -DCGAL_DISABLE_GMP"
+)
+digests() { # platform, in words
+  local libraries=(-lgmp -lmpfr) program
+  [[ $1 != *CGAL_DISABLE_GMP* ]] || libraries=()
+  program=$work/digests_$(tr -c 'a-zA-Z0-9\n' _ <<<"$1")
+  # shellcheck disable=SC2086
+  $1 -std=c++17 -O0 -Wall -Wextra -Werror ${cgal:+-isystem "$cgal"} -I "$root/include" \
+    "$root/test/platforms/mesh_digests.cpp" -o "$program" "${libraries[@]}"
+  "$program" >"$program.txt"
+}
+for platform in "${platforms[@]}"; do
+  printf '== meshes by %s\n' "$platform"
+  digests "$platform"
+done
+for text in "$work"/digests_*.txt; do
+  diff "$work/digests_g__.txt" "$text" || fail "the meshes of ${text##*/} are others"
+done

@@ -10,8 +10,8 @@
 /// The concept `QuadtreeTraits_2` describes what quadtrees need to know about points: a grid of integers, the
 /// map from points to the grid, and the map from corners of squares back to points.
 ///
-/// The root of all quadtrees is the square \f$ [0, 2^B) \times [0, 2^B) \f$ of grid units, where \f$ B \f$ is
-/// the depth of the grid. A square of level \f$ l \f$ has side \f$ 2^{B-l} \f$ and corners at multiples of
+/// The root of all quadtrees is the square [0, 2^B) x [0, 2^B) of grid units, where B is
+/// the depth of the grid. A square of level l has side 2^(B-l) and corners at multiples of
 /// its side. Quadtrees make all decisions on grid coordinates, which are integers. So all decisions are exact.
 ///
 /// If distinct points fall on one grid point, quadtrees ask for a finer grid of the same root and map all
@@ -23,6 +23,8 @@
 /// \cgalHasModels{CGAL::Exact_quadtree_traits_2<Kernel>}
 /// \cgalHasModelsEnd
 ///
+/// \sa `QuadtreeGrid_2`
+/// \sa `MeshingGeometry_2`
 /// \sa `CGAL::Quadtree_framework<Traits>`
 /// \sa `CGAL::Balanced_quadtree<Traits>`
 class QuadtreeTraits_2 {
@@ -40,20 +42,7 @@ public:
   /// `CGAL::Quadtree_mesh_2::Grid_point_2<Word>`, with members `x` and `y`.
   typedef unspecified_type Grid_point;
 
-  /// The map between points and the grid. It is default constructible and copyable. Several threads may call its
-  /// `const` members at once if they may read the points. It provides
-  ///
-  /// - `int depth() const`, the logarithm \f$ B \f$ of the root's side in grid units. If `Word` has a fixed
-  ///   length, it is less than the number of bits, so that upper corners are representable.
-  /// - `bool refine()` makes the unit of the grid finer by a power of two, and thus the depth greater. It neither
-  ///   moves nor resizes the root, and returns `true`. If words cannot be longer, it leaves the grid unchanged and
-  ///   returns `false`. If it never returns `false`, it tells any two distinct points apart after finitely many
-  ///   calls.
-  /// - `bool is_in_root(const Point_2& p) const`, whether `p` lies in the root square.
-  /// - `Grid_point grid_point(const Point_2& p) const`, the lower left corner of the unit square of the grid
-  ///   that contains `p`, computed without rounding. `p` must lie in the root square.
-  /// - `Point_2 point(const Grid_point& g) const`, the point at the crossing of two grid lines, including
-  ///   coordinates \f$ 2^B \f$. It is exact whenever `Point_2` can represent it.
+  /// The map between points and the grid: a model of `QuadtreeGrid_2`.
   typedef unspecified_type Grid_2;
 
   /// A function object that makes the grid of a set of points, by
@@ -69,9 +58,8 @@ public:
   /// refuses.
   typedef unspecified_type Construct_grid_2;
 
-  /// The arithmetic of the meshers on these points: predicates and constructions on the coordinates. Quadtrees do
-  /// not use it, so an incomplete type suffices for them. Its members are not part of the interface. Take that of
-  /// the model with the same kind of coordinates.
+  /// The arithmetic of the meshers on these points: a model of `MeshingGeometry_2`. Quadtrees do not use it, so an
+  /// incomplete type suffices for them.
   typedef unspecified_type Meshing_geometry_2;
 
   /// @}

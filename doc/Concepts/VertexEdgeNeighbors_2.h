@@ -9,18 +9,18 @@
 ///
 /// The concept `VertexEdgeNeighbors_2` describes classes that know, for each vertex of a planar straight-line
 /// graph, which segments the four axis-parallel rays from it hit first. Lemma 5 of Bern, Eppstein and Teng says
-/// why that is useful. The nearer of the nearest hit and the nearest vertex is at most \f$ \sqrt{2} \f$ times as
+/// why that is useful. The nearer of the nearest hit and the nearest vertex is at most sqrt(2) times as
 /// far from the vertex as the nearest vertex or segment that is not incident to it.
 ///
 /// Answers are a function of the graph alone, so all models give the same answers:
 ///
-/// - Rays and segments are closed. A ray begins in its vertex \f$ v \f$ and has no end; a segment contains its
+/// - Rays and segments are closed. A ray begins in its vertex v and has no end; a segment contains its
 ///   ends. Vertices without segments are not hit.
-/// - A segment is incident to \f$ v \f$ if one of its ends lies at the place of \f$ v \f$. That end may be
-///   \f$ v \f$ itself or an equal vertex, so equal vertices have the same answers. Incident segments are not hit.
+/// - A segment is incident to v if one of its ends lies at the place of v. That end may be
+///   v itself or an equal vertex, so equal vertices have the same answers. Incident segments are not hit.
 /// - Any other segment is hit if it has a point on the ray, at the distance of the nearest such point. That point
 ///   is the crossing; or its end, if that is on the ray; or the nearer end, if the segment lies on the ray. If
-///   \f$ v \f$ is in its interior, it is hit at distance 0 in all four directions.
+///   v is in its interior, it is hit at distance 0 in all four directions.
 /// - The first hit is the one at the least distance. Among segments at the same distance it is the one with the
 ///   lowest index. Distances are compared exactly. Crossing and overlapping segments and segments of length 0
 ///   are no exceptions.
@@ -58,7 +58,7 @@ public:
   /// @{
 
   /// The first hit of the ray from `v` in direction `d`, and its distance, rounded with a relative error below
-  /// \f$ 2^{-40} \f$. If there is no hit, it is an invalid segment at an infinite distance.
+  /// 2^-40. If there is no hit, it is an invalid segment at an infinite distance.
   /// \pre `d` is `EAST`, `NORTH`, `WEST` or `SOUTH`
   CGAL::Vertex_edge_neighbor_2 first_hit(CGAL::Quadtree_mesh_2::Vertex_index v,
                                          CGAL::Quadtree_mesh_2::Direction d) const;

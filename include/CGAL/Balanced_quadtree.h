@@ -79,20 +79,33 @@ public:
   /// \name Types
   /// @{
 
-  /// Types of the template arguments, and indices.
+  /// The traits.
   using Traits = Traits_;
+  /// The framework from which the tree is made.
   using Framework = Quadtree_framework<Traits, ConcurrencyTag>;
+  /// A point of the input.
   using Point_2 = typename Traits::Point_2;
+  /// A grid coordinate.
   using Word = typename Traits::Word;
+  /// A point of the grid.
   using Grid_point = Quadtree_mesh_2::Grid_point_2<Word>;
+  /// A square of the grid.
   using Square = Quadtree_mesh_2::Quadtree_square_2<Word>;
+  /// A side or a corner of a square.
   using Direction = Quadtree_mesh_2::Direction;
+  /// Names a square, be it a leaf or split.
   using Node_index = Quadtree_mesh_2::Node_index;
+  /// Names a leaf, in shuffle order.
   using Leaf_index = Quadtree_mesh_2::Leaf_index;
+  /// Names a point, in the order of the input.
   using Point_index = Quadtree_mesh_2::Point_index;
+  /// Names a point, in shuffle order.
   using Point_rank = Quadtree_mesh_2::Point_rank;
+  /// The points of a square, which follow each other in shuffle order.
   using Rank_interval = Quadtree_mesh_2::Rank_interval;
+  /// Leaves that follow each other in shuffle order.
   using Leaf_interval = Quadtree_mesh_2::Leaf_interval;
+  /// The leaves around a leaf.
   using Leaf_neighbors = Quadtree_mesh_2::Leaf_neighbors;
   /// @}
 
@@ -312,7 +325,7 @@ public:
   }
 
   /// Returns the leaf that contains a grid point.
-  /// \pre coordinates are less than \f$ 2^{depth} \f$
+  /// \pre coordinates are less than 2^depth
   Leaf_index locate(const Grid_point& p) const {
     Node_index v = root();
     for (int level = 0; !is_leaf(v); ++level)

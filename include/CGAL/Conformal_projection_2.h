@@ -31,7 +31,11 @@ namespace CGAL {
 class Conformal_projection_2 {
 public:
   /// The projections.
-  enum class Kind { MERCATOR, LAMBERT, STEREOGRAPHIC };
+  enum class Kind {
+    MERCATOR,     ///< the map with the cone's constant 0
+    LAMBERT,      ///< Lambert's conic map
+    STEREOGRAPHIC ///< the map with the cone's constant 1
+  };
   using Place = std::array<double, 2>; ///< (longitude, latitude) in degrees, or (x, y) in meters
 
   /// The range of longitudes and latitudes, in degrees.

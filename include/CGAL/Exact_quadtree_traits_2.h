@@ -30,8 +30,8 @@ namespace CGAL {
 /// \ingroup PkgQuadtreeMesh2Traits
 /// Traits for quadtrees of points of a CGAL kernel with exact constructions, of any depth.
 ///
-/// Coordinates may be any numbers of the kernel's field: 1/3, \f$ 10^{400} \f$ and \f$ 2^{-5000} \f$ in one
-/// set. Grid coordinates are integers of unlimited length. The grid first has \f$ 2^{62} \f$ units to a side,
+/// Coordinates may be any numbers of the kernel's field: 1/3, 10^400 and 2^-5000 in one
+/// set. Grid coordinates are integers of unlimited length. The grid first has 2^62 units to a side,
 /// and `refine()` squares that number. So all distinct points are eventually told apart, and all rounds
 /// together cost about twice the last. The root is the smallest square with a power of two as its side that
 /// holds the points in its middle half. Its origin is a multiple of 1/64 of the side.
@@ -70,10 +70,13 @@ public:
   /// \name Types
   /// @{
 
-  /// The types of `QuadtreeTraits_2`.
+  /// A point of the input.
   using Point_2 = typename Kernel::Point_2;
+  /// A grid coordinate.
   using Word = Quadtree_mesh_2::internal::Long_word;
+  /// A point of the grid.
   using Grid_point = Quadtree_mesh_2::Grid_point_2<Word>;
+  /// The arithmetic of the meshers on these points.
   using Meshing_geometry_2 = std::conditional_t<
       is_over_double,
       Quadtree_mesh_2::internal::Double_geometry_2<Exact_predicates_inexact_constructions_kernel>,
@@ -83,13 +86,14 @@ public:
   /// The map between points and the grid. The default is the grid of no points.
   class Grid_2 {
   public:
+    /// The grid of no points.
     Grid_2() : Grid_2(0, {-granules / 4, -granules / 4}) {}
 
     /// The logarithm of the root's side.
     int depth() const { return depth_; }
 
     /// Makes the grid finer: doubles the depth and thus the length of grid coordinates. From a depth of
-    /// \f$ 2^{29} \f$ on it leaves the grid as it is, and returns false.
+    /// 2^29 on it leaves the grid as it is, and returns false.
     bool refine() {
       if (depth_ >= greatest_depth) return false;
       for (Word& origin : origin_) origin <<= depth_;
@@ -173,9 +177,10 @@ public:
   /// Makes the grid of a range of points.
   class Construct_grid_2 {
   public:
+    /// Makes the grid of some points.
     /// \tparam PointRange a range with value type `Point_2`.
     /// \throws Quadtree_mesh_2::Point_error if coordinates are doubles and one is not finite or not below
-    /// \f$ 2^{1000} \f$.
+    /// 2^1000.
     template <class PointRange>
     Grid_2 operator()(const PointRange& points) const {
       std::size_t n = 0;

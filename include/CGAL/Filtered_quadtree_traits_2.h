@@ -26,12 +26,12 @@ namespace CGAL {
 /// \ingroup PkgQuadtreeMesh2Traits
 /// Traits for quadtrees of points of a CGAL kernel over `double`.
 ///
-/// The grid has \f$ 2^{62} \f$ units to a side. Its unit is a power of two. The root is the smallest one that
+/// The grid has 2^62 units to a side. Its unit is a power of two. The root is the smallest one that
 /// holds the points in its middle half. Every point is mapped without rounding to the grid square that
 /// contains it. A grid point is mapped to the nearest double. That is exact for all corners of squares not
 /// smaller than the spacing of doubles at the largest coordinate.
 ///
-/// Distinct points are told apart unless they differ by less than \f$ 2^{-62} \f$ of the root's side. For
+/// Distinct points are told apart unless they differ by less than 2^-62 of the root's side. For
 /// doubles this can happen only near 0. Such points are an error that names them. `Exact_quadtree_traits_2`
 /// has no such limit.
 /// \tparam Kernel a CGAL kernel whose `FT` is `double`.
@@ -44,17 +44,21 @@ public:
   /// \name Types
   /// @{
 
-  /// The types of `QuadtreeTraits_2`.
+  /// A point of the input.
   using Point_2 = typename Kernel::Point_2;
+  /// A grid coordinate.
   using Word = std::uint64_t;
   static constexpr int depth = 62; ///< the logarithm of the root's side in grid units
+  /// A point of the grid.
   using Grid_point = Quadtree_mesh_2::Grid_point_2<Word>;
+  /// The arithmetic of the meshers on these points.
   using Meshing_geometry_2 = Quadtree_mesh_2::internal::Double_geometry_2<Kernel>;
   /// @}
 
   /// The map between points and the grid. The default is the grid of no points.
   class Grid_2 {
   public:
+    /// The grid of no points.
     Grid_2() = default;
 
     /// The logarithm of the root's side, 62.
@@ -70,7 +74,7 @@ public:
     Grid_point grid_point(const Point_2& p) const { return {x_.to_grid(p.x()), y_.to_grid(p.y())}; }
 
     /// Returns the point at `g`, each coordinate rounded to the nearest double.
-    /// \pre coordinates of `g` are at most \f$ 2^{62} \f$
+    /// \pre coordinates of `g` are at most 2^62
     Point_2 point(const Grid_point& g) const { return Point_2(x_.to_double(g.x), y_.to_double(g.y)); }
 
   private:
@@ -86,9 +90,10 @@ public:
   /// Makes the grid of a range of points.
   class Construct_grid_2 {
   public:
+    /// Makes the grid of some points.
     /// \tparam PointRange a range with value type `Point_2`.
     /// \throws Quadtree_mesh_2::Point_error for a coordinate that is not finite or not below
-    /// \f$ 2^{1000} \f$.
+    /// 2^1000.
     template <class PointRange>
     Grid_2 operator()(const PointRange& points) const {
       using Quadtree_mesh_2::internal::Double_axis;

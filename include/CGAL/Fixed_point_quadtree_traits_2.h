@@ -40,14 +40,17 @@ struct Fixed_point_2 {
   /// The second coordinate.
   constexpr Word y() const { return y_; }
 
+  /// Whether the places are the same.
   friend constexpr bool operator==(const Fixed_point_2& p, const Fixed_point_2& q) {
     return p.x_ == q.x_ && p.y_ == q.y_;
   }
+  /// Whether the places differ.
   friend constexpr bool operator!=(const Fixed_point_2& p, const Fixed_point_2& q) { return !(p == q); }
   /// Lexicographic order.
   friend constexpr bool operator<(const Fixed_point_2& p, const Fixed_point_2& q) {
     return p.x_ != q.x_ ? p.x_ < q.x_ : p.y_ < q.y_;
   }
+  /// Writes both coordinates, with a space between them.
   friend std::ostream& operator<<(std::ostream& out, const Fixed_point_2& p) {
     return out << p.x_ << ' ' << p.y_;
   }
@@ -55,7 +58,7 @@ struct Fixed_point_2 {
 
 /// \ingroup PkgQuadtreeMesh2Traits
 /// Traits for quadtrees of points with integer coordinates. The grid is that of the integers. The root is
-/// \f$ [0, 2^{31})^2 \f$ or \f$ [0, 2^{62})^2 \f$, so upper corners and differences of coordinates fit signed
+/// [0, 2^31)^2 or [0, 2^62)^2, so upper corners and differences of coordinates fit signed
 /// words.
 /// \tparam Word_ `std::uint32_t` or `std::uint64_t`.
 /// \cgalModels{QuadtreeTraits_2}
@@ -65,12 +68,15 @@ public:
   /// \name Types
   /// @{
 
-  /// The types of `QuadtreeTraits_2`.
+  /// A grid coordinate.
   using Word = Word_;
+  /// A point of the input.
   using Point_2 = Fixed_point_2<Word>;
   /// The logarithm of the root's side, 31 or 62.
   static constexpr int depth = std::is_same<Word, std::uint32_t>::value ? 31 : 62;
+  /// A point of the grid.
   using Grid_point = Quadtree_mesh_2::Grid_point_2<Word>;
+  /// The arithmetic of the meshers on these points.
   using Meshing_geometry_2 = Quadtree_mesh_2::internal::Integer_geometry_2<Word>;
   /// @}
 
@@ -82,8 +88,9 @@ public:
     /// Returns false: the words cannot be longer.
     bool refine() { return false; }
 
-    /// Whether `p` has coordinates below \f$ 2^{depth} \f$.
+    /// Whether `p` has coordinates below 2^depth.
     bool is_in_root(const Point_2& p) const { return ((p.x() | p.y()) >> depth()) == 0; }
+    /// The grid point with the coordinates of `p`.
     /// \pre `is_in_root(p)`
     Grid_point grid_point(const Point_2& p) const { return {p.x(), p.y()}; }
     /// The point at a crossing of two grid lines.
@@ -92,8 +99,9 @@ public:
 
   /// Checks that points lie in the root.
   struct Construct_grid_2 {
+    /// Makes the grid, which is the same for all points.
     /// \tparam PointRange a range with value type `Point_2`.
-    /// \throws Quadtree_mesh_2::Point_error for a coordinate that is not below \f$ 2^{depth} \f$.
+    /// \throws Quadtree_mesh_2::Point_error for a coordinate that is not below 2^depth.
     template <class PointRange>
     Grid_2 operator()(const PointRange& points) const {
       using Quadtree_mesh_2::Point_error;
@@ -131,7 +139,7 @@ public:
   static constexpr int depth = Fixed_point_quadtree_traits_2<Word>::depth;
 
   /// The scale for points in `box`.
-  /// \throws std::invalid_argument if the box is empty or has coordinates not below \f$ 2^{1000} \f$ in
+  /// \throws std::invalid_argument if the box is empty or has coordinates not below 2^1000 in
   /// magnitude.
   explicit Fixed_point_scale_2(const Bbox_2& box) {
     const std::array<double, 4> sides{box.xmin(), box.xmax(), box.ymin(), box.ymax()};

@@ -30,6 +30,7 @@ namespace CGAL {
 /// \cgalModels{SizingField_2}
 class Grid_sizing_field_2 {
 public:
+  /// A field of the sizes of a grid.
   /// \param origin the place of the first size.
   /// \param spacing the distances of neighbors in x and y; positive.
   /// \param columns, rows the numbers of sizes in x and y; at least one.

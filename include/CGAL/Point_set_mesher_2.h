@@ -42,12 +42,15 @@ public:
   /// \name Types
   /// @{
 
-  /// The types of the input and of the mesh.
+  /// The traits.
   using Geom_traits = Traits;
+  /// A point of the input and of the mesh.
   using Point_2 = typename Traits::Point_2;
+  /// The result.
   using Mesh = Indexed_mesh_2<Point_2>;
   /// @}
 
+  /// A mesher with these options.
   /// \throws std::invalid_argument if an option is out of its range.
   explicit Point_set_mesher_2(Point_set_mesh_options_2 options = {}, const Traits& traits = Traits())
       : options_(std::move(options)), traits_(traits) {

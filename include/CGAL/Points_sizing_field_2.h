@@ -31,11 +31,12 @@ class Points_sizing_field_2 {
 public:
   /// A place, and the size there.
   struct Sized_point {
-    double x;    ///< of the place
-    double y;    ///< of the place
+    double x;    ///< the first coordinate of the place
+    double y;    ///< the second coordinate of the place
     double size; ///< positive
   };
 
+  /// A field of the sizes at some places.
   /// \param points places with sizes, at least one.
   /// \param gradation how much the size grows over a unit of length; at least 0. A mesh follows up to about
   /// 1.

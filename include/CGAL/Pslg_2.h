@@ -34,10 +34,13 @@ public:
   /// \name Types
   /// @{
 
-  /// The template argument, and the indices of the arrays' elements.
+  /// A point of the kernel, the place of a vertex.
   using Point_2 = Point;
+  /// Names a vertex by its place in the array.
   using Vertex_index = Quadtree_mesh_2::Vertex_index;
+  /// Names a segment of the input by its place in the array.
   using Segment_index = Quadtree_mesh_2::Segment_index;
+  /// The two ends of a segment.
   using Segment = std::array<Vertex_index, 2>;
   /// @}
 

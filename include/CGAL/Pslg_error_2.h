@@ -32,11 +32,15 @@ struct Pslg_parts_2 {
   /// \name Setters
   /// @{
 
-  /// Each adds a part and returns the object, so that calls can be chained.
+  /// Adds a vertex, and returns the object, so that calls can be chained.
   Pslg_parts_2& vertex(Quadtree_mesh_2::Vertex_index v) { return vertices.push_back(v), *this; }
+  /// Adds a segment.
   Pslg_parts_2& segment(Quadtree_mesh_2::Segment_index s) { return segments.push_back(s), *this; }
+  /// Adds a hole.
   Pslg_parts_2& hole(std::size_t h) { return holes.push_back(h), *this; }
+  /// Adds a region.
   Pslg_parts_2& region(std::size_t r) { return regions.push_back(r), *this; }
+  /// Adds a seed.
   Pslg_parts_2& seed(std::size_t s) { return seeds.push_back(s), *this; }
   /// @}
 };
@@ -90,6 +94,7 @@ public:
     ROUNDING
   };
 
+  /// An error of a kind.
   /// \param kind the kind of error
   /// \param text the text of `what()`
   /// \param parts those that the text names, in its order
@@ -111,6 +116,7 @@ private:
 /// index.
 class Pslg_crossing_error_2 : public Pslg_error_2 {
 public:
+  /// The error of two segments that cross.
   /// \param text the text of `what()`
   /// \param crossing the crossing segments
   Pslg_crossing_error_2(const std::string& text, std::array<Quadtree_mesh_2::Segment_index, 2> crossing)
@@ -143,8 +149,12 @@ public:
 class Pslg_seed_error_2 : public Pslg_error_2 {
 public:
   /// What the point marks.
-  enum class Mark { HOLE, REGION };
+  enum class Mark {
+    HOLE,  ///< a component that is not meshed
+    REGION ///< a component with an attribute and a bound of area
+  };
 
+  /// The error of a point between components.
   /// \param text the text of `what()`; the other parameters become the members.
   Pslg_seed_error_2(const std::string& text, Mark of, std::size_t number, Quadtree_mesh_2::Vertex_index at,
                     Quadtree_mesh_2::Segment_index on)

@@ -42,6 +42,8 @@ namespace CGAL {
 
 namespace Quadtree_mesh_2 {
 
+/// \ingroup PkgQuadtreeMesh2Quadtrees
+/// Distinguishes ranks of points.
 struct Rank_tag {};
 /// \ingroup PkgQuadtreeMesh2Quadtrees
 /// Place of a point in the shuffle order of the distinct points.
@@ -55,6 +57,7 @@ struct Rank_interval {
 
   /// The number of points.
   std::size_t size() const { return end.value() - begin.value(); }
+  /// Whether these are the same points.
   friend bool operator==(const Rank_interval& a, const Rank_interval& b) {
     return a.begin == b.begin && a.end == b.end;
   }
@@ -70,7 +73,7 @@ struct Duplicate_point {
 } // namespace Quadtree_mesh_2
 
 /// \ingroup PkgQuadtreeMesh2Quadtrees
-/// The framework \f$ T_F \f$ of a set of points (Theorem 1).
+/// The framework T_F of a set of points (Theorem 1).
 ///
 /// Nodes are the squares that have at least two nonempty children, in preorder with children in shuffle
 /// order. The root of the framework is the smallest square that contains all points. A child is a node, or a
@@ -87,17 +90,27 @@ public:
   /// \name Types
   /// @{
 
-  /// Types of the template arguments, and indices.
+  /// The traits.
   using Traits = Traits_;
+  /// A point of the input.
   using Point_2 = typename Traits::Point_2;
+  /// Maps points to the grid and back.
   using Grid_2 = typename Traits::Grid_2;
+  /// A grid coordinate.
   using Word = typename Traits::Word;
+  /// A point of the grid.
   using Grid_point = Quadtree_mesh_2::Grid_point_2<Word>;
+  /// A square of the grid.
   using Square = Quadtree_mesh_2::Quadtree_square_2<Word>;
+  /// Names a square, be it a leaf or split.
   using Node_index = Quadtree_mesh_2::Node_index;
+  /// Names a point, in the order of the input.
   using Point_index = Quadtree_mesh_2::Point_index;
+  /// Names a point, in shuffle order.
   using Point_rank = Quadtree_mesh_2::Point_rank;
+  /// The points of a square, which follow each other in shuffle order.
   using Rank_interval = Quadtree_mesh_2::Rank_interval;
+  /// Two equal points of the input.
   using Duplicate_point = Quadtree_mesh_2::Duplicate_point;
   /// @}
 
@@ -108,7 +121,7 @@ public:
   /// \tparam PointRange a random access range with value type `Point_2`; several threads may read it.
   /// \throws Quadtree_mesh_2::Point_error if the traits cannot map a point to the grid, or map two distinct
   /// points to the same grid point.
-  /// \throws std::length_error if there are \f$ 2^{32} - 1 \f$ points or more.
+  /// \throws std::length_error if there are 2^32 - 1 points or more.
   template <class PointRange, class = decltype(std::declval<const PointRange&>().begin())>
   explicit Quadtree_framework(const PointRange& points, const Traits& traits = Traits())
       : grid_(traits.construct_grid_2_object()(points)) {
@@ -199,7 +212,7 @@ public:
 
   /// \name Annotations
   /// Every point may be annotated with the least level that its leaf should have. Squares of level `l` have the
-  /// root's side times \f$ 2^{-l} \f$. Quadtrees made from the framework follow the annotations.
+  /// root's side times 2^-l. Quadtrees made from the framework follow the annotations.
   /// @{
 
   /// Annotates each point, by rank, with a level. Replaces earlier annotations; no levels remove them.

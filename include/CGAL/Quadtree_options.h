@@ -47,8 +47,9 @@ public:
   /// \name Types
   /// @{
 
-  /// The types of the choices.
+  /// Which neighbors are balanced.
   using Balance = Quadtree_mesh_2::Balance;
+  /// How balance is reached.
   using Balance_schedule = Quadtree_mesh_2::Balance_schedule;
   /// @}
 

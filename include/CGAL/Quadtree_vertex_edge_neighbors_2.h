@@ -94,14 +94,21 @@ public:
   /// \name Types
   /// @{
 
-  /// Types of the template arguments, and indices.
+  /// The traits.
   using Traits = Traits_;
+  /// A point of the graph.
   using Point_2 = typename Traits::Point_2;
+  /// A graph of these points.
   using Pslg = Pslg_2<Point_2>;
+  /// The quadtree of the vertices.
   using Quadtree = Balanced_quadtree<Traits, ConcurrencyTag>;
+  /// The direction of a ray.
   using Direction = Quadtree_mesh_2::Direction;
+  /// Names a vertex of the graph.
   using Vertex_index = Quadtree_mesh_2::Vertex_index;
+  /// Names a segment of the graph.
   using Segment_index = Quadtree_mesh_2::Segment_index;
+  /// How the quadtree is made.
   using Options = Vertex_edge_neighbors_options_2;
   /// @}
 

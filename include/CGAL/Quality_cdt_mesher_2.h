@@ -8,12 +8,12 @@
 #define CGAL_QUALITY_CDT_MESHER_2_H
 
 #include <CGAL/Delaunay_mesh_size_criteria_2.h>
-#include <CGAL/Quadtree_mesh_2/Quality_mesher_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/mesh_2/Cdt_refiner.h>
 #include <CGAL/Quadtree_mesh_2/internal/mesh_2/criteria_options.h>
 #include <CGAL/Quadtree_mesh_2/internal/mesh_2/mark_domain.h>
 #include <CGAL/Quality_mesh_options_2.h>
 #include <CGAL/Quality_mesh_report_2.h>
+#include <CGAL/Quality_mesher_2.h>
 
 #include <algorithm>
 #include <iterator>
@@ -61,12 +61,17 @@ public:
   /// \name Types
   /// @{
 
-  /// As in `Delaunay_mesher_2`.
+  /// The triangulation, as in `Delaunay_mesher_2`.
   using Triangulation = CDT;
+  /// What a face must satisfy.
   using Criteria = Criteria_;
+  /// A point of the triangulation.
   using Point = typename CDT::Point;
+  /// The seeds, which are kept in their order.
   using Seeds = std::list<Point>;
+  /// Goes through the seeds.
   using Seeds_iterator = typename Seeds::const_iterator;
+  /// The same: seeds do not change.
   using Seeds_const_iterator = Seeds_iterator;
   /// @}
 
@@ -90,7 +95,9 @@ public:
     seeds_.clear();
     are_seeds_in_domain_ = false;
   }
+  /// The first seed.
   Seeds_const_iterator seeds_begin() const { return seeds_.begin(); }
+  /// Behind the last seed.
   Seeds_const_iterator seeds_end() const { return seeds_.end(); }
 
   /// Marks faces by the seeds. If `domain_specified`, it only takes faces connected to infinity out of the
@@ -101,6 +108,7 @@ public:
     else
       mark_facets(cdt_, seeds_.begin(), seeds_.end(), are_seeds_in_domain_);
   }
+  /// Marks the faces of a triangulation by the seeds of a range, as `set_seeds()` has it.
   template <class InputIterator>
   static void mark_facets(CDT& cdt, InputIterator begin, InputIterator end, bool mark = false) {
     Quadtree_mesh_2::internal::mark_by_seeds(cdt, begin, end, mark);
@@ -117,6 +125,7 @@ public:
     criteria_ = criteria;
     if (recalculate_bad_faces && is_initialized_) look_for_bad_faces();
   }
+  /// The criteria.
   const Criteria& get_criteria() const { return criteria_; }
 
   /// Sets what criteria do not express: bounds of areas, smoothing, budgets, a callback. Of two bounds of
@@ -125,6 +134,7 @@ public:
     options_ = options;
     if (is_initialized_) is_done_ = false;
   }
+  /// What `set_options()` has set.
   const Quality_mesh_options_2& options() const { return options_; }
 
   ///@}

@@ -42,7 +42,10 @@ public:
     THEOREM_5  ///< by the quadtrees of Bern, Eppstein and Teng: `Tree_separation_options_2`
   };
   /// Whether superfluous Steiner vertices are removed at the end.
-  enum class Coarsening { NONE, GUARDED_REMOVAL };
+  enum class Coarsening {
+    NONE,           ///< all vertices stay
+    GUARDED_REMOVAL ///< a vertex is removed if all triangles around it then meet the bounds
+  };
 
   /// Whether edges on segments are Delaunay, too.
   enum class Conforming {

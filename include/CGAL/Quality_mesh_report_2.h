@@ -101,8 +101,8 @@ struct Quality_mesh_report_2 {
     double convert = 0;    ///< to Indexed_mesh_2
   };
 
-  std::size_t input_vertices = 0;       ///< those of the graph
-  std::size_t input_segments = 0;       ///< those of the graph
+  std::size_t input_vertices = 0;       ///< the number of vertices of the graph
+  std::size_t input_segments = 0;       ///< the number of segments of the graph
   std::size_t vertices = 0;             ///< vertices that a triangle uses
   std::size_t triangles = 0;            ///< of the mesh
   std::size_t merged_vertices = 0;      ///< input vertices at the place of an earlier one

@@ -33,6 +33,7 @@ public:
   /// From this size on arrays are long: 64 kilobytes.
   static constexpr std::size_t least_bytes_of_array = std::size_t(1) << 16;
 
+  /// Begins to make long arrays in a file of this folder.
   /// \param folder on a disk with room for all: some 250 bytes for each triangle of a mesh
   /// \param most_bytes in memory, of all that this process has. What is not in long arrays, blocks that are being
   ///        worked on above all, takes some 50 megabytes and 20 for each thread, which cannot be less.
@@ -42,7 +43,9 @@ public:
   Scratch_memory(const std::string& folder, std::size_t most_bytes,
                  std::size_t least_bytes = least_bytes_of_array)
       : file_{Arrays::start(folder, least_bytes)}, limit_(file_.file, most_bytes) {}
+  /// Not copied: there is one at a time.
   Scratch_memory(const Scratch_memory&) = delete;
+  /// Not assigned.
   Scratch_memory& operator=(const Scratch_memory&) = delete;
 
 private:

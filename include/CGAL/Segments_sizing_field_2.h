@@ -30,6 +30,7 @@ namespace CGAL {
 /// \cgalModels{SizingField_2}
 class Segments_sizing_field_2 {
 public:
+  /// A field of one size on all of a graph.
   /// \param pslg a graph with a vertex or more, which is not needed afterward.
   /// \param size that on segments and vertices; positive.
   /// \param gradation how much the size grows over a unit of length; at least 0. A mesh follows up to about 1.

@@ -16,11 +16,11 @@
 #include <CGAL/IO/VTU.h>
 #include <CGAL/Indexed_mesh_2.h>
 #include <CGAL/Pslg_2.h>
-#include <CGAL/Quadtree_mesh_2/Quality_mesher_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/Mesh_checkpoints.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/Folder_lock.h>
 #include <CGAL/Quality_mesh_options_2.h>
 #include <CGAL/Quality_mesh_report_2.h>
+#include <CGAL/Quality_mesher_2.h>
 #include <CGAL/Scratch_memory.h>
 #include <CGAL/renumber_mesh_2.h>
 #include <CGAL/tags.h>
@@ -65,6 +65,7 @@ class Streaming_quality_mesher_2 {
 public:
   using Point_2 = typename Traits::Point_2; ///< of the graph and the mesh
 
+  /// A mesher with these options.
   /// \throws std::invalid_argument if an option is out of its range, or there is no scratch folder
   Streaming_quality_mesher_2(Quality_mesh_options_2 options, Streaming_options_2 streaming,
                              const Traits& traits = Traits())

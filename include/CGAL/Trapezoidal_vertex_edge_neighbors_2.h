@@ -44,7 +44,7 @@ namespace CGAL {
 /// are the same for any number of threads.
 ///
 /// <h3>Time</h3>
-/// \f$ O((n + m + c) \log n) \f$ for n vertices, m segments and c crossings. It computes only orientations of
+/// O((n + m + c) log n) for n vertices, m segments and c crossings. It computes only orientations of
 /// vertices, distances, and crossings if there are any. With `Parallel_tag`, slabs of a thousand or more
 /// vertices are processed side by side.
 /// \tparam Traits_ a model of `QuadtreeTraits_2`: any of those of this package.
@@ -56,12 +56,17 @@ public:
   /// \name Types
   /// @{
 
-  /// Types of the template arguments, and indices.
+  /// The traits.
   using Traits = Traits_;
+  /// A point of the graph.
   using Point_2 = typename Traits::Point_2;
+  /// A graph of these points.
   using Pslg = Pslg_2<Point_2>;
+  /// The direction of a ray.
   using Direction = Quadtree_mesh_2::Direction;
+  /// Names a vertex of the graph.
   using Vertex_index = Quadtree_mesh_2::Vertex_index;
+  /// Names a segment of the graph.
   using Segment_index = Quadtree_mesh_2::Segment_index;
   /// @}
 

@@ -42,9 +42,9 @@ struct Pslg_defect_2 {
   std::array<double, 2>
       point; ///< where: the vertex, the crossing, the first end of the segment or of the shared piece
   Quadtree_mesh_2::Vertex_index vertex;         ///< the vertex at fault
-  Quadtree_mesh_2::Vertex_index other_vertex;   ///< an earlier one
+  Quadtree_mesh_2::Vertex_index other_vertex;   ///< an earlier vertex
   Quadtree_mesh_2::Segment_index segment;       ///< the segment at fault
-  Quadtree_mesh_2::Segment_index other_segment; ///< an earlier one
+  Quadtree_mesh_2::Segment_index other_segment; ///< an earlier segment
 
   /// One line for human readers.
   std::string to_string() const;

@@ -103,6 +103,7 @@ private:
 } // namespace internal
 } // namespace Quadtree_mesh_2
 
+/// \ingroup PkgQuadtreeMesh2Data
 /// Appends the triangles of a mesh, and the points they use, to a face graph.
 ///
 /// Points with three coordinates get z = 0. Faces come in the order of triangles. Triangles of a domain may
@@ -136,6 +137,7 @@ void indexed_mesh_to_face_graph(const Indexed_mesh_2<Point>& mesh, Graph& graph,
   }
 }
 
+/// \ingroup PkgQuadtreeMesh2Data
 /// Appends a mesh to a face graph.
 template <class Point, class Graph>
 void indexed_mesh_to_face_graph(const Indexed_mesh_2<Point>& mesh, Graph& graph) {

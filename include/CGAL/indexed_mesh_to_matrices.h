@@ -52,6 +52,7 @@ void check_columns(const Eigen::DenseBase<Derived>& matrix, Eigen::Index columns
 } // namespace internal
 } // namespace Quadtree_mesh_2
 
+/// \ingroup PkgQuadtreeMesh2Data
 /// Converts a mesh to matrices. `vertices` gets a row `x y` for each point, used or not. `triangles` gets a
 /// row of three indices for each triangle, counterclockwise.
 /// \tparam Vertex_matrix, Triangle_matrix `Eigen::MatrixXd`, `Eigen::MatrixXi`, or others with any number of
@@ -75,6 +76,7 @@ void indexed_mesh_to_matrices(const Indexed_mesh_2<Point>& mesh,
     internal::set_index_row(triangles, t, mesh.triangles[t]);
 }
 
+/// \ingroup PkgQuadtreeMesh2Data
 /// Converts the constrained edges, too: `edges` gets rows `a b`, and `edge_markers` their markers. `regions`
 /// gets the regions of the triangles, -1 for none.
 template <class Point, class Vertex_matrix, class Triangle_matrix, class Edge_matrix, class Marker_vector,
@@ -100,6 +102,7 @@ void indexed_mesh_to_matrices(const Indexed_mesh_2<Point>& mesh,
         mesh.region_of_triangle.empty() ? -1 : mesh.region_of_triangle[t]);
 }
 
+/// \ingroup PkgQuadtreeMesh2Data
 /// Makes a graph from matrices, as for `igl::triangle::triangulate()`: a row `x y` for each vertex, a row of
 /// two indices for each segment, and a row `x y` for a point in each hole. Any of them may have no rows.
 /// \tparam Point can be made from two doubles
@@ -134,6 +137,7 @@ void matrices_to_pslg(const Eigen::DenseBase<Vertices>& vertices, const Eigen::D
   pslg = std::move(result);
 }
 
+/// \ingroup PkgQuadtreeMesh2Data
 /// Makes a graph without holes.
 template <class Point, class Vertices, class Segments>
 void matrices_to_pslg(const Eigen::DenseBase<Vertices>& vertices, const Eigen::DenseBase<Segments>& segments,

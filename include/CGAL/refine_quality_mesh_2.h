@@ -16,7 +16,6 @@
 /// meshed; the triangulation is then unchanged except for the marks. Expected O(n log n + k) time for k
 /// triangles.
 
-#include <CGAL/Quadtree_mesh_2/Quality_mesher_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/compat.h>
 #include <CGAL/Quadtree_mesh_2/internal/mesh_2/Cdt_refiner.h>
 #include <CGAL/Quadtree_mesh_2/internal/mesh_2/criteria_options.h>
@@ -24,6 +23,7 @@
 #include <CGAL/Quality_cdt_mesher_2.h>
 #include <CGAL/Quality_mesh_options_2.h>
 #include <CGAL/Quality_mesh_report_2.h>
+#include <CGAL/Quality_mesher_2.h>
 #include <CGAL/indexed_mesh_to_triangulation_2.h>
 
 #if CGAL_QUADTREE_MESH_2_HAS_MESH_2_PARAMETERS
@@ -52,6 +52,7 @@ Quality_mesh_report_2 refine_marked_domain(Cdt& cdt, const Criteria& criteria) {
 } // namespace internal
 } // namespace Quadtree_mesh_2
 
+/// \ingroup PkgQuadtreeMesh2Meshers
 /// Meshes the domain given by the options and the seeds. With `Domain::MARKED` it is the components with a
 /// seed. Otherwise it is the domain of the rule without the components that contain a seed.
 /// \tparam Seeds a range of points.
@@ -62,12 +63,14 @@ Quality_mesh_report_2 refine_quality_mesh_2(Cdt& cdt, const Seeds& seeds,
   return Quadtree_mesh_2::internal::Cdt_refiner<Cdt>(cdt).refine(options);
 }
 
+/// \ingroup PkgQuadtreeMesh2Meshers
 /// The same without seeds.
 template <class Cdt>
 Quality_mesh_report_2 refine_quality_mesh_2(Cdt& cdt, const Quality_mesh_options_2& options) {
   return refine_quality_mesh_2(cdt, std::vector<typename Cdt::Point>(), options);
 }
 
+/// \ingroup PkgQuadtreeMesh2Meshers
 /// Meshes everything that constrained edges separate from infinity. The least angle is Mesh_2's default,
 /// 20.7048 degrees.
 template <class Cdt>
@@ -76,6 +79,7 @@ Quality_mesh_report_2 refine_quality_mesh_2(Cdt& cdt) {
       cdt, Quality_mesh_options_2().min_angle(Quadtree_mesh_2::internal::default_angle_of_Mesh_2));
 }
 
+/// \ingroup PkgQuadtreeMesh2Meshers
 /// Meshes everything that constrained edges separate from infinity, by criteria of Mesh_2. If
 /// `domain_specified`, it meshes the faces with `is_in_domain()` instead.
 /// \tparam Criteria a model of `MeshingCriteria_2`, as for `Quality_cdt_mesher_2`, or any class with `bound()`.
@@ -89,6 +93,7 @@ Quality_mesh_report_2 refine_quality_mesh_2(Cdt& cdt, const Criteria& criteria =
   return Quadtree_mesh_2::internal::refine_marked_domain(cdt, criteria);
 }
 
+/// \ingroup PkgQuadtreeMesh2Meshers
 /// The same with seeds. They are in the domain if `mark` is true, otherwise in holes.
 template <class Cdt, class Criteria, class InputIterator,
           class = std::enable_if_t<Quadtree_mesh_2::internal::is_criteria<Criteria>>>
@@ -99,6 +104,7 @@ Quality_mesh_report_2 refine_quality_mesh_2(Cdt& cdt, InputIterator seeds_begin,
 }
 
 #if CGAL_QUADTREE_MESH_2_HAS_MESH_2_PARAMETERS
+/// \ingroup PkgQuadtreeMesh2Meshers
 /// The same with named parameters (\cgal 5.6 and later).
 ///
 /// - `criteria`: a model of `MeshingCriteria_2`; by default `Delaunay_mesh_size_criteria_2<Cdt>()`

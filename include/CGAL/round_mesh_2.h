@@ -47,6 +47,7 @@ namespace CGAL {
 /// Doubles cannot express the mesh. `what()` names a place and its vertices.
 class Mesh_rounding_error_2 : public Pslg_error_2 {
 public:
+  /// The error of vertices that have no room.
   /// \param text the text of `what()`
   /// \param parts the vertices of the graph that it names
   Mesh_rounding_error_2(const std::string& text, Pslg_parts_2 parts)

@@ -10,6 +10,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Pslg_2.h>
 #include <CGAL/Pslg_error_2.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/Wide_integer.h>
 #include <CGAL/Quadtree_mesh_2/internal/io/number_text.h>
 #include <CGAL/Quadtree_mesh_2/internal/pslg/part_names.h>
 #include <CGAL/number_utils.h>
@@ -50,14 +51,13 @@ bool is_finite_point(const Point& p) {
 template <class Word>
 bool are_equal_products(Word a, Word b, Word c, Word d, Word e, Word f, Word g, Word h) {
   static_assert(sizeof(Word) <= 8, "products of wider words do not fit 128 bits");
-  __extension__ typedef unsigned __int128 Product;
   const auto distance = [](Word s, Word t) {
     return s < t ? std::uint64_t(t) - std::uint64_t(s) : std::uint64_t(s) - std::uint64_t(t);
   };
-  const Product left = Product(distance(a, b)) * distance(c, d);
-  const Product right = Product(distance(e, f)) * distance(g, h);
-  if (left != right) return false;
-  return left == 0 || ((a < b) != (c < d)) == ((e < f) != (g < h));
+  const Product_of_words left = product_of_words(distance(a, b), distance(c, d));
+  const Product_of_words right = product_of_words(distance(e, f), distance(g, h));
+  if (!(left == right)) return false;
+  return left == Product_of_words() || ((a < b) != (c < d)) == ((e < f) != (g < h));
 }
 
 /// Whether three points are on a line. Exact for words, for doubles with any kernel, and for kernels with

@@ -15,6 +15,7 @@
 #include <CGAL/Filtered_quadtree_traits_2.h>
 #include <CGAL/Triangulation_data_structure_2.h>
 #include <CGAL/Triangulation_vertex_base_2.h>
+#include <CGAL/refine_quality_mesh_2.h>
 
 #include <cmath>
 

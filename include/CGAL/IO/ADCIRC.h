@@ -17,6 +17,9 @@
 namespace CGAL {
 namespace IO {
 
+/// \addtogroup PkgQuadtreeMesh2IO
+/// @{
+
 /// Writes a mesh as a grid of ADCIRC, `fort.14`.
 ///
 /// Depths are 0, and there are no open boundaries: the border is land. Each outer loop is a boundary of type 0,
@@ -55,6 +58,8 @@ void write_GR3(const std::string& file_name, const Indexed_mesh_2<Point>& mesh) 
   using namespace Quadtree_mesh_2::internal;
   replace_file(file_name, Flow_grid_writer<Point>(mesh, Flow_grid_kind::SCHISM).text());
 }
+
+/// @}
 
 } // namespace IO
 } // namespace CGAL

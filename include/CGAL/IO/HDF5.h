@@ -24,6 +24,9 @@
 namespace CGAL {
 namespace IO {
 
+/// \addtogroup PkgQuadtreeMesh2IO
+/// @{
+
 /// Reads a planar straight-line graph from the group `/pslg` of a file of HDF5. Its arrays, for n vertices and m
 /// segments:
 /// - `vertices`, n x 2 numbers: x, y
@@ -88,6 +91,8 @@ void write_XDMF(const std::string& file_name, const Indexed_mesh_2<Point>& mesh,
   Quadtree_mesh_2::internal::add_xdmf_files(files, stem, mesh, pslg, fields);
   files.commit();
 }
+
+/// @}
 
 } // namespace IO
 } // namespace CGAL

@@ -22,6 +22,9 @@
 namespace CGAL {
 namespace IO {
 
+/// \addtogroup PkgQuadtreeMesh2IO
+/// @{
+
 /// Writes the mesh as a page that one can pan and zoom.
 ///
 /// Its menu has what colors stand for, with a histogram: the least angle, the largest one, the longest edge,
@@ -68,6 +71,8 @@ void write_HTML(const std::string& file_name, const Indexed_mesh_2<Point>& mesh,
   writer.add_quadtree(tree);
   Quadtree_mesh_2::internal::replace_file(file_name, writer.text());
 }
+
+/// @}
 
 } // namespace IO
 } // namespace CGAL

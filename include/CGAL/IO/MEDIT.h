@@ -54,6 +54,9 @@ std::string medit_text(const Indexed_mesh_2<Point>& mesh) {
 
 namespace IO {
 
+/// \addtogroup PkgQuadtreeMesh2IO
+/// @{
+
 /// Writes a mesh as a `.mesh` file of MEDIT in two dimensions.
 ///
 /// The file has all points in their order, used or not, with their markers as references. It has the
@@ -69,6 +72,8 @@ template <class Point>
 void write_MEDIT(const std::string& file_name, const Indexed_mesh_2<Point>& mesh) {
   Quadtree_mesh_2::internal::replace_file(file_name, Quadtree_mesh_2::internal::medit_text(mesh));
 }
+
+/// @}
 
 } // namespace IO
 } // namespace CGAL

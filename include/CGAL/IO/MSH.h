@@ -36,6 +36,9 @@ std::string msh_text(const Indexed_mesh_2<Point>& mesh, const Pslg_2<Point>& psl
 
 namespace IO {
 
+/// \addtogroup PkgQuadtreeMesh2IO
+/// @{
+
 /// Writes a mesh as text in Gmsh's format MSH, version 4.1 or 2.2.
 ///
 /// Regions and markers become entities and physical groups of the same number, with a name:
@@ -97,6 +100,8 @@ void write_MSH_parts(const std::string& file_name, const Indexed_mesh_2<Point>& 
   Quadtree_mesh_2::internal::Msh_parts_writer<Point>(mesh, pslg, parts).add_to(files, file_name);
   files.commit();
 }
+
+/// @}
 
 } // namespace IO
 } // namespace CGAL

@@ -127,6 +127,9 @@ inline std::string cells_wkt_text(const Mesh_dual_2& dual) {
 
 namespace IO {
 
+/// \addtogroup PkgQuadtreeMesh2IO
+/// @{
+
 /// Writes the cells of a mesh as GeoJSON: a feature for each vertex that triangles use, in their order, a `Polygon`, or
 /// a `MultiPolygon` where the border touches itself. Properties are `vertex`, its number; `marker`, that of the vertex;
 /// and `area`, that of the cell.
@@ -156,6 +159,8 @@ inline void write_cells_WKT(std::ostream& out, const Mesh_dual_2& dual) {
 inline void write_cells_WKT(const std::string& file_name, const Mesh_dual_2& dual) {
   Quadtree_mesh_2::internal::replace_file(file_name, Quadtree_mesh_2::internal::cells_wkt_text(dual));
 }
+
+/// @}
 
 } // namespace IO
 } // namespace CGAL

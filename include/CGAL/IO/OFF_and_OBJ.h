@@ -49,6 +49,9 @@ std::string obj_text(const Indexed_mesh_2<Point>& mesh) {
 
 namespace IO {
 
+/// \addtogroup PkgQuadtreeMesh2IO
+/// @{
+
 /// Writes all points of a mesh, in their order, used or not, and its triangles to an OFF file. The format has
 /// nothing else.
 /// \tparam Point `x()` and `y()` are arithmetic or have a `CGAL::to_double()`
@@ -73,6 +76,8 @@ template <class Point>
 void write_OBJ(const std::string& file_name, const Indexed_mesh_2<Point>& mesh) {
   Quadtree_mesh_2::internal::replace_file(file_name, Quadtree_mesh_2::internal::obj_text(mesh));
 }
+
+/// @}
 
 } // namespace IO
 } // namespace CGAL

@@ -63,6 +63,9 @@ std::string sms_2dm_text(const Indexed_mesh_2<Point>& mesh) {
 
 namespace IO {
 
+/// \addtogroup PkgQuadtreeMesh2IO
+/// @{
+
 /// Writes a mesh as a `.2dm` file of SMS: the cards `MESH2D`, `NUM_MATERIALS_PER_ELEM`, `E3T`, `ND` and `NS`.
 ///
 /// The file has all points in their order, used or not, with elevation 0. The material of a triangle is the number of
@@ -81,6 +84,8 @@ template <class Point>
 void write_SMS_2DM(const std::string& file_name, const Indexed_mesh_2<Point>& mesh) {
   Quadtree_mesh_2::internal::replace_file(file_name, Quadtree_mesh_2::internal::sms_2dm_text(mesh));
 }
+
+/// @}
 
 } // namespace IO
 } // namespace CGAL

@@ -26,6 +26,9 @@
 namespace CGAL {
 namespace IO {
 
+/// \addtogroup PkgQuadtreeMesh2IO
+/// @{
+
 /// Writes a picture of the mesh. Its edges are thin. The input segments are thick, inside and outside the
 /// domain.
 /// \param mesh `points`, `triangles` and `constrained_edges` are used.
@@ -69,6 +72,8 @@ void write_SVG(const std::string& file_name, const Indexed_mesh_2<Point>& mesh, 
   write_SVG(out, mesh, pslg, tree, options);
   Quadtree_mesh_2::internal::replace_file(file_name, out.str());
 }
+
+/// @}
 
 } // namespace IO
 } // namespace CGAL

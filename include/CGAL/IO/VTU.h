@@ -23,6 +23,9 @@
 namespace CGAL {
 namespace IO {
 
+/// \addtogroup PkgQuadtreeMesh2IO
+/// @{
+
 /// Writes the mesh as an unstructured grid of VTK, for ParaView and the like.
 ///
 /// Points are those of the mesh, in their order, used or not. They have `marker` if the mesh has any. If it
@@ -92,6 +95,8 @@ void write_PVTU(const std::string& file_name, const Indexed_mesh_2<Point>& mesh,
   Quadtree_mesh_2::internal::add_pvtu_files(files, file_name, mesh, pslg, fields, pieces, mode);
   files.commit();
 }
+
+/// @}
 
 } // namespace IO
 } // namespace CGAL

@@ -33,6 +33,9 @@
 namespace CGAL {
 namespace IO {
 
+/// \addtogroup PkgQuadtreeMesh2IO
+/// @{
+
 /// Options of `write_SVG()` for quadtrees. Each option is set by the function of its name, which returns the
 /// options, so that calls can be chained. Without an argument the function returns the value. A color is any
 /// color of SVG; "none" omits the item.
@@ -111,6 +114,8 @@ private:
   std::string background_color_ = "#ffffff";
   std::optional<Bbox_2> clip_to_;
 };
+
+/// @}
 
 } // namespace IO
 
@@ -312,6 +317,9 @@ private:
 
 namespace IO {
 
+/// \addtogroup PkgQuadtreeMesh2IO
+/// @{
+
 /// Writes a picture of the quadtree: leaves as thin outlines, points as dots. Options color the leaves by
 /// their level and emphasize the squares of the framework.
 ///
@@ -334,6 +342,8 @@ void write_SVG(const std::string& file_name, const Balanced_quadtree<Traits, Con
   write_SVG(out, tree, options);
   Quadtree_mesh_2::internal::replace_file(file_name, out.str());
 }
+
+/// @}
 
 } // namespace IO
 } // namespace CGAL

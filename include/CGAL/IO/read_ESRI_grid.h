@@ -156,6 +156,9 @@ private:
 
 namespace IO {
 
+/// \addtogroup PkgQuadtreeMesh2IO
+/// @{
+
 /// Reads sizes from an ASCII grid of ESRI (`.asc`), also from one compressed by gzip, for
 /// `Quality_mesh_options_2::size()`.
 ///
@@ -180,6 +183,8 @@ inline Grid_sizing_field_2 read_ESRI_grid(std::istream& in, const std::string& n
   const std::string text = internal::read_whole_stream(in, name);
   return internal::Esri_grid_parser(text, name).read();
 }
+
+/// @}
 
 } // namespace IO
 } // namespace CGAL

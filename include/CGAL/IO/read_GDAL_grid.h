@@ -106,6 +106,9 @@ private:
 
 namespace IO {
 
+/// \addtogroup PkgQuadtreeMesh2IO
+/// @{
+
 /// Reads sizes from the first band of a raster, in any format that GDAL reads: GeoTIFF and others. They are lengths in
 /// the unit of the raster's coordinates, at the centers of its cells. No data, and NaN, mean no bound around that
 /// place. Scale and offset of the band are not applied.
@@ -115,6 +118,8 @@ namespace IO {
 inline Grid_sizing_field_2 read_GDAL_grid(const std::string& file_name) {
   return Quadtree_mesh_2::internal::Gdal_grid_reader(file_name).read();
 }
+
+/// @}
 
 } // namespace IO
 } // namespace CGAL

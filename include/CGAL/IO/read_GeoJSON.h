@@ -235,6 +235,9 @@ Pslg_2<Point> parse_geojson(const std::string& text, const std::string& name,
 
 namespace IO {
 
+/// \addtogroup PkgQuadtreeMesh2IO
+/// @{
+
 /// Reads a graph from a GeoJSON file, also from one compressed by gzip: polygons, lines and points, alone, in
 /// collections or in features.
 ///
@@ -272,6 +275,8 @@ void read_GeoJSON(std::istream& in, Pslg_2<Point>& pslg,
   namespace internal = Quadtree_mesh_2::internal;
   pslg = internal::parse_geojson<Point>(internal::read_whole_stream(in, name), name, properties);
 }
+
+/// @}
 
 } // namespace IO
 } // namespace CGAL

@@ -24,6 +24,9 @@
 namespace CGAL {
 namespace IO {
 
+/// \addtogroup PkgQuadtreeMesh2IO
+/// @{
+
 /// Reads a graph from a layer of points, lines and polygons, in any format that GDAL reads: shapefile, GeoPackage,
 /// KML, FlatGeobuf, GML, DXF and others.
 ///
@@ -52,6 +55,8 @@ Coordinate_system_2 read_OGR(const std::string& file_name, Pslg_2<Point>& pslg,
   if (walker.is_in_degrees()) return Coordinate_system_2::DEGREES;
   return walker.is_in_plane() ? Coordinate_system_2::PLANE : Coordinate_system_2::UNKNOWN;
 }
+
+/// @}
 
 } // namespace IO
 } // namespace CGAL

@@ -259,6 +259,9 @@ Pslg_2<Point> parse_wkt(const std::string& text, const std::string& name) {
 
 namespace IO {
 
+/// \addtogroup PkgQuadtreeMesh2IO
+/// @{
+
 /// Reads a graph from a file of well-known text, also from one compressed by gzip. The file has any number of
 /// `POLYGON`, `MULTIPOLYGON`, `LINESTRING`, `MULTILINESTRING`, `POINT`, `MULTIPOINT` and
 /// `GEOMETRYCOLLECTION`, in lower or upper case, with white space or semicolons between them. A comment
@@ -284,6 +287,8 @@ void read_WKT(std::istream& in, Pslg_2<Point>& pslg, const std::string& name = "
   namespace internal = Quadtree_mesh_2::internal;
   pslg = internal::parse_wkt<Point>(internal::read_whole_stream(in, name), name);
 }
+
+/// @}
 
 } // namespace IO
 } // namespace CGAL

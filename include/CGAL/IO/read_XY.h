@@ -159,6 +159,9 @@ std::pair<std::vector<Point>, std::vector<double>> parse_sized_points(const std:
 
 namespace IO {
 
+/// \addtogroup PkgQuadtreeMesh2IO
+/// @{
+
 /// Reads points from text, also from text compressed by gzip. Each line has one point: `x y`, `x,y` or `x;y`.
 ///
 /// A first line without a number is a header. If it has columns `x` and `y` (or `X` and `Y`) anywhere, these
@@ -190,6 +193,8 @@ void read_XY(const std::string& file_name, std::vector<Point>& points, std::vect
   points = std::move(read.first);
   sizes = std::move(read.second);
 }
+
+/// @}
 
 } // namespace IO
 } // namespace CGAL

@@ -275,6 +275,9 @@ Pslg_2<Point> parse_triangle_poly(const std::string& text, const std::string& na
 
 namespace IO {
 
+/// \addtogroup PkgQuadtreeMesh2IO
+/// @{
+
 /// Reads a planar straight-line graph from a `.poly` file of Triangle, also from one compressed by gzip
 /// (which needs a program linked with Boost.Iostreams).
 ///
@@ -340,6 +343,8 @@ void read_triangle_files(const std::string& stem, Indexed_mesh_2<Point>& mesh) {
   result.points = std::move(nodes.vertices);
   mesh = std::move(result);
 }
+
+/// @}
 
 } // namespace IO
 } // namespace CGAL

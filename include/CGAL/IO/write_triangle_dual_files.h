@@ -120,6 +120,9 @@ void add_triangle_voronoi_files(Replaced_files& files, const Indexed_mesh_2<Poin
 
 namespace IO {
 
+/// \addtogroup PkgQuadtreeMesh2IO
+/// @{
+
 /// Writes the edges of a mesh to an `.edge` file, as Triangle's `-e` does: each once, in the order of
 /// `edges_of_mesh_2()`, with its marker.
 /// \param first_number of vertices, triangles and edges: 0 or 1, the same as for the other files of the mesh; this
@@ -156,6 +159,8 @@ void write_triangle_voronoi(const Indexed_mesh_2<Point>& mesh, const std::string
   internal::add_triangle_voronoi_files(files, mesh, stem, first_number);
   files.commit();
 }
+
+/// @}
 
 } // namespace IO
 } // namespace CGAL

@@ -144,6 +144,9 @@ void add_triangle_files(Replaced_files& files, const Indexed_mesh_2<Point>& mesh
 
 namespace IO {
 
+/// \addtogroup PkgQuadtreeMesh2IO
+/// @{
+
 /// Writes the vertices of a graph, with their attributes and markers, to a `.node` file.
 /// \pre `check_pslg_structure(pslg)` passes; this holds for all functions here.
 /// \throws std::system_error that names the file if it cannot be written. An older file of that name is then
@@ -217,6 +220,8 @@ void write_triangle_files(const Indexed_mesh_2<Point>& mesh, const Pslg_2<Point>
   internal::add_triangle_files(files, mesh, pslg, stem, order);
   files.commit();
 }
+
+/// @}
 
 } // namespace IO
 } // namespace CGAL

@@ -15,7 +15,16 @@ namespace Quadtree_mesh_2 {
 
 /// \ingroup PkgQuadtreeMesh2Quadtrees
 /// The eight directions to the neighbors of a square, counterclockwise: across sides and corners in turn.
-enum class Direction { EAST, NORTH_EAST, NORTH, NORTH_WEST, WEST, SOUTH_WEST, SOUTH, SOUTH_EAST };
+enum class Direction {
+  EAST,       ///< across the right side
+  NORTH_EAST, ///< across the upper right corner
+  NORTH,      ///< across the upper side
+  NORTH_WEST, ///< across the upper left corner
+  WEST,       ///< across the left side
+  SOUTH_WEST, ///< across the lower left corner
+  SOUTH,      ///< across the lower side
+  SOUTH_EAST  ///< across the lower right corner
+};
 
 /// \ingroup PkgQuadtreeMesh2Quadtrees
 /// All directions, counterclockwise from east.

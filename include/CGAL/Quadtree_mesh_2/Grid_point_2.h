@@ -26,10 +26,13 @@ struct Grid_point_2 {
   Word x; ///< from the left side of the root
   Word y; ///< from its lower side
 
+  /// Whether the places are the same.
   friend constexpr bool operator==(const Grid_point_2& a, const Grid_point_2& b) {
     return a.x == b.x && a.y == b.y;
   }
+  /// Whether the places differ.
   friend constexpr bool operator!=(const Grid_point_2& a, const Grid_point_2& b) { return !(a == b); }
+  /// Writes both coordinates, with a space between them.
   friend std::ostream& operator<<(std::ostream& out, const Grid_point_2& p) {
     return out << p.x << ' ' << p.y;
   }
@@ -44,16 +47,19 @@ template <class Word_>
 struct Quadtree_square_2 {
   using Word = Word_; ///< the type of coordinates
 
-  Word x = 0;    ///< of the lower left corner
-  Word y = 0;    ///< of the lower left corner
+  Word x = 0;    ///< where its left side is
+  Word y = 0;    ///< where its lower side is
   int level = 0; ///< 0 for the root
 
+  /// Whether places and levels are the same.
   friend constexpr bool operator==(const Quadtree_square_2& a, const Quadtree_square_2& b) {
     return a.x == b.x && a.y == b.y && a.level == b.level;
   }
+  /// Whether the squares differ.
   friend constexpr bool operator!=(const Quadtree_square_2& a, const Quadtree_square_2& b) {
     return !(a == b);
   }
+  /// Writes the lower left corner and the level.
   friend std::ostream& operator<<(std::ostream& out, const Quadtree_square_2& s) {
     return out << s.x << ' ' << s.y << " level " << s.level;
   }

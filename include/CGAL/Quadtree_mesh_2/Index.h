@@ -25,6 +25,7 @@ class Index {
 public:
   using size_type = std::uint32_t; ///< the integer type that it holds
 
+  /// The invalid index.
   constexpr Index() = default;
   /// The index `i`.
   template <class Integer, class = std::enable_if_t<std::is_integral_v<Integer>>>
@@ -43,9 +44,13 @@ public:
     return *this;
   }
 
+  /// Whether the numbers are the same.
   friend constexpr bool operator==(Index a, Index b) { return a.value_ == b.value_; }
+  /// Whether the numbers differ.
   friend constexpr bool operator!=(Index a, Index b) { return a.value_ != b.value_; }
+  /// The order of the numbers.
   friend constexpr bool operator<(Index a, Index b) { return a.value_ < b.value_; }
+  /// Writes the number.
   friend std::ostream& operator<<(std::ostream& out, Index i) { return out << i.value_; }
 
 private:
@@ -53,11 +58,23 @@ private:
   size_type value_ = invalid_;
 };
 
+/// \ingroup PkgQuadtreeMesh2Data
+/// Distinguishes indices of vertices.
 struct Vertex_tag {};
+/// \ingroup PkgQuadtreeMesh2Data
+/// Distinguishes indices of segments.
 struct Segment_tag {};
+/// \ingroup PkgQuadtreeMesh2Data
+/// Distinguishes indices of triangles.
 struct Triangle_tag {};
+/// \ingroup PkgQuadtreeMesh2Data
+/// Distinguishes indices of nodes.
 struct Node_tag {};
+/// \ingroup PkgQuadtreeMesh2Data
+/// Distinguishes indices of leaves.
 struct Leaf_tag {};
+/// \ingroup PkgQuadtreeMesh2Data
+/// Distinguishes indices of points.
 struct Point_tag {};
 
 /// \ingroup PkgQuadtreeMesh2Data
@@ -82,6 +99,7 @@ using Point_index = Index<Point_tag>;
 } // namespace Quadtree_mesh_2
 } // namespace CGAL
 
+/// \ingroup PkgQuadtreeMesh2Data
 /// Hashes indices for unordered containers.
 template <class Tag>
 struct std::hash<CGAL::Quadtree_mesh_2::Index<Tag>> {

@@ -23,18 +23,22 @@ public:
   /// \name Types
   /// @{
 
-  /// The types of a range.
+  /// What the range has.
   using value_type = Leaf_index;
+  /// Goes through the leaves.
   using const_iterator = const Leaf_index*;
   /// @}
 
   /// \name Access
   /// @{
 
-  /// The usual access of containers.
+  /// The first leaf.
   const_iterator begin() const { return leaves_.data(); }
+  /// Behind the last leaf.
   const_iterator end() const { return leaves_.data() + size_; }
+  /// The number of leaves.
   std::size_t size() const { return size_; }
+  /// The leaf of this place in the range.
   Leaf_index operator[](std::size_t i) const { return leaves_[i]; }
   /// @}
 

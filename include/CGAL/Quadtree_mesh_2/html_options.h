@@ -17,6 +17,9 @@
 namespace CGAL {
 namespace IO {
 
+/// \addtogroup PkgQuadtreeMesh2IO
+/// @{
+
 /// Options of `write_HTML()`. Each option is set by the function of its name, which returns the options, so
 /// that calls can be chained. Without an argument the function returns the value.
 class Html_options_2 {
@@ -58,6 +61,8 @@ private:
   std::vector<Triangle_index> unmet_triangles_;
   std::vector<std::array<double, 2>> coordinates_;
 };
+
+/// @}
 
 } // namespace IO
 } // namespace CGAL

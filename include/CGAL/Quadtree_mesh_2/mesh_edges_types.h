@@ -47,6 +47,7 @@ struct Second_order_nodes_2 {
 
 namespace IO {
 
+/// \ingroup PkgQuadtreeMesh2IO
 /// How many nodes the elements in a file have.
 enum class Element_order {
   FIRST, ///< their corners

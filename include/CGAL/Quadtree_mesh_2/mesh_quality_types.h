@@ -33,7 +33,7 @@ public:
   };
   /// Which arrays of the mesh are checked.
   enum class Arrays {
-    ALL,
+    ALL,                 ///< all that a mesher fills
     POINTS_AND_TRIANGLES ///< for meshes from files without the rest; edges along segments are searched for
   };
 
@@ -96,7 +96,11 @@ private:
 /// If the arrays of a mesh do not fit together, which the first errors say, it has no statistics.
 struct Mesh_quality_2 {
   /// What a triangle may miss.
-  enum class Bound { ANGLE, EDGE_LENGTH, AREA };
+  enum class Bound {
+    ANGLE,       ///< the least angle
+    EDGE_LENGTH, ///< the longest edge
+    AREA         ///< the largest area
+  };
 
   /// A triangle that misses a bound. For the angle, only if no wedge of two input segments excuses it.
   struct Unmet_triangle {
@@ -118,12 +122,13 @@ struct Mesh_quality_2 {
   /// Area of the domain, by a constrained Delaunay triangulation of the input; 0 if the domain is not
   /// checked.
   double domain_area = 0;
-  double shortest_edge = std::numeric_limits<double>::infinity(); ///< of the mesh
-  double longest_edge = 0;                                        ///< of the mesh
-  double largest_area = 0;                                        ///< of a triangle
-  double total_length = 0;                                        ///< of all edges
-  double min_angle = 180;                                         ///< degrees, as all angles here
-  double max_angle = 0;                                           ///< degrees
+  double shortest_edge =
+      std::numeric_limits<double>::infinity(); ///< its length; infinity in a mesh without edges
+  double longest_edge = 0;                     ///< its length; 0 in a mesh without edges
+  double largest_area = 0;                     ///< of a triangle
+  double total_length = 0;                     ///< of all edges
+  double min_angle = 180;                      ///< degrees, as all angles here
+  double max_angle = 0;                        ///< degrees
   /// Least angle that is not between two pieces of input segments at an input vertex.
   double min_new_angle = 180;
   /// `angle_histogram[i]` angles are in [10 i, 10 (i + 1)) degrees.

@@ -16,6 +16,9 @@
 namespace CGAL {
 namespace IO {
 
+/// \addtogroup PkgQuadtreeMesh2IO
+/// @{
+
 /// Options of `write_SVG()`. Each option is set by the function of its name, which returns the options, so
 /// that calls can be chained. Without an argument the function returns the value. A color is any color of
 /// SVG; "none" omits the item.
@@ -29,7 +32,10 @@ public:
     REGION         ///< twelve colors for the regions in turn; `fill_color()` outside regions
   };
   /// The legend, which tells which angles or regions the colors stand for. A plain picture has none.
-  enum class Legend { NONE, BELOW };
+  enum class Legend {
+    NONE, ///< no legend
+    BELOW ///< a legend below the picture
+  };
 
   /// Width of the picture in pixels, 800 by default; the height follows.
   Svg_options_2& width(int value) { return width_ = value, *this; }
@@ -98,6 +104,8 @@ private:
   std::string background_color_ = "#ffffff";
   std::optional<Bbox_2> clip_to_;
 };
+
+/// @}
 
 } // namespace IO
 } // namespace CGAL

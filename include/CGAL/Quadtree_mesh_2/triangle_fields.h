@@ -18,6 +18,9 @@
 namespace CGAL {
 namespace IO {
 
+/// \addtogroup PkgQuadtreeMesh2IO
+/// @{
+
 /// A number for each triangle of a mesh, with a name other than `region`, `marker`, `attribute` and
 /// `least_angle`.
 struct Triangle_field_2 {
@@ -53,6 +56,8 @@ Triangle_field_2 quadtree_level_field(const Indexed_mesh_2<Point>& mesh, const Q
     return leaf.is_valid() ? static_cast<double>(tree.level(leaf)) : -1.;
   });
 }
+
+/// @}
 
 } // namespace IO
 } // namespace CGAL

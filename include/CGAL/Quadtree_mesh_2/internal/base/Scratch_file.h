@@ -124,7 +124,7 @@ private:
   using Place = std::pair<std::size_t, std::size_t>;
 
   /// Of addresses, which cost nothing: enough for a billion triangles, or else what the system allows.
-  static constexpr std::size_t most_address_space = std::size_t(1) << 41;
+  static constexpr std::size_t most_address_space = std::size_t(1) << (sizeof(std::size_t) > 4 ? 41 : 30);
   static constexpr std::size_t least_address_space = std::size_t(1) << 30;
   static constexpr std::size_t granularity = std::size_t(1) << 14;
   /// What is shorter is soon used again, and its blocks are kept.

@@ -22,6 +22,7 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_FRAME_GAUSSIAN_INTEGER_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_FRAME_GAUSSIAN_INTEGER_H
 
+#include <CGAL/Quadtree_mesh_2/internal/base/Wide_integer.h>
 #include <CGAL/Quadtree_mesh_2/internal/geometry/meshing_geometry.h>
 
 #include <algorithm>
@@ -33,8 +34,6 @@
 namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
-
-__extension__ typedef __int128 Wide_integer;
 
 /// The complex number a + bi.
 struct Gaussian_integer {

@@ -11,10 +11,11 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_GEOMETRY_POINT_ARITHMETIC_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_GEOMETRY_POINT_ARITHMETIC_H
 
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Exact_rational.h>
-#include <CGAL/Fixed_point_quadtree_traits_2.h>
 #include <CGAL/Interval_nt.h>
 #include <CGAL/Kernel_traits.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/Wide_integer.h>
 #include <CGAL/Quadtree_mesh_2/internal/grid/exact_grid.h>
 #include <CGAL/number_utils.h>
 
@@ -58,10 +59,21 @@ int compare_filtered(const Interval& a, const Interval& b, const Compare_exactly
   return compare_exactly();
 }
 
-/// Points of a CGAL kernel. Axis 0 is that of x, 1 that of y.
+/// The kernel of a point.
+template <class Point, class = void>
+struct Kernel_of_point {
+  using Type = Exact_predicates_inexact_constructions_kernel; // for points of doubles that have none
+};
 template <class Point>
+struct Kernel_of_point<Point, std::void_t<typename Kernel_traits<Point>::Kernel::Point_2>> {
+  using Type = typename Kernel_traits<Point>::Kernel;
+};
+
+/// Points of a CGAL kernel, or of doubles. Axis 0 is that of x, 1 that of y.
+template <class Point,
+          bool has_words = std::is_integral_v<std::decay_t<decltype(std::declval<const Point&>().x())>>>
 class Point_arithmetic {
-  using Kernel = typename Kernel_traits<Point>::Kernel;
+  using Kernel = typename Kernel_of_point<Point>::Type;
   using Reader = Coordinate_reader<Kernel>;
 
 public:
@@ -69,16 +81,18 @@ public:
 
   /// The sign of the turn p, q, r.
   static int orientation(const Point& p, const Point& q, const Point& r) {
-    return static_cast<int>(Kernel().orientation_2_object()(p, q, r));
+    return static_cast<int>(Kernel().orientation_2_object()(in_kernel(p), in_kernel(q), in_kernel(r)));
   }
   /// The sign of the difference of coordinates.
   static int compare(const Point& p, const Point& q, int axis) {
-    return static_cast<int>(axis == 0 ? Kernel().compare_x_2_object()(p, q)
-                                      : Kernel().compare_y_2_object()(p, q));
+    return static_cast<int>(axis == 0 ? Kernel().compare_x_2_object()(in_kernel(p), in_kernel(q))
+                                      : Kernel().compare_y_2_object()(in_kernel(p), in_kernel(q)));
   }
   /// The coordinate lies between these.
-  static std::pair<double, double> bounds(const Point& p, int axis) { return Reader::interval(p, axis); }
-  static Exact coordinate(const Point& p, int axis) { return Reader::exact(p, axis); }
+  static std::pair<double, double> bounds(const Point& p, int axis) {
+    return Reader::interval(in_kernel(p), axis);
+  }
+  static Exact coordinate(const Point& p, int axis) { return Reader::exact(in_kernel(p), axis); }
 
   /// Coordinate of p less that of q.
   template <class Number>
@@ -86,20 +100,27 @@ public:
     if constexpr (std::is_same<Number, Interval>::value)
       return Interval(bounds(p, axis)) - Interval(bounds(q, axis));
     else
-      return Reader::exact(p, axis) - Reader::exact(q, axis);
+      return coordinate(p, axis) - coordinate(q, axis);
+  }
+
+private:
+  static decltype(auto) in_kernel(const Point& p) {
+    if constexpr (std::is_same_v<Point, typename Kernel::Point_2>)
+      return (p);
+    else
+      return typename Kernel::Point_2(p.x(), p.y());
   }
 };
 
 /// Points with integer coordinates below 2^62.
-template <class Word>
-class Point_arithmetic<Fixed_point_2<Word>> {
-  using Point = Fixed_point_2<Word>;
-
+template <class Point>
+class Point_arithmetic<Point, true> {
 public:
   using Exact = Exact_rational;
 
   static int orientation(const Point& p, const Point& q, const Point& r) {
-    const Wide d = Wide(minus(q, p, 0)) * minus(r, p, 1) - Wide(minus(q, p, 1)) * minus(r, p, 0);
+    const Wide_integer d =
+        Wide_integer(minus(q, p, 0)) * minus(r, p, 1) - Wide_integer(minus(q, p, 1)) * minus(r, p, 0);
     return d > 0 ? 1 : d < 0 ? -1 : 0;
   }
   static int compare(const Point& p, const Point& q, int axis) {
@@ -123,8 +144,6 @@ public:
   }
 
 private:
-  __extension__ using Wide = __int128;
-
   static std::int64_t minus(const Point& p, const Point& q, int axis) {
     return axis == 0 ? static_cast<std::int64_t>(p.x()) - static_cast<std::int64_t>(q.x())
                      : static_cast<std::int64_t>(p.y()) - static_cast<std::int64_t>(q.y());

@@ -22,6 +22,7 @@
 #define CGAL_QUADTREE_MESH_2_INTERNAL_GEOMETRY_MESHING_GEOMETRY_H
 
 #include <CGAL/Exact_rational.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/Wide_integer.h>
 #include <CGAL/Quadtree_mesh_2/internal/geometry/meshing_geometry_fwd.h>
 #include <CGAL/enum.h>
 #include <CGAL/number_utils.h>
@@ -353,7 +354,7 @@ struct Integer_geometry_2 : Rounded_geometry<Integer_geometry_2<Word>> {
   static bool is_resolved(Point, double squared_distance) { return squared_distance >= 4; }
 
   static int orientation(Point a, Point b, Point c) {
-    const Wide d = wide_doubled_area(a, b, c);
+    const Wide_integer d = wide_doubled_area(a, b, c);
     return d > 0 ? 1 : d < 0 ? -1 : 0;
   }
   static double exact_doubled_area(Point a, Point b, Point c) {
@@ -373,11 +374,10 @@ struct Integer_geometry_2 : Rounded_geometry<Integer_geometry_2<Word>> {
   }
 
 private:
-  __extension__ using Wide = __int128;
   using Widest = boost::multiprecision::int512_t;
 
-  static Wide wide_doubled_area(Point a, Point b, Point c) {
-    return Wide(b.x - a.x) * (c.y - a.y) - Wide(b.y - a.y) * (c.x - a.x);
+  static Wide_integer wide_doubled_area(Point a, Point b, Point c) {
+    return Wide_integer(b.x - a.x) * (c.y - a.y) - Wide_integer(b.y - a.y) * (c.x - a.x);
   }
 
   /// The nearest multiple of h, a power of two.

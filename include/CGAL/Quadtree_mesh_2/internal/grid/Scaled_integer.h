@@ -78,7 +78,7 @@ struct Scaled_integer {
   }
 
   /// It exactly, as a number of a field.
-  /// \param unit \f$ 2^{exponent} \f$
+  /// \param unit 2^exponent
   template <class Number>
   Number to_exact(const Number& unit) const {
     if constexpr (Has_integer_parts<Number>::value)

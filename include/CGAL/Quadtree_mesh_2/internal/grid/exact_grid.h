@@ -57,7 +57,7 @@ struct Has_integer_parts<Number, true> {
                       typename Algebraic_structure_traits<Integer>::Algebraic_category>::value;
 };
 
-/// Returns \f$ 2^k \f$; for quotients of integers without a common divisor to look for.
+/// Returns 2^k; for quotients of integers without a common divisor to look for.
 template <class Number>
 Number power_of_two(int k) {
   if constexpr (Has_integer_parts<Number>::value) {
@@ -97,7 +97,7 @@ Long_word to_long_word(const Integer& i) {
   }
 }
 
-/// Returns a lower bound for the largest `k` with \f$ 2^k \le v \f$, mostly that or one less.
+/// Returns a lower bound for the largest `k` with 2^k <= v, mostly that or one less.
 template <class Number>
 int estimate_logarithm(const Number& v) {
   const double low = CGAL::to_interval(v).first;
@@ -112,7 +112,7 @@ int estimate_logarithm(const Number& v) {
   return 0;
 }
 
-/// Returns the largest `k` with \f$ 2^k \le v \f$, for `v` of any size.
+/// Returns the largest `k` with 2^k <= v, for `v` of any size.
 /// \pre `v > 0`
 template <class Number>
 int floor_of_logarithm(const Number& v) {
@@ -143,7 +143,7 @@ double floor_of_small(const Number& v, double limit) {
   return low;
 }
 
-/// The map of `x` to the largest integer not above \f$ x 2^{shift} \f$.
+/// The map of `x` to the largest integer not above x 2^shift.
 ///
 /// For fields of which no more is known than order and arithmetic, bits are taken off from the highest down.
 template <class Number, bool = Has_integer_parts<Number>::value>

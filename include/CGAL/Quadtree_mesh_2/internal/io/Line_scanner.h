@@ -8,6 +8,7 @@
 #define CGAL_QUADTREE_MESH_2_INTERNAL_IO_LINE_SCANNER_H
 
 #include <CGAL/Pslg_error_2.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/number_from_chars.h>
 #include <CGAL/Quadtree_mesh_2/internal/io/printable.h>
 
 #include <algorithm>
@@ -82,7 +83,7 @@ public:
     const bool has_plus = word.size() > 1 && word[0] == '+' && word[1] != '-';
     const char* const end = word.data() + word.size();
     Number value{};
-    const std::from_chars_result result = std::from_chars(word.data() + (has_plus ? 1 : 0), end, value);
+    const std::from_chars_result result = number_from_chars(word.data() + (has_plus ? 1 : 0), end, value);
     if (result.ec != std::errc() || result.ptr != end || !is_finite(value))
       fail_at_number<Number>(word, result, column);
     position_ += word.size();

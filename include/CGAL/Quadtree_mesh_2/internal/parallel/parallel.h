@@ -227,15 +227,17 @@ T scan_exclusively(T* values, std::size_t n, T first) {
 
 /// Numbers what blocks hold: calls `count(begin, end)` for each block, once `allocate(sum)` with the sum of all
 /// counts, then `place(begin, end, first)` for each block with the sum of the counts of the blocks before.
-/// Returns the sum of all counts.
+/// Returns the sum of all counts. Sums are of `std::size_t`, or of the type of the counts if that is wider.
 template <class ConcurrencyTag, class Count, class Allocate, class Place>
-std::size_t count_allocate_and_place(std::size_t n, const Count& count, const Allocate& allocate,
-                                     const Place& place, std::size_t block_length = default_block) {
-  std::vector<std::size_t> first((n + block_length - 1) / block_length);
+auto count_allocate_and_place(std::size_t n, const Count& count, const Allocate& allocate, const Place& place,
+                              std::size_t block_length = default_block) {
+  using Number = std::decay_t<decltype(count(n, n))>;
+  using Sum = std::conditional_t<(sizeof(Number) > sizeof(std::size_t)), Number, std::size_t>;
+  std::vector<Sum> first((n + block_length - 1) / block_length);
   for_each_block<ConcurrencyTag>(n, block_length, [&](std::size_t b, std::size_t begin, std::size_t end) {
     first[b] = count(begin, end);
   });
-  const std::size_t sum = scan_exclusively(first.data(), first.size(), std::size_t(0));
+  const Sum sum = scan_exclusively(first.data(), first.size(), Sum(0));
   allocate(sum);
   for_each_block<ConcurrencyTag>(n, block_length, [&](std::size_t b, std::size_t begin, std::size_t end) {
     place(begin, end, first[b]);

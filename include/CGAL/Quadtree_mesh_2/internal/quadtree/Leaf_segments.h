@@ -28,6 +28,7 @@
 #include <CGAL/Quadtree_mesh_2/Direction.h>
 #include <CGAL/Quadtree_mesh_2/Grid_point_2.h>
 #include <CGAL/Quadtree_mesh_2/Index.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/Wide_integer.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/Word_operations.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/radix_sort.h>
@@ -48,7 +49,7 @@ namespace internal {
 template <class Word, bool = std::is_integral<Word>::value>
 struct Signed_grid {
   using Coordinate = std::int64_t;
-  __extension__ using Product = __int128;
+  using Product = Wide_integer;
 };
 template <class Word>
 struct Signed_grid<Word, false> {

@@ -70,6 +70,7 @@
 #include <CGAL/Quadtree_mesh_2/Direction.h>
 #include <CGAL/Quadtree_mesh_2/Grid_point_2.h>
 #include <CGAL/Quadtree_mesh_2/Index.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/Wide_integer.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_options.h>
 #include <CGAL/assertions.h>
@@ -98,7 +99,7 @@ struct Squared_distance<std::uint32_t> {
 };
 template <>
 struct Squared_distance<std::uint64_t> {
-  __extension__ typedef unsigned __int128 type;
+  using type = Wide_integer;
 };
 
 template <class Word>

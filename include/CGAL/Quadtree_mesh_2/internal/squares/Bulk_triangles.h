@@ -87,7 +87,7 @@ private:
 
   /// Handles are below 2^32, so one sum counts both.
   struct Counts {
-    std::size_t value = 0;
+    std::uint64_t value = 0;
     static constexpr int shift = 32;
 
     std::uint32_t triangles() const { return static_cast<std::uint32_t>(value >> shift); }
@@ -96,21 +96,21 @@ private:
 
   Counts counts(Leaf_index l) const {
     const Square_form form = squares_.form(l);
-    return {(std::size_t(square_template(form).size) << Counts::shift) + (form.has_center() ? 1 : 0) +
-            own_places(l).size()};
+    return {(std::uint64_t(square_template(form).size) << Counts::shift) + (form.has_center() ? 1U : 0U) +
+            std::uint64_t(own_places(l).size())};
   }
 
   void number_all() {
     const Counts all{count_allocate_and_place<ConcurrencyTag>(
         squares_.number_of_leaves(),
         [&](std::size_t begin, std::size_t end) {
-          std::size_t sum = 0;
+          std::uint64_t sum = 0;
           for (const Leaf_index l : Id_range<Leaf_index>(begin, end))
             if (squares_.is_bulk(l)) sum += counts(l).value;
           return sum;
         },
-        [](std::size_t) {},
-        [&](std::size_t begin, std::size_t end, std::size_t first) {
+        [](std::uint64_t) {},
+        [&](std::size_t begin, std::size_t end, std::uint64_t first) {
           for (const Leaf_index l : Id_range<Leaf_index>(begin, end)) {
             if (!squares_.is_bulk(l)) continue;
             first_triangle_of_[l] = Counts{first}.triangles(), first_vertex_of_[l] = Counts{first}.vertices();
