@@ -24,7 +24,7 @@ COMMAND = [os.environ.get('CXX', 'g++'), '-std=c++17', '-M', '-DCGAL_LINKED_WITH
 
 
 def public_headers():
-    for folder in ('CGAL', 'CGAL/IO'):
+    for folder in ('CGAL', 'CGAL/IO', 'CGAL/Quadtree_mesh_2'):
         for name in sorted(os.listdir(os.path.join(INCLUDE, folder))):
             if name.endswith('.h'):
                 yield f'{folder}/{name}'

@@ -1,4 +1,4 @@
-// A program that comes from CGAL's Mesh_2. CGAL/refine_quality_mesh_2.h and refine_quality_mesh_2() replace
+// A program that comes from CGAL's Mesh_2. CGAL/Quality_mesher_2.h and refine_quality_mesh_2() replace
 // CGAL/Delaunay_mesher_2.h and refine_Delaunay_mesh_2(), with the same triangulation, criteria and seeds. The
 // returned report tells which bounds were met.
 
@@ -6,7 +6,7 @@
 #include <CGAL/Delaunay_mesh_face_base_2.h>
 #include <CGAL/Delaunay_mesh_size_criteria_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/refine_quality_mesh_2.h>
+#include <CGAL/Quality_mesher_2.h>
 
 #include <cstddef>
 #include <iostream>

@@ -8,12 +8,12 @@
 #define CGAL_QUALITY_CDT_MESHER_2_H
 
 #include <CGAL/Delaunay_mesh_size_criteria_2.h>
+#include <CGAL/Quadtree_mesh_2/Quality_mesher_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/mesh_2/Cdt_refiner.h>
 #include <CGAL/Quadtree_mesh_2/internal/mesh_2/criteria_options.h>
 #include <CGAL/Quadtree_mesh_2/internal/mesh_2/mark_domain.h>
 #include <CGAL/Quality_mesh_options_2.h>
 #include <CGAL/Quality_mesh_report_2.h>
-#include <CGAL/Quality_mesher_2.h>
 
 #include <algorithm>
 #include <iterator>

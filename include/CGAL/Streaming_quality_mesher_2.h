@@ -16,11 +16,11 @@
 #include <CGAL/IO/VTU.h>
 #include <CGAL/Indexed_mesh_2.h>
 #include <CGAL/Pslg_2.h>
+#include <CGAL/Quadtree_mesh_2/Quality_mesher_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/Mesh_checkpoints.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/Folder_lock.h>
 #include <CGAL/Quality_mesh_options_2.h>
 #include <CGAL/Quality_mesh_report_2.h>
-#include <CGAL/Quality_mesher_2.h>
 #include <CGAL/Scratch_memory.h>
 #include <CGAL/renumber_mesh_2.h>
 #include <CGAL/tags.h>

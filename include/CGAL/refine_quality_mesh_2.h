@@ -16,6 +16,7 @@
 /// meshed; the triangulation is then unchanged except for the marks. Expected O(n log n + k) time for k
 /// triangles.
 
+#include <CGAL/Quadtree_mesh_2/Quality_mesher_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/compat.h>
 #include <CGAL/Quadtree_mesh_2/internal/mesh_2/Cdt_refiner.h>
 #include <CGAL/Quadtree_mesh_2/internal/mesh_2/criteria_options.h>
@@ -23,7 +24,6 @@
 #include <CGAL/Quality_cdt_mesher_2.h>
 #include <CGAL/Quality_mesh_options_2.h>
 #include <CGAL/Quality_mesh_report_2.h>
-#include <CGAL/Quality_mesher_2.h>
 #include <CGAL/indexed_mesh_to_triangulation_2.h>
 
 #if CGAL_QUADTREE_MESH_2_HAS_MESH_2_PARAMETERS

@@ -5,8 +5,8 @@
 #include <CGAL/Filtered_quadtree_traits_2.h>
 #include <CGAL/Fixed_point_quadtree_traits_2.h>
 #include <CGAL/Point_set_mesher_2.h>
+#include <CGAL/Quadtree_mesh_2/Quality_mesher_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/Checkpoint_file.h>
-#include <CGAL/Quality_mesher_2.h>
 
 #include <cstdint>
 #include <cstdio>

@@ -24,6 +24,7 @@
 #include <CGAL/Point_set_mesh_report_2.h>
 #include <CGAL/Pslg_error_2.h>
 #include <CGAL/Quadtree_mesh_2/Point_error.h>
+#include <CGAL/Quadtree_mesh_2/Quality_mesher_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/Phase_clock.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/Progress.h>
 #include <CGAL/Quadtree_mesh_2/internal/clusters/find_clusters.h>
@@ -36,7 +37,6 @@
 #include <CGAL/Quadtree_mesh_2/internal/squares/Separated_quadtree.h>
 #include <CGAL/Quadtree_mesh_2/internal/tiles/Site_mesh_parts.h>
 #include <CGAL/Quadtree_mesh_2/internal/tiles/Tile_forest.h>
-#include <CGAL/Quality_mesher_2.h>
 
 #include <algorithm>
 #include <array>

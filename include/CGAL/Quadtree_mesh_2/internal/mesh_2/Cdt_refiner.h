@@ -18,12 +18,12 @@
 
 #include <CGAL/Points_sizing_field_2.h>
 #include <CGAL/Pslg_error_2.h>
+#include <CGAL/Quadtree_mesh_2/Quality_mesher_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/mesh_2/Cdt_input.h>
 #include <CGAL/Quadtree_mesh_2/internal/mesh_2/Cdt_replacer.h>
 #include <CGAL/Quadtree_mesh_2/internal/mesh_2/Criteria_oracle.h>
 #include <CGAL/Quality_mesh_options_2.h>
 #include <CGAL/Quality_mesh_report_2.h>
-#include <CGAL/Quality_mesher_2.h>
 #include <CGAL/tags.h>
 
 #include <algorithm>
