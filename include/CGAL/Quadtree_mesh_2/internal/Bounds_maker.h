@@ -43,6 +43,7 @@ public:
   Bounds<Geometry> run(const Pslg_2<Point_2>& pslg) const {
     Bounds<Geometry> bounds(options_.min_angle() * radians_per_degree, options_.max_area() * scale_ * scale_,
                             scale_ * options_.max_edge());
+    if (options_.max_angle() > 0) bounds.set_widest(options_.max_angle() * radians_per_degree);
     const double least_length = scale_ * options_.min_edge();
     bounds.least_squared_length = least_length * least_length;
     if (std::any_of(pslg.regions.begin(), pslg.regions.end(),

@@ -14,7 +14,8 @@
 //   -> refinement on demand: legs cut, lopped sectors locked; the bulk filled with squares where bounds of size rule
 //      (Bulk_filler.h); rounds of blocks (Block_refinement.h), then what they leave
 //   -> guarded removal, smoothing; small meshes are refined a second time (thin_small_mesh.h); thinning
-//   -> exact constrained Delaunay flips; where wanted, splits of edges until they are Delaunay, and edges graded
+//   -> exact constrained Delaunay flips; where wanted, splits of edges until they are Delaunay, and edges graded, wide angles
+//      cured
 //   -> flat arrays in the user's coordinates and vertex order
 //
 // Quadtrees (Tree_construction.h) take the place of refinement on demand where that is wanted, or in islands where it
@@ -55,6 +56,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/refinement/finish_mesh.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/triangle_budget.h>
 #include <CGAL/Quadtree_mesh_2/internal/squares/Bulk_filler.h>
+#include <CGAL/Quadtree_mesh_2/internal/shaping/Wide_angle_curer.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Separation_trees.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Tree_construction.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/cure_placed_mesh.h>
@@ -477,8 +479,14 @@ private:
       if (options_.conform() == Quality_mesh_options_2::Conforming::NONE) return finisher.run(refiner);
       return finisher.run_conforming(limit().vertices, report_.encroached_edges);
     };
-    return grade_edges<ConcurrencyTag>(state_, growth_wanted(options_), map_, is_stopped, finish_exactly,
-                                       [&] { return refine(refiner), finish_exactly(); });
+    const auto finish_graded = [&] {
+      return grade_edges<ConcurrencyTag>(state_, growth_wanted(options_), map_, is_stopped, finish_exactly,
+                                         [&] { return refine(refiner), finish_exactly(); });
+    };
+    Triangle_account account = finish_graded();
+    if (!problem_.bounds.has_widest()) return account;
+    return Wide_angle_curer<Geometry>(state_, refiner, limit().vertices)
+        .run(std::move(account), [&] { return refine(refiner), finish_graded(); }, is_stopped);
   }
 
   Indexed_mesh_2<Point_2> convert(const Triangle_account& account, Refiner<Geometry>& refiner) {
