@@ -8,6 +8,7 @@
 
 #include "catch.h"
 #include "mesh_from_cdt.h"
+#include "numbers_of_threads.h"
 #include "random_pslg.h"
 #include "random_pslg_shapes.h"
 
@@ -162,13 +163,12 @@ TEST_CASE("the greatest angle gives the same bits for any number of threads", "[
   const Pslg pslg = random_pslg::all_families().front().make(3);
   const Options options = Options().max_angle(110).max_edge(0.02 * 3);
   const Mesh mesh = Mesher(options)(pslg);
-  for (const int threads : {1, 2, 4}) {
-    const CGAL::Concurrency_limit limit(threads);
+  for_numbers_of_threads([&] {
     CGAL::Quality_mesher_2<CGAL::Filtered_quadtree_traits_2<>, CGAL::Parallel_tag> parallel(options);
     const Mesh by_all = parallel(pslg);
     CHECK(by_all.points == mesh.points);
     CHECK(by_all.triangles == mesh.triangles);
-  }
+  });
 }
 
 } // namespace test_max_angle

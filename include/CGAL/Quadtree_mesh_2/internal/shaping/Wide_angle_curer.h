@@ -6,7 +6,7 @@
 //
 // Cures triangles whose greatest angle is above a bound.
 //
-// Computes: in rounds, for each such triangle that no acute corner excuses, another place for one of its vertices. If
+// Computes: in rounds, for each such triangle, and for those that acute corners excuse from 150 degrees on, another place for one of its vertices. If
 //           there is none, one more vertex: the circumcenter, or a point that splits the segment in its way. Refinement
 //           then restores all other bounds. What is too wide after that is for the next round.
 // Bound:    a constant number of rounds. Each makes at most one vertex for a triangle, and what refinement makes for the
@@ -14,8 +14,7 @@
 // Source:   Chew, "Guaranteed-quality mesh generation for curved surfaces" (1993). A triangle with an angle above 120
 //           degrees has another one below 30, and its circumradius is at least its shortest side. So circumcenters make
 //           no shorter edges. Below 120 degrees they may, and rounds are what ends the work.
-// Deviates: rounds end early where they no longer help. The mesh is the best found as to the number of such triangles
-//           only in that sense: the last one is kept.
+// Deviates: rounds end early where several have left no fewer such triangles.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_SHAPING_WIDE_ANGLE_CURER_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_SHAPING_WIDE_ANGLE_CURER_H
@@ -61,6 +60,8 @@ public:
 
 private:
   static constexpr int most_rounds = 40;
+  /// Of the greatest angle wanted of exempt triangles, 150 degrees.
+  static constexpr double cosine2_of_widest_exempt = 0.75;
   /// After so many rounds that left no fewer such triangles than one before did, more are of no use.
   static constexpr int most_rounds_in_vain = 4;
 
@@ -70,7 +71,11 @@ private:
   std::size_t most_vertices_;
 
   bool is_wide(Triangle_id t) const {
-    return mesh_.is_alive(t) && state_.is_too_wide(t, mesh_.shape(mesh_.triangle(t)));
+    if (!mesh_.is_alive(t)) return false;
+    const auto& r = mesh_.triangle(t);
+    const auto s = mesh_.shape(r);
+    return state_.bounds.is_wide(s) &&
+           (s.is_wider(cosine2_of_widest_exempt) || !state_.is_exempt(r.v[0], r.v[1], r.v[2]));
   }
 
   std::vector<Triangle_id> wide_among(const std::vector<Triangle_id>& suspects) const {
