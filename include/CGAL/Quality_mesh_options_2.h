@@ -128,10 +128,10 @@ public:
   /// The greatest angle wanted, in degrees, at least 105 and below 180; 0, the default, means no such bound. With
   /// `min_angle()` alone no angle exceeds 180 degrees less twice that, 138.6, but in acute corners.
   ///
-  /// This bound is tried, and all others go before it. At the end, triangles that miss it get another place for a vertex
-  /// or one more vertex, in a limited number of rounds, on one thread. The report lists those left with the reason
-  /// GREATEST_ANGLE. Removal and relocation of vertices make no angle above the bound. In corners of the input that are
-  /// sharper than `min_angle()`, triangles are exempt from this bound, too.
+  /// This bound is tried, and all others go before it. At the end, triangles that miss it get another place for a
+  /// vertex or one more vertex, in a limited number of rounds, on one thread. The report lists those left with the
+  /// reason GREATEST_ANGLE. Removal and relocation of vertices make no angle above the bound. Triangles in corners of
+  /// the input sharper than `min_angle()` are exempt; of those, angles above 150 degrees are tried to be avoided.
   Quality_mesh_options_2& max_angle(double value) { return max_angle_ = value, *this; }
   double max_angle() const { return max_angle_; } ///< the value set
 

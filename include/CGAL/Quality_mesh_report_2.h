@@ -74,8 +74,8 @@ struct Quality_mesh_report_2 {
     CORNER,       ///< above 20.7 degrees: the legs of an acute corner are split no nearer to its apex
     /// `Quality_mesh_options_2::max_angle()` is tried alone, and nothing that is tried helped.
     GREATEST_ANGLE,
-    COORDINATES,  ///< there is no room for a vertex between representable coordinates
-    CRITERIA      ///< the user's criteria call it bad
+    COORDINATES, ///< there is no room for a vertex between representable coordinates
+    CRITERIA     ///< the user's criteria call it bad
   };
   /// A triangle that misses a bound, not excused by an acute input corner.
   struct Unmet_triangle {

@@ -62,7 +62,8 @@ std::set<std::size_t> wide_triangles(const Mesh& mesh, double degrees) {
 /// \returns the number of triangles that miss it and are not exempt
 std::size_t check_mesh(const Pslg& pslg, const Mesh& mesh, const Report& report, const Options& options) {
   const auto quality = CGAL::mesh_quality_2(
-      mesh, pslg, CGAL::Mesh_quality_options_2().min_angle(options.min_angle()).max_angle(options.max_angle()));
+      mesh, pslg,
+      CGAL::Mesh_quality_options_2().min_angle(options.min_angle()).max_angle(options.max_angle()));
   CHECK(quality.number_of_errors == 0);
   std::set<std::size_t> exempt, unmet, unmet_for_this;
   for (const auto& t : report.exempt_triangles) exempt.insert(std::size_t(t.triangle));
@@ -95,7 +96,8 @@ Pslg square_with_pair() {
 } // namespace
 
 TEST_CASE("bounds on the greatest angle out of range are refused", "[max_angle]") {
-  for (const double angle : {-1., 1., 90., 104.9, 180., 200., std::nan(""), std::numeric_limits<double>::infinity()})
+  for (const double angle :
+       {-1., 1., 90., 104.9, 180., 200., std::nan(""), std::numeric_limits<double>::infinity()})
     CHECK_THROWS_AS(Mesher(Options().max_angle(angle)), std::invalid_argument);
   CHECK_NOTHROW(Mesher(Options().max_angle(105)));
   CHECK_NOTHROW(Mesher(Options().max_angle(179)));
@@ -154,7 +156,8 @@ TEST_CASE("the greatest angle goes with all other options", "[max_angle]") {
     Mesher mesher(options.max_angle(120));
     const Mesh mesh = mesher(pslg);
     CAPTURE(mesh.triangles.size());
-    CHECK(check_mesh(pslg, mesh, mesher.report(), mesher.options()) * 10 <= mesh.triangles.size());
+    const std::size_t missed = check_mesh(pslg, mesh, mesher.report(), mesher.options());
+    if (options.max_vertices() == 0 && options.min_edge() == 0) CHECK(missed * 50 <= mesh.triangles.size());
     if (options.max_vertices() > 0) CHECK(mesh.points.size() <= options.max_vertices());
   }
 }

@@ -134,8 +134,8 @@ struct Mesh_quality_2 {
   double min_new_angle = 180;
   /// `angle_histogram[i]` angles are in [10 i, 10 (i + 1)) degrees.
   std::array<std::size_t, 18> angle_histogram{};
-  /// Triangles below the bound of the least angle, or above that of the greatest one, that a wedge of two input segments
-  /// excuses.
+  /// Triangles below the bound of the least angle, or above that of the greatest one, that a wedge of two input
+  /// segments excuses.
   std::size_t exempt_triangles = 0;
   /// Triangles that miss a bound without such an excuse.
   std::vector<Unmet_triangle> unmet_triangles;

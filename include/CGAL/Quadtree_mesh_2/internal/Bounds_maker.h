@@ -12,6 +12,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/geometry/coordinate_map.h>
 #include <CGAL/Quadtree_mesh_2/internal/grading/Grader.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Bounds.h>
+#include <CGAL/Quadtree_mesh_2/internal/refinement/finish_mesh.h>
 #include <CGAL/Quality_mesh_options_2.h>
 
 #include <algorithm>
@@ -27,6 +28,15 @@ inline std::optional<Growth> growth_wanted(const Quality_mesh_options_2& options
   if (options.gradation() == 0 && options.max_edge_ratio() == 0) return std::nullopt;
   return Growth{options.gradation() > 0 ? options.gradation() : Quality_mesh_options_2::steepest_gradation,
                 std::max(options.max_edge_ratio(), Quality_mesh_options_2::least_max_edge_ratio)};
+}
+
+/// What is done to a mesh that meets the bounds.
+inline Finishing finishing_wanted(const Quality_mesh_options_2& options) {
+  Finishing finishing;
+  if (options.coarsen() == Quality_mesh_options_2::Coarsening::NONE) finishing.removal = Removal::NONE;
+  finishing.smoothing_rounds = options.smooth();
+  finishing.thinning_rounds = options.thin();
+  return finishing;
 }
 
 /// The user's bounds in the coordinates of the kernel. Options and map have to outlive them.

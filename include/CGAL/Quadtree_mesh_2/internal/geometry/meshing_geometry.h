@@ -143,7 +143,8 @@ struct Basic_shape {
 
   /// Whether the greatest angle is above the obtuse one whose squared cosine is `cosine2`.
   bool is_wider(Number cosine2) const {
-    const Number longest = this->longest(), others = (l[0] + l[1] + l[2]) - longest, excess = longest - others;
+    const Number longest = this->longest(), others = (l[0] + l[1] + l[2]) - longest,
+                 excess = longest - others;
     if (!(excess > 0)) return false; // not obtuse
     const Number product = l[0] == longest ? l[1] * l[2] : l[1] == longest ? l[2] * l[0] : l[0] * l[1];
     return excess * excess > 4 * cosine2 * product;

@@ -250,7 +250,8 @@ private:
   }
 
   /// Why a bad triangle was left.
-  Quality_mesh_report_2::Reason reason(Triangle_id t, const typename Kernel_mesh<Geometry>::Shape& s, Edge_id kept_edge_in_the_way) const {
+  Quality_mesh_report_2::Reason reason(Triangle_id t, const typename Kernel_mesh<Geometry>::Shape& s,
+                                       Edge_id kept_edge_in_the_way) const {
     using Reason = Quality_mesh_report_2::Reason;
     if (report_.is_budget_exhausted) return Reason::BUDGET;
     if (report_.is_cancelled) return Reason::CANCELLED;

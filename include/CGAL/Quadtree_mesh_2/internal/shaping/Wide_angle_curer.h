@@ -6,11 +6,12 @@
 //
 // Cures triangles whose greatest angle is above a bound.
 //
-// Computes: in rounds, for each such triangle, and for those that acute corners excuse from 150 degrees on, another place for one of its vertices. If
-//           there is none, one more vertex: the circumcenter, or a point that splits the segment in its way. Refinement
-//           then restores all other bounds. What is too wide after that is for the next round.
-// Bound:    a constant number of rounds. Each makes at most one vertex for a triangle, and what refinement makes for the
-//           least angle. So the work ends as refinement does, whatever the bound is.
+// Computes: in rounds, for each such triangle, and for those that acute corners excuse from 150 degrees on, another
+//           place for one of its vertices. If there is none, one more vertex: the circumcenter, or a point that splits
+//           the segment in its way. Refinement then restores all other bounds. What is too wide after that is for the
+//           next round. At last vertices are removed once more, under guard, with as many rounds again.
+// Bound:    a constant number of rounds. Each makes at most one vertex for a triangle, and what refinement makes for
+//           the least angle. So the work ends as refinement does, whatever the bound is.
 // Source:   Chew, "Guaranteed-quality mesh generation for curved surfaces" (1993). A triangle with an angle above 120
 //           degrees has another one below 30, and its circumradius is at least its shortest side. So circumcenters make
 //           no shorter edges. Below 120 degrees they may, and rounds are what ends the work.
@@ -22,8 +23,11 @@
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Exact_legalizer.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Refiner.h>
+#include <CGAL/Quadtree_mesh_2/internal/refinement/Remover.h>
+#include <CGAL/Quadtree_mesh_2/internal/refinement/finish_mesh.h>
 
 #include <cstddef>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -43,48 +47,87 @@ public:
   /// \param is_stopped whether the user or a budget ends the work
   template <class Refine, class Is_stopped>
   Triangle_account run(Triangle_account account, Refine&& refine, Is_stopped&& is_stopped) {
-    std::size_t least = mesh_.triangles.size() + 1;
-    int rounds_in_vain = 0;
     for (int round = 0; round < most_rounds && !is_stopped(); ++round) {
-      const std::vector<Triangle_id> wide = wide_among(account.suspects);
+      std::vector<Triangle_id> wide = others_.still_wanted(wide_among(account.suspects, Kind::OTHER));
+      const auto exempt = exempt_.still_wanted(wide_among(account.suspects, Kind::EXEMPT));
+      wide.insert(wide.end(), exempt.begin(), exempt.end());
       if (wide.empty()) break;
-      rounds_in_vain = wide.size() < least ? 0 : rounds_in_vain + 1;
-      if (rounds_in_vain == most_rounds_in_vain) break;
-      least = wide.size() < least ? wide.size() : least;
       for (const Triangle_id t : wide)
-        if (mesh_.number_of_vertices() < most_vertices_ && is_wide(t)) refiner_.cure_wide(t);
+        if (mesh_.number_of_vertices() < most_vertices_ && mesh_.is_alive(t) && kind(t) != Kind::GOOD)
+          refiner_.cure_wide(t);
       account = refine();
     }
     return account;
   }
 
 private:
+  enum class Kind { GOOD, EXEMPT, OTHER };
+
+  /// Gives up triangles of one kind when rounds do not lead to fewer of them.
+  struct Patience {
+    int rounds_left;
+    int rounds_in_vain;
+    std::size_t least = std::numeric_limits<std::size_t>::max();
+
+    explicit Patience(int rounds) : rounds_left(rounds), rounds_in_vain(rounds) {}
+
+    /// \returns those given, or none from the time on when they are given up
+    std::vector<Triangle_id> still_wanted(std::vector<Triangle_id> wide) {
+      if (wide.size() < least)
+        least = wide.size(), rounds_left = rounds_in_vain;
+      else if (rounds_left > 0)
+        --rounds_left;
+      if (rounds_left == 0) wide.clear();
+      return wide;
+    }
+  };
+
   static constexpr int most_rounds = 40;
   /// Of the greatest angle wanted of exempt triangles, 150 degrees.
   static constexpr double cosine2_of_widest_exempt = 0.75;
-  /// After so many rounds that left no fewer such triangles than one before did, more are of no use.
-  static constexpr int most_rounds_in_vain = 4;
 
   Meshing_state<Geometry>& state_;
   Kernel_mesh<Geometry>& mesh_;
   Refiner<Geometry>& refiner_;
   std::size_t most_vertices_;
+  Patience others_{4};
+  Patience exempt_{1}; // in fans of sharp sectors each vertex makes more of them
 
-  bool is_wide(Triangle_id t) const {
-    if (!mesh_.is_alive(t)) return false;
+  /// \pre t is alive
+  Kind kind(Triangle_id t) const {
     const auto& r = mesh_.triangle(t);
     const auto s = mesh_.shape(r);
-    return state_.bounds.is_wide(s) &&
-           (s.is_wider(cosine2_of_widest_exempt) || !state_.is_exempt(r.v[0], r.v[1], r.v[2]));
+    if (!state_.bounds.is_wide(s)) return Kind::GOOD;
+    if (!state_.is_exempt(r.v[0], r.v[1], r.v[2])) return Kind::OTHER;
+    return s.is_wider(cosine2_of_widest_exempt) ? Kind::EXEMPT : Kind::GOOD;
   }
 
-  std::vector<Triangle_id> wide_among(const std::vector<Triangle_id>& suspects) const {
+  std::vector<Triangle_id> wide_among(const std::vector<Triangle_id>& suspects, Kind wanted) const {
     std::vector<Triangle_id> wide;
     for (const Triangle_id t : suspects)
-      if (is_wide(t)) wide.push_back(t);
+      if (mesh_.is_alive(t) && kind(t) == wanted) wide.push_back(t);
     return wide;
   }
 };
+
+/// Makes the end of all work on a mesh, and cures wide angles if there is a bound on them.
+/// \param most_vertices at which no vertex is made any more
+/// \param finish makes the mesh what it has to be at the end; \returns its account
+/// \param work_off has the refiner work off the worklist
+template <class Geometry, class Is_stopped, class Finish, class Work_off>
+Triangle_account cure_wide_angles(Meshing_state<Geometry>& state, Refiner<Geometry>& refiner,
+                                  std::size_t most_vertices, Removal removal, const Is_stopped& is_stopped,
+                                  const Finish& finish, const Work_off& work_off) {
+  Triangle_account account = finish();
+  if (!state.bounds.has_widest()) return account;
+  const auto refine = [&] { return work_off(refiner), finish(); };
+  account =
+      Wide_angle_curer<Geometry>(state, refiner, most_vertices).run(std::move(account), refine, is_stopped);
+  if (removal == Removal::NONE || is_stopped()) return account;
+  const std::size_t removed = Remover<Geometry>(state).run([&] { return !is_stopped(); });
+  if (removed == 0) return account;
+  return Wide_angle_curer<Geometry>(state, refiner, most_vertices).run(refine(), refine, is_stopped);
+}
 
 } // namespace internal
 } // namespace Quadtree_mesh_2
