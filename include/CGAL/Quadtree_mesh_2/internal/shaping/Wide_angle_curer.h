@@ -10,8 +10,8 @@
 //           place for one of its vertices. If there is none, one more vertex: the circumcenter, or a point that splits
 //           the segment in its way. Refinement then restores all other bounds. What is too wide after that is for the
 //           next round. At last vertices are removed once more, under guard, with as many rounds again.
-// Bound:    a constant number of rounds. Each makes at most one vertex for a triangle, and what refinement makes for
-//           the least angle. So the work ends as refinement does, whatever the bound is.
+// Bound:    a constant number of rounds. Each takes up a triangle once, and what follows is refinement for the other
+//           bounds. So the work ends as that does, whatever the bound is.
 // Source:   Chew, "Guaranteed-quality mesh generation for curved surfaces" (1993). A triangle with an angle above 120
 //           degrees has another one below 30, and its circumradius is at least its shortest side. So circumcenters make
 //           no shorter edges. Below 120 degrees they may, and rounds are what ends the work.
