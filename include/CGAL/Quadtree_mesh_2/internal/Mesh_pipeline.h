@@ -479,8 +479,7 @@ private:
       return grade_edges<ConcurrencyTag>(state_, growth_wanted(options_), map_, is_stopped, finish_exactly,
                                          [&] { return refine(refiner), finish_exactly(); });
     };
-    return cure_wide_angles(state_, refiner, limit().vertices, finishing_.removal, is_stopped, finish_graded,
-                            refine);
+    return cure_wide_angles(state_, refiner, limit().vertices, is_stopped, finish_graded, refine);
   }
 
   Indexed_mesh_2<Point_2> convert(const Triangle_account& account, Refiner<Geometry>& refiner) {

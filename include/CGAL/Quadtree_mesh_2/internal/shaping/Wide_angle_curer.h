@@ -9,7 +9,7 @@
 // Computes: in rounds, for each such triangle, and for those that acute corners excuse from 150 degrees on, another
 //           place for one of its vertices. If there is none, one more vertex: the circumcenter, or a point that splits
 //           the segment in its way. Refinement then restores all other bounds. What is too wide after that is for the
-//           next round. At last vertices are removed once more, under guard, with as many rounds again.
+//           next round.
 // Bound:    a constant number of rounds. Each takes up a triangle once, and what follows is refinement for the other
 //           bounds. So the work ends as that does, whatever the bound is.
 // Source:   Chew, "Guaranteed-quality mesh generation for curved surfaces" (1993). A triangle with an angle above 120
@@ -23,8 +23,6 @@
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Exact_legalizer.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Refiner.h>
-#include <CGAL/Quadtree_mesh_2/internal/refinement/Remover.h>
-#include <CGAL/Quadtree_mesh_2/internal/refinement/finish_mesh.h>
 
 #include <cstddef>
 #include <limits>
@@ -63,23 +61,25 @@ public:
 private:
   enum class Kind { GOOD, EXEMPT, OTHER };
 
-  /// Gives up triangles of one kind when rounds do not lead to fewer of them.
-  struct Patience {
-    int rounds_left;
-    int rounds_in_vain;
-    std::size_t least = std::numeric_limits<std::size_t>::max();
-
-    explicit Patience(int rounds) : rounds_left(rounds), rounds_in_vain(rounds) {}
+  /// Gives up triangles of one kind when several rounds have left no fewer of them, or many more.
+  class Patience {
+  public:
+    explicit Patience(int rounds_in_vain) : rounds_in_vain_(rounds_in_vain), rounds_left_(rounds_in_vain) {}
 
     /// \returns those given, or none from the time on when they are given up
     std::vector<Triangle_id> still_wanted(std::vector<Triangle_id> wide) {
-      if (wide.size() < least)
-        least = wide.size(), rounds_left = rounds_in_vain;
-      else if (rounds_left > 0)
-        --rounds_left;
-      if (rounds_left == 0) wide.clear();
+      constexpr std::size_t few = 10;
+      if (wide.size() < least_)
+        least_ = wide.size(), rounds_left_ = rounds_left_ > 0 ? rounds_in_vain_ : 0;
+      else if (rounds_left_ > 0)
+        rounds_left_ = wide.size() > least_ + least_ / 10 + few ? 0 : rounds_left_ - 1;
+      if (rounds_left_ == 0) wide.clear();
       return wide;
     }
+
+  private:
+    int rounds_in_vain_, rounds_left_;
+    std::size_t least_ = std::numeric_limits<std::size_t>::max();
   };
 
   static constexpr int most_rounds = 40;
@@ -90,8 +90,8 @@ private:
   Kernel_mesh<Geometry>& mesh_;
   Refiner<Geometry>& refiner_;
   std::size_t most_vertices_;
-  Patience others_{4};
-  Patience exempt_{1}; // in fans of sharp sectors each vertex makes more of them
+  Patience others_{8};
+  Patience exempt_{4}; // in fans of sharp sectors vertices make more of them from the first round on
 
   /// \pre t is alive
   Kind kind(Triangle_id t) const {
@@ -116,17 +116,13 @@ private:
 /// \param work_off has the refiner work off the worklist
 template <class Geometry, class Is_stopped, class Finish, class Work_off>
 Triangle_account cure_wide_angles(Meshing_state<Geometry>& state, Refiner<Geometry>& refiner,
-                                  std::size_t most_vertices, Removal removal, const Is_stopped& is_stopped,
+                                  std::size_t most_vertices, const Is_stopped& is_stopped,
                                   const Finish& finish, const Work_off& work_off) {
   Triangle_account account = finish();
   if (!state.bounds.has_widest()) return account;
-  const auto refine = [&] { return work_off(refiner), finish(); };
-  account =
-      Wide_angle_curer<Geometry>(state, refiner, most_vertices).run(std::move(account), refine, is_stopped);
-  if (removal == Removal::NONE || is_stopped()) return account;
-  const std::size_t removed = Remover<Geometry>(state).run([&] { return !is_stopped(); });
-  if (removed == 0) return account;
-  return Wide_angle_curer<Geometry>(state, refiner, most_vertices).run(refine(), refine, is_stopped);
+  return Wide_angle_curer<Geometry>(state, refiner, most_vertices)
+      .run(
+          std::move(account), [&] { return work_off(refiner), finish(); }, is_stopped);
 }
 
 } // namespace internal
