@@ -85,6 +85,8 @@ private:
   static constexpr int most_rounds = 40;
   /// Of the greatest angle wanted of exempt triangles, 150 degrees.
   static constexpr double cosine2_of_widest_exempt = 0.75;
+  /// In corners sharper than this, squared, doubles have no room for matching vertices on both legs.
+  static constexpr double sin2_of_sharpest_tried = 1e-16;
 
   Meshing_state<Geometry>& state_;
   Kernel_mesh<Geometry>& mesh_;
@@ -99,7 +101,9 @@ private:
     const auto s = mesh_.shape(r);
     if (!state_.bounds.is_wide(s)) return Kind::GOOD;
     if (!state_.is_exempt(r.v[0], r.v[1], r.v[2])) return Kind::OTHER;
-    return s.is_wider(cosine2_of_widest_exempt) ? Kind::EXEMPT : Kind::GOOD;
+    const bool is_tried =
+        s.is_wider(cosine2_of_widest_exempt) && s.sin2_of_least_angle() > sin2_of_sharpest_tried;
+    return is_tried ? Kind::EXEMPT : Kind::GOOD;
   }
 
   std::vector<Triangle_id> wide_among(const std::vector<Triangle_id>& suspects, Kind wanted) const {
