@@ -141,6 +141,19 @@ TEST_CASE("all kinds of graphs keep the bound, or the report says where not", "[
   CHECK(missed * 50 < triangles); // at 120 degrees
 }
 
+TEST_CASE("in sharp corners the least angle goes before the greatest", "[max_angle]") {
+  for (const char* const name : {"wedge_3e-14deg.poly", "syn_wedge_0.01deg.poly", "syn_wedge_1deg.poly",
+                                 "syn_fan_1deg.poly", "star_of_72_spikes.poly"}) {
+    Pslg pslg;
+    CGAL::IO::read_triangle_poly(pslg_test::data_file(name), pslg);
+    Mesher mesher(Options().max_angle(120));
+    const Mesh mesh = mesher(pslg);
+    CAPTURE(name, mesh.triangles.size());
+    check_mesh(pslg, mesh, mesher.report(), mesher.options());
+    for (const auto& t : mesher.report().unmet_triangles) CHECK(t.reason == Report::Reason::GREATEST_ANGLE);
+  }
+}
+
 TEST_CASE("the greatest angle goes with all other options", "[max_angle]") {
   const Pslg pslg = square_with_pair();
   const Options all[] = {Options().keep_borders(Options::Keep_borders::BOUNDARY),
