@@ -157,6 +157,7 @@ void check(Meshing_run& run, const Command_line& line) {
   const CGAL::Quality_mesh_options_2& options = line.options;
   auto wanted = CGAL::Mesh_quality_options_2()
                     .min_angle(options.min_angle())
+                    .max_angle(options.max_angle())
                     .max_edge(options.max_edge())
                     .max_area(options.max_area())
                     .check_domain(rule_to_check(options.mesh_domain()));

@@ -100,8 +100,8 @@ inline void print_unmet(const CGAL::Mesh_quality_2& quality) {
   constexpr std::size_t max_lines = 10;
   for (std::size_t i = 0; i < quality.unmet_triangles.size() && i < max_lines; ++i) {
     const auto& unmet = quality.unmet_triangles[i];
-    std::printf("unmet: %s of the triangle at (%.17g, %.17g), least angle %.2f\n", name(unmet.bound),
-                unmet.centroid[0], unmet.centroid[1], unmet.least_angle);
+    std::printf("unmet: %s of the triangle at (%.17g, %.17g), angles from %.2f to %.2f\n", name(unmet.bound),
+                unmet.centroid[0], unmet.centroid[1], unmet.least_angle, unmet.greatest_angle);
   }
   if (quality.unmet_triangles.size() > max_lines)
     std::printf("unmet: %zu more\n", quality.unmet_triangles.size() - max_lines);
@@ -312,7 +312,8 @@ inline nlohmann::ordered_json run_json(const Meshing_run& run) {
     json["unmet"].push_back({{"bound", report_words::name(unmet.bound)},
                              {"x", unmet.centroid[0]},
                              {"y", unmet.centroid[1]},
-                             {"least_angle", unmet.least_angle}});
+                             {"least_angle", unmet.least_angle},
+                             {"greatest_angle", unmet.greatest_angle}});
   for (const auto& unmet : run.report.unmet_triangles) {
     json["left"].push_back({{"triangle", run.pslg.first_number + std::size_t(unmet.triangle)},
                             {"x", unmet.centroid[0]},

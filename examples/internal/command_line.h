@@ -61,6 +61,14 @@ inline double max_edge_ratio(const po::variables_map& given) {
   return ratio;
 }
 
+/// The greatest angle wanted, in degrees; 0: no bound.
+inline double max_angle(const po::variables_map& given) {
+  const double angle = bound(given, "max-angle");
+  if (angle > 0 && !(angle >= CGAL::Quality_mesh_options_2::least_max_angle && angle < 180))
+    throw Usage_error("--max-angle has to be at least 105 and below 180 degrees");
+  return angle;
+}
+
 inline std::optional<Command_line::Feature_sizes> feature_sizes(const po::variables_map& given) {
   if (given.count("size-from-features") == 0) return std::nullopt;
   const auto& numbers = given["size-from-features"].as<std::vector<double>>();
@@ -199,6 +207,7 @@ inline CGAL::Quality_mesh_options_2 quality_mesh_options(const po::variables_map
       .min_edge(least_edge(given))
       .gradation(gradation(given))
       .max_edge_ratio(max_edge_ratio(given))
+      .max_angle(max_angle(given))
       .mesh_domain(domain(given))
       .smooth(rounds(given, "smooth"))
       .thin(thinning_rounds(given))

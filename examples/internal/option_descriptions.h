@@ -103,6 +103,8 @@ inline po::options_description graph_options() {
     ("max-edge-ratio", po::value<double>()->value_name("R"),
      "edges with a common end differ at most by this factor, at least 3; if not given 3 with --gradation, else no "
      "bound")
+    ("max-angle", po::value<double>()->value_name("DEG"),
+     "greatest angle wanted, from 105 on, but in acute corners of the input; what is left above it is reported")
     ("domain", po::value<std::string>()->value_name("D")->default_value("enclosed"),
      "what is meshed: enclosed, marked (components with a region's point) or parity (of nested borders)")
     ("separation", po::value<std::string>()->value_name("S")->default_value("on-demand"),

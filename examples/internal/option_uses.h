@@ -37,6 +37,7 @@ inline const std::vector<Option_use>& option_uses() {
       {"size-from-features", {Mode::PSLG}},
       {"gradation", {Mode::PSLG}},
       {"max-edge-ratio", {Mode::PSLG}},
+      {"max-angle", {Mode::PSLG}},
       {"domain", {Mode::PSLG}},
       {"separation", {Mode::PSLG}},
       {"neighbors", {Mode::PSLG}},

@@ -30,6 +30,8 @@ inline const char* name(CGAL::Mesh_quality_2::Bound bound) {
     return "edge length";
   case CGAL::Mesh_quality_2::Bound::AREA:
     return "area";
+  case CGAL::Mesh_quality_2::Bound::GREATEST_ANGLE:
+    return "greatest angle";
   }
   return "";
 }
@@ -47,6 +49,8 @@ inline const char* name(CGAL::Quality_mesh_report_2::Reason reason) {
     return "kept segment";
   case Reason::CORNER:
     return "corner";
+  case Reason::GREATEST_ANGLE:
+    return "greatest angle";
   case Reason::COORDINATES:
     return "coordinates";
   case Reason::CRITERIA:
@@ -70,6 +74,8 @@ inline const char* explanation(CGAL::Quality_mesh_report_2::Reason reason) {
   case Reason::CORNER:
     return "they are in a corner of the input, whose legs are not cut without end for a bound above 20.7 "
            "degrees";
+  case Reason::GREATEST_ANGLE:
+    return "--max-angle is tried, but not guaranteed";
   case Reason::COORDINATES:
     return "the coordinates have no room for a vertex";
   case Reason::CRITERIA:

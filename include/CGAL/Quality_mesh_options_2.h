@@ -126,6 +126,18 @@ public:
   Quality_mesh_options_2& max_edge_ratio(double value) { return max_edge_ratio_ = value, *this; }
   double max_edge_ratio() const { return max_edge_ratio_; } ///< the value set
 
+  /// The least value of `max_angle()` other than 0, in degrees.
+  static constexpr double least_max_angle = 105;
+  /// The greatest angle wanted, in degrees, at least 105 and below 180; 0, the default, means no such bound. With
+  /// `min_angle()` alone no angle exceeds 180 degrees less twice that, 138.6, but in acute corners.
+  ///
+  /// This bound is tried, and all others go before it. At the end, triangles that miss it get another place for a
+  /// vertex or one more vertex, in a limited number of rounds, on one thread. The report lists those left with the
+  /// reason GREATEST_ANGLE. Removal and relocation of vertices make no angle above the bound. Triangles in corners of
+  /// the input sharper than `min_angle()` are exempt; of those, angles above 150 degrees are tried to be avoided.
+  Quality_mesh_options_2& max_angle(double value) { return max_angle_ = value, *this; }
+  double max_angle() const { return max_angle_; } ///< the value set
+
   /// What is meshed; ENCLOSED by default.
   Quality_mesh_options_2& mesh_domain(Domain value) { return mesh_domain_ = value, *this; }
   Domain mesh_domain() const { return mesh_domain_; } ///< the value set
@@ -245,6 +257,7 @@ private:
   double min_edge_ = 0;
   double gradation_ = 0;
   double max_edge_ratio_ = 0;
+  double max_angle_ = 0;
   Domain mesh_domain_ = Domain::ENCLOSED;
   Separation separate_ = Separation::ON_DEMAND;
   Coarsening coarsen_ = Coarsening::GUARDED_REMOVAL;

@@ -73,8 +73,10 @@ struct Quality_mesh_report_2 {
     LEAST_EDGE,   ///< a vertex would have come nearer to another than `Quality_mesh_options_2::min_edge()`
     KEPT_SEGMENT, ///< a segment that gets no vertices is in the way (`Quality_mesh_options_2::keep_borders()`)
     CORNER,       ///< above 20.7 degrees: the legs of an acute corner are split no nearer to its apex
-    COORDINATES,  ///< there is no room for a vertex between representable coordinates
-    CRITERIA      ///< the user's criteria call it bad
+    /// `Quality_mesh_options_2::max_angle()` is tried alone, and nothing that is tried helped.
+    GREATEST_ANGLE,
+    COORDINATES, ///< there is no room for a vertex between representable coordinates
+    CRITERIA     ///< the user's criteria call it bad
   };
   /// A triangle that misses a bound, not excused by an acute input corner.
   struct Unmet_triangle {
@@ -84,8 +86,9 @@ struct Quality_mesh_report_2 {
     Reason reason;                            ///< what kept refinement from curing it
     /// With the reason KEPT_SEGMENT, the index of the segment in the input; else none.
     Quadtree_mesh_2::Segment_index segment = {};
+    double greatest_angle = 0; ///< degrees, where there is a `Quality_mesh_options_2::max_angle()`; else 0
   };
-  /// A triangle below the bound that an acute input corner excuses.
+  /// A triangle with an angle below the least or above the greatest one that an acute input corner excuses.
   struct Exempt_triangle {
     Quadtree_mesh_2::Triangle_index triangle; ///< its index in the mesh
     Quadtree_mesh_2::Vertex_index corner;     ///< the input vertex in which the two segments meet
@@ -107,7 +110,8 @@ struct Quality_mesh_report_2 {
   std::size_t triangles = 0;            ///< of the mesh
   std::size_t merged_vertices = 0;      ///< input vertices at the place of an earlier one
   std::size_t vertices_on_segments = 0; ///< input vertices found in the interior of an input segment
-  /// Triangles below the bound inside a wedge of two input segments, never under 0.9 of its angle.
+  /// Triangles inside a wedge of two input segments with an angle below the bound, never under 0.9 of the wedge's; and,
+  /// where there is a bound on the greatest angle, those with an angle above it.
   std::vector<Exempt_triangle> exempt_triangles;
   /// All other triangles that miss a bound, with the reason.
   std::vector<Unmet_triangle> unmet_triangles;

@@ -143,6 +143,8 @@ TEST_CASE("options out of range are refused by name", "[program]") {
                           {in + "--size-grid .", "folder"},
                           {in + "--gradation 1.5", "--gradation has to be at most 1"},
                           {in + "--max-edge-ratio 2", "--max-edge-ratio has to be at least 3"},
+                          {in + "--max-angle 104", "--max-angle has to be at least 105"},
+                          {in + "--max-angle 180", "--max-angle has to be at least 105 and below 180"},
                           {in + "--size-from-features 0 1", "--size-from-features has to be a size above 0"},
                           {in + "--size-from-features 1 -1", "a growth of at least 0"},
                           {in + "--size-grid x.asc.tif", "x.asc.tif"},
@@ -154,8 +156,8 @@ TEST_CASE("options out of range are refused by name", "[program]") {
                           {points + "--mode bounded --angles 36 80 --angles 30 85", "--angles"},
                           {points + "--mode acute --budget 99999999999999999999", "--budget"},
                           {points + "--mode acute --effort 99999999999", "--effort"}};
-  for (const char* const option :
-       {"--min-angle", "--max-edge", "--max-area", "--min-edge", "--threads", "--smooth", "--thin"})
+  for (const char* const option : {"--min-angle", "--max-angle", "--max-edge", "--max-area", "--min-edge",
+                                   "--threads", "--smooth", "--thin"})
     for (const char* const value : {"nan", "inf", "-inf", "1e999", "-5", "''", "x", "5x"})
       cases.push_back({in + option + ' ' + value, option});
   check_refused(folder, cases);

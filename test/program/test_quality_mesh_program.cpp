@@ -391,13 +391,13 @@ TEST_CASE("help and version", "[program]") {
   const Run all = run("--help-all");
   CHECK(all.status == 0);
   for (const char* option :
-       {"--output",      "--min-angle",     "--max-edge",      "--max-area",        "--min-edge",
-        "--size-points", "--domain",        "--kernel",        "--smooth",          "--threads",
-        "--mode",        "--separation",    "--neighbors",     "--subdivision",     "--placement",
-        "--thin",        "--no-coarsening", "--compare",       "--report",          "--quiet",
-        "--version",     "--angles",        "--square",        "--effort",          "--budget",
-        "--lengths",     "--color",         "--show-quadtree", "--region-property", "--size-grid",
-        "--gradation",   "--project",       "--max-edge-ratio"})
+       {"--output",      "--min-angle",     "--max-edge",       "--max-area",        "--min-edge",
+        "--size-points", "--domain",        "--kernel",         "--smooth",          "--threads",
+        "--mode",        "--separation",    "--neighbors",      "--subdivision",     "--placement",
+        "--thin",        "--no-coarsening", "--compare",        "--report",          "--quiet",
+        "--version",     "--angles",        "--square",         "--effort",          "--budget",
+        "--lengths",     "--color",         "--show-quadtree",  "--region-property", "--size-grid",
+        "--gradation",   "--project",       "--max-edge-ratio", "--max-angle"})
     CHECK(contains(all.out, option));
 }
 

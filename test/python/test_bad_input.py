@@ -96,6 +96,8 @@ def test_a_needle_that_asks_for_too_much():
     (dict(gradation=1.5), ValueError, 'gradation'),
     (dict(gradation=-0.1), ValueError, 'gradation'),
     (dict(max_edge_ratio=2), ValueError, 'at least 3'),
+    (dict(max_angle=104), ValueError, 'at least 105'),
+    (dict(max_angle=180), ValueError, 'below 180'),
     (dict(threads=-1), ValueError, 'threads'),
     (dict(max_vertices=-1), ValueError, 'max_vertices'),
 ])

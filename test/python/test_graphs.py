@@ -52,6 +52,14 @@ def test_edges(kwargs, largest):
     assert len(mesh.vertices) + len(mesh.triangles) == len(edges) + 1
 
 
+def test_angles_are_not_wide():
+    square = dict(vertices=[[0, 0], [6, 0], [6, 6], [0, 6], [4, 4], [4.01, 4.002]],
+                  segments=[[0, 1], [1, 2], [2, 3], [3, 0]])
+    assert qm.mesh(**square).angles().max() > 120
+    mesh = qm.mesh(**square, max_angle=120)
+    assert mesh.report and mesh.angles().max() <= 120 and mesh.angles().min() >= 20.7
+
+
 @pytest.mark.parametrize('kwargs, gradation, ratio', [
     (dict(gradation=0.2), 0.2, 3), (dict(gradation=0.3, max_edge_ratio=5), 0.3, 5), (dict(max_edge_ratio=4), 1, 4)])
 def test_edges_grow_slowly(kwargs, gradation, ratio):

@@ -22,7 +22,7 @@ def mesh(geometry: Any = None, *, vertices: Optional[ArrayLike] = None, segments
          vertex_markers: Optional[ArrayLike] = None, segment_markers: Optional[ArrayLike] = None,
          min_angle: float = 20.7, max_area: Any = None, max_edge: Optional[float] = None,
          min_edge: Optional[float] = None, size: Any = None, gradation: Optional[float] = None,
-         max_edge_ratio: Optional[float] = None, region: Any = None,
+         max_edge_ratio: Optional[float] = None, max_angle: Optional[float] = None, region: Any = None,
          refine_where: Optional[Callable[[np.ndarray], bool]] = None, domain: str = 'enclosed',
          max_vertices: Optional[int] = None, max_steiner: Optional[int] = None, conforming: bool = False,
          keep_borders: str = 'none', smooth: int = 0, thin: int = 0, coarsen: bool = True,
@@ -69,6 +69,9 @@ def mesh(geometry: Any = None, *, vertices: Optional[ArrayLike] = None, segments
         corners sharper than `min_angle`. What misses it is in ``mesh.report.unmet``.
     max_edge_ratio : float, optional
         By which factor edges with a common end may differ; at least 3, which is the default with `gradation`.
+    max_angle : float, optional
+        The greatest angle wanted, in degrees, at least 105 and below 180. It is tried, after all other bounds, but in
+        corners sharper than `min_angle`. What is left is in ``mesh.report.unmet``.
     region : str or array, optional
         With `geometry`: the column of the data frame, or the array, whose values are ``mesh.region_values``. By default
         these are the data frame's index, or the numbers of the geometries. ``mesh.regions`` has the geometry of each
@@ -133,7 +136,9 @@ def mesh(geometry: Any = None, *, vertices: Optional[ArrayLike] = None, segments
     if (geometry is None) == (vertices is None):
         raise TypeError('mesh() needs either a geometry or vertices')
     options = dict(min_angle=float(min_angle), max_edge=length(max_edge), min_edge=length(min_edge),
-                   gradation=length(gradation), max_edge_ratio=length(max_edge_ratio), size=size_list(size), refine_where=callable_or_none(refine_where, 'refine_where'),
+                   gradation=length(gradation), max_edge_ratio=length(max_edge_ratio),
+                   max_angle=length(max_angle), size=size_list(size),
+                   refine_where=callable_or_none(refine_where, 'refine_where'),
                    domain=word(domain, 'domain'),
                    max_vertices=count(max_vertices, 'max_vertices'),
                    max_steiner=None if max_steiner is None else count(max_steiner, 'max_steiner'),

@@ -30,8 +30,8 @@ class Report:
         The numbers of vertices that a triangle uses, and of triangles.
     unmet : structured array
         The triangles that miss a bound: ``triangle``, centroid ``x`` and ``y``, and for graphs the least ``angle`` in
-        degrees, the ``reason``: 'budget', 'cancelled', 'min_edge', 'kept_segment', 'corner', 'coordinates' or
-        'criteria', and the ``segment`` that is in the way because of `keep_borders`, else -1.
+        degrees, the ``reason``: 'budget', 'cancelled', 'min_edge', 'kept_segment', 'corner', 'max_angle',
+        'coordinates' or 'criteria', and the ``segment`` that is in the way because of `keep_borders`, else -1.
     seconds, wall_seconds : dict of str to float
         Time of each phase: of processors, and by the clock.
 

@@ -123,6 +123,7 @@ Options options_from(const py::dict& values, const Projection* projection) {
       .min_edge(values["min_edge"].cast<double>())
       .gradation(values["gradation"].cast<double>())
       .max_edge_ratio(values["max_edge_ratio"].cast<double>())
+      .max_angle(values["max_angle"].cast<double>())
       .size(least_size(values["size"].cast<py::list>(), projection))
       .smooth(values["smooth"].cast<int>())
       .thin(values["thin"].cast<int>())
@@ -219,6 +220,8 @@ const char* name_of(Report::Reason reason) {
     return "kept_segment";
   case Report::Reason::CORNER:
     return "corner";
+  case Report::Reason::GREATEST_ANGLE:
+    return "max_angle";
   case Report::Reason::COORDINATES:
     return "coordinates";
   case Report::Reason::CRITERIA:

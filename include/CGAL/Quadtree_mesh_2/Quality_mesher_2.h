@@ -82,6 +82,10 @@ public:
       throw std::invalid_argument(
           "the greatest ratio of edges must be at least 3, or 0 for no bound: below that "
           "refinement is not known to end");
+    if (options_.max_angle() != 0 &&
+        !(options_.max_angle() >= Quality_mesh_options_2::least_max_angle && options_.max_angle() < 180))
+      throw std::invalid_argument(
+          "the greatest angle must be at least 105 and below 180 degrees, or 0 for no bound");
     if (options_.smooth() < 0)
       throw std::invalid_argument("the number of smoothing rounds must not be negative");
     if (options_.thin() < 0)

@@ -41,6 +41,10 @@ public:
   Mesh_quality_options_2& min_angle(double value) { return min_angle_ = value, *this; }
   double min_angle() const { return min_angle_; } ///< the value set
 
+  /// Greatest angle in degrees; 0, the default, means no bound.
+  Mesh_quality_options_2& max_angle(double value) { return max_angle_ = value, *this; }
+  double max_angle() const { return max_angle_; } ///< the value set
+
   /// Longest edge; 0, the default, means no bound.
   Mesh_quality_options_2& max_edge(double value) { return max_edge_ = value, *this; }
   double max_edge() const { return max_edge_; } ///< the value set
@@ -82,6 +86,7 @@ public:
 
 private:
   double min_angle_ = 0;
+  double max_angle_ = 0;
   double max_edge_ = 0;
   double max_area_ = 0;
   double coordinate_unit_ = 0;
@@ -97,17 +102,19 @@ private:
 struct Mesh_quality_2 {
   /// What a triangle may miss.
   enum class Bound {
-    ANGLE,       ///< the least angle
-    EDGE_LENGTH, ///< the longest edge
-    AREA         ///< the largest area
+    ANGLE,         ///< the least angle
+    EDGE_LENGTH,   ///< the longest edge
+    AREA,          ///< the largest area
+    GREATEST_ANGLE ///< the greatest angle
   };
 
-  /// A triangle that misses a bound. For the angle, only if no wedge of two input segments excuses it.
+  /// A triangle that misses a bound. For angles, only if no wedge of two input segments excuses it.
   struct Unmet_triangle {
     Quadtree_mesh_2::Triangle_index triangle; ///< its index in the mesh
     Bound bound;                              ///< the bound that it misses
     std::array<double, 2> centroid;           ///< where it is
     double least_angle;                       ///< degrees
+    double greatest_angle;                    ///< degrees
   };
 
   /// One line per error, the first `Mesh_quality_options_2::max_errors()` of them.
@@ -133,7 +140,8 @@ struct Mesh_quality_2 {
   double min_new_angle = 180;
   /// `angle_histogram[i]` angles are in [10 i, 10 (i + 1)) degrees.
   std::array<std::size_t, 18> angle_histogram{};
-  /// Triangles below the angle bound that a wedge of two input segments excuses.
+  /// Triangles below the bound of the least angle, or above that of the greatest one, that a wedge of two input
+  /// segments excuses.
   std::size_t exempt_triangles = 0;
   /// Triangles that miss a bound without such an excuse.
   std::vector<Unmet_triangle> unmet_triangles;

@@ -12,6 +12,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/geometry/coordinate_map.h>
 #include <CGAL/Quadtree_mesh_2/internal/grading/Grader.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Bounds.h>
+#include <CGAL/Quadtree_mesh_2/internal/refinement/finish_mesh.h>
 #include <CGAL/Quality_mesh_options_2.h>
 
 #include <algorithm>
@@ -29,6 +30,15 @@ inline std::optional<Growth> growth_wanted(const Quality_mesh_options_2& options
                 std::max(options.max_edge_ratio(), Quality_mesh_options_2::least_max_edge_ratio)};
 }
 
+/// What is done to a mesh that meets the bounds.
+inline Finishing finishing_wanted(const Quality_mesh_options_2& options) {
+  Finishing finishing;
+  if (options.coarsen() == Quality_mesh_options_2::Coarsening::NONE) finishing.removal = Removal::NONE;
+  finishing.smoothing_rounds = options.smooth();
+  finishing.thinning_rounds = options.thin();
+  return finishing;
+}
+
 /// The user's bounds in the coordinates of the kernel. Options and map have to outlive them.
 template <class Traits>
 class Bounds_maker {
@@ -43,6 +53,7 @@ public:
   Bounds<Geometry> run(const Pslg_2<Point_2>& pslg) const {
     Bounds<Geometry> bounds(options_.min_angle() * radians_per_degree, options_.max_area() * scale_ * scale_,
                             scale_ * options_.max_edge());
+    if (options_.max_angle() > 0) bounds.set_widest(options_.max_angle() * radians_per_degree);
     const double least_length = scale_ * options_.min_edge();
     bounds.least_squared_length = least_length * least_length;
     if (std::any_of(pslg.regions.begin(), pslg.regions.end(),

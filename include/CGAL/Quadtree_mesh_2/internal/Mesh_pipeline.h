@@ -15,6 +15,7 @@
 //      (Bulk_filler.h); rounds of blocks (Block_refinement.h), then what they leave
 //   -> guarded removal, smoothing; small meshes are refined a second time (thin_small_mesh.h); thinning
 //   -> exact constrained Delaunay flips; where wanted, splits of edges until they are Delaunay, and edges graded
+//   -> where wanted, wide angles cured
 //   -> flat arrays in the user's coordinates and vertex order
 //
 // Quadtrees (Tree_construction.h) take the place of refinement on demand where that is wanted, or in islands where it
@@ -54,6 +55,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Vertex_budgets.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/finish_mesh.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/triangle_budget.h>
+#include <CGAL/Quadtree_mesh_2/internal/shaping/Wide_angle_curer.h>
 #include <CGAL/Quadtree_mesh_2/internal/squares/Bulk_filler.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Separation_trees.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Tree_construction.h>
@@ -94,11 +96,7 @@ public:
   Mesh_pipeline(const Pslg& pslg, const Quality_mesh_options_2& options, const Traits& traits,
                 Find_nearest_hits<Pslg> find_hits, Quality_mesh_report_2& report, Watch watch = {})
       : pslg_(pslg), options_(options), traits_(traits), find_hits_(find_hits), report_(report),
-        map_(pslg.vertices, seeds_of(pslg)), watch_(std::move(watch)) {
-    if (options.coarsen() == Quality_mesh_options_2::Coarsening::NONE) finishing_.removal = Removal::NONE;
-    finishing_.smoothing_rounds = options.smooth();
-    finishing_.thinning_rounds = options.thin();
-  }
+        map_(pslg.vertices, seeds_of(pslg)), watch_(std::move(watch)) {}
 
   Indexed_mesh_2<Point_2> run() {
     report_.input_vertices = pslg_.number_of_vertices();
@@ -148,7 +146,7 @@ private:
   Quality_mesh_report_2& report_;
   Phase_clock<Quality_mesh_report_2, ConcurrencyTag> clock_{report_};
   Coordinate_map<Traits, Geometry> map_;
-  Finishing finishing_;
+  Finishing finishing_{finishing_wanted(options_)};
   Meshing_problem<Geometry> problem_;
   Meshing_state<Geometry> state_{problem_};
   Progress progress_{options_.progress()};
@@ -477,8 +475,11 @@ private:
       if (options_.conform() == Quality_mesh_options_2::Conforming::NONE) return finisher.run(refiner);
       return finisher.run_conforming(limit().vertices, report_.encroached_edges);
     };
-    return grade_edges<ConcurrencyTag>(state_, growth_wanted(options_), map_, is_stopped, finish_exactly,
-                                       [&] { return refine(refiner), finish_exactly(); });
+    const auto finish_graded = [&] {
+      return grade_edges<ConcurrencyTag>(state_, growth_wanted(options_), map_, is_stopped, finish_exactly,
+                                         [&] { return refine(refiner), finish_exactly(); });
+    };
+    return cure_wide_angles(state_, refiner, limit().vertices, is_stopped, finish_graded, refine);
   }
 
   Indexed_mesh_2<Point_2> convert(const Triangle_account& account, Refiner<Geometry>& refiner) {

@@ -34,7 +34,7 @@ Digest digest_of_mesh(const Pslg_2<Point>& pslg, const Quality_mesh_options_2& o
     digest.add(map.to_kernel(region.point)), digest.add(region.max_area);
   digest.add(std::array{options.min_angle(), options.max_area(), options.max_edge(), options.min_edge(),
                         options.patience(), options.patience_memory(), options.gradation(),
-                        options.max_edge_ratio()});
+                        options.max_edge_ratio(), options.max_angle()});
   digest.add(std::array{int(options.mesh_domain()), int(options.coarsen()), options.smooth(), options.thin(),
                         options.size() ? 1 : 0, options.refine_where() ? 1 : 0});
   digest.add(options.max_vertices());

@@ -68,18 +68,19 @@ private:
 
   void measure_triangle(std::uint32_t t) {
     const Sides sides(corner(t, 0), corner(t, 1), corner(t, 2));
-    double least = 180;
+    double least = 180, greatest = 0;
     for (std::uint32_t k = 0; k < 3; ++k) {
       const double angle = sides.angle(k);
       least = std::min(least, angle);
-      quality_.max_angle = std::max(quality_.max_angle, angle);
+      greatest = std::max(greatest, angle);
       if (!is_input_angle(t, k)) quality_.min_new_angle = std::min(quality_.min_new_angle, angle);
       ++quality_.angle_histogram[std::min<std::size_t>(17, std::size_t(angle / 10))];
     }
     quality_.min_angle = std::min(quality_.min_angle, least);
+    quality_.max_angle = std::max(quality_.max_angle, greatest);
     quality_.area += sides.area();
     quality_.largest_area = std::max(quality_.largest_area, sides.area());
-    compare_with_bounds(t, sides, least);
+    compare_with_bounds(t, sides, {least, greatest});
   }
 
   const Point& corner(std::uint32_t t, std::uint32_t k) const { return mesh_.point(mesh_.triangles[t][k]); }
@@ -90,16 +91,23 @@ private:
            checker_.constrained()[h + (k + 1) % 3] != 0 && checker_.constrained()[h + (k + 2) % 3] != 0;
   }
 
-  void compare_with_bounds(std::uint32_t t, const Sides& sides, double least) {
+  /// The least and the greatest angle of a triangle, in degrees.
+  struct Angles {
+    double least, greatest;
+  };
+
+  void compare_with_bounds(std::uint32_t t, const Sides& sides, Angles angles) {
     using Bound = Mesh_quality_2::Bound;
     if (options_.max_edge() > 0 && sides.longest() > options_.max_edge() * (1 + relative_tolerance_))
-      add_unmet(t, Bound::EDGE_LENGTH, least);
-    if (sides.area() > max_area(t) * (1 + relative_tolerance_)) add_unmet(t, Bound::AREA, least);
-    if (least >= std::min(options_.min_angle(), 90.) - tolerance_) return;
-    if (is_exempt(t, least))
+      add_unmet(t, Bound::EDGE_LENGTH, angles);
+    if (sides.area() > max_area(t) * (1 + relative_tolerance_)) add_unmet(t, Bound::AREA, angles);
+    const bool is_sharp = angles.least < std::min(options_.min_angle(), 90.) - tolerance_;
+    const bool is_wide = options_.max_angle() > 0 && angles.greatest > options_.max_angle() + tolerance_;
+    if (!is_sharp && !is_wide) return;
+    if (is_exempt(t, angles.least))
       ++quality_.exempt_triangles;
     else
-      add_unmet(t, Bound::ANGLE, least);
+      add_unmet(t, is_sharp ? Bound::ANGLE : Bound::GREATEST_ANGLE, angles);
   }
 
   /// Of the options and of the triangle's region.
@@ -113,11 +121,11 @@ private:
                : area;
   }
 
-  void add_unmet(std::uint32_t t, Mesh_quality_2::Bound bound, double least) {
+  void add_unmet(std::uint32_t t, Mesh_quality_2::Bound bound, Angles angles) {
     const Point &p = corner(t, 0), &q = corner(t, 1), &r = corner(t, 2);
     const std::array<double, 2> centroid{p.x() / 3 + q.x() / 3 + r.x() / 3,
                                          p.y() / 3 + q.y() / 3 + r.y() / 3};
-    quality_.unmet_triangles.push_back({Triangle_index(t), bound, centroid, least});
+    quality_.unmet_triangles.push_back({Triangle_index(t), bound, centroid, angles.least, angles.greatest});
   }
 
   // --- wedges ---

@@ -126,6 +126,13 @@ struct Basic_shape {
   /// Slot of the vertex opposite the shortest side.
   int slot_of_shortest() const { return l[0] <= l[1] && l[0] <= l[2] ? 0 : l[1] <= l[2] ? 1 : 2; }
 
+  /// Slot of the vertex opposite the longest side, another one than `slot_of_shortest()`; and the slot of neither.
+  int slot_of_longest() const {
+    const int k = slot_of_shortest(), i = k == 2 ? 0 : k + 1, j = k == 0 ? 2 : k - 1;
+    return l[i] < l[j] ? j : i;
+  }
+  int slot_of_middle() const { return 3 - slot_of_shortest() - slot_of_longest(); }
+
   /// The product of the two longer squared sides, of which the least angle is between. No product of three: it would
   /// underflow too soon.
   Number product_of_longer() const {
@@ -134,6 +141,15 @@ struct Basic_shape {
 
   /// Whether the least angle's squared sine is below `sin2`.
   bool is_below(Number sin2) const { return area2 * area2 < sin2 * product_of_longer(); }
+
+  /// Whether the greatest angle is above the obtuse one whose squared cosine is `cosine2`.
+  bool is_wider(Number cosine2) const {
+    const Number longest = this->longest(), others = (l[0] + l[1] + l[2]) - longest,
+                 excess = longest - others;
+    if (!(excess > 0)) return false; // not obtuse
+    const Number product = l[0] == longest ? l[1] * l[2] : l[1] == longest ? l[2] * l[0] : l[0] * l[1];
+    return excess * excess > 4 * cosine2 * product;
+  }
 
   /// The squared sine of the least angle.
   double sin2_of_least_angle() const { return ratio(area2 * area2, product_of_longer()); }

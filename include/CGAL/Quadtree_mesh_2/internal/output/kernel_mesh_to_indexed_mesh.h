@@ -221,9 +221,9 @@ private:
   void report(Triangle_id t, Refiner<Geometry>& refiner) {
     const auto& r = mesh_.triangle(t);
     const auto s = mesh_.shape(r);
-    if (!state_.is_bad(t, s)) return report_exempt(t);
+    if (!state_.is_bad(t, s) && !state_.is_too_wide(t, s)) return report_exempt(t);
     const Edge_id in_the_way = refiner.kept_edge_in_the_way(t);
-    Quality_mesh_report_2::Unmet_triangle unmet{new_triangle_[t], {0, 0}, 0, reason(t, in_the_way)};
+    Quality_mesh_report_2::Unmet_triangle unmet{new_triangle_[t], {0, 0}, 0, reason(t, s, in_the_way)};
     if (unmet.reason == Quality_mesh_report_2::Reason::KEPT_SEGMENT)
       unmet.segment = state_.problem.kept_edges[in_the_way];
     for (const Vertex_id v : r.v) {
@@ -231,6 +231,7 @@ private:
       unmet.centroid[0] += x / 3, unmet.centroid[1] += y / 3;
     }
     unmet.least_angle = std::asin(std::sqrt(std::min(1.0, s.sin2_of_least_angle()))) * 180 / pi;
+    if (state_.bounds.has_widest()) unmet.greatest_angle = greatest_angle(s);
     report_.unmet_triangles.push_back(unmet);
   }
 
@@ -241,13 +242,22 @@ private:
     report_.exempt_triangles.push_back({new_triangle_[t], new_vertex_[apex]});
   }
 
+  /// In degrees.
+  static double greatest_angle(const typename Kernel_mesh<Geometry>::Shape& s) {
+    const int k = s.slot_of_longest(), i = next_slot[k], j = previous_slot[k];
+    const double p = ratio(s.l[i], s.l[k]), q = ratio(s.l[j], s.l[k]);
+    return std::atan2(2 * ratio(s.area2, s.l[k]), p + q - 1) * 180 / pi;
+  }
+
   /// Why a bad triangle was left.
-  Quality_mesh_report_2::Reason reason(Triangle_id t, Edge_id kept_edge_in_the_way) const {
+  Quality_mesh_report_2::Reason reason(Triangle_id t, const typename Kernel_mesh<Geometry>::Shape& s,
+                                       Edge_id kept_edge_in_the_way) const {
     using Reason = Quality_mesh_report_2::Reason;
     if (report_.is_budget_exhausted) return Reason::BUDGET;
     if (report_.is_cancelled) return Reason::CANCELLED;
     if (kept_edge_in_the_way.is_valid()) return Reason::KEPT_SEGMENT;
     if (state_.bounds.least_squared_length > 0) return Reason::LEAST_EDGE;
+    if (!state_.is_bad(t, s)) return Reason::GREATEST_ANGLE;
     if (!state_.bounds.is_established())
       for (const Vertex_id v : mesh_.triangle(t).v)
         if (is_at_acute_corner(v)) return Reason::CORNER;

@@ -30,6 +30,8 @@ struct Bounds {
   double angle = 0; ///< radians
   /// Squared sine of the bound, raised a little so that rounding cannot pass the user's bound.
   double sin2 = 0;
+  /// Squared cosine of the bound on the greatest angle, an obtuse one, lowered likewise; 1, that of 180 degrees: none.
+  double cosine2_of_widest = 1;
   double area2 = std::numeric_limits<double>::infinity();          ///< twice the largest area
   double squared_length = std::numeric_limits<double>::infinity(); ///< of the longest edge
   /// The squared length of the longest edge of a triangle with its centroid at the place; empty: no field.
@@ -62,6 +64,12 @@ struct Bounds {
     if (max_length > 0) squared_length = max_length * max_length * (1 - margin);
   }
 
+  /// \pre the angle is obtuse
+  void set_widest(double radians) {
+    const double cosine = std::cos(radians);
+    cosine2_of_widest = cosine * cosine * (1 - margin);
+  }
+
   /// These bounds, with a share of the angle.
   Bounds with_share_of_angle(double share) const {
     Bounds lower = *this;
@@ -74,6 +82,10 @@ struct Bounds {
   static constexpr double margin = 2e-9;
 
   bool is_sharp(const Shape& s) const { return s.is_below(sin2); }
+  bool has_widest() const { return cosine2_of_widest < 1; }
+  bool is_wide(const Shape& s) const { return has_widest() && s.is_wider(cosine2_of_widest); }
+  /// Whether an angle is below the least or above the greatest one.
+  bool is_misshapen(const Shape& s) const { return is_sharp(s) || is_wide(s); }
   /// Whether the triangle a, b, c of the given shape and region is larger than wanted.
   bool is_large(const Shape& s, const Point& a, const Point& b, const Point& c, Region_id region) const {
     if (s.area2 > area2 || s.longest() > squared_length) return true;

@@ -78,7 +78,7 @@ private:
     const auto& r = mesh_.triangle(t);
     const Shape s = mesh_.shape(r);
     part.account.angles.add(s);
-    if (state_.is_suspect(t, s)) part.account.suspects.push_back(t);
+    if (state_.misses_bound(t, s)) part.account.suspects.push_back(t);
     for (int k = 0; k < 3; ++k)
       if (!s.is_certainly_acute(k) && !r.side[k].is_constrained() && !is_settled(t, s, k) &&
           is_not_Delaunay(Side(t, k)))
@@ -120,9 +120,8 @@ private:
         const Shape shape = mesh_.shape(mesh_.triangle(n));
         account.angles.add(shape);
         for (const int k : {0, n == t ? 2 : 1}) doubtful_.push_back(Side(n, k));
-        if (!state_.is_suspect(n, shape)) continue;
-        account.suspects.push_back(n);
-        state_.push(n, shape);
+        if (state_.misses_bound(n, shape)) account.suspects.push_back(n);
+        if (state_.is_suspect(n, shape)) state_.push(n, shape);
       }
     }
     return is_any_flipped;
@@ -133,7 +132,7 @@ private:
     std::sort(suspects.begin(), suspects.end());
     suspects.erase(std::unique(suspects.begin(), suspects.end()), suspects.end());
     suspects.erase(std::remove_if(suspects.begin(), suspects.end(),
-                                  [this](Triangle_id t) { return !state_.is_suspect(t); }),
+                                  [this](Triangle_id t) { return !state_.misses_bound(t); }),
                    suspects.end());
   }
 };

@@ -156,6 +156,15 @@ struct Meshing_state {
   bool is_suspect(Triangle_id t) const { return is_suspect(t, mesh.shape(mesh.triangle(t))); }
   bool is_suspect(Triangle_id t, const Shape& s) const { return bounds.is_sharp(s) || is_large(t, s); }
 
+  /// Whether t misses any bound, that of the greatest angle too, which refinement leaves to Wide_angle_curer.h.
+  bool misses_bound(Triangle_id t) const { return misses_bound(t, mesh.shape(mesh.triangle(t))); }
+  bool misses_bound(Triangle_id t, const Shape& s) const { return is_suspect(t, s) || bounds.is_wide(s); }
+  /// Whether the greatest angle of t is above the bound, and no acute corner excuses it.
+  bool is_too_wide(Triangle_id t, const Shape& s) const {
+    const auto& r = mesh.triangle(t);
+    return bounds.is_wide(s) && !is_exempt(r.v[0], r.v[1], r.v[2]);
+  }
+
   void clear_worklist() {
     while (!worklist.is_empty()) worklist.pop();
   }

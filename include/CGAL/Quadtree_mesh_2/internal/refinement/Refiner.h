@@ -70,7 +70,8 @@ public:
         apex_height_(off_center_share * 0.5 / std::tan(state.bounds.angle / 2)),
         cosine2_of_encroachment_(state.encroachment == Encroachment::CIRCLES
                                      ? 0
-                                     : cosine2_of_encroachment(state.leg_rule, state.bounds.angle)) {}
+                                     : std::min(cosine2_of_encroachment(state.leg_rule, state.bounds.angle),
+                                                state.bounds.cosine2_of_widest)) {}
 
   /// Has all triangles looked at that may be bad. Those of the bulk are not.
   void push_all() {
@@ -106,6 +107,19 @@ public:
       refine(t, shape);
     }
     return Refinement_end::DONE;
+  }
+
+  /// Tries to cure a triangle whose greatest angle is above the bound: by another place for a vertex of it, else by one
+  /// more vertex. Triangles that this makes bad join the list; those too wide do not.
+  /// \pre the mesh is not beyond its limit of vertices
+  void cure_wide(Triangle_id t) {
+    const auto r = mesh_.triangle(t);
+    const Shape shape = mesh_.shape(r);
+    if (state_.encroachment != Encroachment::CIRCLES)
+      for (const int k : {shape.slot_of_longest(), shape.slot_of_shortest(), shape.slot_of_middle()})
+        if (!mesh_.is_input(r.v[k]) && relocator_.relocate_for_shape(r.v[k])) return;
+    if (splitter_.open_lock_around(t) == Outcome::REFUSED) insert_vertex_for(t, shape);
+    state_.legalize();
   }
 
   /// The edge that gets no vertices and is in the way of what would cure a bad triangle; none if no such edge is.

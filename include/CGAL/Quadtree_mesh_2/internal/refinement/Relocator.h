@@ -50,6 +50,10 @@ public:
   /// made for).
   bool relocate(Vertex_id v) { return move(v, Aim::BOUND); }
 
+  /// The same, where an angle is above the greatest one. The place is that of the greatest least angle that the search
+  /// finds: near it all angles are best.
+  bool relocate_for_shape(Vertex_id v) { return move(v, Aim::SHAPE); }
+
   /// Moves Steiner vertex v to a place where all triangles of the star that it is to have meet the bounds, if one is
   /// found. The search begins at its place now.
   bool relocate_in(const Star& star, Vertex_id v) {
@@ -67,8 +71,8 @@ public:
   }
 
 private:
-  /// What is enough: a star that meets the bound, or nothing but the best one.
-  enum class Aim { BOUND, BEST };
+  /// What is enough: a star that meets the bound; nothing but the best one; or the best one, if it meets the bounds.
+  enum class Aim { BOUND, BEST, SHAPE };
 
   bool move(Vertex_id v, Aim aim) {
     if (!star_.collect(mesh_, v, is_hurried(aim) ? largest_star : Star::max_size)) return false;
@@ -241,7 +245,7 @@ private:
       return false;
     for (int i = 0; i < star_.size; ++i) {
       const Shape s = mesh_.shape(p, mesh_.point(star_.link[i]), mesh_.point(star_.link[i + 1]));
-      if (!s.is_certainly_counterclockwise() || state_.bounds.is_sharp(s) ||
+      if (!s.is_certainly_counterclockwise() || state_.bounds.is_misshapen(s) ||
           state_.bounds.is_large(s, p, mesh_.point(star_.link[i]), mesh_.point(star_.link[i + 1]),
                                  mesh_.region(star_.corner[i].triangle())))
         return false;

@@ -262,13 +262,13 @@ private:
 
   bool keeps_bounds(const Shape& s, Vertex_id x, Vertex_id y, Vertex_id z, Region_id region,
                     bool may_be_exempt) const {
-    if (bounds_.is_sharp(s) && !(may_be_exempt && state_.is_exempt(x, y, z))) return false;
+    if (bounds_.is_misshapen(s) && !(may_be_exempt && state_.is_exempt(x, y, z))) return false;
     return !bounds_.is_large(s, mesh_.point(x), mesh_.point(y), mesh_.point(z), region);
   }
 
   /// The squared sine of the least angle of a feasible triangle. Exempt ones count as better than others,
   /// which then have no say. Among exempt ones the best are preferred, because they are the Delaunay ones.
-  double weight(const Shape& s) const { return (bounds_.is_sharp(s) ? 1 : 0) + s.sin2_of_least_angle(); }
+  double weight(const Shape& s) const { return (bounds_.is_misshapen(s) ? 1 : 0) + s.sin2_of_least_angle(); }
 
   void emit(const Polygon& p, int i, int j) {
     if (j - i < 2) return;
