@@ -9,10 +9,12 @@
 // The mesher gets all vertices of the mesh that are kept as input (Kept_vertices_graph.h). So they stay as they are,
 // and it only inserts others where a triangle misses a bound. To coarsen, vertices are left out that a mesh made
 // afresh, from the input alone and within the same bounds, would not have: those at which even the longest edge is
-// shorter than a share of the longest edge that the fresh mesh has there. So where features of the input want small
-// triangles, however large the bounds, nothing changes. The mesher fills in what is missing, with its guarantees.
+// shorter than a share of the longest edge that the fresh mesh has there. The mesher fills in what is missing, with its
+// guarantees. Where it needs about as many vertices again, because of what is around, those left out are put back. So
+// where sizes and input stay the same, the mesh does: each time that something is left out for good, there are fewer
+// vertices.
 //
-// Expected O(n log n + k) time, as for a mesh made afresh; three times that of refinement if vertices are left out.
+// Expected O(n log n + k) time, as for a mesh made afresh, of which there are up to three.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_ADAPTATION_MESH_ADAPTER_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_ADAPTATION_MESH_ADAPTER_H
@@ -77,15 +79,24 @@ public:
 
   /// Leaves out vertices that are not needed.
   Adapted_mesh_2 adapt() {
-    return convert(Kept_vertices_graph(mesh_, pslg_, components_, vertices_to_keep()));
+    number_of_runs_ = 3;
+    options_.checkpoints(""); // a state is of one mesh only
+    std::vector<char> keeps = vertices_to_keep();
+    Adapted_mesh_2 result = convert(Kept_vertices_graph(mesh_, pslg_, components_, keeps));
+    const bool is_whole = !result.report.is_cancelled && !result.report.is_budget_exhausted;
+    if (is_whole && put_back(result.transfer, keeps))
+      result = convert(Kept_vertices_graph(mesh_, pslg_, components_, keeps));
+    return result;
   }
 
 private:
   using Mesher = Quality_mesher_2<Filtered_quadtree_traits_2<>, ConcurrencyTag>;
   using Kind = Pslg_error_2::Kind;
-  /// Vertices stay where edges have this share of the lengths in a mesh made afresh. Twice as long edges in all
-  /// directions would be a mesh by a quarter of the vertices.
-  static constexpr double share_kept = 0.5;
+  /// Vertices stay where an edge has this share of the longest edge in a mesh made afresh. With a greater share a mesh
+  /// is a few percent smaller, but more of it is made anew.
+  static constexpr double share_kept = 0.6;
+  /// Vertices are put back where more than this share of them is made again.
+  static constexpr double share_made_again = 0.75;
 
   const Mesh& mesh_;
   const Pslg& pslg_;
@@ -95,6 +106,7 @@ private:
   std::vector<std::uint32_t> edges_at_;           // per vertex, how many constrained edges
   std::unordered_set<std::uint64_t> constrained_; // edges, by their keys
   std::vector<Given_mesh::Component> components_;
+  int number_of_runs_ = 1, run_ = 0; // of the mesher
 
   std::string number(std::size_t i) const { return std::to_string(pslg_.first_number + i); }
   bool is_constrained(Vertex_index a, Vertex_index b) const { return constrained_.count(edge_key(a, b)) > 0; }
@@ -169,14 +181,12 @@ private:
     return edges_at_[v] == (is_on_segment ? 2u : 0u);
   }
 
-  std::vector<char> vertices_to_keep() const {
+  std::vector<char> vertices_to_keep() {
     const std::size_t n = mesh_.points.size();
     std::vector<char> fixed(n), keeps(n, 1);
     for (std::size_t v = 0; v < n; ++v) fixed[v] = is_free(v) ? 0 : 1;
     if (std::find(fixed.begin(), fixed.end(), 0) == fixed.end()) return keeps;
-    Options options = options_;
-    options.checkpoints("").progress(progress_from(0));
-    Mesher mesher(options);
+    Mesher mesher(options_of_run());
     const Mesh fresh = mesher(Kept_vertices_graph(mesh_, pslg_, components_, fixed).graph());
     // A part of a mesh tells nothing about lengths.
     if (mesher.report().is_cancelled || mesher.report().is_budget_exhausted) return keeps;
@@ -210,15 +220,67 @@ private:
     return longest;
   }
 
-  /// The user's callback for one of two runs of the mesher.
-  Options::Callback progress_from(double begin) const {
-    if (!options_.progress()) return nullptr;
-    return [users = options_.progress(), begin](double share) { return users(begin + share / 2); };
+  /// Puts vertices back into clusters where about as many are made again.
+  /// \returns whether there are any
+  bool put_back(const Mesh_transfer_2& transfer, std::vector<char>& keeps) const {
+    const std::vector<int> cluster_of = clusters(keeps);
+    struct Count {
+      std::size_t left_out = 0, made = 0;
+      bool is_futile() const { return double(made) > share_made_again * double(left_out); }
+    };
+    std::vector<Count> counts(mesh_.points.size());
+    for (const int c : cluster_of)
+      if (c >= 0) ++counts[std::size_t(c)].left_out;
+    for (std::size_t v = 0; v < transfer.places.size(); ++v) {
+      if (transfer.old_vertex[v].is_valid()) continue;
+      const auto& t = mesh_.triangles[std::size_t(transfer.places[v].triangle)];
+      const auto corner =
+          std::find_if(t.begin(), t.end(), [&](Vertex_index u) { return cluster_of[std::size_t(u)] >= 0; });
+      if (corner != t.end()) ++counts[std::size_t(cluster_of[std::size_t(*corner)])].made;
+    }
+    bool is_any = false;
+    for (std::size_t v = 0; v < keeps.size(); ++v)
+      if (cluster_of[v] >= 0 && counts[std::size_t(cluster_of[v])].is_futile()) keeps[v] = 1, is_any = true;
+    return is_any;
+  }
+
+  /// Per vertex left out, the number of its cluster: of those that edges connect; -1 for those that stay.
+  std::vector<int> clusters(const std::vector<char>& keeps) const {
+    std::vector<int> cluster_of(keeps.size(), -1);
+    for (std::size_t v = 0; v < keeps.size(); ++v)
+      if (keeps[v] == 0) cluster_of[v] = static_cast<int>(v);
+    const auto root = [&](int v) {
+      while (cluster_of[std::size_t(v)] != v) {
+        cluster_of[std::size_t(v)] = cluster_of[std::size_t(cluster_of[std::size_t(v)])];
+        v = cluster_of[std::size_t(v)];
+      }
+      return v;
+    };
+    for (const auto& t : mesh_.triangles)
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto a = std::size_t(t[k]), b = std::size_t(t[(k + 1) % 3]);
+        if (cluster_of[a] < 0 || cluster_of[b] < 0) continue;
+        const auto [least, other] = std::minmax({root(int(a)), root(int(b))});
+        cluster_of[std::size_t(other)] = least;
+      }
+    for (std::size_t v = 0; v < keeps.size(); ++v)
+      if (cluster_of[v] >= 0) cluster_of[v] = root(int(v));
+    return cluster_of;
+  }
+
+  /// Of the next run of the mesher, whose callback gets its share of the whole work.
+  Options options_of_run() {
+    Options options = options_;
+    const double begin = run_++, runs = number_of_runs_;
+    if (options_.progress())
+      options.progress(
+          [users = options_.progress(), begin, runs](double share) { return users((begin + share) / runs); });
+    return options;
   }
 
   Adapted_mesh_2 convert(const Kept_vertices_graph& kept) {
     Adapted_mesh_2 result;
-    Mesher mesher(options_);
+    Mesher mesher(options_of_run());
     result.mesh = mesher(kept.graph());
     result.report = mesher.report();
     rename_input(result.mesh, kept);
