@@ -65,7 +65,7 @@ public:
       const Triangle_tree::Corners own = corners(t);
       tree.for_each_meeting(Triangle_tree::box_of(own), [&](const auto& other, Triangle_index n) {
         if (std::size_t(n) != t && !are_apart(own, other) && !are_apart(other, own)) {
-          const auto [a, b] = std::minmax(t, std::size_t(n));
+          const auto [a, b] = std::minmax({t, std::size_t(n)});
           throw Pslg_error_2(Kind::INVALID_MESH, text(a) + " and " + text(b) + " overlap",
                              Pslg_parts_2().triangle(Triangle_index(a)).triangle(Triangle_index(b)));
         }
