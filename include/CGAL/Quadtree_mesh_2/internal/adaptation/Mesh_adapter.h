@@ -7,12 +7,13 @@
 // Meshes a given mesh again: refines it, or makes it as coarse as it may be, too.
 //
 // The mesher gets all vertices of the mesh that are kept as input (Kept_vertices_graph.h). So they stay as they are,
-// and it only inserts others where a triangle misses a bound. To coarsen, vertices are left out that a mesh made
-// afresh, from the input alone and within the same bounds, would not have: those at which even the longest edge is
-// shorter than a share of the longest edge that the fresh mesh has there. The mesher fills in what is missing, with its
-// guarantees. Where it needs about as many vertices again, because of what is around, those left out are put back. So
-// where sizes and input stay the same, the mesh does: each time that something is left out for good, there are fewer
-// vertices.
+// and it only inserts others where a triangle misses a bound. Only what sharp corners place is made anew
+// (Sharp_corner_finder.h), mostly at the same places (Recurring_vertices.h).
+//
+// To coarsen, vertices are left out that a mesh made afresh, from the input alone and within the same bounds, would not
+// have: those at which even the longest edge is shorter than a share of the longest edge that the fresh mesh has there.
+// The mesher fills in what is missing, with its guarantees. Where it needs about as many vertices again, because of
+// what is around, those left out are put back. So where sizes and input stay the same, the mesh does.
 //
 // Expected O(n log n + k) time, as for a mesh made afresh, of which there are up to three.
 
@@ -26,6 +27,8 @@
 #include <CGAL/Quadtree_mesh_2/Quality_mesher_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/adaptation/Given_mesh.h>
 #include <CGAL/Quadtree_mesh_2/internal/adaptation/Kept_vertices_graph.h>
+#include <CGAL/Quadtree_mesh_2/internal/adaptation/Recurring_vertices.h>
+#include <CGAL/Quadtree_mesh_2/internal/adaptation/Sharp_corner_finder.h>
 #include <CGAL/Quadtree_mesh_2/internal/adaptation/Triangle_area_bounds.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quality_mesh_options_2.h>
@@ -59,14 +62,15 @@ public:
     read_input_vertices();
     read_constrained_edges();
     std::vector<int> component_of;
+    is_made_anew_ = Sharp_corner_finder<Point>(mesh, pslg, options.min_angle()).vertices();
+    for (std::size_t v = 0; v < is_made_anew_.size(); ++v)
+      if (!is_free(v)) is_made_anew_[v] = 0;
     components_ = given_.components([this](Vertex_index a, Vertex_index b) { return is_constrained(a, b); },
                                     component_of);
   }
 
-  /// Keeps all vertices.
-  Adapted_mesh_2 refine() {
-    return convert(Kept_vertices_graph(mesh_, pslg_, components_, std::vector<char>(mesh_.points.size(), 1)));
-  }
+  /// Keeps all vertices, but for those that sharp corners place.
+  Adapted_mesh_2 refine() { return convert(Kept_vertices_graph(mesh_, pslg_, components_, all_kept())); }
 
   /// The same with bounds of area by triangle, in addition to those of the options.
   Adapted_mesh_2 refine(const std::vector<double>& areas) {
@@ -105,6 +109,7 @@ private:
   std::vector<char> is_input_;                    // per vertex
   std::vector<std::uint32_t> edges_at_;           // per vertex, how many constrained edges
   std::unordered_set<std::uint64_t> constrained_; // edges, by their keys
+  std::vector<char> is_made_anew_;                // per vertex: a sharp corner places it
   std::vector<Given_mesh::Component> components_;
   int number_of_runs_ = 1, run_ = 0; // of the mesher
 
@@ -183,7 +188,7 @@ private:
 
   std::vector<char> vertices_to_keep() {
     const std::size_t n = mesh_.points.size();
-    std::vector<char> fixed(n), keeps(n, 1);
+    std::vector<char> fixed(n), keeps = all_kept();
     for (std::size_t v = 0; v < n; ++v) fixed[v] = is_free(v) ? 0 : 1;
     if (std::find(fixed.begin(), fixed.end(), 0) == fixed.end()) return keeps;
     Mesher mesher(options_of_run());
@@ -193,11 +198,17 @@ private:
     const std::vector<double> longest = longest_edges_at_vertices();
     const Triangle_tree tree(fresh.points, fresh.triangles);
     for_each_index<ConcurrencyTag>(n, [&](std::size_t v) {
-      if (fixed[v] != 0) return;
+      if (fixed[v] != 0 || is_made_anew_[v] != 0) return;
       const auto& t = fresh.triangles[std::size_t(tree.nearest(mesh_.points[v]).triangle)];
       keeps[v] =
           longest[v] >= share_kept * longest_edge({fresh.point(t[0]), fresh.point(t[1]), fresh.point(t[2])});
     });
+    return keeps;
+  }
+
+  std::vector<char> all_kept() const {
+    std::vector<char> keeps(mesh_.points.size());
+    for (std::size_t v = 0; v < keeps.size(); ++v) keeps[v] = is_made_anew_[v] == 0 ? 1 : 0;
     return keeps;
   }
 
@@ -233,10 +244,8 @@ private:
       if (c >= 0) ++counts[std::size_t(c)].left_out;
     for (std::size_t v = 0; v < transfer.places.size(); ++v) {
       if (transfer.old_vertex[v].is_valid()) continue;
-      const auto& t = mesh_.triangles[std::size_t(transfer.places[v].triangle)];
-      const auto corner =
-          std::find_if(t.begin(), t.end(), [&](Vertex_index u) { return cluster_of[std::size_t(u)] >= 0; });
-      if (corner != t.end()) ++counts[std::size_t(cluster_of[std::size_t(*corner)])].made;
+      const int c = cluster_near(cluster_of, std::size_t(transfer.places[v].triangle));
+      if (c >= 0) ++counts[std::size_t(c)].made;
     }
     bool is_any = false;
     for (std::size_t v = 0; v < keeps.size(); ++v)
@@ -244,11 +253,23 @@ private:
     return is_any;
   }
 
-  /// Per vertex left out, the number of its cluster: of those that edges connect; -1 for those that stay.
+  /// The cluster with a corner of a triangle, or of one next to it; -1 for none.
+  int cluster_near(const std::vector<int>& cluster_of, std::size_t t) const {
+    std::array<std::size_t, 4> near{t, t, t, t};
+    for (std::size_t k = 0; k < 3; ++k)
+      if (const Triangle_index n = given_.neighbors()[t][k]; n.is_valid()) near[k + 1] = std::size_t(n);
+    for (const std::size_t n : near)
+      for (const Vertex_index v : mesh_.triangles[n])
+        if (cluster_of[std::size_t(v)] >= 0) return cluster_of[std::size_t(v)];
+    return -1;
+  }
+
+  /// Per vertex left out, the number of its cluster: of those that edges connect; -1 for those that stay, and for those
+  /// that sharp corners place.
   std::vector<int> clusters(const std::vector<char>& keeps) const {
     std::vector<int> cluster_of(keeps.size(), -1);
     for (std::size_t v = 0; v < keeps.size(); ++v)
-      if (keeps[v] == 0) cluster_of[v] = static_cast<int>(v);
+      if (keeps[v] == 0 && is_made_anew_[v] == 0) cluster_of[v] = static_cast<int>(v);
     const auto root = [&](int v) {
       while (cluster_of[std::size_t(v)] != v) {
         cluster_of[std::size_t(v)] = cluster_of[std::size_t(cluster_of[std::size_t(v)])];
@@ -283,35 +304,44 @@ private:
     Mesher mesher(options_of_run());
     result.mesh = mesher(kept.graph());
     result.report = mesher.report();
-    rename_input(result.mesh, kept);
+    rename_segments(result.mesh, kept);
+    result.transfer.old_vertex = kept.old_vertex();
+    Recurring_vertices<Point> recurring(mesh_, result.mesh, result.transfer.old_vertex);
+    if (const auto new_index = recurring.sort(result.mesh); !new_index.empty())
+      for (auto& exempt : result.report.exempt_triangles)
+        exempt.corner = new_index[std::size_t(exempt.corner)];
+    name_vertices(result.mesh, result.transfer.old_vertex);
     for (auto& unmet : result.report.unmet_triangles)
       if (unmet.segment.is_valid()) unmet.segment = kept.old_segment()[std::size_t(unmet.segment)];
     result.report.input_vertices = pslg_.number_of_vertices();
     result.report.input_segments = pslg_.number_of_segments();
-    result.transfer = transfer(result.mesh, kept.old_vertex());
+    find_places(result.mesh, result.transfer);
     return result;
   }
 
-  /// Segments, regions and input vertices become those of the user's graph.
-  void rename_input(Mesh& mesh, const Kept_vertices_graph& kept) const {
+  /// Segments and regions become those of the user's graph.
+  void rename_segments(Mesh& mesh, const Kept_vertices_graph& kept) const {
     for (auto& edge : mesh.constrained_edges) edge.segment = kept.old_segment()[std::size_t(edge.segment)];
     for (Segment_index& s : mesh.segment_of_vertex)
       if (s.is_valid()) s = kept.old_segment()[std::size_t(s)];
-    for (std::size_t v = 0; v < kept.old_vertex().size(); ++v)
-      if (!mesh_.segment_of_vertex.empty())
-        mesh.segment_of_vertex[v] = mesh_.segment_of_vertex[std::size_t(kept.old_vertex()[v])];
     if (mesh_.region_of_triangle.empty())
       mesh.region_of_triangle.clear();
     else
       for (int& r : mesh.region_of_triangle) r = kept.old_region()[std::size_t(r)];
-    mesh.number_of_input_vertices = pslg_.vertices.size();
-    if (mesh_.input_index.empty()) return;
-    mesh.input_index.resize(mesh.points.size());
-    for (std::size_t v = 0; v < kept.old_vertex().size(); ++v)
-      mesh.input_index[v] = mesh_.input_index[std::size_t(kept.old_vertex()[v])];
   }
 
-  Mesh_transfer_2 transfer(const Mesh& mesh, const std::vector<Vertex_index>& old_vertex) const {
+  /// Vertices of the old mesh are on the segments, and input, as they were.
+  void name_vertices(Mesh& mesh, const std::vector<Vertex_index>& old_vertex) const {
+    mesh.number_of_input_vertices = pslg_.vertices.size();
+    if (!mesh_.input_index.empty()) mesh.input_index.resize(mesh.points.size());
+    for (std::size_t v = 0; v < old_vertex.size() && old_vertex[v].is_valid(); ++v) {
+      const auto old = std::size_t(old_vertex[v]);
+      if (!mesh_.segment_of_vertex.empty()) mesh.segment_of_vertex[v] = mesh_.segment_of_vertex[old];
+      if (!mesh_.input_index.empty()) mesh.input_index[v] = mesh_.input_index[old];
+    }
+  }
+
+  void find_places(const Mesh& mesh, Mesh_transfer_2& transfer) const {
     std::vector<Mesh_transfer_2::Place> of_old(mesh_.points.size());
     for (std::size_t t = mesh_.triangles.size(); t-- > 0;)
       for (std::size_t k = 0; k < 3; ++k) {
@@ -319,19 +349,15 @@ private:
         place = {Triangle_index(t), {}};
         place.weights[k] = 1;
       }
-    Mesh_transfer_2 result;
-    result.old_vertex = old_vertex;
-    result.old_vertex.resize(mesh.points.size());
-    result.places.resize(mesh.points.size());
+    transfer.places.resize(mesh.points.size());
     for_each_index<ConcurrencyTag>(mesh.points.size(), [&](std::size_t v) {
-      if (v < old_vertex.size()) {
-        result.places[v] = of_old[std::size_t(old_vertex[v])];
+      if (transfer.old_vertex[v].is_valid()) {
+        transfer.places[v] = of_old[std::size_t(transfer.old_vertex[v])];
         return;
       }
       const Triangle_index t = given_.tree().nearest(mesh.points[v]).triangle;
-      result.places[v] = {t, corner_weights(given_.corners(std::size_t(t)), mesh.points[v])};
+      transfer.places[v] = {t, corner_weights(given_.corners(std::size_t(t)), mesh.points[v])};
     });
-    return result;
   }
 };
 
