@@ -231,10 +231,14 @@ int main(int argc, char** argv) try {
   Mesher::Pslg lakes;
   CGAL::IO::read_triangle_poly(argc > 1 ? argv[1] : QUADTREE_MESH_EXAMPLE_DATA_DIR "/great_lakes.poly.gz",
                                lakes);
-  Mesh mesh = Mesher()(lakes);
-  const Source source = source_in_the_widest_water(mesh);
+  const Mesh coarse = Mesher()(lakes);
+  const Source source = source_in_the_widest_water(coarse);
   double area_of_all = 0;
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) area_of_all += area(mesh, t);
+  for (std::size_t t = 0; t < coarse.triangles.size(); ++t) area_of_all += area(coarse, t);
+  const auto even_mesh = [&](double triangles) {
+    return Mesher(CGAL::Quality_mesh_options_2().max_area(2 * area_of_all / triangles))(lakes);
+  };
+  Mesh mesh = even_mesh(1e4);
 
   std::cout << "step  triangles  kept  left out  new  iterations  estimated error\n";
   Curve adaptive, uniform;
@@ -244,9 +248,9 @@ int main(int argc, char** argv) try {
     const Solution u = solve(mesh, source, guess);
     const std::vector<double> errors = squared_errors(mesh, source, u.values);
     adaptive.push_back({double(mesh.number_of_triangles()), root_of_sum(errors)});
-    std::cout << std::setw(10) << u.iterations << std::setw(14) << adaptive.back().error << '\n';
+    std::cout << std::setw(10) << u.iterations << std::setw(14) << adaptive.back().error << std::endl;
     if (step == steps) break;
-    const CGAL::Mesh_sizing_field_2 sizes(mesh, sizes_wanted(mesh, errors, 0.5));
+    const CGAL::Mesh_sizing_field_2 sizes(mesh, sizes_wanted(mesh, errors, 1.6));
     const CGAL::Adapted_mesh_2 adapted =
         CGAL::adapt_mesh_2<CGAL::Parallel_tag>(mesh, lakes, CGAL::Quality_mesh_options_2().size(sizes));
     is_met = is_met && adapted.report.is_met();
@@ -260,8 +264,8 @@ int main(int argc, char** argv) try {
   }
 
   std::cout << "one bound of area: triangles, estimated error\n";
-  for (double triangles = 1e4; triangles < 3e5; triangles *= 2.2) {
-    const Mesh even = Mesher(CGAL::Quality_mesh_options_2().max_area(2 * area_of_all / triangles))(lakes);
+  for (double triangles = 1e4; triangles < 1.2e5; triangles *= 1.8) {
+    const Mesh even = even_mesh(triangles);
     const Solution u = solve(even, source, std::vector<double>(even.number_of_vertices(), 0));
     uniform.push_back(
         {double(even.number_of_triangles()), root_of_sum(squared_errors(even, source, u.values))});
