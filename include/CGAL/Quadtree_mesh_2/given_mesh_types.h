@@ -36,7 +36,10 @@ struct Given_mesh_details_2 {
   /// Their markers, one each; empty: none. Other segments have 0.
   std::vector<int> segment_markers;
   Vertices vertices = Vertices::INPUT; ///< which of them are input
-  std::size_t first_number = 0;        ///< what messages count from, and `Pslg_2::first_number` of the graph
+  /// Per vertex, whether it is input, in place of what `vertices` says. Those inside of segments, which may bend there
+  /// by a rounding, and those on none may be free; all others are input in any case. Empty: as `vertices` says.
+  std::vector<char> is_input;
+  std::size_t first_number = 0; ///< what messages count from, and `Pslg_2::first_number` of the graph
 };
 
 } // namespace CGAL

@@ -84,6 +84,7 @@ private:
     check(details_.attributes.size(), mesh_.triangles.size(), " attributes for ", " triangles");
     check(details_.segment_markers.size(), details_.segments.size(), " markers for ", " segments");
     check(mesh_.vertex_markers.size(), mesh_.points.size(), " markers for ", " vertices");
+    check(details_.is_input.size(), mesh_.points.size(), " marks of input for ", " vertices");
     for (std::size_t t = 0; t < details_.attributes.size(); ++t)
       if (!std::isfinite(details_.attributes[t]))
         throw Pslg_error_2(Kind::NOT_FINITE,
@@ -140,7 +141,7 @@ private:
     }
     const auto& old_vertex = kept.old_vertex();
     made_.number_of_input_vertices = old_vertex.size();
-    if (details_.vertices == Given_mesh_details_2::Vertices::FREE_INSIDE) {
+    if (old_vertex.size() < made_.points.size()) {
       made_.input_index.resize(made_.points.size());
       for (std::size_t i = 0; i < old_vertex.size(); ++i)
         made_.input_index[std::size_t(old_vertex[i])] = Vertex_index(i);
@@ -160,7 +161,8 @@ private:
 
   std::vector<char> input_vertices() const {
     std::vector<char> is_input(made_.points.size(), 1);
-    if (details_.vertices == Given_mesh_details_2::Vertices::INPUT) return is_input;
+    if (details_.is_input.empty() && details_.vertices == Given_mesh_details_2::Vertices::INPUT)
+      return is_input;
     constexpr std::size_t none = std::size_t(-1);
     std::vector<std::array<std::size_t, 3>> edges_at(made_.points.size(),
                                                      {none, none, none}); // the first three
@@ -172,19 +174,21 @@ private:
     for (const auto& t : made_.triangles)
       for (const Vertex_index v : t) {
         const auto& at = edges_at[std::size_t(v)];
-        const bool is_inside = at[0] == none;
+        const bool is_inside =
+            at[0] == none || (at[1] != none && at[2] == none && is_inside_segment(v, at[0], at[1]));
         is_input[std::size_t(v)] =
-            !(is_inside || (at[1] != none && at[2] == none && is_straight(v, at[0], at[1])));
+            !is_inside || (!details_.is_input.empty() && details_.is_input[std::size_t(v)] != 0);
       }
     return is_input;
   }
 
-  /// Whether two edges that end at a vertex are one straight line, with one marker.
-  bool is_straight(Vertex_index v, std::size_t e, std::size_t f) const {
+  /// Whether two edges that end at a vertex have one marker and, unless the user knows better, are one straight line.
+  bool is_inside_segment(Vertex_index v, std::size_t e, std::size_t f) const {
     const auto& a = made_.constrained_edges[e];
     const auto& b = made_.constrained_edges[f];
     const auto other = [&](const Ends& ends) { return made_.point(ends[ends[0] == v ? 1 : 0]); };
     const Triangle_tree::Kernel kernel;
+    if (!details_.is_input.empty()) return a.marker == b.marker;
     return a.marker == b.marker &&
            kernel.collinear_2_object()(other(a.vertices), made_.point(v), other(b.vertices)) &&
            kernel.are_strictly_ordered_along_line_2_object()(other(a.vertices), made_.point(v),
