@@ -1,9 +1,9 @@
 // Adapts a mesh to a solution, in ten steps: solve, estimate the error, change the sizes, and again.
 //
-// -laplace u = f on the Great Lakes or on any .poly file, u = 0 on the shores, by linear elements with Eigen. The source
-// is a spot in the widest water. The usual residual estimator (Verfuerth, 1996) tells how large the error of each
-// triangle may be, in the energy norm. Sizes wanted at vertices follow from it: smaller where the error is above the
-// average, larger where it is below. So each step refines in some places and coarsens in others, and vertices that stay
+// -laplace u = f on the Great Lakes or on any .poly file, u = 0 on the shores, by linear elements with Eigen. The
+// source is a spot in the widest water. The usual residual estimator (Verfuerth, 1996) tells how large the error of
+// each triangle may be, in the energy norm. Sizes wanted at vertices follow from it: smaller where the error is above
+// the average, larger where it is below. So each step refines in some places and coarsens in others. Vertices that stay
 // have the value of the step before, from which the solver starts. Meshes with one bound of area everywhere are for
 // comparison. `adaptive_poisson INPUT.poly OUT.svg` draws both as a plot.
 
@@ -123,8 +123,8 @@ Solution solve(const Mesh& mesh, const Source& source, const std::vector<double>
   return result;
 }
 
-/// Per triangle, how large its share of the error may be, squared: h^2 |f|^2, and half of what the flow across its sides
-/// jumps.
+/// Per triangle, how large its share of the error may be, squared: h^2 |f|^2, and half of what the flow across its
+/// sides jumps.
 std::vector<double> squared_errors(const Mesh& mesh, const Source& source, const std::vector<double>& u) {
   std::vector<std::array<double, 2>> flow(mesh.triangles.size());
   for (std::size_t t = 0; t < flow.size(); ++t) {

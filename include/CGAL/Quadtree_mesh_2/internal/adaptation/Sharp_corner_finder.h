@@ -46,8 +46,8 @@ public:
   Sharp_corner_finder(const Indexed_mesh_2<Point>& mesh, const Pslg_2<Point>& pslg, double min_angle)
       : mesh_(mesh), pslg_(pslg), bound_(min_angle * radians_per_degree) {}
 
-  /// Per vertex, whether it is inside of a segment and in a triangle between two segments that meet, with an angle below
-  /// the bound.
+  /// Per vertex, whether it is inside of a segment and in a triangle between two segments that meet, with an angle
+  /// below the bound.
   std::vector<char> vertices() const {
     std::vector<char> result(mesh_.points.size(), 0);
     if (mesh_.segment_of_vertex.empty()) return result;
