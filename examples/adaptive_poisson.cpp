@@ -194,7 +194,7 @@ void draw(std::ostream& out, const std::array<std::pair<std::string, Curve>, 2>&
          "<path d='M80 40V340H560' fill='none' stroke='#888'/>\n"
          "<text x='320' y='385' text-anchor='middle'>triangles</text>\n"
          "<text x='20' y='190' text-anchor='middle' transform='rotate(-90 20 190)'>estimated error</text>\n";
-  for (double tick : {1e3, 3e3, 1e4, 3e4, 1e5, 3e5})
+  for (double tick : {1e3, 2e3, 5e3, 1e4, 2e4, 3e4, 5e4, 1e5, 2e5})
     if (tick >= low[0] && tick <= high[0])
       out << "<text x='" << x(tick) << "' y='358' text-anchor='middle'>" << tick << "</text>\n";
   for (int power = -6; power <= 2; ++power)

@@ -82,7 +82,8 @@ TEST_CASE("A written mesh is read again and refined, with holes", "[adapt]") {
   check_transfer(refined, mesh);
   check_valid(refined.mesh, pslg, CGAL::Mesh_quality_options_2().min_angle(20.7).max_area(0.02));
   check_valid(refined.mesh, graph,
-              CGAL::Mesh_quality_options_2().check_domain(CGAL::Mesh_quality_options_2::Domain::ANY));
+              CGAL::Mesh_quality_options_2().check_arrays(
+                  CGAL::Mesh_quality_options_2::Arrays::POINTS_AND_TRIANGLES));
 }
 
 TEST_CASE("Files of a mesh that do not fit are refused, with the culprit by its number", "[adapt]") {
