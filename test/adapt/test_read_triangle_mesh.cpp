@@ -5,12 +5,15 @@
 // Author(s)     : The Quadtree_mesh_2 authors
 
 #include "adapt_tools.h"
+#include "mutate_text.h"
 #include "scratch_folder.h"
 
 #include <CGAL/IO/read_triangle_mesh.h>
 #include <CGAL/IO/write_triangle_files.h>
 #include <CGAL/refine_mesh_2.h>
 
+#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -117,6 +120,30 @@ TEST_CASE("Areas are read for as many triangles as there are", "[adapt]") {
   CHECK(pslg_test::has_text(refusal("3\n1 1\n2 1\n"), "the area of triangle 3"));
   CHECK(pslg_test::has_text(refusal("3\n1 1\n2 x\n3 1\n"), "a.area:3: the area of triangle 2"));
   CHECK(pslg_test::has_text(refusal("3\n1 1\n2 1\n3 1\n4 1\n"), "a.area:5: nothing more is expected"));
+}
+
+TEST_CASE("Mutated files of a mesh give a mesh that can be refined, or an error", "[adapt][mutated]") {
+  const std::string poly = "0 2 0 1\n2 1\n1 2 3 8\n2 3 1 9\n0\n";
+  std::size_t read = 0, refused = 0;
+  for (std::uint64_t i = 0; i < 1500; ++i) {
+    Text_mutator mutate(i);
+    const Files files(i % 3 == 0 ? mutate(nodes) : nodes, i % 3 == 1 ? mutate(triangles) : triangles,
+                      i % 3 == 2 ? mutate(poly) : poly);
+    Mesh mesh;
+    Pslg pslg;
+    try {
+      CGAL::IO::read_triangle_mesh(files.name(), mesh, pslg);
+    } catch (const CGAL::Pslg_error_2& error) {
+      CHECK(std::string(error.what()).size() > 10);
+      ++refused;
+      continue;
+    }
+    CAPTURE(i);
+    ++read;
+    check_valid(mesh, pslg);
+  }
+  CHECK(read > 100);
+  CHECK(refused > 100);
 }
 
 } // namespace test_read_triangle_mesh

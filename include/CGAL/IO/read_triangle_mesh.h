@@ -64,7 +64,7 @@ inline void read_triangle_mesh(const std::string& file_name,
                                Pslg_2<Quadtree_mesh_2::internal::Triangle_point>& pslg) {
   namespace internal = Quadtree_mesh_2::internal;
   const std::string stem = internal::stem_of_triangle_file(file_name);
-  const std::string node_name = internal::find_node_file(stem);
+  const std::string node_name = internal::existing_triangle_file(stem + ".node");
   if (node_name.empty())
     throw Pslg_error_2(Pslg_error_2::Kind::UNREADABLE_FILE,
                        file_name + ": there is no file " + stem + ".node beside it, which has the vertices");
