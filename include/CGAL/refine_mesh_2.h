@@ -15,9 +15,10 @@
 /// domain is what the mesh covers. Budgets for vertices count all vertices of the old mesh as input. The mesh is the
 /// same for any number of threads.
 ///
-/// Vertices that stay have the same coordinates, bit for bit, and the same order. Triangles are made anew: where no
-/// vertex is added or left out, those of a constrained Delaunay mesh are the same. The new mesh is constrained Delaunay
-/// even if the old one is not.
+/// Vertices that stay have the same coordinates, bit for bit, and the same order. Those on two segments at a corner
+/// sharper than the bound, in triangles between the two, are placed anew, mostly where they were. All triangles are made
+/// anew: where no vertex is added or left out, those of a constrained Delaunay mesh are the same. The new mesh is
+/// constrained Delaunay even if the old one is not.
 ///
 /// All functions throw `Pslg_error_2` with the kind `INVALID_MESH`, naming the triangles or vertices at fault, if
 /// indices are out of range, triangles are clockwise, flat or overlap, two triangles are on one side of an edge, an
@@ -79,8 +80,8 @@ refine_mesh_2(const Indexed_mesh_2<Exact_predicates_inexact_constructions_kernel
 /// New vertices on a segment that is not parallel to an axis are rounded. A chain of pieces that is halved, joined and
 /// halved again many times may leave the segment by some more units in the last place.
 ///
-/// Expected O(n log n + k) time for n vertices and k triangles of the larger one of both meshes: about that of two
-/// meshes made afresh.
+/// Expected O(n log n + k) time for n vertices and k triangles of the larger one of both meshes: that of three meshes
+/// made afresh, and of the check of the old one, on one thread.
 /// \tparam ConcurrencyTag `Sequential_tag` or `Parallel_tag`; the mesh is the same
 template <class ConcurrencyTag = Sequential_tag>
 Adapted_mesh_2
