@@ -16,8 +16,8 @@
 /// same for any number of threads.
 ///
 /// Vertices that stay have the same coordinates, bit for bit, and the same order. Those on two segments at a corner
-/// sharper than the bound, in triangles between the two, are placed anew, mostly where they were. All triangles are made
-/// anew: where no vertex is added or left out, those of a constrained Delaunay mesh are the same. The new mesh is
+/// sharper than the bound, in triangles between the two, are placed anew, mostly where they were. All triangles are
+/// made anew: where no vertex is added or left out, those of a constrained Delaunay mesh are the same. The new mesh is
 /// constrained Delaunay even if the old one is not.
 ///
 /// All functions throw `Pslg_error_2` with the kind `INVALID_MESH`, naming the triangles or vertices at fault, if
