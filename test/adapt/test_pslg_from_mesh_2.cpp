@@ -90,6 +90,25 @@ TEST_CASE("Only corners, and vertices on bent segments, are input of a mesh with
   CHECK(coarse.mesh.triangles.size() < mesh.triangles.size() / 4);
 }
 
+TEST_CASE("Vertices that no triangle uses are input, and so is what is at their place", "[adapt]") {
+  Mesh mesh = triangles_alone(fresh_mesh(frame(), Options().max_area(0.05)));
+  const auto inside = std::find_if(mesh.points.begin(), mesh.points.end(), [](const Point& p) {
+    return p.x() > 0 && p.x() < 4 && p.y() > 0 && p.y() < 1;
+  });
+  REQUIRE(inside != mesh.points.end());
+  const Point place = *inside;
+  mesh.points.push_back(place);
+  mesh.points.emplace_back(2, 2); // in the hole
+  Details details;
+  details.vertices = Details::Vertices::FREE_INSIDE;
+  const Pslg graph = CGAL::pslg_from_mesh_2(mesh, details);
+  CHECK(graph.vertices.size() == 11);
+  check_valid(mesh, graph);
+  const auto coarse = CGAL::adapt_mesh_2(mesh, graph, Options());
+  check_valid(coarse.mesh, graph);
+  CHECK(std::count(coarse.mesh.points.begin(), coarse.mesh.points.end(), place) == 2);
+}
+
 TEST_CASE("Edges between attributes and named edges are segments", "[adapt]") {
   Mesh mesh = square();
   Details details;

@@ -22,6 +22,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <set>
 #include <string>
 #include <unordered_map>
 #include <utility>
@@ -171,15 +172,29 @@ private:
         auto& at = edges_at[std::size_t(v)];
         at[at[0] == none ? 0 : at[1] == none ? 1 : 2] = e;
       }
+    const std::set<std::array<double, 2>> unused = unused_places();
     for (const auto& t : made_.triangles)
       for (const Vertex_index v : t) {
         const auto& at = edges_at[std::size_t(v)];
         const bool is_inside =
             at[0] == none || (at[1] != none && at[2] == none && is_inside_segment(v, at[0], at[1]));
-        is_input[std::size_t(v)] =
-            !is_inside || (!details_.is_input.empty() && details_.is_input[std::size_t(v)] != 0);
+        const bool is_named = !details_.is_input.empty() && details_.is_input[std::size_t(v)] != 0;
+        is_input[std::size_t(v)] = !is_inside || is_named || unused.count(place(v)) > 0;
       }
     return is_input;
+  }
+
+  std::array<double, 2> place(Vertex_index v) const { return {made_.point(v).x(), made_.point(v).y()}; }
+
+  /// Of vertices that no triangle uses, which are input. So is what is at the same place.
+  std::set<std::array<double, 2>> unused_places() const {
+    std::vector<char> is_used(made_.points.size(), 0);
+    for (const auto& t : made_.triangles)
+      for (const Vertex_index v : t) is_used[std::size_t(v)] = 1;
+    std::set<std::array<double, 2>> places;
+    for (std::size_t v = 0; v < is_used.size(); ++v)
+      if (is_used[v] == 0) places.insert(place(Vertex_index(v)));
+    return places;
   }
 
   /// Whether two edges that end at a vertex have one marker and, unless the user knows better, are one straight line.
