@@ -63,7 +63,8 @@ inline void print_all_options(std::ostream& out) {
   out << R"(INPUT is .poly of Triangle, .geojson (or .json), .wkt, .h5 (HDF5), or what GDAL
 reads: .gpkg, .shp, .shz, .kml, .kmz, .gml, .fgb, .dxf. Or points alone:
 any of these without segments, .node, or a table, one 'x y', 'x,y' or 'x;y' a
-line (.xy, .txt, .csv). Or .ele, a mesh to refine, with .node beside it. Any may be compressed (.gz).
+line (.xy, .txt, .csv). Or .ele, a mesh to refine, with .node beside it. Any may be
+compressed (.gz).
 )" << command_line_internal::visible_options()
       << R"(
 Exit status: 0 the mesh is valid and meets all bounds; 1 it is valid and written,
