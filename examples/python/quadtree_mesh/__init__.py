@@ -6,7 +6,8 @@
     mesh.plot()
     mesh.to_meshio().write('lakes.vtu')
 
-`mesh()` meshes polygons and graphs, `mesh_points()` points; `refine()` and `adapt()` change a mesh; `Quadtree` is a quadtree by itself. `triangle` and `meshpy`
+`mesh()` meshes polygons and graphs, `mesh_points()` points; `refine()` and `adapt()` change a mesh; `Quadtree` is a
+quadtree by itself. `triangle` and `meshpy`
 stand in for the packages of these names.
 """
 
@@ -20,5 +21,6 @@ from .quadtree import Quadtree
 from .results import Mesh, Report
 from .sizes import SizeGrid, SizePoints, size_grid
 
-__all__ = ['mesh', 'mesh_points', 'refine', 'adapt', 'graph', 'read', 'Quadtree', 'SizeGrid', 'SizePoints', 'size_grid', 'Mesh', 'Report',
+__all__ = ['mesh', 'mesh_points', 'refine', 'adapt', 'graph', 'read', 'Quadtree', 'SizeGrid', 'SizePoints',
+           'size_grid', 'Mesh', 'Report',
            'MeshingError', 'GraphError', 'PointError', 'DegreesWarning', 'triangle', 'meshpy', '__version__']

@@ -21,10 +21,10 @@ def refine(mesh: Any, *, areas: Optional[ArrayLike] = None, min_angle: float = 2
            refine_where: Optional[Callable[[np.ndarray], bool]] = None, max_steiner: Optional[int] = None,
            conforming: bool = False, keep_borders: str = 'none', threads: Optional[int] = None,
            progress: Optional[Callable[[float], Optional[bool]]] = None) -> Mesh:
-    """Inserts vertices into a mesh until its triangles meet the bounds. Its own vertices stay, bit for bit and in order.
+    """Inserts vertices into a mesh until its triangles meet the bounds.
 
-    Only those on two segments at a corner sharper than `min_angle`, in triangles between the two, are placed anew, mostly
-    where they were.
+    Its own vertices stay, bit for bit and in order. Only those on two segments at a corner sharper than `min_angle`, in
+    triangles between the two, are placed anew, mostly where they were.
 
     Parameters
     ----------
@@ -33,10 +33,12 @@ def refine(mesh: Any, *, areas: Optional[ArrayLike] = None, min_angle: float = 2
         optionally ``segments`` (s, 2), which are sides of triangles, ``segment_markers`` (s,), ``vertex_markers`` (n,)
         and ``triangle_attributes`` (t,). The border is a segment in any case, and so are edges between attributes.
     areas : (t,) array of float, optional
-        For each triangle of the mesh the largest area of a new triangle with its centroid in it; no bound where it is not
-        positive.
-    min_angle, max_area, max_edge, min_edge, size, refine_where, max_steiner, conforming, keep_borders, threads, progress
+        For each triangle of the mesh the largest area of a new triangle with its centroid in it; no bound where it is
+        not positive.
+    min_angle, max_area, max_edge, min_edge, size, refine_where, max_steiner, conforming, keep_borders
         As for `mesh()`.
+    threads, progress
+        Likewise.
 
     Returns
     -------
@@ -46,8 +48,8 @@ def refine(mesh: Any, *, areas: Optional[ArrayLike] = None, min_angle: float = 2
     Raises
     ------
     GraphError
-        (a ValueError) If triangles are clockwise, overlap, or name vertices that do not exist: ``kind`` is 'invalid_mesh',
-        and it has their indices. Or if arrays have a wrong length.
+        (a ValueError) If triangles are clockwise, overlap, or name vertices that do not exist: ``kind`` is
+        'invalid_mesh', and it has their indices. Or if arrays have a wrong length.
 
     Examples
     --------
@@ -105,7 +107,8 @@ def adapt(mesh: Any, *, sizes: Optional[ArrayLike] = None, min_angle: float = 20
     arrays['sizes'] = _numbers(sizes, len(arrays['vertices']), 'sizes')
     if not isinstance(mesh, Mesh):
         arrays['vertices_may_go'] = True
-    options = _options(min_angle, max_area, max_edge, min_edge, size, refine_where, None, keep_borders, threads, progress)
+    options = _options(min_angle, max_area, max_edge, min_edge, size, refine_where, None, keep_borders, threads,
+                       progress)
     return _run(mesh, arrays, dict(options, coarsens=True))
 
 
