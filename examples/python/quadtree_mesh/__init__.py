@@ -7,8 +7,7 @@
     mesh.to_meshio().write('lakes.vtu')
 
 `mesh()` meshes polygons and graphs, `mesh_points()` points; `refine()` and `adapt()` change a mesh; `Quadtree` is a
-quadtree by itself. `triangle` and `meshpy`
-stand in for the packages of these names.
+quadtree by itself. `triangle` and `meshpy` stand in for the packages of these names.
 """
 
 from . import meshpy, triangle
