@@ -11,6 +11,7 @@ lakes=$root/examples/data/great_lakes.poly.gz
 [[ -x $bin/mesh_points ]] || fail "no examples in $bin: build them first (test/run.sh), or say where they are"
 
 "$bin/compare_with_mesh_2" "$lakes" "$figures/compare_with_mesh_2.svg"
+"$bin/adaptive_poisson" "$lakes" "$figures/adaptive_poisson.svg" >/dev/null
 for example in mesh_points mesh_regions sizing_field theorem_5 acute_points quadtree_of_points quadtree_of_sizes; do
   "$bin/$example" "$figures/$example.svg" >/dev/null
 done

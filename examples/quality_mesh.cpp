@@ -1,4 +1,5 @@
-// The command-line program: meshes a planar straight-line graph, or points alone, and writes the mesh.
+// The command-line program: meshes a planar straight-line graph, or points alone, or refines a mesh, and writes the
+// mesh.
 
 #include "internal/Large_run.h"
 #include "internal/Meshing_run.h"
@@ -11,6 +12,7 @@
 #include "internal/point_set_program.h"
 #include "internal/program_steps.h"
 #include "internal/projected_graph.h"
+#include "internal/refined_mesh.h"
 #include "internal/repaired_graph.h"
 #include "internal/rounding_loss.h"
 #include "internal/what_to_do.h"
@@ -119,12 +121,20 @@ void mesh_projected(Meshing_run& run, const CGAL::Quality_mesh_options_2& option
   throw std::runtime_error(error.what() + what_to_do(error, run.pslg, line));
 }
 
+/// The same for a mesh that is given.
+void refine(Meshing_run& run, const CGAL::Quality_mesh_options_2& options, const Command_line& line) try {
+  run.mesh = refined_mesh(*run.given, run.pslg, run.areas, options, run.report);
+} catch (const CGAL::Pslg_error_2& error) {
+  throw std::runtime_error(error.what() + what_to_do(error, run.pslg, line));
+}
+
 void mesh(Meshing_run& run, const Command_line& line) {
   Progress_line progress;
   CGAL::Quality_mesh_options_2 options = line.options;
   options.size(size_field(line, run.projected ? &run.projected->projection : nullptr));
   if (!line.is_quiet && Progress_line::is_possible())
     options.progress([&progress](double share) { return progress.show(share), true; });
+  if (run.given) return refine(run, options, line);
   if (run.projected) return mesh_projected(run, options, line);
   run.mesh = mesh_in_plane(run.pslg, options, line, run.report);
 }
@@ -238,6 +248,8 @@ void read(Meshing_run& run, const Command_line& line) {
       mesh_files::read_graph(line.input, {line.properties, line.layer},
                              line.is_hull_wanted ? Points_alone::ALLOWED : Points_alone::REFUSED);
   run.pslg = std::move(input.graph);
+  run.given = std::move(input.mesh);
+  if (!line.area_file.empty()) run.areas = mesh_files::read_areas(line.area_file, *run.given, run.pslg);
   if (line.is_hull_wanted) CGAL::add_convex_hull_2(run.pslg);
   if (line.is_repair_wanted) run.pslg = repaired_graph(run.pslg, run.repair.emplace());
   run.projected = projected_graph::projection(run.pslg, input.coordinates, line);

@@ -30,7 +30,9 @@
 struct Meshing_run {
   using Point_2 = CGAL::Exact_predicates_inexact_constructions_kernel::Point_2;
 
-  CGAL::Pslg_2<Point_2> pslg; ///< what is meshed: as read, or repaired
+  CGAL::Pslg_2<Point_2> pslg;                         ///< what is meshed: as read, or repaired
+  std::optional<CGAL::Indexed_mesh_2<Point_2>> given; ///< a mesh of it, to be refined
+  std::vector<double> areas;                          ///< bounds for its triangles; empty: none
   std::optional<CGAL::Pslg_repair_report_2> repair;
   std::optional<projected_graph::Run> projected; ///< of a graph in degrees
   bool may_be_in_degrees = false; ///< the coordinates may be longitudes and latitudes, meshed as they are

@@ -161,6 +161,8 @@ inline void check_files(const Command_line& line) {
   if (!is_standard_stream(line.input)) inputs.push_back({"the input '" + line.input + "'", line.input});
   if (!line.size_points_file.empty())
     inputs.push_back({"the file of --size-points, '" + line.size_points_file + "'", line.size_points_file});
+  if (!line.area_file.empty())
+    inputs.push_back({"the file of --area-file, '" + line.area_file + "'", line.area_file});
   if (!line.size_grid_file.empty())
     inputs.push_back({"the file of --size-grid, '" + line.size_grid_file + "'", line.size_grid_file});
   for (const std::string& output : line.outputs)
@@ -179,6 +181,7 @@ inline void check_files(const Command_line& line) {
                          checkpoints.file_name() + ending});
   }
   add_node_file(line.input, outputs, inputs);
+  add_files_of_mesh(line.input, inputs);
   std::vector<Pieced_output> pieced;
   for (const std::string& output : line.outputs) {
     const std::string ending = ending_of_pieces(output, line.pieces);
@@ -360,9 +363,11 @@ inline Command_line parse_command_line(int argc, const char* const* argv) try {
   const std::vector<std::string> modes(std::begin(mode_names), std::end(mode_names));
   line.mode = static_cast<Command_line::Mode>(choice(given, "mode", modes));
   check_option_uses(given, line.mode);
+  check_uses_with(given, input_format(line.input));
   line.options = quality_mesh_options(given);
   line.neighbors = neighbors(given);
   line.point_set_options = point_set_mesh_options(given, line.mode);
+  line.area_file = text(given, "area-file");
   line.size_points_file = text(given, "size-points");
   line.size_grid_file = text(given, "size-grid");
   line.gradation = gradation(given);

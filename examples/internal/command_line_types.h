@@ -37,6 +37,7 @@ struct Command_line {
   std::string report_file;      ///< empty: none
   std::string size_points_file; ///< empty: none
   std::string size_grid_file;   ///< empty: none
+  std::string area_file;        ///< of the triangles of a mesh to refine; empty: none
   /// The longest edge at features, and how it grows with the distance from them.
   struct Feature_sizes {
     double size, gradation;

@@ -17,7 +17,7 @@ public:
   using std::runtime_error::runtime_error;
 };
 
-enum class Input_format { POLY, GEOJSON, WKT, HDF5, NODE, TABLE, OGR };
+enum class Input_format { POLY, GEOJSON, WKT, HDF5, NODE, ELE, TABLE, OGR };
 enum class Output_format {
   TRIANGLE,
   VTU,
@@ -69,7 +69,7 @@ inline Input_format input_format(const std::string& file_name) {
       {".txt", Input_format::TABLE},    {".csv", Input_format::TABLE}, {".shp", Input_format::OGR},
       {".shz", Input_format::OGR},      {".gpkg", Input_format::OGR},  {".kml", Input_format::OGR},
       {".kmz", Input_format::OGR},      {".gml", Input_format::OGR},   {".fgb", Input_format::OGR},
-      {".dxf", Input_format::OGR}};
+      {".dxf", Input_format::OGR},      {".ele", Input_format::ELE}};
   std::filesystem::path path(file_name);
   const bool is_compressed = path.extension() == ".gz";
   if (is_compressed) path.replace_extension();
@@ -84,7 +84,7 @@ inline Input_format input_format(const std::string& file_name) {
     }
   throw Usage_error("cannot tell the format of input '" + file_name +
                     "': its ending has to be .poly, .geojson, .json, .wkt, .h5, .hdf5, .node, .xy, .txt, "
-                    ".csv, or .shp, .shz, .gpkg, "
+                    ".csv, .ele (a mesh to refine), or .shp, .shz, .gpkg, "
                     ".kml, .kmz, .gml, .fgb, .dxf (by GDAL)");
 }
 

@@ -31,7 +31,7 @@ inline void print_help(std::ostream& out) {
   quality_mesh wells.csv --mode acute -o wells.svg          points: no obtuse angle
 
   INPUT              .poly (Triangle), .geojson, .wkt, .h5; points: .node, .csv, .xy;
-                     with GDAL: .gpkg, .shp, .kml, .gml, .fgb, .dxf
+                     with GDAL: .gpkg, .shp, .kml, .gml, .fgb, .dxf; to refine: .ele
   --layer NAME       of an input with several
   -o FILE            .vtu .msh .2dm .gr3 .14 .mesh .ele .off .svg ..., also several
   -                  standard input or output, with --input-format, --output-format
@@ -63,7 +63,8 @@ inline void print_all_options(std::ostream& out) {
   out << R"(INPUT is .poly of Triangle, .geojson (or .json), .wkt, .h5 (HDF5), or what GDAL
 reads: .gpkg, .shp, .shz, .kml, .kmz, .gml, .fgb, .dxf. Or points alone:
 any of these without segments, .node, or a table, one 'x y', 'x,y' or 'x;y' a
-line (.xy, .txt, .csv). Any may be compressed (.gz).
+line (.xy, .txt, .csv). Or .ele, a mesh to refine, with .node beside it. Any may be
+compressed (.gz).
 )" << command_line_internal::visible_options()
       << R"(
 Exit status: 0 the mesh is valid and meets all bounds; 1 it is valid and written,

@@ -22,6 +22,7 @@
 #include <CGAL/IO/read_GeoJSON.h>
 #include <CGAL/IO/read_WKT.h>
 #include <CGAL/IO/read_XY.h>
+#include <CGAL/IO/read_triangle_mesh.h>
 #include <CGAL/dual_of_mesh_2.h>
 #include <CGAL/tags.h>
 
@@ -57,6 +58,7 @@ Pslg read_from(Source& source, Input_format format, const CGAL::Feature_properti
     break;
   case Input_format::HDF5: // not from a stream
   case Input_format::OGR:
+  case Input_format::ELE:
     break;
   case Input_format::NODE:
     CGAL::IO::read_triangle_node(source, pslg, name...);
@@ -95,6 +97,8 @@ Input read(const std::string& file_name, const Selection& selection) {
     input.coordinates = request.coordinates;
   }
 #endif
+  else if (format == Input_format::ELE)
+    CGAL::IO::read_triangle_mesh(file_name, input.mesh.emplace(), input.graph);
   else
     input.graph = read_from(file_name, format, selection.properties);
   return input;
@@ -263,6 +267,10 @@ Pslg read_points(const std::string& file_name, const Selection& selection) {
   if (pslg.number_of_segments() > 0) throw std::runtime_error(file_name + ": has segments: use --mode pslg");
   if (pslg.vertices.empty()) throw std::runtime_error(file_name + ": no points");
   return pslg;
+}
+
+std::vector<double> read_areas(const std::string& file_name, const Mesh& mesh, const Pslg& pslg) {
+  return CGAL::IO::read_triangle_area(file_name, mesh, pslg.first_number);
 }
 
 CGAL::Points_sizing_field_2 read_sized_points(const std::string& file_name,

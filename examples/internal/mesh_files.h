@@ -19,6 +19,7 @@
 #include <CGAL/Quadtree_mesh_2/mesh_edges_types.h>
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,7 @@ using Pslg = CGAL::Pslg_2<Point>;
 /// A graph, and what the file says its coordinates are.
 struct Input {
   Pslg graph;
+  std::optional<Mesh> mesh; ///< of the graph, to be refined, if the file has one
   CGAL::Coordinate_system_2 coordinates = CGAL::Coordinate_system_2::UNKNOWN;
 };
 /// What to read of features.
@@ -46,6 +48,8 @@ enum class Points_alone { REFUSED, ALLOWED };
 Input read_graph(const std::string& file_name, const Selection& selection, Points_alone points_alone);
 /// \throws std::runtime_error if there are segments, or no points, too
 Pslg read_points(const std::string& file_name, const Selection& selection);
+/// Bounds of area by triangle, of an .area file of Triangle.
+std::vector<double> read_areas(const std::string& file_name, const Mesh& mesh, const Pslg& pslg);
 /// Points with the sizes of triangles there: the first three columns of a table, or `x`, `y` and `size`.
 /// \param projection of the places, if they are degrees; sizes are meters then. Null: none
 /// \param gradation by how much sizes grow over a unit of length

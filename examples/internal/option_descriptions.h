@@ -77,6 +77,9 @@ inline po::options_description graph_options() {
      "least angle in degrees, up to 34; where it is missed is reported")
     ("max-edge", po::value<double>()->value_name("H"), "longest edge")
     ("max-area", po::value<double>()->value_name("A"), "largest area of a triangle")
+    ("area-file", po::value<std::string>()->value_name("FILE"),
+     "of a mesh to refine, INPUT.ele: the largest area of a triangle in each of its triangles, an .area file of "
+     "Triangle; no bound where it is not positive")
     ("min-edge", po::value<double>()->value_name("H"),
      "insert no vertex nearer than this to another; triangles that miss a bound for this reason are reported")
     ("region-property", po::value<std::string>()->value_name("NAME"),

@@ -4,6 +4,7 @@
 // Which options of quality_mesh have a meaning with which others.
 
 #include "command_line_types.h"
+#include "file_formats.h"
 #include "option_values.h"
 
 #include <CGAL/Quality_mesh_options_2.h>
@@ -32,6 +33,7 @@ inline const std::vector<Option_use>& option_uses() {
       {"hull", {Mode::PSLG}},
       {"repair", {Mode::PSLG}},
       {"project", {Mode::PSLG}},
+      {"area-file", {Mode::PSLG}},
       {"size-points", {Mode::PSLG}},
       {"size-grid", {Mode::PSLG}},
       {"size-from-features", {Mode::PSLG}},
@@ -83,6 +85,20 @@ inline void check_uses_with(const po::variables_map& given,
     if (given.count(option) > 0 && !given[option].defaulted())
       throw Usage_error(std::string("--") + option + " has no meaning with --separation " +
                         (is_on_demand ? "on-demand" : "theorem-5"));
+}
+
+/// \throws Usage_error naming an option that has no meaning for the input, where this is a mesh to refine or is none
+inline void check_uses_with(const po::variables_map& given, Input_format input) {
+  const bool is_mesh = input == Input_format::ELE;
+  const std::vector<const char*> senseless =
+      is_mesh ? std::vector<const char*>{"hull",   "repair", "project", "size-from-features", "domain",
+                                         "kernel", "memory", "resume",  "separation",         "compare"}
+              : std::vector<const char*>{"area-file"};
+  for (const char* const option : senseless)
+    if (given.count(option) > 0 && !given[option].defaulted())
+      throw Usage_error(std::string("--") + option + " has " +
+                        (is_mesh ? "no meaning for a mesh to refine (.ele)"
+                                 : "a meaning for a mesh to refine only, an input .ele"));
 }
 
 } // namespace command_line_internal

@@ -66,6 +66,17 @@ inline void add_node_file(const std::string& input, const Named_files& outputs, 
       inputs.push_back({"'" + node_file + "', which has the vertices of the input", node_file});
 }
 
+/// The files beside the .ele file of a mesh are inputs, too.
+inline void add_files_of_mesh(const std::string& input, Named_files& inputs) {
+  namespace internal = CGAL::Quadtree_mesh_2::internal;
+  if (is_standard_stream(input) || input_format(input) != Input_format::ELE) return;
+  for (const char* const ending : {".node", ".poly"}) {
+    const std::string file =
+        internal::existing_triangle_file(internal::stem_of_triangle_file(input) + ending);
+    if (!file.empty()) inputs.push_back({"'" + file + "' of the input", file});
+  }
+}
+
 /// An output of which there are pieces, whose number may not be known before there is a mesh.
 struct Pieced_output {
   std::string name, ending;

@@ -84,6 +84,7 @@ inline std::string what_to_do(const CGAL::Pslg_error_2& error, const mesh_graph:
   case Kind::NOT_FINITE:
   case Kind::ZERO_LENGTH:
   case Kind::AMBIGUOUS_SEED:
+  case Kind::INVALID_MESH:
   case Kind::ROUNDING:
     break;
   }

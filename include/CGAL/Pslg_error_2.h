@@ -27,6 +27,8 @@ struct Pslg_parts_2 {
   std::vector<Quadtree_mesh_2::Segment_index> segments; ///< indices in `Pslg_2::segments`
   std::vector<std::size_t> holes;                       ///< indices in `Pslg_2::holes`
   std::vector<std::size_t> regions;                     ///< indices in `Pslg_2::regions`
+  /// indices in `Indexed_mesh_2::triangles`, of a mesh that is given
+  std::vector<Quadtree_mesh_2::Triangle_index> triangles;
   std::vector<std::size_t> seeds; ///< places in the range of seeds that goes with a CGAL triangulation
 
   /// \name Setters
@@ -40,6 +42,8 @@ struct Pslg_parts_2 {
   Pslg_parts_2& hole(std::size_t h) { return holes.push_back(h), *this; }
   /// Adds a region.
   Pslg_parts_2& region(std::size_t r) { return regions.push_back(r), *this; }
+  /// Adds a triangle.
+  Pslg_parts_2& triangle(Quadtree_mesh_2::Triangle_index t) { return triangles.push_back(t), *this; }
   /// Adds a seed.
   Pslg_parts_2& seed(std::size_t s) { return seeds.push_back(s), *this; }
   /// @}
@@ -88,6 +92,10 @@ public:
     /// ask for most of its triangles; none if bounds of size do. Remove the gap between them, pass over it by
     /// `min_edge()`, or raise the bounds.
     TOO_MANY_TRIANGLES,
+    /// What is given as a mesh, to be refined or adapted, is none: triangles name vertices that do not exist, are
+    /// clockwise or flat, overlap, or share an edge on one side; or the mesh is not one of its graph. One or two
+    /// triangles, or the vertices at fault. Correct what makes the mesh.
+    INVALID_MESH,
     /// Coordinates have no room for the result: rounding would put vertices of the mesh, or crossings, on each
     /// other or beyond edges. The vertices of the graph at such a place, where it is known. Merge what is only
     /// a few units in the last place apart, or move the input nearer to the origin.

@@ -5,7 +5,7 @@
 // Author(s)     : The Quadtree_mesh_2 authors
 
 // Graphs over doubles from files and families to meshes, with all that the options know; maps in blocks, on threads;
-// and a CGAL triangulation refined in place.
+// a CGAL triangulation refined in place; and a mesh that exists refined and coarsened.
 
 #include "end_to_end.h"
 
@@ -15,9 +15,14 @@
 #include <CGAL/Filtered_quadtree_traits_2.h>
 #include <CGAL/Triangulation_data_structure_2.h>
 #include <CGAL/Triangulation_vertex_base_2.h>
+#include <CGAL/pslg_from_mesh_2.h>
+#include <CGAL/refine_mesh_2.h>
 #include <CGAL/refine_quality_mesh_2.h>
+#include <CGAL/tags.h>
 
 #include <cmath>
+#include <cstddef>
+#include <vector>
 
 namespace test_end_to_end_doubles {
 
@@ -59,6 +64,20 @@ TEST_CASE("A triangulation is refined in place, end to end", "[end_to_end]") {
   CHECK(CGAL::refine_quality_mesh_2(cdt).is_met());
   CHECK(cdt.is_valid());
   CHECK(cdt.number_of_vertices() > before);
+}
+
+TEST_CASE("A mesh is refined, coarsened and read from triangles, end to end", "[end_to_end][threads]") {
+  using Tag = CGAL::Parallel_tag;
+  const Pslg pslg = mesher_test::read("syn_holes_400.poly.gz");
+  const auto mesh = CGAL::Quality_mesher_2<>()(pslg);
+  const auto fine =
+      CGAL::refine_mesh_2<Tag>(mesh, pslg, std::vector<double>(mesh.triangles.size(), 1e-3), Options());
+  CHECK(fine.report.is_met());
+  const auto coarse = CGAL::adapt_mesh_2<Tag>(fine.mesh, pslg, Options());
+  CHECK(coarse.report.is_met());
+  CHECK(coarse.mesh.triangles.size() < fine.mesh.triangles.size());
+  auto given = coarse.mesh;
+  CHECK(CGAL::mesh_quality_2(given, CGAL::pslg_from_mesh_2(given)).is_valid());
 }
 
 } // namespace test_end_to_end_doubles

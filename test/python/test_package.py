@@ -34,8 +34,9 @@ def test_everything_public_is_documented():
 
 
 def test_docstring_examples():
-    from quadtree_mesh import meshing
-    assert doctest.testmod(meshing).failed == 0
+    from quadtree_mesh import adaptation, meshing
+    for module in (adaptation, meshing):
+        assert doctest.testmod(module).failed == 0
 
 
 def test_stubs_name_what_the_module_has():

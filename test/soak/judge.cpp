@@ -124,6 +124,7 @@ std::optional<Verdict> find_fault(const Soak_case& c, const Mesh& mesh,
   case Reason::CANCELLED:
   case Reason::CRITERIA:
   case Reason::KEPT_SEGMENT:
+  case Reason::GREATEST_ANGLE: // not asked for
     break;
   }
   return failure(kind, detail.str());

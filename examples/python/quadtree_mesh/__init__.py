@@ -6,12 +6,13 @@
     mesh.plot()
     mesh.to_meshio().write('lakes.vtu')
 
-`mesh()` meshes polygons and graphs, `mesh_points()` points; `Quadtree` is a quadtree by itself. `triangle` and `meshpy`
-stand in for the packages of these names.
+`mesh()` meshes polygons and graphs, `mesh_points()` points; `refine()` and `adapt()` change a mesh; `Quadtree` is a
+quadtree by itself. `triangle` and `meshpy` stand in for the packages of these names.
 """
 
 from . import meshpy, triangle
 from ._core import version as __version__
+from .adaptation import adapt, refine
 from .errors import DegreesWarning, GraphError, MeshingError, PointError
 from .geometry import graph, read
 from .meshing import mesh, mesh_points
@@ -19,5 +20,6 @@ from .quadtree import Quadtree
 from .results import Mesh, Report
 from .sizes import SizeGrid, SizePoints, size_grid
 
-__all__ = ['mesh', 'mesh_points', 'graph', 'read', 'Quadtree', 'SizeGrid', 'SizePoints', 'size_grid', 'Mesh', 'Report',
+__all__ = ['mesh', 'mesh_points', 'refine', 'adapt', 'graph', 'read', 'Quadtree', 'SizeGrid', 'SizePoints',
+           'size_grid', 'Mesh', 'Report',
            'MeshingError', 'GraphError', 'PointError', 'DegreesWarning', 'triangle', 'meshpy', '__version__']

@@ -30,21 +30,24 @@ class GraphError(MeshingError):
     ----------
     kind : str
         'unreadable', 'array_length', 'no_such_vertex', 'not_finite', 'out_of_range', 'no_area', 'zero_length',
-        'crossing', 'too_near', 'ambiguous_seed', 'no_domain', 'too_many_triangles' or 'rounding'.
-    vertices, segments, holes, regions : list of int
+        'crossing', 'too_near', 'ambiguous_seed', 'no_domain', 'too_many_triangles',
+        'invalid_mesh' (what is to be refined) or 'rounding'.
+    vertices, segments, holes, regions, triangles : list of int
         What is at fault.
     """
 
     def __init__(self, text: str, kind: str = '', vertices: Sequence[int] = (), segments: Sequence[int] = (),
-                 holes: Sequence[int] = (), regions: Sequence[int] = ()) -> None:
+                 holes: Sequence[int] = (), regions: Sequence[int] = (), triangles: Sequence[int] = ()) -> None:
         super().__init__(text, kind)
         self.vertices = list(vertices)
         self.segments = list(segments)
         self.holes = list(holes)
         self.regions = list(regions)
+        self.triangles = list(triangles)
 
     def __reduce__(self):
-        return (type(self), (str(self), self.kind, self.vertices, self.segments, self.holes, self.regions))
+        return (type(self), (str(self), self.kind, self.vertices, self.segments, self.holes, self.regions,
+                            self.triangles))
 
 
 class PointError(MeshingError):

@@ -135,6 +135,10 @@ class Mesh:
         If the graph was projected, the vertices in the plane of the projection, in meters.
     scales : (n,) array of float64, or None
         Likewise how many meters of the plane a meter on the ground is at each vertex.
+    old_vertices : (n,) array of int32, or None
+        Of a mesh by `refine()` or `adapt()`: the vertex of the old mesh that each vertex is, or -1.
+    sources, weights : (n, 3) arrays of int32 and float64, or None
+        Likewise three vertices of the old mesh, whose values each vertex gets with these weights; see `carry_over()`.
     """
 
     vertices: np.ndarray
@@ -152,6 +156,9 @@ class Mesh:
     crs: Any
     places: Optional[np.ndarray]
     scales: Optional[np.ndarray]
+    old_vertices: Optional[np.ndarray]
+    sources: Optional[np.ndarray]
+    weights: Optional[np.ndarray]
 
     def __init__(self, values: Dict[str, Any], *, region_values: Optional[np.ndarray] = None, crs: Any = None) -> None:
         self.vertices = values['vertices']
@@ -169,6 +176,8 @@ class Mesh:
         self.report = values['report']
         self.crs = crs
         self.places, self.scales = values.get('places'), values.get('scales')
+        self.old_vertices = values.get('old_vertices')
+        self.sources, self.weights = values.get('sources'), values.get('weights')
 
     def __repr__(self) -> str:
         unmet = len(self.report.unmet)
@@ -178,6 +187,21 @@ class Mesh:
     def _in_plane(self) -> np.ndarray:
         """Where lengths are measured."""
         return self.vertices if self.places is None else self.places
+
+    def carry_over(self, values: Any) -> np.ndarray:
+        """Values at the vertices of the old mesh, for those of this one, linear in each old triangle.
+
+        A vertex of the old mesh keeps its value bit for bit.
+
+        Parameters
+        ----------
+        values : (m,) or (m, ...) array
+            One for each vertex of the mesh that `refine()` or `adapt()` got.
+        """
+        if self.sources is None or self.weights is None:
+            raise ValueError('only a mesh by refine() or adapt() has an old mesh')
+        given = np.asarray(values, float)
+        return np.einsum('nk,nk...->n...', self.weights, given[self.sources])
 
     def values_of_triangles(self, missing: Any = np.nan) -> np.ndarray:
         """The region's value for each triangle, a (t,) array; `missing` for triangles without a region."""

@@ -13,6 +13,7 @@ import numpy as np
 from ._arguments import marker_array, point_array
 from ._core import convex_hull as _hull_corners
 from .errors import GraphError
+from .adaptation import refine as _refine
 from .meshing import mesh as _mesh
 
 __all__ = ['triangulate', 'delaunay', 'convex_hull', 'plot', 'compare']
@@ -45,12 +46,6 @@ def _border_edges(triangles: np.ndarray, neighbors: np.ndarray) -> np.ndarray:
     return np.stack([triangles[t, (k + 1) % 3], triangles[t, (k + 2) % 3]], axis=1)
 
 
-def _sides_that_occur_once(triangles: np.ndarray) -> np.ndarray:
-    sides = np.concatenate([triangles[:, [1, 2]], triangles[:, [2, 0]], triangles[:, [0, 1]]])
-    _, first, count = np.unique(np.sort(sides, axis=1), axis=0, return_index=True, return_counts=True)
-    return sides[first[count == 1]]
-
-
 def _is_among(edges: np.ndarray, others: np.ndarray) -> np.ndarray:
     """Whether each edge, in any direction, is one of others."""
     def key(e: np.ndarray) -> np.ndarray:
@@ -59,44 +54,40 @@ def _is_among(edges: np.ndarray, others: np.ndarray) -> np.ndarray:
     return np.isin(key(edges), key(others))
 
 
+def _given_mesh(tri: Dict[str, Any], switches: Dict[str, str]) -> Dict[str, Any]:
+    """The mesh to refine, by the letter r, and bounds of area for its triangles."""
+    if 'triangles' not in tri:
+        raise ValueError('r refines a mesh, and there are no triangles')
+    result = dict(vertices=tri['vertices'], triangles=np.asarray(tri['triangles'])[:, :3])
+    if 'vertex_markers' in tri:
+        result['vertex_markers'] = tri['vertex_markers']
+    if 'p' in switches and len(tri.get('segments', ())) > 0:
+        result['segments'] = tri['segments']
+        if 'segment_markers' in tri:
+            result['segment_markers'] = tri['segment_markers']
+    if 'triangle_attributes' in tri:
+        attributes = np.asarray(tri['triangle_attributes'], float)
+        result['triangle_attributes'] = attributes.reshape(len(attributes), -1)[:, 0]
+    return result
+
+
 def _input(tri: Dict[str, Any], switches: Dict[str, str]) -> Dict[str, Any]:
-    """The graph to mesh, by the letters p, r and c."""
-    unknown = set(tri) - _KEYS
-    if unknown:
-        raise KeyError(sorted(unknown)[0])
-    vertices = point_array(tri.get('vertices', []), 'vertices')
-    if len(vertices) < 3:
-        raise ValueError('Input must have at least three vertices.')
+    """The graph to mesh, by the letters p and c."""
+    vertices = point_array(tri['vertices'], 'vertices')
     segments, markers = np.empty((0, 2), np.int64), np.empty(0, np.int32)
     if 'p' in switches:
         segments = np.asarray(tri.get('segments', segments)).reshape(-1, 2)
         markers = marker_array(tri.get('segment_markers', np.zeros(len(segments))), len(segments), 'segment_markers')
-    border = None
-    if 'r' in switches:
-        if 'triangle_max_area' in tri and switches.get('a') == '':
-            raise ValueError("areas by triangle are not supported; use size of quadtree_mesh.mesh()")
-        if 'triangles' not in tri:
-            raise ValueError('r refines a mesh, and there are no triangles')
-        triangles = np.asarray(tri['triangles'])[:, :3]
-        border = _sides_that_occur_once(triangles)
-    elif 'c' in switches or 'p' not in switches:
+    if 'c' in switches or 'p' not in switches:
         corners = _hull_corners(vertices)
         border = np.stack([corners, np.roll(corners, -1)], axis=1)
-    if border is not None:
         segments = np.concatenate([segments, border])
         markers = np.concatenate([markers, np.zeros(len(border), np.int32)])
     result: Dict[str, Any] = dict(vertices=vertices, segments=segments, segment_markers=markers,
                                   vertex_markers=tri.get('vertex_markers'))
-    if 'p' in switches and 'r' not in switches and 'O' not in switches:
+    if 'p' in switches and 'O' not in switches:
         result['holes'] = tri.get('holes')
-    if 'r' in switches:
-        # What triangles cover is meshed. Each tells the attribute of its part.
-        result['domain'] = 'marked'
-        attributes = np.zeros(len(triangles))
-        if 'triangle_attributes' in tri:
-            attributes = np.asarray(tri['triangle_attributes'], float).reshape(len(triangles), -1)[:, 0]
-        result['regions'] = np.column_stack([vertices[triangles].mean(axis=1), attributes])
-    elif 'p' in switches and len(tri.get('regions', ())) > 0:
+    if 'p' in switches and len(tri.get('regions', ())) > 0:
         regions = np.array(tri['regions'], float).reshape(len(tri['regions']), -1)
         regions = np.pad(regions, [(0, 0), (0, max(0, 4 - regions.shape[1]))])
         # Triangle has areas of regions only with an a that has no number, and negative ones for none.
@@ -112,7 +103,9 @@ def triangulate(tri: Dict[str, Any], opts: str = '') -> Dict[str, np.ndarray]:
     ----------
     tri : dict
         ``vertices`` (n, 2); optional ``segments`` (m, 2), ``holes`` (h, 2), ``regions`` (r, 4) with x, y, attribute
-        and largest area, ``vertex_markers``, ``segment_markers``, ``vertex_attributes``; with r ``triangles`` (t, 3).
+        and largest area, ``vertex_markers``, ``segment_markers``, ``vertex_attributes``; with r ``triangles`` (t, 3),
+        ``triangle_attributes`` and, if there is an a without a number, ``triangle_max_area``: bounds for what lies in each,
+        none where they are negative.
     opts : str
         p (segments), r (refine), q or q30 (least angle, 20 by default and at most 34), a0.1 (largest area), a (areas of
         regions), A (attributes of regions), c (convex hull), D (conforming Delaunay), S100 (most new vertices),
@@ -141,18 +134,25 @@ def triangulate(tri: Dict[str, Any], opts: str = '') -> Dict[str, np.ndarray]:
         if letter == 'Y' and 'Y' in switches:
             number = 'all'
         switches[letter] = number
-    graph = _input(tri, switches)
-    n = len(graph['vertices'])
-    attributes = len(tri.get('vertex_attributes', graph['vertices']))
+    unknown = set(tri) - _KEYS
+    if unknown:
+        raise KeyError(sorted(unknown)[0])
+    n = len(point_array(tri.get('vertices', []), 'vertices'))
+    if n < 3:
+        raise ValueError('Input must have at least three vertices.')
+    attributes = len(tri['vertex_attributes']) if 'vertex_attributes' in tri else n
     if attributes != n:
         raise GraphError(f'vertex_attributes must have {n} rows, one each, not {attributes}', 'array_length')
-    made = _mesh(**graph, repair=True,
-                 min_angle=float(switches['q'] or 20) if 'q' in switches else 0,
-                 max_area=float(switches['a']) if switches.get('a') else None,
-                 max_steiner=int(switches['S']) if switches.get('S') else None,
-                 conforming='D' in switches,
-                 keep_borders=(switches['Y'] or 'boundary') if 'Y' in switches else 'none',
-                 coarsen='q' in switches or 'a' in switches)
+    bounds: Dict[str, Any] = dict(min_angle=float(switches['q'] or 20) if 'q' in switches else 0,
+                                  max_area=float(switches['a']) if switches.get('a') else None,
+                                  max_steiner=int(switches['S']) if switches.get('S') else None,
+                                  keep_borders=(switches['Y'] or 'boundary') if 'Y' in switches else 'none')
+    if 'r' in switches:
+        areas = np.ravel(tri['triangle_max_area']) if 'regions' in switches and 'triangle_max_area' in tri else None
+        made = _refine(_given_mesh(tri, switches), areas=areas, conforming='D' in switches, **bounds)
+    else:
+        made = _mesh(**_input(tri, switches), repair=True, conforming='D' in switches,
+                     coarsen='q' in switches or 'a' in switches, **bounds)
     if 'j' in switches:
         made = made.compacted()
     return _output(tri, switches, made)

@@ -51,6 +51,8 @@ const char* name_of(Pslg_kind kind) {
     return "no_domain";
   case Pslg_kind::TOO_MANY_TRIANGLES:
     return "too_many_triangles";
+  case Pslg_kind::INVALID_MESH:
+    return "invalid_mesh";
   case Pslg_kind::ROUNDING:
     break;
   }
@@ -85,10 +87,10 @@ void raise(const char* type_name, const py::object& exception) {
 
 void raise(const CGAL::Pslg_error_2& error) {
   const CGAL::Pslg_parts_2& parts = error.parts();
-  raise("GraphError",
-        py::module_::import("quadtree_mesh.errors")
-            .attr("GraphError")(error.what(), name_of(error.kind()), list_of(parts.vertices),
-                                list_of(parts.segments), list_of(parts.holes), list_of(parts.regions)));
+  raise("GraphError", py::module_::import("quadtree_mesh.errors")
+                          .attr("GraphError")(error.what(), name_of(error.kind()), list_of(parts.vertices),
+                                              list_of(parts.segments), list_of(parts.holes),
+                                              list_of(parts.regions), list_of(parts.triangles)));
 }
 
 void raise(const Point_error& error) {

@@ -26,7 +26,7 @@
 #include <utility>
 #include <vector>
 
-// Reads the files of Jonathan Shewchuk's Triangle: .poly, .node and .ele
+// Reads the files of Jonathan Shewchuk's Triangle: .poly, .node, .ele and .area
 // (https://www.cs.cmu.edu/~quake/triangle.html), in one pass over the text in memory. Triangle takes what it
 // cannot read for zero. Here anything doubtful is an error that tells file and line.
 
@@ -117,11 +117,14 @@ public:
 
   /// <# of triangles> <nodes per triangle> <# of attributes>, then <triangle #> <node> <node> <node> ...
   /// [attributes]
-  void read_triangles(std::vector<std::array<Vertex_index, 3>>& triangles) {
+  /// \param attributes where the first of each triangle goes, if there are any; null: nowhere
+  void read_triangles(std::vector<std::array<Vertex_index, 3>>& triangles,
+                      std::vector<double>* attributes = nullptr) {
     scanner_.next_line({"the number of triangles"});
     const std::size_t n = read_count("the number of triangles", index_limit);
     const std::size_t nodes = optional_count("the number of nodes per triangle", 3);
     if (nodes != 3) scanner_.fail("triangles have " + std::to_string(nodes) + " nodes instead of 3");
+    if (optional_count("the number of attributes", 0) == 0) attributes = nullptr;
     scanner_.skip_more_columns({"a column behind the header"});
     triangles.reserve((std::min)(n, scanner_.remaining() / shortest_triangle + 1));
     for (std::size_t i = 0; i < n; ++i) {
@@ -131,7 +134,27 @@ public:
       std::array<Vertex_index, 3> t;
       for (Vertex_index& v : t) v = read_vertex_index({"a node of triangle", number});
       triangles.push_back(t);
+      if (attributes != nullptr)
+        attributes->push_back(scanner_.template read<double>({"the attribute of triangle", number}));
       scanner_.skip_more_columns({"an attribute of triangle", number});
+    }
+  }
+
+  /// <# of triangles>, then <triangle #> <largest area>
+  void read_areas(std::size_t number_of_triangles, std::vector<double>& areas) {
+    scanner_.next_line({"the number of areas"});
+    const std::size_t n = read_count("the number of areas", index_limit);
+    if (n != number_of_triangles)
+      scanner_.fail("there are " + std::to_string(n) + " areas for " + std::to_string(number_of_triangles) +
+                    " triangles");
+    scanner_.skip_more_columns({"a column behind the header"});
+    areas.reserve(n);
+    for (std::size_t i = 0; i < n; ++i) {
+      const std::size_t number = pslg_.first_number + i;
+      scanner_.next_line({"the area of triangle", number});
+      scanner_.template read<std::int64_t>({"the number of triangle", number});
+      areas.push_back(scanner_.template read<double>({"the area of triangle", number}));
+      scanner_.skip_more_columns({"a column behind the area of triangle", number});
     }
   }
 
@@ -229,6 +252,24 @@ inline std::string find_node_file(std::string file_name) {
   drop_ending(".poly");
   const std::string plain = file_name + ".node", packed = plain + ".gz";
   for (const std::string& name : {is_packed ? packed : plain, is_packed ? plain : packed})
+    if (std::ifstream(name).good()) return name;
+  return std::string();
+}
+
+/// The name of an .ele file without its ending, behind which there may be `.gz`.
+inline std::string stem_of_triangle_file(std::string file_name) {
+  const auto drop = [&file_name](const std::string& ending) {
+    if (file_name.size() > ending.size() &&
+        file_name.compare(file_name.size() - ending.size(), ending.size(), ending) == 0)
+      file_name.resize(file_name.size() - ending.size());
+  };
+  drop(".gz"), drop(".ele");
+  return file_name;
+}
+
+/// The file, or the same compressed by gzip; empty if there is neither.
+inline std::string existing_triangle_file(const std::string& file_name) {
+  for (const std::string& name : {file_name, file_name + ".gz"})
     if (std::ifstream(name).good()) return name;
   return std::string();
 }

@@ -1,0 +1,200 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+//
+// Which triangle of a mesh a place is in.
+//
+// Computes: the triangle with a place in it, or else the nearest one; the triangles whose boxes meet a box.
+// Bound:    O(k log k) time to build for k triangles. A question takes O(log k) in meshes without small angles.
+// Method:   Boxes in a binary tree, halved along their longer side (as in Points_sizing_field_2.h). Whether a triangle
+//           has a place in it is decided exactly. Of several triangles the one with the lowest index is taken, so
+//           answers do not depend on the tree.
+
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_ADAPTATION_TRIANGLE_TREE_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_ADAPTATION_TRIANGLE_TREE_H
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Quadtree_mesh_2/Index.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace CGAL {
+namespace Quadtree_mesh_2 {
+namespace internal {
+
+/// The squared distance of `p` from the segment from a to b.
+template <class Point>
+double squared_distance_from_segment(const Point& p, const Point& a, const Point& b) {
+  const double dx = b.x() - a.x(), dy = b.y() - a.y(), length2 = dx * dx + dy * dy;
+  const double along = (p.x() - a.x()) * dx + (p.y() - a.y()) * dy;
+  const double t = length2 > 0 ? std::min(1., std::max(0., along / length2)) : 0;
+  const double x = a.x() + t * dx - p.x(), y = a.y() + t * dy - p.y();
+  return x * x + y * y;
+}
+
+/// The shares of the corners in a place: barycentric coordinates, those of the nearest place for one beside the
+/// triangle. A corner has exactly (1, 0, 0), (0, 1, 0) or (0, 0, 1).
+template <class Point>
+std::array<double, 3> corner_weights(const std::array<Point, 3>& t, const Point& p) {
+  std::array<double, 3> weights;
+  double sum = 0;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Point &a = t[(k + 1) % 3], &b = t[(k + 2) % 3];
+    weights[k] = std::max(0., (a.x() - p.x()) * (b.y() - p.y()) - (a.y() - p.y()) * (b.x() - p.x()));
+    sum += weights[k];
+  }
+  if (!(sum > 0)) return {1, 0, 0}; // too small for doubles
+  for (double& w : weights) w /= sum;
+  return weights;
+}
+
+class Triangle_tree {
+public:
+  using Kernel = Exact_predicates_inexact_constructions_kernel;
+  using Point = Kernel::Point_2;
+  using Corners = std::array<Point, 3>;
+  struct Box {
+    std::array<double, 2> low, high;
+  };
+  struct Nearest {
+    Triangle_index triangle; ///< the lowest index of those that are as near
+    double squared_distance; ///< 0 within the triangle, its border included
+  };
+
+  /// \pre there is a triangle, and all are counterclockwise
+  Triangle_tree(const std::vector<Point>& points, const std::vector<std::array<Vertex_index, 3>>& triangles) {
+    entries_.reserve(triangles.size());
+    for (std::size_t t = 0; t < triangles.size(); ++t)
+      entries_.push_back({{points[std::size_t(triangles[t][0])], points[std::size_t(triangles[t][1])],
+                           points[std::size_t(triangles[t][2])]},
+                          Triangle_index(t)});
+    std::size_t leaves = 1;
+    while (leaves * leaf_size < entries_.size()) leaves *= 2;
+    boxes_.resize(2 * leaves - 1);
+    build(0, 0, entries_.size());
+  }
+
+  static Box box_of(const Corners& t) {
+    return {{std::min({t[0].x(), t[1].x(), t[2].x()}), std::min({t[0].y(), t[1].y(), t[2].y()})},
+            {std::max({t[0].x(), t[1].x(), t[2].x()}), std::max({t[0].y(), t[1].y(), t[2].y()})}};
+  }
+
+  /// Calls `f(corners, index)` for the triangles whose boxes have a place in common with `box`.
+  template <class F>
+  void for_each_meeting(const Box& box, const F& f) const {
+    visit(0, 0, entries_.size(), box, f);
+  }
+
+  /// The triangle with `p` in it, or else the nearest one.
+  Nearest nearest(const Point& p) const {
+    Nearest best{Triangle_index(), std::numeric_limits<double>::infinity()};
+    search(0, 0, entries_.size(), p, best);
+    return best;
+  }
+
+  static bool has_inside_or_on(const Corners& t, const Point& p) {
+    const auto turn = Kernel().orientation_2_object();
+    return turn(t[0], t[1], p) != RIGHT_TURN && turn(t[1], t[2], p) != RIGHT_TURN &&
+           turn(t[2], t[0], p) != RIGHT_TURN;
+  }
+
+private:
+  static constexpr std::size_t leaf_size = 8;
+
+  struct Entry {
+    Corners corners;
+    Triangle_index triangle;
+  };
+
+  std::vector<Entry> entries_; // in the order of the leaves
+  std::vector<Box> boxes_;     // the children of node i are 2 i + 1 and 2 i + 2
+
+  bool is_leaf(std::size_t node) const { return 2 * node + 1 >= boxes_.size(); }
+  static std::size_t middle_of(std::size_t begin, std::size_t end) { return begin + (end - begin) / 2; }
+
+  void build(std::size_t node, std::size_t begin, std::size_t end) {
+    Box& box = boxes_[node];
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    box = {{infinity, infinity}, {-infinity, -infinity}};
+    for (std::size_t i = begin; i < end; ++i) {
+      const Box own = box_of(entries_[i].corners);
+      for (std::size_t k = 0; k < 2; ++k) {
+        box.low[k] = std::min(box.low[k], own.low[k]);
+        box.high[k] = std::max(box.high[k], own.high[k]);
+      }
+    }
+    if (is_leaf(node)) return;
+    const bool is_wide = box.high[0] - box.low[0] >= box.high[1] - box.low[1];
+    const auto center = [is_wide](const Entry& e) {
+      const Corners& t = e.corners;
+      return is_wide ? t[0].x() + t[1].x() + t[2].x() : t[0].y() + t[1].y() + t[2].y();
+    };
+    const auto at = [this](std::size_t i) { return entries_.begin() + std::ptrdiff_t(i); };
+    const std::size_t middle = middle_of(begin, end);
+    std::nth_element(at(begin), at(middle), at(end),
+                     [&](const Entry& a, const Entry& b) { return center(a) < center(b); });
+    build(2 * node + 1, begin, middle);
+    build(2 * node + 2, middle, end);
+  }
+
+  template <class F>
+  void visit(std::size_t node, std::size_t begin, std::size_t end, const Box& box, const F& f) const {
+    if (!meet(boxes_[node], box)) return;
+    if (is_leaf(node)) {
+      for (std::size_t i = begin; i < end; ++i)
+        if (meet(box_of(entries_[i].corners), box)) f(entries_[i].corners, entries_[i].triangle);
+      return;
+    }
+    const std::size_t middle = middle_of(begin, end);
+    visit(2 * node + 1, begin, middle, box, f);
+    visit(2 * node + 2, middle, end, box, f);
+  }
+
+  static bool meet(const Box& a, const Box& b) {
+    return a.low[0] <= b.high[0] && b.low[0] <= a.high[0] && a.low[1] <= b.high[1] && b.low[1] <= a.high[1];
+  }
+
+  /// No triangle below the node is nearer than this (squared).
+  double least(std::size_t node, const Point& p) const {
+    const Box& b = boxes_[node];
+    const double dx = std::max({b.low[0] - p.x(), p.x() - b.high[0], 0.});
+    const double dy = std::max({b.low[1] - p.y(), p.y() - b.high[1], 0.});
+    return dx * dx + dy * dy;
+  }
+
+  static double squared_distance(const Corners& t, const Point& p) {
+    if (has_inside_or_on(t, p)) return 0;
+    return std::min({squared_distance_from_segment(p, t[0], t[1]),
+                     squared_distance_from_segment(p, t[1], t[2]),
+                     squared_distance_from_segment(p, t[2], t[0])});
+  }
+
+  void search(std::size_t node, std::size_t begin, std::size_t end, const Point& p, Nearest& best) const {
+    if (least(node, p) > best.squared_distance) return;
+    if (is_leaf(node)) {
+      for (std::size_t i = begin; i < end; ++i) {
+        const double d = squared_distance(entries_[i].corners, p);
+        if (d < best.squared_distance || (d == best.squared_distance && entries_[i].triangle < best.triangle))
+          best = {entries_[i].triangle, d};
+      }
+      return;
+    }
+    const std::size_t middle = middle_of(begin, end);
+    const bool is_left_first = least(2 * node + 1, p) <= least(2 * node + 2, p);
+    if (is_left_first) search(2 * node + 1, begin, middle, p, best);
+    search(2 * node + 2, middle, end, p, best);
+    if (!is_left_first) search(2 * node + 1, begin, middle, p, best);
+  }
+};
+
+} // namespace internal
+} // namespace Quadtree_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_ADAPTATION_TRIANGLE_TREE_H

@@ -1,0 +1,40 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+
+#ifndef CGAL_PSLG_FROM_MESH_2_H
+#define CGAL_PSLG_FROM_MESH_2_H
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Indexed_mesh_2.h>
+#include <CGAL/Pslg_2.h>
+#include <CGAL/Quadtree_mesh_2/Index.h>
+#include <CGAL/Quadtree_mesh_2/given_mesh_types.h>
+#include <CGAL/Quadtree_mesh_2/internal/adaptation/Mesh_completer.h>
+
+namespace CGAL {
+
+/// \ingroup PkgQuadtreeMesh2Data
+/// The graph of given triangles, which makes them a mesh for `refine_mesh_2()` and `adapt_mesh_2()`.
+///
+/// Segments are the edges on the border, between triangles with different attributes, and those named in the details.
+/// Each component that they separate has a region, if there are attributes. Each hole has a place in it. A vertex that
+/// no triangle uses is one of the graph. The domain is `Quality_mesh_options_2::Domain::ENCLOSED`.
+///
+/// O(k log k) time for k triangles, in meshes without small angles.
+/// \param[in,out] mesh has points, triangles and perhaps markers of vertices; all other arrays are made
+/// \param details what is known besides
+/// \throws Pslg_error_2 with the kind `INVALID_MESH`, naming the triangles at fault, if the mesh is none (see
+/// `refine_mesh_2()`), or a segment is no edge of it; `ARRAY_LENGTH`, `NOT_FINITE` or `ROUNDING` as their names say.
+/// The mesh is then unchanged.
+inline Pslg_2<Exact_predicates_inexact_constructions_kernel::Point_2>
+pslg_from_mesh_2(Indexed_mesh_2<Exact_predicates_inexact_constructions_kernel::Point_2>& mesh,
+                 const Given_mesh_details_2& details = {}) {
+  return Quadtree_mesh_2::internal::Mesh_completer(mesh, details).complete();
+}
+
+} // namespace CGAL
+
+#endif // CGAL_PSLG_FROM_MESH_2_H

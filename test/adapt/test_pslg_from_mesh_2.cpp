@@ -1,0 +1,223 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+
+#include "adapt_tools.h"
+#include "random_pslg_shapes.h"
+
+#include <CGAL/pslg_from_mesh_2.h>
+#include <CGAL/refine_mesh_2.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace test_pslg_from_mesh_2 {
+
+namespace {
+
+using namespace adapt_test;
+using pslg_test::error_of;
+using Details = CGAL::Given_mesh_details_2;
+
+Mesh triangles_alone(const Mesh& mesh) {
+  Mesh alone;
+  alone.points = mesh.points, alone.triangles = mesh.triangles;
+  return alone;
+}
+
+Mesh make_mesh(std::vector<Point> points, const std::vector<std::array<int, 3>>& triangles) {
+  Mesh mesh;
+  mesh.points = std::move(points);
+  for (const auto& t : triangles)
+    mesh.triangles.push_back({Vertex_index(t[0]), Vertex_index(t[1]), Vertex_index(t[2])});
+  return mesh;
+}
+
+/// Two triangles of the unit square.
+Mesh square() {
+  return make_mesh({Point(0, 0), Point(1, 0), Point(1, 1), Point(0, 1)}, {{0, 1, 2}, {0, 2, 3}});
+}
+
+std::string refusal(Mesh mesh, const Details& details = {}) {
+  const Mesh before = mesh;
+  const std::string text = error_of([&] { CGAL::pslg_from_mesh_2(mesh, details); });
+  CHECK(have_same_bits(before, mesh));
+  CHECK(mesh.neighbors.empty());
+  return text;
+}
+
+} // namespace
+
+TEST_CASE("Triangles become a mesh of the graph of their border", "[adapt]") {
+  for (const auto& family : random_pslg::all_families()) {
+    const Pslg pslg = family.make(3);
+    if (pslg.vertices.size() > 400) continue;
+    CAPTURE(family.name);
+    const Mesh original = fresh_mesh(pslg, Options());
+    for (const auto vertices : {Details::Vertices::INPUT, Details::Vertices::FREE_INSIDE}) {
+      Mesh mesh = triangles_alone(original);
+      Details details;
+      details.vertices = vertices;
+      const Pslg graph = CGAL::pslg_from_mesh_2(mesh, details);
+      CHECK(have_same_bits(mesh, original));
+      CHECK(mesh.neighbors == original.neighbors);
+      if (vertices == Details::Vertices::INPUT) CHECK(graph.vertices.size() == mesh.points.size());
+      check_valid(mesh, graph);
+    }
+  }
+}
+
+TEST_CASE("Only corners, and vertices on bent segments, are input of a mesh with free vertices", "[adapt]") {
+  Mesh mesh = triangles_alone(fresh_mesh(frame(), Options().max_area(0.05)));
+  Details details;
+  details.vertices = Details::Vertices::FREE_INSIDE;
+  const Pslg graph = CGAL::pslg_from_mesh_2(mesh, details);
+  CHECK(graph.vertices.size() == 8);
+  CHECK(graph.segments.size() == 8);
+  CHECK(graph.holes.size() == 1);
+  CHECK(mesh.number_of_input_vertices == 8);
+  check_valid(mesh, graph);
+  const auto coarse = CGAL::adapt_mesh_2(mesh, graph, Options());
+  check_valid(coarse.mesh, graph);
+  check_transfer(coarse, mesh);
+  CHECK(coarse.mesh.triangles.size() < mesh.triangles.size() / 4);
+}
+
+TEST_CASE("Vertices that no triangle uses are input, and so is what is at their place", "[adapt]") {
+  Mesh mesh = triangles_alone(fresh_mesh(frame(), Options().max_area(0.05)));
+  const auto inside = std::find_if(mesh.points.begin(), mesh.points.end(), [](const Point& p) {
+    return p.x() > 0 && p.x() < 4 && p.y() > 0 && p.y() < 1;
+  });
+  REQUIRE(inside != mesh.points.end());
+  const Point place = *inside;
+  mesh.points.push_back(place);
+  mesh.points.emplace_back(2, 2); // in the hole
+  Details details;
+  details.vertices = Details::Vertices::FREE_INSIDE;
+  const Pslg graph = CGAL::pslg_from_mesh_2(mesh, details);
+  CHECK(graph.vertices.size() == 11);
+  check_valid(mesh, graph);
+  const auto coarse = CGAL::adapt_mesh_2(mesh, graph, Options());
+  check_valid(coarse.mesh, graph);
+  CHECK(std::count(coarse.mesh.points.begin(), coarse.mesh.points.end(), place) == 2);
+}
+
+TEST_CASE("Edges between attributes and named edges are segments", "[adapt]") {
+  Mesh mesh = square();
+  Details details;
+  details.attributes = {3, 5};
+  Pslg graph = CGAL::pslg_from_mesh_2(mesh, details);
+  CHECK(graph.segments.size() == 5);
+  REQUIRE(graph.regions.size() == 2);
+  CHECK(graph.regions[0].attribute == 3);
+  CHECK(graph.regions[1].attribute == 5);
+  CHECK(mesh.region_of_triangle == std::vector<int>{0, 1});
+  check_valid(mesh, graph);
+
+  details.attributes = {5, 5};
+  mesh = square();
+  graph = CGAL::pslg_from_mesh_2(mesh, details);
+  CHECK(graph.segments.size() == 4);
+  CHECK(graph.regions.size() == 1);
+
+  details = Details();
+  details.segments = {{Vertex_index(2), Vertex_index(0)}, {Vertex_index(0), Vertex_index(1)}};
+  details.segment_markers = {7, 8};
+  mesh = square();
+  graph = CGAL::pslg_from_mesh_2(mesh, details);
+  REQUIRE(graph.segments.size() == 5);
+  CHECK(graph.regions.empty());
+  std::vector<int> markers = graph.segment_markers;
+  std::sort(markers.begin(), markers.end());
+  CHECK(markers == std::vector<int>{0, 0, 0, 7, 8});
+  check_valid(mesh, graph);
+}
+
+TEST_CASE("What is no mesh is refused, and the triangles at fault are named", "[adapt]") {
+  CHECK(refusal(Mesh()) == "the mesh has no triangles");
+
+  Mesh mesh = square();
+  mesh.triangles[1][2] = Vertex_index(4);
+  CHECK(refusal(mesh) == "triangle 1 (0 2 4) names vertex 4, but there are 4 vertices");
+
+  mesh = square();
+  std::swap(mesh.triangles[1][0], mesh.triangles[1][1]);
+  CHECK(refusal(mesh) == "triangle 1 (2 0 3) is clockwise");
+  Details from_1;
+  from_1.first_number = 1;
+  CHECK(refusal(mesh, from_1) == "triangle 2 (3 1 4) is clockwise");
+
+  mesh = square();
+  mesh.points[3] = Point(0.5, 0.5);
+  CHECK(refusal(mesh) == "triangle 1 (0 2 3) has its vertices on a line");
+  mesh.points[3] = Point(0, std::numeric_limits<double>::quiet_NaN());
+  CHECK(refusal(mesh) == "vertex 3 of the mesh has a coordinate that is not a finite number");
+
+  mesh = square();
+  mesh.points.emplace_back(0.5, 2);
+  mesh.triangles.push_back({Vertex_index(0), Vertex_index(2), Vertex_index(4)});
+  CHECK(refusal(mesh) ==
+        "triangle 1 (0 2 3) and triangle 2 (0 2 4) are on the same side of the edge from vertex 0 "
+        "to vertex 2");
+
+  // They have no edge in common.
+  mesh = make_mesh({Point(0, 0), Point(1, 0), Point(0, 1), Point(0.25, 0.25), Point(2, 0.25), Point(2, 1)},
+                   {{0, 1, 2}, {3, 4, 5}});
+  CHECK(refusal(mesh) == "triangle 0 (0 1 2) and triangle 1 (3 4 5) overlap");
+  // One in the other, without a crossing.
+  mesh = make_mesh({Point(0, 0), Point(8, 0), Point(0, 8), Point(1, 1), Point(2, 1), Point(1, 2)},
+                   {{0, 1, 2}, {3, 4, 5}});
+  CHECK(refusal(mesh) == "triangle 0 (0 1 2) and triangle 1 (3 4 5) overlap");
+  // The same triangle over other vertices.
+  mesh = make_mesh({Point(0, 0), Point(1, 0), Point(0, 1), Point(0, 0), Point(1, 0), Point(0, 1)},
+                   {{0, 1, 2}, {4, 5, 3}});
+  CHECK(refusal(mesh) == "triangle 0 (0 1 2) and triangle 1 (4 5 3) overlap");
+  // A fan that goes around its vertex twice.
+  std::vector<Point> points{Point(0, 0)};
+  std::vector<std::array<int, 3>> fan;
+  for (int i = 0; i < 14; ++i) points.emplace_back(std::cos(i), std::sin(i));
+  for (int i = 1; i < 14; ++i) fan.push_back({0, i, i + 1});
+  CHECK(pslg_test::has_text(refusal(make_mesh(points, fan)), " overlap"));
+}
+
+TEST_CASE("Triangles that only touch are a mesh", "[adapt]") {
+  // At a vertex; along a border with a vertex inside.
+  for (Mesh mesh :
+       {make_mesh({Point(0, 0), Point(1, 0), Point(0, 1), Point(-1, 0), Point(0, -1)},
+                  {{0, 1, 2}, {0, 3, 4}}),
+        make_mesh({Point(0, 0), Point(2, 0), Point(1, 2), Point(1, 0), Point(0, -2), Point(2, -2)},
+                  {{0, 1, 2}, {0, 4, 3}, {4, 5, 3}, {5, 1, 3}})}) {
+    const Pslg graph = CGAL::pslg_from_mesh_2(mesh);
+    const auto refined = CGAL::refine_mesh_2(mesh, graph, Options().max_area(0.1));
+    check_valid(refined.mesh, graph);
+    CHECK(refined.report.is_met());
+  }
+}
+
+TEST_CASE("Arrays of a wrong length, and segments that are no edges, are named", "[adapt]") {
+  Details details;
+  details.attributes = {1};
+  CHECK(refusal(square(), details) == "there are 1 attributes for 2 triangles");
+  details.attributes = {1, std::nan("")};
+  CHECK(refusal(square(), details) == "the attribute of triangle 1 is not a finite number");
+  details = Details();
+  details.segment_markers = {1};
+  CHECK(refusal(square(), details) == "there are 1 markers for 0 segments");
+  Mesh mesh = square();
+  mesh.vertex_markers = {1, 2, 3};
+  CHECK(refusal(mesh) == "there are 3 markers for 4 vertices");
+  details = Details();
+  details.segments = {{Vertex_index(0), Vertex_index(2)}, {Vertex_index(1), Vertex_index(3)}};
+  CHECK(refusal(square(), details) == "segment 1 from vertex 1 to vertex 3 is not an edge of a triangle");
+  details.segments = {{Vertex_index(0), Vertex_index(99)}};
+  CHECK(refusal(square(), details) == "segment 0 from vertex 0 to vertex 99 is not an edge of a triangle");
+}
+
+} // namespace test_pslg_from_mesh_2

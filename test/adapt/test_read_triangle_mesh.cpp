@@ -1,0 +1,149 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+
+#include "adapt_tools.h"
+#include "mutate_text.h"
+#include "scratch_folder.h"
+
+#include <CGAL/IO/read_triangle_mesh.h>
+#include <CGAL/IO/write_triangle_files.h>
+#include <CGAL/refine_mesh_2.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace test_read_triangle_mesh {
+
+namespace {
+
+using namespace adapt_test;
+using pslg_test::error_of;
+
+const std::string nodes = "4 2 1 1\n1 0 0 0.5 7\n2 1 0 1.5 0\n3 1 1 2.5 0\n4 0 1 3.5 0\n";
+const std::string triangles = "2 3 1\n1 1 2 3 5\n2 1 3 4 6\n";
+
+struct Files {
+  Scratch_folder folder;
+
+  Files(const std::string& node, const std::string& ele, const std::string& poly = "") {
+    folder.write("m.node", node), folder.write("m.ele", ele);
+    if (!poly.empty()) folder.write("m.poly", poly);
+  }
+  std::string name() const { return folder.file("m.ele"); }
+  std::string refusal() const {
+    Mesh mesh;
+    Pslg pslg;
+    const std::string text = error_of([&] { CGAL::IO::read_triangle_mesh(name(), mesh, pslg); });
+    CHECK(mesh.points.empty());
+    CHECK(pslg.vertices.empty());
+    return text;
+  }
+};
+
+} // namespace
+
+TEST_CASE("A mesh is read from its files, with attributes, markers and segments", "[adapt]") {
+  const Files files(nodes, triangles, "0 2 0 1\n2 1\n1 2 3 8\n2 3 1 9\n0\n");
+  Mesh mesh;
+  Pslg pslg;
+  CGAL::IO::read_triangle_mesh(files.name(), mesh, pslg);
+  CHECK(mesh.triangles.size() == 2);
+  CHECK(pslg.first_number == 1);
+  CHECK(pslg.vertices.size() == 4);
+  CHECK(pslg.vertex_markers == std::vector<int>{7, 0, 0, 0});
+  CHECK(pslg.vertex_attributes == std::vector<double>{0.5, 1.5, 2.5, 3.5});
+  REQUIRE(pslg.segments.size() == 5);
+  for (std::size_t s = 0; s < 5; ++s) {
+    const auto& [a, b] = pslg.segments[s];
+    const bool is_diagonal = a.value() + b.value() == 2 && a.value() * b.value() == 0;
+    const bool is_right = a.value() + b.value() == 3 && a.value() * b.value() == 2;
+    CHECK(pslg.segment_markers[s] == (is_diagonal ? 9 : is_right ? 8 : 0));
+  }
+  REQUIRE(pslg.regions.size() == 2);
+  CHECK(pslg.regions[0].attribute == 5);
+  CHECK(pslg.regions[1].attribute == 6);
+  check_valid(mesh, pslg);
+}
+
+TEST_CASE("A written mesh is read again and refined, with holes", "[adapt]") {
+  const Scratch_folder folder;
+  const Pslg graph = frame();
+  const Mesh made = fresh_mesh(graph, Options().max_area(0.1));
+  CGAL::IO::write_triangle_files(made, graph, folder.file("m"));
+  Mesh mesh;
+  Pslg pslg;
+  CGAL::IO::read_triangle_mesh(folder.file("m.ele"), mesh, pslg);
+  CHECK(have_same_bits(mesh, made));
+  CHECK(pslg.holes.size() == 1);
+  check_valid(mesh, pslg);
+  const auto refined = CGAL::refine_mesh_2(mesh, pslg, Options().max_area(0.02));
+  check_transfer(refined, mesh);
+  check_valid(refined.mesh, pslg, CGAL::Mesh_quality_options_2().min_angle(20.7).max_area(0.02));
+  check_valid(refined.mesh, graph,
+              CGAL::Mesh_quality_options_2().check_arrays(
+                  CGAL::Mesh_quality_options_2::Arrays::POINTS_AND_TRIANGLES));
+}
+
+TEST_CASE("Files of a mesh that do not fit are refused, with the culprit by its number", "[adapt]") {
+  CHECK(pslg_test::has_text(Files(nodes, "1 3 0\n1 1 2 9\n").refusal(),
+                            "m.ele:2: a node of triangle 1: there is no vertex 9, the vertices are 1 to 4"));
+  CHECK(Files(nodes, "2 3 0\n1 1 2 3\n2 3 1 4\n").refusal() == "triangle 2 (3 1 4) is clockwise");
+  CHECK(
+      Files("4 2 0 0\n0 0 0\n1 1 0\n2 1 1\n3 0.9 0.5\n", "2 3 0\n0 0 1 2\n1 0 1 3\n").refusal() ==
+      "triangle 0 (0 1 2) and triangle 1 (0 1 3) are on the same side of the edge from vertex 0 to vertex 1");
+  CHECK(Files(nodes, triangles, "0 2 0 0\n1 0\n1 2 4\n0\n").refusal() ==
+        "segment 1 from vertex 2 to vertex 4 is not an edge of a triangle");
+  CHECK(pslg_test::has_text(Files(nodes, "2 6 0\n").refusal(), "triangles have 6 nodes instead of 3"));
+  const Scratch_folder folder;
+  folder.write("x.ele", triangles);
+  Mesh mesh;
+  Pslg pslg;
+  CHECK(pslg_test::has_text(error_of([&] { CGAL::IO::read_triangle_mesh(folder.file("x.ele"), mesh, pslg); }),
+                            "there is no file"));
+}
+
+TEST_CASE("Areas are read for as many triangles as there are", "[adapt]") {
+  const Scratch_folder folder;
+  Mesh mesh;
+  mesh.triangles.resize(3);
+  CHECK(CGAL::IO::read_triangle_area(folder.write("a.area", "3\n1 0.5\n2 -1\n3 2e-3 # small\n"), mesh, 1) ==
+        std::vector<double>{0.5, -1, 0.002});
+  const auto refusal = [&](const std::string& text) {
+    return error_of([&] { CGAL::IO::read_triangle_area(folder.write("a.area", text), mesh, 1); });
+  };
+  CHECK(pslg_test::has_text(refusal("2\n1 1\n2 1\n"), "a.area:1: there are 2 areas for 3 triangles"));
+  CHECK(pslg_test::has_text(refusal("3\n1 1\n2 1\n"), "the area of triangle 3"));
+  CHECK(pslg_test::has_text(refusal("3\n1 1\n2 x\n3 1\n"), "a.area:3: the area of triangle 2"));
+  CHECK(pslg_test::has_text(refusal("3\n1 1\n2 1\n3 1\n4 1\n"), "a.area:5: nothing more is expected"));
+}
+
+TEST_CASE("Mutated files of a mesh give a mesh that can be refined, or an error", "[adapt][mutated]") {
+  const std::string poly = "0 2 0 1\n2 1\n1 2 3 8\n2 3 1 9\n0\n";
+  std::size_t read = 0, refused = 0;
+  for (std::uint64_t i = 0; i < 1500; ++i) {
+    Text_mutator mutate(i);
+    const Files files(i % 3 == 0 ? mutate(nodes) : nodes, i % 3 == 1 ? mutate(triangles) : triangles,
+                      i % 3 == 2 ? mutate(poly) : poly);
+    Mesh mesh;
+    Pslg pslg;
+    try {
+      CGAL::IO::read_triangle_mesh(files.name(), mesh, pslg);
+    } catch (const CGAL::Pslg_error_2& error) {
+      CHECK(std::string(error.what()).size() > 10);
+      ++refused;
+      continue;
+    }
+    CAPTURE(i);
+    ++read;
+    check_valid(mesh, pslg);
+  }
+  CHECK(read > 100);
+  CHECK(refused > 100);
+}
+
+} // namespace test_read_triangle_mesh
