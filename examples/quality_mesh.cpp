@@ -177,7 +177,7 @@ void check(Meshing_run& run, const Command_line& line) {
   run.quality = CGAL::mesh_quality_2(mesh, pslg, wanted);
   if (run.projected) check_in_degrees(run, options);
   run.ours.vertices = run.quality.vertices;
-  Mesh_figures_builder(run.ours, options.min_angle())
+  Mesh_figures_builder(run.ours, options.min_angle(), options.max_angle())
       .add_triangles_of(run.projected ? run.projected->images : run.mesh);
 }
 
@@ -208,7 +208,7 @@ void mesh_the_other_way(Meshing_run& run, const Command_line& line) try {
   Mesh_figures figures;
   timed(figures.seconds, [&] { mesh = mesh_in_plane(run.pslg, options, line, report); });
   figures.vertices = mesh.points.size();
-  Mesh_figures_builder(figures, options.min_angle()).add_triangles_of(mesh);
+  Mesh_figures_builder(figures, options.min_angle(), options.max_angle()).add_triangles_of(mesh);
   run.other = figures;
 } catch (const std::runtime_error& error) {
   run.why_no_other = error.what();

@@ -160,6 +160,7 @@ inline void print_figures(const Meshing_run& run, const CGAL::Quality_mesh_optio
   table.print_angle("least angle", &Mesh_figures::min_angle);
   table.print_angle("largest angle", &Mesh_figures::max_angle);
   table.print_count("triangles below the bound", &Mesh_figures::below_bound);
+  if (options.max_angle() > 0) table.print_count("triangles above the bound", &Mesh_figures::above_bound);
   print_line("  in acute input corners", "%14zu", run.quality.exempt_triangles, std::optional<std::size_t>());
   table.print_angle("least angle above the bound", &Mesh_figures::min_angle_of_others);
   table.print_seconds("processor seconds", &Seconds::cpu);

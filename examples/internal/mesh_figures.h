@@ -20,6 +20,7 @@ struct Mesh_figures {
   std::size_t vertices = 0;
   std::size_t triangles = 0;
   std::size_t below_bound = 0;      ///< triangles with an angle below the bound, whatever the reason
+  std::size_t above_bound = 0;      ///< triangles with an angle above that of the greatest one, likewise
   double min_angle = 180;           ///< degrees
   double min_angle_of_others = 180; ///< of the triangles that are not below the bound
   double max_angle = 0;
@@ -28,21 +29,24 @@ struct Mesh_figures {
 /// Gathers the figures of a mesh, triangle by triangle.
 class Mesh_figures_builder {
 public:
-  Mesh_figures_builder(Mesh_figures& figures, double min_angle_in_degrees)
-      // The bound is met by a triangle that rounding shows a hair below it.
-      : figures_(figures), bound_(min_angle_in_degrees - 1e-9) {}
+  /// \param max_angle_in_degrees 0: no bound
+  Mesh_figures_builder(Mesh_figures& figures, double min_angle_in_degrees, double max_angle_in_degrees = 0)
+      // The bound is met by a triangle that rounding shows a hair beyond it.
+      : figures_(figures), least_(min_angle_in_degrees - 1e-9),
+        greatest_(max_angle_in_degrees > 0 ? max_angle_in_degrees + 1e-9 : 180) {}
 
   template <class Point>
   void add_triangle(const Point& a, const Point& b, const Point& c) {
     const CGAL::Quadtree_mesh_2::internal::Scaled_triangle triangle(a, b, c);
-    const double least = triangle.least_angle();
+    const double least = triangle.least_angle(), greatest = triangle.largest_angle();
     ++figures_.triangles;
-    if (least < bound_)
+    if (least < least_)
       ++figures_.below_bound;
     else
       figures_.min_angle_of_others = (std::min)(figures_.min_angle_of_others, least);
     figures_.min_angle = (std::min)(figures_.min_angle, least);
-    figures_.max_angle = (std::max)(figures_.max_angle, triangle.largest_angle());
+    figures_.above_bound += greatest > greatest_ ? 1 : 0;
+    figures_.max_angle = (std::max)(figures_.max_angle, greatest);
   }
 
   template <class Mesh>
@@ -52,7 +56,7 @@ public:
 
 private:
   Mesh_figures& figures_;
-  double bound_;
+  double least_, greatest_;
 };
 
 #endif // QUADTREE_MESH_2_BENCHMARK_MESH_FIGURES_H

@@ -15,7 +15,8 @@
 // Source:   Chew, "Guaranteed-quality mesh generation for curved surfaces" (1993). A triangle with an angle above 120
 //           degrees has another one below 30, and its circumradius is at least its shortest side. So circumcenters make
 //           no shorter edges. Below 120 degrees they may, and rounds are what ends the work.
-// Deviates: rounds end early where several have left no fewer such triangles.
+// Deviates: rounds end early where several have left no fewer such triangles. Within fans of sharp sectors, exempt
+//           triangles stay as they are.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_SHAPING_WIDE_ANGLE_CURER_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_SHAPING_WIDE_ANGLE_CURER_H
@@ -93,7 +94,7 @@ private:
   Refiner<Geometry>& refiner_;
   std::size_t most_vertices_;
   Patience others_{8};
-  Patience exempt_{4}; // in fans of sharp sectors vertices make more of them from the first round on
+  Patience exempt_{4};
 
   /// \pre t is alive
   Kind kind(Triangle_id t) const {
@@ -101,9 +102,19 @@ private:
     const auto s = mesh_.shape(r);
     if (!state_.bounds.is_wide(s)) return Kind::GOOD;
     if (!state_.is_exempt(r.v[0], r.v[1], r.v[2])) return Kind::OTHER;
-    const bool is_tried =
-        s.is_wider(cosine2_of_widest_exempt) && s.sin2_of_least_angle() > sin2_of_sharpest_tried;
+    const bool is_tried = s.is_wider(cosine2_of_widest_exempt) &&
+                          s.sin2_of_least_angle() > sin2_of_sharpest_tried &&
+                          !is_within_fan(state_.corners.excusing_sector(mesh_, r.v[0], r.v[1], r.v[2]));
     return is_tried ? Kind::EXEMPT : Kind::GOOD;
+  }
+
+  /// Whether there are sharp sectors on both sides of one. A vertex on a leg there makes more exempt triangles in the
+  /// sector next to it, and so on.
+  bool is_within_fan(Sector_id s) const {
+    if (!s.is_valid()) return false;
+    const auto& sector = state_.corners.sector(s);
+    return state_.corners.leg(sector.right).before.is_valid() &&
+           state_.corners.leg(sector.left).after.is_valid();
   }
 
   std::vector<Triangle_id> wide_among(const std::vector<Triangle_id>& suspects, Kind wanted) const {
