@@ -107,23 +107,6 @@ for i in "${!precompiled_sets[@]}"; do
   printf '%s\0' "$i"
 done | xargs -0 -P "$(build_jobs)" -I{} clang++ -std=c++17 "${flags[@]}" -x c++-header "$work/set_{}.h" -o "$work/set_{}.pch"
 
-# What g++ makes of C++17 with the installed CGAL, the build has shown.
-{
-  [[ -z $cgal ]] || echo g++ c++17 "$everything"
-  echo g++ c++20 "$everything"
-  echo clang++ c++17 "$everything"
-  echo clang++ c++17 "$everything" -stdlib=libc++
-  for header in "${headers[@]}" "${internal_headers[@]}"; do
-    source=$work/$(tr / _ <<<"$header").cpp
-    printf '#include <%s>\n#include <%s>\n' "$header" "$header" >"$source"
-    echo clang++ c++17 "$source$(precompiled_set_for "$header")"
-  done
-} >"$work/checks"
-export work root
-# Functions and arrays do not reach the shells that xargs starts.
-printf '%s\n' "$(declare -f check)" "$(declare -p flags)" >"$work/check.sh"
-xargs -P "$(build_jobs)" -L 1 bash -c '. "$work/check.sh" && check "$@"' check <"$work/checks"
-
 # The same meshes, by what differs between platforms: integers of 128 bits by the compiler or in two words, the standard
 # library, and long words of 32 bits. There CGAL takes Boost's numbers, because Debian has GMP for one width at a time.
 platforms=(
@@ -134,17 +117,32 @@ platforms=(
 )
 digests() { # platform, in words
   local libraries=(-lgmp -lmpfr) program
-  [[ $1 != *CGAL_DISABLE_GMP* ]] || libraries=()
-  program=$work/digests_$(tr -c 'a-zA-Z0-9\n' _ <<<"$1")
-  # shellcheck disable=SC2086
-  $1 -std=c++17 -O0 -Wall -Wextra -Werror ${cgal:+-isystem "$cgal"} -I "$root/include" \
+  [[ $* != *CGAL_DISABLE_GMP* ]] || libraries=()
+  program=$work/digests_$(tr -c 'a-zA-Z0-9\n' _ <<<"$*")
+  printf '== meshes by %s\n' "$*"
+  "$@" -std=c++17 -O0 -Wall -Wextra -Werror "${flags_of_cgal[@]}" -I "$root/include" \
     "$root/test/platforms/mesh_digests.cpp" -o "$program" "${libraries[@]}"
   "$program" >"$program.txt"
 }
-for platform in "${platforms[@]}"; do
-  printf '== meshes by %s\n' "$platform"
-  digests "$platform"
-done
+
+# What g++ makes of C++17 with the installed CGAL, the build has shown.
+{
+  printf 'digests %s\n' "${platforms[@]}"
+  [[ -z $cgal ]] || echo check g++ c++17 "$everything"
+  echo check g++ c++20 "$everything"
+  echo check clang++ c++17 "$everything"
+  echo check clang++ c++17 "$everything" -stdlib=libc++
+  for header in "${headers[@]}" "${internal_headers[@]}"; do
+    source=$work/$(tr / _ <<<"$header").cpp
+    printf '#include <%s>\n#include <%s>\n' "$header" "$header" >"$source"
+    echo check clang++ c++17 "$source$(precompiled_set_for "$header")"
+  done
+} >"$work/checks"
+export work root
+# Functions and arrays do not reach the shells that xargs starts.
+flags_of_cgal=(${cgal:+-isystem "$cgal"})
+printf '%s\n' "set -e" "$(declare -f check digests)" "$(declare -p flags flags_of_cgal)" >"$work/check.sh"
+xargs -P "$(build_jobs)" -L 1 bash -c '. "$work/check.sh" && "$@"' check <"$work/checks"
 for text in "$work"/digests_*.txt; do
   diff "$work/digests_g__.txt" "$text" || fail "the meshes of ${text##*/} are others"
 done

@@ -47,7 +47,7 @@ packages=("${build_packages[@]}" libgdal-dev catch2 python3-gmsh python3-h5py py
 # Pages are opened in a browser.
 [[ -n $sanitize ]] || packages+=(chromium-headless-shell python3-pil)
 # CGAL's viewer, for draw().
-[[ -n $sanitize ]] || packages+=(libcgal-qt5-dev)
+[[ $full == no || -n $sanitize ]] || packages+=(libcgal-qt5-dev)
 if [[ $compiler == clang++* ]]; then
   version=${compiler#clang++}
   command -v "$compiler" >/dev/null || packages+=("clang$version")
