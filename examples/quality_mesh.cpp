@@ -331,7 +331,7 @@ int main(int argc, char** argv) try {
 #endif
   return static_cast<int>(run(parse_command_line(argc, argv)));
 } catch (const Usage_error& error) {
-  return fail(std::string(error.what()) + " (see quality_mesh --help)");
+  return fail(std::string(error.what()) + " (see quality_mesh --help-all)");
 } catch (const CGAL::Quadtree_mesh_2::Scratch_full& error) {
   return fail(std::string(error.what()) + ": make room, or name another folder by --scratch");
 } catch (const std::bad_alloc&) {

@@ -322,6 +322,7 @@ inline nlohmann::ordered_json run_json(const Meshing_run& run) {
                             {"x", unmet.centroid[0]},
                             {"y", unmet.centroid[1]},
                             {"least_angle", unmet.least_angle},
+                            {"greatest_angle", unmet.greatest_angle},
                             {"reason", report_words::name(unmet.reason)}});
     if (unmet.segment.is_valid())
       json["left"].back()["segment"] = run.pslg.first_number + std::size_t(unmet.segment);

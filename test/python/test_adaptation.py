@@ -109,3 +109,20 @@ def test_stand_in_for_triangle():
     assert len(without['triangles']) == n
     with pytest.raises(quadtree_mesh.GraphError, match='areas must have'):
         triangle.triangulate(dict(box, triangle_max_area=areas[1:]), 'rpqa')
+
+
+def test_mesh_of_points_is_refined_and_adapted():
+    points = np.random.default_rng(1).random((200, 2))
+    coarse = quadtree_mesh.mesh_points(points)
+    fine = quadtree_mesh.refine(coarse, max_area=0.001)
+    assert fine.areas().max() <= 0.001
+    assert (fine.vertices[:len(coarse.vertices)] == coarse.vertices).all()
+    assert quadtree_mesh.adapt(fine, sizes=np.full(len(fine.vertices), 0.3)).areas().sum() == pytest.approx(
+        coarse.areas().sum())
+
+
+def test_refining_knows_the_bounds_of_mesh():
+    square = dict(vertices=[[0, 0], [1, 0], [1, 1], [0, 1]], triangles=[[0, 1, 2], [0, 2, 3]])
+    mesh = quadtree_mesh.refine(square, areas=[0.001, -1], max_angle=110, gradation=0.5)
+    assert mesh.report and mesh.angles().max() <= 110 + 1e-9
+    assert not quadtree_mesh.refine(square, max_area=0.001, max_vertices=400).report

@@ -211,6 +211,7 @@ def test_what_is_unmet_is_reported():
     centroids = mesh.vertices[mesh.triangles[unmet['triangle']]].mean(axis=1)
     assert np.allclose(np.stack([unmet['x'], unmet['y']], axis=1), centroids)
     assert np.allclose(unmet['angle'], mesh.angles().min(axis=1)[unmet['triangle']])
+    assert np.allclose(unmet['greatest_angle'], mesh.angles().max(axis=1)[unmet['triangle']])
     check_mesh(qm.mesh(**graph), 1)
 
 

@@ -102,10 +102,10 @@ def count(value: Optional[int], name: str) -> int:
 
 
 def word(value: str, name: str) -> str:
-    """One of the words that the extension module knows."""
+    """One of the words that the extension module knows; the program's have hyphens."""
     if not isinstance(value, str):
         raise TypeError(f'{name} must be a word, not {type(value).__name__}')
-    return value
+    return value.replace('-', '_')
 
 
 def callable_or_none(function: Any, name: str) -> Any:

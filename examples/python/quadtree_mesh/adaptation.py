@@ -18,8 +18,10 @@ __all__ = ['refine', 'adapt']
 
 def refine(mesh: Any, *, areas: Optional[ArrayLike] = None, min_angle: float = 20.7, max_area: Optional[float] = None,
            max_edge: Optional[float] = None, min_edge: Optional[float] = None, size: Any = None,
-           refine_where: Optional[Callable[[np.ndarray], bool]] = None, max_steiner: Optional[int] = None,
-           conforming: bool = False, keep_borders: str = 'none', threads: Optional[int] = None,
+           gradation: Optional[float] = None, max_edge_ratio: Optional[float] = None,
+           max_angle: Optional[float] = None, refine_where: Optional[Callable[[np.ndarray], bool]] = None,
+           max_vertices: Optional[int] = None, max_steiner: Optional[int] = None, conforming: bool = False,
+           keep_borders: str = 'none', threads: Optional[int] = None,
            progress: Optional[Callable[[float], Optional[bool]]] = None) -> Mesh:
     """Inserts vertices into a mesh until its triangles meet the bounds.
 
@@ -35,9 +37,9 @@ def refine(mesh: Any, *, areas: Optional[ArrayLike] = None, min_angle: float = 2
     areas : (t,) array of float, optional
         For each triangle of the mesh the largest area of a new triangle with its centroid in it; no bound where it is
         not positive.
-    min_angle, max_area, max_edge, min_edge, size, refine_where, max_steiner, conforming, keep_borders
+    min_angle, max_area, max_edge, min_edge, size, gradation, max_edge_ratio, max_angle, refine_where, max_vertices
         As for `mesh()`.
-    threads, progress
+    max_steiner, conforming, keep_borders, threads, progress
         Likewise.
 
     Returns
@@ -61,15 +63,19 @@ def refine(mesh: Any, *, areas: Optional[ArrayLike] = None, min_angle: float = 2
     """
     arrays = _arrays(mesh)
     arrays['areas'] = _numbers(areas, len(arrays['triangles']), 'areas')
-    options = _options(min_angle, max_area, max_edge, min_edge, size, refine_where, max_steiner, keep_borders, threads,
-                       progress)
-    return _run(mesh, arrays, dict(options, conforming=bool(conforming), coarsens=False))
+    return _run(mesh, arrays, _options(
+        min_angle=min_angle, max_area=max_area, max_edge=max_edge, min_edge=min_edge, size=size, gradation=gradation,
+        max_edge_ratio=max_edge_ratio, max_angle=max_angle, refine_where=refine_where, max_vertices=max_vertices,
+        max_steiner=max_steiner, conforming=conforming, keep_borders=keep_borders, threads=threads, progress=progress,
+        coarsens=False))
 
 
 def adapt(mesh: Any, *, sizes: Optional[ArrayLike] = None, min_angle: float = 20.7, max_area: Optional[float] = None,
           max_edge: Optional[float] = None, min_edge: Optional[float] = None, size: Any = None,
-          refine_where: Optional[Callable[[np.ndarray], bool]] = None, keep_borders: str = 'none',
-          threads: Optional[int] = None, progress: Optional[Callable[[float], Optional[bool]]] = None) -> Mesh:
+          gradation: Optional[float] = None, max_edge_ratio: Optional[float] = None,
+          max_angle: Optional[float] = None, refine_where: Optional[Callable[[np.ndarray], bool]] = None,
+          max_vertices: Optional[int] = None, keep_borders: str = 'none', threads: Optional[int] = None,
+          progress: Optional[Callable[[float], Optional[bool]]] = None) -> Mesh:
     """Refines a mesh where triangles miss the bounds, and coarsens it where they are needlessly small.
 
     Vertices stay, bit for bit and in order, where a mesh made afresh would have triangles of about the same size.
@@ -80,8 +86,10 @@ def adapt(mesh: Any, *, sizes: Optional[ArrayLike] = None, min_angle: float = 20
         As for `refine()`. Of a dict the vertices inside of attributes and of straight segments may go.
     sizes : (n,) array of float, optional
         The longest edge wanted at each vertex of the mesh, linear between them.
-    min_angle, max_area, max_edge, min_edge, size, refine_where, keep_borders, threads, progress
+    min_angle, max_area, max_edge, min_edge, size, gradation, max_edge_ratio, max_angle, refine_where, max_vertices
         As for `mesh()`.
+    keep_borders, threads, progress
+        Likewise.
 
     Returns
     -------
@@ -107,9 +115,11 @@ def adapt(mesh: Any, *, sizes: Optional[ArrayLike] = None, min_angle: float = 20
     arrays['sizes'] = _numbers(sizes, len(arrays['vertices']), 'sizes')
     if not isinstance(mesh, Mesh):
         arrays['vertices_may_go'] = True
-    options = _options(min_angle, max_area, max_edge, min_edge, size, refine_where, None, keep_borders, threads,
-                       progress)
-    return _run(mesh, arrays, dict(options, coarsens=True))
+    return _run(mesh, arrays, _options(
+        min_angle=min_angle, max_area=max_area, max_edge=max_edge, min_edge=min_edge, size=size, gradation=gradation,
+        max_edge_ratio=max_edge_ratio, max_angle=max_angle, refine_where=refine_where, max_vertices=max_vertices,
+        max_steiner=None, conforming=False, keep_borders=keep_borders, threads=threads, progress=progress,
+        coarsens=True))
 
 
 def _numbers(values: Optional[ArrayLike], wanted: int, name: str) -> np.ndarray:
@@ -122,14 +132,18 @@ def _numbers(values: Optional[ArrayLike], wanted: int, name: str) -> np.ndarray:
     return array
 
 
-def _options(min_angle: float, max_area: Any, max_edge: Any, min_edge: Any, size: Any, refine_where: Any,
-             max_steiner: Any, keep_borders: str, threads: Any, progress: Any) -> Dict[str, Any]:
+def _options(*, min_angle: float, max_area: Any, max_edge: Any, min_edge: Any, size: Any, gradation: Any,
+             max_edge_ratio: Any, max_angle: Any, refine_where: Any, max_vertices: Any, max_steiner: Any, conforming: bool,
+             keep_borders: str, threads: Any, progress: Any, coarsens: bool) -> Dict[str, Any]:
     return dict(min_angle=float(min_angle), max_area=length(max_area), max_edge=length(max_edge),
-                min_edge=length(min_edge), gradation=0.0, max_edge_ratio=0.0, size=size_list(size),
-                refine_where=callable_or_none(refine_where, 'refine_where'), domain='enclosed', max_vertices=0,
-                max_steiner=None if max_steiner is None else count(max_steiner, 'max_steiner'), conforming=False,
-                keep_borders=word(keep_borders, 'keep_borders'), smooth=0, thin=0, coarsen=True, separation='on_demand',
-                threads=count(threads, 'threads'), progress=callable_or_none(progress, 'progress'))
+                min_edge=length(min_edge), gradation=length(gradation), max_edge_ratio=length(max_edge_ratio),
+                max_angle=length(max_angle), size=size_list(size),
+                refine_where=callable_or_none(refine_where, 'refine_where'), domain='enclosed',
+                max_vertices=count(max_vertices, 'max_vertices'),
+                max_steiner=None if max_steiner is None else count(max_steiner, 'max_steiner'),
+                conforming=bool(conforming), keep_borders=word(keep_borders, 'keep_borders'), smooth=0, thin=0,
+                coarsen=True, separation='on_demand', threads=count(threads, 'threads'),
+                progress=callable_or_none(progress, 'progress'), coarsens=coarsens)
 
 
 def _arrays(mesh: Any) -> Dict[str, Any]:
@@ -137,7 +151,10 @@ def _arrays(mesh: Any) -> Dict[str, Any]:
     result: Dict[str, Any] = dict(areas=np.empty(0), sizes=np.empty(0), vertices_may_go=False)
     if isinstance(mesh, Mesh):
         if mesh.places is not None:
-            raise ValueError('a mesh in degrees cannot be refined: project its vertices yourself')
+            raise ValueError('a mesh in degrees cannot be refined: bring the data into a projected system first, '
+                             'for example by to_crs() of GeoPandas, and mesh them again')
+        if len(mesh.segments) == 0:  # a mesh of points
+            return _arrays(dict(vertices=mesh.vertices, triangles=mesh.triangles))
         is_input = np.zeros(len(mesh.vertices), np.int8)
         is_input[:mesh.number_of_input_vertices] = 1
         has_regions = (mesh.regions >= 0).any()

@@ -12,7 +12,7 @@ from . import _core
 __all__ = ['Mesh', 'Report']
 
 _UNMET = np.dtype([('triangle', np.int32), ('x', float), ('y', float), ('angle', float), ('reason', 'U12'),
-                   ('segment', np.int32)])
+                   ('segment', np.int32), ('greatest_angle', float)])
 _UNMET_OF_POINTS = np.dtype([('triangle', np.int32), ('x', float), ('y', float)])
 _EXEMPT = np.dtype([('triangle', np.int32), ('corner', np.int32)])
 
@@ -31,7 +31,8 @@ class Report:
     unmet : structured array
         The triangles that miss a bound: ``triangle``, centroid ``x`` and ``y``, and for graphs the least ``angle`` in
         degrees, the ``reason``: 'budget', 'cancelled', 'min_edge', 'kept_segment', 'corner', 'max_angle',
-        'coordinates' or 'criteria', and the ``segment`` that is in the way because of `keep_borders`, else -1.
+        'coordinates' or 'criteria', the ``segment`` that is in the way because of `keep_borders`, else -1, and the
+        ``greatest_angle``.
     seconds, wall_seconds : dict of str to float
         Time of each phase: of processors, and by the clock.
 
