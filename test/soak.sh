@@ -38,12 +38,18 @@ if [[ $own_seed == yes ]]; then
   arguments+=(--seed "$((16#$digits))")
 fi
 
-install_packages "${build_packages[@]}"
-configure_and_build "$root/build" soak -DCMAKE_BUILD_TYPE=Release
 if [[ $help == yes ]]; then
   usage
-  "$root/build/bin/soak" --help
-elif [[ $documents == yes ]]; then
+  if [[ -x $root/build/bin/soak ]]; then
+    "$root/build/bin/soak" --help
+  else
+    echo "are shown as soon as it is built: cmake -S . -B build && cmake --build build --target soak"
+  fi
+  exit
+fi
+install_packages "${build_packages[@]}"
+configure_and_build "$root/build" soak -DCMAKE_BUILD_TYPE=Release
+if [[ $documents == yes ]]; then
   "$root/build/bin/soak" "${arguments[@]}" >"$root/build/soak.md"
   mv "$root/build/soak.md" "$root/doc/soak.md"
   say "written: doc/soak.md"

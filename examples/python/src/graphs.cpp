@@ -244,7 +244,8 @@ py::dict values_of(const Report& report) {
   py::list unmet, exempt;
   for (const auto& t : report.unmet_triangles)
     unmet.append(py::make_tuple(t.triangle.value(), t.centroid[0], t.centroid[1], t.least_angle,
-                                name_of(t.reason), t.segment.is_valid() ? int(t.segment.value()) : -1, t.greatest_angle));
+                                name_of(t.reason), t.segment.is_valid() ? int(t.segment.value()) : -1,
+                                t.greatest_angle));
   for (const auto& t : report.exempt_triangles)
     exempt.append(py::make_tuple(t.triangle.value(), t.corner.value()));
   py::dict result;
