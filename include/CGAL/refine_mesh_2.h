@@ -71,9 +71,9 @@ refine_mesh_2(const Indexed_mesh_2<Exact_predicates_inexact_constructions_kernel
 ///
 /// Sizes wanted are bounds, usually a field (`Quality_mesh_options_2::size()`), such as a `Mesh_sizing_field_2` of
 /// sizes at the vertices of the mesh. A mesh of the same input made afresh tells what the bounds allow and what the
-/// input forces. Vertices are left out where all edges at them are shorter than 0.6 times the longest edge there in that
-/// mesh: none of the input, and those on segments only if the mesh names the segment (`segment_of_vertex`). Then the
-/// mesher fills in what is missing. So the angles are those of its other meshes. Where sizes stay, so does the mesh,
+/// input forces. Vertices are left out where all edges at them are shorter than 0.6 times the longest edge there in
+/// that mesh: none of the input, and those on segments only if the mesh names the segment (`segment_of_vertex`). Then
+/// the mesher fills in what is missing. So the angles are those of its other meshes. Where sizes stay, so does the mesh,
 /// also near features that force small triangles. If a budget or the callback stops the fresh mesh, none is left
 /// out.
 ///
