@@ -73,9 +73,9 @@ refine_mesh_2(const Indexed_mesh_2<Exact_predicates_inexact_constructions_kernel
 /// sizes at the vertices of the mesh. A mesh of the same input made afresh tells what the bounds allow and what the
 /// input forces. Vertices are left out where all edges at them are shorter than 0.6 times the longest edge there in
 /// that mesh: none of the input, and those on segments only if the mesh names the segment (`segment_of_vertex`). Then
-/// the mesher fills in what is missing. So the angles are those of its other meshes. Where sizes stay, so does the mesh,
-/// also near features that force small triangles. If a budget or the callback stops the fresh mesh, none is left
-/// out.
+/// the mesher fills in what is missing. So the angles are those of its other meshes. Where sizes stay, so does the
+/// mesh, also near features that force small triangles. If a budget or the callback stops the fresh mesh, none is
+/// left out.
 ///
 /// New vertices on a segment that is not parallel to an axis are rounded. A chain of pieces that is halved, joined and
 /// halved again many times may leave the segment by some more units in the last place.
