@@ -32,6 +32,7 @@ class Mesh_sizing_field_2 {
   using Tree = Quadtree_mesh_2::internal::Triangle_tree;
 
 public:
+  /// The field of sizes at the vertices of a mesh.
   /// \param mesh whose triangles are counterclockwise
   /// \param sizes for each vertex the longest edge wanted there; positive for vertices that triangles use
   /// \throws std::invalid_argument if the mesh has no triangles, there are not as many sizes as vertices, or one is not

@@ -86,7 +86,7 @@ struct Quality_mesh_report_2 {
     Reason reason;                            ///< what kept refinement from curing it
     /// With the reason KEPT_SEGMENT, the index of the segment in the input; else none.
     Quadtree_mesh_2::Segment_index segment = {};
-    double greatest_angle = 0; ///< degrees, where there is a `Quality_mesh_options_2::max_angle()`; else 0
+    double greatest_angle = 0; ///< in degrees, too
   };
   /// A triangle with an angle below the least or above the greatest one that an acute input corner excuses.
   struct Exempt_triangle {

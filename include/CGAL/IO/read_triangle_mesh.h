@@ -50,6 +50,7 @@ inline void read_segments_of_mesh(const std::string& name, const Pslg_2<Triangle
 
 namespace IO {
 
+/// \ingroup PkgQuadtreeMesh2IO
 /// Reads a mesh to be refined, as Triangle's `-r` does, from `stem.ele`, `stem.node` and, if there is
 /// one, `stem.poly`; any of them may be compressed (`.gz`).
 ///
@@ -88,6 +89,7 @@ inline void read_triangle_mesh(const std::string& file_name,
   mesh = std::move(result);
 }
 
+/// \ingroup PkgQuadtreeMesh2IO
 /// Reads bounds of area by triangle from an `.area` file of Triangle: a number for each triangle of a mesh, which is
 /// no bound where it is not positive.
 /// \param mesh whose triangles they are for

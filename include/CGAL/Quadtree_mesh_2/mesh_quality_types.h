@@ -114,7 +114,7 @@ struct Mesh_quality_2 {
     Bound bound;                              ///< the bound that it misses
     std::array<double, 2> centroid;           ///< where it is
     double least_angle;                       ///< degrees
-    double greatest_angle;                    ///< degrees
+    double greatest_angle;                    ///< in degrees, too
   };
 
   /// One line per error, the first `Mesh_quality_options_2::max_errors()` of them.

@@ -170,9 +170,11 @@ private:
     for (const std::size_t t : bad_) {
       if (is_listed[t] != 0) continue;
       const Plane_triangle triangle = oracle.triangle(faces_[t]);
-      report_.unmet_triangles.push_back({Triangle_index(t), triangle.centroid(),
-                                         triangle.least_angle_in_degrees(),
-                                         Quality_mesh_report_2::Reason::CRITERIA});
+      const auto angles = triangle.angles();
+      Quality_mesh_report_2::Unmet_triangle unmet{Triangle_index(t), triangle.centroid(), angles.front(),
+                                                  Quality_mesh_report_2::Reason::CRITERIA};
+      unmet.greatest_angle = angles.back();
+      report_.unmet_triangles.push_back(unmet);
     }
   }
 };

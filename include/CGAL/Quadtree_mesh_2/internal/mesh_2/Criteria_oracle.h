@@ -38,15 +38,17 @@ struct Plane_triangle {
   std::array<double, 2> centroid() const {
     return {(p[0][0] + p[1][0] + p[2][0]) / 3, (p[0][1] + p[1][1] + p[2][1]) / 3};
   }
-  double least_angle_in_degrees() const {
+  /// In degrees, the least one first.
+  std::array<double, 3> angles() const {
     const double area2 =
         (p[1][0] - p[0][0]) * (p[2][1] - p[0][1]) - (p[1][1] - p[0][1]) * (p[2][0] - p[0][0]);
-    double least = 180;
+    std::array<double, 3> angles;
     for (std::size_t k = 0; k < 3; ++k) {
       const double cosine2 = squared_side((k + 1) % 3) + squared_side((k + 2) % 3) - squared_side(k);
-      least = std::min(least, std::atan2(2 * std::fabs(area2), cosine2) * 180 / pi);
+      angles[k] = std::atan2(2 * std::fabs(area2), cosine2) * 180 / pi;
     }
-    return least;
+    std::sort(angles.begin(), angles.end());
+    return angles;
   }
 };
 
@@ -97,7 +99,7 @@ public:
   /// are.
   double wanted_angle(const Plane_triangle& t, double most) {
     constexpr double step = 0.5;
-    const double least = t.least_angle_in_degrees();
+    const double least = t.angles().front();
     for (double angle = std::min(most, least + step); angle <= most; angle += step)
       if (!is_bad_isosceles(t, angle)) return angle;
     return is_bad_isosceles(t, most) ? 0 : most;

@@ -231,7 +231,7 @@ private:
       unmet.centroid[0] += x / 3, unmet.centroid[1] += y / 3;
     }
     unmet.least_angle = std::asin(std::sqrt(std::min(1.0, s.sin2_of_least_angle()))) * 180 / pi;
-    if (state_.bounds.has_widest()) unmet.greatest_angle = greatest_angle(s);
+    unmet.greatest_angle = greatest_angle(s);
     report_.unmet_triangles.push_back(unmet);
   }
 
