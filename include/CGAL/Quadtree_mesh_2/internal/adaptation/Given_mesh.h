@@ -8,7 +8,8 @@
 //
 // Computes: neighbors; the constrained edge at each side; components, which constrained edges separate, with a place
 //           inside of each.
-// Bound:    O(k log k) time for k triangles.
+// Bound:    O(k log k) time for k triangles, besides the check (Given_mesh_checker.h).
+// Source:   ours.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_ADAPTATION_GIVEN_MESH_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_ADAPTATION_GIVEN_MESH_H

@@ -8,7 +8,7 @@
 //
 // Computes: nothing, or an error that names the first triangles at fault.
 // Bound:    O(k log k) time for k triangles, in meshes without small angles.
-// Method:   Triangles have to be counterclockwise, and each side may be that of one triangle in each direction. So the
+// Source:   ours. Triangles have to be counterclockwise, and each side may be that of one triangle in each direction. So the
 //           number of triangles above a place changes only across border edges. If it is 2 or more somewhere, that
 //           place has a rim of border edges with another triangle besides their own. So only triangles on the border
 //           are compared with others. Two triangles overlap unless a side of one has the other on its right. All of

@@ -18,7 +18,8 @@
 //           distance proportional to the nearest neighbor", because the sides of leaves are proportional to
 //           it.
 //
-// Edges on opposite sides of the domain's outside do not count.
+// Edges on opposite sides of the domain's outside do not count, nor do those less than 256 units of the coordinates
+// apart.
 //
 // The arithmetic is rounded, relative to the side of the leaf (Near_segment.h). Rounding changes results only in
 // near-ties. It affects sizes, but not the correctness of anything.
