@@ -8,11 +8,11 @@
 //
 // Computes: nothing, or an error that names the first triangles at fault.
 // Bound:    O(k log k) time for k triangles, in meshes without small angles.
-// Source:   ours. Triangles have to be counterclockwise, and each side may be that of one triangle in each direction. So the
-//           number of triangles above a place changes only across border edges. If it is 2 or more somewhere, that
-//           place has a rim of border edges with another triangle besides their own. So only triangles on the border
-//           are compared with others. Two triangles overlap unless a side of one has the other on its right. All of
-//           this is decided exactly.
+// Source:   ours. Triangles have to be counterclockwise, and each side may be that of one triangle in each
+//           direction. So the number of triangles above a place changes only across border edges. If it is 2 or more
+//           somewhere, that place has a rim of border edges with another triangle besides their own. So only triangles
+//           on the border are compared with others. Two triangles overlap unless a side of one has the other on its
+//           right. All of this is decided exactly.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_ADAPTATION_GIVEN_MESH_CHECKER_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_ADAPTATION_GIVEN_MESH_CHECKER_H
