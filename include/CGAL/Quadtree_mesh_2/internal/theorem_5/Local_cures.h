@@ -62,6 +62,7 @@ public:
   /// Cures what can be cured; returns the triangles that are left.
   /// \param missed all triangles below the bound
   std::vector<Triangle_id> run(std::vector<Triangle_id> missed) {
+    state_.leg_rule = Leg_rule::FREE; // there are no shells yet
     for (const Triangle_id t : missed)
       if (is_missed(state_, t)) leave_out_vertex_of(t);
     for (int pass = 0; pass < passes_ && !missed.empty(); ++pass) {
@@ -71,6 +72,7 @@ public:
     }
     for (const Triangle_id t : missed_triangles<ConcurrencyTag>(state_))
       if (is_missed(state_, t) && finer_corners_.insert_for(t)) ++report_.added;
+    state_.leg_rule = Leg_rule::SHELLS;
     return missed_triangles<ConcurrencyTag>(state_);
   }
 

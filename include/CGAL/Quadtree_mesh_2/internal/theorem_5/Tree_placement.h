@@ -28,6 +28,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Corner_location.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Edge_rooms.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Edge_triangles.h>
+#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Leg_spacing.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Near_segment.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Placed_vertices.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Separation_trees.h>
@@ -66,7 +67,7 @@ public:
   Tree_placement(const Problem& problem, const Trees& trees, const Edge_triangles<Geometry>& triangles)
       : problem_(problem), trees_(trees), triangles_(triangles), rooms_(problem, triangles),
         tree_(trees.tree()), corners_(trees.tree()), box_(box_of_points<ConcurrencyTag>(trees.tree())),
-        windows_(problem, trees) {}
+        windows_(problem, trees), legs_(problem) {}
 
   Placed_vertices<Geometry> run() {
     Placed_vertices<Geometry> placed(problem_.input_points);
@@ -89,6 +90,8 @@ private:
 
   static constexpr std::size_t block_of_leaves_ = 256;
   static constexpr std::size_t block_of_corners_ = 1024;
+  /// On a leg of an acute corner, in sides of its apex's leaf along x or y: a vertex up to there may be the first one.
+  static constexpr double next_to_apex_ = 2.25;
 
   const Problem& problem_;
   const Trees& trees_;
@@ -98,44 +101,79 @@ private:
   Corners corners_;
   const Grid_box<Grid_point> box_;
   const Window_placement<Traits, ConcurrencyTag> windows_;
+  const Leg_spacing<Geometry> legs_;
   std::vector<char> is_kept_; // by name of a corner
 
   // ---- on edges
 
+  using Shares = typename Window_placement<Traits, ConcurrencyTag>::Shares;
+
   /// Where an edge crosses the sides of leaves transversal to it, but for those next to its ends. There are the points
-  /// of windows, if they are at the ends.
+  /// of windows, if they are at the ends. Legs of acute corners get more vertices, or fewer.
   void cut_edge(Edge_id e, std::vector<Edge_crossing<Geometry>>& crossings) const {
     const Input_edge& edge = problem_.edges[e];
-    const Point &a = problem_.input_point(edge.a), &b = problem_.input_point(edge.b);
-    const Vector d = Geometry::difference(b, a);
-    const bool is_steep = std::fabs(d.y) > std::fabs(d.x);
-    const double length = std::sqrt(squared_length(d));
     const bool is_window_at_a = windows_.is_at(edge.a), is_window_at_b = windows_.is_at(edge.b);
-    using Shares = typename Window_placement<Traits, ConcurrencyTag>::Shares;
+    const double length = std::sqrt(squared_length(direction(e)));
     const Shares of_a = is_window_at_a ? windows_.crossings_at(e, 0) : Shares{clearance(edge.a) / length, 0},
                  of_b = is_window_at_b ? windows_.crossings_at(e, 1) : Shares{clearance(edge.b) / length, 0};
     if (is_window_at_a)
       for (const auto& p : windows_.points_at(e, 0)) crossings.push_back({e, p.point});
-    const auto leaves = trees_.pieces()[Segment_index(std::size_t(e))];
-    for (std::size_t i = 1; i < leaves.size(); ++i) {
-      const Leaf_index behind = side_crossed(leaves[i - 1], leaves[i], is_steep);
-      if (!behind.is_valid()) continue;
-      const auto s = tree_.square(behind);
-      const auto crossing = Point_on_edge<Geometry>::beside(trees_.kernel_point({s.x, s.y}), a, b, is_steep,
-                                                            trees_.side(behind));
-      const bool is_after_a = crossing.share >= of_a.first, is_before_b = crossing.rest >= of_b.first;
-      if ((is_after_a && (is_before_b || crossing.share <= of_a.last)) ||
-          (is_before_b && crossing.rest <= of_b.last))
+    if (legs_.is_leg(e)) {
+      std::vector<Point_on_edge<Geometry>> vertices;
+      for_each_crossing(e, of_a, of_b, [&](const auto& crossing) { vertices.push_back(crossing); });
+      if (!is_window_at_a) space_out(e, 0, of_b, vertices);
+      if (!is_window_at_b) space_out(e, 1, of_a, vertices);
+      for (const auto& v : vertices) crossings.push_back({e, v.point});
+    } else {
+      for_each_crossing(e, of_a, of_b, [&](const auto& crossing) {
         crossings.push_back({e, crossing.point});
+      });
     }
     if (!is_window_at_b) return;
     const auto [ring, halfway] = windows_.points_at(e, 1);
     crossings.push_back({e, halfway.point}), crossings.push_back({e, ring.point});
   }
 
-  double clearance(Vertex_id v) const {
-    return vertex_clearance.of_crossings * trees_.side(tree_.leaf(Point_index(std::size_t(v))));
+  /// Calls `f(crossing)` for those that are used, along the edge.
+  template <class F>
+  void for_each_crossing(Edge_id e, const Shares& of_a, const Shares& of_b, const F& f) const {
+    const Input_edge& edge = problem_.edges[e];
+    const Vector d = direction(e);
+    const bool is_steep = std::fabs(d.y) > std::fabs(d.x);
+    const auto leaves = trees_.pieces()[Segment_index(std::size_t(e))];
+    for (std::size_t i = 1; i < leaves.size(); ++i) {
+      const Leaf_index behind = side_crossed(leaves[i - 1], leaves[i], is_steep);
+      if (!behind.is_valid()) continue;
+      const auto s = tree_.square(behind);
+      const auto crossing =
+          Point_on_edge<Geometry>::beside(trees_.kernel_point({s.x, s.y}), problem_.input_point(edge.a),
+                                          problem_.input_point(edge.b), is_steep, trees_.side(behind));
+      const bool is_after_a = crossing.share >= of_a.first, is_before_b = crossing.rest >= of_b.first;
+      if ((is_after_a && (is_before_b || crossing.share <= of_a.last)) ||
+          (is_before_b && crossing.rest <= of_b.last))
+        f(crossing);
+    }
   }
+
+  /// \param of_other where crossings at the other end begin
+  void space_out(Edge_id e, std::size_t end, const Shares& of_other,
+                 std::vector<Point_on_edge<Geometry>>& vertices) const {
+    if (!legs_.is_leg_at(e, end)) return;
+    const Vector d = direction(e);
+    const Input_edge& edge = problem_.edges[e];
+    const double sides =
+        std::max(std::fabs(d.x), std::fabs(d.y)) / side_at(end == 0 ? edge.a : edge.b); // to the other end
+    legs_.space_out(e, end, {next_to_apex_ / sides, 1 - of_other.first}, vertices);
+  }
+
+  Vector direction(Edge_id e) const {
+    const Input_edge& edge = problem_.edges[e];
+    return Geometry::difference(problem_.input_point(edge.b), problem_.input_point(edge.a));
+  }
+
+  double side_at(Vertex_id v) const { return trees_.side(tree_.leaf(Point_index(std::size_t(v)))); }
+
+  double clearance(Vertex_id v) const { return vertex_clearance.of_crossings * side_at(v); }
 
   /// Of two leaves that follow each other on an edge the one whose left (or lower) side is crossed; invalid if
   /// they are not beside each other as the edge runs.
