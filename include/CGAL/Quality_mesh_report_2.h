@@ -56,7 +56,7 @@ struct Tree_separation_report_2 {
   std::size_t missed_by_rule = 0; ///< those of them below the bound
   std::size_t left_out = 0;       ///< corners and crossings left out to cure these
   std::size_t relocated = 0;      ///< corners and crossings moved to cure others
-  std::size_t added = 0;          ///< corners of squares smaller than leaves, which cure others
+  std::size_t added = 0;          ///< vertices that leaves did not place, which cure others
   std::size_t missed = 0;         ///< triangles below the bound that were not cured
   std::size_t handed_over = 0;    ///< those of them at leaves that cannot become smaller
   std::size_t placed = 0;         ///< vertices besides those of the input

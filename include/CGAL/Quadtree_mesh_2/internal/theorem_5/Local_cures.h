@@ -7,7 +7,7 @@
 // The triangles below the bound in a mesh of placed vertices, and what cures them without other leaves.
 //
 // Computes: a vertex of such a triangle is left out, or moved, if the bound is met around it then. If none of them can
-//           be, a corner of smaller squares is added, if that does it (Finer_corners.h).
+//           be, one is added, if that does it (Vertex_adder.h).
 // Bound:    O(1) for each triangle; a few passes over them, one after the other.
 // Source:   Bern, Eppstein, Teng, section 6, warp vertices of leaves. Removal and relocation are those of refinement.
 // Deviates: the paper warps by rule. Here a place is searched for, and only where the rule misses the bound.
@@ -21,7 +21,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Relocator.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Remover.h>
-#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Finer_corners.h>
+#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Vertex_adder.h>
 #include <CGAL/Quality_mesh_report_2.h>
 
 #include <algorithm>
@@ -54,8 +54,7 @@ template <class ConcurrencyTag, class Geometry>
 class Local_cures {
 public:
   Local_cures(Meshing_state<Geometry>& state, Tree_separation_report_2& report)
-      : state_(state), mesh_(state.mesh), report_(report), remover_(state), relocator_(state),
-        finer_corners_(state) {
+      : state_(state), mesh_(state.mesh), report_(report), remover_(state), relocator_(state), adder_(state) {
     report_.left_out = report_.relocated = report_.added = 0;
   }
 
@@ -71,7 +70,7 @@ public:
         if (is_missed(state_, t) && !move_vertex_of(t)) leave_out_vertex_of(t);
     }
     for (const Triangle_id t : missed_triangles<ConcurrencyTag>(state_))
-      if (is_missed(state_, t) && finer_corners_.insert_for(t)) ++report_.added;
+      if (is_missed(state_, t) && adder_.insert_for(t)) ++report_.added;
     state_.leg_rule = Leg_rule::SHELLS;
     return missed_triangles<ConcurrencyTag>(state_);
   }
@@ -85,7 +84,7 @@ private:
   Tree_separation_report_2& report_;
   Remover<Geometry> remover_;
   Relocator<Geometry> relocator_;
-  Finer_corners<Geometry> finer_corners_;
+  Vertex_adder<Geometry> adder_;
 
   void leave_out_vertex_of(Triangle_id t) {
     if (try_vertices_of(t, [this](Vertex_id v) { return remover_.remove(v); })) ++report_.left_out;

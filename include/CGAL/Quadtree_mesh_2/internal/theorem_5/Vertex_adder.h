@@ -4,22 +4,24 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// One more corner, of squares smaller than the leaves are, where that cures a triangle below the bound.
+// One more vertex, where that cures a triangle below the bound: a corner of squares smaller than the leaves are, or a
+// vertex on an edge.
 //
-// Computes: a corner of squares whose side is the power of two in (s/4, s/2], where s is the shortest edge of the
+// Computes: 1. A corner of squares whose side is the power of two in (s/4, s/2], where s is the shortest edge of the
 //           triangle. All triangles around it meet the bound once it is a vertex, and their least angle is the
 //           greatest of those around the corners that are looked at: the ones near the triangle's circumcenter,
-//           and near the middle between that and its shortest edge.
-// Bound:    50 corners for each triangle; O(d) for one that would be joined with d vertices.
-// Source:   ours. Such corners are there after a leaf is split a few times. That would split leaves around it, too, to
+//           and near the middle between that and its shortest edge. No edge hides it from the triangle.
+//           2. If there is none, a place in the middle part of a side of the triangle that is on an edge, with
+//           the same properties.
+// Bound:    50 corners and 15 places on edges for each triangle; O(d) for one that would be joined with d vertices.
+// Source:   ours. Such vertices are there after a leaf is split a few times. That would split leaves around it, too, to
 //           keep the balance.
-//
-// No edge is split, and none hides the corner from the triangle.
 
-#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_FINER_CORNERS_H
-#define CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_FINER_CORNERS_H
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_VERTEX_ADDER_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_VERTEX_ADDER_H
 
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
+#include <CGAL/Quadtree_mesh_2/internal/refinement/keeps_orientation.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Cavity.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/walk.h>
 
@@ -27,6 +29,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <initializer_list>
 #include <vector>
 
 namespace CGAL {
@@ -34,24 +37,18 @@ namespace Quadtree_mesh_2 {
 namespace internal {
 
 template <class Geometry>
-class Finer_corners {
+class Vertex_adder {
 public:
   using Point = typename Geometry::Point;
   using Number = typename Geometry::Number;
   using Vector = Basic_vector<Number>;
   using Shape = typename Kernel_mesh<Geometry>::Shape;
 
-  explicit Finer_corners(Meshing_state<Geometry>& state)
+  explicit Vertex_adder(Meshing_state<Geometry>& state)
       : state_(state), mesh_(state.mesh), cavity_(state.mesh) {}
 
-  /// Inserts a corner that cures triangle t, if there is one.
-  bool insert_for(Triangle_id t) {
-    const Place best = best_place_for(t);
-    if (!best.triangle.is_valid()) return false;
-    const Vertex_id v = mesh_.add_vertex(best.point, free_vertex);
-    mesh_.insert_in_triangle(best.triangle, v);
-    return true;
-  }
+  /// Inserts a vertex that cures triangle t, if there is one.
+  bool insert_for(Triangle_id t) { return insert_corner_for(t) || insert_on_side_of(t); }
 
 private:
   struct Place {
@@ -63,13 +60,49 @@ private:
   /// Corners are looked at in squares of so many sides to each side of a center.
   static constexpr int reach_ = 2;
   static constexpr std::size_t longest_walk_ = 16;
+  /// Of a side, where a vertex may be.
+  static constexpr double shares_of_side_[] = {0.5, 0.4, 0.6, 0.3, 0.7};
 
   Meshing_state<Geometry>& state_;
   Kernel_mesh<Geometry>& mesh_;
   Cavity<Geometry> cavity_;
   std::vector<Side> sides_; // of a cavity's triangles
 
-  Place best_place_for(Triangle_id t) {
+  bool insert_corner_for(Triangle_id t) {
+    const Place best = best_corner_for(t);
+    if (!best.triangle.is_valid()) return false;
+    mesh_.insert_in_triangle(best.triangle, mesh_.add_vertex(best.point, free_vertex));
+    return true;
+  }
+
+  bool insert_on_side_of(Triangle_id t) {
+    Place best;
+    Side side;
+    for (int k = 0; k < 3; ++k) {
+      const Side s(t, k);
+      const Edge_id e = mesh_.across(s).is_constrained() ? edge_at(s) : Edge_id();
+      if (!e.is_valid() || state_.problem.is_kept(e)) continue;
+      const double before = best.sin2;
+      for (const double share : shares_of_side_) look_at_place_on(s, e, share, best);
+      if (best.sin2 > before) side = s;
+    }
+    if (!best.triangle.is_valid()) return false;
+    mesh_.insert_on_side(t, side.slot(), mesh_.add_vertex(best.point, edge_at(side)));
+    return true;
+  }
+
+  Edge_id edge_at(Side s) const { return state_.edges.carrying(mesh_, mesh_.source(s), mesh_.target(s)); }
+
+  void look_at_place_on(Side s, Edge_id e, double share, Place& best) {
+    const Point q = Geometry::between(mesh_.point(mesh_.source(s)), mesh_.point(mesh_.target(s)), share);
+    if (!keeps_orientation(mesh_, s, q) || !state_.problem.is_clear_of_outside(e, q)) return;
+    const Side o = mesh_.across(s);
+    collect_cavity({s.triangle(), o.is_border() ? Triangle_id() : o.triangle()}, q);
+    const double least = least_sin2_around(q, s);
+    if (least > best.sin2) best = {q, s.triangle(), least};
+  }
+
+  Place best_corner_for(Triangle_id t) {
     using std::sqrt;
     const auto r = mesh_.triangle(t);
     const Shape s = mesh_.shape(r);
@@ -101,20 +134,35 @@ private:
   void look_at(const Point& q, Triangle_id t, Place& best) {
     const Walk_end end = walk_in_sight(mesh_, t, q, longest_walk_);
     if (end.is_broken_off || end.is_blocked() || !is_inside(end.triangle, q)) return;
+    collect_cavity({end.triangle}, q);
+    if (!has(t)) return;
+    const double least = least_sin2_around(q, Side());
+    if (least > best.sin2) best = {q, end.triangle, least};
+  }
+
+  void collect_cavity(std::initializer_list<Triangle_id> holders, const Point& q) {
     sides_.clear();
-    cavity_.visit_sides({end.triangle}, q, [this](Side s) {
+    cavity_.visit_sides(holders, q, [this](Side s) {
       sides_.push_back(s);
       return true;
     });
-    if (!has(t)) return;
+  }
+
+  /// The squared sine of the least angle around a place, if that is no sharp one; else 0.
+  /// \param split the side that the place is on, if it is on one
+  double least_sin2_around(const Point& q, Side split) const {
     double least = 2;
     for (const Side s : sides_) {
-      if (!is_rim(s)) continue;
+      if (!is_rim(s) || are_same(s, split) || are_same(mesh_.across(s), split)) continue;
       const Shape shape = mesh_.shape(mesh_.point(mesh_.source(s)), mesh_.point(mesh_.target(s)), q);
-      if (state_.bounds.is_sharp(shape)) return;
+      if (state_.bounds.is_sharp(shape)) return 0;
       least = std::min(least, shape.sin2_of_least_angle());
     }
-    if (least > best.sin2) best = {q, end.triangle, least};
+    return least;
+  }
+
+  static bool are_same(Side s, Side t) {
+    return !s.is_border() && !t.is_border() && s.triangle() == t.triangle() && s.slot() == t.slot();
   }
 
   bool is_inside(Triangle_id t, const Point& q) const {
@@ -138,4 +186,4 @@ private:
 } // namespace Quadtree_mesh_2
 } // namespace CGAL
 
-#endif // CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_FINER_CORNERS_H
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_VERTEX_ADDER_H
