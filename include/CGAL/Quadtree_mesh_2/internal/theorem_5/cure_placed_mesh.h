@@ -10,15 +10,13 @@
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/finish_mesh.h>
 
-#include <cstddef>
-
 namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
 /// Refines what quadtrees missed or left too large, in blocks, which are coarsened on the way, and then what these
 /// leave. Of the vertices that quadtrees place most are not needed. Removal alone leaves half of those too many, so
-/// blocks are thinned out before and after they are refined.
+/// blocks are thinned out before and after they are refined. A mesh without blocks is thinned out as a whole.
 /// \param finishing what is done in blocks; nothing is thinned out without removal
 /// \param work_off_in_blocks called once; returns whether the mesh is large enough for blocks
 /// \param refine called once with that; works off what is left, or all
@@ -27,17 +25,13 @@ template <class Geometry, class Work_off_in_blocks, class Refine>
 bool cure_placed_mesh(Meshing_state<Geometry>& state, Finishing& finishing,
                       const Work_off_in_blocks& work_off_in_blocks, const Refine& refine) {
   constexpr int thinnings_of_blocks = 2;
-  constexpr std::size_t least_share =
-      100; // one in so many of the vertices: if as many came, there are too many again
   const bool shall_thin = finishing.removal != Removal::NONE;
   finishing.thinnings_of_blocks = shall_thin ? thinnings_of_blocks : 0;
   state.has_placed_vertices = true;
   const bool are_blocks = work_off_in_blocks();
-  const std::size_t vertices = state.mesh.number_of_vertices();
   refine(are_blocks);
   state.legalize();
-  const bool is_thin = are_blocks && state.mesh.number_of_vertices() - vertices < vertices / least_share;
-  return shall_thin && !is_thin;
+  return shall_thin && !are_blocks;
 }
 
 } // namespace internal
