@@ -45,7 +45,7 @@ public:
   Tree_separation_options_2& find_distances_by(Distances value) { return find_distances_by_ = value, *this; }
   Distances find_distances_by() const { return find_distances_by_; } ///< the value set
 
-  /// The side of a vertex's leaf is at most the distance to the nearest feature divided by this; 0.05 by
+  /// The side of a vertex's leaf is at most the distance to the nearest feature divided by this; 0.07 by
   /// default.
   Tree_separation_options_2& vertex_distance(double value) { return vertex_distance_ = value, *this; }
   double vertex_distance() const { return vertex_distance_; } ///< the value set
@@ -58,7 +58,7 @@ public:
   }
   std::size_t max_vertices_per_leaf() const { return max_vertices_per_leaf_; } ///< the value set
 
-  /// Two edges in a leaf, or in adjacent leaves, that see each other are at least this far apart; 0.05 by
+  /// Two edges in a leaf, or in adjacent leaves, that see each other are at least this far apart; 0.07 by
   /// default. Above 0.5, pieces of edges are this far from all vertices and edges that they see, in whatever leaves
   /// these are, and vertices are `vertex_distance()` from them.
   Tree_separation_options_2& edge_distance(double value) { return edge_distance_ = value, *this; }
@@ -123,8 +123,8 @@ public:
 
 private:
   Distances find_distances_by_ = Distances::TRIANGULATION;
-  double vertex_distance_ = 0.05;
-  double edge_distance_ = 0.05;
+  double vertex_distance_ = 0.07;
+  double edge_distance_ = 0.07;
   std::size_t max_vertices_per_leaf_ = 8;
   double vertex_window_ = 3;
   double strip_width_ = 1.25;
