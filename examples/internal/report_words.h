@@ -59,12 +59,23 @@ inline const char* name(CGAL::Quality_mesh_report_2::Reason reason) {
   return "";
 }
 
+/// What has used up the budget of vertices, which two options set.
+inline const char* explanation_of_budget(const CGAL::Quality_mesh_options_2& options) {
+  if (!options.max_steiner_vertices())
+    return "the budget of vertices is used up; --max-vertices sets another";
+  return options.max_vertices() > 0
+             ? "the budget of vertices is used up; --max-vertices and --max-steiner set another"
+             : "the budget of new vertices is used up; --max-steiner sets another";
+}
+
 /// The reason in words for people, with the option of the program that has to do with it.
-inline const char* explanation(CGAL::Quality_mesh_report_2::Reason reason) {
+/// \param options that were given
+inline const char* explanation(CGAL::Quality_mesh_report_2::Reason reason,
+                               const CGAL::Quality_mesh_options_2& options) {
   using Reason = CGAL::Quality_mesh_report_2::Reason;
   switch (reason) {
   case Reason::BUDGET:
-    return "the budget of vertices is used up; --max-vertices sets another";
+    return explanation_of_budget(options);
   case Reason::CANCELLED:
     return "the run was stopped";
   case Reason::LEAST_EDGE:
