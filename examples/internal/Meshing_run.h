@@ -103,8 +103,9 @@ inline void print_unmet(const CGAL::Mesh_quality_2& quality) {
   constexpr std::size_t max_lines = 10;
   for (std::size_t i = 0; i < quality.unmet_triangles.size() && i < max_lines; ++i) {
     const auto& unmet = quality.unmet_triangles[i];
-    std::printf("unmet: %s of the triangle at (%.17g, %.17g), angles from %.2f to %.2f\n", name(unmet.bound),
-                unmet.centroid[0], unmet.centroid[1], unmet.least_angle, unmet.greatest_angle);
+    std::printf("unmet: %s of the triangle at (%.17g, %.17g), angles from %.2f to %.2f\n",
+                report_words::words(unmet.bound), unmet.centroid[0], unmet.centroid[1], unmet.least_angle,
+                unmet.greatest_angle);
   }
   if (quality.unmet_triangles.size() > max_lines)
     std::printf("unmet: %zu more\n", quality.unmet_triangles.size() - max_lines);
