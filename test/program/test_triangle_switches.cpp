@@ -150,7 +150,7 @@ TEST_CASE("Triangle's -Y and -YY are an option of the program", "[program]") {
     const auto report = nlohmann::json::parse(content(json));
     if (!kept.empty())
       for (const auto& left : report["left"]) {
-        CHECK(left["reason"] == "kept segment");
+        CHECK(left["reason"] == "kept_segment");
         CHECK(kept.count(left["segment"].get<int>()) == 1);
       }
   }

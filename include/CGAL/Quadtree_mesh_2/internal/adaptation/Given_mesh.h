@@ -56,6 +56,19 @@ Point centroid(const std::array<Point, 3>& t) {
   return Point((t[0].x() + t[1].x() + t[2].x()) / 3, (t[0].y() + t[1].y() + t[2].y()) / 3);
 }
 
+/// Of the largest coordinate.
+template <class Points>
+double magnitude_of(const Points& points) {
+  double magnitude = 0;
+  for (const auto& p : points) magnitude = std::max({magnitude, std::fabs(p.x()), std::fabs(p.y())});
+  return magnitude;
+}
+
+/// The power of two by which numbers of a magnitude are divided to be near 1.
+inline int exponent_of(double magnitude) {
+  return magnitude > 0 && std::isfinite(magnitude) ? std::ilogb(magnitude) : 0;
+}
+
 /// The place inside the largest of those triangles that have room for one; nothing if none has.
 class Inner_place {
 public:
@@ -63,8 +76,7 @@ public:
   using Corners = Triangle_tree::Corners;
 
   /// \param magnitude of the largest coordinate; products of coordinates may be beyond doubles
-  explicit Inner_place(double magnitude)
-      : exponent_(magnitude > 0 && std::isfinite(magnitude) ? std::ilogb(magnitude) : 0) {}
+  explicit Inner_place(double magnitude) : exponent_(exponent_of(magnitude)) {}
 
   /// One more triangle.
   void offer(const Corners& t) {
@@ -88,14 +100,6 @@ private:
     return Point(std::ldexp(p.x(), exponent), std::ldexp(p.y(), exponent));
   }
 };
-
-/// That of the largest coordinate.
-template <class Points>
-double magnitude_of(const Points& points) {
-  double magnitude = 0;
-  for (const auto& p : points) magnitude = std::max({magnitude, std::fabs(p.x()), std::fabs(p.y())});
-  return magnitude;
-}
 
 class Given_mesh {
 public:

@@ -59,7 +59,8 @@ public:
                   const Is_constrained& is_constrained)
       : given_(given), mesh_(given.mesh()), pslg_(pslg), options_(options), is_constrained_(is_constrained),
         bound_(options.min_angle() * radians_per_degree),
-        widest_(options.max_angle() > 0 ? options.max_angle() * radians_per_degree : pi) {}
+        widest_(options.max_angle() > 0 ? options.max_angle() * radians_per_degree : pi),
+        exponent_(exponent_of(magnitude_of(given.mesh().points))) {}
 
   /// \param[out] report its triangles, if the answer is yes
   bool is_one(Quality_mesh_report_2& report) {
@@ -79,9 +80,19 @@ private:
   const Options& options_;
   const Is_constrained& is_constrained_;
   double bound_, widest_;
+  int exponent_; // of the largest coordinate
   std::vector<std::vector<Segment_index>>
       segments_at_;                           // per vertex of the graph; made for the first sharp triangle
   std::vector<Vertex_index> vertex_of_input_; // of the mesh
+
+  /// Products of coordinates may be beyond doubles.
+  Point scaled(const Point& p) const {
+    return Point(std::ldexp(p.x(), -exponent_), std::ldexp(p.y(), -exponent_));
+  }
+  Triangle_tree::Corners scaled_corners(std::size_t t) const {
+    const auto p = given_.corners(t);
+    return {scaled(p[0]), scaled(p[1]), scaled(p[2])};
+  }
 
   /// By its sides to neighbors of a greater index, and those on segments if they have to be, too.
   bool is_delaunay(std::size_t t) const {
@@ -110,11 +121,12 @@ private:
   /// Whether it misses a bound of size, or the user refuses it.
   bool is_large(std::size_t t) const {
     const auto p = given_.corners(t);
-    const double area = double_area(p) / 2;
+    const double scaled_area = double_area(scaled_corners(t)) / 2,
+                 area = std::ldexp(scaled_area, 2 * exponent_);
     double longest = 0;
     for (std::size_t k = 0; k < 3; ++k)
       longest = std::max(longest, std::hypot(p[k].x() - p[(k + 1) % 3].x(), p[k].y() - p[(k + 1) % 3].y()));
-    if (!std::isfinite(area) || !(area > 0)) return true; // doubles cannot tell
+    if (!(scaled_area > 0)) return true; // doubles cannot tell
     if (options_.max_area() > 0 && area > options_.max_area()) return true;
     if (options_.max_edge() > 0 && longest > options_.max_edge()) return true;
     if (!mesh_.region_of_triangle.empty() && mesh_.region_of_triangle[t] >= 0) {
@@ -128,7 +140,7 @@ private:
   }
 
   bool has_good_angles(std::size_t t, Quality_mesh_report_2& report) {
-    const auto p = given_.corners(t);
+    const auto p = scaled_corners(t);
     std::array<double, 3> angles;
     for (std::size_t k = 0; k < 3; ++k) angles[k] = angle(p[k], p[(k + 1) % 3], p[(k + 2) % 3]);
     const auto [least, greatest] = std::minmax_element(angles.begin(), angles.end());
@@ -154,7 +166,7 @@ private:
     if (mesh_.segment_of_vertex.empty()) return {};
     find_segments_at_vertices();
     const auto& v = mesh_.triangles[t];
-    const auto p = given_.corners(t);
+    const auto p = scaled_corners(t);
     double least = pi;
     for (std::size_t k = 0; k < 3; ++k)
       least = std::min(least, exact_angle(p[k], p[(k + 1) % 3], p[(k + 2) % 3]));
@@ -186,9 +198,9 @@ private:
     constexpr double greatest_corner = 60 * radians_per_degree, share_kept = 0.9, margin = 1e-11;
     const auto far_end = [&](Segment_index segment) {
       const auto& ends = pslg_.segment(segment);
-      return pslg_.point(ends[ends[0] == apex ? 1 : 0]);
+      return scaled(pslg_.point(ends[ends[0] == apex ? 1 : 0]));
     };
-    const double phi = exact_angle(pslg_.point(apex), far_end(s), far_end(r));
+    const double phi = exact_angle(scaled(pslg_.point(apex)), far_end(s), far_end(r));
     return phi < greatest_corner && least >= share_kept * phi * (1 - margin);
   }
 

@@ -27,6 +27,8 @@ namespace internal {
 
 /// Bounds of area by the triangles of a given mesh: each holds for new triangles with their centroid in it. Several
 /// threads may ask at once.
+constexpr double share_of_area = 0.55, share_of_squared_edge = 0.28;
+
 class Triangle_area_bounds {
 public:
   /// \param triangles of the tree
