@@ -135,8 +135,8 @@ public:
   /// <# of triangles> <nodes per triangle> <# of attributes>, then <triangle #> <node> <node> <node> ...
   /// [attributes]
   /// \param attributes where the first of each triangle goes, if there are any; null: nowhere
-  /// \param middle_nodes where the nodes behind the corners go if there are six of each triangle; null: there have to be
-  /// three
+  /// \param middle_nodes where the nodes behind the corners go if there are six of each triangle; null: there have to
+  /// be three
   void read_triangles(std::vector<std::array<Vertex_index, 3>>& triangles,
                       std::vector<double>* attributes = nullptr,
                       std::vector<Vertex_index>* middle_nodes = nullptr) {

@@ -11,9 +11,9 @@
 // lines. So edges in a row become one side again, if they have one marker and their vertices are on a straight line but
 // for rounding.
 //
-// Computes: for each constrained edge at a corner below 60 degrees, the longest straight chain of edges that begins with
-//           it. The vertices inside of it are within two units in the last place of the line between its ends. Nothing
-//           else ends at them.
+// Computes: for each constrained edge at a corner below 60 degrees, the longest straight chain of edges that begins
+//           with it. The vertices inside of it are within two units in the last place of the line between its ends.
+//           Nothing else ends at them, and no vertex next to the chain is beyond the line.
 // Bound:    O(n log n) time, and that of the chains that leave a corner without turning back.
 // Source:   ours. The directions in which all vertices so far are passed form a cone, which only gets narrower.
 
