@@ -27,12 +27,9 @@ namespace internal {
 
 /// Bounds of area by the triangles of a given mesh: each holds for new triangles with their centroid in it. Several
 /// threads may ask at once.
-constexpr double share_of_area = 0.55, share_of_squared_edge = 0.28;
-
 class Triangle_area_bounds {
 public:
-  /// \param triangles of the tree
-  /// \param areas one for each triangle; those that are not positive are no bounds
+  /// \param areas one for each triangle of the tree; those that are not positive are no bounds
   /// \param first_number what messages count from
   /// \throws Pslg_error_2 if there are more or less areas than triangles, or one is not a number
   Triangle_area_bounds(const Triangle_tree& tree, const std::vector<double>& areas,
