@@ -123,7 +123,7 @@ void mesh_projected(Meshing_run& run, const CGAL::Quality_mesh_options_2& option
 
 /// The same for a mesh that is given.
 void refine(Meshing_run& run, const CGAL::Quality_mesh_options_2& options, const Command_line& line) try {
-  run.mesh = refined_mesh(*run.given, run.pslg, run.areas, options, run.report);
+  run.mesh = refined_mesh(*run.given, run.pslg, run.areas, options, run.report, run.kept_vertices);
 } catch (const CGAL::Pslg_error_2& error) {
   throw std::runtime_error(error.what() + what_to_do(error, run.pslg, line));
 }
@@ -152,6 +152,15 @@ CGAL::Mesh_quality_options_2::Domain rule_to_check(CGAL::Quality_mesh_options_2:
   return Rule::ENCLOSED_BY_SEGMENTS;
 }
 
+/// Of a mesh whose input vertices may be anywhere.
+CGAL::Mesh_quality_2 quality(const mesh_graph::Mesh& mesh, const mesh_graph::Pslg& pslg,
+                             const CGAL::Mesh_quality_options_2& wanted) {
+  if (mesh.input_index.empty()) return CGAL::mesh_quality_2(mesh, pslg, wanted);
+  mesh_graph::Mesh by_input = mesh;
+  CGAL::renumber_by_input(by_input);
+  return CGAL::mesh_quality_2(by_input, pslg, wanted);
+}
+
 /// Bounds are kept in the plane of projection; all else has to be right in degrees, too.
 void check_in_degrees(Meshing_run& run, const CGAL::Quality_mesh_options_2& options) {
   for (auto& unmet : run.quality.unmet_triangles)
@@ -174,7 +183,7 @@ void check(Meshing_run& run, const Command_line& line) {
   const auto& pslg = run.projected ? run.projected->graph : run.pslg;
   const auto& mesh = run.projected ? run.projected->mesh : run.mesh;
   if (line.kernel == Command_line::Kernel::FIXED) wanted.coordinate_unit(mesh_graph::unit_of_words(pslg));
-  run.quality = CGAL::mesh_quality_2(mesh, pslg, wanted);
+  run.quality = quality(mesh, pslg, wanted);
   if (run.projected) check_in_degrees(run, options);
   run.ours.vertices = run.quality.vertices;
   Mesh_figures_builder(run.ours, options.min_angle(), options.max_angle())
@@ -190,6 +199,12 @@ void note_what_rounding_broke(Meshing_run& run) {
     if (known.insert(std::size_t(unmet.triangle)).second)
       run.report.unmet_triangles.push_back(
           {unmet.triangle, unmet.centroid, unmet.least_angle, Report::Reason::COORDINATES});
+}
+
+/// In files, the input of a refined mesh is the mesh that was read. The graph found in it may have left vertices out.
+void name_vertices_as_read(Meshing_run& run) {
+  run.mesh.input_index.clear();
+  run.mesh.number_of_input_vertices = run.kept_vertices;
 }
 
 /// Our other separation, with the same bounds.
@@ -270,6 +285,7 @@ Exit_status execute(const Command_line& line, const Large_run& large) {
   timed(run.ours.seconds, [&] { mesh(run, line); });
   check(run, line);
   check_valid(run.quality);
+  if (run.given) name_vertices_as_read(run);
   if (line.kernel == Command_line::Kernel::EXACT && !run.projected && run.report.is_met() &&
       !run.quality.is_met())
     refuse_what_rounding_broke(run.pslg, run.quality.unmet_triangles, "exact numbers");

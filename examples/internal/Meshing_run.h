@@ -33,6 +33,7 @@ struct Meshing_run {
   CGAL::Pslg_2<Point_2> pslg;                         ///< what is meshed: as read, or repaired
   std::optional<CGAL::Indexed_mesh_2<Point_2>> given; ///< a mesh of it, to be refined
   std::vector<double> areas;                          ///< bounds for its triangles; empty: none
+  std::size_t kept_vertices = 0; ///< how many of the first vertices of the refined mesh are its
   std::optional<CGAL::Pslg_repair_report_2> repair;
   std::optional<projected_graph::Run> projected; ///< of a graph in degrees
   bool may_be_in_degrees = false; ///< the coordinates may be longitudes and latitudes, meshed as they are
@@ -102,19 +103,21 @@ inline void print_unmet(const CGAL::Mesh_quality_2& quality) {
   constexpr std::size_t max_lines = 10;
   for (std::size_t i = 0; i < quality.unmet_triangles.size() && i < max_lines; ++i) {
     const auto& unmet = quality.unmet_triangles[i];
-    std::printf("unmet: %s of the triangle at (%.17g, %.17g), angles from %.2f to %.2f\n", name(unmet.bound),
-                unmet.centroid[0], unmet.centroid[1], unmet.least_angle, unmet.greatest_angle);
+    std::printf("unmet: %s of the triangle at (%.17g, %.17g), angles from %.2f to %.2f\n",
+                report_words::words(unmet.bound), unmet.centroid[0], unmet.centroid[1], unmet.least_angle,
+                unmet.greatest_angle);
   }
   if (quality.unmet_triangles.size() > max_lines)
     std::printf("unmet: %zu more\n", quality.unmet_triangles.size() - max_lines);
 }
 
 /// Why bounds are unmet, as the mesher reports it, and in how many triangles for each reason.
-inline void print_reasons(const CGAL::Quality_mesh_report_2& report) {
+inline void print_reasons(const CGAL::Quality_mesh_report_2& report,
+                          const CGAL::Quality_mesh_options_2& options) {
   std::map<CGAL::Quality_mesh_report_2::Reason, std::size_t> triangles;
   for (const auto& unmet : report.unmet_triangles) ++triangles[unmet.reason];
   for (const auto& [reason, n] : triangles)
-    std::printf("unmet: reason for %zu: %s\n", n, report_words::explanation(reason));
+    std::printf("unmet: reason for %zu: %s\n", n, report_words::explanation(reason, options));
 }
 
 /// One line of the table: ours and, if Mesh_2 gave a mesh, its figure.
@@ -353,7 +356,7 @@ inline void print_run(const Meshing_run& run, const CGAL::Quality_mesh_options_2
     std::printf("no mesh %s: %s\n", name_of_way(other_way(options.separate())), run.why_no_other.c_str());
   if (run.is_peer_asked && !run.peer) std::printf("CGAL Mesh_2 gave no mesh\n");
   print_unmet(run.quality);
-  print_reasons(run.report);
+  print_reasons(run.report, options);
   if (run.report.encroached_edges > 0)
     std::printf("unmet: edges on segments that are not Delaunay: %zu\n", run.report.encroached_edges);
 }

@@ -14,6 +14,7 @@
 
 #include <boost/program_options.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <stdexcept>
@@ -32,12 +33,14 @@ public:
   unsigned max_tokens() const override { return 2; }
 };
 
-/// Which of a few words is given.
+/// Which of a few words is given, with hyphens or, as in Python, with underscores.
 inline std::size_t choice(const po::variables_map& given, const std::string& option,
                           const std::vector<std::string>& words) {
   const std::string& word = given[option].as<std::string>();
+  std::string with_hyphens = word;
+  std::replace(with_hyphens.begin(), with_hyphens.end(), '_', '-');
   for (std::size_t i = 0; i < words.size(); ++i)
-    if (words[i] == word) return i;
+    if (words[i] == with_hyphens) return i;
   std::string all;
   for (const std::string& w : words) all += (all.empty() ? "" : ", ") + w;
   throw Usage_error("--" + option + " has to be one of " + all + ", not '" + word + "'");

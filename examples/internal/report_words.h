@@ -1,28 +1,18 @@
 #ifndef QUADTREE_MESH_2_EXAMPLES_REPORT_WORDS_H
 #define QUADTREE_MESH_2_EXAMPLES_REPORT_WORDS_H
 
-// What people and programs read for the enumerations of reports.
+// What people read for the enumerations of reports; report_names.h has what programs read.
 
-#include <CGAL/Conformal_projection_2.h>
+#include "report_names.h"
+
+#include <CGAL/Quality_mesh_options_2.h>
 #include <CGAL/Quality_mesh_report_2.h>
 #include <CGAL/mesh_quality_2.h>
 
 namespace report_words {
 
-inline const char* name(CGAL::Conformal_projection_2::Kind kind) {
-  using Kind = CGAL::Conformal_projection_2::Kind;
-  switch (kind) {
-  case Kind::MERCATOR:
-    return "mercator";
-  case Kind::LAMBERT:
-    return "lambert";
-  case Kind::STEREOGRAPHIC:
-    return "stereographic";
-  }
-  return "";
-}
-
-inline const char* name(CGAL::Mesh_quality_2::Bound bound) {
+/// A bound in words for people.
+inline const char* words(CGAL::Mesh_quality_2::Bound bound) {
   switch (bound) {
   case CGAL::Mesh_quality_2::Bound::ANGLE:
     return "angle";
@@ -36,35 +26,23 @@ inline const char* name(CGAL::Mesh_quality_2::Bound bound) {
   return "";
 }
 
-inline const char* name(CGAL::Quality_mesh_report_2::Reason reason) {
-  using Reason = CGAL::Quality_mesh_report_2::Reason;
-  switch (reason) {
-  case Reason::BUDGET:
-    return "budget";
-  case Reason::CANCELLED:
-    return "cancelled";
-  case Reason::LEAST_EDGE:
-    return "least edge";
-  case Reason::KEPT_SEGMENT:
-    return "kept segment";
-  case Reason::CORNER:
-    return "corner";
-  case Reason::GREATEST_ANGLE:
-    return "greatest angle";
-  case Reason::COORDINATES:
-    return "coordinates";
-  case Reason::CRITERIA:
-    return "criteria";
-  }
-  return "";
+/// What has used up the budget of vertices, which two options set.
+inline const char* explanation_of_budget(const CGAL::Quality_mesh_options_2& options) {
+  if (!options.max_steiner_vertices())
+    return "the budget of vertices is used up; --max-vertices sets another";
+  return options.max_vertices() > 0
+             ? "the budget of vertices is used up; --max-vertices and --max-steiner set another"
+             : "the budget of new vertices is used up; --max-steiner sets another";
 }
 
 /// The reason in words for people, with the option of the program that has to do with it.
-inline const char* explanation(CGAL::Quality_mesh_report_2::Reason reason) {
+/// \param options that were given
+inline const char* explanation(CGAL::Quality_mesh_report_2::Reason reason,
+                               const CGAL::Quality_mesh_options_2& options) {
   using Reason = CGAL::Quality_mesh_report_2::Reason;
   switch (reason) {
   case Reason::BUDGET:
-    return "the budget of vertices is used up; --max-vertices sets another";
+    return explanation_of_budget(options);
   case Reason::CANCELLED:
     return "the run was stopped";
   case Reason::LEAST_EDGE:
@@ -80,27 +58,6 @@ inline const char* explanation(CGAL::Quality_mesh_report_2::Reason reason) {
     return "the coordinates have no room for a vertex";
   case Reason::CRITERIA:
     return "the criteria ask for more";
-  }
-  return "";
-}
-
-inline const char* name(CGAL::Tree_separation_report_2::End end) {
-  using End = CGAL::Tree_separation_report_2::End;
-  switch (end) {
-  case End::NONE:
-    return "none";
-  case End::DONE:
-    return "done";
-  case End::ROUNDS:
-    return "rounds";
-  case End::COORDINATES:
-    return "coordinates";
-  case End::BUDGET:
-    return "budget";
-  case End::CANCELLED:
-    return "cancelled";
-  case End::FAILED:
-    return "failed";
   }
   return "";
 }

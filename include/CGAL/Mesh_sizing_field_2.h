@@ -42,16 +42,13 @@ public:
     if (sizes.size() != mesh.points.size())
       throw std::invalid_argument("there are " + std::to_string(sizes.size()) + " sizes for " +
                                   std::to_string(mesh.points.size()) + " vertices");
+    check(mesh, sizes);
     std::vector<Entry> entries;
     entries.reserve(mesh.triangles.size());
     for (const auto& t : mesh.triangles) {
       Entry entry;
-      for (std::size_t k = 0; k < 3; ++k) {
+      for (std::size_t k = 0; k < 3; ++k)
         entry.corners[k] = mesh.point(t[k]), entry.sizes[k] = sizes[std::size_t(t[k])];
-        if (!(entry.sizes[k] > 0) || !std::isfinite(entry.sizes[k]))
-          throw std::invalid_argument("the size at vertex " + std::to_string(std::size_t(t[k])) +
-                                      " is not a positive number");
-      }
       entries.push_back(entry);
     }
     data_ = std::make_shared<const Data>(Data{Tree(mesh.points, mesh.triangles), std::move(entries)});
@@ -76,6 +73,16 @@ private:
   };
 
   std::shared_ptr<const Data> data_;
+
+  /// \throws std::invalid_argument naming the first vertex of a triangle whose size is no size
+  static void check(const Indexed_mesh_2<Tree::Point>& mesh, const std::vector<double>& sizes) {
+    std::vector<char> is_used(sizes.size(), 0);
+    for (const auto& t : mesh.triangles)
+      for (const auto v : t) is_used[std::size_t(v)] = 1;
+    for (std::size_t v = 0; v < sizes.size(); ++v)
+      if (is_used[v] != 0 && (!(sizes[v] > 0) || !std::isfinite(sizes[v])))
+        throw std::invalid_argument("the size at vertex " + std::to_string(v) + " is not a positive number");
+  }
 };
 
 } // namespace CGAL

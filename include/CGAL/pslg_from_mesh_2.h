@@ -20,6 +20,7 @@ namespace CGAL {
 /// The graph of given triangles, which makes them a mesh for `refine_mesh_2()` and `adapt_mesh_2()`.
 ///
 /// Segments are the edges on the border, between triangles with different attributes, and those named in the details.
+/// Edges in a row become one where they are a straight side of a sharp corner (`Given_mesh_details_2::Vertices`).
 /// Each component that they separate has a region, if there are attributes. Each hole has a place in it. A vertex that
 /// no triangle uses is one of the graph. The domain is `Quality_mesh_options_2::Domain::ENCLOSED`.
 ///

@@ -15,10 +15,11 @@
 /// domain is what the mesh covers. Budgets for vertices count all vertices of the old mesh as input. The mesh is the
 /// same for any number of threads.
 ///
-/// Vertices that stay have the same coordinates, bit for bit, and the same order. Those on two segments at a corner
-/// sharper than the bound, in triangles between the two, are placed anew, mostly where they were. All triangles are
-/// made anew: where no vertex is added or left out, those of a constrained Delaunay mesh are the same. The new mesh is
-/// constrained Delaunay even if the old one is not.
+/// Vertices that stay have the same coordinates, bit for bit, and the same order. `refine_mesh_2()` returns a mesh that
+/// is constrained Delaunay and meets all bounds as it is, unless there is a bound on how edges grow. Otherwise vertices
+/// on two segments at a corner sharper than the bound, in triangles between the two, are placed anew, mostly where they
+/// were, if all segments may get vertices. All triangles are made anew: where no vertex is added or left out, those of
+/// a constrained Delaunay mesh are the same. The new mesh is constrained Delaunay even if the old one is not.
 ///
 /// All functions throw `Pslg_error_2` with the kind `INVALID_MESH`, naming the triangles or vertices at fault, if
 /// indices are out of range, triangles are clockwise, flat or overlap, two triangles are on one side of an edge, an

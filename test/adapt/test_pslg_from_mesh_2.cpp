@@ -68,7 +68,10 @@ TEST_CASE("Triangles become a mesh of the graph of their border", "[adapt]") {
       const Pslg graph = CGAL::pslg_from_mesh_2(mesh, details);
       CHECK(have_same_bits(mesh, original));
       CHECK(mesh.neighbors == original.neighbors);
-      if (vertices == Details::Vertices::INPUT) CHECK(graph.vertices.size() == mesh.points.size());
+      if (vertices == Details::Vertices::INPUT)
+        for (std::size_t v = 0; v < mesh.points.size(); ++v)
+          CHECK((mesh.input_index.empty() || mesh.input_index[v].is_valid() ||
+                 mesh.segment_of_vertex[v].is_valid()));
       check_valid(mesh, graph);
     }
   }

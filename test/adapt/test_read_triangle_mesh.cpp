@@ -35,6 +35,13 @@ struct Files {
     if (!poly.empty()) folder.write("m.poly", poly);
   }
   std::string name() const { return folder.file("m.ele"); }
+  bool is_read() const {
+    Mesh mesh;
+    Pslg pslg;
+    CGAL::IO::read_triangle_mesh(name(), mesh, pslg);
+    check_valid(mesh, pslg);
+    return mesh.points.size() == 4;
+  }
   std::string refusal() const {
     Mesh mesh;
     Pslg pslg;
@@ -89,6 +96,60 @@ TEST_CASE("A written mesh is read again and refined, with holes", "[adapt]") {
                   CGAL::Mesh_quality_options_2::Arrays::POINTS_AND_TRIANGLES));
 }
 
+TEST_CASE("Of six nodes for each triangle the corners are read", "[adapt]") {
+  const Scratch_folder folder;
+  const Pslg graph = frame();
+  const Mesh made = fresh_mesh(graph, Options().max_area(0.1));
+  CGAL::Quadtree_mesh_2::internal::Replaced_files files;
+  CGAL::Quadtree_mesh_2::internal::add_triangle_files(files, made, graph, folder.file("m"),
+                                                      CGAL::IO::Element_order::SECOND);
+  files.commit();
+  Mesh mesh;
+  Pslg pslg;
+  CGAL::IO::read_triangle_mesh(folder.file("m.ele"), mesh, pslg);
+  CHECK(mesh.points.size() == made.points.size());
+  CHECK(have_same_bits(mesh, made));
+  CHECK(mesh.vertex_markers == made.vertex_markers);
+  check_valid(mesh, pslg);
+
+  // A middle node in front, one that is a corner elsewhere, and a vertex of no triangle.
+  const Files mixed("8 2 1 1\n1 0.5 0.5 9 9\n2 0 0 2 0\n3 1 0 3 0\n4 1 1 4 0\n5 0 1 5 0\n6 1 0.5 6 6\n7 9 9 "
+                    "7 0\n8 2 0.5 8 0\n",
+                    "3 6 0\n1 2 3 4 6 1 6\n2 2 4 5 1 1 1\n3 3 8 6 1 1 1\n", "0 2 0 1\n1 1\n1 2 3 5\n0\n");
+  std::string text = error_of([&] { CGAL::IO::read_triangle_mesh(mixed.name(), mesh, pslg); });
+  CHECK(text == "");
+  CHECK(mesh.points.size() == 7);
+  CHECK(pslg.vertex_attributes == std::vector<double>{2, 3, 4, 5, 6, 7, 8});
+  const Files wrong("5 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n5 0.5 0.5\n", "1 6 0\n1 1 2 3 5 5 5\n",
+                    "0 2 0 0\n1 0\n7 1 5\n0\n");
+  CHECK(pslg_test::has_text(wrong.refusal(),
+                            "m.poly: segment 1 ends at vertex 5, which is in the middle of an edge"));
+}
+
+TEST_CASE("Coordinates out of range are named, as in a graph", "[adapt]") {
+  const auto refusal = [](const std::string& size) {
+    return Files("4 2 0 0\n0 0 0\n1 " + size + " 0\n2 " + size + ' ' + size + "\n3 0 " + size + "\n",
+                 "2 3 0\n0 0 1 2\n1 0 2 3\n")
+        .refusal();
+  };
+  CHECK(pslg_test::has_text(refusal("1e308"), "vertex 1 (1e+308, 0) has a coordinate that is too large"));
+  for (const char* size : {"1e-308", "5e-324", "1e-200", "1e200", "1e300"}) {
+    CAPTURE(size);
+    const Files files("4 2 0 0\n0 0 0\n1 " + std::string(size) + " 0\n2 " + size + ' ' + size + "\n3 0 " +
+                          size + "\n",
+                      "2 3 0\n0 0 1 2\n1 0 2 3\n");
+    REQUIRE(files.is_read());
+    Mesh mesh;
+    Pslg pslg;
+    CGAL::IO::read_triangle_mesh(files.name(), mesh, pslg);
+    const std::string text = error_of([&] {
+      const auto made = CGAL::refine_mesh_2(mesh, pslg, Options());
+      CHECK(made.mesh.triangles == mesh.triangles);
+    });
+    CHECK(text == "");
+  }
+}
+
 TEST_CASE("Files of a mesh that do not fit are refused, with the culprit by its number", "[adapt]") {
   CHECK(pslg_test::has_text(Files(nodes, "1 3 0\n1 1 2 9\n").refusal(),
                             "m.ele:2: a node of triangle 1: there is no vertex 9, the vertices are 1 to 4"));
@@ -98,7 +159,13 @@ TEST_CASE("Files of a mesh that do not fit are refused, with the culprit by its 
       "triangle 0 (0 1 2) and triangle 1 (0 1 3) are on the same side of the edge from vertex 0 to vertex 1");
   CHECK(Files(nodes, triangles, "0 2 0 0\n1 0\n1 2 4\n0\n").refusal() ==
         "segment 1 from vertex 2 to vertex 4 is not an edge of a triangle");
-  CHECK(pslg_test::has_text(Files(nodes, "2 6 0\n").refusal(), "triangles have 6 nodes instead of 3"));
+  CHECK(pslg_test::has_text(Files(nodes, "2 4 0\n").refusal(), "triangles have 4 nodes instead of 3 or 6"));
+  CHECK(pslg_test::has_text(
+      Files(nodes, triangles, "4 2 0 0\n1 0 0\n2 1 0\n3 1 1.5\n4 0 1\n0 0\n0\n").refusal(),
+      "m.poly:4: vertex 3 is elsewhere in "));
+  CHECK(pslg_test::has_text(Files(nodes, triangles, "3 2 0 0\n1 0 0\n2 1 0\n3 1 1\n0 0\n0\n").refusal(),
+                            "m.poly:1: there are 3 vertices, but 4 in "));
+  CHECK(Files(nodes, triangles, "4 2 0 0\n1 0 0\n2 1 0\n3 1 1\n4 0 1\n0 0\n0\n").is_read());
   const Scratch_folder folder;
   folder.write("x.ele", triangles);
   Mesh mesh;

@@ -200,7 +200,7 @@ TEST_CASE("the program keeps a least edge and says what is left for it", "[progr
   CHECK(r.status == 1);
   const auto json = nlohmann::json::parse(content(folder.file("r.json")));
   CHECK(json.at("triangles") < 500); // else thousands
-  CHECK(json.at("left").at(0).at("reason") == "least edge");
+  CHECK(json.at("left").at(0).at("reason") == "min_edge");
 }
 
 TEST_CASE("the program prints no angle where there is none", "[program]") {

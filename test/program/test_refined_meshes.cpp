@@ -67,6 +67,17 @@ TEST_CASE("A mesh is refined by areas of its triangles", "[program]") {
   CHECK(refined.triangles.size() > files.mesh.triangles.size() + 8);
   CHECK(refined.triangles.size() < 2 * files.mesh.triangles.size() + 200);
 
+  // Tiny areas are refused before memory ends, and the one that asks for most is named.
+  std::string tiny = std::to_string(files.mesh.triangles.size()) + '\n';
+  for (std::size_t t = 0; t < files.mesh.triangles.size(); ++t)
+    tiny += std::to_string(t) + (t == 4 ? " 1e-12\n" : t == 7 ? " 1e-15\n" : " -1\n");
+  files.folder.write("m.1.area", tiny);
+  const Run refused = files.run_with("--area-file '" + name + "'");
+  CHECK(refused.status == 2);
+  CHECK(contains(refused.err, "the mesh would need "));
+  CHECK(contains(refused.err, " for the areas of triangles, most of all for that of triangle 7, 1e-15; raise these"));
+  CHECK(files.run_with("--max-steiner 10 --area-file '" + name + "'").status == 1);
+
   files.folder.write("m.1.area", "2\n0 1\n1 1\n");
   const Run wrong = files.run_with("--area-file '" + name + "'");
   CHECK(wrong.status == 2);
@@ -89,6 +100,26 @@ TEST_CASE("What has no meaning for a mesh to refine is refused by name", "[progr
   const Run over = run("'" + files.folder.file("m.1.ele") + "' -o '" + files.folder.file("m.1.poly") + "'");
   CHECK(over.status == 2);
   CHECK(contains(over.err, "would overwrite"));
+}
+
+TEST_CASE("A mesh of six nodes for each triangle is refined from its corners", "[program]") {
+  const Files files;
+  const std::string six = files.folder.file("six.ele");
+  REQUIRE(run("'" + files.folder.file("m.1.ele") + "' --second-order -o '" + six + "' --quiet").status == 0);
+  REQUIRE(run("'" + six + "' -o '" + files.folder.file("m.2.ele") + "' --quiet").status == 0);
+  CHECK(have_same_bits(files.refined(), files.mesh));
+}
+
+TEST_CASE("A mesh with sharp corners that meets the bounds comes back as it is", "[program]") {
+  const Scratch_folder folder;
+  for (const char* name : {"syn_wedge_0.01deg.poly", "syn_fan_1deg.poly", "hard_tips_of_legs.poly"}) {
+    CAPTURE(name);
+    const std::string first = folder.file("m.0.ele"), second = folder.file("m.1.ele");
+    REQUIRE(run("'" + test_data(name) + "' -o '" + first + "' --quiet").status == 0);
+    REQUIRE(run("'" + first + "' -o '" + second + "' --quiet").status == 0);
+    for (const char* ending : {".node", ".ele"})
+      CHECK(content(folder.file(std::string("m.0") + ending)) == content(folder.file(std::string("m.1") + ending)));
+  }
 }
 
 TEST_CASE("Bad meshes are refused, and the triangle is named", "[program]") {

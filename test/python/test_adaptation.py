@@ -126,3 +126,47 @@ def test_refining_knows_the_bounds_of_mesh():
     mesh = quadtree_mesh.refine(square, areas=[0.001, -1], max_angle=110, gradation=0.5)
     assert mesh.report and mesh.angles().max() <= 110 + 1e-9
     assert not quadtree_mesh.refine(square, max_area=0.001, max_vertices=400).report
+
+
+def test_wrong_arguments_are_named():
+    fine = quadtree_mesh.refine(TWO, max_area=0.1)
+    for values in (np.zeros(3), np.zeros(5), np.zeros((3, 2)), 1.0):
+        with pytest.raises(ValueError, match='values must have 4 rows, one for each vertex of the old mesh, not '):
+            fine.carry_over(values)
+    with pytest.raises(TypeError, match='mesh must be a Mesh or a dict with vertices and triangles, not NoneType'):
+        quadtree_mesh.refine(None)
+    with pytest.raises(ValueError, match='mesh has no triangles'):
+        quadtree_mesh.adapt(dict(vertices=[[0, 0]]))
+    for sizes in ([1, 0, 0, 1], [1, -1, 1, 1], [1, np.nan, 0, 1]):
+        with pytest.raises(ValueError, match='the size at vertex 1 is not a positive number'):
+            quadtree_mesh.adapt(TWO, sizes=sizes)
+
+
+def test_areas_beyond_the_memory_are_refused():
+    with pytest.raises(quadtree_mesh.GraphError, match='most of all for that of triangle 1, 1e-15') as error:
+        quadtree_mesh.refine(TWO, areas=[1e-10, 1e-15])
+    assert error.value.kind == 'too_many_triangles' and error.value.triangles == [1]
+
+
+def test_sharp_corners_of_arrays_are_excused():
+    wedge = dict(vertices=[[0.1, 0.1], [3, 1], [3, 1.001]], segments=[[0, 1], [1, 2], [2, 0]])
+    first = quadtree_mesh.mesh(**wedge)
+    assert first.report
+    second = quadtree_mesh.refine(dict(vertices=first.vertices, triangles=first.triangles))
+    assert second.report
+    assert (second.vertices == first.vertices).all() and (second.triangles == first.triangles).all()
+    third = quadtree_mesh.adapt(second)
+    assert third.report and third.is_input.sum() == third.number_of_input_vertices
+    # What is input is known by its index from then on.
+    again = quadtree_mesh.adapt(third)
+    assert again.report and len(again.triangles) <= len(third.triangles)
+
+
+def test_six_nodes_in_the_stand_in_for_triangle():
+    box = triangle.triangulate(dict(SQUARE, vertex_attributes=[[1.], [2.], [3.], [4.]]), 'pqa0.1o2')
+    n = box['triangles'][:, :3].max() + 1
+    assert len(box['vertices']) > n
+    same = triangle.triangulate(box, 'rpq')
+    assert (same['vertices'] == box['vertices'][:n]).all()
+    assert (same['triangles'] == box['triangles'][:, :3]).all()
+    assert (same['vertex_attributes'][:4, 0] == [1, 2, 3, 4]).all()

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Callable, Dict, Optional
+from typing import Any, Callable, Dict, Mapping, Optional
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -51,7 +51,10 @@ def refine(mesh: Any, *, areas: Optional[ArrayLike] = None, min_angle: float = 2
     ------
     GraphError
         (a ValueError) If triangles are clockwise, overlap, or name vertices that do not exist: ``kind`` is
-        'invalid_mesh', and it has their indices. Or if arrays have a wrong length.
+        'invalid_mesh', and it has their indices. Or if arrays have a wrong length. Or if `areas` ask for a mesh beyond
+        the memory or `max_vertices`: ``kind`` is 'too_many_triangles', with the triangle that asks for most.
+    TypeError
+        If `mesh` is neither a Mesh nor a dict.
 
     Examples
     --------
@@ -98,8 +101,8 @@ def adapt(mesh: Any, *, sizes: Optional[ArrayLike] = None, min_angle: float = 20
 
     Raises
     ------
-    GraphError, ValueError
-        As for `refine()`.
+    GraphError, ValueError, TypeError
+        As for `refine()`; and a ValueError that names the first vertex whose size is not positive.
 
     Examples
     --------
@@ -155,13 +158,16 @@ def _arrays(mesh: Any) -> Dict[str, Any]:
                              'for example by to_crs() of GeoPandas, and mesh them again')
         if len(mesh.segments) == 0:  # a mesh of points
             return _arrays(dict(vertices=mesh.vertices, triangles=mesh.triangles))
-        is_input = np.zeros(len(mesh.vertices), np.int8)
-        is_input[:mesh.number_of_input_vertices] = 1
         has_regions = (mesh.regions >= 0).any()
         return dict(result, vertices=mesh.vertices, triangles=mesh.triangles, segments=mesh.segments,
                     segment_markers=mesh.segment_markers, segment_origins=mesh.segment_origins,
-                    vertex_markers=mesh.vertex_markers, is_input=is_input,
+                    vertex_markers=mesh.vertex_markers, is_input=mesh.is_input.astype(np.int8),
                     attributes=mesh.regions.astype(float) if has_regions else np.empty(0))
+    if not isinstance(mesh, Mapping):
+        raise TypeError(f'mesh must be a Mesh or a dict with vertices and triangles, not {type(mesh).__name__}')
+    for name in ('vertices', 'triangles'):
+        if name not in mesh:
+            raise ValueError(f'mesh has no {name}')
     vertices = point_array(mesh['vertices'], 'vertices')
     triangles = np.asarray(mesh['triangles'])
     if triangles.ndim != 2 or triangles.shape[1] != 3:
@@ -185,4 +191,5 @@ def _run(mesh: Any, arrays: Dict[str, Any], options: Dict[str, Any]) -> Mesh:
         arrays = dict(arrays, attributes=numbers.reshape(-1).astype(float))
     values = _core.adapt_mesh(arrays, options)
     values['report'] = Report(dict(values['report'], repair=None))
+    values['number_of_old_vertices'] = len(arrays['vertices'])
     return Mesh(values, region_values=region_values, crs=crs)

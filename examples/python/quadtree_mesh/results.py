@@ -102,7 +102,7 @@ class Mesh:
     """A triangle mesh in arrays, which are views of the mesher's memory.
 
     The first `number_of_input_vertices` vertices are those of the input, in their order and with their coordinates bit
-    for bit. Triangles are counterclockwise, and side ``k`` of a triangle is opposite its vertex ``k``.
+    for bit. Only in a mesh by `refine()` or `adapt()` of arrays they may be anywhere, as `is_input` tells. Triangles are counterclockwise, and side ``k`` of a triangle is opposite its vertex ``k``.
 
     Attributes
     ----------
@@ -179,6 +179,8 @@ class Mesh:
         self.places, self.scales = values.get('places'), values.get('scales')
         self.old_vertices = values.get('old_vertices')
         self.sources, self.weights = values.get('sources'), values.get('weights')
+        self._number_of_old_vertices = values.get('number_of_old_vertices')
+        self._is_input = values.get('is_input')
 
     def __repr__(self) -> str:
         unmet = len(self.report.unmet)
@@ -198,11 +200,26 @@ class Mesh:
         ----------
         values : (m,) or (m, ...) array
             One for each vertex of the mesh that `refine()` or `adapt()` got.
+
+        Raises
+        ------
+        ValueError
+            If there are more or fewer values, or the mesh is not one by `refine()` or `adapt()`.
         """
         if self.sources is None or self.weights is None:
             raise ValueError('only a mesh by refine() or adapt() has an old mesh')
         given = np.asarray(values, float)
+        if given.ndim == 0 or len(given) != self._number_of_old_vertices:
+            raise ValueError(f'values must have {self._number_of_old_vertices} rows, one for each vertex of the old mesh, '
+                             f'not {len(given) if given.ndim > 0 else "a single number"}')
         return np.einsum('nk,nk...->n...', self.weights, given[self.sources])
+
+    @property
+    def is_input(self) -> np.ndarray:
+        """Whether each vertex is one of the input, a (n,) array of bool. Others may be left out by `adapt()`."""
+        if self._is_input is not None:
+            return self._is_input
+        return np.arange(len(self.vertices)) < self.number_of_input_vertices
 
     def values_of_triangles(self, missing: Any = np.nan) -> np.ndarray:
         """The region's value for each triangle, a (t,) array; `missing` for triangles without a region."""
@@ -256,6 +273,8 @@ class Mesh:
                       segment_markers=self.segment_markers, regions=self.regions,
                       vertex_markers=self.vertex_markers[is_used], vertex_segments=self.vertex_segments[is_used],
                       number_of_input_vertices=int(is_used[:self.number_of_input_vertices].sum()), report=self.report)
+        if self._is_input is not None:
+            values.update(is_input=self._is_input[is_used], number_of_input_vertices=int(self._is_input[is_used].sum()))
         if self.places is not None:
             values.update(places=self.places[is_used], scales=self.scales[is_used])
         return Mesh(values, region_values=self.region_values, crs=self.crs)

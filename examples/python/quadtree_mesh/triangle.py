@@ -54,11 +54,32 @@ def _is_among(edges: np.ndarray, others: np.ndarray) -> np.ndarray:
     return np.isin(key(edges), key(others))
 
 
+def _without_middle_nodes(tri: Dict[str, Any]) -> Dict[str, Any]:
+    """A mesh of six nodes for each triangle without the nodes in the middle of edges."""
+    triangles = np.asarray(tri.get('triangles', np.empty((0, 3), np.int64)))
+    if triangles.ndim != 2 or triangles.shape[1] != 6:
+        return tri
+    n = len(tri['vertices'])
+    if triangles.min(initial=0) < 0 or triangles.max(initial=-1) >= n:
+        raise GraphError(f'a triangle names vertex {triangles.max()}, but there are {n} vertices', 'invalid_mesh')
+    is_kept = np.ones(n, bool)
+    is_kept[triangles[:, 3:]] = False
+    is_kept[triangles[:, :3]] = True
+    new_index = np.where(is_kept, np.cumsum(is_kept) - 1, -1)
+    result = dict(tri, triangles=new_index[triangles[:, :3]])
+    for name in ('vertices', 'vertex_markers', 'vertex_attributes'):
+        if name in tri:
+            result[name] = np.asarray(tri[name])[is_kept]
+    if len(tri.get('segments', ())) > 0:
+        result['segments'] = new_index[np.asarray(tri['segments'])]
+    return result
+
+
 def _given_mesh(tri: Dict[str, Any], switches: Dict[str, str]) -> Dict[str, Any]:
     """The mesh to refine, by the letter r, and bounds of area for its triangles."""
     if 'triangles' not in tri:
         raise ValueError('r refines a mesh, and there are no triangles')
-    result = dict(vertices=tri['vertices'], triangles=np.asarray(tri['triangles'])[:, :3])
+    result = dict(vertices=tri['vertices'], triangles=tri['triangles'])
     if 'vertex_markers' in tri:
         result['vertex_markers'] = tri['vertex_markers']
     if 'p' in switches and len(tri.get('segments', ())) > 0:
@@ -103,8 +124,8 @@ def triangulate(tri: Dict[str, Any], opts: str = '') -> Dict[str, np.ndarray]:
     ----------
     tri : dict
         ``vertices`` (n, 2); optional ``segments`` (m, 2), ``holes`` (h, 2), ``regions`` (r, 4) with x, y, attribute
-        and largest area, ``vertex_markers``, ``segment_markers``, ``vertex_attributes``; with r ``triangles`` (t, 3),
-        ``triangle_attributes`` and, if there is an a without a number, ``triangle_max_area``: bounds for what lies in each,
+        and largest area, ``vertex_markers``, ``segment_markers``, ``vertex_attributes``; with r ``triangles`` (t, 3) or (t, 6),
+        whose nodes in the middle of edges are left out, ``triangle_attributes`` and, if there is an a without a number, ``triangle_max_area``: bounds for what lies in each,
         none where they are negative.
     opts : str
         p (segments), r (refine), q or q30 (least angle, 20 by default and at most 34), a0.1 (largest area), a (areas of
@@ -148,6 +169,7 @@ def triangulate(tri: Dict[str, Any], opts: str = '') -> Dict[str, np.ndarray]:
                                   max_steiner=int(switches['S']) if switches.get('S') else None,
                                   keep_borders=(switches['Y'] or 'boundary') if 'Y' in switches else 'none')
     if 'r' in switches:
+        tri = _without_middle_nodes(tri)
         areas = np.ravel(tri['triangle_max_area']) if 'regions' in switches and 'triangle_max_area' in tri else None
         made = _refine(_given_mesh(tri, switches), areas=areas, conforming='D' in switches, **bounds)
     else:
@@ -164,7 +186,11 @@ def _output(tri: Dict[str, Any], switches: Dict[str, str], made: Any) -> Dict[st
         given = np.asarray(tri['vertex_attributes'], float)
         given = given.reshape(len(given), -1)
         result['vertex_attributes'] = np.full((len(made.vertices), given.shape[1]), np.nan)
-        result['vertex_attributes'][:len(given)] = given
+        if made.old_vertices is None:
+            result['vertex_attributes'][:len(given)] = given
+        else:
+            is_old = made.old_vertices >= 0
+            result['vertex_attributes'][is_old] = given[made.old_vertices[is_old]]
     if 'A' in switches:
         result['triangle_attributes'] = made.values_of_triangles(missing=0.0)[:, None]
     if 'n' in switches:

@@ -6,6 +6,7 @@
 
 #include "arrays.h"
 #include "definitions.h"
+#include "report_names.h"
 #include "sizes.h"
 #include "watched_run.h"
 
@@ -211,28 +212,6 @@ py::dict arrays_of(Mesh made) {
   return result;
 }
 
-const char* name_of(Report::Reason reason) {
-  switch (reason) {
-  case Report::Reason::BUDGET:
-    return "budget";
-  case Report::Reason::CANCELLED:
-    return "cancelled";
-  case Report::Reason::LEAST_EDGE:
-    return "min_edge";
-  case Report::Reason::KEPT_SEGMENT:
-    return "kept_segment";
-  case Report::Reason::CORNER:
-    return "corner";
-  case Report::Reason::GREATEST_ANGLE:
-    return "max_angle";
-  case Report::Reason::COORDINATES:
-    return "coordinates";
-  case Report::Reason::CRITERIA:
-    break;
-  }
-  return "criteria";
-}
-
 py::dict seconds_of(const Report::Seconds& seconds) {
   return py::dict(py::arg("quadtree") = seconds.quadtree, py::arg("first_mesh") = seconds.first_mesh,
                   py::arg("trees") = seconds.trees, py::arg("construct") = seconds.construct,
@@ -244,8 +223,8 @@ py::dict values_of(const Report& report) {
   py::list unmet, exempt;
   for (const auto& t : report.unmet_triangles)
     unmet.append(py::make_tuple(t.triangle.value(), t.centroid[0], t.centroid[1], t.least_angle,
-                                name_of(t.reason), t.segment.is_valid() ? int(t.segment.value()) : -1,
-                                t.greatest_angle));
+                                report_words::name(t.reason),
+                                t.segment.is_valid() ? int(t.segment.value()) : -1, t.greatest_angle));
   for (const auto& t : report.exempt_triangles)
     exempt.append(py::make_tuple(t.triangle.value(), t.corner.value()));
   py::dict result;
@@ -283,9 +262,8 @@ py::dict values_of(CGAL::Pslg_repair_report_2 report) {
 }
 
 py::dict values_of(const Projection& projection, const CGAL::Projected_mesh_2<Point>& made) {
-  constexpr const char* names[] = {"mercator", "lambert", "stereographic"};
   py::dict result;
-  result["name"] = names[static_cast<std::size_t>(projection.kind())];
+  result["name"] = report_words::name(projection.kind());
   result["central_longitude"] = projection.central_longitude();
   result["standard_parallels"] =
       py::make_tuple(projection.standard_parallels()[0], projection.standard_parallels()[1]);
@@ -509,7 +487,10 @@ py::dict adapt_mesh(const py::dict& arrays, const py::dict& values) {
   for (auto& unmet : made.report.unmet_triangles) unmet.segment = given.origin(unmet.segment);
   for (int& r : made.mesh.region_of_triangle)
     r = static_cast<int>(given.graph.regions[static_cast<std::size_t>(r)].attribute);
+  std::vector<std::uint8_t> is_input;
+  for (const Vertex_index i : made.mesh.input_index) is_input.push_back(i.is_valid() ? 1 : 0);
   py::dict result = arrays_of(std::move(made.mesh));
+  if (!is_input.empty()) result["is_input"] = array_of(std::move(is_input)).attr("astype")("bool");
   add_transfer(result, made.transfer, given.mesh);
   result["report"] = values_of(made.report);
   result["report"]["projection"] = py::none();

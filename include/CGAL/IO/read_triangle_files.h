@@ -34,6 +34,14 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
+/// The vertices of another file that a list of vertices has to repeat.
+template <class Point>
+struct Vertices_to_repeat {
+  const std::vector<Point>& points;
+  std::size_t least;     ///< so many of the first ones will do
+  std::string file_name; ///< where they are
+};
+
 /// Reads the sections of Triangle's files, one after the other, from a scanner into a graph.
 template <class Point>
 class Triangle_parser {
@@ -42,7 +50,8 @@ public:
 
   /// <# of vertices> <dimension (2)> <# of attributes> <# of markers (0 or 1)>, then
   /// <vertex #> <x> <y> [attributes] [marker]
-  void read_vertices() {
+  /// \param same what they have to be, if there are any; null: anything
+  void read_vertices(const Vertices_to_repeat<Point>* same = nullptr) {
     scanner_.next_line({"the number of vertices"});
     const std::size_t n = read_count("the number of vertices", index_limit);
     const std::size_t dimension = optional_count("the dimension", 2);
@@ -50,13 +59,21 @@ public:
     const std::size_t attributes = optional_count("the number of attributes", 0);
     const bool has_markers = read_has_markers();
     scanner_.skip_more_columns({"a column behind the header"});
+    if (same != nullptr && n > 0 && n != same->points.size() && n != same->least)
+      scanner_.fail("there are " + std::to_string(n) + " vertices, but " +
+                    std::to_string(same->points.size()) + " in " + same->file_name);
     const std::size_t believable = (std::min)(n, scanner_.remaining() / shortest_vertex + 1);
     pslg_.vertices.reserve(believable);
     pslg_.number_of_vertex_attributes = attributes;
     if (attributes > 0)
       pslg_.vertex_attributes.reserve((std::min)(scanner_.remaining() / 2, believable * attributes));
     if (has_markers) pslg_.vertex_markers.reserve(believable);
-    for (std::size_t i = 0; i < n; ++i) read_vertex(i, attributes, has_markers);
+    for (std::size_t i = 0; i < n; ++i) {
+      read_vertex(i, attributes, has_markers);
+      if (same != nullptr && pslg_.vertices[i] != same->points[i])
+        scanner_.fail("vertex " + std::to_string(pslg_.first_number + i) + " is elsewhere in " +
+                      same->file_name);
+    }
   }
 
   /// <# of segments> <# of markers (0 or 1)>, then <segment #> <endpoint> <endpoint> [marker]
@@ -118,12 +135,17 @@ public:
   /// <# of triangles> <nodes per triangle> <# of attributes>, then <triangle #> <node> <node> <node> ...
   /// [attributes]
   /// \param attributes where the first of each triangle goes, if there are any; null: nowhere
+  /// \param middle_nodes where the nodes behind the corners go if there are six of each triangle; null: there have to
+  /// be three
   void read_triangles(std::vector<std::array<Vertex_index, 3>>& triangles,
-                      std::vector<double>* attributes = nullptr) {
+                      std::vector<double>* attributes = nullptr,
+                      std::vector<Vertex_index>* middle_nodes = nullptr) {
     scanner_.next_line({"the number of triangles"});
     const std::size_t n = read_count("the number of triangles", index_limit);
     const std::size_t nodes = optional_count("the number of nodes per triangle", 3);
-    if (nodes != 3) scanner_.fail("triangles have " + std::to_string(nodes) + " nodes instead of 3");
+    if (nodes != 3 && (nodes != 6 || middle_nodes == nullptr))
+      scanner_.fail("triangles have " + std::to_string(nodes) + " nodes instead of 3" +
+                    (middle_nodes != nullptr ? " or 6" : ""));
     if (optional_count("the number of attributes", 0) == 0) attributes = nullptr;
     scanner_.skip_more_columns({"a column behind the header"});
     triangles.reserve((std::min)(n, scanner_.remaining() / shortest_triangle + 1));
@@ -134,6 +156,8 @@ public:
       std::array<Vertex_index, 3> t;
       for (Vertex_index& v : t) v = read_vertex_index({"a node of triangle", number});
       triangles.push_back(t);
+      for (std::size_t k = 3; k < nodes; ++k)
+        middle_nodes->push_back(read_vertex_index({"a node of triangle", number}));
       if (attributes != nullptr)
         attributes->push_back(scanner_.template read<double>({"the attribute of triangle", number}));
       scanner_.skip_more_columns({"an attribute of triangle", number});

@@ -22,7 +22,9 @@ namespace CGAL {
 struct Given_mesh_details_2 {
   /// Which vertices are input, so that `adapt_mesh_2()` leaves them.
   enum class Vertices {
-    /// All.
+    /// All, except for those inside of the straight sides of corners below 60 degrees: between edges in a row with one
+    /// marker, within two units in the last place of the line between the ends of the side.
+    /// `Indexed_mesh_2::input_index` tells which are input, if there are such sides.
     INPUT,
     /// Those on segments, except where two segments with the same marker make an exactly straight line. The others may
     /// be left out. `Indexed_mesh_2::input_index` tells which are input.

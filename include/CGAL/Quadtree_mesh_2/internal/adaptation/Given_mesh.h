@@ -14,15 +14,20 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_ADAPTATION_GIVEN_MESH_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_ADAPTATION_GIVEN_MESH_H
 
+#include <CGAL/Filtered_quadtree_traits_2.h>
 #include <CGAL/Indexed_mesh_2.h>
+#include <CGAL/Pslg_2.h>
 #include <CGAL/Pslg_error_2.h>
+#include <CGAL/Quadtree_mesh_2/Point_error.h>
 #include <CGAL/Quadtree_mesh_2/internal/adaptation/Given_mesh_checker.h>
 #include <CGAL/Quadtree_mesh_2/internal/adaptation/Triangle_tree.h>
+#include <CGAL/Quadtree_mesh_2/internal/pslg/Input_words.h>
 #include <CGAL/Quadtree_mesh_2/internal/topology/triangle_neighbors.h>
 #include <CGAL/tags.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -51,27 +56,49 @@ Point centroid(const std::array<Point, 3>& t) {
   return Point((t[0].x() + t[1].x() + t[2].x()) / 3, (t[0].y() + t[1].y() + t[2].y()) / 3);
 }
 
-/// The place inside the largest of some triangles; nothing if rounding leaves none.
+/// Of the largest coordinate.
+template <class Points>
+double magnitude_of(const Points& points) {
+  double magnitude = 0;
+  for (const auto& p : points) magnitude = std::max({magnitude, std::fabs(p.x()), std::fabs(p.y())});
+  return magnitude;
+}
+
+/// The power of two by which numbers of a magnitude are divided to be near 1.
+inline int exponent_of(double magnitude) {
+  return magnitude > 0 && std::isfinite(magnitude) ? std::ilogb(magnitude) : 0;
+}
+
+/// The place inside the largest of those triangles that have room for one; nothing if none has.
 class Inner_place {
 public:
+  using Point = Triangle_tree::Point;
   using Corners = Triangle_tree::Corners;
+
+  /// \param magnitude of the largest coordinate; products of coordinates may be beyond doubles
+  explicit Inner_place(double magnitude) : exponent_(exponent_of(magnitude)) {}
 
   /// One more triangle.
   void offer(const Corners& t) {
-    if (const double area = double_area(t); area > area_) area_ = area, corners_ = t;
-  }
-  std::optional<Triangle_tree::Point> get() const {
-    if (!(area_ > 0)) return std::nullopt;
-    const auto p = centroid(corners_);
+    const Corners small{scaled(t[0], -exponent_), scaled(t[1], -exponent_), scaled(t[2], -exponent_)};
+    const double area = double_area(small);
+    if (!(area > area_)) return;
+    const Point p = scaled(centroid(small), exponent_);
     const auto turn = Triangle_tree::Kernel().orientation_2_object();
     for (std::size_t k = 0; k < 3; ++k)
-      if (turn(corners_[k], corners_[(k + 1) % 3], p) != LEFT_TURN) return std::nullopt;
-    return p;
+      if (turn(t[k], t[(k + 1) % 3], p) != LEFT_TURN) return;
+    area_ = area, place_ = p;
   }
+  const std::optional<Point>& get() const { return place_; }
 
 private:
+  int exponent_;
   double area_ = 0;
-  Corners corners_;
+  std::optional<Point> place_;
+
+  static Point scaled(const Point& p, int exponent) {
+    return Point(std::ldexp(p.x(), exponent), std::ldexp(p.y(), exponent));
+  }
 };
 
 class Given_mesh {
@@ -87,6 +114,7 @@ public:
   Given_mesh(const Mesh& mesh, std::size_t first_number) : mesh_(mesh) {
     const Given_mesh_checker checker(mesh, first_number);
     checker.check();
+    check_range(first_number);
     tree_.emplace(mesh.points, mesh.triangles);
     neighbors_ = triangle_neighbors<Sequential_tag>(mesh.triangles, mesh.points.size());
     checker.check_overlaps(*tree_, neighbors_);
@@ -110,10 +138,11 @@ public:
     std::vector<Component> result;
     component_of.assign(mesh_.triangles.size(), -1);
     std::vector<std::size_t> stack;
+    const double magnitude = magnitude_of(mesh_.points);
     for (std::size_t first = 0; first < mesh_.triangles.size(); ++first) {
       if (component_of[first] >= 0) continue;
       const int component = static_cast<int>(result.size());
-      Inner_place place;
+      Inner_place place(magnitude);
       component_of[first] = component, stack.push_back(first);
       while (!stack.empty()) {
         const std::size_t t = stack.back();
@@ -128,7 +157,7 @@ public:
           component_of[std::size_t(n)] = component, stack.push_back(std::size_t(n));
         }
       }
-      const auto inside = place.get();
+      const auto& inside = place.get();
       if (!inside)
         throw Pslg_error_2(
             Pslg_error_2::Kind::ROUNDING,
@@ -140,6 +169,16 @@ public:
   }
 
 private:
+  /// \throws Pslg_error_2 for coordinates that the mesher would refuse
+  void check_range(std::size_t first_number) const try {
+    Filtered_quadtree_traits_2<>().construct_grid_2_object()(mesh_.points);
+  } catch (const Point_error& error) {
+    Pslg_2<Triangle_tree::Point> pslg;
+    pslg.vertices = mesh_.points, pslg.first_number = first_number;
+    const Order in_place;
+    throw Input_words<Triangle_tree::Point>(pslg, in_place).out_of_range(error);
+  }
+
   const Mesh& mesh_;
   std::optional<Triangle_tree> tree_;
   std::vector<std::array<Triangle_index, 3>> neighbors_;

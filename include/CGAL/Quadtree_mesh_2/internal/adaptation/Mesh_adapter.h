@@ -29,7 +29,9 @@
 #include <CGAL/Quadtree_mesh_2/internal/adaptation/Kept_vertices_graph.h>
 #include <CGAL/Quadtree_mesh_2/internal/adaptation/Recurring_vertices.h>
 #include <CGAL/Quadtree_mesh_2/internal/adaptation/Sharp_corner_finder.h>
+#include <CGAL/Quadtree_mesh_2/internal/adaptation/Sufficient_mesh.h>
 #include <CGAL/Quadtree_mesh_2/internal/adaptation/Triangle_area_bounds.h>
+#include <CGAL/Quadtree_mesh_2/internal/adaptation/same_triangles.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quality_mesh_options_2.h>
 
@@ -61,20 +63,29 @@ public:
     options_.mesh_domain(Options::Domain::MARKED);
     read_input_vertices();
     read_constrained_edges();
-    std::vector<int> component_of;
-    is_made_anew_ = Sharp_corner_finder<Point>(mesh, pslg, options.min_angle()).vertices();
+    is_made_anew_.resize(mesh.points.size(), 0);
+    if (options.keep_borders() == Options::Keep_borders::NONE)
+      is_made_anew_ = Sharp_corner_finder<Point>(mesh, pslg, options.min_angle()).vertices();
     for (std::size_t v = 0; v < is_made_anew_.size(); ++v)
       if (!is_free(v)) is_made_anew_[v] = 0;
-    components_ = given_.components([this](Vertex_index a, Vertex_index b) { return is_constrained(a, b); },
-                                    component_of);
   }
 
-  /// Keeps all vertices, but for those that sharp corners place.
-  Adapted_mesh_2 refine() { return convert(Kept_vertices_graph(mesh_, pslg_, components_, all_kept())); }
+  /// Keeps all vertices, but for those that sharp corners place. A mesh that needs nothing stays as it is.
+  Adapted_mesh_2 refine() {
+    const auto is_constrained = [this](Vertex_index a, Vertex_index b) { return this->is_constrained(a, b); };
+    Adapted_mesh_2 result;
+    if (Sufficient_mesh(given_, pslg_, options_, is_constrained).is_one(result.report)) {
+      keep_mesh(result);
+      return result;
+    }
+    find_components();
+    return convert(Kept_vertices_graph(mesh_, pslg_, components_, all_kept()));
+  }
 
   /// The same with bounds of area by triangle, in addition to those of the options.
   Adapted_mesh_2 refine(const std::vector<double>& areas) {
     const Triangle_area_bounds is_large(given_.tree(), areas, mesh_.triangles.size(), pslg_.first_number);
+    is_large.check_size([this](std::size_t t) { return double_area(given_.corners(t)); }, options_);
     const Options::Predicate users = options_.refine_where();
     options_.refine_where(
         [&is_large, users](const Options::Corners& t) { return is_large(t) || (users && users(t)); });
@@ -85,6 +96,7 @@ public:
   Adapted_mesh_2 adapt() {
     number_of_runs_ = 3;
     options_.checkpoints(""); // a state is of one mesh only
+    find_components();
     std::vector<char> keeps = vertices_to_keep();
     Adapted_mesh_2 result = convert(Kept_vertices_graph(mesh_, pslg_, components_, keeps));
     const bool is_whole = !result.report.is_cancelled && !result.report.is_budget_exhausted;
@@ -177,6 +189,12 @@ private:
     if (found != constrained_.size())
       throw Pslg_error_2(Kind::INVALID_MESH, std::to_string(constrained_.size() - found) +
                                                  " constrained edges of the mesh are not edges of triangles");
+  }
+
+  void find_components() {
+    std::vector<int> component_of;
+    components_ = given_.components([this](Vertex_index a, Vertex_index b) { return is_constrained(a, b); },
+                                    component_of);
   }
 
   /// Whether a vertex may be left out: none of the input, and inside of a component or a segment.
@@ -299,9 +317,29 @@ private:
     return options;
   }
 
+  /// \param[in,out] result has the report's triangles, and becomes the mesh as it is
+  void keep_mesh(Adapted_mesh_2& result) {
+    result.mesh = mesh_;
+    result.mesh.neighbors = given_.neighbors();
+    std::vector<char> is_used(mesh_.points.size(), 0);
+    for (const auto& t : mesh_.triangles)
+      for (const Vertex_index v : t) is_used[std::size_t(v)] = 1;
+    result.report.vertices = std::size_t(std::count(is_used.begin(), is_used.end(), 1));
+    result.report.input_vertices = pslg_.number_of_vertices();
+    result.report.input_segments = pslg_.number_of_segments();
+    for (std::size_t v = 0; v < mesh_.points.size(); ++v)
+      result.transfer.old_vertex.push_back(Vertex_index(v));
+    find_places(result.mesh, result.transfer);
+    if (options_.progress()) options_.progress()(1);
+  }
+
   Adapted_mesh_2 convert(const Kept_vertices_graph& kept) {
     Adapted_mesh_2 result;
-    Mesher mesher(options_of_run());
+    Options options = options_of_run();
+    if (options.max_steiner_vertices()) // those left out are not new
+      options.max_steiner_vertices(*options.max_steiner_vertices() + mesh_.points.size() -
+                                   kept.old_vertex().size());
+    Mesher mesher(std::move(options));
     result.mesh = mesher(kept.graph());
     result.report = mesher.report();
     rename_segments(result.mesh, kept);
@@ -313,10 +351,28 @@ private:
     name_vertices(result.mesh, result.transfer.old_vertex);
     for (auto& unmet : result.report.unmet_triangles)
       if (unmet.segment.is_valid()) unmet.segment = kept.old_segment()[std::size_t(unmet.segment)];
+    keep_order_of_triangles(result);
     result.report.input_vertices = pslg_.number_of_vertices();
     result.report.input_segments = pslg_.number_of_segments();
     find_places(result.mesh, result.transfer);
     return result;
+  }
+
+  /// Where all triangles are those of the old mesh, it is that.
+  void keep_order_of_triangles(Adapted_mesh_2& result) const {
+    const auto& old_vertex = result.transfer.old_vertex;
+    if (old_vertex.size() != mesh_.points.size() || (!old_vertex.empty() && !old_vertex.back().is_valid()))
+      return;
+    const std::vector<Triangle_index> old_triangle = same_triangles(result.mesh.triangles, mesh_.triangles);
+    if (old_triangle.empty()) return;
+    std::vector<int> markers = std::move(result.mesh.vertex_markers);
+    result.mesh = mesh_;
+    result.mesh.neighbors = given_.neighbors();
+    if (mesh_.vertex_markers.empty()) result.mesh.vertex_markers = std::move(markers);
+    for (auto& exempt : result.report.exempt_triangles)
+      exempt.triangle = old_triangle[std::size_t(exempt.triangle)];
+    for (auto& unmet : result.report.unmet_triangles)
+      unmet.triangle = old_triangle[std::size_t(unmet.triangle)];
   }
 
   /// Segments and regions become those of the user's graph.

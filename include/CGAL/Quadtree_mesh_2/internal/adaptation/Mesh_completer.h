@@ -19,8 +19,9 @@
 #include <CGAL/Pslg_error_2.h>
 #include <CGAL/Quadtree_mesh_2/given_mesh_types.h>
 #include <CGAL/Quadtree_mesh_2/internal/adaptation/Given_mesh.h>
+#include <CGAL/Quadtree_mesh_2/internal/adaptation/Hole_finder.h>
 #include <CGAL/Quadtree_mesh_2/internal/adaptation/Kept_vertices_graph.h>
-#include <CGAL/Quadtree_mesh_2/internal/adaptation/hole_places.h>
+#include <CGAL/Quadtree_mesh_2/internal/adaptation/Straight_legs.h>
 #include <CGAL/Quadtree_mesh_2/internal/output/boundary_markers.h>
 
 #include <array>
@@ -52,10 +53,13 @@ public:
     made_.vertex_markers = mesh_.vertex_markers;
     made_.neighbors = given.neighbors();
     find_constrained_edges();
-    auto holes = hole_places(given);
+    auto holes = Hole_finder(given).places();
     std::vector<int> component_of;
-    const auto components = given.components(
-        [this](Vertex_index a, Vertex_index b) { return edge_of_.count(edge_key(a, b)) > 0; }, component_of);
+    std::vector<Given_mesh::Component> components;
+    if (!details_.attributes.empty())
+      components = given.components(
+          [this](Vertex_index a, Vertex_index b) { return edge_of_.count(edge_key(a, b)) > 0; },
+          component_of);
     Pslg pslg = name_input(components);
     pslg.holes = std::move(holes);
     pslg.first_number = details_.first_number;
@@ -166,9 +170,9 @@ private:
   }
 
   std::vector<char> input_vertices() const {
-    std::vector<char> is_input(made_.points.size(), 1);
     if (details_.is_input.empty() && details_.vertices == Given_mesh_details_2::Vertices::INPUT)
-      return is_input;
+      return all_but_inner_vertices_of_legs();
+    std::vector<char> is_input(made_.points.size(), 1);
     constexpr std::size_t none = std::size_t(-1);
     std::vector<std::array<std::size_t, 3>> edges_at(made_.points.size(),
                                                      {none, none, none}); // the first three
@@ -186,6 +190,16 @@ private:
         const bool is_named = !details_.is_input.empty() && details_.is_input[std::size_t(v)] != 0;
         is_input[std::size_t(v)] = !is_inside || is_named || unused.count(place(v)) > 0;
       }
+    return is_input;
+  }
+
+  std::vector<char> all_but_inner_vertices_of_legs() const {
+    std::vector<char> may_be_inside(made_.points.size(), 1);
+    const std::set<std::array<double, 2>> unused = unused_places();
+    for (std::size_t v = 0; v < may_be_inside.size() && !unused.empty(); ++v)
+      may_be_inside[v] = unused.count(place(Vertex_index(v))) == 0;
+    std::vector<char> is_input = Straight_legs(made_, std::move(may_be_inside)).inner_vertices();
+    for (char& is : is_input) is = is == 0 ? 1 : 0;
     return is_input;
   }
 

@@ -39,6 +39,13 @@ double least_angle_in_radians(const Indexed_mesh_2<Point>& mesh, const std::arra
   return least;
 }
 
+/// The index in the graph of a vertex of its mesh; invalid if it is none of the graph's.
+template <class Point>
+Vertex_index input_index_of(const Indexed_mesh_2<Point>& mesh, const Pslg_2<Point>& pslg, Vertex_index v) {
+  if (!mesh.input_index.empty()) return mesh.input_index[std::size_t(v)];
+  return std::size_t(v) < pslg.vertices.size() ? v : Vertex_index();
+}
+
 template <class Point>
 class Sharp_corner_finder {
 public:
@@ -81,14 +88,10 @@ private:
     });
   }
 
-  Vertex_index input_index(Vertex_index v) const {
-    if (!mesh_.input_index.empty()) return mesh_.input_index[std::size_t(v)];
-    return std::size_t(v) < pslg_.vertices.size() ? v : Vertex_index();
-  }
-  bool is_input(Vertex_index v) const { return input_index(v).is_valid(); }
+  bool is_input(Vertex_index v) const { return input_index_of(mesh_, pslg_, v).is_valid(); }
   bool is_end(Vertex_index v, Segment_index s) const {
     const auto& ends = pslg_.segment(s);
-    const Vertex_index i = input_index(v);
+    const Vertex_index i = input_index_of(mesh_, pslg_, v);
     return i == ends[0] || i == ends[1];
   }
   bool meet(Segment_index s, Segment_index r) const {

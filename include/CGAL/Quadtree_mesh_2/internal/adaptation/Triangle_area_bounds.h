@@ -9,11 +9,15 @@
 
 #include <CGAL/Pslg_error_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/adaptation/Triangle_tree.h>
+#include <CGAL/Quadtree_mesh_2/internal/refinement/Size_estimate.h>
+#include <CGAL/Quadtree_mesh_2/internal/refinement/triangle_budget.h>
 #include <CGAL/Quality_mesh_options_2.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -30,7 +34,7 @@ public:
   /// \throws Pslg_error_2 if there are more or less areas than triangles, or one is not a number
   Triangle_area_bounds(const Triangle_tree& tree, const std::vector<double>& areas,
                        std::size_t number_of_triangles, std::size_t first_number)
-      : tree_(tree), areas_(areas) {
+      : tree_(tree), areas_(areas), first_number_(first_number) {
     using Kind = Pslg_error_2::Kind;
     if (areas.size() != number_of_triangles)
       throw Pslg_error_2(Kind::ARRAY_LENGTH, "there are " + std::to_string(areas.size()) + " areas for " +
@@ -40,6 +44,35 @@ public:
         throw Pslg_error_2(Kind::NOT_FINITE,
                            "the area of triangle " + std::to_string(first_number + t) + " is not a number",
                            Pslg_parts_2().triangle(Triangle_index(t)));
+  }
+
+  /// Asks for as many triangles as the estimate of the mesher does for other bounds of area, which does not know these.
+  /// \param area2 gives twice the area of a triangle by its index
+  /// \throws Pslg_error_2 naming the triangle that asks for most, if the mesh would surely be larger than the budget
+  template <class Area2>
+  void check_size(const Area2& area2, const Quality_mesh_options_2& options) const {
+    if (options.max_steiner_vertices()) return; // what it allows is made
+    const double least = options.min_edge();
+    const double finest =
+        0.5 / (share_of_squared_edge * least * least); // per doubled area; infinite without a bound
+    double sum = 0, most = 0;
+    std::size_t worst = 0;
+    for (std::size_t t = 0; t < areas_.size(); ++t) {
+      if (!(areas_[t] > 0)) continue;
+      const double asked = area2(t) * std::min(0.5 / (share_of_area * areas_[t]), finest);
+      sum += asked;
+      if (asked > most) most = asked, worst = t;
+    }
+    Triangle_budget budget = Triangle_budget::of_machine();
+    if (options.max_vertices() > 0)
+      budget = budget.smaller(Triangle_budget(static_cast<double>(options.max_vertices()),
+                                              "the vertex budget allows", Triangle_budget::Unit::VERTICES));
+    if (!budget.is_surely_exceeded_by(sum)) return;
+    std::ostringstream text;
+    text << budget.refusal_of(sum) << " for the areas of triangles, most of all for that of triangle "
+         << first_number_ + worst << ", " << areas_[worst];
+    throw Pslg_error_2(Pslg_error_2::Kind::TOO_MANY_TRIANGLES, text.str(),
+                       Pslg_parts_2().triangle(Triangle_index(worst)));
   }
 
   /// Whether a triangle is larger than it may be.
@@ -56,6 +89,7 @@ private:
 
   const Triangle_tree& tree_;
   const std::vector<double>& areas_;
+  std::size_t first_number_;
 };
 
 } // namespace internal

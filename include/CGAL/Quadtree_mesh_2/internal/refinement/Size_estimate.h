@@ -50,6 +50,11 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
+/// The area of a triangle that a bound on areas leads to, as a share of the bound.
+constexpr double share_of_area = 0.55;
+/// The same for a bound h on edges, as a share of h^2.
+constexpr double share_of_squared_edge = 0.28;
+
 /// Per triangle of the first triangulation, bit k: an acute sector may begin at its vertex k, which is the first end of
 /// a constrained side then.
 struct Acute_starts {
@@ -125,10 +130,6 @@ private:
   static constexpr double ordinary_aspect = 8, largest_aspect = 0x1p52;
   /// By how much more triangles a bound takes above 20.7 degrees.
   static constexpr double per_degree = 0.08;
-  /// The area of a triangle that a bound on areas leads to, as a share of the bound.
-  static constexpr double share_of_area = 0.55;
-  /// The same for a bound h on edges, as a share of h^2.
-  static constexpr double share_of_squared_edge = 0.28;
   static constexpr double field_samples = 20000;
 
   /// What triangles ask for, each for itself.

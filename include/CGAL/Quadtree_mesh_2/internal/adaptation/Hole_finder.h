@@ -1,0 +1,110 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+//
+// A place in each hole of a mesh.
+//
+// Computes: a place in each bounded component of the plane that the mesh does not cover.
+// Bound:    O(b log b + h log k) expected time for b edges on the border, h components and k triangles.
+// Method:   A constrained triangulation of the border edges, whose components are asked for.
+
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_ADAPTATION_HOLE_FINDER_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_ADAPTATION_HOLE_FINDER_H
+
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Pslg_error_2.h>
+#include <CGAL/Quadtree_mesh_2/internal/adaptation/Given_mesh.h>
+#include <CGAL/Quadtree_mesh_2/internal/mesh_2/mark_domain.h>
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <set>
+#include <unordered_set>
+#include <vector>
+
+namespace CGAL {
+namespace Quadtree_mesh_2 {
+namespace internal {
+
+class Hole_finder {
+public:
+  using Point = Triangle_tree::Point;
+
+  explicit Hole_finder(const Given_mesh& given)
+      : given_(given), mesh_(given.mesh()), magnitude_(magnitude_of(mesh_.points)) {
+    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
+      for (std::size_t k = 0; k < 3; ++k)
+        if (!given.neighbors()[t][k].is_valid())
+          add_border_edge(mesh_.point(mesh_.triangles[t][(k + 1) % 3]),
+                          mesh_.point(mesh_.triangles[t][(k + 2) % 3]));
+  }
+
+  /// \throws Pslg_error_2 if coordinates have no room for a place in one
+  std::vector<Point> places() {
+    flood_component<Cdt>(
+        cdt_.infinite_face(), [this](Face_handle f) { return visit(f); }, [](Face_handle) {});
+    std::vector<Point> places;
+    for (const Face_handle first : cdt_.finite_face_handles())
+      if (reached_.count(&*first) == 0)
+        if (const auto place = place_if_hole(first)) places.push_back(*place);
+    return places;
+  }
+
+private:
+  using Cdt = Constrained_Delaunay_triangulation_2<Triangle_tree::Kernel>;
+  using Face_handle = Cdt::Face_handle;
+  using Ends = std::array<double, 4>;
+
+  const Given_mesh& given_;
+  const Given_mesh::Mesh& mesh_;
+  double magnitude_;
+  Cdt cdt_;
+  std::set<Ends> border_; // edges with the mesh on their left
+  std::unordered_set<const Cdt::Face*> reached_;
+
+  static Ends ends(const Point& a, const Point& b) { return {a.x(), a.y(), b.x(), b.y()}; }
+  void add_border_edge(const Point& a, const Point& b) {
+    border_.insert(ends(a, b));
+    cdt_.insert_constraint(a, b);
+  }
+  bool visit(Face_handle f) { return reached_.insert(&*f).second; }
+
+  /// Whether the mesh covers a face, as a side of it tells. Sides that vertices of the mesh divide tell nothing.
+  bool is_certainly_covered(Face_handle f) const {
+    for (int k = 0; k < 3; ++k)
+      if (f->is_constrained(k) &&
+          border_.count(ends(f->vertex(Cdt::ccw(k))->point(), f->vertex(Cdt::cw(k))->point())) > 0)
+        return true;
+    return false;
+  }
+
+  /// Visits the component of a face.
+  std::optional<Point> place_if_hole(Face_handle first) {
+    Inner_place place(magnitude_);
+    bool is_covered = false;
+    flood_component<Cdt>(
+        first,
+        [&](Face_handle f) {
+          if (!visit(f)) return false;
+          place.offer({f->vertex(0)->point(), f->vertex(1)->point(), f->vertex(2)->point()});
+          is_covered = is_covered || is_certainly_covered(f);
+          return true;
+        },
+        [](Face_handle) {});
+    if (is_covered) return std::nullopt;
+    const auto& inside = place.get();
+    if (!inside)
+      throw Pslg_error_2(Pslg_error_2::Kind::ROUNDING,
+                         "a hole of the mesh is too thin: the coordinates have no room for a point in it");
+    return given_.tree().nearest(*inside).squared_distance > 0 ? inside : std::nullopt;
+  }
+};
+
+} // namespace internal
+} // namespace Quadtree_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_ADAPTATION_HOLE_FINDER_H

@@ -1,0 +1,226 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+//
+// Vertices inside of the straight sides of corners, in a mesh that knows only edges.
+//
+// In a mesh from a file each constrained edge is a segment of its own. Where two sides meet at a sharp corner, the
+// triangles between them are excused for the whole sides alone: edges farther away from the corner are only two near
+// lines. So edges in a row become one side again, if they have one marker and their vertices are on a straight line but
+// for rounding.
+//
+// Computes: for each constrained edge at a corner below 60 degrees, the longest straight chain of edges that begins
+//           with it. The vertices inside of it are within two units in the last place of the line between its ends.
+//           Nothing else ends at them, and no vertex next to the chain is beyond the line.
+// Bound:    O(n log n) time, and that of the chains that leave a corner without turning back.
+// Source:   ours. The directions in which all vertices so far are passed form a cone, which only gets narrower.
+
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_ADAPTATION_STRAIGHT_LEGS_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_ADAPTATION_STRAIGHT_LEGS_H
+
+#include <CGAL/Indexed_mesh_2.h>
+#include <CGAL/Quadtree_mesh_2/internal/adaptation/Triangle_tree.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <map>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Quadtree_mesh_2 {
+namespace internal {
+
+class Straight_legs {
+public:
+  using Point = Triangle_tree::Point;
+  using Mesh = Indexed_mesh_2<Point>;
+
+  /// \param may_be_inside per vertex, whether it may be inside of a side
+  Straight_legs(const Mesh& mesh, std::vector<char> may_be_inside)
+      : mesh_(mesh), may_be_inside_(std::move(may_be_inside)) {
+    find_edges_at_vertices();
+    find_vertices_across();
+  }
+
+  /// Per vertex, whether it is inside of a straight side of a corner.
+  std::vector<char> inner_vertices() {
+    is_inside_.assign(mesh_.points.size(), 0);
+    for (std::size_t v = 0; v < mesh_.points.size(); ++v)
+      for (std::size_t i = first_[v]; i < first_[v + 1]; ++i)
+        if (is_at_corner(v, edges_[i])) mark_leg(Vertex_index(v), edges_[i]);
+    return std::move(is_inside_);
+  }
+
+private:
+  static constexpr double units_of_rounding = 2;
+
+  const Mesh& mesh_;
+  std::vector<char> may_be_inside_, is_inside_;
+  std::vector<std::size_t> first_,
+      edges_; // the constrained edges at v are those from first_[v] to first_[v + 1]
+  /// Per constrained edge, the third vertices of the triangles on its left and on its right.
+  std::vector<std::array<Vertex_index, 2>> across_;
+  std::vector<Vertex_index> path_;
+  std::vector<std::size_t> path_edges_; // between each of them and the next
+  /// The sides so far, by their ends: the vertices inside next to these.
+  std::map<std::pair<Vertex_index, Vertex_index>, std::pair<Vertex_index, Vertex_index>> sides_;
+
+  void find_edges_at_vertices() {
+    first_.assign(mesh_.points.size() + 1, 0);
+    for (const auto& e : mesh_.constrained_edges)
+      for (const Vertex_index v : e.vertices) ++first_[std::size_t(v) + 1];
+    for (std::size_t v = 0; v < mesh_.points.size(); ++v) first_[v + 1] += first_[v];
+    edges_.resize(first_.back());
+    std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
+    for (std::size_t e = 0; e < mesh_.constrained_edges.size(); ++e)
+      for (const Vertex_index v : mesh_.constrained_edges[e].vertices) edges_[next[std::size_t(v)]++] = e;
+  }
+
+  void find_vertices_across() {
+    std::map<std::pair<Vertex_index, Vertex_index>, std::size_t> edge_of;
+    across_.resize(mesh_.constrained_edges.size());
+    for (std::size_t e = 0; e < across_.size(); ++e) {
+      const auto& [a, b] = mesh_.constrained_edges[e].vertices;
+      edge_of.emplace(std::minmax(a, b), e);
+    }
+    for (const auto& t : mesh_.triangles)
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Vertex_index a = t[(k + 1) % 3], b = t[(k + 2) % 3];
+        if (const auto found = edge_of.find(std::minmax(a, b)); found != edge_of.end())
+          across_[found->second][mesh_.constrained_edges[found->second].vertices[0] == a ? 0 : 1] = t[k];
+      }
+  }
+
+  Vertex_index other_end(std::size_t e, Vertex_index v) const {
+    const auto& ends = mesh_.constrained_edges[e].vertices;
+    return ends[ends[0] == v ? 1 : 0];
+  }
+
+  /// Whether p and q are seen from o at less than 60 degrees.
+  bool are_within_60_degrees(const Point& o, const Point& p, const Point& q) const {
+    const double ux = p.x() - o.x(), uy = p.y() - o.y(), vx = q.x() - o.x(), vy = q.y() - o.y();
+    return ux * vx + uy * vy > 0.5 * std::hypot(ux, uy) * std::hypot(vx, vy);
+  }
+
+  /// Whether another edge at v is within 60 degrees, and none goes the same way.
+  bool is_at_corner(std::size_t v, std::size_t e) const {
+    const auto turn = Triangle_tree::Kernel().orientation_2_object();
+    const Vertex_index own(v);
+    const Point &o = mesh_.points[v], &p = mesh_.point(other_end(e, own));
+    bool is_any_near = false;
+    for (std::size_t i = first_[v]; i < first_[v + 1]; ++i) {
+      if (edges_[i] == e) continue;
+      const Point& q = mesh_.point(other_end(edges_[i], own));
+      if (!are_within_60_degrees(o, p, q)) continue;
+      if (turn(o, p, q) == COLLINEAR) return false;
+      is_any_near = true;
+    }
+    return is_any_near;
+  }
+
+  void mark_leg(Vertex_index apex, std::size_t e) {
+    find_path(apex, e);
+    // Rounding is as coarse as the largest coordinate of the side, which is known with its end.
+    std::size_t end = path_.size() - 1;
+    for (std::size_t before = end + 1; end < before;) {
+      before = end;
+      end = straight_end(reach_up_to(end));
+    }
+    if (end > 1 && (has_vertex_across(end) || is_beside_same_side(end))) return;
+    for (std::size_t i = 1; i < end; ++i) is_inside_[std::size_t(path_[i])] = 1;
+    may_be_inside_[std::size_t(path_[end])] = 0; // a side from elsewhere ends here, too
+  }
+
+  /// Whether a vertex next to the way is not on the same side of the line: new vertices on it would pass it over.
+  bool has_vertex_across(std::size_t end) const {
+    const auto turn = Triangle_tree::Kernel().orientation_2_object();
+    const Point &o = mesh_.point(path_.front()), &p = mesh_.point(path_[end]);
+    for (std::size_t i = 0; i < end; ++i) {
+      const std::size_t e = path_edges_[i];
+      const bool is_forward = mesh_.constrained_edges[e].vertices[0] == path_[i];
+      const Vertex_index left = across_[e][is_forward ? 0 : 1], right = across_[e][is_forward ? 1 : 0];
+      if (left.is_valid() && turn(o, p, mesh_.point(left)) != LEFT_TURN) return true;
+      if (right.is_valid() && turn(o, p, mesh_.point(right)) != RIGHT_TURN) return true;
+    }
+    return false;
+  }
+
+  /// Whether an edge, or another side, has the same ends. Notes the side if not.
+  bool is_beside_same_side(std::size_t end) {
+    const Vertex_index apex = path_.front(), last = path_[end];
+    for (std::size_t i = first_[std::size_t(apex)]; i < first_[std::size_t(apex) + 1]; ++i)
+      if (other_end(edges_[i], apex) == last) return true;
+    const auto inner = std::minmax(path_[1], path_[end - 1]);
+    return sides_.emplace(std::minmax(apex, last), inner).first->second !=
+           std::make_pair(inner.first, inner.second);
+  }
+
+  /// The vertices from a corner along an edge, as long as the way leads on and away.
+  void find_path(Vertex_index apex, std::size_t e) {
+    path_.assign({apex, other_end(e, apex)}), path_edges_.assign(1, e);
+    const Point& o = mesh_.point(apex);
+    for (;;) {
+      const Vertex_index v = path_.back();
+      const std::size_t at = first_[std::size_t(v)];
+      if (may_be_inside_[std::size_t(v)] == 0 || first_[std::size_t(v) + 1] != at + 2) return;
+      const std::size_t next = edges_[at] == e ? edges_[at + 1] : edges_[at];
+      const Vertex_index w = other_end(next, v);
+      const Point &p = mesh_.point(v), &q = mesh_.point(w);
+      const bool leads_on =
+          std::hypot(q.x() - o.x(), q.y() - o.y()) > std::hypot(p.x() - o.x(), p.y() - o.y());
+      if (mesh_.constrained_edges[next].marker != mesh_.constrained_edges[e].marker || !leads_on ||
+          !are_within_60_degrees(o, p, q))
+        return;
+      path_.push_back(w), path_edges_.push_back(next), e = next;
+    }
+  }
+
+  std::array<double, 2> reach_up_to(std::size_t end) const {
+    double x = 0, y = 0;
+    for (std::size_t i = 0; i <= end; ++i) {
+      x = std::max(x, std::fabs(mesh_.point(path_[i]).x()));
+      y = std::max(y, std::fabs(mesh_.point(path_[i]).y()));
+    }
+    const auto units = [](double magnitude) {
+      return units_of_rounding *
+             (std::nextafter(magnitude, std::numeric_limits<double>::infinity()) - magnitude);
+    };
+    return {units(x), units(y)};
+  }
+
+  /// The place in the path of the last vertex to which the way is straight.
+  std::size_t straight_end(const std::array<double, 2>& reach) const {
+    const auto turn = Triangle_tree::Kernel().orientation_2_object();
+    const Point& o = mesh_.point(path_[0]);
+    Point left, right; // of the cone, as seen from the corner
+    bool has_cone = false;
+    for (std::size_t i = 1; i < path_.size(); ++i) {
+      const Point& p = mesh_.point(path_[i]);
+      if (has_cone && (turn(o, right, p) == RIGHT_TURN || turn(o, left, p) == LEFT_TURN)) return i - 1;
+      // Rounding alone decides on the direction of what is so near to the corner.
+      if (std::fabs(p.x() - o.x()) <= reach[0] && std::fabs(p.y() - o.y()) <= reach[1]) return i;
+      Point low = p, high = p; // the ends of the box around p as seen from the corner
+      for (const double x : {p.x() - reach[0], p.x() + reach[0]})
+        for (const double y : {p.y() - reach[1], p.y() + reach[1]}) {
+          if (turn(o, low, Point(x, y)) == RIGHT_TURN) low = Point(x, y);
+          if (turn(o, high, Point(x, y)) == LEFT_TURN) high = Point(x, y);
+        }
+      if (!has_cone || turn(o, right, low) == LEFT_TURN) right = low;
+      if (!has_cone || turn(o, left, high) == RIGHT_TURN) left = high;
+      has_cone = true;
+    }
+    return path_.size() - 1;
+  }
+};
+
+} // namespace internal
+} // namespace Quadtree_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_ADAPTATION_STRAIGHT_LEGS_H

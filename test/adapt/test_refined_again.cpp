@@ -1,0 +1,192 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+
+// Meshes in files that are refined again and again: what meets the bounds stays as it is, and sharp corners, of which a
+// file knows only edges, do not ask for more.
+
+#include "adapt_tools.h"
+#include "scratch_folder.h"
+
+#include <CGAL/IO/Triangle_files.h>
+#include <CGAL/IO/read_triangle_mesh.h>
+#include <CGAL/Pslg_error_2.h>
+#include <CGAL/Quadtree_mesh_2/internal/adaptation/Straight_legs.h>
+#include <CGAL/refine_mesh_2.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace test_refined_again {
+
+namespace {
+
+using namespace adapt_test;
+
+/// A mesh as it comes from a file, and its graph.
+struct Read_mesh {
+  Mesh mesh;
+  Pslg pslg;
+};
+
+/// The mesh written as the program does it, and read again.
+Read_mesh written_and_read(Mesh mesh, const Pslg& pslg) {
+  const Scratch_folder folder;
+  mesh.input_index.clear();
+  CGAL::IO::write_triangle_files(mesh, pslg, folder.file("m"));
+  Read_mesh read;
+  CGAL::IO::read_triangle_mesh(folder.file("m.ele"), read.mesh, read.pslg);
+  return read;
+}
+
+bool are_same(const Mesh& a, const Mesh& b) {
+  return a.points.size() == b.points.size() && have_same_bits(a, b);
+}
+
+Pslg read(const std::string& name) {
+  Pslg pslg;
+  CGAL::IO::read_triangle_poly(std::string(QUADTREE_MESH_TEST_DATA_DIR "/") + name, pslg);
+  return pslg;
+}
+
+/// Refines three times. From the first mesh on that meets the bounds nothing changes.
+/// \returns whether the given mesh, or the first one, meets them
+bool check_chain(Read_mesh last, const Options& options) {
+  bool is_met = false, is_first_met = false;
+  for (int step = 0; step < 3; ++step) {
+    CAPTURE(step);
+    CGAL::Adapted_mesh_2 made;
+    try {
+      made = CGAL::refine_mesh_2(last.mesh, last.pslg, options);
+    } catch (const CGAL::Pslg_error_2& error) {
+      CAPTURE(error.what());
+      CHECK_FALSE(is_met);
+      CHECK_FALSE(quality(last.mesh, last.pslg, CGAL::Mesh_quality_options_2().min_angle(options.min_angle()))
+                      .is_met());
+      return false;
+    }
+    check_valid(made.mesh, last.pslg);
+    const bool is_growth_bounded = options.gradation() > 0; // sharp corners are then cut anew
+    if (is_met && !is_growth_bounded) CHECK(are_same(made.mesh, last.mesh));
+    is_met = made.report.is_met();
+    is_first_met = is_first_met || (step == 0 && is_met);
+    last = written_and_read(made.mesh, last.pslg);
+  }
+  return is_first_met;
+}
+
+/// Two sides that meet at (0, 0) at an angle, between them a mesh in layers whose vertices are rounded.
+Read_mesh wedge(double degrees, double slope) {
+  const double far[] = {slope, slope + degrees * CGAL_PI / 180};
+  Pslg pslg;
+  pslg.add_vertex(Point(0.1, 0.1));
+  for (const double angle : far) pslg.add_vertex(Point(0.1 + 3 * std::cos(angle), 0.1 + 3 * std::sin(angle)));
+  for (const auto& [a, b] : {std::pair<int, int>{0, 1}, {1, 2}, {2, 0}})
+    pslg.add_segment(Vertex_index(a), Vertex_index(b));
+  return written_and_read(fresh_mesh(pslg, Options()), pslg);
+}
+
+} // namespace
+
+TEST_CASE("Sharp corners of a mesh from a file are excused, and the mesh stays as it is", "[adapt]") {
+  for (const double degrees : {30., 5., 1., 0.3, 0.01, 1e-6})
+    for (const double slope : {0.1, 0.7, 2.5, -1.}) {
+      CAPTURE(degrees, slope);
+      const Read_mesh given = wedge(degrees, slope);
+      const auto made = CGAL::refine_mesh_2(given.mesh, given.pslg, Options());
+      CHECK(are_same(made.mesh, given.mesh));
+      CHECK(made.report.is_met());
+      check_transfer(made, given.mesh);
+      check_valid(made.mesh, given.pslg);
+      CHECK(quality(made.mesh, given.pslg, CGAL::Mesh_quality_options_2().min_angle(20.7)).is_met());
+    }
+}
+
+TEST_CASE("Where a mesh with sharp corners is refined, the corners stay as coarse as they were", "[adapt]") {
+  for (const double degrees : {5., 1., 0.01}) {
+    CAPTURE(degrees);
+    const Read_mesh given = wedge(degrees, 0.7);
+    const double largest = area(given.mesh, 0) / 4;
+    const auto fresh = fresh_mesh(given.pslg, Options().max_area(largest));
+    const auto made = CGAL::refine_mesh_2(given.mesh, given.pslg, Options().max_area(largest));
+    check_transfer(made, given.mesh);
+    check_valid(made.mesh, given.pslg, CGAL::Mesh_quality_options_2().min_angle(20.7).max_area(largest));
+    CHECK(made.report.is_met());
+    CHECK(double(made.mesh.triangles.size()) < 2 * double(fresh.triangles.size()) + 20);
+    const Read_mesh again = written_and_read(made.mesh, given.pslg);
+    CHECK(
+        are_same(CGAL::refine_mesh_2(again.mesh, again.pslg, Options().max_area(largest)).mesh, again.mesh));
+  }
+}
+
+TEST_CASE("Inner vertices of straight sides are those within rounding, and nothing ends there", "[adapt]") {
+  // From the corner 0 a side with vertices 1 and 2 inside, and one that bends by far more than rounding at 5.
+  Mesh mesh;
+  const double ulp = 0x1p-52;
+  mesh.points = {Point(1, 1),
+                 Point(1.25, 1.125 + ulp / 2),
+                 Point(1.5, 1.25 - ulp / 2),
+                 Point(2, 1.5),
+                 Point(3, 1.5),
+                 Point(1.5, 1.01),
+                 Point(2, 1.03)};
+  const auto add = [&mesh](int a, int b, int marker) {
+    mesh.constrained_edges.push_back({{Vertex_index(a), Vertex_index(b)}, {}, marker});
+  };
+  add(0, 1, 1), add(2, 1, 1), add(2, 3, 1), add(3, 4, 1), add(0, 5, 1), add(5, 6, 1);
+  const auto inner = [&mesh](std::vector<char> may_be = {}) {
+    may_be.resize(mesh.points.size(), 1);
+    return CGAL::Quadtree_mesh_2::internal::Straight_legs(mesh, may_be).inner_vertices();
+  };
+  CHECK(inner() == std::vector<char>{0, 1, 1, 0, 0, 0, 0});
+  CHECK(inner({1, 0}) == std::vector<char>{0, 0, 0, 0, 0, 0, 0});
+  mesh.constrained_edges[1].marker = 2;
+  CHECK(inner() == std::vector<char>{0, 0, 0, 0, 0, 0, 0});
+  mesh.constrained_edges[1].marker = 1;
+  add(2, 6, 1);
+  CHECK(inner() == std::vector<char>{0, 1, 0, 0, 0, 0, 0});
+  mesh.constrained_edges.pop_back();
+  mesh.points[2] = Point(1.5, 1.25 - 16 * ulp);
+  CHECK(inner()[1] == 0);
+  mesh.constrained_edges.erase(mesh.constrained_edges.begin() + 4); // no corner
+  mesh.points[2] = Point(1.5, 1.25);
+  CHECK(inner() == std::vector<char>(7, 0));
+}
+
+TEST_CASE("Refining a mesh in a file twice changes nothing", "[adapt]") {
+  const std::vector<Options> all{Options(), Options().min_angle(30),
+                                 Options().conform(Options::Conforming::DELAUNAY), Options().max_angle(120),
+                                 Options().gradation(0.3)};
+  std::size_t chains = 0, met = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(QUADTREE_MESH_TEST_DATA_DIR)) {
+    if (entry.path().extension() != ".poly") continue;
+    const std::string name = entry.path().filename().string();
+    const Pslg pslg = read(name);
+    // A graph for exact numbers: over doubles a vertex on one of its segments passes another vertex over.
+    if (name == "hard_exact_rounding.poly" || pslg.vertices.size() > (is_full_run() ? 1000 : 60)) continue;
+    for (std::size_t i = 0; i < (is_full_run() ? all.size() : 1 + chains % 2 * 4); ++i) {
+      const Options options = Options(all[i]).max_vertices(100000);
+      Read_mesh last;
+      try {
+        last = written_and_read(fresh_mesh(pslg, options), pslg);
+      } catch (const CGAL::Pslg_error_2&) {
+        continue; // of bad input, which other tests are about
+      }
+      if (last.mesh.triangles.size() > (is_full_run() ? 100000 : 1000)) continue;
+      ++chains;
+      CAPTURE(name, i);
+      met += check_chain(std::move(last), options) ? 1 : 0;
+    }
+  }
+  CHECK(chains > 60);
+  CHECK(met > chains / 2);
+}
+
+} // namespace test_refined_again
