@@ -44,6 +44,8 @@ packages=("${build_packages[@]}" libgdal-dev catch2 python3-gmsh python3-h5py py
 # The Python package: what is missing is left out of build and tests, which CMake says.
 [[ -n $sanitize ]] || packages+=(pybind11-dev python3-dev python3-pytest python3-numpy python3-shapely
   python3-geopandas python3-matplotlib)
+# Tests on several ranks.
+[[ -n $sanitize ]] || packages+=("${distributed_packages[@]}")
 # Pages are opened in a browser.
 [[ -n $sanitize ]] || packages+=(chromium-headless-shell python3-pil)
 # CGAL's viewer, for draw().
