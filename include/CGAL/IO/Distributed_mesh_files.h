@@ -9,7 +9,7 @@
 
 /// \file
 /// Files of distributed meshes, written by all ranks. A program links MPI and HDF5's library for MPI
-/// (`libhdf5-openmpi-dev`), and not that for one process.
+/// (`libhdf5-openmpi-dev`). With that for one process, functions for files of HDF5 are left out.
 
 #include <CGAL/Distributed_mesh_2.h>
 #include <CGAL/IO/io.h>
@@ -55,6 +55,7 @@ void write_MSH_parts(MPI_Comm comm, const std::string& file_name, const Distribu
   Quadtree_mesh_2::internal::write_msh_together(exchange, file_name, mesh);
 }
 
+#ifdef H5_HAVE_PARALLEL
 /// Writes the mesh as one VTKHDF file, by MPI-IO: the same arrays as `write_VTKHDF()` of the whole mesh. Each rank
 /// writes what it owns, some rows at a time.
 /// \throws std::runtime_error, std::invalid_argument as above
@@ -75,6 +76,7 @@ void write_XDMF(MPI_Comm comm, const std::string& file_name, const Distributed_m
   Quadtree_mesh_2::internal::Mpi_exchange exchange(comm);
   Quadtree_mesh_2::internal::write_xdmf_together(exchange, file_name, mesh, fields);
 }
+#endif // H5_HAVE_PARALLEL
 
 /// @}
 

@@ -5,6 +5,7 @@
 // Author(s)     : The Quadtree_mesh_2 authors
 //
 // Files of HDF5 that all ranks write together, by MPI-IO: each its own rows, in the layout that one machine writes.
+// Only with an HDF5 that is built for MPI (Debian: libhdf5-openmpi-dev), which says so by H5_HAVE_PARALLEL.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_DISTRIBUTED_HDF5_TOGETHER_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_DISTRIBUTED_HDF5_TOGETHER_H
@@ -30,9 +31,7 @@
 #include <stdexcept>
 #include <string>
 
-#ifndef H5_HAVE_PARALLEL
-#error "Ranks write HDF5 together by a library of HDF5 that is built for MPI (Debian: libhdf5-openmpi-dev)"
-#endif
+#ifdef H5_HAVE_PARALLEL
 
 namespace CGAL {
 namespace Quadtree_mesh_2 {
@@ -116,5 +115,7 @@ void write_xdmf_together(Mpi_exchange& exchange, const std::string& file_name,
 } // namespace internal
 } // namespace Quadtree_mesh_2
 } // namespace CGAL
+
+#endif // H5_HAVE_PARALLEL
 
 #endif // CGAL_QUADTREE_MESH_2_INTERNAL_DISTRIBUTED_HDF5_TOGETHER_H
