@@ -11,6 +11,10 @@
 // is told as a text, so that none ends before the others.
 
 #include <CGAL/Distributed_mesh_2.h>
+#ifdef CGAL_LINKED_WITH_HDF5
+#include <CGAL/IO/HDF5.h>
+#include <CGAL/Quadtree_mesh_2/internal/distributed/hdf5_part_files.h>
+#endif
 #include <CGAL/IO/MSH.h>
 #include <CGAL/IO/Triangle_files.h>
 #include <CGAL/IO/VTU.h>
@@ -189,14 +193,24 @@ std::string check_files(Exchange& exchange, const Input& input, const Part& part
   write_pvtu_together(exchange, file(together, ".pvtu"), part, fields_of(part), CGAL::IO::BINARY);
   write_pvtu_together(exchange, file(together, "_text.pvtu"), part, {}, CGAL::IO::ASCII);
   write_msh_together(exchange, file(together, ".msh"), part);
+#ifdef CGAL_LINKED_WITH_HDF5
+  write_vtkhdf_together(exchange, file(together, ".vtkhdf"), part, fields_of(part));
+  write_xdmf_together(exchange, file(together, ".xdmf"), part, fields_of(part));
+#endif
   if (exchange.rank() != exchange.size() - 1) return std::string();
   const auto parts = std::size_t(exchange.size());
   const auto fields = fields_from(0, input.mesh.triangles.size());
   CGAL::IO::write_PVTU(file(alone, ".pvtu"), input.mesh, input.pslg, parts, fields);
   CGAL::IO::write_PVTU(file(alone, "_text.pvtu"), input.mesh, input.pslg, parts, {}, CGAL::IO::ASCII);
   CGAL::IO::write_MSH_parts(file(alone, ".msh"), input.mesh, input.pslg, parts);
-  return difference(together, alone, ".pvtu") + difference(together, alone, ".vtu") +
-         difference(together, alone, ".msh");
+#ifdef CGAL_LINKED_WITH_HDF5
+  CGAL::IO::write_VTKHDF(file(alone, ".vtkhdf"), input.mesh, input.pslg, fields);
+  CGAL::IO::write_XDMF(file(alone, ".xdmf"), input.mesh, input.pslg, fields);
+#endif
+  std::string wrong;
+  for (const char* ending : {".pvtu", ".vtu", ".msh", ".vtkhdf", ".h5", ".xdmf"})
+    wrong += difference(together, alone, ending);
+  return wrong;
 }
 
 } // namespace distributed_mesh_checks

@@ -8,13 +8,13 @@
 #define CGAL_IO_DISTRIBUTED_MESH_FILES_H
 
 /// \file
-/// Files of distributed meshes, written by all ranks. A program links MPI and HDF5's library for MPI
-/// (`libhdf5-openmpi-dev`). With that for one process, functions for files of HDF5 are left out.
+/// Files of distributed meshes, written by all ranks. A program links MPI and HDF5's C library, that for MPI or that
+/// for one process.
 
 #include <CGAL/Distributed_mesh_2.h>
 #include <CGAL/IO/io.h>
 #include <CGAL/Quadtree_mesh_2/internal/distributed/Mpi_exchange.h>
-#include <CGAL/Quadtree_mesh_2/internal/distributed/hdf5_together.h>
+#include <CGAL/Quadtree_mesh_2/internal/distributed/hdf5_part_files.h>
 #include <CGAL/Quadtree_mesh_2/internal/distributed/mesh_part_files.h>
 #include <CGAL/Quadtree_mesh_2/triangle_fields.h>
 
@@ -55,9 +55,8 @@ void write_MSH_parts(MPI_Comm comm, const std::string& file_name, const Distribu
   Quadtree_mesh_2::internal::write_msh_together(exchange, file_name, mesh);
 }
 
-#ifdef H5_HAVE_PARALLEL
-/// Writes the mesh as one VTKHDF file, by MPI-IO: the same arrays as `write_VTKHDF()` of the whole mesh. Each rank
-/// writes what it owns, some rows at a time.
+/// Writes the mesh as one VTKHDF file: the same bytes as `write_VTKHDF()` of the whole mesh. The first rank makes the
+/// file, and each writes the values that it owns, some rows at a time. Ranks have to see one file system.
 /// \throws std::runtime_error, std::invalid_argument as above
 template <class Point>
 void write_VTKHDF(MPI_Comm comm, const std::string& file_name, const Distributed_mesh_2<Point>& mesh,
@@ -66,8 +65,8 @@ void write_VTKHDF(MPI_Comm comm, const std::string& file_name, const Distributed
   Quadtree_mesh_2::internal::write_vtkhdf_together(exchange, file_name, mesh, fields);
 }
 
-/// Writes the mesh as two files of one stem, as `write_XDMF()` does with the whole mesh: `.h5` by MPI-IO with the same
-/// arrays, and the same `.xdmf`.
+/// Writes the mesh as two files of one stem, as `write_XDMF()` does with the whole mesh: `.h5` as above, and
+/// `.xdmf` by the first rank.
 /// \param file_name ends in `.xdmf` or `.h5`
 /// \throws std::runtime_error, std::invalid_argument as above
 template <class Point>
@@ -76,7 +75,6 @@ void write_XDMF(MPI_Comm comm, const std::string& file_name, const Distributed_m
   Quadtree_mesh_2::internal::Mpi_exchange exchange(comm);
   Quadtree_mesh_2::internal::write_xdmf_together(exchange, file_name, mesh, fields);
 }
-#endif // H5_HAVE_PARALLEL
 
 /// @}
 

@@ -16,8 +16,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
-#include <exception>
-#include <functional>
 #include <stdexcept>
 #include <string>
 #include <system_error>
@@ -114,158 +112,84 @@ hid_t hdf5_type() {
 /// So many rows are in memory at a time.
 constexpr std::size_t rows_of_slab = std::size_t(1) << 16;
 
-/// How several processes write one file together: each calls the same functions, with rows of its own.
-struct Hdf5_team {
-  hid_t access = H5P_DEFAULT, transfer = H5P_DEFAULT; ///< of files, and of what is written
-  /// Throws the same at all processes if there is an error at any.
-  std::function<void(const std::exception_ptr&)> agree = [](const std::exception_ptr& error) {
-    if (error) std::rethrow_exception(error);
-  };
-  /// The greatest number of all processes.
-  std::function<std::size_t(std::size_t)> greatest = [](std::size_t n) { return n; };
-};
-
 class Hdf5_writer {
 public:
+  /// Whether values are written, or only their room is made, so that others can write them: see `Hdf5_rows_writer`. The
+  /// bytes of the file are the same in the end.
+  enum class Values { WRITTEN, BY_OTHERS };
+
   /// Truncates the file.
   /// \param shown the name that errors tell; they are std::system_error, here and below
-  Hdf5_writer(const std::string& file_name, std::string shown, Hdf5_team team = {})
-      : shown_(std::move(shown)), team_(std::move(team)) {
-    together([&] {
-      file_ = checked(H5Fcreate(file_name.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, team_.access), H5Fclose);
-    });
+  Hdf5_writer(const std::string& file_name, std::string shown, Values values = Values::WRITTEN)
+      : shown_(std::move(shown)), values_(values) {
+    file_ = checked(H5Fcreate(file_name.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose);
   }
 
   void add_group(const std::string& path) {
-    together([&] {
-      checked(H5Gcreate2(file_.get(), path.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
-    });
+    checked(H5Gcreate2(file_.get(), path.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
   }
 
-  /// An array with `n` rows, all written here.
-  template <class Value_at>
-  void add_array(const std::string& path, std::size_t n, std::size_t columns, const Value_at& value_at) {
-    add_array(path, Array_rows::whole(n), columns, value_at);
-  }
-  /// \param columns 0 for an array of one dimension
-  /// \param value_at called as `value_at(index, column)`, in the order of `rows`
+  /// See below.
+  /// \pre values are by others, or all rows are here
   template <class Value_at>
   void add_array(const std::string& path, const Array_rows& rows, std::size_t columns,
                  const Value_at& value_at) {
-    using Number = std::decay_t<decltype(value_at(columns, columns))>;
-    const hsize_t sizes[] = {rows.all, columns};
-    const std::vector<Array_rows> slabs = slabs_of(rows);
-    Hdf5_handle space, array;
-    std::vector<Number> values;
-    together([&] {
-      values.reserve(std::min(rows.all, rows_of_slab) * std::max<std::size_t>(columns, 1));
-      space = checked(H5Screate_simple(columns == 0 ? 1 : 2, sizes, nullptr), H5Sclose);
-      array = checked(H5Dcreate2(file_.get(), path.c_str(), hdf5_type<Number>(), space.get(), H5P_DEFAULT,
-                                 without_times().get(), H5P_DEFAULT),
-                      H5Dclose);
-    });
-    // Who has no more rows writes none of them with the others, and so does who has failed.
-    const std::size_t most = team_.greatest(slabs.size());
-    bool is_written = true;
-    Hdf5_reason reason;
-    for (std::size_t i = 0; i < most; ++i) {
-      const Array_rows none{rows.all, {}}, &slab = i < slabs.size() ? slabs[i] : none;
-      values.clear();
-      for (const Array_rows::Run& run : slab.runs)
-        for (std::size_t k = 0; k < run.length; ++k)
-          for (std::size_t column = 0; column < std::max<std::size_t>(columns, 1); ++column)
-            values.push_back(value_at(run.index + k, column));
-      if (write_slab(array, space, slab, columns, hdf5_type<Number>(), values.data()) || !is_written)
-        continue;
-      is_written = false;
-      reason = Hdf5_reason::of_last_call();
+    add_array(path, rows.all, columns, value_at);
+  }
+  /// An array with `n` rows.
+  /// \param columns 0 for an array of one dimension
+  /// \param value_at called as `value_at(row, column)`, in the order of the array
+  template <class Value_at>
+  void add_array(const std::string& path, std::size_t n, std::size_t columns, const Value_at& value_at) {
+    using Number = std::decay_t<decltype(value_at(n, n))>;
+    const int rank = columns == 0 ? 1 : 2;
+    const std::size_t width = std::max<std::size_t>(columns, 1);
+    const hsize_t sizes[] = {n, columns};
+    const Hdf5_handle space = checked(H5Screate_simple(rank, sizes, nullptr), H5Sclose);
+    const Hdf5_handle array = checked(H5Dcreate2(file_.get(), path.c_str(), hdf5_type<Number>(), space.get(),
+                                                 H5P_DEFAULT, properties().get(), H5P_DEFAULT),
+                                      H5Dclose);
+    if (values_ == Values::BY_OTHERS) {
+      places_.push_back(H5Dget_offset(array.get())); // of nothing, if the array is empty
+      return;
     }
-    together([&] {
-      if (!is_written) fail(reason);
-      check(array.close() ? 0 : -1);
-    });
+    std::vector<Number> slab;
+    for (std::size_t begin = 0; begin < n; begin += rows_of_slab) {
+      const std::size_t end = std::min(n, begin + rows_of_slab);
+      slab.clear();
+      for (std::size_t row = begin; row < end; ++row)
+        for (std::size_t column = 0; column < width; ++column) slab.push_back(value_at(row, column));
+      const hsize_t offsets[] = {begin, 0}, lengths[] = {end - begin, columns};
+      const Hdf5_handle in_memory = checked(H5Screate_simple(rank, lengths, nullptr), H5Sclose);
+      check(H5Sselect_hyperslab(space.get(), H5S_SELECT_SET, offsets, nullptr, lengths, nullptr));
+      check(
+          H5Dwrite(array.get(), hdf5_type<Number>(), in_memory.get(), space.get(), H5P_DEFAULT, slab.data()));
+    }
   }
 
   void add_attribute(const std::string& path, const char* name, const std::vector<std::int64_t>& values) {
     const hsize_t size = values.size();
-    together([&] {
-      const Hdf5_handle space = checked(H5Screate_simple(1, &size, nullptr), H5Sclose);
-      add_attribute(path, name, H5T_NATIVE_INT64, space, values.data());
-    });
+    const Hdf5_handle space = checked(H5Screate_simple(1, &size, nullptr), H5Sclose);
+    add_attribute(path, name, H5T_NATIVE_INT64, space, values.data());
   }
   /// Text of a fixed length, as VTK wants it.
   void add_attribute(const std::string& path, const char* name, const std::string& text) {
-    together([&] {
-      const Hdf5_handle type = checked(H5Tcopy(H5T_C_S1), H5Tclose);
-      check(H5Tset_size(type.get(), text.size()));
-      check(H5Tset_strpad(type.get(), H5T_STR_NULLPAD));
-      add_attribute(path, name, type.get(), checked(H5Screate(H5S_SCALAR), H5Sclose), text.data());
-    });
+    const Hdf5_handle type = checked(H5Tcopy(H5T_C_S1), H5Tclose);
+    check(H5Tset_size(type.get(), text.size()));
+    check(H5Tset_strpad(type.get(), H5T_STR_NULLPAD));
+    add_attribute(path, name, type.get(), checked(H5Screate(H5S_SCALAR), H5Sclose), text.data());
   }
+
+  /// Where in the file the values of each array are to be, in the order of arrays.
+  const std::vector<std::uint64_t>& places() const { return places_; }
 
   /// What is not closed may be incomplete.
   void close() {
-    together([&] { check(H5Fflush(file_.get(), H5F_SCOPE_LOCAL)); });
-    together([&] { check(file_.close() ? 0 : -1); });
+    check(H5Fflush(file_.get(), H5F_SCOPE_LOCAL));
+    if (!file_.close()) fail();
   }
 
 private:
-  template <class Work>
-  void together(const Work& work) const {
-    std::exception_ptr error;
-    try {
-      work();
-    } catch (...) {
-      error = std::current_exception();
-    }
-    team_.agree(error);
-  }
-
-  /// Rows that are in memory at a time.
-  static std::vector<Array_rows> slabs_of(const Array_rows& rows) {
-    std::vector<Array_rows> slabs;
-    std::size_t room = 0;
-    for (Array_rows::Run run : rows.runs)
-      while (run.length > 0) {
-        if (room == 0) slabs.push_back({rows.all, {}}), room = rows_of_slab;
-        const std::size_t length = std::min(run.length, room);
-        slabs.back().add(run.row, run.index, length);
-        run.row += length, run.index += length, run.length -= length, room -= length;
-      }
-    return slabs;
-  }
-
-  /// \returns whether that went well
-  bool write_slab(const Hdf5_handle& array, const Hdf5_handle& space, const Array_rows& slab,
-                  std::size_t columns, hid_t type, const void* values) const {
-    hsize_t n = 0;
-    for (const Array_rows::Run& run : slab.runs) n += run.length;
-    const hsize_t numbers = n * std::max<std::size_t>(columns, 1);
-    const Hdf5_handle in_memory(H5Screate_simple(1, &numbers, nullptr), H5Sclose);
-    if (slab.runs.empty()) {
-      H5Sselect_none(space.get());
-    } else if (slab.runs.size() == 1) {
-      const hsize_t offsets[] = {slab.runs.front().row, 0}, lengths[] = {n, columns};
-      H5Sselect_hyperslab(space.get(), H5S_SELECT_SET, offsets, nullptr, lengths, nullptr);
-    } else {
-      const std::vector<hsize_t> places = places_of(slab, columns);
-      H5Sselect_elements(space.get(), H5S_SELECT_SET, static_cast<std::size_t>(numbers), places.data());
-    }
-    return H5Dwrite(array.get(), type, in_memory.get(), space.get(), team_.transfer, values) >= 0;
-  }
-
-  static std::vector<hsize_t> places_of(const Array_rows& slab, std::size_t columns) {
-    std::vector<hsize_t> places;
-    for (const Array_rows::Run& run : slab.runs)
-      for (std::size_t row = run.row; row < run.row + run.length; ++row)
-        if (columns == 0)
-          places.push_back(row);
-        else
-          for (std::size_t column = 0; column < columns; ++column)
-            places.push_back(row), places.push_back(column);
-    return places;
-  }
-
   void add_attribute(const std::string& path, const char* name, hid_t type, const Hdf5_handle& space,
                      const void* values) {
     const Hdf5_handle object = checked(H5Oopen(file_.get(), path.c_str(), H5P_DEFAULT), H5Oclose);
@@ -274,15 +198,17 @@ private:
     check(H5Awrite(attribute.get(), type, values));
   }
 
-  /// The same mesh is the same bytes, whenever it is written.
-  Hdf5_handle without_times() const {
+  /// The same mesh is the same bytes, whenever it is written. Arrays have their room from the beginning.
+  Hdf5_handle properties() const {
     Hdf5_handle properties = checked(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
     check(H5Pset_obj_track_times(properties.get(), false));
+    check(H5Pset_alloc_time(properties.get(), H5D_ALLOC_TIME_EARLY));
+    check(H5Pset_fill_time(properties.get(), H5D_FILL_TIME_NEVER));
     return properties;
   }
 
-  [[noreturn]] void fail() const { fail(Hdf5_reason::of_last_call()); }
-  [[noreturn]] void fail(const Hdf5_reason& reason) const {
+  [[noreturn]] void fail() const {
+    const Hdf5_reason reason = Hdf5_reason::of_last_call();
     const int error = reason.system_error != 0 ? reason.system_error : EIO;
     throw std::system_error(error, std::generic_category(), shown_ + ": cannot be written");
   }
@@ -296,7 +222,8 @@ private:
 
   Quiet_hdf5 quiet_; // outlives the file
   std::string shown_;
-  Hdf5_team team_;
+  Values values_;
+  std::vector<std::uint64_t> places_;
   Hdf5_handle file_;
 };
 

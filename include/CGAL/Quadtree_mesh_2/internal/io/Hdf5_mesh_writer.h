@@ -78,8 +78,9 @@ private:
 };
 
 /// See `IO::write_VTKHDF()`.
-template <class Point>
-void write_vtkhdf(Hdf5_writer& out, const Vtk_grid<Point>& grid) {
+/// \tparam Out `Hdf5_writer`, or `Hdf5_rows_writer` for a part
+template <class Out, class Point>
+void write_vtkhdf(Out& out, const Vtk_grid<Point>& grid) {
   const Grid_rows<Point> rows(grid);
   const Array_rows one = grid.numbers().is_first() ? Array_rows::whole(1) : Array_rows{1, {}};
   const auto add_number = [&](const char* path, std::size_t n) {
@@ -121,29 +122,30 @@ public:
   Xdmf_writer(const Vtk_grid<Point>& grid, std::string heavy_name)
       : grid_(grid), heavy_name_(Vtu_text::escaped(heavy_name)) {}
 
-  void write_heavy(Hdf5_writer& out) {
-    out_ = &out;
+  /// \tparam Out as above
+  template <class Out>
+  void write_heavy(Out& out) {
     const Grid_rows<Point> rows(grid_);
     for (const char* group : {"/mesh", "/mesh/point_data", "/mesh/triangle_data", "/mesh/edge_data"})
       out.add_group(group);
     const std::string geometry = "<Geometry GeometryType=\"XY\">\n" +
-                                 item("/mesh/points", rows.points, 2,
+                                 item(out, "/mesh/points", rows.points, 2,
                                       [&](std::size_t v, std::size_t k) { return grid_.coordinate(v, k); }) +
                                  "</Geometry>\n";
     std::string point_data, triangle_data, edge_data;
     const auto vertex_at = [this](std::size_t cell, std::size_t k) {
       return static_cast<std::int64_t>(grid_.numbers().vertex(grid_.vertex(cell, k)));
     };
-    const std::string triangle_cells = item("/mesh/triangles", rows.triangles, 3, vertex_at),
-                      edge_cells = item("/mesh/edges", rows.edges, 2, vertex_at);
+    const std::string triangle_cells = item(out, "/mesh/triangles", rows.triangles, 3, vertex_at),
+                      edge_cells = item(out, "/mesh/edges", rows.edges, 2, vertex_at);
     grid_.for_each_point_array([&](const std::string& name, const auto& value_at) {
-      point_data += attribute("Node", name, "/mesh/point_data/", rows.points, value_at);
+      point_data += attribute(out, "Node", name, "/mesh/point_data/", rows.points, value_at);
     });
     grid_.for_each_cell_array([&](const std::string& name, const auto& value_at) {
       if (name == "marker")
-        edge_data += attribute("Cell", name, "/mesh/edge_data/", rows.edges, value_at);
+        edge_data += attribute(out, "Cell", name, "/mesh/edge_data/", rows.edges, value_at);
       else
-        triangle_data += attribute("Cell", name, "/mesh/triangle_data/", rows.triangles, value_at);
+        triangle_data += attribute(out, "Cell", name, "/mesh/triangle_data/", rows.triangles, value_at);
     });
     text_ = opening() + "<Grid Name=\"mesh\" GridType=\"Uniform\">\n" + geometry +
             topology("\"Triangle\"", rows.triangles.all, triangle_cells) + point_data + triangle_data +
@@ -167,21 +169,22 @@ private:
            "</Topology>\n";
   }
 
-  template <class Value_at>
-  std::string attribute(const char* center, const std::string& name, const std::string& folder,
+  template <class Out, class Value_at>
+  std::string attribute(Out& out, const char* center, const std::string& name, const std::string& folder,
                         const Array_rows& rows, const Value_at& value_at) {
     return "<Attribute Name=\"" + Vtu_text::escaped(name) + "\" AttributeType=\"Scalar\" Center=\"" + center +
            "\">\n" +
-           item(folder + hdf5_name(name), rows, 0, [&](std::size_t i, std::size_t) { return value_at(i); }) +
+           item(out, folder + hdf5_name(name), rows, 0,
+                [&](std::size_t i, std::size_t) { return value_at(i); }) +
            "</Attribute>\n";
   }
 
   /// Writes an array. \returns what refers to it
-  template <class Value_at>
-  std::string item(const std::string& path, const Array_rows& rows, std::size_t columns,
+  template <class Out, class Value_at>
+  std::string item(Out& out, const std::string& path, const Array_rows& rows, std::size_t columns,
                    const Value_at& value_at) {
     using Number = std::decay_t<decltype(value_at(columns, columns))>;
-    out_->add_array(path, rows, columns, value_at);
+    out.add_array(path, rows, columns, value_at);
     return "<DataItem Dimensions=\"" + std::to_string(rows.all) +
            (columns > 0 ? ' ' + std::to_string(columns) : "") + "\" NumberType=\"" +
            (std::is_floating_point_v<Number> ? "Float" : "Int") + "\" Precision=\"" +
@@ -191,7 +194,6 @@ private:
 
   const Vtk_grid<Point>& grid_;
   std::string heavy_name_, text_;
-  Hdf5_writer* out_ = nullptr;
 };
 
 template <class Point>
