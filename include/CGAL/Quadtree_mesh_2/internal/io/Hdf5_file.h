@@ -7,6 +7,7 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_IO_HDF5_FILE_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_IO_HDF5_FILE_H
 
+#include <CGAL/Quadtree_mesh_2/internal/io/Hdf5_disk.h>
 #include <CGAL/Quadtree_mesh_2/internal/io/Mesh_numbers.h>
 
 #include <hdf5.h>
@@ -122,7 +123,7 @@ public:
   /// \param shown the name that errors tell; they are std::system_error, here and below
   Hdf5_writer(const std::string& file_name, std::string shown, Values values = Values::WRITTEN)
       : shown_(std::move(shown)), values_(values) {
-    file_ = checked(H5Fcreate(file_name.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose);
+    file_ = checked(H5Fcreate(file_name.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, disk_.access()), H5Fclose);
   }
 
   void add_group(const std::string& path) {
@@ -184,10 +185,7 @@ public:
   const std::vector<std::uint64_t>& places() const { return places_; }
 
   /// What is not closed may be incomplete.
-  void close() {
-    check(H5Fflush(file_.get(), H5F_SCOPE_LOCAL));
-    if (!file_.close()) fail();
-  }
+  void close() { check(file_.close() ? 0 : -1); }
 
 private:
   void add_attribute(const std::string& path, const char* name, hid_t type, const Hdf5_handle& space,
@@ -209,11 +207,12 @@ private:
 
   [[noreturn]] void fail() const {
     const Hdf5_reason reason = Hdf5_reason::of_last_call();
-    const int error = reason.system_error != 0 ? reason.system_error : EIO;
+    int error = disk_.error();
+    if (error == 0) error = reason.system_error != 0 ? reason.system_error : EIO;
     throw std::system_error(error, std::generic_category(), shown_ + ": cannot be written");
   }
   void check(herr_t status) const {
-    if (status < 0) fail();
+    if (status < 0 || disk_.error() != 0) fail();
   }
   Hdf5_handle checked(hid_t id, Hdf5_handle::Close close_by) const {
     if (id < 0) fail();
@@ -224,6 +223,7 @@ private:
   std::string shown_;
   Values values_;
   std::vector<std::uint64_t> places_;
+  Hdf5_disk disk_;
   Hdf5_handle file_;
 };
 
