@@ -176,7 +176,7 @@ TEST_CASE("text is cut into slices of about the same length", "[distributed]") {
   std::string text;
   for (int i = 0; i < 1000; ++i) text += std::to_string(i * i) + '\n';
   const std::string name = folder.write("text", text);
-  for (const std::size_t slices : {1, 2, 10, 99, 5000}) {
+  for (const std::size_t slices : {1u, 2u, 10u, 99u, 5000u}) {
     std::string all;
     for (std::size_t i = 0; i < slices; ++i) {
       const std::string slice = Text_slice_reader(name).slice(i, slices);
