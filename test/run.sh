@@ -123,7 +123,9 @@ if [[ -z $sanitize ]]; then
   installed=$(mktemp -d)
   trap 'rm -rf "$installed"' EXIT
   cmake --install "$folder" --prefix "$installed/usr" >/dev/null
-  configure_and_build_project "$root/test/consumer" "$installed/build" all \
+  on_ranks=OFF
+  ! command -v mpiexec >/dev/null || on_ranks=ON
+  configure_and_build_project "$root/test/consumer" "$installed/build" all -DCONSUMER_ON_RANKS="$on_ranks" \
     -DCMAKE_BUILD_TYPE=None -DCMAKE_PREFIX_PATH="$installed/usr" "${compiler_argument[@]}"
   ctest --test-dir "$installed/build" --output-on-failure
   # The examples are a project of their own, too. One is enough: the build had all.

@@ -22,7 +22,7 @@ namespace test_in_memory_exchange {
 
 using namespace CGAL::Quadtree_mesh_2::internal;
 
-TEST_CASE("parts in one memory exchange parcels, numbers and errors", "[distributed]") {
+TEST_CASE("parts in one memory exchange parcels, numbers and errors", "[distributed][threads]") {
   const int parts = GENERATE(1, 2, 3, 7, 16, 64);
   std::atomic<int> wrong{0};
   In_memory_exchange::run(parts, [&](In_memory_exchange& exchange) {
@@ -59,7 +59,7 @@ TEST_CASE("parts in one memory count what they send to others", "[distributed]")
   }
 }
 
-TEST_CASE("an error that parts do not agree on ends all of them", "[distributed]") {
+TEST_CASE("an error that parts do not agree on ends all of them", "[distributed][threads]") {
   const int parts = GENERATE(1, 2, 9);
   const auto run = [parts] {
     In_memory_exchange::run(parts, [](In_memory_exchange& exchange) {

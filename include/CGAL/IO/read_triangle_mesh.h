@@ -38,7 +38,7 @@ inline void read_segments_of_mesh(const std::string& name, const Pslg_2<Triangle
   Pslg_2<Triangle_point> poly;
   Triangle_parser<Triangle_point> parser(scanner, poly);
   parser.read_vertices();
-  poly.vertices = nodes.vertices;
+  parser.set_number_of_vertices(nodes.vertices.size());
   poly.first_number = nodes.first_number;
   parser.read_segments();
   details.segments = std::move(poly.segments);

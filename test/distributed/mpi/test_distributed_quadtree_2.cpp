@@ -138,7 +138,7 @@ TEST_CASE("ranks have the leaves of one tree: small inputs", "[distributed]") {
   const Cuts cuts = GENERATE(Cuts::EVEN, Cuts::ALL_AT_THE_LAST, Cuts::RANDOM);
   for (const Named_points& input : small_inputs()) {
     INFO(input.name);
-    for (const std::size_t most : {1, 3}) {
+    for (const std::size_t most : {1u, 3u}) {
       check_same(input.points, cuts, Quadtree_options().max_points_per_leaf(most));
       check_same(input.points, cuts, Quadtree_options().max_points_per_leaf(most).balance(Balance::SIDES));
       check_same(input.points, cuts, Quadtree_options().max_points_per_leaf(most).balance(Balance::NONE));

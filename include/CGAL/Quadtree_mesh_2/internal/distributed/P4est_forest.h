@@ -27,7 +27,6 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
-#include <stdexcept>
 #include <vector>
 
 namespace CGAL {
@@ -65,7 +64,6 @@ struct Mirrors {
 class P4est_forest {
 public:
   /// \param leaves those of this part, in order; those of all parts are the leaves of one quadtree
-  /// \throws std::length_error if there are too many
   P4est_forest(MPI_Comm comm, const std::vector<Coarse_square>& leaves, const Numbers& leaves_of_parts) {
     set_up_p4est();
     std::vector<p4est_gloidx_t> first(1, 0);

@@ -10,8 +10,8 @@
 //           a part has those between those of the part before and those of the part behind. Equal points become the
 //           one with the least index, and the part that was given the others is told so.
 // Bound:    O(k log k) time for k points at a part. Each part tells all others up to 64 of its places, which is all
-//           that grows with the number of parts. A point goes to another part once. By the places of 64 P samples no
-//           part gets more than n / P + n / 64 of n points, and by samples that are not all at one end much less.
+//           that grows with the number of parts. A point goes to another part once. No part gets many more than
+//           n / P + n / 64 of n points.
 // Source:   Shi, Schaeffer, "Parallel sorting by regular sampling", JPDC 1992.
 // Deviates: parts that have more points count more, as slices may differ in length.
 
@@ -32,6 +32,7 @@
 #include <cstring>
 #include <iterator>
 #include <limits>
+#include <stdexcept>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -120,6 +121,9 @@ private:
   /// As one part alone would find it, but for the number of the point.
   template <class PointRange>
   void check(const PointRange& slice) const try {
+    if (static_cast<std::uint64_t>(std::distance(std::begin(slice), std::end(slice))) >=
+        (std::uint64_t(1) << 32))
+      throw std::length_error("Distributed_quadtree_2: 2^32 points or more at one rank");
     traits_.construct_grid_2_object()(slice);
   } catch (const Point_error& error) {
     throw Distributed_point_error(error.kind(), first_index_ + error.point().value(), -1, error.reason());

@@ -262,14 +262,14 @@ public:
     std::size_t columns() const { return columns_; }
     bool has_whole_numbers() const { return has_whole_numbers_; }
 
-    /// Calls `f(row, values)` for each row, with a pointer to its numbers.
+    /// Calls `f(row, values)` for each row from `first` to `last`, with a pointer to its numbers.
     template <class Number, class F>
-    void for_each_row(const F& f) const {
+    void for_each_row(std::size_t first, std::size_t last, const F& f) const {
       const std::size_t width = std::max<std::size_t>(columns_, 1);
-      std::vector<Number> slab(std::min(rows_, rows_of_slab) * width);
+      std::vector<Number> slab(std::min(last - first, rows_of_slab) * width);
       const Hdf5_handle space(H5Dget_space(array_.get()), H5Sclose);
-      for (std::size_t begin = 0; begin < rows_; begin += rows_of_slab) {
-        const std::size_t end = std::min(rows_, begin + rows_of_slab);
+      for (std::size_t begin = first; begin < last; begin += rows_of_slab) {
+        const std::size_t end = std::min(last, begin + rows_of_slab);
         const hsize_t offsets[] = {begin, 0}, lengths[] = {end - begin, columns_};
         const Hdf5_handle in_memory(H5Screate_simple(columns_ == 0 ? 1 : 2, lengths, nullptr), H5Sclose);
         H5Sselect_hyperslab(space.get(), H5S_SELECT_SET, offsets, nullptr, lengths, nullptr);
