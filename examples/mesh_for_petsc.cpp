@@ -12,6 +12,7 @@
 
 #include <petscdmplex.h>
 #include <petscksp.h>
+#include <petscsf.h>
 
 #include <algorithm>
 #include <array>
@@ -91,15 +92,19 @@ Plex plex_of(const Part& part) {
   for (std::size_t v = 0; v < part.number_of_own_vertices(); ++v)
     coordinates.insert(coordinates.end(), {part.points[v].x(), part.points[v].y()});
   Plex plex;
-  PetscInt* numbers = nullptr;
+  PetscSF places = nullptr; // where the vertices of this rank were given
   check(DMPlexCreateFromCellListParallelPetsc(
       PETSC_COMM_WORLD, 2, static_cast<PetscInt>(part.number_of_own_triangles()),
       static_cast<PetscInt>(part.number_of_own_vertices()), static_cast<PetscInt>(part.number_of_vertices()),
-      3, PETSC_TRUE, cells.data(), 2, coordinates.data(), nullptr, &numbers, &plex.dm));
+      3, PETSC_TRUE, cells.data(), 2, coordinates.data(), &places, nullptr, &plex.dm));
   PetscInt begin = 0, end = 0;
   check(DMPlexGetDepthStratum(plex.dm, 0, &begin, &end));
-  plex.vertices.assign(numbers, numbers + (end - begin));
-  check(PetscFree(numbers));
+  PetscInt n = 0;
+  const PetscSFNode* given = nullptr;
+  check(PetscSFGetGraph(places, nullptr, &n, nullptr, &given));
+  for (PetscInt v = 0; v < n; ++v)
+    plex.vertices.push_back(part.first_vertex[static_cast<std::size_t>(given[v].rank)] + given[v].index);
+  check(PetscSFDestroy(&places));
   check(PetscSectionCreate(PETSC_COMM_WORLD, &plex.section));
   check(PetscSectionSetChart(plex.section, begin, end));
   for (PetscInt v = begin; v < end; ++v) check(PetscSectionSetDof(plex.section, v, 1));

@@ -131,11 +131,13 @@ public:
   }
 
   /// See below.
-  /// \pre values are by others, or all rows are here
+  /// \pre values are by others, or all rows are here, in one run
   template <class Value_at>
   void add_array(const std::string& path, const Array_rows& rows, std::size_t columns,
                  const Value_at& value_at) {
-    add_array(path, rows.all, columns, value_at);
+    const std::size_t first = rows.runs.empty() ? 0 : rows.runs.front().index;
+    add_array(path, rows.all, columns,
+              [&](std::size_t row, std::size_t column) { return value_at(first + row, column); });
   }
   /// An array with `n` rows.
   /// \param columns 0 for an array of one dimension
