@@ -7,7 +7,7 @@
 // Cuts a mesh into what ranks hold of it.
 //
 // Computes: runs of triangles in the order of the mesh, all of the same length or one more, as pieces and parts of
-//           files are cut (io/mesh_pieces.h). A vertex belongs to the first run with a triangle that begins at it, so
+//           files are cut (file_parts/mesh_pieces.h). A vertex belongs to the first run with a triangle that begins at it, so
 //           a rank owns a run of vertices, too: those behind the greatest least vertex of the triangles before.
 // Bound:    O(T + e log e + b log b) for T triangles, e constrained edges, and b triangles at vertices of several
 //           ranks; then O(k log k) for a part of k triangles and vertices.
@@ -19,9 +19,9 @@
 #include <CGAL/Indexed_mesh_2.h>
 #include <CGAL/Pslg_2.h>
 #include <CGAL/Quadtree_mesh_2/Index.h>
-#include <CGAL/Quadtree_mesh_2/internal/io/Ghost_layers.h>
+#include <CGAL/Quadtree_mesh_2/internal/file_parts/Ghost_layers.h>
+#include <CGAL/Quadtree_mesh_2/internal/file_parts/mesh_pieces.h>
 #include <CGAL/Quadtree_mesh_2/internal/io/Vtk_grid.h>
-#include <CGAL/Quadtree_mesh_2/internal/io/mesh_pieces.h>
 #include <CGAL/Quadtree_mesh_2/internal/io/triangles_at_edges.h>
 
 #include <algorithm>

@@ -17,7 +17,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/distributed/Mesh_archive.h>
 #include <CGAL/Quadtree_mesh_2/internal/distributed/Parcel.h>
 #include <CGAL/Quadtree_mesh_2/internal/distributed/agree_on_error.h>
-#include <CGAL/Quadtree_mesh_2/internal/io/mesh_pieces.h>
+#include <CGAL/Quadtree_mesh_2/internal/file_parts/mesh_pieces.h>
 
 #include <algorithm>
 #include <array>

@@ -16,12 +16,12 @@
 #include <CGAL/Quadtree_mesh_2/internal/distributed/Mesh_part.h>
 #include <CGAL/Quadtree_mesh_2/internal/distributed/Parcel.h>
 #include <CGAL/Quadtree_mesh_2/internal/distributed/agree_on_error.h>
+#include <CGAL/Quadtree_mesh_2/internal/file_parts/Msh_parts_writer.h>
+#include <CGAL/Quadtree_mesh_2/internal/file_parts/Pvtu_writer.h>
+#include <CGAL/Quadtree_mesh_2/internal/file_parts/mesh_pieces.h>
 #include <CGAL/Quadtree_mesh_2/internal/io/Msh_entities.h>
-#include <CGAL/Quadtree_mesh_2/internal/io/Msh_parts_writer.h>
-#include <CGAL/Quadtree_mesh_2/internal/io/Pvtu_writer.h>
 #include <CGAL/Quadtree_mesh_2/internal/io/Replaced_files.h>
 #include <CGAL/Quadtree_mesh_2/internal/io/Vtk_grid.h>
-#include <CGAL/Quadtree_mesh_2/internal/io/mesh_pieces.h>
 #include <CGAL/Quadtree_mesh_2/triangle_fields.h>
 
 #include <cstddef>

@@ -4,16 +4,16 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 
-#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_IO_PVTU_WRITER_H
-#define CGAL_QUADTREE_MESH_2_INTERNAL_IO_PVTU_WRITER_H
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_FILE_PARTS_PVTU_WRITER_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_FILE_PARTS_PVTU_WRITER_H
 
 #include <CGAL/IO/io.h>
 #include <CGAL/Indexed_mesh_2.h>
 #include <CGAL/Pslg_2.h>
+#include <CGAL/Quadtree_mesh_2/internal/file_parts/mesh_pieces.h>
 #include <CGAL/Quadtree_mesh_2/internal/io/Replaced_files.h>
 #include <CGAL/Quadtree_mesh_2/internal/io/Vtk_grid.h>
 #include <CGAL/Quadtree_mesh_2/internal/io/Vtu_writer.h>
-#include <CGAL/Quadtree_mesh_2/internal/io/mesh_pieces.h>
 #include <CGAL/Quadtree_mesh_2/triangle_fields.h>
 
 #include <algorithm>
@@ -151,4 +151,4 @@ void add_pvtu_files(Replaced_files& files, const std::string& file_name, const I
 } // namespace Quadtree_mesh_2
 } // namespace CGAL
 
-#endif // CGAL_QUADTREE_MESH_2_INTERNAL_IO_PVTU_WRITER_H
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_FILE_PARTS_PVTU_WRITER_H

@@ -4,16 +4,16 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 
-#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_IO_MSH_PARTS_WRITER_H
-#define CGAL_QUADTREE_MESH_2_INTERNAL_IO_MSH_PARTS_WRITER_H
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_FILE_PARTS_MSH_PARTS_WRITER_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_FILE_PARTS_MSH_PARTS_WRITER_H
 
 #include <CGAL/Indexed_mesh_2.h>
 #include <CGAL/Pslg_2.h>
-#include <CGAL/Quadtree_mesh_2/internal/io/Ghost_layers.h>
+#include <CGAL/Quadtree_mesh_2/internal/file_parts/Ghost_layers.h>
+#include <CGAL/Quadtree_mesh_2/internal/file_parts/mesh_pieces.h>
 #include <CGAL/Quadtree_mesh_2/internal/io/Line_writer.h>
 #include <CGAL/Quadtree_mesh_2/internal/io/Msh_entities.h>
 #include <CGAL/Quadtree_mesh_2/internal/io/Replaced_files.h>
-#include <CGAL/Quadtree_mesh_2/internal/io/mesh_pieces.h>
 #include <CGAL/Quadtree_mesh_2/internal/io/triangles_at_edges.h>
 
 #include <algorithm>
@@ -242,4 +242,4 @@ private:
 } // namespace Quadtree_mesh_2
 } // namespace CGAL
 
-#endif // CGAL_QUADTREE_MESH_2_INTERNAL_IO_MSH_PARTS_WRITER_H
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_FILE_PARTS_MSH_PARTS_WRITER_H
