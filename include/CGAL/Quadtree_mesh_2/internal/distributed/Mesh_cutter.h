@@ -7,8 +7,8 @@
 // Cuts a mesh into what ranks hold of it.
 //
 // Computes: runs of triangles in the order of the mesh, all of the same length or one more, as pieces and parts of
-//           files are cut (file_parts/mesh_pieces.h). A vertex belongs to the first run with a triangle that begins at it, so
-//           a rank owns a run of vertices, too: those behind the greatest least vertex of the triangles before.
+//           files are cut (file_parts/mesh_pieces.h). A vertex belongs to the first run with a triangle that begins at
+//           it, so a rank owns a run of vertices, too: those behind the greatest least vertex of the triangles before.
 // Bound:    O(T + e log e + b log b) for T triangles, e constrained edges, and b triangles at vertices of several
 //           ranks; then O(k log k) for a part of k triangles and vertices.
 
