@@ -173,7 +173,8 @@ struct System {
   Vec load = nullptr, unknown = nullptr, exact = nullptr;
 };
 
-System assemble(const Plex& plex, const std::vector<Triangle>& triangles) {
+/// The solution is fixed on the border: such a vertex has equations of its own, and its value goes to the load of others.
+System assemble(const Plex& plex, const std::vector<Triangle>& triangles, const std::vector<bool>& is_fixed) {
   System s;
   check(DMCreateMatrix(plex.dm, &s.matrix));
   check(DMCreateGlobalVector(plex.dm, &s.load));
@@ -181,10 +182,18 @@ System assemble(const Plex& plex, const std::vector<Triangle>& triangles) {
   for (const Triangle& t : triangles) {
     std::array<PetscScalar, 9> stiffness{};
     std::array<PetscScalar, 3> loads{}, values{};
+    for (std::size_t i = 0; i < 3; ++i) values[i] = solution(t.x[i], t.y[i]);
     for (std::size_t i = 0; i < 3; ++i) {
-      for (std::size_t j = 0; j < 3; ++j) stiffness[3 * i + j] = t.stiffness(i, j);
+      if (is_fixed[static_cast<std::size_t>(t.unknowns[i])]) {
+        stiffness[4 * i] = 1, loads[i] = values[i];
+        continue;
+      }
       loads[i] = load(t.x[i], t.y[i]) * t.area() / 3;
-      values[i] = solution(t.x[i], t.y[i]);
+      for (std::size_t j = 0; j < 3; ++j)
+        if (is_fixed[static_cast<std::size_t>(t.unknowns[j])])
+          loads[i] -= t.stiffness(i, j) * values[j];
+        else
+          stiffness[3 * i + j] = t.stiffness(i, j);
     }
     check(MatSetValuesLocal(s.matrix, 3, t.unknowns.data(), 3, t.unknowns.data(), stiffness.data(),
                             ADD_VALUES));
@@ -194,17 +203,6 @@ System assemble(const Plex& plex, const std::vector<Triangle>& triangles) {
   check(MatAssemblyBegin(s.matrix, MAT_FINAL_ASSEMBLY)), check(MatAssemblyEnd(s.matrix, MAT_FINAL_ASSEMBLY));
   for (const Vec v : {s.load, s.exact}) check(VecAssemblyBegin(v)), check(VecAssemblyEnd(v));
   return s;
-}
-
-/// Sets the solution on the border.
-void fix_border(const Plex& plex, const std::set<Part::Number>& border, const System& s) {
-  std::vector<PetscInt> rows;
-  for (std::size_t v = 0; v < plex.vertices.size(); ++v)
-    if (border.count(plex.vertices[v]) > 0) rows.push_back(static_cast<PetscInt>(v));
-  ISLocalToGlobalMapping global = nullptr;
-  check(DMGetLocalToGlobalMapping(plex.dm, &global));
-  check(ISLocalToGlobalMappingApply(global, static_cast<PetscInt>(rows.size()), rows.data(), rows.data()));
-  check(MatZeroRowsColumns(s.matrix, static_cast<PetscInt>(rows.size()), rows.data(), 1, s.exact, s.load));
 }
 
 /// \returns whether the solver got there
@@ -235,8 +233,10 @@ bool run(double max_area) {
   const std::vector<Triangle> triangles = triangles_of(plex);
   const double area = area_of(triangles);
   check(PetscPrintf(PETSC_COMM_WORLD, "area %.15g, relative error %.1e\n", area, area / area_of_domain - 1));
-  System s = assemble(plex, triangles);
-  fix_border(plex, border_vertices(part), s);
+  const std::set<Part::Number> border = border_vertices(part);
+  std::vector<bool> is_fixed;
+  for (const Part::Number v : plex.vertices) is_fixed.push_back(border.count(v) > 0);
+  System s = assemble(plex, triangles, is_fixed);
   const bool is_solved = solve(s);
   check(MatDestroy(&s.matrix));
   for (Vec* v : {&s.load, &s.unknown, &s.exact}) check(VecDestroy(v));
