@@ -28,8 +28,8 @@ struct Pslg_slice_2 {
   /// \name Vertices
   /// @{
   std::vector<Point_2> vertices;               ///< those of this rank
-  std::int64_t first_vertex = 0;               ///< the number of the first one over all ranks
-  std::int64_t number_of_vertices = 0;         ///< of all ranks
+  std::int64_t first_vertex = 0;               ///< the number of the first one, counted over all ranks
+  std::int64_t number_of_vertices = 0;         ///< how many all ranks have
   std::vector<double> vertex_attributes;       ///< those of this rank's vertices, one vertex after the other
   std::size_t number_of_vertex_attributes = 0; ///< how many each vertex has
   std::vector<int> vertex_markers;             ///< those of this rank's vertices, or none
@@ -39,14 +39,14 @@ struct Pslg_slice_2 {
   /// @{
   std::vector<std::array<std::int64_t, 2>>
       segments;                        ///< those of this rank; their ends are counted over all ranks
-  std::int64_t first_segment = 0;      ///< the number of the first one over all ranks
-  std::int64_t number_of_segments = 0; ///< of all ranks
+  std::int64_t first_segment = 0;      ///< the number of the first segment, over all ranks
+  std::int64_t number_of_segments = 0; ///< how many segments all ranks have
   std::vector<int> segment_markers;    ///< those of this rank's segments, or none
   /// @}
 
   /// \name Components
   /// @{
-  std::vector<Point_2> holes;  ///< those that this rank has read
+  std::vector<Point_2> holes;  ///< points in holes that this rank has read
   std::vector<Region> regions; ///< those that this rank has read
   /// @}
 

@@ -23,6 +23,7 @@ public:
   /// What is wrong with the points.
   using Kind = Point_error::Kind;
 
+  /// An error of one point or of two.
   /// \param kind what is wrong
   /// \param point the point at fault
   /// \param other a second one, or -1
