@@ -173,11 +173,16 @@ struct System {
   Vec load = nullptr, unknown = nullptr, exact = nullptr;
 };
 
-/// The solution is fixed on the border: such a vertex has equations of its own, and its value goes to the load of others.
+/// The solution is fixed on the border: such a vertex has an equation of its own, and its value goes to the load of
+/// others.
 System assemble(const Plex& plex, const std::vector<Triangle>& triangles, const std::vector<bool>& is_fixed) {
   System s;
   check(DMCreateMatrix(plex.dm, &s.matrix));
   check(DMCreateGlobalVector(plex.dm, &s.load));
+  ISLocalToGlobalMapping numbers = nullptr; // of unknowns
+  check(DMGetLocalToGlobalMapping(plex.dm, &numbers));
+  check(MatSetLocalToGlobalMapping(s.matrix, numbers, numbers));
+  check(VecSetLocalToGlobalMapping(s.load, numbers));
   check(VecDuplicate(s.load, &s.unknown)), check(VecDuplicate(s.load, &s.exact));
   for (const Triangle& t : triangles) {
     std::array<PetscScalar, 9> stiffness{};
