@@ -7,6 +7,7 @@ TBB and all optional libraries; the license of a header of CGAL is in its first 
 each; the exit status is 1 if there is anything. The compiler is $CXX, g++ by default.
 """
 
+import glob
 import os
 import re
 import subprocess
@@ -18,9 +19,10 @@ LISTED_HEADER = re.compile(r'^\| `(CGAL/[\w/]+\.h)` \|', re.MULTILINE)
 LICENSE_LINE = re.compile(r'SPDX-License-Identifier: *(\S+)')
 FREE_LICENSES = ('LGPL-', 'BSL-', 'MIT', 'BSD-')
 HEAD = 3000  # characters that hold the license
+MPI = [word for folder in glob.glob('/usr/lib/*/openmpi/include') for word in ('-isystem', folder)]
 COMMAND = [os.environ.get('CXX', 'g++'), '-std=c++17', '-M', '-DCGAL_LINKED_WITH_TBB', '-I', INCLUDE,
            '-isystem', '/usr/include/eigen3', '-isystem', '/usr/include/hdf5/serial', '-isystem', '/usr/include/gdal',
-           '-x', 'c++', '-']
+           '-DOMPI_SKIP_MPICXX', *MPI, '-x', 'c++', '-']
 
 
 def public_headers():

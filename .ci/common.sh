@@ -8,6 +8,10 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build_packages=(g++ make cmake libcgal-dev libboost-dev libboost-program-options-dev libboost-iostreams-dev
   nlohmann-json3-dev libtbb-dev libeigen3-dev libhdf5-dev)
 
+# What the component Distributed needs, beside the HDF5 for one rank.
+# shellcheck disable=SC2034
+distributed_packages=(libopenmpi-dev openmpi-bin libp4est-dev libhdf5-openmpi-dev)
+
 say() { printf '== %s\n' "$*"; }
 
 fail() {

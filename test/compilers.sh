@@ -28,7 +28,7 @@ while [[ $# -gt 0 ]]; do
   esac
   shift
 done
-install_packages "${build_packages[@]}" libgdal-dev clang libc++-dev libc++abi-dev g++-multilib
+install_packages "${build_packages[@]}" "${distributed_packages[@]}" libgdal-dev clang libc++-dev libc++abi-dev g++-multilib
 
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
@@ -59,7 +59,8 @@ check() { # compiler, standard, source
 }
 flags=(-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror -DCGAL_LINKED_WITH_TBB
   ${cgal:+-isystem "$cgal"} -I "$root/include" -isystem /usr/include/eigen3
-  -isystem /usr/include/hdf5/serial -isystem /usr/include/gdal)
+  -isystem /usr/include/hdf5/serial -isystem /usr/include/gdal
+  -DOMPI_SKIP_MPICXX -isystem "$(g++ -print-file-name=openmpi)/include")
 
 # Other libraries take longer to read than most of our headers. So a header finds those of them read that it includes,
 # itself or through headers of ours, and none that it lacks. The first set that is all among what it includes is taken.

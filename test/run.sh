@@ -44,6 +44,8 @@ packages=("${build_packages[@]}" libgdal-dev catch2 python3-gmsh python3-h5py py
 # The Python package: what is missing is left out of build and tests, which CMake says.
 [[ -n $sanitize ]] || packages+=(pybind11-dev python3-dev python3-pytest python3-numpy python3-shapely
   python3-geopandas python3-matplotlib)
+# Tests on several ranks.
+[[ -n $sanitize ]] || packages+=("${distributed_packages[@]}" petsc-dev)
 # Pages are opened in a browser.
 [[ -n $sanitize ]] || packages+=(chromium-headless-shell python3-pil)
 # CGAL's viewer, for draw().
@@ -103,6 +105,10 @@ run_example() { # program
   case ${1##*/} in
     quality_mesh) ;; # the tests run it
     parallel_quadtree) "$1" 100000 >/dev/null ;;
+    distribute_mesh | mesh_for_petsc) # where there is MPI, and PETSc
+      [[ ! -x $1 ]] || OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1 \
+        mpirun -n 3 "$1" >/dev/null
+      ;;
     *) "$1" >/dev/null ;;
   esac
 }
@@ -117,7 +123,9 @@ if [[ -z $sanitize ]]; then
   installed=$(mktemp -d)
   trap 'rm -rf "$installed"' EXIT
   cmake --install "$folder" --prefix "$installed/usr" >/dev/null
-  configure_and_build_project "$root/test/consumer" "$installed/build" all \
+  on_ranks=OFF
+  ! command -v mpiexec >/dev/null || on_ranks=ON
+  configure_and_build_project "$root/test/consumer" "$installed/build" all -DCONSUMER_ON_RANKS="$on_ranks" \
     -DCMAKE_BUILD_TYPE=None -DCMAKE_PREFIX_PATH="$installed/usr" "${compiler_argument[@]}"
   ctest --test-dir "$installed/build" --output-on-failure
   # The examples are a project of their own, too. One is enough: the build had all.

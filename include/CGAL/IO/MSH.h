@@ -9,8 +9,8 @@
 
 #include <CGAL/Indexed_mesh_2.h>
 #include <CGAL/Pslg_2.h>
+#include <CGAL/Quadtree_mesh_2/internal/file_parts/Msh_parts_writer.h>
 #include <CGAL/Quadtree_mesh_2/internal/io/Msh_2_writer.h>
-#include <CGAL/Quadtree_mesh_2/internal/io/Msh_parts_writer.h>
 #include <CGAL/Quadtree_mesh_2/internal/io/Msh_version.h>
 #include <CGAL/Quadtree_mesh_2/internal/io/Msh_writer.h>
 #include <CGAL/Quadtree_mesh_2/internal/io/Replaced_files.h>

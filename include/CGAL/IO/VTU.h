@@ -10,7 +10,7 @@
 #include <CGAL/IO/io.h>
 #include <CGAL/Indexed_mesh_2.h>
 #include <CGAL/Pslg_2.h>
-#include <CGAL/Quadtree_mesh_2/internal/io/Pvtu_writer.h>
+#include <CGAL/Quadtree_mesh_2/internal/file_parts/Pvtu_writer.h>
 #include <CGAL/Quadtree_mesh_2/internal/io/Replaced_files.h>
 #include <CGAL/Quadtree_mesh_2/internal/io/Vtu_writer.h>
 #include <CGAL/Quadtree_mesh_2/mesh_edges_types.h>

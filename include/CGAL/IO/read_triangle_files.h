@@ -42,95 +42,178 @@ struct Vertices_to_repeat {
   std::string file_name; ///< where they are
 };
 
-/// Reads the sections of Triangle's files, one after the other, from a scanner into a graph.
+/// What stands at the head of a section.
+struct Triangle_section {
+  std::size_t n;
+  std::size_t attributes;
+  bool has_markers;
+};
+
+/// Reads the sections of Triangle's files, one after the other, from a scanner into a graph: whole ones, or headers and
+/// records one by one.
 template <class Point>
 class Triangle_parser {
 public:
-  Triangle_parser(Line_scanner& scanner, Pslg_2<Point>& pslg) : scanner_(scanner), pslg_(pslg) {}
+  static constexpr std::size_t index_limit = (std::numeric_limits<Vertex_index::size_type>::max)() - 1;
 
+  /// \param limit of counts
+  Triangle_parser(Line_scanner& scanner, Pslg_2<Point>& pslg, std::size_t limit = index_limit)
+      : scanner_(scanner), pslg_(pslg), limit_(limit) {}
+
+  /// \name Vertices
   /// <# of vertices> <dimension (2)> <# of attributes> <# of markers (0 or 1)>, then
   /// <vertex #> <x> <y> [attributes] [marker]
   /// \param same what they have to be, if there are any; null: anything
+  /// @{
   void read_vertices(const Vertices_to_repeat<Point>* same = nullptr) {
-    scanner_.next_line({"the number of vertices"});
-    const std::size_t n = read_count("the number of vertices", index_limit);
-    const std::size_t dimension = optional_count("the dimension", 2);
-    if (dimension != 2) scanner_.fail("the dimension is " + std::to_string(dimension) + " instead of 2");
-    const std::size_t attributes = optional_count("the number of attributes", 0);
-    const bool has_markers = read_has_markers();
-    scanner_.skip_more_columns({"a column behind the header"});
-    if (same != nullptr && n > 0 && n != same->points.size() && n != same->least)
-      scanner_.fail("there are " + std::to_string(n) + " vertices, but " +
+    const Triangle_section section = read_vertex_header();
+    if (same != nullptr && section.n > 0 && section.n != same->points.size() && section.n != same->least)
+      scanner_.fail("there are " + std::to_string(section.n) + " vertices, but " +
                     std::to_string(same->points.size()) + " in " + same->file_name);
-    const std::size_t believable = (std::min)(n, scanner_.remaining() / shortest_vertex + 1);
+    const std::size_t believable = (std::min)(section.n, scanner_.remaining() / shortest_vertex + 1);
     pslg_.vertices.reserve(believable);
-    pslg_.number_of_vertex_attributes = attributes;
-    if (attributes > 0)
-      pslg_.vertex_attributes.reserve((std::min)(scanner_.remaining() / 2, believable * attributes));
-    if (has_markers) pslg_.vertex_markers.reserve(believable);
-    for (std::size_t i = 0; i < n; ++i) {
-      read_vertex(i, attributes, has_markers);
+    if (section.attributes > 0)
+      pslg_.vertex_attributes.reserve((std::min)(scanner_.remaining() / 2, believable * section.attributes));
+    if (section.has_markers) pslg_.vertex_markers.reserve(believable);
+    for (std::size_t i = 0; i < section.n; ++i) {
+      read_vertex(i, section);
       if (same != nullptr && pslg_.vertices[i] != same->points[i])
         scanner_.fail("vertex " + std::to_string(pslg_.first_number + i) + " is elsewhere in " +
                       same->file_name);
     }
+    number_of_vertices_ = section.n;
   }
 
+  Triangle_section read_vertex_header() {
+    scanner_.next_line({"the number of vertices"});
+    Triangle_section section{};
+    section.n = read_count("the number of vertices");
+    const std::size_t dimension = optional_count("the dimension", 2);
+    if (dimension != 2) scanner_.fail("the dimension is " + std::to_string(dimension) + " instead of 2");
+    section.attributes = optional_count("the number of attributes", 0);
+    section.has_markers = read_has_markers();
+    scanner_.skip_more_columns({"a column behind the header"});
+    pslg_.number_of_vertex_attributes = section.attributes;
+    return section;
+  }
+
+  /// \param i which one of all, counted from 0; the first one tells from where the file counts
+  void read_vertex(std::size_t i, const Triangle_section& section) {
+    scanner_.next_line({"vertex", i});
+    const std::int64_t number = scanner_.template read<std::int64_t>({"the number of vertex", i});
+    if (i == 0) {
+      if (number != 0 && number != 1)
+        scanner_.fail("the first vertex has the number " + std::to_string(number) + " instead of 0 or 1");
+      pslg_.first_number = static_cast<std::size_t>(number);
+    }
+    if (number != static_cast<std::int64_t>(pslg_.first_number + i))
+      scanner_.fail("vertex " + std::to_string(number) + " stands where vertex " +
+                    std::to_string(pslg_.first_number + i) + " is expected");
+    pslg_.vertices.push_back(
+        read_point({"x of vertex", pslg_.first_number + i}, {"y of vertex", pslg_.first_number + i}));
+    for (std::size_t k = 0; k < section.attributes; ++k)
+      pslg_.vertex_attributes.push_back(
+          scanner_.template read<double>({"an attribute of vertex", pslg_.first_number + i}));
+    if (section.has_markers)
+      pslg_.vertex_markers.push_back(
+          scanner_.template read<int>({"the marker of vertex", pslg_.first_number + i}));
+    scanner_.skip_more_columns({"a column behind vertex", pslg_.first_number + i});
+  }
+
+  /// How many vertices there are, if they were read elsewhere.
+  void set_number_of_vertices(std::size_t n) { number_of_vertices_ = n; }
+  /// @}
+
+  /// \name Segments
   /// <# of segments> <# of markers (0 or 1)>, then <segment #> <endpoint> <endpoint> [marker]
+  /// @{
   void read_segments() {
-    scanner_.next_line({"the number of segments"});
-    const std::size_t n = read_count("the number of segments", index_limit);
-    const bool has_markers = read_has_markers();
-    scanner_.skip_more_columns({"a column behind the header"});
-    const std::size_t believable = (std::min)(n, scanner_.remaining() / shortest_segment + 1);
+    const Triangle_section section = read_segment_header();
+    const std::size_t believable = (std::min)(section.n, scanner_.remaining() / shortest_segment + 1);
     pslg_.segments.reserve(believable);
-    if (has_markers) pslg_.segment_markers.reserve(believable);
-    for (std::size_t i = 0; i < n; ++i) {
-      const std::size_t number = pslg_.first_number + i;
-      scanner_.next_line({"segment", number});
-      scanner_.template read<std::int64_t>({"the number of segment", number}); // Triangle ignores it, too
-      const Vertex_index a = read_vertex_index({"an end of segment", number});
-      const Vertex_index b = read_vertex_index({"an end of segment", number});
-      pslg_.segments.push_back({a, b});
-      if (has_markers)
-        pslg_.segment_markers.push_back(scanner_.template read<int>({"the marker of segment", number}));
-      scanner_.skip_more_columns({"a column behind segment", number});
+    if (section.has_markers) pslg_.segment_markers.reserve(believable);
+    for (std::size_t i = 0; i < section.n; ++i) {
+      const std::array<std::size_t, 2> ends = read_segment(i, section);
+      pslg_.segments.push_back({Vertex_index(ends[0]), Vertex_index(ends[1])});
     }
   }
 
+  Triangle_section read_segment_header() {
+    scanner_.next_line({"the number of segments"});
+    Triangle_section section{};
+    section.n = read_count("the number of segments");
+    section.has_markers = read_has_markers();
+    scanner_.skip_more_columns({"a column behind the header"});
+    return section;
+  }
+
+  /// The ends, counted from 0. The marker goes to the graph.
+  std::array<std::size_t, 2> read_segment(std::size_t i, const Triangle_section& section) {
+    const std::size_t number = pslg_.first_number + i;
+    scanner_.next_line({"segment", number});
+    scanner_.template read<std::int64_t>({"the number of segment", number}); // Triangle ignores it, too
+    const std::size_t a = read_vertex_number({"an end of segment", number});
+    const std::size_t b = read_vertex_number({"an end of segment", number});
+    if (section.has_markers)
+      pslg_.segment_markers.push_back(scanner_.template read<int>({"the marker of segment", number}));
+    scanner_.skip_more_columns({"a column behind segment", number});
+    return {{a, b}};
+  }
+  /// @}
+
+  /// \name Holes
   /// <# of holes>, then <hole #> <x> <y>
+  /// @{
   void read_holes() {
-    scanner_.next_line({"the number of holes"});
-    const std::size_t n = read_count("the number of holes", index_limit);
-    scanner_.skip_more_columns({"a column behind the header"});
-    for (std::size_t i = 0; i < n; ++i) {
-      const std::size_t number = pslg_.first_number + i;
-      scanner_.next_line({"hole", number});
-      scanner_.template read<std::int64_t>({"the number of hole", number});
-      pslg_.holes.push_back(read_point({"x of hole", number}, {"y of hole", number}));
-      scanner_.skip_more_columns({"a column behind hole", number});
-    }
+    const std::size_t n = read_hole_header();
+    for (std::size_t i = 0; i < n; ++i) read_hole(i);
   }
 
-  /// Optional: <# of regions>, then <region #> <x> <y> <attribute> [maximum area]
-  void read_regions() {
-    if (!scanner_.try_next_line()) return;
-    const std::size_t n = read_count("the number of regions", index_limit);
+  std::size_t read_hole_header() {
+    scanner_.next_line({"the number of holes"});
+    const std::size_t n = read_count("the number of holes");
     scanner_.skip_more_columns({"a column behind the header"});
-    for (std::size_t i = 0; i < n; ++i) {
-      const std::size_t number = pslg_.first_number + i;
-      scanner_.next_line({"region", number});
-      scanner_.template read<std::int64_t>({"the number of region", number});
-      const Point point = read_point({"x of region", number}, {"y of region", number});
-      const double attribute = scanner_.template read<double>({"the attribute of region", number});
-      double max_area = 0;
-      if (scanner_.has_more_columns())
-        max_area = scanner_.template read<double>({"the maximum area of region", number});
-      // Triangle writes -1 for none.
-      pslg_.regions.push_back({point, attribute, (std::max)(max_area, 0.)});
-      scanner_.skip_more_columns({"a column behind region", number});
-    }
+    return n;
   }
+
+  void read_hole(std::size_t i) {
+    const std::size_t number = pslg_.first_number + i;
+    scanner_.next_line({"hole", number});
+    scanner_.template read<std::int64_t>({"the number of hole", number});
+    pslg_.holes.push_back(read_point({"x of hole", number}, {"y of hole", number}));
+    scanner_.skip_more_columns({"a column behind hole", number});
+  }
+  /// @}
+
+  /// \name Regions
+  /// Optional: <# of regions>, then <region #> <x> <y> <attribute> [maximum area]
+  /// @{
+  void read_regions() {
+    const std::size_t n = read_region_header();
+    for (std::size_t i = 0; i < n; ++i) read_region(i);
+  }
+
+  std::size_t read_region_header() {
+    if (!scanner_.try_next_line()) return 0;
+    const std::size_t n = read_count("the number of regions");
+    scanner_.skip_more_columns({"a column behind the header"});
+    return n;
+  }
+
+  void read_region(std::size_t i) {
+    const std::size_t number = pslg_.first_number + i;
+    scanner_.next_line({"region", number});
+    scanner_.template read<std::int64_t>({"the number of region", number});
+    const Point point = read_point({"x of region", number}, {"y of region", number});
+    const double attribute = scanner_.template read<double>({"the attribute of region", number});
+    double max_area = 0;
+    if (scanner_.has_more_columns())
+      max_area = scanner_.template read<double>({"the maximum area of region", number});
+    // Triangle writes -1 for none.
+    pslg_.regions.push_back({point, attribute, (std::max)(max_area, 0.)});
+    scanner_.skip_more_columns({"a column behind region", number});
+  }
+  /// @}
 
   /// <# of triangles> <nodes per triangle> <# of attributes>, then <triangle #> <node> <node> <node> ...
   /// [attributes]
@@ -141,7 +224,7 @@ public:
                       std::vector<double>* attributes = nullptr,
                       std::vector<Vertex_index>* middle_nodes = nullptr) {
     scanner_.next_line({"the number of triangles"});
-    const std::size_t n = read_count("the number of triangles", index_limit);
+    const std::size_t n = read_count("the number of triangles");
     const std::size_t nodes = optional_count("the number of nodes per triangle", 3);
     if (nodes != 3 && (nodes != 6 || middle_nodes == nullptr))
       scanner_.fail("triangles have " + std::to_string(nodes) + " nodes instead of 3" +
@@ -154,10 +237,10 @@ public:
       scanner_.next_line({"triangle", number});
       scanner_.template read<std::int64_t>({"the number of triangle", number});
       std::array<Vertex_index, 3> t;
-      for (Vertex_index& v : t) v = read_vertex_index({"a node of triangle", number});
+      for (Vertex_index& v : t) v = Vertex_index(read_vertex_number({"a node of triangle", number}));
       triangles.push_back(t);
       for (std::size_t k = 3; k < nodes; ++k)
-        middle_nodes->push_back(read_vertex_index({"a node of triangle", number}));
+        middle_nodes->push_back(Vertex_index(read_vertex_number({"a node of triangle", number})));
       if (attributes != nullptr)
         attributes->push_back(scanner_.template read<double>({"the attribute of triangle", number}));
       scanner_.skip_more_columns({"an attribute of triangle", number});
@@ -167,7 +250,7 @@ public:
   /// <# of triangles>, then <triangle #> <largest area>
   void read_areas(std::size_t number_of_triangles, std::vector<double>& areas) {
     scanner_.next_line({"the number of areas"});
-    const std::size_t n = read_count("the number of areas", index_limit);
+    const std::size_t n = read_count("the number of areas");
     if (n != number_of_triangles)
       scanner_.fail("there are " + std::to_string(n) + " areas for " + std::to_string(number_of_triangles) +
                     " triangles");
@@ -195,18 +278,16 @@ private:
   static constexpr std::size_t shortest_vertex = 6;
   static constexpr std::size_t shortest_segment = 6;
   static constexpr std::size_t shortest_triangle = 8;
-  static constexpr std::size_t index_limit = (std::numeric_limits<Vertex_index::size_type>::max)() - 1;
-
-  std::size_t read_count(const char* what, std::size_t limit) {
+  std::size_t read_count(const char* what) {
     const std::int64_t count = scanner_.template read<std::int64_t>({what});
     if (count < 0) scanner_.fail(std::string(what) + " is negative");
-    if (static_cast<std::uint64_t>(count) > limit)
+    if (static_cast<std::uint64_t>(count) > limit_)
       scanner_.fail(std::string(what) + ", " + std::to_string(count) + ", is more than indices can name");
     return static_cast<std::size_t>(count);
   }
 
   std::size_t optional_count(const char* what, std::size_t fallback) {
-    return scanner_.has_more_columns() ? read_count(what, index_limit) : fallback;
+    return scanner_.has_more_columns() ? read_count(what) : fallback;
   }
 
   bool read_has_markers() {
@@ -214,28 +295,6 @@ private:
     if (markers > 1)
       scanner_.fail("the number of markers is " + std::to_string(markers) + " instead of 0 or 1");
     return markers == 1;
-  }
-
-  void read_vertex(std::size_t i, std::size_t attributes, bool has_markers) {
-    scanner_.next_line({"vertex", i});
-    const std::int64_t number = scanner_.template read<std::int64_t>({"the number of vertex", i});
-    if (i == 0) {
-      if (number != 0 && number != 1)
-        scanner_.fail("the first vertex has the number " + std::to_string(number) + " instead of 0 or 1");
-      pslg_.first_number = static_cast<std::size_t>(number);
-    }
-    if (number != static_cast<std::int64_t>(pslg_.first_number + i))
-      scanner_.fail("vertex " + std::to_string(number) + " stands where vertex " +
-                    std::to_string(pslg_.first_number + i) + " is expected");
-    pslg_.vertices.push_back(
-        read_point({"x of vertex", pslg_.first_number + i}, {"y of vertex", pslg_.first_number + i}));
-    for (std::size_t k = 0; k < attributes; ++k)
-      pslg_.vertex_attributes.push_back(
-          scanner_.template read<double>({"an attribute of vertex", pslg_.first_number + i}));
-    if (has_markers)
-      pslg_.vertex_markers.push_back(
-          scanner_.template read<int>({"the marker of vertex", pslg_.first_number + i}));
-    scanner_.skip_more_columns({"a column behind vertex", pslg_.first_number + i});
   }
 
   Point read_point(Column_name x_name, Column_name y_name) {
@@ -247,21 +306,22 @@ private:
       return Point{x, y};
   }
 
-  Vertex_index read_vertex_index(Column_name column) {
-    const std::size_t number_of_vertices = pslg_.vertices.size();
+  std::size_t read_vertex_number(Column_name column) {
     const std::int64_t number = scanner_.template read<std::int64_t>(column);
     const std::int64_t first = static_cast<std::int64_t>(pslg_.first_number);
-    if (number < first || number - first >= static_cast<std::int64_t>(number_of_vertices))
+    if (number < first || number - first >= static_cast<std::int64_t>(number_of_vertices_))
       scanner_.fail(column.to_string() + ": there is no vertex " + std::to_string(number) +
-                    (number_of_vertices == 0
+                    (number_of_vertices_ == 0
                          ? std::string(", there are no vertices at all")
                          : ", the vertices are " + std::to_string(pslg_.first_number) + " to " +
-                               std::to_string(pslg_.first_number + number_of_vertices - 1)));
-    return Vertex_index(static_cast<std::size_t>(number - first));
+                               std::to_string(pslg_.first_number + number_of_vertices_ - 1)));
+    return static_cast<std::size_t>(number - first);
   }
 
   Line_scanner& scanner_;
   Pslg_2<Point>& pslg_;
+  std::size_t limit_;
+  std::size_t number_of_vertices_ = pslg_.vertices.size();
 };
 
 /// The .node file of a .poly file, or nothing if there is none. Either may be compressed (.gz).
@@ -327,6 +387,7 @@ Pslg_2<Point> parse_triangle_poly(const std::string& text, const std::string& na
     if (node_name.empty()) scanner.fail("no vertices here, and no .node file beside it that has them");
     pslg.number_of_vertex_attributes = 0;
     parse_triangle_node(read_whole_file(node_name), node_name, pslg);
+    parser.set_number_of_vertices(pslg.vertices.size());
   }
   parser.read_segments();
   parser.read_holes();

@@ -90,7 +90,7 @@ inline void read_segments_of_mesh(const std::string& name, const Triangle_nodes&
   const Vertices_to_repeat<Triangle_point> same{mesh.nodes.vertices, mesh.number_of_vertices(),
                                                 mesh.file_name};
   parser.read_vertices(&same);
-  poly.vertices = mesh.nodes.vertices;
+  parser.set_number_of_vertices(mesh.nodes.vertices.size());
   poly.first_number = mesh.nodes.first_number;
   parser.read_segments();
   details.segments = std::move(poly.segments);

@@ -7,6 +7,9 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_IO_HDF5_FILE_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_IO_HDF5_FILE_H
 
+#include <CGAL/Quadtree_mesh_2/internal/io/Hdf5_disk.h>
+#include <CGAL/Quadtree_mesh_2/internal/io/Mesh_numbers.h>
+
 #include <hdf5.h>
 
 #include <algorithm>
@@ -112,16 +115,30 @@ constexpr std::size_t rows_of_slab = std::size_t(1) << 16;
 
 class Hdf5_writer {
 public:
+  /// Whether values are written, or only their room is made, so that others can write them: see `Hdf5_rows_writer`. The
+  /// bytes of the file are the same in the end.
+  enum class Values { WRITTEN, BY_OTHERS };
+
   /// Truncates the file.
   /// \param shown the name that errors tell; they are std::system_error, here and below
-  Hdf5_writer(const std::string& file_name, std::string shown) : shown_(std::move(shown)) {
-    file_ = checked(H5Fcreate(file_name.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose);
+  Hdf5_writer(const std::string& file_name, std::string shown, Values values = Values::WRITTEN)
+      : shown_(std::move(shown)), values_(values) {
+    file_ = checked(H5Fcreate(file_name.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, disk_.access()), H5Fclose);
   }
 
   void add_group(const std::string& path) {
     checked(H5Gcreate2(file_.get(), path.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
   }
 
+  /// See below.
+  /// \pre values are by others, or all rows are here, in one run
+  template <class Value_at>
+  void add_array(const std::string& path, const Array_rows& rows, std::size_t columns,
+                 const Value_at& value_at) {
+    const std::size_t first = rows.runs.empty() ? 0 : rows.runs.front().index;
+    add_array(path, rows.all, columns,
+              [&](std::size_t row, std::size_t column) { return value_at(first + row, column); });
+  }
   /// An array with `n` rows.
   /// \param columns 0 for an array of one dimension
   /// \param value_at called as `value_at(row, column)`, in the order of the array
@@ -133,8 +150,12 @@ public:
     const hsize_t sizes[] = {n, columns};
     const Hdf5_handle space = checked(H5Screate_simple(rank, sizes, nullptr), H5Sclose);
     const Hdf5_handle array = checked(H5Dcreate2(file_.get(), path.c_str(), hdf5_type<Number>(), space.get(),
-                                                 H5P_DEFAULT, without_times().get(), H5P_DEFAULT),
+                                                 H5P_DEFAULT, properties().get(), H5P_DEFAULT),
                                       H5Dclose);
+    if (values_ == Values::BY_OTHERS) {
+      places_.push_back(H5Dget_offset(array.get())); // of nothing, if the array is empty
+      return;
+    }
     std::vector<Number> slab;
     for (std::size_t begin = 0; begin < n; begin += rows_of_slab) {
       const std::size_t end = std::min(n, begin + rows_of_slab);
@@ -162,11 +183,11 @@ public:
     add_attribute(path, name, type.get(), checked(H5Screate(H5S_SCALAR), H5Sclose), text.data());
   }
 
+  /// Where in the file the values of each array are to be, in the order of arrays.
+  const std::vector<std::uint64_t>& places() const { return places_; }
+
   /// What is not closed may be incomplete.
-  void close() {
-    check(H5Fflush(file_.get(), H5F_SCOPE_LOCAL));
-    if (!file_.close()) fail();
-  }
+  void close() { check(file_.close() ? 0 : -1); }
 
 private:
   void add_attribute(const std::string& path, const char* name, hid_t type, const Hdf5_handle& space,
@@ -177,20 +198,23 @@ private:
     check(H5Awrite(attribute.get(), type, values));
   }
 
-  /// The same mesh is the same bytes, whenever it is written.
-  Hdf5_handle without_times() const {
+  /// The same mesh is the same bytes, whenever it is written. Arrays have their room from the beginning.
+  Hdf5_handle properties() const {
     Hdf5_handle properties = checked(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
     check(H5Pset_obj_track_times(properties.get(), false));
+    check(H5Pset_alloc_time(properties.get(), H5D_ALLOC_TIME_EARLY));
+    check(H5Pset_fill_time(properties.get(), H5D_FILL_TIME_NEVER));
     return properties;
   }
 
   [[noreturn]] void fail() const {
     const Hdf5_reason reason = Hdf5_reason::of_last_call();
-    const int error = reason.system_error != 0 ? reason.system_error : EIO;
+    int error = disk_.error();
+    if (error == 0) error = reason.system_error != 0 ? reason.system_error : EIO;
     throw std::system_error(error, std::generic_category(), shown_ + ": cannot be written");
   }
   void check(herr_t status) const {
-    if (status < 0) fail();
+    if (status < 0 || disk_.error() != 0) fail();
   }
   Hdf5_handle checked(hid_t id, Hdf5_handle::Close close_by) const {
     if (id < 0) fail();
@@ -199,6 +223,9 @@ private:
 
   Quiet_hdf5 quiet_; // outlives the file
   std::string shown_;
+  Values values_;
+  std::vector<std::uint64_t> places_;
+  Hdf5_disk disk_;
   Hdf5_handle file_;
 };
 
@@ -237,14 +264,14 @@ public:
     std::size_t columns() const { return columns_; }
     bool has_whole_numbers() const { return has_whole_numbers_; }
 
-    /// Calls `f(row, values)` for each row, with a pointer to its numbers.
+    /// Calls `f(row, values)` for each row from `first` to `last`, with a pointer to its numbers.
     template <class Number, class F>
-    void for_each_row(const F& f) const {
+    void for_each_row(std::size_t first, std::size_t last, const F& f) const {
       const std::size_t width = std::max<std::size_t>(columns_, 1);
-      std::vector<Number> slab(std::min(rows_, rows_of_slab) * width);
+      std::vector<Number> slab(std::min(last - first, rows_of_slab) * width);
       const Hdf5_handle space(H5Dget_space(array_.get()), H5Sclose);
-      for (std::size_t begin = 0; begin < rows_; begin += rows_of_slab) {
-        const std::size_t end = std::min(rows_, begin + rows_of_slab);
+      for (std::size_t begin = first; begin < last; begin += rows_of_slab) {
+        const std::size_t end = std::min(last, begin + rows_of_slab);
         const hsize_t offsets[] = {begin, 0}, lengths[] = {end - begin, columns_};
         const Hdf5_handle in_memory(H5Screate_simple(columns_ == 0 ? 1 : 2, lengths, nullptr), H5Sclose);
         H5Sselect_hyperslab(space.get(), H5S_SELECT_SET, offsets, nullptr, lengths, nullptr);

@@ -10,6 +10,7 @@
 #include <CGAL/Indexed_mesh_2.h>
 #include <CGAL/Pslg_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/io/Hdf5_file.h>
+#include <CGAL/Quadtree_mesh_2/internal/io/Mesh_numbers.h>
 #include <CGAL/Quadtree_mesh_2/internal/io/Replaced_files.h>
 #include <CGAL/Quadtree_mesh_2/internal/io/Vtk_grid.h>
 #include <CGAL/Quadtree_mesh_2/internal/io/Vtu_writer.h>
@@ -36,15 +37,56 @@ inline std::string hdf5_name(std::string name) {
   return name;
 }
 
-/// See `IO::write_VTKHDF()`.
+/// The rows of arrays that a grid writes, which is a whole mesh or the part of one process.
 template <class Point>
-void write_vtkhdf(Hdf5_writer& out, const Vtk_grid<Point>& grid) {
-  const std::size_t points = grid.number_of_points(), cells = grid.number_of_cells(),
-                    connections = grid.number_of_vertices_before(cells);
-  const auto add_number = [&out](const char* path, std::size_t n) {
-    out.add_array(path, 1, 0, [n](std::size_t, std::size_t) { return static_cast<std::int64_t>(n); });
+class Grid_rows {
+public:
+  explicit Grid_rows(const Vtk_grid<Point>& grid) : grid_(grid) {
+    const Mesh_numbers& numbers = grid.numbers();
+    const Mesh_numbers::Counts& whole = numbers.counts();
+    const std::size_t own = numbers.number_of_own_triangles(), n = grid.number_of_triangles();
+    const Mesh_numbers::Range& vertices = numbers.own_vertices();
+    points.all = whole.vertices, triangles.all = whole.triangles, edges.all = whole.edges;
+    cells.all = whole.triangles + whole.edges + whole.outside;
+    connections.all = connections_before(cells.all);
+    if (vertices.size() > 0)
+      points.add(numbers.vertex(Vertex_index(vertices.begin)), vertices.begin, vertices.size());
+    if (own > 0) triangles.add(numbers.triangle(0), 0, own), add_cells(0, own);
+    for (std::size_t e = 0; e < grid.number_of_edges(); ++e) edges.add(numbers.edge(e), n + e, 1);
+    add_cells(n, grid.number_of_cells());
+    offsets.all = cells.all + 1;
+    offsets.runs = cells.runs;
+    if (numbers.is_first()) offsets.add(cells.all, grid.number_of_cells(), 1); // where the cells end
+  }
+
+  /// Of cells before one of the whole mesh.
+  std::size_t connections_before(std::size_t cell) const { return 2 * cell + std::min(cell, triangles.all); }
+
+  Array_rows points, cells, connections, offsets;
+  Array_rows triangles, edges; ///< of arrays with a row for each; called what the grid calls the cells
+
+private:
+  void add_cells(std::size_t begin, std::size_t end) {
+    for (std::size_t cell = begin; cell < end; ++cell) {
+      const std::size_t number = grid_.number_of_cell(cell);
+      cells.add(number, cell, 1);
+      connections.add(connections_before(number), grid_.number_of_vertices_before(cell), grid_.size(cell));
+    }
+  }
+
+  const Vtk_grid<Point>& grid_;
+};
+
+/// See `IO::write_VTKHDF()`.
+/// \tparam Out `Hdf5_writer`, or `Hdf5_rows_writer` for a part
+template <class Out, class Point>
+void write_vtkhdf(Out& out, const Vtk_grid<Point>& grid) {
+  const Grid_rows<Point> rows(grid);
+  const Array_rows one = grid.numbers().is_first() ? Array_rows::whole(1) : Array_rows{1, {}};
+  const auto add_number = [&](const char* path, std::size_t n) {
+    out.add_array(path, one, 0, [n](std::size_t, std::size_t) { return static_cast<std::int64_t>(n); });
   };
-  const auto add_arrays = [&out](const std::string& group, std::size_t n, const auto& for_each_array) {
+  const auto add_arrays = [&out](const std::string& group, const Array_rows& n, const auto& for_each_array) {
     out.add_group(group);
     for_each_array([&](const std::string& name, const auto& value_at) {
       out.add_array(group + '/' + hdf5_name(name), n, 0,
@@ -54,21 +96,22 @@ void write_vtkhdf(Hdf5_writer& out, const Vtk_grid<Point>& grid) {
   out.add_group("/VTKHDF");
   out.add_attribute("/VTKHDF", "Version", std::vector<std::int64_t>{1, 0});
   out.add_attribute("/VTKHDF", "Type", "UnstructuredGrid");
-  add_number("/VTKHDF/NumberOfPoints", points);
-  add_number("/VTKHDF/NumberOfCells", cells);
-  add_number("/VTKHDF/NumberOfConnectivityIds", connections);
-  out.add_array("/VTKHDF/Points", points, 3,
+  add_number("/VTKHDF/NumberOfPoints", rows.points.all);
+  add_number("/VTKHDF/NumberOfCells", rows.cells.all);
+  add_number("/VTKHDF/NumberOfConnectivityIds", rows.connections.all);
+  out.add_array("/VTKHDF/Points", rows.points, 3,
                 [&](std::size_t v, std::size_t k) { return grid.coordinate(v, k); });
-  out.add_array("/VTKHDF/Connectivity", connections, 0, [&](std::size_t i, std::size_t) {
+  out.add_array("/VTKHDF/Connectivity", rows.connections, 0, [&](std::size_t i, std::size_t) {
     const auto [cell, k] = grid.place_of_connection(i);
-    return static_cast<std::int64_t>(grid.vertex(cell, k).value());
+    return static_cast<std::int64_t>(grid.numbers().vertex(grid.vertex(cell, k)));
   });
-  out.add_array("/VTKHDF/Offsets", cells + 1, 0, [&](std::size_t c, std::size_t) {
-    return static_cast<std::int64_t>(grid.number_of_vertices_before(c));
+  out.add_array("/VTKHDF/Offsets", rows.offsets, 0, [&](std::size_t c, std::size_t) {
+    const std::size_t number = c == grid.number_of_cells() ? rows.cells.all : grid.number_of_cell(c);
+    return static_cast<std::int64_t>(rows.connections_before(number));
   });
-  out.add_array("/VTKHDF/Types", cells, 0, [&](std::size_t c, std::size_t) { return grid.type(c); });
-  add_arrays("/VTKHDF/PointData", points, [&](const auto& f) { grid.for_each_point_array(f); });
-  add_arrays("/VTKHDF/CellData", cells, [&](const auto& f) { grid.for_each_cell_array(f); });
+  out.add_array("/VTKHDF/Types", rows.cells, 0, [&](std::size_t c, std::size_t) { return grid.type(c); });
+  add_arrays("/VTKHDF/PointData", rows.points, [&](const auto& f) { grid.for_each_point_array(f); });
+  add_arrays("/VTKHDF/CellData", rows.cells, [&](const auto& f) { grid.for_each_cell_array(f); });
 }
 
 /// The text of XDMF, which says what is in the file of HDF5, while that is written.
@@ -79,33 +122,38 @@ public:
   Xdmf_writer(const Vtk_grid<Point>& grid, std::string heavy_name)
       : grid_(grid), heavy_name_(Vtu_text::escaped(heavy_name)) {}
 
-  void write_heavy(Hdf5_writer& out) {
-    out_ = &out;
-    const std::size_t points = grid_.number_of_points(), triangles = grid_.number_of_triangles(),
-                      edges = grid_.number_of_edges();
+  /// \tparam Out as above
+  template <class Out>
+  void write_heavy(Out& out) {
+    const Grid_rows<Point> rows(grid_);
     for (const char* group : {"/mesh", "/mesh/point_data", "/mesh/triangle_data", "/mesh/edge_data"})
       out.add_group(group);
     const std::string geometry = "<Geometry GeometryType=\"XY\">\n" +
-                                 item("/mesh/points", points, 2,
+                                 item(out, "/mesh/points", rows.points, 2,
                                       [&](std::size_t v, std::size_t k) { return grid_.coordinate(v, k); }) +
                                  "</Geometry>\n";
     std::string point_data, triangle_data, edge_data;
-    const std::string triangle_cells = item("/mesh/triangles", triangles, 3, vertices_from(0)),
-                      edge_cells = item("/mesh/edges", edges, 2, vertices_from(triangles));
+    const auto vertex_at = [this](std::size_t cell, std::size_t k) {
+      return static_cast<std::int64_t>(grid_.numbers().vertex(grid_.vertex(cell, k)));
+    };
+    const std::string triangle_cells = item(out, "/mesh/triangles", rows.triangles, 3, vertex_at),
+                      edge_cells = item(out, "/mesh/edges", rows.edges, 2, vertex_at);
     grid_.for_each_point_array([&](const std::string& name, const auto& value_at) {
-      point_data += attribute("Node", name, "/mesh/point_data/", 0, points, value_at);
+      point_data += attribute(out, "Node", name, "/mesh/point_data/", rows.points, value_at);
     });
     grid_.for_each_cell_array([&](const std::string& name, const auto& value_at) {
       if (name == "marker")
-        edge_data += attribute("Cell", name, "/mesh/edge_data/", triangles, edges, value_at);
+        edge_data += attribute(out, "Cell", name, "/mesh/edge_data/", rows.edges, value_at);
       else
-        triangle_data += attribute("Cell", name, "/mesh/triangle_data/", 0, triangles, value_at);
+        triangle_data += attribute(out, "Cell", name, "/mesh/triangle_data/", rows.triangles, value_at);
     });
     text_ = opening() + "<Grid Name=\"mesh\" GridType=\"Uniform\">\n" + geometry +
-            topology("\"Triangle\"", triangles, triangle_cells) + point_data + triangle_data + "</Grid>\n";
-    if (edges > 0)
+            topology("\"Triangle\"", rows.triangles.all, triangle_cells) + point_data + triangle_data +
+            "</Grid>\n";
+    if (rows.edges.all > 0)
       text_ += "<Grid Name=\"edges\" GridType=\"Uniform\">\n" + geometry +
-               topology("\"Polyline\" NodesPerElement=\"2\"", edges, edge_cells) + edge_data + "</Grid>\n";
+               topology("\"Polyline\" NodesPerElement=\"2\"", rows.edges.all, edge_cells) + edge_data +
+               "</Grid>\n";
     text_ += "</Domain>\n</Xdmf>\n";
   }
 
@@ -121,28 +169,23 @@ private:
            "</Topology>\n";
   }
 
-  auto vertices_from(std::size_t first_cell) const {
-    return [this, first_cell](std::size_t c, std::size_t k) {
-      return static_cast<std::int64_t>(grid_.vertex(first_cell + c, k).value());
-    };
-  }
-
-  template <class Value_at>
-  std::string attribute(const char* center, const std::string& name, const std::string& folder,
-                        std::size_t first, std::size_t n, const Value_at& value_at) {
+  template <class Out, class Value_at>
+  std::string attribute(Out& out, const char* center, const std::string& name, const std::string& folder,
+                        const Array_rows& rows, const Value_at& value_at) {
     return "<Attribute Name=\"" + Vtu_text::escaped(name) + "\" AttributeType=\"Scalar\" Center=\"" + center +
            "\">\n" +
-           item(folder + hdf5_name(name), n, 0,
-                [&](std::size_t i, std::size_t) { return value_at(first + i); }) +
+           item(out, folder + hdf5_name(name), rows, 0,
+                [&](std::size_t i, std::size_t) { return value_at(i); }) +
            "</Attribute>\n";
   }
 
   /// Writes an array. \returns what refers to it
-  template <class Value_at>
-  std::string item(const std::string& path, std::size_t n, std::size_t columns, const Value_at& value_at) {
-    using Number = std::decay_t<decltype(value_at(n, n))>;
-    out_->add_array(path, n, columns, value_at);
-    return "<DataItem Dimensions=\"" + std::to_string(n) +
+  template <class Out, class Value_at>
+  std::string item(Out& out, const std::string& path, const Array_rows& rows, std::size_t columns,
+                   const Value_at& value_at) {
+    using Number = std::decay_t<decltype(value_at(columns, columns))>;
+    out.add_array(path, rows, columns, value_at);
+    return "<DataItem Dimensions=\"" + std::to_string(rows.all) +
            (columns > 0 ? ' ' + std::to_string(columns) : "") + "\" NumberType=\"" +
            (std::is_floating_point_v<Number> ? "Float" : "Int") + "\" Precision=\"" +
            std::to_string(sizeof(Number)) + "\" Format=\"HDF\">" + heavy_name_ + ':' +
@@ -151,7 +194,6 @@ private:
 
   const Vtk_grid<Point>& grid_;
   std::string heavy_name_, text_;
-  Hdf5_writer* out_ = nullptr;
 };
 
 template <class Point>

@@ -44,7 +44,9 @@ struct Column_name {
 class Line_scanner {
 public:
   /// \param text has to outlive the scanner.
-  Line_scanner(std::string_view text, std::string name) : name_(std::move(name)), text_(text) {}
+  /// \param lines_before how many lines of the file come before the text
+  Line_scanner(std::string_view text, std::string name, std::size_t lines_before = 0)
+      : name_(std::move(name)), text_(text), line_number_(lines_before) {}
 
   /// Goes to the next line that holds something, if there is one.
   bool try_next_line() {
@@ -145,6 +147,8 @@ public:
   /// The line, as messages begin: "name:line".
   std::string place() const { return name_ + ":" + std::to_string(line_number()); }
   std::size_t line_number() const { return (std::max)(line_number_, std::size_t(1)); }
+  /// How many lines have been begun, with those before the text.
+  std::size_t lines_begun() const { return line_number_; }
   [[noreturn]] void fail(const std::string& what) const {
     throw Pslg_error_2(Pslg_error_2::Kind::UNREADABLE_FILE, place() + ": " + what);
   }
@@ -197,7 +201,7 @@ private:
   std::string_view separators_;
   std::size_t position_ = 0, line_end_ = 0, next_line_ = 0; // in the text
   std::size_t line_feed_ = unknown_;                        // the first behind the beginning of the line
-  std::size_t line_number_ = 0;
+  std::size_t line_number_;
 };
 
 } // namespace internal

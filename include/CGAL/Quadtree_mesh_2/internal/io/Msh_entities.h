@@ -11,6 +11,7 @@
 #include <CGAL/Pslg_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/geometry/triangle_angles.h>
 #include <CGAL/Quadtree_mesh_2/internal/io/Line_writer.h>
+#include <CGAL/Quadtree_mesh_2/internal/io/Mesh_numbers.h>
 #include <CGAL/Quadtree_mesh_2/internal/io/number_text.h>
 #include <CGAL/Quadtree_mesh_2/internal/io/triangles_at_edges.h>
 #include <CGAL/Quadtree_mesh_2/internal/topology/Edge_finder.h>
@@ -22,6 +23,7 @@
 #include <array>
 #include <cstddef>
 #include <limits>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -34,36 +36,79 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-template <class Point>
 struct Msh_box {
   double x0 = std::numeric_limits<double>::infinity(), y0 = x0, x1 = -x0, y1 = -x0;
+  template <class Point>
   void add(const Point& p) {
     const double x = as_double(p.x()), y = as_double(p.y());
-    x0 = std::min(x0, x), x1 = std::max(x1, x), y0 = std::min(y0, y), y1 = std::max(y1, y);
+    add(Msh_box{x, y, x, y});
+  }
+  void add(const Msh_box& box) {
+    x0 = std::min(x0, box.x0), x1 = std::max(x1, box.x1);
+    y0 = std::min(y0, box.y0), y1 = std::max(y1, box.y1);
   }
 };
 /// A surface or a curve, and at once the only member of its physical group.
-template <class Point>
 struct Msh_entity {
   std::string name;
   int tag, group;
-  Msh_box<Point> box;
+  Msh_box box;
   std::vector<std::size_t> elements; ///< triangles or constrained edges, in their order
 };
 
+/// Which regions and markers there are in a mesh, and where; the surveys of its parts together are that of the mesh.
+struct Msh_survey {
+  std::map<int, Msh_box> regions; ///< -1: triangles in no region
+  std::map<int, Msh_box> markers;
+  std::map<int, Msh_box> vertices; ///< one, of number 0, if there are any
+
+  /// Triangles and vertices that others own do not count.
+  template <class Point>
+  static Msh_survey of(const Indexed_mesh_2<Point>& mesh, const Mesh_numbers& numbers) {
+    Msh_survey survey;
+    for (std::size_t t = 0; t < numbers.number_of_own_triangles(); ++t) {
+      Msh_box& box = survey.regions[region_of(mesh, t)];
+      for (const Vertex_index v : mesh.triangles[t]) box.add(mesh.point(v));
+    }
+    for (const auto& e : mesh.constrained_edges) {
+      Msh_box& box = survey.markers[e.marker];
+      for (const Vertex_index v : e.vertices) box.add(mesh.point(v));
+    }
+    for (std::size_t v = numbers.own_vertices().begin; v < numbers.own_vertices().end; ++v)
+      survey.vertices[0].add(mesh.points[v]);
+    return survey;
+  }
+  void add(const Msh_survey& other) {
+    for (const auto member : {&Msh_survey::regions, &Msh_survey::markers, &Msh_survey::vertices})
+      for (const auto& [key, box] : other.*member) (this->*member)[key].add(box);
+  }
+
+  template <class Point>
+  static int region_of(const Indexed_mesh_2<Point>& mesh, std::size_t t) {
+    return mesh.region_of_triangle.empty() ? -1 : std::max(mesh.region_of_triangle[t], -1);
+  }
+};
+
 /// The regions of a mesh as surfaces, the markers of its constrained edges as curves. None is empty, but for the only
-/// surface of a mesh without triangles.
+/// surface of a mesh without triangles; or of a part of a mesh, which has the surfaces and curves of all parts.
 template <class Point>
 class Msh_entities {
 public:
-  using Entity = Msh_entity<Point>;
+  using Entity = Msh_entity;
 
   Msh_entities(const Indexed_mesh_2<Point>& mesh, const Pslg_2<Point>& pslg,
                IO::Element_order order = IO::Element_order::FIRST)
-      : mesh_(mesh), pslg_(pslg) {
+      : Msh_entities(mesh, pslg, Msh_survey::of(mesh, Mesh_numbers(mesh)), Mesh_numbers(mesh)) {
     if (order == IO::Element_order::SECOND) add_nodes();
-    find_surfaces();
-    find_curves();
+  }
+  /// Of a part.
+  /// \param pslg of which regions and names count
+  /// \param survey of all parts
+  Msh_entities(const Indexed_mesh_2<Point>& mesh, const Pslg_2<Point>& pslg, const Msh_survey& survey,
+               Mesh_numbers numbers)
+      : mesh_(mesh), pslg_(pslg), numbers_(std::move(numbers)) {
+    find_surfaces(survey);
+    find_curves(survey);
   }
 
   const std::vector<Entity>& surfaces() const { return surfaces_; }
@@ -85,8 +130,13 @@ public:
   }
 
   /// The numbers of nodes and elements count from 1, those of edges before those of triangles.
-  static std::size_t node(Vertex_index v) { return std::size_t(v) + 1; }
-  std::size_t element_of_triangle(std::size_t t) const { return mesh_.constrained_edges.size() + t + 1; }
+  std::size_t node(Vertex_index v) const {
+    return std::size_t(v) < mesh_.points.size() ? numbers_.vertex(v) + 1 : std::size_t(v) + 1;
+  }
+  std::size_t element_of_triangle(std::size_t t) const {
+    return numbers_.counts().edges + numbers_.triangle(t) + 1;
+  }
+  std::size_t number_of_elements() const { return numbers_.counts().edges + numbers_.counts().triangles; }
   /// Gmsh's numbers of the kinds of elements.
   int type_of_lines() const { return is_of_second_order() ? 8 : 1; }
   int type_of_triangles() const { return is_of_second_order() ? 9 : 2; }
@@ -114,7 +164,7 @@ public:
   }
 
   void write_edge(Line_writer& out, std::size_t e) const {
-    write_nodes_of_edge(out << e + 1, e);
+    write_nodes_of_edge(out << numbers_.edge(e) + 1, e);
     out.end_line();
   }
   void write_triangle(Line_writer& out, std::size_t t) const {
@@ -148,24 +198,23 @@ private:
     }
   }
 
-  void find_surfaces() {
-    int regions = 0;
-    for (const int r : mesh_.region_of_triangle) regions = std::max(regions, r + 1);
-    const bool has_regions = !mesh_.region_of_triangle.empty();
-    std::vector<Entity> all;
-    for (int r = 0; r < regions; ++r) all.push_back({region_name(r), r + 1, r + 1, Msh_box<Point>(), {}});
-    all.push_back({has_regions ? "no region" : "domain", regions + 1, regions + 1, Msh_box<Point>(), {}});
-    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
-      const int r = has_regions ? mesh_.region_of_triangle[t] : -1;
-      Entity& surface = all[static_cast<std::size_t>(r < 0 ? regions : r)];
-      surface.elements.push_back(t);
-      for (const Vertex_index v : mesh_.triangles[t]) surface.box.add(mesh_.point(v));
-    }
-    for (Entity& surface : all)
-      if (!surface.elements.empty()) surfaces_.push_back(std::move(surface));
-    if (!surfaces_.empty() || mesh_.points.empty()) return;
-    surfaces_.push_back(std::move(all.back())); // for the nodes
-    for (const Point& p : mesh_.points) surfaces_.back().box.add(p);
+  void find_surfaces(const Msh_survey& survey) {
+    const int regions = survey.regions.empty() ? 0 : survey.regions.rbegin()->first + 1;
+    const std::string rest = mesh_.region_of_triangle.empty() ? "domain" : "no region";
+    std::map<int, std::size_t> surface_of_region;
+    const auto add = [&](int r, const Msh_box& box) {
+      surface_of_region[r] = surfaces_.size();
+      const int tag = (r < 0 ? regions : r) + 1;
+      surfaces_.push_back({r < 0 ? rest : region_name(r), tag, tag, box, {}});
+    };
+    for (const auto& [r, box] : survey.regions)
+      if (r >= 0) add(r, box);
+    const auto in_none = survey.regions.find(-1);
+    if (in_none != survey.regions.end()) add(-1, in_none->second);
+    if (surfaces_.empty() && !survey.vertices.empty())
+      add(-1, survey.vertices.begin()->second); // for the nodes
+    for (std::size_t t = 0; t < numbers_.number_of_own_triangles(); ++t)
+      surfaces_[surface_of_region.at(Msh_survey::region_of(mesh_, t))].elements.push_back(t);
   }
 
   std::string region_name(int r) const {
@@ -195,22 +244,15 @@ private:
     return name;
   }
 
-  void find_curves() {
-    std::vector<int> markers;
-    for (const auto& e : mesh_.constrained_edges) markers.push_back(e.marker);
-    std::sort(markers.begin(), markers.end());
-    markers.erase(std::unique(markers.begin(), markers.end()), markers.end());
-    int group = markers.empty() ? 0 : std::max(0, markers.back());
-    for (const int m : markers)
-      curves_.push_back(
-          {marker_name(m), static_cast<int>(curves_.size()) + 1, m > 0 ? m : ++group, Msh_box<Point>(), {}});
-    for (std::size_t e = 0; e < mesh_.constrained_edges.size(); ++e) {
-      const auto& edge = mesh_.constrained_edges[e];
-      const auto found = std::lower_bound(markers.begin(), markers.end(), edge.marker);
-      Entity& curve = curves_[static_cast<std::size_t>(found - markers.begin())];
-      curve.elements.push_back(e);
-      for (const Vertex_index v : edge.vertices) curve.box.add(mesh_.point(v));
+  void find_curves(const Msh_survey& survey) {
+    int group = survey.markers.empty() ? 0 : std::max(0, survey.markers.rbegin()->first);
+    std::map<int, std::size_t> curve_of_marker;
+    for (const auto& [m, box] : survey.markers) {
+      curve_of_marker[m] = curves_.size();
+      curves_.push_back({marker_name(m), static_cast<int>(curves_.size()) + 1, m > 0 ? m : ++group, box, {}});
     }
+    for (std::size_t e = 0; e < mesh_.constrained_edges.size(); ++e)
+      curves_[curve_of_marker.at(mesh_.constrained_edges[e].marker)].elements.push_back(e);
   }
 
   /// Without topology: which curves bound which surface is not told.
@@ -226,6 +268,7 @@ private:
 
   const Indexed_mesh_2<Point>& mesh_;
   const Pslg_2<Point>& pslg_;
+  Mesh_numbers numbers_;
   std::vector<Entity> curves_, surfaces_;
   Second_order_nodes_2 nodes_; // none: of first order
   std::vector<Vertex_index> nodes_of_edges_;

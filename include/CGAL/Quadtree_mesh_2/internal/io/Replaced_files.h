@@ -31,6 +31,7 @@ public:
   Replaced_files(const Replaced_files&) = delete;
   Replaced_files& operator=(const Replaced_files&) = delete;
   ~Replaced_files() {
+    if (is_in_place_) take_back(written_.size());
     for (const Written& w : written_) remove(w.temporary);
   }
 
@@ -50,17 +51,26 @@ public:
       write(open_for(file_name), file_name, text);
   }
 
-  /// The same for a file that a library writes.
+  /// The same for a file that a library writes. \returns the name of an empty file
+  std::string add_empty(const std::string& file_name) {
+    if (is_stream(file_name)) fail(file_name, std::make_error_code(std::errc::invalid_seek));
+    write(open_for(file_name), file_name, std::string());
+    return written_.back().temporary.string();
+  }
   /// \param write_to called with the name of an empty file; what it throws is passed on
   template <class Write_to>
   void add_by(const std::string& file_name, const Write_to& write_to) {
-    if (is_stream(file_name)) fail(file_name, std::make_error_code(std::errc::invalid_seek));
-    write(open_for(file_name), file_name, std::string());
-    write_to(written_.back().temporary.string());
+    write_to(add_empty(file_name));
   }
 
   /// \throws std::system_error as `add()` does; then no file is replaced, if the file system knows hard links.
   void commit() {
+    put_in_place();
+    keep();
+  }
+
+  /// The first half of `commit()`. Without the second one, older files come back at the end.
+  void put_in_place() {
     for (const Stream& s : streams_)
       if (s.file != nullptr)
         write_on(s.file, s.name, s.text);
@@ -75,8 +85,12 @@ public:
       take_back(i);
       fail(written_[i].target.string(), error);
     }
+    is_in_place_ = true;
+  }
+  void keep() {
     for (const Written& w : written_) remove(w.kept);
     written_.clear();
+    is_in_place_ = false;
   }
 
 private:
@@ -187,6 +201,7 @@ private:
   }
 
   std::vector<Written> written_;
+  bool is_in_place_ = false; // what is written, but older files are kept
   std::vector<Stream> streams_;
   std::vector<Directed> directed_;
 };

@@ -11,6 +11,7 @@
 #include <CGAL/Pslg_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/Indexed_vector.h>
 #include <CGAL/Quadtree_mesh_2/internal/geometry/triangle_angles.h>
+#include <CGAL/Quadtree_mesh_2/internal/io/Mesh_numbers.h>
 #include <CGAL/Quadtree_mesh_2/internal/io/triangles_at_edges.h>
 #include <CGAL/Quadtree_mesh_2/internal/topology/Edge_finder.h>
 #include <CGAL/Quadtree_mesh_2/mesh_edges_types.h>
@@ -22,6 +23,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <stdexcept>
 #include <string>
@@ -36,6 +38,7 @@ namespace internal {
 struct Outside_segment {
   std::array<Vertex_index, 2> ends; ///< vertices of the mesh
   std::size_t segment;              ///< of the input
+  int marker;                       ///< of the segment; 0 for none
 };
 
 /// All of them, in the order of the input. Takes linear time.
@@ -46,7 +49,9 @@ std::vector<Outside_segment> outside_segments(const Indexed_mesh_2<Point>& mesh,
   for (const auto& e : mesh.constrained_edges)
     if (is_in_mesh.has(e.segment)) is_in_mesh[e.segment] = 1;
   for (const Segment_index s : is_in_mesh.ids())
-    if (is_in_mesh[s] == 0) outside.push_back({pslg.segment(s), std::size_t(s)});
+    if (is_in_mesh[s] == 0)
+      outside.push_back({pslg.segment(s), std::size_t(s),
+                         pslg.segment_markers.empty() ? 0 : pslg.segment_markers[std::size_t(s)]});
   if (outside.empty() || mesh.input_index.empty()) return outside;
   Indexed_vector<Vertex_index, Vertex_index> vertex_of_input(pslg.vertices.size());
   for (std::size_t v = 0; v < mesh.points.size(); ++v)
@@ -60,6 +65,7 @@ std::vector<Outside_segment> outside_segments(const Indexed_mesh_2<Point>& mesh,
 ///
 /// Cells are the triangles, then the constrained edges, then the segments of which nothing is in the mesh. Values are
 /// made when they are asked for, so that nothing of the mesh is copied: the grid itself takes memory for edges alone.
+/// The mesh may be a part of another one, with numbers of its own; see `Mesh_numbers`.
 template <class Point>
 class Vtk_grid {
 public:
@@ -67,23 +73,36 @@ public:
   /// \throws std::invalid_argument if a field does not have a number for each triangle
   Vtk_grid(const Indexed_mesh_2<Point>& mesh, const Pslg_2<Point>& pslg, const IO::Triangle_fields_2& fields,
            IO::Element_order order = IO::Element_order::FIRST)
-      : mesh_(mesh), pslg_(pslg), fields_(fields) {
+      : Vtk_grid(mesh, pslg, fields, outside_segments(mesh, pslg)) {
     if (order == IO::Element_order::SECOND) nodes_ = second_order_nodes<Sequential_tag>(mesh);
+  }
+  /// A part of a mesh, of first order.
+  /// \param pslg of which the regions count
+  Vtk_grid(const Indexed_mesh_2<Point>& mesh, const Pslg_2<Point>& pslg, std::vector<Outside_segment> outside,
+           const IO::Triangle_fields_2& fields, Mesh_numbers numbers)
+      : mesh_(mesh), pslg_(pslg), fields_(fields), outside_(std::move(outside)),
+        numbers_(std::move(numbers)) {
     for (const IO::Triangle_field_2& field : fields)
       if (field.values.size() != mesh.triangles.size())
         throw std::invalid_argument("the field '" + field.name + "' has " +
                                     std::to_string(field.values.size()) + " numbers for " +
                                     std::to_string(mesh.triangles.size()) + " triangles");
-    outside_ = outside_segments(mesh, pslg);
     triangles_at_ = triangles_at_edges(mesh);
   }
 
-  const Indexed_mesh_2<Point>& mesh() const { return mesh_; }
+  const Mesh_numbers& numbers() const { return numbers_; }
   std::size_t number_of_points() const { return mesh_.points.size() + nodes_.points.size(); }
   std::size_t number_of_triangles() const { return mesh_.triangles.size(); }
   std::size_t number_of_edges() const { return mesh_.constrained_edges.size(); }
   std::size_t number_of_cells() const { return number_of_triangles() + number_of_edges() + outside_.size(); }
 
+  /// What a cell is called in the whole mesh.
+  std::size_t number_of_cell(std::size_t cell) const {
+    if (is_triangle(cell)) return numbers_.triangle(cell);
+    const Mesh_numbers::Counts& whole = numbers_.counts();
+    const std::size_t e = cell - number_of_triangles();
+    return whole.triangles + (is_edge(cell) ? numbers_.edge(e) : whole.edges + e - number_of_edges());
+  }
   bool is_triangle(std::size_t cell) const { return cell < number_of_triangles(); }
   bool is_of_second_order() const { return !nodes_.points.empty(); }
   /// How many vertices and nodes a cell has. What is outside has no nodes.
@@ -148,16 +167,25 @@ public:
   void for_each_cell_array(const F& f) const {
     f("region", [this](std::size_t c) { return static_cast<std::int32_t>(is_triangle(c) ? region(c) : -1); });
     f("marker", [this](std::size_t c) { return static_cast<std::int32_t>(marker(c)); });
-    add_for_all(f, "least_angle", [this](std::size_t t) {
-      const auto& [a, b, c] = mesh_.triangles[t];
-      return Scaled_triangle(mesh_.point(a), mesh_.point(b), mesh_.point(c)).least_angle();
+    for_each_triangle_array(
+        [this, &f](const std::string& name, const auto& value) { add_for_all(f, name, value); });
+  }
+
+  /// Of a part of a mesh: puts `f(least)` in place of the least value of the part's triangles, for each array that has
+  /// one, in their order. Infinity stands for the least value of no triangles, on both sides.
+  template <class F>
+  void replace_least_values(const F& f) {
+    for_each_triangle_array([this, &f](const std::string& name, const auto& value) {
+      const double least = f(number_of_triangles() == 0 ? infinity_ : least_of(name, value));
+      least_[name] = least == infinity_ ? 0 : least;
     });
-    if (!pslg_.regions.empty()) add_for_all(f, "attribute", [this](std::size_t t) { return attribute(t); });
-    for (const IO::Triangle_field_2& field : fields_)
-      add_for_all(f, field.name, [&field](std::size_t t) { return field.values[t]; });
   }
 
 private:
+  Vtk_grid(const Indexed_mesh_2<Point>& mesh, const Pslg_2<Point>& pslg, const IO::Triangle_fields_2& fields,
+           std::vector<Outside_segment> outside)
+      : Vtk_grid(mesh, pslg, outside, fields, Mesh_numbers(mesh, outside.size())) {}
+
   bool is_edge(std::size_t cell) const {
     return !is_triangle(cell) && cell < number_of_triangles() + number_of_edges();
   }
@@ -181,8 +209,19 @@ private:
   int marker(std::size_t cell) const {
     if (is_triangle(cell)) return 0;
     if (is_edge(cell)) return mesh_.constrained_edges[cell - number_of_triangles()].marker;
-    const std::size_t s = outside_[cell - number_of_triangles() - number_of_edges()].segment;
-    return pslg_.segment_markers.empty() ? 0 : pslg_.segment_markers[s];
+    return outside_[cell - number_of_triangles() - number_of_edges()].marker;
+  }
+
+  /// Calls `f(name, value)` for each array that triangles have by themselves; `value(t)` returns a number.
+  template <class F>
+  void for_each_triangle_array(const F& f) const {
+    f("least_angle", [this](std::size_t t) {
+      const auto& [a, b, c] = mesh_.triangles[t];
+      return Scaled_triangle(mesh_.point(a), mesh_.point(b), mesh_.point(c)).least_angle();
+    });
+    if (!pslg_.regions.empty()) f("attribute", [this](std::size_t t) { return attribute(t); });
+    for (const IO::Triangle_field_2& field : fields_)
+      f(field.name, [&field](std::size_t t) { return field.values[t]; });
   }
 
   /// Passes an array on that triangles have, with values for edges: the least of the triangles beside them, or of all.
@@ -206,11 +245,14 @@ private:
     return found->second = least;
   }
 
+  static constexpr double infinity_ = std::numeric_limits<double>::infinity();
+
   const Indexed_mesh_2<Point>& mesh_;
   const Pslg_2<Point>& pslg_;
   const IO::Triangle_fields_2& fields_;
   Second_order_nodes_2 nodes_; // none: of first order
   std::vector<Outside_segment> outside_;
+  Mesh_numbers numbers_;
   std::vector<std::array<std::size_t, 2>> triangles_at_; // per constrained edge
   mutable std::map<std::string, double> least_;          // of arrays
 };

@@ -182,7 +182,9 @@ private:
   static std::string opening_of(const std::string& data) {
     return Part::has_global_numbers ? vtu_data_tag(data, data) : '<' + data + ">\n";
   }
-  static std::int64_t itself(std::size_t i) { return static_cast<std::int64_t>(i); }
+  std::int64_t number_of_point(std::size_t v) const {
+    return static_cast<std::int64_t>(grid_.numbers().vertex(Vertex_index(v)));
+  }
 
   void add_points(Vtu_text& text) const {
     std::vector<double> coordinates;
@@ -199,7 +201,9 @@ private:
     grid_.for_each_point_array([&](const std::string& name, const auto& value_at) {
       text.add_array(name, values_of_points(value_at));
     });
-    if (Part::has_global_numbers) text.add_array(global_numbers_of("PointData"), values_of_points(itself));
+    if (Part::has_global_numbers)
+      text.add_array(global_numbers_of("PointData"),
+                     values_of_points([this](std::size_t v) { return number_of_point(v); }));
     text.add("</PointData>\n");
   }
 
@@ -225,7 +229,10 @@ private:
     grid_.for_each_cell_array([&](const std::string& name, const auto& value_at) {
       text.add_array(name, values_of_cells(value_at));
     });
-    if (Part::has_global_numbers) text.add_array(global_numbers_of("CellData"), values_of_cells(itself));
+    if (Part::has_global_numbers)
+      text.add_array(global_numbers_of("CellData"), values_of_cells([this](std::size_t cell) {
+                       return static_cast<std::int64_t>(grid_.number_of_cell(cell));
+                     }));
     text.add("</CellData>\n");
   }
 

@@ -4,12 +4,12 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 
-#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_IO_GHOST_LAYERS_H
-#define CGAL_QUADTREE_MESH_2_INTERNAL_IO_GHOST_LAYERS_H
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_FILE_PARTS_GHOST_LAYERS_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_FILE_PARTS_GHOST_LAYERS_H
 
 #include <CGAL/Indexed_mesh_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/Indexed_vector.h>
-#include <CGAL/Quadtree_mesh_2/internal/io/mesh_pieces.h>
+#include <CGAL/Quadtree_mesh_2/internal/file_parts/mesh_pieces.h>
 
 #include <algorithm>
 #include <array>
@@ -85,4 +85,4 @@ private:
 } // namespace Quadtree_mesh_2
 } // namespace CGAL
 
-#endif // CGAL_QUADTREE_MESH_2_INTERNAL_IO_GHOST_LAYERS_H
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_FILE_PARTS_GHOST_LAYERS_H

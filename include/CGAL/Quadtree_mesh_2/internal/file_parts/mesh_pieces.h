@@ -4,8 +4,8 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 
-#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_IO_MESH_PIECES_H
-#define CGAL_QUADTREE_MESH_2_INTERNAL_IO_MESH_PIECES_H
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_FILE_PARTS_MESH_PIECES_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_FILE_PARTS_MESH_PIECES_H
 
 #include <algorithm>
 #include <cstddef>
@@ -54,4 +54,4 @@ inline std::string piece_file_name(const std::string& file_name, std::size_t pie
 } // namespace Quadtree_mesh_2
 } // namespace CGAL
 
-#endif // CGAL_QUADTREE_MESH_2_INTERNAL_IO_MESH_PIECES_H
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_FILE_PARTS_MESH_PIECES_H

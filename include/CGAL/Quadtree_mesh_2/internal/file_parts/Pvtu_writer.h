@@ -4,16 +4,16 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 
-#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_IO_PVTU_WRITER_H
-#define CGAL_QUADTREE_MESH_2_INTERNAL_IO_PVTU_WRITER_H
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_FILE_PARTS_PVTU_WRITER_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_FILE_PARTS_PVTU_WRITER_H
 
 #include <CGAL/IO/io.h>
 #include <CGAL/Indexed_mesh_2.h>
 #include <CGAL/Pslg_2.h>
+#include <CGAL/Quadtree_mesh_2/internal/file_parts/mesh_pieces.h>
 #include <CGAL/Quadtree_mesh_2/internal/io/Replaced_files.h>
 #include <CGAL/Quadtree_mesh_2/internal/io/Vtk_grid.h>
 #include <CGAL/Quadtree_mesh_2/internal/io/Vtu_writer.h>
-#include <CGAL/Quadtree_mesh_2/internal/io/mesh_pieces.h>
 #include <CGAL/Quadtree_mesh_2/triangle_fields.h>
 
 #include <algorithm>
@@ -63,6 +63,41 @@ private:
   std::vector<std::size_t> cells_;
 };
 
+/// The text of the file that names the pieces of a grid.
+template <class Point>
+class Pvtu_text {
+public:
+  explicit Pvtu_text(const Vtk_grid<Point>& grid) : grid_(grid) {}
+
+  std::string text(const std::string& file_name, std::size_t pieces) const {
+    std::string text = Vtu_text::opening("PUnstructuredGrid") + "<PUnstructuredGrid GhostLevel=\"0\">\n";
+    add_arrays(text, "PointData", [this](const auto& f) { grid_.for_each_point_array(f); });
+    add_arrays(text, "CellData", [this](const auto& f) { grid_.for_each_cell_array(f); });
+    text +=
+        "<PPoints>\n<PDataArray type=\"Float64\" Name=\"Points\" NumberOfComponents=\"3\"/>\n</PPoints>\n";
+    const std::string name = std::filesystem::path(file_name).filename().string();
+    for (std::size_t p = 0; p < pieces; ++p)
+      text += "<Piece Source=\"" + Vtu_text::escaped(piece_file_name(name, p + 1, ".vtu")) + "\"/>\n";
+    return text += "</PUnstructuredGrid>\n</VTKFile>\n";
+  }
+
+private:
+  template <class For_each_array>
+  static void add_arrays(std::string& text, const std::string& data, const For_each_array& for_each_array) {
+    const auto add = [&text](const std::string& name, const std::string& type) {
+      text += "<PDataArray type=\"" + type + "\" Name=\"" + Vtu_text::escaped(name) + "\"/>\n";
+    };
+    text += vtu_data_tag('P' + data, data);
+    for_each_array([&add](const std::string& name, const auto& value_at) {
+      add(name, Vtu_text::type_name<std::decay_t<decltype(value_at(0))>>());
+    });
+    add(global_numbers_of(data), Vtu_text::type_name<std::int64_t>());
+    text += "</P" + data + ">\n";
+  }
+
+  const Vtk_grid<Point>& grid_;
+};
+
 /// See `IO::write_PVTU()`. One piece is in memory at a time.
 template <class Point>
 class Pvtu_writer {
@@ -84,7 +119,7 @@ public:
       files.add(piece_file_name(file_name, p + 1, ".vtu"),
                 Vtu_writer<Point, Grid_piece<Point>>(grid_, piece).text(mode));
     }
-    files.add(file_name, text(file_name));
+    files.add(file_name, Pvtu_text<Point>(grid_).text(file_name, runs_.size()));
   }
 
 private:
@@ -94,31 +129,6 @@ private:
       for (std::size_t k = 0; k < grid_.size(cell); ++k) is_used[std::size_t(grid_.vertex(cell, k))] = 1;
     for (std::size_t v = 0; v < is_used.size(); ++v)
       if (is_used[v] == 0) unused_.push_back(static_cast<std::uint32_t>(v));
-  }
-
-  std::string text(const std::string& file_name) const {
-    std::string text = Vtu_text::opening("PUnstructuredGrid") + "<PUnstructuredGrid GhostLevel=\"0\">\n";
-    add_arrays(text, "PointData", [this](const auto& f) { grid_.for_each_point_array(f); });
-    add_arrays(text, "CellData", [this](const auto& f) { grid_.for_each_cell_array(f); });
-    text +=
-        "<PPoints>\n<PDataArray type=\"Float64\" Name=\"Points\" NumberOfComponents=\"3\"/>\n</PPoints>\n";
-    const std::string name = std::filesystem::path(file_name).filename().string();
-    for (std::size_t p = 0; p < runs_.size(); ++p)
-      text += "<Piece Source=\"" + Vtu_text::escaped(piece_file_name(name, p + 1, ".vtu")) + "\"/>\n";
-    return text += "</PUnstructuredGrid>\n</VTKFile>\n";
-  }
-
-  template <class For_each_array>
-  static void add_arrays(std::string& text, const std::string& data, const For_each_array& for_each_array) {
-    const auto add = [&text](const std::string& name, const std::string& type) {
-      text += "<PDataArray type=\"" + type + "\" Name=\"" + Vtu_text::escaped(name) + "\"/>\n";
-    };
-    text += vtu_data_tag('P' + data, data);
-    for_each_array([&add](const std::string& name, const auto& value_at) {
-      add(name, Vtu_text::type_name<std::decay_t<decltype(value_at(0))>>());
-    });
-    add(global_numbers_of(data), Vtu_text::type_name<std::int64_t>());
-    text += "</P" + data + ">\n";
   }
 
   const Vtk_grid<Point>& grid_;
@@ -141,4 +151,4 @@ void add_pvtu_files(Replaced_files& files, const std::string& file_name, const I
 } // namespace Quadtree_mesh_2
 } // namespace CGAL
 
-#endif // CGAL_QUADTREE_MESH_2_INTERNAL_IO_PVTU_WRITER_H
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_FILE_PARTS_PVTU_WRITER_H

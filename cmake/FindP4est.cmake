@@ -1,0 +1,25 @@
+# Finds p4est with its library sc, built with MPI: the target P4est::P4est, which links MPI::MPI_CXX and is there if that is. Distributions ship
+# neither pkg-config nor CMake files of it. P4est_ROOT tells where to look.
+find_path(P4EST_INCLUDE_DIR p4est_extended.h)
+find_library(P4EST_LIBRARY p4est)
+find_library(P4EST_SC_LIBRARY sc)
+mark_as_advanced(P4EST_INCLUDE_DIR P4EST_LIBRARY P4EST_SC_LIBRARY)
+if(P4EST_INCLUDE_DIR)
+  file(STRINGS ${P4EST_INCLUDE_DIR}/p4est_config.h lines REGEX "^#define P4EST_(VERSION|ENABLE_MPI) ")
+  if(lines MATCHES "P4EST_VERSION \"([^\"]*)\"")
+    set(P4EST_VERSION ${CMAKE_MATCH_1})
+  endif()
+  set(P4EST_HAS_MPI NO)
+  if(lines MATCHES "P4EST_ENABLE_MPI 1")
+    set(P4EST_HAS_MPI YES)
+  endif()
+endif()
+include(FindPackageHandleStandardArgs)
+find_package_handle_standard_args(P4est
+  REQUIRED_VARS P4EST_LIBRARY P4EST_SC_LIBRARY P4EST_INCLUDE_DIR P4EST_HAS_MPI
+  VERSION_VAR P4EST_VERSION)
+if(P4est_FOUND AND TARGET MPI::MPI_CXX AND NOT TARGET P4est::P4est)
+  add_library(P4est::P4est INTERFACE IMPORTED GLOBAL)
+  target_include_directories(P4est::P4est SYSTEM INTERFACE ${P4EST_INCLUDE_DIR})
+  target_link_libraries(P4est::P4est INTERFACE ${P4EST_LIBRARY} ${P4EST_SC_LIBRARY} MPI::MPI_CXX)
+endif()
