@@ -1,5 +1,5 @@
-# Finds p4est with its library sc, built with MPI: the target P4est::P4est, which links MPI::MPI_CXX and is there if that is. Distributions ship
-# neither pkg-config nor CMake files of it. P4est_ROOT tells where to look.
+# Finds p4est with its library sc, built with MPI: the target P4est::P4est, which links MPI::MPI_CXX and is there if that
+# is. Distributions ship neither pkg-config nor CMake files of it. P4est_ROOT tells where to look.
 find_path(P4EST_INCLUDE_DIR p4est_extended.h)
 find_library(P4EST_LIBRARY p4est)
 find_library(P4EST_SC_LIBRARY sc)
