@@ -20,6 +20,7 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_PLACED_INSERTION_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_PLACED_INSERTION_H
 
+#include <CGAL/Quadtree_mesh_2/internal/base/Indexed_vector.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/group_in_order.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
@@ -66,6 +67,11 @@ private:
   using Blocks = Mesh_blocks<ConcurrencyTag, Geometry>;
   using Run = typename Placed::Run;
 
+  /// The vertex inserted last into each triangle of the domain. Nothing is between two places in one of them, and corners
+  /// of leaves come in the order of leaves, so a walk from there is short. One from the last vertex of all may not be:
+  /// with an edge between, it leads around the end of the edge, past all vertices on the way.
+  using Last_inserted = Indexed_vector<Triangle_id, Vertex_id>;
+
   /// Whether it is known what becomes of a corner.
   enum class Insertion { DONE, BLOCKED };
 
@@ -105,16 +111,16 @@ private:
   // ---- in the whole mesh
 
   void insert_all() {
-    Vertex_id last;
+    Last_inserted last(triangles_.mesh().triangles.size());
     for (std::size_t i = 0; i < placed_.triangle_of_corner.size(); ++i) insert_corner_late(i, last);
     for (const Run& run : placed_.runs) insert_run_late(run);
   }
 
-  void insert_corner_late(std::size_t i, Vertex_id& last) {
+  void insert_corner_late(std::size_t i, Last_inserted& last) {
     const Triangle_id t = placed_.triangle_of_corner[i];
-    if (insert_corner(mesh_, corner(i), t, last) == Insertion::DONE) return;
+    if (insert_corner(mesh_, corner(i), t, last[t]) == Insertion::DONE) return;
     const Walk_end end = locate_from_vertices_of(t, mesh_.point(corner(i)));
-    if (!end.is_blocked()) insert_corner_at(mesh_, corner(i), end.triangle, last);
+    if (!end.is_blocked()) insert_corner_at(mesh_, corner(i), end.triangle, last[t]);
   }
 
   /// \param t the triangle of the domain that has p. Nothing is between p and its vertices, whatever was inserted.
@@ -159,16 +165,17 @@ private:
     blocks.put_together();
     std::vector<Side> doubtful = blocks.sides_to_flip();
     mesh_.make_Delaunay(doubtful);
-    for (const Block_work& work : works) insert_what_is_left(work);
+    Last_inserted last(triangles_.mesh().triangles.size());
+    for (const Block_work& work : works) insert_what_is_left(work, last);
   }
 
   void insert_corners(Block& block, const Blocks& blocks, Span<std::uint32_t> corners,
                       Block_work& work) const {
-    Vertex_id last;
+    Last_inserted last(block.mesh.triangles.size());
     for (const std::uint32_t i : corners) {
       const Vertex_id v = block.add_known_vertex(corner(i));
       const Triangle_id t = blocks.place_of(placed_.triangle_of_corner[i]);
-      if (insert_corner(block.mesh, v, t, last) == Insertion::BLOCKED) work.corners_left.push_back(i);
+      if (insert_corner(block.mesh, v, t, last[t]) == Insertion::BLOCKED) work.corners_left.push_back(i);
     }
   }
 
@@ -187,9 +194,8 @@ private:
     }
   }
 
-  void insert_what_is_left(const Block_work& work) {
+  void insert_what_is_left(const Block_work& work, Last_inserted& last) {
     cramped_.insert(cramped_.end(), work.cramped.begin(), work.cramped.end());
-    Vertex_id last;
     for (const std::uint32_t i : work.corners_left) insert_corner_late(i, last);
     for (const std::uint32_t i : work.runs_left) insert_run_late(placed_.runs[i]);
   }
@@ -197,7 +203,7 @@ private:
   // ---- single vertices
 
   /// \param t at the place of v, before vertices were inserted
-  /// \param last the vertex inserted last, near v as a rule; v, if that is inserted
+  /// \param last the vertex inserted last into t, if there is one; v, if that is inserted
   static Insertion insert_corner(Mesh& mesh, Vertex_id v, Triangle_id t, Vertex_id& last) {
     const Point p = mesh.point(v);
     Walk_end end{{}, 0};
