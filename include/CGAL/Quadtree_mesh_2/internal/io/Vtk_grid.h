@@ -168,7 +168,7 @@ public:
     f("region", [this](std::size_t c) { return static_cast<std::int32_t>(is_triangle(c) ? region(c) : -1); });
     f("marker", [this](std::size_t c) { return static_cast<std::int32_t>(marker(c)); });
     for_each_triangle_array(
-        [this, &f](const std::string& name, const auto& value) { add_for_all(f, name, value); });
+        [this, &f](const std::string& name, const auto& value) { this->add_for_all(f, name, value); });
   }
 
   /// Of a part of a mesh: puts `f(least)` in place of the least value of the part's triangles, for each array that has
