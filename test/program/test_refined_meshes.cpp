@@ -75,7 +75,8 @@ TEST_CASE("A mesh is refined by areas of its triangles", "[program]") {
   const Run refused = files.run_with("--area-file '" + name + "'");
   CHECK(refused.status == 2);
   CHECK(contains(refused.err, "the mesh would need "));
-  CHECK(contains(refused.err, " for the areas of triangles, most of all for that of triangle 7, 1e-15; raise these"));
+  CHECK(contains(refused.err,
+                 " for the areas of triangles, most of all for that of triangle 7, 1e-15; raise these"));
   CHECK(files.run_with("--max-steiner 10 --area-file '" + name + "'").status == 1);
 
   files.folder.write("m.1.area", "2\n0 1\n1 1\n");
@@ -118,7 +119,8 @@ TEST_CASE("A mesh with sharp corners that meets the bounds comes back as it is",
     REQUIRE(run("'" + test_data(name) + "' -o '" + first + "' --quiet").status == 0);
     REQUIRE(run("'" + first + "' -o '" + second + "' --quiet").status == 0);
     for (const char* ending : {".node", ".ele"})
-      CHECK(content(folder.file(std::string("m.0") + ending)) == content(folder.file(std::string("m.1") + ending)));
+      CHECK(content(folder.file(std::string("m.0") + ending)) ==
+            content(folder.file(std::string("m.1") + ending)));
   }
 }
 

@@ -67,9 +67,9 @@ private:
   using Blocks = Mesh_blocks<ConcurrencyTag, Geometry>;
   using Run = typename Placed::Run;
 
-  /// The vertex inserted last into each triangle of the domain. Nothing is between two places in one of them, and corners
-  /// of leaves come in the order of leaves, so a walk from there is short. One from the last vertex of all may not be:
-  /// with an edge between, it leads around the end of the edge, past all vertices on the way.
+  /// The vertex inserted last into each triangle of the domain. Nothing is between two places in one of them, and
+  /// corners of leaves come in the order of leaves, so a walk from there is short. One from the last vertex of all may
+  /// not be: if an edge is between, it has to begin anew, far away.
   using Last_inserted = Indexed_vector<Triangle_id, Vertex_id>;
 
   /// Whether it is known what becomes of a corner.
