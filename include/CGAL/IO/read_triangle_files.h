@@ -77,7 +77,7 @@ public:
     if (section.has_markers) pslg_.vertex_markers.reserve(believable);
     for (std::size_t i = 0; i < section.n; ++i) {
       read_vertex(i, section);
-      if (same != nullptr && pslg_.vertices[i] != same->points[i])
+      if (same != nullptr && !are_equal(pslg_.vertices[i], same->points[i]))
         scanner_.fail("vertex " + std::to_string(pslg_.first_number + i) + " is elsewhere in " +
                       same->file_name);
     }
@@ -270,6 +270,8 @@ public:
   }
 
 private:
+  static bool are_equal(const Point& p, const Point& q) { return p.x() == q.x() && p.y() == q.y(); }
+
   using Coordinate = Coordinate_t<Point>;
   /// Reads words as words, everything else as doubles.
   using Number = std::conditional_t<std::is_integral_v<Coordinate>, Coordinate, double>;
