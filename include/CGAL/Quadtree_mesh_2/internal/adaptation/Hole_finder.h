@@ -22,7 +22,9 @@
 #include <cstddef>
 #include <optional>
 #include <set>
+#include <unordered_map>
 #include <unordered_set>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -35,11 +37,15 @@ public:
 
   explicit Hole_finder(const Given_mesh& given)
       : given_(given), mesh_(given.mesh()), magnitude_(magnitude_of(mesh_.points)) {
+    Border border;
     for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
       for (std::size_t k = 0; k < 3; ++k)
         if (!given.neighbors()[t][k].is_valid())
-          add_border_edge(mesh_.point(mesh_.triangles[t][(k + 1) % 3]),
-                          mesh_.point(mesh_.triangles[t][(k + 2) % 3]));
+          border.add(mesh_, mesh_.triangles[t][(k + 1) % 3], mesh_.triangles[t][(k + 2) % 3]);
+    for (const auto& [a, b] : border.edges) border_.insert(ends(border.points[a], border.points[b]));
+    // all at a time, as CGAL puts the points into an order in which they are found soon
+    cdt_.insert_constraints(border.points.begin(), border.points.end(), border.edges.begin(),
+                            border.edges.end());
   }
 
   /// \throws Pslg_error_2 if coordinates have no room for a place in one
@@ -58,6 +64,25 @@ private:
   using Face_handle = Cdt::Face_handle;
   using Ends = std::array<double, 4>;
 
+  /// The edges with a triangle on one side.
+  struct Border {
+    std::vector<Point> points;
+    std::vector<std::pair<std::size_t, std::size_t>> edges;
+    std::unordered_map<std::size_t, std::size_t> number_of; ///< per vertex, its point
+
+    void add(const Given_mesh::Mesh& mesh, Vertex_index a, Vertex_index b) {
+      const std::size_t first = number(mesh, a); // before the other one
+      edges.emplace_back(first, number(mesh, b));
+    }
+
+  private:
+    std::size_t number(const Given_mesh::Mesh& mesh, Vertex_index v) {
+      const auto [entry, is_new] = number_of.emplace(std::size_t(v), points.size());
+      if (is_new) points.push_back(mesh.point(v));
+      return entry->second;
+    }
+  };
+
   const Given_mesh& given_;
   const Given_mesh::Mesh& mesh_;
   double magnitude_;
@@ -66,10 +91,6 @@ private:
   std::unordered_set<const Cdt::Face*> reached_;
 
   static Ends ends(const Point& a, const Point& b) { return {a.x(), a.y(), b.x(), b.y()}; }
-  void add_border_edge(const Point& a, const Point& b) {
-    border_.insert(ends(a, b));
-    cdt_.insert_constraint(a, b);
-  }
   bool visit(Face_handle f) { return reached_.insert(&*f).second; }
 
   /// Whether the mesh covers a face, as a side of it tells. Sides that vertices of the mesh divide tell nothing.
