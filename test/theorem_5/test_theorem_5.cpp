@@ -300,7 +300,8 @@ TEST_CASE("Vertices of edges a few steps apart stay within rounding of their edg
 
 TEST_CASE("Corners of leaves between legs for long beside each other are found next to each other",
           "[mesher][theorem5][.slow]") {
-  const Pslg pslg = read("hard_legs_beside_each_other_for_long.poly"); // a million corners, refused in the end
+  const Pslg pslg =
+      read("hard_legs_beside_each_other_for_long.poly"); // a million corners, refused in the end
   CHECK_THROWS_AS(Mesher(Options().separate(Options::Separation::THEOREM_5))(pslg), CGAL::Pslg_error_2);
 }
 
