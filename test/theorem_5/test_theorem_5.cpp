@@ -290,6 +290,17 @@ TEST_CASE("Rounds that use up a budget are no start for refinement", "[mesher][t
   CHECK(are_same(r.mesh, Mesher(Options().max_vertices(budget))(pslg)));
 }
 
+TEST_CASE("Quadtrees keep to a limit of vertices, whatever the rounds", "[mesher][theorem5][budget]") {
+  for (const std::string name : {"us_states_10m.poly.gz", "syn_holes_400.poly.gz", "syn_comb.poly"})
+    for (const std::size_t rounds : {0u, 1u})
+      for (const std::size_t limit : {100u, 1000u}) {
+        CAPTURE(name, rounds, limit);
+        const Pslg pslg = read(name);
+        Mesher mesher(Options().separate(Tree_options().rounds(rounds)).max_steiner_vertices(limit));
+        CHECK(mesher(pslg).number_of_vertices() <= pslg.number_of_vertices() + limit);
+      }
+}
+
 TEST_CASE("Vertices of edges a few steps apart stay within rounding of their edges", "[mesher][theorem5]") {
   for (const char* name : {"hard_legs_a_few_steps_apart.poly", "hard_lattice_doubled_by_steps.poly"}) {
     CAPTURE(name);

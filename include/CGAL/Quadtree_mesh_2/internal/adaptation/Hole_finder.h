@@ -8,7 +8,7 @@
 //
 // Computes: a place in each bounded component of the plane that the mesh does not cover.
 // Bound:    O(b log b + h log k) expected time for b edges on the border, h components and k triangles.
-// Method:   A constrained triangulation of the border edges, whose components are asked for.
+// Source:   ours. A constrained triangulation of the border edges, whose components are asked for.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_ADAPTATION_HOLE_FINDER_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_ADAPTATION_HOLE_FINDER_H
@@ -68,7 +68,6 @@ private:
   struct Border {
     std::vector<Point> points;
     std::vector<std::pair<std::size_t, std::size_t>> edges;
-    std::unordered_map<std::size_t, std::size_t> number_of; ///< per vertex, its point
 
     void add(const Given_mesh::Mesh& mesh, Vertex_index a, Vertex_index b) {
       const std::size_t first = number(mesh, a); // before the other one
@@ -76,8 +75,10 @@ private:
     }
 
   private:
+    std::unordered_map<std::size_t, std::size_t> number_of_; // per vertex, its point
+
     std::size_t number(const Given_mesh::Mesh& mesh, Vertex_index v) {
-      const auto [entry, is_new] = number_of.emplace(std::size_t(v), points.size());
+      const auto [entry, is_new] = number_of_.emplace(std::size_t(v), points.size());
       if (is_new) points.push_back(mesh.point(v));
       return entry->second;
     }

@@ -144,6 +144,14 @@ struct Meshing_state {
   /// get no vertices force some.
   std::size_t number_of_bad_allowed() const { return problem.keeps_edges() ? number_of_bad() : 0; }
 
+  /// The point at a share of the way between two vertices on an input edge. Rounding must not add up from split to
+  /// split: a vertex of an edge is as near to it as one made from the edge's ends.
+  typename Geometry::Point point_on_edge_between(Edge_id e, Vertex_id x, Vertex_id y, double share) const {
+    const Input_edge& edge = edges[e];
+    return Geometry::back_to_line(problem.input_point(edge.a), problem.input_point(edge.b),
+                                  Geometry::between(mesh.point(x), mesh.point(y), share));
+  }
+
   /// Whether a side is on an edge that gets no vertices.
   bool is_kept(Side s) const { return problem.keeps_edges() && kept_edge(s).is_valid(); }
   /// That edge, if there is one.

@@ -439,7 +439,7 @@ private:
     }
     const double share = apex.is_valid() ? 0.5 : share_of_split(x, y, e, want);
     for (const double f : {share, 0.5, 0.4, 0.6, 0.45, 0.55})
-      if (insert_for(asker, s, e, point_on_edge_between(e, x, y, f))) return true;
+      if (insert_for(asker, s, e, state_.point_on_edge_between(e, x, y, f))) return true;
     return false;
   }
 
@@ -454,14 +454,6 @@ private:
   Number length_of_edge(Edge_id e) const {
     return length(Geometry::scaled_difference(state_.problem.input_point(state_.edges[e].a),
                                               state_.problem.input_point(state_.edges[e].b)));
-  }
-
-  /// The point at a share of the way between two vertices on an input edge. Rounding must not add up from split to
-  /// split: a vertex of an edge is as near to it as one made from the edge's ends.
-  Point point_on_edge_between(Edge_id e, Vertex_id x, Vertex_id y, double share) const {
-    const Input_edge& edge = state_.edges[e];
-    return Geometry::back_to_line(state_.problem.input_point(edge.a), state_.problem.input_point(edge.b),
-                                  Geometry::between(mesh_.point(x), mesh_.point(y), share));
   }
 
   /// The point at a share of an input edge, from the end that a vertex of the mesh is.

@@ -115,12 +115,12 @@ public:
       report_.placed = mesh_.number_of_vertices() - state_.problem.input_points.size();
       report_.leaves_of_edges = trees_.tree().number_of_leaves();
       for (const Triangle_id t : sharp) state_.push(t);
+      if (mesh_.number_of_vertices() > budget.leaves) return End::BUDGET;
       if (sharp.empty()) return End::DONE;
       if (!shall_go_on()) return End::CANCELLED;
       if (is_last) return End::ROUNDS;
       vertices_of_all_rounds += mesh_.number_of_vertices();
-      if (mesh_.number_of_vertices() >= budget.leaves || trees_.is_exhausted() ||
-          vertices_of_all_rounds >= budget.vertices_of_all_rounds)
+      if (trees_.is_exhausted() || vertices_of_all_rounds >= budget.vertices_of_all_rounds)
         return End::BUDGET;
       const auto measures = places.measures_for(sharp, report_.rounds, cramped_edges_);
       report_.handed_over = measures.handed_over;

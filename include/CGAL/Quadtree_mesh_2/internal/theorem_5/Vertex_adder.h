@@ -94,7 +94,7 @@ private:
   Edge_id edge_at(Side s) const { return state_.edges.carrying(mesh_, mesh_.source(s), mesh_.target(s)); }
 
   void look_at_place_on(Side s, Edge_id e, double share, Place& best) {
-    const Point q = Geometry::between(mesh_.point(mesh_.source(s)), mesh_.point(mesh_.target(s)), share);
+    const Point q = state_.point_on_edge_between(e, mesh_.source(s), mesh_.target(s), share);
     if (!keeps_orientation(mesh_, s, q) || !state_.problem.is_clear_of_outside(e, q)) return;
     const Side o = mesh_.across(s);
     collect_cavity({s.triangle(), o.is_border() ? Triangle_id() : o.triangle()}, q);
