@@ -17,6 +17,7 @@ void define_errors(pybind11::module_& module);
 void define_sizes(pybind11::module_& module);
 void define_features(pybind11::module_& module);
 void define_graphs(pybind11::module_& module);
+void define_adaptation(pybind11::module_& module);
 void define_point_sets(pybind11::module_& module);
 void define_quadtrees(pybind11::module_& module);
 void define_pages(pybind11::module_& module);

@@ -16,6 +16,7 @@ PYBIND11_MODULE(_core, module) {
   define_sizes(module);
   define_features(module);
   define_graphs(module);
+  define_adaptation(module);
   define_point_sets(module);
   define_quadtrees(module);
   define_pages(module);
