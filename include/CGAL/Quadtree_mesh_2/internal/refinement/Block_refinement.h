@@ -14,9 +14,10 @@
 //           acute corners that they may wait for. From the fourth on, blocks are four times as large as in the round
 //           before. So in the end there is one.
 //
-// Rounds end when nothing waits, or when some rounds of one block each leave as much as there was. What waits then has
-// no room, or is at an acute corner of which a leg could not be cut. A budget of vertices, a limit on rounds and the
-// user may end them before. The caller decides what is left, in the whole mesh.
+// Rounds end when nothing waits, or when some rounds in a row hardly help though each works on one block or on most of
+// the mesh. What waits then has no room, or is at an acute corner of which a leg could not be cut, or that reaches
+// through most of the mesh. A budget of vertices, a limit on rounds and the user may end them before. The caller
+// decides what is left, in the whole mesh.
 //
 // How blocks are cut does not depend on the number of threads, and neither does the result. In addition to refinement,
 // a round takes work in proportion to its zone, one look at each vertex of the mesh, and some bytes for each triangle.
@@ -48,7 +49,7 @@ namespace internal {
 /// What there is between two rounds, besides the mesh.
 struct Block_rounds {
   int number = 0;                   ///< of rounds that are done
-  int fruitless = 0;                ///< those at the end, of one block each, that left as much as there was
+  int fruitless = 0;                ///< those at the end that cost much and left nearly as much as there was
   std::vector<Triangle_id> waiting; ///< bad triangles
   Uninitialized_vector<Triangle_id> at_seams; ///< of the last round
 
@@ -114,9 +115,9 @@ public:
       const std::size_t before = rounds_.waiting.size();
       ++rounds_.number;
       Block_cut cut = rounds_.number == 1 ? first_cut() : cut_of_zone(rounds_.number);
-      const bool is_one_block = rounds_.number > 2 && cut.size() == 1;
+      const bool shall_help = is_help_expected(cut);
       work(std::move(cut), shall_go_on);
-      if (is_one_block) rounds_.fruitless = rounds_.waiting.size() < before ? 0 : rounds_.fruitless + 1;
+      if (shall_help) rounds_.fruitless = has_helped(before) ? 0 : rounds_.fruitless + 1;
       between_rounds();
     }
     for (const Triangle_id t : rounds_.waiting) whole_.push(t);
@@ -135,7 +136,6 @@ public:
 
 private:
   static constexpr double share_of_first_round = 0.8;
-  /// Rounds of one block each. As long as there are several blocks, less may wait after the next round.
   static constexpr int most_fruitless_rounds = 3;
   static constexpr int most_rounds = 40;
 
@@ -157,6 +157,15 @@ private:
     return !rounds_.waiting.empty() && rounds_.fruitless < most_fruitless_rounds &&
            rounds_.number < most_rounds && has_room() && shall_go_on();
   }
+
+  /// Whether the whole mesh does better if this round does not help. Several blocks that are a small part of the mesh
+  /// cost little, and less may wait once they have grown.
+  bool is_help_expected(const Block_cut& cut) const {
+    return rounds_.number > 2 &&
+           (cut.size() == 1 || 2 * cut.members.size() > whole_.mesh.number_of_triangles());
+  }
+  /// Whether an eighth of what waited before the round does not wait any more; of a few triangles, one.
+  bool has_helped(std::size_t before) const { return rounds_.waiting.size() < before - before / 8; }
 
   bool has_room() const { return whole_.mesh.number_of_vertices() < vertex_budget_; }
 
