@@ -63,6 +63,7 @@ holes=$data/syn_holes_400.poly.gz
 
 measure maps pslg "${maps[@]}" "$norway" "$data"/syn_*.poly* --repeat "$repeat" "${triangle[@]}"
 measure bounds pslg "${maps[@]}" "$norway" "$holes" --min-angle 18.43 30 --repeat 1 "${triangle[@]}"
+measure max_angle pslg "${maps[@]}" "$norway" "$data"/syn_*.poly* --max-angle 120 --peers none --repeat "$repeat"
 measure synthetic pslg koch:49152 blob:1e4 stars:1e4 comb:500 fan:1 fan:0.1 wedge:1 wedge:0.0001 parallel:1e-4 \
   "segments:$medium" holes:19600 square:1.5e-6 "coast:$medium" --repeat 1 --limit 60 "${triangle[@]}"
 measure growth pslg --growth coast segments blob holes line circle parabola zigzag comb --sizes 1e4 1e5 3e5 --peers none --repeat 1

@@ -53,6 +53,7 @@ TABLES = {
     "synthetic": lambda figures: graphs.mesh_table(figures("synthetic")["comparisons"]),
     "world": graphs.world,
     "bounds": lambda figures: graphs.mesh_table(figures("bounds")["comparisons"], has_bound=True),
+    "wide angles": graphs.wide_angles,
     "phases": graphs.phases,
     "threads": graphs.threads,
     "growth": graphs.growth,

@@ -38,6 +38,7 @@ using nlohmann::ordered_json;
 
 struct Settings {
   std::vector<double> min_angles{20.7};
+  double max_angle = 0;
   std::vector<unsigned> threads;
   std::vector<std::string> peers;
   std::string triangle;
@@ -50,7 +51,7 @@ struct Settings {
 };
 
 std::vector<Pslg_method> methods_of(const Settings& settings) {
-  std::vector<Pslg_method> methods = pslg_ours::methods(settings.threads);
+  std::vector<Pslg_method> methods = pslg_ours::methods(settings.threads, settings.max_angle);
   for (const std::string& peer : settings.peers) {
     if (peer == "mesh_2") methods.push_back(pslg_mesh_2::method());
     if (peer == "triangle") methods.push_back(pslg_triangle::method(settings.triangle));
@@ -64,10 +65,12 @@ Pslg_comparison compare(const std::string& name, double min_angle, const Setting
   comparison.input = pslg_files::short_name(name);
   if (pslg_inputs::is_name(name)) comparison.family = name.substr(0, name.find(':'));
   comparison.min_angle = min_angle;
+  comparison.max_angle = settings.max_angle;
   comparison.vertices = input.pslg.number_of_vertices();
   comparison.segments = input.pslg.number_of_segments();
   comparison.outcomes = run_alternately<Pslg_outcome>(
-      methods_of(settings), Pslg_task{input.pslg, input.max_area, min_angle, settings.limit_seconds},
+      methods_of(settings),
+      Pslg_task{input.pslg, input.max_area, min_angle, settings.limit_seconds, settings.max_angle},
       settings.repetitions);
   const std::string fault = comparison.fault();
   std::fprintf(stderr, "%s, %g degrees: %s\n", name.c_str(), min_angle, fault.empty() ? "ok" : fault.c_str());
@@ -104,6 +107,7 @@ pslg_tables::Comparisons compare_all(double min_angle, const Settings& settings)
   pslg_tables::print_triangles(comparisons);
   pslg_tables::print_time(comparisons);
   pslg_tables::print_phases(comparisons);
+  if (settings.max_angle > 0) pslg_tables::print_angles(comparisons);
   if (!settings.threads.empty()) pslg_tables::print_threads(comparisons);
   if (!settings.growth_families.empty()) pslg_tables::print_growth(comparisons);
   return comparisons;
@@ -118,6 +122,8 @@ po::options_description visible_options(Settings& settings) {
   options.add_options()("help,h", "print this") //
       ("min-angle", po::value(&settings.min_angles)->multitoken(),
        "bounds, in degrees; 20.7 by default") //
+      ("max-angle", po::value(&settings.max_angle),
+       "have ours run again with this bound on the greatest angle, in degrees") //
       ("peers", po::value(&settings.peers)->multitoken(),
        "mesh_2, triangle or none; by default mesh_2, and triangle where its program is given") //
       ("triangle", po::value(&settings.triangle), "the program Triangle of J. R. Shewchuk")    //
@@ -144,6 +150,8 @@ void complete(Settings& settings) {
     if (peer == "triangle" && settings.triangle.empty())
       throw std::invalid_argument("--triangle has to say where that program is");
   }
+  if (settings.max_angle != 0)
+    CGAL::Quality_mesher_2<>(CGAL::Quality_mesh_options_2().max_angle(settings.max_angle));
   if (!settings.threads.empty() && !pslg_ours::has_threads)
     throw std::invalid_argument("the mesher is sequential: no --threads");
   settings.repetitions = std::max(settings.repetitions, 1);

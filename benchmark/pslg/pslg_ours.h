@@ -16,10 +16,14 @@
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Delaunay_mesh_face_base_2.h>
+#include <CGAL/Quadtree_mesh_2/internal/geometry/triangle_angles.h>
 #include <CGAL/Quality_mesher_2.h>
 #include <CGAL/indexed_mesh_to_triangulation_2.h>
 #include <CGAL/tags.h>
 
+#include <algorithm>
+#include <cstddef>
+#include <cstdio>
 #include <optional>
 #include <string>
 #include <vector>
@@ -45,12 +49,25 @@ inline double seconds_to_triangulation(const Indexed_mesh& mesh, const Pslg& psl
   return watch.seconds().cpu;
 }
 
+/// Degrees; 0 if no triangle is exempt.
+inline double greatest_exempt_angle(const Indexed_mesh& mesh, const CGAL::Quality_mesh_report_2& report) {
+  double greatest = 0;
+  for (const auto& exempt : report.exempt_triangles) {
+    const auto& t = mesh.triangles[std::size_t(exempt.triangle)];
+    const CGAL::Quadtree_mesh_2::internal::Scaled_triangle triangle(mesh.point(t[0]), mesh.point(t[1]),
+                                                                    mesh.point(t[2]));
+    greatest = std::max(greatest, triangle.largest_angle());
+  }
+  return greatest;
+}
+
+/// \param max_angle the bound on the greatest angle, in degrees; 0: none
 template <class ConcurrencyTag>
-Pslg_run mesh(const Pslg_task& task, Check check, unsigned threads) {
+Pslg_run mesh(const Pslg_task& task, Check check, unsigned threads, double max_angle) {
   const Thread_limit limit(threads);
   Pslg_run run;
   CGAL::Quality_mesher_2<Traits, ConcurrencyTag> mesher(
-      CGAL::Quality_mesh_options_2().min_angle(task.min_angle).max_area(task.max_area));
+      CGAL::Quality_mesh_options_2().min_angle(task.min_angle).max_angle(max_angle).max_area(task.max_area));
   const Stopwatch watch;
   const Indexed_mesh mesh = mesher(task.pslg);
   run.mesh = watch.seconds();
@@ -62,25 +79,38 @@ Pslg_run mesh(const Pslg_task& task, Check check, unsigned threads) {
   run.vertices = report.vertices;
   run.triangles = report.triangles;
   run.digest = mesh_digest(mesh);
-  if (check == Check::YES) check_mesh(mesh, task, CGAL::Mesh_quality_options_2::Arrays::ALL, run);
+  if (check == Check::YES) {
+    check_mesh(mesh, task, CGAL::Mesh_quality_options_2::Arrays::ALL, run);
+    run.max_exempt_angle = greatest_exempt_angle(mesh, report);
+  }
   run.to_triangulation = seconds_to_triangulation(mesh, task.pslg);
   return run;
 }
 
 template <class ConcurrencyTag>
-Pslg_method method(const std::string& name, unsigned threads) {
+Pslg_method method(const std::string& name, unsigned threads, double max_angle = 0) {
   return {name,
           threads,
           {"quadtree", "first mesh", "refine", "coarsen", "convert"},
-          [threads](const Pslg_task& task, Check check) {
-            return in_child([&] { return mesh<ConcurrencyTag>(task, check, threads); }, task.limit_seconds)
+          [threads, max_angle](const Pslg_task& task, Check check) {
+            return in_child([&] { return mesh<ConcurrencyTag>(task, check, threads, max_angle); },
+                            task.limit_seconds)
                 .result;
           }};
 }
 
-/// The sequential mesher, and the parallel one with each number of threads.
-inline std::vector<Pslg_method> methods(const std::vector<unsigned>& threads) {
+inline std::string name_with_max_angle(double degrees) {
+  char number[32];
+  std::snprintf(number, sizeof number, "%g", degrees);
+  return std::string("ours, no angle above ") + number;
+}
+
+/// The sequential mesher, again with a bound on the greatest angle if that is not 0, and the parallel one with each
+/// number of threads.
+inline std::vector<Pslg_method> methods(const std::vector<unsigned>& threads, double max_angle = 0) {
   std::vector<Pslg_method> result{method<CGAL::Sequential_tag>("ours", 0)};
+  if (max_angle > 0)
+    result.push_back(method<CGAL::Sequential_tag>(name_with_max_angle(max_angle), 0, max_angle));
   if constexpr (has_threads)
     for (const unsigned n : threads)
       result.push_back(

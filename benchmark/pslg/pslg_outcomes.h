@@ -31,6 +31,7 @@ struct Pslg_comparison {
   std::string input;
   std::string family; ///< empty for files
   double min_angle = 0;
+  double max_angle = 0; ///< 0: there was no run with such a bound
   std::size_t vertices = 0;
   std::size_t segments = 0;
   std::vector<Pslg_outcome> outcomes; ///< the first is our sequential mesher

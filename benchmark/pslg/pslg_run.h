@@ -35,6 +35,7 @@ struct Pslg_task {
   double max_area;  ///< 0: no bound
   double min_angle; ///< degrees
   unsigned limit_seconds;
+  double max_angle = 0; ///< degrees; triangles with a greater angle are counted; 0: they are not
 };
 
 /// What one run gave; of fixed size, for it goes through a pipe.
@@ -52,7 +53,10 @@ struct Pslg_run {
   std::size_t exempt = 0;      ///< those where one does
   double min_angle = 0;        ///< degrees
   double max_angle = 0;
-  double total_length = 0; ///< of all edges
+  std::size_t above_max_angle =
+      0;                       ///< triangles above the task's greatest angle where no acute corner excuses it
+  double max_exempt_angle = 0; ///< the greatest angle where one does; only of our mesher
+  double total_length = 0;     ///< of all edges
   bool is_valid = false;
 };
 
@@ -71,11 +75,16 @@ struct Pslg_method {
 /// Looks at a mesh by the rules that hold for all meshers. Errors are printed.
 inline void check_mesh(const Indexed_mesh& mesh, const Pslg_task& task,
                        CGAL::Mesh_quality_options_2::Arrays arrays, Pslg_run& run) {
-  const auto quality = CGAL::mesh_quality_2(
-      mesh, task.pslg,
-      CGAL::Mesh_quality_options_2().min_angle(task.min_angle).max_area(task.max_area).check_arrays(arrays));
-  for (const auto& unmet : quality.unmet_triangles)
+  const auto quality = CGAL::mesh_quality_2(mesh, task.pslg,
+                                            CGAL::Mesh_quality_options_2()
+                                                .min_angle(task.min_angle)
+                                                .max_angle(task.max_angle)
+                                                .max_area(task.max_area)
+                                                .check_arrays(arrays));
+  for (const auto& unmet : quality.unmet_triangles) {
     run.below_bound += unmet.bound == CGAL::Mesh_quality_2::Bound::ANGLE;
+    run.above_max_angle += unmet.bound == CGAL::Mesh_quality_2::Bound::GREATEST_ANGLE;
+  }
   run.exempt = quality.exempt_triangles;
   run.min_angle = quality.min_angle;
   run.max_angle = quality.max_angle;

@@ -158,6 +158,17 @@ inline void print_growth(const Comparisons& comparisons) {
   table.print();
 }
 
+/// Our meshes without and with a bound on the greatest angle.
+inline void print_angles(const Comparisons& comparisons) {
+  Markdown_table table({"input", "mesher", "triangles", "above the greatest angle", "greatest exempt angle"});
+  for (const Pslg_comparison& c : comparisons)
+    for (const Pslg_outcome& o : c.outcomes)
+      if (o.has_mesh())
+        table.add_row({c.input, o.method().name, std::to_string(o.first().triangles),
+                       std::to_string(o.first().above_max_angle), fixed(o.first().max_exempt_angle, 1)});
+  table.print();
+}
+
 inline nlohmann::ordered_json to_json(const Pslg_outcome& outcome) {
   nlohmann::ordered_json json{{"mesher", outcome.method().name}, {"threads", outcome.method().threads}};
   if (!outcome.has_mesh()) return json;
@@ -168,6 +179,8 @@ inline nlohmann::ordered_json to_json(const Pslg_outcome& outcome) {
                {"below_bound", run.below_bound},
                {"exempt", run.exempt},
                {"min_angle", run.min_angle},
+               {"above_max_angle", run.above_max_angle},
+               {"max_exempt_angle", run.max_exempt_angle},
                {"is_valid", run.is_valid},
                {"cpu_seconds", outcome.cpu()},
                {"wall_seconds", outcome.wall()},
@@ -185,6 +198,7 @@ inline nlohmann::ordered_json to_json(const Comparisons& comparisons) {
     for (const Pslg_outcome& outcome : c.outcomes) outcomes.push_back(to_json(outcome));
     json.push_back({{"input", c.input},
                     {"min_angle_bound", c.min_angle},
+                    {"max_angle_bound", c.max_angle},
                     {"vertices", c.vertices},
                     {"segments", c.segments},
                     {"meshers", outcomes}});

@@ -71,6 +71,23 @@ def number_of_triangles(figures):
     return table(["input", "vertices", *titles_beside_peers("triangles", names)], rows)
 
 
+def wide_angles(figures):
+    """Meshes without and with a bound on the greatest angle, the same for all of them."""
+    comparisons = figures("max_angle")["comparisons"]
+    bound = f'{comparisons[0]["max_angle_bound"]:g}'
+    rows = []
+    for c in comparisons:
+        meshers = by_mesher(c)
+        pair = [meshers["ours"], meshers[f"ours, no angle above {bound}"]]
+        row = [c["input"], *(m["triangles"] for m in pair), ratio(pair[1]["triangles"], pair[0]["triangles"])]
+        row += [m["above_max_angle"] for m in pair]
+        row += [fixed(m["max_exempt_angle"], 1) if m["exempt"] else "-" for m in pair]
+        rows.append(row + [significant(m["cpu_seconds"]) for m in pair])
+    titles = ["input", "triangles without the bound", "with it", "with / without", f"above {bound} degrees without it"]
+    titles += ["with it", "greatest exempt angle without it", "with it", "CPU s without it", "with it"]
+    return table(titles, rows)
+
+
 def phases(figures):
     rows, titles = [], []
     for c in figures("maps")["comparisons"] + figures("synthetic")["comparisons"]:

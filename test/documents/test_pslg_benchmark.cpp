@@ -136,11 +136,20 @@ TEST_CASE("The benchmark of meshers runs", "[benchmark][program]") {
   CHECK(meshers[2]["triangles"] == 2);
   CHECK(content(folder.file("out")).find("| square:1 | 4 | ") != std::string::npos);
 
+  REQUIRE(status_of("coast:200 --max-angle 120 --peers none --repeat 1 --json '" + json_file + "'") == 0);
+  const auto both = nlohmann::json::parse(content(json_file))["comparisons"][0];
+  CHECK(both["max_angle_bound"] == 120);
+  REQUIRE(both["meshers"].size() == 2);
+  CHECK(both["meshers"][0]["above_max_angle"] > 0);
+  CHECK(both["meshers"][1]["mesher"] == "ours, no angle above 120");
+  CHECK(both["meshers"][1]["above_max_angle"] == 0);
+  CHECK(both["meshers"][1]["triangles"] > both["meshers"][0]["triangles"]);
+
   CHECK(status_of("--growth coast blob --sizes 100 200 --peers none --repeat 1 --min-angle 18.43 20.7") == 0);
   CHECK(content(folder.file("out")).find("relative to the smallest") != std::string::npos);
   CHECK(status_of("--help") == 0);
-  for (const char* arguments :
-       {"no_such_file.poly", "square:x", "--peers nobody", "--peers triangle", "--growth fan", "--nothing"})
+  for (const char* arguments : {"no_such_file.poly", "square:x", "--peers nobody", "--peers triangle",
+                                "--growth fan", "--nothing", "--max-angle 100"})
     CHECK(status_of(arguments) == 2);
 }
 
