@@ -1,7 +1,8 @@
 #!/usr/bin/perl
 # Makes of what GitHub and programmers read what Doxygen 1.9 links. In all files, `Class_2` in backticks becomes a
 # reference to the class. In pages, headings get labels, and links to pages, headings, examples and concepts become
-# references; links to other files become plain text, if these exist; and <!-- example x.cpp --> becomes its text.
+# references; links to other files become plain text, if these exist; and <!-- example x.cpp --> becomes its text. Code
+# with an apostrophe, which would end it, gets two backticks.
 use strict;
 use warnings;
 
@@ -22,8 +23,10 @@ sub label {
   return $heading eq '' ? "page_$page" : "page_${page}_$heading";
 }
 
+# The text of a reference is plain text to Doxygen.
 sub link_to {
   my ($text, $target) = @_;
+  $text =~ tr/`//d unless $target =~ m{^https?://};
   return "[$text](\@ref " . label($page, $1) . ')' if $target =~ /^#(.*)$/;
   return "[$text](\@ref " . label($1, $2 // '') . ')' if $target =~ m{^(\w+)\.md(?:#(.*))?$} && -e "doc/$1.md";
   return "[$text](\@ref $1)" if $target =~ m{^Concepts/(\w+)\.h$} || $target =~ m{^\.\./examples/(\w+\.cpp)$};
@@ -48,6 +51,7 @@ while (<>) {
     s/!\[([^\]]*)\]\((?:[\w.]+\/)*(\w+\.svg)\)/\@image html $2 "$1"/;
     s/^<!-- example (\w+\.cpp) -->$/\\include $1/;
     s/(?<!!)\[([^\]]*)\]\(([^)\s]+)\)/link_to($1, $2)/ge;
+    s/(?<!`)`([^`]+)`(?!`)/index($1, "'") < 0 ? "`$1`" : "``$1``"/ge if tr/`// % 2 == 0;
     s/^(#+) (.*?)\s*$/"$1 $2 {#" . label($page, length($1) == 1 ? '' : slug($2)) . "}\n"/e;
   }
   print;

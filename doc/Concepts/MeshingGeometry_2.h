@@ -20,8 +20,22 @@
 /// | exact | `CGAL::Exact_quadtree_traits_2<Kernel>::Meshing_geometry_2` | `Point_2` is that of the kernel |
 ///
 /// Points are default constructible, copyable and equality comparable, too. The kernel gives exact predicates over
-/// doubles; only its orientation and its circle test are used. The set of models is closed: the ways in which meshers
-/// scale coordinates, turn them and keep them short belong to the kind of numbers.
+/// doubles; only its orientation and its circle test are used.
+///
+/// The set of models is closed. What is below is what all models have in common and traits may rely on. Meshers ask
+/// for more, by names that are not public and may change:
+///
+/// - differences as vectors of `Number`, a point moved by a vector, and areas of triangles so flat that differences
+///   do not tell them
+/// - a circle test that is certain rather than exact, so that flips end whatever is rounded
+/// - how far a coordinate is from the next one, at which distance from a point there is no place for another, and the
+///   least distance of vertices that is meshed
+/// - points brought back to a line from which rounding took them, and shares of a way that keep coordinates short
+/// - the map between `Point_2` and `Point`, which scales by powers of two and says what rounding may change. It is
+///   chosen by the model, so each model needs one of its own
+/// - for `Point_set_mesher_2`, steps of powers of two along coordinates, and how many of them there is room for
+///
+/// `Number` is `double`, or a number that neither overflows nor underflows: bounds of errors are known for these two.
 ///
 /// \sa `QuadtreeTraits_2`
 /// \sa `QuadtreeGrid_2`
