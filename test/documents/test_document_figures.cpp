@@ -119,6 +119,19 @@ TEST_CASE("Numbers of triangles of graphs are those of the documents", "[documen
       }
 }
 
+TEST_CASE("Numbers of triangles with a bound on the greatest angle are those of the documents",
+          "[documents]") {
+  for (const json& comparison : comparisons_of("max_angle"))
+    for (const json& made : comparison.at("meshers")) {
+      if (made.at("mesher") == "ours" || !shall_be_made(made, 1)) continue;
+      CAPTURE(comparison.at("input"));
+      const double bound = comparison.at("max_angle_bound");
+      const auto report =
+          mesh_as_documented(input_of(comparison.at("input")), Options().max_angle(bound), made);
+      CHECK(report.unmet_triangles.size() == made.at("above_max_angle").get<std::size_t>());
+    }
+}
+
 TEST_CASE("What is said of Theorem 5 in the documents is so", "[documents][theorem5]") {
   for (const json& comparison : comparisons_of("separation"))
     for (const json& made : comparison.at("outcomes")) {
