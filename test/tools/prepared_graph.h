@@ -11,9 +11,9 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/angle_units.h>
-#include <CGAL/Quadtree_mesh_2/internal/refinement/Block_refinement.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Corner_finder.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Size_estimate.h>
+#include <CGAL/Quadtree_mesh_2/internal/rounds/Block_refinement.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Triangle_zone.h>
 
 #include <algorithm>
