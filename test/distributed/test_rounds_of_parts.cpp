@@ -8,162 +8,56 @@
 
 #include "catch.h"
 #include "mesher_test_tools.h"
-#include "prepared_graph.h"
 #include "pslg_inputs.h"
 #include "random_pslg_shapes.h"
+#include "rounds_of_parts_checks.h"
 #include "tiny_blocks.h"
 
 #include <CGAL/Quadtree_mesh_2/internal/distributed/In_memory_exchange.h>
-#include <CGAL/Quadtree_mesh_2/internal/distributed/Rounds_of_parts.h>
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <mutex>
 #include <numeric>
-#include <string>
-#include <utility>
 #include <vector>
 
 namespace test_rounds_of_parts {
 
 namespace {
 
-using namespace prepared_graph;
-using Mesh = Kernel_mesh<Geometry>;
-using Held = Held_mesh<In_memory_exchange, Geometry>;
-using State = Meshing_state<Geometry>;
+using namespace rounds_of_parts_checks;
 using mesher_test::Pslg;
 
-constexpr std::size_t budget = 1000000;
-
-bool is_same(const Mesh& a, const Mesh& b, Triangle_id t) {
-  const auto &r = a.triangle(t), &s = b.triangle(t);
-  bool is_same = a.region(t) == b.region(t);
-  for (int k = 0; k < 3; ++k) {
-    const Side o = r.side[k], p = s.side[k];
-    is_same = is_same && r.v[k] == s.v[k] && o.is_border() == p.is_border() && o.is_seam() == p.is_seam() &&
-              o.is_constrained() == p.is_constrained() && o.slot() == p.slot() &&
-              o.triangle() == p.triangle();
-  }
-  return is_same;
-}
-
-bool is_same(const Mesh& a, const Mesh& b, Vertex_id v) {
-  return a.point(v).x == b.point(v).x && a.point(v).y == b.point(v).y && a.role(v) == b.role(v) &&
-         a.incident_triangle(v) == b.incident_triangle(v) && a.is_dirty[v] == b.is_dirty[v];
-}
-
-bool are_same(const Acute_corners<Geometry>& a, const Acute_corners<Geometry>& b) {
-  const auto of_shells = [](const auto& leg) {
-    std::vector<std::pair<double, Vertex_id>> shells;
-    for (const auto& [radius, v] : leg.shells) shells.push_back({radius, v});
-    return shells;
-  };
-  bool is_same = a.legs.size() == b.legs.size() && a.sectors.size() == b.sectors.size();
-  for (const Leg_id l : a.legs.ids())
-    is_same = is_same && a.leg(l).apex_vertex == b.leg(l).apex_vertex && a.leg(l).ring == b.leg(l).ring &&
-              of_shells(a.leg(l)) == of_shells(b.leg(l));
-  for (const Sector_id s : a.sectors.ids())
-    is_same = is_same && a.sector(s).lock_radius == b.sector(s).lock_radius;
-  return is_same;
-}
-
-/// What parts hold together, and where they differ from one memory.
-struct Findings {
-  std::size_t faults = 0;
-  std::vector<int> private_holders, holders, vouchers; // by triangle, by triangle, by vertex
-  std::vector<Triangle_id> dead;
-  std::size_t most_held = 0;
+struct Comparisons {
+  std::vector<Comparison> of_parts;
+  std::vector<Exchange_traffic> traffic; ///< of the comparison, too
 };
 
-void compare(const State& expected, const Block_rounds& expected_rounds, const State& whole,
-             const Block_rounds& rounds, const Held& held, Findings& found) {
-  const auto note = [&](bool is_right) { found.faults += is_right ? 0 : 1; };
-  const Mesh &mesh = whole.mesh, &right = expected.mesh;
-  note(mesh.triangles.size() == right.triangles.size());
-  note(mesh.number_of_vertices() == right.number_of_vertices());
-  if (found.faults > 0) return;
-  for (const Triangle_id t : right.triangles.ids()) {
-    if (!held.is_held(t)) continue;
-    note(right.is_alive(t) && is_same(mesh, right, t));
-    ++found.holders[t.value()];
-    if (held.is_private(t)) ++found.private_holders[t.value()];
-  }
-  for (const Vertex_id v : right.points.ids()) {
-    if (!held.has(v)) continue;
-    note(is_same(mesh, right, v));
-    ++found.vouchers[v.value()];
-  }
-  note(rounds.number == expected_rounds.number && rounds.fruitless == expected_rounds.fruitless);
-  note(rounds.waiting == expected_rounds.waiting);
-  note(rounds.at_seams == expected_rounds.at_seams);
-  note(are_same(whole.corners, expected.corners));
-  found.most_held = std::max(found.most_held, held.most_held());
-}
-
-struct Outcome_of_parts {
-  bool has_blocks = false;
-  std::size_t most_held = 0, triangles = 0, rounds = 0;
-  std::vector<Exchange_traffic> traffic;
-};
-
-/// Compares what so many parts make with what one memory makes.
-template <class Tag, class Pslg>
-Outcome_of_parts check_parts(const Pslg& pslg, int parts) {
-  Prepared expected(pslg);
-  const auto run = run_rounds<Tag>(expected);
-  const std::size_t triangles = expected.state.mesh.triangles.size();
-  Findings found;
-  found.private_holders.resize(triangles), found.holders.resize(triangles);
-  found.vouchers.resize(expected.state.mesh.number_of_vertices());
-  std::mutex one_by_one;
-  Outcome_of_parts outcome;
-  outcome.traffic = In_memory_exchange::run(parts, [&](In_memory_exchange& exchange) {
-    Prepared prepared(pslg);
-    prepared.problem.vertex_blocks =
-        blocks_by_number(prepared.problem.input_points.size(), Block_sizes<Tag>::vertices);
-    Splitter<Geometry>(prepared.state).cut_rings();
-    Block_rounds rounds;
-    Rounds_of_parts<Tag, In_memory_exchange, Geometry> blocks(exchange, prepared.state, Finishing(), budget,
-                                                              rounds);
-    const bool has_blocks = blocks.run([] { return true; });
-    std::vector<Triangle_id> dead = prepared.state.mesh.dead_triangles();
-    const auto own = dead.begin() + static_cast<std::ptrdiff_t>(blocks.number_of_own_dead());
-    const std::vector<Triangle_id> own_dead = tell_all(exchange, std::vector<Triangle_id>(dead.begin(), own));
-    const std::lock_guard<std::mutex> lock(one_by_one);
-    found.faults += has_blocks == run.has_blocks ? 0 : 1;
-    if (!has_blocks) return;
-    compare(expected.state, run.rounds, prepared.state, rounds, blocks.held(), found);
-    found.dead = own_dead;
-    found.dead.insert(found.dead.end(), own, dead.end());
-    found.faults += found.dead == expected.state.mesh.dead_triangles() ? 0 : 1;
+template <class Tag, class Change>
+Comparisons comparisons_of(const Pslg& pslg, int parts, const Change& change) {
+  Comparisons comparisons;
+  comparisons.of_parts.resize(std::size_t(parts));
+  comparisons.traffic = In_memory_exchange::run(parts, [&](In_memory_exchange& exchange) {
+    comparisons.of_parts[std::size_t(exchange.rank())] = compare_with_one_memory<Tag>(exchange, pslg, change);
   });
-  CHECK(found.faults == 0);
-  if (!run.has_blocks) return outcome;
-  for (const Triangle_id t : expected.state.mesh.triangles.ids()) {
-    const int privately = found.private_holders[t.value()], holders = found.holders[t.value()];
-    const bool is_right = expected.state.mesh.is_alive(t)
-                              ? (privately == 1 && holders == 1) || (privately == 0 && holders == parts)
-                              : holders == 0;
-    if (!is_right) CHECK(t.value() == 0xffffffff);
-  }
-  CHECK(std::count(found.vouchers.begin(), found.vouchers.end(), 0) == 0);
-  outcome.has_blocks = true;
-  outcome.most_held = found.most_held;
-  outcome.triangles = expected.state.mesh.number_of_triangles();
-  outcome.rounds = static_cast<std::size_t>(run.rounds.number);
-  return outcome;
+  return comparisons;
 }
 
-template <class Tag, class Pslg>
-std::size_t check_all_parts(const Pslg& pslg) {
-  std::size_t cut = 0;
+/// \returns for how many numbers of parts there were blocks
+template <class Tag, class Change>
+int check_all_parts(const Pslg& pslg, const Change& change) {
+  int cut = 0;
   for (const int parts : {1, 2, 3, 7}) {
     CAPTURE(parts);
-    if (check_parts<Tag>(pslg, parts).has_blocks) ++cut;
+    const Comparison comparison = comparisons_of<Tag>(pslg, parts, change).of_parts.front();
+    CHECK(comparison.faults == 0);
+    if (comparison.has_blocks) ++cut;
   }
   return cut;
+}
+template <class Tag>
+int check_all_parts(const Pslg& pslg) {
+  return check_all_parts<Tag>(pslg, [](Prepared&) {});
 }
 
 /// The same graph with its vertices in the order of places, as the mesher has them.
@@ -178,7 +72,8 @@ Pslg in_order_of_places(const Pslg& pslg) {
   Pslg sorted;
   for (const std::size_t i : order) place[i] = sorted.vertices.size(), sorted.add_vertex(pslg.vertices[i]);
   for (const auto& [a, b] : pslg.segments)
-    sorted.add_segment(CGAL::Quadtree_mesh_2::Vertex_index(place[std::size_t(a)]), CGAL::Quadtree_mesh_2::Vertex_index(place[std::size_t(b)]));
+    sorted.add_segment(CGAL::Quadtree_mesh_2::Vertex_index(place[std::size_t(a)]),
+                       CGAL::Quadtree_mesh_2::Vertex_index(place[std::size_t(b)]));
   return sorted;
 }
 
@@ -187,7 +82,7 @@ Pslg in_order_of_places(const Pslg& pslg) {
 TEST_CASE("Parts of random graphs in tiny blocks have the bits of one memory", "[parts][distributed]") {
   const auto& families = random_pslg::all_families();
   const std::uint64_t seeds = is_full_run() ? 100 : 3;
-  std::size_t cut = 0;
+  int cut = 0;
   for (const auto& family : families)
     for (std::uint64_t seed = 100; seed < 100 + seeds; ++seed) {
       CAPTURE(family.name, seed);
@@ -202,20 +97,45 @@ TEST_CASE("Parts of graphs with acute corners and holes have the bits of one mem
     CAPTURE(name);
     CHECK(check_all_parts<Tiny_blocks_tag>(pslg_inputs::by_name(name).pslg) == 4);
   }
-  CHECK(check_all_parts<Tiny_blocks_tag>(mesher_test::read("us_states_10m.poly.gz")) == 4);
-  CHECK(check_all_parts<Small_blocks_tag>(mesher_test::read("us_states_10m.poly.gz")) == 4);
+  const Pslg states = mesher_test::read("us_states_10m.poly.gz");
+  CHECK(check_all_parts<Tiny_blocks_tag>(states) == 4);
+  CHECK(check_all_parts<Small_blocks_tag>(states) == 4);
 }
 
-TEST_CASE("Parts of a coast have its bits, and their share of it", "[parts][distributed][.slow]") {
+TEST_CASE("Parts with regions that have bounds of their own have the bits of one memory",
+          "[parts][distributed]") {
+  const auto change = [](Prepared& prepared) { bound_every_other_region(prepared, 1e-4); };
+  CHECK(check_all_parts<Tiny_blocks_tag>(pslg_inputs::by_name("stars:600").pslg, change) == 4);
+  CHECK(check_all_parts<Small_blocks_tag>(mesher_test::read("us_states_10m.poly.gz"), change) == 4);
+}
+
+TEST_CASE("Parts of a coast have its bits, and their share of it and the zones", "[parts][distributed]") {
   const Pslg norway = in_order_of_places(mesher_test::read("gshhg_norway_f.poly.gz"));
-  for (const int parts : {2, 7}) {
-    const Outcome_of_parts outcome = check_parts<CGAL::Parallel_tag>(norway, parts);
-    std::size_t messages = 0, bytes = 0;
-    for (const Exchange_traffic& t : outcome.traffic)
-      messages = std::max(messages, t.messages), bytes = std::max(bytes, t.bytes);
-    WARN(parts << " parts: " << outcome.rounds << " rounds, " << outcome.triangles << " triangles, "
-               << outcome.most_held << " held at most, " << messages << " messages and " << bytes
-               << " bytes at most");
+  for (const int parts : {1, 2, 7}) {
+    CAPTURE(parts);
+    const Comparisons comparisons = comparisons_of<CGAL::Parallel_tag>(norway, parts, [](Prepared&) {});
+    Comparison most = comparisons.of_parts.front();
+    CHECK(most.faults == 0);
+    CHECK(most.has_blocks);
+    for (const Comparison& o : comparisons.of_parts) {
+      most.number_private = std::max(most.number_private, o.number_private);
+      most.most_held = std::max(most.most_held, o.most_held);
+    }
+    if (parts > 1)
+      CHECK(most.number_shared < most.triangles * 15 / 100); // zones are 7 percent, without rings around them
+    CHECK(most.number_private * std::size_t(parts) <
+          most.triangles * 16 / 10); // there are few blocks for each
+    CHECK(most.most_held < most.number_private + most.triangles * 20 / 100);
+    Exchange_traffic traffic;
+    for (const Exchange_traffic& t : comparisons.traffic)
+      traffic.messages = std::max(traffic.messages, t.messages),
+      traffic.bytes = std::max(traffic.bytes, t.bytes);
+    CHECK(comparisons.traffic.front().exchanges < 200);
+    WARN(parts << " parts: " << most.rounds << " rounds, " << most.triangles << " triangles, "
+               << most.most_held << " held at most, " << most.number_private << " private, "
+               << most.number_shared << " shared, " << comparisons.traffic.front().exchanges << " exchanges, "
+               << traffic.messages << " messages, " << traffic.bytes << " bytes; others "
+               << comparisons.traffic.back().bytes);
   }
 }
 

@@ -157,7 +157,7 @@ private:
     do {
       read.clear();
       f(Look_up{held_, whole_, read});
-    } while (held_.publish(held_.with_private_rings(read, 1)) > 0);
+    } while (held_.publish(held_.private_around(read, 1)) > 0);
   }
 
   template <class Function>

@@ -138,10 +138,10 @@ public:
 
   /// Shares triangles of a list that is the same at all parts. Those that are shared already cost nothing. So they do
   /// not meet if all are.
-  /// \param rings how many rings of private triangles around those that were private are shared, too
+  /// \param rings how many rings of triangles around them are shared too, if they are private to the same part
   void require(const std::vector<Triangle_id>& wanted, int rings = 0) {
     if (std::all_of(wanted.begin(), wanted.end(), [this](Triangle_id t) { return is_shared(t); })) return;
-    publish(with_private_rings(wanted, rings));
+    publish(private_around(wanted, rings));
   }
 
   /// Tells all parts the triangles, which are shared then, and the vertices, for both of which this part vouches.
@@ -152,17 +152,20 @@ public:
     tell(std::move(package));
   }
 
-  /// Private triangles of a list, and so many rings of private ones around them.
-  std::vector<Triangle_id> with_private_rings(const std::vector<Triangle_id>& wanted, int rings) const {
+  /// The private triangles of a list and of so many rings around them, as far as one gets in what is held.
+  std::vector<Triangle_id> private_around(const std::vector<Triangle_id>& wanted, int rings) const {
     std::vector<Triangle_id> found;
     for (const Triangle_id t : wanted)
-      if (is_private(t)) found.push_back(t);
-    for (std::size_t begin = 0; rings > 0; --rings) {
-      const std::size_t end = found.size();
-      for (; begin < end; ++begin)
-        for (const Side o : mesh_.triangle(found[begin]).side)
-          if (!o.is_border() && is_private(o.triangle())) found.push_back(o.triangle());
+      if (is_held(t)) found.push_back(t);
+    sort_and_drop_equal(found);
+    for (; rings > 0; --rings) {
+      for (std::size_t i = 0, end = found.size(); i < end; ++i)
+        for (const Side o : mesh_.triangle(found[i]).side)
+          if (!o.is_border() && is_held(o.triangle())) found.push_back(o.triangle());
+      sort_and_drop_equal(found);
     }
+    found.erase(std::remove_if(found.begin(), found.end(), [this](Triangle_id t) { return !is_private(t); }),
+                found.end());
     return found;
   }
 
@@ -219,6 +222,12 @@ private:
     hold_.grow(slots), has_.grow(vertices);
   }
 
+  template <class Id>
+  static void sort_and_drop_equal(std::vector<Id>& ids) {
+    std::sort(ids.begin(), ids.end());
+    ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  }
+
   static Triangle_record record(const Mesh& mesh, Triangle_id t) {
     return {t, mesh.region(t), mesh.triangle(t)};
   }
@@ -243,12 +252,10 @@ private:
 
   /// \returns how many triangles all parts have told
   std::size_t tell(Package package) {
-    auto& vertices = package.vertices;
-    std::sort(vertices.begin(), vertices.end());
-    vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
+    sort_and_drop_equal(package.vertices);
     Archive_writer archive;
-    if (!package.triangles.empty() || !vertices.empty())
-      archive(records(mesh_, package.triangles)), archive(records(mesh_, vertices));
+    if (!package.triangles.empty() || !package.vertices.empty())
+      archive(records(mesh_, package.triangles)), archive(records(mesh_, package.vertices));
     std::size_t number = 0;
     for (const Parcel& parcel : tell_all_bytes(exchange_, archive.bytes)) {
       Archive_reader reader(parcel.bytes);
@@ -271,10 +278,8 @@ private:
       if (whole.is_alive(t)) of_parts[static_cast<std::size_t>(part_of(t))].add(whole, t);
     std::vector<int> parts_with(whole.number_of_vertices(), 0);
     for (Package& package : of_parts) {
-      auto& vertices = package.vertices;
-      std::sort(vertices.begin(), vertices.end());
-      vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
-      for (const Vertex_id v : vertices) ++parts_with[v.value()];
+      sort_and_drop_equal(package.vertices);
+      for (const Vertex_id v : package.vertices) ++parts_with[v.value()];
     }
     Parcels parcels;
     for (int part = 0; part < exchange_.size(); ++part) {
