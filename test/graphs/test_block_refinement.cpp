@@ -12,7 +12,7 @@
 #include "random_pslg_shapes.h"
 #include "tiny_blocks.h"
 
-#include <CGAL/Quadtree_mesh_2/internal/refinement/Block_refinement.h>
+#include <CGAL/Quadtree_mesh_2/internal/rounds/Block_refinement.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Triangle_zone.h>
 
 #include <algorithm>

@@ -11,9 +11,9 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/angle_units.h>
-#include <CGAL/Quadtree_mesh_2/internal/refinement/Block_refinement.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Corner_finder.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Size_estimate.h>
+#include <CGAL/Quadtree_mesh_2/internal/rounds/Block_refinement.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Triangle_zone.h>
 
 #include <algorithm>
@@ -77,6 +77,9 @@ inline bool is_near_uncut_leg(const Meshing_state<Geometry>& state, Triangle_id 
                      [&](Triangle_id near) { return has_vertex_at_uncut_leg(state, near); });
 }
 
+/// How many vertices rounds may make.
+constexpr std::size_t vertex_budget = 1000000;
+
 /// What `run_rounds()` leaves, with who watched.
 template <class Watch>
 struct Rounds_run {
@@ -92,9 +95,9 @@ Rounds_run<Watch> run_rounds(Prepared& prepared) {
       blocks_by_number(prepared.problem.input_points.size(), Block_sizes<Tag>::vertices);
   Splitter<Geometry> splitter(prepared.state);
   splitter.cut_rings();
-  constexpr std::size_t budget = 1000000;
   Rounds_run<Watch> run;
-  Block_refinement<Tag, Geometry, Watch> blocks(prepared.state, Finishing(), budget, run.rounds, run.watch);
+  Block_refinement<Tag, Geometry, Watch> blocks(prepared.state, Finishing(), vertex_budget, run.rounds,
+                                                run.watch);
   run.has_blocks = blocks.run([] { return true; }, [] {});
   return run;
 }

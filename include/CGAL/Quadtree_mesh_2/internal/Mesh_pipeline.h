@@ -47,7 +47,6 @@
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/pslg/Input_words.h>
 #include <CGAL/Quadtree_mesh_2/internal/pslg/kernel_graph.h>
-#include <CGAL/Quadtree_mesh_2/internal/refinement/Block_refinement.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Corner_finder.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Edge_sides.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Exact_finisher.h>
@@ -55,6 +54,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Vertex_budgets.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/finish_mesh.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/triangle_budget.h>
+#include <CGAL/Quadtree_mesh_2/internal/rounds/Block_refinement.h>
 #include <CGAL/Quadtree_mesh_2/internal/shaping/Wide_angle_curer.h>
 #include <CGAL/Quadtree_mesh_2/internal/squares/Bulk_filler.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Separation_trees.h>

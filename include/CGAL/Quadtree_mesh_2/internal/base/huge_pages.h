@@ -61,6 +61,18 @@ inline void ask_for_pages(void* begin, std::size_t bytes) {
 #endif
 }
 
+/// Asks for small pages in memory that is not written everywhere, so that what is not written takes none.
+inline void ask_for_small_pages(void* begin, std::size_t bytes) {
+#if defined(__linux__) && defined(MADV_NOHUGEPAGE)
+  static const auto page = static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE));
+  const auto first = (reinterpret_cast<std::uintptr_t>(begin) + page - 1) & ~(page - 1);
+  const auto end = (reinterpret_cast<std::uintptr_t>(begin) + bytes) & ~(page - 1);
+  if (first < end) madvise(reinterpret_cast<void*>(first), end - first, MADV_NOHUGEPAGE);
+#else
+  static_cast<void>(begin), static_cast<void>(bytes);
+#endif
+}
+
 /// Makes `values`, which is empty, as long as `size`, with all of its pages at once.
 template <class Vector>
 void resize_with_pages(Vector& values, std::size_t size) {

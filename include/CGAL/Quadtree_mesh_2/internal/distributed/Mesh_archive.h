@@ -73,6 +73,8 @@ class Archive_reader {
 public:
   explicit Archive_reader(const Bytes& bytes) : bytes_(bytes) {}
 
+  bool is_at_end() const { return next_ == bytes_.size(); }
+
   template <class T>
   void operator()(T& value) {
     take(&value, sizeof value);

@@ -22,11 +22,11 @@
 #include <CGAL/Quadtree_mesh_2/internal/islands/Island.h>
 #include <CGAL/Quadtree_mesh_2/internal/neighbors/nearest_hits.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/sort_by_keys.h>
-#include <CGAL/Quadtree_mesh_2/internal/refinement/Block_refinement.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Refiner.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Splitter.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Vertex_budgets.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/finish_mesh.h>
+#include <CGAL/Quadtree_mesh_2/internal/rounds/Block_refinement.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Separation_trees.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Tree_construction.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/cure_placed_mesh.h>

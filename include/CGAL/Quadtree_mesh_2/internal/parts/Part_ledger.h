@@ -44,8 +44,8 @@
 #include <CGAL/Quadtree_mesh_2/internal/parts/Counted_exchange.h>
 #include <CGAL/Quadtree_mesh_2/internal/parts/Part_owners.h>
 #include <CGAL/Quadtree_mesh_2/internal/parts/Part_records.h>
-#include <CGAL/Quadtree_mesh_2/internal/refinement/Corner_places.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
+#include <CGAL/Quadtree_mesh_2/internal/rounds/Corner_places.h>
 
 #include <algorithm>
 #include <cstddef>

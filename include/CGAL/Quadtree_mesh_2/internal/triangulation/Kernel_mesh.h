@@ -299,12 +299,14 @@ public:
   }
 
   /// Flips until the given sides, and those of triangles that flips change, are Delaunay or not certainly else. Calls
-  /// `flipped(t, u)` after each flip, with its two triangles.
-  template <class Flipped>
-  void make_Delaunay(std::vector<Side>& doubtful, const Flipped& flipped) {
+  /// `flipped(t, u)` after each flip, with its two triangles, and `before_look(s)` before the triangle beyond a side is
+  /// read.
+  template <class Flipped, class Before_look>
+  void make_Delaunay(std::vector<Side>& doubtful, const Flipped& flipped, const Before_look& before_look) {
     while (!doubtful.empty()) {
       const Side s = doubtful.back();
       doubtful.pop_back();
+      before_look(s);
       const Side o = across(s);
       if (o.is_constrained() || !is_certainly_not_Delaunay(s.triangle(), s.slot())) continue;
       flip(s.triangle(), s.slot());
@@ -314,8 +316,13 @@ public:
     }
   }
 
+  template <class Flipped>
+  void make_Delaunay(std::vector<Side>& doubtful, const Flipped& flipped) {
+    make_Delaunay(doubtful, flipped, [](Side) {});
+  }
   void make_Delaunay(std::vector<Side>& doubtful) {
-    make_Delaunay(doubtful, [](Triangle_id, Triangle_id) {});
+    make_Delaunay(
+        doubtful, [](Triangle_id, Triangle_id) {}, [](Side) {});
   }
 
   /// Puts vertex v inside triangle t and restores the Delaunay property around it.

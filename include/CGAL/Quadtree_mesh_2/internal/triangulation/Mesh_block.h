@@ -64,15 +64,21 @@ private:
   }
 };
 
+/// A side beyond which the whole mesh goes on.
+struct Seam {
+  Side here, beyond; ///< of the whole mesh, as it was when the block was taken out
+  Side now;          ///< of the whole mesh: where the side is in the end
+};
+
 template <class Geometry>
 class Mesh_block {
 public:
   using Mesh = Kernel_mesh<Geometry>;
 
-  /// A side beyond which the whole mesh goes on.
-  struct Seam {
-    Side here, beyond; ///< of the whole mesh, as it was when the block was taken out
-    Side now;          ///< of the whole mesh: where the side is in the end; set by `write()`
+  /// What the whole mesh will know at a vertex that other blocks may have, too; by its handles.
+  struct Fan {
+    Vertex_id vertex;
+    Triangle_id triangle;
   };
 
   Mesh mesh;
@@ -164,7 +170,11 @@ public:
     for (const Triangle_id t : dead_) whole.kill(t);
   }
 
+  /// With `now`, once it is written.
   const std::vector<Seam>& seams() const { return seams_; }
+  /// What `write_shared()` writes.
+  const std::vector<Fan>& fans() const { return fans_; }
+  const std::vector<Triangle_id>& dead() const { return dead_; }
 
 private:
   /// An occurrence of a vertex whose triangle in the whole mesh is in another block.
@@ -172,12 +182,6 @@ private:
     Vertex_id whole, here;
     Triangle_id triangle;
     int slot;
-  };
-
-  /// What the whole mesh will know at a vertex that other blocks may have, too; by its handles.
-  struct Fan {
-    Vertex_id vertex;
-    Triangle_id triangle;
   };
 
   const Mesh* whole_;

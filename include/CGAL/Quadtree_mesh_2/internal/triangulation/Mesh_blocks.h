@@ -36,6 +36,53 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
+/// Links what was apart: the two sides of a seam remember the same pair of sides of the whole mesh as it was. O(n log n)
+/// for n halves, of all blocks.
+/// \returns the sides along which blocks are put together, one of each pair, in an order that the halves' does not
+/// change
+template <class ConcurrencyTag, class Mesh>
+std::vector<Side> link_seams(Mesh& whole, std::vector<Seam> halves) {
+  const auto word = [](Side s) { return 4 * std::int64_t(s.triangle().value()) + s.slot(); };
+  const auto lower = [&](const Seam& h) { return std::min(word(h.here), word(h.beyond)); };
+  sort<ConcurrencyTag>(halves.begin(), halves.end(), [&](const Seam& g, const Seam& h) {
+    return lower(g) != lower(h) ? lower(g) < lower(h) : word(g.here) < word(h.here);
+  });
+  const auto is_first = [&](std::size_t i) { return i == 0 || lower(halves[i - 1]) != lower(halves[i]); };
+  for_each_index<ConcurrencyTag>(halves.size(), [&](std::size_t i) {
+    if (!is_first(i)) return;
+    const Seam& h = halves[i];
+    const bool is_pair = i + 1 < halves.size() && !is_first(i + 1);
+    const Side other = is_pair ? halves[i + 1].now : h.beyond; // else a triangle that was in no block
+    whole.link(h.now.triangle(), h.now.slot(),
+               Side(other.triangle(), other.slot(), h.beyond.is_constrained()));
+  });
+  return pack_values<ConcurrencyTag, Side>(halves.size(), is_first,
+                                           [&](std::size_t i) { return halves[i].now; });
+}
+
+/// Those of the sides that have to be flipped.
+template <class ConcurrencyTag, class Mesh>
+std::vector<Side> sides_to_flip(const Mesh& mesh, const std::vector<Side>& sides) {
+  return pack_values<ConcurrencyTag, Side>(
+      sides.size(),
+      [&](std::size_t i) {
+        const Side s = sides[i];
+        return !mesh.across(s).is_constrained() && mesh.is_certainly_not_Delaunay(s.triangle(), s.slot());
+      },
+      [&](std::size_t i) { return sides[i]; });
+}
+
+/// The triangles on both sides.
+template <class ConcurrencyTag, class Mesh>
+Uninitialized_vector<Triangle_id> triangles_at(const Mesh& mesh, const std::vector<Side>& sides) {
+  Uninitialized_vector<Triangle_id> triangles(2 * sides.size());
+  for_each_index<ConcurrencyTag>(sides.size(), [&](std::size_t i) {
+    triangles[2 * i] = sides[i].triangle();
+    triangles[2 * i + 1] = mesh.across(sides[i]).triangle();
+  });
+  return triangles;
+}
+
 template <class ConcurrencyTag, class Geometry>
 class Mesh_blocks {
 public:
@@ -82,25 +129,18 @@ public:
   /// Links the blocks to each other. The sides at seams are left in `seam_sides()`.
   void put_together() {
     for (const auto& block : blocks_) block->write_shared(whole_);
-    close_seams();
+    seam_sides_ = link_seams<ConcurrencyTag>(whole_, halves_of_seams());
     for_each_index<ConcurrencyTag>(cut_.members.size(),
                                    [&](std::size_t i) { assignment_.of_triangle[cut_.members[i]] = {}; });
   }
 
   /// Those of a block that is written.
-  const std::vector<typename Block::Seam>& seams_of(Block_id b) const { return blocks_[b.value()]->seams(); }
+  const std::vector<Seam>& seams_of(Block_id b) const { return blocks_[b.value()]->seams(); }
   /// The sides along which blocks were put together.
   const std::vector<Side>& seam_sides() const { return seam_sides_; }
   /// Those of them that have to be flipped.
   std::vector<Side> sides_to_flip() const {
-    return pack_values<ConcurrencyTag, Side>(
-        seam_sides_.size(),
-        [this](std::size_t i) {
-          const Side s = seam_sides_[i];
-          return !whole_.across(s).is_constrained() &&
-                 whole_.is_certainly_not_Delaunay(s.triangle(), s.slot());
-        },
-        [this](std::size_t i) { return seam_sides_[i]; });
+    return internal::sides_to_flip<ConcurrencyTag>(whole_, seam_sides_);
   }
 
 private:
@@ -171,33 +211,14 @@ private:
     return names;
   }
 
-  /// Links what was apart: the two sides of a seam remember the same pair of sides of the whole mesh as it was.
-  void close_seams() {
-    struct Half {
-      Side here, beyond, now;
-    };
-    std::vector<Half> halves;
+  std::vector<Seam> halves_of_seams() const {
+    std::vector<Seam> halves;
     halves.reserve(std::accumulate(
         blocks_.begin(), blocks_.end(), std::size_t(0),
         [](std::size_t n, const std::unique_ptr<Block>& block) { return n + block->seams().size(); }));
     for (const auto& block : blocks_)
-      for (const auto& s : block->seams()) halves.push_back({s.here, s.beyond, s.now});
-    const auto word = [](Side s) { return 4 * std::int64_t(s.triangle().value()) + s.slot(); };
-    const auto lower = [&](const Half& h) { return std::min(word(h.here), word(h.beyond)); };
-    sort<ConcurrencyTag>(halves.begin(), halves.end(), [&](const Half& g, const Half& h) {
-      return lower(g) != lower(h) ? lower(g) < lower(h) : word(g.here) < word(h.here);
-    });
-    const auto is_first = [&](std::size_t i) { return i == 0 || lower(halves[i - 1]) != lower(halves[i]); };
-    for_each_index<ConcurrencyTag>(halves.size(), [&](std::size_t i) {
-      if (!is_first(i)) return;
-      const Half& h = halves[i];
-      const bool is_pair = i + 1 < halves.size() && !is_first(i + 1);
-      const Side other = is_pair ? halves[i + 1].now : h.beyond; // else a triangle that was in no block
-      whole_.link(h.now.triangle(), h.now.slot(),
-                  Side(other.triangle(), other.slot(), h.beyond.is_constrained()));
-    });
-    seam_sides_ = pack_values<ConcurrencyTag, Side>(halves.size(), is_first,
-                                                    [&](std::size_t i) { return halves[i].now; });
+      halves.insert(halves.end(), block->seams().begin(), block->seams().end());
+    return halves;
   }
 };
 

@@ -29,6 +29,8 @@ public:
 
   const std::vector<Triangle_id>& triangles() const { return triangles_; }
 
+  bool has(Triangle_id t) const { return is_in_[t.value()].load(std::memory_order_relaxed); }
+
   /// How many rings there are, of which the first is what was added.
   std::size_t number_of_rings() const { return first_of_ring_.size(); }
   Span<Triangle_id> ring(std::size_t r) const {
@@ -46,8 +48,14 @@ public:
 
   /// Adds the triangles with a side in common with those of the ring before, as often as is said. Once only.
   void grow(int rings) {
+    grow(rings, [](Span<Triangle_id>) {});
+  }
+  /// The same, with `before_look(triangles)` before the neighbors of a ring's triangles are read.
+  template <class Before_look>
+  void grow(int rings, const Before_look& before_look) {
     for (std::size_t begin = 0; rings > 0; --rings) {
       const std::size_t end = triangles_.size();
+      before_look({triangles_.data() + begin, triangles_.data() + end});
       first_of_ring_.push_back(end);
       append(end - begin, [&](std::size_t i, std::vector<Triangle_id>& found) {
         for (const Side o : mesh_.triangle(triangles_[begin + i]).side)

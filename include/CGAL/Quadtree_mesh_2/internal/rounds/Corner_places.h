@@ -7,8 +7,8 @@
 // Where an acute corner lies in the mesh, and in which block: its shells and locks belong to the block that has all of
 // it. O(pieces of its legs) for a corner, and the stars of the vertices on them.
 
-#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_CORNER_PLACES_H
-#define CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_CORNER_PLACES_H
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_ROUNDS_CORNER_PLACES_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_ROUNDS_CORNER_PLACES_H
 
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
@@ -21,6 +21,61 @@
 namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
+
+/// A visit to all triangles of a corner.
+/// \tparam Look_up finds a side between two vertices, of a triangle that can be read, or the border if there is none; and
+///         calls a function for the triangles at a vertex
+template <class Geometry, class Look_up>
+struct Corner_visit {
+  using Corners = Acute_corners<Geometry>;
+
+  const Meshing_state<Geometry>& whole;
+  Look_up look_up;
+
+  /// Calls `f(t)` for the triangles of a corner until it returns false.
+  /// \returns false then, and where a leg could not be cut, of which nothing can be said
+  template <class Function>
+  bool run(const typename Corners::Corner& corner, const Function& f) const {
+    for (const Leg_id l : corner.legs) {
+      const auto& leg = whole.corners.leg(l);
+      if (whole.problem.is_kept(leg.edge)) continue; // it is never cut
+      Vertex_id before = leg.apex_vertex;
+      for (const auto& [radius, v] : leg.shells) {
+        static_cast<void>(radius);
+        if (!whole.mesh.is_used(v)) continue;
+        if (!visit_side(before, v, f) || (!whole.mesh.is_input(v) && !visit_star(v, f))) return false;
+        before = v;
+      }
+      if (before == leg.apex_vertex) return false;
+    }
+    return std::all_of(corner.sectors.begin(), corner.sectors.end(),
+                       [&](Sector_id s) { return visit_chord(whole.corners.sector(s), f); });
+  }
+
+private:
+  template <class Function>
+  bool visit_side(Vertex_id x, Vertex_id y, const Function& f) const {
+    const Side s = look_up.side_between(x, y);
+    if (s.is_border()) return false;
+    const Side o = whole.mesh.across(s);
+    return f(s.triangle()) && (o.is_border() || f(o.triangle()));
+  }
+
+  template <class Function>
+  bool visit_star(Vertex_id v, const Function& f) const {
+    bool shall_go_on = true;
+    look_up.for_each_triangle_at(v, [&](Triangle_id t) { shall_go_on = shall_go_on && f(t); });
+    return shall_go_on;
+  }
+
+  template <class Function>
+  bool visit_chord(const typename Corners::Sector& sector, const Function& f) const {
+    if (sector.lock_radius <= 0) return true;
+    const Vertex_id x = whole.corners.vertex_at(whole.mesh, sector.right, sector.lock_radius),
+                    y = whole.corners.vertex_at(whole.mesh, sector.left, sector.lock_radius);
+    return !x.is_valid() || !y.is_valid() || x == y || visit_side(x, y, f);
+  }
+};
 
 template <class ConcurrencyTag, class Geometry>
 class Corner_places {
@@ -65,8 +120,6 @@ public:
 
 private:
   using Corner = typename Corners::Corner;
-  using Leg = typename Corners::Leg;
-  using Sector = typename Corners::Sector;
 
   const Meshing_state<Geometry>& whole_;
   const Corners& corners_;
@@ -118,47 +171,20 @@ private:
     ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
   }
 
-  /// Calls `f(t)` for the triangles of a corner until it returns false.
-  /// \returns false then, and where a leg could not be cut, of which nothing can be said
+  /// Looks up sides and stars in a mesh that is all here.
+  struct Look_up {
+    const Meshing_state<Geometry>& whole;
+
+    Side side_between(Vertex_id x, Vertex_id y) const { return whole.side_between(x, y); }
+    template <class Function>
+    void for_each_triangle_at(Vertex_id v, const Function& f) const {
+      whole.mesh.for_each_triangle_at(v, [&](Triangle_id t, int) { f(t); });
+    }
+  };
+
   template <class Function>
   bool visit(const Corner& corner, const Function& f) const {
-    for (const Leg_id l : corner.legs) {
-      const Leg& leg = corners_.leg(l);
-      if (whole_.problem.is_kept(leg.edge)) continue; // it is never cut
-      Vertex_id before = leg.apex_vertex;
-      for (const auto& [radius, v] : leg.shells) {
-        static_cast<void>(radius);
-        if (!whole_.mesh.is_used(v)) continue;
-        if (!visit_side(before, v, f) || (!whole_.mesh.is_input(v) && !visit_star(v, f))) return false;
-        before = v;
-      }
-      if (before == leg.apex_vertex) return false;
-    }
-    return std::all_of(corner.sectors.begin(), corner.sectors.end(),
-                       [&](Sector_id s) { return visit_chord(corners_.sector(s), f); });
-  }
-
-  template <class Function>
-  bool visit_side(Vertex_id x, Vertex_id y, const Function& f) const {
-    const Side s = whole_.side_between(x, y);
-    if (s.is_border()) return false;
-    const Side o = whole_.mesh.across(s);
-    return f(s.triangle()) && (o.is_border() || f(o.triangle()));
-  }
-
-  template <class Function>
-  bool visit_star(Vertex_id v, const Function& f) const {
-    bool shall_go_on = true;
-    whole_.mesh.for_each_triangle_at(v, [&](Triangle_id t, int) { shall_go_on = shall_go_on && f(t); });
-    return shall_go_on;
-  }
-
-  template <class Function>
-  bool visit_chord(const Sector& sector, const Function& f) const {
-    if (sector.lock_radius <= 0) return true;
-    const Vertex_id x = corners_.vertex_at(whole_.mesh, sector.right, sector.lock_radius),
-                    y = corners_.vertex_at(whole_.mesh, sector.left, sector.lock_radius);
-    return !x.is_valid() || !y.is_valid() || x == y || visit_side(x, y, f);
+    return Corner_visit<Geometry, Look_up>{whole_, {whole_}}.run(corner, f);
   }
 };
 
@@ -166,4 +192,4 @@ private:
 } // namespace Quadtree_mesh_2
 } // namespace CGAL
 
-#endif // CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_CORNER_PLACES_H
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_ROUNDS_CORNER_PLACES_H

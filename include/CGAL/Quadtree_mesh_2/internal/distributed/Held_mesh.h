@@ -1,0 +1,317 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+//
+// A mesh of which each part holds some triangles, under the handles that they have in the whole mesh.
+//
+// Computes: who holds which triangle. A triangle is private to one part, or shared: then all parts have the same record
+//           of it and of its vertices, and may compute the same from it without a message.
+// Invariant: whoever holds a triangle has the right records of its vertices. What a record of a vertex names as a
+//           triangle may be held by others.
+// Bound:    memory for what is held, in pages, and addresses for the whole mesh. Triangles that are published are sent
+//           to all parts.
+// Method:   arrays as long as those of the whole mesh, whose pages nobody touches who does not hold what is in them. So
+//           all that goes by handles, such as an order of triangles, is what it is in one memory.
+
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_DISTRIBUTED_HELD_MESH_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_DISTRIBUTED_HELD_MESH_H
+
+#include <CGAL/Quadtree_mesh_2/internal/base/huge_pages.h>
+#include <CGAL/Quadtree_mesh_2/internal/distributed/Mesh_archive.h>
+#include <CGAL/Quadtree_mesh_2/internal/distributed/Parcel.h>
+#include <CGAL/Quadtree_mesh_2/internal/distributed/tell_all.h>
+#include <CGAL/Quadtree_mesh_2/internal/triangulation/Kernel_mesh.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <memory>
+#include <new>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Quadtree_mesh_2 {
+namespace internal {
+
+/// Bytes that are 0 until they are written, and take no memory before, by pages.
+class Sparse_bytes {
+public:
+  char operator[](std::size_t i) const { return bytes_.get()[i]; }
+  char& operator[](std::size_t i) { return bytes_.get()[i]; }
+  std::size_t size() const { return size_; }
+
+  /// Makes room for so many.
+  void grow(std::size_t size) {
+    if (size <= size_) return;
+    std::unique_ptr<char, Free> larger(static_cast<char*>(std::calloc(size, 1)));
+    if (!larger) throw std::bad_alloc();
+    ask_for_small_pages(larger.get(), size);
+    for (std::size_t i = 0; i < size_; ++i)
+      if (bytes_.get()[i] != 0) larger.get()[i] = bytes_.get()[i];
+    bytes_ = std::move(larger);
+    size_ = size;
+  }
+
+private:
+  struct Free {
+    void operator()(char* bytes) const { std::free(bytes); }
+  };
+
+  std::unique_ptr<char, Free> bytes_;
+  std::size_t size_ = 0;
+};
+
+/// See the head of this file.
+template <class Exchange, class Geometry>
+class Held_mesh {
+public:
+  using Mesh = Kernel_mesh<Geometry>;
+
+  /// \param mesh the whole mesh at part 0, and empty at others; afterward what is held
+  Held_mesh(Exchange& exchange, Mesh& mesh) : exchange_(exchange), mesh_(mesh) {}
+
+  /// Gives each part its triangles, and part 0 the vertices without any. All parts call it.
+  /// \param part_of the part of a triangle that is alive; called at part 0
+  /// \param for_all vertices of which all parts get the records, as they are now; of part 0
+  /// \param most_vertices how many the mesh may get; a hint
+  template <class Part_of>
+  void scatter(const Part_of& part_of, const std::vector<Vertex_id>& for_all, std::size_t most_vertices) {
+    const Mesh whole = std::exchange(mesh_, Mesh());
+    Bytes sizes = bytes_of(Numbers{std::int64_t(whole.number_of_vertices()),
+                                   std::int64_t(whole.triangles.size()), whole.region_of.empty() ? 0 : 1});
+    exchange_.broadcast(sizes, 0);
+    const auto size = records_of<std::int64_t>(sizes);
+    const auto vertices = std::size_t(size[0]), slots = std::size_t(size[1]);
+    if (size[2] != 0) mesh_.region_of.resize(1);
+    reserve(std::max(vertices, most_vertices), slots + 2 * (std::max(vertices, most_vertices) - vertices));
+    resize(vertices, slots);
+    for (const Triangle_id t : whole.dead_triangles()) mesh_.kill(t);
+    Parcels outbox;
+    if (exchange_.rank() == 0) outbox = packages(whole, part_of, for_all);
+    for (const Parcel& parcel : exchange_.exchange(std::move(outbox))) unpack(parcel.bytes);
+  }
+
+  /// Makes room for the handles of new triangles and vertices.
+  void resize(std::size_t vertices, std::size_t slots) {
+    mesh_.resize(vertices, slots);
+    if (slots > hold_.size()) hold_.grow(2 * slots);
+    if (vertices > has_.size()) has_.grow(2 * vertices);
+  }
+
+  bool is_held(Triangle_id t) const { return hold_[t.value()] != ABSENT; }
+  bool is_private(Triangle_id t) const { return hold_[t.value()] == PRIVATE; }
+  bool is_shared(Triangle_id t) const { return hold_[t.value()] == SHARED; }
+  /// Whether this part vouches for the record of a vertex.
+  bool has(Vertex_id v) const { return has_[v.value()] != 0; }
+
+  /// What this part has made, or what has been told to all.
+  void set_private(Triangle_id t) { set(t, PRIVATE); }
+  void set_shared(Triangle_id t) { set(t, SHARED); }
+  void set_absent(Triangle_id t) { set(t, ABSENT); }
+  void set_has(Vertex_id v) { has_[v.value()] = 1; }
+
+  std::size_t number_held() const { return number_[PRIVATE] + number_[SHARED]; }
+  std::size_t number_shared() const { return number_[SHARED]; }
+  /// How many triangles this part has held at once.
+  std::size_t most_held() const { return most_held_; }
+  /// The vertices that several parts got.
+  const std::vector<Vertex_id>& common_vertices() const { return common_; }
+
+  // ---- what all parts call together
+
+  /// Shares private triangles; what else is in the list, which each part has its own of, is passed over.
+  /// \returns how many all parts have published
+  std::size_t publish(const std::vector<Triangle_id>& wanted) {
+    Package package;
+    for (const Triangle_id t : wanted) {
+      if (!is_private(t)) continue;
+      set_shared(t);
+      package.add(mesh_, t);
+    }
+    return tell(std::move(package));
+  }
+
+  /// Shares triangles of a list that is the same at all parts. Those that are shared already cost nothing. So they do
+  /// not meet if all are.
+  /// \param rings how many rings of triangles around them are shared too, if they are private to the same part
+  void require(const std::vector<Triangle_id>& wanted, int rings = 0) {
+    if (std::all_of(wanted.begin(), wanted.end(), [this](Triangle_id t) { return is_shared(t); })) return;
+    publish(private_around(wanted, rings));
+  }
+
+  /// Tells all parts the triangles, which are shared then, and the vertices, for both of which this part vouches.
+  void tell(const std::vector<Triangle_id>& triangles, const std::vector<Vertex_id>& vertices) {
+    Package package;
+    for (const Triangle_id t : triangles) set_shared(t), package.add(mesh_, t);
+    package.vertices.insert(package.vertices.end(), vertices.begin(), vertices.end());
+    tell(std::move(package));
+  }
+
+  /// The private triangles of a list and of so many rings around them, as far as one gets in what is held.
+  std::vector<Triangle_id> private_around(const std::vector<Triangle_id>& wanted, int rings) const {
+    std::vector<Triangle_id> found;
+    for (const Triangle_id t : wanted)
+      if (is_held(t)) found.push_back(t);
+    sort_and_drop_equal(found);
+    for (; rings > 0; --rings) {
+      for (std::size_t i = 0, end = found.size(); i < end; ++i)
+        for (const Side o : mesh_.triangle(found[i]).side)
+          if (!o.is_border() && is_held(o.triangle())) found.push_back(o.triangle());
+      sort_and_drop_equal(found);
+    }
+    found.erase(std::remove_if(found.begin(), found.end(), [this](Triangle_id t) { return !is_private(t); }),
+                found.end());
+    return found;
+  }
+
+private:
+  enum Hold : char { ABSENT, PRIVATE, SHARED };
+
+  struct Triangle_record {
+    Triangle_id id;
+    Region_id region;
+    typename Mesh::Triangle triangle;
+  };
+  struct Vertex_record {
+    Vertex_id id;
+    Triangle_id triangle;
+    Vertex_role role;
+    std::int32_t is_dirty;
+    typename Geometry::Point point;
+  };
+
+  /// What is sent, by handles.
+  struct Package {
+    std::vector<Triangle_id> triangles;
+    std::vector<Vertex_id> vertices; ///< some more than once
+
+    void add(const Mesh& mesh, Triangle_id t) {
+      triangles.push_back(t);
+      for (const Vertex_id v : mesh.triangle(t).v) vertices.push_back(v);
+    }
+  };
+
+  Exchange& exchange_;
+  Mesh& mesh_;
+  Sparse_bytes hold_, has_;
+  std::size_t number_[3] = {0, 0, 0};
+  std::size_t most_held_ = 0;
+  std::vector<Vertex_id> common_;
+
+  void set(Triangle_id t, Hold hold) {
+    char& now = hold_[t.value()];
+    if (now != ABSENT) --number_[std::size_t(now)];
+    now = hold;
+    if (now != ABSENT) ++number_[std::size_t(now)];
+    most_held_ = std::max(most_held_, number_held());
+  }
+
+  void reserve(std::size_t vertices, std::size_t slots) {
+    const auto reserve = [](auto& values, std::size_t n) {
+      values.reserve(n);
+      ask_for_small_pages(values.data(), n * sizeof(*values.data()));
+    };
+    reserve(mesh_.points, vertices), reserve(mesh_.role_of, vertices), reserve(mesh_.triangle_of, vertices);
+    reserve(mesh_.is_dirty, vertices), reserve(mesh_.triangles, slots);
+    if (!mesh_.region_of.empty()) reserve(mesh_.region_of, slots);
+    hold_.grow(slots), has_.grow(vertices);
+  }
+
+  template <class Id>
+  static void sort_and_drop_equal(std::vector<Id>& ids) {
+    std::sort(ids.begin(), ids.end());
+    ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  }
+
+  static Triangle_record record(const Mesh& mesh, Triangle_id t) {
+    return {t, mesh.region(t), mesh.triangle(t)};
+  }
+  static Vertex_record record(const Mesh& mesh, Vertex_id v) {
+    return {v, mesh.incident_triangle(v), mesh.role(v), mesh.is_dirty[v], mesh.point(v)};
+  }
+  template <class Id>
+  static auto records(const Mesh& mesh, const std::vector<Id>& ids) {
+    std::vector<decltype(record(mesh, Id()))> found;
+    found.reserve(ids.size());
+    for (const Id id : ids) found.push_back(record(mesh, id));
+    return found;
+  }
+  void write(const Triangle_record& r) {
+    mesh_.triangle(r.id) = r.triangle;
+    mesh_.set_region(r.id, r.region);
+  }
+  void write(const Vertex_record& r) {
+    mesh_.points[r.id] = r.point, mesh_.role_of[r.id] = r.role;
+    mesh_.triangle_of[r.id] = r.triangle, mesh_.is_dirty[r.id] = static_cast<char>(r.is_dirty);
+  }
+
+  /// \returns how many triangles all parts have told
+  std::size_t tell(Package package) {
+    sort_and_drop_equal(package.vertices);
+    Archive_writer archive;
+    if (!package.triangles.empty() || !package.vertices.empty())
+      archive(records(mesh_, package.triangles)), archive(records(mesh_, package.vertices));
+    std::size_t number = 0;
+    for (const Parcel& parcel : tell_all_bytes(exchange_, archive.bytes)) {
+      Archive_reader reader(parcel.bytes);
+      std::vector<Triangle_record> triangles_told;
+      std::vector<Vertex_record> vertices_told;
+      reader(triangles_told), reader(vertices_told);
+      number += triangles_told.size();
+      if (parcel.part == exchange_.rank()) continue;
+      for (const Triangle_record& r : triangles_told) write(r), set_shared(r.id);
+      for (const Vertex_record& r : vertices_told) write(r), set_has(r.id);
+    }
+    return number;
+  }
+
+  /// What each part gets of the whole mesh.
+  template <class Part_of>
+  Parcels packages(const Mesh& whole, const Part_of& part_of, const std::vector<Vertex_id>& for_all) const {
+    std::vector<Package> of_parts(static_cast<std::size_t>(exchange_.size()));
+    for (const Triangle_id t : whole.triangles.ids())
+      if (whole.is_alive(t)) of_parts[static_cast<std::size_t>(part_of(t))].add(whole, t);
+    std::vector<int> parts_with(whole.number_of_vertices(), 0);
+    for (Package& package : of_parts) {
+      sort_and_drop_equal(package.vertices);
+      for (const Vertex_id v : package.vertices) ++parts_with[v.value()];
+    }
+    Parcels parcels;
+    for (int part = 0; part < exchange_.size(); ++part) {
+      Package& package = of_parts[static_cast<std::size_t>(part)];
+      std::vector<Vertex_id> common;
+      for (const Vertex_id v : package.vertices)
+        if (parts_with[v.value()] > 1) common.push_back(v);
+      if (part == 0)
+        for (const Vertex_id v : whole.points.ids())
+          if (parts_with[v.value()] == 0) package.vertices.push_back(v);
+      Archive_writer archive;
+      archive(records(whole, package.triangles)), archive(records(whole, package.vertices));
+      archive(records(whole, for_all)), archive(common);
+      parcels.push_back({part, std::move(archive.bytes)});
+      package = {};
+    }
+    return parcels;
+  }
+
+  void unpack(const Bytes& bytes) {
+    Archive_reader archive(bytes);
+    std::vector<Triangle_record> triangles;
+    std::vector<Vertex_record> vertices, for_all;
+    archive(triangles), archive(vertices), archive(for_all), archive(common_);
+    for (const Triangle_record& r : triangles) write(r), set_private(r.id);
+    for (const Vertex_record& r : for_all) write(r);
+    for (const Vertex_record& r : vertices) write(r), set_has(r.id);
+  }
+};
+
+} // namespace internal
+} // namespace Quadtree_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_DISTRIBUTED_HELD_MESH_H

@@ -1,0 +1,439 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+//
+// The rounds of blocks (rounds/Block_refinement.h) of a mesh that parts hold.
+//
+// Computes: the same bits as in one memory, for any number of parts: handles, records, what waits.
+// Bound:    each part holds its own blocks of the first round, and the zones of all later ones. In the first round it
+//           works on its blocks before the first of them is written. A part sends to all others what it makes of its
+//           blocks in a zone.
+// Method:   the first part has the whole mesh at first. Parts get runs of blocks with about as many triangles, refine
+//           them, and tell each other how many triangles and vertices are new in each block, from which all know the
+//           handles of theirs. What is at seams is shared then (Held_mesh.h). Zones are shared before they are cut.
+//           So all parts find the same zone, cut it alike, link the same seams and flip the same sides, and each works
+//           on its run of the blocks.
+//
+// The problem (points, edges, corners, bounds) is the same at all parts. An error at one of them is not told to others.
+
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_DISTRIBUTED_ROUNDS_OF_PARTS_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_DISTRIBUTED_ROUNDS_OF_PARTS_H
+
+#include <CGAL/Quadtree_mesh_2/internal/distributed/Corners_of_parts.h>
+#include <CGAL/Quadtree_mesh_2/internal/distributed/Held_mesh.h>
+#include <CGAL/Quadtree_mesh_2/internal/distributed/tell_all.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
+#include <CGAL/Quadtree_mesh_2/internal/rounds/Block_rounds.h>
+#include <CGAL/Quadtree_mesh_2/internal/rounds/Block_work.h>
+#include <CGAL/Quadtree_mesh_2/internal/rounds/Corner_places.h>
+#include <CGAL/Quadtree_mesh_2/internal/rounds/Round_cuts.h>
+#include <CGAL/Quadtree_mesh_2/internal/triangulation/Mesh_blocks.h>
+#include <CGAL/Quadtree_mesh_2/internal/triangulation/Triangle_zone.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Quadtree_mesh_2 {
+namespace internal {
+
+template <class ConcurrencyTag, class Exchange, class Geometry>
+class Rounds_of_parts {
+public:
+  using Block = Mesh_block<Geometry>;
+  using Held = Held_mesh<Exchange, Geometry>;
+
+  /// \param whole with the mesh at part 0; its mesh at other parts is thrown away
+  /// \param rounds none that have been done
+  Rounds_of_parts(Exchange& exchange, Meshing_state<Geometry>& whole, const Finishing& finishing,
+                  std::size_t vertex_budget, Block_rounds& rounds)
+      : exchange_(exchange), whole_(whole), finishing_(finishing), vertex_budget_(vertex_budget),
+        rounds_(rounds) {}
+
+  /// What `Block_refinement::run()` does, but that what waits is left in `rounds` alone. All parts call it.
+  /// \returns false if the mesh is too small for blocks; then part 0 has it still.
+  template <class Continue>
+  bool run(const Continue& shall_go_on) {
+    if (exchange_.rank() != 0) whole_.mesh = Kernel_mesh<Geometry>();
+    if (exchange_.max(exchange_.rank() == 0 && cuts_.is_worth_cutting() ? 1 : 0) == 0) return false;
+    whole_.clear_worklist();
+    do {
+      const std::size_t before = rounds_.waiting.size();
+      const bool is_first = ++rounds_.number == 1;
+      const Shared_work work = is_first ? first_work() : work_in_zone();
+      const Round_extent extent{work.number_of_blocks, work.number_in_blocks, whole_.mesh.triangles.size()};
+      if (work.number_in_blocks > 0) this->work(work, shall_go_on);
+      rounds_.note(before, extent);
+    } while (is_round_wanted(shall_go_on));
+    return true;
+  }
+
+  const Held& held() const { return held_; }
+  /// How many of the dead triangles are this part's alone, the first ones in its list. The lists of all parts up to
+  /// there, and then the rest of one, are the list that one memory has.
+  std::size_t number_of_own_dead() const { return own_dead_; }
+
+private:
+  /// A round's blocks, as far as this part has to know them.
+  struct Shared_work {
+    std::size_t number_of_blocks = 0, number_in_blocks = 0; ///< of all parts, and of triangles in them
+    std::size_t begin = 0;                                  ///< its own first block
+    Block_cut own;                                          ///< from that one on
+    std::vector<std::vector<Corner_id>> owned;              ///< the corners of these
+  };
+
+  /// What is new in a block.
+  struct Growth {
+    std::uint32_t triangles, vertices;
+  };
+
+  using Fan = typename Block::Fan;
+
+  /// How many rings around a triangle are shared at once where flips come to one that is not.
+  static constexpr int rings_for_flips = 4;
+  /// And around seams and what waits. Two of them are in the next zone anyway.
+  static constexpr int rings_of_seams = 3;
+
+  Exchange& exchange_;
+  Meshing_state<Geometry>& whole_;
+  Finishing finishing_;
+  std::size_t vertex_budget_;
+  Block_rounds& rounds_;
+  Round_cuts<ConcurrencyTag, Geometry> cuts_{whole_};
+  Corner_places<ConcurrencyTag, Geometry> corner_places_{whole_};
+  Held held_{exchange_, whole_.mesh};
+  Corners_of_parts<Exchange, Geometry> corners_{exchange_, held_, whole_};
+  Block_assignment assignment_; // what is not around the blocks at hand is not written
+  std::size_t own_dead_ = 0;
+
+  bool is_first_round() const { return rounds_.number == 1; }
+
+  template <class Continue>
+  bool is_round_wanted(const Continue& shall_go_on) {
+    if (rounds_.number < 2) return true;
+    const bool has_room = whole_.mesh.number_of_vertices() < vertex_budget_;
+    return rounds_.may_go_on() && has_room && exchange_.min(shall_go_on() ? 1 : 0) == 1;
+  }
+
+  // ---- who works on what
+
+  /// The part that works on a block: runs with about as many triangles each.
+  std::size_t part_of_block(const std::vector<std::size_t>& first, std::size_t b) const {
+    const auto parts = static_cast<std::size_t>(exchange_.size());
+    return first.back() == 0 ? 0 : std::min(parts - 1, (first[b] + first[b + 1]) / 2 * parts / first.back());
+  }
+  /// The first block of each part, and how many blocks there are.
+  std::vector<std::size_t> first_blocks(const std::vector<std::size_t>& first) const {
+    std::vector<std::size_t> first_of_part(static_cast<std::size_t>(exchange_.size()) + 1, first.size() - 1);
+    for (std::size_t b = first.size() - 1; b-- > 0;) first_of_part[part_of_block(first, b)] = b;
+    for (std::size_t p = first_of_part.size() - 1; p-- > 0;)
+      first_of_part[p] = std::min(first_of_part[p], first_of_part[p + 1]);
+    first_of_part[0] = 0;
+    return first_of_part;
+  }
+
+  /// Part 0 cuts the mesh and gives each part what is in its blocks. Triangles in no block go in runs of handles.
+  Shared_work first_work() {
+    Parcels outbox;
+    std::vector<std::uint32_t> part_of;
+    std::vector<Vertex_id> for_all;
+    if (exchange_.rank() == 0) {
+      const auto parts = static_cast<std::size_t>(exchange_.size()), slots = whole_.mesh.triangles.size();
+      Block_assignment assignment;
+      Mesh_blocks<ConcurrencyTag, Geometry> blocks(whole_.mesh, assignment, cuts_.first());
+      const auto owned = corner_places_.by_block(blocks);
+      const Block_cut& cut = blocks.cut();
+      const std::vector<std::size_t> first_of_part = first_blocks(cut.first);
+      for (std::size_t i = 0; i < slots; ++i)
+        part_of.push_back(static_cast<std::uint32_t>(i * parts / slots));
+      for (std::size_t p = 0; p < parts; ++p) {
+        for (std::size_t b = first_of_part[p]; b < first_of_part[p + 1]; ++b)
+          for (const Triangle_id t : cut[b]) part_of[t.value()] = static_cast<std::uint32_t>(p);
+        outbox.push_back(
+            {static_cast<int>(p), bytes_of_work(cut, owned, first_of_part[p], first_of_part[p + 1])});
+      }
+      for_all = corners_.vertices();
+    }
+    const Parcels inbox = exchange_.exchange(std::move(outbox));
+    held_.scatter([&](Triangle_id t) { return static_cast<int>(part_of[t.value()]); }, for_all,
+                  vertex_budget_);
+    Shared_work work = work_of_bytes(inbox.front().bytes);
+    make_room_for_assignment();
+    clear_around(work.own);
+    return work;
+  }
+
+  static Bytes bytes_of_work(const Block_cut& cut,
+                             const typename Corner_places<ConcurrencyTag, Geometry>::Corners_of_blocks& owned,
+                             std::size_t begin, std::size_t end) {
+    Archive_writer archive;
+    archive(cut.size()), archive(cut.members.size()), archive(begin);
+    std::vector<std::size_t> first;
+    for (std::size_t b = begin; b <= end; ++b) first.push_back(cut.first[b] - cut.first[begin]);
+    archive(first);
+    archive(std::vector<Triangle_id>(cut.members.begin() + std::ptrdiff_t(cut.first[begin]),
+                                     cut.members.begin() + std::ptrdiff_t(cut.first[end])));
+    for (std::size_t b = begin; b < end; ++b) archive(owned[static_cast<Block_id>(b)]);
+    return std::move(archive.bytes);
+  }
+  static Shared_work work_of_bytes(const Bytes& bytes) {
+    Shared_work work;
+    Archive_reader archive(bytes);
+    archive(work.number_of_blocks), archive(work.number_in_blocks), archive(work.begin);
+    std::vector<Triangle_id> members;
+    archive(work.own.first), archive(members);
+    work.own.members.assign(members.begin(), members.end());
+    work.owned.resize(work.own.size());
+    for (auto& corners : work.owned) archive(corners);
+    return work;
+  }
+
+  /// The zone around what waits, and around seams in the second round, shared and cut by all parts alike.
+  Shared_work work_in_zone() {
+    const int round = rounds_.number;
+    Triangle_zone<ConcurrencyTag, Geometry> zone(whole_.mesh);
+    held_.require(rounds_.waiting, 1);
+    zone.add(rounds_.waiting);
+    const std::vector<Triangle_id> of_corners =
+        corners_.triangles_of(corner_places_.corners_of(rounds_.waiting));
+    held_.require(of_corners, 1);
+    zone.add(of_corners);
+    if (round == 2) zone.add(rounds_.at_seams);
+    zone.grow(cuts_.rings_of_zone(round), [this](Span<Triangle_id> ring) {
+      held_.require({ring.begin(), ring.end()}, 1);
+    });
+    held_.require(zone.triangles(), 1);
+
+    const Block_cut cut = cuts_.of_zone(zone.triangles(), round);
+    Shared_work work;
+    work.number_of_blocks = cut.size(), work.number_in_blocks = cut.members.size();
+    make_room_for_assignment();
+    clear_around(cut);
+    assign(cut, 0);
+    const std::vector<std::size_t> first_of_part = first_blocks(cut.first);
+    const auto rank = static_cast<std::size_t>(exchange_.rank());
+    work.begin = first_of_part[rank];
+    const std::size_t end = first_of_part[rank + 1];
+    work.owned.resize(end - work.begin);
+    share_out_corners(zone, work);
+    for (const Triangle_id t : cut.members) assignment_.of_triangle[t] = {};
+    for (std::size_t b = work.begin; b <= end; ++b)
+      work.own.first.push_back(cut.first[b] - cut.first[work.begin]);
+    work.own.members.assign(cut.members.begin() + std::ptrdiff_t(cut.first[work.begin]),
+                            cut.members.begin() + std::ptrdiff_t(cut.first[end]));
+    return work;
+  }
+
+  /// The corners that this part's blocks of the zone own. Only corners with their apex in the zone can have an owner.
+  template <class Zone>
+  void share_out_corners(const Zone& zone, Shared_work& work) {
+    std::vector<Vertex_id> in_zone;
+    for (const Triangle_id t : zone.triangles())
+      for (const Vertex_id v : whole_.mesh.triangle(t).v)
+        if (whole_.mesh.is_input(v)) in_zone.push_back(v);
+    std::sort(in_zone.begin(), in_zone.end());
+    std::vector<Corner_id> candidates;
+    for (const Corner_id c : whole_.corners.corners.ids()) {
+      const auto& legs = whole_.corners.corner(c).legs;
+      if (!legs.empty() &&
+          std::binary_search(in_zone.begin(), in_zone.end(), whole_.corners.leg(legs.front()).apex_vertex))
+        candidates.push_back(c);
+    }
+    const std::vector<Block_id> owners = corners_.owners(
+        candidates, [&](Triangle_id t) { return zone.has(t) ? assignment_[t].block : Block_id(); });
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+      if (!owners[i].is_valid()) continue;
+      const std::size_t b = owners[i].value();
+      if (b >= work.begin && b < work.begin + work.owned.size())
+        work.owned[b - work.begin].push_back(candidates[i]);
+    }
+  }
+
+  // ---- where triangles are in blocks
+
+  void make_room_for_assignment() {
+    assignment_.of_triangle.resize(whole_.mesh.triangles.size());
+    assignment_.of_vertex.resize(whole_.mesh.number_of_vertices());
+  }
+
+  /// What is next to the blocks, known at their vertices or at those of corners, is in none.
+  void clear_around(const Block_cut& cut) {
+    const auto clear = [this](Triangle_id t) {
+      if (t.is_valid() && assignment_.of_triangle.has(t)) assignment_.of_triangle[t] = {};
+    };
+    for (const Triangle_id t : cut.members) {
+      const auto& r = whole_.mesh.triangle(t);
+      for (const Side o : r.side)
+        if (!o.is_border()) clear(o.triangle());
+      for (const Vertex_id v : r.v) clear(whole_.mesh.incident_triangle(v)), assignment_.of_vertex[v] = {};
+    }
+    for (const Vertex_id v : corners_.vertices()) clear(whole_.mesh.incident_triangle(v));
+  }
+
+  void assign(const Block_cut& cut, std::size_t first_block) {
+    for (std::size_t b = 0; b < cut.size(); ++b)
+      for (std::size_t i = cut.first[b]; i < cut.first[b + 1]; ++i)
+        assignment_.of_triangle[cut.members[i]] = {static_cast<Block_id>(first_block + b),
+                                                   static_cast<Triangle_id>(i - cut.first[b])};
+  }
+
+  // ---- the work of a round
+
+  template <class Continue>
+  void work(const Shared_work& round, const Continue& shall_go_on) {
+    const std::size_t n = round.own.size();
+    const Block_work<Geometry> work(whole_.problem, finishing_,
+                                    is_first_round() ? finishing_.thinnings_of_blocks : 0);
+    const std::size_t room = vertex_budget_ - std::min(vertex_budget_, whole_.mesh.number_of_vertices());
+    assign(round.own, round.begin);
+    std::vector<std::unique_ptr<Block>> blocks(n);
+    std::vector<std::vector<Triangle_id>> left(n);
+    Executor<ConcurrencyTag>::run(n, [&](std::size_t b) {
+      blocks[b] = std::make_unique<Block>(whole_.mesh, assignment_, static_cast<Block_id>(round.begin + b),
+                                          round.own[b], Kernel_mesh<Geometry>());
+      left[b] = work.run(*blocks[b], round.owned[b], room / round.number_of_blocks, shall_go_on);
+    });
+    name_new(round, blocks);
+    std::vector<Corner_id> corners;
+    std::vector<Triangle_id> left_by_all;
+    for (std::size_t b = 0; b < n; ++b) {
+      Block& block = *blocks[b];
+      block.write(whole_.mesh);
+      work.name_in_whole(block, round.owned[b]);
+      corners.insert(corners.end(), round.owned[b].begin(), round.owned[b].end());
+      for (const Triangle_id t : left[b])
+        if (block.mesh.is_alive(t)) left_by_all.push_back(block.whole_triangle(t));
+    }
+    if (is_first_round())
+      keep(blocks);
+    else
+      tell(blocks);
+    corners_.tell(corners);
+    for (auto& block : blocks) block->release();
+    for (const Triangle_id t : round.own.members) assignment_.of_triangle[t] = {};
+    tell_fans_and_dead(blocks);
+    rounds_.waiting = tell_all(exchange_, left_by_all);
+    put_together(blocks);
+  }
+
+  /// Blocks get their handles in the order of all blocks.
+  void name_new(const Shared_work& round, const std::vector<std::unique_ptr<Block>>& blocks) {
+    std::vector<Growth> own;
+    for (const auto& block : blocks)
+      own.push_back({static_cast<std::uint32_t>(block->number_of_new_triangles()),
+                     static_cast<std::uint32_t>(block->number_of_new_vertices())});
+    std::size_t triangles = whole_.mesh.triangles.size(), vertices = whole_.mesh.number_of_vertices();
+    std::size_t b = 0;
+    for (const Growth& growth : tell_all(exchange_, own)) {
+      if (b >= round.begin && b < round.begin + blocks.size())
+        blocks[b - round.begin]->name_new(static_cast<Triangle_id>(triangles),
+                                          static_cast<Vertex_id>(vertices));
+      triangles += growth.triangles, vertices += growth.vertices, ++b;
+    }
+    held_.resize(vertices, triangles);
+  }
+
+  /// After the first round: what a part has made is its own.
+  void keep(const std::vector<std::unique_ptr<Block>>& blocks) {
+    for (const auto& block : blocks) {
+      for (const Triangle_id t : block->mesh.triangles.ids())
+        if (block->mesh.is_alive(t))
+          held_.set_private(block->whole_triangle(t));
+        else
+          held_.set_absent(block->whole_triangle(t));
+      for (const Vertex_id v : block->mesh.points.ids()) held_.set_has(block->whole_vertex(v));
+    }
+  }
+
+  /// In a zone: all get what a part has made of its blocks.
+  void tell(const std::vector<std::unique_ptr<Block>>& blocks) {
+    std::vector<Triangle_id> triangles;
+    std::vector<Vertex_id> vertices;
+    for (const auto& block : blocks) {
+      for (const Triangle_id t : block->mesh.triangles.ids())
+        if (block->mesh.is_alive(t)) triangles.push_back(block->whole_triangle(t));
+      for (const Vertex_id v : block->mesh.points.ids()) {
+        vertices.push_back(block->whole_vertex(v));
+        held_.set_has(vertices.back());
+      }
+    }
+    held_.tell(triangles, vertices);
+  }
+
+  /// What several blocks may write: the last of them decides.
+  void tell_fans_and_dead(const std::vector<std::unique_ptr<Block>>& blocks) {
+    std::vector<Fan> fans;
+    std::vector<Triangle_id> dead;
+    for (const auto& block : blocks) {
+      fans.insert(fans.end(), block->fans().begin(), block->fans().end());
+      dead.insert(dead.end(), block->dead().begin(), block->dead().end());
+    }
+    const auto write = [this](const std::vector<Fan>& all) {
+      for (const Fan& f : all) whole_.mesh.triangle_of[f.vertex] = f.triangle;
+    };
+    if (is_first_round()) {
+      write(fans);
+      fans.clear();
+      for (const Vertex_id v : held_.common_vertices()) fans.push_back({v, whole_.mesh.incident_triangle(v)});
+    } else {
+      dead = tell_all(exchange_, dead);
+    }
+    write(tell_all(exchange_, fans));
+    for (const Triangle_id t : dead) held_.set_absent(t), whole_.mesh.kill(t);
+    if (!is_first_round()) return;
+    own_dead_ = whole_.mesh.dead_triangles().size();
+    std::vector<Vertex_id> of_corners;
+    for (const Vertex_id v : corners_.vertices())
+      if (held_.has(v)) of_corners.push_back(v);
+    held_.tell({}, of_corners);
+  }
+
+  /// The triangles at seams, and those beyond that were in no block; others have a half of their own. With them goes what
+  /// will be in the next zone, where flips are.
+  void share_both_sides_of(const std::vector<Seam>& halves) {
+    const auto word = [](Side s) { return 4 * std::int64_t(s.triangle().value()) + s.slot(); };
+    std::vector<std::int64_t> here;
+    std::vector<Triangle_id> at_seams;
+    for (const Seam& seam : halves) here.push_back(word(seam.here)), at_seams.push_back(seam.now.triangle());
+    std::sort(here.begin(), here.end());
+    for (const Seam& seam : halves)
+      if (!std::binary_search(here.begin(), here.end(), word(seam.beyond)))
+        at_seams.push_back(seam.beyond.triangle());
+    at_seams.insert(at_seams.end(), rounds_.waiting.begin(), rounds_.waiting.end());
+    held_.publish(held_.private_around(at_seams, rings_of_seams));
+  }
+
+  /// All parts link the same seams, and flip the same sides.
+  void put_together(const std::vector<std::unique_ptr<Block>>& blocks) {
+    std::vector<Seam> own;
+    for (const auto& block : blocks) own.insert(own.end(), block->seams().begin(), block->seams().end());
+    const std::vector<Seam> halves = tell_all(exchange_, own);
+    share_both_sides_of(halves);
+    auto& mesh = whole_.mesh;
+    const std::vector<Side> sides = link_seams<ConcurrencyTag>(mesh, halves);
+    rounds_.at_seams = triangles_at<ConcurrencyTag>(mesh, sides);
+    std::vector<Side> doubtful = sides_to_flip<ConcurrencyTag>(mesh, sides);
+    mesh.make_Delaunay(
+        doubtful,
+        [this](Triangle_id t, Triangle_id u) {
+          for (const Triangle_id flipped : {t, u})
+            if (whole_.is_suspect(flipped)) rounds_.waiting.push_back(flipped);
+        },
+        [&](Side s) {
+          const Side o = mesh.across(s);
+          if (!o.is_border()) held_.require({o.triangle()}, rings_for_flips);
+        });
+  }
+};
+
+} // namespace internal
+} // namespace Quadtree_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_DISTRIBUTED_ROUNDS_OF_PARTS_H

@@ -1,0 +1,69 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+//
+// What there is between two rounds of blocks, and when there is another one.
+
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_ROUNDS_BLOCK_ROUNDS_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_ROUNDS_BLOCK_ROUNDS_H
+
+#include <CGAL/Quadtree_mesh_2/internal/base/Indexed_vector.h>
+#include <CGAL/Quadtree_mesh_2/internal/triangulation/Kernel_handles.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Quadtree_mesh_2 {
+namespace internal {
+
+/// What a round works on.
+struct Round_extent {
+  std::size_t blocks, triangles; ///< and triangles in them
+  std::size_t slots;             ///< for triangles of the whole mesh
+
+  /// Whether the whole mesh does better if the round does not help: acute corners may reach through most of it, which
+  /// no block has then. Several blocks that are a small part of the mesh cost little, and less may wait once they have
+  /// grown.
+  bool is_dear() const { return blocks == 1 || 3 * triangles > slots; }
+};
+
+/// What there is between two rounds, besides the mesh.
+struct Block_rounds {
+  int number = 0;                   ///< of rounds that are done
+  int fruitless = 0;                ///< those at the end that were dear and left nearly as much as there was
+  std::vector<Triangle_id> waiting; ///< bad triangles
+  Uninitialized_vector<Triangle_id> at_seams; ///< of the last round
+
+  bool are_over = false; ///< and all that follows on them is done
+
+  static constexpr int most_fruitless = 3;
+  static constexpr int most = 40;
+
+  /// Whether another round may be of use: the first two always are.
+  bool may_go_on() const {
+    return number < 2 || (!waiting.empty() && fruitless < most_fruitless && number < most);
+  }
+
+  /// Counts the round that is over. If it was dear, an eighth of what waited before must not wait any more; of a few
+  /// triangles, one.
+  void note(std::size_t waiting_before, const Round_extent& extent) {
+    if (number <= 2 || !extent.is_dear()) return;
+    const bool has_helped = waiting.size() < waiting_before - waiting_before / 8;
+    fruitless = has_helped ? 0 : fruitless + 1;
+  }
+
+  /// Writes or reads it (Checkpoint_file.h).
+  template <class Archive>
+  void transfer(Archive& archive) {
+    archive(number, fruitless, waiting, at_seams, are_over);
+  }
+};
+
+} // namespace internal
+} // namespace Quadtree_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_ROUNDS_BLOCK_ROUNDS_H

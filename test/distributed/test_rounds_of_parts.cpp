@@ -1,0 +1,142 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+//
+// Rounds of blocks of a mesh in several memories: the bits of one memory for any number of parts, none of which has all.
+
+#include "catch.h"
+#include "mesher_test_tools.h"
+#include "pslg_inputs.h"
+#include "random_pslg_shapes.h"
+#include "rounds_of_parts_checks.h"
+#include "tiny_blocks.h"
+
+#include <CGAL/Quadtree_mesh_2/internal/distributed/In_memory_exchange.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <numeric>
+#include <vector>
+
+namespace test_rounds_of_parts {
+
+namespace {
+
+using namespace rounds_of_parts_checks;
+using mesher_test::Pslg;
+
+struct Comparisons {
+  std::vector<Comparison> of_parts;
+  std::vector<Exchange_traffic> traffic; ///< of the comparison, too
+};
+
+template <class Tag, class Change>
+Comparisons comparisons_of(const Pslg& pslg, int parts, const Change& change) {
+  Comparisons comparisons;
+  comparisons.of_parts.resize(std::size_t(parts));
+  comparisons.traffic = In_memory_exchange::run(parts, [&](In_memory_exchange& exchange) {
+    comparisons.of_parts[std::size_t(exchange.rank())] = compare_with_one_memory<Tag>(exchange, pslg, change);
+  });
+  return comparisons;
+}
+
+/// \returns for how many numbers of parts there were blocks
+template <class Tag, class Change>
+int check_all_parts(const Pslg& pslg, const Change& change) {
+  int cut = 0;
+  for (const int parts : {1, 2, 3, 7}) {
+    CAPTURE(parts);
+    const Comparison comparison = comparisons_of<Tag>(pslg, parts, change).of_parts.front();
+    CHECK(comparison.faults == 0);
+    if (comparison.has_blocks) ++cut;
+  }
+  return cut;
+}
+template <class Tag>
+int check_all_parts(const Pslg& pslg) {
+  return check_all_parts<Tag>(pslg, [](Prepared&) {});
+}
+
+/// The same graph with its vertices in the order of places, as the mesher has them.
+Pslg in_order_of_places(const Pslg& pslg) {
+  std::vector<Geometry::Point> points;
+  for (const auto& p : pslg.vertices) points.push_back({p.x(), p.y()});
+  const Place_keys<Geometry> key(points);
+  std::vector<std::size_t> order(points.size()), place(points.size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return key(points[a]) < key(points[b]); });
+  Pslg sorted;
+  for (const std::size_t i : order) place[i] = sorted.vertices.size(), sorted.add_vertex(pslg.vertices[i]);
+  for (const auto& [a, b] : pslg.segments)
+    sorted.add_segment(CGAL::Quadtree_mesh_2::Vertex_index(place[std::size_t(a)]),
+                       CGAL::Quadtree_mesh_2::Vertex_index(place[std::size_t(b)]));
+  return sorted;
+}
+
+} // namespace
+
+TEST_CASE("Parts of random graphs in tiny blocks have the bits of one memory", "[parts][distributed]") {
+  const auto& families = random_pslg::all_families();
+  const std::uint64_t seeds = is_full_run() ? 100 : 3;
+  int cut = 0;
+  for (const auto& family : families)
+    for (std::uint64_t seed = 100; seed < 100 + seeds; ++seed) {
+      CAPTURE(family.name, seed);
+      cut += check_all_parts<Tiny_blocks_tag>(family.make(seed));
+    }
+  CHECK(cut > 20);
+}
+
+TEST_CASE("Parts of graphs with acute corners and holes have the bits of one memory",
+          "[parts][distributed]") {
+  for (const char* name : {"stars:600", "blob:600", "segments:600", "coast:2000", "holes:100"}) {
+    CAPTURE(name);
+    CHECK(check_all_parts<Tiny_blocks_tag>(pslg_inputs::by_name(name).pslg) == 4);
+  }
+  const Pslg states = mesher_test::read("us_states_10m.poly.gz");
+  CHECK(check_all_parts<Tiny_blocks_tag>(states) == 4);
+  CHECK(check_all_parts<Small_blocks_tag>(states) == 4);
+}
+
+TEST_CASE("Parts with regions that have bounds of their own have the bits of one memory",
+          "[parts][distributed]") {
+  const auto change = [](Prepared& prepared) { bound_every_other_region(prepared, 1e-4); };
+  CHECK(check_all_parts<Tiny_blocks_tag>(pslg_inputs::by_name("stars:600").pslg, change) == 4);
+  CHECK(check_all_parts<Small_blocks_tag>(mesher_test::read("us_states_10m.poly.gz"), change) == 4);
+}
+
+TEST_CASE("Parts of a coast have its bits, and their share of it and the zones", "[parts][distributed]") {
+  const Pslg norway = in_order_of_places(mesher_test::read("gshhg_norway_f.poly.gz"));
+  for (const int parts : {1, 2, 7}) {
+    CAPTURE(parts);
+    const Comparisons comparisons = comparisons_of<CGAL::Parallel_tag>(norway, parts, [](Prepared&) {});
+    Comparison most = comparisons.of_parts.front();
+    CHECK(most.faults == 0);
+    CHECK(most.has_blocks);
+    for (const Comparison& o : comparisons.of_parts) {
+      most.number_private = std::max(most.number_private, o.number_private);
+      most.most_held = std::max(most.most_held, o.most_held);
+    }
+    if (parts > 1)
+      CHECK(most.number_shared < most.triangles * 15 / 100); // zones are 7 percent, without rings around them
+    CHECK(most.number_private * std::size_t(parts) <
+          most.triangles * 16 / 10); // there are few blocks for each
+    CHECK(most.most_held < most.number_private + most.triangles * 20 / 100);
+    Exchange_traffic traffic;
+    for (const Exchange_traffic& t : comparisons.traffic)
+      traffic.messages = std::max(traffic.messages, t.messages),
+      traffic.bytes = std::max(traffic.bytes, t.bytes);
+    CHECK(comparisons.traffic.front().exchanges < 200);
+    WARN(parts << " parts: " << most.rounds << " rounds, " << most.triangles << " triangles, "
+               << most.most_held << " held at most, " << most.number_private << " private, "
+               << most.number_shared << " shared, " << comparisons.traffic.front().exchanges << " exchanges, "
+               << traffic.messages << " messages, " << traffic.bytes << " bytes; others "
+               << comparisons.traffic.back().bytes);
+  }
+}
+
+} // namespace test_rounds_of_parts
