@@ -26,13 +26,13 @@ sub label {
 # The text of a reference is plain text to Doxygen.
 sub link_to {
   my ($text, $target) = @_;
-  $text =~ tr/`//d unless $target =~ m{^https?://};
-  return "[$text](\@ref " . label($page, $1) . ')' if $target =~ /^#(.*)$/;
-  return "[$text](\@ref " . label($1, $2 // '') . ')' if $target =~ m{^(\w+)\.md(?:#(.*))?$} && -e "doc/$1.md";
-  return "[$text](\@ref $1)" if $target =~ m{^Concepts/(\w+)\.h$} || $target =~ m{^\.\./examples/(\w+\.cpp)$};
+  my $plain = $text =~ tr/`//dr;
+  return "[$plain](\@ref " . label($page, $1) . ')' if $target =~ /^#(.*)$/;
+  return "[$plain](\@ref " . label($1, $2 // '') . ')' if $target =~ m{^(\w+)\.md(?:#(.*))?$} && -e "doc/$1.md";
+  return "[$plain](\@ref $1)" if $target =~ m{^Concepts/(\w+)\.h$} || $target =~ m{^\.\./examples/(\w+\.cpp)$};
   return "[$text]($target)" if $target =~ m{^https?://};
   return $text if -e "doc/$target";
-  return "[$text](\@ref $target)"; # which is not there: an error
+  return "[$plain](\@ref $target)"; # which is not there: an error
 }
 
 # A class has a header of its own.
