@@ -95,15 +95,24 @@ std::size_t faults_of_holders(Exchange& exchange, const Mesh& right, const Held&
   return faults + static_cast<std::size_t>(std::count(vouchers.begin(), vouchers.end(), 0));
 }
 
-/// Refines a graph in rounds of blocks, in one memory and in those of all parts, which all call it.
-/// \param change changes the graph's `Prepared`, in the same way each time
-template <class Tag, class Exchange, class Pslg, class Change>
-Comparison compare_with_one_memory(Exchange& exchange, const Pslg& pslg, const Change& change) {
-  Prepared expected(pslg);
-  change(expected);
-  const auto run = run_rounds<Tag>(expected);
-  const Mesh& right = expected.state.mesh;
+/// A graph that is refined in rounds of blocks in one memory.
+template <class Tag>
+struct One_memory {
+  Prepared prepared;
+  Rounds_run<Unwatched_rounds> run;
 
+  /// \param change changes the graph's `Prepared`
+  template <class Pslg, class Change>
+  One_memory(const Pslg& pslg, const Change& change)
+      : prepared(pslg), run((change(prepared), run_rounds<Tag>(prepared))) {}
+};
+
+/// Refines the same graph in the memories of all parts, which all call it.
+template <class Tag, class Exchange, class Pslg, class Change>
+Comparison compare_with_one_memory(Exchange& exchange, const One_memory<Tag>& expected, const Pslg& pslg,
+                                   const Change& change) {
+  const auto& run = expected.run;
+  const Mesh& right = expected.prepared.state.mesh;
   Prepared prepared(pslg);
   change(prepared);
   prepared.problem.vertex_blocks =
@@ -126,7 +135,7 @@ Comparison compare_with_one_memory(Exchange& exchange, const Pslg& pslg, const C
   note(rounds.number == run.rounds.number && rounds.fruitless == run.rounds.fruitless);
   note(rounds.waiting == run.rounds.waiting);
   note(rounds.at_seams == run.rounds.at_seams);
-  note(are_same(prepared.state.corners, expected.state.corners));
+  note(are_same(prepared.state.corners, expected.prepared.state.corners));
   if (exchange.sum(faults) == 0) { // else handles have other meanings
     faults += static_cast<std::int64_t>(faults_of_records(right, mesh, blocks.held()));
     faults += static_cast<std::int64_t>(faults_of_holders(exchange, right, blocks.held()));
@@ -144,11 +153,6 @@ Comparison compare_with_one_memory(Exchange& exchange, const Pslg& pslg, const C
   comparison.number_private = blocks.held().number_held() - comparison.number_shared;
   return comparison;
 }
-template <class Tag, class Exchange, class Pslg>
-Comparison compare_with_one_memory(Exchange& exchange, const Pslg& pslg) {
-  return compare_with_one_memory<Tag>(exchange, pslg, [](Prepared&) {});
-}
-
 /// Makes a region of what segments enclose, every other one with a bound on areas: a share of the whole area.
 inline void bound_every_other_region(Prepared& prepared, double share) {
   Mesh& mesh = prepared.state.mesh;

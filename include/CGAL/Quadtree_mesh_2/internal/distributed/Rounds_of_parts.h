@@ -97,8 +97,6 @@ private:
 
   /// How many rings around a triangle are shared at once where flips come to one that is not.
   static constexpr int rings_for_flips = 4;
-  /// And around seams and what waits. Two of them are in the next zone anyway.
-  static constexpr int rings_of_seams = 3;
 
   Exchange& exchange_;
   Meshing_state<Geometry>& whole_;
@@ -394,8 +392,8 @@ private:
     held_.tell({}, of_corners);
   }
 
-  /// The triangles at seams, and those beyond that were in no block; others have a half of their own. With them goes what
-  /// will be in the next zone, where flips are.
+  /// The triangles at seams, and those beyond that were in no block; others have a half of their own. With them goes
+  /// what will be in the second round's zone, where flips are.
   void share_both_sides_of(const std::vector<Seam>& halves) {
     const auto word = [](Side s) { return 4 * std::int64_t(s.triangle().value()) + s.slot(); };
     std::vector<std::int64_t> here;
@@ -406,7 +404,7 @@ private:
       if (!std::binary_search(here.begin(), here.end(), word(seam.beyond)))
         at_seams.push_back(seam.beyond.triangle());
     at_seams.insert(at_seams.end(), rounds_.waiting.begin(), rounds_.waiting.end());
-    held_.publish(held_.private_around(at_seams, rings_of_seams));
+    held_.publish(held_.private_around(at_seams, is_first_round() ? 2 : 1));
   }
 
   /// All parts link the same seams, and flip the same sides.

@@ -23,8 +23,8 @@ namespace Quadtree_mesh_2 {
 namespace internal {
 
 /// A visit to all triangles of a corner.
-/// \tparam Look_up finds a side between two vertices, of a triangle that can be read, or the border if there is none; and
-///         calls a function for the triangles at a vertex
+/// \tparam Look_up finds a side between two vertices, of a triangle that can be read, or the border if there is none;
+///         and calls a function for the triangles at a vertex
 template <class Geometry, class Look_up>
 struct Corner_visit {
   using Corners = Acute_corners<Geometry>;

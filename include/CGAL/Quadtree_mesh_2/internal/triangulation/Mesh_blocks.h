@@ -36,8 +36,8 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-/// Links what was apart: the two sides of a seam remember the same pair of sides of the whole mesh as it was. O(n log n)
-/// for n halves, of all blocks.
+/// Links what was apart: the two sides of a seam remember the same pair of sides of the whole mesh as it was.
+/// O(n log n) for n halves, of all blocks.
 /// \returns the sides along which blocks are put together, one of each pair, in an order that the halves' does not
 /// change
 template <class ConcurrencyTag, class Mesh>

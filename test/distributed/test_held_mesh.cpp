@@ -1,0 +1,165 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+//
+// A mesh of which parts hold some triangles each: who holds what is as by brute force, with the records of the whole
+// mesh, and what is not held takes no memory.
+
+#include "catch.h"
+#include "random_pslg_shapes.h"
+#include "rounds_of_parts_checks.h"
+
+#include <CGAL/Quadtree_mesh_2/internal/distributed/In_memory_exchange.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <mutex>
+#include <random>
+#include <vector>
+
+#ifdef __linux__
+#include <sys/mman.h>
+#include <unistd.h>
+#endif
+
+namespace test_held_mesh {
+
+namespace {
+
+using namespace rounds_of_parts_checks;
+using Held = Held_mesh<In_memory_exchange, Geometry>;
+
+/// Who holds what, as all parts know here.
+struct Model {
+  std::vector<int> owner;      ///< by triangle; -1: it is dead
+  std::vector<char> is_shared; ///< by triangle
+
+  bool is_held(std::size_t t, int part) const {
+    return owner[t] >= 0 && (is_shared[t] != 0 || owner[t] == part);
+  }
+};
+
+Model random_owners(const Mesh& whole, int parts, std::mt19937& random) {
+  Model model;
+  for (const Triangle_id t : whole.triangles.ids())
+    model.owner.push_back(whole.is_alive(t) ? static_cast<int>(random() % static_cast<unsigned>(parts)) : -1);
+  model.is_shared.assign(model.owner.size(), 0);
+  return model;
+}
+
+std::size_t faults_of_model(const Mesh& whole, const Mesh& mesh, const Held& held, const Model& model,
+                            int part) {
+  std::size_t faults = faults_of_records(whole, mesh, held), number = 0;
+  std::vector<char> has(whole.number_of_vertices(), 0);
+  for (const Triangle_id t : whole.triangles.ids()) {
+    const std::size_t i = t.value();
+    const bool is_held = model.is_held(i, part);
+    if (held.is_held(t) != is_held || held.is_shared(t) != (is_held && model.is_shared[i] != 0)) ++faults;
+    if (!is_held) continue;
+    ++number;
+    for (const Vertex_id v : whole.triangle(t).v) has[v.value()] = 1;
+  }
+  for (const Vertex_id v : whole.points.ids())
+    if (has[v.value()] != 0 && !held.has(v)) ++faults;
+  return faults + (held.number_held() == number ? 0 : 1);
+}
+
+std::vector<Triangle_id> random_triangles(const Mesh& whole, std::mt19937& random) {
+  std::vector<Triangle_id> found;
+  const std::size_t n = random() % 20;
+  while (found.size() < n) found.push_back(static_cast<Triangle_id>(random() % whole.triangles.size()));
+  return found;
+}
+
+/// A part of a mesh that is published bit by bit.
+std::size_t faults_of_part(In_memory_exchange& exchange, const Mesh& whole, std::uint32_t seed) {
+  std::mt19937 random(seed); // the same at all parts
+  Model model = random_owners(whole, exchange.size(), random);
+  Mesh mesh;
+  if (exchange.rank() == 0) mesh = whole;
+  Held held(exchange, mesh);
+  held.scatter([&](Triangle_id t) { return model.owner[t.value()]; }, {}, 2 * whole.number_of_vertices());
+  std::size_t faults = faults_of_model(whole, mesh, held, model, exchange.rank());
+  for (int step = 0; step < 30; ++step) {
+    const std::vector<Triangle_id> wanted = random_triangles(whole, random);
+    std::size_t expected = 0;
+    for (const Triangle_id t : wanted) {
+      const std::size_t i = t.value();
+      if (model.owner[i] < 0 || model.is_shared[i] != 0) continue;
+      model.is_shared[i] = 1, ++expected;
+    }
+    if (step % 2 == 0)
+      faults += held.publish(wanted) == expected ? 0 : 1;
+    else
+      held.require(wanted);
+    faults += faults_of_model(whole, mesh, held, model, exchange.rank());
+  }
+  return faults;
+}
+
+#ifdef __linux__
+/// The share of an array's pages that are in memory.
+template <class Vector>
+double share_in_memory(const Vector& values) {
+  const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+  const auto begin = (reinterpret_cast<std::uintptr_t>(values.data()) + page - 1) & ~(page - 1);
+  const auto end = reinterpret_cast<std::uintptr_t>(values.data() + values.size()) & ~(page - 1);
+  std::vector<unsigned char> pages((end - begin) / page);
+  if (mincore(reinterpret_cast<void*>(begin), end - begin, pages.data()) != 0) return 1;
+  std::size_t number = 0;
+  for (const unsigned char p : pages) number += p & 1u;
+  return static_cast<double>(number) / static_cast<double>(pages.size());
+}
+#endif
+
+} // namespace
+
+TEST_CASE("Parts hold what is theirs and what is shared, with the records of the whole mesh",
+          "[distributed]") {
+  std::uint32_t seed = 0;
+  for (const auto& family : random_pslg::all_families())
+    for (const int parts : {1, 2, 5}) {
+      CAPTURE(family.name, parts);
+      Prepared prepared(family.make(7));
+      Splitter<Geometry>(prepared.state).cut_rings();
+      const Mesh& whole = prepared.state.mesh;
+      ++seed;
+      In_memory_exchange::run(parts, [&](In_memory_exchange& exchange) {
+        const auto faults = exchange.sum(static_cast<std::int64_t>(faults_of_part(exchange, whole, seed)));
+        if (exchange.rank() == 0) CHECK(faults == 0);
+      });
+    }
+}
+
+#ifdef __linux__
+TEST_CASE("What a part does not hold takes no memory", "[distributed]") {
+  Mesh whole; // triangles in a row, of which the vertices are alike
+  constexpr std::uint32_t vertices = 500000, triangles = 1000000;
+  whole.resize(vertices, triangles);
+  for (const Vertex_id v : whole.points.ids()) {
+    whole.points[v] = {double(v.value()), 0}, whole.role_of[v] = free_vertex, whole.is_dirty[v] = 0;
+    whole.triangle_of[v] = Triangle_id(2 * v.value());
+  }
+  for (const Triangle_id t : whole.triangles.ids()) {
+    whole.triangle(t) = {};
+    for (std::uint32_t k = 0; k < 3; ++k) whole.triangle(t).v[k] = Vertex_id((t.value() / 2 + k) % vertices);
+  }
+  constexpr int parts = 5;
+  std::mutex one_by_one;
+  In_memory_exchange::run(parts, [&](In_memory_exchange& exchange) {
+    Mesh mesh;
+    if (exchange.rank() == 0) mesh = whole;
+    Held held(exchange, mesh);
+    held.scatter([](Triangle_id t) { return static_cast<int>(t.value() / (triangles / parts)); }, {},
+                 4 * vertices);
+    const std::lock_guard<std::mutex> lock(one_by_one);
+    CHECK(held.number_held() == triangles / parts);
+    CHECK(share_in_memory(mesh.triangles) < 1.05 / parts);
+    CHECK(share_in_memory(mesh.points) < 1.05 / parts);
+  });
+}
+#endif
+
+} // namespace test_held_mesh
