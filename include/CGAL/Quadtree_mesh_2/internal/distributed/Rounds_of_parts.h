@@ -7,11 +7,11 @@
 // The rounds of blocks (rounds/Block_refinement.h) of a mesh that parts hold.
 //
 // Computes: the same bits as in one memory, for any number of parts: handles, records, what waits.
-// Bound:    each part holds its own blocks of the first round, and the zones of all later ones, with what is around them.
-//           In the first round it works on its blocks before the first of them is written. A part sends to all others
-//           what it makes of its blocks in a zone. It has a byte for each triangle of the whole mesh while a zone is
-//           found, and 4 bytes for each one that waits or is at a seam. The records of all acute corners are at all
-//           parts.
+// Bound:    each part holds its own blocks of the first round, and the zones of all later ones, with what is around
+//           them. In the first round it works on its blocks before the first of them is written. A part sends to all
+//           others what it makes of its blocks in a zone. It has a byte for each triangle of the whole mesh while a
+//           zone is found, and 4 bytes for each one that waits or is at a seam. The records of all acute corners are at
+//           all parts.
 // Method:   the first part has the whole mesh at first. Parts get runs of blocks with about as many triangles, refine
 //           them, and tell each other how many triangles and vertices are new in each block, from which all know the
 //           handles of theirs. What is at seams is shared then (Held_mesh.h). Zones are shared before they are cut.
