@@ -161,8 +161,9 @@ std::vector<Triangle> triangles_of(const Plex& plex) {
 }
 
 double area_of(const std::vector<Triangle>& triangles) {
-  double area = 0;
-  for (const Triangle& t : triangles) area += t.area();
+  long double own = 0; // a double would lose digits if there are many
+  for (const Triangle& t : triangles) own += t.area();
+  double area = static_cast<double>(own);
   check(MPI_Allreduce(MPI_IN_PLACE, &area, 1, MPI_DOUBLE, MPI_SUM, PETSC_COMM_WORLD));
   return area;
 }

@@ -45,7 +45,7 @@ packages=("${build_packages[@]}" libgdal-dev catch2 python3-gmsh python3-h5py py
 [[ -n $sanitize ]] || packages+=(pybind11-dev python3-dev python3-pytest python3-numpy python3-shapely
   python3-geopandas python3-matplotlib)
 # Tests on several ranks.
-[[ -n $sanitize ]] || packages+=("${distributed_packages[@]}" petsc-dev)
+[[ -n $sanitize ]] || packages+=("${distributed_packages[@]}" petsc-dev libdolfinx-dev)
 # Pages are opened in a browser.
 [[ -n $sanitize ]] || packages+=(chromium-headless-shell python3-pil)
 # CGAL's viewer, for draw().
@@ -103,7 +103,7 @@ ctest --test-dir "$folder" --parallel "$(nproc)" --output-on-failure --progress
 say "running the examples"
 run_example() { # program
   case ${1##*/} in
-    quality_mesh) ;; # the tests run it
+    quality_mesh | mesh_for_dolfinx) ;; # the tests run them
     parallel_quadtree) "$1" 100000 >/dev/null ;;
     distribute_mesh | mesh_for_petsc) # where there is MPI, and PETSc
       [[ ! -x $1 ]] || OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1 \
