@@ -45,7 +45,7 @@ packages=("${build_packages[@]}" libgdal-dev catch2 python3-gmsh python3-h5py py
 [[ -n $sanitize ]] || packages+=(pybind11-dev python3-dev python3-pytest python3-numpy python3-shapely
   python3-geopandas python3-matplotlib)
 # Tests on several ranks.
-[[ -n $sanitize ]] || packages+=("${distributed_packages[@]}" petsc-dev libdolfinx-dev)
+[[ -n $sanitize ]] || packages+=("${distributed_packages[@]}" petsc-dev)
 # Pages are opened in a browser.
 [[ -n $sanitize ]] || packages+=(chromium-headless-shell python3-pil)
 # CGAL's viewer, for draw().
