@@ -24,17 +24,19 @@ struct Round_extent {
   std::size_t blocks, triangles; ///< and triangles in them
   std::size_t slots;             ///< for triangles of the whole mesh
 
-  /// Whether the whole mesh does better if the round does not help: acute corners may reach through most of it, which
-  /// no block has then. Several blocks that are a small part of the mesh cost little, and less may wait once they have
-  /// grown.
-  bool is_dear() const { return blocks == 1 || 3 * triangles > slots; }
+  /// Whether a round that hardly helps costs much: acute corners may reach through most of a large mesh, and no block
+  /// has all of one.
+  bool is_dear() const { return triangles > dear_number_of_triangles && 3 * triangles > slots; }
+
+private:
+  static constexpr std::size_t dear_number_of_triangles = std::size_t(1) << 17;
 };
 
 /// What there is between two rounds, besides the mesh.
 struct Block_rounds {
-  int number = 0;                   ///< of rounds that are done
-  int fruitless = 0;                ///< those at the end that were dear and left nearly as much as there was
-  std::vector<Triangle_id> waiting; ///< bad triangles
+  int number = 0;                             ///< of rounds that are done
+  int fruitless = 0;                          ///< those at the end that did not help, though they should have
+  std::vector<Triangle_id> waiting;           ///< bad triangles
   Uninitialized_vector<Triangle_id> at_seams; ///< of the last round
 
   bool are_over = false; ///< and all that follows on them is done
@@ -47,12 +49,12 @@ struct Block_rounds {
     return number < 2 || (!waiting.empty() && fruitless < most_fruitless && number < most);
   }
 
-  /// Counts the round that is over. If it was dear, an eighth of what waited before must not wait any more; of a few
-  /// triangles, one.
+  /// Counts the round that is over. After a dear one, an eighth less has to wait, and after one of a single block at
+  /// least one triangle. Several blocks may help once they have grown.
   void note(std::size_t waiting_before, const Round_extent& extent) {
-    if (number <= 2 || !extent.is_dear()) return;
-    const bool has_helped = waiting.size() < waiting_before - waiting_before / 8;
-    fruitless = has_helped ? 0 : fruitless + 1;
+    if (number <= 2 || (extent.blocks != 1 && !extent.is_dear())) return;
+    const std::size_t least_help = extent.is_dear() ? waiting_before / 8 : 0;
+    fruitless = waiting.size() < waiting_before - least_help ? 0 : fruitless + 1;
   }
 
   /// Writes or reads it (Checkpoint_file.h).
