@@ -10,6 +10,10 @@
 //
 // Each rank makes its slice of the points by itself, or reads it from the file. Messages and collective operations are
 // those of the whole program, p4est among it: MPI's profiling interface sees them all. Prints a row for each input.
+//
+// Memory is the peak of what each process has in memory while the tree is made, with the slice, the libraries and the
+// buffers of MPI. What was freed after an earlier input may be among it, so measure one input in a run. That of no
+// points, uniform:0, is what a rank needs in any case.
 
 #include <CGAL/Distributed_quadtree_2.h>
 #include <CGAL/IO/read_slices.h>
@@ -22,6 +26,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -102,10 +107,20 @@ std::vector<Point_2> slice_of(const std::string& input, int rank, int ranks) {
     return slice.vertices;
   }
   const std::int64_t n = static_cast<std::int64_t>(std::atof(input.c_str() + colon + 1));
+  const std::int64_t begin = n * rank / ranks, end = n * (rank + 1) / ranks;
   std::vector<Point_2> points;
-  for (std::int64_t i = n * rank / ranks; i < n * (rank + 1) / ranks; ++i)
-    points.push_back(point_of(input.substr(0, colon), i));
+  points.reserve(static_cast<std::size_t>(end - begin));
+  for (std::int64_t i = begin; i < end; ++i) points.push_back(point_of(input.substr(0, colon), i));
   return points;
+}
+
+// By the files of Linux; without them there is no peak, and it is 0.
+void forget_peak_of_memory() { std::ofstream("/proc/self/clear_refs") << 5; }
+double peak_of_memory_in_mb() {
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);)
+    if (line.rfind("VmHWM:", 0) == 0) return std::stod(line.substr(6)) * 1024e-6;
+  return 0;
 }
 
 struct Over_ranks {
@@ -126,6 +141,7 @@ void print_row(const std::string& input, const CGAL::Quadtree_options& options) 
   MPI_Comm_size(MPI_COMM_WORLD, &ranks);
   const std::vector<Point_2> slice = slice_of(input, rank, ranks);
   messages = bytes = collectives = 0;
+  forget_peak_of_memory();
   const double begin = MPI_Wtime();
   const Tree tree(MPI_COMM_WORLD, slice, options);
   const double seconds = over_ranks(MPI_Wtime() - begin, ranks).most;
@@ -134,15 +150,17 @@ void print_row(const std::string& input, const CGAL::Quadtree_options& options) 
                    taken_part = over_ranks(static_cast<double>(collectives), ranks),
                    leaves = over_ranks(static_cast<double>(tree.number_of_leaves()), ranks),
                    points = over_ranks(static_cast<double>(tree.number_of_points()), ranks),
-                   ghosts = over_ranks(static_cast<double>(tree.ghosts().size()), ranks);
+                   ghosts = over_ranks(static_cast<double>(tree.ghosts().size()), ranks),
+                   memory = over_ranks(peak_of_memory_in_mb(), ranks);
   if (rank != 0) return;
   const std::string name = input.substr(input.find_last_of('/') + 1);
   std::printf(
-      "| %s | %d | %lld | %lld | %d | %.2f | %.2f | %.0f | %.0f | %.0f | %.0f | %.0f | %.0f | %.2f |\n",
+      "| %s | %d | %lld | %lld | %d | %.2f | %.2f | %.0f | %.0f | %.0f | %.0f | %.0f | %.0f | %.0f | %.0f | "
+      "%.2f |\n",
       name.c_str(), ranks, static_cast<long long>(tree.number_of_all_points()),
       static_cast<long long>(tree.number_of_all_leaves()), tree.depth(),
       points.mean > 0 ? points.most / points.mean : 1, leaves.most / leaves.mean, ghosts.most, sent.mean,
-      sent.most, kilobytes.mean, kilobytes.most, taken_part.most, seconds);
+      sent.most, kilobytes.mean, kilobytes.most, taken_part.most, memory.mean, memory.most, seconds);
   std::fflush(stdout);
 }
 
@@ -162,7 +180,7 @@ int main(int argc, char** argv) {
   if (rank == 0)
     std::printf("| input | ranks | points | leaves | depth | points: most / mean | leaves: most / mean | "
                 "most ghosts | "
-                "messages: mean | most | kB: mean | most | collectives | s |\n");
+                "messages: mean | most | kB: mean | most | collectives | peak MB: mean | most | s |\n");
   for (const std::string& input : inputs) print_row(input, options);
   MPI_Finalize();
 }

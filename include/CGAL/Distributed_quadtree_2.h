@@ -325,6 +325,8 @@ private:
 
   void list_leaves() {
     namespace internal = Quadtree_mesh_2::internal;
+    const std::size_t n = forest_->size() + 3 * deep_.size();
+    leaves_.reserve(n), point_begin_.reserve(n + 1), leaf_begin_.reserve(forest_->size() + 1);
     point_begin_.assign(1, 0);
     std::size_t next_deep = 0;
     for (std::size_t i = 0; i < forest_->size(); ++i) {

@@ -43,8 +43,9 @@ std::vector<Placed_point> moved_points(Exchange& exchange, std::vector<Placed_po
   Records_of_parts<Numbered_point> outbox;
   for (const Placed_point& p : points) outbox[part_of(coarse_code(p.place))].push_back(p.without_place());
   std::vector<Placed_point>().swap(points);
-  for (const Numbered_point& p : joined(exchange_records(exchange, std::move(outbox))))
-    points.push_back({grid.grid_point({p.x, p.y}), p.x, p.y, p.index});
+  const std::vector<Numbered_point> arrived = joined(exchange_records(exchange, std::move(outbox)));
+  points.reserve(arrived.size());
+  for (const Numbered_point& p : arrived) points.push_back({grid.grid_point({p.x, p.y}), p.x, p.y, p.index});
   return points;
 }
 
