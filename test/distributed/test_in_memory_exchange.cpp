@@ -61,13 +61,36 @@ TEST_CASE("parts in one memory count what they send to others", "[distributed]")
 
 TEST_CASE("an error that parts do not agree on ends all of them", "[distributed][threads]") {
   const int parts = GENERATE(1, 2, 9);
-  const auto run = [parts] {
-    In_memory_exchange::run(parts, [](In_memory_exchange& exchange) {
-      if (exchange.rank() == exchange.size() - 1) throw std::length_error("alone");
-      for (;;) exchange.sum(1);
+  for (int bad = 0; bad < parts; ++bad)
+    for (int others = 0; others < 5; ++others) {
+      const auto run = [&] {
+        In_memory_exchange::run(parts, [&](In_memory_exchange& exchange) {
+          exchange_checks::check_exchanges(exchange, 2);
+          if (exchange.rank() == bad) throw std::length_error("alone");
+          Bytes bytes;
+          for (;;) {
+            if (others == 0) exchange.sum(1);
+            if (others == 1) exchange.exclusive_scan(1);
+            if (others == 2) exchange.gather(1);
+            if (others == 3) exchange.broadcast(bytes, bad);
+            if (others == 4) exchange.exchange({});
+          }
+        });
+      };
+      CHECK_THROWS_AS(run(), std::length_error);
+    }
+}
+
+TEST_CASE("of errors that parts do not agree on the lowest part's is told", "[distributed][threads]") {
+  const auto run = [] {
+    In_memory_exchange::run(5, [](In_memory_exchange& exchange) {
+      exchange.sum(1);
+      if (exchange.rank() == 2) throw std::invalid_argument("lowest");
+      if (exchange.rank() == 4) throw std::length_error("highest");
+      exchange.sum(1);
     });
   };
-  CHECK_THROWS_AS(run(), std::length_error);
+  for (int i = 0; i < 20; ++i) CHECK_THROWS_AS(run(), std::invalid_argument);
 }
 
 TEST_CASE("half a record is no record", "[distributed]") {

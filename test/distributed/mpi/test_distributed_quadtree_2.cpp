@@ -192,10 +192,24 @@ TEST_CASE("ranks have the squares of the framework of one tree", "[distributed]"
   }
 }
 
-TEST_CASE("all ranks tell of bad points of one rank", "[distributed]") {
-  Points points = quadtree_test::make_points<Traits>(quadtree_test::uniform(40, 1));
-  SECTION("not finite") { points[33] = Point_2(0, std::numeric_limits<double>::quiet_NaN()); }
-  SECTION("indistinguishable") { points[2] = Point_2(0x1p-300, 0), points[39] = Point_2(0x1p-301, 0); }
+TEST_CASE("all ranks tell of bad points, and then go on", "[distributed]") {
+  const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
+  const Cuts cuts = GENERATE(Cuts::EVEN, Cuts::ALL_AT_THE_LAST, Cuts::RANDOM);
+  const Points good = quadtree_test::make_points<Traits>(quadtree_test::uniform(40, 1));
+  Points points = good;
+  SECTION("not finite, at one rank") { points[33] = Point_2(0, nan); }
+  SECTION("not finite, at several ranks") {
+    points[38] = Point_2(0, nan), points[19] = Point_2(inf, 0), points[3] = Point_2(0, -inf);
+  }
+  SECTION("indistinguishable, at one rank") {
+    points[2] = Point_2(0x1p-300, 0), points[3] = Point_2(0x1p-301, 0);
+  }
+  SECTION("indistinguishable, at two ranks") {
+    points[2] = Point_2(0x1p-300, 0), points[39] = Point_2(0x1p-301, 0);
+  }
+  SECTION("both") {
+    points[2] = Point_2(0x1p-300, 0), points[3] = Point_2(0x1p-301, 0), points[39] = Point_2(0, nan);
+  }
   std::string expected, told;
   try {
     Whole_tree whole(points);
@@ -203,12 +217,13 @@ TEST_CASE("all ranks tell of bad points of one rank", "[distributed]") {
     expected = error.what();
   }
   try {
-    Tree tree(MPI_COMM_WORLD, slice(points, Cuts::EVEN, rank(), ranks()));
+    Tree tree(MPI_COMM_WORLD, slice(points, cuts, rank(), ranks()));
   } catch (const CGAL::Quadtree_mesh_2::Distributed_point_error& error) {
     told = error.what();
   }
   CHECK(!expected.empty());
   CHECK(told == expected);
+  check_same(good, cuts, Quadtree_options());
 }
 
 } // namespace test_distributed_quadtree_2

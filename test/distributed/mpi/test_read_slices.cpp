@@ -21,6 +21,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <fstream>
 #include <memory>
 #include <string>
 #include <vector>
@@ -70,6 +71,17 @@ std::string error_of(const Read& read) {
   return std::string();
 }
 
+/// A polygon of n vertices and segments. The record with the number `bad` is no number, or names no vertex.
+void write_polygon(const std::string& name, std::size_t n, std::size_t bad) {
+  std::ofstream out(name);
+  out << n << " 2 0 0\n";
+  for (std::size_t i = 0; i < n; ++i) out << i << ' ' << i << (i == bad ? " x\n" : " 7\n");
+  out << n << " 0\n";
+  for (std::size_t i = 0; i < n; ++i)
+    out << i << ' ' << i << ' ' << (n + i == bad ? n + 5 : (i + 1) % n) << '\n';
+  out << "0\n";
+}
+
 /// The slices of all ranks, at all of them. \returns how much is wrong
 int compare(const Slice& own, const Graph& expected) {
   Mpi_exchange exchange(MPI_COMM_WORLD);
@@ -114,6 +126,51 @@ TEST_CASE("ranks read slices of .poly files", "[distributed]") {
     const std::string error = error_of([&] { CGAL::IO::read_triangle_poly(data + name, expected); });
     CHECK(error_of([&] { CGAL::IO::read_triangle_poly_slice(MPI_COMM_WORLD, data + name, slice); }) == error);
     CHECK(compare(slice, expected) == 0);
+  }
+}
+
+TEST_CASE("what is wrong in the slice of one rank is the same error at all ranks, which then go on",
+          "[distributed]") {
+  Common_folder folder;
+  const std::size_t n = 400; // lines of vertices, then of segments
+  const std::string good =
+      folder.file("good.poly", [&](const std::string& at) { write_polygon(at, n, 2 * n); });
+  Graph expected;
+  CGAL::IO::read_triangle_poly(good, expected);
+  for (const std::size_t line : {std::size_t(0), n / 4, n / 2, n - 1, n + 1, 3 * n / 2, 2 * n - 1}) {
+    INFO("record " << line);
+    const std::string bad =
+        folder.file("bad.poly", [&](const std::string& at) { write_polygon(at, n, line); });
+    Graph graph;
+    Slice slice;
+    const std::string error = error_of([&] { CGAL::IO::read_triangle_poly(bad, graph); });
+    CHECK(!error.empty());
+    CHECK(error_of([&] { CGAL::IO::read_triangle_poly_slice(MPI_COMM_WORLD, bad, slice); }) == error);
+    CHECK(slice.vertices.empty());
+    CGAL::IO::read_triangle_poly_slice(MPI_COMM_WORLD, good, slice);
+    CHECK(compare(slice, expected) == 0);
+  }
+}
+
+TEST_CASE("a file that one rank cannot open is the same error at all ranks", "[distributed]") {
+  Common_folder folder;
+  Mpi_exchange exchange(MPI_COMM_WORLD);
+  Graph graph;
+  CGAL::IO::read_triangle_poly(data + "syn_square.poly", graph);
+  const std::string poly = data + "syn_square.poly", absent = data + "absent";
+  const std::string hdf5 =
+      folder.file("good.h5", [&](const std::string& at) { CGAL::IO::write_HDF5(at, graph); });
+  for (int at = 0; at < exchange.size(); ++at) {
+    INFO("rank " << at);
+    const auto name = [&](const std::string& good) { return exchange.rank() == at ? absent : good; };
+    Slice slice;
+    CHECK(error_of([&] {
+            CGAL::IO::read_triangle_poly_slice(MPI_COMM_WORLD, name(poly), slice);
+          }).rfind(absent + ": cannot be opened", 0) == 0);
+    CHECK(error_of([&] { CGAL::IO::read_HDF5_slice(MPI_COMM_WORLD, name(hdf5), slice); }).rfind(absent, 0) ==
+          0);
+    CGAL::IO::read_HDF5_slice(MPI_COMM_WORLD, hdf5, slice);
+    CHECK(compare(slice, graph) == 0);
   }
 }
 
