@@ -15,12 +15,12 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_DISTRIBUTED_CORNERS_OF_PARTS_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_DISTRIBUTED_CORNERS_OF_PARTS_H
 
+#include <CGAL/Quadtree_mesh_2/internal/base/sort_and_drop_equal.h>
 #include <CGAL/Quadtree_mesh_2/internal/distributed/Held_mesh.h>
 #include <CGAL/Quadtree_mesh_2/internal/distributed/tell_all.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
 #include <CGAL/Quadtree_mesh_2/internal/rounds/Corner_places.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -48,8 +48,7 @@ public:
         if (v.is_valid()) found.push_back(v);
       }
     }
-    std::sort(found.begin(), found.end());
-    found.erase(std::unique(found.begin(), found.end()), found.end());
+    sort_and_drop_equal(found);
     return found;
   }
 

@@ -19,6 +19,7 @@
 #define CGAL_QUADTREE_MESH_2_INTERNAL_DISTRIBUTED_HELD_MESH_H
 
 #include <CGAL/Quadtree_mesh_2/internal/base/huge_pages.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/sort_and_drop_equal.h>
 #include <CGAL/Quadtree_mesh_2/internal/distributed/Mesh_archive.h>
 #include <CGAL/Quadtree_mesh_2/internal/distributed/Parcel.h>
 #include <CGAL/Quadtree_mesh_2/internal/distributed/tell_all.h>
@@ -220,12 +221,6 @@ private:
     reserve(mesh_.is_dirty, vertices), reserve(mesh_.triangles, slots);
     if (!mesh_.region_of.empty()) reserve(mesh_.region_of, slots);
     hold_.grow(slots), has_.grow(vertices);
-  }
-
-  template <class Id>
-  static void sort_and_drop_equal(std::vector<Id>& ids) {
-    std::sort(ids.begin(), ids.end());
-    ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
   }
 
   static Triangle_record record(const Mesh& mesh, Triangle_id t) {

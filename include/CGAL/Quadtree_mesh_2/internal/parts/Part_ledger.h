@@ -41,6 +41,7 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_PARTS_PART_LEDGER_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_PARTS_PART_LEDGER_H
 
+#include <CGAL/Quadtree_mesh_2/internal/base/sort_and_drop_equal.h>
 #include <CGAL/Quadtree_mesh_2/internal/parts/Counted_exchange.h>
 #include <CGAL/Quadtree_mesh_2/internal/parts/Part_owners.h>
 #include <CGAL/Quadtree_mesh_2/internal/parts/Part_records.h>
@@ -315,12 +316,6 @@ private:
       exchange_.send<Shell_record>(from, to,
                                    static_cast<std::size_t>(std::distance(shells.begin(), shells.end())));
     }
-  }
-
-  template <class Value>
-  static void sort_and_drop_equal(std::vector<Value>& values) {
-    std::sort(values.begin(), values.end());
-    values.erase(std::unique(values.begin(), values.end()), values.end());
   }
 };
 

@@ -14,10 +14,10 @@
 //           acute corners that they may wait for. From the fourth on, blocks are four times as large as in the round
 //           before. So in the end there is one.
 //
-// Rounds end when nothing waits, or when some rounds in a row hardly help though each works on one block or on most of
-// the mesh. What waits then has no room, or is at an acute corner of which a leg could not be cut, or that reaches
-// through most of the mesh. A budget of vertices, a limit on rounds and the user may end them before. The caller
-// decides what is left, in the whole mesh.
+// Rounds end when nothing waits, or when some in a row do not help: of one block each, or through much of a large mesh
+// (Block_rounds.h). What waits then has no room, or is at an acute corner of which a leg could not be cut, or that
+// reaches through most of the mesh. A budget of vertices, a limit on rounds and the user may end them before. The
+// caller decides what is left, in the whole mesh.
 //
 // How blocks are cut does not depend on the number of threads, and neither does the result. In addition to refinement,
 // a round takes work in proportion to its zone, one look at each vertex of the mesh, and some bytes for each triangle.

@@ -10,6 +10,7 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_ROUNDS_CORNER_PLACES_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_ROUNDS_CORNER_PLACES_H
 
+#include <CGAL/Quadtree_mesh_2/internal/base/sort_and_drop_equal.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Mesh_blocks.h>
@@ -163,12 +164,6 @@ private:
     }
     sort_and_drop_equal(found);
     return found;
-  }
-
-  template <class Id>
-  static void sort_and_drop_equal(std::vector<Id>& ids) {
-    std::sort(ids.begin(), ids.end());
-    ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
   }
 
   /// Looks up sides and stars in a mesh that is all here.
