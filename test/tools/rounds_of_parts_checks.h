@@ -9,7 +9,7 @@
 
 #include "prepared_graph.h"
 
-#include <CGAL/Quadtree_mesh_2/internal/distributed/Rounds_of_parts.h>
+#include <CGAL/Quadtree_mesh_2/internal/shared_rounds/Rounds_of_parts.h>
 
 #include <algorithm>
 #include <cstddef>

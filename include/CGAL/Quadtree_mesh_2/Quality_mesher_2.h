@@ -14,6 +14,7 @@
 #include <CGAL/Pslg_error_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/Mesh_pipeline.h>
 #include <CGAL/Quadtree_mesh_2/internal/neighbors/nearest_hits.h>
+#include <CGAL/Quadtree_mesh_2/internal/rounds/Rounds_runner.h>
 #include <CGAL/Quality_mesh_options_2.h>
 #include <CGAL/Quality_mesh_report_2.h>
 #include <CGAL/tags.h>
@@ -24,6 +25,12 @@
 #include <utility>
 
 namespace CGAL {
+
+namespace Quadtree_mesh_2 {
+namespace internal {
+struct Mesher_rounds;
+} // namespace internal
+} // namespace Quadtree_mesh_2
 
 /// \ingroup PkgQuadtreeMesh2Meshers
 /// Triangulates the domain of a planar straight-line graph with few triangles, so that no triangle has an
@@ -124,6 +131,9 @@ private:
   Traits traits_;
   Quadtree_mesh_2::internal::Find_nearest_hits<Pslg> find_hits_ = nullptr;
   Quality_mesh_report_2 report_;
+  Quadtree_mesh_2::internal::Rounds_runner<typename Traits::Meshing_geometry_2>* rounds_runner_ = nullptr;
+
+  friend struct Quadtree_mesh_2::internal::Mesher_rounds;
 };
 
 // Defined outside the class, so not inline: a compiled library spares the compiler the body.
@@ -135,8 +145,25 @@ Quality_mesher_2<Traits, ConcurrencyTag>::operator()(const Pslg& pslg) {
   const Quadtree_mesh_2::internal::Concurrency_scope scope{ConcurrencyTag()};
   report_ = Quality_mesh_report_2();
   check_pslg_structure(pslg);
-  return Pipeline(pslg, options_, traits_, find_hits_, report_).run();
+  Pipeline pipeline(pslg, options_, traits_, find_hits_, report_);
+  pipeline.run_rounds_by(rounds_runner_);
+  return pipeline.run();
 }
+
+namespace Quadtree_mesh_2 {
+namespace internal {
+
+/// Sets who runs a mesher's rounds of blocks; null: the mesher itself.
+struct Mesher_rounds {
+  template <class Traits, class ConcurrencyTag>
+  static void run_by(Quality_mesher_2<Traits, ConcurrencyTag>& mesher,
+                     Rounds_runner<typename Traits::Meshing_geometry_2>* runner) {
+    mesher.rounds_runner_ = runner;
+  }
+};
+
+} // namespace internal
+} // namespace Quadtree_mesh_2
 
 } // namespace CGAL
 

@@ -35,7 +35,6 @@
 #include <CGAL/Quadtree_mesh_2/internal/Mesh_checkpoints.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/Phase_clock.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/Progress.h>
-#include <CGAL/Quadtree_mesh_2/internal/base/huge_pages.h>
 #include <CGAL/Quadtree_mesh_2/internal/check_coordinates.h>
 #include <CGAL/Quadtree_mesh_2/internal/digest_of_mesh.h>
 #include <CGAL/Quadtree_mesh_2/internal/geometry/coordinate_map.h>
@@ -55,6 +54,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/refinement/finish_mesh.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/triangle_budget.h>
 #include <CGAL/Quadtree_mesh_2/internal/rounds/Block_refinement.h>
+#include <CGAL/Quadtree_mesh_2/internal/rounds/Rounds_runner.h>
 #include <CGAL/Quadtree_mesh_2/internal/shaping/Wide_angle_curer.h>
 #include <CGAL/Quadtree_mesh_2/internal/squares/Bulk_filler.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Separation_trees.h>
@@ -69,7 +69,6 @@
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/least_distance.h>
 #include <CGAL/Quality_mesh_options_2.h>
 #include <CGAL/Quality_mesh_report_2.h>
-#include <CGAL/validate_pslg_2.h>
 
 #include <algorithm>
 #include <array>
@@ -131,6 +130,7 @@ public:
   }
 
   const Watch& watch() const { return watch_; }
+  void run_rounds_by(Rounds_runner<Geometry>* runner) { runner_ = runner; } ///< with no checkpoints then
 
 private:
   using First = First_triangulation<ConcurrencyTag, Geometry>;
@@ -157,7 +157,8 @@ private:
   double triangles_of_sizes_ = 0;                  // what bounds of size ask for, as estimated
   std::size_t first_placed_ = 0;                   // of the vertices that quadtrees place
   Block_rounds rounds_;
-  Watch watch_; // of the rounds
+  Watch watch_;                               // of the rounds
+  Rounds_runner<Geometry>* runner_ = nullptr; // if somebody else runs them
   Mesh_checkpoints checkpoints_{options_.checkpoints(), Checkpoint_pace<ConcurrencyTag>::time_between};
   bool has_gone_on_ = false; // from a checkpoint
 
@@ -315,16 +316,17 @@ private:
   /// \param share_before of the work, as is told to the user
   /// \returns false if the mesh is too small for blocks, and nothing was done
   bool work_off_in_blocks(Mesh_limit limit, double share_before) {
+    const auto shall_go_on = [this, share_before](double share) {
+      return progress_.shall_go_on(share_before + Progress_shares::rounds_of_blocks * share);
+    };
+    if (runner_ != nullptr) return runner_->run(state_, finishing_, limit.vertices, rounds_, shall_go_on);
     Block_refinement<ConcurrencyTag, Geometry, Watch> blocks(state_, finishing_, limit.vertices, rounds_,
                                                              watch_);
-    const auto shall_go_on = [this, &blocks, share_before] {
-      return progress_.shall_go_on(share_before + Progress_shares::rounds_of_blocks * blocks.share_done());
-    };
     // A state goes on with refinement, which is not what quadtrees are followed by.
     const auto between_rounds = [this] {
       if (report_.trees.rounds == 0) save_checkpoint();
     };
-    return blocks.run(shall_go_on, between_rounds);
+    return blocks.run([&] { return shall_go_on(blocks.share_done()); }, between_rounds);
   }
 
   void finish_refinement(Splitter<Geometry>& splitter) {

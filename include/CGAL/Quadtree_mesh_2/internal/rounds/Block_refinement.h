@@ -101,19 +101,15 @@ public:
     return true;
   }
 
-  /// Of the work of all rounds, most of which is in the first. Any thread may ask.
+  /// Of the work of all rounds. Any thread may ask.
   double share_done() const {
     const double share = triangles_of_round_ == 0 ? 0
                                                   : static_cast<double>(triangles_done_) /
                                                         static_cast<double>(triangles_of_round_);
-    double begin = 0, end = share_of_first_round;
-    for (int round = 1; round < rounds_.number; ++round) begin = end, end = (1 + end) / 2;
-    return begin + (end - begin) * share;
+    return rounds_.share_done(share);
   }
 
 private:
-  static constexpr double share_of_first_round = 0.8;
-
   Meshing_state<Geometry>& whole_;
   Finishing finishing_;
   std::size_t vertex_budget_;

@@ -57,6 +57,15 @@ struct Block_rounds {
     fruitless = waiting.size() < waiting_before - least_help ? 0 : fruitless + 1;
   }
 
+  /// Of the work of all rounds, most of which is in the first.
+  /// \param of_round the share of the last round that is done
+  double share_done(double of_round) const {
+    constexpr double share_of_first = 0.8;
+    double begin = 0, end = share_of_first;
+    for (int round = 1; round < number; ++round) begin = end, end = (1 + end) / 2;
+    return begin + (end - begin) * of_round;
+  }
+
   /// Writes or reads it (Checkpoint_file.h).
   template <class Archive>
   void transfer(Archive& archive) {

@@ -227,6 +227,11 @@ public:
   std::size_t number_of_triangles() const { return triangles.size() - free_.size(); }
   /// The slots of triangles that are not alive, in no order.
   const std::vector<Triangle_id>& dead_triangles() const { return free_; }
+  /// Puts these in their place, and marks them as dead.
+  void set_dead_triangles(std::vector<Triangle_id> dead) {
+    for (const Triangle_id t : dead) triangle(t).v[0] = {};
+    free_ = std::move(dead);
+  }
 
   /// Makes `other` (a side with its bit, or the border) what lies across side `slot` of t, and the converse.
   void link(Triangle_id t, int slot, Side other) {

@@ -15,8 +15,8 @@
 // Method:   arrays as long as those of the whole mesh, whose pages nobody touches who does not hold what is in them. So
 //           all that goes by handles, such as an order of triangles, is what it is in one memory.
 
-#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_DISTRIBUTED_HELD_MESH_H
-#define CGAL_QUADTREE_MESH_2_INTERNAL_DISTRIBUTED_HELD_MESH_H
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_SHARED_ROUNDS_HELD_MESH_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_SHARED_ROUNDS_HELD_MESH_H
 
 #include <CGAL/Quadtree_mesh_2/internal/base/huge_pages.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/sort_and_drop_equal.h>
@@ -95,6 +95,23 @@ public:
     Parcels outbox;
     if (exchange_.rank() == 0) outbox = packages(whole, part_of, for_all);
     for (const Parcel& parcel : exchange_.exchange(std::move(outbox))) unpack(parcel.bytes);
+  }
+
+  /// Part 0 gets all that others hold, from one part after the other: its mesh is whole then, but for what is dead.
+  /// Others keep what they have. All parts call it.
+  void gather() {
+    for (int sender = 1; sender < exchange_.size(); ++sender) {
+      Parcels outbox;
+      if (exchange_.rank() == sender) outbox.push_back({0, bytes_for_first_part()});
+      for (const Parcel& parcel : exchange_.exchange(std::move(outbox))) {
+        Archive_reader archive(parcel.bytes);
+        std::vector<Triangle_record> triangles;
+        std::vector<Vertex_record> vertices;
+        archive(triangles), archive(vertices);
+        for (const Triangle_record& r : triangles) write(r), set_private(r.id);
+        for (const Vertex_record& r : vertices) write(r), set_has(r.id);
+      }
+    }
   }
 
   /// Makes room for the handles of new triangles and vertices.
@@ -223,6 +240,18 @@ private:
     hold_.grow(slots), has_.grow(vertices);
   }
 
+  Bytes bytes_for_first_part() const {
+    std::vector<Triangle_id> triangles;
+    std::vector<Vertex_id> vertices;
+    for (const Triangle_id t : mesh_.triangles.ids())
+      if (is_private(t)) triangles.push_back(t);
+    for (const Vertex_id v : mesh_.points.ids())
+      if (has(v)) vertices.push_back(v);
+    Archive_writer archive;
+    archive(records(mesh_, triangles)), archive(records(mesh_, vertices));
+    return std::move(archive.bytes);
+  }
+
   static Triangle_record record(const Mesh& mesh, Triangle_id t) {
     return {t, mesh.region(t), mesh.triangle(t)};
   }
@@ -309,4 +338,4 @@ private:
 } // namespace Quadtree_mesh_2
 } // namespace CGAL
 
-#endif // CGAL_QUADTREE_MESH_2_INTERNAL_DISTRIBUTED_HELD_MESH_H
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_SHARED_ROUNDS_HELD_MESH_H

@@ -12,14 +12,14 @@
 // comes to a triangle that another part has for itself, that part has come to it as well, and publishes it.
 // As many exchanges as the most parts in turn that the triangles of a corner lie in, and one more.
 
-#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_DISTRIBUTED_CORNERS_OF_PARTS_H
-#define CGAL_QUADTREE_MESH_2_INTERNAL_DISTRIBUTED_CORNERS_OF_PARTS_H
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_SHARED_ROUNDS_CORNERS_OF_PARTS_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_SHARED_ROUNDS_CORNERS_OF_PARTS_H
 
 #include <CGAL/Quadtree_mesh_2/internal/base/sort_and_drop_equal.h>
-#include <CGAL/Quadtree_mesh_2/internal/distributed/Held_mesh.h>
 #include <CGAL/Quadtree_mesh_2/internal/distributed/tell_all.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
 #include <CGAL/Quadtree_mesh_2/internal/rounds/Corner_places.h>
+#include <CGAL/Quadtree_mesh_2/internal/shared_rounds/Held_mesh.h>
 
 #include <cstddef>
 #include <vector>
@@ -205,4 +205,4 @@ private:
 } // namespace Quadtree_mesh_2
 } // namespace CGAL
 
-#endif // CGAL_QUADTREE_MESH_2_INTERNAL_DISTRIBUTED_CORNERS_OF_PARTS_H
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_SHARED_ROUNDS_CORNERS_OF_PARTS_H

@@ -18,23 +18,26 @@
 //           So all parts find the same zone, cut it alike, link the same seams and flip the same sides, and each works
 //           on its run of the blocks.
 //
-// The problem (points, edges, corners, bounds) is the same at all parts. An error at one of them is not told to others.
+// The problem (points, edges, corners, bounds) is the same at all parts. What is thrown while one of them works on its
+// blocks, all throw; an error between, such as no memory left, is not told to others.
 
-#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_DISTRIBUTED_ROUNDS_OF_PARTS_H
-#define CGAL_QUADTREE_MESH_2_INTERNAL_DISTRIBUTED_ROUNDS_OF_PARTS_H
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_SHARED_ROUNDS_ROUNDS_OF_PARTS_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_SHARED_ROUNDS_ROUNDS_OF_PARTS_H
 
-#include <CGAL/Quadtree_mesh_2/internal/distributed/Corners_of_parts.h>
-#include <CGAL/Quadtree_mesh_2/internal/distributed/Held_mesh.h>
+#include <CGAL/Quadtree_mesh_2/internal/distributed/agree_on_error.h>
 #include <CGAL/Quadtree_mesh_2/internal/distributed/tell_all.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/rounds/Block_rounds.h>
 #include <CGAL/Quadtree_mesh_2/internal/rounds/Block_work.h>
 #include <CGAL/Quadtree_mesh_2/internal/rounds/Corner_places.h>
 #include <CGAL/Quadtree_mesh_2/internal/rounds/Round_cuts.h>
+#include <CGAL/Quadtree_mesh_2/internal/shared_rounds/Corners_of_parts.h>
+#include <CGAL/Quadtree_mesh_2/internal/shared_rounds/Held_mesh.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Mesh_blocks.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Triangle_zone.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -76,6 +79,25 @@ public:
     return true;
   }
 
+  /// Part 0 gets the whole mesh, with the bits that one memory has; all else is at all parts. All parts call it, after
+  /// rounds.
+  void gather() {
+    held_.gather();
+    const std::vector<Triangle_id>& dead = whole_.mesh.dead_triangles();
+    const auto rest = dead.begin() + static_cast<std::ptrdiff_t>(own_dead_);
+    std::vector<Triangle_id> all = tell_all(exchange_, std::vector<Triangle_id>(dead.begin(), rest));
+    all.insert(all.end(), rest, dead.end());
+    if (exchange_.rank() == 0) whole_.mesh.set_dead_triangles(std::move(all));
+  }
+
+  /// Of the work of all rounds, as far as this part can tell. Any thread may ask.
+  double share_done() const {
+    const double share = triangles_of_round_ == 0 ? 0
+                                                  : static_cast<double>(triangles_done_) /
+                                                        static_cast<double>(triangles_of_round_);
+    return rounds_.share_done(share);
+  }
+
   const Held& held() const { return held_; }
   /// How many of the dead triangles are this part's alone, the first ones in its list. The lists of all parts up to
   /// there, and then the rest of one, are the list that one memory has.
@@ -111,6 +133,8 @@ private:
   Corners_of_parts<Exchange, Geometry> corners_{exchange_, held_, whole_};
   Block_assignment assignment_; // what is not around the blocks at hand is not written
   std::size_t own_dead_ = 0;
+  std::size_t triangles_of_round_ = 0; // in this part's blocks, before they are refined
+  std::atomic<std::size_t> triangles_done_{0};
 
   bool is_first_round() const { return rounds_.number == 1; }
 
@@ -294,10 +318,14 @@ private:
     assign(round.own, round.begin);
     std::vector<std::unique_ptr<Block>> blocks(n);
     std::vector<std::vector<Triangle_id>> left(n);
-    Executor<ConcurrencyTag>::run(n, [&](std::size_t b) {
-      blocks[b] = std::make_unique<Block>(whole_.mesh, assignment_, static_cast<Block_id>(round.begin + b),
-                                          round.own[b], Kernel_mesh<Geometry>());
-      left[b] = work.run(*blocks[b], round.owned[b], room / round.number_of_blocks, shall_go_on);
+    triangles_done_ = 0, triangles_of_round_ = round.own.members.size();
+    agree_on_work(exchange_, [&] { // the user's functions may throw
+      Executor<ConcurrencyTag>::run(n, [&](std::size_t b) {
+        blocks[b] = std::make_unique<Block>(whole_.mesh, assignment_, static_cast<Block_id>(round.begin + b),
+                                            round.own[b], Kernel_mesh<Geometry>());
+        left[b] = work.run(*blocks[b], round.owned[b], room / round.number_of_blocks, shall_go_on);
+        triangles_done_ += round.own[b].size();
+      });
     });
     name_new(round, blocks);
     std::vector<Corner_id> corners;
@@ -436,4 +464,4 @@ private:
 } // namespace Quadtree_mesh_2
 } // namespace CGAL
 
-#endif // CGAL_QUADTREE_MESH_2_INTERNAL_DISTRIBUTED_ROUNDS_OF_PARTS_H
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_SHARED_ROUNDS_ROUNDS_OF_PARTS_H

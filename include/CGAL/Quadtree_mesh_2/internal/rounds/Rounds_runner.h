@@ -1,0 +1,43 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+//
+// Who runs rounds of blocks in the place of the pipeline, which has them run in its own memory otherwise
+// (Block_refinement.h).
+
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_ROUNDS_ROUNDS_RUNNER_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_ROUNDS_ROUNDS_RUNNER_H
+
+#include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
+#include <CGAL/Quadtree_mesh_2/internal/refinement/finish_mesh.h>
+#include <CGAL/Quadtree_mesh_2/internal/rounds/Block_rounds.h>
+
+#include <cstddef>
+#include <functional>
+
+namespace CGAL {
+namespace Quadtree_mesh_2 {
+namespace internal {
+
+template <class Geometry>
+class Rounds_runner {
+public:
+  Rounds_runner() = default;
+  Rounds_runner(const Rounds_runner&) = delete;
+  Rounds_runner& operator=(const Rounds_runner&) = delete;
+  virtual ~Rounds_runner() = default;
+
+  /// What `Block_refinement` does, with the same bits: mesh, corners, rounds, and what is left on the worklist.
+  /// \param shall_go_on told the share of the work that is done; may be called by several threads at once
+  /// \returns false if the mesh is too small for blocks, and nothing was done
+  virtual bool run(Meshing_state<Geometry>& state, const Finishing& finishing, std::size_t vertex_budget,
+                   Block_rounds& rounds, const std::function<bool(double)>& shall_go_on) = 0;
+};
+
+} // namespace internal
+} // namespace Quadtree_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_ROUNDS_ROUNDS_RUNNER_H
