@@ -19,6 +19,8 @@
 #include <CGAL/Quadtree_mesh_2/internal/geometry/meshing_geometry.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Kernel_mesh.h>
 
+#include <cmath>
+
 namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
@@ -72,11 +74,23 @@ private:
   const Point& p_;
   double reach_;
 
+  /// Whether p is farther than the reach from the line of x and y = x + d; p = x + e. Most often rounded areas tell,
+  /// though their signs may not.
+  bool is_off_line(const Vector& d, const Vector& e, const Point& x, const Point& y) const {
+    constexpr double share_lost = 0x1p-50, margin = 1e-12;
+    const double l = d.x * e.y, r = d.y * e.x, lost = share_lost * (std::fabs(l) + std::fabs(r));
+    const double rough = std::fabs(l - r), limit = reach_ * length(d);
+    if (rough + lost < (1 - margin) * limit) return false;
+    if (rough - lost > (1 + margin) * limit) return true;
+    const Number area2 = Geometry::doubled_area_of_flat(d, e - d, x, y, p_);
+    return area2 * area2 >= reach_ * reach_ * squared_length(d);
+  }
+
   Place place_beside(Side s) const {
     const Point &x = mesh_.point(mesh_.source(s)), &y = mesh_.point(mesh_.target(s));
     const Vector d = Geometry::scaled_difference(y, x), e = Geometry::scaled_difference(p_, x);
-    const Number whole = squared_length(d), area2 = Geometry::doubled_area_of_flat(d, e - d, x, y, p_);
-    if (area2 * area2 >= reach_ * reach_ * whole) return Place::FAR;
+    const Number whole = squared_length(d);
+    if (is_off_line(d, e, x, y)) return Place::FAR;
     const Number along = dot(d, e), end = reach_ * length(d);
     return along <= end || along >= whole - end ? Place::AT_END : Place::BESIDE;
   }

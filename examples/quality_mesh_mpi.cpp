@@ -1,0 +1,152 @@
+// Meshes a graph on all ranks of MPI, with the options of quality_mesh:
+//
+//   mpirun -n 4 quality_mesh_mpi INPUT.poly -o mesh.vtkhdf
+//
+// INPUT is .poly or .h5, of which each rank reads a slice. Outputs are .pvtu with a piece for each rank, .msh with a part
+// for each rank, .vtkhdf, and .xdmf with .h5. All ranks write them. They have the bytes that `quality_mesh --renumber`
+// writes, with `--pieces` as many as ranks.
+
+#include "internal/command_line.h"
+#include "internal/program_steps.h"
+
+#include <CGAL/Distributed_quality_mesher_2.h>
+#include <CGAL/IO/Distributed_mesh_files.h>
+#include <CGAL/IO/read_slices.h>
+#include <CGAL/Trapezoidal_vertex_edge_neighbors_2.h>
+#include <CGAL/distribute_mesh_2.h>
+#include <CGAL/tags.h>
+
+#include <mpi.h>
+
+#include <algorithm>
+#include <exception>
+#include <iostream>
+#include <new>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace {
+
+using Traits = CGAL::Filtered_quadtree_traits_2<>;
+using Mesher = CGAL::Distributed_quality_mesher_2<Traits>;
+const MPI_Comm all_ranks = MPI_COMM_WORLD;
+
+/// \throws Usage_error naming what only quality_mesh does
+void check_use(const Command_line& line) {
+  const std::pair<bool, const char*> for_one_rank[] = {
+      {line.mode != Command_line::Mode::PSLG, "--mode"},
+      {line.kernel != Command_line::Kernel::FILTERED, "--kernel"},
+      {line.is_comparison_wanted, "--compare"},
+      {line.memory > 0, "--memory"},
+      {line.is_resumed, "--resume"},
+      {!line.report_file.empty(), "--report"},
+      {!line.area_file.empty(), "--area-file"},
+      {!line.size_points_file.empty(), "--size-points"},
+      {!line.size_grid_file.empty(), "--size-grid"},
+      {line.feature_sizes.has_value(), "--size-from-features"},
+      {line.is_hull_wanted, "--hull"},
+      {line.is_repair_wanted, "--repair"},
+      {line.is_quadtree_shown, "--show-quadtree"},
+      {line.pieces > 0, "--pieces"},
+      {line.element_order != CGAL::IO::Element_order::FIRST, "--second-order"}};
+  for (const auto& [is_given, option] : for_one_rank)
+    if (is_given) throw Usage_error(std::string(option) + " is an option of quality_mesh alone");
+  const Input_format format = input_format(line.input);
+  if (is_standard_stream(line.input) || (format != Input_format::POLY && format != Input_format::HDF5))
+    throw Usage_error("ranks read .poly or .h5, not '" + line.input + "'");
+  for (const std::string& output : line.outputs) {
+    const bool is_standard = is_standard_stream(output);
+    const Output_format kind = is_standard ? Output_format::SVG : output_format(output);
+    if (kind != Output_format::PVTU && kind != Output_format::MSH && kind != Output_format::VTKHDF &&
+        kind != Output_format::XDMF)
+      throw Usage_error("ranks write .pvtu, .msh, .vtkhdf or .xdmf, not '" + output + "'");
+  }
+}
+
+Mesher::Mesh mesh(Mesher& mesher, const Command_line& line) {
+  if (line.neighbors == Command_line::Neighbors::TRAPEZOIDAL)
+    mesher.find_neighbors_by<CGAL::Trapezoidal_vertex_edge_neighbors_2<Traits, CGAL::Sequential_tag>>();
+  Mesher::Pslg_slice slice;
+  if (input_format(line.input) == Input_format::HDF5)
+    CGAL::IO::read_HDF5_slice(all_ranks, line.input, slice);
+  else
+    CGAL::IO::read_triangle_poly_slice(all_ranks, line.input, slice);
+  return mesher(slice);
+}
+
+void write(const Mesher::Mesh& part, const std::string& output) {
+  switch (output_format(output)) {
+  case Output_format::PVTU:
+    return CGAL::IO::write_PVTU(all_ranks, output, part);
+  case Output_format::MSH:
+    return CGAL::IO::write_MSH_parts(all_ranks, output, part);
+  case Output_format::VTKHDF:
+    return CGAL::IO::write_VTKHDF(all_ranks, output, part);
+  default:
+    return CGAL::IO::write_XDMF(all_ranks, output, part);
+  }
+}
+
+void print(const Mesher& mesher, const Mesher::Mesh& part) {
+  const auto& report = mesher.report();
+  std::cout << "input: " << report.input_vertices << " vertices, " << report.input_segments
+            << " segments; bound: " << mesher.options().min_angle() << " degrees\n"
+            << "vertices                            " << part.number_of_vertices() << '\n'
+            << "triangles                           " << part.number_of_triangles() << '\n'
+            << "  exempt, in acute input corners    " << report.exempt_triangles.size() << '\n'
+            << "  that miss a bound                 " << report.unmet_triangles.size() << '\n'
+            << "ranks with triangles                " << part.number_of_parts() << " of "
+            << part.number_of_ranks() << '\n';
+}
+
+void print_own_help() {
+  std::cout << R"(usage: mpirun -n P quality_mesh_mpi INPUT -o OUTPUT... [option]...
+
+Meshes a graph on P ranks, with one thread each: the mesh of quality_mesh --renumber.
+INPUT is .poly or .h5; OUTPUT is .pvtu, .msh (in parts), .vtkhdf or .xdmf.
+Options are those of quality_mesh --help-all for graphs, but for those of files with
+sizes, of projections, and of one machine's memory and threads.
+
+Exit status: as quality_mesh.
+)";
+}
+
+Exit_status run(int argc, char** argv, int rank) {
+  const Command_line line = parse_command_line(argc, argv);
+  if (line.task != Command_line::Task::MESH) {
+    if (rank == 0)
+      line.task == Command_line::Task::PRINT_VERSION ? print_version(std::cout) : print_own_help();
+    return Exit_status::DONE;
+  }
+  if (std::any_of(argv, argv + argc,
+                  [](const char* word) { return std::string(word).find("--threads") == 0; }))
+    throw Usage_error("--threads is an option of quality_mesh alone");
+  check_use(line);
+  Mesher mesher(all_ranks, line.options);
+  const Mesher::Mesh part = mesh(mesher, line);
+  const std::string defect = CGAL::defect_of_distributed_mesh_2(all_ranks, part);
+  if (!defect.empty()) throw std::logic_error(defect);
+  for (const std::string& output : line.outputs) write(part, output);
+  if (rank == 0 && !line.is_quiet) print(mesher, part);
+  return mesher.report().is_met() ? Exit_status::DONE : Exit_status::BOUND_UNMET;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  MPI_Init(&argc, &argv);
+  int rank = 0;
+  MPI_Comm_rank(all_ranks, &rank);
+  Exit_status status = Exit_status::REFUSED;
+  try {
+    status = run(argc, argv, rank);
+  } catch (const std::bad_alloc&) { // maybe at this rank alone, for which others wait
+    std::cerr << "quality_mesh_mpi: error: not enough memory at rank " << rank << '\n';
+    MPI_Abort(all_ranks, static_cast<int>(Exit_status::REFUSED));
+  } catch (const std::exception& error) { // the same at all ranks
+    if (rank == 0) std::cerr << "quality_mesh_mpi: error: " << error.what() << '\n';
+  }
+  MPI_Finalize();
+  return static_cast<int>(status);
+}
