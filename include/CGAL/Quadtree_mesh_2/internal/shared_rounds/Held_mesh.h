@@ -30,6 +30,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
+#include <iterator>
 #include <memory>
 #include <new>
 #include <utility>
@@ -92,9 +93,15 @@ public:
     reserve(std::max(vertices, most_vertices), slots + 2 * (std::max(vertices, most_vertices) - vertices));
     resize(vertices, slots);
     for (const Triangle_id t : whole.dead_triangles()) mesh_.kill(t);
-    Parcels outbox;
-    if (exchange_.rank() == 0) outbox = packages(whole, part_of, for_all);
-    for (const Parcel& parcel : exchange_.exchange(std::move(outbox))) unpack(parcel.bytes);
+    std::vector<Package> packages;
+    if (exchange_.rank() == 0) packages = packages_of_parts(whole, part_of);
+    const std::vector<Vertex_id> common = in_several(packages, vertices);
+    for (int part = 0; part < exchange_.size(); ++part) { // only one is on its way at a time
+      Parcels outbox;
+      if (exchange_.rank() == 0)
+        outbox.push_back({part, bytes_of_package(whole, packages[std::size_t(part)], for_all, common)});
+      for (const Parcel& parcel : exchange_.exchange(std::move(outbox))) unpack(parcel.bytes);
+    }
   }
 
   /// Part 0 gets all that others hold, from one part after the other: its mesh is whole then, but for what is dead.
@@ -294,33 +301,44 @@ private:
     return number;
   }
 
-  /// What each part gets of the whole mesh.
+  /// What each part gets of the whole mesh, part 0 also the vertices without a triangle.
   template <class Part_of>
-  Parcels packages(const Mesh& whole, const Part_of& part_of, const std::vector<Vertex_id>& for_all) const {
+  std::vector<Package> packages_of_parts(const Mesh& whole, const Part_of& part_of) const {
     std::vector<Package> of_parts(static_cast<std::size_t>(exchange_.size()));
     for (const Triangle_id t : whole.triangles.ids())
       if (whole.is_alive(t)) of_parts[static_cast<std::size_t>(part_of(t))].add(whole, t);
-    std::vector<int> parts_with(whole.number_of_vertices(), 0);
+    std::vector<char> is_in_one(whole.number_of_vertices(), 0);
     for (Package& package : of_parts) {
       sort_and_drop_equal(package.vertices);
-      for (const Vertex_id v : package.vertices) ++parts_with[v.value()];
+      for (const Vertex_id v : package.vertices) is_in_one[v.value()] = 1;
     }
-    Parcels parcels;
-    for (int part = 0; part < exchange_.size(); ++part) {
-      Package& package = of_parts[static_cast<std::size_t>(part)];
-      std::vector<Vertex_id> common;
+    for (const Vertex_id v : whole.points.ids())
+      if (is_in_one[v.value()] == 0) of_parts.front().vertices.push_back(v);
+    return of_parts;
+  }
+
+  /// The vertices in several packages.
+  static std::vector<Vertex_id> in_several(const std::vector<Package>& packages, std::size_t vertices) {
+    std::vector<char> is_in_one(packages.empty() ? 0 : vertices, 0);
+    std::vector<Vertex_id> common;
+    for (const Package& package : packages)
       for (const Vertex_id v : package.vertices)
-        if (parts_with[v.value()] > 1) common.push_back(v);
-      if (part == 0)
-        for (const Vertex_id v : whole.points.ids())
-          if (parts_with[v.value()] == 0) package.vertices.push_back(v);
-      Archive_writer archive;
-      archive(records(whole, package.triangles)), archive(records(whole, package.vertices));
-      archive(records(whole, for_all)), archive(common);
-      parcels.push_back({part, std::move(archive.bytes)});
-      package = {};
-    }
-    return parcels;
+        if (std::exchange(is_in_one[v.value()], 1) != 0) common.push_back(v);
+    sort_and_drop_equal(common);
+    return common;
+  }
+
+  /// Takes the package, which is empty then.
+  static Bytes bytes_of_package(const Mesh& whole, Package& package, const std::vector<Vertex_id>& for_all,
+                                const std::vector<Vertex_id>& common) {
+    const auto is_common = [&](Vertex_id v) { return std::binary_search(common.begin(), common.end(), v); };
+    std::vector<Vertex_id> own_common;
+    std::copy_if(package.vertices.begin(), package.vertices.end(), std::back_inserter(own_common), is_common);
+    Archive_writer archive;
+    archive(records(whole, package.triangles)), archive(records(whole, package.vertices));
+    archive(records(whole, for_all)), archive(own_common);
+    package = {};
+    return std::move(archive.bytes);
   }
 
   void unpack(const Bytes& bytes) {
