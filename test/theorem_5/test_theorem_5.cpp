@@ -316,6 +316,12 @@ TEST_CASE("Corners of leaves between legs for long beside each other are found n
   CHECK_THROWS_AS(Mesher(Options().separate(Options::Separation::THEOREM_5))(pslg), CGAL::Pslg_error_2);
 }
 
+TEST_CASE("Legs units apart, beside gaps that are wider, are refined within rounding of each other",
+          "[mesher][theorem5][.slow]") {
+  const Run r = run(read("hard_legs_units_apart_beside_gaps.poly"), by_quadtrees());
+  CHECK(r.report.trees.end == End::ROUNDS);
+}
+
 TEST_CASE("Edges a few units apart force no small leaves along their length", "[mesher][theorem5]") {
   for (const std::string name : {"hard_lattice_edges_for_long_beside.poly", "hard_legs_for_long_beside.poly",
                                  "hard_legs_for_many_leaves.poly"}) {
