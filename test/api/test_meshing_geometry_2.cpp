@@ -26,6 +26,8 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <fstream>
+#include <iterator>
 #include <limits>
 #include <string>
 #include <vector>
@@ -205,6 +207,12 @@ Run run_to_the_bound(const Graph& graph, const Options& options) {
   return r;
 }
 
+std::string text_of(const std::string& file) {
+  std::ifstream in(QUADTREE_MESH_SOURCE_DIR "/" + file);
+  REQUIRE(in);
+  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
 // Models that lack a part each: it is hidden by what is none.
 struct Without_point : Archetype {
   using Point = void;
@@ -364,6 +372,13 @@ TEST_CASE("A map that does not give points back is found out", "[traits]") {
   CHECK_NOTHROW(check_mesh());
   mesh.points[2] = {0, 0.25};
   CHECK(kind_of(check_mesh) == Kind::ROUNDING);
+}
+
+TEST_CASE("The manual shows the geometry of the example", "[traits]") {
+  const std::string manual = text_of("doc/user_manual.md"), example = text_of("examples/own_geometry.cpp");
+  const std::size_t begin = manual.find("struct Float_geometry {"), end = manual.find("```", begin);
+  REQUIRE(end != std::string::npos);
+  CHECK(pslg_test::has_text(example, manual.substr(begin, end - begin)));
 }
 
 } // namespace test_meshing_geometry_2
