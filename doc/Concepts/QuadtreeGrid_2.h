@@ -13,9 +13,9 @@
 /// is default constructible and copyable. Several threads may call its `const` members at once if they may read the
 /// points.
 ///
-/// The meshers ask for more than quadtrees do. Over doubles and exact numbers the root's side is a power of two, its
-/// origin is a multiple of a power of two, and the points lie in its middle half. Over words the grid is that of the
-/// integers, as in `CGAL::Fixed_point_quadtree_traits_2`.
+/// The meshers ask for more than quadtrees do. Over doubles, exact numbers and coordinates of your own the root's side
+/// is a power of two, its origin is a multiple of a power of two, and the points lie in its middle half. Over words the
+/// grid is that of the integers, as in `CGAL::Fixed_point_quadtree_traits_2`.
 ///
 /// \cgalHasModelsBegin
 /// \cgalHasModels{CGAL::Filtered_quadtree_traits_2::Grid_2}

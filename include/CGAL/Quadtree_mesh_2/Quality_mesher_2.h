@@ -13,6 +13,7 @@
 #include <CGAL/Pslg_2.h>
 #include <CGAL/Pslg_error_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/Mesh_pipeline.h>
+#include <CGAL/Quadtree_mesh_2/internal/geometry/Adapted_geometry.h>
 #include <CGAL/Quadtree_mesh_2/internal/neighbors/nearest_hits.h>
 #include <CGAL/Quadtree_mesh_2/internal/rounds/Rounds_runner.h>
 #include <CGAL/Quality_mesh_options_2.h>
@@ -131,7 +132,8 @@ private:
   Traits traits_;
   Quadtree_mesh_2::internal::Find_nearest_hits<Pslg> find_hits_ = nullptr;
   Quality_mesh_report_2 report_;
-  Quadtree_mesh_2::internal::Rounds_runner<typename Traits::Meshing_geometry_2>* rounds_runner_ = nullptr;
+  Quadtree_mesh_2::internal::Rounds_runner<Quadtree_mesh_2::internal::Mesher_geometry<Traits>>*
+      rounds_runner_ = nullptr;
 
   friend struct Quadtree_mesh_2::internal::Mesher_rounds;
 };
@@ -157,7 +159,7 @@ namespace internal {
 struct Mesher_rounds {
   template <class Traits, class ConcurrencyTag>
   static void run_by(Quality_mesher_2<Traits, ConcurrencyTag>& mesher,
-                     Rounds_runner<typename Traits::Meshing_geometry_2>* runner) {
+                     Rounds_runner<Mesher_geometry<Traits>>* runner) {
     mesher.rounds_runner_ = runner;
   }
 };

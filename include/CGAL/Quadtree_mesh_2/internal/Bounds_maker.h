@@ -9,6 +9,7 @@
 
 #include <CGAL/Pslg_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/angle_units.h>
+#include <CGAL/Quadtree_mesh_2/internal/geometry/Adapted_geometry.h>
 #include <CGAL/Quadtree_mesh_2/internal/geometry/coordinate_map.h>
 #include <CGAL/Quadtree_mesh_2/internal/grading/Grader.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Bounds.h>
@@ -43,7 +44,7 @@ inline Finishing finishing_wanted(const Quality_mesh_options_2& options) {
 template <class Traits>
 class Bounds_maker {
 public:
-  using Geometry = typename Traits::Meshing_geometry_2;
+  using Geometry = Mesher_geometry<Traits>;
   using Map = Coordinate_map<Traits, Geometry>;
   using Point_2 = typename Traits::Point_2;
 

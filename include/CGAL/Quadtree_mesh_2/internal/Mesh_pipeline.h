@@ -37,6 +37,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/base/Progress.h>
 #include <CGAL/Quadtree_mesh_2/internal/check_coordinates.h>
 #include <CGAL/Quadtree_mesh_2/internal/digest_of_mesh.h>
+#include <CGAL/Quadtree_mesh_2/internal/geometry/Adapted_geometry.h>
 #include <CGAL/Quadtree_mesh_2/internal/geometry/coordinate_map.h>
 #include <CGAL/Quadtree_mesh_2/internal/grid/morton.h>
 #include <CGAL/Quadtree_mesh_2/internal/islands/Island_construction.h>
@@ -76,7 +77,6 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -87,7 +87,7 @@ namespace internal {
 template <class Traits, class ConcurrencyTag, class Watch = Unwatched_rounds>
 class Mesh_pipeline {
 public:
-  using Geometry = typename Traits::Meshing_geometry_2;
+  using Geometry = Mesher_geometry<Traits>;
   using Point_2 = typename Traits::Point_2;
   using Pslg = Pslg_2<Point_2>;
 
@@ -134,10 +134,10 @@ public:
 
 private:
   using First = First_triangulation<ConcurrencyTag, Geometry>;
+  using Map = Coordinate_map<Traits, Geometry>;
   using Seconds = Quality_mesh_report_2::Seconds;
   /// Of a mesh by quadtrees that blocks have not thinned out.
   static constexpr int thinnings_of_mesh_ = 1;
-  static constexpr bool has_double_coordinates = std::is_same_v<typename Geometry::Coordinate, double>;
 
   const Pslg& pslg_;
   const Quality_mesh_options_2& options_;
@@ -145,7 +145,7 @@ private:
   Find_nearest_hits<Pslg> find_hits_;
   Quality_mesh_report_2& report_;
   Phase_clock<Quality_mesh_report_2, ConcurrencyTag> clock_{report_};
-  Coordinate_map<Traits, Geometry> map_;
+  Map map_;
   Finishing finishing_{finishing_wanted(options_)};
   Meshing_problem<Geometry> problem_;
   Meshing_state<Geometry> state_{problem_};
@@ -187,7 +187,7 @@ private:
     for_each_index<ConcurrencyTag>(points.size(), [&](std::size_t v) {
       points[static_cast<Vertex_id>(v)] = map_.to_kernel(pslg_.vertices[order_[v]]);
     });
-    if constexpr (has_double_coordinates) check_points_are_kept(pslg_, map_, words_);
+    if constexpr (Map::may_lose_points) check_points_are_kept(pslg_, map_, words_);
   }
 
   void triangulate_input() {
@@ -233,8 +233,8 @@ private:
             "can tell: refine without them");
     } else if constexpr (Geometry::least_length > 0) {
       if (const auto* near = find_too_near(state_.mesh))
-        throw words_.too_near(near->v,
-                              ": nearer to each other, or to being on a line, than 2^-420 of the extent");
+        throw words_.too_near(near->v, std::string(": nearer to each other, or to being on a line, than ") +
+                                           Map::least_distance);
     }
   }
 
@@ -488,7 +488,7 @@ private:
     clock_.enter(&Seconds::convert);
     Kernel_mesh_converter<Traits, ConcurrencyTag> converter(state_, pslg_, map_, order_, report_);
     Indexed_mesh_2<Point_2> mesh = converter.run(account, refiner);
-    if constexpr (has_double_coordinates) check_mesh_is_kept<Geometry>(mesh, map_);
+    if constexpr (Map::may_lose_points) check_mesh_is_kept<Geometry>(mesh, map_);
     return mesh;
   }
 };

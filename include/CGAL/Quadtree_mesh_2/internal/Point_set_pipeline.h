@@ -30,6 +30,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/clusters/find_clusters.h>
 #include <CGAL/Quadtree_mesh_2/internal/frame/Distinct_points.h>
 #include <CGAL/Quadtree_mesh_2/internal/frame/points_in_box.h>
+#include <CGAL/Quadtree_mesh_2/internal/geometry/Adapted_geometry.h>
 #include <CGAL/Quadtree_mesh_2/internal/geometry/coordinate_map.h>
 #include <CGAL/Quadtree_mesh_2/internal/output/site_mesh_to_indexed_mesh.h>
 #include <CGAL/Quadtree_mesh_2/internal/relaxation/Site_mesh.h>
@@ -56,6 +57,9 @@ template <class Traits, class ConcurrencyTag>
 class Point_set_pipeline {
 public:
   using Geometry = typename Traits::Meshing_geometry_2;
+  static_assert(
+      is_kernel_geometry<Geometry>,
+      "Point_set_mesher_2 knows no geometries but those of the package: traits have to name one of these");
   using Point_2 = typename Traits::Point_2;
   using Mesh = Indexed_mesh_2<Point_2>;
 

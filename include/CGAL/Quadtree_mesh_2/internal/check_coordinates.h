@@ -19,31 +19,31 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-/// \throws Pslg_error_2 if a vertex or a seed is not in the kernel's range beside the extent.
+/// \throws Pslg_error_2 if a vertex or a seed is another one when it comes back from the kernel.
 template <class Point, class Map>
 void check_points_are_kept(const Pslg_2<Point>& pslg, const Map& map, const Input_words<Point>& words) {
   if (map.are_kept()) return;
   for (std::size_t v = 0; v < pslg.number_of_vertices(); ++v)
     if (!map.is_kept(pslg.vertices[v]))
-      throw words.out_of_range(words.vertex(v), Pslg_parts_2().vertex(Vertex_index(v)));
+      throw words.out_of_range(words.vertex(v), Map::loss_of_point, Pslg_parts_2().vertex(Vertex_index(v)));
   for (std::size_t h = 0; h < pslg.holes.size(); ++h)
     if (!map.is_kept(pslg.holes[h]))
-      throw words.out_of_range("the point of " + hole_text(pslg, h), Pslg_parts_2().hole(h));
+      throw words.out_of_range("the point of " + hole_text(pslg, h), Map::loss_of_point,
+                               Pslg_parts_2().hole(h));
   for (std::size_t r = 0; r < pslg.regions.size(); ++r)
     if (!map.is_kept(pslg.regions[r].point))
-      throw words.out_of_range("the point of " + region_text(pslg, r), Pslg_parts_2().region(r));
+      throw words.out_of_range("the point of " + region_text(pslg, r), Map::loss_of_point,
+                               Pslg_parts_2().region(r));
 }
 
-/// \throws Pslg_error_2 if a triangle is not counterclockwise any more after rounding to the least doubles.
+/// \throws Pslg_error_2 if a triangle is not counterclockwise any more after rounding to the user's coordinates.
 template <class Geometry, class Point, class Map>
 void check_mesh_is_kept(const Indexed_mesh_2<Point>& mesh, const Map& map) {
   if (!map.may_round_mesh()) return;
   for (const auto& t : mesh.triangles)
     if (Geometry::orientation(map.to_kernel(mesh.point(t[0])), map.to_kernel(mesh.point(t[1])),
                               map.to_kernel(mesh.point(t[2]))) <= 0)
-      throw Pslg_error_2(Pslg_error_2::Kind::ROUNDING,
-                         "the coordinates are next to the least doubles, which cannot hold the mesh: "
-                         "multiply them by a power of two");
+      throw Pslg_error_2(Pslg_error_2::Kind::ROUNDING, Map::loss_of_mesh);
 }
 
 } // namespace internal

@@ -13,7 +13,8 @@
 //
 // Computes: for each constrained edge at a corner below 60 degrees, the longest straight chain of edges that begins
 //           with it. The vertices inside of it are within two units in the last place of the line between its ends.
-//           Nothing else ends at them, and no vertex next to the chain is beyond the line.
+//           Nothing else ends at them, and no vertex next to the chain is beyond the line, unless it is inside of
+//           another chain from the corner that ends on its own side: both are straight lines then.
 // Bound:    O(n log n) time, and that of the chains that leave a corner without turning back.
 // Source:   ours. The directions in which all vertices so far are passed form a cone, which only gets narrower.
 
@@ -51,14 +52,23 @@ public:
   /// Per vertex, whether it is inside of a straight side of a corner.
   std::vector<char> inner_vertices() {
     is_inside_.assign(mesh_.points.size(), 0);
-    for (std::size_t v = 0; v < mesh_.points.size(); ++v)
-      for (std::size_t i = first_[v]; i < first_[v + 1]; ++i)
-        if (is_at_corner(v, edges_[i])) mark_leg(Vertex_index(v), edges_[i]);
+    for (std::size_t v = 0; v < mesh_.points.size(); ++v) mark_legs(v);
     return std::move(is_inside_);
   }
 
 private:
   static constexpr double units_of_rounding = 2;
+
+  /// From a corner to the end of the straight side.
+  struct Leg {
+    std::vector<Vertex_index> path;
+    std::vector<std::size_t> edges; // between each of them and the next
+
+    Vertex_index end() const { return path.back(); }
+    bool has_inside(Vertex_index v) const {
+      return v != path.front() && v != path.back() && std::find(path.begin(), path.end(), v) != path.end();
+    }
+  };
 
   const Mesh& mesh_;
   std::vector<char> may_be_inside_, is_inside_;
@@ -66,8 +76,7 @@ private:
       edges_; // the constrained edges at v are those from first_[v] to first_[v + 1]
   /// Per constrained edge, the third vertices of the triangles on its left and on its right.
   std::vector<std::array<Vertex_index, 2>> across_;
-  std::vector<Vertex_index> path_;
-  std::vector<std::size_t> path_edges_; // between each of them and the next
+  std::vector<Leg> legs_; // at a corner
   /// The sides so far, by their ends: the vertices inside next to these.
   std::map<std::pair<Vertex_index, Vertex_index>, std::pair<Vertex_index, Vertex_index>> sides_;
 
@@ -124,51 +133,83 @@ private:
     return is_any_near;
   }
 
-  void mark_leg(Vertex_index apex, std::size_t e) {
-    find_path(apex, e);
-    // Rounding is as coarse as the largest coordinate of the side, which is known with its end.
-    std::size_t end = path_.size() - 1;
-    for (std::size_t before = end + 1; end < before;) {
-      before = end;
-      end = straight_end(reach_up_to(end));
+  void mark_legs(std::size_t apex) {
+    legs_.clear();
+    for (std::size_t i = first_[apex]; i < first_[apex + 1]; ++i) {
+      if (!is_at_corner(apex, edges_[i])) continue;
+      Leg leg = straight_leg(Vertex_index(apex), edges_[i]);
+      if (leg.edges.size() == 1 || !is_beside_same_side(leg)) legs_.push_back(std::move(leg));
     }
-    if (end > 1 && (has_vertex_across(end) || is_beside_same_side(end))) return;
-    for (std::size_t i = 1; i < end; ++i) is_inside_[std::size_t(path_[i])] = 1;
-    may_be_inside_[std::size_t(path_[end])] = 0; // a side from elsewhere ends here, too
+    // What is no leg may have been what another one relied on.
+    while (drop_legs_with_vertex_across()) {
+    }
+    for (const Leg& leg : legs_) {
+      for (std::size_t i = 1; i + 1 < leg.path.size(); ++i) is_inside_[std::size_t(leg.path[i])] = 1;
+      may_be_inside_[std::size_t(leg.end())] = 0; // a side from elsewhere ends here, too
+    }
+  }
+
+  bool drop_legs_with_vertex_across() {
+    std::vector<Leg> kept;
+    for (const Leg& leg : legs_)
+      if (!has_vertex_across(leg)) kept.push_back(leg);
+    const bool is_any_dropped = kept.size() < legs_.size();
+    legs_ = std::move(kept);
+    return is_any_dropped;
+  }
+
+  Leg straight_leg(Vertex_index apex, std::size_t e) const {
+    Leg leg = path_from(apex, e);
+    // Rounding is as coarse as the largest coordinate of the side, which is known with its end.
+    for (std::size_t before = leg.path.size() + 1; leg.path.size() < before;) {
+      before = leg.path.size();
+      const std::size_t end = straight_end(leg.path, reach_of(leg.path));
+      leg.path.resize(end + 1), leg.edges.resize(end);
+    }
+    return leg;
   }
 
   /// Whether a vertex next to the way is not on the same side of the line: new vertices on it would pass it over.
-  bool has_vertex_across(std::size_t end) const {
-    const auto turn = Triangle_tree::Kernel().orientation_2_object();
-    const Point &o = mesh_.point(path_.front()), &p = mesh_.point(path_[end]);
-    for (std::size_t i = 0; i < end; ++i) {
-      const std::size_t e = path_edges_[i];
-      const bool is_forward = mesh_.constrained_edges[e].vertices[0] == path_[i];
+  bool has_vertex_across(const Leg& leg) const {
+    if (leg.edges.size() == 1) return false;
+    for (std::size_t i = 0; i < leg.edges.size(); ++i) {
+      const std::size_t e = leg.edges[i];
+      const bool is_forward = mesh_.constrained_edges[e].vertices[0] == leg.path[i];
       const Vertex_index left = across_[e][is_forward ? 0 : 1], right = across_[e][is_forward ? 1 : 0];
-      if (left.is_valid() && turn(o, p, mesh_.point(left)) != LEFT_TURN) return true;
-      if (right.is_valid() && turn(o, p, mesh_.point(right)) != RIGHT_TURN) return true;
+      if (left.is_valid() && !is_on_side(leg, left, LEFT_TURN)) return true;
+      if (right.is_valid() && !is_on_side(leg, right, RIGHT_TURN)) return true;
     }
     return false;
   }
 
+  /// Whether a vertex is on a side of the line, or inside of another leg that is.
+  bool is_on_side(const Leg& leg, Vertex_index v, Orientation side) const {
+    const auto turn = Triangle_tree::Kernel().orientation_2_object();
+    const Point &o = mesh_.point(leg.path.front()), &p = mesh_.point(leg.end());
+    if (turn(o, p, mesh_.point(v)) == side) return true;
+    const auto other =
+        std::find_if(legs_.begin(), legs_.end(), [v](const Leg& l) { return l.has_inside(v); });
+    return other != legs_.end() && &*other != &leg && turn(o, p, mesh_.point(other->end())) == side;
+  }
+
   /// Whether an edge, or another side, has the same ends. Notes the side if not.
-  bool is_beside_same_side(std::size_t end) {
-    const Vertex_index apex = path_.front(), last = path_[end];
+  bool is_beside_same_side(const Leg& leg) {
+    const Vertex_index apex = leg.path.front(), last = leg.end();
     for (std::size_t i = first_[std::size_t(apex)]; i < first_[std::size_t(apex) + 1]; ++i)
       if (other_end(edges_[i], apex) == last) return true;
-    const auto inner = std::minmax(path_[1], path_[end - 1]);
+    const auto inner = std::minmax(leg.path[1], leg.path[leg.path.size() - 2]);
     return sides_.emplace(std::minmax(apex, last), inner).first->second !=
            std::make_pair(inner.first, inner.second);
   }
 
   /// The vertices from a corner along an edge, as long as the way leads on and away.
-  void find_path(Vertex_index apex, std::size_t e) {
-    path_.assign({apex, other_end(e, apex)}), path_edges_.assign(1, e);
+  Leg path_from(Vertex_index apex, std::size_t e) const {
+    Leg leg{{apex, other_end(e, apex)}, {e}};
     const Point& o = mesh_.point(apex);
     for (;;) {
-      const Vertex_index v = path_.back();
+      const Vertex_index v = leg.path.back();
       const std::size_t at = first_[std::size_t(v)];
-      if (may_be_inside_[std::size_t(v)] == 0 || first_[std::size_t(v) + 1] != at + 2) return;
+      if (may_be_inside_[std::size_t(v)] == 0 || first_[std::size_t(v) + 1] != at + 2) return leg;
       const std::size_t next = edges_[at] == e ? edges_[at + 1] : edges_[at];
       const Vertex_index w = other_end(next, v);
       const Point &p = mesh_.point(v), &q = mesh_.point(w);
@@ -176,16 +217,16 @@ private:
           std::hypot(q.x() - o.x(), q.y() - o.y()) > std::hypot(p.x() - o.x(), p.y() - o.y());
       if (mesh_.constrained_edges[next].marker != mesh_.constrained_edges[e].marker || !leads_on ||
           !are_within_60_degrees(o, p, q))
-        return;
-      path_.push_back(w), path_edges_.push_back(next), e = next;
+        return leg;
+      leg.path.push_back(w), leg.edges.push_back(next), e = next;
     }
   }
 
-  std::array<double, 2> reach_up_to(std::size_t end) const {
+  std::array<double, 2> reach_of(const std::vector<Vertex_index>& path) const {
     double x = 0, y = 0;
-    for (std::size_t i = 0; i <= end; ++i) {
-      x = std::max(x, std::fabs(mesh_.point(path_[i]).x()));
-      y = std::max(y, std::fabs(mesh_.point(path_[i]).y()));
+    for (const Vertex_index v : path) {
+      x = std::max(x, std::fabs(mesh_.point(v).x()));
+      y = std::max(y, std::fabs(mesh_.point(v).y()));
     }
     const auto units = [](double magnitude) {
       return units_of_rounding *
@@ -195,13 +236,13 @@ private:
   }
 
   /// The place in the path of the last vertex to which the way is straight.
-  std::size_t straight_end(const std::array<double, 2>& reach) const {
+  std::size_t straight_end(const std::vector<Vertex_index>& path, const std::array<double, 2>& reach) const {
     const auto turn = Triangle_tree::Kernel().orientation_2_object();
-    const Point& o = mesh_.point(path_[0]);
+    const Point& o = mesh_.point(path[0]);
     Point left, right; // of the cone, as seen from the corner
     bool has_cone = false;
-    for (std::size_t i = 1; i < path_.size(); ++i) {
-      const Point& p = mesh_.point(path_[i]);
+    for (std::size_t i = 1; i < path.size(); ++i) {
+      const Point& p = mesh_.point(path[i]);
       if (has_cone && (turn(o, right, p) == RIGHT_TURN || turn(o, left, p) == LEFT_TURN)) return i - 1;
       // Rounding alone decides on the direction of what is so near to the corner.
       if (std::fabs(p.x() - o.x()) <= reach[0] && std::fabs(p.y() - o.y()) <= reach[1]) return i;
@@ -215,7 +256,7 @@ private:
       if (!has_cone || turn(o, left, high) == RIGHT_TURN) left = high;
       has_cone = true;
     }
-    return path_.size() - 1;
+    return path.size() - 1;
   }
 };
 

@@ -46,6 +46,13 @@ inline double exact_angle(const Triangle_tree::Point& o, const Triangle_tree::Po
   return std::fabs(std::atan2(CGAL::to_double(ux * vy - uy * vx), CGAL::to_double(ux * vx + uy * vy)));
 }
 
+/// Twice the area of a triangle, rounded at last.
+inline double exact_doubled_area(const Triangle_tree::Corners& t) {
+  const auto difference = [](double a, double b) { return MP_Float(a) - MP_Float(b); };
+  return CGAL::to_double(difference(t[1].x(), t[0].x()) * difference(t[2].y(), t[0].y()) -
+                         difference(t[1].y(), t[0].y()) * difference(t[2].x(), t[0].x()));
+}
+
 /// \tparam Is_constrained called with two vertices, whether the edge between them is
 template <class Is_constrained>
 class Sufficient_mesh {
@@ -121,12 +128,13 @@ private:
   /// Whether it misses a bound of size, or the user refuses it.
   bool is_large(std::size_t t) const {
     const auto p = given_.corners(t);
-    const double scaled_area = double_area(scaled_corners(t)) / 2,
-                 area = std::ldexp(scaled_area, 2 * exponent_);
+    const auto small = scaled_corners(t);
+    double scaled_area = double_area(small) / 2;
+    if (!(scaled_area > 0)) scaled_area = exact_doubled_area(small) / 2; // doubles cannot tell
+    const double area = std::ldexp(scaled_area, 2 * exponent_);
     double longest = 0;
     for (std::size_t k = 0; k < 3; ++k)
       longest = std::max(longest, std::hypot(p[k].x() - p[(k + 1) % 3].x(), p[k].y() - p[(k + 1) % 3].y()));
-    if (!(scaled_area > 0)) return true; // doubles cannot tell
     if (options_.max_area() > 0 && area > options_.max_area()) return true;
     if (options_.max_edge() > 0 && longest > options_.max_edge()) return true;
     if (!mesh_.region_of_triangle.empty() && mesh_.region_of_triangle[t] >= 0) {
@@ -156,9 +164,10 @@ private:
     return true;
   }
 
+  /// Of a counterclockwise triangle, which may be so flat that doubles cannot tell.
   static double angle(const Point& o, const Point& p, const Point& q) {
     const double ux = p.x() - o.x(), uy = p.y() - o.y(), vx = q.x() - o.x(), vy = q.y() - o.y();
-    return std::atan2(ux * vy - uy * vx, ux * vx + uy * vy);
+    return std::fabs(std::atan2(ux * vy - uy * vx, ux * vx + uy * vy));
   }
 
   /// The vertex in which two segments meet that have all vertices of a triangle on them, and excuse its least angle.

@@ -4,12 +4,15 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 //
-// The user's points to the meshing kernel's and back, without loss.
+// The user's points to the meshing kernel's and back, without loss, or so that the loss is found.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_GEOMETRY_COORDINATE_MAP_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_GEOMETRY_COORDINATE_MAP_H
 
+#include <CGAL/Quadtree_mesh_2/internal/geometry/Adapted_geometry.h>
+#include <CGAL/Quadtree_mesh_2/internal/geometry/Model_requirements.h>
 #include <CGAL/Quadtree_mesh_2/internal/geometry/meshing_geometry.h>
+#include <CGAL/Quadtree_mesh_2/internal/geometry/triangle_angles.h>
 
 #include <algorithm>
 #include <array>
@@ -51,6 +54,13 @@ class Coordinate_map<Traits, Double_geometry_2<Kernel>> {
 public:
   using Point_2 = typename Traits::Point_2;
   using Point = typename Double_geometry_2<Kernel>::Point;
+  /// Whether points may be other ones when they come back.
+  static constexpr bool may_lose_points = true;
+  static constexpr const char
+      *least_distance = "2^-420 of the extent",
+      *loss_of_point = "too near to 0, or too far from it, for doubles beside the extent; move it",
+      *loss_of_mesh = "the coordinates are next to the least doubles, which cannot hold the mesh: "
+                      "multiply them by a power of two";
 
   /// \param seeds points that do not count for the extent, but keep their coordinates too
   template <class PointRange>
@@ -118,6 +128,7 @@ class Coordinate_map<Traits, Integer_geometry_2<Word>> {
 public:
   using Point_2 = typename Traits::Point_2;
   using Point = typename Integer_geometry_2<Word>::Point;
+  static constexpr bool may_lose_points = false;
 
   template <class PointRange>
   explicit Coordinate_map(const PointRange& points, const std::vector<Point_2>& = {}) {
@@ -143,6 +154,55 @@ public:
 
 private:
   bool is_in_range_ = true;
+};
+
+/// Over a geometry of the user's: by its own map.
+template <class Traits, class Model>
+class Coordinate_map<Traits, Adapted_geometry<Model>> {
+public:
+  using Point_2 = typename Traits::Point_2;
+  using Point = typename Model::Point;
+  static_assert(
+      has_map<Model, Point_2>,
+      "MeshingGeometry_2: there is no `Coordinate_map`, made of a vector of `Point_2`, with `scale()`, "
+      "`to_mesher(Point_2)` and `from_mesher(Point)`");
+  static constexpr bool may_lose_points = true;
+  static constexpr const char *least_distance = "the least length of the geometry",
+                              *loss_of_point = "the map of the geometry gives back another point",
+                              *loss_of_mesh =
+                                  "the map of the geometry gives back a mesh with a triangle that is "
+                                  "not counterclockwise any more";
+
+  explicit Coordinate_map(const std::vector<Point_2>& points, const std::vector<Point_2>& seeds = {})
+      : map_(points) {
+    const auto are_kept = [this](const auto& some) {
+      return std::all_of(some.begin(), some.end(), [this](const Point_2& p) { return is_kept(p); });
+    };
+    are_kept_ = are_kept(points) && are_kept(seeds);
+  }
+
+  Point to_kernel(const Point_2& p) const { return map_.to_mesher(p); }
+  /// The kernel's point at a grid point.
+  template <class Grid>
+  Point to_kernel(const Grid& grid, const typename Traits::Grid_point& g) const {
+    return to_kernel(grid.point(g));
+  }
+  Point_2 to_user(const Point& p) const { return map_.from_mesher(p); }
+  std::array<double, 2> place(const Point& p) const {
+    const Point_2 q = to_user(p);
+    return {as_double(q.x()), as_double(q.y())};
+  }
+  double length_to_kernel(double length) const { return map_.scale() * length; }
+  bool is_in_range() const { return true; }
+
+  /// Whether p is as it was when mapped there and back.
+  bool is_kept(const Point_2& p) const { return to_user(to_kernel(p)) == p; }
+  bool are_kept() const { return are_kept_; }
+  bool may_round_mesh() const { return true; }
+
+private:
+  typename Model::Coordinate_map map_;
+  bool are_kept_ = true;
 };
 
 } // namespace internal

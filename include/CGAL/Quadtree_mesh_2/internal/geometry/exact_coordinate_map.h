@@ -39,6 +39,7 @@ class Coordinate_map<Traits, Exact_geometry_2<Kernel>> {
 public:
   using Point_2 = typename Traits::Point_2;
   using Point = typename Geometry::Point;
+  static constexpr bool may_lose_points = false;
 
   template <class PointRange>
   explicit Coordinate_map(const PointRange& points, const std::vector<Point_2>& = {}) {

@@ -18,6 +18,7 @@
 
 #include <CGAL/Pslg_2.h>
 #include <CGAL/Quadtree_mesh_2/Point_error.h>
+#include <CGAL/Quadtree_mesh_2/internal/geometry/Adapted_geometry.h>
 #include <CGAL/Quadtree_mesh_2/internal/geometry/coordinate_map.h>
 #include <CGAL/Quadtree_mesh_2/internal/islands/Island.h>
 #include <CGAL/Quadtree_mesh_2/internal/neighbors/nearest_hits.h>
@@ -55,7 +56,7 @@ struct Graph_of_islands {
 
   const Pslg& pslg;
   const Order& order; ///< kernel vertex -> vertex of the graph
-  const Coordinate_map<Traits, typename Traits::Meshing_geometry_2>& map;
+  const Coordinate_map<Traits, Mesher_geometry<Traits>>& map;
   const Traits& traits;
   Find_nearest_hits<Pslg>
       find_hits; ///< by which model neighbors of vertices are found; null: by the quadtree

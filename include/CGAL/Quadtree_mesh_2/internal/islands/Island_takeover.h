@@ -18,6 +18,7 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_ISLANDS_ISLAND_TAKEOVER_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_ISLANDS_ISLAND_TAKEOVER_H
 
+#include <CGAL/Quadtree_mesh_2/internal/geometry/Adapted_geometry.h>
 #include <CGAL/Quadtree_mesh_2/internal/islands/Island.h>
 #include <CGAL/Quadtree_mesh_2/internal/islands/Island_construction.h>
 #include <CGAL/Quadtree_mesh_2/internal/islands/Island_finder.h>
@@ -45,7 +46,7 @@ enum class Takeover_end {
 template <class Traits, class ConcurrencyTag>
 class Island_takeover {
 public:
-  using Geometry = typename Traits::Meshing_geometry_2;
+  using Geometry = Mesher_geometry<Traits>;
   using Island_of_mesh = Island<ConcurrencyTag, Geometry>;
 
   /// \param budgets of the whole mesh

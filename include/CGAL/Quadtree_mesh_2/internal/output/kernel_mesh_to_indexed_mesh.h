@@ -16,6 +16,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/base/angle_units.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/huge_pages.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/prefetch.h>
+#include <CGAL/Quadtree_mesh_2/internal/geometry/Adapted_geometry.h>
 #include <CGAL/Quadtree_mesh_2/internal/geometry/coordinate_map.h>
 #include <CGAL/Quadtree_mesh_2/internal/output/boundary_markers.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/append_all.h>
@@ -39,7 +40,7 @@ namespace internal {
 template <class Traits, class ConcurrencyTag>
 class Kernel_mesh_converter {
 public:
-  using Geometry = typename Traits::Meshing_geometry_2;
+  using Geometry = Mesher_geometry<Traits>;
   using Point_2 = typename Traits::Point_2;
   using Map = Coordinate_map<Traits, Geometry>;
   using Mesh = Indexed_mesh_2<Point_2>;

@@ -51,12 +51,10 @@ public:
             Pslg_parts_2().vertex(Vertex_index(v))};
   }
 
-  /// For a vertex or seed that doubles cannot scale together with the others.
+  /// For a vertex or seed that the mesher's coordinates do not have.
   /// \param name the name of the point
-  Pslg_error_2 out_of_range(const std::string& name, Pslg_parts_2 point) const {
-    return {Pslg_error_2::Kind::OUT_OF_RANGE,
-            name + ": too near to 0, or too far from it, for doubles beside the extent; move it",
-            std::move(point)};
+  Pslg_error_2 out_of_range(const std::string& name, const std::string& reason, Pslg_parts_2 point) const {
+    return {Pslg_error_2::Kind::OUT_OF_RANGE, name + ": " + reason, std::move(point)};
   }
 
   /// For vertices that are too far apart.

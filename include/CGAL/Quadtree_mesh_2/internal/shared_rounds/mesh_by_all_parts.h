@@ -20,6 +20,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/distributed/Parcel.h>
 #include <CGAL/Quadtree_mesh_2/internal/distributed/agree_on_error.h>
 #include <CGAL/Quadtree_mesh_2/internal/distributed/distribute_mesh.h>
+#include <CGAL/Quadtree_mesh_2/internal/geometry/Adapted_geometry.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/shared_rounds/rounds_by_all_parts.h>
 #include <CGAL/Quadtree_mesh_2/internal/shared_rounds/state_bytes.h>
@@ -91,6 +92,8 @@ template <class Exchange, class Traits, class ConcurrencyTag>
 Distributed_mesh_2<typename Traits::Point_2>
 mesh_by_all_parts(Exchange& exchange, Quality_mesher_2<Traits, ConcurrencyTag>& mesher,
                   const Pslg_2<typename Traits::Point_2>& pslg, Quality_mesh_report_2& report) {
+  static_assert(is_kernel_geometry<typename Traits::Meshing_geometry_2>,
+                "parts know no map of coordinates but those of the package's geometries");
   static_assert(!Traits::Meshing_geometry_2::has_unlimited_coordinates,
                 "parts send each other coordinates of the machine, not exact numbers");
   check_options_are_the_same(exchange, mesher.options());

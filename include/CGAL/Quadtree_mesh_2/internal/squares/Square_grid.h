@@ -97,13 +97,15 @@ private:
 
   /// A power of two of which all coordinates near the box are representable multiples.
   static double resolution(const Point& low, const Point& high) {
-    if constexpr (std::is_integral<typename Geometry::Coordinate>::value) {
-      return 1;
-    } else {
+    if constexpr (Geometry::has_unlimited_coordinates) {
       const Vector l = Geometry::difference(low, Point()), h = Geometry::difference(high, Point());
       const double largest =
           std::max(std::max(std::fabs(l.x), std::fabs(l.y)), std::max(std::fabs(h.x), std::fabs(h.y)));
       return std::ldexp(1.0, std::ilogb(largest) - 51);
+    } else {
+      // A step further out the spacing may be the next power of two, but for integers.
+      constexpr double steps = std::is_integral<typename Geometry::Coordinate>::value ? 1 : 2;
+      return steps * std::max(Geometry::spacing(low), Geometry::spacing(high));
     }
   }
 };

@@ -35,6 +35,7 @@
 #include <CGAL/Pslg_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/columns/Column_closure.h>
 #include <CGAL/Quadtree_mesh_2/internal/columns/Vertex_placement.h>
+#include <CGAL/Quadtree_mesh_2/internal/geometry/Adapted_geometry.h>
 #include <CGAL/Quadtree_mesh_2/internal/geometry/coordinate_map.h>
 #include <CGAL/Quadtree_mesh_2/internal/neighbors/nearest_hits.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
@@ -69,7 +70,7 @@ namespace internal {
 template <class Traits, class ConcurrencyTag>
 class Separation_trees {
 public:
-  using Geometry = typename Traits::Meshing_geometry_2;
+  using Geometry = Mesher_geometry<Traits>;
   using Point = typename Geometry::Point;
   using Point_2 = typename Traits::Point_2;
   using Tree = Balanced_quadtree<Traits, ConcurrencyTag>;
