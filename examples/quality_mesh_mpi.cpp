@@ -2,9 +2,9 @@
 //
 //   mpirun -n 4 quality_mesh_mpi INPUT.poly -o mesh.vtkhdf
 //
-// INPUT is .poly or .h5, of which each rank reads a slice. Outputs are .pvtu with a piece for each rank, .msh with a part
-// for each rank, .vtkhdf, and .xdmf with .h5. All ranks write them. They have the bytes that `quality_mesh --renumber`
-// writes, with `--pieces` as many as ranks.
+// INPUT is .poly or .h5, of which each rank reads a slice. Outputs are .pvtu with a piece for each rank, .msh with a
+// part for each rank, .vtkhdf, and .xdmf with .h5. All ranks write them. They have the bytes that
+// `quality_mesh --renumber` writes, with `--pieces` as many as ranks.
 
 #include "internal/command_line.h"
 #include "internal/program_steps.h"

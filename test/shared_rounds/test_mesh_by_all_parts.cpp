@@ -3,8 +3,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 // Author(s)     : The Quadtree_mesh_2 authors//
-// Graphs meshed by parts in several memories: the mesh and the report of one memory, for all options; the same errors at
-// all parts.
+// Graphs meshed by parts in several memories: the mesh and the report of one memory, for all options; the same errors
+// at all parts.
 
 #include "catch.h"
 #include "meshes_by_all_parts.h"

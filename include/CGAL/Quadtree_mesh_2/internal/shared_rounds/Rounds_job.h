@@ -6,8 +6,8 @@
 //
 // What parts have to know to take part in rounds of blocks, besides the mesh: the problem, and how it is worked on.
 //
-// Bounds have functions of the user, and so follow from the options, which are the same at all parts, and from the frame
-// of the input. O(n) memory for a graph of n vertices and segments.
+// Bounds have functions of the user, and so follow from the options, which are the same at all parts, and from the
+// frame of the input. O(n) memory for a graph of n vertices and segments.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_SHARED_ROUNDS_ROUNDS_JOB_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_SHARED_ROUNDS_ROUNDS_JOB_H

@@ -70,7 +70,7 @@ lead(Exchange& exchange, Quality_mesher_2<Traits, ConcurrencyTag>& mesher,
   Rounds_by_all_parts<Exchange, Traits, Inner_tag<ConcurrencyTag>> runner(exchange, pslg);
   Indexed_mesh_2<typename Traits::Point_2> mesh;
   std::exception_ptr error;
-  Mesher_rounds::run_by(mesher, &runner);
+  if (exchange.size() > 1) Mesher_rounds::run_by(mesher, &runner);
   try {
     mesh = mesher(pslg);
   } catch (...) {
