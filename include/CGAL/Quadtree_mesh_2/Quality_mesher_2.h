@@ -27,12 +27,6 @@
 
 namespace CGAL {
 
-namespace Quadtree_mesh_2 {
-namespace internal {
-struct Mesher_rounds;
-} // namespace internal
-} // namespace Quadtree_mesh_2
-
 /// \ingroup PkgQuadtreeMesh2Meshers
 /// Triangulates the domain of a planar straight-line graph with few triangles, so that no triangle has an
 /// angle below a bound. Wedges that acute input corners force are the only exception.
@@ -151,21 +145,6 @@ Quality_mesher_2<Traits, ConcurrencyTag>::operator()(const Pslg& pslg) {
   pipeline.run_rounds_by(rounds_runner_);
   return pipeline.run();
 }
-
-namespace Quadtree_mesh_2 {
-namespace internal {
-
-/// Sets who runs a mesher's rounds of blocks; null: the mesher itself.
-struct Mesher_rounds {
-  template <class Traits, class ConcurrencyTag>
-  static void run_by(Quality_mesher_2<Traits, ConcurrencyTag>& mesher,
-                     Rounds_runner<Mesher_geometry<Traits>>* runner) {
-    mesher.rounds_runner_ = runner;
-  }
-};
-
-} // namespace internal
-} // namespace Quadtree_mesh_2
 
 } // namespace CGAL
 

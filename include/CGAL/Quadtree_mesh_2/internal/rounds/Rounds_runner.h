@@ -36,6 +36,14 @@ public:
                    Block_rounds& rounds, const std::function<bool(double)>& shall_go_on) = 0;
 };
 
+/// Sets who runs a mesher's rounds of blocks; null: the mesher itself.
+struct Mesher_rounds {
+  template <class Mesher, class Runner>
+  static void run_by(Mesher& mesher, Runner* runner) {
+    mesher.rounds_runner_ = runner;
+  }
+};
+
 } // namespace internal
 } // namespace Quadtree_mesh_2
 } // namespace CGAL

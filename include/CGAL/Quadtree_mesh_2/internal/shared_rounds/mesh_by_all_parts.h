@@ -76,7 +76,7 @@ lead(Exchange& exchange, Quality_mesher_2<Traits, ConcurrencyTag>& mesher,
   } catch (...) {
     error = std::current_exception();
   }
-  Mesher_rounds::run_by(mesher, nullptr);
+  Mesher_rounds::run_by(mesher, static_cast<decltype(&runner)>(nullptr));
   runner.end();
   if (error) std::rethrow_exception(error);
   report = mesher.report();
