@@ -129,7 +129,9 @@ private:
   Quadtree_mesh_2::internal::Rounds_runner<Quadtree_mesh_2::internal::Mesher_geometry<Traits>>*
       rounds_runner_ = nullptr;
 
+  /// \cond SKIP_IN_MANUAL
   friend struct Quadtree_mesh_2::internal::Mesher_rounds;
+  /// \endcond
 };
 
 // Defined outside the class, so not inline: a compiled library spares the compiler the body.
