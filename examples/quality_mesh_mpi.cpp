@@ -13,7 +13,6 @@
 #include <CGAL/IO/Distributed_mesh_files.h>
 #include <CGAL/IO/read_slices.h>
 #include <CGAL/Trapezoidal_vertex_edge_neighbors_2.h>
-#include <CGAL/distribute_mesh_2.h>
 #include <CGAL/tags.h>
 
 #include <mpi.h>
@@ -22,7 +21,6 @@
 #include <exception>
 #include <iostream>
 #include <new>
-#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -125,8 +123,6 @@ Exit_status run(int argc, char** argv, int rank) {
   check_use(line);
   Mesher mesher(all_ranks, line.options);
   const Mesher::Mesh part = mesh(mesher, line);
-  const std::string defect = CGAL::defect_of_distributed_mesh_2(all_ranks, part);
-  if (!defect.empty()) throw std::logic_error(defect);
   for (const std::string& output : line.outputs) write(part, output);
   if (rank == 0 && !line.is_quiet) print(mesher, part);
   return mesher.report().is_met() ? Exit_status::DONE : Exit_status::BOUND_UNMET;
