@@ -68,3 +68,12 @@ configure_and_build_project() {
 
 # configure_and_build FOLDER TARGET [CMAKE_ARGUMENT]...: this project.
 configure_and_build() { configure_and_build_project "$root" "$@"; }
+
+# Where the tests are built by a compiler, and how: their programs are slow, so not where users find theirs.
+test_folder() { # compiler
+  local folder=$root/build-tests
+  [[ $1 == clang++ ]] || folder+=-$(basename "$1")
+  echo "$folder"
+}
+# shellcheck disable=SC2034
+test_arguments=(-DCMAKE_BUILD_TYPE=Release -DQUADTREE_MESH_2_QUICK_PROGRAMS=ON)

@@ -6,9 +6,7 @@
 // The domain is a square with a square hole. The solution is known: u = sin(x) exp(y / 2), for which -laplace u is
 // 3/4 u.
 
-#include <CGAL/Quality_mesher_2.h>
-#include <CGAL/distribute_mesh_2.h>
-#include <CGAL/renumber_mesh_2.h>
+#include <CGAL/Distributed_quality_mesher_2.h>
 
 #include <petscdmplex.h>
 #include <petscksp.h>
@@ -26,8 +24,8 @@
 #include <utility>
 #include <vector>
 
-using Mesher = CGAL::Quality_mesher_2<>;
-using Part = CGAL::Distributed_mesh_2<Mesher::Mesh::Point_2>;
+using Mesher = CGAL::Distributed_quality_mesher_2<>;
+using Part = Mesher::Mesh;
 
 /// Ends the program if a function of PETSc fails; PETSc has told why.
 void check(int error) {
@@ -51,17 +49,10 @@ Mesher::Pslg domain() {
   return pslg;
 }
 
-/// The mesh is made at the first rank; others have nothing before they get their part.
-Part mesh_at_first_rank(double max_area) {
-  int rank = 0;
-  MPI_Comm_rank(PETSC_COMM_WORLD, &rank);
-  const Mesher::Pslg pslg = domain();
-  Mesher::Mesh mesh;
-  if (rank == 0) {
-    mesh = Mesher(CGAL::Quality_mesh_options_2().max_area(max_area))(pslg);
-    CGAL::renumber_by_place(mesh); // so that parts are compact
-  }
-  return CGAL::distribute_mesh_2(PETSC_COMM_WORLD, mesh, pslg);
+/// All ranks make the mesh. The graph is that of the first rank; large ones are read in slices (IO/read_slices.h).
+Part mesh_on_all_ranks(double max_area) {
+  const auto options = CGAL::Quality_mesh_options_2().max_area(max_area);
+  return Mesher(PETSC_COMM_WORLD, options)(domain());
 }
 
 /// The vertices at the border. All triangles around a vertex of an own triangle are own ones or ghosts, so a side there
@@ -234,7 +225,7 @@ bool solve(const System& s) {
 }
 
 bool run(double max_area) {
-  const Part part = mesh_at_first_rank(max_area);
+  const Part part = mesh_on_all_ranks(max_area);
   Plex plex = plex_of(part);
   const std::vector<Triangle> triangles = triangles_of(plex);
   const double area = area_of(triangles);

@@ -10,16 +10,16 @@ usage() {
 usage: test/run.sh [--sanitize S[,S]] [--compiler CXX] [--full] [--strict]
 
   --sanitize S    build with sanitizers and with assertions, in a folder of its own: address, undefined or
-                  address,undefined, or thread; runs the few tests of which the reduced suite for them consists;
-                  by clang++, which compiles it in half of g++'s time, unless --compiler names another
-  --compiler CXX  build with this compiler, for example clang++, in a folder of its own
+                  address,undefined, or thread; runs the few tests of which the reduced suite for them consists
+  --compiler CXX  build with this compiler, for example g++, in a folder of its own; else it is clang++, which
+                  compiles the tests in half of g++'s time
   --full          run the slow sweeps too; with --sanitize all tests and the examples
   --strict        let a compiler warning be an error
 EOF
 }
 
 sanitize=
-compiler=
+compiler=clang++
 full=no
 strict=OFF
 while [[ $# -gt 0 ]]; do
@@ -39,7 +39,6 @@ case $sanitize in
   *) fail "--sanitize knows address, undefined, address,undefined and thread, not '$sanitize'" ;;
 esac
 
-[[ -z $sanitize || -n $compiler ]] || compiler=clang++
 packages=("${build_packages[@]}" libgdal-dev catch2 python3-gmsh python3-h5py python3-meshio)
 # The Python package: what is missing is left out of build and tests, which CMake says.
 [[ -n $sanitize ]] || packages+=(pybind11-dev python3-dev python3-pytest python3-numpy python3-shapely
@@ -57,15 +56,9 @@ if [[ $compiler == clang++* ]]; then
 fi
 install_packages "${packages[@]}"
 
-folder=$root/build
-arguments=(-DCMAKE_BUILD_TYPE=Release -DQUADTREE_MESH_2_WARNINGS_AS_ERRORS="$strict"
-  -DQUADTREE_MESH_2_QUICK_PROGRAMS=ON -DQUADTREE_MESH_2_REQUIRE_READ_BACK=ON)
-compiler_argument=()
-if [[ -n $compiler ]]; then
-  folder+=-$(basename "$compiler")
-  compiler_argument=(-DCMAKE_CXX_COMPILER="$compiler")
-  arguments+=("${compiler_argument[@]}")
-fi
+folder=$(test_folder "$compiler")
+arguments=("${test_arguments[@]}" -DQUADTREE_MESH_2_WARNINGS_AS_ERRORS="$strict"
+  -DCMAKE_CXX_COMPILER="$compiler" -DQUADTREE_MESH_2_REQUIRE_READ_BACK=ON)
 suite=all
 if [[ -n $sanitize ]]; then
   folder+=-${sanitize//,/-}
@@ -103,7 +96,7 @@ ctest --test-dir "$folder" --parallel "$(nproc)" --output-on-failure --progress
 say "running the examples"
 run_example() { # program
   case ${1##*/} in
-    quality_mesh | mesh_for_dolfinx) ;; # the tests run them
+    quality_mesh | quality_mesh_mpi | mesh_for_dolfinx) ;; # the tests run them
     parallel_quadtree) "$1" 100000 >/dev/null ;;
     distribute_mesh | mesh_for_petsc) # where there is MPI, and PETSc
       [[ ! -x $1 ]] || OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 OMPI_MCA_rmaps_base_oversubscribe=1 \
@@ -119,16 +112,16 @@ for source in "$root"/examples/*.cpp; do
 done | xargs -0 -P "$(nproc)" -n 1 bash -c 'run_example "$1"' run_example
 
 if [[ -z $sanitize ]]; then
-  say "installing, and building a project that uses the package"
+  say "installing, and building a project that uses the package, by the usual compiler"
   installed=$(mktemp -d)
   trap 'rm -rf "$installed"' EXIT
   cmake --install "$folder" --prefix "$installed/usr" >/dev/null
   on_ranks=OFF
   ! command -v mpiexec >/dev/null || on_ranks=ON
   configure_and_build_project "$root/test/consumer" "$installed/build" all -DCONSUMER_ON_RANKS="$on_ranks" \
-    -DCMAKE_BUILD_TYPE=None -DCMAKE_PREFIX_PATH="$installed/usr" "${compiler_argument[@]}"
+    -DCMAKE_BUILD_TYPE=None -DCMAKE_PREFIX_PATH="$installed/usr"
   ctest --test-dir "$installed/build" --output-on-failure
   # The examples are a project of their own, too. One is enough: the build had all.
   configure_and_build_project "$root/examples" "$installed/examples" mesh_graph \
-    -DCMAKE_PREFIX_PATH="$installed/usr" "${compiler_argument[@]}"
+    -DCMAKE_PREFIX_PATH="$installed/usr"
 fi

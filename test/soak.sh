@@ -8,25 +8,28 @@ set -euo pipefail
 
 usage() {
   cat <<'EOT'
-usage: test/soak.sh [--own-seed] [option of build/bin/soak]...
+usage: test/soak.sh [--own-seed] [--quick] [option of build/bin/soak]...
        test/soak.sh --docs LOG...
 
   --own-seed  take the seed from the commit's name, 1 without one
+  --quick     use what test/run.sh has built, which takes less time to compile and more to mesh
   --docs      write doc/soak.md from logs; nothing is run
 
-Inputs that fail are written to build/soak. The options of build/bin/soak:
+Inputs that fail are written to the folder soak where it is built. The options of build/bin/soak:
 EOT
 }
 
 arguments=()
 documents=no
 own_seed=no
+quick=no
 help=no
 commit=$(git -C "$root" rev-parse --short=12 HEAD 2>/dev/null || echo unknown)
 git -C "$root" diff --quiet HEAD 2>/dev/null || commit+=+
 for argument in "$@"; do
   case $argument in
     --own-seed) own_seed=yes ;;
+    --quick) quick=yes ;;
     --docs) documents=yes && arguments+=("$argument") ;;
     --help | -h) help=yes ;;
     *) arguments+=("$argument") ;;
@@ -48,11 +51,18 @@ if [[ $help == yes ]]; then
   exit
 fi
 install_packages "${build_packages[@]}"
-configure_and_build "$root/build" soak -DCMAKE_BUILD_TYPE=Release
+folder=$root/build
+how=(-DCMAKE_BUILD_TYPE=Release)
+if [[ $quick == yes ]]; then
+  folder=$(test_folder clang++)
+  how=("${test_arguments[@]}" -DCMAKE_CXX_COMPILER=clang++)
+  install_packages clang
+fi
+configure_and_build "$folder" soak "${how[@]}"
 if [[ $documents == yes ]]; then
-  "$root/build/bin/soak" "${arguments[@]}" >"$root/build/soak.md"
-  mv "$root/build/soak.md" "$root/doc/soak.md"
+  "$folder/bin/soak" "${arguments[@]}" >"$folder/soak.md"
+  mv "$folder/soak.md" "$root/doc/soak.md"
   say "written: doc/soak.md"
 else
-  "$root/build/bin/soak" --commit "$commit" --folder "$root/build/soak" "${arguments[@]}"
+  "$folder/bin/soak" --commit "$commit" --folder "$folder/soak" "${arguments[@]}"
 fi

@@ -20,8 +20,8 @@
 
 namespace mesh_in_words_internal {
 
-using Traits = CGAL::Fixed_point_quadtree_traits_2<std::uint64_t>;
-using Word_point = Traits::Point_2;
+using Word_traits = CGAL::Fixed_point_quadtree_traits_2<std::uint64_t>;
+using Word_point = Word_traits::Point_2;
 using Scale = CGAL::Fixed_point_scale_2<std::uint64_t>;
 
 /// How much of the root of quadtrees the input may fill.

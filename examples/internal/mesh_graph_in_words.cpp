@@ -86,7 +86,7 @@ bool is_near(const Point& p, const Point& a, const Point& b, double distance) {
 /// Rounding must not put a seed to the other side of a segment.
 /// \throws CGAL::Pslg_error_2 naming the two.
 void check_sides_of_seeds(const mesh_graph::Pslg& pslg, const Word_map<Point>& map) {
-  using Geometry = Traits::Meshing_geometry_2;
+  using Geometry = Word_traits::Meshing_geometry_2;
   const auto signed_words = [&map](const Point& p) {
     const Word_point w = map.to_word_inside_root(p);
     return Geometry::Point{std::int64_t(w.x()), std::int64_t(w.y())};
@@ -179,7 +179,7 @@ mesh_graph::Mesh mesh_graph::in_words(const Pslg& pslg, const Options& options, 
   check_sides_of_seeds(pslg, map);
   try {
     auto rounded = CGAL::round_mesh_2<Point>(
-        mesh_graph_with<Traits>(to_words(pslg, map), to_words(options, map), neighbors, report),
+        mesh_graph_with<Word_traits>(to_words(pslg, map), to_words(options, map), neighbors, report),
         pslg.vertices, [&map](const Word_point& p) { return map.to_double(p); });
     rounded.renumber(report);
     to_doubles(report, rounded.mesh);

@@ -17,7 +17,7 @@ mesh_points::Mesh mesh_points::in_words(const std::vector<Point>& points, const 
   words.reserve(points.size());
   for (const Point& p : points) words.push_back(map.to_word(p));
   check_told_apart(points, words);
-  CGAL::Point_set_mesher_2<Traits, CGAL::Parallel_tag> mesher(options);
+  CGAL::Point_set_mesher_2<Word_traits, CGAL::Parallel_tag> mesher(options);
   auto rounded = CGAL::round_mesh_2<Point>(mesher(words), points,
                                            [&map](const Word_point& p) { return map.to_double(p); });
   report = mesher.report();

@@ -54,7 +54,7 @@ void check_queries(const internal::Shells<double>& shells, const std::vector<Lis
 } // namespace
 
 TEST_CASE("Shells are found by radius and by vertex", "[shells]") {
-  std::mt19937_64 random(GENERATE(1, 2, 3));
+  std::mt19937_64 random(GENERATE(1u, 2u, 3u));
   internal::Shells<double> shells;
   std::vector<Listed> list;
   for (const Vertex_id v : internal::Id_range<Vertex_id>(1, 60)) {

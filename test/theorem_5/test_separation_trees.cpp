@@ -104,7 +104,7 @@ Tree_options of_vertices_only(double distance) { return Tree_options::of_theorem
 class Pair_check {
 public:
   Pair_check(const Prepared& graph, const Trees& trees, const Tree_options& options)
-      : graph_(graph), trees_(trees), gaps_(graph.problem(), graph.sides(), options) {}
+      : trees_(trees), gaps_(graph.problem(), graph.sides(), options) {}
 
   /// The leaves that are too large for a pair of edges; of many leaves some are looked at.
   std::size_t number_of_faults() {
@@ -117,7 +117,6 @@ public:
   }
 
 private:
-  const Prepared& graph_;
   const Trees& trees_;
   Edge_gaps<Geometry> gaps_;
 

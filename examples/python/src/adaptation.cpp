@@ -35,8 +35,7 @@ namespace quadtree_mesh_python {
 namespace {
 
 using Graph = CGAL::Pslg_2<Point>;
-using Mesh = CGAL::Indexed_mesh_2<Point>;
-using Options = CGAL::Quality_mesh_options_2;
+using Given_mesh = CGAL::Indexed_mesh_2<Point>;
 using CGAL::Quadtree_mesh_2::Segment_index;
 using CGAL::Quadtree_mesh_2::Vertex_index;
 
@@ -47,7 +46,7 @@ Vertex_index vertex_from(std::int64_t i) {
 
 /// A mesh that is given, and what it is a mesh of.
 struct Given_arrays {
-  Mesh mesh;
+  Given_mesh mesh;
   Graph graph;
   std::map<std::uint32_t, std::int32_t>
       origins; // per segment of the graph, that of the user's; none if it is not there
@@ -96,7 +95,7 @@ private:
 };
 
 /// Per vertex of the new mesh, three of the old one and their weights.
-void add_transfer(py::dict& result, const CGAL::Mesh_transfer_2& transfer, const Mesh& old) {
+void add_transfer(py::dict& result, const CGAL::Mesh_transfer_2& transfer, const Given_mesh& old) {
   std::vector<std::array<std::int32_t, 3>> sources;
   std::vector<std::array<double, 3>> weights;
   for (std::size_t v = 0; v < transfer.places.size(); ++v) {
@@ -121,7 +120,7 @@ void add_transfer(py::dict& result, const CGAL::Mesh_transfer_2& transfer, const
 py::dict adapt_mesh(const py::dict& arrays, const py::dict& values) {
   Run_state state;
   const Given_arrays given(arrays);
-  Options options = options_from(values, nullptr).progress(std::ref(state));
+  CGAL::Quality_mesh_options_2 options = options_from(values, nullptr).progress(std::ref(state));
   std::optional<Refinement_criterion> criterion;
   if (!values["refine_where"].is_none()) {
     criterion.emplace(py::reinterpret_borrow<py::object>(values["refine_where"]), state, std::nullopt);

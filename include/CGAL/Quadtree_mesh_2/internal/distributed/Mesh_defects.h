@@ -7,8 +7,8 @@
 // Checks that what ranks hold of a mesh fits together: the invariants of `Distributed_mesh_2`.
 //
 // Computes: nothing by the ways in which meshes are cut. Ghosts are found anew where they meet: the owner of a vertex
-//           is told all triangles there, and tells each rank with one of them about those of others.
-// Bound:    O(k log k) for k triangles and vertices of the rank, which are told to the owners of vertices once.
+//           is told of others' triangles there, and tells each rank with one of them about those of others.
+// Bound:    O(k log k) for k triangles and vertices of the rank. What is told lies at vertices that ranks share.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_DISTRIBUTED_MESH_DEFECTS_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_DISTRIBUTED_MESH_DEFECTS_H
@@ -28,6 +28,7 @@
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -52,7 +53,7 @@ public:
       agree_on_work(exchange_, [this] { check_foreign_vertices(); });
       check_copies_of_vertices();
       check_ghosts();
-      agree_on_work(exchange_, [this] { check_neighbors(); });
+      agree_on_work(exchange_, [this] { list_sides(), check_neighbors(); });
       check_edges();
     } catch (const std::logic_error& defect) { // the type in which parts agree on it
       return defect.what();
@@ -61,8 +62,11 @@ public:
   }
 
 private:
+  [[noreturn]] void fail(const std::string& what) const {
+    throw std::logic_error("rank " + std::to_string(exchange_.rank()) + ": " + what);
+  }
   void check(bool is_right, const std::string& what) const {
-    if (!is_right) throw std::logic_error("rank " + std::to_string(exchange_.rank()) + ": " + what);
+    if (!is_right) fail(what);
   }
   static std::string name(const char* kind, Number i) { return kind + (' ' + std::to_string(i)); }
 
@@ -166,12 +170,28 @@ private:
             part_.has_regions ? part_.region_of_triangle[t] : -1};
   }
 
-  void check_ghosts() {
+  /// The triangles at own vertices that others have triangles at, too: those of others and own ones, sorted.
+  std::vector<Corner> corners_at_shared_vertices() {
     Records_of_parts<Corner> told;
-    for (std::size_t t = 0; t < part_.number_of_own_triangles(); ++t)
-      for (const Number v : part_.triangles[t]) told[part_.owner_of_vertex(v)].push_back(corner(v, t));
+    const auto for_each_corner = [this](const auto& f) {
+      for (std::size_t t = 0; t < part_.number_of_own_triangles(); ++t)
+        for (const Number v : part_.triangles[t]) f(v, t);
+    };
+    for_each_corner([&](Number v, std::size_t t) {
+      if (!part_.is_own_vertex(v)) told[part_.owner_of_vertex(v)].push_back(corner(v, t));
+    });
     std::vector<Corner> corners = joined(exchange_records(exchange_, std::move(told)));
+    std::vector<char> is_shared(part_.number_of_own_vertices(), false);
+    for (const Corner& c : corners) is_shared[part_.index_of_vertex(c.vertex)] = true;
+    for_each_corner([&](Number v, std::size_t t) {
+      if (part_.is_own_vertex(v) && is_shared[part_.index_of_vertex(v)]) corners.push_back(corner(v, t));
+    });
     std::sort(corners.begin(), corners.end());
+    return corners;
+  }
+
+  void check_ghosts() {
+    const std::vector<Corner> corners = corners_at_shared_vertices();
     Records_of_parts<Corner> answers;
     for (std::size_t begin = 0, end = 0; begin < corners.size(); begin = end) {
       std::set<int> owners;
@@ -199,20 +219,38 @@ private:
     return {std::min(a, b), std::max(a, b)};
   }
 
-  void check_neighbors() const {
-    std::map<std::array<Number, 2>, std::vector<Number>> at_side;
+  /// A side of a triangle.
+  struct Triangle_side {
+    std::array<Number, 2> vertices;
+    Number triangle;
+    bool operator<(const Triangle_side& other) const {
+      return std::tie(vertices, triangle) < std::tie(other.vertices, other.triangle);
+    }
+  };
+
+  void list_sides() {
+    sides_.clear(), sides_.reserve(3 * part_.triangles.size());
     for (std::size_t t = 0; t < part_.triangles.size(); ++t)
       for (std::size_t k = 0; k < 3; ++k)
-        at_side[side(part_.triangles[t], k)].push_back(part_.number_of_triangle(t));
-    for (std::size_t t = 0; t < part_.number_of_own_triangles(); ++t)
-      for (std::size_t k = 0; k < 3; ++k) {
-        const std::vector<Number>& both = at_side[side(part_.triangles[t], k)];
-        const Number number = part_.number_of_triangle(t);
-        check(both.size() <= 2, name("triangle", number) + " has a side with two others");
+        sides_.push_back({side(part_.triangles[t], k), part_.number_of_triangle(t)});
+    std::sort(sides_.begin(), sides_.end());
+  }
+
+  void check_neighbors() const {
+    for (std::size_t begin = 0, end = 0; begin < sides_.size(); begin = end) {
+      while (end < sides_.size() && sides_[end].vertices == sides_[begin].vertices) ++end;
+      for (std::size_t i = begin; i < end; ++i) {
+        const Number number = sides_[i].triangle, t = number - part_.number_of_triangle(0);
+        if (t < 0 || t >= static_cast<Number>(part_.number_of_own_triangles())) continue; // a ghost
+        if (end - begin > 2) fail(name("triangle", number) + " has a side with two others");
         if (!part_.has_neighbors) continue;
-        const Number across = both.size() == 1 ? -1 : both[both[0] == number ? 1 : 0];
-        check(part_.neighbors[t][k] == across, name("triangle", number) + " has another neighbor");
+        const Number across = end - begin == 1 ? -1 : sides_[i == begin ? begin + 1 : begin].triangle;
+        for (std::size_t k = 0; k < 3; ++k)
+          if (side(part_.triangles[std::size_t(t)], k) == sides_[i].vertices &&
+              part_.neighbors[std::size_t(t)][k] != across)
+            fail(name("triangle", number) + " has another neighbor");
       }
+    }
   }
 
   void check_edges() {
@@ -220,20 +258,15 @@ private:
                                 static_cast<std::size_t>(exchange_.size()));
     Records_of_parts<Number> told;
     agree_on_work(exchange_, [&] {
-      std::map<std::array<Number, 2>, Number> first_at_side;
-      for (std::size_t t = part_.triangles.size(); t-- > 0;)
-        for (std::size_t k = 0; k < 3; ++k) {
-          const Number number = part_.number_of_triangle(t);
-          const auto [at, is_new] = first_at_side.try_emplace(side(part_.triangles[t], k), number);
-          if (!is_new) at->second = std::min(at->second, number);
-        }
       Number before = -1;
       for (const auto& e : part_.constrained_edges) {
         check(e.number > before && e.number < part_.number_of_constrained_edges,
               "constrained edges are not in the order of their numbers");
-        const auto found = first_at_side.find(side({-1, e.vertices[0], e.vertices[1]}, 0));
-        const int owner = found == first_at_side.end() ? part_.number_of_parts() - 1
-                                                       : part_.owner_of_triangle(found->second);
+        const auto vertices = side({-1, e.vertices[0], e.vertices[1]}, 0);
+        const auto first = std::lower_bound(sides_.begin(), sides_.end(), Triangle_side{vertices, -1});
+        const int owner = first == sides_.end() || first->vertices != vertices
+                              ? part_.number_of_parts() - 1
+                              : part_.owner_of_triangle(first->triangle);
         check(owner == part_.rank, name("constrained edge", e.number) + " is another rank's");
         told[static_cast<int>(numbers.run_of(static_cast<std::size_t>(e.number)))].push_back(e.number);
         before = e.number;
@@ -255,6 +288,7 @@ private:
 
   Exchange& exchange_;
   const Part& part_;
+  std::vector<Triangle_side> sides_; // of all triangles that are here, sorted
 };
 
 } // namespace internal

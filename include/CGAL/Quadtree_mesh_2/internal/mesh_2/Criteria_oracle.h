@@ -21,6 +21,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 
 namespace CGAL {
 namespace Quadtree_mesh_2 {
@@ -72,8 +73,8 @@ public:
 
   Plane_triangle triangle(Face_handle f) const {
     Plane_triangle t;
-    for (int k = 0; k < 3; ++k) {
-      const auto p = flat_(f->vertex(k)->point());
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto p = flat_(f->vertex(static_cast<int>(k))->point());
       t.p[k] = {CGAL::to_double(p.x()), CGAL::to_double(p.y())};
     }
     return t;

@@ -28,6 +28,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <utility>
 
@@ -51,7 +52,7 @@ public:
                   Vertex_index right, Vertex_index left, double at_most)
       : tree_(tree), lists_(lists), graph_(graph), apex_index_(apex), apex_(graph.point(apex)),
         right_(graph.point(right)), left_(graph.point(left)), at_most_(at_most) {
-    for (int i = 0; i < 2; ++i) {
+    for (std::size_t i = 0; i < 2; ++i) {
       center_[i] = approximation(apex_, i);
       to_right_[i] = approximate_difference(right_, i);
       to_left_[i] = approximate_difference(left_, i);
@@ -94,11 +95,11 @@ private:
 
   static constexpr double unit_roundoff = 4e-16; // with room
 
-  static Approximation approximation(const Point& p, int axis) {
-    const std::pair<double, double> b = Arithmetic::bounds(p, axis);
+  static Approximation approximation(const Point& p, std::size_t axis) {
+    const std::pair<double, double> b = Arithmetic::bounds(p, static_cast<int>(axis));
     return {b.first, b.second - b.first + unit_roundoff * std::fabs(b.first)};
   }
-  Approximation approximate_difference(const Point& p, int axis) const {
+  Approximation approximate_difference(const Point& p, std::size_t axis) const {
     return minus(approximation(p, axis), center_[axis]);
   }
   static Approximation minus(const Approximation& a, const Approximation& b) {

@@ -1,0 +1,45 @@
+#!/usr/bin/env bash
+# On ranks quality_mesh_mpi writes the bytes that quality_mesh writes, and tells once what is wrong.
+#
+# usage: compare_programs.sh RANKS GRAPH QUALITY_MESH COMMAND...
+#
+# COMMAND runs quality_mesh_mpi on RANKS ranks; GRAPH is a .poly.gz.
+set -euo pipefail
+
+ranks=$1 graph=$2 program=$3
+command=("${@:4}")
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+cd "$folder"
+mkdir one_machine ranks
+gunzip <"$graph" >graph.poly
+
+outputs() { printf -- '-o %s/mesh.%s ' "$1" vtkhdf "$1" xdmf "$1" pvtu "$1" msh; }
+for options in "" "--min-angle 25 --max-area 2e7 --separation theorem-5"; do
+  # shellcheck disable=SC2046,SC2086 # options are words
+  "$program" graph.poly --quiet --renumber --pieces "$ranks" $options $(outputs one_machine)
+  # shellcheck disable=SC2046,SC2086
+  "${command[@]}" graph.poly --quiet $options $(outputs ranks)
+  diff -r one_machine ranks
+  [[ $(find ranks -name '*.vtu' | wc -l) -eq $ranks ]]
+  rm one_machine/* ranks/*
+done
+
+# An error is told by one rank, names what is wrong, and ends all of them.
+refuses() { # what is named, argument...
+  local status=0
+  "${command[@]}" "${@:2}" >/dev/null 2>errors || status=$?
+  [[ $status -ne 0 && $(grep -c 'quality_mesh_mpi: error:' errors) -eq 1 ]] &&
+    grep -q "quality_mesh_mpi: error:.*$1" errors && return
+  echo "not refused by one error that names '$1': ${*:2}" >&2
+  cat errors >&2
+  exit 1
+}
+refuses "no input"
+refuses nothing.poly nothing.poly -o mesh.vtkhdf
+refuses --threads graph.poly --threads 2
+refuses mesh.svg graph.poly -o mesh.svg
+refuses nowhere graph.poly -o nowhere/mesh.vtkhdf
+printf '3 2 0 0\n1 0 0\n2 1 0\n3 0 1\n1 0\n1 1 9\n0\n' >broken.poly
+refuses broken.poly broken.poly -o mesh.vtkhdf
+[[ ! -e mesh.vtkhdf ]]
