@@ -129,7 +129,7 @@ TEST_CASE("Coarsening comes down to about a mesh made afresh, and angles hold", 
 TEST_CASE("Meshes of maps are refined and coarsened again and again", "[adapt]") {
   const Pslg pslg = mesher_test::read("gshhg_aegean_h.poly.gz");
   Mesh mesh = fresh_mesh(pslg, Options());
-  for (const double size : {0.05, 1., 0.03, 1.}) {
+  for (const double size : is_full_run() ? std::vector{0.05, 1., 0.03, 1.} : std::vector{0.05, 1.}) {
     CAPTURE(size);
     const auto made =
         CGAL::adapt_mesh_2<CGAL::Parallel_tag>(mesh, pslg, sizes_around(Point(25, 37), size, 0.2));

@@ -116,8 +116,9 @@ Pslg missed_junction(std::mt19937_64& random, double far, int ulps) {
   for (const auto& [x, y] : std::vector<std::array<double, 2>>{{-2, -2}, {2, -2}, {2, 2}, {-2, 2}})
     pslg.add_vertex(Point(far + x, far + y));
   for (std::size_t i = 0; i < 4; ++i) pslg.add_segment(Vertex_index(i), Vertex_index((i + 1) % 4));
-  const Point a(far + coordinate(random), far + coordinate(random)),
-      b(far + coordinate(random), far + coordinate(random));
+  const double ay = coordinate(random), ax = coordinate(random), by = coordinate(random),
+               bx = coordinate(random);
+  const Point a(far + ax, far + ay), b(far + bx, far + by);
   double y = (a.y() + b.y()) / 2;
   for (int i = 0; i < ulps; ++i) y = std::nextafter(y, 2 * std::fabs(y) + 1);
   pslg.add_segment(pslg.add_vertex(a), pslg.add_vertex(b));

@@ -187,8 +187,8 @@ TEST_CASE("A mesh is streamed from file to file as it is made in memory", "[mesh
 
 TEST_CASE("Streamed files in the order of places are those made in memory", "[mesher][scratch][renumber]") {
   const Scratch_folder folder;
-  const std::string input = QUADTREE_MESH_TEST_DATA_DIR "/gshhg_norway_f.poly.gz";
-  const Pslg pslg = read("gshhg_norway_f.poly.gz");
+  const std::string input = QUADTREE_MESH_TEST_DATA_DIR "/gshhg_aegean_h.poly.gz";
+  const Pslg pslg = read("gshhg_aegean_h.poly.gz");
   Mesh mesh = CGAL::Quality_mesher_2<>()(pslg);
   CGAL::renumber_by_place(mesh);
   CGAL::Streaming_options_2 streaming;

@@ -76,7 +76,7 @@ TEMPLATE_TEST_CASE("Spaced levels give the smallest quadtree for every balance",
                    Fixed_32_traits, Fixed_64_traits, Exact_traits) {
   std::vector<Input> inputs = all_inputs();
   for (unsigned seed = 0; seed < 20; ++seed) inputs.push_back(small_random(seed));
-  for (const Input& input : inputs)
+  for (const Input& input : in_turn<TestType>(inputs))
     for (Balance balance : {Balance::NONE, Balance::SIDES, Balance::SIDES_AND_CORNERS})
       for (std::size_t max_points : {1u, 3u}) {
         CAPTURE(input.name, int(balance), max_points);
@@ -94,7 +94,7 @@ TEMPLATE_TEST_CASE("Leaves are as small as their points' annotations ask", "[opt
   std::vector<Input> inputs = all_inputs();
   for (unsigned seed = 0; seed < 20; ++seed) inputs.push_back(small_random(seed));
   unsigned seed = 0;
-  for (const Input& input : inputs)
+  for (const Input& input : in_turn<TestType>(inputs))
     for (std::size_t max_points : {1u, 4u}) {
       CAPTURE(input.name, max_points);
       const auto points = make_points<TestType>(input);
@@ -160,7 +160,7 @@ TEST_CASE("A size function alone makes a quadtree", "[options]") {
 TEMPLATE_TEST_CASE("Refined quadtrees are the smallest ones with the leaves split", "[options]",
                    Filtered_traits, Fixed_32_traits, Exact_traits) {
   for (Balance balance : {Balance::NONE, Balance::SIDES, Balance::SIDES_AND_CORNERS})
-    for (const Input& input : all_inputs()) {
+    for (const Input& input : in_turn<TestType>(all_inputs())) {
       CAPTURE(input.name, int(balance));
       const auto points = make_points<TestType>(input);
       CGAL::Balanced_quadtree<TestType> tree(points, Quadtree_options().balance(balance));

@@ -320,10 +320,10 @@ TEST_CASE("subdivision takes logarithmically many rounds", "[edge_pieces]") {
 }
 
 TEST_CASE("pieces by walking are those of brute force", "[edge_pieces]") {
-  check_by_brute_force<Filtered_traits>(nasty_cases(), 2000);
-  check_by_brute_force<Fixed_64_traits>(nasty_cases(), 1000);
-  check_by_brute_force<Fixed_32_traits>(random_cases(1, 50), 1000);
-  check_by_brute_force<Exact_traits>(random_cases(1, 50), 500);
+  check_by_brute_force<Filtered_traits>(nasty_cases(), 1000);
+  check_by_brute_force<Fixed_64_traits>(nasty_cases(), 400);
+  check_by_brute_force<Fixed_32_traits>(random_cases(1, 50), 400);
+  check_by_brute_force<Exact_traits>(random_cases(1, 50), 200);
 }
 
 TEST_CASE("pieces by walking are those of brute force: sweep", "[edge_pieces][.slow]") {

@@ -65,7 +65,7 @@ TEST_CASE("Tiles of no site fill the root", "[tile_mesh]") {
 }
 
 TEST_CASE("Tiles fit together and every site has a vertex", "[tile_mesh]") {
-  for (unsigned seed = 0; seed < 5; ++seed)
+  for (unsigned seed = 0; seed < (is_full_run() ? 5u : 2u); ++seed)
     for (const Tile_options& options : {sparse, dense}) {
       CAPTURE(seed, options.max_points_per_leaf);
       for (const auto& places : {uniform_sites(1, seed), uniform_sites(2, seed), uniform_sites(100, seed),
@@ -92,7 +92,7 @@ TEST_CASE("Leaves of sites shrink with the distance to a near neighbor", "[tile_
 }
 
 TEST_CASE("Sites very near each other take few rounds", "[tile_mesh]") {
-  for (unsigned seed = 0; seed < 5; ++seed) {
+  for (unsigned seed = 0; seed < (is_full_run() ? 5u : 2u); ++seed) {
     std::vector<Tile_site> places = uniform_sites(60, seed);
     const std::uint64_t middle = 2 * quarter, near = 1 << 14;
     places.push_back({middle - near, middle + near}); // on either side of lines of the largest squares
@@ -122,7 +122,7 @@ TEST_CASE("Sites that are too near are refused by name", "[tile_mesh]") {
 }
 
 TEST_CASE("Windows are filled as if nothing were outside", "[tile_mesh]") {
-  for (unsigned seed = 0; seed < 6; ++seed) {
+  for (unsigned seed = 0; seed < (is_full_run() ? 6u : 3u); ++seed) {
     const Tile_window row = window_in_the_middle(5, 9, 1);
     std::vector<Tile_site> places;
     for (std::uint64_t x = row.x0; x < row.x1; ++x) {
@@ -140,7 +140,7 @@ TEST_CASE("Sites in the middle cell of five by five do not reach the window's si
   const int log_cell = tile_log_side(6);
   const std::uint64_t x = (cells.x0 + 2) << log_cell, y = (cells.y0 + 2) << log_cell;
   const std::uint64_t last = (std::uint64_t(1) << log_cell) - 1;
-  for (unsigned seed = 0; seed < 30; ++seed) {
+  for (unsigned seed = 0; seed < (is_full_run() ? 30u : 10u); ++seed) {
     CAPTURE(seed);
     std::vector<Tile_site> places;
     for (int i = 0; i < 5; ++i) { // near the corners of the middle cell, and all over it
@@ -165,7 +165,7 @@ TEST_CASE("Warped sites and stars in the middle cell of five by five do not reac
           "[tile_mesh]") {
   const Tile_window cells = window_in_the_middle(4, 5, 5);
   const int log_cell = tile_log_side(4);
-  for (unsigned seed = 0; seed < 30; ++seed)
+  for (unsigned seed = 0; seed < (is_full_run() ? 30u : 10u); ++seed)
     for (const Site_kind kind : {Site_kind::WARPED, Site_kind::STAR}) {
       CAPTURE(seed, int(kind));
       std::vector<Tile_site> places;
@@ -187,7 +187,7 @@ TEST_CASE("Leaves of sites are split when asked for", "[tile_mesh]") {
   Tile_filler<> filler(on_demand(uniform_sites(50, 3)), sparse);
   filler.set_first_levels();
   filler.fill();
-  for (int i = 0; i < 10; ++i) {
+  for (int i = 0; i < (is_full_run() ? 10 : 4); ++i) {
     const Tile_mesh& mesh = filler.filling().mesh;
     const int before = mesh.leaves[static_cast<std::size_t>(mesh.leaf_of_site[7])].level;
     filler.split(7);
@@ -199,7 +199,7 @@ TEST_CASE("Leaves of sites are split when asked for", "[tile_mesh]") {
 }
 
 TEST_CASE("Warps of separated sites keep angles between 36 and 80 degrees", "[tile_mesh]") {
-  for (unsigned seed = 0; seed < 5; ++seed) {
+  for (unsigned seed = 0; seed < (is_full_run() ? 5u : 2u); ++seed) {
     CAPTURE(seed);
     for (const auto& places : {uniform_sites(1, seed), uniform_sites(2, seed), uniform_sites(30, seed),
                                clustered_sites(3, seed), sites_on_corners_and_sides(seed)}) {
@@ -229,7 +229,7 @@ TEST_CASE("A site in the middle of a square or in a corner is warped", "[tile_me
 }
 
 TEST_CASE("Stars move with their spokes and keep angles bounded", "[tile_mesh]") {
-  for (unsigned seed = 0; seed < 5; ++seed) {
+  for (unsigned seed = 0; seed < (is_full_run() ? 5u : 2u); ++seed) {
     CAPTURE(seed);
     for (const auto& places : {uniform_sites(1, seed), uniform_sites(2, seed), uniform_sites(30, seed),
                                clustered_sites(3, seed), sites_on_corners_and_sides(seed)}) {
@@ -256,7 +256,7 @@ TEST_CASE("Stars move with their spokes and keep angles bounded", "[tile_mesh]")
 }
 
 TEST_CASE("Blocks without room are moved to smaller leaves", "[tile_mesh]") {
-  for (unsigned seed = 0; seed < 5; ++seed) {
+  for (unsigned seed = 0; seed < (is_full_run() ? 5u : 2u); ++seed) {
     CAPTURE(seed);
     for (const auto& places : {uniform_sites(40, seed), clustered_sites(4, seed)}) {
       Tile_sites sites = on_demand(places);
