@@ -111,7 +111,7 @@ std::vector<typename Traits::Point_2> mixed_points(std::size_t n) {
 
 TEMPLATE_TEST_CASE("Quadtrees are the same for any number of threads and both schedules", "[parallel]",
                    Filtered_traits, Fixed_32_traits, Exact_traits) {
-  const std::size_t n = is_full_run() ? 200000 : 20000;
+  const std::size_t n = is_full_run() ? 200000 : 10000;
   const auto points = mixed_points<TestType>(n);
   for (Balance balance : {Balance::SIDES_AND_CORNERS, Balance::SIDES}) {
     const auto options = Quadtree_options().balance(balance);

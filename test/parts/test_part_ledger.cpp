@@ -141,7 +141,7 @@ TEST_CASE("Meshes have the same bits for any number of parts", "[parts][.slow]")
 }
 
 TEST_CASE("Messages are counted as by brute force, and each triangle has one owner", "[parts]") {
-  const std::uint64_t seeds = is_full_run() ? 50 : 2;
+  const std::uint64_t seeds = is_full_run() ? 50 : 1;
   std::size_t recounted = 0;
   for (const random_pslg::Family& family : random_pslg::all_families())
     for (std::uint64_t seed = 0; seed < seeds; ++seed)
@@ -149,10 +149,10 @@ TEST_CASE("Messages are counted as by brute force, and each triangle has one own
         CAPTURE(family.name, seed, parts);
         recounted += recount(family.make(seed), Options(), parts);
       }
-  CHECK(recounted > 100);
+  CHECK(recounted > 50);
   CHECK(recount(read("star_of_72_spikes.poly"), Options().max_area(0.01), 3) > 0);
   const Pslg states = read("us_states_10m.poly.gz");
-  CHECK(recount(states, Options(), 3) > 0);
+  if (is_full_run()) CHECK(recount(states, Options(), 3) > 0);
   CHECK(recount(states, sizes_in_halves(states), 7) > 0); // with a bulk
 }
 
