@@ -104,7 +104,7 @@ TEST_CASE("Parts of graphs with acute corners and holes have the bits of one mem
     CHECK(check_all_parts<Tiny_blocks_tag>(pslg_inputs::by_name(name).pslg) == 4);
   }
   const Pslg states = mesher_test::read("us_states_10m.poly.gz");
-  CHECK(check_all_parts<Tiny_blocks_tag>(states) == 4);
+  if (is_full_run()) CHECK(check_all_parts<Tiny_blocks_tag>(states) == 4);
   CHECK(check_all_parts<Small_blocks_tag>(states) == 4);
 }
 
