@@ -207,7 +207,7 @@ bool has_legs_within_rounding(const Pslg& graph) {
   using Vector = std::array<long double, 2>;
   std::map<std::size_t, std::vector<Vector>> legs;
   for (const auto& segment : graph.segments)
-    for (const std::size_t end : {0, 1}) {
+    for (const std::size_t end : {0u, 1u}) {
       const auto &p = graph.point(segment[end]), &q = graph.point(segment[1 - end]);
       const long double x = static_cast<long double>(q.x()) - p.x(),
                         y = static_cast<long double>(q.y()) - p.y(), length = std::hypot(x, y);

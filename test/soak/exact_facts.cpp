@@ -90,7 +90,7 @@ Pslg cut_at_vertices(const Pslg& graph) {
     std::vector<Pslg::Vertex_index> on{a};
     for (std::size_t v = 0; v < graph.vertices.size(); ++v)
       if (segment.has_on(graph.vertices[v]) && graph.vertices[v] != graph.point(a)) on.emplace_back(v);
-    std::sort(on.begin() + 1, on.end(), [&](auto v, auto w) {
+    std::sort(on.begin() + 1, on.end(), [&, a = a](auto v, auto w) {
       return CGAL::has_smaller_distance_to_point(graph.point(a), graph.point(v), graph.point(w));
     });
     for (std::size_t i = 1; i < on.size(); ++i)

@@ -29,7 +29,7 @@ std::vector<std::size_t> numbers_after(const std::string& message, const std::st
   std::vector<std::size_t> result;
   const std::regex name("\\b(?:" + words + ") (\\d+)(?:(?: \\([^)]*\\))? and (\\d+))?");
   for (std::sregex_iterator i(message.begin(), message.end(), name), end; i != end; ++i)
-    for (const std::size_t group : {1, 2})
+    for (const std::size_t group : {1u, 2u})
       if ((*i)[group].matched) result.push_back(std::stoul((*i)[group]));
   return result;
 }
