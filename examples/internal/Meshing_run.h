@@ -187,7 +187,7 @@ inline void print_trees(const CGAL::Tree_separation_report_2& trees) {
   print("leaves of T_B'' (pieces)", trees.leaves_of_pieces);
   print("leaves of T_B* (edges)", trees.leaves_of_edges);
   print("rounds of placing", trees.rounds);
-  print("triangles of the rule", trees.triangles);
+  print("triangles by quadtrees", trees.triangles);
   print("  below the bound", trees.missed_by_rule);
   print("  corners left out", trees.left_out);
   print("  corners moved", trees.relocated);

@@ -51,16 +51,17 @@ struct Tree_separation_report_2 {
   std::size_t windows = 0; ///< vertices at which a rule is certain to meet the bound, after failures
   std::size_t failed_windows =
       0; ///< triangles that this rule missed there in any round: 0, if its proof is right
-  // Of the last round:
-  std::size_t triangles = 0;      ///< triangles of the vertices that the rule places
-  std::size_t missed_by_rule = 0; ///< those of them below the bound
+  // Of all rounds since the mesh was made; most of them change it where leaves were split:
+  std::size_t missed_by_rule = 0; ///< triangles below the bound, before cures
   std::size_t left_out = 0;       ///< corners and crossings left out to cure these
   std::size_t relocated = 0;      ///< corners and crossings moved to cure others
   std::size_t added = 0;          ///< vertices that leaves did not place, which cure others
-  std::size_t missed = 0;         ///< triangles below the bound that were not cured
-  std::size_t handed_over = 0;    ///< those of them at leaves that cannot become smaller
-  std::size_t placed = 0;         ///< vertices besides those of the input
-  std::size_t kept = 0;           ///< those of them in the mesh, where the work on it left them
+  std::size_t placed = 0; ///< vertices besides those of the input, whether they are still there or not
+  // Of the last round:
+  std::size_t triangles = 0;   ///< of the mesh, before its cures
+  std::size_t missed = 0;      ///< triangles below the bound that were not cured
+  std::size_t handed_over = 0; ///< those of them at leaves that cannot become smaller
+  std::size_t kept = 0;        ///< those of them in the mesh, where the work on it left them
 };
 
 /// \ingroup PkgQuadtreeMesh2Meshers

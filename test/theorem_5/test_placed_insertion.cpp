@@ -73,7 +73,7 @@ void check_that_corners_are_located(Prepared& graph) {
   const Triangles triangles = triangles_of(graph, domain);
   using Location = internal::Corner_location<Traits, CGAL::Sequential_tag>;
   const Location::Corners corners(trees.tree());
-  const Location location(graph.problem(), trees, corners, triangles);
+  const Location location(graph.problem(), trees, corners, triangles, internal::Placement_scope());
   std::size_t missed = 0, elsewhere = 0;
   for (std::size_t c = 0; c < corners.number_of_names(); ++c) {
     if (!corners.exists(c)) continue;
@@ -123,8 +123,9 @@ std::size_t check_insertion(Prepared& graph) {
   const Mesh domain = graph.state().mesh;
   const double area_of_domain = area(graph, domain);
   const Triangles triangles = triangles_of(graph, domain);
-  const Placed placed =
-      internal::Tree_placement<Traits, CGAL::Sequential_tag>(graph.problem(), trees, triangles).run();
+  const Placed placed = internal::Tree_placement<Traits, CGAL::Sequential_tag>(
+                            graph.problem(), trees, triangles, internal::Placement_scope())
+                            .run();
   auto& blocks = graph.state().problem.vertex_blocks;
   blocks =
       internal::blocks_by_number(graph.problem().input_points.size(), internal::Block_sizes<Tag>::vertices);

@@ -61,8 +61,9 @@ Count check_additions(const typename Prepared_graph<Traits>::Pslg& pslg) {
   const auto domain = state.mesh;
   const auto triangles = internal::Edge_triangles<Geometry>::template of<CGAL::Sequential_tag>(
       domain, graph.problem().edges, graph.problem().input_points.size());
-  const auto placed =
-      internal::Tree_placement<Traits, CGAL::Sequential_tag>(graph.problem(), trees, triangles).run();
+  const auto placed = internal::Tree_placement<Traits, CGAL::Sequential_tag>(
+                          graph.problem(), trees, triangles, internal::Placement_scope())
+                          .run();
   internal::Placed_insertion<CGAL::Sequential_tag, Geometry>(state, placed, triangles).run();
 
   internal::Vertex_adder<Geometry> adder(state);

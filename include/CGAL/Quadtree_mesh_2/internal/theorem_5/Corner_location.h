@@ -26,6 +26,7 @@
 
 #include <CGAL/Quadtree_mesh_2/internal/base/Indexed_vector.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
+#include <CGAL/Quadtree_mesh_2/internal/pieces/Placement_scope.h>
 #include <CGAL/Quadtree_mesh_2/internal/quadtree/Tree_corners.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Edge_triangles.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Near_segment.h>
@@ -49,15 +50,19 @@ public:
   using Corners = Tree_corners<typename Trees::Tree>;
   using Name = typename Corners::Name;
 
-  /// All are kept by reference.
+  /// All are kept by reference, but for the scope.
+  /// \param scope the leaves that own corners to be located
   Corner_location(const Meshing_problem<Geometry>& problem, const Trees& trees, const Corners& corners,
-                  const Edge_triangles<Geometry>& triangles)
+                  const Edge_triangles<Geometry>& triangles, const Placement_scope& scope)
       : problem_(problem), trees_(trees), corners_(corners), triangles_(triangles), mesh_(triangles.mesh()) {
-    locate_empty_leaves();
+    if (scope.is_all)
+      locate_empty_leaves();
+    else
+      locate_empty_leaves_of(scope);
   }
 
   /// The triangle that has a corner, or none.
-  /// \pre the corner exists
+  /// \pre the corner exists, and belongs to a leaf of the scope
   Triangle_id operator()(Name c) const {
     const Leaf_index l = leaf_with_pieces(c), own = Corners::leaf_of(c);
     return l.is_valid() ? locate_by_pieces(c, l) : locate_by_corner(c, lower_left(own), at_lower_left_[own]);
@@ -103,6 +108,32 @@ private:
       if (before[i].is_valid())
         at_lower_left_[Leaf_index(i)] =
             locate_by_corner(lower_left(Leaf_index(i)), lower_left(before[i]), at_lower_left_[before[i]]);
+  }
+
+  /// The same for those of a part. Each is reached from leaves to the left of it.
+  void locate_empty_leaves_of(const Placement_scope& scope) {
+    at_lower_left_.resize(trees_.tree().number_of_leaves());
+    Indexed_vector<Leaf_index, char> is_located(at_lower_left_.size(), 0);
+    std::vector<Leaf_index> way;
+    for (const Leaf_index wanted : scope.leaves) {
+      way.clear();
+      for (Leaf_index l = wanted; l.is_valid() && !has_pieces(l) && is_located[l] == 0;) {
+        way.push_back(l);
+        is_located[l] = 1;
+        const Leaf_index other = leaf_with_pieces(lower_left(l));
+        if (other.is_valid()) {
+          at_lower_left_[l] = locate_by_pieces(lower_left(l), other);
+          way.pop_back();
+          break;
+        }
+        l = corners_.leaves_around(lower_left(l))[1];
+      }
+      for (; !way.empty(); way.pop_back()) {
+        const Leaf_index l = way.back(), before = corners_.leaves_around(lower_left(l))[1];
+        if (before.is_valid())
+          at_lower_left_[l] = locate_by_corner(lower_left(l), lower_left(before), at_lower_left_[before]);
+      }
+    }
   }
 
   /// From another corner of a leaf without pieces, which is in triangle t.

@@ -50,12 +50,11 @@ std::vector<Triangle_id> missed_triangles(const Meshing_state<Geometry>& state) 
       [](std::size_t t) { return static_cast<Triangle_id>(t); });
 }
 
-template <class ConcurrencyTag, class Geometry>
+template <class Geometry>
 class Local_cures {
 public:
   Local_cures(Meshing_state<Geometry>& state, Tree_separation_report_2& report)
       : state_(state), mesh_(state.mesh), report_(report), remover_(state), relocator_(state), adder_(state) {
-    report_.left_out = report_.relocated = report_.added = 0;
   }
 
   /// Cures what can be cured; returns the triangles that are left.
@@ -65,14 +64,16 @@ public:
     for (const Triangle_id t : missed)
       if (is_missed(state_, t)) leave_out_vertex_of(t);
     for (int pass = 0; pass < passes_ && !missed.empty(); ++pass) {
-      missed = missed_triangles<ConcurrencyTag>(state_);
+      drop_cured(missed);
       for (const Triangle_id t : missed)
         if (is_missed(state_, t) && !move_vertex_of(t)) leave_out_vertex_of(t);
     }
-    for (const Triangle_id t : missed_triangles<ConcurrencyTag>(state_))
+    drop_cured(missed);
+    for (const Triangle_id t : missed)
       if (is_missed(state_, t) && adder_.insert_for(t)) ++report_.added;
     state_.leg_rule = Leg_rule::SHELLS;
-    return missed_triangles<ConcurrencyTag>(state_);
+    drop_cured(missed);
+    return missed;
   }
 
 private:
@@ -85,6 +86,13 @@ private:
   Remover<Geometry> remover_;
   Relocator<Geometry> relocator_;
   Vertex_adder<Geometry> adder_;
+
+  /// No cure makes a triangle miss the bound, so those that do are among those that did.
+  void drop_cured(std::vector<Triangle_id>& missed) const {
+    missed.erase(
+        std::remove_if(missed.begin(), missed.end(), [this](Triangle_id t) { return !is_missed(state_, t); }),
+        missed.end());
+  }
 
   void leave_out_vertex_of(Triangle_id t) {
     if (try_vertices_of(t, [this](Vertex_id v) { return remover_.remove(v); })) ++report_.left_out;

@@ -11,14 +11,14 @@
 //           to it, too, has the same answer until one of these is split.
 // Bound:    O(k) work for a tree of k leaves each time it is refined, whatever the length of its coordinates.
 //           If a tree gets k leaves in any number of rounds, O(k) tests are made of leaves alone.
-// Method:   Refinement numbers leaves anew, but in the same order. So the levels, read along the order, tell
-//           which leaves are still there, and which are in the place of another.
+// Method:   leaf_succession.h tells which leaves are still there, and which are in the place of another.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_PASSED_LEAVES_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_PASSED_LEAVES_H
 
 #include <CGAL/Quadtree_mesh_2/Index.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/Indexed_vector.h>
+#include <CGAL/Quadtree_mesh_2/internal/quadtree/leaf_succession.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -43,17 +43,12 @@ public:
   /// Follows a tree, of which nothing was known, or all leaves of which are the same as before or were split.
   template <class Tree>
   void follow(const Tree& tree) {
-    std::vector<int> levels(tree.number_of_leaves());
-    for (std::size_t l = 0; l < levels.size(); ++l) levels[l] = tree.level(Leaf_index(l));
+    std::vector<int> levels = levels_of_leaves(tree);
     Indexed_vector<Leaf_index, std::uint8_t> passed(levels.size(), 0);
     std::vector<Leaf_index> fresh;
-    std::size_t next = 0;
-    for (std::size_t old = 0; old < levels_.size(); ++old)
-      if (levels[next] == levels_[old])
-        passed[Leaf_index(next++)] = passed_[Leaf_index(old)];
-      else
-        for (const std::size_t end = end_of_square(levels, next, levels_[old]); next < end; ++next)
-          fresh.push_back(Leaf_index(next));
+    for_each_successor(
+        levels_, levels, [&](Leaf_index old, Leaf_index now) { passed[now] = passed_[old]; },
+        [&](Leaf_index l) { fresh.push_back(l); });
     levels_ = std::move(levels);
     passed_ = std::move(passed);
     for (const Leaf_index l : fresh)
@@ -64,13 +59,6 @@ public:
 private:
   std::vector<int> levels_;
   Indexed_vector<Leaf_index, std::uint8_t> passed_; // a set of `Leaf_test`
-
-  /// The first leaf that is not in the square of a level in which leaf `begin` is the first one.
-  static std::size_t end_of_square(const std::vector<int>& levels, std::size_t begin, int level) {
-    if (levels[begin] == level) return begin + 1;
-    for (int child = 0; child < 4; ++child) begin = end_of_square(levels, begin, level + 1);
-    return begin;
-  }
 };
 
 } // namespace internal

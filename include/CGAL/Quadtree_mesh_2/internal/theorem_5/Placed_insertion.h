@@ -52,6 +52,7 @@ public:
                    const Edge_triangles<Geometry>& triangles)
       : state_(state), mesh_(state.mesh), placed_(placed), triangles_(triangles) {}
 
+  /// Makes the mesh anew.
   /// \returns edges without some of their vertices, which rounding has put in the wrong place
   std::vector<Edge_id> run() {
     begin_with_domain();
@@ -59,6 +60,17 @@ public:
       insert_all();
     else
       insert_in_blocks();
+    return std::move(cramped_);
+  }
+
+  /// Inserts into a mesh that this has made before the vertices that it has not got. Those on edges must not be there.
+  /// \returns the same of these edges
+  std::vector<Edge_id> add_to_mesh() {
+    Last_inserted last(triangles_.mesh().triangles.size());
+    for (std::size_t i = 0; i < placed_.triangle_of_corner.size(); ++i) add_corner(i, last);
+    for (const Run& run : placed_.runs)
+      insert_run_late(
+          run, [this](Vertex_id v) { return mesh_.add_vertex(placed_.points[v], placed_.role_of[v]); });
     return std::move(cramped_);
   }
 
@@ -80,6 +92,9 @@ private:
     std::vector<std::uint32_t> corners_left, runs_left;
     std::vector<Edge_id> cramped;
   };
+
+  /// The handle of a placed vertex in a mesh that is made anew.
+  static constexpr auto the_same_ = [](Vertex_id v) { return v; };
 
   Meshing_state<Geometry>& state_;
   Mesh& mesh_;
@@ -113,14 +128,26 @@ private:
   void insert_all() {
     Last_inserted last(triangles_.mesh().triangles.size());
     for (std::size_t i = 0; i < placed_.triangle_of_corner.size(); ++i) insert_corner_late(i, last);
-    for (const Run& run : placed_.runs) insert_run_late(run);
+    for (const Run& run : placed_.runs) insert_run_late(run, the_same_);
   }
 
   void insert_corner_late(std::size_t i, Last_inserted& last) {
     const Triangle_id t = placed_.triangle_of_corner[i];
     if (insert_corner(mesh_, corner(i), t, last[t]) == Insertion::DONE) return;
     const Walk_end end = locate_from_vertices_of(t, mesh_.point(corner(i)));
-    if (!end.is_blocked()) insert_corner_at(mesh_, corner(i), end.triangle, last[t]);
+    const auto handle = [this, i] { return corner(i); };
+    if (!end.is_blocked()) insert_corner_at(mesh_, mesh_.point(corner(i)), handle, end.triangle, last[t]);
+  }
+
+  void add_corner(std::size_t i, Last_inserted& last) {
+    const Triangle_id t = placed_.triangle_of_corner[i];
+    const Point& p = placed_.points[corner(i)];
+    Walk_end end{{}, 0};
+    if (last[t].is_valid()) end = locate_exactly(mesh_, mesh_.incident_triangle(last[t]), p);
+    if (end.is_blocked()) end = locate_from_vertices_of(t, p);
+    if (end.is_blocked()) return;
+    insert_corner_at(
+        mesh_, p, [&] { return mesh_.add_vertex(p, free_vertex); }, end.triangle, last[t]);
   }
 
   /// \param t the triangle of the domain that has p. Nothing is between p and its vertices, whatever was inserted.
@@ -134,10 +161,11 @@ private:
     return {{}, 0};
   }
 
-  void insert_run_late(const Run& run) {
+  /// \param handle as in `insert_run()`
+  template <class Handle>
+  void insert_run_late(const Run& run, const Handle& handle) {
     const Vertex_id a = state_.edges[run.edge].a, b = state_.edges[run.edge].b;
-    insert_run(
-        mesh_, run, a, b, state_.side_between(a, b), [](Vertex_id v) { return v; }, cramped_);
+    insert_run(mesh_, run, a, b, state_.side_between(a, b), handle, cramped_);
   }
 
   // ---- in blocks
@@ -197,7 +225,7 @@ private:
   void insert_what_is_left(const Block_work& work, Last_inserted& last) {
     cramped_.insert(cramped_.end(), work.cramped.begin(), work.cramped.end());
     for (const std::uint32_t i : work.corners_left) insert_corner_late(i, last);
-    for (const std::uint32_t i : work.runs_left) insert_run_late(placed_.runs[i]);
+    for (const std::uint32_t i : work.runs_left) insert_run_late(placed_.runs[i], the_same_);
   }
 
   // ---- single vertices
@@ -209,19 +237,25 @@ private:
     Walk_end end{{}, 0};
     if (last.is_valid()) end = locate_exactly(mesh, mesh.incident_triangle(last), p);
     if (end.is_blocked()) end = locate_exactly(mesh, t, p);
-    return end.is_blocked() ? Insertion::BLOCKED : insert_corner_at(mesh, v, end.triangle, last);
+    const auto handle = [v] { return v; };
+    return end.is_blocked() ? Insertion::BLOCKED : insert_corner_at(mesh, p, handle, end.triangle, last);
   }
 
-  /// \param t has the place of v
-  static Insertion insert_corner_at(Mesh& mesh, Vertex_id v, Triangle_id t, Vertex_id& last) {
+  /// \param handle gives that of the vertex once it is certain to be inserted
+  /// \param t has the place p of the corner
+  template <class Handle>
+  static Insertion insert_corner_at(Mesh& mesh, const Point& p, const Handle& handle, Triangle_id t,
+                                    Vertex_id& last) {
     const auto r = mesh.triangle(t);
     int on_slot = -1;
     for (int k = 0; k < 3; ++k) {
-      if (mesh.point(r.v[k]) == mesh.point(v)) return Insertion::DONE;
-      if (mesh.orientation(r.v[next_slot[k]], r.v[previous_slot[k]], v) == 0) on_slot = k;
+      const Point &a = mesh.point(r.v[next_slot[k]]), &b = mesh.point(r.v[previous_slot[k]]);
+      if (mesh.point(r.v[k]) == p) return Insertion::DONE;
+      if (Geometry::orientation(a, b, p) == 0) on_slot = k;
     }
     if (on_slot >= 0 && r.side[on_slot].is_seam()) return Insertion::BLOCKED;
     if (on_slot >= 0 && r.side[on_slot].is_constrained()) return Insertion::DONE;
+    const Vertex_id v = handle();
     if (on_slot < 0)
       mesh.insert_in_triangle(t, v);
     else

@@ -14,6 +14,7 @@
 #define CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_PLACED_VERTICES_H
 
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
+#include <CGAL/Quadtree_mesh_2/internal/pieces/Placement_scope.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Edge_rooms.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Input_edges.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Kernel_mesh.h>
@@ -91,6 +92,7 @@ struct Placed_vertices {
   Uninitialized_indexed_vector<Vertex_id, Vertex_role> role_of;
   std::vector<Run> runs;                       ///< those on edges, by edge
   Vertex_id first_corner;                      ///< of a leaf
+  std::vector<std::size_t> corners;            ///< their names (Tree_corners.h), in order
   std::vector<Triangle_id> triangle_of_corner; ///< that has the corner, for each from the first on
   std::vector<Edge_id> cramped_edges; ///< those without some of their vertices for want of room; in order
 
@@ -99,23 +101,25 @@ struct Placed_vertices {
     for (const Vertex_id v : role_of.ids()) role_of[v] = input_vertex(v);
   }
 
+  /// \param scope the edges that get vertices
   /// \param cut called as `cut(e, crossings)`, maybe for several edges at the same time; appends the vertices on
   ///        edge e, from its first end to its second
   template <class ConcurrencyTag, class Cut>
-  void append_vertices_of_edges(const Input_edges& edges, const Edge_rooms<Geometry>& rooms, const Cut& cut) {
+  void append_vertices_of_edges(const Input_edges& edges, const Placement_scope& scope,
+                                const Edge_rooms<Geometry>& rooms, const Cut& cut) {
     constexpr std::size_t block = 256;
-    std::vector<std::vector<Edge_crossing<Geometry>>> found((edges.size() + block - 1) / block);
+    const std::size_t n = scope.number_of_segments(edges.size());
+    std::vector<std::vector<Edge_crossing<Geometry>>> found((n + block - 1) / block);
     std::vector<std::vector<Edge_id>> cramped(found.size());
-    for_each_block<ConcurrencyTag>(edges.size(), block,
-                                   [&](std::size_t b, std::size_t begin, std::size_t end) {
-                                     for (const Edge_id e : Id_range<Edge_id>(begin, end)) {
-                                       if (!rooms.has_rooms(e)) continue;
-                                       const std::size_t first = found[b].size();
-                                       cut(e, found[b]);
-                                       if (!keep_in_room(edges[e], rooms, found[b], first))
-                                         cramped[b].push_back(e);
-                                     }
-                                   });
+    for_each_block<ConcurrencyTag>(n, block, [&](std::size_t b, std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        const Edge_id e(scope.segment(i).value());
+        if (!rooms.has_rooms(e)) continue;
+        const std::size_t first = found[b].size();
+        cut(e, found[b]);
+        if (!keep_in_room(edges[e], rooms, found[b], first)) cramped[b].push_back(e);
+      }
+    });
     for (const auto& list : cramped) cramped_edges.insert(cramped_edges.end(), list.begin(), list.end());
     for (const auto& crossings : found)
       for (const auto& c : crossings) append(c);
@@ -125,27 +129,27 @@ struct Placed_vertices {
   /// Appends the corners of leaves that are kept, by name.
   /// \param location gives the triangle of the domain that has a corner, or none
   template <class ConcurrencyTag, class Trees, class Corners, class Location>
-  void append_corners(const Trees& trees, const Corners& corners, const std::vector<char>& is_kept,
+  void append_corners(const Trees& trees, const Corners& corners_of_tree, const std::vector<char>& is_kept,
                       const Location& location) {
     // Other leaves around a corner may be a level further down.
     const auto has_room = [&](std::size_t c) {
       return trees.has_room(trees.tree().level(Corners::leaf_of(c)) + 1,
-                            trees.kernel_point(corners.place(c)));
+                            trees.kernel_point(corners_of_tree.place(c)));
     };
     std::vector<Triangle_id> triangle(is_kept.size());
     for_each_index<ConcurrencyTag>(is_kept.size(), [&](std::size_t c) {
       if (is_kept[c] != 0 && has_room(c)) triangle[c] = location(c);
     });
-    const auto names = pack_values<ConcurrencyTag, typename Corners::Name>(
+    corners = pack_values<ConcurrencyTag, typename Corners::Name>(
         is_kept.size(), [&](std::size_t c) { return triangle[c].is_valid(); },
         [](std::size_t c) { return c; });
     const std::size_t first = points.size();
-    points.resize(first + names.size());
-    role_of.resize(first + names.size(), free_vertex);
-    triangle_of_corner.resize(names.size());
-    for_each_index<ConcurrencyTag>(names.size(), [&](std::size_t i) {
-      points[static_cast<Vertex_id>(first + i)] = trees.kernel_point(corners.place(names[i]));
-      triangle_of_corner[i] = triangle[names[i]];
+    points.resize(first + corners.size());
+    role_of.resize(first + corners.size(), free_vertex);
+    triangle_of_corner.resize(corners.size());
+    for_each_index<ConcurrencyTag>(corners.size(), [&](std::size_t i) {
+      points[static_cast<Vertex_id>(first + i)] = trees.kernel_point(corners_of_tree.place(corners[i]));
+      triangle_of_corner[i] = triangle[corners[i]];
     });
   }
 

@@ -57,7 +57,8 @@ public:
   Placed_vertices<Geometry> run() {
     Placed_vertices<Geometry> placed(problem_.input_points);
     placed.template append_vertices_of_edges<ConcurrencyTag>(
-        problem_.edges, rooms_, [this](Edge_id e, auto& crossings) { cut_edge(e, crossings); });
+        problem_.edges, Placement_scope(), rooms_,
+        [this](Edge_id e, auto& crossings) { cut_edge(e, crossings); });
     is_kept_.resize(corners_.number_of_names());
     for_each_index<ConcurrencyTag>(is_kept_.size(), [&](std::size_t c) {
       is_kept_[c] = corners_.exists(c) && box_.contains(corners_.place(c)) ? 1 : 0;
@@ -71,8 +72,8 @@ public:
       for_each_dropped_corner(trees_.placement_at(v), Vertex_rays<Geometry>(problem_, v),
                               [&](const Grid_point& p) { append_name(p, names); });
     });
-    placed.template append_corners<ConcurrencyTag>(trees_, corners_, is_kept_,
-                                                   Location(problem_, trees_, corners_, triangles_));
+    placed.template append_corners<ConcurrencyTag>(
+        trees_, corners_, is_kept_, Location(problem_, trees_, corners_, triangles_, Placement_scope()));
     return placed;
   }
 

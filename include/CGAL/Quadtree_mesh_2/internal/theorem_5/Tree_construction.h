@@ -10,7 +10,8 @@
 //           from the quadtree T_B*, and vertices placed by a rule, which are inserted into the constrained Delaunay
 //           triangulation of the domain.
 // Bound:    k triangles, within a constant of what any triangulation with such angles needs. O(n log n + k)
-//           work for each round. A round is O(log^2 n) parallel steps.
+//           work for each round. A round is O(log^2 n) parallel steps, but for the changes that a later round makes to
+//           the mesh, one after the other, where they concern less than an eighth of the leaves.
 // Source:   Bern, Eppstein, Teng, Theorem 5 (Theorem 6 with one thread).
 // Deviates: the paper's constants separate features so far that warping is bound to succeed. Ours are what
 //           mostly suffices (Tree_separation_options_2.h). What they miss is found in the mesh. After the last round
@@ -20,8 +21,8 @@
 //              squares (Local_cures.h). Where each vertex has a leaf of its own, the rule first misses the bound on
 //              maps at two or three triangles in a hundred. All but one in a hundred of these are cured.
 //           2. If that is not possible, the largest leaves at the triangle's vertices are split, and later
-//              all of them. The mesh is then made anew. So the features of a place are as far apart, in sides
-//              of its leaves, as the bound needs.
+//              all of them. The mesh is then changed there (Placed_update.h). So the features of a place are as far
+//              apart, in sides of its leaves, as the bound needs.
 //           3. Vertices near which triangles are left again and again get windows, in which another rule is
 //              certain to meet the bound (Vertex_windows.h, Missed_places.h).
 //
@@ -30,18 +31,21 @@
 // in columns (Column_rule.h); at vertices, windows. That splitting ends elsewhere is established numerically
 // (doc/guarantees.md). In any case the budget and the coordinates end it. Triangles at leaves that these leave
 // no room to split are left to refinement, and the rest goes on. The budget bounds the vertices of a round, and
-// those of all rounds together, each of which is a mesh of its own.
+// those of all rounds together, as each round looks at all of them.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_TREE_CONSTRUCTION_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_TREE_CONSTRUCTION_H
 
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
+#include <CGAL/Quadtree_mesh_2/internal/pieces/Placement_scope.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Vertex_budgets.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Edge_triangles.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Local_cures.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Missed_places.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Placed_insertion.h>
+#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Placed_update.h>
+#include <CGAL/Quadtree_mesh_2/internal/theorem_5/Placed_vertices.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Rule_placement.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Separation_trees.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Tree_placement.h>
@@ -102,15 +106,15 @@ public:
     for (;;) {
       ++report_.rounds;
       report_.handed_over = 0;
-      make_mesh(placement);
+      place_vertices(placement);
       std::vector<Triangle_id> sharp = missed_triangles<ConcurrencyTag>(state_);
       report_.triangles = mesh_.number_of_triangles();
-      report_.missed_by_rule = sharp.size();
+      report_.missed_by_rule += sharp.size();
       report_.windows = trees_.windows().number_settled();
       report_.failed_windows += number_in_windows(sharp);
       const bool is_last = report_.rounds == options.rounds(); // blocks will leave out more than these
       if (placement == Placement::CHOSEN && !is_last)
-        sharp = Local_cures<ConcurrencyTag, Geometry>(state_, report_).run(std::move(sharp));
+        sharp = Local_cures<Geometry>(state_, report_).run(std::move(sharp));
       report_.missed = sharp.size();
       report_.placed = mesh_.number_of_vertices() - state_.problem.input_points.size();
       report_.leaves_of_edges = trees_.tree().number_of_leaves();
@@ -134,18 +138,42 @@ private:
   Trees& trees_;
   Report& report_;
   const Edge_triangles<Geometry> triangles_; // of the domain
-  std::vector<Edge_id> cramped_edges_;       // of the last round
+  Placement_scopes scopes_;
+  std::vector<Edge_id> cramped_edges_; // in order
 
-  void make_mesh(Tree_separation_options_2::Placement placement) {
+  void place_vertices(Tree_separation_options_2::Placement placement) {
     state_.clear_worklist();
-    state_.corners.forget_cuts(); // those of the mesh that is replaced
+    state_.corners.forget_cuts(); // those of the mesh before
     state_.bulk = {};
+    if (placement == Tree_separation_options_2::Placement::BY_RULE)
+      return make_mesh(Rule_placement<Traits, ConcurrencyTag>(state_.problem, trees_, triangles_).run());
+    const auto& windows = trees_.windows();
+    const Placement_scope scope = scopes_.next(trees_.tree(), trees_.pieces_in_leaves(),
+                                               [&windows](Leaf_index l) { return windows.of(l); });
     const auto placed =
-        placement == Tree_separation_options_2::Placement::BY_RULE
-            ? Rule_placement<Traits, ConcurrencyTag>(state_.problem, trees_, triangles_).run()
-            : Tree_placement<Traits, ConcurrencyTag>(state_.problem, trees_, triangles_).run();
-    cramped_edges_ = Placed_insertion<ConcurrencyTag, Geometry>(state_, placed, triangles_).run();
-    cramped_edges_.insert(cramped_edges_.end(), placed.cramped_edges.begin(), placed.cramped_edges.end());
+        Tree_placement<Traits, ConcurrencyTag>(state_.problem, trees_, triangles_, scope).run();
+    if (scope.is_all)
+      make_mesh(placed);
+    else
+      change_mesh(placed, scope);
+  }
+
+  void make_mesh(const Placed_vertices<Geometry>& placed) {
+    report_.missed_by_rule = report_.left_out = report_.relocated = report_.added = 0;
+    cramped_edges_ = placed.cramped_edges;
+    note_cramped(Placed_insertion<ConcurrencyTag, Geometry>(state_, placed, triangles_).run());
+  }
+
+  void change_mesh(const Placed_vertices<Geometry>& placed, const Placement_scope& scope) {
+    const auto is_in_scope = [&scope](Edge_id e) { return scope.has(Segment_index(std::size_t(e))); };
+    cramped_edges_.erase(std::remove_if(cramped_edges_.begin(), cramped_edges_.end(), is_in_scope),
+                         cramped_edges_.end());
+    note_cramped(placed.cramped_edges);
+    note_cramped(Placed_update<ConcurrencyTag, Trees>(state_, trees_, placed, scope, triangles_).run());
+  }
+
+  void note_cramped(const std::vector<Edge_id>& edges) {
+    cramped_edges_.insert(cramped_edges_.end(), edges.begin(), edges.end());
     std::sort(cramped_edges_.begin(), cramped_edges_.end());
   }
 

@@ -24,6 +24,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/columns/Column_rule.h>
 #include <CGAL/Quadtree_mesh_2/internal/grid/Grid_box.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
+#include <CGAL/Quadtree_mesh_2/internal/pieces/Placement_scope.h>
 #include <CGAL/Quadtree_mesh_2/internal/quadtree/Tree_corners.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Corner_location.h>
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Edge_rooms.h>
@@ -64,20 +65,22 @@ public:
   using Point = typename Geometry::Point;
   using Problem = Meshing_problem<Geometry>;
 
-  Tree_placement(const Problem& problem, const Trees& trees, const Edge_triangles<Geometry>& triangles)
-      : problem_(problem), trees_(trees), triangles_(triangles), rooms_(problem, triangles),
+  /// \param scope the edges that get vertices, and the leaves whose corners are kept or not
+  Tree_placement(const Problem& problem, const Trees& trees, const Edge_triangles<Geometry>& triangles,
+                 const Placement_scope& scope)
+      : problem_(problem), trees_(trees), triangles_(triangles), scope_(scope), rooms_(problem, triangles),
         tree_(trees.tree()), corners_(trees.tree()), box_(box_of_points<ConcurrencyTag>(trees.tree())),
         windows_(problem, trees), legs_(problem) {}
 
   Placed_vertices<Geometry> run() {
     Placed_vertices<Geometry> placed(problem_.input_points);
     placed.template append_vertices_of_edges<ConcurrencyTag>(
-        problem_.edges, rooms_, [this](Edge_id e, auto& crossings) { cut_edge(e, crossings); });
+        problem_.edges, scope_, rooms_, [this](Edge_id e, auto& crossings) { cut_edge(e, crossings); });
     find_corners_kept();
     drop_corners_at_vertices();
     windows_.drop_corners(corners_, is_kept_);
     placed.template append_corners<ConcurrencyTag>(trees_, corners_, is_kept_,
-                                                   Location(problem_, trees_, corners_, triangles_));
+                                                   Location(problem_, trees_, corners_, triangles_, scope_));
     return placed;
   }
 
@@ -96,6 +99,7 @@ private:
   const Problem& problem_;
   const Trees& trees_;
   const Edge_triangles<Geometry>& triangles_;
+  const Placement_scope& scope_;
   const Edge_rooms<Geometry> rooms_;
   const Tree& tree_;
   Corners corners_;
@@ -191,10 +195,12 @@ private:
   // ---- corners
 
   void find_corners_kept() {
+    constexpr std::size_t names = Corners::names_of_leaf;
     is_kept_.assign(corners_.number_of_names(), 0);
     for_each_index<ConcurrencyTag>(
-        is_kept_.size(),
-        [&](std::size_t c) {
+        names * scope_.number_of_leaves(tree_.number_of_leaves()),
+        [&](std::size_t i) {
+          const Name c = names * scope_.leaf(i / names).value() + i % names;
           is_kept_[c] =
               corners_.exists(c) && box_.contains(corners_.place(c)) && is_clear_of_edges(c) ? 1 : 0;
         },
@@ -234,12 +240,15 @@ private:
 
   /// All corners near a vertex are those of its leaf, or of a leaf next to that.
   void drop_corners_at_vertices() {
-    const std::size_t n = tree_.number_of_leaves();
+    constexpr int away = 2; // from the leaf that a corner belongs to, its vertices may be
+    Placement_scope around = scope_;
+    if (!around.is_all) around.grow(tree_, away);
+    const std::size_t n = around.number_of_leaves(tree_.number_of_leaves());
     std::vector<std::vector<Name>> found((n + block_of_leaves_ - 1) / block_of_leaves_);
     for_each_block<ConcurrencyTag>(n, block_of_leaves_,
                                    [&](std::size_t b, std::size_t begin, std::size_t end) {
-                                     for (std::size_t l = begin; l < end; ++l)
-                                       find_corners_near(Leaf_index(l), found[b]);
+                                     for (std::size_t i = begin; i < end; ++i)
+                                       find_corners_near(around.leaf(i), found[b]);
                                    });
     for (const auto& names : found)
       for (const Name c : names) is_kept_[c] = 0;
