@@ -70,7 +70,7 @@ Mesher::Mesh mesh(Mesher& mesher, const Command_line& line) {
     CGAL::IO::read_HDF5_slice(all_ranks, line.input, slice);
   else
     CGAL::IO::read_triangle_poly_slice(all_ranks, line.input, slice);
-  return mesher(slice);
+  return mesher(std::move(slice));
 }
 
 void write(const Mesher::Mesh& part, const std::string& output) {

@@ -109,11 +109,13 @@ std::size_t check_removal(const Prepared::Pslg& pslg, std::uint64_t seed) {
   REQUIRE(is_constrained_Delaunay(mesh));
   std::shuffle(inserted.begin(), inserted.end(), std::mt19937_64(seed));
   internal::Delaunay_remover<Geometry> remover(mesh);
-  for (const Vertex_id v : inserted) {
-    REQUIRE(remover.remove(v));
-    REQUIRE_FALSE(mesh.is_used(v));
-    REQUIRE(is_constrained_Delaunay(mesh));
+  const std::size_t step = is_full_run() ? 1 : 16; // of looks at all triangles
+  for (std::size_t i = 0; i < inserted.size(); ++i) {
+    REQUIRE(remover.remove(inserted[i]));
+    REQUIRE_FALSE(mesh.is_used(inserted[i]));
+    if (i % step == 0) REQUIRE(is_constrained_Delaunay(mesh));
   }
+  CHECK(is_constrained_Delaunay(mesh));
   CHECK(mesh.number_of_triangles() == triangles);
   for (const Edge_id e : graph.problem().edges.ids()) {
     const auto& edge = graph.problem().edges[e];

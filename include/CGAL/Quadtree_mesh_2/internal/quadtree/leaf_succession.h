@@ -4,9 +4,9 @@
 //
 // Author(s)     : The Quadtree_mesh_2 authors
 
-// Which leaves of a tree are those of before, after some were split. They are numbered anew then, but in the same order,
-// so their levels tell: a leaf of the same level is the same one, and else the next leaves, until they fill its square,
-// are what it was split into. O(k) for k leaves.
+// Which leaves of a tree are those of before, after some were split. They are numbered anew then, but in the same
+// order, so their levels tell: a leaf of the same level is the same one, and else the next leaves, until they fill its
+// square, are what it was split into. O(k) for k leaves.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_QUADTREE_LEAF_SUCCESSION_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_QUADTREE_LEAF_SUCCESSION_H

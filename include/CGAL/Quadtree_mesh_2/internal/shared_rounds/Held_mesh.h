@@ -104,12 +104,14 @@ public:
     }
   }
 
-  /// Part 0 gets all that others hold, from one part after the other: its mesh is whole then, but for what is dead.
-  /// Others keep what they have. All parts call it.
+  /// Part 0 gets all that others hold: its mesh is whole then, but for what is dead. Others keep what they have. Only a
+  /// run of handles is on its way at a time. All parts call it.
   void gather() {
-    for (int sender = 1; sender < exchange_.size(); ++sender) {
+    constexpr std::size_t run = std::size_t(1) << 18;
+    const std::size_t end = std::max(mesh_.triangles.size(), mesh_.number_of_vertices());
+    for (std::size_t first = 0; first < end; first += run) {
       Parcels outbox;
-      if (exchange_.rank() == sender) outbox.push_back({0, bytes_for_first_part()});
+      if (exchange_.rank() != 0) outbox = parcels_for_first_part(first, first + run);
       for (const Parcel& parcel : exchange_.exchange(std::move(outbox))) {
         Archive_reader archive(parcel.bytes);
         std::vector<Triangle_record> triangles;
@@ -247,16 +249,18 @@ private:
     hold_.grow(slots), has_.grow(vertices);
   }
 
-  Bytes bytes_for_first_part() const {
+  /// What it gets of a run of handles; none if that is nothing.
+  Parcels parcels_for_first_part(std::size_t first, std::size_t last) const {
     std::vector<Triangle_id> triangles;
     std::vector<Vertex_id> vertices;
-    for (const Triangle_id t : mesh_.triangles.ids())
-      if (is_private(t)) triangles.push_back(t);
-    for (const Vertex_id v : mesh_.points.ids())
-      if (has(v)) vertices.push_back(v);
+    for (std::size_t t = first; t < std::min(last, mesh_.triangles.size()); ++t)
+      if (is_private(Triangle_id(t))) triangles.push_back(Triangle_id(t));
+    for (std::size_t v = first; v < std::min(last, mesh_.number_of_vertices()); ++v)
+      if (has(Vertex_id(v))) vertices.push_back(Vertex_id(v));
+    if (triangles.empty() && vertices.empty()) return {};
     Archive_writer archive;
     archive(records(mesh_, triangles)), archive(records(mesh_, vertices));
-    return std::move(archive.bytes);
+    return {{0, std::move(archive.bytes)}};
   }
 
   static Triangle_record record(const Mesh& mesh, Triangle_id t) {
