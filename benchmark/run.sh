@@ -73,7 +73,7 @@ measure threads pslg "$norway" "coast:$medium" "segments:$medium" square:1e-6 --
 measure parts parts "$norway" coast:3e5 --parts 2 7 24 64
 
 measure separation separation "${maps[@]}" "$norway" coast:1e4 stars:1e3 "$holes" "$data"/syn_{comb,fan_1deg,parallel_0.001}.poly \
-  --repeat 1 --limit 120
+  --repeat 3 --limit 120
 measure separation_rounds separation --rounds --families blob holes coast segments --sizes 1e3 1e4 --limit 300
 measure neighbors neighbors "$norway" "${maps[@]:1}" --repeat "$repeat"
 
