@@ -34,22 +34,21 @@ using internal::Side;
 using internal::Triangle_id;
 using internal::Vertex_id;
 
-bool is_constrained_Delaunay(const Mesh& mesh) {
+/// Whether sides know each other, and vertices a triangle.
+bool is_linked(const Mesh& mesh) {
   for (const Triangle_id t : mesh.triangles.ids()) {
     if (!mesh.is_alive(t)) continue;
-    const auto& r = mesh.triangle(t);
-    if (mesh.orientation(r.v[0], r.v[1], r.v[2]) <= 0) return false;
     for (int k = 0; k < 3; ++k) {
-      const Side o = r.side[k];
-      if (!o.is_constrained() && mesh.is_certainly_not_Delaunay(t, k) &&
-          mesh.is_certainly_not_Delaunay(o.triangle(), o.slot())) // rounding is another one from there
-        return false;
+      const Vertex_id v = mesh.triangle(t).v[k];
+      const Side o = mesh.triangle(t).side[k];
       if (!o.is_border() && mesh.across(Side(o.triangle(), o.slot())).triangle() != t) return false;
-      if (!mesh.is_used(r.v[k]) || !mesh.is_alive(mesh.incident_triangle(r.v[k]))) return false;
+      if (!mesh.is_used(v) || !mesh.is_alive(mesh.incident_triangle(v))) return false;
     }
   }
   return true;
 }
+
+bool is_constrained_Delaunay(const Mesh& mesh) { return is_linked(mesh) && !flaws_of(mesh).is_any(); }
 
 /// Inserts points of a lattice: many are on circles and lines with each other.
 std::vector<Vertex_id> insert_lattice(Prepared& graph, int size) {

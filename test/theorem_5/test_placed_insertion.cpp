@@ -87,19 +87,6 @@ void check_that_corners_are_located(Prepared& graph) {
   CHECK(elsewhere == 0);
 }
 
-void check_that_it_is_constrained_Delaunay(const Mesh& mesh) {
-  std::size_t clockwise = 0, not_Delaunay = 0;
-  for (const Triangle_id t : mesh.triangles.ids()) {
-    if (!mesh.is_alive(t)) continue;
-    const auto& r = mesh.triangle(t);
-    clockwise += mesh.orientation(r.v[0], r.v[1], r.v[2]) > 0 ? 0 : 1;
-    for (int k = 0; k < 3; ++k)
-      not_Delaunay += !r.side[k].is_constrained() && mesh.is_certainly_not_Delaunay(t, k) ? 1 : 0;
-  }
-  CHECK(clockwise == 0);
-  CHECK(not_Delaunay == 0);
-}
-
 void check_that_all_are_inserted(const Prepared& graph, const Placed& placed, const Mesh& mesh) {
   for (const auto& run : placed.runs) {
     Vertex_id last = graph.problem().edges[run.edge].a;
@@ -133,7 +120,7 @@ std::size_t check_insertion(Prepared& graph) {
   const Mesh& mesh = graph.state().mesh;
   CHECK(mesh.number_of_vertices() == placed.points.size());
   CHECK(area(graph, mesh) == Approx(area_of_domain));
-  check_that_it_is_constrained_Delaunay(mesh);
+  CHECK_FALSE(flaws_of(mesh).is_any());
   check_that_all_are_inserted(graph, placed, mesh);
   return blocks.size();
 }
@@ -225,7 +212,7 @@ TEST_CASE("Corners at the place of vertices, or on edges, are left out", "[theor
   for (const int v : {6, 7, 8}) CHECK_FALSE(mesh.is_used(Vertex_id(v)));
   CHECK(mesh.is_used(Vertex_id(9)) != mesh.is_used(Vertex_id(10)));
   CHECK(area(graph, mesh) == Approx(1));
-  check_that_it_is_constrained_Delaunay(mesh);
+  CHECK_FALSE(flaws_of(mesh).is_any());
 }
 
 TEST_CASE("A vertex on an edge that turns triangles over is left out", "[theorem5]") {

@@ -33,18 +33,6 @@ std::vector<Triangle_id> missed_in(const internal::Meshing_state<Geometry>& stat
   return internal::missed_triangles<CGAL::Sequential_tag>(state);
 }
 
-template <class Geometry>
-bool is_Delaunay(const internal::Kernel_mesh<Geometry>& mesh) {
-  for (const Triangle_id t : mesh.triangles.ids()) {
-    if (!mesh.is_alive(t)) continue;
-    const auto& r = mesh.triangle(t);
-    if (mesh.orientation(r.v[0], r.v[1], r.v[2]) <= 0) return false;
-    for (int k = 0; k < 3; ++k)
-      if (!r.side[k].is_constrained() && mesh.is_certainly_not_Delaunay(t, k)) return false;
-  }
-  return true;
-}
-
 /// What adding vertices did to the mesh of a graph.
 struct Count {
   std::size_t missed = 0, added = 0, on_edges = 0;
@@ -90,7 +78,7 @@ Count check_additions(const typename Prepared_graph<Traits>::Pslg& pslg) {
     CHECK(now < left);
     left = now;
   }
-  CHECK(is_Delaunay(state.mesh));
+  CHECK_FALSE(flaws_of(state.mesh).is_any());
   return count;
 }
 

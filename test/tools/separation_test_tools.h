@@ -107,6 +107,33 @@ private:
   Pslg graph_;
 };
 
+/// What keeps a mesh from being a constrained Delaunay triangulation.
+struct Mesh_flaws {
+  std::size_t clockwise = 0; ///< triangles, or without area
+  std::size_t not_Delaunay =
+      0; ///< sides, as seen from both of their triangles: rounding is another one from there
+
+  bool is_any() const { return clockwise + not_Delaunay > 0; }
+};
+
+template <class Geometry>
+Mesh_flaws flaws_of(const internal::Kernel_mesh<Geometry>& mesh) {
+  Mesh_flaws flaws;
+  for (const internal::Triangle_id t : mesh.triangles.ids()) {
+    if (!mesh.is_alive(t)) continue;
+    const auto& r = mesh.triangle(t);
+    flaws.clockwise += mesh.orientation(r.v[0], r.v[1], r.v[2]) > 0 ? 0 : 1;
+    for (int k = 0; k < 3; ++k) {
+      const internal::Side o = r.side[k];
+      flaws.not_Delaunay += !o.is_constrained() && mesh.is_certainly_not_Delaunay(t, k) &&
+                                    mesh.is_certainly_not_Delaunay(o.triangle(), o.slot())
+                                ? 1
+                                : 0;
+    }
+  }
+  return flaws;
+}
+
 /// The squares of the leaves, which tell all of a tree.
 template <class Tree>
 auto leaves_of(const Tree& tree) {
