@@ -118,7 +118,7 @@ private:
     for (const Leaf_index l : scope_.leaves) {
       const auto points = trees_.tree().points(l);
       for (std::size_t r = points.begin.value(); r < points.end.value(); ++r)
-        append_sides_at(static_cast<Vertex_id>(framework.input_point(Point_rank(r)).value()));
+        append_sides_at(static_cast<Vertex_id>(framework.input_point(typename Tree::Point_rank(r)).value()));
     }
     mesh_.make_Delaunay(doubtful);
   }
