@@ -45,6 +45,7 @@ public:
   using Mesh = Kernel_mesh<Geometry>;
   using Point = typename Geometry::Point;
   using Placed = Placed_vertices<Geometry>;
+  using Run = typename Placed::Run;
 
   /// \param state whose mesh is replaced
   /// \param placed its corners are located in `triangles.mesh()`, the triangulation of the domain
@@ -63,22 +64,24 @@ public:
     return std::move(cramped_);
   }
 
-  /// Inserts into a mesh that this has made before the vertices that it has not got. Those on edges must not be there.
-  /// \returns the same of these edges
-  std::vector<Edge_id> add_to_mesh() {
+  /// Placed vertices on an edge that are missing between two that follow each other in the mesh.
+  struct Gap {
+    Run run;
+    Vertex_id a, b; ///< of the mesh
+  };
+
+  /// Inserts into a mesh that this has made before the corners that it has not got, and the vertices in gaps.
+  /// \returns the same of edges with gaps
+  std::vector<Edge_id> add_to_mesh(const std::vector<Gap>& gaps) {
     Last_inserted last(triangles_.mesh().triangles.size());
     for (std::size_t i = 0; i < placed_.triangle_of_corner.size(); ++i) add_corner(i, last);
-    for (const Run& run : placed_.runs)
-      insert_run_late(
-          run, [this](Vertex_id v) { return mesh_.add_vertex(placed_.points[v], placed_.role_of[v]); });
+    for (const Gap& gap : gaps) fill(gap);
     return std::move(cramped_);
   }
 
 private:
   using Block = Mesh_block<Geometry>;
   using Blocks = Mesh_blocks<ConcurrencyTag, Geometry>;
-  using Run = typename Placed::Run;
-
   /// The vertex inserted last into each triangle of the domain. Nothing is between two places in one of them, and
   /// corners of leaves come in the order of leaves, so a walk from there is short. One from the last vertex of all may
   /// not be: if an edge is between, it has to begin anew, far away.
@@ -92,9 +95,6 @@ private:
     std::vector<std::uint32_t> corners_left, runs_left;
     std::vector<Edge_id> cramped;
   };
-
-  /// The handle of a placed vertex in a mesh that is made anew.
-  static constexpr auto the_same_ = [](Vertex_id v) { return v; };
 
   Meshing_state<Geometry>& state_;
   Mesh& mesh_;
@@ -128,7 +128,7 @@ private:
   void insert_all() {
     Last_inserted last(triangles_.mesh().triangles.size());
     for (std::size_t i = 0; i < placed_.triangle_of_corner.size(); ++i) insert_corner_late(i, last);
-    for (const Run& run : placed_.runs) insert_run_late(run, the_same_);
+    for (const Run& run : placed_.runs) insert_run_late(run);
   }
 
   void insert_corner_late(std::size_t i, Last_inserted& last) {
@@ -161,11 +161,20 @@ private:
     return {{}, 0};
   }
 
-  /// \param handle as in `insert_run()`
-  template <class Handle>
-  void insert_run_late(const Run& run, const Handle& handle) {
+  void insert_run_late(const Run& run) {
     const Vertex_id a = state_.edges[run.edge].a, b = state_.edges[run.edge].b;
-    insert_run(mesh_, run, a, b, state_.side_between(a, b), handle, cramped_);
+    insert_run(
+        mesh_, run, a, b, state_.side_between(a, b), [](Vertex_id v) { return v; }, cramped_);
+  }
+
+  /// Where a vertex that should have been removed is still between, nothing is inserted.
+  void fill(const Gap& gap) {
+    const Side s = state_.side_between(gap.a, gap.b);
+    if (s.is_border()) return cramped_.push_back(gap.run.edge);
+    const auto handle = [this](Vertex_id v) {
+      return mesh_.add_vertex(placed_.points[v], placed_.role_of[v]);
+    };
+    insert_run(mesh_, gap.run, gap.a, gap.b, s, handle, cramped_);
   }
 
   // ---- in blocks
@@ -225,7 +234,7 @@ private:
   void insert_what_is_left(const Block_work& work, Last_inserted& last) {
     cramped_.insert(cramped_.end(), work.cramped.begin(), work.cramped.end());
     for (const std::uint32_t i : work.corners_left) insert_corner_late(i, last);
-    for (const std::uint32_t i : work.runs_left) insert_run_late(placed_.runs[i], the_same_);
+    for (const std::uint32_t i : work.runs_left) insert_run_late(placed_.runs[i]);
   }
 
   // ---- single vertices

@@ -16,6 +16,7 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_PLACED_UPDATE_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_PLACED_UPDATE_H
 
+#include <CGAL/Quadtree_mesh_2/internal/base/Indexed_vector.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/pieces/Placement_scope.h>
 #include <CGAL/Quadtree_mesh_2/internal/quadtree/Tree_corners.h>
@@ -26,6 +27,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/theorem_5/Placed_vertices.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -51,15 +53,29 @@ public:
 
   /// \returns the edges of the scope without some of their vertices, which rounding has put in the wrong place
   std::vector<Edge_id> run() {
+    list_placed_on_edges();
     remove_vertices();
     make_Delaunay();
-    return Placed_insertion<ConcurrencyTag, Geometry>(state_, placed_, triangles_).add_to_mesh();
+    return Insertion(state_, placed_, triangles_).add_to_mesh(gaps());
   }
 
 private:
   using Tree = typename Trees::Tree;
   using Corners = Tree_corners<Tree>;
   using Grid_point = typename Trees::Grid_point;
+  using Insertion = Placed_insertion<ConcurrencyTag, Geometry>;
+  using Gap = typename Insertion::Gap;
+
+  /// A vertex that is placed on an edge.
+  struct On_edge {
+    Edge_id edge;
+    double way; ///< from the edge's first end, along x or y, as rounded for this point
+    Vertex_id placed;
+
+    friend bool operator<(const On_edge& p, const On_edge& q) {
+      return p.edge != q.edge ? p.edge < q.edge : p.way < q.way;
+    }
+  };
 
   /// What becomes of a vertex of the mesh.
   enum class Fate { OUTSIDE, KEPT, REMOVED };
@@ -73,7 +89,34 @@ private:
   Placement_scope
       around_; // with the leaves next to it: a corner of one of these may belong to one of the scope
   const Edge_triangles<Geometry>& triangles_;
-  std::vector<Vertex_id> kept_; // free vertices in the scope
+  std::vector<On_edge> on_edges_; // in order
+  Indexed_vector<Vertex_id, Vertex_id>
+      in_mesh_;                 // by placed vertex on an edge: the one that is there, or none
+  std::vector<Vertex_id> kept_; // of the scope
+
+  void list_placed_on_edges() {
+    for (const auto& run : placed_.runs)
+      for (const Vertex_id v : run.vertices())
+        on_edges_.push_back({run.edge, way(run.edge, placed_.points[v]), v});
+    std::sort(on_edges_.begin(), on_edges_.end());
+    in_mesh_.resize(placed_.first_corner.value());
+  }
+
+  double way(Edge_id e, const typename Geometry::Point& p) const {
+    const auto& a = state_.problem.input_point(state_.edges[e].a);
+    const Vector d = Geometry::difference(state_.problem.input_point(state_.edges[e].b), a);
+    const Vector from_a = Geometry::difference(p, a);
+    return std::fabs(d.y) > std::fabs(d.x) ? from_a.y : from_a.x;
+  }
+
+  /// The placed vertex where a vertex of an edge is; or none.
+  Vertex_id placed_at(Vertex_id v) const {
+    const On_edge wanted{mesh_.edge(v), way(mesh_.edge(v), mesh_.point(v)), {}};
+    const auto [first, last] = std::equal_range(on_edges_.begin(), on_edges_.end(), wanted);
+    const auto found = std::find_if(
+        first, last, [&](const On_edge& p) { return placed_.points[p.placed] == mesh_.point(v); });
+    return found == last ? Vertex_id() : found->placed;
+  }
 
   void remove_vertices() {
     const std::size_t first = state_.problem.input_points.size(), n = mesh_.number_of_vertices() - first;
@@ -83,16 +126,42 @@ private:
     Delaunay_remover<Geometry> remover(mesh_);
     for (const Vertex_id v : in_scope)
       if (fate(v) == Fate::KEPT)
-        kept_.push_back(v);
+        keep(v);
       else
         remover.remove(v);
+  }
+
+  void keep(Vertex_id v) {
+    kept_.push_back(v);
+    if (!mesh_.is_free(v)) in_mesh_[placed_at(v)] = v;
+  }
+
+  std::vector<Gap> gaps() const {
+    std::vector<Gap> gaps;
+    for (const auto& run : placed_.runs) {
+      Gap gap{{run.edge, {}, 0}, state_.edges[run.edge].a, {}};
+      const auto close = [&](Vertex_id b) {
+        gap.b = b;
+        if (gap.run.size > 0) gaps.push_back(gap);
+        gap = {{run.edge, {}, 0}, b, {}};
+      };
+      for (const Vertex_id v : run.vertices())
+        if (in_mesh_[v].is_valid())
+          close(in_mesh_[v]);
+        else if (gap.run.size++ == 0)
+          gap.run.first = v;
+      close(state_.edges[run.edge].b);
+    }
+    return gaps;
   }
 
   /// \param v none of the input
   Fate fate(Vertex_id v) const {
     if (!mesh_.is_used(v)) return Fate::OUTSIDE;
-    if (!mesh_.is_free(v))
-      return scope_.has(Segment_index(std::size_t(mesh_.edge(v)))) ? Fate::REMOVED : Fate::OUTSIDE;
+    if (!mesh_.is_free(v)) {
+      if (!scope_.has(Segment_index(std::size_t(mesh_.edge(v))))) return Fate::OUTSIDE;
+      return placed_at(v).is_valid() ? Fate::KEPT : Fate::REMOVED;
+    }
     const Grid_point p = trees_.grid_point(mesh_.point(v));
     const Leaf_index l = trees_.tree().locate(p);
     if (!around_.has(l)) return Fate::OUTSIDE;
