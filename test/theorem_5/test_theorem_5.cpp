@@ -121,6 +121,13 @@ TEST_CASE("Rounds of placing vertices are counted", "[mesher][theorem5]") {
   }
 }
 
+TEST_CASE("An edge through leaves that are split keeps its vertices elsewhere", "[mesher][theorem5]") {
+  const Run r = run_by_quadtrees(read("hard_edge_through_changes.poly.gz"),
+                                 by_quadtrees().coarsen(Options::Coarsening::NONE));
+  CHECK(r.report.trees.rounds > 1);
+  CHECK(double(r.report.trees.placed) < 1.05 * double(r.report.vertices)); // few are placed again
+}
+
 TEST_CASE("Large maps take as many triangles by quadtrees as on demand", "[mesher][theorem5][.slow]") {
   const std::string name = GENERATE(as<std::string>(), "gshhg_aegean_h.poly.gz", "gshhg_norway_f.poly.gz");
   CAPTURE(name);
