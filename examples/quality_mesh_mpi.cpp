@@ -132,9 +132,9 @@ Exit_status run(int argc, char** argv, int rank) {
   return mesher.report().is_met() ? Exit_status::DONE : Exit_status::BOUND_UNMET;
 }
 
-/// Ranks of one machine share its memory. By itself glibc raises, with each large array that is freed, the size from
-/// which arrays get pages of their own, and keeps what is below. With a size of our own it raises nothing, and arrays go
-/// back to the system when they are freed.
+/// Ranks of one machine share its memory. By itself glibc raises, with each large array that is freed, the size
+/// from which arrays get pages of their own, and keeps what is below. With a size of our own it raises nothing, and
+/// arrays go back to the system when they are freed.
 void give_freed_arrays_back() {
 #ifdef __GLIBC__
   constexpr int bytes = 1 << 17;
