@@ -57,11 +57,11 @@ struct Tree_separation_report_2 {
   std::size_t relocated = 0;      ///< corners and crossings moved to cure others
   std::size_t added = 0;          ///< vertices that leaves did not place, which cure others
   std::size_t placed = 0; ///< vertices besides those of the input, whether they are still there or not
+  std::size_t kept = 0;   ///< those of them in the mesh, where the work on it left them
   // Of the last round:
   std::size_t triangles = 0;   ///< of the mesh, before its cures
   std::size_t missed = 0;      ///< triangles below the bound that were not cured
   std::size_t handed_over = 0; ///< those of them at leaves that cannot become smaller
-  std::size_t kept = 0;        ///< those of them in the mesh, where the work on it left them
 };
 
 /// \ingroup PkgQuadtreeMesh2Meshers

@@ -9,8 +9,9 @@
 // Computes: the mesh with the vertices that are placed now, in the scope of what changed (Placement_scope.h), and all
 //           others as they were. It is constrained Delaunay in the scope. Local cures elsewhere stay (Local_cures.h);
 //           those in the scope are undone.
-// Bound:    O(1) to look at each vertex of the mesh. All else is expected O(1) for each vertex placed in the scope,
-//           one after the other: scopes are small.
+// Bound:    O(depth) to look at each vertex of the mesh, at the same time. All else is expected O(1) for each vertex
+//           that is inserted or removed, one after the other: scopes are small. What is placed again where it was
+//           stays.
 // Source:   ours. The paper splits all leaves before it places vertices, so it makes its mesh once.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_THEOREM_5_PLACED_UPDATE_H
@@ -86,12 +87,12 @@ private:
   const Corners corners_;
   const Placed& placed_;
   const Placement_scope& scope_;
-  Placement_scope
-      around_; // with the leaves next to it: a corner of one of these may belong to one of the scope
+  /// With the leaves next to it: a corner of one of these may belong to one of the scope.
+  Placement_scope around_;
   const Edge_triangles<Geometry>& triangles_;
   std::vector<On_edge> on_edges_; // in order
-  Indexed_vector<Vertex_id, Vertex_id>
-      in_mesh_;                 // by placed vertex on an edge: the one that is there, or none
+  /// By placed vertex on an edge: the one that is there, or none.
+  Indexed_vector<Vertex_id, Vertex_id> in_mesh_;
   std::vector<Vertex_id> kept_; // of the scope
 
   void list_placed_on_edges() {
@@ -173,7 +174,8 @@ private:
     return is_placed ? Fate::KEPT : Fate::REMOVED;
   }
 
-  /// Around all vertices in the scope: cures leave triangles that are not.
+  /// Around all vertices in the scope: cures leave triangles that are not. Where parts of the domain touch in an input
+  /// vertex, it is the fan that the mesh knows of.
   void make_Delaunay() {
     std::vector<Side> doubtful;
     const auto append_sides_at = [&](Vertex_id v) {

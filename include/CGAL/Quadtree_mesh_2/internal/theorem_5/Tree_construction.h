@@ -148,6 +148,7 @@ private:
     if (placement == Tree_separation_options_2::Placement::BY_RULE)
       return make_mesh(Rule_placement<Traits, ConcurrencyTag>(state_.problem, trees_, triangles_).run());
     const auto& windows = trees_.windows();
+    static_assert(Trees::Windows::none == Placement_scopes::no_label, "a leaf in no window has no label");
     const Placement_scope scope = scopes_.next(trees_.tree(), trees_.pieces_in_leaves(),
                                                [&windows](Leaf_index l) { return windows.of(l); });
     const auto placed =
