@@ -1,17 +1,25 @@
 // Meshes a graph on all ranks of MPI, with the options of quality_mesh:
 //
 //   mpirun -n 4 quality_mesh_mpi INPUT.poly -o mesh.vtkhdf
+//   mpirun -n 4 quality_mesh_mpi INPUT.poly -o mesh.vtkhdf --memory 2G --scratch /local/disk
 //
 // INPUT is .poly or .h5, of which each rank reads a slice. Outputs are .pvtu with a piece for each rank, .msh with a
 // part for each rank, .vtkhdf, and .xdmf with .h5. All ranks write them. They have the bytes that
 // `quality_mesh --renumber` writes, with `--pieces` as many as ranks.
+//
+// The first rank has the whole mesh for a while, and with --memory most of it in a file on its own disk.
 
+#include "internal/Scratch_folder.h"
 #include "internal/command_line.h"
 #include "internal/program_steps.h"
 
 #include <CGAL/Distributed_quality_mesher_2.h>
 #include <CGAL/IO/Distributed_mesh_files.h>
 #include <CGAL/IO/read_slices.h>
+#include <CGAL/Quadtree_mesh_2/internal/distributed/Mpi_exchange.h>
+#include <CGAL/Quadtree_mesh_2/internal/distributed/agree_on_error.h>
+#include <CGAL/Quadtree_mesh_2/new_in_scratch_memory.h> // of this program's own long vectors
+#include <CGAL/Scratch_memory.h>
 #include <CGAL/Trapezoidal_vertex_edge_neighbors_2.h>
 #include <CGAL/tags.h>
 
@@ -25,6 +33,7 @@
 #include <exception>
 #include <iostream>
 #include <new>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -40,7 +49,6 @@ void check_use(const Command_line& line) {
       {line.mode != Command_line::Mode::PSLG, "--mode"},
       {line.kernel != Command_line::Kernel::FILTERED, "--kernel"},
       {line.is_comparison_wanted, "--compare"},
-      {line.memory > 0, "--memory"},
       {line.is_resumed, "--resume"},
       {!line.report_file.empty(), "--report"},
       {!line.area_file.empty(), "--area-file"},
@@ -65,6 +73,24 @@ void check_use(const Command_line& line) {
       throw Usage_error("ranks write .pvtu, .msh, .vtkhdf or .xdmf, not '" + output + "'");
   }
 }
+
+/// The arrays of a rank, if the command line says how much memory it may use.
+class Scratch_of_rank {
+public:
+  /// All ranks make one. What keeps one of them from it, all throw.
+  explicit Scratch_of_rank(const Command_line& line) {
+    if (line.memory == 0) return;
+    CGAL::Quadtree_mesh_2::internal::Mpi_exchange exchange(all_ranks);
+    CGAL::Quadtree_mesh_2::internal::agree_on_work(exchange, [&] {
+      folder_.emplace(line);
+      memory_.emplace(folder_->name(), line.memory);
+    });
+  }
+
+private:
+  std::optional<Scratch_folder> folder_; // goes last
+  std::optional<CGAL::Scratch_memory> memory_;
+};
 
 Mesher::Mesh mesh(Mesher& mesher, const Command_line& line) {
   if (line.neighbors == Command_line::Neighbors::TRAPEZOIDAL)
@@ -108,7 +134,8 @@ void print_own_help() {
 Meshes a graph on P ranks, with one thread each: the mesh of quality_mesh --renumber.
 INPUT is .poly or .h5; OUTPUT is .pvtu, .msh (in parts), .vtkhdf or .xdmf.
 Options are those of quality_mesh --help-all for graphs, but for those of files with
-sizes, of projections, and of one machine's memory and threads.
+sizes, of projections, of threads, and --resume. --memory is what each rank may use; the
+scratch folder is made where there is none, and may be on a disk of each machine.
 
 Exit status: as quality_mesh.
 )";
@@ -125,6 +152,7 @@ Exit_status run(int argc, char** argv, int rank) {
                   [](const char* word) { return std::string(word).find("--threads") == 0; }))
     throw Usage_error("--threads is an option of quality_mesh alone");
   check_use(line);
+  const Scratch_of_rank scratch(line);
   Mesher mesher(all_ranks, line.options);
   const Mesher::Mesh part = mesh(mesher, line);
   for (const std::string& output : line.outputs) write(part, output);
@@ -152,8 +180,9 @@ int main(int argc, char** argv) {
   Exit_status status = Exit_status::REFUSED;
   try {
     status = run(argc, argv, rank);
-  } catch (const std::bad_alloc&) { // maybe at this rank alone, for which others wait
-    std::cerr << "quality_mesh_mpi: error: not enough memory at rank " << rank << '\n';
+  } catch (const std::bad_alloc& error) { // maybe at this rank alone, for which others wait
+    std::cerr << "quality_mesh_mpi: error: not enough memory at rank " << rank << ": " << error.what()
+              << '\n';
     MPI_Abort(all_ranks, static_cast<int>(Exit_status::REFUSED));
   } catch (const std::exception& error) { // the same at all ranks
     if (rank == 0) std::cerr << "quality_mesh_mpi: error: " << error.what() << '\n';

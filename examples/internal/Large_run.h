@@ -5,6 +5,7 @@
 // to go on from.
 
 #include "Resume_hint.h"
+#include "Scratch_folder.h"
 #include "command_line.h"
 
 #include <CGAL/Pslg_2.h>
@@ -16,13 +17,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
-#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <optional>
-#include <stdexcept>
 #include <string>
-#include <system_error>
 
 class Large_run {
 public:
@@ -65,34 +63,7 @@ private:
   /// Of scratch file and state: measured on maps.
   static constexpr double bytes_per_vertex = 1000;
 
-  /// The scratch folder, which goes when nothing is left in it and nobody else has use for it.
-  class Folder {
-  public:
-    /// Makes it if need be.
-    explicit Folder(const Command_line& line) : name_(line.scratch_folder) {
-      if (name_.empty()) return;
-      std::error_code error;
-      const bool is_new = std::filesystem::create_directories(name_, error);
-      if (error || !std::filesystem::is_directory(name_))
-        throw std::runtime_error("the scratch folder '" + name_ +
-                                 "' cannot be made: name another one by --scratch");
-      is_ours_ = is_new || line.is_scratch_folder_ours;
-    }
-    Folder(const Folder&) = delete;
-    Folder& operator=(const Folder&) = delete;
-    ~Folder() {
-      std::error_code ignored;
-      if (is_ours_) std::filesystem::remove(name_, ignored);
-    }
-
-    const std::string& name() const { return name_; }
-
-  private:
-    std::string name_; // empty: none
-    bool is_ours_ = false;
-  };
-
-  Folder folder_; // the first member: it goes last
+  Scratch_folder folder_; // the first member: it goes last
   bool is_resumed_ = false;
   std::optional<CGAL::Quadtree_mesh_2::internal::Folder_lock> lock_;
   std::optional<CGAL::Scratch_memory> memory_;

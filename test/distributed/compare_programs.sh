@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# On ranks quality_mesh_mpi writes the bytes that quality_mesh writes, and tells once what is wrong.
+# On ranks quality_mesh_mpi writes the bytes that quality_mesh writes, with arrays in a scratch file or without, and tells
+# once what is wrong.
 #
 # usage: compare_programs.sh RANKS GRAPH QUALITY_MESH COMMAND...
 #
@@ -22,6 +23,11 @@ for options in "" "--min-angle 25 --max-area 2e7 --separation theorem-5"; do
   "${command[@]}" graph.poly --quiet $options $(outputs ranks)
   diff -r one_machine ranks
   [[ $(find ranks -name '*.vtu' | wc -l) -eq $ranks ]]
+  rm ranks/*
+  # shellcheck disable=SC2046,SC2086
+  "${command[@]}" graph.poly --quiet $options $(outputs ranks) --memory 64M --scratch scratch
+  diff -r one_machine ranks
+  [[ ! -e scratch ]]
   rm one_machine/* ranks/*
 done
 
@@ -40,6 +46,7 @@ refuses nothing.poly nothing.poly -o mesh.vtkhdf
 refuses --threads graph.poly --threads 2
 refuses mesh.svg graph.poly -o mesh.svg
 refuses nowhere graph.poly -o nowhere/mesh.vtkhdf
+refuses graph.poly/scratch graph.poly -o mesh.vtkhdf --memory 64M --scratch graph.poly/scratch
 printf '3 2 0 0\n1 0 0\n2 1 0\n3 0 1\n1 0\n1 1 9\n0\n' >broken.poly
 refuses broken.poly broken.poly -o mesh.vtkhdf
 [[ ! -e mesh.vtkhdf ]]
