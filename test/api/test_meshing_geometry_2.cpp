@@ -286,7 +286,7 @@ TEST_CASE("The mesh over a user's geometry is the same for any number of threads
 }
 
 TEST_CASE("Random graphs are meshed over a user's geometry, by refinement and by quadtrees", "[traits]") {
-  const std::uint64_t seeds = is_full_run() ? 200 : 10;
+  const std::uint64_t seeds = is_full_run() ? 200 : 5;
   std::size_t meshed = 0, all = 0, met = 0;
   for (const random_pslg::Family& family : random_pslg::families())
     for (std::uint64_t seed = 0; seed < seeds; ++seed)

@@ -126,7 +126,9 @@ TEST_CASE("The memory of arrays in scratch files is limited", "[scratch]") {
   const Scratch_folder folder;
   const Resident_memory resident;
   const std::size_t own = resident.bytes().all - resident.bytes().in_files;
-  constexpr std::size_t limit = std::size_t(600) << 20, length = std::size_t(1) << 27; // a gigabyte of words
+  const std::size_t length = std::size_t(1)
+                             << (is_full_run() ? 27 : 25); // of words: a gigabyte, or a quarter of it
+  const std::size_t limit = 5 * length;
   const Scratch_memory memory(folder.file(""), own + limit);
   Uninitialized_vector<std::uint64_t> values(length);
   std::size_t most = 0;
@@ -144,12 +146,14 @@ TEST_CASE("The memory of arrays in scratch files is limited", "[scratch]") {
 TEST_CASE("Threads may make and drop arrays of a scratch file at once", "[scratch][threads]") {
   const Scratch_folder folder;
   const Scratch_memory memory(folder.file(""), any_memory, 1000);
+  const std::size_t longest = is_full_run() ? 400000 : 40000;
   std::vector<std::thread> threads;
   std::vector<int> wrong(4, 0);
   for (std::size_t t = 0; t < wrong.size(); ++t)
-    threads.emplace_back([&wrong, t] {
+    threads.emplace_back([&wrong, t, longest] {
       for (std::size_t i = 0; i < 200; ++i) {
-        const std::vector<std::size_t, Uninitialized_allocator<std::size_t>> array(200000 + 100 * i, t + i);
+        const std::vector<std::size_t, Uninitialized_allocator<std::size_t>> array(longest / 2 + 100 * i,
+                                                                                   t + i);
         wrong[t] += array.front() != t + i || array.back() != t + i ? 1 : 0;
       }
     });

@@ -53,7 +53,10 @@ Wide wrapped(Unsigned v) { return static_cast<Wide>(v); }
 TEST_CASE("Integers of two words are those of the compiler", "[wide_integer]") {
   const auto all = numbers();
   const Wide least = all[1];
-  for (const Wide a : all) {
+  // With each number every fifth one, others from number to number.
+  const std::size_t step = is_full_run() ? 1 : 5;
+  for (std::size_t i_of_a = 0; i_of_a < all.size(); ++i_of_a) {
+    const Wide a = all[i_of_a];
     const Two_word_integer x = two_words(a);
     REQUIRE(are_equal(a, x));
     CHECK(static_cast<std::int64_t>(a) == static_cast<std::int64_t>(x));
@@ -65,7 +68,8 @@ TEST_CASE("Integers of two words are those of the compiler", "[wide_integer]") {
       REQUIRE(are_equal(a >> i, x >> i));
       REQUIRE(are_equal(wrapped(Unsigned(a) << i), x << i));
     }
-    for (const Wide b : all) {
+    for (std::size_t j = i_of_a % step; j < all.size(); j += step) {
+      const Wide b = all[j];
       const Two_word_integer y = two_words(b);
       REQUIRE(are_equal(wrapped(Unsigned(a) + Unsigned(b)), x + y));
       REQUIRE(are_equal(wrapped(Unsigned(a) - Unsigned(b)), x - y));

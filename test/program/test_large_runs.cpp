@@ -32,6 +32,7 @@ using Point = CGAL::Exact_predicates_inexact_constructions_kernel::Point_2;
 std::string quoted(const std::string& name) { return "'" + name + "'"; }
 
 const std::string norway = quoted(QUADTREE_MESH_TEST_DATA_DIR "/gshhg_norway_f.poly.gz");
+const std::string aegean = quoted(QUADTREE_MESH_TEST_DATA_DIR "/gshhg_aegean_h.poly.gz"); // of two blocks
 
 void check_same(const Scratch_folder& folder, const std::string& a, const std::string& b) {
   for (const char* ending : {".node", ".ele", ".poly"})
@@ -42,40 +43,43 @@ void check_same(const Scratch_folder& folder, const std::string& a, const std::s
 
 TEST_CASE("The program writes the same files with little memory", "[program][scratch]") {
   const Scratch_folder folder;
-  REQUIRE(run(norway + " --quiet -o " + quoted(folder.file("all.ele"))).status == 0);
-  const Run little = run(norway + " --memory 100M -o " + quoted(folder.file("little.ele")));
+  const std::string coast = is_full_run() ? norway : aegean;
+  REQUIRE(run(coast + " --quiet -o " + quoted(folder.file("all.ele"))).status == 0);
+  const Run little = run(coast + " --memory 100M -o " + quoted(folder.file("little.ele")));
   CAPTURE(little.err);
   CHECK(little.status == 0);
   CHECK(contains(little.out, "scratch folder " + folder.file("little.ele.scratch")));
   check_same(folder, "all", "little");
   CHECK(folder.number_of_files() == 6); // the scratch folder is gone
-  CHECK(run(norway + " --quiet --threads 1 --memory 0.1G --scratch " + quoted(folder.file("mine")) + " -o " +
+  CHECK(run(coast + " --quiet --threads 1 --memory 0.1G --scratch " + quoted(folder.file("mine")) + " -o " +
             quoted(folder.file("one.ele")))
             .status == 0);
   check_same(folder, "all", "one");
 }
 
 TEST_CASE("The program goes on where it was killed", "[program][scratch]") {
-  const std::string signal = GENERATE("KILL", "TERM");
-  CAPTURE(signal);
   const Scratch_folder folder;
   REQUIRE(run(norway + " --quiet -o " + quoted(folder.file("all.ele"))).status == 0);
   const std::string state = folder.file("killed.ele.scratch/quadtree_mesh_2.state");
   const std::string work = norway + " --resume -o " + quoted(folder.file("killed.ele"));
-  // Killed a moment after it has left a state, if it is not done by then.
-  const std::string command = "'" QUADTREE_MESH_PROGRAM "' " + work + " >/dev/null 2>" +
-                              quoted(folder.file("err")) + " & p=$!; while [ ! -s " + quoted(state) +
-                              " ] && kill -0 $p 2>/dev/null; do sleep 0.01; done; sleep 0.05; "
-                              "kill -" +
-                              signal + " $p 2>/dev/null; wait $p 2>/dev/null; true";
-  CHECK(std::system(command.c_str()) != -1);
-  if (signal == "TERM" && fs::exists(state))
-    CHECK(contains(content(folder.file("err")), "--resume goes on from there"));
-  const Run resumed = run(work);
-  CAPTURE(resumed.err);
-  CHECK(resumed.status == 0);
-  check_same(folder, "all", "killed");
-  CHECK_FALSE(fs::exists(state));
+  for (const std::string signal : {"KILL", "TERM"}) {
+    CAPTURE(signal);
+    // Killed a moment after it has left a state, if it is not done by then.
+    const std::string command = "'" QUADTREE_MESH_PROGRAM "' " + work + " >/dev/null 2>" +
+                                quoted(folder.file("err")) + " & p=$!; while [ ! -s " + quoted(state) +
+                                " ] && kill -0 $p 2>/dev/null; do sleep 0.01; done; sleep 0.05; "
+                                "kill -" +
+                                signal + " $p 2>/dev/null; wait $p 2>/dev/null; true";
+    CHECK(std::system(command.c_str()) != -1);
+    if (signal == "TERM" && fs::exists(state))
+      CHECK(contains(content(folder.file("err")), "--resume goes on from there"));
+    const Run resumed = run(work);
+    CAPTURE(resumed.err);
+    CHECK(resumed.status == 0);
+    check_same(folder, "all", "killed");
+    CHECK_FALSE(fs::exists(state));
+    fs::remove(folder.file("killed.ele"));
+  }
 }
 
 TEST_CASE("The program refuses a state of another input, and begins anew if it is not to go on",
@@ -84,17 +88,18 @@ TEST_CASE("The program refuses a state of another input, and begins anew if it i
   const std::string scratch = folder.file("scratch"), output = " -o " + quoted(folder.file("mesh.ele"));
   fs::create_directory(scratch);
   folder.write("scratch/quadtree_mesh_2.state", "no state at all");
-  const Run refused = run(norway + " --resume --scratch " + quoted(scratch) + output);
+  const std::string coast = is_full_run() ? norway : aegean;
+  const Run refused = run(coast + " --resume --scratch " + quoted(scratch) + output);
   CHECK(refused.status == 2);
   CHECK(contains(refused.err, folder.file("scratch/quadtree_mesh_2.state")));
   CHECK(content(folder.file("scratch/quadtree_mesh_2.state")) == "no state at all");
   CHECK_FALSE(fs::exists(folder.file("mesh.ele")));
-  const Run foreign = run(norway + " --memory 1G --scratch " + quoted(scratch) + output);
+  const Run foreign = run(coast + " --memory 1G --scratch " + quoted(scratch) + output);
   CHECK(foreign.status == 2); // what is no state stays
   CHECK(contains(foreign.err, folder.file("scratch/quadtree_mesh_2.state")));
   CHECK(content(folder.file("scratch/quadtree_mesh_2.state")) == "no state at all");
   fs::remove(folder.file("scratch/quadtree_mesh_2.state"));
-  CHECK(run(norway + " --quiet --memory 1G --scratch " + quoted(scratch) + output).status == 0);
+  CHECK(run(coast + " --quiet --memory 1G --scratch " + quoted(scratch) + output).status == 0);
   CHECK(fs::exists(scratch)); // the user's
   CHECK(fs::is_empty(scratch));
 }

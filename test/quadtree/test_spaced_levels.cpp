@@ -173,12 +173,15 @@ TEST_CASE("A square forces those to which its far sides are nearer than their ow
             if (std::get<0>(k) == 0) break;
           }
           tree.balance(balance);
+          std::size_t wrong = 0;
           for (int l = 0; l <= level; ++l)
             for (std::uint64_t i = 0; i < 1u << l; ++i)
               for (std::uint64_t j = 0; j < 1u << l; ++j) {
                 const Key f{l, i, j};
-                REQUIRE(tree.is_split(f) == (f == d || does_force(d, f, depth, balance)));
+                wrong += tree.is_split(f) != (f == d || does_force(d, f, depth, balance)) ? 1 : 0;
               }
+          CAPTURE(level, x, y);
+          REQUIRE(wrong == 0);
         }
 }
 
@@ -205,7 +208,10 @@ TEMPLATE_TEST_CASE("Spaced levels give the smallest quadtree, bit for bit", "[sp
         CAPTURE(input.name, max_points, int(balance));
         const auto options = Quadtree_options().balance(balance).max_points_per_leaf(max_points);
         CGAL::Quadtree_framework<TestType> framework(make_points<TestType>(input));
-        check_schedules(framework, options);
+        // Of the largest one each balance once, with annotations or without.
+        const bool is_checked_once = framework.number_of_points() > 10000 && !is_full_run();
+        if (!is_checked_once || balance != Balance::SIDES) check_schedules(framework, options);
+        if (is_checked_once && balance != Balance::SIDES) continue;
         framework.annotate(random_levels(framework.number_of_points(), framework.grid().depth()));
         check_schedules(framework, options);
       }

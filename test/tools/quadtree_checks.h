@@ -213,31 +213,50 @@ void check_cross_pointers(const Tree& tree, const Naive_tree& expected) {
     }
 }
 
-/// Whether two closed squares meet.
-inline bool do_touch(const Key& a, const Key& b, int depth) {
-  const int shift_a = depth - std::get<0>(a), shift_b = depth - std::get<0>(b);
-  const auto overlap = [&](std::uint64_t low_a, std::uint64_t low_b) {
-    return low_a << shift_a <= (low_b + 1) << shift_b && low_b << shift_b <= (low_a + 1) << shift_a;
-  };
-  return overlap(std::get<1>(a), std::get<1>(b)) && overlap(std::get<2>(a), std::get<2>(b));
+/// A square by its least and greatest coordinates on the grid.
+struct Closed_square {
+  std::uint64_t x0, y0, x1, y1;
+  int level;
+  Closed_square(const Key& k, int depth) : level(std::get<0>(k)) {
+    const int shift = depth - level;
+    x0 = std::get<1>(k) << shift, x1 = (std::get<1>(k) + 1) << shift;
+    y0 = std::get<2>(k) << shift, y1 = (std::get<2>(k) + 1) << shift;
+  }
+};
+
+inline bool do_touch(const Closed_square& a, const Closed_square& b) {
+  return a.x0 <= b.x1 && b.x0 <= a.x1 && a.y0 <= b.y1 && b.y0 <= a.y1;
 }
 
 /// Neighboring leaves against all pairs of leaves whose closed squares meet.
 template <class Tree>
 void check_neighbors(const Tree& tree) {
   if (tree.number_of_leaves() > 1500) return;
-  std::vector<Key> keys;
-  for (std::size_t i = 0; i < tree.number_of_leaves(); ++i) keys.push_back(key(tree, Leaf_index(i)));
-  for (std::size_t i = 0; i < keys.size(); ++i) {
-    const auto range = tree.neighbors(Leaf_index(i));
-    const std::set<Leaf_index> neighbors(range.begin(), range.end());
-    REQUIRE(neighbors.size() == range.size());
-    for (std::size_t j = 0; j < keys.size(); ++j) {
-      const bool is_neighbor = i != j && do_touch(keys[i], keys[j], tree.framework().grid().depth());
-      REQUIRE(is_neighbor == (neighbors.count(Leaf_index(j)) == 1));
-      if (is_neighbor && tree.options().balance() == Balance::SIDES_AND_CORNERS)
-        REQUIRE(std::abs(std::get<0>(keys[i]) - std::get<0>(keys[j])) <= 1);
+  const int levels_apart = tree.options().balance() == Balance::SIDES_AND_CORNERS ? 1 : 64;
+  std::vector<Closed_square> leaves;
+  for (std::size_t i = 0; i < tree.number_of_leaves(); ++i)
+    leaves.emplace_back(key(tree, Leaf_index(i)), tree.framework().grid().depth());
+  for (std::size_t i = 0; i < leaves.size(); ++i) {
+    std::vector<char> is_neighbor(leaves.size(), 0);
+    for (const Leaf_index l : tree.neighbors(Leaf_index(i))) {
+      REQUIRE(is_neighbor[l.value()] == 0);
+      is_neighbor[l.value()] = 1;
     }
+    // Of millions of pairs the first one at fault is asserted.
+    const Closed_square& leaf = leaves[i];
+    const char* given = is_neighbor.data();
+    std::size_t j = 0, at_fault = leaves.size();
+    for (const Closed_square& other : leaves) {
+      const bool is_expected = j != i && do_touch(leaf, other);
+      if (is_expected != (given[j] != 0) ||
+          (is_expected && std::abs(leaf.level - other.level) > levels_apart)) {
+        at_fault = j;
+        break;
+      }
+      ++j;
+    }
+    CAPTURE(i);
+    REQUIRE(at_fault == leaves.size());
   }
 }
 
