@@ -60,7 +60,7 @@ TEST_CASE("parts of a mesh fit together, are the mesh, and write its pieces", "[
 
 TEST_CASE("parts of a map are the map", "[distributed]") {
   static const Input input = map("syn_holes_400.poly.gz");
-  const int parts = GENERATE(1, 3, 50);
+  const int parts = GENERATE(1, 3, is_full_run() ? 50 : 20);
   CHECK(check_all(parts, input) == "");
 }
 

@@ -167,7 +167,7 @@ TEST_CASE("parts have the framework and the leaves of one part: all cuts", "[dis
 }
 
 TEST_CASE("parts have the framework and the leaves of one part: many parts", "[distributed]") {
-  const int parts = GENERATE(16, 64);
+  const int parts = GENERATE(16, is_full_run() ? 64 : 32);
   for (const Named_points& input : small_inputs()) {
     INFO(input.name << ", " << parts << " parts");
     check_same(input.points, Cuts::EVEN, parts, 1);

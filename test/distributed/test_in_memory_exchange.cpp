@@ -23,7 +23,7 @@ namespace test_in_memory_exchange {
 using namespace CGAL::Quadtree_mesh_2::internal;
 
 TEST_CASE("parts in one memory exchange parcels, numbers and errors", "[distributed][threads]") {
-  const int parts = GENERATE(1, 2, 3, 7, 16, 64);
+  const int parts = GENERATE(1, 2, 3, 7, 16, is_full_run() ? 64 : 30);
   std::atomic<int> wrong{0};
   In_memory_exchange::run(parts, [&](In_memory_exchange& exchange) {
     wrong += exchange_checks::check_exchanges(exchange, 20);

@@ -180,7 +180,7 @@ TEST_CASE("vertices that only exact numbers tell apart", "[neighbors]") {
   const auto pslg = wedges_of_tiny_size();
   const Brute_force brute_force(pslg);
   const Quadtree_vertex_edge_neighbors_2<Exact_traits> neighbors(pslg);
-  for (const Vertex_index v : sample(pslg, 100)) {
+  for (const Vertex_index v : sample(pslg, is_full_run() ? 100 : 30)) {
     for (const Direction d : axis_directions) {
       const Nearest expected = brute_force.first_hit(v, d);
       const Vertex_edge_neighbor_2 hit = neighbors.first_hit(v, d);

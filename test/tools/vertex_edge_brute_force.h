@@ -19,6 +19,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/base/compat.h>
 #include <CGAL/intersections.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -111,7 +112,7 @@ public:
   Nearest nearest_vertex(Vertex_index v) const {
     Nearest best;
     for (std::size_t i = 0; i < points_.size(); ++i)
-      if (points_[i] != point(v))
+      if (may_be_nearer(boxes_[i], v, best) && points_[i] != point(v))
         best.offer(CGAL::squared_distance(points_[i], point(v)), Vertex_index(i), Segment_index());
     return best;
   }
@@ -119,6 +120,7 @@ public:
   Nearest nearest_segment(Vertex_index v) const {
     Nearest best;
     for (std::size_t i = 0; i < segments_.size(); ++i) {
+      if (!may_be_nearer(box(segments_[i]), v, best)) continue;
       const EP &a = point(segments_[i][0]), &b = point(segments_[i][1]);
       if (a == point(v) || b == point(v)) continue;
       best.offer(a == b ? CGAL::squared_distance(a, point(v)) : CGAL::squared_distance(segment(i), point(v)),
@@ -134,11 +136,11 @@ public:
     const Exact::Triangle_2 sector(p, p + far * (r - p), p + far * (l - p));
     Nearest best;
     for (std::size_t i = 0; i < points_.size(); ++i)
-      if (sector.has_on_bounded_side(points_[i]))
+      if (may_be_nearer(boxes_[i], v, best) && sector.has_on_bounded_side(points_[i]))
         best.offer(CGAL::squared_distance(p, points_[i]), Vertex_index(i), Segment_index());
     for (std::size_t i = 0; i < segments_.size(); ++i) {
       const auto ends = segments_[i];
-      if (point(ends[0]) == point(ends[1])) continue;
+      if (!may_be_nearer(box(ends), v, best) || point(ends[0]) == point(ends[1])) continue;
       const auto side = [&](const EP& from, const EP& to, Vertex_index u) {
         return CGAL::orientation(from, to, point(u)) != CGAL::LEFT_TURN;
       };
@@ -164,9 +166,22 @@ private:
     return Exact::Segment_2(point(segments_[i][0]), point(segments_[i][1]));
   }
 
+  CGAL::Bbox_2 box(const std::array<Vertex_index, 2>& ends) const {
+    return boxes_[std::size_t(ends[0])] + boxes_[std::size_t(ends[1])];
+  }
+
+  /// Whether boxes do not tell that what is in a box is no nearer to a vertex than the best so far.
+  bool may_be_nearer(const CGAL::Bbox_2& b, Vertex_index v, const Nearest& best) const {
+    if (!best.exists()) return true;
+    const CGAL::Bbox_2& p = boxes_[std::size_t(v)];
+    const double dx = std::max({0., b.xmin() - p.xmax(), p.xmin() - b.xmax()}),
+                 dy = std::max({0., b.ymin() - p.ymax(), p.ymin() - b.ymax()});
+    return (dx * dx + dy * dy) * (1 - 1e-9) <= CGAL::to_interval(best.squared_distance).second;
+  }
+
   /// Whether boxes do not tell that it does not.
   bool may_hit(Vertex_index v, Direction d, const std::array<Vertex_index, 2>& ends) const {
-    const CGAL::Bbox_2 b = boxes_[std::size_t(ends[0])] + boxes_[std::size_t(ends[1])];
+    const CGAL::Bbox_2 b = box(ends);
     const CGAL::Bbox_2& p = boxes_[std::size_t(v)];
     return (step_x(d) > 0 || b.xmin() <= p.xmax()) && (step_x(d) < 0 || b.xmax() >= p.xmin()) &&
            (step_y(d) > 0 || b.ymin() <= p.ymax()) && (step_y(d) < 0 || b.ymax() >= p.ymin());
