@@ -10,8 +10,8 @@
 // Sums over all parts, and scans, go up a binary tree of parts and down again. They count as 2 ceil(log2 P) messages
 // for each of P parts, which is the most that one of them sends.
 //
-// Nothing is delivered: all parts are in one memory. O(1) for what is sent, O(P^2) time and O(P) memory for each
-// superstep, and O(P^2) memory.
+// Nothing is delivered: all parts are in one memory. Expected O(1) for what is sent; for each superstep O(P) time and
+// memory, and O(1) more for each message in it.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_PARTS_COUNTED_EXCHANGE_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_PARTS_COUNTED_EXCHANGE_H
@@ -22,6 +22,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -71,28 +72,26 @@ public:
   };
 
   /// \pre there is at least one part
-  explicit Counted_exchange(std::size_t parts) : parts_(parts), bytes_(parts * parts, 0) {}
+  explicit Counted_exchange(std::size_t parts) : parts_(parts) {}
 
   std::size_t number_of_parts() const { return parts_; }
 
   /// Counts a record, or several, that go out at the end of the superstep.
   template <class Record>
   void send(Part_id from, Part_id to, std::size_t number = 1) {
-    if (from != to) bytes_[from.value() * parts_ + to.value()] += number * sizeof(Record);
+    if (from != to && number > 0) bytes_[from.value() * parts_ + to.value()] += number * sizeof(Record);
   }
 
   /// Ends a superstep, which counts unless nobody had anything to say.
   void end_superstep(int round, Superstep_kind kind) {
+    if (bytes_.empty()) return;
     Superstep step = empty_step(round, kind);
-    bool is_silent = true;
-    for (std::size_t i = 0; i < bytes_.size(); ++i) {
-      const std::size_t bytes = std::exchange(bytes_[i], 0);
-      if (bytes == 0) continue;
-      is_silent = false;
-      step.sent[static_cast<Part_id>(i / parts_)] += {1, bytes};
-      step.received[static_cast<Part_id>(i % parts_)] += {1, bytes};
+    for (const auto& [sender_and_receiver, bytes] : bytes_) {
+      step.sent[static_cast<Part_id>(sender_and_receiver / parts_)] += {1, bytes};
+      step.received[static_cast<Part_id>(sender_and_receiver % parts_)] += {1, bytes};
     }
-    if (!is_silent) supersteps_.push_back(std::move(step));
+    bytes_.clear();
+    supersteps_.push_back(std::move(step));
   }
 
   /// Counts one sum or scan over all parts, of so many numbers at once.
@@ -119,7 +118,7 @@ public:
 
 private:
   std::size_t parts_;
-  std::vector<std::size_t> bytes_; // of this superstep, by sender and receiver
+  std::unordered_map<std::size_t, std::size_t> bytes_; // of this superstep's messages, by sender and receiver
   std::vector<Superstep> supersteps_;
 
   Superstep empty_step(int round, Superstep_kind kind) const {

@@ -212,11 +212,12 @@ private:
 
   template <class Geometry, class Zone>
   void mark_rings(const Kernel_mesh<Geometry>& mesh, const Zone& zone, int round) {
-    const std::size_t outside = zone.number_of_rings();
-    Indexed_vector<Triangle_id, std::size_t> ring_of(mesh.triangles.size(), outside);
-    for (std::size_t r = 0; r < outside; ++r)
+    using Ring = std::uint8_t; // one for each triangle of the mesh
+    const auto outside = static_cast<Ring>(zone.number_of_rings());
+    Indexed_vector<Triangle_id, Ring> ring_of(mesh.triangles.size(), outside);
+    for (Ring r = 0; r < outside; ++r)
       for (const Triangle_id t : zone.ring(r)) ring_of[t] = r;
-    for (std::size_t r = 0; r < outside; ++r) {
+    for (Ring r = 0; r < outside; ++r) {
       for (const Triangle_id t : zone.ring(r))
         for (const Side o : mesh.triangle(t).side)
           if (!o.is_border() && ring_of[o.triangle()] >= r)
