@@ -117,14 +117,15 @@ double mean_bytes_in_small_blocks(const std::string& input, std::size_t parts, i
 } // namespace
 
 TEST_CASE("Meshes in tiny blocks have the same bits for any number of parts", "[parts]") {
-  CHECK(check_digests<Tiny_blocks_tag>(read("us_states_10m.poly.gz"), Options()) > 1);
-  CHECK(check_digests<Tiny_blocks_tag>(read("syn_holes_400.poly.gz"), Options()) > 1);
-  CHECK(check_digests<Tiny_blocks_tag>(pslg_inputs::by_name("stars:1e3").pslg, Options()) > 1);
-  CHECK(check_digests<Tiny_blocks_tag>(lattice(30), Options()) > 1);
+  const bool is_large = is_full_run();
+  const Pslg map = is_large ? read("us_states_10m.poly.gz") : pslg_inputs::by_name("coast:2e3").pslg;
+  const Pslg holes = is_large ? read("syn_holes_400.poly.gz") : pslg_inputs::by_name("holes:80").pslg;
+  const Pslg stars = pslg_inputs::by_name(is_large ? "stars:1e3" : "stars:300").pslg;
+  for (const Pslg& pslg : {map, holes, stars, lattice(is_large ? 30 : 20)})
+    CHECK(check_digests<Tiny_blocks_tag>(pslg, Options()) > 1);
   const auto square = pslg_inputs::by_name("square:1e-3");
   check_digests<Tiny_blocks_tag>(square.pslg, Options().max_area(square.max_area));
-  const Pslg states = read("us_states_10m.poly.gz");
-  CHECK(check_digests<Tiny_blocks_tag>(states, sizes_in_halves(states)) > 1);
+  CHECK(check_digests<Tiny_blocks_tag>(map, sizes_in_halves(map)) > 1);
 }
 
 TEST_CASE("Meshes have the same bits for any number of parts", "[parts][.slow]") {
@@ -151,13 +152,15 @@ TEST_CASE("Messages are counted as by brute force, and each triangle has one own
       }
   CHECK(recounted > 50);
   CHECK(recount(read("star_of_72_spikes.poly"), Options().max_area(0.01), 3) > 0);
-  const Pslg states = read("us_states_10m.poly.gz");
-  if (is_full_run()) CHECK(recount(states, Options(), 3) > 0);
-  CHECK(recount(states, sizes_in_halves(states), 7) > 0); // with a bulk
+  const Pslg map = is_full_run() ? read("us_states_10m.poly.gz") : pslg_inputs::by_name("coast:500").pslg;
+  if (is_full_run()) CHECK(recount(map, Options(), 3) > 0);
+  CHECK(recount(map, sizes_in_halves(map), 7) > 0); // with a bulk
 }
 
 TEST_CASE("What is sent grows as the square root of the triangles", "[parts]") {
-  for (const std::size_t parts : std::array<std::size_t, 3>{4, 7, 16}) {
+  // Of fewer holes parts would have too few blocks.
+  for (const std::size_t parts :
+       is_full_run() ? std::vector<std::size_t>{4, 7, 16} : std::vector<std::size_t>{4, 16}) {
     const double growth = mean_bytes_in_small_blocks("holes:3.2e4", parts, all_rounds) /
                           mean_bytes_in_small_blocks("holes:2e3", parts, all_rounds);
     CAPTURE(parts);
@@ -168,8 +171,8 @@ TEST_CASE("What is sent grows as the square root of the triangles", "[parts]") {
 
 // Where much waits after that, squares that are as large as parts are, or larger, are sent as a whole.
 TEST_CASE("What is sent for a coast grows so in rounds whose squares do not grow", "[parts]") {
-  const double growth =
-      mean_bytes_in_small_blocks("coast:1.6e5", 7, 3) / mean_bytes_in_small_blocks("coast:1e4", 7, 3);
+  const double growth = mean_bytes_in_small_blocks(is_full_run() ? "coast:1.6e5" : "coast:8e4", 7, 3) /
+                        mean_bytes_in_small_blocks(is_full_run() ? "coast:1e4" : "coast:5e3", 7, 3);
   CHECK(growth > 4 / 1.4);
   CHECK(growth < 4 * 1.3);
 }

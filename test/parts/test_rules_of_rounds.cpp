@@ -130,7 +130,7 @@ private:
 /// Calls `look(prepared, run)` after the rounds of random graphs of all families.
 template <class Look>
 void for_each_run(const Look& look) {
-  const std::uint64_t seeds = is_full_run() ? 200 : 12;
+  const std::uint64_t seeds = is_full_run() ? 200 : 5;
   for (const auto& family : random_pslg::all_families())
     for (std::uint64_t seed = 300; seed < 300 + seeds; ++seed) {
       CAPTURE(family.name, seed);

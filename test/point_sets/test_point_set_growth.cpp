@@ -90,7 +90,7 @@ void print(const char* name, const std::vector<double>& values) {
 } // namespace
 
 TEST_CASE("The growth that a logarithm brings is noticed", "[growth]") {
-  const std::vector<std::size_t> n = sizes(50, 20000);
+  const std::vector<std::size_t> n = sizes(is_full_run() ? 50 : 25, 20000);
   std::vector<double> constant, falling, logarithmic;
   for (std::size_t i = 0; i < n.size(); ++i) {
     constant.push_back(i % 2 == 0 ? 10 : 11);
@@ -105,7 +105,7 @@ TEST_CASE("The growth that a logarithm brings is noticed", "[growth]") {
 TEST_CASE("Numbers of triangles and lengths of meshes with bounded angles grow as those needed",
           "[point_set_mesher][growth]") {
   for (const Family& family : even_families()) {
-    const Shares s = shares(family, Point_set_mesh_options_2(), sizes(50, 20000));
+    const Shares s = shares(family, Point_set_mesh_options_2(), sizes(is_full_run() ? 50 : 25, 20000));
     CAPTURE(family.name, s.triangles, s.lengths);
     print(family.name, s.triangles), print(family.name, s.lengths);
     CHECK(growth::is_bounded(s.triangles));

@@ -1,11 +1,14 @@
 """Meshes refined and adapted."""
 
+import os
+
 import numpy as np
 import pytest
 
 import quadtree_mesh
 from quadtree_mesh import triangle
 
+FULL = 'QUADTREE_MESH_FULL_TESTS' in os.environ
 SQUARE = dict(vertices=[[0, 0], [1, 0], [1, 1], [0, 1]], segments=[[0, 1], [1, 2], [2, 3], [3, 0]])
 TWO = dict(vertices=[[0, 0], [1, 0], [1, 1], [0, 1]], triangles=[[0, 1, 2], [0, 2, 3]])
 
@@ -51,14 +54,15 @@ def test_attributes_and_segments_of_triangles():
 
 
 def test_adapt_refines_and_coarsens():
-    old = quadtree_mesh.mesh(**SQUARE, max_edge=0.05)
-    new = quadtree_mesh.adapt(old, sizes=0.02 + 0.4 * old.vertices[:, 0])
+    finest = 0.02 if FULL else 0.06
+    old = quadtree_mesh.mesh(**SQUARE, max_edge=2.5 * finest)
+    new = quadtree_mesh.adapt(old, sizes=finest + 0.4 * old.vertices[:, 0])
     check_kept(new, old.vertices)
     assert new.report and new.angles().min() >= 20.7
     assert 0 < (new.old_vertices >= 0).sum() < len(old.vertices)
     values = new.carry_over(np.column_stack([old.vertices[:, 0], 3 - old.vertices[:, 1]]))
     assert np.abs(values - np.column_stack([new.vertices[:, 0], 3 - new.vertices[:, 1]])).max() < 1e-12
-    same = quadtree_mesh.adapt(new, sizes=0.02 + 0.4 * new.vertices[:, 0])
+    same = quadtree_mesh.adapt(new, sizes=finest + 0.4 * new.vertices[:, 0])
     assert (same.old_vertices >= 0).mean() > 0.9
     coarse = quadtree_mesh.adapt(old)
     assert len(coarse.triangles) < 10
@@ -112,10 +116,11 @@ def test_stand_in_for_triangle():
 
 
 def test_mesh_of_points_is_refined_and_adapted():
-    points = np.random.default_rng(1).random((200, 2))
+    points = np.random.default_rng(1).random((200 if FULL else 40, 2))
+    largest = 0.001 if FULL else 0.01
     coarse = quadtree_mesh.mesh_points(points)
-    fine = quadtree_mesh.refine(coarse, max_area=0.001)
-    assert fine.areas().max() <= 0.001
+    fine = quadtree_mesh.refine(coarse, max_area=largest)
+    assert fine.areas().max() <= largest
     assert (fine.vertices[:len(coarse.vertices)] == coarse.vertices).all()
     assert quadtree_mesh.adapt(fine, sizes=np.full(len(fine.vertices), 0.3)).areas().sum() == pytest.approx(
         coarse.areas().sum())

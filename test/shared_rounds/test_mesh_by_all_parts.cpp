@@ -40,15 +40,20 @@ std::string said_by_parts(int parts, const Work& work) {
 }
 
 template <class Tag>
-void check_all_numbers_of_parts(const Pslg& pslg, const Options& options) {
+void check_numbers_of_parts(const std::vector<int>& numbers, const Pslg& pslg, const Options& options) {
   const Result expected = in_one_memory<Tag>(pslg, options);
   CHECK(is_valid(expected.mesh, pslg));
-  for (const int parts : {1, 2, 5}) {
+  for (const int parts : numbers) {
     CAPTURE(parts);
     CHECK(said_by_parts(parts, [&](In_memory_exchange& exchange) {
             return check_mesh_of_all<Tag>(exchange, expected, pslg, options);
           }) == "");
   }
+}
+
+template <class Tag>
+void check_all_numbers_of_parts(const Pslg& pslg, const Options& options) {
+  check_numbers_of_parts<Tag>({1, 2, 5}, pslg, options);
 }
 
 Pslg named(const char* name) { return pslg_inputs::by_name(name).pslg; }
@@ -65,7 +70,9 @@ TEST_CASE("All parts make the meshes of random graphs that one memory makes", "[
 }
 
 TEST_CASE("All parts make the mesh of one memory with all options", "[parts][distributed]") {
-  const Pslg stars = named("stars:600"), coast = named("coast:2000");
+  const bool is_large = is_full_run();
+  const Pslg stars = named(is_large ? "stars:600" : "stars:120"),
+             coast = named(is_large ? "coast:2000" : "coast:400");
   check_all_numbers_of_parts<Tiny_blocks_tag>(coast, Options());
   check_all_numbers_of_parts<Tiny_blocks_tag>(coast, sizes_in_halves(coast));
   check_all_numbers_of_parts<Tiny_blocks_tag>(coast, Options().min_angle(33));
@@ -75,15 +82,16 @@ TEST_CASE("All parts make the mesh of one memory with all options", "[parts][dis
   check_all_numbers_of_parts<Tiny_blocks_tag>(stars, Options().keep_borders(Options::Keep_borders::ALL));
   check_all_numbers_of_parts<Tiny_blocks_tag>(stars, Options().conform(Options::Conforming::DELAUNAY));
   check_all_numbers_of_parts<Tiny_blocks_tag>(stars, Options().max_steiner_vertices(300));
-  const auto square = pslg_inputs::by_name("square:1e-3");
+  const auto square = pslg_inputs::by_name(is_large ? "square:1e-3" : "square:4e-3");
   check_all_numbers_of_parts<Tiny_blocks_tag>(square.pslg, Options().max_area(square.max_area));
 }
 
 TEST_CASE("All parts make the mesh of a graph with regions and holes", "[parts][distributed]") {
   Pslg states;
   CGAL::IO::read_triangle_poly(QUADTREE_MESH_TEST_DATA_DIR "/us_states_10m.poly.gz", states);
-  check_all_numbers_of_parts<Small_blocks_tag>(states, Options());
-  check_all_numbers_of_parts<Small_blocks_tag>(states, by_quadtrees());
+  const std::vector<int> numbers = is_full_run() ? std::vector<int>{1, 2, 5} : std::vector<int>{3};
+  check_numbers_of_parts<Small_blocks_tag>(numbers, states, Options());
+  check_numbers_of_parts<Small_blocks_tag>(numbers, states, by_quadtrees());
   const Input all = with_all(); // with fewer triangles than two blocks have
   check_all_numbers_of_parts<Small_blocks_tag>(all.pslg, Options());
   check_all_numbers_of_parts<Tiny_blocks_tag>(all.pslg, Options());
