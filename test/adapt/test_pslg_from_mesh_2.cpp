@@ -7,13 +7,21 @@
 #include "adapt_tools.h"
 #include "random_pslg_shapes.h"
 
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Quadtree_mesh_2/internal/adaptation/Given_mesh_checker.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/compat.h>
+#include <CGAL/Quadtree_mesh_2/internal/topology/triangle_neighbors.h>
+#include <CGAL/intersections.h>
 #include <CGAL/pslg_from_mesh_2.h>
 #include <CGAL/refine_mesh_2.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <random>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -51,6 +59,40 @@ std::string refusal(Mesh mesh, const Details& details = {}) {
   CHECK(have_same_bits(before, mesh));
   CHECK(mesh.neighbors.empty());
   return text;
+}
+
+double area_of(const Mesh& mesh, const std::array<Vertex_index, 3>& t) {
+  return CGAL::area(mesh.point(t[0]), mesh.point(t[1]), mesh.point(t[2]));
+}
+
+/// By the intersections of all pairs.
+bool do_any_overlap(const Mesh& mesh) {
+  using CGAL::Quadtree_mesh_2::internal::held_in;
+  using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
+  std::vector<Kernel::Triangle_2> triangles;
+  const auto exact = [&mesh](Vertex_index v) {
+    return Kernel::Point_2(mesh.point(v).x(), mesh.point(v).y());
+  };
+  for (const auto& t : mesh.triangles) triangles.emplace_back(exact(t[0]), exact(t[1]), exact(t[2]));
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (const auto common = CGAL::intersection(triangles[i], triangles[j]))
+        if (held_in<Kernel::Triangle_2>(*common) != nullptr ||
+            held_in<std::vector<Kernel::Point_2>>(*common) != nullptr)
+          return true;
+  return false;
+}
+
+/// Of the checker alone; empty if it finds nothing.
+std::string overlap_error(const Mesh& mesh) {
+  namespace internal = CGAL::Quadtree_mesh_2::internal;
+  const internal::Given_mesh_checker checker(mesh, 0);
+  checker.check();
+  return error_of([&] {
+    checker.check_overlaps(
+        internal::Triangle_tree(mesh.points, mesh.triangles),
+        internal::triangle_neighbors<CGAL::Sequential_tag>(mesh.triangles, mesh.points.size()));
+  });
 }
 
 } // namespace
@@ -188,6 +230,41 @@ TEST_CASE("What is no mesh is refused, and the triangles at fault are named", "[
   for (int i = 0; i < 14; ++i) points.emplace_back(std::cos(i), std::sin(i));
   for (int i = 1; i < 14; ++i) fan.push_back({0, i, i + 1});
   CHECK(pslg_test::has_text(refusal(make_mesh(points, fan)), " overlap"));
+}
+
+TEST_CASE("Triangles are refused for an overlap if the interiors of two of them meet", "[adapt]") {
+  std::mt19937 random(27);
+  const auto below = [&random](int n) { return int(random() % unsigned(n)); };
+  // Two vertices at each place of a lattice, so that triangles also meet that have no vertex in common.
+  constexpr int width = 4, places = width * width;
+  std::vector<Point> points;
+  for (int i = 0; i < 2 * places; ++i) points.emplace_back(i % places % width, i % places / width);
+  int overlapping = 0, apart = 0;
+  for (int soup = 0; soup < (is_full_run() ? 20000 : 2000); ++soup) {
+    Mesh mesh;
+    mesh.points = points;
+    std::set<std::pair<Vertex_index, Vertex_index>> sides;
+    for (int i = 0; i < 3 + soup % 8; ++i) {
+      std::array<Vertex_index, 3> t;
+      for (Vertex_index& v : t) v = Vertex_index(below(2 * places));
+      const auto may_be = [&] {
+        return CGAL::orientation(mesh.point(t[0]), mesh.point(t[1]), mesh.point(t[2])) == CGAL::LEFT_TURN &&
+               sides.count({t[0], t[1]}) + sides.count({t[1], t[2]}) + sides.count({t[2], t[0]}) == 0;
+      };
+      if (!may_be()) continue;
+      // Most soups would overlap: small triangles more often do not.
+      if (area_of(mesh, t) > 1 && below(4) > 0) continue;
+      mesh.triangles.push_back(t);
+      for (std::size_t k = 0; k < 3; ++k) sides.insert({t[k], t[(k + 1) % 3]});
+    }
+    if (mesh.triangles.empty()) continue;
+    const bool do_overlap = do_any_overlap(mesh);
+    ++(do_overlap ? overlapping : apart);
+    CAPTURE(soup);
+    CHECK(pslg_test::has_text(overlap_error(mesh), " overlap") == do_overlap);
+  }
+  CHECK(overlapping > 100);
+  CHECK(apart > 100);
 }
 
 TEST_CASE("Triangles that only touch are a mesh", "[adapt]") {

@@ -7,12 +7,13 @@
 // Whether given triangles are a mesh.
 //
 // Computes: nothing, or an error that names the first triangles at fault.
-// Bound:    O(k log k) time for k triangles, in meshes without small angles.
+// Bound:    O(k log k) time for k triangles whose boxes lie apart from most border edges, as they do in meshes without
+//           small angles, and around vertices of any degree whose sectors are inside.
 // Source:   ours. Triangles have to be counterclockwise, and each side may be that of one triangle in each
 //           direction. So the number of triangles above a place changes only across border edges. If it is 2 or more
-//           somewhere, that place has a rim of border edges with another triangle besides their own. So only triangles
-//           on the border are compared with others. Two triangles overlap unless a side of one has the other on its
-//           right. All of this is decided exactly.
+//           somewhere, that place has a rim of border edges with another triangle besides their own. So only what is
+//           at a border edge is compared with the triangle of that edge. Two triangles overlap unless a side of one has
+//           the other on its right. All of this is decided exactly.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_ADAPTATION_GIVEN_MESH_CHECKER_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_ADAPTATION_GIVEN_MESH_CHECKER_H
@@ -59,18 +60,9 @@ public:
   /// \throws Pslg_error_2 naming two triangles that overlap
   void check_overlaps(const Triangle_tree& tree,
                       const std::vector<std::array<Triangle_index, 3>>& neighbors) const {
-    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
-      const auto& around = neighbors[t];
-      if (std::all_of(around.begin(), around.end(), [](Triangle_index n) { return n.is_valid(); })) continue;
-      const Triangle_tree::Corners own = corners(t);
-      tree.for_each_meeting(Triangle_tree::box_of(own), [&](const auto& other, Triangle_index n) {
-        if (std::size_t(n) != t && !are_apart(own, other) && !are_apart(other, own)) {
-          const auto [a, b] = std::minmax({t, std::size_t(n)});
-          throw Pslg_error_2(Kind::INVALID_MESH, text(a) + " and " + text(b) + " overlap",
-                             Pslg_parts_2().triangle(Triangle_index(a)).triangle(Triangle_index(b)));
-        }
-      });
-    }
+    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
+      for (std::size_t k = 0; k < 3; ++k)
+        if (!neighbors[t][k].is_valid()) check_beside(tree, t, k);
   }
 
 private:
@@ -126,6 +118,38 @@ private:
                                " to vertex " + number(std::size_t(to)),
                            Pslg_parts_2().triangle(Triangle_index(first)).triangle(Triangle_index(second)));
     }
+  }
+
+  /// \throws Pslg_error_2 if a triangle overlaps t somewhere at the edge of t that faces its k-th vertex
+  void check_beside(const Triangle_tree& tree, std::size_t t, std::size_t k) const {
+    const Triangle_tree::Corners own = corners(t);
+    const Vertex_index a = mesh_.triangles[t][(k + 1) % 3], b = mesh_.triangles[t][(k + 2) % 3];
+    const auto box = Triangle_tree::box_of({mesh_.point(a), mesh_.point(b), mesh_.point(b)});
+    tree.for_each_meeting(box, [&](const auto& other, Triangle_index n) {
+      if (std::size_t(n) == t || is_edge_outside(n, a, b) || are_apart(own, other) || are_apart(other, own))
+        return;
+      const auto [first, second] = std::minmax({t, std::size_t(n)});
+      throw Pslg_error_2(Kind::INVALID_MESH, text(first) + " and " + text(second) + " overlap",
+                         Pslg_parts_2().triangle(Triangle_index(first)).triangle(Triangle_index(second)));
+    });
+  }
+
+  /// Whether a side of a triangle has an edge on its right, all of it but perhaps one end. This is so for most.
+  bool is_edge_outside(Triangle_index n, Vertex_index a, Vertex_index b) const {
+    const auto turn = Triangle_tree::Kernel().orientation_2_object();
+    const auto& v = mesh_.triangles[std::size_t(n)];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vertex_index from = v[k], to = v[(k + 1) % 3];
+      const auto side_of = [&](Vertex_index w) {
+        if (w == from || w == to) return COLLINEAR; // which would take exact numbers to find
+        return turn(mesh_.point(from), mesh_.point(to), mesh_.point(w));
+      };
+      const Orientation of_a = side_of(a);
+      if (of_a == LEFT_TURN) continue;
+      const Orientation of_b = side_of(b);
+      if (of_b != LEFT_TURN && (of_a == RIGHT_TURN || of_b == RIGHT_TURN)) return true;
+    }
+    return false;
   }
 
   /// Whether a side of `a` has all of `b` on its right, or on it.

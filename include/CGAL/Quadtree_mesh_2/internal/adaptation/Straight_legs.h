@@ -76,7 +76,8 @@ private:
       edges_; // the constrained edges at v are those from first_[v] to first_[v + 1]
   /// Per constrained edge, the third vertices of the triangles on its left and on its right.
   std::vector<std::array<Vertex_index, 2>> across_;
-  std::vector<Leg> legs_; // at a corner
+  std::vector<Leg> legs_;                  // at a corner
+  std::vector<Vertex_index> next_to_apex_; // the ends of the edges at it, by number
   /// The sides so far, by their ends: the vertices inside next to these.
   std::map<std::pair<Vertex_index, Vertex_index>, std::pair<Vertex_index, Vertex_index>> sides_;
 
@@ -117,17 +118,37 @@ private:
     return ux * vx + uy * vy > 0.5 * std::hypot(ux, uy) * std::hypot(vx, vy);
   }
 
-  /// Whether another edge at v is within 60 degrees, and none goes the same way.
-  bool is_at_corner(std::size_t v, std::size_t e) const {
+  /// Sorts the edges at v counterclockwise, beginning with those that point right.
+  void sort_by_direction(std::size_t v) {
     const auto turn = Triangle_tree::Kernel().orientation_2_object();
     const Vertex_index own(v);
-    const Point &o = mesh_.points[v], &p = mesh_.point(other_end(e, own));
+    const Point& o = mesh_.points[v];
+    const auto is_in_lower_half = [&o](const Point& p) {
+      return p.y() < o.y() || (p.y() == o.y() && p.x() < o.x());
+    };
+    std::sort(edges_.begin() + std::ptrdiff_t(first_[v]), edges_.begin() + std::ptrdiff_t(first_[v + 1]),
+              [&](std::size_t e, std::size_t f) {
+                const Point &p = mesh_.point(other_end(e, own)), &q = mesh_.point(other_end(f, own));
+                const bool is_p_lower = is_in_lower_half(p), is_q_lower = is_in_lower_half(q);
+                if (is_p_lower != is_q_lower) return is_q_lower;
+                const Orientation from_p_to_q = turn(o, p, q);
+                return from_p_to_q == COLLINEAR ? e < f : from_p_to_q == LEFT_TURN;
+              });
+  }
+
+  /// Whether another edge at v than its i-th one is within 60 degrees, and none goes the same way.
+  /// \pre the edges at v are in the order of their directions: those next to it are the nearest ones
+  bool is_at_corner(std::size_t v, std::size_t i) const {
+    const auto turn = Triangle_tree::Kernel().orientation_2_object();
+    const std::size_t degree = first_[v + 1] - first_[v];
+    const auto far_end = [&](std::size_t k) -> const Point& {
+      return mesh_.point(other_end(edges_[first_[v] + k % degree], Vertex_index(v)));
+    };
+    const Point &o = mesh_.points[v], &p = far_end(i);
     bool is_any_near = false;
-    for (std::size_t i = first_[v]; i < first_[v + 1]; ++i) {
-      if (edges_[i] == e) continue;
-      const Point& q = mesh_.point(other_end(edges_[i], own));
-      if (!are_within_60_degrees(o, p, q)) continue;
-      if (turn(o, p, q) == COLLINEAR) return false;
+    for (const std::size_t next : {i + 1, i + degree - 1}) {
+      if (next % degree == i || !are_within_60_degrees(o, p, far_end(next))) continue;
+      if (turn(o, p, far_end(next)) == COLLINEAR) return false;
       is_any_near = true;
     }
     return is_any_near;
@@ -135,9 +156,14 @@ private:
 
   void mark_legs(std::size_t apex) {
     legs_.clear();
-    for (std::size_t i = first_[apex]; i < first_[apex + 1]; ++i) {
-      if (!is_at_corner(apex, edges_[i])) continue;
-      Leg leg = straight_leg(Vertex_index(apex), edges_[i]);
+    sort_by_direction(apex);
+    next_to_apex_.clear();
+    for (std::size_t i = first_[apex]; i < first_[apex + 1]; ++i)
+      next_to_apex_.push_back(other_end(edges_[i], Vertex_index(apex)));
+    std::sort(next_to_apex_.begin(), next_to_apex_.end());
+    for (std::size_t i = 0; i < first_[apex + 1] - first_[apex]; ++i) {
+      if (!is_at_corner(apex, i)) continue;
+      Leg leg = straight_leg(Vertex_index(apex), edges_[first_[apex] + i]);
       if (leg.edges.size() == 1 || !is_beside_same_side(leg)) legs_.push_back(std::move(leg));
     }
     // What is no leg may have been what another one relied on.
@@ -195,8 +221,7 @@ private:
   /// Whether an edge, or another side, has the same ends. Notes the side if not.
   bool is_beside_same_side(const Leg& leg) {
     const Vertex_index apex = leg.path.front(), last = leg.end();
-    for (std::size_t i = first_[std::size_t(apex)]; i < first_[std::size_t(apex) + 1]; ++i)
-      if (other_end(edges_[i], apex) == last) return true;
+    if (std::binary_search(next_to_apex_.begin(), next_to_apex_.end(), last)) return true;
     const auto inner = std::minmax(leg.path[1], leg.path[leg.path.size() - 2]);
     return sides_.emplace(std::minmax(apex, last), inner).first->second !=
            std::make_pair(inner.first, inner.second);

@@ -13,7 +13,8 @@
 //           vertices are on two segments that meet there, and no angle is below 0.9 of the corner's. Angles that are
 //           compared with a corner's are exact up to their last rounding, however small. For bounds on how edges grow
 //           the answer is no, as only the mesher can tell.
-// Bound:    O(k) time for k triangles; for each sharp one in addition the number of segments at its vertices.
+// Bound:    O(k) time for k triangles; for each sharp one in addition the number of segments at its vertices, without
+//           the vertex that has most of them, unless the triangle is not excused.
 // Source:   ours; the rule for corners is that of Acute_corners.h.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_ADAPTATION_SUFFICIENT_MESH_H
@@ -24,6 +25,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/adaptation/Given_mesh.h>
 #include <CGAL/Quadtree_mesh_2/internal/adaptation/Sharp_corner_finder.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/angle_units.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel/group_in_order.h>
 #include <CGAL/Quality_mesh_options_2.h>
 #include <CGAL/Quality_mesh_report_2.h>
 
@@ -179,21 +181,27 @@ private:
     double least = pi;
     for (std::size_t k = 0; k < 3; ++k)
       least = std::min(least, exact_angle(p[k], p[(k + 1) % 3], p[(k + 2) % 3]));
-    std::array<std::vector<Segment_index>, 3> through;
-    for (std::size_t k = 0; k < 3; ++k) through[k] = segments_through(v[k]);
+    std::array<Span<Segment_index>, 3> through{segments_through(v[0]), segments_through(v[1]),
+                                               segments_through(v[2])};
     std::sort(through.begin(), through.end(),
               [](const auto& a, const auto& b) { return a.size() < b.size(); });
-    for (const Segment_index s : through[0])
-      for (const Segment_index r : has(through[1], s) ? through[2] : through[1]) {
-        if (!has(through[1], s) && !has(through[2], s) && !has(through[2], r)) continue;
-        const Vertex_index apex = common_end(s, r);
-        if (apex.is_valid() && excuses(apex, s, r, least)) return vertex_of_input_[std::size_t(apex)];
+    // The most segments, of which a vertex of huge degree has very many, are looked at only if the others say nothing.
+    for (const bool is_through_second : {false, true})
+      for (const Segment_index s : through[0]) {
+        if (has(through[1], s) != is_through_second) continue;
+        const bool is_through_third = has(through[2], s);
+        for (const Segment_index r : is_through_second ? through[2] : through[1]) {
+          if (!is_through_second && !is_through_third && !has(through[2], r)) continue;
+          const Vertex_index apex = common_end(s, r);
+          if (apex.is_valid() && excuses(apex, s, r, least)) return vertex_of_input_[std::size_t(apex)];
+        }
       }
     return {};
   }
 
-  static bool has(const std::vector<Segment_index>& segments, Segment_index s) {
-    return std::find(segments.begin(), segments.end(), s) != segments.end();
+  /// Lists of segments are in their order.
+  static bool has(Span<Segment_index> segments, Segment_index s) {
+    return std::binary_search(segments.begin(), segments.end(), s);
   }
 
   /// The end that two segments have in common; invalid if there is none, or they are the same.
@@ -213,11 +221,13 @@ private:
     return phi < greatest_corner && least >= share_kept * phi * (1 - margin);
   }
 
-  std::vector<Segment_index> segments_through(Vertex_index v) const {
-    const Segment_index s = mesh_.segment_of_vertex[std::size_t(v)];
-    if (s.is_valid()) return {s};
+  Span<Segment_index> segments_through(Vertex_index v) const {
+    const Segment_index* const own = &mesh_.segment_of_vertex[std::size_t(v)];
+    if (own->is_valid()) return {own, own + 1};
     const Vertex_index i = input_index_of(mesh_, pslg_, v);
-    return i.is_valid() ? segments_at_[std::size_t(i)] : std::vector<Segment_index>();
+    if (!i.is_valid()) return {own, own};
+    const std::vector<Segment_index>& at = segments_at_[std::size_t(i)];
+    return {at.data(), at.data() + at.size()};
   }
 
   /// And what vertices of the graph are called in the mesh.

@@ -150,8 +150,10 @@ private:
     };
     std::sort(v.begin(), v.end(), [&](std::uint32_t a, std::uint32_t b) { return number(a) < number(b); });
     const auto range = segments_through(v[0]);
-    for (auto s = range.first; s != range.second; ++s)
-      if (is_in_wedge(v, s->second, least)) return true;
+    // The most segments, of which a vertex of huge degree has very many, are looked at only if the others say nothing.
+    for (const bool is_through_second : {false, true})
+      for (auto s = range.first; s != range.second; ++s)
+        if (is_through(v[1], s->second) == is_through_second && is_in_wedge(v, s->second, least)) return true;
     return false;
   }
 
