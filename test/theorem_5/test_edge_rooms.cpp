@@ -93,10 +93,17 @@ struct Bundle {
 using Exact = CGAL::Exact_predicates_exact_constructions_kernel;
 Exact::Point_2 exact(const Point& p) { return {p.x, p.y}; }
 
+/// Whether the boxes of two segments meet.
+bool do_boxes_meet(const Point& a, const Point& b, const Point& c, const Point& d) {
+  return std::min(a.x, b.x) <= std::max(c.x, d.x) && std::min(c.x, d.x) <= std::max(a.x, b.x) &&
+         std::min(a.y, b.y) <= std::max(c.y, d.y) && std::min(c.y, d.y) <= std::max(a.y, b.y);
+}
+
 bool cross(const std::vector<Point>& chain, const std::vector<Point>& other) {
   for (std::size_t i = 1; i < chain.size(); ++i)
     for (std::size_t j = 1; j < other.size(); ++j)
-      if (CGAL::do_intersect(Exact::Segment_2(exact(chain[i - 1]), exact(chain[i])),
+      if (do_boxes_meet(chain[i - 1], chain[i], other[j - 1], other[j]) &&
+          CGAL::do_intersect(Exact::Segment_2(exact(chain[i - 1]), exact(chain[i])),
                              Exact::Segment_2(exact(other[j - 1]), exact(other[j]))))
         return true;
   return false;
@@ -122,7 +129,7 @@ bool is_passed_over(const Point& p, const std::vector<Point>& chain) {
 TEST_CASE("Edges bent within their rooms are the same graph", "[mesher][theorem5]") {
   std::size_t graphs = 0, vertices = 0;
   for (const double offset : {0., 10., 1e6})
-    for (std::uint64_t seed = 0; seed < (is_full_run() ? 300u : 15u); ++seed) {
+    for (std::uint64_t seed = 0; seed < (is_full_run() ? 300u : 10u); ++seed) {
       const Bundle bundle(seed, offset);
       internal::Kernel_mesh<Geometry> mesh;
       if (!bundle.triangulate(mesh)) continue;

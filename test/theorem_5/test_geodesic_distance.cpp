@@ -42,8 +42,10 @@ public:
   /// To the nearest vertex that v sees; edges may touch the way at its ends.
   double to_vertex(std::size_t v) const {
     double least = std::numeric_limits<double>::infinity();
-    for (std::size_t w = 0; w < points_.size(); ++w)
-      if (w != v && is_free(v, points_[w])) least = std::min(least, distance(points_[v], points_[w]));
+    for (std::size_t w = 0; w < points_.size(); ++w) {
+      const double d = distance(points_[v], points_[w]);
+      if (w != v && d < least && is_free(v, points_[w])) least = d;
+    }
     return least;
   }
 

@@ -245,7 +245,7 @@ TEST_CASE("Edges in a leaf, or in one next to it, are apart", "[trees][separatio
   std::size_t faults = 0, leaves = 0;
   for (const Tree_options& options :
        {Tree_options::of_theorem(), Tree_options::of_theorem().distances(0.7, 1), Tree_options::of_paper()})
-    for_each_graph(is_full_run() ? 30 : 2, [&](const Pslg& pslg) {
+    for_each_graph(is_full_run() ? 30 : 1, [&](const Pslg& pslg) {
       Prepared graph(pslg);
       const Trees trees = graph.trees(options);
       const std::size_t n = Pair_check(graph, trees, options).number_of_faults();
@@ -305,7 +305,7 @@ TEST_CASE("Pieces by walking and by centroid trees give the same trees", "[trees
 }
 
 TEST_CASE("Trees are the same with any number of threads", "[trees][separation][parallel]") {
-  const Pslg pslg = read("us_states_10m.poly.gz");
+  const Pslg pslg = read(is_full_run() ? "us_states_10m.poly.gz" : "syn_holes_400.poly.gz");
   const Tree_options options = Tree_options::of_theorem();
   Prepared graph(pslg);
   const auto leaves = leaves_of(graph.trees(options).tree());
