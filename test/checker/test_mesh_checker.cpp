@@ -156,10 +156,11 @@ TEST_CASE("A vertex on a segment may be four units off, no more", "[mesh_checker
   CAPTURE(offset);
   const Pslg pslg = far_away(offset);
   const Mesh mesh = mesh_of(pslg, 2);
-  std::size_t tried = 0;
+  std::size_t tried = 0, found = 0;
   for (std::size_t v = pslg.vertices.size(); v < mesh.points.size(); ++v) {
     const Segment_index s = mesh.segment_of_vertex[v];
     if (!s.is_valid() || std::size_t(s) >= 12) continue; // those of the squares are parallel to the axes
+    if (found++ % (is_full_run() ? 1 : 3) != 0) continue;
     CAPTURE(v);
     const Point &p = pslg.point(pslg.segments[std::size_t(s)][0]),
                 &q = pslg.point(pslg.segments[std::size_t(s)][1]);

@@ -239,7 +239,7 @@ TEST_CASE("Clusters are those of the definition for random points", "[clusters]"
 }
 
 TEST_CASE("Integers beyond 2^53 are told apart", "[clusters]") {
-  const int rounds = is_full_run() ? 300 : 10;
+  const int rounds = is_full_run() ? 300 : 4;
   for (int round = 0; round < rounds; ++round) {
     CAPTURE(round);
     Random_numbers random(std::uint64_t(round) + 77);

@@ -478,7 +478,8 @@ TEST_CASE("a split graph has no crossings however they were rounded", "[repair]"
 
 TEST_CASE("a cut through many segments is repaired", "[repair]") {
   Pslg pslg;
-  CGAL::IO::read_triangle_poly(data_file("gshhg_aegean_h.poly.gz"), pslg);
+  CGAL::IO::read_triangle_poly(data_file(is_full_run() ? "gshhg_aegean_h.poly.gz" : "us_states_10m.poly.gz"),
+                               pslg);
   pslg.add_segment(Vertex_index(0), Vertex_index(10000));
   const std::size_t crossings = count(CGAL::find_pslg_defects(pslg), Kind::CROSSING_SEGMENTS);
   CHECK(crossings > 10);
