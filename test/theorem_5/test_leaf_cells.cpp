@@ -207,7 +207,7 @@ Pairs pairs_in(const Square& square, const std::vector<Ends>& segments) {
 
 TEST_CASE("cells of random segments are those of the arrangement", "[leaf_cells]") {
   random_pslg::Random random(1);
-  for (int i = 0; i < 300; ++i)
+  for (int i = 0; i < (is_full_run() ? 300 : 100); ++i)
     check_squares(random_segments(random, random.integer(1, 60), random.integer(0, 3) * 2), random, 10);
 }
 
@@ -228,7 +228,7 @@ TEST_CASE("cells of fans", "[leaf_cells]") {
       const double angle = i * CGAL_PI / 180;
       add_if_compatible(segments, {{center, {at(center.x, std::cos(angle)), at(center.y, std::sin(angle))}}});
     }
-    check_squares(segments, random, 10);
+    check_squares(segments, random, is_full_run() ? 10 : 3);
     const Square around{{256, 256}, 256};
     check_square(segments, around);
     const std::vector<Ends> met = in_square(segments, around);
