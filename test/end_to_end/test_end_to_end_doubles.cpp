@@ -35,8 +35,7 @@ TEST_CASE("Graphs of doubles are meshed", "[end_to_end]") {
 
 TEST_CASE("Graphs of doubles are meshed with each option", "[end_to_end]") {
   const Pslg pslg = mesher_test::read("syn_holes_400.poly.gz");
-  const double area = 1e-3;
-  check_graph<Traits>(pslg, Options().max_area(area / 4));
+  check_graph<Traits>(pslg, Options().max_area(1e-3));
   check_graph<Traits>(pslg, Options().max_edge(0.1).coarsen(Options::Coarsening::NONE));
   check_graph<Traits>(pslg, Options().thin(1).smooth(1));
   check_graph<Traits>(pslg, Options().size([](double x, double y) { return 0.05 + std::hypot(x, y) / 8; }));

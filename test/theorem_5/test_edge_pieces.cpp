@@ -195,7 +195,7 @@ std::vector<Leaf_index> check_centroids(const Tree& tree, const Centroid_tree<ty
   }
   const auto& split = centroids.split(v);
   std::vector<Leaf_index> all = check_centroids(tree, centroids, split.outside, square, height_left - 1);
-  for (const Leaf_index l : all) REQUIRE(!is_in(tree, l, split.square));
+  REQUIRE(std::none_of(all.begin(), all.end(), [&](Leaf_index l) { return is_in(tree, l, split.square); }));
   const std::vector<Leaf_index> inside =
       check_centroids(tree, centroids, split.inside, split.square, height_left - 1);
   all.insert(all.end(), inside.begin(), inside.end());
@@ -289,9 +289,10 @@ TEST_CASE("centroid trees take logarithmically many steps", "[edge_pieces]") {
 }
 
 TEST_CASE("pieces by centroid trees are those by walking", "[edge_pieces]") {
-  check_subdivisions<Filtered_traits>(nasty_cases(), 1000);
-  check_subdivisions<Fixed_32_traits>(random_cases(1, 300), 1000);
-  check_subdivisions<Fixed_64_traits>(random_cases(1, 300), 1000);
+  const std::size_t most_segments = is_full_run() ? 300 : 80;
+  check_subdivisions<Filtered_traits>(nasty_cases(), is_full_run() ? 1000 : 500);
+  check_subdivisions<Fixed_32_traits>(random_cases(1, most_segments), 1000);
+  check_subdivisions<Fixed_64_traits>(random_cases(1, most_segments), 1000);
   check_subdivisions<Exact_traits>(random_cases(1, 20), 200);
 }
 
@@ -320,10 +321,11 @@ TEST_CASE("subdivision takes logarithmically many rounds", "[edge_pieces]") {
 }
 
 TEST_CASE("pieces by walking are those of brute force", "[edge_pieces]") {
-  check_by_brute_force<Filtered_traits>(nasty_cases(), 1000);
-  check_by_brute_force<Fixed_64_traits>(nasty_cases(), 400);
-  check_by_brute_force<Fixed_32_traits>(random_cases(1, 50), 400);
-  check_by_brute_force<Exact_traits>(random_cases(1, 50), 200);
+  const bool is_large = is_full_run();
+  check_by_brute_force<Filtered_traits>(nasty_cases(), is_large ? 1000 : 300);
+  check_by_brute_force<Fixed_64_traits>(nasty_cases(), is_large ? 400 : 200);
+  check_by_brute_force<Fixed_32_traits>(random_cases(1, is_large ? 50 : 20), 400);
+  check_by_brute_force<Exact_traits>(random_cases(1, is_large ? 50 : 20), 200);
 }
 
 TEST_CASE("pieces by walking are those of brute force: sweep", "[edge_pieces][.slow]") {
