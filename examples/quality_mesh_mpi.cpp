@@ -133,9 +133,10 @@ void print_own_help() {
 
 Meshes a graph on P ranks, with one thread each: the mesh of quality_mesh --renumber.
 INPUT is .poly or .h5; OUTPUT is .pvtu, .msh (in parts), .vtkhdf or .xdmf.
-Options are those of quality_mesh --help-all for graphs, but for those of files with
-sizes, of projections, of threads, and --resume. --memory is what each rank may use; the
-scratch folder is made where there is none, and may be on a disk of each machine.
+Options are those of quality_mesh --help-all for graphs, but for --hull, --repair,
+--resume, and those of files with sizes, of projections and of threads. --memory is what
+each rank may use; the scratch folder is made where there is none, and may be on a disk
+of each machine.
 
 Exit status: as quality_mesh.
 )";

@@ -138,7 +138,7 @@ TEST_CASE("Meshes of maps are refined and coarsened again and again", "[adapt]")
   const Pslg pslg = map();
   const Point center = pslg.vertices.front();
   Mesh mesh = fresh_mesh(pslg, Options());
-  const double fine = 200, coarse = 2e5; // metres
+  const double fine = 200, coarse = 2e5; // meters
   for (const double size :
        is_full_run() ? std::vector{fine, coarse, fine / 2, coarse} : std::vector{fine, coarse}) {
     CAPTURE(size);

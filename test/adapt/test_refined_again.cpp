@@ -15,9 +15,11 @@
 #include <CGAL/IO/read_triangle_mesh.h>
 #include <CGAL/Pslg_error_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/adaptation/Straight_legs.h>
+#include <CGAL/pslg_from_mesh_2.h>
 #include <CGAL/refine_mesh_2.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <filesystem>
@@ -112,6 +114,18 @@ Pslg wheel(int spokes) {
   return pslg;
 }
 
+/// A strip with so many sharp spikes on it.
+Pslg saw(int spikes) {
+  Pslg pslg;
+  pslg.add_vertex(Point(0, 0));
+  for (int i = 0; i < spikes; ++i)
+    for (const auto& [x, y] : {std::pair(0.5, 0.), {0.55, 0.1}, {0.6, 0.}}) pslg.add_vertex(Point(i + x, y));
+  for (const auto& [x, y] : {std::pair(spikes, 0), {spikes, -1}, {0, -1}}) pslg.add_vertex(Point(x, y));
+  const auto n = pslg.vertices.size();
+  for (std::size_t v = 0; v < n; ++v) pslg.add_segment(Vertex_index(v), Vertex_index((v + 1) % n));
+  return pslg;
+}
+
 } // namespace
 
 TEST_CASE("Sharp corners of a mesh from a file are excused, and the mesh stays as it is", "[adapt]") {
@@ -126,6 +140,39 @@ TEST_CASE("Sharp corners of a mesh from a file are excused, and the mesh stays a
       check_valid(made.mesh, given.pslg);
       CHECK(quality(made.mesh, given.pslg, CGAL::Mesh_quality_options_2().min_angle(20.7)).is_met());
     }
+}
+
+TEST_CASE("Sharp corners are excused at any scale", "[adapt]") {
+  for (const double scale : {1., 0x1p510, 0x1p-550}) {
+    CAPTURE(scale);
+    Pslg pslg;
+    for (const auto& [x, y] : {std::pair(0., 0.), {20., 2.}, {20., 0.}, {20., -1.4}, {10., 40.}, {10., -40.}})
+      pslg.add_vertex(Point(scale * x, scale * y));
+    for (const auto& [a, b] :
+         {std::pair<int, int>{0, 1}, {0, 2}, {0, 3}, {0, 4}, {4, 1}, {1, 2}, {2, 3}, {3, 5}, {5, 0}})
+      pslg.add_segment(Vertex_index(a), Vertex_index(b));
+    const Options options = Options().max_edge(1.5 * scale);
+    const Read_mesh given = written_and_read(fresh_mesh(pslg, options), pslg);
+    const auto made = CGAL::refine_mesh_2(given.mesh, given.pslg, options);
+    CHECK(made.report.is_met());
+    CHECK(made.report.exempt_triangles.size() > 10);
+    CHECK(are_same(made.mesh, given.mesh));
+  }
+}
+
+TEST_CASE("A vertex of no triangle that is in the domain is put into the mesh", "[adapt]") {
+  for (const Point& p : {Point(1, 1), Point(2, 0), Point(2, 2)}) { // inside, on the border, on an inner edge
+    CAPTURE(p);
+    Mesh mesh;
+    mesh.points = {Point(0, 0), Point(4, 0), Point(4, 4), Point(0, 4), p};
+    for (const auto& [a, b, c] : {std::array{0, 1, 2}, {0, 2, 3}})
+      mesh.triangles.push_back({Vertex_index(a), Vertex_index(b), Vertex_index(c)});
+    const Pslg pslg = CGAL::pslg_from_mesh_2(mesh);
+    const auto made = CGAL::refine_mesh_2(mesh, pslg, Options());
+    check_valid(made.mesh, pslg);
+    CHECK(made.report.is_met());
+    CHECK(made.mesh.triangles.size() > 2);
+  }
 }
 
 TEST_CASE("Sides of a corner within rounding of each other are straight together", "[adapt]") {
@@ -204,10 +251,12 @@ TEST_CASE("Inner vertices of straight sides are those within rounding, and nothi
   CHECK(inner() == std::vector<char>(7, 0));
 }
 
-TEST_CASE("A mesh in a file with a vertex of huge degree is refined again in no quadratic time", "[adapt]") {
-  const std::string name = GENERATE(as<std::string>(), "wheel", "fan");
+TEST_CASE("A mesh in a file with huge degrees or many corners is refined again in no quadratic time",
+          "[adapt]") {
+  const std::string name = GENERATE(as<std::string>(), "wheel", "fan", "saw");
   CAPTURE(name);
   const Pslg pslg = name == "wheel" ? wheel(is_full_run() ? 200000 : 4000)
+                    : name == "saw" ? saw(is_full_run() ? 30000 : 2000)
                                     : pslg_inputs::by_name(is_full_run() ? "fan:0.0018" : "fan:0.072").pslg;
   const Read_mesh made = written_and_read(fresh_mesh(pslg, Options()), pslg);
   const auto again = CGAL::refine_mesh_2(made.mesh, made.pslg, Options());

@@ -15,7 +15,7 @@
 //           with it. The vertices inside of it are within two units in the last place of the line between its ends.
 //           Nothing else ends at them, and no vertex next to the chain is beyond the line, unless it is inside of
 //           another chain from the corner that ends on its own side: both are straight lines then.
-// Bound:    O(n log n) time, and that of the chains that leave a corner without turning back.
+// Bound:    O(n log n) time, and that of the chains that leave a corner within rounding of a line.
 // Source:   ours. The directions in which all vertices so far are passed form a cone, which only gets narrower.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_ADAPTATION_STRAIGHT_LEGS_H
@@ -44,7 +44,7 @@ public:
 
   /// \param may_be_inside per vertex, whether it may be inside of a side
   Straight_legs(const Mesh& mesh, std::vector<char> may_be_inside)
-      : mesh_(mesh), may_be_inside_(std::move(may_be_inside)) {
+      : mesh_(mesh), may_be_inside_(std::move(may_be_inside)), widest_reach_(reach_of(mesh.points)) {
     find_edges_at_vertices();
     find_vertices_across();
   }
@@ -70,8 +70,43 @@ private:
     }
   };
 
+  using Reach = std::array<double, 2>; // how far rounding may have moved a vertex, in x and in y
+
+  /// The directions from a corner in which all vertices so far are passed within reach.
+  class Cone {
+  public:
+    Cone(const Point& corner, const Reach& reach) : o_(corner), reach_(reach) {}
+
+    bool has(const Point& p) const {
+      return is_whole_ || (turn_(o_, right_, p) != RIGHT_TURN && turn_(o_, left_, p) != LEFT_TURN);
+    }
+    /// Whether rounding alone decides on the direction of what is so near to the corner.
+    bool is_at_corner(const Point& p) const {
+      return std::fabs(p.x() - o_.x()) <= reach_[0] && std::fabs(p.y() - o_.y()) <= reach_[1];
+    }
+    /// \pre p is not at the corner
+    void narrow(const Point& p) {
+      Point low = p, high = p; // the ends of the box around p as seen from the corner
+      for (const double x : {p.x() - reach_[0], p.x() + reach_[0]})
+        for (const double y : {p.y() - reach_[1], p.y() + reach_[1]}) {
+          if (turn_(o_, low, Point(x, y)) == RIGHT_TURN) low = Point(x, y);
+          if (turn_(o_, high, Point(x, y)) == LEFT_TURN) high = Point(x, y);
+        }
+      if (is_whole_ || turn_(o_, right_, low) == LEFT_TURN) right_ = low;
+      if (is_whole_ || turn_(o_, left_, high) == RIGHT_TURN) left_ = high;
+      is_whole_ = false;
+    }
+
+  private:
+    Triangle_tree::Kernel::Orientation_2 turn_ = Triangle_tree::Kernel().orientation_2_object();
+    Point o_, left_, right_; // what bounds it, as seen from the corner
+    Reach reach_;
+    bool is_whole_ = true;
+  };
+
   const Mesh& mesh_;
   std::vector<char> may_be_inside_, is_inside_;
+  Reach widest_reach_; // of all sides
   std::vector<std::size_t> first_,
       edges_; // the constrained edges at v are those from first_[v] to first_[v + 1]
   /// Per constrained edge, the third vertices of the triangles on its left and on its right.
@@ -115,7 +150,8 @@ private:
   /// Whether p and q are seen from o at less than 60 degrees.
   bool are_within_60_degrees(const Point& o, const Point& p, const Point& q) const {
     const double ux = p.x() - o.x(), uy = p.y() - o.y(), vx = q.x() - o.x(), vy = q.y() - o.y();
-    return ux * vx + uy * vy > 0.5 * std::hypot(ux, uy) * std::hypot(vx, vy);
+    const double u = std::hypot(ux, uy), v = std::hypot(vx, vy);
+    return ux / u * (vx / v) + uy / u * (vy / v) > 0.5; // products of lengths may be beyond doubles
   }
 
   /// Sorts the edges at v counterclockwise, beginning with those that point right.
@@ -227,11 +263,13 @@ private:
            std::make_pair(inner.first, inner.second);
   }
 
-  /// The vertices from a corner along an edge, as long as the way leads on and away.
+  /// The vertices from a corner along an edge, as long as the way leads on and away, and may be straight.
   Leg path_from(Vertex_index apex, std::size_t e) const {
     Leg leg{{apex, other_end(e, apex)}, {e}};
     const Point& o = mesh_.point(apex);
+    Cone cone(o, widest_reach_);
     for (;;) {
+      if (!cone.is_at_corner(mesh_.point(leg.end()))) cone.narrow(mesh_.point(leg.end()));
       const Vertex_index v = leg.path.back();
       const std::size_t at = first_[std::size_t(v)];
       if (may_be_inside_[std::size_t(v)] == 0 || first_[std::size_t(v) + 1] != at + 2) return leg;
@@ -241,18 +279,22 @@ private:
       const bool leads_on =
           std::hypot(q.x() - o.x(), q.y() - o.y()) > std::hypot(p.x() - o.x(), p.y() - o.y());
       if (mesh_.constrained_edges[next].marker != mesh_.constrained_edges[e].marker || !leads_on ||
-          !are_within_60_degrees(o, p, q))
+          !are_within_60_degrees(o, p, q) || !cone.has(q))
         return leg;
       leg.path.push_back(w), leg.edges.push_back(next), e = next;
     }
   }
 
-  std::array<double, 2> reach_of(const std::vector<Vertex_index>& path) const {
+  Reach reach_of(const std::vector<Vertex_index>& path) const {
+    std::vector<Point> points;
+    points.reserve(path.size());
+    for (const Vertex_index v : path) points.push_back(mesh_.point(v));
+    return reach_of(points);
+  }
+
+  static Reach reach_of(const std::vector<Point>& points) {
     double x = 0, y = 0;
-    for (const Vertex_index v : path) {
-      x = std::max(x, std::fabs(mesh_.point(v).x()));
-      y = std::max(y, std::fabs(mesh_.point(v).y()));
-    }
+    for (const Point& p : points) x = std::max(x, std::fabs(p.x())), y = std::max(y, std::fabs(p.y()));
     const auto units = [](double magnitude) {
       return units_of_rounding *
              (std::nextafter(magnitude, std::numeric_limits<double>::infinity()) - magnitude);
@@ -261,25 +303,13 @@ private:
   }
 
   /// The place in the path of the last vertex to which the way is straight.
-  std::size_t straight_end(const std::vector<Vertex_index>& path, const std::array<double, 2>& reach) const {
-    const auto turn = Triangle_tree::Kernel().orientation_2_object();
-    const Point& o = mesh_.point(path[0]);
-    Point left, right; // of the cone, as seen from the corner
-    bool has_cone = false;
+  std::size_t straight_end(const std::vector<Vertex_index>& path, const Reach& reach) const {
+    Cone cone(mesh_.point(path[0]), reach);
     for (std::size_t i = 1; i < path.size(); ++i) {
       const Point& p = mesh_.point(path[i]);
-      if (has_cone && (turn(o, right, p) == RIGHT_TURN || turn(o, left, p) == LEFT_TURN)) return i - 1;
-      // Rounding alone decides on the direction of what is so near to the corner.
-      if (std::fabs(p.x() - o.x()) <= reach[0] && std::fabs(p.y() - o.y()) <= reach[1]) return i;
-      Point low = p, high = p; // the ends of the box around p as seen from the corner
-      for (const double x : {p.x() - reach[0], p.x() + reach[0]})
-        for (const double y : {p.y() - reach[1], p.y() + reach[1]}) {
-          if (turn(o, low, Point(x, y)) == RIGHT_TURN) low = Point(x, y);
-          if (turn(o, high, Point(x, y)) == LEFT_TURN) high = Point(x, y);
-        }
-      if (!has_cone || turn(o, right, low) == LEFT_TURN) right = low;
-      if (!has_cone || turn(o, left, high) == RIGHT_TURN) left = high;
-      has_cone = true;
+      if (!cone.has(p)) return i - 1;
+      if (cone.is_at_corner(p)) return i;
+      cone.narrow(p);
     }
     return path.size() - 1;
   }

@@ -9,12 +9,12 @@
 // Such a mesh stays, with its vertices and triangles in their order. The mesher would keep its vertices as well. But
 // it cuts sharp corners anew, and it would take as long as for a mesh that needs much.
 //
-// Computes: whether all triangles are constrained Delaunay and meet the bounds, or are excused by a corner: all their
-//           vertices are on two segments that meet there, and no angle is below 0.9 of the corner's. Angles that are
-//           compared with a corner's are exact up to their last rounding, however small. For bounds on how edges grow
-//           the answer is no, as only the mesher can tell.
-// Bound:    O(k) time for k triangles; for each sharp one in addition the number of segments at its vertices, without
-//           the vertex that has most of them, unless the triangle is not excused.
+// Computes: whether all vertices in the domain are used, and all triangles are constrained Delaunay and meet the
+//           bounds, or are excused by a corner: all their vertices are on two segments that meet there, and no angle is
+//           below 0.9 of the corner's. Angles that are compared with a corner's are exact up to their last rounding,
+//           however small. For bounds on how edges grow the answer is no, as only the mesher can tell.
+// Bound:    O(k) time for k triangles; O(log k) for each unused vertex; for each sharp triangle in addition the number
+//           of segments at its vertices, without the vertex that has most of them, unless it is not excused.
 // Source:   ours; the rule for corners is that of Acute_corners.h.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_ADAPTATION_SUFFICIENT_MESH_H
@@ -73,7 +73,7 @@ public:
 
   /// \param[out] report its triangles, if the answer is yes
   bool is_one(Quality_mesh_report_2& report) {
-    if (options_.gradation() > 0 || options_.max_edge_ratio() > 0) return false;
+    if (options_.gradation() > 0 || options_.max_edge_ratio() > 0 || has_unused_vertex()) return false;
     for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
       if (!is_delaunay(t) || is_large(t)) return false;
     for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
@@ -101,6 +101,22 @@ private:
   Triangle_tree::Corners scaled_corners(std::size_t t) const {
     const auto p = given_.corners(t);
     return {scaled(p[0]), scaled(p[1]), scaled(p[2])};
+  }
+
+  /// Whether a place in the domain has a vertex, but none that is one of a triangle.
+  bool has_unused_vertex() const {
+    std::vector<char> is_used(mesh_.points.size(), 0);
+    for (const auto& t : mesh_.triangles)
+      for (const Vertex_index v : t) is_used[std::size_t(v)] = 1;
+    for (std::size_t v = 0; v < is_used.size(); ++v) {
+      if (is_used[v] != 0) continue;
+      const Point& p = mesh_.points[v];
+      const auto nearest = given_.tree().nearest(p);
+      const auto around = given_.corners(std::size_t(nearest.triangle));
+      if (nearest.squared_distance == 0 && std::find(around.begin(), around.end(), p) == around.end())
+        return true;
+    }
+    return false;
   }
 
   /// By its sides to neighbors of a greater index, and those on segments if they have to be, too.

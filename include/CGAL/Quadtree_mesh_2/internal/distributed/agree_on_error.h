@@ -10,12 +10,16 @@
 //           part. Where slices of an input are in the order of parts, that is the error that one part alone would find
 //           first.
 // Bound:    two sums over all parts; one more message to each if there is an error.
+//
+// What is no fault of the input, such as no memory left, may come where parts meet. Then it is thrown at one part
+// alone, and whoever runs the parts has to end the others.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_DISTRIBUTED_AGREE_ON_ERROR_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_DISTRIBUTED_AGREE_ON_ERROR_H
 
 #include <CGAL/Pslg_error_2.h>
 #include <CGAL/Quadtree_mesh_2/Distributed_point_error.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/Scratch_arrays.h>
 #include <CGAL/Quadtree_mesh_2/internal/distributed/Parcel.h>
 
 #include <cstddef>
@@ -55,6 +59,8 @@ struct Portable_error {
       return {{Type::INVALID_ARGUMENT, 0, 0, 0}, e.what()};
     } catch (const std::length_error& e) {
       return {{Type::LENGTH, 0, 0, 0}, e.what()};
+    } catch (const Scratch_full& e) { // whose text names the folder
+      return {{Type::RUNTIME, 0, 0, 0}, e.what()};
     } catch (const std::bad_alloc&) {
       return {{Type::MEMORY, 0, 0, 0}, ""};
     } catch (const std::logic_error& e) {
@@ -97,6 +103,21 @@ struct Portable_error {
   }
 };
 
+/// An error that came where parts meet, so that others may be waiting there: it cannot be agreed on.
+struct Lone_error {
+  std::exception_ptr error;
+};
+
+/// Does what parts do together. If there is no memory for it, that is a lone error: it may come anywhere.
+template <class Work>
+auto work_together(const Work& work) {
+  try {
+    return work();
+  } catch (const std::bad_alloc&) {
+    throw Lone_error{std::current_exception()};
+  }
+}
+
 /// Throws the same error at all parts if there is one at any of them. All parts have to call this.
 /// \param error null if there is none here
 /// \param item what the error is about, at least 0: that of the least item is thrown
@@ -113,12 +134,15 @@ void agree_on_error(Exchange& exchange, const std::exception_ptr& error, std::in
   Portable_error::from_bytes(bytes).raise();
 }
 
-/// Does what may fail at some parts, in which they do not meet, and agrees on the error of the lowest one.
+/// Does what may fail at some parts, in which they do not meet, and agrees on the error of the lowest one. Where they
+/// do meet, errors have to be the same for all, or lone ones, which are thrown at once.
 template <class Exchange, class Work>
 void agree_on_work(Exchange& exchange, const Work& work) {
   std::exception_ptr error;
   try {
     work();
+  } catch (const Lone_error&) {
+    throw;
   } catch (...) {
     error = std::current_exception();
   }

@@ -18,6 +18,7 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_SHARED_ROUNDS_HELD_MESH_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_SHARED_ROUNDS_HELD_MESH_H
 
+#include <CGAL/Quadtree_mesh_2/internal/base/Scratch_arrays.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/huge_pages.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/sort_and_drop_equal.h>
 #include <CGAL/Quadtree_mesh_2/internal/distributed/Mesh_archive.h>
@@ -90,7 +91,10 @@ public:
     const auto size = records_of<std::int64_t>(sizes);
     const auto vertices = std::size_t(size[0]), slots = std::size_t(size[1]);
     if (size[2] != 0) mesh_.region_of.resize(1);
-    reserve(std::max(vertices, most_vertices), slots + 2 * (std::max(vertices, most_vertices) - vertices));
+    // Room in a scratch file is room on its disk: there arrays grow if they have to.
+    const std::size_t affordable = Scratch_arrays::is_active() ? 2 * vertices : most_vertices;
+    const std::size_t room = std::max(vertices, std::min(most_vertices, affordable));
+    reserve(room, slots + 2 * (room - vertices));
     resize(vertices, slots);
     for (const Triangle_id t : whole.dead_triangles()) mesh_.kill(t);
     std::vector<Package> packages;

@@ -100,14 +100,18 @@ mesh_by_all_parts(Exchange& exchange, Quality_mesher_2<Traits, ConcurrencyTag>& 
   if (!mesher.options().checkpoints().empty())
     throw std::invalid_argument("there are no checkpoints of meshes that several ranks make");
   Indexed_mesh_2<typename Traits::Point_2> mesh;
-  agree_on_work(exchange, [&] {
-    const Concurrency_scope scope{ConcurrencyTag()};
-    report = Quality_mesh_report_2();
-    if (exchange.rank() == 0)
-      mesh = lead(exchange, mesher, pslg, report);
-    else
-      help_with_rounds<Traits, Inner_tag<ConcurrencyTag>>(exchange, mesher.options());
-  });
+  try {
+    agree_on_work(exchange, [&] {
+      const Concurrency_scope scope{ConcurrencyTag()};
+      report = Quality_mesh_report_2();
+      if (exchange.rank() == 0)
+        mesh = lead(exchange, mesher, pslg, report);
+      else
+        help_with_rounds<Traits, Inner_tag<ConcurrencyTag>>(exchange, mesher.options());
+    });
+  } catch (const Lone_error& lone) {
+    std::rethrow_exception(lone.error);
+  }
   tell_report(exchange, report);
   return distribute_mesh(exchange, mesh, pslg, 0);
 }

@@ -37,11 +37,13 @@ namespace internal {
 template <class ConcurrencyTag, class Exchange, class Geometry, class Continue>
 bool run_rounds_and_gather(Exchange& exchange, Rounds_job<Geometry>& job, Block_rounds& rounds,
                            const Continue& shall_go_on) {
-  Rounds_of_parts<ConcurrencyTag, Exchange, Geometry> parts(exchange, job.state, job.finishing,
-                                                            job.vertex_budget, rounds);
-  const bool has_blocks = parts.run([&] { return shall_go_on(parts.share_done()); });
-  if (has_blocks) parts.gather();
-  return has_blocks;
+  return work_together([&] {
+    Rounds_of_parts<ConcurrencyTag, Exchange, Geometry> parts(exchange, job.state, job.finishing,
+                                                              job.vertex_budget, rounds);
+    const bool has_blocks = parts.run([&] { return shall_go_on(parts.share_done()); });
+    if (has_blocks) parts.gather();
+    return has_blocks;
+  });
 }
 
 /// The first part's runner.
@@ -91,7 +93,7 @@ void help_with_rounds(Exchange& exchange, const Quality_mesh_options_2& options)
   using Geometry = typename Traits::Meshing_geometry_2;
   for (;;) {
     Bytes bytes;
-    exchange.broadcast(bytes, 0);
+    work_together([&] { exchange.broadcast(bytes, 0); });
     if (bytes.empty()) return;
     Graph_frame<typename Traits::Point_2> frame;
     Meshing_problem<Geometry> problem;
