@@ -16,7 +16,7 @@
 #include "mesh_in_parts.h"
 #include "pslg_files.h"
 
-#include <CGAL/Quadtree_mesh_2/new_in_scratch_memory.h>
+#include <CGAL/Quadtree_mesh_2/new_in_scratch_memory.h> // of this program's own long vectors
 #include <CGAL/Scratch_memory.h>
 
 #include <boost/program_options.hpp>
@@ -140,8 +140,9 @@ po::options_description visible_options(Settings& settings) {
        "do not make the mesh without parts, too, to compare bits") //
       ("memory", po::value(&settings.memory),
        "use so many gigabytes of memory at most, and a scratch file for what is more") //
-      ("scratch", po::value(&settings.scratch), "folder of the scratch file; the current one by default")(
-          "json", po::value(&settings.json_file), "write the figures to this file, too");
+      ("scratch", po::value(&settings.scratch),
+       "folder of the scratch file; the current one by default") //
+      ("json", po::value(&settings.json_file), "write the figures to this file, too");
   return options;
 }
 
