@@ -87,9 +87,13 @@ Pslg cut_at_vertices(const Pslg& graph) {
   result.vertices = graph.vertices;
   for (const auto& [a, b] : graph.segments) {
     const Segment segment(graph.point(a), graph.point(b));
+    const CGAL::Bbox_2 box = segment.bbox();
     std::vector<Pslg::Vertex_index> on{a};
-    for (std::size_t v = 0; v < graph.vertices.size(); ++v)
-      if (segment.has_on(graph.vertices[v]) && graph.vertices[v] != graph.point(a)) on.emplace_back(v);
+    for (std::size_t v = 0; v < graph.vertices.size(); ++v) {
+      const Point& p = graph.vertices[v];
+      // Boxes first: next to the origin, where intervals underflow, has_on is exact and slow.
+      if (CGAL::do_overlap(box, p.bbox()) && segment.has_on(p) && p != graph.point(a)) on.emplace_back(v);
+    }
     std::sort(on.begin() + 1, on.end(), [&, a = a](auto v, auto w) {
       return CGAL::has_smaller_distance_to_point(graph.point(a), graph.point(v), graph.point(w));
     });
