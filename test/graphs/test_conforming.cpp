@@ -9,10 +9,13 @@
 
 #include "catch.h"
 #include "mesh_from_cdt.h"
+#include "pslg_test_tools.h"
 #include "random_pslg.h"
 #include "random_pslg_shapes.h"
 
+#include <CGAL/IO/read_triangle_files.h>
 #include <CGAL/Quality_mesher_2.h>
+#include <CGAL/Tree_separation_options_2.h>
 #include <CGAL/add_convex_hull_2.h>
 #include <CGAL/convex_hull_2.h>
 #include <CGAL/dual_of_mesh_2.h>
@@ -145,6 +148,22 @@ TEST_CASE("in conforming meshes of any domain no circumcenter is outside", "[con
     ++graphs;
   }
   CHECK(graphs > 5);
+}
+
+TEST_CASE("edges are split at ends, too, where angles would ask for no more", "[conforming][.slow]") {
+  Pslg pslg;
+  CGAL::IO::read_triangle_poly(pslg_test::data_file("hard_encroached_at_ends_of_teeth.poly"), pslg);
+  for (const std::size_t rounds : {std::size_t(1), std::size_t(0)}) {
+    Mesher mesher(Options()
+                      .separate(CGAL::Tree_separation_options_2().rounds(rounds))
+                      .conform(delaunay)
+                      .min_angle(25)
+                      .max_edge(0.25));
+    const Mesh mesh = mesher(pslg);
+    CHECK(CGAL::mesh_quality_2(mesh, pslg).number_of_errors == 0);
+    CHECK(mesher.report().encroached_edges == 0);
+    CHECK(obtuse_angles_at_edges(mesh) == 0);
+  }
 }
 
 TEST_CASE("a budget ends conforming meshes, and what is left is counted", "[conforming]") {

@@ -86,20 +86,25 @@ private:
     return all;
   }
 
+  /// A piece that matches a vertex of another edge is not to be less than a fifth, as halves come nearer to the vertex,
+  /// but where there are no halves.
   bool split(Side s) {
+    constexpr double least_share = 0.2;
+    return split_to_match(s, least_share) ||
+           splitter_.split(s.triangle(), s.slot(), nullptr, Asker::ORDINARY) == Outcome::CHANGED ||
+           split_to_match(s, 0) || split_at_end(s);
+  }
+
+  bool split_to_match(Side s, double least_share) {
     const Edge_id e = state_.edges.carrying(mesh_, mesh_.source(s), mesh_.target(s));
-    if (e.is_valid())
-      for (const std::size_t end : {std::size_t(0), std::size_t(1)})
-        if (split_to_match(s, e, end)) return true;
-    return splitter_.split(s.triangle(), s.slot(), nullptr, Asker::ORDINARY) == Outcome::CHANGED;
+    return e.is_valid() && (split_to_match(s, e, 0, least_share) || split_to_match(s, e, 1, least_share));
   }
 
   /// If the third vertex of the side's triangle lies on another edge with the same end, splits the side as far from
   /// this end as that vertex is: then neither edge has vertices in the circles of the other there, as each circle is
-  /// between those around the end through the ends of its piece. Not where that would cut off less than a fifth: halves
-  /// come nearer to the vertex.
-  bool split_to_match(Side s, Edge_id e, std::size_t end) {
-    constexpr double least_share = 0.2;
+  /// between those around the end through the ends of its piece.
+  /// \param least_share of the side, that is not to be cut off
+  bool split_to_match(Side s, Edge_id e, std::size_t end, double least_share) {
     const Vertex_id v = mesh_.triangle(s.triangle()).v[s.slot()];
     const Vertex_id apex = end == 0 ? state_.edges[e].a : state_.edges[e].b;
     if (!is_on_edge_from(apex, v)) return false;
@@ -108,7 +113,26 @@ private:
     };
     const Number r = radius(v), p = radius(mesh_.source(s)), q = radius(mesh_.target(s));
     const Number low = lesser(p, q), high = greater(p, q), least = least_share * (high - low);
-    return r - low >= least && high - r >= least && splitter_.split_at(s, e, end, r);
+    return low < r && r < high && r - low >= least && high - r >= least && splitter_.split_at(s, e, end, r);
+  }
+
+  /// Splits a side at an end of its edge where the splitter does not, as there might be no end of it for the sake of
+  /// angles: vertices in circles are as far from the end as others left them, so few such pieces are enough.
+  bool split_at_end(Side s) {
+    constexpr double share = 0.6, least_share_of_edge = 0x1p-24;
+    const Edge_id e = state_.edges.carrying(mesh_, mesh_.source(s), mesh_.target(s));
+    if (!e.is_valid()) return false;
+    const auto &a = state_.problem.input_point(state_.edges[e].a),
+               &b = state_.problem.input_point(state_.edges[e].b);
+    for (const std::size_t end : {std::size_t(0), std::size_t(1)}) {
+      const auto radius = [&](Vertex_id x) {
+        return length(Geometry::scaled_difference(mesh_.point(x), end == 0 ? a : b));
+      };
+      const Number p = radius(mesh_.source(s)), q = radius(mesh_.target(s)), r = share * greater(p, q);
+      if (lesser(p, q) == 0 && r >= least_share_of_edge * length(Geometry::scaled_difference(b, a)))
+        return splitter_.split_at(s, e, end, r);
+    }
+    return false;
   }
 
   /// Whether v lies on an edge that ends at an input vertex.

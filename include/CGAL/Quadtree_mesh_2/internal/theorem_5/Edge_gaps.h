@@ -154,6 +154,21 @@ public:
     return false;
   }
 
+  /// A vertex near a leaf at which one of some parts ends; none if there is none.
+  Vertex_id vertex_near(const Leaf& leaf, const std::vector<Part>& parts) const {
+    for (const Part& p : parts)
+      for (const Vertex_id v : {problem_.edges[p.edge].a, problem_.edges[p.edge].b})
+        if (is_in_window(v, leaf)) return v;
+    return {};
+  }
+  /// Puts the parts of edges that end at a vertex first, in their order. \returns how many they are
+  std::size_t put_first(Vertex_id v, std::vector<Part>& parts) const {
+    const auto end = std::stable_partition(parts.begin(), parts.end(), [&](const Part& p) {
+      return problem_.edges[p.edge].a == v || problem_.edges[p.edge].b == v;
+    });
+    return static_cast<std::size_t>(end - parts.begin());
+  }
+
 private:
   /// In units of the coordinates.
   static constexpr double least_gap_ = 256;

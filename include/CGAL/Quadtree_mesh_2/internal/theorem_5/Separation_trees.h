@@ -369,7 +369,7 @@ private:
   /// Whether any two pieces in a leaf are too near for it, in whatever cells.
   bool has_near_pieces(Leaf_index l, const Frame& leaf, Scratch& scratch) const {
     find_own_parts(l, leaf, scratch), find_parts_around(std::array{l}, leaf, scratch);
-    return has_near_pair(leaf, scratch, [](Edge_id, Edge_id, const Local_gap&) { return true; });
+    return has_near_pair(leaf, scratch, [](std::size_t, Edge_id, const Local_gap&) { return true; });
   }
 
   /// Calls `f` for the pairs of edges on the boundary of a common cell in a leaf.
@@ -408,8 +408,17 @@ private:
     const auto leaf = frame(l);
     find_own_parts(l, leaf, scratch), find_parts_around(tree_.neighbors(l), leaf, scratch);
     scratch.hider = {};
-    return has_near_pair(leaf, scratch, [&](Edge_id e, Edge_id f, const Local_gap& gap) {
-      return !is_hidden(gap, e, f, scratch, leaf);
+    sort_across(scratch.own);
+    return has_near_pair(leaf, scratch, [&](std::size_t k, Edge_id f, const Local_gap& gap) {
+      return !is_hidden(gap, k, f, scratch, leaf);
+    });
+  }
+
+  /// Puts parts into an order in which those beside one are next to it, where they run side by side.
+  static void sort_across(std::vector<Part>& parts) {
+    const auto place = [](const Part& p) { return p.low.x + p.high.x + p.low.y + p.high.y; };
+    std::sort(parts.begin(), parts.end(), [&](const Part& p, const Part& q) {
+      return std::pair(place(p), p.edge) < std::pair(place(q), q.edge);
     });
   }
 
@@ -433,26 +442,38 @@ private:
                          scratch.around.end());
   }
 
-  /// Whether a leaf is too large for an edge in it and one in or around it, of which `counts(e, f, gap)` holds.
+  /// Whether a leaf is too large for an edge in it and one in or around it, of which `counts(k, f, gap)` holds, for the
+  /// k-th one in it and the other one. Pairs of edges at one vertex near the leaf are passed over together, as there may
+  /// be many.
   template <class Counts>
-  bool has_near_pair(const Frame& leaf, const Scratch& scratch, const Counts& counts) const {
-    for (const Part& q : scratch.around)
-      for (const Part& p : scratch.own) {
+  bool has_near_pair(const Frame& leaf, Scratch& scratch, const Counts& counts) const {
+    const Vertex_id hub = gaps_.vertex_near(leaf, scratch.around);
+    const std::size_t own = hub.is_valid() ? gaps_.put_first(hub, scratch.own) : 0,
+                      around = hub.is_valid() ? gaps_.put_first(hub, scratch.around) : 0;
+    for (std::size_t i = 0; i < scratch.around.size(); ++i)
+      for (std::size_t k = i < around ? own : 0; k < scratch.own.size(); ++k) {
+        const Part &q = scratch.around[i], &p = scratch.own[k];
         if (gaps_.are_boxes_apart(p, q, leaf) || p.edge == q.edge ||
             gaps_.are_joined_near(leaf, p.edge, q.edge))
           continue;
         const Local_gap gap = Local_gap::between(p.segment, q.segment);
-        if (gaps_.is_too_large(leaf, p.edge, q.edge, gap) && counts(p.edge, q.edge, gap)) return true;
+        if (gaps_.is_too_large(leaf, p.edge, q.edge, gap) && counts(k, q.edge, gap)) return true;
       }
     return false;
   }
 
   static Edge_id edge(const Edge_piece& p) { return static_cast<Edge_id>(p.segment.value()); }
 
-  /// Whether another edge lies between e and f. The one that did for the last pair is asked first.
-  bool is_hidden(const Local_gap& gap, Edge_id e, Edge_id f, Scratch& scratch, const Frame& leaf) const {
-    const auto hides = [&](Edge_id g) { return g != e && g != f && gap.is_blocked_by(gaps_.local(g, leaf)); };
-    if (scratch.hider.is_valid() && hides(scratch.hider)) return true;
+  /// Whether another edge lies between the k-th one in the leaf and f. Those beside the first one, and the one that did
+  /// for the last pair, are asked first.
+  bool is_hidden(const Local_gap& gap, std::size_t k, Edge_id f, Scratch& scratch, const Frame& leaf) const {
+    const std::vector<Part>& own = scratch.own;
+    const auto hides = [&](Edge_id g) {
+      return g != own[k].edge && g != f && gap.is_blocked_by(gaps_.local(g, leaf));
+    };
+    if ((k > 0 && hides(own[k - 1].edge)) || (k + 1 < own.size() && hides(own[k + 1].edge)) ||
+        (scratch.hider.is_valid() && hides(scratch.hider)))
+      return true;
     for (const auto* parts : {&scratch.own, &scratch.around})
       for (const Part& g : *parts)
         if (hides(g.edge)) {
