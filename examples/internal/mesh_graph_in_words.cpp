@@ -162,6 +162,20 @@ bool has_ends_on_both_sides(const mesh_graph::Pslg& pslg, std::size_t s, std::si
                            CGAL::Pslg_parts_2().vertex(Vertex_index(a)).vertex(Vertex_index(b)));
 }
 
+/// What else is wrong: names of vertices and segments have words in them, and the user knows the doubles.
+[[noreturn]] void refuse(const mesh_graph::Pslg& pslg, const CGAL::Pslg_2<Word_point>& words,
+                         const CGAL::Pslg_error_2& error) {
+  std::string text = error.what();
+  const auto replace = [&text](const std::string& name, const std::string& by) {
+    if (const std::size_t at = text.find(name); at != std::string::npos) text.replace(at, name.size(), by);
+  };
+  for (const Vertex_index v : error.parts().vertices)
+    replace(vertex_text(words, std::size_t(v)), vertex_text(pslg, std::size_t(v)));
+  for (const Segment_index s : error.parts().segments)
+    replace(segment_text(words, std::size_t(s)), segment_text(pslg, std::size_t(s)));
+  throw CGAL::Pslg_error_2(error.kind(), text, error.parts());
+}
+
 Word_map<Point> map_of(const mesh_graph::Pslg& pslg) try {
   return Word_map<Point>(pslg.vertices);
 } catch (const CGAL::Quadtree_mesh_2::Point_error& error) {
@@ -177,10 +191,12 @@ mesh_graph::Mesh mesh_graph::in_words(const Pslg& pslg, const Options& options, 
   CGAL::check_pslg_structure(pslg); // the scale wants finite coordinates
   const Word_map<Point> map = map_of(pslg);
   check_sides_of_seeds(pslg, map);
+  CGAL::Pslg_2<Word_point> words;
   try {
+    words = to_words(pslg, map);
     auto rounded = CGAL::round_mesh_2<Point>(
-        mesh_graph_with<Word_traits>(to_words(pslg, map), to_words(options, map), neighbors, report),
-        pslg.vertices, [&map](const Word_point& p) { return map.to_double(p); });
+        mesh_graph_with<Word_traits>(words, to_words(options, map), neighbors, report), pslg.vertices,
+        [&map](const Word_point& p) { return map.to_double(p); });
     rounded.renumber(report);
     to_doubles(report, rounded.mesh);
     check_vertices_on_segments(pslg, rounded.mesh);
@@ -193,5 +209,7 @@ mesh_graph::Mesh mesh_graph::in_words(const Pslg& pslg, const Options& options, 
     refuse(pslg, error, map.unit());
   } catch (const CGAL::Pslg_seed_error_2& e) { // in words; the user knows the doubles
     throw CGAL::Quadtree_mesh_2::internal::make_seed_error(pslg, e.mark, e.seed, e.vertex, e.segment);
+  } catch (const CGAL::Pslg_error_2& error) {
+    refuse(pslg, words, error);
   }
 }

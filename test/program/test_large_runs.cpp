@@ -51,10 +51,11 @@ TEST_CASE("The program writes the same files with little memory", "[program][scr
   CHECK(contains(little.out, "scratch folder " + folder.file("little.ele.scratch")));
   check_same(folder, "all", "little");
   CHECK(folder.number_of_files() == 6); // the scratch folder is gone
-  CHECK(run(coast + " --quiet --threads 1 --memory 0.1G --scratch " + quoted(folder.file("mine")) + " -o " +
-            quoted(folder.file("one.ele")))
+  CHECK(run(coast + " --quiet --threads 1 --memory 0.1G --scratch " +
+            quoted(folder.file("mine/of/this/run")) + " -o " + quoted(folder.file("one.ele")))
             .status == 0);
   check_same(folder, "all", "one");
+  CHECK(folder.number_of_files() == 9); // and so is each that was made for one
 }
 
 TEST_CASE("The program goes on where it was killed", "[program][scratch]") {
