@@ -93,6 +93,19 @@ void check_cells_inside(const Mesh& mesh) {
     if (is_on_border[v] == 0) CHECK(std::abs(areas[v] - dual.areas[v]) <= 1e-9 * total);
 }
 
+/// Legs a degree apart in a box.
+Pslg fan_of_random_lengths(std::size_t legs) {
+  Pslg pslg;
+  random_pslg::Random random(legs);
+  add_polygon(pslg, square(0, 0, 2));
+  const Vertex_index apex = pslg.add_vertex(Point(0, 0));
+  for (std::size_t i = 0; i < legs; ++i) {
+    const double angle = double(i) * 0.0174533, length = random.between(0.5, 1);
+    pslg.add_segment(apex, pslg.add_vertex(Point(length * std::cos(angle), length * std::sin(angle))));
+  }
+  return pslg;
+}
+
 /// A square with segments in it that need not be cut for any bound but have vertices in their circles.
 Pslg square_with_segments() {
   Pslg pslg;
@@ -148,6 +161,23 @@ TEST_CASE("in conforming meshes of any domain no circumcenter is outside", "[con
     ++graphs;
   }
   CHECK(graphs > 5);
+}
+
+TEST_CASE("fans with legs of any length get some ten times as many triangles, not thousands",
+          "[conforming]") {
+  std::vector<Pslg> fans(1);
+  CGAL::IO::read_triangle_poly(pslg_test::data_file("syn_fan_1deg.poly"), fans[0]);
+  for (const std::size_t legs : {24u, 60u}) fans.push_back(fan_of_random_lengths(legs));
+  for (const Pslg& fan : fans)
+    for (const double angle : {20.7, 28.}) {
+      CAPTURE(fan.segments.size(), angle);
+      Mesher plain(Options().min_angle(angle)), mesher(Options().min_angle(angle).conform(delaunay));
+      const Mesh before = plain(fan), mesh = mesher(fan);
+      CHECK(CGAL::mesh_quality_2(mesh, fan).number_of_errors == 0);
+      CHECK(mesher.report().is_met());
+      CHECK(obtuse_angles_at_edges(mesh) == 0);
+      CHECK(mesh.triangles.size() <= 30 * before.triangles.size());
+    }
 }
 
 TEST_CASE("edges are split at ends, too, where angles would ask for no more", "[conforming][.slow]") {

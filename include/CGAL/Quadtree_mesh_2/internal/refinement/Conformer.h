@@ -86,10 +86,10 @@ private:
     return all;
   }
 
-  /// A piece that matches a vertex of another edge is not to be less than a fifth, as halves come nearer to the vertex,
-  /// but where there are no halves.
+  /// A piece that matches a vertex of another edge is not to be much shorter than the other one, as halves come nearer to
+  /// the vertex, but where there are no halves. Halves are at new radii, which other edges have to match.
   bool split(Side s) {
-    constexpr double least_share = 0.2;
+    constexpr double least_share = 0.02;
     return split_to_match(s, least_share) ||
            splitter_.split(s.triangle(), s.slot(), nullptr, Asker::ORDINARY) == Outcome::CHANGED ||
            split_to_match(s, 0) || split_at_end(s);

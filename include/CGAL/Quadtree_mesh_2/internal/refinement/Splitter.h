@@ -141,9 +141,6 @@ private:
   /// New shells next to the apex lie at this share of the innermost radius. Their ratio, 1.67, leaves room
   /// for ring vertices that are not quite matched (Acute_corners.h).
   static constexpr double innermost_share = 0.6;
-  /// Shells nearer to each other than this share of the distance between two legs are not matched there. Copies of a
-  /// feature at one leg's end would find features, and corners without room, at the same radius on other legs.
-  static constexpr double least_share_of_chord = 0x1p-5;
   /// A far end or another ring's vertex within this share of the chord stands in for the ring vertex.
   static constexpr double chord_share_to_merge = 0.4;
 
@@ -157,6 +154,12 @@ private:
   Number least_share_of_leg() const {
     return state_.bounds.is_established() ? state_.problem.least_share_of_leg : Number(0x1p-12);
   }
+
+  /// Shells nearer to each other than this share of the distance between two legs are not matched there. Copies of a
+  /// feature at one leg's end would find features, and corners without room, at the same radius on other legs. Where
+  /// legs are cut for the sake of circles, a piece has vertices of another leg in its own only if that is nearer than
+  /// half of the piece: such legs follow, and no others, or each cut would be one of all legs of a fan.
+  double least_share_of_chord() const { return state_.encroachment == Encroachment::CIRCLES ? 4 : 0x1p-5; }
 
   Number distance(Vertex_id a, Vertex_id b) const {
     return length(Geometry::scaled_difference(mesh_.point(a), mesh_.point(b)));
@@ -283,7 +286,7 @@ private:
     const Corner_id c = corners_.leg(l).corner;
     const Number p = radius_on_leg(corners_.leg(l), x), q = radius_on_leg(corners_.leg(l), y);
     const Number low = std::min(p, q), high = std::max(p, q);
-    Leg_run run = corners_.legs_reached_from(l, low, (high - low) / least_share_of_chord);
+    Leg_run run = corners_.legs_reached_from(l, low, (high - low) / least_share_of_chord());
     if (run.size == 1 && split_interval(l, x, y, want, asker)) return true;
     const Leg_run all{0, corners_.corner(c).legs.size()};
     if (run.size == 1 || (run.size < all.size && !lower_locks_beside(c, run, low))) run = all;
