@@ -262,9 +262,9 @@ void read(Meshing_run& run, const Command_line& line) {
   mesh_files::Input input =
       mesh_files::read_graph(line.input, {line.properties, line.layer},
                              line.is_hull_wanted ? Points_alone::ALLOWED : Points_alone::REFUSED);
+  if (!line.area_file.empty()) run.areas = mesh_files::read_areas(line.area_file, input);
   run.pslg = std::move(input.graph);
   run.given = std::move(input.mesh);
-  if (!line.area_file.empty()) run.areas = mesh_files::read_areas(line.area_file, *run.given, run.pslg);
   if (line.is_hull_wanted) CGAL::add_convex_hull_2(run.pslg);
   if (line.is_repair_wanted) run.pslg = repaired_graph(run.pslg, run.repair.emplace());
   run.projected = projected_graph::projection(run.pslg, input.coordinates, line);

@@ -98,7 +98,7 @@ Input read(const std::string& file_name, const Selection& selection) {
   }
 #endif
   else if (format == Input_format::ELE)
-    CGAL::IO::read_triangle_mesh(file_name, input.mesh.emplace(), input.graph);
+    CGAL::IO::read_triangle_mesh(file_name, input.mesh.emplace(), input.graph, input.given_triangle);
   else
     input.graph = read_from(file_name, format, selection.properties);
   return input;
@@ -269,8 +269,8 @@ Pslg read_points(const std::string& file_name, const Selection& selection) {
   return pslg;
 }
 
-std::vector<double> read_areas(const std::string& file_name, const Mesh& mesh, const Pslg& pslg) {
-  return CGAL::IO::read_triangle_area(file_name, mesh, pslg.first_number);
+std::vector<double> read_areas(const std::string& file_name, const Input& input) {
+  return CGAL::IO::read_triangle_area(file_name, input.given_triangle, input.graph.first_number);
 }
 
 CGAL::Points_sizing_field_2 read_sized_points(const std::string& file_name,

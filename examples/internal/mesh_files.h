@@ -35,6 +35,8 @@ using Pslg = CGAL::Pslg_2<Point>;
 struct Input {
   Pslg graph;
   std::optional<Mesh> mesh; ///< of the graph, to be refined, if the file has one
+  /// Per triangle of the mesh, that of the file that it is a piece of.
+  std::vector<CGAL::Quadtree_mesh_2::Triangle_index> given_triangle;
   CGAL::Coordinate_system_2 coordinates = CGAL::Coordinate_system_2::UNKNOWN;
 };
 /// What to read of features.
@@ -49,7 +51,7 @@ Input read_graph(const std::string& file_name, const Selection& selection, Point
 /// \throws std::runtime_error if there are segments, or no points, too
 Pslg read_points(const std::string& file_name, const Selection& selection);
 /// Bounds of area by triangle, of an .area file of Triangle.
-std::vector<double> read_areas(const std::string& file_name, const Mesh& mesh, const Pslg& pslg);
+std::vector<double> read_areas(const std::string& file_name, const Input& input);
 /// Points with the sizes of triangles there: the first three columns of a table, or `x`, `y` and `size`.
 /// \param projection of the places, if they are degrees; sizes are meters then. Null: none
 /// \param gradation by how much sizes grow over a unit of length

@@ -23,7 +23,8 @@
 ///
 /// All functions throw `Pslg_error_2` with the kind `INVALID_MESH`, naming the triangles or vertices at fault, if
 /// indices are out of range, triangles are clockwise, flat or overlap, two triangles are on one side of an edge, an
-/// edge of the border is on no segment, or the mesh is not one of the graph. They throw what the mesher throws, too.
+/// edge of the border is on no segment, or the mesh is not one of the graph. Nor may vertices of triangles be at one
+/// place, or in the middle of sides: `pslg_from_mesh_2()` mends that. They throw what the mesher throws, too.
 
 #include <CGAL/Adapted_mesh_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>

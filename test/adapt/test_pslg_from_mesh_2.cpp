@@ -20,6 +20,7 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <map>
 #include <random>
 #include <set>
 #include <string>
@@ -83,16 +84,92 @@ bool do_any_overlap(const Mesh& mesh) {
   return false;
 }
 
-/// Of the checker alone; empty if it finds nothing.
-std::string overlap_error(const Mesh& mesh) {
+/// Of the checker alone.
+CGAL::Quadtree_mesh_2::internal::Border_touches touches_of(const Mesh& mesh) {
   namespace internal = CGAL::Quadtree_mesh_2::internal;
   const internal::Given_mesh_checker checker(mesh, 0);
   checker.check();
-  return error_of([&] {
-    checker.check_overlaps(
-        internal::Triangle_tree(mesh.points, mesh.triangles),
-        internal::triangle_neighbors<CGAL::Sequential_tag>(mesh.triangles, mesh.points.size()));
-  });
+  return checker.touches(
+      internal::Triangle_tree(mesh.points, mesh.triangles),
+      internal::triangle_neighbors<CGAL::Sequential_tag>(mesh.triangles, mesh.points.size()));
+}
+
+/// Triangles over a lattice with two vertices at each place, so that some meet that have no vertex in common.
+class Random_soups {
+public:
+  Random_soups() {
+    for (int i = 0; i < 2 * places_; ++i) points_.emplace_back(i % places_ % width_, i % places_ / width_);
+  }
+
+  Mesh next() {
+    Mesh mesh;
+    mesh.points = points_;
+    std::set<std::pair<Vertex_index, Vertex_index>> sides;
+    for (int i = 0; i < 3 + number_ % 8; ++i) {
+      std::array<Vertex_index, 3> t;
+      for (Vertex_index& v : t) v = Vertex_index(below(2 * places_));
+      const auto may_be = [&] {
+        return CGAL::orientation(mesh.point(t[0]), mesh.point(t[1]), mesh.point(t[2])) == CGAL::LEFT_TURN &&
+               sides.count({t[0], t[1]}) + sides.count({t[1], t[2]}) + sides.count({t[2], t[0]}) == 0;
+      };
+      if (!may_be()) continue;
+      // Most soups would overlap: small triangles more often do not.
+      if (area_of(mesh, t) > 1 && below(4) > 0) continue;
+      mesh.triangles.push_back(t);
+      for (std::size_t k = 0; k < 3; ++k) sides.insert({t[k], t[(k + 1) % 3]});
+    }
+    ++number_;
+    return mesh;
+  }
+
+  int below(int n) { return int(random_() % unsigned(n)); }
+
+private:
+  static constexpr int width_ = 4, places_ = width_ * width_;
+  std::vector<Point> points_;
+  std::mt19937 random_{27};
+  int number_ = 0;
+};
+
+/// Without the vertices that no triangle uses.
+Mesh compacted(const Mesh& mesh) {
+  Mesh result;
+  std::map<Vertex_index, Vertex_index> new_index;
+  for (const auto& t : mesh.triangles) {
+    result.triangles.emplace_back();
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto [place, is_new] = new_index.emplace(t[k], Vertex_index(result.points.size()));
+      if (is_new) result.points.push_back(mesh.point(t[k]));
+      result.triangles.back()[k] = place->second;
+    }
+  }
+  return result;
+}
+
+double covered_area(const Mesh& mesh) {
+  double sum = 0;
+  for (const auto& t : mesh.triangles) sum += area_of(mesh, t);
+  return sum;
+}
+
+/// By all pairs: whether a vertex of a triangle is in the middle of a side, or at the place of another one.
+bool do_any_touch(const Mesh& mesh) {
+  std::set<Vertex_index> used;
+  for (const auto& t : mesh.triangles) used.insert(t.begin(), t.end());
+  for (const Vertex_index v : used)
+    for (const auto& t : mesh.triangles)
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Point &p = mesh.point(v), &a = mesh.point(t[k]), &b = mesh.point(t[(k + 1) % 3]);
+        if (p == a ? v != t[k] : CGAL::are_strictly_ordered_along_line(a, p, b)) return true;
+      }
+  return false;
+}
+
+/// Whether the edge from a to b is a segment of the mesh.
+bool is_constrained(const Mesh& mesh, int a, int b) {
+  const auto ends = std::minmax(Vertex_index(a), Vertex_index(b));
+  return std::any_of(mesh.constrained_edges.begin(), mesh.constrained_edges.end(),
+                     [&](const auto& e) { return std::minmax(e.vertices[0], e.vertices[1]) == ends; });
 }
 
 } // namespace
@@ -233,35 +310,15 @@ TEST_CASE("What is no mesh is refused, and the triangles at fault are named", "[
 }
 
 TEST_CASE("Triangles are refused for an overlap if the interiors of two of them meet", "[adapt]") {
-  std::mt19937 random(27);
-  const auto below = [&random](int n) { return int(random() % unsigned(n)); };
-  // Two vertices at each place of a lattice, so that triangles also meet that have no vertex in common.
-  constexpr int width = 4, places = width * width;
-  std::vector<Point> points;
-  for (int i = 0; i < 2 * places; ++i) points.emplace_back(i % places % width, i % places / width);
+  Random_soups soups;
   int overlapping = 0, apart = 0;
   for (int soup = 0; soup < (is_full_run() ? 20000 : 2000); ++soup) {
-    Mesh mesh;
-    mesh.points = points;
-    std::set<std::pair<Vertex_index, Vertex_index>> sides;
-    for (int i = 0; i < 3 + soup % 8; ++i) {
-      std::array<Vertex_index, 3> t;
-      for (Vertex_index& v : t) v = Vertex_index(below(2 * places));
-      const auto may_be = [&] {
-        return CGAL::orientation(mesh.point(t[0]), mesh.point(t[1]), mesh.point(t[2])) == CGAL::LEFT_TURN &&
-               sides.count({t[0], t[1]}) + sides.count({t[1], t[2]}) + sides.count({t[2], t[0]}) == 0;
-      };
-      if (!may_be()) continue;
-      // Most soups would overlap: small triangles more often do not.
-      if (area_of(mesh, t) > 1 && below(4) > 0) continue;
-      mesh.triangles.push_back(t);
-      for (std::size_t k = 0; k < 3; ++k) sides.insert({t[k], t[(k + 1) % 3]});
-    }
+    const Mesh mesh = soups.next();
     if (mesh.triangles.empty()) continue;
     const bool do_overlap = do_any_overlap(mesh);
     ++(do_overlap ? overlapping : apart);
     CAPTURE(soup);
-    CHECK(pslg_test::has_text(overlap_error(mesh), " overlap") == do_overlap);
+    CHECK(pslg_test::has_text(error_of([&] { touches_of(mesh); }), " overlap") == do_overlap);
   }
   CHECK(overlapping > 100);
   CHECK(apart > 100);
@@ -279,6 +336,137 @@ TEST_CASE("Triangles that only touch are a mesh", "[adapt]") {
     check_valid(refined.mesh, graph);
     CHECK(refined.report.is_met());
   }
+}
+
+TEST_CASE("Triangles that meet anyhow without an overlap become a mesh of what they cover", "[adapt]") {
+  Random_soups soups;
+  int touching = 0;
+  for (int soup = 0; soup < (is_full_run() ? 20000 : 2000); ++soup) {
+    Mesh mesh = compacted(soups.next());
+    if (mesh.triangles.empty() || do_any_overlap(mesh)) continue;
+    CAPTURE(soup);
+    const bool do_touch = do_any_touch(mesh);
+    CHECK(touches_of(mesh).are_none() == !do_touch);
+    if (do_touch) ++touching;
+    const Mesh given = mesh;
+    std::vector<Triangle_index> given_triangle;
+    Pslg graph;
+    try {
+      graph = CGAL::pslg_from_mesh_2(mesh, Details(), given_triangle);
+    } catch (const CGAL::Pslg_error_2& error) {
+      FAIL(error.what());
+    }
+    CHECK_FALSE(do_any_touch(mesh));
+    check_valid(mesh, graph);
+    REQUIRE(given_triangle.size() == mesh.triangles.size());
+    std::vector<double> area_of_pieces(given.triangles.size(), 0);
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+      if (t < given.triangles.size()) CHECK(given_triangle[t] == Triangle_index(t));
+      area_of_pieces[std::size_t(given_triangle[t])] += area_of(mesh, mesh.triangles[t]);
+    }
+    for (std::size_t t = 0; t < given.triangles.size(); ++t)
+      CHECK(area_of_pieces[t] == area_of(given, given.triangles[t]));
+    const auto made = CGAL::refine_mesh_2(mesh, graph, Options().max_area(soup % 2 == 0 ? 0 : 0.3));
+    check_valid(made.mesh, graph);
+    check_transfer(made, mesh);
+    CHECK(made.report.is_met());
+    CHECK(std::abs(covered_area(made.mesh) - covered_area(given)) < 1e-12);
+  }
+  CHECK(touching > 100);
+}
+
+TEST_CASE("Triangles that nest in one corner, and many vertices on one side, take no quadratic time",
+          "[adapt]") {
+  const int n = is_full_run() ? 200000 : 20000;
+  const auto on_circle = [n](int i, double radius) {
+    return Point(radius * std::cos(0.5 * i / n), radius * std::sin(0.5 * i / n));
+  };
+  std::vector<Point> points{Point(0, 0)};
+  std::vector<std::array<int, 3>> triangles;
+  for (int i = 0; i < n; ++i) {
+    points.push_back(on_circle(2 * i, 1 + 0.1 * (i % 7))), points.push_back(on_circle(2 * i + 1, 1));
+    triangles.push_back({0, 2 * i + 1, 2 * i + 2});
+  }
+  Mesh fan = make_mesh(std::move(points), triangles);
+  const Mesh given = fan;
+  CHECK(CGAL::pslg_from_mesh_2(fan).vertices.size() == fan.points.size());
+  CHECK(have_same_bits(fan, given));
+
+  points = {Point(0, 0), Point(n, 0), Point(0, n), Point(n, -n)}, triangles = {{0, 1, 2}};
+  for (int i = 1, last = 0; i <= n; last = i + 3, ++i) {
+    if (i < n) points.emplace_back(i, 0);
+    triangles.push_back({3, i < n ? i + 3 : 1, last});
+  }
+  Mesh hanging = make_mesh(std::move(points), triangles);
+  CGAL::pslg_from_mesh_2(hanging);
+  CHECK(hanging.triangles.size() == 2 * std::size_t(n));
+}
+
+TEST_CASE("Meshes side by side are one, with segments where they meet", "[adapt]") {
+  // Two squares with two vertices each at both ends of the side between them; at the right of it two triangles less.
+  Mesh mesh = make_mesh({Point(0, 0), Point(2, 0), Point(2, 2), Point(0, 2), Point(2, 0), Point(4, 0),
+                         Point(4, 2), Point(2, 2), Point(2, 1)},
+                        {{0, 1, 2}, {0, 2, 3}, {4, 5, 8}, {5, 6, 8}, {6, 7, 8}});
+  Details details;
+  details.segments = {{Vertex_index(2), Vertex_index(1)}, {Vertex_index(5), Vertex_index(6)}};
+  details.segment_markers = {7, 8};
+  details.attributes = {1, 1, 2, 2, 2};
+  std::vector<Triangle_index> given_triangle;
+  const Pslg graph = CGAL::pslg_from_mesh_2(mesh, details, given_triangle);
+  check_valid(mesh, graph);
+  CHECK(mesh.triangles.size() == 6);
+  CHECK(given_triangle.back() == Triangle_index(0));
+  CHECK(is_constrained(mesh, 1, 8));
+  CHECK(is_constrained(mesh, 8, 2));
+  CHECK_FALSE(is_constrained(mesh, 0, 8));
+  CHECK(std::count_if(mesh.constrained_edges.begin(), mesh.constrained_edges.end(),
+                      [](const auto& e) { return e.marker == 7; }) == 2);
+  CHECK(graph.regions.size() == 2);
+  CHECK(graph.holes.empty());
+  const auto made = CGAL::refine_mesh_2(mesh, graph, Options().max_area(0.1));
+  check_valid(made.mesh, graph);
+  CHECK(std::abs(covered_area(made.mesh) - 8) < 1e-12);
+}
+
+TEST_CASE("A crack within a mesh is a segment, and so are both sides of a vertex in the middle of one",
+          "[adapt]") {
+  // Around the vertex 4, from which a crack leads to the vertices 1 and 5.
+  Mesh crack = make_mesh({Point(0, 0), Point(2, 0), Point(2, 2), Point(0, 2), Point(1, 1), Point(2, 0)},
+                         {{0, 1, 4}, {5, 2, 4}, {2, 3, 4}, {3, 0, 4}});
+  Pslg graph = CGAL::pslg_from_mesh_2(crack);
+  CHECK(graph.segments.size() == 5);
+  CHECK(is_constrained(crack, 1, 4));
+  CHECK(crack.triangles[1][0] == Vertex_index(1));
+  check_valid(crack, graph);
+  auto made = CGAL::refine_mesh_2(crack, graph, Options());
+  CHECK(have_same_bits(made.mesh, crack)); // it meets the bounds
+  CHECK(made.report.is_met());
+
+  Mesh hanging = make_mesh({Point(0, 0), Point(2, 0), Point(1, 3), Point(1, 0), Point(1, -3)},
+                           {{0, 1, 2}, {0, 4, 3}, {3, 4, 1}});
+  graph = CGAL::pslg_from_mesh_2(hanging);
+  CHECK(hanging.triangles.size() == 4);
+  CHECK(is_constrained(hanging, 0, 3));
+  CHECK(is_constrained(hanging, 3, 1));
+  CHECK(graph.segments.size() == 6);
+  made = CGAL::refine_mesh_2(hanging, graph, Options());
+  check_valid(made.mesh, graph);
+}
+
+TEST_CASE("A mesh that touches itself is none of its graph", "[adapt]") {
+  Mesh mesh = square();
+  const Pslg graph = CGAL::pslg_from_mesh_2(mesh);
+  const auto refusal_of = [&graph](const Mesh& changed) {
+    return error_of([&] { CGAL::refine_mesh_2(changed, graph, Options()); });
+  };
+  Mesh with_twins = mesh;
+  with_twins.points.push_back(with_twins.points[2]);
+  with_twins.triangles[1][1] = Vertex_index(4);
+  CHECK(refusal_of(with_twins) == "vertices 2 and 4 of the mesh are at one place");
+  Mesh with_hanging = mesh;
+  with_hanging.points.emplace_back(0.5, 0.5);
+  with_hanging.triangles[1] = {Vertex_index(0), Vertex_index(4), Vertex_index(3)};
+  CHECK(refusal_of(with_hanging) == "triangle 0 (0 1 2) has vertex 4 in the middle of a side");
 }
 
 TEST_CASE("Arrays of a wrong length, and segments that are no edges, are named", "[adapt]") {

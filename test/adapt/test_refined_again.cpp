@@ -24,6 +24,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -173,6 +174,48 @@ TEST_CASE("A vertex of no triangle that is in the domain is put into the mesh", 
     CHECK(made.report.is_met());
     CHECK(made.mesh.triangles.size() > 2);
   }
+}
+
+TEST_CASE("A vertex of no triangle outside of the domain changes nothing, at any scale", "[adapt]") {
+  for (const double scale : {1., 0x1p-540, 0x1p-900, 0x1p540, 0x1p900}) {
+    CAPTURE(scale);
+    for (const auto& [x, y, is_inside] :
+         {std::tuple(6, 2, false), {2, 5, false}, {-1, -1, false}, {1, 2, true}}) {
+      CAPTURE(x, y);
+      Mesh mesh;
+      for (const auto& [px, py] : {std::pair(0, 0), {4, 0}, {4, 4}, {0, 4}, {x, y}})
+        mesh.points.emplace_back(scale * px, scale * py);
+      for (const auto& [a, b, c] : {std::array{0, 1, 2}, {0, 2, 3}})
+        mesh.triangles.push_back({Vertex_index(a), Vertex_index(b), Vertex_index(c)});
+      const Pslg pslg = CGAL::pslg_from_mesh_2(mesh);
+      const auto made = CGAL::refine_mesh_2(mesh, pslg, Options());
+      CHECK(are_same(made.mesh, mesh) == !is_inside);
+      CHECK(made.report.is_met());
+    }
+  }
+}
+
+TEST_CASE("Meshes in files whose triangles meet without common vertices are refined", "[adapt]") {
+  int files = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(QUADTREE_MESH_TEST_DATA_DIR)) {
+    const std::string name = entry.path().filename().string();
+    if (entry.path().extension() != ".ele" || name.rfind("touching_", 0) != 0) continue;
+    CAPTURE(name);
+    ++files;
+    Read_mesh given;
+    CGAL::IO::read_triangle_mesh(entry.path().string(), given.mesh, given.pslg);
+    check_valid(given.mesh, given.pslg);
+    const auto made = CGAL::refine_mesh_2(given.mesh, given.pslg, Options());
+    check_valid(made.mesh, given.pslg);
+    CHECK(made.report.is_met());
+    double before = 0, after = 0;
+    for (std::size_t t = 0; t < given.mesh.triangles.size(); ++t) before += area(given.mesh, t);
+    for (std::size_t t = 0; t < made.mesh.triangles.size(); ++t) after += area(made.mesh, t);
+    CHECK(after == Approx(before).epsilon(1e-12));
+    const Read_mesh again = written_and_read(made.mesh, given.pslg);
+    CHECK(are_same(CGAL::refine_mesh_2(again.mesh, again.pslg, Options()).mesh, again.mesh));
+  }
+  CHECK(files == 8);
 }
 
 TEST_CASE("Sides of a corner within rounding of each other are straight together", "[adapt]") {

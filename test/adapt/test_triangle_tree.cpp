@@ -53,15 +53,36 @@ TEST_CASE("A tree of triangles finds the first one with a place in it, or else t
     const Point p(coordinate(random), coordinate(random));
     const auto found = tree.nearest(p);
     const Triangle_index inside = first_with(mesh, p);
-    CHECK((found.squared_distance == 0) == inside.is_valid());
+    CHECK((found.distance == 0) == inside.is_valid());
     if (inside.is_valid()) CHECK(found.triangle == inside);
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
       least = std::min(least, distance_from(mesh, t, p));
-    CHECK(std::sqrt(found.squared_distance) == Approx(least).margin(1e-12));
+    CHECK(found.distance == Approx(least).margin(1e-12));
   }
   for (std::size_t v = 0; v < mesh.points.size(); ++v) // on borders of triangles the first one, too
     CHECK(tree.nearest(mesh.points[v]).triangle == first_with(mesh, mesh.points[v]));
+}
+
+TEST_CASE("A tree of triangles finds the same at any scale", "[adapt]") {
+  const Mesh mesh = fresh_mesh(frame(), Options().max_area(0.1));
+  const Triangle_tree tree(mesh.points, mesh.triangles);
+  for (const double scale : {0x1p-900, 0x1p-540, 0x1p540, 0x1p900}) {
+    CAPTURE(scale);
+    Mesh scaled = mesh;
+    for (Point& p : scaled.points) p = Point(scale * p.x(), scale * p.y());
+    const Triangle_tree scaled_tree(scaled.points, scaled.triangles);
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> coordinate(-1, 5);
+    for (int i = 0; i < 200; ++i) {
+      const Point p(coordinate(random), coordinate(random)), q(scale * p.x(), scale * p.y());
+      const auto found = tree.nearest(p), found_scaled = scaled_tree.nearest(q);
+      CHECK(found.triangle == found_scaled.triangle);
+      CHECK(scale * found.distance == found_scaled.distance);
+      const std::size_t t(found.triangle);
+      CHECK(corner_weights(corners(mesh, t), p) == corner_weights(corners(scaled, t), q));
+    }
+  }
 }
 
 TEST_CASE("A tree of triangles finds all whose boxes meet a box", "[adapt]") {

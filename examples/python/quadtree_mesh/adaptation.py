@@ -34,6 +34,8 @@ def refine(mesh: Any, *, areas: Optional[ArrayLike] = None, min_angle: float = 2
         A mesh by this package; or ``vertices`` (n, 2) and ``triangles`` (t, 3), counterclockwise, of any origin, and
         optionally ``segments`` (s, 2), which are sides of triangles, ``segment_markers`` (s,), ``vertex_markers`` (n,)
         and ``triangle_attributes`` (t,). The border is a segment in any case, and so are edges between attributes.
+        Triangles may meet without common vertices: of vertices at one place the first one is used, and a triangle with
+        a vertex in the middle of a side is cut there. Such edges are segments, too.
     areas : (t,) array of float, optional
         For each triangle of the mesh the largest area of a new triangle with its centroid in it; no bound where it is
         not positive.

@@ -37,6 +37,7 @@ namespace {
 using Graph = CGAL::Pslg_2<Point>;
 using Given_mesh = CGAL::Indexed_mesh_2<Point>;
 using CGAL::Quadtree_mesh_2::Segment_index;
+using CGAL::Quadtree_mesh_2::Triangle_index;
 using CGAL::Quadtree_mesh_2::Vertex_index;
 
 Vertex_index vertex_from(std::int64_t i) {
@@ -48,6 +49,7 @@ Vertex_index vertex_from(std::int64_t i) {
 struct Given_arrays {
   Given_mesh mesh;
   Graph graph;
+  std::vector<Triangle_index> given_triangle; // per triangle, the user's that it is a piece of
   std::map<std::uint32_t, std::int32_t>
       origins; // per segment of the graph, that of the user's; none if it is not there
 
@@ -69,7 +71,7 @@ struct Given_arrays {
     if (arrays["vertices_may_go"].cast<bool>())
       details.vertices = CGAL::Given_mesh_details_2::Vertices::FREE_INSIDE;
     details.is_input = vector_from(arrays["is_input"].cast<Input_array<char>>());
-    graph = CGAL::pslg_from_mesh_2(mesh, details);
+    graph = CGAL::pslg_from_mesh_2(mesh, details, given_triangle);
     name_origins(details, vector_from(arrays["segment_origins"].cast<Input_array<std::int32_t>>()));
   }
 
@@ -77,6 +79,15 @@ struct Given_arrays {
   Segment_index origin(Segment_index s) const {
     const auto found = s.is_valid() ? origins.find(s.value()) : origins.end();
     return found == origins.end() ? Segment_index() : Segment_index(found->second);
+  }
+
+  /// Values for the user's triangles, as those of the triangles here; empty if there are none.
+  /// \pre there are as many as the user has triangles
+  std::vector<double> by_triangle(const std::vector<double>& values) const {
+    std::vector<double> result;
+    for (std::size_t t = 0; t < given_triangle.size() && !values.empty(); ++t)
+      result.push_back(values[std::size_t(given_triangle[t])]);
+    return result;
   }
 
 private:
@@ -126,7 +137,7 @@ py::dict adapt_mesh(const py::dict& arrays, const py::dict& values) {
     criterion.emplace(py::reinterpret_borrow<py::object>(values["refine_where"]), state, std::nullopt);
     options.refine_where(std::ref(*criterion));
   }
-  const auto areas = vector_from(arrays["areas"].cast<Input_array<double>>());
+  const auto areas = given.by_triangle(vector_from(arrays["areas"].cast<Input_array<double>>()));
   const auto sizes = vector_from(arrays["sizes"].cast<Input_array<double>>());
   if (!sizes.empty()) {
     const CGAL::Mesh_sizing_field_2 field(given.mesh, sizes);

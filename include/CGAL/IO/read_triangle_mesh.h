@@ -137,12 +137,18 @@ namespace IO {
 ///
 /// Triangles may have six nodes. Those in the middle of edges are left out, with their attributes and markers. Where
 /// nodes follow that are corners, these have lower numbers in the mesh.
+///
+/// Vertices may be at one place, and in the middle of sides of other triangles, which are cut there.
 /// \param file_name the `.ele` file
-/// \throws Pslg_error_2 with file and line as `read_triangle_poly()` does, or as `pslg_from_mesh_2()` does; `mesh`
-/// and `pslg` are then unchanged.
+/// \param[out] mesh the mesh
+/// \param[out] pslg the graph that it is a mesh of
+/// \param[out] given_triangle per triangle of the mesh, that of the file that it is, or is a piece of
+/// \throws Pslg_error_2 with file and line as `read_triangle_poly()` does, or as `pslg_from_mesh_2()` does; `mesh`,
+/// `pslg` and `given_triangle` are then unchanged.
 inline void read_triangle_mesh(const std::string& file_name,
                                Indexed_mesh_2<Quadtree_mesh_2::internal::Triangle_point>& mesh,
-                               Pslg_2<Quadtree_mesh_2::internal::Triangle_point>& pslg) {
+                               Pslg_2<Quadtree_mesh_2::internal::Triangle_point>& pslg,
+                               std::vector<Quadtree_mesh_2::Triangle_index>& given_triangle) {
   namespace internal = Quadtree_mesh_2::internal;
   const std::string stem = internal::stem_of_triangle_file(file_name);
   const std::string node_name = internal::existing_triangle_file(stem + ".node");
@@ -167,31 +173,60 @@ inline void read_triangle_mesh(const std::string& file_name,
   result.points = std::move(read.nodes.vertices);
   result.triangles = std::move(read.triangles);
   result.vertex_markers = std::move(read.nodes.vertex_markers);
-  pslg = pslg_from_mesh_2(result, details);
+  pslg = pslg_from_mesh_2(result, details, given_triangle);
   pslg.number_of_vertex_attributes = read.nodes.number_of_vertex_attributes;
   pslg.vertex_attributes = internal::attributes_of_input(result, read.nodes);
   mesh = std::move(result);
 }
 
 /// \ingroup PkgQuadtreeMesh2IO
+/// The same, where it does not matter which triangles of the file were cut.
+inline void read_triangle_mesh(const std::string& file_name,
+                               Indexed_mesh_2<Quadtree_mesh_2::internal::Triangle_point>& mesh,
+                               Pslg_2<Quadtree_mesh_2::internal::Triangle_point>& pslg) {
+  std::vector<Quadtree_mesh_2::Triangle_index> given_triangle;
+  read_triangle_mesh(file_name, mesh, pslg, given_triangle);
+}
+
+/// \ingroup PkgQuadtreeMesh2IO
 /// Reads bounds of area by triangle from an `.area` file of Triangle: a number for each triangle of a mesh, which is
 /// no bound where it is not positive.
-/// \param mesh whose triangles they are for
-/// \throws Pslg_error_2 with file and line if the file is missing or malformed, or has not as many bounds as the mesh
-/// has triangles.
-template <class Point>
-std::vector<double> read_triangle_area(const std::string& file_name, const Indexed_mesh_2<Point>& mesh,
-                                       std::size_t first_number = 0) {
+/// \param file_name the `.area` file
+/// \param given_triangle per triangle of the mesh, that of its `.ele` file, as `read_triangle_mesh()` tells
+/// \param first_number what messages count from
+/// \returns a bound for each triangle of the mesh
+/// \throws Pslg_error_2 with file and line if the file is missing or malformed, or has not as many bounds as the `.ele`
+/// file has triangles.
+inline std::vector<double>
+read_triangle_area(const std::string& file_name,
+                   const std::vector<Quadtree_mesh_2::Triangle_index>& given_triangle,
+                   std::size_t first_number = 0) {
   namespace internal = Quadtree_mesh_2::internal;
   const std::string text = internal::read_whole_file(file_name);
   internal::Line_scanner scanner(text, file_name);
-  Pslg_2<Point> numbers;
+  Pslg_2<internal::Triangle_point> numbers;
   numbers.first_number = first_number;
-  internal::Triangle_parser<Point> parser(scanner, numbers);
-  std::vector<double> areas;
-  parser.read_areas(mesh.number_of_triangles(), areas);
+  internal::Triangle_parser<internal::Triangle_point> parser(scanner, numbers);
+  const auto last = std::max_element(given_triangle.begin(), given_triangle.end());
+  std::vector<double> given_areas, areas;
+  parser.read_areas(last == given_triangle.end() ? 0 : std::size_t(*last) + 1, given_areas);
   parser.read_end();
+  for (const Quadtree_mesh_2::Triangle_index t : given_triangle) areas.push_back(given_areas[std::size_t(t)]);
   return areas;
+}
+
+/// \ingroup PkgQuadtreeMesh2IO
+/// The same for a mesh none of whose triangles was cut.
+/// \param file_name the `.area` file
+/// \param mesh whose triangles they are for
+/// \param first_number what messages count from
+template <class Point>
+std::vector<double> read_triangle_area(const std::string& file_name, const Indexed_mesh_2<Point>& mesh,
+                                       std::size_t first_number = 0) {
+  std::vector<Quadtree_mesh_2::Triangle_index> same;
+  for (std::size_t t = 0; t < mesh.number_of_triangles(); ++t)
+    same.push_back(Quadtree_mesh_2::Triangle_index(t));
+  return read_triangle_area(file_name, same, first_number);
 }
 
 } // namespace IO

@@ -19,6 +19,7 @@
 #include <CGAL/Pslg_2.h>
 #include <CGAL/Pslg_error_2.h>
 #include <CGAL/Quadtree_mesh_2/Point_error.h>
+#include <CGAL/Quadtree_mesh_2/internal/adaptation/Border_sweep.h>
 #include <CGAL/Quadtree_mesh_2/internal/adaptation/Given_mesh_checker.h>
 #include <CGAL/Quadtree_mesh_2/internal/adaptation/Triangle_tree.h>
 #include <CGAL/Quadtree_mesh_2/internal/pslg/Input_words.h>
@@ -29,7 +30,6 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <unordered_map>
@@ -38,12 +38,6 @@
 namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
-
-/// The ends of an edge in one number, whatever their order.
-inline std::uint64_t edge_key(Vertex_index a, Vertex_index b) {
-  const auto [least, other] = std::minmax({a.value(), b.value()});
-  return std::uint64_t(least) << 32 | other;
-}
 
 /// Twice the area of a triangle, in doubles.
 template <class Point>
@@ -111,16 +105,19 @@ public:
 
   /// \param first_number what messages count from
   /// \throws Pslg_error_2 naming the triangles at fault if they are no mesh
-  Given_mesh(const Mesh& mesh, std::size_t first_number) : mesh_(mesh) {
-    const Given_mesh_checker checker(mesh, first_number);
-    checker.check();
+  Given_mesh(const Mesh& mesh, std::size_t first_number) : mesh_(mesh), checker_(mesh, first_number) {
+    checker_.check();
     check_range(first_number);
     tree_.emplace(mesh.points, mesh.triangles);
     neighbors_ = triangle_neighbors<Sequential_tag>(mesh.triangles, mesh.points.size());
-    checker.check_overlaps(*tree_, neighbors_);
+    touches_ = checker_.touches(*tree_, neighbors_);
   }
 
   const Mesh& mesh() const { return mesh_; }
+  /// Where the border touches itself but for ends of edges.
+  const Border_touches& touches() const { return touches_; }
+  /// \throws Pslg_error_2 naming what touches
+  void refuse_touches() const { checker_.refuse(touches_); }
   const Triangle_tree& tree() const { return *tree_; }
   const std::vector<std::array<Triangle_index, 3>>& neighbors() const { return neighbors_; }
   Triangle_tree::Corners corners(std::size_t t) const {
@@ -180,8 +177,10 @@ private:
   }
 
   const Mesh& mesh_;
+  Given_mesh_checker checker_;
   std::optional<Triangle_tree> tree_;
   std::vector<std::array<Triangle_index, 3>> neighbors_;
+  Border_touches touches_;
 };
 
 } // namespace internal

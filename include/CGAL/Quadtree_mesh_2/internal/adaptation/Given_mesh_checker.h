@@ -6,21 +6,20 @@
 //
 // Whether given triangles are a mesh.
 //
-// Computes: nothing, or an error that names the first triangles at fault.
-// Bound:    O(k log k) time for k triangles whose boxes lie apart from most border edges, as they do in meshes without
-//           small angles, and around vertices of any degree whose sectors are inside.
+// Computes: where their border touches itself, or an error that names the first triangles at fault.
+// Bound:    O(k log k) time for k triangles.
 // Source:   ours. Triangles have to be counterclockwise, and each side may be that of one triangle in each
-//           direction. So the number of triangles above a place changes only across border edges. If it is 2 or more
-//           somewhere, that place has a rim of border edges with another triangle besides their own. So only what is
-//           at a border edge is compared with the triangle of that edge. Two triangles overlap unless a side of one has
-//           the other on its right. All of this is decided exactly.
+//           direction. So the number of triangles above a place changes only across border edges, at which overlaps are
+//           looked for (Border_sweep.h). All of this is decided exactly.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_ADAPTATION_GIVEN_MESH_CHECKER_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_ADAPTATION_GIVEN_MESH_CHECKER_H
 
 #include <CGAL/Indexed_mesh_2.h>
 #include <CGAL/Pslg_error_2.h>
+#include <CGAL/Quadtree_mesh_2/internal/adaptation/Border_sweep.h>
 #include <CGAL/Quadtree_mesh_2/internal/adaptation/Triangle_tree.h>
+#include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <array>
@@ -37,7 +36,8 @@ namespace internal {
 
 class Given_mesh_checker {
 public:
-  using Mesh = Indexed_mesh_2<Triangle_tree::Point>;
+  using Point = Triangle_tree::Point;
+  using Mesh = Indexed_mesh_2<Point>;
 
   /// \param first_number what messages count from
   Given_mesh_checker(const Mesh& mesh, std::size_t first_number) : mesh_(mesh), first_number_(first_number) {}
@@ -58,11 +58,35 @@ public:
   /// \pre `check()` passed
   /// \param neighbors of each triangle
   /// \throws Pslg_error_2 naming two triangles that overlap
-  void check_overlaps(const Triangle_tree& tree,
-                      const std::vector<std::array<Triangle_index, 3>>& neighbors) const {
+  Border_touches touches(const Triangle_tree& tree,
+                         const std::vector<std::array<Triangle_index, 3>>& neighbors) const {
+    std::vector<Border_side> sides;
     for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
       for (std::size_t k = 0; k < 3; ++k)
-        if (!neighbors[t][k].is_valid()) check_beside(tree, t, k);
+        if (!neighbors[t][k].is_valid())
+          sides.push_back({t, k, mesh_.triangles[t][(k + 1) % 3], mesh_.triangles[t][(k + 2) % 3]});
+    const Border_sweep sweep(mesh_.points, std::move(sides));
+    if (sweep.overlap()) name_overlap(tree, *sweep.overlap());
+    return sweep.touches();
+  }
+
+  /// For a mesh that has to be one of its graph.
+  /// \throws Pslg_error_2 naming what touches
+  void refuse(const Border_touches& touches) const {
+    if (!touches.twins.empty()) {
+      const auto& [vertex, kept] = touches.twins.front();
+      throw Pslg_error_2(Kind::INVALID_MESH,
+                         "vertices " + number(std::size_t(kept)) + " and " + number(std::size_t(vertex)) +
+                             " of the mesh are at one place",
+                         Pslg_parts_2().vertex(kept).vertex(vertex));
+    }
+    if (!touches.hanging.empty()) {
+      const auto& [side, vertex] = touches.hanging.front();
+      throw Pslg_error_2(Kind::INVALID_MESH,
+                         text(side.triangle) + " has vertex " + number(std::size_t(vertex)) +
+                             " in the middle of a side",
+                         Pslg_parts_2().triangle(Triangle_index(side.triangle)).vertex(vertex));
+    }
   }
 
 private:
@@ -120,36 +144,19 @@ private:
     }
   }
 
-  /// \throws Pslg_error_2 if a triangle overlaps t somewhere at the edge of t that faces its k-th vertex
-  void check_beside(const Triangle_tree& tree, std::size_t t, std::size_t k) const {
-    const Triangle_tree::Corners own = corners(t);
-    const Vertex_index a = mesh_.triangles[t][(k + 1) % 3], b = mesh_.triangles[t][(k + 2) % 3];
-    const auto box = Triangle_tree::box_of({mesh_.point(a), mesh_.point(b), mesh_.point(b)});
-    tree.for_each_meeting(box, [&](const auto& other, Triangle_index n) {
-      if (std::size_t(n) == t || is_edge_outside(n, a, b) || are_apart(own, other) || are_apart(other, own))
-        return;
-      const auto [first, second] = std::minmax({t, std::size_t(n)});
-      throw Pslg_error_2(Kind::INVALID_MESH, text(first) + " and " + text(second) + " overlap",
-                         Pslg_parts_2().triangle(Triangle_index(first)).triangle(Triangle_index(second)));
+  /// \pre the triangle of the side overlaps another one at the side
+  [[noreturn]] void name_overlap(const Triangle_tree& tree, const Border_side& side) const {
+    const Triangle_tree::Corners own = corners(side.triangle);
+    const Point &a = mesh_.point(side.from), &b = mesh_.point(side.to);
+    std::size_t first = mesh_.triangles.size();
+    tree.for_each_meeting(Triangle_tree::box_of({a, b, b}), [&](const auto& other, Triangle_index n) {
+      if (std::size_t(n) != side.triangle && !are_apart(own, other) && !are_apart(other, own))
+        first = std::min(first, std::size_t(n));
     });
-  }
-
-  /// Whether a side of a triangle has an edge on its right, all of it but perhaps one end. This is so for most.
-  bool is_edge_outside(Triangle_index n, Vertex_index a, Vertex_index b) const {
-    const auto turn = Triangle_tree::Kernel().orientation_2_object();
-    const auto& v = mesh_.triangles[std::size_t(n)];
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Vertex_index from = v[k], to = v[(k + 1) % 3];
-      const auto side_of = [&](Vertex_index w) {
-        if (w == from || w == to) return COLLINEAR; // which would take exact numbers to find
-        return turn(mesh_.point(from), mesh_.point(to), mesh_.point(w));
-      };
-      const Orientation of_a = side_of(a);
-      if (of_a == LEFT_TURN) continue;
-      const Orientation of_b = side_of(b);
-      if (of_b != LEFT_TURN && (of_a == RIGHT_TURN || of_b == RIGHT_TURN)) return true;
-    }
-    return false;
+    CGAL_assertion(first < mesh_.triangles.size());
+    const auto [t, u] = std::minmax(first, side.triangle);
+    throw Pslg_error_2(Kind::INVALID_MESH, text(t) + " and " + text(u) + " overlap",
+                       Pslg_parts_2().triangle(Triangle_index(t)).triangle(Triangle_index(u)));
   }
 
   /// Whether a side of `a` has all of `b` on its right, or on it.

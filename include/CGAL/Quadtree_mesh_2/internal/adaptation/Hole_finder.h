@@ -7,7 +7,7 @@
 // A place in each hole of a mesh.
 //
 // Computes: a place in each bounded component of the plane that the mesh does not cover.
-// Bound:    O(b log b + h log k) expected time for b edges on the border, h components and k triangles.
+// Bound:    O(b log b) expected time for b edges on the border, around vertices of any degree whose neighbors have few.
 // Source:   ours. A constrained triangulation of the border edges, whose components are asked for.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_ADAPTATION_HOLE_FINDER_H
@@ -35,14 +35,16 @@ class Hole_finder {
 public:
   using Point = Triangle_tree::Point;
 
-  explicit Hole_finder(const Given_mesh& given)
-      : given_(given), mesh_(given.mesh()), magnitude_(magnitude_of(mesh_.points)) {
+  /// \pre the border of the mesh does not touch itself but at vertices
+  explicit Hole_finder(const Given_mesh& given) : magnitude_(magnitude_of(given.mesh().points)) {
+    const Given_mesh::Mesh& mesh = given.mesh();
     Border border;
-    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
       for (std::size_t k = 0; k < 3; ++k)
         if (!given.neighbors()[t][k].is_valid())
-          border.add(mesh_, mesh_.triangles[t][(k + 1) % 3], mesh_.triangles[t][(k + 2) % 3]);
+          border.add(mesh, mesh.triangles[t][(k + 1) % 3], mesh.triangles[t][(k + 2) % 3]);
     for (const auto& [a, b] : border.edges) border_.insert(ends(border.points[a], border.points[b]));
+    border.begin_edges_at_lesser_degrees();
     // all at a time, as CGAL puts the points into an order in which they are found soon
     cdt_.insert_constraints(border.points.begin(), border.points.end(), border.edges.begin(),
                             border.edges.end());
@@ -74,6 +76,14 @@ private:
       edges.emplace_back(first, number(mesh, b));
     }
 
+    /// CGAL looks for an edge all around the first of its ends.
+    void begin_edges_at_lesser_degrees() {
+      std::vector<std::size_t> degree(points.size(), 0);
+      for (const auto& [a, b] : edges) ++degree[a], ++degree[b];
+      for (auto& [a, b] : edges)
+        if (degree[b] < degree[a]) std::swap(a, b);
+    }
+
   private:
     std::unordered_map<std::size_t, std::size_t> number_of_; // per vertex, its point
 
@@ -84,8 +94,6 @@ private:
     }
   };
 
-  const Given_mesh& given_;
-  const Given_mesh::Mesh& mesh_;
   double magnitude_;
   Cdt cdt_;
   std::set<Ends> border_; // edges with the mesh on their left
@@ -94,8 +102,8 @@ private:
   static Ends ends(const Point& a, const Point& b) { return {a.x(), a.y(), b.x(), b.y()}; }
   bool visit(Face_handle f) { return reached_.insert(&*f).second; }
 
-  /// Whether the mesh covers a face, as a side of it tells. Sides that vertices of the mesh divide tell nothing.
-  bool is_certainly_covered(Face_handle f) const {
+  /// Whether the mesh covers a face, as a side of it tells.
+  bool is_known_as_covered(Face_handle f) const {
     for (int k = 0; k < 3; ++k)
       if (f->is_constrained(k) &&
           border_.count(ends(f->vertex(Cdt::ccw(k))->point(), f->vertex(Cdt::cw(k))->point())) > 0)
@@ -112,7 +120,7 @@ private:
         [&](Face_handle f) {
           if (!visit(f)) return false;
           place.offer({f->vertex(0)->point(), f->vertex(1)->point(), f->vertex(2)->point()});
-          is_covered = is_covered || is_certainly_covered(f);
+          is_covered = is_covered || is_known_as_covered(f);
           return true;
         },
         [](Face_handle) {});
@@ -121,7 +129,7 @@ private:
     if (!inside)
       throw Pslg_error_2(Pslg_error_2::Kind::ROUNDING,
                          "a hole of the mesh is too thin: the coordinates have no room for a point in it");
-    return given_.tree().nearest(*inside).squared_distance > 0 ? inside : std::nullopt;
+    return inside;
   }
 };
 

@@ -31,6 +31,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/adaptation/Sharp_corner_finder.h>
 #include <CGAL/Quadtree_mesh_2/internal/adaptation/Sufficient_mesh.h>
 #include <CGAL/Quadtree_mesh_2/internal/adaptation/Triangle_area_bounds.h>
+#include <CGAL/Quadtree_mesh_2/internal/adaptation/edge_key.h>
 #include <CGAL/Quadtree_mesh_2/internal/adaptation/same_triangles.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quality_mesh_options_2.h>
@@ -60,6 +61,7 @@ public:
   /// \throws Pslg_error_2 naming what is at fault if the mesh is none, or none of this graph
   Mesh_adapter(const Mesh& mesh, const Pslg& pslg, const Options& options)
       : mesh_(mesh), pslg_(pslg), options_(options), given_(mesh, pslg.first_number) {
+    given_.refuse_touches();
     options_.mesh_domain(Options::Domain::MARKED);
     read_input_vertices();
     read_constrained_edges();

@@ -6,8 +6,8 @@
 //
 // Triangles made a mesh with all arrays, and the graph that it is a mesh of. See `pslg_from_mesh_2()`.
 //
-// Computes: neighbors, constrained edges (the border, those between attributes and those named), regions, and the graph
-//           with a place in each hole.
+// Computes: triangles that meet at whole sides (Conforming_triangles.h), neighbors, constrained edges (the border,
+//           those between attributes and those named), regions, and the graph with a place in each hole.
 // Bound:    O(k log k) time for k triangles, expected.
 // Source:   ours.
 
@@ -18,16 +18,19 @@
 #include <CGAL/Pslg_2.h>
 #include <CGAL/Pslg_error_2.h>
 #include <CGAL/Quadtree_mesh_2/given_mesh_types.h>
+#include <CGAL/Quadtree_mesh_2/internal/adaptation/Conforming_triangles.h>
 #include <CGAL/Quadtree_mesh_2/internal/adaptation/Given_mesh.h>
 #include <CGAL/Quadtree_mesh_2/internal/adaptation/Hole_finder.h>
 #include <CGAL/Quadtree_mesh_2/internal/adaptation/Kept_vertices_graph.h>
 #include <CGAL/Quadtree_mesh_2/internal/adaptation/Straight_legs.h>
+#include <CGAL/Quadtree_mesh_2/internal/adaptation/edge_key.h>
 #include <CGAL/Quadtree_mesh_2/internal/output/boundary_markers.h>
 
 #include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <set>
 #include <string>
 #include <unordered_map>
@@ -48,9 +51,16 @@ public:
 
   Pslg complete() {
     check_lengths();
-    const Given_mesh given(mesh_, details_.first_number);
-    made_.points = mesh_.points, made_.triangles = mesh_.triangles,
-    made_.vertex_markers = mesh_.vertex_markers;
+    made_.points = mesh_.points, made_.vertex_markers = mesh_.vertex_markers;
+    std::optional<Given_mesh> checked(std::in_place, mesh_, details_.first_number);
+    if (checked->touches().are_none()) {
+      made_.triangles = mesh_.triangles;
+    } else {
+      conforming_.emplace(mesh_, checked->neighbors(), checked->touches());
+      made_.triangles = conforming_->triangles();
+      checked.emplace(made_, details_.first_number);
+    }
+    const Given_mesh& given = *checked;
     made_.neighbors = given.neighbors();
     find_constrained_edges();
     auto holes = Hole_finder(given).places();
@@ -65,12 +75,20 @@ public:
     pslg.first_number = details_.first_number;
     pslg.regions.clear();
     if (!details_.attributes.empty()) {
-      for (const auto& c : components)
-        pslg.regions.push_back({c.inside, details_.attributes[c.first_triangle], 0});
+      for (const auto& c : components) pslg.regions.push_back({c.inside, attribute(c.first_triangle), 0});
       made_.region_of_triangle = std::move(component_of);
     }
     mesh_ = std::move(made_);
     return pslg;
+  }
+
+  /// Per triangle of the mesh that was made, the given one that it is a piece of.
+  /// \pre `complete()` is done
+  std::vector<Triangle_index> given_triangle() const {
+    if (conforming_) return conforming_->origin();
+    std::vector<Triangle_index> same;
+    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) same.push_back(Triangle_index(t));
+    return same;
   }
 
 private:
@@ -80,6 +98,7 @@ private:
   Mesh& mesh_;
   const Given_mesh_details_2& details_;
   Mesh made_;
+  std::optional<Conforming_triangles> conforming_; // if the given ones are not
   std::vector<Ends> border_;
   std::unordered_map<std::uint64_t, std::size_t> edge_of_; // constrained edges by their keys
 
@@ -102,11 +121,11 @@ private:
                            Pslg_parts_2().triangle(Triangle_index(t)));
   }
 
-  /// The edges on the border, between attributes, and those named.
+  /// The edges on the border now or before, between attributes, and those named.
   void find_constrained_edges() {
     std::unordered_map<std::uint64_t, std::size_t> named; // the first segment on an edge
     for (std::size_t s = 0; s < details_.segments.size(); ++s)
-      named.emplace(edge_key(details_.segments[s][0], details_.segments[s][1]), s);
+      for_each_edge_of_segment(s, [&](std::uint64_t key) { named.emplace(key, s); });
     for (std::size_t t = 0; t < made_.triangles.size(); ++t)
       for (std::size_t k = 0; k < 3; ++k) {
         const Triangle_index n = made_.neighbors[t][k];
@@ -114,25 +133,45 @@ private:
         const Ends ends{made_.triangles[t][(k + 1) % 3], made_.triangles[t][(k + 2) % 3]};
         const auto segment = named.find(edge_key(ends[0], ends[1]));
         if (!n.is_valid()) border_.push_back(ends);
-        if (n.is_valid() && segment == named.end() && !is_between_attributes(t, std::size_t(n))) continue;
+        if (n.is_valid() && segment == named.end() && !was_border(ends) &&
+            !is_between_attributes(t, std::size_t(n)))
+          continue;
         edge_of_.emplace(edge_key(ends[0], ends[1]), made_.constrained_edges.size());
         int marker = 0;
         if (segment != named.end() && !details_.segment_markers.empty())
           marker = details_.segment_markers[segment->second];
         made_.constrained_edges.push_back({ends, Segment_index(made_.constrained_edges.size()), marker});
       }
-    for (std::size_t s = 0; s < details_.segments.size(); ++s) {
-      const auto& [a, b] = details_.segments[s];
-      if (edge_of_.count(edge_key(a, b)) == 0)
-        throw Pslg_error_2(Kind::INVALID_MESH,
-                           "segment " + number(s) + " from vertex " + number(std::size_t(a)) + " to vertex " +
-                               number(std::size_t(b)) + " is not an edge of a triangle",
-                           Pslg_parts_2().segment(Segment_index(s)));
-    }
+    for (std::size_t s = 0; s < details_.segments.size(); ++s)
+      for_each_edge_of_segment(s, [&](std::uint64_t key) {
+        if (edge_of_.count(key) == 0) refuse_segment(s);
+      });
   }
 
+  [[noreturn]] void refuse_segment(std::size_t s) const {
+    const auto& [a, b] = details_.segments[s];
+    throw Pslg_error_2(Kind::INVALID_MESH,
+                       "segment " + number(s) + " from vertex " + number(std::size_t(a)) + " to vertex " +
+                           number(std::size_t(b)) + " is not an edge of a triangle",
+                       Pslg_parts_2().segment(Segment_index(s)));
+  }
+
+  /// Calls `f(key)` for the edges of the mesh along a segment that the details name.
+  template <class F>
+  void for_each_edge_of_segment(std::size_t s, const F& f) const {
+    const auto& [a, b] = details_.segments[s];
+    if (!conforming_) return f(edge_key(a, b));
+    const std::vector<Vertex_index> way = conforming_->way_along(a, b);
+    for (std::size_t i = 0; i + 1 < way.size(); ++i) f(edge_key(way[i], way[i + 1]));
+  }
+
+  bool was_border(const Ends& ends) const { return conforming_ && conforming_->was_border(ends[0], ends[1]); }
+
+  double attribute(std::size_t t) const {
+    return details_.attributes[conforming_ ? std::size_t(conforming_->origin()[t]) : t];
+  }
   bool is_between_attributes(std::size_t t, std::size_t n) const {
-    return !details_.attributes.empty() && details_.attributes[t] != details_.attributes[n];
+    return !details_.attributes.empty() && attribute(t) != attribute(n);
   }
 
   /// The graph's vertices and segments; tells the mesh their numbers.

@@ -113,8 +113,7 @@ private:
       const Point& p = mesh_.points[v];
       const auto nearest = given_.tree().nearest(p);
       const auto around = given_.corners(std::size_t(nearest.triangle));
-      if (nearest.squared_distance == 0 && std::find(around.begin(), around.end(), p) == around.end())
-        return true;
+      if (nearest.distance == 0 && std::find(around.begin(), around.end(), p) == around.end()) return true;
     }
     return false;
   }

@@ -20,6 +20,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -38,15 +39,26 @@ double squared_distance_from_segment(const Point& p, const Point& a, const Point
   return x * x + y * y;
 }
 
+/// A power of two whose product with a number is near 1: squares of coordinates themselves may be beyond doubles.
+inline double unit_for(double magnitude) {
+  constexpr int most = 1000;
+  return magnitude > 0 ? std::ldexp(1, std::min(most, std::max(-most, -std::ilogb(magnitude)))) : 1;
+}
+
 /// The shares of the corners in a place: barycentric coordinates, those of the nearest place for one beside the
 /// triangle. A corner has exactly (1, 0, 0), (0, 1, 0) or (0, 0, 1).
 template <class Point>
 std::array<double, 3> corner_weights(const std::array<Point, 3>& t, const Point& p) {
+  double reach = 0;
+  for (const Point& c : t) reach = std::max({reach, std::fabs(c.x() - p.x()), std::fabs(c.y() - p.y())});
+  const double unit = unit_for(reach);
   std::array<double, 3> weights;
   double sum = 0;
   for (std::size_t k = 0; k < 3; ++k) {
     const Point &a = t[(k + 1) % 3], &b = t[(k + 2) % 3];
-    weights[k] = std::max(0., (a.x() - p.x()) * (b.y() - p.y()) - (a.y() - p.y()) * (b.x() - p.x()));
+    const double ax = unit * (a.x() - p.x()), ay = unit * (a.y() - p.y());
+    const double bx = unit * (b.x() - p.x()), by = unit * (b.y() - p.y());
+    weights[k] = std::max(0., ax * by - ay * bx);
     sum += weights[k];
   }
   if (!(sum > 0)) return {1, 0, 0}; // too small for doubles
@@ -64,7 +76,7 @@ public:
   };
   struct Nearest {
     Triangle_index triangle; ///< the lowest index of those that are as near
-    double squared_distance; ///< 0 within the triangle, its border included
+    double distance;         ///< 0 within the triangle, its border included, and only there
   };
 
   /// \pre there is a triangle, and all are counterclockwise
@@ -78,6 +90,8 @@ public:
     while (leaves * leaf_size < entries_.size()) leaves *= 2;
     boxes_.resize(2 * leaves - 1);
     build(0, 0, entries_.size());
+    const auto& [low, high] = boxes_[0];
+    unit_ = unit_for(std::max({-low[0], -low[1], high[0], high[1]}));
   }
 
   static Box box_of(const Corners& t) {
@@ -93,9 +107,11 @@ public:
 
   /// The triangle with `p` in it, or else the nearest one.
   Nearest nearest(const Point& p) const {
-    Nearest best{Triangle_index(), std::numeric_limits<double>::infinity()};
+    Candidate best{Triangle_index(), std::numeric_limits<double>::infinity()};
     search(0, 0, entries_.size(), p, best);
-    return best;
+    if (best.squared_distance == 0) return {best.triangle, 0};
+    return {best.triangle,
+            std::max(std::numeric_limits<double>::denorm_min(), std::sqrt(best.squared_distance) / unit_)};
   }
 
   static bool has_inside_or_on(const Corners& t, const Point& p) {
@@ -111,9 +127,14 @@ private:
     Corners corners;
     Triangle_index triangle;
   };
+  struct Candidate {
+    Triangle_index triangle;
+    double squared_distance; // of scaled places
+  };
 
   std::vector<Entry> entries_; // in the order of the leaves
   std::vector<Box> boxes_;     // the children of node i are 2 i + 1 and 2 i + 2
+  double unit_ = 1;            // by which coordinates are multiplied before they are squared
 
   bool is_leaf(std::size_t node) const { return 2 * node + 1 >= boxes_.size(); }
   static std::size_t middle_of(std::size_t begin, std::size_t end) { return begin + (end - begin) / 2; }
@@ -160,22 +181,27 @@ private:
     return a.low[0] <= b.high[0] && b.low[0] <= a.high[0] && a.low[1] <= b.high[1] && b.low[1] <= a.high[1];
   }
 
+  Point scaled(const Point& p) const { return Point(unit_ * p.x(), unit_ * p.y()); }
+
   /// No triangle below the node is nearer than this (squared).
   double least(std::size_t node, const Point& p) const {
     const Box& b = boxes_[node];
-    const double dx = std::max({b.low[0] - p.x(), p.x() - b.high[0], 0.});
-    const double dy = std::max({b.low[1] - p.y(), p.y() - b.high[1], 0.});
+    const double dx = std::max({unit_ * b.low[0] - unit_ * p.x(), unit_ * p.x() - unit_ * b.high[0], 0.});
+    const double dy = std::max({unit_ * b.low[1] - unit_ * p.y(), unit_ * p.y() - unit_ * b.high[1], 0.});
     return dx * dx + dy * dy;
   }
 
-  static double squared_distance(const Corners& t, const Point& p) {
+  double squared_distance(const Corners& t, const Point& p) const {
     if (has_inside_or_on(t, p)) return 0;
-    return std::min({squared_distance_from_segment(p, t[0], t[1]),
-                     squared_distance_from_segment(p, t[1], t[2]),
-                     squared_distance_from_segment(p, t[2], t[0])});
+    const Corners c{scaled(t[0]), scaled(t[1]), scaled(t[2])};
+    const Point q = scaled(p);
+    return std::max(
+        std::numeric_limits<double>::min(),
+        std::min({squared_distance_from_segment(q, c[0], c[1]), squared_distance_from_segment(q, c[1], c[2]),
+                  squared_distance_from_segment(q, c[2], c[0])}));
   }
 
-  void search(std::size_t node, std::size_t begin, std::size_t end, const Point& p, Nearest& best) const {
+  void search(std::size_t node, std::size_t begin, std::size_t end, const Point& p, Candidate& best) const {
     if (least(node, p) > best.squared_distance) return;
     if (is_leaf(node)) {
       for (std::size_t i = begin; i < end; ++i) {
