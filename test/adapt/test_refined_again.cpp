@@ -231,11 +231,33 @@ TEST_CASE("Sides of a corner within rounding of each other are straight together
   }
 }
 
-TEST_CASE("Edges within rounding of each other that meet in no corner are named", "[adapt]") {
-  const Pslg pslg = read("hard_overlap_on_border.poly");
-  const Read_mesh given = written_and_read(fresh_mesh(pslg, Options()), pslg);
+TEST_CASE("Between edges without room the mesh stays as it is", "[adapt]") {
+  for (const std::string name : {"hard_overlap_on_border.poly", "hard_legs_units_apart_beside_gaps.poly"}) {
+    CAPTURE(name);
+    if (!is_full_run() && name != "hard_overlap_on_border.poly") continue;
+    const Pslg pslg = read(name);
+    Read_mesh given = written_and_read(fresh_mesh(pslg, Options()), pslg);
+    for (int step = 0; step < 2; ++step) {
+      const auto made = CGAL::refine_mesh_2(given.mesh, given.pslg, Options());
+      check_valid(made.mesh, given.pslg);
+      check_transfer(made, given.mesh);
+      CHECK_FALSE(made.report.is_met());
+      CHECK_FALSE(made.report.is_budget_exhausted);
+      for (const auto& unmet : made.report.unmet_triangles)
+        CHECK(unmet.reason == CGAL::Quality_mesh_report_2::Reason::COORDINATES);
+      given = written_and_read(made.mesh, given.pslg);
+    }
+  }
+}
+
+TEST_CASE("Edges that face each other across a gap with little room are named", "[adapt]") {
+  Mesh mesh;
+  mesh.points = {Point(0, 0), Point(1, 0), Point(1, 1e-12), Point(0, 1e-12)};
+  for (const auto& [a, b, c] : {std::array{0, 1, 2}, {0, 2, 3}})
+    mesh.triangles.push_back({Vertex_index(a), Vertex_index(b), Vertex_index(c)});
+  const Pslg pslg = CGAL::pslg_from_mesh_2(mesh);
   try {
-    CGAL::refine_mesh_2(given.mesh, given.pslg, Options());
+    CGAL::refine_mesh_2(mesh, pslg, Options());
     FAIL("no exception");
   } catch (const CGAL::Pslg_gap_error_2& error) {
     CHECK(error.kind() == CGAL::Pslg_error_2::Kind::TOO_MANY_TRIANGLES);

@@ -41,6 +41,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <unordered_set>
 #include <utility>
@@ -115,6 +116,8 @@ private:
   static constexpr double share_kept = 0.6;
   /// Vertices are put back where more than this share of them is made again.
   static constexpr double share_made_again = 0.75;
+  /// How many new vertices are tried where the mesher would refuse edges without room between them.
+  static constexpr std::size_t fewest_tried = 100000, tried_per_vertex = 10;
 
   const Mesh& mesh_;
   const Pslg& pslg_;
@@ -341,9 +344,7 @@ private:
     if (options.max_steiner_vertices()) // those left out are not new
       options.max_steiner_vertices(*options.max_steiner_vertices() + mesh_.points.size() -
                                    kept.old_vertex().size());
-    Mesher mesher(std::move(options));
-    result.mesh = mesher(kept.graph());
-    result.report = mesher.report();
+    result.mesh = mesh_of(kept.graph(), std::move(options), result.report);
     rename_segments(result.mesh, kept);
     result.transfer.old_vertex = kept.old_vertex();
     Recurring_vertices<Point> recurring(mesh_, result.mesh, result.transfer.old_vertex);
@@ -358,6 +359,36 @@ private:
     result.report.input_segments = pslg_.number_of_segments();
     find_places(result.mesh, result.transfer);
     return result;
+  }
+
+  /// Where the mesher finds no room between edges, it leaves them as they are, and so may the old mesh. But its estimate
+  /// takes them for a gap to be filled, as such edges are hardly what the owner of a graph means. Of a mesh they may be.
+  /// So it is asked to try.
+  Mesh mesh_of(const Pslg& graph, Options options, Quality_mesh_report_2& report) const {
+    const auto run = [&] {
+      Mesher mesher(options);
+      Mesh mesh = mesher(graph);
+      report = mesher.report();
+      return mesh;
+    };
+    try {
+      return run();
+    } catch (const Pslg_gap_error_2& gap) {
+      if (options.max_steiner_vertices() || !is_without_room(graph, gap)) throw;
+      options.max_steiner_vertices(fewest_tried + tried_per_vertex * mesh_.points.size());
+      Mesh mesh = run();
+      if (report.is_budget_exhausted) throw;
+      return mesh;
+    }
+  }
+
+  /// Whether two edges are less than a unit in the last place apart.
+  static bool is_without_room(const Pslg& graph, const Pslg_gap_error_2& gap) {
+    std::vector<Point> ends;
+    for (const Segment_index s : gap.segments)
+      for (const Vertex_index v : graph.segment(s)) ends.push_back(graph.point(v));
+    const double magnitude = magnitude_of(ends);
+    return gap.distance < std::nextafter(magnitude, std::numeric_limits<double>::infinity()) - magnitude;
   }
 
   /// Where all triangles are those of the old mesh, it is that.
