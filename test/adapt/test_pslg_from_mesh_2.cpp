@@ -165,6 +165,19 @@ bool do_any_touch(const Mesh& mesh) {
   return false;
 }
 
+/// Adapted with vertices that may be left out.
+void check_adapted(Mesh mesh) {
+  const double covered = covered_area(mesh);
+  Details details;
+  details.vertices = Details::Vertices::FREE_INSIDE;
+  const Pslg graph = CGAL::pslg_from_mesh_2(mesh, details);
+  const auto made = CGAL::adapt_mesh_2(mesh, graph, Options());
+  check_valid(made.mesh, graph);
+  check_transfer(made, mesh);
+  CHECK(made.report.is_met());
+  CHECK(std::abs(covered_area(made.mesh) - covered) < 1e-12);
+}
+
 /// Whether the edge from a to b is a segment of the mesh.
 bool is_constrained(const Mesh& mesh, int a, int b) {
   const auto ends = std::minmax(Vertex_index(a), Vertex_index(b));
@@ -371,6 +384,7 @@ TEST_CASE("Triangles that meet anyhow without an overlap become a mesh of what t
     check_transfer(made, mesh);
     CHECK(made.report.is_met());
     CHECK(std::abs(covered_area(made.mesh) - covered_area(given)) < 1e-12);
+    if (soup % 4 == 0) check_adapted(given);
   }
   CHECK(touching > 100);
 }

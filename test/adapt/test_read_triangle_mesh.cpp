@@ -12,6 +12,7 @@
 #include <CGAL/IO/write_triangle_files.h>
 #include <CGAL/refine_mesh_2.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -187,6 +188,35 @@ TEST_CASE("Areas are read for as many triangles as there are", "[adapt]") {
   CHECK(pslg_test::has_text(refusal("3\n1 1\n2 1\n"), "the area of triangle 3"));
   CHECK(pslg_test::has_text(refusal("3\n1 1\n2 x\n3 1\n"), "a.area:3: the area of triangle 2"));
   CHECK(pslg_test::has_text(refusal("3\n1 1\n2 1\n3 1\n4 1\n"), "a.area:5: nothing more is expected"));
+}
+
+TEST_CASE("Pieces of a triangle of a file have its bound of area, and a segment along it has theirs",
+          "[adapt]") {
+  const Scratch_folder folder;
+  folder.write("t.node", "5 2 0 0\n0 0 0\n1 2 0\n2 1 3\n3 1 0\n4 1 -3\n");
+  folder.write("t.ele", "3 3 0\n0 0 1 2\n1 0 4 3\n2 3 4 1\n");
+  folder.write("t.poly", "0 2 0 0\n1 1\n0 1 0 7\n0\n");
+  Mesh mesh;
+  Pslg pslg;
+  std::vector<Triangle_index> given_triangle;
+  CGAL::IO::read_triangle_mesh(folder.file("t.ele"), mesh, pslg, given_triangle);
+  check_valid(mesh, pslg);
+  CHECK(given_triangle == std::vector<Triangle_index>{Triangle_index(0), Triangle_index(1), Triangle_index(2),
+                                                      Triangle_index(0)});
+  CHECK(std::count(pslg.segment_markers.begin(), pslg.segment_markers.end(), 7) == 2);
+  const std::vector<double> areas =
+      CGAL::IO::read_triangle_area(folder.write("t.area", "3\n0 0.01\n1 -1\n2 -1\n"), given_triangle);
+  CHECK(areas == std::vector<double>{0.01, -1, -1, 0.01});
+  const auto made = CGAL::refine_mesh_2(mesh, pslg, areas, Options());
+  check_valid(made.mesh, pslg);
+  check_transfer(made, mesh);
+  double largest_above = 0, largest_below = 0;
+  for (std::size_t t = 0; t < made.mesh.triangles.size(); ++t) {
+    double& largest = centroid(made.mesh, t).y() > 0 ? largest_above : largest_below;
+    largest = std::max(largest, area(made.mesh, t));
+  }
+  CHECK(largest_above <= 0.01);
+  CHECK(largest_below > 0.01);
 }
 
 TEST_CASE("Mutated files of a mesh give a mesh that can be refined, or an error", "[adapt][mutated]") {
