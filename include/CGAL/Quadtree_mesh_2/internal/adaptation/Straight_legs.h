@@ -47,6 +47,7 @@ public:
       : mesh_(mesh), may_be_inside_(std::move(may_be_inside)), widest_reach_(reach_of(mesh.points)) {
     find_edges_at_vertices();
     find_vertices_across();
+    find_triangles_at_vertices();
   }
 
   /// Per vertex, whether it is inside of a straight side of a corner.
@@ -111,6 +112,8 @@ private:
       edges_; // the constrained edges at v are those from first_[v] to first_[v + 1]
   /// Per constrained edge, the third vertices of the triangles on its left and on its right.
   std::vector<std::array<Vertex_index, 2>> across_;
+  /// The triangles at a vertex v with two constrained edges are those from first_triangle_[v] to first_triangle_[v + 1].
+  std::vector<std::size_t> first_triangle_, triangles_;
   std::vector<Leg> legs_;                  // at a corner
   std::vector<Vertex_index> next_to_apex_; // the ends of the edges at it, by number
   /// The sides so far, by their ends: the vertices inside next to these.
@@ -140,6 +143,23 @@ private:
         if (const auto found = edge_of.find(std::minmax(a, b)); found != edge_of.end())
           across_[found->second][mesh_.constrained_edges[found->second].vertices[0] == a ? 0 : 1] = t[k];
       }
+  }
+
+  void find_triangles_at_vertices() {
+    const std::size_t n = mesh_.points.size();
+    const auto may_be_inside = [this](Vertex_index v) {
+      return first_[std::size_t(v) + 1] == first_[std::size_t(v)] + 2 && may_be_inside_[std::size_t(v)] != 0;
+    };
+    first_triangle_.assign(n + 1, 0);
+    for (const auto& t : mesh_.triangles)
+      for (const Vertex_index v : t)
+        if (may_be_inside(v)) ++first_triangle_[std::size_t(v) + 1];
+    for (std::size_t v = 0; v < n; ++v) first_triangle_[v + 1] += first_triangle_[v];
+    triangles_.resize(first_triangle_.back());
+    std::vector<std::size_t> next(first_triangle_.begin(), first_triangle_.end() - 1);
+    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t)
+      for (const Vertex_index v : mesh_.triangles[t])
+        if (may_be_inside(v)) triangles_[next[std::size_t(v)]++] = t;
   }
 
   Vertex_index other_end(std::size_t e, Vertex_index v) const {
@@ -231,7 +251,8 @@ private:
     return leg;
   }
 
-  /// Whether a vertex next to the way is not on the same side of the line: new vertices on it would pass it over.
+  /// Whether a vertex next to the way is not on the same side of the line: new vertices on it would pass it over, and an
+  /// edge that ends there might cross the line.
   bool has_vertex_across(const Leg& leg) const {
     if (leg.edges.size() == 1) return false;
     for (std::size_t i = 0; i < leg.edges.size(); ++i) {
@@ -241,7 +262,29 @@ private:
       if (left.is_valid() && !is_on_side(leg, left, LEFT_TURN)) return true;
       if (right.is_valid() && !is_on_side(leg, right, RIGHT_TURN)) return true;
     }
+    for (std::size_t i = 1; i + 1 < leg.path.size(); ++i)
+      if (has_vertex_across_near(leg, i)) return true;
     return false;
+  }
+
+  /// The same for vertices next to the i-th one of the way.
+  bool has_vertex_across_near(const Leg& leg, std::size_t i) const {
+    const Vertex_index before = leg.path[i - 1], own = leg.path[i], after = leg.path[i + 1];
+    for (std::size_t at = first_triangle_[std::size_t(own)]; at < first_triangle_[std::size_t(own) + 1]; ++at)
+      for (const Vertex_index w : mesh_.triangles[triangles_[at]])
+        if (w != before && w != own && w != after && !is_on_side(leg, w, side_of_way(before, own, after, w)))
+          return true;
+    return false;
+  }
+
+  /// On which side of the way from a over b to c a vertex next to b is.
+  Orientation side_of_way(Vertex_index a, Vertex_index b, Vertex_index c, Vertex_index v) const {
+    const auto turn = Triangle_tree::Kernel().orientation_2_object();
+    const Point &p = mesh_.point(a), &q = mesh_.point(b), &r = mesh_.point(c), &s = mesh_.point(v);
+    const bool is_left_of_first = turn(p, q, s) == LEFT_TURN, is_left_of_second = turn(q, r, s) == LEFT_TURN;
+    const bool is_left = turn(p, q, r) == LEFT_TURN ? is_left_of_first && is_left_of_second
+                                                    : is_left_of_first || is_left_of_second;
+    return is_left ? LEFT_TURN : RIGHT_TURN;
   }
 
   /// Whether a vertex is on a side of the line, or inside of another leg that is.
