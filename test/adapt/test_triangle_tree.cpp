@@ -112,6 +112,31 @@ TEST_CASE("Weights of corners are exact at corners, and never negative", "[adapt
   }
 }
 
+TEST_CASE("Weights of corners give the nearest place, also in triangles as flat as doubles can tell",
+          "[adapt]") {
+  using Segment = Triangle_tree::Kernel::Segment_2;
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> coordinate(0, 1);
+  for (const double height : {1., 1e-3, 1e-9, 0x1p-52}) {
+    CAPTURE(height);
+    const Triangle_tree::Corners t{Point(0, 0), Point(1, 0.75), Point(0.5, 0.375 + height)};
+    for (int i = 0; i < 1000; ++i) {
+      const double x = coordinate(random);
+      const Point p(x, 0.75 * x + height * (3 * coordinate(random) - 1));
+      const auto w = corner_weights(t, p);
+      CHECK(std::min({w[0], w[1], w[2]}) >= 0);
+      CHECK(w[0] + w[1] + w[2] == Approx(1).epsilon(1e-15));
+      const Point q(w[1] * t[1].x() + w[2] * t[2].x(), w[1] * t[1].y() + w[2] * t[2].y());
+      double distance =
+          std::numeric_limits<double>::infinity(); // CGAL's from triangles is too large for some
+      for (std::size_t k = 0; k < 3; ++k)
+        distance = std::min(distance, std::sqrt(CGAL::squared_distance(p, Segment(t[k], t[(k + 1) % 3]))));
+      if (Triangle_tree::has_inside_or_on(t, p)) distance = 0;
+      CHECK(std::hypot(q.x() - p.x(), q.y() - p.y()) == Approx(distance).margin(1e-12));
+    }
+  }
+}
+
 TEST_CASE("A sizing field of a mesh is linear in its triangles", "[adapt]") {
   const Mesh mesh = fresh_mesh(frame(), Options().max_area(0.1));
   std::vector<double> sizes;

@@ -361,9 +361,9 @@ private:
     return result;
   }
 
-  /// Where the mesher finds no room between edges, it leaves them as they are, and so may the old mesh. But its estimate
-  /// takes them for a gap to be filled, as such edges are hardly what the owner of a graph means. Of a mesh they may be.
-  /// So it is asked to try.
+  /// Where the mesher finds no room between edges, it leaves them as they are, and so may the old mesh. But its
+  /// estimate takes them for a gap to be filled, as such edges are hardly what the owner of a graph means. In a mesh
+  /// they may be. So it is asked to try.
   Mesh mesh_of(const Pslg& graph, Options options, Quality_mesh_report_2& report) const {
     const auto run = [&] {
       Mesher mesher(options);

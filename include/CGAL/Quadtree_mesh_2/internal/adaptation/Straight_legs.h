@@ -112,7 +112,8 @@ private:
       edges_; // the constrained edges at v are those from first_[v] to first_[v + 1]
   /// Per constrained edge, the third vertices of the triangles on its left and on its right.
   std::vector<std::array<Vertex_index, 2>> across_;
-  /// The triangles at a vertex v with two constrained edges are those from first_triangle_[v] to first_triangle_[v + 1].
+  /// The triangles at a vertex v that may be inside of a side are those from first_triangle_[v] to
+  /// first_triangle_[v + 1].
   std::vector<std::size_t> first_triangle_, triangles_;
   std::vector<Leg> legs_;                  // at a corner
   std::vector<Vertex_index> next_to_apex_; // the ends of the edges at it, by number
@@ -251,8 +252,8 @@ private:
     return leg;
   }
 
-  /// Whether a vertex next to the way is not on the same side of the line: new vertices on it would pass it over, and an
-  /// edge that ends there might cross the line.
+  /// Whether a vertex next to the way is not on the same side of the line: new vertices on it would pass it over, and
+  /// an edge that ends there might cross the line.
   bool has_vertex_across(const Leg& leg) const {
     if (leg.edges.size() == 1) return false;
     for (std::size_t i = 0; i < leg.edges.size(); ++i) {

@@ -24,6 +24,7 @@
 #include <CGAL/Pslg_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/adaptation/Given_mesh.h>
 #include <CGAL/Quadtree_mesh_2/internal/adaptation/Sharp_corner_finder.h>
+#include <CGAL/Quadtree_mesh_2/internal/adaptation/Triangle_tree.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/angle_units.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/group_in_order.h>
 #include <CGAL/Quality_mesh_options_2.h>
@@ -46,13 +47,6 @@ inline double exact_angle(const Triangle_tree::Point& o, const Triangle_tree::Po
   const MP_Float ux = difference(p.x(), o.x()), uy = difference(p.y(), o.y());
   const MP_Float vx = difference(q.x(), o.x()), vy = difference(q.y(), o.y());
   return std::fabs(std::atan2(CGAL::to_double(ux * vy - uy * vx), CGAL::to_double(ux * vx + uy * vy)));
-}
-
-/// Twice the area of a triangle, rounded at last.
-inline double exact_doubled_area(const Triangle_tree::Corners& t) {
-  const auto difference = [](double a, double b) { return MP_Float(a) - MP_Float(b); };
-  return CGAL::to_double(difference(t[1].x(), t[0].x()) * difference(t[2].y(), t[0].y()) -
-                         difference(t[1].y(), t[0].y()) * difference(t[2].x(), t[0].x()));
 }
 
 /// \tparam Is_constrained called with two vertices, whether the edge between them is
@@ -147,7 +141,8 @@ private:
     const auto p = given_.corners(t);
     const auto small = scaled_corners(t);
     double scaled_area = double_area(small) / 2;
-    if (!(scaled_area > 0)) scaled_area = exact_doubled_area(small) / 2; // doubles cannot tell
+    if (!(scaled_area > 0))
+      scaled_area = exact_area2_from(small[0], small[1], small[2]) / 2; // doubles cannot tell
     const double area = std::ldexp(scaled_area, 2 * exponent_);
     double longest = 0;
     for (std::size_t k = 0; k < 3; ++k)

@@ -16,6 +16,7 @@
 #define CGAL_QUADTREE_MESH_2_INTERNAL_ADAPTATION_TRIANGLE_TREE_H
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/MP_Float.h>
 #include <CGAL/Quadtree_mesh_2/Index.h>
 
 #include <algorithm>
@@ -45,23 +46,54 @@ inline double unit_for(double magnitude) {
   return magnitude > 0 ? std::ldexp(1, std::min(most, std::max(-most, -std::ilogb(magnitude)))) : 1;
 }
 
+/// The shares of the corners in the nearest place on the border of a triangle.
+/// \pre squares of lengths are within doubles
+template <class Point>
+std::array<double, 3> weights_on_border(const std::array<Point, 3>& t, const Point& p) {
+  std::array<double, 3> best{1, 0, 0};
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Point &a = t[k], &b = t[(k + 1) % 3];
+    const double dx = b.x() - a.x(), dy = b.y() - a.y(), length2 = dx * dx + dy * dy;
+    const double along = (p.x() - a.x()) * dx + (p.y() - a.y()) * dy;
+    const double share = length2 > 0 ? std::min(1., std::max(0., along / length2)) : 0;
+    const double distance = p == a || p == b ? 0 : squared_distance_from_segment(p, a, b);
+    if (distance >= nearest) continue;
+    nearest = distance, best = {};
+    best[k] = p == b ? 0 : 1 - share, best[(k + 1) % 3] = p == b ? 1 : share;
+  }
+  return best;
+}
+
+/// Twice the area of the triangle of p, a and b, rounded at last.
+template <class Point>
+double exact_area2_from(const Point& p, const Point& a, const Point& b) {
+  const auto difference = [](double x, double y) { return MP_Float(x) - MP_Float(y); };
+  return CGAL::to_double(difference(a.x(), p.x()) * difference(b.y(), p.y()) -
+                         difference(a.y(), p.y()) * difference(b.x(), p.x()));
+}
+
 /// The shares of the corners in a place: barycentric coordinates, those of the nearest place for one beside the
 /// triangle. A corner has exactly (1, 0, 0), (0, 1, 0) or (0, 0, 1).
 template <class Point>
-std::array<double, 3> corner_weights(const std::array<Point, 3>& t, const Point& p) {
+std::array<double, 3> corner_weights(const std::array<Point, 3>& triangle, const Point& place) {
   double reach = 0;
-  for (const Point& c : t) reach = std::max({reach, std::fabs(c.x() - p.x()), std::fabs(c.y() - p.y())});
+  for (const Point& c : triangle)
+    reach = std::max({reach, std::fabs(c.x() - place.x()), std::fabs(c.y() - place.y())});
   const double unit = unit_for(reach);
+  const auto scaled = [unit](const Point& p) { return Point(unit * p.x(), unit * p.y()); };
+  const std::array<Point, 3> t{scaled(triangle[0]), scaled(triangle[1]), scaled(triangle[2])};
+  const Point p = scaled(place);
+  constexpr double flat = 0x1p-10; // what rounding does to areas above this does not show
+  const auto area2 = [&p](const Point& a, const Point& b) {
+    return (a.x() - p.x()) * (b.y() - p.y()) - (a.y() - p.y()) * (b.x() - p.x());
+  };
   std::array<double, 3> weights;
-  double sum = 0;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Point &a = t[(k + 1) % 3], &b = t[(k + 2) % 3];
-    const double ax = unit * (a.x() - p.x()), ay = unit * (a.y() - p.y());
-    const double bx = unit * (b.x() - p.x()), by = unit * (b.y() - p.y());
-    weights[k] = std::max(0., ax * by - ay * bx);
-    sum += weights[k];
-  }
-  if (!(sum > 0)) return {1, 0, 0}; // too small for doubles
+  for (std::size_t k = 0; k < 3; ++k) weights[k] = area2(t[(k + 1) % 3], t[(k + 2) % 3]);
+  if (weights[0] + weights[1] + weights[2] < flat)
+    for (std::size_t k = 0; k < 3; ++k) weights[k] = exact_area2_from(p, t[(k + 1) % 3], t[(k + 2) % 3]);
+  const double sum = weights[0] + weights[1] + weights[2];
+  if (std::min({weights[0], weights[1], weights[2]}) < 0 || !(sum > 0)) return weights_on_border(t, p);
   for (double& w : weights) w /= sum;
   return weights;
 }
