@@ -10,8 +10,8 @@
 #include <utility>
 #include <vector>
 
-/// The scratch folder of a command line. It goes, with those that were made for it, when nothing is left in it and nobody
-/// else has use for it.
+/// The scratch folder of a command line. It goes, with those that were made for it, when nothing is left in it and
+/// nobody else has use for it.
 class Scratch_folder {
 public:
   /// Makes it if need be.

@@ -71,8 +71,8 @@ private:
 };
 
 /// Per constrained edge, the triangles beside it in their order; `no_triangle` where there is none. From the vertices
-/// alone, as meshes made by hand have no neighbors. O(T log d + V + e log d) for T triangles, V vertices, and e edges of
-/// which at most d have one lesser end.
+/// alone, as meshes made by hand have no neighbors. O(T log d + V + e log d) for T triangles, V vertices, and e edges
+/// of which at most d have one lesser end.
 template <class Point>
 std::vector<std::array<std::size_t, 2>> triangles_at_edges(const Indexed_mesh_2<Point>& mesh) {
   const Edges_by_ends<Point> edges(mesh);

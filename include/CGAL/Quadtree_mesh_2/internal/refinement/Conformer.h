@@ -86,8 +86,8 @@ private:
     return all;
   }
 
-  /// A piece that matches a vertex of another edge is not to be much shorter than the other one, as halves come nearer to
-  /// the vertex, but where there are no halves. Halves are at new radii, which other edges have to match.
+  /// A piece that matches a vertex of another edge is not to be much shorter than the other one, as halves come nearer
+  /// to the vertex, but where there are no halves. Halves are at new radii, which other edges have to match.
   bool split(Side s) {
     constexpr double least_share = 0.02;
     return split_to_match(s, least_share) ||

@@ -442,9 +442,9 @@ private:
                          scratch.around.end());
   }
 
-  /// Whether a leaf is too large for an edge in it and one in or around it, of which `counts(k, f, gap)` holds, for the
-  /// k-th one in it and the other one. Pairs of edges at one vertex near the leaf are passed over together, as there may
-  /// be many.
+  /// Whether a leaf is too large for an edge in it and one in or around it, of which `counts(k, f, gap)` holds, for
+  /// the k-th one in it and the other one. Pairs of edges at one vertex near the leaf are passed over together, as
+  /// there may be many.
   template <class Counts>
   bool has_near_pair(const Frame& leaf, Scratch& scratch, const Counts& counts) const {
     const Vertex_id hub = gaps_.vertex_near(leaf, scratch.around);
@@ -464,8 +464,8 @@ private:
 
   static Edge_id edge(const Edge_piece& p) { return static_cast<Edge_id>(p.segment.value()); }
 
-  /// Whether another edge lies between the k-th one in the leaf and f. Those beside the first one, and the one that did
-  /// for the last pair, are asked first.
+  /// Whether another edge lies between the k-th one in the leaf and f. Those beside the first one, and the one that
+  /// did for the last pair, are asked first.
   bool is_hidden(const Local_gap& gap, std::size_t k, Edge_id f, Scratch& scratch, const Frame& leaf) const {
     const std::vector<Part>& own = scratch.own;
     const auto hides = [&](Edge_id g) {
