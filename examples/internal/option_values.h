@@ -113,7 +113,8 @@ inline std::size_t memory_size(const po::variables_map& given, const std::string
   const std::size_t place = unit.size() == 1 ? units.find(unit) : std::string::npos;
   if (place != std::string::npos) bytes = std::ldexp(bytes, 10 * (1 + static_cast<int>(place % 4)));
   if (end == 0 || (!unit.empty() && place == std::string::npos) || !(bytes >= least) || !(bytes < 0x1p60))
-    throw Usage_error("--" + option + " has to be a number of bytes, from 64M to 2^60, such as 2G, 500M or 1e9");
+    throw Usage_error("--" + option +
+                      " has to be a number of bytes, from 64M to 2^60, such as 2G, 500M or 1e9");
   return static_cast<std::size_t>(bytes);
 }
 
