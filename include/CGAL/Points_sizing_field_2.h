@@ -59,8 +59,15 @@ public:
     return (*this)(x, y, std::numeric_limits<double>::infinity());
   }
   /// The lesser of `most` and the size at (x, y). This is found sooner.
-  double operator()(double x, double y, double most) const {
-    if (least(0, x, y) < most) search(0, 0, points_.size(), x, y, most);
+  double operator()(double x, double y, double most) const { return least<1>({{{x, y}}}, most); }
+
+  /// The least of `most` and the sizes at some places. Where they are near each other, as the corners of a triangle,
+  /// this is found sooner than one size after the other.
+  template <std::size_t number_of_places>
+  double least(const std::array<std::array<double, 2>, number_of_places>& places, double most) const {
+    static_assert(number_of_places > 0, "there has to be a place");
+    const Places<number_of_places> query(places);
+    if (bound(0, query) < most) search(0, 0, points_.size(), query, most);
     return most;
   }
 
@@ -70,6 +77,21 @@ private:
   struct Node {
     double low[2], high[2];
     double least_size;
+  };
+
+  template <std::size_t number_of_places>
+  struct Places {
+    std::array<std::array<double, 2>, number_of_places> places;
+    std::array<double, 2> low, high; // their bounding box
+
+    explicit Places(const std::array<std::array<double, 2>, number_of_places>& given)
+        : places(given), low(given[0]), high(given[0]) {
+      for (const auto& p : places)
+        for (std::size_t axis = 0; axis < 2; ++axis) {
+          low[axis] = std::min(low[axis], p[axis]);
+          high[axis] = std::max(high[axis], p[axis]);
+        }
+    }
   };
 
   std::vector<Sized_point> points_; // in the order of the leaves
@@ -104,29 +126,37 @@ private:
     build(2 * node + 2, middle, end);
   }
 
-  /// No point below the node gives less than this.
-  double least(std::size_t node, double x, double y) const {
+  /// No point below the node gives less at one of the places, rounding included: all operations are monotone.
+  template <class Query>
+  double bound(std::size_t node, const Query& query) const {
     const Node& n = nodes_[node];
-    const double dx = std::max({n.low[0] - x, x - n.high[0], 0.0});
-    const double dy = std::max({n.low[1] - y, y - n.high[1], 0.0});
+    const double dx = std::max({n.low[0] - query.high[0], query.low[0] - n.high[0], 0.0});
+    const double dy = std::max({n.low[1] - query.high[1], query.low[1] - n.high[1], 0.0});
     return n.least_size + gradation_ * std::sqrt(dx * dx + dy * dy);
   }
 
-  void search(std::size_t node, std::size_t begin, std::size_t end, double x, double y, double& best) const {
+  template <class Query>
+  void search(std::size_t node, std::size_t begin, std::size_t end, const Query& query, double& best) const {
     if (is_leaf(node)) {
+      double least = best;
       for (std::size_t i = begin; i < end; ++i) {
-        const double dx = points_[i].x - x, dy = points_[i].y - y;
-        best = std::min(best, points_[i].size + gradation_ * std::sqrt(dx * dx + dy * dy));
+        const Sized_point& p = points_[i];
+        if (!(p.size < least)) continue;
+        for (const auto& [x, y] : query.places) {
+          const double dx = p.x - x, dy = p.y - y;
+          least = std::min(least, p.size + gradation_ * std::sqrt(dx * dx + dy * dy));
+        }
       }
+      best = least;
       return;
     }
     const std::size_t middle = begin + (end - begin) / 2;
-    const double left = least(2 * node + 1, x, y), right = least(2 * node + 2, x, y);
+    const double left = bound(2 * node + 1, query), right = bound(2 * node + 2, query);
     const auto search_left = [&] {
-      if (left < best) search(2 * node + 1, begin, middle, x, y, best);
+      if (left < best) search(2 * node + 1, begin, middle, query, best);
     };
     const auto search_right = [&] {
-      if (right < best) search(2 * node + 2, middle, end, x, y, best);
+      if (right < best) search(2 * node + 2, middle, end, query, best);
     };
     if (left <= right)
       search_left(), search_right();

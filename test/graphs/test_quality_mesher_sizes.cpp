@@ -134,33 +134,6 @@ TEST_CASE("Meshes follow a limited grid, and are free where it has no bound", "[
   CHECK(run(unit_square(), Options().size(nothing)).mesh.points == run(unit_square(), Options()).mesh.points);
 }
 
-TEST_CASE("The size field of points is the least over all points", "[mesher][sizes]") {
-  using Points = CGAL::Points_sizing_field_2;
-  for (std::uint64_t seed = 0; seed < 40; ++seed) {
-    random_pslg::Random random(seed);
-    const double gradation = seed % 4 == 0 ? 0 : random.between(0, 2);
-    std::vector<Points::Sized_point> points;
-    for (int i = random.integer(1, seed < 20 ? 20 : 500); i > 0; --i) {
-      const double x = random.between(0, 1), size = std::pow(10, random.between(-4, 0));
-      points.push_back({x, seed % 3 == 0 ? x : random.between(0, 1), size}); // some all on a line
-      if (seed % 5 == 0) points.push_back(points.back());
-    }
-    const Points field(points, gradation);
-    for (int i = 0; i < 200; ++i) {
-      const double x = random.between(-1, 2), y = random.between(-1, 2);
-      double least = std::numeric_limits<double>::infinity();
-      for (const auto& p : points)
-        least =
-            std::min(least, p.size + gradation * std::sqrt((p.x - x) * (p.x - x) + (p.y - y) * (p.y - y)));
-      CHECK(field(x, y) == Approx(least).epsilon(1e-14));
-    }
-  }
-  CHECK_THROWS_AS(Points({}), std::invalid_argument);
-  CHECK_THROWS_AS(Points({{0, 0, 0}}), std::invalid_argument);
-  CHECK_THROWS_AS(Points({{0, std::nan(""), 1}}), std::invalid_argument);
-  CHECK_THROWS_AS(Points({{0, 0, 1}}, -1), std::invalid_argument);
-}
-
 TEST_CASE("Meshes follow sizes at points", "[mesher][sizes]") {
   const CGAL::Points_sizing_field_2 field({{0.2, 0.3, 0.001}, {0.8, 0.8, 0.01}, {0.5, 0.5, 0.3}}, 0.3);
   const Run r = run_to_the_size(unit_square(), Options(), field);

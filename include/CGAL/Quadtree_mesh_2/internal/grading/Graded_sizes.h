@@ -11,11 +11,6 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
-#include <cstddef>
-#include <cstdint>
-#include <functional>
-#include <limits>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -24,11 +19,12 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-/// The greatest lengths of edges at places; infinite in zones. Several threads may ask at once.
+/// The greatest lengths of edges at places, and zones without a bound. Several threads may ask at once.
 class Graded_sizes {
 public:
   using Sized_point = Points_sizing_field_2::Sized_point;
   using Place = std::array<double, 2>;
+  using Corners = std::array<Place, 3>;
 
   /// A disk around a corner, in which lengths have no bound.
   struct Zone {
@@ -41,8 +37,9 @@ public:
   explicit Graded_sizes(double gradation) : gradation_(gradation) {}
 
   void add(std::vector<Sized_point> points) {
-    fields_.emplace_back(std::move(points), gradation_);
-    generation_ = next_generation();
+    points_.insert(points_.end(), points.begin(), points.end());
+    all_.emplace(points_, gradation_);
+    last_.emplace(std::move(points), gradation_);
   }
 
   /// In place of those before.
@@ -52,54 +49,31 @@ public:
     std::vector<Sized_point> centers; // within a radius the size is then less than the reach
     for (const Zone& z : zones) centers.push_back({z.center[0], z.center[1], reach_ - z.radius});
     if (!zones.empty()) zones_.emplace(std::move(centers), 1.0);
-    generation_ = next_generation();
   }
 
   /// Whether the points added so far allow less at the place of this one.
-  bool dominate(const Sized_point& p) const {
-    return std::any_of(fields_.begin(), fields_.end(),
-                       [&](const auto& field) { return field(p.x, p.y, p.size) < p.size; });
-  }
+  bool dominate(const Sized_point& p) const { return all_ && (*all_)(p.x, p.y, p.size) < p.size; }
 
   /// Whether the points added last allow less than a length at a place, be it in a zone or not.
   bool is_less_by_last(const Place& p, double length) const {
-    return fields_.back()(p[0], p[1], length) < length;
+    return last_ && (*last_)(p[0], p[1], length) < length;
   }
 
-  /// Triangles ask for the same corners again and again while they are made, so each thread keeps some answers.
-  double operator()(const Place& p) const {
-    constexpr std::size_t slots = 4096;
-    thread_local std::vector<Answer> answers(slots);
-    Answer& answer = answers[(hash(p[0]) * 31 + hash(p[1])) % slots];
-    if (answer.generation != generation_ || answer.place != p) answer = {generation_, p, size(p)};
-    return answer.size;
+  /// The least size at the corners of a triangle, or `most` if that is not more. Most triangles are far smaller than
+  /// they may be. With `most` little above their length this is found soon.
+  double least(const Corners& corners, double most) const { return all_ ? all_->least(corners, most) : most; }
+
+  bool is_any_in_zone(const Corners& corners) const {
+    return zones_ && std::any_of(corners.begin(), corners.end(),
+                                 [this](const Place& p) { return (*zones_)(p[0], p[1], reach_) < reach_; });
   }
 
 private:
-  struct Answer {
-    std::uint64_t generation = 0;
-    Place place{};
-    double size = 0;
-  };
-
   double gradation_;
-  std::vector<Points_sizing_field_2> fields_;
+  std::vector<Sized_point> points_;
+  std::optional<Points_sizing_field_2> all_, last_; ///< of all points, and of those added last
   std::optional<Points_sizing_field_2> zones_;
   double reach_ = 0;
-  std::uint64_t generation_ = next_generation(); ///< of answers
-
-  static std::uint64_t next_generation() {
-    static std::atomic<std::uint64_t> last{0};
-    return ++last;
-  }
-  static std::size_t hash(double x) { return std::hash<double>()(x); }
-
-  double size(const Place& p) const {
-    double least = std::numeric_limits<double>::infinity();
-    if (zones_ && (*zones_)(p[0], p[1], reach_) < reach_) return least;
-    for (const auto& field : fields_) least = field(p[0], p[1], least);
-    return least;
-  }
 };
 
 } // namespace internal

@@ -28,12 +28,14 @@
 #include <CGAL/Quadtree_mesh_2/internal/geometry/meshing_geometry.h>
 #include <CGAL/Quadtree_mesh_2/internal/grading/Graded_sizes.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
+#include <CGAL/Quadtree_mesh_2/internal/refinement/Bounds.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Exact_legalizer.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -79,6 +81,7 @@ public:
   }
 
 private:
+  using Shape = typename Kernel_mesh<Geometry>::Shape;
   using Sized_point = Graded_sizes::Sized_point;
   using Zone = Graded_sizes::Zone;
   /// Which triangles may exceed the sizes.
@@ -104,16 +107,27 @@ private:
     std::vector<Sized_point> points = shorter_than_before();
     const bool is_any_new = !points.empty();
     if (is_any_new) sizes_->add(std::move(points));
-    state_.problem.bounds.graded_squared_length_at = [sizes = sizes_, &map = map_,
-                                                      unit = unit_](const Point& p) {
-      const double size = unit * (*sizes)(map.place(p));
-      return size * size;
+    state_.problem.bounds.is_ungraded = [sizes = sizes_, &map = map_, unit = unit_](
+                                            const Shape& s, const Point& a, const Point& b, const Point& c) {
+      return exceeds(*sizes, s, {map.place(a), map.place(b), map.place(c)}, unit);
     };
     std::vector<char> is_suspect(mesh_.triangles.size(), 0);
     for (const Triangle_id t : left) is_suspect[t.value()] = 1;
     return push_ungraded(is_suspect, are_zones_changed ? Suspects::ALL
                                      : is_any_new      ? Suspects::NEAR_LAST_POINTS
                                                        : Suspects::GIVEN);
+  }
+
+  /// Whether an edge of a triangle is longer than the sizes at its corners, none of them in a zone.
+  /// \param unit of the lengths of places, in those of shapes
+  static bool exceeds(const Graded_sizes& sizes, const Shape& s, const Graded_sizes::Corners& corners,
+                      double unit) {
+    constexpr double margin = Bounds<Geometry>::margin;
+    constexpr double least_square = std::numeric_limits<double>::min(); // squares below have lost digits
+    const double length2 = std::max(ratio(s.longest(), unit) / unit, least_square);
+    const double most = (1 + 2 * margin) * std::sqrt(length2); // no size above matters
+    const double least = sizes.least(corners, most), size = unit * least;
+    return least < most && s.longest() > size * size * (1 - margin) && !sizes.is_any_in_zone(corners);
   }
 
   /// The squared length of the shortest edge at each vertex that is used, else 0.

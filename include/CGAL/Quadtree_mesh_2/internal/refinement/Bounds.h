@@ -37,10 +37,9 @@ struct Bounds {
   /// The squared length of the longest edge of a triangle with its centroid at the place; empty: no field.
   /// Called by several threads at once.
   std::function<double(const Point&)> squared_length_at;
-  /// While edges are graded (Grader.h), the squared length of the longest edge that a triangle with a corner at the
-  /// place may have; infinite if there is no bound for such triangles. Empty: edges are not graded. Called by several
-  /// threads at once.
-  std::function<double(const Point&)> graded_squared_length_at;
+  /// While edges are graded (Grader.h), whether the edges of a triangle of the given shape and corners are longer than
+  /// the gradation allows; empty: edges are not graded. Called by several threads at once.
+  std::function<bool(const Shape&, const Point&, const Point&, const Point&)> is_ungraded;
   /// Whether a triangle counts as too large that meets the bounds of size; empty: none does. Called by several threads
   /// at once.
   std::function<bool(const Point&, const Point&, const Point&)> is_refused;
@@ -92,18 +91,10 @@ struct Bounds {
     return (is_refused || is_local()) && is_large_there(s, a, b, c, region);
   }
   /// Whether bounds of size differ from place to place.
-  bool is_local() const { return squared_length_at || graded_squared_length_at || !area2_of_region.empty(); }
+  bool is_local() const { return squared_length_at || is_ungraded || !area2_of_region.empty(); }
   bool is_size_bounded() const {
     return is_local() || area2 < std::numeric_limits<double>::infinity() ||
            squared_length < std::numeric_limits<double>::infinity();
-  }
-  /// Whether an edge of a triangle is longer than the gradation allows.
-  /// \pre edges are graded
-  bool is_ungraded(const Shape& s, const Point& a, const Point& b, const Point& c) const {
-    const auto& at = graded_squared_length_at;
-    const double x = at(a), y = at(b), z = at(c);
-    return std::max({x, y, z}) < std::numeric_limits<double>::infinity() &&
-           s.longest() > std::min({x, y, z}) * (1 - margin);
   }
 
 private:
@@ -113,7 +104,7 @@ private:
     if (is_refused && is_refused(a, b, c)) return true;
     if (!area2_of_region.empty() && region.is_valid() && s.area2 > area2_of_region[region]) return true;
     if (squared_length_at && s.longest() > squared_length_at(centroid(a, b, c)) * (1 - margin)) return true;
-    return graded_squared_length_at && is_ungraded(s, a, b, c);
+    return is_ungraded && is_ungraded(s, a, b, c);
   }
   void set_angle(double radians) {
     angle = radians;
