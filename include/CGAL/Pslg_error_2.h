@@ -97,8 +97,9 @@ public:
     /// triangles, or the vertices at fault. Correct what makes the mesh.
     INVALID_MESH,
     /// Coordinates have no room for the result: rounding would put vertices of the mesh, or crossings, on each
-    /// other or beyond edges. The vertices of the graph at such a place, where it is known. Merge what is only
-    /// a few units in the last place apart, or move the input nearer to the origin.
+    /// other or beyond edges. The vertices of the graph at such a place, where it is known; the two segments if
+    /// it is their crossing. Merge what is only a few units in the last place apart, or move the input nearer to
+    /// the origin.
     ROUNDING
   };
 

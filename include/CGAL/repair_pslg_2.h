@@ -9,6 +9,7 @@
 
 #include <CGAL/Pslg_2.h>
 #include <CGAL/Pslg_error_2.h>
+#include <CGAL/Quadtree_mesh_2/internal/pslg/Crossing_snapper.h>
 #include <CGAL/Quadtree_mesh_2/internal/pslg/arrange_pslg_2.h>
 #include <CGAL/validate_pslg_2.h>
 
@@ -17,6 +18,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <unordered_map>
@@ -34,6 +36,9 @@
 // Rounded segments bend by a rounding error, so they may meet other segments nearby. The result therefore
 // goes through the same passes until nothing crosses: twice in practice. Exact predicates have found the
 // returned graph free of crossings. (Snap rounding would need one pass, but it moves vertices of the input.)
+//
+// Among vertices or segments a few units in the last place apart, each pass may make more crossings than it
+// cures. If they do not halve, the passes start over with rerouting as in snap rounding: Crossing_snapper.h.
 
 namespace CGAL {
 
@@ -226,14 +231,51 @@ template <class Point>
                               {*crossed, s});
 }
 
-/// One pass: cures all defects, but rounded crossings may make new ones.
-template <class Triangulation, class Point>
-std::optional<Segment_index> repair_pslg_once(Pslg_2<Point>& pslg, Pslg_repair_report_2& report) {
-  Pslg_arranger_2<Triangulation> arranger(pslg);
+/// Names the segments of the input whose pieces still cross.
+/// \param origin per piece, its segment
+/// \param piece one that crosses an earlier one
+template <class Point>
+[[noreturn]] void throw_no_room(const Pslg_2<Point>& pslg, const Pslg_2<Point>& pieces,
+                                const std::vector<Segment_index>& origin, Segment_index piece) {
+  const Segment_index crossed = find_crossed_segment(pieces, piece).value_or(piece);
+  const Point& end = pieces.point(pieces.segment(piece)[0]);
+  const std::array<double, 2> place = crossed == piece ? std::array<double, 2>{end.x(), end.y()}
+                                                       : crossing_of_segments(pieces, crossed, piece);
+  const auto [s, t] = std::minmax(origin[std::size_t(piece)], origin[std::size_t(crossed)]);
+  Pslg_parts_2 parts = Pslg_parts_2().segment(s);
+  std::string text = segment_text(pslg, std::size_t(s));
+  if (s != t) {
+    parts.segment(t);
+    text += " and " + segment_text(pslg, std::size_t(t));
+  }
+  throw Pslg_error_2(Pslg_error_2::Kind::ROUNDING,
+                     "doubles are too coarse at " + place_text(place) + " to round the crossings of " + text,
+                     parts);
+}
+
+/// Cures all defects but crossings.
+/// \return a segment that crosses an earlier one, if there are any; the graph is then as before
+template <class Point>
+std::optional<Segment_index> repair_without_crossings(Pslg_2<Point>& pslg, Pslg_repair_report_2& report) {
+  Pslg_arranger_2<Crossing_free_triangulation_2> arranger(pslg);
   if (const std::optional<Segment_index> crossing = arranger.insert_segments(pslg)) return crossing;
   const Arranged_pslg_2 arranged = arranger.result();
   pslg = Pslg_repairer_2<Point>(pslg, arranged, report).run();
   return std::nullopt;
+}
+
+/// Cures all defects, but rounded crossings may make new ones.
+/// \param reach how far crossings go to vertices, in units in the last place (see Crossing_snapper.h); 0 if they do not
+/// \return the number of places where segments crossed
+template <class Point>
+std::size_t repair_with_crossings(Pslg_2<Point>& pslg, double reach, Pslg_repair_report_2& report) {
+  Pslg_arranger_2<Exact_triangulation_2> arranger(pslg);
+  arranger.insert_segments(pslg);
+  Arranged_pslg_2 arranged = arranger.result();
+  const std::size_t crossings = arranged.crossings.size();
+  if (reach > 0) Crossing_snapper<Point>(pslg, arranged, reach).run();
+  pslg = Pslg_repairer_2<Point>(pslg, arranged, report).run();
+  return crossings;
 }
 
 /// Adds the report of a further pass. The counts of defects stay those of the first pass, in the input.
@@ -246,6 +288,76 @@ inline void append_pass(Pslg_repair_report_2& report, const Pslg_repair_report_2
   // Vertices of the input are distinct by now, so that only crossings can have merged.
   report.crossings = report.crossings + pass.crossings - pass.merged_vertices;
 }
+
+/// Repairs a graph in passes, until nothing crosses. The passes only round crossings while these halve. If they
+/// do not, the passes start over, and crossings go to vertices nearby.
+template <class Point>
+class Pslg_repair_passes_2 {
+public:
+  explicit Pslg_repair_passes_2(const Pslg_2<Point>& pslg) : pslg_(pslg), result_(pslg) {}
+
+  Pslg_2<Point> run(Pslg_crossing_rule_2 rule, Pslg_repair_report_2& report) {
+    for (;;) {
+      Pslg_repair_report_2 step;
+      const std::optional<Segment_index> crossing = repair_without_crossings(result_, step);
+      if (crossing && rule == Pslg_crossing_rule_2::THROW) throw_crossing(pslg_, *crossing);
+      if (crossing && is_hopeless()) throw_no_room(pslg_, result_, sum_->segment_origin, *crossing);
+      const std::size_t crossings = crossing ? repair_with_crossings(result_, reach_, step) : 0;
+      add_to_sum(std::move(step));
+      if (!crossing) break;
+      prepare_next_pass(crossings);
+    }
+    report = std::move(*sum_);
+    return std::move(result_);
+  }
+
+private:
+  /// As far as a crossing is rounded along both axes, and its segments with it.
+  static constexpr double reach_in_units = 2;
+  /// Passes in a row without fewer crossings than ever before.
+  static constexpr int patience = 6;
+  /// Passes that make so many times as many crossings as there were will not end well.
+  static constexpr std::size_t most_growth = 16;
+
+  bool is_hopeless() const {
+    return passes_in_vain_ >= patience || last_crossings_ / most_growth > fewest_crossings_;
+  }
+
+  void add_to_sum(Pslg_repair_report_2&& step) {
+    if (sum_)
+      append_pass(*sum_, step);
+    else
+      sum_ = std::move(step);
+  }
+
+  void prepare_next_pass(std::size_t crossings) {
+    const bool has_halved = crossings <= fewest_crossings_ / 2;
+    if (!is_near_degenerate_ && !has_halved) return start_over();
+    const bool is_in_vain = crossings >= fewest_crossings_;
+    passes_in_vain_ = is_in_vain ? passes_in_vain_ + 1 : 0;
+    fewest_crossings_ = (std::min)(fewest_crossings_, crossings);
+    last_crossings_ = crossings;
+    // Among vertices units apart, segments may go to one vertex and back to another. A pass between stops that.
+    if (is_near_degenerate_) reach_ = is_in_vain && reach_ > 0 ? 0 : reach_in_units;
+  }
+
+  void start_over() {
+    is_near_degenerate_ = true;
+    reach_ = reach_in_units;
+    result_ = pslg_;
+    sum_.reset();
+    fewest_crossings_ = (std::numeric_limits<std::size_t>::max)();
+  }
+
+  const Pslg_2<Point>& pslg_;
+  Pslg_2<Point> result_;
+  std::optional<Pslg_repair_report_2> sum_; ///< of the passes so far
+  bool is_near_degenerate_ = false;         ///< whether passes have started over
+  double reach_ = 0;                        ///< of crossings, in units in the last place
+  std::size_t fewest_crossings_ = (std::numeric_limits<std::size_t>::max)();
+  std::size_t last_crossings_ = 0;
+  int passes_in_vain_ = 0;
+};
 
 } // namespace internal
 } // namespace Quadtree_mesh_2
@@ -262,35 +374,24 @@ inline void append_pass(Pslg_repair_report_2& report, const Pslg_repair_report_2
 /// - A crossing has attributes interpolated along the first segment through it. If vertices have markers, its
 ///   marker is the first nonzero one of the segments through it.
 ///
-/// Expected O(n log n) time. c crossings that are split take O(c) more, in exact arithmetic.
+/// A crossing is rounded to doubles, which bends the segments through it. Segments a few units in the last
+/// place apart may meet elsewhere then. Only if that goes on, crossings within two units of a vertex go to it,
+/// and segments with crossings go through the vertices within two units of them. These may then touch, or share
+/// pieces, where they passed each other by some units. Units are those of the largest coordinate of a segment.
+///
+/// Expected O(n log n) time. c crossings that are split take O(c) more, in exact arithmetic. Passes over crossings
+/// that rounding made take the same again; they are few, as crossings must become fewer.
 /// \tparam Point has floating-point coordinates.
 /// \throws Pslg_error_2 if `check_pslg_structure()` does. Also if segments cross and `options` do not ask for
-/// a split; the message has both segments and the place. `report` is then unchanged.
+/// a split; the message has both segments and the place. Its kind is `ROUNDING` if crossings do not become
+/// fewer, however they are rounded; the message has two of the segments and a place, too. `report` is then
+/// unchanged.
 template <class Point>
 Pslg_2<Point> repair_pslg_2(const Pslg_2<Point>& pslg, const Pslg_repair_options_2& options,
                             Pslg_repair_report_2& report) {
   namespace internal = Quadtree_mesh_2::internal;
   check_pslg_structure(pslg);
-  constexpr int most_passes = 30;
-  Pslg_2<Point> result = pslg;
-  Pslg_repair_report_2 sum;
-  for (int pass = 0; pass < most_passes; ++pass) {
-    Pslg_repair_report_2 step;
-    const auto crossing = internal::repair_pslg_once<internal::Crossing_free_triangulation_2>(result, step);
-    if (crossing && options.crossings() == Pslg_crossing_rule_2::THROW)
-      internal::throw_crossing(pslg, *crossing);
-    if (crossing) internal::repair_pslg_once<internal::Exact_triangulation_2>(result, step);
-    if (pass == 0)
-      sum = std::move(step);
-    else
-      internal::append_pass(sum, step);
-    if (crossing) continue;
-    report = std::move(sum);
-    return result;
-  }
-  throw Pslg_error_2(
-      Pslg_error_2::Kind::ROUNDING,
-      "segments lie so close together that rounding their crossings makes new ones without end");
+  return internal::Pslg_repair_passes_2<Point>(pslg).run(options.crossings(), report);
 }
 
 /// \ingroup PkgQuadtreeMesh2Data
