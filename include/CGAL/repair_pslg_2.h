@@ -278,6 +278,23 @@ std::size_t repair_with_crossings(Pslg_2<Point>& pslg, double reach, Pslg_repair
   return crossings;
 }
 
+/// Products of differences that are not finite crash the triangulation.
+/// \throws Pslg_error_2 naming the first vertex that is too far away
+template <class Point>
+void check_range_for_crossings(const Pslg_2<Point>& pslg) {
+  constexpr double limit = 0x1p1000;
+  for (std::size_t v = 0; v < pslg.vertices.size(); ++v) {
+    const Point& p = pslg.vertices[v];
+    if (std::abs(static_cast<double>(p.x())) < limit && std::abs(static_cast<double>(p.y())) < limit)
+      continue;
+    throw Pslg_error_2(Pslg_error_2::Kind::OUT_OF_RANGE,
+                       vertex_text(pslg, v) +
+                           " has a coordinate that is too large for crossings to be found;" +
+                           " it has to be below 2^1000 in magnitude",
+                       Pslg_parts_2().vertex(Vertex_index(v)));
+  }
+}
+
 /// Adds the report of a further pass. The counts of defects stay those of the first pass, in the input.
 inline void append_pass(Pslg_repair_report_2& report, const Pslg_repair_report_2& pass) {
   for (Vertex_index& v : report.vertex_map) v = pass.vertex_map[std::size_t(v)];
@@ -382,15 +399,16 @@ private:
 /// Expected O(n log n) time. c crossings that are split take O(c) more, in exact arithmetic. Passes over crossings
 /// that rounding made take the same again; they are few, as crossings must become fewer.
 /// \tparam Point has floating-point coordinates.
-/// \throws Pslg_error_2 if `check_pslg_structure()` does. Also if segments cross and `options` do not ask for
-/// a split; the message has both segments and the place. Its kind is `ROUNDING` if crossings do not become
-/// fewer, however they are rounded; the message has two of the segments and a place, too. `report` is then
-/// unchanged.
+/// \throws Pslg_error_2 if `check_pslg_structure()` does, or for coordinates of 2^1000 and more. Also if segments
+/// cross and `options` do not ask for a split; the message has both segments and the place. Its kind is `ROUNDING` if
+/// crossings do not become fewer, however they are rounded; the message has two of the segments and a place, too.
+/// `report` is then unchanged.
 template <class Point>
 Pslg_2<Point> repair_pslg_2(const Pslg_2<Point>& pslg, const Pslg_repair_options_2& options,
                             Pslg_repair_report_2& report) {
   namespace internal = Quadtree_mesh_2::internal;
   check_pslg_structure(pslg);
+  internal::check_range_for_crossings(pslg);
   return internal::Pslg_repair_passes_2<Point>(pslg).run(options.crossings(), report);
 }
 

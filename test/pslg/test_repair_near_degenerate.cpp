@@ -275,6 +275,21 @@ TEST_CASE("segments units apart are repaired without crossings", "[repair]") {
   }
 }
 
+TEST_CASE("what crosses at the end of the range of doubles is refused by name", "[repair]") {
+  Pslg pslg;
+  for (const Point& p : {Point(0, 0), Point(1.7e308, 0), Point(-1.7e308, 1.7e308), Point(1, -1.7e308)})
+    pslg.add_vertex(p);
+  for (const auto& [a, b] : {std::pair(0, 1), std::pair(2, 3), std::pair(1, 2)})
+    pslg.add_segment(Vertex_index(a), Vertex_index(b));
+  try {
+    CGAL::repair_pslg_2(pslg, splitting);
+    FAIL("no error");
+  } catch (const CGAL::Pslg_error_2& error) {
+    CHECK(error.kind() == CGAL::Pslg_error_2::Kind::OUT_OF_RANGE);
+    CHECK(error.parts().vertices == std::vector{Vertex_index(1)});
+  }
+}
+
 TEST_CASE("segments whose crossings find no room are named with the place", "[repair]") {
   // No graph is known that is not repaired, so two pieces are made to cross.
   const Pslg input = make_pslg<double>({{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{0, 1}, {0, 2}, {1, 3}});

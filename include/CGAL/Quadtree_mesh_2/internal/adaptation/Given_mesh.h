@@ -156,10 +156,10 @@ public:
       }
       const auto& inside = place.get();
       if (!inside)
-        throw Pslg_error_2(
-            Pslg_error_2::Kind::ROUNDING,
-            "a component of the mesh is too thin: the coordinates have no room for a point in it",
-            Pslg_parts_2().triangle(Triangle_index(first)));
+        throw Pslg_error_2(Pslg_error_2::Kind::ROUNDING,
+                           "the component of " + checker_.text(first) +
+                               " of the mesh is too thin: the coordinates have no room for a point in it",
+                           Pslg_parts_2().triangle(Triangle_index(first)));
       result.push_back({first, *inside});
     }
     return result;

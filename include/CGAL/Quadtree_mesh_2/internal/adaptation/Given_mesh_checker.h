@@ -89,6 +89,13 @@ public:
     }
   }
 
+  /// What messages call a triangle.
+  std::string text(std::size_t t) const {
+    const auto& v = mesh_.triangles[t];
+    return "triangle " + number(t) + " (" + number(std::size_t(v[0])) + ' ' + number(std::size_t(v[1])) +
+           ' ' + number(std::size_t(v[2])) + ')';
+  }
+
 private:
   using Kind = Pslg_error_2::Kind;
 
@@ -98,12 +105,6 @@ private:
   std::string number(std::size_t i) const { return std::to_string(first_number_ + i); }
 
   /// "triangle 3 (0 1 2)"
-  std::string text(std::size_t t) const {
-    const auto& v = mesh_.triangles[t];
-    return "triangle " + number(t) + " (" + number(std::size_t(v[0])) + ' ' + number(std::size_t(v[1])) +
-           ' ' + number(std::size_t(v[2])) + ')';
-  }
-
   [[noreturn]] void fail(std::size_t t, const std::string& what) const {
     throw Pslg_error_2(Kind::INVALID_MESH, text(t) + what, Pslg_parts_2().triangle(Triangle_index(t)));
   }

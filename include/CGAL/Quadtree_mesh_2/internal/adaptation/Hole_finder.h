@@ -16,6 +16,7 @@
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Pslg_error_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/adaptation/Given_mesh.h>
+#include <CGAL/Quadtree_mesh_2/internal/io/number_text.h>
 #include <CGAL/Quadtree_mesh_2/internal/mesh_2/mark_domain.h>
 
 #include <array>
@@ -128,7 +129,8 @@ private:
     const auto& inside = place.get();
     if (!inside)
       throw Pslg_error_2(Pslg_error_2::Kind::ROUNDING,
-                         "a hole of the mesh is too thin: the coordinates have no room for a point in it");
+                         "the hole of the mesh at " + coordinates_text(first->vertex(0)->point()) +
+                             " is too thin: the coordinates have no room for a point in it");
     return inside;
   }
 };
