@@ -24,8 +24,8 @@ namespace CGAL {
 ///
 /// The points are in a k-d tree (Bentley, 1975), whose nodes know their bounding box and least size. A search
 /// visits the more promising branch first and skips branches that cannot hold the least value. Several
-/// threads may call it at once. O(n log n) time to build. A call takes O(log n) where sizes grow no faster
-/// than the gradation, which is usual.
+/// threads may call it at once. O(n log n) time to build. A call takes O(log n) where sizes grow more slowly than the
+/// gradation, which is usual. Where they grow as fast, many points give about the least value, and all are visited.
 /// \cgalModels{SizingField_2}
 class Points_sizing_field_2 {
 public:

@@ -467,32 +467,6 @@ TEST_CASE("A crack within a mesh is a segment, and so are both sides of a vertex
   check_valid(made.mesh, graph);
 }
 
-TEST_CASE("A mesh that touches itself is none of its graph", "[adapt]") {
-  Mesh mesh = square();
-  const Pslg graph = CGAL::pslg_from_mesh_2(mesh);
-  const auto refusal_of = [&graph](const Mesh& changed) {
-    return error_of([&] { CGAL::refine_mesh_2(changed, graph, Options()); });
-  };
-  Mesh with_twins = mesh;
-  with_twins.points.push_back(with_twins.points[2]);
-  with_twins.triangles[1][1] = Vertex_index(4);
-  CHECK(refusal_of(with_twins) == "vertices 2 and 4 of the mesh are at one place");
-  Mesh with_hanging = mesh;
-  with_hanging.points.emplace_back(0.5, 0.5);
-  with_hanging.triangles[1] = {Vertex_index(0), Vertex_index(4), Vertex_index(3)};
-  CHECK(refusal_of(with_hanging) == "triangle 0 (0 1 2) has vertex 4 in the middle of a side");
-}
-
-TEST_CASE("a component without room for a point is named by a triangle of it", "[adapt]") {
-  const double next = 1 + std::numeric_limits<double>::epsilon();
-  Mesh mesh = make_mesh({Point(1, 1), Point(next, 1), Point(1, next)}, {{0, 1, 2}});
-  const std::string text = error_of([&] {
-    const auto graph = CGAL::pslg_from_mesh_2(mesh);
-    CGAL::refine_mesh_2(mesh, graph, CGAL::Quality_mesh_options_2().max_edge(1e-20));
-  });
-  CHECK(pslg_test::has_text(text, "the component of triangle 0 (0 1 2) of the mesh is too thin"));
-}
-
 TEST_CASE("Arrays of a wrong length, and segments that are no edges, are named", "[adapt]") {
   Details details;
   details.attributes = {1};

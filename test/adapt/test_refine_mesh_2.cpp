@@ -17,6 +17,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -272,6 +273,37 @@ TEST_CASE("A mesh of another graph, or without its segments, is refused", "[adap
   areas[2] = std::nan("");
   CHECK(error_of([&] { CGAL::refine_mesh_2(mesh, pslg, areas, Options()); }) ==
         "the area of triangle 2 is not a number");
+}
+
+TEST_CASE("A mesh that touches itself is none of its graph", "[adapt]") {
+  Mesh mesh;
+  mesh.points = {Point(0, 0), Point(1, 0), Point(1, 1), Point(0, 1)};
+  mesh.triangles = {{Vertex_index(0), Vertex_index(1), Vertex_index(2)},
+                    {Vertex_index(0), Vertex_index(2), Vertex_index(3)}};
+  const Pslg graph = CGAL::pslg_from_mesh_2(mesh);
+  const auto refusal_of = [&graph](const Mesh& changed) {
+    return error_of([&] { CGAL::refine_mesh_2(changed, graph, Options()); });
+  };
+  Mesh with_twins = mesh;
+  with_twins.points.push_back(with_twins.points[2]);
+  with_twins.triangles[1][1] = Vertex_index(4);
+  CHECK(refusal_of(with_twins) == "vertices 2 and 4 of the mesh are at one place");
+  Mesh with_hanging = mesh;
+  with_hanging.points.emplace_back(0.5, 0.5);
+  with_hanging.triangles[1] = {Vertex_index(0), Vertex_index(4), Vertex_index(3)};
+  CHECK(refusal_of(with_hanging) == "triangle 0 (0 1 2) has vertex 4 in the middle of a side");
+}
+
+TEST_CASE("A component without room for a point is named by a triangle of it", "[adapt]") {
+  const double next = 1 + std::numeric_limits<double>::epsilon();
+  Mesh mesh;
+  mesh.points = {Point(1, 1), Point(next, 1), Point(1, next)};
+  mesh.triangles = {{Vertex_index(0), Vertex_index(1), Vertex_index(2)}};
+  const std::string text = error_of([&] {
+    const auto graph = CGAL::pslg_from_mesh_2(mesh);
+    CGAL::refine_mesh_2(mesh, graph, Options().max_edge(1e-20));
+  });
+  CHECK(has_text(text, "the component of triangle 0 (0 1 2) of the mesh is too thin"));
 }
 
 } // namespace test_refine_mesh_2

@@ -116,8 +116,8 @@ private:
     return low < r && r < high && r - low >= least && high - r >= least && splitter_.split_at(s, e, end, r);
   }
 
-  /// Splits a side at an end of its edge where the splitter does not, as there might be no end of it for the sake of
-  /// angles: vertices in circles are as far from the end as others left them, so few such pieces are enough.
+  /// Splits a side at an end of its edge where the splitter does not, as for angles there might be no end of it. Here
+  /// there is: each end gets at most 33 such pieces, as they become no shorter than a share of the edge.
   bool split_at_end(Side s) {
     constexpr double share = 0.6, least_share_of_edge = 0x1p-24;
     const Edge_id e = state_.edges.carrying(mesh_, mesh_.source(s), mesh_.target(s));
