@@ -46,6 +46,13 @@ Input grid(std::size_t columns, std::size_t rows) {
   return input;
 }
 
+/// With an edge that is at no triangle, from the first vertex to the last one.
+Input with_lone_edge(Input input) {
+  const Vertex_index first(0), last(input.mesh.points.size() - 1);
+  input.mesh.constrained_edges.push_back({{first, last}, Segment_index(0), 7, Vertex_index()});
+  return input;
+}
+
 /// Of `with_all()`, the arrays that the bits tell.
 Input with_some(unsigned bits) {
   static const Input all = with_all();
@@ -96,7 +103,7 @@ std::string wrong_at_parts(int parts, const Check& check) {
 TEST_CASE("parts with only what they own become those that are cut from the mesh", "[distributed]") {
   static const std::vector<Input> inputs = [] {
     std::vector<Input> list = small_inputs();
-    list.push_back(grid(1, 1)), list.push_back(grid(9, 4)), list.push_back(grid(2, 40));
+    list.push_back(grid(1, 1)), list.push_back(with_lone_edge(grid(9, 4))), list.push_back(grid(2, 40));
     list.push_back(map("syn_holes_400.poly.gz")), list.push_back(map("hard_box.poly"));
     return list;
   }();
@@ -189,7 +196,7 @@ std::vector<std::size_t> random_cuts(std::size_t n, int ranks, std::mt19937& ran
 
 TEST_CASE("parts are complete where vertices are far from their owners' triangles, or ranks own nothing",
           "[distributed]") {
-  static const std::vector<Input> inputs = {fan(7), with_all(), grid(9, 4), grid(2, 40)};
+  static const std::vector<Input> inputs = {fan(7), with_all(), with_lone_edge(grid(9, 4)), grid(2, 40)};
   constexpr std::size_t pieces = 6;
   std::mt19937 random(20);
   for (int trial = 0; trial < (is_full_run() ? 200 : 20); ++trial)
