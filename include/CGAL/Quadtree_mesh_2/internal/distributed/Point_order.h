@@ -9,11 +9,9 @@
 // Computes: from a slice of the points at each part, the grid of all points, and the distinct points in shuffle order;
 //           a part has those between those of the part before and those of the part behind. Equal points become the
 //           one with the least index, and the part that was given the others is told so.
-// Bound:    O(k log k) time for k points at a part. Each part tells all others up to 64 of its places, which is all
-//           that grows with the number of parts. A point goes to another part once. No part gets many more than
-//           n / P + n / 64 of n points.
+// Bound:    O(k log k) time for k points at a part. A point goes to another part once. What parts are told of each
+//           other's places, and how many points one gets, is in agree_on_order.h.
 // Source:   Shi, Schaeffer, "Parallel sorting by regular sampling", JPDC 1992.
-// Deviates: parts that have more points count more, as slices may differ in length.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_DISTRIBUTED_POINT_ORDER_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_DISTRIBUTED_POINT_ORDER_H
@@ -23,15 +21,15 @@
 #include <CGAL/Quadtree_mesh_2/Point_error.h>
 #include <CGAL/Quadtree_mesh_2/internal/distributed/Parcel.h>
 #include <CGAL/Quadtree_mesh_2/internal/distributed/agree_on_error.h>
+#include <CGAL/Quadtree_mesh_2/internal/distributed/agree_on_order.h>
+#include <CGAL/Quadtree_mesh_2/internal/grid/Place_grid.h>
 #include <CGAL/Quadtree_mesh_2/internal/grid/morton.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <iterator>
-#include <limits>
 #include <stdexcept>
 #include <type_traits>
 #include <utility>
@@ -64,19 +62,6 @@ struct Placed_point {
   Numbered_point without_place() const { return {x, y, index}; }
   bool is_at_same_point(const Placed_point& p) const { return x == p.x && y == p.y; }
 };
-
-/// Doubles as integers in the same order.
-inline std::int64_t ordered_bits(double value) {
-  std::int64_t bits;
-  std::memcpy(&bits, &value, sizeof bits);
-  return bits >= 0 ? bits : std::numeric_limits<std::int64_t>::min() - bits;
-}
-inline double double_of_ordered_bits(std::int64_t bits) {
-  if (bits < 0) bits = std::numeric_limits<std::int64_t>::min() - bits;
-  double value;
-  std::memcpy(&value, &bits, sizeof value);
-  return value;
-}
 
 /// The points of this part, see the head of this file.
 template <class Traits>
@@ -115,9 +100,6 @@ public:
   }
 
 private:
-  using Place = Grid_point_2<std::uint64_t>;
-  static constexpr std::size_t samples_of_part = 64;
-
   /// As one part alone would find it, but for the number of the point.
   template <class PointRange>
   void check(const PointRange& slice) const try {
@@ -136,17 +118,10 @@ private:
       result_.grid = traits_.construct_grid_2_object()(slice);
       return;
     }
-    constexpr double greatest = std::numeric_limits<double>::max();
-    double low_x = greatest, low_y = greatest, high_x = -greatest, high_y = -greatest;
-    for (const Point_2& p : slice) {
-      low_x = std::min(low_x, p.x()), low_y = std::min(low_y, p.y());
-      high_x = std::max(high_x, p.x()), high_y = std::max(high_y, p.y());
-    }
-    Numbers box{ordered_bits(low_x), ordered_bits(low_y), ordered_bits(-high_x), ordered_bits(-high_y)};
-    exchange_.min(box);
-    const std::array<Point_2, 2> corners{
-        Point_2(double_of_ordered_bits(box[0]), double_of_ordered_bits(box[1])),
-        Point_2(-double_of_ordered_bits(box[2]), -double_of_ordered_bits(box[3]))};
+    Double_box box;
+    for (const Point_2& p : slice) box.add(p.x(), p.y());
+    box = agree_on_box(exchange_, box);
+    const std::array<Point_2, 2> corners{Point_2(box.low[0], box.low[1]), Point_2(box.high[0], box.high[1])};
     result_.grid = traits_.construct_grid_2_object()(corners);
   }
 
@@ -173,54 +148,12 @@ private:
     return own;
   }
 
-  /// The first places of all parts but the first, so that parts get about as many points each. Fewer if there are few.
-  std::vector<Place> splitters(const std::vector<Placed_point>& own) {
-    const std::size_t n = own.size(), k = std::min(n, samples_of_part);
-    Numbers numbers(2 + 2 * samples_of_part, 0);
-    numbers[0] = static_cast<std::int64_t>(n), numbers[1] = static_cast<std::int64_t>(k);
-    for (std::size_t s = 0; s < k; ++s) {
-      const Place& place = own[(2 * s + 1) * n / (2 * k)].place;
-      numbers[2 + 2 * s] = static_cast<std::int64_t>(place.x);
-      numbers[3 + 2 * s] = static_cast<std::int64_t>(place.y);
-    }
-    numbers = exchange_.gather(numbers);
-
-    struct Sample {
-      Place place;
-      double weight;
-    };
-    std::vector<Sample> samples;
-    double sum = 0;
-    for (std::size_t at = 0; at < numbers.size(); at += 2 + 2 * samples_of_part) {
-      const double weight =
-          static_cast<double>(numbers[at]) / static_cast<double>(std::max<std::int64_t>(numbers[at + 1], 1));
-      sum += static_cast<double>(numbers[at]);
-      for (std::size_t s = at + 2; s < at + 2 + 2 * static_cast<std::size_t>(numbers[at + 1]); s += 2)
-        samples.push_back(
-            {{static_cast<std::uint64_t>(numbers[s]), static_cast<std::uint64_t>(numbers[s + 1])}, weight});
-    }
-    std::stable_sort(samples.begin(), samples.end(),
-                     [](const Sample& a, const Sample& b) { return less_shuffle(a.place, b.place); });
-    std::vector<Place> result;
-    double before = 0;
-    for (const Sample& sample : samples) {
-      const double parts = static_cast<double>(exchange_.size());
-      while (result.size() + 1 < static_cast<std::size_t>(exchange_.size()) &&
-             before + sample.weight / 2 >= sum * static_cast<double>(result.size() + 1) / parts)
-        result.push_back(sample.place);
-      before += sample.weight;
-    }
-    return result;
-  }
-
   Records_of_parts<Numbered_point> send(std::vector<Placed_point> own) {
-    const std::vector<Place> firsts = splitters(own);
+    const std::vector<std::size_t> cuts =
+        sampled_cuts(exchange_, own.size(), [&own](std::size_t i) { return own[i].place; });
     Records_of_parts<Numbered_point> outbox;
-    std::size_t part = 0;
-    for (const Placed_point& p : own) {
-      while (part < firsts.size() && !less_shuffle(p.place, firsts[part])) ++part;
-      outbox[static_cast<int>(part)].push_back(p.without_place());
-    }
+    for (std::size_t part = 0, i = 0; part < cuts.size(); ++part)
+      for (; i < cuts[part]; ++i) outbox[static_cast<int>(part)].push_back(own[i].without_place());
     std::vector<Placed_point>().swap(own);
     return exchange_records(exchange_, std::move(outbox));
   }

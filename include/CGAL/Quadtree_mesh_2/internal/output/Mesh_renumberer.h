@@ -17,77 +17,21 @@
 //           the order depends on places and the input's indices alone.
 
 #include <CGAL/Indexed_mesh_2.h>
-#include <CGAL/Quadtree_mesh_2/Grid_point_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/geometry/triangle_angles.h>
-#include <CGAL/Quadtree_mesh_2/internal/grid/double_grid.h>
+#include <CGAL/Quadtree_mesh_2/internal/grid/Place_grid.h>
 #include <CGAL/Quadtree_mesh_2/internal/grid/morton.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/sort_by_keys.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
-
-/// Squares of a grid that holds a set of points, all doubles allowed.
-template <class Tag, class Point>
-class Squares_of_points {
-public:
-  explicit Squares_of_points(const std::vector<Point>& points) : points_(points) {
-    Box box = box_of_points();
-    // So that differences do not overflow. What underflows shares a square with others.
-    if (box.magnitude() > greatest_coordinate()) scale_ = 0x1p-64;
-    for (std::size_t k = 0; k < 2; ++k) box.low[k] *= scale_, box.high[k] *= scale_;
-    const double extent = std::max(box.high[0] - box.low[0], box.high[1] - box.low[1]);
-    const Root_side root(extent, box.magnitude());
-    x_ = Double_axis(root, box.low[0]), y_ = Double_axis(root, box.low[1]);
-  }
-
-  Grid_point_2<std::uint64_t> operator()(std::size_t i) const {
-    return {x_.to_grid(as_double(points_[i].x()) * scale_), y_.to_grid(as_double(points_[i].y()) * scale_)};
-  }
-
-private:
-  struct Box {
-    static constexpr double infinity = std::numeric_limits<double>::infinity();
-    std::array<double, 2> low{infinity, infinity}, high{-infinity, -infinity};
-
-    void add(const std::array<double, 2>& p) {
-      for (std::size_t k = 0; k < 2; ++k) low[k] = std::min(low[k], p[k]), high[k] = std::max(high[k], p[k]);
-    }
-    double magnitude() const {
-      return std::max({std::abs(low[0]), std::abs(low[1]), std::abs(high[0]), std::abs(high[1])});
-    }
-  };
-
-  Box box_of_points() const {
-    if (points_.empty()) return Box{{0, 0}, {0, 0}};
-    return reduce<Tag>(
-        points_.size(), Box(),
-        [this](std::size_t begin, std::size_t end) {
-          Box box;
-          for (std::size_t i = begin; i < end; ++i)
-            box.add({as_double(points_[i].x()), as_double(points_[i].y())});
-          return box;
-        },
-        [](Box a, const Box& b) {
-          a.add(b.low), a.add(b.high);
-          return a;
-        });
-  }
-
-  const std::vector<Point>& points_;
-  double scale_ = 1;
-  Double_axis x_, y_;
-};
 
 template <class Tag, class Point>
 class Mesh_renumberer {
@@ -129,28 +73,35 @@ private:
   }
 
   Order order_by_place() const {
-    const std::vector<Point>& points = mesh_.points;
-    auto sorted = shuffled<Tag>(points.size(), Squares_of_points<Tag, Point>(points));
-    const auto is_same = [&sorted](std::size_t i, std::size_t j) {
-      return sorted.keys[i].x == sorted.keys[j].x && sorted.keys[i].y == sorted.keys[j].y;
+    const Place_grid grid(box_of_points());
+    const auto square_at = [this, &grid](std::size_t v) {
+      return grid(as_double(mesh_.points[v].x()), as_double(mesh_.points[v].y()));
     };
-    for_each_index<Tag>(points.size(), [&](std::size_t begin) {
-      if (begin > 0 && is_same(begin - 1, begin)) return;
-      std::size_t end = begin + 1;
-      while (end < points.size() && is_same(begin, end)) ++end;
-      if (end - begin > 1) sort_by_coordinates(sorted.order.data() + begin, sorted.order.data() + end);
-    });
-    return std::move(sorted.order);
+    const auto less = [this](std::uint32_t v, std::uint32_t w) { return is_before_in_square(v, w); };
+    return std::move(sorted_by_place<Tag>(mesh_.points.size(), square_at, less).order);
   }
 
-  void sort_by_coordinates(std::uint32_t* begin, std::uint32_t* end) const {
-    std::sort(begin, end, [this](std::uint32_t v, std::uint32_t w) {
-      const Point &p = mesh_.points[v], &q = mesh_.points[w];
-      if (p.x() != q.x()) return p.x() < q.x();
-      if (p.y() != q.y()) return p.y() < q.y();
-      if (mesh_.input_index[v] != mesh_.input_index[w]) return mesh_.input_index[v] < mesh_.input_index[w];
-      return v < w;
-    });
+  Double_box box_of_points() const {
+    return reduce<Tag>(
+        mesh_.points.size(), Double_box(),
+        [this](std::size_t begin, std::size_t end) {
+          Double_box box;
+          for (std::size_t v = begin; v < end; ++v)
+            box.add(as_double(mesh_.points[v].x()), as_double(mesh_.points[v].y()));
+          return box;
+        },
+        [](Double_box a, const Double_box& b) {
+          a.merge(b);
+          return a;
+        });
+  }
+
+  bool is_before_in_square(std::uint32_t v, std::uint32_t w) const {
+    const Point &p = mesh_.points[v], &q = mesh_.points[w];
+    if (p.x() != q.x()) return p.x() < q.x();
+    if (p.y() != q.y()) return p.y() < q.y();
+    if (mesh_.input_index[v] != mesh_.input_index[w]) return mesh_.input_index[v] < mesh_.input_index[w];
+    return v < w;
   }
 
   void apply_to_vertices(const Order& order) {
