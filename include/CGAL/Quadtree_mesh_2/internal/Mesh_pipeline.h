@@ -36,6 +36,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/base/Phase_clock.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/Progress.h>
 #include <CGAL/Quadtree_mesh_2/internal/check_coordinates.h>
+#include <CGAL/Quadtree_mesh_2/internal/check_distances.h>
 #include <CGAL/Quadtree_mesh_2/internal/digest_of_mesh.h>
 #include <CGAL/Quadtree_mesh_2/internal/geometry/Adapted_geometry.h>
 #include <CGAL/Quadtree_mesh_2/internal/geometry/coordinate_map.h>
@@ -67,7 +68,6 @@
 #include <CGAL/Quadtree_mesh_2/internal/thinning/thin_small_mesh.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Domain_rule.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/First_triangulation.h>
-#include <CGAL/Quadtree_mesh_2/internal/triangulation/least_distance.h>
 #include <CGAL/Quality_mesh_options_2.h>
 #include <CGAL/Quality_mesh_report_2.h>
 
@@ -97,6 +97,7 @@ public:
       : pslg_(pslg), options_(options), traits_(traits), find_hits_(find_hits), report_(report),
         map_(pslg.vertices, seeds_of(pslg)), watch_(std::move(watch)) {}
 
+  /// \returns the mesh; an empty one if who runs the rounds has it
   Indexed_mesh_2<Point_2> run() {
     report_.input_vertices = pslg_.number_of_vertices();
     report_.input_segments = pslg_.number_of_segments();
@@ -106,7 +107,7 @@ public:
     if (!has_gone_on_from_checkpoint()) {
       triangulate_input();
       find_domain();
-      check_distances();
+      too_near_for_trees_ = check_distances<Map>(state_, words_);
       set_bounds();
       Corner_finder<ConcurrencyTag, Geometry>(state_, estimate_size()).run();
     }
@@ -119,7 +120,8 @@ public:
       if (!(is_by_trees && construct_by_trees(refiner)) &&
           refine(refiner, splitter) == Refinement_end::OUT_OF_BUDGET)
         take_over(refiner, splitter);
-      coarsen(refiner, second);
+      if (rounds_end_ == Rounds_end::IN_PARTS) return {};
+      if (rounds_end_ != Rounds_end::TAIL_DONE) coarsen(refiner, second);
     }
     const Triangle_account account = finish(refiner);
     report_.is_cancelled = progress_.is_cancelled();
@@ -159,6 +161,7 @@ private:
   Block_rounds rounds_;
   Watch watch_;                               // of the rounds
   Rounds_runner<Geometry>* runner_ = nullptr; // if somebody else runs them
+  Rounds_end rounds_end_ = Rounds_end::NO_BLOCKS;
   Mesh_checkpoints checkpoints_{options_.checkpoints(), Checkpoint_pace<ConcurrencyTag>::time_between};
   bool has_gone_on_ = false; // from a checkpoint
 
@@ -215,27 +218,6 @@ private:
     }
     if (state_.mesh.triangles.empty()) throw words_.no_domain(options_.mesh_domain(), problem_.edges);
     keep_boundary(options_, state_.mesh, problem_.edges, problem_.kept_edges);
-  }
-
-  /// What is near: what coordinates cannot tell apart is refused, what quadtrees cannot is noted.
-  /// \throws Pslg_error_2 if vertices are nearer to each other, or to segments, than the doubles can tell in which
-  /// angles are compared
-  void check_distances() {
-    if constexpr (Geometry::has_unlimited_coordinates) {
-      // Coordinates are unlimited, and so are the distances that an input may have. Nothing in the way of a leg is
-      // nearer than a small share of the least one.
-      constexpr double clearance = 0x1p-34; // squared
-      problem_.least_share_of_leg = sqrt(clearance * least_squared_distance(state_.mesh));
-      if (const auto* near = find_too_near(state_.mesh))
-        too_near_for_trees_ = words_.too_near(
-            near->v,
-            ", nearer to each other, or to being on a line, than the 2^-128 of the extent that quadtrees "
-            "can tell: refine without them");
-    } else if constexpr (Geometry::least_length > 0) {
-      if (const auto* near = find_too_near(state_.mesh))
-        throw words_.too_near(near->v, std::string(": nearer to each other, or to being on a line, than ") +
-                                           Map::least_distance);
-    }
   }
 
   void set_bounds() { problem_.bounds = Bounds_maker<Traits>(options_, map_).run(pslg_); }
@@ -304,7 +286,11 @@ private:
       if (!budgets().is_of_user() || least <= limit.vertices) splitter.cut_rings();
       Bulk_filler<ConcurrencyTag, Geometry>(state_, splitter).run(limit.vertices);
     }
-    if (work_off_in_blocks(limit, Progress_shares::first_mesh))
+    const Rounds_tail tail{order_, report_};
+    rounds_end_ = work_off_in_blocks(limit, Progress_shares::first_mesh, is_tail_plain() ? &tail : nullptr);
+    if (rounds_end_ == Rounds_end::TAIL_DONE || rounds_end_ == Rounds_end::IN_PARTS)
+      return ++report_.rounds, Refinement_end::DONE;
+    if (rounds_end_ == Rounds_end::WHOLE_MESH)
       finishing_.smoothing_rounds = 0; // done, and removal is left only at seams
     else
       refiner.push_all();
@@ -313,20 +299,30 @@ private:
     return end;
   }
 
+  /// Whether nothing follows on the rounds but what a `Rounds_runner` may do.
+  bool is_tail_plain() const {
+    if constexpr (Map::may_lose_points)
+      if (map_.may_round_mesh()) return false;
+    return finishing_.thinning_rounds == 0 && !problem_.keeps_edges() && !problem_.bounds.has_widest() &&
+           options_.conform() == Quality_mesh_options_2::Conforming::NONE && !growth_wanted(options_);
+  }
+
   /// \param share_before of the work, as is told to the user
-  /// \returns false if the mesh is too small for blocks, and nothing was done
-  bool work_off_in_blocks(Mesh_limit limit, double share_before) {
+  /// \param tail null: not wanted
+  Rounds_end work_off_in_blocks(Mesh_limit limit, double share_before, const Rounds_tail* tail) {
     const auto shall_go_on = [this, share_before](double share) {
       return progress_.shall_go_on(share_before + Progress_shares::rounds_of_blocks * share);
     };
-    if (runner_ != nullptr) return runner_->run(state_, finishing_, limit.vertices, rounds_, shall_go_on);
+    if (runner_ != nullptr)
+      return runner_->run(state_, finishing_, limit.vertices, rounds_, shall_go_on, tail);
     Block_refinement<ConcurrencyTag, Geometry, Watch> blocks(state_, finishing_, limit.vertices, rounds_,
                                                              watch_);
     // A state goes on with refinement, which is not what quadtrees are followed by.
     const auto between_rounds = [this] {
       if (report_.trees.rounds == 0) save_checkpoint();
     };
-    return blocks.run([&] { return shall_go_on(blocks.share_done()); }, between_rounds);
+    const bool has_blocks = blocks.run([&] { return shall_go_on(blocks.share_done()); }, between_rounds);
+    return has_blocks ? Rounds_end::WHOLE_MESH : Rounds_end::NO_BLOCKS;
   }
 
   void finish_refinement(Splitter<Geometry>& splitter) {
@@ -411,7 +407,10 @@ private:
     rounds_ = Block_rounds(); // perhaps of refinement that did not come to rest
     refiner.forget_rest();    // of the mesh before
     const bool shall_thin = cure_placed_mesh(
-        state_, finishing_, [&] { return work_off_in_blocks(limit, Progress_shares::quadtrees); },
+        state_, finishing_,
+        [&] {
+          return work_off_in_blocks(limit, Progress_shares::quadtrees, nullptr) != Rounds_end::NO_BLOCKS;
+        },
         [&](bool are_blocks) {
           if (are_blocks)
             finishing_.smoothing_rounds = 0; // done

@@ -13,11 +13,11 @@
 #include <CGAL/Indexed_mesh_2.h>
 #include <CGAL/Pslg_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/Id_set.h>
-#include <CGAL/Quadtree_mesh_2/internal/base/angle_units.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/huge_pages.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/prefetch.h>
 #include <CGAL/Quadtree_mesh_2/internal/geometry/Adapted_geometry.h>
 #include <CGAL/Quadtree_mesh_2/internal/geometry/coordinate_map.h>
+#include <CGAL/Quadtree_mesh_2/internal/output/Bound_reporter.h>
 #include <CGAL/Quadtree_mesh_2/internal/output/boundary_markers.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/append_all.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
@@ -29,7 +29,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -220,56 +219,11 @@ private:
 
   /// Reports a triangle that misses a bound.
   void report(Triangle_id t, Refiner<Geometry>& refiner) {
-    const auto& r = mesh_.triangle(t);
-    const auto s = mesh_.shape(r);
-    if (!state_.is_bad(t, s) && !state_.is_too_wide(t, s)) return report_exempt(t);
-    const Edge_id in_the_way = refiner.kept_edge_in_the_way(t);
-    Quality_mesh_report_2::Unmet_triangle unmet{new_triangle_[t], {0, 0}, 0, reason(t, s, in_the_way)};
-    if (unmet.reason == Quality_mesh_report_2::Reason::KEPT_SEGMENT)
-      unmet.segment = state_.problem.kept_edges[in_the_way];
-    for (const Vertex_id v : r.v) {
-      const auto [x, y] = map_.place(mesh_.point(v));
-      unmet.centroid[0] += x / 3, unmet.centroid[1] += y / 3;
-    }
-    unmet.least_angle = std::asin(std::sqrt(std::min(1.0, s.sin2_of_least_angle()))) * 180 / pi;
-    unmet.greatest_angle = greatest_angle(s);
-    report_.unmet_triangles.push_back(unmet);
-  }
-
-  void report_exempt(Triangle_id t) {
-    const auto& r = mesh_.triangle(t);
-    const Sector_id s = state_.corners.excusing_sector(mesh_, r.v[0], r.v[1], r.v[2]);
-    const Vertex_id apex = state_.corners.leg(state_.corners.sector(s).right).apex;
-    report_.exempt_triangles.push_back({new_triangle_[t], new_vertex_[apex]});
-  }
-
-  /// In degrees.
-  static double greatest_angle(const typename Kernel_mesh<Geometry>::Shape& s) {
-    const int k = s.slot_of_longest(), i = next_slot[k], j = previous_slot[k];
-    const double p = ratio(s.l[i], s.l[k]), q = ratio(s.l[j], s.l[k]);
-    return std::atan2(2 * ratio(s.area2, s.l[k]), p + q - 1) * 180 / pi;
-  }
-
-  /// Why a bad triangle was left.
-  Quality_mesh_report_2::Reason reason(Triangle_id t, const typename Kernel_mesh<Geometry>::Shape& s,
-                                       Edge_id kept_edge_in_the_way) const {
-    using Reason = Quality_mesh_report_2::Reason;
-    if (report_.is_budget_exhausted) return Reason::BUDGET;
-    if (report_.is_cancelled) return Reason::CANCELLED;
-    if (kept_edge_in_the_way.is_valid()) return Reason::KEPT_SEGMENT;
-    if (state_.bounds.least_squared_length > 0) return Reason::LEAST_EDGE;
-    if (!state_.is_bad(t, s)) return Reason::GREATEST_ANGLE;
-    if (!state_.bounds.is_established())
-      for (const Vertex_id v : mesh_.triangle(t).v)
-        if (is_at_acute_corner(v)) return Reason::CORNER;
-    return Reason::COORDINATES;
-  }
-
-  bool is_at_acute_corner(Vertex_id v) const {
-    const Edge_id e = mesh_.edge(v);
-    const auto& is_acute = state_.corners.is_acute;
-    if (mesh_.is_input(v)) return is_acute[mesh_.input_number(v)] != 0;
-    return e.is_valid() && (is_acute[state_.edges[e].a] != 0 || is_acute[state_.edges[e].b] != 0);
+    const Bound_reporter<Traits> reporter(state_, map_, Bound_reporter<Traits>::end_of(report_));
+    if (reporter.is_excused(t))
+      report_.exempt_triangles.push_back({new_triangle_[t], new_vertex_[reporter.excusing_corner(t)]});
+    else
+      report_.unmet_triangles.push_back(reporter.unmet(t, new_triangle_[t], refiner.kept_edge_in_the_way(t)));
   }
 };
 

@@ -18,6 +18,7 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_EXACT_LEGALIZER_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_EXACT_LEGALIZER_H
 
+#include <CGAL/Quadtree_mesh_2/internal/base/sort_and_drop_equal.h>
 #include <CGAL/Quadtree_mesh_2/internal/geometry/Angle_histogram.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
@@ -41,40 +42,68 @@ class Exact_legalizer {
 public:
   explicit Exact_legalizer(Meshing_state<Geometry>& state) : state_(state), mesh_(state.mesh) {}
 
+  /// What a look at triangles finds.
+  struct Findings {
+    Triangle_account account;
+    std::vector<Side> doubtful; ///< to be flipped
+  };
+
   /// Makes the mesh constrained Delaunay. Triangles that flips make suspect go to the worklist.
   Triangle_account run() {
+    Findings found = find([](Triangle_id) { return true; });
+    if (flip(found.doubtful, found.account, [](Side) {})) drop_cured(found.account.suspects);
+    return std::move(found.account);
+  }
+
+  /// Looks at the triangles alive of which `is_wanted(t)`; others are not read.
+  template <class Is_wanted>
+  Findings find(const Is_wanted& is_wanted) const {
     const std::size_t n = mesh_.triangles.size();
-    std::vector<Part> parts((n + default_block - 1) / default_block);
+    std::vector<Findings> parts((n + default_block - 1) / default_block);
     for_each_block<ConcurrencyTag>(n, default_block, [&](std::size_t b, std::size_t begin, std::size_t end) {
-      mesh_.for_each_alive({begin, end}, [&](Triangle_id t) { look_at(t, parts[b]); });
+      mesh_.for_each_alive({begin, end}, is_wanted, [&](Triangle_id t) { look_at(t, parts[b]); });
     });
-    Triangle_account account;
-    for (const Part& part : parts) {
-      account.angles.add(part.account.angles);
-      account.suspects.insert(account.suspects.end(), part.account.suspects.begin(),
-                              part.account.suspects.end());
+    Findings all;
+    for (const Findings& part : parts) {
+      all.account.angles.add(part.account.angles);
+      append(all.account.suspects, part.account.suspects);
+      append(all.doubtful, part.doubtful);
     }
+    return all;
+  }
+
+  /// Flips sides, and what becomes doubtful by that. Triangles that this makes suspect go to the worklist.
+  /// \param account becomes that of the mesh then, but with suspects that are cured, or named twice
+  /// \param before_look called with a side before the triangles on both sides of it are read
+  /// \returns whether anything was flipped
+  template <class Before_look>
+  bool flip(const std::vector<Side>& doubtful, Triangle_account& account, const Before_look& before_look) {
     bool is_any_flipped = false;
-    for (const Part& part : parts)
-      for (const Side s : part.doubtful) is_any_flipped |= flip_from(s, account);
-    if (is_any_flipped) drop_cured_suspects(account.suspects);
-    return account;
+    for (const Side s : doubtful) is_any_flipped |= flip_from(s, account, before_look);
+    return is_any_flipped;
+  }
+
+  /// Drops suspects that miss no bound now, and those that are named before. The others are in order then.
+  void drop_cured(std::vector<Triangle_id>& suspects) const {
+    sort_and_drop_equal(suspects);
+    suspects.erase(std::remove_if(suspects.begin(), suspects.end(),
+                                  [this](Triangle_id t) { return !state_.misses_bound(t); }),
+                   suspects.end());
   }
 
 private:
   using Shape = typename Kernel_mesh<Geometry>::Shape;
 
-  /// What is found in a run of triangles.
-  struct Part {
-    Triangle_account account;
-    std::vector<Side> doubtful;
-  };
-
   Meshing_state<Geometry>& state_;
   Kernel_mesh<Geometry>& mesh_;
   std::vector<Side> doubtful_;
 
-  void look_at(Triangle_id t, Part& part) const {
+  template <class Id>
+  static void append(std::vector<Id>& all, const std::vector<Id>& some) {
+    all.insert(all.end(), some.begin(), some.end());
+  }
+
+  void look_at(Triangle_id t, Findings& part) const {
     const auto& r = mesh_.triangle(t);
     const Shape s = mesh_.shape(r);
     part.account.angles.add(s);
@@ -104,12 +133,14 @@ private:
   }
 
   /// Flips the side and what becomes doubtful by that. \returns whether anything was flipped
-  bool flip_from(Side side, Triangle_account& account) {
+  template <class Before_look>
+  bool flip_from(Side side, Triangle_account& account, const Before_look& before_look) {
     bool is_any_flipped = false;
     doubtful_.assign(1, side);
     while (!doubtful_.empty()) {
       const Side s = doubtful_.back();
       doubtful_.pop_back();
+      before_look(s);
       const Triangle_id t = s.triangle();
       const Side o = mesh_.across(s);
       if (o.is_constrained() || !is_not_Delaunay(s)) continue;
@@ -125,15 +156,6 @@ private:
       }
     }
     return is_any_flipped;
-  }
-
-  /// Flips may have cured some, and named others more than once.
-  void drop_cured_suspects(std::vector<Triangle_id>& suspects) const {
-    std::sort(suspects.begin(), suspects.end());
-    suspects.erase(std::unique(suspects.begin(), suspects.end()), suspects.end());
-    suspects.erase(std::remove_if(suspects.begin(), suspects.end(),
-                                  [this](Triangle_id t) { return !state_.misses_bound(t); }),
-                   suspects.end());
   }
 };
 

@@ -115,6 +115,8 @@ struct Meshing_state {
   /// A mesh up to this size is a small mesh, which is worth any effort. In larger ones what seldom helps is not tried.
   /// (A graph of few vertices, of which Vertex_budgets.h speaks, need not have a small mesh.)
   static constexpr std::size_t most_triangles_of_small_mesh = 1000;
+  /// In one up to this size, pairs of vertices are merged (thin_small_mesh.h).
+  static constexpr std::size_t most_triangles_to_merge_pairs = 2 * most_triangles_of_small_mesh;
   bool is_small_mesh() const { return mesh.number_of_triangles() <= most_triangles_of_small_mesh; }
 
   bool is_exempt(Vertex_id a, Vertex_id b, Vertex_id c) const {
@@ -230,9 +232,15 @@ struct Meshing_state {
   /// Flips free sides that are certainly not Delaunay, starting from those of `doubtful_sides`; triangles
   /// that come out of it suspect go to the worklist.
   void legalize() {
+    legalize([](Side) {});
+  }
+  /// \param before_look called with a side before the triangles on both sides of it are read
+  template <class Before_look>
+  void legalize(const Before_look& before_look) {
     while (!doubtful_sides.empty()) {
       const Side s = doubtful_sides.back();
       doubtful_sides.pop_back();
+      before_look(s);
       const Triangle_id t = s.triangle();
       if (!mesh.is_alive(t)) continue;
       const Side o = mesh.across(s);

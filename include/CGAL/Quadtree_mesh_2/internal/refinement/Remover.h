@@ -42,6 +42,7 @@ public:
   using Number = typename Geometry::Number;
   using Vector = Basic_vector<Number>;
   using Shape = typename Kernel_mesh<Geometry>::Shape;
+  static constexpr int passes = 2; ///< of a run
 
   explicit Remover(Meshing_state<Geometry>& state) : Remover(state, state.bounds) {}
   /// Keeps to other bounds than those of the state.
@@ -52,20 +53,29 @@ public:
   /// \returns the number of vertices removed.
   template <class Continue>
   std::size_t run(Continue&& shall_go_on) {
-    constexpr int passes = 2;
     std::size_t removed = 0;
     for (int pass = 0; pass < passes; ++pass)
       for (const Vertex_id v : mesh_.points.ids()) {
         if (is_time_to_ask(std::size_t(v)) && !shall_go_on()) return removed;
-        if (mesh_.is_dirty[v] == 0 || mesh_.is_input(v) || !mesh_.is_used(v)) continue;
+        if (!is_to_be_tried(v)) continue;
         prefetch_after(v);
-        const int largest = state_.is_small_mesh() ? Star::max_size : largest_star;
-        const bool is_collected = star_.collect(mesh_, v, largest);
-        if (!is_collected && star_.size < largest) continue; // perhaps at a seam: another round may do it
-        mesh_.is_dirty[v] = 0;
-        if (is_collected && try_to_remove(v)) ++removed;
+        removed += remove_if_changed(v) ? 1 : 0;
       }
     return removed;
+  }
+
+  /// Whether a vertex might be removed, and its star has changed since that was last tried.
+  bool is_to_be_tried(Vertex_id v) const {
+    return mesh_.is_dirty[v] != 0 && !mesh_.is_input(v) && mesh_.is_used(v);
+  }
+
+  /// Removes such a vertex if it can be removed; reads and writes its star and what is next to that.
+  bool remove_if_changed(Vertex_id v) {
+    const int largest = state_.is_small_mesh() ? Star::max_size : largest_star;
+    const bool is_collected = star_.collect(mesh_, v, largest);
+    if (!is_collected && star_.size < largest) return false; // perhaps at a seam: another round may do it
+    mesh_.is_dirty[v] = 0;
+    return is_collected && try_to_remove(v);
   }
 
   /// Removes one vertex, if it is a Steiner vertex whose star can be triangulated without it.

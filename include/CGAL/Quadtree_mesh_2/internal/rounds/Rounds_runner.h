@@ -10,9 +10,11 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_ROUNDS_ROUNDS_RUNNER_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_ROUNDS_ROUNDS_RUNNER_H
 
+#include <CGAL/Quadtree_mesh_2/internal/grid/morton.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/finish_mesh.h>
 #include <CGAL/Quadtree_mesh_2/internal/rounds/Block_rounds.h>
+#include <CGAL/Quality_mesh_report_2.h>
 
 #include <cstddef>
 #include <functional>
@@ -20,6 +22,21 @@
 namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
+
+/// Where a mesh is after rounds that somebody else has run, and what has been done to it.
+enum class Rounds_end {
+  NO_BLOCKS,  ///< nothing: it is too small for blocks
+  WHOLE_MESH, ///< the rounds; it is in the state
+  TAIL_DONE, ///< also what follows on them, but that flips have made bad triangles, which are on the worklist
+  IN_PARTS   ///< everything; it is converted, and not here. The report has its counts and lists
+};
+
+/// What follows on rounds of which nothing is left, for who can do it: sectors unlocked, vertices at seams removed,
+/// exact flips, the conversion to the mesh of the user, and what the report says of it.
+struct Rounds_tail {
+  const Order& order; ///< the input vertex of each of the kernel
+  Quality_mesh_report_2& report;
+};
 
 template <class Geometry>
 class Rounds_runner {
@@ -31,9 +48,10 @@ public:
 
   /// What `Block_refinement` does, with the same bits: mesh, corners, rounds, and what is left on the worklist.
   /// \param shall_go_on told the share of the work that is done; may be called by several threads at once
-  /// \returns false if the mesh is too small for blocks, and nothing was done
-  virtual bool run(Meshing_state<Geometry>& state, const Finishing& finishing, std::size_t vertex_budget,
-                   Block_rounds& rounds, const std::function<bool(double)>& shall_go_on) = 0;
+  /// \param tail null: not wanted
+  virtual Rounds_end run(Meshing_state<Geometry>& state, const Finishing& finishing,
+                         std::size_t vertex_budget, Block_rounds& rounds,
+                         const std::function<bool(double)>& shall_go_on, const Rounds_tail* tail) = 0;
 };
 
 /// Sets who runs a mesher's rounds of blocks; null: the mesher itself.

@@ -21,6 +21,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/rounds/Corner_places.h>
 #include <CGAL/Quadtree_mesh_2/internal/shared_rounds/Held_mesh.h>
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -80,6 +81,17 @@ public:
     return owner;
   }
 
+  /// The sides between pairs of vertices, from either of its triangles; the border for those without one. All triangles
+  /// that a search of one memory reads are shared then, if it finds the side in the fans at its ends.
+  std::vector<Side> sides_between(const std::vector<std::array<Vertex_id, 2>>& pairs) {
+    std::vector<Side> sides;
+    look([&](const Look_up& look_up) {
+      sides.clear();
+      for (const auto& [x, y] : pairs) sides.push_back(look_up.side_in_fans(x, y).found);
+    });
+    return sides;
+  }
+
   /// Tells all what has become of the corners, in the handles of the whole mesh. Each part has others.
   void tell(const std::vector<Corner_id>& corners) {
     Archive_writer archive;
@@ -108,20 +120,31 @@ private:
     }
 
     Side side_between(Vertex_id x, Vertex_id y) const {
+      const Search search = side_in_fans(x, y);
+      const bool may_have_other_fans = whole.mesh.is_input(x) && whole.mesh.is_input(y);
+      const bool is_elsewhere = search.is_all_read && search.found.is_border() && may_have_other_fans;
+      return is_elsewhere ? find_side_everywhere(x, y) : search.found;
+    }
+
+    /// The border if it is not found, and whether that is for sure.
+    struct Search {
+      Side found;
+      bool is_all_read;
+    };
+    Search side_in_fans(Vertex_id x, Vertex_id y) const {
       const Triangle_id at_x = whole.mesh.incident_triangle(x), at_y = whole.mesh.incident_triangle(y);
       const bool may_begin = may_read(at_x);
-      if (!may_read(at_y) || !may_begin) return Side::border();
+      if (!may_read(at_y) || !may_begin) return {Side::border(), false};
       Fan_walk<Kernel_mesh<Geometry>> walk(whole.mesh, x, at_x), other(whole.mesh, y, at_y);
       for (;;) {
         const Side found = walk.side_to(y), of_other = other.side_to(x);
-        if (!found.is_border() || !of_other.is_border()) return found.is_border() ? of_other : found;
+        if (!found.is_border() || !of_other.is_border()) return {found.is_border() ? of_other : found, true};
         const bool has_more = walk.advance(), other_has_more = other.advance();
         if (walk.is_closed() || other.is_closed() || (!has_more && !other_has_more)) break;
         const bool may_go_on = may_read(walk.triangle());
-        if (!may_read(other.triangle()) || !may_go_on) return Side::border();
+        if (!may_read(other.triangle()) || !may_go_on) return {Side::border(), false};
       }
-      const bool may_have_other_fans = whole.mesh.is_input(x) && whole.mesh.is_input(y);
-      return may_have_other_fans ? find_side_everywhere(x, y) : Side::border();
+      return {Side::border(), true};
     }
 
     template <class Function>

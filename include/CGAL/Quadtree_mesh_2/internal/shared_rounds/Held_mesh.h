@@ -136,18 +136,25 @@ public:
 
   bool is_held(Triangle_id t) const { return hold_[t.value()] != ABSENT; }
   bool is_private(Triangle_id t) const { return hold_[t.value()] == PRIVATE; }
-  bool is_shared(Triangle_id t) const { return hold_[t.value()] == SHARED; }
+  bool is_shared(Triangle_id t) const { return hold_[t.value()] >= SHARED; }
   /// Whether this part vouches for the record of a vertex.
   bool has(Vertex_id v) const { return has_[v.value()] != 0; }
 
-  /// What this part has made, or what has been told to all.
+  /// What this part has made, or what is no more.
   void set_private(Triangle_id t) { set(t, PRIVATE); }
-  void set_shared(Triangle_id t) { set(t, SHARED); }
   void set_absent(Triangle_id t) { set(t, ABSENT); }
   void set_has(Vertex_id v) { has_[v.value()] = 1; }
 
-  std::size_t number_held() const { return number_[PRIVATE] + number_[SHARED]; }
-  std::size_t number_shared() const { return number_[SHARED]; }
+  /// Whether this part is the one that speaks for a triangle where one has to: for its private ones, and those that it
+  /// has told to all.
+  bool speaks_for(Triangle_id t) const { return is_private(t) || hold_[t.value()] == TOLD; }
+  /// The same for a vertex with a triangle.
+  bool speaks_for(Vertex_id v) const {
+    return has(v) && mesh_.is_used(v) && speaks_for(mesh_.incident_triangle(v));
+  }
+
+  std::size_t number_held() const { return number_[PRIVATE] + number_shared(); }
+  std::size_t number_shared() const { return number_[SHARED] + number_[TOLD]; }
   /// How many triangles this part has held at once.
   std::size_t most_held() const { return most_held_; }
   /// The vertices that several parts got.
@@ -161,7 +168,7 @@ public:
     Package package;
     for (const Triangle_id t : wanted) {
       if (!is_private(t)) continue;
-      set_shared(t);
+      set(t, TOLD);
       package.add(mesh_, t);
     }
     return tell(std::move(package));
@@ -178,7 +185,7 @@ public:
   /// Tells all parts the triangles, which are shared then, and the vertices, for both of which this part vouches.
   void tell(const std::vector<Triangle_id>& triangles, const std::vector<Vertex_id>& vertices) {
     Package package;
-    for (const Triangle_id t : triangles) set_shared(t), package.add(mesh_, t);
+    for (const Triangle_id t : triangles) set(t, TOLD), package.add(mesh_, t);
     package.vertices.insert(package.vertices.end(), vertices.begin(), vertices.end());
     tell(std::move(package));
   }
@@ -201,7 +208,7 @@ public:
   }
 
 private:
-  enum Hold : char { ABSENT, PRIVATE, SHARED };
+  enum Hold : char { ABSENT, PRIVATE, SHARED, TOLD }; // shared: told by others, or by this part
 
   struct Triangle_record {
     Triangle_id id;
@@ -230,7 +237,7 @@ private:
   Exchange& exchange_;
   Mesh& mesh_;
   Sparse_bytes hold_, has_;
-  std::size_t number_[3] = {0, 0, 0};
+  std::size_t number_[4] = {0, 0, 0, 0};
   std::size_t most_held_ = 0;
   std::vector<Vertex_id> common_;
 
@@ -303,7 +310,7 @@ private:
       reader(triangles_told), reader(vertices_told);
       number += triangles_told.size();
       if (parcel.part == exchange_.rank()) continue;
-      for (const Triangle_record& r : triangles_told) write(r), set_shared(r.id);
+      for (const Triangle_record& r : triangles_told) write(r), set(r.id, SHARED);
       for (const Vertex_record& r : vertices_told) write(r), set_has(r.id);
     }
     return number;

@@ -77,10 +77,11 @@ struct Rounds_job {
   Meshing_state<Geometry>& state; ///< of which the mesh is not part of the job
   Finishing finishing = {};
   std::size_t vertex_budget = 0;
+  bool is_tail_wanted = false; ///< `Rounds_tail`
 
   template <class Archive>
   void transfer(Archive& archive) {
-    archive(state.problem.input_points, state.problem, finishing, vertex_budget);
+    archive(state.problem.input_points, state.problem, finishing, vertex_budget, is_tail_wanted);
     archive(state.leg_rule, state.refinement_rule, state.bulk, state.has_placed_vertices);
   }
 };

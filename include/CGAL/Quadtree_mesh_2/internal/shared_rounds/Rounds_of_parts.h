@@ -99,6 +99,14 @@ public:
   }
 
   const Held& held() const { return held_; }
+  Held& held() { return held_; }
+  Corners_of_parts<Exchange, Geometry>& corners() { return corners_; }
+  /// Of the whole mesh. All parts call it.
+  std::size_t number_of_triangles() {
+    const std::size_t of_all = whole_.mesh.dead_triangles().size() - own_dead_;
+    const auto own = static_cast<std::size_t>(exchange_.sum(static_cast<std::int64_t>(own_dead_)));
+    return whole_.mesh.triangles.size() - own - of_all;
+  }
   /// How many of the dead triangles are this part's alone, the first ones in its list. The lists of all parts up to
   /// there, and then the rest of one, are the list that one memory has.
   std::size_t number_of_own_dead() const { return own_dead_; }

@@ -6,7 +6,8 @@
 //
 // A graph of the first part meshed by all parts: the mesh of one memory, renumbered by place, in parts.
 //
-// The first part holds the whole mesh before the rounds of blocks and after them.
+// The first part holds the whole mesh before the rounds of blocks. After them nobody does, unless they leave something,
+// or the options want more than Rounds_runner.h says.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_SHARED_ROUNDS_MESH_BY_ALL_PARTS_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_SHARED_ROUNDS_MESH_BY_ALL_PARTS_H
@@ -18,6 +19,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/base/Checkpoint_file.h>
 #include <CGAL/Quadtree_mesh_2/internal/digest_of_mesh.h>
 #include <CGAL/Quadtree_mesh_2/internal/distributed/Parcel.h>
+#include <CGAL/Quadtree_mesh_2/internal/distributed/Part_completer.h>
 #include <CGAL/Quadtree_mesh_2/internal/distributed/agree_on_error.h>
 #include <CGAL/Quadtree_mesh_2/internal/distributed/distribute_mesh.h>
 #include <CGAL/Quadtree_mesh_2/internal/geometry/Adapted_geometry.h>
@@ -31,6 +33,7 @@
 #include <cstdint>
 #include <exception>
 #include <stdexcept>
+#include <utility>
 
 namespace CGAL {
 namespace Quadtree_mesh_2 {
@@ -66,7 +69,8 @@ void tell_report(Exchange& exchange, Quality_mesh_report_2& r) {
 template <class Exchange, class Traits, class ConcurrencyTag>
 Indexed_mesh_2<typename Traits::Point_2>
 lead(Exchange& exchange, Quality_mesher_2<Traits, ConcurrencyTag>& mesher,
-     const Pslg_2<typename Traits::Point_2>& pslg, Quality_mesh_report_2& report) {
+     const Pslg_2<typename Traits::Point_2>& pslg, Quality_mesh_report_2& report,
+     Mesh_in_parts<typename Traits::Point_2>& part) {
   Rounds_by_all_parts<Exchange, Traits, Inner_tag<ConcurrencyTag>> runner(exchange, pslg);
   Indexed_mesh_2<typename Traits::Point_2> mesh;
   std::exception_ptr error;
@@ -80,7 +84,8 @@ lead(Exchange& exchange, Quality_mesher_2<Traits, ConcurrencyTag>& mesher,
   runner.end();
   if (error) std::rethrow_exception(error);
   report = mesher.report();
-  renumber_by_place<ConcurrencyTag>(mesh).renumber(report);
+  part = runner.take_part();
+  if (!part) renumber_by_place<ConcurrencyTag>(mesh).renumber(report);
   return mesh;
 }
 
@@ -100,20 +105,23 @@ mesh_by_all_parts(Exchange& exchange, Quality_mesher_2<Traits, ConcurrencyTag>& 
   if (!mesher.options().checkpoints().empty())
     throw std::invalid_argument("there are no checkpoints of meshes that several ranks make");
   Indexed_mesh_2<typename Traits::Point_2> mesh;
+  Mesh_in_parts<typename Traits::Point_2> part;
   try {
     agree_on_work(exchange, [&] {
       const Concurrency_scope scope{ConcurrencyTag()};
       report = Quality_mesh_report_2();
       if (exchange.rank() == 0)
-        mesh = lead(exchange, mesher, pslg, report);
+        mesh = lead(exchange, mesher, pslg, report, part);
       else
-        help_with_rounds<Traits, Inner_tag<ConcurrencyTag>>(exchange, mesher.options());
+        part = help_with_rounds<Traits, Inner_tag<ConcurrencyTag>>(exchange, mesher.options());
     });
   } catch (const Lone_error& lone) {
     std::rethrow_exception(lone.error);
   }
   tell_report(exchange, report);
-  return distribute_mesh(exchange, mesh, pslg, 0);
+  if (!part) return distribute_mesh(exchange, mesh, pslg, 0);
+  complete_part(exchange, *part);
+  return std::move(*part);
 }
 
 } // namespace internal

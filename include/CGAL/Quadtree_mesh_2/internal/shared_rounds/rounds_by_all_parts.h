@@ -7,11 +7,13 @@
 // Rounds of blocks of a mesher at the first part, run by all parts.
 //
 // The first part meshes. Others wait until it has rounds to run, or nothing more to do. For rounds it tells all of the
-// problem, they run them (Rounds_of_parts.h), and it gets the mesh back.
+// problem, and they run them (Rounds_of_parts.h). If nothing is left then, they finish the mesh, too (Tail_of_parts.h),
+// and make that of the user from it (Conversion_of_parts.h). Otherwise the first part gets the mesh back.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_SHARED_ROUNDS_ROUNDS_BY_ALL_PARTS_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_SHARED_ROUNDS_ROUNDS_BY_ALL_PARTS_H
 
+#include <CGAL/Distributed_mesh_2.h>
 #include <CGAL/Pslg_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/distributed/Parcel.h>
 #include <CGAL/Quadtree_mesh_2/internal/distributed/agree_on_error.h>
@@ -20,33 +22,66 @@
 #include <CGAL/Quadtree_mesh_2/internal/refinement/finish_mesh.h>
 #include <CGAL/Quadtree_mesh_2/internal/rounds/Block_rounds.h>
 #include <CGAL/Quadtree_mesh_2/internal/rounds/Rounds_runner.h>
+#include <CGAL/Quadtree_mesh_2/internal/shared_rounds/Conversion_of_parts.h>
 #include <CGAL/Quadtree_mesh_2/internal/shared_rounds/Rounds_job.h>
 #include <CGAL/Quadtree_mesh_2/internal/shared_rounds/Rounds_of_parts.h>
+#include <CGAL/Quadtree_mesh_2/internal/shared_rounds/Tail_of_parts.h>
 #include <CGAL/Quadtree_mesh_2/internal/shared_rounds/state_bytes.h>
 #include <CGAL/Quality_mesh_options_2.h>
+#include <CGAL/Quality_mesh_report_2.h>
 
 #include <cstddef>
 #include <functional>
 #include <optional>
+#include <utility>
 
 namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-/// All parts call it, with the same problem. \returns whether there were blocks; the first part has the mesh then, too
-template <class ConcurrencyTag, class Exchange, class Geometry, class Continue>
-bool run_rounds_and_gather(Exchange& exchange, Rounds_job<Geometry>& job, Block_rounds& rounds,
-                           const Continue& shall_go_on) {
-  return work_together([&] {
-    Rounds_of_parts<ConcurrencyTag, Exchange, Geometry> parts(exchange, job.state, job.finishing,
-                                                              job.vertex_budget, rounds);
-    const bool has_blocks = parts.run([&] { return shall_go_on(parts.share_done()); });
-    if (has_blocks) parts.gather();
-    return has_blocks;
-  });
-}
+/// The mesh of the user, if its parts are made where the rounds were run: each part has what it owns of it.
+template <class Point>
+using Mesh_in_parts = std::optional<Distributed_mesh_2<Point>>;
 
-/// The first part's runner.
+/// Rounds, and what follows on them if it is wanted and nothing is left by them.
+template <class Traits, class ConcurrencyTag, class Exchange>
+class Rounds_and_tail {
+public:
+  using Geometry = typename Traits::Meshing_geometry_2;
+  using Point_2 = typename Traits::Point_2;
+
+  Rounds_and_tail(Exchange& exchange, Rounds_job<Geometry>& job, const Graph_frame<Point_2>& frame)
+      : exchange_(exchange), job_(job), map_(frame.graph().vertices) {}
+
+  /// All parts call it, with the same problem. If the mesh is not in parts in the end, the first part has it.
+  template <class Continue>
+  Rounds_end run(Block_rounds& rounds, const Continue& shall_go_on, const Input_of_parts<Point_2>& input,
+                 Quality_mesh_report_2& report, Mesh_in_parts<Point_2>& part) {
+    Rounds parts(exchange_, job_.state, job_.finishing, job_.vertex_budget, rounds);
+    const auto is_wanted = [&] { return shall_go_on(parts.share_done()); };
+    if (!parts.run(is_wanted)) return Rounds_end::NO_BLOCKS;
+    if (!job_.is_tail_wanted || !rounds.waiting.empty() || exchange_.min(is_wanted() ? 1 : 0) == 0)
+      return parts.gather(), Rounds_end::WHOLE_MESH;
+    Tail tail(exchange_, parts.held(), parts.corners(), job_.state);
+    if (!tail.is_possible(parts.number_of_triangles())) return parts.gather(), Rounds_end::WHOLE_MESH;
+    tail.run(job_.finishing.removal);
+    if (tail.leaves_bad()) return parts.gather(), Rounds_end::TAIL_DONE;
+    Conversion_of_parts<Exchange, Traits> conversion(exchange_, job_.state, parts.held(), map_, input);
+    part = conversion.run(tail.account(), report);
+    return Rounds_end::IN_PARTS;
+  }
+
+  const Coordinate_map<Traits, Geometry>& map() const { return map_; }
+
+private:
+  using Rounds = Rounds_of_parts<ConcurrencyTag, Exchange, Geometry>;
+  using Tail = Tail_of_parts<ConcurrencyTag, Exchange, Geometry>;
+
+  Exchange& exchange_;
+  Rounds_job<Geometry>& job_;
+  Coordinate_map<Traits, Geometry> map_;
+};
+
 template <class Exchange, class Traits, class ConcurrencyTag>
 class Rounds_by_all_parts final : public Rounds_runner<typename Traits::Meshing_geometry_2> {
 public:
@@ -56,9 +91,10 @@ public:
   /// \param pslg the graph to be meshed, which has to outlive this
   Rounds_by_all_parts(Exchange& exchange, const Pslg_2<Point_2>& pslg) : exchange_(exchange), pslg_(pslg) {}
 
-  bool run(Meshing_state<Geometry>& state, const Finishing& finishing, std::size_t vertex_budget,
-           Block_rounds& rounds, const std::function<bool(double)>& shall_go_on) override {
-    Rounds_job<Geometry> job{state, finishing, vertex_budget};
+  Rounds_end run(Meshing_state<Geometry>& state, const Finishing& finishing, std::size_t vertex_budget,
+                 Block_rounds& rounds, const std::function<bool(double)>& shall_go_on,
+                 const Rounds_tail* tail) override {
+    Rounds_job<Geometry> job{state, finishing, vertex_budget, tail != nullptr};
     Graph_frame<Point_2> frame(pslg_);
     State_writer writer;
     writer(frame, job);
@@ -66,11 +102,17 @@ public:
     exchange_.broadcast(writer.bytes, 0);
     Bytes().swap(writer.bytes);
     agree_on_work(exchange_, [] {}); // others read the job
-    const bool has_blocks = run_rounds_and_gather<ConcurrencyTag>(exchange_, job, rounds, shall_go_on);
+    Quality_mesh_report_2 nobody_reads;
+    const Order no_order;
+    const Rounds_end end = work_together([&] {
+      return Rounds_and_tail<Traits, ConcurrencyTag, Exchange>(exchange_, job, frame)
+          .run(rounds, shall_go_on, {pslg_, tail != nullptr ? tail->order : no_order},
+               tail != nullptr ? tail->report : nobody_reads, part_);
+    });
     are_all_in_rounds_ = false;
-    if (has_blocks)
+    if (end == Rounds_end::WHOLE_MESH)
       for (const Triangle_id t : rounds.waiting) state.push(t);
-    return has_blocks;
+    return end;
   }
 
   /// Tells others that there are no more rounds. To be called at last, be there an error or not.
@@ -80,35 +122,48 @@ public:
     exchange_.broadcast(nothing, 0);
   }
 
+  /// What the first part owns, if rounds have ended with the mesh in parts.
+  Mesh_in_parts<Point_2> take_part() { return std::move(part_); }
+
 private:
   Exchange& exchange_;
   const Pslg_2<Point_2>& pslg_;
   bool are_all_in_rounds_ = false;
+  Mesh_in_parts<Point_2> part_;
 };
 
 /// What other parts do until the first one calls `end()`.
 /// \param options the same as at the first part
 template <class Traits, class ConcurrencyTag, class Exchange>
-void help_with_rounds(Exchange& exchange, const Quality_mesh_options_2& options) {
+Mesh_in_parts<typename Traits::Point_2> help_with_rounds(Exchange& exchange,
+                                                         const Quality_mesh_options_2& options) {
   using Geometry = typename Traits::Meshing_geometry_2;
+  using Point_2 = typename Traits::Point_2;
+  Mesh_in_parts<Point_2> part;
   for (;;) {
     Bytes bytes;
     work_together([&] { exchange.broadcast(bytes, 0); });
-    if (bytes.empty()) return;
-    Graph_frame<typename Traits::Point_2> frame;
+    if (bytes.empty()) return part;
+    Graph_frame<Point_2> frame;
     Meshing_problem<Geometry> problem;
     Meshing_state<Geometry> state(problem);
     Rounds_job<Geometry> job{state};
-    std::optional<Coordinate_map<Traits, Geometry>> map;
+    std::optional<Rounds_and_tail<Traits, ConcurrencyTag, Exchange>> rounds_and_tail;
     agree_on_work(exchange, [&] {
       State_reader reader(bytes);
       reader(frame, job);
       Bytes().swap(bytes);
-      map.emplace(frame.graph().vertices);
-      problem.bounds = bounds_in_frame<Traits>(frame, options, *map);
+      rounds_and_tail.emplace(exchange, job, frame);
+      problem.bounds = bounds_in_frame<Traits>(frame, options, rounds_and_tail->map());
     });
     Block_rounds rounds;
-    run_rounds_and_gather<ConcurrencyTag>(exchange, job, rounds, [](double) { return true; });
+    const Pslg_2<Point_2> no_graph;
+    const Order no_order;
+    Quality_mesh_report_2 nobody_reads;
+    work_together([&] {
+      const auto always = [](double) { return true; };
+      rounds_and_tail->run(rounds, always, {no_graph, no_order}, nobody_reads, part);
+    });
   }
 }
 

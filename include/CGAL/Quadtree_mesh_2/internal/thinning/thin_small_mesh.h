@@ -31,8 +31,7 @@ namespace internal {
 /// Merges pairs where they are. In a small mesh, also where smoothing brings them.
 template <class Geometry, class Continue>
 void merge_pairs(Meshing_state<Geometry>& state, Continue& shall_go_on) {
-  constexpr std::size_t most_triangles = 2 * Meshing_state<Geometry>::most_triangles_of_small_mesh;
-  if (state.mesh.number_of_triangles() > most_triangles) return;
+  if (state.mesh.number_of_triangles() > Meshing_state<Geometry>::most_triangles_to_merge_pairs) return;
   Pair_merger<Geometry>(state).run(shall_go_on);
   constexpr int most_rounds = 4;
   for (int round = 0; round < most_rounds && state.is_small_mesh() && shall_go_on(); ++round) {

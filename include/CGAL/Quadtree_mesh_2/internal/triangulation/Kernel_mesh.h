@@ -146,14 +146,23 @@ public:
     if (!s.is_border()) prefetch(points.data() + opposite(s).value());
   }
 
-  /// Calls `f(t)` for the triangles alive of the given ones, which may read their corners and neighbors.
+  /// Calls `f(t)` for the triangles alive of the given ones, which may read their corners and neighbors. Those of which
+  /// not `is_wanted(t)` are not read.
+  template <class Is_wanted, class Function>
+  void for_each_alive(Id_range<Triangle_id> range, const Is_wanted& is_wanted, const Function& f) const {
+    visit_with_foresight(
+        range,
+        [&](Triangle_id t) {
+          if (is_wanted(t)) prefetch_corners(t), prefetch_neighbors(t);
+        },
+        [&](Triangle_id t) {
+          if (is_wanted(t) && is_alive(t)) f(t);
+        });
+  }
   template <class Function>
   void for_each_alive(Id_range<Triangle_id> range, const Function& f) const {
-    visit_with_foresight(
-        range, [this](Triangle_id t) { prefetch_corners(t), prefetch_neighbors(t); },
-        [&](Triangle_id t) {
-          if (is_alive(t)) f(t);
-        });
+    for_each_alive(
+        range, [](Triangle_id) { return true; }, f);
   }
 
   Side across(Side s) const { return triangle(s.triangle()).side[s.slot()]; }

@@ -1,0 +1,241 @@
+// Copyright (c) 2026 The Quadtree_mesh_2 authors.
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+// Author(s)     : The Quadtree_mesh_2 authors
+//
+// What follows on rounds that leave nothing, of a mesh that parts hold: sectors of acute corners are unlocked, vertices
+// that rounds had at their seams are removed, and the mesh is made exactly constrained Delaunay.
+//
+// Computes: the same bits as in one memory (Splitter::unlock_all(), Remover.h, Exact_legalizer.h), for any number of
+//           parts, and for each part the account of its triangles.
+// Bound:    O(t + c) for the t triangles that a part holds and the c that change, or are next to those that do. These
+//           are shared, and each part changes all of them. Some messages more for each time that changes come to
+//           triangles that are not shared yet.
+// Method:   each part finds what has to be looked at among its own triangles, and tells all. That is shared, with some
+//           rings around it. So all parts do the same, in the order of one memory; before one of them reads a triangle
+//           that is not shared, all share it.
+
+#ifndef CGAL_QUADTREE_MESH_2_INTERNAL_SHARED_ROUNDS_TAIL_OF_PARTS_H
+#define CGAL_QUADTREE_MESH_2_INTERNAL_SHARED_ROUNDS_TAIL_OF_PARTS_H
+
+#include <CGAL/Quadtree_mesh_2/internal/base/sort_and_drop_equal.h>
+#include <CGAL/Quadtree_mesh_2/internal/distributed/tell_all.h>
+#include <CGAL/Quadtree_mesh_2/internal/refinement/Exact_legalizer.h>
+#include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
+#include <CGAL/Quadtree_mesh_2/internal/refinement/Remover.h>
+#include <CGAL/Quadtree_mesh_2/internal/refinement/Splitter.h>
+#include <CGAL/Quadtree_mesh_2/internal/refinement/finish_mesh.h>
+#include <CGAL/Quadtree_mesh_2/internal/shared_rounds/Corners_of_parts.h>
+#include <CGAL/Quadtree_mesh_2/internal/shared_rounds/Held_mesh.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <set>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Quadtree_mesh_2 {
+namespace internal {
+
+template <class ConcurrencyTag, class Exchange, class Geometry>
+class Tail_of_parts {
+public:
+  using Held = Held_mesh<Exchange, Geometry>;
+
+  Tail_of_parts(Exchange& exchange, Held& held, Corners_of_parts<Exchange, Geometry>& corners,
+                Meshing_state<Geometry>& whole)
+      : exchange_(exchange), held_(held), corners_(corners), whole_(whole), mesh_(whole.mesh) {}
+
+  /// Whether all parts can do what `run()` does; nothing is changed. All parts call it. They cannot if more would
+  /// follow on it: a mesh that is small, or might be in the end, is worth more effort.
+  /// \param triangles how many there are
+  bool is_possible(std::size_t triangles) {
+    constexpr std::size_t most_for_one =
+        8; // that may go for each vertex that has changed; as a rule two go or none
+    const std::size_t least = Meshing_state<Geometry>::most_triangles_to_merge_pairs;
+    return triangles > least + most_for_one * number_of_changed() && can_unlock_by_fans();
+  }
+
+  /// All parts call it. \pre it is possible
+  void run(Removal removal) {
+    unlock();
+    if (removal == Removal::GUARDED) remove();
+    flip();
+  }
+
+  /// Whether flips have made bad triangles, which are on the worklist then.
+  bool leaves_bad() {
+    if (!whole_.has_bad_on_worklist()) return false;
+    return whole_.has_bad_on_worklist(); // each question turns their order around, and one memory asks once
+  }
+
+  /// Of the triangles that this part accounts for: the sum over all parts is that of the mesh. Counts of angles may be
+  /// negative at one part, which unsigned ones are by modulus.
+  const Triangle_account& account() const { return account_; }
+
+private:
+  /// How many rings are shared at once around what may change, and around where flips come to what is not shared.
+  static constexpr int rings_of_change = 2, rings_for_flips = 4;
+
+  Exchange& exchange_;
+  Held& held_;
+  Corners_of_parts<Exchange, Geometry>& corners_;
+  Meshing_state<Geometry>& whole_;
+  Kernel_mesh<Geometry>& mesh_;
+  Triangle_account account_;
+
+  void share_both_sides(Side s) {
+    held_.require({s.triangle()}, rings_for_flips);
+    const Side o = mesh_.across(s);
+    if (!o.is_border()) held_.require({o.triangle()}, rings_for_flips);
+  }
+
+  /// How many vertices might be removed, at most.
+  std::size_t number_of_changed() {
+    const Remover<Geometry> remover(whole_);
+    std::int64_t own = 0, of_sectors = 0;
+    for (const Vertex_id v : mesh_.points.ids()) own += held_.has(v) && remover.is_to_be_tried(v) ? 1 : 0;
+    for (const auto& s : whole_.corners.sectors) of_sectors += s.lock_radius > 0 ? 2 : 0;
+    return static_cast<std::size_t>(exchange_.sum(own) + of_sectors);
+  }
+
+  // ---- sectors
+
+  /// Whether all chords that lock sectors are found in the fans at their ends, or nowhere, all of which is shared then.
+  bool can_unlock_by_fans() {
+    std::vector<std::array<Vertex_id, 2>> chords;
+    const auto& corners = whole_.corners;
+    for (const auto& s : corners.sectors) {
+      if (!(s.lock_radius > 0)) continue;
+      const Vertex_id a = corners.vertex_at(mesh_, s.right, s.lock_radius),
+                      b = corners.vertex_at(mesh_, s.left, s.lock_radius);
+      if (a.is_valid() && b.is_valid() && !whole_.edges.carrying(mesh_, a, b).is_valid())
+        chords.push_back({a, b});
+    }
+    const std::vector<Side> sides = corners_.sides_between(chords);
+    for (std::size_t i = 0; i < chords.size(); ++i)
+      if (sides[i].is_border() && mesh_.is_input(chords[i][0]) && mesh_.is_input(chords[i][1])) return false;
+    return true;
+  }
+
+  void unlock() {
+    Splitter<Geometry>(whole_).unlock_all();
+    whole_.legalize([this](Side s) { share_both_sides(s); });
+  }
+
+  // ---- vertices
+
+  /// All parts remove the same vertices, in the order of one memory.
+  void remove() {
+    Remover<Geometry> remover(whole_);
+    std::set<Vertex_id> changed = share_stars_of_changed(remover);
+    for (int pass = 0; pass < Remover<Geometry>::passes; ++pass)
+      for (auto next = changed.begin(); next != changed.end();) {
+        const Vertex_id v = *next;
+        if (!remover.is_to_be_tried(v)) {
+          next = changed.erase(next);
+          continue;
+        }
+        const std::vector<Triangle_id> star = shared_star_of(v);
+        std::vector<Vertex_id> vertices;
+        for (const Triangle_id t : star)
+          vertices.insert(vertices.end(), std::begin(mesh_.triangle(t).v), std::end(mesh_.triangle(t).v));
+        if (remover.remove_if_changed(v))
+          for (const Triangle_id t : star)
+            if (!mesh_.is_alive(t)) held_.set_absent(t);
+        for (const Vertex_id w : vertices)
+          if (remover.is_to_be_tried(w)) changed.insert(w);
+        next = changed.upper_bound(v);
+      }
+  }
+
+  /// \returns the vertices that may be removed, of all parts
+  std::set<Vertex_id> share_stars_of_changed(const Remover<Geometry>& remover) {
+    std::vector<Vertex_id> own;
+    std::vector<Triangle_id> stars;
+    for (const Vertex_id v : mesh_.points.ids()) {
+      if (!held_.has(v) || !remover.is_to_be_tried(v)) continue;
+      own.push_back(v);
+      add_held_star(v, stars);
+    }
+    held_.publish(held_.private_around(stars, rings_of_change));
+    const std::vector<Vertex_id> all = tell_all(exchange_, own);
+    return std::set<Vertex_id>(all.begin(), all.end());
+  }
+
+  /// Adds the triangles at a vertex, as far as one gets in what is held.
+  void add_held_star(Vertex_id v, std::vector<Triangle_id>& stars) const {
+    const Triangle_id start = mesh_.incident_triangle(v);
+    if (!held_.is_held(start)) return;
+    Fan_walk<Kernel_mesh<Geometry>> walk(mesh_, v, start);
+    do stars.push_back(walk.triangle());
+    while (walk.advance() && held_.is_held(walk.triangle()));
+  }
+
+  /// The triangles at a vertex; these, and those next to them, are shared then.
+  std::vector<Triangle_id> shared_star_of(Vertex_id v) {
+    const Triangle_id start = mesh_.incident_triangle(v);
+    held_.require({start}, rings_of_change);
+    std::vector<Triangle_id> star;
+    Fan_walk<Kernel_mesh<Geometry>> walk(mesh_, v, start);
+    do {
+      held_.require({walk.triangle()}, rings_of_change);
+      star.push_back(walk.triangle());
+    } while (walk.advance());
+    for (std::size_t i = 0, size = star.size(); i < size; ++i) {
+      const Side o = mesh_.triangle(star[i]).side[Kernel_mesh<Geometry>::slot_of(mesh_.triangle(star[i]), v)];
+      if (!o.is_border()) held_.require({o.triangle()}, rings_of_change);
+    }
+    return star;
+  }
+
+  // ---- exact flips
+
+  void flip() {
+    share_front();
+    Exact_legalizer<ConcurrencyTag, Geometry> legalizer(whole_);
+    auto found = legalizer.find([this](Triangle_id t) { return held_.speaks_for(t); });
+    account_ = std::move(found.account);
+    std::vector<Triangle_id> around;
+    for (const Side s : found.doubtful) {
+      around.push_back(s.triangle());
+      if (held_.is_held(mesh_.across(s).triangle())) around.push_back(mesh_.across(s).triangle());
+    }
+    held_.publish(held_.private_around(around, rings_of_change));
+    std::vector<Side> doubtful = tell_all(exchange_, found.doubtful);
+    std::sort(doubtful.begin(), doubtful.end(), [](Side a, Side b) {
+      return a.triangle() != b.triangle() ? a.triangle() < b.triangle() : a.slot() < b.slot();
+    });
+    Triangle_account of_flips;
+    const bool is_any_flipped = legalizer.flip(doubtful, of_flips, [this](Side s) { share_both_sides(s); });
+    if (exchange_.rank() == 0) account_.angles.add(of_flips.angles);
+    for (const Triangle_id t : of_flips.suspects)
+      if (held_.speaks_for(t)) account_.suspects.push_back(t);
+    if (is_any_flipped) legalizer.drop_cured(account_.suspects);
+  }
+
+  /// Whoever speaks for a triangle holds those next to it then.
+  void share_front() {
+    std::vector<Triangle_id> beyond,
+        front; // those that were in no block may be next to those of another part
+    for (const Triangle_id t : mesh_.triangles.ids()) {
+      if (!held_.is_private(t)) continue;
+      for (const Side o : mesh_.triangle(t).side) {
+        if (o.is_border()) continue;
+        if (!held_.is_held(o.triangle())) beyond.push_back(o.triangle());
+        if (!held_.is_private(o.triangle())) front.push_back(t);
+      }
+    }
+    held_.publish(tell_all(exchange_, beyond));
+    held_.publish(front);
+  }
+};
+
+} // namespace internal
+} // namespace Quadtree_mesh_2
+} // namespace CGAL
+
+#endif // CGAL_QUADTREE_MESH_2_INTERNAL_SHARED_ROUNDS_TAIL_OF_PARTS_H
