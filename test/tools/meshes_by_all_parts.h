@@ -86,6 +86,9 @@ std::string check_mesh_of_all(Exchange& exchange, const Result& expected, const 
   const Part part = mesh_by_all_parts(exchange, mesher, is_first ? pslg : Pslg(), report);
   std::string wrong = Mesh_defects<Exchange, Point>(exchange, part).find();
   if (!is_same(report, expected.report)) wrong += "the report is another one; ";
+  const Part right =
+      distribute_mesh(exchange, is_first ? expected.mesh : Mesh(), is_first ? pslg : Pslg(), 0);
+  if (bytes_of_mesh(part) != bytes_of_mesh(right)) wrong += "the part is another one; ";
   const Mesh mesh = gather_mesh(exchange, part, 0);
   if (is_first && !distributed_mesh_checks::is_same(mesh, expected.mesh))
     wrong += "the mesh is another one; ";

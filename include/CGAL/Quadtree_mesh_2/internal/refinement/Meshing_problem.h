@@ -55,6 +55,9 @@ struct Meshing_problem {
     archive(corners, least_share_of_leg, outer_of_edge_);
   }
 
+  /// Frees what is as long as the graph, for who needs it no more.
+  void forget_graph() { input_points = {}, edges = Input_edges(), outer_of_edge_ = {}; }
+
   /// \param outer the triangles outside along the border
   void set_outside(const std::vector<Outer_triangle>& outer) {
     outer_of_edge_.assign(edges.size(), {});

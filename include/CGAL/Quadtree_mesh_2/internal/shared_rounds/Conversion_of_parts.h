@@ -61,7 +61,8 @@ public:
       : exchange_(exchange), state_(state), held_(held), map_(map), input_(input),
         vertices_(exchange, state, held), triangles_(exchange, state, held, vertices_) {}
 
-  /// This part's own triangles, vertices and edges; the mesh in the kernel's form is freed. All parts call it.
+  /// This part's own triangles, vertices and edges; the mesh in the kernel's form is freed, and so is the graph. All
+  /// parts call it.
   /// \param account of this part's triangles
   /// \param report is filled in at the first part
   Mesh run(const Triangle_account& account, Quality_mesh_report_2& report) {
@@ -71,10 +72,11 @@ public:
     count(account, report);
     report_suspects(account.suspects, report);
     vertices_.offer(triangles_.find_edges(segment_markers()));
+    state_.problem.forget_graph();
     vertices_.ask_for(triangles_.outer_vertices());
     Mesh part = description();
-    triangles_.ship_edges(part);
     ship_outside_segments(part);
+    triangles_.ship_edges(part);
     triangles_.ship(part);
     state_.mesh = Kernel_mesh<Geometry>();
     find_first_vertices(part);

@@ -74,6 +74,7 @@ public:
       const Shared_work work = is_first ? first_work() : work_in_zone();
       const Round_extent extent{work.number_of_blocks, work.number_in_blocks, whole_.mesh.triangles.size()};
       if (work.number_in_blocks > 0) this->work(work, shall_go_on);
+      assignment_ = Block_assignment();
       rounds_.note(before, extent);
     } while (is_round_wanted(shall_go_on));
     return true;

@@ -97,7 +97,8 @@ private:
   std::size_t number_of_changed() {
     const Remover<Geometry> remover(whole_);
     std::int64_t own = 0, of_sectors = 0;
-    for (const Vertex_id v : mesh_.points.ids()) own += held_.has(v) && remover.is_to_be_tried(v) ? 1 : 0;
+    for (const Vertex_id v : mesh_.points.ids())
+      own += held_.speaks_for(v) && remover.is_to_be_tried(v) ? 1 : 0;
     for (const auto& s : whole_.corners.sectors) of_sectors += s.lock_radius > 0 ? 2 : 0;
     return static_cast<std::size_t>(exchange_.sum(own) + of_sectors);
   }
@@ -106,19 +107,27 @@ private:
 
   /// Whether all chords that lock sectors are found in the fans at their ends, or nowhere, all of which is shared then.
   bool can_unlock_by_fans() {
+    tell_vertices_of_corners();
     std::vector<std::array<Vertex_id, 2>> chords;
     const auto& corners = whole_.corners;
     for (const auto& s : corners.sectors) {
       if (!(s.lock_radius > 0)) continue;
       const Vertex_id a = corners.vertex_at(mesh_, s.right, s.lock_radius),
                       b = corners.vertex_at(mesh_, s.left, s.lock_radius);
-      if (a.is_valid() && b.is_valid() && !whole_.edges.carrying(mesh_, a, b).is_valid())
-        chords.push_back({a, b});
+      if (a.is_valid() && b.is_valid()) chords.push_back({a, b});
     }
     const std::vector<Side> sides = corners_.sides_between(chords);
     for (std::size_t i = 0; i < chords.size(); ++i)
       if (sides[i].is_border() && mesh_.is_input(chords[i][0]) && mesh_.is_input(chords[i][1])) return false;
     return true;
+  }
+
+  /// All parts read them.
+  void tell_vertices_of_corners() {
+    std::vector<Vertex_id> own = corners_.vertices();
+    const auto is_of_others = [this](Vertex_id v) { return !held_.speaks_for(v); };
+    own.erase(std::remove_if(own.begin(), own.end(), is_of_others), own.end());
+    held_.tell({}, own);
   }
 
   void unlock() {
@@ -157,7 +166,7 @@ private:
     std::vector<Vertex_id> own;
     std::vector<Triangle_id> stars;
     for (const Vertex_id v : mesh_.points.ids()) {
-      if (!held_.has(v) || !remover.is_to_be_tried(v)) continue;
+      if (!held_.speaks_for(v) || !remover.is_to_be_tried(v)) continue;
       own.push_back(v);
       add_held_star(v, stars);
     }

@@ -96,12 +96,13 @@ public:
                  const Rounds_tail* tail) override {
     Rounds_job<Geometry> job{state, finishing, vertex_budget, tail != nullptr};
     Graph_frame<Point_2> frame(pslg_);
-    State_writer writer;
-    writer(frame, job);
     are_all_in_rounds_ = true;
-    exchange_.broadcast(writer.bytes, 0);
-    Bytes().swap(writer.bytes);
-    agree_on_work(exchange_, [] {}); // others read the job
+    work_together([&] {
+      State_teller<Exchange> teller(exchange_);
+      teller(frame, job);
+      teller.finish();
+    });
+    agree_on_work(exchange_, [] {}); // others make bounds
     Quality_mesh_report_2 nobody_reads;
     const Order no_order;
     const Rounds_end end = work_together([&] {
@@ -149,10 +150,8 @@ Mesh_in_parts<typename Traits::Point_2> help_with_rounds(Exchange& exchange,
     Meshing_state<Geometry> state(problem);
     Rounds_job<Geometry> job{state};
     std::optional<Rounds_and_tail<Traits, ConcurrencyTag, Exchange>> rounds_and_tail;
+    work_together([&] { State_listener<Exchange>(exchange, std::move(bytes))(frame, job); });
     agree_on_work(exchange, [&] {
-      State_reader reader(bytes);
-      reader(frame, job);
-      Bytes().swap(bytes);
       rounds_and_tail.emplace(exchange, job, frame);
       problem.bounds = bounds_in_frame<Traits>(frame, options, rounds_and_tail->map());
     });

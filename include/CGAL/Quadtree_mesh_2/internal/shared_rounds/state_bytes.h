@@ -12,8 +12,10 @@
 #include <CGAL/Quadtree_mesh_2/internal/base/Checkpoint_file.h>
 #include <CGAL/Quadtree_mesh_2/internal/distributed/Parcel.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstring>
+#include <utility>
 
 namespace CGAL {
 namespace Quadtree_mesh_2 {
@@ -53,6 +55,71 @@ public:
 
 private:
   const char* next_;
+};
+
+/// Tells all other parts values, a piece at a time, so that not all bytes are in memory at once.
+template <class Exchange>
+class State_teller : public Checkpoint_archive<State_teller<Exchange>> {
+public:
+  static constexpr bool is_reading = false;
+
+  explicit State_teller(Exchange& exchange) : exchange_(exchange) {}
+
+  /// To be called at last.
+  void finish() {
+    if (!bytes_.empty()) exchange_.broadcast(bytes_, exchange_.rank());
+    bytes_.clear();
+  }
+
+  // For the archive.
+  void transfer_bytes(const void* begin, std::size_t size) {
+    const char* first = static_cast<const char*>(begin);
+    while (size > 0) {
+      const std::size_t n = std::min(size, piece - bytes_.size());
+      bytes_.insert(bytes_.end(), first, first + n);
+      first += n, size -= n;
+      if (bytes_.size() == piece) finish();
+    }
+  }
+  template <class Vector>
+  static void make_room(const Vector&, std::size_t) {}
+
+private:
+  static constexpr std::size_t piece = std::size_t(1) << 20;
+
+  Exchange& exchange_;
+  Bytes bytes_;
+};
+
+/// What others do meanwhile.
+/// \pre the values are written by the same sequence of calls
+template <class Exchange>
+class State_listener : public Checkpoint_archive<State_listener<Exchange>> {
+public:
+  static constexpr bool is_reading = true;
+
+  /// \param first the first piece, as it was broadcast by part 0
+  State_listener(Exchange& exchange, Bytes first) : exchange_(exchange), bytes_(std::move(first)) {}
+
+  // For the archive.
+  void transfer_bytes(void* begin, std::size_t size) {
+    char* to = static_cast<char*>(begin);
+    while (size > 0) {
+      if (next_ == bytes_.size()) exchange_.broadcast(bytes_, 0), next_ = 0;
+      const std::size_t n = std::min(size, bytes_.size() - next_);
+      std::memcpy(to, bytes_.data() + next_, n);
+      to += n, size -= n, next_ += n;
+    }
+  }
+  template <class Vector>
+  static void make_room(Vector& values, std::size_t size) {
+    values.resize(size);
+  }
+
+private:
+  Exchange& exchange_;
+  Bytes bytes_;
+  std::size_t next_ = 0;
 };
 
 } // namespace internal
