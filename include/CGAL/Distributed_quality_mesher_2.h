@@ -34,10 +34,11 @@ namespace CGAL {
 /// The mesh is that of `Quality_mesher_2` with the same options, renumbered by `renumber_by_place()`, bit for bit, for
 /// any number of ranks. Each rank gets its part of it, as `distribute_mesh_2()` would give it.
 ///
-/// All ranks refine and coarsen together, in rounds of blocks. The first rank alone makes the constrained Delaunay
-/// triangulation of the input before these, and what follows on them: it needs memory for the whole mesh. While rounds
-/// are run, a rank needs memory for its share of the mesh, for the seams between blocks, and for the graph. If a graph
-/// is too small for two blocks of some 12 000 vertices, the first rank does everything.
+/// All ranks refine and coarsen together, in rounds of blocks, and finish the mesh. The first rank alone makes the
+/// constrained Delaunay triangulation of the input before that. A rank needs memory for its share of the mesh, for the
+/// seams between blocks, and for the graph. If options ask for more than rounds do, such as `thin()` or `conform()`, or
+/// rounds leave bad triangles, the first rank goes on with the whole mesh. If a graph is too small for two blocks of
+/// some 12 000 vertices, the first rank does everything.
 ///
 /// All ranks have to call constructor and operators, and to give the same options. Functions of the user, such as a
 /// size field, are called at all ranks, and have to return the same at each. The progress callback is called at the
