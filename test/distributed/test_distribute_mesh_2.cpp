@@ -9,6 +9,7 @@
 
 #include "catch.h"
 #include "distributed_mesh_checks.h"
+#include "parts_in_one_memory.h"
 #include "scratch_folder.h"
 
 #include <CGAL/Quadtree_mesh_2/internal/distributed/In_memory_exchange.h>
@@ -25,18 +26,7 @@
 namespace test_distribute_mesh_2 {
 
 using namespace distributed_mesh_checks;
-
-/// Runs `check(exchange)` as each of so many parts. \returns what all say is wrong
-template <class Check>
-std::string wrong_at_parts(int parts, const Check& check) {
-  std::vector<std::string> wrong(static_cast<std::size_t>(parts));
-  In_memory_exchange::run(parts, [&](In_memory_exchange& exchange) {
-    wrong[static_cast<std::size_t>(exchange.rank())] = check(exchange);
-  });
-  std::string all;
-  for (const std::string& of_part : wrong) all += of_part;
-  return all;
-}
+using parts_in_one_memory::wrong_at_parts;
 
 std::string check_all(int parts, const Input& input) {
   const Scratch_folder folder;

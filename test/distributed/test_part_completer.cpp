@@ -9,6 +9,7 @@
 
 #include "catch.h"
 #include "distributed_mesh_checks.h"
+#include "parts_in_one_memory.h"
 
 #include <CGAL/Quadtree_mesh_2/internal/distributed/In_memory_exchange.h>
 #include <CGAL/Quadtree_mesh_2/internal/distributed/Mesh_archive.h>
@@ -25,6 +26,7 @@
 namespace test_part_completer {
 
 using namespace distributed_mesh_checks;
+using parts_in_one_memory::wrong_at_parts;
 
 /// Squares of two triangles, column by column, with all arrays but `neighbors`.
 Input grid(std::size_t columns, std::size_t rows) {
@@ -86,18 +88,6 @@ std::string check_completion(In_memory_exchange& exchange, const Input& input) {
   std::string wrong = Mesh_defects<In_memory_exchange, Point>(exchange, part).find();
   if (bytes_of_mesh(part) != bytes_of_mesh(expected)) wrong += "another part; ";
   return wrong;
-}
-
-/// Runs `check(exchange)` as each of so many parts. \returns what all say is wrong
-template <class Check>
-std::string wrong_at_parts(int parts, const Check& check) {
-  std::vector<std::string> wrong(static_cast<std::size_t>(parts));
-  In_memory_exchange::run(parts, [&](In_memory_exchange& exchange) {
-    wrong[static_cast<std::size_t>(exchange.rank())] = check(exchange);
-  });
-  std::string all;
-  for (const std::string& of_part : wrong) all += of_part;
-  return all;
 }
 
 TEST_CASE("parts with only what they own become those that are cut from the mesh", "[distributed]") {

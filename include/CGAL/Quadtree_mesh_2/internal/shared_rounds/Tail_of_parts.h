@@ -9,9 +9,9 @@
 //
 // Computes: the same bits as in one memory (Splitter::unlock_all(), Remover.h, Exact_legalizer.h), for any number of
 //           parts, and for each part the account of its triangles.
-// Bound:    O(t + c) for the t triangles that a part holds and the c that change, or are next to those that do. These
-//           are shared, and each part changes all of them. Some messages more for each time that changes come to
-//           triangles that are not shared yet.
+// Bound:    O(t + c log c) for the t triangles that a part holds and the c that change, or are next to those that do.
+//           These are shared, and each part changes all of them. Some messages more for each time that changes come
+//           to triangles that are not shared yet.
 // Method:   each part finds what has to be looked at among its own triangles, and tells all. That is shared, with some
 //           rings around it. So all parts do the same, in the order of one memory; before one of them reads a triangle
 //           that is not shared, all share it.
@@ -32,6 +32,8 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
+#include <iterator>
 #include <set>
 #include <utility>
 #include <vector>
@@ -53,8 +55,8 @@ public:
   /// follow on it: a mesh that is small, or might be in the end, is worth more effort.
   /// \param triangles how many there are
   bool is_possible(std::size_t triangles) {
-    constexpr std::size_t most_for_one =
-        8; // that may go for each vertex that has changed; as a rule two go or none
+    // That may go for each vertex that has changed, with what changes next to it. As a rule two go, or none.
+    constexpr std::size_t most_for_one = 8;
     const std::size_t least = Meshing_state<Geometry>::most_triangles_to_merge_pairs;
     return triangles > least + most_for_one * number_of_changed() && can_unlock_by_fans();
   }
@@ -228,8 +230,8 @@ private:
 
   /// Whoever speaks for a triangle holds those next to it then.
   void share_front() {
-    std::vector<Triangle_id> beyond,
-        front; // those that were in no block may be next to those of another part
+    // What was in no block may be next to what is another part's.
+    std::vector<Triangle_id> beyond, front;
     for (const Triangle_id t : mesh_.triangles.ids()) {
       if (!held_.is_private(t)) continue;
       for (const Side o : mesh_.triangle(t).side) {
