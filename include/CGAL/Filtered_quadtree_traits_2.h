@@ -12,12 +12,14 @@
 #include <CGAL/Quadtree_mesh_2/Point_error.h>
 #include <CGAL/Quadtree_mesh_2/internal/geometry/meshing_geometry_fwd.h>
 #include <CGAL/Quadtree_mesh_2/internal/grid/double_grid.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/assertions.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <type_traits>
 
@@ -98,13 +100,7 @@ public:
     Grid_2 operator()(const PointRange& points) const {
       using Quadtree_mesh_2::internal::Double_axis;
       using Quadtree_mesh_2::internal::Root_side;
-      Interval x, y;
-      bool is_good = true;
-      for (const Point_2& p : points) {
-        x.extend(p.x());
-        y.extend(p.y());
-        is_good &= p.x() - p.x() == 0 && p.y() - p.y() == 0; // false for what is not finite
-      }
+      const auto [x, y, is_good] = box_of(points);
       const double greatest = Quadtree_mesh_2::internal::greatest_coordinate();
       if (!is_good || x.magnitude() >= greatest || y.magnitude() >= greatest) throw_for_first_bad(points);
       const Root_side root(std::max(x.extent(), y.extent()), std::max(x.magnitude(), y.magnitude()));
@@ -120,11 +116,56 @@ public:
         low = std::min(low, v);
         high = std::max(high, v);
       }
+      void extend(const Interval& other) {
+        low = std::min(low, other.low);
+        high = std::max(high, other.high);
+      }
       // The difference may have been rounded down; the next double is never too small.
       double extent() const { return high > low ? std::nextafter(high - low, high - low + 1) : 0; }
       double magnitude() const { return high < low ? 0 : std::max(std::fabs(low), std::fabs(high)); }
       double begin() const { return high < low ? 0 : low; }
     };
+
+    struct Box {
+      Interval x, y;
+      bool is_finite = true;
+
+      void extend(const Point_2& p) {
+        x.extend(p.x());
+        y.extend(p.y());
+        is_finite &= p.x() - p.x() == 0 && p.y() - p.y() == 0; // false for what is not finite
+      }
+      void extend(const Box& other) {
+        x.extend(other.x);
+        y.extend(other.y);
+        is_finite &= other.is_finite;
+      }
+    };
+
+    template <class PointRange>
+    static Box box_of(const PointRange& points) {
+      using Category = typename std::iterator_traits<decltype(std::begin(points))>::iterator_category;
+      const auto of_range = [&](auto begin, auto end) {
+        Box box;
+        for (auto p = begin; p != end; ++p) box.extend(*p);
+        return box;
+      };
+      if constexpr (std::is_base_of_v<std::random_access_iterator_tag, Category>) {
+        const auto first = std::begin(points);
+        using Difference = decltype(first - first);
+        return Quadtree_mesh_2::internal::reduce<Quadtree_mesh_2::internal::Chosen_tag>(
+            static_cast<std::size_t>(std::end(points) - first), Box(),
+            [&](std::size_t begin, std::size_t end) {
+              return of_range(first + static_cast<Difference>(begin), first + static_cast<Difference>(end));
+            },
+            [](Box a, const Box& b) {
+              a.extend(b);
+              return a;
+            });
+      } else {
+        return of_range(std::begin(points), std::end(points));
+      }
+    }
 
     template <class PointRange>
     [[noreturn]] static void throw_for_first_bad(const PointRange& points) {

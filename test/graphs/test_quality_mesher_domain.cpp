@@ -8,6 +8,7 @@
 
 #include "catch.h"
 #include "mesher_test_tools.h"
+#include "numbers_of_threads.h"
 #include "pslg_test_tools.h"
 #include "random_pslg.h"
 
@@ -16,6 +17,7 @@
 #include <CGAL/Delaunay_mesh_size_criteria_2.h>
 #include <CGAL/Quality_mesher_2.h>
 #include <CGAL/refine_quality_mesh_2.h>
+#include <CGAL/tags.h>
 
 #include <algorithm>
 #include <array>
@@ -47,6 +49,20 @@ void add_square(Pslg& pslg, double x, double y, double half) {
 Pslg nested_squares() {
   Pslg pslg;
   for (const double half : {4., 3., 2., 1.}) add_square(pslg, 0, 0, half);
+  return pslg;
+}
+
+/// Unit squares, all sides of which are segments.
+Pslg chessboard(int side) {
+  Pslg pslg;
+  const auto vertex = [&](int i, int j) { return pslg_test::Vertex_index(i * (side + 1) + j); };
+  for (int i = 0; i <= side; ++i)
+    for (int j = 0; j <= side; ++j) pslg.add_vertex(Point(i, j));
+  for (int i = 0; i <= side; ++i)
+    for (int j = 0; j < side; ++j) {
+      pslg.add_segment(vertex(i, j), vertex(i, j + 1));
+      pslg.add_segment(vertex(j, i), vertex(j + 1, i));
+    }
   return pslg;
 }
 
@@ -273,6 +289,51 @@ TEST_CASE("Several components, and holes that touch in a vertex", "[mesher][doma
     CHECK(run_to_the_bound(pslg, Options()).quality.area == Approx(64 - 2 - 2 - 2));
     CHECK(area(pslg, Domain::NESTING_PARITY) == Approx(64 - 2 - 2 - 2));
   }
+}
+
+TEST_CASE("Many holes and regions, with any number of threads", "[mesher][domain][threads]") {
+  constexpr int side = 30;
+  using Parallel_mesher = CGAL::Quality_mesher_2<CGAL::Filtered_quadtree_traits_2<>, CGAL::Parallel_tag>;
+  random_pslg::Random random(17);
+  Pslg pslg = chessboard(side);
+  std::array<std::array<int, side>, side> region_of{};
+  for (int i = 0; i < side; ++i)
+    for (int j = 0; j < side; ++j) {
+      const bool is_center = random.integer(0, 1) == 0; // where the cell has a diagonal
+      const Point p = is_center ? Point(i + 0.5, j + 0.5)
+                                : Point(i + random.between(0.1, 0.9), j + random.between(0.1, 0.9));
+      const bool is_hole = random.integer(0, 2) == 0;
+      region_of[std::size_t(i)][std::size_t(j)] = is_hole ? -1 : static_cast<int>(pslg.regions.size());
+      if (is_hole)
+        pslg.holes.push_back(p);
+      else
+        pslg.regions.push_back({p, 0, 0});
+    }
+  const Run r = run_to_the_bound(pslg, Options());
+  CHECK(r.quality.area == Approx(double(pslg.regions.size())));
+  for (std::size_t t = 0; t < r.mesh.number_of_triangles(); ++t) {
+    const auto& v = r.mesh.triangles[t];
+    const Point c = CGAL::centroid(r.mesh.point(v[0]), r.mesh.point(v[1]), r.mesh.point(v[2]));
+    REQUIRE(r.mesh.region_of_triangle[t] == region_of[std::size_t(c.x())][std::size_t(c.y())]);
+  }
+  for_numbers_of_threads([&] {
+    const Mesh mesh = Parallel_mesher(Options())(pslg);
+    CHECK(mesh.triangles == r.mesh.triangles);
+    CHECK(mesh.region_of_triangle == r.mesh.region_of_triangle);
+  });
+
+  pslg.holes.insert(pslg.holes.begin() + 100, {Point(25, 25), Point(3, 4.5)});
+  const auto refusal_by = [&](auto mesher) -> std::string {
+    try {
+      mesher(pslg);
+    } catch (const CGAL::Pslg_error_2& error) {
+      return error.what();
+    }
+    return {};
+  };
+  const std::string refusal = refusal_by(Mesher(Options()));
+  CHECK(refusal.find("hole 101 ") != std::string::npos); // the first one in shuffle order
+  for_numbers_of_threads([&] { CHECK(refusal_by(Parallel_mesher(Options())) == refusal); });
 }
 
 TEST_CASE("Markers are carried to vertices and edges", "[mesher][domain]") {

@@ -9,6 +9,7 @@
 
 #include <CGAL/Quadtree_mesh_2/internal/base/Long_words.h>
 #include <CGAL/Quadtree_mesh_2/internal/grid/morton.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel/Run_counters.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/append_all.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/group_in_order.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
@@ -316,6 +317,49 @@ TEMPLATE_TEST_CASE("Vectors are appended in order", "[parallel][threads]", CGAL:
   internal::append_all<TestType>(
       all, parts, [](const auto& part) -> const auto& { return part; });
   CHECK(all == expected);
+}
+
+TEMPLATE_TEST_CASE("What blocks collect comes in order", "[parallel][threads]", CGAL::Sequential_tag,
+                   CGAL::Parallel_tag) {
+  constexpr std::size_t block = 64;
+  for (const std::size_t n : lengths(block)) {
+    CAPTURE(n);
+    std::vector<std::size_t> all{7, 7}, expected = all;
+    for (std::size_t i = 0; i < n; ++i) expected.insert(expected.end(), i % 3, i);
+    internal::append_by_blocks<TestType>(
+        all, n,
+        [](std::size_t begin, std::size_t end, std::vector<std::size_t>& found) {
+          for (std::size_t i = begin; i < end; ++i) found.insert(found.end(), i % 3, i);
+        },
+        block);
+    CHECK(all == expected);
+  }
+}
+
+TEMPLATE_TEST_CASE("Values are placed in their runs", "[parallel][threads]", CGAL::Sequential_tag,
+                   CGAL::Parallel_tag) {
+  const internal::Concurrency_scope scope{TestType()};
+  for (const std::size_t n : {0u, 1u, 100000u})
+    for (const std::size_t runs : {1u, 10u, 30000u}) {
+      CAPTURE(n, runs);
+      const std::vector<std::uint64_t> run_of = random_values(n, runs);
+      internal::Run_counters counters(runs);
+      internal::for_each_index<internal::Chosen_tag>(
+          n, [&](std::size_t i) { counters.count(run_of[i]); }, 100);
+      REQUIRE(counters.begin_placing() == n);
+      std::vector<std::size_t> placed(n, n);
+      internal::for_each_index<internal::Chosen_tag>(
+          n, [&](std::size_t i) { placed[counters.place(run_of[i])] = i; }, 100);
+      std::vector<char> is_placed(n, 0);
+      for (std::size_t run = 0; run < runs; ++run) {
+        REQUIRE(counters.begin(run) == (run == 0 ? 0 : counters.end(run - 1)));
+        for (std::size_t k = counters.begin(run); k < counters.end(run); ++k) {
+          REQUIRE(run_of[placed[k]] == run);
+          is_placed[placed[k]] = 1;
+        }
+      }
+      CHECK(std::count(is_placed.begin(), is_placed.end(), 1) == static_cast<std::ptrdiff_t>(n));
+    }
 }
 
 TEMPLATE_TEST_CASE("Words are sorted by digits", "[parallel]", CGAL::Sequential_tag, CGAL::Parallel_tag) {

@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -36,7 +37,7 @@ using namespace CGAL::Quadtree_mesh_2::internal;
 /// A graph n x n times, beside each other: all that it has, too.
 Pslg copies(const Pslg& one, int n) {
   if (one.vertices.empty()) return one;
-  const Coordinate_ranges<double> box(one.vertices);
+  const auto box = Coordinate_ranges<double>::of(one.vertices);
   const double step = 1.25 * std::max(box.extent(), 1e-3);
   Pslg all;
   all.region_names = one.region_names, all.marker_names = one.marker_names;
@@ -107,6 +108,24 @@ void check(const std::vector<int>& numbers, const Pslg& pslg, const Options& opt
   }
 }
 
+/// Stars of a few segments at angles down to 10^-6, each in a unit square of n x n.
+Pslg needles(int n, std::uint64_t seed) {
+  random_pslg::Random random(seed);
+  Pslg pslg = pslg_test::make_pslg<double>(
+      {{-1, -1}, {double(n), -1}, {double(n), double(n)}, {-1, double(n)}}, {{0, 1}, {1, 2}, {2, 3}, {3, 0}});
+  for (int i = 0; i < n * n; ++i) {
+    const double x = i % n, y = i / n, turn = random.between(0, 7);
+    const double angle = std::pow(10, random.between(-6, -1));
+    const Vertex_index center = pslg.add_vertex(Point(x, y));
+    for (int k = random.integer(2, 6); k > 0; --k) {
+      const double direction = turn + k * angle;
+      pslg.add_segment(center,
+                       pslg.add_vertex(Point(x + 0.4 * std::cos(direction), y + 0.4 * std::sin(direction))));
+    }
+  }
+  return pslg;
+}
+
 Pslg named(const char* name) { return pslg_inputs::by_name(name).pslg; }
 
 } // namespace
@@ -120,6 +139,13 @@ TEST_CASE("Parts finish a mesh without having all of it", "[parts][distributed]"
   check<Tiny_blocks_tag>({5}, named("segments:400"), Options());
   check<Small_blocks_tag>({3}, named(is_full_run() ? "stars:8000" : "stars:1200"), Options(),
                           Finisher::ANYBODY);
+}
+
+TEST_CASE("Parts unlock sectors next to triangles that were in no block", "[parts][distributed]") {
+  for (std::uint64_t seed = 1; seed <= (is_full_run() ? 20 : 2); ++seed) {
+    CAPTURE(seed);
+    check<Small_blocks_tag>({2, 5}, needles(12, seed), Options().max_edge(0.1), Finisher::ANYBODY);
+  }
 }
 
 TEST_CASE("Parts finish a mesh with markers, regions, and segments outside", "[parts][distributed]") {

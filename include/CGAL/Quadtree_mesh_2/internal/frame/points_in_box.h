@@ -130,7 +130,7 @@ Box_corners<Point> box_of_points(const std::vector<Point>& points) {
   if (points.empty()) return box_of_points(std::vector<Point>{Point{0, 0}});
   using Coordinate = std::decay_t<decltype(points[0].x())>;
   using Sides = Box_sides<Coordinate>;
-  const Coordinate_ranges<Coordinate> ranges(points);
+  const auto ranges = Coordinate_ranges<Coordinate>::of(points);
   const auto margin = Sides::margin(ranges, points.size());
   const auto [west, east] = Sides::sides(ranges.low_x, ranges.high_x, margin);
   const auto [south, north] = Sides::sides(ranges.low_y, ranges.high_y, margin);

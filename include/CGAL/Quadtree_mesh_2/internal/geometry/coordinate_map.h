@@ -13,10 +13,12 @@
 #include <CGAL/Quadtree_mesh_2/internal/geometry/Model_requirements.h>
 #include <CGAL/Quadtree_mesh_2/internal/geometry/meshing_geometry.h>
 #include <CGAL/Quadtree_mesh_2/internal/geometry/triangle_angles.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -29,18 +31,45 @@ template <class Coordinate>
 struct Coordinate_ranges {
   Coordinate low_x, high_x, low_y, high_y;
 
-  /// \pre there is a point
-  template <class PointRange>
-  explicit Coordinate_ranges(const PointRange& points)
-      : low_x(points[0].x()), high_x(low_x), low_y(points[0].y()), high_y(low_y) {
-    for (const auto& p : points) {
-      low_x = std::min<Coordinate>(low_x, p.x()), high_x = std::max<Coordinate>(high_x, p.x());
-      low_y = std::min<Coordinate>(low_y, p.y()), high_y = std::max<Coordinate>(high_y, p.y());
-    }
+  template <class Point>
+  explicit Coordinate_ranges(const Point& p) : low_x(p.x()), high_x(low_x), low_y(p.y()), high_y(low_y) {}
+
+  /// Of a vector of points. O(n), in parallel. \pre there is a point
+  template <class Points>
+  static Coordinate_ranges of(const Points& points) {
+    return reduce<Chosen_tag>(
+        points.size(), Coordinate_ranges(points[0]),
+        [&](std::size_t begin, std::size_t end) {
+          Coordinate_ranges ranges(points[begin]);
+          for (std::size_t i = begin + 1; i < end; ++i) ranges.add(Coordinate_ranges(points[i]));
+          return ranges;
+        },
+        [](Coordinate_ranges a, const Coordinate_ranges& b) {
+          a.add(b);
+          return a;
+        });
+  }
+
+  void add(const Coordinate_ranges& other) {
+    low_x = std::min(low_x, other.low_x), high_x = std::max(high_x, other.high_x);
+    low_y = std::min(low_y, other.low_y), high_y = std::max(high_y, other.high_y);
   }
   Coordinate extent() const { return std::max(high_x - low_x, high_y - low_y); }
   Coordinate largest() const { return std::max(high_x, high_y); }
 };
+
+/// Whether a map keeps all points of a vector.
+template <class Map, class Points>
+bool all_are_kept(const Map& map, const Points& points) {
+  return reduce<Chosen_tag>(
+      points.size(), true,
+      [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+          if (!map.is_kept(points[i])) return false;
+        return true;
+      },
+      [](bool a, bool b) { return a && b; });
+}
 
 template <class Traits, class Geometry>
 class Coordinate_map;
@@ -65,7 +94,7 @@ public:
   /// \param seeds points that do not count for the extent, but keep their coordinates too
   template <class PointRange>
   explicit Coordinate_map(const PointRange& points, const std::vector<Point_2>& seeds = {}) {
-    const Coordinate_ranges<double> ranges(points);
+    const auto ranges = Coordinate_ranges<double>::of(points);
     const double extent = ranges.extent();
     if (extent == 0)
       exponent_ = exponent_of_place(std::max(std::fabs(ranges.low_x), std::fabs(ranges.low_y)));
@@ -75,10 +104,7 @@ public:
     per_unit_ = std::ldexp(1.0, -exponent_), unit_ = std::ldexp(1.0, exponent_);
     least_far_from_limits_ = std::ldexp(1.0, exponent_ - 900);
     largest_far_from_limits_ = std::ldexp(1.0, exponent_ + 900);
-    const auto are_kept = [this](const auto& some) {
-      return std::all_of(some.begin(), some.end(), [this](const Point_2& p) { return is_kept(p); });
-    };
-    are_kept_ = are_kept(points) && are_kept(seeds);
+    are_kept_ = all_are_kept(*this, points) && all_are_kept(*this, seeds);
   }
 
   Point to_kernel(const Point_2& p) const { return {per_unit_ * p.x(), per_unit_ * p.y()}; }
@@ -132,7 +158,7 @@ public:
 
   template <class PointRange>
   explicit Coordinate_map(const PointRange& points, const std::vector<Point_2>& = {}) {
-    const Coordinate_ranges<Word> ranges(points);
+    const auto ranges = Coordinate_ranges<Word>::of(points);
     // differences with the auxiliary vertices of the first triangulation, three extents apart, must fit
     // signed words
     constexpr std::uint64_t largest_extent = std::uint64_t(1) << 61;
@@ -175,10 +201,7 @@ public:
 
   explicit Coordinate_map(const std::vector<Point_2>& points, const std::vector<Point_2>& seeds = {})
       : map_(points) {
-    const auto are_kept = [this](const auto& some) {
-      return std::all_of(some.begin(), some.end(), [this](const Point_2& p) { return is_kept(p); });
-    };
-    are_kept_ = are_kept(points) && are_kept(seeds);
+    are_kept_ = all_are_kept(*this, points) && all_are_kept(*this, seeds);
   }
 
   Point to_kernel(const Point_2& p) const { return map_.to_mesher(p); }

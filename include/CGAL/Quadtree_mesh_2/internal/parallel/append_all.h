@@ -35,6 +35,20 @@ void append_all(Vector& to, const Parts& parts, const Values_of& values_of) {
   });
 }
 
+/// Appends what `collect(begin, end, values)` appends to a vector for consecutive blocks of `[0, n)`, in their order.
+/// O(n) work besides that of `collect`.
+template <class ConcurrencyTag, class Value, class Collect>
+void append_by_blocks(std::vector<Value>& to, std::size_t n, const Collect& collect,
+                      std::size_t block_length = default_block) {
+  if (n <= block_length || is_sequential<ConcurrencyTag>()) return collect(std::size_t(0), n, to);
+  std::vector<std::vector<Value>> found((n + block_length - 1) / block_length);
+  for_each_block<ConcurrencyTag>(n, block_length, [&](std::size_t b, std::size_t begin, std::size_t end) {
+    collect(begin, end, found[b]);
+  });
+  append_all<ConcurrencyTag>(
+      to, found, [](const std::vector<Value>& values) -> const auto& { return values; });
+}
+
 } // namespace internal
 } // namespace Quadtree_mesh_2
 } // namespace CGAL

@@ -18,7 +18,9 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_CORNER_FINDER_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_CORNER_FINDER_H
 
+#include <CGAL/Quadtree_mesh_2/internal/parallel/append_all.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel/parallel_sort.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Size_estimate.h>
 
@@ -50,11 +52,15 @@ public:
     collect_sectors();
     for (std::size_t i = 0; i < acute_.size();) {
       std::size_t j = i;
-      while (j < acute_.size() && acute_[j].apex == acute_[i].apex) ++j;
-      link_sectors(i, j);
+      bool is_any_lopped = false;
+      for (; j < acute_.size() && acute_[j].apex == acute_[i].apex; ++j)
+        is_any_lopped |= is_lopped(acute_[j]);
+      if (is_any_lopped) link_sectors(i, j);
       i = j;
     }
-    visit_of_.assign(mesh_.triangles.size(), 0);
+    visit_of_.resize(mesh_.triangles.size());
+    for_each_index<ConcurrencyTag>(visit_of_.size(),
+                                   [this](std::size_t i) { visit_of_[static_cast<Triangle_id>(i)] = 0; });
     for (const Corner_id c : corners_.corners.ids()) set_radius(c);
   }
 
@@ -93,16 +99,15 @@ private:
   Number distance(Vertex_id a, Vertex_id b) const { return length(direction(a, b)); }
 
   void collect_sectors() {
-    const std::size_t n = mesh_.triangles.size();
-    std::vector<std::vector<Acute_sector>> found((n + default_block - 1) / default_block);
-    for_each_block<ConcurrencyTag>(n, default_block, [&](std::size_t b, std::size_t begin, std::size_t end) {
-      for_each_marked_slot([this](Triangle_id t) { return starts_.slots_of_triangle[t]; }, {begin, end},
-                           [&](Side start) { add_sector(start.triangle(), start.slot(), found[b]); });
-    });
-    for (const auto& sectors : found) acute_.insert(acute_.end(), sectors.begin(), sectors.end());
+    append_by_blocks<ConcurrencyTag>(
+        acute_, mesh_.triangles.size(),
+        [this](std::size_t begin, std::size_t end, std::vector<Acute_sector>& found) {
+          for_each_marked_slot([this](Triangle_id t) { return starts_.slots_of_triangle[t]; }, {begin, end},
+                               [&](Side start) { add_sector(start.triangle(), start.slot(), found); });
+        });
     for (const Acute_sector& s : acute_) corners_.is_acute[s.apex] = 1;
-    std::stable_sort(acute_.begin(), acute_.end(),
-                     [](const Acute_sector& a, const Acute_sector& b) { return a.apex < b.apex; });
+    sort<ConcurrencyTag>(acute_.begin(), acute_.end(),
+                         [](const Acute_sector& a, const Acute_sector& b) { return a.apex < b.apex; });
   }
 
   /// Appends the sector whose clockwise-most triangle is t, at its vertex k, if it is acute.

@@ -7,6 +7,7 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_MESHING_PROBLEM_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_MESHING_PROBLEM_H
 
+#include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Acute_corners.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Bounds.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Domain_rule.h>
@@ -16,6 +17,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/kept_edges.h>
 
 #include <algorithm>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
@@ -60,8 +62,12 @@ struct Meshing_problem {
 
   /// \param outer the triangles outside along the border
   void set_outside(const std::vector<Outer_triangle>& outer) {
-    outer_of_edge_.assign(edges.size(), {});
-    for (const Outer_triangle& t : outer) outer_of_edge_[edges.between(t.a, t.b)] = t;
+    outer_of_edge_.resize(edges.size());
+    for_each_index<Chosen_tag>(edges.size(),
+                               [this](std::size_t e) { outer_of_edge_[static_cast<Edge_id>(e)] = {}; });
+    for_each_index<Chosen_tag>(outer.size(), [&](std::size_t i) { // no two are at one edge
+      outer_of_edge_[edges.between(outer[i].a, outer[i].b)] = outer[i];
+    });
   }
 
   /// The input vertex that faces an edge at the border from the outside, if there is one.
@@ -84,7 +90,7 @@ struct Meshing_problem {
   }
 
 private:
-  Indexed_vector<Edge_id, Outer_triangle>
+  Uninitialized_indexed_vector<Edge_id, Outer_triangle>
       outer_of_edge_; // none where it is not at the border, or has nothing beyond
 };
 

@@ -11,6 +11,7 @@
 #define CGAL_QUADTREE_MESH_2_INTERNAL_ROUNDS_CORNER_PLACES_H
 
 #include <CGAL/Quadtree_mesh_2/internal/base/sort_and_drop_equal.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel/append_all.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Mesh_blocks.h>
@@ -139,10 +140,13 @@ private:
 
   std::vector<Vertex_id> vertices_on_legs(const std::vector<Triangle_id>& triangles) const {
     std::vector<Vertex_id> vertices;
-    for (const Triangle_id t : triangles)
-      if (whole_.mesh.is_alive(t))
-        for (const Vertex_id v : whole_.mesh.triangle(t).v)
-          if (corners_.is_on_leg(whole_.mesh, v)) vertices.push_back(v);
+    append_by_blocks<ConcurrencyTag>(vertices, triangles.size(),
+                                     [&](std::size_t begin, std::size_t end, std::vector<Vertex_id>& found) {
+                                       for (std::size_t i = begin; i < end; ++i)
+                                         if (whole_.mesh.is_alive(triangles[i]))
+                                           for (const Vertex_id v : whole_.mesh.triangle(triangles[i]).v)
+                                             if (corners_.is_on_leg(whole_.mesh, v)) found.push_back(v);
+                                     });
     sort_and_drop_equal(vertices);
     return vertices;
   }

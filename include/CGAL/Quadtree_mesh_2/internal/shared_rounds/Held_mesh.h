@@ -319,16 +319,20 @@ private:
   /// What each part gets of the whole mesh, part 0 also the vertices without a triangle.
   template <class Part_of>
   std::vector<Package> packages_of_parts(const Mesh& whole, const Part_of& part_of) const {
+    constexpr int none = -1;
     std::vector<Package> of_parts(static_cast<std::size_t>(exchange_.size()));
-    for (const Triangle_id t : whole.triangles.ids())
-      if (whole.is_alive(t)) of_parts[static_cast<std::size_t>(part_of(t))].add(whole, t);
-    std::vector<char> is_in_one(whole.number_of_vertices(), 0);
-    for (Package& package : of_parts) {
-      sort_and_drop_equal(package.vertices);
-      for (const Vertex_id v : package.vertices) is_in_one[v.value()] = 1;
+    std::vector<int> last_part(whole.number_of_vertices(), none); // that was given the vertex
+    for (const Triangle_id t : whole.triangles.ids()) {
+      if (!whole.is_alive(t)) continue;
+      const int part = static_cast<int>(part_of(t));
+      Package& package = of_parts[static_cast<std::size_t>(part)];
+      package.triangles.push_back(t);
+      for (const Vertex_id v : whole.triangle(t).v)
+        if (std::exchange(last_part[v.value()], part) != part) package.vertices.push_back(v);
     }
     for (const Vertex_id v : whole.points.ids())
-      if (is_in_one[v.value()] == 0) of_parts.front().vertices.push_back(v);
+      if (last_part[v.value()] == none) of_parts.front().vertices.push_back(v);
+    for (Package& package : of_parts) sort_and_drop_equal(package.vertices); // few are there twice
     return of_parts;
   }
 
@@ -346,9 +350,9 @@ private:
   /// Takes the package, which is empty then.
   static Bytes bytes_of_package(const Mesh& whole, Package& package, const std::vector<Vertex_id>& for_all,
                                 const std::vector<Vertex_id>& common) {
-    const auto is_common = [&](Vertex_id v) { return std::binary_search(common.begin(), common.end(), v); };
     std::vector<Vertex_id> own_common;
-    std::copy_if(package.vertices.begin(), package.vertices.end(), std::back_inserter(own_common), is_common);
+    std::set_intersection(package.vertices.begin(), package.vertices.end(), common.begin(), common.end(),
+                          std::back_inserter(own_common));
     Archive_writer archive;
     archive(records(whole, package.triangles)), archive(records(whole, package.vertices));
     archive(records(whole, for_all)), archive(own_common);

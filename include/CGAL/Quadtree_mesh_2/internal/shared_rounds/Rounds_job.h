@@ -41,7 +41,7 @@ public:
   /// \pre there is a vertex
   explicit Graph_frame(const Pslg_2<Point>& pslg) {
     using Coordinate = typename Sent_coordinates<Point>::value_type;
-    const Coordinate_ranges<Coordinate> box(pslg.vertices);
+    const auto box = Coordinate_ranges<Coordinate>::of(pslg.vertices);
     corners_ = {{box.low_x, box.low_y}, {box.high_x, box.high_y}};
     for (const auto& r : pslg.regions)
       regions_.push_back({coordinates_to_send(r.point), r.attribute, r.max_area});

@@ -107,7 +107,8 @@ private:
 
   // ---- sectors
 
-  /// Whether all chords that lock sectors are found in the fans at their ends, or nowhere, all of which is shared then.
+  /// Whether all chords that lock sectors are found in the fans at their ends, or nowhere. All of that is shared then,
+  /// and so are the triangles at the chords.
   bool can_unlock_by_fans() {
     tell_vertices_of_corners();
     std::vector<std::array<Vertex_id, 2>> chords;
@@ -121,7 +122,21 @@ private:
     const std::vector<Side> sides = corners_.sides_between(chords);
     for (std::size_t i = 0; i < chords.size(); ++i)
       if (sides[i].is_border() && mesh_.is_input(chords[i][0]) && mesh_.is_input(chords[i][1])) return false;
+    share_triangles_at(sides);
     return true;
+  }
+
+  /// On both sides: what finds a side reads the triangle on one.
+  /// \param sides the same at all parts, of triangles that are shared
+  void share_triangles_at(const std::vector<Side>& sides) {
+    std::vector<Triangle_id> triangles;
+    for (const Side s : sides) {
+      if (s.is_border()) continue;
+      triangles.push_back(s.triangle());
+      const Side o = mesh_.across(s);
+      if (!o.is_border()) triangles.push_back(o.triangle());
+    }
+    held_.require(triangles, rings_of_change);
   }
 
   /// All parts read them.

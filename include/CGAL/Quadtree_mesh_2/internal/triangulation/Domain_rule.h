@@ -23,6 +23,7 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_DOMAIN_RULE_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_DOMAIN_RULE_H
 
+#include <CGAL/Quadtree_mesh_2/internal/parallel/append_all.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/sort_by_keys.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Flat_triangle_flipper.h>
@@ -76,11 +77,12 @@ public:
                                   const std::vector<Point>& regions) {
     find_levels(rule == Rule::NESTING_PARITY ? std::numeric_limits<std::int32_t>::max() : 1);
     is_kept_.resize(mesh_.triangles.size());
-    for (const Triangle_id t : is_kept_.ids()) is_kept_[t] = is_kept_by(rule, level_[t]);
+    for_each_triangle([&](Triangle_id t) { is_kept_[t] = is_kept_by(rule, level_[t]); });
     label(regions);
     if (rule == Rule::MARKED)
-      for (const Triangle_id t : is_kept_.ids())
+      for_each_triangle([&](Triangle_id t) {
         is_kept_[t] = level_[t] > 0 && !regions.empty() && mesh_.region_of[t].is_valid();
+      });
     for (const Triangle_id t : triangles_at(holes, Ambiguous_seed::Of::HOLE)) drop_component(t);
     Flat_triangle_flipper<Geometry>(mesh_, is_kept_, first_auxiliary_).run();
     std::vector<Outer_triangle> outer = outer_triangles();
@@ -95,42 +97,71 @@ private:
   Indexed_vector<Triangle_id, char> is_kept_;
   std::vector<Triangle_id> stack_;
 
+  template <class Function>
+  void for_each_triangle(const Function& f) const {
+    for_each_index<Chosen_tag>(mesh_.triangles.size(),
+                               [&](std::size_t i) { f(static_cast<Triangle_id>(i)); });
+  }
+
   static char is_kept_by(Rule rule, std::int32_t level) {
     return rule == Rule::NESTING_PARITY ? level % 2 == 1 : level > 0;
   }
 
-  /// The triangle that holds each point, if there is one, by walks from one to the next in shuffle order.
+  /// The triangle that holds each point, if there is one, by walks from one to the next in shuffle order. One thread
+  /// walks to the first point of each run.
+  /// \throws Ambiguous_seed
   std::vector<Triangle_id> triangles_at(const std::vector<Point>& points, Ambiguous_seed::Of of) {
+    constexpr std::size_t run = 256;
     std::vector<Triangle_id> found(points.size());
     if (points.empty()) return found;
     const Place_keys<Geometry> key(mesh_.points.values());
+    const auto order = radix_order<Chosen_tag>(points.size(), [&](std::size_t p) { return key(points[p]); });
+    std::vector<Walk_end> ends(points.size()); // in this order
     Triangle_id hint(0);
-    const auto key_at = [&](std::size_t p) { return key(points[p]); };
-    for (const std::uint32_t i : radix_order<Chosen_tag>(points.size(), key_at)) {
-      const Walk_end end = locate_exactly(mesh_, hint, points[i]);
-      hint = end.triangle;
-      if (end.is_blocked()) continue;
-      found[i] = end.triangle;
-      check_place(end.triangle, points[i], {of, i, {}, {}});
+    for (std::size_t i = 0; i < ends.size(); i += run)
+      ends[i] = locate_exactly(mesh_, hint, points[order[i]]), hint = ends[i].triangle;
+    std::vector<char> is_doubtful(points.size(), 0);
+    for_each_block<Chosen_tag>(ends.size(), run, [&](std::size_t, std::size_t begin, std::size_t end) {
+      for (std::size_t i = begin; i < end; ++i) {
+        const Point& p = points[order[i]];
+        if (i > begin) ends[i] = locate_exactly(mesh_, ends[i - 1].triangle, p);
+        is_doubtful[i] = !ends[i].is_blocked() && may_be_in_border(ends[i].triangle, p);
+      }
+    });
+    for (std::size_t i = 0; i < ends.size(); ++i) {
+      if (ends[i].is_blocked()) continue;
+      found[order[i]] = ends[i].triangle;
+      if (is_doubtful[i] != 0) check_place(ends[i].triangle, points[order[i]], {of, order[i], {}, {}});
     }
     return found;
   }
 
-  /// \throws Ambiguous_seed if a point of the triangle is in the border of several components.
-  void check_place(Triangle_id t, const Point& p, Ambiguous_seed seed) {
+  /// The slots of a triangle's sides that a point of it is on: two at a vertex.
+  std::vector<int> sides_with(Triangle_id t, const Point& p) const {
     const auto& r = mesh_.triangle(t);
-    std::vector<int> sides; // that the point is on; two at a vertex
+    std::vector<int> sides;
     for (int k = 0; k < 3; ++k)
       if (Geometry::orientation(mesh_.point(r.v[next_slot[k]]), mesh_.point(r.v[previous_slot[k]]), p) == 0)
         sides.push_back(k);
+    return sides;
+  }
+
+  bool may_be_in_border(Triangle_id t, const Point& p) const {
+    const std::vector<int> sides = sides_with(t, p);
+    return sides.size() == 2 || (sides.size() == 1 && mesh_.triangle(t).side[sides[0]].is_constrained());
+  }
+
+  /// \pre `may_be_in_border(t, p)`
+  /// \throws Ambiguous_seed if a point of the triangle is in the border of several components.
+  void check_place(Triangle_id t, const Point& p, Ambiguous_seed seed) {
+    const std::vector<int> sides = sides_with(t, p);
     std::vector<Triangle_id> around;
     if (sides.size() == 1) {
       const Side side(t, sides[0]);
-      if (!mesh_.across(side).is_constrained()) return;
       seed.a = mesh_.source(side), seed.b = mesh_.target(side);
       around = {mesh_.across(side).triangle()};
     } else if (sides.size() == 2) {
-      seed.a = seed.b = r.v[3 - sides[0] - sides[1]];
+      seed.a = seed.b = mesh_.triangle(t).v[3 - sides[0] - sides[1]];
       mesh_.for_each_triangle_at(seed.a, [&](Triangle_id u, int) { around.push_back(u); });
     }
     if (!is_one_component(t, around)) throw seed;
@@ -164,11 +195,9 @@ private:
 
   /// The levels below `most` by flooding; all that is left has the level `most`.
   void find_levels(std::int32_t most) {
-    level_.assign(mesh_.triangles.size(), most);
-    std::vector<Triangle_id> seeds, next;
-    for (const Triangle_id t : mesh_.triangles.ids())
-      for (const Vertex_id v : mesh_.triangle(t).v)
-        if (!(v < first_auxiliary_)) seeds.push_back(t);
+    level_.resize(mesh_.triangles.size());
+    for_each_triangle([&](Triangle_id t) { level_[t] = most; });
+    std::vector<Triangle_id> seeds = triangles_at_auxiliary_vertices(), next;
     for (std::int32_t level = 0; level < most && !seeds.empty(); ++level) {
       const auto visit = [&](Triangle_id t) {
         if (level_[t] < most) return false;
@@ -183,6 +212,20 @@ private:
       });
       std::swap(seeds, next);
     }
+  }
+
+  std::vector<Triangle_id> triangles_at_auxiliary_vertices() const {
+    std::vector<Triangle_id> triangles;
+    append_by_blocks<Chosen_tag>(
+        triangles, mesh_.triangles.size(),
+        [this](std::size_t begin, std::size_t end, std::vector<Triangle_id>& found) {
+          for (const Triangle_id t : Id_range<Triangle_id>(begin, end)) {
+            const auto& v = mesh_.triangle(t).v;
+            if (std::any_of(v, v + 3, [this](Vertex_id w) { return !(w < first_auxiliary_); }))
+              found.push_back(t);
+          }
+        });
+    return triangles;
   }
 
   void label(const std::vector<Point>& regions) {
@@ -206,14 +249,21 @@ private:
 
   std::vector<Outer_triangle> outer_triangles() const {
     std::vector<Outer_triangle> outer;
-    for (const Triangle_id t : is_kept_.ids())
-      for (int k = 0; k < 3 && is_kept_[t] == 0; ++k) {
-        const Side s(t, k), o = mesh_.across(s);
-        if (o.is_border() || is_kept_[o.triangle()] == 0) continue;
-        const Vertex_id apex = mesh_.opposite(s);
-        if (apex < first_auxiliary_) outer.push_back({mesh_.source(s), mesh_.target(s), apex});
-      }
+    append_by_blocks<Chosen_tag>(
+        outer, is_kept_.size(),
+        [this](std::size_t begin, std::size_t end, std::vector<Outer_triangle>& found) {
+          for (const Triangle_id t : Id_range<Triangle_id>(begin, end))
+            for (int k = 0; k < 3 && is_kept_[t] == 0; ++k) add_if_outer(Side(t, k), found);
+        });
     return outer;
+  }
+
+  /// \pre the side's triangle is not kept
+  void add_if_outer(Side s, std::vector<Outer_triangle>& outer) const {
+    const Side o = mesh_.across(s);
+    if (o.is_border() || is_kept_[o.triangle()] == 0) return;
+    const Vertex_id apex = mesh_.opposite(s);
+    if (apex < first_auxiliary_) outer.push_back({mesh_.source(s), mesh_.target(s), apex});
   }
 
   void drop_component(Triangle_id first) {

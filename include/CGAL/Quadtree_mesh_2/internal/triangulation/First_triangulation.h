@@ -9,12 +9,13 @@
 // Vertices come in shuffle order, so walks from one to the next are short: O(1) steps on average for points
 // that are not adversarial. Three auxiliary vertices outside enclose everything. All triangles at them lie
 // outside the domain and are dropped with it.
-// 1. Every 16th vertex is inserted, in rounds of every 16^k-th (for_each_in_rounds.h). A small input ends here, with
-//    every vertex.
-// 2. The other vertices are located in that triangulation, which is cut into blocks (Mesh_blocks.h).
-// 3. Each block gets the vertices located there (Delaunay_inserter.h), and the segments between vertices of
-//    the block (Segment_inserter.h).
-// 4. Blocks are put back, and the sides at seams are made Delaunay. Segments that seams blocked are inserted.
+// 1. Vertices are inserted in rounds of every 16^k-th (for_each_in_rounds.h), until there are enough for blocks in the
+//    next round. A small input ends here, with every vertex.
+// 2. The vertices of that round are located in the triangulation, which is cut into blocks (Mesh_blocks.h).
+// 3. Each block gets the vertices located there (Delaunay_inserter.h), and in the last round the segments between
+//    vertices of the block (Segment_inserter.h).
+// 4. Blocks are put back, and the sides at seams are made Delaunay. What seams blocked is inserted. The next round
+//    goes on with 2.
 // 5. Flips make it canonical (Canonical_flipper.h): the same however blocks were cut, but for handles of triangles.
 //
 // A small input ends with the first step. Its triangulation is constrained Delaunay except for near-ties.
@@ -74,13 +75,12 @@ public:
   /// Triangulates all vertices and makes the segments chains of constrained edges.
   /// \returns a crossing of two segments, if there is one; the triangulation is then of no use.
   std::optional<Crossing> run(const std::vector<Segment>& segments) {
-    const bool has_blocks = vertex_blocks_.size() >= 2;
-    insert_every(has_blocks ? stride : 1);
-    if (has_blocks) {
+    if (vertex_blocks_.size() >= 2) {
       const auto crossing = run_in_blocks(segments);
       if (!crossing) Canonical_flipper<ConcurrencyTag, Geometry>(mesh_).run();
       return crossing;
     }
+    insert_every(1);
     settle_repeated();
     Segment_inserter<Geometry> inserter(mesh_);
     const auto crossing = catch_crossing([&] {
@@ -113,7 +113,9 @@ public:
   const Input_edge_list& repeated_edges() const { return repeated_edges_; }
 
 private:
-  static constexpr std::size_t stride = growth_of_rounds;
+  /// Blocks of a round before the last have this part of the vertices of it that they have of all in the last, so that
+  /// there are some for many threads.
+  static constexpr std::size_t part_of_early_block = 4;
 
   using Blocks = Mesh_blocks<ConcurrencyTag, Geometry>;
   using Block = Mesh_block<Geometry>;
@@ -139,6 +141,8 @@ private:
   bool is_any_repeated_ = false;
   Input_edge_list edges_, repeated_edges_;
   std::size_t vertices_on_segments_ = 0;
+  std::size_t step_ =
+      1; // of a round in blocks: the vertices with multiples of it as numbers are inserted then
   // for blocks: the triangle of the coarse triangulation that holds a vertex, and the vertex's handle in its block
   Uninitialized_indexed_vector<Vertex_id, Triangle_id> coarse_triangle_;
   Uninitialized_indexed_vector<Vertex_id, Vertex_id> vertex_in_block_;
@@ -248,14 +252,35 @@ private:
   // ---- in blocks
 
   std::optional<Crossing> run_in_blocks(const std::vector<Segment>& segments) {
+    coarse_triangle_.resize(representative_.size());
+    vertex_in_block_.resize(representative_.size());
+    step_ = first_step_in_blocks();
+    insert_every(step_ * growth_of_rounds);
+    for (; step_ > 1; step_ /= growth_of_rounds) insert_round_in_blocks(blocks_of_round(step_), {});
+    return insert_round_in_blocks(vertex_blocks_, segments);
+  }
+
+  /// Of the first round with vertices for several blocks.
+  std::size_t first_step_in_blocks() const {
+    std::size_t step = 1;
+    while (blocks_of_round(step * growth_of_rounds).size() >= 2) step *= growth_of_rounds;
+    return step;
+  }
+
+  Vertex_blocks blocks_of_round(std::size_t step) const {
+    return vertex_blocks_.put_together(vertex_blocks_.largest() * step / part_of_early_block);
+  }
+
+  /// Inserts the vertices of the round, and segments, in which case it is the last round.
+  std::optional<Crossing> insert_round_in_blocks(const Vertex_blocks& vertex_blocks,
+                                                 const std::vector<Segment>& segments) {
     locate_vertices();
     Block_assignment assignment;
     Blocks blocks(mesh_, assignment,
-                  cut_by_vertices<ConcurrencyTag>(mesh_, vertex_blocks_, [](Vertex_id v) { return v; }));
+                  cut_by_vertices<ConcurrencyTag>(mesh_, vertex_blocks, [](Vertex_id v) { return v; }));
     Works works(blocks.size());
     const auto vertices = vertices_by_block(blocks);
     const auto segments_of = segments_by_block(blocks, segments);
-    vertex_in_block_.resize(representative_.size());
     segments_made_.resize(blocks.size());
     blocks.for_each(
         [&](Block& block) {
@@ -271,23 +296,31 @@ private:
       mesh_.make_Delaunay(doubtful);
     }
     add(segments_made_);
-    return crossing ? crossing : insert_what_is_left(works);
+    segments_made_.clear();
+    if (crossing) return crossing;
+    for (const Block_work& work : works)
+      for (const Vertex_id v : work.vertices_left) insert_late(v);
+    return step_ > 1 ? std::nullopt : insert_segments_left(works);
   }
 
-  /// Locates the vertices that are not inserted yet.
+  /// How many vertices there are in the round and in those before it.
+  std::size_t vertices_of_round() const { return (representative_.size() + step_ - 1) / step_; }
+  Vertex_id vertex_of_round(std::size_t i) const { return static_cast<Vertex_id>(i * step_); }
+
+  /// Locates the vertices of the round.
   void locate_vertices() {
-    coarse_triangle_.resize(representative_.size());
-    const std::size_t run = 256 * stride;
-    for_each_block<ConcurrencyTag>(representative_.size(), run,
+    constexpr std::size_t run = 256 * growth_of_rounds;
+    for_each_block<ConcurrencyTag>(vertices_of_round(), run,
                                    [&](std::size_t, std::size_t begin, std::size_t end) {
                                      Triangle_id t(0);
-                                     for (const Vertex_id v : Id_range<Vertex_id>(begin, end)) {
+                                     for (std::size_t i = begin; i < end; ++i) {
+                                       const Vertex_id v = vertex_of_round(i);
                                        t = is_coarse(v) ? mesh_.incident_triangle(representative_[v])
                                                         : locate_exactly(mesh_, t, mesh_.point(v)).triangle;
                                        coarse_triangle_[v] = t;
                                      }
                                    });
-    if (!is_any_repeated_) return;
+    if (!is_any_repeated_ || step_ > 1) return;
     for_each_index<ConcurrencyTag>(representative_.size(), [this](std::size_t i) {
       const Vertex_id v = static_cast<Vertex_id>(i);
       if (is_repeated(v)) coarse_triangle_[v] = coarse_triangle_[representative_[v]];
@@ -296,16 +329,22 @@ private:
 
   Block_id block_of(const Blocks& blocks, Vertex_id v) const { return blocks.block_of(coarse_triangle_[v]); }
 
-  /// Whether a vertex was inserted before there were blocks.
-  bool is_coarse(Vertex_id v) const { return std::size_t(v) % stride == 0 && !is_repeated(v); }
+  /// Whether a vertex was inserted in a round before this one.
+  bool is_coarse(Vertex_id v) const {
+    return std::size_t(v) % (step_ * growth_of_rounds) == 0 && !is_repeated(v);
+  }
 
-  /// The vertices that are not inserted yet, by the block in which they are.
+  /// The vertices that are inserted in this round, by the block in which they are.
   Groups<Vertex_id> vertices_by_block(const Blocks& blocks) const {
-    return group_in_order<ConcurrencyTag, Vertex_id>(
-        representative_.size(), blocks.size(), [&](std::size_t i) -> std::size_t {
-          const Vertex_id v = static_cast<Vertex_id>(i);
+    auto groups = group_in_order<ConcurrencyTag, Vertex_id>(
+        vertices_of_round(), blocks.size(), [&](std::size_t i) -> std::size_t {
+          const Vertex_id v = vertex_of_round(i);
           return representative_[v].is_valid() ? blocks.size() : block_of(blocks, v).value();
         });
+    for_each_index<ConcurrencyTag>(groups.members.size(), [&](std::size_t i) {
+      groups.members[i] = vertex_of_round(std::size_t(groups.members[i]));
+    });
+    return groups;
   }
 
   /// The segments by the block of their first vertex.
@@ -371,9 +410,7 @@ private:
     return first;
   }
 
-  std::optional<Crossing> insert_what_is_left(const Works& works) {
-    for (const Block_work& work : works)
-      for (const Vertex_id v : work.vertices_left) insert_late(v);
+  std::optional<Crossing> insert_segments_left(const Works& works) {
     settle_repeated();
     Segment_inserter<Geometry> inserter(mesh_);
     const auto crossing = catch_crossing([&] {

@@ -21,10 +21,13 @@
 #define CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_FLAT_TRIANGLE_FLIPPER_H
 
 #include <CGAL/Quadtree_mesh_2/internal/base/Indexed_vector.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel/append_all.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Kernel_mesh.h>
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
@@ -43,7 +46,11 @@ public:
 
   /// The triangulation alone, and no handle of a triangle, decides what becomes of it.
   void run() {
-    for (const Triangle_id t : mesh_.triangles.ids()) push_if_flat(t);
+    append_by_blocks<Chosen_tag>(stack_, mesh_.triangles.size(),
+                                 [this](std::size_t begin, std::size_t end, std::vector<Triangle_id>& found) {
+                                   for (const Triangle_id t : Id_range<Triangle_id>(begin, end))
+                                     if (is_flat_outside(t)) found.push_back(t);
+                                 });
     std::sort(stack_.begin(), stack_.end(),
               [this](Triangle_id t, Triangle_id u) { return from_least(t) < from_least(u); });
     while (!stack_.empty()) {
@@ -75,8 +82,8 @@ private:
   bool is_input(Vertex_id v) const { return v < first_auxiliary_; }
   bool are_input(const Vertices& v) const { return is_input(v[0]) && is_input(v[1]) && is_input(v[2]); }
 
-  void push_if_flat(Triangle_id t) {
-    if (is_kept_[t] == 0 && mesh_.is_alive(t) && is_flat(mesh_.triangle(t).v)) stack_.push_back(t);
+  bool is_flat_outside(Triangle_id t) const {
+    return is_kept_[t] == 0 && mesh_.is_alive(t) && is_flat(mesh_.triangle(t).v);
   }
 
   /// The vertices of a triangle from the least one on.
@@ -99,7 +106,7 @@ private:
     mesh_.flip(t, k);
     for (const Triangle_id changed : {t, u})
       for (const Side outer : mesh_.triangle(changed).side)
-        if (!outer.is_constrained()) push_if_flat(outer.triangle());
+        if (!outer.is_constrained() && is_flat_outside(outer.triangle())) stack_.push_back(outer.triangle());
   }
 
   bool is_worth_making(const Vertices& v) const {

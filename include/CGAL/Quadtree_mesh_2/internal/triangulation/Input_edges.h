@@ -14,6 +14,7 @@
 #define CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_INPUT_EDGES_H
 
 #include <CGAL/Quadtree_mesh_2/internal/base/sort_short_run.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel/Run_counters.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Kernel_mesh.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Segment_inserter.h>
@@ -40,15 +41,8 @@ public:
 
   /// Edges get their handles in the order of their lesser vertex, `a` from now on, and then of the other.
   Input_edges(const Input_edge_list& edges, std::size_t number_of_vertices)
-      : edges_(edges.size()), first_(number_of_vertices + 1, 0), incidences_(2 * edges.size()) {
-    for (const Input_edge& e : edges) ++first_[e.a], ++first_[e.b];
-    std::uint32_t sum = 0;
-    for (std::uint32_t& n : first_) sum += n, n = sum; // where those of a vertex end
-    for (std::size_t i = 0; i < edges.size(); ++i) {
-      const Input_edge& e = edges[i];
-      incidences_[--first_[e.a]] = {e.b, static_cast<Edge_id>(i)};
-      incidences_[--first_[e.b]] = {e.a, static_cast<Edge_id>(i)};
-    }
+      : edges_(edges.size()), first_(number_of_vertices + 1), incidences_(2 * edges.size()) {
+    collect_incidences(edges, number_of_vertices);
     for_each_index<Chosen_tag>(number_of_vertices, [this](std::size_t i) {
       const Vertex_id v = static_cast<Vertex_id>(i);
       sort_short_run(begin(v), end(v), std::less<>());
@@ -106,11 +100,29 @@ public:
 
 private:
   Uninitialized_indexed_vector<Edge_id, Input_edge> edges_;
-  Indexed_vector<Vertex_id, std::uint32_t> first_; // and the end of the last one's
+  Uninitialized_indexed_vector<Vertex_id, std::uint32_t> first_; // and the end of the last one's
   Uninitialized_vector<Incidence> incidences_;
 
   Incidence* begin(Vertex_id v) { return incidences_.data() + first_[v]; }
   Incidence* end(Vertex_id v) { return incidences_.data() + first_[++v]; }
+
+  /// Those of a vertex in any order.
+  void collect_incidences(const Input_edge_list& edges, std::size_t number_of_vertices) {
+    Run_counters at(number_of_vertices);
+    for_each_index<Chosen_tag>(edges.size(), [&](std::size_t i) {
+      at.count(std::size_t(edges[i].a)), at.count(std::size_t(edges[i].b));
+    });
+    at.begin_placing();
+    for_each_index<Chosen_tag>(edges.size(), [&](std::size_t i) {
+      const Input_edge& e = edges[i];
+      incidences_[at.place(std::size_t(e.a))] = {e.b, static_cast<Edge_id>(i)};
+      incidences_[at.place(std::size_t(e.b))] = {e.a, static_cast<Edge_id>(i)};
+    });
+    first_[Vertex_id(0)] = 0;
+    for_each_index<Chosen_tag>(number_of_vertices, [&](std::size_t v) {
+      first_[static_cast<Vertex_id>(v + 1)] = static_cast<std::uint32_t>(at.end(v));
+    });
+  }
 
   /// Where the edges begin of which v is the lesser vertex.
   Incidence* begin_of_lesser(Vertex_id v) {

@@ -16,15 +16,13 @@
 
 #include <CGAL/Quadtree_mesh_2/internal/base/Indexed_vector.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/sort_short_run.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel/Run_counters.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Kernel_mesh.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cstddef>
-#include <cstdint>
 #include <utility>
-#include <vector>
 
 namespace CGAL {
 namespace Quadtree_mesh_2 {
@@ -35,9 +33,9 @@ class Kept_triangles {
 public:
   /// \pre around each vertex the triangles of the mesh make one fan, of which some may be kept and others not
   Kept_triangles(Mesh& mesh, const Indexed_vector<Triangle_id, char>& is_kept)
-      : mesh_(mesh), is_kept_(is_kept), new_side_(mesh.triangles.size()), end_of_run_(mesh.points.size()) {
+      : mesh_(mesh), is_kept_(is_kept), new_side_(mesh.triangles.size()), runs_(mesh.points.size()) {
     group_by_least_vertex();
-    for_each_index<Chosen_tag>(end_of_run_.size(), [this](std::size_t v) { sort_run(v); });
+    for_each_index<Chosen_tag>(runs_.size(), [this](std::size_t v) { sort_run(v); });
   }
 
   /// Drops all other triangles, and the vertices from the given one on.
@@ -63,11 +61,7 @@ private:
   Uninitialized_indexed_vector<Triangle_id, Triangle_id> order_; // the handles that there were
   // The side opposite the least vertex, with the new handle, of triangles that are kept.
   Uninitialized_indexed_vector<Triangle_id, Side> new_side_;
-  std::vector<std::atomic<std::uint32_t>>
-      end_of_run_; // of the triangles with one least vertex, in their order
-
-  std::size_t begin_of_run(std::size_t v) const { return v == 0 ? 0 : end_of_run(v - 1); }
-  std::size_t end_of_run(std::size_t v) const { return end_of_run_[v].load(std::memory_order_relaxed); }
+  Run_counters runs_; // of the triangles with one least vertex, in their order
 
   template <class Function>
   void for_each_kept(const Function& f) {
@@ -77,30 +71,11 @@ private:
     });
   }
 
-  /// Threads count and place as they come; runs are sorted afterward.
   void group_by_least_vertex() {
-    const auto count = [this](Vertex_id v) -> std::atomic<std::uint32_t>& {
-      return end_of_run_[std::size_t(v)];
-    };
-    for_each_kept([&](Triangle_id, Vertex_id v) { count(v).fetch_add(1, std::memory_order_relaxed); });
-    count_allocate_and_place<Chosen_tag>(
-        end_of_run_.size(),
-        [this](std::size_t begin, std::size_t end) {
-          std::size_t sum = 0;
-          for (std::size_t v = begin; v < end; ++v) sum += end_of_run(v);
-          return sum;
-        },
-        [this](std::size_t sum) { order_.resize(sum); },
-        [this](std::size_t begin, std::size_t end, std::size_t first) {
-          for (std::size_t v = begin; v < end; ++v) {
-            const std::size_t here = end_of_run(v);
-            end_of_run_[v].store(static_cast<std::uint32_t>(first), std::memory_order_relaxed);
-            first += here;
-          }
-        });
-    for_each_kept([&](Triangle_id t, Vertex_id v) {
-      order_[Triangle_id(count(v).fetch_add(1, std::memory_order_relaxed))] = t;
-    });
+    for_each_kept([this](Triangle_id, Vertex_id v) { runs_.count(std::size_t(v)); });
+    order_.resize(runs_.begin_placing());
+    for_each_kept(
+        [this](Triangle_id t, Vertex_id v) { order_[Triangle_id(runs_.place(std::size_t(v)))] = t; });
   }
 
   Vertex_id next_vertex(Triangle_id t) const {
@@ -110,7 +85,7 @@ private:
 
   /// Sorts the triangles with one least vertex by their next vertex, and names them.
   void sort_run(std::size_t v) {
-    const std::size_t first = begin_of_run(v), last = end_of_run(v);
+    const std::size_t first = runs_.begin(v), last = runs_.end(v);
     const auto is_before = [this](Triangle_id t, Triangle_id u) { return next_vertex(t) < next_vertex(u); };
     sort_short_run(order_.data() + first, order_.data() + last, is_before);
     for (std::size_t i = first; i < last; ++i) {
@@ -128,7 +103,7 @@ private:
     decltype(mesh_.triangle_of) first(number_of_vertices);
     for_each_index<Chosen_tag>(number_of_vertices, [&](std::size_t i) {
       const Vertex_id v = static_cast<Vertex_id>(i);
-      first[v] = begin_of_run(i) < end_of_run(i) ? Triangle_id(begin_of_run(i)) : Triangle_id();
+      first[v] = runs_.begin(i) < runs_.end(i) ? Triangle_id(runs_.begin(i)) : Triangle_id();
       if (first[v].is_valid() || !mesh_.is_used(v)) return;
       mesh_.for_each_triangle_at(v, [&](Triangle_id t, int) {
         first[v] = std::min(first[v], new_handle(t)); // none is greater than any

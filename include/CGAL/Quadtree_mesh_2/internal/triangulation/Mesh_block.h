@@ -16,6 +16,7 @@
 
 #include <CGAL/Quadtree_mesh_2/internal/parallel/group_in_order.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel/reserve_in_parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Kernel_mesh.h>
 
 #include <algorithm>
@@ -57,7 +58,7 @@ private:
   template <class ConcurrencyTag, class Places, class Values>
   static void append_none(Places& places, const Values& values) {
     const std::size_t begin = places.size();
-    places.reserve(values.capacity());
+    reserve_in_parallel(places, values.capacity());
     places.resize(values.size());
     for_each_index<ConcurrencyTag>(values.size() - begin,
                                    [&](std::size_t i) { *(places.data() + begin + i) = {}; });

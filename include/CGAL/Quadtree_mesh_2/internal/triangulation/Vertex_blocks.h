@@ -62,6 +62,22 @@ public:
 
   std::size_t size() const { return first_.size() - 1; }
 
+  /// How many vertices there are in the largest block.
+  std::size_t largest() const {
+    std::size_t most = 0;
+    for (std::size_t b = 0; b < size(); ++b) most = std::max(most, first_[b + 1] - first_[b]);
+    return most;
+  }
+
+  /// Runs of these blocks with at most so many vertices, or of one block.
+  Vertex_blocks put_together(std::size_t most) const {
+    std::vector<std::size_t> first{first_.front()};
+    for (std::size_t b = 1; b < size(); ++b)
+      if (first_[b + 1] - first.back() > most) first.push_back(first_[b]);
+    first.push_back(first_.back());
+    return Vertex_blocks(std::move(first));
+  }
+
   /// The block of a triangle, by the numbers of its vertices. Numbers beyond those of the input count as its last.
   Block_id of_triangle(Vertex_id a, Vertex_id b, Vertex_id c) const {
     if (size() < 2) return Block_id(0);
