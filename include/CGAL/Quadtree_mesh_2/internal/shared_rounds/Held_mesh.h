@@ -192,18 +192,18 @@ public:
 
   /// The private triangles of a list and of so many rings around them, as far as one gets in what is held.
   std::vector<Triangle_id> private_around(const std::vector<Triangle_id>& wanted, int rings) const {
-    std::vector<Triangle_id> found;
+    std::vector<Triangle_id> found, before, last; // of rings: the last one, and that before it
     for (const Triangle_id t : wanted)
-      if (is_held(t)) found.push_back(t);
-    sort_and_drop_equal(found);
-    for (; rings > 0; --rings) {
-      for (std::size_t i = 0, end = found.size(); i < end; ++i)
-        for (const Side o : mesh_.triangle(found[i]).side)
-          if (!o.is_border() && is_held(o.triangle())) found.push_back(o.triangle());
-      sort_and_drop_equal(found);
+      if (is_held(t)) last.push_back(t);
+    sort_and_drop_equal(last);
+    for (;; --rings) {
+      std::copy_if(last.begin(), last.end(), std::back_inserter(found),
+                   [this](Triangle_id t) { return is_private(t); });
+      if (rings == 0 || last.empty()) break;
+      std::vector<Triangle_id> next = next_ring(before, last);
+      before = std::exchange(last, std::move(next));
     }
-    found.erase(std::remove_if(found.begin(), found.end(), [this](Triangle_id t) { return !is_private(t); }),
-                found.end());
+    std::sort(found.begin(), found.end());
     return found;
   }
 
@@ -247,6 +247,19 @@ private:
     now = hold;
     if (now != ABSENT) ++number_[std::size_t(now)];
     most_held_ = std::max(most_held_, number_held());
+  }
+
+  /// What is held beside a ring: it is in none of those before that.
+  std::vector<Triangle_id> next_ring(const std::vector<Triangle_id>& before,
+                                     const std::vector<Triangle_id>& last) const {
+    std::vector<Triangle_id> beside, beyond, next;
+    for (const Triangle_id t : last)
+      for (const Side o : mesh_.triangle(t).side)
+        if (!o.is_border() && is_held(o.triangle())) beside.push_back(o.triangle());
+    sort_and_drop_equal(beside);
+    std::set_difference(beside.begin(), beside.end(), last.begin(), last.end(), std::back_inserter(beyond));
+    std::set_difference(beyond.begin(), beyond.end(), before.begin(), before.end(), std::back_inserter(next));
+    return next;
   }
 
   void reserve(std::size_t vertices, std::size_t slots) {

@@ -79,7 +79,8 @@ public:
   const Triangle_account& account() const { return account_; }
 
 private:
-  /// How many rings are shared at once around what may change, and around where flips come to what is not shared.
+  /// How many rings are shared at once, at first, around what may change, and around where flips come to what is not
+  /// shared.
   static constexpr int rings_of_change = 2, rings_for_flips = 4;
 
   Exchange& exchange_;
@@ -88,11 +89,21 @@ private:
   Meshing_state<Geometry>& whole_;
   Kernel_mesh<Geometry>& mesh_;
   Triangle_account account_;
+  int times_shared_ = 0; // where changes came to what was not
+
+  /// Shares a triangle and so many rings around it, and more of them the more often parts had to meet for one: where
+  /// changes spread, they do not meet for each.
+  void share(Triangle_id t, int rings) {
+    constexpr int times_for_one_more = 8;
+    if (held_.is_shared(t)) return;
+    held_.require({t}, rings + times_shared_ / times_for_one_more);
+    ++times_shared_;
+  }
 
   void share_both_sides(Side s) {
-    held_.require({s.triangle()}, rings_for_flips);
+    share(s.triangle(), rings_for_flips);
     const Side o = mesh_.across(s);
-    if (!o.is_border()) held_.require({o.triangle()}, rings_for_flips);
+    if (!o.is_border()) share(o.triangle(), rings_for_flips);
   }
 
   /// How many vertices might be removed, at most.
@@ -204,16 +215,16 @@ private:
   /// The triangles at a vertex; these, and those next to them, are shared then.
   std::vector<Triangle_id> shared_star_of(Vertex_id v) {
     const Triangle_id start = mesh_.incident_triangle(v);
-    held_.require({start}, rings_of_change);
+    share(start, rings_of_change);
     std::vector<Triangle_id> star;
     Fan_walk<Kernel_mesh<Geometry>> walk(mesh_, v, start);
     do {
-      held_.require({walk.triangle()}, rings_of_change);
+      share(walk.triangle(), rings_of_change);
       star.push_back(walk.triangle());
     } while (walk.advance());
     for (std::size_t i = 0, size = star.size(); i < size; ++i) {
       const Side o = mesh_.triangle(star[i]).side[Kernel_mesh<Geometry>::slot_of(mesh_.triangle(star[i]), v)];
-      if (!o.is_border()) held_.require({o.triangle()}, rings_of_change);
+      if (!o.is_border()) share(o.triangle(), rings_of_change);
     }
     return star;
   }
