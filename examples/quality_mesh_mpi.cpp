@@ -132,7 +132,7 @@ void print_own_help() {
   std::cout << R"(usage: mpirun -n P quality_mesh_mpi INPUT -o OUTPUT... [option]...
 
 Meshes a graph on P ranks, with one thread each: the mesh of quality_mesh --renumber.
-INPUT is .poly or .h5; OUTPUT is .pvtu, .msh (in parts), .vtkhdf or .xdmf.
+INPUT is .poly, .poly.gz or .h5; OUTPUT is .pvtu, .msh (in parts), .vtkhdf or .xdmf.
 Options are those of quality_mesh --help-all for graphs, but for --hull, --repair,
 --resume, and those of files with sizes, of projections and of threads. --memory is what
 each rank may use; the scratch folder is made where there is none, and may be on a disk
