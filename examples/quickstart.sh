@@ -11,7 +11,7 @@ configure_and_build "$root/build" quickstart -DCMAKE_BUILD_TYPE=Release
 mesh=$root/build/great_lakes
 say "meshing the Great Lakes, a file of shorelines with islands as holes; no angle below 20.7 degrees"
 "$root/build/bin/quickstart" "$root/examples/data/great_lakes.poly.gz" "$mesh.svg" "$mesh.vtu"
-say "both meshes of the Thousand Islands, for a browser: $mesh.svg"
+say "both meshes of the Thousand Islands, Mesh_2's on the left and ours on the right, for a browser: $mesh.svg"
 say "the mesh for ParaView: $mesh.vtu"
 say "from Python: see doc/python.md"
 say "the program for files of yours: cmake --build build --target quality_mesh -j$(nproc)"
