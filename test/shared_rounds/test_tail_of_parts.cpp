@@ -144,7 +144,7 @@ TEST_CASE("Parts finish a mesh without having all of it", "[parts][distributed]"
 TEST_CASE("Parts unlock sectors next to triangles that were in no block", "[parts][distributed]") {
   for (std::uint64_t seed = 1; seed <= (is_full_run() ? 20 : 2); ++seed) {
     CAPTURE(seed);
-    check<Small_blocks_tag>({2, 5}, needles(12, seed), Options().max_edge(0.1), Finisher::ANYBODY);
+    check<Small_blocks_tag>({2, 4}, needles(12, seed), Options().max_edge(0.1), Finisher::ANYBODY);
   }
 }
 
