@@ -146,7 +146,8 @@ public:
   void is_written(const Block& block) {
     Base::is_written(block);
     for (const Triangle_id t : block.mesh.triangles.ids())
-      owner_[block.whole_triangle(t).value()] = worker_[block.id().value()];
+      if (block.whole_triangle(t).is_valid())
+        owner_[block.whole_triangle(t).value()] = worker_[block.id().value()];
   }
 
   template <class State, class Blocks>

@@ -114,8 +114,7 @@ public:
   void is_written(const Block& block) {
     const std::size_t n = block.number_of_new_triangles();
     if (n == 0) return;
-    const auto first = static_cast<Triangle_id>(block.mesh.triangles.size() - n);
-    new_of_block_[block.id()] = {block.whole_triangle(first), n};
+    new_of_block_[block.id()] = {block.first_new_triangle(), n};
   }
 
   template <class Geometry, class Blocks>

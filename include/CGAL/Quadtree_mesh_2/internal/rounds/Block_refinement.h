@@ -161,15 +161,17 @@ private:
         [&](const Block& block) {
           const Block_id b = block.id();
           work.name_in_whole(block, owned[b]);
-          for (Triangle_id& t : left[b]) t = block.whole_triangle(t);
+          auto& l = left[b];
+          l.erase(std::remove_if(l.begin(), l.end(), [&](Triangle_id t) { return !block.mesh.is_alive(t); }),
+                  l.end());
+          for (Triangle_id& t : l) t = block.whole_triangle(t);
           watch_.is_written(block);
         });
     watch_.are_written(whole_, blocks);
     blocks.put_together();
     rounds_.waiting.clear();
     for (const auto& triangles : left)
-      for (const Triangle_id t : triangles)
-        if (whole_.mesh.is_alive(t)) rounds_.waiting.push_back(t);
+      rounds_.waiting.insert(rounds_.waiting.end(), triangles.begin(), triangles.end());
     rounds_.at_seams = triangles_at<ConcurrencyTag>(whole_.mesh, blocks.seam_sides());
     std::vector<Side> doubtful = blocks.sides_to_flip();
     whole_.mesh.make_Delaunay(doubtful, [this](Triangle_id t, Triangle_id u) {

@@ -99,12 +99,12 @@ public:
     for (const Triangle_id t : whole.dead_triangles()) mesh_.kill(t);
     std::vector<Package> packages;
     if (exchange_.rank() == 0) packages = packages_of_parts(whole, part_of);
-    const std::vector<Vertex_id> common = in_several(packages, vertices);
-    for (int part = 0; part < exchange_.size(); ++part) { // only one is on its way at a time
-      Parcels outbox;
-      if (exchange_.rank() == 0)
-        outbox.push_back({part, bytes_of_package(whole, packages[std::size_t(part)], for_all, common)});
-      for (const Parcel& parcel : exchange_.exchange(std::move(outbox))) unpack(parcel.bytes);
+    give_common(whole, packages, for_all);
+    const Numbers pieces = pieces_of(packages);
+    packages.resize(pieces.size());
+    for (std::size_t part = pieces.size(); part-- > 0;) {
+      give(static_cast<int>(part), whole, packages[part], pieces[part]);
+      packages[part] = {};
     }
   }
 
@@ -234,6 +234,21 @@ private:
     }
   };
 
+  /// A piece of a package, as it arrives.
+  struct Told {
+    bool is_followed = false; ///< by another piece
+    std::vector<Triangle_record> triangles;
+    std::vector<Vertex_record> vertices;
+
+    explicit Told(const Bytes& bytes) {
+      Archive_reader archive(bytes);
+      archive(is_followed), archive(triangles), archive(vertices);
+    }
+  };
+
+  /// How many triangles, and how many vertices, are on their way to a part at a time, or from all parts.
+  static constexpr std::size_t at_a_time = std::size_t(1) << 15;
+
   Exchange& exchange_;
   Mesh& mesh_;
   Sparse_bytes hold_, has_;
@@ -295,9 +310,15 @@ private:
   }
   template <class Id>
   static auto records(const Mesh& mesh, const std::vector<Id>& ids) {
+    return records(mesh, ids, 0, ids.size());
+  }
+  /// Of at most so many of the ids, from a place on.
+  template <class Id>
+  static auto records(const Mesh& mesh, const std::vector<Id>& ids, std::size_t begin, std::size_t most) {
     std::vector<decltype(record(mesh, Id()))> found;
-    found.reserve(ids.size());
-    for (const Id id : ids) found.push_back(record(mesh, id));
+    const std::size_t end = std::min(ids.size(), begin + most);
+    found.reserve(end - std::min(begin, end));
+    for (std::size_t i = begin; i < end; ++i) found.push_back(record(mesh, ids[i]));
     return found;
   }
   void write(const Triangle_record& r) {
@@ -312,21 +333,35 @@ private:
   /// \returns how many triangles all parts have told
   std::size_t tell(Package package) {
     sort_and_drop_equal(package.vertices);
-    Archive_writer archive;
-    if (!package.triangles.empty() || !package.vertices.empty())
-      archive(records(mesh_, package.triangles)), archive(records(mesh_, package.vertices));
+    const std::size_t of_each = at_a_time / static_cast<std::size_t>(exchange_.size()) + 1;
     std::size_t number = 0;
-    for (const Parcel& parcel : tell_all_bytes(exchange_, archive.bytes)) {
-      Archive_reader reader(parcel.bytes);
-      std::vector<Triangle_record> triangles_told;
-      std::vector<Vertex_record> vertices_told;
-      reader(triangles_told), reader(vertices_told);
-      number += triangles_told.size();
-      if (parcel.part == exchange_.rank()) continue;
-      for (const Triangle_record& r : triangles_told) write(r), set(r.id, SHARED);
-      for (const Vertex_record& r : vertices_told) write(r), set_has(r.id);
+    bool is_more = true;
+    for (std::size_t piece = 0; is_more; ++piece) {
+      is_more = false;
+      const Bytes bytes = bytes_of_piece(mesh_, package, piece * of_each, of_each);
+      for (const Parcel& parcel : tell_all_bytes(exchange_, bytes)) {
+        const Told told(parcel.bytes);
+        is_more = is_more || told.is_followed;
+        number += told.triangles.size();
+        if (parcel.part == exchange_.rank()) continue;
+        for (const Triangle_record& r : told.triangles) write(r), set(r.id, SHARED);
+        for (const Vertex_record& r : told.vertices) write(r), set_has(r.id);
+      }
     }
     return number;
+  }
+
+  /// Some triangles and some vertices of a package, and whether there are more; nothing behind its end.
+  static Bytes bytes_of_piece(const Mesh& mesh, const Package& package, std::size_t begin, std::size_t most) {
+    if (begin >= size_of(package)) return {};
+    Archive_writer archive;
+    archive(begin + most < size_of(package));
+    archive(records(mesh, package.triangles, begin, most)),
+        archive(records(mesh, package.vertices, begin, most));
+    return std::move(archive.bytes);
+  }
+  static std::size_t size_of(const Package& package) {
+    return std::max(package.triangles.size(), package.vertices.size());
   }
 
   /// What each part gets of the whole mesh, part 0 also the vertices without a triangle.
@@ -360,27 +395,51 @@ private:
     return common;
   }
 
-  /// Takes the package, which is empty then.
-  static Bytes bytes_of_package(const Mesh& whole, Package& package, const std::vector<Vertex_id>& for_all,
-                                const std::vector<Vertex_id>& common) {
-    std::vector<Vertex_id> own_common;
-    std::set_intersection(package.vertices.begin(), package.vertices.end(), common.begin(), common.end(),
-                          std::back_inserter(own_common));
-    Archive_writer archive;
-    archive(records(whole, package.triangles)), archive(records(whole, package.vertices));
-    archive(records(whole, for_all)), archive(own_common);
-    package = {};
-    return std::move(archive.bytes);
+  /// In how many pieces each package is given, known to all parts.
+  Numbers pieces_of(const std::vector<Package>& packages) {
+    Numbers pieces;
+    for (const Package& package : packages)
+      pieces.push_back(std::int64_t((size_of(package) + at_a_time - 1) / at_a_time));
+    Bytes bytes = bytes_of(pieces);
+    exchange_.broadcast(bytes, 0);
+    return records_of<std::int64_t>(bytes);
   }
 
-  void unpack(const Bytes& bytes) {
-    Archive_reader archive(bytes);
-    std::vector<Triangle_record> triangles;
-    std::vector<Vertex_record> vertices, for_all;
-    archive(triangles), archive(vertices), archive(for_all), archive(common_);
-    for (const Triangle_record& r : triangles) write(r), set_private(r.id);
-    for (const Vertex_record& r : for_all) write(r);
-    for (const Vertex_record& r : vertices) write(r), set_has(r.id);
+  /// Gives a part what is in a package of part 0, which has the whole mesh. All parts call it.
+  void give(int part, const Mesh& whole, const Package& package, std::int64_t pieces) {
+    for (std::int64_t piece = 0; piece < pieces; ++piece) {
+      Parcels outbox;
+      if (exchange_.rank() == 0)
+        outbox.push_back({part, bytes_of_piece(whole, package, std::size_t(piece) * at_a_time, at_a_time)});
+      for (const Parcel& parcel : exchange_.exchange(std::move(outbox))) {
+        const Told told(parcel.bytes);
+        for (const Triangle_record& r : told.triangles) write(r), set_private(r.id);
+        for (const Vertex_record& r : told.vertices) write(r), set_has(r.id);
+      }
+    }
+  }
+
+  /// Gives each part the records of some vertices, for which no part vouches, and those of its vertices that others have
+  /// too.
+  void give_common(const Mesh& whole, const std::vector<Package>& packages,
+                   const std::vector<Vertex_id>& for_all) {
+    const std::vector<Vertex_id> common = in_several(packages, whole.number_of_vertices());
+    Parcels outbox;
+    for (std::size_t part = 0; part < packages.size(); ++part) {
+      const std::vector<Vertex_id>& own = packages[part].vertices;
+      std::vector<Vertex_id> own_common;
+      std::set_intersection(own.begin(), own.end(), common.begin(), common.end(),
+                            std::back_inserter(own_common));
+      Archive_writer archive;
+      archive(records(whole, for_all)), archive(own_common);
+      outbox.push_back({static_cast<int>(part), std::move(archive.bytes)});
+    }
+    for (const Parcel& parcel : exchange_.exchange(std::move(outbox))) {
+      Archive_reader archive(parcel.bytes);
+      std::vector<Vertex_record> records;
+      archive(records), archive(common_);
+      for (const Vertex_record& r : records) write(r);
+    }
   }
 };
 

@@ -126,6 +126,19 @@ private:
     std::uint32_t triangles, vertices;
   };
 
+  /// What blocks have made, by handles of the whole mesh.
+  struct Made {
+    std::vector<Triangle_id> triangles;
+    std::vector<Vertex_id> vertices;
+
+    void add(const Block& block) {
+      for (const Triangle_id t : block.mesh.triangles.ids())
+        if (block.mesh.is_alive(t)) triangles.push_back(block.whole_triangle(t));
+      for (const Vertex_id v : block.mesh.points.ids())
+        if (block.whole_vertex(v).is_valid()) vertices.push_back(block.whole_vertex(v));
+    }
+  };
+
   using Fan = typename Block::Fan;
 
   /// How many rings around a triangle are shared at once where flips come to one that is not.
@@ -140,7 +153,7 @@ private:
   Corner_places<ConcurrencyTag, Geometry> corner_places_{whole_};
   Held held_{exchange_, whole_.mesh};
   Corners_of_parts<Exchange, Geometry> corners_{exchange_, held_, whole_};
-  Block_assignment assignment_; // what is not around the blocks at hand is not written
+  Block_assignment assignment_; // of what is in the blocks at hand
   std::size_t own_dead_ = 0;
   std::size_t triangles_of_round_ = 0; // in this part's blocks, before they are refined
   std::atomic<std::size_t> triangles_done_{0};
@@ -196,10 +209,7 @@ private:
     const Parcels inbox = exchange_.exchange(std::move(outbox));
     held_.scatter([&](Triangle_id t) { return static_cast<int>(part_of[t.value()]); }, for_all,
                   vertex_budget_);
-    Shared_work work = work_of_bytes(inbox.front().bytes);
-    make_room_for_assignment();
-    clear_around(work.own);
-    return work;
+    return work_of_bytes(inbox.front().bytes);
   }
 
   static Bytes bytes_of_work(const Block_cut& cut,
@@ -246,8 +256,7 @@ private:
     const Block_cut cut = cuts_.of_zone(zone.triangles(), round);
     Shared_work work;
     work.number_of_blocks = cut.size(), work.number_in_blocks = cut.members.size();
-    make_room_for_assignment();
-    clear_around(cut);
+    assignment_ = Block_assignment::for_few(whole_.mesh);
     assign(cut, 0);
     const std::vector<std::size_t> first_of_part = first_blocks(cut.first);
     const auto rank = static_cast<std::size_t>(exchange_.rank());
@@ -255,7 +264,6 @@ private:
     const std::size_t end = first_of_part[rank + 1];
     work.owned.resize(end - work.begin);
     share_out_corners(zone, work);
-    for (const Triangle_id t : cut.members) assignment_.of_triangle[t] = {};
     for (std::size_t b = work.begin; b <= end; ++b)
       work.own.first.push_back(cut.first[b] - cut.first[work.begin]);
     work.own.members.assign(cut.members.begin() + std::ptrdiff_t(cut.first[work.begin]),
@@ -290,30 +298,14 @@ private:
 
   // ---- where triangles are in blocks
 
-  void make_room_for_assignment() {
-    assignment_.of_triangle.resize(whole_.mesh.triangles.size());
-    assignment_.of_vertex.resize(whole_.mesh.number_of_vertices());
-  }
-
-  /// What is next to the blocks, known at their vertices or at those of corners, is in none.
-  void clear_around(const Block_cut& cut) {
-    const auto clear = [this](Triangle_id t) {
-      if (t.is_valid() && assignment_.of_triangle.has(t)) assignment_.of_triangle[t] = {};
-    };
-    for (const Triangle_id t : cut.members) {
-      const auto& r = whole_.mesh.triangle(t);
-      for (const Side o : r.side)
-        if (!o.is_border()) clear(o.triangle());
-      for (const Vertex_id v : r.v) clear(whole_.mesh.incident_triangle(v)), assignment_.of_vertex[v] = {};
-    }
-    for (const Vertex_id v : corners_.vertices()) clear(whole_.mesh.incident_triangle(v));
-  }
-
   void assign(const Block_cut& cut, std::size_t first_block) {
     for (std::size_t b = 0; b < cut.size(); ++b)
-      for (std::size_t i = cut.first[b]; i < cut.first[b + 1]; ++i)
-        assignment_.of_triangle[cut.members[i]] = {static_cast<Block_id>(first_block + b),
-                                                   static_cast<Triangle_id>(i - cut.first[b])};
+      for (std::size_t i = cut.first[b]; i < cut.first[b + 1]; ++i) {
+        const Triangle_id t = cut.members[i];
+        assignment_.set(t,
+                        {static_cast<Block_id>(first_block + b), static_cast<Triangle_id>(i - cut.first[b])});
+        for (const Vertex_id v : whole_.mesh.triangle(t).v) assignment_.vertex_in_block(v) = {};
+      }
   }
 
   // ---- the work of a round
@@ -324,6 +316,7 @@ private:
     const Block_work<Geometry> work(whole_.problem, finishing_,
                                     is_first_round() ? finishing_.thinnings_of_blocks : 0);
     const std::size_t room = vertex_budget_ - std::min(vertex_budget_, whole_.mesh.number_of_vertices());
+    assignment_ = Block_assignment::for_few(whole_.mesh);
     assign(round.own, round.begin);
     std::vector<std::unique_ptr<Block>> blocks(n);
     std::vector<std::vector<Triangle_id>> left(n);
@@ -339,6 +332,7 @@ private:
     name_new(round, blocks);
     std::vector<Corner_id> corners;
     std::vector<Triangle_id> left_by_all;
+    Made made;
     for (std::size_t b = 0; b < n; ++b) {
       Block& block = *blocks[b];
       block.write(whole_.mesh);
@@ -346,14 +340,14 @@ private:
       corners.insert(corners.end(), round.owned[b].begin(), round.owned[b].end());
       for (const Triangle_id t : left[b])
         if (block.mesh.is_alive(t)) left_by_all.push_back(block.whole_triangle(t));
+      if (is_first_round())
+        keep(block);
+      else
+        made.add(block);
+      block.release();
     }
-    if (is_first_round())
-      keep(blocks);
-    else
-      tell(blocks);
+    if (!is_first_round()) tell(made);
     corners_.tell(corners);
-    for (auto& block : blocks) block->release();
-    for (const Triangle_id t : round.own.members) assignment_.of_triangle[t] = {};
     tell_fans_and_dead(blocks);
     rounds_.waiting = tell_all(exchange_, left_by_all);
     put_together(blocks);
@@ -377,30 +371,20 @@ private:
   }
 
   /// After the first round: what a part has made is its own.
-  void keep(const std::vector<std::unique_ptr<Block>>& blocks) {
-    for (const auto& block : blocks) {
-      for (const Triangle_id t : block->mesh.triangles.ids())
-        if (block->mesh.is_alive(t))
-          held_.set_private(block->whole_triangle(t));
-        else
-          held_.set_absent(block->whole_triangle(t));
-      for (const Vertex_id v : block->mesh.points.ids()) held_.set_has(block->whole_vertex(v));
-    }
+  void keep(const Block& block) {
+    for (const Triangle_id t : block.mesh.triangles.ids())
+      if (block.mesh.is_alive(t))
+        held_.set_private(block.whole_triangle(t));
+      else if (block.whole_triangle(t).is_valid())
+        held_.set_absent(block.whole_triangle(t));
+    for (const Vertex_id v : block.mesh.points.ids())
+      if (block.whole_vertex(v).is_valid()) held_.set_has(block.whole_vertex(v));
   }
 
   /// In a zone: all get what a part has made of its blocks.
-  void tell(const std::vector<std::unique_ptr<Block>>& blocks) {
-    std::vector<Triangle_id> triangles;
-    std::vector<Vertex_id> vertices;
-    for (const auto& block : blocks) {
-      for (const Triangle_id t : block->mesh.triangles.ids())
-        if (block->mesh.is_alive(t)) triangles.push_back(block->whole_triangle(t));
-      for (const Vertex_id v : block->mesh.points.ids()) {
-        vertices.push_back(block->whole_vertex(v));
-        held_.set_has(vertices.back());
-      }
-    }
-    held_.tell(triangles, vertices);
+  void tell(const Made& made) {
+    for (const Vertex_id v : made.vertices) held_.set_has(v);
+    held_.tell(made.triangles, made.vertices);
   }
 
   /// What several blocks may write: the last of them decides.

@@ -14,6 +14,7 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_MESH_BLOCK_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_MESH_BLOCK_H
 
+#include <CGAL/Quadtree_mesh_2/internal/base/Sparse_values.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/group_in_order.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/reserve_in_parallel.h>
@@ -22,7 +23,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -33,28 +33,57 @@ namespace internal {
 using Block_id = Index<struct Block_tag>;
 
 /// Where the triangles and vertices of the whole mesh go. Once the blocks are put together, nothing is in any.
-struct Block_assignment {
+class Block_assignment {
+public:
   struct Place {
     Block_id block; ///< or none
     Triangle_id triangle;
   };
-  Uninitialized_indexed_vector<Triangle_id, Place> of_triangle;
+
+  /// For any number of triangles, once they are covered.
+  Block_assignment() = default;
+  /// For few of the triangles of a mesh: each has to be set once by one thread, before others set it or its vertices.
+  template <class Mesh>
+  static Block_assignment for_few(const Mesh& mesh) {
+    Block_assignment assignment;
+    assignment.is_for_few_ = true;
+    assignment.of_few_triangles_ = Few_triangles(mesh.triangles.size());
+    assignment.of_few_vertices_ = Few_vertices(mesh.number_of_vertices());
+    return assignment;
+  }
+
+  Place operator[](Triangle_id t) const { return is_for_few_ ? of_few_triangles_[t] : of_triangle_[t]; }
+  void set(Triangle_id t, Place place) { (is_for_few_ ? of_few_triangles_.at(t) : of_triangle_[t]) = place; }
   /// The handle of a vertex in the block of the triangle that the whole mesh knows at it. Written and read by that
   /// block alone.
-  Uninitialized_indexed_vector<Vertex_id, Vertex_id> of_vertex;
-
-  const Place& operator[](Triangle_id t) const { return of_triangle[t]; }
+  Vertex_id& vertex_in_block(Vertex_id v) { return is_for_few_ ? of_few_vertices_.at(v) : of_vertex_[v]; }
   /// Whether a block has made the triangle, one that is written already.
-  bool is_new(Triangle_id t) const { return !of_triangle.has(t); }
+  bool is_new(Triangle_id t) const { return is_for_few_ ? !of_few_triangles_.has(t) : !of_triangle_.has(t); }
+
+  void prefetch_place(Triangle_id t) const {
+    if (!is_for_few_) prefetch(of_triangle_.data() + t.value());
+  }
+  void prefetch_place(Vertex_id v) const {
+    if (!is_for_few_) prefetch(of_vertex_.data() + v.value());
+  }
 
   /// Makes room for what a mesh has got since.
   template <class ConcurrencyTag, class Mesh>
   void cover(const Mesh& mesh) {
-    append_none<ConcurrencyTag>(of_triangle, mesh.triangles);
-    append_none<ConcurrencyTag>(of_vertex, mesh.points);
+    append_none<ConcurrencyTag>(of_triangle_, mesh.triangles);
+    append_none<ConcurrencyTag>(of_vertex_, mesh.points);
   }
 
 private:
+  using Few_triangles = Sparse_values<Triangle_id, Place>;
+  using Few_vertices = Sparse_values<Vertex_id, Vertex_id>;
+
+  Uninitialized_indexed_vector<Triangle_id, Place> of_triangle_;
+  Uninitialized_indexed_vector<Vertex_id, Vertex_id> of_vertex_;
+  bool is_for_few_ = false;
+  Few_triangles of_few_triangles_;
+  Few_vertices of_few_vertices_;
+
   template <class ConcurrencyTag, class Places, class Values>
   static void append_none(Places& places, const Values& values) {
     const std::size_t begin = places.size();
@@ -107,7 +136,7 @@ public:
   Vertex_id vertex_in_block(Vertex_id whole_vertex) const {
     const Triangle_id t = whole_->incident_triangle(whole_vertex);
     if (!t.is_valid() || assignment_->is_new(t)) return {};
-    if ((*assignment_)[t].block == id_) return assignment_->of_vertex[whole_vertex];
+    if ((*assignment_)[t].block == id_) return assignment_->vertex_in_block(whole_vertex);
     const auto i = std::lower_bound(foreign_.begin(), foreign_.end(), whole_vertex,
                                     [](const Foreign& f, Vertex_id v) { return f.whole < v; });
     return i != foreign_.end() && i->whole == whole_vertex ? i->here : Vertex_id();
@@ -123,19 +152,32 @@ public:
 
   // ---- putting back
 
-  /// How many triangles and vertices the whole mesh has to get for this block.
-  std::size_t number_of_new_triangles() const { return mesh.triangles.size() - taken_.size(); }
-  std::size_t number_of_new_vertices() const { return mesh.number_of_vertices() - whole_vertex_.size(); }
-
-  /// The handles in the whole mesh: those taken out keep theirs, new ones get the next from these on.
-  void name_new(Triangle_id first_triangle, Vertex_id first_vertex) {
-    whole_triangle_.resize(mesh.triangles.size());
-    std::iota(std::copy(taken_.begin(), taken_.end(), whole_triangle_.begin()), whole_triangle_.end(),
-              first_triangle);
-    const auto known = static_cast<std::ptrdiff_t>(whole_vertex_.size());
-    whole_vertex_.resize(mesh.number_of_vertices());
-    std::iota(whole_vertex_.begin() + known, whole_vertex_.end(), first_vertex);
+  /// How many triangles and vertices the whole mesh has to get for this block: what came and went does not count.
+  std::size_t number_of_new_triangles() const {
+    std::size_t number = 0;
+    for (const Triangle_id t : new_triangles()) number += mesh.is_alive(t) ? 1 : 0;
+    return number;
   }
+  std::size_t number_of_new_vertices() const {
+    std::size_t number = 0;
+    for (const Vertex_id v : new_vertices()) number += is_to_be_named(v) ? 1 : 0;
+    return number;
+  }
+
+  /// The handles in the whole mesh: those taken out keep theirs, new ones get the next from these on, in their order.
+  void name_new(Triangle_id first_triangle, Vertex_id first_vertex) {
+    first_new_triangle_ = first_triangle;
+    whole_triangle_.resize(mesh.triangles.size());
+    std::copy(taken_.begin(), taken_.end(), whole_triangle_.begin());
+    for (const Triangle_id t : new_triangles())
+      if (mesh.is_alive(t)) whole_triangle_[t] = first_triangle, ++first_triangle;
+    const Id_range<Vertex_id> vertices = new_vertices();
+    whole_vertex_.resize(mesh.number_of_vertices());
+    for (const Vertex_id v : vertices)
+      if (is_to_be_named(v)) whole_vertex_[v] = first_vertex, ++first_vertex;
+  }
+  Triangle_id first_new_triangle() const { return first_new_triangle_; }
+  /// None for what came and went.
   Triangle_id whole_triangle(Triangle_id t) const { return whole_triangle_[t]; }
   Vertex_id whole_vertex(Vertex_id v) const { return whole_vertex_[v]; }
 
@@ -146,8 +188,8 @@ public:
     for (const Vertex_id v : shared_)
       fans_.push_back({whole_vertex(v), whole_triangle(mesh.incident_triangle(v))});
     for (const Vertex_id v : mesh.points.ids()) {
-      if (is_shared(v)) continue;
       const Vertex_id w = whole_vertex(v);
+      if (is_shared(v) || !w.is_valid()) continue;
       whole.points[w] = mesh.point(v);
       whole.role_of[w] = mesh.role(v);
       whole.is_dirty[w] = mesh.is_dirty[v];
@@ -159,7 +201,7 @@ public:
   /// \returns the mesh, emptied, whose memory another block may use
   Mesh release() {
     for (std::size_t v = 0; v < own_vertices_; ++v)
-      assignment_->of_vertex[whole_vertex_[static_cast<Vertex_id>(v)]] = {};
+      assignment_->vertex_in_block(whole_vertex_[static_cast<Vertex_id>(v)]) = {};
     whole_triangle_ = {}, whole_vertex_ = {}, foreign_ = {}, is_shared_ = {}, shared_ = {};
     mesh.clear();
     return std::exchange(mesh, Mesh());
@@ -199,6 +241,14 @@ private:
   std::vector<Vertex_id> shared_;
   std::vector<Fan> fans_; // of the shared ones
   std::vector<Triangle_id> dead_;
+  Triangle_id first_new_triangle_; // its handle in the whole mesh
+
+  Id_range<Triangle_id> new_triangles() const { return {taken_.size(), mesh.triangles.size()}; }
+  /// \pre they have no names yet
+  Id_range<Vertex_id> new_vertices() const { return {whole_vertex_.size(), mesh.number_of_vertices()}; }
+
+  /// Whether a new vertex gets a handle. Corners may know one on an edge after it is gone.
+  bool is_to_be_named(Vertex_id v) const { return mesh.is_used(v) || !mesh.is_free(v); }
 
   bool is_shared(Vertex_id v) const { return is_shared_.has(v) && is_shared_[v] != 0; }
 
@@ -214,9 +264,9 @@ private:
   void prefetch_places(Triangle_id t) const {
     const auto& r = whole_->triangle(t);
     for (const Vertex_id v : r.v)
-      prefetch(whole_->triangle_of.data() + v.value()), prefetch(assignment_->of_vertex.data() + v.value());
+      prefetch(whole_->triangle_of.data() + v.value()), assignment_->prefetch_place(v);
     for (const Side o : r.side)
-      if (!o.is_border()) prefetch(assignment_->of_triangle.data() + o.triangle().value());
+      if (!o.is_border()) assignment_->prefetch_place(o.triangle());
   }
 
   void take(Triangle_id t, Triangle_id here) {
@@ -230,7 +280,7 @@ private:
         to.side[k] = o;
         continue;
       }
-      const Block_assignment::Place& place = (*assignment_)[o.triangle()];
+      const Block_assignment::Place place = (*assignment_)[o.triangle()];
       if (place.block == id_) {
         to.side[k] = o.renamed(place.triangle);
       } else {
@@ -245,7 +295,7 @@ private:
       foreign_.push_back({whole_vertex, {}, here, slot});
       return {};
     }
-    Vertex_id& v = assignment_->of_vertex[whole_vertex];
+    Vertex_id& v = assignment_->vertex_in_block(whole_vertex);
     if (!v.is_valid()) {
       v = add_known_vertex(whole_vertex);
       mesh.triangle_of[v] = here;
@@ -286,6 +336,7 @@ private:
     for (const Triangle_id t : mesh.triangles.ids()) {
       const Triangle_id w = whole_triangle(t);
       if (!mesh.is_alive(t)) {
+        if (!w.is_valid()) continue;
         whole.triangle(w) = {}; // passes over all triangles read it, ahead of asking whether it is alive
         dead_.push_back(w);
         continue;

@@ -131,7 +131,7 @@ public:
     for (const auto& block : blocks_) block->write_shared(whole_);
     seam_sides_ = link_seams<ConcurrencyTag>(whole_, halves_of_seams());
     for_each_index<ConcurrencyTag>(cut_.members.size(),
-                                   [&](std::size_t i) { assignment_.of_triangle[cut_.members[i]] = {}; });
+                                   [&](std::size_t i) { assignment_.set(cut_.members[i], {}); });
   }
 
   /// Those of a block that is written.
@@ -161,8 +161,8 @@ private:
     assignment_.template cover<ConcurrencyTag>(whole_);
     Executor<ConcurrencyTag>::run(size(), [&](std::size_t b) {
       for (std::size_t i = cut_.first[b]; i < cut_.first[b + 1]; ++i)
-        assignment_.of_triangle[cut_.members[i]] = {static_cast<Block_id>(b),
-                                                    static_cast<Triangle_id>(i - cut_.first[b])};
+        assignment_.set(cut_.members[i],
+                        {static_cast<Block_id>(b), static_cast<Triangle_id>(i - cut_.first[b])});
     });
   }
 
