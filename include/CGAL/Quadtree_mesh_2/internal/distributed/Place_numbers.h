@@ -137,11 +137,13 @@ private:
 template <class Exchange, class Point>
 class Place_numberer {
 public:
-  Place_numberer(Exchange& exchange, const std::vector<Placed_vertex<Point>>& own)
-      : exchange_(exchange), own_(own), grid_(agree_on_box(exchange, box_of_own())) {}
+  Place_numberer(Exchange& exchange, std::vector<Placed_vertex<Point>> own)
+      : exchange_(exchange), own_(std::move(own)), grid_(agree_on_box(exchange, box_of_own())) {}
 
   std::vector<std::int64_t> numbers() {
-    Parcels inbox = exchange_.exchange(vertices_to_send());
+    Parcels runs = vertices_to_send();
+    own_ = {};
+    Parcels inbox = exchange_.exchange(std::move(runs));
     std::size_t bytes = 0;
     for (const Parcel& parcel : inbox) bytes += parcel.bytes.size();
     const std::int64_t first =
@@ -209,7 +211,7 @@ private:
 
   /// \param numbers of the vertices as they were sent: those of lower parts come before in the order of places
   std::vector<std::int64_t> in_order_given(const Parcels& numbers) const {
-    std::vector<std::int64_t> result(own_.size());
+    std::vector<std::int64_t> result(order_.size());
     auto i = order_.begin();
     for (const Parcel& of_part : numbers)
       for (std::size_t at = 0; at < of_part.bytes.size(); at += sizeof(std::int64_t))
@@ -218,7 +220,7 @@ private:
   }
 
   Exchange& exchange_;
-  const std::vector<Placed_vertex<Point>>& own_;
+  std::vector<Placed_vertex<Point>> own_; // until they are sent
   const Place_grid grid_;
   Order order_; // of own vertices by places
 };
@@ -228,8 +230,8 @@ private:
 /// which those with no input index are in the order of their handles. All parts call it.
 /// \pre each vertex is given by one part only, and this part gives less than 2^32
 template <class Exchange, class Point>
-std::vector<std::int64_t> numbers_by_place(Exchange& exchange, const std::vector<Placed_vertex<Point>>& own) {
-  return Place_numberer<Exchange, Point>(exchange, own).numbers();
+std::vector<std::int64_t> numbers_by_place(Exchange& exchange, std::vector<Placed_vertex<Point>> own) {
+  return Place_numberer<Exchange, Point>(exchange, std::move(own)).numbers();
 }
 
 } // namespace internal

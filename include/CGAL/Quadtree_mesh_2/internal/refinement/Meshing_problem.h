@@ -58,7 +58,9 @@ struct Meshing_problem {
   }
 
   /// Frees what is as long as the graph, for who needs it no more.
-  void forget_graph() { input_points = {}, edges = Input_edges(), outer_of_edge_ = {}; }
+  void forget_graph() {
+    input_points = {}, edges = Input_edges(), outer_of_edge_ = {}, corners = Acute_corners<Geometry>();
+  }
 
   /// \param outer the triangles outside along the border
   void set_outside(const std::vector<Outer_triangle>& outer) {

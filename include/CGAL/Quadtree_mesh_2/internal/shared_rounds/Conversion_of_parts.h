@@ -56,7 +56,7 @@ public:
   using Held = Held_mesh<Exchange, Geometry>;
   using Mesh = Distributed_mesh_2<Point_2>;
 
-  Conversion_of_parts(Exchange& exchange, Meshing_state<Geometry>& state, const Held& held, const Map& map,
+  Conversion_of_parts(Exchange& exchange, Meshing_state<Geometry>& state, Held& held, const Map& map,
                       const Input_of_parts<Point_2>& input)
       : exchange_(exchange), state_(state), held_(held), map_(map), input_(input),
         vertices_(exchange, state, held), triangles_(exchange, state, held, vertices_) {}
@@ -66,6 +66,8 @@ public:
   /// \param account of this part's triangles
   /// \param report is filled in at the first part
   Mesh run(const Triangle_account& account, Quality_mesh_report_2& report) {
+    state_.problem.input_points = {}; // all that is asked for is in the mesh
+    held_.give_back(0, state_.mesh.triangles.size(), [this](Triangle_id t) { return !held_.speaks_for(t); });
     vertices_.collect(input_.pslg, input_.order, [this](const auto& p) { return map_.to_user(p); });
     vertices_.ask_for_held();
     triangles_.find_numbers();
@@ -98,7 +100,7 @@ private:
 
   Exchange& exchange_;
   Meshing_state<Geometry>& state_;
-  const Held& held_;
+  Held& held_;
   const Map& map_;
   Input_of_parts<Point_2> input_;
   Vertices_of_parts<Exchange, Point_2, Geometry> vertices_;

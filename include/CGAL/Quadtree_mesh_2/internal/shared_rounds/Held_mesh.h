@@ -153,6 +153,18 @@ public:
     return has(v) && mesh_.is_used(v) && speaks_for(mesh_.incident_triangle(v));
   }
 
+  /// Lets go of the memory of triangles, which nobody reads any more.
+  /// \param is_needless whether a triangle is one of them, for those with handles in [begin, end)
+  template <class Is_needless>
+  void give_back(std::size_t begin, std::size_t end, const Is_needless& is_needless) {
+    std::size_t first = begin; // of the run of them that may end at t
+    for (std::size_t t = begin; t <= end; ++t) {
+      if (t < end && is_needless(Triangle_id(t))) continue;
+      give_back_pages(mesh_.triangles.data() + first, (t - first) * sizeof(typename Mesh::Triangle));
+      first = t + 1;
+    }
+  }
+
   std::size_t number_held() const { return number_[PRIVATE] + number_shared(); }
   std::size_t number_shared() const { return number_[SHARED] + number_[TOLD]; }
   /// How many triangles this part has held at once.

@@ -47,8 +47,7 @@ public:
   using Number = typename Mesh::Number;
 
   /// \pre who speaks for a triangle holds those next to it, as Tail_of_parts.h leaves it
-  Triangles_of_parts(Exchange& exchange, const Meshing_state<Geometry>& state, const Held& held,
-                     Vertices& vertices)
+  Triangles_of_parts(Exchange& exchange, const Meshing_state<Geometry>& state, Held& held, Vertices& vertices)
       : exchange_(exchange), state_(state), mesh_(state.mesh), held_(held), vertices_(vertices) {}
 
   // All parts call what follows, in this order.
@@ -105,7 +104,7 @@ public:
     return bits;
   }
 
-  /// Gives each part the triangles that it owns.
+  /// Gives each part the triangles that it owns, which are no more in the kernel's form then.
   /// \pre the numbers of all parts are known to `part`
   void ship(Mesh& part) {
     const std::size_t own = part.number_of_own_triangles();
@@ -116,6 +115,7 @@ public:
       for (const Triangle_id t : Id_range<Triangle_id>(begin, end))
         if (held_.speaks_for(t)) outbox[part.owner_of_triangle(number(t))].push_back(row(t));
       for (const Row& r : joined(exchange_records(exchange_, std::move(outbox)))) write(part, r);
+      held_.give_back(begin, end, [](Triangle_id) { return true; });
     });
   }
 
@@ -170,7 +170,7 @@ private:
   Exchange& exchange_;
   const Meshing_state<Geometry>& state_;
   const Kernel_mesh<Geometry>& mesh_;
-  const Held& held_;
+  Held& held_;
   Vertices& vertices_;
   Uninitialized_vector<std::uint32_t> numbers_; // by handle
   std::vector<Edge> edges_;

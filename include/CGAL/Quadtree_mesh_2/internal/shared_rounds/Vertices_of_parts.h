@@ -178,17 +178,17 @@ private:
 
   void find_numbers() {
     std::vector<Placed_vertex<Point>> placed;
-    std::vector<std::size_t> places;
+    placed.reserve(rows_.size());
     for (std::size_t p = 0; p < rows_.size(); ++p) {
       const Row& row = rows_[p];
       if (row.number == none) continue;
       const std::int64_t index = row.input_index == none ? -1 : std::int64_t(row.input_index);
       placed.push_back({row.place, index, owners_.handle(exchange_.rank(), p)});
-      places.push_back(p);
     }
-    const std::vector<std::int64_t> numbers = numbers_by_place<Exchange, Point>(exchange_, placed);
-    for (std::size_t i = 0; i < places.size(); ++i)
-      rows_[places[i]].number = static_cast<std::uint32_t>(numbers[i]);
+    const std::vector<std::int64_t> numbers = numbers_by_place<Exchange, Point>(exchange_, std::move(placed));
+    auto number = numbers.begin();
+    for (Row& row : rows_)
+      if (row.number != none) row.number = static_cast<std::uint32_t>(*number++);
     number_of_all_ = exchange_.sum(static_cast<std::int64_t>(numbers.size()));
   }
 
