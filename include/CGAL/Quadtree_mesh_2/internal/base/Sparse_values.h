@@ -45,6 +45,12 @@ public:
     return runs_[place][id.value() % length];
   }
 
+  /// Writes or reads them (Checkpoint_file.h).
+  template <class Archive>
+  void transfer(Archive& archive) {
+    archive(place_of_run_, runs_);
+  }
+
 private:
   static constexpr std::size_t length = 16;
   static constexpr std::uint32_t none = static_cast<std::uint32_t>(-1);

@@ -141,7 +141,7 @@ private:
     problem_.edges = Input_edges(edges, problem_.input_points.size()); // which keeps their order
     std::vector<Outer_triangle> outer;
     for (const Edge_id e : whole_edges_)
-      if (const Outer_triangle& t = whole.outer_triangle(e); t.apex.is_valid())
+      if (const Outer_triangle t = whole.outer_triangle(e); t.apex.is_valid())
         outer.push_back({number(t.a), number(t.b), number(t.apex)});
     problem_.set_outside(outer);
   }

@@ -47,7 +47,7 @@ inline bool has_ring(const Input_edges& edges, std::size_t number_of_vertices) {
 inline std::vector<Vertex_index> open_ends(const Input_edges& edges, const Order& order) {
   std::vector<Vertex_index> ends;
   for (std::size_t v = 0; v < order.size(); ++v)
-    if (edges.end(Vertex_id(v)) - edges.begin(Vertex_id(v)) == 1) ends.push_back(Vertex_index(order[v]));
+    if (edges.at(Vertex_id(v)).size() == 1) ends.push_back(Vertex_index(order[v]));
   std::sort(ends.begin(), ends.end());
   return ends;
 }

@@ -24,6 +24,7 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_ACUTE_CORNERS_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_ACUTE_CORNERS_H
 
+#include <CGAL/Quadtree_mesh_2/internal/base/Sparse_values.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Shells.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Input_edges.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Kernel_mesh.h>
@@ -121,7 +122,7 @@ public:
   Indexed_vector<Corner_id, Corner> corners;
   /// Per input edge, the leg it is seen from its end a, from its end b; none where the corner has no lopped
   /// sector.
-  Indexed_vector<Edge_id, std::array<Leg_id, 2>> legs_of_edge;
+  Sparse_values<Edge_id, std::array<Leg_id, 2>> legs_of_edge;
   /// Per input vertex: a domain sector below 60 degrees lies at it.
   Indexed_vector<Vertex_id, char> is_acute;
 
@@ -135,7 +136,7 @@ public:
 
   void prepare(const Input_edges& edges, std::size_t number_of_input_vertices) {
     edges_ = &edges;
-    legs_of_edge.assign(edges.size(), {});
+    legs_of_edge = Sparse_values<Edge_id, std::array<Leg_id, 2>>(edges.size());
     is_acute.assign(number_of_input_vertices, 0);
     on_leg_.assign(number_of_input_vertices, 0);
   }
@@ -162,7 +163,7 @@ public:
 
   Leg_id add_leg(Leg leg) {
     const Leg_id l = legs.end_id();
-    legs_of_edge[leg.edge][(*edges_)[leg.edge].a == leg.apex ? 0 : 1] = l;
+    legs_of_edge.at(leg.edge)[(*edges_)[leg.edge].a == leg.apex ? 0 : 1] = l;
     on_leg_[leg.apex] = on_leg_[leg.far] = 1;
     legs.push_back(std::move(leg));
     return l;
@@ -231,9 +232,8 @@ public:
         for (const Leg_id l : legs_of_edge[e])
           if (is_wanted(l, y)) return;
       } else if (mesh.is_input(x)) {
-        const Vertex_id number = mesh.input_number(x);
-        for (const auto* i = edges_->begin(number); i != edges_->end(number); ++i)
-          if (is_wanted(leg_at(mesh, i->neighbor, x), y)) return;
+        for (const auto incidence : edges_->at(mesh.input_number(x)))
+          if (is_wanted(leg_at(mesh, incidence.neighbor, x), y)) return;
       }
     }
   }

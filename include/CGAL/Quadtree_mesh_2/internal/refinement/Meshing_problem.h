@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace CGAL {
@@ -68,15 +69,21 @@ struct Meshing_problem {
     for_each_index<Chosen_tag>(edges.size(),
                                [this](std::size_t e) { outer_of_edge_[static_cast<Edge_id>(e)] = {}; });
     for_each_index<Chosen_tag>(outer.size(), [&](std::size_t i) { // no two are at one edge
-      outer_of_edge_[edges.between(outer[i].a, outer[i].b)] = outer[i];
+      const auto& [a, b, apex] = outer[i];
+      outer_of_edge_[edges.between(a, b)] = {apex, b < a};
     });
   }
 
   /// The input vertex that faces an edge at the border from the outside, if there is one.
-  Vertex_id outer_vertex(Edge_id e) const { return outer_of_edge_[e].apex; }
+  Vertex_id outer_vertex(Edge_id e) const { return outer_of_edge_[e].apex(); }
 
   /// The triangle outside at an edge of the border; one without an apex if there is none.
-  const Outer_triangle& outer_triangle(Edge_id e) const { return outer_of_edge_[e]; }
+  Outer_triangle outer_triangle(Edge_id e) const {
+    const Outer& outer = outer_of_edge_[e];
+    const Input_edge& edge = edges[e];
+    return outer.is_from_greater() ? Outer_triangle{edge.b, edge.a, outer.apex()}
+                                   : Outer_triangle{edge.a, edge.b, outer.apex()};
+  }
 
   /// Whether p, a rounded point of an edge, stays clear of what is outside of the border. The mesh does not know it.
   bool is_clear_of_outside(Edge_id e, const typename Geometry::Point& p) const {
@@ -84,15 +91,31 @@ struct Meshing_problem {
       static_cast<void>(e), static_cast<void>(p); // what is made on an edge lies on it
       return true;
     } else {
-      const Outer_triangle& t = outer_of_edge_[e];
-      if (!t.apex.is_valid()) return true;
+      if (!outer_vertex(e).is_valid()) return true;
+      const Outer_triangle t = outer_triangle(e);
       const auto &a = input_point(t.a), &b = input_point(t.b);
       return Edge_room<Geometry>(a, b, input_point(t.apex)).has(a, b, p);
     }
   }
 
 private:
-  Uninitialized_indexed_vector<Edge_id, Outer_triangle>
+  /// What an edge does not say of the triangle outside, in 4 bytes.
+  class Outer {
+  public:
+    Outer() = default;
+    Outer(Vertex_id apex, bool is_from_greater)
+        : bits_(apex.value() << 1 | static_cast<std::uint32_t>(is_from_greater)) {}
+
+    Vertex_id apex() const { return bits_ == none ? Vertex_id() : Vertex_id(bits_ >> 1); }
+    /// Whether the outside is on the left of the way from the edge's greater vertex to the other.
+    bool is_from_greater() const { return (bits_ & 1) != 0; }
+
+  private:
+    static constexpr std::uint32_t none = static_cast<std::uint32_t>(-1);
+    std::uint32_t bits_ = none;
+  };
+
+  Uninitialized_indexed_vector<Edge_id, Outer>
       outer_of_edge_; // none where it is not at the border, or has nothing beyond
 };
 

@@ -163,8 +163,7 @@ private:
         look_at(whole_.mesh.edge(v));
         continue;
       }
-      const Vertex_id number = whole_.mesh.input_number(v);
-      for (const auto* i = whole_.edges.begin(number); i != whole_.edges.end(number); ++i) look_at(i->edge);
+      for (const auto incidence : whole_.edges.at(whole_.mesh.input_number(v))) look_at(incidence.edge);
     }
     sort_and_drop_equal(found);
     return found;

@@ -70,10 +70,14 @@ public:
     held_.give_back(0, state_.mesh.triangles.size(), [this](Triangle_id t) { return !held_.speaks_for(t); });
     vertices_.collect(input_.pslg, input_.order, [this](const auto& p) { return map_.to_user(p); });
     vertices_.ask_for_held();
+    const std::int64_t used = number_of_own_used_vertices();
+    const Suspects suspects = look_at(account.suspects);
+    forget_places();
     triangles_.find_numbers();
-    count(account, report);
-    report_suspects(account.suspects, report);
+    count(account, used, report);
+    report_suspects(suspects, report);
     vertices_.offer(triangles_.find_edges(segment_markers()));
+    state_.mesh.role_of = {};
     state_.problem.forget_graph();
     vertices_.ask_for(triangles_.outer_vertices());
     Mesh part = description();
@@ -97,6 +101,10 @@ private:
     std::uint32_t number;
     Vertex_id corner;
   };
+  struct Suspects {
+    std::vector<Unmet> unmet;
+    std::vector<Exempt> exempt;
+  };
 
   Exchange& exchange_;
   Meshing_state<Geometry>& state_;
@@ -118,14 +126,18 @@ private:
 
   // ---- the report
 
-  void count(const Triangle_account& account, Quality_mesh_report_2& report) {
+  std::int64_t number_of_own_used_vertices() const {
+    std::int64_t used = 0;
+    for (const Vertex_id v : state_.mesh.points.ids()) used += held_.speaks_for(v) ? 1 : 0;
+    return used;
+  }
+
+  void count(const Triangle_account& account, std::int64_t used, Quality_mesh_report_2& report) {
     std::array<std::size_t, 60> least{};
     std::array<std::size_t, 120> largest{};
     account.angles.add_to(least, largest);
     Numbers numbers(least.begin(), least.end());
     numbers.insert(numbers.end(), largest.begin(), largest.end());
-    std::int64_t used = 0;
-    for (const Vertex_id v : state_.mesh.points.ids()) used += held_.speaks_for(v) ? 1 : 0;
     numbers.push_back(used);
     exchange_.sum(numbers);
     // What flips take away may be more than the first part has: counts are right by modulus.
@@ -137,16 +149,29 @@ private:
     report.triangles = static_cast<std::size_t>(triangles_.number_of_all());
   }
 
-  /// In the order of handles, as one memory lists them.
-  void report_suspects(const std::vector<Triangle_id>& suspects, Quality_mesh_report_2& report) {
+  /// Triangles that miss a bound, but for their numbers.
+  Suspects look_at(const std::vector<Triangle_id>& triangles) const {
     const Bound_reporter<Traits> reporter(state_, map_, std::nullopt);
+    Suspects suspects;
+    for (const Triangle_id t : triangles)
+      if (reporter.is_excused(t))
+        suspects.exempt.push_back({t, 0, reporter.excusing_corner(t)});
+      else
+        suspects.unmet.push_back({t, reporter.unmet(t, Triangle_index(), Edge_id())});
+    return suspects;
+  }
+
+  /// In the order of handles, as one memory lists them.
+  void report_suspects(const Suspects& suspects, Quality_mesh_report_2& report) {
     Records_of_parts<Unmet> unmet;
     Records_of_parts<Exempt> exempt;
-    for (const Triangle_id t : suspects) {
-      if (reporter.is_excused(t))
-        exempt[0].push_back({t, triangles_.number(t), reporter.excusing_corner(t)});
-      else
-        unmet[0].push_back({t, reporter.unmet(t, Triangle_index(triangles_.number(t)), Edge_id())});
+    for (Unmet u : suspects.unmet) {
+      u.entry.triangle = Triangle_index(triangles_.number(u.handle));
+      unmet[0].push_back(u);
+    }
+    for (Exempt e : suspects.exempt) {
+      e.number = triangles_.number(e.handle);
+      exempt[0].push_back(e);
     }
     for (const Exempt& e : in_order(joined(exchange_records(exchange_, std::move(exempt)))))
       report.exempt_triangles.push_back(
@@ -154,6 +179,13 @@ private:
     for (const Unmet& u : in_order(joined(exchange_records(exchange_, std::move(unmet)))))
       report.unmet_triangles.push_back(u.entry);
   }
+
+  /// Of the mesh, only the names of triangles' vertices and edges are asked for from now on.
+  void forget_places() {
+    Kernel_mesh<Geometry>& mesh = state_.mesh;
+    mesh.points = {}, mesh.triangle_of = {}, mesh.is_dirty = {};
+  }
+
   template <class Record>
   static std::vector<Record> in_order(std::vector<Record> records) {
     std::sort(records.begin(), records.end(),

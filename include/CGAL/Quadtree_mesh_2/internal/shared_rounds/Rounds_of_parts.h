@@ -139,6 +139,7 @@ private:
     }
   };
 
+  using Corners_of_blocks = typename Corner_places<ConcurrencyTag, Geometry>::Corners_of_blocks;
   using Fan = typename Block::Fan;
 
   /// How many rings around a triangle are shared at once where flips come to one that is not.
@@ -187,17 +188,14 @@ private:
   /// Part 0 cuts the mesh and gives each part what is in its blocks. Triangles in no block go in runs of handles.
   Shared_work first_work() {
     Parcels outbox;
-    std::vector<std::uint32_t> part_of;
+    Uninitialized_vector<std::uint32_t> part_of;
     std::vector<Vertex_id> for_all;
     if (exchange_.rank() == 0) {
       const auto parts = static_cast<std::size_t>(exchange_.size()), slots = whole_.mesh.triangles.size();
-      Block_assignment assignment;
-      Mesh_blocks<ConcurrencyTag, Geometry> blocks(whole_.mesh, assignment, cuts_.first());
-      const auto owned = corner_places_.by_block(blocks);
-      const Block_cut& cut = blocks.cut();
+      const auto [cut, owned] = first_cut();
       const std::vector<std::size_t> first_of_part = first_blocks(cut.first);
-      for (std::size_t i = 0; i < slots; ++i)
-        part_of.push_back(static_cast<std::uint32_t>(i * parts / slots));
+      part_of.resize(slots);
+      for (std::size_t i = 0; i < slots; ++i) part_of[i] = static_cast<std::uint32_t>(i * parts / slots);
       for (std::size_t p = 0; p < parts; ++p) {
         for (std::size_t b = first_of_part[p]; b < first_of_part[p + 1]; ++b)
           for (const Triangle_id t : cut[b]) part_of[t.value()] = static_cast<std::uint32_t>(p);
@@ -212,9 +210,16 @@ private:
     return work_of_bytes(inbox.front().bytes);
   }
 
-  static Bytes bytes_of_work(const Block_cut& cut,
-                             const typename Corner_places<ConcurrencyTag, Geometry>::Corners_of_blocks& owned,
-                             std::size_t begin, std::size_t end) {
+  /// The blocks of the whole mesh, and the corners of each.
+  std::pair<Block_cut, Corners_of_blocks> first_cut() {
+    Block_assignment assignment;
+    Mesh_blocks<ConcurrencyTag, Geometry> blocks(whole_.mesh, assignment, cuts_.first());
+    Corners_of_blocks owned = corner_places_.by_block(blocks);
+    return {blocks.take_cut(), std::move(owned)};
+  }
+
+  static Bytes bytes_of_work(const Block_cut& cut, const Corners_of_blocks& owned, std::size_t begin,
+                             std::size_t end) {
     Archive_writer archive;
     archive(cut.size()), archive(cut.members.size()), archive(begin);
     std::vector<std::size_t> first;

@@ -200,9 +200,9 @@ private:
     const Triangle_id t = triangle_toward(p, nearest.end, triangles_[nearest.edge]);
     if (t.is_valid()) return t;
     // Where parts of the domain touch, they have borders of their own.
-    for (const auto* i = problem_.edges.begin(nearest.end); i != problem_.edges.end(nearest.end); ++i) {
-      const auto& pair = triangles_[i->edge];
-      if (i->edge == nearest.edge || pair.left.is_border() == pair.right.is_border()) continue;
+    for (const auto incidence : problem_.edges.at(nearest.end)) {
+      const auto& pair = triangles_[incidence.edge];
+      if (incidence.edge == nearest.edge || pair.left.is_border() == pair.right.is_border()) continue;
       if (const Triangle_id u = triangle_toward(p, nearest.end, pair); u.is_valid()) return u;
     }
     return {};

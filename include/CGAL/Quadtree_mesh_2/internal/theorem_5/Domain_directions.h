@@ -45,15 +45,15 @@ public:
     const double turned = std::atan2(direction.y, direction.x);
     double least = std::numeric_limits<double>::infinity();
     bool is_domain = true;
-    for (auto i = problem_.edges.begin(v); i != problem_.edges.end(v); ++i) {
-      const bool is_first = problem_.edges[i->edge].a == v;
-      const Vector d = is_first ? along(i->edge) : -1.0 * along(i->edge);
-      if (dot(d, direction) > 0 && are_parallel(d, direction)) return is_domain_beside(i->edge);
+    for (const auto [neighbor, edge] : problem_.edges.at(v)) {
+      const bool is_first = v < neighbor;
+      const Vector d = is_first ? along(edge) : -1.0 * along(edge);
+      if (dot(d, direction) > 0 && are_parallel(d, direction)) return is_domain_beside(edge);
       double angle = turned - std::atan2(d.y, d.x);
       if (angle < 0) angle += 2 * CGAL_PI;
       if (angle >= least) continue;
       least = angle;
-      is_domain = is_first ? sides_.is_domain_on_left(i->edge) : sides_.is_domain_on_right(i->edge);
+      is_domain = is_first ? sides_.is_domain_on_left(edge) : sides_.is_domain_on_right(edge);
     }
     return is_domain;
   }

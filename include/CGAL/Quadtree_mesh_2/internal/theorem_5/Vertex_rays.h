@@ -41,11 +41,11 @@ template <class Geometry>
 class Vertex_rays {
 public:
   Vertex_rays(const Meshing_problem<Geometry>& problem, Vertex_id v) : vertex_(v) {
-    for (const auto* i = problem.edges.begin(v); i != problem.edges.end(v); ++i) {
-      const Vector d = Geometry::difference(problem.input_point(i->neighbor), problem.input_point(v));
+    for (const auto [neighbor, edge] : problem.edges.at(v)) {
+      const Vector d = Geometry::difference(problem.input_point(neighbor), problem.input_point(v));
       const double length = std::sqrt(squared_length(d));
       const Window_point direction{d.x / length, d.y / length};
-      rays_.push_back({std::atan2(direction.y, direction.x), direction, i->edge, few_lines_});
+      rays_.push_back({std::atan2(direction.y, direction.x), direction, edge, few_lines_});
     }
     std::sort(rays_.begin(), rays_.end(),
               [](const Vertex_ray& p, const Vertex_ray& q) { return p.angle < q.angle; });

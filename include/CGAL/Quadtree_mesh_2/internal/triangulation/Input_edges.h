@@ -7,8 +7,8 @@
 // The input edges by vertex. An input edge is a piece of an input segment between consecutive input vertices.
 // Vertices are named by their input numbers, which are the same in every block.
 //
-// One array of (neighbor, edge) pairs, grouped by vertex and sorted by neighbor. It takes O(n) to make, and
-// O(log degree) to look up.
+// The edges are sorted by their lesser vertex, and then by the other. A list of them by the greater one has the other
+// edges of a vertex. It takes O(n) to make them, and O(log degree) to look up.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_INPUT_EDGES_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_INPUT_EDGES_H
@@ -34,26 +34,62 @@ public:
   struct Incidence {
     Vertex_id neighbor;
     Edge_id edge;
-    friend bool operator<(const Incidence& a, const Incidence& b) { return a.neighbor < b.neighbor; }
+  };
+
+  /// The edges at a vertex, by their other end.
+  class Incidences {
+  public:
+    class iterator {
+    public:
+      iterator(const Incidences& of, std::size_t i) : of_(&of), i_(i) {}
+      Incidence operator*() const { return (*of_)[i_]; }
+      iterator& operator++() {
+        ++i_;
+        return *this;
+      }
+      friend bool operator!=(iterator a, iterator b) { return a.i_ != b.i_; }
+
+    private:
+      const Incidences* of_;
+      std::size_t i_;
+    };
+
+    Incidences(const Input_edges& edges, Vertex_id v)
+        : edges_(edges), as_greater_(edges.first_as_greater_[v]), first_(edges.first_[v]) {
+      const Vertex_id next(v.value() + 1);
+      number_as_greater_ = edges.first_as_greater_[next] - as_greater_;
+      size_ = number_as_greater_ + edges.first_[next] - first_;
+    }
+
+    std::size_t size() const { return size_; }
+    iterator begin() const { return {*this, 0}; }
+    iterator end() const { return {*this, size_}; }
+    Incidence operator[](std::size_t i) const {
+      if (i < number_as_greater_) {
+        const Edge_id e = edges_.as_greater_[as_greater_ + i];
+        return {edges_[e].a, e};
+      }
+      const Edge_id e(first_ + (i - number_as_greater_));
+      return {edges_[e].b, e};
+    }
+
+  private:
+    const Input_edges& edges_;
+    std::size_t as_greater_, first_, number_as_greater_, size_;
   };
 
   Input_edges() = default;
 
   /// Edges get their handles in the order of their lesser vertex, `a` from now on, and then of the other.
-  Input_edges(const Input_edge_list& edges, std::size_t number_of_vertices)
-      : edges_(edges.size()), first_(number_of_vertices + 1), incidences_(2 * edges.size()) {
-    collect_incidences(edges, number_of_vertices);
-    for_each_index<Chosen_tag>(number_of_vertices, [this](std::size_t i) {
-      const Vertex_id v = static_cast<Vertex_id>(i);
-      sort_short_run(begin(v), end(v), std::less<>());
-    });
+  Input_edges(const Input_edge_list& edges, std::size_t number_of_vertices) {
     name_edges(edges, number_of_vertices);
+    list_by_greater_vertex(number_of_vertices);
   }
 
   /// Writes or reads them (Checkpoint_file.h).
   template <class Archive>
   void transfer(Archive& archive) {
-    archive(edges_, first_, incidences_);
+    archive(edges_, first_, as_greater_, first_as_greater_);
   }
 
   /// Lets each of these edges belong to the first of the segments that run there.
@@ -72,13 +108,15 @@ public:
     return (*this)[e].a == v ? (*this)[e].b : (*this)[e].a;
   }
 
-  const Incidence* begin(Vertex_id v) const { return incidences_.data() + first_[v]; }
-  const Incidence* end(Vertex_id v) const { return incidences_.data() + first_[++v]; }
+  Incidences at(Vertex_id v) const { return {*this, v}; }
 
   /// The edge between two input vertices, if there is one.
   Edge_id between(Vertex_id a, Vertex_id b) const {
-    const Incidence* i = std::lower_bound(begin(a), end(a), Incidence{b, {}});
-    return i != end(a) && i->neighbor == b ? i->edge : Edge_id();
+    if (b < a) std::swap(a, b);
+    const Input_edge* const end = edges_.data() + first_[Vertex_id(a.value() + 1)];
+    const Input_edge* const e = std::lower_bound(
+        edges_.data() + first_[a], end, b, [](const Input_edge& edge, Vertex_id v) { return edge.b < v; });
+    return e != end && e->b == b ? Edge_id(static_cast<std::size_t>(e - edges_.data())) : Edge_id();
   }
 
   /// The input edge that carries the constrained mesh edge x-y; none if it is on none (then it is a chord across a
@@ -99,58 +137,53 @@ public:
   }
 
 private:
+  using Firsts = Uninitialized_indexed_vector<Vertex_id, std::uint32_t>;
+
   Uninitialized_indexed_vector<Edge_id, Input_edge> edges_;
-  Uninitialized_indexed_vector<Vertex_id, std::uint32_t> first_; // and the end of the last one's
-  Uninitialized_vector<Incidence> incidences_;
+  Firsts first_; // of the edges of which a vertex is the lesser end; and the end of the last one's
+  Uninitialized_vector<Edge_id> as_greater_; // by the greater end, and then by the lesser one
+  Firsts first_as_greater_;
 
-  Incidence* begin(Vertex_id v) { return incidences_.data() + first_[v]; }
-  Incidence* end(Vertex_id v) { return incidences_.data() + first_[++v]; }
-
-  /// Those of a vertex in any order.
-  void collect_incidences(const Input_edge_list& edges, std::size_t number_of_vertices) {
-    Run_counters at(number_of_vertices);
-    for_each_index<Chosen_tag>(edges.size(), [&](std::size_t i) {
-      at.count(std::size_t(edges[i].a)), at.count(std::size_t(edges[i].b));
+  /// Where the runs begin, and the last one ends.
+  static Firsts firsts(const Run_counters& runs) {
+    Firsts first(runs.size() + 1);
+    first[Vertex_id(0)] = 0;
+    for_each_index<Chosen_tag>(runs.size(), [&](std::size_t v) {
+      first[static_cast<Vertex_id>(v + 1)] = static_cast<std::uint32_t>(runs.end(v));
     });
-    at.begin_placing();
-    for_each_index<Chosen_tag>(edges.size(), [&](std::size_t i) {
-      const Input_edge& e = edges[i];
-      incidences_[at.place(std::size_t(e.a))] = {e.b, static_cast<Edge_id>(i)};
-      incidences_[at.place(std::size_t(e.b))] = {e.a, static_cast<Edge_id>(i)};
-    });
-    first_[Vertex_id(0)] = 0;
-    for_each_index<Chosen_tag>(number_of_vertices, [&](std::size_t v) {
-      first_[static_cast<Vertex_id>(v + 1)] = static_cast<std::uint32_t>(at.end(v));
-    });
+    return first;
   }
 
-  /// Where the edges begin of which v is the lesser vertex.
-  Incidence* begin_of_lesser(Vertex_id v) {
-    return std::lower_bound(begin(v), end(v), v,
-                            [](const Incidence& i, Vertex_id w) { return i.neighbor < w; });
+  /// Sorts the values of each vertex.
+  template <class Value, class Less>
+  static void sort_runs(Value* values, const Firsts& first, const Less& less) {
+    for_each_index<Chosen_tag>(first.size() - 1, [&](std::size_t v) {
+      sort_short_run(values + first[Vertex_id(v)], values + first[Vertex_id(v + 1)], less);
+    });
   }
 
   void name_edges(const Input_edge_list& edges, std::size_t number_of_vertices) {
-    Uninitialized_indexed_vector<Edge_id, Edge_id> new_id(edges.size());
-    count_allocate_and_place<Chosen_tag>(
-        number_of_vertices,
-        [&](std::size_t first, std::size_t last) {
-          std::size_t count = 0;
-          for (const Vertex_id v : Id_range<Vertex_id>(first, last))
-            count += static_cast<std::size_t>(end(v) - begin_of_lesser(v));
-          return count;
-        },
-        [](std::size_t) {},
-        [&](std::size_t first, std::size_t last, std::size_t number) {
-          for (const Vertex_id v : Id_range<Vertex_id>(first, last))
-            for (const Incidence* i = begin_of_lesser(v); i != end(v); ++i, ++number) {
-              const Edge_id e = static_cast<Edge_id>(number);
-              edges_[e] = {v, i->neighbor, edges[std::size_t(i->edge)].segment};
-              new_id[i->edge] = e;
-            }
-        });
-    for_each_index<Chosen_tag>(incidences_.size(),
-                               [&](std::size_t i) { incidences_[i].edge = new_id[incidences_[i].edge]; });
+    Run_counters at(number_of_vertices);
+    const auto lesser = [](const Input_edge& e) { return std::size_t(std::min(e.a, e.b)); };
+    for_each_index<Chosen_tag>(edges.size(), [&](std::size_t i) { at.count(lesser(edges[i])); });
+    edges_.resize(at.begin_placing());
+    for_each_index<Chosen_tag>(edges.size(), [&](std::size_t i) {
+      const Input_edge& e = edges[i];
+      edges_[Edge_id(at.place(lesser(e)))] = {std::min(e.a, e.b), std::max(e.a, e.b), e.segment};
+    });
+    first_ = firsts(at);
+    sort_runs(edges_.data(), first_, [](const Input_edge& e, const Input_edge& f) { return e.b < f.b; });
+  }
+
+  void list_by_greater_vertex(std::size_t number_of_vertices) {
+    Run_counters at(number_of_vertices);
+    for_each_index<Chosen_tag>(size(), [&](std::size_t i) { at.count(std::size_t(edges_[Edge_id(i)].b)); });
+    as_greater_.resize(at.begin_placing());
+    for_each_index<Chosen_tag>(size(), [&](std::size_t i) {
+      as_greater_[at.place(std::size_t(edges_[Edge_id(i)].b))] = static_cast<Edge_id>(i);
+    });
+    first_as_greater_ = firsts(at);
+    sort_runs(as_greater_.data(), first_as_greater_, std::less<>());
   }
 };
 
