@@ -263,7 +263,7 @@ private:
       for (const Side o : mesh_.triangle(t).side) {
         if (o.is_border()) continue;
         if (!held_.is_held(o.triangle())) beyond.push_back(o.triangle());
-        if (!held_.is_private(o.triangle())) front.push_back(t);
+        if (!held_.speaks_for(o.triangle())) front.push_back(t);
       }
     }
     held_.publish(tell_all(exchange_, beyond));
