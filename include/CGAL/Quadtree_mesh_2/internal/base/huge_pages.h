@@ -73,6 +73,20 @@ inline void ask_for_small_pages(void* begin, std::size_t bytes) {
 #endif
 }
 
+/// Gives back the whole pages in a part of an array that is not read again before it is freed. A scratch file keeps its
+/// own.
+inline void release_pages(void* begin, std::size_t bytes) {
+#if defined(__linux__) && defined(MADV_HUGEPAGE)
+  static const auto page = static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE));
+  const auto first = (reinterpret_cast<std::uintptr_t>(begin) + page - 1) & ~(page - 1);
+  const auto end = (reinterpret_cast<std::uintptr_t>(begin) + bytes) & ~(page - 1);
+  if (first < end && !Scratch_arrays::has(begin))
+    madvise(reinterpret_cast<void*>(first), end - first, MADV_DONTNEED);
+#else
+  static_cast<void>(begin), static_cast<void>(bytes);
+#endif
+}
+
 /// Makes `values`, which is empty, as long as `size`, with all of its pages at once.
 template <class Vector>
 void resize_with_pages(Vector& values, std::size_t size) {
