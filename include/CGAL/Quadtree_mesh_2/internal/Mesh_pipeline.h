@@ -32,6 +32,7 @@
 #include <CGAL/Quadtree_mesh_2/Grid_point_2.h>
 #include <CGAL/Quadtree_mesh_2/Point_error.h>
 #include <CGAL/Quadtree_mesh_2/internal/Bounds_maker.h>
+#include <CGAL/Quadtree_mesh_2/internal/Domain_maker.h>
 #include <CGAL/Quadtree_mesh_2/internal/Mesh_checkpoints.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/Phase_clock.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/Progress.h>
@@ -66,8 +67,6 @@
 #include <CGAL/Quadtree_mesh_2/internal/thinning/Second_refinement.h>
 #include <CGAL/Quadtree_mesh_2/internal/thinning/Thinner.h>
 #include <CGAL/Quadtree_mesh_2/internal/thinning/thin_small_mesh.h>
-#include <CGAL/Quadtree_mesh_2/internal/triangulation/Domain_rule.h>
-#include <CGAL/Quadtree_mesh_2/internal/triangulation/First_triangulation.h>
 #include <CGAL/Quality_mesh_options_2.h>
 #include <CGAL/Quality_mesh_report_2.h>
 
@@ -103,10 +102,12 @@ public:
     report_.input_segments = pslg_.number_of_segments();
     sort_vertices();
     if (!map_.is_in_range()) throw words_.too_wide("the 2^61 of 64-bit fixed point");
-    place_points();
+    Domain_maker<Traits, ConcurrencyTag> domain(pslg_, order_, map_, words_, state_);
+    clock_.enter(&Seconds::first_mesh);
+    domain.place_points();
+    first_placed_ = pslg_.number_of_vertices();
     if (!has_gone_on_from_checkpoint()) {
-      triangulate_input();
-      find_domain();
+      domain.run(options_, report_);
       too_near_for_trees_ = check_distances<Map>(state_, words_);
       set_bounds();
       Corner_finder<ConcurrencyTag, Geometry>(state_, estimate_size()).run();
@@ -135,7 +136,6 @@ public:
   void run_rounds_by(Rounds_runner<Geometry>* runner) { runner_ = runner; } ///< with no checkpoints then
 
 private:
-  using First = First_triangulation<ConcurrencyTag, Geometry>;
   using Map = Coordinate_map<Traits, Geometry>;
   using Seconds = Quality_mesh_report_2::Seconds;
   /// Of a mesh by quadtrees that blocks have not thinned out.
@@ -182,44 +182,6 @@ private:
     throw words_.out_of_range(error);
   }
 
-  void place_points() {
-    clock_.enter(&Seconds::first_mesh);
-    auto& points = problem_.input_points;
-    points.resize(pslg_.number_of_vertices());
-    first_placed_ = points.size();
-    for_each_index<ConcurrencyTag>(points.size(), [&](std::size_t v) {
-      points[static_cast<Vertex_id>(v)] = map_.to_kernel(pslg_.vertices[order_[v]]);
-    });
-    if constexpr (Map::may_lose_points) check_points_are_kept(pslg_, map_, words_);
-  }
-
-  void triangulate_input() {
-    const std::size_t n = pslg_.number_of_vertices();
-    First first(state_.mesh, problem_.input_points.values(), std::move(problem_.vertex_blocks));
-    if (const auto crossing = first.run(kernel_segments<ConcurrencyTag>(pslg_, order_)))
-      throw words_.crossing(first.edges(), *crossing);
-    report_.merged_vertices = first.number_of_repeated_vertices();
-    report_.vertices_on_segments = first.number_of_vertices_on_segments();
-    problem_.vertex_blocks = first.take_vertex_blocks();
-    problem_.edges = Input_edges(first.take_edges(), n);
-    problem_.kept_edges = kept_edges_of(options_, pslg_, problem_.edges, first.repeated_edges());
-    problem_.edges.repeat(first.repeated_edges());
-  }
-
-  void find_domain() {
-    Domain_rule<Geometry> domain;
-    domain.rule = options_.mesh_domain();
-    for (const Point_2& p : pslg_.holes) domain.holes.push_back(map_.to_kernel(p));
-    for (const auto& region : pslg_.regions) domain.regions.push_back(map_.to_kernel(region.point));
-    try {
-      problem_.set_outside(domain.apply(state_.mesh, First::number_of_auxiliary_vertices));
-    } catch (const Ambiguous_seed& seed) {
-      throw words_.ambiguous_seed(seed, problem_.edges);
-    }
-    if (state_.mesh.triangles.empty()) throw words_.no_domain(options_.mesh_domain(), problem_.edges);
-    keep_boundary(options_, state_.mesh, problem_.edges, problem_.kept_edges);
-  }
-
   void set_bounds() { problem_.bounds = Bounds_maker<Traits>(options_, map_).run(pslg_); }
 
   /// \returns where acute sectors may begin, which is found on the way
@@ -260,8 +222,9 @@ private:
     if constexpr (Geometry::has_unlimited_coordinates) {
       throw std::invalid_argument("there are no checkpoints of meshes over exact numbers");
     } else {
-      checkpoints_.set_origin(digest_of_mesh(pslg_, options_, map_, problem_.input_points.values(), order_));
+      checkpoints_.set_origin(digest_of_mesh(pslg_, options_, map_, state_.mesh.points.values(), order_));
       if (!checkpoints_.has_state()) return false;
+      problem_.input_points = std::move(state_.mesh.points);
       checkpoints_.load([this](auto& archive) { this->transfer(archive); });
       set_bounds();
       return has_gone_on_ = true;

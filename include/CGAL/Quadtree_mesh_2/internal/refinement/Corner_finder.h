@@ -18,8 +18,8 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_CORNER_FINDER_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_CORNER_FINDER_H
 
+#include <CGAL/Quadtree_mesh_2/internal/base/Id_set.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/append_all.h>
-#include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel_sort.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Size_estimate.h>
@@ -27,7 +27,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -58,9 +57,7 @@ public:
       if (is_any_lopped) link_sectors(i, j);
       i = j;
     }
-    visit_of_.resize(mesh_.triangles.size());
-    for_each_index<ConcurrencyTag>(visit_of_.size(),
-                                   [this](std::size_t i) { visit_of_[static_cast<Triangle_id>(i)] = 0; });
+    is_visited_.resize(mesh_.triangles.size());
     for (const Corner_id c : corners_.corners.ids()) set_radius(c);
   }
 
@@ -90,8 +87,8 @@ private:
       first_triangles_; // where the sectors of all legs of a corner begin
   std::vector<Leg_of_sector> by_right_, by_left_;
   std::vector<Triangle_id> stack_;
-  Uninitialized_indexed_vector<Triangle_id, std::uint32_t> visit_of_; // the last visit to a triangle
-  std::uint32_t visit_ = 0; // the number of the sector that is visited
+  Id_set<Triangle_id> is_visited_; // those of the sector at hand
+  std::vector<Triangle_id> visited_;
 
   Vector direction(Vertex_id from, Vertex_id to) const {
     return Geometry::scaled_difference(mesh_.point(to), mesh_.point(from));
@@ -226,7 +223,6 @@ private:
   /// The radius reduced to 0.6 of the distance to what is nearer than it in the sector that begins with
   /// triangle t.
   Number radius_clear_of_intruders(Vertex_id apex, Triangle_id first, Number r) {
-    ++visit_;
     stack_.assign(1, first);
     const Vertex_id right =
         mesh_.triangle(first).v[next_slot[Kernel_mesh<Geometry>::slot_of(mesh_.triangle(first), apex)]];
@@ -234,8 +230,8 @@ private:
     while (!stack_.empty()) {
       const Triangle_id t = stack_.back();
       stack_.pop_back();
-      if (visit_of_[t] == visit_) continue;
-      visit_of_[t] = visit_;
+      if (is_visited_.has(t)) continue;
+      is_visited_.add(t), visited_.push_back(t);
       const auto& q = mesh_.triangle(t);
       for (int k = 0; k < 3; ++k) {
         if (q.v[k] != apex && q.v[k] != right && q.v[k] != left)
@@ -253,6 +249,8 @@ private:
           r = clear_share * d;
       }
     }
+    for (const Triangle_id t : visited_) is_visited_.remove(t);
+    visited_.clear();
     return r;
   }
 

@@ -7,6 +7,8 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_MESHING_PROBLEM_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_REFINEMENT_MESHING_PROBLEM_H
 
+#include <CGAL/Quadtree_mesh_2/internal/base/Sparse_values.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/Uninitialized_vector.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Acute_corners.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Bounds.h>
@@ -65,13 +67,12 @@ struct Meshing_problem {
 
   /// \param outer the triangles outside along the border
   void set_outside(const std::vector<Outer_triangle>& outer) {
-    outer_of_edge_.resize(edges.size());
-    for_each_index<Chosen_tag>(edges.size(),
-                               [this](std::size_t e) { outer_of_edge_[static_cast<Edge_id>(e)] = {}; });
-    for_each_index<Chosen_tag>(outer.size(), [&](std::size_t i) { // no two are at one edge
-      const auto& [a, b, apex] = outer[i];
-      outer_of_edge_[edges.between(a, b)] = {apex, b < a};
-    });
+    Uninitialized_vector<Edge_id> edge(outer.size());
+    for_each_index<Chosen_tag>(outer.size(),
+                               [&](std::size_t i) { edge[i] = edges.between(outer[i].a, outer[i].b); });
+    outer_of_edge_ = Sparse_values<Edge_id, Outer>(edges.size());
+    for (std::size_t i = 0; i < outer.size(); ++i) // no two are at one edge
+      outer_of_edge_.at(edge[i]) = Outer(outer[i].apex, outer[i].b < outer[i].a);
   }
 
   /// The input vertex that faces an edge at the border from the outside, if there is one.
@@ -79,7 +80,7 @@ struct Meshing_problem {
 
   /// The triangle outside at an edge of the border; one without an apex if there is none.
   Outer_triangle outer_triangle(Edge_id e) const {
-    const Outer& outer = outer_of_edge_[e];
+    const Outer outer = outer_of_edge_[e];
     const Input_edge& edge = edges[e];
     return outer.is_from_greater() ? Outer_triangle{edge.b, edge.a, outer.apex()}
                                    : Outer_triangle{edge.a, edge.b, outer.apex()};
@@ -115,8 +116,7 @@ private:
     std::uint32_t bits_ = none;
   };
 
-  Uninitialized_indexed_vector<Edge_id, Outer>
-      outer_of_edge_; // none where it is not at the border, or has nothing beyond
+  Sparse_values<Edge_id, Outer> outer_of_edge_; // none where it is not at the border, or has nothing beyond
 };
 
 } // namespace internal

@@ -83,6 +83,7 @@ public:
       for_each_triangle([&](Triangle_id t) {
         is_kept_[t] = level_[t] > 0 && !regions.empty() && mesh_.region_of[t].is_valid();
       });
+    level_ = {}; // memory is fullest soon
     for (const Triangle_id t : triangles_at(holes, Ambiguous_seed::Of::HOLE)) drop_component(t);
     Flat_triangle_flipper<Geometry>(mesh_, is_kept_, first_auxiliary_).run();
     std::vector<Outer_triangle> outer = outer_triangles();

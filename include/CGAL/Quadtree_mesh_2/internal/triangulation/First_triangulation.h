@@ -57,14 +57,23 @@ public:
   using Segment = std::array<Vertex_id, 2>;
   static constexpr std::size_t number_of_auxiliary_vertices = 3;
 
-  /// The vertices of the mesh become `points`, a vector, in that order, and the three auxiliary ones behind them.
+  /// Room for so many vertices, the auxiliary ones, and those at which acute corners will be cut.
+  static std::size_t room_for(std::size_t vertices) {
+    return vertices + number_of_auxiliary_vertices + vertices / 8;
+  }
+
+  /// \param mesh has nothing but points, which become its vertices; the three auxiliary ones come behind them
   /// \param vertex_blocks the blocks in which they are inserted, if there are several
-  template <class Points>
-  First_triangulation(Mesh& mesh, const Points& points, Vertex_blocks vertex_blocks)
-      : mesh_(mesh), vertex_blocks_(std::move(vertex_blocks)), representative_(points.size()) {
-    start(points);
+  First_triangulation(Mesh& mesh, Vertex_blocks vertex_blocks)
+      : mesh_(mesh), vertex_blocks_(std::move(vertex_blocks)), representative_(mesh.points.size()) {
+    start();
     find_repeated();
   }
+
+  /// The same, of a mesh that gets its points from a vector.
+  template <class Points>
+  First_triangulation(Mesh& mesh, const Points& points, Vertex_blocks vertex_blocks)
+      : First_triangulation(with_points(mesh, points), std::move(vertex_blocks)) {}
 
   /// The same, for who does not know the squares of the points.
   template <class Points>
@@ -108,6 +117,7 @@ public:
   std::size_t number_of_vertices_on_segments() const { return vertices_on_segments_; }
   const Input_edge_list& edges() const { return edges_; }
   Input_edge_list take_edges() { return std::move(edges_); }
+  Input_edge_list take_repeated_edges() { return std::move(repeated_edges_); }
   Vertex_blocks take_vertex_blocks() { return std::move(vertex_blocks_); }
   /// Edges of segments that overlap others, for each segment but the one in `edges()`.
   const Input_edge_list& repeated_edges() const { return repeated_edges_; }
@@ -149,16 +159,23 @@ private:
   std::vector<Segments_made> segments_made_; // by block
 
   template <class Points>
-  void start(const Points& points) {
-    const std::size_t n = points.size();
-    mesh_.reserve(n + number_of_auxiliary_vertices + n / 8, 0); // acute corners will be cut
+  static Mesh& with_points(Mesh& mesh, const Points& points) {
+    mesh.points.reserve(room_for(points.size()));
+    mesh.points.resize(points.size());
+    for_each_index<ConcurrencyTag>(
+        points.size(), [&](std::size_t i) { mesh.points[static_cast<Vertex_id>(i)] = points[i]; });
+    return mesh;
+  }
+
+  void start() {
+    const std::size_t n = mesh_.points.size();
+    mesh_.reserve(room_for(n), 0);
     mesh_.resize(n, 0);
     for_each_index<ConcurrencyTag>(n, [&](std::size_t i) {
       const Vertex_id v = static_cast<Vertex_id>(i);
-      mesh_.points[v] = points[i], mesh_.role_of[v] = input_vertex(v);
-      mesh_.triangle_of[v] = {}, mesh_.is_dirty[v] = 1;
+      mesh_.role_of[v] = input_vertex(v), mesh_.triangle_of[v] = {}, mesh_.is_dirty[v] = 1;
     });
-    const auto [low, high] = place_box<ConcurrencyTag>(points);
+    const auto [low, high] = place_box<ConcurrencyTag>(mesh_.points.values());
     const Vector size = Geometry::difference(high, low);
     // A box of a few units in the last place has no room for a tenth of it.
     const double least_extent = 64 * std::max(Geometry::spacing(low), Geometry::spacing(high));
@@ -257,7 +274,9 @@ private:
     step_ = first_step_in_blocks();
     insert_every(step_ * growth_of_rounds);
     for (; step_ > 1; step_ /= growth_of_rounds) insert_round_in_blocks(blocks_of_round(step_), {});
-    return insert_round_in_blocks(vertex_blocks_, segments);
+    const auto crossing = insert_round_in_blocks(vertex_blocks_, segments);
+    coarse_triangle_ = {}, vertex_in_block_ = {};
+    return crossing;
   }
 
   /// Of the first round with vertices for several blocks.
@@ -275,6 +294,17 @@ private:
   std::optional<Crossing> insert_round_in_blocks(const Vertex_blocks& vertex_blocks,
                                                  const std::vector<Segment>& segments) {
     locate_vertices();
+    const Works works = work_in_blocks(vertex_blocks, segments);
+    add(segments_made_);
+    segments_made_.clear();
+    if (const auto crossing = first_crossing(works)) return crossing;
+    for (const Block_work& work : works)
+      for (const Vertex_id v : work.vertices_left) insert_late(v);
+    return step_ > 1 ? std::nullopt : insert_segments_left(works);
+  }
+
+  /// Does what blocks can do, and puts them back unless segments cross.
+  Works work_in_blocks(const Vertex_blocks& vertex_blocks, const std::vector<Segment>& segments) {
     Block_assignment assignment;
     Blocks blocks(mesh_, assignment,
                   cut_by_vertices<ConcurrencyTag>(mesh_, vertex_blocks, [](Vertex_id v) { return v; }));
@@ -289,18 +319,12 @@ private:
           insert_segments(block, blocks, segments, segments_of[block.id().value()], work);
         },
         [](const Block&) {});
-    std::optional<Crossing> crossing = first_crossing(works);
-    if (!crossing) {
+    if (!first_crossing(works)) {
       blocks.put_together();
       std::vector<Side> doubtful = blocks.sides_to_flip();
       mesh_.make_Delaunay(doubtful);
     }
-    add(segments_made_);
-    segments_made_.clear();
-    if (crossing) return crossing;
-    for (const Block_work& work : works)
-      for (const Vertex_id v : work.vertices_left) insert_late(v);
-    return step_ > 1 ? std::nullopt : insert_segments_left(works);
+    return works;
   }
 
   /// How many vertices there are in the round and in those before it.

@@ -9,12 +9,16 @@
 // Computes: the mesh of the triangles kept. Each begins with its least vertex. They are in the order of that and of
 //           their next vertex. A vertex knows the first triangle that begins with it, or the first at it if none does.
 // Bound:    O(n) for n triangles, in parallel, and O(d log d) for the d triangles of a vertex.
+// Method:   Triangles are copied in their new order. The memory of the old array is given back piece by piece, as soon
+//           as all triangles of a piece are copied. Where the mesh was made in blocks, both orders follow the vertices,
+//           and so there is memory for little more than one array at a time.
 // Source:   ours.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_KEPT_TRIANGLES_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_KEPT_TRIANGLES_H
 
 #include <CGAL/Quadtree_mesh_2/internal/base/Indexed_vector.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/huge_pages.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/sort_short_run.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/Run_counters.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
@@ -23,6 +27,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <utility>
+#include <vector>
 
 namespace CGAL {
 namespace Quadtree_mesh_2 {
@@ -50,11 +55,16 @@ public:
       region_of[t] = mesh_.region(order_[t]);
     });
     mesh_.region_of = std::move(region_of);
+    runs_ = Run_counters(0);
     mesh_.triangles = renamed_triangles();
   }
 
 private:
   using Triangle = typename Mesh::Triangle;
+  /// The triangles of a piece: whole pages, and so few that it is rare for one to be copied long after the others.
+  static constexpr std::size_t piece_ = 4096;
+  /// So many are copied before pieces are given back, in runs for many threads.
+  static constexpr std::size_t batch_ = 32 * piece_, run_ = 2048;
 
   Mesh& mesh_;
   const Indexed_vector<Triangle_id, char>& is_kept_;
@@ -112,20 +122,48 @@ private:
     return first;
   }
 
-  auto renamed_triangles() const {
+  /// Leaves nothing in the old array.
+  auto renamed_triangles() {
     decltype(mesh_.triangles) triangles;
     triangles.reserve(order_.size() + order_.size() / 8); // acute corners are cut soon
     triangles.resize(order_.size());
-    for_each_index<Chosen_tag>(order_.size(), [&](std::size_t i) {
-      const Triangle_id t = static_cast<Triangle_id>(i);
-      const Triangle& before = mesh_.triangle(order_[t]);
-      int from = Mesh::slot_of_least(before);
-      for (int k = 0; k < 3; ++k, from = next_slot[from]) {
-        triangles[t].v[k] = before.v[from];
-        triangles[t].side[k] = renamed(before.side[from]);
-      }
-    });
+    const std::vector<std::size_t> last = last_of_pieces();
+    for (std::size_t begin = 0; begin < order_.size(); begin += batch_) {
+      const std::size_t end = std::min(begin + batch_, order_.size());
+      const auto copy = [&](std::size_t i) {
+        const Triangle_id t = static_cast<Triangle_id>(begin + i);
+        triangles[t] = renamed(mesh_.triangle(order_[t]));
+      };
+      for_each_index<Chosen_tag>(end - begin, copy, run_);
+      for (std::size_t piece = 0; piece < last.size(); ++piece)
+        if (begin <= last[piece] && last[piece] < end) release(piece);
+    }
     return triangles;
+  }
+
+  /// For each piece of the old array the greatest new number of a triangle in it.
+  std::vector<std::size_t> last_of_pieces() const {
+    std::vector<std::size_t> last((is_kept_.size() + piece_ - 1) / piece_, 0);
+    for_each_block<Chosen_tag>(
+        is_kept_.size(), piece_, [&](std::size_t piece, std::size_t begin, std::size_t end) {
+          for (const Triangle_id t : Id_range<Triangle_id>(begin, end))
+            if (is_kept_[t] != 0) last[piece] = std::max(last[piece], std::size_t(new_side_[t].triangle()));
+        });
+    return last;
+  }
+
+  /// Gives back the memory of a piece of the old array.
+  void release(std::size_t piece) {
+    const std::size_t first = piece * piece_, length = std::min(piece_, mesh_.triangles.size() - first);
+    give_back_pages(mesh_.triangles.data() + first, length * sizeof(Triangle));
+  }
+
+  Triangle renamed(const Triangle& before) const {
+    Triangle triangle;
+    int from = Mesh::slot_of_least(before);
+    for (int k = 0; k < 3; ++k, from = next_slot[from])
+      triangle.v[k] = before.v[from], triangle.side[k] = renamed(before.side[from]);
+    return triangle;
   }
 
   Side renamed(Side o) const {
