@@ -18,8 +18,8 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-/// Values by handle, most of which are not set. There is memory for each run of 16 handles of which one has a value, and
-/// 4 bytes for any other run. O(1) for each function.
+/// Values by handle, most of which are not set. There is memory for each run of 16 handles of which one has a value,
+/// and 4 bytes for any other run. O(1) for each function.
 template <class Id, class Value>
 class Sparse_values {
 public:

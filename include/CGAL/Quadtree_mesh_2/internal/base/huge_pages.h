@@ -73,8 +73,8 @@ inline void ask_for_small_pages(void* begin, std::size_t bytes) {
 #endif
 }
 
-/// Gives pages of an array back to the system, whose values nobody will read before they are written. Those in a scratch
-/// file stay there.
+/// Gives pages of an array back to the system, whose values nobody will read before they are written. A scratch file
+/// keeps its own.
 inline void give_back_pages(void* begin, std::size_t bytes) {
 #ifdef __linux__
   static const auto page = static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE));

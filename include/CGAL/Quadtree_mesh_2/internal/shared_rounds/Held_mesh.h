@@ -431,8 +431,8 @@ private:
     }
   }
 
-  /// Gives each part the records of some vertices, for which no part vouches, and those of its vertices that others have
-  /// too.
+  /// Gives each part the records of some vertices, for which no part vouches, and the names of those that it shares with
+  /// others.
   void give_common(const Mesh& whole, const std::vector<Package>& packages,
                    const std::vector<Vertex_id>& for_all) {
     const std::vector<Vertex_id> common = in_several(packages, whole.number_of_vertices());
