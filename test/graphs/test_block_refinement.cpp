@@ -65,6 +65,39 @@ TEST_CASE("Rounds of blocks of 256 end with nothing that waits", "[refiner]") {
     }
 }
 
+TEST_CASE("What came and went in a block gets no handle in the whole mesh", "[refiner]") {
+  using Tag = Small_blocks_tag;
+  std::size_t gone = 0;
+  for (const char* name : {"coast:3000", "stars:2000", "segments:2000"}) {
+    CAPTURE(name);
+    Prepared prepared(pslg_inputs::by_name(name).pslg);
+    auto& state = prepared.state;
+    state.problem.vertex_blocks =
+        blocks_by_number(state.problem.input_points.size(), Block_sizes<Tag>::vertices);
+    const std::size_t triangles = state.mesh.triangles.size(), vertices = state.mesh.number_of_vertices();
+    Block_assignment assignment;
+    Mesh_blocks<Tag, Geometry> blocks(state.mesh, assignment, Round_cuts<Tag, Geometry>(state).first());
+    const auto owned = Corner_places<Tag, Geometry>(state).by_block(blocks);
+    const Block_work<Geometry> work(state.problem, Finishing(), 1);
+    blocks.for_each(
+        [&](Mesh_block<Geometry>& block) {
+          const std::size_t taken = block.mesh.triangles.size();
+          work.run(block, owned[block.id()], 100000, [] { return true; });
+          gone += block.mesh.triangles.size() - taken - block.number_of_new_triangles();
+        },
+        [&](const Mesh_block<Geometry>& block) { work.name_in_whole(block, owned[block.id()]); });
+    blocks.put_together();
+    std::size_t unused = 0;
+    for (const Triangle_id t : Id_range<Triangle_id>(triangles, state.mesh.triangles.size()))
+      unused += state.mesh.is_alive(t) ? 0 : 1;
+    for (const Vertex_id v : Id_range<Vertex_id>(vertices, state.mesh.number_of_vertices()))
+      unused += state.mesh.is_used(v) || !state.mesh.is_free(v) ? 0 : 1;
+    CHECK(unused == 0);
+    CHECK(state.mesh.triangles.size() > triangles);
+  }
+  CHECK(gone > 0);
+}
+
 TEST_CASE("A zone has the rings around its seeds", "[refiner]") {
   Prepared prepared(random_pslg::all_families().front().make(7));
   const auto& mesh = prepared.state.mesh;

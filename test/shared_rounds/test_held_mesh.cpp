@@ -99,6 +99,24 @@ std::size_t faults_of_part(In_memory_exchange& exchange, const Mesh& whole, std:
   return faults;
 }
 
+constexpr std::uint32_t number_in_row = 1000000;
+
+/// Triangles in a row, of which the vertices are alike.
+Mesh row_of_triangles() {
+  constexpr std::uint32_t vertices = number_in_row / 2;
+  Mesh whole;
+  whole.resize(vertices, number_in_row);
+  for (const Vertex_id v : whole.points.ids()) {
+    whole.points[v] = {double(v.value()), 0}, whole.role_of[v] = free_vertex, whole.is_dirty[v] = 0;
+    whole.triangle_of[v] = Triangle_id(2 * v.value());
+  }
+  for (const Triangle_id t : whole.triangles.ids()) {
+    whole.triangle(t) = {};
+    for (std::uint32_t k = 0; k < 3; ++k) whole.triangle(t).v[k] = Vertex_id((t.value() / 2 + k) % vertices);
+  }
+  return whole;
+}
+
 #ifdef __linux__
 /// The share of an array's pages that are in memory.
 template <class Vector>
@@ -133,29 +151,50 @@ TEST_CASE("Parts hold what is theirs and what is shared, with the records of the
     }
 }
 
+TEST_CASE("Parts tell many triangles in pieces", "[distributed]") {
+  const Mesh whole = row_of_triangles();
+  constexpr std::uint32_t parts = 5, of_part = number_in_row / parts;
+  In_memory_exchange::run(parts, [&](In_memory_exchange& exchange) {
+    const auto rank = static_cast<std::uint32_t>(exchange.rank());
+    Mesh mesh;
+    if (rank == 0) mesh = whole;
+    Held held(exchange, mesh);
+    held.scatter([](Triangle_id t) { return static_cast<int>(t.value() / of_part); }, {},
+                 whole.number_of_vertices());
+    std::vector<Triangle_id> wanted; // the last part tells most
+    for (std::uint32_t t = 0; t < of_part * (rank + 1) / parts; ++t)
+      wanted.push_back(Triangle_id(rank * of_part + t));
+    const std::size_t published = held.publish(wanted);
+    std::size_t faults = 0;
+    for (std::uint32_t t = 0; t < number_in_row; ++t) {
+      const std::uint32_t owner = t / of_part;
+      const bool is_shared = t % of_part < of_part * (owner + 1) / parts;
+      if (held.is_shared(Triangle_id(t)) != is_shared) ++faults;
+      if (!is_shared) continue;
+      for (const Vertex_id v : whole.triangle(Triangle_id(t)).v)
+        if (!held.has(v) || !(mesh.point(v) == whole.point(v))) ++faults;
+      for (std::size_t k = 0; k < 3; ++k)
+        if (mesh.triangle(Triangle_id(t)).v[k] != whole.triangle(Triangle_id(t)).v[k]) ++faults;
+    }
+    faults = static_cast<std::size_t>(exchange.sum(static_cast<std::int64_t>(faults)));
+    if (rank == 0) CHECK(faults == 0);
+    if (rank == 0) CHECK(published == number_in_row * 3 / parts);
+  });
+}
+
 #ifdef __linux__
 TEST_CASE("What a part does not hold takes no memory", "[distributed]") {
-  Mesh whole; // triangles in a row, of which the vertices are alike
-  constexpr std::uint32_t vertices = 500000, triangles = 1000000;
-  whole.resize(vertices, triangles);
-  for (const Vertex_id v : whole.points.ids()) {
-    whole.points[v] = {double(v.value()), 0}, whole.role_of[v] = free_vertex, whole.is_dirty[v] = 0;
-    whole.triangle_of[v] = Triangle_id(2 * v.value());
-  }
-  for (const Triangle_id t : whole.triangles.ids()) {
-    whole.triangle(t) = {};
-    for (std::uint32_t k = 0; k < 3; ++k) whole.triangle(t).v[k] = Vertex_id((t.value() / 2 + k) % vertices);
-  }
+  const Mesh whole = row_of_triangles();
   constexpr int parts = 5;
   std::mutex one_by_one;
   In_memory_exchange::run(parts, [&](In_memory_exchange& exchange) {
     Mesh mesh;
     if (exchange.rank() == 0) mesh = whole;
     Held held(exchange, mesh);
-    held.scatter([](Triangle_id t) { return static_cast<int>(t.value() / (triangles / parts)); }, {},
-                 4 * vertices);
+    held.scatter([](Triangle_id t) { return static_cast<int>(t.value() / (number_in_row / parts)); }, {},
+                 4 * whole.number_of_vertices());
     const std::lock_guard<std::mutex> lock(one_by_one);
-    CHECK(held.number_held() == triangles / parts);
+    CHECK(held.number_held() == number_in_row / parts);
     CHECK(share_in_memory(mesh.triangles) < 1.05 / parts);
     CHECK(share_in_memory(mesh.points) < 1.05 / parts);
   });

@@ -431,7 +431,7 @@ private:
     }
   }
 
-  /// Gives each part the records of some vertices, for which no part vouches, and the names of those that it shares with
+  /// Gives each part the records of some vertices, for which no part vouches, and the names of those it shares with
   /// others.
   void give_common(const Mesh& whole, const std::vector<Package>& packages,
                    const std::vector<Vertex_id>& for_all) {
