@@ -278,8 +278,8 @@ void read(Meshing_run& run, const Command_line& line) {
 
 Exit_status execute(const Command_line& line, const Large_run& large) {
   Meshing_run run;
-  run.threads = line.threads;
-  const Thread_limit limit(line.threads);
+  run.threads = line.threads.value_or(Thread_limit::greatest());
+  const Thread_limit limit(run.threads);
   timed(run.read_seconds, [&] { read(run, line); });
   large.begin(run.pslg.number_of_vertices(), line.is_quiet);
   timed(run.ours.seconds, [&] { mesh(run, line); });

@@ -2,6 +2,7 @@
 //
 //   mpirun -n 4 quality_mesh_mpi INPUT.poly -o mesh.vtkhdf
 //   mpirun -n 4 quality_mesh_mpi INPUT.poly -o mesh.vtkhdf --memory 2G --scratch /local/disk
+//   mpirun -n 4 --map-by slot:PE=8 quality_mesh_mpi INPUT.poly -o mesh.vtkhdf --threads 8
 //
 // INPUT is .poly or .h5, of which each rank reads a slice. Outputs are .pvtu with a piece for each rank, .msh with a
 // part for each rank, .vtkhdf, and .xdmf with .h5. All ranks write them. They have the bytes that
@@ -12,13 +13,16 @@
 #include "internal/Scratch_folder.h"
 #include "internal/command_line.h"
 #include "internal/program_steps.h"
+#include "internal/thread_limit.h"
 
 #include <CGAL/Distributed_quality_mesher_2.h>
 #include <CGAL/IO/Distributed_mesh_files.h>
 #include <CGAL/IO/read_slices.h>
+#include <CGAL/Pslg_slice_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/distributed/Mpi_exchange.h>
 #include <CGAL/Quadtree_mesh_2/internal/distributed/agree_on_error.h>
 #include <CGAL/Quadtree_mesh_2/new_in_scratch_memory.h> // of this program's own long vectors
+#include <CGAL/Quality_mesh_report_2.h>
 #include <CGAL/Scratch_memory.h>
 #include <CGAL/Trapezoidal_vertex_edge_neighbors_2.h>
 #include <CGAL/tags.h>
@@ -29,7 +33,6 @@
 #include <malloc.h>
 #endif
 
-#include <algorithm>
 #include <exception>
 #include <iostream>
 #include <new>
@@ -40,7 +43,7 @@
 namespace {
 
 using Traits = CGAL::Filtered_quadtree_traits_2<>;
-using Mesher = CGAL::Distributed_quality_mesher_2<Traits>;
+using Part = CGAL::Distributed_mesh_2<Traits::Point_2>;
 const MPI_Comm all_ranks = MPI_COMM_WORLD;
 
 /// \throws Usage_error naming what only quality_mesh does
@@ -92,18 +95,32 @@ private:
   std::optional<CGAL::Scratch_memory> memory_;
 };
 
-Mesher::Mesh mesh(Mesher& mesher, const Command_line& line) {
+/// \tparam ConcurrencyTag of each rank
+template <class ConcurrencyTag>
+Part mesh_by(const Command_line& line, CGAL::Quality_mesh_report_2& report) {
+  CGAL::Distributed_quality_mesher_2<Traits, ConcurrencyTag> mesher(all_ranks, line.options);
   if (line.neighbors == Command_line::Neighbors::TRAPEZOIDAL)
-    mesher.find_neighbors_by<CGAL::Trapezoidal_vertex_edge_neighbors_2<Traits, CGAL::Sequential_tag>>();
-  Mesher::Pslg_slice slice;
+    mesher.template find_neighbors_by<CGAL::Trapezoidal_vertex_edge_neighbors_2<Traits, ConcurrencyTag>>();
+  CGAL::Pslg_slice_2<Traits::Point_2> slice;
   if (input_format(line.input) == Input_format::HDF5)
     CGAL::IO::read_HDF5_slice(all_ranks, line.input, slice);
   else
     CGAL::IO::read_triangle_poly_slice(all_ranks, line.input, slice);
-  return mesher(std::move(slice));
+  Part part = mesher(std::move(slice));
+  report = mesher.report();
+  return part;
 }
 
-void write(const Mesher::Mesh& part, const std::string& output) {
+/// Ranks share the cores of a machine, so each has one thread if nothing is said.
+Part mesh(const Command_line& line, CGAL::Quality_mesh_report_2& report) {
+  const Thread_limit limit(line.threads.value_or(0));
+#ifdef CGAL_LINKED_WITH_TBB
+  if (line.threads.value_or(1) > 1) return mesh_by<CGAL::Parallel_tag>(line, report);
+#endif
+  return mesh_by<CGAL::Sequential_tag>(line, report);
+}
+
+void write(const Part& part, const std::string& output) {
   switch (output_format(output)) {
   case Output_format::PVTU:
     return CGAL::IO::write_PVTU(all_ranks, output, part);
@@ -116,10 +133,9 @@ void write(const Mesher::Mesh& part, const std::string& output) {
   }
 }
 
-void print(const Mesher& mesher, const Mesher::Mesh& part) {
-  const auto& report = mesher.report();
+void print(const Command_line& line, const CGAL::Quality_mesh_report_2& report, const Part& part) {
   std::cout << "input: " << report.input_vertices << " vertices, " << report.input_segments
-            << " segments; bound: " << mesher.options().min_angle() << " degrees\n"
+            << " segments; bound: " << line.options.min_angle() << " degrees\n"
             << "vertices                            " << part.number_of_vertices() << '\n'
             << "triangles                           " << part.number_of_triangles() << '\n'
             << "  exempt, in acute input corners    " << report.exempt_triangles.size() << '\n'
@@ -131,12 +147,13 @@ void print(const Mesher& mesher, const Mesher::Mesh& part) {
 void print_own_help() {
   std::cout << R"(usage: mpirun -n P quality_mesh_mpi INPUT -o OUTPUT... [option]...
 
-Meshes a graph on P ranks, with one thread each: the mesh of quality_mesh --renumber.
+Meshes a graph on P ranks, with one thread each or --threads: the mesh of quality_mesh
+--renumber, whatever the number of ranks and threads.
 INPUT is .poly, .poly.gz or .h5; OUTPUT is .pvtu, .msh (in parts), .vtkhdf or .xdmf.
 Options are those of quality_mesh --help-all for graphs, but for --hull, --repair,
---resume, and those of files with sizes, of projections and of threads. --memory is what
-each rank may use; the scratch folder is made where there is none, and may be on a disk
-of each machine.
+--resume, and those of files with sizes and of projections. --threads is of each rank, to
+which MPI has to give as many cores. --memory is what each rank may use; the scratch
+folder is made where there is none, and may be on a disk of each machine.
 
 Exit status: as quality_mesh.
 )";
@@ -149,16 +166,13 @@ Exit_status run(int argc, char** argv, int rank) {
       line.task == Command_line::Task::PRINT_VERSION ? print_version(std::cout) : print_own_help();
     return Exit_status::DONE;
   }
-  if (std::any_of(argv, argv + argc,
-                  [](const char* word) { return std::string(word).find("--threads") == 0; }))
-    throw Usage_error("--threads is an option of quality_mesh alone");
   check_use(line);
   const Scratch_of_rank scratch(line);
-  Mesher mesher(all_ranks, line.options);
-  const Mesher::Mesh part = mesh(mesher, line);
+  CGAL::Quality_mesh_report_2 report;
+  const Part part = mesh(line, report);
   for (const std::string& output : line.outputs) write(part, output);
-  if (rank == 0 && !line.is_quiet) print(mesher, part);
-  return mesher.report().is_met() ? Exit_status::DONE : Exit_status::BOUND_UNMET;
+  if (rank == 0 && !line.is_quiet) print(line, report, part);
+  return report.is_met() ? Exit_status::DONE : Exit_status::BOUND_UNMET;
 }
 
 /// Ranks of one machine share its memory. By itself glibc raises, with each large array that is freed, the size
@@ -175,7 +189,8 @@ void give_freed_arrays_back() {
 
 int main(int argc, char** argv) {
   give_freed_arrays_back();
-  MPI_Init(&argc, &argv);
+  int level = MPI_THREAD_SINGLE; // only the thread that begins here calls MPI
+  MPI_Init_thread(&argc, &argv, MPI_THREAD_FUNNELED, &level);
   int rank = 0;
   MPI_Comm_rank(all_ranks, &rank);
   Exit_status status = Exit_status::REFUSED;

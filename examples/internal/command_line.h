@@ -12,6 +12,7 @@
 #include "program_files.h"
 #include "standard_streams.h"
 #include "stream_options.h"
+#include "thread_limit.h"
 
 #include "mesh_graph.h"
 
@@ -91,17 +92,12 @@ inline CGAL::Quality_mesh_options_2::Domain domain(const po::variables_map& give
   return rules[choice(given, "domain", {"enclosed", "marked", "parity"})];
 }
 
-/// The number of threads wanted, all there are if nothing is said.
-inline unsigned threads(const po::variables_map& given) {
-#ifdef CGAL_LINKED_WITH_TBB
-  constexpr bool has_threads = true;
-#else
-  constexpr bool has_threads = false;
-#endif
-  if (given.count("threads") == 0) return has_threads ? std::max(1u, std::thread::hardware_concurrency()) : 1;
+/// The number of threads wanted.
+inline std::optional<unsigned> threads(const po::variables_map& given) {
+  if (given.count("threads") == 0) return std::nullopt;
   const int most = std::max(256, static_cast<int>(std::thread::hardware_concurrency()));
   const int n = whole_number(given, "threads", {1, most});
-  if (n > 1 && !has_threads)
+  if (n > 1 && !Thread_limit::has_threads)
     throw Usage_error("--threads " + std::to_string(n) +
                       " is not available: this program was built without TBB");
   return static_cast<unsigned>(n);

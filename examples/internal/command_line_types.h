@@ -48,7 +48,7 @@ struct Command_line {
   CGAL::Quality_mesh_options_2 options;             ///< of Mode::PSLG
   Neighbors neighbors = Neighbors::TRAPEZOIDAL;     ///< of Mode::PSLG, by quadtrees
   CGAL::Point_set_mesh_options_2 point_set_options; ///< of all other modes
-  unsigned threads = 1;
+  std::optional<unsigned> threads;                  ///< none: not said
   bool is_comparison_wanted = false;
   bool are_lengths_wanted = false;
   Picture_colors colors = Picture_colors::NONE;

@@ -117,8 +117,8 @@ Exit_status execute_point_set(const Command_line& line) {
   run.mode = line.mode;
   run.domain = domain_of(line);
   run.promise = angle_promise(line.mode, line.point_set_options);
-  run.threads = line.threads;
-  const Thread_limit limit(line.threads);
+  run.threads = line.threads.value_or(Thread_limit::greatest());
+  const Thread_limit limit(run.threads);
   timed(run.read_seconds, [&] { run.input = mesh_files::read_points(line.input, {{}, line.layer}); });
   timed(run.ours.seconds, [&] {
     if (line.kernel != Command_line::Kernel::FILTERED &&

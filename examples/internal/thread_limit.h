@@ -14,13 +14,20 @@
 #include <tbb/parallel_for.h>
 #endif
 
+#include <algorithm>
 #include <memory>
+#include <thread>
 
 /// Lets parallel algorithms have so many threads while it lives, and starts them: a program does so once, not
 /// for every tree. 0 leaves everything as it is.
 class Thread_limit {
 public:
+  /// How many threads there may be at once.
+  static unsigned greatest() { return has_threads ? std::max(1u, std::thread::hardware_concurrency()) : 1; }
+
 #ifdef CGAL_LINKED_WITH_TBB
+  static constexpr bool has_threads = true;
+
   explicit Thread_limit(unsigned threads) {
     using Control = tbb::global_control;
     if (threads == 0) return;
@@ -35,6 +42,8 @@ public:
 private:
   std::unique_ptr<tbb::global_control> control_;
 #else
+  static constexpr bool has_threads = false;
+
   explicit Thread_limit(unsigned) {}
 #endif
 };

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# On ranks quality_mesh_mpi writes the bytes that quality_mesh writes, with arrays in a scratch file or without, and tells
-# once what is wrong.
+# On ranks quality_mesh_mpi writes the bytes that quality_mesh writes, with arrays in a scratch file or without, and with
+# several threads of each rank, and tells once what is wrong.
 #
 # usage: compare_programs.sh RANKS GRAPH QUALITY_MESH COMMAND...
 #
@@ -20,7 +20,7 @@ for options in "" "--min-angle 25 --max-area 2e7 --separation theorem-5"; do
   # shellcheck disable=SC2046,SC2086 # options are words
   "$program" graph.poly --quiet --renumber --pieces "$ranks" $options $(outputs one_machine)
   # shellcheck disable=SC2046,SC2086
-  "${command[@]}" graph.poly --quiet $options $(outputs ranks)
+  "${command[@]}" graph.poly --quiet $options $(outputs ranks) --threads 2
   diff -r one_machine ranks
   [[ $(find ranks -name '*.vtu' | wc -l) -eq $ranks ]]
   rm ranks/*
@@ -43,7 +43,6 @@ refuses() { # what is named, argument...
 }
 refuses "no input"
 refuses nothing.poly nothing.poly -o mesh.vtkhdf
-refuses --threads graph.poly --threads 2
 refuses mesh.svg graph.poly -o mesh.svg
 refuses nowhere graph.poly -o nowhere/mesh.vtkhdf
 refuses graph.poly/scratch graph.poly -o mesh.vtkhdf --memory 64M --scratch graph.poly/scratch

@@ -197,6 +197,13 @@ TEST_CASE("What a part does not hold takes no memory", "[distributed]") {
     CHECK(held.number_held() == number_in_row / parts);
     CHECK(share_in_memory(mesh.triangles) < 1.05 / parts);
     CHECK(share_in_memory(mesh.points) < 1.05 / parts);
+    held.give_back(0, mesh.triangles.size(), [](Triangle_id t) { return t.value() % 10000 < 9000; });
+    CHECK(share_in_memory(mesh.triangles) < 0.15 / parts);
+    std::size_t lost = 0;
+    for (const Triangle_id t : mesh.triangles.ids())
+      if (held.is_held(t) && t.value() % 10000 >= 9000 && mesh.triangle(t).v[0] != whole.triangle(t).v[0])
+        ++lost;
+    CHECK(lost == 0);
   });
 }
 #endif

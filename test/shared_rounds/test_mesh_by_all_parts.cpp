@@ -69,6 +69,18 @@ TEST_CASE("All parts make the meshes of random graphs that one memory makes", "[
   }
 }
 
+TEST_CASE("Parts with several threads make the mesh of one thread", "[parts][distributed][threads]") {
+  for (const auto& family : random_pslg::all_families()) {
+    CAPTURE(family.name);
+    const Pslg pslg = family.make(11);
+    const Result expected = in_one_memory<Tiny_blocks_tag>(pslg, Options());
+    const Threads_for_tiny_blocks threads;
+    CHECK(said_by_parts(3, [&](In_memory_exchange& exchange) {
+            return check_mesh_of_all<Tiny_blocks_tag>(exchange, expected, pslg, Options());
+          }) == "");
+  }
+}
+
 TEST_CASE("All parts make the mesh of one memory with all options", "[parts][distributed]") {
   const bool is_large = is_full_run();
   const Pslg stars = named(is_large ? "stars:600" : "stars:120"),

@@ -104,8 +104,8 @@ private:
     bool is_of_state() const { return magic == Head(0).magic; }
 
     std::uint32_t magic = 0x516d5374;
-    std::uint32_t version =
-        3; // to be raised when the file has something else, or refinement goes on differently
+    /// To be raised when the file has something else, or refinement goes on differently.
+    std::uint32_t version = 4;
     std::uint64_t origin;
   };
 

@@ -24,6 +24,7 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_SHARED_ROUNDS_ROUNDS_OF_PARTS_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_SHARED_ROUNDS_ROUNDS_OF_PARTS_H
 
+#include <CGAL/Quadtree_mesh_2/internal/base/Sparse_values.h>
 #include <CGAL/Quadtree_mesh_2/internal/distributed/agree_on_error.h>
 #include <CGAL/Quadtree_mesh_2/internal/distributed/tell_all.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
@@ -74,7 +75,6 @@ public:
       const Shared_work work = is_first ? first_work() : work_in_zone();
       const Round_extent extent{work.number_of_blocks, work.number_in_blocks, whole_.mesh.triangles.size()};
       if (work.number_in_blocks > 0) this->work(work, shall_go_on);
-      assignment_ = Block_assignment();
       rounds_.note(before, extent);
     } while (is_round_wanted(shall_go_on));
     return true;
@@ -154,7 +154,6 @@ private:
   Corner_places<ConcurrencyTag, Geometry> corner_places_{whole_};
   Held held_{exchange_, whole_.mesh};
   Corners_of_parts<Exchange, Geometry> corners_{exchange_, held_, whole_};
-  Block_assignment assignment_; // of what is in the blocks at hand
   std::size_t own_dead_ = 0;
   std::size_t triangles_of_round_ = 0; // in this part's blocks, before they are refined
   std::atomic<std::size_t> triangles_done_{0};
@@ -261,14 +260,12 @@ private:
     const Block_cut cut = cuts_.of_zone(zone.triangles(), round);
     Shared_work work;
     work.number_of_blocks = cut.size(), work.number_in_blocks = cut.members.size();
-    assignment_ = Block_assignment::for_few(whole_.mesh);
-    assign(cut, 0);
     const std::vector<std::size_t> first_of_part = first_blocks(cut.first);
     const auto rank = static_cast<std::size_t>(exchange_.rank());
     work.begin = first_of_part[rank];
     const std::size_t end = first_of_part[rank + 1];
     work.owned.resize(end - work.begin);
-    share_out_corners(zone, work);
+    share_out_corners(cut, work);
     for (std::size_t b = work.begin; b <= end; ++b)
       work.own.first.push_back(cut.first[b] - cut.first[work.begin]);
     work.own.members.assign(cut.members.begin() + std::ptrdiff_t(cut.first[work.begin]),
@@ -277,12 +274,15 @@ private:
   }
 
   /// The corners that this part's blocks of the zone own. Only corners with their apex in the zone can have an owner.
-  template <class Zone>
-  void share_out_corners(const Zone& zone, Shared_work& work) {
+  void share_out_corners(const Block_cut& cut, Shared_work& work) {
+    Sparse_values<Triangle_id, Block_id> block_of(whole_.mesh.triangles.size());
     std::vector<Vertex_id> in_zone;
-    for (const Triangle_id t : zone.triangles())
-      for (const Vertex_id v : whole_.mesh.triangle(t).v)
-        if (whole_.mesh.is_input(v)) in_zone.push_back(v);
+    for (std::size_t b = 0; b < cut.size(); ++b)
+      for (const Triangle_id t : cut[b]) {
+        block_of.at(t) = static_cast<Block_id>(b);
+        for (const Vertex_id v : whole_.mesh.triangle(t).v)
+          if (whole_.mesh.is_input(v)) in_zone.push_back(v);
+      }
     std::sort(in_zone.begin(), in_zone.end());
     std::vector<Corner_id> candidates;
     for (const Corner_id c : whole_.corners.corners.ids()) {
@@ -291,26 +291,14 @@ private:
           std::binary_search(in_zone.begin(), in_zone.end(), whole_.corners.leg(legs.front()).apex_vertex))
         candidates.push_back(c);
     }
-    const std::vector<Block_id> owners = corners_.owners(
-        candidates, [&](Triangle_id t) { return zone.has(t) ? assignment_[t].block : Block_id(); });
+    const std::vector<Block_id> owners =
+        corners_.owners(candidates, [&](Triangle_id t) { return block_of[t]; });
     for (std::size_t i = 0; i < candidates.size(); ++i) {
       if (!owners[i].is_valid()) continue;
       const std::size_t b = owners[i].value();
       if (b >= work.begin && b < work.begin + work.owned.size())
         work.owned[b - work.begin].push_back(candidates[i]);
     }
-  }
-
-  // ---- where triangles are in blocks
-
-  void assign(const Block_cut& cut, std::size_t first_block) {
-    for (std::size_t b = 0; b < cut.size(); ++b)
-      for (std::size_t i = cut.first[b]; i < cut.first[b + 1]; ++i) {
-        const Triangle_id t = cut.members[i];
-        assignment_.set(t,
-                        {static_cast<Block_id>(first_block + b), static_cast<Triangle_id>(i - cut.first[b])});
-        for (const Vertex_id v : whole_.mesh.triangle(t).v) assignment_.vertex_in_block(v) = {};
-      }
   }
 
   // ---- the work of a round
@@ -321,14 +309,13 @@ private:
     const Block_work<Geometry> work(whole_.problem, finishing_,
                                     is_first_round() ? finishing_.thinnings_of_blocks : 0);
     const std::size_t room = vertex_budget_ - std::min(vertex_budget_, whole_.mesh.number_of_vertices());
-    assignment_ = Block_assignment::for_few(whole_.mesh);
-    assign(round.own, round.begin);
+    Block_assignment assignment = assignment_of(round);
     std::vector<std::unique_ptr<Block>> blocks(n);
     std::vector<std::vector<Triangle_id>> left(n);
     triangles_done_ = 0, triangles_of_round_ = round.own.members.size();
     agree_on_work(exchange_, [&] { // the user's functions may throw
       Executor<ConcurrencyTag>::run(n, [&](std::size_t b) {
-        blocks[b] = std::make_unique<Block>(whole_.mesh, assignment_, static_cast<Block_id>(round.begin + b),
+        blocks[b] = std::make_unique<Block>(whole_.mesh, assignment, static_cast<Block_id>(round.begin + b),
                                             round.own[b], Kernel_mesh<Geometry>());
         left[b] = work.run(*blocks[b], round.owned[b], room / round.number_of_blocks, shall_go_on);
         triangles_done_ += round.own[b].size();
@@ -356,6 +343,19 @@ private:
     tell_fans_and_dead(blocks);
     rounds_.waiting = tell_all(exchange_, left_by_all);
     put_together(blocks);
+  }
+
+  /// Of what is in this part's blocks.
+  Block_assignment assignment_of(const Shared_work& round) const {
+    Block_assignment assignment = Block_assignment::for_few(whole_.mesh);
+    for (std::size_t b = 0; b < round.own.size(); ++b) {
+      const Span<Triangle_id> triangles = round.own[b];
+      for (std::size_t i = 0; i < triangles.size(); ++i) {
+        assignment.set(triangles[i], {static_cast<Block_id>(round.begin + b), static_cast<Triangle_id>(i)});
+        for (const Vertex_id v : whole_.mesh.triangle(triangles[i]).v) assignment.vertex_in_block(v) = {};
+      }
+    }
+    return assignment;
   }
 
   /// Blocks get their handles in the order of all blocks.

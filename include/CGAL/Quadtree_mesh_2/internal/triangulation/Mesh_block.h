@@ -42,7 +42,7 @@ public:
 
   /// For any number of triangles, once they are covered.
   Block_assignment() = default;
-  /// For few of the triangles of a mesh: each has to be set once by one thread, before others set it or its vertices.
+  /// For few of the triangles of a mesh: one thread has to set each of them, and its vertices, before others do.
   template <class Mesh>
   static Block_assignment for_few(const Mesh& mesh) {
     Block_assignment assignment;
