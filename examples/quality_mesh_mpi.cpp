@@ -180,7 +180,7 @@ Exit_status run(int argc, char** argv, int rank) {
 /// arrays go back to the system when they are freed.
 void give_freed_arrays_back() {
 #ifdef __GLIBC__
-  constexpr int bytes = 1 << 15;
+  constexpr int bytes = 1 << 18;
   mallopt(M_MMAP_THRESHOLD, bytes);
 #endif
 }

@@ -257,7 +257,7 @@ private:
     namespace internal = Quadtree_mesh_2::internal;
     internal::Records_of_parts<Square> outbox;
     for (const Square& s : squares) outbox[forest_->owner(internal::coarse_code(s))].push_back(s);
-    std::vector<Square> result = internal::joined(internal::exchange_records(*exchange_, std::move(outbox)));
+    std::vector<Square> result = internal::exchange_and_join(*exchange_, std::move(outbox));
     internal::sort_and_unify(result);
     return result;
   }
@@ -356,7 +356,7 @@ private:
       for (const std::size_t i : mirrors.squares)
         for (std::size_t l = leaf_begin_[i]; l < leaf_begin_[i + 1]; ++l)
           outbox[mirrors.part].push_back({leaves_[l], first_leaf_ + static_cast<std::int64_t>(l), rank()});
-    for (const Ghost_leaf& leaf : internal::joined(internal::exchange_records(*exchange_, std::move(outbox))))
+    for (const Ghost_leaf& leaf : internal::exchange_and_join(*exchange_, std::move(outbox)))
       if (touches_local_leaf(leaf.square)) ghosts_.push_back(leaf);
   }
 

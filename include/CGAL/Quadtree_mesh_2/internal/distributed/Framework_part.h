@@ -75,7 +75,7 @@ private:
       const int next = next_part_with_points();
       if (next < exchange_.size()) outbox[next].push_back(order_.points.back().place);
     }
-    const std::vector<Place> before = joined(exchange_records(exchange_, std::move(outbox)));
+    const std::vector<Place> before = exchange_and_join(exchange_, std::move(outbox));
     for (std::size_t i = 0; i < order_.points.size(); ++i) {
       const Place* const previous = i > 0            ? &order_.points[i - 1].place
                                     : before.empty() ? nullptr
@@ -115,7 +115,7 @@ private:
   std::vector<Gap> chain_from(int parts, const std::vector<Gap>& chain) {
     Records_of_parts<Gap> outbox;
     if (exchange_.rank() >= parts) outbox[exchange_.rank() - parts] = chain;
-    return joined(exchange_records(exchange_, std::move(outbox)));
+    return exchange_and_join(exchange_, std::move(outbox));
   }
 
   /// Goes from right to left. The open gaps are those of squares that do not begin behind the point, the nearest and

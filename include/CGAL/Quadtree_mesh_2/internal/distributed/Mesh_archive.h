@@ -39,6 +39,10 @@ Sent_coordinates<Point> coordinates_to_send(const Point& p) {
 /// Appends values to bytes.
 class Archive_writer {
 public:
+  Archive_writer() = default;
+  /// \param size so many bytes will be appended; a hint
+  explicit Archive_writer(std::size_t size) { bytes.reserve(size); }
+
   template <class T>
   void operator()(const T& value) {
     static_assert(std::is_trivially_copyable_v<T>);
@@ -156,9 +160,20 @@ void read_legend(Archive_reader& archive, Pslg_2<Point>& legend) {
     legend.regions.push_back({places[i], values[i][0], values[i][1]});
 }
 
+/// How many bytes a mesh takes, but for some that do not grow with it.
+template <class Point>
+std::size_t size_as_bytes(const Distributed_mesh_2<Point>& mesh) {
+  const auto size = [](const auto&... lists) { return (... + (lists.size() * sizeof *lists.data())); };
+  return size(mesh.first_vertex, mesh.first_triangle, mesh.foreign_vertices, mesh.ghost_triangles) +
+         mesh.points.size() * sizeof(Sent_coordinates<Point>) +
+         size(mesh.vertex_markers, mesh.input_index, mesh.segment_of_vertex, mesh.triangles,
+              mesh.region_of_triangle, mesh.neighbors, mesh.constrained_edges, mesh.outside_segments);
+}
+
 template <class Point>
 Bytes bytes_of_mesh(const Distributed_mesh_2<Point>& mesh) {
-  Archive_writer archive;
+  constexpr std::size_t rest = 4096;
+  Archive_writer archive(size_as_bytes(mesh) + rest);
   archive_mesh(archive, mesh);
   write_legend(archive, mesh.legend);
   return std::move(archive.bytes);

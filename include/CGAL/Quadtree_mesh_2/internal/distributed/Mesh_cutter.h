@@ -63,19 +63,26 @@ public:
     part.rank = rank;
     const auto run = static_cast<std::size_t>(rank);
     if (run >= runs_.size()) return part;
+    const std::size_t own = runs_.begin(run + 1) - runs_.begin(run);
+    const std::vector<std::size_t>& ghosts = ghosts_->of_run(run);
+    part.triangles.reserve(own + ghosts.size());
+    if (whole_.has_regions) part.region_of_triangle.reserve(own + ghosts.size());
     for (std::size_t t = runs_.begin(run); t < runs_.begin(run + 1); ++t) add_triangle(part, t);
-    if (!mesh_.neighbors.empty())
+    if (whole_.has_neighbors) part.neighbors.reserve(own);
+    if (whole_.has_neighbors)
       for (std::size_t t = runs_.begin(run); t < runs_.begin(run + 1); ++t)
         part.neighbors.push_back(numbers_of(mesh_.neighbors[t]));
-    for (const std::size_t t : ghosts_->of_run(run)) {
+    for (const std::size_t t : ghosts) {
       part.ghost_triangles.push_back(static_cast<Number>(t));
       add_triangle(part, t);
     }
+    part.constrained_edges.reserve(edges_of_run_[run].size());
     for (const std::size_t e : edges_of_run_[run]) part.constrained_edges.push_back(edge(e));
     if (run + 1 == runs_.size())
       for (const Outside_segment& s : outside_)
         part.outside_segments.push_back({numbers_of(s.ends), static_cast<Number>(s.segment), s.marker});
     find_foreign_vertices(part);
+    reserve_vertices(part);
     for (Number v = part.first_vertex[run]; v < part.first_vertex[run + 1]; ++v) add_vertex(part, v);
     for (const Number v : part.foreign_vertices) add_vertex(part, v);
     return part;
@@ -123,6 +130,13 @@ private:
     return numbers;
   }
 
+  void reserve_vertices(Part& part) const {
+    const std::size_t n = part.number_of_own_vertices() + part.foreign_vertices.size();
+    part.points.reserve(n);
+    if (whole_.has_vertex_markers) part.vertex_markers.reserve(n);
+    if (whole_.has_input_index) part.input_index.reserve(n);
+    if (whole_.has_segment_of_vertex) part.segment_of_vertex.reserve(n);
+  }
   void add_triangle(Part& part, std::size_t t) const {
     part.triangles.push_back(numbers_of(mesh_.triangles[t]));
     if (whole_.has_regions) part.region_of_triangle.push_back(mesh_.region_of_triangle[t]);

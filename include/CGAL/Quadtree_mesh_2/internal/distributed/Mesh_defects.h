@@ -144,7 +144,7 @@ private:
     Records_of_parts<Vertex> told;
     for (std::size_t i = part_.number_of_own_vertices(); i < part_.points.size(); ++i)
       told[part_.owner_of_vertex(part_.number_of_vertex(i))].push_back(vertex(i));
-    const auto copies = joined(exchange_records(exchange_, std::move(told)));
+    const auto copies = exchange_and_join(exchange_, std::move(told));
     agree_on_work(exchange_, [&] {
       for (const Vertex& copy : copies) {
         const Vertex own = vertex(part_.index_of_vertex(copy.number));
@@ -180,7 +180,7 @@ private:
     for_each_corner([&](Number v, std::size_t t) {
       if (!part_.is_own_vertex(v)) told[part_.owner_of_vertex(v)].push_back(corner(v, t));
     });
-    std::vector<Corner> corners = joined(exchange_records(exchange_, std::move(told)));
+    std::vector<Corner> corners = exchange_and_join(exchange_, std::move(told));
     std::vector<char> is_shared(part_.number_of_own_vertices(), false);
     for (const Corner& c : corners) is_shared[part_.index_of_vertex(c.vertex)] = true;
     for_each_corner([&](Number v, std::size_t t) {
@@ -202,7 +202,7 @@ private:
           if (rank != part_.owner_of_triangle(corners[i].triangle)) answers[rank].push_back(corners[i]);
     }
     std::map<Number, Corner> ghosts;
-    for (const Corner& c : joined(exchange_records(exchange_, std::move(answers)))) ghosts[c.triangle] = c;
+    for (const Corner& c : exchange_and_join(exchange_, std::move(answers))) ghosts[c.triangle] = c;
     agree_on_work(exchange_, [&] {
       check(ghosts.size() == part_.ghost_triangles.size(), "there are other ghosts");
       std::size_t t = part_.number_of_own_triangles();
@@ -274,7 +274,7 @@ private:
       check(part_.outside_segments.empty() || part_.rank + 1 == part_.number_of_parts(),
             "segments outside are at the last rank with triangles");
     });
-    std::vector<Number> found = joined(exchange_records(exchange_, std::move(told)));
+    std::vector<Number> found = exchange_and_join(exchange_, std::move(told));
     std::sort(found.begin(), found.end());
     const std::int64_t outside = exchange_.sum(static_cast<std::int64_t>(part_.outside_segments.size()));
     agree_on_work(exchange_, [&] {

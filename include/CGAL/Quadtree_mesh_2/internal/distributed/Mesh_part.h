@@ -9,7 +9,8 @@
 // Computes: own triangles and ghosts, constrained edges, and their vertices in the order of their numbers. The last
 //           part with triangles also gets the vertices of which nobody has a triangle or edge: its file has them.
 //           Fields get values at ghosts, as edges take the least value beside them.
-// Bound:    O(k log k) for k triangles and vertices of the rank; each foreign vertex and ghost is told once.
+// Bound:    O(k + f log f) for k triangles and vertices of the rank with f occurrences of foreign vertices. Each
+//           foreign vertex and ghost is told once.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_DISTRIBUTED_MESH_PART_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_DISTRIBUTED_MESH_PART_H
@@ -17,6 +18,7 @@
 #include <CGAL/Distributed_mesh_2.h>
 #include <CGAL/Indexed_mesh_2.h>
 #include <CGAL/Quadtree_mesh_2/Index.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/sort_and_drop_equal.h>
 #include <CGAL/Quadtree_mesh_2/internal/distributed/Mesh_archive.h>
 #include <CGAL/Quadtree_mesh_2/internal/distributed/Parcel.h>
 #include <CGAL/Quadtree_mesh_2/internal/distributed/agree_on_error.h>
@@ -67,16 +69,13 @@ public:
                                       n(part_.number_of_constrained_edges),
                                       n(part_.number_of_outside_segments)};
     Mesh_numbers::List triangles, edges;
+    triangles.reserve(part_.triangles.size()), edges.reserve(part_.constrained_edges.size());
     for (std::size_t t = 0; t < part_.triangles.size(); ++t)
       triangles.push_back(static_cast<std::uint64_t>(part_.number_of_triangle(t)));
     for (const auto& e : part_.constrained_edges) edges.push_back(static_cast<std::uint64_t>(e.number));
-    const std::size_t begin =
-        n(std::lower_bound(vertices_.begin(), vertices_.end(),
-                           static_cast<std::uint64_t>(part_.first_vertex[std::size_t(part_.rank)])) -
-          vertices_.begin());
     return Mesh_numbers(part_.rank == 0 ? Mesh_numbers::Part::FIRST : Mesh_numbers::Part::OTHER, counts,
-                        vertices_, {begin, begin + part_.number_of_own_vertices()}, std::move(triangles),
-                        part_.number_of_own_triangles(), std::move(edges));
+                        vertices_, {first_own_, first_own_ + part_.number_of_own_vertices()},
+                        std::move(triangles), part_.number_of_own_triangles(), std::move(edges));
   }
 
   /// Fields of own triangles with their values at ghosts. All parts have to do this, with the same fields.
@@ -114,34 +113,31 @@ private:
 
   template <class Exchange>
   std::vector<Unused> unused_vertices(Exchange& exchange) const {
+    std::vector<char> is_used(part_.points.size(), 0);
+    const auto use = [&](const auto& vertices) {
+      for (const Number v : vertices) is_used[part_.index_of_vertex(v)] = 1;
+    };
+    for (const auto& t : part_.triangles) use(t);
+    for (const auto& e : part_.constrained_edges) use(e.vertices);
+    const std::size_t own = part_.number_of_own_vertices();
     Records_of_parts<Number> told;
-    std::vector<Number> used;
-    for (const auto& t : part_.triangles) used.insert(used.end(), t.begin(), t.end());
-    for (const auto& e : part_.constrained_edges)
-      used.insert(used.end(), e.vertices.begin(), e.vertices.end());
-    std::sort(used.begin(), used.end());
-    used.erase(std::unique(used.begin(), used.end()), used.end());
-    for (const Number v : used) told[part_.owner_of_vertex(v)].push_back(v);
-    std::vector<char> is_used(part_.number_of_own_vertices(), 0);
-    for (const Number v : joined(exchange_records(exchange, std::move(told))))
-      is_used[part_.index_of_vertex(v)] = 1;
+    for (std::size_t v = own; v < is_used.size(); ++v)
+      if (is_used[v] != 0)
+        told[part_.owner_of_vertex(part_.number_of_vertex(v))].push_back(part_.number_of_vertex(v));
+    for (const Number v : exchange_and_join(exchange, std::move(told))) is_used[part_.index_of_vertex(v)] = 1;
     Records_of_parts<Unused> unused;
-    for (std::size_t v = 0; v < is_used.size(); ++v)
+    for (std::size_t v = 0; v < own; ++v)
       if (is_used[v] == 0)
         unused[part_.number_of_parts() - 1].push_back(
             {part_.number_of_vertex(v), coordinates_to_send(part_.points[v]),
              part_.has_input_index ? part_.input_index[v] : -1,
              part_.has_vertex_markers ? part_.vertex_markers[v] : 0});
-    return joined(exchange_records(exchange, std::move(unused)));
+    return exchange_and_join(exchange, std::move(unused));
   }
 
   /// \param unused of all parts, in the order of their numbers
   void add_vertices(const std::vector<Unused>& unused) {
-    for (std::size_t v = 0; v < part_.points.size(); ++v)
-      vertices_.push_back(static_cast<std::uint64_t>(part_.number_of_vertex(v)));
-    for (const Unused& v : unused) vertices_.push_back(static_cast<std::uint64_t>(v.number));
-    std::sort(vertices_.begin(), vertices_.end());
-    vertices_.erase(std::unique(vertices_.begin(), vertices_.end()), vertices_.end());
+    list_vertices(unused);
     if (vertices_.size() >= std::numeric_limits<std::uint32_t>::max())
       throw std::length_error("a rank writes fewer than 2^32 - 1 vertices");
     mesh_.points.resize(vertices_.size());
@@ -158,6 +154,21 @@ private:
                  part_.has_vertex_markers ? part_.vertex_markers[v] : 0,
                  part_.has_input_index ? part_.input_index[v] : -1);
   }
+  /// In the order of their numbers: own ones follow each other, and foreign ones are sorted.
+  void list_vertices(const std::vector<Unused>& unused) {
+    const std::vector<Number>& foreign = part_.foreign_vertices;
+    const auto behind = std::lower_bound(foreign.begin(), foreign.end(), first_own_number());
+    vertices_.reserve(part_.points.size() + unused.size());
+    vertices_.assign(foreign.begin(), behind);
+    for (std::size_t v = 0; v < part_.number_of_own_vertices(); ++v)
+      vertices_.push_back(static_cast<std::uint64_t>(part_.number_of_vertex(v)));
+    vertices_.insert(vertices_.end(), behind, foreign.end());
+    if (!unused.empty()) {
+      for (const Unused& v : unused) vertices_.push_back(static_cast<std::uint64_t>(v.number));
+      sort_and_drop_equal(vertices_);
+    }
+    first_own_ = place_of(first_own_number());
+  }
   void set_vertex(Number number, const Point& p, int marker, Number input_index) {
     const auto v = std::size_t(local(number));
     mesh_.points[v] = p;
@@ -166,10 +177,12 @@ private:
   }
 
   void add_triangles() {
+    mesh_.triangles.reserve(part_.triangles.size());
     for (const auto& [a, b, c] : part_.triangles) mesh_.triangles.push_back({local(a), local(b), local(c)});
     mesh_.region_of_triangle = part_.region_of_triangle;
   }
   void add_edges() {
+    mesh_.constrained_edges.reserve(part_.constrained_edges.size());
     for (const auto& e : part_.constrained_edges)
       mesh_.constrained_edges.push_back({{local(e.vertices[0]), local(e.vertices[1])},
                                          Segment_index(),
@@ -181,9 +194,17 @@ private:
                           static_cast<int>(s.marker)});
   }
 
+  Number first_own_number() const { return part_.first_vertex[std::size_t(part_.rank)]; }
+
+  /// Of a vertex in the list, or where it would be.
+  std::size_t place_of(Number v) const {
+    return static_cast<std::size_t>(
+        std::lower_bound(vertices_.begin(), vertices_.end(), static_cast<std::uint64_t>(v)) -
+        vertices_.begin());
+  }
   Vertex_index local(Number v) const {
-    return Vertex_index(std::lower_bound(vertices_.begin(), vertices_.end(), static_cast<std::uint64_t>(v)) -
-                        vertices_.begin());
+    return Vertex_index(part_.is_own_vertex(v) ? first_own_ + std::size_t(v - first_own_number())
+                                               : place_of(v));
   }
 
   template <class Exchange>
@@ -208,6 +229,7 @@ private:
   const Part& part_;
   Indexed_mesh_2<Point> mesh_;
   std::vector<std::uint64_t> vertices_; // their numbers
+  std::size_t first_own_ = 0;           // in the list
   std::vector<Outside_segment> outside_;
   std::vector<std::uint32_t> unused_;
 };

@@ -23,6 +23,9 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_DISTRIBUTED_PARCEL_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_DISTRIBUTED_PARCEL_H
 
+#include <CGAL/Quadtree_mesh_2/internal/base/Uninitialized_vector.h>
+
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -36,7 +39,7 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-using Bytes = std::vector<char>;
+using Bytes = Uninitialized_vector<char>;
 using Numbers = std::vector<std::int64_t>;
 
 /// Bytes to a part, or from one.
@@ -102,42 +105,80 @@ Bytes bytes_of(const std::vector<Record>& records) {
 }
 
 template <class Record>
-std::vector<Record> records_of(const Bytes& bytes) {
+std::size_t number_of_records(const Bytes& bytes) {
   static_assert(std::is_trivially_copyable_v<Record>, "records are sent as the bytes that they are");
   if (bytes.size() % sizeof(Record) != 0) throw std::logic_error("a parcel with a part of a record");
-  std::vector<Record> records(bytes.size() / sizeof(Record));
-  if (!bytes.empty()) std::memcpy(static_cast<void*>(records.data()), bytes.data(), bytes.size());
+  return bytes.size() / sizeof(Record);
+}
+
+template <class Record>
+void append_records(const Bytes& bytes, std::vector<Record>& records) {
+  const std::size_t n = records.size();
+  records.resize(n + number_of_records<Record>(bytes));
+  if (!bytes.empty()) std::memcpy(static_cast<void*>(records.data() + n), bytes.data(), bytes.size());
+}
+
+template <class Record>
+std::vector<Record> records_of(const Bytes& bytes) {
+  std::vector<Record> records;
+  append_records(bytes, records);
   return records;
 }
 
-/// Sends records to parts, and returns those that arrive, by sender. Parts with no records get nothing.
-template <class Record, class Exchange>
-Records_of_parts<Record> exchange_records(Exchange& exchange, Records_of_parts<Record> outbox) {
+/// The records for a part, which are no longer in the outbox then.
+template <class Record>
+std::vector<Record> take_records_for(int part, Records_of_parts<Record>& outbox) {
+  const auto found = outbox.find(part);
+  return found == outbox.end() ? std::vector<Record>() : std::move(outbox.extract(found).mapped());
+}
+
+/// The records for each part as bytes. They are freed one by one.
+template <class Record>
+Parcels parcels_of(Records_of_parts<Record> outbox) {
   Parcels parcels;
   for (auto& [part, records] : outbox) {
     if (records.empty()) continue;
     parcels.push_back({part, bytes_of(records)});
     std::vector<Record>().swap(records);
   }
+  return parcels;
+}
+
+/// Sends records to parts, and returns those that arrive, by sender. Parts with no records get nothing. What a part
+/// tells itself is not copied.
+template <class Record, class Exchange>
+Records_of_parts<Record> exchange_records(Exchange& exchange, Records_of_parts<Record> outbox) {
   Records_of_parts<Record> inbox;
-  for (Parcel& parcel : exchange.exchange(std::move(parcels))) {
+  std::vector<Record> own = take_records_for(exchange.rank(), outbox);
+  if (!own.empty()) inbox[exchange.rank()] = std::move(own);
+  for (Parcel& parcel : exchange.exchange(parcels_of(std::move(outbox)))) {
     inbox[parcel.part] = records_of<Record>(parcel.bytes);
     Bytes().swap(parcel.bytes);
   }
   return inbox;
 }
 
-/// The records of all senders, one after the other.
-template <class Record>
-std::vector<Record> joined(Records_of_parts<Record> inbox) {
-  std::size_t sum = 0;
-  for (const auto& of_part : inbox) sum += of_part.second.size();
+/// The same, with what arrives of all senders, one after the other.
+template <class Record, class Exchange>
+std::vector<Record> exchange_and_join(Exchange& exchange, Records_of_parts<Record> outbox) {
+  std::vector<Record> own = take_records_for(exchange.rank(), outbox);
+  Parcels inbox = exchange.exchange(parcels_of(std::move(outbox)));
+  if (inbox.empty()) return own;
+  std::size_t length = own.size();
+  for (const Parcel& parcel : inbox) length += number_of_records<Record>(parcel.bytes);
   std::vector<Record> all;
-  all.reserve(sum);
-  for (auto& of_part : inbox) {
-    all.insert(all.end(), of_part.second.begin(), of_part.second.end());
-    std::vector<Record>().swap(of_part.second);
-  }
+  all.reserve(length);
+  const auto first_behind =
+      std::find_if(inbox.begin(), inbox.end(), [&](const Parcel& p) { return p.part > exchange.rank(); });
+  const auto add = [&all](auto begin, auto end) {
+    for (auto parcel = begin; parcel != end; ++parcel) {
+      append_records(parcel->bytes, all);
+      Bytes().swap(parcel->bytes);
+    }
+  };
+  add(inbox.begin(), first_behind);
+  all.insert(all.end(), own.begin(), own.end());
+  add(first_behind, inbox.end());
   return all;
 }
 

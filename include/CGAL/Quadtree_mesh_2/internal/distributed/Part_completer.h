@@ -128,7 +128,7 @@ private:
           if (other != rank) told[rank].push_back({v, other});
     }
     // Owners come in their order, and so do their vertices.
-    return joined(exchange_records(exchange_, std::move(told)));
+    return exchange_and_join(exchange_, std::move(told));
   }
 
   /// Own triangles for each other rank that has one with a vertex in common, in their order.

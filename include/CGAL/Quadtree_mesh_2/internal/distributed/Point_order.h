@@ -190,8 +190,7 @@ private:
 
   /// A point that was kept here may equal one of a lower part.
   void learn_of_duplicates() {
-    std::vector<Distributed_duplicate_point> replaced =
-        joined(exchange_records(exchange_, std::move(replaced_)));
+    std::vector<Distributed_duplicate_point> replaced = exchange_and_join(exchange_, std::move(replaced_));
     const auto less = [](const auto& a, const auto& b) { return a.duplicate < b.duplicate; };
     std::sort(replaced.begin(), replaced.end(), less);
     for (Distributed_duplicate_point& own : result_.duplicates) {

@@ -43,7 +43,7 @@ std::vector<Placed_point> moved_points(Exchange& exchange, std::vector<Placed_po
   Records_of_parts<Numbered_point> outbox;
   for (const Placed_point& p : points) outbox[part_of(coarse_code(p.place))].push_back(p.without_place());
   std::vector<Placed_point>().swap(points);
-  const std::vector<Numbered_point> arrived = joined(exchange_records(exchange, std::move(outbox)));
+  const std::vector<Numbered_point> arrived = exchange_and_join(exchange, std::move(outbox));
   points.reserve(arrived.size());
   for (const Numbered_point& p : arrived) points.push_back({grid.grid_point({p.x, p.y}), p.x, p.y, p.index});
   return points;
@@ -90,7 +90,7 @@ private:
       if (begins[part()] <= wanted && wanted < begins[part() + 1])
         outbox[to].push_back(order_.points[static_cast<std::size_t>(wanted - begins[part()])].place);
     }
-    return joined(exchange_records(exchange_, std::move(outbox)));
+    return exchange_and_join(exchange_, std::move(outbox));
   }
 
   /// Where the run of this part may begin, by its own points. The tree is its root if there is no window in it.

@@ -6,7 +6,8 @@
 //
 // A mesh of one part given to all parts, and put together again at one of them.
 //
-// Bound: as for Mesh_cutter.h; the part that has the mesh also has up to 256 MB, or one other part, on its way.
+// Bound: as for Mesh_cutter.h; the part that has the mesh also has up to 256 MB, or one other part, on its way. Its own
+//        part comes last, when nothing is on its way.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_DISTRIBUTED_DISTRIBUTE_MESH_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_DISTRIBUTED_DISTRIBUTE_MESH_H
@@ -49,6 +50,7 @@ Distributed_mesh_2<Point> distribute_mesh(Exchange& exchange, const Indexed_mesh
     Parcels outbox;
     agree_on_work(exchange, [&] {
       for (std::size_t bytes = 0; is_root && next < exchange.size() && bytes < batch; ++next) {
+        if (next == root) continue;
         outbox.push_back({next, bytes_of_mesh(cutter->part(next))});
         bytes += outbox.back().bytes.size();
       }
@@ -58,6 +60,9 @@ Distributed_mesh_2<Point> distribute_mesh(Exchange& exchange, const Indexed_mesh
       if (!inbox.empty()) part = mesh_of_bytes<Point>(inbox.front().bytes);
     });
   }
+  agree_on_work(exchange, [&] {
+    if (is_root) part = cutter->part(root);
+  });
   return part;
 }
 

@@ -173,10 +173,10 @@ private:
       e.number = triangles_.number(e.handle);
       exempt[0].push_back(e);
     }
-    for (const Exempt& e : in_order(joined(exchange_records(exchange_, std::move(exempt)))))
+    for (const Exempt& e : in_order(exchange_and_join(exchange_, std::move(exempt))))
       report.exempt_triangles.push_back(
           {Triangle_index(e.number), Vertex_index(input_.order[e.corner.value()])});
-    for (const Unmet& u : in_order(joined(exchange_records(exchange_, std::move(unmet)))))
+    for (const Unmet& u : in_order(exchange_and_join(exchange_, std::move(unmet))))
       report.unmet_triangles.push_back(u.entry);
   }
 
@@ -250,7 +250,7 @@ private:
     part.number_of_outside_segments = exchange_.sum(static_cast<std::int64_t>(outside.size()));
     Records_of_parts<Outside> told;
     if (!outside.empty()) told[static_cast<int>(runs().size()) - 1] = std::move(outside);
-    part.outside_segments = joined(exchange_records(exchange_, std::move(told)));
+    part.outside_segments = exchange_and_join(exchange_, std::move(told));
   }
 
   /// \param bits of the segments with edges

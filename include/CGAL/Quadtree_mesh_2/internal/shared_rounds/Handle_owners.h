@@ -21,8 +21,9 @@ namespace internal {
 
 class Handle_owners {
 public:
-  /// How many handles are on their way at a time, so that what is sent takes little memory.
-  static constexpr std::size_t at_a_time = std::size_t(1) << 18;
+  /// How many handles of each part are on their way at a time. What is sent of them takes little memory, which is in
+  /// the cache and is used again and again.
+  static constexpr std::size_t at_a_time = std::size_t(1) << 14;
 
   explicit Handle_owners(int parts) : parts_(static_cast<std::size_t>(parts)) {}
 
@@ -38,8 +39,9 @@ public:
 
   /// Calls `f(begin, end)` for runs of the handles below `n`, one after the other. All parts do so with the same `n`.
   template <class Function>
-  static void for_each_run(std::size_t n, const Function& f) {
-    for (std::size_t begin = 0; begin < n; begin += at_a_time) f(begin, std::min(n, begin + at_a_time));
+  void for_each_run(std::size_t n, const Function& f) const {
+    const std::size_t length = at_a_time * parts_;
+    for (std::size_t begin = 0; begin < n; begin += length) f(begin, std::min(n, begin + length));
   }
 
 private:

@@ -100,12 +100,7 @@ public:
     std::vector<Package> packages;
     if (exchange_.rank() == 0) packages = packages_of_parts(whole, part_of);
     give_common(whole, packages, for_all);
-    const Numbers pieces = pieces_of(packages);
-    packages.resize(pieces.size());
-    for (std::size_t part = pieces.size(); part-- > 0;) {
-      give(static_cast<int>(part), whole, packages[part], pieces[part]);
-      packages[part] = {};
-    }
+    give(whole, packages);
   }
 
   /// Part 0 gets all that others hold: its mesh is whole then, but for what is dead. Others keep what they have. Only a
@@ -258,8 +253,10 @@ private:
     }
   };
 
-  /// How many triangles, and how many vertices, are on their way to a part at a time, or from all parts.
+  /// How many triangles, and how many vertices, are on their way to all parts at a time, or from all.
   static constexpr std::size_t at_a_time = std::size_t(1) << 15;
+
+  std::size_t number_of_each() const { return at_a_time / static_cast<std::size_t>(exchange_.size()) + 1; }
 
   Exchange& exchange_;
   Mesh& mesh_;
@@ -293,6 +290,7 @@ private:
     const auto reserve = [](auto& values, std::size_t n) {
       values.reserve(n);
       ask_for_small_pages(values.data(), n * sizeof(*values.data()));
+      give_back_pages(values.data(), n * sizeof(*values.data())); // of an array that was there before
     };
     reserve(mesh_.points, vertices), reserve(mesh_.role_of, vertices), reserve(mesh_.triangle_of, vertices);
     reserve(mesh_.is_dirty, vertices), reserve(mesh_.triangles, slots);
@@ -345,7 +343,7 @@ private:
   /// \returns how many triangles all parts have told
   std::size_t tell(Package package) {
     sort_and_drop_equal(package.vertices);
-    const std::size_t of_each = at_a_time / static_cast<std::size_t>(exchange_.size()) + 1;
+    const std::size_t of_each = number_of_each();
     std::size_t number = 0;
     bool is_more = true;
     for (std::size_t piece = 0; is_more; ++piece) {
@@ -366,10 +364,12 @@ private:
   /// Some triangles and some vertices of a package, and whether there are more; nothing behind its end.
   static Bytes bytes_of_piece(const Mesh& mesh, const Package& package, std::size_t begin, std::size_t most) {
     if (begin >= size_of(package)) return {};
-    Archive_writer archive;
-    archive(begin + most < size_of(package));
-    archive(records(mesh, package.triangles, begin, most)),
-        archive(records(mesh, package.vertices, begin, most));
+    const auto triangles = records(mesh, package.triangles, begin, most);
+    const auto vertices = records(mesh, package.vertices, begin, most);
+    constexpr std::size_t rest = 64;
+    Archive_writer archive(triangles.size() * sizeof(Triangle_record) +
+                           vertices.size() * sizeof(Vertex_record) + rest);
+    archive(begin + most < size_of(package)), archive(triangles), archive(vertices);
     return std::move(archive.bytes);
   }
   static std::size_t size_of(const Package& package) {
@@ -407,28 +407,27 @@ private:
     return common;
   }
 
-  /// In how many pieces each package is given, known to all parts.
-  Numbers pieces_of(const std::vector<Package>& packages) {
-    Numbers pieces;
+  /// Gives each part what is in its package. All parts call it, and part 0 has packages, and the whole mesh.
+  void give(const Mesh& whole, const std::vector<Package>& packages) {
+    const std::size_t of_each = number_of_each();
+    std::int64_t longest = 0;
     for (const Package& package : packages)
-      pieces.push_back(std::int64_t((size_of(package) + at_a_time - 1) / at_a_time));
-    Bytes bytes = bytes_of(pieces);
-    exchange_.broadcast(bytes, 0);
-    return records_of<std::int64_t>(bytes);
-  }
-
-  /// Gives a part what is in a package of part 0, which has the whole mesh. All parts call it.
-  void give(int part, const Mesh& whole, const Package& package, std::int64_t pieces) {
-    for (std::int64_t piece = 0; piece < pieces; ++piece) {
+      longest = std::max(longest, static_cast<std::int64_t>(size_of(package)));
+    longest = exchange_.max(longest);
+    for (std::size_t begin = 0; begin < static_cast<std::size_t>(longest); begin += of_each) {
       Parcels outbox;
-      if (exchange_.rank() == 0)
-        outbox.push_back({part, bytes_of_piece(whole, package, std::size_t(piece) * at_a_time, at_a_time)});
+      for (std::size_t part = 1; part < packages.size(); ++part)
+        if (begin < size_of(packages[part]))
+          outbox.push_back({static_cast<int>(part), bytes_of_piece(whole, packages[part], begin, of_each)});
       for (const Parcel& parcel : exchange_.exchange(std::move(outbox))) {
         const Told told(parcel.bytes);
         for (const Triangle_record& r : told.triangles) write(r), set_private(r.id);
         for (const Vertex_record& r : told.vertices) write(r), set_has(r.id);
       }
     }
+    if (packages.empty()) return;
+    for (const Triangle_id t : packages.front().triangles) write(record(whole, t)), set_private(t);
+    for (const Vertex_id v : packages.front().vertices) write(record(whole, v)), set_has(v);
   }
 
   /// Gives each part the records of some vertices, for which no part vouches, and the names of those it shares with

@@ -51,7 +51,7 @@ public:
 
 private:
   /// How many keys are on their way at a time.
-  static constexpr std::size_t at_a_time = std::size_t(1) << 19;
+  static constexpr std::size_t at_a_time = std::size_t(1) << 16;
 
   Exchange& exchange_;
   std::uint64_t range_;

@@ -55,6 +55,7 @@ public:
   /// Finds the numbers of the triangles that this part holds. \pre those of their vertices are known
   void find_numbers() {
     Uninitialized_vector<std::uint64_t> keys;
+    keys.reserve(held_.number_held());
     for_each_own([&](Triangle_id t) { keys.push_back(key_of(t)); });
     const Key_positions positions = ranker().positions_of(keys);
     number_of_all_ = exchange_.sum(static_cast<std::int64_t>(keys.size()));
@@ -94,8 +95,8 @@ public:
   }
 
   /// Which segments this part knows edges of: bits of bytes, by segment.
-  std::vector<char> segments_with_edges() const {
-    std::vector<char> bits;
+  Bytes segments_with_edges() const {
+    Bytes bits;
     for (const Edge& e : edges_) {
       const std::uint32_t s = e.row.segment;
       if (s / 8 >= bits.size()) bits.resize(s / 8 + 1, 0);
@@ -108,20 +109,22 @@ public:
   /// \pre the numbers of all parts are known to `part`
   void ship(Mesh& part) {
     const std::size_t own = part.number_of_own_triangles();
-    part.triangles.resize(own), part.neighbors.resize(own);
-    if (part.has_regions) part.region_of_triangle.resize(own);
-    Handle_owners::for_each_run(mesh_.triangles.size(), [&](std::size_t begin, std::size_t end) {
-      Records_of_parts<Row> outbox;
-      for (const Triangle_id t : Id_range<Triangle_id>(begin, end))
-        if (held_.speaks_for(t)) outbox[part.owner_of_triangle(number(t))].push_back(row(t));
-      for (const Row& r : joined(exchange_records(exchange_, std::move(outbox)))) write(part, r);
-      held_.give_back(begin, end, [](Triangle_id) { return true; });
-    });
+    resize_with_pages(part.triangles, own), resize_with_pages(part.neighbors, own);
+    if (part.has_regions) resize_with_pages(part.region_of_triangle, own);
+    Handle_owners(exchange_.size())
+        .for_each_run(mesh_.triangles.size(), [&](std::size_t begin, std::size_t end) {
+          Records_of_parts<Row> outbox;
+          for (const Triangle_id t : Id_range<Triangle_id>(begin, end))
+            if (held_.speaks_for(t)) outbox[part.owner_of_triangle(number(t))].push_back(row(t));
+          for (const Row& r : exchange_and_join(exchange_, std::move(outbox))) write(part, r);
+          held_.give_back(begin, end, [](Triangle_id) { return true; });
+        });
   }
 
   /// Gives each part the edges that it owns. \pre the numbers of outer vertices have been asked for
   void ship_edges(Mesh& part) {
     Uninitialized_vector<std::uint64_t> keys;
+    keys.reserve(edges_.size());
     for (const Edge& e : edges_)
       keys.push_back(key(std::min(e.row.ends[0], e.row.ends[1]), std::max(e.row.ends[0], e.row.ends[1])));
     const Key_positions positions = ranker().positions_of(keys);
@@ -134,7 +137,7 @@ public:
       outbox[part.owner_of_triangle(e.home)].push_back(e.row);
     }
     edges_ = {};
-    std::vector<Edge_row> rows = joined(exchange_records(exchange_, std::move(outbox)));
+    std::vector<Edge_row> rows = exchange_and_join(exchange_, std::move(outbox));
     std::sort(rows.begin(), rows.end(),
               [](const Edge_row& e, const Edge_row& f) { return e.number < f.number; });
     part.constrained_edges.reserve(rows.size());

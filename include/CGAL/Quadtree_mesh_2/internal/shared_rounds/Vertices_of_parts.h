@@ -67,9 +67,9 @@ public:
   template <class To_user>
   void collect(const Pslg_2<Point>& pslg, const Order& order, const To_user& to_user) {
     const std::size_t n = mesh_.number_of_vertices(), places = owners_.places(n);
-    rows_.assign(places, Row());
+    resize_with_pages(rows_, places);
     const auto inputs = static_cast<std::size_t>(exchange_.max(static_cast<std::int64_t>(order.size())));
-    Handle_owners::for_each_run(n, [&](std::size_t begin, std::size_t end) {
+    owners_.for_each_run(n, [&](std::size_t begin, std::size_t end) {
       Records_of_parts<Told_row> outbox;
       const auto tell = [&](std::size_t v, const Row& row) {
         outbox[owners_.owner(v)].push_back({static_cast<std::uint32_t>(v), row});
@@ -77,7 +77,7 @@ public:
       for (std::size_t v = begin; v < std::min(end, order.size()); ++v) tell(v, input_row(pslg, order[v]));
       for (const Vertex_id v : Id_range<Vertex_id>(std::max(begin, inputs), std::max(end, inputs)))
         if (held_.speaks_for(v)) tell(std::size_t(v), steiner_row(v, to_user(mesh_.point(v))));
-      for (const Told_row& told : joined(exchange_records(exchange_, std::move(outbox))))
+      for (const Told_row& told : exchange_and_join(exchange_, std::move(outbox)))
         rows_[owners_.place(told.vertex)] = told.row;
     });
     find_numbers();
@@ -91,7 +91,7 @@ public:
     numbers_.reserve(mesh_.number_of_vertices());
     ask_for_small_pages(numbers_.data(), mesh_.number_of_vertices() * sizeof numbers_[0]);
     numbers_.resize(mesh_.number_of_vertices());
-    Handle_owners::for_each_run(numbers_.size(), [&](std::size_t begin, std::size_t end) {
+    owners_.for_each_run(numbers_.size(), [&](std::size_t begin, std::size_t end) {
       std::vector<Vertex_id> wanted;
       for (const Vertex_id v : Id_range<Vertex_id>(begin, end))
         if (held_.has(v) && mesh_.is_used(v)) wanted.push_back(v);
@@ -116,7 +116,7 @@ public:
   void offer(const std::vector<Offered_marker>& offered) {
     Records_of_parts<Offered_marker> outbox;
     for (const Offered_marker& o : offered) outbox[owners_.owner(o.vertex)].push_back(o);
-    std::vector<Offered_marker> all = joined(exchange_records(exchange_, std::move(outbox)));
+    std::vector<Offered_marker> all = exchange_and_join(exchange_, std::move(outbox));
     std::sort(all.begin(), all.end());
     for (const Offered_marker& o : all)
       if (std::int32_t& marker = rows_[owners_.place(o.vertex)].marker; marker == 0) marker = o.marker;
@@ -126,15 +126,17 @@ public:
   /// \pre their numbers and those of all parts are known to `part`
   void ship(Mesh& part) {
     const std::size_t own = part.number_of_own_vertices();
-    part.points.resize(own), part.vertex_markers.resize(own), part.input_index.resize(own);
-    part.segment_of_vertex.resize(own);
-    Handle_owners::for_each_run(
-        rows_.size() * static_cast<std::size_t>(exchange_.size()), [&](std::size_t begin, std::size_t end) {
-          Records_of_parts<Row> outbox;
-          for_each_row_between(
-              begin, end, [&](const Row& row) { outbox[part.owner_of_vertex(row.number)].push_back(row); });
-          for (const Row& row : joined(exchange_records(exchange_, std::move(outbox)))) write(part, row);
-        });
+    resize_with_pages(part.points, own), resize_with_pages(part.vertex_markers, own);
+    resize_with_pages(part.input_index, own), resize_with_pages(part.segment_of_vertex, own);
+    owners_.for_each_run(rows_.size() * static_cast<std::size_t>(exchange_.size()),
+                         [&](std::size_t begin, std::size_t end) {
+                           Records_of_parts<Row> outbox;
+                           for_each_row_between(begin, end, [&](const Row& row) {
+                             outbox[part.owner_of_vertex(row.number)].push_back(row);
+                           });
+                           for (const Row& row : exchange_and_join(exchange_, std::move(outbox)))
+                             write(part, row);
+                         });
     rows_ = {};
   }
 
