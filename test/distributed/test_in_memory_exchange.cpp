@@ -28,6 +28,7 @@ TEST_CASE("parts in one memory exchange parcels, numbers and errors", "[distribu
   In_memory_exchange::run(parts, [&](In_memory_exchange& exchange) {
     wrong += exchange_checks::check_exchanges(exchange, 20);
     wrong += exchange_checks::check_numbers(exchange);
+    wrong += exchange_checks::check_records(exchange, 20);
     wrong += exchange_checks::check_errors(exchange);
     wrong += exchange_checks::check_exchanges(exchange, 5);
   });
@@ -38,6 +39,7 @@ TEST_CASE("one part alone exchanges with itself", "[distributed]") {
   Local_exchange exchange;
   CHECK(exchange_checks::check_exchanges(exchange, 20) == 0);
   CHECK(exchange_checks::check_numbers(exchange) == 0);
+  CHECK(exchange_checks::check_records(exchange, 20) == 0);
   CHECK(exchange_checks::check_errors(exchange) == 0);
   CHECK(exchange.traffic().messages == 0);
 }

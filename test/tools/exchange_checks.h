@@ -14,12 +14,14 @@
 #include <CGAL/Quadtree_mesh_2/internal/distributed/agree_on_error.h>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <new>
 #include <random>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace exchange_checks {
@@ -62,6 +64,26 @@ int check_exchanges(Exchange& exchange, int steps) {
         wrong += parcel.bytes[i] != byte_of(from, me, step, static_cast<int>(i));
     }
     wrong += next != inbox.size();
+  }
+  return wrong;
+}
+
+/// Records by sender, and those of all senders one after the other, with what a part tells itself at its place.
+template <class Exchange>
+int check_records(Exchange& exchange, int steps) {
+  using Record = std::array<std::int64_t, 3>; // from, to, number
+  int wrong = 0;
+  const int me = exchange.rank();
+  for (int step = 0; step < steps; ++step) {
+    Records_of_parts<Record> outbox, expected;
+    for (int part = 0; part < exchange.size(); ++part) {
+      for (int i = 0; i < length_of(me, part, step); ++i) outbox[part].push_back({me, part, i});
+      for (int i = 0; i < length_of(part, me, step); ++i) expected[part].push_back({part, me, i});
+    }
+    wrong += exchange_records(exchange, outbox) != expected;
+    std::vector<Record> all;
+    for (const auto& of_part : expected) all.insert(all.end(), of_part.second.begin(), of_part.second.end());
+    wrong += exchange_and_join(exchange, std::move(outbox)) != all;
   }
   return wrong;
 }
