@@ -68,10 +68,11 @@ public:
     part.triangles.reserve(own + ghosts.size());
     if (whole_.has_regions) part.region_of_triangle.reserve(own + ghosts.size());
     for (std::size_t t = runs_.begin(run); t < runs_.begin(run + 1); ++t) add_triangle(part, t);
-    if (whole_.has_neighbors) part.neighbors.reserve(own);
-    if (whole_.has_neighbors)
+    if (whole_.has_neighbors) {
+      part.neighbors.reserve(own);
       for (std::size_t t = runs_.begin(run); t < runs_.begin(run + 1); ++t)
         part.neighbors.push_back(numbers_of(mesh_.neighbors[t]));
+    }
     for (const std::size_t t : ghosts) {
       part.ghost_triangles.push_back(static_cast<Number>(t));
       add_triangle(part, t);
