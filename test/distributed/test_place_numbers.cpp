@@ -95,7 +95,8 @@ Numbered numbers_by_parts(const Vertices<Point>& vertices, const Dealt& owned) {
     const auto part = static_cast<std::size_t>(exchange.rank());
     Vertices<Point> own;
     for (const std::size_t i : owned[part]) own.push_back(vertices[i]);
-    const std::vector<std::int64_t> numbers = numbers_by_place(exchange, own);
+    const std::vector<std::int64_t> numbers =
+        numbers_by_place<Point>(exchange, own.size(), [&own](std::size_t i) { return own[i]; });
     is_complete[part] = numbers.size() == own.size();
     if (is_complete[part] != 0)
       for (std::size_t k = 0; k < own.size(); ++k) result.numbers[owned[part][k]] = numbers[k];

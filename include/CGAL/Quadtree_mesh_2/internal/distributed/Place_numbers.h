@@ -134,15 +134,16 @@ private:
 };
 
 /// See the head of this file.
-template <class Exchange, class Point>
+template <class Exchange, class Point, class Vertex_at>
 class Place_numberer {
 public:
-  Place_numberer(Exchange& exchange, std::vector<Placed_vertex<Point>> own)
-      : exchange_(exchange), own_(std::move(own)), grid_(agree_on_box(exchange, box_of_own())) {}
+  /// \param vertex_at the vertices of this part, by index
+  Place_numberer(Exchange& exchange, std::size_t size, const Vertex_at& vertex_at)
+      : exchange_(exchange), size_(size), vertex_at_(vertex_at), grid_(agree_on_box(exchange, box_of_own())) {
+  }
 
   std::vector<std::int64_t> numbers() {
     Parcels runs = vertices_to_send();
-    own_ = {};
     Parcels inbox = exchange_.exchange(std::move(runs));
     std::size_t bytes = 0;
     for (const Parcel& parcel : inbox) bytes += parcel.bytes.size();
@@ -159,7 +160,10 @@ public:
 private:
   Double_box box_of_own() const {
     Double_box box;
-    for (const Placed_vertex<Point>& v : own_) box.add(as_double(v.place[0]), as_double(v.place[1]));
+    for (std::size_t i = 0; i < size_; ++i) {
+      const Sent_coordinates<Point> place = vertex_at_(i).place;
+      box.add(as_double(place[0]), as_double(place[1]));
+    }
     return box;
   }
 
@@ -170,9 +174,9 @@ private:
       return vertex(i).is_before_in_square(vertex(j));
     };
     Sorted_keys<Grid_point_2<std::uint64_t>> sorted;
-    agree_on_work(exchange_, [&] { sorted = sorted_by_place<Sequential_tag>(own_.size(), square_at, less); });
+    agree_on_work(exchange_, [&] { sorted = sorted_by_place<Sequential_tag>(size_, square_at, less); });
     const std::vector<std::size_t> cuts =
-        sampled_cuts(exchange_, own_.size(), [&sorted](std::size_t i) { return sorted.keys[i]; });
+        sampled_cuts(exchange_, size_, [&sorted](std::size_t i) { return sorted.keys[i]; });
     order_ = std::move(sorted.order);
     sorted = {};
     Parcels runs;
@@ -183,7 +187,7 @@ private:
     return runs;
   }
 
-  Ranked_place<Point> vertex(std::size_t i) const { return Ranked_place<Point>(own_[i]); }
+  Ranked_place<Point> vertex(std::size_t i) const { return Ranked_place<Point>(vertex_at_(i)); }
 
   Bytes bytes_of_run(std::size_t begin, std::size_t end) const {
     Bytes bytes((end - begin) * sizeof(Ranked_place<Point>));
@@ -220,7 +224,8 @@ private:
   }
 
   Exchange& exchange_;
-  std::vector<Placed_vertex<Point>> own_; // until they are sent
+  std::size_t size_; // how many vertices this part has
+  const Vertex_at& vertex_at_;
   const Place_grid grid_;
   Order order_; // of own vertices by places
 };
@@ -228,10 +233,12 @@ private:
 /// Computes, for the vertices that all parts have, numbers in the order of places: of each of this part's, in the order
 /// given. Numbers begin at 0 and are those that `renumber_by_place()` gives to a mesh with all of these vertices, of
 /// which those with no input index are in the order of their handles. All parts call it.
+/// \param size how many vertices this part gives
+/// \param vertex_at the `Placed_vertex<Point>` of an index below that; called more than once
 /// \pre each vertex is given by one part only, and this part gives less than 2^32
-template <class Exchange, class Point>
-std::vector<std::int64_t> numbers_by_place(Exchange& exchange, std::vector<Placed_vertex<Point>> own) {
-  return Place_numberer<Exchange, Point>(exchange, std::move(own)).numbers();
+template <class Point, class Exchange, class Vertex_at>
+std::vector<std::int64_t> numbers_by_place(Exchange& exchange, std::size_t size, const Vertex_at& vertex_at) {
+  return Place_numberer<Exchange, Point, Vertex_at>(exchange, size, vertex_at).numbers();
 }
 
 } // namespace internal

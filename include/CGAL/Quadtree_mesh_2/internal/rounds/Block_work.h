@@ -35,13 +35,12 @@ public:
   Block_work(Meshing_problem<Geometry>& problem, const Finishing& finishing, int thinnings)
       : problem_(problem), finishing_(finishing), thinnings_(thinnings) {}
 
-  /// Refines a block and thins it out; returns the triangles left, by the handles of the block. The corners have the
-  /// block's handles then.
+  /// Refines a block and thins it out; what is left waits. The corners have the block's handles then.
   /// \param owned the corners of the block
   /// \param room how many vertices it may get
   template <class Continue>
-  std::vector<Triangle_id> run(Block& block, const std::vector<Corner_id>& owned, std::size_t room,
-                               const Continue& shall_go_on) const {
+  void run(Block& block, const std::vector<Corner_id>& owned, std::size_t room,
+           const Continue& shall_go_on) const {
     name_corner_vertices(owned, [&](Vertex_id v) { return block.vertex_in_block(v); });
     Meshing_state<Geometry> state(problem_, owned);
     std::swap(state.mesh, block.mesh);
@@ -52,9 +51,8 @@ public:
     }
     if (thinnings_ == 0) refine(state, limit, shall_go_on);
     std::swap(state.mesh, block.mesh);
-    std::vector<Triangle_id> left = std::move(state.deferred);
-    while (!state.worklist.is_empty()) left.push_back(state.worklist.pop());
-    return left;
+    block.waiting = std::move(state.deferred);
+    while (!state.worklist.is_empty()) block.waiting.push_back(state.worklist.pop());
   }
 
   /// Gives the corners the handles of the whole mesh. \pre what is new in the block has its names

@@ -84,7 +84,7 @@ public:
   /// \param most_vertices how many the mesh may get; a hint
   template <class Part_of>
   void scatter(const Part_of& part_of, const std::vector<Vertex_id>& for_all, std::size_t most_vertices) {
-    const Mesh whole = std::exchange(mesh_, Mesh());
+    Mesh whole = std::exchange(mesh_, Mesh());
     Bytes sizes = bytes_of(Numbers{std::int64_t(whole.number_of_vertices()),
                                    std::int64_t(whole.triangles.size()), whole.region_of.empty() ? 0 : 1});
     exchange_.broadcast(sizes, 0);
@@ -97,10 +97,10 @@ public:
     reserve(room, slots + 2 * (room - vertices));
     resize(vertices, slots);
     for (const Triangle_id t : whole.dead_triangles()) mesh_.kill(t);
-    std::vector<Package> packages;
-    if (exchange_.rank() == 0) packages = packages_of_parts(whole, part_of);
-    give_common(whole, packages, for_all);
-    give(whole, packages);
+    const Vertex_parts parts = exchange_.rank() == 0 ? vertex_parts(whole, part_of) : Vertex_parts();
+    give_common(whole, parts, for_all);
+    give_triangles(whole, part_of);
+    give_vertices(whole, parts);
   }
 
   /// Part 0 gets all that others hold: its mesh is whole then, but for what is dead. Others keep what they have. Only a
@@ -376,74 +376,104 @@ private:
     return std::max(package.triangles.size(), package.vertices.size());
   }
 
-  /// What each part gets of the whole mesh, part 0 also the vertices without a triangle.
+  // ---- scatter
+
+  /// Which parts get a vertex. Most have one.
+  struct Vertex_parts {
+    Indexed_vector<Vertex_id, int> first; ///< part 0 for those without a triangle
+    std::vector<std::pair<Vertex_id, int>> others;
+  };
+
   template <class Part_of>
-  std::vector<Package> packages_of_parts(const Mesh& whole, const Part_of& part_of) const {
+  static Vertex_parts vertex_parts(const Mesh& whole, const Part_of& part_of) {
     constexpr int none = -1;
-    std::vector<Package> of_parts(static_cast<std::size_t>(exchange_.size()));
-    std::vector<int> last_part(whole.number_of_vertices(), none); // that was given the vertex
+    Vertex_parts parts;
+    parts.first.assign(whole.number_of_vertices(), none);
     for (const Triangle_id t : whole.triangles.ids()) {
       if (!whole.is_alive(t)) continue;
-      const int part = static_cast<int>(part_of(t));
-      Package& package = of_parts[static_cast<std::size_t>(part)];
-      package.triangles.push_back(t);
-      for (const Vertex_id v : whole.triangle(t).v)
-        if (std::exchange(last_part[v.value()], part) != part) package.vertices.push_back(v);
-    }
-    for (const Vertex_id v : whole.points.ids())
-      if (last_part[v.value()] == none) of_parts.front().vertices.push_back(v);
-    for (Package& package : of_parts) sort_and_drop_equal(package.vertices); // few are there twice
-    return of_parts;
-  }
-
-  /// The vertices in several packages.
-  static std::vector<Vertex_id> in_several(const std::vector<Package>& packages, std::size_t vertices) {
-    std::vector<char> is_in_one(packages.empty() ? 0 : vertices, 0);
-    std::vector<Vertex_id> common;
-    for (const Package& package : packages)
-      for (const Vertex_id v : package.vertices)
-        if (std::exchange(is_in_one[v.value()], 1) != 0) common.push_back(v);
-    sort_and_drop_equal(common);
-    return common;
-  }
-
-  /// Gives each part what is in its package. All parts call it, and part 0 has packages, and the whole mesh.
-  void give(const Mesh& whole, const std::vector<Package>& packages) {
-    const std::size_t of_each = number_of_each();
-    std::int64_t longest = 0;
-    for (const Package& package : packages)
-      longest = std::max(longest, static_cast<std::int64_t>(size_of(package)));
-    longest = exchange_.max(longest);
-    for (std::size_t begin = 0; begin < static_cast<std::size_t>(longest); begin += of_each) {
-      Parcels outbox;
-      for (std::size_t part = 1; part < packages.size(); ++part)
-        if (begin < size_of(packages[part]))
-          outbox.push_back({static_cast<int>(part), bytes_of_piece(whole, packages[part], begin, of_each)});
-      for (const Parcel& parcel : exchange_.exchange(std::move(outbox))) {
-        const Told told(parcel.bytes);
-        for (const Triangle_record& r : told.triangles) write(r), set_private(r.id);
-        for (const Vertex_record& r : told.vertices) write(r), set_has(r.id);
+      const int part = part_of(t);
+      for (const Vertex_id v : whole.triangle(t).v) {
+        int& first = parts.first[v];
+        if (first == none)
+          first = part;
+        else if (first != part)
+          parts.others.emplace_back(v, part);
       }
     }
-    if (packages.empty()) return;
-    for (const Triangle_id t : packages.front().triangles) write(record(whole, t)), set_private(t);
-    for (const Vertex_id v : packages.front().vertices) write(record(whole, v)), set_has(v);
+    std::replace(parts.first.begin(), parts.first.end(), none, 0);
+    sort_and_drop_equal(parts.others);
+    return parts;
+  }
+
+  /// Gives each part its triangles, by runs of handles. The whole mesh loses those that are given.
+  template <class Part_of>
+  void give_triangles(Mesh& whole, const Part_of& part_of) {
+    give_runs<Triangle_record>(
+        mesh_.triangles.size(),
+        [&](std::size_t begin, std::size_t end, auto& to) {
+          for (const Triangle_id t : Id_range<Triangle_id>(begin, end))
+            if (whole.is_alive(t)) to[static_cast<std::size_t>(part_of(t))].push_back(record(whole, t));
+          let_go(whole.triangles, begin, end), let_go(whole.region_of, begin, end);
+        },
+        [this](const Triangle_record& r) { write(r), set_private(r.id); });
+  }
+  void give_vertices(Mesh& whole, const Vertex_parts& parts) {
+    auto other = parts.others.begin();
+    give_runs<Vertex_record>(
+        mesh_.number_of_vertices(),
+        [&](std::size_t begin, std::size_t end, auto& to) {
+          for (const Vertex_id v : Id_range<Vertex_id>(begin, end)) {
+            to[static_cast<std::size_t>(parts.first[v])].push_back(record(whole, v));
+            for (; other != parts.others.end() && other->first == v; ++other)
+              to[static_cast<std::size_t>(other->second)].push_back(record(whole, v));
+          }
+          let_go(whole.points, begin, end), let_go(whole.role_of, begin, end);
+          let_go(whole.triangle_of, begin, end), let_go(whole.is_dirty, begin, end);
+        },
+        [this](const Vertex_record& r) { write(r), set_has(r.id); });
+  }
+
+  /// \param fill puts the records of handles [begin, end) where their parts are; part 0 calls it
+  /// \param take called for each record that is for this part
+  template <class Record, class Fill, class Take>
+  void give_runs(std::size_t size, const Fill& fill, const Take& take) {
+    for (std::size_t begin = 0; begin < size; begin += at_a_time) {
+      Parcels outbox;
+      if (exchange_.rank() == 0) {
+        std::vector<std::vector<Record>> to(static_cast<std::size_t>(exchange_.size()));
+        fill(begin, std::min(size, begin + at_a_time), to);
+        for (const Record& r : to[0]) take(r);
+        for (std::size_t part = 1; part < to.size(); ++part)
+          if (!to[part].empty()) outbox.push_back({static_cast<int>(part), bytes_of(to[part])});
+      }
+      for (const Parcel& parcel : exchange_.exchange(std::move(outbox)))
+        for (const Record& r : records_of<Record>(parcel.bytes)) take(r);
+    }
+  }
+
+  /// Of the memory of values in an array, which may be empty.
+  template <class Values>
+  static void let_go(Values& values, std::size_t begin, std::size_t end) {
+    if (!values.empty()) give_back_pages(values.data() + begin, (end - begin) * sizeof(*values.data()));
   }
 
   /// Gives each part the records of some vertices, for which no part vouches, and the names of those it shares with
   /// others.
-  void give_common(const Mesh& whole, const std::vector<Package>& packages,
-                   const std::vector<Vertex_id>& for_all) {
-    const std::vector<Vertex_id> common = in_several(packages, whole.number_of_vertices());
+  void give_common(const Mesh& whole, const Vertex_parts& parts, const std::vector<Vertex_id>& for_all) {
     Parcels outbox;
-    for (std::size_t part = 0; part < packages.size(); ++part) {
-      const std::vector<Vertex_id>& own = packages[part].vertices;
-      std::vector<Vertex_id> own_common;
-      std::set_intersection(own.begin(), own.end(), common.begin(), common.end(),
-                            std::back_inserter(own_common));
-      Archive_writer archive;
-      archive(records(whole, for_all)), archive(own_common);
-      outbox.push_back({static_cast<int>(part), std::move(archive.bytes)});
+    if (exchange_.rank() == 0) {
+      std::vector<std::vector<Vertex_id>> common(static_cast<std::size_t>(exchange_.size()));
+      for (auto other = parts.others.begin(); other != parts.others.end(); ++other) {
+        const Vertex_id v = other->first;
+        if (other == parts.others.begin() || std::prev(other)->first != v)
+          common[static_cast<std::size_t>(parts.first[v])].push_back(v);
+        common[static_cast<std::size_t>(other->second)].push_back(v);
+      }
+      for (std::size_t part = 0; part < common.size(); ++part) {
+        Archive_writer archive;
+        archive(records(whole, for_all)), archive(common[part]);
+        outbox.push_back({static_cast<int>(part), std::move(archive.bytes)});
+      }
     }
     for (const Parcel& parcel : exchange_.exchange(std::move(outbox))) {
       Archive_reader archive(parcel.bytes);

@@ -79,9 +79,9 @@ public:
   const Triangle_account& account() const { return account_; }
 
 private:
-  /// How many rings are shared at once, at first, around what may change, and around where flips come to what is not
-  /// shared.
-  static constexpr int rings_of_change = 2, rings_for_flips = 4;
+  /// How many rings are shared: around what may change, of which most does and spreads no further, and, at first, around
+  /// where changes come to what is not shared.
+  static constexpr int rings_of_change = 1, rings_of_spread = 2;
 
   Exchange& exchange_;
   Held& held_;
@@ -89,21 +89,21 @@ private:
   Meshing_state<Geometry>& whole_;
   Kernel_mesh<Geometry>& mesh_;
   Triangle_account account_;
-  int times_shared_ = 0; // where changes came to what was not
+  static constexpr int meetings_for_one_more = 16;
+  int times_shared_ = 0, more_rings_ = 0; // where changes came to what was not shared
 
-  /// Shares a triangle and so many rings around it, and more of them the more often parts had to meet for one: where
-  /// changes spread, they do not meet for each.
-  void share(Triangle_id t, int rings) {
-    constexpr int times_for_one_more = 8;
+  /// Shares a triangle and some rings around it, and another one each time that parts have had to meet twice as often:
+  /// where changes spread, they do not meet for each.
+  void share(Triangle_id t) {
     if (held_.is_shared(t)) return;
-    held_.require({t}, rings + times_shared_ / times_for_one_more);
-    ++times_shared_;
+    held_.require({t}, rings_of_spread + more_rings_);
+    if (++times_shared_ >> more_rings_ > meetings_for_one_more) ++more_rings_;
   }
 
   void share_both_sides(Side s) {
-    share(s.triangle(), rings_for_flips);
+    share(s.triangle());
     const Side o = mesh_.across(s);
-    if (!o.is_border()) share(o.triangle(), rings_for_flips);
+    if (!o.is_border()) share(o.triangle());
   }
 
   /// How many vertices might be removed, at most.
@@ -215,16 +215,16 @@ private:
   /// The triangles at a vertex; these, and those next to them, are shared then.
   std::vector<Triangle_id> shared_star_of(Vertex_id v) {
     const Triangle_id start = mesh_.incident_triangle(v);
-    share(start, rings_of_change);
+    share(start);
     std::vector<Triangle_id> star;
     Fan_walk<Kernel_mesh<Geometry>> walk(mesh_, v, start);
     do {
-      share(walk.triangle(), rings_of_change);
+      share(walk.triangle());
       star.push_back(walk.triangle());
     } while (walk.advance());
     for (std::size_t i = 0, size = star.size(); i < size; ++i) {
       const Side o = mesh_.triangle(star[i]).side[Kernel_mesh<Geometry>::slot_of(mesh_.triangle(star[i]), v)];
-      if (!o.is_border()) share(o.triangle(), rings_of_change);
+      if (!o.is_border()) share(o.triangle());
     }
     return star;
   }

@@ -179,18 +179,18 @@ private:
   }
 
   void find_numbers() {
-    std::vector<Placed_vertex<Point>> placed;
-    placed.reserve(rows_.size());
-    for (std::size_t p = 0; p < rows_.size(); ++p) {
-      const Row& row = rows_[p];
-      if (row.number == none) continue;
+    std::vector<std::uint32_t> used; // the places of rows with a vertex
+    used.reserve(rows_.size());
+    for (std::size_t p = 0; p < rows_.size(); ++p)
+      if (rows_[p].number != none) used.push_back(static_cast<std::uint32_t>(p));
+    const auto vertex_at = [&](std::size_t i) {
+      const Row& row = rows_[used[i]];
       const std::int64_t index = row.input_index == none ? -1 : std::int64_t(row.input_index);
-      placed.push_back({row.place, index, owners_.handle(exchange_.rank(), p)});
-    }
-    const std::vector<std::int64_t> numbers = numbers_by_place<Exchange, Point>(exchange_, std::move(placed));
-    auto number = numbers.begin();
-    for (Row& row : rows_)
-      if (row.number != none) row.number = static_cast<std::uint32_t>(*number++);
+      return Placed_vertex<Point>{row.place, index, owners_.handle(exchange_.rank(), used[i])};
+    };
+    const std::vector<std::int64_t> numbers = numbers_by_place<Point>(exchange_, used.size(), vertex_at);
+    for (std::size_t i = 0; i < used.size(); ++i)
+      rows_[used[i]].number = static_cast<std::uint32_t>(numbers[i]);
     number_of_all_ = exchange_.sum(static_cast<std::int64_t>(numbers.size()));
   }
 
