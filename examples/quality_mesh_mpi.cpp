@@ -14,10 +14,12 @@
 #include "internal/command_line.h"
 #include "internal/program_steps.h"
 #include "internal/thread_limit.h"
+#include "internal/what_to_do.h"
 
 #include <CGAL/Distributed_quality_mesher_2.h>
 #include <CGAL/IO/Distributed_mesh_files.h>
 #include <CGAL/IO/read_slices.h>
+#include <CGAL/Pslg_error_2.h>
 #include <CGAL/Pslg_slice_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/distributed/Mpi_exchange.h>
 #include <CGAL/Quadtree_mesh_2/internal/distributed/agree_on_error.h>
@@ -37,6 +39,7 @@
 #include <iostream>
 #include <new>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -95,6 +98,13 @@ private:
   std::optional<CGAL::Scratch_memory> memory_;
 };
 
+/// All ranks call it.
+Graph_outline outline_of(const CGAL::Pslg_slice_2<Traits::Point_2>& slice) {
+  CGAL::Quadtree_mesh_2::internal::Mpi_exchange exchange(all_ranks);
+  const auto is_at_any = [&](bool here) { return exchange.max(here ? 1 : 0) == 1; };
+  return {slice.number_of_vertices > 0, slice.number_of_segments > 0, is_at_any(!slice.holes.empty())};
+}
+
 /// \tparam ConcurrencyTag of each rank
 template <class ConcurrencyTag>
 Part mesh_by(const Command_line& line, CGAL::Quality_mesh_report_2& report) {
@@ -106,9 +116,14 @@ Part mesh_by(const Command_line& line, CGAL::Quality_mesh_report_2& report) {
     CGAL::IO::read_HDF5_slice(all_ranks, line.input, slice);
   else
     CGAL::IO::read_triangle_poly_slice(all_ranks, line.input, slice);
-  Part part = mesher(std::move(slice));
-  report = mesher.report();
-  return part;
+  const Graph_outline graph = outline_of(slice);
+  try {
+    Part part = mesher(std::move(slice));
+    report = mesher.report();
+    return part;
+  } catch (const CGAL::Pslg_error_2& error) {
+    throw std::runtime_error(error.what() + what_to_do(error, graph, line));
+  }
 }
 
 /// Ranks share the cores of a machine, so each has one thread if nothing is said.

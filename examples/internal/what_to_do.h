@@ -11,12 +11,21 @@
 // program's options.
 
 #include "command_line.h"
-#include "mesh_graph.h"
 
 #include <CGAL/Pslg_error_2.h>
 #include <CGAL/Quadtree_mesh_2/Point_error.h>
 
 #include <string>
+
+/// What a graph has, for who has only a part of it.
+struct Graph_outline {
+  bool has_vertices, has_segments, has_holes;
+
+  template <class Pslg>
+  static Graph_outline of(const Pslg& graph) {
+    return {!graph.vertices.empty(), !graph.segments.empty(), !graph.holes.empty()};
+  }
+};
 
 namespace what_to_do_internal {
 
@@ -39,14 +48,14 @@ inline std::string about_distances(const Command_line& line) {
   return advice + (is_exact ? ", or use --separation on-demand" : " with --separation on-demand");
 }
 
-inline std::string about_domain(const CGAL::Pslg_error_2& error, const mesh_graph::Pslg& graph,
+inline std::string about_domain(const CGAL::Pslg_error_2& error, const Graph_outline& graph,
                                 const Command_line& line) {
-  if (graph.segments.empty()) return ", only points: use --mode points, bounded, acute or warped";
+  if (!graph.has_segments) return ", only points: use --mode points, bounded, acute or warped";
   const bool is_open = !error.parts().vertices.empty();
   const std::string advice = is_open ? "; close the border" : "";
   if (line.options.mesh_domain() == Options::Domain::MARKED)
     return advice + (is_open ? ", " : "; ") + "add points of regions, or use --domain enclosed";
-  return graph.holes.empty() ? advice : advice + (is_open ? ", or " : "; ") + "remove points of holes";
+  return !graph.has_holes ? advice : advice + (is_open ? ", or " : "; ") + "remove points of holes";
 }
 
 inline std::string about_size(const CGAL::Pslg_error_2& error, const Command_line& line) {
@@ -61,7 +70,7 @@ inline std::string about_size(const CGAL::Pslg_error_2& error, const Command_lin
 } // namespace what_to_do_internal
 
 /// Goes behind the message of the error; empty where that says it all.
-inline std::string what_to_do(const CGAL::Pslg_error_2& error, const mesh_graph::Pslg& graph,
+inline std::string what_to_do(const CGAL::Pslg_error_2& error, const Graph_outline& graph,
                               const Command_line& line) {
   using Kind = CGAL::Pslg_error_2::Kind;
   using namespace what_to_do_internal;
@@ -77,7 +86,7 @@ inline std::string what_to_do(const CGAL::Pslg_error_2& error, const mesh_graph:
   case Kind::TOO_MANY_TRIANGLES:
     return about_size(error, line);
   case Kind::NO_AREA:
-    return graph.vertices.empty() ? " in " + line.input : "";
+    return graph.has_vertices ? "" : " in " + line.input;
   case Kind::UNREADABLE_FILE:
   case Kind::ARRAY_LENGTH:
   case Kind::NO_SUCH_VERTEX:

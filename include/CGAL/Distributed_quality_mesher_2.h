@@ -42,7 +42,7 @@ namespace CGAL {
 ///
 /// All ranks have to call constructor and operators, and to give the same options. Functions of the user, such as a
 /// size field, are called at all ranks, and have to return the same at each. The progress callback is called at the
-/// first one. What an operator throws, it throws at all ranks; of `Pslg_error_2` the kind and the text remain. An
+/// first one. What an operator throws, it throws at all ranks; types derived from `Pslg_error_2` become that. An
 /// error that is no fault of input, options or the user's functions, such as no memory left, may be thrown at one rank
 /// alone, while others wait for it: end the program by `MPI_Abort()` then.
 /// \tparam Traits `Filtered_quadtree_traits_2` over some kernel

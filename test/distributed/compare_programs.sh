@@ -48,4 +48,6 @@ refuses nowhere graph.poly -o nowhere/mesh.vtkhdf
 refuses graph.poly/scratch graph.poly -o mesh.vtkhdf --memory 64M --scratch graph.poly/scratch
 printf '3 2 0 0\n1 0 0\n2 1 0\n3 0 1\n1 0\n1 1 9\n0\n' >broken.poly
 refuses broken.poly broken.poly -o mesh.vtkhdf
+printf '3 2 0 0\n1 0 0\n2 1 0\n3 0 1\n2 0\n1 1 2\n2 2 3\n0\n' >open.poly
+refuses "close the border" open.poly -o mesh.vtkhdf
 [[ ! -e mesh.vtkhdf ]]

@@ -118,7 +118,8 @@ TEST_CASE("All parts throw what one memory throws", "[parts][distributed]") {
   try {
     in_one_memory<Tiny_blocks_tag>(crossing, Options());
   } catch (const CGAL::Pslg_error_2& error) {
-    expected = error.what();
+    expected = said_by(error);
+    REQUIRE(error.parts().segments.size() == 2);
   }
   REQUIRE(expected != "");
   const Pslg coast = named("coast:2000");

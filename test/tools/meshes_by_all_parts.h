@@ -13,12 +13,14 @@
 #include "distributed_mesh_checks.h"
 #include "tiny_blocks.h"
 
+#include <CGAL/Pslg_error_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/shared_rounds/mesh_by_all_parts.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <exception>
 #include <stdexcept>
 #include <string>
 #include <tuple>
@@ -95,6 +97,18 @@ std::string check_mesh_of_all(Exchange& exchange, const Result& expected, const 
   return wrong;
 }
 
+/// The text of an error, and the parts of the graph that it names.
+inline std::string said_by(const std::exception& error) {
+  std::string text = error.what();
+  const auto* const of_graph = dynamic_cast<const CGAL::Pslg_error_2*>(&error);
+  if (of_graph == nullptr) return text;
+  for (const auto v : of_graph->parts().vertices) text += " v" + std::to_string(std::size_t(v));
+  for (const auto s : of_graph->parts().segments) text += " s" + std::to_string(std::size_t(s));
+  for (const std::size_t h : of_graph->parts().holes) text += " h" + std::to_string(h);
+  for (const std::size_t r : of_graph->parts().regions) text += " r" + std::to_string(r);
+  return text;
+}
+
 /// What a mesher of all parts throws at this one; empty if nothing.
 template <class Tag, class Exchange>
 std::string error_of_all(Exchange& exchange, const Pslg& pslg, const Options& options) {
@@ -103,7 +117,7 @@ std::string error_of_all(Exchange& exchange, const Pslg& pslg, const Options& op
   try {
     mesh_by_all_parts(exchange, mesher, exchange.rank() == 0 ? pslg : Pslg(), report);
   } catch (const std::exception& error) {
-    return error.what();
+    return said_by(error);
   }
   return {};
 }

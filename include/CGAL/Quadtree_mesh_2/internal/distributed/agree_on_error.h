@@ -20,6 +20,7 @@
 #include <CGAL/Pslg_error_2.h>
 #include <CGAL/Quadtree_mesh_2/Distributed_point_error.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/Scratch_arrays.h>
+#include <CGAL/Quadtree_mesh_2/internal/distributed/Mesh_archive.h>
 #include <CGAL/Quadtree_mesh_2/internal/distributed/Parcel.h>
 
 #include <cstddef>
@@ -36,7 +37,7 @@ namespace Quadtree_mesh_2 {
 namespace internal {
 
 /// An error as all parts can throw it: its type, what it names, and its text. Types that are not listed become
-/// `std::runtime_error`. Of `Pslg_error_2` the kind and the text remain.
+/// `std::runtime_error`, and those derived from `Pslg_error_2` become that.
 struct Portable_error {
   enum class Type : std::int32_t { POINT, PSLG, INVALID_ARGUMENT, LENGTH, MEMORY, LOGIC, RUNTIME };
 
@@ -46,40 +47,47 @@ struct Portable_error {
     std::int64_t point, other;
   };
   Head head;
-  std::string text; ///< the reason, of points
+  std::string text;   ///< the reason, of points
+  Pslg_parts_2 parts; ///< of the graph that are at fault
 
   static Portable_error of(const std::exception_ptr& error) {
     try {
       std::rethrow_exception(error);
     } catch (const Distributed_point_error& e) {
-      return {{Type::POINT, static_cast<std::int32_t>(e.kind()), e.point(), e.other()}, e.reason()};
+      return {{Type::POINT, static_cast<std::int32_t>(e.kind()), e.point(), e.other()}, e.reason(), {}};
     } catch (const Pslg_error_2& e) {
-      return {{Type::PSLG, static_cast<std::int32_t>(e.kind()), 0, 0}, e.what()};
+      return {{Type::PSLG, static_cast<std::int32_t>(e.kind()), 0, 0}, e.what(), e.parts()};
     } catch (const std::invalid_argument& e) {
-      return {{Type::INVALID_ARGUMENT, 0, 0, 0}, e.what()};
+      return {{Type::INVALID_ARGUMENT, 0, 0, 0}, e.what(), {}};
     } catch (const std::length_error& e) {
-      return {{Type::LENGTH, 0, 0, 0}, e.what()};
+      return {{Type::LENGTH, 0, 0, 0}, e.what(), {}};
     } catch (const Scratch_full& e) { // whose text names the folder
-      return {{Type::RUNTIME, 0, 0, 0}, e.what()};
+      return {{Type::RUNTIME, 0, 0, 0}, e.what(), {}};
     } catch (const std::bad_alloc&) {
-      return {{Type::MEMORY, 0, 0, 0}, ""};
+      return {{Type::MEMORY, 0, 0, 0}, "", {}};
     } catch (const std::logic_error& e) {
-      return {{Type::LOGIC, 0, 0, 0}, e.what()};
+      return {{Type::LOGIC, 0, 0, 0}, e.what(), {}};
     } catch (const std::exception& e) {
-      return {{Type::RUNTIME, 0, 0, 0}, e.what()};
+      return {{Type::RUNTIME, 0, 0, 0}, e.what(), {}};
     } catch (...) {
-      return {{Type::RUNTIME, 0, 0, 0}, "unknown error"};
+      return {{Type::RUNTIME, 0, 0, 0}, "unknown error", {}};
     }
   }
 
   static Portable_error from_bytes(const Bytes& bytes) {
-    const Bytes head(bytes.begin(), bytes.begin() + sizeof(Head));
-    return {records_of<Head>(head).front(), std::string(bytes.begin() + sizeof(Head), bytes.end())};
+    Portable_error error{};
+    Archive_reader reader(bytes);
+    std::vector<char> text;
+    reader(error.head), reader(text);
+    error.text.assign(text.begin(), text.end());
+    for_each_list(error.parts, reader);
+    return error;
   }
   Bytes to_bytes() const {
-    Bytes bytes = bytes_of(std::vector<Head>{head});
-    bytes.insert(bytes.end(), text.begin(), text.end());
-    return bytes;
+    Archive_writer writer;
+    writer(head), writer(std::vector<char>(text.begin(), text.end()));
+    for_each_list(parts, writer);
+    return std::move(writer.bytes);
   }
 
   [[noreturn]] void raise() const {
@@ -87,7 +95,7 @@ struct Portable_error {
     case Type::POINT:
       throw Distributed_point_error(static_cast<Point_error::Kind>(head.kind), head.point, head.other, text);
     case Type::PSLG:
-      throw Pslg_error_2(static_cast<Pslg_error_2::Kind>(head.kind), text);
+      throw Pslg_error_2(static_cast<Pslg_error_2::Kind>(head.kind), text, parts);
     case Type::INVALID_ARGUMENT:
       throw std::invalid_argument(text);
     case Type::LENGTH:
@@ -100,6 +108,13 @@ struct Portable_error {
       break;
     }
     throw std::runtime_error(text);
+  }
+
+private:
+  template <class Parts, class F>
+  static void for_each_list(Parts& parts, F&& f) {
+    f(parts.vertices), f(parts.segments), f(parts.holes);
+    f(parts.regions), f(parts.triangles), f(parts.seeds);
   }
 };
 
