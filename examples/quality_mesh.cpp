@@ -99,7 +99,7 @@ mesh_graph::Mesh mesh_in_plane(const mesh_graph::Pslg& pslg, CGAL::Quality_mesh_
   }
   return mesh_graph::with_doubles(pslg, options, line.neighbors, report);
 } catch (const CGAL::Pslg_error_2& error) {
-  throw std::runtime_error(error.what() + what_to_do(error, Graph_outline::of(pslg), line));
+  throw std::runtime_error(error.what() + what_to_do(error, Advised_graph::of(pslg), line));
 }
 
 /// Meshes a graph in degrees, whose reports then have places in degrees.
@@ -118,14 +118,14 @@ void mesh_projected(Meshing_run& run, const CGAL::Quality_mesh_options_2& option
   for (auto& unmet : run.report.unmet_triangles)
     unmet.centroid = run.projected->projection.inverse(unmet.centroid[0], unmet.centroid[1]);
 } catch (const CGAL::Pslg_error_2& error) {
-  throw std::runtime_error(error.what() + what_to_do(error, Graph_outline::of(run.pslg), line));
+  throw std::runtime_error(error.what() + what_to_do(error, Advised_graph::of(run.pslg), line));
 }
 
 /// The same for a mesh that is given.
 void refine(Meshing_run& run, const CGAL::Quality_mesh_options_2& options, const Command_line& line) try {
   run.mesh = refined_mesh(*run.given, run.pslg, run.areas, options, run.report, run.kept_vertices);
 } catch (const CGAL::Pslg_error_2& error) {
-  throw std::runtime_error(error.what() + what_to_do(error, Graph_outline::of(run.pslg), line));
+  throw std::runtime_error(error.what() + what_to_do(error, Advised_graph::of(run.pslg), line));
 }
 
 void mesh(Meshing_run& run, const Command_line& line) {

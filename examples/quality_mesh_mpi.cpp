@@ -99,10 +99,11 @@ private:
 };
 
 /// All ranks call it.
-Graph_outline outline_of(const CGAL::Pslg_slice_2<Traits::Point_2>& slice) {
+Advised_graph advised_graph(const CGAL::Pslg_slice_2<Traits::Point_2>& slice) {
   CGAL::Quadtree_mesh_2::internal::Mpi_exchange exchange(all_ranks);
   const auto is_at_any = [&](bool here) { return exchange.max(here ? 1 : 0) == 1; };
-  return {slice.number_of_vertices > 0, slice.number_of_segments > 0, is_at_any(!slice.holes.empty())};
+  return {slice.number_of_vertices > 0, slice.number_of_segments > 0, is_at_any(!slice.holes.empty()),
+          " of quality_mesh"};
 }
 
 /// \tparam ConcurrencyTag of each rank
@@ -116,7 +117,7 @@ Part mesh_by(const Command_line& line, CGAL::Quality_mesh_report_2& report) {
     CGAL::IO::read_HDF5_slice(all_ranks, line.input, slice);
   else
     CGAL::IO::read_triangle_poly_slice(all_ranks, line.input, slice);
-  const Graph_outline graph = outline_of(slice);
+  const Advised_graph graph = advised_graph(slice);
   try {
     Part part = mesher(std::move(slice));
     report = mesher.report();

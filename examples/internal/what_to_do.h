@@ -17,13 +17,15 @@
 
 #include <string>
 
-/// What a graph has, for who has only a part of it.
-struct Graph_outline {
+/// What advice about a graph depends on, beside the command line.
+struct Advised_graph {
   bool has_vertices, has_segments, has_holes;
+  /// Put behind options that only the program for one machine has.
+  std::string of_other_program;
 
   template <class Pslg>
-  static Graph_outline of(const Pslg& graph) {
-    return {!graph.vertices.empty(), !graph.segments.empty(), !graph.holes.empty()};
+  static Advised_graph of(const Pslg& graph) {
+    return {!graph.vertices.empty(), !graph.segments.empty(), !graph.holes.empty(), ""};
   }
 };
 
@@ -36,26 +38,29 @@ inline bool is_by_quadtrees(const Command_line& line) {
 }
 
 /// Adds the arithmetic that has fewer limits, if it is not the one that was used.
-inline std::string or_exactly(const std::string& advice, const Command_line& line) {
-  return line.kernel == Command_line::Kernel::EXACT ? advice : advice + ", or use --kernel exact";
+inline std::string or_exactly(const std::string& advice, const Command_line& line,
+                              const std::string& of_other_program = "") {
+  if (line.kernel == Command_line::Kernel::EXACT) return advice;
+  return advice + ", or use --kernel exact" + of_other_program;
 }
 
 /// Only refinement over exact numbers has no limit.
-inline std::string about_distances(const Command_line& line) {
-  const std::string advice = or_exactly("; merge what is so near", line);
+inline std::string about_distances(const Advised_graph& graph, const Command_line& line) {
+  const std::string advice = or_exactly("; merge what is so near", line, graph.of_other_program);
   if (!is_by_quadtrees(line)) return advice;
   const bool is_exact = line.kernel == Command_line::Kernel::EXACT;
   return advice + (is_exact ? ", or use --separation on-demand" : " with --separation on-demand");
 }
 
-inline std::string about_domain(const CGAL::Pslg_error_2& error, const Graph_outline& graph,
+inline std::string about_domain(const CGAL::Pslg_error_2& error, const Advised_graph& graph,
                                 const Command_line& line) {
-  if (!graph.has_segments) return ", only points: use --mode points, bounded, acute or warped";
+  if (!graph.has_segments)
+    return ", only points: use --mode points, bounded, acute or warped" + graph.of_other_program;
   const bool is_open = !error.parts().vertices.empty();
   const std::string advice = is_open ? "; close the border" : "";
   if (line.options.mesh_domain() == Options::Domain::MARKED)
     return advice + (is_open ? ", " : "; ") + "add points of regions, or use --domain enclosed";
-  return !graph.has_holes ? advice : advice + (is_open ? ", or " : "; ") + "remove points of holes";
+  return graph.has_holes ? advice + (is_open ? ", or " : "; ") + "remove points of holes" : advice;
 }
 
 inline std::string about_size(const CGAL::Pslg_error_2& error, const Command_line& line) {
@@ -70,17 +75,17 @@ inline std::string about_size(const CGAL::Pslg_error_2& error, const Command_lin
 } // namespace what_to_do_internal
 
 /// Goes behind the message of the error; empty where that says it all.
-inline std::string what_to_do(const CGAL::Pslg_error_2& error, const Graph_outline& graph,
+inline std::string what_to_do(const CGAL::Pslg_error_2& error, const Advised_graph& graph,
                               const Command_line& line) {
   using Kind = CGAL::Pslg_error_2::Kind;
   using namespace what_to_do_internal;
   switch (error.kind()) {
   case Kind::OUT_OF_RANGE:
-    return or_exactly("; scale or move the input", line);
+    return or_exactly("; scale or move the input", line, graph.of_other_program);
   case Kind::CROSSING:
-    return "; give both a vertex where they cross, or use --repair";
+    return "; give both a vertex where they cross, or use --repair" + graph.of_other_program;
   case Kind::TOO_NEAR:
-    return about_distances(line);
+    return about_distances(graph, line);
   case Kind::NO_DOMAIN:
     return about_domain(error, graph, line);
   case Kind::TOO_MANY_TRIANGLES:

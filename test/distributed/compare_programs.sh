@@ -50,4 +50,6 @@ printf '3 2 0 0\n1 0 0\n2 1 0\n3 0 1\n1 0\n1 1 9\n0\n' >broken.poly
 refuses broken.poly broken.poly -o mesh.vtkhdf
 printf '3 2 0 0\n1 0 0\n2 1 0\n3 0 1\n2 0\n1 1 2\n2 2 3\n0\n' >open.poly
 refuses "close the border" open.poly -o mesh.vtkhdf
+printf '4 2 0 0\n1 0 0\n2 1 1\n3 0 1\n4 1 0\n2 0\n1 1 2\n2 3 4\n0\n' >crossing.poly
+refuses "or use --repair of quality_mesh" crossing.poly -o mesh.vtkhdf
 [[ ! -e mesh.vtkhdf ]]

@@ -41,25 +41,6 @@ bool check_that_nothing_waits(const Pslg& pslg) {
   return true;
 }
 
-/// Refines the blocks of a graph; `look(block)` is called for each once it is written.
-template <class Look>
-void refine_blocks(Meshing_state<Geometry>& state, const Look& look) {
-  using Tag = Small_blocks_tag;
-  state.problem.vertex_blocks =
-      blocks_by_number(state.problem.input_points.size(), Block_sizes<Tag>::vertices);
-  Block_assignment assignment;
-  Mesh_blocks<Tag, Geometry> blocks(state.mesh, assignment, Round_cuts<Tag, Geometry>(state).first());
-  const auto owned = Corner_places<Tag, Geometry>(state).by_block(blocks);
-  const Block_work<Geometry> work(state.problem, Finishing(), 1);
-  blocks.for_each(
-      [&](Mesh_block<Geometry>& block) { work.run(block, owned[block.id()], 100000, [] { return true; }); },
-      [&](const Mesh_block<Geometry>& block) {
-        work.name_in_whole(block, owned[block.id()]);
-        look(block, blocks.cut()[block.id().value()]);
-      });
-  blocks.put_together();
-}
-
 } // namespace
 
 TEST_CASE("Rounds of tiny blocks end with nothing that waits", "[refiner]") {
@@ -85,15 +66,27 @@ TEST_CASE("Rounds of blocks of 256 end with nothing that waits", "[refiner]") {
 }
 
 TEST_CASE("What came and went in a block gets no handle in the whole mesh", "[refiner]") {
+  using Tag = Small_blocks_tag;
   std::size_t gone = 0;
   for (const char* name : {"coast:3000", "stars:2000", "segments:2000"}) {
     CAPTURE(name);
     Prepared prepared(pslg_inputs::by_name(name).pslg);
     auto& state = prepared.state;
+    state.problem.vertex_blocks =
+        blocks_by_number(state.problem.input_points.size(), Block_sizes<Tag>::vertices);
     const std::size_t triangles = state.mesh.triangles.size(), vertices = state.mesh.number_of_vertices();
-    refine_blocks(state, [&](const Mesh_block<Geometry>& block, Span<Triangle_id> taken) {
-      gone += block.mesh.triangles.size() - taken.size() - block.number_of_new_triangles();
-    });
+    Block_assignment assignment;
+    Mesh_blocks<Tag, Geometry> blocks(state.mesh, assignment, Round_cuts<Tag, Geometry>(state).first());
+    const auto owned = Corner_places<Tag, Geometry>(state).by_block(blocks);
+    const Block_work<Geometry> work(state.problem, Finishing(), 1);
+    blocks.for_each(
+        [&](Mesh_block<Geometry>& block) {
+          const std::size_t taken = block.mesh.triangles.size();
+          work.run(block, owned[block.id()], 100000, [] { return true; });
+          gone += block.mesh.triangles.size() - taken - block.number_of_new_triangles();
+        },
+        [&](const Mesh_block<Geometry>& block) { work.name_in_whole(block, owned[block.id()]); });
+    blocks.put_together();
     std::size_t unused = 0;
     for (const Triangle_id t : Id_range<Triangle_id>(triangles, state.mesh.triangles.size()))
       unused += state.mesh.is_alive(t) ? 0 : 1;
@@ -103,39 +96,6 @@ TEST_CASE("What came and went in a block gets no handle in the whole mesh", "[re
     CHECK(state.mesh.triangles.size() > triangles);
   }
   CHECK(gone > 0);
-}
-
-TEST_CASE("What the next zone has of a block gets its first new handles", "[refiner]") {
-  for (const char* name : {"coast:3000", "stars:2000", "segments:2000"}) {
-    CAPTURE(name);
-    Prepared prepared(pslg_inputs::by_name(name).pslg);
-    std::size_t blocks = 0, wrong_handles = 0, late = 0, waiting = 0;
-    refine_blocks(prepared.state, [&](const Mesh_block<Geometry>& block, Span<Triangle_id> taken) {
-      ++blocks;
-      std::set<std::uint32_t> expected, handles, first;
-      for (const Triangle_id t : taken) expected.insert(t.value());
-      const std::uint32_t first_new = block.first_new_triangle().value();
-      const auto number = static_cast<std::uint32_t>(block.number_of_new_triangles());
-      for (std::uint32_t i = 0; i < number; ++i) expected.insert(first_new + i);
-      for (const Triangle_id t : block.mesh.triangles.ids()) {
-        if (!block.mesh.is_alive(t)) continue;
-        const std::uint32_t handle = block.whole_triangle(t).value();
-        if (!handles.insert(handle).second || expected.erase(handle) == 0) ++wrong_handles;
-        for (const Side s : block.mesh.triangle(t).side)
-          if (s.is_seam()) first.insert(handle);
-      }
-      for (const Triangle_id t : block.waiting)
-        if (block.mesh.is_alive(t)) first.insert(block.whole_triangle(t).value()), ++waiting;
-      if (expected.size() != block.dead().size()) ++wrong_handles; // those that nothing has
-      if (first.size() <= number && !first.empty() &&
-          (*first.begin() < first_new || *first.rbegin() >= first_new + first.size()))
-        ++late;
-    });
-    CHECK(wrong_handles == 0);
-    CHECK(late == 0);
-    CHECK(blocks > 2);
-    CHECK(waiting > 0);
-  }
 }
 
 TEST_CASE("A zone has the rings around its seeds", "[refiner]") {

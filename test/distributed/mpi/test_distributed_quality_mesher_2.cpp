@@ -65,12 +65,15 @@ TEST_CASE("a slice with a segment to nowhere is refused by all ranks", "[distrib
   slice.segments = {{0, 1}};
   if (exchange.rank() + 1 == exchange.size()) slice.segments.push_back({0, 100});
   std::string text;
+  std::size_t segment = 0;
   try {
     Distributed_mesher mesher(MPI_COMM_WORLD);
     mesher(slice);
   } catch (const CGAL::Pslg_error_2& error) {
     text = error.what();
+    if (!error.parts().segments.empty()) segment = std::size_t(error.parts().segments.front());
   }
+  CHECK(segment == static_cast<std::size_t>(exchange.size()));
   CHECK(text == "segment " + std::to_string(exchange.size()) +
                     " ends at vertex 100, but the vertices are 0 to " +
                     std::to_string(2 * exchange.size() - 1));

@@ -80,7 +80,8 @@ void check_ends_of_slices(Exchange& exchange, const Pslg_slice_2<Point>& slice, 
           Pslg_error_2::Kind::NO_SUCH_VERTEX,
           "segment " + name(culprit) + " ends at vertex " + name(v) +
               (vertices == 0 ? std::string(", but there are no vertices")
-                             : ", but the vertices are " + name(0) + " to " + name(vertices - 1))));
+                             : ", but the vertices are " + name(0) + " to " + name(vertices - 1)),
+          Pslg_parts_2().segment(static_cast<Segment_index>(static_cast<std::size_t>(culprit)))));
     }
   agree_on_error(exchange, error, culprit);
 }

@@ -147,7 +147,7 @@ private:
     Blocks blocks(whole_.mesh, assignment_, std::move(cut));
     watch_.blocks_are_cut(whole_, blocks, rounds_.number);
     const auto owned = corner_places_.by_block(blocks);
-    Indexed_vector<Block_id, std::vector<Triangle_id>> waiting(blocks.size());
+    Indexed_vector<Block_id, std::vector<Triangle_id>> left(blocks.size());
     const Block_work<Geometry> work(whole_.problem, finishing_,
                                     rounds_.number == 1 ? finishing_.thinnings_of_blocks : 0);
     const std::size_t room = vertex_budget_ - std::min(vertex_budget_, whole_.mesh.number_of_vertices());
@@ -155,20 +155,22 @@ private:
         [&](Block& block) {
           const Block_id b = block.id();
           const std::size_t triangles = block.mesh.number_of_triangles();
-          work.run(block, owned[b], room / blocks.size(), shall_go_on);
+          left[b] = work.run(block, owned[b], room / blocks.size(), shall_go_on);
           triangles_done_ += triangles;
         },
         [&](const Block& block) {
           const Block_id b = block.id();
           work.name_in_whole(block, owned[b]);
-          for (const Triangle_id t : block.waiting)
-            if (block.mesh.is_alive(t)) waiting[b].push_back(block.whole_triangle(t));
+          auto& l = left[b];
+          l.erase(std::remove_if(l.begin(), l.end(), [&](Triangle_id t) { return !block.mesh.is_alive(t); }),
+                  l.end());
+          for (Triangle_id& t : l) t = block.whole_triangle(t);
           watch_.is_written(block);
         });
     watch_.are_written(whole_, blocks);
     blocks.put_together();
     rounds_.waiting.clear();
-    for (const auto& triangles : waiting)
+    for (const auto& triangles : left)
       rounds_.waiting.insert(rounds_.waiting.end(), triangles.begin(), triangles.end());
     rounds_.at_seams = triangles_at<ConcurrencyTag>(whole_.mesh, blocks.seam_sides());
     std::vector<Side> doubtful = blocks.sides_to_flip();

@@ -35,12 +35,13 @@ public:
   Block_work(Meshing_problem<Geometry>& problem, const Finishing& finishing, int thinnings)
       : problem_(problem), finishing_(finishing), thinnings_(thinnings) {}
 
-  /// Refines a block and thins it out; what is left waits. The corners have the block's handles then.
+  /// Refines a block and thins it out; returns the triangles left, by the handles of the block. The corners have the
+  /// block's handles then.
   /// \param owned the corners of the block
   /// \param room how many vertices it may get
   template <class Continue>
-  void run(Block& block, const std::vector<Corner_id>& owned, std::size_t room,
-           const Continue& shall_go_on) const {
+  std::vector<Triangle_id> run(Block& block, const std::vector<Corner_id>& owned, std::size_t room,
+                               const Continue& shall_go_on) const {
     name_corner_vertices(owned, [&](Vertex_id v) { return block.vertex_in_block(v); });
     Meshing_state<Geometry> state(problem_, owned);
     std::swap(state.mesh, block.mesh);
@@ -51,8 +52,9 @@ public:
     }
     if (thinnings_ == 0) refine(state, limit, shall_go_on);
     std::swap(state.mesh, block.mesh);
-    block.waiting = std::move(state.deferred);
-    while (!state.worklist.is_empty()) block.waiting.push_back(state.worklist.pop());
+    std::vector<Triangle_id> left = std::move(state.deferred);
+    while (!state.worklist.is_empty()) left.push_back(state.worklist.pop());
+    return left;
   }
 
   /// Gives the corners the handles of the whole mesh. \pre what is new in the block has its names

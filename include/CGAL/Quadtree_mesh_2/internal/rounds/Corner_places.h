@@ -91,20 +91,15 @@ public:
   /// For each block the corners it owns: all pieces of their legs within the ring and all locked chords have both their
   /// triangles in the block, and so have the Steiner vertices on the legs all of theirs.
   Corners_of_blocks by_block(const Blocks& blocks) const {
-    return by_block(blocks.size(), [&blocks](Triangle_id t) { return blocks.block_of(t); });
-  }
-  /// The same for so many blocks, with the one of a triangle that is alive.
-  template <class Block_of>
-  Corners_of_blocks by_block(std::size_t blocks, const Block_of& block_of) const {
     Indexed_vector<Corner_id, Block_id> owner(corners_.corners.size());
     for_each_index<ConcurrencyTag>(
         owner.size(),
         [&](std::size_t i) {
           const Corner_id c = static_cast<Corner_id>(i);
-          owner[c] = owner_of(corners_.corner(c), block_of);
+          owner[c] = owner_of(corners_.corner(c), blocks);
         },
         64);
-    Corners_of_blocks owned(blocks);
+    Corners_of_blocks owned(blocks.size());
     for (const Corner_id c : owner.ids())
       if (owner[c].is_valid()) owned[owner[c]].push_back(c);
     return owned;
@@ -131,11 +126,10 @@ private:
   const Meshing_state<Geometry>& whole_;
   const Corners& corners_;
 
-  template <class Block_of>
-  Block_id owner_of(const Corner& corner, const Block_of& block_of) const {
+  Block_id owner_of(const Corner& corner, const Blocks& blocks) const {
     Block_id owner;
     const auto is_owned = [&](Triangle_id t) {
-      const Block_id b = block_of(t);
+      const Block_id b = blocks.block_of(t);
       if (!owner.is_valid()) owner = b;
       return b.is_valid() && b == owner;
     };

@@ -451,7 +451,7 @@ private:
     }
   }
 
-  /// Of the memory of values in an array, which may be empty.
+  /// Gives back the pages of some values of an array, which nobody reads any more. The array may be empty.
   template <class Values>
   static void let_go(Values& values, std::size_t begin, std::size_t end) {
     if (!values.empty()) give_back_pages(values.data() + begin, (end - begin) * sizeof(*values.data()));

@@ -187,50 +187,34 @@ private:
   /// Part 0 cuts the mesh and gives each part what is in its blocks. Triangles in no block go in runs of handles.
   Shared_work first_work() {
     Parcels outbox;
-    First_cut cut;
+    Uninitialized_vector<std::uint32_t> part_of;
     std::vector<Vertex_id> for_all;
     if (exchange_.rank() == 0) {
-      cut = first_cut();
-      outbox = parcels_of_work(cut);
-      cut.cut = Block_cut(), cut.owned = {};
+      const auto parts = static_cast<std::size_t>(exchange_.size()), slots = whole_.mesh.triangles.size();
+      const auto [cut, owned] = first_cut();
+      const std::vector<std::size_t> first_of_part = first_blocks(cut.first);
+      part_of.resize(slots);
+      for (std::size_t i = 0; i < slots; ++i) part_of[i] = static_cast<std::uint32_t>(i * parts / slots);
+      for (std::size_t p = 0; p < parts; ++p) {
+        for (std::size_t b = first_of_part[p]; b < first_of_part[p + 1]; ++b)
+          for (const Triangle_id t : cut[b]) part_of[t.value()] = static_cast<std::uint32_t>(p);
+        outbox.push_back(
+            {static_cast<int>(p), bytes_of_work(cut, owned, first_of_part[p], first_of_part[p + 1])});
+      }
       for_all = corners_.vertices();
     }
     const Parcels inbox = exchange_.exchange(std::move(outbox));
-    const auto parts = static_cast<std::size_t>(exchange_.size()), slots = whole_.mesh.triangles.size();
-    const auto part_of = [&](Triangle_id t) {
-      const Block_id b = cut.block_of[t];
-      return static_cast<int>(b.is_valid() ? cut.part_of[b] : t.value() * parts / slots);
-    };
-    held_.scatter(part_of, for_all, vertex_budget_);
+    held_.scatter([&](Triangle_id t) { return static_cast<int>(part_of[t.value()]); }, for_all,
+                  vertex_budget_);
     return work_of_bytes(inbox.front().bytes);
   }
 
-  /// The blocks of the whole mesh.
-  struct First_cut {
-    Block_cut cut;
-    Corners_of_blocks owned;
-    Uninitialized_indexed_vector<Triangle_id, Block_id> block_of; ///< none for those in no block
-    Indexed_vector<Block_id, std::size_t> part_of;
-  };
-
-  First_cut first_cut() {
-    First_cut first{cuts_.first(), {}, {}, {}};
-    first.block_of.assign(whole_.mesh.triangles.size(), {});
-    for (std::size_t b = 0; b < first.cut.size(); ++b) {
-      for (const Triangle_id t : first.cut[b]) first.block_of[t] = static_cast<Block_id>(b);
-      first.part_of.push_back(part_of_block(first.cut.first, b));
-    }
-    first.owned = corner_places_.by_block(first.cut.size(), [&](Triangle_id t) { return first.block_of[t]; });
-    return first;
-  }
-
-  Parcels parcels_of_work(const First_cut& cut) const {
-    const std::vector<std::size_t> first_of_part = first_blocks(cut.cut.first);
-    Parcels parcels;
-    for (std::size_t p = 0; p + 1 < first_of_part.size(); ++p)
-      parcels.push_back(
-          {static_cast<int>(p), bytes_of_work(cut.cut, cut.owned, first_of_part[p], first_of_part[p + 1])});
-    return parcels;
+  /// The blocks of the whole mesh, and the corners of each.
+  std::pair<Block_cut, Corners_of_blocks> first_cut() {
+    Block_assignment assignment;
+    Mesh_blocks<ConcurrencyTag, Geometry> blocks(whole_.mesh, assignment, cuts_.first());
+    Corners_of_blocks owned = corner_places_.by_block(blocks);
+    return {blocks.take_cut(), std::move(owned)};
   }
 
   static Bytes bytes_of_work(const Block_cut& cut, const Corners_of_blocks& owned, std::size_t begin,
@@ -327,27 +311,29 @@ private:
     const std::size_t room = vertex_budget_ - std::min(vertex_budget_, whole_.mesh.number_of_vertices());
     Block_assignment assignment = assignment_of(round);
     std::vector<std::unique_ptr<Block>> blocks(n);
+    std::vector<std::vector<Triangle_id>> left(n);
     triangles_done_ = 0, triangles_of_round_ = round.own.members.size();
     agree_on_work(exchange_, [&] { // the user's functions may throw
       Executor<ConcurrencyTag>::run(n, [&](std::size_t b) {
         blocks[b] = std::make_unique<Block>(whole_.mesh, assignment, static_cast<Block_id>(round.begin + b),
                                             round.own[b], Kernel_mesh<Geometry>());
-        work.run(*blocks[b], round.owned[b], room / round.number_of_blocks, shall_go_on);
-        blocks[b]->shrink();
+        left[b] = work.run(*blocks[b], round.owned[b], room / round.number_of_blocks, shall_go_on);
+        auto& mesh = blocks[b]->mesh;
+        mesh = Kernel_mesh<Geometry>(std::as_const(mesh)); // without room, as all blocks are kept
         triangles_done_ += round.own[b].size();
       });
     });
     name_new(round, blocks);
     std::vector<Corner_id> corners;
-    std::vector<Triangle_id> waiting;
+    std::vector<Triangle_id> left_by_all;
     Made made;
     for (std::size_t b = 0; b < n; ++b) {
       Block& block = *blocks[b];
       block.write(whole_.mesh);
       work.name_in_whole(block, round.owned[b]);
       corners.insert(corners.end(), round.owned[b].begin(), round.owned[b].end());
-      for (const Triangle_id t : block.waiting)
-        if (block.mesh.is_alive(t)) waiting.push_back(block.whole_triangle(t));
+      for (const Triangle_id t : left[b])
+        if (block.mesh.is_alive(t)) left_by_all.push_back(block.whole_triangle(t));
       if (is_first_round())
         keep(block);
       else
@@ -357,7 +343,7 @@ private:
     if (!is_first_round()) tell(made);
     corners_.tell(corners);
     tell_fans_and_dead(blocks);
-    rounds_.waiting = tell_all(exchange_, waiting);
+    rounds_.waiting = tell_all(exchange_, left_by_all);
     put_together(blocks);
   }
 
@@ -394,7 +380,10 @@ private:
   /// After the first round: what a part has made is its own.
   void keep(const Block& block) {
     for (const Triangle_id t : block.mesh.triangles.ids())
-      if (block.mesh.is_alive(t)) held_.set_private(block.whole_triangle(t));
+      if (block.mesh.is_alive(t))
+        held_.set_private(block.whole_triangle(t));
+      else if (block.whole_triangle(t).is_valid())
+        held_.set_absent(block.whole_triangle(t));
     for (const Vertex_id v : block.mesh.points.ids())
       if (block.whole_vertex(v).is_valid()) held_.set_has(block.whole_vertex(v));
   }
@@ -418,8 +407,7 @@ private:
     };
     if (is_first_round()) {
       write(fans);
-      fans.clear();
-      for (const Vertex_id v : held_.common_vertices()) fans.push_back({v, whole_.mesh.incident_triangle(v)});
+      fans = last_fans_of_common_vertices(fans);
     } else {
       dead = tell_all(exchange_, dead);
     }
@@ -431,6 +419,20 @@ private:
     for (const Vertex_id v : corners_.vertices())
       if (held_.has(v)) of_corners.push_back(v);
     held_.tell({}, of_corners);
+  }
+
+  /// One for each vertex that others have too, if a block of this part has one. What the whole mesh knew before may be a
+  /// triangle that is another part's now.
+  /// \param fans of this part's blocks, which are written
+  std::vector<Fan> last_fans_of_common_vertices(const std::vector<Fan>& fans) const {
+    std::vector<Vertex_id> in_blocks;
+    for (const Fan& f : fans) in_blocks.push_back(f.vertex);
+    std::sort(in_blocks.begin(), in_blocks.end());
+    std::vector<Fan> found;
+    for (const Vertex_id v : held_.common_vertices())
+      if (std::binary_search(in_blocks.begin(), in_blocks.end(), v))
+        found.push_back({v, whole_.mesh.incident_triangle(v)});
+    return found;
   }
 
   /// The triangles at seams, and those beyond that were in no block; others have a half of their own. With them goes

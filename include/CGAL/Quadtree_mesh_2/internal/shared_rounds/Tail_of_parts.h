@@ -79,9 +79,10 @@ public:
   const Triangle_account& account() const { return account_; }
 
 private:
-  /// How many rings are shared: around what may change, of which most does and spreads no further, and, at first, around
-  /// where changes come to what is not shared.
+  /// How many rings are shared around what may change, and, at first, around places that changes come to from there.
   static constexpr int rings_of_change = 1, rings_of_spread = 2;
+  /// How often parts meet for such places before they share another ring.
+  static constexpr int meetings_for_one_more = 16;
 
   Exchange& exchange_;
   Held& held_;
@@ -89,7 +90,6 @@ private:
   Meshing_state<Geometry>& whole_;
   Kernel_mesh<Geometry>& mesh_;
   Triangle_account account_;
-  static constexpr int meetings_for_one_more = 16;
   int times_shared_ = 0, more_rings_ = 0; // where changes came to what was not shared
 
   /// Shares a triangle and some rings around it, and another one each time that parts have had to meet twice as often:

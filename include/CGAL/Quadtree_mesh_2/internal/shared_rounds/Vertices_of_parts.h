@@ -8,8 +8,9 @@
 // coordinates, markers, indices in the input.
 //
 // Computes: the numbers of the vertices that a part holds; then the rows of those that it owns in the end.
-// Bound:    each part keeps a share of all vertices in a directory (Handle_owners.h), 32 bytes for each, and 4 bytes
-//           for the number of each that it holds or asks for. A vertex goes there once, and from there to its owner.
+// Bound:    each part keeps a share of all vertices in a directory (Handle_owners.h), 32 bytes for each and 4 more
+//           while they are numbered, and 4 bytes for the number of each that it holds or asks for. A vertex goes there
+//           once, and from there to its owner.
 // Method:   whoever speaks for a Steiner vertex tells the directory of it; the first part, which has the graph, tells
 //           of those of the input. The directory's shares are sorted (Place_numbers.h).
 

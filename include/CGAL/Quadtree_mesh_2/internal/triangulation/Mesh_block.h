@@ -8,12 +8,8 @@
 //
 // Triangles keep their given order, and vertices are numbered as they occur. So the memory of a block is its
 // own and small, and stays in the cache. The sides where the rest of the mesh continues become seams, which
-// remember what they were. Once the block is written back, it keeps what is at seams alone.
-//
-// What is near seams, or waits for what is beyond, gets the first of the new handles, which follow each other. So who
-// holds these triangles of a block alone (Held_mesh.h) touches few pages of memory.
-//
-// O(n log n) for n triangles, because of handles and vertices that are sorted.
+// remember what they were. Once the block is written back, it keeps what is at seams alone. O(size of
+// the block), not counting the sorting of vertices at seams.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_MESH_BLOCK_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_MESH_BLOCK_H
@@ -116,8 +112,6 @@ public:
   };
 
   Mesh mesh;
-  /// Triangles that wait for what is beyond seams, by handles of the block; some may be gone.
-  std::vector<Triangle_id> waiting;
 
   /// \param triangles those of the whole mesh that are taken out
   /// \param spare a mesh without triangles, whose memory is used
@@ -156,14 +150,13 @@ public:
     return v;
   }
 
-  /// Lets go of room that is not used, for who keeps many blocks at once. It takes a copy.
-  void shrink() { mesh = Mesh(std::as_const(mesh)); }
-
   // ---- putting back
 
   /// How many triangles and vertices the whole mesh has to get for this block: what came and went does not count.
   std::size_t number_of_new_triangles() const {
-    return std::max(mesh.number_of_triangles(), taken_.size()) - taken_.size();
+    std::size_t number = 0;
+    for (const Triangle_id t : new_triangles()) number += mesh.is_alive(t) ? 1 : 0;
+    return number;
   }
   std::size_t number_of_new_vertices() const {
     std::size_t number = 0;
@@ -171,16 +164,20 @@ public:
     return number;
   }
 
-  /// The handles in the whole mesh: vertices taken out keep theirs, and new ones get the next from this one on. Triangles
-  /// get new ones too, and then those of the triangles taken out; first those that others may need first, then the others in their order.
+  /// The handles in the whole mesh: those taken out keep theirs, new ones get the next from these on, in their order.
   void name_new(Triangle_id first_triangle, Vertex_id first_vertex) {
     first_new_triangle_ = first_triangle;
-    const std::vector<Triangle_id> for_others = triangles_for_others();
-    name_triangles(for_others);
-    name_vertices(for_others, first_vertex);
+    whole_triangle_.resize(mesh.triangles.size());
+    std::copy(taken_.begin(), taken_.end(), whole_triangle_.begin());
+    for (const Triangle_id t : new_triangles())
+      if (mesh.is_alive(t)) whole_triangle_[t] = first_triangle, ++first_triangle;
+    const Id_range<Vertex_id> vertices = new_vertices();
+    whole_vertex_.resize(mesh.number_of_vertices());
+    for (const Vertex_id v : vertices)
+      if (is_to_be_named(v)) whole_vertex_[v] = first_vertex, ++first_vertex;
   }
   Triangle_id first_new_triangle() const { return first_new_triangle_; }
-  /// None for what is gone.
+  /// None for what came and went.
   Triangle_id whole_triangle(Triangle_id t) const { return whole_triangle_[t]; }
   Vertex_id whole_vertex(Vertex_id v) const { return whole_vertex_[v]; }
 
@@ -205,7 +202,7 @@ public:
   Mesh release() {
     for (std::size_t v = 0; v < own_vertices_; ++v)
       assignment_->vertex_in_block(whole_vertex_[static_cast<Vertex_id>(v)]) = {};
-    waiting = {}, whole_triangle_ = {}, whole_vertex_ = {}, foreign_ = {}, is_shared_ = {}, shared_ = {};
+    whole_triangle_ = {}, whole_vertex_ = {}, foreign_ = {}, is_shared_ = {}, shared_ = {};
     mesh.clear();
     return std::exchange(mesh, Mesh());
   }
@@ -242,68 +239,16 @@ private:
   std::vector<Foreign> foreign_;              // by handle in the whole mesh
   Indexed_vector<Vertex_id, char> is_shared_; // of the vertices taken out: other blocks may have them too
   std::vector<Vertex_id> shared_;
-  std::vector<Fan> fans_;          // of the shared ones
-  std::vector<Triangle_id> dead_;  // those taken out whose handles nothing has
+  std::vector<Fan> fans_; // of the shared ones
+  std::vector<Triangle_id> dead_;
   Triangle_id first_new_triangle_; // its handle in the whole mesh
 
+  Id_range<Triangle_id> new_triangles() const { return {taken_.size(), mesh.triangles.size()}; }
   /// \pre they have no names yet
   Id_range<Vertex_id> new_vertices() const { return {whole_vertex_.size(), mesh.number_of_vertices()}; }
 
   /// Whether a new vertex gets a handle. Corners may know one on an edge after it is gone.
   bool is_to_be_named(Vertex_id v) const { return mesh.is_used(v) || !mesh.is_free(v); }
-
-  /// What the next zone has of the block: those at seams, those that wait, and some rings around them, the nearest first.
-  std::vector<Triangle_id> triangles_for_others() const {
-    constexpr int rings = 6;
-    std::vector<Triangle_id> found;
-    Indexed_vector<Triangle_id, char> is_found(mesh.triangles.size(), 0);
-    const auto add = [&](Triangle_id t) {
-      if (std::exchange(is_found[t], 1) == 0) found.push_back(t);
-    };
-    for (const Triangle_id t : mesh.triangles.ids())
-      if (mesh.is_alive(t))
-        for (const Side s : mesh.triangle(t).side)
-          if (s.is_seam()) add(t);
-    for (const Triangle_id t : waiting)
-      if (mesh.is_alive(t)) add(t);
-    std::size_t first = 0; // of the last ring
-    for (int ring = 0; ring < rings; ++ring)
-      for (const std::size_t end = found.size(); first < end; ++first)
-        for (const Side s : mesh.triangle(found[first]).side)
-          if (!s.is_border()) add(s.triangle());
-    return found;
-  }
-
-  void name_triangles(const std::vector<Triangle_id>& first_ones) {
-    dead_.assign(taken_.begin(), taken_.end());
-    std::sort(dead_.begin(), dead_.end());
-    auto known = dead_.begin();
-    Triangle_id next = first_new_triangle_;
-    const Triangle_id end(next.value() + number_of_new_triangles());
-    whole_triangle_.assign(mesh.triangles.size(), {});
-    const auto name = [&](Triangle_id t) {
-      if (!mesh.is_alive(t) || whole_triangle_[t].is_valid()) return;
-      if (next < end)
-        whole_triangle_[t] = next, ++next;
-      else
-        whole_triangle_[t] = *known++;
-    };
-    for (const Triangle_id t : first_ones) name(t);
-    for (const Triangle_id t : mesh.triangles.ids()) name(t);
-    dead_.erase(dead_.begin(), known);
-  }
-
-  void name_vertices(const std::vector<Triangle_id>& first_ones, Vertex_id next) {
-    const Id_range<Vertex_id> new_ones = new_vertices();
-    whole_vertex_.resize(mesh.number_of_vertices());
-    const auto name = [&](Vertex_id v) {
-      if (!whole_vertex_[v].is_valid()) whole_vertex_[v] = next, ++next;
-    };
-    for (const Triangle_id t : first_ones)
-      for (const Vertex_id v : mesh.triangle(t).v) name(v);
-    for (const Vertex_id v : new_ones)
-      if (is_to_be_named(v)) name(v);
-  }
 
   bool is_shared(Vertex_id v) const { return is_shared_.has(v) && is_shared_[v] != 0; }
 
@@ -388,11 +333,14 @@ private:
   }
 
   void write_triangles(Mesh& whole) {
-    for (const Triangle_id t : dead_)
-      whole.triangle(t) = {}; // passes over all triangles read it, ahead of asking whether it is alive
     for (const Triangle_id t : mesh.triangles.ids()) {
-      if (!mesh.is_alive(t)) continue;
       const Triangle_id w = whole_triangle(t);
+      if (!mesh.is_alive(t)) {
+        if (!w.is_valid()) continue;
+        whole.triangle(w) = {}; // passes over all triangles read it, ahead of asking whether it is alive
+        dead_.push_back(w);
+        continue;
+      }
       const auto& from = mesh.triangle(t);
       auto& to = whole.triangle(w);
       whole.set_region(w, mesh.region(t));
