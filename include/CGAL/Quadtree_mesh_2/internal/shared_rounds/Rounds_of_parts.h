@@ -421,8 +421,8 @@ private:
     held_.tell({}, of_corners);
   }
 
-  /// One for each vertex that others have too, if a block of this part has one. What the whole mesh knew before may be a
-  /// triangle that is another part's now.
+  /// One for each vertex that others have too, if a block of this part has one. What the whole mesh knew before may be
+  /// a triangle that is another part's now.
   /// \param fans of this part's blocks, which are written
   std::vector<Fan> last_fans_of_common_vertices(const std::vector<Fan>& fans) const {
     std::vector<Vertex_id> in_blocks;
