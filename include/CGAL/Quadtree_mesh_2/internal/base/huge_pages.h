@@ -87,6 +87,12 @@ inline void give_back_pages(void* begin, std::size_t bytes) {
 #endif
 }
 
+/// The same for values of an array that may be empty.
+template <class Values>
+void give_back_values(Values& values, std::size_t begin, std::size_t end) {
+  if (!values.empty()) give_back_pages(values.data() + begin, (end - begin) * sizeof(*values.data()));
+}
+
 /// Makes `values`, which is empty, as long as `size`, with all of its pages at once.
 template <class Vector>
 void resize_with_pages(Vector& values, std::size_t size) {

@@ -89,6 +89,8 @@ struct Meshing_state {
     std::size_t number_of_triangles() const { return end_of_triangles.value() - first_triangle.value(); }
     bool has(Triangle_id t) const { return !(t < first_triangle) && t < end_of_triangles; }
     bool has_within(Vertex_id v) const { return !(v < first_vertex) && v < end_of_vertices; }
+    /// Of triangles: others may have them from now on.
+    void forget_handles() { first_triangle = end_of_triangles = Triangle_id(0); }
   };
   Bulk bulk;
   /// Free vertices were there before refinement: on the border of the bulk, or of quadtrees.

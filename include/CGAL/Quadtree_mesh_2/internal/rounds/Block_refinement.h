@@ -145,8 +145,10 @@ private:
     if (cut.members.empty()) return;
     triangles_done_ = 0, triangles_of_round_ = cut.members.size();
     Blocks blocks(whole_.mesh, assignment_, std::move(cut));
+    whole_.bulk.forget_handles();
     watch_.blocks_are_cut(whole_, blocks, rounds_.number);
-    const auto owned = corner_places_.by_block(blocks);
+    const auto owned =
+        corner_places_.by_block(blocks.size(), [&](Triangle_id t) { return blocks.block_of(t); });
     Indexed_vector<Block_id, std::vector<Triangle_id>> left(blocks.size());
     const Block_work<Geometry> work(whole_.problem, finishing_,
                                     rounds_.number == 1 ? finishing_.thinnings_of_blocks : 0);
@@ -161,10 +163,7 @@ private:
         [&](const Block& block) {
           const Block_id b = block.id();
           work.name_in_whole(block, owned[b]);
-          auto& l = left[b];
-          l.erase(std::remove_if(l.begin(), l.end(), [&](Triangle_id t) { return !block.mesh.is_alive(t); }),
-                  l.end());
-          for (Triangle_id& t : l) t = block.whole_triangle(t);
+          for (Triangle_id& t : left[b]) t = block.whole_triangle(t);
           watch_.is_written(block);
         });
     watch_.are_written(whole_, blocks);

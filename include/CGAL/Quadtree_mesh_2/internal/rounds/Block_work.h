@@ -10,6 +10,7 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_ROUNDS_BLOCK_WORK_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_ROUNDS_BLOCK_WORK_H
 
+#include <CGAL/Quadtree_mesh_2/internal/base/Indexed_vector.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Refiner.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Splitter.h>
@@ -17,6 +18,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/refinement/thin_out.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Mesh_block.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -54,6 +56,10 @@ public:
     std::swap(state.mesh, block.mesh);
     std::vector<Triangle_id> left = std::move(state.deferred);
     while (!state.worklist.is_empty()) left.push_back(state.worklist.pop());
+    left.erase(
+        std::remove_if(left.begin(), left.end(), [&](Triangle_id t) { return !block.mesh.is_alive(t); }),
+        left.end());
+    block.name_first(triangles_for_others(block.mesh, left));
     return left;
   }
 
@@ -66,6 +72,31 @@ private:
   Meshing_problem<Geometry>& problem_;
   Finishing finishing_;
   int thinnings_;
+
+  /// How far from seams, and from what is left, the next round's zone may come: it has two rings, the next one is
+  /// looked at, and flips at seams may lead a little farther.
+  static constexpr int rings_for_others = 6;
+
+  /// What others may need of a block: the triangles at seams, those that are left, and rings around them.
+  static std::vector<Triangle_id> triangles_for_others(const Kernel_mesh<Geometry>& mesh,
+                                                       const std::vector<Triangle_id>& left) {
+    std::vector<Triangle_id> found;
+    Indexed_vector<Triangle_id, char> is_found(mesh.triangles.size(), 0);
+    const auto add = [&](Triangle_id t) {
+      if (std::exchange(is_found[t], 1) == 0) found.push_back(t);
+    };
+    for (const Triangle_id t : mesh.triangles.ids())
+      if (mesh.is_alive(t))
+        for (const Side s : mesh.triangle(t).side)
+          if (s.is_seam()) add(t);
+    for (const Triangle_id t : left) add(t);
+    std::size_t next = 0;
+    for (int ring = 0; ring < rings_for_others; ++ring)
+      for (const std::size_t end = found.size(); next < end; ++next)
+        for (const Side s : mesh.triangle(found[next]).side)
+          if (!s.is_border()) add(s.triangle());
+    return found;
+  }
 
   /// Refines all that is bad, then removes what can be spared.
   template <class Continue>

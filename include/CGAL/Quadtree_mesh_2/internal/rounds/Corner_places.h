@@ -14,7 +14,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/parallel/append_all.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
-#include <CGAL/Quadtree_mesh_2/internal/triangulation/Mesh_blocks.h>
+#include <CGAL/Quadtree_mesh_2/internal/triangulation/Mesh_block.h>
 
 #include <algorithm>
 #include <cstddef>
@@ -82,7 +82,6 @@ private:
 template <class ConcurrencyTag, class Geometry>
 class Corner_places {
 public:
-  using Blocks = Mesh_blocks<ConcurrencyTag, Geometry>;
   using Corners = Acute_corners<Geometry>;
   using Corners_of_blocks = Indexed_vector<Block_id, std::vector<Corner_id>>;
 
@@ -90,16 +89,19 @@ public:
 
   /// For each block the corners it owns: all pieces of their legs within the ring and all locked chords have both their
   /// triangles in the block, and so have the Steiner vertices on the legs all of theirs.
-  Corners_of_blocks by_block(const Blocks& blocks) const {
+  /// \param blocks how many there are
+  /// \param block_of the block of a triangle that is alive, if it is in one
+  template <class Block_of>
+  Corners_of_blocks by_block(std::size_t blocks, const Block_of& block_of) const {
     Indexed_vector<Corner_id, Block_id> owner(corners_.corners.size());
     for_each_index<ConcurrencyTag>(
         owner.size(),
         [&](std::size_t i) {
           const Corner_id c = static_cast<Corner_id>(i);
-          owner[c] = owner_of(corners_.corner(c), blocks);
+          owner[c] = owner_of(corners_.corner(c), block_of);
         },
         64);
-    Corners_of_blocks owned(blocks.size());
+    Corners_of_blocks owned(blocks);
     for (const Corner_id c : owner.ids())
       if (owner[c].is_valid()) owned[owner[c]].push_back(c);
     return owned;
@@ -126,10 +128,11 @@ private:
   const Meshing_state<Geometry>& whole_;
   const Corners& corners_;
 
-  Block_id owner_of(const Corner& corner, const Blocks& blocks) const {
+  template <class Block_of>
+  Block_id owner_of(const Corner& corner, const Block_of& block_of) const {
     Block_id owner;
     const auto is_owned = [&](Triangle_id t) {
-      const Block_id b = blocks.block_of(t);
+      const Block_id b = block_of(t);
       if (!owner.is_valid()) owner = b;
       return b.is_valid() && b == owner;
     };

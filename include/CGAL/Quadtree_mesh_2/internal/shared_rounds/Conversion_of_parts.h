@@ -67,7 +67,7 @@ public:
   /// \param report is filled in at the first part
   Mesh run(const Triangle_account& account, Quality_mesh_report_2& report) {
     state_.problem.input_points = {}; // all that is asked for is in the mesh
-    held_.give_back(0, state_.mesh.triangles.size(), [this](Triangle_id t) { return !held_.speaks_for(t); });
+    held_.unshare();
     vertices_.collect(input_.pslg, input_.order, [this](const auto& p) { return map_.to_user(p); });
     vertices_.ask_for_held();
     const std::int64_t used = number_of_own_used_vertices();

@@ -19,6 +19,7 @@
 #define CGAL_QUADTREE_MESH_2_INTERNAL_SHARED_ROUNDS_HELD_MESH_H
 
 #include <CGAL/Quadtree_mesh_2/internal/base/Scratch_arrays.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/Sparse_bytes.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/huge_pages.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/sort_and_drop_equal.h>
 #include <CGAL/Quadtree_mesh_2/internal/distributed/Mesh_archive.h>
@@ -29,45 +30,13 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
-#include <cstring>
 #include <iterator>
-#include <memory>
-#include <new>
 #include <utility>
 #include <vector>
 
 namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
-
-/// Bytes that are 0 until they are written, and take no memory before, by pages.
-class Sparse_bytes {
-public:
-  char operator[](std::size_t i) const { return bytes_.get()[i]; }
-  char& operator[](std::size_t i) { return bytes_.get()[i]; }
-  std::size_t size() const { return size_; }
-
-  /// Makes room for so many.
-  void grow(std::size_t size) {
-    if (size <= size_) return;
-    std::unique_ptr<char, Free> larger(static_cast<char*>(std::calloc(size, 1)));
-    if (!larger) throw std::bad_alloc();
-    ask_for_small_pages(larger.get(), size);
-    for (std::size_t i = 0; i < size_; ++i)
-      if (bytes_.get()[i] != 0) larger.get()[i] = bytes_.get()[i];
-    bytes_ = std::move(larger);
-    size_ = size;
-  }
-
-private:
-  struct Free {
-    void operator()(char* bytes) const { std::free(bytes); }
-  };
-
-  std::unique_ptr<char, Free> bytes_;
-  std::size_t size_ = 0;
-};
 
 /// See the head of this file.
 template <class Exchange, class Geometry>
@@ -138,7 +107,7 @@ public:
   /// What this part has made, or what is no more.
   void set_private(Triangle_id t) { set(t, PRIVATE); }
   void set_absent(Triangle_id t) { set(t, ABSENT); }
-  void set_has(Vertex_id v) { has_[v.value()] = 1; }
+  void set_has(Vertex_id v) { has_[v.value()] = OWN; }
 
   /// Whether this part is the one that speaks for a triangle where one has to: for its private ones, and those that it
   /// has told to all.
@@ -148,16 +117,34 @@ public:
     return has(v) && mesh_.is_used(v) && speaks_for(mesh_.incident_triangle(v));
   }
 
-  /// Lets go of the memory of triangles, which nobody reads any more.
-  /// \param is_needless whether a triangle is one of them, for those with handles in [begin, end)
-  template <class Is_needless>
-  void give_back(std::size_t begin, std::size_t end, const Is_needless& is_needless) {
-    std::size_t first = begin; // of the run of them that may end at t
-    for (std::size_t t = begin; t <= end; ++t) {
-      if (t < end && is_needless(Triangle_id(t))) continue;
-      give_back_pages(mesh_.triangles.data() + first, (t - first) * sizeof(typename Mesh::Triangle));
-      first = t + 1;
+  /// Lets go of the memory of the triangles with handles in [begin, end), which nobody reads any more.
+  void give_back(std::size_t begin, std::size_t end) {
+    give_back_values(mesh_.triangles, begin, end), give_back_values(mesh_.region_of, begin, end);
+  }
+
+  /// Shares nothing any more. Who speaks for a triangle has it alone then. Others let go of its memory, and of that of
+  /// vertices that none of their triangles has. All parts call it, but do not meet. O(n) for n handles.
+  void unshare() {
+    for (const Triangle_id t : mesh_.triangles.ids()) {
+      if (!is_shared(t)) continue;
+      if (speaks_for(t))
+        for (const Vertex_id v : mesh_.triangle(t).v) set_has(v); // perhaps one of others before
+      set(t, speaks_for(t) ? PRIVATE : ABSENT);
     }
+    for (const Vertex_id v : mesh_.points.ids())
+      if (has_[v.value()] == FOREIGN) has_[v.value()] = 0;
+    for_each_run<Triangle_id>(
+        mesh_.triangles.size(), [this](Triangle_id t) { return !is_held(t); },
+        [this](std::size_t begin, std::size_t end) { give_back(begin, end); });
+    for_each_run<Vertex_id>(
+        mesh_.number_of_vertices(), [this](Vertex_id v) { return !has(v); },
+        [this](std::size_t begin, std::size_t end) { give_back_vertices(mesh_, begin, end); });
+  }
+
+  /// What others have told of vertices, this part keeps.
+  void keep(const std::vector<Vertex_id>& vertices) {
+    for (const Vertex_id v : vertices)
+      if (has(v)) set_has(v);
   }
 
   std::size_t number_held() const { return number_[PRIVATE] + number_shared(); }
@@ -216,6 +203,7 @@ public:
 
 private:
   enum Hold : char { ABSENT, PRIVATE, SHARED, TOLD }; // shared: told by others, or by this part
+  enum Vouch : char { OWN = 1, FOREIGN };             // foreign: of triangles that others have told
 
   struct Triangle_record {
     Triangle_id id;
@@ -355,7 +343,10 @@ private:
         number += told.triangles.size();
         if (parcel.part == exchange_.rank()) continue;
         for (const Triangle_record& r : told.triangles) write(r), set(r.id, SHARED);
-        for (const Vertex_record& r : told.vertices) write(r), set_has(r.id);
+        for (const Vertex_record& r : told.vertices) {
+          write(r);
+          if (!has(r.id)) has_[r.id.value()] = FOREIGN;
+        }
       }
     }
     return number;
@@ -413,7 +404,7 @@ private:
         [&](std::size_t begin, std::size_t end, auto& to) {
           for (const Triangle_id t : Id_range<Triangle_id>(begin, end))
             if (whole.is_alive(t)) to[static_cast<std::size_t>(part_of(t))].push_back(record(whole, t));
-          let_go(whole.triangles, begin, end), let_go(whole.region_of, begin, end);
+          give_back_values(whole.triangles, begin, end), give_back_values(whole.region_of, begin, end);
         },
         [this](const Triangle_record& r) { write(r), set_private(r.id); });
   }
@@ -427,8 +418,7 @@ private:
             for (; other != parts.others.end() && other->first == v; ++other)
               to[static_cast<std::size_t>(other->second)].push_back(record(whole, v));
           }
-          let_go(whole.points, begin, end), let_go(whole.role_of, begin, end);
-          let_go(whole.triangle_of, begin, end), let_go(whole.is_dirty, begin, end);
+          give_back_vertices(whole, begin, end);
         },
         [this](const Vertex_record& r) { write(r), set_has(r.id); });
   }
@@ -451,10 +441,20 @@ private:
     }
   }
 
-  /// Gives back the pages of some values of an array, which nobody reads any more. The array may be empty.
-  template <class Values>
-  static void let_go(Values& values, std::size_t begin, std::size_t end) {
-    if (!values.empty()) give_back_pages(values.data() + begin, (end - begin) * sizeof(*values.data()));
+  /// Calls `f(begin, end)` for the runs of handles that are needless.
+  template <class Id, class Is_needless, class Function>
+  static void for_each_run(std::size_t size, const Is_needless& is_needless, const Function& f) {
+    std::size_t begin = 0;
+    for (std::size_t i = 0; i <= size; ++i) {
+      if (i < size && is_needless(Id(i))) continue;
+      if (begin < i) f(begin, i);
+      begin = i + 1;
+    }
+  }
+
+  static void give_back_vertices(Mesh& mesh, std::size_t begin, std::size_t end) {
+    give_back_values(mesh.points, begin, end), give_back_values(mesh.role_of, begin, end);
+    give_back_values(mesh.triangle_of, begin, end), give_back_values(mesh.is_dirty, begin, end);
   }
 
   /// Gives each part the records of some vertices, for which no part vouches, and the names of those it shares with

@@ -187,34 +187,36 @@ private:
   /// Part 0 cuts the mesh and gives each part what is in its blocks. Triangles in no block go in runs of handles.
   Shared_work first_work() {
     Parcels outbox;
-    Uninitialized_vector<std::uint32_t> part_of;
+    Indexed_vector<Block_id, int> part_of_block;
+    Uninitialized_indexed_vector<Triangle_id, Block_id> block_of;
+    const auto parts = static_cast<std::size_t>(exchange_.size()), slots = whole_.mesh.triangles.size();
     std::vector<Vertex_id> for_all;
     if (exchange_.rank() == 0) {
-      const auto parts = static_cast<std::size_t>(exchange_.size()), slots = whole_.mesh.triangles.size();
-      const auto [cut, owned] = first_cut();
+      const Block_cut cut = cuts_.first();
+      block_of = blocks_of_triangles(cut);
+      const auto owned = corner_places_.by_block(cut.size(), [&](Triangle_id t) { return block_of[t]; });
       const std::vector<std::size_t> first_of_part = first_blocks(cut.first);
-      part_of.resize(slots);
-      for (std::size_t i = 0; i < slots; ++i) part_of[i] = static_cast<std::uint32_t>(i * parts / slots);
       for (std::size_t p = 0; p < parts; ++p) {
-        for (std::size_t b = first_of_part[p]; b < first_of_part[p + 1]; ++b)
-          for (const Triangle_id t : cut[b]) part_of[t.value()] = static_cast<std::uint32_t>(p);
-        outbox.push_back(
-            {static_cast<int>(p), bytes_of_work(cut, owned, first_of_part[p], first_of_part[p + 1])});
+        const std::size_t begin = first_of_part[p], end = first_of_part[p + 1];
+        part_of_block.resize(end, static_cast<int>(p));
+        outbox.push_back({static_cast<int>(p), bytes_of_work(cut, owned, begin, end)});
       }
       for_all = corners_.vertices();
     }
     const Parcels inbox = exchange_.exchange(std::move(outbox));
-    held_.scatter([&](Triangle_id t) { return static_cast<int>(part_of[t.value()]); }, for_all,
-                  vertex_budget_);
+    const auto part_of = [&](Triangle_id t) {
+      const Block_id b = block_of[t];
+      return b.is_valid() ? part_of_block[b] : static_cast<int>(t.value() * parts / slots);
+    };
+    held_.scatter(part_of, for_all, vertex_budget_);
     return work_of_bytes(inbox.front().bytes);
   }
 
-  /// The blocks of the whole mesh, and the corners of each.
-  std::pair<Block_cut, Corners_of_blocks> first_cut() {
-    Block_assignment assignment;
-    Mesh_blocks<ConcurrencyTag, Geometry> blocks(whole_.mesh, assignment, cuts_.first());
-    Corners_of_blocks owned = corner_places_.by_block(blocks);
-    return {blocks.take_cut(), std::move(owned)};
+  Uninitialized_indexed_vector<Triangle_id, Block_id> blocks_of_triangles(const Block_cut& cut) const {
+    Uninitialized_indexed_vector<Triangle_id, Block_id> block_of(whole_.mesh.triangles.size(), Block_id());
+    for (std::size_t b = 0; b < cut.size(); ++b)
+      for (const Triangle_id t : cut[b]) block_of[t] = static_cast<Block_id>(b);
+    return block_of;
   }
 
   static Bytes bytes_of_work(const Block_cut& cut, const Corners_of_blocks& owned, std::size_t begin,
@@ -310,6 +312,7 @@ private:
                                     is_first_round() ? finishing_.thinnings_of_blocks : 0);
     const std::size_t room = vertex_budget_ - std::min(vertex_budget_, whole_.mesh.number_of_vertices());
     Block_assignment assignment = assignment_of(round);
+    whole_.bulk.forget_handles();
     std::vector<std::unique_ptr<Block>> blocks(n);
     std::vector<std::vector<Triangle_id>> left(n);
     triangles_done_ = 0, triangles_of_round_ = round.own.members.size();
@@ -332,8 +335,7 @@ private:
       block.write(whole_.mesh);
       work.name_in_whole(block, round.owned[b]);
       corners.insert(corners.end(), round.owned[b].begin(), round.owned[b].end());
-      for (const Triangle_id t : left[b])
-        if (block.mesh.is_alive(t)) left_by_all.push_back(block.whole_triangle(t));
+      for (const Triangle_id t : left[b]) left_by_all.push_back(block.whole_triangle(t));
       if (is_first_round())
         keep(block);
       else

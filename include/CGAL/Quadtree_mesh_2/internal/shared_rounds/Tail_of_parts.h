@@ -10,11 +10,11 @@
 // Computes: the same bits as in one memory (Splitter::unlock_all(), Remover.h, Exact_legalizer.h), for any number of
 //           parts, and for each part the account of its triangles.
 // Bound:    O(t + c log c) for the t triangles that a part holds and the c that change, or are next to those that do.
-//           These are shared, and each part changes all of them. Some messages more for each time that changes come
-//           to triangles that are not shared yet.
-// Method:   each part finds what has to be looked at among its own triangles, and tells all. That is shared, with some
-//           rings around it. So all parts do the same, in the order of one memory; before one of them reads a triangle
-//           that is not shared, all share it.
+//           These are shared, some thousands at a time, and each part changes all of them. Some messages more for each
+//           time that changes come to triangles that are not shared yet.
+// Method:   each part finds what has to be looked at among its own triangles, and tells all. Place after place, in the
+//           order of one memory, all parts do the same. For that the next places are shared, with a ring around them,
+//           and those before are not any more. Before a part reads a triangle that is not shared, all share it.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_SHARED_ROUNDS_TAIL_OF_PARTS_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_SHARED_ROUNDS_TAIL_OF_PARTS_H
@@ -64,14 +64,19 @@ public:
   /// All parts call it. \pre it is possible
   void run(Removal removal) {
     unlock();
+    held_.keep(corners_.vertices());
     if (removal == Removal::GUARDED) remove();
     flip();
   }
 
   /// Whether flips have made bad triangles, which are on the worklist then.
   bool leaves_bad() {
-    if (!whole_.has_bad_on_worklist()) return false;
-    return whole_.has_bad_on_worklist(); // each question turns their order around, and one memory asks once
+    std::vector<Triangle_id> listed;
+    while (!whole_.worklist.is_empty()) listed.push_back(whole_.worklist.pop());
+    held_.publish(held_.private_around(listed, 0));
+    for (const Triangle_id t : listed)
+      if (held_.is_shared(t) && whole_.is_bad(t)) whole_.push(t);
+    return whole_.has_bad_on_worklist(); // which turns their order around again: one memory asks once
   }
 
   /// Of the triangles that this part accounts for: the sum over all parts is that of the mesh. Counts of angles may be
@@ -83,6 +88,8 @@ private:
   static constexpr int rings_of_change = 1, rings_of_spread = 2;
   /// How often parts meet for such places before they share another ring.
   static constexpr int meetings_for_one_more = 16;
+  /// Around how many vertices or sides triangles are shared at a time.
+  static constexpr std::size_t places_at_a_time = 8192;
 
   Exchange& exchange_;
   Held& held_;
@@ -168,45 +175,71 @@ private:
   /// All parts remove the same vertices, in the order of one memory.
   void remove() {
     Remover<Geometry> remover(whole_);
-    std::set<Vertex_id> changed = share_stars_of_changed(remover);
-    for (int pass = 0; pass < Remover<Geometry>::passes; ++pass)
+    std::set<Vertex_id> changed = changed_vertices(remover);
+    for (int pass = 0; pass < Remover<Geometry>::passes; ++pass) {
+      std::size_t shared = 0; // how many of the next ones have their stars shared
       for (auto next = changed.begin(); next != changed.end();) {
+        if (shared == 0) shared = share_stars(next, changed.end());
+        --shared;
         const Vertex_id v = *next;
-        if (!remover.is_to_be_tried(v)) {
-          next = changed.erase(next);
-          continue;
-        }
-        const std::vector<Triangle_id> star = shared_star_of(v);
-        std::vector<Vertex_id> vertices;
-        for (const Triangle_id t : star)
-          vertices.insert(vertices.end(), std::begin(mesh_.triangle(t).v), std::end(mesh_.triangle(t).v));
-        if (remover.remove_if_changed(v))
-          for (const Triangle_id t : star)
-            if (!mesh_.is_alive(t)) held_.set_absent(t);
-        for (const Vertex_id w : vertices)
-          if (remover.is_to_be_tried(w)) changed.insert(w);
+        if (remover.is_to_be_tried(v)) try_to_remove(v, remover, changed);
+        if (!remover.is_to_be_tried(v)) changed.erase(v);
         next = changed.upper_bound(v);
       }
+    }
   }
 
-  /// \returns the vertices that may be removed, of all parts
-  std::set<Vertex_id> share_stars_of_changed(const Remover<Geometry>& remover) {
+  /// \param changed gets the vertices around it that may be removed then
+  void try_to_remove(Vertex_id v, Remover<Geometry>& remover, std::set<Vertex_id>& changed) {
+    const std::vector<Triangle_id> star = shared_star_of(v);
+    std::vector<Vertex_id> vertices;
+    for (const Triangle_id t : star)
+      vertices.insert(vertices.end(), std::begin(mesh_.triangle(t).v), std::end(mesh_.triangle(t).v));
+    if (remover.remove_if_changed(v))
+      for (const Triangle_id t : star)
+        if (!mesh_.is_alive(t)) held_.set_absent(t);
+    for (const Vertex_id w : vertices)
+      if (remover.is_to_be_tried(w)) changed.insert(w);
+  }
+
+  /// The vertices that may be removed, of all parts.
+  std::set<Vertex_id> changed_vertices(const Remover<Geometry>& remover) {
     std::vector<Vertex_id> own;
-    std::vector<Triangle_id> stars;
-    for (const Vertex_id v : mesh_.points.ids()) {
-      if (!held_.speaks_for(v) || !remover.is_to_be_tried(v)) continue;
-      own.push_back(v);
-      add_held_star(v, stars);
-    }
-    held_.publish(held_.private_around(stars, rings_of_change));
+    for (const Vertex_id v : mesh_.points.ids())
+      if (held_.speaks_for(v) && remover.is_to_be_tried(v)) own.push_back(v);
     const std::vector<Vertex_id> all = tell_all(exchange_, own);
     return std::set<Vertex_id>(all.begin(), all.end());
+  }
+
+  /// Shares the stars of the next vertices, and nothing else.
+  /// \returns of how many
+  template <class Iterator>
+  std::size_t share_stars(Iterator next, Iterator end) {
+    std::vector<Vertex_id> vertices;
+    for (; next != end && vertices.size() < places_at_a_time; ++next) vertices.push_back(*next);
+    share_alone([&](std::vector<Triangle_id>& read) {
+      for (const Vertex_id v : vertices)
+        if (held_.has(v)) add_held_star(v, read);
+    });
+    return vertices.size();
+  }
+
+  /// Shares what all parts will read, and nothing else.
+  /// \param look puts triangles in a list, as far as it gets in what is held
+  template <class Look>
+  void share_alone(const Look& look) {
+    held_.unshare();
+    std::vector<Triangle_id> read;
+    do {
+      read.clear();
+      look(read);
+    } while (held_.publish(held_.private_around(read, rings_of_change)) > 0);
   }
 
   /// Adds the triangles at a vertex, as far as one gets in what is held.
   void add_held_star(Vertex_id v, std::vector<Triangle_id>& stars) const {
     const Triangle_id start = mesh_.incident_triangle(v);
-    if (!held_.is_held(start)) return;
+    if (!start.is_valid() || !held_.is_held(start)) return;
     Fan_walk<Kernel_mesh<Geometry>> walk(mesh_, v, start);
     do stars.push_back(walk.triangle());
     while (walk.advance() && held_.is_held(walk.triangle()));
@@ -232,26 +265,38 @@ private:
   // ---- exact flips
 
   void flip() {
+    held_.unshare();
     share_front();
     Exact_legalizer<ConcurrencyTag, Geometry> legalizer(whole_);
     auto found = legalizer.find([this](Triangle_id t) { return held_.speaks_for(t); });
     account_ = std::move(found.account);
-    std::vector<Triangle_id> around;
-    for (const Side s : found.doubtful) {
-      around.push_back(s.triangle());
-      if (held_.is_held(mesh_.across(s).triangle())) around.push_back(mesh_.across(s).triangle());
-    }
-    held_.publish(held_.private_around(around, rings_of_change));
     std::vector<Side> doubtful = tell_all(exchange_, found.doubtful);
     std::sort(doubtful.begin(), doubtful.end(), [](Side a, Side b) {
       return a.triangle() != b.triangle() ? a.triangle() < b.triangle() : a.slot() < b.slot();
     });
     Triangle_account of_flips;
-    const bool is_any_flipped = legalizer.flip(doubtful, of_flips, [this](Side s) { share_both_sides(s); });
+    bool is_any_flipped = false;
+    for (std::size_t begin = 0; begin < doubtful.size(); begin += places_at_a_time) {
+      const auto first = doubtful.begin() + static_cast<std::ptrdiff_t>(begin);
+      const std::vector<Side> next(
+          first, first + static_cast<std::ptrdiff_t>(std::min(places_at_a_time, doubtful.size() - begin)));
+      share_alone([&](std::vector<Triangle_id>& read) { add_held_sides(next, read); });
+      is_any_flipped |= legalizer.flip(next, of_flips, [this](Side s) { share_both_sides(s); });
+    }
     if (exchange_.rank() == 0) account_.angles.add(of_flips.angles);
     for (const Triangle_id t : of_flips.suspects)
       if (held_.speaks_for(t)) account_.suspects.push_back(t);
     if (is_any_flipped) legalizer.drop_cured(account_.suspects);
+  }
+
+  /// Adds the triangles on both sides, as far as they are held.
+  void add_held_sides(const std::vector<Side>& sides, std::vector<Triangle_id>& triangles) const {
+    for (const Side s : sides) {
+      if (!held_.is_held(s.triangle())) continue;
+      triangles.push_back(s.triangle());
+      const Side o = mesh_.across(s);
+      if (!o.is_border() && held_.is_held(o.triangle())) triangles.push_back(o.triangle());
+    }
   }
 
   /// Whoever speaks for a triangle holds those next to it then.

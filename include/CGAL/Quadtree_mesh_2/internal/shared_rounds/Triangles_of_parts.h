@@ -18,6 +18,7 @@
 #include <CGAL/Distributed_mesh_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/Uninitialized_vector.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/huge_pages.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/sort_and_drop_equal.h>
 #include <CGAL/Quadtree_mesh_2/internal/distributed/Parcel.h>
 #include <CGAL/Quadtree_mesh_2/internal/distributed/tell_all.h>
 #include <CGAL/Quadtree_mesh_2/internal/file_parts/mesh_pieces.h>
@@ -46,13 +47,13 @@ public:
   using Mesh = Distributed_mesh_2<Point>;
   using Number = typename Mesh::Number;
 
-  /// \pre who speaks for a triangle holds those next to it, as Tail_of_parts.h leaves it
   Triangles_of_parts(Exchange& exchange, const Meshing_state<Geometry>& state, Held& held, Vertices& vertices)
       : exchange_(exchange), state_(state), mesh_(state.mesh), held_(held), vertices_(vertices) {}
 
   // All parts call what follows, in this order.
 
-  /// Finds the numbers of the triangles that this part holds. \pre those of their vertices are known
+  /// Finds the numbers of the triangles that this part speaks for, and of those next to them.
+  /// \pre those of their vertices are known
   void find_numbers() {
     Uninitialized_vector<std::uint64_t> keys;
     keys.reserve(held_.number_held());
@@ -65,11 +66,11 @@ public:
     numbers_.resize(mesh_.triangles.size());
     std::size_t next = 0;
     for_each_own([&](Triangle_id t) { numbers_[t.value()] = positions[next++]; });
-    tell_numbers_of_shared();
+    ask_for_neighbors();
   }
 
   Number number_of_all() const { return number_of_all_; }
-  /// \pre it is held
+  /// \pre it has been found
   std::uint32_t number(Triangle_id t) const { return numbers_[t.value()]; }
 
   /// Finds the constrained edges, and what they say of their ends' markers.
@@ -117,7 +118,7 @@ public:
           for (const Triangle_id t : Id_range<Triangle_id>(begin, end))
             if (held_.speaks_for(t)) outbox[part.owner_of_triangle(number(t))].push_back(row(t));
           for (const Row& r : exchange_and_join(exchange_, std::move(outbox))) write(part, r);
-          held_.give_back(begin, end, [](Triangle_id) { return true; });
+          held_.give_back(begin, end);
         });
   }
 
@@ -205,12 +206,20 @@ private:
     return key(v[k], v[(k + 1) % 3]);
   }
 
-  void tell_numbers_of_shared() {
-    std::vector<Numbered> known;
+  /// Those next to this part's own triangles.
+  void ask_for_neighbors() {
+    std::vector<Triangle_id> wanted;
     for_each_own([&](Triangle_id t) {
-      if (held_.is_shared(t)) known.push_back({t, number(t)});
+      for (const Side o : mesh_.triangle(t).side)
+        if (!o.is_border() && !held_.speaks_for(o.triangle())) wanted.push_back(o.triangle());
     });
-    for (const Numbered& n : tell_all(exchange_, known)) numbers_[n.triangle.value()] = n.number;
+    sort_and_drop_equal(wanted);
+    Records_of_parts<Numbered> answers;
+    for (const Parcel& parcel : tell_all_bytes(exchange_, bytes_of(wanted)))
+      for (const Triangle_id t : records_of<Triangle_id>(parcel.bytes))
+        if (held_.speaks_for(t)) answers[parcel.part].push_back({t, number(t)});
+    for (const Numbered& n : exchange_and_join(exchange_, std::move(answers)))
+      numbers_[n.triangle.value()] = n.number;
   }
 
   void add_edge(Side s, const std::vector<int>& segment_markers, std::vector<Offered_marker>& offered) {

@@ -164,17 +164,18 @@ public:
     return number;
   }
 
+  /// Has triangles get the first of the new handles, which follow each other. So who holds them, and not the others of
+  /// the block, touches few pages of memory (Held_mesh.h).
+  /// \param triangles some that are alive, each of them once, by handles of the block
+  void name_first(std::vector<Triangle_id> triangles) { named_first_ = std::move(triangles); }
+
   /// The handles in the whole mesh: those taken out keep theirs, new ones get the next from these on, in their order.
+  /// A triangle named first gives the one up that it had, and a new triangle gets that.
   void name_new(Triangle_id first_triangle, Vertex_id first_vertex) {
     first_new_triangle_ = first_triangle;
-    whole_triangle_.resize(mesh.triangles.size());
-    std::copy(taken_.begin(), taken_.end(), whole_triangle_.begin());
-    for (const Triangle_id t : new_triangles())
-      if (mesh.is_alive(t)) whole_triangle_[t] = first_triangle, ++first_triangle;
-    const Id_range<Vertex_id> vertices = new_vertices();
-    whole_vertex_.resize(mesh.number_of_vertices());
-    for (const Vertex_id v : vertices)
-      if (is_to_be_named(v)) whole_vertex_[v] = first_vertex, ++first_vertex;
+    name_triangles();
+    name_vertices(first_vertex);
+    named_first_ = {};
   }
   Triangle_id first_new_triangle() const { return first_new_triangle_; }
   /// None for what came and went.
@@ -241,6 +242,7 @@ private:
   std::vector<Vertex_id> shared_;
   std::vector<Fan> fans_; // of the shared ones
   std::vector<Triangle_id> dead_;
+  std::vector<Triangle_id> named_first_;
   Triangle_id first_new_triangle_; // its handle in the whole mesh
 
   Id_range<Triangle_id> new_triangles() const { return {taken_.size(), mesh.triangles.size()}; }
@@ -249,6 +251,39 @@ private:
 
   /// Whether a new vertex gets a handle. Corners may know one on an edge after it is gone.
   bool is_to_be_named(Vertex_id v) const { return mesh.is_used(v) || !mesh.is_free(v); }
+
+  void name_triangles() {
+    whole_triangle_.resize(mesh.triangles.size());
+    std::copy(taken_.begin(), taken_.end(), whole_triangle_.begin());
+    Triangle_id next = first_new_triangle_;
+    const Triangle_id end(next.value() + number_of_new_triangles());
+    std::vector<Triangle_id> given_up;
+    for (const Triangle_id t : named_first_) {
+      if (next == end) break;
+      if (whole_triangle_[t].is_valid()) given_up.push_back(whole_triangle_[t]);
+      whole_triangle_[t] = next, ++next;
+    }
+    auto other = given_up.begin();
+    for (const Triangle_id t : new_triangles()) {
+      if (!mesh.is_alive(t) || whole_triangle_[t].is_valid()) continue;
+      if (next < end)
+        whole_triangle_[t] = next, ++next;
+      else
+        whole_triangle_[t] = *other, ++other;
+    }
+  }
+
+  void name_vertices(Vertex_id next) {
+    const Id_range<Vertex_id> vertices = new_vertices();
+    whole_vertex_.resize(mesh.number_of_vertices());
+    const auto name = [&](Vertex_id v) {
+      if (!whole_vertex_[v].is_valid()) whole_vertex_[v] = next, ++next;
+    };
+    for (const Triangle_id t : named_first_)
+      for (const Vertex_id v : mesh.triangle(t).v) name(v);
+    for (const Vertex_id v : vertices)
+      if (is_to_be_named(v)) name(v);
+  }
 
   bool is_shared(Vertex_id v) const { return is_shared_.has(v) && is_shared_[v] != 0; }
 

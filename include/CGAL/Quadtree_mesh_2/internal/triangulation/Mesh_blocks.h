@@ -99,8 +99,6 @@ public:
 
   std::size_t size() const { return blocks_.size(); }
   const Block_cut& cut() const { return cut_; }
-  /// Ends the blocks, before they are taken out.
-  Block_cut take_cut() { return std::move(cut_); }
   /// The block in which a triangle of the whole mesh is, if it is in one.
   Block_id block_of(Triangle_id t) const { return assignment_[t].block; }
   /// The handle that a triangle has in its block, when that is taken out.
