@@ -37,6 +37,19 @@ struct Triangle_account {
   std::vector<Triangle_id> suspects;
 };
 
+/// Lets all flips happen. Others that watch flips (`Exact_legalizer::flip_from()`) have the same functions.
+struct Any_flips {
+  /// Asked before the triangles on both sides of a side are read.
+  bool may_look(Side) { return true; }
+  /// Called before a side is flipped.
+  void will_flip(Side) {}
+  /// Asked of a triangle that a flip has made.
+  template <class Shape>
+  bool may_make(Triangle_id, const Shape&) {
+    return true;
+  }
+};
+
 template <class ConcurrencyTag, class Geometry>
 class Exact_legalizer {
 public:
@@ -51,7 +64,9 @@ public:
   /// Makes the mesh constrained Delaunay. Triangles that flips make suspect go to the worklist.
   Triangle_account run() {
     Findings found = find([](Triangle_id) { return true; });
-    if (flip(found.doubtful, found.account, [](Side) {})) drop_cured(found.account.suspects);
+    Any_flips any;
+    for (const Side s : found.doubtful) flip_from(s, found.account, any);
+    drop_cured(found.account.suspects);
     return std::move(found.account);
   }
 
@@ -72,15 +87,32 @@ public:
     return all;
   }
 
-  /// Flips sides, and what becomes doubtful by that. Triangles that this makes suspect go to the worklist.
+  /// Flips a side, and what becomes doubtful by that. Triangles that this makes suspect go to the worklist.
   /// \param account becomes that of the mesh then, but with suspects that are cured, or named twice
-  /// \param before_look called with a side before the triangles on both sides of it are read
-  /// \returns whether anything was flipped
-  template <class Before_look>
-  bool flip(const std::vector<Side>& doubtful, Triangle_account& account, const Before_look& before_look) {
-    bool is_any_flipped = false;
-    for (const Side s : doubtful) is_any_flipped |= flip_from(s, account, before_look);
-    return is_any_flipped;
+  /// \returns false, in the midst, if `watch` does not allow something (Any_flips)
+  template <class Watch>
+  bool flip_from(Side side, Triangle_account& account, Watch& watch) {
+    doubtful_.assign(1, side);
+    while (!doubtful_.empty()) {
+      const Side s = doubtful_.back();
+      doubtful_.pop_back();
+      if (!watch.may_look(s)) return false;
+      const Triangle_id t = s.triangle();
+      const Side o = mesh_.across(s);
+      if (o.is_constrained() || !is_not_Delaunay(s)) continue;
+      watch.will_flip(s);
+      for (const Triangle_id n : {t, o.triangle()}) account.angles.take(mesh_.shape(mesh_.triangle(n)));
+      mesh_.flip(t, s.slot());
+      for (const Triangle_id n : {t, o.triangle()}) account.angles.add(mesh_.shape(mesh_.triangle(n)));
+      for (const Triangle_id n : {t, o.triangle()}) {
+        const Shape shape = mesh_.shape(mesh_.triangle(n));
+        if (!watch.may_make(n, shape)) return false;
+        for (const int k : {0, n == t ? 2 : 1}) doubtful_.push_back(Side(n, k));
+        if (state_.misses_bound(n, shape)) account.suspects.push_back(n);
+        if (state_.is_suspect(n, shape)) state_.push(n, shape);
+      }
+    }
+    return true;
   }
 
   /// Drops suspects that miss no bound now, and those that are named before. The others are in order then.
@@ -130,32 +162,6 @@ private:
     const auto& r = mesh_.triangle(s.triangle());
     return Geometry::is_in_circle(mesh_.point(r.v[0]), mesh_.point(r.v[1]), mesh_.point(r.v[2]),
                                   mesh_.point(mesh_.opposite(mesh_.across(s))));
-  }
-
-  /// Flips the side and what becomes doubtful by that. \returns whether anything was flipped
-  template <class Before_look>
-  bool flip_from(Side side, Triangle_account& account, const Before_look& before_look) {
-    bool is_any_flipped = false;
-    doubtful_.assign(1, side);
-    while (!doubtful_.empty()) {
-      const Side s = doubtful_.back();
-      doubtful_.pop_back();
-      before_look(s);
-      const Triangle_id t = s.triangle();
-      const Side o = mesh_.across(s);
-      if (o.is_constrained() || !is_not_Delaunay(s)) continue;
-      is_any_flipped = true;
-      for (const Triangle_id n : {t, o.triangle()}) account.angles.take(mesh_.shape(mesh_.triangle(n)));
-      mesh_.flip(t, s.slot());
-      for (const Triangle_id n : {t, o.triangle()}) {
-        const Shape shape = mesh_.shape(mesh_.triangle(n));
-        account.angles.add(shape);
-        for (const int k : {0, n == t ? 2 : 1}) doubtful_.push_back(Side(n, k));
-        if (state_.misses_bound(n, shape)) account.suspects.push_back(n);
-        if (state_.is_suspect(n, shape)) state_.push(n, shape);
-      }
-    }
-    return is_any_flipped;
   }
 };
 

@@ -107,7 +107,7 @@ public:
   /// What this part has made, or what is no more.
   void set_private(Triangle_id t) { set(t, PRIVATE); }
   void set_absent(Triangle_id t) { set(t, ABSENT); }
-  void set_has(Vertex_id v) { has_[v.value()] = OWN; }
+  void set_has(Vertex_id v) { has_[v.value()] = HAS; }
 
   /// Whether this part is the one that speaks for a triangle where one has to: for its private ones, and those that it
   /// has told to all.
@@ -125,14 +125,23 @@ public:
   /// Shares nothing any more. Who speaks for a triangle has it alone then. Others let go of its memory, and of that of
   /// vertices that none of their triangles has. All parts call it, but do not meet. O(n) for n handles.
   void unshare() {
+    const auto of = [this](Vertex_id v) -> char& { return has_[v.value()]; };
+    for (const Vertex_id v : mesh_.points.ids())
+      if (has(v) && mesh_.is_used(v)) of(v) = PERHAPS;
     for (const Triangle_id t : mesh_.triangles.ids()) {
       if (!is_shared(t)) continue;
-      if (speaks_for(t))
-        for (const Vertex_id v : mesh_.triangle(t).v) set_has(v); // perhaps one of others before
+      if (!speaks_for(t))
+        for (const Vertex_id v : mesh_.triangle(t).v) of(v) = OF_OTHERS;
       set(t, speaks_for(t) ? PRIVATE : ABSENT);
     }
-    for (const Vertex_id v : mesh_.points.ids())
-      if (has_[v.value()] == FOREIGN) has_[v.value()] = 0;
+    for (const Triangle_id t : mesh_.triangles.ids())
+      if (is_private(t))
+        for (const Vertex_id v : mesh_.triangle(t).v) of(v) = of(v) == PERHAPS || of(v) == HAS ? HAS : COMMON;
+    for (const Vertex_id v : mesh_.points.ids()) {
+      if (of(v) == COMMON) common_.push_back(v);
+      if (has(v)) of(v) = of(v) == HAS || of(v) == COMMON ? HAS : HAS_NOT;
+    }
+    sort_and_drop_equal(common_);
     for_each_run<Triangle_id>(
         mesh_.triangles.size(), [this](Triangle_id t) { return !is_held(t); },
         [this](std::size_t begin, std::size_t end) { give_back(begin, end); });
@@ -141,17 +150,11 @@ public:
         [this](std::size_t begin, std::size_t end) { give_back_vertices(mesh_, begin, end); });
   }
 
-  /// What others have told of vertices, this part keeps.
-  void keep(const std::vector<Vertex_id>& vertices) {
-    for (const Vertex_id v : vertices)
-      if (has(v)) set_has(v);
-  }
-
   std::size_t number_held() const { return number_[PRIVATE] + number_shared(); }
   std::size_t number_shared() const { return number_[SHARED] + number_[TOLD]; }
   /// How many triangles this part has held at once.
   std::size_t most_held() const { return most_held_; }
-  /// The vertices that several parts got.
+  /// The vertices that several parts got, or may have had after they shared triangles; perhaps some more.
   const std::vector<Vertex_id>& common_vertices() const { return common_; }
 
   // ---- what all parts call together
@@ -203,7 +206,8 @@ public:
 
 private:
   enum Hold : char { ABSENT, PRIVATE, SHARED, TOLD }; // shared: told by others, or by this part
-  enum Vouch : char { OWN = 1, FOREIGN };             // foreign: of triangles that others have told
+  /// Whether a part has a vertex; the last three are for `unshare()`.
+  enum Have : char { HAS_NOT, HAS, PERHAPS, OF_OTHERS, COMMON };
 
   struct Triangle_record {
     Triangle_id id;
@@ -343,10 +347,7 @@ private:
         number += told.triangles.size();
         if (parcel.part == exchange_.rank()) continue;
         for (const Triangle_record& r : told.triangles) write(r), set(r.id, SHARED);
-        for (const Vertex_record& r : told.vertices) {
-          write(r);
-          if (!has(r.id)) has_[r.id.value()] = FOREIGN;
-        }
+        for (const Vertex_record& r : told.vertices) write(r), set_has(r.id);
       }
     }
     return number;

@@ -27,6 +27,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Splitter.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/finish_mesh.h>
 #include <CGAL/Quadtree_mesh_2/internal/shared_rounds/Corners_of_parts.h>
+#include <CGAL/Quadtree_mesh_2/internal/shared_rounds/Flips_of_parts.h>
 #include <CGAL/Quadtree_mesh_2/internal/shared_rounds/Held_mesh.h>
 
 #include <algorithm>
@@ -64,9 +65,8 @@ public:
   /// All parts call it. \pre it is possible
   void run(Removal removal) {
     unlock();
-    held_.keep(corners_.vertices());
     if (removal == Removal::GUARDED) remove();
-    flip();
+    account_ = Flips_of_parts<ConcurrencyTag, Exchange, Geometry>(exchange_, held_, whole_).run();
   }
 
   /// Whether flips have made bad triangles, which are on the worklist then.
@@ -88,8 +88,8 @@ private:
   static constexpr int rings_of_change = 1, rings_of_spread = 2;
   /// How often parts meet for such places before they share another ring.
   static constexpr int meetings_for_one_more = 16;
-  /// Around how many vertices or sides triangles are shared at a time.
-  static constexpr std::size_t places_at_a_time = 8192;
+  /// How many stars are shared at a time.
+  static constexpr std::size_t stars_at_a_time = 8192;
 
   Exchange& exchange_;
   Held& held_;
@@ -216,24 +216,15 @@ private:
   template <class Iterator>
   std::size_t share_stars(Iterator next, Iterator end) {
     std::vector<Vertex_id> vertices;
-    for (; next != end && vertices.size() < places_at_a_time; ++next) vertices.push_back(*next);
-    share_alone([&](std::vector<Triangle_id>& read) {
-      for (const Vertex_id v : vertices)
-        if (held_.has(v)) add_held_star(v, read);
-    });
-    return vertices.size();
-  }
-
-  /// Shares what all parts will read, and nothing else.
-  /// \param look puts triangles in a list, as far as it gets in what is held
-  template <class Look>
-  void share_alone(const Look& look) {
+    for (; next != end && vertices.size() < stars_at_a_time; ++next) vertices.push_back(*next);
     held_.unshare();
     std::vector<Triangle_id> read;
     do {
       read.clear();
-      look(read);
+      for (const Vertex_id v : vertices)
+        if (held_.has(v)) add_held_star(v, read);
     } while (held_.publish(held_.private_around(read, rings_of_change)) > 0);
+    return vertices.size();
   }
 
   /// Adds the triangles at a vertex, as far as one gets in what is held.
@@ -260,59 +251,6 @@ private:
       if (!o.is_border()) share(o.triangle());
     }
     return star;
-  }
-
-  // ---- exact flips
-
-  void flip() {
-    held_.unshare();
-    share_front();
-    Exact_legalizer<ConcurrencyTag, Geometry> legalizer(whole_);
-    auto found = legalizer.find([this](Triangle_id t) { return held_.speaks_for(t); });
-    account_ = std::move(found.account);
-    std::vector<Side> doubtful = tell_all(exchange_, found.doubtful);
-    std::sort(doubtful.begin(), doubtful.end(), [](Side a, Side b) {
-      return a.triangle() != b.triangle() ? a.triangle() < b.triangle() : a.slot() < b.slot();
-    });
-    Triangle_account of_flips;
-    bool is_any_flipped = false;
-    for (std::size_t begin = 0; begin < doubtful.size(); begin += places_at_a_time) {
-      const auto first = doubtful.begin() + static_cast<std::ptrdiff_t>(begin);
-      const std::vector<Side> next(
-          first, first + static_cast<std::ptrdiff_t>(std::min(places_at_a_time, doubtful.size() - begin)));
-      share_alone([&](std::vector<Triangle_id>& read) { add_held_sides(next, read); });
-      is_any_flipped |= legalizer.flip(next, of_flips, [this](Side s) { share_both_sides(s); });
-    }
-    if (exchange_.rank() == 0) account_.angles.add(of_flips.angles);
-    for (const Triangle_id t : of_flips.suspects)
-      if (held_.speaks_for(t)) account_.suspects.push_back(t);
-    if (is_any_flipped) legalizer.drop_cured(account_.suspects);
-  }
-
-  /// Adds the triangles on both sides, as far as they are held.
-  void add_held_sides(const std::vector<Side>& sides, std::vector<Triangle_id>& triangles) const {
-    for (const Side s : sides) {
-      if (!held_.is_held(s.triangle())) continue;
-      triangles.push_back(s.triangle());
-      const Side o = mesh_.across(s);
-      if (!o.is_border() && held_.is_held(o.triangle())) triangles.push_back(o.triangle());
-    }
-  }
-
-  /// Whoever speaks for a triangle holds those next to it then.
-  void share_front() {
-    // What was in no block may be next to what is another part's.
-    std::vector<Triangle_id> beyond, front;
-    for (const Triangle_id t : mesh_.triangles.ids()) {
-      if (!held_.is_private(t)) continue;
-      for (const Side o : mesh_.triangle(t).side) {
-        if (o.is_border()) continue;
-        if (!held_.is_held(o.triangle())) beyond.push_back(o.triangle());
-        if (!held_.speaks_for(o.triangle())) front.push_back(t);
-      }
-    }
-    held_.publish(tell_all(exchange_, beyond));
-    held_.publish(front);
   }
 };
 
