@@ -41,6 +41,29 @@ bool check_that_nothing_waits(const Pslg& pslg) {
   return true;
 }
 
+/// Refines the blocks of a graph; `look(block, taken)` is called for each once it is written, with what was taken out.
+template <class Look>
+void refine_blocks(Meshing_state<Geometry>& state, const Look& look) {
+  using Tag = Small_blocks_tag;
+  state.problem.vertex_blocks =
+      blocks_by_number(state.problem.input_points.size(), Block_sizes<Tag>::vertices);
+  Block_assignment assignment;
+  Mesh_blocks<Tag, Geometry> blocks(state.mesh, assignment, Round_cuts<Tag, Geometry>(state).first());
+  const auto owned = Corner_places<Tag, Geometry>(state).by_block(
+      blocks.size(), [&](Triangle_id t) { return blocks.block_of(t); });
+  const Block_work<Geometry> work(state.problem, Finishing(), 1);
+  blocks.for_each(
+      [&](Mesh_block<Geometry>& block) {
+        const auto left = work.run(block, owned[block.id()], 100000, [] { return true; });
+        for (const Triangle_id t : left) CHECK(block.mesh.is_alive(t));
+      },
+      [&](const Mesh_block<Geometry>& block) {
+        work.name_in_whole(block, owned[block.id()]);
+        look(block, blocks.cut()[block.id().value()]);
+      });
+  blocks.put_together();
+}
+
 } // namespace
 
 TEST_CASE("Rounds of tiny blocks end with nothing that waits", "[refiner]") {
@@ -66,27 +89,15 @@ TEST_CASE("Rounds of blocks of 256 end with nothing that waits", "[refiner]") {
 }
 
 TEST_CASE("What came and went in a block gets no handle in the whole mesh", "[refiner]") {
-  using Tag = Small_blocks_tag;
   std::size_t gone = 0;
   for (const char* name : {"coast:3000", "stars:2000", "segments:2000"}) {
     CAPTURE(name);
     Prepared prepared(pslg_inputs::by_name(name).pslg);
     auto& state = prepared.state;
-    state.problem.vertex_blocks =
-        blocks_by_number(state.problem.input_points.size(), Block_sizes<Tag>::vertices);
     const std::size_t triangles = state.mesh.triangles.size(), vertices = state.mesh.number_of_vertices();
-    Block_assignment assignment;
-    Mesh_blocks<Tag, Geometry> blocks(state.mesh, assignment, Round_cuts<Tag, Geometry>(state).first());
-    const auto owned = Corner_places<Tag, Geometry>(state).by_block(blocks);
-    const Block_work<Geometry> work(state.problem, Finishing(), 1);
-    blocks.for_each(
-        [&](Mesh_block<Geometry>& block) {
-          const std::size_t taken = block.mesh.triangles.size();
-          work.run(block, owned[block.id()], 100000, [] { return true; });
-          gone += block.mesh.triangles.size() - taken - block.number_of_new_triangles();
-        },
-        [&](const Mesh_block<Geometry>& block) { work.name_in_whole(block, owned[block.id()]); });
-    blocks.put_together();
+    refine_blocks(state, [&](const Mesh_block<Geometry>& block, Span<Triangle_id> taken) {
+      gone += block.mesh.triangles.size() - taken.size() - block.number_of_new_triangles();
+    });
     std::size_t unused = 0;
     for (const Triangle_id t : Id_range<Triangle_id>(triangles, state.mesh.triangles.size()))
       unused += state.mesh.is_alive(t) ? 0 : 1;
@@ -96,6 +107,38 @@ TEST_CASE("What came and went in a block gets no handle in the whole mesh", "[re
     CHECK(state.mesh.triangles.size() > triangles);
   }
   CHECK(gone > 0);
+}
+
+TEST_CASE("What is at seams of a block gets its first new handles", "[refiner]") {
+  for (const char* name : {"coast:3000", "stars:2000", "segments:2000"}) {
+    CAPTURE(name);
+    Prepared prepared(pslg_inputs::by_name(name).pslg);
+    std::size_t blocks = 0, wrong = 0, late = 0, moved = 0;
+    refine_blocks(prepared.state, [&](const Mesh_block<Geometry>& block, Span<Triangle_id> taken) {
+      ++blocks;
+      std::set<Triangle_id> handles, at_seams;
+      std::set<Triangle_id> expected(taken.begin(), taken.end());
+      for (const Triangle_id t : block.dead()) expected.erase(t);
+      const Triangle_id first = block.first_new_triangle();
+      const std::size_t number = block.number_of_new_triangles();
+      for (std::size_t i = 0; i < number; ++i) expected.insert(Triangle_id(first.value() + i));
+      for (const Triangle_id t : block.mesh.triangles.ids()) {
+        if (!block.mesh.is_alive(t)) continue;
+        const Triangle_id handle = block.whole_triangle(t);
+        handles.insert(handle);
+        if (t.value() < taken.size() && handle != taken[t.value()]) ++moved;
+        for (const Side s : block.mesh.triangle(t).side)
+          if (s.is_seam()) at_seams.insert(handle);
+      }
+      if (handles != expected || handles.size() != block.mesh.number_of_triangles()) ++wrong;
+      for (const Triangle_id t : at_seams)
+        if (at_seams.size() <= number && (t < first || t.value() >= first.value() + at_seams.size())) ++late;
+    });
+    CHECK(wrong == 0);
+    CHECK(late == 0);
+    CHECK(blocks > 2);
+    CHECK(moved > 0);
+  }
 }
 
 TEST_CASE("A zone has the rings around its seeds", "[refiner]") {

@@ -186,30 +186,45 @@ private:
 
   /// Part 0 cuts the mesh and gives each part what is in its blocks. Triangles in no block go in runs of handles.
   Shared_work first_work() {
-    Parcels outbox;
-    Indexed_vector<Block_id, int> part_of_block;
-    Uninitialized_indexed_vector<Triangle_id, Block_id> block_of;
     const auto parts = static_cast<std::size_t>(exchange_.size()), slots = whole_.mesh.triangles.size();
+    Block_cut cut;
+    Uninitialized_indexed_vector<Triangle_id, Block_id> block_of;
+    Indexed_vector<Block_id, int> part_of_block;
     std::vector<Vertex_id> for_all;
     if (exchange_.rank() == 0) {
-      const Block_cut cut = cuts_.first();
+      cut = cuts_.first();
       block_of = blocks_of_triangles(cut);
-      const auto owned = corner_places_.by_block(cut.size(), [&](Triangle_id t) { return block_of[t]; });
       const std::vector<std::size_t> first_of_part = first_blocks(cut.first);
-      for (std::size_t p = 0; p < parts; ++p) {
-        const std::size_t begin = first_of_part[p], end = first_of_part[p + 1];
-        part_of_block.resize(end, static_cast<int>(p));
-        outbox.push_back({static_cast<int>(p), bytes_of_work(cut, owned, begin, end)});
-      }
+      for (std::size_t p = 0; p < parts; ++p) part_of_block.resize(first_of_part[p + 1], static_cast<int>(p));
       for_all = corners_.vertices();
     }
-    const Parcels inbox = exchange_.exchange(std::move(outbox));
+    const Shared_work work = give_work(std::move(cut), block_of);
     const auto part_of = [&](Triangle_id t) {
       const Block_id b = block_of[t];
       return b.is_valid() ? part_of_block[b] : static_cast<int>(t.value() * parts / slots);
     };
     held_.scatter(part_of, for_all, vertex_budget_);
-    return work_of_bytes(inbox.front().bytes);
+    return work;
+  }
+
+  /// Part 0 has the arguments. One part's work is on its way at a time.
+  template <class Blocks_of_triangles>
+  Shared_work give_work(Block_cut cut, const Blocks_of_triangles& block_of) {
+    Corners_of_blocks owned;
+    std::vector<std::size_t> first_of_part;
+    if (exchange_.rank() == 0) {
+      owned = corner_places_.by_block(cut.size(), [&](Triangle_id t) { return block_of[t]; });
+      first_of_part = first_blocks(cut.first);
+    }
+    Bytes own;
+    for (int p = 0; p < exchange_.size(); ++p) {
+      const auto i = static_cast<std::size_t>(p);
+      Parcels outbox;
+      if (exchange_.rank() == 0)
+        outbox.push_back({p, bytes_of_work(cut, owned, first_of_part[i], first_of_part[i + 1])});
+      for (Parcel& parcel : exchange_.exchange(std::move(outbox))) own = std::move(parcel.bytes);
+    }
+    return work_of_bytes(own);
   }
 
   Uninitialized_indexed_vector<Triangle_id, Block_id> blocks_of_triangles(const Block_cut& cut) const {
