@@ -6,8 +6,8 @@
 //
 // Makes a mesh that parts hold exactly constrained Delaunay.
 //
-// Computes: the same bits as in one memory (Exact_legalizer.h), for any number of parts, and for each part the account of
-//           its triangles.
+// Computes: the same bits as in one memory (Exact_legalizer.h), for any number of parts, and for each part the account
+//           of its triangles.
 // Bound:    O(t + c log c) for the t triangles that a part holds and the c that flips read. What is shared are the
 //           triangles at which parts meet, and those that flips from there come to.
 // Method:   most flips are single ones, far from what others have. Each part makes these alone (Lone_flips.h). The
@@ -99,7 +99,8 @@ private:
     held_.publish(front);
   }
 
-  /// Of the vertices here, those that other parts may have: at shared triangles, or where parts of the domain merely touch.
+  /// Those that other parts may have: at shared triangles, or where two pieces of the domain merely touch. Some of the
+  /// latter are elsewhere.
   std::vector<Vertex_id> vertices_of_several() {
     std::vector<Vertex_id> vertices = tell_all(exchange_, held_.common_vertices());
     for (const Triangle_id t : mesh_.triangles.ids())

@@ -6,8 +6,8 @@
 //
 // The exact flips (Exact_legalizer.h) that a part makes alone in a mesh that parts hold, and how it takes them back.
 //
-// Computes: flips from sides, one after the other, each as far as it leads, among triangles whose vertices no other part
-//           has. Sides from where flips would go farther are left; so are those where two of them might meet.
+// Computes: flips from sides, one after the other, each as far as it leads, among triangles whose vertices no other
+//           part has. Sides from where flips would go farther are left. So are those that come to such places later.
 // Bound:    O(n log n) for n sides, if each leads to O(1) flips. Memory for the flips and what they read.
 // Method:   a flip from a side reads and writes nothing but triangles and vertices that it notes. So flips from two
 //           sides that have none of them in common may be made in any order. What is read where others come later, in
@@ -73,8 +73,8 @@ public:
     return left;
   }
 
-  /// Takes back what was made from sides behind `after`, or from any if that is null, and read one of these vertices; and
-  /// what was made there since. \returns the sides
+  /// Takes back what was made from sides behind `after`, or from any if that is null, and has read one of these
+  /// vertices; and what was made there since. \returns the sides
   std::vector<Side> take_back_at(const std::vector<Vertex_id>& vertices, const Side* after) {
     if (done_.empty() || vertices.empty()) return {};
     Id_set<Vertex_id> is_met(mesh_.number_of_vertices());
