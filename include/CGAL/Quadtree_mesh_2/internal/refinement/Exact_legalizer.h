@@ -37,7 +37,7 @@ struct Triangle_account {
   std::vector<Triangle_id> suspects;
 };
 
-/// Lets all flips happen. Others that watch flips (`Exact_legalizer::flip_from()`) have the same functions.
+/// Allows every flip. Others that watch flips (`Exact_legalizer::flip_from()`) have the same functions.
 struct Any_flips {
   /// Asked before the triangles on both sides of a side are read.
   bool may_look(Side) { return true; }
@@ -89,7 +89,8 @@ public:
 
   /// Flips a side, and what becomes doubtful by that. Triangles that this makes suspect go to the worklist.
   /// \param account becomes that of the mesh then, but with suspects that are cured, or named twice
-  /// \returns false, in the midst, if `watch` does not allow something (Any_flips)
+  /// \param watch may stop this (Any_flips)
+  /// \returns false if it was stopped, half done
   template <class Watch>
   bool flip_from(Side side, Triangle_account& account, Watch& watch) {
     doubtful_.assign(1, side);
@@ -103,9 +104,10 @@ public:
       watch.will_flip(s);
       for (const Triangle_id n : {t, o.triangle()}) account.angles.take(mesh_.shape(mesh_.triangle(n)));
       mesh_.flip(t, s.slot());
-      for (const Triangle_id n : {t, o.triangle()}) account.angles.add(mesh_.shape(mesh_.triangle(n)));
+      const Shape shapes[] = {mesh_.shape(mesh_.triangle(t)), mesh_.shape(mesh_.triangle(o.triangle()))};
+      for (const Shape& shape : shapes) account.angles.add(shape);
       for (const Triangle_id n : {t, o.triangle()}) {
-        const Shape shape = mesh_.shape(mesh_.triangle(n));
+        const Shape& shape = shapes[n == t ? 0 : 1];
         if (!watch.may_make(n, shape)) return false;
         for (const int k : {0, n == t ? 2 : 1}) doubtful_.push_back(Side(n, k));
         if (state_.misses_bound(n, shape)) account.suspects.push_back(n);

@@ -89,7 +89,7 @@ struct Meshing_state {
     std::size_t number_of_triangles() const { return end_of_triangles.value() - first_triangle.value(); }
     bool has(Triangle_id t) const { return !(t < first_triangle) && t < end_of_triangles; }
     bool has_within(Vertex_id v) const { return !(v < first_vertex) && v < end_of_vertices; }
-    /// Of triangles: others may have them from now on.
+    /// To be called when other triangles may get the handles.
     void forget_handles() { first_triangle = end_of_triangles = Triangle_id(0); }
   };
   Bulk bulk;

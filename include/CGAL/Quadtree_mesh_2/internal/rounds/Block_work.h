@@ -73,11 +73,11 @@ private:
   Finishing finishing_;
   int thinnings_;
 
-  /// How far from seams, and from what is left, the next round's zone may come: it has two rings, the next one is
+  /// How far from seams, and from what is left, the second round's zone may come: it has two rings, the next one is
   /// looked at, and flips at seams may lead a little farther.
   static constexpr int rings_for_others = 6;
 
-  /// What others may need of a block: the triangles at seams, those that are left, and rings around them.
+  /// What other parts may need of a block: the triangles at seams, those that are left, and rings around them.
   static std::vector<Triangle_id> triangles_for_others(const Kernel_mesh<Geometry>& mesh,
                                                        const std::vector<Triangle_id>& left) {
     std::vector<Triangle_id> found;

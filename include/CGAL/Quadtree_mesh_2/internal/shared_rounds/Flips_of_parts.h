@@ -8,11 +8,11 @@
 //
 // Computes: the same bits as in one memory (Exact_legalizer.h), for any number of parts, and for each part the account
 //           of its triangles.
-// Bound:    O(t + c log c) for the t triangles that a part holds and the c that flips read. What is shared are the
-//           triangles at which parts meet, and those that flips from there come to.
-// Method:   most flips are single ones, far from what others have. Each part makes these alone (Lone_flips.h). The
+// Bound:    O(n + c log c) for the n handles of the whole mesh and the c triangles that flips read. What is shared are
+//           the triangles at which parts meet, and those that flips from there come to.
+// Method:   most flips are single ones, far from what others have. Each part makes these by itself (Lone_flips.h). The
 //           others are made by all parts, in the order of one memory. Before a triangle is read that is not shared, all
-//           share it; who has made flips there that come later in that order takes them back, and leaves them to all.
+//           share it; its part first undoes its own flips there that come later in that order, and leaves them to all.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_SHARED_ROUNDS_FLIPS_OF_PARTS_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_SHARED_ROUNDS_FLIPS_OF_PARTS_H
@@ -43,8 +43,8 @@ public:
         lone_(held, whole, legalizer_, account_) {}
 
   /// All parts call it. Triangles that flips make suspect are on the worklists of all then.
-  /// \returns of the triangles that this part speaks for: the sum over all parts is that of the mesh. Counts of angles
-  /// may be negative at one part, which unsigned ones are by modulus.
+  /// \returns the account of the triangles that this part speaks for: the sum over all parts is that of the mesh. Counts
+  /// of angles may be negative at one part, which unsigned ones are by modulus.
   Triangle_account run() {
     held_.unshare();
     share_front();
@@ -68,10 +68,13 @@ private:
 
     Shared_flips(Flips_of_parts& p, Side s) : parts(p), from(s) {}
     bool may_look(Side s) {
-      parts.share(s.triangle(), from);
-      const Side o = parts.mesh_.across(s);
-      if (!o.is_border()) parts.share(o.triangle(), from);
+      parts.share_both_sides(s, from);
       return true;
+    }
+    /// A flip also writes what is beside its two triangles.
+    void will_flip(Side s) {
+      for (const Triangle_id t : {s.triangle(), parts.mesh_.across(s).triangle()})
+        for (int k = 0; k < 3; ++k) parts.share_both_sides(Side(t, k), from);
     }
   };
 
@@ -83,19 +86,13 @@ private:
   Lone_flips<ConcurrencyTag, Held, Geometry> lone_;
   std::set<Side, Side_is_before> pending_; // for all parts to flip; the same at all
 
-  /// Whoever speaks for a triangle holds those next to it then.
+  /// Whoever speaks for a triangle holds those next to it then. \pre nothing is shared
   void share_front() {
-    // What was in no block may be next to what is another part's.
-    std::vector<Triangle_id> beyond, front;
-    for (const Triangle_id t : mesh_.triangles.ids()) {
-      if (!held_.is_private(t)) continue;
-      for (const Side o : mesh_.triangle(t).side) {
-        if (o.is_border()) continue;
-        if (!held_.is_held(o.triangle())) beyond.push_back(o.triangle());
-        if (!held_.speaks_for(o.triangle())) front.push_back(t);
-      }
-    }
-    held_.publish(tell_all(exchange_, beyond));
+    std::vector<Triangle_id> front;
+    for (const Triangle_id t : mesh_.triangles.ids())
+      if (held_.is_private(t))
+        for (const Side o : mesh_.triangle(t).side)
+          if (!o.is_border() && !held_.is_held(o.triangle())) front.push_back(t);
     held_.publish(front);
   }
 
@@ -142,13 +139,18 @@ private:
     return triangles;
   }
 
-  /// \param from the side from where flips come, in which all parts agree
+  /// \param from the pending side that is worked on, the same at all parts
+  void share_both_sides(Side s, Side from) {
+    share(s.triangle(), from);
+    const Side o = mesh_.across(s);
+    if (!o.is_border()) share(o.triangle(), from);
+  }
   void share(Triangle_id t, Side from) {
     if (!held_.is_shared(t)) publish_around({t}, rings_of_spread, &from);
   }
 
-  /// Shares the private ones of some triangles and of rings around them, as they are before this part makes flips alone
-  /// from sides behind `after`, or from any if that is null. Such sides are pending then.
+  /// Shares the private ones of some triangles and of rings around them, after undoing this part's own flips there from
+  /// sides after `after`, or from any if that is null. Such sides are pending then.
   /// \returns how many all parts have shared
   std::size_t publish_around(const std::vector<Triangle_id>& triangles, int rings, const Side* after) {
     std::vector<Triangle_id> around;

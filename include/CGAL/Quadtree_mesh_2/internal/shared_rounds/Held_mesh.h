@@ -122,8 +122,8 @@ public:
     give_back_values(mesh_.triangles, begin, end), give_back_values(mesh_.region_of, begin, end);
   }
 
-  /// Shares nothing any more. Who speaks for a triangle has it alone then. Others let go of its memory, and of that of
-  /// vertices that none of their triangles has. All parts call it, but do not meet. O(n) for n handles.
+  /// Ends all sharing. Who speaks for a triangle keeps it as private. Others drop it, and vertices that only such
+  /// triangles have, and give their pages back. All parts call it; there are no messages. O(n) for n handles.
   void unshare() {
     const auto of = [this](Vertex_id v) -> char& { return has_[v.value()]; };
     for (const Vertex_id v : mesh_.points.ids())
@@ -154,7 +154,7 @@ public:
   std::size_t number_shared() const { return number_[SHARED] + number_[TOLD]; }
   /// How many triangles this part has held at once.
   std::size_t most_held() const { return most_held_; }
-  /// The vertices that several parts got, or may have had after they shared triangles; perhaps some more.
+  /// The vertices that several parts got, or may have since they shared triangles; perhaps some more.
   const std::vector<Vertex_id>& common_vertices() const { return common_; }
 
   // ---- what all parts call together
@@ -206,7 +206,8 @@ public:
 
 private:
   enum Hold : char { ABSENT, PRIVATE, SHARED, TOLD }; // shared: told by others, or by this part
-  /// Whether a part has a vertex; the last three are for `unshare()`.
+  /// Whether a part has a vertex. While sharing ends: perhaps it has; or it has if one of its own triangles has the
+  /// vertex, as one of others did; or so it is.
   enum Have : char { HAS_NOT, HAS, PERHAPS, OF_OTHERS, COMMON };
 
   struct Triangle_record {
@@ -442,7 +443,7 @@ private:
     }
   }
 
-  /// Calls `f(begin, end)` for the runs of handles that are needless.
+  /// Calls `f(begin, end)` for the maximal runs of needless handles.
   template <class Id, class Is_needless, class Function>
   static void for_each_run(std::size_t size, const Is_needless& is_needless, const Function& f) {
     std::size_t begin = 0;

@@ -7,11 +7,14 @@
 // The exact flips (Exact_legalizer.h) that a part makes alone in a mesh that parts hold, and how it takes them back.
 //
 // Computes: flips from sides, one after the other, each as far as it leads, among triangles whose vertices no other
-//           part has. Sides from where flips would go farther are left. So are those that come to such places later.
-// Bound:    O(n log n) for n sides, if each leads to O(1) flips. Memory for the flips and what they read.
+//           part has. Sides from where flips would go farther are left. So is every later side whose flips reach what
+//           such a side has read.
+// Bound:    O(r log r) for the r vertices that flips read, with as much memory, and O(r) more for each time that flips
+//           are undone. A bit for each vertex of the whole mesh.
 // Method:   a flip from a side reads and writes nothing but triangles and vertices that it notes. So flips from two
-//           sides that have none of them in common may be made in any order. What is read where others come later, in
-//           an order by which they come before, is taken back, and so is all that was made there since.
+//           sides that have none of them in common may be made in any order. Where all parts later reach a place at
+//           which this part has made a flip that comes after theirs in the order of one memory, that flip is undone,
+//           with all flips that depend on it.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_SHARED_ROUNDS_LONE_FLIPS_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_SHARED_ROUNDS_LONE_FLIPS_H
@@ -48,7 +51,7 @@ public:
   Lone_flips(const Held& held, Meshing_state<Geometry>& whole, Legalizer& legalizer,
              Triangle_account& account)
       : held_(held), whole_(whole), mesh_(whole.mesh), legalizer_(legalizer), account_(account),
-        is_taboo_(mesh_.number_of_vertices()) {}
+        is_taboo_(mesh_.number_of_vertices()), is_met_(mesh_.number_of_vertices()) {}
 
   /// Nothing is read that has these vertices.
   void forbid(const std::vector<Vertex_id>& vertices) {
@@ -66,29 +69,33 @@ public:
         done_.push_back(std::move(tries.flips));
       } else {
         take_back(tries.flips);
-        forbid(tries.flips.read); // others come there later
+        forbid(tries.flips.read); // all parts will flip there later
         left.push_back(s);
       }
     }
     return left;
   }
 
-  /// Takes back what was made from sides behind `after`, or from any if that is null, and has read one of these
-  /// vertices; and what was made there since. \returns the sides
+  /// Undoes the flips from sides after `after`, or from all if that is null, that have read one of these vertices, and
+  /// those that depend on them. \returns their sides
   std::vector<Side> take_back_at(const std::vector<Vertex_id>& vertices, const Side* after) {
-    if (done_.empty() || vertices.empty()) return {};
-    Id_set<Vertex_id> is_met(mesh_.number_of_vertices());
-    for (const Vertex_id v : vertices) is_met.add(v);
+    const auto is_before = [](Side s, const Flips& f) { return Side_is_before()(s, f.from); };
+    const auto first =
+        after == nullptr ? done_.begin() : std::upper_bound(done_.begin(), done_.end(), *after, is_before);
     std::vector<Flips> stay, gone;
-    for (Flips& f : done_) {
-      const bool is_before = after != nullptr && !Side_is_before()(*after, f.from);
-      const bool is_met_here =
-          !is_before && std::any_of(f.read.begin(), f.read.end(), [&](Vertex_id v) { return is_met.has(v); });
-      if (is_met_here)
-        for (const Vertex_id v : f.read) is_met.add(v);
-      (is_met_here ? gone : stay).push_back(std::move(f));
+    std::vector<Vertex_id> met = vertices;
+    for (const Vertex_id v : met) is_met_.add(v);
+    for (auto f = first; f != done_.end(); ++f) {
+      const bool is_gone =
+          std::any_of(f->read.begin(), f->read.end(), [this](Vertex_id v) { return is_met_.has(v); });
+      if (is_gone) {
+        for (const Vertex_id v : f->read) is_met_.add(v);
+        met.insert(met.end(), f->read.begin(), f->read.end());
+      }
+      (is_gone ? gone : stay).push_back(std::move(*f));
     }
-    done_ = std::move(stay);
+    for (const Vertex_id v : met) is_met_.remove(v);
+    done_.erase(std::move(stay.begin(), stay.end(), first), done_.end());
     std::vector<Side> sides;
     for (auto f = gone.rbegin(); f != gone.rend(); ++f) {
       take_back(*f);
@@ -123,7 +130,7 @@ private:
       return o.is_border() || may_read(o.triangle());
     }
     void will_flip(Side s) { flips.flips.push_back(lone.before_flip(s)); }
-    /// All parts know of those that may be bad.
+    /// What may be bad has to go on the worklists of all parts, so all of them make it.
     bool may_make(Triangle_id t, const typename Mesh::Shape& shape) {
       return !lone.whole_.misses_bound(t, shape);
     }
@@ -142,7 +149,8 @@ private:
   Legalizer& legalizer_;
   Triangle_account& account_;
   Id_set<Vertex_id> is_taboo_;
-  std::vector<Flips> done_; // in order
+  Id_set<Vertex_id> is_met_; // by what all parts share; empty between calls
+  std::vector<Flips> done_;  // in order
 
   Flip before_flip(Side s) const {
     Flip flip{{s.triangle(), mesh_.across(s).triangle()}, {}, {}};

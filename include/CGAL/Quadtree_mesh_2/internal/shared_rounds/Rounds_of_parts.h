@@ -207,7 +207,7 @@ private:
     return work;
   }
 
-  /// Part 0 has the arguments. One part's work is on its way at a time.
+  /// The arguments count at part 0. It sends parts their work one after the other, so that one is in memory at a time.
   template <class Blocks_of_triangles>
   Shared_work give_work(Block_cut cut, const Blocks_of_triangles& block_of) {
     Corners_of_blocks owned;
@@ -452,17 +452,20 @@ private:
     return found;
   }
 
-  /// The triangles at seams, and those beyond that were in no block; others have a half of their own. With them goes
-  /// what will be in the second round's zone, where flips are.
+  /// The triangles at seams, and those beyond that were in no block. With them goes what will be in the second zone.
   void share_both_sides_of(const std::vector<Seam>& halves) {
     const auto word = [](Side s) { return 4 * std::int64_t(s.triangle().value()) + s.slot(); };
     std::vector<std::int64_t> here;
     std::vector<Triangle_id> at_seams;
     for (const Seam& seam : halves) here.push_back(word(seam.here)), at_seams.push_back(seam.now.triangle());
     std::sort(here.begin(), here.end());
-    for (const Seam& seam : halves)
-      if (!std::binary_search(here.begin(), here.end(), word(seam.beyond)))
-        at_seams.push_back(seam.beyond.triangle());
+    for (const auto& [side, beyond, now] : halves) {
+      if (std::binary_search(here.begin(), here.end(), word(beyond))) continue;
+      at_seams.push_back(beyond.triangle());
+      // It is about to be linked. Until then it names a triangle that may be elsewhere in the block by now.
+      if (held_.is_held(beyond.triangle()))
+        whole_.mesh.triangle(beyond.triangle()).side[beyond.slot()] = Side::border();
+    }
     at_seams.insert(at_seams.end(), rounds_.waiting.begin(), rounds_.waiting.end());
     held_.publish(held_.private_around(at_seams, is_first_round() ? 2 : 1));
   }

@@ -9,9 +9,9 @@
 //
 // Computes: the same bits as in one memory (Splitter::unlock_all(), Remover.h, Exact_legalizer.h), for any number of
 //           parts, and for each part the account of its triangles.
-// Bound:    O(t + c log c) for the t triangles that a part holds and the c that change, or are next to those that do.
-//           These are shared, some thousands at a time, and each part changes all of them. Some messages more for each
-//           time that changes come to triangles that are not shared yet.
+// Bound:    O(n + c log c) for the n handles of the whole mesh and the c triangles that change, or are next to those
+//           that do. These are shared, some thousands at a time, and each part changes all of them. Some messages more
+//           for each time that changes come to triangles that are not shared yet.
 // Method:   each part finds what has to be looked at among its own triangles, and tells all. Place after place, in the
 //           order of one memory, all parts do the same. For that the next places are shared, with a ring around them,
 //           and those before are not any more. Before a part reads a triangle that is not shared, all share it.
@@ -76,7 +76,7 @@ public:
     held_.publish(held_.private_around(listed, 0));
     for (const Triangle_id t : listed)
       if (held_.is_shared(t) && whole_.is_bad(t)) whole_.push(t);
-    return whole_.has_bad_on_worklist(); // which turns their order around again: one memory asks once
+    return whole_.has_bad_on_worklist(); // This reverses their order again, as one memory does once.
   }
 
   /// Of the triangles that this part accounts for: the sum over all parts is that of the mesh. Counts of angles may be
@@ -88,8 +88,8 @@ private:
   static constexpr int rings_of_change = 1, rings_of_spread = 2;
   /// How often parts meet for such places before they share another ring.
   static constexpr int meetings_for_one_more = 16;
-  /// How many stars are shared at a time.
-  static constexpr std::size_t stars_at_a_time = 8192;
+  /// How many stars are shared at a time, at least. There are at most so many times.
+  static constexpr std::size_t least_stars = 8192, most_times = 256;
 
   Exchange& exchange_;
   Held& held_;
@@ -211,12 +211,13 @@ private:
     return std::set<Vertex_id>(all.begin(), all.end());
   }
 
-  /// Shares the stars of the next vertices, and nothing else.
-  /// \returns of how many
+  /// Replaces what is shared by the stars of the next vertices.
+  /// \returns how many stars
   template <class Iterator>
   std::size_t share_stars(Iterator next, Iterator end) {
+    const std::size_t most = std::max(least_stars, mesh_.number_of_vertices() / most_times);
     std::vector<Vertex_id> vertices;
-    for (; next != end && vertices.size() < stars_at_a_time; ++next) vertices.push_back(*next);
+    for (; next != end && vertices.size() < most; ++next) vertices.push_back(*next);
     held_.unshare();
     std::vector<Triangle_id> read;
     do {

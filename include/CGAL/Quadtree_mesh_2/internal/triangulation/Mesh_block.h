@@ -164,13 +164,13 @@ public:
     return number;
   }
 
-  /// Has triangles get the first of the new handles, which follow each other. So who holds them, and not the others of
-  /// the block, touches few pages of memory (Held_mesh.h).
+  /// Gives these triangles the first new handles, which follow each other. So a part that holds only these of the block
+  /// touches few pages of memory (Held_mesh.h).
   /// \param triangles some that are alive, each of them once, by handles of the block
   void name_first(std::vector<Triangle_id> triangles) { named_first_ = std::move(triangles); }
 
   /// The handles in the whole mesh: those taken out keep theirs, new ones get the next from these on, in their order.
-  /// A triangle named first gives the one up that it had, and a new triangle gets that.
+  /// A triangle that is named first gives up its old handle to a new triangle.
   void name_new(Triangle_id first_triangle, Vertex_id first_vertex) {
     first_new_triangle_ = first_triangle;
     name_triangles();
