@@ -43,8 +43,8 @@ public:
         lone_(held, whole, legalizer_, account_) {}
 
   /// All parts call it. Triangles that flips make suspect are on the worklists of all then.
-  /// \returns the account of the triangles that this part speaks for: the sum over all parts is that of the mesh. Counts
-  /// of angles may be negative at one part, which unsigned ones are by modulus.
+  /// \returns the account of the triangles that this part speaks for: the sum over all parts is that of the mesh.
+  /// Counts of angles may be negative at one part, which unsigned ones are by modulus.
   Triangle_account run() {
     held_.unshare();
     share_front();
