@@ -61,7 +61,8 @@ private:
   /// How many rings are shared around sides that all parts flip, and around triangles that flips come to from there.
   static constexpr int rings_of_flips = 1, rings_of_spread = 3;
 
-  /// Watches the flips that all parts make (Any_flips).
+  /// Watches the flips that all parts make (Any_flips). What a flip writes beside its two triangles has two of their
+  /// vertices. So a part has undone its own flips there by then.
   struct Shared_flips : Any_flips {
     Flips_of_parts& parts;
     Side from;
@@ -70,11 +71,6 @@ private:
     bool may_look(Side s) {
       parts.share_both_sides(s, from);
       return true;
-    }
-    /// A flip also writes what is beside its two triangles.
-    void will_flip(Side s) {
-      for (const Triangle_id t : {s.triangle(), parts.mesh_.across(s).triangle()})
-        for (int k = 0; k < 3; ++k) parts.share_both_sides(Side(t, k), from);
     }
   };
 
