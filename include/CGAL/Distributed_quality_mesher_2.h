@@ -84,15 +84,15 @@ public:
   /// \throws std::length_error if there are more vertices or segments than the first rank's 32-bit indices can name
   Mesh operator()(const Pslg_slice& slice) {
     Quadtree_mesh_2::internal::Mpi_exchange exchange(comm_);
-    const Pslg pslg = Quadtree_mesh_2::internal::gather_slices(exchange, slice);
-    return Quadtree_mesh_2::internal::mesh_by_all_parts(exchange, mesher_, pslg, report_);
+    Pslg pslg = Quadtree_mesh_2::internal::gather_slices(exchange, slice);
+    return Quadtree_mesh_2::internal::mesh_by_all_parts(exchange, mesher_, std::move(pslg), report_);
   }
   /// The same; the slice is empty afterward, and its memory is free while the mesh is made. All ranks may call either.
   Mesh operator()(Pslg_slice&& slice) {
     Quadtree_mesh_2::internal::Mpi_exchange exchange(comm_);
-    const Pslg pslg = Quadtree_mesh_2::internal::gather_slices(exchange, slice);
+    Pslg pslg = Quadtree_mesh_2::internal::gather_slices(exchange, slice);
     slice = Pslg_slice();
-    return Quadtree_mesh_2::internal::mesh_by_all_parts(exchange, mesher_, pslg, report_);
+    return Quadtree_mesh_2::internal::mesh_by_all_parts(exchange, mesher_, std::move(pslg), report_);
   }
 
   /// Sets by which model the construction by quadtrees finds neighbors of vertices: see `Quality_mesher_2`.

@@ -65,7 +65,7 @@ std::size_t faults(In_memory_exchange& exchange, const Mesh& mesh, double angle,
   const Triangle_account right = Exact_legalizer<CGAL::Sequential_tag, Geometry>(expected.state).run();
   if (exchange.rank() == 0) found.state.mesh = mesh;
   Held_mesh<In_memory_exchange, Geometry> held(exchange, found.state.mesh);
-  held.scatter([&](Triangle_id t) { return owner[t.value()]; }, {}, mesh.number_of_vertices());
+  held.scatter([&](const auto&, Triangle_id t) { return owner[t.value()]; }, {}, mesh.number_of_vertices());
   Triangle_account account =
       Flips_of_parts<CGAL::Sequential_tag, In_memory_exchange, Geometry>(exchange, held, found.state).run();
   std::size_t faults = faults_of_records(expected.state.mesh, found.state.mesh, held);
@@ -130,7 +130,7 @@ TEST_CASE("Parts share little of a mesh to flip it", "[parts][distributed][exact
     Problem found(1e-9);
     if (exchange.rank() == 0) found.state.mesh = mesh;
     Held_mesh<In_memory_exchange, Geometry> held(exchange, found.state.mesh);
-    held.scatter([&](Triangle_id t) { return owner[t.value()]; }, {}, mesh.number_of_vertices());
+    held.scatter([&](const auto&, Triangle_id t) { return owner[t.value()]; }, {}, mesh.number_of_vertices());
     Flips_of_parts<CGAL::Sequential_tag, In_memory_exchange, Geometry>(exchange, held, found.state).run();
     const auto most = exchange.max(static_cast<std::int64_t>(held.number_shared()));
     if (exchange.rank() == 0) CHECK(most < static_cast<std::int64_t>(mesh.triangles.size() / 10));

@@ -97,7 +97,8 @@ std::size_t faults_of_part(In_memory_exchange& exchange, const Mesh& whole, std:
   Mesh mesh;
   if (exchange.rank() == 0) mesh = whole;
   Held held(exchange, mesh);
-  held.scatter([&](Triangle_id t) { return model.owner[t.value()]; }, {}, 2 * whole.number_of_vertices());
+  held.scatter([&](const auto&, Triangle_id t) { return model.owner[t.value()]; }, {},
+               2 * whole.number_of_vertices());
   std::size_t faults = faults_of_model(whole, mesh, held, model, exchange.rank());
   for (int step = 0; step < 30; ++step) {
     const std::vector<Triangle_id> wanted = random_triangles(whole, random);
@@ -182,7 +183,7 @@ TEST_CASE("Parts tell many triangles in pieces", "[distributed]") {
     Mesh mesh;
     if (rank == 0) mesh = whole;
     Held held(exchange, mesh);
-    held.scatter([](Triangle_id t) { return static_cast<int>(t.value() / of_part); }, {},
+    held.scatter([](const auto&, Triangle_id t) { return static_cast<int>(t.value() / of_part); }, {},
                  whole.number_of_vertices());
     std::vector<Triangle_id> wanted; // the last part tells most
     for (std::uint32_t t = 0; t < of_part * (rank + 1) / parts; ++t)
@@ -214,8 +215,9 @@ TEST_CASE("What a part does not hold takes no memory", "[distributed]") {
     Mesh mesh;
     if (exchange.rank() == 0) mesh = whole;
     Held held(exchange, mesh);
-    held.scatter([](Triangle_id t) { return static_cast<int>(t.value() / (number_in_row / parts)); }, {},
-                 4 * whole.number_of_vertices());
+    held.scatter(
+        [](const auto&, Triangle_id t) { return static_cast<int>(t.value() / (number_in_row / parts)); }, {},
+        4 * whole.number_of_vertices());
     const auto check_memory = [&] {
       const std::lock_guard<std::mutex> lock(one_by_one);
       CHECK(held.number_held() == number_in_row / parts);

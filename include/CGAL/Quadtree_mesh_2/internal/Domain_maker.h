@@ -8,14 +8,15 @@
 //
 // Computes: the mesh of the domain, in which no edge is cut, and what the problem knows of the graph.
 // Bound:    that of First_triangulation.h and Domain_rule.h.
-// Method:   Memory is fullest while the domain is cut out of the first triangulation. So the table of the edges, and
-//           the input's points apart from the mesh's, are made after that: nothing asks for them before but errors.
+// Method:   Memory is fullest while the domain is cut out of the first triangulation. So the table of the edges is made
+//           after that, and the input's points apart from the mesh's when somebody asks for them.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_DOMAIN_MAKER_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_DOMAIN_MAKER_H
 
 #include <CGAL/Pslg_2.h>
 #include <CGAL/Pslg_error_2.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/huge_pages.h>
 #include <CGAL/Quadtree_mesh_2/internal/check_coordinates.h>
 #include <CGAL/Quadtree_mesh_2/internal/geometry/Adapted_geometry.h>
 #include <CGAL/Quadtree_mesh_2/internal/geometry/coordinate_map.h>
@@ -31,6 +32,7 @@
 #include <CGAL/Quality_mesh_options_2.h>
 #include <CGAL/Quality_mesh_report_2.h>
 
+#include <array>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -63,7 +65,11 @@ public:
     if constexpr (Map::may_lose_points) check_points_are_kept(pslg_, map_, words_);
   }
 
-  /// \pre the points are placed
+  /// Finds between which vertices the segments run. The graph's vertices and segments are not asked for after that, but
+  /// for errors.
+  void place_segments() { segments_ = kernel_segments<ConcurrencyTag>(pslg_, order_); }
+
+  /// \pre the points and segments are placed
   /// \throws Pslg_error_2 if segments cross, if there is no domain, or none that the seeds tell
   void run(const Quality_mesh_options_2& options, Quality_mesh_report_2& report) {
     triangulate(report);
@@ -72,7 +78,16 @@ public:
     if (mesh_.triangles.empty()) throw words_.no_domain(options.mesh_domain(), problem_.edges);
     problem_.set_outside(std::exchange(outer, {}));
     keep_boundary(options, mesh_, problem_.edges, problem_.kept_edges);
-    keep_input_points();
+  }
+
+  /// Gives the problem the input's points.
+  /// \pre the mesh's points are the input's
+  void keep_input_points() {
+    problem_.input_points.resize(mesh_.points.size());
+    for_each_index<ConcurrencyTag>(mesh_.points.size(), [this](std::size_t i) {
+      const Vertex_id v = static_cast<Vertex_id>(i);
+      problem_.input_points[v] = mesh_.points[v];
+    });
   }
 
 private:
@@ -84,16 +99,18 @@ private:
   const Input_words<Point_2>& words_;
   Kernel_mesh<Geometry>& mesh_;
   Meshing_problem<Geometry>& problem_;
-  Input_edge_list edges_, repeated_edges_; // as the first triangulation found them
+  std::vector<std::array<Vertex_id, 2>> segments_; // until they are in the first triangulation
+  Input_edge_list edges_, repeated_edges_;         // as the first triangulation found them
 
   void triangulate(Quality_mesh_report_2& report) {
     First first(mesh_, std::move(problem_.vertex_blocks));
-    if (const auto crossing = first.run(kernel_segments<ConcurrencyTag>(pslg_, order_)))
+    if (const auto crossing = first.run(std::exchange(segments_, {})))
       throw words_.crossing(first.edges(), *crossing);
     report.merged_vertices = first.number_of_repeated_vertices();
     report.vertices_on_segments = first.number_of_vertices_on_segments();
     problem_.vertex_blocks = first.take_vertex_blocks();
     edges_ = first.take_edges(), repeated_edges_ = first.take_repeated_edges();
+    if (problem_.vertex_blocks.size() > 1) give_back_free_memory(); // that of blocks
   }
 
   /// \returns the triangles outside along the border
@@ -111,18 +128,9 @@ private:
   }
 
   void list_edges(const Quality_mesh_options_2& options) {
-    problem_.edges = Input_edges(std::exchange(edges_, {}), pslg_.number_of_vertices());
+    problem_.edges = Input_edges(std::exchange(edges_, {}), order_.size());
     problem_.kept_edges = kept_edges_of(options, pslg_, problem_.edges, repeated_edges_);
     problem_.edges.repeat(repeated_edges_);
-  }
-
-  /// The mesh's points are the input's so far.
-  void keep_input_points() {
-    problem_.input_points.resize(mesh_.points.size());
-    for_each_index<ConcurrencyTag>(mesh_.points.size(), [this](std::size_t i) {
-      const Vertex_id v = static_cast<Vertex_id>(i);
-      problem_.input_points[v] = mesh_.points[v];
-    });
   }
 };
 

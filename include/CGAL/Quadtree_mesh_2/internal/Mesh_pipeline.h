@@ -36,6 +36,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/Mesh_checkpoints.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/Phase_clock.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/Progress.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/huge_pages.h>
 #include <CGAL/Quadtree_mesh_2/internal/check_coordinates.h>
 #include <CGAL/Quadtree_mesh_2/internal/check_distances.h>
 #include <CGAL/Quadtree_mesh_2/internal/digest_of_mesh.h>
@@ -105,12 +106,16 @@ public:
     Domain_maker<Traits, ConcurrencyTag> domain(pslg_, order_, map_, words_, state_);
     clock_.enter(&Seconds::first_mesh);
     domain.place_points();
-    first_placed_ = pslg_.number_of_vertices();
+    first_placed_ = order_.size();
     if (!has_gone_on_from_checkpoint()) {
+      domain.place_segments();
+      if (runner_ != nullptr) runner_->stow_graph();
       domain.run(options_, report_);
       too_near_for_trees_ = check_distances<Map>(state_, words_);
       set_bounds();
       Corner_finder<ConcurrencyTag, Geometry>(state_, estimate_size()).run();
+      if (runner_ != nullptr) give_back_free_memory(); // others may be on this machine
+      domain.keep_input_points();
     }
     Second_refinement<Geometry> second(state_);
     Splitter<Geometry> splitter(state_);
@@ -153,7 +158,7 @@ private:
   Meshing_state<Geometry> state_{problem_};
   Progress progress_{options_.progress()};
   Order order_; // kernel vertex -> input vertex
-  Input_words<Point_2> words_{pslg_, order_};
+  Input_words<Point_2> words_{pslg_, order_, [this] { take_out_graph(); }};
   Facing_pair worst_pair_;
   std::optional<Pslg_error_2> too_near_for_trees_; // the error for the first of them
   double triangles_of_sizes_ = 0;                  // what bounds of size ask for, as estimated
@@ -164,6 +169,17 @@ private:
   Rounds_end rounds_end_ = Rounds_end::NO_BLOCKS;
   Mesh_checkpoints checkpoints_{options_.checkpoints(), Checkpoint_pace<ConcurrencyTag>::time_between};
   bool has_gone_on_ = false; // from a checkpoint
+
+  void take_out_graph() const {
+    if (runner_ == nullptr) return;
+    const bool are_apart = !problem_.input_points.empty();
+    runner_->take_out_graph(order_, are_apart ? problem_.input_points : state_.mesh.points);
+  }
+  /// All of the input.
+  const Pslg& pslg() const {
+    take_out_graph();
+    return pslg_;
+  }
 
   void sort_vertices() {
     clock_.enter(&Seconds::quadtree);
@@ -202,9 +218,8 @@ private:
 
   /// To be asked once the size is estimated.
   Vertex_budgets<Geometry> budgets() const {
-    return {options_, problem_.bounds, pslg_.number_of_vertices(),
-            static_cast<double>(pslg_.number_of_vertices()) + report_.estimated_triangles,
-            triangles_of_sizes_};
+    return {options_, problem_.bounds, order_.size(),
+            static_cast<double>(order_.size()) + report_.estimated_triangles, triangles_of_sizes_};
   }
 
   /// All that a checkpoint has; the rest follows from input and options.
@@ -304,7 +319,7 @@ private:
   /// Has quadtrees make what refinement did not, if they may and can: islands of the mesh, or all of it if it is one.
   void take_over(Refiner<Geometry>& refiner, Splitter<Geometry>& splitter) {
     report_.trees.has_taken_over = may_construct_instead();
-    Island_takeover<Traits, ConcurrencyTag> islands(state_, {pslg_, order_, map_, traits_, find_hits_},
+    Island_takeover<Traits, ConcurrencyTag> islands(state_, {pslg(), order_, map_, traits_, find_hits_},
                                                     options_, budgets(), report_);
     const auto end = islands.run([&](Mesh_limit limit) { return run(refiner, limit); },
                                  progress_.question_at(Progress_shares::quadtrees));
@@ -317,7 +332,7 @@ private:
 
   Refinement_end run(Refiner<Geometry>& refiner, Mesh_limit limit) {
     ++report_.rounds;
-    const std::size_t n = pslg_.number_of_vertices();
+    const std::size_t n = order_.size();
     return refiner.run(limit, [this, n] {
       const double made = static_cast<double>(state_.mesh.number_of_vertices() - n) + 1;
       return progress_.shall_go_on(Progress_shares::blocks +
@@ -388,7 +403,7 @@ private:
   /// \param domain the triangulation of the domain
   Tree_separation_report_2::End make_mesh_by_trees(const Kernel_mesh<Geometry>& domain,
                                                    const Edge_sides& sides) {
-    const Pslg graph = graph_of_edges(pslg_, order_, problem_.edges);
+    const Pslg graph = graph_of_edges(pslg(), order_, problem_.edges);
     const Tree_separation_options_2 tree_options =
         report_.trees.has_taken_over ? options_where_refinement_fails(options_.trees()) : options_.trees();
     std::optional<Separation_trees<Traits, ConcurrencyTag>> trees;
@@ -416,7 +431,7 @@ private:
 
   void coarsen(Refiner<Geometry>& refiner, Second_refinement<Geometry>& second) {
     clock_.enter(&Seconds::coarsen);
-    if (state_.mesh.number_of_vertices() == pslg_.number_of_vertices() || progress_.is_cancelled()) return;
+    if (state_.mesh.number_of_vertices() == order_.size() || progress_.is_cancelled()) return;
     finish_mesh(state_, finishing_, progress_.question_at(Progress_shares::removal));
     auto shall_thin_on = progress_.question_at(Progress_shares::thinning);
     if (finishing_.removal == Removal::GUARDED && !report_.is_budget_exhausted &&
@@ -448,7 +463,7 @@ private:
 
   Indexed_mesh_2<Point_2> convert(const Triangle_account& account, Refiner<Geometry>& refiner) {
     clock_.enter(&Seconds::convert);
-    Kernel_mesh_converter<Traits, ConcurrencyTag> converter(state_, pslg_, map_, order_, report_);
+    Kernel_mesh_converter<Traits, ConcurrencyTag> converter(state_, pslg(), map_, order_, report_);
     Indexed_mesh_2<Point_2> mesh = converter.run(account, refiner);
     if constexpr (Map::may_lose_points) check_mesh_is_kept<Geometry>(mesh, map_);
     return mesh;

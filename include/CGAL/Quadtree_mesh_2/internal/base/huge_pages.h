@@ -13,6 +13,9 @@
 #include <cstdint>
 #include <new>
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 #ifdef __linux__
 #include <sys/mman.h>
 #include <unistd.h>
@@ -91,6 +94,19 @@ inline void give_back_pages(void* begin, std::size_t bytes) {
 template <class Values>
 void give_back_values(Values& values, std::size_t begin, std::size_t end) {
   if (!values.empty()) give_back_pages(values.data() + begin, (end - begin) * sizeof(*values.data()));
+}
+
+/// Frees the memory of arrays. To assign `{}` would leave that of a vector as it is.
+template <class... Arrays>
+void free_arrays(Arrays&... arrays) {
+  ((arrays = Arrays()), ...);
+}
+
+/// Gives the system back what was allocated in small pieces and is free again. glibc keeps it otherwise.
+inline void give_back_free_memory() {
+#ifdef __GLIBC__
+  malloc_trim(0);
+#endif
 }
 
 /// Makes `values`, which is empty, as long as `size`, with all of its pages at once.

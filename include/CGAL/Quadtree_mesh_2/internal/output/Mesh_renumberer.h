@@ -17,6 +17,7 @@
 //           the order depends on places and the input's indices alone.
 
 #include <CGAL/Indexed_mesh_2.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/huge_pages.h>
 #include <CGAL/Quadtree_mesh_2/internal/geometry/triangle_angles.h>
 #include <CGAL/Quadtree_mesh_2/internal/grid/Place_grid.h>
 #include <CGAL/Quadtree_mesh_2/internal/grid/morton.h>
@@ -57,7 +58,7 @@ public:
     for (std::size_t v = 0; v < n; ++v)
       order[input[v].is_valid() ? std::size_t(input[v]) : next++] = static_cast<std::uint32_t>(v);
     apply_to_vertices(order);
-    mesh_.input_index = {};
+    free_arrays(mesh_.input_index);
   }
 
   /// Per vertex and triangle before, its index now; that of triangles is empty if they stay.

@@ -23,6 +23,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <functional>
 #include <iterator>
 #include <string>
 #include <utility>
@@ -37,10 +38,12 @@ template <class Point>
 class Input_words {
 public:
   /// \param order the input vertex of each kernel vertex; looked at when an error is made
-  Input_words(const Pslg_2<Point>& pslg, const Order& order) : pslg_(pslg), order_(order) {}
+  /// \param before_use called before the graph is read, for who does not have it at hand
+  Input_words(const Pslg_2<Point>& pslg, const Order& order, std::function<void()> before_use = {})
+      : pslg_(pslg), order_(order), before_use_(std::move(before_use)) {}
 
   /// "vertex 3 (0.5, 0.25)", by its number in the input
-  std::string vertex(std::size_t v) const { return vertex_text(pslg_, v); }
+  std::string vertex(std::size_t v) const { return vertex_text(pslg(), v); }
   /// The same, by its number in the kernel.
   std::string kernel_vertex(Vertex_id v) const { return vertex(std::size_t(of_input(v))); }
 
@@ -60,7 +63,7 @@ public:
   /// For vertices that are too far apart.
   /// \param limit the limit and its owner
   Pslg_error_2 too_wide(const std::string& limit) const {
-    const auto& all = pslg_.vertices;
+    const auto& all = pslg().vertices;
     const auto x = std::minmax_element(all.begin(), all.end(),
                                        [](const Point& p, const Point& q) { return p.x() < q.x(); });
     const auto y = std::minmax_element(all.begin(), all.end(),
@@ -102,9 +105,10 @@ public:
   Pslg_seed_error_2 ambiguous_seed(const Ambiguous_seed& seed, const Input_edges& edges) const {
     using Mark = Pslg_seed_error_2::Mark;
     const Mark mark = seed.of == Ambiguous_seed::Of::HOLE ? Mark::HOLE : Mark::REGION;
-    if (seed.a == seed.b) return make_seed_error(pslg_, mark, seed.number, of_input(seed.a), Segment_index());
+    if (seed.a == seed.b)
+      return make_seed_error(pslg(), mark, seed.number, of_input(seed.a), Segment_index());
     const Edge_id e = edges.between(seed.a, seed.b);
-    return make_seed_error(pslg_, mark, seed.number, Vertex_index(), edges[e].segment);
+    return make_seed_error(pslg(), mark, seed.number, Vertex_index(), edges[e].segment);
   }
 
   /// For a graph that asks for too many triangles.
@@ -112,7 +116,7 @@ public:
   /// \param unit of the input, in the coordinates of the gap
   template <class Gap>
   Pslg_gap_error_2 gap(const std::string& refusal, const Gap& gap, double unit) const {
-    const auto name = [this](Segment_index s) { return segment_text(pslg_, std::size_t(s)); };
+    const auto name = [this](Segment_index s) { return segment_text(pslg(), std::size_t(s)); };
     return Pslg_gap_error_2(refusal, gap.in_words(name, unit), gap.segments(), ratio(gap.width(), unit));
   }
   /// The same where no gap is to blame.
@@ -125,7 +129,7 @@ public:
   /// For a graph of which nothing is to be meshed. Names the ends where a border may be open.
   Pslg_error_2 no_domain(Quality_mesh_options_2::Domain rule, const Input_edges& edges) const {
     constexpr auto kind = Pslg_error_2::Kind::NO_DOMAIN;
-    if (pslg_.segments.empty()) return {kind, "there are no segments, so there is no domain to mesh"};
+    if (pslg().segments.empty()) return {kind, "there are no segments, so there is no domain to mesh"};
     if (edges.size() == 0) return {kind, "there is no domain to mesh: all segments have length 0"};
     Pslg_parts_2 parts;
     const std::string ends = open_ends_text(edges, parts);
@@ -140,16 +144,22 @@ public:
 private:
   const Pslg_2<Point>& pslg_;
   const Order& order_;
+  std::function<void()> before_use_;
+
+  const Pslg_2<Point>& pslg() const {
+    if (before_use_) before_use_();
+    return pslg_;
+  }
 
   Vertex_index of_input(Vertex_id v) const { return Vertex_index(order_[v.value()]); }
-  std::string segment(Segment_index s) const { return segment_text(pslg_, std::size_t(s)); }
+  std::string segment(Segment_index s) const { return segment_text(pslg(), std::size_t(s)); }
 
   /// Where a border may be open, to go behind what is wrong; empty if each segment goes on at both ends.
   /// \param parts gets the vertices that are named
   std::string open_ends_text(const Input_edges& edges, Pslg_parts_2& parts) const {
     const std::vector<Vertex_index> ends = open_ends(edges, order_);
     if (ends.empty()) return "";
-    parts.vertices = first_gap(ends, pslg_.vertices);
+    parts.vertices = first_gap(ends, pslg().vertices);
     std::string text = "; " + vertex(std::size_t(parts.vertices[0])) + " is an end of one segment only";
     if (parts.vertices.size() == 2)
       text += ", the nearest other such end is " + vertex(std::size_t(parts.vertices[1]));

@@ -65,9 +65,9 @@ private:
   /// A domain sector below 60 degrees: between two edges, counterclockwise; `first` is its clockwise-most
   /// triangle.
   struct Acute_sector {
+    double angle;
     Vertex_id apex;
     Edge_id right, left;
-    double angle;
     Triangle_id first;
   };
 
@@ -125,8 +125,8 @@ private:
     const Number area2 =
         Geometry::doubled_area_of_flat(d, e, mesh_.point(apex), mesh_.point(right), mesh_.point(left));
     const Number scale = power_of_two_at_most(dot(d, e)); // of the legs' squares, which may be beyond doubles
-    sectors.push_back({apex, state_.edges.between(apex, right), state_.edges.between(apex, left),
-                       std::atan2(ratio(area2, scale), ratio(dot(d, e), scale)), first});
+    sectors.push_back({std::atan2(ratio(area2, scale), ratio(dot(d, e), scale)), apex,
+                       state_.edges.between(apex, right), state_.edges.between(apex, left), first});
   }
 
   static bool is_below_60(Vector d, Vector e) {

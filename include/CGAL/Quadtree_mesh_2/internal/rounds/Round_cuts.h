@@ -13,6 +13,7 @@
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_ROUNDS_ROUND_CUTS_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_ROUNDS_ROUND_CUTS_H
 
+#include <CGAL/Quadtree_mesh_2/internal/parallel/group_in_order.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Block_cut.h>
@@ -21,11 +22,23 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <numeric>
 #include <vector>
 
 namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
+
+/// How a mesh is cut for the first round, in few words: who has triangles of it can tell their blocks.
+struct First_cut {
+  std::vector<std::size_t>
+      first; ///< of the triangles in blocks, those with which blocks begin, and how many there are
+  std::vector<std::uint64_t> first_words; ///< the least `position_word()` of each block; empty: by vertices
+
+  std::size_t size() const { return first.size() - 1; }
+  bool is_by_vertices() const { return first_words.empty(); }
+};
 
 template <class ConcurrencyTag, class Geometry>
 class Round_cuts {
@@ -45,10 +58,54 @@ public:
     const auto& mesh = whole_.mesh;
     if (whole_.has_placed_vertices)
       return cut_by_position<ConcurrencyTag>(mesh, triangles_outside_bulk(), block_size, key_);
-    const Vertex_id end_of_input = whole_.problem.input_points.end_id();
-    return cut_by_vertices<ConcurrencyTag>(mesh, whole_.problem.vertex_blocks, [&](Vertex_id v) {
-      return v < end_of_input ? v : whole_.edges[mesh.edge(v)].a;
-    });
+    return cut_by_vertices<ConcurrencyTag>(mesh, whole_.problem.vertex_blocks, numbers_in(mesh));
+  }
+
+  /// The same cut, without its triangles.
+  First_cut first_in_few_words() const {
+    if (!whole_.has_placed_vertices) return {first_of_blocks_by_vertices(), {}};
+    const Block_cut cut = first();
+    First_cut words{cut.first, {}};
+    for (std::size_t b = 0; b < cut.size(); ++b)
+      words.first_words.push_back(position_word(whole_.mesh, *cut[b].begin(), key_));
+    return words;
+  }
+
+  /// The block of a triangle, if it is in one.
+  /// \param mesh which has the triangle and its vertices
+  Block_id block_of(const First_cut& cut, const Kernel_mesh<Geometry>& mesh, Triangle_id t) const {
+    if (!whole_.has_placed_vertices)
+      return block_by_vertices(mesh, t, whole_.problem.vertex_blocks, numbers_in(mesh));
+    if (is_within_bulk(mesh, t)) return {};
+    const auto& words = cut.first_words;
+    const auto behind = std::upper_bound(words.begin(), words.end(), position_word(mesh, t, key_));
+    return static_cast<Block_id>(static_cast<std::size_t>(behind - words.begin()) - 1);
+  }
+
+  /// Some blocks of the cut, in the order of `first()`, from the triangles of a mesh that are here.
+  /// \pre all that are in the blocks are here
+  template <class Is_here>
+  Block_cut blocks_between(const First_cut& cut, std::size_t begin, std::size_t end,
+                           const Kernel_mesh<Geometry>& mesh, const Is_here& is_here) const {
+    Block_cut blocks =
+        group_in_order<ConcurrencyTag, Triangle_id>(mesh.triangles.size(), end - begin, [&](std::size_t i) {
+          const Triangle_id t = static_cast<Triangle_id>(i);
+          const Block_id b = is_here(t) ? block_of(cut, mesh, t) : Block_id();
+          return b.is_valid() && begin <= b.value() && b.value() < end ? b.value() - begin : end - begin;
+        });
+    if (whole_.has_placed_vertices) {
+      const auto is_before = [&](Triangle_id t, Triangle_id u) {
+        return position_word(mesh, t, key_) < position_word(mesh, u, key_);
+      };
+      for_each_index<ConcurrencyTag>(
+          blocks.size(),
+          [&](std::size_t b) {
+            std::sort(blocks.members.begin() + std::ptrdiff_t(blocks.first[b]),
+                      blocks.members.begin() + std::ptrdiff_t(blocks.first[b + 1]), is_before);
+          },
+          1);
+    }
+    return blocks;
   }
 
   /// How many rings of triangles are around the seeds of a zone.
@@ -70,16 +127,38 @@ private:
   Place_keys<Geometry> key_{whole_.problem.input_points.values()};
   Place_keys<Geometry> shifted_key_ = key_.shifted();
 
-  /// All triangles but those within the bulk, which meet all bounds and are not near its border.
+  /// What vertices of input and edges are cut by.
+  auto numbers_in(const Kernel_mesh<Geometry>& mesh) const {
+    return [this, &mesh, end_of_input = whole_.problem.input_points.end_id()](Vertex_id v) {
+      return v < end_of_input ? v : whole_.edges[mesh.edge(v)].a;
+    };
+  }
+
+  std::vector<std::size_t> first_of_blocks_by_vertices() const {
+    const auto& mesh = whole_.mesh;
+    std::vector<std::size_t> first(whole_.problem.vertex_blocks.size() + 1, 0);
+    for (const Triangle_id t : mesh.triangles.ids())
+      if (mesh.is_alive(t))
+        ++first[block_by_vertices(mesh, t, whole_.problem.vertex_blocks, numbers_in(mesh)).value() + 1];
+    std::partial_sum(first.begin(), first.end(), first.begin());
+    return first;
+  }
+
+  /// Whether a triangle meets all bounds as part of the bulk, and is not near its border.
+  bool is_within_bulk(const Kernel_mesh<Geometry>& mesh, Triangle_id t) const {
+    const auto& v = mesh.triangle(t).v;
+    const auto& bulk = whole_.bulk;
+    return bulk.has_within(v[0]) && bulk.has_within(v[1]) && bulk.has_within(v[2]);
+  }
+
+  /// All triangles but those within the bulk.
   std::vector<Triangle_id> triangles_outside_bulk() const {
     const Kernel_mesh<Geometry>& mesh = whole_.mesh;
-    const auto& bulk = whole_.bulk;
     return pack_values<ConcurrencyTag, Triangle_id>(
         mesh.triangles.size(),
         [&](std::size_t i) {
-          const auto& v = mesh.triangle(static_cast<Triangle_id>(i)).v;
-          return v[0].is_valid() &&
-                 !(bulk.has_within(v[0]) && bulk.has_within(v[1]) && bulk.has_within(v[2]));
+          const Triangle_id t = static_cast<Triangle_id>(i);
+          return mesh.is_alive(t) && !is_within_bulk(mesh, t);
         },
         [](std::size_t i) { return static_cast<Triangle_id>(i); });
   }

@@ -14,6 +14,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/finish_mesh.h>
 #include <CGAL/Quadtree_mesh_2/internal/rounds/Block_rounds.h>
+#include <CGAL/Quadtree_mesh_2/internal/triangulation/Kernel_mesh.h>
 #include <CGAL/Quality_mesh_report_2.h>
 
 #include <cstddef>
@@ -41,10 +42,18 @@ struct Rounds_tail {
 template <class Geometry>
 class Rounds_runner {
 public:
+  using Kernel_points = decltype(Kernel_mesh<Geometry>::points);
+
   Rounds_runner() = default;
   Rounds_runner(const Rounds_runner&) = delete;
   Rounds_runner& operator=(const Rounds_runner&) = delete;
   virtual ~Rounds_runner() = default;
+
+  /// The graph is not needed until `take_out_graph()`, but for its markers and seeds.
+  virtual void stow_graph() = 0;
+  /// \param order the input vertex of each of the kernel
+  /// \param points of the kernel, at least those of the graph
+  virtual void take_out_graph(const Order& order, const Kernel_points& points) = 0;
 
   /// What `Block_refinement` does, with the same bits: mesh, corners, rounds, and what is left on the worklist.
   /// \param shall_go_on told the share of the work that is done; may be called by several threads at once

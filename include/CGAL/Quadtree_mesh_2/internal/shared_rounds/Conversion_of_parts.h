@@ -24,6 +24,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/geometry/Adapted_geometry.h>
 #include <CGAL/Quadtree_mesh_2/internal/geometry/coordinate_map.h>
 #include <CGAL/Quadtree_mesh_2/internal/output/Bound_reporter.h>
+#include <CGAL/Quadtree_mesh_2/internal/pslg/Stowable_graph.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Exact_legalizer.h>
 #include <CGAL/Quadtree_mesh_2/internal/shared_rounds/Triangles_of_parts.h>
 #include <CGAL/Quadtree_mesh_2/internal/shared_rounds/Vertices_of_parts.h>
@@ -43,7 +44,7 @@ namespace internal {
 /// What the first part knows of the input. Others have one that is empty.
 template <class Point>
 struct Input_of_parts {
-  const Pslg_2<Point>& pslg;
+  const Stowable_graph<Point>& graph;
   const Order& order; ///< the input vertex of each of the kernel
 };
 
@@ -66,9 +67,11 @@ public:
   /// \param account of this part's triangles
   /// \param report is filled in at the first part
   Mesh run(const Triangle_account& account, Quality_mesh_report_2& report) {
-    state_.problem.input_points = {}; // all that is asked for is in the mesh
     held_.unshare();
-    vertices_.collect(input_.pslg, input_.order, [this](const auto& p) { return map_.to_user(p); });
+    vertices_.collect(input().vertex_markers, input_.order,
+                      [this](const auto& p) { return map_.to_user(p); });
+    state_.problem.input_points = {};
+    vertices_.find_numbers();
     vertices_.ask_for_held();
     const std::int64_t used = number_of_own_used_vertices();
     const Suspects suspects = look_at(account.suspects);
@@ -114,12 +117,15 @@ private:
   Vertices_of_parts<Exchange, Point_2, Geometry> vertices_;
   Triangles_of_parts<Exchange, Point_2, Geometry> triangles_;
 
+  /// Perhaps without vertices and segments.
+  const Pslg_2<Point_2>& input() const { return input_.graph.graph(); }
+
   bool is_first() const { return exchange_.rank() == 0; }
 
   /// All parts have those of the graph.
   std::vector<int> segment_markers() {
     Bytes bytes;
-    if (is_first()) bytes = bytes_of(input_.pslg.segment_markers);
+    if (is_first()) bytes = bytes_of(input().segment_markers);
     exchange_.broadcast(bytes, 0);
     return records_of<int>(bytes);
   }
@@ -201,9 +207,9 @@ private:
     if (is_first()) {
       part.number_of_input_vertices = static_cast<std::int64_t>(input_.order.size());
       part.has_regions = !state_.mesh.region_of.empty();
-      part.legend.regions = input_.pslg.regions;
-      part.legend.region_names = input_.pslg.region_names;
-      part.legend.marker_names = input_.pslg.marker_names;
+      part.legend.regions = input().regions;
+      part.legend.region_names = input().region_names;
+      part.legend.marker_names = input().marker_names;
     }
     Bytes bytes = bytes_of_mesh(part);
     exchange_.broadcast(bytes, 0);
@@ -257,18 +263,19 @@ private:
   /// \param ends become the kernel's vertices at their ends, two for each
   std::vector<typename Mesh::Outside_segment> outside_segments(const std::vector<char>& bits,
                                                                std::vector<Vertex_id>& ends) const {
-    const Pslg_2<Point_2>& pslg = input_.pslg;
+    const std::vector<int>& markers = input().segment_markers;
+    const auto segments = input_.graph.segments();
     std::vector<typename Mesh::Outside_segment> outside;
-    for (std::size_t s = 0; s < pslg.number_of_segments(); ++s) {
+    for (std::size_t s = 0; s < segments.size(); ++s) {
       if (s / 8 < bits.size() && (bits[s / 8] >> s % 8 & 1) != 0) continue;
-      const std::int64_t marker = pslg.segment_markers.empty() ? 0 : pslg.segment_markers[s];
+      const std::int64_t marker = markers.empty() ? 0 : markers[s];
       outside.push_back({{-1, -1}, static_cast<std::int64_t>(s), marker});
     }
     if (outside.empty()) return outside;
     std::vector<Vertex_id> vertex_of_input(input_.order.size());
     for (std::size_t v = 0; v < input_.order.size(); ++v) vertex_of_input[input_.order[v]] = Vertex_id(v);
     for (const auto& s : outside)
-      for (const Vertex_index v : pslg.segment(Segment_index(s.segment)))
+      for (const Vertex_index v : segments[static_cast<std::size_t>(s.segment)])
         ends.push_back(vertex_of_input[std::size_t(v)]);
     return outside;
   }

@@ -43,16 +43,20 @@ template <class Exchange, class Geometry>
 class Held_mesh {
 public:
   using Mesh = Kernel_mesh<Geometry>;
+  using Points = decltype(Mesh::points);
 
   /// \param mesh the whole mesh at part 0, and empty at others; afterward what is held
   Held_mesh(Exchange& exchange, Mesh& mesh) : exchange_(exchange), mesh_(mesh) {}
 
   /// Gives each part its triangles, and part 0 the vertices without any. All parts call it.
-  /// \param part_of the part of a triangle that is alive; called at part 0
+  /// \param part_of `part_of(mesh, t)` is the part of a triangle that is alive in a mesh; called at part 0
   /// \param for_all vertices of which all parts get the records, as they are now; of part 0
   /// \param most_vertices how many the mesh may get; a hint
+  /// \param known points of the first vertices that all parts know, or null. Part 0 frees those of the mesh then, so
+  ///        `part_of` cannot look at them.
   template <class Part_of>
-  void scatter(const Part_of& part_of, const std::vector<Vertex_id>& for_all, std::size_t most_vertices) {
+  void scatter(const Part_of& part_of, const std::vector<Vertex_id>& for_all, std::size_t most_vertices,
+               const Points* known = nullptr) {
     Mesh whole = std::exchange(mesh_, Mesh());
     Bytes sizes = bytes_of(Numbers{std::int64_t(whole.number_of_vertices()),
                                    std::int64_t(whole.triangles.size()), whole.region_of.empty() ? 0 : 1});
@@ -66,6 +70,8 @@ public:
     reserve(room, slots + 2 * (room - vertices));
     resize(vertices, slots);
     for (const Triangle_id t : whole.dead_triangles()) mesh_.kill(t);
+    known_ = known;
+    if (known != nullptr) give_back_values(whole.points, 0, std::min(known->size(), whole.points.size()));
     const Vertex_parts parts = exchange_.rank() == 0 ? vertex_parts(whole, part_of) : Vertex_parts();
     give_common(whole, parts, for_all);
     give_triangles(whole, part_of);
@@ -148,6 +154,7 @@ public:
     for_each_run<Vertex_id>(
         mesh_.number_of_vertices(), [this](Vertex_id v) { return !has(v); },
         [this](std::size_t begin, std::size_t end) { give_back_vertices(mesh_, begin, end); });
+    give_back_free_memory();
   }
 
   std::size_t number_held() const { return number_[PRIVATE] + number_shared(); }
@@ -257,6 +264,7 @@ private:
   std::size_t number_[4] = {0, 0, 0, 0};
   std::size_t most_held_ = 0;
   std::vector<Vertex_id> common_;
+  const Points* known_ = nullptr; // points that all parts know
 
   void set(Triangle_id t, Hold hold) {
     char& now = hold_[t.value()];
@@ -384,7 +392,7 @@ private:
     parts.first.assign(whole.number_of_vertices(), none);
     for (const Triangle_id t : whole.triangles.ids()) {
       if (!whole.is_alive(t)) continue;
-      const int part = part_of(t);
+      const int part = part_of(whole, t);
       for (const Vertex_id v : whole.triangle(t).v) {
         int& first = parts.first[v];
         if (first == none)
@@ -405,7 +413,8 @@ private:
         mesh_.triangles.size(),
         [&](std::size_t begin, std::size_t end, auto& to) {
           for (const Triangle_id t : Id_range<Triangle_id>(begin, end))
-            if (whole.is_alive(t)) to[static_cast<std::size_t>(part_of(t))].push_back(record(whole, t));
+            if (whole.is_alive(t))
+              to[static_cast<std::size_t>(part_of(whole, t))].push_back(record(whole, t));
           give_back_values(whole.triangles, begin, end), give_back_values(whole.region_of, begin, end);
         },
         [this](const Triangle_record& r) { write(r), set_private(r.id); });
@@ -422,7 +431,7 @@ private:
           }
           give_back_vertices(whole, begin, end);
         },
-        [this](const Vertex_record& r) { write(r), set_has(r.id); });
+        [this](const Vertex_record& r) { write_given(r), set_has(r.id); });
   }
 
   /// \param fill puts the records of handles [begin, end) where their parts are; part 0 calls it
@@ -481,8 +490,14 @@ private:
       Archive_reader archive(parcel.bytes);
       std::vector<Vertex_record> records;
       archive(records), archive(common_);
-      for (const Vertex_record& r : records) write(r);
+      for (const Vertex_record& r : records) write_given(r);
     }
+  }
+
+  /// Of known points records say nothing.
+  void write_given(Vertex_record r) {
+    if (known_ != nullptr && r.id < known_->end_id()) r.point = (*known_)[r.id];
+    write(r);
   }
 };
 

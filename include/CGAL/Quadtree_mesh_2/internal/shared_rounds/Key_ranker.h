@@ -16,6 +16,7 @@
 #define CGAL_QUADTREE_MESH_2_INTERNAL_SHARED_ROUNDS_KEY_RANKER_H
 
 #include <CGAL/Quadtree_mesh_2/internal/base/Uninitialized_vector.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/huge_pages.h>
 #include <CGAL/Quadtree_mesh_2/internal/distributed/Parcel.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/sort_by_keys.h>
 
@@ -82,7 +83,7 @@ private:
     for (auto& of_part : received_) {
       first.push_back(all.size());
       all.insert(all.end(), of_part.begin(), of_part.end());
-      of_part = {};
+      free_arrays(of_part);
     }
     first.push_back(all.size());
     const auto begin =

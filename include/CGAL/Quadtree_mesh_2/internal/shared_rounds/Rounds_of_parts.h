@@ -25,6 +25,7 @@
 #define CGAL_QUADTREE_MESH_2_INTERNAL_SHARED_ROUNDS_ROUNDS_OF_PARTS_H
 
 #include <CGAL/Quadtree_mesh_2/internal/base/Sparse_values.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/huge_pages.h>
 #include <CGAL/Quadtree_mesh_2/internal/distributed/agree_on_error.h>
 #include <CGAL/Quadtree_mesh_2/internal/distributed/tell_all.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
@@ -75,6 +76,7 @@ public:
       const Shared_work work = is_first ? first_work() : work_in_zone();
       const Round_extent extent{work.number_of_blocks, work.number_in_blocks, whole_.mesh.triangles.size()};
       if (work.number_in_blocks > 0) this->work(work, shall_go_on);
+      give_back_free_memory();
       rounds_.note(before, extent);
     } while (is_round_wanted(shall_go_on));
     return true;
@@ -184,78 +186,62 @@ private:
     return first_of_part;
   }
 
-  /// Part 0 cuts the mesh and gives each part what is in its blocks. Triangles in no block go in runs of handles.
+  /// Part 0 tells how the mesh is cut, and gives each part what is in its blocks. Triangles in no block go in runs of
+  /// handles. Parts find their blocks in what they get, as part 0 is short of memory while it has the whole mesh.
   Shared_work first_work() {
-    const auto parts = static_cast<std::size_t>(exchange_.size()), slots = whole_.mesh.triangles.size();
-    Block_cut cut;
-    Uninitialized_indexed_vector<Triangle_id, Block_id> block_of;
+    const auto parts = static_cast<std::size_t>(exchange_.size());
+    const First_cut cut = tell_first_cut();
+    const std::vector<std::size_t> first_of_part = first_blocks(cut.first);
     Indexed_vector<Block_id, int> part_of_block;
-    std::vector<Vertex_id> for_all;
-    if (exchange_.rank() == 0) {
-      cut = cuts_.first();
-      block_of = blocks_of_triangles(cut);
-      const std::vector<std::size_t> first_of_part = first_blocks(cut.first);
-      for (std::size_t p = 0; p < parts; ++p) part_of_block.resize(first_of_part[p + 1], static_cast<int>(p));
-      for_all = corners_.vertices();
-    }
-    const Shared_work work = give_work(std::move(cut), block_of);
-    const auto part_of = [&](Triangle_id t) {
-      const Block_id b = block_of[t];
-      return b.is_valid() ? part_of_block[b] : static_cast<int>(t.value() * parts / slots);
-    };
-    held_.scatter(part_of, for_all, vertex_budget_);
-    return work;
-  }
-
-  /// The arguments count at part 0. It sends parts their work one after the other, so that one is in memory at a time.
-  template <class Blocks_of_triangles>
-  Shared_work give_work(Block_cut cut, const Blocks_of_triangles& block_of) {
-    Corners_of_blocks owned;
-    std::vector<std::size_t> first_of_part;
-    if (exchange_.rank() == 0) {
-      owned = corner_places_.by_block(cut.size(), [&](Triangle_id t) { return block_of[t]; });
-      first_of_part = first_blocks(cut.first);
-    }
-    Bytes own;
-    for (int p = 0; p < exchange_.size(); ++p) {
-      const auto i = static_cast<std::size_t>(p);
-      Parcels outbox;
-      if (exchange_.rank() == 0)
-        outbox.push_back({p, bytes_of_work(cut, owned, first_of_part[i], first_of_part[i + 1])});
-      for (Parcel& parcel : exchange_.exchange(std::move(outbox))) own = std::move(parcel.bytes);
-    }
-    return work_of_bytes(own);
-  }
-
-  Uninitialized_indexed_vector<Triangle_id, Block_id> blocks_of_triangles(const Block_cut& cut) const {
-    Uninitialized_indexed_vector<Triangle_id, Block_id> block_of(whole_.mesh.triangles.size(), Block_id());
-    for (std::size_t b = 0; b < cut.size(); ++b)
-      for (const Triangle_id t : cut[b]) block_of[t] = static_cast<Block_id>(b);
-    return block_of;
-  }
-
-  static Bytes bytes_of_work(const Block_cut& cut, const Corners_of_blocks& owned, std::size_t begin,
-                             std::size_t end) {
-    Archive_writer archive;
-    archive(cut.size()), archive(cut.members.size()), archive(begin);
-    std::vector<std::size_t> first;
-    for (std::size_t b = begin; b <= end; ++b) first.push_back(cut.first[b] - cut.first[begin]);
-    archive(first);
-    archive(std::vector<Triangle_id>(cut.members.begin() + std::ptrdiff_t(cut.first[begin]),
-                                     cut.members.begin() + std::ptrdiff_t(cut.first[end])));
-    for (std::size_t b = begin; b < end; ++b) archive(owned[static_cast<Block_id>(b)]);
-    return std::move(archive.bytes);
-  }
-  static Shared_work work_of_bytes(const Bytes& bytes) {
+    for (std::size_t p = 0; p < parts; ++p) part_of_block.resize(first_of_part[p + 1], static_cast<int>(p));
+    const auto rank = static_cast<std::size_t>(exchange_.rank());
     Shared_work work;
-    Archive_reader archive(bytes);
-    archive(work.number_of_blocks), archive(work.number_in_blocks), archive(work.begin);
-    std::vector<Triangle_id> members;
-    archive(work.own.first), archive(members);
-    work.own.members.assign(members.begin(), members.end());
-    work.owned.resize(work.own.size());
-    for (auto& corners : work.owned) archive(corners);
+    work.number_of_blocks = cut.size(), work.number_in_blocks = cut.first.back();
+    work.begin = first_of_part[rank];
+    const std::size_t end = first_of_part[rank + 1];
+    work.owned = corners_of_blocks(cut, first_of_part);
+    const auto part_of = [&](const Kernel_mesh<Geometry>& mesh, Triangle_id t) {
+      const Block_id b = cuts_.block_of(cut, mesh, t);
+      return b.is_valid() ? part_of_block[b] : static_cast<int>(t.value() * parts / mesh.triangles.size());
+    };
+    held_.scatter(part_of, exchange_.rank() == 0 ? corners_.vertices() : std::vector<Vertex_id>(),
+                  vertex_budget_, cut.is_by_vertices() ? &whole_.problem.input_points : nullptr);
+    work.own = cuts_.blocks_between(cut, work.begin, end, whole_.mesh,
+                                    [this](Triangle_id t) { return held_.is_private(t); });
     return work;
+  }
+
+  First_cut tell_first_cut() {
+    Archive_writer written;
+    if (exchange_.rank() == 0) {
+      const First_cut cut = cuts_.first_in_few_words();
+      written(cut.first), written(cut.first_words);
+    }
+    exchange_.broadcast(written.bytes, 0);
+    Archive_reader archive(written.bytes);
+    First_cut cut;
+    archive(cut.first), archive(cut.first_words);
+    return cut;
+  }
+
+  /// The corners that this part's blocks own, as part 0 finds.
+  std::vector<std::vector<Corner_id>> corners_of_blocks(const First_cut& cut,
+                                                        const std::vector<std::size_t>& first_of_part) {
+    Parcels outbox;
+    if (exchange_.rank() == 0) {
+      const Corners_of_blocks owned = corner_places_.by_block(
+          cut.size(), [&](Triangle_id t) { return cuts_.block_of(cut, whole_.mesh, t); });
+      for (std::size_t p = 0; p + 1 < first_of_part.size(); ++p) {
+        Archive_writer archive;
+        for (std::size_t b = first_of_part[p]; b < first_of_part[p + 1]; ++b)
+          archive(owned[static_cast<Block_id>(b)]);
+        outbox.push_back({static_cast<int>(p), std::move(archive.bytes)});
+      }
+    }
+    std::vector<std::vector<Corner_id>> own;
+    for (const Parcel& parcel : exchange_.exchange(std::move(outbox)))
+      for (Archive_reader archive(parcel.bytes); !archive.is_at_end();) archive(own.emplace_back());
+    return own;
   }
 
   /// The zone around what waits, and around seams in the second round, shared and cut by all parts alike.
@@ -358,6 +344,7 @@ private:
       block.release();
     }
     if (!is_first_round()) tell(made);
+    give_back_free_memory(); // that of blocks
     corners_.tell(corners);
     tell_fans_and_dead(blocks);
     rounds_.waiting = tell_all(exchange_, left_by_all);

@@ -60,7 +60,7 @@ public:
     for_each_own([&](Triangle_id t) { keys.push_back(key_of(t)); });
     const Key_positions positions = ranker().positions_of(keys);
     number_of_all_ = exchange_.sum(static_cast<std::int64_t>(keys.size()));
-    keys = {};
+    free_arrays(keys);
     numbers_.reserve(mesh_.triangles.size());
     ask_for_small_pages(numbers_.data(), mesh_.triangles.size() * sizeof numbers_[0]);
     numbers_.resize(mesh_.triangles.size());
@@ -137,7 +137,7 @@ public:
       if (e.outer.is_valid()) e.row.outer = vertices_.number(e.outer);
       outbox[part.owner_of_triangle(e.home)].push_back(e.row);
     }
-    edges_ = {};
+    free_arrays(edges_);
     std::vector<Edge_row> rows = exchange_and_join(exchange_, std::move(outbox));
     std::sort(rows.begin(), rows.end(),
               [](const Edge_row& e, const Edge_row& f) { return e.number < f.number; });

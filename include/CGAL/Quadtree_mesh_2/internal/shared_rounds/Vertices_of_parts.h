@@ -18,7 +18,6 @@
 #define CGAL_QUADTREE_MESH_2_INTERNAL_SHARED_ROUNDS_VERTICES_OF_PARTS_H
 
 #include <CGAL/Distributed_mesh_2.h>
-#include <CGAL/Pslg_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/Uninitialized_vector.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/huge_pages.h>
 #include <CGAL/Quadtree_mesh_2/internal/distributed/Mesh_archive.h>
@@ -63,10 +62,12 @@ public:
   // All parts call what follows, in this order.
 
   /// Fills the directory.
-  /// \param pslg, order count at the first part: the graph, and the input vertex of each handle
+  /// \param markers, order count at the first part: of the graph's vertices, if they have some, and the input vertex of
+  ///        each handle
   /// \param to_user from the kernel's coordinates to the user's
+  /// \pre the problem has the graph's points
   template <class To_user>
-  void collect(const Pslg_2<Point>& pslg, const Order& order, const To_user& to_user) {
+  void collect(const std::vector<int>& markers, const Order& order, const To_user& to_user) {
     const std::size_t n = mesh_.number_of_vertices(), places = owners_.places(n);
     resize_with_pages(rows_, places);
     const auto inputs = static_cast<std::size_t>(exchange_.max(static_cast<std::int64_t>(order.size())));
@@ -75,13 +76,30 @@ public:
       const auto tell = [&](std::size_t v, const Row& row) {
         outbox[owners_.owner(v)].push_back({static_cast<std::uint32_t>(v), row});
       };
-      for (std::size_t v = begin; v < std::min(end, order.size()); ++v) tell(v, input_row(pslg, order[v]));
+      for (std::size_t v = begin; v < std::min(end, order.size()); ++v)
+        tell(v, input_row(to_user(state_.problem.input_point(Vertex_id(v))), order[v], markers));
       for (const Vertex_id v : Id_range<Vertex_id>(std::max(begin, inputs), std::max(end, inputs)))
         if (held_.speaks_for(v)) tell(std::size_t(v), steiner_row(v, to_user(mesh_.point(v))));
       for (const Told_row& told : exchange_and_join(exchange_, std::move(outbox)))
         rows_[owners_.place(told.vertex)] = told.row;
     });
-    find_numbers();
+  }
+
+  /// Numbers all vertices by their places.
+  void find_numbers() {
+    std::vector<std::uint32_t> used; // the places of rows with a vertex
+    used.reserve(rows_.size());
+    for (std::size_t p = 0; p < rows_.size(); ++p)
+      if (rows_[p].number != none) used.push_back(static_cast<std::uint32_t>(p));
+    const auto vertex_at = [&](std::size_t i) {
+      const Row& row = rows_[used[i]];
+      const std::int64_t index = row.input_index == none ? -1 : std::int64_t(row.input_index);
+      return Placed_vertex<Point>{row.place, index, owners_.handle(exchange_.rank(), used[i])};
+    };
+    const std::vector<std::int64_t> numbers = numbers_by_place<Point>(exchange_, used.size(), vertex_at);
+    for (std::size_t i = 0; i < used.size(); ++i)
+      rows_[used[i]].number = static_cast<std::uint32_t>(numbers[i]);
+    number_of_all_ = exchange_.sum(static_cast<std::int64_t>(numbers.size()));
   }
 
   /// How many vertices there are, used or not.
@@ -138,7 +156,7 @@ public:
                            for (const Row& row : exchange_and_join(exchange_, std::move(outbox)))
                              write(part, row);
                          });
-    rows_ = {};
+    free_arrays(rows_);
   }
 
 private:
@@ -165,11 +183,11 @@ private:
   Uninitialized_vector<std::uint32_t> numbers_; // by handle
   Number number_of_all_ = 0;
 
-  Row input_row(const Pslg_2<Point>& pslg, std::uint32_t index) const {
+  static Row input_row(const Point& place, std::uint32_t index, const std::vector<int>& markers) {
     Row row;
-    row.place = coordinates_to_send(pslg.vertices[index]);
+    row.place = coordinates_to_send(place);
     row.input_index = index, row.number = 0;
-    if (!pslg.vertex_markers.empty()) row.marker = pslg.vertex_markers[index];
+    if (!markers.empty()) row.marker = markers[index];
     return row;
   }
   Row steiner_row(Vertex_id v, const Point& place) const {
@@ -177,22 +195,6 @@ private:
     row.place = coordinates_to_send(place), row.number = 0;
     if (mesh_.edge(v).is_valid()) row.segment = state_.edges[mesh_.edge(v)].segment.value();
     return row;
-  }
-
-  void find_numbers() {
-    std::vector<std::uint32_t> used; // the places of rows with a vertex
-    used.reserve(rows_.size());
-    for (std::size_t p = 0; p < rows_.size(); ++p)
-      if (rows_[p].number != none) used.push_back(static_cast<std::uint32_t>(p));
-    const auto vertex_at = [&](std::size_t i) {
-      const Row& row = rows_[used[i]];
-      const std::int64_t index = row.input_index == none ? -1 : std::int64_t(row.input_index);
-      return Placed_vertex<Point>{row.place, index, owners_.handle(exchange_.rank(), used[i])};
-    };
-    const std::vector<std::int64_t> numbers = numbers_by_place<Point>(exchange_, used.size(), vertex_at);
-    for (std::size_t i = 0; i < used.size(); ++i)
-      rows_[used[i]].number = static_cast<std::uint32_t>(numbers[i]);
-    number_of_all_ = exchange_.sum(static_cast<std::int64_t>(numbers.size()));
   }
 
   /// Rows at places that are a share of those between these.

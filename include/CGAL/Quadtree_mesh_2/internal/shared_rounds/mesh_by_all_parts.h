@@ -14,7 +14,6 @@
 
 #include <CGAL/Distributed_mesh_2.h>
 #include <CGAL/Indexed_mesh_2.h>
-#include <CGAL/Pslg_2.h>
 #include <CGAL/Quadtree_mesh_2/Quality_mesher_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/Checkpoint_file.h>
 #include <CGAL/Quadtree_mesh_2/internal/digest_of_mesh.h>
@@ -24,6 +23,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/distributed/distribute_mesh.h>
 #include <CGAL/Quadtree_mesh_2/internal/geometry/Adapted_geometry.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
+#include <CGAL/Quadtree_mesh_2/internal/pslg/Stowable_graph.h>
 #include <CGAL/Quadtree_mesh_2/internal/shared_rounds/rounds_by_all_parts.h>
 #include <CGAL/Quadtree_mesh_2/internal/shared_rounds/state_bytes.h>
 #include <CGAL/Quality_mesh_options_2.h>
@@ -69,14 +69,14 @@ void tell_report(Exchange& exchange, Quality_mesh_report_2& r) {
 template <class Exchange, class Traits, class ConcurrencyTag>
 Indexed_mesh_2<typename Traits::Point_2>
 lead(Exchange& exchange, Quality_mesher_2<Traits, ConcurrencyTag>& mesher,
-     const Pslg_2<typename Traits::Point_2>& pslg, Quality_mesh_report_2& report,
+     Stowable_graph<typename Traits::Point_2>& graph, Quality_mesh_report_2& report,
      Mesh_in_parts<typename Traits::Point_2>& part) {
-  Rounds_by_all_parts<Exchange, Traits, Inner_tag<ConcurrencyTag>> runner(exchange, pslg);
+  Rounds_by_all_parts<Exchange, Traits, Inner_tag<ConcurrencyTag>> runner(exchange, graph);
   Indexed_mesh_2<typename Traits::Point_2> mesh;
   std::exception_ptr error;
   if (exchange.size() > 1) Mesher_rounds::run_by(mesher, &runner);
   try {
-    mesh = mesher(pslg);
+    mesh = mesher(graph.graph());
   } catch (...) {
     error = std::current_exception();
   }
@@ -91,12 +91,12 @@ lead(Exchange& exchange, Quality_mesher_2<Traits, ConcurrencyTag>& mesher,
 
 /// See `CGAL::Distributed_quality_mesher_2`.
 /// \param mesher with the same options at all parts
-/// \param pslg counts at part 0 alone
+/// \param graph counts at part 0 alone
 /// \param report the same at all parts
 template <class Exchange, class Traits, class ConcurrencyTag>
 Distributed_mesh_2<typename Traits::Point_2>
 mesh_by_all_parts(Exchange& exchange, Quality_mesher_2<Traits, ConcurrencyTag>& mesher,
-                  const Pslg_2<typename Traits::Point_2>& pslg, Quality_mesh_report_2& report) {
+                  Stowable_graph<typename Traits::Point_2> graph, Quality_mesh_report_2& report) {
   static_assert(is_kernel_geometry<typename Traits::Meshing_geometry_2>,
                 "parts know no map of coordinates but those of the package's geometries");
   static_assert(!Traits::Meshing_geometry_2::has_unlimited_coordinates,
@@ -111,7 +111,7 @@ mesh_by_all_parts(Exchange& exchange, Quality_mesher_2<Traits, ConcurrencyTag>& 
       const Concurrency_scope scope{ConcurrencyTag()};
       report = Quality_mesh_report_2();
       if (exchange.rank() == 0)
-        mesh = lead(exchange, mesher, pslg, report, part);
+        mesh = lead(exchange, mesher, graph, report, part);
       else
         part = help_with_rounds<Traits, Inner_tag<ConcurrencyTag>>(exchange, mesher.options());
     });
@@ -119,7 +119,7 @@ mesh_by_all_parts(Exchange& exchange, Quality_mesher_2<Traits, ConcurrencyTag>& 
     std::rethrow_exception(lone.error);
   }
   tell_report(exchange, report);
-  if (!part) return distribute_mesh(exchange, mesh, pslg, 0);
+  if (!part) return distribute_mesh(exchange, mesh, graph.graph(), 0);
   complete_part(exchange, *part);
   return std::move(*part);
 }

@@ -15,9 +15,11 @@
 
 #include <CGAL/Distributed_mesh_2.h>
 #include <CGAL/Pslg_2.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/huge_pages.h>
 #include <CGAL/Quadtree_mesh_2/internal/distributed/Parcel.h>
 #include <CGAL/Quadtree_mesh_2/internal/distributed/agree_on_error.h>
 #include <CGAL/Quadtree_mesh_2/internal/geometry/coordinate_map.h>
+#include <CGAL/Quadtree_mesh_2/internal/pslg/Stowable_graph.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Meshing_state.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/finish_mesh.h>
 #include <CGAL/Quadtree_mesh_2/internal/rounds/Block_rounds.h>
@@ -87,27 +89,38 @@ class Rounds_by_all_parts final : public Rounds_runner<typename Traits::Meshing_
 public:
   using Geometry = typename Traits::Meshing_geometry_2;
   using Point_2 = typename Traits::Point_2;
+  using Kernel_points = typename Rounds_runner<Geometry>::Kernel_points;
 
-  /// \param pslg the graph to be meshed, which has to outlive this
-  Rounds_by_all_parts(Exchange& exchange, const Pslg_2<Point_2>& pslg) : exchange_(exchange), pslg_(pslg) {}
+  /// \param graph to be meshed, not stowed; it has to outlive this
+  Rounds_by_all_parts(Exchange& exchange, Stowable_graph<Point_2>& graph)
+      : exchange_(exchange), graph_(graph), frame_(graph.graph()) {}
+
+  void stow_graph() override {
+    graph_.stow();
+    give_back_free_memory();
+  }
+  void take_out_graph(const Order& order, const Kernel_points& points) override {
+    if (!graph_.is_stowed()) return;
+    const Coordinate_map<Traits, Geometry> map(frame_.graph().vertices);
+    graph_.take_out(order, [&](std::size_t v) { return map.to_user(points[static_cast<Vertex_id>(v)]); });
+  }
 
   Rounds_end run(Meshing_state<Geometry>& state, const Finishing& finishing, std::size_t vertex_budget,
                  Block_rounds& rounds, const std::function<bool(double)>& shall_go_on,
                  const Rounds_tail* tail) override {
     Rounds_job<Geometry> job{state, finishing, vertex_budget, tail != nullptr};
-    Graph_frame<Point_2> frame(pslg_);
     are_all_in_rounds_ = true;
     work_together([&] {
       State_teller<Exchange> teller(exchange_);
-      teller(frame, job);
+      teller(frame_, job);
       teller.finish();
     });
     agree_on_work(exchange_, [] {}); // others make bounds
     Quality_mesh_report_2 nobody_reads;
     const Order no_order;
     const Rounds_end end = work_together([&] {
-      return Rounds_and_tail<Traits, ConcurrencyTag, Exchange>(exchange_, job, frame)
-          .run(rounds, shall_go_on, {pslg_, tail != nullptr ? tail->order : no_order},
+      return Rounds_and_tail<Traits, ConcurrencyTag, Exchange>(exchange_, job, frame_)
+          .run(rounds, shall_go_on, {graph_, tail != nullptr ? tail->order : no_order},
                tail != nullptr ? tail->report : nobody_reads, part_);
     });
     are_all_in_rounds_ = false;
@@ -128,7 +141,8 @@ public:
 
 private:
   Exchange& exchange_;
-  const Pslg_2<Point_2>& pslg_;
+  Stowable_graph<Point_2>& graph_;
+  Graph_frame<Point_2> frame_;
   bool are_all_in_rounds_ = false;
   Mesh_in_parts<Point_2> part_;
 };
@@ -156,7 +170,8 @@ Mesh_in_parts<typename Traits::Point_2> help_with_rounds(Exchange& exchange,
       problem.bounds = bounds_in_frame<Traits>(frame, options, rounds_and_tail->map());
     });
     Block_rounds rounds;
-    const Pslg_2<Point_2> no_graph;
+    const Pslg_2<Point_2> nothing;
+    const Stowable_graph<Point_2> no_graph(nothing);
     const Order no_order;
     Quality_mesh_report_2 nobody_reads;
     work_together([&] {

@@ -175,7 +175,7 @@ public:
     const Indexed_vector<Ring_vertex, Mobility> mobilities = mobilities_of(result);
     for (Tree& tree : trees_) tree.let_go_of_mesh();
     result.mesh.set_triangles(triangles_);
-    triangles_ = {};
+    free_arrays(triangles_);
     for (const Ring_vertex v : result.mesh.rings.ids())
       if (result.mesh.is_alive(v)) result.mesh.ring(v).mobility = mobilities[v];
     return result;

@@ -44,16 +44,22 @@ typename Geometry::Point middle_of_shortest_edge(const Kernel_mesh<Geometry>& me
   return Geometry::translate(a, 0.5 * Geometry::difference(b, a));
 }
 
+/// The order of triangles by place: the key of the place, and the handle.
+template <class Geometry>
+std::uint64_t position_word(const Kernel_mesh<Geometry>& mesh, Triangle_id t,
+                            const Place_keys<Geometry>& key) {
+  return key(middle_of_shortest_edge(mesh, t)) << 32 | t.value();
+}
+
 /// Cuts the given triangles, a vector, into squares with at most `most` each, by the middles of their shortest edges.
 /// What the squares of the grid do not tell apart is cut by number.
 template <class ConcurrencyTag, class Geometry, class Triangles>
 Block_cut cut_by_position(const Kernel_mesh<Geometry>& mesh, const Triangles& triangles, std::size_t most,
                           const Place_keys<Geometry>& key) {
   const std::size_t n = triangles.size();
-  Uninitialized_vector<std::uint64_t> words(n); // key, triangle
-  for_each_index<ConcurrencyTag>(n, [&](std::size_t i) {
-    words[i] = key(middle_of_shortest_edge(mesh, triangles[i])) << 32 | triangles[i].value();
-  });
+  Uninitialized_vector<std::uint64_t> words(n);
+  for_each_index<ConcurrencyTag>(n,
+                                 [&](std::size_t i) { words[i] = position_word(mesh, triangles[i], key); });
   sort_words<ConcurrencyTag>(words.data(), uncleared_words(n).get(), n, true);
 
   Block_cut cut;
@@ -66,17 +72,23 @@ Block_cut cut_by_position(const Kernel_mesh<Geometry>& mesh, const Triangles& tr
   return cut;
 }
 
-/// Cuts all triangles of a mesh without free vertices into the blocks of its vertices. `number_of(v)` is the number of
-/// an input vertex, and for a vertex on an edge that of a vertex of the edge.
+/// The block of a triangle of a mesh without free vertices, by those of its vertices. `number_of(v)` is the number of an
+/// input vertex, and for a vertex on an edge that of a vertex of the edge.
+template <class Geometry, class Number_of>
+Block_id block_by_vertices(const Kernel_mesh<Geometry>& mesh, Triangle_id t, const Vertex_blocks& blocks,
+                           const Number_of& number_of) {
+  const auto& v = mesh.triangle(t).v;
+  return blocks.of_triangle(number_of(v[0]), number_of(v[1]), number_of(v[2]));
+}
+
+/// Cuts all triangles of a mesh without free vertices into the blocks of its vertices, by `block_by_vertices()`.
 template <class ConcurrencyTag, class Geometry, class Number_of>
 Block_cut cut_by_vertices(const Kernel_mesh<Geometry>& mesh, const Vertex_blocks& blocks,
                           const Number_of& number_of) {
   return group_in_order<ConcurrencyTag, Triangle_id>(
       mesh.triangles.size(), blocks.size(), [&](std::size_t i) -> std::size_t {
         const Triangle_id t = static_cast<Triangle_id>(i);
-        if (!mesh.is_alive(t)) return blocks.size();
-        const auto& v = mesh.triangle(t).v;
-        return blocks.of_triangle(number_of(v[0]), number_of(v[1]), number_of(v[2])).value();
+        return mesh.is_alive(t) ? block_by_vertices(mesh, t, blocks, number_of).value() : blocks.size();
       });
 }
 

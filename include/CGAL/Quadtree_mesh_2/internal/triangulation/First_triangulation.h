@@ -410,6 +410,7 @@ private:
   void insert_segments(Block& block, const Blocks& blocks, const std::vector<Segment>& segments,
                        Span<Segment_index> of_block, Block_work& work) {
     Segment_inserter<Geometry> inserter(block.mesh);
+    inserter.reserve(of_block.size());
     work.crossing = catch_crossing([&] {
       for (const Segment_index s : of_block) {
         const auto [from, to] = segments[s.value()];

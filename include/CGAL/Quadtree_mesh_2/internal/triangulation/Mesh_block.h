@@ -15,6 +15,7 @@
 #define CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_MESH_BLOCK_H
 
 #include <CGAL/Quadtree_mesh_2/internal/base/Sparse_values.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/huge_pages.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/group_in_order.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/reserve_in_parallel.h>
@@ -175,7 +176,7 @@ public:
     first_new_triangle_ = first_triangle;
     name_triangles();
     name_vertices(first_vertex);
-    named_first_ = {};
+    free_arrays(named_first_);
   }
   Triangle_id first_new_triangle() const { return first_new_triangle_; }
   /// None for what came and went.
@@ -203,7 +204,7 @@ public:
   Mesh release() {
     for (std::size_t v = 0; v < own_vertices_; ++v)
       assignment_->vertex_in_block(whole_vertex_[static_cast<Vertex_id>(v)]) = {};
-    whole_triangle_ = {}, whole_vertex_ = {}, foreign_ = {}, is_shared_ = {}, shared_ = {};
+    free_arrays(whole_triangle_, whole_vertex_, foreign_, is_shared_, shared_);
     mesh.clear();
     return std::exchange(mesh, Mesh());
   }

@@ -54,6 +54,9 @@ public:
 
   explicit Segment_inserter(Mesh& mesh) : mesh_(mesh) {}
 
+  /// Makes room for so many edges.
+  void reserve(std::size_t edges) { result_.edges.reserve(edges); }
+
   /// What is not made of a segment: nothing if both ends are one.
   struct Rest {
     Vertex_id from, to;

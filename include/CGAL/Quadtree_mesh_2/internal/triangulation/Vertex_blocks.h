@@ -55,6 +55,12 @@ public:
     }
   }
 
+  template <class Archive>
+  void transfer(Archive& archive) {
+    archive(first_);
+    if (Archive::is_reading) *this = Vertex_blocks(std::move(first_));
+  }
+
   std::size_t size() const { return first_.size() - 1; }
 
   /// How many vertices there are in the largest block.
