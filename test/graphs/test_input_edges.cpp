@@ -48,7 +48,8 @@ void check(std::size_t vertices, const std::vector<Ends>& pairs) {
     list.push_back({Vertex_id(a), Vertex_id(b), Segment_index(s)});
     segment_of[{std::min(a, b), std::max(a, b)}] = s;
   }
-  const Input_edges edges(list, vertices);
+  Input_edges edges(list, vertices);
+  edges.list_by_vertices();
   REQUIRE(edges.size() == segment_of.size());
 
   // In the order of the ends, of which the lesser one comes first.

@@ -57,6 +57,7 @@ public:
     First first(state_.mesh, points);
     if (first.run(segments)) throw std::invalid_argument("segments cross");
     problem_.edges = internal::Input_edges(first.edges(), points.size());
+    problem_.edges.list_by_vertices();
     problem_.input_points.assign(points.begin(), points.end());
     internal::Domain_rule<Geometry> domain;
     for (const Point_2& p : pslg.holes) domain.holes.push_back(map_.to_kernel(p));

@@ -105,7 +105,7 @@ private:
 
     std::uint32_t magic = 0x516d5374;
     /// To be raised when the file has something else, or refinement goes on differently.
-    std::uint32_t version = 5;
+    std::uint32_t version = 6;
     std::uint64_t origin;
   };
 

@@ -403,6 +403,7 @@ private:
   /// \param domain the triangulation of the domain
   Tree_separation_report_2::End make_mesh_by_trees(const Kernel_mesh<Geometry>& domain,
                                                    const Edge_sides& sides) {
+    problem_.edges.list_by_vertices();
     const Pslg graph = graph_of_edges(pslg(), order_, problem_.edges);
     const Tree_separation_options_2 tree_options =
         report_.trees.has_taken_over ? options_where_refinement_fails(options_.trees()) : options_.trees();

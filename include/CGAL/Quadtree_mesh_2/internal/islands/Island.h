@@ -139,6 +139,7 @@ private:
     for (const Edge_id e : whole_edges_)
       edges.push_back({number(whole.edges[e].a), number(whole.edges[e].b), whole.edges[e].segment});
     problem_.edges = Input_edges(edges, problem_.input_points.size()); // which keeps their order
+    problem_.edges.list_by_vertices();
     std::vector<Outer_triangle> outer;
     for (const Edge_id e : whole_edges_)
       if (const Outer_triangle t = whole.outer_triangle(e); t.apex.is_valid())

@@ -9,6 +9,7 @@
 
 #include <CGAL/Quadtree_mesh_2/internal/base/Uninitialized_vector.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/huge_pages.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/radix_sort.h>
 
 #include <cstddef>
@@ -43,6 +44,8 @@ struct Groups {
   Span<Member> operator[](std::size_t g) const {
     return {members.data() + first[g], members.data() + first[g + 1]};
   }
+  /// Gives the memory of a group back to the system. Nobody may read it any more.
+  void give_back(std::size_t g) { give_back_values(members, first[g], first[g + 1]); }
 };
 
 /// Returns `Member(i)` for the indices i below `n`, by `group_of(i)`, in order within each group. Indices of the group

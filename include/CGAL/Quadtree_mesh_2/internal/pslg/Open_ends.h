@@ -22,6 +22,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <type_traits>
 #include <vector>
 
@@ -45,9 +46,11 @@ inline bool has_ring(const Input_edges& edges, std::size_t number_of_vertices) {
 /// The open ends, by their numbers in the input and in this order.
 /// \param order the input vertex of each kernel vertex
 inline std::vector<Vertex_index> open_ends(const Input_edges& edges, const Order& order) {
+  std::vector<std::uint32_t> degree(order.size(), 0);
+  for (const Edge_id e : edges.ids()) ++degree[std::size_t(edges[e].a)], ++degree[std::size_t(edges[e].b)];
   std::vector<Vertex_index> ends;
   for (std::size_t v = 0; v < order.size(); ++v)
-    if (edges.at(Vertex_id(v)).size() == 1) ends.push_back(Vertex_index(order[v]));
+    if (degree[v] == 1) ends.push_back(Vertex_index(order[v]));
   std::sort(ends.begin(), ends.end());
   return ends;
 }

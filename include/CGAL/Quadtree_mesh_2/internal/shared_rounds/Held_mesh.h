@@ -254,7 +254,7 @@ private:
   };
 
   /// How many triangles, and how many vertices, are on their way to all parts at a time, or from all.
-  static constexpr std::size_t at_a_time = std::size_t(1) << 15;
+  static constexpr std::size_t at_a_time = std::size_t(1) << 14;
 
   std::size_t number_of_each() const { return at_a_time / static_cast<std::size_t>(exchange_.size()) + 1; }
 

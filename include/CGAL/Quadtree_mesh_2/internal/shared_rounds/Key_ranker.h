@@ -79,22 +79,28 @@ private:
   /// The positions of what has been received, for the senders.
   Records_of_parts<std::uint32_t> sorted() {
     Uninitialized_vector<std::uint64_t> all;
-    std::vector<std::size_t> first;
+    std::vector<std::size_t> first{0};
+    for (const auto& of_part : received_) first.push_back(first.back() + of_part.size());
+    all.reserve(first.back());
     for (auto& of_part : received_) {
-      first.push_back(all.size());
       all.insert(all.end(), of_part.begin(), of_part.end());
       free_arrays(of_part);
     }
-    first.push_back(all.size());
     const auto begin =
         static_cast<std::uint32_t>(exchange_.exclusive_scan(static_cast<std::int64_t>(all.size())));
     const Order order = radix_order(all.size(), [&all](std::size_t i) { return all[i]; });
-    Key_positions position(all.size());
-    for (std::size_t i = 0; i < order.size(); ++i) position[order[i]] = begin + static_cast<std::uint32_t>(i);
+    free_arrays(all);
+    std::vector<std::vector<std::uint32_t>> positions(first.size() - 1); // by sender
+    for (std::size_t part = 0; part < positions.size(); ++part)
+      positions[part].resize(first[part + 1] - first[part]);
+    for (std::size_t i = 0; i < order.size(); ++i) {
+      const auto behind = std::upper_bound(first.begin(), first.end(), std::size_t(order[i]));
+      const auto part = static_cast<std::size_t>(behind - first.begin()) - 1;
+      positions[part][order[i] - first[part]] = begin + static_cast<std::uint32_t>(i);
+    }
     Records_of_parts<std::uint32_t> answers;
-    for (std::size_t part = 0; part + 1 < first.size(); ++part)
-      answers[static_cast<int>(part)].assign(position.begin() + static_cast<std::ptrdiff_t>(first[part]),
-                                             position.begin() + static_cast<std::ptrdiff_t>(first[part + 1]));
+    for (std::size_t part = 0; part < positions.size(); ++part)
+      answers[static_cast<int>(part)] = std::move(positions[part]);
     return answers;
   }
 };

@@ -81,7 +81,8 @@ struct Rounds_job {
 
   template <class Archive>
   void transfer(Archive& archive) {
-    archive(state.problem.input_points, state.problem.vertex_blocks, state.problem, finishing, vertex_budget, is_tail_wanted);
+    archive(state.problem.input_points, state.problem.vertex_blocks, state.problem, finishing, vertex_budget,
+            is_tail_wanted);
     archive(state.leg_rule, state.refinement_rule, state.bulk, state.has_placed_vertices);
   }
 };

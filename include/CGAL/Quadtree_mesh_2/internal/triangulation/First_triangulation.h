@@ -153,9 +153,8 @@ private:
   std::size_t vertices_on_segments_ = 0;
   std::size_t step_ =
       1; // of a round in blocks: the vertices with multiples of it as numbers are inserted then
-  // for blocks: the triangle of the coarse triangulation that holds a vertex, and the vertex's handle in its block
+  // for blocks: the triangle of the coarse triangulation that holds a vertex
   Uninitialized_indexed_vector<Vertex_id, Triangle_id> coarse_triangle_;
-  Uninitialized_indexed_vector<Vertex_id, Vertex_id> vertex_in_block_;
   std::vector<Segments_made> segments_made_; // by block
 
   template <class Points>
@@ -270,12 +269,11 @@ private:
 
   std::optional<Crossing> run_in_blocks(const std::vector<Segment>& segments) {
     coarse_triangle_.resize(representative_.size());
-    vertex_in_block_.resize(representative_.size());
     step_ = first_step_in_blocks();
     insert_every(step_ * growth_of_rounds);
     for (; step_ > 1; step_ /= growth_of_rounds) insert_round_in_blocks(blocks_of_round(step_), {});
     const auto crossing = insert_round_in_blocks(vertex_blocks_, segments);
-    coarse_triangle_ = {}, vertex_in_block_ = {};
+    coarse_triangle_ = {};
     return crossing;
   }
 
@@ -309,14 +307,16 @@ private:
     Blocks blocks(mesh_, assignment,
                   cut_by_vertices<ConcurrencyTag>(mesh_, vertex_blocks, [](Vertex_id v) { return v; }));
     Works works(blocks.size());
-    const auto vertices = vertices_by_block(blocks);
-    const auto segments_of = segments_by_block(blocks, segments);
+    auto vertices = vertices_by_block(blocks);
+    auto segments_of = segments_by_block(blocks, segments);
     segments_made_.resize(blocks.size());
     blocks.for_each(
         [&](Block& block) {
           Block_work& work = works[block.id()];
-          insert_vertices(block, blocks, vertices[block.id().value()], work);
-          insert_segments(block, blocks, segments, segments_of[block.id().value()], work);
+          const std::size_t b = block.id().value();
+          insert_vertices(block, blocks, vertices[b], assignment, work);
+          insert_segments(block, blocks, segments, segments_of[b], assignment, work);
+          vertices.give_back(b), segments_of.give_back(b); // memory is fullest at the last block
         },
         [](const Block&) {});
     if (!first_crossing(works)) {
@@ -378,14 +378,16 @@ private:
         [&](std::size_t s) -> std::size_t { return block_of(blocks, segments[s][0]).value(); });
   }
 
-  void insert_vertices(Block& block, const Blocks& blocks, Span<Vertex_id> vertices, Block_work& work) {
+  /// \param assignment gets the handles of the vertices in the block
+  void insert_vertices(Block& block, const Blocks& blocks, Span<Vertex_id> vertices,
+                       Block_assignment& assignment, Block_work& work) {
     Mesh& mesh = block.mesh;
     mesh.triangles.reserve(mesh.triangles.size() + 2 * vertices.size());
-    for (const Vertex_id v : vertices) vertex_in_block_[v] = block.add_known_vertex(v);
+    for (const Vertex_id v : vertices) assignment.vertex_in_block(v) = block.add_known_vertex(v);
     Delaunay_inserter<Geometry> inserter(mesh);
     Vertex_id last;
     for (const Vertex_id v : vertices) {
-      const Vertex_id here = vertex_in_block_[v];
+      const Vertex_id here = assignment.vertex_in_block(v);
       const Triangle_id coarse = blocks.place_of(coarse_triangle_[v]);
       Vertex_id stands = !last.is_valid() ? Vertex_id() : inserter.insert(here, mesh.incident_triangle(last));
       if (!stands.is_valid()) stands = inserter.insert(here, coarse);
@@ -399,22 +401,24 @@ private:
   }
 
   /// The handle in the block of what stands for a vertex, none if it is not there.
-  Vertex_id find_in_block(const Block& block, const Blocks& blocks, Vertex_id v) const {
+  Vertex_id find_in_block(const Block& block, const Blocks& blocks, Block_assignment& assignment,
+                          Vertex_id v) const {
     if (is_coarse(v)) return block.vertex_in_block(representative(v));
     if (block_of(blocks, v) != block.id()) return {}; // what stands for it may be found right now
     const Vertex_id first = is_repeated(v) ? representative(v) : v, stands = representative(first);
     if (!stands.is_valid()) return {};
-    return is_coarse(stands) ? block.vertex_in_block(stands) : vertex_in_block_[stands];
+    return is_coarse(stands) ? block.vertex_in_block(stands) : assignment.vertex_in_block(stands);
   }
 
   void insert_segments(Block& block, const Blocks& blocks, const std::vector<Segment>& segments,
-                       Span<Segment_index> of_block, Block_work& work) {
+                       Span<Segment_index> of_block, Block_assignment& assignment, Block_work& work) {
     Segment_inserter<Geometry> inserter(block.mesh);
     inserter.reserve(of_block.size());
     work.crossing = catch_crossing([&] {
       for (const Segment_index s : of_block) {
         const auto [from, to] = segments[s.value()];
-        const Vertex_id a = find_in_block(block, blocks, from), b = find_in_block(block, blocks, to);
+        const Vertex_id a = find_in_block(block, blocks, assignment, from),
+                        b = find_in_block(block, blocks, assignment, to);
         if (!a.is_valid() || !b.is_valid()) {
           work.segments_left.push_back({from, to, s});
           continue;

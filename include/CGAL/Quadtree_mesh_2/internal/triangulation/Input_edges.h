@@ -8,7 +8,7 @@
 // Vertices are named by their input numbers, which are the same in every block.
 //
 // The edges are sorted by their lesser vertex, and then by the other. A list of them by the greater one has the other
-// edges of a vertex. It takes O(n) to make them, and O(log degree) to look up.
+// edges of a vertex; it is made for who wants it. It takes O(n) to make them, and O(log degree) to look up.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_INPUT_EDGES_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_INPUT_EDGES_H
@@ -83,13 +83,17 @@ public:
   /// Edges get their handles in the order of their lesser vertex, `a` from now on, and then of the other.
   Input_edges(const Input_edge_list& edges, std::size_t number_of_vertices) {
     name_edges(edges, number_of_vertices);
-    list_by_greater_vertex(number_of_vertices);
+  }
+
+  /// Lists the edges by vertex, as `at()` needs it. O(n) time and memory; nothing if they are listed.
+  void list_by_vertices() {
+    if (first_as_greater_.empty()) list_by_greater_vertex(first_.size() - 1);
   }
 
   /// Writes or reads them (Checkpoint_file.h).
   template <class Archive>
   void transfer(Archive& archive) {
-    archive(edges_, first_, as_greater_, first_as_greater_);
+    archive(edges_, first_);
   }
 
   /// Lets each of these edges belong to the first of the segments that run there.
@@ -108,6 +112,7 @@ public:
     return (*this)[e].a == v ? (*this)[e].b : (*this)[e].a;
   }
 
+  /// \pre edges are listed by vertices
   Incidences at(Vertex_id v) const { return {*this, v}; }
 
   /// The edge between two input vertices, if there is one.
@@ -141,6 +146,7 @@ private:
 
   Uninitialized_indexed_vector<Edge_id, Input_edge> edges_;
   Firsts first_; // of the edges of which a vertex is the lesser end; and the end of the last one's
+  // None until they are wanted:
   Uninitialized_vector<Edge_id> as_greater_; // by the greater end, and then by the lesser one
   Firsts first_as_greater_;
 

@@ -110,7 +110,9 @@ private:
 
   /// The triangles that vertices know.
   auto first_triangles(std::size_t number_of_vertices) const {
-    decltype(mesh_.triangle_of) first(number_of_vertices);
+    decltype(mesh_.triangle_of) first;
+    first.reserve(number_of_vertices + number_of_vertices / 8); // acute corners are cut soon
+    first.resize(number_of_vertices);
     for_each_index<Chosen_tag>(number_of_vertices, [&](std::size_t i) {
       const Vertex_id v = static_cast<Vertex_id>(i);
       first[v] = runs_.begin(i) < runs_.end(i) ? Triangle_id(runs_.begin(i)) : Triangle_id();
