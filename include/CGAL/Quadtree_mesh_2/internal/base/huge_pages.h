@@ -96,6 +96,17 @@ void give_back_values(Values& values, std::size_t begin, std::size_t end) {
   if (!values.empty()) give_back_pages(values.data() + begin, (end - begin) * sizeof(*values.data()));
 }
 
+/// Calls `f(begin, end)` for the maximal runs of needless indices below `size`, given as `Id`.
+template <class Id, class Is_needless, class Function>
+void for_each_needless_run(std::size_t size, const Is_needless& is_needless, const Function& f) {
+  std::size_t begin = 0;
+  for (std::size_t i = 0; i <= size; ++i) {
+    if (i < size && is_needless(Id(i))) continue;
+    if (begin < i) f(begin, i);
+    begin = i + 1;
+  }
+}
+
 /// Frees the memory of arrays. To assign `{}` would leave that of a vector as it is.
 template <class... Arrays>
 void free_arrays(Arrays&... arrays) {

@@ -8,8 +8,8 @@
 #define CGAL_QUADTREE_MESH_2_INTERNAL_PARALLEL_GROUP_IN_ORDER_H
 
 #include <CGAL/Quadtree_mesh_2/internal/base/Uninitialized_vector.h>
-#include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/huge_pages.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/radix_sort.h>
 
 #include <cstddef>

@@ -148,10 +148,10 @@ public:
       if (has(v)) of(v) = of(v) == HAS || of(v) == COMMON ? HAS : HAS_NOT;
     }
     sort_and_drop_equal(common_);
-    for_each_run<Triangle_id>(
+    for_each_needless_run<Triangle_id>(
         mesh_.triangles.size(), [this](Triangle_id t) { return !is_held(t); },
         [this](std::size_t begin, std::size_t end) { give_back(begin, end); });
-    for_each_run<Vertex_id>(
+    for_each_needless_run<Vertex_id>(
         mesh_.number_of_vertices(), [this](Vertex_id v) { return !has(v); },
         [this](std::size_t begin, std::size_t end) { give_back_vertices(mesh_, begin, end); });
     give_back_free_memory();
@@ -449,17 +449,6 @@ private:
       }
       for (const Parcel& parcel : exchange_.exchange(std::move(outbox)))
         for (const Record& r : records_of<Record>(parcel.bytes)) take(r);
-    }
-  }
-
-  /// Calls `f(begin, end)` for the maximal runs of needless handles.
-  template <class Id, class Is_needless, class Function>
-  static void for_each_run(std::size_t size, const Is_needless& is_needless, const Function& f) {
-    std::size_t begin = 0;
-    for (std::size_t i = 0; i <= size; ++i) {
-      if (i < size && is_needless(Id(i))) continue;
-      if (begin < i) f(begin, i);
-      begin = i + 1;
     }
   }
 

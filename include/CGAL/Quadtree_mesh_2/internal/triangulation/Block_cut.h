@@ -72,8 +72,8 @@ Block_cut cut_by_position(const Kernel_mesh<Geometry>& mesh, const Triangles& tr
   return cut;
 }
 
-/// The block of a triangle of a mesh without free vertices, by those of its vertices. `number_of(v)` is the number of an
-/// input vertex, and for a vertex on an edge that of a vertex of the edge.
+/// The block of a triangle of a mesh without free vertices, by those of its vertices. `number_of(v)` is the number of
+/// an input vertex, and for a vertex on an edge that of a vertex of the edge.
 template <class Geometry, class Number_of>
 Block_id block_by_vertices(const Kernel_mesh<Geometry>& mesh, Triangle_id t, const Vertex_blocks& blocks,
                            const Number_of& number_of) {
