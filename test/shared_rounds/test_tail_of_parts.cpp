@@ -72,8 +72,9 @@ Outcome mesh_by_parts(int parts, const Result& expected, const Pslg& pslg, const
     CGAL::Quadtree_mesh_2::internal::Mesh_in_parts<Point> part;
     Report report;
     Mesh whole;
+    CGAL::Quadtree_mesh_2::internal::Stowable_graph<Point> stowable(Pslg{pslg});
     if (is_first)
-      whole = lead(exchange, mesher, pslg, report, part);
+      whole = lead(exchange, mesher, stowable, report, part);
     else
       part = help_with_rounds<Traits, Inner_tag<Tag>>(exchange, options);
     in_parts += part ? 1 : 0;

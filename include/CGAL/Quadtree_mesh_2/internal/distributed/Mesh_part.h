@@ -68,14 +68,19 @@ public:
     const Mesh_numbers::Counts counts{n(part_.number_of_vertices()), n(part_.number_of_triangles()),
                                       n(part_.number_of_constrained_edges),
                                       n(part_.number_of_outside_segments)};
-    Mesh_numbers::List triangles, edges;
-    triangles.reserve(part_.triangles.size()), edges.reserve(part_.constrained_edges.size());
-    for (std::size_t t = 0; t < part_.triangles.size(); ++t)
-      triangles.push_back(static_cast<std::uint64_t>(part_.number_of_triangle(t)));
+    const std::size_t own_vertices = part_.number_of_own_vertices(),
+                      own_triangles = part_.number_of_own_triangles();
+    Mesh_numbers::List edges;
+    edges.reserve(part_.constrained_edges.size());
     for (const auto& e : part_.constrained_edges) edges.push_back(static_cast<std::uint64_t>(e.number));
+    const auto& ghosts = part_.ghost_triangles;
     return Mesh_numbers(part_.rank == 0 ? Mesh_numbers::Part::FIRST : Mesh_numbers::Part::OTHER, counts,
-                        vertices_, {first_own_, first_own_ + part_.number_of_own_vertices()},
-                        std::move(triangles), part_.number_of_own_triangles(), std::move(edges));
+                        {first_own_, own_vertices, static_cast<std::uint64_t>(first_own_number()), others_},
+                        {first_own_, first_own_ + own_vertices},
+                        {0, own_triangles,
+                         static_cast<std::uint64_t>(part_.first_triangle[std::size_t(part_.rank)]),
+                         Mesh_numbers::List(ghosts.begin(), ghosts.end())},
+                        own_triangles, std::move(edges));
   }
 
   /// Fields of own triangles with their values at ghosts. All parts have to do this, with the same fields.
@@ -138,11 +143,12 @@ private:
   /// \param unused of all parts, in the order of their numbers
   void add_vertices(const std::vector<Unused>& unused) {
     list_vertices(unused);
-    if (vertices_.size() >= std::numeric_limits<std::uint32_t>::max())
+    const std::size_t vertices = part_.number_of_own_vertices() + others_.size();
+    if (vertices >= std::numeric_limits<std::uint32_t>::max())
       throw std::length_error("a rank writes fewer than 2^32 - 1 vertices");
-    mesh_.points.resize(vertices_.size());
+    mesh_.points.resize(vertices);
     // Empty arrays are those that the mesh has not.
-    const std::size_t n = std::max<std::size_t>(vertices_.size(), 1);
+    const std::size_t n = std::max<std::size_t>(vertices, 1);
     if (part_.has_vertex_markers) mesh_.vertex_markers.resize(n);
     if (part_.has_input_index) mesh_.input_index.resize(n);
     for (const Unused& v : unused) {
@@ -154,20 +160,13 @@ private:
                  part_.has_vertex_markers ? part_.vertex_markers[v] : 0,
                  part_.has_input_index ? part_.input_index[v] : -1);
   }
-  /// In the order of their numbers: own ones follow each other, and foreign ones are sorted.
+  /// In the order of their numbers: own ones follow each other.
   void list_vertices(const std::vector<Unused>& unused) {
-    const std::vector<Number>& foreign = part_.foreign_vertices;
-    const auto behind = std::lower_bound(foreign.begin(), foreign.end(), first_own_number());
-    vertices_.reserve(part_.points.size() + unused.size());
-    vertices_.assign(foreign.begin(), behind);
-    for (std::size_t v = 0; v < part_.number_of_own_vertices(); ++v)
-      vertices_.push_back(static_cast<std::uint64_t>(part_.number_of_vertex(v)));
-    vertices_.insert(vertices_.end(), behind, foreign.end());
-    if (!unused.empty()) {
-      for (const Unused& v : unused) vertices_.push_back(static_cast<std::uint64_t>(v.number));
-      sort_and_drop_equal(vertices_);
-    }
-    first_own_ = place_of(first_own_number());
+    others_.assign(part_.foreign_vertices.begin(), part_.foreign_vertices.end());
+    for (const Unused& v : unused)
+      if (!part_.is_own_vertex(v.number)) others_.push_back(static_cast<std::uint64_t>(v.number));
+    if (!unused.empty()) sort_and_drop_equal(others_); // those of foreign vertices are sorted
+    first_own_ = place_among_others(first_own_number());
   }
   void set_vertex(Number number, const Point& p, int marker, Number input_index) {
     const auto v = std::size_t(local(number));
@@ -196,15 +195,15 @@ private:
 
   Number first_own_number() const { return part_.first_vertex[std::size_t(part_.rank)]; }
 
-  /// Of a vertex in the list, or where it would be.
-  std::size_t place_of(Number v) const {
+  /// Of a vertex that is not own, or where it would be.
+  std::size_t place_among_others(Number v) const {
     return static_cast<std::size_t>(
-        std::lower_bound(vertices_.begin(), vertices_.end(), static_cast<std::uint64_t>(v)) -
-        vertices_.begin());
+        std::lower_bound(others_.begin(), others_.end(), static_cast<std::uint64_t>(v)) - others_.begin());
   }
   Vertex_index local(Number v) const {
-    return Vertex_index(part_.is_own_vertex(v) ? first_own_ + std::size_t(v - first_own_number())
-                                               : place_of(v));
+    if (part_.is_own_vertex(v)) return Vertex_index(first_own_ + std::size_t(v - first_own_number()));
+    const std::size_t place = place_among_others(v);
+    return Vertex_index(place < first_own_ ? place : place + part_.number_of_own_vertices());
   }
 
   template <class Exchange>
@@ -228,8 +227,8 @@ private:
 
   const Part& part_;
   Indexed_mesh_2<Point> mesh_;
-  std::vector<std::uint64_t> vertices_; // their numbers
-  std::size_t first_own_ = 0;           // in the list
+  std::vector<std::uint64_t> others_; // the numbers of vertices that are not own
+  std::size_t first_own_ = 0;         // how many of them come before those that are
   std::vector<Outside_segment> outside_;
   std::vector<std::uint32_t> unused_;
 };

@@ -46,6 +46,29 @@ struct Array_rows {
   }
 };
 
+/// Numbers that grow with their indices, of which those of a run follow each other: they take no memory.
+class Numbers_around_run {
+public:
+  using List = std::vector<std::uint64_t>;
+
+  Numbers_around_run() = default;
+  /// \param begin the index at which the run begins
+  /// \param first the number there
+  /// \param others the numbers before and behind it
+  Numbers_around_run(std::size_t begin, std::size_t length, std::uint64_t first, List others)
+      : begin_(begin), length_(length), first_(first), others_(std::move(others)) {}
+
+  std::uint64_t operator[](std::size_t i) const {
+    if (i < begin_) return others_[i];
+    return i < begin_ + length_ ? first_ + (i - begin_) : others_[i - length_];
+  }
+
+private:
+  std::size_t begin_ = 0, length_ = 0;
+  std::uint64_t first_ = 0;
+  List others_;
+};
+
 /// What the vertices, triangles and constrained edges of a part of a mesh are called in the whole mesh, and which of
 /// them the part owns: these no other part owns. For a whole mesh all are called what they are.
 ///
@@ -64,7 +87,7 @@ public:
     std::size_t begin = 0, end = 0;
     std::size_t size() const { return end - begin; }
   };
-  using List = std::vector<std::uint64_t>;
+  using List = Numbers_around_run::List;
 
   /// \param outside segments of the input of which nothing is in the mesh
   template <class Point>
@@ -74,8 +97,8 @@ public:
         own_vertices_{0, mesh.points.size()}, own_triangles_(mesh.triangles.size()) {}
 
   /// \param own_triangles their number; they come first
-  Mesh_numbers(Part part, const Counts& counts, List vertices, Range own_vertices, List triangles,
-               std::size_t own_triangles, List edges)
+  Mesh_numbers(Part part, const Counts& counts, Numbers_around_run vertices, Range own_vertices,
+               Numbers_around_run triangles, std::size_t own_triangles, List edges)
       : is_whole_(false), part_(part), counts_(counts), own_vertices_(own_vertices),
         own_triangles_(own_triangles), vertices_(std::move(vertices)), triangles_(std::move(triangles)),
         edges_(std::move(edges)) {}
@@ -90,7 +113,8 @@ public:
   std::size_t edge(std::size_t e) const { return number(edges_, e); }
 
 private:
-  std::size_t number(const List& list, std::size_t i) const {
+  template <class Numbers>
+  std::size_t number(const Numbers& list, std::size_t i) const {
     return is_whole_ ? i : static_cast<std::size_t>(list[i]);
   }
 
@@ -99,7 +123,8 @@ private:
   Counts counts_;
   Range own_vertices_;
   std::size_t own_triangles_;
-  List vertices_, triangles_, edges_;
+  Numbers_around_run vertices_, triangles_;
+  List edges_;
 };
 
 } // namespace internal

@@ -145,6 +145,7 @@ public:
   template <class Archive>
   void transfer(Archive& archive) {
     archive(legs, sectors, corners, legs_of_edge, is_acute, on_leg_);
+    if (Archive::is_reading) list_legs();
   }
 
   /// As before legs were cut, in a mesh that has the input vertices' numbers for handles.
@@ -167,6 +168,14 @@ public:
     on_leg_[leg.apex] = on_leg_[leg.far] = 1;
     legs.push_back(std::move(leg));
     return l;
+  }
+  /// To be called once all legs are added.
+  void list_legs() {
+    const auto key = [this](Leg_id l) { return std::pair(leg(l).far, leg(l).apex); };
+    legs_by_far_end_.clear();
+    for (const Leg_id l : legs.ids()) legs_by_far_end_.push_back(l);
+    std::sort(legs_by_far_end_.begin(), legs_by_far_end_.end(),
+              [&](Leg_id l, Leg_id m) { return key(l) < key(m); });
   }
 
   /// The legs to which one comes from leg l over sectors whose legs are not farther apart than a distance at a radius.
@@ -232,8 +241,9 @@ public:
         for (const Leg_id l : legs_of_edge[e])
           if (is_wanted(l, y)) return;
       } else if (mesh.is_input(x)) {
-        for (const auto incidence : edges_->at(mesh.input_number(x)))
-          if (is_wanted(leg_at(mesh, incidence.neighbor, x), y)) return;
+        const Vertex_id far = mesh.input_number(x);
+        for (auto l = first_leg_to(far); l != legs_by_far_end_.end() && leg(*l).far == far; ++l)
+          if (is_wanted(*l, y)) return;
       }
     }
   }
@@ -255,6 +265,12 @@ public:
 private:
   const Input_edges* edges_ = nullptr;
   Indexed_vector<Vertex_id, char> on_leg_; // per input vertex: an apex or the far end of a leg
+  std::vector<Leg_id> legs_by_far_end_;    // and then by their apex
+
+  auto first_leg_to(Vertex_id far) const {
+    return std::lower_bound(legs_by_far_end_.begin(), legs_by_far_end_.end(), far,
+                            [this](Leg_id l, Vertex_id v) { return leg(l).far < v; });
+  }
 
   /// The first of the lopped sectors whose two legs carry a, b and c for which `f(sector)` is true.
   template <class Function>

@@ -57,6 +57,7 @@ public:
       if (is_any_lopped) link_sectors(i, j);
       i = j;
     }
+    corners_.list_legs();
     is_visited_.resize(mesh_.triangles.size());
     for (const Corner_id c : corners_.corners.ids()) set_radius(c);
   }

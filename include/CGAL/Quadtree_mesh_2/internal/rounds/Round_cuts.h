@@ -34,10 +34,10 @@ namespace internal {
 struct First_cut {
   std::vector<std::size_t>
       first; ///< of the triangles in blocks, those with which blocks begin, and how many there are
-  std::vector<std::uint64_t> first_words; ///< the least `position_word()` of each block; empty: by vertices
+  std::vector<std::uint64_t>
+      first_words; ///< the least `position_word()` of each block; none if it is by vertices
 
   std::size_t size() const { return first.size() - 1; }
-  bool is_by_vertices() const { return first_words.empty(); }
 };
 
 template <class ConcurrencyTag, class Geometry>
@@ -54,16 +54,19 @@ public:
     return whole_.mesh.number_of_triangles() - whole_.bulk.number_of_triangles() >= 2 * block_size;
   }
 
+  /// Whether a triangle's vertices alone tell its block of the first round, and not their places.
+  bool is_first_by_vertices() const { return !whole_.has_placed_vertices; }
+
   Block_cut first() const {
     const auto& mesh = whole_.mesh;
-    if (whole_.has_placed_vertices)
+    if (!is_first_by_vertices())
       return cut_by_position<ConcurrencyTag>(mesh, triangles_outside_bulk(), block_size, key_);
     return cut_by_vertices<ConcurrencyTag>(mesh, whole_.problem.vertex_blocks, numbers_in(mesh));
   }
 
   /// The same cut, without its triangles.
   First_cut first_in_few_words() const {
-    if (!whole_.has_placed_vertices) return {first_of_blocks_by_vertices(), {}};
+    if (is_first_by_vertices()) return {first_of_blocks_by_vertices(), {}};
     const Block_cut cut = first();
     First_cut words{cut.first, {}};
     for (std::size_t b = 0; b < cut.size(); ++b)
@@ -74,7 +77,7 @@ public:
   /// The block of a triangle, if it is in one.
   /// \param mesh which has the triangle and its vertices
   Block_id block_of(const First_cut& cut, const Kernel_mesh<Geometry>& mesh, Triangle_id t) const {
-    if (!whole_.has_placed_vertices)
+    if (is_first_by_vertices())
       return block_by_vertices(mesh, t, whole_.problem.vertex_blocks, numbers_in(mesh));
     if (is_within_bulk(mesh, t)) return {};
     const auto& words = cut.first_words;
@@ -93,7 +96,7 @@ public:
           const Block_id b = is_here(t) ? block_of(cut, mesh, t) : Block_id();
           return b.is_valid() && begin <= b.value() && b.value() < end ? b.value() - begin : end - begin;
         });
-    if (whole_.has_placed_vertices) {
+    if (!is_first_by_vertices()) {
       const auto is_before = [&](Triangle_id t, Triangle_id u) {
         return position_word(mesh, t, key_) < position_word(mesh, u, key_);
       };

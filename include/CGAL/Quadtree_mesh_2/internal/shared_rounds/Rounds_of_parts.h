@@ -205,7 +205,7 @@ private:
       return b.is_valid() ? part_of_block[b] : static_cast<int>(t.value() * parts / mesh.triangles.size());
     };
     held_.scatter(part_of, exchange_.rank() == 0 ? corners_.vertices() : std::vector<Vertex_id>(),
-                  vertex_budget_, cut.is_by_vertices() ? &whole_.problem.input_points : nullptr);
+                  vertex_budget_, cuts_.is_first_by_vertices() ? &whole_.problem.input_points : nullptr);
     work.own = cuts_.blocks_between(cut, work.begin, end, whole_.mesh,
                                     [this](Triangle_id t) { return held_.is_private(t); });
     return work;
