@@ -144,6 +144,46 @@ TEST_CASE("All parts throw what one memory throws", "[parts][distributed]") {
         }) == "ranks have different options for one mesh");
 }
 
+TEST_CASE("Errors of parts that have let go of the graph name what is at fault", "[parts][distributed]") {
+  const auto with_ring = [](double x, double y) { // far from the coast
+    Pslg graph = named("coast:2000");
+    const auto first = graph.number_of_vertices();
+    for (const auto& [dx, dy] : {std::pair(0., 0.), {1., 0.}, {1., 1.}, {0., 1.}})
+      graph.add_vertex(Point(x + dx, y + dy));
+    for (std::size_t k = 0; k < 4; ++k)
+      graph.add_segment(Pslg::Vertex_index(first + k), Pslg::Vertex_index(first + (k + 1) % 4));
+    return graph;
+  };
+  std::vector<Pslg> graphs(3, with_ring(20, 20));
+  graphs[0].holes.push_back(graphs[0].vertices.back()); // a border of two components
+  graphs[0].add_segment(Pslg::Vertex_index(graphs[0].number_of_vertices() - 1),
+                        Pslg::Vertex_index(graphs[0].number_of_vertices() - 3));
+  for (std::size_t k = graphs[1].segments.size(); k-- > 0;) // no ring is closed
+    if (k % 2 == 0) graphs[1].segments.erase(graphs[1].segments.begin() + std::ptrdiff_t(k));
+  for (const double y : {20.5, 20.5 + 1e-9}) { // a gap
+    const auto a = graphs[2].add_vertex(Point(20.1, y)), b = graphs[2].add_vertex(Point(20.9, y));
+    graphs[2].add_segment(a, b);
+  }
+  using Kind = CGAL::Pslg_error_2::Kind;
+  const Kind kinds[] = {Kind::AMBIGUOUS_SEED, Kind::NO_DOMAIN, Kind::TOO_MANY_TRIANGLES};
+  for (std::size_t g = 0; g < graphs.size(); ++g) {
+    CAPTURE(g);
+    std::string expected;
+    try {
+      in_one_memory<Tiny_blocks_tag>(graphs[g], Options());
+    } catch (const CGAL::Pslg_error_2& error) {
+      expected = said_by(error);
+      CHECK(error.kind() == kinds[g]);
+      CHECK(error.parts().vertices.size() + error.parts().segments.size() > 0);
+    }
+    REQUIRE(expected != "");
+    CHECK(said_by_parts(3, [&](In_memory_exchange& exchange) {
+            return error_of_all<Tiny_blocks_tag>(exchange, graphs[g], Options());
+          }) == expected);
+  }
+  check_all_numbers_of_parts<Tiny_blocks_tag>(with_ring(30, -0.0), Options());
+}
+
 TEST_CASE("A size field that fails at one part alone ends all", "[parts][distributed]") {
   const Pslg coast = named("coast:2000");
   std::atomic<int> calls{0};

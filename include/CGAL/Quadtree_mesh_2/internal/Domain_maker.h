@@ -9,13 +9,14 @@
 // Computes: the mesh of the domain, in which no edge is cut, and what the problem knows of the graph.
 // Bound:    that of First_triangulation.h and Domain_rule.h.
 // Method:   Memory is fullest while the domain is cut out of the first triangulation. So the table of the edges is made
-//           after that, and the input's points apart from the mesh's when somebody asks for them.
+//           after that, and the input's points apart from the mesh's before edges are cut.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_DOMAIN_MAKER_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_DOMAIN_MAKER_H
 
 #include <CGAL/Pslg_2.h>
 #include <CGAL/Pslg_error_2.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/free_memory.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/huge_pages.h>
 #include <CGAL/Quadtree_mesh_2/internal/check_coordinates.h>
 #include <CGAL/Quadtree_mesh_2/internal/geometry/Adapted_geometry.h>
@@ -65,14 +66,18 @@ public:
     if constexpr (Map::may_lose_points) check_points_are_kept(pslg_, map_, words_);
   }
 
-  /// Finds between which vertices the segments run. The graph's vertices and segments are not asked for after that, but
+  /// Finds between which vertices the segments run. The graph's vertices and segments are not needed after that, except
   /// for errors.
   void place_segments() { segments_ = kernel_segments<ConcurrencyTag>(pslg_, order_); }
 
   /// \pre the points and segments are placed
+  /// \param between_steps called when much memory is free that was in small pieces
   /// \throws Pslg_error_2 if segments cross, if there is no domain, or none that the seeds tell
-  void run(const Quality_mesh_options_2& options, Quality_mesh_report_2& report) {
+  template <class Between_steps>
+  void run(const Quality_mesh_options_2& options, Quality_mesh_report_2& report,
+           const Between_steps& between_steps) {
     triangulate(report);
+    between_steps();
     std::vector<Outer_triangle> outer = keep_domain(options);
     list_edges(options);
     if (mesh_.triangles.empty()) throw words_.no_domain(options.mesh_domain(), problem_.edges);
@@ -110,7 +115,6 @@ private:
     report.vertices_on_segments = first.number_of_vertices_on_segments();
     problem_.vertex_blocks = first.take_vertex_blocks();
     edges_ = first.take_edges(), repeated_edges_ = first.take_repeated_edges();
-    if (problem_.vertex_blocks.size() > 1) give_back_free_memory(); // that of blocks
   }
 
   /// \returns the triangles outside along the border

@@ -36,7 +36,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/Mesh_checkpoints.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/Phase_clock.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/Progress.h>
-#include <CGAL/Quadtree_mesh_2/internal/base/huge_pages.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/free_memory.h>
 #include <CGAL/Quadtree_mesh_2/internal/check_coordinates.h>
 #include <CGAL/Quadtree_mesh_2/internal/check_distances.h>
 #include <CGAL/Quadtree_mesh_2/internal/digest_of_mesh.h>
@@ -110,11 +110,11 @@ public:
     if (!has_gone_on_from_checkpoint()) {
       domain.place_segments();
       if (runner_ != nullptr) runner_->stow_graph();
-      domain.run(options_, report_);
+      domain.run(options_, report_, [this] { let_go(); });
       too_near_for_trees_ = check_distances<Map>(state_, words_);
       set_bounds();
       Corner_finder<ConcurrencyTag, Geometry>(state_, estimate_size()).run();
-      if (runner_ != nullptr) give_back_free_memory(); // others may be on this machine
+      let_go();
       domain.keep_input_points();
     }
     Second_refinement<Geometry> second(state_);
@@ -169,6 +169,11 @@ private:
   Rounds_end rounds_end_ = Rounds_end::NO_BLOCKS;
   Mesh_checkpoints checkpoints_{options_.checkpoints(), Checkpoint_pace<ConcurrencyTag>::time_between};
   bool has_gone_on_ = false; // from a checkpoint
+
+  /// Where several work on one mesh, they may share a machine.
+  void let_go() const {
+    if (runner_ != nullptr) give_back_free_memory();
+  }
 
   void take_out_graph() const {
     if (runner_ == nullptr) return;

@@ -13,9 +13,6 @@
 #include <cstdint>
 #include <new>
 
-#ifdef __GLIBC__
-#include <malloc.h>
-#endif
 #ifdef __linux__
 #include <sys/mman.h>
 #include <unistd.h>
@@ -94,30 +91,6 @@ inline void give_back_pages(void* begin, std::size_t bytes) {
 template <class Values>
 void give_back_values(Values& values, std::size_t begin, std::size_t end) {
   if (!values.empty()) give_back_pages(values.data() + begin, (end - begin) * sizeof(*values.data()));
-}
-
-/// Calls `f(begin, end)` for the maximal runs of needless indices below `size`, given as `Id`.
-template <class Id, class Is_needless, class Function>
-void for_each_needless_run(std::size_t size, const Is_needless& is_needless, const Function& f) {
-  std::size_t begin = 0;
-  for (std::size_t i = 0; i <= size; ++i) {
-    if (i < size && is_needless(Id(i))) continue;
-    if (begin < i) f(begin, i);
-    begin = i + 1;
-  }
-}
-
-/// Frees the memory of arrays. To assign `{}` would leave that of a vector as it is.
-template <class... Arrays>
-void free_arrays(Arrays&... arrays) {
-  ((arrays = Arrays()), ...);
-}
-
-/// Gives the system back what was allocated in small pieces and is free again. glibc keeps it otherwise.
-inline void give_back_free_memory() {
-#ifdef __GLIBC__
-  malloc_trim(0);
-#endif
 }
 
 /// Makes `values`, which is empty, as long as `size`, with all of its pages at once.

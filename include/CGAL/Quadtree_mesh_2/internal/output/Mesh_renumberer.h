@@ -17,7 +17,7 @@
 //           the order depends on places and the input's indices alone.
 
 #include <CGAL/Indexed_mesh_2.h>
-#include <CGAL/Quadtree_mesh_2/internal/base/huge_pages.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/free_memory.h>
 #include <CGAL/Quadtree_mesh_2/internal/geometry/triangle_angles.h>
 #include <CGAL/Quadtree_mesh_2/internal/grid/Place_grid.h>
 #include <CGAL/Quadtree_mesh_2/internal/grid/morton.h>

@@ -38,7 +38,7 @@ template <class Point>
 class Input_words {
 public:
   /// \param order the input vertex of each kernel vertex; looked at when an error is made
-  /// \param before_use called before the graph is read, for who does not have it at hand
+  /// \param before_use called before the graph is read, for callers that do not have it at hand
   Input_words(const Pslg_2<Point>& pslg, const Order& order, std::function<void()> before_use = {})
       : pslg_(pslg), order_(order), before_use_(std::move(before_use)) {}
 

@@ -16,7 +16,7 @@
 #define CGAL_QUADTREE_MESH_2_INTERNAL_PSLG_STOWABLE_GRAPH_H
 
 #include <CGAL/Pslg_2.h>
-#include <CGAL/Quadtree_mesh_2/internal/base/huge_pages.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/free_memory.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -34,7 +34,7 @@ public:
   using Pslg = Pslg_2<Point>;
   using Segment = typename Pslg::Segment;
 
-  /// A graph of somebody else, who has it as long as this is used. It is never stowed.
+  /// A graph owned by the caller, which has to outlive this. It is never stowed.
   Stowable_graph(const Pslg& graph) : of_other_(&graph) {}
   /// A graph that may be stowed.
   Stowable_graph(Pslg&& graph) : own_(std::move(graph)) {}
@@ -48,7 +48,7 @@ public:
   /// Lets go of vertices and segments, if it may.
   void stow() {
     if (!own_ || is_stowed()) return;
-    number_of_segments_ = own_->segments.size();
+    bytes_.clear();
     bytes_.reserve(2 * own_->segments.size());
     std::int64_t before = 0;
     for (const Segment& segment : own_->segments)
@@ -57,6 +57,7 @@ public:
         append(number - std::exchange(before, number));
       }
     bytes_.shrink_to_fit();
+    number_of_segments_ = own_->segments.size();
     free_arrays(own_->segments, own_->vertices);
   }
 
@@ -66,11 +67,11 @@ public:
   template <class Order, class Place_of>
   void take_out(const Order& order, const Place_of& place_of) {
     if (!is_stowed()) return;
+    own_->vertices.resize(order.size());
+    for (std::size_t i = 0; i < order.size(); ++i) own_->vertices[order[i]] = place_of(i);
     own_->segments = stowed_segments();
     free_arrays(bytes_);
     number_of_segments_.reset();
-    own_->vertices.resize(order.size());
-    for (std::size_t i = 0; i < order.size(); ++i) own_->vertices[order[i]] = place_of(i);
   }
 
 private:
@@ -79,8 +80,8 @@ private:
   std::optional<Pslg> own_;
   const Pslg* of_other_ = nullptr;
   std::optional<std::size_t> number_of_segments_; // while they are stowed
-  std::vector<unsigned char>
-      bytes_; // numbers of 7 bits, the least first; all but the last have an eighth bit
+  /// Numbers in groups of 7 bits, the least significant first; an eighth bit says that another group follows.
+  std::vector<unsigned char> bytes_;
 
   /// Small differences become small numbers: the lowest bit is the sign.
   void append(std::int64_t difference) {

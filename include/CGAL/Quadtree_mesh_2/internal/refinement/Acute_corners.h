@@ -119,7 +119,7 @@ public:
 
   Indexed_vector<Leg_id, Leg> legs;
   Indexed_vector<Sector_id, Sector> sectors;
-  Indexed_vector<Corner_id, Corner> corners;
+  Indexed_vector<Corner_id, Corner> corners; ///< in the order of their apexes
   /// Per input edge, the leg it is seen from its end a, from its end b; none where the corner has no lopped
   /// sector.
   Sparse_values<Edge_id, std::array<Leg_id, 2>> legs_of_edge;
@@ -176,6 +176,23 @@ public:
     for (const Leg_id l : legs.ids()) legs_by_far_end_.push_back(l);
     std::sort(legs_by_far_end_.begin(), legs_by_far_end_.end(),
               [&](Leg_id l, Leg_id m) { return key(l) < key(m); });
+  }
+
+  /// The range of the legs with this far end, an input number, in the order of their apexes.
+  auto legs_to(Vertex_id far) const {
+    const auto begin = std::partition_point(legs_by_far_end_.begin(), legs_by_far_end_.end(),
+                                            [&](Leg_id l) { return leg(l).far < far; });
+    const auto end =
+        std::partition_point(begin, legs_by_far_end_.end(), [&](Leg_id l) { return leg(l).far == far; });
+    return std::pair(begin, end);
+  }
+  /// The same of the corners with this apex.
+  auto corners_at(Vertex_id apex) const {
+    const auto begin =
+        std::partition_point(corners.begin(), corners.end(), [&](const Corner& c) { return c.apex < apex; });
+    const auto end =
+        std::partition_point(begin, corners.end(), [&](const Corner& c) { return c.apex == apex; });
+    return std::pair(begin, end);
   }
 
   /// The legs to which one comes from leg l over sectors whose legs are not farther apart than a distance at a radius.
@@ -241,8 +258,7 @@ public:
         for (const Leg_id l : legs_of_edge[e])
           if (is_wanted(l, y)) return;
       } else if (mesh.is_input(x)) {
-        const Vertex_id far = mesh.input_number(x);
-        for (auto l = first_leg_to(far); l != legs_by_far_end_.end() && leg(*l).far == far; ++l)
+        for (auto [l, end] = legs_to(mesh.input_number(x)); l != end; ++l)
           if (is_wanted(*l, y)) return;
       }
     }
@@ -266,11 +282,6 @@ private:
   const Input_edges* edges_ = nullptr;
   Indexed_vector<Vertex_id, char> on_leg_; // per input vertex: an apex or the far end of a leg
   std::vector<Leg_id> legs_by_far_end_;    // and then by their apex
-
-  auto first_leg_to(Vertex_id far) const {
-    return std::lower_bound(legs_by_far_end_.begin(), legs_by_far_end_.end(), far,
-                            [this](Leg_id l, Vertex_id v) { return leg(l).far < v; });
-  }
 
   /// The first of the lopped sectors whose two legs carry a, b and c for which `f(sector)` is true.
   template <class Function>

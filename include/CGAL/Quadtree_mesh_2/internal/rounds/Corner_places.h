@@ -18,7 +18,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -125,7 +124,6 @@ public:
 
 private:
   using Corner = typename Corners::Corner;
-  using Leg_end = std::pair<Vertex_id, Corner_id>; // by input number
 
   const Meshing_state<Geometry>& whole_;
   const Corners& corners_;
@@ -163,28 +161,18 @@ private:
       for (const Leg_id l : corners_.legs_of_edge[e])
         if (l.is_valid()) found.push_back(corners_.leg(l).corner);
     };
-    const std::vector<Leg_end> ends = ends_of_legs();
-    for (const Vertex_id v : vertices)
-      if (whole_.mesh.is_input(v)) {
-        const Vertex_id number = whole_.mesh.input_number(v);
-        for (auto end = std::lower_bound(ends.begin(), ends.end(), Leg_end{number, Corner_id(0)});
-             end != ends.end() && end->first == number; ++end)
-          found.push_back(end->second);
-      } else {
+    for (const Vertex_id v : vertices) {
+      if (!whole_.mesh.is_input(v)) {
         look_at(whole_.mesh.edge(v));
+        continue;
       }
+      const Vertex_id number = whole_.mesh.input_number(v);
+      for (auto [l, end] = corners_.legs_to(number); l != end; ++l) found.push_back(corners_.leg(*l).corner);
+      for (auto [c, end] = corners_.corners_at(number); c != end; ++c)
+        found.push_back(corners_.leg(c->legs.front()).corner);
+    }
     sort_and_drop_equal(found);
     return found;
-  }
-
-  /// The legs of corners by both their ends.
-  std::vector<Leg_end> ends_of_legs() const {
-    std::vector<Leg_end> ends;
-    for (const Corner_id c : corners_.corners.ids())
-      for (const Leg_id l : corners_.corner(c).legs)
-        ends.insert(ends.end(), {Leg_end{corners_.leg(l).apex, c}, Leg_end{corners_.leg(l).far, c}});
-    sort_and_drop_equal(ends);
-    return ends;
   }
 
   /// Looks up sides and stars in a mesh that is all here.

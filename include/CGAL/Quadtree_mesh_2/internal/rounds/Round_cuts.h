@@ -30,7 +30,7 @@ namespace CGAL {
 namespace Quadtree_mesh_2 {
 namespace internal {
 
-/// How a mesh is cut for the first round, in few words: who has triangles of it can tell their blocks.
+/// How a mesh is cut for the first round, in brief: enough to tell the blocks of the triangles that one has.
 struct First_cut {
   std::vector<std::size_t>
       first; ///< of the triangles in blocks, those with which blocks begin, and how many there are

@@ -49,7 +49,7 @@ public:
   Rounds_runner& operator=(const Rounds_runner&) = delete;
   virtual ~Rounds_runner() = default;
 
-  /// The graph is not needed until `take_out_graph()`, but for its markers and seeds.
+  /// The graph is not needed until `take_out_graph()`, except for its markers and seeds.
   virtual void stow_graph() = 0;
   /// \param order the input vertex of each of the kernel
   /// \param points of the kernel, at least those of the graph

@@ -20,6 +20,7 @@
 
 #include <CGAL/Quadtree_mesh_2/internal/base/Scratch_arrays.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/Sparse_bytes.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/free_memory.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/huge_pages.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/sort_and_drop_equal.h>
 #include <CGAL/Quadtree_mesh_2/internal/distributed/Mesh_archive.h>
@@ -483,7 +484,7 @@ private:
     }
   }
 
-  /// Of known points records say nothing.
+  /// Records do not contain known points.
   void write_given(Vertex_record r) {
     if (known_ != nullptr && r.id < known_->end_id()) r.point = (*known_)[r.id];
     write(r);

@@ -16,7 +16,7 @@
 #define CGAL_QUADTREE_MESH_2_INTERNAL_SHARED_ROUNDS_KEY_RANKER_H
 
 #include <CGAL/Quadtree_mesh_2/internal/base/Uninitialized_vector.h>
-#include <CGAL/Quadtree_mesh_2/internal/base/huge_pages.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/free_memory.h>
 #include <CGAL/Quadtree_mesh_2/internal/distributed/Parcel.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/sort_by_keys.h>
 

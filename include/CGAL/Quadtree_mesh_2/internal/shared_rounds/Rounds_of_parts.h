@@ -25,7 +25,7 @@
 #define CGAL_QUADTREE_MESH_2_INTERNAL_SHARED_ROUNDS_ROUNDS_OF_PARTS_H
 
 #include <CGAL/Quadtree_mesh_2/internal/base/Sparse_values.h>
-#include <CGAL/Quadtree_mesh_2/internal/base/huge_pages.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/free_memory.h>
 #include <CGAL/Quadtree_mesh_2/internal/distributed/agree_on_error.h>
 #include <CGAL/Quadtree_mesh_2/internal/distributed/tell_all.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>

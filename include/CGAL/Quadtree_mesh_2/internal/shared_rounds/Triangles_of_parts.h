@@ -17,6 +17,7 @@
 
 #include <CGAL/Distributed_mesh_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/Uninitialized_vector.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/free_memory.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/huge_pages.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/sort_and_drop_equal.h>
 #include <CGAL/Quadtree_mesh_2/internal/distributed/Parcel.h>

@@ -19,6 +19,7 @@
 
 #include <CGAL/Distributed_mesh_2.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/Uninitialized_vector.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/free_memory.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/huge_pages.h>
 #include <CGAL/Quadtree_mesh_2/internal/distributed/Mesh_archive.h>
 #include <CGAL/Quadtree_mesh_2/internal/distributed/Parcel.h>

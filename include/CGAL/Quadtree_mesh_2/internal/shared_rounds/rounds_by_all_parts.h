@@ -15,7 +15,7 @@
 
 #include <CGAL/Distributed_mesh_2.h>
 #include <CGAL/Pslg_2.h>
-#include <CGAL/Quadtree_mesh_2/internal/base/huge_pages.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/free_memory.h>
 #include <CGAL/Quadtree_mesh_2/internal/distributed/Parcel.h>
 #include <CGAL/Quadtree_mesh_2/internal/distributed/agree_on_error.h>
 #include <CGAL/Quadtree_mesh_2/internal/geometry/coordinate_map.h>
@@ -91,11 +91,12 @@ public:
   using Point_2 = typename Traits::Point_2;
   using Kernel_points = typename Rounds_runner<Geometry>::Kernel_points;
 
-  /// \param graph to be meshed, not stowed; it has to outlive this
+  /// \param graph to be meshed, which has to outlive this
   Rounds_by_all_parts(Exchange& exchange, Stowable_graph<Point_2>& graph)
-      : exchange_(exchange), graph_(graph), frame_(graph.graph()) {}
+      : exchange_(exchange), graph_(graph) {}
 
   void stow_graph() override {
+    frame_ = Graph_frame<Point_2>(graph_.graph());
     graph_.stow();
     give_back_free_memory();
   }
@@ -142,7 +143,7 @@ public:
 private:
   Exchange& exchange_;
   Stowable_graph<Point_2>& graph_;
-  Graph_frame<Point_2> frame_;
+  Graph_frame<Point_2> frame_; // once the graph may be stowed
   bool are_all_in_rounds_ = false;
   Mesh_in_parts<Point_2> part_;
 };

@@ -24,6 +24,7 @@
 #define CGAL_QUADTREE_MESH_2_INTERNAL_TILES_TILE_FOREST_H
 
 #include <CGAL/Quadtree_mesh_2/internal/base/Indexed_vector.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/free_memory.h>
 #include <CGAL/Quadtree_mesh_2/internal/clusters/Cluster_frame.h>
 #include <CGAL/Quadtree_mesh_2/internal/clusters/cluster_collar.h>
 #include <CGAL/Quadtree_mesh_2/internal/clusters/frame_clusters.h>

@@ -8,11 +8,12 @@
 // Vertices are named by their input numbers, which are the same in every block.
 //
 // The edges are sorted by their lesser vertex, and then by the other. A list of them by the greater one has the other
-// edges of a vertex; it is made for who wants it. It takes O(n) to make them, and O(log degree) to look up.
+// edges of a vertex; it is made on request. It takes O(n) to make them, and O(log degree) to look up.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_INPUT_EDGES_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_INPUT_EDGES_H
 
+#include <CGAL/Quadtree_mesh_2/internal/base/free_memory.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/sort_short_run.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/Run_counters.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
@@ -87,13 +88,14 @@ public:
 
   /// Lists the edges by vertex, as `at()` needs it. O(n) time and memory; nothing if they are listed.
   void list_by_vertices() {
-    if (first_as_greater_.empty()) list_by_greater_vertex(first_.size() - 1);
+    if (first_as_greater_.empty() && !first_.empty()) list_by_greater_vertex(first_.size() - 1);
   }
 
   /// Writes or reads them (Checkpoint_file.h).
   template <class Archive>
   void transfer(Archive& archive) {
     archive(edges_, first_);
+    if (Archive::is_reading) free_arrays(as_greater_, first_as_greater_);
   }
 
   /// Lets each of these edges belong to the first of the segments that run there.

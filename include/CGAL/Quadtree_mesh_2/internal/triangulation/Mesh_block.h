@@ -15,7 +15,7 @@
 #define CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_MESH_BLOCK_H
 
 #include <CGAL/Quadtree_mesh_2/internal/base/Sparse_values.h>
-#include <CGAL/Quadtree_mesh_2/internal/base/huge_pages.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/free_memory.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/group_in_order.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/reserve_in_parallel.h>
@@ -55,8 +55,8 @@ public:
 
   Place operator[](Triangle_id t) const { return is_for_few_ ? of_few_triangles_[t] : of_triangle_[t]; }
   void set(Triangle_id t, Place place) { (is_for_few_ ? of_few_triangles_.at(t) : of_triangle_[t]) = place; }
-  /// The handle of a vertex in the block of the triangle that the whole mesh knows at it. Written and read by that
-  /// block alone.
+  /// The handle of a vertex in the block of the triangle that the whole mesh knows at it; or in the block that inserts
+  /// it, until the assignment goes. Written and read by that block alone.
   Vertex_id& vertex_in_block(Vertex_id v) { return is_for_few_ ? of_few_vertices_.at(v) : of_vertex_[v]; }
   /// Whether a block has made the triangle, one that is written already.
   bool is_new(Triangle_id t) const { return is_for_few_ ? !of_few_triangles_.has(t) : !of_triangle_.has(t); }

@@ -55,6 +55,7 @@ public:
     }
   }
 
+  /// Writes or reads them (Checkpoint_file.h).
   template <class Archive>
   void transfer(Archive& archive) {
     archive(first_);
