@@ -80,7 +80,8 @@ public:
     return Quadtree_mesh_2::internal::mesh_by_all_parts(exchange, mesher_, pslg, report_);
   }
 
-  /// The same for a graph of which each rank has a slice.
+  /// The same for a graph of which each rank has a slice. The first rank lets go of most of the graph while it meshes,
+  /// which it does not of one that it is given whole.
   /// \throws std::length_error if there are more vertices or segments than the first rank's 32-bit indices can name
   Mesh operator()(const Pslg_slice& slice) {
     Quadtree_mesh_2::internal::Mpi_exchange exchange(comm_);
