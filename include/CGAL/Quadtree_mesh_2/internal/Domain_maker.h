@@ -16,8 +16,6 @@
 
 #include <CGAL/Pslg_2.h>
 #include <CGAL/Pslg_error_2.h>
-#include <CGAL/Quadtree_mesh_2/internal/base/free_memory.h>
-#include <CGAL/Quadtree_mesh_2/internal/base/huge_pages.h>
 #include <CGAL/Quadtree_mesh_2/internal/check_coordinates.h>
 #include <CGAL/Quadtree_mesh_2/internal/geometry/Adapted_geometry.h>
 #include <CGAL/Quadtree_mesh_2/internal/geometry/coordinate_map.h>

@@ -32,10 +32,10 @@ namespace internal {
 
 /// How a mesh is cut for the first round, in brief: enough to tell the blocks of the triangles that one has.
 struct First_cut {
-  std::vector<std::size_t>
-      first; ///< of the triangles in blocks, those with which blocks begin, and how many there are
-  std::vector<std::uint64_t>
-      first_words; ///< the least `position_word()` of each block; none if it is by vertices
+  /// Of the triangles in blocks, those with which blocks begin, and how many there are.
+  std::vector<std::size_t> first;
+  /// The least `position_word()` of each block; none if it is by vertices.
+  std::vector<std::uint64_t> first_words;
 
   std::size_t size() const { return first.size() - 1; }
 };
