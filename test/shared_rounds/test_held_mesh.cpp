@@ -91,17 +91,22 @@ std::size_t missing_common_vertices(const Mesh& whole, const Held& held, const M
 }
 
 /// A part of a mesh that is published bit by bit.
-/// \param known points of the first vertices that all parts know; null for none
-std::size_t faults_of_part(In_memory_exchange& exchange, const Mesh& whole, const Held::Points* known,
+/// \param known of how many vertices, the first ones, all parts know the points
+std::size_t faults_of_part(In_memory_exchange& exchange, const Mesh& whole, std::size_t known,
                            std::uint32_t seed) {
   std::mt19937 random(seed); // the same at all parts
   Model model = random_owners(whole, exchange.size(), random);
   Mesh mesh;
   if (exchange.rank() == 0) mesh = whole;
+  if (exchange.rank() != 0)
+    mesh.points.assign(whole.points.begin(), whole.points.begin() + std::ptrdiff_t(known));
   Held held(exchange, mesh);
   held.scatter([&](const auto&, Triangle_id t) { return model.owner[t.value()]; }, {},
                2 * whole.number_of_vertices(), known);
-  std::size_t faults = faults_of_model(whole, mesh, held, model, exchange.rank());
+  const auto all_known = [&] {
+    return std::equal(mesh.points.begin(), mesh.points.begin() + std::ptrdiff_t(known), whole.points.begin());
+  };
+  std::size_t faults = faults_of_model(whole, mesh, held, model, exchange.rank()) + (all_known() ? 0 : 1);
   for (int step = 0; step < 30; ++step) {
     const std::vector<Triangle_id> wanted = random_triangles(whole, random);
     std::size_t expected = 0;
@@ -119,10 +124,12 @@ std::size_t faults_of_part(In_memory_exchange& exchange, const Mesh& whole, cons
     const std::vector<char> shared = model.is_shared;
     std::fill(model.is_shared.begin(), model.is_shared.end(), char(0));
     held.unshare();
+    faults += all_known() ? 0 : 1;
     faults += faults_of_model(whole, mesh, held, model, exchange.rank());
     faults += missing_common_vertices(whole, held, model, shared, exchange.rank());
   }
-  return faults;
+  held.forget_known_points();
+  return faults + faults_of_model(whole, mesh, held, model, exchange.rank());
 }
 
 constexpr std::uint32_t number_in_row = 1000000;
@@ -169,7 +176,7 @@ TEST_CASE("Parts hold what is theirs and what is shared, with the records of the
       Prepared prepared(family.make(7));
       Splitter<Geometry>(prepared.state).cut_rings();
       const Mesh& whole = prepared.state.mesh;
-      const Held::Points* const known = ++seed % 2 == 0 ? &prepared.problem.input_points : nullptr;
+      const std::size_t known = ++seed % 2 == 0 ? prepared.problem.input_points.size() : 0;
       In_memory_exchange::run(parts, [&](In_memory_exchange& exchange) {
         const auto faults =
             exchange.sum(static_cast<std::int64_t>(faults_of_part(exchange, whole, known, seed)));

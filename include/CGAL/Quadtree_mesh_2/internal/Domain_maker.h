@@ -9,7 +9,7 @@
 // Computes: the mesh of the domain, in which no edge is cut, and what the problem knows of the graph.
 // Bound:    that of First_triangulation.h and Domain_rule.h.
 // Method:   Memory is fullest while the domain is cut out of the first triangulation. So the table of the edges is made
-//           after that, and the input's points apart from the mesh's before edges are cut.
+//           after that.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_DOMAIN_MAKER_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_DOMAIN_MAKER_H
@@ -81,16 +81,6 @@ public:
     if (mesh_.triangles.empty()) throw words_.no_domain(options.mesh_domain(), problem_.edges);
     problem_.set_outside(std::exchange(outer, {}));
     keep_boundary(options, mesh_, problem_.edges, problem_.kept_edges);
-  }
-
-  /// Gives the problem the input's points.
-  /// \pre the mesh's points are the input's
-  void keep_input_points() {
-    problem_.input_points.resize(mesh_.points.size());
-    for_each_index<ConcurrencyTag>(mesh_.points.size(), [this](std::size_t i) {
-      const Vertex_id v = static_cast<Vertex_id>(i);
-      problem_.input_points[v] = mesh_.points[v];
-    });
   }
 
 private:

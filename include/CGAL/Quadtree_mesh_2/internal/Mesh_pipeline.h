@@ -101,6 +101,7 @@ public:
   Indexed_mesh_2<Point_2> run() {
     report_.input_vertices = pslg_.number_of_vertices();
     report_.input_segments = pslg_.number_of_segments();
+    const bool is_by_trees = options_.separate() == Quality_mesh_options_2::Separation::THEOREM_5;
     sort_vertices();
     if (!map_.is_in_range()) throw words_.too_wide("the 2^61 of 64-bit fixed point");
     Domain_maker<Traits, ConcurrencyTag> domain(pslg_, order_, map_, words_, state_);
@@ -115,12 +116,12 @@ public:
       set_bounds();
       Corner_finder<ConcurrencyTag, Geometry>(state_, estimate_size()).run();
       let_go();
-      domain.keep_input_points();
+      problem_.borrow_points(state_.mesh.points, order_.size());
+      if (runner_ == nullptr || is_by_trees) problem_.keep_points_apart();
     }
     Second_refinement<Geometry> second(state_);
     Splitter<Geometry> splitter(state_);
     Refiner<Geometry> refiner(state_, splitter);
-    const bool is_by_trees = options_.separate() == Quality_mesh_options_2::Separation::THEOREM_5;
     if (!is_by_trees) second.keep_start();
     if (!rounds_.are_over) {
       if (!(is_by_trees && construct_by_trees(refiner)) &&
@@ -296,8 +297,11 @@ private:
     const auto shall_go_on = [this, share_before](double share) {
       return progress_.shall_go_on(share_before + Progress_shares::rounds_of_blocks * share);
     };
-    if (runner_ != nullptr)
-      return runner_->run(state_, finishing_, limit.vertices, rounds_, shall_go_on, tail);
+    if (runner_ != nullptr) {
+      const Rounds_end end = runner_->run(state_, finishing_, limit.vertices, rounds_, shall_go_on, tail);
+      if (end != Rounds_end::IN_PARTS) problem_.keep_points_apart();
+      return end;
+    }
     Block_refinement<ConcurrencyTag, Geometry, Watch> blocks(state_, finishing_, limit.vertices, rounds_,
                                                              watch_);
     // A state goes on with refinement, which is not what quadtrees are followed by.

@@ -32,7 +32,7 @@ template <class ConcurrencyTag, class Places>
 auto place_box(const Places& places) {
   using Box = Place_box<typename Places::value_type>;
   return reduce<ConcurrencyTag>(
-      places.size(), Box{places.front(), places.front()},
+      places.size(), Box{places[0], places[0]},
       [&](std::size_t begin, std::size_t end) {
         Box box{places[begin], places[begin]};
         for (std::size_t i = begin + 1; i < end; ++i) box.add(places[i]);

@@ -55,7 +55,7 @@ public:
                   Quality_mesh_report_2& report)
       : state_(state), graph_(std::move(graph)), options_(options), budgets_(budgets), report_(report),
         limit_(budgets.of_refinement(report.trees.has_taken_over)), is_done_(state.edges.size(), 0),
-        first_placed_(state.problem.input_points.end_id()) {}
+        first_placed_(static_cast<Vertex_id>(state.problem.number_of_input_points())) {}
 
   /// `refine(limit)` has refinement go on.
   /// \pre refinement has spent its budget
@@ -95,14 +95,14 @@ private:
   Vertex_id first_placed_;
 
   std::size_t number_inserted() const {
-    return state_.mesh.number_of_vertices() - state_.problem.input_points.size();
+    return state_.mesh.number_of_vertices() - state_.problem.number_of_input_points();
   }
 
   /// The vertices that there are when the budget is spent, for each that is expected.
   double share_taken() const {
     const std::size_t vertices = std::min(limit_.vertices, state_.mesh.number_of_vertices());
     return static_cast<double>(vertices) /
-           (static_cast<double>(state_.problem.input_points.size()) + report_.estimated_triangles);
+           (static_cast<double>(state_.problem.number_of_input_points()) + report_.estimated_triangles);
   }
 
   /// \returns false if quadtrees give no mesh; all is as it was then

@@ -24,6 +24,8 @@ namespace internal {
 template <class Value>
 class Span {
 public:
+  using value_type = Value;
+
   Span(const Value* begin, const Value* end) : begin_(begin), end_(end) {}
   const Value* begin() const { return begin_; }
   const Value* end() const { return end_; }

@@ -90,7 +90,7 @@ private:
   static Indexed_vector<Triangle_id, Block_id> blocks_of_triangles(const Meshing_state<Geometry>& whole,
                                                                    const Blocks& blocks) {
     const Kernel_mesh<Geometry>& mesh = whole.mesh;
-    const Place_keys<Geometry> key(whole.problem.input_points.values());
+    const Place_keys<Geometry> key(whole.problem.input_places());
     const auto key_of = [&](Triangle_id t) { return key(middle_of_shortest_edge(mesh, t)); };
     // Nothing follows on a block without triangles, as none lies between its key and the next one's.
     std::vector<std::uint64_t> first_key(blocks.size());

@@ -9,6 +9,8 @@
 
 #include <CGAL/Quadtree_mesh_2/internal/base/Sparse_values.h>
 #include <CGAL/Quadtree_mesh_2/internal/base/Uninitialized_vector.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/free_memory.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel/group_in_order.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Acute_corners.h>
 #include <CGAL/Quadtree_mesh_2/internal/refinement/Bounds.h>
@@ -21,6 +23,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <type_traits>
 #include <vector>
 
 namespace CGAL {
@@ -30,7 +33,10 @@ namespace internal {
 /// What is the same for the whole mesh and all its blocks.
 template <class Geometry>
 struct Meshing_problem {
-  Uninitialized_indexed_vector<Vertex_id, typename Geometry::Point> input_points; ///< by input number
+  using Point = typename Geometry::Point;
+  using Points = Uninitialized_indexed_vector<Vertex_id, Point>;
+
+  Points input_points;         ///< by input number; none while a mesh lends its own
   Vertex_blocks vertex_blocks; ///< in which a large mesh is refined
   Input_edges edges;
   Kept_edges kept_edges; ///< which of them get no vertices; empty: none
@@ -42,14 +48,44 @@ struct Meshing_problem {
   bool keeps_edges() const { return !kept_edges.empty(); }
   bool is_kept(Edge_id e) const { return keeps_edges() && kept_edges[e].is_valid(); }
 
-  const typename Geometry::Point& input_point(Vertex_id number) const { return input_points[number]; }
+  std::size_t number_of_input_points() const { return lent_ != nullptr ? number_lent_ : input_points.size(); }
+  Span<Point> input_places() const {
+    const Point* const first = lent_ != nullptr ? lent_->data() : input_points.data();
+    return {first, first + number_of_input_points()};
+  }
+  /// Numbers of the machine are copied, as those of a mesh move when it grows.
+  std::conditional_t<std::is_trivially_copyable_v<Point>, Point, const Point&>
+  input_point(Vertex_id number) const {
+    return lent_ != nullptr ? (*lent_)[number] : input_points[number];
+  }
 
-  Vertex_id nearest_input_vertex(const typename Geometry::Point& p) const {
+  /// From now on the points are the first ones of a mesh, which has to keep them there.
+  void borrow_points(const Points& of_mesh, std::size_t number) {
+    free_arrays(input_points);
+    lent_ = &of_mesh, number_lent_ = number;
+  }
+  /// Copies the points if a mesh lends them, which need not keep them any more.
+  void keep_points_apart() {
+    if (lent_ == nullptr) return;
+    input_points.resize(number_lent_);
+    for_each_index<Chosen_tag>(number_lent_, [this](std::size_t i) {
+      const Vertex_id v = static_cast<Vertex_id>(i);
+      input_points[v] = (*lent_)[v];
+    });
+    lent_ = nullptr;
+  }
+  void forget_points() {
+    free_arrays(input_points);
+    lent_ = nullptr;
+  }
+
+  Vertex_id nearest_input_vertex(const Point& p) const {
     const auto distance2 = [&p](const auto& q) { return squared_length(Geometry::scaled_difference(q, p)); };
-    const auto nearest =
-        std::min_element(input_points.begin(), input_points.end(),
-                         [&](const auto& a, const auto& b) { return distance2(a) < distance2(b); });
-    return static_cast<Vertex_id>(nearest - input_points.begin());
+    const Span<Point> places = input_places();
+    const auto nearest = std::min_element(places.begin(), places.end(), [&](const auto& a, const auto& b) {
+      return distance2(a) < distance2(b);
+    });
+    return static_cast<Vertex_id>(nearest - places.begin());
   }
 
   /// Writes or reads what does not follow from the input and the options alone (Checkpoint_file.h).
@@ -62,7 +98,8 @@ struct Meshing_problem {
 
   /// Frees what is as long as the graph, for who needs it no more.
   void forget_graph() {
-    input_points = {}, edges = Input_edges(), outer_of_edge_ = {}, corners = Acute_corners<Geometry>();
+    forget_points();
+    free_arrays(edges, outer_of_edge_, corners);
   }
 
   /// \param outer the triangles outside along the border
@@ -87,14 +124,14 @@ struct Meshing_problem {
   }
 
   /// Whether p, a rounded point of an edge, stays clear of what is outside of the border. The mesh does not know it.
-  bool is_clear_of_outside(Edge_id e, const typename Geometry::Point& p) const {
+  bool is_clear_of_outside(Edge_id e, const Point& p) const {
     if constexpr (Geometry::has_unlimited_coordinates) {
       static_cast<void>(e), static_cast<void>(p); // what is made on an edge lies on it
       return true;
     } else {
       if (!outer_vertex(e).is_valid()) return true;
       const Outer_triangle t = outer_triangle(e);
-      const auto &a = input_point(t.a), &b = input_point(t.b);
+      const auto a = input_point(t.a), b = input_point(t.b);
       return Edge_room<Geometry>(a, b, input_point(t.apex)).has(a, b, p);
     }
   }
@@ -116,6 +153,8 @@ private:
     std::uint32_t bits_ = none;
   };
 
+  const Points* lent_ = nullptr; // by a mesh
+  std::size_t number_lent_ = 0;
   Sparse_values<Edge_id, Outer> outer_of_edge_; // none where it is not at the border, or has nothing beyond
 };
 

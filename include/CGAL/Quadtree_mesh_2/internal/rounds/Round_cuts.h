@@ -127,12 +127,13 @@ public:
 
 private:
   const Meshing_state<Geometry>& whole_;
-  Place_keys<Geometry> key_{whole_.problem.input_points.values()};
+  Place_keys<Geometry> key_{whole_.problem.input_places()};
   Place_keys<Geometry> shifted_key_ = key_.shifted();
 
   /// What vertices of input and edges are cut by.
   auto numbers_in(const Kernel_mesh<Geometry>& mesh) const {
-    return [this, &mesh, end_of_input = whole_.problem.input_points.end_id()](Vertex_id v) {
+    const auto end_of_input = static_cast<Vertex_id>(whole_.problem.number_of_input_points());
+    return [this, &mesh, end_of_input](Vertex_id v) {
       return v < end_of_input ? v : whole_.edges[mesh.edge(v)].a;
     };
   }

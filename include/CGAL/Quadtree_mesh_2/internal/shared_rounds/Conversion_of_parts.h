@@ -70,7 +70,7 @@ public:
     held_.unshare();
     vertices_.collect(input().vertex_markers, input_.order,
                       [this](const auto& p) { return map_.to_user(p); });
-    state_.problem.input_points = {};
+    state_.problem.forget_points(), held_.forget_known_points();
     vertices_.find_numbers();
     vertices_.ask_for_held();
     const std::int64_t used = number_of_own_used_vertices();

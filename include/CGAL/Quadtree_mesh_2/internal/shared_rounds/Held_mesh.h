@@ -44,20 +44,19 @@ template <class Exchange, class Geometry>
 class Held_mesh {
 public:
   using Mesh = Kernel_mesh<Geometry>;
-  using Points = decltype(Mesh::points);
 
-  /// \param mesh the whole mesh at part 0, and empty at others; afterward what is held
+  /// \param mesh the whole mesh at part 0, and empty at others but for what `scatter()` says; afterward what is held
   Held_mesh(Exchange& exchange, Mesh& mesh) : exchange_(exchange), mesh_(mesh) {}
 
   /// Gives each part its triangles, and part 0 the vertices without any. All parts call it.
   /// \param part_of `part_of(mesh, t)` is the part of a triangle that is alive in a mesh; called at part 0
   /// \param for_all vertices of which all parts get the records, as they are now; of part 0
   /// \param most_vertices how many the mesh may get; a hint
-  /// \param known points of the first vertices that all parts know, or null. Part 0 frees those of the mesh then, so
-  ///        `part_of` cannot look at them.
+  /// \param known how many of the first vertices have points that all parts know, as the points of their meshes, and
+  ///        that the meshes keep for those that they do not hold, too
   template <class Part_of>
   void scatter(const Part_of& part_of, const std::vector<Vertex_id>& for_all, std::size_t most_vertices,
-               const Points* known = nullptr) {
+               std::size_t known = 0) {
     Mesh whole = std::exchange(mesh_, Mesh());
     Bytes sizes = bytes_of(Numbers{std::int64_t(whole.number_of_vertices()),
                                    std::int64_t(whole.triangles.size()), whole.region_of.empty() ? 0 : 1});
@@ -72,7 +71,8 @@ public:
     resize(vertices, slots);
     for (const Triangle_id t : whole.dead_triangles()) mesh_.kill(t);
     known_ = known;
-    if (known != nullptr) give_back_values(whole.points, 0, std::min(known->size(), whole.points.size()));
+    for (std::size_t begin = 0; exchange_.rank() != 0 && begin < known_; begin += at_a_time)
+      take_known_points(whole, begin, std::min(known_, begin + at_a_time));
     const Vertex_parts parts = exchange_.rank() == 0 ? vertex_parts(whole, part_of) : Vertex_parts();
     give_common(whole, parts, for_all);
     give_triangles(whole, part_of);
@@ -154,8 +154,15 @@ public:
         [this](std::size_t begin, std::size_t end) { give_back(begin, end); });
     for_each_needless_run<Vertex_id>(
         mesh_.number_of_vertices(), [this](Vertex_id v) { return !has(v); },
-        [this](std::size_t begin, std::size_t end) { give_back_vertices(mesh_, begin, end); });
+        [this](std::size_t begin, std::size_t end) { give_back_vertices(mesh_, begin, end, known_); });
     give_back_free_memory();
+  }
+
+  /// Gives back the points that all parts knew, but for those of vertices that this part has.
+  void forget_known_points() {
+    for_each_needless_run<Vertex_id>(
+        std::exchange(known_, 0), [this](Vertex_id v) { return !has(v); },
+        [this](std::size_t begin, std::size_t end) { give_back_values(mesh_.points, begin, end); });
   }
 
   std::size_t number_held() const { return number_[PRIVATE] + number_shared(); }
@@ -265,7 +272,7 @@ private:
   std::size_t number_[4] = {0, 0, 0, 0};
   std::size_t most_held_ = 0;
   std::vector<Vertex_id> common_;
-  const Points* known_ = nullptr; // points that all parts know
+  std::size_t known_ = 0; // of the first vertices all parts know the points
 
   void set(Triangle_id t, Hold hold) {
     char& now = hold_[t.value()];
@@ -430,9 +437,10 @@ private:
             for (; other != parts.others.end() && other->first == v; ++other)
               to[static_cast<std::size_t>(other->second)].push_back(record(whole, v));
           }
+          take_known_points(whole, begin, std::min(known_, end));
           give_back_vertices(whole, begin, end);
         },
-        [this](const Vertex_record& r) { write_given(r), set_has(r.id); });
+        [this](const Vertex_record& r) { write(r), set_has(r.id); });
   }
 
   /// \param fill puts the records of handles [begin, end) where their parts are; part 0 calls it
@@ -453,9 +461,19 @@ private:
     }
   }
 
-  static void give_back_vertices(Mesh& mesh, std::size_t begin, std::size_t end) {
-    give_back_values(mesh.points, begin, end), give_back_values(mesh.role_of, begin, end);
-    give_back_values(mesh.triangle_of, begin, end), give_back_values(mesh.is_dirty, begin, end);
+  /// Those of [begin, end), of which there may be none, from a mesh that loses them.
+  void take_known_points(Mesh& from, std::size_t begin, std::size_t end) {
+    if (begin >= end) return;
+    std::copy(from.points.data() + begin, from.points.data() + end, mesh_.points.data() + begin);
+    give_back_values(from.points, begin, end);
+  }
+
+  /// \param end_of_kept_points those before it stay
+  static void give_back_vertices(Mesh& mesh, std::size_t begin, std::size_t end,
+                                 std::size_t end_of_kept_points = 0) {
+    give_back_values(mesh.points, std::min(std::max(begin, end_of_kept_points), end), end);
+    give_back_values(mesh.role_of, begin, end), give_back_values(mesh.triangle_of, begin, end);
+    give_back_values(mesh.is_dirty, begin, end);
   }
 
   /// Gives each part the records of some vertices, for which no part vouches, and the names of those it shares with
@@ -480,14 +498,8 @@ private:
       Archive_reader archive(parcel.bytes);
       std::vector<Vertex_record> records;
       archive(records), archive(common_);
-      for (const Vertex_record& r : records) write_given(r);
+      for (const Vertex_record& r : records) write(r);
     }
-  }
-
-  /// Records do not contain known points.
-  void write_given(Vertex_record r) {
-    if (known_ != nullptr && r.id < known_->end_id()) r.point = (*known_)[r.id];
-    write(r);
   }
 };
 

@@ -81,9 +81,24 @@ struct Rounds_job {
 
   template <class Archive>
   void transfer(Archive& archive) {
-    archive(state.problem.input_points, state.problem.vertex_blocks, state.problem, finishing, vertex_budget,
-            is_tail_wanted);
+    transfer_input_points(archive);
+    archive(state.problem.vertex_blocks, state.problem, finishing, vertex_budget, is_tail_wanted);
     archive(state.leg_rule, state.refinement_rule, state.bulk, state.has_placed_vertices);
+  }
+
+private:
+  template <class Archive>
+  void transfer_input_points(Archive& archive) {
+    auto& problem = state.problem;
+    std::uint64_t number = problem.number_of_input_points();
+    archive(number);
+    const std::size_t bytes = static_cast<std::size_t>(number) * sizeof(typename Geometry::Point);
+    if constexpr (Archive::is_reading) {
+      problem.input_points.resize(static_cast<std::size_t>(number));
+      archive.transfer_bytes(problem.input_points.data(), bytes);
+    } else {
+      archive.transfer_bytes(problem.input_places().begin(), bytes);
+    }
   }
 };
 

@@ -204,8 +204,11 @@ private:
       const Block_id b = cuts_.block_of(cut, mesh, t);
       return b.is_valid() ? part_of_block[b] : static_cast<int>(t.value() * parts / mesh.triangles.size());
     };
+    const std::size_t known = whole_.problem.number_of_input_points();
+    if (exchange_.rank() != 0) whole_.mesh.points = std::move(whole_.problem.input_points);
+    whole_.problem.borrow_points(whole_.mesh.points, known);
     held_.scatter(part_of, exchange_.rank() == 0 ? corners_.vertices() : std::vector<Vertex_id>(),
-                  vertex_budget_, cuts_.is_first_by_vertices() ? &whole_.problem.input_points : nullptr);
+                  vertex_budget_, known);
     work.own = cuts_.blocks_between(cut, work.begin, end, whole_.mesh,
                                     [this](Triangle_id t) { return held_.is_private(t); });
     return work;
