@@ -31,7 +31,6 @@
 #include <CGAL/Quality_mesh_options_2.h>
 #include <CGAL/Quality_mesh_report_2.h>
 
-#include <array>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -92,8 +91,9 @@ private:
   const Input_words<Point_2>& words_;
   Kernel_mesh<Geometry>& mesh_;
   Meshing_problem<Geometry>& problem_;
-  std::vector<std::array<Vertex_id, 2>> segments_; // until they are in the first triangulation
-  Input_edge_list edges_, repeated_edges_;         // as the first triangulation found them
+  std::vector<Segment_ends> segments_; // until they are in the first triangulation
+  Edges_of_segments edges_;            // as the first triangulation found them
+  Input_edge_list repeated_edges_;     // the same
 
   void triangulate(Quality_mesh_report_2& report) {
     First first(mesh_, std::move(problem_.vertex_blocks));

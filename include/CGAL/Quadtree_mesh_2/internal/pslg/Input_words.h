@@ -92,11 +92,8 @@ public:
   }
 
   /// For two input edges that cross.
-  Pslg_crossing_error_2 crossing(const Input_edge_list& edges, const Crossing& crossing) const {
-    const auto is_crossed = [&](const Input_edge& e) {
-      return (e.a == crossing.a && e.b == crossing.b) || (e.a == crossing.b && e.b == crossing.a);
-    };
-    const Segment_index other = std::find_if(edges.begin(), edges.end(), is_crossed)->segment;
+  Pslg_crossing_error_2 crossing(const Edges_of_segments& edges, const Crossing& crossing) const {
+    const Segment_index other = edges.find(crossing.a, crossing.b);
     return Pslg_crossing_error_2(segment(crossing.segment) + " crosses " + segment(other),
                                  {crossing.segment, other});
   }

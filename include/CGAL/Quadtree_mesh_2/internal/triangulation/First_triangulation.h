@@ -38,7 +38,6 @@
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/walk.h>
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <functional>
 #include <optional>
@@ -54,7 +53,7 @@ class First_triangulation {
 public:
   using Mesh = Kernel_mesh<Geometry>;
   using Point = typename Geometry::Point;
-  using Segment = std::array<Vertex_id, 2>;
+  using Segment = Segment_ends;
   static constexpr std::size_t number_of_auxiliary_vertices = 3;
 
   /// Room for so many vertices, the auxiliary ones, and those at which acute corners will be cut.
@@ -83,9 +82,10 @@ public:
 
   /// Triangulates all vertices and makes the segments chains of constrained edges.
   /// \returns a crossing of two segments, if there is one; the triangulation is then of no use.
-  std::optional<Crossing> run(const std::vector<Segment>& segments) {
+  std::optional<Crossing> run(std::vector<Segment> segments) {
+    edges_.segments = std::move(segments);
     if (vertex_blocks_.size() >= 2) {
-      const auto crossing = run_in_blocks(segments);
+      const auto crossing = run_in_blocks();
       if (!crossing) Canonical_flipper<ConcurrencyTag, Geometry>(mesh_).run();
       return crossing;
     }
@@ -93,8 +93,10 @@ public:
     settle_repeated();
     Segment_inserter<Geometry> inserter(mesh_);
     const auto crossing = catch_crossing([&] {
-      for (std::size_t s = 0; s < segments.size(); ++s)
-        inserter.insert(representative(segments[s][0]), representative(segments[s][1]), Segment_index(s));
+      for (std::size_t s = 0; s < edges_.segments.size(); ++s) {
+        Segment& ends = edges_.segments[s];
+        inserter.insert_whole(representative(ends[0]), representative(ends[1]), Segment_index(s), ends);
+      }
     });
     add({inserter.take()});
     return crossing;
@@ -115,8 +117,8 @@ public:
         std::plus<>());
   }
   std::size_t number_of_vertices_on_segments() const { return vertices_on_segments_; }
-  const Input_edge_list& edges() const { return edges_; }
-  Input_edge_list take_edges() { return std::move(edges_); }
+  const Edges_of_segments& edges() const { return edges_; }
+  Edges_of_segments take_edges() { return std::move(edges_); }
   Input_edge_list take_repeated_edges() { return std::move(repeated_edges_); }
   Vertex_blocks take_vertex_blocks() { return std::move(vertex_blocks_); }
   /// Edges of segments that overlap others, for each segment but the one in `edges()`.
@@ -149,7 +151,8 @@ private:
   Vertex_blocks vertex_blocks_;
   Indexed_vector<Vertex_id, Vertex_id> representative_;
   bool is_any_repeated_ = false;
-  Input_edge_list edges_, repeated_edges_;
+  Edges_of_segments edges_; // until they are made, all segments have ends
+  Input_edge_list repeated_edges_;
   std::size_t vertices_on_segments_ = 0;
   std::size_t step_ =
       1; // of a round in blocks: the vertices with multiples of it as numbers are inserted then
@@ -259,7 +262,8 @@ private:
 
   void add(const std::vector<Segments_made>& made) {
     using Edges = std::vector<Input_edge>;
-    append_all<ConcurrencyTag>(edges_, made, [](const Segments_made& m) -> const Edges& { return m.edges; });
+    append_all<ConcurrencyTag>(edges_.others, made,
+                               [](const Segments_made& m) -> const Edges& { return m.edges; });
     append_all<ConcurrencyTag>(repeated_edges_, made,
                                [](const Segments_made& m) -> const Edges& { return m.repeated_edges; });
     for (const Segments_made& m : made) vertices_on_segments_ += m.vertices_on_segments;
@@ -267,12 +271,12 @@ private:
 
   // ---- in blocks
 
-  std::optional<Crossing> run_in_blocks(const std::vector<Segment>& segments) {
+  std::optional<Crossing> run_in_blocks() {
     coarse_triangle_.resize(representative_.size());
     step_ = first_step_in_blocks();
     insert_every(step_ * growth_of_rounds);
-    for (; step_ > 1; step_ /= growth_of_rounds) insert_round_in_blocks(blocks_of_round(step_), {});
-    const auto crossing = insert_round_in_blocks(vertex_blocks_, segments);
+    for (; step_ > 1; step_ /= growth_of_rounds) insert_round_in_blocks(blocks_of_round(step_));
+    const auto crossing = insert_round_in_blocks(vertex_blocks_);
     coarse_triangle_ = {};
     return crossing;
   }
@@ -288,11 +292,10 @@ private:
     return vertex_blocks_.put_together(vertex_blocks_.largest() * step / part_of_early_block);
   }
 
-  /// Inserts the vertices of the round, and segments, in which case it is the last round.
-  std::optional<Crossing> insert_round_in_blocks(const Vertex_blocks& vertex_blocks,
-                                                 const std::vector<Segment>& segments) {
+  /// Inserts the vertices of the round, and segments in the last one.
+  std::optional<Crossing> insert_round_in_blocks(const Vertex_blocks& vertex_blocks) {
     locate_vertices();
-    const Works works = work_in_blocks(vertex_blocks, segments);
+    const Works works = work_in_blocks(vertex_blocks);
     add(segments_made_);
     segments_made_.clear();
     if (const auto crossing = first_crossing(works)) return crossing;
@@ -302,20 +305,20 @@ private:
   }
 
   /// Does what blocks can do, and puts them back unless segments cross.
-  Works work_in_blocks(const Vertex_blocks& vertex_blocks, const std::vector<Segment>& segments) {
+  Works work_in_blocks(const Vertex_blocks& vertex_blocks) {
     Block_assignment assignment;
     Blocks blocks(mesh_, assignment,
                   cut_by_vertices<ConcurrencyTag>(mesh_, vertex_blocks, [](Vertex_id v) { return v; }));
     Works works(blocks.size());
     auto vertices = vertices_by_block(blocks);
-    auto segments_of = segments_by_block(blocks, segments);
+    auto segments_of = segments_by_block(blocks);
     segments_made_.resize(blocks.size());
     blocks.for_each(
         [&](Block& block) {
           Block_work& work = works[block.id()];
           const std::size_t b = block.id().value();
           insert_vertices(block, blocks, vertices[b], assignment, work);
-          insert_segments(block, blocks, segments, segments_of[b], assignment, work);
+          insert_segments(block, blocks, segments_of[b], assignment, work);
           vertices.give_back(b), segments_of.give_back(b); // memory is fullest at the last block
         },
         [](const Block&) {});
@@ -371,11 +374,11 @@ private:
     return groups;
   }
 
-  /// The segments by the block of their first vertex.
-  Groups<Segment_index> segments_by_block(const Blocks& blocks, const std::vector<Segment>& segments) const {
+  /// The segments that are inserted in this round, by the block of their first vertex.
+  Groups<Segment_index> segments_by_block(const Blocks& blocks) const {
     return group_in_order<ConcurrencyTag, Segment_index>(
-        segments.size(), blocks.size(),
-        [&](std::size_t s) -> std::size_t { return block_of(blocks, segments[s][0]).value(); });
+        step_ > 1 ? 0 : edges_.segments.size(), blocks.size(),
+        [&](std::size_t s) -> std::size_t { return block_of(blocks, edges_.segments[s][0]).value(); });
   }
 
   /// \param assignment gets the handles of the vertices in the block
@@ -410,20 +413,21 @@ private:
     return is_coarse(stands) ? block.vertex_in_block(stands) : assignment.vertex_in_block(stands);
   }
 
-  void insert_segments(Block& block, const Blocks& blocks, const std::vector<Segment>& segments,
-                       Span<Segment_index> of_block, Block_assignment& assignment, Block_work& work) {
+  void insert_segments(Block& block, const Blocks& blocks, Span<Segment_index> of_block,
+                       Block_assignment& assignment, Block_work& work) {
     Segment_inserter<Geometry> inserter(block.mesh);
-    inserter.reserve(of_block.size());
     work.crossing = catch_crossing([&] {
       for (const Segment_index s : of_block) {
-        const auto [from, to] = segments[s.value()];
+        Segment& ends = edges_.segments[s.value()];
+        const auto [from, to] = ends;
         const Vertex_id a = find_in_block(block, blocks, assignment, from),
                         b = find_in_block(block, blocks, assignment, to);
         if (!a.is_valid() || !b.is_valid()) {
           work.segments_left.push_back({from, to, s});
+          ends = {};
           continue;
         }
-        const auto rest = inserter.insert(a, b, s);
+        const auto rest = inserter.insert_whole(a, b, s, ends);
         if (!rest.is_empty())
           work.segments_left.push_back(
               {block.mesh.input_number(rest.from), block.mesh.input_number(rest.to), s});
@@ -467,7 +471,8 @@ private:
   }
 
   void split_edge(Vertex_id a, Vertex_id b, Vertex_id v) {
-    for (auto* edges : {&edges_, &repeated_edges_}) {
+    edges_.list_between(a, b);
+    for (auto* edges : {&edges_.others, &repeated_edges_}) {
       const std::size_t count = edges->size();
       for (std::size_t i = 0; i < count; ++i) {
         Input_edge e = (*edges)[i];

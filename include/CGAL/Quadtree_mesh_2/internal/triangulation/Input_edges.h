@@ -83,7 +83,12 @@ public:
 
   /// Edges get their handles in the order of their lesser vertex, `a` from now on, and then of the other.
   Input_edges(const Input_edge_list& edges, std::size_t number_of_vertices) {
-    name_edges(edges, number_of_vertices);
+    name_edges(number_of_vertices, [&edges](const auto& f) {
+      for_each_index<Chosen_tag>(edges.size(), [&](std::size_t i) { f(edges[i]); });
+    });
+  }
+  Input_edges(const Edges_of_segments& edges, std::size_t number_of_vertices) {
+    name_edges(number_of_vertices, [&edges](const auto& f) { edges.for_each(f); });
   }
 
   /// Lists the edges by vertex, as `at()` needs it. O(n) time and memory; nothing if they are listed.
@@ -170,13 +175,14 @@ private:
     });
   }
 
-  void name_edges(const Input_edge_list& edges, std::size_t number_of_vertices) {
+  /// \param for_each calls a function for each edge
+  template <class For_each>
+  void name_edges(std::size_t number_of_vertices, const For_each& for_each) {
     Run_counters at(number_of_vertices);
     const auto lesser = [](const Input_edge& e) { return std::size_t(std::min(e.a, e.b)); };
-    for_each_index<Chosen_tag>(edges.size(), [&](std::size_t i) { at.count(lesser(edges[i])); });
+    for_each([&](const Input_edge& e) { at.count(lesser(e)); });
     edges_.resize(at.begin_placing());
-    for_each_index<Chosen_tag>(edges.size(), [&](std::size_t i) {
-      const Input_edge& e = edges[i];
+    for_each([&](const Input_edge& e) {
       edges_[Edge_id(at.place(lesser(e)))] = {std::min(e.a, e.b), std::max(e.a, e.b), e.segment};
     });
     first_ = firsts(at);

@@ -15,6 +15,8 @@
 #define CGAL_QUADTREE_MESH_2_INTERNAL_TRIANGULATION_SEGMENT_INSERTER_H
 
 #include <CGAL/Quadtree_mesh_2/Index.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/Uninitialized_vector.h>
+#include <CGAL/Quadtree_mesh_2/internal/parallel/parallel.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Kernel_mesh.h>
 
 #include <array>
@@ -33,6 +35,42 @@ struct Input_edge {
   Segment_index segment;
 };
 using Input_edge_list = Uninitialized_vector<Input_edge>;
+/// The vertices at its ends.
+using Segment_ends = std::array<Vertex_id, 2>;
+
+/// The edges of the segments of a graph. Most segments are one edge each, and take no more room than they did.
+struct Edges_of_segments {
+  std::vector<Segment_ends> segments; ///< of those that are one edge; none for others
+  Input_edge_list others;             ///< the edges of these
+
+  /// Calls `f(edge)` for all, in parallel.
+  template <class Function>
+  void for_each(const Function& f) const {
+    for_each_index<Chosen_tag>(segments.size(), [&](std::size_t s) {
+      if (segments[s][0].is_valid()) f(Input_edge{segments[s][0], segments[s][1], Segment_index(s)});
+    });
+    for_each_index<Chosen_tag>(others.size(), [&](std::size_t i) { f(others[i]); });
+  }
+
+  /// A segment with an edge between two vertices. O(n)
+  /// \pre there is one
+  Segment_index find(Vertex_id a, Vertex_id b) const {
+    for (std::size_t s = 0; s < segments.size(); ++s)
+      if (segments[s] == Segment_ends{a, b} || segments[s] == Segment_ends{b, a}) return Segment_index(s);
+    for (const Input_edge& e : others)
+      if ((e.a == a && e.b == b) || (e.a == b && e.b == a)) return e.segment;
+    return {};
+  }
+
+  /// Lists those between two vertices with the others. O(n)
+  void list_between(Vertex_id a, Vertex_id b) {
+    for (std::size_t s = 0; s < segments.size(); ++s) {
+      if (segments[s] != Segment_ends{a, b} && segments[s] != Segment_ends{b, a}) continue;
+      others.push_back({segments[s][0], segments[s][1], Segment_index(s)});
+      segments[s] = {};
+    }
+  }
+};
 
 /// Two segments that cross; what the first triangulation cannot make.
 struct Crossing {
@@ -54,9 +92,6 @@ public:
 
   explicit Segment_inserter(Mesh& mesh) : mesh_(mesh) {}
 
-  /// Makes room for so many edges.
-  void reserve(std::size_t edges) { result_.edges.reserve(edges); }
-
   /// What is not made of a segment: nothing if both ends are one.
   struct Rest {
     Vertex_id from, to;
@@ -71,6 +106,19 @@ public:
     Rest rest{a, b};
     while (!rest.is_empty())
       if (!shorten(rest, segment)) break;
+    return rest;
+  }
+
+  /// The same for a whole segment. If it becomes one edge, this is not listed, and the segment's ends are its ends from
+  /// now on; else it has none.
+  Rest insert_whole(Vertex_id a, Vertex_id b, Segment_index segment, Segment_ends& ends) {
+    const std::size_t edges = result_.edges.size(), repeated = result_.repeated_edges.size();
+    const Rest rest = insert(a, b, segment);
+    ends = {};
+    if (!rest.is_empty() || result_.edges.size() != edges + 1 || result_.repeated_edges.size() != repeated)
+      return rest;
+    ends = {result_.edges.back().a, result_.edges.back().b};
+    result_.edges.pop_back();
     return rest;
   }
 
