@@ -39,7 +39,7 @@ case $sanitize in
   *) fail "--sanitize knows address, undefined, address,undefined and thread, not '$sanitize'" ;;
 esac
 
-packages=("${build_packages[@]}" ninja-build libgdal-dev catch2 python3-gmsh python3-h5py python3-meshio)
+packages=("${build_packages[@]}" ninja-build lld libgdal-dev catch2 python3-gmsh python3-h5py python3-meshio)
 # The Python package: what is missing is left out of build and tests, which CMake says.
 [[ -n $sanitize ]] || packages+=(pybind11-dev python3-dev python3-pytest python3-numpy python3-shapely
   python3-geopandas python3-matplotlib)

@@ -87,16 +87,17 @@ struct Numbered {
   std::vector<Exchange_traffic> traffic;
 };
 
+/// \param at_a_time how many vertices of a part are on their way at once
 template <class Point>
-Numbered numbers_by_parts(const Vertices<Point>& vertices, const Dealt& owned) {
+Numbered numbers_by_parts(const Vertices<Point>& vertices, const Dealt& owned, std::size_t at_a_time) {
   Numbered result{std::vector<std::int64_t>(vertices.size(), -1), {}};
   std::vector<int> is_complete(owned.size(), 0);
   result.traffic = In_memory_exchange::run(static_cast<int>(owned.size()), [&](In_memory_exchange& exchange) {
     const auto part = static_cast<std::size_t>(exchange.rank());
     Vertices<Point> own;
     for (const std::size_t i : owned[part]) own.push_back(vertices[i]);
-    const std::vector<std::int64_t> numbers =
-        numbers_by_place<Point>(exchange, own.size(), [&own](std::size_t i) { return own[i]; });
+    const std::vector<std::int64_t> numbers = numbers_by_place<Point>(
+        exchange, own.size(), [&own](std::size_t i) { return own[i]; }, at_a_time);
     is_complete[part] = numbers.size() == own.size();
     if (is_complete[part] != 0)
       for (std::size_t k = 0; k < own.size(); ++k) result.numbers[owned[part][k]] = numbers[k];
@@ -108,8 +109,10 @@ Numbered numbers_by_parts(const Vertices<Point>& vertices, const Dealt& owned) {
 template <class Point>
 void check_same(const std::vector<Point>& points, int parts, Owners owners) {
   for (const std::size_t inputs : {std::size_t(0), points.size() / 3, points.size()}) {
-    CAPTURE(inputs);
-    CHECK(numbers_by_parts(vertices_at(points, inputs), dealt(points.size(), parts, owners)).numbers ==
+    const std::size_t at_a_time = 1 + points.size() / (1 + inputs % 7);
+    CAPTURE(inputs, at_a_time);
+    const Dealt owned = dealt(points.size(), parts, owners);
+    CHECK(numbers_by_parts(vertices_at(points, inputs), owned, at_a_time).numbers ==
           numbers_in_one_mesh(points, inputs));
   }
 }
@@ -221,7 +224,7 @@ TEST_CASE("parts number about as many vertices each", "[distributed][renumber]")
   auto points = uniform<Point_2>(n, 3);
   std::sort(points.begin(), points.end()); // so that parts may have strips
   const auto check_balance = [&](const Dealt& owned) {
-    const auto numbered = numbers_by_parts(vertices_at(points, n / 2), owned);
+    const auto numbered = numbers_by_parts(vertices_at(points, n / 2), owned, n);
     const std::size_t most_numbered = n / owned.size() + n / 64;
     for (std::size_t part = 0; part < owned.size(); ++part) {
       CAPTURE(owned.size(), part);

@@ -12,8 +12,8 @@
 // Bound:    O(k + m log P) time for k vertices that a part has and m that it numbers, and comparisons of those that
 //           share a square of 2^-62 times the whole. m is not much more than n / P + n / 64 of n vertices
 //           (agree_on_order.h). With doubles a vertex takes 24 bytes to the part that numbers it, and 8 back. Memory
-//           beside what is given, in bytes: 28 k + 24 m while vertices are sent, 4 k + 32 m while they are merged, and
-//           before that 22 k for the sort, or 44 k where most agree in their first digits.
+//           beside what is given, in bytes: 4 k + 24 m while vertices are sent, some at a time, 4 k + 32 m while they
+//           are merged, and before that 22 k for the sort, or 44 k where most agree in their first digits.
 // Source:   Shi, Schaeffer, "Parallel sorting by regular sampling", JPDC 1992; the shuffle order of Bern, Eppstein,
 //           Teng (grid/morton.h).
 // Deviates: each part sorts by digits. Runs are merged without being stored: as each is in order, so are the numbers
@@ -23,6 +23,7 @@
 #define CGAL_QUADTREE_MESH_2_INTERNAL_DISTRIBUTED_PLACE_NUMBERS_H
 
 #include <CGAL/Quadtree_mesh_2/Grid_point_2.h>
+#include <CGAL/Quadtree_mesh_2/internal/base/free_memory.h>
 #include <CGAL/Quadtree_mesh_2/internal/distributed/Mesh_archive.h>
 #include <CGAL/Quadtree_mesh_2/internal/distributed/Parcel.h>
 #include <CGAL/Quadtree_mesh_2/internal/distributed/agree_on_error.h>
@@ -34,6 +35,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <iterator>
+#include <map>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -76,7 +79,7 @@ struct Ranked_place {
   }
 };
 
-/// Merges runs of vertices in order, one of each sender.
+/// Merges runs of vertices, each of which is in order.
 template <class Point>
 class Place_merger {
 public:
@@ -138,20 +141,20 @@ template <class Exchange, class Point, class Vertex_at>
 class Place_numberer {
 public:
   /// \param vertex_at the vertices of this part, by index
-  Place_numberer(Exchange& exchange, std::size_t size, const Vertex_at& vertex_at)
-      : exchange_(exchange), size_(size), vertex_at_(vertex_at), grid_(agree_on_box(exchange, box_of_own())) {
-  }
+  /// \param at_a_time how many vertices of a part are on their way at once
+  Place_numberer(Exchange& exchange, std::size_t size, const Vertex_at& vertex_at, std::size_t at_a_time)
+      : exchange_(exchange), size_(size), vertex_at_(vertex_at), at_a_time_(at_a_time),
+        grid_(agree_on_box(exchange, box_of_own())) {}
 
   std::vector<std::int64_t> numbers() {
-    Parcels runs = vertices_to_send();
-    Parcels inbox = exchange_.exchange(std::move(runs));
+    Parcels runs = exchanged_runs(cuts_of_sorted());
     std::size_t bytes = 0;
-    for (const Parcel& parcel : inbox) bytes += parcel.bytes.size();
+    for (const Parcel& run : runs) bytes += run.bytes.size();
     const std::int64_t first =
         exchange_.exclusive_scan(static_cast<std::int64_t>(bytes / sizeof(Ranked_place<Point>)));
     Parcels outbox;
-    agree_on_work(exchange_, [&] { outbox = numbers_to_send(std::move(inbox), first); });
-    inbox = exchange_.exchange(std::move(outbox));
+    agree_on_work(exchange_, [&] { outbox = numbers_to_send(std::move(runs), first); });
+    const Parcels inbox = exchange_.exchange(std::move(outbox));
     std::vector<std::int64_t> result;
     agree_on_work(exchange_, [&] { result = in_order_given(inbox); });
     return result;
@@ -167,8 +170,8 @@ private:
     return box;
   }
 
-  /// Sorts the vertices. \returns the run of each part
-  Parcels vertices_to_send() {
+  /// Sorts the vertices. \returns where the run of each part ends
+  std::vector<std::size_t> cuts_of_sorted() {
     const auto square_at = [this](std::size_t i) { return vertex(i).square(grid_); };
     const auto less = [this](std::size_t i, std::size_t j) {
       return vertex(i).is_before_in_square(vertex(j));
@@ -178,12 +181,27 @@ private:
     const std::vector<std::size_t> cuts =
         sampled_cuts(exchange_, size_, [&sorted](std::size_t i) { return sorted.keys[i]; });
     order_ = std::move(sorted.order);
-    sorted = {};
+    return cuts;
+  }
+
+  /// Sends each part its run, piece by piece. \returns the pieces that this part gets, those of a sender in its order
+  Parcels exchanged_runs(const std::vector<std::size_t>& cuts) {
+    const auto longest = static_cast<std::size_t>(exchange_.max(static_cast<std::int64_t>(size_)));
+    const std::size_t pieces = (longest + at_a_time_ - 1) / at_a_time_;
     Parcels runs;
-    agree_on_work(exchange_, [&] {
-      for (std::size_t part = 0, begin = 0; part < cuts.size(); begin = cuts[part++])
-        if (begin < cuts[part]) runs.push_back({static_cast<int>(part), bytes_of_run(begin, cuts[part])});
-    });
+    for (std::size_t piece = 0; piece < pieces; ++piece) {
+      Parcels outbox;
+      agree_on_work(exchange_, [&] {
+        for (std::size_t part = 0, begin = 0; part < cuts.size(); begin = cuts[part++]) {
+          const std::size_t length = cuts[part] - begin;
+          const std::size_t from = begin + length * piece / pieces,
+                            to = begin + length * (piece + 1) / pieces;
+          if (from < to) outbox.push_back({static_cast<int>(part), bytes_of_run(from, to)});
+        }
+      });
+      Parcels inbox = exchange_.exchange(std::move(outbox));
+      std::move(inbox.begin(), inbox.end(), std::back_inserter(runs));
+    }
     return runs;
   }
 
@@ -200,17 +218,30 @@ private:
 
   /// The numbers of the vertices of each sender, in the order in which it sent them.
   Parcels numbers_to_send(Parcels runs, std::int64_t first) const {
-    Parcels numbers;
-    for (const Parcel& run : runs) {
-      numbers.push_back({run.part, Bytes()});
-      numbers.back().bytes.reserve(run.bytes.size() / sizeof(Ranked_place<Point>) * sizeof first);
+    std::vector<Bytes> numbers(runs.size());
+    std::map<int, std::size_t> size_for_sender;
+    for (std::size_t run = 0; run < runs.size(); ++run) {
+      const std::size_t size = runs[run].bytes.size() / sizeof(Ranked_place<Point>) * sizeof first;
+      numbers[run].reserve(size), size_for_sender[runs[run].part] += size;
     }
     Place_merger<Point>(grid_, runs).for_each([&](std::size_t run) {
       const char* const bytes = reinterpret_cast<const char*>(&first);
-      numbers[run].bytes.insert(numbers[run].bytes.end(), bytes, bytes + sizeof first);
+      numbers[run].insert(numbers[run].end(), bytes, bytes + sizeof first);
       ++first;
     });
-    return numbers;
+    for (Parcel& run : runs) free_arrays(run.bytes);
+    Parcels outbox;
+    for (const auto& [part, size] : size_for_sender) {
+      outbox.push_back({part, Bytes()});
+      Bytes& all = outbox.back().bytes;
+      all.reserve(size);
+      for (std::size_t run = 0; run < runs.size(); ++run) {
+        if (runs[run].part != part) continue;
+        all.insert(all.end(), numbers[run].begin(), numbers[run].end());
+        free_arrays(numbers[run]);
+      }
+    }
+    return outbox;
   }
 
   /// \param numbers of the vertices as they were sent: those of lower parts come before in the order of places
@@ -226,6 +257,7 @@ private:
   Exchange& exchange_;
   std::size_t size_; // how many vertices this part has
   const Vertex_at& vertex_at_;
+  const std::size_t at_a_time_;
   const Place_grid grid_;
   Order order_; // of own vertices by places
 };
@@ -235,10 +267,12 @@ private:
 /// which those with no input index are in the order of their handles. All parts call it.
 /// \param size how many vertices this part gives
 /// \param vertex_at the `Placed_vertex<Point>` of an index below that; called more than once
+/// \param at_a_time how many vertices of a part are on their way at once
 /// \pre each vertex is given by one part only, and this part gives less than 2^32
 template <class Point, class Exchange, class Vertex_at>
-std::vector<std::int64_t> numbers_by_place(Exchange& exchange, std::size_t size, const Vertex_at& vertex_at) {
-  return Place_numberer<Exchange, Point, Vertex_at>(exchange, size, vertex_at).numbers();
+std::vector<std::int64_t> numbers_by_place(Exchange& exchange, std::size_t size, const Vertex_at& vertex_at,
+                                           std::size_t at_a_time = std::size_t(1) << 16) {
+  return Place_numberer<Exchange, Point, Vertex_at>(exchange, size, vertex_at, at_a_time).numbers();
 }
 
 } // namespace internal

@@ -8,15 +8,15 @@
 //
 // Computes: for each of this part's keys, how many keys of all parts are less. Keys are distinct, and their upper 32
 //           bits are numbers from 0 on, of which all are about as frequent: numbers of vertices in the order of places.
-// Bound:    O(k) time and 24 bytes for each of k keys of a part. A key is sent once, to the part of its upper bits, and
-//           4 bytes come back.
-// Source:   sorting by buckets; there is nothing to sample, as numbers are spread evenly.
+// Bound:    O(k + m) time for k keys that a part has and m that it gets, and 4 bytes for each key, beside what a pass
+//           takes: some 40 for the keys in it. A key is sent once, to the part of its upper bits, and 4 bytes come back.
+// Method:   sorting by buckets, some on each part, a pass for one bucket of each; there is nothing to sample, as numbers
+//           are spread evenly.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_SHARED_ROUNDS_KEY_RANKER_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_SHARED_ROUNDS_KEY_RANKER_H
 
 #include <CGAL/Quadtree_mesh_2/internal/base/Uninitialized_vector.h>
-#include <CGAL/Quadtree_mesh_2/internal/base/free_memory.h>
 #include <CGAL/Quadtree_mesh_2/internal/distributed/Parcel.h>
 #include <CGAL/Quadtree_mesh_2/internal/parallel/sort_by_keys.h>
 
@@ -36,72 +36,78 @@ template <class Exchange>
 class Key_ranker {
 public:
   /// \param range upper bits are below this
-  Key_ranker(Exchange& exchange, std::uint64_t range) : exchange_(exchange), range_(range) {}
+  /// \param at_a_time about how many keys of a part are in a pass, if there are not many more
+  Key_ranker(Exchange& exchange, std::uint64_t range, std::size_t at_a_time = std::size_t(1) << 16)
+      : exchange_(exchange), range_(range), at_a_time_(at_a_time) {}
 
   Key_positions positions_of(const Uninitialized_vector<std::uint64_t>& own) {
-    receive(own);
-    const Records_of_parts<std::uint32_t> found = exchange_records(exchange_, sorted());
+    const auto most = static_cast<std::size_t>(exchange_.max(static_cast<std::int64_t>(own.size())));
+    buckets_of_part_ = std::min((most + at_a_time_ - 1) / at_a_time_, most_passes);
     Key_positions positions(own.size());
-    std::vector<std::size_t> next(static_cast<std::size_t>(exchange_.size()), 0);
-    for (std::size_t i = 0; i < own.size(); ++i) {
-      const int part = part_of(own[i]);
-      positions[i] = found.at(part)[next[static_cast<std::size_t>(part)]++];
-    }
+    std::uint32_t received = 0;
+    for (std::size_t pass = 0; pass < buckets_of_part_; ++pass) rank(own, pass, received, positions);
+    std::vector<std::uint32_t> first_of_part{0};
+    for (const std::int64_t n : exchange_.gather({static_cast<std::int64_t>(received)}))
+      first_of_part.push_back(first_of_part.back() + static_cast<std::uint32_t>(n));
+    for (std::size_t i = 0; i < own.size(); ++i)
+      positions[i] += first_of_part[bucket_of(own[i]) / buckets_of_part_];
     return positions;
   }
 
 private:
-  /// How many keys are on their way at a time.
-  static constexpr std::size_t at_a_time = std::size_t(1) << 16;
+  using Keys = Records_of_parts<std::uint64_t>;
+  using Positions = Records_of_parts<std::uint32_t>;
+
+  /// Each looks at all keys.
+  static constexpr std::size_t most_passes = 16;
 
   Exchange& exchange_;
   std::uint64_t range_;
-  std::vector<Uninitialized_vector<std::uint64_t>> received_; // by sender
+  std::size_t at_a_time_, buckets_of_part_ = 1;
 
-  int part_of(std::uint64_t key) const {
-    return static_cast<int>((key >> 32) * static_cast<std::uint64_t>(exchange_.size()) / range_);
+  std::size_t bucket_of(std::uint64_t key) const {
+    const std::uint64_t buckets = static_cast<std::uint64_t>(exchange_.size()) * buckets_of_part_;
+    return static_cast<std::size_t>((key >> 32) * buckets / range_);
   }
 
-  void receive(const Uninitialized_vector<std::uint64_t>& own) {
-    received_.resize(static_cast<std::size_t>(exchange_.size()));
-    const auto end = static_cast<std::size_t>(exchange_.max(static_cast<std::int64_t>(own.size())));
-    for (std::size_t begin = 0; begin < end; begin += at_a_time) {
-      Records_of_parts<std::uint64_t> outbox;
-      for (std::size_t i = begin; i < std::min(own.size(), begin + at_a_time); ++i)
-        outbox[part_of(own[i])].push_back(own[i]);
-      for (const auto& [part, keys] : exchange_records(exchange_, std::move(outbox))) {
-        auto& of_part = received_[static_cast<std::size_t>(part)];
-        of_part.insert(of_part.end(), keys.begin(), keys.end());
-      }
-    }
+  /// Finds where the keys of a pass are among those that their part has received up to then.
+  /// \param received how many this part has received before; becomes more
+  void rank(const Uninitialized_vector<std::uint64_t>& own, std::size_t pass, std::uint32_t& received,
+            Key_positions& positions) {
+    const auto for_each_in_pass = [&](const auto& f) {
+      for (std::size_t i = 0; i < own.size(); ++i)
+        if (const std::size_t bucket = bucket_of(own[i]); bucket % buckets_of_part_ == pass)
+          f(i, static_cast<int>(bucket / buckets_of_part_));
+    };
+    Keys outbox;
+    for_each_in_pass([&](std::size_t i, int part) { outbox[part].push_back(own[i]); });
+    const Keys inbox = exchange_records(exchange_, std::move(outbox));
+    const Positions found = exchange_records(exchange_, positions_in(inbox, received));
+    for (const auto& [sender, keys] : inbox) received += static_cast<std::uint32_t>(keys.size());
+    std::vector<std::size_t> next(static_cast<std::size_t>(exchange_.size()), 0);
+    for_each_in_pass([&](std::size_t i, int part) {
+      positions[i] = found.at(part)[next[static_cast<std::size_t>(part)]++];
+    });
   }
 
-  /// The positions of what has been received, for the senders.
-  Records_of_parts<std::uint32_t> sorted() {
+  /// The positions of keys in their order, the first of which has the position `begin`, by sender.
+  static Positions positions_in(const Keys& keys, std::uint32_t begin) {
     Uninitialized_vector<std::uint64_t> all;
-    std::vector<std::size_t> first{0};
-    for (const auto& of_part : received_) first.push_back(first.back() + of_part.size());
-    all.reserve(first.back());
-    for (auto& of_part : received_) {
-      all.insert(all.end(), of_part.begin(), of_part.end());
-      free_arrays(of_part);
+    std::vector<std::uint32_t*> to; // where those of each sender end
+    std::vector<std::size_t> end;
+    Positions positions;
+    for (const auto& [sender, of_sender] : keys) {
+      all.insert(all.end(), of_sender.begin(), of_sender.end());
+      positions[sender].resize(of_sender.size());
+      to.push_back(positions[sender].data() + of_sender.size()), end.push_back(all.size());
     }
-    const auto begin =
-        static_cast<std::uint32_t>(exchange_.exclusive_scan(static_cast<std::int64_t>(all.size())));
     const Order order = radix_order(all.size(), [&all](std::size_t i) { return all[i]; });
-    free_arrays(all);
-    std::vector<std::vector<std::uint32_t>> positions(first.size() - 1); // by sender
-    for (std::size_t part = 0; part < positions.size(); ++part)
-      positions[part].resize(first[part + 1] - first[part]);
     for (std::size_t i = 0; i < order.size(); ++i) {
-      const auto behind = std::upper_bound(first.begin(), first.end(), std::size_t(order[i]));
-      const auto part = static_cast<std::size_t>(behind - first.begin()) - 1;
-      positions[part][order[i] - first[part]] = begin + static_cast<std::uint32_t>(i);
+      const auto sender = static_cast<std::size_t>(
+          std::upper_bound(end.begin(), end.end(), std::size_t(order[i])) - end.begin());
+      *(to[sender] - (end[sender] - order[i])) = begin + static_cast<std::uint32_t>(i);
     }
-    Records_of_parts<std::uint32_t> answers;
-    for (std::size_t part = 0; part < positions.size(); ++part)
-      answers[static_cast<int>(part)] = std::move(positions[part]);
-    return answers;
+    return positions;
   }
 };
 

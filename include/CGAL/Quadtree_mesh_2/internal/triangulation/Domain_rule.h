@@ -86,9 +86,11 @@ public:
     level_ = {}; // memory is fullest soon
     for (const Triangle_id t : triangles_at(holes, Ambiguous_seed::Of::HOLE)) drop_component(t);
     Flat_triangle_flipper<Geometry>(mesh_, is_kept_, first_auxiliary_).run();
-    std::vector<Outer_triangle> outer = outer_triangles();
-    Kept_triangles(mesh_, is_kept_).keep(first_auxiliary_);
-    return outer;
+    std::vector<Outer_side> outer = outer_sides();
+    Kept_triangles(mesh_, is_kept_).keep(first_auxiliary_, [&outer](const auto& new_side) {
+      for (Outer_side& o : outer) o.side = new_side(o.side);
+    });
+    return outer_triangles(outer);
   }
 
 private:
@@ -97,6 +99,12 @@ private:
   Uninitialized_indexed_vector<Triangle_id, std::int32_t> level_;
   Indexed_vector<Triangle_id, char> is_kept_;
   std::vector<Triangle_id> stack_;
+
+  /// A side of the border, and what sees it from the outside.
+  struct Outer_side {
+    Side side;
+    Vertex_id apex;
+  };
 
   template <class Function>
   void for_each_triangle(const Function& f) const {
@@ -248,23 +256,34 @@ private:
     }
   }
 
-  std::vector<Outer_triangle> outer_triangles() const {
-    std::vector<Outer_triangle> outer;
-    append_by_blocks<Chosen_tag>(
-        outer, is_kept_.size(),
-        [this](std::size_t begin, std::size_t end, std::vector<Outer_triangle>& found) {
-          for (const Triangle_id t : Id_range<Triangle_id>(begin, end))
-            for (int k = 0; k < 3 && is_kept_[t] == 0; ++k) add_if_outer(Side(t, k), found);
-        });
+  /// For as few bytes as can be, as memory is fullest soon.
+  std::vector<Outer_side> outer_sides() const {
+    std::vector<Outer_side> outer;
+    append_by_blocks<Chosen_tag>(outer, is_kept_.size(),
+                                 [this](std::size_t begin, std::size_t end, std::vector<Outer_side>& found) {
+                                   for (const Triangle_id t : Id_range<Triangle_id>(begin, end))
+                                     for (int k = 0; k < 3 && is_kept_[t] == 0; ++k)
+                                       add_if_outer(Side(t, k), found);
+                                 });
     return outer;
   }
 
   /// \pre the side's triangle is not kept
-  void add_if_outer(Side s, std::vector<Outer_triangle>& outer) const {
+  void add_if_outer(Side s, std::vector<Outer_side>& outer) const {
     const Side o = mesh_.across(s);
     if (o.is_border() || is_kept_[o.triangle()] == 0) return;
     const Vertex_id apex = mesh_.opposite(s);
-    if (apex < first_auxiliary_) outer.push_back({mesh_.source(s), mesh_.target(s), apex});
+    if (apex < first_auxiliary_) outer.push_back({o, apex});
+  }
+
+  /// \pre the mesh has nothing but the domain
+  std::vector<Outer_triangle> outer_triangles(const std::vector<Outer_side>& outer) const {
+    std::vector<Outer_triangle> triangles(outer.size());
+    for_each_index<Chosen_tag>(outer.size(), [&](std::size_t i) {
+      const auto& [side, apex] = outer[i];
+      triangles[i] = {mesh_.target(side), mesh_.source(side), apex};
+    });
+    return triangles;
   }
 
   void drop_component(Triangle_id first) {

@@ -45,10 +45,16 @@ public:
 
   /// Drops all other triangles, and the vertices from the given one on.
   void keep(Vertex_id end_of_vertices) {
-    auto triangle_of = first_triangles(std::size_t(end_of_vertices));
+    keep(end_of_vertices, [](const auto&) {});
+  }
+  /// \param rename called with a function that gives a side of a kept triangle its new name, while old ones are known
+  template <class Rename>
+  void keep(Vertex_id end_of_vertices, const Rename& rename) {
+    rename([this](Side s) { return renamed(s); });
+    mesh_.triangle_of.truncate(end_of_vertices);
+    name_first_triangles();
     mesh_.points.truncate(end_of_vertices), mesh_.role_of.truncate(end_of_vertices);
     mesh_.is_dirty.truncate(end_of_vertices);
-    mesh_.triangle_of = std::move(triangle_of);
     decltype(mesh_.region_of) region_of(mesh_.region_of.empty() ? 0 : order_.size());
     for_each_index<Chosen_tag>(region_of.size(), [&](std::size_t i) {
       const Triangle_id t = static_cast<Triangle_id>(i);
@@ -62,9 +68,14 @@ public:
 private:
   using Triangle = typename Mesh::Triangle;
   /// The triangles of a piece: whole pages, and so few that it is rare for one to be copied long after the others.
-  static constexpr std::size_t piece_ = 4096;
+  static constexpr std::size_t piece_ = 1024;
   /// So many are copied before pieces are given back, in runs for many threads.
-  static constexpr std::size_t batch_ = 32 * piece_, run_ = 2048;
+  static constexpr std::size_t batch_ = 64 * piece_, run_ = 2048;
+
+  /// Of the old array.
+  struct Piece {
+    std::size_t first, last; ///< its first triangle, and the greatest new number of one in it
+  };
 
   Mesh& mesh_;
   const Indexed_vector<Triangle_id, char>& is_kept_;
@@ -109,19 +120,16 @@ private:
   }
 
   /// The triangles that vertices know.
-  auto first_triangles(std::size_t number_of_vertices) const {
-    decltype(mesh_.triangle_of) first;
-    first.reserve(number_of_vertices + number_of_vertices / 8); // acute corners are cut soon
-    first.resize(number_of_vertices);
-    for_each_index<Chosen_tag>(number_of_vertices, [&](std::size_t i) {
+  void name_first_triangles() {
+    for_each_index<Chosen_tag>(mesh_.triangle_of.size(), [&](std::size_t i) {
       const Vertex_id v = static_cast<Vertex_id>(i);
-      first[v] = runs_.begin(i) < runs_.end(i) ? Triangle_id(runs_.begin(i)) : Triangle_id();
-      if (first[v].is_valid() || !mesh_.is_used(v)) return;
-      mesh_.for_each_triangle_at(v, [&](Triangle_id t, int) {
-        first[v] = std::min(first[v], new_handle(t)); // none is greater than any
-      });
+      Triangle_id first = runs_.begin(i) < runs_.end(i) ? Triangle_id(runs_.begin(i)) : Triangle_id();
+      if (!first.is_valid() && mesh_.is_used(v))
+        mesh_.for_each_triangle_at(v, [&](Triangle_id t, int) {
+          first = std::min(first, new_handle(t)); // none is greater than any
+        });
+      mesh_.triangle_of[v] = first;
     });
-    return first;
   }
 
   /// Leaves nothing in the old array.
@@ -129,7 +137,8 @@ private:
     decltype(mesh_.triangles) triangles;
     triangles.reserve(order_.size() + order_.size() / 8); // acute corners are cut soon
     triangles.resize(order_.size());
-    const std::vector<std::size_t> last = last_of_pieces();
+    const std::vector<Piece> pieces = pieces_by_last();
+    auto needless = pieces.begin();
     for (std::size_t begin = 0; begin < order_.size(); begin += batch_) {
       const std::size_t end = std::min(begin + batch_, order_.size());
       const auto copy = [&](std::size_t i) {
@@ -137,27 +146,25 @@ private:
         triangles[t] = renamed(mesh_.triangle(order_[t]));
       };
       for_each_index<Chosen_tag>(end - begin, copy, run_);
-      for (std::size_t piece = 0; piece < last.size(); ++piece)
-        if (begin <= last[piece] && last[piece] < end) release(piece);
+      for (; needless != pieces.end() && needless->last < end; ++needless)
+        give_back_values(mesh_.triangles, needless->first,
+                         std::min(needless->first + piece_, mesh_.triangles.size()));
     }
     return triangles;
   }
 
-  /// For each piece of the old array the greatest new number of a triangle in it.
-  std::vector<std::size_t> last_of_pieces() const {
-    std::vector<std::size_t> last((is_kept_.size() + piece_ - 1) / piece_, 0);
+  /// The pieces of the old array, in the order in which they are needed no more.
+  std::vector<Piece> pieces_by_last() const {
+    std::vector<Piece> pieces((is_kept_.size() + piece_ - 1) / piece_);
     for_each_block<Chosen_tag>(
         is_kept_.size(), piece_, [&](std::size_t piece, std::size_t begin, std::size_t end) {
+          pieces[piece] = {begin, 0};
           for (const Triangle_id t : Id_range<Triangle_id>(begin, end))
-            if (is_kept_[t] != 0) last[piece] = std::max(last[piece], std::size_t(new_side_[t].triangle()));
+            if (is_kept_[t] != 0)
+              pieces[piece].last = std::max(pieces[piece].last, std::size_t(new_side_[t].triangle()));
         });
-    return last;
-  }
-
-  /// Gives back the memory of a piece of the old array.
-  void release(std::size_t piece) {
-    const std::size_t first = piece * piece_, length = std::min(piece_, mesh_.triangles.size() - first);
-    give_back_pages(mesh_.triangles.data() + first, length * sizeof(Triangle));
+    std::sort(pieces.begin(), pieces.end(), [](const Piece& p, const Piece& q) { return p.last < q.last; });
+    return pieces;
   }
 
   Triangle renamed(const Triangle& before) const {
