@@ -152,6 +152,19 @@ TEST_CASE("A segment keeps its ends if it becomes one edge, and no other does", 
   CHECK(made.vertices_on_segments == 1);
 }
 
+TEST_CASE("The segment that is crossed is one that was made", "[refiner]") {
+  // Of the segments 0-1, 3-4 and 0-2 the first runs by way of vertex 2, the second crosses it, and the third is not
+  // reached.
+  const std::vector<Geometry::Point> points{{0, 0}, {4, 0}, {2, 0}, {1, -1}, {1, 1}, {0, 3}};
+  const auto v = [](std::size_t i) { return Vertex_id(i); };
+  Kernel_mesh<Geometry> mesh;
+  First_triangulation<CGAL::Sequential_tag, Geometry> first(mesh, points);
+  const auto crossing = first.run({{v(0), v(1)}, {v(3), v(4)}, {v(0), v(2)}});
+  REQUIRE(crossing);
+  CHECK(crossing->segment == Segment_index(1));
+  CHECK(first.edges().find(crossing->a, crossing->b) == Segment_index(0));
+}
+
 TEST_CASE("Edges of the input are listed at both ends", "[refiner]") {
   check(0, {});
   check(1, {});

@@ -77,8 +77,9 @@ int check_records(Exchange& exchange, int steps) {
   for (int step = 0; step < steps; ++step) {
     Records_of_parts<Record> outbox, expected;
     for (int part = 0; part < exchange.size(); ++part) {
-      for (int i = 0; i < length_of(me, part, step); ++i) outbox[part].push_back({me, part, i});
-      for (int i = 0; i < length_of(part, me, step); ++i) expected[part].push_back({part, me, i});
+      const int to_part = length_of(me, part, step), from_part = length_of(part, me, step);
+      for (int i = 0; i < to_part; ++i) outbox[part].push_back({me, part, i});
+      for (int i = 0; i < from_part; ++i) expected[part].push_back({part, me, i});
     }
     wrong += exchange_records(exchange, outbox) != expected;
     std::vector<Record> all;

@@ -54,9 +54,6 @@ public:
     return whole_.mesh.number_of_triangles() - whole_.bulk.number_of_triangles() >= 2 * block_size;
   }
 
-  /// Whether a triangle's vertices alone tell its block of the first round, and not their places.
-  bool is_first_by_vertices() const { return !whole_.has_placed_vertices; }
-
   Block_cut first() const {
     const auto& mesh = whole_.mesh;
     if (!is_first_by_vertices())
@@ -129,6 +126,9 @@ private:
   const Meshing_state<Geometry>& whole_;
   Place_keys<Geometry> key_{whole_.problem.input_places()};
   Place_keys<Geometry> shifted_key_ = key_.shifted();
+
+  /// Whether a triangle's vertices alone tell its block of the first round, and not their places.
+  bool is_first_by_vertices() const { return !whole_.has_placed_vertices; }
 
   /// What vertices of input and edges are cut by.
   auto numbers_in(const Kernel_mesh<Geometry>& mesh) const {

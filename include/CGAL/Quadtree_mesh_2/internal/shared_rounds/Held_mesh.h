@@ -10,8 +10,8 @@
 //           of it and of its vertices, and may compute the same from it without a message.
 // Invariant: whoever holds a triangle has the right records of its vertices. What a record of a vertex names as a
 //           triangle may be held by others.
-// Bound:    memory for what is held, in pages, and addresses for the whole mesh. Triangles that are published are sent
-//           to all parts.
+// Bound:    memory for what is held, in pages, and for points that all parts know, and addresses for the whole mesh.
+//           Triangles that are published are sent to all parts.
 // Method:   arrays as long as those of the whole mesh, whose pages nobody touches who does not hold what is in them. So
 //           all that goes by handles, such as an order of triangles, is what it is in one memory.
 
@@ -45,15 +45,15 @@ class Held_mesh {
 public:
   using Mesh = Kernel_mesh<Geometry>;
 
-  /// \param mesh the whole mesh at part 0, and empty at others but for what `scatter()` says; afterward what is held
+  /// \param mesh the whole mesh at part 0; afterward what is held
   Held_mesh(Exchange& exchange, Mesh& mesh) : exchange_(exchange), mesh_(mesh) {}
 
   /// Gives each part its triangles, and part 0 the vertices without any. All parts call it.
   /// \param part_of `part_of(mesh, t)` is the part of a triangle that is alive in a mesh; called at part 0
   /// \param for_all vertices of which all parts get the records, as they are now; of part 0
   /// \param most_vertices how many the mesh may get; a hint
-  /// \param known how many of the first vertices have points that all parts know, as the points of their meshes, and
-  ///        that the meshes keep for those that they do not hold, too
+  /// \param known of how many vertices, the first ones, all parts know the points. At other parts the mesh has these
+  ///        points and nothing else. All meshes keep them, whatever they hold.
   template <class Part_of>
   void scatter(const Part_of& part_of, const std::vector<Vertex_id>& for_all, std::size_t most_vertices,
                std::size_t known = 0) {

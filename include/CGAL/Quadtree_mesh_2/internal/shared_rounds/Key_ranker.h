@@ -8,10 +8,10 @@
 //
 // Computes: for each of this part's keys, how many keys of all parts are less. Keys are distinct, and their upper 32
 //           bits are numbers from 0 on, of which all are about as frequent: numbers of vertices in the order of places.
-// Bound:    O(k + m) time for k keys that a part has and m that it gets, and 4 bytes for each key, beside what a pass
-//           takes: some 40 for the keys in it. A key is sent once, to the part of its upper bits, and 4 bytes come back.
-// Method:   sorting by buckets, some on each part, a pass for one bucket of each; there is nothing to sample, as numbers
-//           are spread evenly.
+// Bound:    O(k + m) time for k keys that a part has and m that it gets. A key takes 5 bytes, and some 40 in its pass.
+//           It is sent once, to the part of its upper bits, and 4 bytes come back.
+// Method:   sorting by buckets, some on each part, with a pass for one bucket of each. There is nothing to sample, as
+//           numbers are spread evenly.
 
 #ifndef CGAL_QUADTREE_MESH_2_INTERNAL_SHARED_ROUNDS_KEY_RANKER_H
 #define CGAL_QUADTREE_MESH_2_INTERNAL_SHARED_ROUNDS_KEY_RANKER_H
@@ -43,14 +43,16 @@ public:
   Key_positions positions_of(const Uninitialized_vector<std::uint64_t>& own) {
     const auto most = static_cast<std::size_t>(exchange_.max(static_cast<std::int64_t>(own.size())));
     buckets_of_part_ = std::min((most + at_a_time_ - 1) / at_a_time_, most_passes);
+    pass_of_.resize(own.size());
+    for (std::size_t i = 0; i < own.size(); ++i)
+      pass_of_[i] = static_cast<unsigned char>(bucket_of(own[i]) % buckets_of_part_);
     Key_positions positions(own.size());
     std::uint32_t received = 0;
     for (std::size_t pass = 0; pass < buckets_of_part_; ++pass) rank(own, pass, received, positions);
     std::vector<std::uint32_t> first_of_part{0};
     for (const std::int64_t n : exchange_.gather({static_cast<std::int64_t>(received)}))
       first_of_part.push_back(first_of_part.back() + static_cast<std::uint32_t>(n));
-    for (std::size_t i = 0; i < own.size(); ++i)
-      positions[i] += first_of_part[bucket_of(own[i]) / buckets_of_part_];
+    for (std::size_t i = 0; i < own.size(); ++i) positions[i] += first_of_part[part_of(own[i])];
     return positions;
   }
 
@@ -58,17 +60,19 @@ private:
   using Keys = Records_of_parts<std::uint64_t>;
   using Positions = Records_of_parts<std::uint32_t>;
 
-  /// Each looks at all keys.
+  /// Each looks at a byte of all keys.
   static constexpr std::size_t most_passes = 16;
 
   Exchange& exchange_;
   std::uint64_t range_;
   std::size_t at_a_time_, buckets_of_part_ = 1;
+  Uninitialized_vector<unsigned char> pass_of_; // of each own key
 
   std::size_t bucket_of(std::uint64_t key) const {
     const std::uint64_t buckets = static_cast<std::uint64_t>(exchange_.size()) * buckets_of_part_;
     return static_cast<std::size_t>((key >> 32) * buckets / range_);
   }
+  std::size_t part_of(std::uint64_t key) const { return bucket_of(key) / buckets_of_part_; }
 
   /// Finds where the keys of a pass are among those that their part has received up to then.
   /// \param received how many this part has received before; becomes more
@@ -76,17 +80,17 @@ private:
             Key_positions& positions) {
     const auto for_each_in_pass = [&](const auto& f) {
       for (std::size_t i = 0; i < own.size(); ++i)
-        if (const std::size_t bucket = bucket_of(own[i]); bucket % buckets_of_part_ == pass)
-          f(i, static_cast<int>(bucket / buckets_of_part_));
+        if (pass_of_[i] == pass) f(i, part_of(own[i]));
     };
     Keys outbox;
-    for_each_in_pass([&](std::size_t i, int part) { outbox[part].push_back(own[i]); });
+    for_each_in_pass(
+        [&](std::size_t i, std::size_t part) { outbox[static_cast<int>(part)].push_back(own[i]); });
     const Keys inbox = exchange_records(exchange_, std::move(outbox));
     const Positions found = exchange_records(exchange_, positions_in(inbox, received));
     for (const auto& [sender, keys] : inbox) received += static_cast<std::uint32_t>(keys.size());
     std::vector<std::size_t> next(static_cast<std::size_t>(exchange_.size()), 0);
-    for_each_in_pass([&](std::size_t i, int part) {
-      positions[i] = found.at(part)[next[static_cast<std::size_t>(part)]++];
+    for_each_in_pass([&](std::size_t i, std::size_t part) {
+      positions[i] = found.at(static_cast<int>(part))[next[part]++];
     });
   }
 

@@ -204,6 +204,7 @@ private:
       const Block_id b = cuts_.block_of(cut, mesh, t);
       return b.is_valid() ? part_of_block[b] : static_cast<int>(t.value() * parts / mesh.triangles.size());
     };
+    // All know the points of the input, and from now on have them in the mesh alone.
     const std::size_t known = whole_.problem.number_of_input_points();
     if (exchange_.rank() != 0) whole_.mesh.points = std::move(whole_.problem.input_points);
     whole_.problem.borrow_points(whole_.mesh.points, known);

@@ -116,7 +116,7 @@ private:
   bool find_vertices_that_failed(Triangle_id t, const std::vector<Leaf_index>& around, std::size_t round,
                                  std::vector<Vertex_id>& vertices) {
     if (options_.place() != Options::Placement::CHOSEN) return false;
-    if (failures_.empty()) failures_ = decltype(failures_)(state_.problem.input_points.size());
+    if (failures_.empty()) failures_ = decltype(failures_)(state_.problem.number_of_input_points());
     bool is_any = false;
     for (const Vertex_id v : vertices_near(t, around)) {
       Failures& failures = failures_[v];

@@ -120,7 +120,7 @@ private:
   }
 
   void remove_vertices() {
-    const std::size_t first = state_.problem.input_points.size(), n = mesh_.number_of_vertices() - first;
+    const std::size_t first = state_.problem.number_of_input_points(), n = mesh_.number_of_vertices() - first;
     const auto vertex = [first](std::size_t i) { return static_cast<Vertex_id>(first + i); };
     const auto in_scope = pack_values<ConcurrencyTag, Vertex_id>(
         n, [&](std::size_t i) { return fate(vertex(i)) != Fate::OUTSIDE; }, vertex);

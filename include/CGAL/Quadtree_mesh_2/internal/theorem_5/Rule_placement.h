@@ -67,7 +67,7 @@ public:
       Edge edge(*this, static_cast<Edge_id>(e));
       edge.placement.for_each_dropped_corner([&](const Grid_point& p) { append_name(p, names); });
     });
-    drop_corners(problem_.input_points.size(), [this](std::size_t i, auto& names) {
+    drop_corners(problem_.number_of_input_points(), [this](std::size_t i, auto& names) {
       const auto v = static_cast<Vertex_id>(i);
       for_each_dropped_corner(trees_.placement_at(v), Vertex_rays<Geometry>(problem_, v),
                               [&](const Grid_point& p) { append_name(p, names); });

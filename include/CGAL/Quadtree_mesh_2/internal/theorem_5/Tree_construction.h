@@ -90,7 +90,7 @@ public:
   Tree_construction(State& state, Trees& trees, const Kernel_mesh<Geometry>& domain, Report& report)
       : state_(state), mesh_(state.mesh), trees_(trees), report_(report),
         triangles_(Edge_triangles<Geometry>::template of<ConcurrencyTag>(domain, state.edges,
-                                                                         state.problem.input_points.size())) {
+                                                                         state.problem.number_of_input_points())) {
   }
 
   /// Replaces the mesh. What is below the bound at the end is on the worklist. `shall_go_on()` is asked once a round.
@@ -116,7 +116,7 @@ public:
       if (placement == Placement::CHOSEN && !is_last)
         sharp = Local_cures<Geometry>(state_, report_).run(std::move(sharp));
       report_.missed = sharp.size();
-      report_.placed = mesh_.number_of_vertices() - state_.problem.input_points.size();
+      report_.placed = mesh_.number_of_vertices() - state_.problem.number_of_input_points();
       report_.leaves_of_edges = trees_.tree().number_of_leaves();
       for (const Triangle_id t : sharp) state_.push(t);
       if (mesh_.number_of_vertices() > budget.leaves) return End::BUDGET;

@@ -14,6 +14,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Kernel_mesh.h>
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -34,7 +35,7 @@ Kernel_mesh<Geometry> triangulate_domain(const Meshing_problem<Geometry>& proble
     segments[i] = {e.a, e.b};
   });
   Kernel_mesh<Geometry> mesh;
-  First(mesh, points, problem.vertex_blocks).run(segments); // which do not cross
+  First(mesh, points, problem.vertex_blocks).run(std::move(segments)); // which do not cross
   sides.restrict(mesh, problem.edges, First::number_of_auxiliary_vertices);
   return mesh;
 }

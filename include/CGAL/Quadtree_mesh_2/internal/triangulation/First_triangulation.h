@@ -92,12 +92,14 @@ public:
     insert_every(1);
     settle_repeated();
     Segment_inserter<Geometry> inserter(mesh_);
+    std::size_t s = 0;
     const auto crossing = catch_crossing([&] {
-      for (std::size_t s = 0; s < edges_.segments.size(); ++s) {
+      for (; s < edges_.segments.size(); ++s) {
         Segment& ends = edges_.segments[s];
         inserter.insert_whole(representative(ends[0]), representative(ends[1]), Segment_index(s), ends);
       }
     });
+    for (; s < edges_.segments.size(); ++s) edges_.segments[s] = {}; // a crossing came before
     add({inserter.take()});
     return crossing;
   }
@@ -151,7 +153,7 @@ private:
   Vertex_blocks vertex_blocks_;
   Indexed_vector<Vertex_id, Vertex_id> representative_;
   bool is_any_repeated_ = false;
-  Edges_of_segments edges_; // until they are made, all segments have ends
+  Edges_of_segments edges_; // until they are inserted, all segments have ends
   Input_edge_list repeated_edges_;
   std::size_t vertices_on_segments_ = 0;
   std::size_t step_ =
@@ -416,8 +418,10 @@ private:
   void insert_segments(Block& block, const Blocks& blocks, Span<Segment_index> of_block,
                        Block_assignment& assignment, Block_work& work) {
     Segment_inserter<Geometry> inserter(block.mesh);
+    const Segment_index* next = of_block.begin();
     work.crossing = catch_crossing([&] {
-      for (const Segment_index s : of_block) {
+      for (; next != of_block.end(); ++next) {
+        const Segment_index s = *next;
         Segment& ends = edges_.segments[s.value()];
         const auto [from, to] = ends;
         const Vertex_id a = find_in_block(block, blocks, assignment, from),
@@ -433,6 +437,7 @@ private:
               {block.mesh.input_number(rest.from), block.mesh.input_number(rest.to), s});
       }
     });
+    for (; next != of_block.end(); ++next) edges_.segments[next->value()] = {}; // a crossing came before
     segments_made_[block.id().value()] = inserter.take();
   }
 

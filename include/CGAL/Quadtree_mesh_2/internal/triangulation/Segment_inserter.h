@@ -110,11 +110,11 @@ public:
   }
 
   /// The same for a whole segment. If it becomes one edge, this is not listed, and the segment's ends are its ends from
-  /// now on; else it has none.
+  /// now on; else it has none, also where it crosses another.
   Rest insert_whole(Vertex_id a, Vertex_id b, Segment_index segment, Segment_ends& ends) {
     const std::size_t edges = result_.edges.size(), repeated = result_.repeated_edges.size();
-    const Rest rest = insert(a, b, segment);
     ends = {};
+    const Rest rest = insert(a, b, segment);
     if (!rest.is_empty() || result_.edges.size() != edges + 1 || result_.repeated_edges.size() != repeated)
       return rest;
     ends = {result_.edges.back().a, result_.edges.back().b};
