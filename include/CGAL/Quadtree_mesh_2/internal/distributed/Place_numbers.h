@@ -10,11 +10,11 @@
 //           all parts. The parts sort what they have, cut it so that each part gets a run of the places of all, merge
 //           what they get, and send its numbers back.
 // Bound:    O(k + m log(P c)) time for k vertices that a part has, and m that it numbers, which come in c pieces from
-//           each part, and comparisons of those that share a square of 2^-62 times the whole. m is not much more than
-//           n / P + n / 64 of n vertices (agree_on_order.h). With doubles a vertex takes 24 bytes to the part that
-//           numbers it, and 8 back. Memory beside what is given, in bytes: 4 k + 24 m while vertices are sent, some at a
-//           time, 4 k + 32 m while they are merged, and before that 22 k for the sort, or 44 k where most agree in their
-//           first digits.
+//           each part, and comparisons of those that share a square of 2^-62 times the whole. m is not much more
+//           than n / P + n / 64 of n vertices (agree_on_order.h). With doubles a vertex takes 24 bytes to the part
+//           that numbers it, and 8 back. Memory beside what is given, in bytes: 4 k + 24 m while vertices are sent,
+//           some at a time, 4 k + 32 m while they are merged, and before that 22 k for the sort, or 44 k where most
+//           agree in their first digits.
 // Source:   Shi, Schaeffer, "Parallel sorting by regular sampling", JPDC 1992; the shuffle order of Bern, Eppstein,
 //           Teng (grid/morton.h).
 // Deviates: each part sorts by digits. Runs are merged without being stored: as each is in order, so are the numbers

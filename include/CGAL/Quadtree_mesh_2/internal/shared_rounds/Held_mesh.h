@@ -26,6 +26,7 @@
 #include <CGAL/Quadtree_mesh_2/internal/distributed/Mesh_archive.h>
 #include <CGAL/Quadtree_mesh_2/internal/distributed/Parcel.h>
 #include <CGAL/Quadtree_mesh_2/internal/distributed/tell_all.h>
+#include <CGAL/Quadtree_mesh_2/internal/shared_rounds/parts_of_vertices.h>
 #include <CGAL/Quadtree_mesh_2/internal/triangulation/Kernel_mesh.h>
 
 #include <algorithm>
@@ -73,7 +74,7 @@ public:
     known_ = known;
     for (std::size_t begin = 0; exchange_.rank() != 0 && begin < known_; begin += at_a_time)
       take_known_points(whole, begin, std::min(known_, begin + at_a_time));
-    const Vertex_parts parts = exchange_.rank() == 0 ? vertex_parts(whole, part_of) : Vertex_parts();
+    const Vertex_parts parts = exchange_.rank() == 0 ? parts_of_vertices(whole, part_of) : Vertex_parts();
     give_common(whole, parts, for_all);
     give_triangles(whole, part_of);
     give_vertices(whole, parts);
@@ -386,33 +387,6 @@ private:
   }
 
   // ---- scatter
-
-  /// Which parts get a vertex. Most have one.
-  struct Vertex_parts {
-    Indexed_vector<Vertex_id, int> first; ///< part 0 for those without a triangle
-    std::vector<std::pair<Vertex_id, int>> others;
-  };
-
-  template <class Part_of>
-  static Vertex_parts vertex_parts(const Mesh& whole, const Part_of& part_of) {
-    constexpr int none = -1;
-    Vertex_parts parts;
-    parts.first.assign(whole.number_of_vertices(), none);
-    for (const Triangle_id t : whole.triangles.ids()) {
-      if (!whole.is_alive(t)) continue;
-      const int part = part_of(whole, t);
-      for (const Vertex_id v : whole.triangle(t).v) {
-        int& first = parts.first[v];
-        if (first == none)
-          first = part;
-        else if (first != part)
-          parts.others.emplace_back(v, part);
-      }
-    }
-    std::replace(parts.first.begin(), parts.first.end(), none, 0);
-    sort_and_drop_equal(parts.others);
-    return parts;
-  }
 
   /// Gives each part its triangles, by runs of handles. The whole mesh loses those that are given.
   template <class Part_of>

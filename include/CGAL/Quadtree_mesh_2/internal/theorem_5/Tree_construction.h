@@ -89,9 +89,8 @@ public:
   /// \param domain the constrained Delaunay triangulation of the problem's edges, restricted to the domain
   Tree_construction(State& state, Trees& trees, const Kernel_mesh<Geometry>& domain, Report& report)
       : state_(state), mesh_(state.mesh), trees_(trees), report_(report),
-        triangles_(Edge_triangles<Geometry>::template of<ConcurrencyTag>(domain, state.edges,
-                                                                         state.problem.number_of_input_points())) {
-  }
+        triangles_(Edge_triangles<Geometry>::template of<ConcurrencyTag>(
+            domain, state.edges, state.problem.number_of_input_points())) {}
 
   /// Replaces the mesh. What is below the bound at the end is on the worklist. `shall_go_on()` is asked once a round.
   /// The round that uses up the budget is the last.

@@ -68,7 +68,8 @@ public:
   bool has(Vertex_id v) const { return !empty() && number_of_[v] != none; }
   void add(Vertex_id v) {
     if (has(v)) return;
-    if (empty()) number_of_ = Indexed_vector<Vertex_id, std::uint32_t>(problem_.number_of_input_points(), none);
+    if (empty())
+      number_of_ = Indexed_vector<Vertex_id, std::uint32_t>(problem_.number_of_input_points(), none);
     number_of_[v] = static_cast<std::uint32_t>(windows_.size());
     windows_.push_back({Rays(problem_, v), State::NEW});
   }
