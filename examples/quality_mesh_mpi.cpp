@@ -13,6 +13,7 @@
 #include "internal/Scratch_folder.h"
 #include "internal/command_line.h"
 #include "internal/program_steps.h"
+#include "internal/report_words.h"
 #include "internal/thread_limit.h"
 #include "internal/what_to_do.h"
 
@@ -35,6 +36,10 @@
 #include <malloc.h>
 #endif
 
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
 #include <exception>
 #include <iostream>
 #include <new>
@@ -65,18 +70,21 @@ void check_use(const Command_line& line) {
       {line.is_repair_wanted, "--repair"},
       {line.is_quadtree_shown, "--show-quadtree"},
       {line.pieces > 0, "--pieces"},
+      {line.is_projection_said && line.project != Command_line::Project::NONE,
+       "--project, unless it is none,"},
+      {line.msh_version != CGAL::IO::Msh_version::V4_1, "--msh-version 2.2"},
       {line.element_order != CGAL::IO::Element_order::FIRST, "--second-order"}};
   for (const auto& [is_given, option] : for_one_rank)
     if (is_given) throw Usage_error(std::string(option) + " is an option of quality_mesh alone");
   const Input_format format = input_format(line.input);
   if (is_standard_stream(line.input) || (format != Input_format::POLY && format != Input_format::HDF5))
-    throw Usage_error("ranks read .poly or .h5, not '" + line.input + "'");
+    throw Usage_error("ranks read .poly, .poly.gz or .h5, not '" + line.input + "'");
   for (const std::string& output : line.outputs) {
     const bool is_standard = is_standard_stream(output);
     const Output_format kind = is_standard ? Output_format::SVG : output_format(output);
     if (kind != Output_format::PVTU && kind != Output_format::MSH && kind != Output_format::VTKHDF &&
         kind != Output_format::XDMF)
-      throw Usage_error("ranks write .pvtu, .msh, .vtkhdf or .xdmf, not '" + output + "'");
+      throw Usage_error("ranks write .pvtu, .msh, .vtkhdf, or .xdmf with .h5, not '" + output + "'");
   }
 }
 
@@ -98,6 +106,42 @@ private:
   std::optional<CGAL::Scratch_memory> memory_;
 };
 
+/// What the first rank tells people beside the report.
+struct Seen {
+  bool may_be_in_degrees = false; ///< the coordinates may be longitudes and latitudes far from the equator
+  double least_angle = 180, largest_angle = 0;
+};
+
+/// All ranks call it.
+bool may_be_in_degrees(const CGAL::Pslg_slice_2<Traits::Point_2>& slice) {
+  constexpr double far_from_equator = 10; // angles differ by half a degree there
+  int is_possible = 1, is_far = 0;
+  for (const auto& p : slice.vertices) {
+    if (p.x() < -180 || p.x() > 360 || std::abs(p.y()) > 90) is_possible = 0;
+    if (std::abs(p.y()) > far_from_equator) is_far = 1;
+  }
+  CGAL::Quadtree_mesh_2::internal::Mpi_exchange exchange(all_ranks);
+  return exchange.min(is_possible) == 1 && exchange.max(is_far) == 1;
+}
+
+/// The least and the largest angle of all triangles, in degrees. All ranks call it.
+void find_angles(const Part& part, Seen& seen) {
+  const double degrees = 180 / std::acos(-1.0);
+  for (std::size_t t = 0; t < part.number_of_own_triangles(); ++t)
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto point = [&](std::size_t i) {
+        return part.points[part.index_of_vertex(part.triangles[t][(k + i) % 3])];
+      };
+      const auto a = point(0), b = point(1), c = point(2);
+      const double ux = b.x() - a.x(), uy = b.y() - a.y(), vx = c.x() - a.x(), vy = c.y() - a.y();
+      const double angle = degrees * std::atan2(ux * vy - uy * vx, ux * vx + uy * vy);
+      seen.least_angle = std::min(seen.least_angle, angle);
+      seen.largest_angle = std::max(seen.largest_angle, angle);
+    }
+  MPI_Allreduce(MPI_IN_PLACE, &seen.least_angle, 1, MPI_DOUBLE, MPI_MIN, all_ranks);
+  MPI_Allreduce(MPI_IN_PLACE, &seen.largest_angle, 1, MPI_DOUBLE, MPI_MAX, all_ranks);
+}
+
 /// All ranks call it.
 Advised_graph advised_graph(const CGAL::Pslg_slice_2<Traits::Point_2>& slice) {
   CGAL::Quadtree_mesh_2::internal::Mpi_exchange exchange(all_ranks);
@@ -108,7 +152,7 @@ Advised_graph advised_graph(const CGAL::Pslg_slice_2<Traits::Point_2>& slice) {
 
 /// \tparam ConcurrencyTag of each rank
 template <class ConcurrencyTag>
-Part mesh_by(const Command_line& line, CGAL::Quality_mesh_report_2& report) {
+Part mesh_by(const Command_line& line, CGAL::Quality_mesh_report_2& report, Seen& seen) {
   CGAL::Distributed_quality_mesher_2<Traits, ConcurrencyTag> mesher(all_ranks, line.options);
   if (line.neighbors == Command_line::Neighbors::TRAPEZOIDAL)
     mesher.template find_neighbors_by<CGAL::Trapezoidal_vertex_edge_neighbors_2<Traits, ConcurrencyTag>>();
@@ -118,9 +162,11 @@ Part mesh_by(const Command_line& line, CGAL::Quality_mesh_report_2& report) {
   else
     CGAL::IO::read_triangle_poly_slice(all_ranks, line.input, slice);
   const Advised_graph graph = advised_graph(slice);
+  seen.may_be_in_degrees = !line.is_projection_said && may_be_in_degrees(slice);
   try {
     Part part = mesher(std::move(slice));
     report = mesher.report();
+    if (!line.is_quiet) find_angles(part, seen);
     return part;
   } catch (const CGAL::Pslg_error_2& error) {
     throw std::runtime_error(error.what() + what_to_do(error, graph, line));
@@ -128,12 +174,12 @@ Part mesh_by(const Command_line& line, CGAL::Quality_mesh_report_2& report) {
 }
 
 /// Ranks share the cores of a machine, so each has one thread if nothing is said.
-Part mesh(const Command_line& line, CGAL::Quality_mesh_report_2& report) {
+Part mesh(const Command_line& line, CGAL::Quality_mesh_report_2& report, Seen& seen) {
   const Thread_limit limit(line.threads.value_or(0));
 #ifdef CGAL_LINKED_WITH_TBB
-  if (line.threads.value_or(1) > 1) return mesh_by<CGAL::Parallel_tag>(line, report);
+  if (line.threads.value_or(1) > 1) return mesh_by<CGAL::Parallel_tag>(line, report, seen);
 #endif
-  return mesh_by<CGAL::Sequential_tag>(line, report);
+  return mesh_by<CGAL::Sequential_tag>(line, report, seen);
 }
 
 void write(const Part& part, const std::string& output) {
@@ -149,15 +195,36 @@ void write(const Part& part, const std::string& output) {
   }
 }
 
-void print(const Command_line& line, const CGAL::Quality_mesh_report_2& report, const Part& part) {
-  std::cout << "input: " << report.input_vertices << " vertices, " << report.input_segments
-            << " segments; bound: " << line.options.min_angle() << " degrees\n"
-            << "vertices                            " << part.number_of_vertices() << '\n'
-            << "triangles                           " << part.number_of_triangles() << '\n'
-            << "  exempt, in acute input corners    " << report.exempt_triangles.size() << '\n'
-            << "  that miss a bound                 " << report.unmet_triangles.size() << '\n'
-            << "ranks with triangles                " << part.number_of_parts() << " of "
-            << part.number_of_ranks() << '\n';
+/// The first places where a bound is missed, and why.
+void print_unmet(const Command_line& line, const CGAL::Quality_mesh_report_2& report) {
+  constexpr std::size_t most = 10;
+  const auto& unmet = report.unmet_triangles;
+  for (std::size_t i = 0; i < std::min(unmet.size(), most); ++i)
+    std::printf("unmet: the triangle at (%.17g, %.17g), angles from %.2f to %.2f\n", unmet[i].centroid[0],
+                unmet[i].centroid[1], unmet[i].least_angle, unmet[i].greatest_angle);
+  if (unmet.size() > most) std::printf("unmet: %zu more\n", unmet.size() - most);
+  report_words::print_reasons(report, line.options);
+  if (report.encroached_edges > 0)
+    std::printf("unmet: edges on segments that are not Delaunay: %zu\n", report.encroached_edges);
+}
+
+void print(const Command_line& line, const CGAL::Quality_mesh_report_2& report, const Part& part,
+           const Seen& seen) {
+  std::printf("input: %zu vertices, %zu segments; bound: %g degrees\n", report.input_vertices,
+              report.input_segments, line.options.min_angle());
+  if (seen.may_be_in_degrees)
+    std::printf("warning: if these are longitudes and latitudes, angles, lengths and areas are not those on "
+                "the ground;\n         use --project auto of quality_mesh, or --project none to say that "
+                "they are not\n");
+  std::printf("vertices                         %14zu\n", report.vertices);
+  std::printf("triangles                        %14zu\n", report.triangles);
+  std::printf("least angle                      %14.2f\n", seen.least_angle);
+  std::printf("largest angle                    %14.2f\n", seen.largest_angle);
+  std::printf("  exempt, in acute input corners %14zu\n", report.exempt_triangles.size());
+  std::printf("  that miss a bound              %14zu\n", report.unmet_triangles.size());
+  std::printf("ranks with triangles             %14d of %d\n", part.number_of_parts(),
+              part.number_of_ranks());
+  print_unmet(line, report);
 }
 
 void print_own_help() {
@@ -165,11 +232,15 @@ void print_own_help() {
 
 Meshes a graph on P ranks, with one thread each or --threads: the mesh of quality_mesh
 --renumber, whatever the number of ranks and threads.
-INPUT is .poly, .poly.gz or .h5; OUTPUT is .pvtu, .msh (in parts), .vtkhdf or .xdmf.
-Options are those of quality_mesh --help-all for graphs, but for --hull, --repair,
---resume, and those of files with sizes and of projections. --threads is of each rank, to
-which MPI has to give as many cores. --memory is what each rank may use; the scratch
-folder is made where there is none, and may be on a disk of each machine.
+INPUT is .poly, .poly.gz or .h5; OUTPUT is .pvtu, .msh (in parts), .vtkhdf, or .xdmf with
+.h5. Options are those of quality_mesh --help-all for graphs, but for --hull, --repair,
+--resume, --report, --kernel, --compare, --pieces, --second-order, --msh-version,
+--show-quadtree, and those of sizes by files and features and of projections, which are
+refused. --threads is of each rank, to which MPI has to give as many cores. --memory is
+what each rank may use; the scratch folder is made where there is none, and may be on a
+disk of each machine.
+  mpirun -n 4 quality_mesh_mpi coast.poly -o mesh.vtkhdf --max-area 100
+  mpirun -q -n 4 quality_mesh_mpi coast.h5 -o mesh.pvtu --memory 2G --scratch /local
 
 Exit status: as quality_mesh.
 )";
@@ -185,9 +256,10 @@ Exit_status run(int argc, char** argv, int rank) {
   check_use(line);
   const Scratch_of_rank scratch(line);
   CGAL::Quality_mesh_report_2 report;
-  const Part part = mesh(line, report);
+  Seen seen;
+  const Part part = mesh(line, report, seen);
   for (const std::string& output : line.outputs) write(part, output);
-  if (rank == 0 && !line.is_quiet) print(line, report, part);
+  if (rank == 0 && !line.is_quiet) print(line, report, part, seen);
   return report.is_met() ? Exit_status::DONE : Exit_status::BOUND_UNMET;
 }
 

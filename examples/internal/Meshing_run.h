@@ -21,7 +21,6 @@
 
 #include <cstddef>
 #include <cstdio>
-#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -109,15 +108,6 @@ inline void print_unmet(const CGAL::Mesh_quality_2& quality) {
   }
   if (quality.unmet_triangles.size() > max_lines)
     std::printf("unmet: %zu more\n", quality.unmet_triangles.size() - max_lines);
-}
-
-/// Why bounds are unmet, as the mesher reports it, and in how many triangles for each reason.
-inline void print_reasons(const CGAL::Quality_mesh_report_2& report,
-                          const CGAL::Quality_mesh_options_2& options) {
-  std::map<CGAL::Quality_mesh_report_2::Reason, std::size_t> triangles;
-  for (const auto& unmet : report.unmet_triangles) ++triangles[unmet.reason];
-  for (const auto& [reason, n] : triangles)
-    std::printf("unmet: reason for %zu: %s\n", n, report_words::explanation(reason, options));
 }
 
 /// One line of the table: ours and, if Mesh_2 gave a mesh, its figure.
@@ -356,7 +346,7 @@ inline void print_run(const Meshing_run& run, const CGAL::Quality_mesh_options_2
     std::printf("no mesh %s: %s\n", name_of_way(other_way(options.separate())), run.why_no_other.c_str());
   if (run.is_peer_asked && !run.peer) std::printf("CGAL Mesh_2 gave no mesh\n");
   print_unmet(run.quality);
-  print_reasons(run.report, options);
+  report_words::print_reasons(run.report, options);
   if (run.report.encroached_edges > 0)
     std::printf("unmet: edges on segments that are not Delaunay: %zu\n", run.report.encroached_edges);
 }

@@ -9,6 +9,10 @@
 #include <CGAL/Quality_mesh_report_2.h>
 #include <CGAL/mesh_quality_2.h>
 
+#include <cstddef>
+#include <cstdio>
+#include <map>
+
 namespace report_words {
 
 /// A bound in words for people.
@@ -60,6 +64,15 @@ inline const char* explanation(CGAL::Quality_mesh_report_2::Reason reason,
     return "the criteria ask for more";
   }
   return "";
+}
+
+/// Why bounds are unmet, as the mesher reports it, and in how many triangles for each reason.
+inline void print_reasons(const CGAL::Quality_mesh_report_2& report,
+                          const CGAL::Quality_mesh_options_2& options) {
+  std::map<CGAL::Quality_mesh_report_2::Reason, std::size_t> triangles;
+  for (const auto& unmet : report.unmet_triangles) ++triangles[unmet.reason];
+  for (const auto& [reason, n] : triangles)
+    std::printf("unmet: reason for %zu: %s\n", n, explanation(reason, options));
 }
 
 } // namespace report_words

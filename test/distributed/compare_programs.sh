@@ -44,6 +44,11 @@ refuses() { # what is named, argument...
 refuses "no input"
 refuses nothing.poly nothing.poly -o mesh.vtkhdf
 refuses mesh.svg graph.poly -o mesh.svg
+# What only quality_mesh does is not passed over.
+refuses --project graph.poly -o mesh.vtkhdf --project auto
+refuses --msh-version graph.poly -o mesh.msh --msh-version 2.2
+refuses --report graph.poly -o mesh.vtkhdf --report report.json
+refuses --size-from-features graph.poly -o mesh.vtkhdf --size-from-features 1 1
 refuses nowhere graph.poly -o nowhere/mesh.vtkhdf
 refuses graph.poly/scratch graph.poly -o mesh.vtkhdf --memory 64M --scratch graph.poly/scratch
 printf '3 2 0 0\n1 0 0\n2 1 0\n3 0 1\n1 0\n1 1 9\n0\n' >broken.poly
@@ -53,3 +58,18 @@ refuses "close the border" open.poly -o mesh.vtkhdf
 printf '4 2 0 0\n1 0 0\n2 1 1\n3 0 1\n4 1 0\n2 0\n1 1 2\n2 3 4\n0\n' >crossing.poly
 refuses "or use --repair of quality_mesh" crossing.poly -o mesh.vtkhdf
 [[ ! -e mesh.vtkhdf ]]
+
+# What misses a bound is told with its place and the reason, and so are the angles.
+status=0
+"${command[@]}" graph.poly --keep-borders all >told || status=$?
+[[ $status -eq 1 ]]
+grep -q '^unmet: the triangle at (' told
+grep -q '^unmet: reason for .*--keep-borders' told
+"${command[@]}" graph.poly >told
+"$program" graph.poly >expected
+for line in vertices triangles 'least angle ' 'largest angle'; do
+  # shellcheck disable=SC2016 # awk expands it
+  [[ $(grep -m 1 "^$line" told | awk '{ print $NF }') == $(grep -m 1 "^$line" expected | awk '{ print $NF }') ]]
+done
+printf '3 2 0 0\n1 10 60\n2 20 60\n3 10 68\n3 0\n1 1 2\n2 2 3\n3 3 1\n0\n' >degrees.poly
+"${command[@]}" degrees.poly | grep -q 'longitudes and latitudes'

@@ -66,10 +66,7 @@ public:
   Bytes bytes;
 
 private:
-  void append(const void* begin, std::size_t size) {
-    const char* const first = static_cast<const char*>(begin);
-    bytes.insert(bytes.end(), first, first + size);
-  }
+  void append(const void* begin, std::size_t size) { append_bytes(bytes, begin, size); }
 };
 
 /// Takes the values out again.

@@ -226,8 +226,7 @@ private:
       numbers[run].reserve(size), size_for_sender[runs[run].part] += size;
     }
     Place_merger<Point>(grid_, runs).for_each([&](std::size_t run) {
-      const char* const bytes = reinterpret_cast<const char*>(&first);
-      numbers[run].insert(numbers[run].end(), bytes, bytes + sizeof first);
+      append_bytes(numbers[run], &first, sizeof first);
       ++first;
     });
     for (Parcel& run : runs) free_arrays(run.bytes);
@@ -238,7 +237,7 @@ private:
       all.reserve(size);
       for (std::size_t run = 0; run < runs.size(); ++run) {
         if (runs[run].part != part) continue;
-        all.insert(all.end(), numbers[run].begin(), numbers[run].end());
+        append_bytes(all, numbers[run].data(), numbers[run].size());
         free_arrays(numbers[run]);
       }
     }

@@ -28,10 +28,7 @@ public:
   Bytes bytes;
 
   // For the archive.
-  void transfer_bytes(const void* begin, std::size_t size) {
-    const char* const first = static_cast<const char*>(begin);
-    bytes.insert(bytes.end(), first, first + size);
-  }
+  void transfer_bytes(const void* begin, std::size_t size) { append_bytes(bytes, begin, size); }
   template <class Vector>
   static void make_room(const Vector&, std::size_t) {}
 };
@@ -76,7 +73,7 @@ public:
     const char* first = static_cast<const char*>(begin);
     while (size > 0) {
       const std::size_t n = std::min(size, piece - bytes_.size());
-      bytes_.insert(bytes_.end(), first, first + n);
+      append_bytes(bytes_, first, n);
       first += n, size -= n;
       if (bytes_.size() == piece) finish();
     }
