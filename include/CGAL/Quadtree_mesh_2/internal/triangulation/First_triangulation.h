@@ -100,7 +100,8 @@ public:
       }
     });
     for (; s < edges_.segments.size(); ++s) edges_.segments[s] = {}; // a crossing came before
-    add({inserter.take()});
+    segments_made_.push_back(inserter.take());
+    add_made();
     return crossing;
   }
 
@@ -156,11 +157,10 @@ private:
   Edges_of_segments edges_; // until they are inserted, all segments have ends
   Input_edge_list repeated_edges_;
   std::size_t vertices_on_segments_ = 0;
-  std::size_t step_ =
-      1; // of a round in blocks: the vertices with multiples of it as numbers are inserted then
+  std::size_t step_ = 1; // of a round in blocks, which inserts vertices whose numbers are multiples of it
   // for blocks: the triangle of the coarse triangulation that holds a vertex
   Uninitialized_indexed_vector<Vertex_id, Triangle_id> coarse_triangle_;
-  std::vector<Segments_made> segments_made_; // by block
+  std::vector<Segments_made> segments_made_; // by block, until it is added
 
   template <class Points>
   static Mesh& with_points(Mesh& mesh, const Points& points) {
@@ -262,13 +262,15 @@ private:
     return std::nullopt;
   }
 
-  void add(const std::vector<Segments_made>& made) {
+  /// Takes what has been made of segments.
+  void add_made() {
     using Edges = std::vector<Input_edge>;
-    append_all<ConcurrencyTag>(edges_.others, made,
+    append_all<ConcurrencyTag>(edges_.others, segments_made_,
                                [](const Segments_made& m) -> const Edges& { return m.edges; });
-    append_all<ConcurrencyTag>(repeated_edges_, made,
+    append_all<ConcurrencyTag>(repeated_edges_, segments_made_,
                                [](const Segments_made& m) -> const Edges& { return m.repeated_edges; });
-    for (const Segments_made& m : made) vertices_on_segments_ += m.vertices_on_segments;
+    for (const Segments_made& m : segments_made_) vertices_on_segments_ += m.vertices_on_segments;
+    segments_made_.clear();
   }
 
   // ---- in blocks
@@ -298,8 +300,7 @@ private:
   std::optional<Crossing> insert_round_in_blocks(const Vertex_blocks& vertex_blocks) {
     locate_vertices();
     const Works works = work_in_blocks(vertex_blocks);
-    add(segments_made_);
-    segments_made_.clear();
+    add_made();
     if (const auto crossing = first_crossing(works)) return crossing;
     for (const Block_work& work : works)
       for (const Vertex_id v : work.vertices_left) insert_late(v);
@@ -456,7 +457,8 @@ private:
         for (const Rest_of_segment& s : work.segments_left)
           inserter.insert(representative(s.from), representative(s.to), s.segment);
     });
-    add({inserter.take()});
+    segments_made_.push_back(inserter.take());
+    add_made();
     return crossing;
   }
 
