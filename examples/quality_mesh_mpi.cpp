@@ -12,6 +12,7 @@
 
 #include "internal/Scratch_folder.h"
 #include "internal/command_line.h"
+#include "internal/degrees.h"
 #include "internal/program_steps.h"
 #include "internal/report_words.h"
 #include "internal/thread_limit.h"
@@ -114,11 +115,10 @@ struct Seen {
 
 /// All ranks call it.
 bool may_be_in_degrees(const CGAL::Pslg_slice_2<Traits::Point_2>& slice) {
-  constexpr double far_from_equator = 10; // angles differ by half a degree there
   int is_possible = 1, is_far = 0;
   for (const auto& p : slice.vertices) {
-    if (p.x() < -180 || p.x() > 360 || std::abs(p.y()) > 90) is_possible = 0;
-    if (std::abs(p.y()) > far_from_equator) is_far = 1;
+    if (!degrees::is_in_range(p)) is_possible = 0;
+    if (degrees::is_far_from_equator(p)) is_far = 1;
   }
   CGAL::Quadtree_mesh_2::internal::Mpi_exchange exchange(all_ranks);
   return exchange.min(is_possible) == 1 && exchange.max(is_far) == 1;
@@ -126,7 +126,7 @@ bool may_be_in_degrees(const CGAL::Pslg_slice_2<Traits::Point_2>& slice) {
 
 /// The least and the largest angle of all triangles, in degrees. All ranks call it.
 void find_angles(const Part& part, Seen& seen) {
-  const double degrees = 180 / std::acos(-1.0);
+  const double per_radian = 180 / std::acos(-1.0);
   for (std::size_t t = 0; t < part.number_of_own_triangles(); ++t)
     for (std::size_t k = 0; k < 3; ++k) {
       const auto point = [&](std::size_t i) {
@@ -134,7 +134,7 @@ void find_angles(const Part& part, Seen& seen) {
       };
       const auto a = point(0), b = point(1), c = point(2);
       const double ux = b.x() - a.x(), uy = b.y() - a.y(), vx = c.x() - a.x(), vy = c.y() - a.y();
-      const double angle = degrees * std::atan2(ux * vy - uy * vx, ux * vx + uy * vy);
+      const double angle = per_radian * std::atan2(ux * vy - uy * vx, ux * vx + uy * vy);
       seen.least_angle = std::min(seen.least_angle, angle);
       seen.largest_angle = std::max(seen.largest_angle, angle);
     }
@@ -195,27 +195,11 @@ void write(const Part& part, const std::string& output) {
   }
 }
 
-/// The first places where a bound is missed, and why.
-void print_unmet(const Command_line& line, const CGAL::Quality_mesh_report_2& report) {
-  constexpr std::size_t most = 10;
-  const auto& unmet = report.unmet_triangles;
-  for (std::size_t i = 0; i < std::min(unmet.size(), most); ++i)
-    std::printf("unmet: the triangle at (%.17g, %.17g), angles from %.2f to %.2f\n", unmet[i].centroid[0],
-                unmet[i].centroid[1], unmet[i].least_angle, unmet[i].greatest_angle);
-  if (unmet.size() > most) std::printf("unmet: %zu more\n", unmet.size() - most);
-  report_words::print_reasons(report, line.options);
-  if (report.encroached_edges > 0)
-    std::printf("unmet: edges on segments that are not Delaunay: %zu\n", report.encroached_edges);
-}
-
 void print(const Command_line& line, const CGAL::Quality_mesh_report_2& report, const Part& part,
            const Seen& seen) {
   std::printf("input: %zu vertices, %zu segments; bound: %g degrees\n", report.input_vertices,
               report.input_segments, line.options.min_angle());
-  if (seen.may_be_in_degrees)
-    std::printf("warning: if these are longitudes and latitudes, angles, lengths and areas are not those on "
-                "the ground;\n         use --project auto of quality_mesh, or --project none to say that "
-                "they are not\n");
+  if (seen.may_be_in_degrees) degrees::print_warning(" of quality_mesh");
   std::printf("vertices                         %14zu\n", report.vertices);
   std::printf("triangles                        %14zu\n", report.triangles);
   std::printf("least angle                      %14.2f\n", seen.least_angle);
@@ -224,7 +208,8 @@ void print(const Command_line& line, const CGAL::Quality_mesh_report_2& report, 
   std::printf("  that miss a bound              %14zu\n", report.unmet_triangles.size());
   std::printf("ranks with triangles             %14d of %d\n", part.number_of_parts(),
               part.number_of_ranks());
-  print_unmet(line, report);
+  report_words::print_places(report.unmet_triangles, [](const auto&) { return ""; });
+  report_words::print_reasons(report, line.options);
 }
 
 void print_own_help() {

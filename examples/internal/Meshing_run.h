@@ -4,6 +4,7 @@
 // What a run of quality_mesh made, in words for people and in JSON for programs.
 
 #include "Figures_table.h"
+#include "degrees.h"
 #include "mesh_figures.h"
 #include "projected_graph.h"
 #include "report_words.h"
@@ -95,19 +96,6 @@ inline void print_names(const char* what, const std::vector<std::string>& names)
     list += (i > 0 ? ", " : "") + std::to_string(i + 1) + ' ' + internal::printable(names[i], 40);
   if (names.size() > most) list += ", and " + std::to_string(names.size() - most) + " more";
   std::printf("%s: %s\n", what, list.c_str());
-}
-
-/// The places where a bound is unmet, the first of them.
-inline void print_unmet(const CGAL::Mesh_quality_2& quality) {
-  constexpr std::size_t max_lines = 10;
-  for (std::size_t i = 0; i < quality.unmet_triangles.size() && i < max_lines; ++i) {
-    const auto& unmet = quality.unmet_triangles[i];
-    std::printf("unmet: %s of the triangle at (%.17g, %.17g), angles from %.2f to %.2f\n",
-                report_words::words(unmet.bound), unmet.centroid[0], unmet.centroid[1], unmet.least_angle,
-                unmet.greatest_angle);
-  }
-  if (quality.unmet_triangles.size() > max_lines)
-    std::printf("unmet: %zu more\n", quality.unmet_triangles.size() - max_lines);
 }
 
 /// One line of the table: ours and, if Mesh_2 gave a mesh, its figure.
@@ -336,19 +324,16 @@ inline void print_run(const Meshing_run& run, const CGAL::Quality_mesh_options_2
   print_names("markers", run.pslg.marker_names);
   if (run.repair) print_repair(*run.repair);
   if (run.projected) print_projection(*run.projected);
-  if (run.may_be_in_degrees)
-    std::printf(
-        "warning: if these are longitudes and latitudes, angles, lengths and areas are not those on the "
-        "ground;\n         use --project auto, or --project none to say that they are not\n");
+  if (run.may_be_in_degrees) degrees::print_warning("");
   print_figures(run, options);
   print_trees(run.report.trees);
   if (!run.why_no_other.empty())
     std::printf("no mesh %s: %s\n", name_of_way(other_way(options.separate())), run.why_no_other.c_str());
   if (run.is_peer_asked && !run.peer) std::printf("CGAL Mesh_2 gave no mesh\n");
-  print_unmet(run.quality);
+  report_words::print_places(run.quality.unmet_triangles, [](const auto& unmet) {
+    return report_words::words(unmet.bound) + std::string(" of ");
+  });
   report_words::print_reasons(run.report, options);
-  if (run.report.encroached_edges > 0)
-    std::printf("unmet: edges on segments that are not Delaunay: %zu\n", run.report.encroached_edges);
 }
 
 #endif // QUADTREE_MESH_2_EXAMPLES_MESHING_RUN_H

@@ -1,5 +1,7 @@
 #include "projected_graph.h"
 
+#include "degrees.h"
+
 #include <CGAL/Pslg_error_2.h>
 #include <CGAL/mesh_in_projection_2.h>
 
@@ -16,7 +18,7 @@ namespace {
 bool is_in_degrees(const Pslg& graph, double west, double east) {
   return !graph.vertices.empty() &&
          std::all_of(graph.vertices.begin(), graph.vertices.end(),
-                     [=](const Point& p) { return west <= p.x() && p.x() <= east && std::abs(p.y()) <= 90; });
+                     [=](const Point& p) { return degrees::is_in_range(p, west, east); });
 }
 
 /// GeoJSON has longitudes and latitudes (RFC 7946, section 4) unless its author departs from the standard, which larger
@@ -41,10 +43,10 @@ CGAL::Conformal_projection_2 projection_of(const Pslg& graph, Command_line::Proj
 } // namespace
 
 bool may_be_in_degrees(const Pslg& graph) {
-  constexpr double far_from_equator = 10; // angles differ by half a degree there
-  return is_in_degrees(graph, -180, 360) &&
-         std::any_of(graph.vertices.begin(), graph.vertices.end(),
-                     [](const Point& p) { return std::abs(p.y()) > far_from_equator; });
+  const auto& all = graph.vertices;
+  return !all.empty() &&
+         std::all_of(all.begin(), all.end(), [](const Point& p) { return degrees::is_in_range(p); }) &&
+         std::any_of(all.begin(), all.end(), [](const Point& p) { return degrees::is_far_from_equator(p); });
 }
 
 std::optional<Run> projection(const Pslg& graph, CGAL::Coordinate_system_2 coordinates,

@@ -9,9 +9,12 @@
 #include <CGAL/Quality_mesh_report_2.h>
 #include <CGAL/mesh_quality_2.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdio>
 #include <map>
+#include <string>
+#include <vector>
 
 namespace report_words {
 
@@ -66,6 +69,20 @@ inline const char* explanation(CGAL::Quality_mesh_report_2::Reason reason,
   return "";
 }
 
+/// The places where a bound is unmet, the first of them.
+/// \param bound_of what bound of a triangle, in words: empty, or "BOUND of "
+template <class Unmet, class Bound_of>
+void print_places(const std::vector<Unmet>& triangles, const Bound_of& bound_of) {
+  constexpr std::size_t most = 10;
+  for (std::size_t i = 0; i < std::min(triangles.size(), most); ++i) {
+    const Unmet& unmet = triangles[i];
+    std::printf("unmet: %sthe triangle at (%.17g, %.17g), angles from %.2f to %.2f\n",
+                std::string(bound_of(unmet)).c_str(), unmet.centroid[0], unmet.centroid[1], unmet.least_angle,
+                unmet.greatest_angle);
+  }
+  if (triangles.size() > most) std::printf("unmet: %zu more\n", triangles.size() - most);
+}
+
 /// Why bounds are unmet, as the mesher reports it, and in how many triangles for each reason.
 inline void print_reasons(const CGAL::Quality_mesh_report_2& report,
                           const CGAL::Quality_mesh_options_2& options) {
@@ -73,6 +90,8 @@ inline void print_reasons(const CGAL::Quality_mesh_report_2& report,
   for (const auto& unmet : report.unmet_triangles) ++triangles[unmet.reason];
   for (const auto& [reason, n] : triangles)
     std::printf("unmet: reason for %zu: %s\n", n, explanation(reason, options));
+  if (report.encroached_edges > 0)
+    std::printf("unmet: edges on segments that are not Delaunay: %zu\n", report.encroached_edges);
 }
 
 } // namespace report_words

@@ -116,6 +116,8 @@ public:
       set_bounds();
       Corner_finder<ConcurrencyTag, Geometry>(state_, estimate_size()).run();
       let_go();
+      // Parts of a mesh have points once. In one memory, and where quadtrees put another mesh in its place, the
+      // input's are apart.
       problem_.borrow_points(state_.mesh.points, order_.size());
       if (runner_ == nullptr || is_by_trees) problem_.keep_points_apart();
     }

@@ -40,6 +40,7 @@ namespace Quadtree_mesh_2 {
 namespace internal {
 
 using Bytes = Uninitialized_vector<char>;
+using Numbers = std::vector<std::int64_t>;
 
 /// As one copy: to insert them would construct byte after byte.
 inline void append_bytes(Bytes& bytes, const void* begin, std::size_t size) {
@@ -48,7 +49,6 @@ inline void append_bytes(Bytes& bytes, const void* begin, std::size_t size) {
   bytes.resize(before + size);
   std::memcpy(bytes.data() + before, begin, size);
 }
-using Numbers = std::vector<std::int64_t>;
 
 /// Bytes to a part, or from one.
 struct Parcel {
